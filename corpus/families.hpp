@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: MIT
+// The families: generators of pairs, each named by the boundary it hugs. The only place that makes random numbers.
+// Every pair is a pure function of (family, seed, index), the same on every machine: only + - x / sqrt and ldexp.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string_view>
+
+#include "solver/cylinder.hpp"
+
+namespace cyl {
+
+struct Family {
+  std::string_view name;     ///< e.g. "axes_nearly_parallel"
+  std::string_view summary;  ///< one line for --help and the page
+  Pair (*generate)(std::uint64_t seed, std::uint64_t index);
+};
+
+/// All families in a fixed order.
+std::span<const Family> families();
+/// The family of that name, or nullptr.
+const Family* find_family(std::string_view name);
+
+}  // namespace cyl

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: MIT
+// A method: anything that answers a pair. It may decline or fail; it is never trusted.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "solver/cylinder.hpp"
+
+namespace cyl {
+
+/// From where on a method promises to be right: wherever |distance| >= relative * size + absolute.
+struct Claim {
+  double relative = 0;
+  double absolute = 0;      ///< a length in the scene's unit
+  std::string_view source;  ///< the line of its documentation or source that says so
+};
+
+enum class Status : unsigned char {
+  answered,
+  declined,  ///< cannot or does not want to answer this pair; no fault
+  failed     ///< tried and broke; `failure` says how
+};
+
+enum class Failure : unsigned char { none, exception, crash, hang, non_finite };
+
+enum class WitnessKind : unsigned char { none, direction, point };
+
+/// What a method said. Plain bytes, so that a contained worker can leave it in shared memory.
+struct MethodAnswer {
+  Status status = Status::declined;
+  Failure failure = Failure::none;
+  Verdict verdict = Verdict::undecided;  ///< meaningful where status == answered
+  bool has_distance = false;
+  WitnessKind witness = WitnessKind::none;
+  double distance = 0;             ///< signed: > 0 apart; meaningful where has_distance
+  double head[3] = {0, 0, 0};      ///< direction, or point = head + tail exactly
+  double tail[3] = {0, 0, 0};
+  char reason[120] = {};           ///< why it declined or failed; zero-terminated
+
+  void set_reason(std::string_view text) noexcept;  ///< truncates
+};
+
+/// Interface of a method. `ask` may do anything foreign code does: throw, abort, hang. Callers who cannot afford that
+/// go through contained.hpp. `ask` is called from one thread; the same pair gives the same answer.
+class Method {
+ public:
+  virtual ~Method() = default;
+  virtual std::string_view name() const = 0;     ///< <library>[-<way>][-<setting>]
+  virtual std::string_view version() const = 0;  ///< of the library, as found at build or run time
+  virtual Claim claim() const = 0;
+  virtual bool foreign() const { return true; }
+  /// Asked on every index divisible by this (and wherever others disagree): > 1 for costly methods.
+  virtual unsigned share() const { return 1; }
+  virtual MethodAnswer ask(const Pair& pair) = 0;
+};
+
+/// Every method of this build, in a fixed order: ours first.
+std::vector<std::unique_ptr<Method>> all_methods();
+
+std::vector<std::unique_ptr<Method>> own_methods();     ///< intersect, decide
+std::vector<std::unique_ptr<Method>> nlopt_methods();
+std::vector<std::unique_ptr<Method>> fcl_methods();
+std::vector<std::unique_ptr<Method>> bullet_methods();
+
+/// Keeps the methods that `spec` names: "a,b" keeps a and b, "-a,b" (given as --methods=-a,b) all but a and b; a name
+/// stands for every method that is it or begins with it and '-'. Throws std::invalid_argument on an unknown name.
+std::vector<std::unique_ptr<Method>> select_methods(std::vector<std::unique_ptr<Method>> methods,
+                                                    std::string_view spec);
+
+/// The same rule for any list of names (families): the indices kept, in order.
+std::vector<std::size_t> select_names(const std::vector<std::string>& names, std::string_view spec);
+
+}  // namespace cyl

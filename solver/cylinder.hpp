@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: MIT
+// The words of the project: what a cylinder, a pair and a verdict are. No arithmetic lives here.
+// (The namespace is cyl, not daylight: <time.h> declares a global variable `daylight`.)
+#pragma once
+
+#include <Eigen/Core>
+
+namespace cyl {
+
+using Vector3 = Eigen::Vector3d;
+
+/// A solid, closed, finite cylinder. The solid is defined by axis/|axis| taken exactly, so the axis may have any
+/// finite non-zero length. Radius 0 is a segment, height 0 a disk, both a point: all legal.
+struct Cylinder {
+  Vector3 center{0, 0, 0};  ///< the middle of the axis segment, in the scene's length unit
+  Vector3 axis{0, 0, 1};    ///< any finite non-zero vector
+  double radius = 0;        ///< >= 0, same unit
+  double height = 0;        ///< full height, >= 0, same unit
+};
+
+/// Directions point from a to b.
+struct Pair {
+  Cylinder a, b;
+};
+
+/// Solids are closed: touching solids do intersect.
+enum class Verdict : unsigned char {
+  disjoint,      ///< no common point
+  intersecting,  ///< a common point; from a yes/no call this includes touching
+  touching,      ///< a common point and signed distance exactly 0; said only where proved
+  undecided,     ///< not known: inside the rounding band, or the work cap was reached
+  invalid        ///< the input is no pair of cylinders
+};
+
+/// Why a Cylinder is invalid; the first reason in this order.
+enum class Defect : unsigned char {
+  none,
+  center_not_finite,
+  axis_not_finite,
+  axis_zero,
+  radius_not_finite,
+  radius_negative,
+  height_not_finite,
+  height_negative
+};
+
+/// Cost: eight comparisons. Never throws.
+Defect find_defect(const Cylinder& c) noexcept;
+
+/// The words used in files and on screens: "disjoint", "intersecting", ...
+const char* to_string(Verdict v) noexcept;
+
+/// A phrase for people: "radius is negative", ...
+const char* to_string(Defect d) noexcept;
+
+}  // namespace cyl
