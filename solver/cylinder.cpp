@@ -18,25 +18,38 @@ Defect find_defect(const Cylinder& c) noexcept {
 
 const char* to_string(Verdict v) noexcept {
   switch (v) {
-    case Verdict::disjoint: return "disjoint";
-    case Verdict::intersecting: return "intersecting";
-    case Verdict::touching: return "touching";
-    case Verdict::undecided: return "undecided";
-    case Verdict::invalid: return "invalid";
+    case Verdict::disjoint:
+      return "disjoint";
+    case Verdict::intersecting:
+      return "intersecting";
+    case Verdict::touching:
+      return "touching";
+    case Verdict::undecided:
+      return "undecided";
+    case Verdict::invalid:
+      return "invalid";
   }
   return "invalid";
 }
 
 const char* to_string(Defect d) noexcept {
   switch (d) {
-    case Defect::none: return "nothing is wrong";
-    case Defect::center_not_finite: return "center is not finite";
-    case Defect::axis_not_finite: return "axis is not finite";
-    case Defect::axis_zero: return "axis is zero";
-    case Defect::radius_not_finite: return "radius is not finite";
-    case Defect::radius_negative: return "radius is negative";
-    case Defect::height_not_finite: return "height is not finite";
-    case Defect::height_negative: return "height is negative";
+    case Defect::none:
+      return "nothing is wrong";
+    case Defect::center_not_finite:
+      return "center is not finite";
+    case Defect::axis_not_finite:
+      return "axis is not finite";
+    case Defect::axis_zero:
+      return "axis is zero";
+    case Defect::radius_not_finite:
+      return "radius is not finite";
+    case Defect::radius_negative:
+      return "radius is negative";
+    case Defect::height_not_finite:
+      return "height is not finite";
+    case Defect::height_negative:
+      return "height is negative";
   }
   return "nothing is wrong";
 }

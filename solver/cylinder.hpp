@@ -9,8 +9,8 @@ namespace cyl {
 
 using Vector3 = Eigen::Vector3d;
 
-/// A solid, closed, finite cylinder. The solid is defined by axis/|axis| taken exactly, so the axis may have any
-/// finite non-zero length. Radius 0 is a segment, height 0 a disk, both a point: all legal.
+/// A solid, closed, finite cylinder. The solid is defined by axis/|axis| taken exactly, so the axis may have
+/// any finite non-zero length. Radius 0 is a segment, height 0 a disk, both a point: all legal.
 struct Cylinder {
   Vector3 center{0, 0, 0};  ///< the middle of the axis segment, in the scene's length unit
   Vector3 axis{0, 0, 1};    ///< any finite non-zero vector

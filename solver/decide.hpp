@@ -9,13 +9,24 @@ namespace cyl {
 
 /// A cylinder checked and brought to working form once, for use in many pairs. Make it with prepare().
 struct Prepared {
-  Vector3 center;      ///< as given
-  Vector3 unit_axis;   ///< axis/|axis|, each coordinate within unit_axis_error
-  double radius;       ///< as given
-  double half_height;  ///< height/2
-  double height;       ///< as given
-  Defect defect;       ///< not none: every call answers `invalid`
+  Vector3 center;     ///< as given
+  Vector3 unit_axis;  ///< axis/|axis|, within unit_axis_error of the exact unit vector
+  double radius;      ///< as given
+  double height;      ///< as given
+  Defect defect;      ///< not none: every call answers `invalid`
 };
+
+/// Bounds of rounding, as multiples of lengths; derived in derivation.md, section 6.
+inline constexpr double unit_roundoff_error = 0x1p-53;              ///< of one operation, relative
+inline constexpr double unit_axis_error = 4 * unit_roundoff_error;  ///< of unit_axis, as a vector's length
+inline constexpr double separation_error =
+    16 * unit_roundoff_error;  ///< of f(D), times |D| (r0+h0/2+r1+h1/2+|Delta|)
+inline constexpr double membership_error = 16 * unit_roundoff_error;  ///< of a point's distances to axis and
+                                                                      ///< middle plane, times |x| + |Delta|
+
+/// Tangent steps before `undecided`. The bracket halves at least every third step and 53 halvings exhaust a
+/// double, so the cap is never reached; it is what makes that claim checkable.
+inline constexpr int iteration_cap = 200;
 
 Prepared prepare(const Cylinder& c) noexcept;
 
@@ -26,22 +37,22 @@ enum class Proof : unsigned char { none, direction, point };
 struct Answer {
   Verdict verdict = Verdict::undecided;
   Proof proof = Proof::none;
-  /// proof == direction: D with f(D) < 0, D.(b.center - a.center) > 0, any length.
-  /// proof == point: the common point is exactly point_head + point_tail; head is a's centre.
+  /// proof == direction: D with f(D) < 0, D.(b.center - a.center) > 0, |D| about 1.
+  /// proof == point: the common point is exactly point_head + point_tail; head is the centre of a or of b.
   Vector3 direction{0, 0, 0};
   Vector3 point_head{0, 0, 0};
   Vector3 point_tail{0, 0, 0};
   int iterations = 0;  ///< tangent steps spent, at most iteration_cap
 };
 
-/// Yes or no by the sign of the double computation: `disjoint`, `intersecting` (touching included), `invalid`, or
-/// `undecided` at the work cap. Right wherever the margin is >= 1e-13. Symmetric in its arguments bit for bit.
-/// Cost: about 12 dot products, then 0.5 tangent steps on average on random pairs.
+/// Yes or no by the sign of the double computation: `disjoint`, `intersecting` (touching included),
+/// `invalid`, or `undecided` at the work cap. Right wherever the margin is >= 1e-13. Symmetric in its
+/// arguments bit for bit. Cost: about 12 dot products, then 0.5 tangent steps on average on random pairs.
 Verdict intersect(const Prepared& a, const Prepared& b) noexcept;
 Verdict intersect(const Cylinder& a, const Cylinder& b) noexcept;
 
-/// The same decision with its proof: `disjoint` with a direction or `intersecting` with a point, each beyond the
-/// rounding bound, else `undecided` (or `invalid`). Never wrong.
+/// The same decision with its proof: `disjoint` with a direction or `intersecting` with a point, each beyond
+/// the rounding bound, else `undecided` (or `invalid`). Never wrong.
 Answer decide(const Prepared& a, const Prepared& b) noexcept;
 Answer decide(const Cylinder& a, const Cylinder& b) noexcept;
 
