@@ -11,6 +11,7 @@
 #include <sstream>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace cyl {
@@ -171,7 +172,7 @@ TEST(PairIo, NamesTheFaultAndItsPlace) {
       {with_a(start + R"(@-Infinity,"height":2})"), "a.radius is -Infinity, expected a number"},
       {with_a(start + R"(@.5,"height":2})"), "a.radius is .5, expected a number"},
       {with_a(start + R"(@+5,"height":2})"), "a.radius is +5, expected a number"},
-      {with_a(start + R"(0@x10,"height":2})"), "not JSON: invalid literal; expected '}'"},
+      {with_a(start + R"(0@x10,"height":2})"), "not JSON: invalid literal"},
       {with_a(start + R"(0@1,"height":2})"), "not JSON: unexpected number literal; expected '}'"},
       {with_a(start + R"(@1e999,"height":2})"), "a.radius overflows a double (1e999)"},
       {with_a(R"({"center":[0,@-1e999,0],"axis":[0,0,1],"radius":1,"height":2})"),
@@ -229,7 +230,7 @@ TEST(PairIo, NamesTheFaultAndItsPlace) {
       {" @7", "the line is a number, expected an object"},
       {"@\"a\"", "the line is a string, expected an object"},
       {"@hello", "not JSON: invalid literal"},
-      {good_line + "@x", "not JSON: invalid literal; expected end of input"},
+      {good_line + "@x", "not JSON: invalid literal"},
       {good_line + " @{}", "not JSON: unexpected '{'; expected end of input"},
       {good_line.substr(0, good_line.size() - 1) + "@", "not JSON: unexpected end of input; expected '}'"},
       {with_more("@"), "not JSON: unexpected '}'; expected string literal"},
@@ -321,8 +322,9 @@ TEST(PairIo, SurvivesMutatedBytes) {
   std::mt19937 bits(20261121);  // its sequence is fixed by the standard
   constexpr std::string_view favourites = "\"\\{}[]:,-+.eE0123456789 \t\r\n\xEF\xBB\xBF\xFFtruefalsn";
   ;
+  std::string batch;
   std::size_t values = 0;
-  for (int i = 0; i < 40000; ++i) {
+  for (int i = 1; i <= 40000; ++i) {
     std::string text = seeds[bits() % seeds.size()];
     for (unsigned edits = 1 + bits() % 2; edits > 0; --edits) {
       const std::size_t at = bits() % text.size();
@@ -343,18 +345,21 @@ TEST(PairIo, SurvivesMutatedBytes) {
       }
       if (text.empty()) text = "{";
     }
-    for (const CaseLine& line : read_all(text)) {
-      ASSERT_EQ(line.error.empty(), line.value.has_value()) << text;
+    batch += text + "\n";
+    if (i % 100 != 0) continue;
+    for (const CaseLine& line : read_all(std::exchange(batch, {}))) {
+      ASSERT_EQ(line.error.empty(), line.value.has_value())
+          << line.error << format_case(line.value.value_or(Case{}));
       if (!line.value) {
         ASSERT_LT(line.error.size(), 250u);
         continue;
       }
       ++values;
-      ASSERT_EQ(find_defect(line.value->pair.a), Defect::none) << text;
-      ASSERT_EQ(find_defect(line.value->pair.b), Defect::none) << text;
+      ASSERT_EQ(find_defect(line.value->pair.a), Defect::none) << format_case(*line.value);
+      ASSERT_EQ(find_defect(line.value->pair.b), Defect::none) << format_case(*line.value);
       const CaseLine again = parse_case(format_case(*line.value), 1);
-      ASSERT_EQ(again.error, "") << text;
-      ASSERT_TRUE(same_bits(again.value->pair, line.value->pair)) << text;
+      ASSERT_EQ(again.error, "") << format_case(*line.value);
+      ASSERT_TRUE(same_bits(again.value->pair, line.value->pair)) << format_case(*line.value);
       ASSERT_EQ(again.value->note, line.value->note);
     }
   }
