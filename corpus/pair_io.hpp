@@ -1,9 +1,15 @@
 // SPDX-License-Identifier: MIT
-// The one reader and writer of pairs and answers as JSON Lines. One line in, one record out, in order; a malformed
-// line becomes a record with an error and costs nothing after it.
+// The one reader and writer of pairs as JSON Lines. One line in, one record out, in order; a malformed line
+// becomes a record with an error and costs nothing after it.
+//
+//   {"a":{"center":[0,0,0],"axis":[0,0,1],"radius":1,"height":2},"b":{...},"id":"...","truth":"disjoint"}
+//
+// A cylinder has exactly these four fields. Beside a and b a line may have the strings id, source, truth (a
+// verdict) and note. Other keys of any type are skipped, but one within one edit of source, truth or note is
+// an error. Every number is read as the nearest double, the sign of zero kept; integers beyond 2^53 are
+// rounded like any other number, and a number that overflows is an error wherever it stands.
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <istream>
 #include <optional>
@@ -23,32 +29,40 @@ struct Case {
   std::string note;
 };
 
-/// What one line held: a case, or an error text "line 3, column 17: a.radius is negative (-1)".
+/// The most bytes of a line that are read; a longer line is an error.
+inline constexpr std::size_t line_cap = std::size_t{1} << 20;
+
+/// What one line held: a case, or an error text "line 3, column 17: a.radius is negative (-1)". Columns count
+/// bytes from 1, a byte order mark not counted.
 struct CaseLine {
   std::size_t line = 0;  ///< 1-based line number in its file
   std::optional<Case> value;
   std::string error;  ///< empty iff value is set
 };
 
-/// Reads one non-blank line at a time. Never throws on content.
+/// Reads one non-blank line at a time; lines may end in \n or \r\n, and the first may begin with a byte order
+/// mark. Never throws on content.
 class CaseReader {
  public:
-  explicit CaseReader(std::istream& in) : in_(in) {}
-  /// The next non-blank line, or nothing at the end of the stream.
+  explicit CaseReader(std::istream& in) : in_(in), buffer_(line_cap + 2, '\0') {}
+  /// The next non-blank line, or nothing at the end of the stream or where it cannot be read (then in.bad()).
   std::optional<CaseLine> next();
 
  private:
   std::istream& in_;
+  std::string buffer_;  ///< one line, its \r and a terminating zero
   std::size_t line_ = 0;
 };
 
 /// Parses one line (without its newline); `line` is only used in error texts.
 CaseLine parse_case(std::string_view text, std::size_t line);
 
-/// One line without newline, numbers in the shortest decimals that read back to the same double.
+/// One line without newline, numbers in the shortest decimals that read back to the same double. Empty
+/// optional fields are left out.
 std::string format_case(const Case& c);
 std::string format_pair(const Pair& p);  ///< {"a":{...},"b":{...}}
-/// Shortest round-trip decimals of a double, by std::to_chars ("0.1", "1e-300", "-0").
+/// Shortest round-trip decimals of a double, by std::to_chars ("0.1", "1e-300", "-0"; "nan" and "inf" too,
+/// which are no JSON and which the reader refuses).
 std::string format_double(double x);
 /// A JSON string literal with quotes; invalid UTF-8 becomes U+FFFD.
 std::string quote_json(std::string_view text);
