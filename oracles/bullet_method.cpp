@@ -148,7 +148,9 @@ class GjkEpa2 final : public Bullet {
 /// between.
 class Hull final : public Bullet {
  public:
-  explicit Hull(int sides) : Bullet("bullet-hull-" + std::to_string(sides)), sides_(sides) {}
+  Hull(int sides, unsigned share)
+      : Bullet("bullet-hull-" + std::to_string(sides)), sides_(sides), share_(share) {}
+  unsigned share() const override { return share_; }
 
   MethodAnswer ask(const Pair& pair) override {
     if (const auto declined = decline_invalid(pair)) return *declined;
@@ -188,6 +190,7 @@ class Hull final : public Bullet {
   }
 
   const int sides_;
+  const unsigned share_;
 };
 
 }  // namespace
@@ -197,7 +200,8 @@ std::vector<std::unique_ptr<Method>> bullet_methods() {
   methods.push_back(std::make_unique<CylinderWithMargin>("bullet-cylinder"));
   methods.push_back(std::make_unique<CylinderWithoutMargin>("bullet-cylinder-margin0"));
   methods.push_back(std::make_unique<GjkEpa2>("bullet-gjkepa2"));
-  for (int sides : {16, 64}) methods.push_back(std::make_unique<Hull>(sides));
+  methods.push_back(std::make_unique<Hull>(16, 1));
+  methods.push_back(std::make_unique<Hull>(64, 8));  // 40 us a pair, ten times the others
   return methods;
 }
 

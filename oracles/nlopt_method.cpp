@@ -4,7 +4,6 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 #include <limits>
 #include <string>
 
@@ -32,8 +31,7 @@ constexpr unsigned long random_seed = 1;
 
 /// First steps of the rounds of polishing, in chart coordinates. A simplex that has collapsed on a kink of f
 /// starts anew, smaller, in the next round.
-constexpr double polish_steps[] = {0x1p-3, 0x1p-8, 0x1p-16};
-constexpr int polish_rounds = std::size(polish_steps);
+constexpr double polish_steps[3] = {0x1p-3, 0x1p-8, 0x1p-16};
 
 /// Half the side of the chart that polishing may use. Wider than the face (1), so that a minimum on an edge
 /// of the cube is inside.
