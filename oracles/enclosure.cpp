@@ -45,8 +45,9 @@ struct Cap {
 };
 
 struct Bounds {
-  double below;  // of f on the cap
-  double value;  // of f at the cap's middle
+  double below;    // of f on the cap
+  double value;    // of f at the cap's middle
+  double nearest;  // length of some y: the solids, if disjoint, are no farther apart
 };
 
 class Search {
@@ -70,22 +71,28 @@ class Search {
       const Bounds b = plane(moved, on_circle, at_axis);
       best.below = std::max(best.below, b.below);
       best.value = std::min(best.value, b.value);
+      best.nearest = std::min(best.nearest, b.nearest);
     };
     for (std::size_t i = 0; i < 2; ++i) {
       const Vec& w = solids_[i].axis;
       const double t = dot(cap.center, w);
       if (std::fabs(t) <= cap.sine) {
-        const Vec flat = cap.center - t * w;
-        consider((1 / length(flat)) * flat, {i == 0, i == 1}, {false, false});
+        const Vec flat = cap.center - t * w, middle = (1 / length(flat)) * flat;
+        consider(middle, {i == 0, i == 1}, {false, false});
+        // Axes nearly parallel: both circles run through the cap side by side, or both poles lie in it.
+        if (std::fabs(dot(middle, solids_[1 - i].axis)) <= cap.sine)
+          consider(middle, {true, true}, {false, false});
       }
       const Vec pole = t < 0 ? -1.0 * w : w;
-      if (dot(cap.center, pole) >= cap.cosine) {
+      if (length(cross(cap.center, pole)) <= cap.sine) {
         consider(pole, {false, false}, {i == 0, i == 1});
         consider(pole, {i == 1, i == 0}, {i == 0, i == 1});
+        if (length(cross(pole, solids_[1 - i].axis)) <= cap.sine)
+          consider(pole, {false, false}, {true, true});
       }
     }
     const Vec pole = dot(cap.center, normal_) < 0 ? -1.0 * normal_ : normal_;
-    if (dot(cap.center, pole) >= cap.cosine) consider(pole, {true, true}, {false, false});
+    if (length(cross(cap.center, pole)) <= cap.sine) consider(pole, {true, true}, {false, false});
     return best;
   }
 
@@ -110,7 +117,12 @@ class Search {
       const double spread = length(radial);
       value += s.half * std::fabs(t) + s.radius * spread;
       if (!on_circle[i]) y = y + (t < 0 ? -s.half : s.half) * s.axis;
-      if (!at_axis[i] && spread > 0) y = y + (s.radius / spread) * radial;
+      if (!at_axis[i] && spread > 0) {
+        // Near the axis the difference has lost digits: square to the axis again, or the point would leave
+        // the rim.
+        const Vec out = (1 / spread) * radial, flat = out - dot(out, s.axis) * s.axis;
+        y = y + (s.radius / length(flat)) * flat;
+      }
     }
     std::array<double, 2> slide{};
     std::array<Vec, 2> shift{};
@@ -133,7 +145,8 @@ class Search {
     const double along = dot(d, y), beside = length(y - along * d);
     // theta + rho beyond a half turn: the plane's least value is -|y|.
     const bool past = beside * cap.cosine + along * cap.sine < 0;
-    return {past ? -length(y) : along * cap.cosine - beside * cap.sine, value};
+    const double size = length(y);
+    return {past ? -size : along * cap.cosine - beside * cap.sine, value, size};
   }
 
   std::array<Solid, 2> solids_;
@@ -174,11 +187,13 @@ struct Range {
 Range minimise(const Search& search, double width) {
   std::priority_queue<Cell> queue;
   double best = std::numeric_limits<double>::infinity();
+  double floor = -best;  // |y| >= the distance, so -|y| bounds f from below on the whole sphere
   std::size_t cells = 0;
   auto add = [&](Cell c) {
     const Bounds b = search.bounds(cap_of(c));
     ++cells;
     best = std::min(best, b.value);
+    floor = std::max(floor, -b.nearest);
     c.below = std::max(c.below, b.below);
     if (c.below < best) queue.push(c);
   };
@@ -186,14 +201,14 @@ Range minimise(const Search& search, double width) {
   for (int face = 0; face < 6; ++face)
     for (const double s : {-0.5, 0.5})
       for (const double t : {-0.5, 0.5}) add({face, s, t, 0.5, everything});
-  while (!queue.empty() && best - queue.top().below > width && cells < cell_cap) {
+  while (!queue.empty() && best - std::max(floor, queue.top().below) > width && cells < cell_cap) {
     const Cell c = queue.top();
     queue.pop();
     const double h = c.half / 2;
     for (const double i : {-h, h})
       for (const double j : {-h, h}) add({c.face, c.s + i, c.t + j, h, c.below});
   }
-  return {queue.empty() ? best : std::min(best, queue.top().below), best};
+  return {queue.empty() ? best : std::min(best, std::max(floor, queue.top().below)), best};
 }
 
 // Axes exactly parallel: how far the solids are apart along the axis and across it says everything.
@@ -230,6 +245,10 @@ Enclosure enclose_distance(const Pair& pair, const Truth& truth, double relative
   if (truth.verdict == Verdict::disjoint) e.lo = std::max(e.lo, 0.0);
   if (truth.verdict == Verdict::intersecting) e.hi = std::min(e.hi, 0.0);
   return e;
+}
+
+Enclosure enclose_distance(const Pair& pair, const Truth& truth) {
+  return enclose_distance(pair, truth, truth.verdict == Verdict::disjoint ? gap_width_tol : depth_width_tol);
 }
 
 }  // namespace cyl

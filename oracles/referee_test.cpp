@@ -169,7 +169,7 @@ TEST(Enclosure, HoldsDistancesKnownOnPaper) {
     const Enclosure e = enclose_distance(pair, judge(pair));
     EXPECT_LE(e.lo, k.distance) << k.line;
     EXPECT_GE(e.hi, k.distance) << k.line;
-    EXPECT_LE(e.hi - e.lo, 2e-6 * size_of(pair)) << k.line;
+    EXPECT_LE(e.hi - e.lo, 2e-9 * size_of(pair)) << k.line;
   }
 }
 
@@ -183,7 +183,7 @@ TEST(Enclosure, NearTouchingFamiliesKeepTheirMargin) {
       const Pair pair = family->generate(5, i);
       const Enclosure e = enclose_distance(pair, judge(pair));
       EXPECT_LE(e.lo, e.hi);
-      EXPECT_LE(e.hi - e.lo, 2e-6 * size_of(pair)) << name << " " << i;
+      EXPECT_LE(e.hi - e.lo, 2e-9 * size_of(pair)) << name << " " << i;
       EXPECT_LE(std::fabs(e.lo), 0.02 * size_of(pair)) << name << " " << i;
     }
   }
