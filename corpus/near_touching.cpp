@@ -17,23 +17,6 @@ bool is_slender(ContactKind kind) {
 
 enum class Feature { side, rim, cap };
 
-// A contact at distance g with normal n: take p, a point of a where n.x is greatest, and q, a point of b
-// where n.x is least, and put the centres so that q = p + g n. Then f(n) = -g exactly, and
-//   gap (g >= 0): p and q are points of the solids at distance g, and the slab between them is free: distance
-//   = g; penetration (g < 0): moving b by -g n makes the solids touch, so the depth is at most -g. It is no
-//   less if no direction m gives a smaller one, that is, if D(m) >= -g (1 - m.n) for the deficit D(m) =
-//   h_a(m) - m.p + h_b(-m) + m.q >= 0 (h: support function). Two cases:
-//   - p lies on a side or inside a cap. A ball of radius R fits into a and touches at p, so D(m) >= R (1 -
-//   m.n), and
-//     -g <= R is enough. Below, a contact point keeps 0.4 of the half height from the caps and 0.4 of the
-//     radius from the rim, so R >= 0.1 or, for needles, 5e-5, and -g <= 0.08 or, for needles, 4.1e-6.
-//   - rim to rim. With u the outward radial direction at p, w the axis towards that cap and v = w x u, the
-//   deficit of
-//     each solid is r (|m - (m.w) w| - m.u) + h (|m.w| - m.w) / 2: at least r (m.v)^2 / 2, plus 2r |m.u| or h
-//     |m.w| where these are negative. n is orthogonal to both v's, and |cos| of their angle is at most 0.6,
-//     so D(m) >= A (1 - (m.n)^2) with A = 0.2 min(r), plus B |m.n| with B = 1.4 min(2r, h) where m.n < 0.
-//     That is concave in |m.n|, so -g <= A and -2g <= B are enough: 0.08 <= 0.1 <= A and 0.16 <= 0.7 <= B,
-//     for disks 8.2e-6 <= 7e-5 <= B.
 struct Member {
   Cylinder solid;   // its centre is set at the end
   Vector3 contact;  // the contact point relative to the centre
@@ -110,13 +93,32 @@ double contact_margin(ContactKind kind, std::uint64_t index) {
   return index % 2 == 0 ? margin : -margin;
 }
 
+// Why the distance is g: take p, a point of a where n.x is greatest, and q, a point of b where n.x is least,
+// and put the centres so that q = p + g n. Then f(n) = -g.
+//
+// Gap (g >= 0): p and q are points of the solids at distance g, and the slab between them is free.
+//
+// Penetration (g < 0): b moved by -g n touches a, so the depth is at most -g. It is no less if no direction m
+// does better: D(m) >= -g (1 - m.n) for the deficit D(m) = h_a(m) - m.p + h_b(-m) + m.q >= 0, where h is the
+// support function.
+//
+// Side or cap: where p lies on a side or inside a cap, a ball of radius R fits into a and touches at p, so
+// D(m) >= R (1 - m.n), and -g <= R is enough; likewise for b. A contact point keeps 0.4 of the half height
+// from the caps and 0.4 of the radius from the rim, so 0.1 <= R (needles: 5e-5) and -g <= 0.08 (4.1e-6).
+//
+// Rim to rim: with u the outward radial direction at p, w the axis towards that cap and v = w x u, the
+// deficit of each solid is r (|m - (m.w) w| - m.u) + h (|m.w| - m.w) / 2. That is at least r (m.v)^2 / 2,
+// plus 2r |m.u| or h |m.w| where these are negative. n is orthogonal to both v's, and |cos| of their angle is
+// at most 0.6, so D(m) >= A (1 - (m.n)^2) with A = 0.2 min(r), plus B |m.n| with B = 1.4 min(2r, h) where m.n
+// < 0. That is concave in |m.n|, so -g <= A and -2g <= B are enough: 0.08 <= 0.1 <= A and 0.16 <= 0.7 <= B
+// (disks: 8.2e-6 <= 7e-5 <= B).
 Contact draw_contact(ContactKind kind, RandomStream& stream, std::uint64_t index) {
   Contact c;
   c.normal = stream.unit_vector();
   auto [first, second] = features_of(kind);
   if (stream.coin()) std::swap(first, second);
 
-  // Two directions perpendicular to the normal, 53 degrees or more apart, or the same one for parallel sides.
+  // Two directions perpendicular to the normal, |cos| of their angle at most 0.6, or one for parallel sides.
   const Vector3 va = stream.perpendicular(c.normal);
   Vector3 vb =
       kind == ContactKind::parallel_sides ? Vector3(stream.sign() * va) : stream.perpendicular(c.normal);

@@ -21,8 +21,8 @@ enum class ContactKind : unsigned char {
   cap_side,        ///< a generator lies on a cap
   cap_cap,         ///< two caps face each other
   parallel_sides,  ///< two generators face each other
-  needle_needle,   ///< side_side of needles, radius 1e-4..1e-2 of the height
-  disk_disk        ///< rim_rim of disks, height 1e-4..1e-2 of the radius
+  needle_needle,   ///< side_side of needles, radius 2.5e-5 to 4e-2 of the height
+  disk_disk        ///< rim_rim of disks, height 2.5e-5 to 4e-2 of the radius
 };
 
 /// A pair and why its distance is known.
