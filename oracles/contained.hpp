@@ -28,8 +28,8 @@ inline constexpr std::chrono::milliseconds call_cpu_cap{1000};
 
 /// Asks every question in order inside forked workers. Answers come back in the order of the questions, one
 /// each, whatever the methods do. Never throws on a method's behaviour; throws std::system_error only where
-/// fork or mmap fail. What a worker prints is kept off the terminal; the tail of it becomes the reason of a
-/// crash.
+/// the system refuses a process or memory. What a worker prints is kept off the terminal; the tail of it
+/// becomes the reason of a crash.
 std::vector<ContainedAnswer> ask_contained(std::span<const std::unique_ptr<Method>> methods,
                                            std::span<const Pair> pairs, std::span<const Question> questions,
                                            std::chrono::milliseconds cpu_cap = call_cpu_cap);

@@ -248,48 +248,69 @@ const char* to_string(Stage s) {
   return "exact";
 }
 
-std::string format_vector(const ExactVector& v) {
-  std::string s = "[";
+void append_vector(std::string& s, const ExactVector& v) {
+  s += '[';
   for (std::size_t i = 0; i < 3; ++i) {
     if (i) s += ',';
     if (!v.exact[i].empty())
-      s += '"' + v.exact[i] + '"';
+      s.append("\"").append(v.exact[i]).append("\"");
     else if (v.tail[i] != 0)
-      s += '[' + format_double(v.head[i]) + ',' + format_double(v.tail[i]) + ']';
+      s.append("[").append(format_double(v.head[i])).append(",").append(format_double(v.tail[i])).append("]");
     else
       s += format_double(v.head[i]);
   }
-  return s + ']';
+  s += ']';
 }
 
-// The members of the certificate's object, without braces; empty where there is none.
-std::string certificate_members(const Certificate& c) {
+// The members of the certificate's object, without braces; nothing where there is none.
+void append_certificate(std::string& s, const Certificate& c) {
   switch (c.kind) {
     case CertificateKind::none:
-      return "";
+      return;
     case CertificateKind::direction:
-      return "\"direction\":" + format_vector(c.vector);
+      s += "\"direction\":";
+      break;
     case CertificateKind::point:
-      return "\"point\":" + format_vector(c.vector);
+      s += "\"point\":";
+      break;
     case CertificateKind::near:
-      return "\"near\":{\"point\":" + format_vector(c.vector) + ",\"direction\":" + format_vector(c.second) +
-             "}";
+      s += "\"near\":{\"point\":";
+      break;
   }
-  return "";
+  append_vector(s, c.vector);
+  if (c.kind != CertificateKind::near) return;
+  s += ",\"direction\":";
+  append_vector(s, c.second);
+  s += '}';
 }
 
 }  // namespace
 
-std::string format_certificate(const Certificate& c) { return "{" + certificate_members(c) + "}"; }
+std::string format_certificate(const Certificate& c) {
+  std::string s = "{";
+  append_certificate(s, c);
+  s += '}';
+  return s;
+}
 
 std::string format_truth(const Truth& truth, const Enclosure* distance) {
-  std::string s = std::string("{\"verdict\":\"") + to_string(truth.verdict) + '"';
-  if (truth.certificate.kind != CertificateKind::none) s += ',' + certificate_members(truth.certificate);
+  std::string s = "{\"verdict\":\"";
+  s.append(to_string(truth.verdict)).append("\"");
+  if (truth.certificate.kind != CertificateKind::none) {
+    s += ',';
+    append_certificate(s, truth.certificate);
+  }
   if (distance)
-    s += ",\"distance\":[" + format_double(distance->lo) + ',' + format_double(distance->hi) + ']';
-  if (truth.verdict == Verdict::undecided) s += ",\"bits\":" + std::to_string(truth.bits);
-  if (truth.verdict != Verdict::invalid) s += std::string(",\"stage\":\"") + to_string(truth.stage) + '"';
-  return s + '}';
+    s.append(",\"distance\":[")
+        .append(format_double(distance->lo))
+        .append(",")
+        .append(format_double(distance->hi))
+        .append("]");
+  if (truth.verdict == Verdict::undecided) s.append(",\"bits\":").append(std::to_string(truth.bits));
+  if (truth.verdict != Verdict::invalid)
+    s.append(",\"stage\":\"").append(to_string(truth.stage)).append("\"");
+  s += '}';
+  return s;
 }
 
 }  // namespace cyl

@@ -135,6 +135,7 @@ std::optional<Tangency> prove_tangency(const Pair& pair, const Rational3& near_p
                                        cross(cross(w0, x0), cross(w1, x1)),
                                        delta,
                                        near_direction};
+  for (const Rational3& unit : {Rational3{1, 0, 0}, Rational3{0, 1, 0}}) candidates.push_back(cross(w0, unit));
   if (is_zero(delta)) candidates.push_back({1, 0, 0});
   for (Rational3& d : candidates) {
     if (is_zero(d)) continue;

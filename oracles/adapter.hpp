@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: MIT
+// What the adapters of foreign libraries share. Nothing of the solver's arithmetic is in it.
+#pragma once
+
+#include <optional>
+
+#include "oracles/method.hpp"
+#include "solver/cylinder.hpp"
+
+namespace cyl {
+
+/// An answer that declines, with the reason, where a solid of the pair is no cylinder; else nothing.
+std::optional<MethodAnswer> decline_invalid(const Pair& pair);
+
+/// axis/|axis|, each coordinate within 2^-51 of it, for any finite non-zero axis.
+Vector3 unit_axis(const Vector3& axis) noexcept;
+
+/// A rotation that takes z to the unit vector u: orthonormal to a few roundings, its third column exactly u.
+Eigen::Matrix3d rotation_to(const Vector3& u) noexcept;
+
+}  // namespace cyl

@@ -1,0 +1,208 @@
+// SPDX-License-Identifier: MIT
+#include <BulletCollision/CollisionShapes/btConvexHullShape.h>
+#include <BulletCollision/CollisionShapes/btCylinderShape.h>
+#include <BulletCollision/NarrowPhaseCollision/btGjkEpa2.h>
+#include <BulletCollision/NarrowPhaseCollision/btGjkEpaPenetrationDepthSolver.h>
+#include <BulletCollision/NarrowPhaseCollision/btGjkPairDetector.h>
+#include <BulletCollision/NarrowPhaseCollision/btVoronoiSimplexSolver.h>
+
+#include <cmath>
+#include <numbers>
+#include <optional>
+#include <string>
+
+#include "oracles/adapter.hpp"
+#include "oracles/method.hpp"
+
+namespace cyl {
+namespace {
+
+// The headers of both precisions are the same; the library linked is the double one.
+static_assert(sizeof(btScalar) == 8);
+
+/// Two vertices nearer than this, a length, are one to Bullet: the square root of its threshold.
+constexpr double vertex_tol = 1e-6;
+constexpr std::string_view vertex_source =
+    "btVoronoiSimplexSolver.h: VORONOI_DEFAULT_EQUAL_VERTEX_THRESHOLD 1e-12f, a squared length";
+
+/// Relative rounding of a vertex of a prism: cosine, quotient and product, less than 4 ulp.
+constexpr double vertex_error = 0x1p-50;
+
+std::string version_of_bullet() {
+  return std::to_string(btGetVersion() / 100) + '.' + std::to_string(btGetVersion() % 100);
+}
+
+btVector3 to_bullet(const Vector3& v) { return {v.x(), v.y(), v.z()}; }
+
+btTransform pose_of(const Cylinder& c) {
+  const Eigen::Matrix3d m = rotation_to(unit_axis(c.axis));
+  return btTransform({m(0, 0), m(0, 1), m(0, 2), m(1, 0), m(1, 1), m(1, 2), m(2, 0), m(2, 1), m(2, 2)},
+                     to_bullet(c.center));
+}
+
+btVector3 half_extents(const Cylinder& c) { return {c.radius, c.radius, c.height / 2}; }
+
+/// The signed distance that Bullet's default dispatch sees between two convex shapes: GJK, then EPA where
+/// they overlap. Nothing where it makes no contact; the bodies then pass through each other.
+std::optional<double> detect(const btConvexShape& a, const btConvexShape& b, const Pair& pair) {
+  btVoronoiSimplexSolver simplex;
+  btGjkEpaPenetrationDepthSolver depth;
+  btGjkPairDetector detector(&a, &b, &simplex, &depth);
+  btDiscreteCollisionDetectorInterface::ClosestPointInput input;
+  input.m_transformA = pose_of(pair.a);
+  input.m_transformB = pose_of(pair.b);
+
+  struct Contact final : btDiscreteCollisionDetectorInterface::Result {
+    std::optional<double> distance;
+    void setShapeIdentifiersA(int, int) override {}
+    void setShapeIdentifiersB(int, int) override {}
+    void addContactPoint(const btVector3&, const btVector3&, btScalar d) override { distance = d; }
+  } contact;
+  detector.getClosestPoints(input, contact, nullptr);
+  return contact.distance;
+}
+
+MethodAnswer answer_of(std::optional<double> distance) {
+  MethodAnswer answer;
+  answer.status = Status::answered;
+  answer.verdict = distance && !(*distance > 0) ? Verdict::intersecting : Verdict::disjoint;
+  answer.has_distance = distance.has_value();
+  answer.distance = distance.value_or(0);
+  return answer;
+}
+
+class Bullet : public Method {
+ public:
+  explicit Bullet(std::string name) : name_(std::move(name)) {}
+  std::string_view name() const override { return name_; }
+  std::string_view version() const override { return version_; }
+  Claim claim() const override { return {.absolute = vertex_tol, .source = vertex_source}; }
+
+ private:
+  const std::string name_;
+  const std::string version_ = version_of_bullet();
+};
+
+/// btCylinderShapeZ as its constructor leaves it: shrunk by a margin, which rounds the rims.
+class CylinderWithMargin final : public Bullet {
+ public:
+  using Bullet::Bullet;
+  Claim claim() const override {
+    return {.absolute = 2 * CONVEX_DISTANCE_MARGIN,
+            .source = "btCollisionMargin.h: CONVEX_DISTANCE_MARGIN btScalar(0.04), of each shape"};
+  }
+  MethodAnswer ask(const Pair& pair) override {
+    if (const auto declined = decline_invalid(pair)) return *declined;
+    const btCylinderShapeZ a(half_extents(pair.a));
+    const btCylinderShapeZ b(half_extents(pair.b));
+    return answer_of(detect(a, b, pair));
+  }
+};
+
+class CylinderWithoutMargin final : public Bullet {
+ public:
+  using Bullet::Bullet;
+  MethodAnswer ask(const Pair& pair) override {
+    if (const auto declined = decline_invalid(pair)) return *declined;
+    btCylinderShapeZ a(half_extents(pair.a));
+    btCylinderShapeZ b(half_extents(pair.b));
+    a.setMargin(0);
+    b.setMargin(0);
+    return answer_of(detect(a, b, pair));
+  }
+};
+
+/// The solver under the detector, asked directly.
+class GjkEpa2 final : public Bullet {
+ public:
+  using Bullet::Bullet;
+  Claim claim() const override {
+    return {.absolute = vertex_tol,
+            .source = "btGjkEpa2.cpp: GJK_DUPLICATED_EPS 1e-12, a squared length; btGjkEpa2.h says nothing"};
+  }
+
+  // EPA comes after GJK has found the origin inside, so where EPA fails the yes stands and only the depth is
+  // lost.
+  MethodAnswer ask(const Pair& pair) override {
+    if (const auto declined = decline_invalid(pair)) return *declined;
+    btCylinderShapeZ a(half_extents(pair.a));
+    btCylinderShapeZ b(half_extents(pair.b));
+    a.setMargin(0);
+    b.setMargin(0);
+    btGjkEpaSolver2::sResults result;
+    const btVector3 guess = to_bullet(pair.a.center - pair.b.center);
+    if (btGjkEpaSolver2::SignedDistance(&a, pose_of(pair.a), &b, pose_of(pair.b), guess, result))
+      return answer_of(result.distance);
+    MethodAnswer answer;
+    if (result.status == btGjkEpaSolver2::sResults::EPA_Failed) {
+      answer.status = Status::answered;
+      answer.verdict = Verdict::intersecting;
+    } else {
+      answer.set_reason("GJK_Failed: shapes are probably just 'touching' (btGjkEpa2.h)");
+    }
+    return answer;
+  }
+};
+
+/// Convex hulls of the prisms over the inscribed and the circumscribed regular polygon: the truth lies
+/// between.
+class Hull final : public Bullet {
+ public:
+  Hull(int sides, unsigned share)
+      : Bullet("bullet-hull-" + std::to_string(sides)), sides_(sides), share_(share) {}
+  unsigned share() const override { return share_; }
+
+  MethodAnswer ask(const Pair& pair) override {
+    if (const auto declined = decline_invalid(pair)) return *declined;
+    MethodAnswer answer;
+    answer.status = Status::answered;
+    const double outward = (1 + vertex_error) / std::cos(std::numbers::pi / sides_);
+    if (!meet(pair, outward)) {
+      answer.verdict = Verdict::disjoint;
+    } else if (meet(pair, 1 - vertex_error)) {
+      answer.verdict = Verdict::intersecting;
+    } else {
+      answer.status = Status::declined;
+      answer.set_reason("the circumscribed prisms meet, the inscribed ones do not");
+    }
+    return answer;
+  }
+
+ private:
+  bool meet(const Pair& pair, double stretch) const {
+    btConvexHullShape a, b;
+    fill(a, pair.a, stretch);
+    fill(b, pair.b, stretch);
+    return answer_of(detect(a, b, pair)).verdict == Verdict::intersecting;
+  }
+
+  void fill(btConvexHullShape& hull, const Cylinder& c, double stretch) const {
+    hull.setMargin(0);
+    const double radius = c.radius * stretch;
+    for (int i = 0; i < sides_; ++i) {
+      const double angle = 2 * std::numbers::pi * i / sides_;
+      const double x = radius * std::cos(angle);
+      const double y = radius * std::sin(angle);
+      hull.addPoint({x, y, c.height / 2}, false);
+      hull.addPoint({x, y, -c.height / 2}, false);
+    }
+    hull.recalcLocalAabb();
+  }
+
+  const int sides_;
+  const unsigned share_;
+};
+
+}  // namespace
+
+std::vector<std::unique_ptr<Method>> bullet_methods() {
+  std::vector<std::unique_ptr<Method>> methods;
+  methods.push_back(std::make_unique<CylinderWithMargin>("bullet-cylinder"));
+  methods.push_back(std::make_unique<CylinderWithoutMargin>("bullet-cylinder-margin0"));
+  methods.push_back(std::make_unique<GjkEpa2>("bullet-gjkepa2"));
+  methods.push_back(std::make_unique<Hull>(16, 1));
+  methods.push_back(std::make_unique<Hull>(64, 8));  // 40 us a pair, ten times the others
+  return methods;
+}
+
+}  // namespace cyl

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: MIT
+#include "oracles/method.hpp"
+
+#include <algorithm>
+#include <cstring>
+#include <iterator>
+#include <stdexcept>
+#include <utility>
+
+namespace cyl {
+
+void MethodAnswer::set_reason(std::string_view text) noexcept {
+  const std::size_t length = std::min(text.size(), sizeof reason - 1);
+  std::memcpy(reason, text.data(), length);
+  std::memset(reason + length, 0, sizeof reason - length);
+}
+
+std::vector<std::unique_ptr<Method>> all_methods() {
+  auto methods = own_methods();
+  for (auto make : {nlopt_methods, fcl_methods, bullet_methods}) {
+    auto more = make();
+    std::move(more.begin(), more.end(), std::back_inserter(methods));
+  }
+  return methods;
+}
+
+std::vector<std::size_t> select_names(const std::vector<std::string>& names, std::string_view spec) {
+  const bool all_but = spec.starts_with('-');
+  if (all_but) spec.remove_prefix(1);
+
+  std::vector<bool> named(names.size());
+  while (true) {
+    const std::string item(spec.substr(0, spec.find(',')));
+    bool known = false;
+    for (std::size_t i = 0; i < names.size(); ++i)
+      if (names[i] == item || (!item.empty() && names[i].starts_with(item + '-'))) named[i] = known = true;
+    if (!known) {
+      std::string message = "unknown name '" + item + "'; known are";
+      for (const std::string& name : names) message += ' ' + name;
+      throw std::invalid_argument(message);
+    }
+    if (item.size() == spec.size()) break;
+    spec.remove_prefix(item.size() + 1);
+  }
+
+  std::vector<std::size_t> kept;
+  for (std::size_t i = 0; i < names.size(); ++i)
+    if (named[i] != all_but) kept.push_back(i);
+  return kept;
+}
+
+std::vector<std::unique_ptr<Method>> select_methods(std::vector<std::unique_ptr<Method>> methods,
+                                                    std::string_view spec) {
+  std::vector<std::string> names;
+  for (const auto& method : methods) names.emplace_back(method->name());
+  std::vector<std::unique_ptr<Method>> kept;
+  for (std::size_t i : select_names(names, spec)) kept.push_back(std::move(methods[i]));
+  return kept;
+}
+
+}  // namespace cyl

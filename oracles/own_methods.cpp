@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+
+#include "oracles/method.hpp"
+#include "solver/decide.hpp"
+
+namespace cyl {
+namespace {
+
+class Intersect final : public Method {
+ public:
+  std::string_view name() const override { return "intersect"; }
+  std::string_view version() const override { return DAYLIGHT_VERSION; }
+  Claim claim() const override {
+    return {.relative = 1e-13, .source = "solver/decide.hpp: Right wherever the margin is >= 1e-13."};
+  }
+  bool foreign() const override { return false; }
+  MethodAnswer ask(const Pair& pair) override {
+    MethodAnswer answer;
+    answer.status = Status::answered;
+    answer.verdict = intersect(pair.a, pair.b);
+    return answer;
+  }
+};
+
+class Decide final : public Method {
+ public:
+  std::string_view name() const override { return "decide"; }
+  std::string_view version() const override { return DAYLIGHT_VERSION; }
+  Claim claim() const override { return {.source = "solver/decide.hpp: Never wrong."}; }
+  bool foreign() const override { return false; }
+  MethodAnswer ask(const Pair& pair) override {
+    const Answer decided = decide(pair.a, pair.b);
+    MethodAnswer answer;
+    answer.status = Status::answered;
+    answer.verdict = decided.verdict;
+    switch (decided.proof) {
+      case Proof::none:
+        break;
+      case Proof::direction:
+        answer.witness = WitnessKind::direction;
+        std::copy_n(decided.direction.data(), 3, answer.head);
+        break;
+      case Proof::point:
+        answer.witness = WitnessKind::point;
+        std::copy_n(decided.point_head.data(), 3, answer.head);
+        std::copy_n(decided.point_tail.data(), 3, answer.tail);
+        break;
+    }
+    return answer;
+  }
+};
+
+}  // namespace
+
+std::vector<std::unique_ptr<Method>> own_methods() {
+  std::vector<std::unique_ptr<Method>> methods;
+  methods.push_back(std::make_unique<Intersect>());
+  methods.push_back(std::make_unique<Decide>());
+  return methods;
+}
+
+}  // namespace cyl
