@@ -357,8 +357,8 @@ TEST(Families, HaveTheScalesTheyName) {
     p = draw("tiny_and_huge", i);
     least = std::min(least, p.a.radius);
     greatest = std::max(greatest, p.a.radius);
-    const double ratio = p.a.radius / p.b.radius;
-    ASSERT_TRUE(ratio > 0.01 && ratio < 100);
+    for (double length : {p.b.radius, p.a.height, p.b.height})
+      ASSERT_TRUE(length > p.a.radius / 101 && length < p.a.radius * 101) << i;
 
     p = draw("mixed_scale", i);
     const bool a_small = p.a.radius < p.b.radius;
@@ -366,6 +366,7 @@ TEST(Families, HaveTheScalesTheyName) {
     const double factor = big.radius / small.radius,
                  exponent = std::pow(10.0, 3 + static_cast<double>(i % 10));
     ASSERT_TRUE(factor > exponent / 100 && factor < exponent * 100) << i;
+    ASSERT_TRUE(small.height > small.radius / 101 && small.height < small.radius * 101) << i;
     const Wide small_reach = std::hypot(Wide(small.radius), Wide(small.height) / 2);
     ASSERT_LE(std::abs(excess(big, wide(small.center))), 2 * small_reach + 1e-14L) << i;
 

@@ -102,16 +102,16 @@ TEST(Referee, SaysTouchingWhereAlgebraShowsIt) {
 }
 
 TEST(Referee, ContactWhoseMiddleIsIrrationalIsShownByAPointNearBy) {
-  // Walls of parallel axes along (0, 1, 3) meet in a segment, 2 from a's axis; its middle has irrational
+  // Walls of parallel axes along (0, 12.5, 33) meet in a segment, 2 from a's axis; its middle has irrational
   // coordinates.
   const Pair pair = pair_of(
-      R"({"a":{"center":[0,0,0],"axis":[0,1,3],"radius":2,"height":4},"b":{"center":[5,1,3],"axis":[0,1,3],"radius":3,"height":5}})");
+      R"({"a":{"center":[0,0,0],"axis":[0,12.5,33],"radius":2,"height":40},"b":{"center":[5,12.5,33],"axis":[0,12.5,33],"radius":3,"height":45}})");
   const Truth truth = judge(pair);
   ASSERT_EQ(truth.verdict, Verdict::touching);
   ASSERT_EQ(truth.certificate.kind, CertificateKind::near);
   // Within 2^-200 size: inside both once they have grown by that much; the plane separates them once they
   // have shrunk.
-  const mpq_class slack = mpq_class(14) / (mpz_class(1) << 200);
+  const mpq_class slack = mpq_class(90) / (mpz_class(1) << 200);
   const Rational3 x = rational(truth.certificate.vector);
   for (const Cylinder* c : {&pair.a, &pair.b}) {
     const Rational3 r = x - exact(c->center), w = exact(c->axis), side = cross(r, w);
