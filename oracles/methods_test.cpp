@@ -38,7 +38,8 @@ Known apart(Pair p, Vector3 d, double gap) {
   return {p, Verdict::disjoint, gap};
 }
 
-/// Generic poses and shapes, a margin of 0.1 away from touching on both sides, at a length unit of `scale`.
+/// Pairs a margin of 0.1 or more away from touching, at a length unit of `scale`: in generic poses, apart and
+/// with one centre, then side by side and end to end, apart and overlapping.
 std::vector<Known> easy_pairs(double scale = 1) {
   const Vector3 axes[] = {{0, 0, 1}, {0.3, -0.2, 1}, {1, 2, 3}, {-1, 0.5, 0.1}};
   const Vector3 directions[] = {{1, 0.1, 0.2}, {0.1, -1, 0.7}, {-0.3, 0.4, 1.1}};
@@ -56,6 +57,21 @@ std::vector<Known> easy_pairs(double scale = 1) {
     known.push_back(apart(p, directions[i % 3], 0.1 * size_of(p)));
     p.b.center = p.a.center;
     known.push_back({p, Verdict::intersecting, 0});
+  }
+  const Vector3 w = unit_axis(axes[1]);
+  const Vector3 side = w.unitOrthogonal();
+  Pair p{{{0.1, -0.2, 0.3}, w, 1, 2}, {{0, 0, 0}, -w, 0.5, 3}};
+  for (Cylinder* c : {&p.a, &p.b}) {
+    c->center *= scale;
+    c->radius *= scale;
+    c->height *= scale;
+  }
+  for (double gap : {0.1 * size_of(p), -0.1 * size_of(p)}) {
+    const Verdict verdict = gap > 0 ? Verdict::disjoint : Verdict::intersecting;
+    p.b.center = p.a.center + (p.a.radius + p.b.radius + gap) * side;
+    known.push_back({p, verdict, gap});
+    p.b.center = p.a.center + (p.a.height / 2 + p.b.height / 2 + gap) * w;
+    known.push_back({p, verdict, gap});
   }
   return known;
 }
@@ -114,7 +130,7 @@ TEST(Methods, DirectionsSeparateAndPointFromAToB) {
       EXPECT_GT(d.dot(support(k.pair.b, -d) - support(k.pair.a, d)), 0) << m->name();
     }
   }
-  EXPECT_GE(directions, 6 * 24);  // decide, four of NLopt, two of FCL
+  EXPECT_EQ(directions, 8 * 26);  // decide, five of NLopt, two of FCL
 }
 
 TEST(Methods, DecideProves) {
@@ -198,6 +214,28 @@ TEST(Nlopt, TheSamePairGivesTheSameAnswerWhateverCameBefore) {
       EXPECT_EQ(std::memcmp(&first.distance, &again.distance, sizeof first.distance), 0) << m->name();
       EXPECT_EQ(std::memcmp(first.head, again.head, sizeof first.head), 0) << m->name();
     }
+  }
+}
+
+// Two coins, nearly face to face: only directions within 0.01 of their axis separate. One such direction is
+// in the middle of each chart.
+TEST(Nlopt, LooksInEveryDirection) {
+  for (int i = 0; i < 3; ++i) {
+    Vector3 w = Vector3(0.05, 0.02, 0.03);
+    w[i] = 1;
+    const Pair p{{{0, 0, 0}, w, 1, 0.01}, {0.03 * w.normalized(), w, 1, 0.01}};
+    for (const auto& m : chosen("nlopt"))
+      EXPECT_EQ(m->ask(p).verdict, Verdict::disjoint) << m->name() << ' ' << i;
+  }
+}
+
+TEST(Nlopt, OffsetsThatOverflow) {
+  Pair p{upright({-1.5e308, 0, 0}), upright({1.5e308, 0, 0})};
+  p.a.radius = p.b.radius = 1e308;
+  for (const auto& m : chosen("nlopt-direct-600")) {
+    const MethodAnswer answer = m->ask(p);
+    EXPECT_EQ(answer.verdict, Verdict::disjoint);
+    EXPECT_NEAR(answer.distance, 1e308, 1e301);
   }
 }
 

@@ -101,6 +101,36 @@ TEST(Referee, SaysTouchingWhereAlgebraShowsIt) {
   }
 }
 
+TEST(Referee, RightAtMarginsFarBelowDoubles) {
+  // A wall of radius 3 touches the origin in the plane with normal (2, 2, 1); what comes near it from the
+  // other side is moved by t (2, 2, 1): a gap of exactly 3 t, or a depth of 3 |t| (of the wall's own depth,
+  // for a segment or a disk).
+  const Vector3 normal(2, 2, 1);
+  const Cylinder wall{-normal, Vector3(1, 0, -2), 3, 8};
+  const Cylinder cap{-normal, normal, 5, 6};
+  const Cylinder guests[] = {{Vector3(0, 0, 0), Vector3(1, -1, 0), 0, 2},  // segment
+                             {Vector3(0, 0, 0), normal, 0.5, 0},           // disk
+                             {Vector3(0, 0, 0), Vector3(1, 1, 1), 0, 0}};  // point
+  for (const Cylinder& host : {wall, cap})
+    for (const Cylinder& guest : guests)
+      for (const int exponent : {-47, -66, -100, -133, -400}) {
+        for (const double side : {1.0, -1.0}) {
+          Pair pair{host, guest};
+          pair.b.center = std::ldexp(side, exponent) * normal;
+          const Truth truth = judge(pair);
+          EXPECT_EQ(truth.verdict, side > 0 ? Verdict::disjoint : Verdict::intersecting) << format_pair(pair);
+          expect_proved(pair, truth, format_pair(pair));
+        }
+      }
+  // Two fat walls can only be told apart as finely as their centres' doubles.
+  for (const double side : {1.0, -1.0}) {
+    Pair pair{wall, wall};
+    pair.b.axis = Vector3(1, -1, 0);
+    pair.b.center = normal * (1 + side * 0x1p-51);
+    EXPECT_EQ(judge(pair).verdict, side > 0 ? Verdict::disjoint : Verdict::intersecting);
+  }
+}
+
 TEST(Referee, ContactWhoseMiddleIsIrrationalIsShownByAPointNearBy) {
   // Walls of parallel axes along (0, 12.5, 33) meet in a segment, 2 from a's axis; its middle has irrational
   // coordinates.
