@@ -122,7 +122,8 @@ CampaignOptions plan_resumed(const Arguments& arguments, Asked& asked) {
   const Config config = store.config();
   CampaignOptions options;
   options.resume = true;
-  options.out = arguments.resume;
+  const fs::path run = arguments.resume;  // where it is runs/latest, findings are named by what that is now
+  options.out = fs::is_symlink(run) ? run.parent_path() / fs::read_symlink(run) : run;
   options.seed = std::stoull(config.at("seed"));
   options.cases = config.at("cases");
   std::vector<std::string> method_names, family_names;

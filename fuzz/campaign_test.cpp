@@ -142,13 +142,14 @@ Counts total(const RunStore& store, const std::string& method) {
 }
 
 TEST_F(Campaign, CountsWhatEveryMethodDid) {
-  const CampaignSummary summary = run_campaign(options("run", 1000), subjects());
+  const std::uint64_t pairs = 5 * batch_size;
+  const CampaignSummary summary = run_campaign(options("run", pairs), subjects());
   EXPECT_EQ(summary.harness_failure, "");
-  EXPECT_EQ(summary.progress.done, 1000u);
+  EXPECT_EQ(summary.progress.done, pairs);
   EXPECT_EQ(exit_code(summary), 2);
 
   std::uint64_t meet = 0, far = 0, near = 0, within_claim = 0;
-  for (std::uint64_t i = 0; i < 1000; ++i) {
+  for (std::uint64_t i = 0; i < pairs; ++i) {
     const Pair pair = two_families[i % 2].generate(20261121, i / 2);
     const double gap = pair.b.center.x() - 2;
     meet += gap < 0;
@@ -157,13 +158,13 @@ TEST_F(Campaign, CountsWhatEveryMethodDid) {
     within_claim += gap < 0 && -gap < 8e-6;
   }
   const RunStore run = store("run");
-  EXPECT_EQ(total(run, "good").asked, 1000u);
+  EXPECT_EQ(total(run, "good").asked, pairs);
   EXPECT_EQ(total(run, "good").contract + total(run, "good").resolution, 0u);
   EXPECT_EQ(total(run, "blind").contract, meet - within_claim);
   EXPECT_EQ(total(run, "blind").resolution, within_claim);
   EXPECT_EQ(total(run, "crashing").failed, far);
-  EXPECT_EQ(total(run, "choosy").declined, 1000 - near);
-  EXPECT_EQ(total(run, referee_row).asked, 1000u);
+  EXPECT_EQ(total(run, "choosy").declined, pairs - near);
+  EXPECT_EQ(total(run, referee_row).asked, pairs);
   EXPECT_GT(total(run, "blind").nanoseconds, 0u);
   EXPECT_GT(far * within_claim * meet, 0u);
 }

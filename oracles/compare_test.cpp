@@ -94,6 +94,14 @@ TEST(Compare, NarrowsTheEnclosureUntilTheClaimIsDecided) {
             Severity::resolution);
 }
 
+TEST(Compare, WhereTheEnclosureCannotBeNarrowedTheClaimCountsAsKept) {
+  LazyDistance lazy([](double) { return Enclosure{0.1, 0.9}; });
+  const auto finding =
+      compare(upright(0.5), truth_of(Verdict::disjoint), lazy, {0, 0.5, ""}, said(Verdict::intersecting));
+  ASSERT_TRUE(finding);
+  EXPECT_EQ(finding->severity, Severity::resolution);
+}
+
 TEST(Compare, AtTheClaimItselfTheMethodPromises) {
   const Enclosure exactly{0.5, 0.5};
   LazyDistance lazy([&](double) { return exactly; });

@@ -178,6 +178,18 @@ TEST_F(Page, StaysBoundedHoweverMuchWasFound) {
   EXPECT_LT(page.size(), 3u << 20);
 }
 
+TEST_F(Page, ShowsTheWorstOfAGroup) {
+  RunStore store = RunStore::create(folder, {});
+  std::vector<FindingRecord> findings;
+  for (std::uint64_t i = 0; i < representatives_cap; ++i)
+    findings.push_back(finding(i, "fake", 0.01 * double(i + 1)));
+  commit(store, findings);
+  const std::string page = written();
+  EXPECT_EQ(occurrences(page, "<article"), shown_per_group_cap);
+  EXPECT_TRUE(contains(page, "id=\"f" + std::to_string(representatives_cap) + "\""));
+  EXPECT_FALSE(contains(page, "id=\"f1\""));
+}
+
 TEST_F(Page, SaysWhereNothingWasFound) {
   RunStore::create(folder, {{"seed", "1"}});
   const std::string page = written();
