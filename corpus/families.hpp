@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The families: generators of pairs, each named by the boundary it hugs. The only place that makes random numbers.
-// Every pair is a pure function of (family, seed, index), the same on every machine: only + - x / sqrt and ldexp.
+// The families: generators of pairs, each named by the boundary it hugs. The only place that makes random
+// numbers. Every pair is a pure function of (family, seed, index), the same on every machine: only + - x /
+// sqrt.
 #pragma once
 
 #include <cstdint>

@@ -14,6 +14,8 @@
 #include <utility>
 #include <vector>
 
+#include "corpus/families.hpp"
+
 namespace cyl {
 namespace {
 
@@ -108,6 +110,16 @@ TEST(PairIo, KeepsEveryBitOfEveryDouble) {
     ASSERT_EQ(line.error, "");
     ASSERT_TRUE(same_bits(line.value->pair, c.pair)) << format_pair(c.pair);
   }
+}
+
+TEST(PairIo, KeepsEveryBitOfEveryFamily) {
+  for (const Family& family : families())
+    for (std::uint64_t i = 0; i < 200; ++i) {
+      const Pair p = family.generate(20261121, i);
+      const CaseLine line = parse_case(format_pair(p), 1);
+      ASSERT_EQ(line.error, "") << family.name << " " << i;
+      ASSERT_TRUE(same_bits(line.value->pair, p)) << family.name << " " << i;
+    }
 }
 
 TEST(PairIo, ReadsNumbersAsTheNearestDouble) {

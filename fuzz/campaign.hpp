@@ -1,26 +1,53 @@
 // SPDX-License-Identifier: MIT
-// A campaign: draws pairs from the case files and the families, asks every method, lets the referee judge, and
-// stores what it finds. A pure function of (seed, pairs, families, methods); times and kind `hang` excepted.
+// A campaign: draws pairs from the case files and the families, asks every method, lets the referee judge,
+// and stores what it finds. A pure function of (seed, pairs, families, methods); times and kind `hang`
+// excepted.
 #pragma once
 
 #include <chrono>
 #include <cstdint>
 #include <functional>
 #include <string>
-#include <vector>
+
+#include "fuzz/batch.hpp"
 
 namespace cyl {
 
 struct CampaignOptions {
-  std::string out;                 ///< run folder; created
+  std::string out;  ///< run folder; created
   std::uint64_t seed = 0;
-  std::uint64_t pairs = 0;         ///< 0: no limit
-  std::chrono::milliseconds budget{0};  ///< 0: no limit; at least one of the two limits is set
-  std::string methods;             ///< spec of select_methods; empty: all
-  std::string families;            ///< same rule; empty: all
-  std::string cases;               ///< folder of case files played first; empty: none
-  unsigned jobs = 2;               ///< batches under way at once; does not change the findings
-  bool resume = false;
+  std::uint64_t pairs = 0;              ///< of the run in all its sessions; 0: no limit
+  std::chrono::milliseconds budget{0};  ///< wall time of this session; 0: no limit. At least one limit is set
+  std::string cases;                    ///< where subjects.cases were read from, for whoever resumes
+  unsigned jobs = 2;                    ///< batches under way at once; does not change the findings
+  bool resume = false;  ///< go on with the run in `out`, which must agree with seed and subjects
 };
+
+/// Indices per batch process: half a second of packaged methods, and a fork costs our own methods under a
+/// tenth.
+inline constexpr std::uint64_t batch_size = 4096;
+
+/// Totals of the run so far, sessions before this one included.
+struct CampaignProgress {
+  std::uint64_t done = 0;  ///< indices
+  std::uint64_t contract = 0, resolution = 0, failed = 0, unresolved = 0;
+  std::uint64_t session_done = 0;             ///< indices of this session
+  std::chrono::milliseconds session_time{0};  ///< wall time of this session
+};
+
+struct CampaignSummary {
+  CampaignProgress progress;
+  bool interrupted = false;     ///< by SIGINT or SIGTERM: what was complete is stored
+  std::string harness_failure;  ///< empty, or which batch broke the harness and how
+};
+
+/// Runs until a limit is reached or a signal asks to stop. Calls `on_progress` after every commit and at
+/// least five times a second, from this thread. Throws std::runtime_error where the run folder cannot be used
+/// or does not agree.
+CampaignSummary run_campaign(const CampaignOptions& options, const Subjects& subjects,
+                             const std::function<void(const CampaignProgress&)>& on_progress = {});
+
+/// 1 the harness failed, 2 contract findings or failures, 3 only undecided truth, else 0.
+int exit_code(const CampaignSummary& summary);
 
 }  // namespace cyl

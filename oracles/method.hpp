@@ -35,16 +35,17 @@ struct MethodAnswer {
   Verdict verdict = Verdict::undecided;  ///< meaningful where status == answered
   bool has_distance = false;
   WitnessKind witness = WitnessKind::none;
-  double distance = 0;             ///< signed: > 0 apart; meaningful where has_distance
-  double head[3] = {0, 0, 0};      ///< direction, or point = head + tail exactly
+  double distance = 0;         ///< signed: > 0 apart; meaningful where has_distance
+  double head[3] = {0, 0, 0};  ///< direction, or point = head + tail exactly
   double tail[3] = {0, 0, 0};
-  char reason[120] = {};           ///< why it declined or failed; zero-terminated
+  char reason[120] = {};  ///< why it declined or failed; zero-terminated
 
   void set_reason(std::string_view text) noexcept;  ///< truncates
 };
 
-/// Interface of a method. `ask` may do anything foreign code does: throw, abort, hang. Callers who cannot afford that
-/// go through contained.hpp. `ask` is called from one thread; the same pair gives the same answer.
+/// Interface of a method. `ask` may do anything foreign code does: throw, abort, hang. Callers who cannot
+/// afford that go through contained.hpp. `ask` is called from one thread; the same pair gives the same
+/// answer.
 class Method {
  public:
   virtual ~Method() = default;
@@ -60,13 +61,14 @@ class Method {
 /// Every method of this build, in a fixed order: ours first.
 std::vector<std::unique_ptr<Method>> all_methods();
 
-std::vector<std::unique_ptr<Method>> own_methods();     ///< intersect, decide
+std::vector<std::unique_ptr<Method>> own_methods();  ///< intersect, decide, exact
 std::vector<std::unique_ptr<Method>> nlopt_methods();
 std::vector<std::unique_ptr<Method>> fcl_methods();
 std::vector<std::unique_ptr<Method>> bullet_methods();
 
-/// Keeps the methods that `spec` names: "a,b" keeps a and b, "-a,b" (given as --methods=-a,b) all but a and b; a name
-/// stands for every method that is it or begins with it and '-'. Throws std::invalid_argument on an unknown name.
+/// Keeps the methods that `spec` names: "a,b" keeps a and b, "-a,b" (given as --methods=-a,b) all but a and
+/// b; a name stands for every method that is it or begins with it and '-'. Throws std::invalid_argument on an
+/// unknown name.
 std::vector<std::unique_ptr<Method>> select_methods(std::vector<std::unique_ptr<Method>> methods,
                                                     std::string_view spec);
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 
+#include "oracles/exact.hpp"
 #include "oracles/method.hpp"
 #include "solver/decide.hpp"
 
@@ -51,12 +52,36 @@ class Decide final : public Method {
   }
 };
 
+class Exact final : public Method {
+ public:
+  std::string_view name() const override { return "exact"; }
+  std::string_view version() const override { return DAYLIGHT_VERSION; }
+  Claim claim() const override { return {.source = "oracles/exact.hpp: Proved, with certificate."}; }
+  bool foreign() const override { return false; }
+  MethodAnswer ask(const Pair& pair) override {
+    const Truth truth = decide_exactly(pair.a, pair.b);
+    MethodAnswer answer;
+    answer.status = Status::answered;
+    answer.verdict = truth.verdict;
+    // A certificate of rationals that no doubles hold stays behind; the verdict stands without it.
+    const ExactVector& v = truth.certificate.vector;
+    if (!std::all_of(v.exact.begin(), v.exact.end(), [](const std::string& s) { return s.empty(); }))
+      return answer;
+    if (truth.certificate.kind == CertificateKind::direction) answer.witness = WitnessKind::direction;
+    if (truth.certificate.kind == CertificateKind::point) answer.witness = WitnessKind::point;
+    std::copy(v.head.begin(), v.head.end(), answer.head);
+    std::copy(v.tail.begin(), v.tail.end(), answer.tail);
+    return answer;
+  }
+};
+
 }  // namespace
 
 std::vector<std::unique_ptr<Method>> own_methods() {
   std::vector<std::unique_ptr<Method>> methods;
   methods.push_back(std::make_unique<Intersect>());
   methods.push_back(std::make_unique<Decide>());
+  methods.push_back(std::make_unique<Exact>());
   return methods;
 }
 

@@ -22,8 +22,12 @@ int exponent_of(double x) noexcept {
   return static_cast<int>((std::bit_cast<std::uint64_t>(x) >> 52) & 0x7ff) - 1023;
 }
 
+// Of finite numbers; std::fmax and std::fmin are calls, these are one instruction.
+double max(double a, double b) noexcept { return a < b ? b : a; }
+double min(double a, double b) noexcept { return b < a ? b : a; }
+
 double max_abs(const Vector3& x) noexcept {
-  return std::fmax(std::fabs(x.x()), std::fmax(std::fabs(x.y()), std::fabs(x.z())));
+  return max(std::fabs(x.x()), max(std::fabs(x.y()), std::fabs(x.z())));
 }
 
 double dot(const Vector3& a, const Vector3& b) noexcept {
@@ -61,48 +65,43 @@ struct Scaled {
   Vector3 w0, w1, delta;
   double r0, h0, r1, h1;  // h0, h1: half heights
   int exponent;
-  double reach;  // r0 + h0 + r1 + h1 + |delta|, what rounding errors are multiples of
 };
 
 Scaled scale(const Prepared& a, const Prepared& b) noexcept {
-  // Two factors, because one alone may be out of a double's range: `before` keeps Delta from overflowing and
-  // lifts subnormal pairs, `after` brings the largest length to [1, 2).
+  const double farthest = max(max_abs(a.center), max_abs(b.center));
+  const double widest = max(max(a.radius, b.radius), max(a.height, b.height));
+  Vector3 delta = b.center - a.center;
+  double most = max(widest, max_abs(delta));
+  // `before` keeps Delta from overflowing and lifts subnormal pairs, so that one normal factor brings the
+  // rest to 1.
   int shift = 0;
-  const double farthest = std::fmax(max_abs(a.center), max_abs(b.center));
-  if (farthest > 0x1p1000) shift = -100;
-  double before = power_of_two(shift);
-  Vector3 delta = b.center * before - a.center * before;
-  auto largest = [&] {
-    return std::fmax(std::fmax(std::fmax(a.radius, b.radius), std::fmax(a.height, b.height)) * before,
-                     max_abs(delta));
-  };
-  double most = largest();
-  if (most < 0x1p-1000) {
+  if (farthest > 0x1p1000)
+    shift = -100;
+  else if (most < 0x1p-1000)
     shift = 200;
-    before = power_of_two(shift);
-    delta = (b.center - a.center) * before;
-    most = largest();
+  double radius0 = a.radius, height0 = a.height, radius1 = b.radius, height1 = b.height;
+  if (shift != 0) {
+    const double before = power_of_two(shift);
+    delta = shift < 0 ? Vector3(b.center * before - a.center * before) : Vector3(delta * before);
+    radius0 *= before;
+    height0 *= before;
+    radius1 *= before;
+    height1 *= before;
+    most = max(widest * before, max_abs(delta));
   }
-  const int exponent = most > 0 ? exponent_of(most) : 0;
-  const double after = power_of_two(exponent > 1022 ? -1022 : -exponent);
-  Scaled p;
-  p.w0 = a.unit_axis;
-  p.w1 = b.unit_axis;
-  p.delta = delta * after;
-  p.r0 = a.radius * before * after;
-  p.h0 = a.height * before * after * 0.5;
-  p.r1 = b.radius * before * after;
-  p.h1 = b.height * before * after * 0.5;
-  p.exponent = (exponent > 1022 ? 1022 : exponent) - shift;
-  p.reach = p.r0 + p.h0 + p.r1 + p.h1 + length(p.delta);
-  return p;
+  int exponent = most > 0 ? exponent_of(most) : 0;
+  if (exponent > 1022) exponent = 1022;
+  const double unit = power_of_two(-exponent), half = unit * 0.5;
+  return {a.unit_axis,    b.unit_axis,    delta * unit,   radius0 * unit,
+          height0 * half, radius1 * unit, height1 * half, exponent - shift};
 }
 
 // f(D) < 0 beyond rounding (derivation.md, section 6).
 bool separates(const Scaled& p, const Vector3& d) noexcept {
+  const double reach = p.r0 + p.h0 + p.r1 + p.h1 + length(p.delta);
   const double f = p.r0 * length(d.cross(p.w0)) + p.h0 * std::fabs(dot(d, p.w0)) +
                    p.r1 * length(d.cross(p.w1)) + p.h1 * std::fabs(dot(d, p.w1)) - std::fabs(dot(d, p.delta));
-  return f < -separation_error * length(d) * p.reach;
+  return f < -separation_error * length(d) * reach;
 }
 
 // x, from C0, lies in both solids beyond rounding.
@@ -120,8 +119,11 @@ struct Attempt {
   Vector3 base;  // C0, in the scene's unit
   Answer answer;
 
-  bool disjoint(const Vector3& direction) noexcept {
+  // `direction` makes the certificate, where one is asked for.
+  template <class Direction>
+  bool disjoint(Direction&& make) noexcept {
     if constexpr (prove) {
+      const Vector3 direction = make();
       if (!separates(p, direction)) return false;
       answer.proof = Proof::direction;
       answer.direction = direction;
@@ -130,8 +132,10 @@ struct Attempt {
     return true;
   }
 
-  bool intersecting(const Vector3& x) noexcept {
+  template <class Point>
+  bool intersecting(Point&& make) noexcept {
     if constexpr (prove) {
+      const Vector3 x = make();
       // The certificate is what is handed out, so that is what gets checked: back in the scene's unit, where
       // a subnormal coordinate may have lost bits.
       const Vector3 tail(std::ldexp(x.x(), p.exponent), std::ldexp(x.y(), p.exponent),
@@ -153,28 +157,25 @@ template <bool prove>
 void decide_parallel(Attempt<prove>& attempt, const Vector3& axis_sum) noexcept {
   const Scaled& p = attempt.p;
   const Vector3 w = axis_sum / length(axis_sum);
-  const double along = dot(p.delta, w);
-  const Vector3 across = p.delta - along * w;
-  const double distance = length(p.delta.cross(w));
-  if (std::fabs(along) > p.h0 + p.h1 && attempt.disjoint(along > 0 ? w : Vector3(-w))) return;
-  if (distance > p.r0 + p.r1 && attempt.disjoint(across / distance)) return;
-  if (std::fabs(along) > p.h0 + p.h1 || distance > p.r0 + p.r1) return;
-  if constexpr (!prove) {
-    attempt.answer.verdict = Verdict::intersecting;
-    return;
-  }
-  auto middle = [](double reach0, double center1, double reach1) {
-    return (std::fmax(-reach0, center1 - reach1) + std::fmin(reach0, center1 + reach1)) / 2;
-  };
-  Vector3 x = middle(p.h0, along, p.h1) * w;
-  if (distance > 0) x += middle(p.r0, distance, p.r1) * (across / distance);
-  attempt.intersecting(x);
+  const double along = dot(p.delta, w), distance = length(p.delta.cross(w));
+  const bool beyond = std::fabs(along) > p.h0 + p.h1, beside = distance > p.r0 + p.r1;
+  auto across = [&] { return Vector3((p.delta - along * w) / distance); };
+  if (beyond && attempt.disjoint([&] { return along > 0 ? w : Vector3(-w); })) return;
+  if (beside && attempt.disjoint(across)) return;
+  if (beyond || beside) return;
+  attempt.intersecting([&] {
+    auto middle = [](double reach0, double center1, double reach1) {
+      return (max(-reach0, center1 - reach1) + min(reach0, center1 + reach1)) / 2;
+    };
+    Vector3 x = middle(p.h0, along, p.h1) * w;
+    if (distance > 0) x += middle(p.r0, distance, p.r1) * across();
+    return x;
+  });
 }
 
-// One piece g(u) = a b0(u) + b b1(z-u) - k of the slice formulation, with the unit vector e it comes from.
+// One piece g(u) = a b0(u) + b b1(z-u) - k of the slice formulation.
 struct Piece {
   double a, b, k;
-  Vector3 e;  // w0, w1, m0 or m1, signed so that e.Delta >= 0
 };
 
 // A slice evaluated: the lowest piece there, and the slopes of b0 and b1 that make its tangent.
@@ -187,14 +188,14 @@ struct Slice {
 
 // b is never taken below r 2^-27: sqrt(r^2 - u^2) of doubles is 0 or above that, and so no slope is infinite;
 // the line with that slope still bounds b from above at every other double.
-double ratio(double u, double b, double r) noexcept { return r > 0 ? u / std::fmax(b, r * 0x1p-27) : 0; }
+double ratio(double u, double b, double r) noexcept { return r > 0 ? u / max(b, r * 0x1p-27) : 0; }
 
 Slice evaluate(const Scaled& p, const Piece* pieces, double z, double u) noexcept {
   Slice t;
   t.u = u;
   const double v = z - u;
-  t.b0 = std::sqrt(std::fmax(0.0, (p.r0 - u) * (p.r0 + u)));
-  t.b1 = std::sqrt(std::fmax(0.0, (p.r1 - v) * (p.r1 + v)));
+  t.b0 = std::sqrt(max(0.0, (p.r0 - u) * (p.r0 + u)));
+  t.b1 = std::sqrt(max(0.0, (p.r1 - v) * (p.r1 + v)));
   t.active = 0;
   t.g = pieces[0].a * t.b0 + pieces[0].b * t.b1 - pieces[0].k;
   for (int j = 1; j < 4; ++j) {
@@ -264,25 +265,25 @@ void decide_crossing(Attempt<prove>& attempt, const Vector3& cross) noexcept {
     z = -z;
     n = -n;
   }
-  if (z > p.r0 + p.r1 && attempt.disjoint(n)) return;
+  if (z > p.r0 + p.r1 && attempt.disjoint([&] { return n; })) return;
 
   const double c = std::fabs(dot(p.w0, p.w1));
   const Vector3 m0 = p.w0.cross(n), m1 = p.w1.cross(n);
-  auto towards = [&](const Vector3& e, double& d) {
-    const bool back = d < 0;
-    d = std::fabs(d);
-    return back ? Vector3(-e) : e;
+  const double d[4] = {dot(p.delta, p.w0), dot(p.delta, p.w1), dot(p.delta, m0), dot(p.delta, m1)};
+  // e_j, pointing from a to b.
+  auto e = [&](int j) {
+    const Vector3& axis = j == 0 ? p.w0 : j == 1 ? p.w1 : j == 2 ? m0 : m1;
+    return d[j] < 0 ? Vector3(-axis) : axis;
   };
-  double d0 = dot(p.delta, p.w0), d1 = dot(p.delta, p.w1), d2 = dot(p.delta, m0), d3 = dot(p.delta, m1);
-  const Vector3 e0 = towards(p.w0, d0), e1 = towards(p.w1, d1), e2 = towards(m0, d2), e3 = towards(m1, d3);
-  const Piece pieces[4] = {{0, s, d0 - p.h0 - p.h1 * c, e0},
-                           {s, 0, d1 - p.h1 - p.h0 * c, e1},
-                           {1, c, d2 - p.h1 * s, e2},
-                           {c, 1, d3 - p.h0 * s, e3}};
-  for (const Piece& piece : pieces)
-    if (piece.k > piece.a * p.r0 + piece.b * p.r1 && attempt.disjoint(piece.e)) return;
+  const Piece pieces[4] = {{0, s, std::fabs(d[0]) - p.h0 - p.h1 * c},
+                           {s, 0, std::fabs(d[1]) - p.h1 - p.h0 * c},
+                           {1, c, std::fabs(d[2]) - p.h1 * s},
+                           {c, 1, std::fabs(d[3]) - p.h0 * s}};
+  for (int j = 0; j < 4; ++j)
+    if (pieces[j].k > pieces[j].a * p.r0 + pieces[j].b * p.r1 && attempt.disjoint([&] { return e(j); }))
+      return;
 
-  const double lo = std::fmax(-p.r0, z - p.r1), hi = std::fmin(p.r0, z + p.r1);
+  const double lo = max(-p.r0, z - p.r1), hi = min(p.r0, z + p.r1);
   if (lo > hi) {
     // Only where z > r0 + r1, or within rounding of it.
     if constexpr (!prove) attempt.answer.verdict = Verdict::disjoint;
@@ -292,7 +293,7 @@ void decide_crossing(Attempt<prove>& attempt, const Vector3& cross) noexcept {
   const double radii = p.r0 + p.r1;
   const double resolution = radii * unit_roundoff_error;
   double u = radii > 0 ? z * (p.r0 / radii) : 0;
-  u = std::fmin(std::fmax(u, lo), hi);
+  u = min(max(u, lo), hi);
 
   Slice left{}, right{};  // the bracket: slope > 0 at left, < 0 at right
   bool has_left = false, has_right = false;
@@ -303,14 +304,10 @@ void decide_crossing(Attempt<prove>& attempt, const Vector3& cross) noexcept {
   for (int& i = attempt.answer.iterations; i < iteration_cap; ++i) {
     const Slice t = evaluate(p, pieces, z, u);
     if (t.g >= 0) {
-      if constexpr (prove) {
-        double x, y;
-        if (common_point(p, m0, m1, t.b0, t.b1, x, y) && attempt.intersecting(x * p.w0 + y * m0 + u * n))
-          return;
-      } else {
-        attempt.answer.verdict = Verdict::intersecting;
+      double x = 0, y = 0;
+      if ((!prove || common_point(p, m0, m1, t.b0, t.b1, x, y)) &&
+          attempt.intersecting([&] { return Vector3(x * p.w0 + y * m0 + u * n); }))
         return;
-      }
     }
 
     // The tangent of piece j at u bounds g from above. Where the tangents of both sides, slopes balanced by
@@ -320,11 +317,9 @@ void decide_crossing(Attempt<prove>& attempt, const Vector3& cross) noexcept {
     const bool at_end = (t.slope > 0 && u >= hi) || (t.slope < 0 && u <= lo) || t.slope == 0 || lo == hi;
     if (at_end) {
       if (t.g >= 0) return;  // only when proving: the deepest slice, and its point is within rounding
-      const bool tip0 = t.b0 <= t.b1;
-      const double tilt = tip0 ? piece.b * t.p1 : piece.a * t.p0;
-      if (attempt.disjoint(piece.e + tilt * n) || !prove) return;
-      // Both widths 0: D -> n.
-      attempt.disjoint(n);
+      const double tilt = t.b0 <= t.b1 ? piece.b * t.p1 : piece.a * t.p0;
+      if (attempt.disjoint([&] { return Vector3(e(t.active) + tilt * n); })) return;
+      attempt.disjoint([&] { return n; });  // both widths 0: D -> n
       return;
     }
     if (t.slope > 0) {
@@ -337,17 +332,18 @@ void decide_crossing(Attempt<prove>& attempt, const Vector3& cross) noexcept {
 
     double next;
     if (has_left && has_right) {
+      const double gap = right.u - left.u;
       const double rise = left.slope, fall = -right.slope;
       const double lambda = fall / (rise + fall);
-      const double bound = lambda * (left.g + left.slope * (right.u - left.u)) + (1 - lambda) * right.g;
-      if (bound < 0) {
-        const Piece &j = pieces[left.active], &k = pieces[right.active];
-        const bool tip0 = std::fmin(left.b0, right.b0) * p.r1 <= std::fmin(left.b1, right.b1) * p.r0;
-        const double tilt = tip0 ? lambda * j.b * left.p1 + (1 - lambda) * k.b * right.p1
-                                 : lambda * j.a * left.p0 + (1 - lambda) * k.a * right.p0;
-        if (attempt.disjoint(lambda * j.e + (1 - lambda) * k.e + tilt * n)) return;
-      }
-      const double gap = right.u - left.u;
+      const double bound = lambda * (left.g + left.slope * gap) + (1 - lambda) * right.g;
+      if (bound < 0 && attempt.disjoint([&] {
+            const Piece &j = pieces[left.active], &k = pieces[right.active];
+            const bool tip0 = min(left.b0, right.b0) * p.r1 <= min(left.b1, right.b1) * p.r0;
+            const double tilt = tip0 ? lambda * j.b * left.p1 + (1 - lambda) * k.b * right.p1
+                                     : lambda * j.a * left.p0 + (1 - lambda) * k.a * right.p0;
+            return Vector3(lambda * e(left.active) + (1 - lambda) * e(right.active) + tilt * n);
+          }))
+        return;
       if (gap <= resolution) break;
       misses = gap <= width / 2 ? 0 : misses + 1;
       if (misses == 0) width = gap;
@@ -357,11 +353,11 @@ void decide_crossing(Attempt<prove>& attempt, const Vector3& cross) noexcept {
     } else {
       // One side is an end not looked at: the tangent's height there bounds everything.
       const double end = has_left ? hi : lo;
-      const bool tip0 = has_left ? hi == p.r0 : lo == -p.r0;
-      if (t.g + t.slope * (end - u) < 0) {
-        const double tilt = tip0 ? piece.b * t.p1 : piece.a * t.p0;
-        if (attempt.disjoint(piece.e + tilt * n)) return;
-      }
+      if (t.g + t.slope * (end - u) < 0 && attempt.disjoint([&] {
+            const bool tip0 = has_left ? hi == p.r0 : lo == -p.r0;
+            return Vector3(e(t.active) + (tip0 ? piece.b * t.p1 : piece.a * t.p0) * n);
+          }))
+        return;
       next = ++midpoints > 4 ? end : u + (end - u) / 2;
       if (std::fabs(end - u) <= resolution) next = end;
     }

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: MIT
+// The commands of the one executable, a file each: add_<command> describes it to the parser; when it runs it
+// leaves its exit code behind. A wrong argument throws std::invalid_argument, what the harness cannot do any
+// other std::exception: main.cpp prints the text and turns the first into exit code 64, the others into 1.
+#pragma once
+
+namespace CLI {
+class App;
+}
+
+namespace cyl {
+
+inline constexpr int exit_pass = 0;
+inline constexpr int exit_harness_failed = 1;
+inline constexpr int exit_undecided = 3;
+inline constexpr int exit_usage = 64;
+inline constexpr int exit_invalid_input = 65;
+
+void add_families(CLI::App& app, int& exit_code);
+
+}  // namespace cyl

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: MIT
+#include "corpus/families.hpp"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <cstdint>
+#include <memory>
+#include <stdexcept>
+#include <string>
+
+#include "cli/commands.hpp"
+#include "corpus/pair_io.hpp"
+
+namespace cyl {
+
+namespace {
+
+struct FamiliesOptions {
+  std::string name;
+  std::uint64_t seed = 1;
+  std::uint64_t count = 10;
+  std::uint64_t from = 0;
+};
+
+void list_families() {
+  for (const Family& family : families()) fmt::print("{:<28} {}\n", family.name, family.summary);
+}
+
+void print_pairs(const FamiliesOptions& options) {
+  const Family* family = find_family(options.name);
+  if (!family) {
+    std::string message = "no family '" + options.name + "'; there are";
+    for (const Family& f : families()) message.append(" ").append(f.name);
+    throw std::invalid_argument(message);
+  }
+  for (std::uint64_t i = 0; i < options.count; ++i) {
+    const std::uint64_t index = options.from + i;
+    Case c;
+    c.pair = family->generate(options.seed, index);
+    c.id = fmt::format("{}/{}/{}", family->name, options.seed, index);
+    fmt::print("{}\n", format_case(c));
+  }
+}
+
+}  // namespace
+
+void add_families(CLI::App& app, int& exit_code) {
+  CLI::App* command = app.add_subcommand("families", "Lists the generators of pairs, or prints pairs of one");
+  auto options = std::make_shared<FamiliesOptions>();
+  command->add_option("NAME", options->name, "the family to print pairs of; none: list them");
+  command->add_option("--seed", options->seed, "same seed, same pairs, on every machine")
+      ->capture_default_str();
+  command->add_option("--count", options->count, "pairs to print")->capture_default_str();
+  command->add_option("--from", options->from, "index of the first")->capture_default_str();
+  command->footer("Example:\n  daylight families random --count 1000 | daylight check");
+  command->callback([options, &exit_code] {
+    if (options->name.empty()) {
+      list_families();
+    } else {
+      print_pairs(*options);
+    }
+    exit_code = exit_pass;
+  });
+}
+
+}  // namespace cyl

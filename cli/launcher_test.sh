@@ -1,0 +1,89 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: MIT
+# The launcher, copied into a project of one file: what it prints where, what it exits with, what it installs.
+set -euo pipefail
+
+launcher=$(dirname -- "$(readlink -f -- "${BASH_SOURCE[0]}")")/../daylight
+scratch=$(mktemp -d)
+trap 'rm -rf -- "$scratch"' EXIT
+home="$scratch/a checkout" # the path holds a space
+mkdir -p "$home" "$scratch/no packages" "$scratch/elsewhere"
+cp -- "$launcher" "$home/daylight"
+ln -s "$home/daylight" "$scratch/link"
+
+cat >"$home/CMakePresets.json" <<'JSON'
+{"version": 6, "configurePresets": [
+  {"name": "release", "generator": "Ninja", "binaryDir": "${sourceDir}/build/release"}]}
+JSON
+cat >"$home/CMakeLists.txt" <<'CMAKE'
+cmake_minimum_required(VERSION 3.25)
+project(toy LANGUAGES CXX)
+add_executable(daylight main.cpp)
+enable_testing()
+add_test(NAME toy COMMAND daylight)
+CMAKE
+cat >"$home/main.cpp" <<'CPP'
+#include <cstdio>
+int main(int argc, char**) { std::puts("hello"); return argc - 1; }
+CPP
+
+failures=0
+expect() { # what, wanted, got
+  [[ $2 == "$3" ]] && return
+  printf 'FAILED: %s\n  wanted: %s\n  got:    %s\n' "$1" "$2" "$3"
+  failures=$((failures + 1))
+}
+# Runs a launch in the folder elsewhere/; leaves out, err and code.
+launch() {
+  code=0
+  (cd "$scratch/elsewhere" && "$@") >"$scratch/out" 2>"$scratch/err" </dev/null || code=$?
+  out=$(<"$scratch/out") err=$(<"$scratch/err")
+}
+
+# Without the packages and without a terminal an ordinary user is told the command; nothing is built.
+printf '#!/bin/sh\nexit 1\n' >"$scratch/no packages/dpkg-query"
+printf '#!/bin/sh\necho 1000\n' >"$scratch/no packages/id"
+chmod +x "$scratch/no packages/"*
+launch env PATH="$scratch/no packages:$PATH" "$home/daylight"
+expect 'missing packages: exit code' 1 "$code"
+expect 'missing packages: standard output' '' "$out"
+expect 'missing packages: the command is shown' yes "$([[ $err == *"apt-get install -y --no-install-recommends cmake g++ "* ]] && echo yes)"
+expect 'missing packages: nothing is built' no "$([[ -e $home/build/release ]] && echo yes || echo no)"
+
+# Root installs them. (The package tools of this test say so and do nothing.)
+printf '#!/bin/sh\necho 0\n' >"$scratch/no packages/id"
+printf '#!/bin/sh\necho "$*" >>"%s/installed"\n' "$scratch" >"$scratch/no packages/apt-get"
+chmod +x "$scratch/no packages/apt-get"
+launch env PATH="$scratch/no packages:$PATH" "$home/daylight"
+expect 'root: exit code' 0 "$code"
+expect 'root: packages are installed' update "$(head -n 1 "$scratch/installed")"
+
+# Two first builds at once, one through a link.
+rm -rf "$home/build/release"
+(cd "$scratch" && ./link >"$scratch/out2" 2>/dev/null) &
+launch "$home/daylight" one two three
+wait $!
+expect 'arguments and exit code' 3 "$code"
+expect 'standard output' hello "$out"
+expect 'through a link, at the same time' hello "$(<"$scratch/out2")"
+
+launch "$home/daylight"
+expect 'nothing to build: standard error' '' "$err"
+expect 'nothing to build: exit code' 0 "$code"
+
+sed -i 's/hello/goodbye/' "$home/main.cpp"
+launch "$home/daylight"
+expect 'a change is built' goodbye "$out"
+expect 'a build shows its steps' yes "$([[ $err == *Building* ]] && echo yes)"
+
+launch "$home/daylight" test
+expect 'test: exit code' 0 "$code"
+expect 'test: the last lines are those of ctest' yes "$([[ $out == *'100% tests passed'*'Total Test time'* ]] && echo yes)"
+
+echo 'this is no C++' >>"$home/main.cpp"
+launch "$home/daylight"
+expect 'a failed build: exit code' 1 "$code"
+expect 'a failed build: standard output' '' "$out"
+expect 'a failed build: the compiler is heard' yes "$([[ $err == *error:* ]] && echo yes)"
+
+((failures == 0))

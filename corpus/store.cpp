@@ -1,0 +1,306 @@
+// SPDX-License-Identifier: MIT
+#include "corpus/store.hpp"
+
+#include <SQLiteCpp/SQLiteCpp.h>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <filesystem>
+#include <stdexcept>
+
+#include "corpus/pair_io.hpp"
+
+namespace cyl {
+namespace {
+
+constexpr int store_version = 1;  ///< of the tables below, in PRAGMA user_version
+/// Milliseconds to wait for another process that reads or writes the same run.
+constexpr int busy_cap = 10000;
+
+constexpr const char* tables = R"(
+CREATE TABLE run(key TEXT PRIMARY KEY, value TEXT NOT NULL);
+CREATE TABLE progress(next INTEGER NOT NULL, milliseconds INTEGER NOT NULL);
+CREATE TABLE tally(method TEXT NOT NULL, family TEXT NOT NULL, asked INTEGER NOT NULL, declined INTEGER NOT NULL,
+  failed INTEGER NOT NULL, contract INTEGER NOT NULL, resolution INTEGER NOT NULL, undecided INTEGER NOT NULL,
+  nanoseconds INTEGER NOT NULL, PRIMARY KEY(method, family));
+CREATE TABLE finding_group(method TEXT NOT NULL, kind TEXT NOT NULL, severity TEXT NOT NULL, family TEXT NOT NULL,
+  count INTEGER NOT NULL, binade INTEGER NOT NULL, PRIMARY KEY(method, kind, severity, family));
+CREATE TABLE finding(id INTEGER PRIMARY KEY, pair_index INTEGER NOT NULL, family TEXT NOT NULL,
+  family_index INTEGER NOT NULL, method TEXT NOT NULL, kind TEXT NOT NULL, severity TEXT NOT NULL,
+  margin_lo TEXT, margin_hi TEXT, pair TEXT NOT NULL, answers TEXT NOT NULL, truth TEXT NOT NULL,
+  stage TEXT NOT NULL, reason TEXT NOT NULL);
+INSERT INTO progress VALUES(0, 0);
+)";
+
+constexpr const char* finding_columns =
+    "id, pair_index, family, family_index, method, kind, severity, margin_lo, margin_hi, pair, answers, "
+    "truth, "
+    "stage, reason";
+
+std::int64_t to_sql(std::uint64_t x) { return static_cast<std::int64_t>(x); }
+std::uint64_t from_sql(const SQLite::Column& column) { return static_cast<std::uint64_t>(column.getInt64()); }
+
+double parse_double(const std::string& text) {
+  double x = 0;
+  std::from_chars(text.data(), text.data() + text.size(), x);
+  return x;
+}
+
+FindingRecord read_finding(SQLite::Statement& row) {
+  FindingRecord f;
+  f.id = row.getColumn(0).getInt64();
+  f.index = from_sql(row.getColumn(1));
+  f.family = row.getColumn(2).getString();
+  f.family_index = from_sql(row.getColumn(3));
+  f.method = row.getColumn(4).getString();
+  f.kind = row.getColumn(5).getString();
+  f.severity = row.getColumn(6).getString();
+  if (!row.isColumnNull(7)) {
+    f.margin =
+        MarginRecord{parse_double(row.getColumn(7).getString()), parse_double(row.getColumn(8).getString())};
+  }
+  f.pair = row.getColumn(9).getString();
+  f.answers = row.getColumn(10).getString();
+  f.truth = row.getColumn(11).getString();
+  f.stage = row.getColumn(12).getString();
+  f.reason = row.getColumn(13).getString();
+  return f;
+}
+
+void write_finding(SQLite::Statement& insert, const FindingRecord& f) {
+  insert.reset();
+  insert.clearBindings();
+  insert.bind(1, to_sql(f.index));
+  insert.bind(2, f.family);
+  insert.bind(3, to_sql(f.family_index));
+  insert.bind(4, f.method);
+  insert.bind(5, f.kind);
+  insert.bind(6, f.severity);
+  if (f.margin) {
+    insert.bind(7, format_double(f.margin->lo));
+    insert.bind(8, format_double(f.margin->hi));
+  }
+  insert.bind(9, f.pair);
+  insert.bind(10, f.answers);
+  insert.bind(11, f.truth);
+  insert.bind(12, f.stage);
+  insert.bind(13, f.reason);
+  insert.exec();
+}
+
+GroupRecord read_group(SQLite::Statement& row) {
+  GroupRecord g;
+  g.method = row.getColumn(0).getString();
+  g.kind = row.getColumn(1).getString();
+  g.severity = row.getColumn(2).getString();
+  g.family = row.getColumn(3).getString();
+  g.count = from_sql(row.getColumn(4));
+  g.binade = row.getColumn(5).getInt();
+  return g;
+}
+
+std::string file_of(const std::string& folder) { return folder + "/run.sqlite"; }
+
+std::unique_ptr<SQLite::Database> connect(const std::string& folder) {
+  auto database = std::make_unique<SQLite::Database>(file_of(folder), SQLite::OPEN_READWRITE, busy_cap);
+  database->exec("PRAGMA journal_mode=WAL");
+  database->exec("PRAGMA synchronous=NORMAL");
+  return database;
+}
+
+}  // namespace
+
+Counts& Counts::operator+=(const Counts& other) {
+  asked += other.asked;
+  declined += other.declined;
+  failed += other.failed;
+  contract += other.contract;
+  resolution += other.resolution;
+  undecided += other.undecided;
+  nanoseconds += other.nanoseconds;
+  return *this;
+}
+
+Representatives::Key Representatives::key_of(const FindingRecord& f) {
+  return {f.method, f.kind, f.severity, f.family};
+}
+
+// The first rule keeps by place in the group, the second by the running maximum of the binade. A piece knows
+// less of both than the whole, so it admits a superset, and every finding that raised the whole's maximum is
+// in it.
+bool Representatives::admit(const FindingRecord& f) {
+  GroupRecord& group =
+      groups_.try_emplace(key_of(f), GroupRecord{f.method, f.kind, f.severity, f.family}).first->second;
+  const double margin = f.margin ? f.margin->lo : 0;
+  const int binade =
+      margin > 0 ? std::min(std::ilogb(margin), -(GroupRecord::no_binade + 1)) : GroupRecord::no_binade;
+  const bool worse = binade > group.binade;
+  if (worse) group.binade = binade;
+  return ++group.count <= representatives_cap || worse;
+}
+
+void Representatives::add(const GroupRecord& g) {
+  GroupRecord& group = groups_
+                           .try_emplace({g.method, g.kind, g.severity, g.family},
+                                        GroupRecord{g.method, g.kind, g.severity, g.family})
+                           .first->second;
+  group.count += g.count;
+  group.binade = std::max(group.binade, g.binade);
+}
+
+std::vector<GroupRecord> Representatives::groups() const {
+  std::vector<GroupRecord> all;
+  for (const auto& [key, group] : groups_) all.push_back(group);
+  return all;
+}
+
+RunStore::RunStore(std::unique_ptr<SQLite::Database> database) : database_(std::move(database)) {}
+RunStore::RunStore(RunStore&&) noexcept = default;
+RunStore::~RunStore() = default;
+
+// The file appears under its name when it is complete: a kill before leaves no half a run.
+RunStore RunStore::create(const std::string& folder, const Config& config) {
+  namespace fs = std::filesystem;
+  fs::create_directories(folder);
+  if (fs::exists(file_of(folder))) throw std::runtime_error(folder + " already holds a run");
+  const std::string unfinished = file_of(folder) + ".new";
+  fs::remove(unfinished);
+  {
+    SQLite::Database database(unfinished, SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE);
+    SQLite::Transaction transaction(database);
+    database.exec(tables);
+    SQLite::Statement insert(database, "INSERT INTO run VALUES(?, ?)");
+    for (const auto& [key, value] : config) {
+      insert.reset();
+      insert.bind(1, key);
+      insert.bind(2, value);
+      insert.exec();
+    }
+    database.exec(fmt::format("PRAGMA user_version={}", store_version));
+    transaction.commit();
+  }
+  fs::rename(unfinished, file_of(folder));
+  return open(folder);
+}
+
+RunStore RunStore::open(const std::string& folder) {
+  if (!std::filesystem::exists(file_of(folder))) throw std::runtime_error(folder + " holds no run");
+  RunStore store(connect(folder));
+  const int version = store.database_->execAndGet("PRAGMA user_version").getInt();
+  if (version != store_version) {
+    throw std::runtime_error(fmt::format("{} was written in store version {}, this build reads {}",
+                                         file_of(folder), version, store_version));
+  }
+  return store;
+}
+
+Config RunStore::config() const {
+  Config config;
+  SQLite::Statement row(*database_, "SELECT key, value FROM run");
+  while (row.executeStep()) config[row.getColumn(0).getString()] = row.getColumn(1).getString();
+  return config;
+}
+
+Progress RunStore::progress() const {
+  SQLite::Statement row(*database_, "SELECT next, milliseconds FROM progress");
+  row.executeStep();
+  return {from_sql(row.getColumn(0)), from_sql(row.getColumn(1))};
+}
+
+void RunStore::commit(const BatchRecord& batch, std::uint64_t milliseconds) {
+  SQLite::Transaction transaction(*database_, SQLite::TransactionBehavior::IMMEDIATE);
+  if (const std::uint64_t next = progress().next; next != batch.first) {
+    throw std::runtime_error(
+        fmt::format("{}: batch {} offered where {} is next; another process writes to this run",
+                    database_->getFilename(), batch.first, next));
+  }
+  Representatives kept;
+  for (const GroupRecord& group : groups()) kept.add(group);
+
+  SQLite::Statement insert(
+      *database_,
+      fmt::format("INSERT INTO finding({}) VALUES(NULL,?,?,?,?,?,?,?,?,?,?,?,?,?)", finding_columns));
+  for (const FindingRecord& f : batch.findings) {
+    if (kept.admit(f)) write_finding(insert, f);
+  }
+
+  SQLite::Statement count(*database_,
+                          "INSERT INTO finding_group VALUES(?,?,?,?,?,?) ON CONFLICT DO UPDATE SET "
+                          "count=count+excluded.count, binade=max(binade, excluded.binade)");
+  for (const GroupRecord& g : batch.groups) {
+    count.reset();
+    count.bind(1, g.method);
+    count.bind(2, g.kind);
+    count.bind(3, g.severity);
+    count.bind(4, g.family);
+    count.bind(5, to_sql(g.count));
+    count.bind(6, g.binade);
+    count.exec();
+  }
+
+  SQLite::Statement tally(
+      *database_,
+      "INSERT INTO tally VALUES(?,?,?,?,?,?,?,?,?) ON CONFLICT DO UPDATE SET "
+      "asked=asked+excluded.asked, declined=declined+excluded.declined, "
+      "failed=failed+excluded.failed, contract=contract+excluded.contract, "
+      "resolution=resolution+excluded.resolution, undecided=undecided+excluded.undecided, "
+      "nanoseconds=nanoseconds+excluded.nanoseconds");
+  for (const auto& [method, family, c] : batch.tallies) {
+    tally.reset();
+    tally.bind(1, method);
+    tally.bind(2, family);
+    int column = 3;
+    for (const std::uint64_t n :
+         {c.asked, c.declined, c.failed, c.contract, c.resolution, c.undecided, c.nanoseconds}) {
+      tally.bind(column++, to_sql(n));
+    }
+    tally.exec();
+  }
+
+  SQLite::Statement advance(*database_, "UPDATE progress SET next=?, milliseconds=milliseconds+?");
+  advance.bind(1, to_sql(batch.next));
+  advance.bind(2, to_sql(milliseconds));
+  advance.exec();
+  transaction.commit();
+}
+
+std::vector<TallyRecord> RunStore::tallies() const {
+  std::vector<TallyRecord> all;
+  SQLite::Statement row(
+      *database_,
+      "SELECT method, family, asked, declined, failed, contract, resolution, undecided, nanoseconds "
+      "FROM tally ORDER BY rowid");
+  while (row.executeStep()) {
+    all.push_back({row.getColumn(0).getString(), row.getColumn(1).getString(),
+                   Counts{from_sql(row.getColumn(2)), from_sql(row.getColumn(3)), from_sql(row.getColumn(4)),
+                          from_sql(row.getColumn(5)), from_sql(row.getColumn(6)), from_sql(row.getColumn(7)),
+                          from_sql(row.getColumn(8))}});
+  }
+  return all;
+}
+
+std::vector<GroupRecord> RunStore::groups() const {
+  std::vector<GroupRecord> all;
+  SQLite::Statement row(
+      *database_, "SELECT method, kind, severity, family, count, binade FROM finding_group ORDER BY rowid");
+  while (row.executeStep()) all.push_back(read_group(row));
+  return all;
+}
+
+std::vector<FindingRecord> RunStore::findings() const {
+  std::vector<FindingRecord> all;
+  SQLite::Statement row(*database_, fmt::format("SELECT {} FROM finding ORDER BY id", finding_columns));
+  while (row.executeStep()) all.push_back(read_finding(row));
+  return all;
+}
+
+std::optional<FindingRecord> RunStore::finding(std::int64_t id) const {
+  SQLite::Statement row(*database_, fmt::format("SELECT {} FROM finding WHERE id=?", finding_columns));
+  row.bind(1, id);
+  if (!row.executeStep()) return {};
+  return read_finding(row);
+}
+
+}  // namespace cyl

@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: MIT
+// What a run has done and found, in one SQLite file. It knows plain records only. A batch is committed whole
+// or not at all, so a run that is killed at any moment leaves the exact prefix it would have had on its way.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <tuple>
+#include <vector>
+
+namespace SQLite {
+class Database;
+}
+
+namespace cyl {
+
+/// Findings of one (method, kind, severity, family) that are kept with their pair, the first in index order.
+/// Beyond them one is kept only where its margin reaches a power of two that none before it reached, so that
+/// the worst is always there within a factor of two; the rest is counted. Bounds the file: 25 are enough to
+/// see a pattern.
+inline constexpr std::uint64_t representatives_cap = 25;
+
+/// How often a method was asked on a family and what came of it.
+struct Counts {
+  std::uint64_t asked = 0;
+  std::uint64_t declined = 0;
+  std::uint64_t failed = 0;      ///< exception, crash, hang, non-finite number
+  std::uint64_t contract = 0;    ///< wrong beyond its own claim
+  std::uint64_t resolution = 0;  ///< wrong within its own claim
+  std::uint64_t undecided = 0;
+  std::uint64_t nanoseconds = 0;  ///< wall time of the calls
+
+  Counts& operator+=(const Counts& other);
+};
+
+struct TallyRecord {
+  std::string method, family;
+  Counts counts;
+};
+
+/// A margin enclosure; stored as text, infinite allowed.
+struct MarginRecord {
+  double lo = 0, hi = 0;
+};
+
+/// One thing that is wrong, with all that is needed to see it again.
+struct FindingRecord {
+  std::int64_t id = 0;      ///< 1, 2, ... in the order they were found; given by the store
+  std::uint64_t index = 0;  ///< of the pair in the run
+  std::string family;
+  std::uint64_t family_index = 0;
+  std::string method, kind, severity;
+  std::optional<MarginRecord> margin;
+  std::string pair;     ///< one JSON line of corpus/pair_io
+  std::string answers;  ///< JSON object, method to what it said
+  std::string truth;    ///< JSON object: verdict and certificate
+  std::string stage;    ///< which arithmetic settled the truth
+  std::string reason;   ///< the method's own words on a failure
+};
+
+/// How many findings of a group there were, kept or not.
+struct GroupRecord {
+  std::string method, kind, severity, family;
+  std::uint64_t count = 0;
+  int binade = no_binade;  ///< the greatest power of two that a margin's lower bound reached
+
+  static constexpr int no_binade = -100000;  ///< below every exponent of a double
+};
+
+/// Which findings are kept. Filtering a sequence in pieces and then as a whole keeps the same as doing it at
+/// once.
+class Representatives {
+ public:
+  /// Counts the finding; whether it is to be kept.
+  bool admit(const FindingRecord& finding);
+  /// Adds findings that were counted elsewhere.
+  void add(const GroupRecord& group);
+  std::vector<GroupRecord> groups() const;
+
+ private:
+  using Key = std::tuple<std::string, std::string, std::string, std::string>;
+  static Key key_of(const FindingRecord& finding);
+  std::map<Key, GroupRecord> groups_;
+};
+
+/// What one stretch of indices [first, next) gave.
+struct BatchRecord {
+  std::uint64_t first = 0, next = 0;
+  std::vector<TallyRecord> tallies;
+  std::vector<GroupRecord> groups;      ///< all findings of the batch, counted
+  std::vector<FindingRecord> findings;  ///< those its own Representatives admitted, in index order; id unset
+};
+
+struct Progress {
+  std::uint64_t next = 0;          ///< the first index not done
+  std::uint64_t milliseconds = 0;  ///< wall time the run has taken, over all its sessions
+};
+
+using Config = std::map<std::string, std::string>;
+
+/// The store of one run: FOLDER/run.sqlite. Write-ahead log with synchronous=NORMAL: what is committed
+/// survives any death of the process; a loss of power may take the last batches, never the consistency. Every
+/// call throws std::runtime_error where the file cannot be read or written.
+class RunStore {
+ public:
+  /// Creates folder and file; throws where a run is there already.
+  static RunStore create(const std::string& folder, const Config& config);
+  static RunStore open(const std::string& folder);
+  RunStore(RunStore&&) noexcept;
+  ~RunStore();
+
+  Config config() const;
+  Progress progress() const;
+  /// Adds a batch and the wall time since the last commit in one transaction. Throws where `batch.first` is
+  /// not the next index: then another process writes to this run.
+  void commit(const BatchRecord& batch, std::uint64_t milliseconds);
+
+  std::vector<TallyRecord> tallies() const;     ///< by first appearance
+  std::vector<GroupRecord> groups() const;      ///< by first appearance
+  std::vector<FindingRecord> findings() const;  ///< by id
+  std::optional<FindingRecord> finding(std::int64_t id) const;
+
+ private:
+  explicit RunStore(std::unique_ptr<SQLite::Database> database);
+  std::unique_ptr<SQLite::Database> database_;
+};
+
+}  // namespace cyl

@@ -1,0 +1,314 @@
+// SPDX-License-Identifier: MIT
+#include "fuzz/batch.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <exception>
+#include <string>
+#include <vector>
+
+#include "oracles/compare.hpp"
+#include "oracles/contained.hpp"
+#include "oracles/referee.hpp"
+
+namespace cyl {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+std::uint64_t nanoseconds_since(Clock::time_point start) {
+  return static_cast<std::uint64_t>(
+      std::chrono::duration_cast<std::chrono::nanoseconds>(Clock::now() - start).count());
+}
+
+bool is_failure(FindingKind kind) {
+  return kind == FindingKind::exception || kind == FindingKind::crash || kind == FindingKind::hang ||
+         kind == FindingKind::non_finite;
+}
+
+MethodAnswer ask_here(Method& method, const Pair& pair) {
+  const auto broke = [](std::string_view reason) {
+    MethodAnswer answer;
+    answer.status = Status::failed;
+    answer.failure = Failure::exception;
+    answer.set_reason(reason);
+    return answer;
+  };
+  try {
+    return method.ask(pair);
+  } catch (const std::exception& e) {
+    return broke(e.what());
+  } catch (...) {
+    return broke("an exception that is no std::exception");
+  }
+}
+
+/// The work on one stretch of indices. Members named after the steps fill the rows below, one step each.
+class Batch {
+ public:
+  Batch(const Subjects& subjects, std::uint64_t seed, std::uint64_t first, std::uint64_t next)
+      : subjects_(subjects), seed_(seed), first_(first), by_family_(subjects.families.size() + 1) {
+    for (std::uint64_t i = first; i < next; ++i) {
+      by_family_[place_of(i).family].push_back(pairs_.size());
+      pairs_.push_back(pair_at(place_of(i)));
+    }
+    answers_.resize(pairs_.size() * methods());
+    asked_.resize(pairs_.size() * methods(), false);
+    truths_.resize(pairs_.size());
+    counts_.resize((methods() + 2) * by_family_.size());
+    record_.first = first;
+    record_.next = next;
+  }
+
+  BatchRecord run() {
+    ask_own_methods();
+    ask_foreign_methods([&](std::size_t m, std::size_t p) { return index_of(p) % share_of(m) == 0; });
+    judge_all();
+    // What the costly ones say may prove what nobody could prove before: hence judged again where undecided.
+    ask_foreign_methods([&](std::size_t m, std::size_t p) {
+      return !asked_[p * methods() + m] && share_of(m) > 1 && in_dispute(p);
+    });
+    judge_undecided();
+    for (std::size_t p = 0; p < pairs_.size(); ++p) compare_all(p);
+    repeat_own_methods();
+    finish();
+    return std::move(record_);
+  }
+
+ private:
+  struct Place {
+    std::size_t family;  ///< 0: the cases; f: families[f - 1]
+    std::uint64_t index;
+  };
+
+  std::size_t methods() const { return subjects_.methods.size(); }
+  std::size_t corpus_row_index() const { return methods(); }
+  std::size_t referee_row_index() const { return methods() + 1; }
+  std::uint64_t index_of(std::size_t p) const { return first_ + p; }
+  unsigned share_of(std::size_t m) const { return std::max(1u, subjects_.methods[m]->share()); }
+
+  Place place_of(std::uint64_t index) const {
+    const std::uint64_t cases = subjects_.cases.size(), families = subjects_.families.size();
+    if (index < cases) return {0, index};
+    return {static_cast<std::size_t>(1 + (index - cases) % families), (index - cases) / families};
+  }
+  Pair pair_at(const Place& place) const {
+    if (place.family == 0) return subjects_.cases[place.index].pair;
+    return subjects_.families[place.family - 1].generate(seed_, place.index);
+  }
+  std::string family_name(std::size_t family) const {
+    return family == 0 ? cases_family : std::string(subjects_.families[family - 1].name);
+  }
+  std::string row_name(std::size_t row) const {
+    if (row < methods()) return std::string(subjects_.methods[row]->name());
+    return row == corpus_row_index() ? corpus_row : referee_row;
+  }
+  Counts& counts(std::size_t row, std::size_t family) { return counts_[row * by_family_.size() + family]; }
+  std::span<const MethodAnswer> answers_of(std::size_t p) const {
+    return {answers_.data() + p * methods(), methods()};
+  }
+
+  // The clock is read once per family and method, not once per call: our calls take less than it does.
+  void ask_own_methods() {
+    for (std::size_t m = 0; m < methods(); ++m) {
+      Method& method = *subjects_.methods[m];
+      if (method.foreign()) continue;
+      for (std::size_t family = 0; family < by_family_.size(); ++family) {
+        const auto start = Clock::now();
+        for (const std::size_t p : by_family_[family]) {
+          if (index_of(p) % share_of(m) != 0) continue;
+          answers_[p * methods() + m] = ask_here(method, pairs_[p]);
+          asked_[p * methods() + m] = true;
+        }
+        counts(m, family).nanoseconds += nanoseconds_since(start);
+      }
+    }
+  }
+
+  template <class Wanted>
+  void ask_foreign_methods(Wanted wanted) {
+    std::vector<Question> questions;
+    for (std::size_t m = 0; m < methods(); ++m) {
+      if (!subjects_.methods[m]->foreign()) continue;
+      for (std::size_t p = 0; p < pairs_.size(); ++p) {
+        if (wanted(m, p)) questions.push_back({m, p});
+      }
+    }
+    if (questions.empty()) return;
+    const std::vector<ContainedAnswer> said = ask_contained(subjects_.methods, pairs_, questions);
+    for (std::size_t q = 0; q < questions.size(); ++q) {
+      const auto [m, p] = questions[q];
+      answers_[p * methods() + m] = said[q].answer;
+      asked_[p * methods() + m] = true;
+      counts(m, place_of(index_of(p)).family).nanoseconds += static_cast<std::uint64_t>(said[q].nanoseconds);
+    }
+  }
+
+  void judge_all() {
+    for (std::size_t family = 0; family < by_family_.size(); ++family) {
+      const auto start = Clock::now();
+      for (const std::size_t p : by_family_[family]) truths_[p] = judge(pairs_[p], answers_of(p));
+      counts(referee_row_index(), family).nanoseconds += nanoseconds_since(start);
+    }
+  }
+
+  void judge_undecided() {
+    for (std::size_t p = 0; p < pairs_.size(); ++p) {
+      if (truths_[p].verdict == Verdict::undecided) truths_[p] = judge(pairs_[p], answers_of(p));
+    }
+  }
+
+  /// Whether somebody says disjoint and somebody else, or the truth, that they meet.
+  bool in_dispute(std::size_t p) const {
+    bool apart = truths_[p].verdict == Verdict::disjoint;
+    bool meet = truths_[p].verdict == Verdict::intersecting || truths_[p].verdict == Verdict::touching;
+    for (const MethodAnswer& answer : answers_of(p)) {
+      if (answer.status != Status::answered) continue;
+      apart |= answer.verdict == Verdict::disjoint;
+      meet |= answer.verdict == Verdict::intersecting || answer.verdict == Verdict::touching;
+    }
+    return apart && meet;
+  }
+
+  void compare_all(std::size_t p) {
+    const Truth& truth = truths_[p];
+    LazyDistance distance([&](double width) { return enclose_distance(pairs_[p], truth, width); });
+    const std::size_t family = place_of(index_of(p)).family;
+    for (std::size_t m = 0; m < methods(); ++m) {
+      if (!asked_[p * methods() + m]) continue;
+      count_answer(counts(m, family), answers_of(p)[m]);
+      const auto wrong = compare(pairs_[p], truth, distance, subjects_.methods[m]->claim(), answers_of(p)[m]);
+      if (wrong) note(p, m, *wrong);
+    }
+    if (family == 0 && subjects_.cases[index_of(p)].truth) {
+      MethodAnswer stated;
+      stated.status = Status::answered;
+      stated.verdict = *subjects_.cases[index_of(p)].truth;
+      count_answer(counts(corpus_row_index(), family), stated);
+      if (const auto wrong = compare(pairs_[p], truth, distance, Claim{}, stated)) {
+        note(p, corpus_row_index(), *wrong);
+      }
+    }
+    ++counts(referee_row_index(), family).asked;
+    if (truth.verdict == Verdict::undecided) {
+      ++counts(referee_row_index(), family).undecided;
+      note(p, referee_row_index(), {FindingKind::undecided_truth, Severity::unresolved, {}});
+    }
+  }
+
+  static void count_answer(Counts& counts, const MethodAnswer& answer) {
+    ++counts.asked;
+    if (answer.status == Status::declined) ++counts.declined;
+    if (answer.status == Status::answered && answer.verdict == Verdict::undecided) ++counts.undecided;
+  }
+
+  void repeat_own_methods() {
+    for (std::size_t p = (repeat_share - first_ % repeat_share) % repeat_share; p < pairs_.size();
+         p += repeat_share) {
+      for (std::size_t m = 0; m < methods(); ++m) {
+        Method& method = *subjects_.methods[m];
+        if (method.foreign() || !asked_[p * methods() + m]) continue;
+        if (!same_answer(ask_here(method, pairs_[p]), answers_of(p)[m])) {
+          note(p, m, {FindingKind::nondeterminism, Severity::contract, {}});
+        }
+      }
+    }
+  }
+
+  void note(std::size_t p, std::size_t row, const Finding& finding) {
+    const Place place = place_of(index_of(p));
+    Counts& tally = counts(row, place.family);
+    if (is_failure(finding.kind)) {
+      ++tally.failed;
+    } else if (finding.severity == Severity::contract) {
+      ++tally.contract;
+    } else if (finding.severity == Severity::resolution) {
+      ++tally.resolution;
+    }
+    FindingRecord record;
+    record.index = index_of(p);
+    record.family = family_name(place.family);
+    record.family_index = place.index;
+    record.method = row_name(row);
+    record.kind = to_string(finding.kind);
+    record.severity = to_string(finding.severity);
+    if (finding.margin) record.margin = MarginRecord{finding.margin->lo, finding.margin->hi};
+    if (!kept_.admit(record)) return;
+    record.pair = case_line(p, place);
+    record.answers = answers_text(p);
+    record.truth = format_truth(truths_[p]);
+    record.stage = stage_name(truths_[p].stage);
+    if (row < methods() && is_failure(finding.kind)) record.reason = answers_of(p)[row].reason;
+    record_.findings.push_back(std::move(record));
+  }
+
+  std::string case_line(std::size_t p, const Place& place) const {
+    if (place.family == 0) return format_case(subjects_.cases[place.index]);
+    Case line;
+    line.pair = pairs_[p];
+    line.id = fmt::format("{}/{}", family_name(place.family), place.index);
+    line.source = fmt::format("daylight campaign --seed {}, index {}", seed_, index_of(p));
+    if (truths_[p].verdict != Verdict::undecided) line.truth = truths_[p].verdict;
+    return format_case(line);
+  }
+
+  std::string answers_text(std::size_t p) const {
+    std::string text = "{";
+    for (std::size_t m = 0; m < methods(); ++m) {
+      if (!asked_[p * methods() + m]) continue;
+      if (text.size() > 1) text += ',';
+      text += quote_json(subjects_.methods[m]->name());
+      text += ':';
+      text += format_method_answer(answers_of(p)[m]);
+    }
+    text += '}';
+    return text;
+  }
+
+  static std::string stage_name(Stage stage) {
+    switch (stage) {
+      case Stage::filter:
+        return "filter";
+      case Stage::wide:
+        return "wide";
+      case Stage::exact:
+        return "exact";
+    }
+    return "exact";
+  }
+
+  void finish() {
+    for (std::size_t row = 0; row < methods() + 2; ++row) {
+      for (std::size_t family = 0; family < by_family_.size(); ++family) {
+        if (counts(row, family).asked == 0) continue;
+        record_.tallies.push_back({row_name(row), family_name(family), counts(row, family)});
+      }
+    }
+    record_.groups = kept_.groups();
+    std::stable_sort(record_.findings.begin(), record_.findings.end(),
+                     [](const FindingRecord& x, const FindingRecord& y) { return x.index < y.index; });
+  }
+
+  const Subjects& subjects_;
+  std::uint64_t seed_, first_;
+  std::vector<std::vector<std::size_t>> by_family_;
+  std::vector<Pair> pairs_;
+  std::vector<MethodAnswer>
+      answers_;  ///< pair major: one pair's answers lie together, as the referee takes them
+  std::vector<bool> asked_;
+  std::vector<Truth> truths_;
+  std::vector<Counts>
+      counts_;  ///< a row for each method, the corpus and the referee; a column for each family
+  Representatives kept_;
+  BatchRecord record_;
+};
+
+}  // namespace
+
+BatchRecord run_batch(const Subjects& subjects, std::uint64_t seed, std::uint64_t first, std::uint64_t next) {
+  return Batch(subjects, seed, first, next).run();
+}
+
+}  // namespace cyl

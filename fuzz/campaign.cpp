@@ -1,0 +1,201 @@
+// SPDX-License-Identifier: MIT
+#include "fuzz/campaign.hpp"
+
+#include <fmt/chrono.h>
+#include <fmt/format.h>
+#include <poll.h>
+
+#include <algorithm>
+#include <csignal>
+#include <ctime>
+#include <deque>
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+
+#include "fuzz/flight.hpp"
+
+namespace cyl {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+using std::chrono::duration_cast;
+using std::chrono::milliseconds;
+
+/// How long to sleep where no batch has anything to say: progress stays lively, the processor free.
+constexpr milliseconds poll_time{100};
+/// Batches launched but not yet stored, per job: enough that one slow batch does not idle the rest.
+constexpr std::size_t window_per_job = 8;
+
+volatile std::sig_atomic_t stop_asked = 0;
+void ask_stop(int) { stop_asked = 1; }
+
+/// Turns SIGINT and SIGTERM into stop_asked while it lives.
+class StopSignals {
+ public:
+  StopSignals() {
+    stop_asked = 0;
+    struct sigaction action {};
+    action.sa_handler = ask_stop;
+    sigaction(SIGINT, &action, &interrupt_before_);
+    sigaction(SIGTERM, &action, &terminate_before_);
+  }
+  StopSignals(const StopSignals&) = delete;
+  StopSignals& operator=(const StopSignals&) = delete;
+  ~StopSignals() {
+    sigaction(SIGINT, &interrupt_before_, nullptr);
+    sigaction(SIGTERM, &terminate_before_, nullptr);
+  }
+
+ private:
+  struct sigaction interrupt_before_ {
+  }, terminate_before_{};
+};
+
+// FNV-1a, 64 bits: the same on every machine, and a changed corpus is no attack.
+std::string fingerprint(std::span<const Case> cases) {
+  std::uint64_t hash = 0xcbf29ce484222325u;
+  for (const Case& c : cases) {
+    for (const char byte : format_case(c) + '\n')
+      hash = (hash ^ static_cast<unsigned char>(byte)) * 0x100000001b3u;
+  }
+  return fmt::format("{:016x}", hash);
+}
+
+/// What the findings are a function of. Two sessions of one run agree in all of it.
+Config identity(const CampaignOptions& options, const Subjects& subjects) {
+  nlohmann::ordered_json methods = nlohmann::ordered_json::array(),
+                         families = nlohmann::ordered_json::array();
+  for (const auto& method : subjects.methods) {
+    const Claim claim = method->claim();
+    methods.push_back({{"name", std::string(method->name())},
+                       {"version", std::string(method->version())},
+                       {"relative", claim.relative},
+                       {"absolute", claim.absolute},
+                       {"source", std::string(claim.source)},
+                       {"share", method->share()}});
+  }
+  for (const Family& family : subjects.families) families.push_back(std::string(family.name));
+  return {{"seed", std::to_string(options.seed)},
+          {"methods", methods.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace)},
+          {"families", families.dump()},
+          {"case_count", std::to_string(subjects.cases.size())},
+          {"case_fingerprint", fingerprint(subjects.cases)}};
+}
+
+RunStore open_run(const CampaignOptions& options, const Subjects& subjects) {
+  Config config = identity(options, subjects);
+  if (!options.resume) {
+    config["cases"] = options.cases;
+    config["pairs"] = std::to_string(options.pairs);
+    config["budget_milliseconds"] = std::to_string(options.budget.count());
+    config["started"] = fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::time(nullptr)));
+    return RunStore::create(options.out, config);
+  }
+  RunStore store = RunStore::open(options.out);
+  const Config stored = store.config();
+  for (const auto& [key, value] : config) {
+    const auto found = stored.find(key);
+    if (found == stored.end() || found->second != value) {
+      throw std::runtime_error(
+          fmt::format("{} cannot be resumed: its {} differ from what is asked for\n  run: {}\n  now: {}",
+                      options.out, key, found == stored.end() ? "" : found->second, value));
+    }
+  }
+  return store;
+}
+
+void count(CampaignProgress& progress, const std::vector<TallyRecord>& tallies) {
+  for (const auto& [method, family, counts] : tallies) {
+    progress.contract += counts.contract;
+    progress.resolution += counts.resolution;
+    progress.failed += counts.failed;
+    if (method == referee_row) progress.unresolved += counts.undecided;
+  }
+}
+
+void wait_for_news(const std::deque<Flight>& flights) {
+  std::vector<pollfd> descriptors;
+  for (const Flight& flight : flights) {
+    if (!flight.ended()) descriptors.push_back({flight.descriptor(), POLLIN, 0});
+  }
+  poll(descriptors.data(), descriptors.size(), static_cast<int>(poll_time.count()));
+}
+
+}  // namespace
+
+CampaignSummary run_campaign(const CampaignOptions& options, const Subjects& subjects,
+                             const std::function<void(const CampaignProgress&)>& on_progress) {
+  if (options.pairs == 0 && options.budget.count() == 0) throw std::runtime_error("a campaign needs a limit");
+  if (subjects.families.empty()) throw std::runtime_error("a campaign needs a family");
+  RunStore store = open_run(options, subjects);
+  const StopSignals signals;
+  const auto start = Clock::now();
+  auto last_commit = start;
+
+  CampaignSummary summary;
+  CampaignProgress& progress = summary.progress;
+  progress.done = store.progress().next;
+  count(progress, store.tallies());
+  const auto report = [&] {
+    progress.session_time = duration_cast<milliseconds>(Clock::now() - start);
+    if (on_progress) on_progress(progress);
+  };
+
+  std::deque<Flight> flights;  // in the order of their indices
+  std::uint64_t next = progress.done;
+  const auto may_launch = [&] {
+    const auto running =
+        std::count_if(flights.begin(), flights.end(), [](const Flight& f) { return !f.ended(); });
+    return running < options.jobs && flights.size() < options.jobs * window_per_job && !stop_asked &&
+           (options.pairs == 0 || next < options.pairs) &&
+           (options.budget.count() == 0 || Clock::now() - start < options.budget);
+  };
+
+  while (true) {
+    while (may_launch()) {
+      const std::uint64_t first = next;
+      next = first + batch_size;
+      if (options.pairs != 0) next = std::min(next, options.pairs);
+      flights.emplace_back(first, next, [&] { return run_batch(subjects, options.seed, first, next); });
+    }
+    if (flights.empty()) break;
+    wait_for_news(flights);
+    for (Flight& flight : flights) flight.advance();
+    while (!flights.empty() && flights.front().ended()) {
+      BatchRecord batch;
+      try {
+        batch = flights.front().take();
+      } catch (const std::exception& e) {
+        summary.harness_failure = fmt::format(
+            "the batch of indices {} to {} died: {}. What came before it is stored; "
+            "`daylight campaign --resume {}` meets it again as its first batch",
+            flights.front().first(), flights.front().next() - 1, e.what(), options.out);
+        report();
+        return summary;
+      }
+      const auto passed = duration_cast<milliseconds>(Clock::now() - last_commit);
+      store.commit(batch, static_cast<std::uint64_t>(passed.count()));
+      last_commit += passed;
+      progress.done = batch.next;
+      progress.session_done += batch.next - batch.first;
+      count(progress, batch.tallies);
+      flights.pop_front();
+      report();
+    }
+    if (stop_asked) {
+      summary.interrupted = true;
+      break;  // the batches still under way are lost; --resume does them again
+    }
+    report();
+  }
+  report();
+  return summary;
+}
+
+int exit_code(const CampaignSummary& summary) {
+  if (!summary.harness_failure.empty()) return 1;
+  if (summary.progress.contract + summary.progress.failed > 0) return 2;
+  return summary.progress.unresolved > 0 ? 3 : 0;
+}
+
+}  // namespace cyl

@@ -1,0 +1,229 @@
+// SPDX-License-Identifier: MIT
+#include "oracles/referee.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <map>
+#include <string>
+
+#include "corpus/families.hpp"
+#include "corpus/pair_io.hpp"
+#include "oracles/certificate.hpp"
+#include "oracles/tangency.hpp"
+#include "solver/decide.hpp"
+
+namespace cyl {
+namespace {
+
+Pair pair_of(const char* line) {
+  const CaseLine c = parse_case(line, 1);
+  EXPECT_TRUE(c.value) << c.error;
+  return c.value->pair;
+}
+
+Rational3 rational(const ExactVector& v) {
+  auto c = [&](std::size_t i) {
+    return v.exact[i].empty() ? mpq_class(mpq_class(v.head[i]) + mpq_class(v.tail[i]))
+                              : mpq_class(v.exact[i]);
+  };
+  return {c(0), c(1), c(2)};
+}
+
+// Every certificate is checked again, in the widest arithmetic, whatever stage handed it out.
+void expect_proved(const Pair& pair, const Truth& truth, const std::string& what) {
+  const Certificate& c = truth.certificate;
+  switch (truth.verdict) {
+    case Verdict::disjoint:
+      EXPECT_TRUE(separates_wide(pair, rational(c.vector), 2048)) << what;
+      break;
+    case Verdict::intersecting:
+      EXPECT_TRUE(in_both_exact(pair, rational(c.vector))) << what;
+      break;
+    case Verdict::touching:
+      if (c.kind == CertificateKind::point) {
+        EXPECT_TRUE(in_both_exact(pair, rational(c.vector))) << what;
+      }
+      break;
+    default:
+      break;
+  }
+}
+
+TEST(Referee, ProvesEveryFamily) {
+  std::map<Verdict, int> seen;
+  std::map<Stage, int> stages;
+  for (const Family& family : families())
+    for (std::uint64_t i = 0; i < (family.name == "lattice" ? 600 : 60); ++i) {
+      const Pair pair = family.generate(20261121, i);
+      const Truth truth = judge(pair, {}, 512);
+      const std::string what = std::string(family.name) + " " + std::to_string(i) + " " + format_pair(pair);
+      expect_proved(pair, truth, what);
+      ++seen[truth.verdict];
+      ++stages[truth.stage];
+      // Our solver says what it is sure of; the referee has not heard it.
+      const Answer said = decide(pair.a, pair.b);
+      if (said.verdict != Verdict::undecided && truth.verdict != Verdict::undecided) {
+        EXPECT_EQ(said.verdict == Verdict::disjoint, truth.verdict == Verdict::disjoint) << what;
+      }
+      // An undecided pair is one that cannot be told from touching.
+      if (truth.verdict == Verdict::undecided) {
+        const Enclosure e = enclose_distance(pair, truth);
+        EXPECT_LE(e.lo, 1e-13 * size_of(pair)) << what;
+        EXPECT_GE(e.hi, -1e-13 * size_of(pair)) << what;
+      }
+    }
+  EXPECT_GT(seen[Verdict::disjoint], 300);
+  EXPECT_GT(seen[Verdict::intersecting], 300);
+  EXPECT_GT(seen[Verdict::touching], 10);
+  for (const Stage s : {Stage::filter, Stage::wide, Stage::exact})
+    EXPECT_GT(stages[s], 10) << static_cast<int>(s);
+}
+
+TEST(Referee, SaysTouchingWhereAlgebraShowsIt) {
+  const char* touching[] = {
+      // caps; walls, parallel and crossing; a cap and a wall; segments; points; a rim point; rims
+      R"({"a":{"center":[0,0,0],"axis":[0,0,1],"radius":1,"height":2},"b":{"center":[0,0,2],"axis":[0,0,1],"radius":1,"height":2}})",
+      R"({"a":{"center":[0,0,0],"axis":[0,0,1],"radius":1,"height":2},"b":{"center":[2,0,0],"axis":[0,0,1],"radius":1,"height":2}})",
+      R"({"a":{"center":[0,0,0],"axis":[1,1,0],"radius":1,"height":2},"b":{"center":[0,0,2],"axis":[1,-1,0],"radius":1,"height":2}})",
+      R"({"a":{"center":[0,0,0],"axis":[0,0,1],"radius":1,"height":2},"b":{"center":[0,0,2],"axis":[1,0,0],"radius":1,"height":2}})",
+      R"({"a":{"center":[0,0,0],"axis":[0,0,1],"radius":0,"height":2},"b":{"center":[0,0,0],"axis":[1,0,0],"radius":0,"height":2}})",
+      R"({"a":{"center":[1,2,3],"axis":[1,2,3],"radius":0,"height":0},"b":{"center":[1,2,3],"axis":[1,0,0],"radius":0,"height":0}})",
+      R"({"a":{"center":[0,0,0],"axis":[0,0,1],"radius":5,"height":2},"b":{"center":[3,4,1],"axis":[1,0,1],"radius":0,"height":0}})",
+      R"({"a":{"center":[0,0,0],"axis":[0,0,1],"radius":5,"height":2},"b":{"center":[6,8,2],"axis":[0,0,1],"radius":5,"height":2}})",
+      // one segment along another
+      R"({"a":{"center":[0,0,0],"axis":[1,1,1],"radius":0,"height":2},"b":{"center":[0,0,0],"axis":[1,1,1],"radius":0,"height":4}})"};
+  for (const char* line : touching) {
+    const Pair pair = pair_of(line);
+    const Truth truth = judge(pair);
+    EXPECT_EQ(truth.verdict, Verdict::touching) << line;
+    expect_proved(pair, truth, line);
+  }
+}
+
+TEST(Referee, RightAtMarginsFarBelowDoubles) {
+  // A wall of radius 3 touches the origin in the plane with normal (2, 2, 1); what comes near it from the
+  // other side is moved by t (2, 2, 1): a gap of exactly 3 t, or a depth of 3 |t| (of the wall's own depth,
+  // for a segment or a disk).
+  const Vector3 normal(2, 2, 1);
+  const Cylinder wall{-normal, Vector3(1, 0, -2), 3, 8};
+  const Cylinder cap{-normal, normal, 5, 6};
+  const Cylinder guests[] = {{Vector3(0, 0, 0), Vector3(1, -1, 0), 0, 2},  // segment
+                             {Vector3(0, 0, 0), normal, 0.5, 0},           // disk
+                             {Vector3(0, 0, 0), Vector3(1, 1, 1), 0, 0}};  // point
+  for (const Cylinder& host : {wall, cap})
+    for (const Cylinder& guest : guests)
+      for (const int exponent : {-47, -66, -100, -133, -400}) {
+        for (const double side : {1.0, -1.0}) {
+          Pair pair{host, guest};
+          pair.b.center = std::ldexp(side, exponent) * normal;
+          const Truth truth = judge(pair);
+          EXPECT_EQ(truth.verdict, side > 0 ? Verdict::disjoint : Verdict::intersecting) << format_pair(pair);
+          expect_proved(pair, truth, format_pair(pair));
+        }
+      }
+  // Two fat walls can only be told apart as finely as their centres' doubles.
+  for (const double side : {1.0, -1.0}) {
+    Pair pair{wall, wall};
+    pair.b.axis = Vector3(1, -1, 0);
+    pair.b.center = normal * (1 + side * 0x1p-51);
+    EXPECT_EQ(judge(pair).verdict, side > 0 ? Verdict::disjoint : Verdict::intersecting);
+  }
+}
+
+TEST(Referee, ContactWhoseMiddleIsIrrationalIsShownByAPointNearBy) {
+  // Walls of parallel axes along (0, 12.5, 33) meet in a segment, 2 from a's axis; its middle has irrational
+  // coordinates.
+  const Pair pair = pair_of(
+      R"({"a":{"center":[0,0,0],"axis":[0,12.5,33],"radius":2,"height":40},"b":{"center":[5,12.5,33],"axis":[0,12.5,33],"radius":3,"height":45}})");
+  const Truth truth = judge(pair);
+  ASSERT_EQ(truth.verdict, Verdict::touching);
+  ASSERT_EQ(truth.certificate.kind, CertificateKind::near);
+  // Within 2^-200 size: inside both once they have grown by that much; the plane separates them once they
+  // have shrunk.
+  const mpq_class slack = mpq_class(90) / (mpz_class(1) << 200);
+  const Rational3 x = rational(truth.certificate.vector);
+  for (const Cylinder* c : {&pair.a, &pair.b}) {
+    const Rational3 r = x - exact(c->center), w = exact(c->axis), side = cross(r, w);
+    const mpq_class ww = dot(w, w), half = mpq_class(c->height) / 2 + slack,
+                    radius = mpq_class(c->radius) + slack;
+    EXPECT_LE(dot(r, w) * dot(r, w), half * half * ww);
+    EXPECT_LE(dot(side, side), radius * radius * ww);
+  }
+}
+
+TEST(Referee, WitnessesCarryTheDayOrAreIgnored) {
+  const Pair apart = pair_of(
+      R"({"a":{"center":[0,0,0],"axis":[0,0,1],"radius":1,"height":2},"b":{"center":[2.5,0,0],"axis":[0,0,1],"radius":1,"height":2}})");
+  MethodAnswer good, bad;
+  good.status = bad.status = Status::answered;
+  good.witness = bad.witness = WitnessKind::direction;
+  good.head[0] = 1;
+  bad.head[2] = 1;
+  EXPECT_EQ(check_witness(apart, good), Verdict::disjoint);
+  EXPECT_EQ(check_witness(apart, bad), Verdict::undecided);
+  EXPECT_TRUE(judge(apart, {&good, 1}).witnessed);
+  const Truth alone = judge(apart, {&bad, 1});
+  EXPECT_FALSE(alone.witnessed);
+  EXPECT_EQ(alone.verdict, Verdict::disjoint);
+  MethodAnswer point = good;
+  point.witness = WitnessKind::point;
+  point.head[0] = 1.25;
+  EXPECT_EQ(check_witness(apart, point), Verdict::undecided);
+  point.head[0] = std::nan("");
+  EXPECT_EQ(check_witness(apart, point), Verdict::undecided);
+}
+
+TEST(Enclosure, HoldsDistancesKnownOnPaper) {
+  struct Known {
+    const char* line;
+    double distance;
+  };
+  const Known all[] = {
+      // along an axis; across; both (corner to corner); depth: the least way out
+      {R"({"a":{"center":[0,0,0],"axis":[0,0,1],"radius":1,"height":2},"b":{"center":[0,0,3],"axis":[0,0,1],"radius":1,"height":2}})",
+       1},
+      {R"({"a":{"center":[0,0,0],"axis":[0,0,1],"radius":1,"height":2},"b":{"center":[5,0,6],"axis":[0,0,1],"radius":1,"height":2}})",
+       5},
+      {R"({"a":{"center":[0,0,0],"axis":[0,0,1],"radius":1,"height":2},"b":{"center":[1.5,0,0],"axis":[0,0,2],"radius":1,"height":2}})",
+       -0.5},
+      {R"({"a":{"center":[0,0,0],"axis":[0,0,1],"radius":1,"height":2},"b":{"center":[0,0,0],"axis":[1,0,0],"radius":1,"height":2}})",
+       -2},
+      {R"({"a":{"center":[0,0,0],"axis":[0,0,1],"radius":1,"height":10},"b":{"center":[2.5,0,0],"axis":[0,1,0],"radius":1,"height":10}})",
+       0.5},
+      // a lying cylinder's wall over a cap
+      {R"({"a":{"center":[0,0,0],"axis":[0,0,1],"radius":1,"height":2},"b":{"center":[0.25,0,2.5],"axis":[1,0,0],"radius":1,"height":2}})",
+       0.5}};
+  for (const Known& k : all) {
+    const Pair pair = pair_of(k.line);
+    const Enclosure e = enclose_distance(pair, judge(pair));
+    EXPECT_LE(e.lo, k.distance) << k.line;
+    EXPECT_GE(e.hi, k.distance) << k.line;
+    EXPECT_LE(e.hi - e.lo, 2e-9 * size_of(pair)) << k.line;
+  }
+}
+
+TEST(Enclosure, NearTouchingFamiliesKeepTheirMargin) {
+  // Built at a known signed distance, so the enclosure must hold it. Penetration may be shallower at an edge.
+  for (const char* name :
+       {"touching_rim_rim", "touching_side_rim", "touching_cap_rim", "touching_side_side"}) {
+    const Family* family = find_family(name);
+    ASSERT_NE(family, nullptr) << name;
+    for (std::uint64_t i = 0; i < 40; ++i) {
+      const Pair pair = family->generate(5, i);
+      const Enclosure e = enclose_distance(pair, judge(pair));
+      EXPECT_LE(e.lo, e.hi);
+      EXPECT_LE(e.hi - e.lo, 2e-9 * size_of(pair)) << name << " " << i;
+      EXPECT_LE(std::fabs(e.lo), 0.02 * size_of(pair)) << name << " " << i;
+    }
+  }
+}
+
+TEST(SimplestWithin, FindsTheFractionBehindADecimal) {
+  EXPECT_EQ(simplest_within(mpq_class(0.333333333333), mpq_class(1, 1000000)), mpq_class(1, 3));
+  EXPECT_EQ(simplest_within(mpq_class(-2.5), mpq_class(1, 1000)), mpq_class(-5, 2));
+  EXPECT_EQ(simplest_within(mpq_class(7), mpq_class(0)), mpq_class(7));
+}
+
+}  // namespace
+}  // namespace cyl

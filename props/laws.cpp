@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: MIT
+#include "props/laws.hpp"
+
+#include <array>
+#include <cmath>
+#include <optional>
+
+#include "corpus/pair_io.hpp"
+
+namespace cyl {
+namespace {
+
+/// What a law expects of the second answer: the first one's distance and point times `length`, its direction
+/// times `direction`; any other point will do where not `same_point`.
+struct Expected {
+  double length = 1;
+  double direction = 1;
+  bool same_point = true;
+};
+
+std::string differ(const char* what, double wanted, double got) {
+  return std::string(what) + " is " + format_double(got) + ", expected " + format_double(wanted);
+}
+
+// By ==, so that 0 and -0 are one number.
+std::string difference(const MethodAnswer& first, const MethodAnswer& second, const Expected& expected) {
+  if (first.status != Status::answered || second.status != Status::answered) return {};
+  if (first.verdict != second.verdict) {
+    return std::string("the verdict turns from ") + to_string(first.verdict) + " to " +
+           to_string(second.verdict);
+  }
+  if (first.has_distance != second.has_distance) return "only one answer has a distance";
+  if (first.has_distance && second.distance != expected.length * first.distance) {
+    return differ("the distance", expected.length * first.distance, second.distance);
+  }
+  if (first.witness != second.witness) return "the witnesses are of different kinds";
+  if (first.witness == WitnessKind::none) return {};
+  const bool is_direction = first.witness == WitnessKind::direction;
+  if (!is_direction && !expected.same_point) return {};
+  const double factor = is_direction ? expected.direction : expected.length;
+  for (int i = 0; i < 3; ++i) {
+    const double head = factor * first.head[i], tail = factor * first.tail[i];
+    if (second.head[i] != head) return differ("a coordinate of the witness", head, second.head[i]);
+    if (second.tail[i] != tail)
+      return differ("the tail of a coordinate of the witness", tail, second.tail[i]);
+  }
+  return {};
+}
+
+std::string break_swap(Method& method, const Pair& pair) {
+  return difference(method.ask(pair), method.ask({pair.b, pair.a}), {.direction = -1, .same_point = false});
+}
+
+/// The pair with all lengths times 2^k, or nothing where that is not exact.
+std::optional<Pair> scaled(Pair pair, int k) {
+  for (Cylinder* c : {&pair.a, &pair.b}) {
+    for (double* x : {&c->center.x(), &c->center.y(), &c->center.z(), &c->radius, &c->height}) {
+      const double length = std::ldexp(*x, k);
+      if (!std::isfinite(length) || std::ldexp(length, -k) != *x) return {};
+      *x = length;
+    }
+  }
+  return pair;
+}
+
+std::string break_scaling(Method& method, const Pair& pair) {
+  const MethodAnswer first = method.ask(pair);
+  // One step each way, and farther than float or an absolute tolerance bears.
+  for (int k : {-400, -1, 1, 400}) {
+    const std::optional<Pair> other = scaled(pair, k);
+    if (!other) continue;
+    const std::string what = difference(first, method.ask(*other), {.length = std::ldexp(1, k)});
+    if (!what.empty()) return "times 2^" + std::to_string(k) + ": " + what;
+  }
+  return {};
+}
+
+std::string break_reversal(Method& method, const Pair& pair) {
+  const MethodAnswer first = method.ask(pair);
+  const Cylinder a{pair.a.center, -pair.a.axis, pair.a.radius, pair.a.height};
+  const Cylinder b{pair.b.center, -pair.b.axis, pair.b.radius, pair.b.height};
+  for (const Pair& other : {Pair{a, pair.b}, Pair{pair.a, b}, Pair{a, b}}) {
+    std::string what = difference(first, method.ask(other), {.same_point = false});
+    if (!what.empty()) return what;
+  }
+  return {};
+}
+
+constexpr std::array<Law, 3> laws{{
+    {1, "swap", "the cylinders in the other order: the same verdict and distance, the direction negated",
+     break_swap},
+    {2, "scaling", "all lengths times 2^k: the same verdict and direction, distance and point times 2^k",
+     break_scaling},
+    {3, "reversal", "an axis reversed: the same verdict, distance and direction", break_reversal},
+}};
+
+}  // namespace
+
+std::span<const Law> exact_laws() { return laws; }
+
+}  // namespace cyl

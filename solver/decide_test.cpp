@@ -1,0 +1,235 @@
+// SPDX-License-Identifier: MIT
+#include "solver/decide.hpp"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Geometry>
+#include <atomic>
+#include <cmath>
+#include <cstdint>
+#include <cstdlib>
+#include <limits>
+#include <new>
+
+// Counts what is allocated, so that a test can say: nothing.
+static std::atomic<long> allocations{0};
+void* operator new(std::size_t n) {
+  ++allocations;
+  if (void* p = std::malloc(n)) return p;
+  throw std::bad_alloc();
+}
+void operator delete(void* p) noexcept { std::free(p); }
+void operator delete(void* p, std::size_t) noexcept { std::free(p); }
+
+namespace cyl {
+namespace {
+
+// A fixed stream of numbers in [0, 1) for the tests of this file.
+class Stream {
+ public:
+  explicit Stream(std::uint64_t seed) : state_(seed) {}
+  double unit() {
+    state_ = state_ * 6364136223846793005u + 1442695040888963407u;
+    return static_cast<double>(state_ >> 11) * 0x1p-53;
+  }
+  double between(double lo, double hi) { return lo + (hi - lo) * unit(); }
+  Vector3 direction() {
+    for (;;) {
+      const Vector3 v(between(-1, 1), between(-1, 1), between(-1, 1));
+      if (v.norm() > 0.1 && v.norm() < 1) return v / v.norm();
+    }
+  }
+  Cylinder cylinder() {
+    return {Vector3(between(-1, 1), between(-1, 1), between(-1, 1)), direction(), between(0.1, 2),
+            between(0.1, 4)};
+  }
+
+ private:
+  std::uint64_t state_;
+};
+
+// The point of a solid farthest in direction d, from its centre; any of them where there are several.
+Vector3 support(const Cylinder& c, const Vector3& d, Stream& random) {
+  const Vector3 w = c.axis.normalized();
+  const double along = d.dot(w);
+  const Vector3 radial = d - along * w;
+  Vector3 x =
+      (std::fabs(along) > 1e-12 ? std::copysign(0.5, along) : random.between(-0.5, 0.5)) * c.height * w;
+  if (radial.norm() > 1e-12) x += c.radius * radial.normalized();
+  return x;
+}
+
+// A pair at the given signed distance, in units of its size, along d.
+Pair at_distance(Cylinder a, Cylinder b, const Vector3& d, double relative_gap, Stream& random) {
+  const double size = a.radius + a.height + b.radius + b.height;
+  b.center = a.center + support(a, d, random) - support(b, -d, random) + d * (relative_gap * size);
+  return {a, b};
+}
+
+Cylinder upright(double x, double y, double z, double radius, double height) {
+  return {Vector3(x, y, z), Vector3(0, 0, 1), radius, height};
+}
+
+TEST(Intersect, PairsKnownOnPaper) {
+  const Cylinder unit = upright(0, 0, 0, 1, 2);
+  EXPECT_EQ(intersect(unit, upright(0, 0, 0, 1, 2)), Verdict::intersecting);
+  EXPECT_EQ(intersect(unit, upright(1.5, 0, 1.5, 1, 2)), Verdict::intersecting);
+  EXPECT_EQ(intersect(unit, upright(2, 0, 0, 1, 2)), Verdict::intersecting);  // touching is meeting
+  EXPECT_EQ(intersect(unit, upright(2.001, 0, 0, 1, 2)), Verdict::disjoint);
+  EXPECT_EQ(intersect(unit, upright(0, 0, 2.001, 1, 2)), Verdict::disjoint);
+  const Cylinder lying{Vector3(0, 0, 1.99), Vector3(1, 0, 0), 1, 2};
+  EXPECT_EQ(intersect(unit, lying), Verdict::intersecting);
+  const Cylinder higher{Vector3(0, 0, 2.01), Vector3(1, 0, 0), 1, 2};
+  EXPECT_EQ(intersect(unit, higher), Verdict::disjoint);
+  // Rims at the corner of a 3-4-5 triangle: the upright solid's rim point (3, 4, 1).
+  const Cylinder wide = upright(0, 0, 0, 5, 2);
+  EXPECT_EQ(intersect(wide, upright(6, 8, 2, 4.999, 2)), Verdict::disjoint);
+  EXPECT_EQ(intersect(wide, upright(6, 8, 1.999, 5.001, 2)), Verdict::intersecting);
+}
+
+TEST(Intersect, SegmentsDisksAndPointsAreSolids) {
+  const Cylinder fat = upright(0, 0, 0, 1, 2);
+  const Cylinder through{Vector3(0, 0, 0), Vector3(1, 1, 1), 0, 10};
+  const Cylinder beside{Vector3(0, 1.1, 0), Vector3(1, 0, 0), 0, 10};
+  EXPECT_EQ(intersect(fat, through), Verdict::intersecting);
+  EXPECT_EQ(intersect(fat, beside), Verdict::disjoint);
+  EXPECT_EQ(intersect(fat, upright(0, 0, 0.5, 0, 0)), Verdict::intersecting);
+  EXPECT_EQ(intersect(fat, upright(0, 0, 1.5, 0, 0)), Verdict::disjoint);
+  EXPECT_EQ(intersect(fat, upright(0, 0, 0.5, 9, 0)), Verdict::intersecting);
+  const Cylinder crossed{Vector3(0, 0, 0), Vector3(0, 1, 0), 0, 2};
+  EXPECT_EQ(intersect(upright(0, 0, 0, 0, 2), crossed), Verdict::intersecting);
+  const Cylinder passed{Vector3(0.001, 0, 0), Vector3(0, 1, 0), 0, 2};
+  EXPECT_EQ(intersect(upright(0, 0, 0, 0, 2), passed), Verdict::disjoint);
+}
+
+TEST(Intersect, BadInputIsInvalidAndSaysWhy) {
+  const double nan = std::numeric_limits<double>::quiet_NaN(), inf = std::numeric_limits<double>::infinity();
+  const Cylinder good = upright(0, 0, 0, 1, 2);
+  struct Bad {
+    Cylinder c;
+    Defect defect;
+  };
+  const Bad all[] = {{upright(nan, 0, 0, 1, 2), Defect::center_not_finite},
+                     {{Vector3(0, 0, 0), Vector3(0, inf, 1), 1, 2}, Defect::axis_not_finite},
+                     {{Vector3(0, 0, 0), Vector3(0, 0, 0), 1, 2}, Defect::axis_zero},
+                     {upright(0, 0, 0, nan, 2), Defect::radius_not_finite},
+                     {upright(0, 0, 0, -1, 2), Defect::radius_negative},
+                     {upright(0, 0, 0, 1, inf), Defect::height_not_finite},
+                     {upright(0, 0, 0, 1, -1), Defect::height_negative}};
+  for (const Bad& bad : all) {
+    EXPECT_EQ(find_defect(bad.c), bad.defect) << to_string(bad.defect);
+    EXPECT_EQ(intersect(bad.c, good), Verdict::invalid);
+    EXPECT_EQ(intersect(good, bad.c), Verdict::invalid);
+    EXPECT_EQ(decide(good, bad.c).verdict, Verdict::invalid);
+  }
+}
+
+// Support gap of a direction, the slow way, for checking what decide hands out.
+long double support_gap(const Pair& p, const Vector3& direction) {
+  using Wide = Eigen::Matrix<long double, 3, 1>;
+  const Wide d = direction.cast<long double>();
+  long double f = -std::fabs(d.dot(p.b.center.cast<long double>() - p.a.center.cast<long double>()));
+  for (const Cylinder* c : {&p.a, &p.b}) {
+    const Wide w = c->axis.cast<long double>().normalized();
+    f += c->radius * d.cross(w).norm() + c->height / 2 * std::fabs(d.dot(w));
+  }
+  return f;
+}
+
+TEST(Decide, RightAndProvedOnBothSidesOfTouching) {
+  Stream random(20261121);
+  int decided[2] = {0, 0}, undecided = 0;
+  for (int i = 0; i < 40000; ++i) {
+    Cylinder a = random.cylinder(), b = random.cylinder();
+    if (i % 3 == 1) a.radius *= 1e-4;  // needles
+    if (i % 3 == 2) b.height *= 1e-4;  // coins
+    const Vector3 w0 = a.axis, w1 = b.axis;
+    const Vector3 directions[5] = {random.direction(), w0, w0.cross(w1).normalized(),
+                                   w0.cross(random.direction()).normalized(), Vector3(-w1)};
+    const double decade = std::pow(10, -1 - i % 12);  // 0.1 .. 1e-12
+    const bool apart = random.unit() < 0.5;
+    const Pair p = at_distance(a, b, directions[i % 5], apart ? decade : -decade, random);
+    const Verdict truth = apart ? Verdict::disjoint : Verdict::intersecting;
+    ASSERT_EQ(intersect(p.a, p.b), truth) << "pair " << i;
+    const Answer answer = decide(p.a, p.b);
+    if (answer.verdict == Verdict::undecided) {
+      ++undecided;
+      continue;
+    }
+    ASSERT_EQ(answer.verdict, truth) << "pair " << i;
+    ++decided[apart];
+    if (apart) {
+      ASSERT_EQ(answer.proof, Proof::direction);
+      ASSERT_LT(support_gap(p, answer.direction), 0) << "pair " << i;
+      ASSERT_GT(answer.direction.dot(p.b.center - p.a.center), 0);
+    } else {
+      ASSERT_EQ(answer.proof, Proof::point);
+    }
+    ASSERT_LT(answer.iterations, iteration_cap);
+  }
+  // The test went where it says: both sides, hardly ever without an answer.
+  EXPECT_GT(decided[0], 15000);
+  EXPECT_GT(decided[1], 15000);
+  EXPECT_LT(undecided, 400);
+}
+
+TEST(Decide, NearlyParallelAxesAtAnyAngle) {
+  Stream random(7);
+  for (int i = 0; i < 8000; ++i) {
+    Cylinder a = random.cylinder(), b = random.cylinder();
+    b.axis = a.axis + random.direction() * std::pow(10, -2 - i % 15);
+    if (i % 2) b.axis = -b.axis;
+    const bool apart = i % 4 < 2;
+    const Vector3 side = a.axis.cross(b.axis);
+    const Vector3 direction = i % 8 < 4 || side.norm() < 1e-3 ? a.axis : side.normalized();
+    const Pair p = at_distance(a, b, direction, apart ? 1e-3 : -1e-3, random);
+    if (apart) {
+      EXPECT_EQ(intersect(p.a, p.b), Verdict::disjoint) << "pair " << i;
+    }
+    const Verdict said = decide(p.a, p.b).verdict;
+    EXPECT_NE(said, Verdict::undecided) << "pair " << i;
+    EXPECT_EQ(said, intersect(p.a, p.b)) << "pair " << i;
+  }
+}
+
+TEST(Decide, TinyHugeAndFarPairs) {
+  Stream random(3);
+  for (const double unit : {1e-300, 1e-160, 1e-20, 1e20, 1e150, 1e300}) {
+    for (int i = 0; i < 200; ++i) {
+      Pair p =
+          at_distance(random.cylinder(), random.cylinder(), random.direction(), i % 2 ? 1e-6 : -1e-6, random);
+      for (Cylinder* c : {&p.a, &p.b}) {
+        c->center *= unit;
+        c->radius *= unit;
+        c->height *= unit;
+        c->axis *= 1 / unit;
+      }
+      EXPECT_EQ(decide(p.a, p.b).verdict, i % 2 ? Verdict::disjoint : Verdict::intersecting)
+          << unit << " " << i;
+    }
+  }
+  const Cylinder far_left = upright(-1.7e308, 0, 0, 1, 2), far_right = upright(1.7e308, 0, 0, 1e308, 2);
+  EXPECT_EQ(decide(far_left, far_right).verdict, Verdict::disjoint);  // the centres' difference overflows
+  const Cylinder speck = upright(0, 0, 0, 5e-324, 5e-324);
+  EXPECT_EQ(decide(speck, speck).verdict, Verdict::intersecting);
+}
+
+TEST(Decide, AllocatesNothing) {
+  Stream random(11);
+  Pair pairs[64];
+  for (Pair& p : pairs)
+    p = at_distance(random.cylinder(), random.cylinder(), random.direction(), random.between(-1e-8, 1e-8),
+                    random);
+  const long before = allocations;
+  int met = 0;
+  for (const Pair& p : pairs) {
+    met += intersect(p.a, p.b) == Verdict::intersecting;
+    met += decide(p.a, p.b).verdict == Verdict::intersecting;
+  }
+  EXPECT_EQ(allocations, before);
+  EXPECT_GT(met, 10);
+  EXPECT_LT(met, 118);
+}
+
+}  // namespace
+}  // namespace cyl
