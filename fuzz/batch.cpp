@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <chrono>
 #include <exception>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -28,6 +29,11 @@ bool is_failure(FindingKind kind) {
          kind == FindingKind::non_finite;
 }
 
+bool is_verdict(FindingKind kind) {
+  return kind == FindingKind::wrong_disjoint || kind == FindingKind::wrong_intersecting ||
+         kind == FindingKind::wrong_touching || kind == FindingKind::wrong_invalid;
+}
+
 MethodAnswer ask_here(Method& method, const Pair& pair) {
   const auto broke = [](std::string_view reason) {
     MethodAnswer answer;
@@ -45,7 +51,7 @@ MethodAnswer ask_here(Method& method, const Pair& pair) {
   }
 }
 
-/// The work on one stretch of indices. Members named after the steps fill the rows below, one step each.
+/// The work on one stretch of indices: each step fills one of the members at the end.
 class Batch {
  public:
   Batch(const Subjects& subjects, std::uint64_t seed, std::uint64_t first, std::uint64_t next)
@@ -56,6 +62,7 @@ class Batch {
     }
     answers_.resize(pairs_.size() * methods());
     asked_.resize(pairs_.size() * methods(), false);
+    wrong_.resize(pairs_.size() * methods());
     truths_.resize(pairs_.size());
     counts_.resize((methods() + 2) * by_family_.size());
     record_.first = first;
@@ -66,12 +73,14 @@ class Batch {
     ask_own_methods();
     ask_foreign_methods([&](std::size_t m, std::size_t p) { return index_of(p) % share_of(m) == 0; });
     judge_all();
-    // What the costly ones say may prove what nobody could prove before: hence judged again where undecided.
-    ask_foreign_methods([&](std::size_t m, std::size_t p) {
-      return !asked_[p * methods() + m] && share_of(m) > 1 && in_dispute(p);
-    });
-    judge_undecided();
     for (std::size_t p = 0; p < pairs_.size(); ++p) compare_all(p);
+    ask_foreign_methods([&](std::size_t m, std::size_t p) { return !asked(m, p) && in_dispute(p); });
+    for (std::size_t p = 0; p < pairs_.size(); ++p) {
+      if (!in_dispute(p)) continue;
+      // What the costly ones said may prove what nobody could prove before.
+      if (truths_[p].verdict == Verdict::undecided) truths_[p] = judge(pairs_[p], answers_of(p));
+      compare_all(p);
+    }
     repeat_own_methods();
     finish();
     return std::move(record_);
@@ -105,6 +114,9 @@ class Batch {
     if (row < methods()) return std::string(subjects_.methods[row]->name());
     return row == corpus_row_index() ? corpus_row : referee_row;
   }
+  /// asked_ and wrong_ lie as answers_ does.
+  std::size_t at(std::size_t m, std::size_t p) const { return p * methods() + m; }
+  bool asked(std::size_t m, std::size_t p) const { return asked_[at(m, p)]; }
   Counts& counts(std::size_t row, std::size_t family) { return counts_[row * by_family_.size() + family]; }
   std::span<const MethodAnswer> answers_of(std::size_t p) const {
     return {answers_.data() + p * methods(), methods()};
@@ -119,8 +131,8 @@ class Batch {
         const auto start = Clock::now();
         for (const std::size_t p : by_family_[family]) {
           if (index_of(p) % share_of(m) != 0) continue;
-          answers_[p * methods() + m] = ask_here(method, pairs_[p]);
-          asked_[p * methods() + m] = true;
+          answers_[at(m, p)] = ask_here(method, pairs_[p]);
+          asked_[at(m, p)] = true;
         }
         counts(m, family).nanoseconds += nanoseconds_since(start);
       }
@@ -140,8 +152,8 @@ class Batch {
     const std::vector<ContainedAnswer> said = ask_contained(subjects_.methods, pairs_, questions);
     for (std::size_t q = 0; q < questions.size(); ++q) {
       const auto [m, p] = questions[q];
-      answers_[p * methods() + m] = said[q].answer;
-      asked_[p * methods() + m] = true;
+      answers_[at(m, p)] = said[q].answer;
+      asked_[at(m, p)] = true;
       counts(m, place_of(index_of(p)).family).nanoseconds += static_cast<std::uint64_t>(said[q].nanoseconds);
     }
   }
@@ -154,45 +166,49 @@ class Batch {
     }
   }
 
-  void judge_undecided() {
-    for (std::size_t p = 0; p < pairs_.size(); ++p) {
-      if (truths_[p].verdict == Verdict::undecided) truths_[p] = judge(pairs_[p], answers_of(p));
-    }
-  }
-
-  /// Whether somebody says disjoint and somebody else, or the truth, that they meet.
-  bool in_dispute(std::size_t p) const {
-    bool apart = truths_[p].verdict == Verdict::disjoint;
-    bool meet = truths_[p].verdict == Verdict::intersecting || truths_[p].verdict == Verdict::touching;
-    for (const MethodAnswer& answer : answers_of(p)) {
-      if (answer.status != Status::answered) continue;
-      apart |= answer.verdict == Verdict::disjoint;
-      meet |= answer.verdict == Verdict::intersecting || answer.verdict == Verdict::touching;
-    }
-    return apart && meet;
-  }
-
   void compare_all(std::size_t p) {
-    const Truth& truth = truths_[p];
-    LazyDistance distance([&](double width) { return enclose_distance(pairs_[p], truth, width); });
+    LazyDistance distance([&](double width) { return enclose_distance(pairs_[p], truths_[p], width); });
+    for (std::size_t m = 0; m < methods(); ++m) {
+      if (!asked(m, p)) continue;
+      wrong_[at(m, p)] =
+          compare(pairs_[p], truths_[p], distance, subjects_.methods[m]->claim(), answers_of(p)[m]);
+    }
+  }
+
+  bool in_dispute(std::size_t p) const {
+    if (truths_[p].verdict == Verdict::undecided) return true;
+    for (std::size_t m = 0; m < methods(); ++m) {
+      const auto& wrong = wrong_[at(m, p)];
+      if (wrong && wrong->severity == Severity::contract && is_verdict(wrong->kind)) return true;
+    }
+    return false;
+  }
+
+  /// What the lines of cases state is held to the proof like an answer of a method that claims to be always
+  /// right.
+  void compare_statement(std::size_t p) {
+    const auto& stated = subjects_.cases[index_of(p)].truth;
+    if (!stated) return;
+    MethodAnswer answer;
+    answer.status = Status::answered;
+    answer.verdict = *stated;
+    LazyDistance distance([&](double width) { return enclose_distance(pairs_[p], truths_[p], width); });
+    count_answer(counts(corpus_row_index(), 0), answer);
+    if (const auto wrong = compare(pairs_[p], truths_[p], distance, Claim{}, answer)) {
+      note(p, corpus_row_index(), *wrong);
+    }
+  }
+
+  void count_all(std::size_t p) {
     const std::size_t family = place_of(index_of(p)).family;
     for (std::size_t m = 0; m < methods(); ++m) {
-      if (!asked_[p * methods() + m]) continue;
+      if (!asked(m, p)) continue;
       count_answer(counts(m, family), answers_of(p)[m]);
-      const auto wrong = compare(pairs_[p], truth, distance, subjects_.methods[m]->claim(), answers_of(p)[m]);
-      if (wrong) note(p, m, *wrong);
+      if (wrong_[at(m, p)]) note(p, m, *wrong_[at(m, p)]);
     }
-    if (family == 0 && subjects_.cases[index_of(p)].truth) {
-      MethodAnswer stated;
-      stated.status = Status::answered;
-      stated.verdict = *subjects_.cases[index_of(p)].truth;
-      count_answer(counts(corpus_row_index(), family), stated);
-      if (const auto wrong = compare(pairs_[p], truth, distance, Claim{}, stated)) {
-        note(p, corpus_row_index(), *wrong);
-      }
-    }
+    if (family == 0) compare_statement(p);
     ++counts(referee_row_index(), family).asked;
-    if (truth.verdict == Verdict::undecided) {
+    if (truths_[p].verdict == Verdict::undecided) {
       ++counts(referee_row_index(), family).undecided;
       note(p, referee_row_index(), {FindingKind::undecided_truth, Severity::unresolved, {}});
     }
@@ -209,9 +225,9 @@ class Batch {
          p += repeat_share) {
       for (std::size_t m = 0; m < methods(); ++m) {
         Method& method = *subjects_.methods[m];
-        if (method.foreign() || !asked_[p * methods() + m]) continue;
+        if (method.foreign() || !asked(m, p) || wrong_[at(m, p)]) continue;
         if (!same_answer(ask_here(method, pairs_[p]), answers_of(p)[m])) {
-          note(p, m, {FindingKind::nondeterminism, Severity::contract, {}});
+          wrong_[at(m, p)] = Finding{FindingKind::nondeterminism, Severity::contract, {}};
         }
       }
     }
@@ -257,7 +273,7 @@ class Batch {
   std::string answers_text(std::size_t p) const {
     std::string text = "{";
     for (std::size_t m = 0; m < methods(); ++m) {
-      if (!asked_[p * methods() + m]) continue;
+      if (!asked(m, p)) continue;
       if (text.size() > 1) text += ',';
       text += quote_json(subjects_.methods[m]->name());
       text += ':';
@@ -280,6 +296,7 @@ class Batch {
   }
 
   void finish() {
+    for (std::size_t p = 0; p < pairs_.size(); ++p) count_all(p);
     for (std::size_t row = 0; row < methods() + 2; ++row) {
       for (std::size_t family = 0; family < by_family_.size(); ++family) {
         if (counts(row, family).asked == 0) continue;
@@ -287,8 +304,6 @@ class Batch {
       }
     }
     record_.groups = kept_.groups();
-    std::stable_sort(record_.findings.begin(), record_.findings.end(),
-                     [](const FindingRecord& x, const FindingRecord& y) { return x.index < y.index; });
   }
 
   const Subjects& subjects_;
@@ -298,6 +313,7 @@ class Batch {
   std::vector<MethodAnswer>
       answers_;  ///< pair major: one pair's answers lie together, as the referee takes them
   std::vector<bool> asked_;
+  std::vector<std::optional<Finding>> wrong_;
   std::vector<Truth> truths_;
   std::vector<Counts>
       counts_;  ///< a row for each method, the corpus and the referee; a column for each family
@@ -306,6 +322,12 @@ class Batch {
 };
 
 }  // namespace
+
+std::uint64_t batch_size_for(const Subjects& subjects) {
+  const bool any_foreign = std::any_of(subjects.methods.begin(), subjects.methods.end(),
+                                       [](const auto& method) { return method->foreign(); });
+  return any_foreign ? batch_size : own_batch_size;
+}
 
 BatchRecord run_batch(const Subjects& subjects, std::uint64_t seed, std::uint64_t first, std::uint64_t next) {
   return Batch(subjects, seed, first, next).run();
