@@ -154,13 +154,13 @@ void point_latest_at(const fs::path& run) {
   if (!error) fs::rename(unfinished, link, error);
 }
 
-/// The finding to look at first: the widest margin beyond a claim, else a failure, else the widest within
-/// one.
+/// The finding to look at first: beyond a claim before within, a wrong verdict before anything else, then by
+/// margin.
 std::optional<FindingRecord> worst_finding(const RunStore& store) {
   std::optional<FindingRecord> worst;
   const auto key = [](const FindingRecord& f) {
-    const int rank = f.severity == "contract" ? (f.margin ? 3 : 2) : f.severity == "resolution" ? 1 : 0;
-    return std::pair(rank, f.margin ? f.margin->lo : 0.0);
+    return std::tuple(f.severity == "contract", f.severity == "resolution", f.kind.starts_with("wrong_"),
+                      f.margin ? f.margin->lo : 0.0);
   };
   for (FindingRecord& f : store.findings()) {
     if (!worst || key(f) > key(*worst)) worst = std::move(f);

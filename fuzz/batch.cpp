@@ -51,25 +51,20 @@ MethodAnswer ask_here(Method& method, const Pair& pair) {
   }
 }
 
-/// The work on one stretch of indices: each step fills one of the members at the end.
+/// Indices that are worked on together: as many as a batch with foreign methods has, so that those are asked
+/// in one go, and so few that the answers of ours stay in the cache.
+constexpr std::uint64_t stretch_size = batch_size;
+
+/// The work on a batch, stretch by stretch: each step fills one of the members at the end.
 class Batch {
  public:
-  Batch(const Subjects& subjects, std::uint64_t seed, std::uint64_t first, std::uint64_t next)
-      : subjects_(subjects), seed_(seed), first_(first), by_family_(subjects.families.size() + 1) {
-    for (std::uint64_t i = first; i < next; ++i) {
-      by_family_[place_of(i).family].push_back(pairs_.size());
-      pairs_.push_back(pair_at(place_of(i)));
-    }
-    answers_.resize(pairs_.size() * methods());
-    asked_.resize(pairs_.size() * methods(), false);
-    wrong_.resize(pairs_.size() * methods());
-    truths_.resize(pairs_.size());
+  Batch(const Subjects& subjects, std::uint64_t seed)
+      : subjects_(subjects), seed_(seed), by_family_(subjects.families.size() + 1) {
     counts_.resize((methods() + 2) * by_family_.size());
-    record_.first = first;
-    record_.next = next;
   }
 
-  BatchRecord run() {
+  void work_on(std::uint64_t first, std::uint64_t next) {
+    draw_pairs(first, next);
     ask_own_methods();
     ask_foreign_methods([&](std::size_t m, std::size_t p) { return index_of(p) % share_of(m) == 0; });
     judge_all();
@@ -82,8 +77,20 @@ class Batch {
       compare_all(p);
     }
     repeat_own_methods();
-    finish();
-    return std::move(record_);
+    for (std::size_t p = 0; p < pairs_.size(); ++p) count_all(p);
+  }
+
+  BatchRecord finish() {
+    BatchRecord record;
+    for (std::size_t row = 0; row < methods() + 2; ++row) {
+      for (std::size_t family = 0; family < by_family_.size(); ++family) {
+        if (counts(row, family).asked == 0) continue;
+        record.tallies.push_back({row_name(row), family_name(family), counts(row, family)});
+      }
+    }
+    record.groups = kept_.groups();
+    record.findings = std::move(findings_);
+    return record;
   }
 
  private:
@@ -120,6 +127,20 @@ class Batch {
   Counts& counts(std::size_t row, std::size_t family) { return counts_[row * by_family_.size() + family]; }
   std::span<const MethodAnswer> answers_of(std::size_t p) const {
     return {answers_.data() + p * methods(), methods()};
+  }
+
+  void draw_pairs(std::uint64_t first, std::uint64_t next) {
+    first_ = first;
+    pairs_.clear();
+    for (auto& family : by_family_) family.clear();
+    for (std::uint64_t i = first; i < next; ++i) {
+      by_family_[place_of(i).family].push_back(pairs_.size());
+      pairs_.push_back(pair_at(place_of(i)));
+    }
+    answers_.assign(pairs_.size() * methods(), {});
+    asked_.assign(pairs_.size() * methods(), false);
+    wrong_.assign(pairs_.size() * methods(), {});
+    truths_.resize(pairs_.size());
   }
 
   // The clock is read once per family and method, not once per call: our calls take less than it does.
@@ -257,7 +278,7 @@ class Batch {
     record.truth = format_truth(truths_[p]);
     record.stage = stage_name(truths_[p].stage);
     if (row < methods() && is_failure(finding.kind)) record.reason = answers_of(p)[row].reason;
-    record_.findings.push_back(std::move(record));
+    findings_.push_back(std::move(record));
   }
 
   std::string case_line(std::size_t p, const Place& place) const {
@@ -295,30 +316,22 @@ class Batch {
     return "exact";
   }
 
-  void finish() {
-    for (std::size_t p = 0; p < pairs_.size(); ++p) count_all(p);
-    for (std::size_t row = 0; row < methods() + 2; ++row) {
-      for (std::size_t family = 0; family < by_family_.size(); ++family) {
-        if (counts(row, family).asked == 0) continue;
-        record_.tallies.push_back({row_name(row), family_name(family), counts(row, family)});
-      }
-    }
-    record_.groups = kept_.groups();
-  }
-
   const Subjects& subjects_;
-  std::uint64_t seed_, first_;
+  const std::uint64_t seed_;
+
+  // Of the stretch; the answers of one pair lie together, as the referee takes them.
+  std::uint64_t first_ = 0;
   std::vector<std::vector<std::size_t>> by_family_;
   std::vector<Pair> pairs_;
-  std::vector<MethodAnswer>
-      answers_;  ///< pair major: one pair's answers lie together, as the referee takes them
+  std::vector<MethodAnswer> answers_;
   std::vector<bool> asked_;
   std::vector<std::optional<Finding>> wrong_;
   std::vector<Truth> truths_;
-  std::vector<Counts>
-      counts_;  ///< a row for each method, the corpus and the referee; a column for each family
+
+  // Of the batch. Counts: a row for each method, the corpus and the referee; a column for each family.
+  std::vector<Counts> counts_;
   Representatives kept_;
-  BatchRecord record_;
+  std::vector<FindingRecord> findings_;
 };
 
 }  // namespace
@@ -330,7 +343,13 @@ std::uint64_t batch_size_for(const Subjects& subjects) {
 }
 
 BatchRecord run_batch(const Subjects& subjects, std::uint64_t seed, std::uint64_t first, std::uint64_t next) {
-  return Batch(subjects, seed, first, next).run();
+  Batch batch(subjects, seed);
+  for (std::uint64_t at = first; at < next; at += stretch_size)
+    batch.work_on(at, std::min(next, at + stretch_size));
+  BatchRecord record = batch.finish();
+  record.first = first;
+  record.next = next;
+  return record;
 }
 
 }  // namespace cyl

@@ -65,8 +65,8 @@ std::string grouped(std::uint64_t n) {
 }
 
 std::string percent(std::uint64_t part, std::uint64_t whole) {
-  return whole == 0 ? ""
-                    : fmt::format("{:.2g} %", 100.0 * static_cast<double>(part) / static_cast<double>(whole));
+  const double share = whole == 0 ? 0 : 100.0 * static_cast<double>(part) / static_cast<double>(whole);
+  return fmt::format(fmt::runtime(share < 10 ? "{:.2g} %" : "{:.0f} %"), share);
 }
 
 std::string times(std::uint64_t n) { return n == 1 ? "once" : grouped(n) + " times"; }
@@ -80,9 +80,26 @@ std::string setting(const Config& config, const std::string& key) {
 // Headline
 // ---------------------------------------------------------------------------------------------------------
 
-std::string headline(const std::vector<MethodTally>& tallies) {
+/// "30 wrong_disjoint, 12 crash": what a method did beyond its claim, the most frequent first.
+std::string kinds_of(const std::string& method, const std::vector<GroupRecord>& groups) {
+  std::map<std::string, std::uint64_t> counts;
+  for (const GroupRecord& g : groups) {
+    if (g.method == method && g.severity == "contract") counts[g.kind] += g.count;
+  }
+  std::vector<std::pair<std::string, std::uint64_t>> sorted(counts.begin(), counts.end());
+  std::stable_sort(sorted.begin(), sorted.end(),
+                   [](const auto& x, const auto& y) { return x.second > y.second; });
+  std::string text;
+  for (const auto& [kind, count] : sorted) {
+    if (!text.empty()) text += ", ";
+    text += fmt::format("{} {}", grouped(count), clipped(kind));
+  }
+  return text;
+}
+
+std::string headline(const std::vector<MethodTally>& tallies, const std::vector<GroupRecord>& groups) {
   std::string items;
-  std::uint64_t right = 0;
+  std::size_t right = 0;
   for (const MethodTally& m : tallies) {
     const Counts& c = m.total;
     if (m.method == "referee") continue;
@@ -90,20 +107,16 @@ std::string headline(const std::vector<MethodTally>& tallies) {
       ++right;
       continue;
     }
-    items += fmt::format("<li><b>{}</b>", escape_html(m.method));
-    if (c.contract > 0) {
-      items += fmt::format(" was wrong beyond its own claim <b class=\"bad\">{}</b> in {} answers ({})",
-                           times(c.contract), grouped(c.asked - c.declined),
-                           percent(c.contract, c.asked - c.declined));
-    }
-    if (c.failed > 0)
-      items +=
-          fmt::format("{} failed <b class=\"bad\">{}</b>", c.contract > 0 ? "; it" : "", times(c.failed));
-    items += "</li>\n";
+    const std::uint64_t bad = c.contract + c.failed, answers = c.asked - c.declined;
+    items +=
+        fmt::format("<li><b>{}</b> <b class=\"bad\">{}</b> in {} answers ({}): {}</li>\n", clipped(m.method),
+                    times(bad), grouped(answers), percent(bad, answers), kinds_of(m.method, groups));
   }
   if (items.empty())
     return "<p class=\"ok\">No method was wrong beyond its own claim, and none failed.</p>\n";
-  return fmt::format("<ul>\n{}</ul>\n<p>{} more {} not.</p>\n", items, right, right == 1 ? "was" : "were");
+  return fmt::format(
+      "<p>Wrong beyond their own claim, or failed:</p>\n<ul>\n{}</ul>\n<p>{} more {} not.</p>\n", items,
+      right, right == 1 ? "was" : "were");
 }
 
 std::string facts(const Config& config, const Progress& progress, const std::vector<MethodTally>& tallies) {
@@ -373,7 +386,7 @@ void write_page(const std::string& run_folder) {
       "<title>daylight, seed {}</title>\n<style>{}</style>\n</head>\n<body>\n<h1>Who was wrong about two "
       "cylinders?</h1>\n",
       escape_html(setting(config, "seed")), style);
-  page += headline(tallies);
+  page += headline(tallies, store.groups());
   page += facts(config, store.progress(), tallies);
   page += families_table(tallies);
   page += findings_section(group_findings(store), run_folder);

@@ -127,7 +127,8 @@ TEST_F(Page, HoldsEveryFindingWithAllThatIsNeeded) {
   EXPECT_TRUE(contains(page, "at least 1e-06 of the size plus a length of 0.001"));
   EXPECT_TRUE(contains(page, "disjoint, distance 0.5"));
   EXPECT_LT(page.find("id=\"f2\""), page.find("id=\"f1\"")) << "the worst first";
-  EXPECT_TRUE(contains(page, "was wrong beyond its own claim <b class=\"bad\">2 times</b>"));
+  EXPECT_TRUE(
+      contains(page, "<b>fake</b> <b class=\"bad\">2 times</b> in 2 answers (100 %): 2 wrong_disjoint"));
 }
 
 TEST_F(Page, IsSafeAgainstHostileText) {
