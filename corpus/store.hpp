@@ -19,7 +19,7 @@ namespace cyl {
 
 /// Findings of one (method, kind, severity, family) that are kept with their pair, the first in index order.
 /// Beyond them one is kept only where its margin reaches a power of two that none before it reached, so that
-/// the worst is always there within a factor of two; the rest is counted. Bounds the file: 25 are enough to
+/// the worst is always there within a factor of two; the rest is counted. Bounds the file: ten are enough to
 /// see a pattern.
 inline constexpr std::uint64_t representatives_cap = 10;
 

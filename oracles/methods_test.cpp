@@ -217,15 +217,19 @@ TEST(Nlopt, TheSamePairGivesTheSameAnswerWhateverCameBefore) {
   }
 }
 
-// Two coins, nearly face to face: only directions within 0.01 of their axis separate. One such direction is
-// in the middle of each chart.
-TEST(Nlopt, LooksInEveryDirection) {
+// The depth of an overlap is where a search can end in the wrong basin: 0.8 along the common axis, near the
+// middle of one chart, and 0.9 across it.
+TEST(Nlopt, FindsTheLeastDepthOnEveryChart) {
   for (int i = 0; i < 3; ++i) {
-    Vector3 w = Vector3(0.05, 0.02, 0.03);
+    Vector3 w(0.05, 0.02, 0.03);
     w[i] = 1;
-    const Pair p{{{0, 0, 0}, w, 1, 0.01}, {0.03 * w.normalized(), w, 1, 0.01}};
-    for (const auto& m : chosen("nlopt"))
-      EXPECT_EQ(m->ask(p).verdict, Verdict::disjoint) << m->name() << ' ' << i;
+    w.normalize();
+    const Pair p{{{0, 0, 0}, w, 1, 1}, {0.2 * w + 1.1 * w.unitOrthogonal(), w, 1, 1}};
+    for (const auto& m : chosen("nlopt")) {
+      const MethodAnswer answer = m->ask(p);
+      ASSERT_TRUE(answer.has_distance) << m->name();
+      EXPECT_NEAR(answer.distance, -0.8, 1e-6) << m->name() << ' ' << i;
+    }
   }
 }
 
