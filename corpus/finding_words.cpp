@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "corpus/pair_io.hpp"
@@ -24,8 +25,12 @@ std::string coordinate(const json& x) {
   std::string sum;
   for (const json& term : x) {
     if (!term.is_number()) continue;
-    if (!sum.empty()) sum += " + ";
-    sum += format_double(term.get<double>());
+    const double x_i = term.get<double>();
+    if (sum.empty()) {
+      sum = format_double(x_i);
+    } else {
+      sum += (x_i < 0 ? " - " : " + ") + format_double(std::abs(x_i));
+    }
   }
   return sum;
 }

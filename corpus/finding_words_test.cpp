@@ -13,8 +13,8 @@ TEST(DescribeTruth, NamesTheWitnessExactly) {
   EXPECT_EQ(apart.certificate,
             "A plane with normal (1, -0.1, 1e-300) separates them: all of a lies on one side, all of b on "
             "the other.");
-  EXPECT_EQ(describe_truth(R"({"verdict":"intersecting","point":[[1,1e-20],"1/3",0]})").certificate,
-            "The point (1 + 1e-20, 1/3, 0) lies in both.");
+  EXPECT_EQ(describe_truth(R"({"verdict":"intersecting","point":[[1,1e-20],"1/3",[-2,-0.5]]})").certificate,
+            "The point (1 + 1e-20, 1/3, -2 - 0.5) lies in both.");
   EXPECT_NE(describe_truth(R"({"verdict":"touching","near":{"point":[1,2,3],"direction":[0,0,1]}})")
                 .certificate.find("the point (1, 2, 3) is that near to both, and along (0, 0, 1)"),
             std::string::npos);

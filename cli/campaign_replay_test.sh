@@ -1,0 +1,77 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: MIT
+# campaign and replay as a person calls them: what goes to which stream, the exit codes, going on, running again.
+set -euo pipefail
+
+daylight=$1
+scratch=$(mktemp -d)
+trap 'rm -rf -- "$scratch"' EXIT
+cd -- "$scratch"
+mkdir -p runs
+failures=0
+
+# expect CODE NAME COMMAND..: runs it into out and err.
+expect() {
+  local code=$1 name=$2 got=0
+  shift 2
+  "$@" >out 2>err || got=$?
+  if [[ $got != "$code" ]]; then
+    printf '%s: exit code %s, not %s\n' "$name" "$got" "$code"
+    cat out err
+    failures=$((failures + 1))
+  fi
+}
+# holds NAME FILE PATTERN
+holds() {
+  if ! grep -qE -- "$3" "$2"; then
+    printf '%s: no line of %s matches %s\n' "$1" "$2" "$3"
+    cat -- "$2"
+    failures=$((failures + 1))
+  fi
+}
+
+run=(campaign --pairs 600 --seed 7 --cases '')
+
+expect 0 'our methods' "$daylight" "${run[@]}" --methods intersect,decide --families random --out runs/ours
+[[ $(head -n 1 out) == 'seed 7, run runs/ours' ]] || holds 'the seed comes first' out '^seed 7 FIRST$'
+holds 'a row for the referee' out '^referee +600 '
+holds 'the page is named' out 'runs/ours/report.html'
+[[ -s runs/ours/report.html && $(readlink runs/latest) == ours ]] || holds 'page and latest' out '^report.html and runs/latest$'
+
+expect 2 'a library beyond its claim' "$daylight" "${run[@]}" --methods fcl-libccd --families tiny_and_huge --out runs/fcl
+holds 'the worst is named' out '^the worst, fcl-libccd wrong_[a-z]+ \(contract\): daylight replay runs/fcl:[0-9]+$'
+worst=$(sed -n 's/^the worst.* //p' out)
+
+expect 2 'the worst stands' "$daylight" replay "$worst"
+holds 'it says so' out '^  finding of fcl-libccd, wrong_[a-z]+ \(contract\): stands$'
+holds 'the truth has a certificate' out '^  truth: (disjoint\. A plane with normal|intersecting\. The point)'
+grep -m 1 -oE '\{"a".*\}$' out >cases.jsonl
+expect 0 'without its method it does not' "$daylight" replay "$worst" --methods intersect
+expect 2 'the whole run' "$daylight" replay runs/fcl --methods fcl-libccd
+expect 2 'a file of cases' "$daylight" replay cases.jsonl --methods fcl-libccd
+expect 64 'no such finding' "$daylight" replay runs/fcl:999999
+expect 64 'no such run' "$daylight" replay nowhere
+
+expect 0 'going on' "$daylight" campaign --resume runs/ours --pairs 900
+holds 'to the new end' out '^referee +900 '
+expect 64 'going on with another seed' "$daylight" campaign --resume runs/ours --seed 8
+expect 1 'over another run' "$daylight" "${run[@]}" --out runs/ours
+expect 64 'no duration' "$daylight" campaign --for 5x
+expect 64 'no method' "$daylight" campaign --methods nobody
+expect 0 'the list' "$daylight" campaign --list
+holds 'its families' out '^  random '
+
+"$daylight" campaign --for 1h --seed 7 --cases '' --methods intersect --out runs/stopped >out 2>err &
+campaign=$!
+for _ in {1..100}; do
+  [[ -L runs/latest && $(readlink runs/latest) == stopped ]] && break
+  sleep 0.1
+done
+sleep 1
+kill -INT "$campaign"
+code=0
+wait "$campaign" || code=$?
+[[ $code == 0 ]] || { printf 'stopped: exit code %s\n' "$code"; cat out err; failures=$((failures + 1)); }
+holds 'how to go on' err 'go on with: daylight campaign --resume runs/stopped'
+
+exit $((failures > 0))
