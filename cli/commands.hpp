@@ -12,10 +12,13 @@ namespace cyl {
 
 inline constexpr int exit_pass = 0;
 inline constexpr int exit_harness_failed = 1;
+inline constexpr int exit_findings = 2;
 inline constexpr int exit_undecided = 3;
 inline constexpr int exit_usage = 64;
 inline constexpr int exit_invalid_input = 65;
 
+void add_campaign(CLI::App& app, int& exit_code);
 void add_families(CLI::App& app, int& exit_code);
+void add_replay(CLI::App& app, int& exit_code);
 
 }  // namespace cyl

@@ -19,6 +19,8 @@ int run(int argc, char** argv) {
   app.require_subcommand(1);
   app.set_version_flag("--version", cyl::build_info().text());
   app.footer("daylight COMMAND --help tells more, with an example.");
+  cyl::add_campaign(app, exit_code);
+  cyl::add_replay(app, exit_code);
   cyl::add_families(app, exit_code);
   try {
     app.parse(argc, argv);

@@ -21,6 +21,8 @@ constexpr int busy_cap = 10000;
 
 constexpr const char* tables = R"(
 CREATE TABLE run(key TEXT PRIMARY KEY, value TEXT NOT NULL);
+CREATE TABLE method(name TEXT PRIMARY KEY, version TEXT NOT NULL, relative TEXT NOT NULL, absolute TEXT NOT NULL,
+  source TEXT NOT NULL, share INTEGER NOT NULL);
 CREATE TABLE progress(next INTEGER NOT NULL, milliseconds INTEGER NOT NULL);
 CREATE TABLE tally(method TEXT NOT NULL, family TEXT NOT NULL, asked INTEGER NOT NULL, declined INTEGER NOT NULL,
   failed INTEGER NOT NULL, contract INTEGER NOT NULL, resolution INTEGER NOT NULL, undecided INTEGER NOT NULL,
@@ -161,7 +163,8 @@ RunStore::RunStore(RunStore&&) noexcept = default;
 RunStore::~RunStore() = default;
 
 // The file appears under its name when it is complete: a kill before leaves no half a run.
-RunStore RunStore::create(const std::string& folder, const Config& config) {
+RunStore RunStore::create(const std::string& folder, const Config& config,
+                          const std::vector<MethodRecord>& methods) {
   namespace fs = std::filesystem;
   fs::create_directories(folder);
   if (fs::exists(file_of(folder))) throw std::runtime_error(folder + " already holds a run");
@@ -177,6 +180,17 @@ RunStore RunStore::create(const std::string& folder, const Config& config) {
       insert.bind(1, key);
       insert.bind(2, value);
       insert.exec();
+    }
+    SQLite::Statement add(database, "INSERT INTO method VALUES(?, ?, ?, ?, ?, ?)");
+    for (const MethodRecord& m : methods) {
+      add.reset();
+      add.bind(1, m.name);
+      add.bind(2, m.version);
+      add.bind(3, format_double(m.relative));
+      add.bind(4, format_double(m.absolute));
+      add.bind(5, m.source);
+      add.bind(6, m.share);
+      add.exec();
     }
     database.exec(fmt::format("PRAGMA user_version={}", store_version));
     transaction.commit();
@@ -201,6 +215,18 @@ Config RunStore::config() const {
   SQLite::Statement row(*database_, "SELECT key, value FROM run");
   while (row.executeStep()) config[row.getColumn(0).getString()] = row.getColumn(1).getString();
   return config;
+}
+
+std::vector<MethodRecord> RunStore::methods() const {
+  std::vector<MethodRecord> all;
+  SQLite::Statement row(*database_,
+                        "SELECT name, version, relative, absolute, source, share FROM method ORDER BY rowid");
+  while (row.executeStep()) {
+    all.push_back({row.getColumn(0).getString(), row.getColumn(1).getString(),
+                   parse_double(row.getColumn(2).getString()), parse_double(row.getColumn(3).getString()),
+                   row.getColumn(4).getString(), row.getColumn(5).getUInt()});
+  }
+  return all;
 }
 
 Progress RunStore::progress() const {

@@ -19,9 +19,9 @@ namespace cyl {
 
 /// Findings of one (method, kind, severity, family) that are kept with their pair, the first in index order.
 /// Beyond them one is kept only where its margin reaches a power of two that none before it reached, so that
-/// the worst is always there within a factor of two; the rest is counted. Bounds the file: 25 are enough to
+/// the worst is always there within a factor of two; the rest is counted. Bounds the file: ten are enough to
 /// see a pattern.
-inline constexpr std::uint64_t representatives_cap = 25;
+inline constexpr std::uint64_t representatives_cap = 10;
 
 /// How often a method was asked on a family and what came of it.
 struct Counts {
@@ -34,6 +34,16 @@ struct Counts {
   std::uint64_t nanoseconds = 0;  ///< wall time of the calls
 
   Counts& operator+=(const Counts& other);
+};
+
+/// Who was asked. What it claims: right wherever |distance| >= relative * size + absolute.
+struct MethodRecord {
+  std::string name, version;
+  double relative = 0, absolute = 0;
+  std::string source;  ///< of the claim
+  unsigned share = 1;  ///< asked on the indices divisible by it, and in disputes
+
+  bool operator==(const MethodRecord&) const = default;
 };
 
 struct TallyRecord {
@@ -107,12 +117,14 @@ using Config = std::map<std::string, std::string>;
 class RunStore {
  public:
   /// Creates folder and file; throws where a run is there already.
-  static RunStore create(const std::string& folder, const Config& config);
+  static RunStore create(const std::string& folder, const Config& config,
+                         const std::vector<MethodRecord>& methods = {});
   static RunStore open(const std::string& folder);
   RunStore(RunStore&&) noexcept;
   ~RunStore();
 
   Config config() const;
+  std::vector<MethodRecord> methods() const;
   Progress progress() const;
   /// Adds a batch and the wall time since the last commit in one transaction. Throws where `batch.first` is
   /// not the next index: then another process writes to this run.

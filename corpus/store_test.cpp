@@ -8,7 +8,6 @@
 #include <cmath>
 #include <filesystem>
 #include <limits>
-#include <random>
 #include <stdexcept>
 
 namespace cyl {
@@ -43,6 +42,10 @@ FindingRecord finding_at(std::uint64_t index, double margin) {
   f.stage = "filter";
   return f;
 }
+
+/// Scatters small numbers over all of 32 bits (Knuth's multiplicative hash): cuts and margins without a
+/// pattern.
+std::uint64_t scatter(std::uint64_t i) { return (i + 1) * 2654435761u % 4294967296u >> 8; }
 
 /// Findings i in [first, next), each of the margin that `margin(i)` gives, as a batch would send them.
 template <class Margin>
@@ -131,15 +134,15 @@ TEST_F(Store, KeepsTheFirstAndEveryNewBinadeAndCountsAll) {
 }
 
 TEST_F(Store, WhatIsKeptDoesNotDependOnWhereBatchesAreCut) {
-  std::mt19937_64 bits(20261121);
   std::vector<double> margins(2000);
-  for (double& m : margins) m = std::ldexp(1.0, -static_cast<int>(bits() % 60));
+  for (std::size_t i = 0; i < margins.size(); ++i)
+    margins[i] = std::ldexp(1.0, -static_cast<int>(scatter(i) % 60));
   const auto margin = [&](std::uint64_t i) { return margins[i]; };
   RunStore whole = RunStore::create(folder / "whole", {});
   whole.commit(batch_of(0, 2000, margin), 0);
   RunStore cut = RunStore::create(folder / "cut", {});
   for (std::uint64_t first = 0; first < 2000;) {
-    const std::uint64_t next = std::min<std::uint64_t>(2000, first + 1 + bits() % 200);
+    const std::uint64_t next = std::min<std::uint64_t>(2000, first + 1 + scatter(first) % 200);
     cut.commit(batch_of(first, next, margin), 0);
     first = next;
   }
@@ -149,9 +152,8 @@ TEST_F(Store, WhatIsKeptDoesNotDependOnWhereBatchesAreCut) {
 }
 
 TEST_F(Store, AKilledWriterLeavesAConsistentPrefix) {
-  std::mt19937_64 bits(7);
   RunStore::create(folder, {});
-  for (int round = 0; round < 5; ++round) {
+  for (std::uint64_t round = 0; round < 5; ++round) {
     const pid_t child = fork();
     if (child == 0) {
       RunStore store = RunStore::open(folder);
@@ -159,7 +161,7 @@ TEST_F(Store, AKilledWriterLeavesAConsistentPrefix) {
         store.commit(batch_of(first, first + 10, [](auto i) { return 1.0 / double(i + 1); }), 1);
       }
     }
-    usleep(static_cast<useconds_t>(1000 + bits() % 20000));
+    usleep(static_cast<useconds_t>(1000 + scatter(round) % 20000));
     kill(child, SIGKILL);
     waitpid(child, nullptr, 0);
     const RunStore store = RunStore::open(folder);

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <chrono>
 #include <exception>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -28,6 +29,11 @@ bool is_failure(FindingKind kind) {
          kind == FindingKind::non_finite;
 }
 
+bool is_verdict(FindingKind kind) {
+  return kind == FindingKind::wrong_disjoint || kind == FindingKind::wrong_intersecting ||
+         kind == FindingKind::wrong_touching || kind == FindingKind::wrong_invalid;
+}
+
 MethodAnswer ask_here(Method& method, const Pair& pair) {
   const auto broke = [](std::string_view reason) {
     MethodAnswer answer;
@@ -45,36 +51,46 @@ MethodAnswer ask_here(Method& method, const Pair& pair) {
   }
 }
 
-/// The work on one stretch of indices. Members named after the steps fill the rows below, one step each.
+/// Indices that are worked on together: as many as a batch with foreign methods has, so that those are asked
+/// in one go, and so few that the answers of ours stay in the cache.
+constexpr std::uint64_t stretch_size = batch_size;
+
+/// The work on a batch, stretch by stretch: each step fills one of the members at the end.
 class Batch {
  public:
-  Batch(const Subjects& subjects, std::uint64_t seed, std::uint64_t first, std::uint64_t next)
-      : subjects_(subjects), seed_(seed), first_(first), by_family_(subjects.families.size() + 1) {
-    for (std::uint64_t i = first; i < next; ++i) {
-      by_family_[place_of(i).family].push_back(pairs_.size());
-      pairs_.push_back(pair_at(place_of(i)));
-    }
-    answers_.resize(pairs_.size() * methods());
-    asked_.resize(pairs_.size() * methods(), false);
-    truths_.resize(pairs_.size());
+  Batch(const Subjects& subjects, std::uint64_t seed)
+      : subjects_(subjects), seed_(seed), by_family_(subjects.families.size() + 1) {
     counts_.resize((methods() + 2) * by_family_.size());
-    record_.first = first;
-    record_.next = next;
   }
 
-  BatchRecord run() {
+  void work_on(std::uint64_t first, std::uint64_t next) {
+    draw_pairs(first, next);
     ask_own_methods();
     ask_foreign_methods([&](std::size_t m, std::size_t p) { return index_of(p) % share_of(m) == 0; });
     judge_all();
-    // What the costly ones say may prove what nobody could prove before: hence judged again where undecided.
-    ask_foreign_methods([&](std::size_t m, std::size_t p) {
-      return !asked_[p * methods() + m] && share_of(m) > 1 && in_dispute(p);
-    });
-    judge_undecided();
     for (std::size_t p = 0; p < pairs_.size(); ++p) compare_all(p);
+    ask_foreign_methods([&](std::size_t m, std::size_t p) { return !asked(m, p) && in_dispute(p); });
+    for (std::size_t p = 0; p < pairs_.size(); ++p) {
+      if (!in_dispute(p)) continue;
+      // What the costly ones said may prove what nobody could prove before.
+      if (truths_[p].verdict == Verdict::undecided) truths_[p] = judge(pairs_[p], answers_of(p));
+      compare_all(p);
+    }
     repeat_own_methods();
-    finish();
-    return std::move(record_);
+    for (std::size_t p = 0; p < pairs_.size(); ++p) count_all(p);
+  }
+
+  BatchRecord finish() {
+    BatchRecord record;
+    for (std::size_t row = 0; row < methods() + 2; ++row) {
+      for (std::size_t family = 0; family < by_family_.size(); ++family) {
+        if (counts(row, family).asked == 0) continue;
+        record.tallies.push_back({row_name(row), family_name(family), counts(row, family)});
+      }
+    }
+    record.groups = kept_.groups();
+    record.findings = std::move(findings_);
+    return record;
   }
 
  private:
@@ -105,9 +121,26 @@ class Batch {
     if (row < methods()) return std::string(subjects_.methods[row]->name());
     return row == corpus_row_index() ? corpus_row : referee_row;
   }
+  /// asked_ and wrong_ lie as answers_ does.
+  std::size_t at(std::size_t m, std::size_t p) const { return p * methods() + m; }
+  bool asked(std::size_t m, std::size_t p) const { return asked_[at(m, p)]; }
   Counts& counts(std::size_t row, std::size_t family) { return counts_[row * by_family_.size() + family]; }
   std::span<const MethodAnswer> answers_of(std::size_t p) const {
     return {answers_.data() + p * methods(), methods()};
+  }
+
+  void draw_pairs(std::uint64_t first, std::uint64_t next) {
+    first_ = first;
+    pairs_.clear();
+    for (auto& family : by_family_) family.clear();
+    for (std::uint64_t i = first; i < next; ++i) {
+      by_family_[place_of(i).family].push_back(pairs_.size());
+      pairs_.push_back(pair_at(place_of(i)));
+    }
+    answers_.assign(pairs_.size() * methods(), {});
+    asked_.assign(pairs_.size() * methods(), false);
+    wrong_.assign(pairs_.size() * methods(), {});
+    truths_.resize(pairs_.size());
   }
 
   // The clock is read once per family and method, not once per call: our calls take less than it does.
@@ -119,8 +152,8 @@ class Batch {
         const auto start = Clock::now();
         for (const std::size_t p : by_family_[family]) {
           if (index_of(p) % share_of(m) != 0) continue;
-          answers_[p * methods() + m] = ask_here(method, pairs_[p]);
-          asked_[p * methods() + m] = true;
+          answers_[at(m, p)] = ask_here(method, pairs_[p]);
+          asked_[at(m, p)] = true;
         }
         counts(m, family).nanoseconds += nanoseconds_since(start);
       }
@@ -140,8 +173,8 @@ class Batch {
     const std::vector<ContainedAnswer> said = ask_contained(subjects_.methods, pairs_, questions);
     for (std::size_t q = 0; q < questions.size(); ++q) {
       const auto [m, p] = questions[q];
-      answers_[p * methods() + m] = said[q].answer;
-      asked_[p * methods() + m] = true;
+      answers_[at(m, p)] = said[q].answer;
+      asked_[at(m, p)] = true;
       counts(m, place_of(index_of(p)).family).nanoseconds += static_cast<std::uint64_t>(said[q].nanoseconds);
     }
   }
@@ -154,45 +187,49 @@ class Batch {
     }
   }
 
-  void judge_undecided() {
-    for (std::size_t p = 0; p < pairs_.size(); ++p) {
-      if (truths_[p].verdict == Verdict::undecided) truths_[p] = judge(pairs_[p], answers_of(p));
-    }
-  }
-
-  /// Whether somebody says disjoint and somebody else, or the truth, that they meet.
-  bool in_dispute(std::size_t p) const {
-    bool apart = truths_[p].verdict == Verdict::disjoint;
-    bool meet = truths_[p].verdict == Verdict::intersecting || truths_[p].verdict == Verdict::touching;
-    for (const MethodAnswer& answer : answers_of(p)) {
-      if (answer.status != Status::answered) continue;
-      apart |= answer.verdict == Verdict::disjoint;
-      meet |= answer.verdict == Verdict::intersecting || answer.verdict == Verdict::touching;
-    }
-    return apart && meet;
-  }
-
   void compare_all(std::size_t p) {
-    const Truth& truth = truths_[p];
-    LazyDistance distance([&](double width) { return enclose_distance(pairs_[p], truth, width); });
+    LazyDistance distance([&](double width) { return enclose_distance(pairs_[p], truths_[p], width); });
+    for (std::size_t m = 0; m < methods(); ++m) {
+      if (!asked(m, p)) continue;
+      wrong_[at(m, p)] =
+          compare(pairs_[p], truths_[p], distance, subjects_.methods[m]->claim(), answers_of(p)[m]);
+    }
+  }
+
+  bool in_dispute(std::size_t p) const {
+    if (truths_[p].verdict == Verdict::undecided) return true;
+    for (std::size_t m = 0; m < methods(); ++m) {
+      const auto& wrong = wrong_[at(m, p)];
+      if (wrong && wrong->severity == Severity::contract && is_verdict(wrong->kind)) return true;
+    }
+    return false;
+  }
+
+  /// What the lines of cases state is held to the proof like an answer of a method that claims to be always
+  /// right.
+  void compare_statement(std::size_t p) {
+    const auto& stated = subjects_.cases[index_of(p)].truth;
+    if (!stated) return;
+    MethodAnswer answer;
+    answer.status = Status::answered;
+    answer.verdict = *stated;
+    LazyDistance distance([&](double width) { return enclose_distance(pairs_[p], truths_[p], width); });
+    count_answer(counts(corpus_row_index(), 0), answer);
+    if (const auto wrong = compare(pairs_[p], truths_[p], distance, Claim{}, answer)) {
+      note(p, corpus_row_index(), *wrong);
+    }
+  }
+
+  void count_all(std::size_t p) {
     const std::size_t family = place_of(index_of(p)).family;
     for (std::size_t m = 0; m < methods(); ++m) {
-      if (!asked_[p * methods() + m]) continue;
+      if (!asked(m, p)) continue;
       count_answer(counts(m, family), answers_of(p)[m]);
-      const auto wrong = compare(pairs_[p], truth, distance, subjects_.methods[m]->claim(), answers_of(p)[m]);
-      if (wrong) note(p, m, *wrong);
+      if (wrong_[at(m, p)]) note(p, m, *wrong_[at(m, p)]);
     }
-    if (family == 0 && subjects_.cases[index_of(p)].truth) {
-      MethodAnswer stated;
-      stated.status = Status::answered;
-      stated.verdict = *subjects_.cases[index_of(p)].truth;
-      count_answer(counts(corpus_row_index(), family), stated);
-      if (const auto wrong = compare(pairs_[p], truth, distance, Claim{}, stated)) {
-        note(p, corpus_row_index(), *wrong);
-      }
-    }
+    if (family == 0) compare_statement(p);
     ++counts(referee_row_index(), family).asked;
-    if (truth.verdict == Verdict::undecided) {
+    if (truths_[p].verdict == Verdict::undecided) {
       ++counts(referee_row_index(), family).undecided;
       note(p, referee_row_index(), {FindingKind::undecided_truth, Severity::unresolved, {}});
     }
@@ -209,9 +246,9 @@ class Batch {
          p += repeat_share) {
       for (std::size_t m = 0; m < methods(); ++m) {
         Method& method = *subjects_.methods[m];
-        if (method.foreign() || !asked_[p * methods() + m]) continue;
+        if (method.foreign() || !asked(m, p) || wrong_[at(m, p)]) continue;
         if (!same_answer(ask_here(method, pairs_[p]), answers_of(p)[m])) {
-          note(p, m, {FindingKind::nondeterminism, Severity::contract, {}});
+          wrong_[at(m, p)] = Finding{FindingKind::nondeterminism, Severity::contract, {}};
         }
       }
     }
@@ -241,7 +278,7 @@ class Batch {
     record.truth = format_truth(truths_[p]);
     record.stage = stage_name(truths_[p].stage);
     if (row < methods() && is_failure(finding.kind)) record.reason = answers_of(p)[row].reason;
-    record_.findings.push_back(std::move(record));
+    findings_.push_back(std::move(record));
   }
 
   std::string case_line(std::size_t p, const Place& place) const {
@@ -257,7 +294,7 @@ class Batch {
   std::string answers_text(std::size_t p) const {
     std::string text = "{";
     for (std::size_t m = 0; m < methods(); ++m) {
-      if (!asked_[p * methods() + m]) continue;
+      if (!asked(m, p)) continue;
       if (text.size() > 1) text += ',';
       text += quote_json(subjects_.methods[m]->name());
       text += ':';
@@ -279,36 +316,40 @@ class Batch {
     return "exact";
   }
 
-  void finish() {
-    for (std::size_t row = 0; row < methods() + 2; ++row) {
-      for (std::size_t family = 0; family < by_family_.size(); ++family) {
-        if (counts(row, family).asked == 0) continue;
-        record_.tallies.push_back({row_name(row), family_name(family), counts(row, family)});
-      }
-    }
-    record_.groups = kept_.groups();
-    std::stable_sort(record_.findings.begin(), record_.findings.end(),
-                     [](const FindingRecord& x, const FindingRecord& y) { return x.index < y.index; });
-  }
-
   const Subjects& subjects_;
-  std::uint64_t seed_, first_;
+  const std::uint64_t seed_;
+
+  // Of the stretch; the answers of one pair lie together, as the referee takes them.
+  std::uint64_t first_ = 0;
   std::vector<std::vector<std::size_t>> by_family_;
   std::vector<Pair> pairs_;
-  std::vector<MethodAnswer>
-      answers_;  ///< pair major: one pair's answers lie together, as the referee takes them
+  std::vector<MethodAnswer> answers_;
   std::vector<bool> asked_;
+  std::vector<std::optional<Finding>> wrong_;
   std::vector<Truth> truths_;
-  std::vector<Counts>
-      counts_;  ///< a row for each method, the corpus and the referee; a column for each family
+
+  // Of the batch. Counts: a row for each method, the corpus and the referee; a column for each family.
+  std::vector<Counts> counts_;
   Representatives kept_;
-  BatchRecord record_;
+  std::vector<FindingRecord> findings_;
 };
 
 }  // namespace
 
+std::uint64_t batch_size_for(const Subjects& subjects) {
+  const bool any_foreign = std::any_of(subjects.methods.begin(), subjects.methods.end(),
+                                       [](const auto& method) { return method->foreign(); });
+  return any_foreign ? batch_size : own_batch_size;
+}
+
 BatchRecord run_batch(const Subjects& subjects, std::uint64_t seed, std::uint64_t first, std::uint64_t next) {
-  return Batch(subjects, seed, first, next).run();
+  Batch batch(subjects, seed);
+  for (std::uint64_t at = first; at < next; at += stretch_size)
+    batch.work_on(at, std::min(next, at + stretch_size));
+  BatchRecord record = batch.finish();
+  record.first = first;
+  record.next = next;
+  return record;
 }
 
 }  // namespace cyl

@@ -9,7 +9,6 @@
 #include <csignal>
 #include <ctime>
 #include <deque>
-#include <nlohmann/json.hpp>
 #include <stdexcept>
 
 #include "fuzz/flight.hpp"
@@ -61,45 +60,56 @@ std::string fingerprint(std::span<const Case> cases) {
   return fmt::format("{:016x}", hash);
 }
 
-/// What the findings are a function of. Two sessions of one run agree in all of it.
-Config identity(const CampaignOptions& options, const Subjects& subjects) {
-  nlohmann::ordered_json methods = nlohmann::ordered_json::array(),
-                         families = nlohmann::ordered_json::array();
+std::vector<MethodRecord> record_methods(const Subjects& subjects) {
+  std::vector<MethodRecord> all;
   for (const auto& method : subjects.methods) {
     const Claim claim = method->claim();
-    methods.push_back({{"name", std::string(method->name())},
-                       {"version", std::string(method->version())},
-                       {"relative", claim.relative},
-                       {"absolute", claim.absolute},
-                       {"source", std::string(claim.source)},
-                       {"share", method->share()}});
+    all.push_back({std::string(method->name()), std::string(method->version()), claim.relative,
+                   claim.absolute, std::string(claim.source), method->share()});
   }
-  for (const Family& family : subjects.families) families.push_back(std::string(family.name));
+  return all;
+}
+
+/// With the methods, what the findings are a function of. Two sessions of one run agree in all of it.
+Config identity(const CampaignOptions& options, const Subjects& subjects) {
+  std::string families;
+  for (const Family& family : subjects.families) families.append(family.name).append("\n");
   return {{"seed", std::to_string(options.seed)},
-          {"methods", methods.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace)},
-          {"families", families.dump()},
+          {"families", families},
           {"case_count", std::to_string(subjects.cases.size())},
           {"case_fingerprint", fingerprint(subjects.cases)}};
 }
 
+void refuse(const CampaignOptions& options, const std::string& what) {
+  throw std::runtime_error(fmt::format("{} cannot be resumed: {}", options.out, what));
+}
+
 RunStore open_run(const CampaignOptions& options, const Subjects& subjects) {
   Config config = identity(options, subjects);
+  const std::vector<MethodRecord> methods = record_methods(subjects);
   if (!options.resume) {
     config["cases"] = options.cases;
+    config["build"] = options.build;
     config["pairs"] = std::to_string(options.pairs);
     config["budget_milliseconds"] = std::to_string(options.budget.count());
     config["started"] = fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::time(nullptr)));
-    return RunStore::create(options.out, config);
+    return RunStore::create(options.out, config, methods);
   }
   RunStore store = RunStore::open(options.out);
   const Config stored = store.config();
   for (const auto& [key, value] : config) {
     const auto found = stored.find(key);
-    if (found == stored.end() || found->second != value) {
-      throw std::runtime_error(
-          fmt::format("{} cannot be resumed: its {} differ from what is asked for\n  run: {}\n  now: {}",
-                      options.out, key, found == stored.end() ? "" : found->second, value));
-    }
+    const std::string before = found == stored.end() ? "nothing" : found->second;
+    if (before != value) refuse(options, fmt::format("its {} was\n{}\nand is now\n{}", key, before, value));
+  }
+  const std::vector<MethodRecord> before = store.methods();
+  if (before.size() != methods.size()) {
+    refuse(options, fmt::format("it asked {} methods, now there are {}", before.size(), methods.size()));
+  }
+  for (std::size_t i = 0; i < methods.size(); ++i) {
+    if (before[i] == methods[i]) continue;
+    refuse(options, fmt::format("its method {} {} is now {} {}, or claims something else", before[i].name,
+                                before[i].version, methods[i].name, methods[i].version));
   }
   return store;
 }
@@ -141,6 +151,7 @@ CampaignSummary run_campaign(const CampaignOptions& options, const Subjects& sub
     if (on_progress) on_progress(progress);
   };
 
+  const std::uint64_t size = batch_size_for(subjects);
   std::deque<Flight> flights;  // in the order of their indices
   std::uint64_t next = progress.done;
   const auto may_launch = [&] {
@@ -154,7 +165,7 @@ CampaignSummary run_campaign(const CampaignOptions& options, const Subjects& sub
   while (true) {
     while (may_launch()) {
       const std::uint64_t first = next;
-      next = first + batch_size;
+      next = first + size;
       if (options.pairs != 0) next = std::min(next, options.pairs);
       flights.emplace_back(first, next, [&] { return run_batch(subjects, options.seed, first, next); });
     }

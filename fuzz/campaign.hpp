@@ -19,13 +19,10 @@ struct CampaignOptions {
   std::uint64_t pairs = 0;              ///< of the run in all its sessions; 0: no limit
   std::chrono::milliseconds budget{0};  ///< wall time of this session; 0: no limit. At least one limit is set
   std::string cases;                    ///< where subjects.cases were read from, for whoever resumes
+  std::string build;                    ///< what was built from what, for the record only
   unsigned jobs = 2;                    ///< batches under way at once; does not change the findings
   bool resume = false;  ///< go on with the run in `out`, which must agree with seed and subjects
 };
-
-/// Indices per batch process: half a second of packaged methods, and a fork costs our own methods under a
-/// tenth.
-inline constexpr std::uint64_t batch_size = 4096;
 
 /// Totals of the run so far, sessions before this one included.
 struct CampaignProgress {

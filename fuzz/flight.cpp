@@ -9,68 +9,18 @@
 #include <time.h>
 #include <unistd.h>
 
-#include <bit>
 #include <cerrno>
 #include <csignal>
 #include <cstring>
-#include <nlohmann/json.hpp>
 #include <stdexcept>
 #include <system_error>
 #include <utility>
 
+#include "corpus/batch_text.hpp"
+#include "oracles/patient_fork.hpp"
+
 namespace cyl {
 namespace {
-
-using nlohmann::json;
-
-// A batch on its way through the pipe is one JSON text. Margins go as their bits: JSON has no infinity.
-std::string to_text(const BatchRecord& batch) {
-  json tallies = json::array(), groups = json::array(), findings = json::array();
-  for (const auto& [method, family, c] : batch.tallies) {
-    tallies.push_back({method, family, c.asked, c.declined, c.failed, c.contract, c.resolution, c.undecided,
-                       c.nanoseconds});
-  }
-  for (const GroupRecord& g : batch.groups) {
-    groups.push_back({g.method, g.kind, g.severity, g.family, g.count, g.binade});
-  }
-  for (const FindingRecord& f : batch.findings) {
-    json margin = json::array();
-    if (f.margin)
-      margin = {std::bit_cast<std::uint64_t>(f.margin->lo), std::bit_cast<std::uint64_t>(f.margin->hi)};
-    findings.push_back({f.index, f.family, f.family_index, f.method, f.kind, f.severity, margin, f.pair,
-                        f.answers, f.truth, f.stage, f.reason});
-  }
-  return json{tallies, groups, findings}.dump(-1, ' ', false, json::error_handler_t::replace);
-}
-
-void from_text(const std::string& text, BatchRecord& batch) {
-  const json all = json::parse(text);
-  for (const json& t : all.at(0)) {
-    batch.tallies.push_back(
-        {t.at(0), t.at(1), Counts{t.at(2), t.at(3), t.at(4), t.at(5), t.at(6), t.at(7), t.at(8)}});
-  }
-  for (const json& g : all.at(1))
-    batch.groups.push_back({g.at(0), g.at(1), g.at(2), g.at(3), g.at(4), g.at(5)});
-  for (const json& t : all.at(2)) {
-    FindingRecord f;
-    f.index = t.at(0);
-    f.family = t.at(1);
-    f.family_index = t.at(2);
-    f.method = t.at(3);
-    f.kind = t.at(4);
-    f.severity = t.at(5);
-    if (const json& margin = t.at(6); !margin.empty()) {
-      f.margin = MarginRecord{std::bit_cast<double>(margin.at(0).get<std::uint64_t>()),
-                              std::bit_cast<double>(margin.at(1).get<std::uint64_t>())};
-    }
-    f.pair = t.at(7);
-    f.answers = t.at(8);
-    f.truth = t.at(9);
-    f.stage = t.at(10);
-    f.reason = t.at(11);
-    batch.findings.push_back(std::move(f));
-  }
-}
 
 void write_all(int descriptor, const std::string& text) {
   for (std::size_t done = 0; done < text.size();) {
@@ -99,7 +49,7 @@ std::chrono::seconds cpu_time_of(pid_t process) {
     if (getppid() != parent) _exit(1);  // it died before the line above
     std::signal(SIGINT, SIG_DFL);
     std::signal(SIGTERM, SIG_DFL);
-    write_all(descriptor, to_text(make()));
+    write_all(descriptor, format_batch(make()));
     code = 0;
   } catch (const std::exception& e) {
     const std::string line = fmt::format("daylight: a batch failed: {}\n", e.what());
@@ -115,7 +65,7 @@ Flight::Flight(std::uint64_t first, std::uint64_t next, const std::function<Batc
   int ends[2];
   if (pipe2(ends, O_CLOEXEC) != 0) throw std::system_error(errno, std::generic_category(), "pipe");
   const pid_t parent = getpid();
-  process_ = fork();
+  process_ = patient_fork();
   if (process_ == 0) run_child(ends[1], parent, make);
   close(ends[1]);
   descriptor_ = ends[0];
@@ -175,10 +125,9 @@ BatchRecord Flight::take() const {
         fmt::format("killed by signal {} ({})", WTERMSIG(status_), strsignal(WTERMSIG(status_))));
   }
   if (WEXITSTATUS(status_) != 0) throw std::runtime_error(fmt::format("exit code {}", WEXITSTATUS(status_)));
-  BatchRecord batch;
+  BatchRecord batch = parse_batch(received_);
   batch.first = first_;
   batch.next = next_;
-  from_text(received_, batch);
   return batch;
 }
 

@@ -27,6 +27,8 @@
 #include <system_error>
 #include <type_traits>
 
+#include "oracles/patient_fork.hpp"
+
 namespace cyl {
 namespace {
 
@@ -274,7 +276,7 @@ std::vector<ContainedAnswer> ask_contained(std::span<const std::unique_ptr<Metho
     if (ftruncate(output.get(), 0) != 0) throw_errno("ftruncate");
     std::fflush(nullptr);
     const pid_t parent = getpid();
-    const pid_t worker = fork();
+    const pid_t worker = patient_fork();
     if (worker < 0) throw_errno("fork");
     if (worker == 0) {
       become_worker(parent, output.get());

@@ -12,19 +12,16 @@
 #include <iterator>
 #include <limits>
 #include <map>
-#include <nlohmann/json.hpp>
 #include <stdexcept>
 #include <vector>
 
+#include "corpus/finding_words.hpp"
 #include "corpus/pair_io.hpp"
 #include "corpus/store.hpp"
-#include "reports/certificate_words.hpp"
 #include "reports/tally_table.hpp"
 
 namespace cyl {
 namespace {
-
-using nlohmann::json;
 
 /// Bytes of a free text (an id, a note, a reason) that the page shows.
 constexpr std::size_t text_cap = 300;
@@ -68,8 +65,8 @@ std::string grouped(std::uint64_t n) {
 }
 
 std::string percent(std::uint64_t part, std::uint64_t whole) {
-  return whole == 0 ? ""
-                    : fmt::format("{:.2g} %", 100.0 * static_cast<double>(part) / static_cast<double>(whole));
+  const double share = whole == 0 ? 0 : 100.0 * static_cast<double>(part) / static_cast<double>(whole);
+  return fmt::format(fmt::runtime(share < 10 ? "{:.2g} %" : "{:.0f} %"), share);
 }
 
 std::string times(std::uint64_t n) { return n == 1 ? "once" : grouped(n) + " times"; }
@@ -83,9 +80,26 @@ std::string setting(const Config& config, const std::string& key) {
 // Headline
 // ---------------------------------------------------------------------------------------------------------
 
-std::string headline(const std::vector<MethodTally>& tallies) {
+/// "30 wrong_disjoint, 12 crash": what a method did beyond its claim, the most frequent first.
+std::string kinds_of(const std::string& method, const std::vector<GroupRecord>& groups) {
+  std::map<std::string, std::uint64_t> counts;
+  for (const GroupRecord& g : groups) {
+    if (g.method == method && g.severity == "contract") counts[g.kind] += g.count;
+  }
+  std::vector<std::pair<std::string, std::uint64_t>> sorted(counts.begin(), counts.end());
+  std::stable_sort(sorted.begin(), sorted.end(),
+                   [](const auto& x, const auto& y) { return x.second > y.second; });
+  std::string text;
+  for (const auto& [kind, count] : sorted) {
+    if (!text.empty()) text += ", ";
+    text += fmt::format("{} {}", grouped(count), clipped(kind));
+  }
+  return text;
+}
+
+std::string headline(const std::vector<MethodTally>& tallies, const std::vector<GroupRecord>& groups) {
   std::string items;
-  std::uint64_t right = 0;
+  std::size_t right = 0;
   for (const MethodTally& m : tallies) {
     const Counts& c = m.total;
     if (m.method == "referee") continue;
@@ -93,20 +107,16 @@ std::string headline(const std::vector<MethodTally>& tallies) {
       ++right;
       continue;
     }
-    items += fmt::format("<li><b>{}</b>", escape_html(m.method));
-    if (c.contract > 0) {
-      items += fmt::format(" was wrong beyond its own claim <b class=\"bad\">{}</b> in {} answers ({})",
-                           times(c.contract), grouped(c.asked - c.declined),
-                           percent(c.contract, c.asked - c.declined));
-    }
-    if (c.failed > 0)
-      items +=
-          fmt::format("{} failed <b class=\"bad\">{}</b>", c.contract > 0 ? "; it" : "", times(c.failed));
-    items += "</li>\n";
+    const std::uint64_t bad = c.contract + c.failed, answers = c.asked - c.declined;
+    items +=
+        fmt::format("<li><b>{}</b> <b class=\"bad\">{}</b> in {} answers ({}): {}</li>\n", clipped(m.method),
+                    times(bad), grouped(answers), percent(bad, answers), kinds_of(m.method, groups));
   }
   if (items.empty())
     return "<p class=\"ok\">No method was wrong beyond its own claim, and none failed.</p>\n";
-  return fmt::format("<ul>\n{}</ul>\n<p>{} more {} not.</p>\n", items, right, right == 1 ? "was" : "were");
+  return fmt::format(
+      "<p>Wrong beyond their own claim, or failed:</p>\n<ul>\n{}</ul>\n<p>{} more {} not.</p>\n", items,
+      right, right == 1 ? "was" : "were");
 }
 
 std::string facts(const Config& config, const Progress& progress, const std::vector<MethodTally>& tallies) {
@@ -126,26 +136,20 @@ std::string facts(const Config& config, const Progress& progress, const std::vec
 // Tables
 // -----------------------------------------------------------------------------------------------------------
 
-std::string claim_in_words(const json& method) {
-  const double relative = method.value("relative", 0.0), absolute = method.value("absolute", 0.0);
+std::string claim_in_words(const MethodRecord& method) {
   std::string words = "always right";
-  if (relative != 0 || absolute != 0) {
+  if (method.relative != 0 || method.absolute != 0) {
     words = "right where |distance| is at least ";
-    if (relative != 0) words += format_double(relative) + " of the size";
-    if (relative != 0 && absolute != 0) words += " plus ";
-    if (absolute != 0) words += "a length of " + format_double(absolute);
+    if (method.relative != 0) words += fmt::format("{} of the size", format_double(method.relative));
+    if (method.relative != 0 && method.absolute != 0) words += " plus ";
+    if (method.absolute != 0) words += fmt::format("a length of {}", format_double(method.absolute));
   }
-  const std::string source = method.value("source", "");
-  return escape_html(words) + (source.empty() ? "" : " <span class=\"soft\">" + clipped(source) + "</span>");
+  return fmt::format("{} <span class=\"soft\">{}</span>", escape_html(words), clipped(method.source));
 }
 
 std::string cell(std::uint64_t n) { return fmt::format("<td>{}</td>", n == 0 ? "" : grouped(n)); }
 
-std::string methods_table(const Config& config, const std::vector<MethodTally>& tallies) {
-  std::map<std::string, json> described;
-  for (const json& method : json::parse(config.contains("methods") ? config.at("methods") : "[]")) {
-    described[method.value("name", "")] = method;
-  }
+std::string methods_table(const std::vector<MethodRecord>& methods, const std::vector<MethodTally>& tallies) {
   std::string text =
       "<h2>Methods</h2>\n<div class=\"wide\"><table>\n<tr><th>method</th><th>asked</th><th>declined</th>"
       "<th>failed</th><th>wrong beyond its claim</th><th>wrong within it</th><th>undecided</th><th>ns a "
@@ -153,13 +157,14 @@ std::string methods_table(const Config& config, const std::vector<MethodTally>& 
       "<th>version</th><th>its claim</th></tr>\n";
   for (const MethodTally& m : tallies) {
     const Counts& c = m.total;
-    const auto method = described.find(m.method);
+    const auto method = std::find_if(methods.begin(), methods.end(),
+                                     [&](const MethodRecord& r) { return r.name == m.method; });
     text += fmt::format("<tr><td>{}</td>", escape_html(m.method)) + cell(c.asked) + cell(c.declined) +
             cell(c.failed) + cell(c.contract) + cell(c.resolution) + cell(c.undecided) +
             cell(c.asked == 0 ? 0 : c.nanoseconds / c.asked);
     text += fmt::format("<td>{}</td><td class=\"claim\">{}</td></tr>\n",
-                        method == described.end() ? "" : clipped(method->second.value("version", "")),
-                        method == described.end() ? "" : claim_in_words(method->second));
+                        method == methods.end() ? "" : clipped(method->version),
+                        method == methods.end() ? "" : claim_in_words(*method));
   }
   return text + "</table></div>\n";
 }
@@ -263,17 +268,6 @@ std::string severity_in_words(const std::string& severity) {
   return "truth undecided";
 }
 
-std::string said_in_words(const json& answer) {
-  if (answer.contains("failed"))
-    return "failed: " + answer.value("failed", "") + ", " + answer.value("reason", "");
-  if (answer.contains("declined")) return "declined: " + answer.value("declined", "");
-  std::string words = answer.value("verdict", "");
-  for (const char* key : {"distance", "direction", "point"}) {
-    if (answer.contains(key)) words += fmt::format(", {} {}", key, answer.at(key).dump());
-  }
-  return words;
-}
-
 std::string margin_in_words(const FindingRecord& f) {
   if (!f.margin) return "";
   const auto bound = [](double x) { return std::isinf(x) ? "infinity" : fmt::format("{:.3g}", x); };
@@ -304,22 +298,15 @@ std::string article(const FindingRecord& f, const std::string& run_folder) {
                   f.id, escape_html(f.family), f.family_index, f.index);
   text += margin_in_words(f);
   text += pair_in_words(f);
-  const json truth = json::parse(f.truth, nullptr, false);
-  if (truth.is_object()) {
-    text += fmt::format("<p><b>Truth: {}.</b> {} <span class=\"soft\">Settled in {} arithmetic.</span></p>\n",
-                        escape_html(truth.value("verdict", "")), escape_html(certificate_in_words(f.truth)),
-                        escape_html(f.stage));
+  const TruthWords truth = describe_truth(f.truth);
+  text += fmt::format("<p><b>Truth: {}.</b> {} <span class=\"soft\">Settled in {} arithmetic.</span></p>\n",
+                      clipped(truth.verdict), escape_html(truth.certificate), clipped(f.stage));
+  text += "<details><summary>What each method said</summary>\n<ul>\n";
+  for (const auto& [method, words] : describe_answers(f.answers)) {
+    text += fmt::format("<li>{}{}{}: <code>{}</code></li>\n", method == f.method ? "<b class=\"bad\">" : "",
+                        escape_html(method), method == f.method ? "</b>" : "", clipped(words));
   }
-  const json answers = json::parse(f.answers, nullptr, false);
-  if (answers.is_object() && !answers.empty()) {
-    text += "<details><summary>What each method said</summary>\n<ul>\n";
-    for (const auto& [method, answer] : answers.items()) {
-      text +=
-          fmt::format("<li>{}{}{}: <code>{}</code></li>\n", method == f.method ? "<b class=\"bad\">" : "",
-                      escape_html(method), method == f.method ? "</b>" : "", clipped(said_in_words(answer)));
-    }
-    text += "</ul>\n</details>\n";
-  }
+  text += "</ul>\n</details>\n";
   if (!f.reason.empty()) text += fmt::format("<p>In its own words: <code>{}</code></p>\n", clipped(f.reason));
   text += fmt::format("<code class=\"copy\">./daylight replay {}:{}</code>\n</article>\n",
                       escape_html(run_folder), f.id);
@@ -399,11 +386,11 @@ void write_page(const std::string& run_folder) {
       "<title>daylight, seed {}</title>\n<style>{}</style>\n</head>\n<body>\n<h1>Who was wrong about two "
       "cylinders?</h1>\n",
       escape_html(setting(config, "seed")), style);
-  page += headline(tallies);
+  page += headline(tallies, store.groups());
   page += facts(config, store.progress(), tallies);
   page += families_table(tallies);
   page += findings_section(group_findings(store), run_folder);
-  page += methods_table(config, tallies);
+  page += methods_table(store.methods(), tallies);
   page += "</body>\n</html>\n";
   write_whole(run_folder + "/report.html", page);
 }

@@ -105,11 +105,8 @@ std::string nesting_error(const std::string& page) {
 }
 
 TEST_F(Page, HoldsEveryFindingWithAllThatIsNeeded) {
-  RunStore store = RunStore::create(
-      folder,
-      {{"seed", "42"},
-       {"methods",
-        R"([{"name":"fake","version":"9.8","relative":1e-6,"absolute":0.001,"source":"its manual"}])"}});
+  RunStore store =
+      RunStore::create(folder, {{"seed", "42"}}, {{"fake", "9.8", 1e-6, 0.001, "its manual", 1}});
   std::vector<FindingRecord> findings{finding(0, "fake", 1e-3), finding(1, "fake", 0.25),
                                       finding(2, "other", 1e-9)};
   findings[2].kind = "crash";
@@ -130,16 +127,13 @@ TEST_F(Page, HoldsEveryFindingWithAllThatIsNeeded) {
   EXPECT_TRUE(contains(page, "at least 1e-06 of the size plus a length of 0.001"));
   EXPECT_TRUE(contains(page, "disjoint, distance 0.5"));
   EXPECT_LT(page.find("id=\"f2\""), page.find("id=\"f1\"")) << "the worst first";
-  EXPECT_TRUE(contains(page, "was wrong beyond its own claim <b class=\"bad\">2 times</b>"));
+  EXPECT_TRUE(
+      contains(page, "<b>fake</b> <b class=\"bad\">2 times</b> in 2 answers (100 %): 2 wrong_disjoint"));
 }
 
 TEST_F(Page, IsSafeAgainstHostileText) {
-  RunStore store =
-      RunStore::create(folder, {{"seed", hostile},
-                                {"started", hostile},
-                                {"build", hostile},
-                                {"methods", R"([{"name":"fake","version":)" + quote_json(hostile) +
-                                                R"(,"source":)" + quote_json(hostile) + "}]"}});
+  RunStore store = RunStore::create(folder, {{"seed", hostile}, {"started", hostile}, {"build", hostile}},
+                                    {{hostile, hostile, 1, 1, hostile, 1}});
   FindingRecord f = finding(0, hostile, 0.5);
   Case c;
   c.id = hostile;

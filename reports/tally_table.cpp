@@ -51,7 +51,7 @@ std::string format_tallies(const std::vector<MethodTally>& tallies) {
   for (const MethodTally& m : tallies) {
     text += row(m.method, m.total);
     for (const auto& [method, family, counts] : m.families) {
-      if (counts.failed + counts.contract + counts.resolution + counts.undecided == 0) continue;
+      if (counts.failed + counts.contract == 0) continue;
       text += row("  " + family, counts);
     }
   }

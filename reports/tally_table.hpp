@@ -18,7 +18,8 @@ struct MethodTally {
 /// In the order of the run: the methods, then what the cases state, then the referee.
 std::vector<MethodTally> tally_methods(const RunStore& store);
 
-/// A text table: for each method its totals, then the families where anything was wrong, failed or undecided.
+/// A text table: for each method its totals, then the families where it was wrong beyond its claim or
+/// failed. What stayed within claims is in the totals and on the page.
 std::string format_tallies(const std::vector<MethodTally>& tallies);
 
 }  // namespace cyl

@@ -62,7 +62,8 @@ bool out_of_order(const Prepared& a, const Prepared& b) noexcept {
 
 // The pair in its own unit, 2^exponent, in which the largest of radii, heights and |Delta| is in [1, 2).
 struct Scaled {
-  Vector3 w0, w1, delta;
+  const Vector3 &w0, &w1;
+  Vector3 delta;
   double r0, h0, r1, h1;  // h0, h1: half heights
   int exponent;
 };
@@ -254,32 +255,39 @@ bool common_point(const Scaled& p, const Vector3& m0, const Vector3& m1, double 
   return true;
 }
 
+// `cross` is 2 w0 x w1 up to sign, `square` its squared length, `c` = |w0.w1|.
 template <bool prove>
-void decide_crossing(Attempt<prove>& attempt, const Vector3& cross) noexcept {
+void decide_crossing(Attempt<prove>& attempt, const Vector3& cross, double square, double c) noexcept {
   const Scaled& p = attempt.p;
-  const double cross_length = length(cross);
-  const double s = cross_length / 2;
-  Vector3 n = cross / cross_length;
-  double z = dot(p.delta, n);
-  if (z < 0) {
-    z = -z;
-    n = -n;
-  }
-  if (z > p.r0 + p.r1 && attempt.disjoint([&] { return n; })) return;
+  const double radii = p.r0 + p.r1;
 
-  const double c = std::fabs(dot(p.w0, p.w1));
+  // Three of the five rejections compare squares, before any root is taken.
+  double d[4] = {dot(p.delta, p.w0), dot(p.delta, p.w1), 0, 0};
+  const double k0 = std::fabs(d[0]) - p.h0 - p.h1 * c, k1 = std::fabs(d[1]) - p.h1 - p.h0 * c;
+  const double beside = dot(p.delta, cross);
+  if (k0 > 0 && 4 * k0 * k0 > square * (p.r1 * p.r1) &&
+      attempt.disjoint([&] { return d[0] < 0 ? Vector3(-p.w0) : p.w0; }))
+    return;
+  if (k1 > 0 && 4 * k1 * k1 > square * (p.r0 * p.r0) &&
+      attempt.disjoint([&] { return d[1] < 0 ? Vector3(-p.w1) : p.w1; }))
+    return;
+  const double cross_length = std::sqrt(square);
+  const double inverse = (beside < 0 ? -1 : 1) / cross_length;
+  const Vector3 n = cross * inverse;
+  const double z = std::fabs(beside) / cross_length, s = cross_length / 2;
+  if (z > radii && attempt.disjoint([&] { return n; })) return;
+
   const Vector3 m0 = p.w0.cross(n), m1 = p.w1.cross(n);
-  const double d[4] = {dot(p.delta, p.w0), dot(p.delta, p.w1), dot(p.delta, m0), dot(p.delta, m1)};
+  d[2] = dot(p.delta, m0);
+  d[3] = dot(p.delta, m1);
   // e_j, pointing from a to b.
   auto e = [&](int j) {
     const Vector3& axis = j == 0 ? p.w0 : j == 1 ? p.w1 : j == 2 ? m0 : m1;
     return d[j] < 0 ? Vector3(-axis) : axis;
   };
-  const Piece pieces[4] = {{0, s, std::fabs(d[0]) - p.h0 - p.h1 * c},
-                           {s, 0, std::fabs(d[1]) - p.h1 - p.h0 * c},
-                           {1, c, std::fabs(d[2]) - p.h1 * s},
-                           {c, 1, std::fabs(d[3]) - p.h0 * s}};
-  for (int j = 0; j < 4; ++j)
+  const Piece pieces[4] = {
+      {0, s, k0}, {s, 0, k1}, {1, c, std::fabs(d[2]) - p.h1 * s}, {c, 1, std::fabs(d[3]) - p.h0 * s}};
+  for (int j = 2; j < 4; ++j)
     if (pieces[j].k > pieces[j].a * p.r0 + pieces[j].b * p.r1 && attempt.disjoint([&] { return e(j); }))
       return;
 
@@ -290,7 +298,6 @@ void decide_crossing(Attempt<prove>& attempt, const Vector3& cross) noexcept {
     return;
   }
 
-  const double radii = p.r0 + p.r1;
   const double resolution = radii * unit_roundoff_error;
   double u = radii > 0 ? z * (p.r0 / radii) : 0;
   u = min(max(u, lo), hi);
@@ -385,14 +392,16 @@ Answer run(const Prepared& a, const Prepared& b) noexcept {
 
   // w0 x w1 from the sum and the difference of the axes (one taken backwards where they are opposite): those
   // two are perpendicular, so their cross product is accurate relative to its own length, however small the
-  // angle.
-  const Vector3 w1 = dot(p.w0, p.w1) < 0 ? Vector3(-p.w1) : p.w1;
+  // angle. Below 2^-450 the square of its length would lose digits; no double tells such axes from parallel.
+  const double cosine = dot(p.w0, p.w1);
+  const Vector3 w1 = cosine < 0 ? Vector3(-p.w1) : p.w1;
   const Vector3 sum = p.w0 + w1;
   const Vector3 cross = (p.w0 - w1).cross(sum);
-  if (cross.x() == 0 && cross.y() == 0 && cross.z() == 0)
+  const double square = dot(cross, cross);
+  if (square < 0x1p-900)
     decide_parallel(attempt, sum);
   else
-    decide_crossing(attempt, cross);
+    decide_crossing(attempt, cross, square, std::fabs(cosine));
   if (swapped) attempt.answer.direction = -attempt.answer.direction;
   return attempt.answer;
 }

@@ -1,0 +1,188 @@
+// SPDX-License-Identifier: MIT
+#include "fuzz/replay.hpp"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <charconv>
+#include <filesystem>
+#include <fstream>
+#include <memory>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "cli/commands.hpp"
+#include "corpus/finding_words.hpp"
+#include "corpus/pair_io.hpp"
+#include "corpus/store.hpp"
+
+namespace cyl {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Pairs that are asked together: a worker is forked once for all of them.
+constexpr std::size_t together_cap = 64;
+
+struct Arguments {
+  std::vector<std::string> targets;
+  std::string methods;
+};
+
+/// One thing to run again: a stored finding, or a case on which anything may be wrong.
+struct Target {
+  std::string label;
+  Pair pair;
+  std::optional<FindingRecord> finding;
+};
+
+Target of_finding(const std::string& run, FindingRecord finding) {
+  const CaseLine line = parse_case(finding.pair, 1);
+  const std::string label = fmt::format("{}:{}", run, finding.id);
+  if (!line.value) throw std::runtime_error(label + ": " + line.error);
+  return {label, line.value->pair, std::move(finding)};
+}
+
+std::vector<Target> targets_of(const std::string& name) {
+  std::vector<Target> targets;
+  if (fs::is_directory(name)) {
+    for (FindingRecord& f : RunStore::open(name).findings())
+      targets.push_back(of_finding(name, std::move(f)));
+    return targets;
+  }
+  if (fs::exists(name)) {
+    std::ifstream in(name);
+    CaseReader reader(in);
+    while (const auto line = reader.next()) {
+      if (!line->value) throw std::runtime_error(name + ": " + line->error);
+      const std::string& id = line->value->id;
+      targets.push_back({id.empty() ? fmt::format("{}:{}", name, line->line) : id, line->value->pair, {}});
+    }
+    if (in.bad()) throw std::runtime_error(name + " cannot be read");
+    return targets;
+  }
+  const std::size_t colon = name.rfind(':');
+  std::int64_t id = 0;
+  if (colon != std::string::npos) {
+    const char* end = name.data() + name.size();
+    const auto parsed = std::from_chars(name.data() + colon + 1, end, id);
+    if (parsed.ec == std::errc() && parsed.ptr == end && fs::is_directory(name.substr(0, colon))) {
+      const std::string run = name.substr(0, colon);
+      auto finding = RunStore::open(run).finding(id);
+      if (!finding) throw std::invalid_argument(fmt::format("{} has no finding {}", run, id));
+      targets.push_back(of_finding(run, std::move(*finding)));
+      return targets;
+    }
+  }
+  throw std::invalid_argument("'" + name + "' is no run, no finding RUN:ID and no file of cases");
+}
+
+std::string describe(const Finding& finding) {
+  std::string text = fmt::format("{} ({}", to_string(finding.kind), to_string(finding.severity));
+  if (finding.margin)
+    text += fmt::format(", margin {:.3g} to {:.3g}", finding.margin->lo, finding.margin->hi);
+  return text + ")";
+}
+
+/// What happened to a stored finding: "stands", or why not.
+std::string fate(const FindingRecord& stored, std::span<const std::unique_ptr<Method>> methods,
+                 const Replayed& now) {
+  for (std::size_t m = 0; m < methods.size(); ++m) {
+    if (methods[m]->name() != stored.method) continue;
+    if (!now.findings[m]) {
+      if (now.truth.verdict == Verdict::undecided) return "open: the truth is undecided";
+      return now.answers[m].status == Status::declined ? "gone: declined now" : "gone";
+    }
+    if (to_string(now.findings[m]->kind) != stored.kind) return "stands, as " + describe(*now.findings[m]);
+    if (to_string(now.findings[m]->severity) != stored.severity)
+      return "stands, now " + describe(*now.findings[m]);
+    return "stands";
+  }
+  if (stored.method == "referee")
+    return now.truth.verdict == Verdict::undecided ? "stands" : "gone: proved now";
+  if (stored.method == "corpus") {
+    const auto stated = parse_case(stored.pair, 1).value->truth;
+    const bool meets = now.truth.verdict == Verdict::touching && stated == Verdict::intersecting;
+    return meets || stated == now.truth.verdict ? "gone" : "stands: the case states what is not so";
+  }
+  return "not asked: this build, or --methods, has no such method";
+}
+
+class Replayer {
+ public:
+  explicit Replayer(const Arguments& arguments) : methods_(all_methods()) {
+    if (!arguments.methods.empty()) methods_ = select_methods(std::move(methods_), arguments.methods);
+    for (const std::string& name : arguments.targets) {
+      for (Target& target : targets_of(name)) targets_.push_back(std::move(target));
+    }
+  }
+
+  int run() {
+    for (std::size_t first = 0; first < targets_.size(); first += together_cap) {
+      const std::size_t count = std::min(together_cap, targets_.size() - first);
+      std::vector<Pair> pairs;
+      for (std::size_t i = 0; i < count; ++i) pairs.push_back(targets_[first + i].pair);
+      const std::vector<Replayed> now = replay(methods_, pairs);
+      for (std::size_t i = 0; i < count; ++i) print(targets_[first + i], now[i]);
+    }
+    fmt::print("{} replayed, {} beyond a claim\n", targets_.size(), contract_);
+    return contract_ > 0 ? exit_findings : exit_pass;
+  }
+
+ private:
+  void print(const Target& target, const Replayed& now) {
+    const bool decided = now.truth.verdict != Verdict::undecided && now.truth.verdict != Verdict::invalid;
+    fmt::print("{}\n  {}\n", target.label, format_pair(target.pair));
+    fmt::print("  truth: {}. {}\n", to_string(now.truth.verdict),
+               describe_truth(format_truth(now.truth)).certificate);
+    if (decided)
+      fmt::print("  distance: {} to {}\n", format_double(now.distance.lo), format_double(now.distance.hi));
+    for (std::size_t m = 0; m < methods_.size(); ++m) {
+      const bool wrong = now.findings[m].has_value();
+      fmt::print("  {:<26} {}{}\n", methods_[m]->name(), format_method_answer(now.answers[m]),
+                 wrong ? "  <- " + describe(*now.findings[m]) : "");
+    }
+    if (target.finding) {
+      const std::string what = fate(*target.finding, methods_, now);
+      fmt::print("  finding of {}, {} ({}): {}\n", target.finding->method, target.finding->kind,
+                 target.finding->severity, what);
+    }
+    contract_ += stands_by_contract(target, now);
+  }
+
+  /// Of a stored finding only its own method counts; of a case, any.
+  bool stands_by_contract(const Target& target, const Replayed& now) const {
+    if (target.finding && target.finding->method == "corpus")
+      return fate(*target.finding, methods_, now).starts_with("stands");
+    for (std::size_t m = 0; m < methods_.size(); ++m) {
+      if (target.finding && target.finding->method != methods_[m]->name()) continue;
+      if (now.findings[m] && now.findings[m]->severity == Severity::contract) return true;
+    }
+    return false;
+  }
+
+  std::vector<std::unique_ptr<Method>> methods_;
+  std::vector<Target> targets_;
+  std::size_t contract_ = 0;
+};
+
+}  // namespace
+
+void add_replay(CLI::App& app, int& exit_code) {
+  CLI::App* command = app.add_subcommand("replay", "Runs stored findings or cases again on today's build");
+  auto arguments = std::make_shared<Arguments>();
+  command
+      ->add_option("TARGET", arguments->targets, "RUN: all its findings; RUN:ID: one; FILE: a file of cases")
+      ->required();
+  command->add_option("--methods", arguments->methods, "a,b: ask these; --methods=-a,b: all but these");
+  command->footer(
+      "Example:\n  daylight replay runs/latest:12\n"
+      "Exit code: 2 where something is still wrong beyond its method's claim, 0 otherwise, 1 the harness "
+      "failed, 64 usage.");
+  command->callback([arguments, &exit_code] { exit_code = Replayer(*arguments).run(); });
+}
+
+}  // namespace cyl
