@@ -130,7 +130,7 @@ TEST(Methods, DirectionsSeparateAndPointFromAToB) {
       EXPECT_GT(d.dot(support(k.pair.b, -d) - support(k.pair.a, d)), 0) << m->name();
     }
   }
-  EXPECT_EQ(directions, 8 * 26);  // decide, five of NLopt, two of FCL
+  EXPECT_EQ(directions, 9 * 26);  // decide, exact, five of NLopt, two of FCL
 }
 
 TEST(Methods, DecideProves) {
@@ -157,7 +157,7 @@ TEST(Methods, TheLengthOfAnAxisDoesNotMatter) {
 TEST(Methods, ForeignOnesDeclineWhatIsNoCylinder) {
   Pair p{upright({0, 0, 0}), upright({3, 0, 0})};
   p.b.axis = {0, 0, 0};
-  for (const auto& m : chosen("-intersect,decide")) {
+  for (const auto& m : chosen("-intersect,decide,exact")) {
     const MethodAnswer answer = m->ask(p);
     EXPECT_EQ(answer.status, Status::declined) << m->name();
     EXPECT_STREQ(answer.reason, "b: axis is zero");
