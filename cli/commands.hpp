@@ -17,7 +17,9 @@ inline constexpr int exit_undecided = 3;
 inline constexpr int exit_usage = 64;
 inline constexpr int exit_invalid_input = 65;
 
+void add_bench(CLI::App& app, int& exit_code);
 void add_campaign(CLI::App& app, int& exit_code);
+void add_check(CLI::App& app, int& exit_code);
 void add_families(CLI::App& app, int& exit_code);
 void add_replay(CLI::App& app, int& exit_code);
 

@@ -19,9 +19,11 @@ int run(int argc, char** argv) {
   app.require_subcommand(1);
   app.set_version_flag("--version", cyl::build_info().text());
   app.footer("daylight COMMAND --help tells more, with an example.");
+  cyl::add_check(app, exit_code);
   cyl::add_campaign(app, exit_code);
   cyl::add_replay(app, exit_code);
   cyl::add_families(app, exit_code);
+  cyl::add_bench(app, exit_code);
   try {
     app.parse(argc, argv);
     return exit_code;

@@ -37,7 +37,9 @@ Enclosure relative_to(double size, const Enclosure& length) {
 
 /// The length below which the claim promises nothing, rounded up; exactly 0 for a claim of 0/0.
 double reach(const Claim& claim, double size) {
-  const double relative_part = claim.relative == 0 ? 0 : claim.relative * size;
+  if (claim.relative == 0 || size == 0) return claim.absolute;
+  // Of subnormal solids the product may vanish.
+  const double relative_part = std::max(claim.relative * size, std::numeric_limits<double>::denorm_min());
   return (relative_part + claim.absolute) * (1 + rounding_tol);
 }
 

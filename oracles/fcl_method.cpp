@@ -5,6 +5,8 @@
 #include <fcl/narrowphase/distance.h>
 
 #include <algorithm>
+#include <utility>
+#include <vector>
 
 #include "oracles/adapter.hpp"
 #include "oracles/method.hpp"
@@ -24,12 +26,16 @@ constexpr std::string_view distance_source =
 constexpr double default_tol = 1e-6;
 constexpr double fine_tol = 1e-10;
 
-fcl::Transform3d pose_of(const Cylinder& c) {
+/// A cylinder as FCL keeps it.
+struct Solid {
+  explicit Solid(const Cylinder& c) : shape(c.radius, c.height) {
+    pose.linear() = rotation_to(unit_axis(c.axis));
+    pose.translation() = c.center;
+  }
+
+  fcl::Cylinderd shape;
   fcl::Transform3d pose = fcl::Transform3d::Identity();
-  pose.linear() = rotation_to(unit_axis(c.axis));
-  pose.translation() = c.center;
-  return pose;
-}
+};
 
 /// fcl::collide without contacts: yes or no.
 class Collide final : public Method {
@@ -44,17 +50,26 @@ class Collide final : public Method {
 
   MethodAnswer ask(const Pair& pair) override {
     if (const auto declined = decline_invalid(pair)) return *declined;
-    const fcl::Cylinderd a(pair.a.radius, pair.a.height);
-    const fcl::Cylinderd b(pair.b.radius, pair.b.height);
-    fcl::CollisionResultd result;
-    const bool hit = fcl::collide(&a, pose_of(pair.a), &b, pose_of(pair.b), request_, result) > 0;
     MethodAnswer answer;
     answer.status = Status::answered;
-    answer.verdict = hit ? Verdict::intersecting : Verdict::disjoint;
+    answer.verdict = collide(Solid(pair.a), Solid(pair.b));
     return answer;
+  }
+  Call prepare_all(std::span<const Pair> pairs) override {
+    std::vector<std::pair<Solid, Solid>> solids;
+    for (const Pair& pair : pairs) solids.emplace_back(Solid(pair.a), Solid(pair.b));
+    return [this, solids = std::move(solids)](std::size_t i) {
+      return collide(solids[i].first, solids[i].second);
+    };
   }
 
  private:
+  Verdict collide(const Solid& a, const Solid& b) const {
+    fcl::CollisionResultd result;
+    const bool hit = fcl::collide(&a.shape, a.pose, &b.shape, b.pose, request_, result) > 0;
+    return hit ? Verdict::intersecting : Verdict::disjoint;
+  }
+
   std::string_view name_;
   fcl::CollisionRequestd request_;
 };
@@ -78,10 +93,9 @@ class Distance final : public Method {
   // they are the ends of a separating direction.
   MethodAnswer ask(const Pair& pair) override {
     if (const auto declined = decline_invalid(pair)) return *declined;
-    const fcl::Cylinderd a(pair.a.radius, pair.a.height);
-    const fcl::Cylinderd b(pair.b.radius, pair.b.height);
+    const Solid a(pair.a), b(pair.b);
     fcl::DistanceResultd result;
-    const double distance = fcl::distance(&a, pose_of(pair.a), &b, pose_of(pair.b), request_, result);
+    const double distance = fcl::distance(&a.shape, a.pose, &b.shape, b.pose, request_, result);
     MethodAnswer answer;
     answer.status = Status::answered;
     answer.verdict = distance > 0 ? Verdict::disjoint : Verdict::intersecting;

@@ -2,7 +2,10 @@
 // A method: anything that answers a pair. It may decline or fail; it is never trusted.
 #pragma once
 
+#include <cstddef>
+#include <functional>
 #include <memory>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -56,6 +59,15 @@ class Method {
   /// Asked on every index divisible by this (and wherever others disagree): > 1 for costly methods.
   virtual unsigned share() const { return 1; }
   virtual MethodAnswer ask(const Pair& pair) = 0;
+
+  using Call = std::function<Verdict(std::size_t)>;
+  /// For timing alone: does for all pairs what a user does once a solid (shapes built, axes normalised). The
+  /// call returned says yes or no of pair i; it holds what it needs of `pairs`. Empty where there is no such
+  /// way.
+  virtual Call prepare_all(std::span<const Pair> pairs) {
+    static_cast<void>(pairs);
+    return {};
+  }
 };
 
 /// Every method of this build, in a fixed order: ours first.

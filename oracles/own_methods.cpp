@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
+#include <utility>
+#include <vector>
 
 #include "oracles/exact.hpp"
 #include "oracles/method.hpp"
@@ -7,6 +9,16 @@
 
 namespace cyl {
 namespace {
+
+/// `decision` on two prepared solids, for every pair.
+template <typename Decision>
+Method::Call prepare_solids(std::span<const Pair> pairs, Decision decision) {
+  std::vector<std::pair<Prepared, Prepared>> solids;
+  for (const Pair& pair : pairs) solids.emplace_back(prepare(pair.a), prepare(pair.b));
+  return [solids = std::move(solids), decision](std::size_t i) {
+    return decision(solids[i].first, solids[i].second);
+  };
+}
 
 class Intersect final : public Method {
  public:
@@ -21,6 +33,9 @@ class Intersect final : public Method {
     answer.status = Status::answered;
     answer.verdict = intersect(pair.a, pair.b);
     return answer;
+  }
+  Call prepare_all(std::span<const Pair> pairs) override {
+    return prepare_solids(pairs, [](const Prepared& a, const Prepared& b) { return intersect(a, b); });
   }
 };
 
@@ -49,6 +64,9 @@ class Decide final : public Method {
         break;
     }
     return answer;
+  }
+  Call prepare_all(std::span<const Pair> pairs) override {
+    return prepare_solids(pairs, [](const Prepared& a, const Prepared& b) { return decide(a, b).verdict; });
   }
 };
 

@@ -1,0 +1,196 @@
+// SPDX-License-Identifier: MIT
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <functional>
+#include <iostream>
+#include <memory>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "cli/commands.hpp"
+#include "corpus/pair_io.hpp"
+#include "oracles/compare.hpp"
+#include "oracles/contained.hpp"
+#include "oracles/referee.hpp"
+
+namespace cyl {
+
+namespace {
+
+/// Lines. So many at most are answered together: a foreign method's worker is forked once for all of them.
+constexpr std::size_t batch_cap = 1000;
+
+struct CheckOptions {
+  std::vector<std::string> files;
+  std::string method;
+  bool text = false;
+  bool distance = false;
+};
+
+struct Reply {
+  Verdict verdict;
+  std::string line;
+};
+
+std::string label(const CaseLine& c) {
+  return c.value && !c.value->id.empty() ? c.value->id : fmt::format("line {}", c.line);
+}
+
+Reply malformed(const CaseLine& c, const std::string& file, bool text) {
+  const std::string error = file.empty() ? c.error : file + ": " + c.error;
+  return {Verdict::invalid, text ? "invalid: " + error
+                                 : fmt::format(R"({{"verdict":"invalid","error":{}}})", quote_json(error))};
+}
+
+std::string describe(Verdict verdict, const Enclosure& d) {
+  const bool apart = verdict == Verdict::disjoint;
+  return fmt::format(", {} to {} {}", format_double(apart ? d.lo : -d.hi),
+                     format_double(apart ? d.hi : -d.lo), apart ? "apart" : "deep");
+}
+
+/// Proved by the referee, to whom the solver's own certificate is offered first.
+Reply certified(const CaseLine& c, Method& solver, const CheckOptions& options) {
+  const Pair& pair = c.value->pair;
+  const MethodAnswer offered[] = {solver.ask(pair)};
+  const Truth truth = judge(pair, offered);
+  std::optional<Enclosure> distance;
+  if (options.distance) distance = enclose_distance(pair, truth);
+  if (!options.text) return {truth.verdict, format_truth(truth, distance ? &*distance : nullptr)};
+  return {truth.verdict, fmt::format("{}: {}{}; proof {}", label(c), to_string(truth.verdict),
+                                     distance ? describe(truth.verdict, *distance) : "",
+                                     format_certificate(truth.certificate))};
+}
+
+/// What the method itself said, proved by nobody.
+Reply reported(const CaseLine& c, const Method& method, const MethodAnswer& answer, bool text) {
+  if (answer.status == Status::answered) {
+    std::string said = format_method_answer(answer);
+    if (text) return {answer.verdict, fmt::format("{}: {} says {}", label(c), method.name(), said)};
+    said.back() = ',';
+    return {answer.verdict, fmt::format(R"({}"method":{}}})", said, quote_json(method.name()))};
+  }
+  const std::string error = fmt::format(
+      "{} {}: {}", method.name(), answer.status == Status::declined ? "declined" : "failed", answer.reason);
+  return {Verdict::undecided, text ? label(c) + ": " + error
+                                   : fmt::format(R"({{"verdict":"undecided","method":{},"error":{}}})",
+                                                 quote_json(method.name()), quote_json(error))};
+}
+
+class Checker {
+ public:
+  explicit Checker(const CheckOptions& options) : options_(options) {
+    if (options.method.empty()) {
+      methods_ = select_methods(own_methods(), "decide");
+      return;
+    }
+    methods_ = select_methods(all_methods(), options.method);
+    const auto named = [&](const auto& method) { return method->name() == options.method; };
+    if (std::any_of(methods_.begin(), methods_.end(), named)) std::erase_if(methods_, std::not_fn(named));
+    if (methods_.size() == 1) return;
+    std::string message = "--method " + options.method + " names more than one:";
+    for (const auto& method : methods_) message.append(" ").append(method->name());
+    throw std::invalid_argument(message);
+  }
+
+  /// One line out for each non-blank line in, written as soon as no more input is waiting.
+  void answer_all(std::istream& in, const std::string& file) {
+    CaseReader reader(in);
+    std::vector<CaseLine> batch;
+    bool more = true;
+    while (more) {
+      batch.clear();
+      do {
+        std::optional<CaseLine> line = reader.next();
+        more = line.has_value();
+        if (more) batch.push_back(std::move(*line));
+      } while (more && batch.size() < batch_cap && in.rdbuf()->in_avail() > 0);
+      answer(batch, file);
+      if (std::fflush(stdout) != 0) throw std::runtime_error("standard output could not be written");
+    }
+    if (in.bad()) throw std::runtime_error("reading failed");
+  }
+
+  int exit_code() const { return invalid_ ? exit_invalid_input : undecided_ ? exit_undecided : exit_pass; }
+
+ private:
+  void answer(const std::vector<CaseLine>& batch, const std::string& file) {
+    std::vector<ContainedAnswer> said;
+    if (!options_.method.empty()) {
+      std::vector<Pair> pairs;
+      std::vector<Question> questions;
+      for (const CaseLine& c : batch) {
+        if (!c.value) continue;
+        questions.push_back({0, pairs.size()});
+        pairs.push_back(c.value->pair);
+      }
+      said = ask_contained(methods_, pairs, questions);
+    }
+    auto next = said.begin();
+    for (const CaseLine& c : batch) {
+      print(!c.value                  ? malformed(c, file, options_.text)
+            : options_.method.empty() ? certified(c, *methods_[0], options_)
+                                      : reported(c, *methods_[0], (next++)->answer, options_.text));
+    }
+  }
+
+  void print(const Reply& reply) {
+    invalid_ |= reply.verdict == Verdict::invalid;
+    undecided_ |= reply.verdict == Verdict::undecided;
+    fmt::print("{}\n", reply.line);
+  }
+
+  const CheckOptions& options_;
+  std::vector<std::unique_ptr<Method>> methods_;
+  bool invalid_ = false;
+  bool undecided_ = false;
+};
+
+int check(const CheckOptions& options) {
+  Checker checker(options);
+  std::vector<std::string> files = options.files;
+  if (files.empty()) files.push_back("-");
+  bool unreadable = false;
+  for (const std::string& file : files) {
+    try {
+      std::ifstream in;
+      if (file != "-") {
+        in.open(file);
+        if (!in || std::filesystem::is_directory(file)) throw std::runtime_error("cannot be read");
+      }
+      checker.answer_all(file == "-" ? std::cin : in, files.size() > 1 ? file : "");
+    } catch (const std::runtime_error& error) {
+      std::cerr << "daylight: " << file << ": " << error.what() << '\n';
+      unreadable = true;
+    }
+  }
+  return unreadable ? exit_harness_failed : checker.exit_code();
+}
+
+}  // namespace
+
+void add_check(CLI::App& app, int& exit_code) {
+  CLI::App* command = app.add_subcommand("check", "Pairs in, certified answers out, a line each");
+  auto options = std::make_shared<CheckOptions>();
+  command->add_option("FILE", options->files, "JSON Lines of pairs; '-' or none: standard input");
+  command->add_flag("--text", options->text, "for people, not JSON");
+  auto* distance =
+      command->add_flag("--distance", options->distance, "add a certified enclosure of the signed distance");
+  command
+      ->add_option("--method", options->method, "ask this method instead; its answer is reported, not proved")
+      ->excludes(distance);
+  command->footer(
+      "Example:\n"
+      "  echo '{\"a\":{\"center\":[0,0,0],\"axis\":[0,0,1],\"radius\":1,\"height\":2},"
+      "\"b\":{\"center\":[3,0,0],\"axis\":[0,1,0],\"radius\":1,\"height\":2}}' | daylight check\n"
+      "Exit code: 0 all answered, 3 some undecided, 65 some invalid, 1 a file could not be read, 64 usage.");
+  command->callback([options, &exit_code] { exit_code = check(*options); });
+}
+
+}  // namespace cyl

@@ -1,0 +1,118 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: MIT
+# The executable given as $1, as a shell sees it: what it prints where, and its exit codes.
+set -euo pipefail
+
+daylight=$1
+scratch=$(mktemp -d)
+trap 'rm -rf -- "$scratch"' EXIT
+cd -- "$scratch"
+
+failures=0
+fail() {
+  printf 'FAILED: %s\n  out: %s\n  err: %s\n' "$1" "$(head -c 2000 out)" "$(head -c 2000 err)"
+  failures=$((failures + 1))
+}
+# what, exit code, regular expression for the whole of standard output, arguments; standard input is the file `in`
+expect() {
+  local what=$1 wanted=$2 pattern=$3 code=0
+  shift 3
+  "$daylight" "$@" <in >out 2>err || code=$?
+  [[ $code == "$wanted" ]] || fail "$what: exit code $code, not $wanted"
+  [[ $(<out) =~ ^($pattern)$ ]] || fail "$what: standard output is not /$pattern/"
+}
+# The same, of one line given to check.
+line() { # what, exit code, pattern, line
+  printf '%s\n' "$4" >in
+  expect "$1" "$2" "$3" check
+}
+cylinder() { printf '{"center":[%s],"axis":[%s],"radius":%s,"height":%s}' "$@"; }
+pair() { printf '{"a":%s,"b":%s}' "$1" "$2"; }
+
+unit=$(cylinder 0,0,0 0,0,1 1 2)
+apart=$(pair "$unit" "$(cylinder 3,0,0 0,1,0 1 2)")
+overlapping=$(pair "$unit" "$(cylinder 0.5,0,0 0,1,0 1 2)")
+other=$(cylinder 3,0,0 0,1,0 1 2)
+disjoint='\{"verdict":"disjoint",[^'$'\n'']*\}'
+intersecting='\{"verdict":"intersecting",[^'$'\n'']*\}'
+invalid='\{"verdict":"invalid","error":"(two: )?line [0-9]+[^'$'\n'']*\}'
+
+line 'disjoint' 0 "$disjoint" "$apart"
+line 'intersecting' 0 "$intersecting" "$overlapping"
+line 'garbage' 65 "$invalid" 'garbage'
+line 'bytes' 65 "$invalid" $'\x01\xff\xfe'
+line 'empty object' 65 "$invalid" '{}'
+line 'a cylinder missing' 65 "$invalid" "{\"a\":$unit}"
+line 'NaN' 65 "$invalid" "$(pair "$(cylinder NaN,0,0 0,0,1 1 2)" "$other")"
+line 'Infinity' 65 "$invalid" "$(pair "$(cylinder 1e999,0,0 0,0,1 1 2)" "$other")"
+line 'null' 65 "$invalid" "$(pair "$(cylinder 0,0,0 0,0,1 null 2)" "$other")"
+line 'negative radius' 65 "$invalid" "$(pair "$(cylinder 0,0,0 0,0,1 -1 2)" "$other")"
+line 'negative height' 65 "$invalid" "$(pair "$(cylinder 0,0,0 0,0,1 1 -2)" "$other")"
+line 'zero axis' 65 "$invalid" "$(pair "$(cylinder 0,0,0 0,0,0 1 2)" "$other")"
+line 'two coordinates' 65 "$invalid" "$(pair "$(cylinder 0,0 0,0,1 1 2)" "$other")"
+line 'four coordinates' 65 "$invalid" "$(pair "$(cylinder 0,0,0,0 0,0,1 1 2)" "$other")"
+line 'missing field' 65 "$invalid" "$(pair '{"center":[0,0,0],"axis":[0,0,1],"radius":1}' "$other")"
+line 'misspelt field' 65 "$invalid" "$(pair '{"centre":[0,0,0],"axis":[0,0,1],"radius":1,"height":2}' "$other")"
+line 'number as a string' 65 "$invalid" "$(pair "$(cylinder 0,0,0 0,0,1 '"1"' 2)" "$other")"
+line '100,000 open brackets' 65 "$invalid" "$(printf '%100000s' '' | tr ' ' '[')"
+line 'text after the pair' 65 "$invalid" "$apart x"
+line 'radius and height 0' 0 "$disjoint" "$(pair "$(cylinder 0,0,0 0,0,1 0 0)" "$other")"
+
+printf '%s\n\n  \nnonsense\n%s\r\n\n%s' "$apart" "$overlapping" "$apart" >in
+expect 'good lines around a bad one' 65 "$disjoint"$'\n'"$invalid"$'\n'"$intersecting"$'\n'"$disjoint" check
+[[ $(<out) == *'line 4'* ]] || fail 'the line of an error'
+
+: >in
+expect 'no input' 0 '' check
+
+printf '%s\n' "$apart" >in
+cp in one
+printf '%s\nnonsense\n' "$overlapping" >two
+expect 'files' 65 "$disjoint"$'\n'"$intersecting"$'\n''.*"error":"two: line 2.*' check one two
+expect 'a file and standard input' 0 "$disjoint"$'\n'"$disjoint" check one -
+expect 'no such file' 1 "$disjoint" check missing one
+expect 'a folder' 1 '' check .
+expect 'text' 0 'line 1: disjoint; .*' check --text
+expect 'distance' 0 '.*"distance":\[[0-9.e-]+,[0-9.e-]+\].*' check --distance
+[[ $("$daylight" check <in) != *'"distance"'* ]] || fail 'a distance nobody asked for'
+expect 'another method' 0 '\{"verdict":"disjoint","method":"intersect"\}' check --method intersect
+expect 'an unknown method' 64 '' check --method nobody
+expect 'a name of several methods' 64 '' check --method nlopt
+expect 'a name that begins others' 0 '.*"disjoint".*"method":"fcl-libccd"\}' check --method fcl-libccd
+expect 'another method, nonsense in' 65 '.*"disjoint".*'$'\n''.*"intersecting".*'$'\n'"$invalid" check --method intersect one two
+
+expect 'no command' 64 ''
+expect 'an unknown command' 64 '' chekc
+[[ $(<err) == *"'chekc'"*check*families* ]] || fail 'an unknown command lists those there are'
+expect 'an unknown option' 64 '' check --nonsense
+expect 'a number that is none' 64 '' families random --count many
+expect 'version' 0 'daylight [0-9.]+ \(.*\)' --version
+for command in check families bench campaign replay; do
+  expect "help of $command" 0 '.*Example:.*' "$command" --help
+done
+
+expect 'families' 0 '.*random .*' families
+expect 'an unknown family' 64 '' families nobody
+expect 'pairs of a family' 0 '.*"id":"random/7/5".*'$'\n''.*"id":"random/7/6".*' families random --seed 7 --from 5 --count 2
+"$daylight" families random --count 1000 | "$daylight" check >out || fail 'a family through check'
+[[ $(wc -l <out) == 1000 ]] || fail 'a family through check: an answer a line'
+
+# An answer comes before the next question is asked.
+coproc "$daylight" check
+for _ in 1 2 3; do
+  printf '%s\n' "$apart" >&"${COPROC[1]}"
+  read -rt 20 answer <&"${COPROC[0]}" || { fail 'no answer until the input ends'; break; }
+done
+[[ $answer == '{"verdict":"disjoint",'* ]] || fail 'the answer in a conversation'
+exec {COPROC[1]}>&-
+
+# A reader that goes away is no error worth a word; a full disk is.
+(set +o pipefail; "$daylight" families random --count 100000 2>err | head -n 1 >out)
+[[ ! -s err && $(wc -l <out) == 1 ]] || fail 'a closed pipe'
+if [[ -w /dev/full ]]; then
+  code=0
+  "$daylight" families random >/dev/full 2>err || code=$?
+  [[ $code == 1 && -s err ]] || fail "a full disk: exit code $code"
+fi
+
+((failures == 0))
