@@ -95,6 +95,8 @@ class Distance final : public Method {
     if (const auto declined = decline_invalid(pair)) return *declined;
     const Solid a(pair.a), b(pair.b);
     fcl::DistanceResultd result;
+    // Where FCL gives up it leaves them as they were: uninitialised memory, another answer each time.
+    for (Vector3& point : result.nearest_points) point.setZero();
     const double distance = fcl::distance(&a.shape, a.pose, &b.shape, b.pose, request_, result);
     MethodAnswer answer;
     answer.status = Status::answered;
