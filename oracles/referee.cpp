@@ -70,14 +70,18 @@ Rational3 sum(const double head[3], const double tail[3]) {
   return {c(0), c(1), c(2)};
 }
 
-std::optional<Truth> check_direction_wide(const Pair& pair, const MethodAnswer& answer) {
-  if (answer.status != Status::answered || !finite(answer.head)) return std::nullopt;
+// A point on both surfaces proves that the solids meet, not that they overlap: it is left to the search.
+std::optional<Truth> check_exactly(const Pair& pair, const MethodAnswer& answer) {
+  if (answer.status != Status::answered || !finite(answer.head) || !finite(answer.tail)) return std::nullopt;
   if (answer.witness == WitnessKind::direction &&
       separates_wide(pair, sum(answer.head, no_tail), first_wide_bits))
     return proved(Verdict::disjoint, exact_vector(answer.head, no_tail), Stage::wide, first_wide_bits);
-  if (answer.witness == WitnessKind::point && in_both_exact(pair, sum(answer.head, answer.tail)))
-    return proved(Verdict::intersecting, exact_vector(answer.head, answer.tail), Stage::exact,
-                  first_wide_bits);
+  if (answer.witness == WitnessKind::point) {
+    const Rational3 point = sum(answer.head, answer.tail);
+    if (in_both_exact(pair, point) && interior_of_either(pair, point))
+      return proved(Verdict::intersecting, exact_vector(answer.head, answer.tail), Stage::exact,
+                    first_wide_bits);
+  }
   return std::nullopt;
 }
 
@@ -200,7 +204,7 @@ Truth judge(const Pair& pair, std::span<const MethodAnswer> offered, int bits_ca
   }
 
   for (const MethodAnswer& answer : offered)
-    if (auto t = check_direction_wide(pair, answer)) {
+    if (auto t = check_exactly(pair, answer)) {
       t->witnessed = true;
       return *t;
     }
@@ -225,7 +229,7 @@ Truth judge(const Pair& pair, std::span<const MethodAnswer> offered, int bits_ca
 
 Verdict check_witness(const Pair& pair, const MethodAnswer& answer) {
   if (auto t = check_by_filter(Filter(pair), answer)) return t->verdict;
-  if (auto t = check_direction_wide(pair, answer)) return t->verdict;
+  if (auto t = check_exactly(pair, answer)) return t->verdict;
   if (answer.status == Status::answered && answer.witness == WitnessKind::point && finite(answer.head) &&
       finite(answer.tail) && in_both_exact(pair, sum(answer.head, answer.tail)))
     return Verdict::intersecting;

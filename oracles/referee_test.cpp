@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <string>
@@ -10,6 +11,7 @@
 #include "corpus/families.hpp"
 #include "corpus/pair_io.hpp"
 #include "oracles/certificate.hpp"
+#include "oracles/exact.hpp"
 #include "oracles/tangency.hpp"
 #include "solver/decide.hpp"
 
@@ -91,13 +93,24 @@ TEST(Referee, SaysTouchingWhereAlgebraShowsIt) {
       R"({"a":{"center":[1,2,3],"axis":[1,2,3],"radius":0,"height":0},"b":{"center":[1,2,3],"axis":[1,0,0],"radius":0,"height":0}})",
       R"({"a":{"center":[0,0,0],"axis":[0,0,1],"radius":5,"height":2},"b":{"center":[3,4,1],"axis":[1,0,1],"radius":0,"height":0}})",
       R"({"a":{"center":[0,0,0],"axis":[0,0,1],"radius":5,"height":2},"b":{"center":[6,8,2],"axis":[0,0,1],"radius":5,"height":2}})",
-      // one segment along another
-      R"({"a":{"center":[0,0,0],"axis":[1,1,1],"radius":0,"height":2},"b":{"center":[0,0,0],"axis":[1,1,1],"radius":0,"height":4}})"};
+      // one segment along another; a disk on itself
+      R"({"a":{"center":[0,0,0],"axis":[1,1,1],"radius":0,"height":2},"b":{"center":[0,0,0],"axis":[1,1,1],"radius":0,"height":4}})",
+      R"({"a":{"center":[0,0,0],"axis":[0,0,1],"radius":2,"height":0},"b":{"center":[0,0,0],"axis":[0,0,1],"radius":2,"height":0}})"};
   for (const char* line : touching) {
     const Pair pair = pair_of(line);
     const Truth truth = judge(pair);
     EXPECT_EQ(truth.verdict, Verdict::touching) << line;
     expect_proved(pair, truth, line);
+    EXPECT_EQ(decide_exactly(pair.a, pair.b).verdict, Verdict::touching) << line;
+    // A witness that is the very point of contact shows that they meet, and no more.
+    if (truth.certificate.kind != CertificateKind::point) continue;
+    MethodAnswer witness;
+    witness.status = Status::answered;
+    witness.witness = WitnessKind::point;
+    std::copy_n(truth.certificate.vector.head.begin(), 3, witness.head);
+    std::copy_n(truth.certificate.vector.tail.begin(), 3, witness.tail);
+    EXPECT_EQ(check_witness(pair, witness), Verdict::intersecting) << line;
+    EXPECT_EQ(judge(pair, {&witness, 1}).verdict, Verdict::touching) << line;
   }
 }
 

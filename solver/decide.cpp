@@ -105,12 +105,12 @@ bool separates(const Scaled& p, const Vector3& d) noexcept {
   return f < -separation_error * length(d) * reach;
 }
 
-// x, from C0, lies in both solids beyond rounding.
+// x, from C0, lies inside both solids beyond rounding.
 bool in_both(const Scaled& p, const Vector3& x) noexcept {
   const Vector3 y = x - p.delta;
   const double e = membership_error * (length(x) + length(p.delta));
-  return std::fabs(dot(x, p.w0)) + e <= p.h0 && length(x.cross(p.w0)) + e <= p.r0 &&
-         std::fabs(dot(y, p.w1)) + e <= p.h1 && length(y.cross(p.w1)) + e <= p.r1;
+  return std::fabs(dot(x, p.w0)) + e < p.h0 && length(x.cross(p.w0)) + e < p.r0 &&
+         std::fabs(dot(y, p.w1)) + e < p.h1 && length(y.cross(p.w1)) + e < p.r1;
 }
 
 // The answer under construction: verdicts come out at once, or only where their certificate holds.
