@@ -63,6 +63,7 @@ Verdict slow_verdict(const Pair& pair, int resolution) {
   const Slow slow(pair);
   const Wide zero(0.0), one(1.0);
   const Wide least = slow.size * Wide(std::ldexp(1.0, -resolution));
+  const Wide rounding = slow.size * Wide(0x1p-240);  // f~ of an exact tie comes out as +- this
   // The ellipsoid {D : (D - c)' P^-1 (D - c) <= 1}, at first the unit ball.
   W3 c{zero, zero, zero};
   std::array<W3, 3> p = {W3{one, zero, zero}, W3{zero, one, zero}, W3{zero, zero, one}};
@@ -71,7 +72,7 @@ Verdict slow_verdict(const Pair& pair, int resolution) {
     const Wide outside = dot(c, c) - one;
     const bool in_ball = outside <= zero;
     if (in_ball) {
-      if (slow.evaluate(c, g) < zero) return Verdict::disjoint;
+      if (slow.evaluate(c, g) < -rounding) return Verdict::disjoint;
     } else {
       g = c;
     }
