@@ -60,7 +60,7 @@ class Batch {
  public:
   Batch(const Subjects& subjects, std::uint64_t seed)
       : subjects_(subjects), seed_(seed), by_family_(subjects.families.size() + 1) {
-    counts_.resize((methods() + 2) * by_family_.size());
+    counts_.resize(rows() * by_family_.size());
   }
 
   void work_on(std::uint64_t first, std::uint64_t next) {
@@ -82,7 +82,7 @@ class Batch {
 
   BatchRecord finish() {
     BatchRecord record;
-    for (std::size_t row = 0; row < methods() + 2; ++row) {
+    for (std::size_t row = 0; row < rows(); ++row) {
       for (std::size_t family = 0; family < by_family_.size(); ++family) {
         if (counts(row, family).asked == 0) continue;
         record.tallies.push_back({row_name(row), family_name(family), counts(row, family)});
@@ -102,6 +102,8 @@ class Batch {
   std::size_t methods() const { return subjects_.methods.size(); }
   std::size_t corpus_row_index() const { return methods(); }
   std::size_t referee_row_index() const { return methods() + 1; }
+  std::size_t stage_row_index(Stage stage) const { return methods() + 2 + static_cast<std::size_t>(stage); }
+  std::size_t rows() const { return methods() + 2 + stage_rows.size(); }
   std::uint64_t index_of(std::size_t p) const { return first_ + p; }
   unsigned share_of(std::size_t m) const { return std::max(1u, subjects_.methods[m]->share()); }
 
@@ -119,7 +121,8 @@ class Batch {
   }
   std::string row_name(std::size_t row) const {
     if (row < methods()) return std::string(subjects_.methods[row]->name());
-    return row == corpus_row_index() ? corpus_row : referee_row;
+    if (row == corpus_row_index()) return corpus_row;
+    return row == referee_row_index() ? referee_row : stage_rows[row - stage_row_index(Stage::filter)];
   }
   /// asked_ and wrong_ lie as answers_ does.
   std::size_t at(std::size_t m, std::size_t p) const { return p * methods() + m; }
@@ -180,10 +183,13 @@ class Batch {
   }
 
   void judge_all() {
-    for (std::size_t family = 0; family < by_family_.size(); ++family) {
+    for (std::size_t p = 0; p < pairs_.size(); ++p) {
       const auto start = Clock::now();
-      for (const std::size_t p : by_family_[family]) truths_[p] = judge(pairs_[p], answers_of(p));
-      counts(referee_row_index(), family).nanoseconds += nanoseconds_since(start);
+      truths_[p] = judge(pairs_[p], answers_of(p));
+      const auto spent = nanoseconds_since(start);
+      const std::size_t family = place_of(index_of(p)).family;
+      for (const std::size_t row : {referee_row_index(), stage_row_index(truths_[p].stage)})
+        counts(row, family).nanoseconds += spent;
     }
   }
 
@@ -229,6 +235,7 @@ class Batch {
     }
     if (family == 0) compare_statement(p);
     ++counts(referee_row_index(), family).asked;
+    ++counts(stage_row_index(truths_[p].stage), family).asked;
     if (truths_[p].verdict == Verdict::undecided) {
       ++counts(referee_row_index(), family).undecided;
       note(p, referee_row_index(), {FindingKind::undecided_truth, Severity::unresolved, {}});

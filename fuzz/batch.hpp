@@ -4,6 +4,7 @@
 // finds.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <memory>
 #include <span>
@@ -26,6 +27,8 @@ struct Subjects {
 /// Rows of the tally and the findings that are no method's: the cases' own statements of truth, the judge.
 inline constexpr const char* corpus_row = "corpus";
 inline constexpr const char* referee_row = "referee";
+/// How often each arithmetic had the last word, and its time; in the order of Stage.
+inline constexpr std::array<const char*, 3> stage_rows{"referee-filter", "referee-wide", "referee-exact"};
 /// The family name of the cases.
 inline constexpr const char* cases_family = "cases";
 

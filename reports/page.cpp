@@ -18,6 +18,7 @@
 #include "corpus/finding_words.hpp"
 #include "corpus/pair_io.hpp"
 #include "corpus/store.hpp"
+#include "fuzz/batch.hpp"
 #include "reports/tally_table.hpp"
 
 namespace cyl {
@@ -102,7 +103,7 @@ std::string headline(const std::vector<MethodTally>& tallies, const std::vector<
   std::size_t right = 0;
   for (const MethodTally& m : tallies) {
     const Counts& c = m.total;
-    if (m.method == "referee") continue;
+    if (m.method.starts_with(referee_row)) continue;
     if (c.contract + c.failed == 0) {
       ++right;
       continue;
@@ -122,7 +123,7 @@ std::string headline(const std::vector<MethodTally>& tallies, const std::vector<
 std::string facts(const Config& config, const Progress& progress, const std::vector<MethodTally>& tallies) {
   std::string undecided = "0";
   for (const MethodTally& m : tallies) {
-    if (m.method == "referee") undecided = grouped(m.total.undecided);
+    if (m.method == referee_row) undecided = grouped(m.total.undecided);
   }
   std::string text = fmt::format(
       "<p class=\"soft\">{} pairs, seed {}, begun {}, {:.0f} s of running time; truth undecided on {} pairs.",
@@ -201,7 +202,7 @@ std::string families_table(const std::vector<MethodTally>& tallies) {
       "within "
       "its claim; the redder, the larger their share.</p>\n<div class=\"wide\"><table>\n<tr><th>family</th>";
   for (const MethodTally& m : tallies) {
-    if (m.method == "referee") continue;
+    if (m.method.starts_with(referee_row)) continue;
     text += fmt::format("<th>{}</th>", escape_html(m.method));
     for (const TallyRecord& t : m.families) {
       if (std::find(families.begin(), families.end(), t.family) == families.end())
@@ -213,7 +214,7 @@ std::string families_table(const std::vector<MethodTally>& tallies) {
   for (const std::string& family : families) {
     text += fmt::format("<tr><td>{}</td>", escape_html(family));
     for (const MethodTally& m : tallies) {
-      if (m.method != "referee") text += family_cell(at[family][m.method]);
+      if (!m.method.starts_with(referee_row)) text += family_cell(at[family][m.method]);
     }
     text += "</tr>\n";
   }

@@ -5,6 +5,8 @@
 
 #include <algorithm>
 
+#include "fuzz/batch.hpp"
+
 namespace cyl {
 namespace {
 
@@ -35,9 +37,9 @@ std::vector<MethodTally> tally_methods(const RunStore& store) {
     found->total += t.counts;
     found->families.push_back(t);
   }
-  for (const char* last : {"corpus", "referee"}) {
-    std::stable_partition(all.begin(), all.end(), [&](const MethodTally& m) { return m.method != last; });
-  }
+  std::stable_partition(all.begin(), all.end(), [](const MethodTally& m) {
+    return m.method != corpus_row && !m.method.starts_with(referee_row);
+  });
   return all;
 }
 
