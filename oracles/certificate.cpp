@@ -114,8 +114,7 @@ bool Filter::in_both(const double head[3], const double tail[3]) const {
 
 Rational3 exact(const Vector3& v) { return {mpq_class(v.x()), mpq_class(v.y()), mpq_class(v.z())}; }
 
-bool separates_wide(const Pair& pair, const Rational3& direction, int bits) {
-  if (direction.x == 0 && direction.y == 0 && direction.z == 0) return false;
+int support_gap_sign(const Pair& pair, const Rational3& direction, int bits) {
   const WidePrecision precision(bits);
   auto interval = [](const Rational3& v) {
     return Vec3<WideInterval>{WideInterval(v.x), WideInterval(v.y), WideInterval(v.z)};
@@ -125,11 +124,16 @@ bool separates_wide(const Pair& pair, const Rational3& direction, int bits) {
     return w / length(w);
   };
   const WideInterval two(2.0);
-  return support_gap_of(interval(direction), unit(pair.a), WideInterval(pair.a.radius),
-                        WideInterval(pair.a.height) / two, unit(pair.b), WideInterval(pair.b.radius),
-                        WideInterval(pair.b.height) / two,
-                        interval(exact(pair.b.center) - exact(pair.a.center)))
-      .negative();
+  const WideInterval f = support_gap_of(interval(direction), unit(pair.a), WideInterval(pair.a.radius),
+                                        WideInterval(pair.a.height) / two, unit(pair.b),
+                                        WideInterval(pair.b.radius), WideInterval(pair.b.height) / two,
+                                        interval(exact(pair.b.center) - exact(pair.a.center)));
+  return f.negative() ? -1 : f.positive() ? 1 : 0;
+}
+
+bool separates_wide(const Pair& pair, const Rational3& direction, int bits) {
+  if (direction.x == 0 && direction.y == 0 && direction.z == 0) return false;
+  return support_gap_sign(pair, direction, bits) < 0;
 }
 
 namespace {

@@ -44,6 +44,9 @@ class Filter {
   Vec3<Interval> delta_;
 };
 
+/// The sign of f(direction), direction not 0, in MPFI at the given precision; 0 where that does not tell.
+int support_gap_sign(const Pair& pair, const Rational3& direction, int bits);
+
 /// f(direction) < 0 for certain, in MPFI at the given precision.
 bool separates_wide(const Pair& pair, const Rational3& direction, int bits);
 

@@ -10,6 +10,8 @@ namespace {
 
 using Root3 = Vec3<RootSum>;
 
+constexpr int screening_bits = 128;  // most candidates are far from f(D) = 0, and MPFI shows it cheaply
+
 bool is_zero(const Rational3& v) { return v.x == 0 && v.y == 0 && v.z == 0; }
 
 Rational3 off(const Rational3& v, const Rational3& axis) {
@@ -141,7 +143,7 @@ std::optional<Tangency> prove_tangency(const Pair& pair, const Rational3& near_p
   for (Rational3& d : candidates) {
     if (is_zero(d)) continue;
     if (dot(d, delta) < 0) d = mpq_class(-1) * d;
-    if (support_gap(pair, d, delta).sign() != 0) continue;
+    if (support_gap_sign(pair, d, screening_bits) != 0 || support_gap(pair, d, delta).sign() != 0) continue;
     const Rational3 back = mpq_class(-1) * d;
     const Face f = face(pair.a, d), g = face(pair.b, back);
     return Tangency{d, faces_meet(f, g, lift(delta) + g.center - f.center)};
