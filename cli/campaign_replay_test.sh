@@ -39,7 +39,7 @@ holds 'the page is named' out 'runs/ours/report.html'
 [[ -s runs/ours/report.html && $(readlink runs/latest) == ours ]] || holds 'page and latest' out '^report.html and runs/latest$'
 
 expect 2 'a library beyond its claim' "$daylight" "${run[@]}" --methods fcl-libccd --families tiny_and_huge --out runs/fcl
-holds 'the worst is named' out '^the worst, fcl-libccd wrong_[a-z]+ \(contract\): daylight replay runs/fcl:[0-9]+$'
+holds 'the worst is named' out '^the worst, fcl-libccd wrong_[a-z]+ \(contract\): \./daylight replay runs/fcl:[0-9]+$'
 worst=$(sed -n 's/^the worst.* //p' out)
 
 expect 2 'the worst stands' "$daylight" replay "$worst"

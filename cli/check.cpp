@@ -50,6 +50,7 @@ Reply malformed(const CaseLine& c, const std::string& file, bool text) {
 }
 
 std::string describe(Verdict verdict, const Enclosure& d) {
+  if (verdict == Verdict::touching) return "";
   const bool apart = verdict == Verdict::disjoint;
   return fmt::format(", {} to {} {}", format_double(apart ? d.lo : -d.hi),
                      format_double(apart ? d.hi : -d.lo), apart ? "apart" : "deep");

@@ -43,6 +43,13 @@ double reach(const Claim& claim, double size) {
   return (relative_part + claim.absolute) * (1 + rounding_tol);
 }
 
+/// The pair's own margin, for what went wrong whatever the distance; none where nothing is proved.
+std::optional<Enclosure> margin_of(const Pair& pair, const Truth& truth, LazyDistance& distance) {
+  if (truth.verdict == Verdict::undecided || truth.verdict == Verdict::invalid) return {};
+  if (truth.verdict == Verdict::touching) return Enclosure{0, 0};
+  return relative_to(size_of(pair), magnitude(distance.at(widest)));
+}
+
 Finding refuted(FindingKind kind, const Pair& pair, const Truth& truth, LazyDistance& distance,
                 const Claim& claim) {
   const double size = size_of(pair), promised_from = reach(claim, size);
@@ -63,7 +70,7 @@ std::optional<Finding> compare_verdict(const Pair& pair, const Truth& truth, Laz
     case Verdict::undecided:
       return {};
     case Verdict::invalid:
-      return Finding{FindingKind::wrong_invalid, Severity::contract, {}};
+      return Finding{FindingKind::wrong_invalid, Severity::contract, margin_of(pair, truth, distance)};
     case Verdict::disjoint:
       if (disjoint) return {};
       return refuted(FindingKind::wrong_disjoint, pair, truth, distance, claim);
@@ -148,8 +155,10 @@ const Enclosure& LazyDistance::at(double relative_width) {
 std::optional<Finding> compare(const Pair& pair, const Truth& truth, LazyDistance& distance,
                                const Claim& claim, const MethodAnswer& answer) {
   if (answer.status == Status::declined) return {};
-  if (answer.status == Status::failed) return Finding{kind_of(answer.failure), Severity::contract, {}};
-  if (!finite(answer)) return Finding{FindingKind::non_finite, Severity::contract, {}};
+  if (answer.status == Status::failed)
+    return Finding{kind_of(answer.failure), Severity::contract, margin_of(pair, truth, distance)};
+  if (!finite(answer))
+    return Finding{FindingKind::non_finite, Severity::contract, margin_of(pair, truth, distance)};
   if (truth.verdict == Verdict::undecided || truth.verdict == Verdict::invalid) return {};
   if (auto wrong = compare_verdict(pair, truth, distance, claim, answer.verdict)) return wrong;
   if (!witness_holds(pair, truth, answer))

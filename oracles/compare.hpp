@@ -35,7 +35,7 @@ enum class Severity : unsigned char {
 };
 
 /// How wrong, relative to size_of(pair): |distance| of the pair for a verdict or a witness, |said - distance|
-/// for a distance. Kinds that have no such number have no margin.
+/// for a distance. None where the truth is undecided.
 struct Finding {
   FindingKind kind;
   Severity severity;

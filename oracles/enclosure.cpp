@@ -119,9 +119,10 @@ class Search {
       if (!on_circle[i]) y = y + (t < 0 ? -s.half : s.half) * s.axis;
       if (!at_axis[i] && spread > 0) {
         // Near the axis the difference has lost digits: square to the axis again, or the point would leave
-        // the rim.
+        // the rim; where nearly all was lost the middle of the cap serves.
         const Vec out = (1 / spread) * radial, flat = out - dot(out, s.axis) * s.axis;
-        y = y + (s.radius / length(flat)) * flat;
+        const double kept = length(flat);
+        if (kept > 0.5) y = y + (s.radius / kept) * flat;
       }
     }
     std::array<double, 2> slide{};

@@ -60,7 +60,9 @@ bool out_of_order(const Prepared& a, const Prepared& b) noexcept {
   return false;
 }
 
-// The pair in its own unit, 2^exponent, in which the largest of radii, heights and |Delta| is in [1, 2).
+// The pair in a unit of 2^exponent in which nothing below overflows or loses digits to underflow: the scene's
+// own where both solids are ordinary (prepare), else the one in which the largest of radii, heights and
+// |Delta| is in [1, 2). Powers of two change no digit, so which of the two it is cannot be seen in an answer.
 struct Scaled {
   const Vector3 &w0, &w1;
   Vector3 delta;
@@ -68,7 +70,14 @@ struct Scaled {
   int exponent;
 };
 
+// Both ordinary.
+Scaled as_it_is(const Prepared& a, const Prepared& b) noexcept {
+  return {a.unit_axis,    b.unit_axis, b.center - a.center, a.radius,
+          a.height * 0.5, b.radius,    b.height * 0.5,      0};
+}
+
 Scaled scale(const Prepared& a, const Prepared& b) noexcept {
+  if (a.ordinary && b.ordinary) return as_it_is(a, b);
   const double farthest = max(max_abs(a.center), max_abs(b.center));
   const double widest = max(max(a.radius, b.radius), max(a.height, b.height));
   Vector3 delta = b.center - a.center;
@@ -255,41 +264,82 @@ bool common_point(const Scaled& p, const Vector3& m0, const Vector3& m1, double 
   return true;
 }
 
-// `cross` is 2 w0 x w1 up to sign, `square` its squared length, `c` = |w0.w1|.
+// w0 x w1 from the sum and the difference of the axes (one taken backwards where they are opposite): those
+// two are perpendicular, so their cross product is accurate relative to its own length, however small the
+// angle. Swapping the roles or reversing an axis changes at most the signs of `sum` and `cross`.
+struct Axes {
+  Axes(const Vector3& w0, const Vector3& w1) noexcept : cosine(dot(w0, w1)) {
+    const Vector3 aligned = w1 * std::copysign(1.0, cosine);  // no branch: the data would decide it
+    sum = w0 + aligned;
+    cross = (w0 - aligned).cross(sum);
+    square = dot(cross, cross);
+  }
+  // Below an angle of 2^-450 the square would lose digits; no double tells such axes from parallel.
+  bool parallel() const noexcept { return square < 0x1p-900; }
+
+  double cosine;
+  Vector3 sum, cross;  // cross = 2 w0 x w1 up to sign
+  double square;       // |cross|^2
+};
+
+// Axes that are not parallel: the common normal and what the slices need of it.
+struct Frame {
+  Frame(const Scaled& p, const Axes& axes) noexcept {
+    const double length = std::sqrt(axes.square), inverse = 1 / length, beside = dot(p.delta, axes.cross);
+    s = length / 2;
+    c = std::fabs(axes.cosine);
+    n = axes.cross * std::copysign(inverse, beside);
+    z = std::fabs(beside) * inverse;
+    m0 = p.w0.cross(n);
+    m1 = p.w1.cross(n);
+    d[0] = dot(p.delta, p.w0);
+    d[1] = dot(p.delta, p.w1);
+    d[2] = dot(p.delta, m0);
+    d[3] = dot(p.delta, m1);
+    pieces[0] = {0, s, std::fabs(d[0]) - p.h0 - p.h1 * c};
+    pieces[1] = {s, 0, std::fabs(d[1]) - p.h1 - p.h0 * c};
+    pieces[2] = {1, c, std::fabs(d[2]) - p.h1 * s};
+    pieces[3] = {c, 1, std::fabs(d[3]) - p.h0 * s};
+    most[0] = s * p.r1;
+    most[1] = s * p.r0;
+    most[2] = p.r0 + c * p.r1;
+    most[3] = c * p.r0 + p.r1;
+  }
+
+  Vector3 n, m0, m1;  // n.Delta >= 0
+  double z, s, c;
+  double d[4];      // Delta along w0, w1, m0, m1
+  Piece pieces[4];  // in that order
+  double most[4];   // of a b0 + b b1
+};
+
+// Five rejections in one branch and one slice in another: they decide most pairs, and a branch that the data
+// decides costs more than the arithmetic. At u = z r0/(r0 + r1) both widths are their radius times sqrt(1 -
+// (z/(r0 + r1))^2). Symmetric in the roles bit for bit, as Frame is.
+Verdict at_first_sight(const Scaled& p, const Frame& f) noexcept {
+  const double radii = p.r0 + p.r1, share = f.z / radii, q = std::sqrt((1 - share) * (1 + share));
+  const bool apart = (f.z > radii) | (f.pieces[0].k > f.most[0]) | (f.pieces[1].k > f.most[1]) |
+                     (f.pieces[2].k > f.most[2]) | (f.pieces[3].k > f.most[3]);
+  const bool met = (f.pieces[0].k <= q * f.most[0]) & (f.pieces[1].k <= q * f.most[1]) &
+                   (f.pieces[2].k <= q * f.most[2]) & (f.pieces[3].k <= q * f.most[3]);
+  if (apart | met) return apart ? Verdict::disjoint : Verdict::intersecting;
+  return Verdict::undecided;
+}
+
 template <bool prove>
-void decide_crossing(Attempt<prove>& attempt, const Vector3& cross, double square, double c) noexcept {
+void decide_crossing(Attempt<prove>& attempt, const Frame& f) noexcept {
   const Scaled& p = attempt.p;
-  const double radii = p.r0 + p.r1;
-
-  // Three of the five rejections compare squares, before any root is taken.
-  double d[4] = {dot(p.delta, p.w0), dot(p.delta, p.w1), 0, 0};
-  const double k0 = std::fabs(d[0]) - p.h0 - p.h1 * c, k1 = std::fabs(d[1]) - p.h1 - p.h0 * c;
-  const double beside = dot(p.delta, cross);
-  if (k0 > 0 && 4 * k0 * k0 > square * (p.r1 * p.r1) &&
-      attempt.disjoint([&] { return d[0] < 0 ? Vector3(-p.w0) : p.w0; }))
-    return;
-  if (k1 > 0 && 4 * k1 * k1 > square * (p.r0 * p.r0) &&
-      attempt.disjoint([&] { return d[1] < 0 ? Vector3(-p.w1) : p.w1; }))
-    return;
-  const double cross_length = std::sqrt(square);
-  const double inverse = (beside < 0 ? -1 : 1) / cross_length;
-  const Vector3 n = cross * inverse;
-  const double z = std::fabs(beside) / cross_length, s = cross_length / 2;
-  if (z > radii && attempt.disjoint([&] { return n; })) return;
-
-  const Vector3 m0 = p.w0.cross(n), m1 = p.w1.cross(n);
-  d[2] = dot(p.delta, m0);
-  d[3] = dot(p.delta, m1);
+  const Vector3 &n = f.n, &m0 = f.m0, &m1 = f.m1;
+  const double z = f.z, radii = p.r0 + p.r1;
+  const Piece* pieces = f.pieces;
   // e_j, pointing from a to b.
   auto e = [&](int j) {
     const Vector3& axis = j == 0 ? p.w0 : j == 1 ? p.w1 : j == 2 ? m0 : m1;
-    return d[j] < 0 ? Vector3(-axis) : axis;
+    return f.d[j] < 0 ? Vector3(-axis) : axis;
   };
-  const Piece pieces[4] = {
-      {0, s, k0}, {s, 0, k1}, {1, c, std::fabs(d[2]) - p.h1 * s}, {c, 1, std::fabs(d[3]) - p.h0 * s}};
-  for (int j = 2; j < 4; ++j)
-    if (pieces[j].k > pieces[j].a * p.r0 + pieces[j].b * p.r1 && attempt.disjoint([&] { return e(j); }))
-      return;
+  if (z > radii && attempt.disjoint([&] { return n; })) return;
+  for (int j = 0; j < 4; ++j)
+    if (pieces[j].k > f.most[j] && attempt.disjoint([&] { return e(j); })) return;
 
   const double lo = max(-p.r0, z - p.r1), hi = min(p.r0, z + p.r1);
   if (lo > hi) {
@@ -379,29 +429,21 @@ void decide_crossing(Attempt<prove>& attempt, const Vector3& cross, double squar
 
 template <bool prove>
 Answer run(const Prepared& a, const Prepared& b) noexcept {
-  if (a.defect != Defect::none || b.defect != Defect::none) {
-    Answer answer;
+  Answer answer;
+  if ((a.defect != Defect::none) | (b.defect != Defect::none)) {
     answer.verdict = Verdict::invalid;
     return answer;
   }
+  const Axes axes(a.unit_axis, b.unit_axis);
   const bool swapped = out_of_order(a, b);
   const Prepared& first = swapped ? b : a;
   const Prepared& second = swapped ? a : b;
   const Scaled p = scale(first, second);
-  Attempt<prove> attempt{p, first.center, {}};
-
-  // w0 x w1 from the sum and the difference of the axes (one taken backwards where they are opposite): those
-  // two are perpendicular, so their cross product is accurate relative to its own length, however small the
-  // angle. Below 2^-450 the square of its length would lose digits; no double tells such axes from parallel.
-  const double cosine = dot(p.w0, p.w1);
-  const Vector3 w1 = cosine < 0 ? Vector3(-p.w1) : p.w1;
-  const Vector3 sum = p.w0 + w1;
-  const Vector3 cross = (p.w0 - w1).cross(sum);
-  const double square = dot(cross, cross);
-  if (square < 0x1p-900)
-    decide_parallel(attempt, sum);
+  Attempt<prove> attempt{p, first.center, answer};
+  if (axes.parallel())
+    decide_parallel(attempt, axes.sum);
   else
-    decide_crossing(attempt, cross, square, std::fabs(cosine));
+    decide_crossing(attempt, Frame(p, axes));
   if (swapped) attempt.answer.direction = -attempt.answer.direction;
   return attempt.answer;
 }
@@ -409,7 +451,7 @@ Answer run(const Prepared& a, const Prepared& b) noexcept {
 }  // namespace
 
 Prepared prepare(const Cylinder& c) noexcept {
-  Prepared p{c.center, {0, 0, 1}, c.radius, c.height, find_defect(c)};
+  Prepared p{c.center, {0, 0, 1}, c.radius, c.height, find_defect(c), false};
   if (p.defect != Defect::none) return p;
   // By powers of two until the largest coordinate is in [1, 2): squares neither overflow nor vanish.
   double most = max_abs(c.axis);
@@ -421,10 +463,28 @@ Prepared prepare(const Cylinder& c) noexcept {
   const int exponent = exponent_of(most);
   w *= exponent > 1022 ? 0x1p-1022 : power_of_two(-exponent);
   p.unit_axis = w / length(w);
+  // Coordinates below 2^-200 go: no angle shows them, and products with them could underflow.
+  for (int i = 0; i < 3; ++i)
+    if (std::fabs(p.unit_axis[i]) < 0x1p-200) p.unit_axis[i] = 0;
+
+  auto within = [](double x, double limit) {
+    const double size = std::fabs(x);
+    return (size == 0) | ((size >= 1 / limit) & (size <= limit));
+  };
+  p.ordinary = within(c.center.x(), 0x1p250) & within(c.center.y(), 0x1p250) & within(c.center.z(), 0x1p250) &
+               within(c.radius, 0x1p200) & within(c.height, 0x1p200);
   return p;
 }
 
-Verdict intersect(const Prepared& a, const Prepared& b) noexcept { return run<false>(a, b).verdict; }
+Verdict intersect(const Prepared& a, const Prepared& b) noexcept {
+  const Axes axes(a.unit_axis, b.unit_axis);
+  if (a.ordinary && b.ordinary && !axes.parallel()) {
+    const Scaled p = as_it_is(a, b);
+    const Verdict seen = at_first_sight(p, Frame(p, axes));
+    if (seen != Verdict::undecided) return seen;
+  }
+  return run<false>(a, b).verdict;
+}
 Verdict intersect(const Cylinder& a, const Cylinder& b) noexcept { return intersect(prepare(a), prepare(b)); }
 Answer decide(const Prepared& a, const Prepared& b) noexcept { return run<true>(a, b); }
 Answer decide(const Cylinder& a, const Cylinder& b) noexcept { return decide(prepare(a), prepare(b)); }

@@ -14,6 +14,7 @@ struct Prepared {
   double radius;      ///< as given
   double height;      ///< as given
   Defect defect;      ///< not none: every call answers `invalid`
+  bool ordinary;      ///< all numbers 0 or so near 1 that no product in a decision over- or underflows
 };
 
 /// Bounds of rounding, as multiples of lengths; derived in derivation.md, section 6.
