@@ -202,8 +202,8 @@ int campaign(const Arguments& arguments) {
   fmt::print("{}", format_tallies(tally_methods(store)));
   fmt::print("{} pairs; page: {}/report.html\n", summary.progress.done, options.out);
   if (const auto worst = worst_finding(store)) {
-    fmt::print("the worst, {} {} ({}): ./daylight replay {}:{}\n", worst->method, worst->kind, worst->severity,
-               options.out, worst->id);
+    fmt::print("the worst, {} {} ({}): ./daylight replay {}:{}\n", worst->method, worst->kind,
+               worst->severity, options.out, worst->id);
   }
   if (!summary.harness_failure.empty()) fmt::print(stderr, "daylight: {}\n", summary.harness_failure);
   if (summary.interrupted)
