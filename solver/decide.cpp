@@ -117,7 +117,7 @@ bool separates(const Scaled& p, const Vector3& d) noexcept {
 // x, from C0, lies inside both solids beyond rounding.
 bool in_both(const Scaled& p, const Vector3& x) noexcept {
   const Vector3 y = x - p.delta;
-  const double e = membership_error * (length(x) + length(p.delta));
+  const double e = membership_error * (length(x) + length(p.delta)) + underflow_error;
   return std::fabs(dot(x, p.w0)) + e < p.h0 && length(x.cross(p.w0)) + e < p.r0 &&
          std::fabs(dot(y, p.w1)) + e < p.h1 && length(y.cross(p.w1)) + e < p.r1;
 }

@@ -22,8 +22,10 @@ inline constexpr double unit_roundoff_error = 0x1p-53;              ///< of one 
 inline constexpr double unit_axis_error = 4 * unit_roundoff_error;  ///< of unit_axis, as a vector's length
 inline constexpr double separation_error =
     16 * unit_roundoff_error;  ///< of f(D), times |D| (r0+h0/2+r1+h1/2+|Delta|)
-inline constexpr double membership_error = 16 * unit_roundoff_error;  ///< of a point's distances to axis and
-                                                                      ///< middle plane, times |x| + |Delta|
+inline constexpr double membership_error =
+    16 * unit_roundoff_error;  ///< of a point's distances to axis and middle plane, times |x| + |Delta|
+inline constexpr double underflow_error =
+    0x1p-500;  ///< of the same distances, where squares vanish; in units of the pair's largest length
 
 /// Tangent steps before `undecided`. The bracket halves at least every third step and 53 halvings exhaust a
 /// double, so the cap is never reached; it is what makes that claim checkable.
