@@ -20,7 +20,7 @@ constexpr double widths[] = {1e-6, 1e-9, 1e-12, 1e-15, 1e-18};
 constexpr double widest = widths[0], narrowest = widths[std::size(widths) - 1];
 /// Relative. Covers the rounding of size_of (3 sums), of a claim (2 operations) and of a quotient, 2^-53
 /// each.
-constexpr double rounding_tol = 0x1p-50;
+constexpr double rounding_error = 0x1p-50;
 
 Enclosure magnitude(const Enclosure& d) {
   if (d.lo > 0) return d;
@@ -31,8 +31,8 @@ Enclosure magnitude(const Enclosure& d) {
 Enclosure relative_to(double size, const Enclosure& length) {
   constexpr double infinity = std::numeric_limits<double>::infinity();
   if (size == 0) return {length.lo > 0 ? infinity : 0, length.hi > 0 ? infinity : 0};
-  const double hi = length.hi / size * (1 + rounding_tol);
-  return {length.lo / size * (1 - rounding_tol), std::isnan(hi) ? infinity : hi};
+  const double hi = length.hi / size * (1 + rounding_error);
+  return {length.lo / size * (1 - rounding_error), std::isnan(hi) ? infinity : hi};
 }
 
 /// The length below which the claim promises nothing, rounded up; exactly 0 for a claim of 0/0.
@@ -40,7 +40,7 @@ double reach(const Claim& claim, double size) {
   if (claim.relative == 0 || size == 0) return claim.absolute;
   // Of subnormal solids the product may vanish.
   const double relative_part = std::max(claim.relative * size, std::numeric_limits<double>::denorm_min());
-  return (relative_part + claim.absolute) * (1 + rounding_tol);
+  return (relative_part + claim.absolute) * (1 + rounding_error);
 }
 
 /// The pair's own margin, for what went wrong whatever the distance; none where nothing is proved.
@@ -94,7 +94,7 @@ std::optional<Finding> compare_distance(const Pair& pair, const Truth& truth, La
   const Enclosure off{std::max({0.0, real.lo - said, said - real.hi}),
                       std::max(real.hi - said, said - real.lo)};
   // A claim of 0/0 promises a rounded number: one unit in the last place of the larger length is no fault.
-  const double last_place = std::max(std::abs(said), size) * rounding_tol;
+  const double last_place = std::max(std::abs(said), size) * rounding_error;
   if (off.lo <= std::max(allowed, last_place)) return {};
   return Finding{FindingKind::distance_outside, Severity::contract, relative_to(size, off)};
 }
@@ -161,10 +161,14 @@ std::optional<Finding> compare(const Pair& pair, const Truth& truth, LazyDistanc
     return Finding{FindingKind::non_finite, Severity::contract, margin_of(pair, truth, distance)};
   if (truth.verdict == Verdict::undecided || truth.verdict == Verdict::invalid) return {};
   if (auto wrong = compare_verdict(pair, truth, distance, claim, answer.verdict)) return wrong;
-  if (!witness_holds(pair, truth, answer))
-    return refuted(FindingKind::bad_witness, pair, truth, distance, claim);
-  if (answer.has_distance) return compare_distance(pair, truth, distance, claim, answer.distance);
-  return {};
+  if (answer.has_distance)
+    if (auto wrong = compare_distance(pair, truth, distance, claim, answer.distance)) return wrong;
+  if (witness_holds(pair, truth, answer)) return {};
+  // Only who claims to be always right promises a proof. Of nearest points that are right within a tolerance
+  // the difference need not separate.
+  Finding wrong = refuted(FindingKind::bad_witness, pair, truth, distance, claim);
+  if (claim.relative > 0 || claim.absolute > 0) wrong.severity = Severity::resolution;
+  return wrong;
 }
 
 bool same_answer(const MethodAnswer& x, const MethodAnswer& y) {

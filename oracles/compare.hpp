@@ -18,7 +18,7 @@ enum class FindingKind : unsigned char {
   wrong_intersecting,  ///< said intersecting or touching of a pair with daylight between
   wrong_touching,      ///< said touching of a pair whose distance is certainly not 0
   wrong_invalid,       ///< said invalid of a legal pair
-  bad_witness,         ///< the verdict is right, the witness it offered does not prove it
+  bad_witness,         ///< verdict and distance are right, the witness it offered does not prove the verdict
   distance_outside,    ///< its distance is outside the certified enclosure by more than its claim
   non_finite,          ///< an infinite or NaN distance or witness
   exception,

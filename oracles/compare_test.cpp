@@ -212,7 +212,11 @@ TEST(Compare, AWitnessMustProveWhatWasSaid) {
   ASSERT_TRUE(finding);
   EXPECT_EQ(finding->kind, FindingKind::bad_witness);
   EXPECT_EQ(finding->severity, Severity::contract);
-  EXPECT_EQ(judged(Verdict::disjoint, 0.5, {0, 0.6, ""}, direction)->severity, Severity::resolution);
+  // Who claims a tolerance, however small, has not promised a proof.
+  EXPECT_EQ(judged(Verdict::disjoint, 0.5, {0, 1e-9, ""}, direction)->severity, Severity::resolution);
+  direction.has_distance = true;
+  direction.distance = 3;
+  EXPECT_EQ(judged(Verdict::disjoint, 0.5, {0, 1e-9, ""}, direction)->kind, FindingKind::distance_outside);
 
   MethodAnswer point = said(Verdict::intersecting);
   point.witness = WitnessKind::point;
