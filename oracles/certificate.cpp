@@ -80,12 +80,6 @@ Filter::Filter(const Pair& pair) {
   usable_ = exact;
 }
 
-Interval Filter::support_gap(const Vec3<Interval>& d) const {
-  return support_gap_of(d, a_.unit_axis, Interval(a_.radius), Interval(a_.height / 2), b_.unit_axis,
-                        Interval(b_.radius), Interval(b_.height / 2), delta_) /
-         length(d);
-}
-
 bool Filter::separates(const double direction[3]) const {
   if (!usable_) return false;
   const Vec3<double> given{direction[0], direction[1], direction[2]};

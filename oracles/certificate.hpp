@@ -29,9 +29,6 @@ class Filter {
   /// head + tail, exactly, is in both solids for certain.
   bool in_both(const double head[3], const double tail[3]) const;
 
-  /// An interval that holds f(direction)/|direction|, in the filter's unit.
-  Interval support_gap(const Vec3<Interval>& direction) const;
-
  private:
   struct Solid {
     Vec3<double> center;  // in the filter's unit

@@ -115,8 +115,8 @@ bool is_certificate(const Truth& truth, const MethodAnswer& answer) {
   const CertificateKind kind =
       answer.witness == WitnessKind::direction ? CertificateKind::direction : CertificateKind::point;
   const ExactVector& v = truth.certificate.vector;
-  return truth.certificate.kind == kind && v.exact[0].empty() && same_bits(v.head.data(), answer.head) &&
-         same_bits(v.tail.data(), answer.tail);
+  return truth.certificate.kind == kind && v.exact[0].empty() && v.exact[1].empty() && v.exact[2].empty() &&
+         same_bits(v.head.data(), answer.head) && same_bits(v.tail.data(), answer.tail);
 }
 
 /// Whether the witness, if any, proves the verdict that was said. A direction says nothing about touching.

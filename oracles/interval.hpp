@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Closed intervals of doubles, every operation rounded outward by one unit in the last place of the nearest
-// result. Needs only that + - * / sqrt round to nearest. A result that overflows or is not a number becomes
-// [-inf, inf], which proves nothing.
+// result. Needs only that + - * / sqrt round to nearest. An overflow makes an end infinite; a
+// result that is not a number becomes [-inf, inf], which proves nothing.
 #pragma once
 
 #include <algorithm>

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
 
 #include "corpus/pair_io.hpp"
@@ -228,6 +229,7 @@ Truth judge(const Pair& pair, std::span<const MethodAnswer> offered, int bits_ca
 }
 
 Verdict check_witness(const Pair& pair, const MethodAnswer& answer) {
+  if (find_defect(pair.a) != Defect::none || find_defect(pair.b) != Defect::none) return Verdict::undecided;
   if (auto t = check_by_filter(Filter(pair), answer)) return t->verdict;
   if (auto t = check_exactly(pair, answer)) return t->verdict;
   if (answer.status == Status::answered && answer.witness == WitnessKind::point && finite(answer.head) &&
@@ -236,7 +238,10 @@ Verdict check_witness(const Pair& pair, const MethodAnswer& answer) {
   return Verdict::undecided;
 }
 
-double size_of(const Pair& pair) { return pair.a.radius + pair.a.height + pair.b.radius + pair.b.height; }
+double size_of(const Pair& pair) {
+  return std::min(pair.a.radius + pair.a.height + pair.b.radius + pair.b.height,
+                  std::numeric_limits<double>::max());
+}
 
 namespace {
 

@@ -54,9 +54,10 @@ struct Enclosure {
 inline constexpr int precision_cap = 4096;
 
 /// Proves the verdict of a pair: first from the witnesses offered, else by a search of its own.
-/// Deterministic. Never throws; an invalid pair gives `invalid`. `undecided` only at the cap on precision: an
-/// exact tangency that could not be proved. Cost: 0.3 us with a witness, a few us without, 0.1 ms and up
-/// where the gap is below double's reach.
+/// Deterministic. Never throws; an invalid pair gives `invalid`. `undecided` only at the cap on precision: a
+/// tangency that could not be proved, or a gap too small for that many bits to show. Cost: below 1 us with a
+/// witness and about that without, 0.1 ms where double does not reach, some ms for exact ties, 0.2 s for
+/// lengths hundreds of decades apart.
 Truth judge(const Pair& pair, std::span<const MethodAnswer> offered = {}, int bits_cap = precision_cap);
 
 /// Widths asked of an enclosure, relative to the pair's size: apart the problem is convex, penetrating it is
@@ -74,7 +75,7 @@ Enclosure enclose_distance(const Pair& pair, const Truth& truth, double relative
 /// Whether a witness proves a verdict: `disjoint`, `intersecting`, or `undecided` where it proves nothing.
 Verdict check_witness(const Pair& pair, const MethodAnswer& answer);
 
-/// radius a + height a + radius b + height b, rounded (the unit of margins).
+/// radius a + height a + radius b + height b, rounded, at most the largest double (the unit of margins).
 double size_of(const Pair& pair);
 
 /// One JSON object: {"verdict":"disjoint","direction":[x,y,z],"stage":"filter"} and so on; `distance` may be

@@ -8,6 +8,7 @@
 #include <map>
 #include <string>
 
+#include "corpus/case_files.hpp"
 #include "corpus/families.hpp"
 #include "corpus/pair_io.hpp"
 #include "oracles/certificate.hpp"
@@ -114,6 +115,21 @@ TEST(Referee, SaysTouchingWhereAlgebraShowsIt) {
   }
 }
 
+TEST(Referee, AgreesWithOurSolverOnEveryCase) {
+  int decided = 0;
+  for (const Case& c : read_case_folder(DAYLIGHT_SOURCE_DIR "/corpus")) {
+    const Truth truth = judge(c.pair);
+    EXPECT_EQ(truth.verdict, *c.truth) << c.id;
+    expect_proved(c.pair, truth, c.id);
+    const Verdict said = decide(c.pair.a, c.pair.b).verdict;
+    if (said == Verdict::undecided) continue;
+    ++decided;
+    EXPECT_EQ(said == Verdict::disjoint, truth.verdict == Verdict::disjoint) << c.id;
+    EXPECT_EQ(said, intersect(c.pair.a, c.pair.b)) << c.id;
+  }
+  EXPECT_GT(decided, 100);
+}
+
 TEST(Referee, RightAtMarginsFarBelowDoubles) {
   // A wall of radius 3 touches the origin in the plane with normal (2, 2, 1); what comes near it from the
   // other side is moved by t (2, 2, 1): a gap of exactly 3 t, or a depth of 3 |t| (of the wall's own depth,
@@ -213,6 +229,26 @@ TEST(Enclosure, HoldsDistancesKnownOnPaper) {
     EXPECT_LE(e.lo, k.distance) << k.line;
     EXPECT_GE(e.hi, k.distance) << k.line;
     EXPECT_LE(e.hi - e.lo, 2e-9 * size_of(pair)) << k.line;
+  }
+}
+
+TEST(Enclosure, HoldsAmongTheSmallestAndTheLargestDoubles) {
+  constexpr double e = 5e-324, huge = 1e308;
+  auto upright = [](double x, double radius, double height) {
+    return Cylinder{Vector3(x, 0, 0), Vector3(0, 0, 1), radius, height};
+  };
+  struct Known {
+    Pair pair;
+    double distance;
+  };
+  for (const Known& k :
+       {Known{{upright(e, 0, 0), upright(7 * e, 0, 0)}, 6 * e},
+        Known{{upright(e, e, 0), upright(15 * e, e, 0)}, 12 * e},
+        Known{{upright(-huge / 2, huge / 8, 1), upright(huge / 2, huge / 8, 1)}, 0.75 * huge},
+        Known{{upright(huge, e, e), upright(huge, e, e)}, -e}}) {
+    const Enclosure found = enclose_distance(k.pair, judge(k.pair));
+    EXPECT_LE(found.lo, k.distance) << format_pair(k.pair);
+    EXPECT_GE(found.hi, k.distance) << format_pair(k.pair);
   }
 }
 

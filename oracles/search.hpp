@@ -10,6 +10,7 @@
 // turn.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <vector>
@@ -130,7 +131,8 @@ Found<R> search(const SearchPair<R>& p, int bits) {
     offer_point({zero, zero, zero});
     return found;
   }
-  const R fine = size * R(std::ldexp(1.0, -(bits - 10)));  // below this, rounding may have the word
+  R fine = size;  // times 2^(10 - bits): below this, rounding may have the word
+  for (int left = bits - 10; left > 0; left -= 1000) fine = fine * R(std::ldexp(1.0, -std::min(left, 1000)));
 
   const Vec3<R> w0 = p.axis0 / R(sqrt(dot(p.axis0, p.axis0)));
   const Vec3<R> w1 = p.axis1 / R(sqrt(dot(p.axis1, p.axis1)));

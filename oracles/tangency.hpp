@@ -19,7 +19,7 @@ struct Tangency {
 std::optional<Tangency> prove_tangency(const Pair& pair, const Rational3& near_point,
                                        const Rational3& near_direction);
 
-/// The rational with the least denominator within `tolerance` of x.
+/// A simple rational within `tolerance` of x: the first convergent of its continued fraction that is.
 mpq_class simplest_within(const mpq_class& x, const mpq_class& tolerance);
 
 }  // namespace cyl

@@ -7,7 +7,7 @@
 #include <bit>
 #include <cmath>
 #include <cstdint>
-#include <utility>
+#include <limits>
 
 namespace cyl {
 namespace {
@@ -36,25 +36,13 @@ double dot(const Vector3& a, const Vector3& b) noexcept {
 
 double length(const Vector3& a) noexcept { return std::sqrt(dot(a, a)); }
 
-// Lexicographic order of two axes taken up to sign: < 0, 0, > 0.
-int compare_lines(const Vector3& a, const Vector3& b) noexcept {
-  auto sign = [](const Vector3& x) {
-    for (int i = 0; i < 3; ++i)
-      if (x[i] != 0) return x[i] > 0 ? 1.0 : -1.0;
-    return 1.0;
-  };
-  const double sa = sign(a), sb = sign(b);
-  for (int i = 0; i < 3; ++i)
-    if (sa * a[i] != sb * b[i]) return sa * a[i] < sb * b[i] ? -1 : 1;
-  return 0;
-}
-
 // The fixed order of the roles that makes the swap law hold bit for bit: it looks at nothing that scaling by
 // 2^k or reversing an axis changes. True where b comes first.
 bool out_of_order(const Prepared& a, const Prepared& b) noexcept {
   if (a.radius != b.radius) return a.radius > b.radius;
   if (a.height != b.height) return a.height > b.height;
-  if (const int lines = compare_lines(a.unit_axis, b.unit_axis)) return lines > 0;
+  for (int i = 0; i < 3; ++i)
+    if (a.unit_axis[i] != b.unit_axis[i]) return a.unit_axis[i] > b.unit_axis[i];
   for (int i = 0; i < 3; ++i)
     if (a.center[i] != b.center[i]) return a.center[i] > b.center[i];
   return false;
@@ -78,14 +66,13 @@ Scaled as_it_is(const Prepared& a, const Prepared& b) noexcept {
 
 Scaled scale(const Prepared& a, const Prepared& b) noexcept {
   if (a.ordinary && b.ordinary) return as_it_is(a, b);
-  const double farthest = max(max_abs(a.center), max_abs(b.center));
   const double widest = max(max(a.radius, b.radius), max(a.height, b.height));
   Vector3 delta = b.center - a.center;
   double most = max(widest, max_abs(delta));
-  // `before` keeps Delta from overflowing and lifts subnormal pairs, so that one normal factor brings the
-  // rest to 1.
+  // `before` brings back a Delta that overflowed (what vanishes beside it does not matter) and lifts
+  // subnormal pairs, so that one normal factor brings the rest to 1.
   int shift = 0;
-  if (farthest > 0x1p1000)
+  if (!(max_abs(delta) <= std::numeric_limits<double>::max()))
     shift = -100;
   else if (most < 0x1p-1000)
     shift = 200;
@@ -136,7 +123,7 @@ struct Attempt {
       const Vector3 direction = make();
       if (!separates(p, direction)) return false;
       answer.proof = Proof::direction;
-      answer.direction = direction;
+      answer.direction = dot(direction, p.delta) < 0 ? Vector3(-direction) : direction;
     }
     answer.verdict = Verdict::disjoint;
     return true;
@@ -264,9 +251,9 @@ bool common_point(const Scaled& p, const Vector3& m0, const Vector3& m1, double 
   return true;
 }
 
-// w0 x w1 from the sum and the difference of the axes (one taken backwards where they are opposite): those
-// two are perpendicular, so their cross product is accurate relative to its own length, however small the
-// angle. Swapping the roles or reversing an axis changes at most the signs of `sum` and `cross`.
+// w0 x w1 from the sum and the difference of the axes (one taken backwards where they are opposite): but for
+// the rounding of their lengths those two are perpendicular, so their cross product is accurate relative to
+// its own length. Swapping the roles or reversing an axis changes at most the sign of `cross`.
 struct Axes {
   Axes(const Vector3& w0, const Vector3& w1) noexcept : cosine(dot(w0, w1)) {
     const Vector3 aligned = w1 * std::copysign(1.0, cosine);  // no branch: the data would decide it
@@ -274,8 +261,9 @@ struct Axes {
     cross = (w0 - aligned).cross(sum);
     square = dot(cross, cross);
   }
-  // Below an angle of 2^-450 the square would lose digits; no double tells such axes from parallel.
-  bool parallel() const noexcept { return square < 0x1p-900; }
+  // Below an angle of 2^-49 the difference may be mostly one of the rounded lengths, and the cross product
+  // noise. Taking such axes as parallel moves no point of a solid by more than 2^-50 of its height.
+  bool parallel() const noexcept { return square < 0x1p-96; }
 
   double cosine;
   Vector3 sum, cross;  // cross = 2 w0 x w1 up to sign
@@ -328,7 +316,10 @@ Verdict at_first_sight(const Scaled& p, const Frame& f) noexcept {
 
 template <bool prove>
 void decide_crossing(Attempt<prove>& attempt, const Frame& f) noexcept {
-  const Scaled& p = attempt.p;
+  // Radii whose squares underflow are 0 to the search; the certificates are checked with what they are.
+  Scaled p = attempt.p;
+  if (p.r0 < 0x1p-400) p.r0 = 0;
+  if (p.r1 < 0x1p-400) p.r1 = 0;
   const Vector3 &n = f.n, &m0 = f.m0, &m1 = f.m1;
   const double z = f.z, radii = p.r0 + p.r1;
   const Piece* pieces = f.pieces;
@@ -373,7 +364,20 @@ void decide_crossing(Attempt<prove>& attempt, const Frame& f) noexcept {
     const Piece& piece = pieces[t.active];
     const bool at_end = (t.slope > 0 && u >= hi) || (t.slope < 0 && u <= lo) || t.slope == 0 || lo == hi;
     if (at_end) {
-      if (t.g >= 0) return;  // only when proving: the deepest slice, and its point is within rounding
+      if (t.g >= 0) {
+        // Only when proving. At a tip a width is 0, and so is the room around any point: the slices further
+        // in are lower and wider.
+        const double inwards = (u >= hi ? lo : hi) - u;
+        for (int halvings = 1; halvings < 40 && inwards != 0; ++halvings) {
+          const double v = u + std::ldexp(inwards, -halvings);
+          const Slice inner = evaluate(p, pieces, z, v);
+          double x = 0, y = 0;
+          if (inner.g >= 0 && common_point(p, m0, m1, inner.b0, inner.b1, x, y) &&
+              attempt.intersecting([&] { return Vector3(x * p.w0 + y * m0 + v * n); }))
+            return;
+        }
+        return;
+      }
       const double tilt = t.b0 <= t.b1 ? piece.b * t.p1 : piece.a * t.p0;
       if (attempt.disjoint([&] { return Vector3(e(t.active) + tilt * n); })) return;
       attempt.disjoint([&] { return n; });  // both widths 0: D -> n
@@ -434,10 +438,10 @@ Answer run(const Prepared& a, const Prepared& b) noexcept {
     answer.verdict = Verdict::invalid;
     return answer;
   }
-  const Axes axes(a.unit_axis, b.unit_axis);
   const bool swapped = out_of_order(a, b);
   const Prepared& first = swapped ? b : a;
   const Prepared& second = swapped ? a : b;
+  const Axes axes(first.unit_axis, second.unit_axis);
   const Scaled p = scale(first, second);
   Attempt<prove> attempt{p, first.center, answer};
   if (axes.parallel())
@@ -462,10 +466,12 @@ Prepared prepare(const Cylinder& c) noexcept {
   }
   const int exponent = exponent_of(most);
   w *= exponent > 1022 ? 0x1p-1022 : power_of_two(-exponent);
-  p.unit_axis = w / length(w);
+  // The solid does not know which way its axis points; here its first coordinate that is not 0 is positive.
+  const double first = w.x() != 0 ? w.x() : w.y() != 0 ? w.y() : w.z();
+  p.unit_axis = w / std::copysign(length(w), first);
   // Coordinates below 2^-200 go: no angle shows them, and products with them could underflow.
   for (int i = 0; i < 3; ++i)
-    if (std::fabs(p.unit_axis[i]) < 0x1p-200) p.unit_axis[i] = 0;
+    if (std::fabs(p.unit_axis[i]) < 0x1p-200) p.unit_axis[i] = 0;  // never -0
 
   auto within = [](double x, double limit) {
     const double size = std::fabs(x);
@@ -478,8 +484,8 @@ Prepared prepare(const Cylinder& c) noexcept {
 
 Verdict intersect(const Prepared& a, const Prepared& b) noexcept {
   const Axes axes(a.unit_axis, b.unit_axis);
-  if (a.ordinary && b.ordinary && !axes.parallel()) {
-    const Scaled p = as_it_is(a, b);
+  if (a.defect == Defect::none && b.defect == Defect::none && !axes.parallel()) {
+    const Scaled p = scale(a, b);
     const Verdict seen = at_first_sight(p, Frame(p, axes));
     if (seen != Verdict::undecided) return seen;
   }

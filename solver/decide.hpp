@@ -10,7 +10,7 @@ namespace cyl {
 /// A cylinder checked and brought to working form once, for use in many pairs. Make it with prepare().
 struct Prepared {
   Vector3 center;     ///< as given
-  Vector3 unit_axis;  ///< axis/|axis|, within unit_axis_error of the exact unit vector
+  Vector3 unit_axis;  ///< along the axis, first non-zero coordinate positive; within unit_axis_error of exact
   double radius;      ///< as given
   double height;      ///< as given
   Defect defect;      ///< not none: every call answers `invalid`
@@ -40,7 +40,7 @@ enum class Proof : unsigned char { none, direction, point };
 struct Answer {
   Verdict verdict = Verdict::undecided;
   Proof proof = Proof::none;
-  /// proof == direction: D with f(D) < 0, D.(b.center - a.center) > 0, |D| about 1.
+  /// proof == direction: D with f(D) < 0 and D.(b.center - a.center) > 0, of any length.
   /// proof == point: the common point is exactly point_head + point_tail; head is the centre of a or of b.
   Vector3 direction{0, 0, 0};
   Vector3 point_head{0, 0, 0};
