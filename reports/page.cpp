@@ -150,19 +150,25 @@ std::string claim_in_words(const MethodRecord& method) {
 
 std::string cell(std::uint64_t n) { return fmt::format("<td>{}</td>", n == 0 ? "" : grouped(n)); }
 
+constexpr const char* number_titles =
+    "<th>asked</th><th>declined</th><th>failed</th><th>wrong beyond its claim</th><th>wrong within it</th>"
+    "<th>undecided</th><th>ns a pair</th>";
+
+/// The numbers of `c` as the cells of a row, in the order of number_titles.
+std::string number_cells(const Counts& c) {
+  return cell(c.asked) + cell(c.declined) + cell(c.failed) + cell(c.contract) + cell(c.resolution) +
+         cell(c.undecided) + cell(c.asked == 0 ? 0 : c.nanoseconds / c.asked);
+}
+
 std::string methods_table(const std::vector<MethodRecord>& methods, const std::vector<MethodTally>& tallies) {
-  std::string text =
-      "<h2>Methods</h2>\n<div class=\"wide\"><table>\n<tr><th>method</th><th>asked</th><th>declined</th>"
-      "<th>failed</th><th>wrong beyond its claim</th><th>wrong within it</th><th>undecided</th><th>ns a "
-      "pair</th>"
-      "<th>version</th><th>its claim</th></tr>\n";
+  std::string text = fmt::format(
+      "<h2>Methods</h2>\n<div class=\"wide\"><table>\n<tr><th>method</th>{}<th>version</th><th>its "
+      "claim</th></tr>\n",
+      number_titles);
   for (const MethodTally& m : tallies) {
-    const Counts& c = m.total;
     const auto method = std::find_if(methods.begin(), methods.end(),
                                      [&](const MethodRecord& r) { return r.name == m.method; });
-    text += fmt::format("<tr><td>{}</td>", escape_html(m.method)) + cell(c.asked) + cell(c.declined) +
-            cell(c.failed) + cell(c.contract) + cell(c.resolution) + cell(c.undecided) +
-            cell(c.asked == 0 ? 0 : c.nanoseconds / c.asked);
+    text += fmt::format("<tr><td>{}</td>{}", clipped(m.method), number_cells(m.total));
     text += fmt::format("<td>{}</td><td class=\"claim\">{}</td></tr>\n",
                         method == methods.end() ? "" : clipped(method->version),
                         method == methods.end() ? "" : claim_in_words(*method));
@@ -219,6 +225,22 @@ std::string families_table(const std::vector<MethodTally>& tallies) {
     text += "</tr>\n";
   }
   return text + "</table></div>\n";
+}
+
+std::string full_table(const std::vector<MethodTally>& tallies) {
+  std::string text =
+      "<h2>Every number</h2>\n<p class=\"soft\">Each method, family by family; then what the cases state "
+      "and the referee, in all and for each of its stages.</p>\n";
+  for (const MethodTally& m : tallies) {
+    text += fmt::format(
+        "<details><summary>{}</summary>\n<div class=\"wide\"><table>\n<tr><th>family</th>{}</tr>\n"
+        "<tr><td><b>all</b></td>{}</tr>\n",
+        clipped(m.method), number_titles, number_cells(m.total));
+    for (const TallyRecord& t : m.families)
+      text += fmt::format("<tr><td>{}</td>{}</tr>\n", clipped(t.family), number_cells(t.counts));
+    text += "</table></div>\n</details>\n";
+  }
+  return text;
 }
 
 // Findings
@@ -392,6 +414,7 @@ void write_page(const std::string& run_folder) {
   page += families_table(tallies);
   page += findings_section(group_findings(store), run_folder);
   page += methods_table(store.methods(), tallies);
+  page += full_table(tallies);
   page += "</body>\n</html>\n";
   write_whole(run_folder + "/report.html", page);
 }
