@@ -8,6 +8,7 @@
 #include <exception>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "oracles/compare.hpp"
@@ -342,6 +343,11 @@ class Batch {
 };
 
 }  // namespace
+
+bool is_method_row(std::string_view name) {
+  return name != corpus_row && name != referee_row &&
+         std::find(stage_rows.begin(), stage_rows.end(), name) == stage_rows.end();
+}
 
 std::uint64_t batch_size_for(const Subjects& subjects) {
   const bool any_foreign = std::any_of(subjects.methods.begin(), subjects.methods.end(),

@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <memory>
 #include <span>
+#include <string_view>
 
 #include "corpus/families.hpp"
 #include "corpus/pair_io.hpp"
@@ -29,6 +30,8 @@ inline constexpr const char* corpus_row = "corpus";
 inline constexpr const char* referee_row = "referee";
 /// How often each arithmetic had the last word, and its time; in the order of Stage.
 inline constexpr std::array<const char*, 3> stage_rows{"referee-filter", "referee-wide", "referee-exact"};
+/// Whether a row is a method's own and none of those above.
+bool is_method_row(std::string_view name);
 /// The family name of the cases.
 inline constexpr const char* cases_family = "cases";
 

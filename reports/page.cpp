@@ -98,14 +98,17 @@ std::string kinds_of(const std::string& method, const std::vector<GroupRecord>& 
   return text;
 }
 
+/// The methods, and the cases' own statements: both may be wrong.
+bool may_be_wrong(const MethodTally& m) { return is_method_row(m.method) || m.method == corpus_row; }
+
 std::string headline(const std::vector<MethodTally>& tallies, const std::vector<GroupRecord>& groups) {
   std::string items;
   std::size_t right = 0;
   for (const MethodTally& m : tallies) {
     const Counts& c = m.total;
-    if (m.method.starts_with(referee_row)) continue;
+    if (!may_be_wrong(m)) continue;
     if (c.contract + c.failed == 0) {
-      ++right;
+      right += is_method_row(m.method);
       continue;
     }
     const std::uint64_t bad = c.contract + c.failed, answers = c.asked - c.declined;
@@ -208,7 +211,7 @@ std::string families_table(const std::vector<MethodTally>& tallies) {
       "within "
       "its claim; the redder, the larger their share.</p>\n<div class=\"wide\"><table>\n<tr><th>family</th>";
   for (const MethodTally& m : tallies) {
-    if (m.method.starts_with(referee_row)) continue;
+    if (!may_be_wrong(m)) continue;
     text += fmt::format("<th>{}</th>", escape_html(m.method));
     for (const TallyRecord& t : m.families) {
       if (std::find(families.begin(), families.end(), t.family) == families.end())
@@ -220,7 +223,7 @@ std::string families_table(const std::vector<MethodTally>& tallies) {
   for (const std::string& family : families) {
     text += fmt::format("<tr><td>{}</td>", escape_html(family));
     for (const MethodTally& m : tallies) {
-      if (!m.method.starts_with(referee_row)) text += family_cell(at[family][m.method]);
+      if (may_be_wrong(m)) text += family_cell(at[family][m.method]);
     }
     text += "</tr>\n";
   }

@@ -159,6 +159,24 @@ TEST_F(Page, HasEveryNumberOfEveryMethodAndFamily) {
   EXPECT_NE(row("tall", {"7", "", "", "", "", "", "1,234"}), std::string::npos);
 }
 
+TEST_F(Page, TellsMethodsFromTheOtherRows) {
+  RunStore store = RunStore::create(folder, {});
+  BatchRecord batch;
+  batch.next = 1;
+  for (const char* row : {"corpus", "referee", "referee-filter", "referee-wide", "referee-exact", "fine"})
+    batch.tallies.push_back({row, "flat", {1, 0, 0, 0, 0, 0, 1}});
+  for (const char* method : {"referee2", "referee-mine"})
+    batch.tallies.push_back({method, "flat", {1, 0, 0, 1, 0, 0, 1}});
+  store.commit(batch, 1);
+  const std::string page = written();
+  EXPECT_TRUE(contains(page, "<p>1 more was not.</p>"));
+  EXPECT_TRUE(contains(page, "<li><b>referee2</b>"));
+  EXPECT_TRUE(contains(page, "<th>referee-mine</th>"));
+  EXPECT_FALSE(contains(page, "<th>referee</th>"));
+  EXPECT_LT(page.find("<details><summary>referee2<"), page.find("<details><summary>corpus<"));
+  EXPECT_LT(page.find("<details><summary>fine<"), page.find("<details><summary>corpus<"));
+}
+
 TEST_F(Page, IsSafeAgainstHostileText) {
   RunStore store = RunStore::create(folder, {{"seed", hostile}, {"started", hostile}, {"build", hostile}},
                                     {{hostile, hostile, 1, 1, hostile, 1}});
