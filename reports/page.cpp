@@ -17,6 +17,7 @@
 
 #include "corpus/finding_words.hpp"
 #include "corpus/pair_io.hpp"
+#include "corpus/shell_words.hpp"
 #include "corpus/store.hpp"
 #include "fuzz/batch.hpp"
 #include "reports/tally_table.hpp"
@@ -48,7 +49,7 @@ details { border: 1px solid var(--line); border-radius: .4rem; margin: .6rem 0; 
 summary { cursor: pointer; }
 article { background: var(--panel); border-radius: .4rem; padding: .6rem .7rem; margin: .6rem 0; }
 code { font: .8rem/1.4 ui-monospace, monospace; overflow-wrap: anywhere; }
-code.copy { display: block; user-select: all; -webkit-user-select: all; background: var(--bg);
+code.copy { display: block; white-space: pre-wrap; user-select: all; -webkit-user-select: all; background: var(--bg);
   border: 1px solid var(--line); border-radius: .3rem; padding: .3rem .5rem; margin: .3rem 0; max-height: 9rem;
   overflow-y: auto; }
 )";
@@ -334,8 +335,8 @@ std::string article(const FindingRecord& f, const std::string& run_folder) {
   }
   text += "</ul>\n</details>\n";
   if (!f.reason.empty()) text += fmt::format("<p>In its own words: <code>{}</code></p>\n", clipped(f.reason));
-  text += fmt::format("<code class=\"copy\">./daylight replay {}:{}</code>\n</article>\n",
-                      escape_html(run_folder), f.id);
+  text += fmt::format("<code class=\"copy\">./daylight replay {}</code>\n</article>\n",
+                      escape_html(shell_quoted(fmt::format("{}:{}", run_folder, f.id))));
   return text;
 }
 
@@ -372,7 +373,13 @@ void write_whole(const std::string& file, const std::string& text) {
 std::string escape_html(std::string_view text) {
   std::string safe;
   safe.reserve(text.size());
-  for (const char c : text) {
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    if (const unsigned control = leading_bidi_control(text.substr(i))) {
+      safe += escaped_code(control);
+      i += 2;
+      continue;
+    }
+    const char c = text[i];
     switch (c) {
       case '&':
         safe += "&amp;";

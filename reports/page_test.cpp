@@ -202,6 +202,20 @@ TEST_F(Page, IsSafeAgainstHostileText) {
   EXPECT_TRUE(contains(page, "&lt;img src=x onerror=alert(1)&gt;"));
 }
 
+TEST_F(Page, QuotesTheFolderInTheCommandToReplay) {
+  folder += " $(id)  it's";
+  RunStore store = RunStore::create(folder, {});
+  commit(store, {finding(0, "fake", 1)});
+  const std::string path = folder.string(), until_quote = path.substr(0, path.find('\''));
+  EXPECT_TRUE(
+      contains(written(), "./daylight replay " + escape_html("'" + until_quote + "'\\''s:1'") + "</code>"));
+}
+
+TEST(EscapeHtml, ShowsWhatReordersText) {
+  EXPECT_EQ(escape_html("a\u202eb\u2066c\u2069\u202ad"), "a\\u202eb\\u2066c\\u2069\\u202ad");
+  EXPECT_EQ(escape_html("\u2026 \u20ac\xe2\x80"), "\u2026 \u20ac\xe2\x80");
+}
+
 TEST_F(Page, NeedsNoNetwork) {
   RunStore store = RunStore::create(folder, {});
   commit(store, {finding(0, "fake", 1)});
