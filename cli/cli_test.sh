@@ -72,6 +72,9 @@ expect 'files' 65 "$disjoint"$'\n'"$intersecting"$'\n''.*"error":"two: line 2.*'
 expect 'a file and standard input' 0 "$disjoint"$'\n'"$disjoint" check one -
 expect 'no such file' 1 "$disjoint" check missing one
 expect 'a folder' 1 '' check .
+printf '%s\n' "${apart%\}},\"id\":\"x\\nline 2: touching\\u001b[2J\"}" >in
+expect 'an id that forges a line' 0 'x\\nline 2: touching\\u001b\[2J: disjoint[^'$'\n''[:cntrl:]]*' check --text
+cp one in
 expect 'text' 0 'line 1: disjoint; .*' check --text
 expect 'distance' 0 '.*"distance":\[[0-9.e-]+,[0-9.e-]+\].*' check --distance
 [[ $("$daylight" check <in) != *'"distance"'* ]] || fail 'a distance nobody asked for'

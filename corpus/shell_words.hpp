@@ -26,6 +26,31 @@ inline std::string escaped_code(unsigned code) {
   return escaped;
 }
 
+/// `text` with each character escaped that could begin a line, steer a terminal or reorder what is shown:
+/// \n, \t, \r, else as escaped_code() has it. Backslashes stay as they are: this is to be read, not parsed.
+inline std::string escaped_controls(std::string_view text) {
+  std::string safe;
+  safe.reserve(text.size());
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const unsigned byte = static_cast<unsigned char>(text[i]);
+    const unsigned next = i + 1 < text.size() ? static_cast<unsigned char>(text[i + 1]) : 0;
+    if (byte == '\n' || byte == '\t' || byte == '\r') {
+      safe += byte == '\n' ? "\\n" : byte == '\t' ? "\\t" : "\\r";
+    } else if (byte < 0x20 || byte == 0x7f) {
+      safe += escaped_code(byte);
+    } else if (byte == 0xc2 && next >= 0x80 && next <= 0x9f) {  // the other controls of Latin-1
+      safe += escaped_code(next);
+      ++i;
+    } else if (const unsigned control = leading_bidi_control(text.substr(i))) {
+      safe += escaped_code(control);
+      i += 2;
+    } else {
+      safe += text[i];
+    }
+  }
+  return safe;
+}
+
 /// `text` as one word of a POSIX shell.
 inline std::string shell_quoted(std::string_view text) {
   constexpr std::string_view plain = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789_./:-";

@@ -19,6 +19,14 @@ TEST(ShellQuoted, QuotesAllElse) {
   EXPECT_EQ(shell_quoted("caf\xc3\xa9"), "'caf\xc3\xa9'");
 }
 
+TEST(EscapedControls, LeavesOneLineThatShowsAsItIsWritten) {
+  EXPECT_EQ(escaped_controls("a\nb\tc\rd"), "a\\nb\\tc\\rd");
+  EXPECT_EQ(escaped_controls("\x1b[2J\x7f\u009b1m\u202e"), "\\u001b[2J\\u007f\\u009b1m\\u202e");
+  EXPECT_EQ(escaped_controls(std::string_view("\0", 1)), "\\u0000");
+  EXPECT_EQ(escaped_controls("caf\u00e9 \u2026 \\n"), "caf\u00e9 \u2026 \\n");
+  EXPECT_EQ(escaped_controls("\xc2"), "\xc2");
+}
+
 TEST(LeadingBidiControl, KnowsAllNineAndNoOther) {
   int known = 0;
   for (unsigned code = 0x2000; code < 0x2080; ++code) {
