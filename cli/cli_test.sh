@@ -109,6 +109,27 @@ done
 [[ $answer == '{"verdict":"disjoint",'* ]] || fail 'the answer in a conversation'
 exec {COPROC[1]}>&-
 
+# The program that replays fuzz inputs, where it is built too.
+fuzz_core=${daylight%/*}/fuzz_core
+if [[ -x $fuzz_core ]]; then
+  : >out
+  head -c 128 /dev/zero >record
+  head -c 5 /dev/zero >short
+  mkdir -p records
+  cp record short records
+  replays() { # exit code, regular expression in standard error, arguments
+    local wanted=$1 pattern=$2 code=0
+    shift 2
+    "$fuzz_core" "$@" 2>err || code=$?
+    [[ $code == "$wanted" && $(<err) =~ $pattern ]] || fail "fuzz_core $*: exit code $code, not $wanted, or not /$pattern/"
+  }
+  replays 0 '1 inputs' record
+  replays 1 'missing: cannot be read.*1 inputs' missing record
+  replays 1 'short: .* 5 bytes.*1 inputs' record short
+  replays 1 'records/short: .*1 inputs' records
+  replays 1 '0 inputs'
+fi
+
 # A reader that goes away is no error worth a word; a full disk is.
 (set +o pipefail; "$daylight" families random --count 100000 2>err | head -n 1 >out)
 [[ ! -s err && $(wc -l <out) == 1 ]] || fail 'a closed pipe'
