@@ -16,6 +16,7 @@
 
 #include "cli/commands.hpp"
 #include "corpus/pair_io.hpp"
+#include "corpus/shell_words.hpp"
 #include "oracles/compare.hpp"
 #include "oracles/contained.hpp"
 #include "oracles/referee.hpp"
@@ -144,7 +145,8 @@ class Checker {
   void print(const Reply& reply) {
     invalid_ |= reply.verdict == Verdict::invalid;
     undecided_ |= reply.verdict == Verdict::undecided;
-    fmt::print("{}\n", reply.line);
+    // A JSON line has its control characters escaped; a line of text may quote an id or a reason as they are.
+    fmt::print("{}\n", options_.text ? escaped_controls(reply.line) : reply.line);
   }
 
   const CheckOptions& options_;

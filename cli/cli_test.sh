@@ -72,6 +72,9 @@ expect 'files' 65 "$disjoint"$'\n'"$intersecting"$'\n''.*"error":"two: line 2.*'
 expect 'a file and standard input' 0 "$disjoint"$'\n'"$disjoint" check one -
 expect 'no such file' 1 "$disjoint" check missing one
 expect 'a folder' 1 '' check .
+printf '%s\n' "${apart%\}},\"id\":\"x\\nline 2: touching\\u001b[2J\"}" >in
+expect 'an id that forges a line' 0 'x\\nline 2: touching\\u001b\[2J: disjoint[^'$'\n''[:cntrl:]]*' check --text
+cp one in
 expect 'text' 0 'line 1: disjoint; .*' check --text
 expect 'distance' 0 '.*"distance":\[[0-9.e-]+,[0-9.e-]+\].*' check --distance
 [[ $("$daylight" check <in) != *'"distance"'* ]] || fail 'a distance nobody asked for'
@@ -105,6 +108,27 @@ for _ in 1 2 3; do
 done
 [[ $answer == '{"verdict":"disjoint",'* ]] || fail 'the answer in a conversation'
 exec {COPROC[1]}>&-
+
+# The program that replays fuzz inputs, where it is built too.
+fuzz_core=${daylight%/*}/fuzz_core
+if [[ -x $fuzz_core ]]; then
+  : >out
+  head -c 128 /dev/zero >record
+  head -c 5 /dev/zero >short
+  mkdir -p records
+  cp record short records
+  replays() { # exit code, regular expression in standard error, arguments
+    local wanted=$1 pattern=$2 code=0
+    shift 2
+    "$fuzz_core" "$@" 2>err || code=$?
+    [[ $code == "$wanted" && $(<err) =~ $pattern ]] || fail "fuzz_core $*: exit code $code, not $wanted, or not /$pattern/"
+  }
+  replays 0 '1 inputs' record
+  replays 1 'missing: cannot be read.*1 inputs' missing record
+  replays 1 'short: .* 5 bytes.*1 inputs' record short
+  replays 1 'records/short: .*1 inputs' records
+  replays 1 '0 inputs'
+fi
 
 # A reader that goes away is no error worth a word; a full disk is.
 (set +o pipefail; "$daylight" families random --count 100000 2>err | head -n 1 >out)

@@ -58,6 +58,30 @@ launch env PATH="$scratch/no packages:$PATH" "$home/daylight"
 expect 'root: exit code' 0 "$code"
 expect 'root: packages are installed' update "$(head -n 1 "$scratch/installed")"
 
+# What is piped in is the command's, though tools that install and build would read it.
+rm -rf "$home/build"
+printf '#!/bin/sh\necho "$*" >>"%s/installed"\ncat >/dev/null\n' "$scratch" >"$scratch/no packages/apt-get"
+printf '#!/bin/sh\ncat >/dev/null\nexec %s "$@"\n' "$(command -v cmake)" >"$scratch/no packages/cmake"
+printf '#!/bin/sh\ncat >/dev/null\nexec %s "$@"\n' "$(command -v ninja)" >"$scratch/no packages/ninja"
+chmod +x "$scratch/no packages/"*
+cp "$home/main.cpp" "$scratch/main.cpp"
+printf '#include <cstdio>\nint main() { for (int c; (c = std::getchar()) != EOF;) std::putchar(c); }\n' >"$home/main.cpp"
+expect 'first use in a pipe' 'a pair' "$(printf 'a pair\n' | PATH="$scratch/no packages:$PATH" "$home/daylight" 2>/dev/null)"
+cp "$scratch/main.cpp" "$home/main.cpp"
+
+# An ordinary user's own installation that fails is said to fail, and nothing is built.
+if command -v script >/dev/null; then
+  rm -rf "$home/build"
+  printf '#!/bin/sh\necho 1000\n' >"$scratch/no packages/id"
+  printf '#!/bin/sh\nexit 100\n' >"$scratch/no packages/sudo"
+  chmod +x "$scratch/no packages/"*
+  code=0
+  (printf 'y\n'; sleep 1) | PATH="$scratch/no packages:$PATH" script -qec "'$home/daylight'" /dev/null >"$scratch/out" || code=$?
+  expect 'a failed installation: exit code' 1 "$code"
+  expect 'a failed installation is told' yes "$([[ $(<"$scratch/out") == *'failed: sudo'* ]] && echo yes)"
+  expect 'a failed installation: nothing is built' no "$([[ -e $home/build/release ]] && echo yes || echo no)"
+fi
+
 # Two first builds at once, one through a link.
 rm -rf "$home/build/release"
 (cd "$scratch" && ./link >"$scratch/out2" 2>/dev/null) &

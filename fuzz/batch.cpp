@@ -8,6 +8,7 @@
 #include <exception>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "oracles/compare.hpp"
@@ -67,13 +68,13 @@ class Batch {
     draw_pairs(first, next);
     ask_own_methods();
     ask_foreign_methods([&](std::size_t m, std::size_t p) { return index_of(p) % share_of(m) == 0; });
-    judge_all();
+    for (std::size_t p = 0; p < pairs_.size(); ++p) judge_once(p);
     for (std::size_t p = 0; p < pairs_.size(); ++p) compare_all(p);
     ask_foreign_methods([&](std::size_t m, std::size_t p) { return !asked(m, p) && in_dispute(p); });
     for (std::size_t p = 0; p < pairs_.size(); ++p) {
       if (!in_dispute(p)) continue;
       // What the costly ones said may prove what nobody could prove before.
-      if (truths_[p].verdict == Verdict::undecided) truths_[p] = judge(pairs_[p], answers_of(p));
+      if (truths_[p].verdict == Verdict::undecided) judge_once(p);
       compare_all(p);
     }
     repeat_own_methods();
@@ -144,6 +145,7 @@ class Batch {
     asked_.assign(pairs_.size() * methods(), false);
     wrong_.assign(pairs_.size() * methods(), {});
     truths_.resize(pairs_.size());
+    judging_.assign(pairs_.size(), 0);
   }
 
   // The clock is read once per family and method, not once per call: our calls take less than it does.
@@ -182,15 +184,16 @@ class Batch {
     }
   }
 
-  void judge_all() {
-    for (std::size_t p = 0; p < pairs_.size(); ++p) {
-      const auto start = Clock::now();
-      truths_[p] = judge(pairs_[p], answers_of(p));
-      const auto spent = nanoseconds_since(start);
-      const std::size_t family = place_of(index_of(p)).family;
-      for (const std::size_t row : {referee_row_index(), stage_row_index(truths_[p].stage)})
-        counts(row, family).nanoseconds += spent;
-    }
+  /// On an undecided pair every stage was tried, the exact one last.
+  Stage stage_of(std::size_t p) const {
+    return truths_[p].verdict == Verdict::undecided ? Stage::exact : truths_[p].stage;
+  }
+
+  /// Adds to the time of the pair, which count_all() gives to the row of the stage that had the last word.
+  void judge_once(std::size_t p) {
+    const auto start = Clock::now();
+    truths_[p] = judge(pairs_[p], answers_of(p));
+    judging_[p] += nanoseconds_since(start);
   }
 
   void compare_all(std::size_t p) {
@@ -234,8 +237,10 @@ class Batch {
       if (wrong_[at(m, p)]) note(p, m, *wrong_[at(m, p)]);
     }
     if (family == 0) compare_statement(p);
-    ++counts(referee_row_index(), family).asked;
-    ++counts(stage_row_index(truths_[p].stage), family).asked;
+    for (const std::size_t row : {referee_row_index(), stage_row_index(stage_of(p))}) {
+      ++counts(row, family).asked;
+      counts(row, family).nanoseconds += judging_[p];
+    }
     if (truths_[p].verdict == Verdict::undecided) {
       ++counts(referee_row_index(), family).undecided;
       note(p, referee_row_index(), {FindingKind::undecided_truth, Severity::unresolved, {}});
@@ -283,7 +288,7 @@ class Batch {
     record.pair = case_line(p, place);
     record.answers = answers_text(p);
     record.truth = format_truth(truths_[p]);
-    record.stage = stage_name(truths_[p].stage);
+    record.stage = stage_name(stage_of(p));
     if (row < methods() && is_failure(finding.kind)) record.reason = answers_of(p)[row].reason;
     findings_.push_back(std::move(record));
   }
@@ -334,6 +339,7 @@ class Batch {
   std::vector<bool> asked_;
   std::vector<std::optional<Finding>> wrong_;
   std::vector<Truth> truths_;
+  std::vector<std::uint64_t> judging_;  ///< nanoseconds
 
   // Of the batch. Counts: a row for each method, the corpus and the referee; a column for each family.
   std::vector<Counts> counts_;
@@ -342,6 +348,11 @@ class Batch {
 };
 
 }  // namespace
+
+bool is_method_row(std::string_view name) {
+  return name != corpus_row && name != referee_row &&
+         std::find(stage_rows.begin(), stage_rows.end(), name) == stage_rows.end();
+}
 
 std::uint64_t batch_size_for(const Subjects& subjects) {
   const bool any_foreign = std::any_of(subjects.methods.begin(), subjects.methods.end(),

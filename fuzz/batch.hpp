@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <memory>
 #include <span>
+#include <string_view>
 
 #include "corpus/families.hpp"
 #include "corpus/pair_io.hpp"
@@ -27,8 +28,11 @@ struct Subjects {
 /// Rows of the tally and the findings that are no method's: the cases' own statements of truth, the judge.
 inline constexpr const char* corpus_row = "corpus";
 inline constexpr const char* referee_row = "referee";
-/// How often each arithmetic had the last word, and its time; in the order of Stage.
+/// How often each arithmetic had the last word, decided or not, and all the time of those pairs; in the order
+/// of Stage.
 inline constexpr std::array<const char*, 3> stage_rows{"referee-filter", "referee-wide", "referee-exact"};
+/// Whether a row is a method's own and none of those above.
+bool is_method_row(std::string_view name);
 /// The family name of the cases.
 inline constexpr const char* cases_family = "cases";
 

@@ -1,30 +1,52 @@
 // SPDX-License-Identifier: MIT
-// In place of a fuzzing engine: runs a target once on each file named, or in a folder named.
+// In place of a fuzzing engine: runs a target once on each file named, or in a folder named. Exits with 1
+// where one cannot be read, where the target rejects one, and where there are none.
 #include <cstdint>
 #include <cstdio>
+#include <exception>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <stdexcept>
 #include <string>
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size);
 
+namespace {
+
+void replay(const std::filesystem::path& file) {
+  std::ifstream in(file, std::ios::binary);
+  if (!in || std::filesystem::is_directory(file)) throw std::runtime_error("cannot be read");
+  const std::string bytes{std::istreambuf_iterator<char>(in), {}};
+  if (in.bad()) throw std::runtime_error("cannot be read");
+  std::fprintf(stderr, "%s\n", file.c_str());
+  if (LLVMFuzzerTestOneInput(reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size()) != 0)
+    throw std::runtime_error("no input of this target, by its " + std::to_string(bytes.size()) + " bytes");
+}
+
+}  // namespace
+
 int main(int argc, char** argv) {
-  int count = 0;
-  const auto replay = [&](const std::filesystem::path& file) {
-    std::ifstream in(file, std::ios::binary);
-    const std::string bytes{std::istreambuf_iterator<char>(in), {}};
-    std::fprintf(stderr, "%s\n", file.c_str());
-    LLVMFuzzerTestOneInput(reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size());
-    ++count;
+  int count = 0, failures = 0;
+  const auto attempt = [&](const std::filesystem::path& file) {
+    try {
+      replay(file);
+      ++count;
+    } catch (const std::exception& error) {
+      std::fprintf(stderr, "%s: %s\n", file.c_str(), error.what());
+      ++failures;
+    }
   };
   for (int i = 1; i < argc; ++i) {
-    if (!std::filesystem::is_directory(argv[i])) {
-      replay(argv[i]);
+    std::error_code error;
+    if (!std::filesystem::is_directory(argv[i], error)) {
+      attempt(argv[i]);
       continue;
     }
-    for (const auto& entry : std::filesystem::directory_iterator(argv[i])) replay(entry.path());
+    std::filesystem::directory_iterator entries(argv[i], error);
+    if (error) attempt(argv[i]);
+    for (const auto& entry : entries) attempt(entry.path());
   }
   std::fprintf(stderr, "%d inputs\n", count);
-  return count > 0 ? 0 : 1;
+  return count > 0 && failures == 0 ? 0 : 1;
 }

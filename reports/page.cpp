@@ -17,6 +17,7 @@
 
 #include "corpus/finding_words.hpp"
 #include "corpus/pair_io.hpp"
+#include "corpus/shell_words.hpp"
 #include "corpus/store.hpp"
 #include "fuzz/batch.hpp"
 #include "reports/tally_table.hpp"
@@ -48,7 +49,7 @@ details { border: 1px solid var(--line); border-radius: .4rem; margin: .6rem 0; 
 summary { cursor: pointer; }
 article { background: var(--panel); border-radius: .4rem; padding: .6rem .7rem; margin: .6rem 0; }
 code { font: .8rem/1.4 ui-monospace, monospace; overflow-wrap: anywhere; }
-code.copy { display: block; user-select: all; -webkit-user-select: all; background: var(--bg);
+code.copy { display: block; white-space: pre-wrap; user-select: all; -webkit-user-select: all; background: var(--bg);
   border: 1px solid var(--line); border-radius: .3rem; padding: .3rem .5rem; margin: .3rem 0; max-height: 9rem;
   overflow-y: auto; }
 )";
@@ -98,14 +99,17 @@ std::string kinds_of(const std::string& method, const std::vector<GroupRecord>& 
   return text;
 }
 
+/// The methods, and the cases' own statements: both may be wrong.
+bool may_be_wrong(const MethodTally& m) { return is_method_row(m.method) || m.method == corpus_row; }
+
 std::string headline(const std::vector<MethodTally>& tallies, const std::vector<GroupRecord>& groups) {
   std::string items;
   std::size_t right = 0;
   for (const MethodTally& m : tallies) {
     const Counts& c = m.total;
-    if (m.method.starts_with(referee_row)) continue;
+    if (!may_be_wrong(m)) continue;
     if (c.contract + c.failed == 0) {
-      ++right;
+      right += is_method_row(m.method);
       continue;
     }
     const std::uint64_t bad = c.contract + c.failed, answers = c.asked - c.declined;
@@ -150,19 +154,25 @@ std::string claim_in_words(const MethodRecord& method) {
 
 std::string cell(std::uint64_t n) { return fmt::format("<td>{}</td>", n == 0 ? "" : grouped(n)); }
 
+constexpr const char* number_titles =
+    "<th>asked</th><th>declined</th><th>failed</th><th>wrong beyond its claim</th><th>wrong within it</th>"
+    "<th>undecided</th><th>ns a pair</th>";
+
+/// The numbers of `c` as the cells of a row, in the order of number_titles.
+std::string number_cells(const Counts& c) {
+  return cell(c.asked) + cell(c.declined) + cell(c.failed) + cell(c.contract) + cell(c.resolution) +
+         cell(c.undecided) + cell(c.asked == 0 ? 0 : c.nanoseconds / c.asked);
+}
+
 std::string methods_table(const std::vector<MethodRecord>& methods, const std::vector<MethodTally>& tallies) {
-  std::string text =
-      "<h2>Methods</h2>\n<div class=\"wide\"><table>\n<tr><th>method</th><th>asked</th><th>declined</th>"
-      "<th>failed</th><th>wrong beyond its claim</th><th>wrong within it</th><th>undecided</th><th>ns a "
-      "pair</th>"
-      "<th>version</th><th>its claim</th></tr>\n";
+  std::string text = fmt::format(
+      "<h2>Methods</h2>\n<div class=\"wide\"><table>\n<tr><th>method</th>{}<th>version</th><th>its "
+      "claim</th></tr>\n",
+      number_titles);
   for (const MethodTally& m : tallies) {
-    const Counts& c = m.total;
     const auto method = std::find_if(methods.begin(), methods.end(),
                                      [&](const MethodRecord& r) { return r.name == m.method; });
-    text += fmt::format("<tr><td>{}</td>", escape_html(m.method)) + cell(c.asked) + cell(c.declined) +
-            cell(c.failed) + cell(c.contract) + cell(c.resolution) + cell(c.undecided) +
-            cell(c.asked == 0 ? 0 : c.nanoseconds / c.asked);
+    text += fmt::format("<tr><td>{}</td>{}", clipped(m.method), number_cells(m.total));
     text += fmt::format("<td>{}</td><td class=\"claim\">{}</td></tr>\n",
                         method == methods.end() ? "" : clipped(method->version),
                         method == methods.end() ? "" : claim_in_words(*method));
@@ -202,7 +212,7 @@ std::string families_table(const std::vector<MethodTally>& tallies) {
       "within "
       "its claim; the redder, the larger their share.</p>\n<div class=\"wide\"><table>\n<tr><th>family</th>";
   for (const MethodTally& m : tallies) {
-    if (m.method.starts_with(referee_row)) continue;
+    if (!may_be_wrong(m)) continue;
     text += fmt::format("<th>{}</th>", escape_html(m.method));
     for (const TallyRecord& t : m.families) {
       if (std::find(families.begin(), families.end(), t.family) == families.end())
@@ -214,11 +224,27 @@ std::string families_table(const std::vector<MethodTally>& tallies) {
   for (const std::string& family : families) {
     text += fmt::format("<tr><td>{}</td>", escape_html(family));
     for (const MethodTally& m : tallies) {
-      if (!m.method.starts_with(referee_row)) text += family_cell(at[family][m.method]);
+      if (may_be_wrong(m)) text += family_cell(at[family][m.method]);
     }
     text += "</tr>\n";
   }
   return text + "</table></div>\n";
+}
+
+std::string full_table(const std::vector<MethodTally>& tallies) {
+  std::string text =
+      "<h2>Every number</h2>\n<p class=\"soft\">Each method, family by family; then what the cases state "
+      "and the referee, in all and for each of its stages.</p>\n";
+  for (const MethodTally& m : tallies) {
+    text += fmt::format(
+        "<details><summary>{}</summary>\n<div class=\"wide\"><table>\n<tr><th>family</th>{}</tr>\n"
+        "<tr><td><b>all</b></td>{}</tr>\n",
+        clipped(m.method), number_titles, number_cells(m.total));
+    for (const TallyRecord& t : m.families)
+      text += fmt::format("<tr><td>{}</td>{}</tr>\n", clipped(t.family), number_cells(t.counts));
+    text += "</table></div>\n</details>\n";
+  }
+  return text;
 }
 
 // Findings
@@ -309,8 +335,8 @@ std::string article(const FindingRecord& f, const std::string& run_folder) {
   }
   text += "</ul>\n</details>\n";
   if (!f.reason.empty()) text += fmt::format("<p>In its own words: <code>{}</code></p>\n", clipped(f.reason));
-  text += fmt::format("<code class=\"copy\">./daylight replay {}:{}</code>\n</article>\n",
-                      escape_html(run_folder), f.id);
+  text += fmt::format("<code class=\"copy\">./daylight replay {}</code>\n</article>\n",
+                      escape_html(shell_quoted(fmt::format("{}:{}", run_folder, f.id))));
   return text;
 }
 
@@ -347,7 +373,13 @@ void write_whole(const std::string& file, const std::string& text) {
 std::string escape_html(std::string_view text) {
   std::string safe;
   safe.reserve(text.size());
-  for (const char c : text) {
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    if (const unsigned control = leading_bidi_control(text.substr(i))) {
+      safe += escaped_code(control);
+      i += 2;
+      continue;
+    }
+    const char c = text[i];
     switch (c) {
       case '&':
         safe += "&amp;";
@@ -392,6 +424,7 @@ void write_page(const std::string& run_folder) {
   page += families_table(tallies);
   page += findings_section(group_findings(store), run_folder);
   page += methods_table(store.methods(), tallies);
+  page += full_table(tallies);
   page += "</body>\n</html>\n";
   write_whole(run_folder + "/report.html", page);
 }

@@ -16,7 +16,7 @@ inline constexpr std::size_t shown_cap = 300;
 void write_page(const std::string& run_folder);
 
 /// `text` with & < > " ' as character references, safe as content and as a quoted attribute; control
-/// characters but newline and tab become U+FFFD.
+/// characters but newline and tab become U+FFFD, and those that reorder text are written as \u202e is.
 std::string escape_html(std::string_view text);
 
 }  // namespace cyl

@@ -131,6 +131,52 @@ TEST_F(Page, HoldsEveryFindingWithAllThatIsNeeded) {
       contains(page, "<b>fake</b> <b class=\"bad\">2 times</b> in 2 answers (100 %): 2 wrong_disjoint"));
 }
 
+TEST_F(Page, HasEveryNumberOfEveryMethodAndFamily) {
+  RunStore store = RunStore::create(folder, {});
+  BatchRecord batch;
+  batch.next = 1;
+  batch.tallies = {{"fake", "flat", {1002, 11, 12, 13, 14, 15, 1002 * 16}},
+                   {"fake", "tall", {2003, 21, 0, 23, 24, 25, 2003 * 26}},
+                   {"referee-wide", "tall", {7, 0, 0, 0, 0, 0, 7 * 1234}}};
+  store.commit(batch, 1);
+  const std::string page = written();
+  EXPECT_EQ(nesting_error(page), "");
+  const std::size_t table = page.find("<details><summary>fake</summary>");
+  ASSERT_NE(table, std::string::npos);
+  const auto row = [&](const std::string& family, std::vector<std::string> numbers) {
+    std::string text = "<tr><td>" + family + "</td>";
+    for (const std::string& n : numbers) text += "<td>" + n + "</td>";
+    return page.find(text + "</tr>", table);
+  };
+  const std::size_t all = row("<b>all</b>", {"3,005", "32", "12", "36", "38", "40", "22"});
+  const std::size_t flat = row("flat", {"1,002", "11", "12", "13", "14", "15", "16"});
+  const std::size_t tall = row("tall", {"2,003", "21", "", "23", "24", "25", "26"});
+  const std::size_t stage = page.find("<details><summary>referee-wide</summary>");
+  EXPECT_LT(all, flat);
+  EXPECT_LT(flat, tall);
+  EXPECT_LT(tall, stage);
+  EXPECT_LT(stage, row("tall", {"7", "", "", "", "", "", "1,234"}));
+  EXPECT_NE(row("tall", {"7", "", "", "", "", "", "1,234"}), std::string::npos);
+}
+
+TEST_F(Page, TellsMethodsFromTheOtherRows) {
+  RunStore store = RunStore::create(folder, {});
+  BatchRecord batch;
+  batch.next = 1;
+  for (const char* row : {"corpus", "referee", "referee-filter", "referee-wide", "referee-exact", "fine"})
+    batch.tallies.push_back({row, "flat", {1, 0, 0, 0, 0, 0, 1}});
+  for (const char* method : {"referee2", "referee-mine"})
+    batch.tallies.push_back({method, "flat", {1, 0, 0, 1, 0, 0, 1}});
+  store.commit(batch, 1);
+  const std::string page = written();
+  EXPECT_TRUE(contains(page, "<p>1 more was not.</p>"));
+  EXPECT_TRUE(contains(page, "<li><b>referee2</b>"));
+  EXPECT_TRUE(contains(page, "<th>referee-mine</th>"));
+  EXPECT_FALSE(contains(page, "<th>referee</th>"));
+  EXPECT_LT(page.find("<details><summary>referee2<"), page.find("<details><summary>corpus<"));
+  EXPECT_LT(page.find("<details><summary>fine<"), page.find("<details><summary>corpus<"));
+}
+
 TEST_F(Page, IsSafeAgainstHostileText) {
   RunStore store = RunStore::create(folder, {{"seed", hostile}, {"started", hostile}, {"build", hostile}},
                                     {{hostile, hostile, 1, 1, hostile, 1}});
@@ -154,6 +200,20 @@ TEST_F(Page, IsSafeAgainstHostileText) {
   EXPECT_FALSE(contains(page, "<script"));
   EXPECT_FALSE(contains(page, "\x01"));
   EXPECT_TRUE(contains(page, "&lt;img src=x onerror=alert(1)&gt;"));
+}
+
+TEST_F(Page, QuotesTheFolderInTheCommandToReplay) {
+  folder += " $(id)  it's";
+  RunStore store = RunStore::create(folder, {});
+  commit(store, {finding(0, "fake", 1)});
+  const std::string path = folder.string(), until_quote = path.substr(0, path.find('\''));
+  EXPECT_TRUE(
+      contains(written(), "./daylight replay " + escape_html("'" + until_quote + "'\\''s:1'") + "</code>"));
+}
+
+TEST(EscapeHtml, ShowsWhatReordersText) {
+  EXPECT_EQ(escape_html("a\u202eb\u2066c\u2069\u202ad"), "a\\u202eb\\u2066c\\u2069\\u202ad");
+  EXPECT_EQ(escape_html("\u2026 \u20ac\xe2\x80"), "\u2026 \u20ac\xe2\x80");
 }
 
 TEST_F(Page, NeedsNoNetwork) {

@@ -37,9 +37,7 @@ std::vector<MethodTally> tally_methods(const RunStore& store) {
     found->total += t.counts;
     found->families.push_back(t);
   }
-  std::stable_partition(all.begin(), all.end(), [](const MethodTally& m) {
-    return m.method != corpus_row && !m.method.starts_with(referee_row);
-  });
+  std::stable_partition(all.begin(), all.end(), [](const MethodTally& m) { return is_method_row(m.method); });
   return all;
 }
 
