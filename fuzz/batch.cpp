@@ -184,11 +184,6 @@ class Batch {
     }
   }
 
-  /// On an undecided pair every stage was tried, the exact one last.
-  Stage stage_of(std::size_t p) const {
-    return truths_[p].verdict == Verdict::undecided ? Stage::exact : truths_[p].stage;
-  }
-
   /// Adds to the time of the pair, which count_all() gives to the row of the stage that had the last word.
   void judge_once(std::size_t p) {
     const auto start = Clock::now();
@@ -237,7 +232,7 @@ class Batch {
       if (wrong_[at(m, p)]) note(p, m, *wrong_[at(m, p)]);
     }
     if (family == 0) compare_statement(p);
-    for (const std::size_t row : {referee_row_index(), stage_row_index(stage_of(p))}) {
+    for (const std::size_t row : {referee_row_index(), stage_row_index(truths_[p].stage)}) {
       ++counts(row, family).asked;
       counts(row, family).nanoseconds += judging_[p];
     }
@@ -288,7 +283,7 @@ class Batch {
     record.pair = case_line(p, place);
     record.answers = answers_text(p);
     record.truth = format_truth(truths_[p]);
-    record.stage = stage_name(stage_of(p));
+    record.stage = stage_name(truths_[p].stage);
     if (row < methods() && is_failure(finding.kind)) record.reason = answers_of(p)[row].reason;
     findings_.push_back(std::move(record));
   }

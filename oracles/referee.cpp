@@ -183,6 +183,7 @@ Truth judge(const Pair& pair, std::span<const MethodAnswer> offered, int bits_ca
     undecided.verdict = Verdict::invalid;
     return undecided;
   }
+  undecided.stage = Stage::exact;
   const Filter filter(pair);
   for (const MethodAnswer& answer : offered)
     if (auto t = check_by_filter(filter, answer)) {
