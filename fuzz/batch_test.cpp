@@ -9,9 +9,8 @@
 namespace cyl {
 namespace {
 
-/// Apart by 2^-4149 of their size, less than the referee can see.
-const Pair hair{{{0, 0, 0}, {0, 0, 1}, 0x1p999, 0x1p999},
-                {{0x1p1000, 0x1p-1074, 0}, {0, 0, 1}, 0x1p999, 0x1p999}};
+/// Apart by 2^-4298 of their size, less than the referee can see.
+const Pair hair{{{0, 0, 0}, {0, 0, 1}, 1, 2}, {{-0x1p-1074, 2, 0}, {1, 0x1p-1074, 0}, 1, 2}};
 
 /// Asked in disputes alone here, so that a pair nobody decides is judged twice.
 class Costly : public Method {
