@@ -238,9 +238,9 @@ void add_campaign(CLI::App& app, int& exit_code) {
   command->add_flag("--list", arguments->list, "only list the methods, with their claims, and the families");
   command->footer(
       "Example:\n  daylight campaign --for 1m --methods=-nlopt\n"
-      "Exit code: 0 nothing beyond a method's claim, 2 contract findings or failures, 3 only undecided "
-      "truth, 1 the\n"
-      "harness failed, 64 usage. Ctrl-C keeps what is complete.");
+      "Exit code: 0 nothing beyond a method's claim, 2 contract findings or failures, 3 none of those, but\n"
+      "undecided truth or stopped before its limit, 1 the harness failed, 64 usage. Ctrl-C keeps what is "
+      "complete.");
   command->callback([arguments, &exit_code] { exit_code = campaign(*arguments); });
 }
 
