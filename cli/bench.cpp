@@ -12,6 +12,7 @@
 
 #include "cli/build_info.hpp"
 #include "cli/commands.hpp"
+#include "cli/unsigned_option.hpp"
 #include "corpus/pair_io.hpp"
 
 namespace cyl {
@@ -43,13 +44,9 @@ void add_bench(CLI::App& app, int& exit_code) {
   command->add_option("--methods", options->bench.methods,
                       "a,b or (--methods=-a,b) all but these; default all");
   command->add_option("--families", options->bench.families, "the same rule")->capture_default_str();
-  command->add_option("--pairs", options->bench.pairs, "of each family")
-      ->capture_default_str()
-      ->check(CLI::PositiveNumber);
-  command->add_option("--passes", options->bench.passes, "timed passes")
-      ->capture_default_str()
-      ->check(CLI::PositiveNumber);
-  command->add_option("--seed", options->bench.seed, "of the families")->capture_default_str();
+  add_unsigned(*command, "--pairs", options->bench.pairs, "of each family", 1);
+  add_unsigned(*command, "--passes", options->bench.passes, "timed passes", 1);
+  add_unsigned(*command, "--seed", options->bench.seed, "of the families");
   command->add_option("--json", options->json, "also write the results to this file");
   command->footer(
       "Example:\n  daylight bench --methods intersect,decide,fcl --families random --json bench.json");

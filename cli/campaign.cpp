@@ -22,6 +22,7 @@
 #include "cli/commands.hpp"
 #include "cli/duration.hpp"
 #include "cli/progress.hpp"
+#include "cli/unsigned_option.hpp"
 #include "corpus/case_files.hpp"
 #include "reports/page.hpp"
 #include "reports/tally_table.hpp"
@@ -219,9 +220,9 @@ void add_campaign(CLI::App& app, int& exit_code) {
   auto arguments = std::make_shared<Arguments>();
   command->add_option("--for", arguments->budget,
                       "wall time, like 90s, 1m or 8h; 1m where no limit is given");
-  command->add_option("--pairs", arguments->pairs, "exactly this many pairs");
+  add_unsigned(*command, "--pairs", arguments->pairs, "exactly this many pairs; 0: no such limit");
   auto* seed =
-      command->add_option("--seed", arguments->seed, "same seed, same findings; random where not given");
+      add_unsigned(*command, "--seed", arguments->seed, "same seed, same findings; random where not given");
   auto* out =
       command->add_option("--out", arguments->out, "run folder; runs/<date-time>-<seed> where not given");
   auto* methods = command->add_option(
@@ -230,17 +231,15 @@ void add_campaign(CLI::App& app, int& exit_code) {
   auto* families = command->add_option("--families", arguments->families, "same rule");
   auto* cases = command->add_option(
       "--cases", arguments->cases, "folder of case files played first; corpus/ where not given; '' for none");
-  command->add_option("--jobs", arguments->jobs, "batches at once; does not change the findings")
-      ->capture_default_str()
-      ->check(CLI::Range(1, 1024));
+  add_unsigned(*command, "--jobs", arguments->jobs, "batches at once; does not change the findings", 1, 1024);
   auto* resume = command->add_option("--resume", arguments->resume, "go on with the run in this folder");
   for (CLI::Option* fixed : {seed, out, methods, families, cases}) resume->excludes(fixed);
   command->add_flag("--list", arguments->list, "only list the methods, with their claims, and the families");
   command->footer(
       "Example:\n  daylight campaign --for 1m --methods=-nlopt\n"
-      "Exit code: 0 nothing beyond a method's claim, 2 contract findings or failures, 3 only undecided "
-      "truth, 1 the\n"
-      "harness failed, 64 usage. Ctrl-C keeps what is complete.");
+      "Exit code: 0 nothing beyond a method's claim, 2 contract findings or failures, 3 none of those, but\n"
+      "undecided truth or stopped before its limit, 1 the harness failed, 64 usage. Ctrl-C keeps what is "
+      "complete.");
   command->callback([arguments, &exit_code] { exit_code = campaign(*arguments); });
 }
 

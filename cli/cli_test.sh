@@ -139,4 +139,21 @@ if [[ -w /dev/full ]]; then
   [[ $code == 1 && -s err ]] || fail "a full disk: exit code $code"
 fi
 
+# Whole numbers: digits only, in base ten, in range; what is wrong is said by the option's name.
+: >in
+for number in -1 -3 +1 1x 1.5 0x10 '' 18446744073709551616 99999999999999999999999; do
+  for option in 'families random --count' 'families random --seed' 'families random --from' 'bench --pairs' \
+      'bench --passes' 'bench --seed' 'campaign --pairs' 'campaign --seed' 'campaign --jobs'; do
+    read -ra words <<<"$option"
+    expect "$option '$number'" 64 '' "${words[@]}" "$number"
+    grep -qF -- "${words[-1]}: '$number' is no whole number from " err || fail "$option '$number': what is wrong"
+  done
+done
+expect 'no pairs' 64 '' bench --pairs 0
+expect 'no jobs' 64 '' campaign --jobs 0
+expect 'too many jobs' 64 '' campaign --jobs 1025
+[[ $(<err) == *"--jobs: '1025' is no whole number from 1 to 1024"* ]] || fail 'the range of an option'
+expect 'the greatest seed' 0 '.*"id":"random/18446744073709551615/0".*' families random --seed 18446744073709551615 --count 1
+expect 'a leading zero' 0 '.*"id":"random/10/0".*' families random --seed 010 --count 1
+
 ((failures == 0))

@@ -10,6 +10,7 @@
 #include <string>
 
 #include "cli/commands.hpp"
+#include "cli/unsigned_option.hpp"
 #include "corpus/pair_io.hpp"
 
 namespace cyl {
@@ -49,10 +50,9 @@ void add_families(CLI::App& app, int& exit_code) {
   CLI::App* command = app.add_subcommand("families", "Lists the generators of pairs, or prints pairs of one");
   auto options = std::make_shared<FamiliesOptions>();
   command->add_option("NAME", options->name, "the family to print pairs of; none: list them");
-  command->add_option("--seed", options->seed, "same seed, same pairs, on every machine")
-      ->capture_default_str();
-  command->add_option("--count", options->count, "pairs to print")->capture_default_str();
-  command->add_option("--from", options->from, "index of the first")->capture_default_str();
+  add_unsigned(*command, "--seed", options->seed, "same seed, same pairs, on every machine");
+  add_unsigned(*command, "--count", options->count, "pairs to print");
+  add_unsigned(*command, "--from", options->from, "index of the first");
   command->footer("Example:\n  daylight families random --count 1000 | daylight check");
   command->callback([options, &exit_code] {
     if (options->name.empty()) {

@@ -128,8 +128,10 @@ class Replayer {
       const std::vector<Replayed> now = replay(methods_, pairs);
       for (std::size_t i = 0; i < count; ++i) print(targets_[first + i], now[i]);
     }
-    fmt::print("{} replayed, {} beyond a claim\n", targets_.size(), contract_);
-    return contract_ > 0 ? exit_findings : exit_pass;
+    fmt::print("{} replayed, {} beyond a claim, {} of undecided truth\n", targets_.size(), contract_,
+               undecided_);
+    if (contract_ > 0) return exit_findings;
+    return undecided_ > 0 ? exit_undecided : exit_pass;
   }
 
  private:
@@ -151,6 +153,7 @@ class Replayer {
                  target.finding->severity, what);
     }
     contract_ += stands_by_contract(target, now);
+    undecided_ += now.truth.verdict == Verdict::undecided;
   }
 
   /// Of a stored finding only its own method counts; of a case, any.
@@ -167,6 +170,7 @@ class Replayer {
   std::vector<std::unique_ptr<Method>> methods_;
   std::vector<Target> targets_;
   std::size_t contract_ = 0;
+  std::size_t undecided_ = 0;
 };
 
 }  // namespace
@@ -180,8 +184,8 @@ void add_replay(CLI::App& app, int& exit_code) {
   command->add_option("--methods", arguments->methods, "a,b: ask these; --methods=-a,b: all but these");
   command->footer(
       "Example:\n  daylight replay runs/latest:12\n"
-      "Exit code: 2 where something is still wrong beyond its method's claim, 0 otherwise, 1 the harness "
-      "failed, 64 usage.");
+      "Exit code: 2 where something is still wrong beyond its method's claim, 3 where nothing is but some "
+      "truth\nis undecided, 0 otherwise, 1 the harness failed, 64 usage.");
   command->callback([arguments, &exit_code] { exit_code = Replayer(*arguments).run(); });
 }
 

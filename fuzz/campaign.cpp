@@ -193,12 +193,12 @@ CampaignSummary run_campaign(const CampaignOptions& options, const Subjects& sub
       flights.pop_front();
       report();
     }
-    if (stop_asked) {
-      summary.interrupted = true;
-      break;  // the batches still under way are lost; --resume does them again
-    }
+    if (stop_asked) break;  // the batches still under way are lost; --resume does them again
     report();
   }
+  const bool pairs_reached = options.pairs != 0 && progress.done >= options.pairs;
+  const bool budget_reached = options.budget.count() != 0 && Clock::now() - start >= options.budget;
+  summary.interrupted = stop_asked && !pairs_reached && !(budget_reached && flights.empty());
   report();
   return summary;
 }
@@ -206,7 +206,7 @@ CampaignSummary run_campaign(const CampaignOptions& options, const Subjects& sub
 int exit_code(const CampaignSummary& summary) {
   if (!summary.harness_failure.empty()) return 1;
   if (summary.progress.contract + summary.progress.failed > 0) return 2;
-  return summary.progress.unresolved > 0 ? 3 : 0;
+  return summary.progress.unresolved > 0 || summary.interrupted ? 3 : 0;
 }
 
 }  // namespace cyl

@@ -34,7 +34,7 @@ struct CampaignProgress {
 
 struct CampaignSummary {
   CampaignProgress progress;
-  bool interrupted = false;     ///< by SIGINT or SIGTERM: what was complete is stored
+  bool interrupted = false;     ///< by SIGINT or SIGTERM before a limit: what was complete is stored
   std::string harness_failure;  ///< empty, or which batch broke the harness and how
 };
 
@@ -44,7 +44,7 @@ struct CampaignSummary {
 CampaignSummary run_campaign(const CampaignOptions& options, const Subjects& subjects,
                              const std::function<void(const CampaignProgress&)>& on_progress = {});
 
-/// 1 the harness failed, 2 contract findings or failures, 3 only undecided truth, else 0.
+/// 1 the harness failed, 2 contract findings or failures, 3 none, but undecided truth or interrupted, else 0.
 int exit_code(const CampaignSummary& summary);
 
 }  // namespace cyl

@@ -370,6 +370,14 @@ TEST_F(Campaign, ABatchThatDiesIsAHarnessFailureThatNamesTheBatch) {
   EXPECT_EQ(store("run").progress().next, own_batch_size);
 }
 
+TEST(ExitCode, StoppedBeforeItsLimitDecidesNothingButKeepsItsFindings) {
+  CampaignSummary summary;
+  summary.interrupted = true;
+  EXPECT_EQ(exit_code(summary), 3);
+  summary.progress.contract = 1;
+  EXPECT_EQ(exit_code(summary), 2);
+}
+
 TEST(ExitCode, FailureThenFindingsThenUndecided) {
   CampaignSummary summary;
   EXPECT_EQ(exit_code(summary), 0);
