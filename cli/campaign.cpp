@@ -24,6 +24,7 @@
 #include "cli/progress.hpp"
 #include "cli/unsigned_option.hpp"
 #include "corpus/case_files.hpp"
+#include "corpus/shell_words.hpp"
 #include "reports/page.hpp"
 #include "reports/tally_table.hpp"
 
@@ -96,6 +97,8 @@ CampaignOptions plan_new(const Arguments& arguments, Asked& asked) {
     options.out = fmt::format("runs/{:%Y%m%d-%H%M%S}-{}", fmt::localtime(std::time(nullptr)), options.seed);
   }
   options.cases = arguments.cases ? *arguments.cases : default_cases();
+  // Absolute: who resumes the run may stand elsewhere.
+  if (!options.cases.empty()) options.cases = fs::absolute(options.cases).lexically_normal().string();
   asked.methods = all_methods();
   if (!arguments.methods.empty()) asked.methods = select_methods(std::move(asked.methods), arguments.methods);
   asked.families.assign(families().begin(), families().end());
@@ -203,12 +206,12 @@ int campaign(const Arguments& arguments) {
   fmt::print("{}", format_tallies(tally_methods(store)));
   fmt::print("{} pairs; page: {}/report.html\n", summary.progress.done, options.out);
   if (const auto worst = worst_finding(store)) {
-    fmt::print("the worst, {} {} ({}): ./daylight replay {}:{}\n", worst->method, worst->kind,
-               worst->severity, options.out, worst->id);
+    fmt::print("the worst, {} {} ({}): ./daylight replay {}\n", worst->method, worst->kind, worst->severity,
+               shell_quoted(fmt::format("{}:{}", options.out, worst->id)));
   }
   if (!summary.harness_failure.empty()) fmt::print(stderr, "daylight: {}\n", summary.harness_failure);
   if (summary.interrupted)
-    fmt::print(stderr, "stopped; go on with: daylight campaign --resume {}\n", options.out);
+    fmt::print(stderr, "stopped; go on with: ./daylight campaign --resume {}\n", shell_quoted(options.out));
   return exit_code(summary);
 }
 
@@ -234,6 +237,7 @@ void add_campaign(CLI::App& app, int& exit_code) {
   add_unsigned(*command, "--jobs", arguments->jobs, "batches at once; does not change the findings", 1, 1024);
   auto* resume = command->add_option("--resume", arguments->resume, "go on with the run in this folder");
   for (CLI::Option* fixed : {seed, out, methods, families, cases}) resume->excludes(fixed);
+  resume->check([](const std::string& run) { return run.empty() ? "the folder of a run is expected" : ""; });
   command->add_flag("--list", arguments->list, "only list the methods, with their claims, and the families");
   command->footer(
       "Example:\n  daylight campaign --for 1m --methods=-nlopt\n"

@@ -49,13 +49,14 @@ grep -m 1 -oE '\{"a".*\}$' out >cases.jsonl
 expect 0 'without its method it does not' "$daylight" replay "$worst" --methods intersect
 expect 2 'the whole run' "$daylight" replay runs/fcl --methods fcl-libccd
 expect 2 'a file of cases' "$daylight" replay cases.jsonl --methods fcl-libccd
-# Apart by 2^-4195 of their size, which no search of the referee reaches.
-undecided='{"a":{"center":[0,0,0],"axis":[0,0,1],"radius":2.247116418577895e307,"height":1e307},"b":{"center":[4.49423283715579e307,5e-324,0],"axis":[0,0,1],"radius":2.247116418577895e307,"height":1e307}}'
+# Apart by 2^-4298 of their size, which no search of the referee reaches.
+undecided='{"a":{"center":[0,0,0],"axis":[0,0,1],"radius":1,"height":2},"b":{"center":[-5e-324,2,0],"axis":[1,5e-324,0],"radius":1,"height":2}}'
 printf '%s\n' "$undecided" >undecided.jsonl
 expect 3 'an undecided truth' "$daylight" replay undecided.jsonl --methods intersect
 holds 'it is counted' out '^1 replayed, 0 beyond a claim, 1 of undecided truth$'
 expect 2 'a finding comes before it' "$daylight" replay undecided.jsonl cases.jsonl --methods fcl-libccd
 expect 64 'no such finding' "$daylight" replay runs/fcl:999999
+expect 64 'a resume that names no run' "$daylight" campaign --resume '' --pairs 3
 expect 64 'no such run' "$daylight" replay nowhere
 
 expect 0 'going on' "$daylight" campaign --resume runs/ours --pairs 900
@@ -78,6 +79,6 @@ kill -INT "$campaign"
 code=0
 wait "$campaign" || code=$?
 [[ $code == 3 ]] || { printf 'stopped: exit code %s\n' "$code"; cat out err; failures=$((failures + 1)); }
-holds 'how to go on' err 'go on with: daylight campaign --resume runs/stopped'
+holds 'how to go on' err 'go on with: ./daylight campaign --resume runs/stopped'
 
 exit $((failures > 0))

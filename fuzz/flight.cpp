@@ -54,6 +54,9 @@ std::chrono::seconds cpu_time_of(pid_t process) {
   } catch (const std::exception& e) {
     const std::string line = fmt::format("daylight: a batch failed: {}\n", e.what());
     [[maybe_unused]] const ssize_t ignored = write(STDERR_FILENO, line.data(), line.size());
+  } catch (...) {
+    constexpr std::string_view line = "daylight: a batch failed: an exception of no known type\n";
+    [[maybe_unused]] const ssize_t ignored = write(STDERR_FILENO, line.data(), line.size());
   }
   _exit(code);
 }
