@@ -52,7 +52,7 @@ Truth proved(Verdict verdict, ExactVector certificate, Stage stage, int bits) {
 
 constexpr double no_tail[3] = {0, 0, 0};
 constexpr int first_wide_bits = 128;
-constexpr int tangency_bits = 256;  // contacts at simple rationals show themselves at this precision
+constexpr int tangency_bits = 256;  // contacts at simple rationals show themselves up to this precision
 constexpr int near_bits = 512;      // enough for a point within 2^-200 size of both solids
 
 std::optional<Truth> check_by_filter(const Filter& filter, const MethodAnswer& answer) {
@@ -222,7 +222,7 @@ Truth judge(const Pair& pair, std::span<const MethodAnswer> offered, int bits_ca
     // A point inside either solid rules touching out; on both surfaces the algebra has the word.
     if (common && interior_of_either(pair, common->point))
       return proved(Verdict::intersecting, common->written, Stage::exact, bits);
-    if (common || bits == tangency_bits)
+    if (common || bits <= tangency_bits)
       if (auto t = prove_touching(pair, common ? common->point : point, direction, bits)) return *t;
     if (common) return proved(Verdict::intersecting, common->written, Stage::exact, bits);
   }
