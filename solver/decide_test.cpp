@@ -11,15 +11,16 @@
 #include <limits>
 #include <new>
 
-// Counts what is allocated, so that a test can say: nothing.
+// Counts what is allocated, so that a test can say: nothing. Not inlined: gcc would take malloc and free,
+// seen through new and delete, for a mismatch.
 static std::atomic<long> allocations{0};
-void* operator new(std::size_t n) {
+[[gnu::noinline]] void* operator new(std::size_t n) {
   ++allocations;
   if (void* p = std::malloc(n)) return p;
   throw std::bad_alloc();
 }
-void operator delete(void* p) noexcept { std::free(p); }
-void operator delete(void* p, std::size_t) noexcept { std::free(p); }
+[[gnu::noinline]] void operator delete(void* p) noexcept { std::free(p); }
+[[gnu::noinline]] void operator delete(void* p, std::size_t) noexcept { std::free(p); }
 
 namespace cyl {
 namespace {
