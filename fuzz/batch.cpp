@@ -283,7 +283,7 @@ class Batch {
     record.pair = case_line(p, place);
     record.answers = answers_text(p);
     record.truth = format_truth(truths_[p]);
-    record.stage = stage_name(truths_[p].stage);
+    record.stage = to_string(truths_[p].stage);
     if (row < methods() && is_failure(finding.kind)) record.reason = answers_of(p)[row].reason;
     findings_.push_back(std::move(record));
   }
@@ -309,18 +309,6 @@ class Batch {
     }
     text += '}';
     return text;
-  }
-
-  static std::string stage_name(Stage stage) {
-    switch (stage) {
-      case Stage::filter:
-        return "filter";
-      case Stage::wide:
-        return "wide";
-      case Stage::exact:
-        return "exact";
-    }
-    return "exact";
   }
 
   const Subjects& subjects_;

@@ -244,9 +244,7 @@ double size_of(const Pair& pair) {
                   std::numeric_limits<double>::max());
 }
 
-namespace {
-
-const char* to_string(Stage s) {
+const char* to_string(Stage s) noexcept {
   switch (s) {
     case Stage::filter:
       return "filter";
@@ -257,6 +255,8 @@ const char* to_string(Stage s) {
   }
   return "exact";
 }
+
+namespace {
 
 void append_vector(std::string& s, const ExactVector& v) {
   s += '[';

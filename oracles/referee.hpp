@@ -19,6 +19,9 @@ enum class Stage : unsigned char {
   exact    ///< rationals
 };
 
+/// The words used in files and on screens: "filter", "wide", "exact".
+const char* to_string(Stage s) noexcept;
+
 enum class CertificateKind : unsigned char { none, direction, point, near };
 
 /// One vector of a certificate, exactly head + tail, or, where `exact` is not empty, the rationals written
