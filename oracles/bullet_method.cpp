@@ -99,15 +99,16 @@ class CylinderWithMargin final : public Bullet {
   }
 };
 
+struct SharpCylinder : btCylinderShapeZ {
+  explicit SharpCylinder(const Cylinder& c) : btCylinderShapeZ(half_extents(c)) { setMargin(0); }
+};
+
 class CylinderWithoutMargin final : public Bullet {
  public:
   using Bullet::Bullet;
   MethodAnswer ask(const Pair& pair) override {
     if (const auto declined = decline_invalid(pair)) return *declined;
-    btCylinderShapeZ a(half_extents(pair.a));
-    btCylinderShapeZ b(half_extents(pair.b));
-    a.setMargin(0);
-    b.setMargin(0);
+    const SharpCylinder a(pair.a), b(pair.b);
     return answer_of(detect(a, b, pair));
   }
 };
@@ -125,10 +126,7 @@ class GjkEpa2 final : public Bullet {
   // lost.
   MethodAnswer ask(const Pair& pair) override {
     if (const auto declined = decline_invalid(pair)) return *declined;
-    btCylinderShapeZ a(half_extents(pair.a));
-    btCylinderShapeZ b(half_extents(pair.b));
-    a.setMargin(0);
-    b.setMargin(0);
+    const SharpCylinder a(pair.a), b(pair.b);
     btGjkEpaSolver2::sResults result;
     const btVector3 guess = to_bullet(pair.a.center - pair.b.center);
     if (btGjkEpaSolver2::SignedDistance(&a, pose_of(pair.a), &b, pose_of(pair.b), guess, result))

@@ -27,7 +27,7 @@ inline constexpr double membership_error =
 inline constexpr double underflow_error =
     0x1p-500;  ///< of the same distances, where squares vanish; in units of the pair's largest length
 
-/// Tangent steps before `undecided`. The bracket halves at least every third step and 53 halvings exhaust a
+/// Tangent steps before `undecided`. The bracket halves at least every third step and 54 halvings exhaust a
 /// double, so the cap is never reached; it is what makes that claim checkable.
 inline constexpr int iteration_cap = 200;
 
@@ -50,7 +50,7 @@ struct Answer {
 
 /// Yes or no by the sign of the double computation: `disjoint`, `intersecting` (touching included),
 /// `invalid`, or `undecided` at the work cap. Right wherever the margin is >= 1e-13. Symmetric in its
-/// arguments bit for bit. Cost: about 12 dot products, then 0.5 tangent steps on average on random pairs.
+/// arguments bit for bit. Cost: about 12 dot products; hardly ever a tangent step on random pairs.
 Verdict intersect(const Prepared& a, const Prepared& b) noexcept;
 Verdict intersect(const Cylinder& a, const Cylinder& b) noexcept;
 
