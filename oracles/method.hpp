@@ -68,6 +68,19 @@ class Method {
     static_cast<void>(pairs);
     return {};
   }
+  using DistanceCall = std::function<double(std::size_t)>;
+  /// Likewise, for the signed distance with whatever witness comes with it; the call gives NaN where the
+  /// method has none (many give none of overlapping solids).
+  virtual DistanceCall prepare_distances(std::span<const Pair> pairs) {
+    static_cast<void>(pairs);
+    return {};
+  }
+  using BatchCall = std::function<void(std::span<Verdict>)>;
+  /// Likewise, for all pairs in one call.
+  virtual BatchCall prepare_batch(std::span<const Pair> pairs) {
+    static_cast<void>(pairs);
+    return {};
+  }
 };
 
 /// Every method of this build, in a fixed order: ours first.
