@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: MIT
+// Yes or no.
+#include "solver/decide.hpp"
+#include "solver/frame.hpp"
+#include "solver/sections.hpp"
+
+namespace cyl {
+namespace {
+
+// Without a branch: which of the two it is cannot be predicted, that it is one of them can.
+Verdict verdict_of(bool met) noexcept {
+  static_assert(static_cast<int>(Verdict::disjoint) == 0 && static_cast<int>(Verdict::intersecting) == 1);
+  return static_cast<Verdict>(met);
+}
+
+// After at_first_sight has seen neither.
+[[gnu::noinline]] Verdict settle(const Sections<double>& f) noexcept {
+  const auto at = corner(in_order(f));
+  if (at.met | !(at.rises2 | at.rises3)) return verdict_of(at.met);
+  const Edge<double> e = edge(at);
+  const auto end = top(e);
+  if (end.here) return verdict_of(end.met);
+  const auto [least, first] = start(e);
+  double t = first;
+  for (int i = 0; i < iteration_cap; ++i) {
+    const auto now = step(e, least, t);
+    if (now.apart | now.met) return verdict_of(now.met);
+    t = now.t;
+  }
+  return Verdict::undecided;
+}
+
+Verdict intersect_sections(const Sections<double>& f) noexcept {
+  const auto sight = at_first_sight(f);
+  if (sight.apart | sight.met) return verdict_of(!sight.apart);
+  return settle(f);
+}
+
+[[gnu::noinline]] Verdict intersect_shallow(const Couple<double>& p) noexcept {
+  const Sections<double> f = shallow_sections(p);
+  if (f.s2 >= parallel_square) return intersect_sections(f);
+  return verdict_of(!apart_in_parallel(p));
+}
+
+}  // namespace
+
+Verdict intersect(const Prepared& a, const Prepared& b) noexcept {
+  if (a.ordinary & b.ordinary) {
+    const Couple<double> p = as_it_is(a, b);
+    const Sections<double> f = sections(p);
+    if (f.s2 < steep_square) return intersect_shallow(p);
+    const auto sight = at_first_sight(f);
+    if (static_cast<unsigned>(sight.apart) + static_cast<unsigned>(sight.met) != 0)
+      return verdict_of(!sight.apart);
+    return settle(f);
+  }
+  if ((a.defect != Defect::none) | (b.defect != Defect::none)) return Verdict::invalid;
+  const Couple<double> p = scale(a, b).couple;
+  const Sections<double> f = sections(p);
+  return f.s2 >= steep_square ? intersect_sections(f) : intersect_shallow(p);
+}
+
+Verdict intersect(const Cylinder& a, const Cylinder& b) noexcept { return intersect(prepare(a), prepare(b)); }
+
+}  // namespace cyl

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: MIT
+#include <cmath>
+
+#include "solver/decide.hpp"
+#include "solver/frame.hpp"
+
+namespace cyl {
+
+Prepared prepare(const Cylinder& c) noexcept {
+  Prepared p{c.center, {0, 0, 1}, c.radius, c.height, find_defect(c), false};
+  if (p.defect != Defect::none) return p;
+  // By powers of two until the largest coordinate is in [1, 2): squares neither overflow nor vanish.
+  double most = max_abs(c.axis);
+  Vector3 w = c.axis;
+  if (most < 0x1p-1000) {
+    w *= 0x1p200;
+    most *= 0x1p200;
+  }
+  const int exponent = exponent_of(most);
+  w *= exponent > 1022 ? 0x1p-1022 : power_of_two(-exponent);
+  // The solid does not know which way its axis points; here its first coordinate that is not 0 is positive.
+  const double first = w.x() != 0 ? w.x() : w.y() != 0 ? w.y() : w.z();
+  p.unit_axis = w / std::copysign(length(w), first);
+  // Coordinates below 2^-200 go: no angle shows them, and products with them could underflow.
+  for (int i = 0; i < 3; ++i)
+    if (std::fabs(p.unit_axis[i]) < 0x1p-200) p.unit_axis[i] = 0;  // never -0
+
+  auto within = [](double x, double limit) {
+    const double size = std::fabs(x);
+    return (size == 0) | ((size >= 1 / limit) & (size <= limit));
+  };
+  p.ordinary = within(c.center.x(), 0x1p250) & within(c.center.y(), 0x1p250) & within(c.center.z(), 0x1p250) &
+               within(c.radius, 0x1p200) & within(c.height, 0x1p200);
+  return p;
+}
+
+}  // namespace cyl
