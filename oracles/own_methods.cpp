@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
+#include <cstdint>
 #include <utility>
 #include <vector>
 
 #include "oracles/exact.hpp"
 #include "oracles/method.hpp"
 #include "solver/decide.hpp"
+#include "solver/intersect_batch.hpp"
 
 namespace cyl {
 namespace {
@@ -36,6 +38,18 @@ class Intersect final : public Method {
   }
   Call prepare_all(std::span<const Pair> pairs) override {
     return prepare_solids(pairs, [](const Prepared& a, const Prepared& b) { return intersect(a, b); });
+  }
+  BatchCall prepare_batch(std::span<const Pair> pairs) override {
+    std::vector<Prepared> a, b;
+    std::vector<IndexPair> indices;
+    for (const Pair& pair : pairs) {
+      indices.push_back({static_cast<std::uint32_t>(a.size()), static_cast<std::uint32_t>(b.size())});
+      a.push_back(prepare(pair.a));
+      b.push_back(prepare(pair.b));
+    }
+    return [a = std::move(a), b = std::move(b), indices = std::move(indices)](std::span<Verdict> verdicts) {
+      intersect_batch(a, b, indices, verdicts.data());
+    };
   }
 };
 

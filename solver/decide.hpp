@@ -4,6 +4,7 @@
 #pragma once
 
 #include "solver/cylinder.hpp"
+#include "solver/sections.hpp"
 
 namespace cyl {
 
@@ -26,10 +27,6 @@ inline constexpr double membership_error =
     16 * unit_roundoff_error;  ///< of a point's distances to axis and middle plane, times |x| + |Delta|
 inline constexpr double underflow_error =
     0x1p-500;  ///< of the same distances, where squares vanish; in units of the pair's largest length
-
-/// Tangent steps before `undecided`. The bracket halves at least every third step and 54 halvings exhaust a
-/// double, so the cap is never reached; it is what makes that claim checkable.
-inline constexpr int iteration_cap = 200;
 
 Prepared prepare(const Cylinder& c) noexcept;
 

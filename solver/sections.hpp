@@ -20,6 +20,10 @@ inline double pick(bool mask, double a, double b) noexcept { return mask ? a : b
 inline bool any(bool mask) noexcept { return mask; }
 inline bool negate(bool mask) noexcept { return !mask; }
 
+/// Steps inside an edge before `undecided`. Proved never to be reached (section 5), which is what makes it
+/// checkable.
+inline constexpr int iteration_cap = 200;
+
 /// Two solids: unit axes, Delta from the first centre to the second, radii and half heights.
 template <class T>
 struct Couple {
@@ -46,7 +50,7 @@ inline constexpr double parallel_square = 0x1p-98;
 
 /// For axes at an angle: s2 >= steep_square.
 template <class T>
-Sections<T> sections(const Couple<T>& p) noexcept {
+[[gnu::always_inline]] inline Sections<T> sections(const Couple<T>& p) noexcept {
   const T cosine = p.w0x * p.w1x + p.w0y * p.w1y + p.w0z * p.w1z;
   const T nx = p.w0y * p.w1z - p.w0z * p.w1y;
   const T ny = p.w0z * p.w1x - p.w0x * p.w1z;
@@ -134,7 +138,7 @@ struct Sight {
 /// Five rejections and one slice, without a division: they decide most pairs (section 2). Symmetric in the
 /// roles bit for bit. Where both are true, apart counts.
 template <class T>
-auto at_first_sight(const Sections<T>& f) noexcept {
+[[gnu::always_inline]] inline auto at_first_sight(const Sections<T>& f) noexcept {
   const T radii = f.r0 + f.r1, reach_s = f.s * radii;
   const T most2 = f.r0 + f.c * f.r1, most3 = f.c * f.r0 + f.r1;
   const T q = root(positive((reach_s - f.z_s) * (reach_s + f.z_s)));  // times s radii

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: MIT
+// Many pairs at once, in the lanes of whatever vectors the processor has. Verdicts are those of intersect(),
+// pair by pair, on every instruction set: the arithmetic is the same (sections.hpp).
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+#include "solver/decide.hpp"
+
+namespace cyl {
+
+/// One solid of each set, by index.
+struct IndexPair {
+  std::uint32_t a, b;
+};
+
+/// What a kernel is compiled for. Off x86-64 there is `baseline` alone.
+enum class Instructions : unsigned char {
+  baseline,  ///< x86-64: SSE2, two lanes
+  v3,        ///< x86-64-v3: AVX2, four lanes
+  v4         ///< x86-64-v4: AVX-512, eight lanes
+};
+
+/// The best that this processor runs.
+Instructions best_instructions() noexcept;
+
+/// verdicts[i] = intersect(a[pairs[i].a], b[pairs[i].b]). The two sets may be the same; a solid is one
+/// record, since pairs come from a broad phase in any order and one record is two cache lines where eight
+/// arrays would be eight. `verdicts` has room for all pairs. Allocates nothing. An instruction set the
+/// processor lacks: the best it has.
+void intersect_batch(std::span<const Prepared> a, std::span<const Prepared> b,
+                     std::span<const IndexPair> pairs, Verdict* verdicts,
+                     Instructions instructions = best_instructions()) noexcept;
+
+/// verdicts[i * b.size() + j] = intersect(a[i], b[j]), for all i and j.
+void intersect_all(std::span<const Prepared> a, std::span<const Prepared> b, Verdict* verdicts,
+                   Instructions instructions = best_instructions()) noexcept;
+
+}  // namespace cyl

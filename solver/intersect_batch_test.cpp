@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: MIT
+#include "solver/intersect_batch.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+namespace cyl {
+namespace {
+
+std::vector<Instructions> runnable() {
+  std::vector<Instructions> sets;
+  for (const Instructions i : {Instructions::baseline, Instructions::v3, Instructions::v4})
+    if (i <= best_instructions()) sets.push_back(i);
+  return sets;
+}
+
+// Solids in a small room, of all the kinds that take another way through the kernel: steep, nearly parallel
+// and parallel axes, needles, coins, segments, points, far beyond the ordinary, invalid.
+std::vector<Prepared> crowd(int count) {
+  std::uint64_t state = 20261121;
+  auto unit = [&] {
+    state = state * 6364136223846793005u + 1442695040888963407u;
+    return static_cast<double>(state >> 11) * 0x1p-53;
+  };
+  std::vector<Prepared> solids;
+  for (int i = 0; i < count; ++i) {
+    Cylinder c{Vector3(4 * unit(), 4 * unit(), 4 * unit()), Vector3(unit() - 0.5, unit() - 0.5, unit() - 0.5),
+               unit(), 2 * unit()};
+    if (i % 5 == 1) c.axis = Vector3(1, 1, 1) + Vector3(unit(), unit(), unit()) * std::pow(10, -i % 18);
+    if (i % 7 == 1) c.axis = Vector3(0, 0, i % 2 ? 1 : -1);
+    if (i % 11 == 1) c.radius *= 1e-4;
+    if (i % 13 == 1) c.height *= 1e-4;
+    if (i % 17 == 1) c.radius = 0;
+    if (i % 19 == 1) c.height = 0;
+    if (i % 23 == 1) c.center = Vector3(std::floor(c.center.x()), 2, 2);
+    if (i % 53 == 1) c.radius = 1e-290;
+    if (i % 97 == 1) c.radius = std::numeric_limits<double>::quiet_NaN();
+    solids.push_back(prepare(c));
+  }
+  return solids;
+}
+
+TEST(Batch, GivesWhatIntersectGivesOnEveryInstructionSet) {
+  const std::vector<Prepared> a = crowd(211), b = crowd(97);
+  for (const Instructions instructions : runnable()) {
+    std::vector<Verdict> all(a.size() * b.size());
+    intersect_all(a, b, all.data(), instructions);
+    int seen[5] = {};
+    for (std::size_t i = 0; i < a.size(); ++i) {
+      for (std::size_t j = 0; j < b.size(); ++j) {
+        const Verdict said = all[i * b.size() + j];
+        ASSERT_EQ(said, intersect(a[i], b[j])) << i << " " << j << " " << static_cast<int>(instructions);
+        ++seen[static_cast<int>(said)];
+      }
+    }
+    EXPECT_GT(seen[static_cast<int>(Verdict::disjoint)], 1000);
+    EXPECT_GT(seen[static_cast<int>(Verdict::intersecting)], 500);
+    EXPECT_GT(seen[static_cast<int>(Verdict::invalid)], 100);
+  }
+}
+
+TEST(Batch, TakesPairsInAnyOrderAndNumber) {
+  const std::vector<Prepared> solids = crowd(100);
+  for (const Instructions instructions : runnable()) {
+    for (const std::size_t count : {0, 1, 2, 3, 7, 8, 9, 1023, 1024, 1025, 3000}) {
+      std::vector<IndexPair> pairs;
+      for (std::size_t i = 0; i < count; ++i)
+        pairs.push_back({static_cast<std::uint32_t>(i * 37 % 100), static_cast<std::uint32_t>(i * i % 100)});
+      // One more, which must stay as it is.
+      std::vector<Verdict> verdicts(count + 1, Verdict::touching);
+      intersect_batch(solids, solids, pairs, verdicts.data(), instructions);
+      for (std::size_t i = 0; i < count; ++i)
+        ASSERT_EQ(verdicts[i], intersect(solids[pairs[i].a], solids[pairs[i].b])) << i << " of " << count;
+      ASSERT_EQ(verdicts[count], Verdict::touching);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace cyl
