@@ -174,6 +174,13 @@ class GjkEpa2 final : public Bullet {
     }
     return answer;
   }
+  Call prepare_all(std::span<const Pair> pairs) override {
+    return [solids = solids_of<SharpCylinder>(pairs)](std::size_t i) {
+      btGjkEpaSolver2::sResults result;
+      if (measure(solids[i].first, solids[i].second, result)) return verdict_of(result.distance);
+      return result.status == result.EPA_Failed ? Verdict::intersecting : Verdict::undecided;
+    };
+  }
   DistanceCall prepare_distances(std::span<const Pair> pairs) override {
     return [solids = solids_of<SharpCylinder>(pairs)](std::size_t i) {
       btGjkEpaSolver2::sResults result;

@@ -199,7 +199,7 @@ TEST(Methods, PreparedCallsSayWhatAskSays) {
       }
     }
   }
-  EXPECT_EQ(verdicts.size(), 14u);
+  EXPECT_EQ(verdicts.size(), 15u);
   EXPECT_EQ(distances,
             (std::set<std::string>{"fcl-distance-libccd", "fcl-distance-libccd-tol1e-10", "bullet-cylinder",
                                    "bullet-cylinder-margin0", "bullet-gjkepa2"}));
