@@ -7,9 +7,13 @@
 #include <BulletCollision/NarrowPhaseCollision/btVoronoiSimplexSolver.h>
 
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <optional>
 #include <string>
+#include <type_traits>
+#include <utility>
+#include <vector>
 
 #include "oracles/adapter.hpp"
 #include "oracles/method.hpp"
@@ -28,6 +32,8 @@ constexpr std::string_view vertex_source =
 /// Relative rounding of a vertex of a prism: cosine, quotient and product, less than 4 ulp.
 constexpr double vertex_error = 0x1p-50;
 
+constexpr double no_distance = std::numeric_limits<double>::quiet_NaN();
+
 std::string version_of_bullet() {
   return std::to_string(btGetVersion() / 100) + '.' + std::to_string(btGetVersion() % 100);
 }
@@ -42,15 +48,40 @@ btTransform pose_of(const Cylinder& c) {
 
 btVector3 half_extents(const Cylinder& c) { return {c.radius, c.radius, c.height / 2}; }
 
+/// btCylinderShapeZ as its constructor leaves it: shrunk by a margin, which rounds the rims.
+struct RoundedCylinder : btCylinderShapeZ {
+  explicit RoundedCylinder(const Cylinder& c) : btCylinderShapeZ(half_extents(c)) {}
+};
+
+struct SharpCylinder : btCylinderShapeZ {
+  explicit SharpCylinder(const Cylinder& c) : btCylinderShapeZ(half_extents(c)) { setMargin(0); }
+};
+
+template <class Shape>
+struct Solid {
+  explicit Solid(const Cylinder& c) : shape(c), pose(pose_of(c)) {}
+
+  Shape shape;
+  btTransform pose;
+};
+
+template <class Shape>
+std::vector<std::pair<Solid<Shape>, Solid<Shape>>> solids_of(std::span<const Pair> pairs) {
+  std::vector<std::pair<Solid<Shape>, Solid<Shape>>> solids;
+  for (const Pair& pair : pairs) solids.emplace_back(pair.a, pair.b);
+  return solids;
+}
+
 /// The signed distance that Bullet's default dispatch sees between two convex shapes: GJK, then EPA where
 /// they overlap. Nothing where it makes no contact; the bodies then pass through each other.
-std::optional<double> detect(const btConvexShape& a, const btConvexShape& b, const Pair& pair) {
+std::optional<double> detect(const btConvexShape& a, const btTransform& pose_a, const btConvexShape& b,
+                             const btTransform& pose_b) {
   btVoronoiSimplexSolver simplex;
   btGjkEpaPenetrationDepthSolver depth;
   btGjkPairDetector detector(&a, &b, &simplex, &depth);
   btDiscreteCollisionDetectorInterface::ClosestPointInput input;
-  input.m_transformA = pose_of(pair.a);
-  input.m_transformB = pose_of(pair.b);
+  input.m_transformA = pose_a;
+  input.m_transformB = pose_b;
 
   struct Contact final : btDiscreteCollisionDetectorInterface::Result {
     std::optional<double> distance;
@@ -62,10 +93,14 @@ std::optional<double> detect(const btConvexShape& a, const btConvexShape& b, con
   return contact.distance;
 }
 
+Verdict verdict_of(std::optional<double> distance) {
+  return distance && !(*distance > 0) ? Verdict::intersecting : Verdict::disjoint;
+}
+
 MethodAnswer answer_of(std::optional<double> distance) {
   MethodAnswer answer;
   answer.status = Status::answered;
-  answer.verdict = distance && !(*distance > 0) ? Verdict::intersecting : Verdict::disjoint;
+  answer.verdict = verdict_of(distance);
   answer.has_distance = distance.has_value();
   answer.distance = distance.value_or(0);
   return answer;
@@ -83,33 +118,34 @@ class Bullet : public Method {
   const std::string version_ = version_of_bullet();
 };
 
-/// btCylinderShapeZ as its constructor leaves it: shrunk by a margin, which rounds the rims.
-class CylinderWithMargin final : public Bullet {
+/// The detector on cylinders of one kind.
+template <class Shape>
+class Detector final : public Bullet {
  public:
   using Bullet::Bullet;
   Claim claim() const override {
+    if (std::is_same_v<Shape, SharpCylinder>) return Bullet::claim();
     return {.absolute = 2 * CONVEX_DISTANCE_MARGIN,
             .source = "btCollisionMargin.h: CONVEX_DISTANCE_MARGIN btScalar(0.04), of each shape"};
   }
   MethodAnswer ask(const Pair& pair) override {
     if (const auto declined = decline_invalid(pair)) return *declined;
-    const btCylinderShapeZ a(half_extents(pair.a));
-    const btCylinderShapeZ b(half_extents(pair.b));
-    return answer_of(detect(a, b, pair));
+    return answer_of(measure(Solid<Shape>(pair.a), Solid<Shape>(pair.b)));
   }
-};
+  Call prepare_all(std::span<const Pair> pairs) override {
+    return [solids = solids_of<Shape>(pairs)](std::size_t i) {
+      return verdict_of(measure(solids[i].first, solids[i].second));
+    };
+  }
+  DistanceCall prepare_distances(std::span<const Pair> pairs) override {
+    return [solids = solids_of<Shape>(pairs)](std::size_t i) {
+      return measure(solids[i].first, solids[i].second).value_or(no_distance);
+    };
+  }
 
-struct SharpCylinder : btCylinderShapeZ {
-  explicit SharpCylinder(const Cylinder& c) : btCylinderShapeZ(half_extents(c)) { setMargin(0); }
-};
-
-class CylinderWithoutMargin final : public Bullet {
- public:
-  using Bullet::Bullet;
-  MethodAnswer ask(const Pair& pair) override {
-    if (const auto declined = decline_invalid(pair)) return *declined;
-    const SharpCylinder a(pair.a), b(pair.b);
-    return answer_of(detect(a, b, pair));
+ private:
+  static std::optional<double> measure(const Solid<Shape>& a, const Solid<Shape>& b) {
+    return detect(a.shape, a.pose, b.shape, b.pose);
   }
 };
 
@@ -126,10 +162,8 @@ class GjkEpa2 final : public Bullet {
   // lost.
   MethodAnswer ask(const Pair& pair) override {
     if (const auto declined = decline_invalid(pair)) return *declined;
-    const SharpCylinder a(pair.a), b(pair.b);
     btGjkEpaSolver2::sResults result;
-    const btVector3 guess = to_bullet(pair.a.center - pair.b.center);
-    if (btGjkEpaSolver2::SignedDistance(&a, pose_of(pair.a), &b, pose_of(pair.b), guess, result))
+    if (measure(Solid<SharpCylinder>(pair.a), Solid<SharpCylinder>(pair.b), result))
       return answer_of(result.distance);
     MethodAnswer answer;
     if (result.status == btGjkEpaSolver2::sResults::EPA_Failed) {
@@ -139,6 +173,27 @@ class GjkEpa2 final : public Bullet {
       answer.set_reason("GJK_Failed: shapes are probably just 'touching' (btGjkEpa2.h)");
     }
     return answer;
+  }
+  Call prepare_all(std::span<const Pair> pairs) override {
+    return [solids = solids_of<SharpCylinder>(pairs)](std::size_t i) {
+      btGjkEpaSolver2::sResults result;
+      if (measure(solids[i].first, solids[i].second, result)) return verdict_of(result.distance);
+      return result.status == result.EPA_Failed ? Verdict::intersecting : Verdict::undecided;
+    };
+  }
+  DistanceCall prepare_distances(std::span<const Pair> pairs) override {
+    return [solids = solids_of<SharpCylinder>(pairs)](std::size_t i) {
+      btGjkEpaSolver2::sResults result;
+      const bool found = measure(solids[i].first, solids[i].second, result);
+      return found ? result.distance : no_distance;
+    };
+  }
+
+ private:
+  static bool measure(const Solid<SharpCylinder>& a, const Solid<SharpCylinder>& b,
+                      btGjkEpaSolver2::sResults& result) {
+    const btVector3 guess = a.pose.getOrigin() - b.pose.getOrigin();
+    return btGjkEpaSolver2::SignedDistance(&a.shape, a.pose, &b.shape, b.pose, guess, result);
   }
 };
 
@@ -171,7 +226,7 @@ class Hull final : public Bullet {
     btConvexHullShape a, b;
     fill(a, pair.a, stretch);
     fill(b, pair.b, stretch);
-    return answer_of(detect(a, b, pair)).verdict == Verdict::intersecting;
+    return verdict_of(detect(a, pose_of(pair.a), b, pose_of(pair.b))) == Verdict::intersecting;
   }
 
   void fill(btConvexHullShape& hull, const Cylinder& c, double stretch) const {
@@ -195,8 +250,8 @@ class Hull final : public Bullet {
 
 std::vector<std::unique_ptr<Method>> bullet_methods() {
   std::vector<std::unique_ptr<Method>> methods;
-  methods.push_back(std::make_unique<CylinderWithMargin>("bullet-cylinder"));
-  methods.push_back(std::make_unique<CylinderWithoutMargin>("bullet-cylinder-margin0"));
+  methods.push_back(std::make_unique<Detector<RoundedCylinder>>("bullet-cylinder"));
+  methods.push_back(std::make_unique<Detector<SharpCylinder>>("bullet-cylinder-margin0"));
   methods.push_back(std::make_unique<GjkEpa2>("bullet-gjkepa2"));
   methods.push_back(std::make_unique<Hull>(16, 1));
   methods.push_back(std::make_unique<Hull>(64, 8));  // 40 us a pair, ten times the others

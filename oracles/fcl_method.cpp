@@ -5,6 +5,7 @@
 #include <fcl/narrowphase/distance.h>
 
 #include <algorithm>
+#include <limits>
 #include <utility>
 #include <vector>
 
@@ -37,6 +38,12 @@ struct Solid {
   fcl::Transform3d pose = fcl::Transform3d::Identity();
 };
 
+std::vector<std::pair<Solid, Solid>> solids_of(std::span<const Pair> pairs) {
+  std::vector<std::pair<Solid, Solid>> solids;
+  for (const Pair& pair : pairs) solids.emplace_back(Solid(pair.a), Solid(pair.b));
+  return solids;
+}
+
 /// fcl::collide without contacts: yes or no.
 class Collide final : public Method {
  public:
@@ -56,9 +63,7 @@ class Collide final : public Method {
     return answer;
   }
   Call prepare_all(std::span<const Pair> pairs) override {
-    std::vector<std::pair<Solid, Solid>> solids;
-    for (const Pair& pair : pairs) solids.emplace_back(Solid(pair.a), Solid(pair.b));
-    return [this, solids = std::move(solids)](std::size_t i) {
+    return [this, solids = solids_of(pairs)](std::size_t i) {
       return collide(solids[i].first, solids[i].second);
     };
   }
@@ -89,19 +94,15 @@ class Distance final : public Method {
     return {.absolute = request_.distance_tolerance, .source = distance_source};
   }
 
-  // Where FCL finds no distance it says -1: an overlap, of unknown depth. The nearest points are its witness:
-  // they are the ends of a separating direction.
+  // The nearest points are its witness: they are the ends of a separating direction.
   MethodAnswer ask(const Pair& pair) override {
     if (const auto declined = decline_invalid(pair)) return *declined;
-    const Solid a(pair.a), b(pair.b);
     fcl::DistanceResultd result;
-    // Where FCL gives up it leaves them as they were: uninitialised memory, another answer each time.
-    for (Vector3& point : result.nearest_points) point.setZero();
-    const double distance = fcl::distance(&a.shape, a.pose, &b.shape, b.pose, request_, result);
+    const double distance = measure(Solid(pair.a), Solid(pair.b), result);
     MethodAnswer answer;
     answer.status = Status::answered;
     answer.verdict = distance > 0 ? Verdict::disjoint : Verdict::intersecting;
-    if (distance <= 0) return answer;
+    if (!(distance > 0)) return answer;
     answer.has_distance = true;
     answer.distance = distance;
     const Vector3 direction = result.nearest_points[1] - result.nearest_points[0];
@@ -111,8 +112,22 @@ class Distance final : public Method {
     }
     return answer;
   }
+  DistanceCall prepare_distances(std::span<const Pair> pairs) override {
+    return [this, solids = solids_of(pairs)](std::size_t i) {
+      fcl::DistanceResultd result;
+      const double distance = measure(solids[i].first, solids[i].second, result);
+      return distance > 0 ? distance : std::numeric_limits<double>::quiet_NaN();
+    };
+  }
 
  private:
+  // Where FCL finds no distance it says -1: an overlap, of unknown depth. Where it gives up it leaves the
+  // nearest points as they were: uninitialised memory, another answer each time.
+  double measure(const Solid& a, const Solid& b, fcl::DistanceResultd& result) const {
+    for (Vector3& point : result.nearest_points) point.setZero();
+    return fcl::distance(&a.shape, a.pose, &b.shape, b.pose, request_, result);
+  }
+
   std::string_view name_;
   fcl::DistanceRequestd request_;
 };

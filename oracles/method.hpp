@@ -90,6 +90,9 @@ std::vector<std::unique_ptr<Method>> own_methods();  ///< intersect, decide, exa
 std::vector<std::unique_ptr<Method>> nlopt_methods();
 std::vector<std::unique_ptr<Method>> fcl_methods();
 std::vector<std::unique_ptr<Method>> bullet_methods();
+std::vector<std::unique_ptr<Method>> ccd_methods();
+std::vector<std::unique_ptr<Method>> ode_methods();
+std::vector<std::unique_ptr<Method>> mujoco_methods();
 
 /// Keeps the methods that `spec` names: "a,b" keeps a and b, "-a,b" (given as --methods=-a,b) all but a and
 /// b; a name stands for every method that is it or begins with it and '-'. Throws std::invalid_argument on an

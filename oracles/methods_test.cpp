@@ -1,14 +1,17 @@
 // SPDX-License-Identifier: MIT
 #include <gtest/gtest.h>
+#include <mujoco/mujoco.h>
 
 #include <Eigen/Geometry>
 #include <cmath>
 #include <cstring>
+#include <filesystem>
 #include <numbers>
 #include <set>
 #include <stdexcept>
 
 #include "oracles/adapter.hpp"
+#include "oracles/compare.hpp"
 #include "oracles/contained.hpp"
 #include "oracles/method.hpp"
 
@@ -21,7 +24,7 @@ struct Known {
   double distance;  ///< exact up to rounding where disjoint
 };
 
-double size_of(const Pair& p) { return p.a.radius + p.a.height + p.b.radius + p.b.height; }
+double extent_of(const Pair& p) { return p.a.radius + p.a.height + p.b.radius + p.b.height; }
 
 /// The point of c farthest along the unit vector d.
 Vector3 support(const Cylinder& c, const Vector3& d) {
@@ -54,7 +57,7 @@ std::vector<Known> easy_pairs(double scale = 1) {
       c->radius *= scale;
       c->height *= scale;
     }
-    known.push_back(apart(p, directions[i % 3], 0.1 * size_of(p)));
+    known.push_back(apart(p, directions[i % 3], 0.1 * extent_of(p)));
     p.b.center = p.a.center;
     known.push_back({p, Verdict::intersecting, 0});
   }
@@ -66,7 +69,7 @@ std::vector<Known> easy_pairs(double scale = 1) {
     c->radius *= scale;
     c->height *= scale;
   }
-  for (double gap : {0.1 * size_of(p), -0.1 * size_of(p)}) {
+  for (double gap : {0.1 * extent_of(p), -0.1 * extent_of(p)}) {
     const Verdict verdict = gap > 0 ? Verdict::disjoint : Verdict::intersecting;
     p.b.center = p.a.center + (p.a.radius + p.b.radius + gap) * side;
     known.push_back({p, verdict, gap});
@@ -110,7 +113,7 @@ TEST(Methods, EachIsRightFarFromTouching) {
       EXPECT_EQ(answer.verdict, k.verdict) << m->name();
       if (!answer.has_distance) continue;
       if (k.verdict == Verdict::disjoint) {
-        EXPECT_NEAR(answer.distance, k.distance, 2e-2 * size_of(k.pair)) << m->name();
+        EXPECT_NEAR(answer.distance, k.distance, 2e-2 * extent_of(k.pair)) << m->name();
       } else {
         EXPECT_LE(answer.distance, 0) << m->name();
       }
@@ -141,7 +144,7 @@ TEST(Methods, DecideProves) {
 }
 
 TEST(Methods, TheLengthOfAnAxisDoesNotMatter) {
-  for (const auto& m : chosen("nlopt,fcl,bullet")) {
+  for (const auto& m : chosen("nlopt,fcl,bullet,libccd,ode,mujoco")) {
     for (const Known& k : easy_pairs()) {
       Pair stretched = k.pair;
       stretched.a.axis *= 0x1p-600;
@@ -157,11 +160,49 @@ TEST(Methods, TheLengthOfAnAxisDoesNotMatter) {
 TEST(Methods, ForeignOnesDeclineWhatIsNoCylinder) {
   Pair p{upright({0, 0, 0}), upright({3, 0, 0})};
   p.b.axis = {0, 0, 0};
-  for (const auto& m : chosen("nlopt,fcl,bullet")) {
+  for (const auto& m : chosen("nlopt,fcl,bullet,libccd,ode,mujoco")) {
     const MethodAnswer answer = m->ask(p);
     EXPECT_EQ(answer.status, Status::declined) << m->name();
     EXPECT_STREQ(answer.reason, "b: axis is zero");
   }
+}
+
+TEST(Methods, TheSamePairGivesTheSameAnswerInAnyOrder) {
+  const auto known = easy_pairs();
+  for (const auto& m : chosen("fcl,bullet,libccd,ode,mujoco")) {
+    std::vector<MethodAnswer> answers;
+    for (const Known& k : known) answers.push_back(m->ask(k.pair));
+    for (std::size_t i = known.size(); i-- > 0;)
+      EXPECT_TRUE(same_answer(m->ask(known[i].pair), answers[i])) << m->name();
+  }
+}
+
+TEST(Methods, PreparedCallsSayWhatAskSays) {
+  std::vector<Pair> pairs;
+  for (const Known& k : easy_pairs()) pairs.push_back(k.pair);
+  std::set<std::string> verdicts, distances;
+  for (const auto& m : chosen("fcl,bullet,libccd,ode,mujoco")) {
+    const auto verdict_of = m->prepare_all(pairs);
+    const auto distance_of = m->prepare_distances(pairs);
+    if (verdict_of) verdicts.emplace(m->name());
+    if (distance_of) distances.emplace(m->name());
+    for (std::size_t i = 0; i < pairs.size(); ++i) {
+      const MethodAnswer answer = m->ask(pairs[i]);
+      if (verdict_of) {
+        EXPECT_EQ(verdict_of(i), answer.verdict) << m->name();
+      }
+      if (!distance_of) continue;
+      const double distance = distance_of(i);
+      EXPECT_EQ(std::isnan(distance), !answer.has_distance) << m->name();
+      if (answer.has_distance) {
+        EXPECT_EQ(distance, answer.distance) << m->name();
+      }
+    }
+  }
+  EXPECT_EQ(verdicts.size(), 15u);
+  EXPECT_EQ(distances,
+            (std::set<std::string>{"fcl-distance-libccd", "fcl-distance-libccd-tol1e-10", "bullet-cylinder",
+                                   "bullet-cylinder-margin0", "bullet-gjkepa2"}));
 }
 
 TEST(Methods, ExtremeScalesStayInTheWorker) {
@@ -186,7 +227,7 @@ TEST(Nlopt, FindsTheDistanceAtEveryScale) {
         ASSERT_EQ(answer.verdict, k.verdict) << m->name() << " at " << scale;
         ASSERT_TRUE(answer.has_distance);
         if (k.verdict == Verdict::disjoint) {
-          EXPECT_NEAR(answer.distance / size_of(k.pair), k.distance / size_of(k.pair), 1e-7) << m->name();
+          EXPECT_NEAR(answer.distance / extent_of(k.pair), k.distance / extent_of(k.pair), 1e-7) << m->name();
         }
       }
     }
@@ -196,7 +237,7 @@ TEST(Nlopt, FindsTheDistanceAtEveryScale) {
 // Rim against rim, neither axis nor their cross product separates: only a search can find it.
 TEST(Nlopt, FindsANarrowSeparation) {
   const Pair p{{{0, 0, 0}, {1, 2, 3}, 1, 2}, {{0, 0, 0}, {-1, 0.5, 0.1}, 1, 2}};
-  const Known k = apart(p, {0.2, 0.9, -0.4}, 1e-4 * size_of(p));
+  const Known k = apart(p, {0.2, 0.9, -0.4}, 1e-4 * extent_of(p));
   for (const auto& m : chosen("nlopt")) {
     const MethodAnswer answer = m->ask(k.pair);
     EXPECT_EQ(answer.verdict, Verdict::disjoint) << m->name();
@@ -274,6 +315,73 @@ TEST(Bullet, TheDefaultMarginRoundsTheRims) {
     EXPECT_EQ(m->ask(p).verdict, m->name() == "bullet-cylinder" ? Verdict::disjoint : Verdict::intersecting);
 }
 
+TEST(Libccd, AnyLengthOfADirectionWillDo) {
+  // Its directions are products of lengths; their squares overflow here, or vanish.
+  for (const auto& m : chosen("libccd-gjk"))
+    for (const Known& k : easy_pairs(1e60)) EXPECT_EQ(m->ask(k.pair).verdict, k.verdict) << m->name();
+}
+
+TEST(Libccd, GjkHitsAcrossASmallGap) {
+  const Pair p{upright({0, 0, 0}), upright({0, 0, 2 + 1e-9})};
+  EXPECT_EQ(chosen("libccd-gjk")[0]->ask(p).verdict, Verdict::intersecting);
+  for (const auto& m : chosen("libccd-mpr")) EXPECT_EQ(m->ask(p).verdict, Verdict::disjoint) << m->name();
+}
+
+TEST(Libccd, MprMissesAnOverlapBelowItsTolerance) {
+  const Pair p =
+      apart({{{0, 0, 0}, {1, 2, 3}, 1, 2}, {{0, 0, 0}, {-1, 0.5, 0.1}, 1, 2}}, {0.2, 0.9, -0.4}, -1e-6).pair;
+  for (const auto& m : chosen("libccd-mpr,decide"))
+    EXPECT_EQ(m->ask(p).verdict, m->name() == "libccd-mpr" ? Verdict::disjoint : Verdict::intersecting)
+        << m->name();
+}
+
+TEST(Ode, TakesNearlyParallelAxesForParallel) {
+  for (const double degrees : {2.56, 2.57}) {
+    const double tilt = degrees * std::numbers::pi / 180;
+    const Pair p{{{0, 0, 0}, {0, 0, 1}, 0.01, 1},
+                 {{0.0201, 0, 0}, {std::sin(tilt), 0, std::cos(tilt)}, 0.01, 1}};
+    for (const auto& m : chosen("decide,ode")) {
+      const bool missed = m->name() != "decide" && degrees == 2.56;
+      EXPECT_EQ(m->ask(p).verdict, missed ? Verdict::disjoint : Verdict::intersecting) << m->name();
+    }
+  }
+}
+
+TEST(Ode, AbortsOnTinyCylinders) {
+  const auto methods = chosen("ode");
+  const Pair pairs[] = {{{{0, 0, 0}, {0, 0, 1}, 1e-20, 1e-20}, upright({0, 0, 0})},
+                        {upright({0, 0, 0}), upright({3, 0, 0})}};
+  const Question questions[] = {{0, 0}, {0, 1}};
+  const auto answers = ask_contained(methods, pairs, questions);
+  EXPECT_EQ(answers[0].answer.failure, Failure::crash);
+  EXPECT_NE(std::string(answers[0].answer.reason).find("Invalid cylinder"), std::string::npos);
+  EXPECT_EQ(answers[1].answer.verdict, Verdict::disjoint);
+}
+
+TEST(Peers, DeclineSizesThatTheyDoNotTake) {
+  for (const auto& m : chosen("ode,mujoco,libccd")) {
+    const bool ode = m->name().starts_with("ode"), libccd = m->name().starts_with("libccd");
+    const auto status_of = [&](double radius, double height) {
+      return m->ask({{{0, 0, 0}, {0, 0, 1}, radius, height}, upright({3, 0, 0})}).status;
+    };
+    EXPECT_EQ(status_of(1, 0), libccd ? Status::answered : Status::declined) << m->name();
+    EXPECT_EQ(status_of(0, 1), libccd || ode ? Status::answered : Status::declined) << m->name();
+  }
+}
+
+TEST(Mujoco, SaysItsErrorsAndWritesNoLog) {
+  const auto methods = chosen("mujoco");
+  namespace fs = std::filesystem;
+  const fs::path before = fs::current_path(), scratch = fs::path(testing::TempDir()) / "daylight_mujoco";
+  fs::create_directories(scratch);
+  fs::current_path(scratch);
+  mju_warning("no trace of this");
+  EXPECT_DEATH(mju_error("said of this"), "said of this");
+  EXPECT_TRUE(fs::is_empty(scratch));
+  fs::current_path(before);
+  fs::remove_all(scratch);
+}
+
 TEST(SelectNames, NamesAndPrefixesInTheirOrder) {
   const std::vector<std::string> names{"decide", "fcl-indep", "fcl-libccd", "fcl-libccd-tol1e-10", "fclx"};
   using Indices = std::vector<std::size_t>;
@@ -299,7 +407,7 @@ TEST(SelectNames, AnUnknownNameIsAnErrorThatListsTheKnown) {
 
 TEST(SelectMethods, KeepsTheMethodsNamed) {
   EXPECT_EQ(names_of(chosen("decide,fcl-indep")), (std::vector<std::string>{"decide", "fcl-indep"}));
-  for (const auto& m : chosen("-fcl,nlopt,bullet")) EXPECT_FALSE(m->foreign()) << m->name();
+  for (const auto& m : chosen("-nlopt,fcl,bullet,libccd,ode,mujoco")) EXPECT_FALSE(m->foreign()) << m->name();
 }
 
 TEST(SetReason, TruncatesAndTerminates) {
