@@ -4,6 +4,7 @@
 #include "solver/decide.hpp"
 
 #include <Eigen/Geometry>
+#include <bit>
 #include <cmath>
 
 #include "solver/frame.hpp"
@@ -78,34 +79,43 @@ bool try_point(const Couple<double>& p, const Base& base, const Vector3& x, Answ
   return true;
 }
 
-// A rectangle in a plane: centre, half length along its first unit side, half length along the other.
+// A rectangle in a plane: centre, unit side, half lengths along it and across it.
 struct Rectangle {
-  double x, y;    // centre
-  double ax, ay;  // first side; the other is (-ay, ax)
-  double half0, half1;
+  double x, y, ax, ay;
+  double along, across;
 };
 
 struct PlanePoint {
   double x, y;
 };
 
-// The point of `share` times the rectangle nearest to q.
-PlanePoint nearest(const Rectangle& r, PlanePoint q, double share) noexcept {
-  const double dx = q.x - r.x, dy = q.y - r.y;
-  const double along = dx * r.ax + dy * r.ay, across = dy * r.ax - dx * r.ay;
-  const double a = smaller(larger(along, -share * r.half0), share * r.half0);
-  const double b = smaller(larger(across, -share * r.half1), share * r.half1);
-  return {r.x + a * r.ax - b * r.ay, r.y + a * r.ay + b * r.ax};
-}
-
-bool inside(const Rectangle& r, PlanePoint q) noexcept {
-  const double dx = q.x - r.x, dy = q.y - r.y;
-  return (std::fabs(dx * r.ax + dy * r.ay) < r.half0) & (std::fabs(dy * r.ax - dx * r.ay) < r.half1);
+// A point that is often in both: on the line along r's longer side that passes other's centre as near as well
+// inside r it can, the middle of what both rectangles cut out of it.
+PlanePoint on_long_side(const Rectangle& r, const Rectangle& other) noexcept {
+  constexpr double inwards = 0.75;
+  const bool first = r.along > r.across;
+  const double lx = first ? r.ax : -r.ay, ly = first ? r.ay : r.ax;  // along the longer side
+  const double sx = -ly, sy = lx;
+  const double longer = first ? r.along : r.across, limit = inwards * (first ? r.across : r.along);
+  const double dx = other.x - r.x, dy = other.y - r.y;
+  const double beside = larger(-limit, smaller(limit, dx * sx + dy * sy));
+  const double ox = beside * sx, oy = beside * sy;
+  // |from + t rate| <= half for both sides of the other.
+  const double ex = dx - ox, ey = dy - oy;
+  const double inverse0 = 1 / (lx * other.ax + ly * other.ay), inverse1 = 1 / (ly * other.ax - lx * other.ay);
+  const double middle0 = (ex * other.ax + ey * other.ay) * inverse0,
+               width0 = other.along * std::fabs(inverse0);
+  const double middle1 = (ey * other.ax - ex * other.ay) * inverse1,
+               width1 = other.across * std::fabs(inverse1);
+  const double lo = larger(-longer, larger(middle0 - width0, middle1 - width1));
+  const double hi = smaller(longer, smaller(middle0 + width0, middle1 + width1));
+  const double t = (lo + hi) / 2;
+  return {r.x + ox + t * lx, r.y + oy + t * ly};
 }
 
 // Deep in both: rectangle 1 clipped by rectangle 0, the mean of what is left. False where nothing is left.
 bool middle_of_overlap(const Rectangle& r0, const Rectangle& r1, PlanePoint& found) noexcept {
-  const double ax = r1.half0 * r1.ax, ay = r1.half0 * r1.ay, bx = -r1.half1 * r1.ay, by = r1.half1 * r1.ax;
+  const double ax = r1.along * r1.ax, ay = r1.along * r1.ay, bx = -r1.across * r1.ay, by = r1.across * r1.ax;
   PlanePoint polygon[8] = {{r1.x - ax - bx, r1.y - ay - by},
                            {r1.x + ax - bx, r1.y + ay - by},
                            {r1.x + ax + bx, r1.y + ay + by},
@@ -126,10 +136,10 @@ bool middle_of_overlap(const Rectangle& r0, const Rectangle& r1, PlanePoint& fou
     count = n;
     for (int i = 0; i < n; ++i) polygon[i] = kept[i];
   };
-  clip(&PlanePoint::x, 1, r0.half0);
-  clip(&PlanePoint::x, -1, r0.half0);
-  clip(&PlanePoint::y, 1, r0.half1);
-  clip(&PlanePoint::y, -1, r0.half1);
+  clip(&PlanePoint::x, 1, r0.along);
+  clip(&PlanePoint::x, -1, r0.along);
+  clip(&PlanePoint::y, 1, r0.across);
+  clip(&PlanePoint::y, -1, r0.across);
   if (count == 0) return false;
   found = {0, 0};
   for (int i = 0; i < count; ++i) {
@@ -150,16 +160,9 @@ bool try_slice(const Couple<double>& p, const Frame& frame, const Base& base, do
   auto attempt = [&](PlanePoint q) {
     return try_point(p, base, q.x * frame.w0 + q.y * frame.m0 + u * frame.n, answer);
   };
-  // Most overlaps hold the point of one rectangle nearest to the other's centre, taken a little inwards.
-  constexpr double inwards = 0.75;
-  PlanePoint q = nearest(r0, {r1.x, r1.y}, inwards);
-  for (int i = 0; i < 2; ++i) {
-    if (inside(r1, q) && attempt(q)) return true;
-    q = nearest(r1, q, inwards);
-    if (inside(r0, q) && attempt(q)) return true;
-    q = nearest(r0, q, inwards);
-  }
-  return middle_of_overlap(r0, r1, q) && attempt(q);
+  PlanePoint q;
+  return attempt(on_long_side(r0, r1)) || attempt(on_long_side(r1, r0)) ||
+         (middle_of_overlap(r0, r1, q) && attempt(q));
 }
 
 void prove_parallel(const Couple<double>& p, const Parallel& found, const Base& base,
@@ -269,20 +272,93 @@ bool prove_at_first_sight(const Couple<double>& p, const Frame& frame, const Bas
   return sight.met && try_slice(p, frame, base, radii > 0 ? frame.z * (f.r0 / radii) : 0, answer);
 }
 
-}  // namespace
-
-Answer decide(const Prepared& a, const Prepared& b) noexcept {
-  Answer answer;
-  if ((a.defect != Defect::none) | (b.defect != Defect::none)) {
-    answer.verdict = Verdict::invalid;
-    return answer;
+// The common case, where first sight decides by more than rounding and the numbers it compared are proof
+// enough (section 8): ordinary solids, axes at an angle.
+[[gnu::always_inline]] inline bool prove_in_passing(const Couple<double>& p, const Base& base,
+                                                    Answer& answer) noexcept {
+  const Products<double> q = products(p);
+  const Sections<double> f = sections(p, q);
+  if (f.s2 < steep_square) return false;
+  const auto sight = at_first_sight(f);
+  const double radii = p.r0 + p.r1;
+  const double reach = radii + p.h0 + p.h1 + std::fabs(p.dx) + std::fabs(p.dy) + std::fabs(p.dz);
+  if (sight.apart) {
+    const double error = sight_error * reach;
+    const unsigned beyond = (f.z_s - f.s * radii > error ? 1u : 0u) | (f.k0 - f.s * p.r1 > error ? 2u : 0u) |
+                            (f.k1 - f.s * p.r0 > error ? 4u : 0u) |
+                            (f.k2_s - f.s * (p.r0 + f.c * p.r1) > error ? 8u : 0u) |
+                            (f.k3_s - f.s * (f.c * p.r0 + p.r1) > error ? 16u : 0u);
+    if (beyond == 0) return false;
+    // n, w0, w1, m0 and m1 as sums of w0, w1 and n. A table, since which of them it is nobody can predict.
+    const double weights[5][3] = {{0, 0, 1}, {1, 0, 0}, {0, 1, 0}, {q.cosine, -1, 0}, {-1, q.cosine, 0}};
+    const double along[5] = {q.dn, q.d0, q.d1, q.cosine * q.d0 - q.d1, q.cosine * q.d1 - q.d0};
+    const int j = std::countr_zero(beyond);
+    const double sign = std::copysign(1.0, along[j]);
+    const double a = sign * weights[j][0], b = sign * weights[j][1], n = sign * weights[j][2];
+    answer.verdict = Verdict::disjoint;
+    answer.proof = Proof::direction;
+    answer.direction = {a * p.w0x + b * p.w1x + n * q.nx, a * p.w0y + b * p.w1y + n * q.ny,
+                        a * p.w0z + b * p.w1z + n * q.nz};
+    return true;
   }
-  const bool swapped = out_of_order(a, b);
-  const Prepared& first = swapped ? b : a;
-  const Prepared& second = swapped ? a : b;
+  if (!sight.met) return false;
+  // The slice at u, in coordinates along w0 and along (w1 - C w0)/s, in units of r0 + r1.
+  const double inverse = 1 / f.s, unit = 1 / radii;
+  const double h0 = p.h0 * unit, r0 = p.r0 * unit, h1 = p.h1 * unit, r1 = p.r1 * unit;
+  const double z = f.z_s * inverse * unit, u = z * r0, v = z - u;
+  const double along = q.d0 * unit, across = (q.d1 - q.cosine * q.d0) * inverse * unit;
+  // The point where the squares of its coordinates in both rectangles, in units of their half lengths, sum up
+  // to least: of the candidates tried the best that needs no case distinction. Weights times all squares, so
+  // that there is one division.
+  const double q2 = (1 - z) * (1 + z);
+  const double hh0 = h0 * h0, bb0 = q2 * r0 * r0, hh1 = h1 * h1, bb1 = q2 * r1 * r1;
+  const double first = hh0 * bb0, second = hh1 * bb1;
+  const double along0 = bb0 * second, across0 = hh0 * second, along1 = bb1 * first, across1 = hh1 * first;
+  const double c2 = f.c * f.c, xx = along1 * c2 + across1 * f.s2, yy = along1 * f.s2 + across1 * c2;
+  const double xy = (along1 - across1) * (q.cosine * f.s);
+  const double gx = xx * along + xy * across, gy = xy * along + yy * across;
+  const double mx = xx + along0, my = yy + across0, solve = 1 / (mx * my - xy * xy);
+  const double error = point_error * (reach * unit), room0 = r0 - error, room1 = r1 - error;
+  const auto inside = [&](const PlanePoint& at) {
+    const double dx = at.x - along, dy = at.y - across;
+    const double x1 = dx * q.cosine + dy * f.s, y1 = dy * q.cosine - dx * f.s;
+    return (std::fabs(at.x) < h0 - error) & (std::fabs(x1) < h1 - error) & (room0 > 0) & (room1 > 0) &
+           (at.y * at.y + u * u < room0 * room0) & (y1 * y1 + v * v < room1 * room1);
+  };
+  PlanePoint at{(my * gx - xy * gy) * solve, (mx * gy - xy * gx) * solve};
+  if (!inside(at)) {
+    const double b = std::sqrt(positive(q2));
+    const Rectangle rectangle0{0, 0, 1, 0, h0, b * r0}, rectangle1{along, across, q.cosine, f.s, h1, b * r1};
+    at = on_long_side(rectangle0, rectangle1);
+    if (!inside(at)) at = on_long_side(rectangle1, rectangle0);
+    if (!inside(at)) return false;
+  }
+  const double w1 = at.y * inverse * radii, w0 = at.x * radii - w1 * q.cosine;
+  const double n = u * radii * std::copysign(inverse, q.dn);
+  answer.verdict = Verdict::intersecting;
+  answer.proof = Proof::point;
+  answer.point_head = base.center;
+  answer.point_tail = {w0 * p.w0x + w1 * p.w1x + n * q.nx, w0 * p.w0y + w1 * p.w1y + n * q.ny,
+                       w0 * p.w0z + w1 * p.w1z + n * q.nz};
+  return true;
+}
+
+// Everything else.
+[[gnu::noinline]] void prove_at_length(const Prepared& first, const Prepared& second,
+                                       Answer& answer) noexcept {
+  if ((first.defect != Defect::none) | (second.defect != Defect::none)) {
+    answer.verdict = Verdict::invalid;
+    return;
+  }
   const Scaled scaled = scale(first, second);
   const Couple<double>& p = scaled.couple;
   const Base base{first.center, scaled.exponent};
+  // As decide() does with ordinary solids, so that the scene's unit cannot be seen in the answer; but where
+  // it is so large that a point may lose bits when it goes back into it.
+  if (!(first.ordinary & second.ordinary) && scaled.exponent > -900 && prove_in_passing(p, base, answer)) {
+    answer.point_tail = times_power(answer.point_tail, scaled.exponent);
+    return;
+  }
   const Axes axes(first.unit_axis, second.unit_axis);
   if (axes.parallel()) {
     prove_parallel(p, Parallel(p, axes.sum), base, answer);
@@ -290,7 +366,20 @@ Answer decide(const Prepared& a, const Prepared& b) noexcept {
     const Frame frame(p, axes);
     if (!prove_at_first_sight(p, frame, base, answer)) prove_at_optimum(p, frame, base, answer);
   }
-  if (swapped) answer.direction = -answer.direction;
+}
+
+}  // namespace
+
+Answer decide(const Prepared& a, const Prepared& b) noexcept {
+  Answer answer;
+  bool swapped = a.radius > b.radius;
+  if (a.radius == b.radius) swapped = out_of_order(a, b);
+  // Looked up, since nobody can predict it.
+  const Prepared* const roles[] = {&a, &b};
+  const Prepared &first = *roles[swapped], &second = *roles[!swapped];
+  if (!(a.ordinary & b.ordinary) || !prove_in_passing(as_it_is(first, second), {first.center, 0}, answer))
+    prove_at_length(first, second, answer);
+  answer.direction *= 1 - 2 * static_cast<double>(swapped);
   return answer;
 }
 

@@ -48,27 +48,48 @@ inline constexpr double steep_square = 0x1p-6;
 /// rounding of their lengths. It moves no point of a solid by more than 2^-50 of its height.
 inline constexpr double parallel_square = 0x1p-98;
 
-/// For axes at an angle: s2 >= steep_square.
+/// The products behind sections().
 template <class T>
-[[gnu::always_inline]] inline Sections<T> sections(const Couple<T>& p) noexcept {
-  const T cosine = p.w0x * p.w1x + p.w0y * p.w1y + p.w0z * p.w1z;
+struct Products {
+  T cosine;      ///< of the axes, with its sign
+  T nx, ny, nz;  ///< w0 x w1
+  T d0, d1, dn;  ///< Delta along w0, w1 and w0 x w1
+};
+
+template <class T>
+[[gnu::always_inline]] inline Products<T> products(const Couple<T>& p) noexcept {
   const T nx = p.w0y * p.w1z - p.w0z * p.w1y;
   const T ny = p.w0z * p.w1x - p.w0x * p.w1z;
   const T nz = p.w0x * p.w1y - p.w0y * p.w1x;
-  const T d0 = p.dx * p.w0x + p.dy * p.w0y + p.dz * p.w0z;
-  const T d1 = p.dx * p.w1x + p.dy * p.w1y + p.dz * p.w1z;
+  return {p.w0x * p.w1x + p.w0y * p.w1y + p.w0z * p.w1z,
+          nx,
+          ny,
+          nz,
+          p.dx * p.w0x + p.dy * p.w0y + p.dz * p.w0z,
+          p.dx * p.w1x + p.dy * p.w1y + p.dz * p.w1z,
+          p.dx * nx + p.dy * ny + p.dz * nz};
+}
+
+/// For axes at an angle: s2 >= steep_square.
+template <class T>
+[[gnu::always_inline]] inline Sections<T> sections(const Couple<T>& p, const Products<T>& q) noexcept {
   Sections<T> f;
   f.r0 = p.r0;
   f.r1 = p.r1;
-  f.c = magnitude(cosine);
-  f.s2 = nx * nx + ny * ny + nz * nz;
+  f.c = magnitude(q.cosine);
+  f.s2 = q.nx * q.nx + q.ny * q.ny + q.nz * q.nz;
   f.s = root(f.s2);
-  f.z_s = magnitude(p.dx * nx + p.dy * ny + p.dz * nz);
-  f.k0 = magnitude(d0) - p.h0 - p.h1 * f.c;
-  f.k1 = magnitude(d1) - p.h1 - p.h0 * f.c;
-  f.k2_s = magnitude(cosine * d0 - d1) - p.h1 * f.s2;
-  f.k3_s = magnitude(cosine * d1 - d0) - p.h0 * f.s2;
+  f.z_s = magnitude(q.dn);
+  f.k0 = magnitude(q.d0) - p.h0 - p.h1 * f.c;
+  f.k1 = magnitude(q.d1) - p.h1 - p.h0 * f.c;
+  f.k2_s = magnitude(q.cosine * q.d0 - q.d1) - p.h1 * f.s2;
+  f.k3_s = magnitude(q.cosine * q.d1 - q.d0) - p.h0 * f.s2;
   return f;
+}
+
+template <class T>
+[[gnu::always_inline]] inline Sections<T> sections(const Couple<T>& p) noexcept {
+  return sections(p, products(p));
 }
 
 /// The same at any angle, for s2 >= parallel_square: with w1 turned round where the axes point apart, all
