@@ -30,7 +30,7 @@ Vector3 delta_of(const Couple<double>& p) noexcept { return {p.dx, p.dy, p.dz}; 
 
 double reach_of(const Couple<double>& p) noexcept { return p.r0 + p.h0 + p.r1 + p.h1 + length(delta_of(p)); }
 
-// f(D) < 0 beyond rounding (derivation.md, section 7).
+// f(D) < 0 beyond rounding (derivation.md, section 8).
 bool separates(const Couple<double>& p, const Vector3& d) noexcept {
   const Vector3 w0 = axis0(p), w1 = axis1(p);
   const double f = p.r0 * length(d.cross(w0)) + p.h0 * std::fabs(dot(d, w0)) + p.r1 * length(d.cross(w1)) +
@@ -185,7 +185,7 @@ bool try_middle(const Couple<double>& p, const Frame& frame, const Base& base, d
 }
 
 // Where H is greatest there is the deepest slice, and the multipliers of the demands that hold it there are
-// the weights of a direction (section 5).
+// the weights of a direction (section 7).
 void prove_at_optimum(const Couple<double>& p, const Frame& frame, const Base& base,
                       Answer& answer) noexcept {
   const Sections<double>& f = frame.f;
@@ -354,7 +354,7 @@ bool prove_at_first_sight(const Couple<double>& p, const Frame& frame, const Bas
   const Couple<double>& p = scaled.couple;
   const Base base{first.center, scaled.exponent};
   // As decide() does with ordinary solids, so that the scene's unit cannot be seen in the answer; but where
-  // it is so large that a point may lose bits when it goes back into it.
+  // it is so small that a point may lose bits when it goes back into it.
   if (!(first.ordinary & second.ordinary) && scaled.exponent > -900 && prove_in_passing(p, base, answer)) {
     answer.point_tail = times_power(answer.point_tail, scaled.exponent);
     return;

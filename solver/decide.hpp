@@ -18,7 +18,7 @@ struct Prepared {
   bool ordinary;      ///< all numbers 0 or so near 1 that no product in a decision over- or underflows
 };
 
-/// Bounds of rounding, as multiples of lengths; derived in derivation.md, section 6.
+/// Bounds of rounding, as multiples of lengths; derived in derivation.md, section 8.
 inline constexpr double unit_roundoff_error = 0x1p-53;              ///< of one operation, relative
 inline constexpr double unit_axis_error = 4 * unit_roundoff_error;  ///< of unit_axis, as a vector's length
 inline constexpr double separation_error =

@@ -24,6 +24,9 @@ inline bool negate(bool mask) noexcept { return !mask; }
 /// checkable.
 inline constexpr int iteration_cap = 200;
 
+/// A smaller cosine counts as 0 to the edges: it moves their ends by less than a rounding of the radii.
+inline constexpr double least_cosine = 0x1p-60;
+
 /// Two solids: unit axes, Delta from the first centre to the second, radii and half heights.
 template <class T>
 struct Couple {
@@ -187,26 +190,27 @@ struct Corner {
 template <class T>
 auto corner(const Sections<T>& f) noexcept {
   const T inverse = T(1) / f.s;
+  const T c = pick(f.c < T(least_cosine), T(0), f.c);
   const T z = f.z_s * inverse, k2 = f.k2_s * inverse, k3 = f.k3_s * inverse;
   const T x0 = positive(f.k1 * inverse), y0 = positive(f.k0 * inverse);
-  const T crossing = (k2 - f.c * k3) / f.s2;
+  const T crossing = (k2 - c * k3) / f.s2;
   // Left of x0 the crossing leaves the first line no part in the boundary, below y0 the second.
   const auto beyond = crossing > x0;
   const T upper = pick(beyond, crossing, x0);
-  const T level = k3 - f.c * upper;
+  const T level = k3 - c * upper;
   const auto on3 = level > y0;
   const T y = pick(on3, level, y0);
-  const T foot = k2 - f.c * y0;
+  const T foot = k2 - c * y0;
   const T x = pick(on3, upper, larger(x0, foot));
   const auto on2 = beyond & (on3 | (foot > x0));
   const T u = root(positive((f.r0 - x) * (f.r0 + x))), v = root(positive((f.r1 - y) * (f.r1 + y)));
   // H falls with x at the rate x/u and with y at y/v.
   const T fall0 = x * v, fall1 = y * u;
-  const auto rises2 = on2 & (fall1 < f.c * fall0);
-  const auto rises3 = on3 & negate(rises2) & (f.c * fall1 > fall0);
+  const auto rises2 = on2 & (fall1 < c * fall0);
+  const auto rises3 = on3 & negate(rises2) & (c * fall1 > fall0);
   const auto met = (x <= f.r0) & (y <= f.r1) & (u + v >= z);
-  return Corner<T, decltype(met & on2)>{f.r0, f.r1, f.c, z,   x0,  y0,     k2,     k3, x,
-                                        y,    u,    v,   on2, on3, rises2, rises3, met};
+  return Corner<T, decltype(met & on2)>{f.r0, f.r1, c, z,   x0,  y0,     k2,     k3, x,
+                                        y,    u,    v, on2, on3, rises2, rises3, met};
 }
 
 /// One line a + c b = k of the two, from the corner up to where a is least: solid `a` has weight 1 in it,
@@ -241,7 +245,7 @@ auto top(const Edge<T>& e) noexcept {
 }
 
 /// Inside the edge: F(t) = ra sqrt(1 + t^2) + rb sqrt(c^2 + t^2) - k - z t, the support gap of the direction
-/// e + t n, is convex, and the solids meet iff its least value is not negative (section 4).
+/// e + t n, is convex, and the solids meet iff its least value is not negative (section 5).
 template <class T, class Mask>
 struct Step {
   T t;              ///< where to look next
