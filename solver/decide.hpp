@@ -46,12 +46,14 @@ struct Answer {
   Vector3 direction{0, 0, 0};
   Vector3 point_head{0, 0, 0};
   Vector3 point_tail{0, 0, 0};
-  int iterations = 0;  ///< tangent steps spent, at most iteration_cap
+  int iterations = 0;  ///< steps inside an edge, at most iteration_cap
 };
 
 /// Yes or no by the sign of the double computation: `disjoint`, `intersecting` (touching included),
 /// `invalid`, or `undecided` at the work cap. Right wherever the margin is >= 1e-13. Symmetric in its
-/// arguments bit for bit. Cost: about 12 dot products; hardly ever a tangent step on random pairs.
+/// arguments bit for bit. Cost: about 75 operations and two roots; where that does not decide, two roots and
+/// two divisions more; in the contact of a wall and a rim two steps of two roots and three divisions in the
+/// mean.
 Verdict intersect(const Prepared& a, const Prepared& b) noexcept;
 Verdict intersect(const Cylinder& a, const Cylinder& b) noexcept;
 
