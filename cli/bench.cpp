@@ -35,12 +35,9 @@ void write_json(const std::string& file, const std::vector<BenchRow>& rows,
                 const std::vector<Standing>& standings, const Floors& floors) {
   const BuildInfo info = build_info();
   std::ofstream out(file);
-  out << fmt::format("{{\"commit\":{},\"compiler\":{},\"flags\":{},\"cpu\":{},\"results\":[",
+  out << fmt::format("{{\"commit\":{},\"compiler\":{},\"flags\":{},\"cpu\":{},{}}}\n",
                      quote_json(info.commit), quote_json(info.compiler), quote_json(info.flags),
-                     quote_json(info.cpu));
-  for (std::size_t i = 0; i < rows.size(); ++i) out << (i == 0 ? "\n" : ",\n") << bench_row_json(rows[i]);
-  out << "\n],\"summary\":" << standings_json(standings) << ",\n\"floors\":" << floors_json(floors, rows)
-      << "}\n";
+                     quote_json(info.cpu), bench_json(rows, standings, floors));
   if (!out.flush()) throw std::runtime_error(file + ": cannot be written");
 }
 

@@ -38,6 +38,50 @@ std::string ratios_json(const Ratios& ratios) {
                      json(ratios.geometric_mean));
 }
 
+std::string row_json(const BenchRow& row) {
+  return fmt::format(
+      R"({{"method":{},"family":{},"query":{},"foreign":{},"n":{},"median_ns":{},"spread":{},"p99_ns":{},)"
+      R"("instructions":{},"wrong_disjoint":{},"wrong_intersecting":{},"wrong_below_claim":{},"wrong_at_margin":{},)"
+      R"("undecided":{},"failed":{},"max_error":{},"max_error_at_most":{}}})",
+      quote_json(row.method), quote_json(row.family), quote_json(row.query), row.foreign, row.pairs,
+      json(row.median_ns), json(row.spread_percent), json(row.p99_ns), json(row.instructions),
+      row.wrong_disjoint, row.wrong_intersecting, row.wrong_below_claim, row.wrong_at_margin, row.undecided,
+      row.failed, json(row.max_error), json(row.max_error_at_most));
+}
+
+std::string standings_json(std::span<const Standing> standings) {
+  std::vector<std::string> queries;
+  for (const Standing& s : standings) {
+    std::vector<std::string> contests;
+    for (const Contest& c : s.contests) {
+      contests.push_back(fmt::format(
+          R"({{"family":{},"method":{},"median_ns":{},"p99_over_median":{},"over_verdict":{},"over_random":{},)"
+          R"("max_error":{},"max_error_at_most":{},"wrong":{},"wrong_at_margin":{},"right":{},"fastest":{}}})",
+          quote_json(c.family), quote_json(c.method), json(c.ns), json(c.p99_over_median),
+          json(c.over_verdict), json(c.over_random), json(c.max_error), json(c.max_error_at_most), c.wrong,
+          c.wrong_at_margin, rival_json(c.right), rival_json(c.fastest)));
+    }
+    queries.push_back(fmt::format(
+        "\n{}:{{\"right\":{},\"fastest\":{},\"wrong_at_margin\":{},\"families\":[{}]}}", quote_json(s.query),
+        ratios_json(s.right), ratios_json(s.fastest), s.wrong_at_margin, join(contests)));
+  }
+  return fmt::format("{{{}}}", join(queries));
+}
+
+std::string floors_json(const Floors& floors, std::span<const BenchRow> rows) {
+  std::vector<std::string> paths;
+  for (const BenchRow& row : rows) {
+    if (!is_our_path(row)) continue;
+    paths.push_back(fmt::format(
+        R"({{"method":{},"family":{},"query":{},"n":{},"over_equation_6":{},"over_memory_pass":{}}})",
+        quote_json(row.method), quote_json(row.family), quote_json(row.query), row.pairs,
+        json(row.median_ns / floors.equation_6_ns), json(row.median_ns / floors.memory_pass_ns)));
+  }
+  return fmt::format(R"({{"equation_6_ns":{},"memory_pass_ns":{},"large_memory_pass_ns":{},"paths":[{}]}})",
+                     json(floors.equation_6_ns), json(floors.memory_pass_ns),
+                     json(floors.large_memory_pass_ns), join(paths));
+}
+
 }  // namespace
 
 std::string format_bench_table(std::span<const BenchRow> rows) {
@@ -154,48 +198,12 @@ std::string format_growth(std::span<const BenchRow> rows) {
   return text;
 }
 
-std::string bench_row_json(const BenchRow& row) {
-  return fmt::format(
-      R"({{"method":{},"family":{},"query":{},"foreign":{},"n":{},"median_ns":{},"spread":{},"p99_ns":{},)"
-      R"("instructions":{},"wrong_disjoint":{},"wrong_intersecting":{},"wrong_below_claim":{},"wrong_at_margin":{},)"
-      R"("undecided":{},"failed":{},"max_error":{},"max_error_at_most":{}}})",
-      quote_json(row.method), quote_json(row.family), quote_json(row.query), row.foreign, row.pairs,
-      json(row.median_ns), json(row.spread_percent), json(row.p99_ns), json(row.instructions),
-      row.wrong_disjoint, row.wrong_intersecting, row.wrong_below_claim, row.wrong_at_margin, row.undecided,
-      row.failed, json(row.max_error), json(row.max_error_at_most));
-}
-
-std::string standings_json(std::span<const Standing> standings) {
-  std::vector<std::string> queries;
-  for (const Standing& s : standings) {
-    std::vector<std::string> contests;
-    for (const Contest& c : s.contests) {
-      contests.push_back(fmt::format(
-          R"({{"family":{},"method":{},"median_ns":{},"p99_over_median":{},"over_verdict":{},"over_random":{},)"
-          R"("max_error":{},"max_error_at_most":{},"wrong":{},"wrong_at_margin":{},"right":{},"fastest":{}}})",
-          quote_json(c.family), quote_json(c.method), json(c.ns), json(c.p99_over_median),
-          json(c.over_verdict), json(c.over_random), json(c.max_error), json(c.max_error_at_most), c.wrong,
-          c.wrong_at_margin, rival_json(c.right), rival_json(c.fastest)));
-    }
-    queries.push_back(fmt::format(
-        "\n{}:{{\"right\":{},\"fastest\":{},\"wrong_at_margin\":{},\"families\":[{}]}}", quote_json(s.query),
-        ratios_json(s.right), ratios_json(s.fastest), s.wrong_at_margin, join(contests)));
-  }
-  return fmt::format("{{{}}}", join(queries));
-}
-
-std::string floors_json(const Floors& floors, std::span<const BenchRow> rows) {
-  std::vector<std::string> paths;
-  for (const BenchRow& row : rows) {
-    if (!is_our_path(row)) continue;
-    paths.push_back(fmt::format(
-        R"({{"method":{},"family":{},"query":{},"n":{},"over_equation_6":{},"over_memory_pass":{}}})",
-        quote_json(row.method), quote_json(row.family), quote_json(row.query), row.pairs,
-        json(row.median_ns / floors.equation_6_ns), json(row.median_ns / floors.memory_pass_ns)));
-  }
-  return fmt::format(R"({{"equation_6_ns":{},"memory_pass_ns":{},"large_memory_pass_ns":{},"paths":[{}]}})",
-                     json(floors.equation_6_ns), json(floors.memory_pass_ns),
-                     json(floors.large_memory_pass_ns), join(paths));
+std::string bench_json(std::span<const BenchRow> rows, std::span<const Standing> standings,
+                       const Floors& floors) {
+  std::vector<std::string> results;
+  for (const BenchRow& row : rows) results.push_back('\n' + row_json(row));
+  return fmt::format("\"results\":[{}\n],\n\"summary\":{},\n\"floors\":{}", join(results),
+                     standings_json(standings), floors_json(floors, rows));
 }
 
 }  // namespace cyl

@@ -22,10 +22,9 @@ std::string format_floors(const Floors& floors, std::span<const BenchRow> rows);
 /// time is followed by '!' where the method is not right there.
 std::string format_growth(std::span<const BenchRow> rows);
 
-/// One JSON object, the fields of BenchRow by name, `pairs` as "n", `spread_percent` as "spread".
-std::string bench_row_json(const BenchRow& row);
-/// One JSON object, by query.
-std::string standings_json(std::span<const Standing> standings);
-std::string floors_json(const Floors& floors, std::span<const BenchRow> rows);
+/// Members of a JSON object: "results" (the fields of BenchRow by name, `pairs` as "n", `spread_percent` as
+/// "spread"), "summary" (by query) and "floors".
+std::string bench_json(std::span<const BenchRow> rows, std::span<const Standing> standings,
+                       const Floors& floors);
 
 }  // namespace cyl
