@@ -60,7 +60,8 @@ void run(const Options& options) {
         "pairs)\n{}",
         format_growth(rows));
     const auto batches = bench_batches(methods, *find_family("random"), large_batch, options.bench, progress);
-    if (!batches.empty()) fmt::print("\nns a pair of a batch, by its pairs\n{}", format_growth(batches));
+    fmt::print("\nns a pair of a batch, by its pairs{}\n{}",
+               batches.empty() ? ": no method here has one" : "", format_growth(batches));
     rows.insert(rows.end(), batches.begin(), batches.end());
   } else {
     rows = bench(methods, families, options.bench, progress);

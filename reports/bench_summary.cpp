@@ -45,7 +45,8 @@ Contest contest_of(std::span<const BenchRow> rows, const BenchRow& ours) {
   if (const BenchRow* random = own_row(rows, "random", ours.query)) c.over_random = c.ns / random->median_ns;
   const bool by_verdict = ours.query == "certificate" || ours.query == "batch";
   const auto rival = [&](const BenchRow& row) {
-    return row.foreign && row.family == ours.family && row.query == (by_verdict ? "verdict" : ours.query);
+    return row.foreign && row.pairs >= ours.pairs && row.family == ours.family &&
+           row.query == (by_verdict ? "verdict" : ours.query);
   };
   c.right = rival_of(fastest_row(rows, [&](const BenchRow& r) { return rival(r) && is_right(r); }), c.ns);
   c.fastest = rival_of(fastest_row(rows, rival), c.ns);

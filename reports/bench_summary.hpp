@@ -16,6 +16,7 @@ inline constexpr double right_tol = 1e-3;
 
 bool is_right(const BenchRow& row);
 
+/// A method that was asked only its share of the pairs is no rival: nobody knows whether it is right on them.
 struct Rival {
   std::string method;  ///< empty: there is none
   double ns = not_measured;

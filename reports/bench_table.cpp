@@ -168,6 +168,7 @@ std::string format_floors(const Floors& floors, std::span<const BenchRow> rows) 
 }
 
 std::string format_growth(std::span<const BenchRow> rows) {
+  if (rows.empty()) return "";
   const bool one_family =
       std::all_of(rows.begin(), rows.end(), [&](const BenchRow& r) { return r.family == rows[0].family; });
   const auto remember = [](auto& seen, auto value) {

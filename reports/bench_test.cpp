@@ -298,6 +298,8 @@ BenchRow row_of(const char* method, const char* family, const char* query, doubl
 }
 
 TEST(Summary, TakesTheFastestThatIsRight) {
+  BenchRow share = row_of("costly", "y", "verdict", 15);
+  share.pairs = 31;
   const BenchRow rows[] = {row_of("intersect", "random", "verdict", 10),
                            row_of("exact", "random", "verdict", 5),
                            row_of("decide", "random", "certificate", 14),
@@ -310,7 +312,8 @@ TEST(Summary, TakesTheFastestThatIsRight) {
                            row_of("intersect", "x", "verdict", 30, 1),
                            row_of("good", "x", "verdict", 120),
                            row_of("intersect", "y", "verdict", 10),
-                           row_of("hasty", "y", "verdict", 20, 4)};
+                           row_of("hasty", "y", "verdict", 20, 4),
+                           share};
   const auto standings = summarise(rows);
   ASSERT_EQ(standings.size(), 3u);
   const Standing &verdict = standings[0], &certificate = standings[1], &batch = standings[2];
