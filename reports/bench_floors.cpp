@@ -54,13 +54,13 @@ void evaluate(Batch& batch) {
   keep(sum);
 }
 
-/// Every word of a solid, together.
+/// The first and the last word of a solid: every cache line of it, in as few instructions as can be.
 std::uint64_t touch(const Prepared& solid) {
-  std::array<std::uint64_t, sizeof(Prepared) / sizeof(std::uint64_t)> words;
-  std::memcpy(&words, &solid, sizeof words);
-  std::uint64_t all = 0;
-  for (const std::uint64_t word : words) all ^= word;
-  return all;
+  std::uint64_t first, last;
+  static_assert(sizeof solid <= 64 + sizeof last);
+  std::memcpy(&first, &solid, sizeof first);
+  std::memcpy(&last, reinterpret_cast<const char*>(&solid + 1) - sizeof last, sizeof last);
+  return first ^ last;
 }
 
 void pass_over(Batch& batch) {

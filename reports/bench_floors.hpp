@@ -10,8 +10,8 @@ namespace cyl {
 struct Floors {
   /// One evaluation of f (Equation 6) on prepared solids, at random directions: throughput, not latency.
   double equation_6_ns = not_measured;
-  /// Reading prepared solids and pairs of indices, writing verdicts: of as many pairs as the families have,
-  /// and of large_batch.
+  /// Reading every cache line of prepared solids and of pairs of indices, writing verdicts: of as many pairs
+  /// as the families have, and of large_batch.
   double memory_pass_ns = not_measured;
   double large_memory_pass_ns = not_measured;
 };

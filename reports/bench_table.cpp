@@ -27,6 +27,11 @@ bool is_our_path(const BenchRow& row) {
   return !row.foreign && row.method != "exact" && std::isfinite(row.median_ns);
 }
 
+/// The pass over a batch of about as many pairs.
+double memory_pass_ns(const Floors& floors, const BenchRow& row) {
+  return row.pairs < large_batch ? floors.memory_pass_ns : floors.large_memory_pass_ns;
+}
+
 std::string rival_json(const Rival& rival) {
   if (rival.method.empty()) return "null";
   return fmt::format(R"({{"method":{},"median_ns":{},"ratio":{},"max_error":{}}})", quote_json(rival.method),
@@ -75,7 +80,7 @@ std::string floors_json(const Floors& floors, std::span<const BenchRow> rows) {
     paths.push_back(fmt::format(
         R"({{"method":{},"family":{},"query":{},"n":{},"over_equation_6":{},"over_memory_pass":{}}})",
         quote_json(row.method), quote_json(row.family), quote_json(row.query), row.pairs,
-        json(row.median_ns / floors.equation_6_ns), json(row.median_ns / floors.memory_pass_ns)));
+        json(row.median_ns / floors.equation_6_ns), json(row.median_ns / memory_pass_ns(floors, row))));
   }
   return fmt::format(R"({{"equation_6_ns":{},"memory_pass_ns":{},"large_memory_pass_ns":{},"paths":[{}]}})",
                      json(floors.equation_6_ns), json(floors.memory_pass_ns),
@@ -160,9 +165,9 @@ std::string format_floors(const Floors& floors, std::span<const BenchRow> rows) 
   const std::string family = random ? "random" : rows[0].family;
   for (const BenchRow& row : rows) {
     if (row.family != family || !is_our_path(row)) continue;
-    text += fmt::format("  {:<30}{:<12}{:>8} evaluations{:>8} passes\n", row.method, row.query,
-                        number(row.median_ns / floors.equation_6_ns),
-                        number(row.median_ns / floors.memory_pass_ns));
+    text += fmt::format("  {:<30}{:<12}{:>8} pairs{:>8} evaluations{:>8} passes\n", row.method, row.query,
+                        row.pairs, number(row.median_ns / floors.equation_6_ns),
+                        number(row.median_ns / memory_pass_ns(floors, row)));
   }
   return text;
 }

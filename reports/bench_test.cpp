@@ -352,9 +352,11 @@ TEST(Summary, JsonHasEveryField) {
   std::vector<BenchRow> rows{row_of("intersect", "random", "verdict", 10),
                              row_of("good \"x\"", "random", "verdict", 90)};
   rows[0].max_error = 1e-14;
+  rows.push_back(row_of("intersect", "random", "batch", 10));
+  rows[2].pairs = large_batch;
   const Floors floors{2, 4, 20};
   const auto json = nlohmann::json::parse("{" + bench_json(rows, summarise(rows), floors) + "}");
-  ASSERT_EQ(json["results"].size(), 2u);
+  ASSERT_EQ(json["results"].size(), 3u);
   const auto& row = json["results"][0];
   for (const char* field : {"method", "family", "query", "foreign", "n", "median_ns", "spread", "p99_ns",
                             "instructions", "wrong_disjoint", "wrong_intersecting", "wrong_below_claim",
@@ -370,9 +372,10 @@ TEST(Summary, JsonHasEveryField) {
   EXPECT_EQ(json["summary"]["verdict"]["right"]["least"], 9);
   EXPECT_EQ(json["summary"]["verdict"]["families"][0]["right"]["method"], "good \"x\"");
   EXPECT_EQ(json["floors"]["equation_6_ns"], 2);
-  ASSERT_EQ(json["floors"]["paths"].size(), 1u);
+  ASSERT_EQ(json["floors"]["paths"].size(), 2u);
   EXPECT_EQ(json["floors"]["paths"][0]["over_equation_6"], 5);
   EXPECT_EQ(json["floors"]["paths"][0]["over_memory_pass"], 2.5);
+  EXPECT_EQ(json["floors"]["paths"][1]["over_memory_pass"], 0.5);
 }
 
 TEST(Summary, TablesForPeople) {
