@@ -6,6 +6,7 @@
 #include <CLI/CLI.hpp>
 #include <fstream>
 #include <iostream>
+#include <iterator>
 #include <memory>
 #include <stdexcept>
 #include <string>
@@ -14,49 +15,94 @@
 #include "cli/commands.hpp"
 #include "cli/unsigned_option.hpp"
 #include "corpus/pair_io.hpp"
+#include "reports/bench_floors.hpp"
+#include "reports/bench_summary.hpp"
+#include "reports/bench_table.hpp"
 
 namespace cyl {
 
 namespace {
 
-void write_json(const std::string& file, const std::vector<BenchRow>& rows) {
+struct Options {
+  BenchOptions bench;
+  std::string methods = "all";
+  std::string families = "random,margin_1e-06,margin_1e-09";
+  bool growth = false;
+  std::string json;
+};
+
+void write_json(const std::string& file, const std::vector<BenchRow>& rows,
+                const std::vector<Standing>& standings, const Floors& floors) {
   const BuildInfo info = build_info();
   std::ofstream out(file);
-  out << fmt::format("{{\"commit\":{},\"compiler\":{},\"flags\":{},\"cpu\":{},\"results\":[",
+  out << fmt::format("{{\"commit\":{},\"compiler\":{},\"flags\":{},\"cpu\":{},{}}}\n",
                      quote_json(info.commit), quote_json(info.compiler), quote_json(info.flags),
-                     quote_json(info.cpu));
-  for (std::size_t i = 0; i < rows.size(); ++i) out << (i == 0 ? "\n" : ",\n") << format_bench_row(rows[i]);
-  out << "\n]}\n";
+                     quote_json(info.cpu), bench_json(rows, standings, floors));
   if (!out.flush()) throw std::runtime_error(file + ": cannot be written");
+}
+
+void run(const Options& options) {
+  const auto methods =
+      options.methods == "all" ? all_methods() : select_methods(all_methods(), options.methods);
+  const auto progress = [](std::string_view what) { std::cerr << what << std::endl; };
+  const std::vector<Family> families = select_families(options.families);
+  fmt::print("seed {}, {} pairs a family, {} turns, {} s of timing a row; {}; {}\n\n", options.bench.seed,
+             options.bench.pairs, options.bench.passes, options.bench.min_time, build_info().text(),
+             build_info().cpu);
+  std::fflush(stdout);
+
+  std::vector<BenchRow> rows;
+  std::vector<Standing> standings;
+  if (options.growth) {
+    rows = bench(methods, margin_families(), options.bench, progress);
+    fmt::print(
+        "ns a pair as the margin shrinks ('!': wrong, undecided or failed on more than 0.1 % of the "
+        "pairs)\n{}",
+        format_growth(rows));
+    const auto batches = bench_batches(methods, *find_family("random"), large_batch, options.bench, progress);
+    fmt::print("\nns a pair of a batch, by its pairs{}\n{}",
+               batches.empty() ? ": no method here has one" : "", format_growth(batches));
+    rows.insert(rows.end(), batches.begin(), batches.end());
+  } else {
+    rows = bench(methods, families, options.bench, progress);
+    standings = summarise(rows);
+    fmt::print("{}{}", format_bench_table(rows), format_standings(standings));
+  }
+  progress("floors");
+  const Floors floors = measure_floors(options.bench);
+  fmt::print("{}", format_floors(floors, rows));
+  if (!options.json.empty()) write_json(options.json, rows, standings, floors);
 }
 
 }  // namespace
 
 void add_bench(CLI::App& app, int& exit_code) {
-  struct Options {
-    BenchOptions bench;
-    std::string json;
-  };
   CLI::App* command =
       app.add_subcommand("bench", "Nanoseconds a pair by method and family, faults beside them");
   auto options = std::make_shared<Options>();
-  options->bench.families = "random";
-  command->add_option("--methods", options->bench.methods,
-                      "a,b or (--methods=-a,b) all but these; default all");
-  command->add_option("--families", options->bench.families, "the same rule")->capture_default_str();
+  command->add_option("--methods", options->methods, "a,b or (--methods=-a,b) all but these")
+      ->capture_default_str();
+  command
+      ->add_option(
+          "--families", options->families,
+          "the same rule, or all; margin_1e-01 to margin_1e-15 are near-touching pairs at that margin")
+      ->capture_default_str();
+  command
+      ->add_option("--min-time", options->bench.min_time,
+                   "seconds of timing a row (method, family and query), all turns together")
+      ->check(CLI::Range(0.0, 1000.0))
+      ->capture_default_str();
   add_unsigned(*command, "--pairs", options->bench.pairs, "of each family", 1);
-  add_unsigned(*command, "--passes", options->bench.passes, "timed passes", 1);
+  add_unsigned(*command, "--passes", options->bench.passes, "turns of each row, taken in rotation", 1);
   add_unsigned(*command, "--seed", options->bench.seed, "of the families");
+  command->add_flag("--growth", options->growth,
+                    "how time grows as margins shrink from 1e-1 to 1e-15 and batches grow to 10^6 pairs");
   command->add_option("--json", options->json, "also write the results to this file");
   command->footer(
-      "Example:\n  daylight bench --methods intersect,decide,fcl --families random --json bench.json");
+      "Example:\n  daylight bench --methods intersect,decide,fcl --families random --json bench.json\n"
+      "  daylight bench --growth --methods intersect,fcl-libccd");
   command->callback([options, &exit_code] {
-    fmt::print("seed {}, {} pairs a family, {} passes; {}; {}\n\n", options->bench.seed, options->bench.pairs,
-               options->bench.passes, build_info().text(), build_info().cpu);
-    std::fflush(stdout);
-    const auto rows = bench(options->bench, [](std::string_view what) { std::cerr << what << std::endl; });
-    fmt::print("{}", format_bench_table(rows));
-    if (!options->json.empty()) write_json(options->json, rows);
+    run(*options);
     exit_code = exit_pass;
   });
 }

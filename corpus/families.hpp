@@ -20,7 +20,11 @@ struct Family {
 
 /// All families in a fixed order.
 std::span<const Family> families();
-/// The family of that name, or nullptr.
+/// Families for timing, not for campaigns: "margin_1e-01" to "margin_1e-15", pairs at that margin, gap (even
+/// index) and penetration (odd; at 1e-01 gaps alone), by the features that solids in general position meet
+/// with: side-side, side-rim, rim-rim, cap-rim.
+std::span<const Family> margin_families();
+/// The family of that name, of either kind, or nullptr.
 const Family* find_family(std::string_view name);
 
 }  // namespace cyl

@@ -112,7 +112,7 @@ double contact_margin(ContactKind kind, std::uint64_t index) {
 // at most 0.6, so D(m) >= A (1 - (m.n)^2) with A = 0.2 min(r), plus B |m.n| with B = 1.4 min(2r, h) where m.n
 // < 0. That is concave in |m.n|, so -g <= A and -2g <= B are enough: 0.08 <= 0.1 <= A and 0.16 <= 0.7 <= B
 // (disks: 8.2e-6 <= 7e-5 <= B).
-Contact draw_contact(ContactKind kind, RandomStream& stream, std::uint64_t index) {
+Contact draw_contact_at(ContactKind kind, RandomStream& stream, double margin) {
   Contact c;
   c.normal = stream.unit_vector();
   auto [first, second] = features_of(kind);
@@ -130,7 +130,7 @@ Contact draw_contact(ContactKind kind, RandomStream& stream, std::uint64_t index
   set_feature(b, second, -c.normal, vb, stream);
 
   const double size = a.solid.radius + a.solid.height + b.solid.radius + b.solid.height;
-  c.distance = contact_margin(kind, index) * size;
+  c.distance = margin * size;
   // Half of the first solids stand at the origin, where the centres' difference is not rounded once more.
   a.solid.center = Vector3(0, 0, 0);
   if (stream.coin())
@@ -139,6 +139,10 @@ Contact draw_contact(ContactKind kind, RandomStream& stream, std::uint64_t index
   b.solid.center = a.solid.center + ((a.contact - b.contact) + c.distance * c.normal);
   c.pair = {a.solid, b.solid};
   return c;
+}
+
+Contact draw_contact(ContactKind kind, RandomStream& stream, std::uint64_t index) {
+  return draw_contact_at(kind, stream, contact_margin(kind, index));
 }
 
 }  // namespace cyl

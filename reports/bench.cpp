@@ -4,334 +4,214 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
-#include <limits>
-#include <map>
-#include <memory>
-#include <numeric>
 #include <optional>
-#include <stdexcept>
 #include <utility>
 
-#if defined(__x86_64__)
-#include <x86intrin.h>
-#endif
-
-#include "corpus/families.hpp"
-#include "corpus/pair_io.hpp"
 #include "oracles/compare.hpp"
-#include "oracles/contained.hpp"
+#include "reports/bench_call.hpp"
 
 namespace cyl {
 namespace {
 
-using Clock = std::chrono::steady_clock;
+/// Asked of the enclosures that distances and margins are held against, relative to the size: what doubles
+/// resolve. What comes back is some 3e-14 wide.
+constexpr double enclosure_width = 1e-15;
 
-constexpr double not_measured = std::numeric_limits<double>::quiet_NaN();
-
-/// CPU time one method may take for its passes over one family before it counts as hung.
-constexpr std::chrono::milliseconds timing_cpu_cap{120'000};
-
-/// One way of asking one method.
-struct Candidate {
-  std::string method;
-  std::string query;
-  bool foreign = false;
-  Claim claim;
-  unsigned share = 1;
-  std::function<Method::Call(std::span<const Pair>)> prepare;  ///< not timed
-};
-
-Verdict verdict_of(const MethodAnswer& answer) {
-  if (answer.status == Status::failed) throw std::runtime_error(answer.reason);
-  return answer.status == Status::answered ? answer.verdict : Verdict::undecided;
-}
-
-std::vector<Candidate> candidates_of(std::span<const std::unique_ptr<Method>> methods) {
-  std::vector<Candidate> candidates;
-  for (const auto& method : methods) {
-    Candidate candidate{std::string(method->name()),
-                        "prepared",
-                        method->foreign(),
-                        method->claim(),
-                        method->share(),
-                        [&asked = *method](std::span<const Pair> pairs) { return asked.prepare_all(pairs); }};
-    if (candidate.prepare({})) candidates.push_back(candidate);
-    candidate.query = "raw";
-    candidate.prepare = [&asked = *method](std::span<const Pair> pairs) -> Method::Call {
-      return [&asked, pairs](std::size_t i) { return verdict_of(asked.ask(pairs[i])); };
-    };
-    candidates.push_back(candidate);
-  }
-  return candidates;
-}
-
-// The containment of contained.hpp asks methods about pairs. What the bench wants run in a worker is dressed
-// up as a method: asked about one pair it gives a verdict, or leaves a time in `distance`.
-class Contained : public Method {
- public:
-  explicit Contained(std::function<MethodAnswer(const Pair&)> ask) : ask_(std::move(ask)) {}
-  std::string_view name() const override { return "bench"; }
-  std::string_view version() const override { return ""; }
-  Claim claim() const override { return {}; }
-  MethodAnswer ask(const Pair& pair) override { return ask_(pair); }
-
- private:
-  std::function<MethodAnswer(const Pair&)> ask_;
-};
-
-std::vector<MethodAnswer> in_worker(std::function<MethodAnswer(const Pair&)> ask, std::span<const Pair> pairs,
-                                    std::chrono::milliseconds cpu_cap) {
-  const std::unique_ptr<Method> methods[] = {std::make_unique<Contained>(std::move(ask))};
-  std::vector<Question> questions;
-  for (std::size_t i = 0; i < pairs.size(); ++i) questions.push_back({0, i});
-  std::vector<MethodAnswer> answers;
-  for (const ContainedAnswer& c : ask_contained(methods, pairs, questions, cpu_cap))
-    answers.push_back(c.answer);
-  return answers;
-}
-
-std::vector<MethodAnswer> verdicts(const Candidate& candidate, std::span<const Pair> pairs) {
-  return in_worker(
-      [&](const Pair& pair) {
-        MethodAnswer answer;
-        answer.verdict = candidate.prepare({&pair, 1})(0);
-        answer.status = Status::answered;
-        return answer;
-      },
-      pairs, call_cpu_cap);
-}
-
-/// Runs `measure` in a worker; its number, or NaN where it died.
-double time_in_worker(const std::function<double()>& measure) {
-  const Pair none;
-  const MethodAnswer answer = in_worker(
-      [&](const Pair&) {
-        MethodAnswer timed;
-        timed.distance = measure();
-        timed.has_distance = true;
-        timed.status = Status::answered;
-        return timed;
-      },
-      {&none, 1}, timing_cpu_cap)[0];
-  return answer.status == Status::answered ? answer.distance : not_measured;
-}
-
-double quantile(std::vector<double> values, double q) {
-  if (values.empty()) return not_measured;
-  const auto rank = static_cast<std::size_t>(q * static_cast<double>(values.size() - 1) + 0.5);
-  std::nth_element(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(rank), values.end());
-  return values[rank];
-}
-
-volatile unsigned sink;  // what the compiler must believe is looked at
-
-double run_all(const Method::Call& call, std::span<const std::size_t> indices) {
-  unsigned sum = 0;
-  for (const std::size_t i : indices) sum += static_cast<unsigned>(call(i));
-  sink = sum;
-  return sum;
-}
-
-/// Mean nanoseconds a call of one pass, after a pass that is not timed.
-double mean_ns(const Method::Call& call, std::span<const std::size_t> indices) {
-  run_all(call, indices);
-  const auto start = Clock::now();
-  run_all(call, indices);
-  const std::chrono::duration<double, std::nano> spent = Clock::now() - start;
-  return spent.count() / static_cast<double>(indices.size());
-}
-
-/// A reading of the cycle counter that no instruction moves across.
-std::uint64_t ticks() {
-#if defined(__x86_64__)
-  _mm_lfence();
-  const std::uint64_t now = __rdtsc();
-  _mm_lfence();
-  return now;
-#else
-  return static_cast<std::uint64_t>(Clock::now().time_since_epoch().count());
-#endif
-}
-
-/// The 99th percentile over pairs of the least time of each in `passes`, the least time of doing nothing
-/// subtracted.
-double p99_ns(const Method::Call& call, std::span<const std::size_t> indices, int passes) {
-  constexpr auto never = std::numeric_limits<std::uint64_t>::max();
-  const Method::Call nothing = [](std::size_t) { return Verdict::undecided; };
-  const auto time = [](const Method::Call& timed, std::size_t i) {
-    const std::uint64_t start = ticks();
-    sink = static_cast<unsigned>(timed(i));
-    return ticks() - start;
-  };
-  std::vector<std::uint64_t> least(indices.size(), never);
-  std::uint64_t empty = never;
-  const auto start = Clock::now();
-  const std::uint64_t start_ticks = ticks();
-  for (int pass = 0; pass < passes; ++pass) {
-    for (std::size_t k = 0; k < indices.size(); ++k) {
-      least[k] = std::min(least[k], time(call, indices[k]));
-      empty = std::min(empty, time(nothing, indices[k]));
-    }
-  }
-  const double all_ticks = static_cast<double>(ticks() - start_ticks);
-  const std::chrono::duration<double, std::nano> all = Clock::now() - start;
-  std::vector<double> ns;
-  for (const std::uint64_t t : least)
-    ns.push_back(static_cast<double>(t - std::min(t, empty)) * all.count() / all_ticks);
-  return quantile(std::move(ns), 0.99);
-}
-
-/// A family's pairs and what the referee proved of them.
+/// A pair and what the referee proved of it.
 struct Proved {
-  std::vector<Pair> pairs;
-  std::vector<Truth> truths;
+  Pair pair;
+  Truth truth;
+  std::optional<Enclosure> distance;  ///< filled when first asked for
 };
 
-Proved prove(const Family& family, const BenchOptions& options) {
-  const auto solver = select_methods(own_methods(), "decide");
-  Proved proved;
-  for (std::size_t i = 0; i < options.pairs; ++i) {
-    proved.pairs.push_back(family.generate(options.seed, i));
-    const MethodAnswer offered[] = {solver[0]->ask(proved.pairs[i])};
-    proved.truths.push_back(judge(proved.pairs[i], offered));
-  }
+Proved prove(const Family& family, std::uint64_t seed, std::size_t index) {
+  static const auto solver = select_methods(own_methods(), "decide");
+  Proved proved{family.generate(seed, index), {}, {}};
+  const MethodAnswer offered[] = {solver[0]->ask(proved.pair)};
+  proved.truth = judge(proved.pair, offered);
   return proved;
 }
 
-void count_faults(const Candidate& candidate, const Proved& proved, std::span<const MethodAnswer> answers,
-                  BenchRow& row) {
-  for (std::size_t i = 0; i < answers.size(); ++i) {
-    const Pair& pair = proved.pairs[i];
-    const Truth& truth = proved.truths[i];
-    row.failed += answers[i].status == Status::failed;
-    row.undecided += answers[i].status == Status::answered && answers[i].verdict == Verdict::undecided;
-    LazyDistance distance([&](double width) { return enclose_distance(pair, truth, width); });
-    const std::optional<Finding> finding = compare(pair, truth, distance, candidate.claim, answers[i]);
-    if (!finding || answers[i].status != Status::answered) continue;
-    row.wrong_disjoint += finding->kind == FindingKind::wrong_disjoint;
-    row.wrong_intersecting += finding->kind == FindingKind::wrong_intersecting;
-    row.wrong_below_claim += finding->severity == Severity::resolution;
+const Enclosure& distance_of(Proved& p) {
+  if (!p.distance) p.distance = enclose_distance(p.pair, p.truth, enclosure_width);
+  return *p.distance;
+}
+
+void count_faults(Proved& proved, MethodAnswer answer, const Claim& claim, BenchRow& row) {
+  if (answer.status != Status::answered) {
+    ++(answer.status == Status::failed ? row.failed : row.undecided);
+    return;
   }
+  row.undecided += answer.verdict == Verdict::undecided;
+  const double size = size_of(proved.pair);
+  if (answer.has_distance && size > 0) {
+    const Enclosure& real = distance_of(proved);
+    const double said = answer.distance;
+    row.max_error = std::fmax(row.max_error, std::max({0.0, real.lo - said, said - real.hi}) / size);
+    row.max_error_at_most = std::fmax(row.max_error_at_most, std::max(real.hi - said, said - real.lo) / size);
+  }
+  answer.has_distance = false;
+  LazyDistance lazy([&](double width) { return enclose_distance(proved.pair, proved.truth, width); });
+  const std::optional<Finding> finding = compare(proved.pair, proved.truth, lazy, claim, answer);
+  if (!finding) return;
+  if (finding->kind == FindingKind::wrong_invalid) ++row.undecided;
+  const bool disjoint = finding->kind == FindingKind::wrong_disjoint;
+  if (!disjoint && finding->kind != FindingKind::wrong_intersecting) return;
+  ++(disjoint ? row.wrong_disjoint : row.wrong_intersecting);
+  row.wrong_below_claim += finding->severity == Severity::resolution;
+  const Enclosure& real = distance_of(proved);
+  row.wrong_at_margin += std::max(-real.lo, real.hi) >= right_from(row.family) * size;
 }
 
 /// A candidate at work on one family.
 struct Run {
   Candidate candidate;
   BenchRow row;
-  std::vector<std::size_t> timed;  ///< the pairs it does not fail on
-  std::vector<double> passes;      ///< mean ns of each
+  std::vector<Pair> timed;  ///< the pairs it does not fail on
+  std::vector<Cost> turns;
 };
 
-std::vector<BenchRow> bench_family(const Family& family, std::span<const Candidate> candidates,
-                                   const BenchOptions& options,
-                                   const std::function<void(std::string_view)>& progress) {
-  progress(fmt::format("{}: proving {} pairs", family.name, options.pairs));
-  const Proved proved = prove(family, options);
-  std::vector<Run> runs;
-  for (const Candidate& candidate : candidates) {
-    progress(fmt::format("{}: verifying {} ({})", family.name, candidate.method, candidate.query));
-    Run run{candidate, {}, {}, {}};
-    run.row.method = candidate.method;
-    run.row.family = family.name;
-    run.row.query = candidate.query;
-    run.row.foreign = candidate.foreign;
-    run.row.pairs = std::max<std::size_t>(1, options.pairs / candidate.share);
-    const auto answers = verdicts(candidate, std::span(proved.pairs).first(run.row.pairs));
-    count_faults(candidate, proved, answers, run.row);
-    for (std::size_t i = 0; i < answers.size(); ++i) {
-      if (answers[i].status == Status::answered) run.timed.push_back(i);
-    }
-    runs.push_back(std::move(run));
+std::vector<double> values(std::span<const Cost> costs, double Cost::*field) {
+  std::vector<double> finite;
+  for (const Cost& cost : costs) {
+    if (std::isfinite(cost.*field)) finite.push_back(cost.*field);
   }
-
-  std::vector<std::size_t> all(options.pairs);
-  std::iota(all.begin(), all.end(), std::size_t{0});
-  std::vector<double> empty;
-  for (int pass = 0; pass < options.passes; ++pass) {
-    progress(fmt::format("{}: timing, pass {} of {}", family.name, pass + 1, options.passes));
-    empty.push_back(
-        time_in_worker([&] { return mean_ns([](std::size_t) { return Verdict::undecided; }, all); }));
-    for (Run& run : runs) {
-      if (run.timed.empty()) continue;
-      run.passes.push_back(
-          time_in_worker([&] { return mean_ns(run.candidate.prepare(proved.pairs), run.timed); }));
-    }
-  }
-  std::vector<BenchRow> rows;
-  for (Run& run : runs) {
-    progress(
-        fmt::format("{}: slowest pairs of {} ({})", family.name, run.candidate.method, run.candidate.query));
-    run.row.median_ns = quantile(run.passes, 0.5) - quantile(empty, 0.5);
-    run.row.p99_ns = run.timed.empty() ? not_measured : time_in_worker([&] {
-      return p99_ns(run.candidate.prepare(proved.pairs), run.timed, options.passes);
-    });
-    rows.push_back(run.row);
-  }
-  return rows;
+  return finite;
 }
 
-std::string number(double ns) { return std::isfinite(ns) ? fmt::format("{:.1f}", ns) : "-"; }
+Cost median(std::span<const Cost> costs) {
+  return {quantile(values(costs, &Cost::ns), 0.5), quantile(values(costs, &Cost::instructions), 0.5)};
+}
+
+BenchRow make_row(const Candidate& candidate, const Family& family) {
+  BenchRow row;
+  row.method = candidate.method->name();
+  row.family = family.name;
+  row.query = candidate.query;
+  row.foreign = candidate.method->foreign();
+  return row;
+}
+
+void time(std::span<Run> runs, const Family& family, const BenchOptions& options,
+          const BenchProgress& progress) {
+  const double seconds = options.min_time / options.passes;
+  std::vector<Cost> empty;
+  for (int pass = 0; pass < options.passes; ++pass) {
+    progress(fmt::format("{}: timing, pass {} of {}", family.name, pass + 1, options.passes));
+    empty.push_back(time_nothing(options.pairs, seconds));
+    for (Run& run : runs) {
+      if (!run.timed.empty()) run.turns.push_back(time_turn(run.candidate, run.timed, seconds));
+    }
+  }
+  for (Run& run : runs) {
+    if (run.timed.empty()) continue;
+    progress(fmt::format("{}: slowest pairs of {} ({})", family.name, run.row.method, run.row.query));
+    const Cost nothing = run.candidate.query == "batch" ? Cost{0, 0} : median(empty);
+    const Cost turn = median(run.turns);
+    run.row.median_ns = turn.ns - nothing.ns;
+    run.row.instructions = turn.instructions - nothing.instructions;
+    run.row.spread_percent = spread_percent(values(run.turns, &Cost::ns));
+    run.row.p99_ns = time_slowest(run.candidate, run.timed, options.passes);
+  }
+}
+
+/// The answers of one candidate, verified; nothing where it is not asked anything or gives no distance.
+std::optional<Run> verify(const Candidate& candidate, const Family& family, std::span<Proved> proved) {
+  Run run{candidate, make_row(candidate, family), {}, {}};
+  std::vector<std::size_t> asked;
+  const std::size_t share = std::max<std::size_t>(1, proved.size() / candidate.method->share());
+  for (std::size_t i = 0; i < share; ++i) {
+    const bool disjoint = proved[i].truth.verdict == Verdict::disjoint;
+    if (!asks_distance(candidate) || (candidate.query == "distance") == disjoint) asked.push_back(i);
+  }
+  std::vector<Pair> pairs;
+  for (const std::size_t i : asked) pairs.push_back(proved[i].pair);
+  const std::vector<MethodAnswer> answers = ask_all(candidate, pairs);
+  for (std::size_t k = 0; k < asked.size(); ++k) {
+    count_faults(proved[asked[k]], answers[k], candidate.method->claim(), run.row);
+    if (answers[k].status == Status::answered) run.timed.push_back(pairs[k]);
+  }
+  run.row.pairs = asked.size();
+  const bool gives_none = asks_distance(candidate) && run.row.undecided == asked.size();
+  if (asked.empty() || gives_none) return {};
+  return run;
+}
+
+std::vector<BenchRow> bench_family(const Family& family, std::span<const Candidate> candidates,
+                                   const BenchOptions& options, const BenchProgress& progress) {
+  progress(fmt::format("{}: proving {} pairs", family.name, options.pairs));
+  std::vector<Proved> proved;
+  for (std::size_t i = 0; i < options.pairs; ++i) proved.push_back(prove(family, options.seed, i));
+  std::vector<Run> runs;
+  for (const Candidate& candidate : candidates) {
+    progress(fmt::format("{}: verifying {} ({})", family.name, candidate.method->name(), candidate.query));
+    if (std::optional<Run> run = verify(candidate, family, proved)) runs.push_back(std::move(*run));
+  }
+  time(runs, family, options, progress);
+  std::vector<BenchRow> rows;
+  for (Run& run : runs) rows.push_back(std::move(run.row));
+  return rows;
+}
 
 }  // namespace
 
-std::vector<BenchRow> bench(const BenchOptions& options,
-                            const std::function<void(std::string_view)>& progress) {
-  const auto methods =
-      options.methods.empty() ? all_methods() : select_methods(all_methods(), options.methods);
+std::vector<BenchRow> bench(std::span<const std::unique_ptr<Method>> methods,
+                            std::span<const Family> families, const BenchOptions& options,
+                            const BenchProgress& progress) {
   const std::vector<Candidate> candidates = candidates_of(methods);
-  std::vector<std::string> names;
-  for (const Family& family : families()) names.emplace_back(family.name);
-  std::vector<std::size_t> chosen(names.size());
-  std::iota(chosen.begin(), chosen.end(), std::size_t{0});
-  if (!options.families.empty()) chosen = select_names(names, options.families);
   std::vector<BenchRow> rows;
-  for (const std::size_t i : chosen) {
-    for (BenchRow& row : bench_family(families()[i], candidates, options, progress))
-      rows.push_back(std::move(row));
+  for (const Family& family : families) {
+    for (BenchRow& row : bench_family(family, candidates, options, progress)) rows.push_back(std::move(row));
   }
   return rows;
 }
 
-std::string format_bench_table(std::span<const BenchRow> rows) {
-  std::map<std::pair<std::string, std::string>, double> unit;  // of (family, query)
-  for (const BenchRow& row : rows) {
-    if (row.method == "intersect") unit[{row.family, row.query}] = row.median_ns;
+// A proof of each of a million pairs would not fit into memory beside the pairs: they are proved one by one.
+std::vector<BenchRow> bench_batches(std::span<const std::unique_ptr<Method>> methods, const Family& family,
+                                    std::size_t largest, const BenchOptions& options,
+                                    const BenchProgress& progress) {
+  std::vector<Candidate> candidates;
+  for (const Candidate& c : candidates_of(methods)) {
+    if (c.query == "batch") candidates.push_back(c);
   }
-  std::string text;
-  std::string family;
-  for (const BenchRow& row : rows) {
-    if (row.family != family) {
-      family = row.family;
-      text += fmt::format("{}{}\n{:<30}{:<10}{:>7}{:>11}{:>11}{:>8}{:>9}{:>9}{:>9}{:>7}{:>7}\n",
-                          text.empty() ? "" : "\n", family, "method", "query", "pairs", "ns/pair", "p99 ns",
-                          "ratio", "disj(!)", "inter(!)", "claimed", "undec", "failed");
+  std::vector<BenchRow> rows;
+  if (candidates.empty()) return rows;
+  for (std::size_t count = 100; count <= largest; count *= 10) {
+    progress(fmt::format("{}: verifying batches of {}", family.name, count));
+    std::vector<Pair> pairs;
+    for (std::size_t i = 0; i < count; ++i) pairs.push_back(family.generate(options.seed, i));
+    std::vector<Run> runs;
+    for (const Candidate& candidate : candidates) {
+      Run run{candidate, make_row(candidate, family), {}, {}};
+      run.row.pairs = count;
+      const std::vector<MethodAnswer> answers = ask_all(candidate, pairs);
+      for (std::size_t i = 0; i < count; ++i) {
+        Proved proved = prove(family, options.seed, i);
+        count_faults(proved, answers[i], candidate.method->claim(), run.row);
+      }
+      if (run.row.failed == 0) run.timed = pairs;
+      runs.push_back(std::move(run));
     }
-    const auto base = unit.find({row.family, row.query});
-    const double ratio = base == unit.end() ? not_measured : row.median_ns / base->second;
-    text +=
-        fmt::format("{:<30}{:<10}{:>7}{:>11}{:>11}{:>8}{:>9}{:>9}{:>9}{:>7}{:>7}\n", row.method, row.query,
-                    row.pairs, number(row.median_ns), number(row.p99_ns), number(ratio), row.wrong_disjoint,
-                    row.wrong_intersecting, row.wrong_below_claim, row.undecided, row.failed);
+    time(runs, family, options, progress);
+    for (Run& run : runs) rows.push_back(std::move(run.row));
   }
-  return text +
-         "\nns/pair: median of the passes' means. p99: over pairs. ratio: times the ns of `intersect`, same "
-         "query.\n"
-         "prepared: shapes are built before the clock starts. raw: inside the call, as a foreign method's "
-         "adapter\n"
-         "does it. disj(!), inter(!): wrongly said disjoint, intersecting; claimed: of these, within its own "
-         "claim.\n";
+  return rows;
 }
 
-std::string format_bench_row(const BenchRow& row) {
-  const auto json = [](double ns) { return std::isfinite(ns) ? format_double(ns) : std::string("null"); };
-  return fmt::format(
-      R"({{"method":{},"family":{},"query":{},"foreign":{},"n":{},"median_ns":{},"p99_ns":{},)"
-      R"("wrong_disjoint":{},"wrong_intersecting":{},"wrong_below_claim":{},"undecided":{},"failed":{}}})",
-      quote_json(row.method), quote_json(row.family), quote_json(row.query), row.foreign, row.pairs,
-      json(row.median_ns), json(row.p99_ns), row.wrong_disjoint, row.wrong_intersecting,
-      row.wrong_below_claim, row.undecided, row.failed);
+std::vector<Family> select_families(std::string_view spec) {
+  std::vector<Family> all;
+  std::vector<std::string> names;
+  for (const std::span<const Family> some : {families(), margin_families()}) {
+    for (const Family& family : some) {
+      all.push_back(family);
+      names.emplace_back(family.name);
+    }
+  }
+  if (spec == "all") return all;
+  std::vector<Family> kept;
+  for (const std::size_t i : select_names(names, spec)) kept.push_back(all[i]);
+  return kept;
 }
 
 }  // namespace cyl

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: MIT
+// What one call costs: nanoseconds, and instructions where the machine counts them.
+#pragma once
+
+#include <chrono>
+#include <cstddef>
+#include <functional>
+#include <limits>
+#include <span>
+#include <vector>
+
+namespace cyl {
+
+inline constexpr double not_measured = std::numeric_limits<double>::quiet_NaN();
+
+/// Of one call, on average over many.
+struct Cost {
+  double ns = not_measured;
+  double instructions = not_measured;  ///< in user space; NaN where the machine offers no counter
+};
+
+/// Makes all calls once, in the order of the indices given, or in its own where order is nothing to it.
+using Sweep = std::function<void(std::span<const std::size_t> order)>;
+
+/// Another permutation of 0 .. order.size() - 1 at each call; `stride` is what it remembers, at first 0.
+void shuffle(std::span<std::size_t> order, std::size_t& stride);
+
+/// Runs a sweep of `count` calls once to warm up and then as often as fills `least`; a first run that fills
+/// it is itself the measurement. The time is the median of the sweeps', which loses the few that something
+/// else interrupted. Each time in another order: branch predictors learn a couple of thousand
+/// pairs by heart (a quarter of the time of our verdict on random pairs).
+Cost turn_cost(const Sweep& sweep, std::size_t count, std::chrono::duration<double> least);
+
+/// For i < count the least time of call(i) in `passes`, by a cycle counter that no instruction moves across,
+/// less the least time of an empty call; the 99th percentile over i.
+double p99_ns(const std::function<void(std::size_t)>& call, std::size_t count, int passes);
+
+/// The value of rank q (count - 1), rounded; NaN where there are none.
+double quantile(std::vector<double> values, double q);
+/// The range of the middle half of the values, in % of their median.
+double spread_percent(const std::vector<double>& values);
+
+/// Makes the compiler believe that `value` is looked at.
+void keep(double value);
+
+}  // namespace cyl
