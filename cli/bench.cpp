@@ -62,7 +62,11 @@ void run(const Options& options) {
     const auto batches = bench_batches(methods, *find_family("random"), large_batch, options.bench, progress);
     fmt::print("\nns a pair of a batch, by its pairs{}\n{}",
                batches.empty() ? ": no method here has one" : "", format_growth(batches));
+    constexpr std::size_t largest_set = 3162;
+    const auto sets = bench_sets(*find_family("random"), largest_set, options.bench, progress);
+    fmt::print("\nns a pair of a set against itself, by its pairs\n{}", format_growth(sets));
     rows.insert(rows.end(), batches.begin(), batches.end());
+    rows.insert(rows.end(), sets.begin(), sets.end());
   } else {
     rows = bench(methods, families, options.bench, progress);
     standings = summarise(rows);
@@ -95,8 +99,9 @@ void add_bench(CLI::App& app, int& exit_code) {
   add_unsigned(*command, "--pairs", options->bench.pairs, "of each family", 1);
   add_unsigned(*command, "--passes", options->bench.passes, "turns of each row, taken in rotation", 1);
   add_unsigned(*command, "--seed", options->bench.seed, "of the families");
-  command->add_flag("--growth", options->growth,
-                    "how time grows as margins shrink from 1e-1 to 1e-15 and batches grow to 10^6 pairs");
+  command->add_flag(
+      "--growth", options->growth,
+      "how time grows as margins shrink from 1e-1 to 1e-15, batches grow to 10^6 pairs and sets to 10^7");
   command->add_option("--json", options->json, "also write the results to this file");
   command->footer(
       "Example:\n  daylight bench --methods intersect,decide,fcl --families random --json bench.json\n"

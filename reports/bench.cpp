@@ -10,6 +10,7 @@
 
 #include "oracles/compare.hpp"
 #include "reports/bench_call.hpp"
+#include "solver/intersect_batch.hpp"
 
 namespace cyl {
 namespace {
@@ -25,12 +26,14 @@ struct Proved {
   std::optional<Enclosure> distance;  ///< filled when first asked for
 };
 
-Proved prove(const Family& family, std::uint64_t seed, std::size_t index) {
+Proved prove(const Pair& pair) {
   static const auto solver = select_methods(own_methods(), "decide");
-  Proved proved{family.generate(seed, index), {}, {}};
-  const MethodAnswer offered[] = {solver[0]->ask(proved.pair)};
-  proved.truth = judge(proved.pair, offered);
-  return proved;
+  const MethodAnswer offered[] = {solver[0]->ask(pair)};
+  return {pair, judge(pair, offered), {}};
+}
+
+Proved prove(const Family& family, std::uint64_t seed, std::size_t index) {
+  return prove(family.generate(seed, index));
 }
 
 const Enclosure& distance_of(Proved& p) {
@@ -195,6 +198,47 @@ std::vector<BenchRow> bench_batches(std::span<const std::unique_ptr<Method>> met
     }
     time(runs, family, options, progress);
     for (Run& run : runs) rows.push_back(std::move(run.row));
+  }
+  return rows;
+}
+
+// The first solids of a family's pairs, all against all.
+std::vector<BenchRow> bench_sets(const Family& family, std::size_t largest, const BenchOptions& options,
+                                 const BenchProgress& progress) {
+  constexpr std::size_t verified_pairs = 10'000;  // evenly spread
+  std::vector<BenchRow> rows;
+  for (const std::size_t count : {10, 32, 100, 316, 1000, 3162}) {
+    if (count > largest) break;
+    progress(fmt::format("{}: all pairs of {} solids", family.name, count));
+    std::vector<Cylinder> solids;
+    std::vector<Prepared> prepared;
+    for (std::size_t i = 0; i < count; ++i) {
+      solids.push_back(family.generate(options.seed, i).a);
+      prepared.push_back(prepare(solids[i]));
+    }
+    std::vector<Verdict> verdicts(count * count);
+    intersect_all(prepared, prepared, verdicts.data());
+    BenchRow row;
+    row.method = "intersect";
+    row.family = family.name;
+    row.query = "all pairs";
+    row.pairs = verdicts.size();
+    for (std::size_t k = 0; k < verdicts.size(); k += 1 + verdicts.size() / verified_pairs) {
+      Proved proved = prove(Pair{solids[k / count], solids[k % count]});
+      MethodAnswer answer;
+      answer.status = Status::answered;
+      answer.verdict = verdicts[k];
+      count_faults(proved, answer, Claim{.relative = right_from(family.name), .source = {}}, row);
+    }
+    const std::chrono::duration<double> turn(options.min_time / options.passes);
+    std::vector<double> turns;
+    for (int pass = 0; pass < options.passes; ++pass) {
+      const auto all = [&](auto) { intersect_all(prepared, prepared, verdicts.data()); };
+      turns.push_back(turn_cost(all, verdicts.size(), turn).ns);
+    }
+    row.median_ns = quantile(turns, 0.5);
+    row.spread_percent = spread_percent(turns);
+    rows.push_back(row);
   }
   return rows;
 }

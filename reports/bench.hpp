@@ -68,6 +68,10 @@ std::vector<BenchRow> bench_batches(std::span<const std::unique_ptr<Method>> met
                                     std::size_t largest, const BenchOptions& options,
                                     const BenchProgress& progress);
 
+/// All pairs of n solids of one family, n up to `largest`, in steps of about sqrt(10); query "all pairs".
+std::vector<BenchRow> bench_sets(const Family& family, std::size_t largest, const BenchOptions& options,
+                                 const BenchProgress& progress);
+
 /// The families that `spec` names by the rule of select_names; "all" is those of campaigns and the margins.
 std::vector<Family> select_families(std::string_view spec);
 

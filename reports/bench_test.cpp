@@ -418,5 +418,17 @@ TEST(Families, AreChosenByName) {
   EXPECT_THROW(select_families("nothing"), std::invalid_argument);
 }
 
+TEST(BenchSets, AskAllPairsAndVerifyThem) {
+  BenchOptions options;
+  options.min_time = 1e-4;
+  options.passes = 1;
+  const auto rows = bench_sets(*find_family("random"), 100, options, [](std::string_view) {});
+  ASSERT_EQ(rows.size(), 3u);
+  EXPECT_EQ(rows[0].pairs, 100u);
+  EXPECT_EQ(rows[2].pairs, 10000u);
+  EXPECT_GT(rows[2].median_ns, 0);
+  EXPECT_EQ(rows[2].wrong_disjoint + rows[2].wrong_intersecting + rows[2].undecided, 0u);
+}
+
 }  // namespace
 }  // namespace cyl
