@@ -385,8 +385,10 @@ void measure_parallel(const Scaled& p, const Vector3& axis_sum, Distance& out) n
   out.on_a = along0 * w + across0 * u;
   out.on_b = along1 * w + across1 * u;
   if (by_caps && by_sides) {
-    out.value = std::sqrt(beyond * beyond + beside * beside);
-    out.direction = (beyond * sign * w + beside * u) / out.value;
+    const double most = max(beyond, beside), x = beyond / most, y = beside / most;
+    const double root = std::sqrt(x * x + y * y);
+    out.value = most * root;
+    out.direction = (x / root * sign) * w + (y / root) * u;
   } else {
     out.value = by_caps ? beyond : beside;
     out.direction = by_caps ? Vector3(sign * w) : u;
