@@ -112,12 +112,6 @@ Vector3 nearest(const Vector3& x, const Vector3& w, double r, double h) noexcept
   return clamp(along, h) * w + shrink * radial;
 }
 
-// A direction, and a point of one of the solids that belongs to it; relative to C0 both.
-struct Candidate {
-  Vector3 direction, anchor;
-  bool on_b;
-};
-
 // Axes that are not parallel. Both are turned, and m0, m1 chosen perpendicular to them in their plane, so
 // that
 //   w0.w1 = c,  m0.w1 = m1.w0 = s,  m0.m1 = -c,  z = Delta.n >= 0,  e0 = Delta.m0 >= 0,  e1 = Delta.m1 >= 0.
@@ -188,104 +182,90 @@ Turn lowest_on_circle(double z, double e, double r, double s, double c, int& ste
   return {t * y, y};
 }
 
-struct Rims {
-  double side0, side1;    // which caps
-  double x0, y0, x1, y1;  // the points of the rims, on (n, m0) and (n, m1)
-};
-
-// Newton on |y|^2 over the two angles, y the vector from the point of rim 0 to that of rim 1.
-Candidate meet_rims(const Scaled& p, const Frame& f, Rims k, int& steps) noexcept {
-  const double e0 = f.e0 - k.side1 * p.h1 * f.s, e1 = f.e1 - k.side0 * p.h0 * f.s;
-  const double l0 = f.d0 - k.side0 * p.h0 - k.side1 * p.h1 * f.c;
-  double yn = 0, a = 0, b = 0, l = 0;
-  double last = std::numeric_limits<double>::infinity();
-  double turn0 = 0, turn1 = 0;
-  Rims kept = k;
-  auto rotate = [](double& x, double& y, double x_old, double y_old, double angle) {
-    const double q = angle / 2, i = 1 / (1 + q * q);
-    x = ((1 - q * q) * x_old - 2 * q * y_old) * i;
-    y = ((1 - q * q) * y_old + 2 * q * x_old) * i;
-  };
-  bool fine = false;
-  for (int i = 0; i < 60; ++i) {
-    ++steps;
-    yn = f.z - p.r0 * k.x0 - p.r1 * k.x1;
-    a = e0 - p.r0 * k.y0 + p.r1 * f.c * k.y1;
-    b = e1 + p.r0 * f.c * k.y0 - p.r1 * k.y1;
-    l = l0 - p.r1 * f.s * k.y1;
-    const double square = yn * yn + a * a + l * l;
-    if (fine) break;
-    if (square > last * (1 + 0x1p-40)) {
-      turn0 /= 4;
-      turn1 /= 4;
-    } else {
-      last = square;
-      kept = k;
-      const double g0 = k.x0 * a - k.y0 * yn, g1 = k.x1 * b - k.y1 * yn;
-      const double u0 = k.x0 * yn + k.y0 * a, u1 = k.x1 * yn + k.y1 * b;
-      const double bent = k.y0 * k.y1 - f.c * k.x0 * k.x1, least = std::fabs(bent) * (1 + 0x1p-20) + 0x1p-20;
-      const double b0 = max(p.r0 + u0, least * p.r0 + 0x1p-500), b1 = max(p.r1 + u1, least * p.r1 + 0x1p-500);
-      const double inverse = 1 / (b0 * b1 - bent * bent * p.r0 * p.r1);
-      turn0 = clamp((b1 * g0 - bent * p.r1 * g1) * inverse, 1);
-      turn1 = clamp((b0 * g1 - bent * p.r0 * g0) * inverse, 1);
-    }
-    fine = max(std::fabs(turn0), std::fabs(turn1)) <= 0x1p-20;
-    rotate(k.x0, k.y0, kept.x0, kept.y0, turn0);
-    rotate(k.x1, k.y1, kept.x1, kept.y1, turn1);
-  }
-  // y is square to both tangents; near contact their product is the better known.
-  const double cn = f.s * k.x0 * k.x1, cw = k.x0 * k.y1 + f.c * k.x1 * k.y0, cm = f.s * k.x1 * k.y0;
-  const double square = yn * yn + a * a + l * l, reach = p.r0 + p.r1;
-  Candidate found;
-  if ((cn * cn + cw * cw + cm * cm) * (reach * reach) > square)
-    found.direction = cn * f.n + cw * f.w0 + cm * f.m0;
-  else
-    found.direction = yn * f.n + l * f.w0 + a * f.m0;
-  found.anchor = k.side0 * p.h0 * f.w0 + p.r0 * (k.x0 * f.n + k.y0 * f.m0);
-  found.on_b = false;
-  return found;
-}
-
 // Two values of f within this times the reach may be the same: twice distance_error.
 constexpr double tie_error = 2 * distance_error;
 
+// Overlapping less than this times the reach may be not overlapping at all, with a direction badly known.
+constexpr double shallow_tol = 0x1p-20;
+
+constexpr int rim_step_cap = 60;
+constexpr int projection_cap = 60;
+
+// A rim of each solid, and a point on each: (x, y) on (n, m0) and on (n, m1).
+struct Rims {
+  double side0, side1;  // which caps, along w0 and w1
+  double x0, y0, x1, y1;
+};
+
+// (x, y) turned by about `angle` (its third order is off), still of unit length.
+void turn(double& x, double& y, double x_old, double y_old, double angle) noexcept {
+  const double q = angle / 2, i = 1 / (1 + q * q);
+  x = ((1 - q * q) * x_old - 2 * q * y_old) * i;
+  y = ((1 - q * q) * y_old + 2 * q * x_old) * i;
+}
+
 class Search {
  public:
-  Search(const Scaled& p, const Frame& f) noexcept : p_(p), f_(f) {
-    reach_ = p.r0 + p.h0 + p.r1 + p.h1 + length(p.delta);
-  }
-
-  // Takes the candidate if it is lower; true where it proves the gap.
-  bool consider(const Candidate& k) noexcept {
-    const double size = length(k.direction);
-    if (!(size > 0)) return false;
-    const Vector3 d = k.direction * ((dot(k.direction, p_.delta) < 0 ? -1 : 1) / size);
-    const double f = support_gap(p_, d);
-    const bool lower = f < low_;
-    if (lower) {
-      low_ = f;
-      best_ = {d, k.anchor, k.on_b};
-    }
-    // As low within rounding: the direction is the same, its point may be the better one.
-    if (!(f < 0) || !(lower || f <= low_ + tie_error * reach_)) return false;
-    const Vector3 other = k.on_b ? nearest(k.anchor, p_.w0, p_.r0, p_.h0)
-                                 : Vector3(nearest(k.anchor - p_.delta, p_.w1, p_.r1, p_.h1) + p_.delta);
-    const double upper = length(other - k.anchor);
-    if (upper < high_) {
-      high_ = upper;
-      on0_ = k.on_b ? other : k.anchor;
-      on1_ = k.on_b ? k.anchor : other;
-    }
-    return high_ + low_ <= 0x1p-47 * reach_;
-  }
+  Search(const Scaled& p, const Frame& f) noexcept
+      : p_(p), f_(f), reach_(p.r0 + p.h0 + p.r1 + p.h1 + length(p.delta)) {}
 
   void run() noexcept {
+    if (!look_at_features() && low_ < 0) project();
+  }
+
+  void report(Distance& out) const noexcept {
+    out.value = -low_;
+    out.error = distance_error * reach_;
+    out.direction = direction_;
+    if (low_ < 0) {
+      out.error += max(0, high_ + low_);
+      out.on_a = on0_;
+      out.on_b = on1_ - p_.delta;
+    } else {
+      out.on_a = on_b_ ? Vector3(anchor_ + low_ * direction_) : anchor_;
+      out.on_b = (on_b_ ? anchor_ : Vector3(anchor_ - low_ * direction_)) - p_.delta;
+    }
+    out.iterations = steps_;
+  }
+
+ private:
+  // Takes a direction and a point, from C0, of one of the solids that goes with it, if they are better; true
+  // where they prove the gap.
+  bool consider(const Vector3& along, const Vector3& anchor, bool on_b) noexcept {
+    const double size = length(along);
+    if (!(size > 0)) return false;
+    const Vector3 d = along * ((dot(along, p_.delta) < 0 ? -1 : 1) / size);
+    const double f = support_gap(p_, d);
+    if (f < low_) {
+      low_ = f;
+      direction_ = d;
+      anchor_ = anchor;
+      on_b_ = on_b;
+    }
+    // As low within rounding: the direction is the same, its point may be the better one.
+    return f < 0 && f <= low_ + tie_error * reach_ && meet(anchor, on_b);
+  }
+
+  // Takes a point and its nearest one in the other solid, if they are nearer; true where they prove the gap.
+  bool meet(const Vector3& anchor, bool on_b) noexcept {
+    const Vector3 other = on_b ? nearest(anchor, p_.w0, p_.r0, p_.h0)
+                               : Vector3(nearest(anchor - p_.delta, p_.w1, p_.r1, p_.h1) + p_.delta);
+    const double distance = length(other - anchor);
+    if (distance < high_) {
+      high_ = distance;
+      on0_ = on_b ? other : anchor;
+      on1_ = on_b ? anchor : other;
+    }
+    return high_ + low_ <= tie_error * reach_;
+  }
+
+  bool look_at_features() noexcept {
     const Scaled& p = p_;
     const Frame& f = f_;
     // Sides: the direction n.
     const bool crossing = f.e0 <= p.h1 * f.s && f.e1 <= p.h0 * f.s;
     const double t1 = min(1, f.e0 / (p.h1 * f.s));
-    if (crossing && consider({f.n, p.delta - t1 * p.h1 * f.w1 - p.r1 * f.n, true})) return;
+    if (crossing && consider(f.n, p.delta - t1 * p.h1 * f.w1 - p.r1 * f.n, true)) return true;
     // Caps.
     const double s0 = std::copysign(1.0, f.d0), s1 = std::copysign(1.0, f.d1), sc = std::copysign(1.0, f.c);
     const double c = std::fabs(f.c);
@@ -293,63 +273,115 @@ class Search {
     const double q1 = f.e1 - sc * s1 * p.h0 * f.s + p.r0 * s1 * f.c;
     const double far0 = f.z * f.z + q0 * q0, far1 = f.z * f.z + q1 * q1;
     const bool on_cap0 = far0 <= p.r0 * p.r0, on_cap1 = far1 <= p.r1 * p.r1;
-    if (consider({s0 * f.w0, p.delta - sc * s0 * p.h1 * f.w1 - s0 * p.r1 * f.m1, true}) && on_cap0) return;
-    if (consider({s1 * f.w1, sc * s1 * p.h0 * f.w0 + s1 * p.r0 * f.m0, false}) && on_cap1) return;
+    if (consider(s0 * f.w0, p.delta - sc * s0 * p.h1 * f.w1 - s0 * p.r1 * f.m1, true)) return true;
+    if (consider(s1 * f.w1, sc * s1 * p.h0 * f.w0 + s1 * p.r0 * f.m0, false)) return true;
     // Circles.
     const Turn k0 = lowest_on_circle(f.z, f.e0 - p.h1 * f.s, p.r1, f.s, c, steps_);
     const double rho0 = std::sqrt(k0.x * k0.x + f.c * f.c * k0.y * k0.y);
     const double at0 = f.d0 - f.c * (p.h1 - p.r1 * f.s * k0.y / rho0);
     const double cx0 = k0.x / rho0, cy0 = -f.c * k0.y / rho0;  // rim point of 1 on (n, m1)
     if (k0.y > 0 &&
-        consider({k0.x * f.n + k0.y * f.m0, p.delta - p.h1 * f.w1 - p.r1 * (cx0 * f.n + cy0 * f.m1), true}))
-      return;
+        consider(k0.x * f.n + k0.y * f.m0, p.delta - p.h1 * f.w1 - p.r1 * (cx0 * f.n + cy0 * f.m1), true))
+      return true;
     const Turn k1 = lowest_on_circle(f.z, f.e1 - p.h0 * f.s, p.r0, f.s, c, steps_);
     const double rho1 = std::sqrt(k1.x * k1.x + f.c * f.c * k1.y * k1.y);
     const double at1 = -f.d1 + f.c * (p.h0 - p.r0 * f.s * k1.y / rho1);
     const double cx1 = k1.x / rho1, cy1 = -f.c * k1.y / rho1;
-    if (k1.y > 0 &&
-        consider({k1.x * f.n + k1.y * f.m1, p.h0 * f.w0 + p.r0 * (cx1 * f.n + cy1 * f.m0), false}))
-      return;
+    if (k1.y > 0 && consider(k1.x * f.n + k1.y * f.m1, p.h0 * f.w0 + p.r0 * (cx1 * f.n + cy1 * f.m0), false))
+      return true;
     // Rims.
-    if (k0.y > 0 && std::fabs(at0) > p.h0 &&
-        consider(meet_rims(p, f, {std::copysign(1.0, at0), 1, k0.x, k0.y, cx0, cy0}, steps_)))
-      return;
+    if (k0.y > 0 && std::fabs(at0) > p.h0 && look_at_rims({std::copysign(1.0, at0), 1, k0.x, k0.y, cx0, cy0}))
+      return true;
     if (k1.y > 0 && std::fabs(at1) > p.h1 &&
-        consider(meet_rims(p, f, {1, -std::copysign(1.0, at1), cx1, cy1, k1.x, k1.y}, steps_)))
-      return;
+        look_at_rims({1, -std::copysign(1.0, at1), cx1, cy1, k1.x, k1.y}))
+      return true;
     if (!on_cap0) {
       const double i = 1 / std::sqrt(far0);
-      if (consider(meet_rims(p, f, {s0, sc * s0, f.z * i, q0 * i, 0, s0}, steps_))) return;
+      if (look_at_rims({s0, sc * s0, f.z * i, q0 * i, 0, s0})) return true;
     }
     if (!on_cap1) {
       const double i = 1 / std::sqrt(far1);
-      if (consider(meet_rims(p, f, {sc * s1, s1, 0, s1, f.z * i, q1 * i}, steps_))) return;
+      if (look_at_rims({sc * s1, s1, 0, s1, f.z * i, q1 * i})) return true;
+    }
+    return false;
+  }
+
+  // Newton on |y|^2 over the two angles, y the vector from the point of rim 0 to that of rim 1.
+  bool look_at_rims(Rims k) noexcept {
+    const Scaled& p = p_;
+    const Frame& f = f_;
+    const double e0 = f.e0 - k.side1 * p.h1 * f.s, e1 = f.e1 - k.side0 * p.h0 * f.s;
+    const double l0 = f.d0 - k.side0 * p.h0 - k.side1 * p.h1 * f.c;
+    double yn, y0, y1, yw;      // y along n, m0, m1, w0
+    double cn, cm, cw, square;  // the product of the tangents along n, m0, w0, and its square
+    double last = std::numeric_limits<double>::infinity(), turn0 = 0, turn1 = 0, slack = 0;
+    Rims kept = k;
+    bool fine = false;
+    for (int i = 0;; ++i) {
+      ++steps_;
+      yn = f.z - p.r0 * k.x0 - p.r1 * k.x1;
+      y0 = e0 - p.r0 * k.y0 + p.r1 * f.c * k.y1;
+      y1 = e1 + p.r0 * f.c * k.y0 - p.r1 * k.y1;
+      yw = l0 - p.r1 * f.s * k.y1;
+      cn = f.s * k.x0 * k.x1;
+      cm = f.s * k.x1 * k.y0;
+      cw = k.x0 * k.y1 + f.c * k.x1 * k.y0;
+      square = cn * cn + cm * cm + cw * cw;
+      if (fine || i == rim_step_cap) break;
+      const double now = yn * yn + y0 * y0 + yw * yw;
+      if (now > last * (1 + 0x1p-40)) {
+        turn0 /= 4;
+        turn1 /= 4;
+      } else {
+        last = now;
+        kept = k;
+        const double g0 = k.x0 * y0 - k.y0 * yn, g1 = k.x1 * y1 - k.y1 * yn;
+        double u0 = k.x0 * yn + k.y0 * y0, u1 = k.x1 * yn + k.y1 * y1;
+        const double bent = k.y0 * k.y1 - f.c * k.x0 * k.x1;
+        const double across = p.r0 * p.r1 * square;
+        double det = across + p.r0 * u1 + p.r1 * u0 + u0 * u1;
+        if (!(p.r0 + u0 > 0 && det > 0)) {
+          u0 = max(u0, 0x1p-500);
+          u1 = max(u1, 0x1p-500);
+          det = across + p.r0 * u1 + p.r1 * u0 + u0 * u1;
+        }
+        det = max(det, 0x1p-1000);
+        turn0 = clamp(((p.r1 + u1) * g0 - bent * p.r1 * g1) / det, 1);
+        turn1 = clamp(((p.r0 + u0) * g1 - bent * p.r0 * g0) / det, 1);
+        slack = max(0x1p-40 * (det / ((p.r0 + u0) * (p.r1 + u1))), 0x1p-90);
+      }
+      fine = max(turn0 * turn0, turn1 * turn1) <= slack;
+      turn(k.x0, k.y0, kept.x0, kept.y0, turn0);
+      turn(k.x1, k.y1, kept.x1, kept.y1, turn1);
+    }
+    // D is square to both tangents, and along y. Near contact y is mostly rounding, and where the tangents
+    // are nearly parallel their product is.
+    const Vector3 on0 = k.side0 * p.h0 * f.w0 + p.r0 * (k.x0 * f.n + k.y0 * f.m0);
+    const Vector3 on1 = p.delta - k.side1 * p.h1 * f.w1 - p.r1 * (k.x1 * f.n + k.y1 * f.m1);
+    const Vector3 product = cn * f.n + cw * f.w0 + cm * f.m0, y = yn * f.n + yw * f.w0 + y0 * f.m0;
+    const bool near = square * (p.r0 + p.r1) * (p.r0 + p.r1) > yn * yn + y0 * y0 + yw * yw;
+    if (consider(near ? product : y, on0, false)) return true;
+    if (low_ > shallow_tol * reach_) return false;
+    const Vector3 tangent0 = k.x0 * f.m0 - k.y0 * f.n, tangent1 = k.x1 * f.m1 - k.y1 * f.n;
+    return consider(near ? y : product, on1, true) || consider(y - dot(y, tangent0) * tangent0, on0, false) ||
+           consider(y - dot(y, tangent1) * tangent1, on1, true);
+  }
+
+  // From each solid to the other and back.
+  void project() noexcept {
+    for (int i = 0; i < projection_cap; ++i) {
+      ++steps_;
+      if (meet(on0_, false) || meet(on1_, true)) return;
     }
   }
 
-  double low() const noexcept { return low_; }
-  double high() const noexcept { return high_; }
-  double reach() const noexcept { return reach_; }
-  int steps() const noexcept { return steps_; }
-  const Vector3& direction() const noexcept { return best_.direction; }
-  void witness(Vector3& on0, Vector3& on1) const noexcept {
-    if (low_ < 0) {
-      on0 = on0_;
-      on1 = on1_ - p_.delta;
-      return;
-    }
-    on0 = best_.on_b ? Vector3(best_.anchor + low_ * best_.direction) : best_.anchor;
-    on1 = (best_.on_b ? best_.anchor : Vector3(best_.anchor - low_ * best_.direction)) - p_.delta;
-  }
-
- private:
   const Scaled& p_;
   const Frame& f_;
   double reach_;
-  double low_ = std::numeric_limits<double>::infinity();
-  double high_ = std::numeric_limits<double>::infinity();
-  Candidate best_{};
-  Vector3 on0_{0, 0, 0}, on1_{0, 0, 0};
+  double low_ = std::numeric_limits<double>::infinity();   // least f seen
+  double high_ = std::numeric_limits<double>::infinity();  // least distance of two points seen
+  Vector3 direction_{0, 0, 0}, anchor_{0, 0, 0}, on0_{0, 0, 0}, on1_{0, 0, 0};
+  bool on_b_ = false;
   int steps_ = 0;
 };
 
@@ -415,12 +447,7 @@ Distance distance(const Prepared& a, const Prepared& b) noexcept {
     const Frame frame(p, axes);
     Search search(p, frame);
     search.run();
-    out.value = -search.low();
-    out.error = max(0, search.high() - out.value) + distance_error * search.reach();
-    if (out.value <= 0) out.error = distance_error * search.reach();
-    out.direction = search.direction();
-    search.witness(out.on_a, out.on_b);
-    out.iterations = search.steps();
+    search.report(out);
   }
   out.verdict = out.value > 0 ? Verdict::disjoint : Verdict::intersecting;
   if (p.exponent != 0) {
