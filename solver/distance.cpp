@@ -345,9 +345,9 @@ class Search {
           u1 = max(u1, 0x1p-500);
           det = across + p.r0 * u1 + p.r1 * u0 + u0 * u1;
         }
-        det = max(det, 0x1p-1000);
-        turn0 = clamp(((p.r1 + u1) * g0 - bent * p.r1 * g1) / det, 1);
-        turn1 = clamp(((p.r0 + u0) * g1 - bent * p.r0 * g0) / det, 1);
+        const double inverse = 1 / max(det, 0x1p-1000);
+        turn0 = clamp(((p.r1 + u1) * g0 - bent * p.r1 * g1) * inverse, 1);
+        turn1 = clamp(((p.r0 + u0) * g1 - bent * p.r0 * g0) * inverse, 1);
         slack = max(0x1p-40 * (det / ((p.r0 + u0) * (p.r1 + u1))), 0x1p-90);
       }
       fine = max(turn0 * turn0, turn1 * turn1) <= slack;
