@@ -75,7 +75,8 @@ class MeasureDistance final : public Method {
   std::string_view name() const override { return "distance"; }
   std::string_view version() const override { return DAYLIGHT_VERSION; }
   Claim claim() const override {
-    return {.relative = 1e-13, .source = "solver/distance.hpp: within 1e-13 of the size on every family."};
+    return {.relative = 1e-13,
+            .source = "solver/distance.hpp: Within 1e-13 of size + |Delta| on every family."};
   }
   bool foreign() const override { return false; }
   MethodAnswer ask(const Pair& pair) override {

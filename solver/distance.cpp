@@ -139,19 +139,21 @@ struct Frame {
   double z, s, c, d0, d1, e0, e1;
 };
 
+constexpr int circle_step_cap = 60;  // 3 or 4 are usual
+
 struct Turn {
   double x, y;
 };
 
-// On the circle square to one axis: D = x n + y m, x and y >= 0. Beyond x = 1 the part of f that varies,
-// r sqrt(x^2 + c^2 y^2) - z x - e y, has at most one minimum inside the quarter: E(t) = its derivative over
-// x, t = y/x, is convex, and the minimum is at the larger root. {1, 0} where there is none.
+// Section 2. On the circle square to one axis: D = x n + y m, x and y >= 0. Beyond x = 1 the part of f that
+// varies, r sqrt(x^2 + c^2 y^2) - z x - e y, has at most one minimum inside the quarter: E(t) = its
+// derivative over x, t = y/x, is convex, and the minimum is at the larger root. {1, 0} where there is none.
 Turn lowest_on_circle(double z, double e, double r, double s, double c, int& steps) noexcept {
   const double bend = r * s * s, cc = c * c;
   const double q1 = 1 / std::sqrt(1 + cc), g1 = z - e - bend * q1, slope1 = z - bend * (q1 * q1 * q1);
   if (g1 >= 0 && slope1 > 0) {
     double t = e > 0 ? e / (e + g1) : 1;
-    for (int i = 0; i < 60; ++i) {
+    for (int i = 0; i < circle_step_cap; ++i) {
       ++steps;
       const double q = 1 / std::sqrt(1 + cc * t * t);
       const double slope = z - bend * (q * q * q);
@@ -169,7 +171,7 @@ Turn lowest_on_circle(double z, double e, double r, double s, double c, int& ste
     return {x, t * x};
   }
   double t = e > 0 && z > bend ? (z - bend) / e : 0;  // x/y here
-  for (int i = 0; i < 60; ++i) {
+  for (int i = 0; i < circle_step_cap; ++i) {
     ++steps;
     const double q = 1 / std::sqrt(t * t + cc);
     const double slope = e + bend * cc * (q * q * q);
@@ -188,8 +190,8 @@ constexpr double tie_error = 2 * distance_error;
 // Overlapping less than this times the reach may be not overlapping at all, with a direction badly known.
 constexpr double shallow_tol = 0x1p-20;
 
-constexpr int rim_step_cap = 60;
-constexpr int projection_cap = 60;
+constexpr int rim_step_cap = 60;    // of one rim on another; 6 to 10 are usual
+constexpr int projection_cap = 60;  // of the points, where nothing else brought the bounds together
 
 // A rim of each solid, and a point on each: (x, y) on (n, m0) and on (n, m1).
 struct Rims {
@@ -306,7 +308,7 @@ class Search {
     return false;
   }
 
-  // Newton on |y|^2 over the two angles, y the vector from the point of rim 0 to that of rim 1.
+  // Section 3. Newton on |y|^2 over the two angles, y the vector from the point of rim 0 to that of rim 1.
   bool look_at_rims(Rims k) noexcept {
     const Scaled& p = p_;
     const Frame& f = f_;
@@ -339,6 +341,7 @@ class Search {
         double u0 = k.x0 * yn + k.y0 * y0, u1 = k.x1 * yn + k.y1 * y1;
         const double bent = k.y0 * k.y1 - f.c * k.x0 * k.x1;
         const double across = p.r0 * p.r1 * square;
+        // H of distance.md, section 3; where it is not positive, without what makes it so.
         double det = across + p.r0 * u1 + p.r1 * u0 + u0 * u1;
         if (!(p.r0 + u0 > 0 && det > 0)) {
           u0 = max(u0, 0x1p-500);
