@@ -86,7 +86,7 @@ class Method {
 /// Every method of this build, in a fixed order: ours first.
 std::vector<std::unique_ptr<Method>> all_methods();
 
-std::vector<std::unique_ptr<Method>> own_methods();  ///< intersect, decide, exact
+std::vector<std::unique_ptr<Method>> own_methods();  ///< intersect, decide, distance, exact
 std::vector<std::unique_ptr<Method>> nlopt_methods();
 std::vector<std::unique_ptr<Method>> fcl_methods();
 std::vector<std::unique_ptr<Method>> bullet_methods();

@@ -7,19 +7,19 @@
 #include "oracles/exact.hpp"
 #include "oracles/method.hpp"
 #include "solver/decide.hpp"
+#include "solver/distance.hpp"
 #include "solver/intersect_batch.hpp"
 
 namespace cyl {
 namespace {
 
-/// `decision` on two prepared solids, for every pair.
-template <typename Decision>
-Method::Call prepare_solids(std::span<const Pair> pairs, Decision decision) {
+/// `query` on two prepared solids, for every pair.
+template <typename Query>
+auto prepare_solids(std::span<const Pair> pairs, Query query) {
   std::vector<std::pair<Prepared, Prepared>> solids;
   for (const Pair& pair : pairs) solids.emplace_back(prepare(pair.a), prepare(pair.b));
-  return [solids = std::move(solids), decision](std::size_t i) {
-    return decision(solids[i].first, solids[i].second);
-  };
+  return
+      [solids = std::move(solids), query](std::size_t i) { return query(solids[i].first, solids[i].second); };
 }
 
 class Intersect final : public Method {
@@ -84,6 +84,36 @@ class Decide final : public Method {
   }
 };
 
+class MeasureDistance final : public Method {
+ public:
+  std::string_view name() const override { return "distance"; }
+  std::string_view version() const override { return DAYLIGHT_VERSION; }
+  Claim claim() const override {
+    return {.relative = 1e-13,
+            .source = "solver/distance.hpp: Within 1e-13 of size + |Delta| on every family."};
+  }
+  bool foreign() const override { return false; }
+  MethodAnswer ask(const Pair& pair) override {
+    const Distance measured = distance(pair.a, pair.b);
+    MethodAnswer answer;
+    answer.status = Status::answered;
+    answer.verdict = measured.verdict;
+    answer.has_distance = measured.verdict != Verdict::invalid;
+    answer.distance = measured.value;
+    if (measured.verdict == Verdict::disjoint) {
+      answer.witness = WitnessKind::direction;
+      std::copy_n(measured.direction.data(), 3, answer.head);
+    }
+    return answer;
+  }
+  Call prepare_all(std::span<const Pair> pairs) override {
+    return prepare_solids(pairs, [](const Prepared& a, const Prepared& b) { return distance(a, b).verdict; });
+  }
+  DistanceCall prepare_distances(std::span<const Pair> pairs) override {
+    return prepare_solids(pairs, [](const Prepared& a, const Prepared& b) { return distance(a, b).value; });
+  }
+};
+
 class Exact final : public Method {
  public:
   std::string_view name() const override { return "exact"; }
@@ -113,6 +143,7 @@ std::vector<std::unique_ptr<Method>> own_methods() {
   std::vector<std::unique_ptr<Method>> methods;
   methods.push_back(std::make_unique<Intersect>());
   methods.push_back(std::make_unique<Decide>());
+  methods.push_back(std::make_unique<MeasureDistance>());
   methods.push_back(std::make_unique<Exact>());
   return methods;
 }

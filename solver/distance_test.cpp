@@ -1,0 +1,312 @@
+// SPDX-License-Identifier: MIT
+#include "solver/distance.hpp"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Geometry>
+#include <atomic>
+#include <cmath>
+#include <cstdint>
+#include <cstdlib>
+#include <limits>
+#include <new>
+
+// Counts what is allocated, so that a test can say: nothing. Not inlined: gcc would take malloc and free,
+// seen through new and delete, for a mismatch.
+static std::atomic<long> allocations{0};
+[[gnu::noinline]] void* operator new(std::size_t n) {
+  ++allocations;
+  if (void* p = std::malloc(n)) return p;
+  throw std::bad_alloc();
+}
+[[gnu::noinline]] void operator delete(void* p) noexcept { std::free(p); }
+[[gnu::noinline]] void operator delete(void* p, std::size_t) noexcept { std::free(p); }
+
+namespace cyl {
+namespace {
+
+using Wide = Eigen::Matrix<long double, 3, 1>;
+
+// A fixed stream of numbers in [0, 1) for the tests of this file.
+class Stream {
+ public:
+  explicit Stream(std::uint64_t seed) : state_(seed) {}
+  double unit() {
+    state_ = state_ * 6364136223846793005u + 1442695040888963407u;
+    return static_cast<double>(state_ >> 11) * 0x1p-53;
+  }
+  double between(double lo, double hi) { return lo + (hi - lo) * unit(); }
+  Vector3 vector(double limit) {
+    return {between(-limit, limit), between(-limit, limit), between(-limit, limit)};
+  }
+  Cylinder cylinder() { return {vector(1), vector(1), between(0, 1), between(0, 3)}; }
+  // Of every shape and in every pose that has cases of its own.
+  Pair pair(int i) {
+    Pair p{cylinder(), cylinder()};
+    if (i % 3 == 1) p.a.radius = 0;
+    if (i % 5 == 1) p.b.height = 0;
+    if (i % 7 == 1) p.b.axis = p.a.axis;
+    if (i % 7 == 2) p.b.axis = -p.a.axis + vector(1e-9);
+    if (i % 7 == 3) p.b.axis = p.a.axis.cross(p.b.axis);
+    if (i % 11 == 1) p.b.center = p.a.center;
+    if (i % 11 == 2) p.b.radius = 0;
+    return p;
+  }
+
+ private:
+  std::uint64_t state_;
+};
+
+double size_of(const Pair& p) { return p.a.radius + p.a.height + p.b.radius + p.b.height; }
+
+double reach_of(const Pair& p) { return size_of(p) + (p.b.center - p.a.center).norm(); }
+
+Cylinder upright(double x, double y, double z, double radius, double height) {
+  return {Vector3(x, y, z), Vector3(0, 0, 1), radius, height};
+}
+
+Cylinder lying(double x, double y, double z, double radius, double height) {
+  return {Vector3(x, y, z), Vector3(1, 0, 0), radius, height};
+}
+
+// f at a direction, the slow way.
+double support_gap(const Pair& p, const Vector3& direction) {
+  const Wide d = direction.cast<long double>();
+  long double f = -std::fabs(d.dot(p.b.center.cast<long double>() - p.a.center.cast<long double>()));
+  for (const Cylinder* c : {&p.a, &p.b}) {
+    const Wide w = c->axis.cast<long double>().normalized();
+    f += c->radius * d.cross(w).norm() + c->height / 2 * std::fabs(d.dot(w));
+  }
+  return static_cast<double>(f / d.norm());
+}
+
+// How far a point, from the solid's centre, is outside: 0 within.
+double outside(const Cylinder& c, const Vector3& offset) {
+  const Wide x = offset.cast<long double>(), w = c.axis.cast<long double>().normalized();
+  const long double along = std::fabs(x.dot(w)) - c.height / 2, across = x.cross(w).norm() - c.radius;
+  return static_cast<double>(std::max(0.0L, std::max(along, across)));
+}
+
+struct Known {
+  Pair pair;
+  double value;
+  Vector3 direction;  // 0: any
+};
+
+const Vector3 any(0, 0, 0);
+
+TEST(Distance, PairsKnownOnPaper) {
+  const Cylinder unit = upright(0, 0, 0, 1, 2);
+  const Known all[] = {
+      // Parallel: faces, sides, rims at a 3-4-5 corner, inside one another.
+      {{unit, upright(0.5, 0, 5, 1, 2)}, 3, {0, 0, 1}},
+      {{unit, upright(-3, -4, 0.5, 1, 2)}, 3, {-0.6, -0.8, 0}},
+      {{unit, upright(5, 0, 6, 1, 2)}, 5, {0.6, 0, 0.8}},
+      {{unit, upright(0, 0, 7, 1, 2)}, 5, {0, 0, 1}},
+      {{unit, upright(0, 0, 1.5, 1, 2)}, -0.5, {0, 0, 1}},
+      {{unit, upright(1.75, 0, 0, 1, 2)}, -0.25, {1, 0, 0}},
+      {{unit, unit}, -2, any},
+      {{unit, upright(0, 0, 2, 1, 2)}, 0, {0, 0, 1}},
+      // Crossed at right angles: side over cap, side by side, rim over side.
+      {{unit, lying(0, 0, 4, 1, 2)}, 2, {0, 0, 1}},
+      {{unit, lying(0, 0, 4, 1, 40)}, 2, {0, 0, 1}},
+      {{unit, lying(0, 4, 0, 1, 2)}, 2, {0, 1, 0}},
+      {{unit, lying(6, 0, 0, 1, 4)}, 3, {1, 0, 0}},
+      {{unit, lying(0, 0, 1.5, 1, 2)}, -0.5, {0, 0, 1}},
+      // The lying rim's lowest point over the upright one's rim: (1, 0, 1) and (5, 0, 4).
+      {{unit, lying(6, 0, 5, 1, 2)}, 5, {0.8, 0, 0.6}},
+      // Askew: the lowest point of b's rim, 5 - (3 h + 4 r)/5 = 3.6 up, over the cap.
+      {{unit, {Vector3(1, 0, 5), Vector3(4, 0, 3), 0.5, 10.0 / 3}}, 2.6, {0, 0, 1}},
+      // A segment whose end is farther from its line's nearest point: from (0, 3, 4) to the rim (0, 1, 1).
+      {{unit, {Vector3(0, 6, 8), Vector3(0, 3, 4), 0, 10}}, std::sqrt(13.0), any},
+      // Segments, disks and points.
+      {{upright(0, 0, 0, 0, 2), lying(0, 3, 0, 0, 2)}, 3, {0, 1, 0}},
+      {{upright(0, 0, 0, 0, 2), lying(0, 0, 0, 0, 2)}, 0, {0, 1, 0}},
+      {{upright(0, 0, 0, 1, 0), upright(5, 0, 4, 1, 0)}, 5, {0.6, 0, 0.8}},
+      {{upright(0, 0, 0, 1, 0), lying(0, 0, 0, 1, 0)}, -1, any},
+      {{upright(1, 2, 3, 0, 0), upright(3, 5, 9, 0, 0)}, 7, {2.0 / 7, 3.0 / 7, 6.0 / 7}},
+      {{upright(1, 2, 3, 0, 0), lying(3, 5, 9, 0, 0)}, 7, {2.0 / 7, 3.0 / 7, 6.0 / 7}},
+      {{upright(1, 2, 3, 0, 0), lying(1, 2, 3, 0, 0)}, 0, any},
+      {{unit, lying(3, 0, 0, 0, 0)}, 2, {1, 0, 0}},
+      {{unit, lying(0.75, 0, 0, 0, 0)}, -0.25, {1, 0, 0}}};
+  for (const Known& k : all) {
+    const Distance d = distance(k.pair.a, k.pair.b);
+    const auto which = &k - all;
+    EXPECT_NEAR(d.value, k.value, 1e-13 * reach_of(k.pair)) << "pair " << which;
+    EXPECT_LE(d.error, 1e-13 * reach_of(k.pair)) << "pair " << which;
+    if (k.direction != any) {
+      EXPECT_LE((d.direction - k.direction).norm(), 1e-13) << "pair " << which;
+    }
+    if (std::fabs(k.value) > 1e-3) {
+      EXPECT_EQ(d.verdict, k.value > 0 ? Verdict::disjoint : Verdict::intersecting) << "pair " << which;
+    }
+  }
+}
+
+// What an answer says of itself, checked the slow way: the direction gives the value, the points lie in the
+// solids and are as far apart.
+TEST(Distance, ShowsItsOwnProof) {
+  Stream random(20261121);
+  int apart = 0, uncertain = 0;
+  for (int i = 0; i < 30000; ++i) {
+    const Pair p = random.pair(i);
+    const Distance d = distance(p.a, p.b);
+    const double rounding = 1e-14 * reach_of(p);
+    ASSERT_NEAR(d.direction.norm(), 1, 4e-15) << "pair " << i;
+    ASSERT_NEAR(-support_gap(p, d.direction), d.value, d.error) << "pair " << i;
+    ASSERT_GE(d.direction.dot(p.b.center - p.a.center), -rounding) << "pair " << i;
+    ASSERT_LE(d.iterations, distance_step_cap);
+    const Vector3 y = p.b.center - p.a.center + d.on_b - d.on_a;
+    if (d.value > 0) {
+      ++apart;
+      ASSERT_LE(outside(p.a, d.on_a), rounding) << "pair " << i;
+      ASSERT_LE(outside(p.b, d.on_b), rounding) << "pair " << i;
+      ASSERT_LE(y.norm() - d.value, d.error) << "pair " << i;
+    } else {
+      ASSERT_LE((y - d.value * d.direction).norm(), rounding) << "pair " << i;
+    }
+    uncertain += d.error > 1e-13 * reach_of(p);
+  }
+  EXPECT_GT(apart, 8000);
+  EXPECT_LT(apart, 22000);
+  EXPECT_EQ(uncertain, 0);
+}
+
+// Axes nearly parallel and rims nearly tangent: the worst there is. From the third pair the bounds do not
+// meet.
+TEST(Distance, NearlyTangentRimsApart) {
+  const Pair all[] = {
+      {{{0, 0, 0},
+        {-0.34428424243433353, -0.1121359061348204, -0.9321447843370362},
+        3.1882799810196656,
+        7.591639754477268},
+       {{-4.578756753907825, 1.2471433544424968, -2.7245893687676994},
+        {-0.34428546226733137, -0.11213933968874183, -0.9321428505554491},
+        0.5711289174586656,
+        0.36087228495002593}},
+      {{{0, 0, 0},
+        {0.6051235777494454, -0.7317109032863283, -0.31372696674595313},
+        0.38223383381319626,
+        0.2761846718301358},
+       {{3.5249005778914997, 3.59340961125466, -1.1411050067486705},
+        {0.6051235757578608, -0.7317109021447314, -0.3137269676027841},
+        4.777271867817629,
+        0.0004975943761198946}},
+      {{{0, 0, 0},
+        {-0.5689512780387742, 0.37879122956660627, -0.7299394821637368},
+        6.418793670360343,
+        8.068428915536403},
+       {{-9.87732895760171, -0.1077827346198977, 2.0090167586594876},
+        {-0.5689512780387812, 0.3787912295665995, -0.7299394821637439},
+        2.7843200971064728,
+        0.15643333844358775}},
+      {{{0, 0, 0},
+        {-0.4529827890744542, 0.6351174079872147, -0.6256456432150155},
+        0.18642246502792081,
+        2.2312150138057554},
+       {{-0.3513734414242857, 0.7164070669405931, -0.8029493382831716},
+        {-0.45298278904327494, 0.6351174079976918, -0.6256456432299854},
+        9.755048793448471e-05,
+        0.0018459383216363593}},
+      {{{0, 0, 0}, {0.5539427125754404, -0.8090703803380942, -0.19634813684915534}, 0, 0.37814459087858854},
+       {{0.1047480285119582, -0.15299150136629666, -0.03712853291511477},
+        {-0.6599728814393807, -0.28296120480237724, -0.6959660568888315},
+        2.3122074653514686e-05,
+        0}}};
+  for (const Pair& p : all) {
+    const Distance d = distance(p.a, p.b);
+    const Vector3 y = p.b.center - p.a.center + d.on_b - d.on_a;
+    EXPECT_EQ(d.verdict, Verdict::disjoint);
+    EXPECT_LE(d.error, &p == all + 2 ? 1e-8 : 1e-14 * reach_of(p));
+    EXPECT_LE(y.norm() - d.value, d.error);
+    EXPECT_LE(outside(p.a, d.on_a), 1e-14 * reach_of(p));
+    EXPECT_LE(outside(p.b, d.on_b), 1e-14 * reach_of(p));
+  }
+}
+
+// A direction square to nothing in particular: no random one is lower, apart or not.
+TEST(Distance, NoOtherDirectionIsLower) {
+  Stream random(5);
+  for (int i = 0; i < 2000; ++i) {
+    const Pair p = random.pair(i);
+    const Distance d = distance(p.a, p.b);
+    for (int j = 0; j < 100; ++j) {
+      const Vector3 other = random.vector(1);
+      ASSERT_LE(-support_gap(p, other), d.value + d.error) << "pair " << i;
+      ASSERT_LE(-support_gap(p, d.direction + 1e-3 * other), d.value + d.error) << "pair " << i;
+    }
+  }
+}
+
+bool same(const Distance& a, const Distance& b, double unit) {
+  return a.verdict == b.verdict && a.value * unit == b.value && a.error * unit == b.error &&
+         a.direction == b.direction && a.on_a * unit == b.on_a && a.on_b * unit == b.on_b;
+}
+
+TEST(Distance, LawsHoldBitForBit) {
+  Stream random(7);
+  for (int i = 0; i < 6000; ++i) {
+    Pair p = random.pair(i);
+    const Distance d = distance(p.a, p.b);
+    Distance back = distance(p.b, p.a);
+    back.direction = -back.direction;
+    std::swap(back.on_a, back.on_b);
+    ASSERT_TRUE(same(d, back, 1)) << "swap, pair " << i;
+    Pair reversed = p;
+    (i % 2 ? reversed.a : reversed.b).axis *= -1;
+    ASSERT_TRUE(same(d, distance(reversed.a, reversed.b), 1)) << "reversal, pair " << i;
+    const double unit = std::ldexp(1, i % 2 ? 150 : -900);
+    for (Cylinder* c : {&p.a, &p.b}) {
+      c->center *= unit;
+      c->radius *= unit;
+      c->height *= unit;
+    }
+    ASSERT_TRUE(same(d, distance(p.a, p.b), unit)) << "scaling, pair " << i;
+  }
+}
+
+TEST(Distance, TinyHugeAndFarPairs) {
+  for (const double unit : {1e-300, 1e-160, 1e-20, 1e20, 1e160, 1e300}) {
+    const Cylinder a = upright(0, 0, 0, unit, 2 * unit);
+    const Distance d = distance(a, lying(6 * unit, 0, 5 * unit, unit, 2 * unit));
+    EXPECT_NEAR(d.value / unit, 5, 1e-13) << unit;
+    EXPECT_EQ(d.verdict, Verdict::disjoint);
+    EXPECT_NEAR(distance(a, lying(0, 0, 1.5 * unit, unit, 2 * unit)).value / unit, -0.5, 1e-13) << unit;
+  }
+  const double most = std::numeric_limits<double>::max();
+  for (const Cylinder& other : {upright(most, most, most, 1, 2), lying(most, most, most, most, most)}) {
+    const Distance d = distance(upright(-most, -most, -most, 1, 2), other);
+    EXPECT_EQ(d.verdict, Verdict::disjoint);
+    EXPECT_LE(d.value, most);  // cut off there
+    EXPECT_GT(d.value, most / 8);
+  }
+  const Cylinder speck = upright(0, 0, 0, 5e-324, 5e-324);
+  EXPECT_EQ(distance(speck, speck).verdict, Verdict::intersecting);
+  EXPECT_TRUE(std::isfinite(distance(speck, lying(0, 0, 0, 1e308, 5e-324)).value));
+}
+
+TEST(Distance, BadInputIsInvalid) {
+  const double nan = std::numeric_limits<double>::quiet_NaN(), inf = std::numeric_limits<double>::infinity();
+  const Cylinder good = upright(0, 0, 0, 1, 2);
+  for (const Cylinder& bad : {upright(nan, 0, 0, 1, 2), upright(0, 0, 0, nan, 2), upright(0, 0, 0, -1, 2),
+                              upright(0, 0, 0, 1, inf), Cylinder{Vector3(0, 0, 0), Vector3(0, 0, 0), 1, 2},
+                              Cylinder{Vector3(0, 0, 0), Vector3(0, nan, 1), 1, 2}}) {
+    EXPECT_EQ(distance(bad, good).verdict, Verdict::invalid);
+    EXPECT_EQ(distance(good, bad).verdict, Verdict::invalid);
+  }
+}
+
+TEST(Distance, AllocatesNothing) {
+  Stream random(11);
+  Pair pairs[64];
+  for (int i = 0; i < 64; ++i) pairs[i] = random.pair(i);
+  const long before = allocations;
+  int met = 0;
+  for (const Pair& p : pairs) met += distance(p.a, p.b).verdict == Verdict::intersecting;
+  EXPECT_EQ(allocations, before);
+  EXPECT_GT(met, 5);
+  EXPECT_LT(met, 59);
+}
+
+}  // namespace
+}  // namespace cyl
