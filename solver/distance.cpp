@@ -297,14 +297,18 @@ class Search {
     if (k1.y > 0 && std::fabs(at1) > p.h1 &&
         look_at_rims({1, -std::copysign(1.0, at1), cx1, cy1, k1.x, k1.y}))
       return true;
-    if (!on_cap0) {
-      const double i = 1 / std::sqrt(far0);
-      if (look_at_rims({s0, sc * s0, f.z * i, q0 * i, 0, s0})) return true;
-    }
-    if (!on_cap1) {
-      const double i = 1 / std::sqrt(far1);
-      if (look_at_rims({sc * s1, s1, 0, s1, f.z * i, q1 * i})) return true;
-    }
+    // From a pole the facing rim starts at its lowest point; where the pole's point is just on its own rim
+    // that is a stationary point of section 3 but perhaps no minimum, so that it starts beside it, too.
+    constexpr double aside = 20.0 / 101, up = 99.0 / 101, tie_tol = 0x1p-20;  // of the squared radius
+    const double i0 = 1 / std::sqrt(max(far0, 0x1p-1000)), i1 = 1 / std::sqrt(max(far1, 0x1p-1000));
+    Rims pole0{s0, sc * s0, f.z * i0, q0 * i0, 0, s0}, pole1{sc * s1, s1, 0, s1, f.z * i1, q1 * i1};
+    if (!on_cap0 && look_at_rims(pole0)) return true;
+    if (!on_cap1 && look_at_rims(pole1)) return true;
+    pole0.x1 = pole1.x0 = aside;
+    pole0.y1 = up * s0;
+    pole1.y0 = up * s1;
+    if (std::fabs(far0 - p.r0 * p.r0) <= tie_tol * p.r0 * p.r0 && look_at_rims(pole0)) return true;
+    if (std::fabs(far1 - p.r1 * p.r1) <= tie_tol * p.r1 * p.r1 && look_at_rims(pole1)) return true;
     return false;
   }
 

@@ -224,6 +224,14 @@ TEST(Distance, NearlyTangentRimsApart) {
   }
 }
 
+// The lowest direction is next to the axis of a, where the point of the pole is exactly on the rim.
+TEST(Distance, MinimumBesideAStationaryPole) {
+  const Cylinder askew{Vector3(2, -1, -3), Vector3(-1, 0, -2), 3, 6};
+  const Distance d = distance(askew, upright(3, 1, 0, 3, 4));
+  EXPECT_GE(d.value, -2.99999914);  // the axis itself gives -3
+  EXPECT_LE(d.value, -2.99999911);
+}
+
 // A direction square to nothing in particular: no random one is lower, apart or not.
 TEST(Distance, NoOtherDirectionIsLower) {
   Stream random(5);
