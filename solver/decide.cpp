@@ -24,40 +24,35 @@ Vector3 times_power(const Vector3& x, int exponent) noexcept {
   return {std::ldexp(x.x(), exponent), std::ldexp(x.y(), exponent), std::ldexp(x.z(), exponent)};
 }
 
-Vector3 axis0(const Couple<double>& p) noexcept { return {p.w0x, p.w0y, p.w0z}; }
-Vector3 axis1(const Couple<double>& p) noexcept { return {p.w1x, p.w1y, p.w1z}; }
-Vector3 delta_of(const Couple<double>& p) noexcept { return {p.dx, p.dy, p.dz}; }
-
-double reach_of(const Couple<double>& p) noexcept { return p.r0 + p.h0 + p.r1 + p.h1 + length(delta_of(p)); }
+double reach_of(const Scaled& p) noexcept { return p.r0 + p.h0 + p.r1 + p.h1 + length(p.delta); }
 
 // f(D) < 0 beyond rounding (derivation.md, section 8).
-bool separates(const Couple<double>& p, const Vector3& d) noexcept {
-  const Vector3 w0 = axis0(p), w1 = axis1(p);
-  const double f = p.r0 * length(d.cross(w0)) + p.h0 * std::fabs(dot(d, w0)) + p.r1 * length(d.cross(w1)) +
-                   p.h1 * std::fabs(dot(d, w1)) - std::fabs(dot(d, delta_of(p)));
+bool separates(const Scaled& p, const Vector3& d) noexcept {
+  const double f = p.r0 * length(d.cross(p.w0)) + p.h0 * std::fabs(dot(d, p.w0)) +
+                   p.r1 * length(d.cross(p.w1)) + p.h1 * std::fabs(dot(d, p.w1)) - std::fabs(dot(d, p.delta));
   return f < -separation_error * length(d) * reach_of(p);
 }
 
 // x, from C0, lies inside both solids beyond rounding.
-bool in_both(const Couple<double>& p, const Vector3& x) noexcept {
-  const Vector3 w0 = axis0(p), w1 = axis1(p), delta = delta_of(p), y = x - delta;
-  const double e = membership_error * (length(x) + length(delta)) + underflow_error;
+bool in_both(const Scaled& p, const Vector3& x) noexcept {
+  const Vector3 y = x - p.delta;
+  const double e = membership_error * (length(x) + length(p.delta)) + underflow_error;
   const double room0 = p.r0 - e, room1 = p.r1 - e;
-  const Vector3 across0 = x.cross(w0), across1 = y.cross(w1);
-  return (std::fabs(dot(x, w0)) + e < p.h0) & (std::fabs(dot(y, w1)) + e < p.h1) & (room0 > 0) &
+  const Vector3 across0 = x.cross(p.w0), across1 = y.cross(p.w1);
+  return (std::fabs(dot(x, p.w0)) + e < p.h0) & (std::fabs(dot(y, p.w1)) + e < p.h1) & (room0 > 0) &
              (room1 > 0) &&
          (length(across0) < room0) & (length(across1) < room1);
 }
 
-Answer disjoint(const Couple<double>& p, const Vector3& direction) noexcept {
+Answer disjoint(const Scaled& p, const Vector3& direction) noexcept {
   Answer answer;
   answer.verdict = Verdict::disjoint;
   answer.proof = Proof::direction;
-  answer.direction = dot(direction, delta_of(p)) < 0 ? Vector3(-direction) : direction;
+  answer.direction = dot(direction, p.delta) < 0 ? Vector3(-direction) : direction;
   return answer;
 }
 
-bool try_direction(const Couple<double>& p, Vector3 direction, Answer& answer) noexcept {
+bool try_direction(const Scaled& p, Vector3 direction, Answer& answer) noexcept {
   // Weights are products of lengths; a direction has no unit.
   const double most = max_abs(direction);
   if (!(most >= 0x1p-900)) return false;
@@ -67,7 +62,7 @@ bool try_direction(const Couple<double>& p, Vector3 direction, Answer& answer) n
   return true;
 }
 
-bool try_point(const Couple<double>& p, const Base& base, const Vector3& x, Answer& answer) noexcept {
+bool try_point(const Scaled& p, const Base& base, const Vector3& x, Answer& answer) noexcept {
   // The certificate is what is handed out, so that is what gets checked: back in the scene's unit, where a
   // subnormal coordinate may have lost bits.
   const Vector3 tail = times_power(x, base.exponent);
@@ -150,8 +145,7 @@ bool middle_of_overlap(const Rectangle& r0, const Rectangle& r1, PlanePoint& fou
 }
 
 // Common points of the slice at height u above C0.
-bool try_slice(const Couple<double>& p, const Frame& frame, const Base& base, double u,
-               Answer& answer) noexcept {
+bool try_slice(const Scaled& p, const Frame& frame, const Base& base, double u, Answer& answer) noexcept {
   const double v = frame.z - u;
   const double b0 = std::sqrt(larger(0, (p.r0 - u) * (p.r0 + u)));
   const double b1 = std::sqrt(larger(0, (p.r1 - v) * (p.r1 + v)));
@@ -165,8 +159,7 @@ bool try_slice(const Couple<double>& p, const Frame& frame, const Base& base, do
          (middle_of_overlap(r0, r1, q) && attempt(q));
 }
 
-void prove_parallel(const Couple<double>& p, const Parallel& found, const Base& base,
-                    Answer& answer) noexcept {
+void prove_parallel(const Scaled& p, const Parallel& found, const Base& base, Answer& answer) noexcept {
   if (found.stacked && try_direction(p, found.w, answer)) return;
   if (found.beside && try_direction(p, found.across(), answer)) return;
   if (found.stacked | found.beside) return;
@@ -179,15 +172,14 @@ void prove_parallel(const Couple<double>& p, const Parallel& found, const Base& 
 }
 
 // The middle of the slices where both widths suffice: those at most u from C0 and v from C1.
-bool try_middle(const Couple<double>& p, const Frame& frame, const Base& base, double u, double v,
+bool try_middle(const Scaled& p, const Frame& frame, const Base& base, double u, double v,
                 Answer& answer) noexcept {
   return try_slice(p, frame, base, (larger(-u, frame.z - v) + smaller(u, frame.z + v)) / 2, answer);
 }
 
 // Where H is greatest there is the deepest slice, and the multipliers of the demands that hold it there are
 // the weights of a direction (section 7).
-void prove_at_optimum(const Couple<double>& p, const Frame& frame, const Base& base,
-                      Answer& answer) noexcept {
+void prove_at_optimum(const Scaled& p, const Frame& frame, const Base& base, Answer& answer) noexcept {
   const Sections<double>& f = frame.f;
   auto combine = [&](int i, double weight_i, int j, double weight_j, double weight_n) {
     return Vector3(larger(0, weight_i) * frame.e(i) + larger(0, weight_j) * frame.e(j) + weight_n * frame.n);
@@ -256,8 +248,7 @@ void prove_at_optimum(const Couple<double>& p, const Frame& frame, const Base& b
 }
 
 // The five directions and the slice that decide most pairs.
-bool prove_at_first_sight(const Couple<double>& p, const Frame& frame, const Base& base,
-                          Answer& answer) noexcept {
+bool prove_at_first_sight(const Scaled& p, const Frame& frame, const Base& base, Answer& answer) noexcept {
   const Sections<double>& f = frame.f;
   const auto sight = at_first_sight(f);
   if (sight.apart) {
@@ -350,13 +341,13 @@ bool prove_at_first_sight(const Couple<double>& p, const Frame& frame, const Bas
     answer.verdict = Verdict::invalid;
     return;
   }
-  const Scaled scaled = scale(first, second);
-  const Couple<double>& p = scaled.couple;
-  const Base base{first.center, scaled.exponent};
+  const Scaled p = scale(first, second);
+  const Base base{first.center, p.exponent};
   // As decide() does with ordinary solids, so that the scene's unit cannot be seen in the answer; but where
   // it is so small that a point may lose bits when it goes back into it.
-  if (!(first.ordinary & second.ordinary) && scaled.exponent > -900 && prove_in_passing(p, base, answer)) {
-    answer.point_tail = times_power(answer.point_tail, scaled.exponent);
+  if (!(first.ordinary & second.ordinary) && p.exponent > -900 &&
+      prove_in_passing(p.couple(), base, answer)) {
+    answer.point_tail = times_power(answer.point_tail, p.exponent);
     return;
   }
   const Axes axes(first.unit_axis, second.unit_axis);
@@ -377,7 +368,8 @@ Answer decide(const Prepared& a, const Prepared& b) noexcept {
   // Looked up, since nobody can predict it.
   const Prepared* const roles[] = {&a, &b};
   const Prepared &first = *roles[swapped], &second = *roles[!swapped];
-  if (!(a.ordinary & b.ordinary) || !prove_in_passing(as_it_is(first, second), {first.center, 0}, answer))
+  if (!(a.ordinary & b.ordinary) ||
+      !prove_in_passing(as_it_is(first, second).couple(), {first.center, 0}, answer))
     prove_at_length(first, second, answer);
   answer.direction *= 1 - 2 * static_cast<double>(swapped);
   return answer;

@@ -3,100 +3,15 @@
 #include "solver/distance.hpp"
 
 #include <Eigen/Geometry>
-#include <bit>
 #include <cmath>
-#include <cstdint>
 #include <limits>
+
+#include "solver/frame.hpp"
 
 namespace cyl {
 namespace {
 
-// The same as in decide.cpp, from here ...
-
-double power_of_two(int exponent) noexcept {
-  return std::bit_cast<double>(static_cast<std::uint64_t>(exponent + 1023) << 52);
-}
-
-int exponent_of(double x) noexcept {
-  return static_cast<int>((std::bit_cast<std::uint64_t>(x) >> 52) & 0x7ff) - 1023;
-}
-
-double max(double a, double b) noexcept { return a < b ? b : a; }
-double min(double a, double b) noexcept { return b < a ? b : a; }
-
-double max_abs(const Vector3& x) noexcept {
-  return max(std::fabs(x.x()), max(std::fabs(x.y()), std::fabs(x.z())));
-}
-
-double dot(const Vector3& a, const Vector3& b) noexcept {
-  return a.x() * b.x() + a.y() * b.y() + a.z() * b.z();
-}
-
-double length(const Vector3& a) noexcept { return std::sqrt(dot(a, a)); }
-
-bool out_of_order(const Prepared& a, const Prepared& b) noexcept {
-  if (a.radius != b.radius) return a.radius > b.radius;
-  if (a.height != b.height) return a.height > b.height;
-  for (int i = 0; i < 3; ++i)
-    if (a.unit_axis[i] != b.unit_axis[i]) return a.unit_axis[i] > b.unit_axis[i];
-  for (int i = 0; i < 3; ++i)
-    if (a.center[i] != b.center[i]) return a.center[i] > b.center[i];
-  return false;
-}
-
-struct Scaled {
-  const Vector3 &w0, &w1;
-  Vector3 delta;
-  double r0, h0, r1, h1;  // h0, h1: half heights
-  int exponent;
-};
-
-Scaled scale(const Prepared& a, const Prepared& b) noexcept {
-  if (a.ordinary && b.ordinary)
-    return {a.unit_axis,    b.unit_axis, b.center - a.center, a.radius,
-            a.height * 0.5, b.radius,    b.height * 0.5,      0};
-  const double widest = max(max(a.radius, b.radius), max(a.height, b.height));
-  Vector3 delta = b.center - a.center;
-  double most = max(widest, max_abs(delta));
-  int shift = 0;
-  if (!(max_abs(delta) <= std::numeric_limits<double>::max()))
-    shift = -100;
-  else if (most < 0x1p-1000)
-    shift = 200;
-  double radius0 = a.radius, height0 = a.height, radius1 = b.radius, height1 = b.height;
-  if (shift != 0) {
-    const double before = power_of_two(shift);
-    delta = shift < 0 ? Vector3(b.center * before - a.center * before) : Vector3(delta * before);
-    radius0 *= before;
-    height0 *= before;
-    radius1 *= before;
-    height1 *= before;
-    most = max(widest * before, max_abs(delta));
-  }
-  int exponent = most > 0 ? exponent_of(most) : 0;
-  if (exponent > 1022) exponent = 1022;
-  const double unit = power_of_two(-exponent), half = unit * 0.5;
-  return {a.unit_axis,    b.unit_axis,    delta * unit,   radius0 * unit,
-          height0 * half, radius1 * unit, height1 * half, exponent - shift};
-}
-
-struct Axes {
-  Axes(const Vector3& w0, const Vector3& w1) noexcept : cosine(dot(w0, w1)) {
-    const Vector3 aligned = w1 * std::copysign(1.0, cosine);
-    sum = w0 + aligned;
-    cross = (w0 - aligned).cross(sum);
-    square = dot(cross, cross);
-  }
-  bool parallel() const noexcept { return square < 0x1p-96; }
-
-  double cosine;
-  Vector3 sum, cross;
-  double square;
-};
-
-// ... to here.
-
-double clamp(double x, double limit) noexcept { return max(-limit, min(limit, x)); }
+double clamp(double x, double limit) noexcept { return larger(-limit, smaller(limit, x)); }
 
 double support_gap(const Scaled& p, const Vector3& d) noexcept {
   return p.r0 * length(d.cross(p.w0)) + p.h0 * std::fabs(dot(d, p.w0)) + p.r1 * length(d.cross(p.w1)) +
@@ -115,12 +30,12 @@ Vector3 nearest(const Vector3& x, const Vector3& w, double r, double h) noexcept
 // Axes that are not parallel. Both are turned, and m0, m1 chosen perpendicular to them in their plane, so
 // that
 //   w0.w1 = c,  m0.w1 = m1.w0 = s,  m0.m1 = -c,  z = Delta.n >= 0,  e0 = Delta.m0 >= 0,  e1 = Delta.m1 >= 0.
-struct Frame {
-  Frame(const Scaled& p, const Axes& axes) noexcept {
-    const double norm = std::sqrt(axes.square), beside = dot(p.delta, axes.cross);
-    n = axes.cross * std::copysign(1 / norm, beside);
-    z = std::fabs(beside) / norm;
-    s = norm / 2;
+struct TurnedFrame {
+  TurnedFrame(const Scaled& p, const Axes& axes) noexcept {
+    const double beside = dot(p.delta, axes.cross);
+    s = std::sqrt(axes.square);
+    n = axes.cross * std::copysign(1 / s, beside);
+    z = std::fabs(beside) / s;
     m0 = p.w0.cross(n);
     m1 = p.w1.cross(n);
     const double turn0 = std::copysign(1.0, dot(p.delta, m0)), turn1 = std::copysign(1.0, dot(p.delta, m1));
@@ -133,7 +48,7 @@ struct Frame {
     e0 = dot(p.delta, m0);
     e1 = dot(p.delta, m1);
     // At right angles within rounding: an angle of 2^-60 instead moves nothing, and no quotient below is 0/0.
-    c = std::copysign(max(std::fabs(axes.cosine), 0x1p-60), dot(w0, w1));
+    c = std::copysign(larger(std::fabs(axes.cosine), 0x1p-60), dot(w0, w1));
   }
   Vector3 n, w0, w1, m0, m1;
   double z, s, c, d0, d1, e0, e1;
@@ -177,7 +92,7 @@ Turn lowest_on_circle(double z, double e, double r, double s, double c, int& ste
     const double slope = e + bend * cc * (q * q * q);
     if (!(slope > 0)) return {1, 0};
     const double step = (z - e * t - bend * t * q) / slope;
-    t = max(0, t + step);
+    t = larger(0, t + step);
     if (std::fabs(step) <= 0x1p-27 * t || step == 0) break;
   }
   const double y = 1 / std::sqrt(1 + t * t);
@@ -208,7 +123,7 @@ void turn(double& x, double& y, double x_old, double y_old, double angle) noexce
 
 class Search {
  public:
-  Search(const Scaled& p, const Frame& f) noexcept
+  Search(const Scaled& p, const TurnedFrame& f) noexcept
       : p_(p), f_(f), reach_(p.r0 + p.h0 + p.r1 + p.h1 + length(p.delta)) {}
 
   void run() noexcept {
@@ -220,7 +135,7 @@ class Search {
     out.error = distance_error * reach_;
     out.direction = direction_;
     if (low_ < 0) {
-      out.error += max(0, high_ + low_);
+      out.error += larger(0, high_ + low_);
       out.on_a = on0_;
       out.on_b = on1_ - p_.delta;
     } else {
@@ -263,10 +178,10 @@ class Search {
 
   bool look_at_features() noexcept {
     const Scaled& p = p_;
-    const Frame& f = f_;
+    const TurnedFrame& f = f_;
     // Sides: the direction n.
     const bool crossing = f.e0 <= p.h1 * f.s && f.e1 <= p.h0 * f.s;
-    const double t1 = min(1, f.e0 / (p.h1 * f.s));
+    const double t1 = smaller(1, f.e0 / (p.h1 * f.s));
     if (crossing && consider(f.n, p.delta - t1 * p.h1 * f.w1 - p.r1 * f.n, true)) return true;
     // Caps.
     const double s0 = std::copysign(1.0, f.d0), s1 = std::copysign(1.0, f.d1), sc = std::copysign(1.0, f.c);
@@ -300,7 +215,7 @@ class Search {
     // From a pole the facing rim starts at its lowest point; where the pole's point is just on its own rim
     // that is a stationary point of section 3 but perhaps no minimum, so that it starts beside it, too.
     constexpr double aside = 20.0 / 101, up = 99.0 / 101, tie_tol = 0x1p-20;  // of the squared radius
-    const double i0 = 1 / std::sqrt(max(far0, 0x1p-1000)), i1 = 1 / std::sqrt(max(far1, 0x1p-1000));
+    const double i0 = 1 / std::sqrt(larger(far0, 0x1p-1000)), i1 = 1 / std::sqrt(larger(far1, 0x1p-1000));
     Rims pole0{s0, sc * s0, f.z * i0, q0 * i0, 0, s0}, pole1{sc * s1, s1, 0, s1, f.z * i1, q1 * i1};
     if (!on_cap0 && look_at_rims(pole0)) return true;
     if (!on_cap1 && look_at_rims(pole1)) return true;
@@ -315,7 +230,7 @@ class Search {
   // Section 3. Newton on |y|^2 over the two angles, y the vector from the point of rim 0 to that of rim 1.
   bool look_at_rims(Rims k) noexcept {
     const Scaled& p = p_;
-    const Frame& f = f_;
+    const TurnedFrame& f = f_;
     const double e0 = f.e0 - k.side1 * p.h1 * f.s, e1 = f.e1 - k.side0 * p.h0 * f.s;
     const double l0 = f.d0 - k.side0 * p.h0 - k.side1 * p.h1 * f.c;
     double yn, y0, y1, yw;      // y along n, m0, m1, w0
@@ -348,16 +263,16 @@ class Search {
         // H of distance.md, section 3; where it is not positive, without what makes it so.
         double det = across + p.r0 * u1 + p.r1 * u0 + u0 * u1;
         if (!(p.r0 + u0 > 0 && det > 0)) {
-          u0 = max(u0, 0x1p-500);
-          u1 = max(u1, 0x1p-500);
+          u0 = larger(u0, 0x1p-500);
+          u1 = larger(u1, 0x1p-500);
           det = across + p.r0 * u1 + p.r1 * u0 + u0 * u1;
         }
-        const double inverse = 1 / max(det, 0x1p-1000);
+        const double inverse = 1 / larger(det, 0x1p-1000);
         turn0 = clamp(((p.r1 + u1) * g0 - bent * p.r1 * g1) * inverse, 1);
         turn1 = clamp(((p.r0 + u0) * g1 - bent * p.r0 * g0) * inverse, 1);
-        slack = max(0x1p-40 * (det / ((p.r0 + u0) * (p.r1 + u1))), 0x1p-90);
+        slack = larger(0x1p-40 * (det / ((p.r0 + u0) * (p.r1 + u1))), 0x1p-90);
       }
-      fine = max(turn0 * turn0, turn1 * turn1) <= slack;
+      fine = larger(turn0 * turn0, turn1 * turn1) <= slack;
       turn(k.x0, k.y0, kept.x0, kept.y0, turn0);
       turn(k.x1, k.y1, kept.x1, kept.y1, turn1);
     }
@@ -383,7 +298,7 @@ class Search {
   }
 
   const Scaled& p_;
-  const Frame& f_;
+  const TurnedFrame& f_;
   double reach_;
   double low_ = std::numeric_limits<double>::infinity();   // least f seen
   double high_ = std::numeric_limits<double>::infinity();  // least distance of two points seen
@@ -415,7 +330,7 @@ void measure_parallel(const Scaled& p, const Vector3& axis_sum, Distance& out) n
   const double sign = std::copysign(1.0, along);
   const bool by_caps = beyond > 0 || (beside <= 0 && beyond >= beside), by_sides = beside > 0 || !by_caps;
   auto middle = [](double reach0, double center1, double reach1) {
-    return (max(-reach0, center1 - reach1) + min(reach0, center1 + reach1)) / 2;
+    return (larger(-reach0, center1 - reach1) + smaller(reach0, center1 + reach1)) / 2;
   };
   const double along0 = by_caps ? sign * p.h0 : middle(p.h0, along, p.h1);
   const double along1 = by_caps ? -sign * p.h1 : along0 - along;
@@ -424,7 +339,7 @@ void measure_parallel(const Scaled& p, const Vector3& axis_sum, Distance& out) n
   out.on_a = along0 * w + across0 * u;
   out.on_b = along1 * w + across1 * u;
   if (by_caps && by_sides) {
-    const double most = max(beyond, beside), x = beyond / most, y = beside / most;
+    const double most = larger(beyond, beside), x = beyond / most, y = beside / most;
     const double root = std::sqrt(x * x + y * y);
     out.value = most * root;
     out.direction = (x / root * sign) * w + (y / root) * u;
@@ -451,7 +366,7 @@ Distance distance(const Prepared& a, const Prepared& b) noexcept {
   if (axes.parallel()) {
     measure_parallel(p, axes.sum, out);
   } else {
-    const Frame frame(p, axes);
+    const TurnedFrame frame(p, axes);
     Search search(p, frame);
     search.run();
     search.report(out);

@@ -51,23 +51,24 @@ inline bool out_of_order(const Prepared& a, const Prepared& b) noexcept {
 // own where both solids are ordinary (prepare), else the one in which the largest of radii, heights and
 // |Delta| is in [1, 2). Powers of two change no digit, so which of the two it is cannot be seen in an answer.
 struct Scaled {
-  Couple<double> couple;
+  const Vector3 &w0, &w1;
+  Vector3 delta;
+  double r0, h0, r1, h1;  // h0, h1: half heights
   int exponent;
+
+  Couple<double> couple() const noexcept {
+    return {w0.x(), w0.y(), w0.z(), w1.x(), w1.y(), w1.z(), delta.x(), delta.y(), delta.z(), r0, h0, r1, h1};
+  }
 };
 
-inline Couple<double> couple(const Vector3& w0, const Vector3& w1, const Vector3& delta, double r0, double h0,
-                             double r1, double h1) noexcept {
-  return {w0.x(), w0.y(), w0.z(), w1.x(), w1.y(), w1.z(), delta.x(), delta.y(), delta.z(), r0, h0, r1, h1};
-}
-
 // Both ordinary.
-inline Couple<double> as_it_is(const Prepared& a, const Prepared& b) noexcept {
-  return couple(a.unit_axis, b.unit_axis, b.center - a.center, a.radius, a.height * 0.5, b.radius,
-                b.height * 0.5);
+inline Scaled as_it_is(const Prepared& a, const Prepared& b) noexcept {
+  return {a.unit_axis,    b.unit_axis, b.center - a.center, a.radius,
+          a.height * 0.5, b.radius,    b.height * 0.5,      0};
 }
 
 inline Scaled scale(const Prepared& a, const Prepared& b) noexcept {
-  if (a.ordinary & b.ordinary) return {as_it_is(a, b), 0};
+  if (a.ordinary & b.ordinary) return as_it_is(a, b);
   const double widest = larger(larger(a.radius, b.radius), larger(a.height, b.height));
   Vector3 delta = b.center - a.center;
   double most = larger(widest, max_abs(delta));
@@ -91,9 +92,8 @@ inline Scaled scale(const Prepared& a, const Prepared& b) noexcept {
   int exponent = most > 0 ? exponent_of(most) : 0;
   if (exponent > 1022) exponent = 1022;
   const double unit = power_of_two(-exponent), half = unit * 0.5;
-  return {couple(a.unit_axis, b.unit_axis, delta * unit, radius0 * unit, height0 * half, radius1 * unit,
-                 height1 * half),
-          exponent - shift};
+  return {a.unit_axis,    b.unit_axis,    delta * unit,   radius0 * unit,
+          height0 * half, radius1 * unit, height1 * half, exponent - shift};
 }
 
 // w0 x w1 from the sum and the difference of the axes (one taken backwards where they are opposite): but for
@@ -116,8 +116,7 @@ struct Axes {
 // A pair at work: its vectors, the common normal n with n.Delta >= 0, m_i = w_i x n, and what the slices
 // need. The axes are not parallel.
 struct Frame {
-  Frame(const Couple<double>& p, const Axes& axes) noexcept
-      : w0(p.w0x, p.w0y, p.w0z), w1(p.w1x, p.w1y, p.w1z), delta(p.dx, p.dy, p.dz) {
+  Frame(const Scaled& p, const Axes& axes) noexcept : w0(p.w0), w1(p.w1), delta(p.delta) {
     const double s = std::sqrt(axes.square), beside = dot(delta, axes.cross), c = std::fabs(axes.cosine);
     n = axes.cross * std::copysign(1 / s, beside);
     m0 = w0.cross(n);
@@ -152,9 +151,9 @@ struct Frame {
 
 // Axes exactly parallel: two numbers decide, the distance along the axis and the one across it.
 struct Parallel {
-  Parallel(const Couple<double>& p, const Vector3& sum) noexcept
+  Parallel(const Scaled& p, const Vector3& sum) noexcept
       : w(sum / length(sum)),
-        delta(p.dx, p.dy, p.dz),
+        delta(p.delta),
         along(dot(delta, w)),
         distance(length(delta.cross(w))),
         stacked(std::fabs(along) > p.h0 + p.h1),

@@ -46,7 +46,7 @@ Verdict intersect_sections(const Sections<double>& f) noexcept {
 
 Verdict intersect(const Prepared& a, const Prepared& b) noexcept {
   if (a.ordinary & b.ordinary) {
-    const Couple<double> p = as_it_is(a, b);
+    const Couple<double> p = as_it_is(a, b).couple();
     const Sections<double> f = sections(p);
     if (f.s2 < steep_square) return intersect_shallow(p);
     const auto sight = at_first_sight(f);
@@ -55,7 +55,7 @@ Verdict intersect(const Prepared& a, const Prepared& b) noexcept {
     return settle(f);
   }
   if ((a.defect != Defect::none) | (b.defect != Defect::none)) return Verdict::invalid;
-  const Couple<double> p = scale(a, b).couple;
+  const Couple<double> p = scale(a, b).couple();
   const Sections<double> f = sections(p);
   return f.s2 >= steep_square ? intersect_sections(f) : intersect_shallow(p);
 }
