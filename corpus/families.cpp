@@ -160,6 +160,22 @@ Pair flat_disks(RandomStream& s, std::uint64_t index) {
   return p;
 }
 
+// Disks almost in one plane whose edges almost meet: what one axis shows and what the other shows are nearly
+// the same, and their difference is what decides.
+Pair coins_edge_to_edge(RandomStream& s, std::uint64_t index) {
+  constexpr std::array<double, 8> tilts{1e-9, 1e-8, 1e-7, 1e-6, 1e-5, 1e-4, 1e-3, 1e-2};
+  Pair p = random_pair(s);
+  const double tilt = s.pick(tilts), radii = p.a.radius + p.b.radius;
+  const Vector3 outwards = s.perpendicular(p.a.axis);
+  p.b.axis = s.sign() * (p.a.axis + tilt * s.perpendicular(p.a.axis));
+  p.a.height = index % 3 == 0 ? 0 : tilt * p.a.radius * s.unit();
+  p.b.height = index % 3 != 2 ? 0 : tilt * p.b.radius * s.unit();
+  draw_center(s, p.a);
+  const double gap = s.sign() * s.pick(dusts) * radii, lift = tilt * radii * s.between(-1, 1);
+  p.b.center = p.a.center + (radii + gap) * outwards + lift * p.a.axis;
+  return p;
+}
+
 // A point and a solid, either way round, and every third time two points, equal or apart by as little as
 // 1e-16.
 Pair points(RandomStream& s, std::uint64_t index) {
@@ -345,6 +361,8 @@ constexpr std::array entries{
     Entry{"lattice_dust", "lattice poses turned by 0 to 1e-3 rad: cubes, disks, needles, disk and needle",
           lattice_dust},
     Entry{"raw_axes", "a random pair with axes of length 1e-150 to 1e150", raw_axes},
+    Entry{"coins_edge_to_edge", "disks tilted by 1e-9 to 1e-2 rad, edge to edge, flat or nearly",
+          coins_edge_to_edge},
 };
 
 template <std::size_t i>

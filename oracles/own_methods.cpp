@@ -84,13 +84,16 @@ class Decide final : public Method {
   }
 };
 
+/// What `distance` is asked to hold, relative to size and the centres' distance.
+constexpr double distance_tol = 1e-13;
+
 class MeasureDistance final : public Method {
  public:
   std::string_view name() const override { return "distance"; }
   std::string_view version() const override { return DAYLIGHT_VERSION; }
   Claim claim() const override {
-    return {.relative = 1e-13,
-            .source = "solver/distance.hpp: Within 1e-13 of size + |Delta| on every family."};
+    return {.relative = distance_tol,
+            .source = "solver/distance.hpp: error within 1e-13 of size + |Delta|, or it says so."};
   }
   bool foreign() const override { return false; }
   MethodAnswer ask(const Pair& pair) override {
@@ -98,7 +101,11 @@ class MeasureDistance final : public Method {
     MethodAnswer answer;
     answer.status = Status::answered;
     answer.verdict = measured.verdict;
-    answer.has_distance = measured.verdict != Verdict::invalid;
+    // Where its bounds stay apart it says so, and no number.
+    const double reach = pair.a.radius + pair.a.height + pair.b.radius + pair.b.height +
+                         (pair.b.center - pair.a.center).norm();
+    const bool sure = measured.verdict == Verdict::intersecting || measured.error <= distance_tol * reach;
+    answer.has_distance = measured.verdict != Verdict::invalid && sure;
     answer.distance = measured.value;
     if (measured.verdict == Verdict::disjoint) {
       answer.witness = WitnessKind::direction;

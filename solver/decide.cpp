@@ -39,9 +39,8 @@ bool in_both(const Scaled& p, const Vector3& x) noexcept {
   const double e = membership_error * (length(x) + length(p.delta)) + underflow_error;
   const double room0 = p.r0 - e, room1 = p.r1 - e;
   const Vector3 across0 = x.cross(p.w0), across1 = y.cross(p.w1);
-  return (std::fabs(dot(x, p.w0)) + e < p.h0) & (std::fabs(dot(y, p.w1)) + e < p.h1) & (room0 > 0) &
-             (room1 > 0) &&
-         (length(across0) < room0) & (length(across1) < room1);
+  const bool along = (std::fabs(dot(x, p.w0)) + e < p.h0) && (std::fabs(dot(y, p.w1)) + e < p.h1);
+  return along && room0 > 0 && room1 > 0 && length(across0) < room0 && length(across1) < room1;
 }
 
 Answer disjoint(const Scaled& p, const Vector3& direction) noexcept {
@@ -218,20 +217,20 @@ void prove_at_optimum(const Scaled& p, const Frame& frame, const Base& base, Ans
     else
       try_direction(p,
                     combine(line, f.s * (end.cb * end.u), at.rises2 ? 1 : 0,
-                            e.c * (e.least * end.cv) - end.cb * end.u, e.c * f.s * (end.u * end.cv)),
+                            e.c * (e.least_width * end.cv) - end.cb * end.u, e.c * f.s * (end.u * end.cv)),
                     answer);
     return;
   }
-  const auto [least, first] = start(e);
+  const auto [low, first] = start(e);
   double t = first;
-  int visits = 0;  // at the minimum
+  int misses = 0;  // verdicts whose certificate did not hold
   for (int& i = answer.iterations; i < iteration_cap; ++i) {
-    const auto now = step(e, least, t);
+    const auto now = step(e, low, t);
     Answer found;
     found.iterations = i + 1;
     if (now.apart) {
       // Far out F hardly falls any more; a smaller t weighs its depth against a shorter direction.
-      const double tilt = smaller(t, (e.ra + e.rb) / -now.least);
+      const double tilt = smaller(t, (e.ra + e.rb) / -now.min_gap);
       if (try_direction(p, frame.e(line) + tilt * frame.n, found)) {
         answer = found;
         return;
@@ -242,7 +241,8 @@ void prove_at_optimum(const Scaled& p, const Frame& frame, const Base& base, Ans
       const double u = e.ra * next / root(1 + next * next), v = e.rb * next / root(e.c * e.c + next * next);
       if (try_edge_point(u, v)) return;
     }
-    if (now.found && ++visits > 2) return;
+    misses += now.found | now.apart;
+    if (misses > 3) return;
     t = now.t;
   }
 }
@@ -268,8 +268,8 @@ bool prove_at_first_sight(const Scaled& p, const Frame& frame, const Base& base,
 [[gnu::always_inline]] inline bool prove_in_passing(const Couple<double>& p, const Base& base,
                                                     Answer& answer) noexcept {
   const Products<double> q = products(p);
+  if (!(magnitude(q.cosine) <= steep_cosine)) return false;
   const Sections<double> f = sections(p, q);
-  if (f.s2 < steep_square) return false;
   const auto sight = at_first_sight(f);
   const double radii = p.r0 + p.r1;
   const double reach = radii + p.h0 + p.h1 + std::fabs(p.dx) + std::fabs(p.dy) + std::fabs(p.dz);
@@ -348,7 +348,8 @@ bool prove_at_first_sight(const Scaled& p, const Frame& frame, const Base& base,
   if (!(first.ordinary & second.ordinary) && p.exponent > -900 &&
       prove_in_passing(p.couple(), base, answer)) {
     answer.point_tail = times_power(answer.point_tail, p.exponent);
-    return;
+    if (answer.point_tail.allFinite()) return;
+    answer = Answer{};  // the largest double is near: other points may be nearer
   }
   const Axes axes(first.unit_axis, second.unit_axis);
   if (axes.parallel()) {

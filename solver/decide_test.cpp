@@ -155,6 +155,7 @@ TEST(Decide, RightAndProvedOnBothSidesOfTouching) {
     const Verdict truth = apart ? Verdict::disjoint : Verdict::intersecting;
     ASSERT_EQ(intersect(p.a, p.b), truth) << "pair " << i;
     const Answer answer = decide(p.a, p.b);
+    ASSERT_LT(answer.iterations, iteration_cap);
     if (answer.verdict == Verdict::undecided) {
       ++undecided;
       continue;
@@ -168,7 +169,6 @@ TEST(Decide, RightAndProvedOnBothSidesOfTouching) {
     } else {
       ASSERT_EQ(answer.proof, Proof::point);
     }
-    ASSERT_LT(answer.iterations, iteration_cap);
   }
   // The test went where it says: both sides, hardly ever without an answer.
   EXPECT_GT(decided[0], 15000);
@@ -215,6 +215,36 @@ TEST(Decide, TinyHugeAndFarPairs) {
   EXPECT_EQ(decide(far_left, far_right).verdict, Verdict::disjoint);  // the centres' difference overflows
   const Cylinder speck = upright(0, 0, 0, 5e-324, 5e-324);
   EXPECT_EQ(decide(speck, speck).verdict, Verdict::intersecting);
+}
+
+// Axes 1e-6 apart: rounding must not shift one disk across the other's axis.
+TEST(Intersect, FlatDisksEdgeToEdge) {
+  const Cylinder a{Vector3(0, 0, 0),
+                   Vector3(-0x1.2ddcedd2db0e1p-1, -0x1.8262196711fc7p-5, 0x1.9cd7dfb5b0a54p-1),
+                   0x1.b002a28eb95ap-1, 0};
+  const Cylinder b{Vector3(-0x1.5b55bc4e3bf6ap+0, 0x1.a577aa5bdbbb6p-7, -0x1.fb8b52323579dp-1),
+                   Vector3(-0x1.2ddcfc96fb6d8p-1, -0x1.82646f4fdd55fp-5, 0x1.9cd7d2ba23646p-1),
+                   0x1.ac583bd286322p-1, 0};
+  EXPECT_EQ(intersect(a, b), Verdict::intersecting);
+}
+
+TEST(Decide, NoPointBeyondTheLargestDouble) {
+  const Cylinder a{Vector3(-1e308, 0, 0), Vector3(1, 0, 2), 1.7e308, 1.7e308};
+  const Cylinder b{Vector3(1.29e308, 0, 0), Vector3(1, 0, 0), 1.75e308, 1e308};
+  const Answer answer = decide(a, b);
+  EXPECT_TRUE(answer.point_tail.allFinite());
+  EXPECT_NE(answer.verdict, Verdict::disjoint);
+}
+
+// z rounds to r0 + r1: the slope of F is noise far out, and the search must see that it is.
+TEST(Decide, EndsWhereTheSlopeIsRounding) {
+  const Cylinder a{Vector3(0, 0, 0),
+                   Vector3(-0x1.bc7ef9e954412p-1, -0x1.75cb3e842c151p-2, 0x1.584e98e3a88d7p-2),
+                   0x1.472ac2e4c35b8p-3, 0x1.88dd11025c14ep-1};
+  const Cylinder b{Vector3(0x1.0546e5371aedbp-1, 0x1.47f69de9f6e2dp-5, -0x1.b75759a1d8b39p-4),
+                   Vector3(-0x1.bf2b2e4b125e3p-1, -0x1.85b7e51f68ab1p-2, 0x1.3737acbb0fab1p-2),
+                   0x1.a229711c88df8p-7, 0x1.c30eac1384af2p-3};
+  EXPECT_LT(decide(a, b).iterations, 60);
 }
 
 TEST(Decide, NothingIsAllocated) {

@@ -41,10 +41,12 @@ struct TurnedFrame {
     const double turn0 = std::copysign(1.0, dot(p.delta, m0)), turn1 = std::copysign(1.0, dot(p.delta, m1));
     m0 *= turn0;
     m1 *= turn1;
-    w1 = p.w1 * std::copysign(1.0, dot(m0, p.w1));
-    w0 = p.w0 * std::copysign(1.0, dot(m1, p.w0));
-    d0 = dot(p.delta, w0);
-    d1 = dot(p.delta, w1);
+    const double sign0 = std::copysign(1.0, dot(m1, p.w0)), sign1 = std::copysign(1.0, dot(m0, p.w1));
+    w0 = p.w0 * sign0;
+    w1 = p.w1 * sign1;
+    const auto [along0, along1] = axes.along(p.delta);
+    d0 = along0 * sign0;
+    d1 = along1 * sign1;
     e0 = dot(p.delta, m0);
     e1 = dot(p.delta, m1);
     // At right angles within rounding: an angle of 2^-60 instead moves nothing, and no quotient below is 0/0.
@@ -126,8 +128,20 @@ class Search {
   Search(const Scaled& p, const TurnedFrame& f) noexcept
       : p_(p), f_(f), reach_(p.r0 + p.h0 + p.r1 + p.h1 + length(p.delta)) {}
 
-  void run() noexcept {
-    if (!look_at_features() && low_ < 0) project();
+  // `decided`: what decide() says of the pair, asked where the features show no gap and next to no depth.
+  template <class Decide>
+  void run(Decide&& decided) noexcept {
+    constexpr double doubt_tol = 0x1p-20;  // of reach
+    if (look_at_features()) return;
+    if (low_ >= 0 && low_ < doubt_tol * reach_) {
+      // Outwards, square to the middle of the axes: rims of disks almost in one plane hide from Newton.
+      const Vector3 along = f_.w0 + (f_.c < 0 ? -f_.w1 : f_.w1);
+      const Vector3 outwards = p_.delta - dot(p_.delta, along) / dot(along, along) * along;
+      consider(outwards, on0_, false);
+      const Answer answer = decided();
+      if (answer.proof == Proof::direction) consider(answer.direction, on0_, false);
+    }
+    if (low_ < 0) project();
   }
 
   void report(Distance& out) const noexcept {
@@ -368,7 +382,7 @@ Distance distance(const Prepared& a, const Prepared& b) noexcept {
   } else {
     const TurnedFrame frame(p, axes);
     Search search(p, frame);
-    search.run();
+    search.run([&] { return decide(first, second); });
     search.report(out);
   }
   out.verdict = out.value > 0 ? Verdict::disjoint : Verdict::intersecting;

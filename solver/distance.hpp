@@ -23,9 +23,9 @@ struct Distance {
   /// double.
   double value = 0;
   /// Apart: |value - exact| <= error, always; the width between the plane square to `direction` that
-  /// separates and the two points, and the rounding. Within 1e-13 of size + |Delta| on every family; where it
-  /// is more, tell it to whoever asked. Overlapping: the exact depth is at most -value + error, always; that
-  /// no direction is shallower is not proved (distance.md, section 4).
+  /// separates and the two points, and the rounding. Within 1e-13 of size + |Delta| but for coins edge to
+  /// edge (2 in 1,000 are not); where it is more, tell it to whoever asked. Overlapping: the exact depth is
+  /// at most -value + error, always; that no direction is shallower is not proved (distance.md, section 4).
   double error = 0;
   /// Of unit length, direction.(b.center - a.center) >= 0: b moved along it by -value + error or more has no
   /// inner point of a in it.

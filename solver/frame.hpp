@@ -5,6 +5,7 @@
 #pragma once
 
 #include <Eigen/Geometry>
+#include <array>
 #include <bit>
 #include <cmath>
 #include <cstdint>
@@ -103,14 +104,22 @@ struct Axes {
   Axes(const Vector3& w0, const Vector3& w1) noexcept : cosine(dot(w0, w1)) {
     const Vector3 aligned = w1 * std::copysign(1.0, cosine);
     sum = w0 + aligned;
-    cross = (w0 - aligned).cross(sum) * 0.5;
+    difference = w0 - aligned;
+    cross = difference.cross(sum) * 0.5;
     square = dot(cross, cross);
   }
   bool parallel() const noexcept { return square < parallel_square; }
 
+  // x along w0 and along w1, from its parts along sum and difference: rounding then does nearly the same to
+  // both, as a shift along the axes would, and their difference stays as accurate as it is small.
+  std::array<double, 2> along(const Vector3& x) const noexcept {
+    const double middle = 0.5 * dot(x, sum), half = 0.5 * dot(x, difference);
+    return {middle + half, std::copysign(1.0, cosine) * (middle - half)};
+  }
+
   double cosine;
-  Vector3 sum, cross;  // cross = w0 x w1 up to sign
-  double square;       // |cross|^2
+  Vector3 sum, difference, cross;  // cross = w0 x w1 up to sign
+  double square;                   // |cross|^2
 };
 
 // A pair at work: its vectors, the common normal n with n.Delta >= 0, m_i = w_i x n, and what the slices
@@ -121,8 +130,9 @@ struct Frame {
     n = axes.cross * std::copysign(1 / s, beside);
     m0 = w0.cross(n);
     m1 = w1.cross(n);
-    d[0] = dot(delta, w0);
-    d[1] = dot(delta, w1);
+    const auto [d0, d1] = axes.along(delta);
+    d[0] = d0;
+    d[1] = d1;
     d[2] = dot(delta, m0);
     d[3] = dot(delta, m1);
     z = std::fabs(beside) / s;
@@ -149,7 +159,8 @@ struct Frame {
   Sections<double> f;
 };
 
-// Axes exactly parallel: two numbers decide, the distance along the axis and the one across it.
+// Axes parallel, as parallel_square has it: two numbers decide, the distance along the axis and the one
+// across it.
 struct Parallel {
   Parallel(const Scaled& p, const Vector3& sum) noexcept
       : w(sum / length(sum)),

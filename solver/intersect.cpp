@@ -20,44 +20,42 @@ Verdict verdict_of(bool met) noexcept {
   const Edge<double> e = edge(at);
   const auto end = top(e);
   if (end.here) return verdict_of(end.met);
-  const auto [least, first] = start(e);
+  const auto [low, first] = start(e);
   double t = first;
   for (int i = 0; i < iteration_cap; ++i) {
-    const auto now = step(e, least, t);
+    const auto now = step(e, low, t);
     if (now.apart | now.met) return verdict_of(now.met);
     t = now.t;
   }
   return Verdict::undecided;
 }
 
-Verdict intersect_sections(const Sections<double>& f) noexcept {
+[[gnu::always_inline]] inline Verdict intersect_sections(const Sections<double>& f) noexcept {
   const auto sight = at_first_sight(f);
-  if (sight.apart | sight.met) return verdict_of(!sight.apart);
+  // One branch for both.
+  if (static_cast<unsigned>(sight.apart) + static_cast<unsigned>(sight.met) != 0)
+    return verdict_of(!sight.apart);
   return settle(f);
 }
 
-[[gnu::noinline]] Verdict intersect_shallow(const Couple<double>& p) noexcept {
+Verdict intersect_shallow(const Couple<double>& p) noexcept {
+  if ((p.w0x == p.w1x) & (p.w0y == p.w1y) & (p.w0z == p.w1z)) return verdict_of(!apart_in_parallel(p));
   const Sections<double> f = shallow_sections(p);
   if (f.s2 >= parallel_square) return intersect_sections(f);
   return verdict_of(!apart_in_parallel(p));
 }
 
+[[gnu::always_inline]] inline Verdict intersect_couple(const Couple<double>& p) noexcept {
+  const double cosine = p.w0x * p.w1x + p.w0y * p.w1y + p.w0z * p.w1z;
+  return magnitude(cosine) <= steep_cosine ? intersect_sections(sections(p)) : intersect_shallow(p);
+}
+
 }  // namespace
 
 Verdict intersect(const Prepared& a, const Prepared& b) noexcept {
-  if (a.ordinary & b.ordinary) {
-    const Couple<double> p = as_it_is(a, b).couple();
-    const Sections<double> f = sections(p);
-    if (f.s2 < steep_square) return intersect_shallow(p);
-    const auto sight = at_first_sight(f);
-    if (static_cast<unsigned>(sight.apart) + static_cast<unsigned>(sight.met) != 0)
-      return verdict_of(!sight.apart);
-    return settle(f);
-  }
+  if (a.ordinary & b.ordinary) return intersect_couple(as_it_is(a, b).couple());
   if ((a.defect != Defect::none) | (b.defect != Defect::none)) return Verdict::invalid;
-  const Couple<double> p = scale(a, b).couple();
-  const Sections<double> f = sections(p);
-  return f.s2 >= steep_square ? intersect_sections(f) : intersect_shallow(p);
+  return intersect_couple(scale(a, b).couple());
 }
 
 Verdict intersect(const Cylinder& a, const Cylinder& b) noexcept { return intersect(prepare(a), prepare(b)); }

@@ -48,10 +48,12 @@ void run(Kernel kernel, std::span<const Prepared> a, std::span<const Prepared> b
 
 Instructions best_instructions() noexcept {
 #if defined(__x86_64__)
-  static const Instructions best = __builtin_cpu_supports("x86-64-v4")   ? Instructions::v4
-                                   : __builtin_cpu_supports("x86-64-v3") ? Instructions::v3
-                                                                         : Instructions::baseline;
-  return best;
+  static const bool v3 = __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma") &&
+                         __builtin_cpu_supports("bmi") && __builtin_cpu_supports("bmi2");
+  static const bool v4 = v3 && __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512bw") &&
+                         __builtin_cpu_supports("avx512cd") && __builtin_cpu_supports("avx512dq") &&
+                         __builtin_cpu_supports("avx512vl");
+  return v4 ? Instructions::v4 : v3 ? Instructions::v3 : Instructions::baseline;
 #else
   return Instructions::baseline;
 #endif

@@ -28,13 +28,14 @@ Instructions best_instructions() noexcept;
 
 /// verdicts[i] = intersect(a[pairs[i].a], b[pairs[i].b]). The two sets may be the same; a solid is one
 /// record, since pairs come from a broad phase in any order and one record is two cache lines where eight
-/// arrays would be eight. `verdicts` has room for all pairs. Allocates nothing. An instruction set the
+/// arrays would be eight. `verdicts` has room for all pairs and shares no
+/// memory with the sets; indices are not checked. Allocates nothing. An instruction set the
 /// processor lacks: the best it has.
 void intersect_batch(std::span<const Prepared> a, std::span<const Prepared> b,
                      std::span<const IndexPair> pairs, Verdict* verdicts,
                      Instructions instructions = best_instructions()) noexcept;
 
-/// verdicts[i * b.size() + j] = intersect(a[i], b[j]), for all i and j.
+/// verdicts[i * b.size() + j] = intersect(a[i], b[j]), for all i and j; fewer than 2^32 solids a set.
 void intersect_all(std::span<const Prepared> a, std::span<const Prepared> b, Verdict* verdicts,
                    Instructions instructions = best_instructions()) noexcept;
 

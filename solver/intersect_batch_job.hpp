@@ -8,8 +8,8 @@ namespace cyl {
 inline constexpr unsigned batch_chunk = 1024;
 
 /// A record is a Prepared: eight doubles, then flags (intersect_batch.cpp checks it).
-inline constexpr unsigned long record_bytes = 72;
-inline constexpr unsigned long record_ordinary = 65;  ///< where the flag `ordinary` is
+inline constexpr unsigned long long record_bytes = 72;
+inline constexpr unsigned long long record_ordinary = 65;  ///< where the flag `ordinary` is
 
 struct BatchJob {
   const unsigned char *a, *b;  ///< the sets' first records

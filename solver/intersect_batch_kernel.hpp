@@ -137,7 +137,7 @@ Mask settle(const Sections<Lanes>& f, Mask& open) {
   const auto first = start(e);
   Lanes t = first.t;
   for (int i = 0; i < iteration_cap && bits(open) != 0; ++i) {
-    const auto now = step(e, first.least, t);
+    const auto now = step(e, first.low, t);
     met = met | (open & now.met);
     open = open & negate(now.apart | now.met);
     t = now.t;
@@ -180,7 +180,7 @@ unsigned finish(const BatchJob& job, const unsigned* indices, unsigned count, un
     const Sections<Lanes> f = steep ? sections(p) : shallow_sections(p);
     Mask met, open;
     if constexpr (steep) {
-      open = f.s2 >= steep_square;  // all
+      open = f.c <= steep_cosine;  // all
       met = settle(f, open);
     } else {
       const auto sight = at_first_sight(f);
@@ -221,7 +221,7 @@ unsigned CYL_KERNEL(const BatchJob& job, unsigned* rest) {
     const Sections<Lanes> f = sections(p);
     const auto sight = at_first_sight(f);
     const unsigned apart = bits(sight.apart), seen = apart | bits(sight.met);
-    const unsigned at_angle = bits(f.s2 >= steep_square);
+    const unsigned at_angle = bits(f.c <= steep_cosine);
     const unsigned decided = ordinary & at_angle & seen;
     for (unsigned i = 0; i < n; ++i) job.verdicts[start + i] = static_cast<unsigned char>(~apart >> i & 1);
     if (decided == all) continue;

@@ -17,13 +17,13 @@ inline double smaller(double a, double b) noexcept { return b < a ? b : a; }
 /// max(x, 0) exactly, and never a branch that the data decides.
 inline double positive(double x) noexcept { return 0.5 * (x + magnitude(x)); }
 inline double pick(bool mask, double a, double b) noexcept { return mask ? a : b; }
-inline bool any(bool mask) noexcept { return mask; }
 inline bool negate(bool mask) noexcept { return !mask; }
 
-/// Steps inside an edge before `undecided`. Proved never to be reached (section 5), which is what makes it
-/// checkable.
+/// Steps inside an edge before `undecided`. Exact arithmetic never reaches it (section 5), nor has any pair.
 inline constexpr int iteration_cap = 200;
 
+/// Of F' as computed, in units of the radii's sum: five roundings, upwards.
+inline constexpr double slope_error = 0x1p-50;
 /// A smaller cosine counts as 0 to the edges: it moves their ends by less than a rounding of the radii.
 inline constexpr double least_cosine = 0x1p-60;
 
@@ -45,8 +45,8 @@ struct Sections {
   T k2_s, k3_s;  ///< s times the same along m0 and m1
 };
 
-/// The least squared sine for which sections() is accurate.
-inline constexpr double steep_square = 0x1p-6;
+/// The largest cosine for which sections() is accurate: a sine of 1/8 or more.
+inline constexpr double steep_cosine = 0.99215;
 /// Axes of a smaller squared sine count as parallel: below an angle of 2^-49 their difference may be mostly a
 /// rounding of their lengths. It moves no point of a solid by more than 2^-50 of its height.
 inline constexpr double parallel_square = 0x1p-98;
@@ -73,7 +73,7 @@ template <class T>
           p.dx * nx + p.dy * ny + p.dz * nz};
 }
 
-/// For axes at an angle: s2 >= steep_square.
+/// For axes at an angle: c <= steep_cosine.
 template <class T>
 [[gnu::always_inline]] inline Sections<T> sections(const Couple<T>& p, const Products<T>& q) noexcept {
   Sections<T> f;
@@ -105,9 +105,10 @@ Sections<T> shallow_sections(const Couple<T>& p) noexcept {
   const T ex = p.w0x - ax, ey = p.w0y - ay, ez = p.w0z - az;
   const T sx = p.w0x + ax, sy = p.w0y + ay, sz = p.w0z + az;
   const T nx = 0.5 * (ey * sz - ez * sy), ny = 0.5 * (ez * sx - ex * sz), nz = 0.5 * (ex * sy - ey * sx);
-  const T d0 = p.dx * p.w0x + p.dy * p.w0y + p.dz * p.w0z;
-  const T d1 = p.dx * ax + p.dy * ay + p.dz * az;
-  const T de = p.dx * ex + p.dy * ey + p.dz * ez;
+  // Delta along the axes, from its parts along their sum and their difference: what rounding does to the
+  // first it does to both, as a shift along the axes would.
+  const T de = p.dx * ex + p.dy * ey + p.dz * ez, middle = 0.5 * (p.dx * sx + p.dy * sy + p.dz * sz);
+  const T d0 = middle + 0.5 * de, d1 = middle - 0.5 * de;
   const T e0 = ex * p.w0x + ey * p.w0y + ez * p.w0z, e1 = ex * ax + ey * ay + ez * az;
   Sections<T> f;
   f.r0 = p.r0;
@@ -123,16 +124,15 @@ Sections<T> shallow_sections(const Couple<T>& p) noexcept {
   return f;
 }
 
-/// Axes exactly parallel, or nearly: the solids are apart along their direction or across it.
+/// Axes parallel, as parallel_square has it: the solids are apart along their direction or across it. The
+/// axes' sum is 2 long but for rounding.
 template <class T>
 auto apart_in_parallel(const Couple<T>& p) noexcept {
   const T turn = pick(p.w0x * p.w1x + p.w0y * p.w1y + p.w0z * p.w1z < T(0), T(-1), T(1));
   const T sx = p.w0x + turn * p.w1x, sy = p.w0y + turn * p.w1y, sz = p.w0z + turn * p.w1z;
-  const T inverse = T(1) / root(sx * sx + sy * sy + sz * sz);
-  const T along = (p.dx * sx + p.dy * sy + p.dz * sz) * inverse;
+  const T along = p.dx * sx + p.dy * sy + p.dz * sz, reach = 2.0 * (p.r0 + p.r1);
   const T ax = p.dy * sz - p.dz * sy, ay = p.dz * sx - p.dx * sz, az = p.dx * sy - p.dy * sx;
-  const T across = root(ax * ax + ay * ay + az * az) * inverse;
-  return (magnitude(along) > p.h0 + p.h1) | (across > p.r0 + p.r1);
+  return (magnitude(along) > 2.0 * (p.h0 + p.h1)) | (ax * ax + ay * ay + az * az > reach * reach);
 }
 
 /// The roles in an order of their own, which neither scaling by 2^k nor reversing an axis nor swapping the
@@ -218,7 +218,7 @@ auto corner(const Sections<T>& f) noexcept {
 template <class T>
 struct Edge {
   T ra, rb, c, z, k;
-  T least;  ///< of a
+  T least_width;  ///< of a
 };
 
 template <class T, class Mask>
@@ -234,13 +234,13 @@ struct Top {
   Mask here, met;  ///< H is greatest at the edge's far end; and is >= 0 there
 };
 
-/// The far end, a == least.
+/// The far end, where a's width is least.
 template <class T>
 auto top(const Edge<T>& e) noexcept {
-  const T cb = e.k - e.least;
-  const T u = root(positive((e.ra - e.least) * (e.ra + e.least)));
+  const T cb = e.k - e.least_width;
+  const T u = root(positive((e.ra - e.least_width) * (e.ra + e.least_width)));
   const T cr = e.c * e.rb, cv = root(positive((cr - cb) * (cr + cb)));
-  const auto here = (cb <= cr) & (cb * u <= e.c * (e.least * cv));
+  const auto here = (cb <= cr) & (cb * u <= e.c * (e.least_width * cv));
   return Top<T, decltype(here & here)>{cb, u, cv, here, here & (e.c * u + cv >= e.c * e.z)};
 }
 
@@ -249,15 +249,15 @@ auto top(const Edge<T>& e) noexcept {
 template <class T, class Mask>
 struct Step {
   T t;              ///< where to look next
-  T least;          ///< min F, about
+  T min_gap;        ///< min F, about
   Mask apart, met;  ///< min F < 0; min F >= 0
   Mask found;       ///< it is known to the last place
 };
 
 template <class T>
 struct Start {
-  T least;  ///< a t not above that of the minimum
-  T t;      ///< a better one, not below `least`
+  T low;  ///< a t not above that of the minimum
+  T t;    ///< a better one, not below `low`
 };
 
 /// Where the search begins (section 5): bounds of the minimum's t from either side, the first of them exact
@@ -274,7 +274,7 @@ Start<T> start(const Edge<T>& e) noexcept {
 
 /// F looked at in t, and the next t.
 template <class T>
-auto step(const Edge<T>& e, T least, T t) noexcept {
+auto step(const Edge<T>& e, T low, T t) noexcept {
   const T c2 = e.c * e.c, t2 = t * t;
   const T s1 = root(1.0 + t2), s2 = root(c2 + t2);
   const T i1 = 1.0 / s1, i2 = 1.0 / s2;
@@ -291,11 +291,15 @@ auto step(const Edge<T>& e, T least, T t) noexcept {
   const T sag = s2 * (1.0 - root(rest));
   const T other = value - 0.5 * bend * sag * sag;
   const auto far = share >= 0.25;
-  const auto found = negate(far) & (magnitude(slope * newton * share) <= 0x1p-56 * (e.ra + e.rb) * s1);
-  const T next = pick(far | (slope > 0.0), newton, newton * bend / (bend - 0.5 * turn * newton));
+  // Known: what the bounds leave open, or all that a slope this small can still bring, is rounding.
+  const T radii = e.ra + e.rb, gain = magnitude(slope * newton * share);
+  const auto close = negate(far) & (gain <= 0x1p-56 * radii * s1);
+  const auto found = close | (magnitude(slope) <= slope_error * radii);
+  const T tried = t + pick(far | (slope > 0.0), newton, newton * bend / (bend - 0.5 * turn * newton));
+  const T next = pick(tried > low, tried, root(low * t));
   const auto apart = (model < 0.0) & (found | (share >= 0.0) | (other < 0.0));
   const auto met = (model >= 0.0) & (found | ((share < 0.5) & (other >= 0.0)));
-  return Step<T, decltype(met & apart)>{larger(least, t + next), model, apart, met, found};
+  return Step<T, decltype(met & apart)>{next, model, apart, met, found};
 }
 
 }  // namespace cyl
