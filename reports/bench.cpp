@@ -207,7 +207,7 @@ std::vector<BenchRow> bench_sets(const Family& family, std::size_t largest, cons
                                  const BenchProgress& progress) {
   constexpr std::size_t verified_pairs = 10'000;  // evenly spread
   std::vector<BenchRow> rows;
-  for (const std::size_t count : {10, 32, 100, 316, 1000, 3162}) {
+  for (const std::size_t count : {10u, 32u, 100u, 316u, 1000u, 3162u}) {
     if (count > largest) break;
     progress(fmt::format("{}: all pairs of {} solids", family.name, count));
     std::vector<Cylinder> solids;

@@ -66,7 +66,7 @@ TEST(Batch, GivesWhatIntersectGivesOnEveryInstructionSet) {
 TEST(Batch, TakesPairsInAnyOrderAndNumber) {
   const std::vector<Prepared> solids = crowd(100);
   for (const Instructions instructions : runnable()) {
-    for (const std::size_t count : {0, 1, 2, 3, 7, 8, 9, 1023, 1024, 1025, 3000}) {
+    for (const std::size_t count : {0u, 1u, 2u, 3u, 7u, 8u, 9u, 1023u, 1024u, 1025u, 3000u}) {
       std::vector<IndexPair> pairs;
       for (std::size_t i = 0; i < count; ++i)
         pairs.push_back({static_cast<std::uint32_t>(i * 37 % 100), static_cast<std::uint32_t>(i * i % 100)});
