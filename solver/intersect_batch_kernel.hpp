@@ -206,7 +206,7 @@ unsigned finish(const BatchJob& job, const unsigned* indices, unsigned count, un
 
 unsigned CYL_KERNEL(const BatchJob& job, unsigned* rest) {
   constexpr unsigned width = lanes, all = (1u << width) - 1;
-  unsigned steep[batch_chunk], flat[batch_chunk], steep_count = 0, flat_count = 0, left = 0;
+  unsigned steep[batch_chunk] = {}, flat[batch_chunk] = {}, steep_count = 0, flat_count = 0, left = 0;
   for (unsigned start = 0; start < job.count; start += width) {
     const unsigned n = job.count - start < width ? job.count - start : width;
     Records r;
