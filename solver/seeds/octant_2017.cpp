@@ -45,6 +45,21 @@ Point Octant::gradient(const Point& x, Signs signs) const noexcept {
   return {g.x() - g.z() + length, g.y() - g.z() + length};
 }
 
+double Octant::across(int i, const Point& x) const noexcept {
+  return cyl::length(at(x).cross(i == 0 ? w0 : w1));
+}
+
+Point Octant::off_axis(int i, const Point& x, Signs signs) const noexcept {
+  Octant rest = *this;
+  (i == 0 ? rest.r0 : rest.r1) = 0;
+  const Point g = rest.gradient(x, signs);
+  const Vector3& w = i == 0 ? w0 : w1;
+  const double ac = w.x() - w.z(), bc = w.y() - w.z();
+  const double ss = 2 - ac * ac, st = 1 - ac * bc,
+               tt = 2 - bc * bc;  // determinant (a+b+c)^2, >= 1 in the octant
+  return {st * g.y() - tt * g.x(), st * g.x() - ss * g.y()};
+}
+
 Point Cell::middle() const noexcept {
   Point sum(0, 0);
   for (int k = 0; k < count; ++k) sum += corners[k];

@@ -30,6 +30,11 @@ struct Octant {
   double value(const Point& x, Signs signs) const noexcept;
   /// A subgradient of it.
   Point gradient(const Point& x, Signs signs) const noexcept;
+  /// |P_i D(x)|.
+  double across(int i, const Point& x) const noexcept;
+  /// Where G falls most from the tip of the cone r_i |P_i D|, x = W_i or next to it: without that term the
+  /// gradient is g, and g.d/|P_i d| is least for H d = -g, 2 H the second derivatives of Q_i.
+  Point off_axis(int i, const Point& x, Signs signs) const noexcept;
 };
 
 /// A convex polygon, anticlockwise: the triangle s, t >= 0, s + t <= 1, or what lines leave of it.

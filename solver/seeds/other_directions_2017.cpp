@@ -19,6 +19,9 @@
 namespace cyl::seeds {
 namespace {
 
+/// |P D| for |D| >= 3^-1/2 below which an axis counts as near: a line more, none less.
+constexpr double near_axis_tol = 0x1p-3;
+
 /// (U, V, W), W along Delta. U is towards the axis that is farther from Delta, so that the sides of octants
 /// run through that axis; one that lies along Delta then has the best direction on a side. The text says any
 /// U will do.
@@ -55,10 +58,13 @@ class CellSearch {
 
   Direction run(Minimiser minimiser) noexcept {
     const Point middle = cell_.middle();
+    best_ = middle;
     look(middle);
     if (!found_ && !in_vain(middle)) {
       stay_ = options_.faults.has(Fault::stays_on_the_boundary);
       if (!stay_) search_sides();
+      if (!stay_) leave_axes();
+      if (found_ || ended_) return found_;
       if (minimiser == Minimiser::conjugate_gradients)
         conjugate_gradients();
       else
@@ -71,7 +77,7 @@ class CellSearch {
   /// Looks at G in x; true where D(x) separates. The lowest x is kept.
   bool look(const Point& x) noexcept {
     const double value = octant_.value(x, cell_.signs);
-    if (!(value >= lowest_)) {
+    if (value < lowest_) {
       lowest_ = value;
       best_ = x;
     }
@@ -118,6 +124,12 @@ class CellSearch {
   void search_sides() noexcept {
     for (int k = 0; k < cell_.count && !found_; ++k)
       search_line(cell_.corners[k], cell_.corners[(k + 1) % cell_.count] - cell_.corners[k], 0, 1);
+  }
+
+  /// Next to the tip of a cone the gradient says nothing: there is one line that has to be tried.
+  void leave_axes() noexcept {
+    for (int i = 0; i < 2 && !found_; ++i)
+      if (octant_.across(i, best_) < near_axis_tol) descend(octant_.off_axis(i, best_, cell_.signs));
   }
 
   /// One line of a minimiser, from best_; false where it is over: separated, not lower, or in vain.

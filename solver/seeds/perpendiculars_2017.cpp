@@ -32,18 +32,15 @@ class Circle {
 
   enum class End : unsigned char { separated, nothing, nothing_at_the_ends };
 
-  /// F < 0 on one quarter? The ends first, then each convex piece.
+  /// F < 0 on one quarter? F has a kink where Delta is square to D(t), so where a2 and b2 differ in sign, and
+  /// is convex otherwise. With a kink the ends are enough: let a2 > 0 > b2. Before the kink F(t) >= (1-t)
+  /// F(0), behind it F(t) >= t F(1), since |P_i D| is at least (1-t) |P_i U0| and t |P_i V0|.
   End search() noexcept {
     if (separates(0) || separates(1)) return End::separated;
-    const bool ends = slope(0, 0) >= 0 || slope(1, 0) <= 0;
-    if (options_.faults.has(Fault::kink_taken_for_convex)) {
-      if (ends) return End::nothing_at_the_ends;
-      return bisect(0, 1, 0) ? End::separated : End::nothing;
-    }
-    const double a2 = quarter_.a2, b2 = quarter_.b2;
-    const double kink = a2 * b2 < 0 ? a2 / (a2 - b2) : sign_of(a2) == 0 ? 0 : 1;
-    if (bisect(0, kink, sign_of(a2)) || bisect(kink, 1, sign_of(b2))) return End::separated;
-    return ends ? End::nothing_at_the_ends : End::nothing;
+    if (slope(0) >= 0 || slope(1) <= 0) return End::nothing_at_the_ends;
+    if (quarter_.sign(0) != quarter_.sign(1) && !options_.faults.has(Fault::kink_taken_for_convex))
+      return End::nothing;
+    return bisect() ? End::separated : End::nothing;
   }
 
   /// On to the quarter from -U0 to V0.
@@ -62,21 +59,17 @@ class Circle {
     return value < 0 && f(p_, direction()) < 0;
   }
 
-  /// F' on the side `sign`, or where t is if that is 0.
-  double slope(double t, double sign) const noexcept {
-    if (options_.faults.has(Fault::division_by_vanished_root) && t == 1 && quarter_.c1_square == 0)
-      return quarter_.printed_slope(t);
-    return quarter_.slope(t, sign == 0 ? quarter_.sign(t) : sign);
+  double slope(double t) const noexcept {
+    return options_.faults.has(Fault::division_by_vanished_root) ? quarter_.printed_slope(t)
+                                                                 : quarter_.slope(t);
   }
 
-  /// F is convex between low and high: its minimum is where F' changes sign, or at an end.
-  bool bisect(double low, double high, double sign) noexcept {
-    if (!(low < high) || slope(low, sign) >= 0 || slope(high, sign) <= 0)
-      return separates(low) || separates(high);
+  bool bisect() noexcept {
+    double low = 0, high = 1;
     for (int i = 0; i < options_.step_cap && high - low > options_.tolerance; ++i) {
       const double mid = 0.5 * (low + high);
       if (separates(mid)) return true;
-      const double rise = slope(mid, sign);
+      const double rise = slope(mid);
       if (rise > 0)
         high = mid;
       else if (rise < 0)
@@ -104,10 +97,10 @@ double Quarter::value(double t) const noexcept {
 
 double Quarter::sign(double t) const noexcept { return sign_of((1 - t) * a2 + t * b2); }
 
-double Quarter::slope(double t, double sign) const noexcept {
+double Quarter::slope(double t) const noexcept {
   const double u = 1 - t, root0 = std::sqrt(u * u + t * t), root1 = std::sqrt(u * u + c1_square * t * t);
   const double fall = root1 > 0 ? (c1_square * t - u) / root1 : -1;
-  return r0 * (2 * t - 1) / root0 + r1 * fall + h1b1 - (b2 - a2) * sign;
+  return r0 * (2 * t - 1) / root0 + r1 * fall + h1b1 - (b2 - a2) * sign(t);
 }
 
 double Quarter::printed_slope(double t) const noexcept {

@@ -15,8 +15,7 @@ namespace cyl::seeds {
 /// can be shown alone; `printed` has all that its document has.
 enum class Fault : unsigned char {
   // 2017
-  kink_taken_for_convex,      ///< F is said to be convex, its last term is not: bisection may go to the wrong
-                              ///< side
+  kink_taken_for_convex,      ///< F is said to be convex, its last term is not; no verdict depends on it
   first_quarter_ends_all,     ///< the test of one quarter circle returns for both
   division_by_vanished_root,  ///< F' at t = 1 of perpendicular axes, the gradient of G at an axis
   one_octant,                 ///< the other directions are searched for s, t >= 0 alone

@@ -28,6 +28,11 @@ Direction search(const Couple<double>& p, Minimiser minimiser, const Options& op
   return separated_by_other_directions(p, minimiser, options);
 }
 
+Separation from_a_to_b(const Direction& d, const Couple<double>& p) noexcept {
+  if (!d) return {Verdict::intersecting};
+  return {Verdict::disjoint, dot(d.vector, delta_of(p)) < 0 ? Vector3(-d.vector) : d.vector};
+}
+
 }  // namespace
 
 double f(const Couple<double>& p, const Vector3& d) noexcept {
@@ -57,10 +62,17 @@ Separation separated_cylinders(const Prepared& a, const Prepared& b, Minimiser m
   // A fixed order of the roles, so that swapping them changes nothing but the direction's sign.
   const bool swapped = out_of_order(a, b);
   const Couple<double> p = swapped ? scale(b, a).couple : scale(a, b).couple;
-  const Direction d = search(p, minimiser, options);
-  if (!d) return {Verdict::intersecting};
-  const bool backwards = (dot(d.vector, delta_of(p)) < 0) != swapped;
-  return {Verdict::disjoint, backwards ? Vector3(-d.vector) : d.vector};
+  Separation found = from_a_to_b(search(p, minimiser, options), p);
+  if (swapped) found.direction = -found.direction;
+  return found;
+}
+
+Separation separated_by_perpendiculars_of_a(const Prepared& a, const Prepared& b,
+                                            const Options& options) noexcept {
+  if (a.defect != Defect::none || b.defect != Defect::none) return {Verdict::invalid};
+  if (Axes(a.unit_axis, b.unit_axis).parallel()) return {};
+  const Couple<double> p = scale(a, b).couple;
+  return from_a_to_b(separated_by_cylinder_perpendiculars(p, options), p);
 }
 
 }  // namespace cyl::seeds

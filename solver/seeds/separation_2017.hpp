@@ -25,6 +25,11 @@ enum class Minimiser : unsigned char { conjugate_gradients, powell };
 Separation separated_cylinders(const Prepared& a, const Prepared& b, Minimiser minimiser,
                                const Options& options) noexcept;
 
+/// Section 6 alone: directions perpendicular to a's axis. `undecided` for parallel axes, which it leaves to
+/// others.
+Separation separated_by_perpendiculars_of_a(const Prepared& a, const Prepared& b,
+                                            const Options& options) noexcept;
+
 // The parts. A Couple has unit axes and half heights; Delta points from the first centre to the second.
 
 /// Equation (6), for D of any length.
@@ -60,9 +65,9 @@ struct Quarter {
   double value(double t) const noexcept;
   /// Sign((1-t) a2 + t b2): Delta's side of D.
   double sign(double t) const noexcept;
-  /// F', on the side of the kink that `sign` says; at t = 1 from below.
-  double slope(double t, double sign) const noexcept;
-  /// Equation (9) to the letter: 0/0 at t = 1 of perpendicular axes.
+  /// F', Equation (9); at t = 1 of perpendicular axes from below.
+  double slope(double t) const noexcept;
+  /// To the letter: 0/0 there.
   double printed_slope(double t) const noexcept;
   /// F'' between kinks; Equation (10) with 1 for its 3.
   double bend(double t) const noexcept;
