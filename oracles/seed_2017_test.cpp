@@ -27,24 +27,27 @@ using seeds::Separation;
 
 constexpr std::uint64_t family_seed = 20170416;
 
+/// In sizes: below it the text put right is rounding too.
+constexpr double rounding_margin = 1e-12;
+
 /// A fault that changes a verdict, and of what.
 struct Shown {
   std::string_view name;
   Fault fault;
-  bool
-      of_the_whole;  ///< of the whole test; else of the perpendiculars to a's axis, which the rest would mend
+  bool of_the_whole;  ///< else of the perpendiculars to a's axis alone, which the rest would mend
+  Faults beside;      ///< that are in both times
 };
 
 constexpr Shown shown_faults[] = {
-    {"kink-taken-for-convex", Fault::kink_taken_for_convex, false},
-    {"first-quarter-ends-all", Fault::first_quarter_ends_all, false},
-    {"division-by-vanished-root", Fault::division_by_vanished_root, true},
-    {"one-octant", Fault::one_octant, true},
-    {"cancelling-sine", Fault::cancelling_sine, true},
-    {"touching-is-separated", Fault::touching_is_separated, true},
-    {"stays-on-the-boundary", Fault::stays_on_the_boundary, true},
-    {"cancelling-root", Fault::cancelling_root, true},
-    {"kinks-taken-for-smooth", Fault::kinks_taken_for_smooth, true},
+    {"kink-taken-for-convex", Fault::kink_taken_for_convex, false, {}},
+    {"first-quarter-ends-all", Fault::first_quarter_ends_all, false, {}},
+    {"division-by-vanished-root", Fault::division_by_vanished_root, true, Fault::stays_on_the_boundary},
+    {"one-octant", Fault::one_octant, true, {}},
+    {"cancelling-sine", Fault::cancelling_sine, false, {}},
+    {"touching-is-separated", Fault::touching_is_separated, true, {}},
+    {"stays-on-the-boundary", Fault::stays_on_the_boundary, true, {}},
+    {"cancelling-root", Fault::cancelling_root, true, Fault::stays_on_the_boundary},
+    {"kinks-taken-for-smooth", Fault::kinks_taken_for_smooth, true, Fault::stays_on_the_boundary},
 };
 
 Separation ask(const Pair& pair, bool of_the_whole, Faults faults) {
@@ -67,13 +70,16 @@ MethodAnswer offered(const Separation& found) {
 /// Wrong with the fault, right without, by certificate. Of a part: it denies the direction that proves the
 /// pair disjoint and that the part finds without the fault.
 bool shows(const Shown& shown, const Pair& pair) {
-  const Separation right = ask(pair, shown.of_the_whole, {}),
-                   wrong = ask(pair, shown.of_the_whole, shown.fault);
+  const Separation right = ask(pair, shown.of_the_whole, shown.beside);
+  const Separation wrong = ask(pair, shown.of_the_whole, shown.beside | shown.fault);
   if (right.verdict == wrong.verdict || right.verdict == Verdict::undecided) return false;
-  if (right.verdict == Verdict::disjoint) return check_witness(pair, offered(right)) == Verdict::disjoint;
+  if (right.verdict == Verdict::disjoint)
+    return check_witness(pair, offered(right)) == Verdict::disjoint &&
+           enclose_distance(pair, judge(pair)).lo >= rounding_margin * size_of(pair);
   if (!shown.of_the_whole) return false;
+  // Rounding may say disjoint of what touches; only one fault says it on principle.
   const Verdict truth = judge(pair).verdict;
-  return truth == Verdict::intersecting || truth == Verdict::touching;
+  return truth == (shown.fault == Fault::touching_is_separated ? Verdict::touching : Verdict::intersecting);
 }
 
 std::vector<Case> errata() {
@@ -155,7 +161,7 @@ Pair shrink(Pair pair, const std::function<bool(const Pair&)>& holds) {
 
 /// Writes the cases: build/release/seed_2017_test --gtest_also_run_disabled_tests --gtest_filter='*Find*'.
 TEST(Errata2017, DISABLED_Find) {
-  constexpr std::uint64_t pairs = 40000;
+  constexpr std::uint64_t pairs = 20000;
   for (const Shown& shown : shown_faults) {
     std::map<std::string_view, int> count;
     std::string best;
@@ -163,12 +169,15 @@ TEST(Errata2017, DISABLED_Find) {
       for (std::uint64_t i = 0; i < pairs; ++i) {
         const Pair pair = family.generate(family_seed, i);
         if (!shows(shown, pair)) continue;
-        if (++count[family.name] > 20) continue;
+        if (++count[family.name] > 5) break;
         const auto holds = [&](const Pair& p) { return shows(shown, p); };
         Case c{shrink(pair, holds), "errata-2017-" + std::string(shown.name), {}, {}, {}};
         c.truth = judge(c.pair).verdict;
-        c.source = "the text of 2017 with this fault alone is wrong; found in family " +
-                   std::string(family.name) + ", digits taken off while that held";
+        c.source = "the text of 2017 put right is wrong with this fault " +
+                   std::string(shown.beside.has(Fault::stays_on_the_boundary)
+                                   ? "and stays-on-the-boundary, and right with the latter alone"
+                                   : "alone") +
+                   "; found in family " + std::string(family.name) + ", digits taken off while that held";
         const std::string line = format_case(c);
         if (best.empty() || line.size() < best.size()) best = line;
       }
@@ -194,7 +203,7 @@ TEST_P(Seed2017, AgreesWithTheSolverAboveItsClaim) {
       const Separation found = separated_cylinders(a, b, m, {});
       if (found.verdict == truth) continue;
       const Enclosure d = enclose_distance(pair, judge(pair));
-      EXPECT_LT(std::max(d.lo, -d.hi), 1e-12 * size_of(pair)) << format_pair(pair);
+      EXPECT_LT(std::max(d.lo, -d.hi), rounding_margin * size_of(pair)) << format_pair(pair);
     }
   }
 }

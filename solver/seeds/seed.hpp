@@ -17,12 +17,14 @@ enum class Fault : unsigned char {
   // 2017
   kink_taken_for_convex,      ///< F is said to be convex, its last term is not; no verdict depends on it
   first_quarter_ends_all,     ///< the test of one quarter circle returns for both
-  division_by_vanished_root,  ///< F' at t = 1 of perpendicular axes, the gradient of G at an axis
-  one_octant,                 ///< the other directions are searched for s, t >= 0 alone
-  cancelling_sine,            ///< sqrt(1 - c^2) for the sine of the axes' angle, and W0 x W1 as it comes
-  coincident_centers,         ///< Delta = 0 is excluded in the text and not tested
-  touching_is_separated,      ///< <= 0 in some tests, < 0 in others
-  stays_on_the_boundary,      ///< once a line search ends on the triangle's boundary, only that is searched
+  division_by_vanished_root,  ///< F' at t = 1 of perpendicular axes, the gradient of G at an axis;
+  ///< no verdict was found to depend on it
+  one_octant,          ///< the other directions are searched for s, t >= 0 alone
+  cancelling_sine,     ///< sqrt(1 - c^2) for the sine of the axes' angle, and W0 x W1 as it comes
+  coincident_centers,  ///< Delta = 0 is excluded in the text and not tested; NaN, but no
+  ///< verdict
+  touching_is_separated,   ///< <= 0 in some tests, < 0 in others
+  stays_on_the_boundary,   ///< once a line search ends on the triangle's boundary, only that is searched
   cancelling_root,         ///< |D|^2 - (D.W)^2 for |P D|^2: next to an axis only half of the digits are left
   kinks_taken_for_smooth,  ///< G is minimised as if it were smooth where D is perpendicular to an axis
   // 2008, and the page of the book where it says the same
