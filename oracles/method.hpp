@@ -86,7 +86,8 @@ class Method {
 /// Every method of this build, in a fixed order: ours first.
 std::vector<std::unique_ptr<Method>> all_methods();
 
-std::vector<std::unique_ptr<Method>> own_methods();  ///< intersect, decide, distance, exact
+std::vector<std::unique_ptr<Method>> own_methods();        ///< intersect, decide, distance, exact
+std::vector<std::unique_ptr<Method>> seed_2017_methods();  ///< of the text of 2017: put right, and as printed
 std::vector<std::unique_ptr<Method>> nlopt_methods();
 std::vector<std::unique_ptr<Method>> fcl_methods();
 std::vector<std::unique_ptr<Method>> bullet_methods();

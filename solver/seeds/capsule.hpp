@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: MIT
+// The capsule, which the text of 2017 recommends in the cylinder's place: all points within a radius of a
+// segment. How far a cylinder may be replaced by one is what outer_proxy and inner_proxy say.
+#pragma once
+
+#include "solver/cylinder.hpp"
+
+namespace cyl::seeds {
+
+struct Capsule {
+  Vector3 from, to;   ///< the segment's ends; they may coincide
+  double radius = 0;  ///< >= 0
+};
+
+/// By how much a proxy is too wide or too narrow, so that rounding does not undo the containment: a multiple
+/// of |centre| + height + radius. The ends are off by 4 units of 2^-53 of the height (the unit axis), and by
+/// two roundings of the sum.
+inline constexpr double proxy_error = 0x1p-50;
+
+/// The distance of two segments, either of which may be a point. Right to some 1e-15 of their lengths and of
+/// the largest coordinate at any angle; squares of coordinates must neither over- nor underflow. Never below
+/// 0.
+double segment_distance(const Vector3& p0, const Vector3& p1, const Vector3& q0, const Vector3& q1) noexcept;
+
+/// The distance of the solids where > 0; where negative, they overlap, and where the segments do not cross,
+/// by that depth. Closed solids: 0 is touching.
+double capsule_distance(const Capsule& a, const Capsule& b) noexcept;
+
+/// A capsule that contains a valid cylinder: the same axis and radius, rounded ends in addition. So outer
+/// proxies apart prove the cylinders disjoint.
+Capsule outer_proxy(const Cylinder& c) noexcept;
+
+/// A capsule inside it: as wide, or as high, as the cylinder. So inner proxies that meet prove that the
+/// cylinders intersect. Where rounding leaves nothing (a segment, a disk, far from the origin), radius < 0:
+/// there is none.
+Capsule inner_proxy(const Cylinder& c) noexcept;
+
+}  // namespace cyl::seeds
