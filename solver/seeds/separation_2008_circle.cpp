@@ -8,42 +8,43 @@
 namespace cyl::seeds {
 namespace {
 
+template <std::size_t n, std::size_t m>
+std::array<double, n + m - 1> product(const std::array<double, n>& a,
+                                      const std::array<double, m>& b) noexcept {
+  std::array<double, n + m - 1> c{};
+  for (std::size_t i = 0; i < n; ++i)
+    for (std::size_t j = 0; j < m; ++j) c[i + j] += a[i] * b[j];
+  return c;
+}
+
 // G' rises: Newton's steps from a root of the polynomial, which the squarings have blurred.
-double polish(const Circle& q, double x, double k, int steps) noexcept {
+double polish(const TangentLine& line, double x, double k, int steps) noexcept {
   for (int i = 0; i < steps; ++i) {
-    const double step = (q.rise(x) - k) / q.bend(x);
+    const double step = (line.rise(x) - k) / line.bend(x);
     if (!(std::fabs(step) > 0x1p-53 * std::fabs(x))) break;
     x -= step;
   }
   return x;
 }
 
-bool separated_at(const Circle& q, double x, double k, const Options& options, Finder& finder) noexcept {
-  // G'(x) = 0 asks that x and k have one sign.
-  x = polish(q, x, std::copysign(k, x), options.step_cap);
-  return finder.separates(q.direction(x, 1));
-}
-
-// (a) The four sign cases have two values of |k|; the squared equation does not see its sign. That a critical
-// point has the signs assumed need not be tested: f itself is asked there.
-bool separated_by_roots(const Circle& q, bool even, const Options& options, Finder& finder) noexcept {
-  if (!options.faults.has(Fault::tangent_line_misses_u0) && finder.separates(q.u0)) return true;
-  const double along = options.faults.has(Fault::derivative_of_the_wrong_term) ? q.b2 : q.a2;
+// (a) D = x U + V never is U, where f may be negative or, worse, 0 with F falling all the way to it. With V
+// along Delta that cannot be: f(U) >= 0, and F grows at both ends. That a critical point has the signs
+// assumed need not be tested: f itself is asked there.
+bool separated_by_roots(const Circle& q, const Options& options, Finder& finder) noexcept {
+  const double reach = std::hypot(q.a2, q.b2);
+  if (!(reach > 0)) return false;
+  const TangentLine line = options.faults.has(Fault::tangent_line_misses_u0)
+                               ? TangentLine(q, 0, 1)
+                               : TangentLine(q, q.a2 / reach, q.b2 / reach);
+  if (finder.separates(line.v)) return true;  // x = 0, often a root
   for (const double sigma1 : {1.0, -1.0}) {
-    const double k = along - sigma1 * q.side;
-    const auto c = critical_polynomial(q, k);
-    if (even) {
-      const auto squares = real_roots<4>(c, options.tolerance);
-      for (int i = 0; i < squares.count; ++i) {
-        const double square = squares.x[static_cast<std::size_t>(i)];
-        if (!(square > 0)) continue;
-        for (const double sign : {1.0, -1.0})
-          if (separated_at(q, sign * std::sqrt(square), k, options, finder)) return true;
-      }
-    } else {
-      const auto roots = real_roots<8>({c[0], 0, c[1], 0, c[2], 0, c[3], 0, c[4]}, options.tolerance);
-      for (int i = 0; i < roots.count; ++i)
-        if (separated_at(q, roots.x[static_cast<std::size_t>(i)], k, options, finder)) return true;
+    double k = line.k(sigma1, 1);
+    if (options.faults.has(Fault::derivative_of_the_wrong_term)) k += line.b2 - line.a2;
+    const auto roots = real_roots<8>(line.critical_polynomial(k), options.tolerance);
+    for (int i = 0; i < roots.count; ++i) {
+      const double root = roots.x[static_cast<std::size_t>(i)];
+      for (const double sign : {1.0, -1.0})
+        if (finder.separates(line.direction(polish(line, root, sign * k, options.step_cap)))) return true;
     }
   }
   return false;
@@ -79,21 +80,44 @@ bool separated_in_valley(const Circle& q, const Options& options, Finder& finder
 
 }  // namespace
 
-double Circle::bend(double x) const noexcept {
-  const double q0 = 1 + x * x, q1 = 1 + c * c * x * x;
-  return r0 / (q0 * std::sqrt(q0)) + r1 * c * c / (q1 * std::sqrt(q1));
+// U = (v_y, -v_x) in the circle's coordinates, where |P1 D|^2 = c^2 x^2 + y^2 and the other side is along x.
+TangentLine::TangentLine(const Circle& q, double v_x, double v_y) noexcept
+    : r0(q.r0),
+      r1(q.r1),
+      side(q.side),
+      q2(q.c * q.c * v_y * v_y + v_x * v_x),
+      q1((q.c * q.c - 1) * v_x * v_y),
+      q0(q.c * q.c * v_x * v_x + v_y * v_y),
+      a1(v_y),
+      b1(v_x),
+      a2(q.a2 * v_y - q.b2 * v_x),
+      b2(q.a2 * v_x + q.b2 * v_y),
+      u(q.direction(v_y, -v_x)),
+      v(q.direction(v_x, v_y)) {}
+
+double TangentLine::rise(double x) const noexcept {
+  return r0 * x / std::sqrt(1 + x * x) + r1 * (q2 * x + q1) / std::sqrt((q2 * x + 2 * q1) * x + q0);
 }
 
-// L0 = r0 x, L1 = r1 c^2 x, Q0 = 1 + x^2, Q1 = 1 + c^2 x^2:
+double TangentLine::bend(double x) const noexcept {
+  const double s0 = 1 + x * x, s1 = (q2 * x + 2 * q1) * x + q0;
+  return r0 / (s0 * std::sqrt(s0)) + r1 * (q2 * q0 - q1 * q1) / (s1 * std::sqrt(s1));
+}
+
+// L0 = r0 x, L1 = r1 (q2 x + q1) over the roots of Q0 and Q1:
 // 4 L0^2 L1^2 Q0 Q1 - (k^2 Q0 Q1 - L0^2 Q1 - L1^2 Q0)^2, in the unit of its largest length.
-std::array<double, 5> critical_polynomial(const Circle& q, double k) noexcept {
-  const double unit = std::max({q.r0, q.r1, std::fabs(k)});
+std::array<double, 9> TangentLine::critical_polynomial(double k) const noexcept {
+  const double unit = std::max({r0, r1, std::fabs(k)});
   if (!(unit > 0)) return {};
-  const double c2 = q.c * q.c, r0 = q.r0 / unit, r1 = c2 * (q.r1 / unit);
-  const double r02 = r0 * r0, r12 = r1 * r1, k2 = (k / unit) * (k / unit);
-  const double i0 = k2, i1 = k2 * (1 + c2) - r02 - r12, i2 = c2 * (k2 - r02) - r12;
-  const double g = 4 * r02 * r12;
-  return {-i0 * i0, -2 * i0 * i1, g - i1 * i1 - 2 * i0 * i2, g * (1 + c2) - 2 * i1 * i2, g * c2 - i2 * i2};
+  const std::array<double, 2> l0{0, r0 / unit}, l1{r1 / unit * q1, r1 / unit * q2};
+  const std::array<double, 3> s0{1, 0, 1}, s1{q0, 2 * q1, q2};
+  const auto both = product(s0, s1), m0 = product(product(l0, l0), s1), m1 = product(product(l1, l1), s0);
+  std::array<double, 5> inner;
+  for (std::size_t i = 0; i < 5; ++i) inner[i] = k / unit * (k / unit) * both[i] - m0[i] - m1[i];
+  const auto left = product(m0, m1), right = product(inner, inner);
+  std::array<double, 9> c;
+  for (std::size_t i = 0; i < 9; ++i) c[i] = 4 * left[i] - right[i];
+  return c;
 }
 
 PlaneVector from_rectangle(const Circle& q) noexcept {
@@ -129,9 +153,7 @@ bool separated_on_circle(const Solids& solids, int i, CircleWay way, const Optio
   const Circle circle(solids, i);
   switch (way) {
     case CircleWay::polynomial:
-      return separated_by_roots(circle, false, options, finder);
-    case CircleWay::even_polynomial:
-      return separated_by_roots(circle, true, options, finder);
+      return separated_by_roots(circle, options, finder);
     case CircleWay::projection:
       return separated_in_projection(circle, options, finder);
     case CircleWay::minimise:

@@ -7,11 +7,9 @@
 
 namespace cyl::seeds {
 
-/// f on the circle D = x U0 + y V0, with U0 = n x W0 and V0 = n ("0" is the solid whose axis is meant):
+/// f on the circle D = x U0 + y V0 with U0 = n x W0 and V0 = n ("0" is the solid whose axis is meant):
 ///
 ///     r0 sqrt(x^2 + y^2) + r1 sqrt(c^2 x^2 + y^2) + side |x| - |a2 x + b2 y|.
-///
-/// The text's line is y = 1; its A0, B0, a1, b1 are here P1 U0 of length c, n, +-s and 0.
 struct Circle {
   Circle(const Solids& p, int i) noexcept
       : r0(p.r[i]),
@@ -24,12 +22,6 @@ struct Circle {
         v0(p.n) {}
 
   Vector3 direction(double x, double y) const noexcept { return x * u0 + y * v0; }
-  /// G'(x) + k, where k = sigma2 a2 - sigma1 side is what the signs make of the last two terms.
-  double rise(double x) const noexcept {
-    return r0 * x / std::sqrt(1 + x * x) + r1 * c * c * x / std::sqrt(1 + c * c * x * x);
-  }
-  /// G''(x).
-  double bend(double x) const noexcept;
 
   double r0, r1, c;
   double side;    ///< half the height of solid 1, seen along U0
@@ -37,8 +29,25 @@ struct Circle {
   Vector3 u0, v0;
 };
 
-/// The square of both sides, twice, of G'(x) = 0, as c[0] + c[1] X + .. + c[4] X^4 in X = x^2.
-std::array<double, 5> critical_polynomial(const Circle& circle, double k) noexcept;
+/// F(x) of section 8 on the tangent line D = x U + V of that circle, V = v[0] U0 + v[1] V0 of length 1:
+///
+///     r0 sqrt(x^2 + 1) + r1 sqrt(q2 x^2 + 2 q1 x + q0) + side |a1 x + b1| - |a2 x + b2|.
+struct TangentLine {
+  TangentLine(const Circle& circle, double v_x, double v_y) noexcept;
+
+  /// The first two terms of G'(x).
+  double rise(double x) const noexcept;
+  /// G''(x).
+  double bend(double x) const noexcept;
+  /// G'(x) - rise(x) = -k for signs sigma1, sigma2.
+  double k(double sigma1, double sigma2) const noexcept { return sigma2 * a2 - sigma1 * side * a1; }
+  /// G'(x) = 0, squared twice: coefficients of 1, x, .., x^8. k counts by its square.
+  std::array<double, 9> critical_polynomial(double k) const noexcept;
+  Vector3 direction(double x) const noexcept { return x * u + v; }
+
+  double r0, r1, side, q2, q1, q0, a1, b1, a2, b2;
+  Vector3 u, v;
+};
 
 /// The vector from the projection of solid 1 to that of the centre of solid 0, onto the plane of the circle;
 /// (0, 0) where it is inside. `of` is the part of the projection that was asked.

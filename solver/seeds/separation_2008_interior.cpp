@@ -9,17 +9,23 @@ namespace {
 
 Matrix2 outer(const Vector2& a) noexcept { return a * a.transpose(); }
 
+bool negative_by_squares(const SmoothGap& g, const Vector3& d) noexcept {
+  const Solids& p = g.solids;
+  const Vector3 x0 = p.r[0] * d.cross(p.w[0]), x1 = p.r[1] * d.cross(p.w[1]);
+  return below_by_squares(dot(x0, x0), dot(x1, x1), dot(g.phi, g.phi));
+}
+
 // Newton's steps on the convex g0 as long as it falls: the etas of nearly singular systems are blurred.
 bool separated_near(const SmoothGap& g, Vector3 d, int steps, Finder& finder) noexcept {
-  if (finder.separates(d)) return true;
   if (!(dot(d, g.w) > 0)) return false;
   d /= dot(d, g.w);
+  if (negative_by_squares(g, d) && finder.separates(d)) return true;
   double value = g.value(d);
   for (int i = 0; i < steps; ++i) {
     const Vector3 next = d + g.newton_step(d);
     const double lower = g.value(next);
     if (!(lower < value)) break;
-    if (finder.separates(next)) return true;
+    if (negative_by_squares(g, next) && finder.separates(next)) return true;
     d = next;
     value = lower;
   }
@@ -96,9 +102,9 @@ CriticalPairs solve_normalised(const CriticalSystem& s, Faults faults) noexcept 
   return pairs;
 }
 
-bool below_by_squares(double square0, double square1, double phi_squared) noexcept {
-  const double rho = phi_squared - square0 - square1;
-  return rho > 0 && 4 * square0 * square1 < rho * rho;
+bool below_by_squares(double a_squared, double b_squared, double c_squared) noexcept {
+  const double rho = c_squared - a_squared - b_squared;
+  return rho > 0 && 4 * a_squared * b_squared < rho * rho;
 }
 
 bool separated_inside(const Solids& p, CriticalWay way, const Options& options, Finder& finder) noexcept {

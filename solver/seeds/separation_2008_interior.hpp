@@ -13,8 +13,7 @@ namespace cyl::seeds {
 struct SmoothGap {
   SmoothGap(const Solids& solids, double sign0, double sign1) noexcept;  ///< phi = 0 gives no_phi
 
-  /// The pair (x, y) of D = x U + y V + W from etas (section 12), times a factor: W.D may be negative, and D
-  /// is 0 where the text's C is not invertible.
+  /// Section 12: D = x U + y V + W times det(C), where (x, y) are the etas': 0 where C is not invertible.
   Vector3 direction(const Vector2& eta0, const Vector2& eta1) const noexcept;
   double value(const Vector3& d) const noexcept;
   /// The Newton step of g0 on the plane W.D = const, perpendicular to W.
@@ -30,10 +29,11 @@ struct SmoothGap {
 /// Section 11, normalised: eta0 = -(r1/r0) B0^-1 B1 eta1. Needs r0 and both determinants not 0.
 CriticalPairs solve_normalised(const CriticalSystem& system, Faults faults) noexcept;
 
-/// Section 13: f0 |D0| + f1 |D1| < most from the squares, without a root.
-bool below_by_squares(double r0_squared_length, double r1_squared_length, double phi_squared) noexcept;
+/// Section 13: whether a + b < c of three lengths, from their squares and without a root.
+bool below_by_squares(double a_squared, double b_squared, double c_squared) noexcept;
 
-/// Whether a direction with g0 < 0 of any signs separates.
+/// Whether a direction in the inside of one of the eight sign cases separates. Critical points outside the
+/// case's own signs need not be rejected: f itself is asked there.
 bool separated_inside(const Solids& solids, CriticalWay way, const Options& options, Finder& finder) noexcept;
 
 }  // namespace cyl::seeds
