@@ -17,8 +17,8 @@ void MethodAnswer::set_reason(std::string_view text) noexcept {
 
 std::vector<std::unique_ptr<Method>> all_methods() {
   auto methods = own_methods();
-  for (auto make : {seed_2017_methods, nlopt_methods, fcl_methods, bullet_methods, ccd_methods, ode_methods,
-                    mujoco_methods}) {
+  for (auto make : {seed_2008_methods, seed_2017_methods, nlopt_methods, fcl_methods, bullet_methods,
+                    ccd_methods, ode_methods, mujoco_methods}) {
     auto more = make();
     std::move(more.begin(), more.end(), std::back_inserter(methods));
   }

@@ -87,6 +87,7 @@ class Method {
 std::vector<std::unique_ptr<Method>> all_methods();
 
 std::vector<std::unique_ptr<Method>> own_methods();        ///< intersect, decide, distance, exact
+std::vector<std::unique_ptr<Method>> seed_2008_methods();  ///< the text of 2008 and the page of the book
 std::vector<std::unique_ptr<Method>> seed_2017_methods();  ///< of the text of 2017: put right, and as printed
 std::vector<std::unique_ptr<Method>> nlopt_methods();
 std::vector<std::unique_ptr<Method>> fcl_methods();

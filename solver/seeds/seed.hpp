@@ -34,7 +34,8 @@ enum class Fault : unsigned char {
   equal_eigenvalues,             ///< section 11: e0 = e1 divides by zero
   tangent_line_misses_u0,        ///< section 8: x U0 + V0 never is U0
   negated_pair_ignored,          ///< section 10: half of the critical points are thrown away
-  vanished_derivative_term       ///< section 8: |A0 x + B0| = 0 is said to be W0 x W1, and is not looked at
+  vanished_derivative_term,      ///< section 8: |A0 x + B0| = 0 is said to be W0 x W1, and is not looked at
+  cancelling_distance            ///< section 7: |Delta|^2 - (W0.Delta)^2, parallel axes' distance squared
 };
 
 /// A set of them.
@@ -46,6 +47,7 @@ class Faults {
     x.bits_ |= y.bits_;
     return x;
   }
+  constexpr bool any() const { return bits_ != 0; }
   constexpr bool has(Fault f) const { return (bits_ >> static_cast<unsigned>(f)) & 1; }
 
  private:
@@ -55,9 +57,9 @@ class Faults {
 /// How much work the searches may do, and which faults are in.
 struct Options {
   Faults faults;
-  int step_cap = 60;     ///< of every search along a line
+  int step_cap = 60;     ///< of every search along a line; of Newton's steps where something is polished
   int line_cap = 60;     ///< of lines, or rounds of lines, in a search of two dimensions
-  double tolerance = 0;  ///< of a search's parameter, at which it ends
+  double tolerance = 0;  ///< of a search's parameter, at which it ends; of a real root's imaginary part
 };
 
 /// `disjoint` with a direction D for which the method found f(D) < 0; else `intersecting`: the method found
