@@ -353,7 +353,7 @@ bool prove_at_first_sight(const Scaled& p, const Frame& frame, const Base& base,
   }
   const Axes axes(first.unit_axis, second.unit_axis);
   if (axes.parallel()) {
-    prove_parallel(p, Parallel(p, axes.sum), base, answer);
+    prove_parallel(p, Parallel(p.delta, p.h0 + p.h1, p.r0 + p.r1, axes.sum), base, answer);
   } else {
     const Frame frame(p, axes);
     if (!prove_at_first_sight(p, frame, base, answer)) prove_at_optimum(p, frame, base, answer);

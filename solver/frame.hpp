@@ -162,13 +162,14 @@ struct Frame {
 // Axes parallel, as parallel_square has it: two numbers decide, the distance along the axis and the one
 // across it.
 struct Parallel {
-  Parallel(const Scaled& p, const Vector3& sum) noexcept
+  // Delta, the sums of the half heights and of the radii, the sum of the axes.
+  Parallel(const Vector3& between, double heights, double radii, const Vector3& sum) noexcept
       : w(sum / length(sum)),
-        delta(p.delta),
+        delta(between),
         along(dot(delta, w)),
         distance(length(delta.cross(w))),
-        stacked(std::fabs(along) > p.h0 + p.h1),
-        beside(distance > p.r0 + p.r1) {}
+        stacked(std::fabs(along) > heights),
+        beside(distance > radii) {}
   Vector3 across() const noexcept { return (delta - along * w) / distance; }
 
   Vector3 w, delta;

@@ -23,7 +23,7 @@ bool separated_by_cross(const Solids& p) noexcept {
 }
 
 Separation separation_parallel(const Couple<double>& p, const Vector3& sum, Faults faults) noexcept {
-  const Parallel q(p, sum);
+  const Parallel q({p.dx, p.dy, p.dz}, p.h0 + p.h1, p.r0 + p.r1, sum);
   if (q.stacked) return {Verdict::disjoint, q.along < 0 ? Vector3(-q.w) : q.w};
   bool beside = q.beside;
   if (faults.has(Fault::cancelling_distance)) {
@@ -39,7 +39,7 @@ Separation separation_parallel(const Couple<double>& p, const Vector3& sum, Faul
 Separation separation_2008(const Prepared& a, const Prepared& b, CircleWay circle, CriticalWay critical,
                            const Options& options) noexcept {
   if (a.defect != Defect::none || b.defect != Defect::none) return {Verdict::invalid, {0, 0, 0}};
-  const Couple<double> couple = scale(a, b).couple;
+  const Couple<double> couple = scale(a, b).couple();
   const Vector3 w0(couple.w0x, couple.w0y, couple.w0z), w1(couple.w1x, couple.w1y, couple.w1z);
   const Axes axes(w0, w1);
   if (axes.parallel()) return separation_parallel(couple, axes.sum, options.faults);

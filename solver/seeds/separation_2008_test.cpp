@@ -17,7 +17,7 @@ constexpr CriticalWay critical_ways[] = {CriticalWay::normalised, CriticalWay::a
 constexpr Options careful{{}, 60, 1e-3};
 
 Solids solids_of(const Cylinder& a, const Cylinder& b) {
-  const Couple<double> p = scale(prepare(a), prepare(b)).couple;
+  const Couple<double> p = scale(prepare(a), prepare(b)).couple();
   return Solids(p, Axes({p.w0x, p.w0y, p.w0z}, {p.w1x, p.w1y, p.w1z}));
 }
 

@@ -50,7 +50,7 @@ Direction separated_by_axes(const Couple<double>& p, const Options& options) noe
 }
 
 Direction separated_in_parallel(const Couple<double>& p) noexcept {
-  const Parallel axes(p, Axes(axis0(p), axis1(p)).sum);
+  const Parallel axes(delta_of(p), p.h0 + p.h1, p.r0 + p.r1, Axes(axis0(p), axis1(p)).sum);
   if (axes.stacked) return axes.w;
   if (axes.beside) return axes.across();
   return {};
@@ -61,7 +61,7 @@ Separation separated_cylinders(const Prepared& a, const Prepared& b, Minimiser m
   if (a.defect != Defect::none || b.defect != Defect::none) return {Verdict::invalid};
   // A fixed order of the roles, so that swapping them changes nothing but the direction's sign.
   const bool swapped = out_of_order(a, b);
-  const Couple<double> p = swapped ? scale(b, a).couple : scale(a, b).couple;
+  const Couple<double> p = swapped ? scale(b, a).couple() : scale(a, b).couple();
   Separation found = from_a_to_b(search(p, minimiser, options), p);
   if (swapped) found.direction = -found.direction;
   return found;
@@ -71,7 +71,7 @@ Separation separated_by_perpendiculars_of_a(const Prepared& a, const Prepared& b
                                             const Options& options) noexcept {
   if (a.defect != Defect::none || b.defect != Defect::none) return {Verdict::invalid};
   if (Axes(a.unit_axis, b.unit_axis).parallel()) return {};
-  const Couple<double> p = scale(a, b).couple;
+  const Couple<double> p = scale(a, b).couple();
   return from_a_to_b(separated_by_cylinder_perpendiculars(p, options), p);
 }
 

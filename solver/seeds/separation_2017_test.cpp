@@ -198,7 +198,7 @@ class Degenerate2017 : public testing::TestWithParam<Minimiser> {
   static void expect_apart(const Cylinder& a, const Cylinder& b) {
     const Separation found = ask(a, b);
     EXPECT_EQ(found.verdict, Verdict::disjoint);
-    const Couple<double> p = scale(prepare(a), prepare(b)).couple;
+    const Couple<double> p = scale(prepare(a), prepare(b)).couple();
     EXPECT_LT(f(p, found.direction), 0);
     EXPECT_GT(dot(found.direction, b.center - a.center), 0);
   }
