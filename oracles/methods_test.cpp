@@ -107,6 +107,7 @@ TEST(Methods, EachSaysWhoItIsAndWhatItClaims) {
 
 TEST(Methods, EachIsRightFarFromTouching) {
   for (const auto& m : all_methods()) {
+    if (m->name().ends_with("-printed")) continue;  // a document with its faults
     for (const Known& k : easy_pairs()) {
       const MethodAnswer answer = m->ask(k.pair);
       ASSERT_EQ(answer.status, Status::answered) << m->name() << ": " << answer.reason;

@@ -21,7 +21,8 @@ enum class CriticalWay : unsigned char {
   adjugate     ///< P_0 = r0 det(B0) eta_0, P_1 = r1 eta_1, without a division: the page of the book
 };
 
-/// What the text has wrong, and the page of the book.
+/// What the text has wrong, and the page of the book. equal_eigenvalues and vanished_derivative_term change
+/// no verdict: errata_2008.md.
 inline constexpr Faults printed_2008 =
     Faults(Fault::radius_not_squared) | Fault::derivative_of_the_wrong_term | Fault::wrong_b_squared |
     Fault::equal_eigenvalues | Fault::tangent_line_misses_u0 | Fault::negated_pair_ignored |
