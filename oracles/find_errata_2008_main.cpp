@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Finds the cases of corpus/errata_2008.jsonl: for each fault the first pair of the families that the mended
+// Finds the cases of corpus/errata.jsonl: for each fault the first pair of the families that the mended
 // method answers right and the method with that fault alone wrong, by certificate; brought to few digits.
 // Writes the lines to standard output, and for a fault that no pair shows how many were tried, to standard
 // error. Arguments: pairs a family, and the erratum's id where only one is meant.

@@ -23,7 +23,7 @@ struct Setting {
 
 // Shares: 64 steps take 25 us where nothing separates, 32 steps 12 us, and twice to five times that next to
 // touching. Claims: above the largest margin at which a setting was wrong, table in
-// solver/seeds/errata_2017.md.
+// solver/seeds/errata.md.
 constexpr Setting settings[] = {
     {"seed2017-cg-steps-4", Minimiser::conjugate_gradients, 4, 2e-2, 1},
     {"seed2017-cg-steps-8", Minimiser::conjugate_gradients, 8, 1e-4, 1},
@@ -89,7 +89,7 @@ std::vector<std::unique_ptr<Method>> seed_2017_methods() {
     methods.push_back(std::make_unique<Seed2017>(
         s.name, s.minimiser, options,
         Claim{.relative = s.relative,
-              .source = "solver/seeds/errata_2017.md: above the largest margin at which it was wrong."},
+              .source = "solver/seeds/errata.md: above the largest margin at which it was wrong."},
         s.share));
   }
   seeds::Options printed;

@@ -22,7 +22,7 @@ enum class CriticalWay : unsigned char {
 };
 
 /// What the text has wrong, and the page of the book. equal_eigenvalues and vanished_derivative_term change
-/// no verdict: errata_2008.md.
+/// no verdict: errata.md.
 inline constexpr Faults printed_2008 =
     Faults(Fault::radius_not_squared) | Fault::derivative_of_the_wrong_term | Fault::wrong_b_squared |
     Fault::equal_eigenvalues | Fault::tangent_line_misses_u0 | Fault::negated_pair_ignored |

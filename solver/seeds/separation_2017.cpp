@@ -14,7 +14,7 @@ Vector3 delta_of(const Couple<double>& p) noexcept { return {p.dx, p.dy, p.dz}; 
 
 /// The roles exchanged; f is the same.
 Couple<double> exchanged(const Couple<double>& p) noexcept {
-  return couple(axis1(p), axis0(p), delta_of(p), p.r1, p.h1, p.r0, p.h0);
+  return {p.w1x, p.w1y, p.w1z, p.w0x, p.w0y, p.w0z, p.dx, p.dy, p.dz, p.r1, p.h1, p.r0, p.h0};
 }
 
 Direction search(const Couple<double>& p, Minimiser minimiser, const Options& options) noexcept {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The text of 2017: five kinds of directions D are tried for f(D) < 0, in closed form where that is possible,
 // else by a minimiser. Put right, but for the faults that the options switch on. Faults and cases:
-// errata_2017.md. Nothing here prints, throws, allocates or keeps state; only + - * / sqrt.
+// errata.md. Nothing here prints, throws, allocates or keeps state; only + - * / sqrt.
 #pragma once
 
 #include "solver/decide.hpp"
@@ -20,7 +20,7 @@ enum class Minimiser : unsigned char { conjugate_gradients, powell };
 
 /// The whole test (section 8). `disjoint` with D, f(D) < 0 as computed and D.Delta >= 0; else `intersecting`,
 /// or `invalid`. Without faults: the same bits for swapped roles, reversed axes and lengths times 2^k, and
-/// wrong only below the margins of errata_2017.md. Cost: 0.1 us where a closed form separates, at the default
+/// wrong only below the margins of errata.md. Cost: 0.1 us where a closed form separates, at the default
 /// caps some 20 us where nothing does.
 Separation separated_cylinders(const Prepared& a, const Prepared& b, Minimiser minimiser,
                                const Options& options) noexcept;
