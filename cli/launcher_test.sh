@@ -70,7 +70,7 @@ expect 'first use in a pipe' 'a pair' "$(printf 'a pair\n' | PATH="$scratch/no p
 cp "$scratch/main.cpp" "$home/main.cpp"
 
 # An ordinary user's own installation that fails is said to fail, and nothing is built.
-if command -v script >/dev/null; then
+if script -qec true /dev/null >/dev/null 2>&1; then # a pseudo-terminal can be had
   rm -rf "$home/build"
   printf '#!/bin/sh\necho 1000\n' >"$scratch/no packages/id"
   printf '#!/bin/sh\nexit 100\n' >"$scratch/no packages/sudo"

@@ -58,8 +58,8 @@ class Faults {
 struct Options {
   Faults faults;
   int step_cap = 60;     ///< of every search along a line; of Newton's steps where something is polished
-  int line_cap = 60;     ///< of lines, or rounds of lines, in a search of two dimensions
   double tolerance = 0;  ///< of a search's parameter, at which it ends; of a real root's imaginary part
+  int line_cap = 60;     ///< of lines, or rounds of lines, in a search of two dimensions
 };
 
 /// `disjoint` with a direction D for which the method found f(D) < 0; else `intersecting`: the method found

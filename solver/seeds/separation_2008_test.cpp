@@ -14,7 +14,7 @@ namespace {
 
 constexpr CircleWay circle_ways[] = {CircleWay::polynomial, CircleWay::projection, CircleWay::minimise};
 constexpr CriticalWay critical_ways[] = {CriticalWay::normalised, CriticalWay::adjugate};
-constexpr Options careful{{}, 60, 1e-3};
+constexpr Options careful{.faults = {}, .step_cap = 60, .tolerance = 1e-3};
 
 Solids solids_of(const Cylinder& a, const Cylinder& b) {
   const Couple<double> p = scale(prepare(a), prepare(b)).couple();
