@@ -19,7 +19,9 @@ struct Erratum {
 };
 
 /// Most work, smallest tolerance at which roots are still recognised.
-inline seeds::Options careful(seeds::Faults faults) { return {.faults = faults, .step_cap = 60, .tolerance = 1e-3}; }
+inline seeds::Options careful(seeds::Faults faults) {
+  return {.faults = faults, .step_cap = 60, .tolerance = 1e-3};
+}
 
 inline std::span<const Erratum> errata_2008() {
   using seeds::CircleWay;
