@@ -65,13 +65,6 @@ struct Solid {
   btTransform pose;
 };
 
-template <class Shape>
-std::vector<std::pair<Solid<Shape>, Solid<Shape>>> solids_of(std::span<const Pair> pairs) {
-  std::vector<std::pair<Solid<Shape>, Solid<Shape>>> solids;
-  for (const Pair& pair : pairs) solids.emplace_back(pair.a, pair.b);
-  return solids;
-}
-
 /// The signed distance that Bullet's default dispatch sees between two convex shapes: GJK, then EPA where
 /// they overlap. Nothing where it makes no contact; the bodies then pass through each other.
 std::optional<double> detect(const btConvexShape& a, const btTransform& pose_a, const btConvexShape& b,
@@ -133,12 +126,12 @@ class Detector final : public Bullet {
     return answer_of(measure(Solid<Shape>(pair.a), Solid<Shape>(pair.b)));
   }
   Call prepare_all(std::span<const Pair> pairs) override {
-    return [solids = solids_of<Shape>(pairs)](std::size_t i) {
+    return [solids = solids_of<Solid<Shape>>(pairs)](std::size_t i) {
       return verdict_of(measure(solids[i].first, solids[i].second));
     };
   }
   DistanceCall prepare_distances(std::span<const Pair> pairs) override {
-    return [solids = solids_of<Shape>(pairs)](std::size_t i) {
+    return [solids = solids_of<Solid<Shape>>(pairs)](std::size_t i) {
       return measure(solids[i].first, solids[i].second).value_or(no_distance);
     };
   }
@@ -175,14 +168,14 @@ class GjkEpa2 final : public Bullet {
     return answer;
   }
   Call prepare_all(std::span<const Pair> pairs) override {
-    return [solids = solids_of<SharpCylinder>(pairs)](std::size_t i) {
+    return [solids = solids_of<Solid<SharpCylinder>>(pairs)](std::size_t i) {
       btGjkEpaSolver2::sResults result;
       if (measure(solids[i].first, solids[i].second, result)) return verdict_of(result.distance);
       return result.status == result.EPA_Failed ? Verdict::intersecting : Verdict::undecided;
     };
   }
   DistanceCall prepare_distances(std::span<const Pair> pairs) override {
-    return [solids = solids_of<SharpCylinder>(pairs)](std::size_t i) {
+    return [solids = solids_of<Solid<SharpCylinder>>(pairs)](std::size_t i) {
       btGjkEpaSolver2::sResults result;
       const bool found = measure(solids[i].first, solids[i].second, result);
       return found ? result.distance : no_distance;

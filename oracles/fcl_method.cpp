@@ -38,12 +38,6 @@ struct Solid {
   fcl::Transform3d pose = fcl::Transform3d::Identity();
 };
 
-std::vector<std::pair<Solid, Solid>> solids_of(std::span<const Pair> pairs) {
-  std::vector<std::pair<Solid, Solid>> solids;
-  for (const Pair& pair : pairs) solids.emplace_back(Solid(pair.a), Solid(pair.b));
-  return solids;
-}
-
 /// fcl::collide without contacts: yes or no.
 class Collide final : public Method {
  public:
@@ -63,7 +57,7 @@ class Collide final : public Method {
     return answer;
   }
   Call prepare_all(std::span<const Pair> pairs) override {
-    return [this, solids = solids_of(pairs)](std::size_t i) {
+    return [this, solids = solids_of<Solid>(pairs)](std::size_t i) {
       return collide(solids[i].first, solids[i].second);
     };
   }
@@ -106,14 +100,11 @@ class Distance final : public Method {
     answer.has_distance = true;
     answer.distance = distance;
     const Vector3 direction = result.nearest_points[1] - result.nearest_points[0];
-    if (!direction.isZero(0)) {
-      answer.witness = WitnessKind::direction;
-      std::copy_n(direction.data(), 3, answer.head);
-    }
+    if (!direction.isZero(0)) answer.set_direction(direction);
     return answer;
   }
   DistanceCall prepare_distances(std::span<const Pair> pairs) override {
-    return [this, solids = solids_of(pairs)](std::size_t i) {
+    return [this, solids = solids_of<Solid>(pairs)](std::size_t i) {
       fcl::DistanceResultd result;
       const double distance = measure(solids[i].first, solids[i].second, result);
       return distance > 0 ? distance : std::numeric_limits<double>::quiet_NaN();

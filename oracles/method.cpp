@@ -15,6 +15,11 @@ void MethodAnswer::set_reason(std::string_view text) noexcept {
   std::memset(reason + length, 0, sizeof reason - length);
 }
 
+void MethodAnswer::set_direction(const Vector3& d) noexcept {
+  witness = WitnessKind::direction;
+  std::copy_n(d.data(), 3, head);
+}
+
 std::vector<std::unique_ptr<Method>> all_methods() {
   auto methods = own_methods();
   for (auto make : {seed_2008_methods, seed_2017_methods, nlopt_methods, fcl_methods, bullet_methods,

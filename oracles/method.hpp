@@ -44,6 +44,7 @@ struct MethodAnswer {
   char reason[120] = {};  ///< why it declined or failed; zero-terminated
 
   void set_reason(std::string_view text) noexcept;  ///< truncates
+  void set_direction(const Vector3& d) noexcept;    ///< as the witness
 };
 
 /// Interface of a method. `ask` may do anything foreign code does: throw, abort, hang. Callers who cannot

@@ -125,9 +125,7 @@ class Mujoco final : public Method {
     return answer;
   }
   Call prepare_all(std::span<const Pair> pairs) override {
-    std::vector<std::pair<Solid, Solid>> solids;
-    for (const Pair& pair : pairs) solids.emplace_back(Solid(pair.a), Solid(pair.b));
-    return [this, solids = std::move(solids)](std::size_t i) {
+    return [this, solids = solids_of<Solid>(pairs)](std::size_t i) {
       return collider_.collide(solids[i].first, solids[i].second);
     };
   }

@@ -192,8 +192,7 @@ class Nlopt final : public Method {
     answer.has_distance = std::isfinite(answer.distance) && !(setting_.stop_at_sign && p.best < 0);
     if (p.best < 0) {
       if (p.best_direction.dot(p.delta) < 0) p.best_direction = -p.best_direction;
-      answer.witness = WitnessKind::direction;
-      std::copy_n(p.best_direction.data(), 3, answer.head);
+      answer.set_direction(p.best_direction);
     }
     return answer;
   }

@@ -4,6 +4,7 @@
 #include <utility>
 #include <vector>
 
+#include "oracles/adapter.hpp"
 #include "oracles/exact.hpp"
 #include "oracles/method.hpp"
 #include "solver/decide.hpp"
@@ -16,10 +17,9 @@ namespace {
 /// `query` on two prepared solids, for every pair.
 template <typename Query>
 auto prepare_solids(std::span<const Pair> pairs, Query query) {
-  std::vector<std::pair<Prepared, Prepared>> solids;
-  for (const Pair& pair : pairs) solids.emplace_back(prepare(pair.a), prepare(pair.b));
-  return
-      [solids = std::move(solids), query](std::size_t i) { return query(solids[i].first, solids[i].second); };
+  return [solids = solids_of<Prepared>(pairs, prepare), query](std::size_t i) {
+    return query(solids[i].first, solids[i].second);
+  };
 }
 
 class Intersect final : public Method {
@@ -68,8 +68,7 @@ class Decide final : public Method {
       case Proof::none:
         break;
       case Proof::direction:
-        answer.witness = WitnessKind::direction;
-        std::copy_n(decided.direction.data(), 3, answer.head);
+        answer.set_direction(decided.direction);
         break;
       case Proof::point:
         answer.witness = WitnessKind::point;
@@ -107,10 +106,7 @@ class MeasureDistance final : public Method {
     const bool sure = measured.verdict == Verdict::intersecting || measured.error <= distance_tol * reach;
     answer.has_distance = measured.verdict != Verdict::invalid && sure;
     answer.distance = measured.value;
-    if (measured.verdict == Verdict::disjoint) {
-      answer.witness = WitnessKind::direction;
-      std::copy_n(measured.direction.data(), 3, answer.head);
-    }
+    if (measured.verdict == Verdict::disjoint) answer.set_direction(measured.direction);
     return answer;
   }
   Call prepare_all(std::span<const Pair> pairs) override {

@@ -76,16 +76,11 @@ class Seed2008 final : public Method {
     MethodAnswer answer;
     answer.status = Status::answered;
     answer.verdict = found.verdict;
-    if (found.verdict == Verdict::disjoint) {
-      answer.witness = WitnessKind::direction;
-      std::copy_n(found.direction.data(), 3, answer.head);
-    }
+    if (found.verdict == Verdict::disjoint) answer.set_direction(found.direction);
     return answer;
   }
   Call prepare_all(std::span<const Pair> pairs) override {
-    std::vector<std::pair<Prepared, Prepared>> solids;
-    for (const Pair& pair : pairs) solids.emplace_back(prepare(pair.a), prepare(pair.b));
-    return [solids = std::move(solids), s = setting_](std::size_t i) {
+    return [solids = solids_of<Prepared>(pairs, prepare), s = setting_](std::size_t i) {
       return seeds::separation_2008(solids[i].first, solids[i].second, s.circle, s.critical, s.options)
           .verdict;
     };

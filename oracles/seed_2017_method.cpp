@@ -4,6 +4,7 @@
 #include <string>
 #include <utility>
 
+#include "oracles/adapter.hpp"
 #include "oracles/method.hpp"
 #include "solver/seeds/separation_2017.hpp"
 
@@ -53,16 +54,11 @@ class Seed2017 final : public Method {
     MethodAnswer answer;
     answer.status = Status::answered;
     answer.verdict = found.verdict;
-    if (found.verdict == Verdict::disjoint) {
-      answer.witness = WitnessKind::direction;
-      std::copy_n(found.direction.data(), 3, answer.head);
-    }
+    if (found.verdict == Verdict::disjoint) answer.set_direction(found.direction);
     return answer;
   }
   Call prepare_all(std::span<const Pair> pairs) override {
-    std::vector<std::pair<Prepared, Prepared>> solids;
-    for (const Pair& pair : pairs) solids.emplace_back(prepare(pair.a), prepare(pair.b));
-    return [this, solids = std::move(solids)](std::size_t i) {
+    return [this, solids = solids_of<Prepared>(pairs, prepare)](std::size_t i) {
       return separate(solids[i].first, solids[i].second).verdict;
     };
   }

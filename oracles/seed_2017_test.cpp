@@ -62,8 +62,7 @@ MethodAnswer offered(const Separation& found) {
   MethodAnswer answer;
   answer.status = Status::answered;
   answer.verdict = found.verdict;
-  answer.witness = WitnessKind::direction;
-  std::copy_n(found.direction.data(), 3, answer.head);
+  answer.set_direction(found.direction);
   return answer;
 }
 

@@ -43,21 +43,15 @@ bool in_both(const Scaled& p, const Vector3& x) noexcept {
   return along && room0 > 0 && room1 > 0 && length(across0) < room0 && length(across1) < room1;
 }
 
-Answer disjoint(const Scaled& p, const Vector3& direction) noexcept {
-  Answer answer;
-  answer.verdict = Verdict::disjoint;
-  answer.proof = Proof::direction;
-  answer.direction = dot(direction, p.delta) < 0 ? Vector3(-direction) : direction;
-  return answer;
-}
-
 bool try_direction(const Scaled& p, Vector3 direction, Answer& answer) noexcept {
   // Weights are products of lengths; a direction has no unit.
   const double most = max_abs(direction);
   if (!(most >= 0x1p-900)) return false;
   direction *= power_of_two(-exponent_of(most));
   if (!separates(p, direction)) return false;
-  answer = disjoint(p, direction);
+  answer.verdict = Verdict::disjoint;
+  answer.proof = Proof::direction;
+  answer.direction = dot(direction, p.delta) < 0 ? Vector3(-direction) : direction;
   return true;
 }
 
@@ -162,18 +156,15 @@ void prove_parallel(const Scaled& p, const Parallel& found, const Base& base, An
   if (found.stacked && try_direction(p, found.w, answer)) return;
   if (found.beside && try_direction(p, found.across(), answer)) return;
   if (found.stacked | found.beside) return;
-  auto middle = [](double reach0, double center1, double reach1) {
-    return (larger(-reach0, center1 - reach1) + smaller(reach0, center1 + reach1)) / 2;
-  };
-  Vector3 x = middle(p.h0, found.along, p.h1) * found.w;
-  if (found.distance > 0) x += middle(p.r0, found.distance, p.r1) * found.across();
+  Vector3 x = middle_of_both(p.h0, found.along, p.h1) * found.w;
+  if (found.distance > 0) x += middle_of_both(p.r0, found.distance, p.r1) * found.across();
   try_point(p, base, x, answer);
 }
 
 // The middle of the slices where both widths suffice: those at most u from C0 and v from C1.
 bool try_middle(const Scaled& p, const Frame& frame, const Base& base, double u, double v,
                 Answer& answer) noexcept {
-  return try_slice(p, frame, base, (larger(-u, frame.z - v) + smaller(u, frame.z + v)) / 2, answer);
+  return try_slice(p, frame, base, middle_of_both(u, frame.z, v), answer);
 }
 
 // Where H is greatest there is the deepest slice, and the multipliers of the demands that hold it there are
@@ -224,17 +215,13 @@ void prove_at_optimum(const Scaled& p, const Frame& frame, const Base& base, Ans
   const auto [low, first] = start(e);
   double t = first;
   int misses = 0;  // verdicts whose certificate did not hold
-  for (int& i = answer.iterations; i < iteration_cap; ++i) {
+  while (answer.iterations < iteration_cap) {
+    ++answer.iterations;
     const auto now = step(e, low, t);
-    Answer found;
-    found.iterations = i + 1;
     if (now.apart) {
       // Far out F hardly falls any more; a smaller t weighs its depth against a shorter direction.
       const double tilt = smaller(t, (e.ra + e.rb) / -now.min_gap);
-      if (try_direction(p, frame.e(line) + tilt * frame.n, found)) {
-        answer = found;
-        return;
-      }
+      if (try_direction(p, frame.e(line) + tilt * frame.n, answer)) return;
     }
     if (now.met) {
       const double next = now.t;  // F is flat at its minimum, the slice is not: one step more

@@ -4,38 +4,19 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
-#include <atomic>
 #include <cmath>
 #include <cstdint>
-#include <cstdlib>
 #include <limits>
-#include <new>
 
 #include "solver/intersect_batch.hpp"
-
-// Counts what is allocated, so that a test can say: nothing. Not inlined: gcc would take malloc and free,
-// seen through new and delete, for a mismatch.
-static std::atomic<long> allocations{0};
-[[gnu::noinline]] void* operator new(std::size_t n) {
-  ++allocations;
-  if (void* p = std::malloc(n)) return p;
-  throw std::bad_alloc();
-}
-[[gnu::noinline]] void operator delete(void* p) noexcept { std::free(p); }
-[[gnu::noinline]] void operator delete(void* p, std::size_t) noexcept { std::free(p); }
+#include "solver/solver_test.hpp"
 
 namespace cyl {
 namespace {
 
-// A fixed stream of numbers in [0, 1) for the tests of this file.
-class Stream {
+class Stream : public Numbers {
  public:
-  explicit Stream(std::uint64_t seed) : state_(seed) {}
-  double unit() {
-    state_ = state_ * 6364136223846793005u + 1442695040888963407u;
-    return static_cast<double>(state_ >> 11) * 0x1p-53;
-  }
-  double between(double lo, double hi) { return lo + (hi - lo) * unit(); }
+  using Numbers::Numbers;
   Vector3 direction() {
     for (;;) {
       const Vector3 v(between(-1, 1), between(-1, 1), between(-1, 1));
@@ -46,9 +27,6 @@ class Stream {
     return {Vector3(between(-1, 1), between(-1, 1), between(-1, 1)), direction(), between(0.1, 2),
             between(0.1, 4)};
   }
-
- private:
-  std::uint64_t state_;
 };
 
 // The point of a solid farthest in direction d, from its centre; any of them where there are several.

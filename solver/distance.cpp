@@ -343,12 +343,9 @@ void measure_parallel(const Scaled& p, const Vector3& axis_sum, Distance& out) n
   const double beyond = std::fabs(along) - p.h0 - p.h1, beside = across - p.r0 - p.r1;
   const double sign = std::copysign(1.0, along);
   const bool by_caps = beyond > 0 || (beside <= 0 && beyond >= beside), by_sides = beside > 0 || !by_caps;
-  auto middle = [](double reach0, double center1, double reach1) {
-    return (larger(-reach0, center1 - reach1) + smaller(reach0, center1 + reach1)) / 2;
-  };
-  const double along0 = by_caps ? sign * p.h0 : middle(p.h0, along, p.h1);
+  const double along0 = by_caps ? sign * p.h0 : middle_of_both(p.h0, along, p.h1);
   const double along1 = by_caps ? -sign * p.h1 : along0 - along;
-  const double across0 = by_sides ? p.r0 : middle(p.r0, across, p.r1);
+  const double across0 = by_sides ? p.r0 : middle_of_both(p.r0, across, p.r1);
   const double across1 = by_sides ? -p.r1 : across0 - across;
   out.on_a = along0 * w + across0 * u;
   out.on_b = along1 * w + across1 * u;

@@ -4,38 +4,20 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
-#include <atomic>
 #include <cmath>
 #include <cstdint>
-#include <cstdlib>
 #include <limits>
-#include <new>
 
-// Counts what is allocated, so that a test can say: nothing. Not inlined: gcc would take malloc and free,
-// seen through new and delete, for a mismatch.
-static std::atomic<long> allocations{0};
-[[gnu::noinline]] void* operator new(std::size_t n) {
-  ++allocations;
-  if (void* p = std::malloc(n)) return p;
-  throw std::bad_alloc();
-}
-[[gnu::noinline]] void operator delete(void* p) noexcept { std::free(p); }
-[[gnu::noinline]] void operator delete(void* p, std::size_t) noexcept { std::free(p); }
+#include "solver/solver_test.hpp"
 
 namespace cyl {
 namespace {
 
 using Wide = Eigen::Matrix<long double, 3, 1>;
 
-// A fixed stream of numbers in [0, 1) for the tests of this file.
-class Stream {
+class Stream : public Numbers {
  public:
-  explicit Stream(std::uint64_t seed) : state_(seed) {}
-  double unit() {
-    state_ = state_ * 6364136223846793005u + 1442695040888963407u;
-    return static_cast<double>(state_ >> 11) * 0x1p-53;
-  }
-  double between(double lo, double hi) { return lo + (hi - lo) * unit(); }
+  using Numbers::Numbers;
   Vector3 vector(double limit) {
     return {between(-limit, limit), between(-limit, limit), between(-limit, limit)};
   }
@@ -52,9 +34,6 @@ class Stream {
     if (i % 11 == 2) p.b.radius = 0;
     return p;
   }
-
- private:
-  std::uint64_t state_;
 };
 
 double size_of(const Pair& p) { return p.a.radius + p.a.height + p.b.radius + p.b.height; }

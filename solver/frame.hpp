@@ -36,6 +36,11 @@ inline double dot(const Vector3& a, const Vector3& b) noexcept {
 
 inline double length(const Vector3& a) noexcept { return std::sqrt(dot(a, a)); }
 
+// The middle of what [-reach0, reach0] and [center1 - reach1, center1 + reach1] have in common.
+inline double middle_of_both(double reach0, double center1, double reach1) noexcept {
+  return (larger(-reach0, center1 - reach1) + smaller(reach0, center1 + reach1)) / 2;
+}
+
 // The fixed order of the roles that makes the swap law hold bit for bit: it looks at nothing that scaling by
 // 2^k or reversing an axis changes. True where b comes first.
 inline bool out_of_order(const Prepared& a, const Prepared& b) noexcept {

@@ -8,6 +8,8 @@
 #include <limits>
 #include <vector>
 
+#include "solver/solver_test.hpp"
+
 namespace cyl {
 namespace {
 
@@ -21,11 +23,8 @@ std::vector<Instructions> runnable() {
 // Solids in a small room, of all the kinds that take another way through the kernel: steep, nearly parallel
 // and parallel axes, needles, coins, segments, points, far beyond the ordinary, invalid.
 std::vector<Prepared> crowd(int count) {
-  std::uint64_t state = 20261121;
-  auto unit = [&] {
-    state = state * 6364136223846793005u + 1442695040888963407u;
-    return static_cast<double>(state >> 11) * 0x1p-53;
-  };
+  Numbers numbers(20261121);
+  auto unit = [&] { return numbers.unit(); };
   std::vector<Prepared> solids;
   for (int i = 0; i < count; ++i) {
     Cylinder c{Vector3(4 * unit(), 4 * unit(), 4 * unit()), Vector3(unit() - 0.5, unit() - 0.5, unit() - 0.5),

@@ -8,6 +8,7 @@
 #include <cstdint>
 
 #include "solver/frame.hpp"
+#include "solver/solver_test.hpp"
 
 namespace cyl::seeds {
 namespace {
@@ -45,13 +46,10 @@ TEST(Capsules, SignedDistance) {
   EXPECT_EQ(capsule_distance(a, {{0, 0, 6}, {0, 0, 6}, 1}), 2);
 }
 
-class Numbers {
+class Draw : public Numbers {
  public:
-  /// In [-1, 1), the same on every machine.
-  double next() {
-    state_ = state_ * 6364136223846793005u + 1442695040888963407u;
-    return static_cast<double>(static_cast<std::int64_t>(state_) >> 11) * 0x1p-52;
-  }
+  Draw() : Numbers(1717) {}
+  double next() { return either_sign(); }
   Vector3 unit() {
     for (;;) {
       const double x = next(), y = next(), z = next();
@@ -59,16 +57,13 @@ class Numbers {
       if (const double l = length(v); l > 0.1 && l <= 1) return v / l;
     }
   }
-
- private:
-  std::uint64_t state_ = 1717;
 };
 
 double distance_from(const Capsule& c, const Vector3& x) { return segment_distance(c.from, c.to, x, x); }
 
 // In the solid's own axis and radius: all of it, and where the capsule is widest.
 TEST(Proxies, ContainAndAreContained) {
-  Numbers n;
+  Draw n;
   int some = 0;
   for (int i = 0; i < 2000; ++i) {
     const Vector3 at = 10 * n.unit(), axis = n.unit();

@@ -13,6 +13,7 @@
 #include <limits>
 
 #include "solver/frame.hpp"
+#include "solver/seeds/bisection.hpp"
 #include "solver/seeds/octant_2017.hpp"
 #include "solver/seeds/separation_2017.hpp"
 
@@ -106,18 +107,8 @@ class CellSearch {
     if (look(x + low * d) || look(x + high * d)) return true;
     const auto slope = [&](double r) { return d.dot(gradient(x + r * d)); };
     if (slope(low) >= 0 || slope(high) <= 0) return true;
-    const double unit = d.norm();
-    for (int i = 0; i < options_.step_cap && (high - low) * unit > options_.tolerance; ++i) {
-      const double mid = 0.5 * (low + high);
-      if (look(x + mid * d)) return false;
-      const double rise = slope(mid);
-      if (rise > 0)
-        high = mid;
-      else if (rise < 0)
-        low = mid;
-      else
-        break;
-    }
+    bisect(
+        low, high, d.norm(), options_, [&](double r) { return look(x + r * d); }, slope);
     return false;
   }
 

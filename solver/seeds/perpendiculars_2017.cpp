@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "solver/frame.hpp"
+#include "solver/seeds/bisection.hpp"
 #include "solver/seeds/separation_2017.hpp"
 
 namespace cyl::seeds {
@@ -40,7 +41,7 @@ class Circle {
     if (slope(0) >= 0 || slope(1) <= 0) return End::nothing_at_the_ends;
     if (quarter_.sign(0) != quarter_.sign(1) && !options_.faults.has(Fault::kink_taken_for_convex))
       return End::nothing;
-    return bisect() ? End::separated : End::nothing;
+    return find_between() ? End::separated : End::nothing;
   }
 
   /// On to the quarter from -U0 to V0.
@@ -64,20 +65,9 @@ class Circle {
                                                                  : quarter_.slope(t);
   }
 
-  bool bisect() noexcept {
-    double low = 0, high = 1;
-    for (int i = 0; i < options_.step_cap && high - low > options_.tolerance; ++i) {
-      const double mid = 0.5 * (low + high);
-      if (separates(mid)) return true;
-      const double rise = slope(mid);
-      if (rise > 0)
-        high = mid;
-      else if (rise < 0)
-        low = mid;
-      else
-        break;
-    }
-    return false;
+  bool find_between() noexcept {
+    return bisect(
+        0, 1, 1, options_, [&](double t) { return separates(t); }, [&](double t) { return slope(t); });
   }
 
   const Couple<double>& p_;

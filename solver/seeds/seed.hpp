@@ -47,7 +47,6 @@ class Faults {
     x.bits_ |= y.bits_;
     return x;
   }
-  constexpr bool any() const { return bits_ != 0; }
   constexpr bool has(Fault f) const { return (bits_ >> static_cast<unsigned>(f)) & 1; }
 
  private:

@@ -9,30 +9,25 @@
 
 #include "solver/frame.hpp"
 #include "solver/seeds/octant_2017.hpp"
+#include "solver/solver_test.hpp"
 
 namespace cyl::seeds {
 namespace {
 
 constexpr double half = 0.5;
 
-/// In [-1, 1), the same on every machine.
-class Numbers {
+class Draw : public Numbers {
  public:
-  double next() {
-    state_ = state_ * 6364136223846793005u + 1442695040888963407u;
-    return static_cast<double>(static_cast<std::int64_t>(state_) >> 11) * 0x1p-52;
-  }
+  Draw() : Numbers(2017) {}
+  double next() { return either_sign(); }
   Vector3 vector() {
     const double x = next(), y = next(), z = next();
     return {x, y, z};
   }
   double length() { return 1.5 + next(); }
-
- private:
-  std::uint64_t state_ = 2017;
 };
 
-Quarter some_quarter(Numbers& n) {
+Quarter some_quarter(Draw& n) {
   const double c = n.next();
   Quarter q{};
   q.r0 = n.length();
@@ -52,7 +47,7 @@ long double wide_value(const Quarter& q, long double t) {
 }
 
 TEST(Quarter2017, DerivativesAreThoseOfF) {
-  Numbers n;
+  Draw n;
   constexpr long double step = 0x1p-16L;  // truncation 2^-32 of the derivatives, rounding 2^-48 and 2^-32
   for (int i = 0; i < 2000; ++i) {
     const Quarter q = some_quarter(n);
@@ -92,7 +87,7 @@ TEST(Quarter2017, TheKinkIsWhereDeltaIsSquareToD) {
 
 // Not convex there, but not below 0 either, unless at an end.
 TEST(Quarter2017, AKinkHidesNoSeparation) {
-  Numbers n;
+  Draw n;
   int kinks = 0;
   for (int i = 0; i < 20000; ++i) {
     Quarter q = some_quarter(n);
@@ -111,7 +106,7 @@ TEST(Quarter2017, SquareAxesHaveASlopeAtTheEnd) {
   EXPECT_NEAR(q.slope(1), q.slope(1 - 0x1p-30), 1e-8);
 }
 
-Octant some_octant(Numbers& n) {
+Octant some_octant(Draw& n) {
   const Vector3 w0 = n.vector(), w1 = n.vector();
   Octant o{};
   o.w0 = w0 / length(w0);
@@ -125,7 +120,7 @@ Octant some_octant(Numbers& n) {
 }
 
 TEST(Octant2017, GradientIsThatOfG) {
-  Numbers n;
+  Draw n;
   constexpr double step = 0x1p-20;
   for (int i = 0; i < 2000; ++i) {
     const Octant o = some_octant(n);
@@ -173,7 +168,7 @@ TEST(Octant2017, TheDeterminantNeedsASixteenth) {
 }
 
 TEST(Octant2017, GIsConvexInEachCell) {
-  Numbers n;
+  Draw n;
   for (int i = 0; i < 2000; ++i) {
     const Octant o = some_octant(n);
     for (double sign : {1.0, -1.0}) {

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: MIT
+// What the tests of solver/ share. Included by one file of a program: it replaces operator new.
+#pragma once
+
+#include <atomic>
+#include <cstdint>
+#include <cstdlib>
+#include <new>
+
+// Counts what is allocated, so that a test can say: nothing. Not inlined: gcc would take malloc and free,
+// seen through new and delete, for a mismatch.
+static std::atomic<long> allocations{0};
+[[gnu::noinline]] void* operator new(std::size_t n) {
+  ++allocations;
+  if (void* p = std::malloc(n)) return p;
+  throw std::bad_alloc();
+}
+[[gnu::noinline]] void operator delete(void* p) noexcept { std::free(p); }
+[[gnu::noinline]] void operator delete(void* p, std::size_t) noexcept { std::free(p); }
+
+namespace cyl {
+
+// A fixed stream of numbers in [0, 1).
+class Numbers {
+ public:
+  explicit Numbers(std::uint64_t seed) : state_(seed) {}
+  double unit() {
+    state_ = state_ * 6364136223846793005u + 1442695040888963407u;
+    return static_cast<double>(state_ >> 11) * 0x1p-53;
+  }
+  // In [-1, 1).
+  double either_sign() {
+    unit();
+    return static_cast<double>(static_cast<std::int64_t>(state_) >> 11) * 0x1p-52;
+  }
+  double between(double lo, double hi) { return lo + (hi - lo) * unit(); }
+
+ private:
+  std::uint64_t state_;
+};
+
+}  // namespace cyl
