@@ -26,6 +26,8 @@ std::vector<Case> read_case_folder(const std::string& folder) {
     CaseReader reader(in);
     while (auto line = reader.next()) {
       if (!line->value) throw std::runtime_error(file.string() + ": " + line->error);
+      line->value->file = file.string();
+      line->value->line = line->line;
       cases.push_back(std::move(*line->value));
     }
     if (in.bad()) throw std::runtime_error(file.string() + ": cannot be read");

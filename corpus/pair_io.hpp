@@ -27,6 +27,8 @@ struct Case {
   std::string source;
   std::optional<Verdict> truth;  ///< what the line says is true
   std::string note;
+  std::string file{};    ///< where read_case_folder found it; else empty
+  std::size_t line = 0;  ///< of that file, from 1
 };
 
 /// The most bytes of a line that are read; a longer line is an error.

@@ -27,7 +27,7 @@ std::uint64_t nanoseconds_since(Clock::time_point start) {
 
 bool is_failure(FindingKind kind) {
   return kind == FindingKind::exception || kind == FindingKind::crash || kind == FindingKind::hang ||
-         kind == FindingKind::non_finite;
+         kind == FindingKind::non_finite || kind == FindingKind::malformed;
 }
 
 bool is_verdict(FindingKind kind) {
@@ -177,7 +177,7 @@ class Batch {
     if (questions.empty()) return;
     const std::vector<ContainedAnswer> said = ask_contained(subjects_.methods, pairs_, questions);
     for (std::size_t q = 0; q < questions.size(); ++q) {
-      const auto [m, p] = questions[q];
+      const auto [m, p, way] = questions[q];
       answers_[at(m, p)] = said[q].answer;
       asked_[at(m, p)] = true;
       counts(m, place_of(index_of(p)).family).nanoseconds += static_cast<std::uint64_t>(said[q].nanoseconds);

@@ -35,14 +35,6 @@ Enclosure relative_to(double size, const Enclosure& length) {
   return {length.lo / size * (1 - rounding_error), std::isnan(hi) ? infinity : hi};
 }
 
-/// The length below which the claim promises nothing, rounded up; exactly 0 for a claim of 0/0.
-double reach(const Claim& claim, double size) {
-  if (claim.relative == 0 || size == 0) return claim.absolute;
-  // Of subnormal solids the product may vanish.
-  const double relative_part = std::max(claim.relative * size, std::numeric_limits<double>::denorm_min());
-  return (relative_part + claim.absolute) * (1 + rounding_error);
-}
-
 /// The pair's own margin, for what went wrong whatever the distance; none where nothing is proved.
 std::optional<Enclosure> margin_of(const Pair& pair, const Truth& truth, LazyDistance& distance) {
   if (truth.verdict == Verdict::undecided || truth.verdict == Verdict::invalid) return {};
@@ -53,13 +45,7 @@ std::optional<Enclosure> margin_of(const Pair& pair, const Truth& truth, LazyDis
 Finding refuted(FindingKind kind, const Pair& pair, const Truth& truth, LazyDistance& distance,
                 const Claim& claim) {
   const double size = size_of(pair), promised_from = reach(claim, size);
-  Enclosure gap{0, 0};
-  if (truth.verdict != Verdict::touching) {
-    for (const double width : widths) {
-      gap = magnitude(distance.at(width));
-      if (gap.lo >= promised_from || gap.hi < promised_from) break;
-    }
-  }
+  const Enclosure gap = magnitude_against(promised_from, truth, distance);
   return {kind, gap.lo >= promised_from ? Severity::contract : Severity::resolution, relative_to(size, gap)};
 }
 
@@ -133,6 +119,8 @@ FindingKind kind_of(Failure failure) {
       return FindingKind::hang;
     case Failure::non_finite:
       return FindingKind::non_finite;
+    case Failure::malformed:
+      return FindingKind::malformed;
     case Failure::exception:
       return FindingKind::exception;
     case Failure::crash:
@@ -144,12 +132,29 @@ FindingKind kind_of(Failure failure) {
 
 }  // namespace
 
+double reach(const Claim& claim, double size) {
+  if (claim.relative == 0 || size == 0) return claim.absolute;
+  // Of subnormal solids the product may vanish.
+  const double relative_part = std::max(claim.relative * size, std::numeric_limits<double>::denorm_min());
+  return (relative_part + claim.absolute) * (1 + rounding_error);
+}
+
 const Enclosure& LazyDistance::at(double relative_width) {
   if (!known_ || relative_width < width_) {
     known_ = enclose_(relative_width);
     width_ = relative_width;
   }
   return *known_;
+}
+
+Enclosure magnitude_against(double length, const Truth& truth, LazyDistance& distance) {
+  Enclosure gap{0, 0};
+  if (truth.verdict == Verdict::touching) return gap;
+  for (const double width : widths) {
+    gap = magnitude(distance.at(width));
+    if (gap.lo >= length || gap.hi < length) break;
+  }
+  return gap;
 }
 
 std::optional<Finding> compare(const Pair& pair, const Truth& truth, LazyDistance& distance,
@@ -202,6 +207,8 @@ const char* to_string(FindingKind kind) noexcept {
       return "crash";
     case FindingKind::hang:
       return "hang";
+    case FindingKind::malformed:
+      return "malformed";
     case FindingKind::nondeterminism:
       return "nondeterminism";
     case FindingKind::undecided_truth:

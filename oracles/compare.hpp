@@ -24,6 +24,7 @@ enum class FindingKind : unsigned char {
   exception,
   crash,
   hang,
+  malformed,       ///< no answer at all: a value that means nothing
   nondeterminism,  ///< two answers to one question
   undecided_truth  ///< nobody's fault: the referee could not prove a verdict
 };
@@ -63,6 +64,14 @@ class LazyDistance {
 /// it.
 std::optional<Finding> compare(const Pair& pair, const Truth& truth, LazyDistance& distance,
                                const Claim& claim, const MethodAnswer& answer);
+
+/// The length below which the claim promises nothing of a pair of this size, rounded up; exactly 0 for a
+/// claim of 0/0.
+double reach(const Claim& claim, double size);
+
+/// |signed distance| of a pair of decided truth, enclosed as narrowly as it takes to tell whether it reaches
+/// `length` (or as narrowly as is ever asked).
+Enclosure magnitude_against(double length, const Truth& truth, LazyDistance& distance);
 
 /// Whether two answers to one question say the same, bit for bit, reasons and kind `hang` excepted.
 bool same_answer(const MethodAnswer& x, const MethodAnswer& y);

@@ -25,6 +25,7 @@
 #include <optional>
 #include <string>
 #include <system_error>
+#include <thread>
 #include <type_traits>
 
 #include "oracles/patient_fork.hpp"
@@ -162,9 +163,39 @@ MethodAnswer failed(Failure failure, std::string_view reason) {
   return answer;
 }
 
-MethodAnswer ask(Method& method, const Pair& pair) {
+MethodAnswer verdict_alone(Verdict verdict) {
+  MethodAnswer answer;
+  answer.status = Status::answered;
+  answer.verdict = verdict;
+  return answer;
+}
+
+MethodAnswer has_no_such_way() {
+  MethodAnswer answer;
+  answer.set_reason("cannot be asked this way");
+  return answer;
+}
+
+MethodAnswer gave_up(const Caps& caps) {
+  MethodAnswer answer;
+  answer.set_reason("not asked any more after " + std::to_string(caps.hangs) + " hangs");
+  return answer;
+}
+
+bool well_formed(const MethodAnswer& a) {
+  return a.status <= Status::failed && a.failure <= Failure::malformed && a.verdict <= Verdict::invalid &&
+         a.witness <= WitnessKind::point;
+}
+
+MethodAnswer ask(Method& method, const Pair& pair, Way way) {
   try {
-    MethodAnswer answer = method.ask(pair);
+    MethodAnswer answer = put(method, pair, way);
+    if (!well_formed(answer)) {
+      return failed(Failure::malformed, "no answer: status " +
+                                            std::to_string(static_cast<int>(answer.status)) + ", verdict " +
+                                            std::to_string(static_cast<int>(answer.verdict)) + ", witness " +
+                                            std::to_string(static_cast<int>(answer.witness)));
+    }
     if (answer.status == Status::answered && !all_finite(answer)) {
       answer.status = Status::failed;
       answer.failure = Failure::non_finite;
@@ -263,14 +294,47 @@ std::string describe_death(int status, int output) {
 
 }  // namespace
 
+MethodAnswer put(Method& method, const Pair& pair, Way way) {
+  switch (way) {
+    case Way::usual:
+      break;
+    case Way::other_thread: {
+      MethodAnswer answer;
+      std::exception_ptr thrown;
+      std::thread([&] {
+        try {
+          answer = method.ask(pair);
+        } catch (...) {
+          thrown = std::current_exception();
+        }
+      }).join();
+      if (thrown) std::rethrow_exception(thrown);
+      return answer;
+    }
+    case Way::prepared: {
+      const Method::Call call = method.prepare_all({&pair, 1});
+      return call ? verdict_alone(call(0)) : has_no_such_way();
+    }
+    case Way::batch: {
+      const Method::BatchCall call = method.prepare_batch({&pair, 1});
+      if (!call) return has_no_such_way();
+      Verdict verdict = Verdict::undecided;
+      call({&verdict, 1});
+      return verdict_alone(verdict);
+    }
+  }
+  return method.ask(pair);
+}
+
 std::vector<ContainedAnswer> ask_contained(std::span<const std::unique_ptr<Method>> methods,
                                            std::span<const Pair> pairs, std::span<const Question> questions,
-                                           std::chrono::milliseconds cpu_cap) {
+                                           const Caps& caps) {
   if (questions.empty()) return {};
   Board board(questions.size());
   const Descriptor output(memfd_create("worker output", MFD_CLOEXEC), "memfd_create");
   fcntl(output.get(), F_SETFL, O_APPEND);
   std::atomic<std::size_t>& cursor = board.cursor();
+  std::vector<unsigned> hangs(methods.size(), 0);
 
   while (cursor.load() < questions.size()) {
     if (ftruncate(output.get(), 0) != 0) throw_errno("ftruncate");
@@ -282,7 +346,9 @@ std::vector<ContainedAnswer> ask_contained(std::span<const std::unique_ptr<Metho
       become_worker(parent, output.get());
       for (std::size_t i = cursor.load(); i < questions.size(); cursor.store(++i)) {
         const nanoseconds start = read_clock(CLOCK_MONOTONIC);
-        const MethodAnswer answer = ask(*methods[questions[i].method], pairs[questions[i].pair]);
+        const Question& q = questions[i];
+        const MethodAnswer answer =
+            hangs[q.method] < caps.hangs ? ask(*methods[q.method], pairs[q.pair], q.way) : gave_up(caps);
         const nanoseconds end = read_clock(CLOCK_MONOTONIC);
         board.answers()[i] = {answer, static_cast<double>((end - start).count())};
       }
@@ -291,7 +357,7 @@ std::vector<ContainedAnswer> ask_contained(std::span<const std::unique_ptr<Metho
 
     std::optional<std::size_t> killed_for;
     try {
-      killed_for = watch(worker, cursor, cpu_cap);
+      killed_for = watch(worker, cursor, caps.call_cpu);
     } catch (...) {
       kill(worker, SIGKILL);
       reap(worker);
@@ -303,7 +369,8 @@ std::vector<ContainedAnswer> ask_contained(std::span<const std::unique_ptr<Metho
     // A call may end just before the kill meant for it: then no one is to blame, and the next worker goes on
     // at i.
     if (killed_for && *killed_for != i) continue;
-    board.answers()[i] = {killed_for ? failed(Failure::hang, describe_hang(cpu_cap))
+    if (killed_for) ++hangs[questions[i].method];
+    board.answers()[i] = {killed_for ? failed(Failure::hang, describe_hang(caps.call_cpu))
                                      : failed(Failure::crash, describe_death(status, output.get()))};
     cursor.store(i + 1);
   }

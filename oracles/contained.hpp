@@ -5,6 +5,7 @@
 
 #include <chrono>
 #include <cstddef>
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -12,11 +13,23 @@
 
 namespace cyl {
 
+/// How a question is put to a method. All must give the same verdict, the first two the same answer.
+enum class Way : unsigned char {
+  usual,         ///< Method::ask
+  other_thread,  ///< Method::ask, from a thread that is new
+  prepared,      ///< Method::prepare_all, then its call: the verdict alone; declined where there is none
+  batch          ///< Method::prepare_batch, then its call: likewise
+};
+
 /// One question of a batch: which method, which pair (indices into the spans given to ask_contained).
 struct Question {
   std::size_t method;
   std::size_t pair;
+  Way way = Way::usual;
 };
+
+/// Puts a question in this process: throws what the method throws.
+MethodAnswer put(Method& method, const Pair& pair, Way way);
 
 struct ContainedAnswer {
   MethodAnswer answer;
@@ -26,12 +39,19 @@ struct ContainedAnswer {
 /// CPU time one call may take before the worker is killed and the answer becomes failed(hang).
 inline constexpr std::chrono::milliseconds call_cpu_cap{1000};
 
+/// What foreign code may use up.
+struct Caps {
+  std::chrono::milliseconds call_cpu = call_cpu_cap;
+  /// Hangs of one method in one batch, after which it is not asked any more: declined, with that reason.
+  unsigned hangs = std::numeric_limits<unsigned>::max();
+};
+
 /// Asks every question in order inside forked workers. Answers come back in the order of the questions, one
 /// each, whatever the methods do. Never throws on a method's behaviour; throws std::system_error only where
 /// the system refuses a process or memory. What a worker prints is kept off the terminal; the tail of it
 /// becomes the reason of a crash.
 std::vector<ContainedAnswer> ask_contained(std::span<const std::unique_ptr<Method>> methods,
                                            std::span<const Pair> pairs, std::span<const Question> questions,
-                                           std::chrono::milliseconds cpu_cap = call_cpu_cap);
+                                           const Caps& caps = {});
 
 }  // namespace cyl

@@ -63,7 +63,7 @@ MethodAnswer ask_between_good_ones(std::function<void()> act, milliseconds cap =
   const auto methods = fakes({[] {}, std::move(act)});
   const auto pairs = numbered_pairs(3);
   const std::vector<Question> questions{{0, 0}, {1, 1}, {0, 2}};
-  const auto answers = ask_contained(methods, pairs, questions, cap);
+  const auto answers = ask_contained(methods, pairs, questions, {.call_cpu = cap});
   EXPECT_EQ(answers.size(), 3u);
   for (std::size_t i : {0u, 2u}) {
     EXPECT_EQ(answers[i].answer.status, Status::answered) << answers[i].answer.reason;
@@ -195,7 +195,7 @@ TEST(Contained, TheCapIsForOneCallNotForTheBatch) {
     }
   }});
   const std::vector<Question> questions(8, Question{0, 0});
-  for (const auto& a : ask_contained(methods, numbered_pairs(1), questions, milliseconds(200)))
+  for (const auto& a : ask_contained(methods, numbered_pairs(1), questions, {.call_cpu = milliseconds(200)}))
     EXPECT_EQ(a.answer.status, Status::answered) << a.answer.reason;
 }
 

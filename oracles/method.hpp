@@ -27,7 +27,7 @@ enum class Status : unsigned char {
   failed     ///< tried and broke; `failure` says how
 };
 
-enum class Failure : unsigned char { none, exception, crash, hang, non_finite };
+enum class Failure : unsigned char { none, exception, crash, hang, non_finite, malformed };
 
 enum class WitnessKind : unsigned char { none, direction, point };
 

@@ -19,10 +19,10 @@ constexpr std::uint64_t family_seed = 20080302;
 std::map<std::string, std::set<std::string>> broken_laws(const Family& family) {
   std::map<std::string, std::set<std::string>> broken;
   for (const auto& method : seed_2008_methods())
-    for (const Law& law : exact_laws())
+    for (const int law : {1, 2, 3})
       for (std::uint64_t index = 0; index < pairs_per_family; ++index)
-        if (!law.broken(*method, family.generate(family_seed, index), Agreement::verdict).empty())
-          broken[std::string(method->name())].insert(std::string(law.name));
+        if (broken_by(*method, law_numbered(law), family.generate(family_seed, index)))
+          broken[std::string(method->name())].insert(std::string(law_numbered(law).name));
   return broken;
 }
 

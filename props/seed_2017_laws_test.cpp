@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cstdint>
+#include <optional>
 
 #include "corpus/families.hpp"
 #include "corpus/pair_io.hpp"
@@ -19,9 +20,9 @@ TEST_P(Seed2017Laws, HoldBitForBit) {
   for (std::uint64_t index = 0; index < 30; ++index) {
     const Pair pair = families()[GetParam()].generate(20170416, index);
     for (const auto& method : methods)
-      for (const Law& law : exact_laws())
-        EXPECT_EQ(law.broken(*method, pair, Agreement::every_bit), "")
-            << method->name() << ", " << law.name << ", " << format_pair(pair);
+      for (const int law : {1, 2, 3})
+        EXPECT_EQ(broken_by(*method, law_numbered(law), pair), std::nullopt)
+            << method->name() << ", law " << law << ", " << format_pair(pair);
   }
 }
 

@@ -60,7 +60,7 @@ std::vector<MethodAnswer> in_worker(Contained::Ask ask, std::span<const Pair> pa
   std::vector<Question> questions;
   for (std::size_t i = 0; i < pairs.size(); ++i) questions.push_back({0, i});
   std::vector<MethodAnswer> answers;
-  for (const ContainedAnswer& c : ask_contained(methods, pairs, questions, cpu_cap))
+  for (const ContainedAnswer& c : ask_contained(methods, pairs, questions, {.call_cpu = cpu_cap}))
     answers.push_back(c.answer);
   return answers;
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "fuzz/replay.hpp"
+#include "oracles/replay.hpp"
 
 #include "oracles/contained.hpp"
 

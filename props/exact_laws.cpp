@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: MIT
+// Laws 1 to 9: changes that alter no digit of the problem, so that an answer may alter none either. A method
+// that computes promises that bit for bit; of one that searches the verdict alone is held to it.
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <utility>
+
+#include "corpus/pair_io.hpp"
+#include "props/law_groups.hpp"
+
+namespace cyl {
+namespace {
+
+/// What a law expects of the second answer: the first one's distance and point times `length`, its direction
+/// times `direction`.
+struct Expected {
+  double length = 1;
+  double direction = 1;
+};
+
+bool promises_every_bit(const Method& method) {
+  return method.name() == "intersect" || method.name() == "decide" || method.name() == "distance" ||
+         method.name().starts_with("seed2017-");
+}
+
+std::string differ(const char* what, double wanted, double got) {
+  return std::string(what) + " is " + format_double(got) + ", expected " + format_double(wanted);
+}
+
+// Numbers are the same by ==, so 0 is -0, and where the first one times `factor` has lost bits to underflow,
+// on either side of the product, within the bits lost.
+bool same(double first, double second, double factor) {
+  const double lost = std::max(1.0, std::fabs(factor)) * std::numeric_limits<double>::denorm_min();
+  return second == factor * first || std::fabs(second - factor * first) <= lost;
+}
+
+std::string difference_in_bits(const MethodAnswer& first, const MethodAnswer& second,
+                               const Expected& expected) {
+  if (first.has_distance != second.has_distance) return "only one answer has a distance";
+  if (first.has_distance && !same(first.distance, second.distance, expected.length))
+    return differ("the distance", expected.length * first.distance, second.distance);
+  if (first.witness != second.witness) return "the witnesses are of different kinds";
+  if (first.witness == WitnessKind::none) return {};
+  const bool is_direction = first.witness == WitnessKind::direction;
+  const double factor = is_direction ? expected.direction : expected.length;
+  for (int i = 0; i < 3; ++i) {
+    for (const auto& [x, y] :
+         {std::pair{first.head[i], second.head[i]}, std::pair{first.tail[i], second.tail[i]}}) {
+      if (!same(x, y, factor)) return differ("a coordinate of the witness", factor * x, y);
+    }
+  }
+  return {};
+}
+
+std::optional<Broken> compare_answers(const LawCase& c, const MethodAnswer& second,
+                                      const Expected& expected) {
+  if (second.status != Status::answered) return {};
+  const bool every_bit = promises_every_bit(c.method);
+  if (c.first.verdict != second.verdict) {
+    return Broken{std::string("the verdict turns from ") + to_string(c.first.verdict) + " to " +
+                      to_string(second.verdict),
+                  every_bit ? Severity::contract : severity_of(c)};
+  }
+  if (!every_bit) return {};
+  std::string what = difference_in_bits(c.first, second, expected);
+  if (what.empty()) return {};
+  return Broken{std::move(what), Severity::contract};
+}
+
+std::optional<Broken> all_as_expected(const LawCase& c, const Expected& expected = {}) {
+  for (const MethodAnswer& second : c.answers)
+    if (auto broken = compare_answers(c, second, expected)) return broken;
+  return {};
+}
+
+std::vector<Asked> swapped(const Method&, const Pair& pair, const MethodAnswer&) {
+  return {{{pair.b, pair.a}}};
+}
+
+/// Below this, answers of a pair lose bits that count.
+constexpr double least_scaled_length = 0x1p-900;
+/// One step each way, and farther than float or an absolute tolerance bears.
+constexpr int scales[] = {-400, -1, 1, 400};
+
+/// The pair with all lengths times 2^k, or nothing where that is not exact or leaves a pair too small.
+std::optional<Pair> scaled(Pair pair, int k) {
+  double largest = 0;
+  for (Cylinder* c : {&pair.a, &pair.b}) {
+    for (double* x : {&c->center.x(), &c->center.y(), &c->center.z(), &c->radius, &c->height}) {
+      const double length = std::ldexp(*x, k);
+      if (!std::isfinite(length) || std::ldexp(length, -k) != *x) return {};
+      largest = std::max(largest, std::fabs(length));
+      *x = length;
+    }
+  }
+  if (largest < least_scaled_length || std::ldexp(largest, -k) < least_scaled_length) return {};
+  return pair;
+}
+
+std::vector<Asked> at_other_scales(const Method&, const Pair& pair, const MethodAnswer&) {
+  std::vector<Asked> asked;
+  for (const int k : scales)
+    if (const auto other = scaled(pair, k)) asked.push_back({*other});
+  return asked;
+}
+
+std::optional<Broken> break_scaling(const LawCase& c) {
+  std::size_t next = 0;
+  for (const int k : scales) {
+    if (!scaled(c.pair, k)) continue;
+    if (auto broken = compare_answers(c, c.answers[next++], {.length = std::ldexp(1, k)})) {
+      broken->what = "times 2^" + std::to_string(k) + ": " + broken->what;
+      return broken;
+    }
+  }
+  return {};
+}
+
+std::vector<Asked> reversed(const Method&, const Pair& pair, const MethodAnswer&) {
+  const Cylinder a{pair.a.center, -pair.a.axis, pair.a.radius, pair.a.height};
+  const Cylinder b{pair.b.center, -pair.b.axis, pair.b.radius, pair.b.height};
+  return {{{a, pair.b}}, {{pair.a, b}}, {{a, b}}};
+}
+
+}  // namespace
+
+std::vector<Law> exact_laws() {
+  const char* const bits =
+      "everywhere; bit for bit of intersect, decide, distance and seed2017, the verdict of others";
+  return {
+      {1, LawKind::exact, "swap",
+       "the cylinders in the other order: the same verdict, distance and point, the direction negated", bits,
+       swapped, [](const LawCase& c) { return all_as_expected(c, {.direction = -1}); }},
+      {2, LawKind::exact, "scaling",
+       "all lengths times 2^k: the same verdict and direction, distance and point times 2^k",
+       "where no length over- or underflows; as above", at_other_scales, break_scaling},
+      {3, LawKind::exact, "reversal", "an axis reversed: the same verdict, distance, direction and point",
+       bits, reversed, [](const LawCase& c) { return all_as_expected(c); }},
+  };
+}
+
+}  // namespace cyl

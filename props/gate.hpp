@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: MIT
+// The merge gate: may this method go in? Replays every known case, holds the method to every law, samples
+// pairs from every stratum against the referee, and says how much that proves. Same seed, same failures in
+// the same order; a shorter budget finds a prefix of what a longer one does; hangs excepted.
+#pragma once
+
+#include <array>
+#include <chrono>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "corpus/case_files.hpp"
+#include "oracles/method.hpp"
+#include "props/examine.hpp"
+#include "props/laws.hpp"
+
+namespace cyl {
+
+/// In the order they are run.
+enum class GatePhase : unsigned char {
+  corpus,       ///< every case, in full, by law 30 and on
+  corpus_laws,  ///< all other laws on every case
+  laws,         ///< all laws on generated pairs
+  sample        ///< the differential sample: independent pairs of every stratum against the referee
+};
+inline constexpr std::array gate_phases{GatePhase::corpus, GatePhase::corpus_laws, GatePhase::laws,
+                                        GatePhase::sample};
+
+struct GateOptions {
+  std::uint64_t seed = 1;
+  std::chrono::milliseconds budget{
+      40'000};  ///< wall time of `laws`, `sample` and shrinking; the corpus is run in full
+  Caps caps{.call_cpu = std::chrono::milliseconds(250), .hangs = 8};
+};
+
+/// One way in which one method fails: all pairs of one method, law and kind of failure; in the order found.
+struct GateFailure {
+  std::string method;
+  const Law* law = nullptr;
+  std::string what;  ///< what broke, on the first pair
+  Severity severity = Severity::contract;
+  GatePhase phase = GatePhase::corpus;
+  std::string origin;  ///< of the first pair: a case's "FILE:LINE id", or "side-rim 1e-09, seed 1, index 17"
+  Pair found;          ///< the first pair
+  Pair simplest;       ///< a simple one that breaks the same law in the same way
+  std::string bucket;  ///< of the simplest, oracles/bucket.hpp
+  std::uint64_t count = 0;  ///< pairs seen to fail like this
+  unsigned reruns = 0,
+           failed_again = 0;  ///< of the first pair; fewer failures than reruns: it depends on luck
+  std::string reproduce;      ///< RapidCheck's string, where it came from there; else empty
+  bool known = false;         ///< in the base given by --against
+};
+
+/// Independent random pairs of one contact feature and one decade of margin, and how many were wrong.
+struct GateCell {
+  std::string_view feature;
+  int decade = 0;        ///< margins in (10^(-decade-1), 10^-decade]
+  bool claimed = false;  ///< by the method, for every pair of the cell
+  std::uint64_t pairs = 0, wrong = 0, undecided = 0;
+};
+
+/// What became of one method.
+struct GateMethod {
+  std::string name, version;
+  Claim claim;
+  AnswerCounts counts;
+  std::vector<GateCell> cells;
+  std::string remark;  ///< "abstains on every pair", "answers intersecting to every pair", ...; else empty
+};
+
+struct GatePhaseReport {
+  GatePhase phase;
+  std::uint64_t pairs = 0;
+  std::chrono::milliseconds time{0};
+};
+
+struct GateReport {
+  std::uint64_t seed = 0;
+  std::vector<GateMethod> methods;
+  std::vector<GateFailure> failures;
+  std::vector<GatePhaseReport> phases;
+  std::uint64_t undecided_truths = 0;  ///< pairs of which nothing could be proved
+};
+
+struct GateProgress {
+  GatePhase phase;
+  std::uint64_t pairs = 0;
+  std::size_t failures = 0;
+  std::chrono::milliseconds elapsed{0};
+};
+
+/// Runs the gate on methods. Throws std::system_error only where the system refuses a process or memory.
+GateReport run_gate(std::span<const std::unique_ptr<Method>> methods, std::span<const Case> cases,
+                    const GateOptions& options,
+                    const std::function<void(const GateProgress&)>& on_progress = {});
+
+/// The greatest error rate that `wrong` errors in `pairs` independent trials leave possible at 95 %: 3/n
+/// where none was seen. 1 where there were no trials.
+double error_rate_bound(std::uint64_t pairs, std::uint64_t wrong);
+
+/// 2 contract failures not known, or failures that depend on luck; 3 none, but a method that decided nothing,
+/// or a claimed cell without a pair; else 0.
+int exit_code(const GateReport& report);
+
+/// The words used in files and on screens: "corpus", "corpus laws", ...
+const char* to_string(GatePhase phase) noexcept;
+
+}  // namespace cyl
