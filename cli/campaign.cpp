@@ -20,6 +20,7 @@
 
 #include "cli/build_info.hpp"
 #include "cli/commands.hpp"
+#include "cli/default_cases.hpp"
 #include "cli/duration.hpp"
 #include "cli/progress.hpp"
 #include "cli/unsigned_option.hpp"
@@ -59,22 +60,6 @@ std::vector<Family> select_families(std::string_view spec) {
   std::vector<Family> kept;
   for (const std::size_t i : select_names(names, spec)) kept.push_back(families()[i]);
   return kept;
-}
-
-/// corpus/ of the source tree that this executable was built in, or of the working directory; empty: there is
-/// none.
-std::string default_cases() {
-  std::vector<fs::path> candidates;
-  std::error_code error;
-  for (fs::path at = fs::read_symlink("/proc/self/exe", error); at.has_relative_path();
-       at = at.parent_path()) {
-    candidates.push_back(at.parent_path() / "corpus");
-  }
-  candidates.push_back(fs::current_path() / "corpus");
-  for (const fs::path& candidate : candidates) {
-    if (fs::is_directory(candidate)) return candidate;
-  }
-  return {};
 }
 
 void print_list() {
@@ -173,6 +158,22 @@ std::optional<FindingRecord> worst_finding(const RunStore& store) {
   return worst;
 }
 
+double share_done(const CampaignOptions& options, const CampaignProgress& p) {
+  double share = 0;
+  if (options.pairs != 0) share = static_cast<double>(p.done) / static_cast<double>(options.pairs);
+  if (options.budget.count() != 0) {
+    share = std::max(
+        share, static_cast<double>(p.session_time.count()) / static_cast<double>(options.budget.count()));
+  }
+  return share;
+}
+
+std::string numbers(const CampaignProgress& p) {
+  const double seconds = std::max(1e-3, static_cast<double>(p.session_time.count()) / 1000);
+  return fmt::format("{} pairs, {:.0f}/s; contract {}, failed {}, within claim {}", p.done,
+                     static_cast<double>(p.session_done) / seconds, p.contract, p.failed, p.resolution);
+}
+
 int campaign(const Arguments& arguments) {
   if (arguments.list) {
     print_list();
@@ -193,12 +194,13 @@ int campaign(const Arguments& arguments) {
 
   CampaignSummary summary;
   {
-    ProgressLine line(options);
+    ProgressLine line;
     bool linked = false;
     summary = run_campaign(options, asked.subjects(), [&](const CampaignProgress& progress) {
       if (!linked) point_latest_at(options.out);
       linked = true;
-      line.show(progress);
+      if (line.due(progress.session_time))
+        line.show(progress.session_time, share_done(options, progress), numbers(progress));
     });
   }
   write_page(options.out);

@@ -1,25 +1,26 @@
 // SPDX-License-Identifier: MIT
-// How far a campaign is, on standard error: a bar on a terminal, a line each 5 s elsewhere.
+// How far long work is, on standard error: a bar on a terminal, a line each 5 s elsewhere.
 #pragma once
 
 #include <chrono>
-
-#include "fuzz/campaign.hpp"
+#include <string>
 
 namespace cyl {
 
 class ProgressLine {
  public:
-  explicit ProgressLine(const CampaignOptions& options);
+  ProgressLine();
   ~ProgressLine();  ///< takes the bar away
   ProgressLine(const ProgressLine&) = delete;
   ProgressLine& operator=(const ProgressLine&) = delete;
-  void show(const CampaignProgress& progress);
+  /// Whether it is time to show something; `elapsed` since the work began.
+  bool due(std::chrono::milliseconds elapsed) const;
+  /// `share` of the work that is done, and what came of it.
+  void show(std::chrono::milliseconds elapsed, double share, const std::string& numbers);
 
  private:
-  CampaignOptions options_;
   bool terminal_;
-  std::chrono::milliseconds shown_at_{0};  ///< of the session
+  std::chrono::milliseconds shown_at_{0};
 };
 
 }  // namespace cyl

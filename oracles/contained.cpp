@@ -35,10 +35,6 @@ namespace {
 
 using std::chrono::nanoseconds;
 
-/// Wall time, in CPU caps, after which a call that uses no CPU counts as hung. Far beyond what a loaded
-/// machine makes of one cap of CPU time.
-constexpr int wall_cap_factor = 20;
-
 /// How often a running worker is looked at: a hang is noticed at most this late.
 constexpr std::chrono::milliseconds longest_look_interval{50};
 
@@ -217,15 +213,19 @@ nanoseconds read_clock(clockid_t clock) {
   return std::chrono::seconds(t.tv_sec) + nanoseconds(t.tv_nsec);
 }
 
-/// Watches a worker until it ends, or ends it. The question it was killed for, if it was. It is not yet
-/// reaped.
-std::optional<std::size_t> watch(pid_t worker, std::atomic<std::size_t>& cursor,
-                                 std::chrono::milliseconds cpu_cap) {
+/// The question a worker was killed for, and the wall time it had taken.
+struct Kill {
+  std::size_t question;
+  nanoseconds wall;
+};
+
+/// Watches a worker until it ends, or ends it. It is not yet reaped.
+std::optional<Kill> watch(pid_t worker, std::atomic<std::size_t>& cursor, const Caps& caps) {
   const Descriptor handle(static_cast<int>(syscall(SYS_pidfd_open, worker, 0)), "pidfd_open");
   clockid_t cpu_clock;
   if (const int error = clock_getcpuclockid(worker, &cpu_clock))
     throw std::system_error(error, std::generic_category(), "clock_getcpuclockid");
-  const auto interval = std::clamp(cpu_cap / 4, std::chrono::milliseconds(1), longest_look_interval);
+  const auto interval = std::clamp(caps.call_cpu / 4, std::chrono::milliseconds(1), longest_look_interval);
 
   // The times start where a move of the cursor is noticed, so they never count what an earlier call used.
   std::size_t seen = cursor.load();
@@ -240,9 +240,9 @@ std::optional<std::size_t> watch(pid_t worker, std::atomic<std::size_t>& cursor,
       seen = now;
       cpu_start = cpu;
       wall_start = wall;
-    } else if (cpu - cpu_start > cpu_cap || wall - wall_start > wall_cap_factor * cpu_cap) {
+    } else if (cpu - cpu_start > caps.call_cpu || wall - wall_start > caps.call_wall) {
       kill(worker, SIGKILL);
-      return seen;
+      return Kill{seen, wall - wall_start};
     }
   }
   return std::nullopt;
@@ -269,9 +269,9 @@ std::string last_output(int output) {
   return text;
 }
 
-std::string describe_hang(std::chrono::milliseconds cpu_cap) {
-  return "no answer within " + std::to_string(cpu_cap.count()) + " ms of CPU time or " +
-         std::to_string(wall_cap_factor * cpu_cap.count()) + " ms in all";
+std::string describe_hang(const Caps& caps) {
+  return "no answer within " + std::to_string(caps.call_cpu.count()) + " ms of CPU time or " +
+         std::to_string(caps.call_wall.count()) + " ms in all";
 }
 
 /// "SIGABRT, after printing: ...", cut at the front of the printed text so that its end is kept.
@@ -355,9 +355,9 @@ std::vector<ContainedAnswer> ask_contained(std::span<const std::unique_ptr<Metho
       _exit(0);
     }
 
-    std::optional<std::size_t> killed_for;
+    std::optional<Kill> killed_for;
     try {
-      killed_for = watch(worker, cursor, caps.call_cpu);
+      killed_for = watch(worker, cursor, caps);
     } catch (...) {
       kill(worker, SIGKILL);
       reap(worker);
@@ -368,10 +368,14 @@ std::vector<ContainedAnswer> ask_contained(std::span<const std::unique_ptr<Metho
     if (i == questions.size()) break;
     // A call may end just before the kill meant for it: then no one is to blame, and the next worker goes on
     // at i.
-    if (killed_for && *killed_for != i) continue;
-    if (killed_for) ++hangs[questions[i].method];
-    board.answers()[i] = {killed_for ? failed(Failure::hang, describe_hang(caps.call_cpu))
-                                     : failed(Failure::crash, describe_death(status, output.get()))};
+    if (killed_for && killed_for->question != i) continue;
+    if (killed_for) {
+      ++hangs[questions[i].method];
+      board.answers()[i] = {failed(Failure::hang, describe_hang(caps)),
+                            static_cast<double>(killed_for->wall.count())};
+    } else {
+      board.answers()[i] = {failed(Failure::crash, describe_death(status, output.get()))};
+    }
     cursor.store(i + 1);
   }
   return {board.answers(), board.answers() + questions.size()};

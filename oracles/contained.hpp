@@ -33,7 +33,7 @@ MethodAnswer put(Method& method, const Pair& pair, Way way);
 
 struct ContainedAnswer {
   MethodAnswer answer;
-  double nanoseconds = 0;  ///< wall time of the call inside the worker, 0 where it died
+  double nanoseconds = 0;  ///< wall time of the call, 0 where it crashed
 };
 
 /// CPU time one call may take before the worker is killed and the answer becomes failed(hang).
@@ -42,6 +42,8 @@ inline constexpr std::chrono::milliseconds call_cpu_cap{1000};
 /// What foreign code may use up.
 struct Caps {
   std::chrono::milliseconds call_cpu = call_cpu_cap;
+  /// Wall time of one call: who sleeps uses no CPU. Far beyond what a loaded machine makes of the above.
+  std::chrono::milliseconds call_wall = 20 * call_cpu;
   /// Hangs of one method in one batch, after which it is not asked any more: declined, with that reason.
   unsigned hangs = std::numeric_limits<unsigned>::max();
 };

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "props/examine.hpp"
 
+#include <algorithm>
 #include <utility>
 
 namespace cyl {
@@ -18,8 +19,11 @@ void count(AnswerCounts& counts, const MethodAnswer& answer) {
   ++counts.asked;
   counts.declined += answer.status == Status::declined;
   counts.failed += answer.status == Status::failed;
-  counts.hung += answer.status == Status::failed && answer.failure == Failure::hang;
   if (answer.status == Status::answered) ++counts.said[static_cast<std::size_t>(answer.verdict)];
+}
+
+void count_hang(AnswerCounts& counts, const ContainedAnswer& said) {
+  if (said.answer.failure == Failure::hang) counts.hung_seconds += said.nanoseconds * 1e-9;
 }
 
 }  // namespace
@@ -28,7 +32,7 @@ AnswerCounts& AnswerCounts::operator+=(const AnswerCounts& other) {
   asked += other.asked;
   declined += other.declined;
   failed += other.failed;
-  hung += other.hung;
+  hung_seconds += other.hung_seconds;
   for (std::size_t i = 0; i < said.size(); ++i) said[i] += other.said[i];
   return *this;
 }
@@ -41,13 +45,17 @@ Examined examine(std::span<const std::unique_ptr<Method>> methods, std::span<con
 
   // Method by method, so that each worker stays with one library.
   std::vector<Question> questions;
-  for (std::size_t m = 0; m < methods.size(); ++m)
+  for (std::size_t m = 0; m < methods.size(); ++m) {
+    if (std::none_of(all_laws().begin(), all_laws().end(), [&](const Law& law) { return wanted(m, law); }))
+      continue;
     for (std::size_t p = 0; p < pairs.size(); ++p) questions.push_back({m, p});
+  }
   const std::vector<ContainedAnswer> said = ask_contained(methods, pairs, questions, caps);
-  result.answers.resize(questions.size());
+  result.answers.resize(methods.size() * pairs.size());
   for (std::size_t q = 0; q < questions.size(); ++q) {
     result.answers[questions[q].pair * methods.size() + questions[q].method] = said[q].answer;
     count(result.counts[questions[q].method], said[q].answer);
+    count_hang(result.counts[questions[q].method], said[q]);
   }
   const auto answer = [&](std::size_t m, std::size_t p) -> const MethodAnswer& {
     return result.answers[p * methods.size() + m];
@@ -76,8 +84,11 @@ Examined examine(std::span<const std::unique_ptr<Method>> methods, std::span<con
     }
   }
   std::vector<MethodAnswer> further_answers;
-  for (const ContainedAnswer& contained : ask_contained(methods, changed, further, caps))
-    further_answers.push_back(contained.answer);
+  const std::vector<ContainedAnswer> said_further = ask_contained(methods, changed, further, caps);
+  for (std::size_t q = 0; q < further.size(); ++q) {
+    further_answers.push_back(said_further[q].answer);
+    count_hang(result.counts[further[q].method], said_further[q]);
+  }
 
   // By pair, so that what is proved of it serves all methods.
   std::vector<std::vector<const Errand*>> by_pair(pairs.size());

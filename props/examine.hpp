@@ -26,7 +26,8 @@ struct BrokenLaw {
 
 /// What a method answered to the pairs themselves.
 struct AnswerCounts {
-  std::uint64_t asked = 0, declined = 0, failed = 0, hung = 0;
+  std::uint64_t asked = 0, declined = 0, failed = 0;
+  double hung_seconds = 0;              ///< that it hung in all, changed pairs included
   std::array<std::uint64_t, 5> said{};  ///< by Verdict
   AnswerCounts& operator+=(const AnswerCounts& other);
 };
@@ -41,7 +42,8 @@ struct Examined {
 /// Which laws a method is held to.
 using Wanted = std::function<bool(std::size_t method, const Law& law)>;
 
-/// Asks every method contained: each pair once, then all that the laws want. Deterministic but for hangs.
+/// Asks every method contained that any law is wanted of: each pair once, then all that the laws want.
+/// Deterministic but for hangs.
 Examined examine(std::span<const std::unique_ptr<Method>> methods, std::span<const Pair> pairs,
                  const Wanted& wanted, const Caps& caps = {});
 

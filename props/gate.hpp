@@ -8,6 +8,7 @@
 #include <chrono>
 #include <cstdint>
 #include <functional>
+#include <map>
 #include <memory>
 #include <optional>
 #include <span>
@@ -36,7 +37,9 @@ struct GateOptions {
   std::uint64_t seed = 1;
   std::chrono::milliseconds budget{
       40'000};  ///< wall time of `laws`, `sample` and shrinking; the corpus is run in full
-  Caps caps{.call_cpu = std::chrono::milliseconds(250), .hangs = 8};
+  /// Of one call and of the hangs in one batch: shorter than a campaign's, for a gate is to end.
+  Caps caps{
+      .call_cpu = std::chrono::milliseconds(500), .call_wall = std::chrono::milliseconds(2000), .hangs = 4};
 };
 
 /// One way in which one method fails: all pairs of one method, law and kind of failure; in the order found.
@@ -86,6 +89,8 @@ struct GateReport {
   std::vector<GateFailure> failures;
   std::vector<GatePhaseReport> phases;
   std::uint64_t undecided_truths = 0;  ///< pairs of which nothing could be proved
+  std::map<std::string, std::uint64_t>
+      drawn;  ///< pairs that laws were tried on, by what they were drawn from
 };
 
 struct GateProgress {
