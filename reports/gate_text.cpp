@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstdlib>
 #include <map>
 #include <set>
 #include <vector>
@@ -38,8 +39,10 @@ std::string wrapped(const std::string& first, const std::string& text) {
   return lines + '\n';
 }
 
-/// 10^-decade, as origins have it: 1e-09.
-std::string power(int decade) { return fmt::format("1e{}{:02}", decade < 0 ? '+' : '-', std::abs(decade)); }
+/// 10^-decade, as origins have it: 1e-09; but 1 for 1e-00.
+std::string power(int decade) {
+  return decade == 0 ? "1" : fmt::format("1e{}{:02}", decade < 0 ? '+' : '-', std::abs(decade));
+}
 
 std::string claim_in_words(const Claim& claim) {
   std::string words = "claims to be right always";
@@ -74,6 +77,7 @@ std::string told_in_full(std::size_t number, const GateFailure& f) {
   std::string text = wrapped(fmt::format("{}. ", number),
                              fmt::format("{} breaks {}, {}: {}", one_line(f.method), law_title(*f.law),
                                          pairs_in_words(f.count), one_line(f.what)));
+  text += wrapped(fmt::format("   {:<11}", "law"), std::string(f.law->statement));
   text += line("origin", fmt::format("{} ({})", one_line(f.origin), to_string(f.phase)));
   text += line("bucket", one_line(f.bucket));
   if (const std::string luck = luck_in_words(f); !luck.empty()) text += line("again", luck);

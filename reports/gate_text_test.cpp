@@ -62,7 +62,7 @@ TEST(GateText, SaysWhatIsProved) {
   EXPECT_EQ(
       proved_in_words(report.methods[0]),
       "intersect: right on 2,400 to 2,411 independent pairs in each of 24 cells (2 contact features x 12 "
-      "decades of margin from 1e-00 to 1e-12 it claims), error rate <= 1.3e-03 in each at 95 %, <= "
+      "decades of margin from 1 to 1e-12 it claims), error rate <= 1.3e-03 in each at 95 %, <= "
       "5.2e-05 over all 57,732");
   const std::string fake = proved_in_words(report.methods[1]);
   EXPECT_TRUE(has(fake, "wrong on 7 of 250 independent pairs, in 1 of 5 cells")) << fake;
