@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: MIT
+// The gate's result as workflow commands of GitHub Actions: lines of standard output that become annotations
+// of the case or the law.
+#pragma once
+
+#include <cstddef>
+#include <string>
+
+#include "props/gate.hpp"
+
+namespace cyl {
+
+/// Annotations of one kind; the service itself drops those of a step beyond ten.
+inline constexpr std::size_t annotations_cap = 10;
+
+/// One ::error a failure of the gate, one ::notice for each other break, in the order of the report, each at
+/// most annotations_cap; then a ::notice saying how many more there are. Empty where nothing broke.
+std::string gate_github(const GateReport& report);
+
+}  // namespace cyl

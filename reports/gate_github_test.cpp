@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: MIT
+#include "reports/gate_github.hpp"
+
+#include <sstream>
+
+#include "reports/gate_example.hpp"
+
+namespace cyl {
+namespace {
+
+TEST(GateGithub, OneCommandALine) {
+  std::istringstream lines(gate_github(example_report()));
+  std::size_t errors = 0, notices = 0;
+  for (std::string line; std::getline(lines, line);) {
+    errors += line.starts_with("::error file=");
+    notices += line.starts_with("::notice file=");
+    EXPECT_EQ(line.find('\r'), std::string::npos);
+    const std::size_t end = line.find("::", 2);  // of the properties: what is quoted in them opens no other
+    ASSERT_NE(end, std::string::npos);
+    EXPECT_EQ(occurrences(line.substr(0, end), ","), 2u) << line;
+    EXPECT_NE(line.find("| ./daylight check --method "), std::string::npos) << line;
+  }
+  EXPECT_EQ(errors, 3u);
+  EXPECT_EQ(notices, 1u);
+}
+
+TEST(GateGithub, EscapesWhatCommandsReserve) {
+  GateReport report = example_report();
+  report.failures = {report.failures[0]};
+  report.failures[0].method = "m:1,50%";
+  report.failures[0].what = "50%, at: x\ny";
+  const std::string text = gate_github(report);
+  EXPECT_NE(text.find("title=m%3A1%2C50%25 breaks law 1 "), std::string::npos) << text;
+  EXPECT_NE(text.find("::50%25, at: x\\ny%0A1,234 pairs"), std::string::npos) << text;
+  EXPECT_NE(text.find("::error file=props/exact_laws.cpp,line="), std::string::npos) << text;
+}
+
+TEST(GateGithub, AtMostTenOfAKindThenHowManyMore) {
+  GateReport report = example_report();
+  report.failures.assign(annotations_cap + 4, example_failure("intersect", 1, Severity::contract));
+  report.failures.insert(report.failures.end(), annotations_cap,
+                         example_failure("intersect", 3, Severity::resolution));
+  const std::string text = gate_github(report);
+  EXPECT_EQ(occurrences(text, "::error file="), annotations_cap);
+  EXPECT_EQ(occurrences(text, "::notice file="), annotations_cap);
+  EXPECT_NE(text.find("::4 more that fail the gate"), std::string::npos);
+  EXPECT_EQ(occurrences(text, " more "), 1u);
+}
+
+TEST(GateGithub, KnownIsANotice) {
+  GateReport report = example_report();
+  for (GateFailure& f : report.failures) f.known = true;
+  const std::string text = gate_github(report);
+  EXPECT_EQ(occurrences(text, "::error file="), 0u);
+  EXPECT_EQ(occurrences(text, "::notice file="), 4u);
+  report.failures.clear();
+  EXPECT_EQ(gate_github(report), "");
+}
+
+}  // namespace
+}  // namespace cyl
