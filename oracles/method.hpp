@@ -41,7 +41,8 @@ struct MethodAnswer {
   double distance = 0;         ///< signed: > 0 apart; meaningful where has_distance
   double head[3] = {0, 0, 0};  ///< direction, or point = head + tail exactly
   double tail[3] = {0, 0, 0};
-  char reason[120] = {};  ///< why it declined or failed; zero-terminated
+  int steps = 0, step_cap = 0;  ///< that its searches took, and the most they may; 0: not told
+  char reason[120] = {};        ///< why it declined or failed; zero-terminated
 
   void set_reason(std::string_view text) noexcept;  ///< truncates
   void set_direction(const Vector3& d) noexcept;    ///< as the witness

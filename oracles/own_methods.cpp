@@ -64,6 +64,8 @@ class Decide final : public Method {
     MethodAnswer answer;
     answer.status = Status::answered;
     answer.verdict = decided.verdict;
+    answer.steps = decided.iterations;
+    answer.step_cap = iteration_cap;
     switch (decided.proof) {
       case Proof::none:
         break;
@@ -100,6 +102,8 @@ class MeasureDistance final : public Method {
     MethodAnswer answer;
     answer.status = Status::answered;
     answer.verdict = measured.verdict;
+    answer.steps = measured.iterations;
+    answer.step_cap = distance_step_cap;
     // Where its bounds stay apart it says so, and no number.
     const double reach = pair.a.radius + pair.a.height + pair.b.radius + pair.b.height +
                          (pair.b.center - pair.a.center).norm();

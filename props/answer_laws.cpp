@@ -12,11 +12,11 @@
 namespace cyl {
 namespace {
 
-/// What compare() finds wrong, if it is of one of these kinds.
-std::optional<Broken> refuted(const LawCase& c, std::initializer_list<FindingKind> kinds) {
-  if (c.first.status == Status::declined) return {};
+/// What compare() finds wrong with an answer to the pair, if it is of one of these kinds.
+std::optional<Broken> refuted(const LawCase& c, const MethodAnswer& answer,
+                              std::initializer_list<FindingKind> kinds) {
   Proved& proved = c.proofs.of(c.pair);
-  const auto finding = compare(c.pair, proved.truth, proved.distance, c.method.claim(), c.first);
+  const auto finding = compare(c.pair, proved.truth, proved.distance, c.method.claim(), answer);
   if (!finding || std::find(kinds.begin(), kinds.end(), finding->kind) == kinds.end()) return {};
   std::string what = to_string(finding->kind);
   if (finding->margin) what += fmt::format(", margin {:.3g}", finding->margin->lo);
@@ -25,15 +25,89 @@ std::optional<Broken> refuted(const LawCase& c, std::initializer_list<FindingKin
 
 std::optional<Broken> break_answers(const LawCase& c) {
   if (c.first.status != Status::failed) return {};
-  auto broken = refuted(c, {FindingKind::exception, FindingKind::crash, FindingKind::hang,
-                            FindingKind::non_finite, FindingKind::malformed});
+  auto broken = refuted(c, c.first,
+                        {FindingKind::exception, FindingKind::crash, FindingKind::hang,
+                         FindingKind::non_finite, FindingKind::malformed});
   if (broken) broken->what = fmt::format("{}: {}", broken->what, c.first.reason);
   return broken;
 }
 
+// The verdict, the witness and the distance each by themselves: what is wrong with one hides no other, and a
+// distance, whose proof is dear, is not asked for twice.
+
 std::optional<Broken> break_verdict(const LawCase& c) {
-  return refuted(c, {FindingKind::wrong_disjoint, FindingKind::wrong_intersecting,
-                     FindingKind::wrong_touching, FindingKind::wrong_invalid});
+  if (c.first.status != Status::answered) return {};
+  MethodAnswer verdict = c.first;
+  verdict.has_distance = false;
+  verdict.witness = WitnessKind::none;
+  return refuted(c, verdict,
+                 {FindingKind::wrong_disjoint, FindingKind::wrong_intersecting, FindingKind::wrong_touching,
+                  FindingKind::wrong_invalid});
+}
+
+std::optional<Broken> break_certificate(const LawCase& c) {
+  if (c.first.status != Status::answered || c.first.witness == WitnessKind::none) return {};
+  MethodAnswer certificate = c.first;
+  certificate.has_distance = false;
+  return refuted(c, certificate, {FindingKind::bad_witness});
+}
+
+std::optional<Broken> break_distance(const LawCase& c) {
+  if (c.first.status != Status::answered || !c.first.has_distance) return {};
+  MethodAnswer distance = c.first;
+  distance.verdict = Verdict::undecided;
+  distance.witness = WitnessKind::none;
+  return refuted(c, distance, {FindingKind::distance_outside});
+}
+
+// A distance said is off by the allowance at most, so beyond it the sign is known; and where it is beyond by
+// the reach of the claim, the verdict is promised.
+std::optional<Broken> break_sign(const LawCase& c) {
+  if (!is_decided(c.first) || !c.first.has_distance) return {};
+  const double apart = says_meet(c.first) ? c.first.distance : -c.first.distance;
+  const double beyond = apart - distance_allowance(c, c.pair, c.first.distance);
+  if (!(beyond > 0)) return {};
+  return Broken{
+      fmt::format("says {} and distance {}", to_string(c.first.verdict), format_double(c.first.distance)),
+      beyond >= reach(c.method.claim(), size_of(c.pair)) ? Severity::contract : Severity::resolution};
+}
+
+std::vector<Asked> again(const Method&, const Pair& pair, const MethodAnswer&) { return {{pair}, {pair}}; }
+
+std::vector<Asked> from_another_thread(const Method&, const Pair& pair, const MethodAnswer&) {
+  return {{pair, Way::other_thread}};
+}
+
+/// A method that is not asked any more after many hangs declines: only that says nothing.
+std::optional<Broken> break_sameness(const LawCase& c) {
+  for (const MethodAnswer& second : c.answers) {
+    if (second.status == Status::declined || same_answer(c.first, second)) continue;
+    return Broken{
+        fmt::format("first {}, then {}", format_method_answer(c.first), format_method_answer(second))};
+  }
+  return {};
+}
+
+std::vector<Asked> in_other_ways(const Method&, const Pair& pair, const MethodAnswer&) {
+  return {{pair, Way::prepared}, {pair, Way::batch}};
+}
+
+std::optional<Broken> break_other_ways(const LawCase& c) {
+  for (std::size_t i = 0; i < c.answers.size(); ++i) {
+    const MethodAnswer& second = c.answers[i];
+    if (second.status != Status::answered || second.verdict == c.first.verdict) continue;
+    if (says_meet(second) && says_meet(c.first)) continue;
+    return Broken{fmt::format("asked singly {}, {} {}", to_string(c.first.verdict),
+                              c.asked[i].way == Way::batch ? "in a batch" : "prepared",
+                              to_string(second.verdict))};
+  }
+  return {};
+}
+
+std::optional<Broken> break_cap(const LawCase& c) {
+  if (c.first.status != Status::answered || c.first.step_cap == 0 || c.first.steps <= c.first.step_cap)
+    return {};
+  return Broken{fmt::format("{} steps, at most {} are allowed", c.first.steps, c.first.step_cap)};
 }
 
 }  // namespace
@@ -44,6 +118,21 @@ std::vector<Law> answer_laws() {
        "everywhere", needs_none, break_answers},
       {31, LawKind::answer, "verdict", "no certificate refutes the verdict", "where the truth is proved",
        needs_none, break_verdict},
+      {32, LawKind::answer, "certificate", "the direction or point offered proves the verdict",
+       "where one is offered and the truth is proved; contract of methods that claim never to be wrong",
+       needs_none, break_certificate},
+      {33, LawKind::answer, "distance", "the distance is within the proved enclosure, but for the claim",
+       "of methods with distances, where the truth is proved", needs_none, break_distance},
+      {34, LawKind::answer, "sign", "the sign of the distance agrees with the verdict",
+       "of methods with distances, where the distance is beyond the claim", needs_none, break_sign},
+      {35, LawKind::answer, "again", "the same question has the same answer, bit for bit", "everywhere",
+       again, break_sameness},
+      {36, LawKind::answer, "thread", "from another thread the same answer, bit for bit", "everywhere",
+       from_another_thread, break_sameness},
+      {37, LawKind::answer, "ways", "prepared solids and a batch have the verdict of a single question",
+       "of methods with such calls", in_other_ways, break_other_ways},
+      {38, LawKind::answer, "cap", "the searches take no more steps than they may",
+       "of methods that tell their steps: decide, distance", needs_none, break_cap},
   };
 }
 

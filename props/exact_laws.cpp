@@ -14,10 +14,11 @@ namespace cyl {
 namespace {
 
 /// What a law expects of the second answer: the first one's distance and point times `length`, its direction
-/// times `direction`.
+/// times `direction`, the coordinates of both times `mirror`.
 struct Expected {
   double length = 1;
   double direction = 1;
+  Vector3 mirror{1, 1, 1};
 };
 
 bool promises_every_bit(const Method& method) {
@@ -44,8 +45,8 @@ std::string difference_in_bits(const MethodAnswer& first, const MethodAnswer& se
   if (first.witness != second.witness) return "the witnesses are of different kinds";
   if (first.witness == WitnessKind::none) return {};
   const bool is_direction = first.witness == WitnessKind::direction;
-  const double factor = is_direction ? expected.direction : expected.length;
   for (int i = 0; i < 3; ++i) {
+    const double factor = expected.mirror[i] * (is_direction ? expected.direction : expected.length);
     for (const auto& [x, y] :
          {std::pair{first.head[i], second.head[i]}, std::pair{first.tail[i], second.tail[i]}}) {
       if (!same(x, y, factor)) return differ("a coordinate of the witness", factor * x, y);
@@ -54,14 +55,14 @@ std::string difference_in_bits(const MethodAnswer& first, const MethodAnswer& se
   return {};
 }
 
-std::optional<Broken> compare_answers(const LawCase& c, const MethodAnswer& second,
-                                      const Expected& expected) {
+std::optional<Broken> compare_answers(const LawCase& c, std::size_t i, const Expected& expected) {
+  const MethodAnswer& second = c.answers[i];
   if (second.status != Status::answered) return {};
   const bool every_bit = promises_every_bit(c.method);
   if (c.first.verdict != second.verdict) {
     return Broken{std::string("the verdict turns from ") + to_string(c.first.verdict) + " to " +
                       to_string(second.verdict),
-                  every_bit ? Severity::contract : severity_of(c)};
+                  every_bit ? Severity::contract : severity_of(c, i)};
   }
   if (!every_bit) return {};
   std::string what = difference_in_bits(c.first, second, expected);
@@ -70,8 +71,8 @@ std::optional<Broken> compare_answers(const LawCase& c, const MethodAnswer& seco
 }
 
 std::optional<Broken> all_as_expected(const LawCase& c, const Expected& expected = {}) {
-  for (const MethodAnswer& second : c.answers)
-    if (auto broken = compare_answers(c, second, expected)) return broken;
+  for (std::size_t i = 0; i < c.answers.size(); ++i)
+    if (auto broken = compare_answers(c, i, expected)) return broken;
   return {};
 }
 
@@ -110,7 +111,7 @@ std::optional<Broken> break_scaling(const LawCase& c) {
   std::size_t next = 0;
   for (const int k : scales) {
     if (!scaled(c.pair, k)) continue;
-    if (auto broken = compare_answers(c, c.answers[next++], {.length = std::ldexp(1, k)})) {
+    if (auto broken = compare_answers(c, next++, {.length = std::ldexp(1, k)})) {
       broken->what = "times 2^" + std::to_string(k) + ": " + broken->what;
       return broken;
     }
@@ -122,6 +123,73 @@ std::vector<Asked> reversed(const Method&, const Pair& pair, const MethodAnswer&
   const Cylinder a{pair.a.center, -pair.a.axis, pair.a.radius, pair.a.height};
   const Cylinder b{pair.b.center, -pair.b.axis, pair.b.radius, pair.b.height};
   return {{{a, pair.b}}, {{pair.a, b}}, {{a, b}}};
+}
+
+/// The axis times 2^k, or nothing where that is not exact.
+std::optional<Vector3> scaled_axis(const Vector3& axis, int k) {
+  Vector3 other;
+  for (int i = 0; i < 3; ++i) {
+    other[i] = std::ldexp(axis[i], k);
+    if (!std::isfinite(other[i]) || std::ldexp(other[i], -k) != axis[i]) return {};
+  }
+  return other;
+}
+
+std::vector<Asked> with_longer_axes(const Method&, const Pair& pair, const MethodAnswer&) {
+  std::vector<Asked> asked;
+  for (const int k : scales) {
+    const auto a = scaled_axis(pair.a.axis, k), b = scaled_axis(pair.b.axis, -k);
+    if (!a || !b) continue;
+    asked.push_back({pair});
+    asked.back().pair.a.axis = *a;
+    asked.push_back({pair});
+    asked.back().pair.b.axis = *b;
+  }
+  return asked;
+}
+
+/// The signs of the coordinates in mirror image k, 1 to 7.
+Vector3 signs(int k) { return {k & 1 ? -1.0 : 1.0, k & 2 ? -1.0 : 1.0, k & 4 ? -1.0 : 1.0}; }
+
+std::vector<Asked> mirrored(const Method&, const Pair& pair, const MethodAnswer&) {
+  std::vector<Asked> asked(7, Asked{pair});
+  for (int k = 1; k <= 7; ++k) {
+    Pair& image = asked[static_cast<std::size_t>(k) - 1].pair;
+    for (Vector3* v : {&image.a.center, &image.a.axis, &image.b.center, &image.b.axis})
+      *v = v->cwiseProduct(signs(k));
+  }
+  return asked;
+}
+
+std::optional<Broken> break_mirror(const LawCase& c) {
+  for (int k = 1; k <= 7; ++k)
+    if (auto broken = compare_answers(c, static_cast<std::size_t>(k) - 1, {.mirror = signs(k)}))
+      return broken;
+  return {};
+}
+
+std::vector<Asked> permuted(const Method&, const Pair& pair, const MethodAnswer&) {
+  std::vector<Asked> asked;
+  Eigen::Vector3i order(0, 1, 2);
+  while (std::next_permutation(order.begin(), order.end())) {
+    asked.push_back({pair});
+    Pair& other = asked.back().pair;
+    for (Vector3* v : {&other.a.center, &other.a.axis, &other.b.center, &other.b.axis})
+      *v = Vector3((*v)(order));
+  }
+  return asked;
+}
+
+// Sums are in another order, so digits may differ, and who does not know need not know the same.
+std::optional<Broken> break_permutation(const LawCase& c) {
+  for (std::size_t i = 0; i < c.answers.size(); ++i) {
+    if (!is_decided(c.first) || !is_decided(c.answers[i]) || says_meet(c.first) == says_meet(c.answers[i]))
+      continue;
+    return Broken{std::string("the verdict turns from ") + to_string(c.first.verdict) + " to " +
+                      to_string(c.answers[i].verdict),
+                  severity_of(c, i)};
+  }
+  return {};
 }
 
 }  // namespace
@@ -138,6 +206,14 @@ std::vector<Law> exact_laws() {
        "where no length over- or underflows; as above", at_other_scales, break_scaling},
       {3, LawKind::exact, "reversal", "an axis reversed: the same verdict, distance, direction and point",
        bits, reversed, [](const LawCase& c) { return all_as_expected(c); }},
+      {4, LawKind::exact, "axis length", "an axis times 2^k: the same verdict, distance, direction and point",
+       "where no coordinate of an axis over- or underflows; as above", with_longer_axes,
+       [](const LawCase& c) { return all_as_expected(c); }},
+      {5, LawKind::exact, "mirror",
+       "signs of coordinates flipped: the same verdict and distance, direction and point mirrored", bits,
+       mirrored, break_mirror},
+      {6, LawKind::exact, "permutation", "coordinates permuted: the same verdict",
+       "everywhere; sums change their order, so no method promises bits", permuted, break_permutation},
   };
 }
 

@@ -3,7 +3,7 @@
 // alone.
 #pragma once
 
-#include <optional>
+#include <cstddef>
 #include <vector>
 
 #include "props/laws.hpp"
@@ -15,8 +15,21 @@ std::vector<Law> one_sided_laws();
 std::vector<Law> approximate_laws();
 std::vector<Law> answer_laws();
 
-/// contract where the method promises its verdict on the pair and on all that was asked beside it, by proof;
-/// else resolution.
-Severity severity_of(const LawCase& c);
+/// Whether it answers yes or no. NaN, failures, `undecided` and `invalid` do not.
+bool is_decided(const MethodAnswer& answer);
+/// Of a decided answer: touching solids do intersect.
+bool says_meet(const MethodAnswer& answer);
+/// Whether the verdict of an answer to `pair` is yes or no, and proved to be the other.
+bool is_refuted(const LawCase& c, const Pair& pair, const MethodAnswer& answer);
+/// Of what compares the verdicts on the pair and on asked[i]: contract where the method promises both, or
+/// where one of them is refuted and it promises that one; else resolution. By proof.
+Severity severity_of(const LawCase& c, std::size_t i);
+
+/// How far a distance that was said of the pair may be off: the claim, or the rounding of the larger length.
+double distance_allowance(const LawCase& c, const Pair& pair, double said);
+
+/// Whether the largest length of the pair, or of its coordinates, is one whose square has all its digits, so
+/// that the rounding bounds of the laws hold. Law 2 carries them to other scales.
+bool is_in_range(const Pair& pair);
 
 }  // namespace cyl
