@@ -10,6 +10,7 @@
 #include <span>
 #include <string_view>
 
+#include "corpus/fnv.hpp"
 #include "solver/cylinder.hpp"
 
 namespace cyl {
@@ -25,7 +26,7 @@ inline Vector3 normalise(const Vector3& v) { return v / std::sqrt(dot(v, v)); }
 class RandomStream {
  public:
   RandomStream(std::string_view name, std::uint64_t seed, std::uint64_t index)
-      : state_(mix(mix(hash(name) ^ mix(seed)) ^ index)) {}
+      : state_(mix(mix(fnv1a(name) ^ mix(seed)) ^ index)) {}
 
   std::uint64_t bits() { return mix(state_ += 0x9e3779b97f4a7c15); }
   /// In [0, 1), a multiple of 2^-53.
@@ -75,12 +76,6 @@ class RandomStream {
     x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9;
     x = (x ^ (x >> 27)) * 0x94d049bb133111eb;
     return x ^ (x >> 31);
-  }
-  /// FNV-1a.
-  static std::uint64_t hash(std::string_view text) {
-    std::uint64_t h = 0xcbf29ce484222325;
-    for (char c : text) h = (h ^ static_cast<unsigned char>(c)) * 0x100000001b3;
-    return h;
   }
 
   std::uint64_t state_;

@@ -11,6 +11,7 @@
 #include <deque>
 #include <stdexcept>
 
+#include "corpus/fnv.hpp"
 #include "fuzz/flight.hpp"
 
 namespace cyl {
@@ -50,13 +51,10 @@ class StopSignals {
   }, terminate_before_{};
 };
 
-// FNV-1a, 64 bits: the same on every machine, and a changed corpus is no attack.
+/// A changed corpus is no attack.
 std::string fingerprint(std::span<const Case> cases) {
-  std::uint64_t hash = 0xcbf29ce484222325u;
-  for (const Case& c : cases) {
-    for (const char byte : format_case(c) + '\n')
-      hash = (hash ^ static_cast<unsigned char>(byte)) * 0x100000001b3u;
-  }
+  std::uint64_t hash = fnv1a({});
+  for (const Case& c : cases) hash = fnv1a(format_case(c) + '\n', hash);
   return fmt::format("{:016x}", hash);
 }
 

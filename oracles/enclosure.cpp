@@ -48,6 +48,7 @@ struct Bounds {
   double below;    // of f on the cap
   double value;    // of f at the cap's middle
   double nearest;  // length of some y: the solids, if disjoint, are no farther apart
+  Vec direction;   // where f has that value
 };
 
 class Search {
@@ -70,7 +71,10 @@ class Search {
       if (!widen(cap, middle, moved)) return;
       const Bounds b = plane(moved, on_circle, at_axis);
       best.below = std::max(best.below, b.below);
-      best.value = std::min(best.value, b.value);
+      if (b.value < best.value) {
+        best.value = b.value;
+        best.direction = b.direction;
+      }
       best.nearest = std::min(best.nearest, b.nearest);
     };
     for (std::size_t i = 0; i < 2; ++i) {
@@ -147,7 +151,7 @@ class Search {
     // theta + rho beyond a half turn: the plane's least value is -|y|.
     const bool past = beside * cap.cosine + along * cap.sine < 0;
     const double size = length(y);
-    return {past ? -size : along * cap.cosine - beside * cap.sine, value, size};
+    return {past ? -size : along * cap.cosine - beside * cap.sine, value, size, d};
   }
 
   std::array<Solid, 2> solids_;
@@ -183,17 +187,22 @@ Cap cap_of(const Cell& c) {
 
 struct Range {
   double lo, hi;  // of min f
+  Vec direction;  // where f is hi
 };
 
 Range minimise(const Search& search, double width) {
   std::priority_queue<Cell> queue;
   double best = std::numeric_limits<double>::infinity();
   double floor = -best;  // |y| >= the distance, so -|y| bounds f from below on the whole sphere
+  Vec direction{};
   std::size_t cells = 0;
   auto add = [&](Cell c) {
     const Bounds b = search.bounds(cap_of(c));
     ++cells;
-    best = std::min(best, b.value);
+    if (b.value < best) {
+      best = b.value;
+      direction = b.direction;
+    }
     floor = std::max(floor, -b.nearest);
     c.below = std::max(c.below, b.below);
     if (c.below < best) queue.push(c);
@@ -209,24 +218,33 @@ Range minimise(const Search& search, double width) {
     for (const double i : {-h, h})
       for (const double j : {-h, h}) add({c.face, c.s + i, c.t + j, h, c.below});
   }
-  return {queue.empty() ? best : std::min(best, std::max(floor, queue.top().below)), best};
+  return {queue.empty() ? best : std::min(best, std::max(floor, queue.top().below)), best, direction};
 }
 
 // Axes exactly parallel: how far the solids are apart along the axis and across it says everything.
 Range parallel(const SearchPair<double>& p) {
-  const Vec w = (1 / length(p.axis0)) * p.axis0;
-  const double along = std::fabs(dot(p.delta, w)) - p.half0 - p.half1;
-  const double across = length(cross(p.delta, w)) - p.radius0 - p.radius1;
-  const double distance =
-      along > 0 && across > 0 ? std::sqrt(along * along + across * across) : std::max(along, across);
-  return {-distance, -distance};
+  const Vec axis = (1 / length(p.axis0)) * p.axis0;
+  const double height = dot(p.delta, axis);
+  const Vec w = height < 0 ? -1.0 * axis : axis;
+  const double along = std::fabs(height) - p.half0 - p.half1;
+  const double radial = length(cross(p.delta, w)), across = radial - p.radius0 - p.radius1;
+  // Square to the axis again after the difference has lost digits; where nearly all were lost, any direction
+  // across is as good.
+  Vec out = p.delta - dot(p.delta, w) * w;
+  if (length(out) > 0) out = (1 / length(out)) * out;
+  out = out - dot(out, w) * w;
+  if (!(length(out) > 0.5)) out = cross(w, std::fabs(w.x) < 0.5 ? Vec{1, 0, 0} : Vec{0, 1, 0});
+  out = (1 / length(out)) * out;
+  const bool corner = along > 0 && across > 0;
+  const double distance = corner ? std::sqrt(along * along + across * across) : std::max(along, across);
+  const Vec d = corner ? (along / distance) * w + (across / distance) * out : along > across ? w : out;
+  return {-distance, -distance, d};
 }
 
 }  // namespace
 
-Enclosure enclose_distance(const Pair& pair, const Truth& truth, double relative_width) {
+AttainedDistance attain_distance(const Pair& pair, const Truth& truth, double relative_width) {
   if (truth.verdict == Verdict::invalid) return {};
-  if (truth.verdict == Verdict::touching) return {0, 0};
   int exponent = 0;
   const SearchPair<double> p = double_pair(pair, exponent);
   const double size = p.radius0 + p.radius1 + 2 * (p.half0 + p.half1);
@@ -234,18 +252,28 @@ Enclosure enclose_distance(const Pair& pair, const Truth& truth, double relative
   const Search search(p);
   const double slack = bound_error * search.reach();
   Range f;
-  if (size == 0)
-    f = {-length(p.delta), -length(p.delta)};
-  else if (c.x == 0 && c.y == 0 && c.z == 0)
+  if (size == 0) {
+    const double apart = length(p.delta);
+    f = {-apart, -apart, apart > 0 ? (1 / apart) * p.delta : Vec{0, 0, 1}};
+  } else if (c.x == 0 && c.y == 0 && c.z == 0) {
     f = parallel(p);
-  else
+  } else {
     f = minimise(search, std::max(relative_width * size, slack));
+  }
+  const Vec& d = f.direction;
+  const std::array<double, 3> direction{d.x, d.y, d.z};
+  if (truth.verdict == Verdict::touching) return {{0, 0}, direction};
   // Back to the scene's unit, outward; then what the verdict alone tells.
   using interval_detail::next_down, interval_detail::next_up;
   Enclosure e{next_down(std::ldexp(-f.hi - slack, exponent)), next_up(std::ldexp(-f.lo + slack, exponent))};
   if (truth.verdict == Verdict::disjoint) e.lo = std::max(e.lo, 0.0);
   if (truth.verdict == Verdict::intersecting) e.hi = std::min(e.hi, 0.0);
-  return e;
+  return {e, direction};
+}
+
+Enclosure enclose_distance(const Pair& pair, const Truth& truth, double relative_width) {
+  if (truth.verdict == Verdict::touching) return {0, 0};
+  return attain_distance(pair, truth, relative_width).distance;
 }
 
 Enclosure enclose_distance(const Pair& pair, const Truth& truth) {

@@ -75,6 +75,15 @@ Enclosure enclose_distance(const Pair& pair, const Truth& truth);
 /// The same at a width of the caller's choice, in units of the pair's size.
 Enclosure enclose_distance(const Pair& pair, const Truth& truth, double relative_width);
 
+/// The enclosure and the unit direction from a to b at which it was found: f there is minus its lower end,
+/// within rounding. One of several where several do.
+struct AttainedDistance {
+  Enclosure distance;
+  std::array<double, 3> direction{0, 0, 0};  ///< 0 of an invalid pair
+};
+/// At no more cost than the enclosure; touching pairs are searched too.
+AttainedDistance attain_distance(const Pair& pair, const Truth& truth, double relative_width);
+
 /// Whether a witness proves a verdict: `disjoint`, `intersecting`, or `undecided` where it proves nothing.
 Verdict check_witness(const Pair& pair, const MethodAnswer& answer);
 

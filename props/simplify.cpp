@@ -148,7 +148,8 @@ void add_at_distance(const Pair& p, double kept, Pairs& out) {
 
 // ---- moves: each gives pairs that might do
 
-/// a or b brought to the origin, or to a place of few digits, the other by the same way.
+/// a or b brought to the origin, or to a place of few digits, the other by the same way; what rounding left
+/// of their difference rounded away.
 Pairs translations(const Pair& p) {
   Pairs out;
   const auto add = [&](bool of_a, const Vector3& to) {
@@ -161,6 +162,12 @@ Pairs translations(const Pair& p) {
   for (const bool of_a : {true, false}) {
     const Vector3& c = (of_a ? p.a : p.b).center;
     add(of_a, Vector3::Zero());
+    for (int digits = 1; digits <= 4; ++digits)
+      out.push_back(with(out.back(), [&](Pair& q) {
+        Vector3& other = (of_a ? q.b : q.a).center;
+        other = (p.b.center - p.a.center) * (of_a ? 1 : -1);
+        other = other.unaryExpr([&](double x) { return rounded(x, digits); }).eval();
+      }));
     Eigen::Index most = 0;
     c.cwiseAbs().maxCoeff(&most);
     if (c[most] == 0) continue;
@@ -228,7 +235,8 @@ Pairs frames(const Pair& p) {
   return out;
 }
 
-/// Coordinates permuted and mirrored, axes reversed, solids exchanged.
+/// Coordinates permuted and mirrored; axes reversed, solids or their centres exchanged. (Solids are their own
+/// mirror images in their centres, so the last is a mirror image of the scene.)
 Pairs symmetries(const Pair& p) {
   Pairs out;
   std::array<Eigen::Index, 3> order{0, 1, 2};
@@ -242,11 +250,12 @@ Pairs symmetries(const Pair& p) {
           }
       }));
   while (std::ranges::next_permutation(order).found);
-  for (unsigned which = 1; which < 8; ++which)
+  for (unsigned which = 1; which < 16; ++which)
     out.push_back(with(p, [&](Pair& q) {
       if (which & 1) q.a.axis = -q.a.axis;
       if (which & 2) q.b.axis = -q.b.axis;
       if (which & 4) std::swap(q.a, q.b);
+      if (which & 8) std::swap(q.a.center, q.b.center);
     }));
   // No minus sign on zeros.
   for (Pair& q : out)
@@ -342,7 +351,9 @@ Pairs axes(const Pair& p) {
   const double sine = wa.cross(wb).norm();
   if (sine > 0 && sine < near_sine_margin) {
     const int e = decimal_of(sine).exponent;
-    for (const Vector3& a : near_axes(p.a.axis)) {
+    std::vector<Vector3> bases = near_axes(p.a.axis);
+    bases.insert(bases.end(), {Vector3::UnitX(), Vector3::UnitY(), Vector3::UnitZ()});
+    for (const Vector3& a : bases) {
       Eigen::Index most = 0;
       a.cwiseAbs().maxCoeff(&most);
       for (const int exponent : {e, e + 1})
@@ -543,6 +554,9 @@ Complexity complexity(const Pair& pair) {
     c.signs[i] = std::signbit(x);
     if (x != 0) distinct.insert(std::fabs(x));
   }
+  for (const Cylinder* s : {&a, &b})
+    for (const double x : {s->radius, s->height, s->axis.cwiseAbs().maxCoeff()})
+      c.extremes += std::abs(decimal_of(x).exponent);
   c.distinct = static_cast<int>(distinct.size());
   return c;
 }

@@ -19,17 +19,18 @@ namespace cyl {
 /// costs a fork. Must be a pure function of each pair. The pairs are legal.
 using StillFails = std::function<std::vector<bool>(std::span<const Pair>)>;
 
-/// How simple a pair is: compared from the first member on, smaller is simpler. Well-founded: below any pair
-/// there are finitely many. "Numbers" are the pair's 16, in their shortest round-trip decimals.
+/// How simple a pair is: compared from the first member on, smaller is simpler. Well-founded, since there
+/// are finitely many doubles. "Numbers" are the pair's 16, in their shortest round-trip decimals.
 struct Complexity {
   int digits;      ///< significant decimal digits of all numbers together; 0 has none, 1e-9 has one
   int non_zero;    ///< numbers that are not 0
+  int extremes;    ///< absolute decimal exponents of radii, heights and each axis' largest coordinate, summed
   int fractional;  ///< numbers that are not integers
-  int exponents;   ///< absolute decimal exponents, summed
+  int exponents;   ///< absolute decimal exponents of all numbers, summed
   int bits;        ///< significant bits, summed
-  int distinct;    ///< different absolute values, 0 aside
   int negative;    ///< numbers with a minus sign, -0 too
   int digit_sum;   ///< of the decimal digits
+  int distinct;    ///< different absolute values, 0 aside
   /// Absolute values: a's axis, b's axis, radii, heights, a's centre, b's centre, z last in each vector.
   std::array<double, 16> values;
   std::array<bool, 16> signs;  ///< which of them have a minus sign
@@ -47,7 +48,7 @@ struct Simplified {
 
 /// Pairs asked about before the simplest so far is returned. Random and near-touching pairs end below it
 /// (simplify_test.cpp has the counts).
-inline constexpr std::size_t question_cap_default = 8000;
+inline constexpr std::size_t question_cap_default = 4000;
 
 /// The pair given is taken to fail and is not asked about; an illegal one comes back as it is. Deterministic;
 /// never worse than what was given; where it did not end at the cap, simplifying again changes nothing.

@@ -1,0 +1,178 @@
+// SPDX-License-Identifier: MIT
+#include "oracles/contact.hpp"
+
+#include <gmpxx.h>
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "oracles/certificate.hpp"
+
+namespace cyl {
+namespace {
+
+enum class Part : unsigned char { side, rim, cap };
+
+/// Sum of a*b and c*d, products exact by fma, rounded about twice.
+double sum_of_products(double a, double b, double c, double d) {
+  const double cd = c * d, lost = std::fma(c, d, -cd);
+  return std::fma(a, b, cd) + lost;
+}
+
+/// Largest coordinate between 1 and 2; exact but for subnormal numbers.
+Vector3 scaled(const Vector3& v) {
+  const double most = v.cwiseAbs().maxCoeff();
+  if (most == 0) return v;
+  const int e = -std::ilogb(most);
+  return v.unaryExpr([&](double x) { return std::ldexp(x, e); });
+}
+
+/// Relative accuracy to a few units however nearly parallel, of each coordinate's products.
+Vector3 accurate_cross(const Vector3& u, const Vector3& v) {
+  return {sum_of_products(u.y(), v.z(), -u.z(), v.y()), sum_of_products(u.z(), v.x(), -u.x(), v.z()),
+          sum_of_products(u.x(), v.y(), -u.y(), v.x())};
+}
+
+struct Angle {
+  double sine, cosine;  // >= 0
+};
+
+Angle angle_between(const Vector3& a, const Vector3& b) {
+  const Vector3 u = scaled(a), v = scaled(b);
+  const double lengths = u.norm() * v.norm();
+  return {accurate_cross(u, v).norm() / lengths, std::fabs(u.dot(v)) / lengths};
+}
+
+Part part_along(const Cylinder& c, const Vector3& direction) {
+  const Angle angle = angle_between(c.axis, direction);
+  if (angle.sine <= flat_tol && c.radius > 0) return Part::cap;
+  if (angle.cosine <= flat_tol && c.height > 0) return Part::side;
+  return Part::rim;
+}
+
+/// f(direction), as a part of the size.
+double support_gap(const Pair& p, const Vector3& d, const Vector3& delta, double unit) {
+  double f = -d.dot(delta);
+  for (const Cylinder* c : {&p.a, &p.b}) {
+    const Vector3 w = scaled(c->axis).normalized();
+    const double along = d.dot(w);
+    f += c->radius / unit * (d - along * w).norm() + c->height / unit / 2 * std::fabs(along);
+  }
+  return f;
+}
+
+/// Two values of f that differ by less, in units of the sum of all lengths, are not told apart.
+constexpr double same_value_tol = 1e-14;
+/// How far, as an angle, a flat direction may be from the direction that the search found: the square root of
+/// the width that was asked for, since f may be quadratic there, and some room.
+constexpr double snap_tol = 1e-4;
+/// In sizes. What the search may leave open.
+constexpr double direction_width_tol = 1e-11;
+
+}  // namespace
+
+ContactFeature feature_along(const Pair& pair, const Vector3& direction) {
+  auto [first, second] = std::minmax({part_along(pair.a, direction), part_along(pair.b, direction)});
+  switch (second) {
+    case Part::side:
+      return ContactFeature::side_side;
+    case Part::rim:
+      return first == Part::side ? ContactFeature::side_rim : ContactFeature::rim_rim;
+    case Part::cap:
+      return first == Part::side  ? ContactFeature::cap_side
+             : first == Part::rim ? ContactFeature::cap_rim
+                                  : ContactFeature::cap_cap;
+  }
+  return ContactFeature::rim_rim;
+}
+
+// Along outer's axis the inner reaches |d.w| + h/2 |cos| + r sin. Across it, in the plane square to w with x
+// along the inner's axis, its rims are ellipses about (+-h/2 sin, 0) with half axes r |cos| and r; the point
+// of them farthest from outer's axis lies in the quarter away from it, where its square distance
+//     (X + r |cos| cos t)^2 + (Y + r sin t)^2,  X = |x| + h/2 sin,  Y = |y|,
+// is searched for the t of its maximum: a coarse look, then thirds.
+bool contains(const Cylinder& outer, const Cylinder& inner) {
+  const Vector3 d = inner.center - outer.center;
+  const Vector3 w = scaled(outer.axis).normalized(), v = scaled(inner.axis).normalized();
+  const double cosine = std::fabs(w.dot(v)), sine = w.cross(v).norm();
+  const double r = inner.radius, half = inner.height / 2, height = d.dot(w);
+  const double rounding = 16 * 0x1p-53 * (outer.radius + outer.height + d.norm());
+  if (std::fabs(height) + half * cosine + r * sine > outer.height / 2 + rounding) return false;
+  const Vector3 across = d - height * w, flat = v - v.dot(w) * w;
+  const Vector3 e = sine > 0 ? flat.stableNormalized() : across.stableNormalized();
+  const double x = std::fabs(across.dot(e)), y = (across - across.dot(e) * e).norm();
+  const auto reach = [&](double t) {
+    return std::hypot(x + half * sine + r * cosine * std::cos(t), y + r * std::sin(t));
+  };
+  constexpr int looks = 64;
+  constexpr double quarter = 1.5707963267948966, step = quarter / looks;
+  double best = 0;
+  for (int i = 0; i <= looks; ++i)
+    if (reach(i * step) > reach(best)) best = i * step;
+  double low = std::max(0.0, best - step), high = std::min(quarter, best + step);
+  for (int i = 0; i < 40; ++i) {
+    const double third = (high - low) / 3;
+    if (reach(low + third) < reach(high - third))
+      low += third;
+    else
+      high -= third;
+  }
+  return reach((low + high) / 2) <= outer.radius + rounding;
+}
+
+// f is least at a kink of f more often than anywhere else, and the search comes near it as far as its width
+// asks. So the flat directions near the one found stand in for it where f is no greater: square to both axes,
+// along one, square to one.
+std::optional<ContactFeature> contact_feature(const Pair& pair, const Truth& truth) {
+  if (truth.verdict == Verdict::invalid || truth.verdict == Verdict::undecided) return {};
+  if (truth.verdict == Verdict::intersecting && (contains(pair.a, pair.b) || contains(pair.b, pair.a)))
+    return ContactFeature::containment;
+  const std::array<double, 3> found = attain_distance(pair, truth, direction_width_tol).direction;
+  const Vector3 d(found[0], found[1], found[2]);
+  const Vector3 wa = scaled(pair.a.axis).normalized(), wb = scaled(pair.b.axis).normalized();
+  const double unit = std::max(size_of(pair), std::numeric_limits<double>::min());
+  const Vector3 delta = pair.b.center / unit - pair.a.center / unit;
+  const auto square_to = [&](const Vector3& w) { return (d - d.dot(w) * w).normalized().eval(); };
+  const Vector3 across = accurate_cross(scaled(pair.a.axis), scaled(pair.b.axis)).stableNormalized();
+  const double value = support_gap(pair, d, delta, unit), slack = same_value_tol * (1 + delta.norm());
+  for (const Vector3& flat : {across, wa, wb, square_to(wa), square_to(wb)}) {
+    const Vector3 e = flat.dot(d) < 0 ? Vector3(-flat) : flat;
+    if ((e - d).norm() <= snap_tol && support_gap(pair, e, delta, unit) <= value + slack)
+      return feature_along(pair, e);
+  }
+  return feature_along(pair, d);
+}
+
+AngleClass angle_class(const Pair& pair) {
+  const Angle angle = angle_between(pair.a.axis, pair.b.axis);
+  /// Sines and cosines above it are certainly not 0.
+  constexpr double zero_error = 1e-15;
+  if (angle.sine <= zero_error) {
+    const Rational3 c = cross(exact(pair.a.axis), exact(pair.b.axis));
+    if (c.x == 0 && c.y == 0 && c.z == 0) return AngleClass::parallel;
+  }
+  if (angle.cosine <= zero_error && dot(exact(pair.a.axis), exact(pair.b.axis)) == 0)
+    return AngleClass::right;
+  if (angle.sine < 1e-12) return AngleClass::within_1e_12;
+  if (angle.sine < 1e-7) return AngleClass::within_1e_7;
+  if (angle.sine < 1e-2) return AngleClass::within_1e_2;
+  return angle.cosine <= 1e-2 ? AngleClass::near_right : AngleClass::generic;
+}
+
+std::string_view to_string(AngleClass c) noexcept {
+  constexpr std::array<std::string_view, angle_class_count> names{"parallel", "<1e-12",  "<1e-7", "<1e-2",
+                                                                  "generic",  "near-90", "90"};
+  return names[static_cast<std::size_t>(c)];
+}
+
+int margin_decade(double margin) {
+  constexpr std::array<double, 16> ends{1e-1, 1e-2,  1e-3,  1e-4,  1e-5,  1e-6,  1e-7,  1e-8,
+                                        1e-9, 1e-10, 1e-11, 1e-12, 1e-13, 1e-14, 1e-15, 1e-16};
+  int decade = 0;
+  while (decade < 16 && margin <= ends[static_cast<std::size_t>(decade)]) ++decade;
+  return decade;
+}
+
+}  // namespace cyl
