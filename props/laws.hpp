@@ -5,7 +5,6 @@
 #pragma once
 
 #include <optional>
-#include <source_location>
 #include <span>
 #include <string>
 #include <string_view>
@@ -60,7 +59,8 @@ struct Law {
   std::vector<Asked> (*ask)(const Method& method, const Pair& pair, const MethodAnswer& first);
   /// Nothing where the law holds. Says nothing where a method declines or fails (that is what law 30 is for).
   std::optional<Broken> (*broken)(const LawCase& c);
-  std::source_location place = std::source_location::current();  ///< where it is written
+  const char* file = __builtin_FILE();  ///< where it is written, from the top of the project
+  int line = __builtin_LINE();
 };
 
 /// For laws that look at the first answer alone.

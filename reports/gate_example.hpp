@@ -16,14 +16,6 @@
 
 namespace cyl {
 
-// Stand-ins, to be deleted with the first props/gate.cpp, which defines both.
-[[gnu::weak]] double error_rate_bound(std::uint64_t pairs, std::uint64_t wrong) {
-  return pairs == 0 ? 1 : std::min(1.0, 3.0 * static_cast<double>(wrong + 1) / static_cast<double>(pairs));
-}
-[[gnu::weak]] const char* to_string(GatePhase phase) noexcept {
-  return phase == GatePhase::corpus ? "corpus" : phase == GatePhase::sample ? "sample" : "laws";
-}
-
 /// What foreign code may say of itself: markup, quotes, line ends, controls, a character that reorders text,
 /// bytes that are no UTF-8, and U+FFFF, which XML does not have.
 inline const std::string hostile =

@@ -34,7 +34,7 @@ json counts(const AnswerCounts& c) {
   return {{"asked", c.asked},
           {"declined", c.declined},
           {"failed", c.failed},
-          {"hung", c.hung},
+          {"hung_seconds", c.hung_seconds},
           {"said", std::move(said)}};
 }
 

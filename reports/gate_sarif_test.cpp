@@ -64,7 +64,7 @@ TEST(GateSarif, PlacesAreTheCaseElseTheLawFromTheTopOfTheSources) {
   const json results = json::parse(gate_sarif(example_report(), "0.1.0", false))["runs"][0]["results"];
   const json& law = results[0]["locations"][0]["physicalLocation"];
   EXPECT_EQ(law["artifactLocation"]["uri"], "props/exact_laws.cpp");
-  EXPECT_EQ(law["region"]["startLine"], law_numbered(1).place.line());
+  EXPECT_EQ(law["region"]["startLine"], law_numbered(1).line);
   const json& kept = results[3]["locations"][0]["physicalLocation"];
   EXPECT_EQ(kept["artifactLocation"]["uri"], "corpus/found.jsonl");
   EXPECT_EQ(kept["region"]["startLine"], 2);

@@ -67,7 +67,7 @@ TEST(GateText, SaysWhatIsProved) {
   const std::string fake = proved_in_words(report.methods[1]);
   EXPECT_TRUE(has(fake, "wrong on 7 of 250 independent pairs, in 1 of 5 cells")) << fake;
   EXPECT_TRUE(has(fake, "empty: side-side 1e-02")) << fake;
-  EXPECT_TRUE(has(fake, "error rate <= 4.8e-01 in each at 95 %, <= 9.6e-02 over all 250")) << fake;
+  EXPECT_TRUE(has(fake, "error rate <= 2.6e-01 in each at 95 %, <= 5.3e-02 over all 250")) << fake;
 }
 
 TEST(GateText, ProvesNothingFromKeptCasesAndLawsOrUndecidedPairs) {

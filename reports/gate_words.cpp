@@ -50,7 +50,7 @@ bool is_from_case(const GateFailure& failure) {
 }
 
 SourceLine place_of(const GateFailure& failure) {
-  SourceLine place{failure.law->place.file_name(), failure.law->place.line()};
+  SourceLine place{failure.law->file, static_cast<unsigned>(failure.law->line)};
   if (is_from_case(failure)) {
     if (auto of_case = place_in(failure.origin)) place = std::move(*of_case);
   }
