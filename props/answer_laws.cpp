@@ -4,6 +4,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <bit>
+#include <cstdint>
 #include <initializer_list>
 
 #include "corpus/pair_io.hpp"
@@ -74,7 +76,15 @@ std::optional<Broken> break_sign(const LawCase& c) {
 
 std::vector<Asked> again(const Method&, const Pair& pair, const MethodAnswer&) { return {{pair}, {pair}}; }
 
+/// A thread costs more than all other laws: one pair of this many is asked from one, told by its digits.
+constexpr std::uint64_t thread_share = 16;
+
 std::vector<Asked> from_another_thread(const Method&, const Pair& pair, const MethodAnswer&) {
+  std::uint64_t digits = 0;
+  for (const Cylinder* c : {&pair.a, &pair.b})
+    for (const double x : {c->center.x(), c->axis.x(), c->radius, c->height})
+      digits = (digits ^ std::bit_cast<std::uint64_t>(x)) * 0x9e3779b97f4a7c15;
+  if ((digits >> 32) % thread_share != 0) return {};
   return {{pair, Way::other_thread}};
 }
 
@@ -127,8 +137,8 @@ std::vector<Law> answer_laws() {
        "of methods with distances, where the distance is beyond the claim", needs_none, break_sign},
       {35, LawKind::answer, "again", "the same question has the same answer, bit for bit", "everywhere",
        again, break_sameness},
-      {36, LawKind::answer, "thread", "from another thread the same answer, bit for bit", "everywhere",
-       from_another_thread, break_sameness},
+      {36, LawKind::answer, "thread", "from another thread the same answer, bit for bit",
+       "on one pair of 16, told by its digits", from_another_thread, break_sameness},
       {37, LawKind::answer, "ways", "prepared solids and a batch have the verdict of a single question",
        "of methods with such calls", in_other_ways, break_other_ways},
       {38, LawKind::answer, "cap", "the searches take no more steps than they may",

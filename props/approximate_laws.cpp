@@ -204,19 +204,19 @@ std::vector<Law> approximate_laws() {
   return {
       {20, LawKind::approximate, "rotation",
        "the whole scene rotated about the origin: the same verdict and distance",
-       "verdicts where the distance exceeds 2^-49 of centres and lengths; lengths from 2^-400 to 2^400",
+       "verdicts where the distance exceeds 2^-49 of centres and lengths; lengths from 2^-200 to 2^200",
        rotated, break_rotation},
       {21, LawKind::approximate, "translation",
        "the whole scene moved by 1/8 to 2^20 of its size: the same verdict and distance",
-       "verdicts where the distance exceeds the rounding of the centres; lengths from 2^-400 to 2^400",
+       "verdicts where the distance exceeds the rounding of the centres; lengths from 2^-200 to 2^200",
        translated, break_changes},
       {22, LawKind::approximate, "Lipschitz",
        "the distance changes by no more than a radius, half a height, a centre, or an axis times radius and "
        "half height; the verdict stays where the distance is larger",
-       "lengths from 2^-400 to 2^400", nearby, break_changes},
+       "lengths from 2^-200 to 2^200", nearby, break_changes},
       {23, LawKind::approximate, "triangle",
        "of three solids no gap is larger than the two others and the diameter of the solid between them",
-       "of methods with distances; lengths from 2^-400 to 2^400", with_a_third, break_triangle},
+       "of methods with distances; lengths from 2^-200 to 2^200", with_a_third, break_triangle},
   };
 }
 

@@ -14,11 +14,10 @@ namespace cyl {
 namespace {
 
 /// What a law expects of the second answer: the first one's distance and point times `length`, its direction
-/// times `direction`, the coordinates of both times `mirror`.
+/// times `direction`.
 struct Expected {
   double length = 1;
   double direction = 1;
-  Vector3 mirror{1, 1, 1};
 };
 
 bool promises_every_bit(const Method& method) {
@@ -45,8 +44,8 @@ std::string difference_in_bits(const MethodAnswer& first, const MethodAnswer& se
   if (first.witness != second.witness) return "the witnesses are of different kinds";
   if (first.witness == WitnessKind::none) return {};
   const bool is_direction = first.witness == WitnessKind::direction;
+  const double factor = is_direction ? expected.direction : expected.length;
   for (int i = 0; i < 3; ++i) {
-    const double factor = expected.mirror[i] * (is_direction ? expected.direction : expected.length);
     for (const auto& [x, y] :
          {std::pair{first.head[i], second.head[i]}, std::pair{first.tail[i], second.tail[i]}}) {
       if (!same(x, y, factor)) return differ("a coordinate of the witness", factor * x, y);
@@ -80,23 +79,26 @@ std::vector<Asked> swapped(const Method&, const Pair& pair, const MethodAnswer&)
   return {{{pair.b, pair.a}}};
 }
 
-/// Below this, answers of a pair lose bits that count.
-constexpr double least_scaled_length = 0x1p-900;
+/// Of a pair's size and centres' distance: a little below it, decide() looks for points that lose no bits.
+constexpr double least_scaled_length = 0x1p-890;
+
+double extent(const Pair& pair) {
+  return size_of(pair) + (pair.b.center - pair.a.center).lpNorm<Eigen::Infinity>();
+}
 /// One step each way, and farther than float or an absolute tolerance bears.
 constexpr int scales[] = {-400, -1, 1, 400};
 
 /// The pair with all lengths times 2^k, or nothing where that is not exact or leaves a pair too small.
 std::optional<Pair> scaled(Pair pair, int k) {
-  double largest = 0;
+  const double before = extent(pair);
   for (Cylinder* c : {&pair.a, &pair.b}) {
     for (double* x : {&c->center.x(), &c->center.y(), &c->center.z(), &c->radius, &c->height}) {
       const double length = std::ldexp(*x, k);
       if (!std::isfinite(length) || std::ldexp(length, -k) != *x) return {};
-      largest = std::max(largest, std::fabs(length));
       *x = length;
     }
   }
-  if (largest < least_scaled_length || std::ldexp(largest, -k) < least_scaled_length) return {};
+  if (std::min(before, extent(pair)) < least_scaled_length) return {};
   return pair;
 }
 
@@ -161,13 +163,6 @@ std::vector<Asked> mirrored(const Method&, const Pair& pair, const MethodAnswer&
   return asked;
 }
 
-std::optional<Broken> break_mirror(const LawCase& c) {
-  for (int k = 1; k <= 7; ++k)
-    if (auto broken = compare_answers(c, static_cast<std::size_t>(k) - 1, {.mirror = signs(k)}))
-      return broken;
-  return {};
-}
-
 std::vector<Asked> permuted(const Method&, const Pair& pair, const MethodAnswer&) {
   std::vector<Asked> asked;
   Eigen::Vector3i order(0, 1, 2);
@@ -180,14 +175,15 @@ std::vector<Asked> permuted(const Method&, const Pair& pair, const MethodAnswer&
   return asked;
 }
 
-// Sums are in another order, so digits may differ, and who does not know need not know the same.
-std::optional<Broken> break_permutation(const LawCase& c) {
+// Roles and signs that break ties, and the order of sums, may change: digits may differ, and who does not
+// know need not know the same.
+std::optional<Broken> turned_verdict(const LawCase& c, bool promised) {
   for (std::size_t i = 0; i < c.answers.size(); ++i) {
     if (!is_decided(c.first) || !is_decided(c.answers[i]) || says_meet(c.first) == says_meet(c.answers[i]))
       continue;
     return Broken{std::string("the verdict turns from ") + to_string(c.first.verdict) + " to " +
                       to_string(c.answers[i].verdict),
-                  severity_of(c, i)};
+                  promised ? Severity::contract : severity_of(c, i)};
   }
   return {};
 }
@@ -209,11 +205,12 @@ std::vector<Law> exact_laws() {
       {4, LawKind::exact, "axis length", "an axis times 2^k: the same verdict, distance, direction and point",
        "where no coordinate of an axis over- or underflows; as above", with_longer_axes,
        [](const LawCase& c) { return all_as_expected(c); }},
-      {5, LawKind::exact, "mirror",
-       "signs of coordinates flipped: the same verdict and distance, direction and point mirrored", bits,
-       mirrored, break_mirror},
-      {6, LawKind::exact, "permutation", "coordinates permuted: the same verdict",
-       "everywhere; sums change their order, so no method promises bits", permuted, break_permutation},
+      {5, LawKind::exact, "mirror", "signs of coordinates flipped, in all 7 ways: the same verdict",
+       "where both answers are yes or no; of intersect everywhere, of others where they claim to be right",
+       mirrored, [](const LawCase& c) { return turned_verdict(c, c.method.name() == "intersect"); }},
+      {6, LawKind::exact, "permutation", "coordinates permuted, in all 5 ways: the same verdict",
+       "where both answers are yes or no and the method claims to be right: sums change their order",
+       permuted, [](const LawCase& c) { return turned_verdict(c, false); }},
   };
 }
 

@@ -25,11 +25,12 @@ bool is_refuted(const LawCase& c, const Pair& pair, const MethodAnswer& answer);
 /// where one of them is refuted and it promises that one; else resolution. By proof.
 Severity severity_of(const LawCase& c, std::size_t i);
 
-/// How far a distance that was said of the pair may be off: the claim, or the rounding of the larger length.
+/// How far a distance that was said of the pair may be off: the claim, its relative part of size and centres'
+/// distance, or the rounding of the larger length.
 double distance_allowance(const LawCase& c, const Pair& pair, double said);
 
-/// Whether the largest length of the pair, or of its coordinates, is one whose square has all its digits, so
-/// that the rounding bounds of the laws hold. Law 2 carries them to other scales.
+/// Whether the largest length of the pair, or of its coordinates, is one whose fourth power has all its
+/// digits, so that the rounding bounds of the laws hold. Law 2 carries them to other scales.
 bool is_in_range(const Pair& pair);
 
 }  // namespace cyl

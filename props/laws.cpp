@@ -76,15 +76,16 @@ Severity severity_of(const LawCase& c, std::size_t i) {
 }
 
 double distance_allowance(const LawCase& c, const Pair& pair, double said) {
-  const double size = size_of(pair);
-  return std::max(reach(c.method.claim(), size), distance_rounding_error * std::max(std::fabs(said), size));
+  const double length = size_of(pair) + (pair.b.center - pair.a.center).norm();
+  return std::max(reach(c.method.claim(), length),
+                  distance_rounding_error * std::max(std::fabs(said), length));
 }
 
 bool is_in_range(const Pair& pair) {
   double largest = 0;
   for (const Cylinder* c : {&pair.a, &pair.b})
     largest = std::max({largest, c->center.lpNorm<Eigen::Infinity>(), c->radius, c->height});
-  return largest >= 0x1p-400 && largest <= 0x1p400;
+  return largest >= 0x1p-200 && largest <= 0x1p200;
 }
 
 }  // namespace cyl

@@ -167,15 +167,15 @@ std::vector<Law> one_sided_laws() {
        "a radius or a height grown, or all of them: intersecting solids do not become disjoint",
        "where the answer is intersecting", grown, break_growing},
       {11, LawKind::one_sided, "inside", "a small copy of b well inside a, in either order, intersects a",
-       "where a capsule fits into a", inside, break_inside},
+       "where a capsule fits into a; lengths from 2^-200 to 2^200", inside, break_inside},
       {12, LawKind::one_sided, "proxies",
        "solids whose bounding spheres or outer capsules are apart are disjoint; those whose inner capsules "
        "meet intersect",
-       "beyond the rounding of the proxies; lengths from 2^-400 to 2^400", needs_none, break_proxies},
+       "beyond the rounding of the proxies; lengths from 2^-200 to 2^200", needs_none, break_proxies},
       {13, LawKind::one_sided, "moving apart",
        "b moved by t along the direction offered: disjoint, the distance at least what that direction showed "
        "and t more",
-       "where the answer is disjoint with a direction; lengths from 2^-400 to 2^400", moved_apart,
+       "where the answer is disjoint with a direction; lengths from 2^-200 to 2^200", moved_apart,
        break_moving_apart},
   };
 }
