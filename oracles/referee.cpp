@@ -141,6 +141,14 @@ mpq_class exact_size(const Pair& pair) {
          mpq_class(pair.b.height);
 }
 
+mpq_class times_power(mpq_class x, int exponent) {
+  if (exponent < 0)
+    mpq_div_2exp(x.get_mpq_t(), x.get_mpq_t(), static_cast<mp_bitcnt_t>(-exponent));
+  else
+    mpq_mul_2exp(x.get_mpq_t(), x.get_mpq_t(), static_cast<mp_bitcnt_t>(exponent));
+  return x;
+}
+
 Found<Wide> search_wide(const Pair& pair, int bits, Rational3& point, Rational3& direction) {
   const WidePrecision precision(bits);
   const Found<Wide> found = search(wide_pair(pair), bits);
@@ -153,10 +161,14 @@ Found<Wide> search_wide(const Pair& pair, int bits, Rational3& point, Rational3&
 // near the search's result, then proved by algebra.
 std::optional<Truth> prove_touching(const Pair& pair, const Rational3& point, const Rational3& direction,
                                     int bits) {
-  mpq_class tolerance = exact_size(pair);
-  mpq_div_2exp(tolerance.get_mpq_t(), tolerance.get_mpq_t(), static_cast<mp_bitcnt_t>(bits / 4));
-  const Rational3 guess{simplest_within(point.x, tolerance), simplest_within(point.y, tolerance),
-                        simplest_within(point.z, tolerance)};
+  // Simple in a unit near the size, so that a scene of another scale has the same guess.
+  const mpq_class size = exact_size(pair);
+  const int unit = size > 0 ? std::ilogb(size_of(pair)) : 0;
+  const mpq_class tolerance = times_power(size, -unit - bits / 4);
+  const auto simple = [&](const mpq_class& x) {
+    return times_power(simplest_within(times_power(x, -unit), tolerance), unit);
+  };
+  const Rational3 guess{simple(point.x), simple(point.y), simple(point.z)};
   const auto tangency = prove_tangency(pair, guess, direction);
   if (!tangency || !tangency->meet) return std::nullopt;
   Truth t = proved(Verdict::touching, {}, Stage::exact, bits);

@@ -139,7 +139,7 @@ std::vector<Asked> nearby(const Method&, const Pair& pair, const MethodAnswer&) 
   std::vector<Asked> asked;
   for (const auto& [solid, by] : {std::pair{&Pair::a, coarse}, std::pair{&Pair::b, fine}}) {
     const double length = by * size_of(pair);
-    const auto push = [&]() -> Cylinder& {
+    const auto push = [&, solid = solid]() -> Cylinder& {
       asked.push_back({pair});
       return asked.back().pair.*solid;
     };

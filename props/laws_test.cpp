@@ -8,6 +8,7 @@
 #include <ostream>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 
 #include "corpus/families.hpp"
 #include "corpus/pair_io.hpp"
@@ -107,6 +108,7 @@ TEST(Laws, AreNumberedByKindAndFoundByNumber) {
     last = law.number;
     EXPECT_EQ(static_cast<int>(law.kind), law.number / 10) << law.number;
     EXPECT_EQ(&law_numbered(law.number), &law);
+    EXPECT_TRUE(std::string_view(law.file).ends_with("_laws.cpp")) << law.file;
     EXPECT_FALSE(law.name.empty() || law.statement.empty() || law.where.empty()) << law.number;
   }
   EXPECT_THROW(law_numbered(99), std::invalid_argument);
