@@ -52,7 +52,7 @@ struct Simplified {
 };
 
 /// Pairs asked about before the simplest so far is returned. Near-touching pairs of every feature took 300,
-/// at most 600, in some 20 calls.
+/// at most 600, in 20 to 60 calls.
 inline constexpr std::size_t question_cap_default = 4000;
 
 /// The pair given is taken to fail and is not asked about; an illegal one comes back as it is. Deterministic;
