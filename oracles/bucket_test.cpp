@@ -28,6 +28,7 @@ TEST(CoordinateOf, TellsWhatIsExtreme) {
   };
   EXPECT_EQ(of([](Pair& p) { p.a.center.y() = p.b.center.y() = 1e4; }), Coordinate::offset);
   EXPECT_EQ(of([](Pair& p) { p.a.center.y() = p.b.center.y() = 500; }), Coordinate::plain);
+  EXPECT_EQ(of([](Pair& p) { p.a.center.y() = 550, p.b.center.y() = 1000; }), Coordinate::plain);
   EXPECT_EQ(of([](Pair& p) { p.b.center.y() = 1e4; }), Coordinate::plain);  // far apart
   EXPECT_EQ(of([](Pair& p) { p.a.center.y() = -1e4, p.b.center.y() = 1e4; }), Coordinate::plain);
   EXPECT_EQ(of([](Pair& p) {

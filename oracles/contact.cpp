@@ -6,7 +6,6 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "oracles/certificate.hpp"
 
@@ -14,12 +13,6 @@ namespace cyl {
 namespace {
 
 enum class Part : unsigned char { side, rim, cap };
-
-/// Sum of a*b and c*d, products exact by fma, rounded about twice.
-double sum_of_products(double a, double b, double c, double d) {
-  const double cd = c * d, lost = std::fma(c, d, -cd);
-  return std::fma(a, b, cd) + lost;
-}
 
 /// Largest coordinate between 1 and 2; exact but for subnormal numbers.
 Vector3 scaled(const Vector3& v) {
@@ -29,12 +22,6 @@ Vector3 scaled(const Vector3& v) {
   return v.unaryExpr([&](double x) { return std::ldexp(x, e); });
 }
 
-/// Relative accuracy to a few units however nearly parallel, of each coordinate's products.
-Vector3 accurate_cross(const Vector3& u, const Vector3& v) {
-  return {sum_of_products(u.y(), v.z(), -u.z(), v.y()), sum_of_products(u.z(), v.x(), -u.x(), v.z()),
-          sum_of_products(u.x(), v.y(), -u.y(), v.x())};
-}
-
 struct Angle {
   double sine, cosine;  // >= 0
 };
@@ -42,7 +29,7 @@ struct Angle {
 Angle angle_between(const Vector3& a, const Vector3& b) {
   const Vector3 u = scaled(a), v = scaled(b);
   const double lengths = u.norm() * v.norm();
-  return {accurate_cross(u, v).norm() / lengths, std::fabs(u.dot(v)) / lengths};
+  return {u.cross(v).norm() / lengths, std::fabs(u.dot(v)) / lengths};
 }
 
 Part part_along(const Cylinder& c, const Vector3& direction) {
@@ -52,23 +39,8 @@ Part part_along(const Cylinder& c, const Vector3& direction) {
   return Part::rim;
 }
 
-/// f(direction), as a part of the size.
-double support_gap(const Pair& p, const Vector3& d, const Vector3& delta, double unit) {
-  double f = -d.dot(delta);
-  for (const Cylinder* c : {&p.a, &p.b}) {
-    const Vector3 w = scaled(c->axis).normalized();
-    const double along = d.dot(w);
-    f += c->radius / unit * (d - along * w).norm() + c->height / unit / 2 * std::fabs(along);
-  }
-  return f;
-}
-
-/// Two values of f that differ by less, in units of the sum of all lengths, are not told apart.
-constexpr double same_value_tol = 1e-14;
-/// How far, as an angle, a flat direction may be from the direction that the search found: the square root of
-/// the width that was asked for, since f may be quadratic there, and some room.
-constexpr double snap_tol = 1e-4;
-/// In sizes. What the search may leave open.
+/// In sizes. What the search may leave open. Flat contacts are kinks of f: off one by an angle t, f is worse
+/// by about t heights or radii, so that the kink is found to less than flat_tol.
 constexpr double direction_width_tol = 1e-11;
 
 }  // namespace
@@ -122,32 +94,17 @@ bool contains(const Cylinder& outer, const Cylinder& inner) {
   return reach((low + high) / 2) <= outer.radius + rounding;
 }
 
-// f is least at a kink of f more often than anywhere else, and the search comes near it as far as its width
-// asks. So the flat directions near the one found stand in for it where f is no greater: square to both axes,
-// along one, square to one.
 std::optional<ContactFeature> contact_feature(const Pair& pair, const Truth& truth) {
   if (truth.verdict == Verdict::invalid || truth.verdict == Verdict::undecided) return {};
   if (truth.verdict == Verdict::intersecting && (contains(pair.a, pair.b) || contains(pair.b, pair.a)))
     return ContactFeature::containment;
   const std::array<double, 3> found = attain_distance(pair, truth, direction_width_tol).direction;
-  const Vector3 d(found[0], found[1], found[2]);
-  const Vector3 wa = scaled(pair.a.axis).normalized(), wb = scaled(pair.b.axis).normalized();
-  const double unit = std::max(size_of(pair), std::numeric_limits<double>::min());
-  const Vector3 delta = pair.b.center / unit - pair.a.center / unit;
-  const auto square_to = [&](const Vector3& w) { return (d - d.dot(w) * w).normalized().eval(); };
-  const Vector3 across = accurate_cross(scaled(pair.a.axis), scaled(pair.b.axis)).stableNormalized();
-  const double value = support_gap(pair, d, delta, unit), slack = same_value_tol * (1 + delta.norm());
-  for (const Vector3& flat : {across, wa, wb, square_to(wa), square_to(wb)}) {
-    const Vector3 e = flat.dot(d) < 0 ? Vector3(-flat) : flat;
-    if ((e - d).norm() <= snap_tol && support_gap(pair, e, delta, unit) <= value + slack)
-      return feature_along(pair, e);
-  }
-  return feature_along(pair, d);
+  return feature_along(pair, Vector3(found[0], found[1], found[2]));
 }
 
 AngleClass angle_class(const Pair& pair) {
   const Angle angle = angle_between(pair.a.axis, pair.b.axis);
-  /// Sines and cosines above it are certainly not 0.
+  /// Sines and cosines above it are not 0: three coordinates of three roundings each, and the lengths.
   constexpr double zero_error = 1e-15;
   if (angle.sine <= zero_error) {
     const Rational3 c = cross(exact(pair.a.axis), exact(pair.b.axis));

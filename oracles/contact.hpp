@@ -26,9 +26,9 @@ ContactFeature feature_along(const Pair& pair, const Vector3& direction);
 /// Whether no point of `inner` is outside `outer`, but for rounding.
 bool contains(const Cylinder& outer, const Cylinder& inner);
 
-/// Which features meet where the signed distance is attained: `containment` where the solids overlap and one
-/// holds the other. Flat contacts are preferred where, within rounding, they are as deep or as far. Nothing
-/// of a pair that is invalid or undecided. Cost: that of an enclosure of the distance.
+/// Which features meet where the signed distance is attained, one of several where several do: `containment`
+/// where the solids overlap and one holds the other. Nothing of a pair that is invalid or undecided. Cost:
+/// that of an enclosure of the distance.
 std::optional<ContactFeature> contact_feature(const Pair& pair, const Truth& truth);
 
 /// Of the lines of the axes.

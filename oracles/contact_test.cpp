@@ -79,8 +79,9 @@ TEST(ContactFeatureOf, PlainScenes) {
       {cap_side, solid(origin, z, 1, 2), solid({0, 0, 2.5}, x, 1, 1)},
       {cap_side, solid(origin, x, 1, 1), solid({0, 0, 2}, z, 1, 2)},  // touching
       {cap_rim, solid(origin, z, 2, 2), solid({0, 0, 3}, {1, 0, 1}, 1, 1)},
-      {rim_rim, solid(origin, z, 1, 2), solid({3, 0, 3}, z, 1, 2)},    // parallel axes
-      {side_side, solid(origin, z, 1, 2), solid({2, 0, 2}, z, 1, 2)},  // touching in one point: the flat one
+      {rim_rim, solid(origin, z, 1, 2), solid({3, 0, 3}, z, 1, 2)},  // parallel axes
+      {side_side, solid(origin, z, 1, 2),
+       solid({2, 0, 2}, z, 1, 2)},  // touching in one point: as well cap-cap
       {side_rim, solid(origin, z, 1, 8), solid({4, 0, 0}, {1, 0, 1}, 1, 2)},
       {containment, solid(origin, z, 2, 4), solid({0.5, 0, 0}, {1, 2, 3}, 0.5, 1)},
       {containment, solid({0.5, 0, 0}, {1, 2, 3}, 0, 0), solid(origin, z, 2, 4)},  // a point

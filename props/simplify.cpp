@@ -556,7 +556,7 @@ Complexity complexity(const Pair& pair) {
   }
   for (const Cylinder* s : {&a, &b})
     for (const double x : {s->radius, s->height, s->axis.cwiseAbs().maxCoeff()})
-      c.extremes += std::abs(decimal_of(x).exponent);
+      c.extremes += std::max(0, std::abs(decimal_of(x).exponent) - 1);
   c.distinct = static_cast<int>(distinct.size());
   return c;
 }

@@ -14,6 +14,9 @@
 
 #include "corpus/families.hpp"
 #include "corpus/pair_io.hpp"
+#include "corpus/strata.hpp"
+#include "oracles/bucket.hpp"
+#include "oracles/contact.hpp"
 #include "oracles/referee.hpp"
 
 namespace cyl {
@@ -179,6 +182,26 @@ TEST(SimplifyTo, WhatFailedWithinAnyCap) {
   }
 }
 
+// What the bucket key is read from does not depend on where the search began.
+TEST(SimplifyTo, OneBucketForOneFault) {
+  for (const ContactFeature feature : {ContactFeature::side_rim, ContactFeature::rim_rim}) {
+    const Fails tolerance = [&](const Pair& p) {
+      const Truth truth = judge(p);
+      return truth.verdict == Verdict::intersecting && enclose_distance(p, truth, 1e-12).lo > -1e-6 &&
+             contact_feature(p, truth) == feature;
+    };
+    for (const int decade : {7, 9})
+      for (std::uint64_t i = 1; i < 6; i += 2) {
+        const Pair pair = *draw_in_stratum(feature, decade, seed, i);
+        if (!tolerance(pair)) continue;
+        const Pair s = simplify_by(pair, tolerance).pair;
+        EXPECT_EQ(coordinate_of(s, -enclose_distance(s, judge(s)).lo / size_of(s)), Coordinate::margin)
+            << format_pair(s);
+        EXPECT_LE(complexity(s).digits, 25) << format_pair(s);
+      }
+  }
+}
+
 TEST(SimplifyTo, ItselfWhereThePairIsIllegal) {
   Pair pair = find_family("random")->generate(seed, 0);
   pair.a.radius = -1;
@@ -213,7 +236,7 @@ TEST(ComplexityOf, CountsDecimals) {
   const Complexity c = complexity(pair);
   EXPECT_EQ(c.digits, 2 + 1 + 2 + 1 + 1 + 1 + 1 + 1);
   EXPECT_EQ(c.non_zero, 8);
-  EXPECT_EQ(c.extremes, 0 + 2 + 9 + 10 + 1 + 0);
+  EXPECT_EQ(c.extremes, 1 + 8 + 9);  // 120, 1e-9, 3e10
   EXPECT_EQ(c.fractional, 4);
   EXPECT_EQ(c.exponents, 1 + 0 + 2 + 9 + 1 + 10 + 1 + 0);
   EXPECT_EQ(c.distinct, 7);
