@@ -5,7 +5,6 @@
 #include <rapidcheck/gtest.h>
 
 #include <cstdint>
-#include <ostream>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -14,53 +13,11 @@
 #include "corpus/pair_io.hpp"
 #include "oracles/referee.hpp"
 #include "props/laws_test.hpp"
+#include "props/pair_generators.hpp"
 
 namespace cyl {
 
-/// How RapidCheck prints a counterexample: as a line of a case file.
-void showValue(const Pair& pair, std::ostream& out) { out << format_pair(pair); }
-
 namespace {
-
-/// n/64 with least <= n <= 256: exact in sums and products, often touching; shrinks to small numbers.
-rc::Gen<double> on_grid(int least) {
-  return rc::gen::map(rc::gen::inRange(least, 257), [](int n) { return n / 64.0; });
-}
-
-template <typename Coordinate>
-rc::Gen<Vector3> vector_of(const rc::Gen<Coordinate>& x) {
-  return rc::gen::map(rc::gen::tuple(x, x, x),
-                      [](const auto& v) { return Vector3(std::get<0>(v), std::get<1>(v), std::get<2>(v)); });
-}
-
-/// Half the axes have coordinates -2..2, so that parallel and perpendicular ones are common.
-rc::Gen<Vector3> grid_axis() {
-  return rc::gen::suchThat(rc::gen::oneOf(vector_of(rc::gen::inRange(-2, 3)), vector_of(on_grid(-256))),
-                           [](const Vector3& v) { return v != Vector3::Zero(); });
-}
-
-rc::Gen<Cylinder> grid_cylinder() {
-  return rc::gen::map(rc::gen::tuple(vector_of(on_grid(-256)), grid_axis(), on_grid(0), on_grid(0)),
-                      [](const auto& c) {
-                        return Cylinder{std::get<0>(c), std::get<1>(c), std::get<2>(c), std::get<3>(c)};
-                      });
-}
-
-rc::Gen<Pair> grid_pair() {
-  return rc::gen::map(rc::gen::pair(grid_cylinder(), grid_cylinder()), [](const auto& p) {
-    return Pair{p.first, p.second};
-  });
-}
-
-rc::Gen<Pair> family_pair() {
-  return rc::gen::map(
-      rc::gen::tuple(rc::gen::inRange<std::size_t>(0, families().size()), rc::gen::arbitrary<std::uint64_t>(),
-                     rc::gen::arbitrary<std::uint64_t>()),
-      [](const auto& drawn) {
-        const auto& [family, seed, index] = drawn;
-        return families()[family].generate(seed, index);
-      });
-}
 
 /// What our own methods break on this pair against their contract, or empty.
 std::string broken_by_ours(const Pair& pair) {

@@ -205,7 +205,7 @@ std::string proved_in_words(const GateMethod& method) {
 }
 
 std::string gate_text(const GateReport& report) {
-  std::string text = fmt::format("seed {}\n", report.seed);
+  std::string text;
   for (const GatePhaseReport& p : report.phases) {
     text += fmt::format("{:<12} {:>18} {:>9}.{} s\n", to_string(p.phase), pairs_in_words(p.pairs),
                         p.time.count() / 1000, p.time.count() % 1000 / 100);

@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: MIT
+#include "props/gate.hpp"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <fstream>
+#include <memory>
+#include <optional>
+#include <set>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "cli/build_info.hpp"
+#include "cli/commands.hpp"
+#include "cli/default_cases.hpp"
+#include "cli/duration.hpp"
+#include "cli/progress.hpp"
+#include "cli/unsigned_option.hpp"
+#include "corpus/case_files.hpp"
+#include "corpus/pair_io.hpp"
+#include "props/law_hunt.hpp"
+#include "reports/gate_github.hpp"
+#include "reports/gate_json.hpp"
+#include "reports/gate_junit.hpp"
+#include "reports/gate_sarif.hpp"
+#include "reports/gate_text.hpp"
+
+namespace cyl {
+namespace {
+
+struct Arguments {
+  std::string budget, methods = "intersect,decide,distance,exact", junit, sarif, json, against, keep,
+                      reproduce;
+  std::optional<std::string> cases;
+  std::uint64_t seed = GateOptions{}.seed;
+  bool github = false, laws = false;
+};
+
+void print_laws() {
+  for (const Law& law : all_laws())
+    fmt::print("{:>3} {:<12} {:<12} {}\n{:30}({})\n", law.number, to_string(law.kind), law.name,
+               law.statement, "", law.where);
+}
+
+void write_file(const std::string& name, const std::string& text) {
+  if (name.empty()) return;
+  std::ofstream out(name);
+  out << text;
+  out.close();
+  if (!out) throw std::runtime_error(name + " cannot be written");
+}
+
+/// What failed as lines of a case file, to be kept beside the other cases.
+std::string case_lines(const GateReport& report) {
+  std::string lines;
+  for (const GateFailure& failure : report.failures) {
+    if (failure.severity != Severity::contract) continue;
+    Case c;
+    c.pair = failure.simplest;
+    c.id = failure.bucket;
+    c.source = fmt::format("daylight gate, simplified from {}", failure.origin);
+    c.note = fmt::format("{} breaks law {}, {}: {}", failure.method, failure.law->number, failure.law->name,
+                         failure.what);
+    lines += format_case(c) + '\n';
+  }
+  return lines;
+}
+
+int reproduce(const Arguments& arguments, std::span<const std::unique_ptr<Method>> methods) {
+  const Wanted all = [](std::size_t, const Law&) { return true; };
+  bool broken = false;
+  for (const Catch& c : hunt_again(methods, all, arguments.reproduce, GateOptions{}.caps).caught) {
+    fmt::print("{} breaks law {}, {} ({}): {}\n  {}\n", methods[c.method]->name(), c.law->number, c.law->name,
+               to_string(c.broken.severity), c.broken.what, format_pair(c.pair));
+    broken |= c.broken.severity == Severity::contract;
+  }
+  if (!broken) fmt::print("no law is broken beyond a claim\n");
+  return broken ? exit_findings : exit_pass;
+}
+
+int gate(const Arguments& arguments) {
+  if (arguments.laws) {
+    print_laws();
+    return exit_pass;
+  }
+  const auto methods = select_methods(all_methods(), arguments.methods);
+  if (!arguments.reproduce.empty()) return reproduce(arguments, methods);
+  GateOptions options;
+  options.seed = arguments.seed;
+  if (!arguments.budget.empty()) options.budget = parse_duration(arguments.budget);
+  const std::string folder = arguments.cases ? *arguments.cases : default_cases();
+  const std::vector<Case> cases = folder.empty() ? std::vector<Case>{} : read_case_folder(folder);
+  std::set<std::string> base;
+  if (!arguments.against.empty()) base = read_buckets(arguments.against);
+  fmt::print("seed {}\n", options.seed);
+  std::fflush(stdout);
+
+  GateReport report;
+  {
+    ProgressLine line;
+    report = run_gate(methods, cases, options, [&](const GateProgress& p) {
+      if (!line.due(p.elapsed)) return;
+      line.show(p.elapsed,
+                static_cast<double>(p.elapsed.count()) / static_cast<double>(options.budget.count()),
+                fmt::format("{}: {} pairs; {} kinds of failure", to_string(p.phase), p.pairs, p.failures));
+    });
+  }
+  mark_known(report, base);
+  write_file(arguments.junit, gate_junit(report));
+  write_file(arguments.sarif, gate_sarif(report, build_info().version, !arguments.against.empty()));
+  write_file(arguments.json, gate_json(report));
+  write_file(arguments.keep, case_lines(report));
+  if (arguments.github) fmt::print("{}", gate_github(report));
+  fmt::print("{}", gate_text(report));
+  return exit_code(report);
+}
+
+}  // namespace
+
+void add_gate(CLI::App& app, int& exit_code) {
+  CLI::App* command = app.add_subcommand(
+      "gate", "Merge gate: every case, every law, a sample of every stratum; one exit code");
+  auto arguments = std::make_shared<Arguments>();
+  command->add_option("--for", arguments->budget, "wall time, like 40s or 5m; 40s where not given");
+  command->add_option("--method", arguments->methods,
+                      "a,b: who is to pass; a name stands for all that begin with it; ours where not given");
+  add_unsigned(*command, "--seed", arguments->seed, "same seed, same pairs in the same order");
+  command->add_option("--cases", arguments->cases,
+                      "folder of case files; corpus/ where not given; '' for none");
+  command->add_option("--junit", arguments->junit, "write a JUnit file");
+  command->add_option("--sarif", arguments->sarif, "write a SARIF 2.1.0 file");
+  command->add_option("--json", arguments->json, "write everything as JSON: what --against reads");
+  command->add_flag("--github", arguments->github, "print annotations for GitHub's log");
+  command->add_option("--against", arguments->against,
+                      "JSON of an earlier gate: only what it does not have fails");
+  command->add_option("--keep", arguments->keep, "write the simplified failing pairs as a file of cases");
+  command->add_option("--reproduce", arguments->reproduce,
+                      "run one drawn case again, by the name it was given");
+  command->add_flag("--laws", arguments->laws, "only list the laws");
+  command->footer(
+      "Example:\n  daylight gate --method fcl --junit gate.xml\n"
+      "Exit code: 0 nothing beyond a claim, 2 broken laws, refuted verdicts, crashes or hangs, 3 none of "
+      "those, but\n"
+      "undecided truth or a method that abstains, 1 the harness failed, 64 usage.");
+  command->callback([arguments, &exit_code] { exit_code = gate(*arguments); });
+}
+
+}  // namespace cyl

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: MIT
+// RapidCheck generators of pairs. Its own doubles shrink towards nothing simple, so that pairs to be shrunk
+// come from a dyadic grid; those of families and strata stay as they are (simplify.hpp is for them).
+#pragma once
+
+#include <rapidcheck.h>
+
+#include <ostream>
+#include <string>
+#include <vector>
+
+#include "solver/cylinder.hpp"
+
+namespace cyl {
+
+/// How RapidCheck prints a counterexample: as a line of a case file.
+void showValue(const Pair& pair, std::ostream& out);
+
+/// Numbers n/64, |n| <= 256: exact in sums and products, often touching; half the axes have coordinates
+/// -2..2, so that parallel and perpendicular ones are common.
+rc::Gen<Pair> grid_pair();
+/// Of any family, any seed and index.
+rc::Gen<Pair> family_pair();
+
+/// Pairs of one kind, which `from` names: "grid", "family random" or "stratum side-rim 1e-09".
+struct PairsDrawn {
+  std::string from;
+  std::vector<Pair> pairs;
+};
+/// At most `count` pairs of one kind; the kinds take turns at random: the grid, each family, each stratum.
+rc::Gen<PairsDrawn> pairs_of_one_kind(int count);
+void showValue(const PairsDrawn& drawn, std::ostream& out);
+
+}  // namespace cyl
