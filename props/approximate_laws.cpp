@@ -63,9 +63,8 @@ double change_between(const Pair& x, const Pair& y) {
 }
 
 std::optional<Broken> break_changes(const LawCase& c) {
-  for (std::size_t i = 0; i < c.asked.size(); ++i)
-    if (auto broken = break_change(c, i, change_between(c.pair, c.asked[i].pair))) return broken;
-  return {};
+  return worst_of(c,
+                  [&](std::size_t i) { return break_change(c, i, change_between(c.pair, c.asked[i].pair)); });
 }
 
 // A quaternion of integers, as the integer matrix of its rotation times the sum of its squares.
@@ -110,9 +109,7 @@ std::vector<Asked> rotated(const Method&, const Pair& pair, const MethodAnswer&)
 }
 
 std::optional<Broken> break_rotation(const LawCase& c) {
-  for (std::size_t i = 0; i < c.asked.size(); ++i)
-    if (auto broken = break_change(c, i, rotation_change(c.pair))) return broken;
-  return {};
+  return worst_of(c, [&](std::size_t i) { return break_change(c, i, rotation_change(c.pair)); });
 }
 
 /// How far the scene is moved, in units of its size.

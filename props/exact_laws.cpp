@@ -3,6 +3,7 @@
 // that computes promises that bit for bit; of one that searches the verdict alone is held to it.
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <optional>
 #include <utility>
@@ -70,9 +71,7 @@ std::optional<Broken> compare_answers(const LawCase& c, std::size_t i, const Exp
 }
 
 std::optional<Broken> all_as_expected(const LawCase& c, const Expected& expected = {}) {
-  for (std::size_t i = 0; i < c.answers.size(); ++i)
-    if (auto broken = compare_answers(c, i, expected)) return broken;
-  return {};
+  return worst_of(c, [&](std::size_t i) { return compare_answers(c, i, expected); });
 }
 
 std::vector<Asked> swapped(const Method&, const Pair& pair, const MethodAnswer&) {
@@ -110,15 +109,14 @@ std::vector<Asked> at_other_scales(const Method&, const Pair& pair, const Method
 }
 
 std::optional<Broken> break_scaling(const LawCase& c) {
-  std::size_t next = 0;
-  for (const int k : scales) {
-    if (!scaled(c.pair, k)) continue;
-    if (auto broken = compare_answers(c, next++, {.length = std::ldexp(1, k)})) {
-      broken->what = "times 2^" + std::to_string(k) + ": " + broken->what;
-      return broken;
-    }
-  }
-  return {};
+  std::vector<int> asked;
+  std::copy_if(std::begin(scales), std::end(scales), std::back_inserter(asked),
+               [&](int k) { return scaled(c.pair, k).has_value(); });
+  return worst_of(c, [&](std::size_t i) {
+    auto broken = compare_answers(c, i, {.length = std::ldexp(1, asked[i])});
+    if (broken) broken->what = "times 2^" + std::to_string(asked[i]) + ": " + broken->what;
+    return broken;
+  });
 }
 
 std::vector<Asked> reversed(const Method&, const Pair& pair, const MethodAnswer&) {
@@ -178,14 +176,13 @@ std::vector<Asked> permuted(const Method&, const Pair& pair, const MethodAnswer&
 // Roles and signs that break ties, and the order of sums, may change: digits may differ, and who does not
 // know need not know the same.
 std::optional<Broken> turned_verdict(const LawCase& c, bool promised) {
-  for (std::size_t i = 0; i < c.answers.size(); ++i) {
-    if (!is_decided(c.first) || !is_decided(c.answers[i]) || says_meet(c.first) == says_meet(c.answers[i]))
-      continue;
+  return worst_of(c, [&](std::size_t i) -> std::optional<Broken> {
+    const MethodAnswer& second = c.answers[i];
+    if (!is_decided(c.first) || !is_decided(second) || says_meet(c.first) == says_meet(second)) return {};
     return Broken{std::string("the verdict turns from ") + to_string(c.first.verdict) + " to " +
-                      to_string(c.answers[i].verdict),
+                      to_string(second.verdict),
                   promised ? Severity::contract : severity_of(c, i)};
-  }
-  return {};
+  });
 }
 
 }  // namespace

@@ -139,5 +139,20 @@ TEST(ExactLaws, CatchAnAnswerThatFavoursACoordinate) {
       (Numbers{6, 11, 12, 20, 22, 31}));
 }
 
+// At the first scale asked the solids are below an absolute claim, at the last they are not.
+TEST(ExactLaws, FindABreakBeyondTheClaimBehindOneWithinIt) {
+  const auto turns = [](const Pair& pair) {
+    MethodAnswer answer = ask_ours("intersect", pair);
+    const double size = size_of(pair);
+    if (size < 1e-50 || size > 1e50) answer.verdict = Verdict::disjoint;
+    return answer;
+  };
+  Planted method(turns, "planted", {0, 1e-6, "planted"});
+  const Pair pair{{{0, 0, 0}, {0, 0, 1}, 1, 2}, {{1, 0, 0}, {0, 1, 0}, 1, 2}};
+  const auto broken = broken_by(method, law_numbered(2), pair);
+  ASSERT_TRUE(broken);
+  EXPECT_EQ(broken->severity, Severity::contract) << broken->what;
+}
+
 }  // namespace
 }  // namespace cyl

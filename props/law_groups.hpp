@@ -4,6 +4,8 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
+#include <utility>
 #include <vector>
 
 #include "props/laws.hpp"
@@ -24,6 +26,19 @@ bool is_refuted(const LawCase& c, const Pair& pair, const MethodAnswer& answer);
 /// Of what compares the verdicts on the pair and on asked[i]: contract where the method promises both, or
 /// where one of them is refuted and it promises that one; else resolution. By proof.
 Severity severity_of(const LawCase& c, std::size_t i);
+
+/// What `broken_at(i)` finds of answers[i], the worst: one beyond the claim is not hidden by one within it.
+template <class BrokenAt>
+std::optional<Broken> worst_of(const LawCase& c, BrokenAt broken_at) {
+  std::optional<Broken> worst;
+  for (std::size_t i = 0; i < c.answers.size(); ++i) {
+    std::optional<Broken> broken = broken_at(i);
+    if (!broken) continue;
+    if (broken->severity == Severity::contract) return broken;
+    if (!worst) worst = std::move(broken);
+  }
+  return worst;
+}
 
 /// How far a distance that was said of the pair may be off: the claim, its relative part of size and centres'
 /// distance, or the rounding of the larger length.

@@ -44,12 +44,10 @@ std::vector<Asked> grown(const Method& method, const Pair& pair, const MethodAns
 }
 
 std::optional<Broken> break_growing(const LawCase& c) {
-  for (std::size_t i = 0; i < c.asked.size(); ++i) {
-    if (!is_decided(c.answers[i]) || says_meet(c.answers[i])) continue;
-    return Broken{"says " + std::string(to_string(c.first.verdict)) + ", and disjoint of larger solids",
-                  severity_of(c, i)};
-  }
-  return {};
+  return worst_of(c, [&](std::size_t i) -> std::optional<Broken> {
+    if (!is_decided(c.answers[i]) || says_meet(c.answers[i])) return {};
+    return Broken{said(c.first) + ", and disjoint of larger solids", severity_of(c, i)};
+  });
 }
 
 /// A proxy thinner than this, times the solid's largest number, is lost in the rounding of its centre.
@@ -74,11 +72,10 @@ std::vector<Asked> inside(const Method&, const Pair& pair, const MethodAnswer&) 
 }
 
 std::optional<Broken> break_inside(const LawCase& c) {
-  for (std::size_t i = 0; i < c.asked.size(); ++i) {
-    if (!is_decided(c.answers[i]) || says_meet(c.answers[i])) continue;
+  return worst_of(c, [&](std::size_t i) -> std::optional<Broken> {
+    if (!is_decided(c.answers[i]) || says_meet(c.answers[i])) return {};
     return Broken{said(c.answers[i]) + " of a solid and one inside it", severity_on(c, c.asked[i].pair)};
-  }
-  return {};
+  });
 }
 
 /// Of the distance of two proxies, times their lengths and largest coordinates: segment_distance is right to
@@ -141,9 +138,9 @@ double shown_by(const Pair& pair, const Vector3& u) {
 
 std::optional<Broken> break_moving_apart(const LawCase& c) {
   const Vector3 u = offered_direction(c.pair, c.first);
-  for (std::size_t i = 0; i < c.asked.size(); ++i) {
+  return worst_of(c, [&](std::size_t i) -> std::optional<Broken> {
     const MethodAnswer& second = c.answers[i];
-    if (!is_decided(second)) continue;
+    if (!is_decided(second)) return {};
     const Pair& moved = c.asked[i].pair;
     const double shown = shown_by(moved, u);
     if (shown > 0 && says_meet(second)) {
@@ -155,8 +152,8 @@ std::optional<Broken> break_moving_apart(const LawCase& c) {
       return Broken{"says distance " + format_double(second.distance) + " where its direction shows " +
                     format_double(shown)};
     }
-  }
-  return {};
+    return {};
+  });
 }
 
 }  // namespace
