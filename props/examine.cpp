@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "props/examine.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <utility>
 
@@ -102,8 +104,13 @@ Examined examine(std::span<const std::unique_ptr<Method>> methods, std::span<con
                       errand->asked,
                       std::span(further_answers).subspan(errand->first_question, errand->asked.size()),
                       proofs};
-      if (auto broken = errand->law->broken(c))
-        result.broken.push_back({errand->method, p, errand->law, std::move(*broken)});
+      const auto failed = std::find_if(c.answers.begin(), c.answers.end(),
+                                       [](const MethodAnswer& a) { return a.status == Status::failed; });
+      auto broken =
+          failed == c.answers.end()
+              ? errand->law->broken(c)
+              : Broken{fmt::format("fails on a changed pair: {}", failed->reason), Severity::contract};
+      if (broken) result.broken.push_back({errand->method, p, errand->law, std::move(*broken)});
     }
     if (const Proved* proved = proofs.known(pairs[p])) result.truths[p] = proved->truth.verdict;
   }

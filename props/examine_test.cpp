@@ -69,12 +69,28 @@ TEST_F(Misbehaving, IsCounted) {
   for (const Behaviour b : {throws, garbles, crashes}) {
     EXPECT_EQ(examined.counts[b].asked, pair_count);
     EXPECT_EQ(examined.counts[b].failed, pair_count) << methods[b]->name();
-    EXPECT_EQ(examined.counts[b].hung, 0u) << methods[b]->name();
+    EXPECT_EQ(examined.counts[b].hung_seconds, 0) << methods[b]->name();
   }
   // After two hangs it is not asked any more.
-  EXPECT_EQ(examined.counts[sleeps].hung, 2u);
+  EXPECT_GT(examined.counts[sleeps].hung_seconds, 0);
   EXPECT_EQ(examined.counts[sleeps].failed, 2u);
   EXPECT_EQ(examined.counts[sleeps].declined, pair_count - 2);
+}
+
+TEST(Examine, SeesWhoBreaksDownOnAChangedPairAlone) {
+  std::vector<std::unique_ptr<Method>> methods;
+  methods.push_back(std::make_unique<Planted>([](const Pair& pair) {
+    if (pair.a.radius > pair.b.radius) throw std::runtime_error("roles");
+    return ask_ours("intersect", pair);
+  }));
+  Pair pair;
+  pair.a.radius = 1;
+  pair.b.radius = 2;
+  const Examined examined =
+      examine(methods, {&pair, 1}, [](std::size_t, const Law& law) { return law.number == 1; });
+  ASSERT_EQ(examined.broken.size(), 1u);
+  EXPECT_EQ(examined.broken[0].law->number, 1);
+  EXPECT_EQ(examined.broken[0].broken.what, "fails on a changed pair: roles");
 }
 
 TEST_F(Misbehaving, BreaksLaw30AndNoOther) {

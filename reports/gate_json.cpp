@@ -90,7 +90,8 @@ std::string gate_json(const GateReport& report) {
                     {"methods", std::move(methods)},
                     {"failures", std::move(failures)},
                     {"phases", std::move(phases)},
-                    {"undecided_truths", report.undecided_truths}};
+                    {"undecided_truths", report.undecided_truths},
+                    {"drawn", report.drawn}};
   return all.dump(1, ' ', false, json::error_handler_t::replace) + '\n';
 }
 
@@ -110,6 +111,8 @@ std::set<std::string> read_buckets(const std::string& file) {
   for (const json& f : *failures) {
     if (!f.is_object() || !f.contains("bucket") || !f["bucket"].is_string())
       refuse("holds a failure without a bucket");
+    // What the base breaks within its claims excuses nothing.
+    if (f.contains("severity") && f["severity"] == to_string(Severity::resolution)) continue;
     buckets.insert(f["bucket"].get<std::string>());
   }
   return buckets;
