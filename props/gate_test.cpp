@@ -61,8 +61,11 @@ TEST(Gate, LetsAnHonestMethodPass) {
     EXPECT_NE(f.severity, Severity::contract) << f.law->name << f.what;
   EXPECT_EQ(exit_code(report), 0);
   EXPECT_EQ(report.methods.at(0).remark, "");
-  for (const GateCell& cell : report.methods.at(0).cells)
-    EXPECT_EQ(cell.wrong, 0) << cell.feature << cell.decade;
+  for (const GateCell& cell : report.methods.at(0).cells) {
+    if (cell.claimed) {
+      EXPECT_EQ(cell.wrong, 0u) << cell.feature << ' ' << cell.decade;
+    }
+  }
   for (const GatePhaseReport& phase : report.phases) EXPECT_GT(phase.pairs, 0u) << to_string(phase.phase);
 }
 
