@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // daylight-mutants: what the harness is worth. Lists the mutants and runs every detector on every one.
-// Exit status 0: the program as it is survives all, every mutant but those argued equivalent is caught; 2 where
-// one is not; 1 where the harness itself fails.
+// Exit status 0: the program as it is survives all, every mutant but those argued equivalent is caught; 2
+// where one is not; 1 where the harness itself fails.
 #include <fmt/format.h>
 #include <unistd.h>
 
@@ -31,34 +31,36 @@ constexpr int exit_harness_failed = 1, exit_survivors = 2;
 /// can prove ends it.
 constexpr std::uint64_t fuzz_seed = 7, fuzz_indices = 24 * batch_size;
 
-bool fuzz_kills(const Mutant& mutant) {
+std::string finding(const Mutant& mutant) {
   const auto methods = select_methods(all_methods(), mutant.asks);
   for (std::uint64_t at = 0; at < fuzz_indices; at += batch_size) {
     const BatchRecord batch = run_batch({methods, families(), {}}, fuzz_seed, at, at + batch_size);
-    for (const GroupRecord& group : batch.groups)
-      if (group.severity != to_string(Severity::resolution)) return true;
+    for (const FindingRecord& f : batch.findings)
+      if (f.severity != to_string(Severity::resolution))
+        return fmt::format("{}: {} on {} {}; {}", f.method, f.kind, f.family, f.family_index, f.pair);
   }
-  return false;
+  return {};
 }
 
 /// Becomes the unit tests. They read the number of the mutant from the environment.
-bool tests_kill(const std::string& program, const Mutant& mutant) {
-  if (mutant.tests.empty()) return false;
+std::string failing_test(const std::string& program, const Mutant& mutant) {
+  if (mutant.tests.empty()) return {};
   setenv("DAYLIGHT_MUTANT", std::to_string(mutant.number).c_str(), 1);
   setenv("RC_PARAMS", "seed=20261121 max_success=500", 1);
   const std::string filter = "--gtest_filter=" + std::string(mutant.tests);
   execl(program.c_str(), program.c_str(), filter.c_str(), "--gtest_fail_fast", nullptr);
-  return true;  // there is no such program
+  return "cannot run " + program;
 }
 
 std::string json_of(const KillRow& row, std::span<const Detector> detectors) {
-  std::string text = fmt::format(R"({{"mutant":{},"file":{},"what":{},"like":{})", row.mutant.number,
-                                 quote_json(row.mutant.file), quote_json(row.mutant.what),
-                                 quote_json(row.mutant.like));
+  std::string text =
+      fmt::format(R"({{"mutant":{},"file":{},"what":{},"like":{})", row.mutant.number,
+                  quote_json(row.mutant.file), quote_json(row.mutant.what), quote_json(row.mutant.like));
   if (!row.mutant.equivalent.empty()) text += ",\"equivalent\":" + quote_json(row.mutant.equivalent);
   for (std::size_t i = 0; i < detectors.size(); ++i)
-    text += fmt::format(R"(,"{}":{{"fate":"{}","seconds":{:.3f}}})", detectors[i].name,
-                        to_string(row.detections[i].fate), row.detections[i].seconds);
+    text += fmt::format(R"(,"{}":{{"fate":"{}","seconds":{:.3f},"what":{}}})", detectors[i].name,
+                        to_string(row.detections[i].fate), row.detections[i].seconds,
+                        quote_json(row.detections[i].what));
   return text + "}";
 }
 
@@ -67,6 +69,9 @@ void print(const KillRow& row) {
   for (const Detection& d : row.detections)
     line += fmt::format("  {:8} {:6.2f}", to_string(d.fate), d.seconds);
   fmt::print("{}  {}\n", line, row.mutant.what);
+  if (row.mutant.number == 0)
+    for (const Detection& d : row.detections)
+      if (!d.what.empty()) fmt::print("      {}\n", d.what);
   std::fflush(stdout);
 }
 
@@ -78,9 +83,9 @@ void list() {
 int matrix(const std::vector<int>& only, const std::string& corpus, const std::string& json) {
   const std::vector<Case> cases = read_case_folder(corpus);
   std::vector<Detector> detectors = law_detectors(cases);
-  detectors.push_back({"fuzz", fuzz_kills});
+  detectors.push_back({"fuzz", finding});
   const std::string tests = std::filesystem::read_symlink("/proc/self/exe").parent_path() / "mutant_tests";
-  detectors.push_back({"tests", [&](const Mutant& mutant) { return tests_kill(tests, mutant); }});
+  detectors.push_back({"tests", [&](const Mutant& mutant) { return failing_test(tests, mutant); }});
 
   std::ofstream out;
   if (!json.empty()) out.open(json);

@@ -13,11 +13,11 @@
 
 namespace cyl {
 
-/// Whether the program, as the mutant has made it, gives itself away. Called in a child, which it may crash,
-/// hang or replace (then the exit code says it: 0 survived).
+/// What gives the program away, as the mutant has made it, in one line; empty: nothing does. Called in a
+/// child, which it may crash, hang or replace (then the exit code says it: 0 survived).
 struct Detector {
   std::string name;
-  std::function<bool(const Mutant&)> kills;
+  std::function<std::string(const Mutant&)> betrayal;
 };
 
 enum class Fate : unsigned char {
@@ -34,6 +34,7 @@ inline constexpr unsigned detector_wall_cap = 600;  ///< seconds, for what waits
 struct Detection {
   Fate fate = Fate::survived;
   double seconds = 0;  ///< wall time to the kill, or to the end
+  std::string what;    ///< gave it away, in one line; may be empty
 };
 
 struct KillRow {
@@ -44,7 +45,8 @@ struct KillRow {
 
 /// Asks every detector, each in a child that has called select(mutant.number). Throws std::system_error only
 /// where the system refuses a process.
-KillRow run_detectors(const Mutant& mutant, std::span<const Detector> detectors, void (*select)(int) noexcept);
+KillRow run_detectors(const Mutant& mutant, std::span<const Detector> detectors,
+                      void (*select)(int) noexcept);
 
 /// laws: every law on the cases and on pairs of the families. corpus: laws 30 and on for the cases, and what
 /// they state of the truth. differential: laws 30 and on for pairs of all families, near touching ones too.

@@ -13,7 +13,7 @@ One entry a line; of its fields number, file, find, replace, what and like are n
     asks        methods held to the laws, default "intersect,decide,distance,exact"
     tests       filter of the unit tests, default none
     equivalent  why no test can see the fault
-A text that ends in ';' or '}' is a statement and becomes if (selected) { replace } else { find }; any other is an
+A text that ends in ';' or '}' is a statement and becomes { if (selected) { replace } else { find } }; any other is an
 expression and becomes (selected ? (replace) : (find)), so it must be an operand as it stands: one that is not
 changes the unmutated program too, which the test mutants_off_change_nothing sees. One text may lie within
 another's, or be another's. Line numbers of the copies are those of the originals.
@@ -72,7 +72,7 @@ def place(entry, text):
 def choose(entry, original):
     selected = f'::cyl::mutant_is({entry["number"]})'
     if entry['find'].endswith((';', '}')):
-        return f'if ({selected}) {{ {entry["replace"]} }} else {{ {original} }}'
+        return f'{{ if ({selected}) {{ {entry["replace"]} }} else {{ {original} }} }}'
     return f'({selected} ? ({entry["replace"]}) : ({original}))'
 
 

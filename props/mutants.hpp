@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// The mutants: this program with one fault planted, chosen at run time, to measure whether the harness catches
-// faults. They are listed in props/mutants.jsonl; props/make_mutants.py writes the mutated copies of the
-// sources that daylight-mutants is made of, and the table behind all_mutants(). The sources themselves, and
-// so `daylight`, know nothing of it.
+// The mutants: this program with one fault planted, chosen at run time, to measure whether the harness
+// catches faults. They are listed in props/mutants.jsonl; props/make_mutants.py writes the mutated copies of
+// the sources that daylight-mutants is made of, and the table behind all_mutants(). The sources themselves,
+// and so `daylight`, know nothing of it.
 #pragma once
 
 #include <span>
