@@ -80,7 +80,7 @@ void list() {
     fmt::print("{:4}  {:30}  {}{}\n", m.number, m.file, m.what, m.equivalent.empty() ? "" : " (equivalent)");
 }
 
-int matrix(const std::vector<int>& only, const std::string& corpus, const std::string& json) {
+int matrix(const std::vector<int>& only, bool first, const std::string& corpus, const std::string& json) {
   const std::vector<Case> cases = read_case_folder(corpus);
   std::vector<Detector> detectors = law_detectors(cases);
   detectors.push_back({"fuzz", finding});
@@ -90,7 +90,12 @@ int matrix(const std::vector<int>& only, const std::string& corpus, const std::s
   std::ofstream out;
   if (!json.empty()) out.open(json);
   const auto run = [&](const Mutant& mutant) {
-    const KillRow row = run_detectors(mutant, detectors, select_mutant);
+    KillRow row{mutant, {}};
+    for (const Detector& detector : detectors) {
+      const bool done = first && row.killed();
+      row.detections.push_back(
+          done ? Detection{} : run_detectors(mutant, {&detector, 1}, select_mutant).detections.front());
+    }
     print(row);
     if (!json.empty()) out << json_of(row, detectors) << '\n' << std::flush;
     return row.killed();
@@ -131,16 +136,18 @@ int main(int argc, char** argv) {
   app.require_subcommand(1);
   app.footer("For example: daylight-mutants matrix --only 101,102 --json kills.jsonl");
   std::vector<int> only;
+  bool first = false;
   std::string json, corpus = DAYLIGHT_SOURCE_DIR "/corpus";
   auto* listing = app.add_subcommand("list", "the mutants");
   auto* running = app.add_subcommand("matrix", "every detector on every mutant, the program as it is first");
   running->add_option("--only", only, "numbers of mutants")->delimiter(',');
+  running->add_flag("--first", first, "leave a mutant at its first kill");
   running->add_option("--json", json, "a file for the rows, one JSON object a line");
   running->add_option("--corpus", corpus, "the folder of the case files");
   CLI11_PARSE(app, argc, argv);
   try {
     if (listing->parsed()) list();
-    return running->parsed() ? matrix(only, corpus, json) : 0;
+    return running->parsed() ? matrix(only, first, corpus, json) : 0;
   } catch (const std::exception& error) {
     std::cerr << "daylight-mutants: " << error.what() << '\n';
     return exit_harness_failed;
