@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: MIT
+// daylight-mutants: what the harness is worth. Lists the mutants and runs every detector on every one.
+// Exit status 0: the program as it is survives all, every mutant but those argued equivalent is caught; 2
+// where one is not; 1 where the harness itself fails.
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <exception>
+#include <filesystem>
+#include <fstream>
+#include <iostream>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "corpus/case_files.hpp"
+#include "corpus/families.hpp"
+#include "fuzz/batch.hpp"
+#include "oracles/compare.hpp"
+#include "props/kill_matrix.hpp"
+
+namespace {
+
+using namespace cyl;
+
+constexpr int exit_harness_failed = 1, exit_survivors = 2;
+
+/// A campaign of its own seed, looked at after each batch; a finding beyond a claim or a truth that nobody
+/// can prove ends it.
+constexpr std::uint64_t fuzz_seed = 7, fuzz_indices = 24 * batch_size;
+
+std::string finding(const Mutant& mutant) {
+  const auto methods = select_methods(all_methods(), mutant.asks);
+  for (std::uint64_t at = 0; at < fuzz_indices; at += batch_size) {
+    const BatchRecord batch = run_batch({methods, families(), {}}, fuzz_seed, at, at + batch_size);
+    for (const FindingRecord& f : batch.findings)
+      if (f.severity != to_string(Severity::resolution))
+        return fmt::format("{}: {} on {} {}; {}", f.method, f.kind, f.family, f.family_index, f.pair);
+  }
+  return {};
+}
+
+/// Becomes the unit tests. They read the number of the mutant from the environment.
+std::string failing_test(const std::string& program, const Mutant& mutant) {
+  if (mutant.tests.empty()) return {};
+  setenv("DAYLIGHT_MUTANT", std::to_string(mutant.number).c_str(), 1);
+  setenv("RC_PARAMS", "seed=20261121 max_success=500", 1);
+  const std::string filter = "--gtest_filter=" + std::string(mutant.tests);
+  execl(program.c_str(), program.c_str(), filter.c_str(), "--gtest_fail_fast", nullptr);
+  return "cannot run " + program;
+}
+
+std::string json_of(const KillRow& row, std::span<const Detector> detectors) {
+  std::string text =
+      fmt::format(R"({{"mutant":{},"file":{},"what":{},"like":{})", row.mutant.number,
+                  quote_json(row.mutant.file), quote_json(row.mutant.what), quote_json(row.mutant.like));
+  if (!row.mutant.equivalent.empty()) text += ",\"equivalent\":" + quote_json(row.mutant.equivalent);
+  for (std::size_t i = 0; i < detectors.size(); ++i)
+    text += fmt::format(R"(,"{}":{{"fate":"{}","seconds":{:.3f},"what":{}}})", detectors[i].name,
+                        to_string(row.detections[i].fate), row.detections[i].seconds,
+                        quote_json(row.detections[i].what));
+  return text + "}";
+}
+
+void print(const KillRow& row) {
+  std::string line = fmt::format("{:4}", row.mutant.number);
+  for (const Detection& d : row.detections)
+    line += fmt::format("  {:8} {:6.2f}", to_string(d.fate), d.seconds);
+  fmt::print("{}  {}\n", line, row.mutant.what);
+  if (row.mutant.number == 0)
+    for (const Detection& d : row.detections)
+      if (!d.what.empty()) fmt::print("      {}\n", d.what);
+  std::fflush(stdout);
+}
+
+void list() {
+  for (const Mutant& m : all_mutants())
+    fmt::print("{:4}  {:30}  {}{}\n", m.number, m.file, m.what, m.equivalent.empty() ? "" : " (equivalent)");
+}
+
+int matrix(const std::vector<int>& only, bool first, const std::string& corpus, const std::string& json) {
+  const std::vector<Case> cases = read_case_folder(corpus);
+  std::vector<Detector> detectors = law_detectors(cases);
+  detectors.push_back({"fuzz", finding});
+  const std::string tests = std::filesystem::read_symlink("/proc/self/exe").parent_path() / "mutant_tests";
+  detectors.push_back({"tests", [&](const Mutant& mutant) { return failing_test(tests, mutant); }});
+
+  std::ofstream out;
+  if (!json.empty()) out.open(json);
+  const auto run = [&](const Mutant& mutant) {
+    KillRow row{mutant, {}};
+    for (const Detector& detector : detectors) {
+      const bool done = first && row.killed();
+      row.detections.push_back(
+          done ? Detection{} : run_detectors(mutant, {&detector, 1}, select_mutant).detections.front());
+    }
+    print(row);
+    if (!json.empty()) out << json_of(row, detectors) << '\n' << std::flush;
+    return row.killed();
+  };
+
+  fmt::print("    ");
+  for (const Detector& detector : detectors) fmt::print("  {:15}", detector.name);
+  fmt::print("\n");
+  // Each set of methods once without a fault; all tests that any mutant names together.
+  std::vector<Mutant> chosen, controls;
+  for (const Mutant& m : all_mutants())
+    if (only.empty() || std::find(only.begin(), only.end(), m.number) != only.end()) chosen.push_back(m);
+  if (chosen.empty()) throw std::invalid_argument("no such mutant");
+  for (const Mutant& m : chosen) {
+    const auto same = [&](const Mutant& c) { return c.asks == m.asks && c.tests == m.tests; };
+    if (std::none_of(controls.begin(), controls.end(), same))
+      controls.push_back({0, "", "the program as it is", "", m.asks, m.tests, ""});
+  }
+  for (const Mutant& control : controls)
+    if (run(control)) throw std::runtime_error("a detector fires without a fault");
+  std::size_t killed = 0, survivors = 0;
+  for (const Mutant& m : chosen) {
+    const bool caught = run(m);
+    killed += caught;
+    if (!caught && m.equivalent.empty()) ++survivors;
+    if (caught && !m.equivalent.empty())
+      throw std::runtime_error(fmt::format("mutant {} is argued equivalent, and caught", m.number));
+  }
+  fmt::print("{} mutants, {} caught, {} equivalent, {} not caught\n", chosen.size(), killed,
+             chosen.size() - killed - survivors, survivors);
+  return survivors == 0 ? 0 : exit_survivors;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  CLI::App app{"Plants one fault after the other into this program and sees which the harness catches."};
+  app.require_subcommand(1);
+  app.footer("For example: daylight-mutants matrix --only 101,102 --json kills.jsonl");
+  std::vector<int> only;
+  bool first = false;
+  std::string json, corpus = DAYLIGHT_SOURCE_DIR "/corpus";
+  auto* listing = app.add_subcommand("list", "the mutants");
+  auto* running = app.add_subcommand("matrix", "every detector on every mutant, the program as it is first");
+  running->add_option("--only", only, "numbers of mutants")->delimiter(',');
+  running->add_flag("--first", first, "leave a mutant at its first kill");
+  running->add_option("--json", json, "a file for the rows, one JSON object a line");
+  running->add_option("--corpus", corpus, "the folder of the case files");
+  CLI11_PARSE(app, argc, argv);
+  try {
+    if (listing->parsed()) list();
+    return running->parsed() ? matrix(only, first, corpus, json) : 0;
+  } catch (const std::exception& error) {
+    std::cerr << "daylight-mutants: " << error.what() << '\n';
+    return exit_harness_failed;
+  }
+}
