@@ -6,6 +6,7 @@
 #include <unistd.h>
 
 #include <CLI/CLI.hpp>
+#include <chrono>
 #include <cstdio>
 #include <exception>
 #include <filesystem>
@@ -19,6 +20,7 @@
 #include "corpus/families.hpp"
 #include "fuzz/batch.hpp"
 #include "oracles/compare.hpp"
+#include "props/gate.hpp"
 #include "props/kill_matrix.hpp"
 
 namespace {
@@ -40,6 +42,22 @@ std::string finding(const Mutant& mutant) {
         return fmt::format("{}: {} on {} {}; {}", f.method, f.kind, f.family, f.family_index, f.pair);
   }
   return {};
+}
+
+/// The gate, as a merge would meet it but for its time: what it does not see in this, it may yet see in its
+/// own forty seconds.
+constexpr std::chrono::milliseconds gate_budget{5000};
+
+std::string gate_closed(const Mutant& mutant, std::span<const Case> cases) {
+  const auto methods = select_methods(all_methods(), mutant.asks);
+  GateOptions options;
+  options.budget = gate_budget;
+  const GateReport report = run_gate(methods, cases, options);
+  if (exit_code(report) == 0) return {};
+  for (const GateFailure& f : report.failures)
+    if (f.severity == Severity::contract)
+      return fmt::format("{}: law {}, {}; {}", f.method, f.law->number, f.what, format_pair(f.simplest));
+  return "undecided";
 }
 
 /// Becomes the unit tests. They read the number of the mutant from the environment.
@@ -84,6 +102,7 @@ int matrix(const std::vector<int>& only, bool first, const std::string& corpus, 
   const std::vector<Case> cases = read_case_folder(corpus);
   std::vector<Detector> detectors = law_detectors(cases);
   detectors.push_back({"fuzz", finding});
+  detectors.push_back({"gate", [&](const Mutant& mutant) { return gate_closed(mutant, cases); }});
   const std::string tests = std::filesystem::read_symlink("/proc/self/exe").parent_path() / "mutant_tests";
   detectors.push_back({"tests", [&](const Mutant& mutant) { return failing_test(tests, mutant); }});
 

@@ -42,19 +42,12 @@ constexpr int first_law_of_truth = 30;
 bool any(std::size_t, const Law&) { return true; }
 bool of_truth(std::size_t, const Law& law) { return law.number >= first_law_of_truth; }
 
-/// Broken by the program as it is: the referee guesses points of contact as simple fractions, which those of
-/// tiny pairs are not, and what it cannot prove to touch it calls intersecting.
-bool is_known(const Method& method, const BrokenLaw& b) {
-  return method.name() == "exact" && b.law->name == "scaling" &&
-         b.broken.what.ends_with("the verdict turns from touching to intersecting");
-}
-
 std::string broken_law(std::span<const std::unique_ptr<Method>> methods, std::span<const Pair> pairs,
                        const Wanted& wanted) {
   for (std::size_t at = 0; at < pairs.size(); at += chunk_size) {
     const auto chunk = pairs.subspan(at, std::min(chunk_size, pairs.size() - at));
     for (const BrokenLaw& b : examine(methods, chunk, wanted).broken)
-      if (b.broken.severity == Severity::contract && !is_known(*methods[b.method], b))
+      if (b.broken.severity == Severity::contract)
         return fmt::format("{} breaks law {}, {}: {}; {}", methods[b.method]->name(), b.law->number,
                            b.law->name, b.broken.what, format_pair(chunk[b.pair]));
   }
