@@ -135,17 +135,18 @@ int matrix(const std::vector<int>& only, bool first, const std::string& corpus, 
   }
   for (const Mutant& control : controls)
     if (run(control)) throw std::runtime_error("a detector fires without a fault");
-  std::size_t killed = 0, survivors = 0;
+  std::size_t killed = 0;
+  std::string survivors, not_equivalent;
   for (const Mutant& m : chosen) {
     const bool caught = run(m);
     killed += caught;
-    if (!caught && m.equivalent.empty()) ++survivors;
-    if (caught && !m.equivalent.empty())
-      throw std::runtime_error(fmt::format("mutant {} is argued equivalent, and caught", m.number));
+    if (!caught && m.equivalent.empty()) survivors += fmt::format(" {}", m.number);
+    if (caught && !m.equivalent.empty()) not_equivalent += fmt::format(" {}", m.number);
   }
-  fmt::print("{} mutants, {} caught, {} equivalent, {} not caught\n", chosen.size(), killed,
-             chosen.size() - killed - survivors, survivors);
-  return survivors == 0 ? 0 : exit_survivors;
+  fmt::print("{} of {} mutants caught\n", killed, chosen.size());
+  if (!survivors.empty()) fmt::print("not caught, nor argued equivalent:{}\n", survivors);
+  if (!not_equivalent.empty()) fmt::print("argued equivalent, and caught:{}\n", not_equivalent);
+  return survivors.empty() && not_equivalent.empty() ? 0 : exit_survivors;
 }
 
 }  // namespace

@@ -120,6 +120,52 @@ std::optional<Broken> break_cap(const LawCase& c) {
   return Broken{fmt::format("{} steps, at most {} are allowed", c.first.steps, c.first.step_cap)};
 }
 
+bool is_ours(const Method& method) {
+  for (const std::string_view name : {"intersect", "decide", "distance", "exact"})
+    if (method.name() == name) return true;
+  return false;
+}
+
+/// Of size and centres' distance: from here on our methods decide. Ten times what the worst features of any
+/// family need.
+constexpr double resolved_tol = 1e-11;
+
+// A point that is in both by more than rounding needs room in both.
+bool has_room(const Pair& pair) {
+  return pair.a.radius > 0 && pair.a.height > 0 && pair.b.radius > 0 && pair.b.height > 0;
+}
+
+std::optional<Broken> break_resolution(const LawCase& c) {
+  if (!is_ours(c.method) || c.first.status != Status::answered || c.first.verdict != Verdict::undecided)
+    return {};
+  if (!is_in_range(c.pair)) return {};
+  Proved& proved = c.proofs.of(c.pair);
+  const Verdict truth = proved.truth.verdict;
+  if (truth == Verdict::undecided || truth == Verdict::invalid) return {};
+  if (c.method.name() == "exact")
+    return Broken{fmt::format("undecided, and proved to be {}", to_string(truth))};
+  if (truth == Verdict::touching || (truth == Verdict::intersecting && !has_room(c.pair))) return {};
+  const double least = resolved_tol * (size_of(c.pair) + (c.pair.b.center - c.pair.a.center).norm());
+  const double magnitude = magnitude_against(least, proved.truth, proved.distance).lo;
+  if (magnitude < least) return {};
+  return Broken{fmt::format("undecided, and {} by {:.3g}", to_string(truth), magnitude)};
+}
+
+/// Of a product of two vectors, relative: three products and two sums, on either side.
+constexpr double along_error = 16 * 0x1p-53;
+
+std::optional<Broken> break_orientation(const LawCase& c) {
+  if (!is_ours(c.method) || c.first.status != Status::answered || c.first.witness != WitnessKind::direction)
+    return {};
+  // In halves, since the centres may be far apart.
+  const Vector3 delta = c.pair.b.center / 2 - c.pair.a.center / 2;
+  const double along =
+      delta.x() * c.first.head[0] + delta.y() * c.first.head[1] + delta.z() * c.first.head[2];
+  const double length = Vector3::Map(c.first.head).norm() * delta.norm();
+  if (!is_in_range(c.pair) || !(along < -along_error * length)) return {};
+  return Broken{"the direction points from b to a"};
+}
+
 }  // namespace
 
 std::vector<Law> answer_laws() {
@@ -143,6 +189,13 @@ std::vector<Law> answer_laws() {
        "of methods with such calls", in_other_ways, break_other_ways},
       {38, LawKind::answer, "cap", "the searches take no more steps than they may",
        "of methods that tell their steps: decide, distance", needs_none, break_cap},
+      {39, LawKind::answer, "resolves", "it is not undecided",
+       "of intersect, decide and distance where |distance| is 1e-11 of size and centres' distance or more, "
+       "and "
+       "overlapping solids have inner points; of exact where anybody proves a verdict",
+       needs_none, break_resolution},
+      {40, LawKind::answer, "orientation", "the direction offered points from a to b", "of our methods",
+       needs_none, break_orientation},
   };
 }
 

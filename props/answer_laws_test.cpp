@@ -113,5 +113,26 @@ TEST(AnswerLaws, CatchMoreStepsThanAllowed) {
             Numbers{38});
 }
 
+TEST(AnswerLaws, CatchWhoIsUndecidedWithoutNeed) {
+  EXPECT_EQ(laws_broken_by(plant("decide",
+                                 [](const Pair& pair, MethodAnswer& answer) {
+                                   if (pair.a.radius < 2 * pair.b.radius) return;
+                                   answer = {};
+                                   answer.status = Status::answered;
+                                 },
+                                 "decide")),
+            (Numbers{1, 39}));
+}
+
+TEST(AnswerLaws, CatchADirectionTheWrongWay) {
+  EXPECT_EQ(laws_broken_by(plant("decide",
+                                 [](const Pair&, MethodAnswer& answer) {
+                                   if (answer.witness == WitnessKind::direction)
+                                     for (double& x : answer.head) x = -x;
+                                 },
+                                 "decide")),
+            Numbers{40});
+}
+
 }  // namespace
 }  // namespace cyl

@@ -4,6 +4,7 @@
 // After gtest.h.
 #include <rapidcheck/gtest.h>
 
+#include <algorithm>
 #include <cstdint>
 #include <stdexcept>
 #include <string>
@@ -63,7 +64,7 @@ TEST(Laws, AreNumberedByKindAndFoundByNumber) {
   for (const Law& law : all_laws()) {
     EXPECT_GT(law.number, last);
     last = law.number;
-    EXPECT_EQ(static_cast<int>(law.kind), law.number / 10) << law.number;
+    EXPECT_EQ(static_cast<int>(law.kind), std::min(law.number / 10, 3)) << law.number;
     EXPECT_EQ(&law_numbered(law.number), &law);
     EXPECT_TRUE(std::string_view(law.file).ends_with("_laws.cpp")) << law.file;
     EXPECT_FALSE(law.name.empty() || law.statement.empty() || law.where.empty()) << law.number;

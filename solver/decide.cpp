@@ -167,6 +167,22 @@ bool try_middle(const Scaled& p, const Frame& frame, const Base& base, double u,
   return try_slice(p, frame, base, middle_of_both(u, frame.z, v), answer);
 }
 
+// Widths x, y and half lengths u, v of two disks.
+struct Widths {
+  double x, u, y, v;
+};
+
+// Half lengths u and v at the widths demanded that leave a gap, u + v < z. Beside a tip (u or v is 0) the
+// multipliers, x/u and y/v, are without bound. A quarter of the gap more for either, and the widths that go
+// with it, demand less: with u' + v' < z still, their direction has f <= u' + v' - z, because r^2 - x' x <=
+// u'^2 where x' <= x.
+Widths beside_tips(double r0, double u, double r1, double v, double z) noexcept {
+  const double spare = (z - (u + v)) / 4;
+  u = larger(u, smaller(r0, spare));
+  v = larger(v, smaller(r1, spare));
+  return {std::sqrt((r0 - u) * (r0 + u)), u, std::sqrt((r1 - v) * (r1 + v)), v};
+}
+
 // Where H is greatest there is the deepest slice, and the multipliers of the demands that hold it there are
 // the weights of a direction (section 7).
 void prove_at_optimum(const Scaled& p, const Frame& frame, const Base& base, Answer& answer) noexcept {
@@ -177,12 +193,7 @@ void prove_at_optimum(const Scaled& p, const Frame& frame, const Base& base, Ans
   const auto at = corner(f);
   if (at.met && try_middle(p, frame, base, at.u, at.v, answer)) return;
   if (!(at.rises2 | at.rises3)) {
-    // Beside a tip (u or v is 0) the multipliers of the corner itself are without bound. Demanding less
-    // leaves room for all directions.
-    for (double share = 1; !at.met && share > 0.2; share /= 2) {
-      const double x = share * at.x, y = share * at.y;
-      double u = std::sqrt(larger(0, (p.r0 - x) * (p.r0 + x)));
-      double v = std::sqrt(larger(0, (p.r1 - y) * (p.r1 + y)));
+    auto try_widths = [&](double x, double u, double y, double v) {
       if (!(x > 0 || u > 0)) u = 1;  // a segment: only x/u and y/v count
       if (!(y > 0 || v > 0)) v = 1;
       const double fall0 = x * v, fall1 = y * u, uv = u * v;
@@ -191,7 +202,18 @@ void prove_at_optimum(const Scaled& p, const Frame& frame, const Base& base, Ans
                                 : at.on2 ? combine(2, f.s * fall0, 0, fall1 - f.c * fall0, f.s * uv)
                                 : at.on3 ? combine(3, f.s * fall1, 1, fall0 - f.c * fall1, f.s * uv)
                                          : combine(1, fall0, 0, fall1, f.s * uv);
-      if (try_direction(p, direction, answer)) return;
+      return try_direction(p, direction, answer);
+    };
+    if (at.met) return;
+    const auto [x, u, y, v] = beside_tips(p.r0, at.u, p.r1, at.v, at.z);
+    if (try_widths(x, u, y, v)) return;
+    // Where a demand is more than a radius, or the multipliers of these leave the cone of the demands':
+    // demanding less leaves room for all directions.
+    for (double share = 1; share > 0.2; share /= 2) {
+      const double less0 = share * at.x, less1 = share * at.y;
+      if (try_widths(less0, std::sqrt(larger(0, (p.r0 - less0) * (p.r0 + less0))), less1,
+                     std::sqrt(larger(0, (p.r1 - less1) * (p.r1 + less1)))))
+        return;
     }
     return;
   }
@@ -205,11 +227,14 @@ void prove_at_optimum(const Scaled& p, const Frame& frame, const Base& base, Ans
   if (end.here) {
     if (end.met)
       try_edge_point(end.u, end.cv / e.c);
-    else
+    else {
+      const auto [x, u, y, v] = beside_tips(e.ra, end.u, e.rb, end.cv / e.c, e.z);
+      const double slope = x > 0 || u > 0 ? u : 1, cb = e.c * y, cv = e.c * v;
       try_direction(p,
-                    combine(line, f.s * (end.cb * end.u), at.rises2 ? 1 : 0,
-                            e.c * (e.least_width * end.cv) - end.cb * end.u, e.c * f.s * (end.u * end.cv)),
+                    combine(line, f.s * (cb * slope), at.rises2 ? 1 : 0, e.c * (x * cv) - cb * slope,
+                            e.c * f.s * (slope * cv)),
                     answer);
+    }
     return;
   }
   const auto [low, first] = start(e);

@@ -214,6 +214,24 @@ TEST(Decide, NoPointBeyondTheLargestDouble) {
   EXPECT_NE(answer.verdict, Verdict::disjoint);
 }
 
+// Found by the law that an answer with room for a proof is not undecided: the highest slice ends at the tip of a
+// disk (the rim of a stands on that of b, axes at right angles), or of a segment, all of which is tip.
+TEST(Decide, ProvesGapsBesideTips) {
+  const Pair pairs[] = {
+      {{Vector3(2, 2, -2), Vector3(0, 0, 1), 2, 1}, {Vector3(-2, 3, -3), Vector3(1, 0, 0), 1, 4}},
+      {{Vector3(-2, -2, 2), Vector3(0, 1, 0), 2, 4}, {Vector3(1, 2, 1), Vector3(1, 0, -2), 2, 2}},
+      {{Vector3(0, -1, -2), Vector3(0, 0, 1), 2, 4}, {Vector3(-2, 1, 1), Vector3(0, 1, 0), 1, 2}},
+      {{Vector3(-2, 1, -1), Vector3(0, 1, 0), 3, 2}, {Vector3(1, -1, 2), Vector3(1, 0, 0), 1, 5}},
+      {{Vector3(0.70447, -0.84696, 0.0806), Vector3(0.03698, -0.99895, -0.02698), 8.6162, 2.21505},
+       {Vector3(-10.28945, -1.51019, -2.87309), Vector3(-0.68619, -0.66851, 0.28677), 0, 8.05704}},
+      {{Vector3(0.06749, 0.70675, -0.3734), Vector3(0.75725, 0.48968, -0.43218), 3.6398, 2.97556},
+       {Vector3(-0.03325, -1.39051, 2.16108), Vector3(-0.76654, 0.58642, 0.26177), 0, 6.58504}}};
+  for (const Pair& p : pairs) {
+    EXPECT_EQ(decide(p.a, p.b).verdict, Verdict::disjoint);
+    EXPECT_EQ(decide(p.b, p.a).verdict, Verdict::disjoint);
+  }
+}
+
 // z rounds to r0 + r1: the slope of F is noise far out, and the search must see that it is.
 TEST(Decide, EndsWhereTheSlopeIsRounding) {
   const Cylinder a{Vector3(0, 0, 0),
