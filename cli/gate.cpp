@@ -4,6 +4,8 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
+#include <chrono>
 #include <cstdio>
 #include <fstream>
 #include <memory>
@@ -17,6 +19,7 @@
 #include "cli/commands.hpp"
 #include "cli/default_cases.hpp"
 #include "cli/duration.hpp"
+#include "cli/mutants.hpp"
 #include "cli/progress.hpp"
 #include "cli/unsigned_option.hpp"
 #include "corpus/case_files.hpp"
@@ -38,6 +41,10 @@ struct Arguments {
   std::uint64_t seed = GateOptions{}.seed;
   bool github = false, laws = false;
 };
+
+/// One planted fault for so much of the budget, at most so many: a second or two each.
+constexpr std::chrono::seconds smoke_interval{8};
+constexpr unsigned smoke_cap = 5;
 
 void print_laws() {
   for (const Law& law : all_laws())
@@ -109,12 +116,16 @@ int gate(const Arguments& arguments) {
     });
   }
   mark_known(report, base);
+  const Smoke smoke =
+      smoke_mutants(std::clamp(static_cast<unsigned>(options.budget / smoke_interval), 1u, smoke_cap));
   write_file(arguments.junit, gate_junit(report));
   write_file(arguments.sarif, gate_sarif(report, build_info().version, !arguments.against.empty()));
   write_file(arguments.json, gate_json(report));
   write_file(arguments.keep, case_lines(report));
   if (arguments.github) fmt::print("{}", gate_github(report));
+  fmt::print("planted faults: {}", smoke.ran ? smoke.text : "not run, daylight-mutants is not built\n");
   fmt::print("{}", gate_text(report));
+  if (!smoke.alive) throw std::runtime_error("the gate is blind: a planted fault was not caught");
   return exit_code(report);
 }
 

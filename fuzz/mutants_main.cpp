@@ -149,6 +149,31 @@ int matrix(const std::vector<int>& only, bool first, const std::string& corpus, 
   return survivors.empty() && not_equivalent.empty() ? 0 : exit_survivors;
 }
 
+/// Faults of each part, in an order in which any first few are of different parts; each is caught within a
+/// second or two.
+constexpr int smoke_mutants[] = {103, 301, 601, 401, 110};
+
+int smoke(std::size_t count, const std::string& corpus) {
+  const std::vector<Case> cases = read_case_folder(corpus);
+  const std::vector<Detector> detectors = law_detectors(cases);
+  count = std::min(count, std::size(smoke_mutants));
+  std::size_t caught = 0;
+  std::string missed;
+  for (const int number : std::span(smoke_mutants, count)) {
+    const auto mutants = all_mutants();
+    const auto mutant =
+        std::find_if(mutants.begin(), mutants.end(), [&](const Mutant& m) { return m.number == number; });
+    if (mutant == mutants.end()) throw std::runtime_error(fmt::format("there is no mutant {}", number));
+    const bool killed = std::any_of(detectors.begin(), detectors.end(), [&](const Detector& detector) {
+      return run_detectors(*mutant, {&detector, 1}, select_mutant).killed();
+    });
+    caught += killed;
+    if (!killed) missed += fmt::format(", not {} ({})", number, mutant->what);
+  }
+  fmt::print("{} of {} caught{}\n", caught, count, missed);
+  return caught == count ? 0 : exit_survivors;
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -164,9 +189,14 @@ int main(int argc, char** argv) {
   running->add_flag("--first", first, "leave a mutant at its first kill");
   running->add_option("--json", json, "a file for the rows, one JSON object a line");
   running->add_option("--corpus", corpus, "the folder of the case files");
+  std::size_t count = std::size(smoke_mutants);
+  auto* quick = app.add_subcommand("smoke", "a few mutants that must be caught at once");
+  quick->add_option("--count", count, "how many");
+  quick->add_option("--corpus", corpus, "the folder of the case files");
   CLI11_PARSE(app, argc, argv);
   try {
     if (listing->parsed()) list();
+    if (quick->parsed()) return smoke(count, corpus);
     return running->parsed() ? matrix(only, first, corpus, json) : 0;
   } catch (const std::exception& error) {
     std::cerr << "daylight-mutants: " << error.what() << '\n';

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: MIT
+// The executable that holds the mutants, beside this one: never linked into it.
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace cyl {
+
+/// Becomes `daylight-mutants` with these arguments. Throws std::runtime_error where there is none.
+[[noreturn]] void become_mutants(const std::vector<std::string>& arguments);
+
+struct Smoke {
+  bool ran = false;   ///< false: there is no such executable
+  bool alive = true;  ///< every planted fault was caught
+  std::string text;   ///< what it said, e.g. "5 of 5 mutants caught"
+};
+/// Plants this many faults, one after the other, and sees whether laws, corpus and referee catch each.
+Smoke smoke_mutants(unsigned count);
+
+}  // namespace cyl
