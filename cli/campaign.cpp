@@ -120,9 +120,9 @@ std::vector<T> pick(std::vector<T> all, const std::vector<std::string>& named, N
   return kept;
 }
 
-/// What is left of a budget that may be spent; a limit all the same.
+/// A budget that is spent stays a limit.
 std::chrono::milliseconds left_of(std::chrono::milliseconds budget) {
-  return std::max(budget, std::chrono::milliseconds(1));
+  return budget.count() > 0 ? budget : spent_budget;
 }
 
 /// A run to go on with: everything from its store but the limits, where the command line has some.
@@ -181,11 +181,13 @@ void set_limits(const Arguments& arguments, CampaignOptions& options) {
     options.stop_at.clear();
   }
   if (!arguments.stop_at.empty()) options.stop_at = format_moment(parse_moment(arguments.stop_at));
-  if (!options.stop_at.empty())
-    options.budget = left_of(parse_moment(options.stop_at) - std::chrono::system_clock::now());
+  if (!options.stop_at.empty()) {
+    options.budget = left_of(std::chrono::duration_cast<std::chrono::milliseconds>(
+        parse_moment(options.stop_at) - std::chrono::system_clock::now()));
+  }
   if (options.pairs == 0 && options.budget.count() == 0) options.budget = default_budget;
-  if (options.resume && options.budget.count() == 1)
-    fmt::print(stderr, "the time of this run is spent; --for or --stop-at gives it more\n");
+  if (options.budget == spent_budget)
+    fmt::print(stderr, "no time is left; --for or --stop-at gives it more\n");
 }
 
 int campaign(const Arguments& arguments) {

@@ -93,7 +93,9 @@ void refuse(const CampaignOptions& options, const std::string& what) {
 
 /// The budget is that of all sessions: what those before `spent`, and that of this one.
 Config limits(const CampaignOptions& options, milliseconds spent) {
-  const milliseconds budget = options.budget.count() == 0 ? options.budget : spent + options.budget;
+  // What a resumed run has left of its budget may be less than nothing, but it had one: at least 1 ms.
+  const milliseconds all = std::max(spent + options.budget, milliseconds(1));
+  const milliseconds budget = options.budget.count() == 0 ? options.budget : all;
   return {{"pairs", std::to_string(options.pairs)},
           {"budget_milliseconds", std::to_string(budget.count())},
           {"stop_at", options.stop_at}};

@@ -14,6 +14,9 @@
 
 namespace cyl {
 
+/// A budget of which nothing is left, where 0 means that there is none.
+inline constexpr std::chrono::milliseconds spent_budget{-1};
+
 struct CampaignOptions {
   std::string out;  ///< run folder; created
   std::uint64_t seed = 0;
