@@ -24,13 +24,15 @@ using Key = std::tuple<std::string, std::string, std::string, std::string>;  // 
 /// What history needs of a run.
 struct Past {
   std::string began, folder;
+  bool shard = false;  ///< a part of a run, which tells nothing of nights
   std::set<Asked> asked;
   std::map<Key, GroupRecord> found;
 };
 
 Past read_past(const std::string& folder) {
   const RunStore store = RunStore::open(folder);
-  Past past{value_of(store.config(), "started"), folder, {}, {}};
+  const Config config = store.config();
+  Past past{value_of(config, "started"), folder, shard_of(config).count > 1, {}, {}};
   for (const TallyRecord& t : store.tallies()) past.asked.emplace(t.method, t.family);
   for (const GroupRecord& g : store.groups()) past.found[{g.method, g.kind, g.severity, g.family}] = g;
   return past;
@@ -70,12 +72,13 @@ History compare_with_earlier(const std::string& run_folder) {
   const fs::path run = fs::canonical(run_folder);
   const Past here = read_past(run.string());
   History history;
+  if (here.shard) return history;
   std::vector<Past> earlier;
   for (const std::string& folder : runs_in(run.parent_path().string())) {
     if (folder == run.string()) continue;
     try {
       Past past = read_past(folder);
-      if (before(past, here)) earlier.push_back(std::move(past));
+      if (!past.shard && before(past, here)) earlier.push_back(std::move(past));
     } catch (const std::exception&) {
       ++history.unreadable;
     }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // What a run found, held against the earlier runs beside it: those in the same folder that began before it.
+// Shards are passed over, and have no history of their own: the run they are merged to has.
 #pragma once
 
 #include <cstddef>

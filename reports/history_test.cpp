@@ -70,6 +70,15 @@ TEST_F(HistoryTest, ARunThatDidNotAskTellsNothing) {
   EXPECT_EQ(standing("4", "x", "held"), "");
 }
 
+TEST_F(HistoryTest, ShardsAreNoNights) {
+  run("0", "2026-11-01", {{"x", {"held"}}});
+  run("1", "2026-11-02", {{"x", {"held"}}});
+  run("2", "2026-11-03", {{"x", {"held"}}});
+  RunStore::open(folder / "1").set("shard", "1/3 of batches of 512");
+  EXPECT_EQ(compare_with_earlier(folder / "1").runs, 0u);
+  EXPECT_EQ(compare_with_earlier(folder / "2").runs, 1u);
+}
+
 TEST_F(HistoryTest, PassesOverWhatCannotBeRead) {
   run("1", "2026-11-01", {{"x", {"held"}}});
   run("2", "2026-11-02", {{"x", {"held"}}});
