@@ -14,5 +14,5 @@ mkdir -p -- "$2"
 out=$(readlink -f -- "$2")
 shift 2
 "$here/create.sh" "$shards" "$out" "$@"
-seq 0 "$((shards - 1))" | parallel --will-cite --joblog "$out/jobs.log" "$here/shard.sh" {} "$out" '>>' "$out/shard-{}.log" '2>&1' || true
-exec "$DAYLIGHT" merge "$out"/shard-*/ --out "$out"
+seq 0 "$((shards - 1))" | parallel --will-cite --joblog "$out/jobs.log" "$here/shard.sh" {} "$out" '>>' "$out/task-{}.log" '2>&1' || true
+exec "$DAYLIGHT" merge "$out"/shard-* --out "$out"

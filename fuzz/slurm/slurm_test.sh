@@ -76,11 +76,11 @@ munged --force --key-file="$scratch/munge/key" --socket="$scratch/munge/sock" --
 slurmctld -f "$SLURM_CONF"
 slurmd -N n1 -f "$SLURM_CONF"
 slurmd -N n2 -f "$SLURM_CONF"
-# until NAME COMMAND.. : within a minute.
+# until_true NAME COMMAND.. : within three minutes.
 until_true() {
   local name=$1
   shift
-  for _ in {1..300}; do
+  for _ in {1..900}; do
     if "$@"; then return; fi
     sleep 0.2
   done
@@ -98,10 +98,11 @@ read -r array merge < <("$here/submit.sh" 4 out "${run[@]}")
 kill_shard "$scratch/out" 1
 requeue() { scontrol requeue "${array}_1" 2>/dev/null; }
 until_true 'the killed one is requeued' requeue
-# Slurm holds a requeued job back for two minutes, in case its node is ill.
-now() { scontrol update "JobId=${array}_1" StartTime=now 2>/dev/null; }
-until_true 'it may start at once' now
-over() { [[ -z $(squeue -h -j "$array,$merge" 2>/dev/null) ]]; }
+# Slurm holds a requeued job back for two minutes, in case its node is ill: asked again, it lets it go.
+over() {
+  scontrol update "JobId=${array}_1" StartTime=now >/dev/null 2>&1 || true
+  [[ -z $(squeue -h -j "$array,$merge" 2>/dev/null) ]]
+}
 until_true 'all jobs end' over
 grep -q '^incomplete' out/merge.log && { cat out/merge.log; exit 1; }
 grep -qE '^100000 pairs' out/merge.log || { cat out/*.log; exit 1; }

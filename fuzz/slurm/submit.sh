@@ -22,7 +22,7 @@ shift 2
 # %q: the text is read once by the shell of the job.
 quote() { printf '%q ' "$@"; }
 array=$(sbatch --parsable --job-name=daylight --requeue --open-mode=append --array="0-$((shards - 1))" \
-  --cpus-per-task="$JOBS" --output="$out/shard-%a.log" --wrap="exec $(quote "$here/shard.sh")\$SLURM_ARRAY_TASK_ID $(quote "$out")")
+  --cpus-per-task="$JOBS" --output="$out/task-%a.log" --wrap="exec $(quote "$here/shard.sh")\$SLURM_ARRAY_TASK_ID $(quote "$out")")
 array=${array%%;*}
 merge=$(sbatch --parsable --job-name=daylight-merge --requeue --open-mode=append --dependency="afterany:$array" \
   --output="$out/merge.log" --wrap="exec $(quote "$DAYLIGHT") merge $(printf %q "$out")/shard-* --out $(quote "$out")")
