@@ -6,6 +6,7 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <charconv>
 #include <cstdio>
 #include <ctime>
 #include <filesystem>
@@ -22,12 +23,12 @@
 #include "cli/commands.hpp"
 #include "cli/default_cases.hpp"
 #include "cli/duration.hpp"
+#include "cli/moment.hpp"
 #include "cli/progress.hpp"
+#include "cli/show_run.hpp"
 #include "cli/unsigned_option.hpp"
 #include "corpus/case_files.hpp"
 #include "corpus/shell_words.hpp"
-#include "reports/page.hpp"
-#include "reports/tally_table.hpp"
 
 namespace cyl {
 namespace {
@@ -38,12 +39,12 @@ namespace fs = std::filesystem;
 constexpr std::chrono::minutes default_budget{1};
 
 struct Arguments {
-  std::string budget, out, methods, families, resume;
+  std::string budget, stop_at, out, methods, families, weights_from, shard, resume;
   std::optional<std::string> cases;
-  std::uint64_t pairs = 0;
+  std::optional<std::uint64_t> pairs;
   std::optional<std::uint64_t> seed;
   unsigned jobs = std::max(1u, std::thread::hardware_concurrency());
-  bool list = false;
+  bool list = false, create_only = false;
 };
 
 /// What Subjects refers to.
@@ -51,7 +52,8 @@ struct Asked {
   std::vector<std::unique_ptr<Method>> methods;
   std::vector<Family> families;
   std::vector<Case> cases;
-  Subjects subjects() const { return {methods, families, cases}; }
+  std::vector<unsigned> weights;
+  Subjects subjects() const { return {methods, families, cases, weights}; }
 };
 
 std::vector<Family> select_families(std::string_view spec) {
@@ -73,6 +75,17 @@ void print_list() {
   for (const Family& family : families()) fmt::print("  {:<26} {}\n", family.name, family.summary);
 }
 
+/// "i/n", i from 0 to n - 1.
+void set_shard(const std::string& text, CampaignOptions& options) {
+  const char* end = text.data() + text.size();
+  const auto [slash, bad_index] = std::from_chars(text.data(), end, options.shard);
+  const bool cut = bad_index == std::errc() && slash != end && *slash == '/';
+  const auto [rest, bad_count] = cut ? std::from_chars(slash + 1, end, options.shards)
+                                     : std::from_chars_result{end, std::errc::invalid_argument};
+  if (bad_count != std::errc() || rest != end || options.shard >= options.shards)
+    throw std::invalid_argument("--shard: '" + text + "' is not i/n with i from 0 to n - 1");
+}
+
 /// A new run: everything from the command line.
 CampaignOptions plan_new(const Arguments& arguments, Asked& asked) {
   CampaignOptions options;
@@ -88,6 +101,8 @@ CampaignOptions plan_new(const Arguments& arguments, Asked& asked) {
   if (!arguments.methods.empty()) asked.methods = select_methods(std::move(asked.methods), arguments.methods);
   asked.families.assign(families().begin(), families().end());
   if (!arguments.families.empty()) asked.families = select_families(arguments.families);
+  if (!arguments.weights_from.empty()) asked.weights = weights_from(arguments.weights_from, asked.families);
+  if (!arguments.shard.empty()) set_shard(arguments.shard, options);
   return options;
 }
 
@@ -103,6 +118,11 @@ std::vector<T> pick(std::vector<T> all, const std::vector<std::string>& named, N
     all.erase(found);
   }
   return kept;
+}
+
+/// A budget that is spent stays a limit.
+std::chrono::milliseconds left_of(std::chrono::milliseconds budget) {
+  return budget.count() > 0 ? budget : spent_budget;
 }
 
 /// A run to go on with: everything from its store but the limits, where the command line has some.
@@ -124,43 +144,21 @@ CampaignOptions plan_resumed(const Arguments& arguments, Asked& asked) {
   asked.families = pick(
       std::vector<Family>(families().begin(), families().end()), family_names,
       [](const Family& f) { return f.name; }, arguments.resume);
-  if (arguments.pairs == 0 && arguments.budget.empty()) {
-    options.pairs = std::stoull(config.at("pairs"));
-    const std::chrono::milliseconds budget(std::stoll(config.at("budget_milliseconds")));
-    const std::chrono::milliseconds spent(store.progress().milliseconds);
-    if (budget.count() != 0) options.budget = std::max(budget - spent, std::chrono::milliseconds(1));
-  }
+  const Shard shard = shard_of(config);
+  options.shard = shard.index;
+  options.shards = shard.count;
+  asked.weights = parse_weights(value_of(config, "weights"));
+  options.pairs = std::stoull(config.at("pairs"));
+  options.stop_at = value_of(config, "stop_at");
+  const std::chrono::milliseconds budget(std::stoll(config.at("budget_milliseconds")));
+  const std::chrono::milliseconds spent(store.progress().milliseconds);
+  if (budget.count() != 0) options.budget = left_of(budget - spent);
   return options;
-}
-
-/// runs/latest is the run that began last.
-void point_latest_at(const fs::path& run) {
-  const fs::path folder = fs::absolute(run).parent_path(), link = folder / "latest",
-                 unfinished = folder / ".latest";
-  if (folder.filename() != "runs" || (fs::exists(fs::symlink_status(link)) && !fs::is_symlink(link))) return;
-  std::error_code error;  // a file system without symbolic links does without
-  fs::remove(unfinished, error);
-  fs::create_directory_symlink(run.filename(), unfinished, error);
-  if (!error) fs::rename(unfinished, link, error);
-}
-
-/// The finding to look at first: beyond a claim before within, a wrong verdict before anything else, then by
-/// margin.
-std::optional<FindingRecord> worst_finding(const RunStore& store) {
-  std::optional<FindingRecord> worst;
-  const auto key = [](const FindingRecord& f) {
-    return std::tuple(f.severity == "contract", f.severity == "resolution", f.kind.starts_with("wrong_"),
-                      f.margin ? f.margin->lo : 0.0);
-  };
-  for (FindingRecord& f : store.findings()) {
-    if (!worst || key(f) > key(*worst)) worst = std::move(f);
-  }
-  return worst;
 }
 
 double share_done(const CampaignOptions& options, const CampaignProgress& p) {
   double share = 0;
-  if (options.pairs != 0) share = static_cast<double>(p.done) / static_cast<double>(options.pairs);
+  if (p.goal != 0) share = static_cast<double>(p.done) / static_cast<double>(p.goal);
   if (options.budget.count() != 0) {
     share = std::max(
         share, static_cast<double>(p.session_time.count()) / static_cast<double>(options.budget.count()));
@@ -174,6 +172,24 @@ std::string numbers(const CampaignProgress& p) {
                      static_cast<double>(p.session_done) / seconds, p.contract, p.failed, p.resolution);
 }
 
+/// What the command line says of limits replaces what the run had, each for itself; one of time ends the
+/// other.
+void set_limits(const Arguments& arguments, CampaignOptions& options) {
+  if (arguments.pairs) options.pairs = *arguments.pairs;
+  if (!arguments.budget.empty()) {
+    options.budget = parse_duration(arguments.budget);
+    options.stop_at.clear();
+  }
+  if (!arguments.stop_at.empty()) options.stop_at = format_moment(parse_moment(arguments.stop_at));
+  if (!options.stop_at.empty()) {
+    options.budget = left_of(std::chrono::duration_cast<std::chrono::milliseconds>(
+        parse_moment(options.stop_at) - std::chrono::system_clock::now()));
+  }
+  if (options.pairs == 0 && options.budget.count() == 0) options.budget = default_budget;
+  if (options.budget == spent_budget)
+    fmt::print(stderr, "no time is left; --for or --stop-at gives it more\n");
+}
+
 int campaign(const Arguments& arguments) {
   if (arguments.list) {
     print_list();
@@ -185,11 +201,10 @@ int campaign(const Arguments& arguments) {
   fmt::print("seed {}, run {}\n", options.seed, options.out);
   std::fflush(stdout);
 
-  if (arguments.pairs != 0) options.pairs = arguments.pairs;
-  if (!arguments.budget.empty()) options.budget = parse_duration(arguments.budget);
-  if (options.pairs == 0 && options.budget.count() == 0) options.budget = default_budget;
+  set_limits(arguments, options);
   options.jobs = arguments.jobs;
   options.build = build_info().text();
+  options.create_only = arguments.create_only;
   if (!options.cases.empty()) asked.cases = read_case_folder(options.cases);
 
   CampaignSummary summary;
@@ -203,14 +218,8 @@ int campaign(const Arguments& arguments) {
         line.show(progress.session_time, share_done(options, progress), numbers(progress));
     });
   }
-  write_page(options.out);
-  const RunStore store = RunStore::open(options.out);
-  fmt::print("{}", format_tallies(tally_methods(store)));
-  fmt::print("{} pairs; page: {}/report.html\n", summary.progress.done, options.out);
-  if (const auto worst = worst_finding(store)) {
-    fmt::print("the worst, {} {} ({}): ./daylight replay {}\n", worst->method, worst->kind, worst->severity,
-               shell_quoted(fmt::format("{}:{}", options.out, worst->id)));
-  }
+  if (options.create_only) return exit_pass;
+  show_run(options.out, summary.progress.done);
   if (!summary.harness_failure.empty()) fmt::print(stderr, "daylight: {}\n", summary.harness_failure);
   if (summary.interrupted)
     fmt::print(stderr, "stopped; go on with: ./daylight campaign --resume {}\n", shell_quoted(options.out));
@@ -223,9 +232,13 @@ void add_campaign(CLI::App& app, int& exit_code) {
   CLI::App* command = app.add_subcommand(
       "campaign", "Draws pairs, asks every method, proves who is wrong, and keeps the proofs");
   auto arguments = std::make_shared<Arguments>();
-  command->add_option("--for", arguments->budget,
-                      "wall time, like 90s, 1m or 8h; 1m where no limit is given");
+  auto* budget = command->add_option("--for", arguments->budget,
+                                     "wall time, like 90s, 1m or 8h; 1m where no limit is given");
   add_unsigned(*command, "--pairs", arguments->pairs, "exactly this many pairs; 0: no such limit");
+  auto* stop_at =
+      command->add_option("--stop-at", arguments->stop_at,
+                          "local time, HH:MM (the next) or 2026-11-22T06:00; with Z at its end UTC");
+  stop_at->excludes(budget);
   auto* seed =
       add_unsigned(*command, "--seed", arguments->seed, "same seed, same findings; random where not given");
   auto* out =
@@ -234,11 +247,18 @@ void add_campaign(CLI::App& app, int& exit_code) {
       "--methods", arguments->methods,
       "a,b: these; --methods=-a,b: all but these; a name stands for all that begin with it");
   auto* families = command->add_option("--families", arguments->families, "same rule");
+  auto* weights = command->add_option(
+      "--weights-from", arguments->weights_from,
+      "an earlier run, or a folder of runs: families in which they found more get more of the pairs");
+  auto* shard = command->add_option("--shard", arguments->shard,
+                                    "i/n: every n-th batch from the i-th on, i from 0; see daylight merge");
+  shard->needs(seed)->needs(out);
   auto* cases = command->add_option(
       "--cases", arguments->cases, "folder of case files played first; corpus/ where not given; '' for none");
   add_unsigned(*command, "--jobs", arguments->jobs, "batches at once; does not change the findings", 1, 1024);
   auto* resume = command->add_option("--resume", arguments->resume, "go on with the run in this folder");
-  for (CLI::Option* fixed : {seed, out, methods, families, cases}) resume->excludes(fixed);
+  auto* create_only = command->add_flag("--create-only", arguments->create_only,
+                                        "only make the run folder, for --resume to go on with");
   resume->check([](const std::string& run) { return run.empty() ? "the folder of a run is expected" : ""; });
   command->add_flag("--list", arguments->list, "only list the methods, with their claims, and the families");
   command->footer(
@@ -246,7 +266,17 @@ void add_campaign(CLI::App& app, int& exit_code) {
       "Exit code: 0 nothing beyond a method's claim, 2 contract findings or failures, 3 none of those, but\n"
       "undecided truth or stopped before its limit, 1 the harness failed, 64 usage. Ctrl-C keeps what is "
       "complete.");
-  command->callback([arguments, &exit_code] { exit_code = campaign(*arguments); });
+  const std::vector<CLI::Option*> fixed{seed, out, methods, families, weights, shard, cases, create_only};
+  command->callback([arguments, fixed, &exit_code] {
+    for (const CLI::Option* option : fixed) {
+      if (arguments->resume.empty() || option->count() == 0) continue;
+      throw std::invalid_argument(
+          option->get_name() +
+          " cannot be given with --resume: a run goes on with what it began with, or its first part and its "
+          "last would not be of one run; only limits and --jobs may change");
+    }
+    exit_code = campaign(*arguments);
+  });
 }
 
 }  // namespace cyl

@@ -61,6 +61,26 @@ expect 64 'no such run' "$daylight" replay nowhere
 
 expect 0 'going on' "$daylight" campaign --resume runs/ours --pairs 900
 holds 'to the new end' out '^referee +900 '
+expect 0 'with time and pairs' "$daylight" "${run[@]}" --for 1h --methods intersect --families random --out runs/limits
+expect 0 'a limit that is not given stays' "$daylight" campaign --resume runs/limits --for 1h
+holds 'so nothing is left to do' out '^600 pairs'
+expect 64 'no such run to go on with' "$daylight" campaign --resume nowhere
+expect 64 'a folder without a run' "$daylight" replay runs
+expect 64 'other cases' "$daylight" campaign --resume runs/limits --cases ''
+holds 'the reason is said' err '^daylight: --cases cannot be given with --resume: a run goes on with what it began'
+expect 0 'until a time' "$daylight" campaign --stop-at "$(date -d '+2 sec' +%FT%T)" --seed 1 --cases '' --methods intersect --families random --out runs/until
+expect 64 'no time of day' "$daylight" campaign --stop-at 25:00
+expect 0 'weights of what is there' "$daylight" "${run[@]}" --methods intersect --families random,tiny_and_huge --weights-from runs --out runs/weighted
+holds 'earlier runs are counted' out '^against [0-9]+ earlier runs: [0-9]+ new, '
+for i in 0 1; do
+  expect 0 "shard $i" "$daylight" "${run[@]}" --methods intersect --families random --shard "$i/2" --out "parts/$i"
+done
+expect 0 'merged' "$daylight" merge parts/0 parts/1 --out runs/merged
+holds 'to all pairs' out '^600 pairs'
+expect 3 'one is missing' "$daylight" merge parts/1 --out runs/merged
+holds 'which is said' out '^  shard 0 of 2 is missing$'
+expect 64 'not shards of one run' "$daylight" merge parts/0 runs/ours --out runs/other
+expect 64 'no such shard' "$daylight" "${run[@]}" --shard 2/2 --out parts/2
 expect 64 'going on with another seed' "$daylight" campaign --resume runs/ours --seed 8
 expect 1 'over another run' "$daylight" "${run[@]}" --out runs/ours
 expect 64 'no duration' "$daylight" campaign --for 5x

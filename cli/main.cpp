@@ -21,6 +21,7 @@ int run(int argc, char** argv) {
   app.footer("daylight COMMAND --help tells more, with an example.");
   cyl::add_check(app, exit_code);
   cyl::add_campaign(app, exit_code);
+  cyl::add_merge(app, exit_code);
   cyl::add_replay(app, exit_code);
   cyl::add_gate(app, exit_code);
   cyl::add_mutants(app, exit_code);

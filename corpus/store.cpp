@@ -105,6 +105,16 @@ GroupRecord read_group(SQLite::Statement& row) {
 
 std::string file_of(const std::string& folder) { return folder + "/run.sqlite"; }
 
+/// What `work` gives; SQLite's own errors say what went wrong, not where.
+template <class Work>
+auto naming(const std::string& file, Work work) {
+  try {
+    return work();
+  } catch (const SQLite::Exception& error) {
+    throw std::runtime_error(file + ": " + error.what());
+  }
+}
+
 std::unique_ptr<SQLite::Database> connect(const std::string& folder) {
   auto database = std::make_unique<SQLite::Database>(file_of(folder), SQLite::OPEN_READWRITE, busy_cap);
   database->exec("PRAGMA journal_mode=WAL");
@@ -131,7 +141,12 @@ Representatives::Key Representatives::key_of(const FindingRecord& f) {
 
 // The first rule keeps by place in the group, the second by the running maximum of the binade. A piece knows
 // less of both than the whole, so it admits a superset, and every finding that raised the whole's maximum is
-// in it.
+// in it. That holds of shards, whose pieces lie between each other, as of stretches: let S be a group's
+// findings in index order, S_i those of shard i, and U the union of what the shards keep. Who is among the
+// first ten of S is among the first ten of its S_i, and who exceeds all before it in S exceeds those before
+// it in S_i: U holds both. As U is part of S and holds the first ten of S, those are the first ten of U; as U
+// holds every finding that raised the maximum of S, the maximum before any place is the same in U and in S.
+// So U, filtered in index order, keeps what S does.
 bool Representatives::admit(const FindingRecord& f) {
   GroupRecord& group =
       groups_.try_emplace(key_of(f), GroupRecord{f.method, f.kind, f.severity, f.family}).first->second;
@@ -167,10 +182,10 @@ RunStore RunStore::create(const std::string& folder, const Config& config,
                           const std::vector<MethodRecord>& methods) {
   namespace fs = std::filesystem;
   fs::create_directories(folder);
-  if (fs::exists(file_of(folder))) throw std::runtime_error(folder + " already holds a run");
+  if (holds_run(folder)) throw std::runtime_error(folder + " already holds a run");
   const std::string unfinished = file_of(folder) + ".new";
   fs::remove(unfinished);
-  {
+  naming(unfinished, [&] {
     SQLite::Database database(unfinished, SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE);
     SQLite::Transaction transaction(database);
     database.exec(tables);
@@ -194,15 +209,16 @@ RunStore RunStore::create(const std::string& folder, const Config& config,
     }
     database.exec(fmt::format("PRAGMA user_version={}", store_version));
     transaction.commit();
-  }
+  });
   fs::rename(unfinished, file_of(folder));
   return open(folder);
 }
 
 RunStore RunStore::open(const std::string& folder) {
-  if (!std::filesystem::exists(file_of(folder))) throw std::runtime_error(folder + " holds no run");
-  RunStore store(connect(folder));
-  const int version = store.database_->execAndGet("PRAGMA user_version").getInt();
+  if (!holds_run(folder)) throw std::invalid_argument(folder + " holds no run");
+  RunStore store(naming(file_of(folder), [&] { return connect(folder); }));
+  const int version =
+      naming(file_of(folder), [&] { return store.database_->execAndGet("PRAGMA user_version").getInt(); });
   if (version != store_version) {
     throw std::runtime_error(fmt::format("{} was written in store version {}, this build reads {}",
                                          file_of(folder), version, store_version));
@@ -211,122 +227,162 @@ RunStore RunStore::open(const std::string& folder) {
 }
 
 Config RunStore::config() const {
-  Config config;
-  SQLite::Statement row(*database_, "SELECT key, value FROM run");
-  while (row.executeStep()) config[row.getColumn(0).getString()] = row.getColumn(1).getString();
-  return config;
+  return naming(database_->getFilename(), [&] {
+    Config config;
+    SQLite::Statement row(*database_, "SELECT key, value FROM run");
+    while (row.executeStep()) config[row.getColumn(0).getString()] = row.getColumn(1).getString();
+    return config;
+  });
 }
 
 std::vector<MethodRecord> RunStore::methods() const {
-  std::vector<MethodRecord> all;
-  SQLite::Statement row(*database_,
-                        "SELECT name, version, relative, absolute, source, share FROM method ORDER BY rowid");
-  while (row.executeStep()) {
-    all.push_back({row.getColumn(0).getString(), row.getColumn(1).getString(),
-                   parse_double(row.getColumn(2).getString()), parse_double(row.getColumn(3).getString()),
-                   row.getColumn(4).getString(), row.getColumn(5).getUInt()});
-  }
-  return all;
+  return naming(database_->getFilename(), [&] {
+    std::vector<MethodRecord> all;
+    SQLite::Statement row(
+        *database_, "SELECT name, version, relative, absolute, source, share FROM method ORDER BY rowid");
+    while (row.executeStep()) {
+      all.push_back({row.getColumn(0).getString(), row.getColumn(1).getString(),
+                     parse_double(row.getColumn(2).getString()), parse_double(row.getColumn(3).getString()),
+                     row.getColumn(4).getString(), row.getColumn(5).getUInt()});
+    }
+    return all;
+  });
 }
 
 Progress RunStore::progress() const {
-  SQLite::Statement row(*database_, "SELECT next, milliseconds FROM progress");
-  row.executeStep();
-  return {from_sql(row.getColumn(0)), from_sql(row.getColumn(1))};
+  return naming(database_->getFilename(), [&]() -> Progress {
+    SQLite::Statement row(*database_, "SELECT next, milliseconds FROM progress");
+    row.executeStep();
+    return {from_sql(row.getColumn(0)), from_sql(row.getColumn(1))};
+  });
+}
+
+void RunStore::set(const std::string& key, const std::string& value) {
+  naming(database_->getFilename(), [&] {
+    SQLite::Statement replace(*database_, "INSERT OR REPLACE INTO run VALUES(?, ?)");
+    replace.bind(1, key);
+    replace.bind(2, value);
+    replace.exec();
+  });
 }
 
 void RunStore::commit(const BatchRecord& batch, std::uint64_t milliseconds) {
-  SQLite::Transaction transaction(*database_, SQLite::TransactionBehavior::IMMEDIATE);
-  if (const std::uint64_t next = progress().next; next != batch.first) {
-    throw std::runtime_error(
-        fmt::format("{}: batch {} offered where {} is next; another process writes to this run",
-                    database_->getFilename(), batch.first, next));
-  }
-  Representatives kept;
-  for (const GroupRecord& group : groups()) kept.add(group);
-
-  SQLite::Statement insert(
-      *database_,
-      fmt::format("INSERT INTO finding({}) VALUES(NULL,?,?,?,?,?,?,?,?,?,?,?,?,?)", finding_columns));
-  for (const FindingRecord& f : batch.findings) {
-    if (kept.admit(f)) write_finding(insert, f);
-  }
-
-  SQLite::Statement count(*database_,
-                          "INSERT INTO finding_group VALUES(?,?,?,?,?,?) ON CONFLICT DO UPDATE SET "
-                          "count=count+excluded.count, binade=max(binade, excluded.binade)");
-  for (const GroupRecord& g : batch.groups) {
-    count.reset();
-    count.bind(1, g.method);
-    count.bind(2, g.kind);
-    count.bind(3, g.severity);
-    count.bind(4, g.family);
-    count.bind(5, to_sql(g.count));
-    count.bind(6, g.binade);
-    count.exec();
-  }
-
-  SQLite::Statement tally(
-      *database_,
-      "INSERT INTO tally VALUES(?,?,?,?,?,?,?,?,?) ON CONFLICT DO UPDATE SET "
-      "asked=asked+excluded.asked, declined=declined+excluded.declined, "
-      "failed=failed+excluded.failed, contract=contract+excluded.contract, "
-      "resolution=resolution+excluded.resolution, undecided=undecided+excluded.undecided, "
-      "nanoseconds=nanoseconds+excluded.nanoseconds");
-  for (const auto& [method, family, c] : batch.tallies) {
-    tally.reset();
-    tally.bind(1, method);
-    tally.bind(2, family);
-    int column = 3;
-    for (const std::uint64_t n :
-         {c.asked, c.declined, c.failed, c.contract, c.resolution, c.undecided, c.nanoseconds}) {
-      tally.bind(column++, to_sql(n));
+  naming(database_->getFilename(), [&] {
+    SQLite::Transaction transaction(*database_, SQLite::TransactionBehavior::IMMEDIATE);
+    if (const std::uint64_t next = progress().next; next != batch.first) {
+      throw std::runtime_error(
+          fmt::format("{}: batch {} offered where {} is next; another process writes to this run",
+                      database_->getFilename(), batch.first, next));
     }
-    tally.exec();
-  }
+    Representatives kept;
+    for (const GroupRecord& group : groups()) kept.add(group);
 
-  SQLite::Statement advance(*database_, "UPDATE progress SET next=?, milliseconds=milliseconds+?");
-  advance.bind(1, to_sql(batch.next));
-  advance.bind(2, to_sql(milliseconds));
-  advance.exec();
-  transaction.commit();
+    SQLite::Statement insert(
+        *database_,
+        fmt::format("INSERT INTO finding({}) VALUES(NULL,?,?,?,?,?,?,?,?,?,?,?,?,?)", finding_columns));
+    for (const FindingRecord& f : batch.findings) {
+      if (kept.admit(f)) write_finding(insert, f);
+    }
+
+    SQLite::Statement count(*database_,
+                            "INSERT INTO finding_group VALUES(?,?,?,?,?,?) ON CONFLICT DO UPDATE SET "
+                            "count=count+excluded.count, binade=max(binade, excluded.binade)");
+    for (const GroupRecord& g : batch.groups) {
+      count.reset();
+      count.bind(1, g.method);
+      count.bind(2, g.kind);
+      count.bind(3, g.severity);
+      count.bind(4, g.family);
+      count.bind(5, to_sql(g.count));
+      count.bind(6, g.binade);
+      count.exec();
+    }
+
+    SQLite::Statement tally(
+        *database_,
+        "INSERT INTO tally VALUES(?,?,?,?,?,?,?,?,?) ON CONFLICT DO UPDATE SET "
+        "asked=asked+excluded.asked, declined=declined+excluded.declined, "
+        "failed=failed+excluded.failed, contract=contract+excluded.contract, "
+        "resolution=resolution+excluded.resolution, undecided=undecided+excluded.undecided, "
+        "nanoseconds=nanoseconds+excluded.nanoseconds");
+    for (const auto& [method, family, c] : batch.tallies) {
+      tally.reset();
+      tally.bind(1, method);
+      tally.bind(2, family);
+      int column = 3;
+      for (const std::uint64_t n :
+           {c.asked, c.declined, c.failed, c.contract, c.resolution, c.undecided, c.nanoseconds}) {
+        tally.bind(column++, to_sql(n));
+      }
+      tally.exec();
+    }
+
+    SQLite::Statement advance(*database_, "UPDATE progress SET next=?, milliseconds=milliseconds+?");
+    advance.bind(1, to_sql(batch.next));
+    advance.bind(2, to_sql(milliseconds));
+    advance.exec();
+    transaction.commit();
+  });
 }
 
 std::vector<TallyRecord> RunStore::tallies() const {
-  std::vector<TallyRecord> all;
-  SQLite::Statement row(
-      *database_,
-      "SELECT method, family, asked, declined, failed, contract, resolution, undecided, nanoseconds "
-      "FROM tally ORDER BY rowid");
-  while (row.executeStep()) {
-    all.push_back({row.getColumn(0).getString(), row.getColumn(1).getString(),
-                   Counts{from_sql(row.getColumn(2)), from_sql(row.getColumn(3)), from_sql(row.getColumn(4)),
-                          from_sql(row.getColumn(5)), from_sql(row.getColumn(6)), from_sql(row.getColumn(7)),
-                          from_sql(row.getColumn(8))}});
-  }
-  return all;
+  return naming(database_->getFilename(), [&] {
+    std::vector<TallyRecord> all;
+    SQLite::Statement row(
+        *database_,
+        "SELECT method, family, asked, declined, failed, contract, resolution, undecided, nanoseconds "
+        "FROM tally ORDER BY rowid");
+    while (row.executeStep()) {
+      all.push_back(
+          {row.getColumn(0).getString(), row.getColumn(1).getString(),
+           Counts{from_sql(row.getColumn(2)), from_sql(row.getColumn(3)), from_sql(row.getColumn(4)),
+                  from_sql(row.getColumn(5)), from_sql(row.getColumn(6)), from_sql(row.getColumn(7)),
+                  from_sql(row.getColumn(8))}});
+    }
+    return all;
+  });
 }
 
 std::vector<GroupRecord> RunStore::groups() const {
-  std::vector<GroupRecord> all;
-  SQLite::Statement row(
-      *database_, "SELECT method, kind, severity, family, count, binade FROM finding_group ORDER BY rowid");
-  while (row.executeStep()) all.push_back(read_group(row));
-  return all;
+  return naming(database_->getFilename(), [&] {
+    std::vector<GroupRecord> all;
+    SQLite::Statement row(*database_,
+                          "SELECT method, kind, severity, family, count, binade FROM finding_group ORDER BY "
+                          "method, kind, severity, family");
+    while (row.executeStep()) all.push_back(read_group(row));
+    return all;
+  });
 }
 
 std::vector<FindingRecord> RunStore::findings() const {
-  std::vector<FindingRecord> all;
-  SQLite::Statement row(*database_, fmt::format("SELECT {} FROM finding ORDER BY id", finding_columns));
-  while (row.executeStep()) all.push_back(read_finding(row));
-  return all;
+  return naming(database_->getFilename(), [&] {
+    std::vector<FindingRecord> all;
+    SQLite::Statement row(*database_, fmt::format("SELECT {} FROM finding ORDER BY id", finding_columns));
+    while (row.executeStep()) all.push_back(read_finding(row));
+    return all;
+  });
 }
 
 std::optional<FindingRecord> RunStore::finding(std::int64_t id) const {
-  SQLite::Statement row(*database_, fmt::format("SELECT {} FROM finding WHERE id=?", finding_columns));
-  row.bind(1, id);
-  if (!row.executeStep()) return {};
-  return read_finding(row);
+  return naming(database_->getFilename(), [&]() -> std::optional<FindingRecord> {
+    SQLite::Statement row(*database_, fmt::format("SELECT {} FROM finding WHERE id=?", finding_columns));
+    row.bind(1, id);
+    if (!row.executeStep()) return {};
+    return read_finding(row);
+  });
+}
+
+bool holds_run(const std::string& folder) { return std::filesystem::exists(file_of(folder)); }
+
+std::vector<std::string> runs_in(const std::string& folder) {
+  namespace fs = std::filesystem;
+  std::vector<std::string> runs;
+  std::error_code error;
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder, error)) {
+    if (!entry.is_symlink() && holds_run(entry.path().string())) runs.push_back(entry.path().string());
+  }
+  std::sort(runs.begin(), runs.end());
+  return runs;
 }
 
 }  // namespace cyl

@@ -96,7 +96,7 @@ class Representatives {
   std::map<Key, GroupRecord> groups_;
 };
 
-/// What one stretch of indices [first, next) gave.
+/// What one stretch of indices [first, next) gave. Of a shard: what it had to do there.
 struct BatchRecord {
   std::uint64_t first = 0, next = 0;
   std::vector<TallyRecord> tallies;
@@ -113,17 +113,19 @@ using Config = std::map<std::string, std::string>;
 
 /// The store of one run: FOLDER/run.sqlite. Write-ahead log with synchronous=NORMAL: what is committed
 /// survives any death of the process; a loss of power may take the last batches, never the consistency. Every
-/// call throws std::runtime_error where the file cannot be read or written.
+/// call throws std::runtime_error that names the file where it cannot be read or written.
 class RunStore {
  public:
   /// Creates folder and file; throws where a run is there already.
   static RunStore create(const std::string& folder, const Config& config,
                          const std::vector<MethodRecord>& methods = {});
+  /// Throws std::invalid_argument where no run is there.
   static RunStore open(const std::string& folder);
   RunStore(RunStore&&) noexcept;
   ~RunStore();
 
   Config config() const;
+  void set(const std::string& key, const std::string& value);  ///< an entry of the configuration
   std::vector<MethodRecord> methods() const;
   Progress progress() const;
   /// Adds a batch and the wall time since the last commit in one transaction. Throws where `batch.first` is
@@ -131,7 +133,7 @@ class RunStore {
   void commit(const BatchRecord& batch, std::uint64_t milliseconds);
 
   std::vector<TallyRecord> tallies() const;     ///< by first appearance
-  std::vector<GroupRecord> groups() const;      ///< by first appearance
+  std::vector<GroupRecord> groups() const;      ///< by method, kind, severity and family
   std::vector<FindingRecord> findings() const;  ///< by id
   std::optional<FindingRecord> finding(std::int64_t id) const;
 
@@ -139,5 +141,9 @@ class RunStore {
   explicit RunStore(std::unique_ptr<SQLite::Database> database);
   std::unique_ptr<SQLite::Database> database_;
 };
+
+bool holds_run(const std::string& folder);
+/// The folders right inside `folder` that hold a run, by name; symbolic links are passed over.
+std::vector<std::string> runs_in(const std::string& folder);
 
 }  // namespace cyl

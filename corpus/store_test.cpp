@@ -5,8 +5,10 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <fstream>
 #include <limits>
 #include <stdexcept>
 
@@ -105,9 +107,32 @@ TEST_F(Store, GivesBackWhatWasCommitted) {
 }
 
 TEST_F(Store, RefusesAFolderThatHoldsARunAndOneThatHoldsNone) {
-  EXPECT_THROW(RunStore::open(folder), std::runtime_error);
+  EXPECT_THROW(RunStore::open(folder), std::invalid_argument);
   RunStore::create(folder, {});
   EXPECT_THROW(RunStore::create(folder, {}), std::runtime_error);
+}
+
+TEST_F(Store, NamesTheFileThatCannotBeRead) {
+  fs::create_directories(folder);
+  std::ofstream(folder / "run.sqlite")
+      << "not a database, and longer than the header of one would be: " << folder;
+  try {
+    RunStore::open(folder);
+    FAIL() << "opened";
+  } catch (const std::runtime_error& error) {
+    EXPECT_NE(std::string(error.what()).find((folder / "run.sqlite").string()), std::string::npos)
+        << error.what();
+  }
+}
+
+TEST_F(Store, RunsInAFolderAreFoundByTheirStores) {
+  EXPECT_TRUE(runs_in(folder).empty());
+  RunStore::create(folder / "b", {});
+  RunStore::create(folder / "a", {{"status", "running"}}).set("status", "complete");
+  fs::create_directories(folder / "empty");
+  fs::create_directory_symlink("b", folder / "latest");
+  EXPECT_EQ(runs_in(folder), (std::vector<std::string>{folder / "a", folder / "b"}));
+  EXPECT_EQ(RunStore::open(folder / "a").config(), (Config{{"status", "complete"}}));
 }
 
 TEST_F(Store, RefusesABatchOutOfOrder) {
@@ -149,6 +174,50 @@ TEST_F(Store, WhatIsKeptDoesNotDependOnWhereBatchesAreCut) {
   EXPECT_EQ(indices(cut), indices(whole));
   EXPECT_EQ(cut.groups()[0].count, whole.groups()[0].count);
   EXPECT_EQ(cut.groups()[0].binade, whole.groups()[0].binade);
+}
+
+TEST_F(Store, WhatIsKeptDoesNotDependOnHowShardsTakeTurns) {
+  const auto margin = [](std::uint64_t i) { return std::ldexp(1.0, -static_cast<int>(scatter(i) % 60)); };
+  RunStore whole = RunStore::create(folder / "whole", {});
+  whole.commit(batch_of(0, 2000, margin), 0);
+  for (const std::uint64_t shards : {1, 2, 3, 7}) {
+    BatchRecord all;
+    all.next = 2000;
+    Representatives count;
+    for (std::uint64_t shard = 0; shard < shards; ++shard) {
+      Representatives kept;
+      for (std::uint64_t i = 0; i < 2000; ++i) {
+        if (i / 16 % shards == shard && kept.admit(finding_at(i, margin(i))))
+          all.findings.push_back(finding_at(i, margin(i)));
+      }
+      for (const GroupRecord& group : kept.groups()) count.add(group);
+    }
+    all.groups = count.groups();
+    std::sort(all.findings.begin(), all.findings.end(),
+              [](const FindingRecord& x, const FindingRecord& y) { return x.index < y.index; });
+    RunStore merged = RunStore::create(folder / std::to_string(shards), {});
+    merged.commit(all, 0);
+    EXPECT_EQ(indices(merged), indices(whole)) << shards;
+    EXPECT_EQ(merged.groups()[0].count, 2000u);
+  }
+}
+
+/// Bytes of the store with all that SQLite keeps beside it.
+std::uintmax_t size_of(const fs::path& folder) {
+  std::uintmax_t bytes = 0;
+  for (const auto& file : fs::directory_iterator(folder)) bytes += file.file_size();
+  return bytes;
+}
+
+TEST_F(Store, DoesNotGrowWithTheNumberOfPairs) {
+  const auto fill = [&](const fs::path& run, std::uint64_t batches) {
+    RunStore store = RunStore::create(run, {});
+    const auto margin = [](std::uint64_t i) { return std::ldexp(1.0, -static_cast<int>(i * 7 % 60)); };
+    for (std::uint64_t k = 0; k < batches; ++k) store.commit(batch_of(k * 100, k * 100 + 100, margin), 1);
+  };
+  fill(folder / "short", 20);
+  fill(folder / "long", 2000);
+  EXPECT_EQ(size_of(folder / "long"), size_of(folder / "short"));
 }
 
 TEST_F(Store, AKilledWriterLeavesAConsistentPrefix) {

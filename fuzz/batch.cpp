@@ -60,7 +60,10 @@ constexpr std::uint64_t stretch_size = batch_size;
 class Batch {
  public:
   Batch(const Subjects& subjects, std::uint64_t seed)
-      : subjects_(subjects), seed_(seed), by_family_(subjects.families.size() + 1) {
+      : subjects_(subjects),
+        seed_(seed),
+        turns_(turns_of(subjects)),
+        by_family_(subjects.families.size() + 1) {
     counts_.resize(rows() * by_family_.size());
   }
 
@@ -95,11 +98,6 @@ class Batch {
   }
 
  private:
-  struct Place {
-    std::size_t family;  ///< 0: the cases; f: families[f - 1]
-    std::uint64_t index;
-  };
-
   std::size_t methods() const { return subjects_.methods.size(); }
   std::size_t corpus_row_index() const { return methods(); }
   std::size_t referee_row_index() const { return methods() + 1; }
@@ -108,18 +106,12 @@ class Batch {
   std::uint64_t index_of(std::size_t p) const { return first_ + p; }
   unsigned share_of(std::size_t m) const { return std::max(1u, subjects_.methods[m]->share()); }
 
-  Place place_of(std::uint64_t index) const {
-    const std::uint64_t cases = subjects_.cases.size(), families = subjects_.families.size();
-    if (index < cases) return {0, index};
-    return {static_cast<std::size_t>(1 + (index - cases) % families), (index - cases) / families};
-  }
+  Place place_of(std::uint64_t index) const { return cyl::place_of(subjects_, turns_, index); }
   Pair pair_at(const Place& place) const {
     if (place.family == 0) return subjects_.cases[place.index].pair;
     return subjects_.families[place.family - 1].generate(seed_, place.index);
   }
-  std::string family_name(std::size_t family) const {
-    return family == 0 ? cases_family : std::string(subjects_.families[family - 1].name);
-  }
+  std::string family_name(std::size_t family) const { return cyl::family_name(subjects_, family); }
   std::string row_name(std::size_t row) const {
     if (row < methods()) return std::string(subjects_.methods[row]->name());
     if (row == corpus_row_index()) return corpus_row;
@@ -313,6 +305,7 @@ class Batch {
 
   const Subjects& subjects_;
   const std::uint64_t seed_;
+  const Turns turns_;
 
   // Of the stretch; the answers of one pair lie together, as the referee takes them.
   std::uint64_t first_ = 0;
@@ -335,6 +328,23 @@ class Batch {
 bool is_method_row(std::string_view name) {
   return name != corpus_row && name != referee_row &&
          std::find(stage_rows.begin(), stage_rows.end(), name) == stage_rows.end();
+}
+
+Turns turns_of(const Subjects& subjects) {
+  std::vector<unsigned> weights(subjects.weights.begin(), subjects.weights.end());
+  if (weights.empty()) weights.assign(subjects.families.size(), 1);
+  return Turns(std::move(weights));
+}
+
+Place place_of(const Subjects& subjects, const Turns& turns, std::uint64_t index) {
+  const std::uint64_t cases = subjects.cases.size();
+  if (index < cases) return {0, index};
+  const auto [family, own] = turns.at(index - cases);
+  return {1 + family, own};
+}
+
+std::string family_name(const Subjects& subjects, std::size_t family) {
+  return family == 0 ? cases_family : std::string(subjects.families[family - 1].name);
 }
 
 std::uint64_t batch_size_for(const Subjects& subjects) {

@@ -8,22 +8,34 @@
 #include <cstdint>
 #include <memory>
 #include <span>
+#include <string>
 #include <string_view>
 
 #include "corpus/families.hpp"
 #include "corpus/pair_io.hpp"
 #include "corpus/store.hpp"
+#include "fuzz/turns.hpp"
 #include "oracles/method.hpp"
 
 namespace cyl {
 
 /// Who is asked, and about what. Index i of a run is case i while there are cases; then the families take
-/// turns.
+/// turns (fuzz/turns.hpp).
 struct Subjects {
   std::span<const std::unique_ptr<Method>> methods;
   std::span<const Family> families;
   std::span<const Case> cases;
+  std::span<const unsigned> weights = {};  ///< of the families; none: all alike
 };
+
+/// What an index of a run is.
+struct Place {
+  std::size_t family;   ///< 0: the cases; f: families[f - 1]
+  std::uint64_t index;  ///< of the case, or of the family's own pairs
+};
+Turns turns_of(const Subjects& subjects);
+Place place_of(const Subjects& subjects, const Turns& turns, std::uint64_t index);
+std::string family_name(const Subjects& subjects, std::size_t family);
 
 /// Rows of the tally and the findings that are no method's: the cases' own statements of truth, the judge.
 inline constexpr const char* corpus_row = "corpus";

@@ -7,9 +7,11 @@
 
 #include <algorithm>
 #include <csignal>
+#include <cstdio>
 #include <ctime>
 #include <deque>
 #include <stdexcept>
+#include <utility>
 
 #include "corpus/fnv.hpp"
 #include "fuzz/flight.hpp"
@@ -68,6 +70,11 @@ std::vector<MethodRecord> record_methods(const Subjects& subjects) {
   return all;
 }
 
+std::string format_shard(const Shard& shard) {
+  if (shard.count == 1) return "";
+  return fmt::format("{}/{} of batches of {}", shard.index, shard.count, shard.batch);
+}
+
 /// With the methods, what the findings are a function of. Two sessions of one run agree in all of it.
 Config identity(const CampaignOptions& options, const Subjects& subjects) {
   std::string families;
@@ -75,11 +82,23 @@ Config identity(const CampaignOptions& options, const Subjects& subjects) {
   return {{"seed", std::to_string(options.seed)},
           {"families", families},
           {"case_count", std::to_string(subjects.cases.size())},
-          {"case_fingerprint", fingerprint(subjects.cases)}};
+          {"case_fingerprint", fingerprint(subjects.cases)},
+          {"weights", format_weights(subjects.weights)},
+          {"shard", format_shard({options.shard, options.shards, batch_size_for(subjects)})}};
 }
 
 void refuse(const CampaignOptions& options, const std::string& what) {
   throw std::runtime_error(fmt::format("{} cannot be resumed: {}", options.out, what));
+}
+
+/// The budget is that of all sessions: what those before `spent`, and that of this one.
+Config limits(const CampaignOptions& options, milliseconds spent) {
+  // What a resumed run has left of its budget may be less than nothing, but it had one: at least 1 ms.
+  const milliseconds all = std::max(spent + options.budget, milliseconds(1));
+  const milliseconds budget = options.budget.count() == 0 ? options.budget : all;
+  return {{"pairs", std::to_string(options.pairs)},
+          {"budget_milliseconds", std::to_string(budget.count())},
+          {"stop_at", options.stop_at}};
 }
 
 RunStore open_run(const CampaignOptions& options, const Subjects& subjects) {
@@ -88,16 +107,16 @@ RunStore open_run(const CampaignOptions& options, const Subjects& subjects) {
   if (!options.resume) {
     config["cases"] = options.cases;
     config["build"] = options.build;
-    config["pairs"] = std::to_string(options.pairs);
-    config["budget_milliseconds"] = std::to_string(options.budget.count());
+    config["status"] = status_planned;
     config["started"] = fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::time(nullptr)));
+    config.merge(limits(options, {}));
     return RunStore::create(options.out, config, methods);
   }
   RunStore store = RunStore::open(options.out);
   const Config stored = store.config();
+  if (stored.contains("shards")) refuse(options, "it was merged from shards; resume those, and merge again");
   for (const auto& [key, value] : config) {
-    const auto found = stored.find(key);
-    const std::string before = found == stored.end() ? "nothing" : found->second;
+    const std::string before = value_of(stored, key);
     if (before != value) refuse(options, fmt::format("its {} was\n{}\nand is now\n{}", key, before, value));
   }
   const std::vector<MethodRecord> before = store.methods();
@@ -109,7 +128,82 @@ RunStore open_run(const CampaignOptions& options, const Subjects& subjects) {
     refuse(options, fmt::format("its method {} {} is now {} {}, or claims something else", before[i].name,
                                 before[i].version, methods[i].name, methods[i].version));
   }
+  const milliseconds spent(store.progress().milliseconds);
+  for (const auto& [key, value] : limits(options, spent)) store.set(key, value);
   return store;
+}
+
+void wait_for_news(const std::deque<Flight>& flights) {
+  std::vector<pollfd> descriptors;
+  for (const Flight& flight : flights) {
+    if (!flight.ended()) descriptors.push_back({flight.descriptor(), POLLIN, 0});
+  }
+  poll(descriptors.data(), descriptors.size(), static_cast<int>(poll_time.count()));
+}
+
+/// Finds the pair that broke a batch, by running halves of it again.
+class Search {
+ public:
+  Search(const Subjects& subjects, std::uint64_t seed, std::function<void()> report)
+      : subjects_(subjects), seed_(seed), report_(std::move(report)) {}
+
+  /// Which index of [first, next) breaks the harness when it is alone, in words. A pair that does so only
+  /// after others, or only sometimes, is not found.
+  std::string blame(std::uint64_t first, std::uint64_t next) {
+    while (next - first > 1) {
+      const std::uint64_t middle = first + (next - first) / 2;
+      const bool dies = !death(first, middle).empty();
+      if (stop_asked) break;
+      (dies ? next : first) = middle;
+    }
+    const std::string how = death(first, next);
+    if (stop_asked) return fmt::format("the search for the pair was stopped at {} to {}", first, next - 1);
+    if (how.empty()) return "run again in parts it did not die, so no pair can be named";
+    const Place place = place_of(subjects_, turns_of(subjects_), first);
+    return fmt::format("its index {} alone dies ({}): pair {} of {}", first, how, place.index,
+                       family_name(subjects_, place.family));
+  }
+
+ private:
+  /// How [first, next) died, or nothing.
+  std::string death(std::uint64_t first, std::uint64_t next) {
+    std::deque<Flight> flight;
+    flight.emplace_back(
+        first, next, [&] { return run_batch(subjects_, seed_, first, next); }, search_cpu_cap);
+    while (!flight.front().advance()) {
+      if (stop_asked) return {};
+      wait_for_news(flight);
+      report_();
+    }
+    try {
+      flight.front().take();
+      return {};
+    } catch (const std::exception& e) {
+      return e.what();
+    }
+  }
+
+  const Subjects& subjects_;
+  const std::uint64_t seed_;
+  const std::function<void()> report_;
+};
+
+}  // namespace
+
+std::string value_of(const Config& config, const std::string& key) {
+  const auto found = config.find(key);
+  return found == config.end() ? "" : found->second;
+}
+
+Shard shard_of(const Config& config) {
+  const std::string text = value_of(config, "shard");
+  unsigned long long index = 0, count = 1, batch = 1;
+  if (text.empty()) return {};
+  if (std::sscanf(text.c_str(), "%llu/%llu of batches of %llu", &index, &count, &batch) != 3 ||
+      index >= count || batch == 0) {
+    throw std::runtime_error("'" + text + "' names no shard");
+  }
+  return {index, count, batch};
 }
 
 void count(CampaignProgress& progress, const std::vector<TallyRecord>& tallies) {
@@ -121,37 +215,34 @@ void count(CampaignProgress& progress, const std::vector<TallyRecord>& tallies) 
   }
 }
 
-void wait_for_news(const std::deque<Flight>& flights) {
-  std::vector<pollfd> descriptors;
-  for (const Flight& flight : flights) {
-    if (!flight.ended()) descriptors.push_back({flight.descriptor(), POLLIN, 0});
-  }
-  poll(descriptors.data(), descriptors.size(), static_cast<int>(poll_time.count()));
-}
-
-}  // namespace
-
 CampaignSummary run_campaign(const CampaignOptions& options, const Subjects& subjects,
                              const std::function<void(const CampaignProgress&)>& on_progress) {
   if (options.pairs == 0 && options.budget.count() == 0) throw std::runtime_error("a campaign needs a limit");
   if (subjects.families.empty()) throw std::runtime_error("a campaign needs a family");
+  if (options.shard >= options.shards) throw std::runtime_error("a campaign has no such shard");
+  if (!subjects.weights.empty() && subjects.weights.size() != subjects.families.size())
+    throw std::runtime_error("a campaign needs a weight for each family");
   RunStore store = open_run(options, subjects);
+  if (options.create_only) return {};
+  store.set("status", status_running);
   const StopSignals signals;
   const auto start = Clock::now();
   auto last_commit = start;
 
   CampaignSummary summary;
   CampaignProgress& progress = summary.progress;
-  progress.done = store.progress().next;
+  const Shard shard{options.shard, options.shards, batch_size_for(subjects)};
+  std::uint64_t stored_to = store.progress().next;
+  progress.done = shard.below(stored_to);
+  progress.goal = shard.below(options.pairs);
   count(progress, store.tallies());
   const auto report = [&] {
     progress.session_time = duration_cast<milliseconds>(Clock::now() - start);
     if (on_progress) on_progress(progress);
   };
 
-  const std::uint64_t size = batch_size_for(subjects);
   std::deque<Flight> flights;  // in the order of their indices
-  std::uint64_t next = progress.done;
+  std::uint64_t next = shard.first_from(stored_to);
   const auto may_launch = [&] {
     const auto running =
         std::count_if(flights.begin(), flights.end(), [](const Flight& f) { return !f.ended(); });
@@ -163,9 +254,10 @@ CampaignSummary run_campaign(const CampaignOptions& options, const Subjects& sub
   while (true) {
     while (may_launch()) {
       const std::uint64_t first = next;
-      next = first + size;
-      if (options.pairs != 0) next = std::min(next, options.pairs);
-      flights.emplace_back(first, next, [&] { return run_batch(subjects, options.seed, first, next); });
+      std::uint64_t end = shard.batch_end(first);
+      if (options.pairs != 0) end = std::min(end, options.pairs);
+      flights.emplace_back(first, end, [&] { return run_batch(subjects, options.seed, first, end); });
+      next = shard.first_from(end);
     }
     if (flights.empty()) break;
     wait_for_news(flights);
@@ -175,18 +267,25 @@ CampaignSummary run_campaign(const CampaignOptions& options, const Subjects& sub
       try {
         batch = flights.front().take();
       } catch (const std::exception& e) {
+        const std::uint64_t first = flights.front().first(), end = flights.front().next();
+        flights.clear();
+        const std::string blame = Search(subjects, options.seed, report).blame(first, end);
         summary.harness_failure = fmt::format(
-            "the batch of indices {} to {} died: {}. What came before it is stored; "
+            "the batch of indices {} to {} died: {}; {}. What came before it is stored; "
             "`daylight campaign --resume {}` meets it again as its first batch",
-            flights.front().first(), flights.front().next() - 1, e.what(), options.out);
+            first, end - 1, e.what(), blame, options.out);
+        store.set("status", status_failed + summary.harness_failure);
         report();
         return summary;
       }
       const auto passed = duration_cast<milliseconds>(Clock::now() - last_commit);
+      batch.first = stored_to;  // what lies between is other shards'
       store.commit(batch, static_cast<std::uint64_t>(passed.count()));
       last_commit += passed;
-      progress.done = batch.next;
-      progress.session_done += batch.next - batch.first;
+      stored_to = batch.next;
+      const std::uint64_t done = shard.below(stored_to);
+      progress.session_done += done - progress.done;
+      progress.done = done;
       count(progress, batch.tallies);
       flights.pop_front();
       report();
@@ -194,9 +293,10 @@ CampaignSummary run_campaign(const CampaignOptions& options, const Subjects& sub
     if (stop_asked) break;  // the batches still under way are lost; --resume does them again
     report();
   }
-  const bool pairs_reached = options.pairs != 0 && progress.done >= options.pairs;
+  const bool pairs_reached = options.pairs != 0 && next >= options.pairs && flights.empty();
   const bool budget_reached = options.budget.count() != 0 && Clock::now() - start >= options.budget;
   summary.interrupted = stop_asked && !pairs_reached && !(budget_reached && flights.empty());
+  store.set("status", summary.interrupted ? status_stopped : status_complete);
   report();
   return summary;
 }

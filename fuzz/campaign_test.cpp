@@ -9,9 +9,12 @@
 #include <csignal>
 #include <cstdlib>
 #include <filesystem>
+#include <map>
+#include <sstream>
 #include <stdexcept>
 
 #include "corpus/finding_words.hpp"
+#include "fuzz/merge.hpp"
 #include "oracles/compare.hpp"
 #include "oracles/contained.hpp"
 
@@ -255,6 +258,192 @@ TEST_F(Campaign, KilledAtAnyMomentAndResumedIsAsIfNothingHappened) {
   EXPECT_EQ(content(store("killed")), content(store("whole")));
 }
 
+/// All of a run that must not depend on times, in an order that does not depend on appearance.
+std::string sorted_content(const RunStore& store) {
+  std::istringstream in(content(store));
+  std::vector<std::string> lines;
+  for (std::string line; std::getline(in, line);) lines.push_back(line);
+  std::sort(lines.begin(), lines.end());
+  std::string text;
+  for (const std::string& line : lines) text += line + '\n';
+  return text;
+}
+
+class Shards : public Campaign {
+ protected:
+  std::string name_of(std::uint64_t shard) const { return "shard-" + std::to_string(shard); }
+  CampaignOptions shard_options(std::uint64_t shard, std::uint64_t shards, std::uint64_t pairs) const {
+    CampaignOptions o = options(name_of(shard), pairs);
+    o.shard = shard;
+    o.shards = shards;
+    return o;
+  }
+  std::vector<std::string> folders(std::uint64_t shards) const {
+    std::vector<std::string> all;
+    for (std::uint64_t i = 0; i < shards; ++i) all.push_back(folder / name_of(i));
+    return all;
+  }
+  std::vector<std::int64_t> ids(const std::string& name) const {
+    std::vector<std::int64_t> all;
+    for (const FindingRecord& f : store(name).findings()) all.push_back(static_cast<std::int64_t>(f.index));
+    return all;
+  }
+};
+
+TEST_F(Shards, TogetherAreWhatOneRunIs) {
+  const std::uint64_t pairs = 9 * batch_size + 100;
+  run_campaign(options("whole", pairs), subjects());
+  for (const std::uint64_t n : {1, 2, 3, 7}) {
+    for (std::uint64_t i = 0; i < n; ++i) {
+      const CampaignSummary summary = run_campaign(shard_options(i, n, pairs), subjects());
+      EXPECT_EQ(summary.progress.done, summary.progress.goal);
+      EXPECT_EQ(total(store(name_of(i)), referee_row).asked, summary.progress.goal);
+    }
+    std::vector<std::string> runs = folders(n);
+    std::reverse(runs.begin(), runs.end());
+    const MergeSummary summary = merge_runs(runs, folder / "merged");
+    EXPECT_TRUE(summary.incomplete.empty()) << summary.incomplete.front();
+    EXPECT_EQ(summary.whole_below, pairs);
+    EXPECT_EQ(summary.progress.done, pairs);
+    EXPECT_EQ(exit_code(summary), 2);
+    EXPECT_EQ(ids("merged"), ids("whole"));
+    EXPECT_EQ(sorted_content(store("merged")), sorted_content(store("whole"))) << n;
+    for (const std::string& run : runs) fs::remove_all(run);
+  }
+}
+
+TEST_F(Shards, KilledAtAnyMomentAndResumedTheyAreStillOneRun) {
+  const std::uint64_t pairs = 40 * batch_size + 7;
+  run_campaign(options("whole", pairs), subjects());
+  int kills = 0;
+  for (std::uint64_t i = 0; i < 3; ++i) {
+    CampaignOptions o = shard_options(i, 3, pairs);
+    for (std::uint64_t round = 0; round < 200; ++round) {
+      o.resume = holds_run(o.out);
+      const pid_t child = fork();
+      if (child == 0) {
+        run_campaign(o, subjects());
+        _exit(0);
+      }
+      usleep(static_cast<useconds_t>(5000 + mix(round + 100 * i) % 30000 + 1000 * round));
+      kill(child, SIGKILL);
+      int status = 0;
+      waitpid(child, &status, 0);
+      if (WIFEXITED(status)) break;
+      ++kills;
+    }
+  }
+  EXPECT_GE(kills, 3);
+  EXPECT_TRUE(merge_runs(folders(3), folder / "merged").incomplete.empty());
+  EXPECT_EQ(sorted_content(store("merged")), sorted_content(store("whole")));
+}
+
+TEST_F(Shards, WhatIsMissingIsSaid) {
+  const std::uint64_t pairs = 6 * batch_size;
+  run_campaign(shard_options(0, 3, pairs), subjects());
+  CampaignOptions planned = shard_options(2, 3, pairs);
+  planned.create_only = true;
+  run_campaign(planned, subjects());
+  const MergeSummary summary = merge_runs({folders(3)[0], folders(3)[2]}, folder / "merged");
+  ASSERT_EQ(summary.incomplete.size(), 2u);
+  EXPECT_EQ(summary.incomplete[0], "shard 1 of 3 is missing");
+  EXPECT_EQ(summary.incomplete[1], "shard 2 of 3 (" + folders(3)[2] + ") is planned at index 0");
+  EXPECT_EQ(summary.whole_below, batch_size);
+  EXPECT_EQ(total(store("merged"), referee_row).asked, 2 * batch_size);
+  EXPECT_TRUE(value_of(store("merged").config(), "status").starts_with("incomplete"));
+  MergeSummary without_findings = summary;
+  without_findings.progress.contract = without_findings.progress.failed = 0;
+  EXPECT_EQ(exit_code(without_findings), 3);
+  without_findings.harness_failed = true;
+  EXPECT_EQ(exit_code(without_findings), 1);
+  // Gone on with, and merged again over it, it is whole.
+  planned.create_only = false;
+  planned.resume = true;
+  run_campaign(planned, subjects());
+  run_campaign(shard_options(1, 3, pairs), subjects());
+  EXPECT_TRUE(merge_runs(folders(3), folder / "merged").incomplete.empty());
+  EXPECT_EQ(total(store("merged"), referee_row).asked, pairs);
+}
+
+TEST_F(Shards, ThatDoNotBelongTogetherAreRefused) {
+  run_campaign(shard_options(0, 2, 100), subjects());
+  const std::string first = folders(1)[0], out = folder / "out";
+  const auto refuses = [&](const CampaignOptions& other, const Subjects& about) {
+    run_campaign(other, about);
+    EXPECT_THROW(merge_runs({first, other.out}, out), std::invalid_argument);
+    fs::remove_all(other.out);
+  };
+  CampaignOptions o = shard_options(1, 2, 100);
+  o.seed = 1;
+  refuses(o, subjects());
+  refuses(shard_options(1, 3, 100), subjects());
+  o = shard_options(1, 2, 100);
+  o.build = "another";
+  refuses(o, subjects());
+  const unsigned weights[] = {2, 1};
+  Subjects weighted = subjects();
+  weighted.weights = weights;
+  refuses(shard_options(1, 2, 100), weighted);
+  cases.resize(1);
+  refuses(shard_options(1, 2, 100), subjects());
+  cases.clear();
+  methods.pop_back();
+  refuses(shard_options(1, 2, 100), subjects());
+  EXPECT_THROW(merge_runs({first, first}, out), std::invalid_argument);
+  EXPECT_THROW(merge_runs({first}, first), std::invalid_argument);
+  merge_runs({first}, out);
+  EXPECT_THROW(merge_runs({out}, folder / "twice"), std::invalid_argument);
+  CampaignOptions on = options("out", 200);
+  on.resume = true;
+  methods = make_methods();
+  EXPECT_THROW(run_campaign(on, subjects()), std::runtime_error);
+}
+
+TEST_F(Campaign, WeightsShareThePairsOutAndAreKept) {
+  const unsigned weights[] = {3, 1};
+  Subjects weighted = subjects();
+  weighted.weights = weights;
+  run_campaign(options("run", 400), weighted);
+  EXPECT_EQ(value_of(store("run").config(), "weights"), "3 1");
+  std::map<std::string, std::uint64_t> asked;
+  for (const TallyRecord& t : store("run").tallies()) {
+    if (t.method == "good") asked[t.family] = t.counts.asked;
+  }
+  EXPECT_EQ(asked["wide"], 300u);
+  EXPECT_EQ(asked["narrow"], 100u);
+  CampaignOptions on = options("run", 500);
+  on.resume = true;
+  EXPECT_THROW(run_campaign(on, subjects()), std::runtime_error);
+  const unsigned equal[] = {1, 1};
+  weighted.weights = equal;
+  run_campaign(options("equal", 400), weighted);
+  run_campaign(options("none", 400), subjects());
+  EXPECT_EQ(content(store("equal")), content(store("none")));
+}
+
+TEST_F(Campaign, ItsStoreSaysHowItEnded) {
+  const auto status = [&] { return value_of(store("run").config(), "status"); };
+  CampaignOptions o = options("run", 200);
+  o.create_only = true;
+  run_campaign(o, subjects());
+  EXPECT_EQ(status(), status_planned);
+  o.create_only = false;
+  o.resume = true;
+  run_campaign(o, subjects());
+  EXPECT_EQ(status(), status_complete);
+  const pid_t child = fork();
+  if (child == 0) {
+    o.pairs = 0;
+    o.budget = std::chrono::hours(1);
+    run_campaign(o, subjects());
+    _exit(0);
+  }
+  usleep(400000);
+  kill(child, SIGKILL);
+  waitpid(child, nullptr, 0);
+  EXPECT_EQ(status(), status_running);
+}
+
 TEST_F(Campaign, ASignalStopsItAndKeepsWhatIsComplete) {
   const pid_t child = fork();
   if (child == 0) {
@@ -348,7 +537,7 @@ TEST_F(Campaign, AnOwnMethodWithAMemoryIsFound) {
                           [](const FindingRecord& f) { return f.kind == "nondeterminism" && f.index == 0; }));
 }
 
-TEST_F(Campaign, ABatchThatDiesIsAHarnessFailureThatNamesTheBatch) {
+TEST_F(Campaign, ABatchThatDiesIsAHarnessFailureThatNamesThePair) {
   methods.clear();
   methods.push_back(std::make_unique<Fake>(
       "deadly",
@@ -367,6 +556,12 @@ TEST_F(Campaign, ABatchThatDiesIsAHarnessFailureThatNamesTheBatch) {
             std::string::npos)
       << summary.harness_failure;
   EXPECT_NE(summary.harness_failure.find("signal 6"), std::string::npos) << summary.harness_failure;
+  EXPECT_NE(summary.harness_failure.find("its index " + std::to_string(own_batch_size + 5) +
+                                         " alone dies (killed by signal 6 (Aborted)): pair " +
+                                         std::to_string(own_batch_size + 5) + " of deadly"),
+            std::string::npos)
+      << summary.harness_failure;
+  EXPECT_TRUE(value_of(store("run").config(), "status").starts_with(status_failed));
   EXPECT_EQ(store("run").progress().next, own_batch_size);
 }
 

@@ -63,8 +63,9 @@ std::chrono::seconds cpu_time_of(pid_t process) {
 
 }  // namespace
 
-Flight::Flight(std::uint64_t first, std::uint64_t next, const std::function<BatchRecord()>& make)
-    : first_(first), next_(next) {
+Flight::Flight(std::uint64_t first, std::uint64_t next, const std::function<BatchRecord()>& make,
+               std::chrono::seconds cpu_cap)
+    : first_(first), next_(next), cpu_cap_(cpu_cap) {
   int ends[2];
   if (pipe2(ends, O_CLOEXEC) != 0) throw std::system_error(errno, std::generic_category(), "pipe");
   const pid_t parent = getpid();
@@ -83,6 +84,7 @@ Flight::Flight(std::uint64_t first, std::uint64_t next, const std::function<Batc
 Flight::Flight(Flight&& other) noexcept
     : first_(other.first_),
       next_(other.next_),
+      cpu_cap_(other.cpu_cap_),
       process_(std::exchange(other.process_, -1)),
       descriptor_(std::exchange(other.descriptor_, -1)),
       ended_(other.ended_),
@@ -112,7 +114,7 @@ bool Flight::advance() {
   }
   if (gone) {
     kill(-process_, SIGKILL);  // its workers, if it left any
-  } else if (cpu_time_of(process_) > batch_cpu_cap) {
+  } else if (cpu_time_of(process_) > cpu_cap_) {
     over_cap_ = true;
     kill(-process_, SIGKILL);
   }
@@ -121,7 +123,7 @@ bool Flight::advance() {
 
 BatchRecord Flight::take() const {
   if (over_cap_) {
-    throw std::runtime_error(fmt::format("no end after {} s of CPU time", batch_cpu_cap.count()));
+    throw std::runtime_error(fmt::format("no end after {} s of CPU time", cpu_cap_.count()));
   }
   if (WIFSIGNALED(status_)) {
     throw std::runtime_error(

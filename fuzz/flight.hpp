@@ -22,7 +22,8 @@ class Flight {
  public:
   /// Forks. The process has a process group of its own, so a Ctrl-C meant for the parent does not reach it,
   /// and it dies with the parent. Throws std::system_error where the system has no process or pipe left.
-  Flight(std::uint64_t first, std::uint64_t next, const std::function<BatchRecord()>& make);
+  Flight(std::uint64_t first, std::uint64_t next, const std::function<BatchRecord()>& make,
+         std::chrono::seconds cpu_cap = batch_cpu_cap);
   Flight(Flight&& other) noexcept;
   Flight& operator=(Flight&&) = delete;
   ~Flight();  ///< kills what still runs
@@ -38,6 +39,7 @@ class Flight {
 
  private:
   std::uint64_t first_, next_;
+  std::chrono::seconds cpu_cap_;
   pid_t process_ = -1;
   int descriptor_ = -1;
   bool ended_ = false;

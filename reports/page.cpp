@@ -20,6 +20,7 @@
 #include "corpus/shell_words.hpp"
 #include "corpus/store.hpp"
 #include "fuzz/batch.hpp"
+#include "reports/history.hpp"
 #include "reports/tally_table.hpp"
 
 namespace cyl {
@@ -126,16 +127,49 @@ std::string headline(const std::vector<MethodTally>& tallies, const std::vector<
 
 std::string facts(const Config& config, const Progress& progress, const std::vector<MethodTally>& tallies) {
   std::string undecided = "0";
+  std::uint64_t pairs = 0;  // judged: of a shard, the next index tells of others' too
   for (const MethodTally& m : tallies) {
-    if (m.method == referee_row) undecided = grouped(m.total.undecided);
+    if (m.method != referee_row) continue;
+    undecided = grouped(m.total.undecided);
+    pairs = m.total.asked;
   }
   std::string text = fmt::format(
       "<p class=\"soft\">{} pairs, seed {}, begun {}, {:.0f} s of running time; truth undecided on {} pairs.",
-      grouped(progress.next), escape_html(setting(config, "seed")), escape_html(setting(config, "started")),
+      grouped(pairs), escape_html(setting(config, "seed")), escape_html(setting(config, "started")),
       static_cast<double>(progress.milliseconds) / 1000, undecided);
   if (const std::string build = setting(config, "build"); !build.empty())
     text += " Build: " + clipped(build) + ".";
+  if (const std::string shard = setting(config, "shard"); !shard.empty())
+    text += " Shard " + clipped(shard) + ".";
+  if (const std::string shards = setting(config, "shards"); !shards.empty())
+    text += " Merged from " + clipped(shards) + " shards.";
+  if (const std::string status = setting(config, "status"); !status.empty())
+    text += " Status: " + clipped(status) + ".";
   return text + "</p>\n";
+}
+
+std::string severity_in_words(const std::string& severity) {
+  if (severity == "contract") return "beyond its own claim";
+  if (severity == "resolution") return "within its own claim";
+  return "truth undecided";
+}
+
+// History
+// ----------------------------------------------------------------------------------------------------------
+
+std::string history_section(const History& history) {
+  std::string text = fmt::format("<h2>History</h2>\n<p>{}</p>\n", escape_html(format_history(history)));
+  std::string items;
+  std::size_t listed = 0;
+  for (const auto& [group, standing] : history.groups) {
+    if (standing == Standing::known || ++listed > shown_cap) continue;
+    items += fmt::format("<li>{}: <b>{}</b> {} <span class=\"soft\">{}, {}</span></li>\n",
+                         to_string(standing), clipped(group.method), clipped(group.kind),
+                         severity_in_words(group.severity), clipped(group.family));
+  }
+  if (items.empty()) return text;
+  return text +
+         fmt::format("<details><summary>What is not as it was</summary>\n<ul>\n{}</ul>\n</details>\n", items);
 }
 
 // Tables
@@ -289,12 +323,6 @@ std::vector<Group> group_findings(const RunStore& store) {
   return sorted;
 }
 
-std::string severity_in_words(const std::string& severity) {
-  if (severity == "contract") return "beyond its own claim";
-  if (severity == "resolution") return "within its own claim";
-  return "truth undecided";
-}
-
 std::string margin_in_words(const FindingRecord& f) {
   if (!f.margin) return "";
   const auto bound = [](double x) { return std::isinf(x) ? "infinity" : fmt::format("{:.3g}", x); };
@@ -421,6 +449,8 @@ void write_page(const std::string& run_folder) {
       escape_html(setting(config, "seed")), style);
   page += headline(tallies, store.groups());
   page += facts(config, store.progress(), tallies);
+  if (const History history = compare_with_earlier(run_folder); history.runs + history.unreadable > 0)
+    page += history_section(history);
   page += families_table(tallies);
   page += findings_section(group_findings(store), run_folder);
   page += methods_table(store.methods(), tallies);

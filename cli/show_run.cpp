@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: MIT
+#include "cli/show_run.hpp"
+
+#include <fmt/format.h>
+
+#include <optional>
+#include <system_error>
+#include <tuple>
+
+#include "corpus/shell_words.hpp"
+#include "corpus/store.hpp"
+#include "reports/history.hpp"
+#include "reports/page.hpp"
+#include "reports/tally_table.hpp"
+
+namespace cyl {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// The finding to look at first: beyond a claim before within, a wrong verdict before anything else, then by
+/// margin.
+std::optional<FindingRecord> worst_finding(const RunStore& store) {
+  std::optional<FindingRecord> worst;
+  const auto key = [](const FindingRecord& f) {
+    return std::tuple(f.severity == "contract", f.severity == "resolution", f.kind.starts_with("wrong_"),
+                      f.margin ? f.margin->lo : 0.0);
+  };
+  for (FindingRecord& f : store.findings()) {
+    if (!worst || key(f) > key(*worst)) worst = std::move(f);
+  }
+  return worst;
+}
+
+}  // namespace
+
+void point_latest_at(const fs::path& run) {
+  const fs::path folder = fs::absolute(run).parent_path(), link = folder / "latest",
+                 unfinished = folder / ".latest";
+  if (folder.filename() != "runs" || (fs::exists(fs::symlink_status(link)) && !fs::is_symlink(link))) return;
+  std::error_code error;  // a file system without symbolic links does without
+  fs::remove(unfinished, error);
+  fs::create_directory_symlink(run.filename(), unfinished, error);
+  if (!error) fs::rename(unfinished, link, error);
+}
+
+void show_run(const std::string& folder, std::uint64_t pairs) {
+  write_page(folder);
+  const RunStore store = RunStore::open(folder);
+  fmt::print("{}", format_tallies(tally_methods(store)));
+  if (const History history = compare_with_earlier(folder); history.runs + history.unreadable > 0)
+    fmt::print("{}\n", format_history(history));
+  fmt::print("{} pairs; page: {}/report.html\n", pairs, folder);
+  if (const auto worst = worst_finding(store)) {
+    fmt::print("the worst, {} {} ({}): ./daylight replay {}\n", worst->method, worst->kind, worst->severity,
+               shell_quoted(fmt::format("{}:{}", folder, worst->id)));
+  }
+}
+
+}  // namespace cyl
