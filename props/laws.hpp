@@ -5,7 +5,6 @@
 #pragma once
 
 #include <optional>
-#include <source_location>
 #include <span>
 #include <string>
 #include <string_view>
@@ -49,6 +48,24 @@ struct Broken {
   bool operator==(const Broken&) const = default;
 };
 
+/// As std::source_location, which clang 14 does not have.
+class SourcePlace {
+ public:
+  static constexpr SourcePlace current(const char* file = __builtin_FILE(),
+                                       unsigned line = __builtin_LINE()) {
+    SourcePlace place;
+    place.file_ = file;
+    place.line_ = line;
+    return place;
+  }
+  constexpr const char* file_name() const { return file_; }
+  constexpr unsigned line() const { return line_; }
+
+ private:
+  const char* file_ = "";
+  unsigned line_ = 0;
+};
+
 struct Law {
   int number;  ///< kept for good: a number is never given to another law
   LawKind kind;
@@ -60,7 +77,7 @@ struct Law {
   std::vector<Asked> (*ask)(const Method& method, const Pair& pair, const MethodAnswer& first);
   /// Nothing where the law holds. Says nothing where a method declines or fails (that is what law 30 is for).
   std::optional<Broken> (*broken)(const LawCase& c);
-  std::source_location place = std::source_location::current();  ///< where it is written
+  SourcePlace place = SourcePlace::current();  ///< where it is written
 };
 
 /// For laws that look at the first answer alone.
