@@ -21,9 +21,10 @@ constexpr int precisions[] = {53, 128, 256, 257, 512};
 TEST(Wide, KeepsItsDigitsThroughCopiesAndMoves) {
   for (const int from : precisions)
     for (const int to : precisions) {
-      const Wide third = third_at(from);
+      Wide third = third_at(from);
       const mpq_class digits = third.to_rational();
       Wide copy(third), assigned = third_at(to);
+      third = -third;  // not through the copy
       assigned = copy;
       EXPECT_EQ(assigned.to_rational(), digits);
       EXPECT_EQ(copy.to_rational(), digits);
