@@ -92,6 +92,17 @@ bool can_occur(const Stratum& s) {
   return true;
 }
 
+bool is_moderate(const Pair& pair) {
+  double largest = 0;
+  for (const Cylinder* c : {&pair.a, &pair.b}) largest = std::max({largest, c->radius, c->height});
+  const auto fits = [&](double x) { return x == 0 || x * moderate_factor >= largest; };
+  for (const Cylinder* c : {&pair.a, &pair.b})
+    if (!fits(c->radius) || !fits(c->height) ||
+        !(c->center.cwiseAbs().maxCoeff() <= largest * moderate_factor))
+      return false;
+  return true;
+}
+
 std::string to_string(const Stratum& s) {
   constexpr const char* features[] = {"side-side", "side-rim", "rim-rim", "cap-side", "cap-rim", "cap-cap"};
   constexpr const char* angles[] = {"parallel", "<1e-12", "<1e-7", "<1e-2", "generic", "near-90", "90"};
@@ -100,7 +111,7 @@ std::string to_string(const Stratum& s) {
 
 void count_geometry(const Pair& pair, const Distance& measured) {
   const Stratum s = stratum_of(pair, measured);
-  extra_counters.strata[s.features][s.angle][s.decade] = 1;
+  if (is_moderate(pair)) extra_counters.strata[s.features][s.angle][s.decade] = 1;
   const double margin = margin_of(pair, measured);
   const int exponent = margin > 0 ? -std::ilogb(margin) : static_cast<int>(exponent_count) - 1;
   extra_counters.margins[measured.value > 0][s.features][static_cast<std::size_t>(

@@ -42,8 +42,14 @@ bool can_occur(const Stratum& s);
 /// "cap-rim <1e-7 1e-12".
 std::string to_string(const Stratum& s);
 
-/// Counts the stratum, the features with the binary exponent of the margin on either side of touching, and
-/// the decade of the axes' angle.
+/// Lengths of a moderate pair are within this factor of 1 of the largest radius or height, 0 aside.
+inline constexpr double moderate_factor = 1e4;
+/// Whether no length dwarfs another: a margin is small there because solids nearly touch, not because one of
+/// them is huge.
+bool is_moderate(const Pair& pair);
+
+/// Counts the stratum of a moderate pair; of any pair the features with the binary exponent of the margin on
+/// either side of touching, and the decade of the axes' angle.
 void count_geometry(const Pair& pair, const Distance& measured);
 /// Counts how the referee came to its verdict, or that it did not.
 void count_stage(const Truth& truth);

@@ -47,6 +47,16 @@ TEST(Strata, TellAnglesAndMarginsApart) {
   EXPECT_EQ(stratum_of(p, distance(p.a, p.b)).decade, 16u);
 }
 
+TEST(Strata, OfModeratePairsAreNotOwedToOneHugeSolid) {
+  Pair p{{{0, 0, 0}, {0, 0, 1}, 1, 2}, {{3, 0, 0}, {0, 0, 2}, 0, 1e-3}};
+  EXPECT_TRUE(is_moderate(p));
+  p.a.height = 1e30;
+  EXPECT_FALSE(is_moderate(p));
+  p.a.height = 2;
+  p.b.center.x() = 1e5;
+  EXPECT_FALSE(is_moderate(p));
+}
+
 TEST(Letters, StandForKeys) {
   EXPECT_EQ(letters_only("fcl/hang"), letters_only("fcl/hang"));
   EXPECT_NE(letters_only("fcl/hang"), letters_only("fcl/crash"));
