@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 // In place of a fuzzing engine: runs a target once on each file named, or in a folder named. Exits with 1
-// where one cannot be read, where the target rejects one, and where there are none.
+// where one cannot be read, where the target rejects one, and where there are none; aborts at a finding.
 #include <cstdint>
 #include <cstdio>
+#include <cstdlib>
 #include <exception>
 #include <filesystem>
 #include <fstream>
@@ -27,6 +28,7 @@ void replay(const std::filesystem::path& file) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  setenv("DAYLIGHT_FUZZ_ABORT", "1", 0);  // a finding is a failure here
   int count = 0, failures = 0;
   const auto attempt = [&](const std::filesystem::path& file) {
     try {

@@ -20,16 +20,6 @@ void MethodAnswer::set_direction(const Vector3& d) noexcept {
   std::copy_n(d.data(), 3, head);
 }
 
-std::vector<std::unique_ptr<Method>> all_methods() {
-  auto methods = own_methods();
-  for (auto make : {seed_2008_methods, seed_2017_methods, nlopt_methods, fcl_methods, bullet_methods,
-                    ccd_methods, ode_methods, mujoco_methods}) {
-    auto more = make();
-    std::move(more.begin(), more.end(), std::back_inserter(methods));
-  }
-  return methods;
-}
-
 std::vector<std::size_t> select_names(const std::vector<std::string>& names, std::string_view spec) {
   const bool all_but = spec.starts_with('-');
   if (all_but) spec.remove_prefix(1);

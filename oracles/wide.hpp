@@ -7,7 +7,8 @@
 #include <mpfi.h>
 #include <mpfr.h>
 
-#include <utility>
+#include <algorithm>
+#include <iterator>
 
 namespace cyl {
 
@@ -23,31 +24,43 @@ class WidePrecision {
   mpfr_prec_t before_;
 };
 
+/// Bits up to which a Wide allocates nothing: most pairs are settled at 128, nearly all others at 256.
+inline constexpr mpfr_prec_t inline_bits_cap = 256;
+
 /// A floating-point number of MPFR, rounded to nearest, its exponent as good as unbounded.
 class Wide {
  public:
-  Wide() : Wide(0.0) {}
-  Wide(double x) {  // NOLINT: a double is a number
-    mpfr_init(v_);
+  Wide() { make_zero(mpfr_get_default_prec()); }
+  Wide(double x) : Wide() {  // NOLINT: a double is a number
     mpfr_set_d(v_, x, MPFR_RNDN);
   }
   Wide(const Wide& o) {
-    mpfr_init2(v_, mpfr_get_prec(o.v_));
-    mpfr_set(v_, o.v_, MPFR_RNDN);
+    if (!o.is_inline()) make_zero(mpfr_get_prec(o.v_));
+    copy_digits(o);
   }
   Wide& operator=(const Wide& o) {
-    if (this != &o) {
-      mpfr_set_prec(v_, mpfr_get_prec(o.v_));
-      mpfr_set(v_, o.v_, MPFR_RNDN);
+    if (this == &o) return *this;
+    if (mpfr_get_prec(v_) != mpfr_get_prec(o.v_)) {
+      clear();
+      make_zero(mpfr_get_prec(o.v_));
     }
+    copy_digits(o);
     return *this;
   }
-  Wide(Wide&& o) noexcept : Wide() { mpfr_swap(v_, o.v_); }
+  Wide(Wide&& o) noexcept {
+    if (o.is_inline()) {
+      copy_digits(o);
+      return;
+    }
+    *v_ = *o.v_;
+    o.make_zero(inline_bits_cap);
+  }
   Wide& operator=(Wide&& o) noexcept {
+    if (is_inline() || o.is_inline()) return *this = o;
     mpfr_swap(v_, o.v_);
     return *this;
   }
-  ~Wide() { mpfr_clear(v_); }
+  ~Wide() { clear(); }
 
   double to_double() const { return mpfr_get_d(v_, MPFR_RNDN); }
   /// The same number exactly. Throws nothing; the number is finite.
@@ -89,7 +102,30 @@ class Wide {
     operation(r.v_, a.v_, b.v_, MPFR_RNDN);
     return r;
   }
+  bool is_inline() const { return mpfr_get_prec(v_) <= inline_bits_cap; }
+  void make_zero(mpfr_prec_t bits) {
+    if (bits > inline_bits_cap) {
+      mpfr_init2(v_, bits);
+      mpfr_set_zero(v_, 1);
+    } else {
+      mpfr_custom_init_set(v_, MPFR_ZERO_KIND, 0, bits, limbs_);
+    }
+  }
+  void clear() {
+    if (!is_inline()) mpfr_clear(v_);
+  }
+  // Of the same precision, where the digits are not inline.
+  void copy_digits(const Wide& o) {
+    if (!o.is_inline()) {
+      mpfr_set(v_, o.v_, MPFR_RNDN);
+      return;
+    }
+    *v_ = *o.v_;
+    std::copy(std::begin(o.limbs_), std::end(o.limbs_), limbs_);
+    mpfr_custom_move(v_, limbs_);
+  }
   mpfr_t v_;
+  mp_limb_t limbs_[inline_bits_cap / GMP_NUMB_BITS] = {};  // where is_inline()
 };
 
 /// A closed interval of MPFI.
