@@ -57,12 +57,5 @@ TEST(Strata, OfModeratePairsAreNotOwedToOneHugeSolid) {
   EXPECT_FALSE(is_moderate(p));
 }
 
-TEST(Letters, StandForKeys) {
-  EXPECT_EQ(letters_only("fcl/hang"), letters_only("fcl/hang"));
-  EXPECT_NE(letters_only("fcl/hang"), letters_only("fcl/crash"));
-  EXPECT_EQ(letters_only("x").size(), 12u);
-  EXPECT_EQ(letters_only("x").find_first_not_of("abcdefghijklmnop"), std::string::npos);
-}
-
 }  // namespace
 }  // namespace cyl

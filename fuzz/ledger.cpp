@@ -9,6 +9,7 @@
 
 #include "corpus/pair_io.hpp"
 #include "fuzz/record.hpp"
+#include "oracles/bucket.hpp"
 
 namespace cyl {
 namespace {
@@ -27,27 +28,7 @@ std::string environment(const char* name) {
 }  // namespace
 
 // Until buckets are named by what is left of a pair after shrinking: by its features and angle as they are.
-std::string bucket_key(std::string_view method, std::string_view failure, const Pair& pair) {
-  std::string key(method);
-  key.append("/").append(failure).append("/");
-  const Distance measured = distance(pair.a, pair.b);
-  if (measured.verdict == Verdict::invalid) return key + "invalid";
-  Stratum s = stratum_of(pair, measured);
-  s.decade = 0;
-  const std::string stratum = to_string(s);  // "side-rim <1e-7 1e-0"
-  const std::size_t first = stratum.find(' '), second = stratum.rfind(' ');
-  return key + stratum.substr(0, first) + '/' + stratum.substr(first + 1, second - first - 1);
-}
-
 // The low 48 bits of FNV-1a, four a letter, the highest first.
-std::string letters_only(std::string_view key) {
-  std::uint64_t h = 0xcbf29ce484222325;
-  for (const char c : key) h = (h ^ static_cast<unsigned char>(c)) * 0x100000001b3;
-  std::string letters;
-  for (int shift = 44; shift >= 0; shift -= 4) letters += static_cast<char>('a' + (h >> shift & 15));
-  return letters;
-}
-
 Ledger::Ledger(std::string_view target)
     : target_(target),
       out_(environment("DAYLIGHT_FUZZ_OUT")),
@@ -72,7 +53,7 @@ void Ledger::keep(const char* folder, const std::string& letters, const Pair& pa
 
 void Ledger::add_finding(const Pair& pair, std::string_view method, std::string_view failure,
                          std::string_view what) {
-  const std::string key = bucket_key(method, failure, pair), letters = letters_only(key);
+  const std::string key = bucket_of(method, failure, pair), letters = letters_only(key);
   ++findings_;
   if (!abort_ && !is_new("findings", letters)) return;
   Case c;

@@ -20,13 +20,6 @@
 
 namespace cyl {
 
-/// "fcl-libccd/wrong_disjoint/side-rim/<1e-7": findings with one cause, as far as we can tell, have one key.
-/// `failure`: a finding's kind or a law's name.
-std::string bucket_key(std::string_view method, std::string_view failure, const Pair& pair);
-
-/// Twelve letters a to p that stand for a key, for tools that mangle digits.
-std::string letters_only(std::string_view key);
-
 class Ledger {
  public:
   /// Reads the environment. `target` is the source of its findings.

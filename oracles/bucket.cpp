@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "corpus/fnv.hpp"
+#include "oracles/compare.hpp"
 #include "oracles/contact.hpp"
 #include "oracles/referee.hpp"
 
@@ -60,6 +61,15 @@ std::string bucket_key(std::string_view method, std::string_view failure,
        {failure, feature ? to_string(*feature) : "unknown", to_string(coordinate)})
     key.append("/").append(part);
   return key;
+}
+
+std::string bucket_of(std::string_view method, std::string_view failure, const Pair& pair) {
+  const Truth truth = judge(pair);
+  LazyDistance distance([&](double width) { return enclose_distance(pair, truth, width); });
+  const bool decided = truth.verdict != Verdict::undecided && truth.verdict != Verdict::invalid;
+  const double size = size_of(pair);
+  const double margin = decided && size > 0 ? magnitude_against(0, truth, distance).hi / size : 0;
+  return bucket_key(method, failure, contact_feature(pair, truth), coordinate_of(pair, margin));
 }
 
 std::string letters_only(std::string_view key) {

@@ -38,6 +38,9 @@ Coordinate coordinate_of(const Pair& simplified, double margin);
 std::string bucket_key(std::string_view method, std::string_view failure,
                        std::optional<ContactFeature> feature, Coordinate coordinate);
 
+/// The key of a pair: what meets and what matters are looked up. Cost: that of an enclosure of the distance.
+std::string bucket_of(std::string_view method, std::string_view failure, const Pair& pair);
+
 /// Twelve letters a to p that stand for the key, for tools that mangle digits: the low 48 bits of its FNV-1a
 /// hash, four a letter, the highest first.
 std::string letters_only(std::string_view key);

@@ -55,16 +55,6 @@ std::string kind_of_break(const Law& law, const Broken& broken) {
   return broken.what.substr(0, broken.what.find_first_of(",:"));
 }
 
-std::string bucket_of(std::string_view method, std::string_view kind, const Pair& pair) {
-  Proofs proofs(pair, {});
-  Proved& proved = proofs.of(pair);
-  const bool decided = proved.truth.verdict != Verdict::undecided && proved.truth.verdict != Verdict::invalid;
-  const double size = size_of(pair);
-  const double margin =
-      decided && size > 0 ? magnitude_against(0, proved.truth, proved.distance).hi / size : 0;
-  return bucket_key(method, kind, contact_feature(pair, proved.truth), coordinate_of(pair, margin));
-}
-
 std::optional<ContactFeature> feature_of(const Pair& pair) { return contact_feature(pair, judge(pair)); }
 
 /// Relative: 10^-13 computed, and a claim rounded up, are still 1e-13.
