@@ -21,11 +21,11 @@
 
 #include "cli/build_info.hpp"
 #include "cli/commands.hpp"
-#include "cli/default_cases.hpp"
 #include "cli/duration.hpp"
 #include "cli/moment.hpp"
 #include "cli/progress.hpp"
 #include "cli/show_run.hpp"
+#include "cli/source_tree.hpp"
 #include "cli/unsigned_option.hpp"
 #include "corpus/case_files.hpp"
 #include "corpus/shell_words.hpp"
@@ -94,7 +94,7 @@ CampaignOptions plan_new(const Arguments& arguments, Asked& asked) {
   if (options.out.empty()) {
     options.out = fmt::format("runs/{:%Y%m%d-%H%M%S}-{}", fmt::localtime(std::time(nullptr)), options.seed);
   }
-  options.cases = arguments.cases ? *arguments.cases : default_cases();
+  options.cases = arguments.cases ? *arguments.cases : in_source_tree("corpus");
   // Absolute: who resumes the run may stand elsewhere.
   if (!options.cases.empty()) options.cases = fs::absolute(options.cases).lexically_normal().string();
   asked.methods = all_methods();

@@ -17,10 +17,10 @@
 
 #include "cli/build_info.hpp"
 #include "cli/commands.hpp"
-#include "cli/default_cases.hpp"
 #include "cli/duration.hpp"
 #include "cli/mutants.hpp"
 #include "cli/progress.hpp"
+#include "cli/source_tree.hpp"
 #include "cli/unsigned_option.hpp"
 #include "corpus/case_files.hpp"
 #include "corpus/pair_io.hpp"
@@ -98,7 +98,7 @@ int gate(const Arguments& arguments) {
   GateOptions options;
   options.seed = arguments.seed;
   if (!arguments.budget.empty()) options.budget = parse_duration(arguments.budget);
-  const std::string folder = arguments.cases ? *arguments.cases : default_cases();
+  const std::string folder = arguments.cases ? *arguments.cases : in_source_tree("corpus");
   const std::vector<Case> cases = folder.empty() ? std::vector<Case>{} : read_case_folder(folder);
   std::set<std::string> base;
   if (!arguments.against.empty()) base = read_buckets(arguments.against);

@@ -7,6 +7,7 @@
 #include <system_error>
 #include <tuple>
 
+#include "cli/source_tree.hpp"
 #include "corpus/shell_words.hpp"
 #include "corpus/store.hpp"
 #include "reports/history.hpp"
@@ -45,7 +46,7 @@ void point_latest_at(const fs::path& run) {
 }
 
 void show_run(const std::string& folder, std::uint64_t pairs) {
-  write_page(folder);
+  write_page(folder, in_source_tree("reports/kill_matrix.jsonl"));
   const RunStore store = RunStore::open(folder);
   fmt::print("{}", format_tallies(tally_methods(store)));
   if (const History history = compare_with_earlier(folder); history.runs + history.unreadable > 0)

@@ -75,10 +75,12 @@ std::string json_of(const KillRow& row, std::span<const Detector> detectors) {
       fmt::format(R"({{"mutant":{},"file":{},"what":{},"like":{})", row.mutant.number,
                   quote_json(row.mutant.file), quote_json(row.mutant.what), quote_json(row.mutant.like));
   if (!row.mutant.equivalent.empty()) text += ",\"equivalent\":" + quote_json(row.mutant.equivalent);
-  for (std::size_t i = 0; i < detectors.size(); ++i)
+  for (std::size_t i = 0; i < detectors.size(); ++i) {
+    if (row.detections[i].fate == Fate::not_run) continue;
     text += fmt::format(R"(,"{}":{{"fate":"{}","seconds":{:.3f},"what":{}}})", detectors[i].name,
                         to_string(row.detections[i].fate), row.detections[i].seconds,
                         quote_json(row.detections[i].what));
+  }
   return text + "}";
 }
 

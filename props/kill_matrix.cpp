@@ -109,7 +109,7 @@ std::string contradiction(std::span<const Case> cases) {
 
 bool KillRow::killed() const {
   return std::any_of(detections.begin(), detections.end(),
-                     [](const Detection& d) { return d.fate != Fate::survived; });
+                     [](const Detection& d) { return d.fate > Fate::survived; });
 }
 
 KillRow run_detectors(const Mutant& mutant, std::span<const Detector> detectors,
@@ -170,6 +170,8 @@ std::vector<Detector> law_detectors(std::span<const Case> cases) {
 
 const char* to_string(Fate fate) noexcept {
   switch (fate) {
+    case Fate::not_run:
+      return "-";
     case Fate::survived:
       return "survived";
     case Fate::killed:

@@ -21,6 +21,7 @@ struct Detector {
 };
 
 enum class Fate : unsigned char {
+  not_run,
   survived,
   killed,   ///< by a detector's word
   crashed,  ///< by a signal
@@ -32,7 +33,7 @@ inline constexpr unsigned detector_cpu_cap = 120;   ///< seconds of CPU
 inline constexpr unsigned detector_wall_cap = 600;  ///< seconds, for what waits without working
 
 struct Detection {
-  Fate fate = Fate::survived;
+  Fate fate = Fate::not_run;
   double seconds = 0;  ///< wall time to the kill, or to the end
   std::string what;    ///< gave it away, in one line; may be empty
 };

@@ -17,7 +17,8 @@ TEST(GateJson, IsTheWholeReport) {
   const json all = json::parse(gate_json(example_report()));
   EXPECT_EQ(all["seed"], std::numeric_limits<std::uint64_t>::max());
   EXPECT_EQ(all["undecided_truths"], 3);
-  EXPECT_EQ(all["phases"][1], json({{"phase", "sample of all strata"}, {"pairs", 345678}, {"milliseconds", 30040}}));
+  EXPECT_EQ(all["phases"][1],
+            json({{"phase", "sample of all strata"}, {"pairs", 345678}, {"milliseconds", 30040}}));
   const json& method = all["methods"][0];
   EXPECT_EQ(method["counts"]["said"]["undecided"], 77);
   EXPECT_EQ(method["claim"]["relative"], 1e-13);

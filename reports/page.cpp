@@ -21,6 +21,7 @@
 #include "corpus/store.hpp"
 #include "fuzz/batch.hpp"
 #include "reports/history.hpp"
+#include "reports/kill_section.hpp"
 #include "reports/tally_table.hpp"
 
 namespace cyl {
@@ -44,6 +45,7 @@ p, ul { margin: .4rem 0; } .soft { color: var(--soft); } .bad { color: var(--bad
 .wide { overflow-x: auto; }
 table { border-collapse: collapse; font-size: .85rem; font-variant-numeric: tabular-nums; }
 th, td { border: 1px solid var(--line); padding: .2rem .5rem; text-align: right; white-space: nowrap; }
+td.text { text-align: left; white-space: normal; min-width: 18rem; }
 th:first-child, td:first-child { text-align: left; position: sticky; left: 0; background: var(--bg); }
 td.claim { white-space: normal; min-width: 16rem; text-align: left; }
 details { border: 1px solid var(--line); border-radius: .4rem; margin: .6rem 0; padding: .4rem .7rem; }
@@ -435,7 +437,7 @@ std::string escape_html(std::string_view text) {
   return safe;
 }
 
-void write_page(const std::string& run_folder) {
+void write_page(const std::string& run_folder, const std::string& kill_matrix) {
   const RunStore store = RunStore::open(run_folder);
   const Config config = store.config();
   const std::vector<MethodTally> tallies = tally_methods(store);
@@ -455,6 +457,7 @@ void write_page(const std::string& run_folder) {
   page += findings_section(group_findings(store), run_folder);
   page += methods_table(store.methods(), tallies);
   page += full_table(tallies);
+  if (!kill_matrix.empty()) page += kill_section(kill_matrix);
   page += "</body>\n</html>\n";
   write_whole(run_folder + "/report.html", page);
 }

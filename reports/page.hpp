@@ -12,8 +12,9 @@ inline constexpr std::size_t shown_per_group_cap = 6;
 inline constexpr std::size_t shown_cap = 300;
 
 /// Writes FOLDER/report.html from the store of the run in FOLDER, all at once: a reader sees the old page or
-/// the new one. Throws std::runtime_error where it cannot.
-void write_page(const std::string& run_folder);
+/// the new one; with the kill matrix in that file, where there is one. Throws std::runtime_error where it
+/// cannot.
+void write_page(const std::string& run_folder, const std::string& kill_matrix = {});
 
 /// `text` with & < > " ' as character references, safe as content and as a quoted attribute; control
 /// characters but newline and tab become U+FFFD, and those that reorder text are written as \u202e is.
