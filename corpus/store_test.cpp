@@ -180,7 +180,7 @@ TEST_F(Store, WhatIsKeptDoesNotDependOnHowShardsTakeTurns) {
   const auto margin = [](std::uint64_t i) { return std::ldexp(1.0, -static_cast<int>(scatter(i) % 60)); };
   RunStore whole = RunStore::create(folder / "whole", {});
   whole.commit(batch_of(0, 2000, margin), 0);
-  for (const std::uint64_t shards : {1, 2, 3, 7}) {
+  for (const std::uint64_t shards : {1u, 2u, 3u, 7u}) {
     BatchRecord all;
     all.next = 2000;
     Representatives count;

@@ -293,7 +293,7 @@ class Shards : public Campaign {
 TEST_F(Shards, TogetherAreWhatOneRunIs) {
   const std::uint64_t pairs = 9 * batch_size + 100;
   run_campaign(options("whole", pairs), subjects());
-  for (const std::uint64_t n : {1, 2, 3, 7}) {
+  for (const std::uint64_t n : {1u, 2u, 3u, 7u}) {
     for (std::uint64_t i = 0; i < n; ++i) {
       const CampaignSummary summary = run_campaign(shard_options(i, n, pairs), subjects());
       EXPECT_EQ(summary.progress.done, summary.progress.goal);

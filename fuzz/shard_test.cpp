@@ -7,8 +7,8 @@ namespace cyl {
 namespace {
 
 TEST(Shard, EveryIndexIsOfOneShardAndIsCounted) {
-  for (std::uint64_t count : {1, 2, 3, 7}) {
-    for (std::uint64_t batch : {1, 4, 5}) {
+  for (std::uint64_t count : {1u, 2u, 3u, 7u}) {
+    for (std::uint64_t batch : {1u, 4u, 5u}) {
       for (std::uint64_t i = 0; i < 100; ++i) {
         int owners = 0;
         std::uint64_t below = 0;
