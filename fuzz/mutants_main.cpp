@@ -100,13 +100,29 @@ void list() {
     fmt::print("{:4}  {:30}  {}{}\n", m.number, m.file, m.what, m.equivalent.empty() ? "" : " (equivalent)");
 }
 
-int matrix(const std::vector<int>& only, bool first, const std::string& corpus, const std::string& json) {
+struct Arguments {
+  std::vector<int> only;
+  std::vector<std::string> detectors;
+  bool first = false;
+  std::string json, corpus = DAYLIGHT_SOURCE_DIR "/corpus";
+};
+
+int matrix(const Arguments& arguments) {
+  const auto& [only, wanted, first, json, corpus] = arguments;
   const std::vector<Case> cases = read_case_folder(corpus);
   std::vector<Detector> detectors = law_detectors(cases);
   detectors.push_back({"fuzz", finding});
   detectors.push_back({"gate", [&](const Mutant& mutant) { return gate_closed(mutant, cases); }});
   const std::string tests = std::filesystem::read_symlink("/proc/self/exe").parent_path() / "mutant_tests";
   detectors.push_back({"tests", [&](const Mutant& mutant) { return failing_test(tests, mutant); }});
+
+  for (const std::string& name : wanted)
+    if (std::none_of(detectors.begin(), detectors.end(), [&](const Detector& d) { return d.name == name; }))
+      throw std::invalid_argument("no detector " + name);
+  if (!wanted.empty())
+    std::erase_if(detectors, [&](const Detector& d) {
+      return std::find(wanted.begin(), wanted.end(), d.name) == wanted.end();
+    });
 
   std::ofstream out;
   if (!json.empty()) out.open(json);
@@ -182,24 +198,26 @@ int main(int argc, char** argv) {
   CLI::App app{"Plants one fault after the other into this program and sees which the harness catches."};
   app.require_subcommand(1);
   app.footer("For example: daylight-mutants matrix --only 101,102 --json kills.jsonl");
-  std::vector<int> only;
-  bool first = false;
-  std::string json, corpus = DAYLIGHT_SOURCE_DIR "/corpus";
+  Arguments arguments;
   auto* listing = app.add_subcommand("list", "the mutants");
   auto* running = app.add_subcommand("matrix", "every detector on every mutant, the program as it is first");
-  running->add_option("--only", only, "numbers of mutants")->delimiter(',');
-  running->add_flag("--first", first, "leave a mutant at its first kill");
-  running->add_option("--json", json, "a file for the rows, one JSON object a line");
-  running->add_option("--corpus", corpus, "the folder of the case files");
+  running->add_option("--only", arguments.only, "numbers of mutants")->delimiter(',');
+  running
+      ->add_option("--detectors", arguments.detectors,
+                   "laws, corpus, differential, fuzz, gate, tests; all where not given")
+      ->delimiter(',');
+  running->add_flag("--first", arguments.first, "leave a mutant at its first kill");
+  running->add_option("--json", arguments.json, "a file for the rows, one JSON object a line");
+  running->add_option("--corpus", arguments.corpus, "the folder of the case files");
   std::size_t count = std::size(smoke_mutants);
   auto* quick = app.add_subcommand("smoke", "a few mutants that must be caught at once");
   quick->add_option("--count", count, "how many");
-  quick->add_option("--corpus", corpus, "the folder of the case files");
+  quick->add_option("--corpus", arguments.corpus, "the folder of the case files");
   CLI11_PARSE(app, argc, argv);
   try {
     if (listing->parsed()) list();
-    if (quick->parsed()) return smoke(count, corpus);
-    return running->parsed() ? matrix(only, first, corpus, json) : 0;
+    if (quick->parsed()) return smoke(count, arguments.corpus);
+    return running->parsed() ? matrix(arguments) : 0;
   } catch (const std::exception& error) {
     std::cerr << "daylight-mutants: " << error.what() << '\n';
     return exit_harness_failed;
