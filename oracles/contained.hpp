@@ -18,7 +18,7 @@ enum class Way : unsigned char {
   usual,         ///< Method::ask
   other_thread,  ///< Method::ask, from a thread that is new
   prepared,      ///< Method::prepare_all, then its call: the verdict alone; declined where there is none
-  batch          ///< Method::prepare_batch, then its call: likewise
+  batch          ///< Method::prepare_batch, then its call: likewise; one other pair goes before it
 };
 
 /// One question of a batch: which method, which pair (indices into the spans given to ask_contained).

@@ -130,9 +130,10 @@ bool is_ours(const Method& method) {
 /// family need.
 constexpr double resolved_tol = 1e-11;
 
-// A point that is in both by more than rounding needs room in both.
-bool has_room(const Pair& pair) {
-  return pair.a.radius > 0 && pair.a.height > 0 && pair.b.radius > 0 && pair.b.height > 0;
+// A point that is in both by more than rounding needs room in both: a sheet or a thread thinner than rounding
+// has none, however deep it is in the other solid.
+bool has_room(const Pair& pair, double least) {
+  return std::min({pair.a.radius, pair.a.height, pair.b.radius, pair.b.height}) >= least;
 }
 
 std::optional<Broken> break_resolution(const LawCase& c) {
@@ -144,8 +145,9 @@ std::optional<Broken> break_resolution(const LawCase& c) {
   if (truth == Verdict::undecided || truth == Verdict::invalid) return {};
   if (c.method.name() == "exact")
     return Broken{fmt::format("undecided, and proved to be {}", to_string(truth))};
-  if (truth == Verdict::touching || (truth == Verdict::intersecting && !has_room(c.pair))) return {};
+  if (truth == Verdict::touching) return {};
   const double least = resolved_tol * (size_of(c.pair) + (c.pair.b.center - c.pair.a.center).norm());
+  if (truth == Verdict::intersecting && !has_room(c.pair, least)) return {};
   const double magnitude = magnitude_against(least, proved.truth, proved.distance).lo;
   if (magnitude < least) return {};
   return Broken{fmt::format("undecided, and {} by {:.3g}", to_string(truth), magnitude)};
@@ -164,6 +166,22 @@ std::optional<Broken> break_orientation(const LawCase& c) {
   const double length = Vector3::Map(c.first.head).norm() * delta.norm();
   if (!is_in_range(c.pair) || !(along < -along_error * length)) return {};
   return Broken{"the direction points from b to a"};
+}
+
+std::vector<Asked> spoilt(const Method& method, const Pair& pair, const MethodAnswer&) {
+  if (!is_ours(method)) return {};
+  std::vector<Asked> asked(2, Asked{pair});
+  asked[0].pair.a.radius = -1;
+  asked[1].pair.b.radius = -1;
+  return asked;
+}
+
+std::optional<Broken> break_validity(const LawCase& c) {
+  for (std::size_t i = 0; i < c.answers.size(); ++i)
+    if (c.answers[i].status == Status::answered && c.answers[i].verdict != Verdict::invalid)
+      return Broken{fmt::format("{} where the radius of {} is -1", to_string(c.answers[i].verdict),
+                                i == 0 ? "a" : "b")};
+  return {};
 }
 
 }  // namespace
@@ -191,11 +209,12 @@ std::vector<Law> answer_laws() {
        "of methods that tell their steps: decide, distance", needs_none, break_cap},
       {39, LawKind::answer, "resolves", "it is not undecided",
        "of intersect, decide and distance where |distance| is 1e-11 of size and centres' distance or more, "
-       "and "
-       "overlapping solids have inner points; of exact where anybody proves a verdict",
+       "and so are the radii and heights of overlapping solids; of exact where anybody proves a verdict",
        needs_none, break_resolution},
       {40, LawKind::answer, "orientation", "the direction offered points from a to b", "of our methods",
        needs_none, break_orientation},
+      {41, LawKind::answer, "validity", "a negative radius of either solid makes the pair invalid",
+       "of our methods", spoilt, break_validity},
   };
 }
 

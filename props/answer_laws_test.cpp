@@ -114,23 +114,35 @@ TEST(AnswerLaws, CatchMoreStepsThanAllowed) {
 }
 
 TEST(AnswerLaws, CatchWhoIsUndecidedWithoutNeed) {
-  EXPECT_EQ(laws_broken_by(plant("decide",
-                                 [](const Pair& pair, MethodAnswer& answer) {
-                                   if (pair.a.radius < 2 * pair.b.radius) return;
-                                   answer = {};
-                                   answer.status = Status::answered;
-                                 },
-                                 "decide")),
-            (Numbers{1, 39}));
+  EXPECT_EQ(laws_broken_by(plant(
+                "decide",
+                [](const Pair& pair, MethodAnswer& answer) {
+                  if (pair.a.radius < 2 * pair.b.radius) return;
+                  answer = {};
+                  answer.status = Status::answered;
+                },
+                "decide")),
+            (Numbers{1, 39, 41}));
+}
+
+TEST(AnswerLaws, CatchWhoTakesABadSolid) {
+  EXPECT_EQ(laws_broken_by(plant(
+                "decide",
+                [](const Pair& pair, MethodAnswer& answer) {
+                  if (pair.b.radius < 0) answer.verdict = Verdict::disjoint;
+                },
+                "decide")),
+            Numbers{41});
 }
 
 TEST(AnswerLaws, CatchADirectionTheWrongWay) {
-  EXPECT_EQ(laws_broken_by(plant("decide",
-                                 [](const Pair&, MethodAnswer& answer) {
-                                   if (answer.witness == WitnessKind::direction)
-                                     for (double& x : answer.head) x = -x;
-                                 },
-                                 "decide")),
+  EXPECT_EQ(laws_broken_by(plant(
+                "decide",
+                [](const Pair&, MethodAnswer& answer) {
+                  if (answer.witness == WitnessKind::direction)
+                    for (double& x : answer.head) x = -x;
+                },
+                "decide")),
             Numbers{40});
 }
 

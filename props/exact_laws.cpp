@@ -78,7 +78,8 @@ std::vector<Asked> swapped(const Method&, const Pair& pair, const MethodAnswer&)
   return {{{pair.b, pair.a}}};
 }
 
-/// Of a pair's size and centres' distance: a little below it, decide() looks for points that lose no bits.
+/// Of a pair's size and centres' distance: a little below it, decide() looks for points that lose no bits;
+/// and where these overflow, for points that do not.
 constexpr double least_scaled_length = 0x1p-890;
 
 double extent(const Pair& pair) {
@@ -98,6 +99,7 @@ std::optional<Pair> scaled(Pair pair, int k) {
     }
   }
   if (std::min(before, extent(pair)) < least_scaled_length) return {};
+  if (!std::isfinite(std::max(before, extent(pair)))) return {};
   return pair;
 }
 
