@@ -114,24 +114,52 @@ TEST(AnswerLaws, CatchMoreStepsThanAllowed) {
 }
 
 TEST(AnswerLaws, CatchWhoIsUndecidedWithoutNeed) {
-  EXPECT_EQ(laws_broken_by(plant("decide",
-                                 [](const Pair& pair, MethodAnswer& answer) {
-                                   if (pair.a.radius < 2 * pair.b.radius) return;
-                                   answer = {};
-                                   answer.status = Status::answered;
-                                 },
-                                 "decide")),
+  EXPECT_EQ(laws_broken_by(plant(
+                "decide",
+                [](const Pair& pair, MethodAnswer& answer) {
+                  if (pair.a.radius < 2 * pair.b.radius) return;
+                  answer = {};
+                  answer.status = Status::answered;
+                },
+                "decide")),
             (Numbers{1, 39}));
 }
 
 TEST(AnswerLaws, CatchADirectionTheWrongWay) {
-  EXPECT_EQ(laws_broken_by(plant("decide",
-                                 [](const Pair&, MethodAnswer& answer) {
-                                   if (answer.witness == WitnessKind::direction)
-                                     for (double& x : answer.head) x = -x;
-                                 },
-                                 "decide")),
+  EXPECT_EQ(laws_broken_by(plant(
+                "decide",
+                [](const Pair&, MethodAnswer& answer) {
+                  if (answer.witness == WitnessKind::direction)
+                    for (double& x : answer.head) x = -x;
+                },
+                "decide")),
             Numbers{40});
+}
+
+TEST(AnswerLaws, CatchWhoMeasuresNothing) {
+  EXPECT_EQ(laws_broken_by(plant(
+                "distance",
+                [](const Pair& pair, MethodAnswer& answer) {
+                  if (pair.a.radius > 2 * pair.b.radius) answer.has_distance = false;
+                },
+                "distance")),
+            (Numbers{1, 41}));
+}
+
+// Half a picometre on a metre: only what is said of parallel axes is so fine.
+TEST(AnswerLaws, CatchWhoIsUndecidedBesideAParallelWall) {
+  const auto upright = [](double x) { return Cylinder{Vector3(x, 0, 0), Vector3(0, 0, 1), 1, 2}; };
+  Planted method = plant(
+      "decide",
+      [](const Pair&, MethodAnswer& answer) {
+        answer = {};
+        answer.status = Status::answered;
+      },
+      "decide");
+  EXPECT_TRUE(broken_by(method, law_numbered(39), {upright(0), upright(2 + 5e-13)}));
+  Pair askew{upright(0), upright(2 + 5e-13)};
+  askew.b.axis.x() = 1e-13;
+  EXPECT_FALSE(broken_by(method, law_numbered(39), askew));
 }
 
 }  // namespace
