@@ -168,7 +168,7 @@ std::optional<Broken> break_measure(const LawCase& c) {
     Proved& proved = c.proofs.of(c.pair);
     if (magnitude_against(near, proved.truth, proved.distance).lo < near) return {};
   }
-  return Broken{fmt::format("no distance, of axes at a sine of {:.3g}", sine)};
+  return Broken{fmt::format("no distance, of axes at a sine of {:.3g}", sine), Severity::resolution};
 }
 
 /// Of a product of two vectors, relative: three products and two sums, on either side.
