@@ -2,6 +2,8 @@
 // Every certificate of many pairs, checked again in wide and rational arithmetic, and every verdict against
 // those of the methods that carry proofs. A few pairs daily; DAYLIGHT_PROOF_PAIRS=10000000 DAYLIGHT_SEED=n
 // for a long run.
+#include "oracles/proofs.hpp"
+
 #include <gtest/gtest.h>
 
 #include <cstdio>
@@ -65,6 +67,29 @@ void run(const Family& family, std::uint64_t seed, std::uint64_t count, Tally& t
         ADD_FAILURE() << "contradiction: " << format_pair(pair) << " " << format_truth(truth);
       }
   }
+}
+
+Pair upright_pair(double apart) {
+  return {{Vector3(0, 0, 0), Vector3(0, 0, 1), 1, 2}, {Vector3(apart, 0, 0), Vector3(0, 0, 1), 1, 2}};
+}
+
+TEST(Proofs, OffersWitnessesOfItsOwnPairAlone) {
+  const Pair own = upright_pair(3), other = upright_pair(4);
+  MethodAnswer answer;
+  answer.status = Status::answered;
+  answer.verdict = Verdict::disjoint;
+  answer.set_direction(Vector3(1, 0, 0));
+  Proofs proofs(own, {&answer, 1});
+  EXPECT_TRUE(proofs.of(own).truth.witnessed);
+  EXPECT_FALSE(proofs.of(other).truth.witnessed);
+}
+
+TEST(Proofs, ReachAClaimOrNot) {
+  const Pair pair = upright_pair(3);  // a gap of 1, size 6
+  Proofs proofs(pair, {});
+  EXPECT_TRUE(beyond_claim(proofs.of(pair), {.relative = 1e-13}));
+  EXPECT_TRUE(beyond_claim(proofs.of(pair), {.absolute = 0.99}));
+  EXPECT_FALSE(beyond_claim(proofs.of(pair), {.relative = 0.5}));
 }
 
 TEST(Proofs, HoldInRationalsAndContradictNobody) {

@@ -13,6 +13,7 @@
 #include "corpus/pair_io.hpp"
 #include "oracles/certificate.hpp"
 #include "oracles/exact.hpp"
+#include "oracles/root_sum.hpp"
 #include "oracles/tangency.hpp"
 #include "solver/decide.hpp"
 
@@ -266,6 +267,56 @@ TEST(Enclosure, NearTouchingFamiliesKeepTheirMargin) {
       EXPECT_LE(std::fabs(e.lo), 0.02 * size_of(pair)) << name << " " << i;
     }
   }
+}
+
+// Corner to corner, stacked, beside one another: by cancellation the double computation is off by more than
+// the last place, and only the slack covers it.
+TEST(Enclosure, CoversItsOwnRounding) {
+  for (int i = 1; i <= 200; ++i) {
+    const Pair p{{Vector3(0, 0, 0.1 * i), Vector3(0, 0, 1), 0, 0.3 * i},
+                 {Vector3(0, 0, 0.7 * i), Vector3(0, 0, 1), 0, 0.7 * i + 1e-9}};
+    const mpq_class gap = mpq_class(p.b.center.z()) - mpq_class(p.a.center.z()) -
+                          (mpq_class(p.a.height) + mpq_class(p.b.height)) / 2;
+    const Enclosure e = enclose_distance(p, judge(p));
+    EXPECT_LE(mpq_class(e.lo), gap) << i;
+    EXPECT_GE(mpq_class(e.hi), gap) << i;
+  }
+}
+
+// Solids on either side of one plane, z = 0, whose faces in it are apart.
+TEST(Tangency, FacesOfOnePlaneNeedNotMeet) {
+  const auto flat = [](double x, double y, const Vector3& axis, double radius, double height) {
+    return Cylinder{Vector3(x, y, 0), axis, radius, height};
+  };
+  const Vector3 x(1, 0, 0), y(0, 1, 0), z(0, 0, 1);
+  const Cylinder disk = flat(0, 0, z, 1, 0), along_x = flat(0, 0, x, 0, 2);
+  const auto meet = [&](const Cylinder& a, const Cylinder& b) {
+    const auto there = prove_tangency({a, b}, {0, 0, 0}, {0, 0, 1});
+    const auto back = prove_tangency({b, a}, {0, 0, 0}, {0, 0, 1});
+    EXPECT_TRUE(there && back);
+    if (!there || !back) return false;
+    EXPECT_EQ(there->meet, back->meet);
+    return there->meet;
+  };
+  EXPECT_TRUE(meet(disk, flat(3, 0, z, 2, 0)));
+  EXPECT_FALSE(meet(disk, flat(3.0625, 0, z, 2, 0)));
+  EXPECT_TRUE(meet(disk, flat(0.6, 0.7, z, 0, 0)));
+  EXPECT_FALSE(meet(disk, flat(0.75, 0.75, z, 0, 0)));
+  EXPECT_TRUE(meet(disk, flat(2, 0, x, 0, 2)));
+  EXPECT_FALSE(meet(disk, flat(2.5, 0, x, 0, 2)));
+  EXPECT_TRUE(meet(along_x, flat(0.5, 1, y, 0, 2)));
+  EXPECT_FALSE(meet(along_x, flat(0.5, 1.5, y, 0, 2)));
+  EXPECT_FALSE(meet(along_x, flat(1.5, 0.5, y, 0, 2)));
+}
+
+TEST(RootSum, KnowsWhenItIs0) {
+  const auto root = [](const mpq_class& c, const mpq_class& q) { return RootSum::root(c, q); };
+  EXPECT_EQ((root(1, 8) - root(2, 2)).sign(), 0);
+  EXPECT_EQ((root(1, 2) - root(mpq_class(1, 2), 8)).sign(), 0);
+  EXPECT_EQ((root(3, 8) - root(2, 18)).sign(), 0);
+  EXPECT_EQ((root(1, mpq_class(4, 3)) * root(1, mpq_class(4, 3)) - RootSum(mpq_class(4, 3))).sign(), 0);
+  EXPECT_EQ((root(1, mpq_class(4, 3)) - RootSum(2)).sign(), -1);
+  EXPECT_EQ((root(1, 2) + root(1, 3) - root(1, 10)).sign(), -1);
 }
 
 TEST(SimplestWithin, FindsTheFractionBehindADecimal) {

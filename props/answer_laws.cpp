@@ -3,6 +3,7 @@
 // needed.
 #include <fmt/format.h>
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <bit>
 #include <cstdint>
@@ -10,6 +11,7 @@
 
 #include "corpus/pair_io.hpp"
 #include "props/law_groups.hpp"
+#include "solver/decide.hpp"
 
 namespace cyl {
 namespace {
@@ -127,8 +129,8 @@ bool is_ours(const Method& method) {
 }
 
 /// Of size and centres' distance: from here on our methods decide. Ten times what the worst features of any
-/// family need.
-constexpr double resolved_tol = 1e-11;
+/// family need, and of gaps between parallel solids.
+constexpr double resolved_tol = 1e-11, parallel_tol = 1e-14;
 
 // A point that is in both by more than rounding needs room in both: a sheet or a thread thinner than rounding
 // has none, however deep it is in the other solid.
@@ -146,8 +148,10 @@ std::optional<Broken> break_resolution(const LawCase& c) {
   if (c.method.name() == "exact")
     return Broken{fmt::format("undecided, and proved to be {}", to_string(truth))};
   if (truth == Verdict::touching) return {};
-  const double least = resolved_tol * (size_of(c.pair) + (c.pair.b.center - c.pair.a.center).norm());
-  if (truth == Verdict::intersecting && !has_room(c.pair, least)) return {};
+  const double extent = size_of(c.pair) + (c.pair.b.center - c.pair.a.center).norm();
+  if (truth == Verdict::intersecting && !has_room(c.pair, resolved_tol * extent)) return {};
+  const bool parallel = prepare(c.pair.a).unit_axis == prepare(c.pair.b).unit_axis;
+  const double least = (parallel && truth == Verdict::disjoint ? parallel_tol : resolved_tol) * extent;
   const double magnitude = magnitude_against(least, proved.truth, proved.distance).lo;
   if (magnitude < least) return {};
   return Broken{fmt::format("undecided, and {} by {:.3g}", to_string(truth), magnitude)};
@@ -208,8 +212,9 @@ std::vector<Law> answer_laws() {
       {38, LawKind::answer, "cap", "the searches take no more steps than they may",
        "of methods that tell their steps: decide, distance", needs_none, break_cap},
       {39, LawKind::answer, "resolves", "it is not undecided",
-       "of intersect, decide and distance where |distance| is 1e-11 of size and centres' distance or more, "
-       "and so are the radii and heights of overlapping solids; of exact where anybody proves a verdict",
+       "of intersect, decide and distance where |distance| is 1e-11 of size and centres' distance or more "
+       "(1e-14 of a gap between parallel axes), and so are the radii and heights of overlapping solids; of "
+       "exact where anybody proves a verdict",
        needs_none, break_resolution},
       {40, LawKind::answer, "orientation", "the direction offered points from a to b", "of our methods",
        needs_none, break_orientation},

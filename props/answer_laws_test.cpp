@@ -146,5 +146,21 @@ TEST(AnswerLaws, CatchADirectionTheWrongWay) {
             Numbers{40});
 }
 
+// Half a picometre on a metre: only what is said of parallel axes is so fine.
+TEST(AnswerLaws, CatchWhoIsUndecidedBesideAParallelWall) {
+  const auto upright = [](double x) { return Cylinder{Vector3(x, 0, 0), Vector3(0, 0, 1), 1, 2}; };
+  Planted method = plant(
+      "decide",
+      [](const Pair&, MethodAnswer& answer) {
+        answer = {};
+        answer.status = Status::answered;
+      },
+      "decide");
+  EXPECT_TRUE(broken_by(method, law_numbered(39), {upright(0), upright(2 + 5e-13)}));
+  Pair askew{upright(0), upright(2 + 5e-13)};
+  askew.b.axis.x() = 1e-13;
+  EXPECT_FALSE(broken_by(method, law_numbered(39), askew));
+}
+
 }  // namespace
 }  // namespace cyl

@@ -114,17 +114,26 @@ std::optional<Broken> break_scaling(const LawCase& c) {
   std::vector<int> asked;
   std::copy_if(std::begin(scales), std::end(scales), std::back_inserter(asked),
                [&](int k) { return scaled(c.pair, k).has_value(); });
-  return worst_of(c, [&](std::size_t i) {
+  const auto cut_off = [](const MethodAnswer& x) {
+    return x.has_distance && std::fabs(x.distance) == std::numeric_limits<double>::max();
+  };
+  return worst_of(c, [&](std::size_t i) -> std::optional<Broken> {
+    if (cut_off(c.first) || cut_off(c.answers[i])) return {};
     auto broken = compare_answers(c, i, {.length = std::ldexp(1, asked[i])});
     if (broken) broken->what = "times 2^" + std::to_string(asked[i]) + ": " + broken->what;
     return broken;
   });
 }
 
+// 0 - x, unlike -x, makes no -0, which would tell which way an axis without a coordinate pointed.
 std::vector<Asked> reversed(const Method&, const Pair& pair, const MethodAnswer&) {
-  const Cylinder a{pair.a.center, -pair.a.axis, pair.a.radius, pair.a.height};
-  const Cylinder b{pair.b.center, -pair.b.axis, pair.b.radius, pair.b.height};
-  return {{{a, pair.b}}, {{pair.a, b}}, {{a, b}}};
+  const auto negated = [](Cylinder c) { return c.axis = -c.axis, c; };
+  const auto taken_from_0 = [](Cylinder c) { return c.axis = Vector3::Zero() - c.axis, c; };
+  return {{{negated(pair.a), pair.b}},
+          {{pair.a, negated(pair.b)}},
+          {{taken_from_0(pair.a), pair.b}},
+          {{pair.a, taken_from_0(pair.b)}},
+          {{negated(pair.a), taken_from_0(pair.b)}}};
 }
 
 /// The axis times 2^k, or nothing where that is not exact.

@@ -203,6 +203,23 @@ TEST(Distance, NearlyTangentRimsApart) {
   }
 }
 
+// No feature brings the bounds together here, the points do that by going to and fro.
+TEST(Distance, PointsAreBroughtNearer) {
+  const Pair p{upright(0, 0, 0, 1, 0.6), {{1, 1.118033991749895, 0}, {0, 1e-8, 1}, 0.5, 0.6}};
+  const Distance d = distance(p.a, p.b);
+  EXPECT_EQ(d.verdict, Verdict::disjoint);
+  EXPECT_LE(d.error, 1e-13 * reach_of(p));
+}
+
+// Where nothing but the heights differs they alone say which is first.
+TEST(Distance, SwapOfSolidsAboutOneCentre) {
+  const Cylinder a = upright(1, 2, 3, 1, 2), b = upright(1, 2, 3, 1, 4);
+  const Distance d = distance(a, b), back = distance(b, a);
+  EXPECT_EQ(d.direction, -back.direction);
+  EXPECT_EQ(d.on_a, back.on_b);
+  EXPECT_EQ(d.on_b, back.on_a);
+}
+
 // The lowest direction is next to the axis of a, where the point of the pole is exactly on the rim.
 TEST(Distance, MinimumBesideAStationaryPole) {
   const Cylinder askew{Vector3(2, -1, -3), Vector3(-1, 0, -2), 3, 6};

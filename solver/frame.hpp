@@ -21,7 +21,7 @@ inline double power_of_two(int exponent) noexcept {
   return std::bit_cast<double>(static_cast<std::uint64_t>(exponent + 1023) << 52);
 }
 
-// floor(log2 x) of a normal positive x.
+// floor(log2 x) of a normal positive x; of a subnormal one -1023.
 inline int exponent_of(double x) noexcept {
   return static_cast<int>((std::bit_cast<std::uint64_t>(x) >> 52) & 0x7ff) - 1023;
 }

@@ -9,15 +9,10 @@ namespace cyl {
 Prepared prepare(const Cylinder& c) noexcept {
   Prepared p{c.center, {0, 0, 1}, c.radius, c.height, find_defect(c), false};
   if (p.defect != Defect::none) return p;
-  // By powers of two until the largest coordinate is in [1, 2): squares neither overflow nor vanish.
-  double most = max_abs(c.axis);
-  Vector3 w = c.axis;
-  if (most < 0x1p-1000) {
-    w *= 0x1p200;
-    most *= 0x1p200;
-  }
-  const int exponent = exponent_of(most);
-  w *= exponent > 1022 ? 0x1p-1022 : power_of_two(-exponent);
+  // By powers of two until the largest coordinate is in [1, 2), of the largest doubles in [2, 4), of
+  // subnormal ones in [2^-51, 1]: squares neither overflow nor vanish.
+  const int exponent = exponent_of(max_abs(c.axis));
+  const Vector3 w = c.axis * (exponent > 1022 ? 0x1p-1022 : power_of_two(-exponent));
   // The solid does not know which way its axis points; here its first coordinate that is not 0 is positive.
   const double first = w.x() != 0 ? w.x() : w.y() != 0 ? w.y() : w.z();
   p.unit_axis = w / std::copysign(length(w), first);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What the tests of solver/ share. Included by one file of a program: it replaces operator new.
+// What the tests of solver/ share. It replaces operator new, weakly: several files of a program may include
+// it.
 #pragma once
 
 #include <atomic>
@@ -9,14 +10,14 @@
 
 // Counts what is allocated, so that a test can say: nothing. Not inlined: gcc would take malloc and free,
 // seen through new and delete, for a mismatch.
-static std::atomic<long> allocations{0};
-[[gnu::noinline]] void* operator new(std::size_t n) {
+inline std::atomic<long> allocations{0};
+[[gnu::noinline, gnu::weak]] void* operator new(std::size_t n) {
   ++allocations;
   if (void* p = std::malloc(n)) return p;
   throw std::bad_alloc();
 }
-[[gnu::noinline]] void operator delete(void* p) noexcept { std::free(p); }
-[[gnu::noinline]] void operator delete(void* p, std::size_t) noexcept { std::free(p); }
+[[gnu::noinline, gnu::weak]] void operator delete(void* p) noexcept { std::free(p); }
+[[gnu::noinline, gnu::weak]] void operator delete(void* p, std::size_t) noexcept { std::free(p); }
 
 namespace cyl {
 
