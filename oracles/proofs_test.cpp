@@ -87,9 +87,9 @@ TEST(Proofs, OffersWitnessesOfItsOwnPairAlone) {
 TEST(Proofs, ReachAClaimOrNot) {
   const Pair pair = upright_pair(3);  // a gap of 1, size 6
   Proofs proofs(pair, {});
-  EXPECT_TRUE(beyond_claim(proofs.of(pair), {.relative = 1e-13}));
-  EXPECT_TRUE(beyond_claim(proofs.of(pair), {.absolute = 0.99}));
-  EXPECT_FALSE(beyond_claim(proofs.of(pair), {.relative = 0.5}));
+  EXPECT_TRUE(beyond_claim(proofs.of(pair), {.relative = 1e-13, .source = "the test"}));
+  EXPECT_TRUE(beyond_claim(proofs.of(pair), {.absolute = 0.99, .source = "the test"}));
+  EXPECT_FALSE(beyond_claim(proofs.of(pair), {.relative = 0.5, .source = "the test"}));
 }
 
 TEST(Proofs, HoldInRationalsAndContradictNobody) {
