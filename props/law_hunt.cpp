@@ -14,6 +14,9 @@ namespace {
 
 constexpr int pairs_per_draw = 16;
 constexpr const char* property_id = "laws";
+/// Draws that RapidCheck may try while it shrinks one case: some seconds of work at most. The rest is for
+/// simplify().
+constexpr int shrink_cap = 400;
 
 class Silent : public rc::detail::TestListener {
   void onTestCaseFinished(const rc::detail::CaseDescription&) override {}
@@ -69,6 +72,7 @@ class Hunt {
 
   // While RapidCheck shrinks: only what stopped the round counts.
   void look_again(const PairsDrawn& drawn) {
+    if (++shrinks_ > shrink_cap) return;
     Catch& last = round_.caught.back();
     const auto same = [&](std::size_t method, const Law& law) {
       return method == last.method && law.number == last.law->number;
@@ -87,6 +91,7 @@ class Hunt {
   const Caps& caps_;
   HuntRound round_;
   bool stopped_ = false;
+  int shrinks_ = 0;
 };
 
 }  // namespace

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include <cmath>
+#include <algorithm>
 #include <memory>
 #include <stdexcept>
 #include <vector>
@@ -52,8 +52,9 @@ TEST(LawHunt, ShrinksWhatItFindsOnTheGridAndNamesIt) {
   const Catch& last = round.caught.back();
   EXPECT_EQ(last.from, "grid");
   EXPECT_EQ(last.law->number, 1);
-  EXPECT_TRUE(last.pair.a.radius == 193 / 64.0 || last.pair.b.radius == 193 / 64.0)
-      << "the least of the grid beyond 3, not " << last.pair.a.radius << ", " << last.pair.b.radius;
+  const double wide = std::max(last.pair.a.radius, last.pair.b.radius);
+  EXPECT_GT(wide, 3);
+  EXPECT_LT(wide, 3.25) << "as near to the least of the grid as the cap lets it come";
   ASSERT_TRUE(last.reproduce.starts_with("reproduce=")) << last.reproduce;
 
   const HuntRound again = hunt_again(methods, swap, last.reproduce, {});
