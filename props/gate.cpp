@@ -341,8 +341,11 @@ double error_rate_bound(std::uint64_t pairs, std::uint64_t wrong) {
 int exit_code(const GateReport& report) {
   for (const GateFailure& failure : report.failures)
     if (failure.severity == Severity::contract && !failure.known) return 2;
+  const auto unsampled = [](const GatePhaseReport& p) {
+    return p.phase == GatePhase::sample && p.pairs == 0;
+  };
   const bool undecided =
-      report.undecided_truths > 0 ||
+      report.undecided_truths > 0 || std::any_of(report.phases.begin(), report.phases.end(), unsampled) ||
       std::any_of(report.methods.begin(), report.methods.end(), [](const GateMethod& m) {
         return m.counts.declined + m.counts.said[static_cast<std::size_t>(Verdict::undecided)] ==
                m.counts.asked;

@@ -109,8 +109,8 @@ GateReport run_gate(std::span<const std::unique_ptr<Method>> methods, std::span<
 /// where none was seen. 1 where there were no trials.
 double error_rate_bound(std::uint64_t pairs, std::uint64_t wrong);
 
-/// 2 contract failures not known, or failures that depend on luck; 3 none, but a method that decided nothing,
-/// or a claimed cell without a pair; else 0.
+/// 2 contract failures not known, reproducible or not; 3 none, but truth that nobody could prove, a method
+/// that decided nothing, or a budget that ended before the sample began; else 0.
 int exit_code(const GateReport& report);
 
 /// The words used in files and on screens: "corpus", "corpus laws", ...

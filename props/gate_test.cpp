@@ -69,6 +69,12 @@ TEST(Gate, LetsAnHonestMethodPass) {
   for (const GatePhaseReport& phase : report.phases) EXPECT_GT(phase.pairs, 0u) << to_string(phase.phase);
 }
 
+TEST(Gate, ABudgetThatEndsBeforeTheSampleProvesNothing) {
+  const GateReport report = gate_on(honest, std::chrono::milliseconds(0));
+  EXPECT_EQ(report.phases.back().pairs, 0u);
+  EXPECT_EQ(exit_code(report), 3);
+}
+
 TEST(Gate, ReportsWhoAlwaysAbstains) {
   const GateReport report = gate_on([](const Pair&) { return say(Verdict::undecided); });
   EXPECT_EQ(report.methods.at(0).remark, "abstains on every pair");
