@@ -105,8 +105,9 @@ class MeasureDistance final : public Method {
     answer.steps = measured.iterations;
     answer.step_cap = distance_step_cap;
     // Where its bounds stay apart it says so, and no number.
+    const Vector3 delta = pair.b.center - pair.a.center;
     const double reach = pair.a.radius + pair.a.height + pair.b.radius + pair.b.height +
-                         (pair.b.center - pair.a.center).norm();
+                         std::hypot(delta.x(), delta.y(), delta.z());
     const bool sure = measured.verdict == Verdict::intersecting || measured.error <= distance_tol * reach;
     answer.has_distance = measured.verdict != Verdict::invalid && sure;
     answer.distance = measured.value;

@@ -81,6 +81,8 @@ std::vector<Asked> swapped(const Method&, const Pair& pair, const MethodAnswer&)
 /// Of a pair's size and centres' distance: a little below it, decide() looks for points that lose no bits;
 /// and where these overflow, for points that do not.
 constexpr double least_scaled_length = 0x1p-890;
+/// Of a radius or height that is not 0: in a thinner solid few points have coordinates that are doubles.
+constexpr double least_scaled_side = 0x1p-960;
 
 double extent(const Pair& pair) {
   return size_of(pair) + (pair.b.center - pair.a.center).lpNorm<Eigen::Infinity>();
@@ -98,6 +100,9 @@ std::optional<Pair> scaled(Pair pair, int k) {
       *x = length;
     }
   }
+  for (const Cylinder* c : {&pair.a, &pair.b})
+    for (const double side : {c->radius, c->height})
+      if (side != 0 && std::min(side, std::ldexp(side, -k)) < least_scaled_side) return {};
   if (std::min(before, extent(pair)) < least_scaled_length) return {};
   if (!std::isfinite(std::max(before, extent(pair)))) return {};
   return pair;

@@ -78,10 +78,10 @@ inline Scaled scale(const Prepared& a, const Prepared& b) noexcept {
   const double widest = larger(larger(a.radius, b.radius), larger(a.height, b.height));
   Vector3 delta = b.center - a.center;
   double most = larger(widest, max_abs(delta));
-  // `before` brings back a Delta that overflowed (what vanishes beside it does not matter) and lifts
-  // subnormal pairs, so that one normal factor brings the rest to 1.
+  // `before` brings back a Delta that overflowed (what vanishes beside it does not matter), brings the
+  // largest lengths to where a normal factor takes them to 1, and lifts subnormal pairs likewise.
   int shift = 0;
-  if (!(max_abs(delta) <= std::numeric_limits<double>::max()))
+  if (!(most < 0x1p1023))
     shift = -100;
   else if (most < 0x1p-1000)
     shift = 200;
@@ -95,8 +95,7 @@ inline Scaled scale(const Prepared& a, const Prepared& b) noexcept {
     height1 *= before;
     most = larger(widest * before, max_abs(delta));
   }
-  int exponent = most > 0 ? exponent_of(most) : 0;
-  if (exponent > 1022) exponent = 1022;
+  const int exponent = most > 0 ? exponent_of(most) : 0;
   const double unit = power_of_two(-exponent), half = unit * 0.5;
   return {a.unit_axis,    b.unit_axis,    delta * unit,   radius0 * unit,
           height0 * half, radius1 * unit, height1 * half, exponent - shift};
