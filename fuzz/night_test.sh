@@ -31,12 +31,14 @@ clean_up() {
   rm -rf -- "$scratch"
 }
 trap clean_up EXIT
+trap 'exit 143' TERM INT
 
 # All packaged methods but NLopt, which alone would take nearly all of the time. The case files may change meanwhile.
 mkdir cases
 cp -- "$here"/../corpus/*.jsonl cases/
 jobs=$((($(nproc) + 1) / 2))
 run=(--seed 20261122 --methods=-nlopt --cases cases)
+[[ -x $(dirname -- "$daylight")/daylight-mutants ]] && run+=(--alarm)
 
 # done_of RUN : "indices milliseconds" that its store holds.
 done_of() {
@@ -138,10 +140,12 @@ hours = (rows[-1][0] - rows[0][0]) / 3600
 print(f'{pairs} pairs, left alone {seconds(alone):.0f} s; killed {kills} times, every {interval} s, and gone on with: '
       f'{seconds(killed):.0f} s in what it stored')
 count = lambda run, what: sqlite3.connect(run + '/run.sqlite').execute(f'SELECT {what}').fetchone()[0]
+alarms = count('alone', "count(*) FROM sqlite_master WHERE name='alarm'") and count('alone', 'count(*) FROM alarm')
 print(f"findings {count('alone', '(SELECT count(*) FROM finding)')} kept of "
       f"{count('alone', '(SELECT sum(count) FROM finding_group)')}, in "
       f"{count('alone', '(SELECT count(*) FROM finding_group)')} groups; "
-      f"tallies of {count('alone', '(SELECT sum(asked) FROM tally)')} calls: the same in both: {same}")
+      f"tallies of {count('alone', '(SELECT sum(asked) FROM tally)')} calls; {alarms} planted "
+      f"faults found: the same in both: {same}")
 check(same == 'yes', 'the two runs differ')
 check(alone.split()[0] == killed.split()[0] == pairs, 'not all pairs were done')
 check(int(kills) > 0, 'it was never killed')
