@@ -22,16 +22,16 @@ struct KnownFault {
   std::string what, asks;  ///< in words; names of the methods that may betray it, as select_methods() takes
 };
 
-/// From the rows of a kill matrix: the faults that the detector `fuzz` finds beyond the claim of a method.
-/// Only those of which every method that may betray them is among `methods`. Throws std::runtime_error where
-/// the file cannot be read.
+/// From the rows of a kill matrix: the faults that the detector `fuzz` soon finds beyond the claim of a
+/// method. Only those of which every method that may betray them is among `methods`. Throws
+/// std::runtime_error where the file cannot be read.
 std::vector<KnownFault> known_faults(const std::string& kill_matrix,
                                      std::span<const std::unique_ptr<Method>> methods);
 
 /// Pairs after which a fault that was not found is given up: ten times as many as the kill matrix looks at,
-/// some seconds of work. Most faults that are in it are found within a few hundred.
+/// some seconds of work, and a hundred times as many as the slowest of known_faults() took there.
 inline constexpr std::uint64_t alarm_pairs_cap = 1 << 17;
-/// CPU time of one planted fault, ten times what those pairs take and more: beyond it the program hangs.
+/// CPU time of one planted fault, several times what those pairs take: beyond it the program hangs.
 inline constexpr std::chrono::seconds alarm_cpu_cap{60};
 /// Chance that a fault which is found as ever rings all the same. A night of eight hours plants some twenty:
 /// of five hundred nights one rings for nothing.
