@@ -33,8 +33,10 @@ holds err '--alarm: daylight-mutants is not beside this executable'
 # Blind: the worker finds the program as it is, whatever is planted.
 cat >bin/daylight-mutants <<END
 #!/bin/sh
-shift 3 # alarm --mutant N
-exec '$mutants' alarm --mutant 0 "\$@"
+# alarm --mutant N --seed N --first N --pairs N: of these only a few, which is enough to see nothing
+seed=\$5 first=\$7
+shift 9
+exec '$mutants' alarm --mutant 0 --seed "\$seed" --first "\$first" --pairs 2000 "\$@"
 END
 chmod +x bin/daylight-mutants
 expect 1 bin/daylight "${run[@]}" --alarm --out runs/blind
