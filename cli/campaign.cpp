@@ -23,6 +23,7 @@
 #include "cli/commands.hpp"
 #include "cli/duration.hpp"
 #include "cli/moment.hpp"
+#include "cli/mutants.hpp"
 #include "cli/progress.hpp"
 #include "cli/show_run.hpp"
 #include "cli/source_tree.hpp"
@@ -35,6 +36,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
+/// The least run that is worth an alarm: in less, planting faults takes a share of the time that shows.
+constexpr std::chrono::minutes least_alarm_budget{5};
+constexpr std::uint64_t least_alarm_pairs = 3'000'000;  // in five minutes, at 10,000 a second
+
 /// Where a run is given no limit of its own.
 constexpr std::chrono::minutes default_budget{1};
 
@@ -45,6 +50,7 @@ struct Arguments {
   std::optional<std::uint64_t> seed;
   unsigned jobs = std::max(1u, std::thread::hardware_concurrency());
   bool list = false, create_only = false;
+  std::optional<bool> alarm;
 };
 
 /// What Subjects refers to.
@@ -190,6 +196,28 @@ void set_limits(const Arguments& arguments, CampaignOptions& options) {
     fmt::print(stderr, "no time is left; --for or --stop-at gives it more\n");
 }
 
+bool wants_alarm(const Arguments& arguments, const CampaignOptions& options) {
+  if (options.shard != 0) return false;  // the first shard's is enough
+  if (arguments.alarm) return *arguments.alarm;
+  if (options.resume) return value_of(RunStore::open(options.out).config(), "alarm") == "on";
+  return options.budget >= least_alarm_budget || options.pairs >= least_alarm_pairs;
+}
+
+AlarmOptions plan_alarm(const Arguments& arguments, const CampaignOptions& options, const Asked& asked) {
+  if (!wants_alarm(arguments, options)) return {};
+  AlarmOptions alarm;
+  std::string missing;
+  const std::string kills = in_source_tree("reports/kill_matrix.jsonl");
+  if (!kills.empty()) alarm.faults = known_faults(kills, asked.methods);
+  alarm.program = mutants_executable();
+  if (alarm.faults.empty()) missing = "no fault is known that a campaign of these methods finds";
+  if (alarm.program.empty()) missing = "daylight-mutants is not beside this executable";
+  if (missing.empty()) return alarm;
+  if (arguments.alarm) throw std::runtime_error("--alarm: " + missing);
+  fmt::print(stderr, "daylight: no faults are planted in this run: {}\n", missing);
+  return {};
+}
+
 int campaign(const Arguments& arguments) {
   if (arguments.list) {
     print_list();
@@ -205,6 +233,7 @@ int campaign(const Arguments& arguments) {
   options.jobs = arguments.jobs;
   options.build = build_info().text();
   options.create_only = arguments.create_only;
+  options.alarm = plan_alarm(arguments, options, asked);
   if (!options.cases.empty()) asked.cases = read_case_folder(options.cases);
 
   CampaignSummary summary;
@@ -260,11 +289,15 @@ void add_campaign(CLI::App& app, int& exit_code) {
   auto* create_only = command->add_flag("--create-only", arguments->create_only,
                                         "only make the run folder, for --resume to go on with");
   resume->check([](const std::string& run) { return run.empty() ? "the folder of a run is expected" : ""; });
+  command->add_flag("--alarm,!--no-alarm", arguments->alarm,
+                    "plant faults on the way and see that each is found; where not given, from 5 minutes or "
+                    "3,000,000 pairs on");
   command->add_flag("--list", arguments->list, "only list the methods, with their claims, and the families");
   command->footer(
       "Example:\n  daylight campaign --for 1m --methods=-nlopt\n"
       "Exit code: 0 nothing beyond a method's claim, 2 contract findings or failures, 3 none of those, but\n"
-      "undecided truth or stopped before its limit, 1 the harness failed, 64 usage. Ctrl-C keeps what is "
+      "undecided truth or stopped before its limit, 1 the harness failed or missed a fault that was "
+      "planted\nto try it, 64 usage. Ctrl-C keeps what is "
       "complete.");
   const std::vector<CLI::Option*> fixed{seed, out, methods, families, weights, shard, cases, create_only};
   command->callback([arguments, fixed, &exit_code] {

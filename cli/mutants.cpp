@@ -19,17 +19,14 @@
 #include "corpus/shell_words.hpp"
 
 namespace cyl {
-namespace {
 
-std::string executable() {
+std::string mutants_executable() {
   const auto beside = std::filesystem::read_symlink("/proc/self/exe").parent_path() / "daylight-mutants";
   return std::filesystem::exists(beside) ? beside.string() : std::string();
 }
 
-}  // namespace
-
 void become_mutants(const std::vector<std::string>& arguments) {
-  const std::string program = executable();
+  const std::string program = mutants_executable();
   if (program.empty())
     throw std::runtime_error(
         "daylight-mutants is not beside this executable; build it: ninja daylight-mutants");
@@ -41,7 +38,7 @@ void become_mutants(const std::vector<std::string>& arguments) {
 }
 
 Smoke smoke_mutants(unsigned count) {
-  const std::string program = executable();
+  const std::string program = mutants_executable();
   if (program.empty()) return {};
   Smoke smoke;
   std::FILE* pipe = popen(fmt::format("{} smoke --count {}", shell_quoted(program), count).c_str(), "re");

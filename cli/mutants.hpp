@@ -7,6 +7,9 @@
 
 namespace cyl {
 
+/// Its path; empty where there is none.
+std::string mutants_executable();
+
 /// Becomes `daylight-mutants` with these arguments. Throws std::runtime_error where there is none.
 [[noreturn]] void become_mutants(const std::vector<std::string>& arguments);
 

@@ -10,6 +10,7 @@
 #include "cli/source_tree.hpp"
 #include "corpus/shell_words.hpp"
 #include "corpus/store.hpp"
+#include "fuzz/alarm.hpp"
 #include "reports/history.hpp"
 #include "reports/page.hpp"
 #include "reports/tally_table.hpp"
@@ -51,6 +52,7 @@ void show_run(const std::string& folder, std::uint64_t pairs) {
   fmt::print("{}", format_tallies(tally_methods(store)));
   if (const History history = compare_with_earlier(folder); history.runs + history.unreadable > 0)
     fmt::print("{}\n", format_history(history));
+  if (const std::string alarms = format_alarms(store.alarms()); !alarms.empty()) fmt::print("{}\n", alarms);
   fmt::print("{} pairs; page: {}/report.html\n", pairs, folder);
   if (const auto worst = worst_finding(store)) {
     fmt::print("the worst, {} {} ({}): ./daylight replay {}\n", worst->method, worst->kind, worst->severity,

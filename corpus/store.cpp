@@ -36,6 +36,13 @@ CREATE TABLE finding(id INTEGER PRIMARY KEY, pair_index INTEGER NOT NULL, family
 INSERT INTO progress VALUES(0, 0);
 )";
 
+/// Made with the first alarm: runs without any are what they always were.
+constexpr const char* alarm_table = R"(
+CREATE TABLE IF NOT EXISTS alarm(start INTEGER PRIMARY KEY, mutant INTEGER NOT NULL, what TEXT NOT NULL,
+  found INTEGER NOT NULL, pairs INTEGER NOT NULL, usual INTEGER NOT NULL, milliseconds INTEGER NOT NULL,
+  said TEXT NOT NULL);
+)";
+
 constexpr const char* finding_columns =
     "id, pair_index, family, family_index, method, kind, severity, margin_lo, margin_hi, pair, answers, "
     "truth, "
@@ -369,6 +376,38 @@ std::optional<FindingRecord> RunStore::finding(std::int64_t id) const {
     row.bind(1, id);
     if (!row.executeStep()) return {};
     return read_finding(row);
+  });
+}
+
+void RunStore::add(const AlarmRecord& a) {
+  naming(database_->getFilename(), [&] {
+    database_->exec(alarm_table);
+    SQLite::Statement replace(*database_, "INSERT OR REPLACE INTO alarm VALUES(?,?,?,?,?,?,?,?)");
+    replace.bind(1, to_sql(a.start));
+    replace.bind(2, a.mutant);
+    replace.bind(3, a.what);
+    replace.bind(4, a.found ? 1 : 0);
+    replace.bind(5, to_sql(a.pairs));
+    replace.bind(6, to_sql(a.usual));
+    replace.bind(7, to_sql(a.milliseconds));
+    replace.bind(8, a.said);
+    replace.exec();
+  });
+}
+
+std::vector<AlarmRecord> RunStore::alarms() const {
+  return naming(database_->getFilename(), [&] {
+    std::vector<AlarmRecord> all;
+    if (!database_->tableExists("alarm")) return all;
+    SQLite::Statement row(
+        *database_,
+        "SELECT start, mutant, what, found, pairs, usual, milliseconds, said FROM alarm ORDER BY start");
+    while (row.executeStep()) {
+      all.push_back({from_sql(row.getColumn(0)), row.getColumn(1).getInt(), row.getColumn(2).getString(),
+                     row.getColumn(3).getInt() != 0, from_sql(row.getColumn(4)), from_sql(row.getColumn(5)),
+                     from_sql(row.getColumn(6)), row.getColumn(7).getString()});
+    }
+    return all;
   });
 }
 

@@ -80,6 +80,20 @@ struct GroupRecord {
   static constexpr int no_binade = -100000;  ///< below every exponent of a double
 };
 
+/// A fault that was planted in a copy of the program, and whether the campaign's own work found it.
+struct AlarmRecord {
+  std::uint64_t start = 0;  ///< the index of the run from which on it was looked for
+  int mutant = 0;           ///< its number
+  std::string what;         ///< the fault in words
+  bool found = false;
+  std::uint64_t pairs = 0;         ///< until it was found, or as many as were looked at
+  std::uint64_t usual = 0;         ///< pairs within which it should have been
+  std::uint64_t milliseconds = 0;  ///< CPU time
+  std::string said;                ///< which finding it was, or how the process ended; may be empty
+
+  bool operator==(const AlarmRecord&) const = default;
+};
+
 /// Which findings are kept. Filtering a sequence in pieces and then as a whole keeps the same as doing it at
 /// once.
 class Representatives {
@@ -136,6 +150,9 @@ class RunStore {
   std::vector<GroupRecord> groups() const;      ///< by method, kind, severity and family
   std::vector<FindingRecord> findings() const;  ///< by id
   std::optional<FindingRecord> finding(std::int64_t id) const;
+
+  void add(const AlarmRecord& alarm);       ///< one there with the same start is replaced
+  std::vector<AlarmRecord> alarms() const;  ///< by start
 
  private:
   explicit RunStore(std::unique_ptr<SQLite::Database> database);

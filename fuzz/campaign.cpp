@@ -107,6 +107,7 @@ RunStore open_run(const CampaignOptions& options, const Subjects& subjects) {
   if (!options.resume) {
     config["cases"] = options.cases;
     config["build"] = options.build;
+    config["alarm"] = options.alarm.program.empty() ? "" : "on";
     config["status"] = status_planned;
     config["started"] = fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::time(nullptr)));
     config.merge(limits(options, {}));
@@ -241,6 +242,7 @@ CampaignSummary run_campaign(const CampaignOptions& options, const Subjects& sub
     if (on_progress) on_progress(progress);
   };
 
+  Alarms alarms(options.alarm, subjects, options.seed, store, options.out);
   std::deque<Flight> flights;  // in the order of their indices
   std::uint64_t next = shard.first_from(stored_to);
   const auto may_launch = [&] {
@@ -291,12 +293,21 @@ CampaignSummary run_campaign(const CampaignOptions& options, const Subjects& sub
       report();
     }
     if (stop_asked) break;  // the batches still under way are lost; --resume does them again
+    alarms.advance(stored_to);
+    report();
+  }
+  while (!stop_asked && !alarms.advance(stored_to)) {
+    wait_for_news({});
     report();
   }
   const bool pairs_reached = options.pairs != 0 && next >= options.pairs && flights.empty();
   const bool budget_reached = options.budget.count() != 0 && Clock::now() - start >= options.budget;
   summary.interrupted = stop_asked && !pairs_reached && !(budget_reached && flights.empty());
   store.set("status", summary.interrupted ? status_stopped : status_complete);
+  if (const std::string ringing = describe_rings(store.alarms()); !ringing.empty()) {
+    summary.harness_failure = "the harness sleeps: " + ringing;
+    store.set("status", status_failed + summary.harness_failure);
+  }
   report();
   return summary;
 }

@@ -9,6 +9,7 @@
 #include <functional>
 #include <string>
 
+#include "fuzz/alarm.hpp"
 #include "fuzz/batch.hpp"
 #include "fuzz/shard.hpp"
 
@@ -28,6 +29,7 @@ struct CampaignOptions {
   std::string build;                    ///< what was built from what, for the record only
   unsigned jobs = 2;                    ///< batches under way at once; does not change the findings
   bool resume = false;       ///< go on with the run in `out`, which must agree with seed, shard and subjects
+  AlarmOptions alarm;        ///< whom to plant faults in, and which
   bool create_only = false;  ///< leave the run as it is when new, for whoever resumes
 };
 
@@ -43,7 +45,7 @@ struct CampaignProgress {
 struct CampaignSummary {
   CampaignProgress progress;
   bool interrupted = false;     ///< by SIGINT or SIGTERM before a limit: what was complete is stored
-  std::string harness_failure;  ///< empty, or which pair broke the harness and how
+  std::string harness_failure;  ///< empty, or which pair broke the harness and how, or which alarm rang
 };
 
 /// Adds what the rows of a tally count.
@@ -70,7 +72,8 @@ std::string value_of(const Config& config, const std::string& key);
 CampaignSummary run_campaign(const CampaignOptions& options, const Subjects& subjects,
                              const std::function<void(const CampaignProgress&)>& on_progress = {});
 
-/// 1 the harness failed, 2 contract findings or failures, 3 none, but undecided truth or interrupted, else 0.
+/// 1 the harness failed or an alarm rang, 2 contract findings or failures, 3 none, but undecided truth or
+/// interrupted, else 0.
 int exit_code(const CampaignSummary& summary);
 
 }  // namespace cyl

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 #include <poll.h>
 #include <sys/prctl.h>
+#include <sys/resource.h>
 #include <sys/wait.h>
 #include <time.h>
 #include <unistd.h>
@@ -41,7 +42,7 @@ std::chrono::seconds cpu_time_of(pid_t process) {
   return std::chrono::seconds(used.tv_sec);
 }
 
-[[noreturn]] void run_child(int descriptor, pid_t parent, const std::function<BatchRecord()>& make) {
+[[noreturn]] void run_child(int descriptor, pid_t parent, const std::function<void(int)>& work) {
   int code = 1;
   try {
     setpgid(0, 0);
@@ -49,7 +50,7 @@ std::chrono::seconds cpu_time_of(pid_t process) {
     if (getppid() != parent) _exit(1);  // it died before the line above
     std::signal(SIGINT, SIG_DFL);
     std::signal(SIGTERM, SIG_DFL);
-    write_all(descriptor, format_batch(make()));
+    work(descriptor);
     code = 0;
   } catch (const std::exception& e) {
     const std::string line = fmt::format("daylight: a batch failed: {}\n", e.what());
@@ -61,16 +62,40 @@ std::chrono::seconds cpu_time_of(pid_t process) {
   _exit(code);
 }
 
+/// Its standard output goes to the descriptor.
+void become(const std::vector<std::string>& command, int descriptor) {
+  std::vector<char*> words;
+  for (const std::string& word : command) words.push_back(const_cast<char*>(word.c_str()));
+  words.push_back(nullptr);
+  dup2(descriptor, STDOUT_FILENO);
+  execv(words.front(), words.data());
+  throw std::system_error(errno, std::generic_category(), command.front());
+}
+
+std::chrono::milliseconds milliseconds_of(const timeval& time) {
+  return std::chrono::milliseconds(time.tv_sec * 1000 + time.tv_usec / 1000);
+}
+
 }  // namespace
 
 Flight::Flight(std::uint64_t first, std::uint64_t next, const std::function<BatchRecord()>& make,
                std::chrono::seconds cpu_cap)
     : first_(first), next_(next), cpu_cap_(cpu_cap) {
+  launch([&](int descriptor) { write_all(descriptor, format_batch(make())); });
+}
+
+Flight::Flight(std::uint64_t first, std::uint64_t next, const std::vector<std::string>& command,
+               std::chrono::seconds cpu_cap)
+    : first_(first), next_(next), cpu_cap_(cpu_cap) {
+  launch([&](int descriptor) { become(command, descriptor); });
+}
+
+void Flight::launch(const std::function<void(int descriptor)>& work) {
   int ends[2];
   if (pipe2(ends, O_CLOEXEC) != 0) throw std::system_error(errno, std::generic_category(), "pipe");
   const pid_t parent = getpid();
   process_ = patient_fork();
-  if (process_ == 0) run_child(ends[1], parent, make);
+  if (process_ == 0) run_child(ends[1], parent, work);
   close(ends[1]);
   descriptor_ = ends[0];
   if (process_ < 0) {
@@ -90,6 +115,7 @@ Flight::Flight(Flight&& other) noexcept
       ended_(other.ended_),
       over_cap_(other.over_cap_),
       status_(other.status_),
+      cpu_time_(other.cpu_time_),
       received_(std::move(other.received_)) {}
 
 Flight::~Flight() {
@@ -104,7 +130,8 @@ Flight::~Flight() {
 // pipe open.
 bool Flight::advance() {
   if (ended_) return true;
-  const bool gone = waitpid(process_, &status_, WNOHANG) == process_;
+  rusage used{};
+  const bool gone = wait4(process_, &status_, WNOHANG, &used) == process_;
   char buffer[65536];
   for (;;) {
     const ssize_t count = read(descriptor_, buffer, sizeof buffer);
@@ -113,6 +140,7 @@ bool Flight::advance() {
     received_.append(buffer, static_cast<std::size_t>(count));
   }
   if (gone) {
+    cpu_time_ = milliseconds_of(used.ru_utime) + milliseconds_of(used.ru_stime);
     kill(-process_, SIGKILL);  // its workers, if it left any
   } else if (cpu_time_of(process_) > cpu_cap_) {
     over_cap_ = true;

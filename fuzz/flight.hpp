@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A function that makes a batch, run in a process of its own: whatever happens to it, the parent learns which
-// batch it was.
+// A function or program that makes a batch, run in a process of its own: whatever happens to it, the parent
+// learns which batch it was.
 #pragma once
 
 #include <sys/types.h>
@@ -9,6 +9,7 @@
 #include <cstdint>
 #include <functional>
 #include <string>
+#include <vector>
 
 #include "corpus/store.hpp"
 
@@ -24,6 +25,9 @@ class Flight {
   /// and it dies with the parent. Throws std::system_error where the system has no process or pipe left.
   Flight(std::uint64_t first, std::uint64_t next, const std::function<BatchRecord()>& make,
          std::chrono::seconds cpu_cap = batch_cpu_cap);
+  /// Likewise of a program, with its arguments, that prints the batch as format_batch() does.
+  Flight(std::uint64_t first, std::uint64_t next, const std::vector<std::string>& command,
+         std::chrono::seconds cpu_cap);
   Flight(Flight&& other) noexcept;
   Flight& operator=(Flight&&) = delete;
   ~Flight();  ///< kills what still runs
@@ -36,8 +40,12 @@ class Flight {
   bool ended() const { return ended_; }
   /// What the batch gave, once it has ended. Throws std::runtime_error that says how it died.
   BatchRecord take() const;
+  /// That the process took, once it has ended; its workers' included.
+  std::chrono::milliseconds cpu_time() const { return cpu_time_; }
 
  private:
+  void launch(const std::function<void(int descriptor)>& work);
+
   std::uint64_t first_, next_;
   std::chrono::seconds cpu_cap_;
   pid_t process_ = -1;
@@ -45,6 +53,7 @@ class Flight {
   bool ended_ = false;
   bool over_cap_ = false;
   int status_ = 0;
+  std::chrono::milliseconds cpu_time_{0};
   std::string received_;
 };
 

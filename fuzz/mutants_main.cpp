@@ -16,8 +16,10 @@
 #include <string>
 #include <vector>
 
+#include "corpus/batch_text.hpp"
 #include "corpus/case_files.hpp"
 #include "corpus/families.hpp"
+#include "fuzz/alarm.hpp"
 #include "fuzz/batch.hpp"
 #include "oracles/compare.hpp"
 #include "props/gate.hpp"
@@ -74,6 +76,7 @@ std::string json_of(const KillRow& row, std::span<const Detector> detectors) {
   std::string text =
       fmt::format(R"({{"mutant":{},"file":{},"what":{},"like":{})", row.mutant.number,
                   quote_json(row.mutant.file), quote_json(row.mutant.what), quote_json(row.mutant.like));
+  text += ",\"asks\":" + quote_json(row.mutant.asks);
   if (!row.mutant.equivalent.empty()) text += ",\"equivalent\":" + quote_json(row.mutant.equivalent);
   for (std::size_t i = 0; i < detectors.size(); ++i) {
     if (row.detections[i].fate == Fate::not_run) continue;
@@ -192,6 +195,33 @@ int smoke(std::size_t count, const std::string& corpus) {
   return caught == count ? 0 : exit_survivors;
 }
 
+struct Planted {
+  int number = 0;
+  std::uint64_t seed = 0, first = 0, pairs = 0;
+  std::string methods, weights;
+  std::vector<std::string> families;
+};
+
+/// One fault through a campaign's pairs until it is found; number 0 is the program as it is.
+int alarm(const Planted& planted) {
+  const auto mutants = all_mutants();
+  const auto is_it = [&](const Mutant& m) { return m.number == planted.number; };
+  if (planted.number != 0 && std::none_of(mutants.begin(), mutants.end(), is_it))
+    throw std::invalid_argument(fmt::format("there is no mutant {}", planted.number));
+  const auto methods = select_methods(all_methods(), planted.methods);
+  std::vector<Family> drawn;
+  for (const std::string& name : planted.families)
+    for (const Family& family : families())
+      if (family.name == name) drawn.push_back(family);
+  if (drawn.size() != planted.families.size()) throw std::invalid_argument("no such family");
+  const std::vector<unsigned> weights = parse_weights(planted.weights);
+  select_mutant(planted.number);
+  const BatchRecord found =
+      run_until_found({methods, drawn, {}, weights}, planted.seed, planted.first, planted.pairs);
+  fmt::print("{}\n", format_batch(found));
+  return 0;
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -213,9 +243,20 @@ int main(int argc, char** argv) {
   auto* quick = app.add_subcommand("smoke", "a few mutants that must be caught at once");
   quick->add_option("--count", count, "how many");
   quick->add_option("--corpus", arguments.corpus, "the folder of the case files");
+  Planted planted;
+  auto* night =
+      app.add_subcommand("alarm", "a mutant through a campaign's pairs until it is found; campaigns do it");
+  night->add_option("--mutant", planted.number)->required();
+  night->add_option("--seed", planted.seed)->required();
+  night->add_option("--first", planted.first)->required();
+  night->add_option("--pairs", planted.pairs)->required();
+  night->add_option("--methods", planted.methods)->required();
+  night->add_option("--families", planted.families)->delimiter(',')->required();
+  night->add_option("--weights", planted.weights);
   CLI11_PARSE(app, argc, argv);
   try {
     if (listing->parsed()) list();
+    if (night->parsed()) return alarm(planted);
     if (quick->parsed()) return smoke(count, arguments.corpus);
     return running->parsed() ? matrix(arguments) : 0;
   } catch (const std::exception& error) {
