@@ -122,7 +122,9 @@ std::vector<std::string> conditions(const Explanation& e) {
   std::vector<std::string> found;
   for (const FailingRegion& r : e.regions) {
     if (r.parameter == Parameter::distance || r.parameter == Parameter::scale) continue;
-    const bool low = method_ends_it(e.asked, r.low), high = method_ends_it(e.asked, r.high);
+    // Far from the origin the centres' rounding makes another pair of it.
+    const bool low = method_ends_it(e.asked, r.low),
+               high = r.parameter != Parameter::offset && method_ends_it(e.asked, r.high);
     if (low && high)
       found.push_back(
           fmt::format("{} {:.3g} to {:.3g}", to_string(r.parameter), r.low.fails_at, r.high.fails_at));
@@ -170,14 +172,19 @@ std::string curve_table(const HonestyCurve& c) {
   return text;
 }
 
+std::string said_in_words(const MethodAnswer& answer) {
+  if (answer.status != Status::answered) return one_line(answer.reason);
+  return to_string(answer.verdict) +
+         (answer.has_distance ? fmt::format(", distance {:.6g}", answer.distance) : "");
+}
+
 std::string cures_table(const Explanation& e) {
   std::string text = "\n";
   for (const Cure& c : e.cures) {
     const std::string remedy = c.remedy == Remedy::setting ? c.method : std::string(to_string(c.remedy));
     text += fmt::format("{:<30} {:<18}", remedy, to_string(c.effect));
     if (c.effect != Effect::no_change)
-      text += fmt::format(" {} of solids {}", one_line(format_method_answer(c.after.answer)),
-                          distance_in_words(c.after));
+      text += fmt::format(" {} of solids {}", said_in_words(c.after.answer), distance_in_words(c.after));
     text += '\n';
   }
   return text;

@@ -185,6 +185,8 @@ class Course {
     switch (parameter_) {
       case distance:
         if (direction_.isZero(0)) return {};
+        // Outwards no other direction comes to be shorter; inwards one may.
+        if (distance_ < 0 && value < distance_) return at_distance(p, value);
         p.b.center += (value - distance_) * direction_;
         return p;
       case angle:
