@@ -155,9 +155,13 @@ std::string cases(const Probe& asked, CertificateKind kind) {
   const Pair given = as_given(asked.pair);
   if (given.a.axis != asked.pair.a.axis || given.b.axis != asked.pair.b.axis) {
     const Truth truth = judge(given);
-    if (meet(truth) != meet(asked.truth) || truth.certificate.kind != kind)
-      throw std::runtime_error("the library gets axes rounded to unit length, and of these the truth is " +
-                               std::string(to_string(truth.verdict)) + ": it is not to blame");
+    if (meet(truth) != meet(asked.truth))
+      throw std::runtime_error(
+          fmt::format("the library gets axes rounded to unit length, and of these the truth is {}: it is not "
+                      "to blame",
+                      to_string(truth.verdict)));
+    if (truth.certificate.kind != kind)
+      throw std::runtime_error("no one check proves the truth for these axes and for axes of unit length");
     text += line("with the axes that the library gets", given, truth);
   }
   return text + "]\n";
