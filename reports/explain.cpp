@@ -34,9 +34,9 @@ bool turns_right(const Probe& asked, const RegionEnd& end) {
   return end.beyond && end.beyond->right() && meet(*end.beyond) == meet(asked);
 }
 
+/// Of an explanation that has regions.
 const FailingRegion& region_of(const Explanation& e, Parameter parameter) {
-  return *std::find_if(e.regions.begin(), e.regions.end(),
-                       [&](const FailingRegion& r) { return r.parameter == parameter; });
+  return e.regions[static_cast<std::size_t>(parameter)];
 }
 
 std::string column_title(Parameter p) {
@@ -47,14 +47,13 @@ std::string column_title(Parameter p) {
 
 /// "calls solids up to 9.9e-07 apart intersecting", ...
 std::string failure_in_words(const Explanation& e) {
-  const FailingRegion& distance = region_of(e, Parameter::distance);
   switch (e.asked.finding->kind) {
     case FindingKind::wrong_intersecting:
-      return fmt::format("calls solids up to {:.3g} apart {}", std::max(distance.high.fails_at, 0.0),
-                         to_string(e.asked.answer.verdict));
+      return fmt::format("calls solids up to {:.3g} apart {}",
+                         region_of(e, Parameter::distance).high.fails_at, to_string(e.asked.answer.verdict));
     case FindingKind::wrong_disjoint:
       return fmt::format("calls solids that overlap by up to {:.3g} disjoint",
-                         std::max(-distance.low.fails_at, 0.0));
+                         std::max(0.0, -region_of(e, Parameter::distance).low.fails_at));
     case FindingKind::distance_outside:
       return fmt::format("tells a distance of {:.6g} of solids {}", e.asked.answer.distance,
                          distance_in_words(e.asked));
@@ -86,12 +85,13 @@ std::vector<std::string> causes(const Explanation& e) {
   if (!settings.empty())
     found.push_back(fmt::format("its own setting decides ({} {} right)", joined(settings, " and "),
                                 settings.size() == 1 ? "is" : "are"));
-  const FailingRegion& scale = region_of(e, Parameter::scale);
-  const bool larger = turns_right(e.asked, scale.high), smaller = turns_right(e.asked, scale.low);
+  const RegionEnd none, &up = e.regions.empty() ? none : region_of(e, Parameter::scale).high,
+                        &down = e.regions.empty() ? none : region_of(e, Parameter::scale).low;
+  const bool larger = turns_right(e.asked, up), smaller = turns_right(e.asked, down);
   if (larger || smaller) {
     std::string text = "a length of its own decides (right with all lengths times ";
-    if (smaller) text += fmt::format("2^{:.0f} or less", *scale.low.ends_at);
-    if (larger) text += fmt::format("{}2^{:.0f} or more", smaller ? ", or " : "", *scale.high.ends_at);
+    if (smaller) text += fmt::format("2^{:.0f} or less", *down.ends_at);
+    if (larger) text += fmt::format("{}2^{:.0f} or more", smaller ? ", or " : "", *up.ends_at);
     found.push_back(text + ")");
   } else if (cured_by(e, Remedy::rescaled)) {
     found.push_back("a length of its own decides (right once scaled to size 1)");
@@ -231,8 +231,10 @@ Explanation explain(std::span<const std::unique_ptr<Method>> methods, std::strin
   if (!e.asked.fails(kind))
     throw std::invalid_argument(fmt::format("{} has no {} on this pair today: it says {}", name,
                                             to_string(kind), format_method_answer(e.asked.answer)));
-  e.regions = failing_regions(method, e.asked);
-  e.curve = honesty_curve(method, e.asked, seed);
+  if (kind != FindingKind::hang) {
+    e.regions = failing_regions(method, e.asked);
+    e.curve = honesty_curve(method, e.asked, seed);
+  }
   e.cures = try_cures(methods, method, e.asked);
   e.mechanism = mechanism(e);
   return e;
@@ -243,7 +245,7 @@ std::string explanation_text(const Explanation& e) {
                                  one_line(format_method_answer(e.asked.answer)), distance_in_words(e.asked),
                                  to_string(e.asked.finding->kind), to_string(e.asked.finding->severity),
                                  format_pair(e.asked.pair));
-  text += '\n' + regions_table(e);
+  if (!e.regions.empty()) text += '\n' + regions_table(e);
   if (e.curve) text += curve_table(*e.curve);
   return text + cures_table(e) + "\n" + e.mechanism + "\n";
 }

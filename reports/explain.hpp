@@ -23,14 +23,15 @@ inline constexpr std::uint64_t explain_seed_default = 1;
 struct Explanation {
   std::string method;
   Claim claim;
-  Probe asked;  ///< holds the finding
-  std::vector<FailingRegion> regions;
-  std::optional<HonestyCurve> curve;
+  Probe asked;                         ///< holds the finding
+  std::vector<FailingRegion> regions;  ///< none of a hang: each question would cost a second
+  std::optional<HonestyCurve> curve;   ///< likewise
   std::vector<Cure> cures;
   std::string mechanism;  ///< one sentence that sums up the rest
 };
 
-/// Asks the method about some 6,000 pairs, contained; a second or two, more where it is slow or hangs. The
+/// Asks the method about some 6,000 pairs, contained; a second or two, more where it is slow; a second
+/// for each cure of a hang. The
 /// same arguments give the same explanation, but for what depends on hangs. Throws std::invalid_argument
 /// where no method has that name or where it does not fail in this way on this pair today.
 Explanation explain(std::span<const std::unique_ptr<Method>> methods, std::string_view method,

@@ -217,6 +217,35 @@ TEST(Explain, RefusesWhatDoesNotFail) {
   EXPECT_THROW(explain(methods, "nobody", kind, stacked()), std::invalid_argument);
 }
 
+/// Does not come back where a is the lower one.
+class Hanging final : public Method {
+ public:
+  std::string_view name() const override { return "hanging"; }
+  std::string_view version() const override { return "1"; }
+  Claim claim() const override { return {}; }
+  MethodAnswer ask(const Pair& pair) override {
+    while (pair.a.center.z() < pair.b.center.z()) spins_ = spins_ + 1;
+    MethodAnswer answer;
+    answer.status = Status::answered;
+    answer.verdict = Verdict::disjoint;
+    return answer;
+  }
+
+ private:
+  volatile unsigned spins_ = 0;
+};
+
+TEST(Explain, AHangIsAskedAboutSeldom) {
+  std::vector<std::unique_ptr<Method>> methods;
+  methods.push_back(std::make_unique<Hanging>());
+  const Explanation e = explain(methods, "hanging", FindingKind::hang, stacked());
+  EXPECT_TRUE(e.regions.empty());
+  EXPECT_EQ(effect(e.cures, Remedy::exchanged), Effect::cured);
+  EXPECT_EQ(effect(e.cures, Remedy::rescaled), Effect::not_cured);
+  EXPECT_NE(explanation_text(e).find("the order decides"), std::string::npos) << explanation_text(e);
+  EXPECT_TRUE(json::parse(explanation_json(e))["curve"].is_null());
+}
+
 // A library as it is: FCL's own GJK stops at an absolute tolerance.
 TEST(Explain, AFinding) {
   Pair pair;
