@@ -5,9 +5,6 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <charconv>
-#include <filesystem>
-#include <fstream>
 #include <memory>
 #include <optional>
 #include <stdexcept>
@@ -15,14 +12,13 @@
 #include <vector>
 
 #include "cli/commands.hpp"
+#include "cli/targets.hpp"
 #include "corpus/finding_words.hpp"
 #include "corpus/pair_io.hpp"
 #include "corpus/store.hpp"
 
 namespace cyl {
 namespace {
-
-namespace fs = std::filesystem;
 
 /// Pairs that are asked together: a worker is forked once for all of them.
 constexpr std::size_t together_cap = 64;
@@ -31,54 +27,6 @@ struct Arguments {
   std::vector<std::string> targets;
   std::string methods;
 };
-
-/// One thing to run again: a stored finding, or a case on which anything may be wrong.
-struct Target {
-  std::string label;
-  Pair pair;
-  std::optional<FindingRecord> finding;
-};
-
-Target of_finding(const std::string& run, FindingRecord finding) {
-  const CaseLine line = parse_case(finding.pair, 1);
-  const std::string label = fmt::format("{}:{}", run, finding.id);
-  if (!line.value) throw std::runtime_error(label + ": " + line.error);
-  return {label, line.value->pair, std::move(finding)};
-}
-
-std::vector<Target> targets_of(const std::string& name) {
-  std::vector<Target> targets;
-  if (fs::is_directory(name)) {
-    for (FindingRecord& f : RunStore::open(name).findings())
-      targets.push_back(of_finding(name, std::move(f)));
-    return targets;
-  }
-  if (fs::exists(name)) {
-    std::ifstream in(name);
-    CaseReader reader(in);
-    while (const auto line = reader.next()) {
-      if (!line->value) throw std::runtime_error(name + ": " + line->error);
-      const std::string& id = line->value->id;
-      targets.push_back({id.empty() ? fmt::format("{}:{}", name, line->line) : id, line->value->pair, {}});
-    }
-    if (in.bad()) throw std::runtime_error(name + " cannot be read");
-    return targets;
-  }
-  const std::size_t colon = name.rfind(':');
-  std::int64_t id = 0;
-  if (colon != std::string::npos) {
-    const char* end = name.data() + name.size();
-    const auto parsed = std::from_chars(name.data() + colon + 1, end, id);
-    if (parsed.ec == std::errc() && parsed.ptr == end && fs::is_directory(name.substr(0, colon))) {
-      const std::string run = name.substr(0, colon);
-      auto finding = RunStore::open(run).finding(id);
-      if (!finding) throw std::invalid_argument(fmt::format("{} has no finding {}", run, id));
-      targets.push_back(of_finding(run, std::move(*finding)));
-      return targets;
-    }
-  }
-  throw std::invalid_argument("'" + name + "' is no run, no finding RUN:ID and no file of cases");
-}
 
 std::string describe(const Finding& finding) {
   std::string text = fmt::format("{} ({}", to_string(finding.kind), to_string(finding.severity));
@@ -179,7 +127,8 @@ void add_replay(CLI::App& app, int& exit_code) {
   CLI::App* command = app.add_subcommand("replay", "Runs stored findings or cases again on today's build");
   auto arguments = std::make_shared<Arguments>();
   command
-      ->add_option("TARGET", arguments->targets, "RUN: all its findings; RUN:ID: one; FILE: a file of cases")
+      ->add_option("TARGET", arguments->targets,
+                   "RUN: all its findings; RUN:ID: one; FILE: a file of cases; FILE:LINE: one")
       ->required();
   command->add_option("--methods", arguments->methods, "a,b: ask these; --methods=-a,b: all but these");
   command->footer(

@@ -1,0 +1,72 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: MIT
+# explain and export as a person calls them: a case of a file, a stored finding, exit codes, what is written.
+set -euo pipefail
+
+daylight=$1
+scratch=$(mktemp -d)
+trap 'rm -rf -- "$scratch"' EXIT
+cd -- "$scratch"
+failures=0
+
+# expect CODE NAME COMMAND..: runs it into out and err.
+expect() {
+  local code=$1 name=$2 got=0
+  shift 2
+  "$@" >out 2>err || got=$?
+  if [[ $got != "$code" ]]; then
+    printf '%s: exit code %s, not %s\n' "$name" "$got" "$code"
+    cat out err
+    failures=$((failures + 1))
+  fi
+}
+# holds NAME FILE PATTERN
+holds() {
+  if ! grep -qE -- "$3" "$2"; then
+    printf '%s: no line of %s matches %s\n' "$1" "$2" "$3"
+    cat -- "$2"
+    failures=$((failures + 1))
+  fi
+}
+
+unit='{"center":[0,0,0],"axis":[0,0,1],"radius":1,"height":2}'
+{
+  printf '{"a":%s,"b":{"center":[3,0,0],"axis":[0,1,0],"radius":1,"height":2}}\n\n' "$unit"
+  printf '{"a":%s,"b":{"center":[0,0,2.0000005],"axis":[0,0,1],"radius":1,"height":2}}\n' "$unit"
+} >cases.jsonl
+
+expect 0 'a line of a file' "$daylight" explain cases.jsonl:3 --method fcl-indep --json why.json
+holds 'the seed comes first' out '^seed 1$'
+holds 'a region' out '^signed distance .* they meet +right$'
+holds 'a curve' out '^1e-09 +200 +200 +1 '
+holds 'a cure that is none' out '^solids exchanged +not cured '
+holds 'the mechanism' out '^fcl-indep calls solids up to .* apart intersecting: a length of its own decides'
+holds 'as JSON' why.json '"mechanism": "fcl-indep calls'
+cp out first
+expect 0 'again' "$daylight" explain cases.jsonl:3 --method fcl-indep
+cmp -s first out || holds 'the same twice' out '^THE SAME$'
+
+expect 0 'export' "$daylight" export cases.jsonl:3 --method fcl-indep --out sent
+for file in issue.md build.sh reproduce.cpp exact.py; do
+  [[ -s sent/$file ]] || holds "sent/$file" out '^WRITTEN$'
+done
+expect 0 'the proof' python3 sent/exact.py
+
+expect 64 'a pair on which it is right' "$daylight" export cases.jsonl:1 --method fcl-indep --out sent
+holds 'what it says there' err 'is not wrong on .*disjoint'
+expect 64 'two pairs at once' "$daylight" explain cases.jsonl --method fcl-indep
+expect 64 'an empty line' "$daylight" explain cases.jsonl:2 --method fcl-indep
+expect 64 'no method' "$daylight" explain cases.jsonl:3
+expect 64 'an unknown kind' "$daylight" explain cases.jsonl:3 --method fcl-indep --kind tired
+expect 64 'a method of ours' "$daylight" export cases.jsonl:3 --method seedbook-printed --out sent
+expect 1 'nowhere to write' "$daylight" export cases.jsonl:3 --method fcl-indep --out cases.jsonl/sent
+expect 0 'replay takes lines too' "$daylight" replay cases.jsonl:3 --methods intersect
+holds 'one case' out '^1 replayed,'
+
+mkdir runs
+expect 2 'a run with findings' "$daylight" campaign --pairs 3000 --seed 3 --cases '' --methods libccd-mpr-tol1e-10 --out runs/one
+id=$(grep -oE 'runs/one:[0-9]+' out | tail -n 1)
+expect 0 'a stored finding names its method' "$daylight" explain "$id"
+holds 'the method' out '^libccd-mpr-tol1e-10 '
+
+exit "$((failures > 0))"

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: MIT
+#include "cli/targets.hpp"
+
+#include <fmt/format.h>
+
+#include <charconv>
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <fstream>
+#include <stdexcept>
+#include <utility>
+
+#include "corpus/pair_io.hpp"
+
+namespace cyl {
+namespace {
+
+namespace fs = std::filesystem;
+
+Target of_finding(const std::string& run, FindingRecord finding) {
+  const CaseLine line = parse_case(finding.pair, 1);
+  const std::string label = fmt::format("{}:{}", run, finding.id);
+  if (!line.value) throw std::runtime_error(label + ": " + line.error);
+  return {label, line.value->pair, std::move(finding)};
+}
+
+/// All cases of a file, or the one of a line.
+std::vector<Target> of_file(const std::string& name, std::optional<std::size_t> wanted) {
+  std::vector<Target> targets;
+  std::ifstream in(name);
+  CaseReader reader(in);
+  while (const auto line = reader.next()) {
+    if (wanted && line->line != *wanted) continue;
+    if (!line->value) throw std::runtime_error(name + ": " + line->error);
+    const std::string& id = line->value->id;
+    targets.push_back({id.empty() ? fmt::format("{}:{}", name, line->line) : id, line->value->pair, {}});
+  }
+  if (in.bad()) throw std::runtime_error(name + " cannot be read");
+  if (wanted && targets.empty())
+    throw std::invalid_argument(fmt::format("{} has no case in line {}", name, *wanted));
+  return targets;
+}
+
+/// "NAME:17" in its two parts.
+std::optional<std::pair<std::string, std::int64_t>> numbered(const std::string& name) {
+  const std::size_t colon = name.rfind(':');
+  if (colon == std::string::npos) return {};
+  std::int64_t number = 0;
+  const char* end = name.data() + name.size();
+  const auto parsed = std::from_chars(name.data() + colon + 1, end, number);
+  if (parsed.ec != std::errc() || parsed.ptr != end || number < 0) return {};
+  return std::pair(name.substr(0, colon), number);
+}
+
+}  // namespace
+
+std::vector<Target> targets_of(const std::string& name) {
+  std::vector<Target> targets;
+  if (fs::is_directory(name)) {
+    for (FindingRecord& f : RunStore::open(name).findings())
+      targets.push_back(of_finding(name, std::move(f)));
+    return targets;
+  }
+  if (fs::exists(name)) return of_file(name, {});
+  if (const auto parts = numbered(name)) {
+    const auto& [place, number] = *parts;
+    if (fs::is_directory(place)) {
+      auto finding = RunStore::open(place).finding(number);
+      if (!finding) throw std::invalid_argument(fmt::format("{} has no finding {}", place, number));
+      targets.push_back(of_finding(place, std::move(*finding)));
+      return targets;
+    }
+    if (fs::exists(place)) return of_file(place, static_cast<std::size_t>(number));
+  }
+  throw std::invalid_argument(
+      "'" + name + "' is no run, no finding RUN:ID, no file of cases and no line FILE:LINE of one");
+}
+
+}  // namespace cyl

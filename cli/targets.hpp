@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: MIT
+// What a command line names to be run again: stored findings and kept cases.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "corpus/store.hpp"
+#include "solver/cylinder.hpp"
+
+namespace cyl {
+
+/// One thing to run again: a stored finding, or a case on which anything may be wrong.
+struct Target {
+  std::string label;
+  Pair pair;
+  std::optional<FindingRecord> finding;
+};
+
+/// RUN: all its findings; RUN:ID: one; FILE: all its cases; FILE:LINE: one. Throws std::invalid_argument on a
+/// name that is none of these, std::runtime_error on what cannot be read.
+std::vector<Target> targets_of(const std::string& name);
+
+}  // namespace cyl

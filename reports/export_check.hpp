@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: MIT
+// A check for everybody: a Python program that holds a pair and what proves the truth about it, literally,
+// and proves it again in rational arithmetic.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "reports/probe.hpp"
+
+namespace cyl {
+
+/// exact.py: standard library only; exits with 0 where all is proved, else with 1. It proves the verdict of
+/// the pair as asked and of the pair as the library gets it (axes of unit length, rounded), and, of a wrong
+/// distance, that the distance said is impossible, where a direction or two points show that. Throws
+/// std::runtime_error where the rounding of the axes turns the verdict: then the library is not to blame.
+/// `asked` is of decided truth.
+std::string exact_check(const Probe& asked, const Claim& claim);
+
+/// Whether exact_check() shows the distance said to be impossible.
+bool shows_distance(const Probe& asked, const Claim& claim);
+
+}  // namespace cyl
