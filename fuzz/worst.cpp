@@ -122,13 +122,6 @@ std::optional<Ray> ray_of(const Pair& pair) {
   return ray;
 }
 
-/// By the solver: quick, and proved later where it matters.
-ContactFeature likely_feature(const Pair& pair, const Distance& d) {
-  if (d.value < 0 && (contains(pair.a, pair.b) || contains(pair.b, pair.a)))
-    return ContactFeature::containment;
-  return feature_along(pair, d.direction);
-}
-
 class Hunt {
  public:
   Hunt(const std::unique_ptr<Method>& method, const Stratum& stratum, const WorstOptions& options,
@@ -169,14 +162,17 @@ class Hunt {
            breaks_ >= crash_cap;
   }
 
+  /// Those that are of the stratum as they stand go first.
   void look_at_starts(std::span<const Pair> starts) {
-    for (const Pair& start : starts) {
-      if (over() ||
-          static_cast<double>(worst_.evaluations) >=
-              starts_part * static_cast<double>(options_.evaluation_cap) ||
-          elapsed() >= starts_part * options_.budget)
-        break;
-      try_start(start);
+    for (const bool of_it : {true, false}) {
+      for (const Pair& start : starts) {
+        if (over() ||
+            static_cast<double>(worst_.evaluations) >=
+                starts_part * static_cast<double>(options_.evaluation_cap) ||
+            elapsed() >= starts_part * options_.budget)
+          break;
+        if (likely_of_it(start, distance(start.a, start.b)) == of_it) try_start(start);
+      }
     }
     std::stable_sort(candidates_.begin(), candidates_.end(),
                      [](const Look& x, const Look& y) { return x.value > y.value; });
@@ -299,13 +295,20 @@ class Hunt {
     if (failure == Failure::crash) ++breaks_;
     if (failure == Failure::hang) breaks_ += crash_cap / hang_cap;
     if (worst_.failed && rank(failure) <= rank(worst_.failed->failure)) return;
-    if (stratum_.feature &&
-        likely_feature(probe.pair, distance(probe.pair.a, probe.pair.b)) != stratum_.feature)
-      return;
+    if (!likely_of_it(probe.pair, distance(probe.pair.a, probe.pair.b))) return;
     if (stratum_.also && !stratum_.also(probe.pair)) return;
     worst_.failed = FailedPair{probe.pair, failure, probe.answer.reason};
   }
 
+  /// Whether the stratum's features meet, by the solver: quick, and proved later where it matters.
+  bool likely_of_it(const Pair& pair, const Distance& d) const {
+    if (!stratum_.feature) return true;
+    if (d.verdict == Verdict::invalid) return false;
+    const bool inside = d.value < 0 && (contains(pair.a, pair.b) || contains(pair.b, pair.a));
+    return (inside ? ContactFeature::containment : feature_along(pair, d.direction)) == *stratum_.feature;
+  }
+
+  /// For the optimiser: beyond the claim by the margin, else by the part of the claim that is used.
   double value_of(double margin, double size) const {
     const double gap = margin * size, claimed = reach(claim_, size);
     return gap >= claimed ? beyond + std::log10(margin) : std::log10(gap / claimed);
@@ -320,7 +323,7 @@ class Hunt {
     if (!wrong) return nothing;
     const Distance d = distance(probe.pair.a, probe.pair.b);
     if (std::abs(d.value) <= d.error || (d.value < 0) != (probe.margin < 0)) return nothing;
-    if (stratum_.feature && likely_feature(probe.pair, d) != stratum_.feature) return nothing;
+    if (!likely_of_it(probe.pair, d)) return nothing;
     const double size = size_of(probe.pair);
     return value_of(std::abs(d.value) / size, size);
   }
@@ -389,9 +392,7 @@ class Hunt {
     });
     for (const Answered& rung : rungs) {
       if (rung.answer.status != Status::answered) continue;
-      if (stratum_.feature &&
-          likely_feature(rung.pair, distance(rung.pair.a, rung.pair.b)) != stratum_.feature)
-        continue;
+      if (!likely_of_it(rung.pair, distance(rung.pair.a, rung.pair.b))) continue;
       const double ns = rung.answer.distance;
       if (!worst_.slow || ns > worst_.slow->ns) return confirm(rung);
       return {std::log10(std::max(1.0, ns)), rung.pair};

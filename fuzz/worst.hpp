@@ -67,7 +67,8 @@ struct SlowPair {
 };
 
 struct Worst {
-  std::optional<WrongPair> wrong;    ///< Search::margin; beyond the claim where any was, then by margin
+  std::optional<WrongPair>
+      wrong;  ///< Search::margin; beyond the claim by the greatest margin; none: nearest to it
   std::optional<FailedPair> failed;  ///< the first of the worst kind: crash, hang, others
   std::optional<SlowPair> slow;      ///< Search::time
   std::size_t evaluations = 0, questions = 0;
@@ -79,10 +80,10 @@ struct Worst {
 /// Called now and then, with what was found so far.
 using OnWorst = std::function<void(const Worst& so_far, std::chrono::milliseconds elapsed)>;
 
-/// `method` is asked contained. Starts are looked at in their order, then those on which the method is worst
-/// are walked from; while it is wrong on none, mutations of them are looked at. Cost: a millisecond a shape
-/// of a quick method. With a cap on evaluations the result is a pure function of the arguments but for times
-/// and hangs.
+/// `method` is asked contained. Starts are looked at in their order, those of the stratum first, then those
+/// on which the method is worst are walked from; while it is wrong on none, mutations of them are looked at.
+/// Cost: a millisecond a shape of a quick method. With a cap on evaluations the result is a pure function of
+/// the arguments but for times and hangs.
 Worst worst_of(const std::unique_ptr<Method>& method, std::span<const Pair> starts, const Stratum& stratum,
                const WorstOptions& options, const OnWorst& on_worst = {});
 
