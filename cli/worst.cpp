@@ -202,6 +202,7 @@ class Searcher {
     const std::string line =
         case_line(pair, "worst/" + id, fmt::format("{}, {}", remark, beside), arguments_.seed);
     fmt::print("{} {} ({}) {}\n", name, what, beside, line);
+    known_.insert(known_.begin(), pair);  // what is bad for one may be bad for the next
     if (out_.is_open()) out_ << line << '\n' << std::flush;
   }
 

@@ -375,8 +375,9 @@ class Hunt {
     if (stratum_.feature && contact_feature(wrong.pair, proved.truth) != stratum_.feature) return nothing;
     if (stratum_.also && !stratum_.also(wrong.pair)) return nothing;
     const double size = size_of(wrong.pair);
-    double value = value_of(finding->margin->lo, size);
-    if (finding->severity == Severity::resolution) value = std::min(value, 0.0);
+    const double margin = finding->margin->lo;
+    const double value = finding->severity == Severity::contract ? beyond + std::log10(margin)
+                                                                 : std::min(value_of(margin, size), 0.0);
     if (value > proved_value()) {
       proved_ = value;
       worst_.wrong = WrongPair{wrong.pair, proved.truth.verdict, *finding};

@@ -246,6 +246,20 @@ TEST(PairChart, AnAngleIsCountedInDecadesFromParallelAndFromPerpendicular) {
   EXPECT_EQ(chart.pair(x).b.axis.z(), 0);
 }
 
+TEST(PairChart, CapsStayFlatOnCapsAndOnSides) {
+  for (const ContactFeature feature : {ContactFeature::cap_cap, ContactFeature::cap_side}) {
+    for (const Pair& start : drawn_starts(feature, 9)) {
+      const auto pair = bring_into({}, start);
+      if (!pair || contact_feature(*pair, judge(*pair)) != feature) continue;
+      PairChart::Point x;
+      x.fill(0.3);
+      const Pair p = PairChart(*pair, feature, {}).pair(x);
+      const Vector3 a = p.a.axis.normalized(), b = p.b.axis.normalized();
+      EXPECT_LT(feature == ContactFeature::cap_cap ? a.cross(b).norm() : std::abs(a.dot(b)), 1e-15);
+    }
+  }
+}
+
 TEST(PairChart, EveryPointIsLegalAndOfASizeInTheDomain) {
   const Domain domain;
   for (const Pair& start : drawn_starts({}, 8)) {
