@@ -251,11 +251,14 @@ TEST(PairChart, CapsStayFlatOnCapsAndOnSides) {
     for (const Pair& start : drawn_starts(feature, 9)) {
       const auto pair = bring_into({}, start);
       if (!pair || contact_feature(*pair, judge(*pair)) != feature) continue;
-      PairChart::Point x;
-      x.fill(0.3);
-      const Pair p = PairChart(*pair, feature, {}).pair(x);
-      const Vector3 a = p.a.axis.normalized(), b = p.b.axis.normalized();
-      EXPECT_LT(feature == ContactFeature::cap_cap ? a.cross(b).norm() : std::abs(a.dot(b)), 1e-15);
+      for (const double decades : {-4.0, 4.0}) {
+        PairChart::Point x;
+        x.fill(0.3);
+        x[PairChart::dimensions - 2] = decades;
+        const Pair p = PairChart(*pair, feature, {}).pair(x);
+        const Vector3 a = p.a.axis.normalized(), b = p.b.axis.normalized();
+        EXPECT_LT(feature == ContactFeature::cap_cap ? a.cross(b).norm() : std::abs(a.dot(b)), 1e-15);
+      }
     }
   }
 }
