@@ -158,12 +158,21 @@ class Searcher {
       ProgressLine line;
       worst = worst_of(method, starts, {feature, {}}, options_, [&](const Worst& w, milliseconds) {
         if (line.due(elapsed()))
-          line.show(elapsed(), static_cast<double>(elapsed().count()) / static_cast<double>(budget_.count()),
+          line.show(elapsed(), share_done(w, left),
                     fmt::format("{}: {} shapes{}", name, w.evaluations, so_far(w)));
       });
     }
     print(method, name, worst);
     beyond_claim_ |= worst.beyond_claim();
+  }
+
+  double share_done(const Worst& w, std::size_t left) const {
+    const auto part = [](auto done, auto all) {
+      return static_cast<double>(done) / static_cast<double>(all);
+    };
+    if (!arguments_.evaluations) return part(elapsed().count(), budget_.count());
+    const std::size_t all = methods_.size() * features_.size();
+    return part(all - left, all) + part(w.evaluations, options_.evaluation_cap) / static_cast<double>(all);
   }
 
   static std::string so_far(const Worst& w) {

@@ -221,7 +221,9 @@ class Hunt {
     nlopt_set_maxeval(w.optimizer, walk_cap);
     PairChart::Point x{};
     double value = 0;
+    const std::size_t before = worst_.evaluations;
     nlopt_optimize(w.optimizer, x.data(), &value);
+    if (worst_.evaluations == before) ++worst_.evaluations;  // a walk that does not begin must end too
     if (w.thrown) std::rethrow_exception(w.thrown);
   }
 

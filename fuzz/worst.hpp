@@ -67,10 +67,11 @@ struct SlowPair {
 };
 
 struct Worst {
-  std::optional<WrongPair>
-      wrong;  ///< Search::margin; beyond the claim by the greatest margin; none: nearest to it
+  /// Of Search::margin: of those beyond the claim the one of the greatest margin; where none is, the one
+  /// nearest to the claim.
+  std::optional<WrongPair> wrong;
   std::optional<FailedPair> failed;  ///< the first of the worst kind: crash, hang, others
-  std::optional<SlowPair> slow;      ///< Search::time
+  std::optional<SlowPair> slow;      ///< of Search::time
   std::size_t evaluations = 0, questions = 0;
 
   /// Whether something beyond the method's claim was found: all failures are.
