@@ -7,6 +7,7 @@
 
 #include "oracles/adapter.hpp"
 #include "oracles/referee.hpp"
+#include "solver/distance.hpp"
 
 namespace cyl {
 namespace {
@@ -32,6 +33,13 @@ void scale_lengths(Pair& p, double factor) {
 }
 
 bool legal(const Pair& p) { return find_defect(p.a) == Defect::none && find_defect(p.b) == Defect::none; }
+
+/// A point of `from`, as an offset from its centre, where it comes to in `to`: the axis is that of `from`.
+Vector3 stretched(const Cylinder& from, const Cylinder& to, const Vector3& point) {
+  const Vector3 axis = unit_axis(from.axis), along = axis.dot(point) * axis;
+  const auto ratio = [](double x, double y) { return x > 0 ? y / x : 1; };
+  return ratio(from.height, to.height) * along + ratio(from.radius, to.radius) * (point - along);
+}
 
 double farthest(const Pair& p) {
   return std::max(p.a.center.cwiseAbs().maxCoeff(), p.b.center.cwiseAbs().maxCoeff());
@@ -76,6 +84,11 @@ PairChart::PairChart(const Pair& start, std::optional<ContactFeature> feature, c
       small > 0 ? std::clamp(std::log10(std::asin(small) / (pi / 4)), -most_decades, 0.0) : -most_decades;
   decades_ = across < std::abs(along) ? decades : -decades;
 
+  const Distance d = distance(start.a, start.b);
+  on_a_ = d.on_a;
+  on_b_ = d.on_b;
+  gap_ = d.value * d.direction;
+
   const auto set = [&](std::size_t i, double low, double high, double step) {
     low_[i] = std::min(low, 0.0);
     high_[i] = std::max(high, 0.0);
@@ -100,20 +113,30 @@ Vector3 PairChart::turned_axis(double decades, double by) const {
                      : Vector3(std::sin(small) * sign_ * a_ + std::cos(small) * towards);
 }
 
+// The solids are put together again at the points that face each other: turned about that of b, each moved in
+// its solid as lengths change. So what meets stays what meets, mostly.
 Pair PairChart::pair(std::span<const double, dimensions> x) const {
   Pair p = start_;
-  if (x[angle] != 0 || x[azimuth] != 0) p.b.axis = turned_axis(decades_ + x[angle], x[azimuth]);
-  if (x[move] != 0 || x[move + 1] != 0 || x[move + 2] != 0)
-    p.b.center += size_ * (x[move] * a_ + x[move + 1] * aside_ + x[move + 2] * a_.cross(aside_));
-  if (std::any_of(x.begin() + scale, x.begin() + rotation, [](double decades) { return decades != 0; })) {
+  const bool turned = x[angle] != 0 || x[azimuth] != 0;
+  if (turned) p.b.axis = turned_axis(decades_ + x[angle], x[azimuth]);
+  if (turned || std::any_of(x.begin() + scale, x.begin() + rotation, [](double y) { return y != 0; })) {
     std::size_t i = lengths;
     for (double* length : lengths_of(p)) *length *= std::pow(10, x[i++]);
     const double size = size_of(p);
     for (double* length : lengths_of(p))
       if (*length > 0) *length = std::max(*length, domain_.least_part * size);
-    const double wanted = std::clamp(size * std::pow(10, x[scale]), domain_.least_size, domain_.most_size);
-    scale_lengths(p, wanted / size);
+    const double wanted = std::clamp(size_ * std::pow(10, x[scale]), domain_.least_size, domain_.most_size);
+    scale_lengths(p, wanted / size_of(p));
+    p.a.center = wanted / size_ * start_.a.center;
+    const Vector3 on_b = stretched(start_.b, p.b, on_b_);
+    const Vector3 turned_on_b =
+        turned ? Vector3(Eigen::Quaterniond::FromTwoVectors(unit_axis(start_.b.axis), unit_axis(p.b.axis)) *
+                         on_b)
+               : on_b;
+    p.b.center = p.a.center + stretched(start_.a, p.a, on_a_) + wanted / size_ * gap_ - turned_on_b;
   }
+  if (x[move] != 0 || x[move + 1] != 0 || x[move + 2] != 0)
+    p.b.center += size_of(p) * (x[move] * a_ + x[move + 1] * aside_ + x[move + 2] * a_.cross(aside_));
   const Vector3 turn(x[rotation], x[rotation + 1], x[rotation + 2]);
   if (const double by = turn.norm(); by > 0) {
     const Eigen::Matrix3d m = Eigen::AngleAxisd(by, turn / by).toRotationMatrix();

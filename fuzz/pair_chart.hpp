@@ -52,8 +52,9 @@ class PairChart {
   std::optional<ContactFeature> feature_;
   Domain domain_;
   double size_;
-  Vector3 a_, aside_;      ///< a's axis, unit; the direction square to it towards which b's leans
-  double sign_, decades_;  ///< of b's axis along a's; see turned_axis
+  Vector3 a_, aside_;          ///< a's axis, unit; the direction square to it towards which b's leans
+  Vector3 on_a_, on_b_, gap_;  ///< the points that face each other, from their centres; from a's to b's
+  double sign_, decades_;      ///< of b's axis along a's; see turned_axis
   Point low_, high_, step_;
 };
 

@@ -43,9 +43,9 @@ constexpr double walk_step_tol = 1e-5;
 /// Mutations of the worst pair of which the worst is walked from.
 constexpr int mutations = 12;
 /// Part of the budget that looking at the starts may take.
-constexpr double starts_part = 0.4;
+constexpr double starts_part = 0.25;
 /// A search ends after so many crashes, or hangs of a second each: it has found its worst.
-constexpr unsigned crash_cap = 64, hang_cap = 8;
+constexpr unsigned crash_cap = 64, hang_cap = 3;
 
 /// Calls of which the least time counts, unless they have taken too long already.
 constexpr int timed_calls = 3;
@@ -295,7 +295,7 @@ class Hunt {
   void note_failure(const Answered& probe) {
     const Failure failure = probe.answer.failure;
     if (failure == Failure::crash) ++breaks_;
-    if (failure == Failure::hang) breaks_ += crash_cap / hang_cap;
+    if (failure == Failure::hang) breaks_ += crash_cap / hang_cap + 1;
     if (worst_.failed && rank(failure) <= rank(worst_.failed->failure)) return;
     if (!likely_of_it(probe.pair, distance(probe.pair.a, probe.pair.b))) return;
     if (stratum_.also && !stratum_.also(probe.pair)) return;
