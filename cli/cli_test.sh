@@ -105,13 +105,13 @@ expect 'the worst of an unknown feature' 64 '' worst --method ode --feature edge
 expect 'the worst from nowhere' 64 '' worst --method ode --from nowhere
 expect 'the worst of who is right' 0 'intersect cap-rim nothing in 20 shapes, [0-9]+ questions' \
   worst --method intersect --feature cap-rim --evaluations 20
-worst='fcl-libccd-tol1e-10 side-side margin [0-9.e-]+ wrong_[a-z]+ \(contract\) \{.*\}'
-expect 'the worst of a library' 2 "$worst" worst --method fcl-libccd-tol1e-10 --feature side-side --evaluations 150 --out worst.jsonl
+worst='ode-contacts-8 side-rim margin [0-9.e-]+ wrong_[a-z]+ \(contract\) \{.*\}'
+expect 'the worst of a library' 2 "$worst" worst --method ode-contacts-8 --feature side-rim --evaluations 200 --out worst.jsonl
 mv out first
-expect 'the worst again' 2 "$worst" worst --method fcl-libccd-tol1e-10 --feature side-side --evaluations 150
+expect 'the worst again' 2 "$worst" worst --method ode-contacts-8 --feature side-rim --evaluations 200
 cmp -s first out || fail 'the same seed, another worst'
-expect 'the worst replayed' 2 '.*1 replayed, 1 beyond a claim.*' replay worst.jsonl --methods fcl-libccd-tol1e-10
-expect 'the worst from a file' 2 "$worst" worst --method fcl-libccd-tol1e-10 --feature side-side --evaluations 20 --from worst.jsonl
+expect 'the worst replayed' 2 '.*1 replayed, 1 beyond a claim.*' replay worst.jsonl --methods ode-contacts-8
+expect 'the worst from a file' 2 "$worst" worst --method ode-contacts-8 --feature side-rim --evaluations 20 --from worst.jsonl
 
 # An answer comes before the next question is asked.
 coproc "$daylight" check
