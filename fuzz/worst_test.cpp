@@ -264,6 +264,23 @@ TEST(PairChart, CapsStayFlatOnCapsAndOnSides) {
   }
 }
 
+// The directions in which a point of a rim, a side or a cap faces outwards do not depend on lengths.
+TEST(PairChart, WhatMeetsStaysWhatMeetsAsLengthsChange) {
+  int apart = 0;
+  for (const Pair& start : drawn_starts({}, 10)) {
+    const auto pair = bring_into({}, start);
+    if (!pair || std::min({pair->a.radius, pair->a.height, pair->b.radius, pair->b.height}) < 0.1) continue;
+    const Distance before = distance(pair->a, pair->b);
+    if (!(before.value > 1e-6)) continue;
+    ++apart;
+    PairChart::Point x{};
+    x[1] = 0.3, x[2] = -0.4, x[3] = -0.2, x[4] = 0.5;
+    const Pair p = PairChart(*pair, {}, {}).pair(x);
+    EXPECT_NEAR(distance(p.a, p.b).value / size_of(p), before.value / size_of(*pair), 1e-12);
+  }
+  EXPECT_GT(apart, 100);
+}
+
 TEST(PairChart, EveryPointIsLegalAndOfASizeInTheDomain) {
   const Domain domain;
   for (const Pair& start : drawn_starts({}, 8)) {
