@@ -90,7 +90,7 @@ expect 'an unknown command' 64 '' chekc
 expect 'an unknown option' 64 '' check --nonsense
 expect 'a number that is none' 64 '' families random --count many
 expect 'version' 0 'daylight [0-9.]+ \(.*\)' --version
-for command in check families bench campaign replay; do
+for command in check families bench campaign replay worst; do
   expect "help of $command" 0 '.*Example:.*' "$command" --help
 done
 
@@ -99,6 +99,19 @@ expect 'an unknown family' 64 '' families nobody
 expect 'pairs of a family' 0 '.*"id":"random/7/5".*'$'\n''.*"id":"random/7/6".*' families random --seed 7 --from 5 --count 2
 "$daylight" families random --count 1000 | "$daylight" check >out || fail 'a family through check'
 [[ $(wc -l <out) == 1000 ]] || fail 'a family through check: an answer a line'
+
+expect 'the worst of nobody' 64 '' worst --method nobody
+expect 'the worst of an unknown feature' 64 '' worst --method ode --feature edge
+expect 'the worst from nowhere' 64 '' worst --method ode --from nowhere
+expect 'the worst of who is right' 0 'intersect cap-rim nothing in 20 shapes, [0-9]+ questions' \
+  worst --method intersect --feature cap-rim --evaluations 20
+worst='ode-contacts-8 side-rim margin [0-9.e-]+ wrong_[a-z]+ \(contract\) \{.*\}'
+expect 'the worst of a library' 2 "$worst" worst --method ode-contacts-8 --feature side-rim --evaluations 200 --out worst.jsonl
+mv out first
+expect 'the worst again' 2 "$worst" worst --method ode-contacts-8 --feature side-rim --evaluations 200
+cmp -s first out || fail 'the same seed, another worst'
+expect 'the worst replayed' 2 '.*1 replayed, 1 beyond a claim.*' replay worst.jsonl --methods ode-contacts-8
+expect 'the worst from a file' 2 "$worst" worst --method ode-contacts-8 --feature side-rim --evaluations 20 --from worst.jsonl
 
 # An answer comes before the next question is asked.
 coproc "$daylight" check

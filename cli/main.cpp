@@ -25,6 +25,7 @@ int run(int argc, char** argv) {
   cyl::add_replay(app, exit_code);
   cyl::add_explain(app, exit_code);
   cyl::add_gate(app, exit_code);
+  cyl::add_worst(app, exit_code);
   cyl::add_mutants(app, exit_code);
   cyl::add_families(app, exit_code);
   cyl::add_bench(app, exit_code);

@@ -1,0 +1,262 @@
+// SPDX-License-Identifier: MIT
+#include "fuzz/worst.hpp"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <chrono>
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <memory>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "cli/commands.hpp"
+#include "cli/duration.hpp"
+#include "cli/progress.hpp"
+#include "cli/source_tree.hpp"
+#include "cli/unsigned_option.hpp"
+#include "corpus/case_files.hpp"
+#include "corpus/pair_io.hpp"
+#include "corpus/store.hpp"
+#include "corpus/strata.hpp"
+
+namespace cyl {
+namespace {
+
+namespace fs = std::filesystem;
+using std::chrono::milliseconds;
+
+/// Of sizes and offsets with --extremes: what a float holds of a world in metres, about.
+constexpr double extreme_size = 1e12;
+
+struct Arguments {
+  std::string methods, feature, budget, out;
+  std::vector<std::string> from;
+  std::optional<std::uint64_t> evaluations;
+  std::uint64_t seed = 1;
+  bool time = false, extremes = false;
+};
+
+std::vector<Pair> pairs_of(const std::string& name) {
+  std::vector<Pair> pairs;
+  const auto add = [&](const CaseLine& line) {
+    if (!line.value) throw std::runtime_error(name + ": " + line.error);
+    pairs.push_back(line.value->pair);
+  };
+  if (fs::is_directory(name)) {
+    for (const FindingRecord& finding : RunStore::open(name).findings()) add(parse_case(finding.pair, 1));
+    return pairs;
+  }
+  std::ifstream in(name);
+  if (!in) throw std::invalid_argument("'" + name + "' is no run and no file of cases");
+  CaseReader reader(in);
+  while (const auto line = reader.next()) add(*line);
+  if (in.bad()) throw std::runtime_error(name + " cannot be read");
+  return pairs;
+}
+
+std::vector<Pair> known_pairs(const Arguments& arguments) {
+  std::vector<Pair> pairs;
+  for (const std::string& name : arguments.from) {
+    const std::vector<Pair> more = pairs_of(name);
+    pairs.insert(pairs.end(), more.begin(), more.end());
+  }
+  if (arguments.from.empty())
+    for (const Case& c : read_case_folder(in_source_tree("corpus"))) pairs.push_back(c.pair);
+  return pairs;
+}
+
+std::string case_line(const Pair& pair, std::string id, std::string note, std::uint64_t seed) {
+  Case c;
+  c.pair = pair;
+  c.id = std::move(id);
+  c.source = fmt::format("daylight worst, seed {}", seed);
+  if (const Verdict truth = judge(pair).verdict; truth != Verdict::undecided) c.truth = truth;
+  c.note = std::move(note);
+  return format_case(c);
+}
+
+const char* to_string(Failure failure) {
+  switch (failure) {
+    case Failure::crash:
+      return "crash";
+    case Failure::hang:
+      return "hang";
+    case Failure::exception:
+      return "exception";
+    case Failure::non_finite:
+      return "non_finite";
+    case Failure::malformed:
+    case Failure::none:
+      break;
+  }
+  return "malformed";
+}
+
+/// Searches one method after the other, one feature after the other: what an early end leaves over goes to
+/// those that follow.
+class Searcher {
+ public:
+  explicit Searcher(const Arguments& arguments)
+      : arguments_(arguments),
+        methods_(select_methods(all_methods(), arguments.methods)),
+        known_(known_pairs(arguments)) {
+    options_.seed = arguments.seed;
+    options_.search = arguments.time ? Search::time : Search::margin;
+    if (arguments.evaluations) options_.evaluation_cap = *arguments.evaluations;
+    if (arguments.extremes)
+      options_.domain = {1 / extreme_size, extreme_size, 1 / extreme_size, extreme_size};
+    budget_ = arguments.budget.empty()
+                  ? (arguments.evaluations ? options_.budget : milliseconds(std::chrono::minutes(1)))
+                  : parse_duration(arguments.budget);
+    if (arguments.feature.empty()) {
+      for (std::size_t f = 0; f < contact_feature_count; ++f)
+        features_.push_back(static_cast<ContactFeature>(f));
+    } else if (const auto feature = find_contact_feature(arguments.feature)) {
+      features_.push_back(*feature);
+    } else {
+      throw std::invalid_argument("--feature: '" + arguments.feature + "' is none of side-side, side-rim, " +
+                                  "rim-rim, cap-side, cap-rim, cap-cap, containment");
+    }
+    if (!arguments.out.empty()) {
+      out_.open(arguments.out);
+      if (!out_) throw std::runtime_error(arguments.out + " cannot be written");
+    }
+  }
+
+  int run() {
+    std::size_t left = methods_.size() * features_.size();
+    for (const auto& method : methods_) {
+      if (arguments_.time) usual_ = usual_ns(method);
+      for (const ContactFeature feature : features_) search(method, feature, left--);
+    }
+    out_.close();
+    if (!out_ && !arguments_.out.empty()) throw std::runtime_error(arguments_.out + " cannot be written");
+    return beyond_claim_ ? exit_findings : exit_pass;
+  }
+
+ private:
+  milliseconds elapsed() const {
+    return std::chrono::duration_cast<milliseconds>(std::chrono::steady_clock::now() - began_);
+  }
+
+  void search(const std::unique_ptr<Method>& method, ContactFeature feature, std::size_t left) {
+    std::vector<Pair> starts = known_;
+    if (arguments_.from.empty()) {
+      const std::vector<Pair> drawn = drawn_starts(feature, arguments_.seed);
+      starts.insert(starts.end(), drawn.begin(), drawn.end());
+    }
+    options_.budget = std::max(milliseconds(0), (budget_ - elapsed()) / static_cast<int>(left));
+    const std::string name = fmt::format("{} {}", method->name(), cyl::to_string(feature));
+    Worst worst;
+    {
+      ProgressLine line;
+      worst = worst_of(method, starts, {feature, {}}, options_, [&](const Worst& w, milliseconds) {
+        if (line.due(elapsed()))
+          line.show(elapsed(), share_done(w, left),
+                    fmt::format("{}: {} shapes{}", name, w.evaluations, so_far(w)));
+      });
+    }
+    print(method, name, worst);
+    beyond_claim_ |= worst.beyond_claim();
+  }
+
+  double share_done(const Worst& w, std::size_t left) const {
+    const auto part = [](auto done, auto all) {
+      return static_cast<double>(done) / static_cast<double>(all);
+    };
+    if (!arguments_.evaluations) return part(elapsed().count(), budget_.count());
+    const std::size_t all = methods_.size() * features_.size();
+    return part(all - left, all) + part(w.evaluations, options_.evaluation_cap) / static_cast<double>(all);
+  }
+
+  static std::string so_far(const Worst& w) {
+    std::string text;
+    if (w.wrong) text += fmt::format(", margin {:.3g}", w.wrong->finding.margin->lo);
+    if (w.slow) text += fmt::format(", {:.3g} ns", w.slow->ns);
+    if (w.failed) text += fmt::format(", {}", to_string(w.failed->failure));
+    return text;
+  }
+
+  void print(const std::unique_ptr<Method>& method, const std::string& name, const Worst& worst) {
+    if (worst.failed) {
+      const FailedPair& f = *worst.failed;
+      show(method, name, to_string(f.failure), "contract", f.pair, f.reason);
+    }
+    if (worst.wrong) {
+      const WrongPair& w = *worst.wrong;
+      show(method, name, fmt::format("margin {:.4g} {}", w.finding.margin->lo, to_string(w.finding.kind)),
+           to_string(w.finding.severity), w.pair, {});
+    }
+    if (worst.slow) {
+      const std::string times = usual_ && *usual_ > 0 ? fmt::format("{:.0f} times its usual {:.0f}",
+                                                                    worst.slow->ns / *usual_, *usual_)
+                                                      : "it answers no random pair";
+      show(method, name, fmt::format("{:.0f} ns", worst.slow->ns), times, worst.slow->pair, {});
+    }
+    if (!worst.failed && !worst.wrong && !worst.slow)
+      fmt::print("{} nothing in {} shapes, {} questions\n", name, worst.evaluations, worst.questions);
+    std::fflush(stdout);
+  }
+
+  void show(const std::unique_ptr<Method>& method, const std::string& name, const std::string& what,
+            const std::string& beside, const Pair& pair, const std::string& note) {
+    const std::string id = fmt::format("{}/{}", method->name(), name.substr(method->name().size() + 1));
+    const std::string remark = note.empty() ? what : what + ": " + note;
+    const std::string line =
+        case_line(pair, "worst/" + id, fmt::format("{}, {}", remark, beside), arguments_.seed);
+    fmt::print("{} {} ({}) {}\n", name, what, beside, line);
+    known_.insert(known_.begin(), pair);  // what is bad for one may be bad for the next
+    if (out_.is_open()) out_ << line << '\n' << std::flush;
+  }
+
+  const Arguments& arguments_;
+  std::vector<std::unique_ptr<Method>> methods_;
+  std::vector<Pair> known_;
+  std::vector<ContactFeature> features_;
+  WorstOptions options_;
+  milliseconds budget_;
+  std::ofstream out_;
+  std::optional<double> usual_;
+  bool beyond_claim_ = false;
+  const std::chrono::steady_clock::time_point began_ = std::chrono::steady_clock::now();
+};
+
+}  // namespace
+
+void add_worst(CLI::App& app, int& exit_code) {
+  CLI::App* command = app.add_subcommand(
+      "worst", "Searches for the pair on which a method is wrong by the greatest margin, or slowest");
+  auto arguments = std::make_shared<Arguments>();
+  command->add_option("--method", arguments->methods, "a,b: a name stands for all that begin with it")
+      ->required();
+  command->add_option("--feature", arguments->feature,
+                      "what meets, like side-rim; each in turn where not given");
+  command->add_option("--for", arguments->budget, "wall time in all, like 60s; 60s where not given");
+  command->add_flag("--time", arguments->time, "search for the slowest call instead");
+  command->add_option(
+      "--from", arguments->from,
+      "start from the findings of a run or a file of cases; from corpus/ and drawn pairs where "
+      "not given");
+  add_unsigned(*command, "--seed", arguments->seed, "same seed, and --evaluations: same result");
+  add_unsigned(*command, "--evaluations", arguments->evaluations,
+               "shapes looked at for each method and feature; no limit of time then but --for", 1);
+  command->add_option("--out", arguments->out, "write the pairs as a file of cases");
+  command->add_flag(
+      "--extremes", arguments->extremes,
+      "sizes from 1e-12 to 1e12 and as far from the origin, not only from 1e-3 to 1e3 within 100 "
+      "sizes of it");
+  command->footer(
+      "Example:\n  daylight worst --method fcl-libccd --feature side-rim --for 60s --out worst.jsonl\n"
+      "Each line: method, feature, the proved margin in sizes (or the time of a call), what it is, and the "
+      "pair.\n"
+      "Exit code: 2 where something beyond a claim was found, 0 otherwise, 1 the harness failed, 64 usage.");
+  command->callback([arguments, &exit_code] { exit_code = Searcher(*arguments).run(); });
+}
+
+}  // namespace cyl
