@@ -67,7 +67,9 @@ struct BasicInterval {
   /// The divisor does not contain 0, or the quotient is everything.
   friend BasicInterval operator/(const BasicInterval& a, const BasicInterval& b) {
     if (b.lo <= 0 && b.hi >= 0) return everything();
-    return hull(a.lo / b.lo, a.lo / b.hi, a.hi / b.lo, a.hi / b.hi);
+    if (b.hi < 0) return -a / -b;
+    const R lo = a.lo / (a.lo < 0 ? b.lo : b.hi), hi = a.hi / (a.hi < 0 ? b.hi : b.lo);
+    return std::isnan(lo + hi) ? everything() : outward(lo, hi);
   }
   friend BasicInterval sqrt(const BasicInterval& a) {
     return {std::max(R(0), interval_detail::next_down(std::sqrt(std::max(R(0), a.lo)))),

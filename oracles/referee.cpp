@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <utility>
 
 #include "corpus/pair_io.hpp"
 #include "oracles/certificate.hpp"
@@ -283,7 +284,7 @@ Truth judge_at_length(const Pair& pair, std::span<const MethodAnswer> offered, i
 Truth judge(const Pair& pair, std::span<const MethodAnswer> offered, int bits_cap) {
   if (!legal(pair)) return verdict_alone(Verdict::invalid);
   Guess guess;
-  if (auto t = prove_in_double(pair, Filter(pair), offered, guess)) return *t;
+  if (auto t = prove_in_double(pair, Filter(pair), offered, guess)) return std::move(*t);
   return judge_at_length(pair, offered, bits_cap);
 }
 
@@ -291,10 +292,10 @@ Truth judge_verdict(const Pair& pair, std::span<const MethodAnswer> offered) {
   if (!legal(pair)) return verdict_alone(Verdict::invalid);
   const Filter filter(pair);
   Guess guess;
-  if (auto t = prove_in_double(pair, filter, offered, guess)) return *t;
+  if (auto t = prove_in_double(pair, filter, offered, guess)) return std::move(*t);
   if (guess.found.has_point && filter.overlap_at(guess.point_in(filter.exponent())))
     return verdict_alone(Verdict::intersecting);
-  if (auto t = prove_in_long_double(pair)) return *t;
+  if (auto t = prove_in_long_double(pair)) return std::move(*t);
   return judge_at_length(pair, offered, precision_cap);
 }
 
