@@ -179,7 +179,7 @@ class Batch {
   /// Adds to the time of the pair, which count_all() gives to the row of the stage that had the last word.
   void judge_once(std::size_t p) {
     const auto start = Clock::now();
-    truths_[p] = judge(pairs_[p], answers_of(p));
+    truths_[p] = judge_verdict(pairs_[p], answers_of(p));
     judging_[p] += nanoseconds_since(start);
   }
 
@@ -274,8 +274,9 @@ class Batch {
     if (!kept_.admit(record)) return;
     record.pair = case_line(p, place);
     record.answers = answers_text(p);
-    record.truth = format_truth(truths_[p]);
-    record.stage = to_string(truths_[p].stage);
+    const Truth truth = judge(pairs_[p], answers_of(p));  // with its certificate
+    record.truth = format_truth(truth);
+    record.stage = to_string(truth.stage);
     if (row < methods() && is_failure(finding.kind)) record.reason = answers_of(p)[row].reason;
     findings_.push_back(std::move(record));
   }

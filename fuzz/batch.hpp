@@ -53,8 +53,8 @@ inline constexpr const char* cases_family = "cases";
 inline constexpr std::uint64_t repeat_share = 64;
 
 /// Indices per batch process, about a second's work of the packaged methods; of ours alone a fork's time
-/// would show.
-inline constexpr std::uint64_t batch_size = 512, own_batch_size = 16384;
+/// would show, and that of the findings which every batch hands over for the run to pick from.
+inline constexpr std::uint64_t batch_size = 512, own_batch_size = 131072;
 std::uint64_t batch_size_for(const Subjects& subjects);
 
 /// Own methods are asked in this process, foreign ones contained. A costly method (share() > 1) is asked on

@@ -10,8 +10,8 @@
 namespace cyl {
 namespace {
 
-template <class R>
-Vec3<R> lift(const Vec3<double>& v) {
+template <class R, class T>
+Vec3<R> lift(const Vec3<T>& v) {
   return {R(v.x), R(v.y), R(v.z)};
 }
 
@@ -57,7 +57,8 @@ I support_gap_of(const Vec3<I>& d, const Vec3<I>& w0, const I& radius0, const I&
 
 }  // namespace
 
-Filter::Filter(const Pair& pair) {
+template <class R>
+BasicFilter<R>::BasicFilter(const Pair& pair) {
   const Cylinder &a = pair.a, &b = pair.b;
   double most = std::fmax(std::fmax(a.radius, a.height), std::fmax(b.radius, b.height));
   for (int i = 0; i < 3; ++i) most = std::fmax(most, std::fabs(b.center[i] - a.center[i]));
@@ -66,45 +67,94 @@ Filter::Filter(const Pair& pair) {
   bool exact = true;
   auto solid = [&](const Cylinder& c) {
     Solid s;
-    s.center = scaled(plain(c.center), -exponent_, exact);
+    const Vec3<double> center = scaled(plain(c.center), -exponent_, exact);
+    s.center = {center.x, center.y, center.z};
     s.radius = scaled(c.radius, -exponent_, exact);
     s.height = scaled(c.height, -exponent_, exact);
     const Vec3<double> w = plain(c.axis);
-    const Vec3<Interval> axis = lift<Interval>(scaled(w, -std::ilogb(max_abs(w)), exact));
+    const Vec3<I> axis = lift<I>(scaled(w, -std::ilogb(max_abs(w)), exact));
     s.unit_axis = axis / length(axis);
     return s;
   };
   a_ = solid(a);
   b_ = solid(b);
-  delta_ = lift<Interval>(b_.center) - lift<Interval>(a_.center);
+  delta_ = lift<I>(b_.center) - lift<I>(a_.center);
   usable_ = exact;
 }
 
-bool Filter::separates(const double direction[3]) const {
-  if (!usable_) return false;
+template <class R>
+bool BasicFilter<R>::separates(const double direction[3]) const {
   const Vec3<double> given{direction[0], direction[1], direction[2]};
   const double most = max_abs(given);
   if (!(most > 0) || !std::isfinite(most)) return false;
   bool exact = true;
-  const Vec3<Interval> d = lift<Interval>(scaled(given, -std::ilogb(most), exact));
-  return exact && support_gap_of(d, a_.unit_axis, Interval(a_.radius), Interval(a_.height / 2), b_.unit_axis,
-                                 Interval(b_.radius), Interval(b_.height / 2), delta_)
-                          .hi < 0;
+  const Vec3<double> d = scaled(given, -std::ilogb(most), exact);
+  return exact && separates(Vec3<R>{d.x, d.y, d.z});
 }
 
-bool Filter::in_both(const double head[3], const double tail[3]) const {
+template <class R>
+bool BasicFilter<R>::separates(const Vec3<R>& direction) const {
+  return usable_ && support_gap_of(lift<I>(direction), a_.unit_axis, I(a_.radius), I(a_.height / 2),
+                                   b_.unit_axis, I(b_.radius), I(b_.height / 2), delta_)
+                            .hi < 0;
+}
+
+template <class R>
+bool BasicFilter<R>::in_both(const double head[3], const double tail[3]) const {
   if (!usable_) return false;
   bool exact = true;
   const Vec3<double> h = scaled({head[0], head[1], head[2]}, -exponent_, exact);
   const Vec3<double> t = scaled({tail[0], tail[1], tail[2]}, -exponent_, exact);
   if (!exact) return false;
   for (const Solid* s : {&a_, &b_}) {
-    const Vec3<Interval> x = (lift<Interval>(h) - lift<Interval>(s->center)) + lift<Interval>(t);
+    const Vec3<I> x = (lift<I>(h) - lift<I>(s->center)) + lift<I>(t);
     if (!(abs(dot(x, s->unit_axis)).hi <= s->height / 2)) return false;
     if (!(length(cross(x, s->unit_axis)).hi <= s->radius)) return false;
   }
   return true;
 }
+
+// Moves are by vectors of which only an interval is known: the point meant is the one that the exact unit
+// axes give, which lies in the flat solids exactly, so that what is 0 there need not be shown to be.
+//
+// Two flat solids whose planes, or plane and line, cross at a point strictly inside both: a - b holds a ball
+// about 0, so f > 0 in every direction.
+template <class R>
+bool BasicFilter<R>::overlap_at(const Vec3<R>& guess) const {
+  if (!usable_) return false;
+  const auto flat = [](const Solid& s) { return s.radius == 0 || s.height == 0; };
+  const auto is_disk = [](const Solid& s) { return s.radius > 0; };
+  // Onto the solid's plane, line or point.
+  const auto moved = [&](const Solid& s, const Vec3<I>& x) {
+    const Vec3<I> along = dot(x, s.unit_axis) * s.unit_axis;
+    if (is_disk(s)) return x - along;
+    return s.height > 0 ? along : Vec3<I>{};
+  };
+  const auto strictly_inside = [](const Solid& s, const Vec3<I>& x) {
+    return (s.height == 0 || abs(dot(x, s.unit_axis)).hi < s.height / 2) &&
+           (s.radius == 0 || length(cross(x, s.unit_axis)).hi < s.radius);
+  };
+  Vec3<I> x = lift<I>(guess);
+  if (flat(a_) && flat(b_)) {
+    const bool swap = !is_disk(b_);  // `second` is a disk
+    const Solid &first = swap ? b_ : a_, &second = swap ? a_ : b_;
+    if (!is_disk(second) || !(first.radius > 0 || first.height > 0)) return false;
+    const Vec3<I>&w0 = first.unit_axis, &w1 = second.unit_axis;
+    const Vec3<I> to_second = swap ? I(-1) * delta_ : delta_;
+    const Vec3<I> slide = is_disk(first) ? w1 - dot(w0, w1) * w0 : w0;  // within the first
+    Vec3<I> y = moved(first, swap ? x - delta_ : x);
+    const I steep = dot(slide, w1);
+    if (!(abs(steep).lo > 0)) return false;
+    y = y - (dot(y - to_second, w1) / steep) * slide;
+    return strictly_inside(first, y) && strictly_inside(second, y - to_second);
+  }
+  if (flat(a_)) x = moved(a_, x);
+  if (flat(b_)) x = moved(b_, x - delta_) + delta_;
+  return strictly_inside(a_, x) && strictly_inside(b_, x - delta_);
+}
+
+template class BasicFilter<double>;
+template class BasicFilter<long double>;
 
 Rational3 exact(const Vector3& v) { return {mpq_class(v.x()), mpq_class(v.y()), mpq_class(v.z())}; }
 

@@ -13,6 +13,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <queue>
 
 #include "oracles/interval.hpp"
@@ -63,6 +64,16 @@ class Search {
   }
 
   double reach() const { return reach_; }
+
+  // f of a unit direction.
+  double value(const Vec& d) const {
+    double f = -dot(d, delta_);
+    for (const Solid& s : solids_) {
+      const double t = dot(d, s.axis);
+      f += s.half * std::fabs(t) + s.radius * length(d - t * s.axis);
+    }
+    return f;
+  }
 
   Bounds bounds(const Cap& cap) const {
     Bounds best = plane(cap, {false, false}, {false, false});
@@ -241,6 +252,41 @@ Range parallel(const SearchPair<double>& p) {
   return {-distance, -distance, d};
 }
 
+// How far x, relative to a's centre, is from both solids together: the solids are no farther apart.
+double way_to_both(const SearchPair<double>& p, const Vec& x) {
+  const auto beyond = [](const Vec& axis, double radius, double half, const Vec& y) {
+    const Vec w = (1 / length(axis)) * axis;
+    const double along = dot(y, w);
+    const double out = std::max(0.0, std::fabs(along) - half);
+    const double across = std::max(0.0, length(y - along * w) - radius);
+    return std::sqrt(out * out + across * across);
+  };
+  return beyond(p.axis0, p.radius0, p.half0, x) + beyond(p.axis1, p.radius1, p.half1, x - p.delta);
+}
+
+// |distance| within the width asked for, where one guess shows that: apart the solids are no farther than a
+// point's way to both, and no deeper than f anywhere. Nearly touching pairs would take all of the sphere's
+// cells.
+std::optional<Enclosure> enclose_near_touching(const Pair& pair, Verdict verdict, double relative_width) {
+  int exponent = 0;
+  const SearchPair<double> p = double_pair(pair, exponent);
+  const double size = p.radius0 + p.radius1 + 2 * (p.half0 + p.half1);
+  if (size == 0) return std::nullopt;
+  const Search sphere(p);
+  const double slack = bound_error * sphere.reach();
+  const Found<double> found = search(p, 53);
+  double bound = std::numeric_limits<double>::infinity();
+  if (verdict == Verdict::disjoint && found.has_point) bound = way_to_both(p, found.point);
+  if (verdict == Verdict::intersecting && found.has_direction) {
+    const Vec& d = found.direction;
+    const Vec even = (1 / std::max({std::fabs(d.x), std::fabs(d.y), std::fabs(d.z)})) * d;
+    bound = sphere.value((1 / length(even)) * even);
+  }
+  if (!(bound <= std::max(relative_width * size, slack))) return std::nullopt;
+  const double most = interval_detail::next_up(std::ldexp(std::max(0.0, bound) + slack, exponent));
+  return verdict == Verdict::disjoint ? Enclosure{0, most} : Enclosure{-most, 0};
+}
+
 }  // namespace
 
 AttainedDistance attain_distance(const Pair& pair, const Truth& truth, double relative_width) {
@@ -273,6 +319,7 @@ AttainedDistance attain_distance(const Pair& pair, const Truth& truth, double re
 
 Enclosure enclose_distance(const Pair& pair, const Truth& truth, double relative_width) {
   if (truth.verdict == Verdict::touching) return {0, 0};
+  if (const auto near = enclose_near_touching(pair, truth.verdict, relative_width)) return *near;
   return attain_distance(pair, truth, relative_width).distance;
 }
 

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <utility>
 
 #include "corpus/pair_io.hpp"
 #include "oracles/certificate.hpp"
@@ -187,36 +188,73 @@ std::optional<Truth> prove_touching(const Pair& pair, const Rational3& point, co
   return t;
 }
 
-}  // namespace
+bool legal(const Pair& pair) {
+  return find_defect(pair.a) == Defect::none && find_defect(pair.b) == Defect::none;
+}
 
-Truth judge(const Pair& pair, std::span<const MethodAnswer> offered, int bits_cap) {
-  Truth undecided;
-  if (find_defect(pair.a) != Defect::none || find_defect(pair.b) != Defect::none) {
-    undecided.verdict = Verdict::invalid;
-    return undecided;
+Truth verdict_alone(Verdict verdict) {
+  Truth t;
+  t.verdict = verdict;
+  return t;
+}
+
+// What the search in double found, in a unit of 2^exponent.
+struct Guess {
+  Found<double> found;
+  int exponent = 0;
+  Vec3<double> point_in(int unit) const {
+    const auto c = [&](double x) { return std::ldexp(x, exponent - unit); };
+    return {c(found.point.x), c(found.point.y), c(found.point.z)};
   }
-  undecided.stage = Stage::exact;
-  const Filter filter(pair);
+};
+
+std::optional<Truth> prove_in_double(const Pair& pair, const Filter& filter,
+                                     std::span<const MethodAnswer> offered, Guess& guess) {
   for (const MethodAnswer& answer : offered)
     if (auto t = check_by_filter(filter, answer)) {
       t->witnessed = true;
-      return *t;
+      return t;
     }
-
-  int exponent = 0;
-  const Found<double> guess = search(double_pair(pair, exponent), 53);
-  if (guess.has_direction) {
-    const double d[3] = {guess.direction.x, guess.direction.y, guess.direction.z};
+  guess.found = search(double_pair(pair, guess.exponent), 53);
+  if (guess.found.has_direction) {
+    const double d[3] = {guess.found.direction.x, guess.found.direction.y, guess.found.direction.z};
     if (filter.separates(d)) return proved(Verdict::disjoint, exact_vector(d, no_tail), Stage::filter, 53);
   }
-  if (guess.has_point) {
+  if (guess.found.has_point) {
     const double head[3] = {pair.a.center.x(), pair.a.center.y(), pair.a.center.z()};
-    const double tail[3] = {std::ldexp(guess.point.x, exponent), std::ldexp(guess.point.y, exponent),
-                            std::ldexp(guess.point.z, exponent)};
+    const Vec3<double> x = guess.point_in(0);
+    const double tail[3] = {x.x, x.y, x.z};
     if (filter.in_both(head, tail))
       return proved(Verdict::intersecting, exact_vector(head, tail), Stage::filter, 53);
   }
+  return std::nullopt;
+}
 
+// A few digits more are enough for most pairs that rounding in double leaves open.
+std::optional<Truth> prove_in_long_double(const Pair& pair) {
+  using Long = long double;
+  const auto lift = [](const Vector3& v) { return Vec3<Long>{v.x(), v.y(), v.z()}; };
+  const SearchPair<Long> p{
+      lift(pair.a.axis),      lift(pair.b.axis),       lift(pair.b.center) - lift(pair.a.center),
+      pair.a.radius,          Long(pair.a.height) / 2, pair.b.radius,
+      Long(pair.b.height) / 2};
+  const Found<Long> found = search(p, std::numeric_limits<Long>::digits);
+  const LongFilter filter(pair);
+  const auto settled = [](Verdict verdict) {
+    Truth t = verdict_alone(verdict);
+    t.bits = std::numeric_limits<Long>::digits;
+    return t;
+  };
+  if (found.has_direction && filter.separates(found.direction)) return settled(Verdict::disjoint);
+  const auto c = [&](Long x) { return std::ldexp(x, -filter.exponent()); };
+  if (found.has_point && filter.overlap_at({c(found.point.x), c(found.point.y), c(found.point.z)}))
+    return settled(Verdict::intersecting);
+  return std::nullopt;
+}
+
+Truth judge_at_length(const Pair& pair, std::span<const MethodAnswer> offered, int bits_cap) {
+  Truth undecided;
+  undecided.stage = Stage::exact;
   for (const MethodAnswer& answer : offered)
     if (auto t = check_exactly(pair, answer)) {
       t->witnessed = true;
@@ -241,8 +279,28 @@ Truth judge(const Pair& pair, std::span<const MethodAnswer> offered, int bits_ca
   return undecided;
 }
 
+}  // namespace
+
+Truth judge(const Pair& pair, std::span<const MethodAnswer> offered, int bits_cap) {
+  if (!legal(pair)) return verdict_alone(Verdict::invalid);
+  Guess guess;
+  if (auto t = prove_in_double(pair, Filter(pair), offered, guess)) return std::move(*t);
+  return judge_at_length(pair, offered, bits_cap);
+}
+
+Truth judge_verdict(const Pair& pair, std::span<const MethodAnswer> offered) {
+  if (!legal(pair)) return verdict_alone(Verdict::invalid);
+  const Filter filter(pair);
+  Guess guess;
+  if (auto t = prove_in_double(pair, filter, offered, guess)) return std::move(*t);
+  if (guess.found.has_point && filter.overlap_at(guess.point_in(filter.exponent())))
+    return verdict_alone(Verdict::intersecting);
+  if (auto t = prove_in_long_double(pair)) return std::move(*t);
+  return judge_at_length(pair, offered, precision_cap);
+}
+
 Verdict check_witness(const Pair& pair, const MethodAnswer& answer) {
-  if (find_defect(pair.a) != Defect::none || find_defect(pair.b) != Defect::none) return Verdict::undecided;
+  if (!legal(pair)) return Verdict::undecided;
   if (auto t = check_by_filter(Filter(pair), answer)) return t->verdict;
   if (auto t = check_exactly(pair, answer)) return t->verdict;
   if (answer.status == Status::answered && answer.witness == WitnessKind::point && finite(answer.head) &&

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <string>
 
@@ -63,6 +64,9 @@ TEST(Referee, ProvesEveryFamily) {
       const Truth truth = judge(pair, {}, 512);
       const std::string what = std::string(family.name) + " " + std::to_string(i) + " " + format_pair(pair);
       expect_proved(pair, truth, what);
+      if (truth.verdict != Verdict::undecided) {
+        EXPECT_EQ(judge_verdict(pair).verdict, truth.verdict) << what;
+      }
       ++seen[truth.verdict];
       ++stages[truth.stage];
       // Our solver says what it is sure of; the referee has not heard it.
@@ -104,6 +108,7 @@ TEST(Referee, SaysTouchingWhereAlgebraShowsIt) {
     EXPECT_EQ(truth.verdict, Verdict::touching) << line;
     expect_proved(pair, truth, line);
     EXPECT_EQ(decide_exactly(pair.a, pair.b).verdict, Verdict::touching) << line;
+    EXPECT_EQ(judge_verdict(pair).verdict, Verdict::touching) << line;
     // A witness that is the very point of contact shows that they meet, and no more.
     if (truth.certificate.kind != CertificateKind::point) continue;
     MethodAnswer witness;
@@ -121,6 +126,7 @@ TEST(Referee, AgreesWithOurSolverOnEveryCase) {
   for (const Case& c : read_case_folder(DAYLIGHT_SOURCE_DIR "/corpus")) {
     const Truth truth = judge(c.pair);
     EXPECT_EQ(truth.verdict, *c.truth) << c.id;
+    EXPECT_EQ(judge_verdict(c.pair).verdict, *c.truth) << c.id;
     expect_proved(c.pair, truth, c.id);
     const Verdict said = decide(c.pair.a, c.pair.b).verdict;
     if (said == Verdict::undecided) continue;
@@ -149,7 +155,12 @@ TEST(Referee, RightAtMarginsFarBelowDoubles) {
           pair.b.center = std::ldexp(side, exponent) * normal;
           const Truth truth = judge(pair);
           EXPECT_EQ(truth.verdict, side > 0 ? Verdict::disjoint : Verdict::intersecting) << format_pair(pair);
+          EXPECT_EQ(judge_verdict(pair).verdict, truth.verdict) << format_pair(pair);
           expect_proved(pair, truth, format_pair(pair));
+          const Enclosure e = enclose_distance(pair, truth, 1e-6);
+          const double known = side * std::ldexp(3.0, exponent);
+          EXPECT_LE(e.lo, known) << format_pair(pair);
+          EXPECT_GE(e.hi, known) << format_pair(pair);
         }
       }
   // Two fat walls can only be told apart as finely as their centres' doubles.
@@ -202,6 +213,67 @@ TEST(Referee, WitnessesCarryTheDayOrAreIgnored) {
   EXPECT_EQ(check_witness(apart, point), Verdict::undecided);
   point.head[0] = std::nan("");
   EXPECT_EQ(check_witness(apart, point), Verdict::undecided);
+}
+
+// A disk of radius 2 about (c, 0, 0), its axis across x, and a flat or thick solid at the origin: whether
+// they share more than a point of the border is known on paper. The guess is off by far more than rounding.
+template <class R>
+void expect_overlaps(const char* what) {
+  struct Known {
+    Cylinder solid;
+    double disk_at;
+    bool overlap;
+  };
+  const Vector3 none(0, 0, 0), x(1, 0, 0), y(0, 3, 0), z(0, 0, 1);
+  constexpr double gone = 1 + 0x1p-40, inside = 1 - 0x1p-5;
+  const Known all[] = {{{none, z, 1, 0}, 3 * inside, true},  // two disks across each other
+                       {{none, z, 1, 0}, 3, false},          // their rims in a point
+                       {{none, z, 1, 0}, 3 * gone, false},
+                       {{none, y, 1, 0}, 0.5, false},         // in one plane: no crossing
+                       {{{0.5, 0, 0}, z, 1, 1}, 0.25, true},  // a thick solid
+                       {{none, x, 1, 1}, 2.5 * inside, true},
+                       {{none, x, 1, 1}, 2.5, false},
+                       {{none, x, 1, 1}, 2.5 * gone, false},
+                       {{none, Vector3(1, 1, 0), 0, 1}, 2 * inside, true},  // a segment through the disk
+                       {{none, Vector3(1, 1, 0), 0, 1}, 2, false},
+                       {{none, Vector3(1, 1, 0), 0, 1}, 2 * gone, false},
+                       {{{0, 0.5, 0}, z, 0, 1}, 1, false},  // beside its plane
+                       {{{0, 0.5, 0}, y, 0, 1}, 1, false},  // ends in it
+                       {{{0, 0.5 * inside, 0}, y, 0, 1}, 1, true},
+                       {{none, z, 0, 0}, 1, false}};  // a point in it
+  for (const Known& k : all)
+    for (const bool swap : {false, true}) {
+      const Cylinder disk{Vector3(k.disk_at, 0, 0), y, 2, 0};
+      const Pair pair = swap ? Pair{disk, k.solid} : Pair{k.solid, disk};
+      const BasicFilter<R> filter(pair);
+      bool overlap = false;
+      for (double at = -1; at <= 1; at += 0x1p-7) {  // guesses along x, beside the common line
+        const Vector3 guess = Vector3(at, 0, 1e-14) - pair.a.center;
+        overlap = overlap || filter.overlap_at({R(std::ldexp(guess.x(), -filter.exponent())), 0,
+                                                R(std::ldexp(guess.z(), -filter.exponent()))});
+      }
+      EXPECT_EQ(overlap, k.overlap) << what << " " << format_pair(pair);
+      if (k.overlap) {
+        EXPECT_EQ(judge(pair).verdict, Verdict::intersecting) << format_pair(pair);
+      }
+    }
+}
+
+TEST(Filter, ShowsWhereFlatSolidsOverlap) {
+  expect_overlaps<double>("double");
+  expect_overlaps<long double>("long double");
+}
+
+TEST(Filter, LongDoublesAreRoundedOutwards) {
+  using Limits = std::numeric_limits<long double>;
+  constexpr long double infinity = Limits::infinity();
+  for (const long double x : {0.0L, 1.0L, 1.5L, std::nextafter(2.0L, 0.0L), 1e-4000L, Limits::min(),
+                              Limits::denorm_min(), Limits::max(), infinity})
+    for (const long double y : {x, -x}) {
+      EXPECT_GE(interval_detail::next_up(y), std::nextafter(y, infinity));
+      EXPECT_LE(interval_detail::next_down(y), std::nextafter(y, -infinity));
+    }
+  EXPECT_LE(interval_detail::next_up(1.0L), 1 + 4 * interval_detail::long_spacing);
 }
 
 TEST(Enclosure, HoldsDistancesKnownOnPaper) {

@@ -16,7 +16,7 @@ Verdict verdict_of(bool met) noexcept {
 // After at_first_sight has seen neither.
 [[gnu::noinline]] Verdict settle(const Sections<double>& f) noexcept {
   const auto at = corner(in_order(f));
-  if (at.met | !(at.rises2 | at.rises3)) return verdict_of(at.met);
+  if (at.met | at.in_vain | !(at.rises2 | at.rises3)) return verdict_of(at.met);
   const Edge<double> e = edge(at);
   const auto end = top(e);
   if (end.here) return verdict_of(end.met);

@@ -127,7 +127,7 @@ unsigned bits(Mask mask) {
 Mask settle(const Sections<Lanes>& f, Mask& open) {
   const auto at = corner(in_order(f));
   Mask met = at.met;
-  open = open & negate(at.met) & (at.rises2 | at.rises3);
+  open = open & negate(at.met | at.in_vain) & (at.rises2 | at.rises3);
   if (bits(open) == 0) return met;
   const Edge<Lanes> e = edge(at);
   const auto end = top(e);

@@ -173,6 +173,15 @@ template <class T>
   return Sight<decltype(apart | met)>{apart, met};
 }
 
+/// Relative, of the square of a radius: more than the roundings of the two squares compared with it.
+inline constexpr double square_error = 0x1p-48;
+
+/// Whether a solid of radius r has at no width from `least` on half the length `half`.
+template <class T>
+auto too_long(T r, T least, T half) noexcept {
+  return least * least + half * half > r * r * T(1 + square_error);
+}
+
 /// The corner of the widths (x, y) that the normals demand, nearest to where H is greatest, and which way H
 /// still rises from it (section 3).
 template <class T, class Mask>
@@ -184,6 +193,7 @@ struct Corner {
   Mask on2, on3;        ///< the corner lies on x + c y = k2, on c x + y = k3
   Mask rises2, rises3;  ///< H rises along that line
   Mask met;             ///< H >= 0 at the corner
+  Mask in_vain;         ///< H rises, but not to 0 (section 4)
 };
 
 /// Not for pairs that are apart at first sight.
@@ -209,8 +219,13 @@ auto corner(const Sections<T>& f) noexcept {
   const auto rises2 = on2 & (fall1 < c * fall0);
   const auto rises3 = on3 & negate(rises2) & (c * fall1 > fall0);
   const auto met = (x <= f.r0) & (y <= f.r1) & (u + v >= z);
-  return Corner<T, decltype(met & on2)>{f.r0, f.r1, c, z,   x0,  y0,     k2,     k3, x,
-                                        y,    u,    v, on2, on3, rises2, rises3, met};
+  // Up the first line y grows to r1 at most and u has to make up for what v lacks of z; likewise down the
+  // second.
+  const auto vain2 = too_long(f.r0, positive(x - c * positive(f.r1 - y)), positive(z - v));
+  const auto vain3 = too_long(f.r1, positive(y - c * positive(f.r0 - x)), positive(z - u));
+  const auto in_vain = (rises2 & vain2) | (rises3 & vain3);
+  return Corner<T, decltype(met & on2)>{f.r0, f.r1, c, z,   x0,  y0,     k2,     k3,  x,
+                                        y,    u,    v, on2, on3, rises2, rises3, met, in_vain};
 }
 
 /// One line a + c b = k of the two, from the corner up to where a is least: solid `a` has weight 1 in it,
