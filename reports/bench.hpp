@@ -23,7 +23,11 @@ struct BenchOptions {
   std::size_t pairs = 2000;  ///< of each family; a method asked on a share of indices only gets its share
   double min_time = 0.2;     ///< seconds of timing a row, all turns together
   int passes = 9;            ///< turns of each row, the rows of a family taking turns
+  bool curves = false;       ///< for reports/curves.hpp: their queries alone, costly methods on every pair
 };
+
+/// Pairs, at least, that a costly method is timed on where it is asked about all.
+inline constexpr std::size_t costly_timed = 30;
 
 /// What is asked, and of which pairs:
 ///   verdict      yes or no on prepared solids; where a method has no such way, the plain question
@@ -40,9 +44,10 @@ struct BenchRow {
   std::size_t pairs = 0;                 ///< asked, those it failed on included
   double median_ns = not_measured;       ///< a pair: the median of the turns; NaN: every pair failed
   double spread_percent = not_measured;  ///< of the turns
-  double p99_ns = not_measured;          ///< over pairs, of the least time of each; NaN for a batch
-  double instructions = not_measured;    ///< a pair; NaN where the machine has no counter
-  std::size_t wrong_disjoint = 0;        ///< of a distance: its sign
+  /// Over pairs, of the least time of each; NaN for a batch.
+  double p50_ns = not_measured, p99_ns = not_measured, max_ns = not_measured;
+  double instructions = not_measured;  ///< a pair; NaN where the machine has no counter
+  std::size_t wrong_disjoint = 0;      ///< of a distance: its sign
   std::size_t wrong_intersecting = 0;
   std::size_t wrong_below_claim = 0;  ///< of the two above, those that the method's own claim allows
   std::size_t wrong_at_margin = 0;    ///< of the same, those not proved to have a margin < right_from(family)
