@@ -87,9 +87,9 @@ TEST(Cells, AspectIsTheMostExtremeRatio) {
     return x_label(Plane::aspect_margin, pair);
   };
   EXPECT_EQ(label(1, 2), "10");
-  EXPECT_EQ(label(1, 0.1), "100");    // 20
-  EXPECT_EQ(label(0.1, 30), "1000");  // 150
-  EXPECT_EQ(label(1, 1, 1e-7), "1e8");
+  EXPECT_EQ(label(1, 0.1), "1e2");    // 20
+  EXPECT_EQ(label(0.1, 30), "1e3");  // 150
+  EXPECT_EQ(label(1, 1, 3e-8), "1e8");
   EXPECT_EQ(label(1, 1, 1e-17), "> 1e16");
   EXPECT_EQ(label(1e-300, 1e300), "> 1e16");
   EXPECT_EQ(label(0, 1), "flat, thin or a point");
@@ -109,7 +109,7 @@ TEST(Cells, ScaleAndOffset) {
   };
   EXPECT_EQ(labels(1, 0), "10, 1");
   EXPECT_EQ(labels(1, 0.5), "10, 1");
-  EXPECT_EQ(labels(0.05, 20), "1, 100");
+  EXPECT_EQ(labels(0.05, 20), "1, 1e2");
   EXPECT_EQ(labels(1e-9, 3e11), "1e-8, 1e12");
   EXPECT_EQ(labels(1e-300, 1e20), "1e-200, > 1e16");
   EXPECT_EQ(labels(1e200, 1), "> 1e100, 1");

@@ -37,13 +37,15 @@ FindingRecord finding(const char* method, const char* kind, const Pair& pair, Ve
   return f;
 }
 
+MethodRecord method(const char* name) { return {name, "1", 0, 0, "", 1}; }
+
 /// A run of two methods on four kinds of pair, in a folder that is gone afterwards.
 class Charts : public testing::Test {
  protected:
   void SetUp() override {
     folder = fs::temp_directory_path() / ("daylight_charts_" + std::to_string(getpid()));
     fs::remove_all(folder);
-    RunStore run = RunStore::create(folder, {}, {{"good", "1"}, {"bad", "1"}, {"silent", "1"}});
+    RunStore run = RunStore::create(folder, {}, {method("good"), method("bad"), method("silent")});
     BatchRecord batch;
     batch.next = 9;
     CellTable cells;
@@ -125,7 +127,7 @@ TEST_F(Charts, TheFileHasWhatThePageReadsAndKeepsWhatOthersWrote) {
   write_charts(folder, {row});
   const json all = charts();
   EXPECT_EQ(all["paths"], json::parse("[1]"));
-  const json& cell = all["maps"][3]["cells"][0];
+  const json& cell = all["maps"][3]["cells"][1];
   for (const char* field :
        {"x", "y", "asked", "wrong_disjoint", "wrong_intersecting", "failed", "undecided", "finding"})
     EXPECT_TRUE(cell.contains(field)) << field;
