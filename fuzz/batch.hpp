@@ -55,7 +55,7 @@ inline constexpr std::uint64_t repeat_share = 64;
 /// Where ours alone are asked, a pair is counted in the cells of the failure maps (oracles/cells.hpp) with a
 /// chance of one in this many, drawn from seed and index: finding the place of a pair takes longer than
 /// asking about it. Beside foreign methods it is a thousandth of the work, and every pair is counted.
-inline constexpr std::size_t own_cell_share = 64;
+inline constexpr std::size_t own_cell_share = 256;
 
 /// Indices per batch process, about a second's work of the packaged methods; of ours alone a fork's time
 /// would show.

@@ -124,11 +124,11 @@ void time(std::span<Run> runs, const Family& family, const BenchOptions& options
 
 /// The answers of one candidate, verified; nothing where it is not asked anything or gives no distance.
 std::optional<Run> verify(const Candidate& candidate, const Family& family, std::span<Proved> proved,
-                          bool whole) {
+                          std::size_t least) {
   Run run{candidate, make_row(candidate, family), {}, {}};
   std::vector<std::size_t> asked;
   const std::size_t share = std::max<std::size_t>(1, proved.size() / candidate.method->share());
-  for (std::size_t i = 0; i < (whole ? proved.size() : share); ++i) {
+  for (std::size_t i = 0; i < std::min(proved.size(), std::max(share, least)); ++i) {
     const bool disjoint = proved[i].truth.verdict == Verdict::disjoint;
     if (!asks_distance(candidate) || (candidate.query == "distance") == disjoint) asked.push_back(i);
   }
@@ -154,7 +154,7 @@ std::vector<BenchRow> bench_family(const Family& family, std::span<const Candida
   std::vector<Run> runs;
   for (const Candidate& candidate : candidates) {
     progress(fmt::format("{}: verifying {} ({})", family.name, candidate.method->name(), candidate.query));
-    if (std::optional<Run> run = verify(candidate, family, proved, options.curves))
+    if (std::optional<Run> run = verify(candidate, family, proved, options.curves ? costly_asked : 0))
       runs.push_back(std::move(*run));
   }
   time(runs, family, options, progress);
