@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <fstream>
 #include <iostream>
 #include <iterator>
@@ -18,6 +19,7 @@
 #include "reports/bench_floors.hpp"
 #include "reports/bench_summary.hpp"
 #include "reports/bench_table.hpp"
+#include "reports/curves.hpp"
 
 namespace cyl {
 
@@ -28,6 +30,7 @@ struct Options {
   std::string methods = "all";
   std::string families = "random,margin_1e-06,margin_1e-09";
   bool growth = false;
+  bool curves = false;
   std::string json;
 };
 
@@ -41,9 +44,27 @@ void write_json(const std::string& file, const std::vector<BenchRow>& rows,
   if (!out.flush()) throw std::runtime_error(file + ": cannot be written");
 }
 
+/// What the flag stands for, where the command line does not say otherwise. 600 pairs: five margins of them
+/// are as many as `digits_low` needs.
+void set_curves(const CLI::App& command, Options& options) {
+  const auto unless_given = [&](const char* name, auto& option, auto value) {
+    if (command.count(name) == 0) option = value;
+  };
+  unless_given("--families", options.families, "random,margin_1e");
+  unless_given("--pairs", options.bench.pairs, std::size_t{600});
+  unless_given("--min-time", options.bench.min_time, 0.01);
+  unless_given("--passes", options.bench.passes, 3);
+  options.bench.curves = true;
+}
+
+std::vector<std::unique_ptr<Method>> methods_for(const Options& options) {
+  auto methods = all_methods();
+  if (options.curves) std::ranges::move(setting_methods(), std::back_inserter(methods));
+  return options.methods == "all" ? std::move(methods) : select_methods(std::move(methods), options.methods);
+}
+
 void run(const Options& options) {
-  const auto methods =
-      options.methods == "all" ? all_methods() : select_methods(all_methods(), options.methods);
+  const auto methods = methods_for(options);
   const auto progress = [](std::string_view what) { std::cerr << what << std::endl; };
   const std::vector<Family> families = select_families(options.families);
   fmt::print("seed {}, {} pairs a family, {} turns, {} s of timing a row; {}; {}\n\n", options.bench.seed,
@@ -67,6 +88,9 @@ void run(const Options& options) {
     fmt::print("\nns a pair of a set against itself, by its pairs\n{}", format_growth(sets));
     rows.insert(rows.end(), batches.begin(), batches.end());
     rows.insert(rows.end(), sets.begin(), sets.end());
+  } else if (options.curves) {
+    rows = bench(methods, families, options.bench, progress);
+    fmt::print("{}", format_curves(speed_points(rows)));
   } else {
     rows = bench(methods, families, options.bench, progress);
     standings = summarise(rows);
@@ -102,11 +126,17 @@ void add_bench(CLI::App& app, int& exit_code) {
   command->add_flag(
       "--growth", options->growth,
       "how time grows as margins shrink from 1e-1 to 1e-15, batches grow to 10^6 pairs and sets to 10^7");
+  command->add_flag(
+      "--curves", options->curves,
+      "speed against accuracy, for `daylight chart`: every method at more settings than campaigns ask, on "
+      "random pairs and\nmargins 1e-1 to 1e-15, 600 of each, in 3 turns of 0.01 s together");
   command->add_option("--json", options->json, "also write the results to this file");
   command->footer(
       "Example:\n  daylight bench --methods intersect,decide,fcl --families random --json bench.json\n"
-      "  daylight bench --growth --methods intersect,fcl-libccd");
-  command->callback([options, &exit_code] {
+      "  daylight bench --growth --methods intersect,fcl-libccd\n"
+      "  daylight bench --curves --json bench.json");
+  command->callback([options, command, &exit_code] {
+    if (options->curves) set_curves(*command, *options);
     run(*options);
     exit_code = exit_pass;
   });

@@ -14,7 +14,7 @@ using nlohmann::json;
 
 // Margins go as their bits: JSON has no infinity.
 std::string format_batch(const BatchRecord& batch) {
-  json tallies = json::array(), groups = json::array(), findings = json::array();
+  json tallies = json::array(), groups = json::array(), findings = json::array(), cells = json::array();
   for (const auto& [method, family, c] : batch.tallies) {
     tallies.push_back({method, family, c.asked, c.declined, c.failed, c.contract, c.resolution, c.undecided,
                        c.nanoseconds});
@@ -29,7 +29,8 @@ std::string format_batch(const BatchRecord& batch) {
     findings.push_back({f.index, f.family, f.family_index, f.method, f.kind, f.severity, margin, f.pair,
                         f.answers, f.truth, f.stage, f.reason});
   }
-  return json{tallies, groups, findings}.dump(-1, ' ', false, json::error_handler_t::replace);
+  for (const CellRecord& c : batch.cells) cells.push_back({c.plane, c.x, c.y, format_cell_counts(c.methods)});
+  return json{tallies, groups, findings, cells}.dump(-1, ' ', false, json::error_handler_t::replace);
 }
 
 BatchRecord parse_batch(std::string_view text) try {
@@ -60,6 +61,8 @@ BatchRecord parse_batch(std::string_view text) try {
     f.reason = t.at(11);
     batch.findings.push_back(std::move(f));
   }
+  for (const json& c : all.at(3))
+    batch.cells.push_back({c.at(0), c.at(1), c.at(2), parse_cell_counts(c.at(3).get<std::string>())});
   return batch;
 } catch (const json::exception& e) {
   throw std::runtime_error(std::string("a batch cannot be read: ") + e.what());

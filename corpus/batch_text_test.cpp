@@ -28,6 +28,7 @@ TEST(BatchText, ComesBackAsItWent) {
   f.reason = "not UTF-8: \xff";
   batch.findings = {f, f};
   batch.findings[1].margin.reset();
+  batch.cells = {{"a-b", 0, 17, {{1}, {}, {1, 1}}}, {"c", 5, 6, {}}};
 
   const BatchRecord back = parse_batch(format_batch(batch));
   ASSERT_EQ(back.tallies.size(), 2u);
@@ -36,6 +37,7 @@ TEST(BatchText, ComesBackAsItWent) {
   ASSERT_EQ(back.groups.size(), 1u);
   EXPECT_EQ(back.groups[0].count, 9u);
   EXPECT_EQ(back.groups[0].binade, GroupRecord::no_binade);
+  EXPECT_EQ(back.cells, batch.cells);
   ASSERT_EQ(back.findings.size(), 2u);
   EXPECT_EQ(back.findings[0].index, ~0ull);
   EXPECT_EQ(back.findings[0].family_index, 8u);

@@ -35,6 +35,10 @@ CREATE TABLE finding(id INTEGER PRIMARY KEY, pair_index INTEGER NOT NULL, family
   stage TEXT NOT NULL, reason TEXT NOT NULL);
 INSERT INTO progress VALUES(0, 0);
 )";
+/// Not in stores of before there were maps: made where one of them is opened.
+constexpr const char* cell_table =
+    "CREATE TABLE IF NOT EXISTS cell(plane TEXT NOT NULL, x INTEGER NOT NULL, y INTEGER NOT NULL, "
+    "methods TEXT NOT NULL, PRIMARY KEY(plane, x, y)) WITHOUT ROWID";
 
 /// Made with the first alarm: runs without any are what they always were.
 constexpr const char* alarm_table = R"(
@@ -196,6 +200,7 @@ RunStore RunStore::create(const std::string& folder, const Config& config,
     SQLite::Database database(unfinished, SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE);
     SQLite::Transaction transaction(database);
     database.exec(tables);
+    database.exec(cell_table);
     SQLite::Statement insert(database, "INSERT INTO run VALUES(?, ?)");
     for (const auto& [key, value] : config) {
       insert.reset();
@@ -230,6 +235,7 @@ RunStore RunStore::open(const std::string& folder) {
     throw std::runtime_error(fmt::format("{} was written in store version {}, this build reads {}",
                                          file_of(folder), version, store_version));
   }
+  naming(file_of(folder), [&] { return store.database_->exec(cell_table); });
   return store;
 }
 
@@ -324,6 +330,24 @@ void RunStore::commit(const BatchRecord& batch, std::uint64_t milliseconds) {
       tally.exec();
     }
 
+    SQLite::Statement counted(*database_, "SELECT methods FROM cell WHERE plane=? AND x=? AND y=?");
+    SQLite::Statement recount(*database_, "INSERT OR REPLACE INTO cell VALUES(?,?,?,?)");
+    for (const CellRecord& cell : batch.cells) {
+      for (SQLite::Statement* s : {&counted, &recount}) {
+        s->reset();
+        s->bind(1, cell.plane);
+        s->bind(2, cell.x);
+        s->bind(3, cell.y);
+      }
+      CellTable sum;
+      sum.add(cell);
+      if (counted.executeStep())
+        sum.add({cell.plane, cell.x, cell.y, parse_cell_counts(counted.getColumn(0).getString())});
+      counted.reset();
+      recount.bind(4, format_cell_counts(sum.records().front().methods));
+      recount.exec();
+    }
+
     SQLite::Statement advance(*database_, "UPDATE progress SET next=?, milliseconds=milliseconds+?");
     advance.bind(1, to_sql(batch.next));
     advance.bind(2, to_sql(milliseconds));
@@ -366,6 +390,18 @@ std::vector<FindingRecord> RunStore::findings() const {
     std::vector<FindingRecord> all;
     SQLite::Statement row(*database_, fmt::format("SELECT {} FROM finding ORDER BY id", finding_columns));
     while (row.executeStep()) all.push_back(read_finding(row));
+    return all;
+  });
+}
+
+std::vector<CellRecord> RunStore::cells() const {
+  return naming(database_->getFilename(), [&] {
+    std::vector<CellRecord> all;
+    SQLite::Statement row(*database_, "SELECT plane, x, y, methods FROM cell ORDER BY plane, x, y");
+    while (row.executeStep()) {
+      all.push_back({row.getColumn(0).getString(), row.getColumn(1).getInt(), row.getColumn(2).getInt(),
+                     parse_cell_counts(row.getColumn(3).getString())});
+    }
     return all;
   });
 }

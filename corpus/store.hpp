@@ -11,6 +11,8 @@
 #include <tuple>
 #include <vector>
 
+#include "corpus/cell_counts.hpp"
+
 namespace SQLite {
 class Database;
 }
@@ -116,6 +118,7 @@ struct BatchRecord {
   std::vector<TallyRecord> tallies;
   std::vector<GroupRecord> groups;      ///< all findings of the batch, counted
   std::vector<FindingRecord> findings;  ///< those its own Representatives admitted, in index order; id unset
+  std::vector<CellRecord> cells;        ///< of the failure maps
 };
 
 struct Progress {
@@ -149,6 +152,8 @@ class RunStore {
   std::vector<TallyRecord> tallies() const;     ///< by first appearance
   std::vector<GroupRecord> groups() const;      ///< by method, kind, severity and family
   std::vector<FindingRecord> findings() const;  ///< by id
+  /// By plane, x and y. Empty in runs of before there were maps.
+  std::vector<CellRecord> cells() const;
   std::optional<FindingRecord> finding(std::int64_t id) const;
 
   void add(const AlarmRecord& alarm);       ///< one there with the same start is replaced

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "corpus/store.hpp"
 
+#include <SQLiteCpp/SQLiteCpp.h>
 #include <gtest/gtest.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -104,6 +105,34 @@ TEST_F(Store, GivesBackWhatWasCommitted) {
   EXPECT_EQ(store.tallies()[0].counts.nanoseconds, 7u);
   ASSERT_EQ(store.groups().size(), 1u);
   EXPECT_EQ(store.groups()[0].count, 2u);
+}
+
+TEST_F(Store, AddsTheCellsOfBatches) {
+  RunStore store = RunStore::create(folder, {});
+  BatchRecord batch;
+  batch.next = 1;
+  batch.cells = {{"a", 3, 4, {{1}, {1, 1}}}, {"b", 3, 4, {{5}}}};
+  store.commit(batch, 0);
+  batch.first = 1;
+  batch.next = 2;
+  batch.cells = {{"a", 3, 4, {{2, 0, 1, 0, 0}, {}, {1, 0, 0, 0, 1}}}, {"a", 0, 9, {{1, 0, 0, 1, 0}}}};
+  store.commit(batch, 0);
+  const std::vector<CellRecord> wanted{{"a", 0, 9, {{1, 0, 0, 1, 0}}},
+                                       {"a", 3, 4, {{3, 0, 1, 0, 0}, {1, 1}, {1, 0, 0, 0, 1}}},
+                                       {"b", 3, 4, {{5}}}};
+  EXPECT_EQ(RunStore::open(folder).cells(), wanted);
+}
+
+TEST_F(Store, OfBeforeThereWereMapsHasNoneAndGoesOn) {
+  RunStore::create(folder, {});
+  SQLite::Database((folder / "run.sqlite").string(), SQLite::OPEN_READWRITE).exec("DROP TABLE cell");
+  RunStore store = RunStore::open(folder);
+  EXPECT_TRUE(store.cells().empty());
+  BatchRecord batch;
+  batch.next = 1;
+  batch.cells = {{"a", 3, 4, {{1}}}};
+  store.commit(batch, 0);
+  EXPECT_EQ(store.cells(), batch.cells);
 }
 
 TEST_F(Store, RefusesAFolderThatHoldsARunAndOneThatHoldsNone) {

@@ -11,6 +11,8 @@
 #include <string_view>
 #include <vector>
 
+#include "corpus/random_stream.hpp"
+#include "oracles/cells.hpp"
 #include "oracles/compare.hpp"
 #include "oracles/contained.hpp"
 #include "oracles/referee.hpp"
@@ -52,6 +54,11 @@ MethodAnswer ask_here(Method& method, const Pair& pair) {
   }
 }
 
+bool any_foreign(const Subjects& subjects) {
+  return std::any_of(subjects.methods.begin(), subjects.methods.end(),
+                     [](const auto& method) { return method->foreign(); });
+}
+
 /// Indices that are worked on together: as many as a batch with foreign methods has, so that those are asked
 /// in one go, and so few that the answers of ours stay in the cache.
 constexpr std::uint64_t stretch_size = batch_size;
@@ -63,6 +70,7 @@ class Batch {
       : subjects_(subjects),
         seed_(seed),
         turns_(turns_of(subjects)),
+        every_cell_(any_foreign(subjects)),
         by_family_(subjects.families.size() + 1) {
     counts_.resize(rows() * by_family_.size());
   }
@@ -70,7 +78,7 @@ class Batch {
   void work_on(std::uint64_t first, std::uint64_t next) {
     draw_pairs(first, next);
     ask_own_methods();
-    ask_foreign_methods([&](std::size_t m, std::size_t p) { return index_of(p) % share_of(m) == 0; });
+    ask_foreign_methods([&](std::size_t m, std::size_t p) { return on_share(m, p); });
     for (std::size_t p = 0; p < pairs_.size(); ++p) judge_once(p);
     for (std::size_t p = 0; p < pairs_.size(); ++p) compare_all(p);
     ask_foreign_methods([&](std::size_t m, std::size_t p) { return !asked(m, p) && in_dispute(p); });
@@ -82,6 +90,7 @@ class Batch {
     }
     repeat_own_methods();
     for (std::size_t p = 0; p < pairs_.size(); ++p) count_all(p);
+    for (std::size_t p = 0; p < pairs_.size(); ++p) count_cells(p);
   }
 
   BatchRecord finish() {
@@ -94,6 +103,7 @@ class Batch {
     }
     record.groups = kept_.groups();
     record.findings = std::move(findings_);
+    record.cells = cells_.records();
     return record;
   }
 
@@ -105,6 +115,8 @@ class Batch {
   std::size_t rows() const { return methods() + 2 + stage_rows.size(); }
   std::uint64_t index_of(std::size_t p) const { return first_ + p; }
   unsigned share_of(std::size_t m) const { return std::max(1u, subjects_.methods[m]->share()); }
+  /// Asked whatever others say of the pair.
+  bool on_share(std::size_t m, std::size_t p) const { return index_of(p) % share_of(m) == 0; }
 
   Place place_of(std::uint64_t index) const { return cyl::place_of(subjects_, turns_, index); }
   Pair pair_at(const Place& place) const {
@@ -148,7 +160,7 @@ class Batch {
       for (std::size_t family = 0; family < by_family_.size(); ++family) {
         const auto start = Clock::now();
         for (const std::size_t p : by_family_[family]) {
-          if (index_of(p) % share_of(m) != 0) continue;
+          if (!on_share(m, p)) continue;
           answers_[at(m, p)] = ask_here(method, pairs_[p]);
           asked_[at(m, p)] = true;
         }
@@ -234,6 +246,19 @@ class Batch {
     }
   }
 
+  void count_cells(std::size_t p) {
+    const Verdict truth = truths_[p].verdict;
+    if (truth == Verdict::undecided || truth == Verdict::invalid) return;
+    if (!every_cell_ && RandomStream("cells", seed_, index_of(p)).below(own_cell_share) != 0) return;
+    const auto cells = cells_of(pairs_[p], truth);
+    for (std::size_t plane = 0; plane < planes.size(); ++plane) {
+      auto& counts = cells_.at(to_string(planes[plane]), cells[plane].x, cells[plane].y, methods());
+      for (std::size_t m = 0; m < methods(); ++m) {
+        if (on_share(m, p)) cyl::count_answer(counts[m], answers_of(p)[m], wrong_[at(m, p)]);
+      }
+    }
+  }
+
   static void count_answer(Counts& counts, const MethodAnswer& answer) {
     ++counts.asked;
     if (answer.status == Status::declined) ++counts.declined;
@@ -307,6 +332,7 @@ class Batch {
   const Subjects& subjects_;
   const std::uint64_t seed_;
   const Turns turns_;
+  const bool every_cell_;  ///< not only a share of the pairs is counted in the cells
 
   // Of the stretch; the answers of one pair lie together, as the referee takes them.
   std::uint64_t first_ = 0;
@@ -322,6 +348,7 @@ class Batch {
   std::vector<Counts> counts_;
   Representatives kept_;
   std::vector<FindingRecord> findings_;
+  CellTable cells_;
 };
 
 }  // namespace
@@ -349,9 +376,7 @@ std::string family_name(const Subjects& subjects, std::size_t family) {
 }
 
 std::uint64_t batch_size_for(const Subjects& subjects) {
-  const bool any_foreign = std::any_of(subjects.methods.begin(), subjects.methods.end(),
-                                       [](const auto& method) { return method->foreign(); });
-  return any_foreign ? batch_size : own_batch_size;
+  return any_foreign(subjects) ? batch_size : own_batch_size;
 }
 
 BatchRecord run_batch(const Subjects& subjects, std::uint64_t seed, std::uint64_t first, std::uint64_t next) {

@@ -52,6 +52,11 @@ inline constexpr const char* cases_family = "cases";
 /// state, at 2 % of the cost.
 inline constexpr std::uint64_t repeat_share = 64;
 
+/// Where ours alone are asked, a pair is counted in the cells of the failure maps (oracles/cells.hpp) with a
+/// chance of one in this many, drawn from seed and index: finding the place of a pair takes longer than
+/// asking about it. Beside foreign methods it is a thousandth of the work, and every pair is counted.
+inline constexpr std::size_t own_cell_share = 256;
+
 /// Indices per batch process, about a second's work of the packaged methods; of ours alone a fork's time
 /// would show, and that of the findings which every batch hands over for the run to pick from.
 inline constexpr std::uint64_t batch_size = 512, own_batch_size = 131072;
@@ -60,7 +65,8 @@ std::uint64_t batch_size_for(const Subjects& subjects);
 /// Own methods are asked in this process, foreign ones contained. A costly method (share() > 1) is asked on
 /// the indices divisible by its share and wherever another's verdict is wrong beyond its claim or the truth
 /// is undecided. (Within their claims tolerant methods differ on every near-touching pair: a quarter of all,
-/// no news, and the costly ones would take nearly all of the time.)
+/// no news, and the costly ones would take nearly all of the time.) In the cells of the failure maps they are
+/// counted on their share alone: disputes are where somebody is wrong, and no sample.
 BatchRecord run_batch(const Subjects& subjects, std::uint64_t seed, std::uint64_t first, std::uint64_t next);
 
 }  // namespace cyl

@@ -123,6 +123,10 @@ std::string content(const RunStore& store, std::uint64_t below = ~0ull) {
     text += '\n';
   }
   if (below != ~0ull) return text;
+  for (const CellRecord& c : store.cells()) {
+    text += c.plane + ' ' + std::to_string(c.x) + ' ' + std::to_string(c.y) + ' ' +
+            format_cell_counts(c.methods) + '\n';
+  }
   for (const GroupRecord& g : store.groups()) {
     text += g.method + g.kind + g.severity + g.family + std::to_string(g.count) + '\n';
   }
@@ -524,6 +528,58 @@ TEST_F(Campaign, ACostlyMethodIsAskedOnItsShareAndInDisputes) {
   EXPECT_GT(expected, 20u);
   EXPECT_GT(total(store("run"), "tolerant").resolution, 20u);
   EXPECT_EQ(total(store("run"), "costly").asked, expected);
+}
+
+/// Sums over a plane.
+std::vector<CellCounts> on_plane(const RunStore& store, const std::string& plane) {
+  CellTable table;
+  for (const CellRecord& c : store.cells())
+    if (c.plane == plane) table.add({plane, 0, 0, c.methods});
+  return table.records().empty() ? std::vector<CellCounts>{} : table.records()[0].methods;
+}
+
+TEST_F(Campaign, EveryPairIsInOneCellOfEachPlane) {
+  const std::uint64_t pairs = 2 * batch_size;
+  run_campaign(options("run", pairs), subjects());
+  const RunStore run = store("run");
+  std::uint64_t meet = 0, in_cell = 0;
+  for (std::uint64_t i = 0; i < pairs; ++i) {
+    const double gap = two_families[i % 2].generate(20261121, i / 2).b.center.x() - 2;
+    meet += gap < 0;
+    in_cell += gap < 0 && -gap / 8 <= 1e-2 && -gap / 8 > 1e-3;
+  }
+  for (const char* plane : {"angle-margin", "aspect-margin", "scale-offset"}) {
+    const std::vector<CellCounts> sums = on_plane(run, plane);
+    ASSERT_EQ(sums.size(), methods.size()) << plane;
+    EXPECT_EQ(sums[0], (CellCounts{pairs, 0, 0, 0, 0})) << plane;
+    EXPECT_EQ(sums[1], (CellCounts{pairs, meet, 0, 0, 0})) << plane;
+    EXPECT_EQ(sums[2].failed, total(run, "crashing").failed) << plane;
+    EXPECT_EQ(sums[3].undecided, total(run, "choosy").declined) << plane;
+  }
+  for (const CellRecord& c : run.cells()) {  // parallel axes
+    if (c.plane == "angle-margin" && c.x == 0 && c.y == 2) EXPECT_EQ(c.methods[1].wrong_disjoint, in_cell);
+  }
+  EXPECT_GT(in_cell, 0u);
+}
+
+TEST_F(Campaign, CostlyMethodsAreInCellsOnTheirShareAndOursAloneOnAShareOfPairs) {
+  methods.clear();
+  methods.push_back(std::make_unique<Fake>(
+      "blind", [](const Pair&) { return say(Verdict::disjoint); }, true));
+  methods.push_back(std::make_unique<Fake>(
+      "costly", [](const Pair& p) { return say(right(p)); }, true, 100));
+  run_campaign(options("run", 1000), subjects());
+  EXPECT_GT(total(store("run"), "costly").asked, 100u);  // in disputes
+  EXPECT_EQ(on_plane(store("run"), "angle-margin")[1].asked, 10u);
+
+  methods.clear();
+  methods.push_back(std::make_unique<Fake>(
+      "good", [](const Pair& p) { return say(right(p)); }, false));
+  const std::uint64_t pairs = 200 * own_cell_share;
+  run_campaign(options("own", pairs), subjects());
+  const std::uint64_t asked = on_plane(store("own"), "angle-margin")[0].asked;
+  EXPECT_GT(asked, 150u);
+  EXPECT_LT(asked, 250u);
 }
 
 TEST_F(Campaign, AnOwnMethodWithAMemoryIsFound) {

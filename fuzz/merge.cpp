@@ -81,6 +81,7 @@ BatchRecord together(const std::vector<Part>& parts) {
   BatchRecord all;
   Representatives groups;
   std::map<std::pair<std::string, std::string>, Counts> counts;
+  CellTable cells;
   for (const Part& part : parts) {
     const RunStore store = RunStore::open(part.folder);
     if (store.progress().next != part.progress.next)
@@ -88,12 +89,14 @@ BatchRecord together(const std::vector<Part>& parts) {
     all.next += part.shard.below(part.progress.next);
     for (const TallyRecord& t : store.tallies()) counts[{t.method, t.family}] += t.counts;
     for (const GroupRecord& g : store.groups()) groups.add(g);
+    for (const CellRecord& c : store.cells()) cells.add(c);
     for (FindingRecord& f : store.findings()) all.findings.push_back(std::move(f));
   }
   // Findings of one index are of one shard: a stable sort leaves them in its order.
   std::stable_sort(all.findings.begin(), all.findings.end(),
                    [](const FindingRecord& x, const FindingRecord& y) { return x.index < y.index; });
   all.groups = groups.groups();
+  all.cells = cells.records();
   all.tallies = in_order(std::move(counts), parts.front());
   return all;
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Shards into one run: findings, groups and counts are those that one machine alone would have stored, had it
+// Shards into one run: findings, groups, counts and cells are those that one machine alone would have stored, had it
 // done the indices that the shards did. Times are sums. The order of the tally's rows is that of the methods
 // and families, where a run's own is that of first appearance.
 #pragma once

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Apart from method.cpp, so that a program may hold methods without linking every library there is.
+#include <initializer_list>
 #include <iterator>
 #include <utility>
 
@@ -7,14 +8,28 @@
 
 namespace cyl {
 
-std::vector<std::unique_ptr<Method>> all_methods() {
-  auto methods = own_methods();
-  for (auto make : {seed_2008_methods, seed_2017_methods, nlopt_methods, fcl_methods, bullet_methods,
-                    ccd_methods, ode_methods, mujoco_methods}) {
+namespace {
+
+using Make = std::vector<std::unique_ptr<Method>>();
+
+std::vector<std::unique_ptr<Method>> together(std::initializer_list<Make*> makers) {
+  std::vector<std::unique_ptr<Method>> methods;
+  for (Make* make : makers) {
     auto more = make();
     std::move(more.begin(), more.end(), std::back_inserter(methods));
   }
   return methods;
+}
+
+}  // namespace
+
+std::vector<std::unique_ptr<Method>> all_methods() {
+  return together({own_methods, seed_2008_methods, seed_2017_methods, nlopt_methods, fcl_methods,
+                   bullet_methods, ccd_methods, ode_methods, mujoco_methods});
+}
+
+std::vector<std::unique_ptr<Method>> setting_methods() {
+  return together({nlopt_settings, fcl_settings, bullet_settings, ccd_settings, mujoco_settings});
 }
 
 }  // namespace cyl

@@ -251,4 +251,10 @@ std::vector<std::unique_ptr<Method>> bullet_methods() {
   return methods;
 }
 
+std::vector<std::unique_ptr<Method>> bullet_settings() {
+  std::vector<std::unique_ptr<Method>> methods;
+  for (const int sides : {8, 32, 128}) methods.push_back(std::make_unique<Hull>(sides, 1));
+  return methods;
+}
+
 }  // namespace cyl

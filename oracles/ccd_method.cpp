@@ -143,4 +143,13 @@ std::vector<std::unique_ptr<Method>> ccd_methods() {
   return methods;
 }
 
+std::vector<std::unique_ptr<Method>> ccd_settings() {
+  std::vector<std::unique_ptr<Method>> methods;
+  methods.push_back(mpr("libccd-mpr-tol1e-2", 1e-2));
+  methods.push_back(mpr("libccd-mpr-tol1e-6", 1e-6));
+  methods.push_back(mpr("libccd-mpr-tol1e-8", 1e-8));
+  methods.push_back(mpr("libccd-mpr-tol1e-12", 1e-12));
+  return methods;
+}
+
 }  // namespace cyl

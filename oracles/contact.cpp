@@ -102,16 +102,23 @@ std::optional<ContactFeature> contact_feature(const Pair& pair, const Truth& tru
   return feature_along(pair, Vector3(found[0], found[1], found[2]));
 }
 
-AngleClass angle_class(const Pair& pair) {
+AxesAngle axes_angle(const Pair& pair) {
   const Angle angle = angle_between(pair.a.axis, pair.b.axis);
+  AxesAngle exactly{angle.sine, angle.cosine, false, false};
   /// Sines and cosines above it are not 0: three coordinates of three roundings each, and the lengths.
   constexpr double zero_error = 1e-15;
   if (angle.sine <= zero_error) {
     const Rational3 c = cross(exact(pair.a.axis), exact(pair.b.axis));
-    if (c.x == 0 && c.y == 0 && c.z == 0) return AngleClass::parallel;
+    exactly.parallel = c.x == 0 && c.y == 0 && c.z == 0;
   }
-  if (angle.cosine <= zero_error && dot(exact(pair.a.axis), exact(pair.b.axis)) == 0)
-    return AngleClass::right;
+  if (angle.cosine <= zero_error) exactly.right = dot(exact(pair.a.axis), exact(pair.b.axis)) == 0;
+  return exactly;
+}
+
+AngleClass angle_class(const Pair& pair) {
+  const AxesAngle angle = axes_angle(pair);
+  if (angle.parallel) return AngleClass::parallel;
+  if (angle.right) return AngleClass::right;
   if (angle.sine < 1e-12) return AngleClass::within_1e_12;
   if (angle.sine < 1e-7) return AngleClass::within_1e_7;
   if (angle.sine < 1e-2) return AngleClass::within_1e_2;

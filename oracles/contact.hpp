@@ -32,6 +32,13 @@ bool contains(const Cylinder& outer, const Cylinder& inner);
 std::optional<ContactFeature> contact_feature(const Pair& pair, const Truth& truth);
 
 /// Of the lines of the axes.
+struct AxesAngle {
+  double sine = 0, cosine = 0;           ///< >= 0, within 1e-15
+  bool parallel = false, right = false;  ///< exactly: decided in rational arithmetic
+};
+AxesAngle axes_angle(const Pair& pair);  ///< of a legal pair
+
+/// Of the lines of the axes.
 enum class AngleClass : unsigned char {
   parallel,      ///< exactly
   within_1e_12,  ///< sine below 1e-12, not 0

@@ -135,4 +135,19 @@ std::vector<std::unique_ptr<Method>> fcl_methods() {
   return methods;
 }
 
+std::vector<std::unique_ptr<Method>> fcl_settings() {
+  std::vector<std::unique_ptr<Method>> methods;
+  methods.push_back(std::make_unique<Collide>("fcl-libccd-tol1e-4", fcl::GST_LIBCCD, 1e-4));
+  methods.push_back(std::make_unique<Collide>("fcl-libccd-tol1e-8", fcl::GST_LIBCCD, 1e-8));
+  methods.push_back(std::make_unique<Collide>("fcl-libccd-tol1e-12", fcl::GST_LIBCCD, 1e-12));
+  methods.push_back(std::make_unique<Collide>("fcl-indep-tol1e-4", fcl::GST_INDEP, 1e-4));
+  methods.push_back(std::make_unique<Collide>("fcl-indep-tol1e-8", fcl::GST_INDEP, 1e-8));
+  methods.push_back(std::make_unique<Collide>("fcl-indep-tol1e-10", fcl::GST_INDEP, 1e-10));
+  methods.push_back(std::make_unique<Collide>("fcl-indep-tol1e-12", fcl::GST_INDEP, 1e-12));
+  methods.push_back(std::make_unique<Distance>("fcl-distance-libccd-tol1e-4", 1e-4));
+  methods.push_back(std::make_unique<Distance>("fcl-distance-libccd-tol1e-8", 1e-8));
+  methods.push_back(std::make_unique<Distance>("fcl-distance-libccd-tol1e-12", 1e-12));
+  return methods;
+}
+
 }  // namespace cyl

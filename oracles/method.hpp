@@ -88,6 +88,10 @@ class Method {
 /// Every method of this build, in a fixed order: ours first.
 std::vector<std::unique_ptr<Method>> all_methods();
 
+/// The same libraries at more of their settings, for curves of speed against accuracy: no campaign asks
+/// them. Names follow those of all_methods(), with which they share none.
+std::vector<std::unique_ptr<Method>> setting_methods();
+
 std::vector<std::unique_ptr<Method>> own_methods();        ///< intersect, decide, distance, exact
 std::vector<std::unique_ptr<Method>> seed_2008_methods();  ///< the text of 2008 and the page of the book
 std::vector<std::unique_ptr<Method>> seed_2017_methods();  ///< of the text of 2017: put right, and as printed
@@ -97,6 +101,11 @@ std::vector<std::unique_ptr<Method>> bullet_methods();
 std::vector<std::unique_ptr<Method>> ccd_methods();
 std::vector<std::unique_ptr<Method>> ode_methods();
 std::vector<std::unique_ptr<Method>> mujoco_methods();
+std::vector<std::unique_ptr<Method>> nlopt_settings();   ///< evaluations
+std::vector<std::unique_ptr<Method>> fcl_settings();     ///< tolerances
+std::vector<std::unique_ptr<Method>> bullet_settings();  ///< sides of the hull
+std::vector<std::unique_ptr<Method>> ccd_settings();     ///< tolerances of MPR; GJK reads none
+std::vector<std::unique_ptr<Method>> mujoco_settings();  ///< tolerances
 
 /// Keeps the methods that `spec` names: "a,b" keeps a and b, "-a,b" (given as --methods=-a,b) all but a and
 /// b; a name stands for every method that is it or begins with it and '-'. Throws std::invalid_argument on an

@@ -3,6 +3,7 @@
 #include <mujoco/mujoco.h>
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 #include <filesystem>
@@ -103,6 +104,18 @@ TEST(Methods, EachSaysWhoItIsAndWhatItClaims) {
     foreign_seen |= m->foreign();
   }
   EXPECT_TRUE(foreign_seen);
+}
+
+TEST(Settings, AreMoreOfTheSameUnderNamesOfTheirOwn) {
+  const std::vector<std::string> names = names_of(all_methods());
+  std::set<std::string> all(names.begin(), names.end());
+  for (const auto& m : setting_methods()) {
+    EXPECT_TRUE(all.emplace(m->name()).second) << m->name() << " twice";
+    const std::string known(m->name().substr(0, m->name().find('-')));
+    EXPECT_TRUE(std::any_of(names.begin(), names.end(), [&](const auto& n) { return n.starts_with(known); }))
+        << m->name();
+    for (const Known& k : easy_pairs()) EXPECT_EQ(m->ask(k.pair).verdict, k.verdict) << m->name();
+  }
 }
 
 TEST(Methods, EachIsRightFarFromTouching) {

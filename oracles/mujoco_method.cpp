@@ -145,4 +145,12 @@ std::vector<std::unique_ptr<Method>> mujoco_methods() {
   return methods;
 }
 
+std::vector<std::unique_ptr<Method>> mujoco_settings() {
+  std::vector<std::unique_ptr<Method>> methods;
+  methods.push_back(std::make_unique<Mujoco>("mujoco-tol1e-4", 1e-4, default_cap));
+  methods.push_back(std::make_unique<Mujoco>("mujoco-tol1e-8", 1e-8, fine_cap));
+  methods.push_back(std::make_unique<Mujoco>("mujoco-tol1e-12", 1e-12, fine_cap));
+  return methods;
+}
+
 }  // namespace cyl

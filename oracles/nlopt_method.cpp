@@ -161,6 +161,19 @@ constexpr Setting settings[] = {
     {"nlopt-sign-600", NLOPT_GN_DIRECT_L, 120, 80, true, 64, 1e-1},
 };
 
+// For curves. Their claims promise nothing: a size is above every error there is.
+constexpr Setting more_settings[] = {
+    {"nlopt-direct-150", NLOPT_GN_DIRECT_L, 30, 20, false, 16, 1},
+    {"nlopt-direct-300", NLOPT_GN_DIRECT_L, 60, 40, false, 32, 1},
+    {"nlopt-direct-1500", NLOPT_GN_DIRECT_L, 350, 150, false, 256, 1},
+    {"nlopt-mlsl-300", NLOPT_G_MLSL_LDS, 70, 30, false, 32, 1},
+    {"nlopt-mlsl-600", NLOPT_G_MLSL_LDS, 140, 60, false, 64, 1},
+    {"nlopt-crs-300", NLOPT_GN_CRS2_LM, 70, 30, false, 32, 1},
+    {"nlopt-crs-600", NLOPT_GN_CRS2_LM, 140, 60, false, 64, 1},
+    {"nlopt-sign-150", NLOPT_GN_DIRECT_L, 30, 20, true, 16, 1},
+    {"nlopt-sign-1500", NLOPT_GN_DIRECT_L, 350, 150, true, 256, 1},
+};
+
 class Nlopt final : public Method {
  public:
   explicit Nlopt(const Setting& setting) : setting_(setting) {
@@ -207,6 +220,12 @@ class Nlopt final : public Method {
 std::vector<std::unique_ptr<Method>> nlopt_methods() {
   std::vector<std::unique_ptr<Method>> methods;
   for (const Setting& s : settings) methods.push_back(std::make_unique<Nlopt>(s));
+  return methods;
+}
+
+std::vector<std::unique_ptr<Method>> nlopt_settings() {
+  std::vector<std::unique_ptr<Method>> methods;
+  for (const Setting& s : more_settings) methods.push_back(std::make_unique<Nlopt>(s));
   return methods;
 }
 

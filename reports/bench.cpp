@@ -115,16 +115,20 @@ void time(std::span<Run> runs, const Family& family, const BenchOptions& options
     run.row.median_ns = turn.ns - nothing.ns;
     run.row.instructions = turn.instructions - nothing.instructions;
     run.row.spread_percent = spread_percent(values(run.turns, &Cost::ns));
-    run.row.p99_ns = time_slowest(run.candidate, run.timed, options.passes);
+    const CallTimes each = time_each(run.candidate, run.timed, options.passes);
+    run.row.p50_ns = each.p50_ns;
+    run.row.p99_ns = each.p99_ns;
+    run.row.max_ns = each.max_ns;
   }
 }
 
 /// The answers of one candidate, verified; nothing where it is not asked anything or gives no distance.
-std::optional<Run> verify(const Candidate& candidate, const Family& family, std::span<Proved> proved) {
+std::optional<Run> verify(const Candidate& candidate, const Family& family, std::span<Proved> proved,
+                          std::size_t least) {
   Run run{candidate, make_row(candidate, family), {}, {}};
   std::vector<std::size_t> asked;
   const std::size_t share = std::max<std::size_t>(1, proved.size() / candidate.method->share());
-  for (std::size_t i = 0; i < share; ++i) {
+  for (std::size_t i = 0; i < std::min(proved.size(), std::max(share, least)); ++i) {
     const bool disjoint = proved[i].truth.verdict == Verdict::disjoint;
     if (!asks_distance(candidate) || (candidate.query == "distance") == disjoint) asked.push_back(i);
   }
@@ -135,6 +139,7 @@ std::optional<Run> verify(const Candidate& candidate, const Family& family, std:
     count_faults(proved[asked[k]], answers[k], candidate.method->claim(), run.row);
     if (answers[k].status == Status::answered) run.timed.push_back(pairs[k]);
   }
+  if (run.timed.size() > std::max(share, costly_timed)) run.timed.resize(std::max(share, costly_timed));
   run.row.pairs = asked.size();
   const bool gives_none = asks_distance(candidate) && run.row.undecided == asked.size();
   if (asked.empty() || gives_none) return {};
@@ -149,7 +154,8 @@ std::vector<BenchRow> bench_family(const Family& family, std::span<const Candida
   std::vector<Run> runs;
   for (const Candidate& candidate : candidates) {
     progress(fmt::format("{}: verifying {} ({})", family.name, candidate.method->name(), candidate.query));
-    if (std::optional<Run> run = verify(candidate, family, proved)) runs.push_back(std::move(*run));
+    if (std::optional<Run> run = verify(candidate, family, proved, options.curves ? costly_asked : 0))
+      runs.push_back(std::move(*run));
   }
   time(runs, family, options, progress);
   std::vector<BenchRow> rows;
@@ -162,7 +168,9 @@ std::vector<BenchRow> bench_family(const Family& family, std::span<const Candida
 std::vector<BenchRow> bench(std::span<const std::unique_ptr<Method>> methods,
                             std::span<const Family> families, const BenchOptions& options,
                             const BenchProgress& progress) {
-  const std::vector<Candidate> candidates = candidates_of(methods);
+  std::vector<Candidate> candidates = candidates_of(methods);
+  if (options.curves)
+    std::erase_if(candidates, [](const Candidate& c) { return c.query == "raw" || c.query == "depth"; });
   std::vector<BenchRow> rows;
   for (const Family& family : families) {
     for (BenchRow& row : bench_family(family, candidates, options, progress)) rows.push_back(std::move(row));

@@ -23,7 +23,12 @@ struct BenchOptions {
   std::size_t pairs = 2000;  ///< of each family; a method asked on a share of indices only gets its share
   double min_time = 0.2;     ///< seconds of timing a row, all turns together
   int passes = 9;            ///< turns of each row, the rows of a family taking turns
+  bool curves = false;       ///< for reports/curves.hpp: its queries alone, costly methods on more pairs
 };
+
+/// For curves a costly method is asked about this many pairs at least, and timed on this many of them, where
+/// its share is less: one answer of DIRECT at 6000 evaluations takes as long as ten thousand of the others.
+inline constexpr std::size_t costly_asked = 100, costly_timed = 30;
 
 /// What is asked, and of which pairs:
 ///   verdict      yes or no on prepared solids; where a method has no such way, the plain question
@@ -40,9 +45,10 @@ struct BenchRow {
   std::size_t pairs = 0;                 ///< asked, those it failed on included
   double median_ns = not_measured;       ///< a pair: the median of the turns; NaN: every pair failed
   double spread_percent = not_measured;  ///< of the turns
-  double p99_ns = not_measured;          ///< over pairs, of the least time of each; NaN for a batch
-  double instructions = not_measured;    ///< a pair; NaN where the machine has no counter
-  std::size_t wrong_disjoint = 0;        ///< of a distance: its sign
+  /// Over pairs, of the least time of each; NaN for a batch.
+  double p50_ns = not_measured, p99_ns = not_measured, max_ns = not_measured;
+  double instructions = not_measured;  ///< a pair; NaN where the machine has no counter
+  std::size_t wrong_disjoint = 0;      ///< of a distance: its sign
   std::size_t wrong_intersecting = 0;
   std::size_t wrong_below_claim = 0;  ///< of the two above, those that the method's own claim allows
   std::size_t wrong_at_margin = 0;    ///< of the same, those not proved to have a margin < right_from(family)

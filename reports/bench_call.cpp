@@ -4,6 +4,7 @@
 #include <sys/mman.h>
 
 #include <algorithm>
+#include <array>
 #include <cerrno>
 #include <chrono>
 #include <cmath>
@@ -65,21 +66,21 @@ std::vector<MethodAnswer> in_worker(Contained::Ask ask, std::span<const Pair> pa
   return answers;
 }
 
-/// Runs `measure` in a worker; its numbers, or NaN where it died.
-Cost in_worker(const std::function<Cost()>& measure, double seconds) {
+/// Runs `measure` in a worker; its three numbers, or NaN where it died.
+using Numbers = std::array<double, 3>;
+Numbers in_worker(const std::function<Numbers()>& measure, double seconds) {
   const Pair none;
   const MethodAnswer answer = in_worker(
       [&](const Pair&) {
-        const Cost cost = measure();
+        const Numbers measured = measure();
         MethodAnswer carrier;
         carrier.status = Status::answered;
-        carrier.head[0] = cost.ns;
-        carrier.head[1] = cost.instructions;
+        std::copy(measured.begin(), measured.end(), carrier.head);
         return carrier;
       },
       {&none, 1}, timing_cpu_cap + std::chrono::milliseconds(static_cast<int>(1000 * seconds)))[0];
-  if (answer.status != Status::answered) return {};
-  return {answer.head[0], answer.head[1]};
+  if (answer.status != Status::answered) return {not_measured, not_measured, not_measured};
+  return {answer.head[0], answer.head[1], answer.head[2]};
 }
 
 /// Bytes that a worker writes and its parent reads.
@@ -207,13 +208,15 @@ std::vector<MethodAnswer> ask_all(const Candidate& candidate, std::span<const Pa
 }
 
 Cost time_turn(const Candidate& candidate, std::span<const Pair> pairs, double seconds) {
-  return in_worker(
-      [&] {
+  const Numbers numbers = in_worker(
+      [&]() -> Numbers {
         const Sweep sweep = candidate.query == "batch" ? batch_work(candidate, pairs)
                                                        : work_of(prepare(candidate, pairs)).sweep;
-        return turn_cost(sweep, pairs.size(), std::chrono::duration<double>(seconds));
+        const Cost cost = turn_cost(sweep, pairs.size(), std::chrono::duration<double>(seconds));
+        return {cost.ns, cost.instructions, 0};
       },
       seconds);
+  return {numbers[0], numbers[1]};
 }
 
 Cost time_nothing(std::size_t count, double seconds) {
@@ -221,12 +224,14 @@ Cost time_nothing(std::size_t count, double seconds) {
   return turn_cost(work_of(nothing).sweep, count, std::chrono::duration<double>(seconds));
 }
 
-double time_slowest(const Candidate& candidate, std::span<const Pair> pairs, int passes) {
-  if (candidate.query == "batch") return not_measured;
-  const auto slowest = [&] {
-    return Cost{p99_ns(work_of(prepare(candidate, pairs)).one, pairs.size(), passes), not_measured};
+CallTimes time_each(const Candidate& candidate, std::span<const Pair> pairs, int passes) {
+  if (candidate.query == "batch") return {};
+  const auto each = [&]() -> Numbers {
+    const CallTimes times = time_calls(work_of(prepare(candidate, pairs)).one, pairs.size(), passes);
+    return {times.p50_ns, times.p99_ns, times.max_ns};
   };
-  return in_worker(slowest, 0).ns;
+  const Numbers numbers = in_worker(each, 0);
+  return {numbers[0], numbers[1], numbers[2]};
 }
 
 }  // namespace cyl

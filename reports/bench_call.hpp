@@ -32,7 +32,7 @@ std::vector<MethodAnswer> ask_all(const Candidate& candidate, std::span<const Pa
 Cost time_turn(const Candidate& candidate, std::span<const Pair> pairs, double seconds);
 /// The same of a call that does nothing.
 Cost time_nothing(std::size_t count, double seconds);
-/// The 99th percentile over pairs, as p99_ns; NaN for a batch and where the worker died.
-double time_slowest(const Candidate& candidate, std::span<const Pair> pairs, int passes);
+/// What the pairs cost one by one, as time_calls; NaN for a batch and where the worker died.
+CallTimes time_each(const Candidate& candidate, std::span<const Pair> pairs, int passes);
 
 }  // namespace cyl

@@ -45,13 +45,13 @@ std::string ratios_json(const Ratios& ratios) {
 
 std::string row_json(const BenchRow& row) {
   return fmt::format(
-      R"({{"method":{},"family":{},"query":{},"foreign":{},"n":{},"median_ns":{},"spread":{},"p99_ns":{},)"
+      R"({{"method":{},"family":{},"query":{},"foreign":{},"n":{},"median_ns":{},"spread":{},"p50_ns":{},"p99_ns":{},"max_ns":{},)"
       R"("instructions":{},"wrong_disjoint":{},"wrong_intersecting":{},"wrong_below_claim":{},"wrong_at_margin":{},)"
       R"("undecided":{},"failed":{},"max_error":{},"max_error_at_most":{}}})",
       quote_json(row.method), quote_json(row.family), quote_json(row.query), row.foreign, row.pairs,
-      json(row.median_ns), json(row.spread_percent), json(row.p99_ns), json(row.instructions),
-      row.wrong_disjoint, row.wrong_intersecting, row.wrong_below_claim, row.wrong_at_margin, row.undecided,
-      row.failed, json(row.max_error), json(row.max_error_at_most));
+      json(row.median_ns), json(row.spread_percent), json(row.p50_ns), json(row.p99_ns), json(row.max_ns),
+      json(row.instructions), row.wrong_disjoint, row.wrong_intersecting, row.wrong_below_claim,
+      row.wrong_at_margin, row.undecided, row.failed, json(row.max_error), json(row.max_error_at_most));
 }
 
 std::string standings_json(std::span<const Standing> standings) {

@@ -100,7 +100,7 @@ Cost turn_cost(const Sweep& sweep, std::size_t count, std::chrono::duration<doub
   return {quantile(sweeps, 0.5) / calls, instructions / static_cast<double>(sweeps.size()) / calls};
 }
 
-double p99_ns(const std::function<void(std::size_t)>& call, std::size_t count, int passes) {
+CallTimes time_calls(const std::function<void(std::size_t)>& call, std::size_t count, int passes) {
   constexpr auto never = std::numeric_limits<std::uint64_t>::max();
   const std::function<void(std::size_t)> nothing = [](std::size_t) { keep(0); };
   const auto time = [](const std::function<void(std::size_t)>& timed, std::size_t i) {
@@ -123,7 +123,7 @@ double p99_ns(const std::function<void(std::size_t)>& call, std::size_t count, i
   std::vector<double> ns;
   for (const std::uint64_t t : least)
     ns.push_back(static_cast<double>(t - std::min(t, empty)) * all.count() / all_ticks);
-  return quantile(std::move(ns), 0.99);
+  return {quantile(ns, 0.5), quantile(ns, 0.99), quantile(ns, 1)};
 }
 
 double quantile(std::vector<double> values, double q) {

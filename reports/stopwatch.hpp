@@ -31,9 +31,14 @@ void shuffle(std::span<std::size_t> order, std::size_t& stride);
 /// pairs by heart (a quarter of the time of our verdict on random pairs).
 Cost turn_cost(const Sweep& sweep, std::size_t count, std::chrono::duration<double> least);
 
+/// Over calls, of the time of each.
+struct CallTimes {
+  double p50_ns = not_measured, p99_ns = not_measured, max_ns = not_measured;
+};
+
 /// For i < count the least time of call(i) in `passes`, by a cycle counter that no instruction moves across,
-/// less the least time of an empty call; the 99th percentile over i.
-double p99_ns(const std::function<void(std::size_t)>& call, std::size_t count, int passes);
+/// less the least time of an empty call.
+CallTimes time_calls(const std::function<void(std::size_t)>& call, std::size_t count, int passes);
 
 /// The value of rank q (count - 1), rounded; NaN where there are none.
 double quantile(std::vector<double> values, double q);
