@@ -155,7 +155,6 @@ int main() {
   for (fcl::Vector3d& point : result.nearest_points) point.setZero();
 @before@  const double distance = fcl::distance(&a, pose_a, &b, pose_b, request, result);
   const bool meet = !(distance > 0);
-  const fcl::Vector3d between = result.nearest_points[1] - result.nearest_points[0];
 
 @after@}
 )";
@@ -461,9 +460,12 @@ std::string verdict_on(const LibraryCall& call, const Words& words, const Probe&
     text += fmt::format("  const bool wrong = {};\n", wrong);
     text += "  std::puts(wrong ? \"WRONG\" : \"right\");\n  return wrong ? 1 : 0;\n";
   };
+  if (call.call == "fcl::distance" && (kind == FindingKind::non_finite || kind == FindingKind::bad_witness))
+    text += "  const fcl::Vector3d between = result.nearest_points[1] - result.nearest_points[0];\n";
+  const std::string said = "meet ? \"intersecting\" : \"disjoint\"";
   switch (kind) {
     case FindingKind::distance_outside:
-      says("distance %.17g", "distance");
+      says("%s, distance %.17g", said + ", distance");
       is_true();
       text += fmt::format("  const double tolerance = {};\n", literal(method.claim().absolute));
       judge_by(fmt::format("!(distance >= {} - tolerance && distance <= {} + tolerance)",
@@ -472,13 +474,14 @@ std::string verdict_on(const LibraryCall& call, const Words& words, const Probe&
     case FindingKind::non_finite:
       text += fmt::format("  const bool finite = std::isfinite(distance){};\n",
                           call.library == "FCL" ? " && between.allFinite()" : "");
-      says("distance %.17g%s", "distance, finite ? \"\" : \"; not all that it tells is finite\"");
+      says("%s, distance %.17g%s",
+           said + ", distance, finite ? \"\" : \"; not all that it tells is finite\"");
       is_true();
       judge_by("!finite");
       break;
     case FindingKind::bad_witness:
-      says("distance %.17g, nearest points (%.17g, %.17g, %.17g) apart",
-           "distance, between[0], between[1], between[2]");
+      says("%s, distance %.17g, nearest points (%.17g, %.17g, %.17g) apart",
+           said + ", distance, between[0], between[1], between[2]");
       is_true();
       text += fmt::format(
           "  // The direction that exact.py shows not to separate them.\n"
@@ -489,12 +492,12 @@ std::string verdict_on(const LibraryCall& call, const Words& words, const Probe&
     case FindingKind::exception:
     case FindingKind::crash:
     case FindingKind::hang:
-      says("%s", "meet ? \"intersecting\" : \"disjoint\"");
+      says("%s", said);
       is_true();
       text += "  return 0;\n";
       break;
     default:
-      says("%s", "meet ? \"intersecting\" : \"disjoint\"");
+      says("%s", said);
       is_true();
       judge_by(asked.truth.verdict == Verdict::disjoint ? "meet" : "!meet");
   }
