@@ -50,7 +50,7 @@ struct Arguments {
   std::optional<std::uint64_t> seed;
   unsigned jobs = std::max(1u, std::thread::hardware_concurrency());
   bool list = false, create_only = false;
-  std::optional<bool> alarm;
+  bool alarm = false, no_alarm = false;
 };
 
 /// What Subjects refers to.
@@ -197,8 +197,8 @@ void set_limits(const Arguments& arguments, CampaignOptions& options) {
 }
 
 bool wants_alarm(const Arguments& arguments, const CampaignOptions& options) {
-  if (options.shard != 0) return false;  // the first shard's is enough
-  if (arguments.alarm) return *arguments.alarm;
+  if (options.shard != 0 || arguments.no_alarm) return false;  // the first shard's is enough
+  if (arguments.alarm) return true;
   if (options.resume) return value_of(RunStore::open(options.out).config(), "alarm") == "on";
   return options.budget >= least_alarm_budget || options.pairs >= least_alarm_pairs;
 }
@@ -289,9 +289,11 @@ void add_campaign(CLI::App& app, int& exit_code) {
   auto* create_only = command->add_flag("--create-only", arguments->create_only,
                                         "only make the run folder, for --resume to go on with");
   resume->check([](const std::string& run) { return run.empty() ? "the folder of a run is expected" : ""; });
-  command->add_flag("--alarm,!--no-alarm", arguments->alarm,
-                    "plant faults on the way and see that each is found; where not given, from 5 minutes or "
-                    "3,000,000 pairs on");
+  auto* alarm = command->add_flag(
+      "--alarm", arguments->alarm,
+      "plant faults on the way and see that each is found; where not given, from 5 minutes or "
+      "3,000,000 pairs on");
+  command->add_flag("--no-alarm", arguments->no_alarm, "plant none")->excludes(alarm);
   command->add_flag("--list", arguments->list, "only list the methods, with their claims, and the families");
   command->footer(
       "Example:\n  daylight campaign --for 1m --methods=-nlopt\n"

@@ -27,6 +27,8 @@ expect 0 "$daylight" "${run[@]}" --out runs/none
 ! grep -i alarm out || { echo 'a short run plants no faults unasked'; exit 1; }
 expect 0 "$daylight" "${run[@]}" --alarm --out runs/awake
 holds out '^alarm: 1 planted fault found, each within its usual time, after [0-9]+ pairs at most'
+expect 0 "$daylight" campaign --resume runs/awake --pairs 2048
+holds out '^alarm: 2 planted faults found'
 expect 1 bin/daylight "${run[@]}" --alarm --out runs/alone
 holds err '--alarm: daylight-mutants is not beside this executable'
 
