@@ -68,8 +68,8 @@ struct BasicInterval {
   friend BasicInterval operator/(const BasicInterval& a, const BasicInterval& b) {
     if (b.lo <= 0 && b.hi >= 0) return everything();
     if (b.hi < 0) return -a / -b;
-    const R lo = a.lo / (a.lo < 0 ? b.lo : b.hi), hi = a.hi / (a.hi < 0 ? b.hi : b.lo);
-    return std::isnan(lo + hi) ? everything() : outward(lo, hi);
+    const R low = a.lo / (a.lo < 0 ? b.lo : b.hi), high = a.hi / (a.hi < 0 ? b.hi : b.lo);
+    return std::isnan(low + high) ? everything() : outward(low, high);
   }
   friend BasicInterval sqrt(const BasicInterval& a) {
     return {std::max(R(0), interval_detail::next_down(std::sqrt(std::max(R(0), a.lo)))),
