@@ -570,14 +570,14 @@ TEST_F(Campaign, CostlyMethodsAreInCellsOnTheirShareAndOursAloneOnAShareOfPairs)
       "costly", [](const Pair& p) { return say(right(p)); }, true, 100));
   run_campaign(options("run", 1000), subjects());
   EXPECT_GT(total(store("run"), "costly").asked, 100u);  // in disputes
-  EXPECT_EQ(on_plane(store("run"), "angle-margin")[1].asked, 10u);
+  EXPECT_EQ(on_plane(store("run"), "angle-margin").at(1).asked, 10u);
 
   methods.clear();
   methods.push_back(std::make_unique<Fake>(
       "good", [](const Pair& p) { return say(right(p)); }, false));
   const std::uint64_t pairs = 200 * own_cell_share;
   run_campaign(options("own", pairs), subjects());
-  const std::uint64_t asked = on_plane(store("own"), "angle-margin")[0].asked;
+  const std::uint64_t asked = on_plane(store("own"), "angle-margin").at(0).asked;
   EXPECT_GT(asked, 150u);
   EXPECT_LT(asked, 250u);
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Shards into one run: findings, groups, counts and cells are those that one machine alone would have stored, had it
-// done the indices that the shards did. Times are sums. The order of the tally's rows is that of the methods
-// and families, where a run's own is that of first appearance.
+// Shards into one run: findings, groups, counts and cells are those that one machine alone would have stored,
+// had it done the indices that the shards did. Times are sums. The order of the tally's rows is that of the
+// methods and families, where a run's own is that of first appearance.
 #pragma once
 
 #include <cstdint>

@@ -87,8 +87,10 @@ TEST(Cells, AspectIsTheMostExtremeRatio) {
     return x_label(Plane::aspect_margin, pair);
   };
   EXPECT_EQ(label(1, 2), "10");
-  EXPECT_EQ(label(1, 0.1), "1e2");    // 20
+  EXPECT_EQ(label(1, 0.1), "1e2");   // 20
   EXPECT_EQ(label(0.1, 30), "1e3");  // 150
+  EXPECT_EQ(label(0.1, 30, 100), "1e3");
+  EXPECT_EQ(label(1, 1, 30), "1e2");
   EXPECT_EQ(label(1, 1, 3e-8), "1e8");
   EXPECT_EQ(label(1, 1, 1e-17), "> 1e16");
   EXPECT_EQ(label(1e-300, 1e300), "> 1e16");
