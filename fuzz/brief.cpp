@@ -2,6 +2,7 @@
 #include "fuzz/brief.hpp"
 
 #include "fuzz/counters.hpp"
+#include "fuzz/visited.hpp"
 
 namespace cyl {
 namespace {
@@ -12,19 +13,21 @@ std::string_view text(const Record& record) {
 
 }  // namespace
 
-Brief::Brief(const Record& record, std::span<const MethodAnswer> offered, bool must, Ledger& ledger)
+Brief::Brief(const Record& record, std::span<const MethodAnswer> offered, bool must, Ledger& ledger,
+             const Distance* measured)
     : pair_(decode_record(record)),
       draws_(text(record), 0, 0),
       ledger_(ledger),
       truth_(judge(pair_, offered, filter_bits_cap)),
       enclosed_([this](double width) { return enclose_distance(pair_, truth_, width); }) {
+  ++visited().executions;
   if (truth_.verdict == Verdict::invalid) return;
   if (truth_.verdict == Verdict::undecided && (drawn(wide_share) || must))
     truth_ = judge(pair_, offered, wide_bits_cap);
-  measured_ = distance(pair_.a, pair_.b);
-  count_geometry(pair_, measured_);
+  measured_ = measured ? *measured : distance(pair_.a, pair_.b);
+  const Stratum stratum = count_geometry(pair_, measured_);
   count_stage(truth_);
-  if (truth_.verdict == Verdict::undecided) ledger_.add_undecided(pair_, stratum_of(pair_, measured_));
+  if (truth_.verdict == Verdict::undecided) ledger_.add_undecided(pair_, stratum);
   enclose_ = drawn(enclosed_share);
 }
 

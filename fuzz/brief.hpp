@@ -28,8 +28,9 @@ inline constexpr std::size_t enclosed_share = 1024;  ///< the distance, enclosed
 class Brief {
  public:
   /// Judges in double with the witnesses offered, beyond it where `must` or where drawn; counts what was
-  /// seen.
-  Brief(const Record& record, std::span<const MethodAnswer> offered, bool must, Ledger& ledger);
+  /// seen. `measured`: the distance of the record's pair, by whoever has it already.
+  Brief(const Record& record, std::span<const MethodAnswer> offered, bool must, Ledger& ledger,
+        const Distance* measured = nullptr);
   Brief(const Brief&) = delete;
   Brief& operator=(const Brief&) = delete;
 
