@@ -35,7 +35,7 @@ using std::chrono::milliseconds;
 using std::chrono::seconds;
 
 constexpr milliseconds poll_time{100};
-constexpr seconds look_interval{1}, exchange_interval{5};
+constexpr seconds look_interval{1};
 /// After being asked to end: an input takes a millisecond.
 constexpr seconds end_cap{20};
 constexpr seconds merge_cap{600};
@@ -88,7 +88,8 @@ class Place {
     for (const fs::path& file : files_in(fs::path(options.out) / "corpus"))
       fs::copy_file(file, corpus() / file.filename());
     // The engine ends where no input of its corpus runs any tested code; this one is no pair.
-    if (fs::is_empty(corpus())) std::ofstream(corpus() / "zeros", std::ios::binary) << std::string(record_size, '\0');
+    if (fs::is_empty(corpus()))
+      std::ofstream(corpus() / "zeros", std::ios::binary) << std::string(record_size, '\0');
     start();
   }
 
@@ -103,12 +104,13 @@ class Place {
   void look() {
     progress_.executions = read_visited(folder_ / "visited").executions;
     progress_.cpu_seconds = earlier_cpu_seconds_ + process_->cpu_seconds();
-    const std::string news = text_of(log(), log_read_);
+    std::string news = text_of(log(), log_read_);
+    news.resize(news.rfind('\n') + 1);  // the rest of a line comes later
     log_read_ += news.size();
-    if (const std::size_t features = last_number(news, " ft: ")) {
-      progress_.features = std::max(progress_.features, features);
-      if (progress_.first_features == 0) progress_.first_features = features;
-    }
+    const std::size_t started = news.find("INITED");
+    if (progress_.first_features == 0 && started != news.npos)
+      progress_.first_features = last_number(news.substr(0, news.find('\n', started)), " ft: ");
+    progress_.features = std::max(progress_.features, last_number(news, " ft: "));
   }
 
   /// Where the process has died: what it says of the input it died of, as a case; then a new process. Throws
@@ -148,11 +150,11 @@ class Place {
     const std::uint64_t seed =  // not 0, which asks for a random one
         1 + (options_.seed + number_ * 1000003 + progress_.deaths * 10007) % 0x7fffffff;
     process_ = std::make_unique<Worker>(
-        std::vector<std::string>{options_.program, corpus(), fmt::format("-seed={}", seed),
-                                 fmt::format("-max_len={}", record_size), "-len_control=0",
-                                 "-reduce_inputs=0", fmt::format("-reload={}", exchange_interval.count()),
-                                 "-timeout=25", "-print_pcs=0",
-                                 fmt::format("-artifact_prefix={}/died/", folder_.string())},
+        std::vector<std::string>{
+            options_.program, corpus(), fmt::format("-seed={}", seed),
+            fmt::format("-max_len={}", record_size), "-len_control=0", "-reduce_inputs=0",
+            fmt::format("-reload={}", 1 + options_.exchange_interval.count() / 1000), "-timeout=25",
+            "-print_pcs=0", "-entropic=0", fmt::format("-artifact_prefix={}/died/", folder_.string())},
         log(), ledger());
   }
 
@@ -234,7 +236,7 @@ class Run {
       std::this_thread::sleep_for(poll_time);
       for (const auto& place : places_)
         if (const auto found = place->bury()) findings_.add(*found);
-      if (Clock::now() - exchanged >= exchange_interval) {
+      if (Clock::now() - exchanged >= options_.exchange_interval) {
         exchanged = Clock::now();
         exchange();
       }

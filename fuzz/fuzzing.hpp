@@ -22,6 +22,7 @@ struct FuzzOptions {
   std::chrono::milliseconds budget{0};  ///< wall time, merging excluded
   unsigned jobs = 2;                    ///< workers
   std::uint64_t seed = 0;
+  std::chrono::milliseconds exchange_interval{5000};  ///< between the workers' corpora
 };
 
 struct WorkerProgress {

@@ -216,6 +216,7 @@ Truth judge(const Pair& pair, std::span<const MethodAnswer> offered, int bits_ca
     if (filter.in_both(head, tail))
       return proved(Verdict::intersecting, exact_vector(head, tail), Stage::filter, 53);
   }
+  if (bits_cap < first_wide_bits) return undecided;
 
   for (const MethodAnswer& answer : offered)
     if (auto t = check_exactly(pair, answer)) {
