@@ -23,6 +23,7 @@ void add_chart(CLI::App& app, int& exit_code);
 void add_check(CLI::App& app, int& exit_code);
 void add_explain(CLI::App& app, int& exit_code);
 void add_families(CLI::App& app, int& exit_code);
+void add_fuzz(CLI::App& app, int& exit_code);
 void add_gate(CLI::App& app, int& exit_code);
 void add_merge(CLI::App& app, int& exit_code);
 void add_mutants(CLI::App& app, int& exit_code);

@@ -13,12 +13,14 @@ ln -s "$home/daylight" "$scratch/link"
 
 cat >"$home/CMakePresets.json" <<'JSON'
 {"version": 6, "configurePresets": [
-  {"name": "release", "generator": "Ninja", "binaryDir": "${sourceDir}/build/release"}]}
+  {"name": "release", "generator": "Ninja", "binaryDir": "${sourceDir}/build/release"},
+  {"name": "clang", "generator": "Ninja", "binaryDir": "${sourceDir}/build/clang"}]}
 JSON
 cat >"$home/CMakeLists.txt" <<'CMAKE'
 cmake_minimum_required(VERSION 3.25)
 project(toy LANGUAGES CXX)
 add_executable(daylight main.cpp)
+add_executable(fuzz_core_libfuzzer EXCLUDE_FROM_ALL main.cpp)
 enable_testing()
 add_test(NAME toy COMMAND daylight)
 CMAKE
@@ -99,6 +101,18 @@ sed -i 's/hello/goodbye/' "$home/main.cpp"
 launch "$home/daylight"
 expect 'a change is built' goodbye "$out"
 expect 'a build shows its steps' yes "$([[ $err == *Building* ]] && echo yes)"
+
+# What fuzzes is built for `fuzz` alone, and only where clang++ is.
+printf '#!/bin/sh\nexit 1\n' >"$scratch/no packages/clang++"
+chmod +x "$scratch/no packages/clang++"
+expect 'without fuzz: no fuzzer' no "$([[ -e $home/build/clang ]] && echo yes || echo no)"
+launch env PATH="$scratch/no packages:$PATH" "$home/daylight" fuzz --target=core
+expect 'fuzz: exit code' 2 "$code"
+expect 'fuzz: its program is built' yes "$([[ -x $home/build/clang/fuzz_core_libfuzzer ]] && echo yes)"
+rm -rf "$home/build/clang"
+launch env PATH="$scratch/no packages:$PATH" "$home/daylight" fuzz --target none
+expect 'fuzz: an unknown target is left to the command' 3 "$code"
+expect 'fuzz: an unknown target: nothing is built' no "$([[ -e $home/build/clang ]] && echo yes || echo no)"
 
 launch "$home/daylight" test
 expect 'test: exit code' 0 "$code"

@@ -24,6 +24,7 @@ int run(int argc, char** argv) {
   cyl::add_merge(app, exit_code);
   cyl::add_replay(app, exit_code);
   cyl::add_explain(app, exit_code);
+  cyl::add_fuzz(app, exit_code);
   cyl::add_gate(app, exit_code);
   cyl::add_worst(app, exit_code);
   cyl::add_mutants(app, exit_code);

@@ -28,8 +28,9 @@ inline constexpr std::size_t enclosed_share = 1024;  ///< the distance, enclosed
 class Brief {
  public:
   /// Judges in double with the witnesses offered, beyond it where `must` or where drawn; counts what was
-  /// seen.
-  Brief(const Record& record, std::span<const MethodAnswer> offered, bool must, Ledger& ledger);
+  /// seen. `measured`: the distance of the record's pair, by whoever has it already.
+  Brief(const Record& record, std::span<const MethodAnswer> offered, bool must, Ledger& ledger,
+        const Distance* measured = nullptr);
   Brief(const Brief&) = delete;
   Brief& operator=(const Brief&) = delete;
 
@@ -38,8 +39,9 @@ class Brief {
   /// Whether this record has a share of one in so many; each call draws again.
   bool drawn(std::size_t share) { return draws_.below(share) == 0; }
   RandomStream& draws() { return draws_; }
-  /// Puts what is wrong with the answer beyond the method's claim into the ledger. Offered distances, and
-  /// wrong verdicts that the measured distance puts within the claim, are looked at on a share only.
+  /// Puts what is wrong with the answer beyond the method's claim into the ledger. Offered distances and
+  /// witnesses are looked at on a share only, wrong verdicts that the measured distance puts within the claim
+  /// on that of the distances.
   void hold(const Method& method, MethodAnswer answer);
 
  private:

@@ -6,7 +6,6 @@
 #include <poll.h>
 
 #include <algorithm>
-#include <csignal>
 #include <cstdio>
 #include <ctime>
 #include <deque>
@@ -15,6 +14,7 @@
 
 #include "corpus/fnv.hpp"
 #include "fuzz/flight.hpp"
+#include "fuzz/stop_signals.hpp"
 
 namespace cyl {
 namespace {
@@ -27,31 +27,6 @@ using std::chrono::milliseconds;
 constexpr milliseconds poll_time{100};
 /// Batches launched but not yet stored, per job: enough that one slow batch does not idle the rest.
 constexpr std::size_t window_per_job = 8;
-
-volatile std::sig_atomic_t stop_asked = 0;
-void ask_stop(int) { stop_asked = 1; }
-
-/// Turns SIGINT and SIGTERM into stop_asked while it lives.
-class StopSignals {
- public:
-  StopSignals() {
-    stop_asked = 0;
-    struct sigaction action {};
-    action.sa_handler = ask_stop;
-    sigaction(SIGINT, &action, &interrupt_before_);
-    sigaction(SIGTERM, &action, &terminate_before_);
-  }
-  StopSignals(const StopSignals&) = delete;
-  StopSignals& operator=(const StopSignals&) = delete;
-  ~StopSignals() {
-    sigaction(SIGINT, &interrupt_before_, nullptr);
-    sigaction(SIGTERM, &terminate_before_, nullptr);
-  }
-
- private:
-  struct sigaction interrupt_before_ {
-  }, terminate_before_{};
-};
 
 /// A changed corpus is no attack.
 std::string fingerprint(std::span<const Case> cases) {
@@ -154,11 +129,12 @@ class Search {
     while (next - first > 1) {
       const std::uint64_t middle = first + (next - first) / 2;
       const bool dies = !death(first, middle).empty();
-      if (stop_asked) break;
+      if (StopSignals::asked()) break;
       (dies ? next : first) = middle;
     }
     const std::string how = death(first, next);
-    if (stop_asked) return fmt::format("the search for the pair was stopped at {} to {}", first, next - 1);
+    if (StopSignals::asked())
+      return fmt::format("the search for the pair was stopped at {} to {}", first, next - 1);
     if (how.empty()) return "run again in parts it did not die, so no pair can be named";
     const Place place = place_of(subjects_, turns_of(subjects_), first);
     return fmt::format("its index {} alone dies ({}): pair {} of {}", first, how, place.index,
@@ -172,7 +148,7 @@ class Search {
     flight.emplace_back(
         first, next, [&] { return run_batch(subjects_, seed_, first, next); }, search_cpu_cap);
     while (!flight.front().advance()) {
-      if (stop_asked) return {};
+      if (StopSignals::asked()) return {};
       wait_for_news(flight);
       report_();
     }
@@ -248,8 +224,8 @@ CampaignSummary run_campaign(const CampaignOptions& options, const Subjects& sub
   const auto may_launch = [&] {
     const auto running =
         std::count_if(flights.begin(), flights.end(), [](const Flight& f) { return !f.ended(); });
-    return running < options.jobs && flights.size() < options.jobs * window_per_job && !stop_asked &&
-           (options.pairs == 0 || next < options.pairs) &&
+    return running < options.jobs && flights.size() < options.jobs * window_per_job &&
+           !StopSignals::asked() && (options.pairs == 0 || next < options.pairs) &&
            (options.budget.count() == 0 || Clock::now() - start < options.budget);
   };
 
@@ -292,17 +268,17 @@ CampaignSummary run_campaign(const CampaignOptions& options, const Subjects& sub
       flights.pop_front();
       report();
     }
-    if (stop_asked) break;  // the batches still under way are lost; --resume does them again
+    if (StopSignals::asked()) break;  // the batches still under way are lost; --resume does them again
     alarms.advance(stored_to);
     report();
   }
-  while (!stop_asked && !alarms.advance(stored_to)) {
+  while (!StopSignals::asked() && !alarms.advance(stored_to)) {
     wait_for_news({});
     report();
   }
   const bool pairs_reached = options.pairs != 0 && next >= options.pairs && flights.empty();
   const bool budget_reached = options.budget.count() != 0 && Clock::now() - start >= options.budget;
-  summary.interrupted = stop_asked && !pairs_reached && !(budget_reached && flights.empty());
+  summary.interrupted = StopSignals::asked() && !pairs_reached && !(budget_reached && flights.empty());
   store.set("status", summary.interrupted ? status_stopped : status_complete);
   if (const std::string ringing = describe_rings(store.alarms()); !ringing.empty()) {
     summary.harness_failure = "the harness sleeps: " + ringing;

@@ -7,6 +7,7 @@
 #include <cstdint>
 
 #include "corpus/random_stream.hpp"
+#include "fuzz/visited.hpp"
 #include "oracles/adapter.hpp"
 
 namespace cyl {
@@ -28,8 +29,11 @@ struct Counters {
   std::uint8_t differences[method_count * (method_count - 1) / 2];
 };
 
-// Not static, or a compiler drops what nobody reads.
-__attribute__((section("__libfuzzer_extra_counters"))) Counters extra_counters;
+// Not static, or a compiler drops what nobody reads. DAYLIGHT_FUZZ_PLAIN: the engine is not to see them.
+#ifndef DAYLIGHT_FUZZ_PLAIN
+__attribute__((section("__libfuzzer_extra_counters")))
+#endif
+Counters extra_counters;
 
 namespace {
 
@@ -37,8 +41,8 @@ double length(const Vector3& v) { return std::sqrt(dot(v, v)); }
 
 enum Face : unsigned char { side, rim, cap };
 
-Face face_along(const Cylinder& c, const Vector3& direction) {
-  const Vector3 d = unit_axis(direction), w = unit_axis(c.axis);
+// Of unit vectors.
+Face face_along(const Cylinder& c, const Vector3& w, const Vector3& d) {
   if (length(d.cross(w)) < face_tol) return c.radius > 0 ? cap : rim;
   return std::fabs(dot(d, w)) < face_tol && c.height > 0 ? side : rim;
 }
@@ -57,33 +61,46 @@ double margin_of(const Pair& pair, const Distance& measured) {
   return size > 0 ? std::fabs(measured.value) / size : measured.value == 0 ? 0 : 1;
 }
 
-struct Angle {
+// The axes as unit vectors, and the angle between them.
+struct Axes {
+  explicit Axes(const Pair& pair)
+      : v(unit_axis(pair.a.axis)),
+        w(unit_axis(pair.b.axis)),
+        sine(length(v.cross(w))),
+        cosine(std::fabs(dot(v, w))) {}
+  Vector3 v, w;
   double sine, cosine;
 };
-Angle angle_of(const Pair& pair) {
-  const Vector3 v = unit_axis(pair.a.axis), w = unit_axis(pair.b.axis);
-  return {length(v.cross(w)), std::fabs(dot(v, w))};
+
+std::size_t features_along(const Pair& pair, const Axes& axes, const Vector3& direction) {
+  if (!(direction.x() != 0 || direction.y() != 0 || direction.z() != 0)) return 2;
+  const Vector3 d = unit_axis(direction);
+  const Face f = face_along(pair.a, axes.v, d), g = face_along(pair.b, axes.w, d);
+  constexpr std::size_t numbers[3][3] = {{0, 1, 3}, {1, 2, 4}, {3, 4, 5}};  // side, rim, cap
+  return numbers[std::min(f, g)][std::max(f, g)];
+}
+
+std::size_t class_of(const Axes& axes) {
+  if (axes.sine == 0) return 0;
+  if (axes.sine < 1e-12) return 1;
+  if (axes.sine < 1e-7) return 2;
+  if (axes.sine < 1e-2) return 3;
+  if (axes.cosine == 0) return 6;
+  return axes.cosine <= 1e-2 ? 5 : 4;
+}
+
+Stratum stratum_of(const Pair& pair, const Axes& axes, const Vector3& direction, double margin) {
+  return {features_along(pair, axes, direction), class_of(axes), decade(margin)};
 }
 
 }  // namespace
 
 std::size_t features_along(const Pair& pair, const Vector3& direction) {
-  if (!(direction.x() != 0 || direction.y() != 0 || direction.z() != 0)) return 2;
-  const Face f = face_along(pair.a, direction), g = face_along(pair.b, direction);
-  constexpr std::size_t numbers[3][3] = {{0, 1, 3}, {1, 2, 4}, {3, 4, 5}};  // side, rim, cap
-  return numbers[std::min(f, g)][std::max(f, g)];
+  return features_along(pair, Axes(pair), direction);
 }
 
 Stratum stratum_of(const Pair& pair, const Distance& measured) {
-  const auto [sine, cosine] = angle_of(pair);
-  const std::size_t angle = sine == 0        ? 0
-                            : sine < 1e-12   ? 1
-                            : sine < 1e-7    ? 2
-                            : sine < 1e-2    ? 3
-                            : cosine == 0    ? 6
-                            : cosine <= 1e-2 ? 5
-                                             : 4;
-  return {features_along(pair, measured.direction), angle, decade(margin_of(pair, measured))};
+  return stratum_of(pair, Axes(pair), measured.direction, margin_of(pair, measured));
 }
 
 bool can_occur(const Stratum& s) {
@@ -109,16 +126,20 @@ std::string to_string(const Stratum& s) {
   return std::string(features[s.features]) + ' ' + angles[s.angle] + " 1e-" + std::to_string(s.decade);
 }
 
-void count_geometry(const Pair& pair, const Distance& measured) {
-  const Stratum s = stratum_of(pair, measured);
-  if (is_moderate(pair)) extra_counters.strata[s.features][s.angle][s.decade] = 1;
+Stratum count_geometry(const Pair& pair, const Distance& measured) {
+  const Axes axes(pair);
   const double margin = margin_of(pair, measured);
+  const Stratum s = stratum_of(pair, axes, measured.direction, margin);
+  if (is_moderate(pair)) {
+    extra_counters.strata[s.features][s.angle][s.decade] = 1;
+    visited().strata[index_of(s)] = 1;
+  }
   const int exponent = margin > 0 ? -std::ilogb(margin) : static_cast<int>(exponent_count) - 1;
   extra_counters.margins[measured.value > 0][s.features][static_cast<std::size_t>(
       std::clamp(exponent, 0, static_cast<int>(exponent_count) - 1))] = 1;
-  const auto [sine, cosine] = angle_of(pair);
-  extra_counters.sines[sine == 0 ? sine_decade_count - 1 : decade(sine)] = 1;
-  extra_counters.cosines[cosine == 0 ? sine_decade_count - 1 : decade(cosine)] = 1;
+  extra_counters.sines[axes.sine == 0 ? sine_decade_count - 1 : decade(axes.sine)] = 1;
+  extra_counters.cosines[axes.cosine == 0 ? sine_decade_count - 1 : decade(axes.cosine)] = 1;
+  return s;
 }
 
 void count_stage(const Truth& truth) {

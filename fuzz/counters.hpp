@@ -49,8 +49,8 @@ inline constexpr double moderate_factor = 1e4;
 bool is_moderate(const Pair& pair);
 
 /// Counts the stratum of a moderate pair; of any pair the features with the binary exponent of the margin on
-/// either side of touching, and the decade of the axes' angle.
-void count_geometry(const Pair& pair, const Distance& measured);
+/// either side of touching, and the decade of the axes' angle. Returns the stratum.
+Stratum count_geometry(const Pair& pair, const Distance& measured);
 /// Counts how the referee came to its verdict, or that it did not.
 void count_stage(const Truth& truth);
 void count_iterations(int iterations);

@@ -7,12 +7,14 @@
 #include <cstdint>
 #include <memory>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "fuzz/brief.hpp"
 #include "fuzz/counters.hpp"
+#include "oracles/own_answers.hpp"
 #include "props/laws.hpp"
-#include "solver/decide.hpp"
+#include "solver/distance.hpp"
 
 namespace cyl {
 namespace {
@@ -31,26 +33,34 @@ class Core {
       (cheap ? cheap_laws_ : proved_laws_).push_back(&law);
     }
     answers_.resize(methods_.size());
+    decide_ = place_of("decide");
+    distance_ = place_of("distance");
   }
 
   void run(const Record& record) {
     const Pair pair = decode_record(record);
+    const Distance measured = distance(pair.a, pair.b);
     bool promised = false;  // a verdict by a method that promises to be right everywhere is looked into
     for (std::size_t m = 0; m < methods_.size(); ++m) {
-      answers_[m] = methods_[m]->ask(pair);
+      answers_[m] = m == distance_ ? answer_of(pair, measured) : methods_[m]->ask(pair);
       const Claim claim = methods_[m]->claim();
       promised |= claim.relative == 0 && claim.absolute == 0 && answers_[m].verdict != Verdict::undecided;
     }
-    Brief brief(record, answers_, promised, ledger_);
+    Brief brief(record, answers_, promised, ledger_, &measured);
     for (std::size_t m = 0; m < methods_.size(); ++m) brief.hold(*methods_[m], answers_[m]);
     if (brief.truth().verdict == Verdict::invalid) return;
-    count_iterations(decide(pair.a, pair.b).iterations);
+    count_iterations(answers_[decide_].steps);
     if (brief.drawn(unaided_share)) judge_unaided(brief);
     if (brief.drawn(law_share)) hold_to_law(brief, cheap_laws_);
     if (brief.drawn(proved_law_share)) hold_to_law(brief, proved_laws_);
   }
 
  private:
+  std::size_t place_of(std::string_view name) const {
+    const auto named = [&](const auto& method) { return method->name() == name; };
+    return static_cast<std::size_t>(std::find_if(methods_.begin(), methods_.end(), named) - methods_.begin());
+  }
+
   // Two proofs of one pair, one from the solver's certificate, one from the referee's own search.
   void judge_unaided(const Brief& brief) {
     const Verdict aided = brief.truth().verdict, unaided = judge(brief.pair(), {}, filter_bits_cap).verdict;
@@ -72,6 +82,7 @@ class Core {
   std::vector<std::unique_ptr<Method>> methods_;
   std::vector<const Law*> cheap_laws_, proved_laws_;
   std::vector<MethodAnswer> answers_;
+  std::size_t decide_, distance_;  // in methods_
   Ledger ledger_;
 };
 

@@ -9,6 +9,7 @@
 
 #include "corpus/pair_io.hpp"
 #include "fuzz/record.hpp"
+#include "fuzz/visited.hpp"
 #include "oracles/bucket.hpp"
 
 namespace cyl {
@@ -34,6 +35,8 @@ Ledger::Ledger(std::string_view target)
       out_(environment("DAYLIGHT_FUZZ_OUT")),
       abort_(always_abort || !environment("DAYLIGHT_FUZZ_ABORT").empty()) {
   if (out_.empty()) return;
+  std::filesystem::create_directories(out_);
+  keep_visited(out_ + "/visited");
   for (const char* folder : {"findings", "undecided"}) {
     std::filesystem::create_directories(out_ + "/" + folder);
     for (const auto& entry : std::filesystem::directory_iterator(out_ + "/" + folder))

@@ -3,11 +3,10 @@
 // pair a stratum.
 //
 //   DAYLIGHT_FUZZ_OUT=FOLDER   findings.jsonl (a line of a case file each), findings/ and undecided/
-//   (records,
-//                              inputs of the target, named by their letters); kept from run to run
+//                              (records, inputs of the target, named by their letters), visited
+//                              (visited.hpp); kept from run to run
 //   DAYLIGHT_FUZZ_ABORT=1      prints "DEDUP_TOKEN: letters" and aborts at the first finding, as services
-//   want
-//                              it that run targets (also by the macro of that name)
+//                              want it that run targets (also by the macro of that name)
 // Without a folder a finding is printed, the first of its bucket, and an undecided pair is passed over.
 #pragma once
 

@@ -18,7 +18,11 @@ bool legal(const Pair& p) { return find_defect(p.a) == Defect::none && find_defe
 constexpr std::array<double, 18> tenths = {1,    1e-1,  1e-2,  1e-3,  1e-4,  1e-5,  1e-6,  1e-7,  1e-8,
                                            1e-9, 1e-10, 1e-11, 1e-12, 1e-13, 1e-14, 1e-15, 1e-16, 1e-17};
 
-double tenth(RandomStream& s) { return s.sign() * s.pick(tenths); }
+/// One of them, or some number down to the next: faults may lie between.
+double tenth(RandomStream& s) {
+  const double sign = s.sign(), decade = s.pick(tenths);
+  return sign * decade * (s.coin() ? 1 : s.between(0.1, 1));
+}
 
 double length(const Vector3& v) { return std::sqrt(dot(v, v)); }
 

@@ -446,5 +446,16 @@ TEST(Adapter, RotationTakesZToTheAxis) {
   }
 }
 
+// Their squares vanish.
+TEST(OwnMethods, DistanceIsSureOfPointsVeryNearEachOther) {
+  const Pair points{{{0, 0, 0}, {0, 0, 1}, 0, 0}, {{0x1p-600, 0, 0}, {0, 0, 1}, 0, 0}};
+  for (const auto& method : own_methods())
+    if (method->name() == "distance") {
+      const MethodAnswer answer = method->ask(points);
+      EXPECT_TRUE(answer.has_distance);
+      EXPECT_EQ(answer.distance, 0x1p-600);
+    }
+}
+
 }  // namespace
 }  // namespace cyl

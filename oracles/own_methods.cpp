@@ -7,6 +7,7 @@
 #include "oracles/adapter.hpp"
 #include "oracles/exact.hpp"
 #include "oracles/method.hpp"
+#include "oracles/own_answers.hpp"
 #include "solver/decide.hpp"
 #include "solver/distance.hpp"
 #include "solver/intersect_batch.hpp"
@@ -97,23 +98,7 @@ class MeasureDistance final : public Method {
             .source = "solver/distance.hpp: error within 1e-13 of size + |Delta|, or it says so."};
   }
   bool foreign() const override { return false; }
-  MethodAnswer ask(const Pair& pair) override {
-    const Distance measured = distance(pair.a, pair.b);
-    MethodAnswer answer;
-    answer.status = Status::answered;
-    answer.verdict = measured.verdict;
-    answer.steps = measured.iterations;
-    answer.step_cap = distance_step_cap;
-    // Where its bounds stay apart it says so, and no number.
-    const Vector3 delta = pair.b.center - pair.a.center;
-    const double reach = pair.a.radius + pair.a.height + pair.b.radius + pair.b.height +
-                         std::hypot(delta.x(), delta.y(), delta.z());
-    const bool sure = measured.verdict == Verdict::intersecting || measured.error <= distance_tol * reach;
-    answer.has_distance = measured.verdict != Verdict::invalid && sure;
-    answer.distance = measured.value;
-    if (measured.verdict == Verdict::disjoint) answer.set_direction(measured.direction);
-    return answer;
-  }
+  MethodAnswer ask(const Pair& pair) override { return answer_of(pair, distance(pair.a, pair.b)); }
   Call prepare_all(std::span<const Pair> pairs) override {
     return prepare_solids(pairs, [](const Prepared& a, const Prepared& b) { return distance(a, b).verdict; });
   }
@@ -146,6 +131,23 @@ class Exact final : public Method {
 };
 
 }  // namespace
+
+MethodAnswer answer_of(const Pair& pair, const Distance& measured) {
+  MethodAnswer answer;
+  answer.status = Status::answered;
+  answer.verdict = measured.verdict;
+  answer.steps = measured.iterations;
+  answer.step_cap = distance_step_cap;
+  // Where its bounds stay apart it says so, and no number.
+  const Vector3 delta = pair.b.center - pair.a.center;
+  const double reach = pair.a.radius + pair.a.height + pair.b.radius + pair.b.height +
+                       std::hypot(delta.x(), delta.y(), delta.z());
+  const bool sure = measured.verdict == Verdict::intersecting || measured.error <= distance_tol * reach;
+  answer.has_distance = measured.verdict != Verdict::invalid && sure;
+  answer.distance = measured.value;
+  if (measured.verdict == Verdict::disjoint) answer.set_direction(measured.direction);
+  return answer;
+}
 
 std::vector<std::unique_ptr<Method>> own_methods() {
   std::vector<std::unique_ptr<Method>> methods;

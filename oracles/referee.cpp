@@ -255,6 +255,7 @@ std::optional<Truth> prove_in_long_double(const Pair& pair) {
 Truth judge_at_length(const Pair& pair, std::span<const MethodAnswer> offered, int bits_cap) {
   Truth undecided;
   undecided.stage = Stage::exact;
+  if (bits_cap < first_wide_bits) return undecided;
   for (const MethodAnswer& answer : offered)
     if (auto t = check_exactly(pair, answer)) {
       t->witnessed = true;

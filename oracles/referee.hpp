@@ -60,7 +60,7 @@ inline constexpr int precision_cap = 4096;
 /// Deterministic. Never throws; an invalid pair gives `invalid`. `undecided` only at the cap on precision: a
 /// tangency that could not be proved, or a gap too small for that many bits to show. Cost: below 1 us with a
 /// witness and about that without, 0.1 ms where double does not reach, some ms for exact ties, 0.2 s for
-/// lengths hundreds of decades apart.
+/// lengths hundreds of decades apart. A cap below 128 bits: in double alone, witnesses too.
 Truth judge(const Pair& pair, std::span<const MethodAnswer> offered = {}, int bits_cap = precision_cap);
 
 /// The verdict of judge(), proved as well, without the certificate where a cheaper proof leaves none to write

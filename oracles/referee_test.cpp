@@ -397,5 +397,17 @@ TEST(SimplestWithin, FindsTheFractionBehindADecimal) {
   EXPECT_EQ(simplest_within(mpq_class(7), mpq_class(0)), mpq_class(7));
 }
 
+TEST(Judge, InDoubleAloneLeavesWitnessesToDoubleToo) {
+  const Pair pair{{{0, 0, -0x1p-70}, {0, 0, 1}, 1, 2}, {{0, 0, 2}, {0, 0, 1}, 1, 2}};  // 2^-70 apart
+  MethodAnswer answer;
+  answer.status = Status::answered;
+  answer.verdict = Verdict::disjoint;
+  answer.set_direction({0, 0, 1});
+  EXPECT_EQ(judge(pair, {&answer, 1}, 53).verdict, Verdict::undecided);
+  const Truth wide = judge(pair, {&answer, 1}, 128);
+  EXPECT_EQ(wide.verdict, Verdict::disjoint);
+  EXPECT_TRUE(wide.witnessed);
+}
+
 }  // namespace
 }  // namespace cyl

@@ -13,6 +13,8 @@ One entry a line; of its fields number, file, find, replace, what and like are n
     asks        methods held to the laws, default "intersect,decide,distance,exact"
     tests       filter of the unit tests, default none
     equivalent  why no test can see the fault
+    set         the experiment it is made for; narrow: seen only at an angle below 1e-7 or a margin below 1e-12
+                (fuzz/blindness.py)
 A text that ends in ';' or '}' is a statement and becomes { if (selected) { replace } else { find } }; any other is an
 expression and becomes (selected ? (replace) : (find)), so it must be an operand as it stands: one that is not
 changes the unmutated program too, which the test mutants_off_change_nothing sees. One text may lie within
@@ -23,7 +25,7 @@ import os
 import sys
 
 NEEDED = {'number', 'file', 'find', 'replace', 'what', 'like'}
-OPTIONAL = {'near', 'asks', 'tests', 'equivalent'}
+OPTIONAL = {'near', 'asks', 'tests', 'equivalent', 'set'}
 EVERYTHING = 'intersect,decide,distance,exact'
 
 

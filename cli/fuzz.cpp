@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: MIT
+#include <fmt/chrono.h>
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cstdio>
+#include <cstdlib>
+#include <ctime>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <random>
+#include <stdexcept>
+#include <string>
+#include <thread>
+
+#include "cli/commands.hpp"
+#include "cli/duration.hpp"
+#include "cli/progress.hpp"
+#include "cli/unsigned_option.hpp"
+#include "corpus/shell_words.hpp"
+#include "fuzz/fuzzing.hpp"
+
+namespace cyl {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct Arguments {
+  std::string budget = "10m", target = "core", out, program;
+  std::optional<std::uint64_t> seed;
+  unsigned jobs = std::max(1u, std::thread::hardware_concurrency());
+};
+
+/// Beside this executable, where that was built by clang, else in the folder of that build.
+std::string program_of(const std::string& target) {
+  const std::string name = "fuzz_" + target + "_libfuzzer";
+  const fs::path here = fs::read_symlink("/proc/self/exe").parent_path();
+  for (const fs::path& folder : {here, here.parent_path() / "clang"})
+    if (fs::exists(folder / name)) return folder / name;
+  throw std::runtime_error(name + " is not built. `./daylight fuzz` builds it where clang++ is; else:\n" +
+                           "    apt-get install clang libclang-rt-14-dev\n" +
+                           "    cmake --preset clang && ninja -C build/clang " + name);
+}
+
+std::string numbers(const FuzzProgress& p) {
+  std::uint64_t executions = 0;
+  double cpu = 0;
+  std::size_t features = 0, first = 0;
+  unsigned deaths = 0;
+  for (const WorkerProgress& w : p.workers) {
+    executions += w.executions;
+    cpu += w.cpu_seconds;
+    features = std::max(features, w.features);
+    first = std::max(first, w.first_features);
+    deaths += w.deaths;
+  }
+  return fmt::format(
+      "{} executions, {:.0f} a CPU second; {} features, {} new; {} strata; findings {}, deaths {}",
+      executions, static_cast<double>(executions) / std::max(1e-3, cpu), features, features - first, p.strata,
+      p.findings, deaths);
+}
+
+int fuzz(const Arguments& arguments) {
+  FuzzOptions options;
+  options.budget = parse_duration(arguments.budget);
+  options.program = arguments.program.empty() ? program_of(arguments.target) : arguments.program;
+  options.target = "fuzz_" + arguments.target;
+  options.seed = arguments.seed ? *arguments.seed : std::random_device()();
+  options.jobs = arguments.jobs;
+  options.out = arguments.out;
+  if (options.out.empty())
+    options.out = fmt::format("runs/fuzz-{:%Y%m%d-%H%M%S}", fmt::localtime(std::time(nullptr)));
+  fmt::print("{}, seed {}, run {}\n", options.target, options.seed, options.out);
+  std::fflush(stdout);
+
+  FuzzSummary summary;
+  {
+    ProgressLine line;
+    summary = run_fuzzing(options, [&](const FuzzProgress& progress) {
+      if (line.due(progress.elapsed))
+        line.show(progress.elapsed,
+                  static_cast<double>(progress.elapsed.count()) / static_cast<double>(options.budget.count()),
+                  numbers(progress));
+    });
+  }
+  fmt::print("{}", format_fuzzing(summary));
+  if (!summary.findings.empty())
+    fmt::print("the findings: ./daylight replay {}\n", shell_quoted(options.out + "/findings.jsonl"));
+  if (!summary.harness_failure.empty()) fmt::print(stderr, "daylight: {}\n", summary.harness_failure);
+  if (summary.interrupted)
+    fmt::print(stderr, "stopped; go on with: ./daylight fuzz --target {} --out {}\n", arguments.target,
+               shell_quoted(options.out));
+  return exit_code(summary);
+}
+
+}  // namespace
+
+void add_fuzz(CLI::App& app, int& exit_code) {
+  CLI::App* command = app.add_subcommand(
+      "fuzz", "Lets libFuzzer look for pairs by what they make our code do, and proves who is wrong");
+  auto arguments = std::make_shared<Arguments>();
+  command->add_option("--for", arguments->budget, "wall time, like 90s, 10m or 8h")->capture_default_str();
+  command
+      ->add_option(
+          "--target", arguments->target,
+          "core: the solver, its laws and the referee; seed_methods: the documents' methods; xcheck: "
+          "the foreign libraries")
+      ->check(CLI::IsMember({"core", "seed_methods", "xcheck"}))
+      ->capture_default_str();
+  add_unsigned(*command, "--jobs", arguments->jobs, "workers, each a process of its own", 1, 1024);
+  command->add_option("--out", arguments->out,
+                      "run folder; one that is there goes on with its corpus; runs/fuzz-<date-time> where "
+                      "not given");
+  add_unsigned(*command, "--seed", arguments->seed, "of the workers; random where not given");
+  command->add_option("--program", arguments->program,
+                      "the target as libFuzzer drives it, another build of it");
+  command->footer(
+      "Example:\n  daylight fuzz --for 10m --target core --out runs/fuzz-core\n"
+      "Exit code: 0 nothing found, 2 findings (findings.jsonl in the run folder; daylight replay takes it),\n"
+      "1 the harness failed, 64 usage. Ctrl-C ends it in order: the corpora are merged.");
+  command->callback([arguments, &exit_code] { exit_code = fuzz(*arguments); });
+}
+
+}  // namespace cyl
