@@ -105,6 +105,9 @@ function CaseView({ shown, method }: { shown: Case; method: string }) {
       <div class="left">
         <PairView shown={shown} />
         <Solids shown={shown} />
+        <Copy label="Ask again" text={shown.replay} />
+        <Copy label="The pair" text={JSON.stringify(shown.pair)} />
+        {shown.note && <p class="soft">From: {safe(shown.note)}</p>}
       </div>
       <div class="right">
         <dl class="facts">
@@ -115,9 +118,6 @@ function CaseView({ shown, method }: { shown: Case; method: string }) {
         </dl>
         {(truth.direction || truth.point || truth.near) ? <Prover shown={shown} /> : <p class="warn">Nobody could prove what is true of this pair.</p>}
         <Answers shown={shown} method={method} />
-        {shown.note && <p class="soft">From: {safe(shown.note)}</p>}
-        <Copy label="Ask again" text={shown.replay} />
-        <Copy label="The pair" text={JSON.stringify(shown.pair)} />
       </div>
     </div>
   );
@@ -139,7 +139,7 @@ export function FindingView({ report, finding: f, named }: { report: FullReport;
         <span class="beside">{beside(-1) && <a href={`#/finding/${beside(-1)!.id}`}>previous</a>} {beside(1) && <a href={`#/finding/${beside(1)!.id}`}>next</a>}</span>
       </p>
       <h2>#{f.id} <b>{safe(f.method)}</b> {safe(kind_words(f.kind))} <span class={f.severity === "contract" ? "bad" : "soft"}>{severity_words[f.severity] ?? safe(f.severity)}</span></h2>
-      <p class="soft">Family {safe(f.family)}.{claim && ` ${claim_words(claim)}: ${safe(claim.source)}.`}{f.reason && ` In its own words: ${safe(f.reason)}`}</p>
+      <p class="soft">Family {safe(f.family)}.{claim && ` It claims to be ${claim_words(claim)} (${safe(claim.source)}).`}{f.reason && ` In its own words: ${safe(f.reason)}`}</p>
       <CaseView shown={f} method={f.method} />
     </>
   );

@@ -19,7 +19,7 @@ export function Chooser({ methods, chosen, set }: { methods: string[]; chosen: s
   const key = new Map(series_key(chosen, screen).map((k) => [k.method, k.colour]));
   const press = (m: string) => set(chosen.includes(m) ? chosen.filter((c) => c !== m) : [...chosen, m].slice(-shown_cap));
   return (
-    <div class="chips" role="group" aria-label="Methods shown">
+    <div class="chips plain-chips" role="group" aria-label="Methods shown">
       {methods.map((m) => <button type="button" class="chip" aria-pressed={chosen.includes(m)} style={key.has(m) ? { background: key.get(m), borderColor: key.get(m), color: "var(--bg)" } : {}} onClick={() => press(m)} key={m}>{safe(m)}</button>)}
     </div>
   );

@@ -18,7 +18,7 @@ function One({ map, what }: { map: FailureMap | undefined; what: Wrongness }) {
   const draw = useCallback((width: number) => map_plot(map!, what, { width, theme: screen, link_finding: (id) => `#/finding/${id}` }), [map, what]);
   if (!map) return <p class="missing">Not counted.</p>;
   const [wrong, asked] = total(map, what);
-  return <Figure draw={draw} height={120 + map.y.labels.length * 17} label={`${map.method}, ${map.plane}`} caption={`${grouped(wrong)} of ${grouped(asked)} (${percent(wrong, asked)})`} />;
+  return <Figure draw={draw} height={86 + map.y.labels.length * 17} label={`${map.method}, ${map.plane}`} caption={`${grouped(wrong)} of ${grouped(asked)} (${percent(wrong, asked)})`} />;
 }
 
 export function Maps({ report }: { report: FullReport }) {
@@ -37,7 +37,7 @@ export function Maps({ report }: { report: FullReport }) {
             <Select label="Method" value={method} onChange={choose} options={methods.map((m) => [m, m] as const)} />
             <Select label="Count" value={what} onChange={(w) => count(w as Wrongness)} options={kinds} />
             <span class="legend" aria-hidden="true">
-              {["<1e\u22124", "1e\u22124", "1e\u22123", "1e\u22122", "\u22650.1"].map((words, i) => <span key={words}><i style={{ background: screen.heat[i] }} />{words}</span>)}<i style={{ background: "var(--clean)" }} />none wrong<i class="blank" />not visited
+              {["<1e\u22124", "1e\u22124", "1e\u22123", "1e\u22122", "\u22650.1"].map((words, i) => <span key={words}><i style={{ background: screen.heat[i] }} />{words}</span>)}<i style={{ background: "var(--clean)" }} />none wrong<i class="blank">∕</i>not visited
             </span>
           </p>
           <div class="pairs-of">

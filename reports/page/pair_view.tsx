@@ -9,12 +9,15 @@ import { short } from "./words.ts";
 
 const colour = (name: string) => getComputedStyle(document.documentElement).getPropertyValue(name).trim();
 
+/** Gaps narrower than this part of what can be seen are widened before anybody asks. */
+const widened_at_once = 20;
+
 export function PairView({ shown }: { shown: Case }) {
   const place = useRef<HTMLDivElement>(null);
   const true_drawing = useMemo(() => drawing_of(shown), [shown]);
   const factor = exaggeration(true_drawing);
   const [close, zoom] = useState(false);
-  const [wide, widen] = useState(factor > 1);
+  const [wide, widen] = useState(factor > widened_at_once);
   const drawing = useMemo(() => exaggerated(true_drawing, wide ? factor : 1), [true_drawing, wide, factor]);
   const view = useMemo(() => view_of(drawing, close), [drawing, close]);
   const stage = the_stage();
@@ -50,7 +53,7 @@ export function PairView({ shown }: { shown: Case }) {
       </div>
       <figcaption>
         {factor > 1 && wide && <b class="warn">Not to scale: the {words} of {short(Math.abs(gap!) * true_drawing.unit)} is drawn {short(factor, 2)} times as wide, by moving the solids {gap! > 0 ? "apart" : "into each other"} about their contact. </b>}
-        {factor > 1 && !wide && <>To scale: the {words} of {short(Math.abs(gap!) * true_drawing.unit)} is too narrow to be seen. </>}
+        {factor > 1 && !wide && <>To scale: the {words} of {short(Math.abs(gap!) * true_drawing.unit)} is drawn as it is. </>}
         {factor === 1 && <>To scale. </>}
         {stage ? "Drag to turn, wheel to zoom." : "This browser has no WebGL: a projection stands in."}
         {drawing.near && " The dots on a line are the nearest points, approximately."}

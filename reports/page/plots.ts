@@ -45,7 +45,7 @@ const time_tick = (ns: number) => time(ns);
 
 function common(o: Options, height: number, more: Plot.PlotOptions): Plot.PlotOptions {
   return {
-    width: o.width, height, marginLeft: 56, marginBottom: 38, marginRight: 16, marginTop: 22,
+    width: o.width, height, marginLeft: 56, marginBottom: 42, marginRight: 30, marginTop: 22,
     style: { background: "transparent", color: o.theme.fg, fontFamily: "system-ui, sans-serif", fontSize: "11px", overflow: "visible" },
     ...(o.document ? { document: o.document } : {}), ...more } as Plot.PlotOptions;
 }
@@ -56,7 +56,7 @@ export function palette(libraries: Iterable<string>, theme: Theme): Map<string, 
   for (const name of [...new Set(libraries)].sort()) if (name !== "ours") colours.set(name, theme.series[(colours.size - 1) % theme.series.length]!);
   return colours;
 }
-const symbols = ["circle", "triangle", "square", "diamond2", "star", "wye", "cross", "times", "hexagon", "asterisk"] as const;
+const symbols = ["circle", "triangle", "square", "diamond", "star", "wye", "cross", "hexagon", "diamond2", "square2"] as const;
 const symbol_of = (libraries: string[]) => new Map(libraries.map((name, i) => [name, symbols[i % symbols.length]!]));
 
 // Speed against accuracy
@@ -88,7 +88,7 @@ export function speed_plot(points: SpeedPoint[], o: Options): Element {
   const stairs = front.flatMap((p, i) => (i === 0 ? [] : [{ ns: p.ns, digits: front[i - 1]!.digits! }]).concat({ ns: p.ns, digits: p.digits! }));
   return Plot.plot(common(o, 420, {
     x: { type: "log", label: "time a pair (median; whisker: p99) \u2192", ticks: decades(times), tickFormat: time_tick, grid: true, nice: true },
-    y: { label: "\u2191 correct digits: right at every margin from 10^\u2212y on (whisker: down to the 95 % bound)", grid: true, domain: [0, Math.max(4, ...told.map((p) => p.digits!)) + 1] },
+    y: { label: "\u2191 correct digits d: right at every margin from 1e\u2212d on (whisker: down to the 95 % bound)", grid: true, domain: [0, Math.max(4, ...told.map((p) => p.digits!)) + 1] },
     color: { type: "identity" }, symbol: { type: "identity" },
     marks: [
       Plot.line(stairs, { x: "ns", y: "digits", stroke: o.theme.soft, strokeDasharray: "5 3", strokeWidth: 1.2 }),
@@ -113,7 +113,7 @@ export function wrong_plot(points: SpeedPoint[], o: Options): Element {
   const words = (r: (typeof rows)[number]) => `${point_words(r.p)}`;
   return Plot.plot(common(o, 230, {
     x: { type: "log", label: "time a pair \u2192", ticks: decades(points.map((p) => p.ns)), tickFormat: time_tick, grid: true, nice: true },
-    y: { type: "log", label: "\u2191 share of answers", ticks: [floor, ...decades([floor * 3, 1])], tickFormat: (v: number) => (v === floor ? "none" : log_tick(v)), grid: true, domain: [floor, 1] },
+    y: { type: "log", label: "\u2191 share of answers", ticks: [floor, ...decades([floor * 3, 1])], tickFormat: (v: number) => (v < floor * 1.01 ? "0" : log_tick(v)), grid: true, domain: [floor, 1] },
     fx: { label: null, padding: 0.12 }, color: { type: "identity" },
     marks: [
       Plot.frame({ stroke: o.theme.line, }),
@@ -140,6 +140,8 @@ const cell_words = (map: FailureMap, c: Cell) => [
 export function map_plot(map: FailureMap, what: Wrongness, o: Options & { link_finding?: (id: number) => string }): Element {
   const fill = (c: Cell) => { const wrong = wrong_of(c, what); return wrong === 0 ? o.theme.clean : o.theme.heat[heat_step(wrong / c.asked) - 1]!; };
   const visited = map.cells.filter((c) => c.asked > 0);
+  const seen = new Set(visited.map((c) => `${c.x} ${c.y}`));
+  const blank = map.x.labels.flatMap((_, x) => map.y.labels.map((_, y) => ({ x, y }) as Cell)).filter((c) => !seen.has(`${c.x} ${c.y}`));
   const n = { x: map.x.labels.length, y: map.y.labels.length };
   const at = { x: (c: Cell) => c.x, y: (c: Cell) => c.y };
   const words = (c: Cell) => cell_words(map, c);
@@ -153,6 +155,7 @@ export function map_plot(map: FailureMap, what: Wrongness, o: Options & { link_f
       Plot.frame({ stroke: o.theme.line }),
       Plot.cell(visited, { ...at, fill, stroke: o.theme.line, strokeWidth: 0.5, inset: 0,
         ...(o.link_finding ? { href: (c: Cell) => (c.finding !== undefined ? o.link_finding!(c.finding) : null), target: "_self" } : {}), ariaLabel: words }),
+      Plot.text(blank, { ...at, text: () => "\u2215", fill: o.theme.soft, fillOpacity: 0.6, fontSize: 8 }),
       Plot.dot(visited.filter((c) => wrong_of(c, what) > 0 && c.finding !== undefined), { ...at, r: 1.3, fill: o.theme.fg, pointerEvents: "none" }),
       ...(o.document ? [] : [Plot.tip(visited, Plot.pointer({ ...at, title: words, fill: o.theme.bg, stroke: o.theme.line, maxRadius: 14 }))]),
     ],
@@ -178,8 +181,8 @@ export function honesty_plot(all: Honesty[], o: Options): Element {
   const x = (r: (typeof rows)[number]) => r.decade + dx(r);
   const share = (r: (typeof rows)[number]) => Math.max(floor, r.share), low = (r: (typeof rows)[number]) => Math.max(floor, r.low);
   return Plot.plot(common(o, 330, {
-    x: { label: "margin, smaller \u2192", domain: [-0.5, last + 0.5], ticks: Array.from({ length: last + 1 }, (_, i) => i).filter((i) => i % (last > 8 && o.width < 1100 ? 2 : 1) === 0), tickFormat: (d: number) => power(-d) },
-    y: { type: "log", label: "\u2191 share wrong (bar: 95 %)", domain: [floor, 1], ticks: [floor, ...decades([floor * 2, 1])], tickFormat: (v: number) => (v === floor ? "none" : log_tick(v)), grid: true },
+    x: { label: "margin, smaller \u2192", domain: [-0.5, last + 0.5], ticks: Array.from({ length: last + 1 }, (_, i) => i).filter((i) => i % Math.ceil((last * 46 * 2) / (o.width - 90)) === 0), tickFormat: (d: number) => power(-d) },
+    y: { type: "log", label: "\u2191 share wrong (bar: 95 %)", domain: [floor, 1], ticks: [floor, ...decades([floor * 2, 1])], tickFormat: (v: number) => (v < floor * 1.01 ? "0" : log_tick(v)), grid: true },
     fx: { label: null, padding: 0.08 }, color: { type: "identity" }, symbol: { type: "identity" },
     marks: [
       Plot.frame({ stroke: o.theme.line }),

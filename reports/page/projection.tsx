@@ -43,7 +43,7 @@ export function Projection({ drawing: d, view, label }: { drawing: Drawing; view
   const dot_at = (x: Vec, name: string) => { const [cx, cy] = flat(x); return <circle class={`mark-${name}`} cx={cx} cy={cy} r={0.014} />; };
   let trace = null;
   if (d.plane && d.direction) {  // as the edge that it would show if one looked along it
-    const [u, v] = square_to(d.direction), side = 1.1 * d.extent;
+    const [u, v] = square_to(d.direction), side = 0.75 * d.extent;
     const corners = [[1, 1], [1, -1], [-1, -1], [-1, 1]].map(([p, q]) => flat(add(d.plane!, add(scale(u, p! * side), scale(v, q! * side)))));
     trace = <path class="plane" d={path(corners)} />;
   }

@@ -11,11 +11,11 @@ import { add, scale, square_to, type Drawing, type Solid } from "./geometry.ts";
 export interface View { eye: Vec; up: Vec; target: Vec; radius: number }
 export interface Colours { a: string; b: string; plane: string; point: string; line: string }
 
-/** Looking across the direction of the gap, a little from above; the gap lies left to right. */
+/** Looking across the direction of the gap, a little from above; a lies left of b. */
 export function view_of(d: Drawing, close: boolean): View {
   const along = d.direction ?? ([1, 0, 0] as Vec);
   const [u, v] = square_to(along);
-  const eye = add(add(scale(u, 0.85), scale(v, 0.45)), scale(along, 0.25));
+  const eye = add(add(scale(u, -0.85), scale(v, 0.4)), scale(along, 0.25));
   return { eye, up: v, target: close ? d.contact : [0, 0, 0], radius: close ? 0.25 * d.extent : 1.12 * d.extent };
 }
 
@@ -66,14 +66,14 @@ class Stage {
     light.position.set(0.3, 0.6, 1);
     this.scene.add(this.camera, new AmbientLight("#ffffff", 1.5), solid_group(d.a, colours.a, d.extent), solid_group(d.b, colours.b, d.extent));
     const mark = (at: Vec, colour: string) => {
-      const ball = new Mesh(new SphereGeometry(1, 16, 12), new MeshBasicMaterial({ color: colour, depthTest: false }));
+      const ball = new Mesh(new SphereGeometry(1, 16, 12), new MeshBasicMaterial({ color: colour, depthTest: false, transparent: true }));
       ball.position.copy(three(at));
       ball.renderOrder = 2;
       this.marks.push(ball);
       this.scene.add(ball);
     };
     if (d.plane && d.direction) {
-      const side = 2.2 * d.extent;
+      const side = 1.5 * d.extent;
       const plane = new Mesh(new PlaneGeometry(side, side), new MeshBasicMaterial({ color: colours.plane, transparent: true, opacity: 0.16, side: DoubleSide, depthWrite: false }));
       const frame = new LineSegments(new EdgesGeometry(plane.geometry), new LineBasicMaterial({ color: colours.plane, transparent: true, opacity: 0.6 }));
       for (const part of [plane, frame]) {
@@ -86,7 +86,7 @@ class Stage {
       mark(d.near.a, colours.a);
       mark(d.near.b, colours.b);
       const geometry = new BufferGeometry().setAttribute("position", new Float32BufferAttribute([...d.near.a, ...d.near.b], 3));
-      const line = new Line(geometry, new LineBasicMaterial({ color: colours.line, depthTest: false }));
+      const line = new Line(geometry, new LineBasicMaterial({ color: colours.line, depthTest: false, transparent: true }));
       line.renderOrder = 1;
       this.scene.add(line);
     }
