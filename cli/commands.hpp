@@ -19,6 +19,7 @@ inline constexpr int exit_invalid_input = 65;
 
 void add_bench(CLI::App& app, int& exit_code);
 void add_campaign(CLI::App& app, int& exit_code);
+void add_chart(CLI::App& app, int& exit_code);
 void add_check(CLI::App& app, int& exit_code);
 void add_families(CLI::App& app, int& exit_code);
 void add_gate(CLI::App& app, int& exit_code);

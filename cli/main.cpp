@@ -27,6 +27,7 @@ int run(int argc, char** argv) {
   cyl::add_mutants(app, exit_code);
   cyl::add_families(app, exit_code);
   cyl::add_bench(app, exit_code);
+  cyl::add_chart(app, exit_code);
   try {
     app.parse(argc, argv);
     return exit_code;

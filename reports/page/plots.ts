@@ -41,6 +41,8 @@ function decades(values: number[]): number[] {
   const low = Math.floor(Math.min(...logs)), high = Math.ceil(Math.max(...logs));
   return Array.from({ length: high - low + 1 }, (_, i) => 10 ** (low + i));
 }
+/** A power of ten below `x`, where none is drawn on a logarithmic axis: only such ticks are labelled. */
+const below = (x: number) => 10 ** (Math.ceil(Math.log10(x)) - 1);
 const time_tick = (ns: number) => time(ns);
 
 function common(o: Options, height: number, more: Plot.PlotOptions): Plot.PlotOptions {
@@ -105,7 +107,7 @@ export function speed_plot(points: SpeedPoint[], o: Options): Element {
 
 /** The two ways to be wrong, apart; none wrong stands on the lowest line. */
 export function wrong_plot(points: SpeedPoint[], o: Options): Element {
-  const floor = 10 ** Math.floor(Math.log10(1 / Math.max(10, ...points.map((p) => p.asked)))) / 3;
+  const floor = below(1 / Math.max(10, ...points.map((p) => p.asked)));
   const rows = points.flatMap((p) => [
     { p, ns: p.ns, side: "said disjoint, but they meet", share: Math.max(floor, p.wrong_disjoint / Math.max(1, p.asked)) },
     { p, ns: p.ns, side: "said intersecting, but they do not", share: Math.max(floor, p.wrong_intersecting / Math.max(1, p.asked)) }]);
@@ -113,7 +115,7 @@ export function wrong_plot(points: SpeedPoint[], o: Options): Element {
   const words = (r: (typeof rows)[number]) => `${point_words(r.p)}`;
   return Plot.plot(common(o, 230, {
     x: { type: "log", label: "time a pair \u2192", ticks: decades(points.map((p) => p.ns)), tickFormat: time_tick, grid: true, nice: true },
-    y: { type: "log", label: "\u2191 share of answers", ticks: [floor, ...decades([floor * 3, 1])], tickFormat: (v: number) => (v < floor * 1.01 ? "0" : log_tick(v)), grid: true, domain: [floor, 1] },
+    y: { type: "log", label: "\u2191 share of answers", ticks: decades([floor, 1]), tickFormat: (v: number) => (v < floor * 1.01 ? "0" : log_tick(v)), grid: true, domain: [floor, 1] },
     fx: { label: null, padding: 0.12 }, color: { type: "identity" },
     marks: [
       Plot.frame({ stroke: o.theme.line, }),
@@ -171,7 +173,7 @@ export function honesty_plot(all: Honesty[], o: Options): Element {
     const [low, high] = share_bounds(b[key], b.asked);
     return { method: h.method, side, decade: b.decade, asked: b.asked, wrong: b[key], share: b[key] / b.asked, low, high };
   })));
-  const floor = 10 ** Math.floor(Math.log10(Math.min(0.01, ...rows.map((r) => r.high)))) / 2;
+  const floor = below(Math.min(0.01, ...rows.map((r) => r.high)));
   const methods = [...new Set(all.map((h) => h.method))];
   const colour = (r: { method: string }) => o.theme.series[methods.indexOf(r.method) % o.theme.series.length]!;
   const shape = (r: { method: string }) => symbols[methods.indexOf(r.method) % symbols.length]!;
@@ -182,7 +184,7 @@ export function honesty_plot(all: Honesty[], o: Options): Element {
   const share = (r: (typeof rows)[number]) => Math.max(floor, r.share), low = (r: (typeof rows)[number]) => Math.max(floor, r.low);
   return Plot.plot(common(o, 330, {
     x: { label: "margin, smaller \u2192", domain: [-0.5, last + 0.5], ticks: Array.from({ length: last + 1 }, (_, i) => i).filter((i) => i % Math.ceil((last * 46 * 2) / (o.width - 90)) === 0), tickFormat: (d: number) => power(-d) },
-    y: { type: "log", label: "\u2191 share wrong (bar: 95 %)", domain: [floor, 1], ticks: [floor, ...decades([floor * 2, 1])], tickFormat: (v: number) => (v < floor * 1.01 ? "0" : log_tick(v)), grid: true },
+    y: { type: "log", label: "\u2191 share wrong (bar: 95 %)", domain: [floor, 1], ticks: decades([floor, 1]), tickFormat: (v: number) => (v < floor * 1.01 ? "0" : log_tick(v)), grid: true },
     fx: { label: null, padding: 0.08 }, color: { type: "identity" }, symbol: { type: "identity" },
     marks: [
       Plot.frame({ stroke: o.theme.line }),

@@ -53,7 +53,7 @@ export function sample(findings_total = 400) {
       cases.push({ ...made, said: [[right, [0, 1, 2, 3, 4]], [wrong, [8, 9, 14, 15]], [{ failed: "crash", reason: "SIGABRT" }, [16]], [{ declined: "" }, [13]]] });
     }
     const m = own + (i * 7) % (methods.length - own), severity = i % 3 === 0 ? "contract" : "resolution";
-    const kind = kinds[i % kinds.length];
+    const kind = kinds[Math.floor(i / 7) % kinds.length];
     findings.push({ id: i + 1, method: methods[m], kind, severity, family: families[(i * 5) % families.length], bucket: i % 2 === 0 ? `${methods[m].split("-")[0]}/${kind}/side-rim/angle` : null, case: cases.length - 1, ...(kind === "crash" ? { reason: "SIGABRT" } : {}) });
   }
   const standings = ["new", "known", "back"];
