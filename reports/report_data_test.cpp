@@ -30,8 +30,10 @@ class ReportData : public testing::Test {
     folder = fs::temp_directory_path() / ("daylight_report_" + std::to_string(getpid()) + "_" +
                                           testing::UnitTest::GetInstance()->current_test_info()->name());
     fs::remove_all(folder);
+    folder /= "run";  // alone in its folder: no earlier runs beside it
+    fs::create_directories(folder.parent_path());
   }
-  void TearDown() override { fs::remove_all(folder); }
+  void TearDown() override { fs::remove_all(folder.parent_path()); }
   json data() const { return json::parse(report_json(folder)); }
   void put(const char* name, const std::string& text) const { std::ofstream(folder / name) << text; }
   fs::path folder;

@@ -11,29 +11,42 @@ import { sources_hash } from "./stamp.mjs";
 
 const here = new URL("./", import.meta.url);
 const stamp = sources_hash();
-const common = { bundle: true, minify: true, write: false, legalComments: "none", charset: "utf8", jsx: "automatic",
+const common = { bundle: true, minify: true, write: false, metafile: true, legalComments: "none", charset: "utf8", jsx: "automatic",
   jsxImportSource: "preact", absWorkingDir: here.pathname, logLevel: "warning" };
 
+/** The packages that are in a bundle, with the licences that ask to go with them: each text once. */
+function licences(metafile) {
+  const folders = new Set(Object.values(metafile.outputs).flatMap((o) => Object.entries(o.inputs)).filter(([, { bytesInOutput }]) => bytesInOutput > 0).map(([file]) => /^node_modules\/(?:@[^/]+\/)?[^/]+/.exec(file)?.[0]).filter(Boolean));
+  const texts = new Map();
+  for (const folder of [...folders].sort()) {
+    const { name, version, license } = JSON.parse(readFileSync(new URL(`${folder}/package.json`, here), "utf8"));
+    const file = ["LICENSE", "LICENSE.md", "LICENSE.txt", "LICENCE"].map((f) => new URL(`${folder}/${f}`, here)).find(existsSync);
+    const text = file ? readFileSync(file, "utf8").trim() : license;
+    texts.set(text, [...(texts.get(text) ?? []), `${name} ${version}`]);
+  }
+  return [...texts].map(([text, names]) => `${names.join(", ")}:\n\n${text}`).join("\n\n\n").replaceAll("--", "- -").replaceAll("*/", "* /");
+}
+
 async function bundle(options) {
-  return (await build({ ...common, ...options })).outputFiles[0].text;
+  const { outputFiles, metafile } = await build({ ...common, ...options });
+  return { text: outputFiles[0].text, licences: licences(metafile) };
 }
 
 async function page() {
-  const script = (await bundle({ entryPoints: ["main.tsx"], format: "iife", target: "es2022" }))
-    .trimEnd().replaceAll("</script", "<\\/script").replaceAll("<!--", "<\\!--");
-  const style = (await bundle({ entryPoints: ["style.css"] })).trimEnd();
+  const bundled = await bundle({ entryPoints: ["main.tsx"], format: "iife", target: "es2022" });
+  const script = bundled.text.trimEnd().replaceAll("</script", "<\\/script").replaceAll("<!--", "<\\!--");
+  const style = (await bundle({ entryPoints: ["style.css"] })).text.trimEnd();
   const hash = (text) => `'sha256-${createHash("sha256").update(text).digest("base64")}'`;
   const policy = `default-src 'none'; script-src ${hash(script)}; style-src 'unsafe-inline'; img-src data: blob:`;
   // Functions: a string would have its $& replaced.
   return readFileSync(new URL("page.html", here), "utf8")
     .replace("@@STAMP@@", () => stamp).replace("@@POLICY@@", () => policy)
-    .replace("@@STYLE@@", () => style).replace("@@SCRIPT@@", () => script);
+    .replace("@@LICENCES@@", () => bundled.licences).replace("@@STYLE@@", () => style).replace("@@SCRIPT@@", () => script);
 }
 
 async function chart() {
-  const text = await bundle({ entryPoints: ["chart.ts"], format: "esm", platform: "node", target: "node18",
-    banner: { js: `// SPDX-License-Identifier: MIT\n// Built by build.mjs, not written by hand. Sources: ${stamp}` } });
-  return text;
+  const bundled = await bundle({ entryPoints: ["chart.ts"], format: "esm", platform: "node", target: "node18" });
+  return `// SPDX-License-Identifier: MIT\n// Built by build.mjs, not written by hand. Sources: ${stamp}\n/* It holds\n\n${bundled.licences}\n*/\n${bundled.text}`;
 }
 
 const outputs = [["../report_template.html", await page()], ["chart.mjs", await chart()]];

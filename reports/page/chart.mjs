@@ -1,5 +1,263 @@
 // SPDX-License-Identifier: MIT
-// Built by build.mjs, not written by hand. Sources: ec9d6647bea636078dddbaf9cd24597c0801a6f62de158e5f666f5b77d26b79c
+// Built by build.mjs, not written by hand. Sources: 2896e62cbfecb52b95cc09c3d67c86f89c15226955d4b321f757dd2c743f1e39
+/* It holds
+
+@observablehq/plot 0.6.17:
+
+Copyright 2020-2025 Observable, Inc.
+
+Permission to use, copy, modify, and/or distribute this software for any purpose
+with or without fee is hereby granted, provided that the above copyright notice
+and this permission notice appear in all copies.
+
+THE SOFTWARE IS PROVIDED "AS IS" AND THE AUTHOR DISCLAIMS ALL WARRANTIES WITH
+REGARD TO THIS SOFTWARE INCLUDING ALL IMPLIED WARRANTIES OF MERCHANTABILITY AND
+FITNESS. IN NO EVENT SHALL THE AUTHOR BE LIABLE FOR ANY SPECIAL, DIRECT,
+INDIRECT, OR CONSEQUENTIAL DAMAGES OR ANY DAMAGES WHATSOEVER RESULTING FROM LOSS
+OF USE, DATA OR PROFITS, WHETHER IN AN ACTION OF CONTRACT, NEGLIGENCE OR OTHER
+TORTIOUS ACTION, ARISING OUT OF OR IN CONNECTION WITH THE USE OR PERFORMANCE OF
+THIS SOFTWARE.
+
+
+boolbase 1.0.0:
+
+ISC
+
+
+css-select 5.2.2, css-what 6.2.2, domelementtype 2.3.0, domhandler 5.0.3, domutils 3.2.2, entities 4.5.0, nth-check 2.1.1:
+
+Copyright (c) Felix Böhm
+All rights reserved.
+
+Redistribution and use in source and binary forms, with or without modification, are permitted provided that the following conditions are met:
+
+Redistributions of source code must retain the above copyright notice, this list of conditions and the following disclaimer.
+
+Redistributions in binary form must reproduce the above copyright notice, this list of conditions and the following disclaimer in the documentation and/or other materials provided with the distribution.
+
+THIS IS PROVIDED BY THE COPYRIGHT HOLDERS AND CONTRIBUTORS "AS IS" AND ANY EXPRESS OR IMPLIED WARRANTIES, INCLUDING, BUT NOT LIMITED TO, THE IMPLIED WARRANTIES OF MERCHANTABILITY AND FITNESS FOR A PARTICULAR PURPOSE ARE DISCLAIMED. IN NO EVENT SHALL THE COPYRIGHT HOLDER OR CONTRIBUTORS BE LIABLE FOR ANY DIRECT, INDIRECT, INCIDENTAL, SPECIAL, EXEMPLARY, OR CONSEQUENTIAL DAMAGES (INCLUDING, BUT NOT LIMITED TO, PROCUREMENT OF SUBSTITUTE GOODS OR SERVICES; LOSS OF USE, DATA, OR PROFITS; OR BUSINESS INTERRUPTION) HOWEVER CAUSED AND ON ANY THEORY OF LIABILITY, WHETHER IN CONTRACT, STRICT LIABILITY, OR TORT (INCLUDING NEGLIGENCE OR OTHERWISE) ARISING IN ANY WAY OUT OF THE USE OF THIS,
+EVEN IF ADVISED OF THE POSSIBILITY OF SUCH DAMAGE.
+
+
+cssom 0.5.0:
+
+Copyright (c) Nikita Vasilyev
+
+Permission is hereby granted, free of charge, to any person obtaining
+a copy of this software and associated documentation files (the
+"Software"), to deal in the Software without restriction, including
+without limitation the rights to use, copy, modify, merge, publish,
+distribute, sublicense, and/or sell copies of the Software, and to
+permit persons to whom the Software is furnished to do so, subject to
+the following conditions:
+
+The above copyright notice and this permission notice shall be
+included in all copies or substantial portions of the Software.
+
+THE SOFTWARE IS PROVIDED "AS IS", WITHOUT WARRANTY OF ANY KIND,
+EXPRESS OR IMPLIED, INCLUDING BUT NOT LIMITED TO THE WARRANTIES OF
+MERCHANTABILITY, FITNESS FOR A PARTICULAR PURPOSE AND
+NONINFRINGEMENT. IN NO EVENT SHALL THE AUTHORS OR COPYRIGHT HOLDERS BE
+LIABLE FOR ANY CLAIM, DAMAGES OR OTHER LIABILITY, WHETHER IN AN ACTION
+OF CONTRACT, TORT OR OTHERWISE, ARISING FROM, OUT OF OR IN CONNECTION
+WITH THE SOFTWARE OR THE USE OR OTHER DEALINGS IN THE SOFTWARE.
+
+
+d3-array 3.2.5, d3-axis 3.0.1, d3-color 3.1.1, d3-format 3.1.3, d3-interpolate 3.0.2, d3-scale 4.0.3, d3-selection 3.0.1, d3-shape 3.2.1, d3-time 3.1.1, d3-time-format 4.1.1:
+
+Copyright 2010-2026 Mike Bostock
+
+Permission to use, copy, modify, and/or distribute this software for any purpose
+with or without fee is hereby granted, provided that the above copyright notice
+and this permission notice appear in all copies.
+
+THE SOFTWARE IS PROVIDED "AS IS" AND THE AUTHOR DISCLAIMS ALL WARRANTIES WITH
+REGARD TO THIS SOFTWARE INCLUDING ALL IMPLIED WARRANTIES OF MERCHANTABILITY AND
+FITNESS. IN NO EVENT SHALL THE AUTHOR BE LIABLE FOR ANY SPECIAL, DIRECT,
+INDIRECT, OR CONSEQUENTIAL DAMAGES OR ANY DAMAGES WHATSOEVER RESULTING FROM LOSS
+OF USE, DATA OR PROFITS, WHETHER IN AN ACTION OF CONTRACT, NEGLIGENCE OR OTHER
+TORTIOUS ACTION, ARISING OUT OF OR IN CONNECTION WITH THE USE OR PERFORMANCE OF
+THIS SOFTWARE.
+
+
+d3-geo 3.1.2:
+
+Copyright 2010-2026 Mike Bostock
+
+Permission to use, copy, modify, and/or distribute this software for any purpose
+with or without fee is hereby granted, provided that the above copyright notice
+and this permission notice appear in all copies.
+
+THE SOFTWARE IS PROVIDED "AS IS" AND THE AUTHOR DISCLAIMS ALL WARRANTIES WITH
+REGARD TO THIS SOFTWARE INCLUDING ALL IMPLIED WARRANTIES OF MERCHANTABILITY AND
+FITNESS. IN NO EVENT SHALL THE AUTHOR BE LIABLE FOR ANY SPECIAL, DIRECT,
+INDIRECT, OR CONSEQUENTIAL DAMAGES OR ANY DAMAGES WHATSOEVER RESULTING FROM LOSS
+OF USE, DATA OR PROFITS, WHETHER IN AN ACTION OF CONTRACT, NEGLIGENCE OR OTHER
+TORTIOUS ACTION, ARISING OUT OF OR IN CONNECTION WITH THE USE OR PERFORMANCE OF
+THIS SOFTWARE.
+
+This license applies to GeographicLib, versions 1.12 and later.
+
+Copyright 2008-2012 Charles Karney
+
+Permission is hereby granted, free of charge, to any person obtaining a copy of
+this software and associated documentation files (the "Software"), to deal in
+the Software without restriction, including without limitation the rights to
+use, copy, modify, merge, publish, distribute, sublicense, and/or sell copies of
+the Software, and to permit persons to whom the Software is furnished to do so,
+subject to the following conditions:
+
+The above copyright notice and this permission notice shall be included in all
+copies or substantial portions of the Software.
+
+THE SOFTWARE IS PROVIDED "AS IS", WITHOUT WARRANTY OF ANY KIND, EXPRESS OR
+IMPLIED, INCLUDING BUT NOT LIMITED TO THE WARRANTIES OF MERCHANTABILITY, FITNESS
+FOR A PARTICULAR PURPOSE AND NONINFRINGEMENT.  IN NO EVENT SHALL THE AUTHORS OR
+COPYRIGHT HOLDERS BE LIABLE FOR ANY CLAIM, DAMAGES OR OTHER LIABILITY, WHETHER
+IN AN ACTION OF CONTRACT, TORT OR OTHERWISE, ARISING FROM, OUT OF OR IN
+CONNECTION WITH THE SOFTWARE OR THE USE OR OTHER DEALINGS IN THE SOFTWARE.
+
+
+d3-path 3.1.1:
+
+Copyright 2015-2026 Mike Bostock
+
+Permission to use, copy, modify, and/or distribute this software for any purpose
+with or without fee is hereby granted, provided that the above copyright notice
+and this permission notice appear in all copies.
+
+THE SOFTWARE IS PROVIDED "AS IS" AND THE AUTHOR DISCLAIMS ALL WARRANTIES WITH
+REGARD TO THIS SOFTWARE INCLUDING ALL IMPLIED WARRANTIES OF MERCHANTABILITY AND
+FITNESS. IN NO EVENT SHALL THE AUTHOR BE LIABLE FOR ANY SPECIAL, DIRECT,
+INDIRECT, OR CONSEQUENTIAL DAMAGES OR ANY DAMAGES WHATSOEVER RESULTING FROM LOSS
+OF USE, DATA OR PROFITS, WHETHER IN AN ACTION OF CONTRACT, NEGLIGENCE OR OTHER
+TORTIOUS ACTION, ARISING OUT OF OR IN CONNECTION WITH THE USE OR PERFORMANCE OF
+THIS SOFTWARE.
+
+
+d3-scale-chromatic 3.1.1:
+
+Copyright 2010-2026 Mike Bostock
+
+Permission to use, copy, modify, and/or distribute this software for any purpose
+with or without fee is hereby granted, provided that the above copyright notice
+and this permission notice appear in all copies.
+
+THE SOFTWARE IS PROVIDED "AS IS" AND THE AUTHOR DISCLAIMS ALL WARRANTIES WITH
+REGARD TO THIS SOFTWARE INCLUDING ALL IMPLIED WARRANTIES OF MERCHANTABILITY AND
+FITNESS. IN NO EVENT SHALL THE AUTHOR BE LIABLE FOR ANY SPECIAL, DIRECT,
+INDIRECT, OR CONSEQUENTIAL DAMAGES OR ANY DAMAGES WHATSOEVER RESULTING FROM LOSS
+OF USE, DATA OR PROFITS, WHETHER IN AN ACTION OF CONTRACT, NEGLIGENCE OR OTHER
+TORTIOUS ACTION, ARISING OUT OF OR IN CONNECTION WITH THE USE OR PERFORMANCE OF
+THIS SOFTWARE.
+
+Apache-Style Software License for ColorBrewer software and ColorBrewer Color Schemes
+
+Copyright 2002 Cynthia Brewer, Mark Harrower, and The Pennsylvania State University
+
+Licensed under the Apache License, Version 2.0 (the "License"); you may not use
+this file except in compliance with the License. You may obtain a copy of the
+License at
+
+http://www.apache.org/licenses/LICENSE-2.0
+
+Unless required by applicable law or agreed to in writing, software distributed
+under the License is distributed on an "AS IS" BASIS, WITHOUT WARRANTIES OR
+CONDITIONS OF ANY KIND, either express or implied. See the License for the
+specific language governing permissions and limitations under the License.
+
+
+dom-serializer 2.0.0:
+
+License
+
+(The MIT License)
+
+Copyright (c) 2014 The cheeriojs contributors
+
+Permission is hereby granted, free of charge, to any person obtaining a copy of this software and associated documentation files (the 'Software'), to deal in the Software without restriction, including without limitation the rights to use, copy, modify, merge, publish, distribute, sublicense, and/or sell copies of the Software, and to permit persons to whom the Software is furnished to do so, subject to the following conditions:
+
+The above copyright notice and this permission notice shall be included in all copies or substantial portions of the Software.
+
+THE SOFTWARE IS PROVIDED 'AS IS', WITHOUT WARRANTY OF ANY KIND, EXPRESS OR IMPLIED, INCLUDING BUT NOT LIMITED TO THE WARRANTIES OF MERCHANTABILITY, FITNESS FOR A PARTICULAR PURPOSE AND NONINFRINGEMENT. IN NO EVENT SHALL THE AUTHORS OR COPYRIGHT HOLDERS BE LIABLE FOR ANY CLAIM, DAMAGES OR OTHER LIABILITY, WHETHER IN AN ACTION OF CONTRACT, TORT OR OTHERWISE, ARISING FROM, OUT OF OR IN CONNECTION WITH THE SOFTWARE OR THE USE OR OTHER DEALINGS IN THE SOFTWARE.
+
+
+htmlparser2 10.1.0:
+
+Copyright 2010, 2011, Chris Winberry <chris@winberry.net>. All rights reserved.
+Permission is hereby granted, free of charge, to any person obtaining a copy
+of this software and associated documentation files (the "Software"), to
+deal in the Software without restriction, including without limitation the
+rights to use, copy, modify, merge, publish, distribute, sublicense, and/or
+sell copies of the Software, and to permit persons to whom the Software is
+furnished to do so, subject to the following conditions:
+ 
+The above copyright notice and this permission notice shall be included in
+all copies or substantial portions of the Software.
+ 
+THE SOFTWARE IS PROVIDED "AS IS", WITHOUT WARRANTY OF ANY KIND, EXPRESS OR
+IMPLIED, INCLUDING BUT NOT LIMITED TO THE WARRANTIES OF MERCHANTABILITY,
+FITNESS FOR A PARTICULAR PURPOSE AND NONINFRINGEMENT. IN NO EVENT SHALL THE
+AUTHORS OR COPYRIGHT HOLDERS BE LIABLE FOR ANY CLAIM, DAMAGES OR OTHER
+LIABILITY, WHETHER IN AN ACTION OF CONTRACT, TORT OR OTHERWISE, ARISING
+FROM, OUT OF OR IN CONNECTION WITH THE SOFTWARE OR THE USE OR OTHER DEALINGS
+IN THE SOFTWARE.
+
+
+isoformat 0.2.1:
+
+Copyright 2021 Mike Bostock
+
+Permission to use, copy, modify, and/or distribute this software for any purpose
+with or without fee is hereby granted, provided that the above copyright notice
+and this permission notice appear in all copies.
+
+THE SOFTWARE IS PROVIDED "AS IS" AND THE AUTHOR DISCLAIMS ALL WARRANTIES WITH
+REGARD TO THIS SOFTWARE INCLUDING ALL IMPLIED WARRANTIES OF MERCHANTABILITY AND
+FITNESS. IN NO EVENT SHALL THE AUTHOR BE LIABLE FOR ANY SPECIAL, DIRECT,
+INDIRECT, OR CONSEQUENTIAL DAMAGES OR ANY DAMAGES WHATSOEVER RESULTING FROM LOSS
+OF USE, DATA OR PROFITS, WHETHER IN AN ACTION OF CONTRACT, NEGLIGENCE OR OTHER
+TORTIOUS ACTION, ARISING OUT OF OR IN CONNECTION WITH THE USE OR PERFORMANCE OF
+THIS SOFTWARE.
+
+
+linkedom 0.18.12:
+
+ISC License
+
+Copyright (c) 2021, Andrea Giammarchi, @WebReflection
+
+Permission to use, copy, modify, and/or distribute this software for any
+purpose with or without fee is hereby granted, provided that the above
+copyright notice and this permission notice appear in all copies.
+
+THE SOFTWARE IS PROVIDED "AS IS" AND THE AUTHOR DISCLAIMS ALL WARRANTIES WITH
+REGARD TO THIS SOFTWARE INCLUDING ALL IMPLIED WARRANTIES OF MERCHANTABILITY
+AND FITNESS. IN NO EVENT SHALL THE AUTHOR BE LIABLE FOR ANY SPECIAL, DIRECT,
+INDIRECT, OR CONSEQUENTIAL DAMAGES OR ANY DAMAGES WHATSOEVER RESULTING FROM
+LOSS OF USE, DATA OR PROFITS, WHETHER IN AN ACTION OF CONTRACT, NEGLIGENCE
+OR OTHER TORTIOUS ACTION, ARISING OUT OF OR IN CONNECTION WITH THE USE OR
+PERFORMANCE OF THIS SOFTWARE.
+
+
+uhyphen 0.2.0:
+
+ISC License
+
+Copyright (c) 2020, Andrea Giammarchi, @WebReflection
+
+Permission to use, copy, modify, and/or distribute this software for any
+purpose with or without fee is hereby granted, provided that the above
+copyright notice and this permission notice appear in all copies.
+
+THE SOFTWARE IS PROVIDED "AS IS" AND THE AUTHOR DISCLAIMS ALL WARRANTIES WITH
+REGARD TO THIS SOFTWARE INCLUDING ALL IMPLIED WARRANTIES OF MERCHANTABILITY
+AND FITNESS. IN NO EVENT SHALL THE AUTHOR BE LIABLE FOR ANY SPECIAL, DIRECT,
+INDIRECT, OR CONSEQUENTIAL DAMAGES OR ANY DAMAGES WHATSOEVER RESULTING FROM
+LOSS OF USE, DATA OR PROFITS, WHETHER IN AN ACTION OF CONTRACT, NEGLIGENCE
+OR OTHER TORTIOUS ACTION, ARISING OUT OF OR IN CONNECTION WITH THE USE OR
+PERFORMANCE OF THIS SOFTWARE.
+*/
 var Iv=Object.create;var Yd=Object.defineProperty;var Mv=Object.getOwnPropertyDescriptor;var Nv=Object.getOwnPropertyNames;var _v=Object.getPrototypeOf,Dv=Object.prototype.hasOwnProperty;var Rv=(e=>typeof require<"u"?require:typeof Proxy<"u"?new Proxy(e,{get:(t,n)=>(typeof require<"u"?require:t)[n]}):e)(function(e){if(typeof require<"u")return require.apply(this,arguments);throw Error('Dynamic require of "'+e+'" is not supported')});var we=(e,t)=>()=>{try{return t||e((t={exports:{}}).exports,t),t.exports}catch(n){throw t=0,n}},Hd=(e,t)=>{for(var n in t)Yd(e,n,{get:t[n],enumerable:!0})},kv=(e,t,n,r)=>{if(t&&typeof t=="object"||typeof t=="function")for(let i of Nv(t))!Dv.call(e,i)&&i!==n&&Yd(e,i,{get:()=>t[i],enumerable:!(r=Mv(t,i))||r.enumerable});return e};var un=(e,t,n)=>(n=e!=null?Iv(_v(e)):{},kv(t||!e||!e.__esModule?Yd(n,"default",{value:e,enumerable:!0}):n,e));var cu=we((JF,u2)=>{u2.exports={trueFunc:function(){return!0},falseFunc:function(){return!1}}});var tl=we(sr=>{"use strict";Object.defineProperty(sr,"__esModule",{value:!0});sr.AttributeAction=sr.IgnoreCaseMode=sr.SelectorType=void 0;var JC;(function(e){e.Attribute="attribute",e.Pseudo="pseudo",e.PseudoElement="pseudo-element",e.Tag="tag",e.Universal="universal",e.Adjacent="adjacent",e.Child="child",e.Descendant="descendant",e.Parent="parent",e.Sibling="sibling",e.ColumnCombinator="column-combinator"})(JC=sr.SelectorType||(sr.SelectorType={}));sr.IgnoreCaseMode={Unknown:null,QuirksMode:"quirks",IgnoreCase:!0,CaseSensitive:!1};var ZC;(function(e){e.Any="any",e.Element="element",e.End="end",e.Equals="equals",e.Exists="exists",e.Hyphen="hyphen",e.Not="not",e.Start="start"})(ZC=sr.AttributeAction||(sr.AttributeAction={}))});var l2=we(go=>{"use strict";Object.defineProperty(go,"__esModule",{value:!0});go.parse=go.isTraversal=void 0;var be=tl(),o2=/^[^\\#]?(?:\\(?:[\da-f]{1,6}\s?|.)|[\w\-\u00b0-\uFFFF])+/,XC=/\\([\da-f]{1,6}\s?|(\s)|.)/gi,zC=new Map([[126,be.AttributeAction.Element],[94,be.AttributeAction.Start],[36,be.AttributeAction.End],[42,be.AttributeAction.Any],[33,be.AttributeAction.Not],[124,be.AttributeAction.Hyphen]]),jC=new Set(["has","not","matches","is","where","host","host-context"]);function s2(e){switch(e.type){case be.SelectorType.Adjacent:case be.SelectorType.Child:case be.SelectorType.Descendant:case be.SelectorType.Parent:case be.SelectorType.Sibling:case be.SelectorType.ColumnCombinator:return!0;default:return!1}}go.isTraversal=s2;var e9=new Set(["contains","icontains"]);function t9(e,t,n){var r=parseInt(t,16)-65536;return r!==r||n?t:r<0?String.fromCharCode(r+65536):String.fromCharCode(r>>10|55296,r&1023|56320)}function Ka(e){return e.replace(XC,t9)}function _h(e){return e===39||e===34}function a2(e){return e===32||e===9||e===10||e===12||e===13}function n9(e){var t=[],n=c2(t,"".concat(e),0);if(n<e.length)throw new Error("Unmatched selector: ".concat(e.slice(n)));return t}go.parse=n9;function c2(e,t,n){var r=[];function i(P){var L=t.slice(n+P).match(o2);if(!L)throw new Error("Expected name, found ".concat(t.slice(n)));var I=L[0];return n+=P+I.length,Ka(I)}function u(P){for(n+=P;n<t.length&&a2(t.charCodeAt(n));)n++}function o(){n+=1;for(var P=n,L=1;L>0&&n<t.length;n++)t.charCodeAt(n)===40&&!a(n)?L++:t.charCodeAt(n)===41&&!a(n)&&L--;if(L)throw new Error("Parenthesis not matched");return Ka(t.slice(P,n-1))}function a(P){for(var L=0;t.charCodeAt(--P)===92;)L++;return(L&1)===1}function s(){if(r.length>0&&s2(r[r.length-1]))throw new Error("Did not expect successive traversals.")}function c(P){if(r.length>0&&r[r.length-1].type===be.SelectorType.Descendant){r[r.length-1].type=P;return}s(),r.push({type:P})}function l(P,L){r.push({type:be.SelectorType.Attribute,name:P,action:L,value:i(1),namespace:null,ignoreCase:"quirks"})}function d(){if(r.length&&r[r.length-1].type===be.SelectorType.Descendant&&r.pop(),r.length===0)throw new Error("Empty sub-selector");e.push(r)}if(u(0),t.length===n)return n;e:for(;n<t.length;){var f=t.charCodeAt(n);switch(f){case 32:case 9:case 10:case 12:case 13:{(r.length===0||r[0].type!==be.SelectorType.Descendant)&&(s(),r.push({type:be.SelectorType.Descendant})),u(1);break}case 62:{c(be.SelectorType.Child),u(1);break}case 60:{c(be.SelectorType.Parent),u(1);break}case 126:{c(be.SelectorType.Sibling),u(1);break}case 43:{c(be.SelectorType.Adjacent),u(1);break}case 46:{l("class",be.AttributeAction.Element);break}case 35:{l("id",be.AttributeAction.Equals);break}case 91:{u(1);var h=void 0,p=null;t.charCodeAt(n)===124?h=i(1):t.startsWith("*|",n)?(p="*",h=i(2)):(h=i(0),t.charCodeAt(n)===124&&t.charCodeAt(n+1)!==61&&(p=h,h=i(1))),u(0);var m=be.AttributeAction.Exists,A=zC.get(t.charCodeAt(n));if(A){if(m=A,t.charCodeAt(n+1)!==61)throw new Error("Expected `=`");u(2)}else t.charCodeAt(n)===61&&(m=be.AttributeAction.Equals,u(1));var g="",b=null;if(m!=="exists"){if(_h(t.charCodeAt(n))){for(var w=t.charCodeAt(n),y=n+1;y<t.length&&(t.charCodeAt(y)!==w||a(y));)y+=1;if(t.charCodeAt(y)!==w)throw new Error("Attribute value didn't end");g=Ka(t.slice(n+1,y)),n=y+1}else{for(var v=n;n<t.length&&(!a2(t.charCodeAt(n))&&t.charCodeAt(n)!==93||a(n));)n+=1;g=Ka(t.slice(v,n))}u(0);var x=t.charCodeAt(n)|32;x===115?(b=!1,u(1)):x===105&&(b=!0,u(1))}if(t.charCodeAt(n)!==93)throw new Error("Attribute selector didn't terminate");n+=1;var S={type:be.SelectorType.Attribute,name:h,action:m,value:g,namespace:p,ignoreCase:b};r.push(S);break}case 58:{if(t.charCodeAt(n+1)===58){r.push({type:be.SelectorType.PseudoElement,name:i(2).toLowerCase(),data:t.charCodeAt(n)===40?o():null});continue}var E=i(1).toLowerCase(),C=null;if(t.charCodeAt(n)===40)if(jC.has(E)){if(_h(t.charCodeAt(n+1)))throw new Error("Pseudo-selector ".concat(E," cannot be quoted"));if(C=[],n=c2(C,t,n+1),t.charCodeAt(n)!==41)throw new Error("Missing closing parenthesis in :".concat(E," (").concat(t,")"));n+=1}else{if(C=o(),e9.has(E)){var _=C.charCodeAt(0);_===C.charCodeAt(C.length-1)&&_h(_)&&(C=C.slice(1,-1))}C=Ka(C)}r.push({type:be.SelectorType.Pseudo,name:E,data:C});break}case 44:{d(),r=[],u(1);break}default:{if(t.startsWith("/*",n)){var N=t.indexOf("*/",n+2);if(N<0)throw new Error("Comment was not terminated");n=N+2,r.length===0&&u(0);break}var p=null,D=void 0;if(f===42)n+=1,D="*";else if(f===124){if(D="",t.charCodeAt(n+1)===124){c(be.SelectorType.ColumnCombinator),u(2);break}}else if(o2.test(t.slice(n)))D=i(0);else break e;t.charCodeAt(n)===124&&t.charCodeAt(n+1)!==124&&(p=D,t.charCodeAt(n+1)===42?(D="*",n+=2):D=i(1)),r.push(D==="*"?{type:be.SelectorType.Universal,namespace:p}:{type:be.SelectorType.Tag,name:D,namespace:p})}}}return d(),n}});var g2=we(yo=>{"use strict";var nl=yo&&yo.__spreadArray||function(e,t,n){if(n||arguments.length===2)for(var r=0,i=t.length,u;r<i;r++)(u||!(r in t))&&(u||(u=Array.prototype.slice.call(t,0,r)),u[r]=t[r]);return e.concat(u||Array.prototype.slice.call(t))};Object.defineProperty(yo,"__esModule",{value:!0});yo.stringify=void 0;var Ge=tl(),h2=["\\",'"'],p2=nl(nl([],h2,!0),["(",")"],!1),r9=new Set(h2.map(function(e){return e.charCodeAt(0)})),f2=new Set(p2.map(function(e){return e.charCodeAt(0)})),bo=new Set(nl(nl([],p2,!0),["~","^","$","*","+","!","|",":","[","]"," ","."],!1).map(function(e){return e.charCodeAt(0)}));function m2(e){return e.map(function(t){return t.map(i9).join("")}).join(", ")}yo.stringify=m2;function i9(e,t,n){switch(e.type){case Ge.SelectorType.Child:return t===0?"> ":" > ";case Ge.SelectorType.Parent:return t===0?"< ":" < ";case Ge.SelectorType.Sibling:return t===0?"~ ":" ~ ";case Ge.SelectorType.Adjacent:return t===0?"+ ":" + ";case Ge.SelectorType.Descendant:return" ";case Ge.SelectorType.ColumnCombinator:return t===0?"|| ":" || ";case Ge.SelectorType.Universal:return e.namespace==="*"&&t+1<n.length&&"name"in n[t+1]?"":"".concat(A2(e.namespace),"*");case Ge.SelectorType.Tag:return d2(e);case Ge.SelectorType.PseudoElement:return"::".concat(Ur(e.name,bo)).concat(e.data===null?"":"(".concat(Ur(e.data,f2),")"));case Ge.SelectorType.Pseudo:return":".concat(Ur(e.name,bo)).concat(e.data===null?"":"(".concat(typeof e.data=="string"?Ur(e.data,f2):m2(e.data),")"));case Ge.SelectorType.Attribute:{if(e.name==="id"&&e.action===Ge.AttributeAction.Equals&&e.ignoreCase==="quirks"&&!e.namespace)return"#".concat(Ur(e.value,bo));if(e.name==="class"&&e.action===Ge.AttributeAction.Element&&e.ignoreCase==="quirks"&&!e.namespace)return".".concat(Ur(e.value,bo));var r=d2(e);return e.action===Ge.AttributeAction.Exists?"[".concat(r,"]"):"[".concat(r).concat(u9(e.action),'="').concat(Ur(e.value,r9),'"').concat(e.ignoreCase===null?"":e.ignoreCase?" i":" s","]")}}}function u9(e){switch(e){case Ge.AttributeAction.Equals:return"";case Ge.AttributeAction.Element:return"~";case Ge.AttributeAction.Start:return"^";case Ge.AttributeAction.End:return"$";case Ge.AttributeAction.Any:return"*";case Ge.AttributeAction.Not:return"!";case Ge.AttributeAction.Hyphen:return"|";case Ge.AttributeAction.Exists:throw new Error("Shouldn't be here")}}function d2(e){return"".concat(A2(e.namespace)).concat(Ur(e.name,bo))}function A2(e){return e!==null?"".concat(e==="*"?"*":Ur(e,bo),"|"):""}function Ur(e,t){for(var n=0,r="",i=0;i<e.length;i++)t.has(e.charCodeAt(i))&&(r+="".concat(e.slice(n,i),"\\").concat(e.charAt(i)),n=i+1);return r.length>0?r+e.slice(n):e}});var Va=we(Zt=>{"use strict";var o9=Zt&&Zt.__createBinding||(Object.create?(function(e,t,n,r){r===void 0&&(r=n);var i=Object.getOwnPropertyDescriptor(t,n);(!i||("get"in i?!t.__esModule:i.writable||i.configurable))&&(i={enumerable:!0,get:function(){return t[n]}}),Object.defineProperty(e,r,i)}):(function(e,t,n,r){r===void 0&&(r=n),e[r]=t[n]})),a9=Zt&&Zt.__exportStar||function(e,t){for(var n in e)n!=="default"&&!Object.prototype.hasOwnProperty.call(t,n)&&o9(t,e,n)};Object.defineProperty(Zt,"__esModule",{value:!0});Zt.stringify=Zt.parse=Zt.isTraversal=void 0;a9(tl(),Zt);var b2=l2();Object.defineProperty(Zt,"isTraversal",{enumerable:!0,get:function(){return b2.isTraversal}});Object.defineProperty(Zt,"parse",{enumerable:!0,get:function(){return b2.parse}});var s9=g2();Object.defineProperty(Zt,"stringify",{enumerable:!0,get:function(){return s9.stringify}})});var sp=we(K2=>{var $2={};$2.StyleSheet=function(){this.parentStyleSheet=null};K2.StyleSheet=$2.StyleSheet});var Ut=we(V2=>{var Qe={};Qe.CSSRule=function(){this.parentRule=null,this.parentStyleSheet=null};Qe.CSSRule.UNKNOWN_RULE=0;Qe.CSSRule.STYLE_RULE=1;Qe.CSSRule.CHARSET_RULE=2;Qe.CSSRule.IMPORT_RULE=3;Qe.CSSRule.MEDIA_RULE=4;Qe.CSSRule.FONT_FACE_RULE=5;Qe.CSSRule.PAGE_RULE=6;Qe.CSSRule.KEYFRAMES_RULE=7;Qe.CSSRule.KEYFRAME_RULE=8;Qe.CSSRule.MARGIN_RULE=9;Qe.CSSRule.NAMESPACE_RULE=10;Qe.CSSRule.COUNTER_STYLE_RULE=11;Qe.CSSRule.SUPPORTS_RULE=12;Qe.CSSRule.DOCUMENT_RULE=13;Qe.CSSRule.FONT_FEATURE_VALUES_RULE=14;Qe.CSSRule.VIEWPORT_RULE=15;Qe.CSSRule.REGION_STYLE_RULE=16;Qe.CSSRule.prototype={constructor:Qe.CSSRule};V2.CSSRule=Qe.CSSRule});var os=we(J2=>{var Xt={CSSStyleDeclaration:hu().CSSStyleDeclaration,CSSRule:Ut().CSSRule};Xt.CSSStyleRule=function(){Xt.CSSRule.call(this),this.selectorText="",this.style=new Xt.CSSStyleDeclaration,this.style.parentRule=this};Xt.CSSStyleRule.prototype=new Xt.CSSRule;Xt.CSSStyleRule.prototype.constructor=Xt.CSSStyleRule;Xt.CSSStyleRule.prototype.type=1;Object.defineProperty(Xt.CSSStyleRule.prototype,"cssText",{get:function(){var e;return this.selectorText?e=this.selectorText+" {"+this.style.cssText+"}":e="",e},set:function(e){var t=Xt.CSSStyleRule.parse(e);this.style=t.style,this.selectorText=t.selectorText}});Xt.CSSStyleRule.parse=function(e){for(var t=0,n="selector",r,i=t,u="",o={selector:!0,value:!0},a=new Xt.CSSStyleRule,s,c="",l;l=e.charAt(t);t++)switch(l){case" ":case"	":case"\r":case`
 `:case"\f":if(o[n])switch(e.charAt(t-1)){case" ":case"	":case"\r":case`
 `:case"\f":break;default:u+=" ";break}break;case'"':if(i=t+1,r=e.indexOf('"',i)+1,!r)throw'" is missing';u+=e.slice(t,r),t=r-1;break;case"'":if(i=t+1,r=e.indexOf("'",i)+1,!r)throw"' is missing";u+=e.slice(t,r),t=r-1;break;case"/":if(e.charAt(t+1)==="*"){if(t+=2,r=e.indexOf("*/",t),r===-1)throw new SyntaxError("Missing */");t=r+1}else u+=l;break;case"{":n==="selector"&&(a.selectorText=u.trim(),u="",n="name");break;case":":n==="name"?(s=u.trim(),u="",n="value"):u+=l;break;case"!":n==="value"&&e.indexOf("!important",t)===t?(c="important",t+=9):u+=l;break;case";":n==="value"?(a.style.setProperty(s,u.trim(),c),c="",u="",n="name"):u+=l;break;case"}":if(n==="value")a.style.setProperty(s,u.trim(),c),c="",u="";else{if(n==="name")break;u+=l}n="selector";break;default:u+=l;break}return a};J2.CSSStyleRule=Xt.CSSStyleRule});var as=we(Z2=>{var hn={StyleSheet:sp().StyleSheet,CSSStyleRule:os().CSSStyleRule};hn.CSSStyleSheet=function(){hn.StyleSheet.call(this),this.cssRules=[]};hn.CSSStyleSheet.prototype=new hn.StyleSheet;hn.CSSStyleSheet.prototype.constructor=hn.CSSStyleSheet;hn.CSSStyleSheet.prototype.insertRule=function(e,t){if(t<0||t>this.cssRules.length)throw new RangeError("INDEX_SIZE_ERR");var n=hn.parse(e).cssRules[0];return n.parentStyleSheet=this,this.cssRules.splice(t,0,n),t};hn.CSSStyleSheet.prototype.deleteRule=function(e){if(e<0||e>=this.cssRules.length)throw new RangeError("INDEX_SIZE_ERR");this.cssRules.splice(e,1)};hn.CSSStyleSheet.prototype.toString=function(){for(var e="",t=this.cssRules,n=0;n<t.length;n++)e+=t[n].cssText+`

@@ -11,6 +11,8 @@ const colour = (name: string) => getComputedStyle(document.documentElement).getP
 
 /** Gaps narrower than this part of what can be seen are widened before anybody asks. */
 const widened_at_once = 20;
+/** A solid this many times smaller than the other is not seen beside it. */
+const uneven = 300;
 
 export function PairView({ shown }: { shown: Case }) {
   const place = useRef<HTMLDivElement>(null);
@@ -21,6 +23,8 @@ export function PairView({ shown }: { shown: Case }) {
   const drawing = useMemo(() => exaggerated(true_drawing, wide ? factor : 1), [true_drawing, wide, factor]);
   const view = useMemo(() => view_of(drawing, close), [drawing, close]);
   const stage = the_stage();
+  const sizes = [true_drawing.a, true_drawing.b].map((s) => Math.hypot(s.radius, s.half));
+  const ratio = Math.max(...sizes) / Math.min(...sizes);
 
   useEffect(() => {
     if (!stage || !place.current) return;
@@ -55,6 +59,7 @@ export function PairView({ shown }: { shown: Case }) {
         {factor > 1 && wide && <b class="warn">Not to scale: the {words} of {short(Math.abs(gap!) * true_drawing.unit)} is drawn {short(factor, 2)} times as wide, by moving the solids {gap! > 0 ? "apart" : "into each other"} about their contact. </b>}
         {factor > 1 && !wide && <>To scale: the {words} of {short(Math.abs(gap!) * true_drawing.unit)} is drawn as it is. </>}
         {factor === 1 && <>To scale. </>}
+        {ratio > uneven && <>One solid is {short(ratio, 2)} times as large as the other, which may be too small to be seen. </>}
         {stage ? "Drag to turn, wheel to zoom." : "This browser has no WebGL: a projection stands in."}
         {drawing.near && " The dots on a line are the nearest points, approximately."}
       </figcaption>
