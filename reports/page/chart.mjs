@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Built by build.mjs, not written by hand. Sources: 2896e62cbfecb52b95cc09c3d67c86f89c15226955d4b321f757dd2c743f1e39
+// Built by build.mjs, not written by hand. Sources: 1e7819aec30a6be85db98d2047d6ed453aa15e20e0aeb1b3f23e2167e034a976
 /* It holds
 
 @observablehq/plot 0.6.17:

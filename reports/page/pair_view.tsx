@@ -59,7 +59,7 @@ export function PairView({ shown }: { shown: Case }) {
         {factor > 1 && wide && <b class="warn">Not to scale: the {words} of {short(Math.abs(gap!) * true_drawing.unit)} is drawn {short(factor, 2)} times as wide, by moving the solids {gap! > 0 ? "apart" : "into each other"} about their contact. </b>}
         {factor > 1 && !wide && <>To scale: the {words} of {short(Math.abs(gap!) * true_drawing.unit)} is drawn as it is. </>}
         {factor === 1 && <>To scale. </>}
-        {ratio > uneven && <>One solid is {short(ratio, 2)} times as large as the other, which may be too small to be seen. </>}
+        {Number.isFinite(ratio) && ratio > uneven && <>One solid is {short(ratio, 2)} times as large as the other, which may be too small to be seen. </>}
         {stage ? "Drag to turn, wheel to zoom." : "This browser has no WebGL: a projection stands in."}
         {drawing.near && " The dots on a line are the nearest points, approximately."}
       </figcaption>
