@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Built by build.mjs, not written by hand. Sources: 1e7819aec30a6be85db98d2047d6ed453aa15e20e0aeb1b3f23e2167e034a976
+// Built by build.mjs, not written by hand. Sources: 93a1564ecc7bf81a1e7eab37f7aed471c6204d85c79b9f775709aa554e90b1bf
 /* It holds
 
 @observablehq/plot 0.6.17:

@@ -30,7 +30,7 @@ export function Maps({ report }: { report: FullReport }) {
   const [what, count] = useState<Wrongness>("all");
   const find = (name: string, plane: string) => report.maps.find((m) => m.method === name && m.plane === plane);
   return (
-    <Section id="maps" title="Failure maps" lead={methods.length ? "How often a method was wrong, by what the pair is like; the darker, the larger the share. A dot marks cells with a case to look at." : undefined}>
+    <Section id="maps" title="Failure maps" lead={methods.length ? "How often a method was wrong, by what the pair is like; the stronger the colour, the larger the share. A dot marks a cell that leads to a case." : undefined}>
       {methods.length === 0 ? <Missing what="failure maps" command={`./daylight triage ${shell_quoted(report.run.folder ?? report.run.id)}`} /> : (
         <>
           <p class="tools">

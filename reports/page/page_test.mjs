@@ -43,7 +43,10 @@ async function open(scheme = "light", first) {
   return page;
 }
 
-const rows_told = async (page) => Number((await page.locator(".filters [role=status]").innerText()).split(" ")[0].replaceAll(",", ""));
+/** Until what was done is drawn. */
+const settled = (page) => page.evaluate(() => new Promise((done) => { requestAnimationFrame(() => requestAnimationFrame(() => setTimeout(done, 60))); }));
+
+const rows_told = async (page) => (await settled(page), Number((await page.locator(".filters [role=status]").innerText()).split(" ")[0].replaceAll(",", "")));
 
 async function shots(to) {
   mkdirSync(to, { recursive: true });
@@ -72,7 +75,7 @@ async function shots(to) {
 }
 
 /** The rows on the screen, as the texts of one column. */
-const column = (page, name) => page.locator(`.findings tbody td.c-${name}`).allInnerTexts();
+const column = async (page, name) => (await settled(page), page.locator(`.findings tbody td.c-${name}`).allInnerTexts());
 
 async function reads_the_findings(page) {
   assert.equal(await rows_told(page), 400);
@@ -88,9 +91,11 @@ async function reads_the_findings(page) {
 
   const head = page.locator(".findings th", { hasText: "#" });
   await head.getByRole("button").click();
+  await settled(page);
   assert.equal(await head.getAttribute("aria-sort"), "ascending");
   assert.deepEqual((await column(page, "id")).slice(0, 3), ["1", "2", "3"]);
   await head.getByRole("button").click();
+  await settled(page);
   assert.equal(await head.getAttribute("aria-sort"), "descending");
   assert.equal((await column(page, "id"))[0], "400");
   assert.equal(await page.locator(".findings th[aria-sort=ascending]").count(), 0);
@@ -104,11 +109,12 @@ async function reads_the_findings(page) {
   await page.waitForSelector(".detail h2");
   assert.match(await page.locator(".detail h2").innerText(), /^#2 /);
   await page.goBack();
+  await settled(page);
   assert.equal(await page.locator("main.overview").isVisible(), true);
 }
 
 /** Different colours on the canvas. */
-const colours = (page) => page.evaluate(() => {
+const colours = async (page) => (await settled(page), page.evaluate(() => {
   const canvas = document.querySelector(".stage canvas");
   const flat = Object.assign(document.createElement("canvas"), { width: canvas.width, height: canvas.height }).getContext("2d");
   flat.drawImage(canvas, 0, 0);
@@ -116,7 +122,7 @@ const colours = (page) => page.evaluate(() => {
   let hash = 0;
   for (const pixel of data) hash = (Math.imul(hash, 31) + pixel) | 0;
   return { count: new Set(data).size, hash };
-});
+}));
 
 async function proves_and_turns(page) {
   const first = await colours(page);
@@ -129,15 +135,19 @@ async function proves_and_turns(page) {
   assert.notEqual((await colours(page)).hash, first.hash, "turned, it looks another way");
 
   await page.locator(".prove").click();
+  await settled(page);
   assert.equal(await page.locator(".proof").getAttribute("data-holds"), "true");
   const field = page.locator(".prover textarea"), certificate = JSON.parse(await field.inputValue());
   const tampered = certificate.direction ? { ...certificate, direction: [0, 0, 1] } : { ...certificate, point: [certificate.point[0], 5, 0] };
   await field.fill(JSON.stringify(tampered));
+  await settled(page);
   assert.equal(await page.locator(".proof").count(), 0, "an old proof does not stand beside a new certificate");
   await page.locator(".prove").click();
+  await settled(page);
   assert.equal(await page.locator(".proof").getAttribute("data-holds"), "false");
   await page.getByRole("button", { name: "As it was" }).click();
   await page.locator(".prove").click();
+  await settled(page);
   assert.equal(await page.locator(".proof").getAttribute("data-holds"), "true");
 }
 
@@ -146,6 +156,7 @@ async function reads_a_cause(page) {
   await page.waitForSelector(".tabs");
   await proves_and_turns(page);
   await page.getByRole("tab", { name: "Worst" }).click();
+  await settled(page);
   assert.equal(await page.getByRole("tab", { name: "Worst" }).getAttribute("aria-selected"), "true");
   await proves_and_turns(page);
   assert.equal(await page.locator("canvas").count(), 1, "one canvas serves all views");
@@ -158,6 +169,7 @@ async function reads_a_narrow_gap(page, report) {
   assert.match(await page.locator(".pair-view figcaption").innerText(), /^Not to scale: the (gap|overlap) of \S+ is drawn \S+ times as wide/);
   const wide = await colours(page);
   await page.getByRole("button", { name: /^Widen/ }).click();
+  await settled(page);
   assert.match(await page.locator(".pair-view figcaption").innerText(), /^To scale/);
   assert.notEqual((await colours(page)).hash, wide.hash);
 }
@@ -166,6 +178,7 @@ async function follows_a_heat_cell(page) {
   await page.evaluate(() => { location.hash = "#/summary"; });
   await page.locator("td.heat.bad a").first().click();
   await page.waitForFunction(() => location.hash.startsWith("#/findings?"));
+  await settled(page);
   const chosen = await page.evaluate(() => new URLSearchParams(location.hash.split("?")[1]).get("family"));
   assert.equal(await page.locator(".chips[aria-label=Family] .chip[aria-pressed=true]").count(), 1);
   assert.match(await page.locator(".chips[aria-label=Family] .chip[aria-pressed=true]").innerText(), new RegExp(chosen.replaceAll("_", " ")));
@@ -183,6 +196,7 @@ async function draws_every_plot(page) {
 async function fits_a_laptop(page) {
   await page.evaluate(() => { location.hash = "#/summary"; });
   await page.getByRole("button", { name: "Unfold all methods" }).click();
+  await settled(page);
   const [inner, outer] = await page.evaluate(() => [document.documentElement.scrollWidth, innerWidth]);
   assert.ok(inner <= outer, `the page is ${inner} wide in a window of ${outer}`);
   assert.equal(await page.evaluate(() => [...document.querySelectorAll(".scroll")].filter((e) => e.scrollWidth > e.clientWidth + 1).length), 0);

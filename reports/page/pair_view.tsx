@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Both solids, to be turned; close up, and with a gap too narrow to see drawn wider, which is said.
-import { useEffect, useMemo, useRef, useState } from "preact/hooks";
+import { useLayoutEffect, useMemo, useRef, useState } from "preact/hooks";
 import type { Case } from "./data.ts";
 import { drawing_of, exaggerated, exaggeration } from "./geometry.ts";
 import { Projection } from "./projection.tsx";
@@ -26,7 +26,7 @@ export function PairView({ shown }: { shown: Case }) {
   const sizes = [true_drawing.a, true_drawing.b].map((s) => Math.hypot(s.radius, s.half));
   const ratio = Math.max(...sizes) / Math.min(...sizes);
 
-  useEffect(() => {
+  useLayoutEffect(() => {
     if (!stage || !place.current) return;
     place.current.append(stage.canvas);
     const paint = () => {
@@ -40,7 +40,7 @@ export function PairView({ shown }: { shown: Case }) {
     scheme.addEventListener("change", paint);
     return () => { observer.disconnect(); scheme.removeEventListener("change", paint); };
   }, [drawing]);
-  useEffect(() => stage?.look(view), [view.radius, shown]);
+  useLayoutEffect(() => stage?.look(view), [view.radius, shown]);
 
   const gap = true_drawing.gap, words = gap === null ? "" : gap < 0 ? "overlap" : "gap";
   const label = `Cylinder a and cylinder b, ${shown.truth.verdict}`;

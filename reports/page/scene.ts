@@ -50,6 +50,9 @@ class Stage {
     this.canvas = this.renderer.domElement;
     this.controls = new OrbitControls(this.camera, this.canvas);
     this.controls.enableDamping = false;
+    const light = new DirectionalLight("#ffffff", 2.2);  // beside the eye
+    light.position.set(0.3, 0.6, 1);
+    this.camera.add(light);
     this.controls.addEventListener("change", () => this.draw());
     this.canvas.tabIndex = 0;
     this.controls.listenToKeyEvents(this.canvas);
@@ -61,9 +64,6 @@ class Stage {
     });
     this.scene = new Scene();
     this.marks = [];
-    const light = new DirectionalLight("#ffffff", 2.2);
-    this.camera.add(light);
-    light.position.set(0.3, 0.6, 1);
     this.scene.add(this.camera, new AmbientLight("#ffffff", 1.5), solid_group(d.a, colours.a, d.extent), solid_group(d.b, colours.b, d.extent));
     const mark = (at: Vec, colour: string) => {
       const ball = new Mesh(new SphereGeometry(1, 16, 12), new MeshBasicMaterial({ color: colour, depthTest: false, transparent: true }));
@@ -99,14 +99,6 @@ class Stage {
     this.camera.up.copy(three(view.up));
     this.camera.position.copy(three(add(view.target, scale(view.eye, 4))));
     this.controls.target.copy(three(view.target));
-    this.controls.update();
-    this.draw();
-  }
-
-  /** By hand or by a test: around the target, in radians. */
-  turn(angle: number) {
-    const from = this.camera.position.clone().sub(this.controls.target).applyAxisAngle(this.camera.up, angle);
-    this.camera.position.copy(this.controls.target).add(from);
     this.controls.update();
     this.draw();
   }

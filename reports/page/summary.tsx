@@ -86,7 +86,7 @@ function HeatTable({ report }: { report: FullReport }) {
         <button type="button" onClick={() => set(all_open ? new Set() : new Set(groups.map((g) => g.name)))}>{all_open ? "Fold all" : "Unfold all methods"}</button>
         <span class="legend" aria-hidden="true">
           <i class="heat bad s5" /> wrong beyond the claim or failed (×) <i class="heat within s4" /> wrong within the claim{" "}
-          <i class="heat undecided s4" /> undecided <i class="heat clean" /> neither <i class="heat empty" /> not asked; the darker, the larger the share
+          <i class="heat undecided s4" /> undecided <i class="heat clean" /> neither <i class="heat empty" /> not asked; the stronger the colour, the larger the share
         </span>
       </p>
       <div class="scroll">
