@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Built by build.mjs, not written by hand. Sources: 93a1564ecc7bf81a1e7eab37f7aed471c6204d85c79b9f775709aa554e90b1bf
+// Built by build.mjs, not written by hand. Sources: 50b7dfd05df24869fbc9ebcd62df5c099f51012f971e481711471d55736fa383
 /* It holds
 
 @observablehq/plot 0.6.17:

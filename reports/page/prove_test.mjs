@@ -32,6 +32,13 @@ test("a gap of one unit in the last place shows", () => {
   assert.equal(holds(beside(next), direction(1, 1e-7, 0)), false, "turned by more than the gap allows");
 });
 
+test("a sign that hides in the sixtieth digit shows with more of them", () => {
+  const touching = { a: upright, b: cylinder([2, 0, 0], [0, 3, 4], 1, 2) }, tiny = `1/${10n ** 30n}`, tinier = `1/${10n ** 4000n}`;
+  assert.equal(holds(touching, direction(1, tiny, 0)), false);
+  assert.equal(holds(touching, direction(1, tinier, 0)), null);
+  assert.match(prove(touching, direction(1, tinier, 0)).text, /16384/);
+});
+
 test("lengths hundreds of decades apart", () => {
   const far = { a: cylinder([-1e300, 0, 0], [0, 0, 5e-324], 5e-324, 1e-300), b: cylinder([1e300, 1, 0], [0, 0, 1e300], 1, 2) };
   assert.equal(holds(far, direction(1, 5e-301, 0)), true);
