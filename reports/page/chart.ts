@@ -6,7 +6,7 @@ import { argv, exit } from "node:process";
 import { pathToFileURL } from "node:url";
 import { parseHTML } from "linkedom";
 import type { Report } from "./data.ts";
-import { backward_plot, cost_plot, families_plot, honesty_plot, map_plot, paper, palette, pareto, series_key, speed_plot, trace_plot, wrong_plot, type Options } from "./plots.ts";
+import { backward_plot, cost_plot, families_plot, first_of_each, honesty_plot, map_plot, paper, palette, pareto, series_key, speed_plot, trace_plot, wrong_plot, type Options } from "./plots.ts";
 import { expand, type FullReport } from "./report.ts";
 import { grouped, library } from "./words.ts";
 
@@ -44,7 +44,6 @@ export function charts(report: FullReport, document: Document): Map<string, stri
   const libraries = (methods: string[]): Key[] => [...palette(methods.map(library), paper)].filter(([name]) => methods.some((m) => library(m) === name)).map(([name, colour]) => ({ name, colour }));
   const series = (methods: string[]): Key[] => series_key(methods, paper).map(({ method, colour }) => ({ name: method, colour }));
   const heat: Key[] = ["<1e-4", "1e-4 on", "1e-3 on", "1e-2 on", "0.1 on"].map((name, i) => ({ name, colour: paper.heat[i]! }));
-  const first_of_each = (methods: string[]) => methods.filter((m, i) => methods.findIndex((n) => library(n) === library(m)) === i).slice(0, 8);
 
   const methods = report.methods.map((m) => m.name).filter((name) => report.tallies.some((t) => t.method === name));
   if (methods.length > 0) files.set("families", framed(families_plot(report.tallies, methods, report.families.map((f) => f.name), o), `Wrong beyond the claim or failed, ${grouped(report.run.pairs)} pairs`,

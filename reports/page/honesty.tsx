@@ -3,24 +3,21 @@
 // costs there.
 import { useCallback, useMemo, useState } from "preact/hooks";
 import { Figure, Missing, Section, Select } from "./parts.tsx";
-import { cost_plot, honesty_plot, screen, series_key } from "./plots.ts";
+import { cost_plot, first_of_each, honesty_plot, screen, series_key, shown_cap } from "./plots.ts";
 import type { FullReport } from "./report.ts";
-import { claim_words, grouped, kind_words, library, safe, shell_quoted } from "./words.ts";
+import { claim_words, grouped, kind_words, safe, shell_quoted } from "./words.ts";
 
-const shown_cap = 8;
-
-/** The first of each library, ours first: what is shown before somebody chooses. */
-function first_of_each(methods: string[]): string[] {
-  const libraries = new Set<string>();
-  return methods.filter((m) => !libraries.has(library(m)) && libraries.add(library(m))).slice(0, 6);
-}
 
 export function Chooser({ methods, chosen, set }: { methods: string[]; chosen: string[]; set: (chosen: string[]) => void }) {
   const key = new Map(series_key(chosen, screen).map((k) => [k.method, k.colour]));
-  const press = (m: string) => set(chosen.includes(m) ? chosen.filter((c) => c !== m) : [...chosen, m].slice(-shown_cap));
+  const others = methods.filter((m) => !chosen.includes(m));
   return (
     <div class="chips plain-chips" role="group" aria-label="Methods shown">
-      {methods.map((m) => <button type="button" class="chip" aria-pressed={chosen.includes(m)} style={key.has(m) ? { background: key.get(m), borderColor: key.get(m), color: "var(--bg)" } : {}} onClick={() => press(m)} key={m}>{safe(m)}</button>)}
+      {chosen.map((m) => <button type="button" class="chip" title="Leave it out" style={{ background: key.get(m), borderColor: key.get(m), color: "var(--bg)" }} onClick={() => set(chosen.filter((c) => c !== m))} key={m}>{safe(m)} <span aria-hidden="true">×</span></button>)}
+      <select value="" aria-label="Show another method" disabled={others.length === 0} onChange={(event) => { set([...chosen, event.currentTarget.value].slice(-shown_cap)); event.currentTarget.value = ""; }}>
+        <option value="">show another…</option>
+        {others.map((m) => <option value={m} key={m}>{m}</option>)}
+      </select>
     </div>
   );
 }

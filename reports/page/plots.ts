@@ -167,6 +167,15 @@ export function map_plot(map: FailureMap, what: Wrongness, o: Options & { link_f
 // Honesty: share wrong against margin
 // -------------------------------------------------------------------------------------
 
+/** Curves in one plot: as many as have a colour and a symbol that nobody confuses. */
+export const shown_cap = 8;
+
+/** The first method of each library, ours first, what the documents have last: what is shown where nobody chose. */
+export function first_of_each(methods: string[]): string[] {
+  const firsts = methods.filter((m, i) => methods.findIndex((n) => library(n) === library(m)) === i);
+  return in_order(firsts, (x, y) => Number(x.startsWith("seed")) - Number(y.startsWith("seed"))).slice(0, shown_cap);
+}
+
 export function honesty_plot(all: Honesty[], o: Options): Element {
   const sides = [["wrong_disjoint", "said disjoint, but they meet"], ["wrong_intersecting", "said intersecting, but they do not"]] as const;
   const rows = all.flatMap((h) => sides.flatMap(([key, side]) => h.bins.filter((b) => b.asked > 0).map((b) => {
@@ -188,7 +197,7 @@ export function honesty_plot(all: Honesty[], o: Options): Element {
     fx: { label: null, padding: 0.08 }, color: { type: "identity" }, symbol: { type: "identity" },
     marks: [
       Plot.frame({ stroke: o.theme.line }),
-      Plot.ruleX(rows, { x, y1: low, y2: "high", fx: "side", stroke: colour, strokeOpacity: 0.45 }),
+      Plot.ruleX(rows, { x, y1: low, y2: "high", fx: "side", stroke: colour, strokeOpacity: (r: (typeof rows)[number]) => (r.wrong === 0 ? 0.2 : 0.5) }),
       ...methods.map((m) => Plot.line(rows.filter((r) => r.method === m), { x, y: share, fx: "side", stroke: colour({ method: m }), strokeWidth: 1.3 })),
       Plot.dot(rows, { x, y: share, fx: "side", stroke: colour, fill: (r: (typeof rows)[number]) => (r.wrong === 0 ? o.theme.bg : colour(r)), symbol: shape, r: 3, ariaLabel: words }),
       ...(o.document ? [] : [Plot.tip(rows, Plot.pointer({ x, y: share, fx: "side", title: words, fill: o.theme.bg, stroke: o.theme.line }))]),
