@@ -4,31 +4,40 @@
 #include <CLI/CLI.hpp>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "cli/commands.hpp"
+#include "cli/source_tree.hpp"
 #include "reports/charts.hpp"
 #include "reports/curves.hpp"
+#include "reports/draw_charts.hpp"
+#include "reports/page.hpp"
 
 namespace cyl {
 namespace {
 
 struct Arguments {
-  std::string run, bench;
+  std::string run, bench, out;
 };
 
 void chart(const Arguments& arguments) {
   std::vector<BenchRow> rows;
   if (!arguments.bench.empty()) rows = read_bench(arguments.bench);
   write_charts(arguments.run, rows);
+  write_page(arguments.run, in_source_tree("reports/kill_matrix.jsonl"));
   if (!rows.empty()) fmt::print("{}\n", format_curves(speed_points(rows)));
-  fmt::print("{}/charts.json\n", arguments.run);
+  fmt::print("{}/report.html\n", arguments.run);
+  if (arguments.out.empty()) return;
+  for (const std::string& file :
+       draw_charts(arguments.run, arguments.out, in_source_tree("reports/page/chart.mjs")))
+    fmt::print("{}\n", file);
 }
 
 }  // namespace
 
 void add_chart(CLI::App& app, int& exit_code) {
-  CLI::App* command =
-      app.add_subcommand("chart", "Failure maps of a run, and speed against accuracy, as data: charts.json");
+  CLI::App* command = app.add_subcommand(
+      "chart", "Speed against accuracy and failure maps, on the page of a run and as files");
   auto arguments = std::make_shared<Arguments>();
   command->add_option("RUN", arguments->run, "the run's folder")->required()->check(CLI::ExistingDirectory);
   command
@@ -36,9 +45,12 @@ void add_chart(CLI::App& app, int& exit_code) {
                    "what `daylight bench --curves --json FILE` measured; without it speed and cost stay as "
                    "they are")
       ->check(CLI::ExistingFile);
+  command->add_option("--out", arguments->out,
+                      "folder for the plots as SVG, and as PNG where rsvg-convert is there; needs Node.js "
+                      "(apt-get install nodejs)");
   command->footer(
       "Example:\n  daylight bench --curves --json bench.json\n"
-      "  daylight chart runs/latest --bench bench.json");
+      "  daylight chart runs/latest --bench bench.json --out charts");
   command->callback([arguments, &exit_code] {
     chart(*arguments);
     exit_code = exit_pass;

@@ -8,17 +8,56 @@
 #include <vector>
 
 #include "corpus/pair_io.hpp"
+#include "corpus/shell_words.hpp"
 #include "reports/gate_words.hpp"
-#include "reports/page.hpp"
 
 namespace cyl {
 namespace {
+
+/// `text` with & < > " ' as character references; control characters but newline and tab become U+FFFD, and
+/// those that reorder text are written as \u202e is.
+std::string escape(std::string_view text) {
+  std::string safe;
+  safe.reserve(text.size());
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    if (const unsigned control = leading_bidi_control(text.substr(i))) {
+      safe += escaped_code(control);
+      i += 2;
+      continue;
+    }
+    const char c = text[i];
+    switch (c) {
+      case '&':
+        safe += "&amp;";
+        break;
+      case '<':
+        safe += "&lt;";
+        break;
+      case '>':
+        safe += "&gt;";
+        break;
+      case '"':
+        safe += "&quot;";
+        break;
+      case '\'':
+        safe += "&#39;";
+        break;
+      default:
+        if ((static_cast<unsigned char>(c) < 0x20 && c != '\n' && c != '\t') || c == 0x7f) {
+          safe += "\xef\xbf\xbd";
+        } else {
+          safe += c;
+        }
+    }
+  }
+  return safe;
+}
 
 /// Safe as content and as an attribute, where a parser would make a blank of a newline. XML has no U+FFFE and
 /// no U+FFFF, not even as references.
 std::string xml(std::string_view text) {
   std::string safe;
-  const std::string escaped = escape_html(valid_utf8(text));
+  const std::string escaped = escape(valid_utf8(text));
   for (std::size_t i = 0; i < escaped.size(); ++i) {
     if (escaped[i] == '\n') {
       safe += "&#10;";

@@ -1,0 +1,285 @@
+// SPDX-License-Identifier: MIT
+// A reader of the page: opens it from disk in a browser without network, filters, sorts, opens findings and causes,
+// turns the drawing, proves again and tampers.
+//     node page_test.mjs                          a made-up night
+//     node page_test.mjs --shots FOLDER [PAGE]    only pictures of every section, light and dark
+//     node page_test.mjs --times FINDINGS         how long such a night takes to open and to filter
+// Exit status 77, and why, where there is no browser or no playwright-core.
+import assert from "node:assert/strict";
+import { existsSync, mkdirSync, mkdtempSync, rmSync, writeFileSync } from "node:fs";
+import { tmpdir } from "node:os";
+import { join, resolve } from "node:path";
+import { pathToFileURL } from "node:url";
+import { filled, sample } from "./sample.mjs";
+
+function skip(why) {
+  console.log(`skipped: ${why}`);
+  process.exit(77);
+}
+
+const browser_file = ["/usr/bin/chromium", "/usr/bin/chromium-browser", "/usr/bin/google-chrome"].find(existsSync) ?? skip("no chromium here (apt-get install chromium)");
+const { chromium } = await import("playwright-core").catch(() => skip("no playwright-core here (npm ci in reports/page)"));
+const [option, argument, given] = process.argv.slice(2);
+const folder = mkdtempSync(join(tmpdir(), "daylight-page-"));
+process.on("exit", () => rmSync(folder, { recursive: true }));
+let address = "";
+
+function write(report) {
+  writeFileSync(join(folder, "report.html"), filled(report));
+  address = pathToFileURL(join(folder, "report.html")).href;
+}
+const browser = await chromium.launch({ executablePath: browser_file });
+const errors = [], asked = [];
+
+/** `first`: what runs before the page does. */
+async function open(scheme = "light", first) {
+  const context = await browser.newContext({ colorScheme: scheme, viewport: { width: 1366, height: 850 }, offline: true });
+  const page = await context.newPage();
+  if (first) await page.addInitScript(first);
+  page.on("console", (m) => { if (m.type() === "error") errors.push(m.text()); });
+  page.on("pageerror", (e) => errors.push(String(e)));
+  page.on("request", (r) => { if (!/^(file|data|blob):/.test(r.url())) asked.push(r.url()); });
+  await page.goto(address);
+  return page;
+}
+
+/** Until what was done is drawn. */
+const settled = (page) => page.evaluate(() => new Promise((done) => { requestAnimationFrame(() => requestAnimationFrame(() => setTimeout(done, 60))); }));
+
+const rows_told = async (page) => (await settled(page), Number((await page.locator(".filters [role=status]").innerText()).split(" ")[0].replaceAll(",", "")));
+
+async function shots(to) {
+  mkdirSync(to, { recursive: true });
+  for (const scheme of ["light", "dark"]) {
+    const page = await open(scheme);
+    for (const id of ["summary", "findings", "speed", "maps", "honesty", "stability", "methods", "faults"]) {
+      const section = page.locator(`section#${id}`);
+      await section.scrollIntoViewIfNeeded();
+      await page.waitForTimeout(250);
+      await section.screenshot({ path: `${to}/${id}-${scheme}.png` });
+    }
+    for (const [name, link] of [["finding", ".findings tbody a"], ["bucket", ".buckets a"]]) {
+      await page.evaluate(() => { location.hash = "#/findings"; });
+      if ((await page.locator(link).count()) === 0) continue;
+      await page.locator(link).first().click();
+      await page.waitForSelector(".case");
+      if ((await page.locator(".prove").count()) > 0) await page.locator(".prove").click();
+      await page.waitForTimeout(300);
+      await page.screenshot({ path: `${to}/${name}-${scheme}.png`, fullPage: true });
+    }
+    await page.context().close();
+  }
+  const page = await open();
+  await page.emulateMedia({ media: "print" });
+  await page.pdf({ path: `${to}/print.pdf` }).catch(() => {});
+}
+
+/** The rows on the screen, as the texts of one column. */
+const column = async (page, name) => (await settled(page), page.locator(`.findings tbody td.c-${name}`).allInnerTexts());
+
+async function reads_the_findings(page) {
+  assert.equal(await rows_told(page), 400);
+  assert.ok((await page.locator(".findings tbody tr").count()) < 60, "only the rows on the screen are elements");
+  const chip = page.locator(".chips[aria-label=Kind] .chip", { hasText: "crash" });
+  const promised = Number(await chip.locator(".count").innerText());
+  await chip.click();
+  assert.equal(await rows_told(page), promised);
+  assert.ok((await column(page, "kind")).every((kind) => kind === "crash"));
+  assert.equal(await chip.getAttribute("aria-pressed"), "true");
+  await page.getByRole("button", { name: "Clear" }).click();
+  assert.equal(await rows_told(page), 400);
+
+  const head = page.locator(".findings th", { hasText: "#" });
+  await head.getByRole("button").click();
+  await settled(page);
+  assert.equal(await head.getAttribute("aria-sort"), "ascending");
+  assert.deepEqual((await column(page, "id")).slice(0, 3), ["1", "2", "3"]);
+  await head.getByRole("button").click();
+  await settled(page);
+  assert.equal(await head.getAttribute("aria-sort"), "descending");
+  assert.equal((await column(page, "id"))[0], "400");
+  assert.equal(await page.locator(".findings th[aria-sort=ascending]").count(), 0);
+
+  await page.locator(".virtual").focus();
+  await page.keyboard.press("End");
+  await page.waitForSelector(".findings tr.at");
+  assert.equal(await page.locator(".findings tr.at .c-id").innerText(), "1", "the last row came onto the screen");
+  await page.keyboard.press("ArrowUp");
+  await page.keyboard.press("Enter");
+  await page.waitForSelector(".detail h2");
+  assert.match(await page.locator(".detail h2").innerText(), /^#2 /);
+  await page.goBack();
+  await settled(page);
+  assert.equal(await page.locator("main.overview").isVisible(), true);
+}
+
+/** Different colours on the canvas. */
+const colours = async (page) => (await settled(page), page.evaluate(() => {
+  const canvas = document.querySelector(".stage canvas");
+  const flat = Object.assign(document.createElement("canvas"), { width: canvas.width, height: canvas.height }).getContext("2d");
+  flat.drawImage(canvas, 0, 0);
+  const data = new Uint32Array(flat.getImageData(0, 0, canvas.width, canvas.height).data.buffer);
+  let hash = 0;
+  for (const pixel of data) hash = (Math.imul(hash, 31) + pixel) | 0;
+  return { count: new Set(data).size, hash };
+}));
+
+async function proves_and_turns(page) {
+  const first = await colours(page);
+  assert.ok(first.count > 50, `the drawing has ${first.count} colours`);
+  const box = await page.locator(".stage canvas").boundingBox();
+  await page.mouse.move(box.x + box.width / 2, box.y + box.height / 2);
+  await page.mouse.down();
+  await page.mouse.move(box.x + box.width / 2 + 90, box.y + box.height / 2 + 30, { steps: 3 });
+  await page.mouse.up();
+  assert.notEqual((await colours(page)).hash, first.hash, "turned, it looks another way");
+
+  await page.locator(".prove").click();
+  await settled(page);
+  assert.equal(await page.locator(".proof").getAttribute("data-holds"), "true");
+  const field = page.locator(".prover textarea"), certificate = JSON.parse(await field.inputValue());
+  const tampered = certificate.direction ? { ...certificate, direction: [0, 0, 1] } : { ...certificate, point: [certificate.point[0], 5, 0] };
+  await field.fill(JSON.stringify(tampered));
+  await settled(page);
+  assert.equal(await page.locator(".proof").count(), 0, "an old proof does not stand beside a new certificate");
+  await page.locator(".prove").click();
+  await settled(page);
+  assert.equal(await page.locator(".proof").getAttribute("data-holds"), "false");
+  await page.getByRole("button", { name: "As it was" }).click();
+  await page.locator(".prove").click();
+  await settled(page);
+  assert.equal(await page.locator(".proof").getAttribute("data-holds"), "true");
+}
+
+async function reads_a_cause(page) {
+  await page.locator(".buckets a").first().click();
+  await page.waitForSelector(".tabs");
+  await proves_and_turns(page);
+  await page.getByRole("tab", { name: "Worst" }).click();
+  await settled(page);
+  assert.equal(await page.getByRole("tab", { name: "Worst" }).getAttribute("aria-selected"), "true");
+  await proves_and_turns(page);
+  assert.equal(await page.locator("canvas").count(), 1, "one canvas serves all views");
+}
+
+async function reads_a_narrow_gap(page, report) {
+  const narrow = report.findings.find((f) => report.cases[f.case].margin[0] < 1e-11);
+  await page.evaluate((id) => { location.hash = `#/finding/${id}`; }, narrow.id);
+  await page.waitForSelector(".pair-view figcaption .warn");
+  assert.match(await page.locator(".pair-view figcaption").innerText(), /^Not to scale: the (gap|overlap) of \S+ is drawn \S+ times as wide/);
+  const wide = await colours(page);
+  await page.getByRole("button", { name: /^Widen/ }).click();
+  await settled(page);
+  assert.match(await page.locator(".pair-view figcaption").innerText(), /^To scale/);
+  assert.notEqual((await colours(page)).hash, wide.hash);
+}
+
+async function follows_a_heat_cell(page) {
+  await page.evaluate(() => { location.hash = "#/summary"; });
+  await page.locator("td.heat.bad a").first().click();
+  await page.waitForFunction(() => location.hash.startsWith("#/findings?"));
+  await settled(page);
+  const chosen = await page.evaluate(() => new URLSearchParams(location.hash.split("?")[1]).get("family"));
+  assert.equal(await page.locator(".chips[aria-label=Family] .chip[aria-pressed=true]").count(), 1);
+  assert.match(await page.locator(".chips[aria-label=Family] .chip[aria-pressed=true]").innerText(), new RegExp(chosen.replaceAll("_", " ")));
+}
+
+async function draws_every_plot(page) {
+  for (const [id, plots] of [["speed", 2], ["maps", 6], ["honesty", 1], ["stability", 3]]) {
+    await page.locator(`section#${id}`).scrollIntoViewIfNeeded();
+    for (const plot of await page.locator(`section#${id} .plot`).all()) await plot.scrollIntoViewIfNeeded();
+    await page.waitForFunction(([id, plots]) => document.querySelectorAll(`#${id} .plot svg`).length === plots, [id, plots]);
+  }
+  assert.equal(await page.locator(".missing").count(), 0, "the made-up night has everything");
+}
+
+async function fits_a_laptop(page) {
+  await page.evaluate(() => { location.hash = "#/summary"; });
+  await page.getByRole("button", { name: "Unfold all methods" }).click();
+  await settled(page);
+  const [inner, outer] = await page.evaluate(() => [document.documentElement.scrollWidth, innerWidth]);
+  assert.ok(inner <= outer, `the page is ${inner} wide in a window of ${outer}`);
+  assert.equal(await page.evaluate(() => [...document.querySelectorAll(".scroll")].filter((e) => e.scrollWidth > e.clientWidth + 1).length), 0);
+}
+
+/** What a run without triage and bench has: each gap names the command that fills it. */
+async function says_what_is_missing() {
+  write({ ...sample(40), buckets: [], maps: [], honesty: [], speed: [], cost: [], paths: [], backward: [], builds: [], kill_matrix: null, history: null, alarm: null });
+  const page = await open();
+  const commands = await page.locator(".missing code").allInnerTexts();
+  assert.equal(commands.length, 9);
+  assert.ok(commands.every((c) => c.startsWith("./daylight ")), commands.join());
+  await page.context().close();
+}
+
+/** Text of a store may be anything. */
+async function shows_hostile_text_as_text() {
+  const hostile = "</script><img src=x onerror=alert(1)>\u202e\u0001", report = sample(8);
+  Object.assign(report.run, { id: hostile, seed: hostile, status: hostile, build: hostile, command: hostile });
+  report.findings.forEach((f) => Object.assign(f, { method: hostile, family: hostile, reason: hostile }));
+  report.methods[0].name = report.methods[0].claim.source = hostile;
+  report.cases[0].note = hostile;
+  write(report);
+  const page = await open();
+  await page.evaluate(() => { location.hash = "#/finding/1"; });
+  await page.waitForSelector(".case");
+  assert.equal(await page.locator("img").count(), 0);
+  assert.ok(!(await page.locator("body").innerText()).includes("\u202e"));
+  await page.context().close();
+}
+
+async function draws_lines_without_webgl() {
+  write(sample(8));
+  const page = await open("light", () => { HTMLCanvasElement.prototype.getContext = () => null; });
+  await page.evaluate(() => { location.hash = "#/finding/1"; });
+  await page.waitForSelector(".stage.flat svg.projection");
+  assert.ok(await page.locator(".projection").isVisible());
+  assert.ok((await page.locator(".projection path").count()) >= 6);
+  errors.length = 0;  // three.js says itself that it got no context
+  await page.context().close();
+}
+
+async function test() {
+  const report = sample(400);
+  write(report);
+  const page = await open();
+  for (const step of [reads_the_findings, reads_a_cause, (p) => reads_a_narrow_gap(p, report), follows_a_heat_cell, draws_every_plot, fits_a_laptop]) await step(page);
+  await page.context().close();
+  assert.deepEqual(errors, []);
+  await says_what_is_missing();
+  await shows_hostile_text_as_text();
+  assert.deepEqual(errors, []);
+  await draws_lines_without_webgl();
+  assert.deepEqual(asked, [], "nothing is asked from the network");
+}
+
+async function times(findings) {
+  write(sample(findings));
+  const page = await open();
+  await page.waitForSelector(".findings tbody tr");
+  const loaded = await page.evaluate(() => performance.now());
+  const filter = await page.evaluate(async () => {
+    const chips = [...document.querySelectorAll(".chips[aria-label=Kind] .chip")], took = [];
+    for (const chip of [...chips, ...chips]) {
+      const start = performance.now();
+      chip.click();
+      await new Promise((done) => requestAnimationFrame(() => setTimeout(done)));
+      took.push(performance.now() - start);
+    }
+    return took;
+  });
+  console.log(`${findings} findings: ${Math.round(loaded)} ms until the table stands; a filter ${Math.round(Math.min(...filter))} to ${Math.round(Math.max(...filter))} ms until it is drawn`);
+}
+
+if (option === "--shots") {
+  if (given) address = pathToFileURL(resolve(given)).href;
+  else write(sample(400));
+  await shots(argument);
+  console.log(`errors: ${errors.join("; ") || "none"}`);
+} else if (option === "--times") {
+  await times(Number(argument));
+} else {
+  await test();
+  console.log("page_test: all well");
+}
+await browser.close();

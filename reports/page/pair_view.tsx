@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: MIT
+// Both solids, to be turned; close up, and with a gap too narrow to see drawn wider, which is said.
+import { useLayoutEffect, useMemo, useRef, useState } from "preact/hooks";
+import type { Case } from "./data.ts";
+import { drawing_of, exaggerated, exaggeration } from "./geometry.ts";
+import { Projection } from "./projection.tsx";
+import { the_stage, view_of } from "./scene.ts";
+import { short } from "./words.ts";
+
+const colour = (name: string) => getComputedStyle(document.documentElement).getPropertyValue(name).trim();
+
+/** Gaps narrower than this part of what can be seen are widened before anybody asks. */
+const widened_at_once = 20;
+/** A solid this many times smaller than the other is not seen beside it. */
+const uneven = 300;
+
+export function PairView({ shown }: { shown: Case }) {
+  const place = useRef<HTMLDivElement>(null);
+  const true_drawing = useMemo(() => drawing_of(shown), [shown]);
+  const factor = exaggeration(true_drawing);
+  const [close, zoom] = useState(false);
+  const [wide, widen] = useState(factor > widened_at_once);
+  const drawing = useMemo(() => exaggerated(true_drawing, wide ? factor : 1), [true_drawing, wide, factor]);
+  const view = useMemo(() => view_of(drawing, close), [drawing, close]);
+  const stage = the_stage();
+  const sizes = [true_drawing.a, true_drawing.b].map((s) => Math.hypot(s.radius, s.half));
+  const ratio = Math.max(...sizes) / Math.min(...sizes);
+
+  useLayoutEffect(() => {
+    if (!stage || !place.current) return;
+    place.current.append(stage.canvas);
+    const paint = () => {
+      stage.show(drawing, { a: colour("--solid-a"), b: colour("--solid-b"), plane: colour("--grey"), point: colour("--fg"), line: colour("--fg") });
+      stage.draw();
+    };
+    paint();
+    const observer = new ResizeObserver(() => stage.draw());
+    observer.observe(place.current);
+    const scheme = matchMedia("(prefers-color-scheme: dark)");
+    scheme.addEventListener("change", paint);
+    return () => { observer.disconnect(); scheme.removeEventListener("change", paint); };
+  }, [drawing]);
+  useLayoutEffect(() => stage?.look(view), [view.radius, shown]);
+
+  const gap = true_drawing.gap, words = gap === null ? "" : gap < 0 ? "overlap" : "gap";
+  const label = `Cylinder a and cylinder b, ${shown.truth.verdict}`;
+  return (
+    <figure class="pair-view">
+      <div class="stage-tools" role="group" aria-label="View">
+        <button type="button" aria-pressed={!close} onClick={() => zoom(false)}>Whole pair</button>
+        <button type="button" aria-pressed={close} onClick={() => zoom(true)}>Contact</button>
+        {factor > 1 && <button type="button" aria-pressed={wide} onClick={() => widen(!wide)}>Widen the {words}</button>}
+        <span class="swatches"><i class="a" /> a <i class="b" /> b{drawing.plane && <><i class="plane" /> plane between</>}{drawing.point && <><i class="point" /> common point</>}</span>
+      </div>
+      <div class={`stage ${stage ? "" : "flat"}`} ref={place}>
+        <Projection drawing={drawing} view={view} label={label} />
+      </div>
+      <figcaption>
+        {factor > 1 && wide && <b class="warn">Not to scale: the {words} of {short(Math.abs(gap!) * true_drawing.unit)} is drawn {short(factor, 2)} times as wide, by moving the solids {gap! > 0 ? "apart" : "into each other"} about their contact. </b>}
+        {factor > 1 && !wide && <>To scale: the {words} of {short(Math.abs(gap!) * true_drawing.unit)} is drawn as it is. </>}
+        {factor === 1 && <>To scale. </>}
+        {Number.isFinite(ratio) && ratio > uneven && <>One solid is {short(ratio, 2)} times as large as the other, which may be too small to be seen. </>}
+        {stage ? "Drag to turn, wheel to zoom." : "This browser has no WebGL: a projection stands in."}
+        {drawing.near && " The dots on a line are the nearest points, approximately."}
+      </figcaption>
+    </figure>
+  );
+}

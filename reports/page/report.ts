@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: MIT
+// The data of the page, put back to what the contract (data.ts) says: every finding with its case.
+import type { Answer, Case, Finding, PackedCase, Report, Standing } from "./data.ts";
+import { shell_quoted } from "./words.ts";
+
+export interface FullReport extends Report { findings: Finding[] }
+
+function unpack(packed: PackedCase, names: string[]): Omit<Case, "replay"> {
+  const { said, ...rest } = packed;
+  const answers: Record<string, Answer> = Object.create(null);
+  for (const [answer, who] of said) for (const index of who) answers[names[index]!] = answer;
+  return { ...rest, answers };
+}
+
+export function expand(report: Report): FullReport {
+  const names = report.names ?? [];
+  const cases = (report.cases ?? []).map((packed) => unpack(packed, names));
+  const folder = report.run.folder ?? report.run.id;
+  const findings = report.findings.map((f) => {
+    if (!("case" in f)) return f;
+    const { case: at, ...rest } = f;
+    return { ...rest, ...cases[at]!, replay: `./daylight replay ${shell_quoted(`${folder}:${f.id}`)}` };
+  });
+  return { ...report, findings, cases: [] };
+}
+
+/** From the element that the C++ side fills; a template that nobody filled has none. */
+export function load(document: Document): FullReport | null {
+  const text = document.getElementById("report-data")?.textContent ?? "";
+  return text.startsWith("{") ? expand(JSON.parse(text) as Report) : null;
+}
+
+/** How a finding stands against earlier runs: as its bucket does, else as its group. */
+export function standings(report: FullReport): (f: Finding) => Standing | null {
+  const of_bucket = new Map(report.buckets.map((b) => [b.key, b.standing]));
+  const key = (g: { method: string; kind: string; severity: string; family: string }) => [g.method, g.kind, g.severity, g.family].join("\n");
+  const of_group = new Map(report.history?.groups.map((g) => [key(g), g.standing]));
+  return (f) => (f.bucket !== null ? of_bucket.get(f.bucket) : null) ?? of_group.get(key(f)) ?? null;
+}

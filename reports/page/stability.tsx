@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: MIT
+// What stays the same when little changes: the cost near touching, the answers along a path, the answers of another
+// build of the same source.
+import { useCallback, useMemo, useState } from "preact/hooks";
+import { Cost } from "./honesty.tsx";
+import { Figure, Missing, Section } from "./parts.tsx";
+import { backward_plot, screen, trace_plot } from "./plots.ts";
+import type { FullReport } from "./report.ts";
+import { grouped, in_order, percent, safe, shell_quoted, short } from "./words.ts";
+
+function Paths({ report }: { report: FullReport }) {
+  const paths = useMemo(() => in_order(report.paths, (x, y) => (x.path < y.path ? -1 : x.path > y.path ? 1 : y.flips - x.flips)), [report]);
+  const [at, choose] = useState(() => Math.max(0, paths.findIndex((p) => p.flips > 1 && p.trace)));
+  const path = paths[at];
+  const draw = useCallback((width: number) => trace_plot(path!, { width, theme: screen }), [path]);
+  if (!path) return <Missing what="walks along paths" command={`./daylight triage ${shell_quoted(report.run.folder ?? report.run.id)}`} />;
+  return (
+    <>
+      <p class="lead">Pairs along a path through touching or through parallel axes, step by step: one flip of the verdict is right where the path crosses touching once; each more is noise.</p>
+      <div class="case">
+        <div class="scroll tall">
+          <table class="plain choose">
+            <thead><tr><th>path</th><th>method</th><th class="n">steps</th><th class="n">flips</th><th class="n">distance jumps by</th><th class="n">direction by</th></tr></thead>
+            <tbody>{paths.map((p, i) => (
+              <tr key={`${p.path} ${p.method}`} class={i === at ? "at" : ""} onClick={() => choose(i)}>
+                <td>{safe(p.path)}</td><td><button type="button" class="link" aria-pressed={i === at}>{safe(p.method)}</button></td><td class="n">{grouped(p.steps)}</td><td class={`n ${p.flips > 1 ? "bad" : ""}`}>{grouped(p.flips)}</td><td class="n">{short(p.distance_jump)}</td><td class="n">{p.direction_jump_degrees === null ? "\u2013" : `${short(p.direction_jump_degrees)}\u00b0`}</td>
+              </tr>
+            ))}</tbody>
+          </table>
+        </div>
+        <div>
+          <h3>{safe(path.method)}, {safe(path.path)}</h3>
+          {path.trace && path.trace.length > 0 ? <Figure draw={draw} height={220} label="The answers along the path" caption="Round: disjoint; square: intersecting; diamond: touching. Dashed: the verdict flips." /> : <p class="soft">No trace was kept of it.</p>}
+        </div>
+      </div>
+    </>
+  );
+}
+
+function Backward({ report }: { report: FullReport }) {
+  const draw = useCallback((width: number) => backward_plot(report.backward, { width, theme: screen }), [report]);
+  if (report.backward.length === 0) return <Missing what="backward errors" command={`./daylight triage ${shell_quoted(report.run.folder ?? report.run.id)}`} />;
+  return <Figure draw={draw} height={80 + 17 * report.backward.length} label="Backward errors" caption="A wrong answer is the right answer to another question: how far away that question is." />;
+}
+
+function Builds({ report }: { report: FullReport }) {
+  if (report.builds.length === 0) return <Missing what="comparison of builds" command={`./daylight triage ${shell_quoted(report.run.folder ?? report.run.id)}`} />;
+  return (
+    <table class="plain">
+      <thead><tr><th>method</th><th>build</th><th>against</th><th class="n">pairs</th><th class="n">verdicts changed</th><th class="n">beyond the claim</th><th class="n">distances changed</th><th class="n">largest change</th></tr></thead>
+      <tbody>{report.builds.map((b) => (
+        <tr key={`${b.method} ${b.build} ${b.against}`}>
+          <td>{safe(b.method)}</td><td>{safe(b.build)}</td><td>{safe(b.against)}</td><td class="n">{grouped(b.pairs)}</td><td class="n">{grouped(b.verdicts_changed)} ({percent(b.verdicts_changed, b.pairs)})</td><td class={`n ${b.beyond_claim > 0 ? "bad" : ""}`}>{grouped(b.beyond_claim)}</td><td class="n">{grouped(b.distances_changed)}</td><td class="n">{short(b.largest_change)}</td>
+        </tr>
+      ))}</tbody>
+    </table>
+  );
+}
+
+export function Stability({ report }: { report: FullReport }) {
+  return (
+    <Section id="stability" title="Stability">
+      <h3>Of cost</h3><Cost report={report} />
+      <h3>Of answers along a path</h3><Paths report={report} />
+      <h3>How wrong are wrong answers</h3><Backward report={report} />
+      <h3>Between builds</h3><Builds report={report} />
+    </Section>
+  );
+}

@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: MIT
+// Numbers and names as people read them.
+import type { Claim, Coordinate } from "./data.ts";
+
+export const grouped = (n: number) => Math.round(n).toLocaleString("en-US");
+
+/** "1.2e-7", "0.013", "42": `digits` significant ones. */
+export function short(x: number | null | undefined, digits = 3): string {
+  if (x === null || x === undefined || Number.isNaN(x)) return "\u2013";
+  if (Math.abs(x) > 1.7e308) return x > 0 ? "\u221e" : "\u2212\u221e";
+  if (x === 0) return "0";
+  const size = Math.abs(x);
+  const text = size >= 1e-3 && size < 1e5 ? Number(x.toPrecision(digits)).toString() : x.toExponential(digits - 1).replace(/\.?0+e/, "e").replace("e+", "e");
+  return text.replace(/^-/, "\u2212");
+}
+
+export function percent(part: number, whole: number): string {
+  if (whole === 0) return "\u2013";
+  if (part === 0) return "0";
+  const share = (100 * part) / whole;
+  if (share < 0.001) return "<0.001 %";
+  return share >= 99.95 && part < whole ? ">99.9 %" : `${Number(share.toPrecision(share < 10 ? 2 : 3))} %`;
+}
+
+export const plural = (n: number, one: string, many = one + "s") => `${grouped(n)} ${n === 1 ? one : many}`;
+
+export function range(of: [number, number] | null | undefined): string {
+  if (!of) return "\u2013";
+  const [low, high] = [short(of[0]), short(of[1])];
+  return low === high ? low : `${low} to ${high}`;
+}
+
+export function seconds(s: number): string {
+  if (s < 120) return `${short(s)} s`;
+  if (s < 7200) return `${Math.floor(s / 60)} min ${Math.round(s % 60)} s`;
+  return `${Math.floor(s / 3600)} h ${Math.round((s % 3600) / 60)} min`;
+}
+
+export function time(ns: number): string {
+  if (ns < 1e3) return `${short(ns)} ns`;
+  if (ns < 1e6) return `${short(ns / 1e3)} \u00b5s`;
+  return ns < 1e9 ? `${short(ns / 1e6)} ms` : `${short(ns / 1e9)} s`;
+}
+
+/** Text from anywhere: what reorders or hides the text around it is shown as an escape. */
+export function safe(text: string): string {
+  return text.replace(/[\u0000-\u0008\u000b-\u001f\u007f-\u009f\u200b-\u200f\u2028-\u202e\u2060-\u2069\ufeff]/g,
+    (c) => "\\u" + c.charCodeAt(0).toString(16).padStart(4, "0"));
+}
+
+const own_names = new Set(["intersect", "decide", "distance", "exact"]);
+/** Ours are one library; any other is what stands before the first '-'. */
+export const library = (method: string) => (own_names.has(method) ? "ours" : method.split("-", 1)[0]!);
+
+export const kind_words = (kind: string) => kind.replaceAll("_", " ");
+export const severity_words: Record<string, string> = {
+  contract: "beyond its claim", resolution: "within its claim", unresolved: "truth undecided" };
+
+export function claim_words(claim: Claim): string {
+  const parts = [];
+  if (claim.relative !== 0) parts.push(`${short(claim.relative)} of the size`);
+  if (claim.absolute !== 0) parts.push(`a length of ${short(claim.absolute)}`);
+  return parts.length === 0 ? "always right" : `right from ${parts.join(" plus ")} on`;
+}
+
+export function coordinate_words(x: Coordinate): string {
+  if (typeof x === "number") return String(x);
+  if (typeof x === "string") return x;
+  return x.map((term, i) => (i === 0 ? String(term) : term < 0 ? `\u2212 ${-term}` : `+ ${term}`)).join(" ");
+}
+
+/** The double nearest to an exact coordinate, for drawing. */
+export function coordinate_value(x: Coordinate): number {
+  if (typeof x === "number") return x;
+  if (typeof x !== "string") return x.reduce((sum, term) => sum + term, 0);
+  const [n, d = "1"] = x.split("/");
+  const digits = Math.max(n!.length, d.length) - 300;  // beyond the range of doubles: the leading ones
+  const value = (text: string) => (digits > 0 ? Number(text.slice(0, Math.max(1, text.length - digits))) : Number(text));
+  return value(n!) / value(d);
+}
+
+/** One word of a POSIX shell. */
+export const shell_quoted = (text: string) => (/^[A-Za-z0-9_./:-]+$/.test(text) ? text : `'${text.replaceAll("'", "'\\''")}'`);
+
+/** Of k hits in n trials: where the share lies with 95 % confidence (Wilson); of none the upper end is 3/n. */
+export function share_bounds(k: number, n: number): [number, number] {
+  if (n === 0) return [0, 1];
+  if (k === 0) return [0, Math.min(1, 3 / n)];
+  const z = 1.96, p = k / n, spread = (z * z) / n;
+  const middle = (p + spread / 2) / (1 + spread), half = (z / (1 + spread)) * Math.sqrt((p * (1 - p)) / n + (z * z) / (4 * n * n));
+  return [Math.max(0, middle - half), Math.min(1, middle + half)];
+}
+
+export function group_by<T, K>(all: Iterable<T>, key_of: (x: T) => K): Map<K, T[]> {
+  const groups = new Map<K, T[]>();
+  for (const x of all) {
+    const key = key_of(x), group = groups.get(key);
+    if (group) group.push(x);
+    else groups.set(key, [x]);
+  }
+  return groups;
+}
+
+/** A sorted copy; equal ones keep their order. */
+export const in_order = <T>(all: readonly T[], by: (x: T, y: T) => number): T[] => [...all].sort(by);
