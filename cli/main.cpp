@@ -23,6 +23,7 @@ int run(int argc, char** argv) {
   cyl::add_campaign(app, exit_code);
   cyl::add_merge(app, exit_code);
   cyl::add_replay(app, exit_code);
+  cyl::add_triage(app, exit_code);
   cyl::add_gate(app, exit_code);
   cyl::add_mutants(app, exit_code);
   cyl::add_families(app, exit_code);

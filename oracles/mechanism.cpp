@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <cmath>
 #include <cstdlib>
 #include <utility>
@@ -54,9 +55,29 @@ bool is_right(const Examination& e) {
   return !e.wrong && e.answer.status == Status::answered && e.answer.verdict != Verdict::undecided;
 }
 
-bool is_failure(FindingKind kind) {
-  return kind == FindingKind::exception || kind == FindingKind::crash || kind == FindingKind::hang ||
-         kind == FindingKind::non_finite || kind == FindingKind::malformed;
+/// The first words of a text, joined by '-'; what has a digit in it, and the words after the first few, tell
+/// one pair from another.
+std::string slug(std::string_view text) {
+  constexpr int words_cap = 7;
+  std::string out;
+  int words = 0;
+  for (std::size_t at = 0; at < text.size() && words < words_cap;) {
+    const auto is_of_word = [](char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0; };
+    std::size_t end = at;
+    bool digits = false;
+    while (end < text.size() && is_of_word(text[end])) {
+      digits |= std::isdigit(static_cast<unsigned char>(text[end])) != 0;
+      ++end;
+    }
+    if (end > at && !digits) {
+      if (!out.empty()) out += '-';
+      for (const char c : text.substr(at, end - at))
+        out += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+      ++words;
+    }
+    at = end + 1;
+  }
+  return out;
 }
 
 /// What is known of a failing pair on the way.
@@ -230,6 +251,42 @@ std::vector<Told> tell_mechanisms(std::span<const std::unique_ptr<Method>> metho
   std::vector<Told> told;
   for (const Suspect& s : suspects) told.push_back(s.told);
   return told;
+}
+
+std::string cause_key(std::span<const std::unique_ptr<Method>> methods, std::span<const std::size_t> kin,
+                      std::size_t method, FindingKind kind, Severity severity, const Told& told,
+                      std::string_view reason) {
+  const Method& m = *methods[method];
+  const std::string library(m.foreign() ? library_of(m.name()) : "own");
+  const std::string first(methods[kin[method]]->name());
+  if (severity == Severity::resolution) return library + "/within-claim";
+  if (kind == FindingKind::nondeterminism || kind == FindingKind::hang)
+    return library + '/' + cyl::to_string(kind);
+  if (is_failure(kind) && kind != FindingKind::non_finite)
+    return library + '/' + cyl::to_string(kind) + '/' + slug(reason);
+  switch (told.mechanism) {
+    case Mechanism::gone:
+      return first + "/not-again";
+    case Mechanism::underflow:
+    case Mechanism::overflow:
+      return std::string(to_string(told.mechanism));
+    case Mechanism::setting:
+    case Mechanism::untold:
+      return first + '/' + cyl::to_string(kind);
+    default:
+      return first + '/' + std::string(to_string(told.mechanism));
+  }
+}
+
+bool is_failure(FindingKind kind) noexcept {
+  return kind == FindingKind::exception || kind == FindingKind::crash || kind == FindingKind::hang ||
+         kind == FindingKind::non_finite || kind == FindingKind::malformed;
+}
+
+std::optional<FindingKind> find_kind(std::string_view name) noexcept {
+  for (int k = 0; k <= static_cast<int>(FindingKind::undecided_truth); ++k)
+    if (name == to_string(static_cast<FindingKind>(k))) return static_cast<FindingKind>(k);
+  return {};
 }
 
 }  // namespace cyl

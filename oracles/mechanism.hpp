@@ -7,6 +7,7 @@
 #include <memory>
 #include <optional>
 #include <span>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -68,5 +69,22 @@ std::optional<Finding> find_wrong(const Pair& pair, const Truth& truth, LazyDist
 std::vector<Told> tell_mechanisms(std::span<const std::unique_ptr<Method>> methods,
                                   std::span<const std::size_t> kin, std::span<const Failing> failing,
                                   const Caps& caps);
+
+/// The key of the cause: the same for every finding that has it, whatever the pair, the run or the night.
+///   "fcl-libccd/absolute-length"   what was told; the first of the method's kin stands for all of them
+///   "fcl-libccd/wrong_disjoint"    nothing was told but the kind, or that another setting is right
+///   "overflow", "underflow"        whose products of lengths leave the doubles: wrong on the same pairs
+///   "ode/crash/..."                a failure of a library, by its own words without numbers
+///   "fcl/within-claim"             a library's answers that its claims allow; "own" of those not foreign
+///   "fcl-libccd/not-again"         not wrong when asked again
+/// `reason`: the method's own words on a failure.
+std::string cause_key(std::span<const std::unique_ptr<Method>> methods, std::span<const std::size_t> kin,
+                      std::size_t method, FindingKind kind, Severity severity, const Told& told,
+                      std::string_view reason);
+
+/// Whether the kind is that a method broke: exception, crash, hang, non-finite number or malformed answer.
+bool is_failure(FindingKind kind) noexcept;
+/// The kind of that name, "wrong_disjoint", if there is one.
+std::optional<FindingKind> find_kind(std::string_view name) noexcept;
 
 }  // namespace cyl
