@@ -1,13 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "reports/triage.hpp"
 
-#include <fmt/chrono.h>
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cstdio>
-#include <ctime>
 #include <fstream>
 #include <memory>
 #include <optional>
@@ -20,7 +18,9 @@
 #include "cli/duration.hpp"
 #include "cli/progress.hpp"
 #include "cli/source_tree.hpp"
+#include "cli/today.hpp"
 #include "cli/unsigned_option.hpp"
+#include "corpus/case_files.hpp"
 #include "corpus/suppressions.hpp"
 #include "reports/page.hpp"
 
@@ -48,9 +48,10 @@ int triage(const Arguments& arguments) {
   if (!arguments.budget.empty()) options.budget = parse_duration(arguments.budget);
   options.jobs = arguments.jobs;
   options.suppressions =
-      read_suppressions(arguments.suppressions.value_or(in_source_tree("corpus/suppressions.jsonl")));
-  options.today = fmt::format("{:%Y-%m-%d}", fmt::localtime(std::time(nullptr)));
+      read_suppressions(arguments.suppressions.value_or(in_source_tree("suppressions.jsonl")));
+  options.today = today();
   options.build = build_info().text();
+  if (!options.suppressions.empty()) options.cases = read_case_folder(in_source_tree("corpus"));
 
   Triage result;
   {
@@ -88,7 +89,7 @@ void add_triage(CLI::App& app, int& exit_code) {
   command->add_option("--for", arguments->budget, "wall time, like 5m; 5m where not given");
   add_unsigned(*command, "--jobs", arguments->jobs, "processes; do not change the causes", 1, 1024);
   command->add_option("--suppressions", arguments->suppressions,
-                      "file of known causes that do not fail; corpus/suppressions.jsonl where not given");
+                      "file of known causes that do not fail; suppressions.jsonl where not given");
   command->add_option("--json", arguments->json, "write the causes as JSON");
   // What takes one bucket of a triaged run (why, in detail; an upstream reproducer) belongs here: it finds
   // the bucket by its key in buckets_json(RUN) and hands on its method, kind and simplest pair.

@@ -18,6 +18,8 @@ namespace {
 /// Powers of two by which a pair is made larger and smaller: more than the tolerances of libraries span in
 /// one step, and far from where squares leave the doubles.
 constexpr int scale_step = 20;
+/// In sizes, of a gap: as narrow as compare() ever asks for. As narrow a depth would cost 40 ms.
+constexpr double narrowest_width_tol = 1e-18;
 /// Of a size beyond 2^+-this, products of four lengths leave the doubles or lose bits.
 constexpr int extreme_exponent_margin = 200;
 
@@ -160,7 +162,7 @@ std::optional<Finding> find_wrong(const Pair& pair, const Truth& truth, LazyDist
   auto wrong = compare(pair, truth, distance, claim, answer);
   const bool decided = truth.verdict == Verdict::disjoint || truth.verdict == Verdict::intersecting;
   if (wrong || !decided || answer.status != Status::answered || !answer.has_distance) return wrong;
-  distance.at(truth.verdict == Verdict::disjoint ? gap_width_tol : depth_width_tol);
+  distance.at(truth.verdict == Verdict::disjoint ? narrowest_width_tol : depth_width_tol);
   return compare(pair, truth, distance, claim, answer);
 }
 
@@ -260,8 +262,8 @@ std::string cause_key(std::span<const std::unique_ptr<Method>> methods, std::spa
   const std::string library(m.foreign() ? library_of(m.name()) : "own");
   const std::string first(methods[kin[method]]->name());
   if (severity == Severity::resolution) return library + "/within-claim";
-  if (kind == FindingKind::nondeterminism || kind == FindingKind::hang)
-    return library + '/' + cyl::to_string(kind);
+  if (kind == FindingKind::hang) return first + '/' + cyl::to_string(kind);
+  if (kind == FindingKind::nondeterminism) return library + '/' + cyl::to_string(kind);
   if (is_failure(kind) && kind != FindingKind::non_finite)
     return library + '/' + cyl::to_string(kind) + '/' + slug(reason);
   switch (told.mechanism) {

@@ -59,8 +59,8 @@ struct Examination {
   std::optional<Finding> wrong;
 };
 
-/// What is wrong with a method's answer, by its own claim or another. A distance is held against the
-/// narrowest enclosure there is before it is called right.
+/// What is wrong with a method's answer, by its own claim or another. A gap is held against the narrowest
+/// enclosure there is before it is called right.
 std::optional<Finding> find_wrong(const Pair& pair, const Truth& truth, LazyDistance& distance,
                                   const Claim& claim, const MethodAnswer& answer);
 
@@ -74,6 +74,7 @@ std::vector<Told> tell_mechanisms(std::span<const std::unique_ptr<Method>> metho
 ///   "fcl-libccd/absolute-length"   what was told; the first of the method's kin stands for all of them
 ///   "fcl-libccd/wrong_disjoint"    nothing was told but the kind, or that another setting is right
 ///   "overflow", "underflow"        whose products of lengths leave the doubles: wrong on the same pairs
+///   "fcl-libccd/hang"              it does not come to an end
 ///   "ode/crash/..."                a failure of a library, by its own words without numbers
 ///   "fcl/within-claim"             a library's answers that its claims allow; "own" of those not foreign
 ///   "fcl-libccd/not-again"         not wrong when asked again

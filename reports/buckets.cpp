@@ -30,8 +30,8 @@ using Json = nlohmann::json;
 constexpr std::uint64_t share_seed = 1;
 /// Width of the enclosures shown, in sizes.
 constexpr double shown_width_tol = 1e-9;
-/// Keys and findings listed with a bucket.
-constexpr std::size_t merged_cap = 200, findings_cap = 1000;
+/// Keys, findings and labels listed with a bucket.
+constexpr std::size_t merged_cap = 200, findings_cap = 1000, labels_cap = 6;
 
 /// What one bucket is made of.
 struct Heap {
@@ -168,6 +168,16 @@ Json share_json(const Pair& simplest, const Json& margin, std::optional<ContactF
   return Json{{"wrong", wrong}, {"asked", asked}};
 }
 
+/// `said`: what is wrong with the answers.
+std::string cause_in_words(const std::string& key, const std::string& mechanism, const std::string& said) {
+  if (key.ends_with("/within-claim")) return "within what it claims of itself: " + said;
+  if (mechanism == to_string(Mechanism::untold)) return said;
+  for (int k = 0; k < static_cast<int>(Mechanism::untold); ++k)
+    if (const auto told = static_cast<Mechanism>(k); to_string(told) == mechanism)
+      return fmt::format("{} ({})", in_words(told), said);
+  return said;
+}
+
 int rank_of(const std::string& severity) {
   return severity == "contract" ? 0 : severity == "unresolved" ? 1 : 2;
 }
@@ -242,10 +252,12 @@ Json make_buckets(const Sorted& sorted, std::span<const std::unique_ptr<Method>>
     std::set<std::string> names, kinds, families;
     std::string severity = "resolution";
     std::optional<MarginRecord> margin;
+    std::string reason;
     Json ids = Json::array();
     for (const FindingRecord* f : heap.findings) {
       names.insert(f->method);
       kinds.insert(f->kind);
+      if (reason.empty()) reason = f->reason;
       families.insert(f->family);
       if (rank_of(f->severity) < rank_of(severity)) severity = f->severity;
       if (f->margin)
@@ -284,15 +296,14 @@ Json make_buckets(const Sorted& sorted, std::span<const std::unique_ptr<Method>>
 
     std::string cause;
     for (const std::string& kind : kinds) cause += (cause.empty() ? "" : "; ") + said_of(kind);
-    if (key.ends_with("/within-claim")) cause = "within what it claims of itself: " + cause;
-    for (int k = 0; k <= static_cast<int>(Mechanism::untold); ++k)
-      if (const auto told = static_cast<Mechanism>(k); to_string(told) == mechanism)
-        cause = fmt::format("{} ({})", in_words(told), cause);
+    cause = cause_in_words(key, mechanism, cause);
+    if (!reason.empty()) cause += ", in its words: " + escaped_controls(reason);
     b["cause"] = cause;
     Json labels = Json::array({cause});
     std::vector<std::pair<std::size_t, std::string>> often;
     for (const auto& [label, n] : heap.labels) often.emplace_back(heap.findings.size() - n, label);
     std::sort(often.begin(), often.end());
+    if (often.size() > labels_cap) often.resize(labels_cap);
     for (const auto& [rarity, label] : often)
       labels.push_back(rarity == 0 ? label
                                    : fmt::format("{} ({} of {})", label, heap.findings.size() - rarity,

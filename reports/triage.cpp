@@ -30,6 +30,7 @@
 #include "oracles/patient_fork.hpp"
 #include "props/simplify.hpp"
 #include "reports/buckets.hpp"
+#include "reports/suppressed.hpp"
 
 namespace cyl {
 namespace {
@@ -41,10 +42,13 @@ using std::chrono::milliseconds;
 
 /// Findings probed together.
 constexpr std::size_t probed_together = 64;
-/// Questions of the shrinker about one finding; about one that hangs, which costs half a second each.
-constexpr std::size_t simplify_cap = 1500, simplify_hang_cap = 60;
+/// Questions of the shrinker about one finding; about one that hangs, where each that does costs half a
+/// second.
+constexpr std::size_t simplify_cap = 1500, simplify_hang_cap = 600;
 /// As the gate has them: shorter than a campaign's.
 constexpr Caps triage_caps{.call_cpu = milliseconds(500), .call_wall = milliseconds(2000), .hangs = 4};
+/// Of what hangs one pair at a time is enough.
+constexpr Caps hang_caps{.call_cpu = triage_caps.call_cpu, .call_wall = triage_caps.call_wall, .hangs = 1};
 /// How often the processes' end is looked for, and how far they are.
 constexpr milliseconds poll_interval{50}, show_interval{500};
 
@@ -131,10 +135,10 @@ class Triager {
     write_simplest(triage.buckets);
     suppress(triage.buckets, options_.suppressions, options_.today);
     TriageStore(options_.folder, options_.build).set_buckets(triage.buckets.dump());
-    for (const Suppression& s : options_.suppressions) {
-      if (is_expired(s, options_.today))
-        triage.remarks.push_back(
-            fmt::format("the suppression of {} (line {}) expired on {}", s.bucket, s.line, s.expires));
+    if (!options_.suppressions.empty()) {
+      std::size_t stale = 0;
+      triage.remarks =
+          remarks_on(options_.suppressions, options_.today, causes_of(methods_, options_.cases), stale);
     }
     triage.progress = progress_;
     return triage;
@@ -186,13 +190,12 @@ class Triager {
           TriageStore store(options_.folder, options_.build);
           for (std::size_t first = job * probed_together; first < open.size() && !out_of_time();
                first += options_.jobs * probed_together)
-            store.add(
-                causes_of(std::span(open).subspan(first, std::min(probed_together, open.size() - first))));
+            store.add(tell(std::span(open).subspan(first, std::min(probed_together, open.size() - first))));
         },
         [&] { show_progress(); });
   }
 
-  std::vector<CauseRecord> causes_of(std::span<const Subject* const> subjects) const {
+  std::vector<CauseRecord> tell(std::span<const Subject* const> subjects) const {
     std::vector<Failing> failing;
     for (const Subject* s : subjects)
       if (can_be_probed(*s)) failing.push_back({*s->method, *s->kind, s->pair});
@@ -245,6 +248,7 @@ class Triager {
     for (const CauseRecord& c : causes) {
       const auto found = by_id.find(c.finding);
       if (found == by_id.end() || !can_be_simplified(*found->second)) continue;
+      if (c.mechanism == to_string(Mechanism::gone)) continue;
       buckets[c.bucket].push_back({0, complexity(found->second->pair), found->second});
     }
     struct Next {
@@ -317,7 +321,8 @@ class Triager {
     std::vector<bool> fails(pairs.size(), false);
     std::vector<Question> questions;
     for (std::size_t p = 0; p < pairs.size(); ++p) questions.push_back({*s.method, p});
-    const auto said = ask_contained(methods_, pairs, questions, triage_caps);
+    const bool hangs = s.kind == FindingKind::hang;
+    const auto said = ask_contained(methods_, pairs, questions, hangs ? hang_caps : triage_caps);
     for (std::size_t p = 0; p < pairs.size(); ++p) {
       const Truth truth = judge(pairs[p], {&said[p].answer, 1});
       LazyDistance distance([&](double width) { return enclose_distance(pairs[p], truth, width); });
@@ -385,7 +390,17 @@ class Triager {
   TriageProgress progress_;
 };
 
-/// "1e-05", "0" or "-".
+/// "fcl-libccd, ode and 3 more".
+std::string some_of(const Json& names) {
+  constexpr std::size_t named_cap = 4;
+  std::string text;
+  for (std::size_t i = 0; i < std::min(names.size(), named_cap); ++i)
+    text += (i == 0 ? "" : ", ") + names[i].get<std::string>();
+  if (names.size() > named_cap) text += fmt::format(" and {} more", names.size() - named_cap);
+  return text;
+}
+
+/// "1.0e-05", "0.0e+00" or "-".
 std::string short_number(const Json& x) { return x.is_null() ? "-" : fmt::format("{:.1e}", x.get<double>()); }
 
 }  // namespace
@@ -428,7 +443,7 @@ std::string format_buckets(const Json& buckets) {
             ? ""
             : fmt::format("; {} wrong on {} of {} drawn like it", word("method"),
                           share["wrong"].get<std::uint64_t>(), share["asked"].get<std::uint64_t>()));
-    text += fmt::format("    {} {}\n", word("method"), b["simplest"]["pair"].dump());
+    text += fmt::format("    {}: {}\n", some_of(b["methods"]), b["simplest"]["pair"].dump());
   }
   return text;
 }

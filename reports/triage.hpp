@@ -12,6 +12,7 @@
 #include <string>
 #include <vector>
 
+#include "corpus/case_files.hpp"
 #include "corpus/suppressions.hpp"
 
 namespace cyl {
@@ -23,8 +24,9 @@ struct TriageOptions {
   std::chrono::milliseconds budget{300'000};  ///< wall time; overrun by one finding's simplifying at most
   unsigned jobs = 2;                          ///< processes; do not change the buckets
   std::vector<Suppression> suppressions;
-  std::string today;  ///< YYYY-MM-DD
-  std::string build;  ///< what was found out by another build is found out again
+  std::vector<Case> cases;  ///< of the case files: what a suppression must match
+  std::string today;        ///< YYYY-MM-DD
+  std::string build;        ///< what was found out by another build is found out again
 };
 
 struct TriageProgress {
