@@ -23,10 +23,10 @@ run() { # exit code wanted, arguments
 run 64 triage
 run 64 triage nowhere
 
-run 2 campaign --pairs 1500 --seed 3 --methods fcl-libccd,seedbook-printed --families random,tiny_and_huge --cases '' --out night
+run 2 campaign --pairs 1500 --seed 3 --methods fcl-libccd,seedbook-printed --families lattice,tiny_and_huge --cases '' --out night
 cp -r night killed
 
-run 2 triage night --for 20s --json causes.json --suppressions none.jsonl
+run 2 triage night --for 8s --json causes.json --suppressions none.jsonl
 grep -q '^\* seedbook/wrong_intersecting' out || fail 'the printed page of the book is no cause'
 grep -q '^\* overflow' out || fail 'overflow is no cause'
 grep -q '"key": "overflow"' causes.json || fail 'the causes are not written'
@@ -36,20 +36,20 @@ cat night/buckets/*.jsonl | "$daylight" check >/dev/null || fail 'the simple pai
 keys=$(grep '"key"' causes.json | sort)
 
 # Killed at some moment, then run again: the same causes.
-setsid timeout -s KILL 2 "$daylight" triage killed --for 20s >out 2>err || true
-run 2 triage killed --for 20s --json again.json --suppressions none.jsonl
+setsid timeout -s KILL 2 "$daylight" triage killed --for 8s >out 2>err || true
+run 2 triage killed --for 8s --json again.json --suppressions none.jsonl
 [[ $(grep '"key"' again.json | sort) == "$keys" ]] || fail 'other causes after a kill'
 
 # Suppressed causes are shown and do not fail; one that nothing stored shows is told.
-for key in seedbook/wrong_intersecting overflow nobody/hang; do
+for key in $(sed -n 's/^\* \([^, ]*\).*/\1/p' out) nobody/hang; do
   printf '{"bucket":"%s","reason":"known","link":"-","owner":"ada","expires":"2999-12-31"}\n' "$key"
 done >known.jsonl
 run 0 triage night --for 1s --suppressions known.jsonl
 grep -q 'overflow.*suppressed' out || fail 'what is suppressed is not shown'
-grep -q 'nobody/hang (line 3) matches no stored case' out || fail 'a stale suppression is not told'
+grep -q 'nobody/hang (line [0-9]*) matches no stored case' out || fail 'a stale suppression is not told'
 sed s/2999/2020/ known.jsonl >expired.jsonl
 run 2 triage night --for 1s --suppressions expired.jsonl
-grep -q 'overflow (line 2) expired on 2020-12-31' out || fail 'an expired suppression is not told'
+grep -q 'overflow (line [0-9]*) expired on 2020-12-31' out || fail 'an expired suppression is not told'
 printf '{"bucket":"overflow","owner":7}\n' >bad.jsonl
 run 64 triage night --suppressions bad.jsonl
 grep -q 'bad.jsonl: line 1, column 30: owner is no text' err || fail 'the error names no place'

@@ -110,7 +110,7 @@ struct Subject {
 class Triager {
  public:
   Triager(const TriageOptions& options, const std::function<void(const TriageProgress&)>& on_progress)
-      : options_(options), on_progress_(on_progress), start_(Clock::now()), methods_(all_methods()) {
+      : options_(options), on_progress_(on_progress), methods_(all_methods()), kin_(kin_of(methods_)) {
     const RunStore run = RunStore::open(options.folder);
     sorted_.folder = options.folder;
     sorted_.findings = run.findings();
@@ -119,7 +119,6 @@ class Triager {
     began_ = value_of(run.config(), "started");
     for (const FindingRecord& f : sorted_.findings) subjects_.push_back(subject_of(f));
     progress_.findings = subjects_.size();
-    kin_ = kin_of(methods_);
   }
 
   Triage run() {
@@ -379,9 +378,9 @@ class Triager {
 
   const TriageOptions& options_;
   const std::function<void(const TriageProgress&)>& on_progress_;
-  const Clock::time_point start_;
   const std::vector<std::unique_ptr<Method>> methods_;
-  std::vector<std::size_t> kin_;
+  const std::vector<std::size_t> kin_;
+  const Clock::time_point start_ = Clock::now();
   Sorted sorted_;
   std::vector<Subject> subjects_;
   std::map<std::int64_t, std::string> key_of_finding_;
