@@ -123,8 +123,12 @@ int gate(const Arguments& arguments) {
   mark_suppressed(report, methods, suppressions, today());
   std::size_t stale = 0;
   std::vector<std::string> remarks;
-  if (!suppressions.empty())
-    remarks = remarks_on(suppressions, today(), causes_of(all_methods(), cases), stale);
+  if (!suppressions.empty()) {
+    std::set<std::string> stored = causes_of(all_methods(), cases);
+    for (const GateFailure& f : report.failures)
+      if (f.phase == GatePhase::corpus || f.phase == GatePhase::corpus_laws) stored.insert(f.bucket);
+    remarks = remarks_on(suppressions, today(), stored, stale);
+  }
   const Smoke smoke =
       smoke_mutants(std::clamp(static_cast<unsigned>(options.budget / smoke_interval), 1u, smoke_cap));
   write_file(arguments.junit, gate_junit(report));

@@ -145,7 +145,7 @@ std::string_view to_string(Mechanism m) noexcept {
 
 std::string_view in_words(Mechanism m) noexcept {
   constexpr std::array<std::string_view, 9> words{
-      "not wrong any more on this build",
+      "right when asked again",
       "coordinates of the scene, not of the pair: right where both solids are moved to the origin",
       "its search ends at its own cap on steps",
       "products of small lengths underflow: right at an ordinary size",
@@ -159,9 +159,10 @@ std::string_view in_words(Mechanism m) noexcept {
 
 std::optional<Finding> find_wrong(const Pair& pair, const Truth& truth, LazyDistance& distance,
                                   const Claim& claim, const MethodAnswer& answer) {
-  auto wrong = compare(pair, truth, distance, claim, answer);
+  const auto wrong = compare(pair, truth, distance, claim, answer);
   const bool decided = truth.verdict == Verdict::disjoint || truth.verdict == Verdict::intersecting;
-  if (wrong || !decided || answer.status != Status::answered || !answer.has_distance) return wrong;
+  const bool settled = wrong && wrong->kind != FindingKind::bad_witness;
+  if (settled || !decided || answer.status != Status::answered || !answer.has_distance) return wrong;
   distance.at(truth.verdict == Verdict::disjoint ? narrowest_width_tol : depth_width_tol);
   return compare(pair, truth, distance, claim, answer);
 }

@@ -60,7 +60,7 @@ struct Examination {
 };
 
 /// What is wrong with a method's answer, by its own claim or another. A gap is held against the narrowest
-/// enclosure there is before it is called right.
+/// enclosure there is before the distance is called right.
 std::optional<Finding> find_wrong(const Pair& pair, const Truth& truth, LazyDistance& distance,
                                   const Claim& claim, const MethodAnswer& answer);
 

@@ -30,8 +30,8 @@ using Json = nlohmann::json;
 constexpr std::uint64_t share_seed = 1;
 /// Width of the enclosures shown, in sizes.
 constexpr double shown_width_tol = 1e-9;
-/// Keys, findings and labels listed with a bucket.
-constexpr std::size_t merged_cap = 200, findings_cap = 1000, labels_cap = 6;
+/// Keys and labels listed with a bucket.
+constexpr std::size_t merged_cap = 200, labels_cap = 6;
 
 /// What one bucket is made of.
 struct Heap {
@@ -264,7 +264,7 @@ Json make_buckets(const Sorted& sorted, std::span<const std::unique_ptr<Method>>
         margin = margin
                      ? MarginRecord{std::min(margin->lo, f->margin->lo), std::max(margin->hi, f->margin->lo)}
                      : MarginRecord{f->margin->lo, f->margin->lo};
-      if (ids.size() < findings_cap) ids.push_back(f->id);
+      ids.push_back(f->id);
     }
     b["method"] = of.method;
     b["methods"] = names;
