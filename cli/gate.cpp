@@ -21,6 +21,7 @@
 #include "cli/mutants.hpp"
 #include "cli/progress.hpp"
 #include "cli/source_tree.hpp"
+#include "cli/today.hpp"
 #include "cli/unsigned_option.hpp"
 #include "corpus/case_files.hpp"
 #include "corpus/pair_io.hpp"
@@ -30,6 +31,7 @@
 #include "reports/gate_junit.hpp"
 #include "reports/gate_sarif.hpp"
 #include "reports/gate_text.hpp"
+#include "reports/suppressed.hpp"
 
 namespace cyl {
 namespace {
@@ -37,7 +39,7 @@ namespace {
 struct Arguments {
   std::string budget, methods = "intersect,decide,distance,exact", junit, sarif, json, against, keep,
                       reproduce;
-  std::optional<std::string> cases;
+  std::optional<std::string> cases, suppressions;
   std::uint64_t seed = GateOptions{}.seed;
   bool github = false, laws = false;
 };
@@ -102,6 +104,8 @@ int gate(const Arguments& arguments) {
   const std::vector<Case> cases = folder.empty() ? std::vector<Case>{} : read_case_folder(folder);
   std::set<std::string> base;
   if (!arguments.against.empty()) base = read_buckets(arguments.against);
+  const std::vector<Suppression> suppressions =
+      read_suppressions(arguments.suppressions.value_or(in_source_tree("suppressions.jsonl")));
   fmt::print("seed {}\n", options.seed);
   std::fflush(stdout);
 
@@ -116,6 +120,15 @@ int gate(const Arguments& arguments) {
     });
   }
   mark_known(report, base);
+  mark_suppressed(report, methods, suppressions, today());
+  std::size_t stale = 0;
+  std::vector<std::string> remarks;
+  if (!suppressions.empty()) {
+    std::set<std::string> stored = causes_of(all_methods(), cases);
+    for (const GateFailure& f : report.failures)
+      if (f.phase == GatePhase::corpus || f.phase == GatePhase::corpus_laws) stored.insert(f.bucket);
+    remarks = remarks_on(suppressions, today(), stored, stale);
+  }
   const Smoke smoke =
       smoke_mutants(std::clamp(static_cast<unsigned>(options.budget / smoke_interval), 1u, smoke_cap));
   write_file(arguments.junit, gate_junit(report));
@@ -125,8 +138,9 @@ int gate(const Arguments& arguments) {
   if (arguments.github) fmt::print("{}", gate_github(report));
   fmt::print("planted faults: {}", smoke.ran ? smoke.text : "not run, daylight-mutants is not built\n");
   fmt::print("{}", gate_text(report));
+  for (const std::string& remark : remarks) fmt::print("{}\n", remark);
   if (!smoke.alive) throw std::runtime_error("the gate is blind: a planted fault was not caught");
-  return exit_code(report);
+  return stale > 0 ? exit_findings : exit_code(report);
 }
 
 }  // namespace
@@ -147,15 +161,18 @@ void add_gate(CLI::App& app, int& exit_code) {
   command->add_flag("--github", arguments->github, "print annotations for GitHub's log");
   command->add_option("--against", arguments->against,
                       "JSON of an earlier gate: only what it does not have fails");
+  command->add_option("--suppressions", arguments->suppressions,
+                      "file of known causes that do not fail; suppressions.jsonl where not given");
   command->add_option("--keep", arguments->keep, "write the simplified failing pairs as a file of cases");
   command->add_option("--reproduce", arguments->reproduce,
                       "run one drawn case again, by the name it was given");
   command->add_flag("--laws", arguments->laws, "only list the laws");
   command->footer(
       "Example:\n  daylight gate --method fcl --junit gate.xml\n"
-      "Exit code: 0 nothing beyond a claim, 2 broken laws, refuted verdicts, crashes or hangs, 3 none of "
-      "those, but\n"
-      "undecided truth or a method that abstains, 1 the harness failed, 64 usage.");
+      "Exit code: 0 nothing beyond a claim, 2 broken laws, refuted verdicts, crashes or hangs, or a "
+      "suppression "
+      "that\nmatches no stored case, 3 none of those, but undecided truth or a method that abstains, 1 the "
+      "harness failed, 64 usage.");
   command->callback([arguments, &exit_code] { exit_code = gate(*arguments); });
 }
 

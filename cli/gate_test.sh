@@ -32,6 +32,9 @@ grep -q '^::error file=' out || fail 'no annotation'
 "$daylight" check fcl.jsonl >/dev/null || fail 'the kept cases are no cases'
 
 gate 0 --method fcl-libccd --for 4s --against fcl.json
+printf '{"bucket":"nobody/hang","reason":"r","link":"-","owner":"ada","expires":"2999-12-31"}\n' >stale.jsonl
+gate 2 --for 2s --suppressions stale.jsonl
+grep -q 'nobody/hang (line 1) matches no stored case' out || fail 'a stale suppression is not told'
 gate 64 --method nobody
 gate 64 --reproduce nonsense
 gate 1 --against ours.xml

@@ -23,6 +23,7 @@ int run(int argc, char** argv) {
   cyl::add_campaign(app, exit_code);
   cyl::add_merge(app, exit_code);
   cyl::add_replay(app, exit_code);
+  cyl::add_triage(app, exit_code);
   cyl::add_explain(app, exit_code);
   cyl::add_fuzz(app, exit_code);
   cyl::add_gate(app, exit_code);

@@ -11,6 +11,7 @@
 #include "corpus/shell_words.hpp"
 #include "corpus/store.hpp"
 #include "fuzz/alarm.hpp"
+#include "reports/charts.hpp"
 #include "reports/history.hpp"
 #include "reports/page.hpp"
 #include "reports/tally_table.hpp"
@@ -47,6 +48,7 @@ void point_latest_at(const fs::path& run) {
 }
 
 void show_run(const std::string& folder, std::uint64_t pairs) {
+  write_charts(folder, {});
   write_page(folder, in_source_tree("reports/kill_matrix.jsonl"));
   const RunStore store = RunStore::open(folder);
   fmt::print("{}", format_tallies(tally_methods(store)));

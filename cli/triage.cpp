@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: MIT
+#include "reports/triage.hpp"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cstdio>
+#include <fstream>
+#include <memory>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "cli/build_info.hpp"
+#include "cli/commands.hpp"
+#include "cli/duration.hpp"
+#include "cli/progress.hpp"
+#include "cli/source_tree.hpp"
+#include "cli/today.hpp"
+#include "cli/unsigned_option.hpp"
+#include "corpus/case_files.hpp"
+#include "corpus/pair_io.hpp"
+#include "corpus/suppressions.hpp"
+#include "reports/explain.hpp"
+#include "reports/export.hpp"
+#include "reports/page.hpp"
+#include "reports/probe.hpp"
+
+namespace cyl {
+namespace {
+
+struct Arguments {
+  std::string run, budget, json, explained, exported, out;
+  std::optional<std::string> suppressions;
+  std::vector<std::string> against;
+  unsigned jobs = 2;
+};
+
+void write_file(const std::string& name, const std::string& text) {
+  std::ofstream out(name);
+  out << text;
+  out.close();
+  if (!out) throw std::runtime_error(name + " cannot be written");
+}
+
+int triage(const Arguments& arguments) {
+  TriageOptions options;
+  options.folder = arguments.run;
+  options.against = arguments.against;
+  if (!arguments.budget.empty()) options.budget = parse_duration(arguments.budget);
+  options.jobs = arguments.jobs;
+  options.suppressions =
+      read_suppressions(arguments.suppressions.value_or(in_source_tree("suppressions.jsonl")));
+  options.today = today();
+  options.build = build_info().text();
+  if (!options.suppressions.empty()) options.cases = read_case_folder(in_source_tree("corpus"));
+
+  Triage result;
+  {
+    ProgressLine line;
+    result = run_triage(options, [&](const TriageProgress& p) {
+      if (!line.due(p.elapsed)) return;
+      line.show(
+          p.elapsed,
+          std::min(1.0, static_cast<double>(p.elapsed.count()) / static_cast<double>(options.budget.count())),
+          fmt::format("causes of {} of {} findings told, {} simplified", p.told, p.findings, p.simplified));
+    });
+  }
+  fmt::print("{}", format_buckets(result.buckets));
+  fmt::print("{} causes of {} kept findings; {} simplified, --for gives them more time\n",
+             result.buckets.size(), result.progress.told, result.progress.simplified);
+  if (result.progress.told < result.progress.findings)
+    fmt::print("{} not looked at yet: run it again to go on\n",
+               result.progress.findings - result.progress.told);
+  for (const std::string& remark : result.remarks) fmt::print("{}\n", remark);
+  if (!arguments.json.empty()) write_file(arguments.json, result.buckets.dump(1) + '\n');
+  write_file(arguments.run + "/buckets.json", result.buckets.dump() + '\n');
+  write_page(arguments.run, in_source_tree("reports/kill_matrix.jsonl"));
+  fmt::print("page: {}/report.html\n", arguments.run);
+  return exit_code(result);
+}
+
+/// The bucket of the last triage with that key.
+nlohmann::json bucket_of(const Arguments& arguments, const std::string& key) {
+  const nlohmann::json buckets = buckets_json(arguments.run);
+  for (const nlohmann::json& bucket : buckets)
+    if (bucket.at("key") == key) return bucket;
+  throw std::invalid_argument(fmt::format("{} has no bucket '{}'; `daylight triage {}` lists them ({} today)",
+                                          arguments.run, key, arguments.run, buckets.size()));
+}
+
+/// What fails in a bucket, at its simplest.
+struct Failing {
+  std::string method;
+  FindingKind kind;
+  Pair pair;
+};
+
+Failing failing_in(const nlohmann::json& bucket) {
+  const std::string kind = bucket.at("kind");
+  const auto found = find_finding_kind(kind);
+  if (!found) throw std::invalid_argument(fmt::format("'{}' is no kind of finding", kind));
+  return {bucket.at("method"), *found, parse_case(bucket.at("simplest").at("pair").dump(), 1).value.value().pair};
+}
+
+int explain_bucket(const Arguments& arguments) {
+  const Failing failing = failing_in(bucket_of(arguments, arguments.explained));
+  fmt::print("{}", explanation_text(explain(all_methods(), failing.method, failing.kind, failing.pair)));
+  return exit_pass;
+}
+
+int export_bucket(const Arguments& arguments) {
+  const Failing failing = failing_in(bucket_of(arguments, arguments.exported));
+  write_export(make_export(all_methods(), failing.method, failing.kind, failing.pair), arguments.out);
+  fmt::print("{}, {}: {}/issue.md, build.sh, reproduce.cpp, exact.py\n", failing.method,
+             to_string(failing.kind), arguments.out);
+  return exit_pass;
+}
+
+}  // namespace
+
+void add_triage(CLI::App& app, int& exit_code) {
+  CLI::App* command =
+      app.add_subcommand("triage", "From the findings of a run to their causes, each with a simple pair");
+  auto arguments = std::make_shared<Arguments>();
+  command->add_option("RUN", arguments->run, "folder of the run")->required();
+  command->add_option("--against", arguments->against,
+                      "triaged runs to hold it against; those beside it where not given");
+  command->add_option("--for", arguments->budget, "wall time, like 5m; 5m where not given");
+  add_unsigned(*command, "--jobs", arguments->jobs, "processes; do not change the causes", 1, 1024);
+  command->add_option("--suppressions", arguments->suppressions,
+                      "file of known causes that do not fail; suppressions.jsonl where not given");
+  command->add_option("--json", arguments->json, "write the causes as JSON");
+  auto* explained = command->add_option("--explain", arguments->explained,
+                                        "KEY of a bucket of the last triage: only say why its method fails");
+  auto* out = command->add_option("--out", arguments->out, "folder for what --export writes");
+  command
+      ->add_option("--export", arguments->exported,
+                   "KEY of a bucket of the last triage: only write a program, a proof and the text of an "
+                   "issue for the library's maintainers")
+      ->needs(out)
+      ->excludes(explained);
+  command->footer(
+      "Example:\n  daylight triage runs/latest --for 2m\n"
+      "What is found out is kept in RUN/triage.sqlite: run again, it goes on. RUN/buckets/ has the simplest "
+      "pairs.\n"
+      "Exit code: 2 a cause beyond a claim that is not suppressed, 3 none, but undecided truth or findings "
+      "not "
+      "looked\nat, 0 otherwise, 1 the harness failed, 64 usage.");
+  command->callback([arguments, &exit_code] {
+    exit_code = !arguments->explained.empty()  ? explain_bucket(*arguments)
+                : !arguments->exported.empty() ? export_bucket(*arguments)
+                                               : triage(*arguments);
+  });
+}
+
+}  // namespace cyl

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: MIT
+// Known causes that are shown but do not fail a run or a gate. One JSON object a line:
+//
+//   {"bucket":"fcl-libccd/absolute-length","reason":"...","link":"https://...","owner":"...","expires":"2027-01-31"}
+//
+// Every field is a string and required; no other is allowed; a bucket has one line.
+#pragma once
+
+#include <cstddef>
+#include <istream>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace cyl {
+
+struct Suppression {
+  std::string bucket, reason, link, owner;
+  std::string expires;   ///< YYYY-MM-DD, the last day on which it holds
+  std::size_t line = 0;  ///< from 1
+};
+
+/// Throws std::invalid_argument "line 3, column 17: ..." at the first bad line; columns count bytes from 1.
+std::vector<Suppression> read_suppressions(std::istream& in);
+/// Of a file; a file that is not there has none. Throws as above with the file's name before it.
+std::vector<Suppression> read_suppressions(const std::string& file);
+
+/// Whether it holds no more on a day, YYYY-MM-DD.
+bool is_expired(const Suppression& suppression, std::string_view today);
+
+/// The one of a bucket that holds on a day; nullptr: none.
+const Suppression* find_suppression(const std::vector<Suppression>& suppressions, std::string_view bucket,
+                                    std::string_view today);
+
+}  // namespace cyl

@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: MIT
+#include "corpus/triage_store.hpp"
+
+#include <SQLiteCpp/SQLiteCpp.h>
+
+#include <filesystem>
+#include <stdexcept>
+
+namespace cyl {
+namespace {
+
+/// Milliseconds to wait for another process that writes the same file.
+constexpr int busy_cap = 10000;
+
+constexpr const char* tables = R"(
+CREATE TABLE IF NOT EXISTS note(key TEXT PRIMARY KEY, value TEXT NOT NULL);
+CREATE TABLE IF NOT EXISTS cause(finding INTEGER PRIMARY KEY, bucket TEXT NOT NULL, mechanism TEXT NOT NULL,
+  labels TEXT NOT NULL);
+CREATE TABLE IF NOT EXISTS simple(finding INTEGER PRIMARY KEY, pair TEXT NOT NULL, key TEXT NOT NULL,
+  questions INTEGER NOT NULL);
+)";
+
+std::string file_of(const std::string& folder) { return folder + "/triage.sqlite"; }
+
+template <class Work>
+auto naming(const std::string& file, Work work) {
+  try {
+    return work();
+  } catch (const SQLite::Exception& error) {
+    throw std::runtime_error(file + ": " + error.what());
+  }
+}
+
+std::string note(SQLite::Database& database, const char* key) {
+  SQLite::Statement query(database, "SELECT value FROM note WHERE key = ?");
+  query.bind(1, key);
+  return query.executeStep() ? query.getColumn(0).getString() : std::string();
+}
+
+void set_note(SQLite::Database& database, const char* key, const std::string& value) {
+  SQLite::Statement insert(database, "INSERT OR REPLACE INTO note VALUES(?, ?)");
+  insert.bind(1, key);
+  insert.bind(2, value);
+  insert.exec();
+}
+
+}  // namespace
+
+TriageStore::TriageStore(const std::string& folder, const std::string& build) : file_(file_of(folder)) {
+  naming(file_, [&] {
+    database_ =
+        std::make_unique<SQLite::Database>(file_, SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE, busy_cap);
+    database_->exec("PRAGMA journal_mode=WAL");
+    database_->exec("PRAGMA synchronous=NORMAL");
+    database_->exec(tables);
+    if (note(*database_, "build") == build) return;
+    SQLite::Transaction transaction(*database_, SQLite::TransactionBehavior::IMMEDIATE);
+    database_->exec("DELETE FROM cause; DELETE FROM simple; DELETE FROM note");
+    set_note(*database_, "build", build);
+    transaction.commit();
+  });
+}
+
+TriageStore::TriageStore(TriageStore&&) noexcept = default;
+TriageStore::~TriageStore() = default;
+
+std::vector<CauseRecord> TriageStore::causes() const {
+  return naming(file_, [&] {
+    std::vector<CauseRecord> all;
+    SQLite::Statement row(*database_,
+                          "SELECT finding, bucket, mechanism, labels FROM cause ORDER BY finding");
+    while (row.executeStep())
+      all.push_back({row.getColumn(0).getInt64(), row.getColumn(1).getString(), row.getColumn(2).getString(),
+                     row.getColumn(3).getString()});
+    return all;
+  });
+}
+
+std::vector<SimpleRecord> TriageStore::simples() const {
+  return naming(file_, [&] {
+    std::vector<SimpleRecord> all;
+    SQLite::Statement row(*database_, "SELECT finding, pair, key, questions FROM simple ORDER BY finding");
+    while (row.executeStep())
+      all.push_back({row.getColumn(0).getInt64(), row.getColumn(1).getString(), row.getColumn(2).getString(),
+                     static_cast<std::uint64_t>(row.getColumn(3).getInt64())});
+    return all;
+  });
+}
+
+void TriageStore::add(std::span<const CauseRecord> causes) {
+  naming(file_, [&] {
+    SQLite::Transaction transaction(*database_, SQLite::TransactionBehavior::IMMEDIATE);
+    SQLite::Statement insert(*database_, "INSERT OR REPLACE INTO cause VALUES(?, ?, ?, ?)");
+    for (const CauseRecord& c : causes) {
+      insert.reset();
+      insert.bind(1, c.finding);
+      insert.bind(2, c.bucket);
+      insert.bind(3, c.mechanism);
+      insert.bind(4, c.labels);
+      insert.exec();
+    }
+    transaction.commit();
+  });
+}
+
+void TriageStore::add(const SimpleRecord& simple) {
+  naming(file_, [&] {
+    SQLite::Statement insert(*database_, "INSERT OR REPLACE INTO simple VALUES(?, ?, ?, ?)");
+    insert.bind(1, simple.finding);
+    insert.bind(2, simple.pair);
+    insert.bind(3, simple.key);
+    insert.bind(4, static_cast<std::int64_t>(simple.questions));
+    insert.exec();
+  });
+}
+
+std::string TriageStore::buckets() const {
+  return naming(file_, [&] { return note(*database_, "buckets"); });
+}
+
+void TriageStore::set_buckets(const std::string& json) {
+  naming(file_, [&] { set_note(*database_, "buckets", json); });
+}
+
+std::string stored_buckets(const std::string& folder) {
+  const std::string file = file_of(folder);
+  if (!std::filesystem::exists(file)) return {};
+  return naming(file, [&] {
+    SQLite::Database database(file, SQLite::OPEN_READWRITE, busy_cap);
+    return database.tableExists("note") ? note(database, "buckets") : std::string();
+  });
+}
+
+}  // namespace cyl

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: MIT
+// What triage has found out of a run's findings, in one SQLite file beside the run's own, so that a triage
+// that is killed goes on where it was. It knows plain records only. Bounded: two rows a finding that is kept.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace SQLite {
+class Database;
+}
+
+namespace cyl {
+
+/// Why a finding is wrong, as far as probes told.
+struct CauseRecord {
+  std::int64_t finding = 0;  ///< its id in the run
+  std::string bucket;
+  std::string mechanism;  ///< its word
+  std::string labels;     ///< others that apply, one a line
+};
+
+/// A finding simplified.
+struct SimpleRecord {
+  std::int64_t finding = 0;
+  std::string pair;  ///< one JSON line of corpus/pair_io
+  std::string key;   ///< the bucket key of the pair: method, kind, feature, coordinate
+  std::uint64_t questions = 0;
+};
+
+/// FOLDER/triage.sqlite. May be written by several processes at once. Every call throws std::runtime_error
+/// that names the file where it cannot be read or written.
+class TriageStore {
+ public:
+  /// Creates the file where there is none. What another build found out is dropped: causes are told by
+  /// asking.
+  TriageStore(const std::string& folder, const std::string& build);
+  TriageStore(TriageStore&&) noexcept;
+  ~TriageStore();
+
+  std::vector<CauseRecord> causes() const;    ///< by finding
+  std::vector<SimpleRecord> simples() const;  ///< by finding
+  void add(std::span<const CauseRecord> causes);
+  void add(const SimpleRecord& simple);
+  /// The buckets as JSON; empty: none yet.
+  std::string buckets() const;
+  void set_buckets(const std::string& json);
+
+ private:
+  std::string file_;
+  std::unique_ptr<SQLite::Database> database_;
+};
+
+/// The buckets that a triage of the run in `folder` left, as JSON; empty where there was none.
+std::string stored_buckets(const std::string& folder);
+
+}  // namespace cyl
