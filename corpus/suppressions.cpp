@@ -59,7 +59,9 @@ Suppression parse(const std::string& text, std::size_t line) {
   if (!object.is_object()) refuse(line, 0, "no object");
   Suppression s;
   s.line = line;
-  for (const auto& [key, value] : object.items()) {
+  for (const auto& item : object.items()) {
+    const std::string& key = item.key();
+    const Json& value = item.value();
     const auto field =
         std::find_if(fields.begin(), fields.end(), [&](const auto& f) { return f.first == key; });
     if (field == fields.end()) refuse(line, text.find(Json(key).dump()), "'" + key + "' is no field");
