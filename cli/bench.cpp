@@ -96,9 +96,12 @@ void run(const Options& options) {
     standings = summarise(rows);
     fmt::print("{}{}", format_bench_table(rows), format_standings(standings));
   }
-  progress("floors");
-  const Floors floors = measure_floors(options.bench);
-  fmt::print("{}", format_floors(floors, rows));
+  Floors floors;
+  if (!options.curves) {
+    progress("floors");
+    floors = measure_floors(options.bench);
+    fmt::print("{}", format_floors(floors, rows));
+  }
   if (!options.json.empty()) write_json(options.json, rows, standings, floors);
 }
 

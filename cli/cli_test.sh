@@ -163,6 +163,10 @@ for number in -1 -3 +1 1x 1.5 0x10 '' 18446744073709551616 999999999999999999999
   done
 done
 expect 'no pairs' 64 '' bench --pairs 0
+expect 'help of chart' 0 '.*Example:.*' chart --help
+expect 'no run to chart' 64 '' chart nowhere
+mkdir empty
+expect 'a folder that holds no run' 64 '' chart empty
 expect 'no jobs' 64 '' campaign --jobs 0
 expect 'too many jobs' 64 '' campaign --jobs 1025
 [[ $(<err) == *"--jobs: '1025' is no whole number from 1 to 1024"* ]] || fail 'the range of an option'

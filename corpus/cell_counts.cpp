@@ -23,11 +23,9 @@ CellCounts& CellCounts::operator+=(const CellCounts& other) {
 }
 
 std::vector<CellCounts>& CellTable::at(std::string_view plane, int x, int y, std::size_t methods) {
-  const std::tuple key(plane, x, y);
-  auto cell = cells_.find(key);
-  if (cell == cells_.end()) cell = cells_.try_emplace({std::string(plane), x, y}).first;
-  if (cell->second.size() < methods) cell->second.resize(methods);
-  return cell->second;
+  std::vector<CellCounts>& counts = cells_[{std::string(plane), x, y}];
+  if (counts.size() < methods) counts.resize(methods);
+  return counts;
 }
 
 void CellTable::add(const CellRecord& record) {

@@ -42,7 +42,7 @@ class CellTable {
   std::vector<CellRecord> records() const;  ///< by plane, x and y
 
  private:
-  std::map<std::tuple<std::string, int, int>, std::vector<CellCounts>, std::less<>> cells_;
+  std::map<std::tuple<std::string, int, int>, std::vector<CellCounts>> cells_;
 };
 
 /// "12;12 0 3;;7": a method each, its counts in the order above, without the zeros and methods that end it.

@@ -557,7 +557,8 @@ TEST_F(Campaign, EveryPairIsInOneCellOfEachPlane) {
     EXPECT_EQ(sums[3].undecided, total(run, "choosy").declined) << plane;
   }
   for (const CellRecord& c : run.cells()) {  // parallel axes
-    if (c.plane == "angle-margin" && c.x == 0 && c.y == 2) EXPECT_EQ(c.methods[1].wrong_disjoint, in_cell);
+    if (c.plane != "angle-margin" || c.x != 0 || c.y != 2) continue;
+    EXPECT_EQ(c.methods[1].wrong_disjoint, in_cell);
   }
   EXPECT_GT(in_cell, 0u);
 }

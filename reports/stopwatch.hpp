@@ -27,8 +27,9 @@ void shuffle(std::span<std::size_t> order, std::size_t& stride);
 
 /// Runs a sweep of `count` calls once to warm up and then as often as fills `least`; a first run that fills
 /// it is itself the measurement. The time is the median of the sweeps', which loses the few that something
-/// else interrupted. Each time in another order: branch predictors learn a couple of thousand
-/// pairs by heart (a quarter of the time of our verdict on random pairs).
+/// else interrupted; of a sweep that others had the processor in, only its own time counts. Each time in
+/// another order: branch predictors learn a couple of thousand pairs by heart (a quarter of the time of our
+/// verdict on random pairs).
 Cost turn_cost(const Sweep& sweep, std::size_t count, std::chrono::duration<double> least);
 
 /// Over calls, of the time of each.
