@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Built by build.mjs, not written by hand. Sources: 550c997f3275979bc290ecdee15b24683d1c7b24c7560be2cd068f2b9677915b
+// Built by build.mjs, not written by hand. Sources: a7ef07c080fd52a1ba35308f9a420d99e3b379496cf41ffaf27b0d039754f4cb
 /* It holds
 
 @observablehq/plot 0.6.17:
