@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Built by build.mjs, not written by hand. Sources: a7ef07c080fd52a1ba35308f9a420d99e3b379496cf41ffaf27b0d039754f4cb
+// Built by build.mjs, not written by hand. Sources: 2a73c77e2cacd0631cf9c114339f138aad9efc197081997d2b12b60699a3bf5d
 /* It holds
 
 @observablehq/plot 0.6.17:

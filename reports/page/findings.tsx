@@ -13,6 +13,8 @@ const titles: Record<Column, string> = { id: "#", severity: "severity", kind: "k
 const facet_titles: Record<Facet, string> = { severity: "Severity", kind: "Kind", library: "Library", family: "Family", standing: "Standing" };
 const numeric = new Set<Column>(["id", "margin"]);
 
+const few = (names: string[]) => names.length < 4 ? safe(names.join(", ")) : `${safe(names.slice(0, 2).join(", "))} and ${names.length - 2} more`;
+
 export const bucket_address = (key: string) => `#/bucket/${key.split("/").map(encodeURIComponent).join("/")}`;
 
 function Buckets({ report }: { report: FullReport }) {
@@ -22,16 +24,17 @@ function Buckets({ report }: { report: FullReport }) {
   return (
     <div class="scroll">
       <table class="plain buckets">
-        <thead><tr><th>cause</th><th>severity</th><th class="n">findings</th><th class="n">margins</th><th class="n">of its stratum</th><th>also</th><th>standing</th><th>first seen</th></tr></thead>
+        <thead><tr><th>cause</th><th>methods</th><th>severity</th><th class="n">findings</th><th class="n">margins</th><th class="n">of its stratum</th><th>standing</th><th>first seen</th></tr></thead>
         <tbody>
           {in_order(report.buckets, worst_first).map((b) => (
             <tr key={b.key} class={b.suppressed ? "suppressed" : ""}>
-              <td><a href={bucket_address(b.key)}>{safe(b.key)}</a></td>
+              <td class="wrap"><a href={bucket_address(b.key)}>{safe(b.key)}</a>{b.suppressed && <> <span class="tag" title={safe(b.suppressed.reason)}>suppressed until {safe(b.suppressed.expires)}</span></>}
+                <div class="soft">{b.cause ? safe(b.cause) : b.labels.map((l) => <span class="tag" key={l}>{safe(l)}</span>)}</div></td>
+              <td class="wrap soft" title={safe((b.methods ?? [b.method]).join(", "))}>{few(b.methods ?? [b.method])}</td>
               <td class={b.severity === "contract" ? "bad" : ""}>{severity_words[b.severity] ?? safe(b.severity)}</td>
               <td class="n">{grouped(b.count)}</td>
               <td class="n">{range(b.margin)}</td>
               <td class="n" title={b.share ? `${grouped(b.share.wrong)} of ${grouped(b.share.asked)}` : ""}>{b.share ? percent(b.share.wrong, b.share.asked) : "\u2013"}</td>
-              <td class="wrap">{b.labels.map((l) => <span class="tag" key={l}>{safe(l)}</span>)}{b.suppressed && <span class="tag" title={safe(b.suppressed.reason)}>suppressed until {safe(b.suppressed.expires)}</span>}</td>
               <td>{b.standing ?? "\u2013"}</td>
               <td>{safe(b.first_seen)}</td>
             </tr>
