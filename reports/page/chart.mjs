@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Built by build.mjs, not written by hand. Sources: 2a73c77e2cacd0631cf9c114339f138aad9efc197081997d2b12b60699a3bf5d
+// Built by build.mjs, not written by hand. Sources: 18407687da0fc3d731dea45daaddb3c3ecc846a7b1daf55ba6e83f0da6da8f19
 /* It holds
 
 @observablehq/plot 0.6.17:

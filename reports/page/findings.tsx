@@ -6,7 +6,7 @@ import type { Bucket } from "./data.ts";
 import { chip_counts, columns, facets, filter_of, filtered, no_filter, rows_of, sorted, type Column, type Facet, type Filter, type Order, type Row } from "./filter.ts";
 import { Missing, Section } from "./parts.tsx";
 import type { FullReport } from "./report.ts";
-import { grouped, in_order, kind_words, percent, plural, range, safe, severity_words, shell_quoted, short } from "./words.ts";
+import { grouped, in_order, kind_words, percent, plural, range, safe, severity_words, short } from "./words.ts";
 
 const row_height = 25, table_rows = 22, spare_rows = 8;
 const titles: Record<Column, string> = { id: "#", severity: "severity", kind: "kind", method: "method", family: "family", margin: "margin", bucket: "cause", standing: "standing" };
@@ -19,7 +19,7 @@ export const bucket_address = (key: string) => `#/bucket/${key.split("/").map(en
 
 function Buckets({ report }: { report: FullReport }) {
   if (report.buckets.length === 0)
-    return report.findings.length === 0 ? null : <Missing what="causes: its findings have not been folded into buckets" command={`./daylight triage ${shell_quoted(report.run.folder ?? report.run.id)}`} />;
+    return report.findings.length === 0 ? null : <Missing of="buckets" report={report} />;
   const worst_first = (x: Bucket, y: Bucket) => (x.severity === y.severity ? y.count - x.count : x.severity === "contract" ? -1 : y.severity === "contract" ? 1 : 0);
   return (
     <div class="scroll">
