@@ -32,7 +32,7 @@ void add_chart(CLI::App& app, int& exit_code) {
       ->required();
   command->footer(
       "Example:\n  daylight chart runs/latest --out charts\n"
-      "SVG, and PNG where rsvg-convert is there. Needs Node.js (apt-get install nodejs).");
+      "SVG, and PNG where rsvg-convert is there; maps and curves of one method a library. Needs Node.js (apt-get install nodejs).");
   command->callback([arguments, &exit_code] {
     chart(*arguments);
     exit_code = exit_pass;

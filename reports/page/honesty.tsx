@@ -4,7 +4,7 @@
 import { useCallback, useMemo, useState } from "preact/hooks";
 import { Figure, Missing, Section, Select } from "./parts.tsx";
 import { cost_plot, first_of_each, honesty_plot, screen, series_key, shown_cap } from "./plots.ts";
-import type { FullReport } from "./report.ts";
+import { in_run_order, type FullReport } from "./report.ts";
 import { claim_words, grouped, kind_words, safe } from "./words.ts";
 
 
@@ -23,7 +23,7 @@ export function Chooser({ methods, chosen, set }: { methods: string[]; chosen: s
 }
 
 export function Honesty({ report }: { report: FullReport }) {
-  const methods = useMemo(() => [...new Set(report.honesty.map((h) => h.method))], [report]);
+  const methods = useMemo(() => in_run_order(report, report.honesty.map((h) => h.method)), [report]);
   const families = useMemo(() => [...new Set(report.honesty.map((h) => h.family))].sort((x, y) => (x === null ? -1 : y === null ? 1 : x < y ? -1 : 1)), [report]);
   const [chosen, set] = useState(() => first_of_each(methods));
   const [family, choose] = useState(families[0] ?? "");
@@ -44,7 +44,7 @@ export function Honesty({ report }: { report: FullReport }) {
 }
 
 export function Cost({ report }: { report: FullReport }) {
-  const methods = useMemo(() => [...new Set(report.cost.map((c) => c.method))], [report]);
+  const methods = useMemo(() => in_run_order(report, report.cost.map((c) => c.method)), [report]);
   const [chosen, set] = useState(() => first_of_each(methods));
   const points = useMemo(() => chosen.flatMap((m) => report.cost.filter((c) => c.method === m)), [report, chosen]);
   const draw = useCallback((width: number) => cost_plot(points, { width, theme: screen }), [points]);
