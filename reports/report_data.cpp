@@ -19,6 +19,7 @@
 #include "corpus/pair_io.hpp"
 #include "corpus/shell_words.hpp"
 #include "corpus/store.hpp"
+#include "fuzz/alarm.hpp"
 #include "fuzz/batch.hpp"
 #include "fuzz/campaign.hpp"
 #include "oracles/method.hpp"
@@ -339,6 +340,13 @@ void add_charts(json& report, const std::string& folder) {
   }
 }
 
+json alarm_of(const RunStore& store) {
+  const std::vector<AlarmRecord> alarms = store.alarms();
+  if (alarms.empty()) return nullptr;
+  const bool green = std::none_of(alarms.begin(), alarms.end(), rings);
+  return {{"green", green}, {"text", green ? format_alarms(alarms) : describe_rings(alarms)}};
+}
+
 json buckets_of(const std::string& folder) {
   json buckets = read_beside(folder, "buckets.json");
   if (buckets.is_null()) return json::array();
@@ -364,7 +372,7 @@ std::string report_json(const std::string& run_folder, const std::string& kill_m
                  {"families", families_of(tallies)},
                  {"tallies", tallies_of(tallies)},
                  {"history", history_of(run_folder)},
-                 {"alarm", nullptr},
+                 {"alarm", alarm_of(store)},
                  {"kill_matrix", kill_matrix.empty() ? json() : kill_data(kill_matrix)},
                  {"buckets", buckets_of(run_folder)}};
   add_findings(report, store);

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 // The plots as files for a paper or a README, in Node: daylight chart runs it, with interface Report on standard input.
 //     node chart.mjs FOLDER < report.json        writes FOLDER/*.svg and names each on standard output
-import { mkdirSync, readFileSync, writeFileSync } from "node:fs";
-import { argv, exit } from "node:process";
+import { mkdirSync, writeFileSync } from "node:fs";
+import { argv, exit, stdin } from "node:process";
 import { pathToFileURL } from "node:url";
 import { parseHTML } from "linkedom";
 import type { Report } from "./data.ts";
 import { backward_plot, cost_plot, families_plot, first_of_each, honesty_plot, map_plot, paper, palette, pareto, series_key, speed_plot, trace_plot, wrong_plot, type Options } from "./plots.ts";
-import { expand, type FullReport } from "./report.ts";
+import { expand, in_run_order, type FullReport } from "./report.ts";
 import { grouped, library } from "./words.ts";
 
 export { exact, floor_sqrt, prove } from "./prove.ts";
@@ -37,7 +37,7 @@ function framed(plot: Element, title: string, keys: Key[]): string {
 
 const sure = (name: string) => name.replace(/[^A-Za-z0-9_.-]+/g, "_");
 
-/** Every plot that the report has data for: file name (without ending) and SVG. */
+/** The plots that the report has data for, speed of all families and the random ones, maps of a method a library: file name (without ending) and SVG. */
 export function charts(report: FullReport, document: Document): Map<string, string> {
   const files = new Map<string, string>();
   const o: Options = { width, theme: paper, document };
@@ -48,18 +48,19 @@ export function charts(report: FullReport, document: Document): Map<string, stri
   const methods = report.methods.map((m) => m.name).filter((name) => report.tallies.some((t) => t.method === name));
   if (methods.length > 0) files.set("families", framed(families_plot(report.tallies, methods, report.families.map((f) => f.name), o), `Wrong beyond the claim or failed, ${grouped(report.run.pairs)} pairs`,
     [...heat, { name: "wrong within the claim", colour: paper.intersecting }, { name: "undecided", colour: paper.undecided }, { name: "neither", colour: paper.clean }]));
-  for (const query of new Set(report.speed.map((p) => p.query))) for (const family of new Set(report.speed.map((p) => p.family))) {
+  for (const query of new Set(report.speed.map((p) => p.query))) for (const family of ["all", "random"]) {
     const points = report.speed.filter((p) => p.query === query && p.family === family);
     if (points.length === 0) continue;
     const name = sure(`${query}-${family}`), keys = libraries(points.map((p) => p.method));
     if (points.some((p) => p.digits !== null)) files.set(`speed-${name}`, framed(speed_plot(points, o), `Speed against accuracy: ${query}, ${family === "all" ? "all families" : family}`, keys));
     files.set(`wrong-${name}`, framed(wrong_plot(points, o), `Wrong answers against speed: ${query}, ${family === "all" ? "all families" : family}`, []));
   }
-  for (const map of report.maps) files.set(sure(`map-${map.plane}-${map.method}`), framed(map_plot(map, "all", { ...o, width: width * 0.7 }), `${map.method}: share wrong or failed`, [...heat, { name: "none wrong", colour: paper.clean }]));
-  const honest = first_of_each([...new Set(report.honesty.map((h) => h.method))]);
+  const mapped = first_of_each(in_run_order(report, report.maps.map((m) => m.method)));
+  for (const map of report.maps.filter((m) => mapped.includes(m.method))) files.set(sure(`map-${map.plane}-${map.method}`), framed(map_plot(map, "all", { ...o, width: width * 0.7 }), `${map.method}: share wrong or failed`, [...heat, { name: "none wrong", colour: paper.clean }]));
+  const honest = first_of_each(in_run_order(report, report.honesty.map((h) => h.method)));
   const curves = honest.flatMap((m) => report.honesty.filter((h) => h.method === m && h.family === null));
   if (curves.length > 0) files.set("honesty", framed(honesty_plot(curves, o), "Share of wrong answers against margin", series(curves.map((h) => h.method))));
-  const timed = first_of_each([...new Set(report.cost.map((c) => c.method))]);
+  const timed = first_of_each(in_run_order(report, report.cost.map((c) => c.method)));
   if (timed.length > 0) files.set("cost", framed(cost_plot(timed.flatMap((m) => report.cost.filter((c) => c.method === m)), o), "Time a pair against margin", series(timed)));
   for (const path of report.paths) if (path.trace && path.trace.length > 0) files.set(sure(`path-${path.path}-${path.method}`), framed(trace_plot(path, o), `${path.method}, ${path.path}`, []));
   if (report.backward.length > 0) files.set("backward", framed(backward_plot(report.backward, o), "How far the input must move for a wrong answer to be right", []));
@@ -76,7 +77,9 @@ if (argv[1] !== undefined && import.meta.url === pathToFileURL(argv[1]).href) {
     exit(64);
   }
   mkdirSync(folder, { recursive: true });
-  const report = expand(JSON.parse(readFileSync(0, "utf8")) as Report);
+  let text = "";
+  for await (const chunk of stdin.setEncoding("utf8")) text += chunk;  // readFileSync(0) fails where a pipe is slow
+  const report = expand(JSON.parse(text) as Report);
   for (const [name, text] of charts(report, plain_document())) {
     writeFileSync(`${folder}/${name}.svg`, text);
     console.log(`${folder}/${name}.svg`);

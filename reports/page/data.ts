@@ -65,6 +65,9 @@ export interface Bucket {
   simplest: Case; worst: Case | null;
   suppressed: { reason: string; link: string; owner: string; expires: string } | null;
   findings: number[];                       // ids of those kept
+  cause?: string;                           // in words
+  mechanism?: string;                       // what was told by probes: "absolute-length", "offset", ...
+  methods?: string[];                       // all that it makes wrong; `method` is one of them
 }
 
 /** How often a method was asked and wrong, by cell of a plane. Cells not listed were not visited. */

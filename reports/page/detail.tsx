@@ -165,6 +165,7 @@ export function BucketView({ report, bucket: b, finding, named }: { report: Full
         <div><dt>standing</dt><dd>{b.standing ?? "\u2013"}</dd></div>
         <div><dt>seen</dt><dd>{safe(b.first_seen)}{b.last_seen !== b.first_seen && ` to ${safe(b.last_seen)}`}</dd></div>
       </dl>
+      {b.cause && <p>{safe(b.cause)}.{b.methods && <span class="soft"> Wrong by it: {safe(b.methods.join(", "))}.</span>}</p>}
       {b.labels.length > 0 && <p>{b.labels.map((l) => <span class="tag" key={l}>{safe(l)}</span>)}</p>}
       {b.suppressed && <p class="warn">Suppressed until {safe(b.suppressed.expires)} by {safe(b.suppressed.owner)}: {safe(b.suppressed.reason)} ({safe(b.suppressed.link)})</p>}
       <div class="tabs" role="tablist">

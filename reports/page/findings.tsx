@@ -6,32 +6,35 @@ import type { Bucket } from "./data.ts";
 import { chip_counts, columns, facets, filter_of, filtered, no_filter, rows_of, sorted, type Column, type Facet, type Filter, type Order, type Row } from "./filter.ts";
 import { Missing, Section } from "./parts.tsx";
 import type { FullReport } from "./report.ts";
-import { grouped, in_order, kind_words, percent, plural, range, safe, severity_words, shell_quoted, short } from "./words.ts";
+import { grouped, in_order, kind_words, percent, plural, range, safe, severity_words, short } from "./words.ts";
 
 const row_height = 25, table_rows = 22, spare_rows = 8;
 const titles: Record<Column, string> = { id: "#", severity: "severity", kind: "kind", method: "method", family: "family", margin: "margin", bucket: "cause", standing: "standing" };
 const facet_titles: Record<Facet, string> = { severity: "Severity", kind: "Kind", library: "Library", family: "Family", standing: "Standing" };
 const numeric = new Set<Column>(["id", "margin"]);
 
+const few = (names: string[]) => names.length < 4 ? safe(names.join(", ")) : `${safe(names.slice(0, 2).join(", "))} and ${names.length - 2} more`;
+
 export const bucket_address = (key: string) => `#/bucket/${key.split("/").map(encodeURIComponent).join("/")}`;
 
 function Buckets({ report }: { report: FullReport }) {
   if (report.buckets.length === 0)
-    return report.findings.length === 0 ? null : <Missing what="causes: its findings have not been folded into buckets" command={`./daylight triage ${shell_quoted(report.run.folder ?? report.run.id)}`} />;
+    return report.findings.length === 0 ? null : <Missing of="buckets" report={report} />;
   const worst_first = (x: Bucket, y: Bucket) => (x.severity === y.severity ? y.count - x.count : x.severity === "contract" ? -1 : y.severity === "contract" ? 1 : 0);
   return (
     <div class="scroll">
       <table class="plain buckets">
-        <thead><tr><th>cause</th><th>severity</th><th class="n">findings</th><th class="n">margins</th><th class="n">of its stratum</th><th>also</th><th>standing</th><th>first seen</th></tr></thead>
+        <thead><tr><th>cause</th><th>methods</th><th>severity</th><th class="n">findings</th><th class="n">margins</th><th class="n">of its stratum</th><th>standing</th><th>first seen</th></tr></thead>
         <tbody>
           {in_order(report.buckets, worst_first).map((b) => (
             <tr key={b.key} class={b.suppressed ? "suppressed" : ""}>
-              <td><a href={bucket_address(b.key)}>{safe(b.key)}</a></td>
+              <td class="wrap"><a href={bucket_address(b.key)}>{safe(b.key)}</a>{b.suppressed && <> <span class="tag" title={safe(b.suppressed.reason)}>suppressed until {safe(b.suppressed.expires)}</span></>}
+                <div class="soft">{b.cause ? safe(b.cause) : b.labels.map((l) => <span class="tag" key={l}>{safe(l)}</span>)}</div></td>
+              <td class="wrap soft" title={safe((b.methods ?? [b.method]).join(", "))}>{few(b.methods ?? [b.method])}</td>
               <td class={b.severity === "contract" ? "bad" : ""}>{severity_words[b.severity] ?? safe(b.severity)}</td>
               <td class="n">{grouped(b.count)}</td>
               <td class="n">{range(b.margin)}</td>
               <td class="n" title={b.share ? `${grouped(b.share.wrong)} of ${grouped(b.share.asked)}` : ""}>{b.share ? percent(b.share.wrong, b.share.asked) : "\u2013"}</td>
-              <td class="wrap">{b.labels.map((l) => <span class="tag" key={l}>{safe(l)}</span>)}{b.suppressed && <span class="tag" title={safe(b.suppressed.reason)}>suppressed until {safe(b.suppressed.expires)}</span>}</td>
               <td>{b.standing ?? "\u2013"}</td>
               <td>{safe(b.first_seen)}</td>
             </tr>

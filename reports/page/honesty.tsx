@@ -4,8 +4,8 @@
 import { useCallback, useMemo, useState } from "preact/hooks";
 import { Figure, Missing, Section, Select } from "./parts.tsx";
 import { cost_plot, first_of_each, honesty_plot, screen, series_key, shown_cap } from "./plots.ts";
-import type { FullReport } from "./report.ts";
-import { claim_words, grouped, kind_words, safe, shell_quoted } from "./words.ts";
+import { in_run_order, type FullReport } from "./report.ts";
+import { claim_words, grouped, kind_words, safe } from "./words.ts";
 
 
 export function Chooser({ methods, chosen, set }: { methods: string[]; chosen: string[]; set: (chosen: string[]) => void }) {
@@ -23,7 +23,7 @@ export function Chooser({ methods, chosen, set }: { methods: string[]; chosen: s
 }
 
 export function Honesty({ report }: { report: FullReport }) {
-  const methods = useMemo(() => [...new Set(report.honesty.map((h) => h.method))], [report]);
+  const methods = useMemo(() => in_run_order(report, report.honesty.map((h) => h.method)), [report]);
   const families = useMemo(() => [...new Set(report.honesty.map((h) => h.family))].sort((x, y) => (x === null ? -1 : y === null ? 1 : x < y ? -1 : 1)), [report]);
   const [chosen, set] = useState(() => first_of_each(methods));
   const [family, choose] = useState(families[0] ?? "");
@@ -32,7 +32,7 @@ export function Honesty({ report }: { report: FullReport }) {
   const asked = rows.reduce((n, h) => n + h.bins.reduce((k, b) => k + b.asked, 0), 0);
   return (
     <Section id="honesty" title="Honesty" lead={methods.length ? "The share of wrong answers as the margin shrinks. A method that claims to be right from some margin on must have none left of it; an open mark is none wrong, its bar what 95 % confidence leaves." : undefined}>
-      {methods.length === 0 ? <Missing what="curves of wrongness against margin" command={`./daylight triage ${shell_quoted(report.run.folder ?? report.run.id)}`} /> : (
+      {methods.length === 0 ? <Missing of="honesty" report={report} /> : (
         <>
           {families.length > 1 && <p class="tools"><Select label="Pairs" value={family ?? ""} onChange={choose} options={families.map((f) => [f ?? "", f === null ? "all families together" : kind_words(f)] as const)} /></p>}
           <Chooser methods={methods} chosen={chosen} set={set} />
@@ -44,10 +44,10 @@ export function Honesty({ report }: { report: FullReport }) {
 }
 
 export function Cost({ report }: { report: FullReport }) {
-  const methods = useMemo(() => [...new Set(report.cost.map((c) => c.method))], [report]);
+  const methods = useMemo(() => in_run_order(report, report.cost.map((c) => c.method)), [report]);
   const [chosen, set] = useState(() => first_of_each(methods));
   const points = useMemo(() => chosen.flatMap((m) => report.cost.filter((c) => c.method === m)), [report, chosen]);
   const draw = useCallback((width: number) => cost_plot(points, { width, theme: screen }), [points]);
-  if (methods.length === 0) return <Missing what="times against margin" command="./daylight bench" />;
+  if (methods.length === 0) return <Missing of="cost" report={report} />;
   return <><Chooser methods={methods} chosen={chosen} set={set} />{points.length > 0 && <Figure draw={draw} height={330} label="Time a pair against margin" caption="What an answer costs as the margin shrinks: half the pairs below the line, 99 in 100 below the band, none above the marks." />}</>;
 }

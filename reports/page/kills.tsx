@@ -13,7 +13,7 @@ export function Kills({ report }: { report: FullReport }) {
     return [...counts].sort((x, y) => y[1] - x[1]);
   }, [report]);
   const [missed_only, set] = useState(false);
-  if (!matrix) return <Section id="faults" title="Is the harness awake?"><Missing what="kill matrix" command="./daylight mutants matrix" /></Section>;
+  if (!matrix) return <Section id="faults" title="Is the harness awake?"><Missing of="kill_matrix" report={report} /></Section>;
   const missed = matrix.mutants - matrix.caught - matrix.equivalent;
   const rows = missed_only ? matrix.rows.filter((r) => r.caught_by.length === 0) : matrix.rows;
   return (

@@ -5,7 +5,7 @@ import type { FailureMap } from "./data.ts";
 import { Figure, Missing, Section, Select } from "./parts.tsx";
 import { map_plot, screen, wrong_of, type Wrongness } from "./plots.ts";
 import type { FullReport } from "./report.ts";
-import { grouped, percent, safe, shell_quoted } from "./words.ts";
+import { grouped, percent, safe } from "./words.ts";
 
 const planes = [["angle-margin", "Angle of the axes and margin"], ["aspect-margin", "Aspect and margin"], ["scale-offset", "Scale and offset"]] as const;
 const kinds: readonly (readonly [Wrongness, string])[] = [["all", "wrong or failed"], ["wrong_disjoint", "said disjoint wrongly"], ["wrong_intersecting", "said intersecting wrongly"], ["failed", "failed"], ["undecided", "undecided"]];
@@ -31,7 +31,7 @@ export function Maps({ report }: { report: FullReport }) {
   const find = (name: string, plane: string) => report.maps.find((m) => m.method === name && m.plane === plane);
   return (
     <Section id="maps" title="Failure maps" lead={methods.length ? "How often a method was wrong, by what the pair is like; the stronger the colour, the larger the share. A dot marks a cell that leads to a case." : undefined}>
-      {methods.length === 0 ? <Missing what="failure maps" command={`./daylight triage ${shell_quoted(report.run.folder ?? report.run.id)}`} /> : (
+      {methods.length === 0 ? <Missing of="maps" report={report} /> : (
         <>
           <p class="tools">
             <Select label="Method" value={method} onChange={choose} options={methods.map((m) => [m, m] as const)} />

@@ -193,6 +193,24 @@ async function draws_every_plot(page) {
   assert.equal(await page.locator(".missing").count(), 0, "the made-up night has everything");
 }
 
+/** A point leads to its method's findings, a cell of a map to a case; the pointer shows the numbers. */
+async function follows_the_plots(page) {
+  const cell = page.locator("#maps .plot a").nth(3);
+  await cell.scrollIntoViewIfNeeded();
+  await cell.hover();
+  await settled(page);
+  assert.match(await page.locator("#maps .plot [aria-label=tip]", { hasText: "asked" }).first().textContent(), /asked/);
+  await cell.click();
+  await page.waitForSelector(".detail .case");
+  await page.goBack();
+  const point = page.locator("#speed .plot a", { has: page.locator("[aria-label^=ode]") }).first();
+  await point.scrollIntoViewIfNeeded();
+  await point.click();
+  await settled(page);
+  assert.equal(await page.locator(".filters .chip", { hasText: "method ode" }).count(), 1);
+  assert.ok((await column(page, "method")).every((m) => m === "ode"));
+}
+
 async function fits_a_laptop(page) {
   await page.evaluate(() => { location.hash = "#/summary"; });
   await page.getByRole("button", { name: "Unfold all methods" }).click();
@@ -243,7 +261,7 @@ async function test() {
   const report = sample(400);
   write(report);
   const page = await open();
-  for (const step of [reads_the_findings, reads_a_cause, (p) => reads_a_narrow_gap(p, report), follows_a_heat_cell, draws_every_plot, fits_a_laptop]) await step(page);
+  for (const step of [reads_the_findings, reads_a_cause, (p) => reads_a_narrow_gap(p, report), follows_a_heat_cell, draws_every_plot, follows_the_plots, fits_a_laptop]) await step(page);
   await page.context().close();
   assert.deepEqual(errors, []);
   await says_what_is_missing();

@@ -61,7 +61,7 @@ export function PairView({ shown }: { shown: Case }) {
         {factor === 1 && <>To scale. </>}
         {Number.isFinite(ratio) && ratio > uneven && <>One solid is {short(ratio, 2)} times as large as the other, which may be too small to be seen. </>}
         {stage ? "Drag to turn, wheel to zoom." : "This browser has no WebGL: a projection stands in."}
-        {drawing.near && " The dots on a line are the nearest points, approximately."}
+        {drawing.near && (gap !== null && gap < 0 ? " The dots on a line are the points of each that lie deepest in the other, approximately." : " The dots on a line are the nearest points, approximately.")}
       </figcaption>
     </figure>
   );

@@ -2,6 +2,8 @@
 // What the sections share.
 import type { ComponentChildren } from "preact";
 import { useEffect, useRef, useState } from "preact/hooks";
+import type { Report } from "./data.ts";
+import { shell_quoted } from "./words.ts";
 
 export function Section({ id, title, lead, children }: { id: string; title: string; lead?: ComponentChildren; children: ComponentChildren }) {
   return (
@@ -13,9 +15,23 @@ export function Section({ id, title, lead, children }: { id: string; title: stri
   );
 }
 
+/** Which command gives a run the data of a section. */
+const makes = {
+  buckets: ["causes: its findings have not been folded into buckets", (run: string) => `./daylight triage ${run}`],
+  maps: ["failure maps", (run: string) => `./daylight chart ${run}`],
+  honesty: ["curves of wrongness against margin", (run: string) => `./daylight chart ${run}`],
+  speed: ["times", (run: string) => `./daylight bench --curves --json bench.json && ./daylight chart ${run} --bench bench.json`],
+  cost: ["times against margin", (run: string) => `./daylight bench --curves --json bench.json && ./daylight chart ${run} --bench bench.json`],
+  paths: ["walks along paths", (run: string) => `./daylight chart ${run}`],
+  backward: ["backward errors", (run: string) => `./daylight chart ${run}`],
+  builds: ["comparison of builds", (run: string) => `./daylight chart ${run}`],
+  kill_matrix: ["kill matrix", () => "./daylight mutants matrix"],
+} as const;
+
 /** What stands where a run has no data of a kind. */
-export function Missing({ what, command }: { what: string; command: string }) {
-  return <p class="missing">This run has no {what}. <code>{command}</code> makes it.</p>;
+export function Missing({ of, report }: { of: keyof typeof makes; report: Report }) {
+  const [what, command] = makes[of];
+  return <p class="missing">This run has no {what}. <code>{command(shell_quoted(report.run.folder ?? report.run.id))}</code> makes it.</p>;
 }
 
 export function Copy({ text, label }: { text: string; label: string }) {

@@ -72,8 +72,25 @@ export function pareto(points: SpeedPoint[]): SpeedPoint[] {
   return front;
 }
 
-const setting_order = (p: SpeedPoint) => { const x = Number(p.setting); return Number.isNaN(x) ? p.ns : x; };
-const curves_of = (points: SpeedPoint[]) => [...group_by(points, (p) => p.curve).values()].map((c) => in_order(c, (x, y) => setting_order(x) - setting_order(y)));
+/** Each curve along its settings: by number where all are numbers, else from the least accurate on. */
+const curves_of = (points: SpeedPoint[]) => [...group_by(points, (p) => p.curve).values()].map((c) => {
+  const numbers = c.every((p) => p.setting !== "" && !Number.isNaN(Number(p.setting)));
+  return in_order(c, (x, y) => (numbers ? Number(x.setting) - Number(y.setting) : x.digits! - y.digits! || x.ns - y.ns));
+});
+/** Room that a name takes in the plot: digits high, and as a part of its width for each letter. */
+const name_height = 0.5, name_width = 0.0055;
+
+/** Of points with names, those whose name has room beside the names before it. */
+function with_room(points: SpeedPoint[]): SpeedPoint[] {
+  const logs = points.map((p) => Math.log10(p.ns)), span = Math.max(1, Math.max(...logs) - Math.min(...logs));
+  const placed: SpeedPoint[] = [];
+  const apart = (p: SpeedPoint, q: SpeedPoint) => {
+    const [left, right] = p.ns < q.ns ? [p, q] : [q, p];
+    return Math.abs(p.digits! - q.digits!) > name_height || Math.log10(right.ns / left.ns) > name_width * span * (left.curve.length + 2) * 1.4;
+  };
+  for (const p of in_order(points, (x, y) => y.digits! - x.digits! || x.ns - y.ns)) if (placed.every((q) => apart(p, q))) placed.push(p);
+  return placed;
+}
 const point_words = (p: SpeedPoint) => [
   p.method + (p.setting && p.setting !== p.method ? ` (${p.setting})` : ""), `${time(p.ns)} a pair${p.p99 === null ? "" : `, p99 ${time(p.p99)}`}${p.max === null ? "" : `, most ${time(p.max)}`}`,
   p.digits === null ? "no digits told" : `right from 1e\u2212${short(p.digits)} on${p.digits_low === null ? "" : `; with 95 % confidence from 1e\u2212${short(p.digits_low)}`}`,
@@ -99,7 +116,7 @@ export function speed_plot(points: SpeedPoint[], o: Options): Element {
       ...curves_of(told).filter((c) => c.length > 1).map((c) => Plot.line(c, { x: "ns", y: "digits", stroke: fill(c[0]!), strokeWidth: 1.3 })),
       Plot.dot(told, { x: "ns", y: "digits", fill, stroke: o.theme.bg, strokeWidth: 0.8, symbol: (p: SpeedPoint) => shape.get(library(p.method)), r: 4.5,
         ...(o.link ? { href: (p: SpeedPoint) => o.link!(p.method, p.family), target: "_self" } : {}), ariaLabel: point_words }),
-      Plot.text(ends, Plot.selectFirst({ x: "ns", y: "digits", z: "curve", text: "curve", dy: -9, textAnchor: "start", dx: 4, fill, fontSize: 10, stroke: o.theme.bg, strokeWidth: 3, paintOrder: "stroke" })),
+      Plot.text(with_room(ends), { x: "ns", y: "digits", text: "curve", dy: -9, textAnchor: "start", dx: 4, fill, fontSize: 10, stroke: o.theme.bg, strokeWidth: 3, paintOrder: "stroke" }),
       ...(o.document ? [] : [Plot.tip(told, Plot.pointer({ x: "ns", y: "digits", title: point_words, fill: o.theme.bg, stroke: o.theme.line }))]),
     ],
   }));
@@ -173,7 +190,8 @@ export const shown_cap = 8;
 /** The first method of each library, ours first, what the documents have last: what is shown where nobody chose. */
 export function first_of_each(methods: string[]): string[] {
   const firsts = methods.filter((m, i) => methods.findIndex((n) => library(n) === library(m)) === i);
-  return in_order(firsts, (x, y) => Number(x.startsWith("seed")) - Number(y.startsWith("seed"))).slice(0, shown_cap);
+  const rank = (m: string) => (library(m) === "ours" ? 0 : m.startsWith("seed") ? 2 : 1);
+  return in_order(firsts, (x, y) => rank(x) - rank(y)).slice(0, shown_cap);
 }
 
 export function honesty_plot(all: Honesty[], o: Options): Element {

@@ -37,3 +37,9 @@ export function standings(report: FullReport): (f: Finding) => Standing | null {
   const of_group = new Map(report.history?.groups.map((g) => [key(g), g.standing]));
   return (f) => (f.bucket !== null ? of_bucket.get(f.bucket) : null) ?? of_group.get(key(f)) ?? null;
 }
+
+/** The methods, each once, in the order of the run; those it did not ask last. */
+export function in_run_order(report: Report, methods: string[]): string[] {
+  const asked = report.methods.map((m) => m.name).filter((name) => methods.includes(name));
+  return [...new Set([...asked, ...methods])];
+}

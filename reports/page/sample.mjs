@@ -62,7 +62,7 @@ export function sample(findings_total = 400) {
   const buckets = keys.map((key, i) => {
     const [library, kind] = key.split("/"), ids = findings.filter((f) => f.bucket === key).map((f) => f.id);
     return { key, method: library, kind, severity: i % 3 === 0 ? "contract" : "resolution", feature: "side-rim", coordinate: "angle", labels: i % 2 ? ["iteration cap"] : ["absolute tolerance", "shared algorithm"], merged: i % 4 ? [] : [`${library}/${kind}/rim-rim/angle`],
-      count: ids.length * 31, families: families.slice(0, 1 + (i % 5)), first_seen: "20261119-220000-4", last_seen: "20261122-060000-7", standing: standings[i % 3], margin: [10 ** -(3 + (i % 9)), 0.01],
+      count: ids.length * 31, families: families.slice(0, 1 + (i % 5)), first_seen: "20261119-220000-4", last_seen: "20261122-060000-7", standing: standings[i % 3], ...(i % 2 ? {} : { cause: "a fixed length in it: right at another scale", mechanism: "absolute-length", methods: methods.slice(8, 10 + (i % 5)) }), margin: [10 ** -(3 + (i % 9)), 0.01],
       share: { wrong: 3 + i, asked: 5000 }, simplest: whole(i % 2 ? 1e-9 : -0.02), worst: whole(i % 2 ? 0.4 : -0.3), suppressed: i === 5 ? { reason: "known upstream", link: "issue 1", owner: "me", expires: "2027-01-01" } : null, findings: ids };
   });
   const bins = (low, high) => Array.from({ length: high - low + 1 }, (_, i) => `1e${low + i}`);

@@ -20,7 +20,7 @@ export function Speed({ report }: { report: FullReport }) {
   const front = pareto(points);
   return (
     <Section id="speed" title="Speed against accuracy" lead={report.speed.length ? "Accuracy is a margin: the method was right on every pair with at least that signed distance over size. Settings of one method are joined by a line; a point leads to the findings of its method." : undefined}>
-      {report.speed.length === 0 ? <Missing what="times" command="./daylight bench" /> : (
+      {report.speed.length === 0 ? <Missing of="speed" report={report} /> : (
         <>
           <p class="tools">
             <Select label="Pairs" value={family} onChange={choose} options={families.map((f) => [f, f === "all" ? "all families together" : kind_words(f)] as const)} />

@@ -6,14 +6,14 @@ import { Cost } from "./honesty.tsx";
 import { Figure, Missing, Section } from "./parts.tsx";
 import { backward_plot, screen, trace_plot } from "./plots.ts";
 import type { FullReport } from "./report.ts";
-import { grouped, in_order, percent, safe, shell_quoted, short } from "./words.ts";
+import { grouped, in_order, percent, safe, short } from "./words.ts";
 
 function Paths({ report }: { report: FullReport }) {
   const paths = useMemo(() => in_order(report.paths, (x, y) => (x.path < y.path ? -1 : x.path > y.path ? 1 : y.flips - x.flips)), [report]);
   const [at, choose] = useState(() => Math.max(0, paths.findIndex((p) => p.flips > 1 && p.trace)));
   const path = paths[at];
   const draw = useCallback((width: number) => trace_plot(path!, { width, theme: screen }), [path]);
-  if (!path) return <Missing what="walks along paths" command={`./daylight triage ${shell_quoted(report.run.folder ?? report.run.id)}`} />;
+  if (!path) return <Missing of="paths" report={report} />;
   return (
     <>
       <p class="lead">Pairs along a path through touching or through parallel axes, step by step: one flip of the verdict is right where the path crosses touching once; each more is noise.</p>
@@ -39,12 +39,12 @@ function Paths({ report }: { report: FullReport }) {
 
 function Backward({ report }: { report: FullReport }) {
   const draw = useCallback((width: number) => backward_plot(report.backward, { width, theme: screen }), [report]);
-  if (report.backward.length === 0) return <Missing what="backward errors" command={`./daylight triage ${shell_quoted(report.run.folder ?? report.run.id)}`} />;
+  if (report.backward.length === 0) return <Missing of="backward" report={report} />;
   return <Figure draw={draw} height={80 + 17 * report.backward.length} label="Backward errors" caption="A wrong answer is the right answer to another question: how far away that question is." />;
 }
 
 function Builds({ report }: { report: FullReport }) {
-  if (report.builds.length === 0) return <Missing what="comparison of builds" command={`./daylight triage ${shell_quoted(report.run.folder ?? report.run.id)}`} />;
+  if (report.builds.length === 0) return <Missing of="builds" report={report} />;
   return (
     <table class="plain">
       <thead><tr><th>method</th><th>build</th><th>against</th><th class="n">pairs</th><th class="n">verdicts changed</th><th class="n">beyond the claim</th><th class="n">distances changed</th><th class="n">largest change</th></tr></thead>
