@@ -102,7 +102,8 @@ Failing failing_in(const nlohmann::json& bucket) {
   const std::string kind = bucket.at("kind");
   const auto found = find_finding_kind(kind);
   if (!found) throw std::invalid_argument(fmt::format("'{}' is no kind of finding", kind));
-  return {bucket.at("method"), *found, parse_case(bucket.at("simplest").at("pair").dump(), 1).value.value().pair};
+  return {bucket.at("method"), *found,
+          parse_case(bucket.at("simplest").at("pair").dump(), 1).value.value().pair};
 }
 
 int explain_bucket(const Arguments& arguments) {

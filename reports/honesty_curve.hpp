@@ -15,10 +15,10 @@
 namespace cyl {
 
 struct HonestyPoint {
-  int decade = 0;            ///< margins in (10^(-decade-1), 10^-decade], as drawn
-  std::uint64_t drawn = 0;   ///< pairs asked about
-  std::uint64_t trials = 0;  ///< of them, those it answered and on which it could fail so: of a wrong
-                             ///< verdict, pairs of the other one
+  int decade = 0;              ///< margins in (10^(-decade-1), 10^-decade], as drawn
+  std::uint64_t drawn = 0;     ///< pairs asked about
+  std::uint64_t trials = 0;    ///< of them, those it answered and on which it could fail so: of a wrong
+                               ///< verdict, pairs of the other one
   std::uint64_t failures = 0;  ///< of them
   RateBounds rate;
 };
