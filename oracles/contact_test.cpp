@@ -141,7 +141,8 @@ TEST(Contains, IsSharp) {
   EXPECT_TRUE(contains(outer, outer));
 }
 
-// f at the direction handed out is within the enclosure, and the enclosure is the one without a direction.
+// f at the direction handed out is within the enclosure, and the enclosure is the one without a direction,
+// but within rounding of touching.
 TEST(AttainedDistanceOf, EveryFamilyIsAttained) {
   using Wide3 = Eigen::Matrix<long double, 3, 1>;
   for (const Family& family : families())
@@ -150,8 +151,11 @@ TEST(AttainedDistanceOf, EveryFamilyIsAttained) {
       const Truth truth = judge(p);
       const AttainedDistance found = attain_distance(p, truth, 1e-11);
       const Enclosure plain = enclose_distance(p, truth, 1e-11);
-      ASSERT_EQ(found.distance.lo, plain.lo);
-      ASSERT_EQ(found.distance.hi, plain.hi);
+      ASSERT_LE(std::max(found.distance.lo, plain.lo), std::min(found.distance.hi, plain.hi));
+      if (plain.lo > 0 || plain.hi < 0) {
+        ASSERT_EQ(found.distance.lo, plain.lo);
+        ASSERT_EQ(found.distance.hi, plain.hi);
+      }
       const Wide3 d(found.direction[0], found.direction[1], found.direction[2]);
       ASSERT_NEAR(static_cast<double>(d.norm()), 1, 1e-15) << format_pair(p);
       const Wide3 delta = p.b.center.cast<long double>() - p.a.center.cast<long double>();

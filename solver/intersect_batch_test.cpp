@@ -62,6 +62,18 @@ TEST(Batch, GivesWhatIntersectGivesOnEveryInstructionSet) {
   }
 }
 
+// What intersect_test has of square axes, in every lane.
+TEST(Batch, SquareAxesAndARimInLineWithAnEndAreNoTouch) {
+  const Cylinder a{Vector3(0, 3, 2), Vector3(2, 1, 0), 1, 2};
+  const Cylinder b{Vector3(2, 3, 0), Vector3(8.937938184587448e-17, -4.484781043539769e-17, 1), 1, 2};
+  const std::vector<Prepared> first(16, prepare(a)), second(16, prepare(b));
+  for (const Instructions instructions : runnable()) {
+    std::vector<Verdict> all(first.size() * second.size());
+    intersect_all(first, second, all.data(), instructions);
+    for (const Verdict said : all) EXPECT_EQ(said, Verdict::disjoint) << static_cast<int>(instructions);
+  }
+}
+
 TEST(Batch, TakesPairsInAnyOrderAndNumber) {
   const std::vector<Prepared> solids = crowd(100);
   for (const Instructions instructions : runnable()) {
