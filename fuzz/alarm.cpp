@@ -175,7 +175,11 @@ bool Alarms::advance(std::uint64_t next) {
 // A worker is told of drawn pairs alone: without the cases index i is what i + their number is with them.
 void Alarms::launch() {
   const KnownFault& fault = order_[next_];
-  at_ = AlarmRecord{.start = at_.start, .mutant = fault.number, .what = fault.what};
+  const std::uint64_t start = at_.start;
+  at_ = {};
+  at_.start = start;
+  at_.mutant = fault.number;
+  at_.what = fault.what;
   at_.usual = usual_pairs(past_of(fault, run_folder_), round_of(subjects_));
   std::string families;
   for (const Family& family : subjects_.families)
