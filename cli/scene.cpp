@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: MIT
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <charconv>
+#include <cmath>
+#include <fstream>
+#include <memory>
+#include <stdexcept>
+
+#include "cli/commands.hpp"
+#include "cli/unsigned_option.hpp"
+#include "corpus/scene_files.hpp"
+#include "reports/scene_study.hpp"
+
+namespace cyl {
+namespace {
+
+struct Arguments {
+  std::string file, json;
+  std::vector<std::string> at;
+  SceneQuestion question;
+};
+
+/// "elbow=0.5"
+std::pair<std::string, double> parse_joint(const std::string& text) {
+  const auto sign = text.find('=');
+  double value = 0;
+  if (sign != text.npos) {
+    const char* end = text.data() + text.size();
+    const auto [rest, error] = std::from_chars(text.data() + sign + 1, end, value);
+    if (error == std::errc() && rest == end && std::isfinite(value)) return {text.substr(0, sign), value};
+  }
+  throw std::invalid_argument("--at: '" + text + "' is not JOINT=VALUE");
+}
+
+void write_file(const std::string& file, const std::string& text) {
+  std::ofstream out(file);
+  out << text;
+  out.close();
+  if (!out) throw std::runtime_error(file + " cannot be written");
+}
+
+int study(Arguments& arguments) {
+  SceneQuestion& question = arguments.question;
+  if (!(question.clearance >= 0 && std::isfinite(question.clearance)) || !(question.tolerated >= 0))
+    throw std::invalid_argument("--clearance and --tolerate are lengths, 0 or more");
+  for (const std::string& text : arguments.at) question.at.push_back(parse_joint(text));
+  Scene scene;
+  try {
+    scene = read_scene(arguments.file);
+  } catch (const std::runtime_error& error) {
+    fmt::print(stderr, "daylight: {}\n", error.what());
+    return exit_invalid_input;
+  }
+  const SceneStudy s = study_scene(scene, question);
+  fmt::print("{}", study_text(scene, question, s));
+  if (!arguments.json.empty()) write_file(arguments.json, study_json(scene, question, s));
+  if (s.verification && s.verification->wrong > 0) return exit_findings;
+  return s.undecided > 0 || (s.verification && s.verification->undecided > 0) ? exit_undecided : exit_pass;
+}
+
+}  // namespace
+
+void add_scene(CLI::App& app, int& exit_code) {
+  auto arguments = std::make_shared<Arguments>();
+  SceneQuestion& question = arguments->question;
+  CLI::App* command = app.add_subcommand(
+      "scene", "Says which model of its cylinders a scene or robot needs, and at what cost");
+  command->add_option("FILE", arguments->file, "a scene: .urdf, .xml (MJCF), .jsonl or .csv of cylinders")
+      ->required();
+  command->add_option("--clearance", question.clearance, "are two this near or nearer? In the scene's unit");
+  command->add_option("--tolerate", question.tolerated,
+                      "false alarms that do no harm: this far beyond the clearance");
+  add_unsigned(*command, "--configurations", question.configurations, "to draw, within the joints' limits", 1,
+               1'000'000);
+  add_unsigned(*command, "--seed", question.seed, "of the configurations");
+  command->add_option("--at", arguments->at, "JOINT=VALUE..: one configuration, the other joints at 0");
+  command->add_flag("--all-pairs", question.all_pairs,
+                    "also adjacent links and those that the description disables");
+  command->add_flag("--verify", question.verify, "put every recommended answer before the referee");
+  command->add_option("--json", arguments->json, "write everything as JSON, a line of results for each pair");
+  command->footer(
+      "Example:\n  daylight scene robot.urdf --clearance 0.01 --verify\n"
+      "Exit code: 0 told, 1 the harness failed, 2 the referee found a recommended answer wrong, 3 something "
+      "is not\n"
+      "proved, 64 usage, 65 the file cannot be read.");
+  command->callback([arguments, &exit_code] { exit_code = study(*arguments); });
+}
+
+}  // namespace cyl
