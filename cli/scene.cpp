@@ -11,7 +11,9 @@
 #include "cli/commands.hpp"
 #include "cli/unsigned_option.hpp"
 #include "corpus/scene_files.hpp"
+#include "corpus/scene_generators.hpp"
 #include "reports/scene_study.hpp"
+#include "reports/scene_sweep.hpp"
 
 namespace cyl {
 namespace {
@@ -19,6 +21,8 @@ namespace {
 struct Arguments {
   std::string file, json;
   std::vector<std::string> at;
+  std::string generate;
+  std::size_t count = 1000;
   SceneQuestion question;
 };
 
@@ -41,10 +45,37 @@ void write_file(const std::string& file, const std::string& text) {
   if (!out) throw std::runtime_error(file + " cannot be written");
 }
 
-int study(Arguments& arguments) {
-  SceneQuestion& question = arguments.question;
+void check_lengths(const SceneQuestion& question) {
   if (!(question.clearance >= 0 && std::isfinite(question.clearance)) || !(question.tolerated >= 0))
     throw std::invalid_argument("--clearance and --tolerate are lengths, 0 or more");
+}
+
+/// Many that stand still: of a generated scene also its first parts, for the time against the number.
+int sweep(const Arguments& arguments, std::span<const Cylinder> cylinders, bool parts) {
+  const double clearance = arguments.question.clearance;
+  fmt::print("{}", sweep_head());
+  for (std::size_t part = parts ? 1000 : 1; part > 1; part /= 10) {
+    if (cylinders.size() < 1000 * part) continue;
+    fmt::print("{}", sweep_line(sweep_scene(generate_cylinders(arguments.generate, cylinders.size() / part,
+                                                               arguments.question.seed),
+                                            clearance)));
+    std::fflush(stdout);
+  }
+  const SceneSweep s = sweep_scene(cylinders, clearance);
+  fmt::print("{}", sweep_line(s));
+  if (!arguments.json.empty()) write_file(arguments.json, sweep_json(s));
+  return s.undecided > 0 ? exit_undecided : exit_pass;
+}
+
+int study(Arguments& arguments) {
+  SceneQuestion& question = arguments.question;
+  check_lengths(question);
+  if (arguments.file.empty() == arguments.generate.empty())
+    throw std::invalid_argument("which scene? Give a FILE or --generate");
+  if (!arguments.generate.empty()) {
+    fmt::print("seed {}\n", question.seed);
+    return sweep(arguments, generate_cylinders(arguments.generate, arguments.count, question.seed), true);
+  }
   for (const std::string& text : arguments.at) question.at.push_back(parse_joint(text));
   Scene scene;
   try {
@@ -52,6 +83,10 @@ int study(Arguments& arguments) {
   } catch (const std::runtime_error& error) {
     fmt::print(stderr, "daylight: {}\n", error.what());
     return exit_invalid_input;
+  }
+  if (scene.bodies.size() > study_cap) {
+    if (moves(scene)) throw std::invalid_argument(fmt::format("it moves more than {} cylinders", study_cap));
+    return sweep(arguments, place(scene, joints_at(scene)), false);
   }
   const SceneStudy s = study_scene(scene, question);
   fmt::print("{}", study_text(scene, question, s));
@@ -67,8 +102,7 @@ void add_scene(CLI::App& app, int& exit_code) {
   SceneQuestion& question = arguments->question;
   CLI::App* command = app.add_subcommand(
       "scene", "Says which model of its cylinders a scene or robot needs, and at what cost");
-  command->add_option("FILE", arguments->file, "a scene: .urdf, .xml (MJCF), .jsonl or .csv of cylinders")
-      ->required();
+  command->add_option("FILE", arguments->file, "a scene: .urdf, .xml (MJCF), .jsonl or .csv of cylinders");
   command->add_option("--clearance", question.clearance, "are two this near or nearer? In the scene's unit");
   command->add_option("--tolerate", question.tolerated,
                       "false alarms that do no harm: this far beyond the clearance");
@@ -79,6 +113,9 @@ void add_scene(CLI::App& app, int& exit_code) {
   command->add_flag("--all-pairs", question.all_pairs,
                     "also adjacent links and those that the description disables");
   command->add_flag("--verify", question.verify, "put every recommended answer before the referee");
+  command->add_option("--generate", arguments->generate,
+                      "in place of a FILE: rods or pipes, and all close pairs");
+  add_unsigned(*command, "--count", arguments->count, "cylinders to generate", 1, 10'000'000);
   command->add_option("--json", arguments->json, "write everything as JSON, a line of results for each pair");
   command->footer(
       "Example:\n  daylight scene robot.urdf --clearance 0.01 --verify\n"

@@ -54,9 +54,11 @@ class Builder {
 
   Scene build() {
     for (int body = 0; body < m_.nbody; ++body) add(body);
-    for (int i = 0; i < m_.nexclude; ++i)
-      scene_.disabled.emplace_back(link_of_[size_of(m_.exclude_signature[i] >> 16)],
-                                   link_of_[size_of(m_.exclude_signature[i] & 0xffff)]);
+    for (int i = 0; i < m_.nexclude; ++i) {
+      const int signature = m_.exclude_signature[i];  // 2^16 (one + 1) + other + 1
+      scene_.disabled.emplace_back(link_of_[size_of((signature >> 16) - 1)],
+                                   link_of_[size_of((signature & 0xffff) - 1)]);
+    }
     for (int i = 0; i < m_.neq; ++i) couple(i);
     joints_at(scene_);  // throws where they go in a circle
     return std::move(scene_);

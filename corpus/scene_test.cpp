@@ -49,7 +49,7 @@ TEST(Urdf, NothingIsDroppedInSilence) {
   }
   const Scene crane = read_scene(folder + "crane.urdf");
   EXPECT_EQ(crane.left_out, (std::vector<std::string>{"box of ground", "sphere of boom"}));
-  EXPECT_EQ(body(crane, "boom").solid.radius, 0.06);
+  EXPECT_EQ(body(crane, "boom/beam").solid.radius, 0.06);
   EXPECT_EQ(body(crane, "counterweight/weight").solid.height, 0.3);
 }
 
@@ -139,12 +139,12 @@ TEST(Pairs, ThoseThatMoveItLeavesOut) {
     return r.reason(body(scene, a), body(scene, b));
   };
   EXPECT_EQ(why(rule, "counterweight/weight", "counterweight/shackle"), Reason::same_link);
-  EXPECT_EQ(why(rule, "ground", "tower"), Reason::adjacent);
-  EXPECT_EQ(why(rule, "tower", "boom"), Reason::adjacent);  // through the hinge, which has no shape
+  EXPECT_EQ(why(rule, "ground/post", "tower"), Reason::adjacent);
+  EXPECT_EQ(why(rule, "tower", "boom/beam"), Reason::adjacent);  // through the hinge, which has no shape
   EXPECT_EQ(why(rule, "trolley", "counterweight/weight"), Reason::checked);
   EXPECT_EQ(why(rule, "hook", "counterweight/shackle"), Reason::disabled);
-  EXPECT_EQ(why(rule, "ground", "boom"), Reason::checked);
-  EXPECT_EQ(why(all, "tower", "boom"), Reason::checked);
+  EXPECT_EQ(why(rule, "ground/post", "boom/beam"), Reason::checked);
+  EXPECT_EQ(why(all, "tower", "boom/beam"), Reason::checked);
   EXPECT_EQ(why(all, "counterweight/weight", "counterweight/shackle"), Reason::same_link);
   const Scene mjcf = read_scene(folder + "crane.xml");
   const PairRule mujoco(mjcf, false);
@@ -193,9 +193,9 @@ TEST(Files, FaultsAreNamed) {
   EXPECT_NE(error_of(".csv", "x,y,z,ax,ay,az,radius,height\n1,2").find("2 fields, not 8"), std::string::npos);
   EXPECT_NE(error_of(".urdf", "<robot name='r'><link name='a'/><link name='b'/></robot>").find("root"),
             std::string::npos);
-  EXPECT_NE(error_of(".urdf", "<robot name='r'><link name='a'>").find("line 1"), std::string::npos);
+  EXPECT_NE(error_of(".urdf", "<robot name='r'><link name='a'>\n").find("line 2: "), std::string::npos);
   EXPECT_NE(error_of(".xml", "<mujoco><worldbody><geom type='cylinder' size='1'/></worldbody></mujoco>")
-                .find("XML"),
+                .find("sizes must be positive"),
             std::string::npos);
   EXPECT_NE(error_of(".obj", "").find("no scene"), std::string::npos);
 }

@@ -14,9 +14,10 @@
 namespace cyl {
 namespace {
 
-/// Configurations that are timed: their models fit into a processor's nearest memory.
-constexpr std::size_t timed_cap = 32;
-constexpr std::chrono::duration<double> timed_least = std::chrono::milliseconds(20);
+/// Configurations that are timed, and pairs in all of them: their models fit into a processor's nearer
+/// memory, and a sweep is over before others get their turn.
+constexpr std::size_t timed_cap = 32, timed_pairs_cap = 2000;
+constexpr std::chrono::duration<double> timed_least = std::chrono::milliseconds(5);
 
 std::size_t index_of(Rung rung) { return static_cast<std::size_t>(rung); }
 
@@ -158,7 +159,9 @@ class Study {
   }
 
   void measure() {
-    const std::size_t count = std::min(timed_cap, result_.configurations);
+    const std::size_t pairs = std::max<std::size_t>(1, result_.pairs.size());
+    const std::size_t count =
+        std::min({timed_cap, result_.configurations, std::max<std::size_t>(1, timed_pairs_cap / pairs)});
     std::vector<std::vector<double>> drawn;
     std::vector<std::vector<Cylinder>> placed;
     std::vector<std::vector<Models>> models;
@@ -231,19 +234,20 @@ double weight_of(const Plan& plan, const PairStudy& pair) {
 
 }  // namespace
 
+bool suffices(const PairStudy& pair, Rung rung, double tolerated) {
+  const Score& s = pair.alone[index_of(rung)];
+  return s.wrong == 0 || (s.missed == 0 && s.alarm > 0 && s.alarm <= tolerated);
+}
+
 Plan recommend(const PairStudy& pair, double tolerated) {
   Plan best;
   best.last = Rung::certified;
-  for (const Rung rung : {Rung::sphere, Rung::outer, Rung::cylinder, Rung::distance}) {
-    const Score& s = pair.alone[index_of(rung)];
-    if (s.missed > 0 || (s.wrong > 0 && s.alarm > tolerated)) continue;
-    if (s.wrong > 0 && !(s.alarm > 0)) continue;  // wrong at a distance that rounds to the clearance
-    best.last = rung;
-    break;
-  }
-  for (unsigned set = 0; set < 8; ++set) {
-    const Plan plan{{(set & 1) != 0, (set & 2) != 0, (set & 4) != 0}, best.last};
-    if (weight_of(plan, pair) < weight_of(best, pair)) best = plan;
+  for (const Rung last : {Rung::sphere, Rung::outer, Rung::cylinder, Rung::distance, Rung::certified}) {
+    if (last != Rung::certified && !suffices(pair, last, tolerated)) continue;
+    for (unsigned set = 0; set < 8; ++set) {
+      const Plan plan{{(set & 1) != 0, (set & 2) != 0, (set & 4) != 0}, last};
+      if (weight_of(plan, pair) < weight_of(best, pair)) best = plan;
+    }
   }
   return best;
 }

@@ -101,11 +101,11 @@ const char* body(const Scene& scene, std::size_t i) { return scene.bodies[i].nam
 /// Pairs that a line each would name are cut off here; --json has them all.
 constexpr std::size_t named_cap = 12;
 
-std::string needs_more(const Scene& scene, const SceneStudy& s) {
+std::string needs_more(const Scene& scene, const SceneQuestion& q, const SceneStudy& s) {
   std::string text;
   std::size_t named = 0, more = 0;
   for (const PairStudy& pair : s.pairs) {
-    if (pair.plan.last <= Rung::outer) continue;
+    if (suffices(pair, Rung::sphere, q.tolerated) || suffices(pair, Rung::outer, q.tolerated)) continue;
     if (++named > named_cap) {
       ++more;
       continue;
@@ -117,19 +117,34 @@ std::string needs_more(const Scene& scene, const SceneStudy& s) {
   return more ? text + fmt::format("  and {} more\n", more) : text;
 }
 
-std::string recommendation(const Scene& scene, const SceneQuestion& q, const SceneStudy& s) {
+std::string sufficiency(const Scene& scene, const SceneQuestion& q, const SceneStudy& s) {
+  std::size_t balls = 0, capsules = 0, all = s.pairs.size();
+  for (const PairStudy& pair : s.pairs) {
+    const bool ball = suffices(pair, Rung::sphere, q.tolerated);
+    balls += ball;
+    capsules += ball || suffices(pair, Rung::outer, q.tolerated);
+  }
+  std::string text = fmt::format("\nballs suffice for {} of {}, balls or capsules for {}", balls,
+                                 plural(all, "pair"), capsules);
+  if (capsules == all) return text + "\n";
+  return text +
+         (all - capsules == 1 ? "; this one needs more:\n"
+                              : fmt::format("; these {} need more:\n", all - capsules)) +
+         needs_more(scene, q, s);
+}
+
+std::string recommendation(const SceneQuestion& q, const SceneStudy& s) {
   std::map<Rung, std::size_t> last;
   for (const PairStudy& pair : s.pairs) ++last[pair.plan.last];
   std::vector<std::string> parts;
   for (const auto& [rung, count] : last) parts.push_back(fmt::format("{} for {}", to_string(rung), count));
   const Rung exact = q.clearance > 0 ? Rung::distance : Rung::cylinder;
   std::string text = fmt::format(
-      "\nrecommended, of {}: {}\n  {:.2f} us a configuration, against {:.2f} us with the {} test for every "
+      "recommended, of {}: {}\n  {:.2f} us a configuration, against {:.2f} us with the {} test for every "
       "pair; and {:.2f} us to move the "
       "bodies\n",
       plural(s.pairs.size(), "pair"), joined(parts), s.plan_ns / 1000, s.alone_ns[index_of(exact)] / 1000,
       to_string(exact), (s.kinematics_ns + s.models_ns) / 1000);
-  text += needs_more(scene, s);
   std::size_t forgiven = 0;
   for (const PairStudy& pair : s.pairs) forgiven += pair.plan_wrong;
   if (forgiven)
@@ -178,8 +193,8 @@ std::string study_text(const Scene& scene, const SceneQuestion& q, const SceneSt
   text += fmt::format("{}, clearance {}: {} never within it, {} always, {} at times\n",
                       plural(s.configurations, "configuration"), q.clearance, plural(never, "pair"), always,
                       s.pairs.size() - never - always);
-  return text + models_table(s) + recommendation(scene, q, s) + capsule_text(s) + accuracy_text(scene, q, s) +
-         verification_text(s);
+  return text + models_table(s) + sufficiency(scene, q, s) + recommendation(q, s) + capsule_text(s) +
+         accuracy_text(scene, q, s) + verification_text(s);
 }
 
 }  // namespace cyl
