@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <fmt/format.h>
 #include <mujoco/mujoco.h>
 
 #include <array>
@@ -67,7 +68,7 @@ class Builder {
  private:
   std::string name(int kind, int id, const char* what) const {
     const char* given = mj_id2name(&m_, kind, id);
-    return given && *given ? given : what + (" " + std::to_string(id));
+    return given && *given ? given : fmt::format("{} {}", what, id);
   }
 
   void add(int body) {
@@ -127,7 +128,7 @@ class Builder {
                                Cylinder{pose.translation(), pose.linear().col(2), size[0], 2 * size[1]}, type,
                                affinity});
     else
-      scene_.left_out.push_back(shape_name(m_.geom_type[geom]) + (" of " + link.name));
+      scene_.left_out.push_back(fmt::format("{} of {}", shape_name(m_.geom_type[geom]), link.name));
   }
 
   /// q1 - q1 at rest = c0 + c1 (q2 - q2 at rest) + higher powers, which we do not follow.

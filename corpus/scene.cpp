@@ -96,8 +96,9 @@ std::vector<double> joints_at(const Scene& scene, std::span<const std::pair<std:
   for (std::size_t i = 0; i < joints.size(); ++i)
     if (is_free(scene.links[i])) joints[i] = std::max(scene.links[i].low, std::min(0.0, scene.links[i].high));
   for (const auto& [name, value] : values) {
-    const auto found = std::find_if(scene.links.begin(), scene.links.end(),
-                                    [&](const Link& l) { return l.joint == name && is_free(l); });
+    const auto found =
+        std::find_if(scene.links.begin(), scene.links.end(),
+                     [&, &joint = name](const Link& l) { return l.joint == joint && is_free(l); });
     if (found == scene.links.end())
       throw std::invalid_argument("'" + name + "' is no joint that moves by itself");
     joints[static_cast<std::size_t>(found - scene.links.begin())] = value;

@@ -67,6 +67,7 @@ void expect_like_mujoco(const std::string& file, bool geom_names) {
   const std::unique_ptr<mjModel, DeleteModel> model(mj_loadXML(file.c_str(), nullptr, error, sizeof error));
   ASSERT_TRUE(model) << error;
   const std::unique_ptr<mjData, DeleteData> data(mj_makeData(model.get()));
+  int coupled = 0;
   for (std::uint64_t k = 0; k < 20; ++k) {
     const std::vector<double> joints = draw_joints(scene, 1, k);
     for (std::size_t i = 0; i < joints.size(); ++i) {
@@ -75,7 +76,13 @@ void expect_like_mujoco(const std::string& file, bool geom_names) {
                             : mj_name2id(model.get(), mjOBJ_JOINT, scene.links[i].joint.c_str());
       if (joint >= 0) data->qpos[model->jnt_qposadr[joint]] = joints[i];
     }
-    mj_kinematics(model.get(), data.get());
+    mj_fwdPosition(model.get(), data.get());
+    for (int row = 0; row < data->nefc; ++row) {
+      if (data->efc_type[row] == mjCNSTR_EQUALITY) {
+        EXPECT_NEAR(data->efc_pos[row], 0, 1e-12) << "joints that are coupled";
+        ++coupled;
+      }
+    }
     const std::vector<Cylinder> placed = place(scene, joints);
     std::size_t met = 0;
     for (int g = 0; g < model->ngeom; ++g) {
@@ -96,6 +103,7 @@ void expect_like_mujoco(const std::string& file, bool geom_names) {
     }
     EXPECT_EQ(met, placed.size());
   }
+  EXPECT_EQ(coupled, 20 * model->neq);
 }
 
 TEST(Kinematics, OfUrdfAsMujocoHasThem) { expect_like_mujoco(folder + "crane.urdf", false); }

@@ -90,7 +90,7 @@ TEST(Study, SaysItInWords) {
   const std::string text = study_text(scene, q, study_scene(scene, q));
   for (const char* words :
        {"seed 1\n", "7 cylinders on 7 links, 3 free joints, 1 that mimic", "not a cylinder: 1 box (ground)",
-        "recommended, of ", "closest call: ", "referee: ", " 0 wrong"})
+        "recommended: ", " suffice for ", "closest call: ", "referee: ", " 0 wrong"})
     EXPECT_NE(text.find(words), std::string::npos) << words << "\n" << text;
 }
 

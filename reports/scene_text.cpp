@@ -74,13 +74,17 @@ Total total_of(const SceneStudy& s, Rung rung) {
 std::string length_text(double x) { return x == 0 ? "-" : fmt::format("{:.3g}", x); }
 std::string count_text(std::size_t n) { return n == 0 ? "-" : std::to_string(n); }
 
-std::string models_table(const SceneStudy& s) {
-  std::string text = fmt::format("\n{:<15} {:>10} {:>10} {:>12} {:>9} {:>12} {:>12}\n", "model", "decides",
-                                 "alone ns", "alone wrong", "in pairs", "false alarm", "missed");
+std::string models_table(const SceneQuestion& q, const SceneStudy& s) {
+  constexpr const char* row = "{:<15} {:>10} {:>9} {:>10} {:>9} {:>9} {:>12} {:>9}\n";
+  std::string text = "\n" + fmt::format(fmt::runtime(row), "model", "decides", "alone ns", "suffices",
+                                        "wrong", "in pairs", "false alarm", "missed");
   for (const Rung rung : all_rungs) {
     const Total t = total_of(s, rung);
-    text += fmt::format("{:<15} {:>10} {:>10.0f} {:>12} {:>9} {:>12} {:>12}\n", to_string(rung),
-                        count_text(t.decided), s.alone_ns[index_of(rung)], count_text(t.wrong),
+    const auto enough = std::count_if(s.pairs.begin(), s.pairs.end(), [&](const PairStudy& pair) {
+      return suffices(pair, rung, q.tolerated);
+    });
+    text += fmt::format(fmt::runtime(row), to_string(rung), count_text(t.decided),
+                        fmt::format("{:.0f}", s.alone_ns[index_of(rung)]), enough, count_text(t.wrong),
                         count_text(t.wrong_pairs), length_text(t.alarm), length_text(t.missed));
   }
   if (s.asked_referee > 0)
@@ -137,14 +141,16 @@ std::string recommendation(const SceneQuestion& q, const SceneStudy& s) {
   std::map<Rung, std::size_t> last;
   for (const PairStudy& pair : s.pairs) ++last[pair.plan.last];
   std::vector<std::string> parts;
-  for (const auto& [rung, count] : last) parts.push_back(fmt::format("{} for {}", to_string(rung), count));
+  for (const auto& [rung, count] : last)
+    parts.push_back(fmt::format("{} for {}", to_string(rung), plural(count, "pair")));
   const Rung exact = q.clearance > 0 ? Rung::distance : Rung::cylinder;
   std::string text = fmt::format(
-      "recommended, of {}: {}\n  {:.2f} us a configuration, against {:.2f} us with the {} test for every "
-      "pair; and {:.2f} us to move the "
+      "recommended: {}\n"
+      "  {:.2f} us a configuration, against {:.2f} us with the {} test for every pair; {:.2f} us more to "
+      "move the "
       "bodies\n",
-      plural(s.pairs.size(), "pair"), joined(parts), s.plan_ns / 1000, s.alone_ns[index_of(exact)] / 1000,
-      to_string(exact), (s.kinematics_ns + s.models_ns) / 1000);
+      joined(parts), s.plan_ns / 1000, s.alone_ns[index_of(exact)] / 1000, to_string(exact),
+      (s.kinematics_ns + s.models_ns) / 1000);
   std::size_t forgiven = 0;
   for (const PairStudy& pair : s.pairs) forgiven += pair.plan_wrong;
   if (forgiven)
@@ -193,7 +199,7 @@ std::string study_text(const Scene& scene, const SceneQuestion& q, const SceneSt
   text += fmt::format("{}, clearance {}: {} never within it, {} always, {} at times\n",
                       plural(s.configurations, "configuration"), q.clearance, plural(never, "pair"), always,
                       s.pairs.size() - never - always);
-  return text + models_table(s) + sufficiency(scene, q, s) + recommendation(q, s) + capsule_text(s) +
+  return text + models_table(q, s) + sufficiency(scene, q, s) + recommendation(q, s) + capsule_text(s) +
          accuracy_text(scene, q, s) + verification_text(s);
 }
 
