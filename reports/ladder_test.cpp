@@ -73,7 +73,7 @@ TEST(Ladder, NoRungIsWrongAtTouch) {
 TEST(Ladder, NoRungIsWrongAtAClearance) {
   const Tried tried = expect_never_wrong(true);
   for (const Rung rung : {Rung::sphere, Rung::outer, Rung::cylinder, Rung::distance, Rung::certified})
-    EXPECT_GT(tried.apart[static_cast<std::size_t>(rung)], 50) << to_string(rung);
+    EXPECT_GT(tried.apart[static_cast<std::size_t>(rung)], 20) << to_string(rung);
   for (const Rung rung : {Rung::inner, Rung::cylinder, Rung::distance, Rung::certified})
     EXPECT_GT(tried.within[static_cast<std::size_t>(rung)], 50) << to_string(rung);
 }

@@ -76,8 +76,8 @@ std::string count_text(std::size_t n) { return n == 0 ? "-" : std::to_string(n);
 
 std::string models_table(const SceneQuestion& q, const SceneStudy& s) {
   constexpr const char* row = "{:<15} {:>10} {:>9} {:>10} {:>9} {:>9} {:>12} {:>9}\n";
-  std::string text = "\n" + fmt::format(fmt::runtime(row), "model", "decides", "alone ns", "suffices",
-                                        "wrong", "in pairs", "false alarm", "missed");
+  std::string text = fmt::format(fmt::runtime("\n" + std::string(row)), "model", "decides", "alone ns",
+                                 "suffices", "wrong", "in pairs", "false alarm", "missed");
   for (const Rung rung : all_rungs) {
     const Total t = total_of(s, rung);
     const auto enough = std::count_if(s.pairs.begin(), s.pairs.end(), [&](const PairStudy& pair) {
@@ -128,7 +128,7 @@ std::string sufficiency(const Scene& scene, const SceneQuestion& q, const SceneS
     balls += ball;
     capsules += ball || suffices(pair, Rung::outer, q.tolerated);
   }
-  std::string text = fmt::format("\nballs suffice for {} of {}, balls or capsules for {}", balls,
+  std::string text = fmt::format("\nspheres suffice for {} of {}, spheres or capsules for {}", balls,
                                  plural(all, "pair"), capsules);
   if (capsules == all) return text + "\n";
   return text +
