@@ -61,9 +61,14 @@ int sweep(const Arguments& arguments, std::span<const Cylinder> cylinders, bool 
                                             clearance)));
     std::fflush(stdout);
   }
-  const SceneSweep s = sweep_scene(cylinders, clearance);
+  const SceneSweep s = sweep_scene(cylinders, clearance, arguments.question.verify);
   fmt::print("{}", sweep_line(s));
   if (!arguments.json.empty()) write_file(arguments.json, sweep_json(s));
+  if (const auto& v = s.verification) {
+    fmt::print("referee: {} pairs asked, {} wrong, {} not proved\n", v->asked, v->wrong, v->undecided);
+    if (v->wrong > 0) return exit_findings;
+    if (v->undecided > 0) return exit_undecided;
+  }
   return s.undecided > 0 ? exit_undecided : exit_pass;
 }
 
@@ -85,7 +90,8 @@ int study(Arguments& arguments) {
     return exit_invalid_input;
   }
   if (scene.bodies.size() > study_cap) {
-    if (moves(scene)) throw std::invalid_argument(fmt::format("it moves more than {} cylinders", study_cap));
+    if (scene.links.size() != scene.bodies.size() || moves(scene))
+      throw std::invalid_argument(fmt::format("a mechanism of more than {} cylinders", study_cap));
     return sweep(arguments, place(scene, joints_at(scene)), false);
   }
   const SceneStudy s = study_scene(scene, question);

@@ -28,18 +28,6 @@ std::vector<Models> models_of(const std::vector<Cylinder>& placed, double cleara
   return models;
 }
 
-/// The referee's word on whether a pair is within the clearance; nothing where it has none.
-std::optional<bool> referee_within(const Pair& pair, double clearance) {
-  if (clearance == 0) {
-    const Verdict verdict = judge_verdict(pair).verdict;
-    if (verdict == Verdict::undecided || verdict == Verdict::invalid) return std::nullopt;
-    return verdict != Verdict::disjoint;
-  }
-  const Enclosure distance = enclose_distance(pair, judge(pair));
-  if (distance.lo > clearance) return false;
-  return distance.hi <= clearance ? std::optional<bool>(true) : std::nullopt;
-}
-
 class Study {
  public:
   Study(const Scene& scene, const SceneQuestion& question) : scene_(scene), q_(question) {
@@ -233,6 +221,17 @@ double weight_of(const Plan& plan, const PairStudy& pair) {
 }
 
 }  // namespace
+
+std::optional<bool> referee_within(const Pair& pair, double clearance) {
+  if (clearance == 0) {
+    const Verdict verdict = judge_verdict(pair).verdict;
+    if (verdict == Verdict::undecided || verdict == Verdict::invalid) return std::nullopt;
+    return verdict != Verdict::disjoint;
+  }
+  const Enclosure distance = enclose_distance(pair, judge(pair));
+  if (distance.lo > clearance) return false;
+  return distance.hi <= clearance ? std::optional<bool>(true) : std::nullopt;
+}
 
 bool suffices(const PairStudy& pair, Rung rung, double tolerated) {
   const Score& s = pair.alone[index_of(rung)];

@@ -84,6 +84,9 @@ inline constexpr std::size_t study_cap = 1000;
 std::string study_text(const Scene& scene, const SceneQuestion& question, const SceneStudy& study);
 std::string study_json(const Scene& scene, const SceneQuestion& question, const SceneStudy& study);
 
+/// The referee's word on whether a pair is within the clearance; nothing where it has none.
+std::optional<bool> referee_within(const Pair& pair, double clearance);
+
 /// Whether a model alone answers all samples right, but for false alarms that are tolerated.
 bool suffices(const PairStudy& pair, Rung rung, double tolerated);
 

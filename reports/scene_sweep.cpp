@@ -23,9 +23,26 @@ double cpu_ms() {
 /// cylinder).
 constexpr std::array<Rung, 4> asked{Rung::sphere, Rung::cylinder, Rung::distance, Rung::certified};
 
+using IndexPair = std::pair<std::uint32_t, std::uint32_t>;
+
+/// `within` is sorted.
+Verification verify_answers(std::span<const Cylinder> cylinders, double clearance,
+                            std::span<const IndexPair> candidates, std::span<const IndexPair> within) {
+  Verification v;
+  for (const IndexPair& pair : candidates) {
+    const auto truth = referee_within({cylinders[pair.first], cylinders[pair.second]}, clearance);
+    ++v.asked;
+    if (!truth)
+      ++v.undecided;
+    else if (*truth != std::binary_search(within.begin(), within.end(), pair))
+      ++v.wrong;
+  }
+  return v;
+}
+
 }  // namespace
 
-SceneSweep sweep_scene(std::span<const Cylinder> cylinders, double clearance) {
+SceneSweep sweep_scene(std::span<const Cylinder> cylinders, double clearance, bool verify) {
   SceneSweep s;
   s.bodies = cylinders.size();
   double began = cpu_ms();
@@ -57,6 +74,7 @@ SceneSweep sweep_scene(std::span<const Cylinder> cylinders, double clearance) {
   }
   s.ladder_ms = cpu_ms() - began;
   std::sort(s.within.begin(), s.within.end());
+  if (verify) s.verification = verify_answers(cylinders, clearance, candidates, s.within);
   return s;
 }
 

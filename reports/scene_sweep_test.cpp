@@ -33,7 +33,10 @@ TEST(Sweep, FindsAllClosePairsAndNoOthers) {
   for (const char* kind : {"rods", "pipes"}) {
     for (const double clearance : {0.0, 0.01}) {
       const std::vector<Cylinder> c = generate_cylinders(kind, 120, 3);
-      const SceneSweep s = sweep_scene(c, clearance);
+      const SceneSweep s = sweep_scene(c, clearance, true);
+      ASSERT_TRUE(s.verification);
+      EXPECT_EQ(s.verification->asked, s.candidates);
+      EXPECT_EQ(s.verification->wrong + s.verification->undecided, 0u);
       const auto expected = by_referee(c, clearance);
       EXPECT_EQ(s.within, expected) << kind << ", clearance " << clearance;
       EXPECT_EQ(s.undecided, 0u);
