@@ -28,6 +28,7 @@ void add_gate(CLI::App& app, int& exit_code);
 void add_merge(CLI::App& app, int& exit_code);
 void add_mutants(CLI::App& app, int& exit_code);
 void add_replay(CLI::App& app, int& exit_code);
+void add_scene(CLI::App& app, int& exit_code);
 void add_triage(CLI::App& app, int& exit_code);
 void add_worst(CLI::App& app, int& exit_code);
 

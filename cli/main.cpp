@@ -28,6 +28,7 @@ int run(int argc, char** argv) {
   cyl::add_fuzz(app, exit_code);
   cyl::add_gate(app, exit_code);
   cyl::add_worst(app, exit_code);
+  cyl::add_scene(app, exit_code);
   cyl::add_mutants(app, exit_code);
   cyl::add_families(app, exit_code);
   cyl::add_bench(app, exit_code);

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "solver/decide.hpp"
 #include "solver/frame.hpp"
 
 namespace cyl::seeds {
@@ -18,12 +17,12 @@ double distance_to_segment(const Vector3& x, const Vector3& p0, const Vector3& p
   return t <= 0.5 ? length(x - p0 - t * d) : length(x - p1 + (1 - t) * d);
 }
 
-Capsule along(const Cylinder& c, double half_length, double radius) noexcept {
-  const Vector3 reach = half_length * prepare(c).unit_axis;
+Capsule along(const Prepared& c, double half_length, double radius) noexcept {
+  const Vector3 reach = half_length * c.unit_axis;
   return {c.center - reach, c.center + reach, radius};
 }
 
-double slack(const Cylinder& c) noexcept { return proxy_error * (length(c.center) + c.height + c.radius); }
+double slack(const Prepared& c) noexcept { return proxy_error * (length(c.center) + c.height + c.radius); }
 
 }  // namespace
 
@@ -46,9 +45,11 @@ double capsule_distance(const Capsule& a, const Capsule& b) noexcept {
   return segment_distance(a.from, a.to, b.from, b.to) - (a.radius + b.radius);
 }
 
-Capsule outer_proxy(const Cylinder& c) noexcept { return along(c, c.height / 2, c.radius + slack(c)); }
+Capsule outer_proxy(const Prepared& c) noexcept { return along(c, c.height / 2, c.radius + slack(c)); }
+Capsule outer_proxy(const Cylinder& c) noexcept { return outer_proxy(prepare(c)); }
 
-Capsule inner_proxy(const Cylinder& c) noexcept {
+Capsule inner_proxy(const Cylinder& c) noexcept { return inner_proxy(prepare(c)); }
+Capsule inner_proxy(const Prepared& c) noexcept {
   const double radius = std::min(c.radius, c.height / 2);
   return along(c, c.height / 2 - radius, radius - slack(c));
 }

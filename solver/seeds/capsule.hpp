@@ -3,7 +3,7 @@
 // segment. How far a cylinder may be replaced by one is what outer_proxy and inner_proxy say.
 #pragma once
 
-#include "solver/cylinder.hpp"
+#include "solver/decide.hpp"
 
 namespace cyl::seeds {
 
@@ -28,11 +28,13 @@ double capsule_distance(const Capsule& a, const Capsule& b) noexcept;
 
 /// A capsule that contains a valid cylinder: the same axis and radius, rounded ends in addition. So outer
 /// proxies apart prove the cylinders disjoint.
+Capsule outer_proxy(const Prepared& c) noexcept;
 Capsule outer_proxy(const Cylinder& c) noexcept;
 
 /// A capsule inside it: as wide, or as high, as the cylinder. So inner proxies that meet prove that the
 /// cylinders intersect. Where rounding leaves nothing (a segment, a disk, far from the origin), radius < 0:
 /// there is none.
+Capsule inner_proxy(const Prepared& c) noexcept;
 Capsule inner_proxy(const Cylinder& c) noexcept;
 
 }  // namespace cyl::seeds

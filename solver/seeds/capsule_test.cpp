@@ -89,8 +89,8 @@ TEST(Proxies, ContainAndAreContained) {
 }
 
 TEST(Proxies, NothingIsInsideASegmentOrADisk) {
-  EXPECT_LT(inner_proxy({{1, 2, 3}, {1, 1, 1}, 0, 2}).radius, 0);
-  EXPECT_LT(inner_proxy({{1, 2, 3}, {1, 1, 1}, 2, 0}).radius, 0);
+  EXPECT_LT(inner_proxy(Cylinder{{1, 2, 3}, {1, 1, 1}, 0, 2}).radius, 0);
+  EXPECT_LT(inner_proxy(Cylinder{{1, 2, 3}, {1, 1, 1}, 2, 0}).radius, 0);
 }
 
 }  // namespace

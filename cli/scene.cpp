@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: MIT
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <charconv>
+#include <cmath>
+#include <fstream>
+#include <memory>
+#include <stdexcept>
+
+#include "cli/commands.hpp"
+#include "cli/unsigned_option.hpp"
+#include "corpus/scene_files.hpp"
+#include "corpus/scene_generators.hpp"
+#include "reports/scene_study.hpp"
+#include "reports/scene_sweep.hpp"
+
+namespace cyl {
+namespace {
+
+struct Arguments {
+  std::string file, json;
+  std::vector<std::string> at;
+  std::string generate;
+  std::size_t count = 1000;
+  SceneQuestion question;
+};
+
+/// "elbow=0.5"
+std::pair<std::string, double> parse_joint(const std::string& text) {
+  const auto sign = text.find('=');
+  double value = 0;
+  if (sign != text.npos) {
+    const char* end = text.data() + text.size();
+    const auto [rest, error] = std::from_chars(text.data() + sign + 1, end, value);
+    if (error == std::errc() && rest == end && std::isfinite(value)) return {text.substr(0, sign), value};
+  }
+  throw std::invalid_argument("--at: '" + text + "' is not JOINT=VALUE");
+}
+
+void write_file(const std::string& file, const std::string& text) {
+  std::ofstream out(file);
+  out << text;
+  out.close();
+  if (!out) throw std::runtime_error(file + " cannot be written");
+}
+
+void check_lengths(const SceneQuestion& question) {
+  if (!(question.clearance >= 0 && std::isfinite(question.clearance)) || !(question.tolerated >= 0))
+    throw std::invalid_argument("--clearance and --tolerate are lengths, 0 or more");
+}
+
+/// Many that stand still: of a generated scene also its first parts, for the time against the number.
+int sweep(const Arguments& arguments, std::span<const Cylinder> cylinders, bool parts) {
+  const double clearance = arguments.question.clearance;
+  fmt::print("{}", sweep_head());
+  for (std::size_t part = parts ? 1000 : 1; part > 1; part /= 10) {
+    if (cylinders.size() < 1000 * part) continue;
+    fmt::print("{}", sweep_line(sweep_scene(generate_cylinders(arguments.generate, cylinders.size() / part,
+                                                               arguments.question.seed),
+                                            clearance)));
+    std::fflush(stdout);
+  }
+  const SceneSweep s = sweep_scene(cylinders, clearance, arguments.question.verify);
+  fmt::print("{}", sweep_line(s));
+  if (!arguments.json.empty()) write_file(arguments.json, sweep_json(s));
+  if (const auto& v = s.verification) {
+    fmt::print("referee: {} pairs asked, {} wrong, {} not proved\n", v->asked, v->wrong, v->undecided);
+    if (v->wrong > 0) return exit_findings;
+    if (v->undecided > 0) return exit_undecided;
+  }
+  return s.undecided > 0 ? exit_undecided : exit_pass;
+}
+
+int study(Arguments& arguments) {
+  SceneQuestion& question = arguments.question;
+  check_lengths(question);
+  if (arguments.file.empty() == arguments.generate.empty())
+    throw std::invalid_argument("which scene? Give a FILE or --generate");
+  if (!arguments.generate.empty()) {
+    fmt::print("seed {}\n", question.seed);
+    return sweep(arguments, generate_cylinders(arguments.generate, arguments.count, question.seed), true);
+  }
+  for (const std::string& text : arguments.at) question.at.push_back(parse_joint(text));
+  Scene scene;
+  try {
+    scene = read_scene(arguments.file);
+  } catch (const std::runtime_error& error) {
+    fmt::print(stderr, "daylight: {}\n", error.what());
+    return exit_invalid_input;
+  }
+  if (scene.bodies.size() > study_cap) {
+    if (scene.links.size() != scene.bodies.size() || moves(scene))
+      throw std::invalid_argument(fmt::format("a mechanism of more than {} cylinders", study_cap));
+    return sweep(arguments, place(scene, joints_at(scene)), false);
+  }
+  const SceneStudy s = study_scene(scene, question);
+  fmt::print("{}", study_text(scene, question, s));
+  if (!arguments.json.empty()) write_file(arguments.json, study_json(scene, question, s));
+  if (s.verification && s.verification->wrong > 0) return exit_findings;
+  return s.undecided > 0 || (s.verification && s.verification->undecided > 0) ? exit_undecided : exit_pass;
+}
+
+}  // namespace
+
+void add_scene(CLI::App& app, int& exit_code) {
+  auto arguments = std::make_shared<Arguments>();
+  SceneQuestion& question = arguments->question;
+  CLI::App* command = app.add_subcommand(
+      "scene", "Says which model of its cylinders a scene or robot needs, and at what cost");
+  command->add_option("FILE", arguments->file, "a scene: .urdf, .xml (MJCF), .jsonl or .csv of cylinders");
+  command->add_option("--clearance", question.clearance, "are two this near or nearer? In the scene's unit");
+  command->add_option("--tolerate", question.tolerated,
+                      "false alarms that do no harm: this far beyond the clearance");
+  add_unsigned(*command, "--configurations", question.configurations, "to draw, within the joints' limits", 1,
+               1'000'000);
+  add_unsigned(*command, "--seed", question.seed, "of the configurations");
+  command->add_option("--at", arguments->at, "JOINT=VALUE..: one configuration, the other joints at 0");
+  command->add_flag("--all-pairs", question.all_pairs,
+                    "also adjacent links and those that the description disables");
+  command->add_flag("--verify", question.verify, "put every recommended answer before the referee");
+  command->add_option("--generate", arguments->generate,
+                      "in place of a FILE: rods or pipes, and all close pairs");
+  add_unsigned(*command, "--count", arguments->count, "cylinders to generate", 1, 10'000'000);
+  command->add_option("--json", arguments->json, "write everything as JSON, a line of results for each pair");
+  command->footer(
+      "Example:\n  daylight scene robot.urdf --clearance 0.01 --verify\n"
+      "Exit code: 0 told, 1 the harness failed, 2 the referee found a recommended answer wrong, 3 something "
+      "is not\n"
+      "proved, 64 usage, 65 the file cannot be read.");
+  command->callback([arguments, &exit_code] { exit_code = study(*arguments); });
+}
+
+}  // namespace cyl

@@ -1,0 +1,62 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: MIT
+# scene as a person calls it: robots, lists of cylinders, generated ones; exit codes, what is written.
+set -euo pipefail
+
+daylight=$1
+scenes=$(dirname -- "$(readlink -f -- "$0")")/../corpus/scenes
+scratch=$(mktemp -d)
+trap 'rm -rf -- "$scratch"' EXIT
+cd -- "$scratch"
+failures=0
+
+# expect CODE NAME COMMAND..: runs it into out and err.
+expect() {
+  local code=$1 name=$2 got=0
+  shift 2
+  "$@" >out 2>err || got=$?
+  if [[ $got != "$code" ]]; then
+    printf '%s: exit code %s, not %s\n' "$name" "$got" "$code"
+    cat out err
+    failures=$((failures + 1))
+  fi
+}
+# holds NAME FILE PATTERN
+holds() {
+  if ! grep -qE -- "$3" "$2"; then
+    printf '%s: no line of %s matches %s\n' "$1" "$2" "$3"
+    cat -- "$2"
+    failures=$((failures + 1))
+  fi
+}
+
+expect 0 'a robot' "$daylight" scene "$scenes/twenty.urdf" --configurations 20 --verify --json twenty.json
+holds 'the seed comes first' out '^seed 1$'
+holds 'what there is' out '^20 cylinders on 20 links, 18 free joints$'
+holds 'which pairs' out '^190 pairs: 171 checked; .* 19 of adjacent links'
+holds 'the referee' out '^referee: 3420 recommended answers asked, 0 wrong, 0 tolerated, 0 not proved$'
+holds 'as JSON' twenty.json '"recommended": \['
+expect 0 'a clearance' "$daylight" scene "$scenes/crane.xml" --configurations 20 --clearance 0.01 --tolerate 0.1
+holds 'said' out '^20 configurations, clearance 0.01:'
+expect 0 'every pair' "$daylight" scene "$scenes/twenty.urdf" --configurations 1 --all-pairs
+holds 'all of them' out '^190 pairs: 190 checked;'
+expect 0 'one configuration' "$daylight" scene "$scenes/crane.urdf" --at luff=-0.5 travel=1
+holds 'one' out '^1 configuration, '
+expect 0 'a list' "$daylight" scene "$scenes/shelf.csv"
+holds 'four cylinders' out '^6 pairs: 6 checked;'
+expect 0 'generated' "$daylight" scene --generate rods --count 2000 --json rods.json
+holds 'counted' out '^ +2000 '
+holds 'the pairs' rods.json '"within":\[\['
+expect 65 'no such file' "$daylight" scene none.urdf
+expect 65 'a bad line' "$daylight" scene <(:) # no ending that is known
+printf '{"center":[0,0,0],"axis":[0,0,0],"radius":1,"height":2}\n' >bad.jsonl
+expect 65 'no axis' "$daylight" scene bad.jsonl
+holds 'which line' err 'line 1: axis'
+expect 64 'no scene' "$daylight" scene
+expect 64 'two scenes' "$daylight" scene bad.jsonl --generate rods
+expect 64 'an unknown joint' "$daylight" scene "$scenes/crane.urdf" --at elbow=1
+expect 64 'no number' "$daylight" scene "$scenes/crane.urdf" --at luff=high
+expect 64 'a negative clearance' "$daylight" scene "$scenes/crane.urdf" --clearance -1
+expect 64 'nothing of that kind' "$daylight" scene --generate bricks
+
+exit "$((failures > 0))"

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: MIT
+// A scene: cylinders that move with the links of a mechanism, or stand still. What is read from a file of any
+// format becomes one.
+#pragma once
+
+#include <Eigen/Geometry>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "solver/cylinder.hpp"
+
+namespace cyl {
+
+using Pose = Eigen::Isometry3d;
+
+enum class Motion : unsigned char { fixed, turn, slide };
+
+/// The value of a joint that mimics another's: multiplier * value + offset.
+struct Follow {
+  std::size_t link;  ///< whose joint it mimics
+  double multiplier = 1, offset = 0;
+};
+
+/// A link with the joint that carries it.
+struct Link {
+  std::string name;
+  std::string joint;                  ///< its name; empty where nothing carries the link
+  std::optional<std::size_t> parent;  ///< comes before this link
+  Pose origin = Pose::Identity();     ///< of the joint, in the parent's frame
+  Motion motion = Motion::fixed;
+  Vector3 axis{0, 0, 1};     ///< unit, in the joint's frame
+  double low = 0, high = 0;  ///< what may be drawn: rad of a turn, the scene's length unit of a slide
+  std::optional<Follow> follow;
+  std::size_t shapes = 0;  ///< collision shapes, cylinders or not
+};
+
+struct Body {
+  std::string name;
+  std::size_t link;
+  Cylinder solid;  ///< in the link's frame
+  /// Of MJCF: two bodies are checked where the type of one and the affinity of the other share a bit.
+  unsigned type = 1, affinity = 1;
+};
+
+struct Scene {
+  std::vector<Link> links;
+  std::vector<Body> bodies;
+  std::vector<std::string> left_out;  ///< collision shapes that are no cylinders: "box of base_link"
+  std::vector<std::string> notes;     ///< what else was not taken as written, a sentence each
+  std::vector<std::pair<std::size_t, std::size_t>>
+      disabled;  ///< links that the description says not to check
+};
+
+/// Which pairs of bodies are checked, as MoveIt has it: not those of one link, not those of adjacent links
+/// (joined by a joint, also through links without shapes), not those that the description disables.
+class PairRule {
+ public:
+  enum class Reason : unsigned char { checked, same_link, adjacent, disabled };
+  /// With `all` only the bodies of one link are left out.
+  PairRule(const Scene& scene, bool all);
+  Reason reason(const Body& a, const Body& b) const;
+
+ private:
+  bool all_;
+  std::vector<std::pair<std::size_t, std::size_t>> adjacent_, disabled_;  ///< lower first, sorted
+};
+
+/// A value for the joint of every link, within its limits; mimics follow. The same (seed, index) the same.
+std::vector<double> draw_joints(const Scene& scene, std::uint64_t seed, std::uint64_t index);
+/// The joints at 0, or at the limit nearest to it; those named at the values given. Throws
+/// std::invalid_argument on a name that no free joint has.
+std::vector<double> joints_at(const Scene& scene,
+                              std::span<const std::pair<std::string, double>> values = {});
+/// Whether anything moves.
+bool moves(const Scene& scene);
+
+/// Forward kinematics: the pose of every link, and the bodies in the root's frame.
+std::vector<Pose> pose_links(const Scene& scene, std::span<const double> joints);
+void place(const Scene& scene, std::span<const Pose> poses, std::vector<Cylinder>& placed);
+std::vector<Cylinder> place(const Scene& scene, std::span<const double> joints);
+
+}  // namespace cyl
