@@ -48,8 +48,8 @@ constexpr std::size_t probed_together = 64;
 constexpr std::size_t simplify_cap = 1500, simplify_hang_cap = 600;
 /// Part of the budget after which the simplifying makes way for the search for worse pairs.
 constexpr double simplify_part = 0.7;
-/// Shapes looked at for the worst pair of a cause: a walk or two, some seconds.
-constexpr std::size_t shapes_cap = 400;
+/// Shapes looked at for the worst pair of a cause: two walks, a few seconds.
+constexpr std::size_t shapes_cap = 500;
 /// As the gate has them: shorter than a campaign's.
 constexpr Caps triage_caps{.call_cpu = milliseconds(500), .call_wall = milliseconds(2000), .hangs = 4};
 /// Of what hangs one pair at a time is enough.
