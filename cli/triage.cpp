@@ -65,12 +65,15 @@ int triage(const Arguments& arguments) {
       line.show(
           p.elapsed,
           std::min(1.0, static_cast<double>(p.elapsed.count()) / static_cast<double>(options.budget.count())),
-          fmt::format("causes of {} of {} findings told, {} simplified", p.told, p.findings, p.simplified));
+          fmt::format("causes of {} of {} findings told, {} simplified, {} causes searched", p.told,
+                      p.findings, p.simplified, p.searched));
     });
   }
   fmt::print("{}", format_buckets(result.buckets));
-  fmt::print("{} causes of {} kept findings; {} simplified, --for gives them more time\n",
-             result.buckets.size(), result.progress.told, result.progress.simplified);
+  fmt::print(
+      "{} causes of {} kept findings; {} simplified, {} causes searched for a worse pair, --for gives "
+      "them more time\n",
+      result.buckets.size(), result.progress.told, result.progress.simplified, result.progress.searched);
   if (result.progress.told < result.progress.findings)
     fmt::print("{} not looked at yet: run it again to go on\n",
                result.progress.findings - result.progress.told);
@@ -146,7 +149,7 @@ void add_triage(CLI::App& app, int& exit_code) {
   command->footer(
       "Example:\n  daylight triage runs/latest --for 2m\n"
       "What is found out is kept in RUN/triage.sqlite: run again, it goes on. RUN/buckets/ has the simplest "
-      "pairs.\n"
+      "pairs, and the worst (.worst.jsonl) where a search found one worse than the findings.\n"
       "Exit code: 2 a cause beyond a claim that is not suppressed, 3 none, but undecided truth or findings "
       "not "
       "looked\nat, 0 otherwise, 1 the harness failed, 64 usage.");

@@ -18,6 +18,8 @@ CREATE TABLE IF NOT EXISTS cause(finding INTEGER PRIMARY KEY, bucket TEXT NOT NU
   labels TEXT NOT NULL);
 CREATE TABLE IF NOT EXISTS simple(finding INTEGER PRIMARY KEY, pair TEXT NOT NULL, key TEXT NOT NULL,
   questions INTEGER NOT NULL);
+CREATE TABLE IF NOT EXISTS worst(bucket TEXT PRIMARY KEY, method TEXT NOT NULL, kind TEXT NOT NULL,
+  pair TEXT NOT NULL, ended INTEGER NOT NULL);
 )";
 
 std::string file_of(const std::string& folder) { return folder + "/triage.sqlite"; }
@@ -55,7 +57,7 @@ TriageStore::TriageStore(const std::string& folder, const std::string& build) : 
     database_->exec(tables);
     if (note(*database_, "build") == build) return;
     SQLite::Transaction transaction(*database_, SQLite::TransactionBehavior::IMMEDIATE);
-    database_->exec("DELETE FROM cause; DELETE FROM simple; DELETE FROM note");
+    database_->exec("DELETE FROM cause; DELETE FROM simple; DELETE FROM worst; DELETE FROM note");
     set_note(*database_, "build", build);
     transaction.commit();
   });
@@ -87,6 +89,17 @@ std::vector<SimpleRecord> TriageStore::simples() const {
   });
 }
 
+std::vector<WorstRecord> TriageStore::worsts() const {
+  return naming(file_, [&] {
+    std::vector<WorstRecord> all;
+    SQLite::Statement row(*database_, "SELECT bucket, method, kind, pair, ended FROM worst ORDER BY bucket");
+    while (row.executeStep())
+      all.push_back({row.getColumn(0).getString(), row.getColumn(1).getString(), row.getColumn(2).getString(),
+                     row.getColumn(3).getString(), row.getColumn(4).getInt() != 0});
+    return all;
+  });
+}
+
 void TriageStore::add(std::span<const CauseRecord> causes) {
   naming(file_, [&] {
     SQLite::Transaction transaction(*database_, SQLite::TransactionBehavior::IMMEDIATE);
@@ -110,6 +123,18 @@ void TriageStore::add(const SimpleRecord& simple) {
     insert.bind(2, simple.pair);
     insert.bind(3, simple.key);
     insert.bind(4, static_cast<std::int64_t>(simple.questions));
+    insert.exec();
+  });
+}
+
+void TriageStore::add(const WorstRecord& worst) {
+  naming(file_, [&] {
+    SQLite::Statement insert(*database_, "INSERT OR REPLACE INTO worst VALUES(?, ?, ?, ?, ?)");
+    insert.bind(1, worst.bucket);
+    insert.bind(2, worst.method);
+    insert.bind(3, worst.kind);
+    insert.bind(4, worst.pair);
+    insert.bind(5, worst.ended ? 1 : 0);
     insert.exec();
   });
 }

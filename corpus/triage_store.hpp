@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // What triage has found out of a run's findings, in one SQLite file beside the run's own, so that a triage
-// that is killed goes on where it was. It knows plain records only. Bounded: two rows a finding that is kept.
+// that is killed goes on where it was. It knows plain records only. Bounded: two rows a finding
+// that is kept, one a bucket.
 #pragma once
 
 #include <cstdint>
@@ -31,6 +32,14 @@ struct SimpleRecord {
   std::uint64_t questions = 0;
 };
 
+/// What a search for a worse pair than a bucket's findings came to.
+struct WorstRecord {
+  std::string bucket;
+  std::string method, kind;  ///< that is wrong on it, and in which way
+  std::string pair;          ///< one JSON line of corpus/pair_io; empty: none worse was found
+  bool ended = false;        ///< by itself: not to be searched again
+};
+
 /// FOLDER/triage.sqlite. May be written by several processes at once. Every call throws std::runtime_error
 /// that names the file where it cannot be read or written.
 class TriageStore {
@@ -43,8 +52,10 @@ class TriageStore {
 
   std::vector<CauseRecord> causes() const;    ///< by finding
   std::vector<SimpleRecord> simples() const;  ///< by finding
+  std::vector<WorstRecord> worsts() const;    ///< by bucket
   void add(std::span<const CauseRecord> causes);
   void add(const SimpleRecord& simple);
+  void add(const WorstRecord& worst);
   /// The buckets as JSON; empty: none yet.
   std::string buckets() const;
   void set_buckets(const std::string& json);

@@ -55,11 +55,6 @@ constexpr int clock_looks = 8;
 /// Enclosures are asked to this part of the margin, and to no less than doubles give.
 constexpr double enclosure_part = 1e-4, enclosure_least = 1e-18, enclosure_most = 1e-6;
 
-bool is_verdict(FindingKind kind) {
-  return kind == FindingKind::wrong_disjoint || kind == FindingKind::wrong_intersecting ||
-         kind == FindingKind::wrong_touching;
-}
-
 int rank(Failure failure) {
   return failure == Failure::crash ? 3 : failure == Failure::hang ? 2 : failure == Failure::none ? 0 : 1;
 }
@@ -124,9 +119,9 @@ std::optional<Ray> ray_of(const Pair& pair) {
 
 class Hunt {
  public:
-  Hunt(const std::unique_ptr<Method>& method, const Stratum& stratum, const WorstOptions& options,
+  Hunt(const std::unique_ptr<Method>& method, const Sought& sought, const WorstOptions& options,
        const OnWorst& on_worst)
-      : method_(method), stratum_(stratum), options_(options), on_worst_(on_worst), claim_(method->claim()) {
+      : method_(method), sought_(sought), options_(options), on_worst_(on_worst), claim_(method->claim()) {
     if (options.search == Search::time) timed_ = std::make_unique<Timed>(*method, options.clock);
   }
 
@@ -162,7 +157,7 @@ class Hunt {
            breaks_ >= crash_cap;
   }
 
-  /// Those that are of the stratum as they stand go first.
+  /// Those that have the features sought as they stand go first.
   void look_at_starts(std::span<const Pair> starts) {
     for (const bool of_it : {true, false}) {
       for (const Pair& start : starts) {
@@ -207,7 +202,7 @@ class Hunt {
   // NLopt's status codes say nothing that counts: what was found was noted on the way. The sizes of the first
   // steps are drawn, or two walks from one place would be the same.
   void walk(const Pair& from, RandomStream& stream) {
-    Walk w{*this, PairChart(from, stratum_.feature, options_.domain), nullptr, nullptr};
+    Walk w{*this, PairChart(from, sought_.feature, options_.domain), nullptr, nullptr};
     w.optimizer = nlopt_create(NLOPT_LN_SBPLX, PairChart::dimensions);
     const std::unique_ptr<nlopt_opt_s, decltype(&nlopt_destroy)> owner(w.optimizer, nlopt_destroy);
     nlopt_set_max_objective(w.optimizer, objective, &w);
@@ -298,16 +293,16 @@ class Hunt {
     if (failure == Failure::hang) breaks_ += crash_cap / hang_cap + 1;
     if (worst_.failed && rank(failure) <= rank(worst_.failed->failure)) return;
     if (!likely_of_it(probe.pair, distance(probe.pair.a, probe.pair.b))) return;
-    if (stratum_.also && !stratum_.also(probe.pair)) return;
+    if (sought_.also && !sought_.also(probe.pair)) return;
     worst_.failed = FailedPair{probe.pair, failure, probe.answer.reason};
   }
 
-  /// Whether the stratum's features meet, by the solver: quick, and proved later where it matters.
+  /// Whether the features sought meet, by the solver: quick, and proved later where it matters.
   bool likely_of_it(const Pair& pair, const Distance& d) const {
-    if (!stratum_.feature) return true;
+    if (!sought_.feature) return true;
     if (d.verdict == Verdict::invalid) return false;
     const bool inside = d.value < 0 && (contains(pair.a, pair.b) || contains(pair.b, pair.a));
-    return (inside ? ContactFeature::containment : feature_along(pair, d.direction)) == *stratum_.feature;
+    return (inside ? ContactFeature::containment : feature_along(pair, d.direction)) == *sought_.feature;
   }
 
   /// For the optimiser: beyond the claim by the margin, else by the part of the claim that is used.
@@ -322,7 +317,8 @@ class Hunt {
     const Verdict said = probe.answer.verdict;
     const bool wrong = probe.margin < 0 ? said == Verdict::disjoint
                                         : said == Verdict::intersecting || said == Verdict::touching;
-    if (!wrong) return nothing;
+    if (!wrong || (sought_.kind && (*sought_.kind == FindingKind::wrong_intersecting) != (probe.margin > 0)))
+      return nothing;
     const Distance d = distance(probe.pair.a, probe.pair.b);
     if (std::abs(d.value) <= d.error || (d.value < 0) != (probe.margin < 0)) return nothing;
     if (!likely_of_it(probe.pair, d)) return nothing;
@@ -374,8 +370,9 @@ class Hunt {
     proved.distance.at(std::clamp(enclosure_part * std::abs(wrong.margin), enclosure_least, enclosure_most));
     const auto finding = compare(wrong.pair, proved.truth, proved.distance, claim_, answer);
     if (!finding || !is_verdict(finding->kind) || !finding->margin) return nothing;
-    if (stratum_.feature && contact_feature(wrong.pair, proved.truth) != stratum_.feature) return nothing;
-    if (stratum_.also && !stratum_.also(wrong.pair)) return nothing;
+    if (sought_.kind && finding->kind != *sought_.kind) return nothing;
+    if (sought_.feature && contact_feature(wrong.pair, proved.truth) != sought_.feature) return nothing;
+    if (sought_.also && !sought_.also(wrong.pair)) return nothing;
     const double size = size_of(wrong.pair);
     const double margin = finding->margin->lo;
     const double value = finding->severity == Severity::contract ? beyond + std::log10(margin)
@@ -387,7 +384,7 @@ class Hunt {
     return std::min(value, likely);
   }
 
-  // Where the slowest is not of the stratum, the next may be.
+  // Where the slowest does not count, the next may.
   Look slowest_on(const Pair& pair, const Ray& ray) {
     std::vector<Answered> rungs = ladder(pair, ray, 1);
     std::stable_sort(rungs.begin(), rungs.end(), [](const Answered& x, const Answered& y) {
@@ -416,12 +413,12 @@ class Hunt {
   }
 
   bool belongs(const Pair& pair) const {
-    if (stratum_.feature && contact_feature(pair, judge(pair)) != stratum_.feature) return false;
-    return !stratum_.also || stratum_.also(pair);
+    if (sought_.feature && contact_feature(pair, judge(pair)) != sought_.feature) return false;
+    return !sought_.also || sought_.also(pair);
   }
 
   const std::unique_ptr<Method>& method_;
-  const Stratum& stratum_;
+  const Sought& sought_;
   const WorstOptions& options_;
   const OnWorst& on_worst_;
   const Claim claim_;
@@ -436,6 +433,11 @@ class Hunt {
 
 }  // namespace
 
+bool is_verdict(FindingKind kind) noexcept {
+  return kind == FindingKind::wrong_disjoint || kind == FindingKind::wrong_intersecting ||
+         kind == FindingKind::wrong_touching;
+}
+
 double cpu_clock() {
   timespec t{};
   clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &t);
@@ -446,9 +448,9 @@ bool Worst::beyond_claim() const {
   return failed || (wrong && wrong->finding.severity == Severity::contract);
 }
 
-Worst worst_of(const std::unique_ptr<Method>& method, std::span<const Pair> starts, const Stratum& stratum,
+Worst worst_of(const std::unique_ptr<Method>& method, std::span<const Pair> starts, const Sought& sought,
                const WorstOptions& options, const OnWorst& on_worst) {
-  return Hunt(method, stratum, options, on_worst).run(starts);
+  return Hunt(method, sought, options, on_worst).run(starts);
 }
 
 std::vector<Pair> drawn_starts(std::optional<ContactFeature> feature, std::uint64_t seed) {

@@ -24,12 +24,17 @@
 
 namespace cyl {
 
-/// Which pairs count: those where these features meet, and of which `also` holds, where they are given.
-/// `also` is asked of a few pairs only, those that would be the worst yet; it may cost a millisecond.
-struct Stratum {
-  std::optional<ContactFeature> feature;
-  std::function<bool(const Pair&)> also;
+/// Which pairs count: those where these features meet, on which the verdict is wrong in this way, and of
+/// which `also` holds, where they are given. `also` is asked of a few pairs only, those that would be the
+/// worst yet; it may cost some milliseconds.
+struct Sought {
+  std::optional<ContactFeature> feature = {};
+  std::function<bool(const Pair&)> also = {};
+  std::optional<FindingKind> kind = {};
 };
+
+/// Whether the kind is a refuted verdict, which is all that a margin is sought of.
+bool is_verdict(FindingKind kind) noexcept;
 
 enum class Search : unsigned char { margin, time };
 
@@ -81,11 +86,11 @@ struct Worst {
 /// Called now and then, with what was found so far.
 using OnWorst = std::function<void(const Worst& so_far, std::chrono::milliseconds elapsed)>;
 
-/// `method` is asked contained. Starts are looked at in their order, those of the stratum first, then those
-/// on which the method is worst are walked from; while it is wrong on none, mutations of them are looked at.
-/// Cost: a millisecond a shape of a quick method. With a cap on evaluations the result is a pure function of
-/// the arguments but for times and hangs.
-Worst worst_of(const std::unique_ptr<Method>& method, std::span<const Pair> starts, const Stratum& stratum,
+/// `method` is asked contained. Starts are looked at in their order, those with the features sought first,
+/// then those on which the method is worst are walked from; while it is wrong on none, mutations of them are
+/// looked at. Cost: a millisecond a shape of a quick method. With a cap on evaluations the result is a pure
+/// function of the arguments but for times and hangs.
+Worst worst_of(const std::unique_ptr<Method>& method, std::span<const Pair> starts, const Sought& sought,
                const WorstOptions& options, const OnWorst& on_worst = {});
 
 /// Pairs to start from where nothing is known: near touching, of that stratum (of every one where none is

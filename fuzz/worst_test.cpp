@@ -127,8 +127,20 @@ TEST(Worst, NothingOutsideTheStratumCounts) {
   });
   EXPECT_FALSE(search(method, ContactFeature::rim_rim, shapes(200)).wrong);
   EXPECT_TRUE(search(method, ContactFeature::side_rim, shapes(50)).wrong);
-  const Stratum none{{}, [](const Pair&) { return false; }};
+  const Sought none{.also = [](const Pair&) { return false; }};
   EXPECT_FALSE(worst_of(method, drawn_starts({}, 1), none, shapes(100)).wrong);
+}
+
+TEST(Worst, OfTwoWaysToBeWrongTheOneSoughtCounts) {
+  const auto method = faulty([](const Pair&, double margin) { return margin > 0 ? most : most / 10; });
+  const auto worst = [&](FindingKind kind) {
+    return worst_of(method, drawn_starts(ContactFeature::side_side, 1), {.kind = kind}, shapes(50)).wrong;
+  };
+  const auto apart = worst(FindingKind::wrong_intersecting), into = worst(FindingKind::wrong_disjoint);
+  ASSERT_TRUE(apart && into);
+  EXPECT_EQ(apart->finding.kind, FindingKind::wrong_intersecting);
+  EXPECT_EQ(into->finding.kind, FindingKind::wrong_disjoint);
+  EXPECT_LE(into->finding.margin->lo, most / 10);
 }
 
 TEST(Worst, BeyondAClaimComesBeforeALargerMarginWithin) {

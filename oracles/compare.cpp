@@ -71,18 +71,28 @@ std::optional<Finding> compare_verdict(const Pair& pair, const Truth& truth, Laz
   return {};
 }
 
+/// The least and the greatest |said - d| over d in `real`.
+Enclosure error_of(double said, const Enclosure& real) {
+  return {std::max({0.0, real.lo - said, said - real.hi}), std::max(real.hi - said, said - real.lo)};
+}
+
+// Where an enclosure proves the distance neither right nor wrong the narrowest is asked: what is found never
+// depends on how narrow others have made it.
 std::optional<Finding> compare_distance(const Pair& pair, const Truth& truth, LazyDistance& distance,
                                         const Claim& claim, double said) {
   const double size = size_of(pair), allowed = reach(claim, size);
-  const double width = size > 0 ? std::clamp(allowed / size, narrowest, widest) : widest;
-  const Enclosure real = truth.verdict == Verdict::touching ? Enclosure{0, 0} : distance.at(width);
-  // The least and the greatest |said - d| over d in `real`.
-  const Enclosure off{std::max({0.0, real.lo - said, said - real.hi}),
-                      std::max(real.hi - said, said - real.lo)};
   // A claim of 0/0 promises a rounded number: one unit in the last place of the larger length is no fault.
   const double last_place = std::max(std::abs(said), size) * rounding_error;
-  if (off.lo <= std::max(allowed, last_place)) return {};
-  return Finding{FindingKind::distance_outside, Severity::contract, relative_to(size, off)};
+  const double most = std::max(allowed, last_place);
+  const double half = size > 0 ? std::clamp(most / 2 / size, narrowest, widest) : widest;
+  for (const double width : {half, narrowest}) {
+    const Enclosure real = truth.verdict == Verdict::touching ? Enclosure{0, 0} : distance.at(width);
+    const Enclosure off = error_of(said, real);
+    if (off.lo > most)
+      return Finding{FindingKind::distance_outside, Severity::contract, relative_to(size, off)};
+    if (off.hi <= most) break;
+  }
+  return {};
 }
 
 bool finite(const double (&v)[3]) {

@@ -196,6 +196,24 @@ TEST(Compare, ARoundedDistanceIsNoFaultOfAMethodThatClaimsExactness) {
   EXPECT_TRUE(judged(Verdict::disjoint, 0.1, none, said_distance(Verdict::disjoint, 0.1 + 1e-12)));
 }
 
+TEST(Compare, WhatIsFoundDoesNotDependOnHowNarrowTheEnclosureIsAlready) {
+  const Claim claim{0, 1e-3, ""};
+  for (const double beyond : {1e-9, -1e-9}) {
+    MethodAnswer answer = said_distance(Verdict::disjoint, 0.5 + 1e-3 + beyond);
+    answer.witness = WitnessKind::direction;
+    answer.head[1] = 1;  // proves nothing
+    const FindingKind kind = beyond > 0 ? FindingKind::distance_outside : FindingKind::bad_witness;
+    for (const double width : {1.0, 1e-6, 1e-9, 1e-12, 1e-18}) {
+      Known known{0.5};
+      LazyDistance lazy = known.lazy();
+      lazy.at(width);
+      const auto finding = compare(upright(0.5), truth_of(Verdict::disjoint), lazy, claim, answer);
+      ASSERT_TRUE(finding);
+      EXPECT_EQ(finding->kind, kind) << width;
+    }
+  }
+}
+
 TEST(Compare, TheVerdictComesBeforeTheDistance) {
   EXPECT_EQ(judged(Verdict::disjoint, 0.5, none, said_distance(Verdict::intersecting, -3))->kind,
             FindingKind::wrong_intersecting);

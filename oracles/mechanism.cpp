@@ -18,8 +18,6 @@ namespace {
 /// Powers of two by which a pair is made larger and smaller: more than the tolerances of libraries span in
 /// one step, and far from where squares leave the doubles.
 constexpr int scale_step = 20;
-/// In sizes, of a gap: as narrow as compare() ever asks for. As narrow a depth would cost 40 ms.
-constexpr double narrowest_width_tol = 1e-18;
 /// Of a size beyond 2^+-this, products of four lengths leave the doubles or lose bits.
 constexpr int extreme_exponent_margin = 200;
 
@@ -115,7 +113,7 @@ class Round {
       const Pair& pair = pairs_[q];
       const Truth truth = judge(pair, {&said.answer, 1});
       LazyDistance distance([&](double width) { return enclose_distance(pair, truth, width); });
-      examined_.push_back({said.answer, find_wrong(pair, truth, distance, claims_[q], said.answer)});
+      examined_.push_back({said.answer, compare(pair, truth, distance, claims_[q], said.answer)});
     }
   }
   const Examination& operator[](std::size_t question) const { return examined_[question]; }
@@ -155,16 +153,6 @@ std::string_view in_words(Mechanism m) noexcept {
       "its setting: right with another",
       "no probe told"};
   return words[static_cast<std::size_t>(m)];
-}
-
-std::optional<Finding> find_wrong(const Pair& pair, const Truth& truth, LazyDistance& distance,
-                                  const Claim& claim, const MethodAnswer& answer) {
-  const auto wrong = compare(pair, truth, distance, claim, answer);
-  const bool decided = truth.verdict == Verdict::disjoint || truth.verdict == Verdict::intersecting;
-  const bool settled = wrong && wrong->kind != FindingKind::bad_witness;
-  if (settled || !decided || answer.status != Status::answered || !answer.has_distance) return wrong;
-  distance.at(truth.verdict == Verdict::disjoint ? narrowest_width_tol : depth_width_tol);
-  return compare(pair, truth, distance, claim, answer);
 }
 
 std::vector<Told> tell_mechanisms(std::span<const std::unique_ptr<Method>> methods,
@@ -284,6 +272,12 @@ std::string cause_key(std::span<const std::unique_ptr<Method>> methods, std::spa
 bool is_failure(FindingKind kind) noexcept {
   return kind == FindingKind::exception || kind == FindingKind::crash || kind == FindingKind::hang ||
          kind == FindingKind::non_finite || kind == FindingKind::malformed;
+}
+
+std::optional<Mechanism> find_mechanism(std::string_view word) noexcept {
+  for (int m = 0; m <= static_cast<int>(Mechanism::untold); ++m)
+    if (word == to_string(static_cast<Mechanism>(m))) return static_cast<Mechanism>(m);
+  return {};
 }
 
 std::optional<FindingKind> find_kind(std::string_view name) noexcept {

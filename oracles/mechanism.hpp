@@ -59,11 +59,6 @@ struct Examination {
   std::optional<Finding> wrong;
 };
 
-/// What is wrong with a method's answer, by its own claim or another. A gap is held against the narrowest
-/// enclosure there is before the distance is called right.
-std::optional<Finding> find_wrong(const Pair& pair, const Truth& truth, LazyDistance& distance,
-                                  const Claim& claim, const MethodAnswer& answer);
-
 /// The mechanism of each. `kin`: as kin_of() gives it. A pure function of each, hangs excepted. Cost: four
 /// rounds of questions for all together.
 std::vector<Told> tell_mechanisms(std::span<const std::unique_ptr<Method>> methods,
@@ -85,6 +80,8 @@ std::string cause_key(std::span<const std::unique_ptr<Method>> methods, std::spa
 
 /// Whether the kind is that a method broke: exception, crash, hang, non-finite number or malformed answer.
 bool is_failure(FindingKind kind) noexcept;
+/// The mechanism of that word, "absolute-length", if there is one.
+std::optional<Mechanism> find_mechanism(std::string_view word) noexcept;
 /// The kind of that name, "wrong_disjoint", if there is one.
 std::optional<FindingKind> find_kind(std::string_view name) noexcept;
 

@@ -14,12 +14,14 @@
 #include "corpus/pair_io.hpp"
 #include "corpus/shell_words.hpp"
 #include "corpus/strata.hpp"
+#include "fuzz/worst.hpp"
 #include "oracles/bucket.hpp"
 #include "oracles/contact.hpp"
 #include "oracles/contained.hpp"
 #include "oracles/mechanism.hpp"
 #include "oracles/replay.hpp"
 #include "props/simplify.hpp"
+#include "reports/case_distance.hpp"
 
 namespace cyl {
 namespace {
@@ -28,8 +30,6 @@ using Json = nlohmann::json;
 
 /// Seed of the sample of a stratum.
 constexpr std::uint64_t share_seed = 1;
-/// Width of the enclosures shown, in sizes.
-constexpr double shown_width_tol = 1e-9;
 /// Keys and labels listed with a bucket.
 constexpr std::size_t merged_cap = 200, labels_cap = 6;
 
@@ -42,6 +42,7 @@ struct Heap {
   const FindingRecord* simplest_of = nullptr;  ///< the finding that the simplest pair comes from
   Pair simplest;
   const FindingRecord* worst = nullptr;
+  const WorstRecord* found = nullptr;  ///< a pair that is said to be worse
 };
 
 std::optional<Pair> pair_of(const std::string& line) {
@@ -70,8 +71,7 @@ std::map<std::string, Heap> heaps_of(const Sorted& sorted) {
       ++heap.labels[c.labels.substr(at, end - at)];
       at = end + 1;
     }
-    if (heap.worst == nullptr || least_margin(*found->second) > least_margin(*heap.worst))
-      heap.worst = found->second;
+    if (heap.worst == nullptr || is_worse(*found->second, *heap.worst)) heap.worst = found->second;
   }
   std::map<Heap*, Complexity> best;
   const auto offer = [&](Heap& heap, const FindingRecord* of, const std::string& line) {
@@ -89,6 +89,8 @@ std::map<std::string, Heap> heaps_of(const Sorted& sorted) {
     heap_of[s.finding]->merged.insert(s.key);
     offer(*heap_of[s.finding], by_id[s.finding], s.pair);
   }
+  for (const WorstRecord& w : sorted.worsts)
+    if (heaps.contains(w.bucket) && !w.pair.empty()) heaps[w.bucket].found = &w;
   // As they were found, where none is simplified yet.
   for (auto& [key, heap] : heaps)
     if (heap.simplest_of == nullptr)
@@ -96,11 +98,25 @@ std::map<std::string, Heap> heaps_of(const Sorted& sorted) {
   return heaps;
 }
 
-Json margin_json(const Enclosure& distance, const Truth& truth, const Pair& pair) {
+std::optional<MarginRecord> known_margin(const Pair& pair, const Enclosure& d) {
   const double size = size_of(pair);
-  if (truth.verdict == Verdict::undecided || truth.verdict == Verdict::invalid || !(size > 0)) return nullptr;
-  const double lo = distance.lo > 0 ? distance.lo : distance.hi < 0 ? -distance.hi : 0;
-  return Json::array({lo / size, std::max(std::fabs(distance.lo), std::fabs(distance.hi)) / size});
+  if (!(size > 0)) return {};
+  return MarginRecord{std::max({d.lo, -d.hi, 0.0}) / size, std::max(d.hi, -d.lo) / size};
+}
+
+/// What is wrong today with what the method of that name says, and by how much.
+std::optional<Finding> wrong_today(const Replayed& now, std::span<const std::unique_ptr<Method>> methods,
+                                   const std::string& method) {
+  for (std::size_t m = 0; m < methods.size(); ++m)
+    if (methods[m]->name() == method) return now.findings[m];
+  return {};
+}
+
+/// Whether what was searched for is wrong in the way it was found, beyond the claim, and worse than the
+/// finding.
+bool surpasses(const WorstRecord& found, const std::optional<Finding>& wrong, const FindingRecord& stored) {
+  if (!wrong || !wrong->margin || to_string(wrong->kind) != found.kind) return false;
+  return wrong->severity == Severity::contract && wrong->margin->lo > least_margin(stored);
 }
 
 Json parsed(const std::string& text) { return Json::parse(text, nullptr, false); }
@@ -111,12 +127,9 @@ Json case_json(const Pair& pair, const Replayed& now, std::span<const std::uniqu
   Json c;
   c["pair"] = parsed(format_pair(pair));
   const bool decided = now.truth.verdict != Verdict::undecided && now.truth.verdict != Verdict::invalid;
-  c["truth"] = parsed(format_truth(now.truth, decided ? &now.distance : nullptr));
-  c["margin"] = margin_json(now.distance, now.truth, pair);
-  if (decided) {
-    const AttainedDistance attained = attain_distance(pair, now.truth, shown_width_tol);
-    c["direction"] = attained.direction;
-  }
+  c["truth"] = parsed(format_truth(now.truth));
+  c["margin"] = nullptr;
+  if (decided) add_distance(c, case_distance(pair, now.truth.verdict, known_margin(pair, now.distance)));
   c["answers"] = Json::object();
   for (std::size_t m = 0; m < methods.size(); ++m)
     c["answers"][std::string(methods[m]->name())] = parsed(format_method_answer(now.answers[m]));
@@ -172,10 +185,8 @@ Json share_json(const Pair& simplest, const Json& margin, std::optional<ContactF
 std::string cause_in_words(const std::string& key, const std::string& mechanism, const std::string& said) {
   if (key.ends_with("/within-claim")) return "within what it claims of itself: " + said;
   if (mechanism == to_string(Mechanism::untold)) return said;
-  for (int k = 0; k < static_cast<int>(Mechanism::untold); ++k)
-    if (const auto told = static_cast<Mechanism>(k); to_string(told) == mechanism)
-      return fmt::format("{} ({})", in_words(told), said);
-  return said;
+  const auto told = find_mechanism(mechanism);
+  return told ? fmt::format("{} ({})", in_words(*told), said) : said;
 }
 
 int rank_of(const std::string& severity) {
@@ -203,6 +214,14 @@ std::string said_of(const std::string& kind) {
 }
 
 }  // namespace
+
+bool is_worse(const FindingRecord& x, const FindingRecord& y) {
+  const auto refutes_verdict = [](const FindingRecord& f) {
+    const auto kind = find_kind(f.kind);
+    return kind && is_verdict(*kind);
+  };
+  return std::pair(refutes_verdict(x), least_margin(x)) > std::pair(refutes_verdict(y), least_margin(y));
+}
 
 std::map<std::string, std::uint64_t> count_by_bucket(const Sorted& sorted) {
   using Group = std::tuple<std::string, std::string, std::string, std::string>;
@@ -237,15 +256,20 @@ Json make_buckets(const Sorted& sorted, std::span<const std::unique_ptr<Method>>
   for (const auto& [key, heap] : heaps) {
     pairs.push_back(heap.simplest);
     pairs.push_back(pair_of(heap.worst->pair).value_or(heap.simplest));
+    pairs.push_back(heap.found != nullptr ? pair_of(heap.found->pair).value_or(pairs.back()) : pairs.back());
   }
   const std::vector<Replayed> now = replay(methods, pairs);
 
   Json buckets = Json::array();
   std::size_t at = 0;
   for (const auto& [key, heap] : heaps) {
-    const Replayed &simplest_now = now[at], &worst_now = now[at + 1];
-    const Pair& worst_pair = pairs[at + 1];
-    at += 2;
+    const Replayed& simplest_now = now[at];
+    const bool reached =
+        heap.found != nullptr &&
+        surpasses(*heap.found, wrong_today(now[at + 2], methods, heap.found->method), *heap.worst);
+    const Replayed& worst_now = now[at + (reached ? 2 : 1)];
+    const Pair& worst_pair = pairs[at + (reached ? 2 : 1)];
+    at += 3;
     const FindingRecord& of = heap.simplest_of != nullptr ? *heap.simplest_of : *heap.worst;
     Json b;
     b["key"] = key;
@@ -283,9 +307,14 @@ Json make_buckets(const Sorted& sorted, std::span<const std::unique_ptr<Method>>
     const std::string file = fmt::format("{}/buckets/{}.jsonl", sorted.folder, letters_only(key));
     b["simplest"] =
         case_json(heap.simplest, simplest_now, methods, "./daylight replay " + shell_quoted(file));
-    b["worst"] =
-        case_json(worst_pair, worst_now, methods,
-                  "./daylight replay " + shell_quoted(fmt::format("{}:{}", sorted.folder, heap.worst->id)));
+    const std::string stored = fmt::format("{}:{}", sorted.folder, heap.worst->id);
+    const std::string worst_file = fmt::format("{}/buckets/{}.worst.jsonl", sorted.folder, letters_only(key));
+    b["worst"] = case_json(worst_pair, worst_now, methods,
+                           "./daylight replay " + shell_quoted(reached ? worst_file : stored));
+    if (reached)
+      b["worst"]["note"] =
+          fmt::format("searched for, with {}; the worst of the findings is {}, margin {:.3g}",
+                      heap.found->method, stored, least_margin(*heap.worst));
     const auto feature = contact_feature(heap.simplest, simplest_now.truth);
     const Json& m = b["simplest"]["margin"];
     b["feature"] = feature ? to_string(*feature) : "unknown";

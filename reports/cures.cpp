@@ -8,6 +8,7 @@
 
 #include "corpus/pair_io.hpp"
 #include "oracles/adapter.hpp"
+#include "oracles/kin.hpp"
 
 namespace cyl {
 namespace {
@@ -83,14 +84,6 @@ std::vector<Cure> try_cures(std::span<const std::unique_ptr<Method>> methods,
     cures.push_back(std::move(cure));
   }
   return cures;
-}
-
-bool differ_in_setting(std::string_view x, std::string_view y) {
-  if (x == y) return false;
-  if (x.size() > y.size()) std::swap(x, y);
-  if (y.starts_with(x) && y[x.size()] == '-') return true;
-  const std::string_view way = x.substr(0, std::min(x.rfind('-'), x.size()));
-  return way.find('-') != std::string_view::npos && way == y.substr(0, std::min(y.rfind('-'), y.size()));
 }
 
 std::string_view to_string(Remedy r) noexcept {

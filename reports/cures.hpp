@@ -40,11 +40,6 @@ struct Cure {
 std::vector<Cure> try_cures(std::span<const std::unique_ptr<Method>> methods,
                             const std::unique_ptr<Method>& method, const Probe& failing);
 
-/// Whether two names are of the same library and way and differ in a setting: one is the other and a setting
-/// ("fcl-libccd", "fcl-libccd-tol1e-10"), or both are one way and a setting ("bullet-hull-16",
-/// "bullet-hull-64").
-bool differ_in_setting(std::string_view x, std::string_view y);
-
 /// "rescaled to size 1", "moved to the origin", ...
 std::string_view to_string(Remedy r) noexcept;
 /// "cured", "not cured", ...

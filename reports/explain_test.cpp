@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
+#include "oracles/kin.hpp"
 #include "solver/distance.hpp"
 
 namespace cyl {

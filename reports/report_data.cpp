@@ -4,10 +4,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <filesystem>
 #include <fstream>
-#include <limits>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <set>
@@ -23,25 +21,15 @@
 #include "fuzz/batch.hpp"
 #include "fuzz/campaign.hpp"
 #include "oracles/method.hpp"
-#include "oracles/referee.hpp"
+#include "reports/case_distance.hpp"
 #include "reports/history.hpp"
 #include "reports/kill_data.hpp"
 #include "reports/tally_table.hpp"
-#include "solver/distance.hpp"
 
 namespace cyl {
 namespace {
 
 using json = nlohmann::ordered_json;
-
-/// An overlap is enclosed to this part of the pair's size, or to this part of its margin where that is less:
-/// for people, and it costs a search.
-constexpr double shown_depth_width_tol = 1e-6, shown_depth_width_share = 0.01;
-
-/// JSON has no infinity; the largest double stands for it.
-double finite(double x) {
-  return std::clamp(x, std::numeric_limits<double>::lowest(), std::numeric_limits<double>::max());
-}
 
 json vector(const Vector3& v) { return {v[0], v[1], v[2]}; }
 
@@ -219,33 +207,6 @@ std::optional<Verdict> verdict_of(const json& truth) {
   return {};
 }
 
-/// Adds what is known of the distance to a case: the enclosure and its direction from the referee, the points
-/// from the solver.
-void add_distance(json& told, const Pair& pair, Verdict verdict, std::optional<MarginRecord> margin) {
-  double width = gap_width_tol;
-  if (verdict == Verdict::intersecting) {
-    width = shown_depth_width_tol;
-    if (margin) width = std::clamp(shown_depth_width_share * margin->lo, depth_width_tol, width);
-  }
-  Truth truth;
-  truth.verdict = verdict;
-  const AttainedDistance attained = attain_distance(pair, truth, width);
-  const Enclosure d = attained.distance;
-  told["truth"]["distance"] = {finite(d.lo), finite(d.hi)};
-  if (!margin) {
-    const double size = size_of(pair), near = std::max({d.lo, -d.hi, 0.0}), far = std::max(d.hi, -d.lo);
-    if (size > 0) margin = MarginRecord{near / size, far / size};
-  }
-  if (margin) told["margin"] = {finite(margin->lo), finite(margin->hi)};
-  if (std::any_of(attained.direction.begin(), attained.direction.end(), [](double x) { return x != 0; }))
-    told["direction"] = attained.direction;
-  const Distance nearest = distance(pair.a, pair.b);
-  const Vector3 a = pair.a.center + nearest.on_a, b = pair.b.center + nearest.on_b;
-  if (nearest.verdict != Verdict::invalid && nearest.verdict != Verdict::undecided && a.allFinite() &&
-      b.allFinite())
-    told["nearest"] = {{"a", vector(a)}, {"b", vector(b)}};
-}
-
 /// null where the record holds no pair.
 json case_of(const Shared& shared, Names& names) {
   const CaseLine line = parse_case(shared.first->pair, 1);
@@ -257,7 +218,8 @@ json case_of(const Shared& shared, Names& names) {
   if (shared.margin) told["margin"] = {finite(shared.margin->lo), finite(shared.margin->hi)};
   if (!told["truth"].is_object()) told["truth"] = {{"verdict", "undecided"}};
   told["truth"]["stage"] = shared.first->stage;
-  if (const auto verdict = verdict_of(told["truth"])) add_distance(told, pair, *verdict, shared.margin);
+  if (const auto verdict = verdict_of(told["truth"]))
+    add_distance(told, case_distance(pair, *verdict, shared.margin));
   std::string note;
   for (const std::string& part : {line.value->id, line.value->source, line.value->note})
     if (!part.empty()) note += (note.empty() ? "" : "; ") + part;

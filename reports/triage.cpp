@@ -31,6 +31,7 @@
 #include "props/simplify.hpp"
 #include "reports/buckets.hpp"
 #include "reports/suppressed.hpp"
+#include "reports/worst_pair.hpp"
 
 namespace cyl {
 namespace {
@@ -45,6 +46,10 @@ constexpr std::size_t probed_together = 64;
 /// Questions of the shrinker about one finding; about one that hangs, where each that does costs half a
 /// second.
 constexpr std::size_t simplify_cap = 1500, simplify_hang_cap = 600;
+/// Part of the budget after which the simplifying makes way for the search for worse pairs.
+constexpr double simplify_part = 0.7;
+/// Shapes looked at for the worst pair of a cause: two walks, a few seconds.
+constexpr std::size_t shapes_cap = 500;
 /// As the gate has them: shorter than a campaign's.
 constexpr Caps triage_caps{.call_cpu = milliseconds(500), .call_wall = milliseconds(2000), .hangs = 4};
 /// Of what hangs one pair at a time is enough.
@@ -107,6 +112,8 @@ struct Subject {
   Pair pair;
 };
 
+bool was_searched_for(const Json& bucket) { return bucket["worst"].contains("note"); }
+
 class Triager {
  public:
   Triager(const TriageOptions& options, const std::function<void(const TriageProgress&)>& on_progress)
@@ -123,15 +130,18 @@ class Triager {
 
   Triage run() {
     tell_causes();
-    simplify_findings();
+    simplify_findings(simplify_part);
+    search_worst();
+    simplify_findings(1);
     const TriageStore store(options_.folder, options_.build);
     sorted_.causes = store.causes();
     sorted_.simples = store.simples();
+    sorted_.worsts = store.worsts();
     count_progress();
     Triage triage;
     triage.buckets = make_buckets(sorted_, methods_);
     hold_against(triage.buckets, fs::canonical(options_.folder).filename().string(), asked_, earlier());
-    write_simplest(triage.buckets);
+    write_pairs(triage.buckets);
     suppress(triage.buckets, options_.suppressions, options_.today);
     TriageStore(options_.folder, options_.build).set_buckets(triage.buckets.dump());
     if (!options_.suppressions.empty()) {
@@ -156,17 +166,19 @@ class Triager {
     return s;
   }
 
-  bool out_of_time() const { return Clock::now() - start_ >= options_.budget; }
+  bool out_of_time(double part = 1) const { return Clock::now() - start_ >= part * options_.budget; }
 
   void count_progress() {
     progress_.told = sorted_.causes.size();
     progress_.simplified = sorted_.simples.size();
+    progress_.searched = sorted_.worsts.size();
     progress_.elapsed = since(start_);
   }
   void show_progress() {
     const TriageStore store(options_.folder, options_.build);
     progress_.told = store.causes().size();
     progress_.simplified = store.simples().size();
+    progress_.searched = store.worsts().size();
     progress_.elapsed = since(start_);
     if (on_progress_) on_progress_(progress_);
   }
@@ -231,13 +243,18 @@ class Triager {
     return labels;
   }
 
+  std::map<std::int64_t, const Subject*> subjects_by_id() const {
+    std::map<std::int64_t, const Subject*> by_id;
+    for (const Subject& s : subjects_) by_id[s.record->id] = &s;
+    return by_id;
+  }
+
   // ---- simple pairs
 
   /// Bucket by bucket in turns, in each the simplest first and of other methods, kinds and families before
   /// more of the same: an order that is the findings' own.
   std::vector<const Subject*> in_turns(const std::vector<CauseRecord>& causes) const {
-    std::map<std::int64_t, const Subject*> by_id;
-    for (const Subject& s : subjects_) by_id[s.record->id] = &s;
+    const std::map<std::int64_t, const Subject*> by_id = subjects_by_id();
     struct Candidate {
       std::size_t turn;
       Complexity complexity;
@@ -279,7 +296,8 @@ class Triager {
     return s.method && s.kind && s.kind != FindingKind::nondeterminism;
   }
 
-  void simplify_findings() {
+  /// Until that part of the budget is used up.
+  void simplify_findings(double part) {
     std::set<std::int64_t> known;
     std::vector<const Subject*> open;
     {
@@ -290,12 +308,12 @@ class Triager {
     for (const CauseRecord& c : sorted_.causes) key_of_finding_[c.finding] = c.bucket;
     for (const Subject* s : in_turns(sorted_.causes))
       if (!known.contains(s->record->id)) open.push_back(s);
-    if (open.empty() || out_of_time()) return;
+    if (open.empty() || out_of_time(part)) return;
     in_processes(
         options_.jobs,
         [&](unsigned job) {
           TriageStore store(options_.folder, options_.build);
-          for (std::size_t i = job; i < open.size() && !out_of_time(); i += options_.jobs)
+          for (std::size_t i = job; i < open.size() && !out_of_time(part); i += options_.jobs)
             store.add(simplified(*open[i]));
         },
         [&] { show_progress(); });
@@ -325,7 +343,7 @@ class Triager {
     for (std::size_t p = 0; p < pairs.size(); ++p) {
       const Truth truth = judge(pairs[p], {&said[p].answer, 1});
       LazyDistance distance([&](double width) { return enclose_distance(pairs[p], truth, width); });
-      const auto found = find_wrong(pairs[p], truth, distance, methods_[*s.method]->claim(), said[p].answer);
+      const auto found = compare(pairs[p], truth, distance, methods_[*s.method]->claim(), said[p].answer);
       if (!found || found->kind != *s.kind || found->severity != s.severity) continue;
       if (contact_feature(pairs[p], truth) != feature) continue;
       if (s.severity == Severity::contract && can_be_probed(s)) {
@@ -338,6 +356,98 @@ class Triager {
       break;
     }
     return fails;
+  }
+
+  // ---- worst pairs
+
+  // Of a crash or a hang there is no margin; of touching, no search.
+  static bool can_be_searched(const Subject& s) {
+    return s.method && s.severity == Severity::contract &&
+           (s.kind == FindingKind::wrong_disjoint || s.kind == FindingKind::wrong_intersecting);
+  }
+
+  void search_worst() {
+    std::map<std::string, WorstRecord> earlier;
+    std::vector<CauseSought> open;
+    {
+      const TriageStore store(options_.folder, options_.build);
+      for (const WorstRecord& w : store.worsts()) earlier[w.bucket] = w;
+      for (CauseSought& cause : causes_sought(store))
+        if (!earlier[cause.key].ended) open.push_back(std::move(cause));
+    }
+    if (open.empty() || out_of_time()) return;
+    in_processes(
+        options_.jobs,
+        [&](unsigned job) {
+          TriageStore store(options_.folder, options_.build);
+          for (std::size_t i = job; i < open.size() && !out_of_time(); i += options_.jobs) {
+            const auto left = static_cast<milliseconds::rep>((open.size() - i - 1) / options_.jobs + 1);
+            store.add(searched(open[i], earlier[open[i].key], (options_.budget - since(start_)) / left));
+          }
+        },
+        [&] { show_progress(); });
+  }
+
+  /// In the order of their keys. Of each cause: the method and the way of the worst finding, and all that is
+  /// wrong in that way, other methods' last.
+  std::vector<CauseSought> causes_sought(const TriageStore& store) const {
+    const std::map<std::int64_t, const Subject*> by_id = subjects_by_id();
+    std::map<std::string, std::vector<const Subject*>> buckets;
+    std::map<std::int64_t, Mechanism> mechanism_of;
+    for (const CauseRecord& c : store.causes()) {
+      const auto found = by_id.find(c.finding);
+      const Mechanism mechanism = find_mechanism(c.mechanism).value_or(Mechanism::gone);
+      if (found == by_id.end() || mechanism == Mechanism::gone || !can_be_searched(*found->second)) continue;
+      buckets[c.bucket].push_back(found->second);
+      mechanism_of[c.finding] = mechanism;
+    }
+    std::map<std::int64_t, Pair> simple_of;
+    for (const SimpleRecord& s : store.simples())
+      if (const CaseLine line = parse_case(s.pair, 1); line.value) simple_of[s.finding] = line.value->pair;
+
+    std::vector<CauseSought> causes;
+    for (auto& [key, subjects] : buckets) {
+      const auto worse = [](const Subject* x, const Subject* y) {
+        return is_worse(*x->record, *y->record) ||
+               (!is_worse(*y->record, *x->record) && x->record->id < y->record->id);
+      };
+      const Subject& worst = **std::min_element(subjects.begin(), subjects.end(), worse);
+      std::erase_if(subjects, [&](const Subject* s) { return s->kind != worst.kind; });
+      std::sort(subjects.begin(), subjects.end(), [&](const Subject* x, const Subject* y) {
+        const bool own_x = x->method == worst.method, own_y = y->method == worst.method;
+        return own_x != own_y ? own_x : worse(x, y);
+      });
+      CauseSought cause{key, mechanism_of[worst.record->id], *worst.method, *worst.kind, {}};
+      for (const Subject* s : subjects) cause.starts.push_back(s->pair);
+      if (const Pair* simplest = simplest_of(subjects, simple_of))
+        cause.starts.insert(cause.starts.begin() + 1, *simplest);
+      causes.push_back(std::move(cause));
+    }
+    return causes;
+  }
+
+  static const Pair* simplest_of(const std::vector<const Subject*>& subjects,
+                                 const std::map<std::int64_t, Pair>& simple_of) {
+    const Pair* simplest = nullptr;
+    for (const Subject* s : subjects) {
+      const auto found = simple_of.find(s->record->id);
+      if (found == simple_of.end()) continue;
+      if (simplest == nullptr || complexity(found->second) < complexity(*simplest)) simplest = &found->second;
+    }
+    return simplest;
+  }
+
+  /// A search that is cut goes on from what it came to.
+  WorstRecord searched(CauseSought cause, const WorstRecord& earlier, milliseconds budget) const {
+    if (const CaseLine line = parse_case(earlier.pair, 1); line.value)
+      cause.starts.insert(cause.starts.begin(), line.value->pair);
+    WorstOptions options;
+    options.evaluation_cap = shapes_cap;
+    options.budget = budget;
+    const Clock::time_point began = Clock::now();
+    const auto found = worst_of_cause(methods_, kin_, cause, options, triage_caps);
+    return {cause.key, std::string(methods_[cause.method]->name()), to_string(cause.kind),
+            found ? format_pair(found->pair) : earlier.pair, since(began) < budget};
   }
 
   // ---- other runs
@@ -359,21 +469,27 @@ class Triager {
     return earlier;
   }
 
-  /// FOLDER/buckets/: the simplest pair of each bucket as a file of one case.
-  void write_simplest(const Json& buckets) const {
+  /// FOLDER/buckets/: the simplest pair of each bucket, and the worst where it was searched for, each as a
+  /// file of one case.
+  void write_pairs(const Json& buckets) const {
     const fs::path folder = fs::path(options_.folder) / "buckets";
     fs::create_directories(folder);
     for (const Json& b : buckets) {
       if (b["standing"] == "gone") continue;
-      Json line = b["simplest"]["pair"];
-      line["id"] = b["key"];
-      line["note"] = b["cause"];
-      const fs::path file = folder / (letters_only(b["key"].get<std::string>()) + ".jsonl");
-      std::ofstream out(file);
-      out << line.dump() << '\n';
-      out.close();
-      if (!out) throw std::runtime_error(file.string() + " cannot be written");
+      const std::string name = letters_only(b["key"].get<std::string>());
+      write_pair(folder / (name + ".jsonl"), b, b["simplest"]);
+      if (was_searched_for(b)) write_pair(folder / (name + ".worst.jsonl"), b, b["worst"]);
     }
+  }
+
+  static void write_pair(const fs::path& file, const Json& bucket, const Json& shown) {
+    Json line = shown["pair"];
+    line["id"] = bucket["key"];
+    line["note"] = bucket["cause"];
+    std::ofstream out(file);
+    out << line.dump() << '\n';
+    out.close();
+    if (!out) throw std::runtime_error(file.string() + " cannot be written");
   }
 
   const TriageOptions& options_;
@@ -435,9 +551,11 @@ std::string format_buckets(const Json& buckets) {
                         b["suppressed"].is_null() ? "" : ", suppressed");
     text += fmt::format("    {}\n", word("cause"));
     text += fmt::format(
-        "    {} findings of {} methods in {} families; margins {} to {}{}\n", b["count"].get<std::uint64_t>(),
-        b["methods"].size(), b["families"].size(), short_number(margin.is_null() ? margin : margin[0]),
+        "    {} findings of {} methods in {} families; margins {} to {}{}{}\n",
+        b["count"].get<std::uint64_t>(), b["methods"].size(), b["families"].size(),
+        short_number(margin.is_null() ? margin : margin[0]),
         short_number(margin.is_null() ? margin : margin[1]),
+        was_searched_for(b) ? fmt::format(", {} searched for", short_number(b["worst"]["margin"][0])) : "",
         share.is_null()
             ? ""
             : fmt::format("; {} wrong on {} of {} drawn like it", word("method"),

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Triage: from the findings of a run to their causes. Each finding that is kept is probed for its cause
 // (oracles/mechanism.hpp), and as many as the time allows are simplified with what fails, what meets and the
-// cause kept. What is found out goes into FOLDER/triage.sqlite at once: a triage that is killed goes on where
-// it was, and one that is run again simplifies more.
+// cause kept. For each cause a worse pair is searched for (reports/worst_pair.hpp). What is found out goes
+// into FOLDER/triage.sqlite at once: a triage that is killed goes on where it was, and one that is run again
+// simplifies more.
 #pragma once
 
 #include <chrono>
@@ -32,6 +33,7 @@ struct TriageOptions {
 struct TriageProgress {
   std::size_t findings = 0, told = 0;  ///< kept, and those whose cause is told
   std::size_t simplified = 0;
+  std::size_t searched = 0;  ///< causes, for a worse pair
   std::chrono::milliseconds elapsed{0};
 };
 

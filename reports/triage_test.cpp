@@ -12,6 +12,7 @@
 #include "corpus/pair_io.hpp"
 #include "corpus/store.hpp"
 #include "corpus/triage_store.hpp"
+#include "oracles/referee.hpp"
 #include "reports/buckets.hpp"
 #include "reports/suppressed.hpp"
 
@@ -144,6 +145,60 @@ TEST(Triage, GoesOnWhereItWas) {
   EXPECT_EQ(all.progress.told, 3u);
   const TriageStore other(folder, "another build");
   EXPECT_TRUE(other.causes().empty());
+}
+
+/// How far the solids of apart() are from each other, in sizes.
+double margin_of_apart() {
+  const Enclosure d = enclose_distance(apart(), judge(apart()));
+  return d.lo / size_of(apart());
+}
+
+TEST(Triage, SearchesForAWorsePairAndKeepsIt) {
+  const Folder nights;
+  FindingRecord printed = finding("seedbook-printed", "random", apart(), "wrong_intersecting");
+  printed.margin = MarginRecord{margin_of_apart(), margin_of_apart()};
+  const std::string folder = nights.make_run("one", "2026-11-20", {printed});
+  const Triage first = triage(folder);
+  ASSERT_EQ(first.buckets.size(), 1u);
+  EXPECT_EQ(first.progress.searched, 1u);
+  const Json& worst = first.buckets[0]["worst"];
+  EXPECT_GT(worst["margin"][0], 1.2 * margin_of_apart());
+  EXPECT_EQ(worst["truth"]["verdict"], "disjoint");
+  EXPECT_EQ(worst["answers"]["seedbook-printed"]["verdict"], "intersecting");
+  EXPECT_NE(worst["note"].get<std::string>().find(folder + ":1"), std::string::npos)
+      << "where the original is";
+  for (const char* shown : {"simplest", "worst"})
+    for (const char* what : {"nearest", "direction"})
+      EXPECT_TRUE(first.buckets[0][shown].contains(what)) << shown << ' ' << what;
+  EXPECT_NE(format_buckets(first.buckets).find("searched for"), std::string::npos);
+
+  TriageStore store(folder, "test");
+  ASSERT_EQ(store.worsts().size(), 1u);
+  WorstRecord kept = store.worsts()[0];
+  EXPECT_TRUE(kept.ended);
+
+  // What is wrong no more, or less wrong than the finding, is not shown; a search that ended is not done
+  // again.
+  kept.pair = format_pair(huge(1));
+  store.add(kept);
+  const Triage again = triage(folder);
+  EXPECT_FALSE(again.buckets[0]["worst"].contains("note"));
+  EXPECT_EQ(again.buckets[0]["worst"]["pair"], Json::parse(format_pair(apart())));
+  // A search that was cut goes on.
+  kept.ended = false;
+  store.add(kept);
+  EXPECT_EQ(triage(folder).buckets[0]["worst"]["margin"], worst["margin"]);
+}
+
+TEST(Buckets, AWrongVerdictIsWorseThanAWrongDistance) {
+  FindingRecord verdict = finding("m", "f", apart()),
+                distance = finding("m", "f", apart(), "distance_outside");
+  distance.margin = MarginRecord{9, 9};
+  EXPECT_TRUE(is_worse(verdict, distance));
+  EXPECT_FALSE(is_worse(distance, verdict));
+  FindingRecord deeper = verdict;
+  deeper.margin->lo = 0.15;
+  EXPECT_TRUE(is_worse(deeper, verdict));
 }
 
 TEST(Buckets, GiveAGroupsCountAsItsKeptOnesAre) {
