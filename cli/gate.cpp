@@ -96,7 +96,9 @@ int gate(const Arguments& arguments) {
     print_laws();
     return exit_pass;
   }
-  const auto methods = with_guests(arguments.guests).select(arguments.methods, our_methods);
+  Company company = with_guests(arguments.guests);
+  const std::vector<Guest> guests = company.guests;
+  const auto methods = std::move(company).select(arguments.methods, our_methods);
   if (!arguments.reproduce.empty()) return reproduce(arguments, methods);
   GateOptions options;
   options.seed = arguments.seed;
@@ -119,6 +121,9 @@ int gate(const Arguments& arguments) {
     });
   }
   mark_known(report, base);
+  for (const Guest& guest : guests)
+    for (GateFailure& failure : report.failures)
+      if (failure.method == guest.name) failure.options = options_for(guest);
   const Smoke smoke =
       smoke_mutants(std::clamp(static_cast<unsigned>(options.budget / smoke_interval), 1u, smoke_cap));
   write_file(arguments.junit, gate_junit(report));

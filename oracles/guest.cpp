@@ -6,6 +6,8 @@
 #include <filesystem>
 #include <stdexcept>
 
+#include "corpus/shell_words.hpp"
+
 namespace cyl {
 namespace {
 
@@ -59,6 +61,10 @@ Guest read_guest(GuestKind kind, const std::string& text) {
     guest.folder = fs::current_path().string();
   }
   return guest;
+}
+
+std::string options_for(const Guest& guest) {
+  return option_of(guest.kind) + (' ' + shell_quoted(guest.name + '=' + guest.what));
 }
 
 std::string format_guests(const std::vector<Guest>& guests) {

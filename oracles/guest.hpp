@@ -27,6 +27,9 @@ struct Guest {
 /// small letter. Throws std::invalid_argument on a name no method can have, and on control characters.
 Guest read_guest(GuestKind kind, const std::string& text);
 
+/// As a shell takes it: --plugin mine=./libmine.so.
+std::string options_for(const Guest& guest);
+
 /// One line each, and back; the latter throws std::runtime_error on anything else.
 std::string format_guests(const std::vector<Guest>& guests);
 std::vector<Guest> parse_guests(std::string_view text);
