@@ -53,8 +53,8 @@ pair='{"a":{"center":[0,0,0],"axis":[0,0,1],"radius":1,"height":2.00000512},"b":
 printf '%s\n' "$pair" >pair.jsonl
 
 expect 2 "$daylight" campaign --pairs 400 --seed 7 --cases '' --methods decide,bad,worse "${guests[@]}" --out runs/bad
-holds out '^bad +400 +[1-9]'
-holds out '^worse +400 +[1-9]'
+holds out '^bad +400 +- +[1-9]'
+holds out '^worse +400 +- +[1-9]'
 holds out '^decide +400 +- +- '
 expect 2 "$daylight" replay runs/bad --methods bad
 holds out 'finding of bad, crash \(contract\): stands$'
