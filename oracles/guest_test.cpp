@@ -108,6 +108,29 @@ TEST(GuestCommand, AHangIsEnded) {
   EXPECT_EQ(answers[1].failure, Failure::hang);
 }
 
+/// Says that a program of its own hung.
+class Sleeper final : public Method {
+ public:
+  std::string_view name() const override { return "sleeper"; }
+  std::string_view version() const override { return "0"; }
+  Claim claim() const override { return {}; }
+  MethodAnswer ask(const Pair&) override {
+    MethodAnswer answer;
+    answer.status = Status::failed;
+    answer.failure = Failure::hang;
+    return answer;
+  }
+};
+
+TEST(GuestCommand, ItsHangsCountAsAnyMethods) {
+  std::vector<std::unique_ptr<Method>> methods;
+  methods.push_back(std::make_unique<Sleeper>());
+  const std::vector<Question> questions{{0, 0}, {0, 0}, {0, 0}};
+  const auto said = ask_contained(methods, numbered_pairs(1), questions, {.hangs = 2});
+  EXPECT_EQ(said[1].answer.failure, Failure::hang);
+  EXPECT_EQ(said[2].answer.status, Status::declined) << said[2].answer.reason;
+}
+
 TEST(GuestCommand, GarbageIsMalformedAndShown) {
   const auto answers = ask_with_trouble("echo loading textures");
   EXPECT_EQ(answers[1].failure, Failure::malformed);
@@ -123,10 +146,10 @@ TEST(GuestCommand, LinesTooLongAreMalformed) {
 }
 
 TEST(GuestCommand, WhoSaysTwoLinesToOneQuestionIsNotBelieved) {
-  const auto answers = ask(command(each_line(say(apart) + "; " + say(apart))), 200);
-  EXPECT_GT(std::count_if(answers.begin(), answers.end(),
-                          [](const MethodAnswer& a) { return a.failure == Failure::malformed; }),
-            0);
+  const std::string twice = std::string("printf '%s\\n%s\\n' '") + apart + "' '" + apart + "'";
+  const auto answers = ask(command(each_line(twice)), 4);
+  for (const std::size_t i : {1u, 3u}) EXPECT_EQ(answers[i].failure, Failure::malformed);
+  EXPECT_STREQ(answers[1].reason, "said more than one line to a question");
 }
 
 TEST(GuestCommand, DecliningAndErrorsAreToldApart) {

@@ -139,7 +139,7 @@ class Plugin final : public Method {
   explicit Plugin(const Guest& guest) : guest_(guest), label_(read_label(guest.what)) {
     if (guest_.name.empty()) guest_.name = label_.name;
     version_ = label_.version[0] != 0 ? label_.version + std::string(" ") : "";
-    version_ += "(" + fingerprint(guest.what) + ")";
+    version_.append("(").append(fingerprint(guest.what)).append(")");
     if (label_.source[0] == 0) copy(label_.source, sizeof label_.source, "oracles/plugin.h's claim fields");
   }
 
