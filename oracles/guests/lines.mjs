@@ -18,6 +18,14 @@ function solidOf(cylinder, origin) {
   };
 }
 
+/** Lengths whose fourth powers single precision holds. */
+const least = 1e-9, most = 1e9;
+
+function fits({ halfHeight, radius, position }) {
+  return [halfHeight, radius].every((x) => x === 0 || (x >= least && x <= most)) &&
+    Object.values(position).every((x) => Math.abs(x) <= most);
+}
+
 /** `answer` takes two solids and gives an answer line as an object. */
 export function serve(hello, answer) {
   const say = (object) => process.stdout.write(JSON.stringify(object) + '\n');
@@ -25,7 +33,8 @@ export function serve(hello, answer) {
   createInterface({ input: process.stdin }).on('line', (line) => {
     const { a, b } = JSON.parse(line);
     try {
-      say(answer(solidOf(a, a.center), solidOf(b, a.center)));
+      const solids = [a, b].map((cylinder) => solidOf(cylinder, a.center));
+      say(solids.every(fits) ? answer(...solids) : { declined: 'beyond single precision' });
     } catch (error) {
       say({ error: String(error) });
       process.exit(1); // an engine that threw is in no known state
