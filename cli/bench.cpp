@@ -14,6 +14,7 @@
 
 #include "cli/build_info.hpp"
 #include "cli/commands.hpp"
+#include "cli/guests.hpp"
 #include "cli/unsigned_option.hpp"
 #include "corpus/pair_io.hpp"
 #include "reports/bench_floors.hpp"
@@ -32,6 +33,7 @@ struct Options {
   bool growth = false;
   bool curves = false;
   std::string json;
+  GuestOptions guests;
 };
 
 void write_json(const std::string& file, const std::vector<BenchRow>& rows,
@@ -57,14 +59,25 @@ void set_curves(const CLI::App& command, Options& options) {
   options.bench.curves = true;
 }
 
-std::vector<std::unique_ptr<Method>> methods_for(const Options& options) {
-  auto methods = all_methods();
+std::vector<std::unique_ptr<Method>> methods_for(const Options& options, Company company) {
+  auto methods = std::move(company.methods);
   if (options.curves) std::ranges::move(setting_methods(), std::back_inserter(methods));
   return options.methods == "all" ? std::move(methods) : select_methods(std::move(methods), options.methods);
 }
 
+/// What is to be read beside the times of programs; empty where none is here.
+std::string through_pipes(const std::vector<Guest>& guests) {
+  std::string names;
+  for (const Guest& guest : guests)
+    if (guest.kind == GuestKind::command) names += (names.empty() ? "" : ", ") + guest.name;
+  return names.empty() ? ""
+                       : names + ": times of a line there and a line back through a pipe, not of its code\n";
+}
+
 void run(const Options& options) {
-  const auto methods = methods_for(options);
+  Company company = with_guests(options.guests);
+  const std::string pipes = through_pipes(company.guests);
+  const auto methods = methods_for(options, std::move(company));
   const auto progress = [](std::string_view what) { std::cerr << what << std::endl; };
   const std::vector<Family> families = select_families(options.families);
   fmt::print("seed {}, {} pairs a family, {} turns, {} s of timing a row; {}; {}\n\n", options.bench.seed,
@@ -96,6 +109,7 @@ void run(const Options& options) {
     standings = summarise(rows);
     fmt::print("{}{}", format_bench_table(rows), format_standings(standings));
   }
+  fmt::print("{}", pipes);
   Floors floors;
   if (!options.curves) {
     progress("floors");
@@ -113,6 +127,7 @@ void add_bench(CLI::App& app, int& exit_code) {
   auto options = std::make_shared<Options>();
   command->add_option("--methods", options->methods, "a,b or (--methods=-a,b) all but these")
       ->capture_default_str();
+  add_guest_options(*command, options->guests);
   command
       ->add_option(
           "--families", options->families,

@@ -22,6 +22,7 @@
 #include "cli/build_info.hpp"
 #include "cli/commands.hpp"
 #include "cli/duration.hpp"
+#include "cli/guests.hpp"
 #include "cli/moment.hpp"
 #include "cli/mutants.hpp"
 #include "cli/progress.hpp"
@@ -51,6 +52,7 @@ struct Arguments {
   unsigned jobs = std::max(1u, std::thread::hardware_concurrency());
   bool list = false, create_only = false;
   bool alarm = false, no_alarm = false;
+  GuestOptions guests;
 };
 
 /// What Subjects refers to.
@@ -70,9 +72,9 @@ std::vector<Family> select_families(std::string_view spec) {
   return kept;
 }
 
-void print_list() {
+void print_list(const GuestOptions& guests) {
   fmt::print("methods:\n");
-  for (const auto& method : all_methods()) {
+  for (const auto& method : with_guests(guests).methods) {
     const Claim claim = method->claim();
     fmt::print("  {:<26} {}; right from {} size + {} on ({})\n", method->name(), method->version(),
                format_double(claim.relative), format_double(claim.absolute), claim.source);
@@ -103,7 +105,9 @@ CampaignOptions plan_new(const Arguments& arguments, Asked& asked) {
   options.cases = arguments.cases ? *arguments.cases : in_source_tree("corpus");
   // Absolute: who resumes the run may stand elsewhere.
   if (!options.cases.empty()) options.cases = fs::absolute(options.cases).lexically_normal().string();
-  asked.methods = all_methods();
+  Company company = with_guests(arguments.guests);
+  options.guests = format_guests(company.guests);
+  asked.methods = std::move(company.methods);
   if (!arguments.methods.empty()) asked.methods = select_methods(std::move(asked.methods), arguments.methods);
   asked.families.assign(families().begin(), families().end());
   if (!arguments.families.empty()) asked.families = select_families(arguments.families);
@@ -131,6 +135,20 @@ std::chrono::milliseconds left_of(std::chrono::milliseconds budget) {
   return budget.count() > 0 ? budget : spent_budget;
 }
 
+/// Every method there is and the run's guests; of those, one that is given anew is taken from there.
+Company company_of(const Arguments& arguments, const std::vector<std::string>& asked) {
+  Company company = with_guests(arguments.guests);
+  for (const Guest& guest : company.guests) {
+    if (std::find(asked.begin(), asked.end(), guest.name) == asked.end())
+      throw std::invalid_argument(arguments.resume + " has not asked " + guest.name +
+                                  ": a run goes on with what it began with");
+  }
+  std::string missing;
+  add_guests_of_run(company, arguments.resume, missing);
+  if (!missing.empty()) throw std::runtime_error(arguments.resume + " cannot be resumed: " + missing);
+  return company;
+}
+
 /// A run to go on with: everything from its store but the limits, where the command line has some.
 CampaignOptions plan_resumed(const Arguments& arguments, Asked& asked) {
   const RunStore store = RunStore::open(arguments.resume);
@@ -145,8 +163,10 @@ CampaignOptions plan_resumed(const Arguments& arguments, Asked& asked) {
   for (const MethodRecord& method : store.methods()) method_names.push_back(method.name);
   std::istringstream lines(config.at("families"));
   for (std::string name; std::getline(lines, name);) family_names.push_back(name);
+  Company company = company_of(arguments, method_names);
+  options.guests = format_guests(company.guests);
   asked.methods = pick(
-      all_methods(), method_names, [](const auto& m) { return m->name(); }, arguments.resume);
+      std::move(company.methods), method_names, [](const auto& m) { return m->name(); }, arguments.resume);
   asked.families = pick(
       std::vector<Family>(families().begin(), families().end()), family_names,
       [](const Family& f) { return f.name; }, arguments.resume);
@@ -220,7 +240,7 @@ AlarmOptions plan_alarm(const Arguments& arguments, const CampaignOptions& optio
 
 int campaign(const Arguments& arguments) {
   if (arguments.list) {
-    print_list();
+    print_list(arguments.guests);
     return exit_pass;
   }
   Asked asked;
@@ -275,6 +295,7 @@ void add_campaign(CLI::App& app, int& exit_code) {
   auto* methods = command->add_option(
       "--methods", arguments->methods,
       "a,b: these; --methods=-a,b: all but these; a name stands for all that begin with it");
+  add_guest_options(*command, arguments->guests);
   auto* families = command->add_option("--families", arguments->families, "same rule");
   auto* weights = command->add_option(
       "--weights-from", arguments->weights_from,

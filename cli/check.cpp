@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "cli/commands.hpp"
+#include "cli/guests.hpp"
 #include "corpus/pair_io.hpp"
 #include "corpus/shell_words.hpp"
 #include "oracles/compare.hpp"
@@ -33,6 +34,8 @@ struct CheckOptions {
   std::string method;
   bool text = false;
   bool distance = false;
+  GuestOptions guests;
+  bool asks_somebody() const { return !method.empty() || guests.any(); }
 };
 
 struct Reply {
@@ -88,15 +91,16 @@ Reply reported(const CaseLine& c, const Method& method, const MethodAnswer& answ
 class Checker {
  public:
   explicit Checker(const CheckOptions& options) : options_(options) {
-    if (options.method.empty()) {
+    if (!options.asks_somebody()) {
       methods_ = select_methods(own_methods(), "decide");
       return;
     }
-    methods_ = select_methods(all_methods(), options.method);
+    methods_ = with_guests(options.guests).select(options.method, options.method);
     const auto named = [&](const auto& method) { return method->name() == options.method; };
     if (std::any_of(methods_.begin(), methods_.end(), named)) std::erase_if(methods_, std::not_fn(named));
     if (methods_.size() == 1) return;
-    std::string message = "--method " + options.method + " names more than one:";
+    std::string message = options.method.empty() ? "ask one at a time:"
+                                                 : "--method " + options.method + " names more than one:";
     for (const auto& method : methods_) message.append(" ").append(method->name());
     throw std::invalid_argument(message);
   }
@@ -124,7 +128,7 @@ class Checker {
  private:
   void answer(const std::vector<CaseLine>& batch, const std::string& file) {
     std::vector<ContainedAnswer> said;
-    if (!options_.method.empty()) {
+    if (options_.asks_somebody()) {
       std::vector<Pair> pairs;
       std::vector<Question> questions;
       for (const CaseLine& c : batch) {
@@ -136,9 +140,9 @@ class Checker {
     }
     auto next = said.begin();
     for (const CaseLine& c : batch) {
-      print(!c.value                  ? malformed(c, file, options_.text)
-            : options_.method.empty() ? certified(c, *methods_[0], options_)
-                                      : reported(c, *methods_[0], (next++)->answer, options_.text));
+      print(!c.value                    ? malformed(c, file, options_.text)
+            : !options_.asks_somebody() ? certified(c, *methods_[0], options_)
+                                        : reported(c, *methods_[0], (next++)->answer, options_.text));
     }
   }
 
@@ -188,6 +192,7 @@ void add_check(CLI::App& app, int& exit_code) {
   command
       ->add_option("--method", options->method, "ask this method instead; its answer is reported, not proved")
       ->excludes(distance);
+  add_guest_options(*command, options->guests);
   command->footer(
       "Example:\n"
       "  echo '{\"a\":{\"center\":[0,0,0],\"axis\":[0,0,1],\"radius\":1,\"height\":2},"

@@ -12,6 +12,7 @@
 #include <string>
 
 #include "cli/commands.hpp"
+#include "cli/guests.hpp"
 #include "cli/targets.hpp"
 #include "cli/unsigned_option.hpp"
 #include "reports/export.hpp"
@@ -23,6 +24,7 @@ namespace {
 struct Arguments {
   std::string target, method, kind, out, json;
   std::uint64_t seed = explain_seed_default;
+  GuestOptions guests;
 };
 
 /// One method's failure on one pair.
@@ -61,10 +63,11 @@ void add_common(CLI::App& command, Arguments& arguments) {
   command.add_option("CASE", arguments.target, "RUN:ID, FILE:LINE, or a FILE of one case")->required();
   command.add_option("--method", arguments.method, "who is wrong; a stored finding says it itself");
   command.add_option("--kind", arguments.kind, "how, like wrong_disjoint; asked where not given");
+  add_guest_options(command, arguments.guests);
 }
 
 int explain_case(const Arguments& arguments) {
-  const auto methods = all_methods();
+  const auto methods = methods_for(arguments.guests, {arguments.target});
   const Failing failing = failing_of(arguments, methods);
   fmt::print("seed {}\n", arguments.seed);
   std::fflush(stdout);
@@ -80,7 +83,7 @@ int explain_case(const Arguments& arguments) {
 }
 
 int export_case(const Arguments& arguments) {
-  const auto methods = all_methods();
+  const auto methods = methods_for(arguments.guests, {arguments.target});
   const Failing failing = failing_of(arguments, methods);
   write_export(make_export(methods, failing.method, failing.kind, failing.pair), arguments.out);
   fmt::print("{}, {}: {}/issue.md, build.sh, reproduce.cpp, exact.py\n", failing.method,

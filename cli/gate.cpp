@@ -18,6 +18,7 @@
 #include "cli/build_info.hpp"
 #include "cli/commands.hpp"
 #include "cli/duration.hpp"
+#include "cli/guests.hpp"
 #include "cli/mutants.hpp"
 #include "cli/progress.hpp"
 #include "cli/source_tree.hpp"
@@ -37,12 +38,14 @@ namespace cyl {
 namespace {
 
 struct Arguments {
-  std::string budget, methods = "intersect,decide,distance,exact", junit, sarif, json, against, keep,
-                      reproduce;
+  std::string budget, methods, junit, sarif, json, against, keep, reproduce;
   std::optional<std::string> cases, suppressions;
   std::uint64_t seed = GateOptions{}.seed;
   bool github = false, laws = false;
+  GuestOptions guests;
 };
+
+constexpr const char* our_methods = "intersect,decide,distance,exact";
 
 /// One planted fault for so much of the budget, at most so many: a second or two each.
 constexpr std::chrono::seconds smoke_interval{8};
@@ -95,7 +98,9 @@ int gate(const Arguments& arguments) {
     print_laws();
     return exit_pass;
   }
-  const auto methods = select_methods(all_methods(), arguments.methods);
+  Company company = with_guests(arguments.guests);
+  const std::vector<Guest> guests = company.guests;
+  const auto methods = std::move(company).select(arguments.methods, our_methods);
   if (!arguments.reproduce.empty()) return reproduce(arguments, methods);
   GateOptions options;
   options.seed = arguments.seed;
@@ -129,6 +134,9 @@ int gate(const Arguments& arguments) {
       if (f.phase == GatePhase::corpus || f.phase == GatePhase::corpus_laws) stored.insert(f.bucket);
     remarks = remarks_on(suppressions, today(), stored, stale);
   }
+  for (const Guest& guest : guests)
+    for (GateFailure& failure : report.failures)
+      if (failure.method == guest.name) failure.options = options_for(guest);
   const Smoke smoke =
       smoke_mutants(std::clamp(static_cast<unsigned>(options.budget / smoke_interval), 1u, smoke_cap));
   write_file(arguments.junit, gate_junit(report));
@@ -150,8 +158,11 @@ void add_gate(CLI::App& app, int& exit_code) {
       "gate", "Merge gate: every case, every law, a sample of every stratum; one exit code");
   auto arguments = std::make_shared<Arguments>();
   command->add_option("--for", arguments->budget, "wall time, like 40s or 5m; 40s where not given");
-  command->add_option("--method", arguments->methods,
-                      "a,b: who is to pass; a name stands for all that begin with it; ours where not given");
+  command->add_option(
+      "--method", arguments->methods,
+      "a,b: who is to pass; a name stands for all that begin with it; where not given, the guests or, "
+      "without any, ours");
+  add_guest_options(*command, arguments->guests);
   add_unsigned(*command, "--seed", arguments->seed, "same seed, same pairs in the same order");
   command->add_option("--cases", arguments->cases,
                       "folder of case files; corpus/ where not given; '' for none");

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "cli/commands.hpp"
+#include "cli/guests.hpp"
 #include "cli/targets.hpp"
 #include "corpus/finding_words.hpp"
 #include "corpus/pair_io.hpp"
@@ -26,6 +27,7 @@ constexpr std::size_t together_cap = 64;
 struct Arguments {
   std::vector<std::string> targets;
   std::string methods;
+  GuestOptions guests;
 };
 
 std::string describe(const Finding& finding) {
@@ -61,11 +63,12 @@ std::string fate(const FindingRecord& stored, std::span<const std::unique_ptr<Me
 
 class Replayer {
  public:
-  explicit Replayer(const Arguments& arguments) : methods_(all_methods()) {
-    if (!arguments.methods.empty()) methods_ = select_methods(std::move(methods_), arguments.methods);
+  explicit Replayer(const Arguments& arguments) {
     for (const std::string& name : arguments.targets) {
       for (Target& target : targets_of(name)) targets_.push_back(std::move(target));
     }
+    methods_ = methods_for(arguments.guests, arguments.targets);
+    if (!arguments.methods.empty()) methods_ = select_methods(std::move(methods_), arguments.methods);
   }
 
   int run() {
@@ -131,6 +134,7 @@ void add_replay(CLI::App& app, int& exit_code) {
                    "RUN: all its findings; RUN:ID: one; FILE: a file of cases; FILE:LINE: one")
       ->required();
   command->add_option("--methods", arguments->methods, "a,b: ask these; --methods=-a,b: all but these");
+  add_guest_options(*command, arguments->guests);
   command->footer(
       "Example:\n  daylight replay runs/latest:12\n"
       "Exit code: 2 where something is still wrong beyond its method's claim, 3 where nothing is but some "

@@ -17,6 +17,7 @@
 
 #include "cli/commands.hpp"
 #include "cli/duration.hpp"
+#include "cli/guests.hpp"
 #include "cli/progress.hpp"
 #include "cli/source_tree.hpp"
 #include "cli/unsigned_option.hpp"
@@ -40,6 +41,7 @@ struct Arguments {
   std::optional<std::uint64_t> evaluations;
   std::uint64_t seed = 1;
   bool time = false, extremes = false;
+  GuestOptions guests;
 };
 
 std::vector<Pair> pairs_of(const std::string& name) {
@@ -104,7 +106,7 @@ class Searcher {
  public:
   explicit Searcher(const Arguments& arguments)
       : arguments_(arguments),
-        methods_(select_methods(all_methods(), arguments.methods)),
+        methods_(select_methods(methods_for(arguments.guests, arguments.from), arguments.methods)),
         known_(known_pairs(arguments)) {
     options_.seed = arguments.seed;
     options_.search = arguments.time ? Search::time : Search::margin;
@@ -235,6 +237,7 @@ void add_worst(CLI::App& app, int& exit_code) {
   auto arguments = std::make_shared<Arguments>();
   command->add_option("--method", arguments->methods, "a,b: a name stands for all that begin with it")
       ->required();
+  add_guest_options(*command, arguments->guests);
   command->add_option("--feature", arguments->feature,
                       "what meets, like side-rim; each in turn where not given");
   command->add_option("--for", arguments->budget, "wall time in all, like 60s; 60s where not given");

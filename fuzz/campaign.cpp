@@ -82,6 +82,7 @@ RunStore open_run(const CampaignOptions& options, const Subjects& subjects) {
   if (!options.resume) {
     config["cases"] = options.cases;
     config["build"] = options.build;
+    config["guests"] = options.guests;
     config["alarm"] = options.alarm.program.empty() ? "" : "on";
     config["status"] = status_planned;
     config["started"] = fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::time(nullptr)));
@@ -106,6 +107,7 @@ RunStore open_run(const CampaignOptions& options, const Subjects& subjects) {
   }
   const milliseconds spent(store.progress().milliseconds);
   for (const auto& [key, value] : limits(options, spent)) store.set(key, value);
+  store.set("guests", options.guests);
   return store;
 }
 

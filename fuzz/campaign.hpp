@@ -26,6 +26,7 @@ struct CampaignOptions {
   std::chrono::milliseconds budget{0};  ///< wall time of this session; 0: no limit. At least one limit is set
   std::string cases;                    ///< where subjects.cases were read from, for whoever resumes
   std::string stop_at;                  ///< when the budget is used up, for whoever resumes; may be empty
+  std::string guests;                   ///< where methods of no build are, for whoever asks them again
   std::string build;                    ///< what was built from what, for the record only
   unsigned jobs = 2;                    ///< batches under way at once; does not change the findings
   bool resume = false;       ///< go on with the run in `out`, which must agree with seed, shard and subjects

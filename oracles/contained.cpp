@@ -339,11 +339,13 @@ std::vector<ContainedAnswer> ask_contained(std::span<const std::unique_ptr<Metho
   const Descriptor output(memfd_create("worker output", MFD_CLOEXEC), "memfd_create");
   fcntl(output.get(), F_SETFL, O_APPEND);
   std::atomic<std::size_t>& cursor = board.cursor();
-  std::vector<unsigned> hangs(methods.size(), 0);
 
   while (cursor.load() < questions.size()) {
     if (ftruncate(output.get(), 0) != 0) throw_errno("ftruncate");
     std::fflush(nullptr);
+    std::vector<unsigned> hangs(methods.size(), 0);
+    for (std::size_t i = 0; i < cursor.load(); ++i)
+      hangs[questions[i].method] += board.answers()[i].answer.failure == Failure::hang;
     const pid_t parent = getpid();
     const pid_t worker = patient_fork();
     if (worker < 0) throw_errno("fork");
@@ -355,6 +357,7 @@ std::vector<ContainedAnswer> ask_contained(std::span<const std::unique_ptr<Metho
         const MethodAnswer answer =
             hangs[q.method] < caps.hangs ? ask(*methods[q.method], pairs[q.pair], q.way) : gave_up(caps);
         const nanoseconds end = read_clock(CLOCK_MONOTONIC);
+        if (answer.failure == Failure::hang) ++hangs[q.method];  // of a program that the method runs
         board.answers()[i] = {answer, static_cast<double>((end - start).count())};
       }
       _exit(0);
@@ -375,7 +378,6 @@ std::vector<ContainedAnswer> ask_contained(std::span<const std::unique_ptr<Metho
     // at i.
     if (killed_for && killed_for->question != i) continue;
     if (killed_for) {
-      ++hangs[questions[i].method];
       board.answers()[i] = {failed(Failure::hang, describe_hang(caps)),
                             static_cast<double>(killed_for->wall.count())};
     } else {

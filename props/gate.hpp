@@ -57,6 +57,7 @@ struct GateFailure {
   unsigned reruns = 0,
            failed_again = 0;  ///< of the first pair; fewer failures than reruns: it depends on luck
   std::string reproduce;      ///< RapidCheck's string, where it came from there; else empty
+  std::string options;        ///< that bring the method where it is of no build; else empty
   bool known = false;         ///< in the base given by --against
 };
 

@@ -68,8 +68,9 @@ std::string luck_in_words(const GateFailure& failure) {
 }
 
 std::string replay_command(const GateFailure& failure) {
-  return fmt::format("echo {} | ./daylight check --method {}", shell_quoted(format_pair(failure.simplest)),
-                     shell_quoted(one_line(failure.method)));
+  return fmt::format("echo {} | ./daylight check --method {}{}", shell_quoted(format_pair(failure.simplest)),
+                     shell_quoted(one_line(failure.method)),
+                     failure.options.empty() ? "" : ' ' + one_line(failure.options));
 }
 
 std::string grouped(std::uint64_t n) {

@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: MIT
+#include "cli/guests.hpp"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <stdexcept>
+
+#include "corpus/store.hpp"
+
+namespace cyl {
+namespace {
+
+const Method* find(const Company& company, std::string_view name) {
+  const auto found = std::find_if(company.methods.begin(), company.methods.end(),
+                                  [&](const auto& method) { return method->name() == name; });
+  return found == company.methods.end() ? nullptr : found->get();
+}
+
+void add(Company& company, Guest guest) {
+  auto method = open_guest(guest);
+  if (find(company, guest.name)) {
+    throw std::runtime_error("there is a method " + guest.name + " already; give '" + guest.what +
+                             "' another name: NAME=...");
+  }
+  company.methods.push_back(std::move(method));
+  company.guests.push_back(std::move(guest));
+}
+
+}  // namespace
+
+void add_guest_options(CLI::App& command, GuestOptions& options) {
+  command
+      .add_option("--plugin", options.plugins,
+                  "ask this shared library too (oracles/plugin.h); NAME=FILE gives it another name")
+      ->allow_extra_args(false);
+  command
+      .add_option("--command", options.commands,
+                  "ask this program too, by lines of JSON, like 'python3 mine.py'; NAME=COMMAND gives it "
+                  "another name")
+      ->allow_extra_args(false);
+}
+
+std::vector<std::unique_ptr<Method>> Company::select(std::string_view spec, std::string_view unnamed) && {
+  if (!spec.empty()) return select_methods(std::move(methods), spec);
+  if (guests.empty()) return select_methods(std::move(methods), unnamed);
+  methods.erase(methods.begin(), methods.end() - static_cast<std::ptrdiff_t>(guests.size()));
+  return std::move(methods);
+}
+
+Company with_guests(const GuestOptions& options) {
+  Company company{all_methods(), {}};
+  try {
+    for (const std::string& text : options.plugins) add(company, read_guest(GuestKind::plugin, text));
+    for (const std::string& text : options.commands) add(company, read_guest(GuestKind::command, text));
+  } catch (const std::runtime_error& error) {
+    throw std::invalid_argument(error.what());
+  }
+  return company;
+}
+
+void add_guests_of_run(Company& company, const std::string& run, std::string& missing) {
+  const Config config = RunStore::open(run).config();
+  const auto stored = config.find("guests");
+  if (stored == config.end()) return;
+  for (const Guest& guest : parse_guests(stored->second)) {
+    if (find(company, guest.name)) continue;
+    try {
+      add(company, guest);
+    } catch (const std::runtime_error& error) {
+      missing += guest.name + " of " + run + " is not here: " + error.what() + '\n';
+    }
+  }
+}
+
+std::vector<std::unique_ptr<Method>> methods_for(const GuestOptions& options,
+                                                 const std::vector<std::string>& targets) {
+  Company company = with_guests(options);
+  std::string missing;
+  for (const std::string& target : targets) {
+    for (const std::string& run : {target, target.substr(0, target.rfind(':'))}) {
+      if (!holds_run(run)) continue;
+      add_guests_of_run(company, run, missing);
+      break;
+    }
+  }
+  if (!missing.empty()) fmt::print(stderr, "daylight: {}", missing);
+  return std::move(company.methods);
+}
+
+}  // namespace cyl

@@ -1,0 +1,102 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: MIT
+# Every command that asks methods takes guests; what they do costs the guest, never the run; a run finds its own again.
+set -euo pipefail
+
+daylight=$(readlink -f -- "$1")
+source_tree=$(dirname -- "$(dirname -- "$(readlink -f -- "${BASH_SOURCE[0]}")")")
+scratch=$(mktemp -d)
+trap 'rm -rf -- "$scratch"' EXIT
+cd -- "$scratch"
+mkdir -p runs elsewhere
+
+# expect CODE COMMAND.. : runs it into out and err.
+expect() {
+  local code=$1 got=0
+  shift
+  timeout 120 "$@" >out 2>err || got=$?
+  [[ $got == "$code" ]] || { echo "exit code $got, not $code: $*"; head -c 3000 out err; exit 1; }
+}
+holds() { grep -qE -- "$2" "$1" || { echo "no line of $1 matches $2"; head -c 3000 -- "$1"; exit 1; }; }
+
+# Always apart, but for a third of the pairs, by their height: then a crash, an exception or a strange word.
+cat >bad.cpp <<'END'
+#include <cstdlib>
+#include <stdexcept>
+#include "plugin.h"
+static int ask(const double* a, const double*, double*) {
+  const unsigned kind = static_cast<unsigned>(a[7] * 1e6) % 9;
+  if (kind == 0) std::abort();
+  if (kind == 1) throw std::runtime_error("no luck");
+  if (kind == 2) return 77;
+  return DAYLIGHT_DISJOINT;
+}
+static const DaylightMethod bad{DAYLIGHT_PLUGIN_ABI, "bad", "1", 0, 0, 0, ask, 0};
+const DaylightMethod* daylight_method() { return &bad; }
+END
+c++ -std=c++17 -shared -fPIC -I "$source_tree/oracles" bad.cpp -o libbad.so
+cat >worse.sh <<'END'
+n=0
+while read -r q; do
+  n=$((n + 1))
+  case $((n % 40)) in
+    7) echo 'no shape' >&2; exit 3 ;;
+    17) kill -SEGV $$ ;;
+    27) echo 'loading' ;;
+    37) head -c 100000 /dev/zero | tr '\0' ' '; echo ;;
+    *) echo '{"verdict":"disjoint"}' ;;
+  esac
+done
+END
+guests=(--plugin ./libbad.so --command 'sh worse.sh')
+pair='{"a":{"center":[0,0,0],"axis":[0,0,1],"radius":1,"height":2.00000512},"b":{"center":[9,0,0],"axis":[0,0,1],"radius":1,"height":2}}'
+printf '%s\n' "$pair" >pair.jsonl
+
+expect 2 "$daylight" campaign --pairs 400 --seed 7 --cases '' --methods decide,bad,worse "${guests[@]}" --out runs/bad
+holds out '^bad +400 +- +[1-9]'
+holds out '^worse +400 +- +[1-9]'
+holds out '^decide +400 +- +- '
+expect 2 "$daylight" replay runs/bad --methods bad
+holds out 'finding of bad, crash \(contract\): stands$'
+holds out '"failed":"crash","reason":"SIGABRT"'
+holds out '"failed":"exception","reason":"no luck"'
+holds out '"failed":"malformed","reason":"no answer: status 0, verdict 255'
+expect 2 "$daylight" replay runs/bad --methods worse # the store of a run tells where its guests are, seen from anywhere
+cd elsewhere
+expect 2 "$daylight" replay ../runs/bad --methods bad,worse
+expect 2 "$daylight" campaign --resume ../runs/bad --pairs 500
+holds out '^worse +500 '
+cd ..
+
+expect 0 "$daylight" check "${guests[@]}" --method bad pair.jsonl
+holds out '^\{"verdict":"disjoint","method":"bad"\}$'
+expect 0 "$daylight" check --command 'sh worse.sh' pair.jsonl
+holds out '^\{"verdict":"disjoint","method":"worse"\}$'
+expect 64 "$daylight" check "${guests[@]}" pair.jsonl
+expect 0 "$daylight" check --command 'us=sh worse.sh' --method us pair.jsonl
+expect 2 "$daylight" gate --plugin ./libbad.so --for 2s
+holds out '^bad +1 \([0-9a-f]{8}\) '
+holds out "\| ./daylight check --method bad --plugin '?bad="
+expect 0 "$daylight" bench "${guests[@]}" --methods bad,worse,decide --families random --pairs 20 --min-time 0.001 --passes 1
+holds out '^bad +verdict'
+holds out '^worse: times of a line there and a line back through a pipe'
+expect 2 "$daylight" worst --plugin ./libbad.so --method bad --evaluations 20 --feature side-side --from pair.jsonl
+expect 0 "$daylight" campaign --list "${guests[@]}"
+holds out '^  worse +unversioned'
+
+# What is missing or strange is said.
+expect 64 "$daylight" check --plugin ./nothing.so pair.jsonl
+holds err 'nothing.so.*cannot open shared object'
+expect 64 "$daylight" check --command ./nothing pair.jsonl
+holds err "'./nothing': asked about an easy pair, it failed: ended with status 127"
+expect 64 "$daylight" check --command 'decide=sh worse.sh' pair.jsonl
+holds err 'there is a method decide already'
+expect 64 "$daylight" campaign --resume runs/bad --command 'sh worse.sh' --command 'new=sh worse.sh'
+holds err 'has not asked new'
+mv libbad.so moved.so
+expect 1 "$daylight" campaign --resume runs/bad --pairs 600
+holds err 'runs/bad cannot be resumed: bad of runs/bad is not here: --plugin .*/libbad.so'
+expect 0 "$daylight" replay runs/bad:1 --methods decide
+holds err 'bad of runs/bad is not here'
+expect 2 "$daylight" campaign --resume runs/bad --pairs 600 --plugin ./moved.so
+echo passed

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: MIT
+// What a program that is asked about pairs, a line each, says: one answer a line, before the first of them
+// perhaps a hello. The questions are lines of pair_io.
+//
+//   {"name":"mine","version":"1.2","claim":{"relative":1e-6,"absolute":0,"source":"manual, section 3"}}
+//   {"verdict":"disjoint","distance":0.5,"direction":[1,0,0]}
+//   {"verdict":"intersecting","distance":-0.1,"point":[0,0,1]}
+//   {"declined":"no disks"}
+//   {"error":"no convergence"}
+//
+// All but the verdict may be left out; other keys are skipped. A coordinate of a point may be a pair of
+// numbers that stands for their exact sum.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "solver/cylinder.hpp"
+
+namespace cyl {
+
+struct GuestHello {
+  std::string name, version;  ///< empty where not said
+  double relative = 0, absolute = 0;
+  std::string claim_source;
+};
+
+struct GuestAnswer {
+  std::optional<Verdict> verdict;  ///< else it declined or failed, and `reason` says why
+  bool declined = false;
+  std::string reason;
+  std::optional<double> distance;
+  std::optional<std::array<double, 3>> direction;
+  std::optional<std::array<double, 6>> point;  ///< the three heads, then the three tails
+};
+
+/// Exactly one of the three; `error` says why the line is neither.
+struct GuestLine {
+  std::optional<GuestHello> hello;
+  std::optional<GuestAnswer> answer;
+  std::string error;
+};
+
+/// Never throws on content. The numbers of an answer are finite; those of a claim also not negative.
+GuestLine parse_guest_line(std::string_view text);
+
+}  // namespace cyl

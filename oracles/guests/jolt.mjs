@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: MIT
+// Jolt's CollideShape of two cylinders, without rounded edges.
+import { readFileSync } from 'node:fs';
+import initJolt from 'jolt-physics';
+import { serve } from './lines.mjs';
+
+const Jolt = await initJolt();
+const engine = new Jolt.JoltInterface(engineSettings()); // registers the shapes
+const { version } = JSON.parse(readFileSync(new URL('node_modules/jolt-physics/package.json', import.meta.url)));
+const scale = new Jolt.Vec3(1, 1, 1), origin = new Jolt.RVec3(0, 0, 0);
+const settings = new Jolt.CollideShapeSettings(), filter = new Jolt.ShapeFilter();
+
+function engineSettings() {
+  const settings = new Jolt.JoltSettings();
+  settings.mObjectLayerPairFilter = new Jolt.ObjectLayerPairFilterTable(1);
+  const layers = new Jolt.BroadPhaseLayerInterfaceTable(1, 1);
+  layers.MapObjectToBroadPhaseLayer(0, new Jolt.BroadPhaseLayer(0));
+  settings.mBroadPhaseLayerInterface = layers;
+  settings.mObjectVsBroadPhaseLayerFilter =
+    new Jolt.ObjectVsBroadPhaseLayerFilterTable(layers, 1, settings.mObjectLayerPairFilter, 1);
+  return settings;
+}
+
+function placed({ halfHeight, radius, position, turn }) {
+  const shape = new Jolt.CylinderShape(halfHeight, radius, 0);
+  shape.AddRef();
+  const at = new Jolt.RVec3(position.x, position.y, position.z), rotation = new Jolt.Quat(turn.x, turn.y, turn.z, turn.w);
+  const solid = new Jolt.TransformedShape();
+  solid.mShape = shape;
+  solid.SetWorldTransform(at, rotation, scale);
+  return { shape, solid, end: () => { Jolt.destroy(solid); Jolt.destroy(at); Jolt.destroy(rotation); shape.Release(); } };
+}
+
+const claim = { relative: 1e-6, absolute: 1e-4, source: 'PhysicsSettings.h: closer than 1e-4 m is considered to be colliding' };
+serve({ name: 'jolt', version, claim }, (a, b) => {
+  const one = placed(a), other = placed(b), hit = new Jolt.CollideShapeAnyHitCollisionCollector();
+  one.solid.CollideShape(other.shape, scale, other.solid.GetCenterOfMassTransform(), settings, origin, hit, filter);
+  const meet = hit.HadHit();
+  for (const gone of [one, other]) gone.end();
+  Jolt.destroy(hit);
+  return { verdict: meet ? 'intersecting' : 'disjoint' };
+});

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: MIT
+// What the guests in Node share: a hello, then an answer line for each line of a pair. Both engines are of
+// single precision and keep a cylinder along y, so that b is put where a has its centre, before it is rounded.
+import { createInterface } from 'node:readline';
+
+/** The unit quaternion that turns y to the line of `axis`, by the half-way vector. */
+function turnFromY(axis) {
+  const unit = Math.max(...axis.map(Math.abs)) * (axis[1] < 0 ? -1 : 1); // a cylinder looks the same upside down
+  const [x, y, z] = axis.map((c) => c / unit);
+  const length = Math.hypot(x, y, z), n = Math.hypot(x, y + length, z);
+  return { x: z / n, y: 0, z: -x / n, w: (y + length) / n };
+}
+
+function solidOf(cylinder, origin) {
+  const [x, y, z] = cylinder.center.map((c, i) => c - origin[i]);
+  return {
+    halfHeight: cylinder.height / 2, radius: cylinder.radius, position: { x, y, z }, turn: turnFromY(cylinder.axis),
+  };
+}
+
+/** Lengths whose fourth powers single precision holds. */
+const least = 1e-9, most = 1e9;
+
+function fits({ halfHeight, radius, position }) {
+  return [halfHeight, radius].every((x) => x === 0 || (x >= least && x <= most)) &&
+    Object.values(position).every((x) => Math.abs(x) <= most);
+}
+
+/** `answer` takes two solids and gives an answer line as an object. */
+export function serve(hello, answer) {
+  const say = (object) => process.stdout.write(JSON.stringify(object) + '\n');
+  say(hello);
+  createInterface({ input: process.stdin }).on('line', (line) => {
+    const { a, b } = JSON.parse(line);
+    try {
+      const solids = [a, b].map((cylinder) => solidOf(cylinder, a.center));
+      say(solids.every(fits) ? answer(...solids) : { declined: 'beyond single precision' });
+    } catch (error) {
+      say({ error: String(error) });
+      process.exit(1); // an engine that threw is in no known state
+    }
+  });
+}

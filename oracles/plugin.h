@@ -1,0 +1,50 @@
+/* SPDX-License-Identifier: MIT
+ * A method of yours as a shared library: define daylight_method(), build with -shared -fPIC, and name the
+ * file to any command: daylight gate --plugin ./libmine.so. C and C++ alike; guides/library.md has one whole.
+ *
+ * A cylinder is eight doubles: centre x y z, axis x y z (any length but 0), radius, full height. Solid,
+ * closed, finite.
+ */
+#ifndef DAYLIGHT_PLUGIN_H
+#define DAYLIGHT_PLUGIN_H
+
+#include <stddef.h>
+
+#define DAYLIGHT_PLUGIN_ABI 1
+
+enum DaylightVerdict {
+  DAYLIGHT_DISJOINT = 0,
+  DAYLIGHT_INTERSECTING = 1, /* touching included, for who does not tell them apart */
+  DAYLIGHT_TOUCHING = 2,
+  DAYLIGHT_UNDECIDED = 3,
+  DAYLIGHT_DECLINED = -1, /* not for such a pair: no fault */
+  DAYLIGHT_FAILED = -2    /* tried and broke */
+};
+
+struct DaylightMethod {
+  int abi;             /* DAYLIGHT_PLUGIN_ABI */
+  const char* name;    /* letters, digits, - _ . */
+  const char* version; /* may be 0 */
+
+  /* The claim: right wherever |distance| >= relative * (r0 + h0 + r1 + h1) + absolute. What is wrong beyond
+   * it is a fault, what is wrong within it is only counted. */
+  double claim_relative, claim_absolute;
+  const char* claim_source; /* where you say so; may be 0 */
+
+  /* Answers whether a and b meet, one of the words above. `more` is all NaN before: where you have them,
+   * leave the signed distance in more[0] (negative: how deep), a direction square to a separating plane in
+   * more[1..3], a common point in more[4..6]; with no part of a direction or point it is none. May throw,
+   * crash or hang: it is called in a process of its own. Called from one thread at a time. */
+  int (*ask)(const double a[8], const double b[8], double more[7]);
+
+  /* For timing, may be 0: `count` pairs of 16 doubles each, a word for each. */
+  void (*ask_all)(size_t count, const double* pairs, signed char* verdicts);
+};
+
+#ifdef __cplusplus
+extern "C"
+#endif
+    const struct DaylightMethod*
+    daylight_method(void);
+
+#endif
