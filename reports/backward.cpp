@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <nlohmann/json.hpp>
 
@@ -43,7 +44,8 @@ double quantile(const std::vector<double>& sorted, double share) {
 /// Of a pair whose truth is known, and its distance to some width.
 double movement(Probe& p) {
   narrow_distance(p);
-  return std::max(std::abs(p.distance.lo), std::abs(p.distance.hi)) / size_of(p.pair);
+  const double moved = std::max(std::abs(p.distance.lo), std::abs(p.distance.hi)) / size_of(p.pair);
+  return std::min(moved, std::numeric_limits<double>::max());
 }
 
 }  // namespace

@@ -33,8 +33,9 @@ struct BackwardError {
   double p50 = 0, p99 = 0, max = 0;
 };
 
-/// Of one wrong verdict, in sizes, to a thousandth of itself and never less; 0 of what touches. Nothing where
-/// the truth of the pair is not decided, or such a verdict of it is right: then nothing need move.
+/// Of one wrong verdict, in sizes, to a thousandth of itself and never less, at most the largest double; 0 of
+/// what touches. Nothing where the truth of the pair is not decided, or such a verdict of it is right: then
+/// nothing need move.
 std::optional<double> backward_error(const Pair& pair, Verdict wrong);
 
 struct WrongVerdict {

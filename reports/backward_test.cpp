@@ -33,6 +33,13 @@ TEST(Backward, IsTheDistanceOfAWrongVerdict) {
   }
   EXPECT_EQ(backward_error(beside(0), Verdict::disjoint), 0);
   EXPECT_FALSE(backward_error(beside(0), Verdict::intersecting));
+  Pair far = beside(0);
+  far.a.center.x() = -1e308;
+  far.b.center.x() = 1e308;
+  const auto most = backward_error(far, Verdict::intersecting);
+  ASSERT_TRUE(most);
+  EXPECT_TRUE(std::isfinite(*most));
+  EXPECT_GT(*most, 1e307);
   Pair invalid = beside(1);
   invalid.a.radius = -1;
   EXPECT_FALSE(backward_error(invalid, Verdict::disjoint));
@@ -114,7 +121,7 @@ class Fat final : public Method {
   static constexpr double wrong_by = 3e-5;
   std::string_view name() const override { return "fat"; }
   std::string_view version() const override { return "1"; }
-  Claim claim() const override { return {.relative = 1}; }
+  Claim claim() const override { return {.relative = 1, .source = "the test"}; }
   MethodAnswer ask(const Pair& pair) override {
     const Truth truth = judge(pair);
     MethodAnswer a;

@@ -18,7 +18,7 @@ using nlohmann::json;
 
 constexpr std::uint64_t seed = 1;
 /// So few that the slowest build, not optimised, is asked all within minutes.
-constexpr std::uint64_t pairs_per_family = 40, pairs_per_stratum = 4, scaled_pairs_per_stratum = 2;
+constexpr std::uint64_t pairs_per_family = 30, pairs_per_stratum = 3, scaled_pairs_per_stratum = 1;
 constexpr int tiny_exponents[] = {-500, -1010, -1060};
 
 Pair scaled(Pair pair, int exponent) {

@@ -5,8 +5,11 @@
 # of gcc. Prints the lines of reports/builds.jsonl:
 #   cmake --preset release && ninja -C build/release compare_builds
 #   reports/builds.sh build/release/compare_builds > reports/builds.jsonl
-# Arguments: that program; a folder for what is built, else a temporary one. JOBS: compilers at a time, else 2.
+# Arguments: that program; a folder for what is built, else a temporary one. JOBS: how many at a time, else 2. For
+# x86-64 alone; a compiler that is not installed is left out, but gcc, and so is fused multiply-add that the machine
+# has not.
 set -euo pipefail
+[[ $(uname -m) == x86_64 ]]
 program=$(readlink -f -- "$1")
 cd -- "$(dirname -- "$(readlink -f -- "${BASH_SOURCE[0]}")")/.."
 if [[ $# -gt 1 ]]; then
@@ -53,19 +56,21 @@ for build in "${builds[@]}"; do
 done | xargs -0 -P "${JOBS:-2}" -I{} bash -c '{}'
 
 "$program" pairs "$work/pairs"
-compared=()
 for build in "${builds[@]}"; do
-  compiler=$(driver "$build")
-  "$compiler" "$work/$build"/*.o -o "$work/$build/answers"
-  for name in "$build" "$build-flush"; do
-    flush=()
-    [[ $name == *-flush ]] && flush=(flush)
-    "$work/$build/answers" "$work/pairs" "$work/$name.answers" "${flush[@]}"
-    [[ $name == "$reference" ]] || compared+=("$name" "$work/$name.answers")
-  done
+  "$(driver "$build")" "$work/$build"/*.o -o "$work/$build/answers"
+  printf '%s\0' "$work/$build/answers $work/pairs $work/$build.answers" \
+                "$work/$build/answers $work/pairs $work/$build-flush.answers flush"
+done | xargs -0 -P "${JOBS:-2}" -I{} bash -c '{}'
+compared=("$reference" "$work/$reference.answers")
+for name in "${builds[@]}" "${builds[@]/%/-flush}"; do
+  [[ $name == "$reference" ]] || compared+=("$name" "$work/$name.answers")
 done
-versions=$(for compiler in gcc clang; do
-  if command -v "$(driver "$compiler")" >/dev/null; then printf ',"%s":"%s"' "$compiler" "$("$(driver "$compiler")" -dumpfullversion -dumpversion)"; fi
-done)
+
+versions=
+for compiler in gcc clang; do
+  if [[ ${builds[*]} == *$compiler* ]]; then
+    versions+=",\"$compiler\":\"$("$(driver "$compiler")" -dumpfullversion -dumpversion)\""
+  fi
+done
 echo "{\"command\":\"reports/builds.sh build/release/compare_builds\"$versions}"
-"$program" compare "$work/pairs" "$reference" "$work/$reference.answers" "${compared[@]}"
+"$program" compare "$work/pairs" "${compared[@]}"

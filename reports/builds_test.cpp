@@ -30,7 +30,7 @@ class Named final : public Method {
       : name_(name), relative_(relative), share_(share) {}
   std::string_view name() const override { return name_; }
   std::string_view version() const override { return "1"; }
-  Claim claim() const override { return {.relative = relative_}; }
+  Claim claim() const override { return {.relative = relative_, .source = "the test"}; }
   unsigned share() const override { return share_; }
   MethodAnswer ask(const Pair&) override { std::abort(); }
 

@@ -91,7 +91,9 @@ TEST(Paths, TurnThroughExactlyParallelAndExactlyOneLine) {
     if (path.flips > 0) continue;
     const PathStep& middle = path.steps[path.steps.size() / 2];
     EXPECT_EQ(middle.at, 0) << path.name;
-    if (path.name.starts_with("parallel")) EXPECT_EQ(middle.pair.a.axis, middle.pair.b.axis);
+    if (path.name.starts_with("parallel")) {
+      EXPECT_EQ(middle.pair.a.axis, middle.pair.b.axis);
+    }
   }
 }
 
