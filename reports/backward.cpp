@@ -17,7 +17,7 @@ namespace {
 using nlohmann::json;
 
 constexpr std::uint64_t sample_seed = 1;
-/// Of each stratum, gaps and penetrations alike: 412 pairs.
+/// Of each stratum, gaps and penetrations alike: 416 pairs.
 constexpr std::uint64_t pairs_per_stratum = 4;
 
 bool meets(Verdict v) { return v == Verdict::intersecting || v == Verdict::touching; }

@@ -184,8 +184,8 @@ std::vector<PathStability::Said> trace_of(const Path& path, std::span<const Meth
   std::vector<PathStability::Said> trace;
   for (const std::size_t i : shown) {
     if (!says(answers[i])) continue;
-    PathStability::Said& said = trace.emplace_back(path.steps[i].at, answers[i].verdict, std::nullopt);
-    if (says_distance(answers[i])) said.distance = answers[i].distance;
+    trace.push_back({path.steps[i].at, answers[i].verdict, {}});
+    if (says_distance(answers[i])) trace.back().distance = answers[i].distance;
   }
   return trace;
 }

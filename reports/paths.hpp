@@ -66,7 +66,7 @@ struct PathStability {
 };
 
 inline constexpr std::size_t trace_cap = 40;
-/// Two seeds: a path of one is 130 pairs of one shape.
+/// Two seeds: a path of one is of one pair of shapes.
 inline constexpr std::uint64_t path_seeds = 2;
 
 /// Of one method whose answers along a path are given.
@@ -74,7 +74,7 @@ PathStability stability_along(const Path& path, std::string_view method,
                               std::span<const MethodAnswer> answers);
 
 /// By method and path; paths on which a method said nothing are left out. Foreign methods are contained; one
-/// that hangs often is not asked on. Costly methods are asked on the first seed alone. Cost: 3,100 questions
+/// that hangs often is not asked on. Costly methods are asked on the first seed alone. Cost: 3,180 questions
 /// to each method a seed.
 std::vector<PathStability> path_stability(std::span<const std::unique_ptr<Method>> methods,
                                           std::uint64_t seeds = path_seeds);
