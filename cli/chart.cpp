@@ -8,22 +8,27 @@
 
 #include "cli/commands.hpp"
 #include "cli/source_tree.hpp"
+#include "oracles/method.hpp"
 #include "reports/charts.hpp"
 #include "reports/curves.hpp"
 #include "reports/draw_charts.hpp"
 #include "reports/page.hpp"
+#include "reports/stability.hpp"
 
 namespace cyl {
 namespace {
 
 struct Arguments {
   std::string run, bench, out;
+  bool stability = false;
 };
 
 void chart(const Arguments& arguments) {
   std::vector<BenchRow> rows;
   if (!arguments.bench.empty()) rows = read_bench(arguments.bench);
   write_charts(arguments.run, rows);
+  if (arguments.stability)
+    write_stability(arguments.run, all_methods(), in_source_tree("reports/builds.jsonl"));
   write_page(arguments.run, in_source_tree("reports/kill_matrix.jsonl"));
   if (!rows.empty()) fmt::print("{}\n", format_curves(speed_points(rows)));
   fmt::print("{}/report.html\n", arguments.run);
@@ -45,12 +50,16 @@ void add_chart(CLI::App& app, int& exit_code) {
                    "what `daylight bench --curves --json FILE` measured; without it speed and cost stay as "
                    "they are")
       ->check(CLI::ExistingFile);
+  command->add_flag("--stability", arguments->stability,
+                    "also ask every method along paths through touching and through parallel axes, and next "
+                    "to touching how far its input would have to move where it is wrong; and show what "
+                    "changes between builds (reports/builds.jsonl)");
   command->add_option("--out", arguments->out,
                       "folder for the plots as SVG, and as PNG where rsvg-convert is there; needs Node.js "
                       "(apt-get install nodejs)");
   command->footer(
       "Example:\n  daylight bench --curves --json bench.json\n"
-      "  daylight chart runs/latest --bench bench.json --out charts");
+      "  daylight chart runs/latest --bench bench.json --stability --out charts");
   command->callback([arguments, &exit_code] {
     chart(*arguments);
     exit_code = exit_pass;

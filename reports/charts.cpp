@@ -201,16 +201,10 @@ std::vector<BenchRow> read_bench(const fs::path& file) {
   return rows;
 }
 
-void write_charts(const fs::path& run, const std::vector<BenchRow>& bench) {
-  const std::vector<FailureMap> maps = failure_maps(RunStore::open(run));
+void set_charts(const fs::path& run, const json& fields) {
   const fs::path file = run / "charts.json";
   json charts = fs::exists(file) ? read_json(file) : json::object();
-  charts["maps"] = list(maps, map_json);
-  charts["honesty"] = list(honesty_of(maps), honesty_json);
-  if (!bench.empty()) {
-    charts["speed"] = list(speed_points(bench), speed_json);
-    charts["cost"] = list(cost_points(bench), cost_json);
-  }
+  charts.update(fields);
   for (const char* other : {"speed", "cost"})
     if (!charts.contains(other)) charts[other] = json::array();
   const fs::path unfinished = file.string() + ".new";
@@ -218,6 +212,16 @@ void write_charts(const fs::path& run, const std::vector<BenchRow>& bench) {
   out << charts.dump() << '\n';
   if (!out.flush()) throw std::runtime_error(unfinished.string() + " cannot be written");
   fs::rename(unfinished, file);
+}
+
+void write_charts(const fs::path& run, const std::vector<BenchRow>& bench) {
+  const std::vector<FailureMap> maps = failure_maps(RunStore::open(run));
+  json fields = {{"maps", list(maps, map_json)}, {"honesty", list(honesty_of(maps), honesty_json)}};
+  if (!bench.empty()) {
+    fields["speed"] = list(speed_points(bench), speed_json);
+    fields["cost"] = list(cost_points(bench), cost_json);
+  }
+  set_charts(run, fields);
 }
 
 }  // namespace cyl

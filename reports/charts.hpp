@@ -4,6 +4,7 @@
 #pragma once
 
 #include <filesystem>
+#include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
 #include <vector>
@@ -40,6 +41,9 @@ std::vector<Honesty> honesty_of(const std::vector<FailureMap>& maps);
 
 /// The rows in a file that `daylight bench --json` wrote. Throws std::runtime_error that names the file.
 std::vector<BenchRow> read_bench(const std::filesystem::path& file);
+
+/// Sets fields of the object in RUN/charts.json; others stay as they are.
+void set_charts(const std::filesystem::path& run, const nlohmann::json& fields);
 
 /// Writes RUN/charts.json: "maps" and "honesty" from the run, "speed" and "cost" from `bench`, if there are
 /// rows. What is in the file under other names, and under these two where there are none, stays.

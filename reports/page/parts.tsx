@@ -22,9 +22,9 @@ const makes = {
   honesty: ["curves of wrongness against margin", (run: string) => `./daylight chart ${run}`],
   speed: ["times", (run: string) => `./daylight bench --curves --json bench.json && ./daylight chart ${run} --bench bench.json`],
   cost: ["times against margin", (run: string) => `./daylight bench --curves --json bench.json && ./daylight chart ${run} --bench bench.json`],
-  paths: ["walks along paths", (run: string) => `./daylight chart ${run}`],
-  backward: ["backward errors", (run: string) => `./daylight chart ${run}`],
-  builds: ["comparison of builds", (run: string) => `./daylight chart ${run}`],
+  paths: ["walks along paths", (run: string) => `./daylight chart ${run} --stability`],
+  backward: ["backward errors", (run: string) => `./daylight chart ${run} --stability`],
+  builds: ["comparison of builds", (run: string) => `./daylight chart ${run} --stability`],
   kill_matrix: ["kill matrix", () => "./daylight mutants matrix"],
 } as const;
 

@@ -253,11 +253,12 @@ export function trace_plot(path: PathStability, o: Options): Element {
   const colour = (t: { verdict: string }) => ({ disjoint: o.theme.intersecting, intersecting: o.theme.disjoint, touching: o.theme.failed })[t.verdict] ?? o.theme.undecided;
   const shape = (t: { verdict: string }) => ({ disjoint: "circle", intersecting: "square", touching: "diamond2" })[t.verdict] ?? "times";
   const told = trace.some((t) => t.distance !== null);
+  const nearest = Math.min(1, ...trace.map((t) => Math.abs(t.at)).filter((v) => v > 0));  // steps go by decades towards 0
   const y = (t: (typeof trace)[number]) => (told ? t.distance : t.verdict === "disjoint" ? 1 : t.verdict === "intersecting" ? -1 : 0);
   const words = (t: (typeof trace)[number]) => `at ${short(t.at, 6)}: ${t.verdict}${t.distance === null ? "" : `, distance ${short(t.distance, 6)}`}`;
   const flips = trace.slice(1).flatMap((t, i) => (t.verdict === trace[i]!.verdict ? [] : [{ at: (t.at + trace[i]!.at) / 2 }]));
   return Plot.plot(common(o, 220, {
-    x: { label: "along the path \u2192", grid: true, tickFormat: (v: number) => short(v) },
+    x: { type: "symlog", constant: nearest, label: "along the path \u2192", grid: true, ticks: 7, tickFormat: (v: number) => short(v) },
     y: told ? { label: "\u2191 distance it tells", grid: true, tickFormat: (v: number) => short(v) } : { label: null, domain: [-1.6, 1.6], ticks: [-1, 1], tickFormat: (v: number) => (v > 0 ? "disjoint" : "meets") },
     marginLeft: 68, color: { type: "identity" }, symbol: { type: "identity" },
     marks: [
@@ -273,7 +274,7 @@ export function trace_plot(path: PathStability, o: Options): Element {
 export function backward_plot(rows: BackwardError[], o: Options): Element {
   const sorted = in_order(rows, (x, y) => y.max - x.max);
   const least = Math.min(...rows.flatMap((r) => [r.p50, r.p99, r.max]).filter((v) => v > 0), 1);
-  const at = (v: number) => Math.max(v, least);
+  const at = (v: number) => Math.min(Math.max(v, least), 10);  // beyond: solids far apart that were taken for meeting
   const words = (r: BackwardError) => `${r.method}: ${grouped(r.wrong)} wrong answers\nhalf right for an input within ${short(r.p50)} of its size\n99 % within ${short(r.p99)}\nall within ${short(r.max)}`;
   return Plot.plot(common(o, 40 + rows.length * 17 + 40, {
     marginLeft: 190,
