@@ -77,20 +77,22 @@ Enclosure error_of(double said, const Enclosure& real) {
 }
 
 // Where an enclosure proves the distance neither right nor wrong the narrowest is asked: what is found never
-// depends on how narrow others have made it.
+// depends on how narrow others have made it. One that is much wider than asked for ended at the rounding of
+// doubles or at its cap on cells, and would again.
 std::optional<Finding> compare_distance(const Pair& pair, const Truth& truth, LazyDistance& distance,
                                         const Claim& claim, double said) {
   const double size = size_of(pair), allowed = reach(claim, size);
   // A claim of 0/0 promises a rounded number: one unit in the last place of the larger length is no fault.
   const double last_place = std::max(std::abs(said), size) * rounding_error;
   const double most = std::max(allowed, last_place);
-  const double half = size > 0 ? std::clamp(most / 2 / size, narrowest, widest) : widest;
-  for (const double width : {half, narrowest}) {
+  const double part = size > 0 ? std::clamp(most / 8 / size, narrowest, widest) : widest;
+  for (const double width : {part, narrowest}) {
     const Enclosure real = truth.verdict == Verdict::touching ? Enclosure{0, 0} : distance.at(width);
     const Enclosure off = error_of(said, real);
     if (off.lo > most)
       return Finding{FindingKind::distance_outside, Severity::contract, relative_to(size, off)};
-    if (off.hi <= most) break;
+    const bool as_narrow_as_it_gets = real.hi - real.lo > 4 * width * size;
+    if (off.hi <= most || as_narrow_as_it_gets) break;
   }
   return {};
 }
