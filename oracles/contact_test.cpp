@@ -142,7 +142,7 @@ TEST(Contains, IsSharp) {
 }
 
 // f at the direction handed out is within the enclosure, and the enclosure is the one without a direction,
-// but within rounding of touching.
+// but nearer to touching than the width.
 TEST(AttainedDistanceOf, EveryFamilyIsAttained) {
   using Wide3 = Eigen::Matrix<long double, 3, 1>;
   for (const Family& family : families())

@@ -264,10 +264,10 @@ double way_to_both(const SearchPair<double>& p, const Vec& x) {
   return beyond(p.axis0, p.radius0, p.half0, x) + beyond(p.axis1, p.radius1, p.half1, x - p.delta);
 }
 
-// |distance| where one guess shows that it is within the rounding of any bound: apart the solids are no
-// farther than a point's way to both, and no deeper than f anywhere. The sphere would take all of its cells
-// and say no more.
-std::optional<Enclosure> enclose_near_touching(const Pair& pair, Verdict verdict) {
+// |distance| where one guess shows that it is within the width asked for: apart the solids are no farther
+// than a point's way to both, and no deeper than f anywhere. Nearly touching pairs would take all of the
+// sphere's cells.
+std::optional<Enclosure> enclose_near_touching(const Pair& pair, Verdict verdict, double relative_width) {
   int exponent = 0;
   const SearchPair<double> p = double_pair(pair, exponent);
   const double size = p.radius0 + p.radius1 + 2 * (p.half0 + p.half1);
@@ -282,7 +282,7 @@ std::optional<Enclosure> enclose_near_touching(const Pair& pair, Verdict verdict
     const Vec even = (1 / std::max({std::fabs(d.x), std::fabs(d.y), std::fabs(d.z)})) * d;
     bound = sphere.value((1 / length(even)) * even);
   }
-  if (!(bound <= slack)) return std::nullopt;
+  if (!(bound <= std::max(relative_width * size, slack))) return std::nullopt;
   const double most = interval_detail::next_up(std::ldexp(std::max(0.0, bound) + slack, exponent));
   return verdict == Verdict::disjoint ? Enclosure{0, most} : Enclosure{-most, 0};
 }
@@ -319,12 +319,14 @@ AttainedDistance attain_distance(const Pair& pair, const Truth& truth, double re
 
 Enclosure enclose_distance(const Pair& pair, const Truth& truth, double relative_width) {
   if (truth.verdict == Verdict::touching) return {0, 0};
-  if (const auto near = enclose_near_touching(pair, truth.verdict)) return *near;
+  if (const auto near = enclose_near_touching(pair, truth.verdict, relative_width)) return *near;
   return attain_distance(pair, truth, relative_width).distance;
 }
 
 Enclosure enclose_distance(const Pair& pair, const Truth& truth) {
-  return enclose_distance(pair, truth, truth.verdict == Verdict::disjoint ? gap_width_tol : depth_width_tol);
+  if (truth.verdict == Verdict::touching) return {0, 0};
+  const double width = truth.verdict == Verdict::disjoint ? gap_width_tol : depth_width_tol;
+  return attain_distance(pair, truth, width).distance;
 }
 
 }  // namespace cyl

@@ -75,14 +75,15 @@ inline constexpr double depth_width_tol = 1e-9;
 
 /// A certified enclosure of the signed distance, about as narrow as the tolerances above; wider where the
 /// centres are so far apart that doubles do not resolve it, or where the cap on cells ends the search (many
-/// equal depths: rods along each other). Touching gives [0, 0], and touching but for rounding 0 and the
-/// rounding at a few us. Cost: 20 to 100 us, up to 40 ms at the cap.
+/// equal depths: rods along each other). Touching gives [0, 0]. Cost: 20 to 100 us, up to 40 ms at the cap.
 Enclosure enclose_distance(const Pair& pair, const Truth& truth);
-/// The same at a width of the caller's choice, in units of the pair's size.
+/// The same at a width of the caller's choice, in units of the pair's size; a few us, and one end 0, where
+/// one guess shows the distance to be less than that.
 Enclosure enclose_distance(const Pair& pair, const Truth& truth, double relative_width);
 
-/// The enclosure (where touching but for rounding perhaps another one) and the unit direction from a to b at
-/// which it was found: f there is minus its lower end, within rounding. One of several where several do.
+/// The enclosure (perhaps another one where nearer to touching than the width) and the unit direction from a
+/// to b at which it was found: f there is minus its lower end, within rounding. One of several where several
+/// do.
 struct AttainedDistance {
   Enclosure distance;
   std::array<double, 3> direction{0, 0, 0};  ///< 0 of an invalid pair
