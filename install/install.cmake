@@ -57,6 +57,34 @@ write_basic_package_version_file(${CMAKE_BINARY_DIR}/library/daylight-config-ver
 install(FILES ${CMAKE_BINARY_DIR}/library/daylight-config.cmake ${CMAKE_BINARY_DIR}/library/daylight-config-version.cmake
         DESTINATION ${package_folder} COMPONENT solver)
 
-# Installs into a clean prefix and builds the example of README.md against it, by both ways.
-add_test(NAME install_test COMMAND ${PROJECT_SOURCE_DIR}/install/install_test.sh ${CMAKE_BINARY_DIR} ${CMAKE_CXX_COMPILER})
-set_tests_properties(install_test PROPERTIES LABELS library TIMEOUT 600)
+# Debian packages, one a component: cpack -G DEB --config build/release/CPackConfig.cmake. The libraries are static, so what
+# theirs need is listed here and not found by dpkg-shlibdeps.
+set(CPACK_GENERATOR DEB)
+set(CPACK_COMPONENTS_ALL solver exact oracles)
+set(CPACK_DEB_COMPONENT_INSTALL ON)
+set(CPACK_PACKAGE_CONTACT "the authors of daylight <daylight@invalid>")
+set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
+set(CPACK_DEBIAN_PACKAGE_SECTION libdevel)
+set(depends_solver "libeigen3-dev (>= 3.4)")
+set(depends_exact "libdaylight-solver-dev (= ${PROJECT_VERSION}), libgmp-dev, libmpfr-dev, libmpfi-dev")
+set(depends_oracles "libdaylight-exact-dev (= ${PROJECT_VERSION}), libnlopt-dev, libfcl-dev, libbullet-dev, \
+libccd-dev, libode-dev, libmujoco-dev, liburdfdom-dev, libtinyxml-dev, libsqlitecpp-dev, libsqlite3-dev, libfmt-dev, pkg-config")
+set(summary_solver "Do two cylinders intersect? Decision, proof and distance")
+set(summary_exact "Do two cylinders intersect? The exact predicate and the referee")
+set(summary_oracles "Do two cylinders intersect? Every method and what compares them")
+foreach(name ${CPACK_COMPONENTS_ALL})
+  string(TOUPPER ${name} upper)
+  set(CPACK_DEBIAN_${upper}_PACKAGE_NAME libdaylight-${name}-dev)
+  set(CPACK_DEBIAN_${upper}_PACKAGE_DEPENDS ${depends_${name}})
+  set(CPACK_COMPONENT_${upper}_DESCRIPTION ${summary_${name}})
+endforeach()
+include(CPack)
+
+# Installs into a clean prefix and builds the example of README.md against it, by both ways. Not of libraries with
+# sanitizers in them, which want a program that has them too.
+if(CMAKE_CXX_FLAGS MATCHES "-fsanitize")
+  add_test(NAME install_test COMMAND sh -c "echo 'skipped: the libraries have sanitizers in them'; exit 77")
+else()
+  add_test(NAME install_test COMMAND ${PROJECT_SOURCE_DIR}/install/install_test.sh ${CMAKE_BINARY_DIR} ${CMAKE_CXX_COMPILER})
+endif()
+set_tests_properties(install_test PROPERTIES LABELS library TIMEOUT 600 SKIP_RETURN_CODE 77)

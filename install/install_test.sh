@@ -92,6 +92,28 @@ oracles/build/consumer || fail "the oracles are wrong"
 built_by_pkg_config "$PWD/moved" daylight-oracles oracles/consumer.cpp some_oracles
 ./some_oracles || fail "built by pkg-config the oracles are wrong"
 
+# The Debian packages hold the same, and name what they need.
+if command -v dpkg-deb >/dev/null; then
+  cpack -G DEB --config "$build/CPackConfig.cmake" -B "$PWD/debs" >log 2>&1 || fail "$(cat log)"
+  [[ $(ls debs/*.deb | wc -l) == 3 ]] || fail "$(ls debs)"
+  for name in solver exact oracles; do
+    dpkg-deb -x debs/libdaylight-$name-dev_*.deb unpacked
+  done
+  dpkg-deb -f debs/libdaylight-solver-dev_*.deb Depends | grep -qx 'libeigen3-dev (>= 3.4)' || fail "the solver's package needs something else"
+  dpkg-deb -f debs/libdaylight-exact-dev_*.deb Depends | grep -q '^libdaylight-solver-dev (= .*libmpfi-dev' || fail "the exact package lacks what it needs"
+  dpkg-deb -f debs/libdaylight-oracles-dev_*.deb Depends | tr -d ' ' | tr , '\n' | sed 's/(.*//; /^libdaylight/d' >needed
+  while IFS= read -r package; do
+    dpkg-query -W "$package" >/dev/null || fail "the oracles' package needs $package, which the build did not"
+  done <needed
+  diff <(cd moved && find . -type f -printf '%f\n' | sort) <(find unpacked -type f -printf '%f\n' | sort) || fail "the packages hold something else"
+  mkdir packaged
+  cp CMakeLists.txt consumer.cpp packaged
+  built_by_cmake "$PWD/unpacked/usr" packaged
+  packaged/build/consumer | diff -u consumer.out - || fail "built from the packages it prints something else"
+else
+  echo 'skipped: the Debian packages (no dpkg-deb here)'
+fi
+
 # No header needs one that is not installed, nor one included before it.
 cflags=$(pkg-config --cflags daylight-oracles)
 while IFS= read -r header; do
