@@ -51,7 +51,7 @@ Tried expect_never_wrong(bool with_clearance) {
         ++(seen == Look::apart ? tried.apart : tried.within)[static_cast<std::size_t>(rung)];
         if ((seen == Look::within) == (truth == 1)) continue;
         const double reach = size + (pair.b.center - pair.a.center).norm();
-        const Enclosure d = enclose_distance(pair, judge(pair));
+        const Enclosure d = enclose_distance(pair, judge(pair), 1e-15);  // as narrow as doubles have it
         const double miss = std::max(std::abs(d.lo - clearance), std::abs(d.hi - clearance));
         const bool proved = rung != Rung::cylinder && rung != Rung::distance;
         EXPECT_TRUE(!proved && miss <= 1e-13 * reach)
