@@ -114,7 +114,8 @@ class Night : public testing::Test {
   void finds_after(std::uint64_t pairs) const {
     worker(
         "printf "
-        "'[[],[],[[%s,\"row\",0,\"decide\",\"wrong_disjoint\",\"contract\",[],\"\",\"\",\"\",\"\",\"\"]],[]]' "
+        "'[[],[],[[%s,\"row\",0,\"decide\",\"wrong_disjoint\",\"contract\",[],\"\",\"\",\"\",\"\",\"\"]],[]]'"
+        " "
         "$(($7 + " +
         std::to_string(pairs - 1) + "))");
   }
