@@ -238,7 +238,7 @@ TEST_F(Campaign, ABudgetEndsARunThatHasNoOtherLimit) {
 }
 
 TEST_F(Campaign, KilledAtAnyMomentAndResumedIsAsIfNothingHappened) {
-  const std::uint64_t pairs = 40 * batch_size;
+  const std::uint64_t pairs = 400 * batch_size;  // a second or so of work
   run_campaign(options("whole", pairs), subjects());
   CampaignOptions o = options("killed", pairs);
   int kills = 0;
@@ -317,7 +317,7 @@ TEST_F(Shards, TogetherAreWhatOneRunIs) {
 }
 
 TEST_F(Shards, KilledAtAnyMomentAndResumedTheyAreStillOneRun) {
-  const std::uint64_t pairs = 40 * batch_size + 7;
+  const std::uint64_t pairs = 200 * batch_size + 7;
   run_campaign(options("whole", pairs), subjects());
   int kills = 0;
   for (std::uint64_t i = 0; i < 3; ++i) {
