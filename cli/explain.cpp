@@ -5,7 +5,6 @@
 
 #include <CLI/CLI.hpp>
 #include <cstdint>
-#include <fstream>
 #include <memory>
 #include <span>
 #include <stdexcept>
@@ -15,6 +14,7 @@
 #include "cli/guests.hpp"
 #include "cli/targets.hpp"
 #include "cli/unsigned_option.hpp"
+#include "cli/write_file.hpp"
 #include "reports/export.hpp"
 #include "reports/probe.hpp"
 
@@ -72,12 +72,7 @@ int explain_case(const Arguments& arguments) {
   fmt::print("seed {}\n", arguments.seed);
   std::fflush(stdout);
   const Explanation e = explain(methods, failing.method, failing.kind, failing.pair, arguments.seed);
-  if (!arguments.json.empty()) {
-    std::ofstream out(arguments.json);
-    out << explanation_json(e);
-    out.close();
-    if (!out) throw std::runtime_error(arguments.json + " cannot be written");
-  }
+  if (!arguments.json.empty()) write_file(arguments.json, explanation_json(e));
   fmt::print("{}", explanation_text(e));
   return exit_pass;
 }

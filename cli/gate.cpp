@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
-#include <fstream>
 #include <memory>
 #include <optional>
 #include <set>
@@ -24,6 +23,7 @@
 #include "cli/source_tree.hpp"
 #include "cli/today.hpp"
 #include "cli/unsigned_option.hpp"
+#include "cli/write_file.hpp"
 #include "corpus/case_files.hpp"
 #include "corpus/pair_io.hpp"
 #include "props/law_hunt.hpp"
@@ -55,14 +55,6 @@ void print_laws() {
   for (const Law& law : all_laws())
     fmt::print("{:>3} {:<12} {:<12} {}\n{:30}({})\n", law.number, to_string(law.kind), law.name,
                law.statement, "", law.where);
-}
-
-void write_file(const std::string& name, const std::string& text) {
-  if (name.empty()) return;
-  std::ofstream out(name);
-  out << text;
-  out.close();
-  if (!out) throw std::runtime_error(name + " cannot be written");
 }
 
 /// What failed as lines of a case file, to be kept beside the other cases.
@@ -139,10 +131,11 @@ int gate(const Arguments& arguments) {
       if (failure.method == guest.name) failure.options = options_for(guest);
   const Smoke smoke =
       smoke_mutants(std::clamp(static_cast<unsigned>(options.budget / smoke_interval), 1u, smoke_cap));
-  write_file(arguments.junit, gate_junit(report));
-  write_file(arguments.sarif, gate_sarif(report, build_info().version, !arguments.against.empty()));
-  write_file(arguments.json, gate_json(report));
-  write_file(arguments.keep, case_lines(report));
+  if (!arguments.junit.empty()) write_file(arguments.junit, gate_junit(report));
+  if (!arguments.sarif.empty())
+    write_file(arguments.sarif, gate_sarif(report, build_info().version, !arguments.against.empty()));
+  if (!arguments.json.empty()) write_file(arguments.json, gate_json(report));
+  if (!arguments.keep.empty()) write_file(arguments.keep, case_lines(report));
   if (arguments.github) fmt::print("{}", gate_github(report));
   fmt::print("planted faults: {}", smoke.ran ? smoke.text : "not run, daylight-mutants is not built\n");
   fmt::print("{}", gate_text(report));

@@ -4,12 +4,12 @@
 #include <CLI/CLI.hpp>
 #include <charconv>
 #include <cmath>
-#include <fstream>
 #include <memory>
 #include <stdexcept>
 
 #include "cli/commands.hpp"
 #include "cli/unsigned_option.hpp"
+#include "cli/write_file.hpp"
 #include "corpus/scene_files.hpp"
 #include "corpus/scene_generators.hpp"
 #include "reports/scene_study.hpp"
@@ -36,13 +36,6 @@ std::pair<std::string, double> parse_joint(const std::string& text) {
     if (error == std::errc() && rest == end && std::isfinite(value)) return {text.substr(0, sign), value};
   }
   throw std::invalid_argument("--at: '" + text + "' is not JOINT=VALUE");
-}
-
-void write_file(const std::string& file, const std::string& text) {
-  std::ofstream out(file);
-  out << text;
-  out.close();
-  if (!out) throw std::runtime_error(file + " cannot be written");
 }
 
 void check_lengths(const SceneQuestion& question) {

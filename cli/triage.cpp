@@ -6,7 +6,6 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cstdio>
-#include <fstream>
 #include <memory>
 #include <optional>
 #include <stdexcept>
@@ -20,6 +19,7 @@
 #include "cli/source_tree.hpp"
 #include "cli/today.hpp"
 #include "cli/unsigned_option.hpp"
+#include "cli/write_file.hpp"
 #include "corpus/case_files.hpp"
 #include "corpus/pair_io.hpp"
 #include "corpus/suppressions.hpp"
@@ -37,13 +37,6 @@ struct Arguments {
   std::vector<std::string> against;
   unsigned jobs = 2;
 };
-
-void write_file(const std::string& name, const std::string& text) {
-  std::ofstream out(name);
-  out << text;
-  out.close();
-  if (!out) throw std::runtime_error(name + " cannot be written");
-}
 
 int triage(const Arguments& arguments) {
   TriageOptions options;

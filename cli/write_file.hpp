@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: MIT
+// What an option like --json FILE asks for.
+#pragma once
+
+#include <string>
+
+namespace cyl {
+
+/// Writes over what is there. Throws std::runtime_error that names the file where it cannot.
+void write_file(const std::string& name, const std::string& text);
+
+}  // namespace cyl
