@@ -183,40 +183,42 @@ Widths beside_tips(double r0, double u, double r1, double v, double z) noexcept 
   return {std::sqrt((r0 - u) * (r0 + u)), u, std::sqrt((r1 - v) * (r1 + v)), v};
 }
 
-// Where H is greatest there is the deepest slice, and the multipliers of the demands that hold it there are
-// the weights of a direction (section 7).
-void prove_at_optimum(const Scaled& p, const Frame& frame, const Base& base, Answer& answer) noexcept {
+// weight_i e_i + weight_j e_j + weight_n n, in the cone of the demands.
+Vector3 combine(const Frame& frame, int i, double weight_i, int j, double weight_j,
+                double weight_n) noexcept {
+  return larger(0, weight_i) * frame.e(i) + larger(0, weight_j) * frame.e(j) + weight_n * frame.n;
+}
+
+// The direction whose weights are the multipliers of the demands that hold the corner, which has no slice.
+void separate_at_corner(const Scaled& p, const Frame& frame, const Corner<double, int>& at,
+                        Answer& answer) noexcept {
   const Sections<double>& f = frame.f;
-  auto combine = [&](int i, double weight_i, int j, double weight_j, double weight_n) {
-    return Vector3(larger(0, weight_i) * frame.e(i) + larger(0, weight_j) * frame.e(j) + weight_n * frame.n);
+  auto try_widths = [&](double x, double u, double y, double v) {
+    if (!(x > 0 || u > 0)) u = 1;  // a segment: only x/u and y/v count
+    if (!(y > 0 || v > 0)) v = 1;
+    const double fall0 = x * v, fall1 = y * u, uv = u * v;
+    const Vector3 direction = at.on2 & at.on3
+                                  ? combine(frame, 2, fall0 - f.c * fall1, 3, fall1 - f.c * fall0, f.s2 * uv)
+                              : at.on2 ? combine(frame, 2, f.s * fall0, 0, fall1 - f.c * fall0, f.s * uv)
+                              : at.on3 ? combine(frame, 3, f.s * fall1, 1, fall0 - f.c * fall1, f.s * uv)
+                                       : combine(frame, 1, fall0, 0, fall1, f.s * uv);
+    return try_direction(p, direction, answer);
   };
-  const auto at = corner(f);
-  if (at.met && try_middle(p, frame, base, at.u, at.v, answer)) return;
-  if (!(at.rises2 | at.rises3)) {
-    auto try_widths = [&](double x, double u, double y, double v) {
-      if (!(x > 0 || u > 0)) u = 1;  // a segment: only x/u and y/v count
-      if (!(y > 0 || v > 0)) v = 1;
-      const double fall0 = x * v, fall1 = y * u, uv = u * v;
-      const Vector3 direction = at.on2 & at.on3
-                                    ? combine(2, fall0 - f.c * fall1, 3, fall1 - f.c * fall0, f.s2 * uv)
-                                : at.on2 ? combine(2, f.s * fall0, 0, fall1 - f.c * fall0, f.s * uv)
-                                : at.on3 ? combine(3, f.s * fall1, 1, fall0 - f.c * fall1, f.s * uv)
-                                         : combine(1, fall0, 0, fall1, f.s * uv);
-      return try_direction(p, direction, answer);
-    };
-    if (at.met) return;
-    const auto [x, u, y, v] = beside_tips(p.r0, at.u, p.r1, at.v, at.z);
-    if (try_widths(x, u, y, v)) return;
-    // Where a demand is more than a radius, or the multipliers of these leave the cone of the demands':
-    // demanding less leaves room for all directions.
-    for (double share = 1; share > 0.2; share /= 2) {
-      const double less0 = share * at.x, less1 = share * at.y;
-      if (try_widths(less0, std::sqrt(larger(0, (p.r0 - less0) * (p.r0 + less0))), less1,
-                     std::sqrt(larger(0, (p.r1 - less1) * (p.r1 + less1)))))
-        return;
-    }
-    return;
+  const auto [x, u, y, v] = beside_tips(p.r0, at.u, p.r1, at.v, at.z);
+  if (try_widths(x, u, y, v)) return;
+  // Where a demand is more than a radius, or the multipliers of these leave the cone of the demands':
+  // demanding less leaves room for all directions.
+  for (double share = 1; share > 0.2; share /= 2) {
+    const double less0 = share * at.x, less1 = share * at.y;
+    if (try_widths(less0, std::sqrt(larger(0, (p.r0 - less0) * (p.r0 + less0))), less1,
+                   std::sqrt(larger(0, (p.r1 - less1) * (p.r1 + less1)))))
+      return;
   }
+}
+
+// Up the line along which H rises from the corner.
+void prove_on_edge(const Scaled& p, const Frame& frame, const Base& base, const Corner<double, int>& at,
+                   Answer& answer) noexcept {
   const int line = at.rises2 ? 2 : 3;
   const Edge<double> e = edge(at);
   // u and v as the edge has them: of solid a, of solid b.
@@ -231,8 +233,8 @@ void prove_at_optimum(const Scaled& p, const Frame& frame, const Base& base, Ans
       const auto [x, u, y, v] = beside_tips(e.ra, end.u, e.rb, end.cv / e.c, e.z);
       const double slope = x > 0 || u > 0 ? u : 1, cb = e.c * y, cv = e.c * v;
       try_direction(p,
-                    combine(line, f.s * (cb * slope), at.rises2 ? 1 : 0, e.c * (x * cv) - cb * slope,
-                            e.c * f.s * (slope * cv)),
+                    combine(frame, line, frame.f.s * (cb * slope), at.rises2 ? 1 : 0,
+                            e.c * (x * cv) - cb * slope, e.c * frame.f.s * (slope * cv)),
                     answer);
     }
     return;
@@ -240,7 +242,7 @@ void prove_at_optimum(const Scaled& p, const Frame& frame, const Base& base, Ans
   const auto [low, first] = start(e);
   double t = first;
   int misses = 0;  // verdicts whose certificate did not hold
-  while (answer.iterations < iteration_cap) {
+  while (answer.iterations < iteration_cap && misses <= 3) {
     ++answer.iterations;
     const auto now = step(e, low, t);
     if (now.apart) {
@@ -254,9 +256,19 @@ void prove_at_optimum(const Scaled& p, const Frame& frame, const Base& base, Ans
       if (try_edge_point(u, v)) return;
     }
     misses += now.found | now.apart;
-    if (misses > 3) return;
     t = now.t;
   }
+}
+
+// Where H is greatest there is the deepest slice, and the multipliers of the demands that hold it there are
+// the weights of a direction (section 7).
+void prove_at_optimum(const Scaled& p, const Frame& frame, const Base& base, Answer& answer) noexcept {
+  const auto at = corner(frame.f);
+  if (at.met && try_middle(p, frame, base, at.u, at.v, answer)) return;
+  if (at.rises2 | at.rises3) prove_on_edge(p, frame, base, at, answer);
+  // Also where the edge gave no proof: with axes all but square its first steps are shorter than a rounding
+  // of the widths, and H at the corner is as great as anywhere.
+  if (answer.proof == Proof::none && !at.met) separate_at_corner(p, frame, at, answer);
 }
 
 // The five directions and the slice that decide most pairs.

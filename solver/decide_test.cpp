@@ -166,6 +166,21 @@ TEST(Decide, ProvesGapsBesideTips) {
   }
 }
 
+// Cubes of a lattice whose axes are at right angles but for a rounding, 0.04 to 0.18 apart.
+TEST(Decide, ProvesGapsAtAxesSquareButForARounding) {
+  const Pair pairs[] = {
+      {{Vector3(0, 3, 2), Vector3(2, 1, 0), 1, 2},
+       {Vector3(2, 3, 0), Vector3(8.937938184587448e-17, -4.484781043539769e-17, 1), 1, 2}},
+      {{Vector3(-2, -1, -1), Vector3(1, 5.407808132487433e-16, -8.411635465365984e-16), 1, 2},
+       {Vector3(0, 0, 1), Vector3(0, 0, -1), 1, 2}},
+      {{Vector3(0, 1, 1), Vector3(4.876598504893711e-16, -8.730337165428862e-16, -1), 1, 2},
+       {Vector3(2, 0, 3), Vector3(-1, 0, 0), 1, 2}}};
+  for (const Pair& p : pairs) {
+    EXPECT_EQ(decide(p.a, p.b).verdict, Verdict::disjoint);
+    EXPECT_EQ(decide(p.b, p.a).verdict, Verdict::disjoint);
+  }
+}
+
 // z rounds to r0 + r1: the slope of F is noise far out, and the search must see that it is.
 TEST(Decide, EndsWhereTheSlopeIsRounding) {
   const Cylinder a{Vector3(0, 0, 0),
