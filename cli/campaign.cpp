@@ -271,7 +271,8 @@ int campaign(const Arguments& arguments) {
   show_run(options.out, summary.progress.done);
   if (!summary.harness_failure.empty()) fmt::print(stderr, "daylight: {}\n", summary.harness_failure);
   if (summary.interrupted)
-    fmt::print(stderr, "stopped; go on with: ./daylight campaign --resume {}\n", shell_quoted(options.out));
+    fmt::print(stderr, "stopped; go on with: {} campaign --resume {}\n", own_command(),
+               shell_quoted(options.out));
   return exit_code(summary);
 }
 

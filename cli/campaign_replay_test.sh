@@ -20,7 +20,7 @@ holds 'the page is named' out 'runs/ours/report.html'
 [[ -s runs/ours/report.html && $(readlink runs/latest) == ours ]] || holds 'page and latest' out '^report.html and runs/latest$'
 
 expect 2 'a library beyond its claim' "$daylight" "${run[@]}" --methods fcl-libccd --families tiny_and_huge --out runs/fcl
-holds 'the worst is named' out '^the worst, fcl-libccd wrong_[a-z]+ \(contract\): \./daylight replay runs/fcl:[0-9]+$'
+holds 'the worst is named' out '^the worst, fcl-libccd wrong_[a-z]+ \(contract\): daylight replay runs/fcl:[0-9]+$'
 worst=$(sed -n 's/^the worst.* //p' out)
 
 expect 2 'the worst stands' "$daylight" replay "$worst"
@@ -80,6 +80,6 @@ kill -INT "$campaign"
 code=0
 wait "$campaign" || code=$?
 [[ $code == 3 ]] || { printf 'stopped: exit code %s\n' "$code"; cat out err; failures=$((failures + 1)); }
-holds 'how to go on' err 'go on with: ./daylight campaign --resume runs/stopped'
+holds 'how to go on' err 'go on with: daylight campaign --resume runs/stopped'
 
 exit $((failures > 0))

@@ -87,10 +87,10 @@ int fuzz(const Arguments& arguments) {
   }
   fmt::print("{}", format_fuzzing(summary));
   if (!summary.findings.empty())
-    fmt::print("the findings: ./daylight replay {}\n", shell_quoted(options.out + "/findings.jsonl"));
+    fmt::print("the findings: {} replay {}\n", own_command(), shell_quoted(options.out + "/findings.jsonl"));
   if (!summary.harness_failure.empty()) fmt::print(stderr, "daylight: {}\n", summary.harness_failure);
   if (summary.interrupted)
-    fmt::print(stderr, "stopped; go on with: ./daylight fuzz --target {} --out {}\n", arguments.target,
+    fmt::print(stderr, "stopped; go on with: {} fuzz --target {} --out {}\n", own_command(), arguments.target,
                shell_quoted(options.out));
   return exit_code(summary);
 }

@@ -10,6 +10,7 @@
 #include <memory>
 #include <optional>
 #include <set>
+#include <span>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -26,12 +27,14 @@
 #include "cli/write_file.hpp"
 #include "corpus/case_files.hpp"
 #include "corpus/pair_io.hpp"
+#include "corpus/shell_words.hpp"
 #include "props/law_hunt.hpp"
 #include "reports/gate_github.hpp"
 #include "reports/gate_json.hpp"
 #include "reports/gate_junit.hpp"
 #include "reports/gate_sarif.hpp"
 #include "reports/gate_text.hpp"
+#include "reports/gate_words.hpp"
 #include "reports/suppressed.hpp"
 
 namespace cyl {
@@ -40,7 +43,7 @@ namespace {
 struct Arguments {
   std::string budget, methods, junit, sarif, json, against, keep, reproduce;
   std::optional<std::string> cases, suppressions;
-  std::uint64_t seed = GateOptions{}.seed;
+  std::optional<std::uint64_t> seed;
   bool github = false, laws = false;
   GuestOptions guests;
 };
@@ -85,6 +88,17 @@ int reproduce(const Arguments& arguments, std::span<const std::unique_ptr<Method
   return broken ? exit_findings : exit_pass;
 }
 
+/// The options of another command that has it ask the same methods.
+std::string methods_asked(std::span<const std::unique_ptr<Method>> methods, std::span<const Guest> guests) {
+  std::string options = " --methods ", comma;
+  for (const auto& method : methods) {
+    options += comma + shell_quoted(method->name());
+    comma = ",";
+  }
+  for (const Guest& guest : guests) options += ' ' + options_for(guest);
+  return options;
+}
+
 int gate(const Arguments& arguments) {
   if (arguments.laws) {
     print_laws();
@@ -95,12 +109,16 @@ int gate(const Arguments& arguments) {
   const auto methods = std::move(company).select(arguments.methods, our_methods);
   if (!arguments.reproduce.empty()) return reproduce(arguments, methods);
   GateOptions options;
-  options.seed = arguments.seed;
+  options.seed = arguments.seed.value_or(options.seed);
   if (!arguments.budget.empty()) options.budget = parse_duration(arguments.budget);
   const std::string folder = arguments.cases ? *arguments.cases : in_source_tree("corpus");
   const std::vector<Case> cases = folder.empty() ? std::vector<Case>{} : read_case_folder(folder);
-  std::set<std::string> base;
-  if (!arguments.against.empty()) base = read_buckets(arguments.against);
+  GateBase base;
+  if (!arguments.against.empty()) {
+    base = read_base(arguments.against);
+    options.seed = base.seed;
+    options.amount = base.amount;
+  }
   const std::vector<Suppression> suppressions =
       read_suppressions(arguments.suppressions.value_or(in_source_tree("suppressions.jsonl")));
   fmt::print("seed {}\n", options.seed);
@@ -137,9 +155,13 @@ int gate(const Arguments& arguments) {
   if (!arguments.json.empty()) write_file(arguments.json, gate_json(report));
   if (!arguments.keep.empty()) write_file(arguments.keep, case_lines(report));
   if (arguments.github) fmt::print("{}", gate_github(report));
-  fmt::print("planted faults: {}", smoke.ran ? smoke.text : "not run, daylight-mutants is not built\n");
+  fmt::print("the gate itself, tried on methods with known faults: {}",
+             smoke.ran ? smoke.text : "not run, daylight-mutants is not built\n");
   fmt::print("{}", gate_text(report));
   for (const std::string& remark : remarks) fmt::print("{}\n", remark);
+  if (!arguments.keep.empty() && std::any_of(report.failures.begin(), report.failures.end(), fails_gate))
+    fmt::print("next: {} replay {}{}\n", own_command(), shell_quoted(arguments.keep),
+               methods_asked(methods, guests));
   if (!smoke.alive) throw std::runtime_error("the gate is blind: a planted fault was not caught");
   return stale > 0 ? exit_findings : exit_code(report);
 }
@@ -163,8 +185,12 @@ void add_gate(CLI::App& app, int& exit_code) {
   command->add_option("--sarif", arguments->sarif, "write a SARIF 2.1.0 file");
   command->add_option("--json", arguments->json, "write everything as JSON: what --against reads");
   command->add_flag("--github", arguments->github, "print annotations for GitHub's log");
-  command->add_option("--against", arguments->against,
-                      "JSON of an earlier gate: only what it does not have fails");
+  command
+      ->add_option("--against", arguments->against,
+                   "JSON of an earlier gate: asks the same pairs, and only what it does not have fails, or "
+                   "had on fewer pairs")
+      ->excludes("--for")
+      ->excludes("--seed");
   command->add_option("--suppressions", arguments->suppressions,
                       "file of known causes that do not fail; suppressions.jsonl where not given");
   command->add_option("--keep", arguments->keep, "write the simplified failing pairs as a file of cases");

@@ -31,7 +31,25 @@ grep -q '^::error file=' out || fail 'no annotation'
 [[ -s fcl.jsonl ]] || fail 'no case was kept'
 "$daylight" check fcl.jsonl >/dev/null || fail 'the kept cases are no cases'
 
-gate 0 --method fcl-libccd --for 4s --against fcl.json
+gate 0 --method fcl-libccd --against fcl.json
+python3 - <<'END'
+import json
+base = json.load(open('fcl.json'))
+for failure in base['failures']:
+    failure['count'] -= failure['count'] > 100
+json.dump(base, open('fewer.json', 'w'))
+END
+gate 2 --method fcl-libccd --against fewer.json
+grep -q ' in the base' out || fail 'what has grown is not told'
+again=$(sed -n 's/^   replay *//p' out | head -1)
+code=0
+(
+  PATH=$(dirname "$daylight"):$PATH
+  eval "$again"
+) >out 2>err || code=$?
+[[ $code == 2 ]] || fail "exit code $code of: $again"
+grep -q '^  truth: ' out || fail 'what replays a failure does not say what is true'
+gate 64 --against fcl.json --for 4s
 printf '{"bucket":"nobody/hang","reason":"r","link":"-","owner":"ada","expires":"2999-12-31"}\n' >stale.jsonl
 gate 2 --for 2s --suppressions stale.jsonl
 grep -q 'nobody/hang (line 1) matches no stored case' out || fail 'a stale suppression is not told'

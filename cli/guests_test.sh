@@ -76,7 +76,7 @@ expect 64 "$daylight" check "${guests[@]}" pair.jsonl
 expect 0 "$daylight" check --command 'us=sh worse.sh' --method us pair.jsonl
 expect 2 "$daylight" gate --plugin ./libbad.so --for 2s
 holds out '^bad +1 \([0-9a-f]{8}\) '
-holds out "\| ./daylight check --method bad --plugin '?bad="
+holds out "\| .*replay - --methods bad --plugin '?bad="
 expect 0 "$daylight" bench "${guests[@]}" --methods bad,worse,decide --families random --pairs 20 --min-time 0.001 --passes 1
 holds out '^bad +verdict'
 holds out '^worse: times of a line there and a line back through a pipe'

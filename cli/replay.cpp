@@ -17,6 +17,7 @@
 #include "corpus/finding_words.hpp"
 #include "corpus/pair_io.hpp"
 #include "corpus/store.hpp"
+#include "props/examine.hpp"
 
 namespace cyl {
 namespace {
@@ -27,6 +28,7 @@ constexpr std::size_t together_cap = 64;
 struct Arguments {
   std::vector<std::string> targets;
   std::string methods;
+  std::vector<int> laws;
   GuestOptions guests;
 };
 
@@ -63,7 +65,8 @@ std::string fate(const FindingRecord& stored, std::span<const std::unique_ptr<Me
 
 class Replayer {
  public:
-  explicit Replayer(const Arguments& arguments) {
+  explicit Replayer(const Arguments& arguments) : laws_(arguments.laws) {
+    for (const int law : laws_) law_numbered(law);
     for (const std::string& name : arguments.targets) {
       for (Target& target : targets_of(name)) targets_.push_back(std::move(target));
     }
@@ -77,7 +80,20 @@ class Replayer {
       std::vector<Pair> pairs;
       for (std::size_t i = 0; i < count; ++i) pairs.push_back(targets_[first + i].pair);
       const std::vector<Replayed> now = replay(methods_, pairs);
-      for (std::size_t i = 0; i < count; ++i) print(targets_[first + i], now[i]);
+      const Wanted wanted = [&](std::size_t, const Law& law) {
+        return std::find(laws_.begin(), laws_.end(), law.number) != laws_.end();
+      };
+      const Examined examined = laws_.empty() ? Examined{} : examine(methods_, pairs, wanted);
+      for (std::size_t i = 0; i < count; ++i) {
+        print(targets_[first + i], now[i]);
+        bool beyond = stands_by_contract(targets_[first + i], now[i]);
+        for (const BrokenLaw& broken : examined.broken) {
+          if (broken.pair != i) continue;
+          print(broken);
+          beyond |= broken.broken.severity == Severity::contract;
+        }
+        contract_ += beyond;
+      }
     }
     fmt::print("{} replayed, {} beyond a claim, {} of undecided truth\n", targets_.size(), contract_,
                undecided_);
@@ -103,8 +119,15 @@ class Replayer {
       fmt::print("  finding of {}, {} ({}): {}\n", target.finding->method, target.finding->kind,
                  target.finding->severity, what);
     }
-    contract_ += stands_by_contract(target, now);
     undecided_ += now.truth.verdict == Verdict::undecided;
+  }
+
+  void print(const BrokenLaw& b) const {
+    fmt::print("  {} breaks law {} {} ({}): {}\n    {}\n", methods_[b.method]->name(), b.law->number,
+               b.law->name, to_string(b.broken.severity), b.broken.what, b.law->statement);
+    for (std::size_t i = 0; i < b.asked.size(); ++i)
+      fmt::print("    asked {}\n    says  {}\n", format_pair(b.asked[i].pair),
+                 format_method_answer(b.answers[i]));
   }
 
   /// Of a stored finding only its own method counts; of a case, any.
@@ -118,6 +141,7 @@ class Replayer {
     return false;
   }
 
+  std::vector<int> laws_;
   std::vector<std::unique_ptr<Method>> methods_;
   std::vector<Target> targets_;
   std::size_t contract_ = 0;
@@ -131,9 +155,15 @@ void add_replay(CLI::App& app, int& exit_code) {
   auto arguments = std::make_shared<Arguments>();
   command
       ->add_option("TARGET", arguments->targets,
-                   "RUN: all its findings; RUN:ID: one; FILE: a file of cases; FILE:LINE: one")
+                   "RUN: all its findings; RUN:ID: one; FILE: a file of cases; FILE:LINE: one; -: cases of "
+                   "standard input")
       ->required();
   command->add_option("--methods", arguments->methods, "a,b: ask these; --methods=-a,b: all but these");
+  command
+      ->add_option("--laws", arguments->laws,
+                   "1,10: hold the methods to these laws too, by numbers as `gate --laws` lists them")
+      ->delimiter(',')
+      ->allow_extra_args(false);
   add_guest_options(*command, arguments->guests);
   command->footer(
       "Example:\n  daylight replay runs/latest:12\n"

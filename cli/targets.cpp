@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <fstream>
+#include <iostream>
 #include <stdexcept>
 #include <utility>
 
@@ -28,7 +29,9 @@ Target of_finding(const std::string& run, FindingRecord finding) {
 /// All cases of a file, or the one of a line.
 std::vector<Target> of_file(const std::string& name, std::optional<std::size_t> wanted) {
   std::vector<Target> targets;
-  std::ifstream in(name);
+  std::ifstream file;
+  if (name != "-") file.open(name);
+  std::istream& in = name == "-" ? std::cin : file;
   CaseReader reader(in);
   while (const auto line = reader.next()) {
     if (wanted && line->line != *wanted) continue;
@@ -62,7 +65,7 @@ std::vector<Target> targets_of(const std::string& name) {
       targets.push_back(of_finding(name, std::move(f)));
     return targets;
   }
-  if (fs::exists(name)) return of_file(name, {});
+  if (name == "-" || fs::exists(name)) return of_file(name, {});
   if (const auto parts = numbered(name)) {
     const auto& [place, number] = *parts;
     if (fs::is_directory(place)) {

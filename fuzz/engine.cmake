@@ -3,12 +3,14 @@
 # clang, and by oss-fuzz/, which brings engine and sanitizers itself (LIB_FUZZING_ENGINE, CXXFLAGS).
 set(top ${CMAKE_CURRENT_LIST_DIR}/..)
 set(foreign "/(bullet|ccd|fcl|mujoco|nlopt|ode)_method\\.cpp$")
+# Guests and what triage asks.
+set(unused "/(all_methods|guest|child|command_method|plugin_method|kin|mechanism|cells)\\.cpp$")
 set(guided ${top}/fuzz/counters.cpp ${top}/fuzz/mutator_target.cpp)
 file(GLOB tested CONFIGURE_DEPENDS ${top}/solver/*.cpp ${top}/solver/seeds/*.cpp)
 file(GLOB checking CONFIGURE_DEPENDS ${top}/oracles/*.cpp ${top}/props/*laws.cpp ${top}/props/examine.cpp)
 set(adapters ${checking})
 list(FILTER tested EXCLUDE REGEX "_test\\.cpp$")
-list(FILTER checking EXCLUDE REGEX "(_test|_main|/all_methods)\\.cpp$|${foreign}")
+list(FILTER checking EXCLUDE REGEX "(_test|_main)\\.cpp$|${foreign}|${unused}")
 list(FILTER adapters INCLUDE REGEX "${foreign}")
 foreach(part corpus/pair_io fuzz/record fuzz/ledger fuzz/brief fuzz/mutator fuzz/visited)
   list(APPEND checking ${top}/${part}.cpp)

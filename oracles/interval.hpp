@@ -13,26 +13,22 @@
 namespace cyl {
 
 namespace interval_detail {
-inline double next_up(double x) {
-  if (!(x < std::numeric_limits<double>::infinity())) return std::numeric_limits<double>::infinity();
-  if (x == 0) return 0x1p-1074;
-  const auto bits = std::bit_cast<std::int64_t>(x);
-  return std::bit_cast<double>(bits + (x > 0 ? 1 : -1));
-}
-// Of long doubles near 1, relative.
-inline constexpr long double long_spacing = [] {
-  long double spacing = 1;
-  for (int digit = 1; digit < std::numeric_limits<long double>::digits; ++digit) spacing /= 2;
-  return spacing;
+// Half the spacing of numbers at 1, and a bit more.
+template <class R>
+inline constexpr R half_spacing = [] {
+  R half = 1;
+  for (int digit = 0; digit < std::numeric_limits<R>::digits; ++digit) half /= 2;
+  return half * (1 + 2 * half);
 }();
-// |x| times the relative spacing is at least the spacing at x, and of the least numbers the last term is; a
-// sum rounded to nearest does not fall short of a number that the sum itself reaches.
-inline long double next_up(long double x) {
-  using Limits = std::numeric_limits<long double>;
-  static_assert(Limits::is_iec559, "sums of long doubles round to nearest");
-  if (!(x < Limits::infinity())) return Limits::infinity();
-  if (x < Limits::lowest()) return Limits::lowest();
-  return x + (std::fabs(x) * long_spacing + Limits::denorm_min());
+// The successor of x, or the number after it (Rump, Zimmermann, Boldo, Melquiond, BIT 49, 2009): |x| times
+// the above, rounded, is more than half the way from x to its successor, so that the sum is not rounded back
+// to x; where that product underflows, the least number is the whole way.
+template <class R>
+R next_up(R x) {
+  using Limits = std::numeric_limits<R>;
+  static_assert(Limits::is_iec559, "sums round to nearest");
+  if (!(std::fabs(x) < Limits::infinity())) return x < 0 ? Limits::lowest() : Limits::infinity();
+  return x + (std::fabs(x) * half_spacing<R> + Limits::denorm_min());
 }
 template <class R>
 R next_down(R x) {

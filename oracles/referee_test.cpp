@@ -264,16 +264,27 @@ TEST(Filter, ShowsWhereFlatSolidsOverlap) {
   expect_overlaps<long double>("long double");
 }
 
-TEST(Filter, LongDoublesAreRoundedOutwards) {
-  using Limits = std::numeric_limits<long double>;
-  constexpr long double infinity = Limits::infinity();
-  for (const long double x : {0.0L, 1.0L, 1.5L, std::nextafter(2.0L, 0.0L), 1e-4000L, Limits::min(),
-                              Limits::denorm_min(), Limits::max(), infinity})
-    for (const long double y : {x, -x}) {
-      EXPECT_GE(interval_detail::next_up(y), std::nextafter(y, infinity));
-      EXPECT_LE(interval_detail::next_down(y), std::nextafter(y, -infinity));
+template <class R>
+void expect_rounding_outwards() {
+  using Limits = std::numeric_limits<R>;
+  constexpr R infinity = Limits::infinity();
+  std::vector<R> all{0, 1, R(1.5), std::nextafter(R(2), R(0)), Limits::denorm_min(), Limits::max(), infinity};
+  for (int exponent = Limits::min_exponent - Limits::digits; exponent < Limits::max_exponent; ++exponent)
+    for (const R mantissa : {R(1), std::nextafter(R(1), R(2)), R(1.25), R(1.75), std::nextafter(R(2), R(1))})
+      all.push_back(std::ldexp(mantissa, exponent));
+  for (const R x : all)
+    for (const R y : {x, -x}) {
+      const R up = std::nextafter(y, infinity), down = std::nextafter(y, -infinity);
+      EXPECT_GE(interval_detail::next_up(y), up);
+      EXPECT_LE(interval_detail::next_up(y), std::nextafter(up, infinity));
+      EXPECT_LE(interval_detail::next_down(y), down);
+      EXPECT_GE(interval_detail::next_down(y), std::nextafter(down, -infinity));
     }
-  EXPECT_LE(interval_detail::next_up(1.0L), 1 + 4 * interval_detail::long_spacing);
+}
+
+TEST(Filter, RoundsOutwardsByOneNumberOrTwo) {
+  expect_rounding_outwards<double>();
+  expect_rounding_outwards<long double>();
 }
 
 TEST(Enclosure, HoldsDistancesKnownOnPaper) {

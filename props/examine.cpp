@@ -110,7 +110,13 @@ Examined examine(std::span<const std::unique_ptr<Method>> methods, std::span<con
           failed == c.answers.end()
               ? errand->law->broken(c)
               : Broken{fmt::format("fails on a changed pair: {}", failed->reason), Severity::contract};
-      if (broken) result.broken.push_back({errand->method, p, errand->law, std::move(*broken)});
+      if (!broken) continue;
+      result.broken.push_back({errand->method,
+                               p,
+                               errand->law,
+                               std::move(*broken),
+                               errand->asked,
+                               {c.answers.begin(), c.answers.end()}});
     }
     if (const Proved* proved = proofs.known(pairs[p])) result.truths[p] = proved->truth.verdict;
   }

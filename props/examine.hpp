@@ -22,6 +22,8 @@ struct BrokenLaw {
   std::size_t method, pair;
   const Law* law;
   Broken broken;
+  std::vector<Asked> asked;           ///< what the law had asked beside the pair,
+  std::vector<MethodAnswer> answers;  ///< and what the method said to it
 };
 
 /// What a method answered to the pairs themselves.

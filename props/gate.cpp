@@ -47,6 +47,12 @@ constexpr double hang_share = 0.25;
 /// Where so many pairs got the same answer, it is no answer.
 constexpr std::uint64_t enough_to_remark = 100;
 
+/// On more than half of what it is asked: it passes no gate for what it does not say.
+bool abstains(const AnswerCounts& counts) {
+  const auto silent = counts.declined + counts.said[static_cast<std::size_t>(Verdict::undecided)];
+  return counts.asked == 0 || 2 * silent > counts.asked;
+}
+
 bool of_the_answer(const Law& law) { return law.kind == LawKind::answer; }
 
 /// "wrong_disjoint" of a refuted verdict, "crash" of a failure, else the law's name.
@@ -56,6 +62,12 @@ std::string kind_of_break(const Law& law, const Broken& broken) {
 }
 
 std::optional<ContactFeature> feature_of(const Pair& pair) { return contact_feature(pair, judge(pair)); }
+
+/// Where a pair stands, by its construction.
+struct Stratum {
+  ContactFeature feature;
+  int decade;
+};
 
 /// Relative: 10^-13 computed, and a claim rounded up, are still 1e-13.
 constexpr double claim_rounding_error = 0x1p-48;
@@ -88,7 +100,7 @@ class Gate {
     });
     in_phase(GatePhase::corpus_laws, [&] {
       replay_cases([](std::size_t, const Law& law) { return !of_the_answer(law); },
-                   start_ + options_.budget / 2);
+                   options_.amount ? Clock::time_point::max() : start_ + options_.budget / 2);
     });
     const milliseconds left = std::max(options_.budget - elapsed(), options_.budget / 4);
     const auto share = [&](double part) {
@@ -96,12 +108,20 @@ class Gate {
     };
     in_phase(GatePhase::laws, [&] { hunt_until(share(laws_share)); });
     in_phase(GatePhase::sample, [&] { sample_until(share(sample_share)); });
-    // Failures wait for both, so that what is found does not depend on how long they take to shrink.
+    // Failures wait for both, so that what is found does not depend on how long they take to shrink. The
+    // first of each law and kind first: the others are like it.
     const Clock::time_point end = share(1 - laws_share - sample_share);
+    std::set<std::tuple<std::string, int, std::string>> seen;
+    std::vector<GateFailure*> like_others;
     for (GateFailure& failure : report_.failures) {
-      if (failure.severity == Severity::contract) look_closer(failure, end);
-      failure.bucket = bucket_of(failure.method, kind_of(failure), failure.simplest);
+      if (failure.severity != Severity::contract) continue;
+      if (seen.emplace(failure.method, failure.law->number, failure.kind).second)
+        look_closer(failure, end);
+      else
+        like_others.push_back(&failure);
     }
+    for (GateFailure* failure : like_others)
+      if (Clock::now() < end) look_closer(*failure, end);
     for (std::size_t m = 0; m < methods_.size(); ++m)
       report_.methods[m].remark =
           asleep(m) ? "hangs, and was not asked to the end" : remark_on(report_.methods[m].counts);
@@ -125,20 +145,28 @@ class Gate {
     if (on_progress_) on_progress_({now.phase, now.pairs, report_.failures.size(), elapsed()});
   }
 
-  /// A break joins those of the same method, law and kind. Whether it is the first of them.
-  bool note(std::size_t method, const Law& law, const Broken& broken, const Pair& pair,
-            const std::string& origin, const std::string& reproduce = {}) {
+  /// A break joins those of the same law and bucket.
+  void note(std::size_t method, const Law& law, const Broken& broken, const Pair& pair,
+            const std::string& origin, const std::string& reproduce = {},
+            const std::optional<Stratum>& stratum = {}) {
     std::string kind = kind_of_break(law, broken);
-    const auto [at, is_new] = by_kind_.try_emplace(
-        std::tuple(method, law.number, kind, broken.severity == Severity::contract), report_.failures.size());
+    const std::string& name = report_.methods[method].name;
+    const bool contract = broken.severity == Severity::contract;
+    std::string bucket = stratum ? bucket_key(name, kind, stratum->feature,
+                                              coordinate_of(pair, std::pow(10.0, -stratum->decade - 0.5)))
+                                 : bucket_of(name, kind, pair);
+    if (contract) broken_.emplace(method, law.number, kind);
+    const auto [at, is_new] =
+        by_bucket_.try_emplace(std::tuple(law.number, bucket, contract), report_.failures.size());
     if (!is_new) {
       ++report_.failures[at->second].count;
-      return false;
+      return;
     }
-    kinds_.push_back(std::move(kind));
     GateFailure& failure = report_.failures.emplace_back();
-    failure.method = methods_[method]->name();
+    failure.method = name;
     failure.law = &law;
+    failure.kind = std::move(kind);
+    failure.bucket = std::move(bucket);
     failure.what = broken.what;
     failure.severity = broken.severity;
     failure.phase = report_.phases.back().phase;
@@ -146,7 +174,6 @@ class Gate {
     failure.found = failure.simplest = pair;
     failure.count = 1;
     failure.reproduce = reproduce;
-    return true;
   }
 
   void count(const std::vector<AnswerCounts>& counts) {
@@ -183,12 +210,18 @@ class Gate {
     }
   }
 
+  /// Whether a phase goes on: by the clock, or by the rounds that are to be drawn.
+  bool goes_on(std::uint64_t round, Clock::time_point end, std::uint64_t GateAmount::*rounds) {
+    report_.phases.back().rounds = round;
+    return options_.amount ? round < *options_.amount.*rounds : Clock::now() < end;
+  }
+
   void hunt_until(Clock::time_point end) {
     const Wanted all = [&](std::size_t m, const Law&) { return !asleep(m); };
     const IsNews is_news = [&](const Catch& c) {
-      return !by_kind_.contains(std::tuple(c.method, c.law->number, kind_of_break(*c.law, c.broken), true));
+      return !broken_.contains(std::tuple(c.method, c.law->number, kind_of_break(*c.law, c.broken)));
     };
-    for (std::uint64_t round = 0; Clock::now() < end; ++round) {
+    for (std::uint64_t round = 0; goes_on(round, end, &GateAmount::law_rounds); ++round) {
       // Each round has a seed of its own; neighbouring ones of RapidCheck's generator are unrelated.
       const HuntRound found =
           hunt(methods_, all, is_news, options_.seed + round, draws_per_round, options_.caps);
@@ -208,10 +241,11 @@ class Gate {
   struct Drawn {
     std::size_t cell;
     std::uint64_t index;
+    Stratum stratum;
   };
 
   void sample_until(Clock::time_point end) {
-    for (std::uint64_t round = 0; Clock::now() < end; ++round) {
+    for (std::uint64_t round = 0; goes_on(round, end, &GateAmount::sample_rounds); ++round) {
       std::vector<Pair> pairs;
       std::vector<Drawn> drawn;
       std::size_t cell = 0;
@@ -222,7 +256,7 @@ class Gate {
             if (const auto pair =
                     draw_in_stratum(static_cast<ContactFeature>(feature), decade, options_.seed, index)) {
               pairs.push_back(*pair);
-              drawn.push_back({cell, index});
+              drawn.push_back({cell, index, {static_cast<ContactFeature>(feature), decade}});
             }
           }
         }
@@ -251,7 +285,8 @@ class Gate {
         if (b.law->number <= 31) wrong.emplace(b.method, b.pair);
         note(b.method, *b.law, b.broken, pairs[b.pair],
              fmt::format("{} 1e-{:02}, seed {}, index {}", at.feature, at.decade, options_.seed,
-                         drawn[b.pair].index));
+                         drawn[b.pair].index),
+             {}, drawn[b.pair].stratum);
       }
       for (const auto& [m, p] : wrong) ++report_.methods[m].cells[drawn[p].cell].wrong;
       report_.undecided_truths += static_cast<std::uint64_t>(
@@ -261,31 +296,26 @@ class Gate {
   }
 
   /// Which of the pairs break the law of `failure` in its way.
-  std::vector<bool> still_broken(const GateFailure& failure, const std::string& kind,
-                                 std::span<const Pair> pairs) {
+  std::vector<bool> still_broken(const GateFailure& failure, std::span<const Pair> pairs) {
     const auto method = std::find_if(methods_.begin(), methods_.end(),
                                      [&](const auto& m) { return m->name() == failure.method; });
     const Wanted this_law = [&](std::size_t, const Law& law) { return law.number == failure.law->number; };
     std::vector<bool> broken(pairs.size(), false);
     for (const BrokenLaw& b : examine({&*method, 1}, pairs, this_law, options_.caps).broken)
-      broken[b.pair] = b.broken.severity == failure.severity && kind_of_break(*b.law, b.broken) == kind;
+      broken[b.pair] =
+          b.broken.severity == failure.severity && kind_of_break(*b.law, b.broken) == failure.kind;
     return broken;
   }
 
-  const std::string& kind_of(const GateFailure& failure) const {
-    return kinds_.at(static_cast<std::size_t>(&failure - report_.failures.data()));
-  }
-
   void look_closer(GateFailure& failure, Clock::time_point end) {
-    const std::string& kind = kind_of(failure);
     for (; failure.reruns < rerun_count; ++failure.reruns)
-      failure.failed_again += still_broken(failure, kind, {&failure.found, 1})[0];
+      failure.failed_again += still_broken(failure, {&failure.found, 1})[0];
     if (failure.failed_again < failure.reruns) return;  // what comes and goes cannot be shrunk
     // What meets stays: else all becomes a matter of points.
     const auto feature = feature_of(failure.found);
     const StillFails still_fails = [&](std::span<const Pair> pairs) {
       if (Clock::now() >= end) return std::vector<bool>(pairs.size(), false);
-      std::vector<bool> broken = still_broken(failure, kind, pairs);
+      std::vector<bool> broken = still_broken(failure, pairs);
       for (std::size_t i = 0; i < pairs.size(); ++i) broken[i] = broken[i] && feature_of(pairs[i]) == feature;
       return broken;
     };
@@ -296,7 +326,9 @@ class Gate {
     if (counts.asked < enough_to_remark) return {};
     const auto said = [&](Verdict v) { return counts.said[static_cast<std::size_t>(v)]; };
     if (counts.failed == counts.asked) return "fails on every pair";
-    if (counts.declined + said(Verdict::undecided) == counts.asked) return "abstains on every pair";
+    const std::uint64_t silent = counts.declined + said(Verdict::undecided);
+    if (silent == counts.asked) return "abstains on every pair";
+    if (abstains(counts)) return fmt::format("abstains on {} of {} pairs", silent, counts.asked);
     for (const Verdict v : {Verdict::disjoint, Verdict::intersecting, Verdict::touching, Verdict::invalid})
       if (said(v) + counts.declined + counts.failed == counts.asked)
         return fmt::format("answers {} to every pair", to_string(v));
@@ -309,8 +341,8 @@ class Gate {
   const std::function<void(const GateProgress&)>& on_progress_;
   const Clock::time_point start_;
   GateReport report_;
-  std::map<std::tuple<std::size_t, int, std::string, bool>, std::size_t> by_kind_;  ///< to failures
-  std::vector<std::string> kinds_;                                                  ///< of failures
+  std::map<std::tuple<int, std::string, bool>, std::size_t> by_bucket_;  ///< to failures
+  std::set<std::tuple<std::size_t, int, std::string>> broken_;  ///< method, law and kind: contracts broken
 };
 
 }  // namespace
@@ -344,12 +376,10 @@ int exit_code(const GateReport& report) {
   const auto unsampled = [](const GatePhaseReport& p) {
     return p.phase == GatePhase::sample && p.pairs == 0;
   };
-  const bool undecided =
-      report.undecided_truths > 0 || std::any_of(report.phases.begin(), report.phases.end(), unsampled) ||
-      std::any_of(report.methods.begin(), report.methods.end(), [](const GateMethod& m) {
-        return m.counts.declined + m.counts.said[static_cast<std::size_t>(Verdict::undecided)] ==
-               m.counts.asked;
-      });
+  const bool undecided = report.undecided_truths > 0 ||
+                         std::any_of(report.phases.begin(), report.phases.end(), unsampled) ||
+                         std::any_of(report.methods.begin(), report.methods.end(),
+                                     [](const GateMethod& m) { return abstains(m.counts); });
   return undecided ? 3 : 0;
 }
 

@@ -33,32 +33,42 @@ enum class GatePhase : unsigned char {
 inline constexpr std::array gate_phases{GatePhase::corpus, GatePhase::corpus_laws, GatePhase::laws,
                                         GatePhase::sample};
 
+/// How much is drawn.
+struct GateAmount {
+  std::uint64_t law_rounds = 0, sample_rounds = 0;
+};
+
 struct GateOptions {
   std::uint64_t seed = 1;
   std::chrono::milliseconds budget{
       40'000};  ///< wall time of `laws`, `sample` and shrinking; the corpus is run in full
+  /// What an earlier gate drew: asked to the end, whatever the time, so that both saw the same pairs.
+  std::optional<GateAmount> amount;
   /// Of one call and of the hangs in one batch: shorter than a campaign's, for a gate is to end.
   Caps caps{
       .call_cpu = std::chrono::milliseconds(500), .call_wall = std::chrono::milliseconds(2000), .hangs = 4};
 };
 
-/// One way in which one method fails: all pairs of one method, law and kind of failure; in the order found.
+/// One way in which one method fails: all pairs of one bucket, that is of one method, kind of failure,
+/// contact feature and extreme coordinate, and of one law; in the order found.
 struct GateFailure {
   std::string method;
   const Law* law = nullptr;
+  std::string kind;  ///< "wrong_disjoint" of a refuted verdict, "crash" of a failure, else the law's name
   std::string what;  ///< what broke, on the first pair
   Severity severity = Severity::contract;
   GatePhase phase = GatePhase::corpus;
   std::string origin;  ///< of the first pair: a case's "FILE:LINE id", or "side-rim 1e-09, seed 1, index 17"
   Pair found;          ///< the first pair
   Pair simplest;       ///< a simple one that breaks the same law in the same way
-  std::string bucket;  ///< of the simplest, oracles/bucket.hpp
+  std::string bucket;  ///< of the pairs as found, oracles/bucket.hpp; that of the simplest may be another
   std::uint64_t count = 0;  ///< pairs seen to fail like this
   unsigned reruns = 0,
            failed_again = 0;  ///< of the first pair; fewer failures than reruns: it depends on luck
   std::string reproduce;      ///< RapidCheck's string, where it came from there; else empty
   std::string options;        ///< that bring the method where it is of no build; else empty
-  bool known = false;         ///< in the base given by --against
+  bool known = false;         ///< excused: the base has it on as many pairs, or it is suppressed
+  std::uint64_t in_base = 0;  ///< pairs of the base that failed like this
 };
 
 /// Independent random pairs of one contact feature and one decade of margin, and how many were wrong.
@@ -80,6 +90,7 @@ struct GateMethod {
 
 struct GatePhaseReport {
   GatePhase phase;
+  std::uint64_t rounds = 0;  ///< of `laws` and `sample`
   std::uint64_t pairs = 0;
   std::chrono::milliseconds time{0};
 };
@@ -111,7 +122,7 @@ GateReport run_gate(std::span<const std::unique_ptr<Method>> methods, std::span<
 double error_rate_bound(std::uint64_t pairs, std::uint64_t wrong);
 
 /// 2 contract failures not known, reproducible or not; 3 none, but truth that nobody could prove, a method
-/// that decided nothing, or a budget that ended before the sample began; else 0.
+/// that decided less than half of its pairs, or a budget that ended before the sample began; else 0.
 int exit_code(const GateReport& report);
 
 /// The words used in files and on screens: "corpus", "corpus laws", ...

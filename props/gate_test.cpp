@@ -7,6 +7,7 @@
 #include <chrono>
 #include <limits>
 #include <memory>
+#include <set>
 #include <stdexcept>
 #include <string>
 #include <thread>
@@ -79,6 +80,14 @@ TEST(Gate, ReportsWhoAlwaysAbstains) {
   const GateReport report = gate_on([](const Pair&) { return say(Verdict::undecided); });
   EXPECT_EQ(report.methods.at(0).remark, "abstains on every pair");
   EXPECT_EQ(exit_code(report), 3);
+}
+
+TEST(Gate, ReportsWhoMostlyAbstains) {
+  const GateReport report = gate_on(
+      [](const Pair& pair) { return pair.a.axis.x() > 0.5 ? honest(pair) : say(Verdict::undecided); });
+  EXPECT_TRUE(report.methods.at(0).remark.starts_with("abstains on ")) << report.methods.at(0).remark;
+  EXPECT_EQ(report.methods.at(0).remark.find("every"), std::string::npos);
+  EXPECT_NE(exit_code(report), 0);
 }
 
 TEST(Gate, ReportsWhoAlwaysDeclines) {
@@ -159,6 +168,32 @@ TEST(Gate, SameSeedSameFailures) {
   ASSERT_FALSE(first.failures.empty());
   EXPECT_EQ(first.failures[0].origin, second.failures[0].origin);
   EXPECT_EQ(first.failures[0].bucket, second.failures[0].bucket);
+}
+
+TEST(Gate, TellsFailuresOfDifferentBucketsApart) {
+  const GateReport report = gate_on(
+      [](const Pair& pair) { return pair.a.radius > pair.b.radius ? say(Verdict::disjoint) : honest(pair); });
+  std::set<std::string> buckets;
+  for (const GateFailure& f : report.failures) {
+    if (f.law->number != 31 || f.severity != Severity::contract) continue;
+    EXPECT_TRUE(buckets.insert(f.bucket).second) << f.bucket;
+    EXPECT_TRUE(f.bucket.starts_with("planted/wrong_disjoint/")) << f.bucket;
+  }
+  EXPECT_GT(buckets.size(), 5u);
+}
+
+TEST(Gate, AsksTheSamePairsWhereTheAmountIsGiven) {
+  std::vector<std::unique_ptr<Method>> methods;
+  methods.push_back(std::make_unique<Planted>(honest, "planted", Claim{1e-12, 0, "planted"}));
+  GateOptions options;
+  options.budget = std::chrono::milliseconds(0);
+  options.amount = {3, 2};
+  const GateReport report = run_gate(methods, few_cases(), options);
+  EXPECT_EQ(report.phases.at(1).pairs, few_cases().size());
+  EXPECT_EQ(report.phases.at(2).rounds, 3u);
+  EXPECT_EQ(report.phases.at(3).rounds, 2u);
+  EXPECT_GT(report.phases.at(3).pairs, 500u);
+  EXPECT_EQ(exit_code(report), 0);
 }
 
 TEST(Gate, BoundsTheErrorRate) {

@@ -32,7 +32,8 @@ inline GateFailure example_failure(const std::string& method, int law, Severity 
   f.found.a.radius = 0.1;
   f.found.b.center = {0.1, -0.0, 1e-300};
   f.simplest.a.radius = 2;
-  f.bucket = method + "/law-" + std::to_string(law) + "/side-rim";
+  f.kind = "law-" + std::to_string(law);
+  f.bucket = method + '/' + f.kind + "/side-rim";
   f.count = 1234;
   f.reruns = f.failed_again = 10;
   return f;
@@ -43,8 +44,9 @@ inline GateFailure example_failure(const std::string& method, int law, Severity 
 inline GateReport example_report() {
   GateReport report;
   report.seed = std::numeric_limits<std::uint64_t>::max();
-  report.phases = {{GatePhase::corpus, 12, std::chrono::milliseconds(250)},
-                   {GatePhase::sample, 345678, std::chrono::milliseconds(30040)}};
+  report.phases = {{GatePhase::corpus, 0, 12, std::chrono::milliseconds(250)},
+                   {GatePhase::laws, 9, 576, std::chrono::milliseconds(1000)},
+                   {GatePhase::sample, 831, 345678, std::chrono::milliseconds(30040)}};
   report.undecided_truths = 3;
 
   GateMethod intersect{.name = "intersect",

@@ -13,8 +13,8 @@ namespace cyl {
 /// Annotations of one kind; the service itself drops those of a step beyond ten.
 inline constexpr std::size_t annotations_cap = 10;
 
-/// One ::error a failure of the gate, one ::notice for each other break, in the order of the report, each at
-/// most annotations_cap; then a ::notice saying how many more there are. Empty where nothing broke.
+/// One ::error for each method, law and kind of failure that fails the gate, in the order of the report, at
+/// most annotations_cap; then a ::notice saying how many more there are. Empty where nothing fails the gate.
 std::string gate_github(const GateReport& report);
 
 }  // namespace cyl

@@ -63,6 +63,7 @@ json failure(const GateFailure& f) {
   return {{"method", f.method},
           {"law", f.law->number},
           {"name", f.law->name},
+          {"kind", f.kind},
           {"what", f.what},
           {"severity", to_string(f.severity)},
           {"phase", to_string(f.phase)},
@@ -74,7 +75,8 @@ json failure(const GateFailure& f) {
           {"reruns", f.reruns},
           {"failed_again", f.failed_again},
           {"reproduce", f.reproduce},
-          {"known", f.known}};
+          {"known", f.known},
+          {"in_base", f.in_base}};
 }
 
 }  // namespace
@@ -84,7 +86,10 @@ std::string gate_json(const GateReport& report) {
   for (const GateMethod& m : report.methods) methods.push_back(method(m));
   for (const GateFailure& f : report.failures) failures.push_back(failure(f));
   for (const GatePhaseReport& p : report.phases) {
-    phases.push_back({{"phase", to_string(p.phase)}, {"pairs", p.pairs}, {"milliseconds", p.time.count()}});
+    phases.push_back({{"phase", to_string(p.phase)},
+                      {"rounds", p.rounds},
+                      {"pairs", p.pairs},
+                      {"milliseconds", p.time.count()}});
   }
   const json all = {{"seed", report.seed},
                     {"methods", std::move(methods)},
@@ -95,7 +100,7 @@ std::string gate_json(const GateReport& report) {
   return all.dump(1, ' ', false, json::error_handler_t::replace) + '\n';
 }
 
-std::set<std::string> read_buckets(const std::string& file) {
+GateBase read_base(const std::string& file) {
   const auto refuse = [&](const std::string& wrong) {
     throw std::runtime_error(file + ": " + wrong + "; give the file that an earlier gate wrote as JSON");
   };
@@ -104,22 +109,32 @@ std::set<std::string> read_buckets(const std::string& file) {
   const json all = json::parse(in, nullptr, false);
   if (in.bad()) refuse("cannot be read");
   if (all.is_discarded()) refuse("is no JSON, or was cut off");
-  const auto failures = all.is_object() ? all.find("failures") : all.end();
-  if (!all.is_object() || failures == all.end() || !failures->is_array())
-    refuse("has no list 'failures' and so is no report of the gate");
-  std::set<std::string> buckets;
-  for (const json& f : *failures) {
-    if (!f.is_object() || !f.contains("bucket") || !f["bucket"].is_string())
-      refuse("holds a failure without a bucket");
-    // What the base breaks within its claims excuses nothing.
-    if (f.contains("severity") && f["severity"] == to_string(Severity::resolution)) continue;
-    buckets.insert(f["bucket"].get<std::string>());
+  GateBase base;
+  try {
+    base.seed = all.at("seed").get<std::uint64_t>();
+    for (const json& phase : all.at("phases")) {
+      const auto rounds = phase.at("rounds").get<std::uint64_t>();
+      if (phase.at("phase") == to_string(GatePhase::laws)) base.amount.law_rounds = rounds;
+      if (phase.at("phase") == to_string(GatePhase::sample)) base.amount.sample_rounds = rounds;
+    }
+    for (const json& f : all.at("failures")) {
+      // What the base breaks within its claims excuses nothing.
+      if (f.at("severity") == to_string(Severity::resolution)) continue;
+      base.buckets[f.at("bucket").get<std::string>()] += f.at("count").get<std::uint64_t>();
+    }
+  } catch (const json::exception&) {
+    refuse("is no report of this version's gate");
   }
-  return buckets;
+  return base;
 }
 
-void mark_known(GateReport& report, const std::set<std::string>& base) {
-  for (GateFailure& f : report.failures) f.known = !f.bucket.empty() && base.contains(f.bucket);
+void mark_known(GateReport& report, const GateBase& base) {
+  for (GateFailure& f : report.failures) {
+    const auto found = base.buckets.find(f.bucket);
+    if (f.bucket.empty() || found == base.buckets.end()) continue;
+    f.in_base = found->second;
+    f.known = f.count <= f.in_base || f.failed_again < f.reruns || f.kind == to_string(FindingKind::hang);
+  }
 }
 
 }  // namespace cyl

@@ -2,7 +2,8 @@
 // The gate's result as one JSON document, complete; and what a later gate reads back of it.
 #pragma once
 
-#include <set>
+#include <cstdint>
+#include <map>
 #include <string>
 
 #include "props/gate.hpp"
@@ -13,11 +14,19 @@ namespace cyl {
 /// JSON are the strings "nan", "inf", "-inf".
 std::string gate_json(const GateReport& report);
 
-/// The buckets of the failures that gate_json() wrote to `file`. Throws std::runtime_error naming the file,
-/// what is wrong with it and the remedy.
-std::set<std::string> read_buckets(const std::string& file);
+/// What a gate is held against.
+struct GateBase {
+  std::uint64_t seed = 1;
+  GateAmount amount;
+  std::map<std::string, std::uint64_t> buckets;  ///< of failures beyond claims, and on how many pairs
+};
 
-/// Marks the failures whose bucket is in `base`, and no others. One without a bucket is never known.
-void mark_known(GateReport& report, const std::set<std::string>& base);
+/// Of what gate_json() wrote to `file`. Throws std::runtime_error naming the file, what is wrong with it and
+/// the remedy.
+GateBase read_base(const std::string& file);
+
+/// Marks as known the failures whose bucket is in the base, but not those that are seen on more pairs now,
+/// where that cannot be luck or a slower machine: a hang, or what does not fail each time.
+void mark_known(GateReport& report, const GateBase& base);
 
 }  // namespace cyl

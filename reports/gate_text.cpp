@@ -7,6 +7,7 @@
 #include <cstdlib>
 #include <map>
 #include <set>
+#include <span>
 #include <vector>
 
 #include "corpus/pair_io.hpp"
@@ -70,40 +71,50 @@ std::string methods_table(const GateReport& report) {
   return text;
 }
 
-std::string told_in_full(std::size_t number, const GateFailure& f) {
+std::string told_in_full(std::size_t number, const Alike& alike) {
+  const GateFailure& f = *alike.front();
   const auto line = [](const char* title, const std::string& words) {
     return fmt::format("   {:<11}{}\n", title, words);
   };
-  std::string text = wrapped(fmt::format("{}. ", number),
-                             fmt::format("{} breaks {}, {}: {}", one_line(f.method), law_title(*f.law),
-                                         pairs_in_words(f.count), one_line(f.what)));
+  const auto grown = [](const GateFailure& g) {
+    return g.in_base == 0 ? "" : fmt::format(", {} in the base", grouped(g.in_base));
+  };
+  std::string text =
+      wrapped(fmt::format("{}. ", number), fmt::format("{} breaks {}, {}{}: {}", one_line(f.method),
+                                                       law_title(*f.law), pairs_in_words(pairs_of(alike)),
+                                                       alike.size() == 1 ? grown(f) : "", one_line(f.what)));
   text += wrapped(fmt::format("   {:<11}", "law"), std::string(f.law->statement));
   text += line("origin", fmt::format("{} ({})", one_line(f.origin), to_string(f.phase)));
   text += line("bucket", one_line(f.bucket));
   if (const std::string luck = luck_in_words(f); !luck.empty()) text += line("again", luck);
-  text += line("found", format_pair(f.found));
-  text += line("simplest", format_pair(f.simplest));
+  const std::string found = format_pair(f.found), simplest = format_pair(f.simplest);
+  text += line("found", found);
+  text += line("simplest", simplest == found ? "no simpler one was found in the time" : simplest);
   text += line("replay", replay_command(f));
   if (!f.reproduce.empty()) text += line("RapidCheck", one_line(f.reproduce));
+  for (const GateFailure* g : std::span(alike).subspan(1)) {
+    text += line("also", fmt::format("{}, {}{}", one_line(g->bucket), pairs_in_words(g->count), grown(*g)));
+    text += line("", format_pair(g->simplest));
+  }
   return text;
 }
 
 std::string failures_text(const GateReport& report) {
-  std::string full, brief;
-  std::size_t failing = 0, others = 0;
-  for (const GateFailure& f : report.failures) {
-    if (fails_gate(f)) {
-      full += told_in_full(++failing, f);
-    } else if (++others <= brief_cap) {
-      brief += wrapped("  ", fmt::format("{}: {}, {}, {}: {}{}", one_line(f.method), law_title(*f.law),
-                                         pairs_in_words(f.count), one_line(f.bucket), one_line(f.what),
-                                         f.known ? " (known)" : ""));
-    }
+  const std::vector<Alike> failing = alike_failures(report, true), others = alike_failures(report, false);
+  std::string text = failing.empty() ? "Nothing fails the gate.\n"
+                                     : fmt::format("Fails the gate ({}):\n", grouped(failing.size()));
+  for (std::size_t i = 0; i < failing.size(); ++i) text += told_in_full(i + 1, failing[i]);
+  if (!others.empty()) text += fmt::format("\nWithin claims, or known ({}):\n", grouped(others.size()));
+  for (std::size_t i = 0; i < std::min(brief_cap, others.size()); ++i) {
+    const GateFailure& f = *others[i].front();
+    const std::string buckets = others[i].size() == 1
+                                    ? one_line(f.bucket)
+                                    : fmt::format("{} and {} more", one_line(f.bucket), others[i].size() - 1);
+    text += wrapped("  ", fmt::format("{}: {}, {}, {}: {}{}", one_line(f.method), law_title(*f.law),
+                                      pairs_in_words(pairs_of(others[i])), buckets, one_line(f.what),
+                                      f.known ? " (known)" : ""));
   }
-  std::string text = failing == 0 ? "Nothing fails the gate.\n"
-                                  : fmt::format("Fails the gate ({}):\n{}", grouped(failing), full);
-  if (others > 0) text += fmt::format("\nWithin claims, or known ({}):\n{}", grouped(others), brief);
-  if (others > brief_cap) text += fmt::format("  and {} more\n", grouped(others - brief_cap));
+  if (others.size() > brief_cap) text += fmt::format("  and {} more\n", grouped(others.size() - brief_cap));
   return text;
 }
 

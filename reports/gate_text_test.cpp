@@ -28,9 +28,23 @@ TEST(GateText, TellsWhatFailedAndHowToSeeItAgain) {
   EXPECT_TRUE(has(text, "fails 10 of 10 times"));
   EXPECT_TRUE(has(text, "depends on luck: 3 of 10"));
   EXPECT_TRUE(has(text, "BchAwNXYlR2c"));
-  EXPECT_TRUE(has(
-      text, "echo '" + format_pair(report.failures[0].simplest) + "' | ./daylight check --method intersect"));
+  EXPECT_TRUE(has(text, "echo '" + format_pair(report.failures[0].simplest) +
+                            "' | daylight replay - --methods intersect --laws 1"));
   EXPECT_TRUE(has(text, "Within claims, or known (1)"));
+}
+
+TEST(GateText, TellsOneKindOfFailureOnce) {
+  GateReport report = example_report();
+  GateFailure elsewhere = report.failures[0];
+  elsewhere.bucket = "intersect/law-1/rim-rim";
+  elsewhere.count = 740;
+  elsewhere.in_base = 1;
+  report.failures.push_back(elsewhere);
+  const std::string text = gate_text(report);
+  EXPECT_TRUE(has(text, "Fails the gate (3)"));
+  EXPECT_EQ(occurrences(text, "intersect breaks law 1 "), 1u);
+  EXPECT_TRUE(has(text, ", 1,974 pairs: said disjoint"));
+  EXPECT_TRUE(has(text, "also       intersect/law-1/rim-rim, 740 pairs, 1 in the base"));
 }
 
 TEST(GateText, KnownFailuresDoNotFail) {
@@ -44,6 +58,7 @@ TEST(GateText, KnownFailuresDoNotFail) {
 TEST(GateText, BriefOnesAreCapped) {
   GateReport report = example_report();
   report.failures.assign(brief_cap + 5, example_failure("intersect", 3, Severity::resolution));
+  for (std::size_t i = 0; i < report.failures.size(); ++i) report.failures[i].kind = std::to_string(i);
   const std::string text = gate_text(report);
   EXPECT_TRUE(has(text, "and 5 more"));
   EXPECT_EQ(occurrences(text, "said disjoint"), brief_cap);

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <charconv>
 #include <filesystem>
 #include <nlohmann/json.hpp>
@@ -49,6 +50,28 @@ bool is_from_case(const GateFailure& failure) {
   return failure.phase == GatePhase::corpus || failure.phase == GatePhase::corpus_laws;
 }
 
+std::vector<Alike> alike_failures(const GateReport& report, bool failing) {
+  std::vector<Alike> all;
+  for (const GateFailure& f : report.failures) {
+    if (fails_gate(f) != failing) continue;
+    const auto at = std::find_if(all.begin(), all.end(), [&](const Alike& alike) {
+      const GateFailure& g = *alike.front();
+      return g.method == f.method && g.law == f.law && g.kind == f.kind && g.known == f.known;
+    });
+    if (at == all.end())
+      all.push_back({&f});
+    else
+      at->push_back(&f);
+  }
+  return all;
+}
+
+std::uint64_t pairs_of(const Alike& alike) {
+  std::uint64_t count = 0;
+  for (const GateFailure* f : alike) count += f->count;
+  return count;
+}
+
 SourceLine place_of(const GateFailure& failure) {
   SourceLine place{failure.law->file, static_cast<unsigned>(failure.law->line)};
   if (is_from_case(failure)) {
@@ -68,9 +91,10 @@ std::string luck_in_words(const GateFailure& failure) {
 }
 
 std::string replay_command(const GateFailure& failure) {
-  return fmt::format("echo {} | ./daylight check --method {}{}", shell_quoted(format_pair(failure.simplest)),
-                     shell_quoted(one_line(failure.method)),
-                     failure.options.empty() ? "" : ' ' + one_line(failure.options));
+  return fmt::format("echo {} | {} replay - --methods {}{}{}", shell_quoted(format_pair(failure.simplest)),
+                     own_command(), shell_quoted(one_line(failure.method)),
+                     failure.options.empty() ? "" : ' ' + one_line(failure.options),
+                     failure.law->number == 31 ? "" : fmt::format(" --laws {}", failure.law->number));
 }
 
 std::string grouped(std::uint64_t n) {

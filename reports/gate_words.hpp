@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "props/gate.hpp"
 
@@ -17,6 +18,12 @@ bool fails_gate(const GateFailure& failure);
 /// Found while a kept case was held to some law: `origin` is "FILE:LINE id".
 bool is_from_case(const GateFailure& failure);
 
+/// Failures of one method, law and kind, in different buckets: told together.
+using Alike = std::vector<const GateFailure*>;
+/// Those that fail the gate, or all others (known ones apart), in the order of the first of each.
+std::vector<Alike> alike_failures(const GateReport& report, bool failing);
+std::uint64_t pairs_of(const Alike& alike);
+
 struct SourceLine {
   std::string file;   ///< from the current folder where it lies below it, else as it was given
   unsigned line = 1;  ///< from 1
@@ -27,7 +34,7 @@ SourceLine place_of(const GateFailure& failure);
 std::string law_title(const Law& law);  ///< "law 10 growth"
 /// "fails 10 of 10 times", or "depends on luck: 3 of 10"; empty where it was not run again.
 std::string luck_in_words(const GateFailure& failure);
-/// A line for a shell: asks the method the simplest pair.
+/// A line for a shell: asks the method the simplest pair, beside what is true, and holds it to the law.
 std::string replay_command(const GateFailure& failure);
 /// 1234567 as 1,234,567.
 std::string grouped(std::uint64_t n);

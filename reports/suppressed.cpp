@@ -20,13 +20,6 @@ constexpr std::size_t cases_at_once = 32;
 constexpr Caps caps{
     .call_cpu = std::chrono::milliseconds(500), .call_wall = std::chrono::milliseconds(2000), .hangs = 1};
 
-/// The second part of "method/kind/feature/coordinate".
-std::optional<FindingKind> kind_in(const std::string& bucket) {
-  const std::size_t from = bucket.find('/');
-  if (from == bucket.npos) return {};
-  return find_kind(std::string_view(bucket).substr(from + 1, bucket.find('/', from + 1) - from - 1));
-}
-
 }  // namespace
 
 std::set<std::string> causes_of(std::span<const std::unique_ptr<Method>> methods,
@@ -71,7 +64,7 @@ void mark_suppressed(GateReport& report, std::span<const std::unique_ptr<Method>
   const std::vector<std::size_t> kin = kin_of(methods);
   for (GateFailure& f : report.failures) {
     if (find_suppression(suppressions, f.bucket, today) != nullptr) f.known = true;
-    const auto kind = kind_in(f.bucket);
+    const auto kind = find_kind(f.kind);
     const auto method =
         std::find_if(methods.begin(), methods.end(), [&](const auto& m) { return m->name() == f.method; });
     if (f.known || !kind || method == methods.end()) continue;
