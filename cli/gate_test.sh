@@ -20,12 +20,12 @@ gate() { # exit code wanted, arguments
   [[ $code == "$wanted" ]] || fail "gate $*: exit code $code, not $wanted"
 }
 
-gate 0 --for 4s --junit ours.xml --sarif ours.sarif --json ours.json --keep ours.jsonl
+gate 0 --for 3s --junit ours.xml --sarif ours.sarif --json ours.json --keep ours.jsonl
 grep -q '^intersect: right on ' out || fail 'no line that says what was proved'
 [[ $(head -1 out) == 'seed 1' ]] || fail 'the seed does not come first'
 [[ ! -s ours.jsonl ]] || fail 'cases were kept though nothing failed'
 
-gate 2 --method fcl-libccd --for 4s --json fcl.json --keep fcl.jsonl --github
+gate 2 --method fcl-libccd --for 2s --json fcl.json --keep fcl.jsonl --github
 grep -q '^1\. fcl-libccd breaks law ' out || fail 'no broken law'
 grep -q '^::error file=' out || fail 'no annotation'
 [[ -s fcl.jsonl ]] || fail 'no case was kept'

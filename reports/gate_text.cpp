@@ -92,10 +92,13 @@ std::string told_in_full(std::size_t number, const Alike& alike) {
   text += line("simplest", simplest == found ? "no simpler one was found in the time" : simplest);
   text += line("replay", replay_command(f));
   if (!f.reproduce.empty()) text += line("RapidCheck", one_line(f.reproduce));
-  for (const GateFailure* g : std::span(alike).subspan(1)) {
+  for (const GateFailure* g : std::span(alike).subspan(1, std::min(also_cap, alike.size() - 1))) {
     text += line("also", fmt::format("{}, {}{}", one_line(g->bucket), pairs_in_words(g->count), grown(*g)));
     text += line("", format_pair(g->simplest));
   }
+  if (alike.size() - 1 > also_cap)
+    text += line(
+        "", fmt::format("and in {} more buckets; --json FILE has them all", alike.size() - 1 - also_cap));
   return text;
 }
 

@@ -10,6 +10,8 @@
 
 namespace cyl {
 
+/// Further buckets of one law and kind of failure that are told; then how many more.
+inline constexpr std::size_t also_cap = 5;
 /// Breaks told in one line each (within claims, or known), of all methods together; then how many more.
 inline constexpr std::size_t brief_cap = 20;
 

@@ -47,6 +47,14 @@ TEST(GateText, TellsOneKindOfFailureOnce) {
   EXPECT_TRUE(has(text, "also       intersect/law-1/rim-rim, 740 pairs, 1 in the base"));
 }
 
+TEST(GateText, FurtherBucketsAreCapped) {
+  GateReport report = example_report();
+  report.failures.assign(also_cap + 4, report.failures[0]);
+  const std::string text = gate_text(report);
+  EXPECT_EQ(occurrences(text, "   also "), also_cap);
+  EXPECT_TRUE(has(text, "and in 3 more buckets"));
+}
+
 TEST(GateText, KnownFailuresDoNotFail) {
   GateReport report = example_report();
   for (GateFailure& f : report.failures) f.known = true;
