@@ -52,7 +52,7 @@ holds 'the reason is said' err '^daylight: --cases cannot be given with --resume
 expect 0 'until a time' "$daylight" campaign --stop-at "$(date -d '+2 sec' +%FT%T)" --seed 1 --cases '' --methods intersect --families random --out runs/until
 expect 64 'no time of day' "$daylight" campaign --stop-at 25:00
 expect 0 'weights of what is there' "$daylight" "${run[@]}" --methods intersect --families random,tiny_and_huge --weights-from runs --out runs/weighted
-holds 'earlier runs are counted' out '^against [0-9]+ earlier runs: [0-9]+ new, '
+holds 'earlier runs are counted' out '^against [0-9]+ earlier runs beside it: [0-9]+ new, '
 for i in 0 1; do
   expect 0 "shard $i" "$daylight" "${run[@]}" --methods intersect --families random --shard "$i/2" --out "parts/$i"
 done

@@ -31,8 +31,13 @@ std::vector<std::size_t> select_names(const std::vector<std::string>& names, std
     for (std::size_t i = 0; i < names.size(); ++i)
       if (names[i] == item || (!item.empty() && names[i].starts_with(item + '-'))) named[i] = known = true;
     if (!known) {
-      std::string message = "unknown name '" + item + "'; known are";
-      for (const std::string& name : names) message += ' ' + name;
+      // Settings of one method have its name before the first dash.
+      std::string message = "unknown name '" + item + "'; known are", last;
+      for (const std::string& name : names) {
+        const std::string stem = name.substr(0, name.find('-'));
+        if (stem != last) message += ' ' + stem;
+        last = stem;
+      }
       throw std::invalid_argument(message);
     }
     if (item.size() == spec.size()) break;

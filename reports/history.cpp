@@ -100,7 +100,7 @@ std::string format_history(const History& history) {
   const auto number = [&](Standing standing) {
     return fmt::format("{} {}", history.count(standing), to_string(standing));
   };
-  std::string text = fmt::format("against {} earlier run{}: {}, {}, {}, {}", history.runs,
+  std::string text = fmt::format("against {} earlier run{} beside it: {}, {}, {}, {}", history.runs,
                                  history.runs == 1 ? "" : "s", number(Standing::fresh),
                                  number(Standing::known), number(Standing::gone), number(Standing::back));
   if (history.unreadable > 0) text += fmt::format("; {} that cannot be read passed over", history.unreadable);

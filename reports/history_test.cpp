@@ -56,9 +56,9 @@ TEST_F(HistoryTest, TellsNewKnownBackAndGone) {
   EXPECT_EQ(standing("a", "x", "late"), "gone");
   EXPECT_EQ(standing("a", "x", "old"), "") << "gone before";
   EXPECT_EQ(format_history(compare_with_earlier(folder / "a")),
-            "against 2 earlier runs: 2 new, 1 known, 1 gone, 1 back");
+            "against 2 earlier runs beside it: 2 new, 1 known, 1 gone, 1 back");
   EXPECT_EQ(format_history(compare_with_earlier(folder / "c")),
-            "against 0 earlier runs: 3 new, 0 known, 0 gone, 0 back");
+            "against 0 earlier runs beside it: 3 new, 0 known, 0 gone, 0 back");
 }
 
 TEST_F(HistoryTest, ARunThatDidNotAskTellsNothing) {
@@ -85,7 +85,7 @@ TEST_F(HistoryTest, PassesOverWhatCannotBeRead) {
   fs::create_directories(folder / "broken");
   std::ofstream(folder / "broken" / "run.sqlite") << std::string(4096, '?');
   EXPECT_EQ(format_history(compare_with_earlier(folder / "2")),
-            "against 1 earlier run: 0 new, 1 known, 0 gone, 0 back; 1 that cannot be read passed over");
+            "against 1 earlier run beside it: 0 new, 1 known, 0 gone, 0 back; 1 that cannot be read passed over");
 }
 
 }  // namespace
