@@ -31,6 +31,7 @@
 #include "cli/unsigned_option.hpp"
 #include "corpus/case_files.hpp"
 #include "corpus/shell_words.hpp"
+#include "reports/own_command.hpp"
 
 namespace cyl {
 namespace {
@@ -271,7 +272,8 @@ int campaign(const Arguments& arguments) {
   show_run(options.out, summary.progress.done);
   if (!summary.harness_failure.empty()) fmt::print(stderr, "daylight: {}\n", summary.harness_failure);
   if (summary.interrupted)
-    fmt::print(stderr, "stopped; go on with: ./daylight campaign --resume {}\n", shell_quoted(options.out));
+    fmt::print(stderr, "stopped; go on with: {} campaign --resume {}\n", own_command(),
+               shell_quoted(options.out));
   return exit_code(summary);
 }
 

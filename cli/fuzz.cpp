@@ -21,6 +21,7 @@
 #include "cli/unsigned_option.hpp"
 #include "corpus/shell_words.hpp"
 #include "fuzz/fuzzing.hpp"
+#include "reports/own_command.hpp"
 
 namespace cyl {
 namespace {
@@ -39,9 +40,10 @@ std::string program_of(const std::string& target) {
   const fs::path here = fs::read_symlink("/proc/self/exe").parent_path();
   for (const fs::path& folder : {here, here.parent_path() / "clang"})
     if (fs::exists(folder / name)) return folder / name;
-  throw std::runtime_error(name + " is not built. `./daylight fuzz` builds it where clang++ is; else:\n" +
-                           "    apt-get install clang libclang-rt-14-dev\n" +
-                           "    cmake --preset clang && ninja -C build/clang " + name);
+  throw std::runtime_error(
+      name + " is not built: it is no part of an installation. In a source tree `./daylight fuzz` " +
+      "builds it where clang++ is; else:\n" + "    apt-get install clang libclang-rt-14-dev\n" +
+      "    cmake --preset clang && ninja -C build/clang " + name);
 }
 
 std::string numbers(const FuzzProgress& p) {
@@ -87,10 +89,10 @@ int fuzz(const Arguments& arguments) {
   }
   fmt::print("{}", format_fuzzing(summary));
   if (!summary.findings.empty())
-    fmt::print("the findings: ./daylight replay {}\n", shell_quoted(options.out + "/findings.jsonl"));
+    fmt::print("the findings: {} replay {}\n", own_command(), shell_quoted(options.out + "/findings.jsonl"));
   if (!summary.harness_failure.empty()) fmt::print(stderr, "daylight: {}\n", summary.harness_failure);
   if (summary.interrupted)
-    fmt::print(stderr, "stopped; go on with: ./daylight fuzz --target {} --out {}\n", arguments.target,
+    fmt::print(stderr, "stopped; go on with: {} fuzz --target {} --out {}\n", own_command(), arguments.target,
                shell_quoted(options.out));
   return exit_code(summary);
 }

@@ -137,7 +137,8 @@ int gate(const Arguments& arguments) {
   if (!arguments.json.empty()) write_file(arguments.json, gate_json(report));
   if (!arguments.keep.empty()) write_file(arguments.keep, case_lines(report));
   if (arguments.github) fmt::print("{}", gate_github(report));
-  fmt::print("planted faults: {}", smoke.ran ? smoke.text : "not run, daylight-mutants is not built\n");
+  fmt::print("planted faults: {}",
+             smoke.ran ? smoke.text : "not run, daylight-mutants is not beside this executable\n");
   fmt::print("{}", gate_text(report));
   for (const std::string& remark : remarks) fmt::print("{}\n", remark);
   if (!smoke.alive) throw std::runtime_error("the gate is blind: a planted fault was not caught");

@@ -13,6 +13,7 @@
 #include "fuzz/alarm.hpp"
 #include "reports/charts.hpp"
 #include "reports/history.hpp"
+#include "reports/own_command.hpp"
 #include "reports/page.hpp"
 #include "reports/tally_table.hpp"
 
@@ -57,8 +58,8 @@ void show_run(const std::string& folder, std::uint64_t pairs) {
   if (const std::string alarms = format_alarms(store.alarms()); !alarms.empty()) fmt::print("{}\n", alarms);
   fmt::print("{} pairs; page: {}/report.html\n", pairs, folder);
   if (const auto worst = worst_finding(store)) {
-    fmt::print("the worst, {} {} ({}): ./daylight replay {}\n", worst->method, worst->kind, worst->severity,
-               shell_quoted(fmt::format("{}:{}", folder, worst->id)));
+    fmt::print("the worst, {} {} ({}): {} replay {}\n", worst->method, worst->kind, worst->severity,
+               own_command(), shell_quoted(fmt::format("{}:{}", folder, worst->id)));
   }
 }
 

@@ -10,6 +10,7 @@
 
 #include "corpus/pair_io.hpp"
 #include "corpus/shell_words.hpp"
+#include "reports/own_command.hpp"
 
 namespace cyl {
 namespace {
@@ -68,8 +69,8 @@ std::string luck_in_words(const GateFailure& failure) {
 }
 
 std::string replay_command(const GateFailure& failure) {
-  return fmt::format("echo {} | ./daylight check --method {}{}", shell_quoted(format_pair(failure.simplest)),
-                     shell_quoted(one_line(failure.method)),
+  return fmt::format("echo {} | {} check --method {}{}", shell_quoted(format_pair(failure.simplest)),
+                     own_command(), shell_quoted(one_line(failure.method)),
                      failure.options.empty() ? "" : ' ' + one_line(failure.options));
 }
 
