@@ -94,13 +94,14 @@ built_by_pkg_config "$PWD/moved" daylight-oracles oracles/consumer.cpp some_orac
 
 # The program finds its files beside it, wherever it is moved, and tells what an installation lacks.
 try_program() { # prefix
-  local daylight=$1/bin/daylight file=$1/share/daylight/corpus
+  local daylight=$1/bin/daylight fault
   "$daylight" campaign --methods decide --pairs 300 --seed 1 --out "$1/run" >printed || fail "the installed program: $(cat printed)"
-  grep -qE "^corpus +$(cat "$file"/*.jsonl | grep -c .) " printed || fail "not every case was played: $(cat printed)"
+  grep -qE "^corpus +$(cat "$source"/corpus/*.jsonl | grep -c .) " printed || fail "not every case was played: $(cat printed)"
   grep -q '"command":"daylight campaign ' "$1/run/report.html" || fail "the page tells to run something else"
-  grep -qF "$(sed -n '1s/.*"what": "\([^:"]*\).*/\1/p' "$1/share/daylight/reports/kill_matrix.jsonl")" "$1/run/report.html" ||
+  fault=$(sed -n '1s/.*"what": "\([^:"]*\).*/\1/p' "$source/reports/kill_matrix.jsonl")
+  [[ $fault ]] && grep -qF -- "$fault" "$1/run/report.html" ||
     fail "the page lacks the kill matrix"
-  "$daylight" scene "$file/scenes/crane.urdf" >printed || fail "$(cat printed)"
+  "$daylight" scene "$1/share/daylight/corpus/scenes/crane.urdf" >printed || fail "$(cat printed)"
   ! "$daylight" mutants list 2>err || fail "mutants were installed"
   grep -q 'never installed' err || fail "$(cat err)"
   ! "$daylight" fuzz --for 1s >/dev/null 2>err || fail "a fuzzer was installed"
