@@ -31,6 +31,7 @@
 #include "cli/unsigned_option.hpp"
 #include "corpus/case_files.hpp"
 #include "corpus/shell_words.hpp"
+#include "reports/own_command.hpp"
 
 namespace cyl {
 namespace {

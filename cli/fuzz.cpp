@@ -21,6 +21,7 @@
 #include "cli/unsigned_option.hpp"
 #include "corpus/shell_words.hpp"
 #include "fuzz/fuzzing.hpp"
+#include "reports/own_command.hpp"
 
 namespace cyl {
 namespace {
@@ -39,9 +40,10 @@ std::string program_of(const std::string& target) {
   const fs::path here = fs::read_symlink("/proc/self/exe").parent_path();
   for (const fs::path& folder : {here, here.parent_path() / "clang"})
     if (fs::exists(folder / name)) return folder / name;
-  throw std::runtime_error(name + " is not built. `./daylight fuzz` builds it where clang++ is; else:\n" +
-                           "    apt-get install clang libclang-rt-14-dev\n" +
-                           "    cmake --preset clang && ninja -C build/clang " + name);
+  throw std::runtime_error(
+      name + " is not built: it is no part of an installation. In a source tree `./daylight fuzz` " +
+      "builds it where clang++ is; else:\n" + "    apt-get install clang libclang-rt-14-dev\n" +
+      "    cmake --preset clang && ninja -C build/clang " + name);
 }
 
 std::string numbers(const FuzzProgress& p) {

@@ -156,7 +156,7 @@ int gate(const Arguments& arguments) {
   if (!arguments.keep.empty()) write_file(arguments.keep, case_lines(report));
   if (arguments.github) fmt::print("{}", gate_github(report));
   fmt::print("the gate itself, tried on methods with known faults: {}",
-             smoke.ran ? smoke.text : "not run, daylight-mutants is not built\n");
+             smoke.ran ? smoke.text : "not run, daylight-mutants is not beside this executable\n");
   fmt::print("{}", gate_text(report));
   for (const std::string& remark : remarks) fmt::print("{}\n", remark);
   if (!arguments.keep.empty() && std::any_of(report.failures.begin(), report.failures.end(), fails_gate))

@@ -29,7 +29,8 @@ void become_mutants(const std::vector<std::string>& arguments) {
   const std::string program = mutants_executable();
   if (program.empty())
     throw std::runtime_error(
-        "daylight-mutants is not beside this executable; build it: ninja daylight-mutants");
+        "daylight-mutants is not beside this executable; it is built in a source tree (ninja "
+        "daylight-mutants) and never installed");
   std::vector<char*> words{const_cast<char*>(program.c_str())};
   for (const std::string& argument : arguments) words.push_back(const_cast<char*>(argument.c_str()));
   words.push_back(nullptr);

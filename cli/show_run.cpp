@@ -13,6 +13,7 @@
 #include "fuzz/alarm.hpp"
 #include "reports/charts.hpp"
 #include "reports/history.hpp"
+#include "reports/own_command.hpp"
 #include "reports/page.hpp"
 #include "reports/tally_table.hpp"
 

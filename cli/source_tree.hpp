@@ -6,8 +6,9 @@
 
 namespace cyl {
 
-/// A file or folder of the source tree that this executable was built in, or of the working directory, e.g.
-/// "corpus"; empty: there is none.
+/// A file or folder of the source tree, e.g. "corpus": of the tree that this executable was built in, of
+/// PREFIX/share/daylight where it is installed as PREFIX/bin/daylight, or of the working directory; empty:
+/// there is none.
 std::string in_source_tree(const std::string& name);
 
 }  // namespace cyl

@@ -15,6 +15,7 @@ namespace cyl {
 struct Family {
   std::string_view name;     ///< e.g. "axes_nearly_parallel"
   std::string_view summary;  ///< one line for --help and the page
+  /// Legal cylinders, in no unit of this world. Any seed and index will do. Throws nothing.
   Pair (*generate)(std::uint64_t seed, std::uint64_t index);
 };
 

@@ -4,7 +4,6 @@
 
 #include <cstddef>
 #include <cstdio>
-#include <cstdlib>
 #include <string>
 #include <string_view>
 
@@ -65,12 +64,6 @@ inline std::string shell_quoted(std::string_view text) {
     }
   }
   return word + '\'';
-}
-
-/// What a user types to start this program: as the launcher was called, which tells it in DAYLIGHT_COMMAND.
-inline std::string own_command() {
-  const char* called = std::getenv("DAYLIGHT_COMMAND");
-  return called != nullptr ? shell_quoted(called) : "daylight";
 }
 
 }  // namespace cyl

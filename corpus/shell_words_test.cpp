@@ -19,14 +19,6 @@ TEST(ShellQuoted, QuotesAllElse) {
   EXPECT_EQ(shell_quoted("caf\xc3\xa9"), "'caf\xc3\xa9'");
 }
 
-TEST(OwnCommand, IsWhatTheLauncherSays) {
-  unsetenv("DAYLIGHT_COMMAND");
-  EXPECT_EQ(own_command(), "daylight");
-  setenv("DAYLIGHT_COMMAND", "../my tools/daylight", 1);
-  EXPECT_EQ(own_command(), "'../my tools/daylight'");
-  unsetenv("DAYLIGHT_COMMAND");
-}
-
 TEST(EscapedControls, LeavesOneLineThatShowsAsItIsWritten) {
   EXPECT_EQ(escaped_controls("a\nb\tc\rd"), "a\\nb\\tc\\rd");
   EXPECT_EQ(escaped_controls("\x1b[2J\x7f\u009b1m\u202e"), "\\u001b[2J\\u007f\\u009b1m\\u202e");

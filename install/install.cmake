@@ -1,9 +1,11 @@
 # SPDX-License-Identifier: MIT
-# What other programs may link: three libraries of the objects of the folders, each with its headers, a component of the
-# CMake package `daylight` and a pkg-config file:
+# What can be installed, a component at a time. `program` is the program with what it reads. What other programs may link
+# are three libraries of the objects of the folders, each with its headers, a component of the CMake package `daylight` and
+# a pkg-config file:
 #   solver    the decision and the distance; needs Eigen alone
 #   exact     decide_exactly and the referee; GMP, MPFR and MPFI too
 #   oracles   every method, compare and the readers behind them; everything
+# The fifth, `python`, is in cli/python/python.cmake.
 # Headers go under include/daylight, which is on the include path as is its parent: <daylight/solver/decide.hpp> and the
 # "solver/cylinder.hpp" in it are both found.
 include(GNUInstallDirs)
@@ -57,34 +59,14 @@ write_basic_package_version_file(${CMAKE_BINARY_DIR}/library/daylight-config-ver
 install(FILES ${CMAKE_BINARY_DIR}/library/daylight-config.cmake ${CMAKE_BINARY_DIR}/library/daylight-config-version.cmake
         DESTINATION ${package_folder} COMPONENT solver)
 
-# Debian packages, one a component: cpack -G DEB --config build/release/CPackConfig.cmake. The libraries are static, so what
-# theirs need is listed here and not found by dpkg-shlibdeps.
-set(CPACK_GENERATOR DEB)
-set(CPACK_COMPONENTS_ALL solver exact oracles)
-set(CPACK_DEB_COMPONENT_INSTALL ON)
-set(CPACK_PACKAGE_CONTACT "the authors of daylight <daylight@invalid>")
-set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
-set(CPACK_DEBIAN_PACKAGE_SECTION libdevel)
-set(depends_solver "libeigen3-dev (>= 3.4)")
-set(depends_exact "libdaylight-solver-dev (= ${PROJECT_VERSION}), libgmp-dev, libmpfr-dev, libmpfi-dev")
-set(depends_oracles "libdaylight-exact-dev (= ${PROJECT_VERSION}), libnlopt-dev, libfcl-dev, libbullet-dev, \
-libccd-dev, libode-dev, libmujoco-dev, liburdfdom-dev, libtinyxml-dev, libsqlitecpp-dev, libsqlite3-dev, libfmt-dev, pkg-config")
-set(summary_solver "Do two cylinders intersect? Decision, proof and distance")
-set(summary_exact "Do two cylinders intersect? The exact predicate and the referee")
-set(summary_oracles "Do two cylinders intersect? Every method and what compares them")
-foreach(name ${CPACK_COMPONENTS_ALL})
-  string(TOUPPER ${name} upper)
-  set(CPACK_DEBIAN_${upper}_PACKAGE_NAME libdaylight-${name}-dev)
-  set(CPACK_DEBIAN_${upper}_PACKAGE_DEPENDS ${depends_${name}})
-  set(CPACK_COMPONENT_${upper}_DESCRIPTION ${summary_${name}})
+# The program finds these by their names in the source tree (cli/source_tree.hpp). Its page is inside it. Not installed: what
+# plants faults and what fuzzes, which are made of the sources and tell so when they are asked for.
+install(TARGETS daylight RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT program)
+file(GLOB data RELATIVE ${PROJECT_SOURCE_DIR} CONFIGURE_DEPENDS corpus/*.jsonl corpus/scenes/*)
+list(APPEND data oracles/plugin.h reports/kill_matrix.jsonl reports/builds.jsonl reports/page/chart.mjs)
+foreach(file ${data})
+  get_filename_component(folder ${file} DIRECTORY)
+  install(FILES ${file} DESTINATION ${CMAKE_INSTALL_DATADIR}/daylight/${folder} COMPONENT program)
 endforeach()
-include(CPack)
-
-# Installs into a clean prefix and builds the example of README.md against it, by both ways. Not of libraries with
-# sanitizers in them, which want a program that has them too.
-if(CMAKE_CXX_FLAGS MATCHES "-fsanitize")
-  add_test(NAME install_test COMMAND sh -c "echo 'skipped: the libraries have sanitizers in them'; exit 77")
-else()
-  add_test(NAME install_test COMMAND ${PROJECT_SOURCE_DIR}/install/install_test.sh ${CMAKE_BINARY_DIR} ${CMAKE_CXX_COMPILER})
-endif()
-set_tests_properties(install_test PROPERTIES LABELS library TIMEOUT 600 SKIP_RETURN_CODE 77)
+install(FILES README.md DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT program)
+install(DIRECTORY guides DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT program FILES_MATCHING PATTERN *.md)

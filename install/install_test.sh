@@ -92,33 +92,97 @@ oracles/build/consumer || fail "the oracles are wrong"
 built_by_pkg_config "$PWD/moved" daylight-oracles oracles/consumer.cpp some_oracles
 ./some_oracles || fail "built by pkg-config the oracles are wrong"
 
-# The Debian packages hold the same, and name what they need.
-if command -v dpkg-deb >/dev/null; then
-  cpack -G DEB --config "$build/CPackConfig.cmake" -B "$PWD/debs" >log 2>&1 || fail "$(cat log)"
-  [[ $(ls debs/*.deb | wc -l) == 3 ]] || fail "$(ls debs)"
-  for name in solver exact oracles; do
-    dpkg-deb -x debs/libdaylight-$name-dev_*.deb unpacked
+# The program finds its files beside it, wherever it is moved, and tells what an installation lacks.
+try_program() { # prefix
+  local daylight=$1/bin/daylight fault
+  "$daylight" campaign --methods decide --pairs 300 --seed 1 --out "$1/run" >printed || fail "the installed program: $(cat printed)"
+  grep -qE "^corpus +$(cat "$source"/corpus/*.jsonl | grep -c .) " printed || fail "not every case was played: $(cat printed)"
+  grep -q '"command":"daylight campaign ' "$1/run/report.html" || fail "the page tells to run something else"
+  fault=$(head -n 1 "$source/reports/kill_matrix.jsonl" | sed 's/"like".*//; s/.*"what": "//; s/".*//')
+  grep -qF -- "${fault:?}" "$1/run/report.html" || fail "the page lacks the kill matrix"
+  "$daylight" scene "$1/share/daylight/corpus/scenes/crane.urdf" >printed || fail "$(cat printed)"
+  ! "$daylight" mutants list 2>err || fail "mutants were installed"
+  grep -q 'never installed' err || fail "$(cat err)"
+  ! "$daylight" fuzz --for 1s >/dev/null 2>err || fail "a fuzzer was installed"
+  grep -q 'no part of an installation' err || fail "$(cat err)"
+  rm -r "$1/run"
+}
+install_into first program
+cp -r first/. moved
+rm -r first
+try_program "$PWD/moved"
+! grep -qF -- "$source" moved/bin/daylight || fail "the program names a path of this machine"
+
+# The Python module, as the interpreter of its prefix finds it.
+try_python() { # folder
+  PYTHONPATH=$1 "$python" "$source/cli/python/module_test.py" 2>log || fail "$(cat log)"
+  [[ -s $1/daylight-stubs/__init__.pyi ]] || fail "the module has no types"
+}
+python=
+if compgen -G "$build/python/daylight*.so" >/dev/null; then
+  python=$(sed -n 's/^_\?Python_EXECUTABLE:[A-Z]*=//p' "$build/CMakeCache.txt" | head -n 1)
+  install_into "$PWD/moved" python
+  try_python "$(echo moved/lib/python3.*/site-packages)"
+else
+  echo 'skipped: the Python module (not built here)'
+fi
+
+# The Debian packages hold the same, for everybody, and name what they need.
+if command -v dpkg-deb dpkg-shlibdeps file >/dev/null; then
+  packages=(daylight libdaylight-{solver,exact,oracles}-dev ${python:+python3-daylight})
+  (umask 077 && cpack -G DEB --config "$build/CPackConfig.cmake" -B "$PWD/debs") >log 2>&1 || fail "$(cat log)"
+  [[ $(compgen -G "debs/*.deb" | wc -l) == "${#packages[@]}" ]] || fail "$(ls debs)"
+  for package in "${packages[@]}"; do
+    deb=$(echo "debs/${package}_"*.deb)
+    dpkg-deb -x "$deb" unpacked
+    dpkg-deb -c "$deb" | awk '{ print $1, $2 }' | sort -u >modes
+    ! grep -vE '^(drwxr-xr-x|-rw-r--r--|-rwxr-xr-x) root/root$' modes || fail "$package: not for everybody"
+    grep -q '^MIT License' "unpacked/usr/share/doc/$package/copyright" || fail "$package has no licence"
+    dpkg-deb -f "$deb" Description | sed 1d | grep -q 'This package holds' || fail "$package does not tell what it is"
+    [[ $(dpkg-deb -f "$deb" Architecture) == "$(dpkg --print-architecture)" ]] || fail "$package is for another machine"
+    [[ $(dpkg-deb -f "$deb" Maintainer) == "$(sed -n 's/^DAYLIGHT_MAINTAINER:STRING=//p' "$build/CMakeCache.txt")" ]] || fail "$package names no maintainer"
+    dpkg-deb -f "$deb" Depends | tr -d ' ' | tr , '\n' | sed 's/(.*//; /^libdaylight/d' >needed
+    while IFS= read -r other; do
+      dpkg-query -W "$other" >/dev/null || fail "$package needs $other, which the build did not"
+    done <needed
   done
-  dpkg-deb -f debs/libdaylight-solver-dev_*.deb Depends | grep -qx 'libeigen3-dev (>= 3.4)' || fail "the solver's package needs something else"
-  dpkg-deb -f debs/libdaylight-exact-dev_*.deb Depends | grep -q '^libdaylight-solver-dev (= .*libmpfi-dev' || fail "the exact package lacks what it needs"
-  dpkg-deb -f debs/libdaylight-oracles-dev_*.deb Depends | tr -d ' ' | tr , '\n' | sed 's/(.*//; /^libdaylight/d' >needed
-  while IFS= read -r package; do
-    dpkg-query -W "$package" >/dev/null || fail "the oracles' package needs $package, which the build did not"
-  done <needed
-  diff <(cd moved && find . -type f -printf '%f\n' | sort) <(find unpacked -type f -printf '%f\n' | sort) || fail "the packages hold something else"
+  needs() { # package pattern..
+    local package=$1 pattern
+    shift
+    for pattern; do
+      dpkg-deb -f "debs/${package}_"*.deb Depends | tr , '\n' | grep -qE "^ *$pattern" || fail "$package does not say that it needs $pattern"
+    done
+  }
+  needs daylight libfcl libmujoco libode libnlopt libbullet libccd libmpfi libsqlite3 liburdfdom
+  needs libdaylight-solver-dev 'libeigen3-dev \(>= 3.4\)'
+  [[ $(dpkg-deb -f debs/libdaylight-solver-dev_*.deb Depends) != *,* ]] || fail "the solver's package needs something else"
+  needs libdaylight-exact-dev 'libdaylight-solver-dev \(= ' libmpfi-dev
+  needs libdaylight-oracles-dev 'libdaylight-exact-dev \(= ' libfcl-dev
+  [[ ! $python ]] || needs python3-daylight 'python3 \(>= ' 'python3 \(<< ' python3-numpy libmpfi
+  diff <(cd moved && find . -type f -printf '%f\n' | grep -v '\.pyc$' | sort) <(find unpacked -type f -printf '%f\n' | sort) || fail "the packages hold something else"
   mkdir packaged
   cp CMakeLists.txt consumer.cpp packaged
   built_by_cmake "$PWD/unpacked/usr" packaged
   packaged/build/consumer | diff -u consumer.out - || fail "built from the packages it prints something else"
+  try_program "$PWD/unpacked/usr"
+  [[ ! $python ]] || try_python unpacked/usr/lib/python3/dist-packages
 else
-  echo 'skipped: the Debian packages (no dpkg-deb here)'
+  echo 'skipped: the Debian packages (dpkg-deb, dpkg-shlibdeps or file is missing)'
 fi
 
-# No header needs one that is not installed, nor one included before it.
-cflags=$(pkg-config --cflags daylight-oracles)
-while IFS= read -r header; do
+# No header needs one that is not installed, nor one included before it; none warns, whoever compiles, and the plug-in's
+# is C too.
+cflags="$(pkg-config --cflags daylight-oracles | sed 's/-std=\S*//') -Wall -Wextra -Werror -fsyntax-only"
+export compiler cflags
+(cd moved/include/daylight && find . -type f) | sed 's|^\./|daylight/|' >headers
+# shellcheck disable=SC2016 # for the other shell
+xargs -P 2 -n 1 bash -c '$compiler $cflags -std=c++20 -x c++ - <<<"#include <$0>" || { echo "$0 does not stand alone"; exit 255; }' <headers ||
+  fail "a header does not stand alone"
+for other in g++ clang++; do
   # shellcheck disable=SC2086 # flags are words
-  echo "#include <daylight/$header>" | "$compiler" -fsyntax-only $cflags -std=c++20 -x c++ - || fail "$header does not stand alone"
-done < <(cd moved/include/daylight && find . -type f | sed 's|^\./||')
+  ! command -v $other >/dev/null || sed 's/.*/#include <&>/' headers | $other $cflags -std=c++20 -x c++ - || fail "$other warns"
+done
+# shellcheck disable=SC2086
+echo '#include <daylight/oracles/plugin.h>' | "$compiler" $cflags -x c - || fail "the header of plug-ins is no C"
 ! grep -rlF -- "$source" moved/lib*/cmake moved/lib*/pkgconfig 2>/dev/null || fail "a path of this machine was installed"
 echo passed

@@ -61,7 +61,7 @@ class LazyDistance {
 
 /// What is wrong with `answer`, the worst first; nothing where it is right, declined or undecided, or where
 /// nothing is proved. `distance` is asked only where the finding's severity or an offered distance depends on
-/// it.
+/// it, and is most of the cost. Throws nothing of its own; `truth` is what judge() said of the same pair.
 std::optional<Finding> compare(const Pair& pair, const Truth& truth, LazyDistance& distance,
                                const Claim& claim, const MethodAnswer& answer);
 

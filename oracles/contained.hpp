@@ -51,7 +51,7 @@ struct Caps {
 /// Asks every question in order inside forked workers. Answers come back in the order of the questions, one
 /// each, whatever the methods do. Never throws on a method's behaviour; throws std::system_error only where
 /// the system refuses a process or memory. What a worker prints is kept off the terminal; the tail of it
-/// becomes the reason of a crash.
+/// becomes the reason of a crash. Cost: a fork a batch, and one more each time a worker is lost.
 std::vector<ContainedAnswer> ask_contained(std::span<const std::unique_ptr<Method>> methods,
                                            std::span<const Pair> pairs, std::span<const Question> questions,
                                            const Caps& caps = {});

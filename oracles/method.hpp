@@ -38,8 +38,8 @@ struct MethodAnswer {
   Verdict verdict = Verdict::undecided;  ///< meaningful where status == answered
   bool has_distance = false;
   WitnessKind witness = WitnessKind::none;
-  double distance = 0;         ///< signed: > 0 apart; meaningful where has_distance
-  double head[3] = {0, 0, 0};  ///< direction, or point = head + tail exactly
+  double distance = 0;         ///< signed: > 0 apart, in the scene's unit; meaningful where has_distance
+  double head[3] = {0, 0, 0};  ///< direction, or point = head + tail exactly, in the scene's frame
   double tail[3] = {0, 0, 0};
   int steps = 0, step_cap = 0;  ///< that its searches took, and the most they may; 0: not told
   char reason[120] = {};        ///< why it declined or failed; zero-terminated

@@ -48,7 +48,8 @@ struct Truth {
   bool witnessed = false;  ///< settled by a witness that an answer offered
 };
 
-/// A closed interval [lo, hi] that certainly holds the signed distance.
+/// A closed interval [lo, hi] that certainly holds the signed distance: > 0 the gap, < 0 minus the
+/// penetration depth; in the scene's unit (of a Finding's margin: in sizes).
 struct Enclosure {
   double lo = 0, hi = 0;
 };

@@ -22,6 +22,7 @@
 #include "oracles/replay.hpp"
 #include "props/simplify.hpp"
 #include "reports/case_distance.hpp"
+#include "reports/own_command.hpp"
 
 namespace cyl {
 namespace {
@@ -306,11 +307,11 @@ Json make_buckets(const Sorted& sorted, std::span<const std::unique_ptr<Method>>
 
     const std::string file = fmt::format("{}/buckets/{}.jsonl", sorted.folder, letters_only(key));
     b["simplest"] =
-        case_json(heap.simplest, simplest_now, methods, "./daylight replay " + shell_quoted(file));
+        case_json(heap.simplest, simplest_now, methods, own_command() + " replay " + shell_quoted(file));
     const std::string stored = fmt::format("{}:{}", sorted.folder, heap.worst->id);
     const std::string worst_file = fmt::format("{}/buckets/{}.worst.jsonl", sorted.folder, letters_only(key));
     b["worst"] = case_json(worst_pair, worst_now, methods,
-                           "./daylight replay " + shell_quoted(reached ? worst_file : stored));
+                           own_command() + " replay " + shell_quoted(reached ? worst_file : stored));
     if (reached)
       b["worst"]["note"] =
           fmt::format("searched for, with {}; the worst of the findings is {}, margin {:.3g}",

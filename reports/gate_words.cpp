@@ -11,6 +11,7 @@
 
 #include "corpus/pair_io.hpp"
 #include "corpus/shell_words.hpp"
+#include "reports/own_command.hpp"
 
 namespace cyl {
 namespace {

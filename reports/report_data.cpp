@@ -24,6 +24,7 @@
 #include "reports/case_distance.hpp"
 #include "reports/history.hpp"
 #include "reports/kill_data.hpp"
+#include "reports/own_command.hpp"
 #include "reports/tally_table.hpp"
 
 namespace cyl {
@@ -70,7 +71,7 @@ std::string command_of(const RunStore& store, const Config& config) {
   for (const auto& m : all_methods()) all.emplace_back(m->name());
   for (const Family& f : families()) all_families.emplace_back(f.name);
   const Shard shard = shard_of(config);
-  std::string command = fmt::format("./daylight campaign --seed {} --pairs {}",
+  std::string command = fmt::format("{} campaign --seed {} --pairs {}", own_command(),
                                     shell_quoted(value_of(config, "seed")), store.progress().next);
   if (shard.count > 1) command += fmt::format(" --shard {}/{}", shard.index, shard.count);
   return command + names_option("--methods", asked, all) +

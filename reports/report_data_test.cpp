@@ -88,7 +88,7 @@ TEST_F(ReportData, HasTheRunItsMethodsAndEveryNumber) {
   EXPECT_EQ(report["run"]["id"], folder.filename().string());
   EXPECT_EQ(report["run"]["folder"], folder.string());
   EXPECT_TRUE(report["run"]["command"].get<std::string>().starts_with(
-      "./daylight campaign --seed 42 --pairs 7 --methods 'fake,intersect'"));
+      "daylight campaign --seed 42 --pairs 7 --methods 'fake,intersect'"));
   EXPECT_EQ(report["methods"][0], json::parse(R"({"name":"fake","version":"9.8","claim":{"relative":1e-6,
     "absolute":0.001,"source":"its manual"},"own":false,"share":3})"));
   EXPECT_EQ(report["methods"][1]["own"], true);

@@ -32,12 +32,14 @@ inline constexpr double membership_error =
 inline constexpr double underflow_error =
     0x1p-500;  ///< of the same distances, where squares vanish; in units of the pair's largest length
 
+/// Checks the cylinder and brings its axis to unit length, whatever its length was. Once a solid: intersect()
+/// then costs a third of what it does from two Cylinders. Never throws; the defect is in the result.
 Prepared prepare(const Cylinder& c) noexcept;
 
 /// Which certificate an answer carries.
 enum class Proof : unsigned char { none, direction, point };
 
-/// A verdict with its certificate.
+/// A verdict with its certificate, in the frame and unit of the cylinders. What no proof fills is 0.
 struct Answer {
   Verdict verdict = Verdict::undecided;
   Proof proof = Proof::none;
@@ -58,7 +60,7 @@ Verdict intersect(const Prepared& a, const Prepared& b) noexcept;
 Verdict intersect(const Cylinder& a, const Cylinder& b) noexcept;
 
 /// The same decision with its proof: `disjoint` with a direction or `intersecting` with a point, each beyond
-/// the rounding bound, else `undecided` (or `invalid`). Never wrong.
+/// the rounding bound, else `undecided` (or `invalid`). Never wrong. Cost: three times that of intersect().
 Answer decide(const Prepared& a, const Prepared& b) noexcept;
 Answer decide(const Cylinder& a, const Cylinder& b) noexcept;
 

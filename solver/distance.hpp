@@ -15,6 +15,7 @@ inline constexpr int distance_step_cap = 546;
 /// |Delta|; derived in distance.md, section 5.
 inline constexpr double distance_error = 32 * unit_roundoff_error;
 
+/// Lengths in the unit, vectors in the frame of the cylinders. `invalid`: all of it 0.
 struct Distance {
   /// By the sign of `value` (0: intersecting), or `invalid`. `disjoint` is proved where value > error;
   /// `intersecting` says that no separating direction was found.

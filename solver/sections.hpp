@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The decision as arithmetic on numbers of any kind: one pair in doubles, or several in the lanes of a
-// vector. The same operations in the same order, so the same verdicts. Derivations: derivation.md. No
+// vector. The same operations in the same order, so the same verdicts. Derivations: derivation.md. Users call
+// decide.hpp and intersect_batch.hpp; nothing here checks its arguments. No
 // include, so that a translation unit compiled for another instruction set shares no code with the rest of
 // the program.
 //

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <exception>
 #include <optional>
@@ -15,6 +16,7 @@
 #include <vector>
 
 #include "corpus/families.hpp"
+#include "corpus/pair_io.hpp"
 #include "oracles/compare.hpp"
 #include "oracles/exact.hpp"
 #include "solver/distance.hpp"
@@ -43,15 +45,19 @@ Doubles array_of(const Cylinder& c) {
   return array;
 }
 
-Doubles solids(const char* name, const py::object& given) {
+Doubles solids(const std::string& name, const py::object& given) {
   Doubles array = Doubles::ensure(given);
   if (!array) {
     PyErr_Clear();
-    throw py::type_error(std::string(name) + " is no array of float64, and none that converts without loss");
+    const py::array found = py::array::ensure(given);
+    PyErr_Clear();
+    throw py::value_error(
+        name +
+        (found ? " has dtype " + py::str(found.dtype()).cast<std::string>() : std::string(" is no array")) +
+        ", not float64 or what NumPy casts to it safely");
   }
   if (array.ndim() == 0 || array.shape(array.ndim() - 1) != solid_numbers)
-    throw py::value_error(std::string(name) + " has shape " +
-                          py::str(array.attr("shape")).cast<std::string>() +
+    throw py::value_error(name + " has shape " + py::str(array.attr("shape")).cast<std::string>() +
                           ", not (8,) or (.., 8): center (3), axis (3), radius, height");
   return array;
 }
@@ -252,6 +258,10 @@ MethodAnswer ask(const py::function& callable, const Doubles& a, const Doubles& 
 
 py::list campaign(const py::function& callable, std::uint64_t pairs, std::uint64_t seed, double relative,
                   double absolute) {
+  for (const double part : {relative, absolute})
+    if (!(part >= 0 && std::isfinite(part)))
+      throw py::value_error("a claim is finite and not negative: relative " + format_double(relative) +
+                            ", absolute " + format_double(absolute));
   const Claim claim{relative, absolute, "given to campaign()"};
   const py::object parse = py::module_::import("json").attr("loads");
   py::list findings;
@@ -289,48 +299,96 @@ py::list campaign(const py::function& callable, std::uint64_t pairs, std::uint64
   return findings;
 }
 
+// What help(daylight) shows; units, shapes and errors of the headers that they repeat.
+constexpr const char* module_text = R"(Do two cylinders intersect? With proofs.
+
+A solid is eight float64: center (3), axis (3, any finite length but 0), radius,
+height (full, not half), lengths in one unit. It is closed: solids that touch
+intersect. Radius 0 is a segment, height 0 a disk.
+
+a and b have one shape (.., 8), or one of them is a single solid (8,). Two
+single solids give a Verdict and floats; arrays of shape (.., 8) give, for each
+pair, int8 (the values of Verdict) and float64. C-contiguous float64 is read
+where it lies, without the interpreter's lock: write nothing to it meanwhile.
+Lists, float32 and what else NumPy casts safely are copied.
+
+Other shapes and types raise ValueError. A solid that is no cylinder (nan, a
+negative radius, axis 0) raises nothing: its verdict is `invalid`.)";
+
+constexpr const char* intersect_text = R"(Yes or no; touching is yes.
+
+Returns a Verdict, or an int8 array of shape (..): disjoint, intersecting or
+invalid (undecided at a cap on work that no pair has reached). Right wherever the
+solids are 1e-13 of their size (the sum of radii and heights) or more from
+touching; nearer than that either answer may come. Arrays go through the vectors
+of the processor, with the same verdicts.)";
+
+constexpr const char* decide_text = R"(The verdict with a proof, never wrong.
+
+Returns Decision(verdict, direction, point_head, point_tail); the last three
+float64 of shape (.., 3). disjoint: `direction`, not of unit length, points from
+a to b and is square to a plane that separates them. intersecting: the point
+that is exactly point_head + point_tail is in both. undecided: too
+near to touching for this arithmetic, and neither; ask decide_exactly. What does
+not belong to a verdict is 0.)";
+
+constexpr const char* decide_exactly_text = R"(The proved verdict, touching told apart.
+
+Returns a Verdict, or an int8 array of shape (..): disjoint, intersecting,
+touching, invalid; undecided only for a tangency that could not be proved. Costs
+what decide does where that suffices, 0.1 ms within rounding of touching, up to
+some ms for exact ties.)";
+
+constexpr const char* distance_text = R"(The signed distance with its error.
+
+Returns Distance(value, error, direction, on_a, on_b, verdict), in the unit of
+the arguments; value and error floats or float64 of shape (..), direction, on_a
+and on_b of shape (.., 3).
+value > 0, apart: the gap, |value - exact| <= error.
+value <= 0: minus the depth; the exact depth is at most -value + error (that no
+direction is shallower is not proved).
+direction: of unit length, from a to b; b moved along it by -value + error has
+no inner point of a in it.
+on_a, on_b: the points, as offsets from the centers of a and of b.
+verdict: by the sign of value; disjoint is proved where value > error.)";
+
+constexpr const char* campaign_text = R"(Asks a callable about drawn pairs and tells what is proved wrong.
+
+callable(a, b) is given two float64 arrays of shape (8,) and answers with a bool
+(they intersect), a Verdict, its value or its word, (verdict, signed distance),
+or None to decline. What it raises is a finding; KeyboardInterrupt and the like
+end the campaign.
+pairs: how many; the same pairs for the same seed, of all families in turn.
+relative, absolute: the claim. From relative * size + absolute away from touching
+it promises to be right; size is the sum of radii and heights.
+
+Returns a list of dicts: family, index, kind ('wrong_disjoint', ...), severity
+('contract' beyond the claim, 'resolution' within it, 'unresolved' where the truth
+is not known), margin ((least, most) in sizes, or None), a, b, said, truth (with its
+certificate). Runs in this thread, a pair at a time. ValueError: a claim that is
+negative or not finite.)";
+
 }  // namespace
 
 PYBIND11_MODULE(daylight, m) {
-  m.doc() =
-      "Do two cylinders intersect? A solid is eight float64: center (3), axis (3, any length but 0), radius, "
-      "height "
-      "(full), lengths in one unit. Arguments a and b are of one shape (.., 8), or one of them is a single "
-      "solid (8,). "
-      "A pair of single solids gives a Verdict and floats, arrays give int8 (the values of Verdict) and "
-      "float64.";
+  m.doc() = module_text;
   py::dict words;
   for (const Verdict v :
        {Verdict::disjoint, Verdict::intersecting, Verdict::touching, Verdict::undecided, Verdict::invalid})
     words[to_string(v)] = static_cast<int>(v);
   m.attr("Verdict") =
       py::module_::import("enum").attr("IntEnum")("Verdict", words, py::arg("module") = "daylight");
-  const py::object namedtuple = py::module_::import("collections").attr("namedtuple");
-  m.attr("Decision") = namedtuple("Decision", "verdict direction point_head point_tail");
-  m.attr("Distance") = namedtuple("Distance", "value error direction on_a on_b verdict");
+  const auto record = [&m](const char* name, const char* fields) {
+    m.attr(name) =
+        py::module_::import("collections").attr("namedtuple")(name, fields, py::arg("module") = "daylight");
+  };
+  record("Decision", "verdict direction point_head point_tail");
+  record("Distance", "value error direction on_a on_b verdict");
 
-  m.def(
-      "intersect", &intersect_arrays, py::arg("a"), py::arg("b"),
-      "Yes or no, touching is yes; right wherever the solids are 1e-13 of their size or more from touching.");
-  m.def("decide", &decide_arrays, py::arg("a"), py::arg("b"),
-        "With proof, never wrong: disjoint with a separating `direction`, or intersecting with the common "
-        "point that is "
-        "exactly point_head + point_tail; else undecided.");
-  m.def("decide_exactly", &decide_exactly_arrays, py::arg("a"), py::arg("b"),
-        "The proved verdict, touching told apart; undecided only for a tangency that could not be proved.");
-  m.def("distance", &distance_arrays, py::arg("a"), py::arg("b"),
-        "The signed distance within `error` (apart), minus the depth (overlapping); on_a and on_b are "
-        "offsets from the "
-        "centers.");
+  m.def("intersect", &intersect_arrays, py::arg("a"), py::arg("b"), intersect_text);
+  m.def("decide", &decide_arrays, py::arg("a"), py::arg("b"), decide_text);
+  m.def("decide_exactly", &decide_exactly_arrays, py::arg("a"), py::arg("b"), decide_exactly_text);
+  m.def("distance", &distance_arrays, py::arg("a"), py::arg("b"), distance_text);
   m.def("campaign", &campaign, py::arg("callable"), py::arg("pairs") = 1000, py::arg("seed") = 0,
-        py::arg("relative") = 0.0, py::arg("absolute") = 0.0,
-        "Asks callable(a, b), two arrays of shape (8,), about `pairs` drawn pairs, the same for the same "
-        "seed, and returns "
-        "what the referee proves wrong: a list of dicts with family, index, kind, severity, margin, a, b, "
-        "said, truth. It "
-        "answers a bool (they intersect), a Verdict or its word, (verdict, signed distance), or None to "
-        "decline; an "
-        "exception is a finding. `relative` (of the pair's size) and `absolute` are the distance from "
-        "touching from which "
-        "it claims to be right. Runs in this thread.");
+        py::arg("relative") = 0.0, py::arg("absolute") = 0.0, campaign_text);
 }

@@ -1,8 +1,10 @@
 # SPDX-License-Identifier: MIT
 """The Python module: shapes, verdicts, errors, campaigns, and the example of README.md as it is printed."""
+import ast
 import contextlib
 import io
 import pathlib
+import pydoc
 import re
 import threading
 import unittest
@@ -13,6 +15,7 @@ import daylight
 from daylight import Verdict
 
 README = pathlib.Path(__file__).resolve().parents[2] / 'README.md'
+FUNCTIONS = ['campaign', 'decide', 'decide_exactly', 'distance', 'intersect']
 ROD = np.array([0, 0, 0, 0, 0, 1, 1, 4.0])
 
 
@@ -79,9 +82,26 @@ class Module(unittest.TestCase):
             daylight.distance(np.float64(1), ROD)
         with self.assertRaisesRegex(ValueError, r'^a has shape \(2, 8\) and b \(3, 8\): they must be the same'):
             daylight.decide(np.zeros((2, 8)), np.zeros((3, 8)))
-        for wrong in ('rod', ROD + 1j):
-            with self.assertRaisesRegex(TypeError, '^a is no array of float64'):
-                daylight.intersect(wrong, ROD)
+        for wrong, dtype in (('rod', '<U3'), (ROD + 1j, 'complex128'), (object(), 'object'), ([ROD, None], None)):
+            found = 'a has dtype ' + dtype if dtype else 'a is no array'
+            for function in (daylight.intersect, daylight.decide, daylight.decide_exactly, daylight.distance):
+                with self.assertRaisesRegex(ValueError, f'^({found}), not float64 or what NumPy casts to it safely$'):
+                    function(wrong, ROD)
+        for claim in ({'relative': -1.0}, {'absolute': np.nan}, {'relative': np.inf}):
+            with self.assertRaisesRegex(ValueError, '^a claim is finite and not negative: relative '):
+                daylight.campaign(lambda a, b: None, **claim)
+        with self.assertRaises(TypeError):
+            daylight.campaign(lambda a, b: None, pairs=-1)
+
+    def test_what_does_not_belong_is_zero(self):
+        nothing = [0, 0, 0]
+        for other, zeros in ((beside(3), 'point_head point_tail'), (beside(1), 'direction'),
+                             (beside(2), 'direction point_head point_tail'), (beside(np.nan), 'direction point_head point_tail')):
+            decision = daylight.decide(ROD, other)
+            for field in zeros.split():
+                self.assertEqual(getattr(decision, field).tolist(), nothing, (decision, field))
+        gap = daylight.distance(ROD, beside(np.nan))
+        self.assertIs(gap.verdict, Verdict.invalid)
 
     def test_threads(self):
         a = np.tile(ROD, (100000, 1))
@@ -142,6 +162,36 @@ class Campaign(unittest.TestCase):
             daylight.campaign(interrupted)
         with self.assertRaises(TypeError):
             daylight.campaign('no callable')
+
+
+class Documentation(unittest.TestCase):
+    """help(daylight) tells of every function what comes back; the stub's signatures are the module's."""
+
+    def test_help(self):
+        text = pydoc.render_doc(daylight, renderer=pydoc.plaintext)
+        for said in ('(.., 8)', 'lengths in one unit', 'raise ValueError'):
+            self.assertIn(said, text)
+        for name in FUNCTIONS:
+            self.assertIn('\nReturns ', getattr(daylight, name).__doc__)
+            self.assertLessEqual(max(map(len, getattr(daylight, name).__doc__.splitlines()[1:])), 84)
+
+    def test_stub(self):
+        stub = ast.parse(pathlib.Path(__file__).with_name('daylight.pyi').read_text()).body
+        functions = {x.name: x.args for x in stub if isinstance(x, ast.FunctionDef)}
+        self.assertEqual(sorted(functions), FUNCTIONS)
+        for name, arguments in functions.items():
+            signature = getattr(daylight, name).__doc__.splitlines()[0]
+            self.assertEqual(re.findall(r'(\w+): ', signature), [x.arg for x in arguments.args])
+            self.assertEqual(re.findall(r' = ([\d.]+)', signature), [ast.unparse(x) for x in arguments.defaults])
+        for x in stub:
+            if isinstance(x, ast.ClassDef):
+                known = getattr(daylight, x.name)
+                if known is Verdict:
+                    self.assertEqual({y.targets[0].id: y.value.value for y in x.body}, {v.name: v for v in Verdict})
+                else:
+                    self.assertEqual([y.target.id for y in x.body], list(known._fields))
+        self.assertEqual({x.name for x in stub if isinstance(x, (ast.ClassDef, ast.FunctionDef))},
+                         {name for name in dir(daylight) if not name.startswith('_')})
 
 
 class Readme(unittest.TestCase):

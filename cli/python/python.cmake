@@ -22,6 +22,18 @@ if(pybind11_FOUND)
   target_include_directories(daylight_python PRIVATE ${PROJECT_SOURCE_DIR})
   target_link_libraries(daylight_python PRIVATE Eigen3::Eigen nlohmann_json::nlohmann_json fmt::fmt
                         ${MPFI} ${MPFR} ${GMPXX} ${GMP})
+  # Where the interpreter of the prefix looks: Debian's has names of its own below /usr and /usr/local, a virtual
+  # environment and everybody else's this one.
+  set(version python${Python_VERSION_MAJOR}.${Python_VERSION_MINOR})
+  install(CODE "
+    set(python_folder lib/${version}/site-packages)
+    if(EXISTS /etc/debian_version AND CMAKE_INSTALL_PREFIX MATCHES \"/usr/local/?$\")
+      set(python_folder lib/${version}/dist-packages)
+    elseif(EXISTS /etc/debian_version AND CMAKE_INSTALL_PREFIX MATCHES \"/usr/?$\")
+      set(python_folder lib/python3/dist-packages)
+    endif()" COMPONENT python)
+  install(TARGETS daylight_python LIBRARY DESTINATION "\${python_folder}" COMPONENT python)
+  install(FILES cli/python/daylight.pyi DESTINATION "\${python_folder}/daylight-stubs" RENAME __init__.pyi COMPONENT python)
   add_test(NAME python_test COMMAND Python::Interpreter ${PROJECT_SOURCE_DIR}/cli/python/module_test.py)
   set_tests_properties(python_test PROPERTIES ENVIRONMENT "PYTHONPATH=${CMAKE_BINARY_DIR}/python" TIMEOUT 120)
 else()
