@@ -106,7 +106,7 @@ class Searcher {
  public:
   explicit Searcher(const Arguments& arguments)
       : arguments_(arguments),
-        methods_(select_methods(methods_for(arguments.guests, arguments.from), arguments.methods)),
+        methods_(select_methods(company_for(arguments.guests, arguments.from).methods, arguments.methods)),
         known_(known_pairs(arguments)) {
     options_.seed = arguments.seed;
     options_.search = arguments.time ? Search::time : Search::margin;

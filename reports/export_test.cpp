@@ -203,6 +203,7 @@ TEST(Export, AnImpossibleDistanceIsProvedImpossible) {
     const Claim claim{.absolute = 1e-6, .source = "this test"};
     ASSERT_TRUE(shows_distance(asked, claim));
     Export files;
+    files.program_name = "reproduce.cpp";
     files.check = exact_check(asked, claim);
     const Ran proof = Folder(files).run("python3 exact.py");
     EXPECT_EQ(proof.status, 0) << proof.printed << files.check;
