@@ -134,7 +134,8 @@ class Searcher {
   int run() {
     std::size_t left = methods_.size() * features_.size();
     for (const auto& method : methods_) {
-      if (arguments_.time) usual_ = usual_ns(method);
+      options_.clock = method->guest() ? wall_clock : cpu_clock;
+      if (arguments_.time) usual_ = usual_ns(method, options_.clock);
       for (const ContactFeature feature : features_) search(method, feature, left--);
     }
     out_.close();

@@ -517,12 +517,12 @@ class Triager {
     if (!out) throw std::runtime_error(file.string() + " cannot be written");
   }
 
-  const Clock::time_point start_ = Clock::now();
   const TriageOptions& options_;
   const std::function<void(const TriageProgress&)>& on_progress_;
   const std::span<const std::unique_ptr<Method>> methods_;
   const std::string askers_;
   const std::vector<std::size_t> kin_;
+  const Clock::time_point start_ = Clock::now();
   std::set<std::string, std::less<>> absent_;  ///< guests of the run
   Sorted sorted_;
   std::vector<Subject> subjects_;
