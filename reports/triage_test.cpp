@@ -139,10 +139,18 @@ TEST(Triage, GoesOnWhereItWas) {
   {
     TriageStore store(folder, askers("test", all_methods()));
     store.add(std::vector<CauseRecord>{{2, "told-before", "untold", ""}});
+    store.add(SimpleRecord{1, "half done", "", 1, false});
+    store.add(SimpleRecord{3, "done", "", 1, true});
   }
   const Triage all = triage(folder);
   EXPECT_TRUE(keys_of(all.buckets).contains("told-before"));
   EXPECT_EQ(all.progress.told, 3u);
+  EXPECT_EQ(all.progress.simplified, 3u);
+  for (const SimpleRecord& simple : TriageStore(folder, askers("test", all_methods())).simples()) {
+    EXPECT_TRUE(simple.ended);
+    EXPECT_EQ(simple.pair == "done", simple.finding == 3);
+    EXPECT_NE(simple.pair, "half done");
+  }
   const TriageStore other(folder, "another build");
   EXPECT_TRUE(other.causes().empty());
 }
