@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "cli/commands.hpp"
+#include "cli/guests.hpp"
 #include "cli/source_tree.hpp"
-#include "oracles/method.hpp"
 #include "reports/charts.hpp"
 #include "reports/curves.hpp"
 #include "reports/draw_charts.hpp"
@@ -28,7 +28,8 @@ void chart(const Arguments& arguments) {
   if (!arguments.bench.empty()) rows = read_bench(arguments.bench);
   write_charts(arguments.run, rows);
   if (arguments.stability)
-    write_stability(arguments.run, all_methods(), in_source_tree("reports/builds.jsonl"));
+    write_stability(arguments.run, company_for({}, {arguments.run}).methods,
+                    in_source_tree("reports/builds.jsonl"));
   write_page(arguments.run, in_source_tree("reports/kill_matrix.jsonl"));
   if (!rows.empty()) fmt::print("{}\n", format_curves(speed_points(rows)));
   fmt::print("{}/report.html\n", arguments.run);

@@ -12,10 +12,10 @@
 
 #include "cli/commands.hpp"
 #include "cli/guests.hpp"
+#include "cli/one_failure.hpp"
 #include "cli/targets.hpp"
 #include "cli/unsigned_option.hpp"
 #include "cli/write_file.hpp"
-#include "reports/export.hpp"
 #include "reports/probe.hpp"
 
 namespace cyl {
@@ -27,15 +27,8 @@ struct Arguments {
   GuestOptions guests;
 };
 
-/// One method's failure on one pair.
-struct Failing {
-  std::string method;
-  FindingKind kind;
-  Pair pair;
-};
-
 /// What the command line names; what it leaves out is taken from the stored finding, else found by asking.
-Failing failing_of(const Arguments& arguments, std::span<const std::unique_ptr<Method>> methods) {
+OneFailure failure_of(const Arguments& arguments, std::span<const std::unique_ptr<Method>> methods) {
   const std::vector<Target> targets = targets_of(arguments.target);
   if (targets.size() != 1)
     throw std::invalid_argument(
@@ -46,11 +39,7 @@ Failing failing_of(const Arguments& arguments, std::span<const std::unique_ptr<M
   const std::string name = stored ? target.finding->method : arguments.method;
   if (name.empty()) throw std::invalid_argument("which method? Give --method NAME");
   const std::string word = !arguments.kind.empty() ? arguments.kind : stored ? target.finding->kind : "";
-  if (!word.empty()) {
-    const auto kind = find_finding_kind(word);
-    if (!kind) throw std::invalid_argument(fmt::format("'{}' is no kind of finding", word));
-    return {name, *kind, target.pair};
-  }
+  if (!word.empty()) return {name, kind_of_word(word), target.pair};
   const Probe now = probe_one(find_method(methods, name), target.pair);
   if (!now.finding)
     throw std::invalid_argument(fmt::format("{} is not wrong on {}: it says {}, and they are {}", name,
@@ -67,22 +56,19 @@ void add_common(CLI::App& command, Arguments& arguments) {
 }
 
 int explain_case(const Arguments& arguments) {
-  const auto methods = methods_for(arguments.guests, {arguments.target});
-  const Failing failing = failing_of(arguments, methods);
+  const auto methods = company_for(arguments.guests, {arguments.target}).methods;
+  const OneFailure failure = failure_of(arguments, methods);
   fmt::print("seed {}\n", arguments.seed);
   std::fflush(stdout);
-  const Explanation e = explain(methods, failing.method, failing.kind, failing.pair, arguments.seed);
+  const Explanation e = explain(methods, failure.method, failure.kind, failure.pair, arguments.seed);
   if (!arguments.json.empty()) write_file(arguments.json, explanation_json(e));
   fmt::print("{}", explanation_text(e));
   return exit_pass;
 }
 
 int export_case(const Arguments& arguments) {
-  const auto methods = methods_for(arguments.guests, {arguments.target});
-  const Failing failing = failing_of(arguments, methods);
-  write_export(make_export(methods, failing.method, failing.kind, failing.pair), arguments.out);
-  fmt::print("{}, {}: {}/issue.md, build.sh, reproduce.cpp, exact.py\n", failing.method,
-             to_string(failing.kind), arguments.out);
+  const Company company = company_for(arguments.guests, {arguments.target});
+  export_failure(company, failure_of(arguments, company.methods), arguments.out);
   return exit_pass;
 }
 

@@ -5,6 +5,7 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <filesystem>
 #include <stdexcept>
 
 #include "corpus/store.hpp"
@@ -74,19 +75,20 @@ void add_guests_of_run(Company& company, const std::string& run, std::string& mi
   }
 }
 
-std::vector<std::unique_ptr<Method>> methods_for(const GuestOptions& options,
-                                                 const std::vector<std::string>& targets) {
+Company company_for(const GuestOptions& options, const std::vector<std::string>& targets) {
   Company company = with_guests(options);
   std::string missing;
   for (const std::string& target : targets) {
-    for (const std::string& run : {target, target.substr(0, target.rfind(':'))}) {
+    const auto of_buckets =
+        std::filesystem::absolute(target).parent_path().parent_path();  // RUN/buckets/FILE
+    for (const std::string& run : {target, target.substr(0, target.rfind(':')), of_buckets.string()}) {
       if (!holds_run(run)) continue;
       add_guests_of_run(company, run, missing);
       break;
     }
   }
   if (!missing.empty()) fmt::print(stderr, "daylight: {}", missing);
-  return std::move(company.methods);
+  return company;
 }
 
 }  // namespace cyl

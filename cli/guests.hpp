@@ -37,9 +37,8 @@ Company with_guests(const GuestOptions& options);
 /// be had, `missing` is told why.
 void add_guests_of_run(Company& company, const std::string& run, std::string& missing);
 
-/// The methods for `targets` of targets.hpp: with_guests, and those of the runs that are named. A guest of a
-/// run that cannot be had is told of on standard error and left out.
-std::vector<std::unique_ptr<Method>> methods_for(const GuestOptions& options,
-                                                 const std::vector<std::string>& targets);
+/// For `targets` of targets.hpp: with_guests, and those of the runs that are named, be it by a file of one.
+/// A guest of a run that cannot be had is told of on standard error and left out.
+Company company_for(const GuestOptions& options, const std::vector<std::string>& targets);
 
 }  // namespace cyl

@@ -48,6 +48,9 @@ while read -r q; do
   esac
 done
 END
+cat >plain.sh <<'END'
+while read -r q; do echo '{"verdict":"disjoint"}'; done
+END
 guests=(--plugin ./libbad.so --command 'sh worse.sh')
 pair='{"a":{"center":[0,0,0],"axis":[0,0,1],"radius":1,"height":2.00000512},"b":{"center":[9,0,0],"axis":[0,0,1],"radius":1,"height":2}}'
 printf '%s\n' "$pair" >pair.jsonl
@@ -84,6 +87,66 @@ expect 2 "$daylight" worst --plugin ./libbad.so --method bad --evaluations 20 --
 expect 0 "$daylight" campaign --list "${guests[@]}"
 holds out '^  worse +unversioned'
 
+expect 2 "$daylight" worst "${guests[@]}" --method worse --time --evaluations 2 --feature side-side --from pair.jsonl
+holds out '^worse side-side [0-9]+ ns '
+
+# Triage: causes, simple pairs, proofs and programs as of any method's findings.
+expect 2 "$daylight" campaign --pairs 150 --seed 7 --cases '' --methods decide,bad,worse,plain "${guests[@]}" --command 'sh plain.sh' --out runs/three
+causes() { expect 2 "$daylight" triage runs/three --for 3s "$@"; }
+causes
+for key in bad/absolute-length bad/crash/sigabrt bad/exception/no-luck bad/malformed/ worse/crash/ plain/wrong_disjoint; do
+  holds out "^\* $key"
+done
+grep -qF -- "--plugin 'bad=" runs/three/report.html || { echo 'the page does not say how to bring the guests'; exit 1; }
+expect 2 "$daylight" replay "$(grep -l bad/absolute-length runs/three/buckets/*.jsonl | head -n 1)" --methods bad
+expect 0 "$daylight" triage runs/three --explain bad/absolute-length
+holds out '^bad '
+sed 's/int ask(.*/&\n  return DAYLIGHT_INTERSECTING;/' bad.cpp >good.cpp
+sed 's/int ask(.*/&\n  if (a[7] >= 0) for (volatile int i = 0;;) i = i + 1;/' bad.cpp >endless.cpp
+for name in good endless; do c++ -std=c++17 -shared -fPIC -I "$source_tree/oracles" $name.cpp -o $name.so; done
+expect 0 "$daylight" triage runs/three --export bad/absolute-length --out sent
+holds out 'sent/issue.md, build.sh, reproduce.c, exact.py$'
+expect 0 python3 sent/exact.py
+expect 1 sh sent/build.sh
+holds out '^bad says: 0, disjoint$'
+holds out '^WRONG$'
+expect 0 sh sent/build.sh good.so
+holds out '^right$'
+expect 0 "$daylight" triage runs/three --export bad/crash/sigabrt --out sent
+expect 134 sh sent/build.sh
+expect 0 "$daylight" triage runs/three --export plain/wrong_disjoint --out sent
+expect 0 python3 sent/exact.py
+cd elsewhere
+expect 1 sh ../sent/build.sh
+holds out '^it says: \{"verdict":"disjoint"\}$'
+expect 0 sh ../sent/build.sh "echo '{\"verdict\":\"intersecting\"}'"
+expect 1 sh ../sent/build.sh 'exit 3'
+cd ..
+
+# One that was built anew is told anew; one that hangs ends with the rest, one that is gone leaves its findings untold.
+causes --plugin good.so
+holds out '^\* bad/not-again'
+grep -q bad/absolute-length out && { echo 'the cause of another build is kept'; exit 1; }
+expect 2 "$daylight" campaign --pairs 12 --seed 7 --cases '' --methods bad --plugin ./libbad.so --out runs/few
+expect 2 "$daylight" triage runs/few --for 1s --plugin ./endless.so
+holds out '^\* bad/'
+
+# Shards, charts, and the alarm beside guests.
+for shard in 0 1; do
+  expect 2 "$daylight" campaign --shard $shard/2 --pairs 1200 --seed 7 --cases '' --methods decide,bad,worse "${guests[@]}" --out shards/$shard
+done
+expect 2 "$daylight" merge shards/0 shards/1 --out shards/all
+cd elsewhere
+expect 2 "$daylight" replay ../shards/all --methods bad
+expect 0 "$daylight" chart ../shards/all
+cd ..
+if [[ -x $(dirname -- "$daylight")/daylight-mutants ]]; then
+  expect 2 "$daylight" campaign --alarm --pairs 1500 --seed 4 --cases '' --methods intersect,decide,distance,exact,bad "${guests[@]}" --out runs/alarm
+  holds out '^alarm: [1-9][0-9]* planted faults? found'
+else
+  echo 'no alarm: daylight-mutants is not built'
+fi
+
 # What is missing or strange is said.
 expect 64 "$daylight" check --plugin ./nothing.so pair.jsonl
 holds err 'nothing.so.*cannot open shared object'
@@ -98,5 +161,11 @@ expect 1 "$daylight" campaign --resume runs/bad --pairs 600
 holds err 'runs/bad cannot be resumed: bad of runs/bad is not here: --plugin .*/libbad.so'
 expect 0 "$daylight" replay runs/bad:1 --methods decide
 holds err 'bad of runs/bad is not here'
+causes
+holds err '^daylight: bad of runs/three is not here'
+[[ $(grep -c 'is not here' err) == 1 ]] || { echo 'told more than once'; exit 1; }
+holds out '^[1-9][0-9]* are of guests that are not here$'
+holds out '^\* plain/wrong_disjoint'
+grep -q 'bad/' out && { echo 'something is told of what is not here'; exit 1; }
 expect 2 "$daylight" campaign --resume runs/bad --pairs 600 --plugin ./moved.so
 echo passed

@@ -70,7 +70,7 @@ class Replayer {
     for (const std::string& name : arguments.targets) {
       for (Target& target : targets_of(name)) targets_.push_back(std::move(target));
     }
-    methods_ = methods_for(arguments.guests, arguments.targets);
+    methods_ = company_for(arguments.guests, arguments.targets).methods;
     if (!arguments.methods.empty()) methods_ = select_methods(std::move(methods_), arguments.methods);
   }
 

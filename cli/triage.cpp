@@ -15,6 +15,8 @@
 #include "cli/build_info.hpp"
 #include "cli/commands.hpp"
 #include "cli/duration.hpp"
+#include "cli/guests.hpp"
+#include "cli/one_failure.hpp"
 #include "cli/progress.hpp"
 #include "cli/source_tree.hpp"
 #include "cli/today.hpp"
@@ -24,9 +26,7 @@
 #include "corpus/pair_io.hpp"
 #include "corpus/suppressions.hpp"
 #include "reports/explain.hpp"
-#include "reports/export.hpp"
 #include "reports/page.hpp"
-#include "reports/probe.hpp"
 
 namespace cyl {
 namespace {
@@ -36,6 +36,7 @@ struct Arguments {
   std::optional<std::string> suppressions;
   std::vector<std::string> against;
   unsigned jobs = 2;
+  GuestOptions guests;
 };
 
 int triage(const Arguments& arguments) {
@@ -50,10 +51,11 @@ int triage(const Arguments& arguments) {
   options.build = build_info().text();
   if (!options.suppressions.empty()) options.cases = read_case_folder(in_source_tree("corpus"));
 
+  const auto methods = company_for(arguments.guests, {arguments.run}).methods;
   Triage result;
   {
     ProgressLine line;
-    result = run_triage(options, [&](const TriageProgress& p) {
+    result = run_triage(options, methods, [&](const TriageProgress& p) {
       if (!line.due(p.elapsed)) return;
       line.show(
           p.elapsed,
@@ -67,12 +69,12 @@ int triage(const Arguments& arguments) {
       "{} causes of {} kept findings; {} simplified, {} causes searched for a worse pair, --for gives "
       "them more time\n",
       result.buckets.size(), result.progress.told, result.progress.simplified, result.progress.searched);
-  if (result.progress.told < result.progress.findings)
-    fmt::print("{} not looked at yet: run it again to go on\n",
-               result.progress.findings - result.progress.told);
+  const TriageProgress& p = result.progress;
+  if (p.told + p.absent < p.findings)
+    fmt::print("{} not looked at yet: run it again to go on\n", p.findings - p.told - p.absent);
+  if (p.absent > 0) fmt::print("{} are of guests that are not here\n", p.absent);
   for (const std::string& remark : result.remarks) fmt::print("{}\n", remark);
   if (!arguments.json.empty()) write_file(arguments.json, result.buckets.dump(1) + '\n');
-  write_file(arguments.run + "/buckets.json", result.buckets.dump() + '\n');
   write_page(arguments.run, in_source_tree("reports/kill_matrix.jsonl"));
   fmt::print("page: {}/report.html\n", arguments.run);
   return exit_code(result);
@@ -88,31 +90,21 @@ nlohmann::json bucket_of(const Arguments& arguments, const std::string& key) {
 }
 
 /// What fails in a bucket, at its simplest.
-struct Failing {
-  std::string method;
-  FindingKind kind;
-  Pair pair;
-};
-
-Failing failing_in(const nlohmann::json& bucket) {
-  const std::string kind = bucket.at("kind");
-  const auto found = find_finding_kind(kind);
-  if (!found) throw std::invalid_argument(fmt::format("'{}' is no kind of finding", kind));
-  return {bucket.at("method"), *found,
+OneFailure failure_in(const nlohmann::json& bucket) {
+  return {bucket.at("method"), kind_of_word(bucket.at("kind")),
           parse_case(bucket.at("simplest").at("pair").dump(), 1).value.value().pair};
 }
 
 int explain_bucket(const Arguments& arguments) {
-  const Failing failing = failing_in(bucket_of(arguments, arguments.explained));
-  fmt::print("{}", explanation_text(explain(all_methods(), failing.method, failing.kind, failing.pair)));
+  const OneFailure failure = failure_in(bucket_of(arguments, arguments.explained));
+  const auto methods = company_for(arguments.guests, {arguments.run}).methods;
+  fmt::print("{}", explanation_text(explain(methods, failure.method, failure.kind, failure.pair)));
   return exit_pass;
 }
 
 int export_bucket(const Arguments& arguments) {
-  const Failing failing = failing_in(bucket_of(arguments, arguments.exported));
-  write_export(make_export(all_methods(), failing.method, failing.kind, failing.pair), arguments.out);
-  fmt::print("{}, {}: {}/issue.md, build.sh, reproduce.cpp, exact.py\n", failing.method,
-             to_string(failing.kind), arguments.out);
+  const OneFailure failure = failure_in(bucket_of(arguments, arguments.exported));
+  export_failure(company_for(arguments.guests, {arguments.run}), failure, arguments.out);
   return exit_pass;
 }
 
@@ -126,6 +118,7 @@ void add_triage(CLI::App& app, int& exit_code) {
   command->add_option("--against", arguments->against,
                       "triaged runs to hold it against; those beside it where not given");
   command->add_option("--for", arguments->budget, "wall time, like 5m; 5m where not given");
+  add_guest_options(*command, arguments->guests);
   add_unsigned(*command, "--jobs", arguments->jobs, "processes; do not change the causes", 1, 1024);
   command->add_option("--suppressions", arguments->suppressions,
                       "file of known causes that do not fail; suppressions.jsonl where not given");
@@ -143,6 +136,7 @@ void add_triage(CLI::App& app, int& exit_code) {
       "Example:\n  daylight triage runs/latest --for 2m\n"
       "What is found out is kept in RUN/triage.sqlite: run again, it goes on. RUN/buckets/ has the simplest "
       "pairs, and the worst (.worst.jsonl) where a search found one worse than the findings.\n"
+      "The guests of the run are found again, or taken from --plugin and --command.\n"
       "Exit code: 2 a cause beyond a claim that is not suppressed, 3 none, but undecided truth or findings "
       "not "
       "looked\nat, 0 otherwise, 1 the harness failed, 64 usage.");

@@ -106,7 +106,7 @@ class Searcher {
  public:
   explicit Searcher(const Arguments& arguments)
       : arguments_(arguments),
-        methods_(select_methods(methods_for(arguments.guests, arguments.from), arguments.methods)),
+        methods_(select_methods(company_for(arguments.guests, arguments.from).methods, arguments.methods)),
         known_(known_pairs(arguments)) {
     options_.seed = arguments.seed;
     options_.search = arguments.time ? Search::time : Search::margin;
@@ -134,7 +134,8 @@ class Searcher {
   int run() {
     std::size_t left = methods_.size() * features_.size();
     for (const auto& method : methods_) {
-      if (arguments_.time) usual_ = usual_ns(method);
+      options_.clock = method->guest() ? wall_clock : cpu_clock;
+      if (arguments_.time) usual_ = usual_ns(method, options_.clock);
       for (const ContactFeature feature : features_) search(method, feature, left--);
     }
     out_.close();

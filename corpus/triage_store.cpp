@@ -12,13 +12,19 @@ namespace {
 /// Milliseconds to wait for another process that writes the same file.
 constexpr int busy_cap = 10000;
 
+constexpr const char* notes = "CREATE TABLE IF NOT EXISTS note(key TEXT PRIMARY KEY, value TEXT NOT NULL)";
+
+/// Made anew, since another build may have made others.
 constexpr const char* tables = R"(
-CREATE TABLE IF NOT EXISTS note(key TEXT PRIMARY KEY, value TEXT NOT NULL);
-CREATE TABLE IF NOT EXISTS cause(finding INTEGER PRIMARY KEY, bucket TEXT NOT NULL, mechanism TEXT NOT NULL,
+DELETE FROM note;
+DROP TABLE IF EXISTS cause;
+DROP TABLE IF EXISTS simple;
+DROP TABLE IF EXISTS worst;
+CREATE TABLE cause(finding INTEGER PRIMARY KEY, bucket TEXT NOT NULL, mechanism TEXT NOT NULL,
   labels TEXT NOT NULL);
-CREATE TABLE IF NOT EXISTS simple(finding INTEGER PRIMARY KEY, pair TEXT NOT NULL, key TEXT NOT NULL,
-  questions INTEGER NOT NULL);
-CREATE TABLE IF NOT EXISTS worst(bucket TEXT PRIMARY KEY, method TEXT NOT NULL, kind TEXT NOT NULL,
+CREATE TABLE simple(finding INTEGER PRIMARY KEY, pair TEXT NOT NULL, key TEXT NOT NULL,
+  questions INTEGER NOT NULL, ended INTEGER NOT NULL);
+CREATE TABLE worst(bucket TEXT PRIMARY KEY, method TEXT NOT NULL, kind TEXT NOT NULL,
   pair TEXT NOT NULL, ended INTEGER NOT NULL);
 )";
 
@@ -48,17 +54,17 @@ void set_note(SQLite::Database& database, const char* key, const std::string& va
 
 }  // namespace
 
-TriageStore::TriageStore(const std::string& folder, const std::string& build) : file_(file_of(folder)) {
+TriageStore::TriageStore(const std::string& folder, const std::string& asked) : file_(file_of(folder)) {
   naming(file_, [&] {
     database_ =
         std::make_unique<SQLite::Database>(file_, SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE, busy_cap);
     database_->exec("PRAGMA journal_mode=WAL");
     database_->exec("PRAGMA synchronous=NORMAL");
-    database_->exec(tables);
-    if (note(*database_, "build") == build) return;
+    database_->exec(notes);
+    if (note(*database_, "asked") == asked) return;
     SQLite::Transaction transaction(*database_, SQLite::TransactionBehavior::IMMEDIATE);
-    database_->exec("DELETE FROM cause; DELETE FROM simple; DELETE FROM worst; DELETE FROM note");
-    set_note(*database_, "build", build);
+    database_->exec(tables);
+    set_note(*database_, "asked", asked);
     transaction.commit();
   });
 }
@@ -81,10 +87,12 @@ std::vector<CauseRecord> TriageStore::causes() const {
 std::vector<SimpleRecord> TriageStore::simples() const {
   return naming(file_, [&] {
     std::vector<SimpleRecord> all;
-    SQLite::Statement row(*database_, "SELECT finding, pair, key, questions FROM simple ORDER BY finding");
+    SQLite::Statement row(*database_,
+                          "SELECT finding, pair, key, questions, ended FROM simple ORDER BY finding");
     while (row.executeStep())
       all.push_back({row.getColumn(0).getInt64(), row.getColumn(1).getString(), row.getColumn(2).getString(),
-                     static_cast<std::uint64_t>(row.getColumn(3).getInt64())});
+                     static_cast<std::uint64_t>(row.getColumn(3).getInt64()),
+                     row.getColumn(4).getInt() != 0});
     return all;
   });
 }
@@ -118,11 +126,12 @@ void TriageStore::add(std::span<const CauseRecord> causes) {
 
 void TriageStore::add(const SimpleRecord& simple) {
   naming(file_, [&] {
-    SQLite::Statement insert(*database_, "INSERT OR REPLACE INTO simple VALUES(?, ?, ?, ?)");
+    SQLite::Statement insert(*database_, "INSERT OR REPLACE INTO simple VALUES(?, ?, ?, ?, ?)");
     insert.bind(1, simple.finding);
     insert.bind(2, simple.pair);
     insert.bind(3, simple.key);
     insert.bind(4, static_cast<std::int64_t>(simple.questions));
+    insert.bind(5, simple.ended ? 1 : 0);
     insert.exec();
   });
 }

@@ -30,6 +30,7 @@ struct SimpleRecord {
   std::string pair;  ///< one JSON line of corpus/pair_io
   std::string key;   ///< the bucket key of the pair: method, kind, feature, coordinate
   std::uint64_t questions = 0;
+  bool ended = false;  ///< by itself: not to be simplified again
 };
 
 /// What a search for a worse pair than a bucket's findings came to.
@@ -44,9 +45,9 @@ struct WorstRecord {
 /// that names the file where it cannot be read or written.
 class TriageStore {
  public:
-  /// Creates the file where there is none. What another build found out is dropped: causes are told by
-  /// asking.
-  TriageStore(const std::string& folder, const std::string& build);
+  /// Creates the file where there is none. `asked`: the build, and whom it asks. What was found out of others
+  /// is dropped: causes are told by asking.
+  TriageStore(const std::string& folder, const std::string& asked);
   TriageStore(TriageStore&&) noexcept;
   ~TriageStore();
 

@@ -438,11 +438,18 @@ bool is_verdict(FindingKind kind) noexcept {
          kind == FindingKind::wrong_touching;
 }
 
-double cpu_clock() {
+namespace {
+
+double read_clock(clockid_t clock) {
   timespec t{};
-  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &t);
+  clock_gettime(clock, &t);
   return 1e9 * static_cast<double>(t.tv_sec) + static_cast<double>(t.tv_nsec);
 }
+
+}  // namespace
+
+double cpu_clock() { return read_clock(CLOCK_PROCESS_CPUTIME_ID); }
+double wall_clock() { return read_clock(CLOCK_MONOTONIC); }
 
 bool Worst::beyond_claim() const {
   return failed || (wrong && wrong->finding.severity == Severity::contract);

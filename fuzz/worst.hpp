@@ -38,8 +38,9 @@ bool is_verdict(FindingKind kind) noexcept;
 
 enum class Search : unsigned char { margin, time };
 
-/// CPU time of this process in ns.
+/// In ns: CPU time of this process, and time in all, which counts what another process does for a guest.
 double cpu_clock();
+double wall_clock();
 
 struct WorstOptions {
   Search search = Search::margin;

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include <filesystem>
+#include <sstream>
 #include <stdexcept>
+#include <system_error>
+#include <vector>
 
 #include "corpus/guest_lines.hpp"
 #include "corpus/pair_io.hpp"
@@ -54,6 +57,18 @@ MethodAnswer answer_of(const GuestAnswer& said) {
   return answer;
 }
 
+/// Of its words those that are files: `mine.py` of "python3 -u mine.py --fast".
+std::vector<std::string> files_of(const Guest& guest) {
+  std::vector<std::string> files;
+  std::istringstream words(guest.what);
+  for (std::string word; words >> word;) {
+    const std::filesystem::path file = std::filesystem::path(guest.folder) / word;
+    std::error_code fault;
+    if (std::filesystem::is_regular_file(file, fault)) files.push_back(file.string());
+  }
+  return files;
+}
+
 /// The stem of the first word that looks like a file of source ("mine" of "python3 -u mine.py --fast"), else
 /// of the first word.
 std::string name_after(const std::string& command) {
@@ -78,12 +93,15 @@ class CommandMethod final : public Method {
     child_.reset();  // workers start their own
     if (guest_.name.empty()) guest_.name = hello_.name.empty() ? name_after(guest.what) : hello_.name;
     if (hello_.version.empty()) hello_.version = "unversioned";
+    if (const auto files = files_of(guest); !files.empty())
+      hello_.version.append(" (").append(fingerprint(files)).append(")");
     if (hello_.claim_source.empty()) hello_.claim_source = "none made";
   }
 
   std::string_view name() const override { return guest_.name; }
   std::string_view version() const override { return hello_.version; }
   Claim claim() const override { return {hello_.relative, hello_.absolute, hello_.claim_source}; }
+  bool guest() const override { return true; }
 
   MethodAnswer ask(const Pair& pair) override {
     if (const auto invalid = decline_invalid(pair)) return *invalid;

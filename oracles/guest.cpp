@@ -3,9 +3,13 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cstdio>
 #include <filesystem>
+#include <fstream>
+#include <sstream>
 #include <stdexcept>
 
+#include "corpus/fnv.hpp"
 #include "corpus/shell_words.hpp"
 
 namespace cyl {
@@ -93,6 +97,19 @@ std::vector<Guest> parse_guests(std::string_view text) {
                       std::string(line), parts[2]});
   }
   return guests;
+}
+
+std::string fingerprint(std::span<const std::string> files) {
+  std::uint64_t hash = fnv1a("");
+  for (const std::string& file : files) {
+    std::ifstream in(file, std::ios::binary);
+    std::ostringstream bytes;
+    bytes << in.rdbuf();
+    hash = fnv1a(bytes.str(), hash);
+  }
+  char digits[24];
+  std::snprintf(digits, sizeof digits, "%08x", static_cast<unsigned>(hash));
+  return digits;
 }
 
 std::unique_ptr<Method> open_guest(Guest& guest) {

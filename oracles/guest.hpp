@@ -5,6 +5,7 @@
 #pragma once
 
 #include <memory>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -38,6 +39,9 @@ std::vector<Guest> parse_guests(std::string_view text);
 /// what the method is called. Throws std::runtime_error, which tells the user what is wrong, where it does
 /// not load, does not answer, or has no name that will do.
 std::unique_ptr<Method> open_guest(Guest& guest);
+
+/// Of the bytes of these files, eight digits. A guest that was changed is another version, whatever it says.
+std::string fingerprint(std::span<const std::string> files);
 
 std::unique_ptr<Method> open_plugin(const Guest& guest);   ///< as open_guest, but for the name
 std::unique_ptr<Method> open_command(const Guest& guest);  ///< likewise

@@ -88,6 +88,21 @@ TEST(GuestCommand, TheHelloGivesNameVersionAndClaim) {
   EXPECT_EQ(method->ask(numbered_pairs(1)[0]).status, Status::answered);
 }
 
+TEST(GuestCommand, AProgramThatWasChangedIsAnotherVersion) {
+  const fs::path file = fs::temp_directory_path() / ("guest_version" + std::to_string(getpid()) + ".sh");
+  const auto version_of = [&](const std::string& program) {
+    std::ofstream(file) << program << '\n';
+    Guest guest = read_guest(GuestKind::command, "test=sh -e " + file.string());
+    guest.folder = "/";
+    return std::string(open_guest(guest)->version());
+  };
+  const std::string before = version_of(each_line(say(apart)));
+  EXPECT_TRUE(before.starts_with("unversioned (")) << before;
+  EXPECT_EQ(version_of(each_line(say(apart))), before);
+  EXPECT_NE(version_of(each_line("true; " + say(apart))), before);
+  fs::remove(file);
+}
+
 TEST(GuestCommand, AskedFromAThreadThatEndsItGoesOn) {
   const auto method = command(each_line("echo \"{\\\"verdict\\\":\\\"disjoint\\\",\\\"distance\\\":$n}\""));
   for (int i = 1; i <= 3; ++i) {

@@ -81,16 +81,16 @@ std::vector<std::size_t> kin_of(std::span<const std::unique_ptr<Method>> methods
   const std::vector<Pair> pairs = fixed_pairs();
   std::vector<Question> questions;
   for (std::size_t m = 0; m < methods.size(); ++m)
-    for (std::size_t p = 0; p < pairs.size(); ++p) questions.push_back({m, p});
+    for (std::size_t p = 0; p < pairs.size() && !methods[m]->guest(); ++p) questions.push_back({m, p});
   Caps caps;
   caps.hangs = 4;
   const std::vector<ContainedAnswer> answers = ask_contained(methods, pairs, questions, caps);
-  std::vector<Said> said(questions.size(), Said::nothing);
-  for (std::size_t p = 0; p < pairs.size(); ++p) {
-    const Verdict truth = judge(pairs[p]).verdict;
-    if (truth == Verdict::undecided) continue;
-    for (std::size_t m = 0; m < methods.size(); ++m)
-      said[m * pairs.size() + p] = classify(answers[m * pairs.size() + p].answer, truth);
+  std::vector<Verdict> truths;
+  for (const Pair& pair : pairs) truths.push_back(judge(pair).verdict);
+  std::vector<Said> said(methods.size() * pairs.size(), Said::nothing);
+  for (std::size_t q = 0; q < questions.size(); ++q) {
+    const auto& [m, p, way] = questions[q];
+    if (truths[p] != Verdict::undecided) said[m * pairs.size() + p] = classify(answers[q].answer, truths[p]);
   }
 
   std::vector<std::size_t> first(methods.size());

@@ -23,7 +23,8 @@ bool differ_in_setting(std::string_view x, std::string_view y);
 
 /// Of each method the first of its kin, itself where it has none before it. Kin are methods that differ in a
 /// setting, those of one library of which one is hardly ever wrong where the other is right, and those of
-/// different libraries that are moreover wrong about equally often. Cost: every method is asked, contained,
+/// different libraries that are moreover wrong about equally often. Of a guest the name alone counts: who
+/// else is there turns neither its kin nor that of others. Cost: every method but guests is asked, contained,
 /// about 400 pairs near touching; about a second with those of all_methods().
 std::vector<std::size_t> kin_of(std::span<const std::unique_ptr<Method>> methods);
 

@@ -25,7 +25,7 @@ MethodAnswer say(Verdict verdict) {
 }
 
 /// Wrong wherever `errs` says so.
-class Erring final : public Method {
+class Erring : public Method {
  public:
   Erring(std::string name, std::function<bool(const Pair&)> errs, bool capped = false)
       : name_(std::move(name)), errs_(std::move(errs)), capped_(capped) {}
@@ -44,6 +44,12 @@ class Erring final : public Method {
   std::string name_;
   std::function<bool(const Pair&)> errs_;
   bool capped_;
+};
+
+class Visitor final : public Erring {
+ public:
+  using Erring::Erring;
+  bool guest() const override { return true; }
 };
 
 using Methods = std::vector<std::unique_ptr<Method>>;
@@ -153,6 +159,10 @@ TEST(Kin, IsTheSettingOrTheSameErrors) {
   methods.push_back(std::make_unique<Erring>("y-three", down));
   methods.push_back(std::make_unique<Erring>("z-right", [](const Pair&) { return false; }));
   EXPECT_EQ(kin_of(methods), (std::vector<std::size_t>{0, 0, 2, 3}));
+
+  methods.push_back(std::make_unique<Visitor>("guest", up));
+  methods.push_back(std::make_unique<Visitor>("guest-fast", down));
+  EXPECT_EQ(kin_of(methods), (std::vector<std::size_t>{0, 0, 2, 3, 4, 4})) << "of guests the name counts";
 }
 
 }  // namespace

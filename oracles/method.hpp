@@ -58,6 +58,7 @@ class Method {
   virtual std::string_view version() const = 0;  ///< of the library, as found at build or run time
   virtual Claim claim() const = 0;
   virtual bool foreign() const { return true; }
+  virtual bool guest() const { return false; }  ///< no part of this build: guest.hpp
   /// Asked on every index divisible by this (and wherever others disagree): > 1 for costly methods.
   virtual unsigned share() const { return 1; }
   virtual MethodAnswer ask(const Pair& pair) = 0;

@@ -7,15 +7,11 @@
 #include <algorithm>
 #include <cmath>
 #include <csignal>
-#include <cstdio>
 #include <cstring>
-#include <fstream>
 #include <limits>
-#include <sstream>
 #include <stdexcept>
 #include <system_error>
 
-#include "corpus/fnv.hpp"
 #include "oracles/adapter.hpp"
 #include "oracles/guest.hpp"
 #include "oracles/patient_fork.hpp"
@@ -108,16 +104,6 @@ Label read_label(const std::string& file) {
   return label;
 }
 
-/// A library that was built anew is another version, whatever it says.
-std::string fingerprint(const std::string& file) {
-  std::ifstream in(file, std::ios::binary);
-  std::ostringstream bytes;
-  bytes << in.rdbuf();
-  char digits[24];
-  std::snprintf(digits, sizeof digits, "%08x", static_cast<unsigned>(fnv1a(bytes.str())));
-  return digits;
-}
-
 void flatten(const Cylinder& c, double* eight) {
   std::copy_n(c.center.data(), 3, eight);
   std::copy_n(c.axis.data(), 3, eight + 3);
@@ -139,13 +125,14 @@ class Plugin final : public Method {
   explicit Plugin(const Guest& guest) : guest_(guest), label_(read_label(guest.what)) {
     if (guest_.name.empty()) guest_.name = label_.name;
     version_ = label_.version[0] != 0 ? label_.version + std::string(" ") : "";
-    version_.append("(").append(fingerprint(guest.what)).append(")");
+    version_.append("(").append(fingerprint({&guest.what, 1})).append(")");
     if (label_.source[0] == 0) copy(label_.source, sizeof label_.source, "oracles/plugin.h's claim fields");
   }
 
   std::string_view name() const override { return guest_.name; }
   std::string_view version() const override { return version_; }
   Claim claim() const override { return {label_.relative, label_.absolute, label_.source}; }
+  bool guest() const override { return true; }
 
   MethodAnswer ask(const Pair& pair) override {
     if (const auto invalid = decline_invalid(pair)) return *invalid;

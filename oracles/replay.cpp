@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "oracles/replay.hpp"
 
-#include "oracles/contained.hpp"
-
 namespace cyl {
 namespace {
 
@@ -27,12 +25,13 @@ Replayed judge_answers(std::span<const std::unique_ptr<Method>> methods, const P
 
 }  // namespace
 
-std::vector<Replayed> replay(std::span<const std::unique_ptr<Method>> methods, std::span<const Pair> pairs) {
+std::vector<Replayed> replay(std::span<const std::unique_ptr<Method>> methods, std::span<const Pair> pairs,
+                             const Caps& caps) {
   std::vector<Question> questions;
   for (std::size_t p = 0; p < pairs.size(); ++p) {
     for (std::size_t m = 0; m < methods.size(); ++m) questions.insert(questions.end(), 2, Question{m, p});
   }
-  const std::vector<ContainedAnswer> said = ask_contained(methods, pairs, questions);
+  const std::vector<ContainedAnswer> said = ask_contained(methods, pairs, questions, caps);
   const std::size_t stride = 2 * methods.size();
   std::vector<Replayed> results;
   for (std::size_t p = 0; p < pairs.size(); ++p) {

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "oracles/compare.hpp"
+#include "oracles/contained.hpp"
 #include "oracles/method.hpp"
 #include "oracles/referee.hpp"
 
@@ -22,6 +23,7 @@ struct Replayed {
 };
 
 /// Every method is asked contained and twice: two answers that differ are a finding where nothing else is.
-std::vector<Replayed> replay(std::span<const std::unique_ptr<Method>> methods, std::span<const Pair> pairs);
+std::vector<Replayed> replay(std::span<const std::unique_ptr<Method>> methods, std::span<const Pair> pairs,
+                             const Caps& caps = {});
 
 }  // namespace cyl

@@ -9,6 +9,7 @@
 
 #include "corpus/pair_io.hpp"
 #include "corpus/strata.hpp"
+#include "oracles/mechanism.hpp"
 #include "reports/probe.hpp"
 
 namespace cyl {
@@ -66,7 +67,7 @@ std::vector<WrongVerdict> wrong_verdicts(const std::vector<FindingRecord>& findi
   std::vector<WrongVerdict> all;
   std::map<std::pair<std::string, Verdict>, std::optional<double>> known;  // many methods err on one pair
   for (const FindingRecord& f : findings) {
-    const auto kind = find_finding_kind(f.kind);
+    const auto kind = find_kind(f.kind);
     const Verdict said = kind ? wrong_verdict(*kind) : Verdict::undecided;
     if (said == Verdict::undecided) continue;
     const auto [at, is_new] = known.try_emplace({f.pair, said});

@@ -29,6 +29,11 @@ namespace {
 
 using Json = nlohmann::json;
 
+/// As the triage has them; enough hangs that a method which is told to hang is seen to, on the pairs of one
+/// bucket.
+constexpr Caps shown_caps{
+    .call_cpu = std::chrono::milliseconds(500), .call_wall = std::chrono::milliseconds(2000), .hangs = 6};
+constexpr Caps share_caps{.call_cpu = shown_caps.call_cpu, .call_wall = shown_caps.call_wall, .hangs = 2};
 /// Seed of the sample of a stratum.
 constexpr std::uint64_t share_seed = 1;
 /// Keys and labels listed with a bucket.
@@ -165,9 +170,7 @@ Json share_json(const Pair& simplest, const Json& margin, std::optional<ContactF
       pairs.push_back(like(*drawn, simplest, moved));
     }
   if (pairs.empty()) return nullptr;
-  Caps caps;
-  caps.hangs = 2;
-  const auto said = ask_contained(methods, pairs, questions, caps);
+  const auto said = ask_contained(methods, pairs, questions, share_caps);
   std::uint64_t asked = 0, wrong = 0;
   for (std::size_t p = 0; p < pairs.size(); ++p) {
     const MethodAnswer& answer = said[p].answer;
@@ -259,7 +262,7 @@ Json make_buckets(const Sorted& sorted, std::span<const std::unique_ptr<Method>>
     pairs.push_back(pair_of(heap.worst->pair).value_or(heap.simplest));
     pairs.push_back(heap.found != nullptr ? pair_of(heap.found->pair).value_or(pairs.back()) : pairs.back());
   }
-  const std::vector<Replayed> now = replay(methods, pairs);
+  const std::vector<Replayed> now = replay(methods, pairs, shown_caps);
 
   Json buckets = Json::array();
   std::size_t at = 0;
@@ -348,7 +351,10 @@ Json make_buckets(const Sorted& sorted, std::span<const std::unique_ptr<Method>>
     }
     if (!shared.empty()) labels.push_back("wrong in the same way on the simplest pair: " + shared);
     b["labels"] = labels;
-    b["share"] = method == methods.size()
+    // Of what hangs each question would cost a second, or two.
+    const bool answers = method < methods.size() && simplest_now.answers[method].failure != Failure::hang &&
+                         simplest_now.answers[method].status != Status::declined;
+    b["share"] = !answers
                      ? Json(nullptr)
                      : share_json(heap.simplest, m, feature, mechanism == "offset", method, of.kind, methods);
     b["standing"] = nullptr;

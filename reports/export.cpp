@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <stdexcept>
@@ -11,6 +12,7 @@
 #include "corpus/finding_words.hpp"
 #include "corpus/pair_io.hpp"
 #include "reports/export_check.hpp"
+#include "reports/export_guest.hpp"
 #include "reports/export_program.hpp"
 #include "reports/gate_words.hpp"
 
@@ -28,8 +30,19 @@ std::string row(const char* name, const Cylinder& c) {
                      format_double(c.radius), format_double(c.height));
 }
 
-std::string title(const LibraryCall& call, const Probe& p) {
-  const std::string_view what = call.call;
+/// Who was asked, and how to ask again.
+struct Addressee {
+  std::string what;     ///< for titles: `fcl::collide`, or the guest's name
+  std::string whom;     ///< "`fcl::collide` of FCL 0.7.0, gjk_tolerance 1e-6"
+  std::string hulls;    ///< what is asked in place of cylinders, if anything is
+  std::string how;      ///< how to see it
+  std::string closing;  ///< of the issue
+  AxesGiven axes = AxesGiven::of_unit_length;
+  std::string program_name, program, build;
+};
+
+std::string title(const Addressee& to, const Probe& p) {
+  const std::string_view what = to.what;
   switch (p.finding->kind) {
     case FindingKind::wrong_disjoint:
       return fmt::format(
@@ -43,7 +56,13 @@ std::string title(const LibraryCall& call, const Probe& p) {
     case FindingKind::non_finite:
       return fmt::format("{} returns numbers that are not finite for two cylinders", what);
     case FindingKind::bad_witness:
-      return fmt::format("{}: the nearest points of two cylinders do not separate them", what);
+      return fmt::format("{}: what it tells of two cylinders is no proof of its answer", what);
+    case FindingKind::wrong_touching:
+      return fmt::format("{} says touching of two cylinders that overlap by {:.3g}", what, -p.distance.hi);
+    case FindingKind::wrong_invalid:
+      return fmt::format("{} refuses two cylinders that are legal", what);
+    case FindingKind::malformed:
+      return fmt::format("{} gives no answer that means anything for two cylinders", what);
     case FindingKind::exception:
       return fmt::format("{} throws on two cylinders", what);
     case FindingKind::hang:
@@ -68,8 +87,17 @@ std::string came_back(const Probe& p) {
     case FindingKind::non_finite:
       return fmt::format("Numbers that are not finite: {}.", one_line(a.reason));
     case FindingKind::bad_witness:
-      return fmt::format("A distance of {}, and nearest points that are {} apart.", format_double(a.distance),
-                         triple({a.head[0], a.head[1], a.head[2]}));
+      return fmt::format(
+          "{}{}, which is not {}.",
+          a.has_distance ? fmt::format("A distance of {}, and ", format_double(a.distance)) : "",
+          triple({a.head[0], a.head[1], a.head[2]}),
+          a.witness == WitnessKind::point ? "in both" : "square to a plane between them");
+    case FindingKind::malformed:
+      return fmt::format("No answer that means anything: `{}`.", one_line(a.reason));
+    case FindingKind::wrong_invalid:
+      return "That the pair is invalid.";
+    case FindingKind::wrong_touching:
+      return "That they touch.";
     default:
       return a.verdict == Verdict::disjoint ? "No collision." : "A collision.";
   }
@@ -98,8 +126,14 @@ std::string hull_in_words(const LibraryCall& call, const Probe& p) {
 
 /// What a reader might think of first: is this not within the tolerance?
 std::string tolerance_in_words(const Probe& p, const Claim& claim) {
-  if (p.answer.status != Status::answered || claim.absolute == 0) return {};
+  if (p.answer.status != Status::answered || (claim.absolute == 0 && claim.relative == 0)) return {};
   const bool within = p.finding->severity == Severity::resolution;
+  if (claim.relative > 0)
+    return fmt::format(
+        "\nThe claim is to be right from {} of the sizes together and a length of {} on ({}); "
+        "this is {} it.\n",
+        format_double(claim.relative), format_double(claim.absolute), one_line(claim.source),
+        within ? "below" : "above");
   return fmt::format("\nThe tolerance that we found stated is a length of {} ({}); this is {} it.\n",
                      format_double(claim.absolute), one_line(claim.source), within ? "within" : "beyond");
 }
@@ -112,12 +146,8 @@ std::string depth_note(const Probe& p, const Claim& claim) {
   return {};
 }
 
-std::string issue(const LibraryCall& call, const Probe& p, const Method& method) {
-  const bool ends = p.finding->kind == FindingKind::crash || p.finding->kind == FindingKind::exception ||
-                    p.finding->kind == FindingKind::hang;
-  std::string text = fmt::format("# {}\n\n", title(call, p));
-  text += fmt::format("`{}` of {} {}, {}.\n\n", call.call, call.library, one_line(method.version()),
-                      call.settings);
+std::string issue(const Addressee& to, const Probe& p, const Method& method) {
+  std::string text = fmt::format("# {}\n\n{}.\n\n", title(to, p), to.whom);
   text +=
       "**What was asked.** Do these two solid cylinders meet? Heights are full heights; all numbers are "
       "exact doubles.\n\n";
@@ -125,22 +155,25 @@ std::string issue(const LibraryCall& call, const Probe& p, const Method& method)
   text += row("a", p.pair.a) + row("b", p.pair.b);
   text += fmt::format("\n**What came back.** {}\n", came_back(p));
   text += fmt::format("\n**What is true, and why.** {}\n", truth_in_words(p));
-  text += hull_in_words(call, p) + tolerance_in_words(p, method.claim());
+  text += to.hulls + tolerance_in_words(p, method.claim());
   text += fmt::format(
       "\nNobody needs to be trusted with this: `python3 exact.py` (standard library only) proves the verdict "
-      "in rational arithmetic{}. It does so for the axes above and, where they are not of unit length, for "
-      "the rounded ones that the library gets.\n",
-      depth_note(p, method.claim()));
-  text += fmt::format(
-      "\n**How to see it.** `sh build.sh` builds and runs `reproduce.cpp`, which needs only {} (on Debian: "
-      "`apt install g++ pkg-config {}`)",
-      call.library, call.packages);
-  text += ends ? "; it ends as told above.\n"
-               : "; it prints the answer and exits with 1 while the answer is wrong, 0 once it is right.\n";
-  text += fmt::format("\n    c++ {} reproduce.cpp -o reproduce {}\n", compiler_options, call.flags);
-  return text +
-         "\nThank you for the library. We found this by cross-examining several libraries on the same "
-         "pairs and proving each answer right or wrong.\n";
+      "in rational arithmetic{}.{}\n",
+      depth_note(p, method.claim()),
+      to.axes == AxesGiven::of_unit_length ? " It does so for the axes above and, where they are not of "
+                                             "unit length, for the rounded ones that "
+                                             "the library gets."
+                                           : "");
+  return text + fmt::format("\n**How to see it.** {}\n", to.how) + to.closing;
+}
+
+constexpr std::string_view as_told = "it ends as told above.";
+constexpr std::string_view by_its_exit =
+    "it prints the answer and exits with 1 while the answer is wrong, 0 once it is right.";
+
+bool ends(const Probe& p) {
+  return p.finding->kind == FindingKind::crash || p.finding->kind == FindingKind::exception ||
+         p.finding->kind == FindingKind::hang;
 }
 
 std::string build(const LibraryCall& call, FindingKind kind) {
@@ -149,6 +182,39 @@ std::string build(const LibraryCall& call, FindingKind kind) {
       "cd -- \"$(dirname -- \"$0\")\"\n"
       "${{CXX:-c++}} {} reproduce.cpp -o reproduce {}\nexec {}./reproduce\n",
       call.packages, compiler_options, call.flags, kind == FindingKind::hang ? "timeout 10 " : "");
+}
+
+Addressee ask_library(const LibraryCall& call, const Probe& p, const Method& method) {
+  Addressee to;
+  to.what = call.call;
+  to.whom =
+      fmt::format("`{}` of {} {}, {}", call.call, call.library, one_line(method.version()), call.settings);
+  to.hulls = hull_in_words(call, p);
+  to.how = fmt::format(
+      "`sh build.sh` builds and runs `reproduce.cpp`, which needs only {} (on Debian: "
+      "`apt install g++ pkg-config {}`); {}\n\n    c++ {} reproduce.cpp -o reproduce {}",
+      call.library, call.packages, ends(p) ? as_told : by_its_exit, compiler_options, call.flags);
+  to.closing =
+      "\nThank you for the library. We found this by cross-examining several libraries on the same pairs and "
+      "proving each answer right or wrong.\n";
+  to.program_name = "reproduce.cpp";
+  to.program = reproducing_program(call, p, method);
+  to.build = build(call, p.finding->kind);
+  return to;
+}
+
+Addressee ask_guest(const Guest& guest, const Probe& p, const Method& method) {
+  Addressee to;
+  to.what = guest.name;
+  to.whom = fmt::format("`{}` {}: {}", guest.name, one_line(method.version()), guest_in_words(guest));
+  to.axes = AxesGiven::as_they_are;
+  to.program_name = guest_program_name(guest);
+  const bool as_it_does = guest.kind == GuestKind::plugin && ends(p);
+  to.how = fmt::format("`sh build.sh` runs `{}`, which asks it without daylight; {}", to.program_name,
+                       as_it_does ? as_told : by_its_exit);
+  to.program = guest_program(guest, p, method.claim());
+  to.build = guest_build(guest, p.finding->kind);
+  return to;
 }
 
 void write_file(const fs::path& file, const std::string& text) {
@@ -161,15 +227,18 @@ void write_file(const fs::path& file, const std::string& text) {
 }  // namespace
 
 Export make_export(std::span<const std::unique_ptr<Method>> methods, std::string_view name, FindingKind kind,
-                   const Pair& pair) {
+                   const Pair& pair, std::span<const Guest> guests) {
   const auto& method = find_method(methods, name);
+  const auto guest =
+      std::find_if(guests.begin(), guests.end(), [&](const Guest& g) { return g.name == name; });
+  const bool is_guest = guest != guests.end();
   const LibraryCall* call = find_library_call(name);
-  if (call == nullptr)
-    throw std::invalid_argument(
-        fmt::format("no program can be written for '{}': only for FCL, Bullet, "
-                    "libccd, ODE and MuJoCo",
-                    name));
-  if (!program_shows(kind))
+  if (call == nullptr && !is_guest)
+    throw std::invalid_argument(fmt::format(
+        "no program can be written for '{}': only for guests and for FCL, Bullet, libccd, ODE and "
+        "MuJoCo",
+        name));
+  if (!(is_guest ? guest_program_shows(kind) : program_shows(kind)))
     throw std::invalid_argument(fmt::format("no program can show a finding of kind {}", to_string(kind)));
   const Probe asked = probe_one(method, pair);
   if (!asked.fails(kind))
@@ -177,8 +246,9 @@ Export make_export(std::span<const std::unique_ptr<Method>> methods, std::string
                                             to_string(kind), format_method_answer(asked.answer)));
   if (!asked.decided())
     throw std::invalid_argument("what is true of this pair could not be proved: there is nothing to send");
-  return {reproducing_program(*call, asked, *method), build(*call, kind), exact_check(asked, method->claim()),
-          issue(*call, asked, *method)};
+  Addressee how = is_guest ? ask_guest(*guest, asked, *method) : ask_library(*call, asked, *method);
+  return {std::move(how.program_name), std::move(how.program), std::move(how.build),
+          exact_check(asked, method->claim(), how.axes), issue(how, asked, *method)};
 }
 
 void write_export(const Export& files, const std::string& folder) {
@@ -186,7 +256,7 @@ void write_export(const Export& files, const std::string& folder) {
   fs::create_directories(folder, fault);
   if (fault) throw std::runtime_error(folder + ": " + fault.message());
   const fs::path into(folder);
-  write_file(into / "reproduce.cpp", files.program);
+  write_file(into / files.program_name, files.program);
   write_file(into / "build.sh", files.build);
   write_file(into / "exact.py", files.check);
   write_file(into / "issue.md", files.issue);

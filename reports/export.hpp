@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A finding as one would send it to the library's maintainers: a program that needs only their library, a
-// proof that needs only Python, and the text of an issue.
+// A finding as one would send it to the library's maintainers: a program that needs only their library (or
+// the guest), a proof that needs only Python, and the text of an issue.
 #pragma once
 
 #include <memory>
@@ -8,23 +8,25 @@
 #include <string>
 #include <string_view>
 
+#include "oracles/guest.hpp"
 #include "reports/probe.hpp"
 
 namespace cyl {
 
 /// The files of the folder.
 struct Export {
-  std::string program;  ///< reproduce.cpp
-  std::string build;    ///< build.sh: builds the program beside itself and runs it
-  std::string check;    ///< exact.py
-  std::string issue;    ///< issue.md
+  std::string program_name;  ///< reproduce.cpp; of guests see guest_program_name()
+  std::string program;
+  std::string build;  ///< build.sh: builds the program beside itself and runs it
+  std::string check;  ///< exact.py
+  std::string issue;  ///< issue.md
 };
 
 /// Asks the method again, contained. Throws std::invalid_argument where no method has that name, where it is
-/// of no library that a program can be written for, or where it does not fail in this way on this pair today;
-/// std::runtime_error where only the rounding of the axes makes it fail.
+/// no guest and of no library that a program can be written for, or where it does not fail in this way on
+/// this pair today; std::runtime_error where only the rounding of the axes makes it fail.
 Export make_export(std::span<const std::unique_ptr<Method>> methods, std::string_view method,
-                   FindingKind kind, const Pair& pair);
+                   FindingKind kind, const Pair& pair, std::span<const Guest> guests = {});
 
 /// Creates the folder where it is not there; writes over what an earlier export left in it. Throws
 /// std::runtime_error that names what cannot be written.

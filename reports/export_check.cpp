@@ -20,7 +20,7 @@ constexpr double direction_width = 1e-9;
 constexpr double pull_margin = 0x1p-40;
 
 constexpr std::string_view head = R"(#!/usr/bin/env python3
-"""Proves, in rational arithmetic, what is true of the two cylinders of reproduce.cpp. Standard library only.
+"""Proves, in rational arithmetic, what is true of the two cylinders of issue.md. Standard library only.
 
 A cylinder is solid and closed: centre, axis (of any length), radius, full height. Floats are taken exactly.
 """
@@ -146,13 +146,13 @@ std::string certificate(const Pair& pair, const Truth& truth) {
   return tuple(truth.certificate.vector);
 }
 
-std::string cases(const Probe& asked, CertificateKind kind) {
+std::string cases(const Probe& asked, CertificateKind kind, AxesGiven axes) {
   const auto line = [](const char* name, const Pair& pair, const Truth& truth) {
     return fmt::format("    ('{}', {},\n     {},\n     {}),\n", name, solid(pair.a), solid(pair.b),
                        certificate(pair, truth));
   };
   std::string text = "CASES = [\n" + line("as asked", asked.pair, asked.truth);
-  const Pair given = as_given(asked.pair);
+  const Pair given = axes == AxesGiven::of_unit_length ? as_given(asked.pair) : asked.pair;
   if (given.a.axis != asked.pair.a.axis || given.b.axis != asked.pair.b.axis) {
     const Truth truth = judge(given);
     if (meet(truth) != meet(asked.truth))
@@ -222,11 +222,20 @@ std::string distance_lines(const Probe& asked, const Claim& claim) {
 
 std::string witness_lines(const Probe& asked) {
   if (!asked.finding || asked.finding->kind != FindingKind::bad_witness) return {};
+  if (asked.answer.witness == WitnessKind::point) {
+    ExactVector said;
+    std::copy_n(asked.answer.head, 3, said.head.begin());
+    std::copy_n(asked.answer.tail, 3, said.tail.begin());
+    return fmt::format(
+        "\nsaid = {}\nname, a, b, _ = CASES[0]\n"
+        "claim('the point said is not in both', not (holds(a, said) and holds(b, said)))\n",
+        tuple(said));
+  }
   // reach() is too large by 2^-200 of it at most: what is below -2^-190 of it is below 0 for certain.
   return fmt::format(
-      "\nsaid = {}  # from nearest point to nearest point\n"
+      "\nsaid = {}  # to be square to a plane between them\n"
       "name, a, b, _ = CASES[0]\n"
-      "claim('the nearest points said do not separate them',\n"
+      "claim('the direction said does not separate them',\n"
       "      daylight(a, b, said) < -(reach(a, said) + reach(b, said)) / 2 ** 190)\n",
       tuple(plain(asked.answer.head)));
 }
@@ -235,9 +244,9 @@ std::string witness_lines(const Probe& asked) {
 
 bool shows_distance(const Probe& asked, const Claim& claim) { return !distance_lines(asked, claim).empty(); }
 
-std::string exact_check(const Probe& asked, const Claim& claim) {
+std::string exact_check(const Probe& asked, const Claim& claim, AxesGiven axes) {
   const CertificateKind kind = asked.truth.certificate.kind;
-  const std::string data = cases(asked, kind);
+  const std::string data = cases(asked, kind, axes);
   const std::string more = distance_lines(asked, claim) + witness_lines(asked);
   const bool uses_points = kind != CertificateKind::direction || more.find("holds(") != std::string::npos;
   const bool uses_roots = kind != CertificateKind::point || more.find("daylight(") != std::string::npos;

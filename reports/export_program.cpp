@@ -6,10 +6,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <map>
 
 #include "corpus/pair_io.hpp"
 #include "oracles/adapter.hpp"
+#include "reports/program_text.hpp"
 
 namespace cyl {
 namespace {
@@ -67,36 +67,6 @@ constexpr std::array library_calls{
     LibraryCall{"mujoco-tol1e-10", "MuJoCo", "mjCOLLISIONFUNC[mjGEOM_CYLINDER][mjGEOM_CYLINDER]",
                 "mpr_tolerance 1e-10, mpr_iterations 500", mujoco_flags, "libmujoco-dev"},
 };
-
-using Words = std::map<std::string, std::string, std::less<>>;
-
-/// `text` with every @word@ replaced.
-std::string filled(std::string_view text, const Words& words) {
-  std::string out;
-  while (true) {
-    const std::size_t begin = text.find('@');
-    out += text.substr(0, begin);
-    if (begin == std::string_view::npos) return out;
-    text.remove_prefix(begin + 1);
-    const std::size_t end = text.find('@');
-    out += words.at(std::string(text.substr(0, end)));
-    text.remove_prefix(end + 1);
-  }
-}
-
-/// A literal of C++ that is this double: no integer that a type could be too small for, and -0 stays it.
-std::string literal(double x) {
-  std::string text = format_double(x);
-  const bool integer = text.find_first_of(".en") == std::string::npos;
-  if (integer && (text.size() > 9 || text == "-0")) text += ".0";
-  return text;
-}
-
-std::string listed(const double* numbers, int count) {
-  std::string text = literal(numbers[0]);
-  for (int i = 1; i < count; ++i) text += ", " + literal(numbers[i]);
-  return text;
-}
 
 /// @a.radius@, @a.rotation@, ... of one solid.
 void add_solid(Words& words, const std::string& name, const Cylinder& c) {

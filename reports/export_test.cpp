@@ -203,6 +203,7 @@ TEST(Export, AnImpossibleDistanceIsProvedImpossible) {
     const Claim claim{.absolute = 1e-6, .source = "this test"};
     ASSERT_TRUE(shows_distance(asked, claim));
     Export files;
+    files.program_name = "reproduce.cpp";
     files.check = exact_check(asked, claim);
     const Ran proof = Folder(files).run("python3 exact.py");
     EXPECT_EQ(proof.status, 0) << proof.printed << files.check;
@@ -218,6 +219,101 @@ TEST(Export, AnImpossibleDistanceIsProvedImpossible) {
   expect_proof(apart, 1, "too small");
   expect_proof(apart, 9, "too large");
   expect_proof(pair_of(flat_on_long), -500, "too deep");
+}
+
+/// What a guest does wrong, by the height of the first solid, and how its program ends.
+struct Fault {
+  FindingKind kind;
+  bool meet;  ///< the solids
+  const char *in_c, *in_shell;
+  int status = 1;
+};
+
+const Fault faults[] = {
+    {FindingKind::wrong_disjoint, true, "return 0;", R"(echo '{"verdict":"disjoint"}')"},
+    {FindingKind::wrong_intersecting, false, "return 2;", R"(echo '{"verdict":"touching"}')"},
+    {FindingKind::wrong_touching, true, "return 2;", R"(echo '{"verdict":"touching"}')"},
+    {FindingKind::distance_outside, false, "more[0] = 100; return 0;",
+     R"(echo '{"verdict":"disjoint","distance":100}')"},
+    {FindingKind::bad_witness, false, "more[1] = more[3] = 0; more[2] = 1; return 0;",
+     R"(echo '{"verdict":"disjoint","direction":[0,1,0]}')"},
+    {FindingKind::bad_witness, true, "more[4] = more[5] = 0; more[6] = 0.1 + 50; return 1;",
+     R"(echo '{"verdict":"intersecting","point":[0,0,[50,0.1]]}')"},
+    {FindingKind::non_finite, false, "more[1] = 1; return 0;", nullptr},
+    {FindingKind::exception, false, "return -2;", R"(echo '{"error":"no luck"}')"},
+    {FindingKind::malformed, false, "return 9;", "echo loading"},
+    {FindingKind::crash, false, "std::abort();", "exit 3", 134},
+};
+
+Pair asked_of(std::size_t fault) {
+  const double height = static_cast<double>(fault + 1);
+  return {{{0, 0, 0}, {0, 0, 2}, 1, height}, {{faults[fault].meet ? 1.0 : 4.0, 0, 0}, {0, 0, 1}, 1, 2}};
+}
+
+/// A plug-in and a program with these faults, in a folder of their own.
+class Guests {
+ public:
+  Guests() {
+    std::string name = (fs::temp_directory_path() / "daylight-guests-XXXXXX").string();
+    if (mkdtemp(name.data()) == nullptr) throw std::runtime_error("no temporary folder");
+    folder_ = name;
+    std::ofstream c(folder_ / "faulty.cpp"), shell(folder_ / "faulty.sh");
+    c << "#include <cstdlib>\n#include \"plugin.h\"\n"
+         "static int ask(const double* a, const double*, double* more) {\n  switch (int(a[7])) {\n";
+    shell << "while read -r q; do case $q in\n";
+    for (std::size_t i = 0; i < std::size(faults); ++i) {
+      c << "    case " << i + 1 << ": " << faults[i].in_c << '\n';
+      if (faults[i].in_shell)
+        shell << "*'\"height\":" << i + 1 << "},\"b\"'*) " << faults[i].in_shell << ";;\n";
+    }
+    c << "  }\n  return 0;\n}\n"
+         "static const DaylightMethod faulty{DAYLIGHT_PLUGIN_ABI, \"faulty\", \"1\", 0, 0, 0, ask, 0};\n"
+         "const DaylightMethod* daylight_method() { return &faulty; }\n";
+    shell << "*) echo '{\"verdict\":\"disjoint\"}';; esac; done\n";
+    c.close();
+    shell.close();
+    const std::string build = "cd " + shell_quoted(name) + " && c++ -shared -fPIC -w -I " +
+                              shell_quoted(DAYLIGHT_SOURCE_DIR "/oracles") + " faulty.cpp -o faulty.so";
+    if (std::system(build.c_str()) != 0) throw std::runtime_error("the plug-in is not built");
+  }
+  ~Guests() { fs::remove_all(folder_); }
+
+  Guest plugin() const { return {GuestKind::plugin, "", (folder_ / "faulty.so").string(), ""}; }
+  Guest command() const { return {GuestKind::command, "", "sh faulty.sh", folder_.string()}; }
+
+ private:
+  fs::path folder_;
+};
+
+void expect_every_fault_shown(Guest guest) {
+  std::vector<std::unique_ptr<Method>> methods;
+  methods.push_back(open_guest(guest));
+  for (std::size_t i = 0; i < std::size(faults); ++i) {
+    const bool plugin = guest.kind == GuestKind::plugin;
+    if (!plugin && !faults[i].in_shell) continue;
+    const Export files = make_export(methods, "faulty", faults[i].kind, asked_of(i), {&guest, 1});
+    const Folder folder(files);
+    const Ran program = folder.run("sh build.sh");
+    EXPECT_EQ(program.status, plugin ? faults[i].status : 1) << i << ' ' << program.printed;
+    EXPECT_EQ(has(program.printed, "WRONG"), program.status == 1) << i << ' ' << program.printed;
+    const Ran proof = folder.run("python3 exact.py");
+    EXPECT_EQ(proof.status, 0) << i << ' ' << proof.printed << files.check;
+    const bool of_its_witness = faults[i].kind == FindingKind::bad_witness;
+    EXPECT_EQ(has(proof.printed, "said"), of_its_witness || faults[i].kind == FindingKind::distance_outside)
+        << i << ' ' << proof.printed;
+    EXPECT_FALSE(has(files.check, "that the library gets")) << "a guest gets the axes as they are";
+    EXPECT_TRUE(has(files.issue, "# faulty")) << files.issue;
+  }
+}
+
+TEST(Export, APluginShowsIt) {
+  const Guests guests;
+  expect_every_fault_shown(guests.plugin());
+}
+
+TEST(Export, AProgramShowsIt) {
+  const Guests guests;
+  expect_every_fault_shown(guests.command());
 }
 
 }  // namespace

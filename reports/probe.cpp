@@ -58,14 +58,6 @@ const std::unique_ptr<Method>& find_method(std::span<const std::unique_ptr<Metho
   throw std::invalid_argument(fmt::format("no method is named '{}'", name));
 }
 
-std::optional<FindingKind> find_finding_kind(std::string_view word) {
-  for (int i = 0; i <= static_cast<int>(FindingKind::undecided_truth); ++i) {
-    const auto kind = static_cast<FindingKind>(i);
-    if (word == to_string(kind)) return kind;
-  }
-  return {};
-}
-
 std::string distance_in_words(const Probe& p) {
   if (!p.decided()) return "of unproved distance";
   if (p.truth.verdict == Verdict::touching) return "touching";

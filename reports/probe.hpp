@@ -49,9 +49,6 @@ void narrow_distance(Probe& probe);
 const std::unique_ptr<Method>& find_method(std::span<const std::unique_ptr<Method>> methods,
                                            std::string_view name);
 
-/// The kind of that word, as to_string() has it, if there is one.
-std::optional<FindingKind> find_finding_kind(std::string_view word);
-
 /// "3.1e-07 apart", "overlapping by 0.05", "touching".
 std::string distance_in_words(const Probe& probe);
 

@@ -20,12 +20,13 @@
 #include "fuzz/alarm.hpp"
 #include "fuzz/batch.hpp"
 #include "fuzz/campaign.hpp"
-#include "oracles/method.hpp"
+#include "oracles/guest.hpp"
 #include "reports/case_distance.hpp"
 #include "reports/history.hpp"
 #include "reports/kill_data.hpp"
 #include "reports/own_command.hpp"
 #include "reports/tally_table.hpp"
+#include "reports/triage.hpp"
 
 namespace cyl {
 namespace {
@@ -62,8 +63,8 @@ std::vector<std::string> lines_of(const std::string& text) {
   return lines;
 }
 
-/// The command that does this run again on a machine with the same build; empty where its families were
-/// weighted by earlier runs, which may be gone.
+/// The command that does this run again on a machine with the same build, where its guests run; empty where
+/// its families were weighted by earlier runs, which may be gone.
 std::string command_of(const RunStore& store, const Config& config) {
   if (!value_of(config, "weights").empty()) return "";
   std::vector<std::string> asked, all, all_families;
@@ -73,6 +74,10 @@ std::string command_of(const RunStore& store, const Config& config) {
   const Shard shard = shard_of(config);
   std::string command = fmt::format("{} campaign --seed {} --pairs {}", own_command(),
                                     shell_quoted(value_of(config, "seed")), store.progress().next);
+  for (const Guest& guest : parse_guests(value_of(config, "guests"))) {
+    all.push_back(guest.name);
+    command += ' ' + options_for(guest);
+  }
   if (shard.count > 1) command += fmt::format(" --shard {}/{}", shard.index, shard.count);
   return command + names_option("--methods", asked, all) +
          names_option("--families", lines_of(value_of(config, "families")), all_families);
@@ -310,19 +315,6 @@ json alarm_of(const RunStore& store) {
   return {{"green", green}, {"text", green ? format_alarms(alarms) : describe_rings(alarms)}};
 }
 
-json buckets_of(const std::string& folder) {
-  json buckets = read_beside(folder, "buckets.json");
-  if (buckets.is_null()) return json::array();
-  const bool readable = buckets.is_array() && std::all_of(buckets.begin(), buckets.end(), [](const json& b) {
-                          return b.is_object() && b.contains("key") && b["key"].is_string() &&
-                                 b.contains("findings") && b["findings"].is_array() &&
-                                 std::all_of(b["findings"].begin(), b["findings"].end(),
-                                             [](const json& id) { return id.is_number_integer(); });
-                        });
-  if (!readable) throw std::runtime_error(folder + "/buckets.json holds no buckets");
-  return buckets;
-}
-
 }  // namespace
 
 std::string report_json(const std::string& run_folder, const std::string& kill_matrix) {
@@ -337,7 +329,7 @@ std::string report_json(const std::string& run_folder, const std::string& kill_m
                  {"history", history_of(run_folder)},
                  {"alarm", alarm_of(store)},
                  {"kill_matrix", kill_matrix.empty() ? json() : kill_data(kill_matrix)},
-                 {"buckets", buckets_of(run_folder)}};
+                 {"buckets", json(buckets_json(run_folder))}};
   add_findings(report, store);
   add_charts(report, run_folder);
   return report.dump(-1, ' ', false, json::error_handler_t::replace);

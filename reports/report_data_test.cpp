@@ -13,6 +13,8 @@
 
 #include "corpus/pair_io.hpp"
 #include "corpus/store.hpp"
+#include "corpus/triage_store.hpp"
+#include "oracles/method.hpp"
 #include "reports/kill_data.hpp"
 #include "reports/page.hpp"
 
@@ -104,6 +106,24 @@ TEST_F(ReportData, HasTheRunItsMethodsAndEveryNumber) {
     EXPECT_EQ(report[empty], json::array()) << empty;
 }
 
+TEST_F(ReportData, TheCommandBringsTheGuests) {
+  const auto command_of = [&](const std::vector<std::string>& methods) {
+    const fs::path run = folder / std::to_string(methods.size());
+    std::vector<MethodRecord> asked;
+    for (const std::string& name : methods) asked.push_back({name, "1", 0, 0, "", 1});
+    RunStore::create(run, {{"seed", "1"}, {"guests", "plugin\tmine\t\t/a b/libmine.so\n"}}, asked);
+    return json::parse(report_json(run))["run"]["command"].get<std::string>();
+  };
+  const std::string plugin = " --plugin 'mine=/a b/libmine.so'";
+  EXPECT_NE(command_of({"mine", "decide"}).find(plugin + " --methods 'mine,decide'"), std::string::npos);
+  std::vector<std::string> all;
+  for (const auto& m : all_methods()) all.emplace_back(m->name());
+  all.emplace_back("mine");
+  const std::string whole = command_of(all);
+  EXPECT_NE(whole.find(plugin), std::string::npos);
+  EXPECT_EQ(whole.find("--methods"), std::string::npos);
+}
+
 TEST_F(ReportData, TellsAPairOfManyFindingsOnceAndToTheLastBit) {
   RunStore store = RunStore::create(folder, {{"seed", "1"}});
   std::vector<FindingRecord> findings{finding(0, "fake", 0.25), finding(0, "other", 0.25),
@@ -155,7 +175,7 @@ TEST_F(ReportData, EnclosesTheDistanceAndShowsWhere) {
 TEST_F(ReportData, TakesWhatStandsBesideTheStore) {
   RunStore store = RunStore::create(folder, {});
   commit(store, {finding(0, "fake", 0.5), finding(1, "fake", 0.5)});
-  put("buckets.json", R"([{"key":"fake/wrong","findings":[2]}])");
+  TriageStore(folder, "a build").set_buckets(R"([{"key":"fake/wrong","findings":[2]}])");
   put("charts.json", R"({"speed":[{"method":"fake"}],"other":1})");
   const json report = data();
   EXPECT_EQ(report["findings"][0]["bucket"], nullptr);
@@ -175,9 +195,6 @@ TEST_F(ReportData, TakesWhatStandsBesideTheStore) {
   };
   EXPECT_TRUE(refused("charts.json", "{"));
   EXPECT_TRUE(refused("charts.json", R"({"speed":1})"));
-  put("charts.json", "{}");
-  EXPECT_TRUE(refused("buckets.json", R"([{"key":"x"}])"));
-  EXPECT_TRUE(refused("buckets.json", R"([{"key":"x","findings":["1"]}])"));
 }
 
 TEST_F(ReportData, KeepsHostileTextAsText) {

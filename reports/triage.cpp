@@ -25,6 +25,7 @@
 #include "fuzz/campaign.hpp"
 #include "oracles/bucket.hpp"
 #include "oracles/contact.hpp"
+#include "oracles/guest.hpp"
 #include "oracles/kin.hpp"
 #include "oracles/mechanism.hpp"
 #include "oracles/patient_fork.hpp"
@@ -41,8 +42,8 @@ using Clock = std::chrono::steady_clock;
 using Json = nlohmann::json;
 using std::chrono::milliseconds;
 
-/// Findings probed together.
-constexpr std::size_t probed_together = 64;
+/// Findings probed together: more would cost a slow method's user time beyond the budget.
+constexpr std::size_t probed_together = 32;
 /// Questions of the shrinker about one finding; about one that hangs, where each that does costs half a
 /// second.
 constexpr std::size_t simplify_cap = 1500, simplify_hang_cap = 600;
@@ -107,6 +108,7 @@ void in_processes(unsigned jobs, const std::function<void(unsigned)>& work,
 struct Subject {
   const FindingRecord* record;
   std::optional<std::size_t> method;
+  bool absent = false;  ///< its method is a guest of the run that is not here
   std::optional<FindingKind> kind;
   Severity severity = Severity::contract;
   Pair pair;
@@ -116,16 +118,27 @@ bool was_searched_for(const Json& bucket) { return bucket["worst"].contains("not
 
 class Triager {
  public:
-  Triager(const TriageOptions& options, const std::function<void(const TriageProgress&)>& on_progress)
-      : options_(options), on_progress_(on_progress), methods_(all_methods()), kin_(kin_of(methods_)) {
+  Triager(const TriageOptions& options, std::span<const std::unique_ptr<Method>> methods,
+          const std::function<void(const TriageProgress&)>& on_progress)
+      : options_(options),
+        on_progress_(on_progress),
+        methods_(methods),
+        askers_(askers(options.build, methods)),
+        kin_(kin_of(methods)) {
     const RunStore run = RunStore::open(options.folder);
+    for (Guest& guest : parse_guests(value_of(run.config(), "guests"))) {
+      if (!index_of(guest.name)) absent_.insert(std::move(guest.name));
+    }
     sorted_.folder = options.folder;
     sorted_.findings = run.findings();
     sorted_.groups = run.groups();
-    for (const MethodRecord& m : run.methods()) asked_.push_back(m.name);
+    for (const MethodRecord& m : run.methods())
+      if (!absent_.contains(m.name)) asked_.push_back(m.name);
     began_ = value_of(run.config(), "started");
     for (const FindingRecord& f : sorted_.findings) subjects_.push_back(subject_of(f));
     progress_.findings = subjects_.size();
+    progress_.absent = static_cast<std::size_t>(
+        std::count_if(subjects_.begin(), subjects_.end(), [](const Subject& s) { return s.absent; }));
   }
 
   Triage run() {
@@ -133,7 +146,7 @@ class Triager {
     simplify_findings(simplify_part);
     search_worst();
     simplify_findings(1);
-    const TriageStore store(options_.folder, options_.build);
+    const TriageStore store(options_.folder, askers_);
     sorted_.causes = store.causes();
     sorted_.simples = store.simples();
     sorted_.worsts = store.worsts();
@@ -143,7 +156,7 @@ class Triager {
     hold_against(triage.buckets, fs::canonical(options_.folder).filename().string(), asked_, earlier());
     write_pairs(triage.buckets);
     suppress(triage.buckets, options_.suppressions, options_.today);
-    TriageStore(options_.folder, options_.build).set_buckets(triage.buckets.dump());
+    TriageStore(options_.folder, askers_).set_buckets(triage.buckets.dump());
     if (!options_.suppressions.empty()) {
       std::size_t stale = 0;
       triage.remarks =
@@ -154,12 +167,16 @@ class Triager {
   }
 
  private:
+  std::optional<std::size_t> index_of(std::string_view name) const {
+    for (std::size_t m = 0; m < methods_.size(); ++m)
+      if (methods_[m]->name() == name) return m;
+    return {};
+  }
+
   Subject subject_of(const FindingRecord& f) const {
-    Subject s{&f, {}, find_kind(f.kind), Severity::contract, {}};
+    Subject s{&f, index_of(f.method), absent_.contains(f.method), find_kind(f.kind), Severity::contract, {}};
     for (const Severity severity : {Severity::resolution, Severity::unresolved})
       if (f.severity == to_string(severity)) s.severity = severity;
-    for (std::size_t m = 0; m < methods_.size(); ++m)
-      if (methods_[m]->name() == f.method) s.method = m;
     const CaseLine line = parse_case(f.pair, 1);
     if (!line.value) throw std::runtime_error(fmt::format("finding {}: {}", f.id, line.error));
     s.pair = line.value->pair;
@@ -168,16 +185,21 @@ class Triager {
 
   bool out_of_time(double part = 1) const { return Clock::now() - start_ >= part * options_.budget; }
 
+  static std::size_t ended(const std::vector<SimpleRecord>& simples) {
+    return static_cast<std::size_t>(
+        std::count_if(simples.begin(), simples.end(), [](const SimpleRecord& s) { return s.ended; }));
+  }
+
   void count_progress() {
     progress_.told = sorted_.causes.size();
-    progress_.simplified = sorted_.simples.size();
+    progress_.simplified = ended(sorted_.simples);
     progress_.searched = sorted_.worsts.size();
     progress_.elapsed = since(start_);
   }
   void show_progress() {
-    const TriageStore store(options_.folder, options_.build);
+    const TriageStore store(options_.folder, askers_);
     progress_.told = store.causes().size();
-    progress_.simplified = store.simples().size();
+    progress_.simplified = ended(store.simples());
     progress_.searched = store.worsts().size();
     progress_.elapsed = since(start_);
     if (on_progress_) on_progress_(progress_);
@@ -188,17 +210,17 @@ class Triager {
   void tell_causes() {
     std::set<std::int64_t> known;
     {
-      const TriageStore store(options_.folder, options_.build);
+      const TriageStore store(options_.folder, askers_);
       for (const CauseRecord& c : store.causes()) known.insert(c.finding);
     }
     std::vector<const Subject*> open;
     for (const Subject& s : subjects_)
-      if (!known.contains(s.record->id)) open.push_back(&s);
+      if (!s.absent && !known.contains(s.record->id)) open.push_back(&s);
     if (open.empty()) return;
     in_processes(
         options_.jobs,
         [&](unsigned job) {
-          TriageStore store(options_.folder, options_.build);
+          TriageStore store(options_.folder, askers_);
           for (std::size_t first = job * probed_together; first < open.size() && !out_of_time();
                first += options_.jobs * probed_together)
             store.add(tell(std::span(open).subspan(first, std::min(probed_together, open.size() - first))));
@@ -296,39 +318,42 @@ class Triager {
     return s.method && s.kind && s.kind != FindingKind::nondeterminism;
   }
 
-  /// Until that part of the budget is used up.
+  /// Until that part of the budget is used up. What is cut goes on from what it came to.
   void simplify_findings(double part) {
-    std::set<std::int64_t> known;
+    std::map<std::int64_t, SimpleRecord> known;
     std::vector<const Subject*> open;
     {
-      const TriageStore store(options_.folder, options_.build);
-      for (const SimpleRecord& s : store.simples()) known.insert(s.finding);
+      const TriageStore store(options_.folder, askers_);
+      for (SimpleRecord& s : store.simples()) known[s.finding] = std::move(s);
       sorted_.causes = store.causes();
     }
     for (const CauseRecord& c : sorted_.causes) key_of_finding_[c.finding] = c.bucket;
     for (const Subject* s : in_turns(sorted_.causes))
-      if (!known.contains(s->record->id)) open.push_back(s);
+      if (!known[s->record->id].ended) open.push_back(s);
     if (open.empty() || out_of_time(part)) return;
     in_processes(
         options_.jobs,
         [&](unsigned job) {
-          TriageStore store(options_.folder, options_.build);
+          TriageStore store(options_.folder, askers_);
           for (std::size_t i = job; i < open.size() && !out_of_time(part); i += options_.jobs)
-            store.add(simplified(*open[i]));
+            store.add(simplified(*open[i], known.at(open[i]->record->id)));
         },
         [&] { show_progress(); });
   }
 
-  SimpleRecord simplified(const Subject& s) const {
+  SimpleRecord simplified(const Subject& s, const SimpleRecord& earlier) const {
     const std::string& key = key_of_finding_.at(s.record->id);
     const auto feature = contact_feature(s.pair, judge(s.pair));
+    bool cut = false;
     const StillFails still_fails = [&](std::span<const Pair> pairs) {
-      return fail_alike(s, key, feature, pairs);
+      cut = cut || out_of_time();
+      return cut ? std::vector<bool>(pairs.size()) : fail_alike(s, key, feature, pairs);
     };
+    const CaseLine begun = parse_case(earlier.pair, 1);
     const std::size_t cap = s.kind == FindingKind::hang ? simplify_hang_cap : simplify_cap;
-    const Simplified simple = simplify(s.pair, still_fails, cap);
+    const Simplified simple = simplify(begun.value ? begun.value->pair : s.pair, still_fails, cap);
     return {s.record->id, format_pair(simple.pair), bucket_of(s.record->method, s.record->kind, simple.pair),
-            simple.questions};
+            simple.questions, !cut};
   }
 
   /// Which of the pairs fail in the same way, of the same cause and feature: no more than the first of them,
@@ -370,7 +395,7 @@ class Triager {
     std::map<std::string, WorstRecord> earlier;
     std::vector<CauseSought> open;
     {
-      const TriageStore store(options_.folder, options_.build);
+      const TriageStore store(options_.folder, askers_);
       for (const WorstRecord& w : store.worsts()) earlier[w.bucket] = w;
       for (CauseSought& cause : causes_sought(store))
         if (!earlier[cause.key].ended) open.push_back(std::move(cause));
@@ -379,7 +404,7 @@ class Triager {
     in_processes(
         options_.jobs,
         [&](unsigned job) {
-          TriageStore store(options_.folder, options_.build);
+          TriageStore store(options_.folder, askers_);
           for (std::size_t i = job; i < open.size() && !out_of_time(); i += options_.jobs) {
             const auto left = static_cast<milliseconds::rep>((open.size() - i - 1) / options_.jobs + 1);
             store.add(searched(open[i], earlier[open[i].key], (options_.budget - since(start_)) / left));
@@ -494,9 +519,11 @@ class Triager {
 
   const TriageOptions& options_;
   const std::function<void(const TriageProgress&)>& on_progress_;
-  const std::vector<std::unique_ptr<Method>> methods_;
+  const std::span<const std::unique_ptr<Method>> methods_;
+  const std::string askers_;
   const std::vector<std::size_t> kin_;
   const Clock::time_point start_ = Clock::now();
+  std::set<std::string, std::less<>> absent_;  ///< guests of the run
   Sorted sorted_;
   std::vector<Subject> subjects_;
   std::map<std::int64_t, std::string> key_of_finding_;
@@ -520,9 +547,15 @@ std::string short_number(const Json& x) { return x.is_null() ? "-" : fmt::format
 
 }  // namespace
 
-Triage run_triage(const TriageOptions& options,
+std::string askers(const std::string& build, std::span<const std::unique_ptr<Method>> methods) {
+  std::string text = build;
+  for (const auto& method : methods) text += fmt::format("\n{} {}", method->name(), method->version());
+  return text;
+}
+
+Triage run_triage(const TriageOptions& options, std::span<const std::unique_ptr<Method>> methods,
                   const std::function<void(const TriageProgress&)>& on_progress) {
-  return Triager(options, on_progress).run();
+  return Triager(options, methods, on_progress).run();
 }
 
 Json buckets_json(const std::string& run_folder) {

@@ -9,12 +9,15 @@
 #include <chrono>
 #include <cstddef>
 #include <functional>
+#include <memory>
 #include <nlohmann/json.hpp>
+#include <span>
 #include <string>
 #include <vector>
 
 #include "corpus/case_files.hpp"
 #include "corpus/suppressions.hpp"
+#include "oracles/method.hpp"
 
 namespace cyl {
 
@@ -22,7 +25,7 @@ struct TriageOptions {
   std::string folder;  ///< of the run
   std::vector<std::string>
       against;  ///< triaged runs it is held against; none: those beside it that began before
-  std::chrono::milliseconds budget{300'000};  ///< wall time; overrun by one finding's simplifying at most
+  std::chrono::milliseconds budget{300'000};  ///< wall time; overrun by a few dozen questions a process
   unsigned jobs = 2;                          ///< processes; do not change the buckets
   std::vector<Suppression> suppressions;
   std::vector<Case> cases;  ///< of the case files: what a suppression must match
@@ -30,8 +33,13 @@ struct TriageOptions {
   std::string build;        ///< what was found out by another build is found out again
 };
 
+/// What found out whatever a triage keeps: the build and the methods, with their versions. A guest that was
+/// built anew is of another version.
+std::string askers(const std::string& build, std::span<const std::unique_ptr<Method>> methods);
+
 struct TriageProgress {
   std::size_t findings = 0, told = 0;  ///< kept, and those whose cause is told
+  std::size_t absent = 0;  ///< kept, of guests of the run that are not among the methods: not told
   std::size_t simplified = 0;
   std::size_t searched = 0;  ///< causes, for a worse pair
   std::chrono::milliseconds elapsed{0};
@@ -43,9 +51,9 @@ struct Triage {
   std::vector<std::string> remarks;  ///< of suppressions that are expired or match nothing
 };
 
-/// Throws std::invalid_argument where no run is there, std::runtime_error where a store cannot be used or a
-/// process ended in a way it should not.
-Triage run_triage(const TriageOptions& options,
+/// `methods`: all there are, and the guests. Throws std::invalid_argument where no run is there,
+/// std::runtime_error where a store cannot be used or a process ended in a way it should not.
+Triage run_triage(const TriageOptions& options, std::span<const std::unique_ptr<Method>> methods,
                   const std::function<void(const TriageProgress&)>& on_progress = {});
 
 /// The buckets that the last triage of a run left: an array, the most findings first, those beyond claims

@@ -88,7 +88,7 @@ Triage triage(const std::string& folder, std::chrono::milliseconds budget = std:
   options.budget = budget;
   options.today = "2026-11-22";
   options.build = "test";
-  return run_triage(options);
+  return run_triage(options, all_methods());
 }
 
 std::set<std::string> keys_of(const Json& buckets) {
@@ -137,12 +137,20 @@ TEST(Triage, GoesOnWhereItWas) {
   EXPECT_EQ(none.progress.told, 0u);
   EXPECT_EQ(exit_code(none), 3);
   {
-    TriageStore store(folder, "test");
+    TriageStore store(folder, askers("test", all_methods()));
     store.add(std::vector<CauseRecord>{{2, "told-before", "untold", ""}});
+    store.add(SimpleRecord{1, "half done", "", 1, false});
+    store.add(SimpleRecord{3, "done", "", 1, true});
   }
   const Triage all = triage(folder);
   EXPECT_TRUE(keys_of(all.buckets).contains("told-before"));
   EXPECT_EQ(all.progress.told, 3u);
+  EXPECT_EQ(all.progress.simplified, 3u);
+  for (const SimpleRecord& simple : TriageStore(folder, askers("test", all_methods())).simples()) {
+    EXPECT_TRUE(simple.ended);
+    EXPECT_EQ(simple.pair == "done", simple.finding == 3);
+    EXPECT_NE(simple.pair, "half done");
+  }
   const TriageStore other(folder, "another build");
   EXPECT_TRUE(other.causes().empty());
 }
@@ -172,7 +180,7 @@ TEST(Triage, SearchesForAWorsePairAndKeepsIt) {
       EXPECT_TRUE(first.buckets[0][shown].contains(what)) << shown << ' ' << what;
   EXPECT_NE(format_buckets(first.buckets).find("searched for"), std::string::npos);
 
-  TriageStore store(folder, "test");
+  TriageStore store(folder, askers("test", all_methods()));
   ASSERT_EQ(store.worsts().size(), 1u);
   WorstRecord kept = store.worsts()[0];
   EXPECT_TRUE(kept.ended);
