@@ -35,6 +35,7 @@
 #include "reports/gate_sarif.hpp"
 #include "reports/gate_text.hpp"
 #include "reports/gate_words.hpp"
+#include "reports/own_command.hpp"
 #include "reports/suppressed.hpp"
 
 namespace cyl {
