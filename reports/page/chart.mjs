@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Built by build.mjs, not written by hand. Sources: cfcaefe277f18106d41c8389cbbd82e5ec8eab2eadbc249ac133056ccdbbc7f6
+// Built by build.mjs, not written by hand. Sources: 0c65f95e8507a567047afa69e93019d8ba6fc810bd3b5a191e21d32a3cfa4542
 /* It holds
 
 @observablehq/plot 0.6.17:

@@ -19,7 +19,7 @@ rebuild() {
   trap 'rm -rf -- "$copy"' EXIT
   mkdir "$copy/page"
   cp -- *.ts *.tsx *.mjs *.css *.html *.json .npmrc "$copy/page"
-  cp -- ../report_template.html "$copy"
+  cp -- ../report_template.html ../scene_template.html "$copy"
   cd "$copy/page"
   if ! npm ci --omit=dev --prefer-offline >"$copy/log" 2>&1; then
     timeout 20 npm ping >/dev/null 2>&1 || skip "the registry of npm cannot be reached"
