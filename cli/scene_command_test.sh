@@ -38,6 +38,9 @@ holds 'what else' err 'of --generate there is --json'
 expect 0 'generated' "$daylight" scene --generate rods --count 2000 --json rods.json
 holds 'counted' out '^ +2000 '
 holds 'the pairs' rods.json '"within":\[\['
+: >empty.jsonl
+expect 0 'nothing in it' "$daylight" scene empty.jsonl --page empty.html
+holds 'nothing to do' out '^nothing to check$'
 expect 65 'no such file' "$daylight" scene none.urdf
 expect 65 'a bad line' "$daylight" scene <(:) # no ending that is known
 printf '{"center":[0,0,0],"axis":[0,0,0],"radius":1,"height":2}\n' >bad.jsonl

@@ -78,7 +78,7 @@ export function eye_across(along: Vec): { eye: Vec; up: Vec } {
 }
 
 /** How near to a line a click must be, in pixels. */
-const line_reach = 6;
+const line_reach = 4;
 
 class Stage {
   readonly canvas: HTMLCanvasElement;
@@ -134,18 +134,15 @@ class Stage {
     this.renderer.render(this.scene, this.camera);
   }
 
-  /** What `userData.is` of the objects shown says of the nearest one under a point of the canvas; lines before solids. */
+  /** What `userData.is` of the objects shown says of the nearest one under a point of the canvas. */
   hit(x: number, y: number): unknown {
     const { clientWidth: width, clientHeight: height } = this.canvas;
     const ray = new Raycaster();
     ray.params.Line.threshold = (line_reach * (this.camera.top - this.camera.bottom)) / this.camera.zoom / height;
     ray.setFromCamera(new Vector2((2 * x) / width - 1, 1 - (2 * y) / height), this.camera);
-    const told = (hits: { object: Object3D }[]) => {
-      for (const { object } of hits) for (let o: Object3D | null = object; o; o = o.parent) if (o.userData.is !== undefined) return o.userData.is as unknown;
-      return undefined;
-    };
-    const hits = ray.intersectObjects(this.scene.children, true);
-    return told(hits.filter(({ object }) => object instanceof Line && !(object instanceof LineSegments))) ?? told(hits);
+    for (const { object } of ray.intersectObjects(this.scene.children, true))
+      for (let o: Object3D | null = object; o; o = o.parent) if (o.userData.is !== undefined) return o.userData.is as unknown;
+    return undefined;
   }
 }
 

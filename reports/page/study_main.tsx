@@ -70,6 +70,7 @@ function read_address(study: Study): Looked {
   return { at: index("at", study.kept) ?? 0, picked: index("pair", study.pairs), ghosts: new Set(models.filter((m) => has_stand_in(m) && told.get("ghosts")?.split(",").includes(m))), close: told.get("close") === "1" };
 }
 function address_of({ at, picked, ghosts, close }: Looked) {
+  if (at === 0 && picked === null) return "#";
   const told = new URLSearchParams({ at: String(at), ...(picked === null ? {} : { pair: String(picked) }), ...(ghosts.size > 0 ? { ghosts: [...ghosts].join(",") } : {}), ...(close ? { close: "1" } : {}) });
   return `#${told}`;
 }
@@ -83,7 +84,10 @@ function Scene({ study }: { study: Study }) {
   const options = useMemo(() => study.kept.flatMap((k, i) => k.reasons.map((reason, j) => ({ key: `${i} ${j}`, at: i, reason, words: reason_words(study, k, reason) }))), [study]);
   const [chosen, choose] = useState(() => options.find((o) => o.at === at)?.key ?? "0 0");
 
-  useEffect(() => { if (looked !== null && address_of(looked) !== location.hash && (picked !== null || at > 0)) history.replaceState(null, "", address_of(looked)); }, [looked]);
+  useEffect(() => {
+    const now = address_of(looked);
+    if (now === "#" ? /^#at=/.test(location.hash) : now !== location.hash) history.replaceState(null, "", now);
+  }, [looked]);
   useEffect(() => {
     const changed = () => { if (/^#at=/.test(location.hash)) look(read_address(study)); };
     addEventListener("hashchange", changed);
@@ -105,7 +109,7 @@ function Scene({ study }: { study: Study }) {
     choose(key);
     look((was) => ({ ...was, at: option.at, ...(option.reason.pair === undefined ? {} : { picked: option.reason.pair }), ...(option.reason.model ? { ghosts: new Set([option.reason.model].filter(has_stand_in)) } : {}) }));
   };
-  const command = `daylight scene ${shell_quoted(study.file)}${study.clearance > 0 ? ` --clearance ${study.clearance}` : ""} --at ${Object.entries(kept.joints).map(([name, value]) => shell_quoted(`${safe(name)}=${value}`)).join(" ")}`;
+  const command = `./daylight scene ${shell_quoted(study.file)}${study.clearance > 0 ? ` --clearance ${study.clearance}` : ""} --at ${Object.entries(kept.joints).map(([name, value]) => `${shell_quoted(safe(name))}=${value}`).join(" ")}`;
   return (
     <Section id="scene" title="Scene and pairs">
       <div class="study">
@@ -161,7 +165,7 @@ function App({ study }: { study: Study }) {
         <Recommendation study={study} />
         {study.kept.length > 0 && study.bodies.length > 0 && <Scene study={study} />}
         {study.pairs.length > 0 && <Cost study={study} />}
-        <footer class="soft"><p>One file; it asks nothing from the network. All of its data: <code>daylight scene {shell_quoted(study.file)} --json FILE</code></p></footer>
+        <footer class="soft"><p>One file; it asks nothing from the network. All of its data: <code>./daylight scene {shell_quoted(study.file)} --json FILE</code></p></footer>
       </main>
     </>
   );
