@@ -38,13 +38,16 @@ export const without_webgl = () => { HTMLCanvasElement.prototype.getContext = ()
 /** Until what was done is drawn. */
 export const settled = (page) => page.evaluate(() => new Promise((done) => { requestAnimationFrame(() => requestAnimationFrame(() => setTimeout(done, 60))); }));
 
-/** Different colours on the canvas. */
+/** Of the canvas: how many different colours, and how many pixels that nothing shines through. */
 export const colours = async (page) => (await settled(page), page.evaluate(() => {
   const canvas = document.querySelector(".stage canvas");
   const flat = Object.assign(document.createElement("canvas"), { width: canvas.width, height: canvas.height }).getContext("2d");
   flat.drawImage(canvas, 0, 0);
   const data = new Uint32Array(flat.getImageData(0, 0, canvas.width, canvas.height).data.buffer);
-  let hash = 0;
-  for (const pixel of data) hash = (Math.imul(hash, 31) + pixel) | 0;
-  return { count: new Set(data).size, hash };
+  let hash = 0, opaque = 0;
+  for (const pixel of data) {
+    hash = (Math.imul(hash, 31) + pixel) | 0;
+    opaque += pixel >>> 24 > 200 ? 1 : 0;
+  }
+  return { count: new Set(data).size, hash, opaque };
 }));
