@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Built by build.mjs, not written by hand. Sources: 45c6a287133d0f9375fedc3f601ae310fb50e81b108ab94ef488f08a7c0081a1
+// Built by build.mjs, not written by hand. Sources: 8e7e6d30efbf62f73118ed869a893a6f42578c8de60f03d87c6775d522c424c7
 /* It holds
 
 @observablehq/plot 0.6.17:

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 // Both solids, to be turned; close up, and with a gap too narrow to see drawn wider, which is said.
 import { useLayoutEffect, useMemo, useRef, useState } from "preact/hooks";
-import type { Case } from "./data.ts";
-import { drawing_of, exaggerated, exaggeration, type Drawing } from "./geometry.ts";
+import type { Case, Vec } from "./data.ts";
+import { add, drawing_of, exaggerated, exaggeration, scale, square_to, type Drawing } from "./geometry.ts";
 import { colour } from "./parts.tsx";
 import { Projection } from "./projection.tsx";
-import { eye_across, line, mark, plane, solid, the_stage, type View } from "./stage.ts";
+import { line, mark, plane, solid, the_stage, type View } from "./stage.ts";
 import { short } from "./words.ts";
 
 /** Gaps narrower than this part of what can be seen are widened before anybody asks. */
@@ -13,9 +13,12 @@ const widened_at_once = 20;
 /** A solid this many times smaller than the other is not seen beside it. */
 const uneven = 300;
 
-/** Across the direction of the gap; a lies left of b. */
-const view_of = (d: Drawing, close: boolean): View =>
-  ({ ...eye_across(d.direction ?? [1, 0, 0]), target: close ? d.contact : [0, 0, 0], radius: close ? 0.25 * d.extent : 1.12 * d.extent });
+/** Looking across the direction of the gap, a little from above; a lies left of b. */
+function view_of(d: Drawing, close: boolean): View {
+  const along: Vec = d.direction ?? [1, 0, 0], [u, v] = square_to(along);
+  const eye = add(add(scale(u, -0.85), scale(v, 0.4)), scale(along, 0.25));
+  return { eye, up: v, target: close ? d.contact : [0, 0, 0], radius: close ? 0.25 * d.extent : 1.12 * d.extent };
+}
 
 function objects_of(d: Drawing) {
   const a = colour("--solid-a"), b = colour("--solid-b"), fg = colour("--fg");

@@ -7,7 +7,7 @@ import {
 } from "three";
 import { OrbitControls } from "three/examples/jsm/controls/OrbitControls.js";
 import type { Vec } from "./data.ts";
-import { add, scale, square_to, type Capsule, type Solid } from "./geometry.ts";
+import { add, scale, type Capsule, type Solid } from "./geometry.ts";
 
 export interface View { eye: Vec; up: Vec; target: Vec; radius: number }
 
@@ -17,12 +17,15 @@ const turned = (from: Vec, to: Vec) => new Quaternion().setFromUnitVectors(three
 /** Solids of no radius or height are drawn this thick, as part of the extent, to be seen. */
 const thinnest = 2e-3;
 
+/** A face a little behind the lines on it. */
+const behind_edges = { polygonOffset: true, polygonOffsetFactor: 1, polygonOffsetUnits: 1 };
+
 /** See-through, so that what lies behind or inside is seen; of opacity 1 not. */
 export function solid(s: Solid, colour: string, extent: number, opacity = 0.62): Group {
   const radius = Math.max(s.radius, thinnest * extent), height = Math.max(2 * s.half, thinnest * extent);
   const geometry = new CylinderGeometry(radius, radius, height, 96, 1), clear = opacity < 1;
   const group = new Group();
-  group.add(new Mesh(geometry, new MeshLambertMaterial({ color: colour, transparent: clear, opacity, side: DoubleSide, depthWrite: !clear, polygonOffset: !clear, polygonOffsetFactor: 1, polygonOffsetUnits: 1 })));
+  group.add(new Mesh(geometry, new MeshLambertMaterial({ color: colour, transparent: clear, opacity, side: DoubleSide, depthWrite: !clear, ...(clear ? {} : behind_edges) })));
   group.add(new LineSegments(new EdgesGeometry(geometry, 30), new LineBasicMaterial(clear ? { color: colour, transparent: true, opacity: Math.min(1, opacity * 2) } : { color: "#000000", transparent: true, opacity: 0.45 })));
   group.quaternion.copy(turned([0, 1, 0], s.axis));
   group.position.copy(three(s.center));
@@ -32,7 +35,7 @@ export function solid(s: Solid, colour: string, extent: number, opacity = 0.62):
 /** All points within a radius of a segment, as a breath of colour with outlines. */
 export function ghost(c: Capsule, colour: string): Group {
   const group = new Group();
-  group.add(new Mesh(new CapsuleGeometry(c.radius, 2 * c.half, 24, 64), new MeshLambertMaterial({ color: colour, transparent: true, opacity: 0.2, depthWrite: false })));
+  group.add(new Mesh(new CapsuleGeometry(c.radius, 2 * c.half, 24, 64), new MeshLambertMaterial({ color: colour, transparent: true, opacity: 0.2, depthWrite: false, ...behind_edges })));
   const arc = (at: (t: number) => Vec, from: number, to: number) => Array.from({ length: 33 }, (_, i) => at(from + ((to - from) * i) / 32));
   const side = (u: Vec): Vec[] => {   // a stadium in the plane of the axis and u
     const around = (middle: number) => (t: number): Vec => add(scale(u, c.radius * Math.cos(t)), [0, middle + c.radius * Math.sin(t), 0]);
@@ -69,12 +72,6 @@ export function plane(at: Vec, normal: Vec, side: number, colour: string): Group
   group.quaternion.copy(turned([0, 0, 1], normal));
   group.position.copy(three(at));
   return group;
-}
-
-/** Looking across a direction, a little from above; what it comes from lies left. */
-export function eye_across(along: Vec): { eye: Vec; up: Vec } {
-  const [u, v] = square_to(along);
-  return { eye: add(add(scale(u, -0.85), scale(v, 0.4)), scale(along, 0.25)), up: v };
 }
 
 /** How near to a line a click must be, in pixels. */

@@ -115,7 +115,7 @@ function Scene({ study }: { study: Study }) {
       <div class="study">
         <div class="seen">
           <div class="stage-tools" role="group" aria-label="View">
-            <Select label="" value={chosen} onChange={choose_option} options={options.map((o) => [o.key, o.words] as const)} />
+            <Select label="Look at" value={chosen} onChange={choose_option} options={options.map((o) => [o.key, o.words] as const)} />
             <button type="button" aria-pressed={close} disabled={picked === null} onClick={() => look({ ...looked, close: !close })}>Close up</button>
             <button type="button" disabled={picked === null} onClick={() => pick_pair(null)}>Show all</button>
           </div>

@@ -2,10 +2,10 @@
 // The robot in one of the kept configurations, to be turned: pairs as lines, a picked pair with its models.
 import { useEffect, useLayoutEffect, useMemo, useRef, useState } from "preact/hooks";
 import type { Vec } from "./data.ts";
-import { add, dot, scale, sub, unit, type Solid } from "./geometry.ts";
+import { add, cross, dot, scale, sub, unit, type Solid } from "./geometry.ts";
 import { colour } from "./parts.tsx";
 import { SolidsProjection } from "./projection.tsx";
-import { eye_across, ghost, line, mark, solid, the_stage, type View } from "./stage.ts";
+import { ghost, line, mark, solid, the_stage, type View } from "./stage.ts";
 import { extent_of, frame_of, middle_of, model_colour, most_exact, stand_in, type Frame, type Model, type Study } from "./study.ts";
 import { in_order } from "./words.ts";
 
@@ -26,17 +26,26 @@ const line_cap = 500;
 /** Faces that would lie in those of the cylinder are drawn this much within. */
 const within_faces = 0.98;
 
-const whole_view: Pick<View, "eye" | "up"> = { eye: unit([1, -1.3, 0.75]), up: [0, 0, 1] };   // z is up in most scenes
+const up: Vec = [0, 0, 1];   // in most scenes
+const eye: Vec = unit([1, -1.3, 0.75]);
+
+/** Across a direction, from the usual side and a little from above; along it nothing would be seen of a gap. */
+function eye_beside(along: Vec): Vec {
+  const level = cross(along, up), wide = Math.sqrt(dot(level, level));
+  if (wide < 0.1) return unit([eye[0], eye[1], 0.3]);
+  const side = scale(level, Math.sign(dot(level, eye)) / wide || 1 / wide);
+  return unit(add(side, [0, 0, 0.3]));
+}
 
 function view_of(solids: Solid[], pair: [Solid, Solid] | null, near: [Vec, Vec] | null): View {
   if (!pair) {
     const target = middle_of(solids);
-    return { ...whole_view, target, radius: 1.04 * extent_of(solids, target) };
+    return { eye, up, target, radius: 1.04 * extent_of(solids, target) };
   }
   const middle = scale(add(pair[0].center, pair[1].center), 0.5);
   const apart = near ? sub(near[1], near[0]) : sub(pair[1].center, pair[0].center);
   const along = dot(apart, apart) > 1e-18 ? unit(apart) : unit(sub(pair[1].center, pair[0].center));
-  return { ...eye_across(along), target: middle, radius: extent_of(pair, middle) };
+  return { eye: eye_beside(along), up, target: middle, radius: 1.15 * extent_of(pair, middle) };
 }
 
 function near_of(frame: Frame, { study, at, picked }: Shown): [Vec, Vec] | null {
