@@ -49,7 +49,7 @@ export function most_exact(study: Study): (Model | null)[] {
 // The solids, in a frame for drawing that is the same for all configurations that were kept
 // ---------------------------------------------------------------------------------------
 
-export interface Frame { middle: Vec; unit: number; to: (x: Vec) => Vec; solid: (c: Cylinder) => Solid }
+export interface Frame { unit: number; to: (x: Vec) => Vec; solid: (c: Cylinder) => Solid }
 
 export function frame_of(study: Study): Frame {
   const low: Vec = [Infinity, Infinity, Infinity], high: Vec = [-Infinity, -Infinity, -Infinity];
@@ -59,7 +59,7 @@ export function frame_of(study: Study): Frame {
   }
   const middle = scale(add(low, high), 0.5), wide = Math.hypot(...sub(high, low)) / 2, unit_length = wide > 0 && Number.isFinite(wide) ? wide : 1;
   const to = (x: Vec) => scale(sub(x, middle), 1 / unit_length);
-  return { middle, unit: unit_length, to, solid: (c) => ({ center: to(c.center), axis: unit(c.axis), radius: c.radius / unit_length, half: c.height / 2 / unit_length }) };
+  return { unit: unit_length, to, solid: (c) => ({ center: to(c.center), axis: unit(c.axis), radius: c.radius / unit_length, half: c.height / 2 / unit_length }) };
 }
 
 /** The model that stands for a cylinder, where it is a solid of its own (reports/ladder.cpp). */
@@ -88,7 +88,7 @@ export const extent_of = (solids: Solid[], from: Vec = [0, 0, 0]) =>
 // -----
 
 export const a_model = (model: Model) => (model === "certified" ? "a proof" : model === "distance" ? "the distance" : `${/^[aeiou]/.test(model) ? "an" : "a"} ${model}`);
-export const capital = (text: string) => text.charAt(0).toUpperCase() + text.slice(1);
+const capital = (text: string) => text.charAt(0).toUpperCase() + text.slice(1);
 /** As `daylight scene` says it, in a page's letters. */
 export const said = (text: string) => capital(text.replace(/(\d) us\b/g, "$1 \u00b5s").replaceAll(" - ", " \u2013 "));
 
@@ -97,7 +97,7 @@ export function gap_words(distance: number, clearance: number): string {
   return distance === 0 ? "touch" : `are ${short(distance)} apart${clearance > 0 ? ` (clearance ${short(clearance)})` : ""}`;
 }
 
-export const pair_name = (study: Study, pair: number) => `${study.pairs[pair]!.a} \u2013 ${study.pairs[pair]!.b}`;
+const pair_name = (study: Study, pair: number) => `${study.pairs[pair]!.a} \u2013 ${study.pairs[pair]!.b}`;
 
 export function reason_words(study: Study, kept: Kept, reason: Reason): string {
   const of = reason.pair === undefined ? "" : `: ${pair_name(study, reason.pair)}`;

@@ -7,7 +7,7 @@ import { grouped, plural, short, time } from "./words.ts";
 
 interface Point { name: string; model: Model | null; ns: number; wrong: number; words: string }
 
-export function points_of(study: Study): Point[] {
+function points_of(study: Study): Point[] {
   const ns = study.ns_per_configuration, samples = study.pairs.reduce((n, pair) => n + pair.samples, 0);
   const worst = (alarm: number, missed: number) => [...(alarm > 0 ? [`false alarms up to ${short(alarm)} beyond the clearance`] : []), ...(missed > 0 ? [`missed down to ${short(missed)} below it`] : [])];
   const point = (name: string, model: Model | null, cost: number, wrong: number, more: string[]): Point =>
