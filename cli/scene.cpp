@@ -12,14 +12,18 @@
 #include "cli/write_file.hpp"
 #include "corpus/scene_files.hpp"
 #include "corpus/scene_generators.hpp"
+#include "reports/page.hpp"
 #include "reports/scene_study.hpp"
 #include "reports/scene_sweep.hpp"
 
 namespace cyl {
 namespace {
 
+/// All pairs of so many cylinders are in a page: 20 thousand, in ten configurations, some 40 MB.
+constexpr std::size_t page_cap = 200;
+
 struct Arguments {
-  std::string file, json;
+  std::string json, page;
   std::vector<std::string> at;
   std::string generate;
   std::size_t count = 1000;
@@ -41,6 +45,14 @@ std::pair<std::string, double> parse_joint(const std::string& text) {
 void check_lengths(const SceneQuestion& question) {
   if (!(question.clearance >= 0 && std::isfinite(question.clearance)) || !(question.tolerated >= 0))
     throw std::invalid_argument("--clearance and --tolerate are lengths, 0 or more");
+}
+
+/// Before any work: a page shows every pair.
+void check_page(const Arguments& arguments, std::size_t cylinders) {
+  if (arguments.page.empty() || cylinders <= page_cap) return;
+  throw std::invalid_argument(
+      fmt::format("--page shows up to {} cylinders, not {}; give a file with fewer, or take --json", page_cap,
+                  cylinders));
 }
 
 /// Many that stand still: of a generated scene also its first parts, for the time against the number.
@@ -65,23 +77,33 @@ int sweep(const Arguments& arguments, std::span<const Cylinder> cylinders, bool 
   return s.undecided > 0 ? exit_undecided : exit_pass;
 }
 
+void write_results(const Arguments& arguments, const Scene& scene, const SceneStudy& s) {
+  if (arguments.json.empty() && arguments.page.empty()) return;
+  const std::string json = study_json(scene, arguments.question, s);
+  if (!arguments.json.empty()) write_file(arguments.json, json);
+  if (!arguments.page.empty()) write_file(arguments.page, fill_template(Template::scene, json));
+}
+
 int study(Arguments& arguments) {
   SceneQuestion& question = arguments.question;
   check_lengths(question);
-  if (arguments.file.empty() == arguments.generate.empty())
+  if (question.file.empty() == arguments.generate.empty())
     throw std::invalid_argument("which scene? Give a FILE or --generate");
   if (!arguments.generate.empty()) {
+    if (!arguments.page.empty())
+      throw std::invalid_argument("--page shows a FILE; of --generate there is --json");
     fmt::print("seed {}\n", question.seed);
     return sweep(arguments, generate_cylinders(arguments.generate, arguments.count, question.seed), true);
   }
   for (const std::string& text : arguments.at) question.at.push_back(parse_joint(text));
   Scene scene;
   try {
-    scene = read_scene(arguments.file);
+    scene = read_scene(question.file);
   } catch (const std::runtime_error& error) {
     fmt::print(stderr, "daylight: {}\n", error.what());
     return exit_invalid_input;
   }
+  check_page(arguments, scene.bodies.size());
   if (scene.bodies.size() > study_cap) {
     if (scene.links.size() != scene.bodies.size() || moves(scene))
       throw std::invalid_argument(fmt::format("a mechanism of more than {} cylinders", study_cap));
@@ -89,7 +111,7 @@ int study(Arguments& arguments) {
   }
   const SceneStudy s = study_scene(scene, question);
   fmt::print("{}", study_text(scene, question, s));
-  if (!arguments.json.empty()) write_file(arguments.json, study_json(scene, question, s));
+  write_results(arguments, scene, s);
   if (s.verification && s.verification->wrong > 0) return exit_findings;
   return s.undecided > 0 || (s.verification && s.verification->undecided > 0) ? exit_undecided : exit_pass;
 }
@@ -101,7 +123,7 @@ void add_scene(CLI::App& app, int& exit_code) {
   SceneQuestion& question = arguments->question;
   CLI::App* command = app.add_subcommand(
       "scene", "Says which model of its cylinders a scene or robot needs, and at what cost");
-  command->add_option("FILE", arguments->file, "a scene: .urdf, .xml (MJCF), .jsonl or .csv of cylinders");
+  command->add_option("FILE", question.file, "a scene: .urdf, .xml (MJCF), .jsonl or .csv of cylinders");
   command->add_option("--clearance", question.clearance, "are two this near or nearer? In the scene's unit");
   command->add_option("--tolerate", question.tolerated,
                       "false alarms that do no harm: this far beyond the clearance");
@@ -116,8 +138,10 @@ void add_scene(CLI::App& app, int& exit_code) {
                       "in place of a FILE: rods or pipes, and all close pairs");
   add_unsigned(*command, "--count", arguments->count, "cylinders to generate", 1, 10'000'000);
   command->add_option("--json", arguments->json, "write everything as JSON, a line of results for each pair");
+  command->add_option("--page", arguments->page,
+                      "write it as one HTML file: the robot in 3D, its pairs, cost against wrong answers");
   command->footer(
-      "Example:\n  daylight scene robot.urdf --clearance 0.01 --verify\n"
+      "Example:\n  daylight scene robot.urdf --clearance 0.01 --verify --page robot.html\n"
       "Exit code: 0 told, 1 the harness failed, 2 the referee found a recommended answer wrong, 3 something "
       "is not\n"
       "proved, 64 usage, 65 the file cannot be read.");

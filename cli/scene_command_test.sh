@@ -16,7 +16,7 @@ holds 'the seed comes first' out '^seed 1$'
 holds 'what there is' out '^20 cylinders on 20 links, 18 free joints$'
 holds 'which pairs' out '^190 pairs: 171 checked; .* 19 of adjacent links'
 holds 'the referee' out '^referee: 3420 recommended answers asked, 0 wrong, 0 tolerated, 0 not proved$'
-holds 'as JSON' twenty.json '"recommended": \['
+holds 'as JSON' twenty.json '"recommended":\['
 expect 0 'a clearance' "$daylight" scene "$scenes/crane.xml" --configurations 20 --clearance 0.01 --tolerate 0.1
 holds 'said' out '^20 configurations, clearance 0.01:'
 expect 0 'every pair' "$daylight" scene "$scenes/twenty.urdf" --configurations 1 --all-pairs
@@ -25,9 +25,22 @@ expect 0 'one configuration' "$daylight" scene "$scenes/crane.urdf" --at luff=-0
 holds 'one' out '^1 configuration, '
 expect 0 'a list' "$daylight" scene "$scenes/shelf.csv"
 holds 'four cylinders' out '^6 pairs: 6 checked;'
+expect 0 'a page' "$daylight" scene "$scenes/crane.urdf" --configurations 20 --page crane.html
+holds 'with its data' crane.html '"recommended":\['
+holds 'for nobody on the network' crane.html "default-src 'none'"
+expect 1 'no place for a page' "$daylight" scene "$scenes/crane.urdf" --configurations 1 --page none/crane.html
+holds 'which' err 'none/crane.html cannot be written'
+for i in {1..201}; do printf '{"center":[%s,0,0],"axis":[0,0,1],"radius":0.4,"height":2}\n' "$i"; done >many.jsonl
+expect 64 'too many for a page' "$daylight" scene many.jsonl --page many.html
+holds 'what to do' err 'up to 200 cylinders, not 201; give a file with fewer, or take --json'
+expect 64 'a page of nothing kept' "$daylight" scene --generate rods --page rods.html
+holds 'what else' err 'of --generate there is --json'
 expect 0 'generated' "$daylight" scene --generate rods --count 2000 --json rods.json
 holds 'counted' out '^ +2000 '
 holds 'the pairs' rods.json '"within":\[\['
+: >empty.jsonl
+expect 0 'nothing in it' "$daylight" scene empty.jsonl --page empty.html
+holds 'nothing to do' out '^nothing to check$'
 expect 65 'no such file' "$daylight" scene none.urdf
 expect 65 'a bad line' "$daylight" scene <(:) # no ending that is known
 printf '{"center":[0,0,0],"axis":[0,0,0],"radius":1,"height":2}\n' >bad.jsonl

@@ -44,7 +44,7 @@ std::vector<LinkPair> adjacent_links(const Scene& scene) {
 
 void follow(const Scene& scene, std::vector<double>& joints) {
   // As often as one may mimic another that mimics: each round settles at least the next of a chain.
-  for (std::size_t round = 0; round < scene.links.size(); ++round) {
+  for (std::size_t round = 0; round <= scene.links.size(); ++round) {
     bool changed = false;
     for (std::size_t i = 0; i < scene.links.size(); ++i) {
       if (!scene.links[i].follow) continue;

@@ -3,16 +3,13 @@
 #pragma once
 
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <algorithm>
-#include <cstdlib>
-#include <filesystem>
-#include <fstream>
 #include <limits>
 #include <string>
 
 #include "props/gate.hpp"
+#include "reports/schema_check.hpp"
 
 namespace cyl {
 
@@ -88,26 +85,6 @@ inline GateReport example_report() {
   of_case.what = hostile;
   of_case.found.a.height = std::numeric_limits<double>::quiet_NaN();
   return report;
-}
-
-/// A file of this process, removed with the object.
-class ScratchFile {
- public:
-  explicit ScratchFile(const std::string& content)
-      : path(std::filesystem::temp_directory_path() /
-             ("daylight_gate_" + std::to_string(getpid()) + "_" +
-              testing::UnitTest::GetInstance()->current_test_info()->name())) {
-    std::ofstream(path, std::ios::binary) << content;
-  }
-  ScratchFile(const ScratchFile&) = delete;
-  ScratchFile& operator=(const ScratchFile&) = delete;
-  ~ScratchFile() { std::filesystem::remove(path); }
-  const std::filesystem::path path;
-};
-
-/// Whether a shell command succeeds, its own words kept off the terminal.
-inline bool succeeds(const std::string& command) {
-  return std::system(("(" + command + ") >/dev/null 2>&1").c_str()) == 0;
 }
 
 inline std::string replaced(std::string text, const std::string& from, const std::string& to) {

@@ -10,24 +10,10 @@ namespace {
 
 using json = nlohmann::json;
 
-std::string python() {  // the system's own has the Debian package, another one may come first
-  for (const char* name : {"/usr/bin/python3", "python3"})
-    if (succeeds(std::string(name) + " -c 'import jsonschema'")) return name;
-  return {};
-}
-
-bool valid(const std::string& document) {
-  const ScratchFile file(document);
-  return succeeds(
-      python() +
-      " -c 'import json, sys, jsonschema; s, d = (json.load(open(f, encoding=\"utf-8\")) for f in "
-      "sys.argv[1:]); jsonschema.Draft7Validator.check_schema(s); "
-      "jsonschema.Draft7Validator(s).validate(d)' '" DAYLIGHT_SOURCE_DIR "/reports/schemas/sarif.json' '" +
-      file.path.string() + "'");
-}
+bool valid(const std::string& document) { return keeps_to("sarif.json", document); }
 
 TEST(GateSarif, KeepsToItsSchema) {
-  if (python().empty()) GTEST_SKIP() << "no jsonschema here (Debian: python3-jsonschema)";
+  if (schema_python().empty()) GTEST_SKIP() << "no jsonschema here (Debian: python3-jsonschema)";
   const std::string document = gate_sarif(example_report(), "0.1.0", true);
   EXPECT_TRUE(valid(document)) << document;
   EXPECT_TRUE(valid(gate_sarif({}, "0.1.0", false)));

@@ -240,7 +240,7 @@ TEST_F(ReportData, NeedsNoNetworkAndStaysOneFile) {
   commit(store, {finding(0, "fake", 1)});
   write_page(folder);
   write_page(folder);
-  const std::string page = fill_template("{}");
+  const std::string page = fill_template(Template::report, "{}");
   for (const char* word : {"src=\"", "@import", "<link", "url(http"})
     EXPECT_EQ(page.find(word), page.npos) << word;
   EXPECT_NE(page.find("default-src 'none'"), page.npos);

@@ -57,10 +57,7 @@ class Study {
   }
 
  private:
-  std::vector<double> joints(std::size_t configuration) const {
-    if (moves(scene_) && q_.at.empty()) return draw_joints(scene_, q_.seed, configuration);
-    return joints_at(scene_, q_.at);
-  }
+  std::vector<double> joints(std::size_t configuration) const { return joints_of(scene_, q_, configuration); }
 
   void observe(std::size_t configuration) {
     placed_ = place(scene_, joints(configuration));
@@ -88,7 +85,8 @@ class Study {
     }
     const bool is_within = truth.value_or(true);
     const double d = distance(a.solid, b.solid).value;
-    for (const Rung rung : all_rungs) score(pair.alone[index_of(rung)], rung, a, b, is_within, d);
+    for (const Rung rung : all_rungs)
+      score(pair.alone[index_of(rung)], trusted(rung, a, b, q_.clearance), is_within, d, configuration);
     pair.least = pair.samples == 0 ? d : std::min(pair.least, d);
     pair.greatest = pair.samples == 0 ? d : std::max(pair.greatest, d);
     ++pair.samples;
@@ -100,13 +98,14 @@ class Study {
     truths_.push_back(is_within);
   }
 
-  void score(Score& s, Rung rung, const Models& a, const Models& b, bool is_within, double d) const {
-    if (trusted(rung, a, b, q_.clearance) == is_within) return;
+  void score(Score& s, bool said, bool is_within, double d, std::size_t configuration) const {
+    if (said == is_within) return;
     ++s.wrong;
-    if (is_within)
-      s.missed = std::max(s.missed, q_.clearance - d);
-    else
-      s.alarm = std::max(s.alarm, d - q_.clearance);
+    const double by = is_within ? q_.clearance - d : d - q_.clearance;
+    double& worst = is_within ? s.missed : s.alarm;
+    if (by <= worst) return;
+    worst = by;
+    (is_within ? s.missed_in : s.alarm_in) = configuration;
   }
 
   void check_plans(std::size_t configuration) {
@@ -148,8 +147,8 @@ class Study {
 
   void measure() {
     const std::size_t pairs = std::max<std::size_t>(1, result_.pairs.size());
-    const std::size_t count =
-        std::min({timed_cap, result_.configurations, std::max<std::size_t>(1, timed_pairs_cap / pairs)});
+    const std::size_t turns = std::min(timed_cap, std::max<std::size_t>(1, timed_pairs_cap / pairs));
+    const std::size_t count = std::min(turns, result_.configurations);
     std::vector<std::vector<double>> drawn;
     std::vector<std::vector<Cylinder>> placed;
     std::vector<std::vector<Models>> models;
@@ -162,10 +161,10 @@ class Study {
       return turn_cost(
                  [&](std::span<const std::size_t> order) {
                    double sum = 0;
-                   for (const std::size_t k : order) sum += once(k);
+                   for (const std::size_t turn : order) sum += once(turn % count);
                    keep(sum);
                  },
-                 count, timed_least)
+                 turns, timed_least)
           .ns;
     };
     std::vector<Cylinder> into;
@@ -179,6 +178,7 @@ class Study {
       return made.empty() ? 0 : made.back().ball;
     });
     const auto ask_all = [&](const auto& ask) {
+      if (result_.pairs.empty()) return 0.0;
       return time([&](std::size_t k) {
         int hits = 0;
         for (const PairStudy& pair : result_.pairs) hits += ask(pair, models[k][pair.a], models[k][pair.b]);
@@ -222,6 +222,25 @@ double weight_of(const Plan& plan, const PairStudy& pair) {
 
 }  // namespace
 
+std::vector<double> joints_of(const Scene& scene, const SceneQuestion& question, std::size_t configuration) {
+  if (moves(scene) && question.at.empty()) return draw_joints(scene, question.seed, configuration);
+  return joints_at(scene, question.at);
+}
+
+Total total_of(const SceneStudy& study, Rung rung, double tolerated) {
+  Total t;
+  for (const PairStudy& pair : study.pairs) {
+    const Score& score = pair.alone[index_of(rung)];
+    t.decided += pair.decided[index_of(rung)];
+    t.suffices += suffices(pair, rung, tolerated);
+    t.wrong += score.wrong;
+    t.wrong_pairs += score.wrong > 0;
+    t.alarm = std::max(t.alarm, score.alarm);
+    t.missed = std::max(t.missed, score.missed);
+  }
+  return t;
+}
+
 std::optional<bool> referee_within(const Pair& pair, double clearance) {
   if (clearance == 0) {
     const Verdict verdict = judge_verdict(pair).verdict;
@@ -236,6 +255,12 @@ std::optional<bool> referee_within(const Pair& pair, double clearance) {
 bool suffices(const PairStudy& pair, Rung rung, double tolerated) {
   const Score& s = pair.alone[index_of(rung)];
   return s.wrong == 0 || (s.missed == 0 && s.alarm > 0 && s.alarm <= tolerated);
+}
+
+Rung needed(const PairStudy& pair, double tolerated) {
+  for (const Rung rung : {Rung::sphere, Rung::outer, Rung::cylinder, Rung::distance})
+    if (suffices(pair, rung, tolerated)) return rung;
+  return Rung::certified;
 }
 
 Plan recommend(const PairStudy& pair, double tolerated) {

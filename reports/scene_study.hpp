@@ -17,6 +17,7 @@
 namespace cyl {
 
 struct SceneQuestion {
+  std::string file;      ///< where the scene comes from, to be told
   double clearance = 0;  ///< is any pair this near or nearer? The scene's unit
   double tolerated =
       0;  ///< false alarms that nobody minds: of pairs farther than the clearance by up to this
@@ -32,9 +33,10 @@ inline constexpr std::size_t verified_cap = 100'000;
 
 /// A model trusted alone.
 struct Score {
-  std::size_t wrong = 0;  ///< of the samples
-  double alarm = 0;       ///< the farthest beyond the clearance that it says within
-  double missed = 0;      ///< the deepest below the clearance that it says apart
+  std::size_t wrong = 0;                    ///< of the samples
+  double alarm = 0;                         ///< the farthest beyond the clearance that it says within
+  double missed = 0;                        ///< the deepest below the clearance that it says apart
+  std::size_t alarm_in = 0, missed_in = 0;  ///< the configurations of those two
 };
 
 /// One pair over all configurations.
@@ -82,13 +84,46 @@ inline constexpr std::size_t study_cap = 1000;
 
 /// For people; the seed first.
 std::string study_text(const Scene& scene, const SceneQuestion& question, const SceneStudy& study);
+
+/// What `study_text` says in sentences, for others to say the same; empty where there is nothing to say.
+struct StudyWords {
+  std::string counts;                 ///< "20 cylinders on 20 links, 18 free joints"
+  std::vector<std::string> left_out;  ///< "17 box (base, ...)"
+  std::string pairs;                  ///< how many are checked, and why others are not
+  std::string configurations;
+  std::string enough;       ///< for how many pairs spheres and capsules suffice
+  std::string recommended;  ///< "spheres for 112 pairs, cylinders for 59 pairs"
+  std::string cost;         ///< "0.54 us a configuration, against ..."
+  std::string forgiven;     ///< false alarms that are tolerated
+  std::string capsules;     ///< whether they may stand in for every cylinder
+  std::string closest;      ///< the closest call, and how exact an answer must be
+  std::string verified;
+};
+StudyWords words_of(const Scene& scene, const SceneQuestion& question, const SceneStudy& study);
+
+/// The study with its words and the configurations worth a look (scene_kept.hpp), as
+/// reports/schemas/scene.json describes it; a page is drawn from it alone.
 std::string study_json(const Scene& scene, const SceneQuestion& question, const SceneStudy& study);
+
+/// A model over all pairs.
+struct Total {
+  std::size_t decided = 0, suffices = 0, wrong = 0, wrong_pairs = 0;
+  double alarm = 0, missed = 0;
+};
+Total total_of(const SceneStudy& study, Rung rung, double tolerated);
+
+/// The joints of one of the study's configurations.
+std::vector<double> joints_of(const Scene& scene, const SceneQuestion& question, std::size_t configuration);
 
 /// The referee's word on whether a pair is within the clearance; nothing where it has none.
 std::optional<bool> referee_within(const Pair& pair, double clearance);
 
 /// Whether a model alone answers all samples right, but for false alarms that are tolerated.
 bool suffices(const PairStudy& pair, Rung rung, double tolerated);
+
+/// The simplest model that alone answers all samples of a pair right: sphere, capsule, cylinder, distance,
+/// proof. What is cheapest is another question: `recommend`.
+Rung needed(const PairStudy& pair, double tolerated);
 
 /// The cheapest model that answers all samples of a pair right (but for tolerated alarms), and before it
 /// those that save more than they cost, by `rung_weight`.

@@ -3,9 +3,11 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "corpus/scene_files.hpp"
+#include "solver/distance.hpp"
 
 namespace cyl {
 namespace {
@@ -75,6 +77,7 @@ TEST(Study, TheSameTwiceButForTimes) {
   const auto told = [&] {
     auto object = nlohmann::json::parse(study_json(scene, q, study_scene(scene, q)));
     EXPECT_EQ(object.erase("ns_per_configuration"), 1u);
+    EXPECT_EQ(object["words"].erase("cost"), 1u);
     return object;
   };
   const auto first = told();
@@ -82,6 +85,44 @@ TEST(Study, TheSameTwiceButForTimes) {
   EXPECT_EQ(first["cylinders"], 7);
   EXPECT_EQ(first["pairs"].size(), first["pairs_checked"]);
   EXPECT_EQ(first["left_out"].size(), 2u);
+}
+
+TEST(Study, NeedsTheSimplestThatSuffices) {
+  const Scene scene = read_scene(folder + "twenty.urdf");
+  const SceneStudy s = study_scene(scene, question(0, 0, 100));
+  std::array<std::size_t, rung_count> count{};
+  for (const PairStudy& pair : s.pairs) {
+    const Rung rung = needed(pair, 0);
+    ++count[static_cast<std::size_t>(rung)];
+    EXPECT_TRUE(suffices(pair, rung, 0));
+    EXPECT_EQ(suffices(pair, Rung::sphere, 0), rung == Rung::sphere);
+    EXPECT_TRUE(rung == Rung::sphere || suffices(pair, Rung::outer, 0) == (rung == Rung::outer));
+  }
+  EXPECT_EQ(count[0], total_of(s, Rung::sphere, 0).suffices);
+  EXPECT_GT(count[1], 0u);
+  EXPECT_EQ(count[2], 0u);
+  EXPECT_GT(count[3], 0u);
+}
+
+TEST(Study, TellsWhereAModelIsWrongByMost) {
+  const Scene scene = read_scene(folder + "twenty.urdf");
+  const SceneQuestion q = question(0, 0, 100);
+  const SceneStudy s = study_scene(scene, q);
+  const auto least = [&](auto length, auto where) {
+    std::size_t asked = 0;
+    for (const PairStudy& pair : s.pairs) {
+      for (const Rung rung : {Rung::sphere, Rung::outer, Rung::inner}) {
+        const Score& score = pair.alone[static_cast<std::size_t>(rung)];
+        if (score.*length == 0) continue;
+        ++asked;
+        const auto placed = place(scene, joints_of(scene, q, score.*where));
+        EXPECT_EQ(std::fabs(distance(placed[pair.a], placed[pair.b]).value), score.*length);
+      }
+    }
+    return asked;
+  };
+  EXPECT_GT(least(&Score::alarm, &Score::alarm_in), 20u);
+  EXPECT_GT(least(&Score::missed, &Score::missed_in), 5u);
 }
 
 TEST(Study, SaysItInWords) {

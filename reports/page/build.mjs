@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
-// Builds what is committed: ../report_template.html, the page without its data, and chart.mjs, the plots for Node.
-//     npm ci && node build.mjs            writes both
-//     node build.mjs --check              says whether both are what these sources give; exit status 1 where not
-// The same sources and package-lock.json give the same bytes. Both carry the hash of what they were built from, which
+// Builds what is committed: ../report_template.html and ../scene_template.html, the pages of a run and of a scene without
+// their data, and chart.mjs, the plots for Node.
+//     npm ci && node build.mjs            writes all
+//     node build.mjs --check              says whether all are what these sources give; exit status 1 where not
+// The same sources and package-lock.json give the same bytes. All carry the hash of what they were built from, which
 // stamp_test.mjs holds against the sources without npm.
 import { createHash } from "node:crypto";
 import { existsSync, readFileSync, writeFileSync } from "node:fs";
@@ -32,8 +33,8 @@ async function bundle(options) {
   return { text: outputFiles[0].text, licences: licences(metafile) };
 }
 
-async function page() {
-  const bundled = await bundle({ entryPoints: ["main.tsx"], format: "iife", target: "es2022" });
+async function page(entry) {
+  const bundled = await bundle({ entryPoints: [entry], format: "iife", target: "es2022" });
   const script = bundled.text.trimEnd().replaceAll("</script", "<\\/script").replaceAll("<!--", "<\\!--");
   const style = (await bundle({ entryPoints: ["style.css"] })).text.trimEnd();
   const hash = (text) => `'sha256-${createHash("sha256").update(text).digest("base64")}'`;
@@ -49,7 +50,7 @@ async function chart() {
   return `// SPDX-License-Identifier: MIT\n// Built by build.mjs, not written by hand. Sources: ${stamp}\n/* It holds\n\n${bundled.licences}\n*/\n${bundled.text}`;
 }
 
-const outputs = [["../report_template.html", await page()], ["chart.mjs", await chart()]];
+const outputs = [["../report_template.html", await page("main.tsx")], ["../scene_template.html", await page("study_main.tsx")], ["chart.mjs", await chart()]];
 let stale = false;
 for (const [name, text] of outputs) {
   const file = new URL(name, here);

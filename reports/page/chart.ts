@@ -12,6 +12,7 @@ import { grouped, library } from "./words.ts";
 
 export { exact, floor_sqrt, prove } from "./prove.ts";
 export { chip_counts, filter_of, filtered, rows_of, sorted } from "./filter.ts";
+export { frame_of, stand_in } from "./study.ts";
 export { expand, pareto };
 
 /** Points of a file's width; text is 11 of them high. */

@@ -8,8 +8,8 @@ import { chip_counts, charts, expand, filter_of, filtered, pareto, plain_documen
 import { sample } from "./sample.mjs";
 import { sources_hash } from "./stamp.mjs";
 
-test("the committed page and charts were built from the committed sources", () => {
-  for (const file of ["../report_template.html", "chart.mjs"])
+test("the committed pages and charts were built from the committed sources", () => {
+  for (const file of ["../report_template.html", "../scene_template.html", "chart.mjs"])
     assert.ok(readFileSync(new URL(file, import.meta.url), "utf8").slice(0, 400).includes(sources_hash()), `${file} is older than its sources: run node build.mjs`);
 });
 

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
-// The causes (buckets), and every finding that was kept: filtered by chips, sorted by columns; only the rows on the
-// screen are elements.
-import { useEffect, useLayoutEffect, useMemo, useRef, useState } from "preact/hooks";
+// The causes (buckets), and every finding that was kept: filtered by chips, sorted by columns.
+import { useEffect, useMemo, useState } from "preact/hooks";
 import type { Bucket } from "./data.ts";
 import { chip_counts, columns, facets, filter_of, filtered, no_filter, rows_of, sorted, type Column, type Facet, type Filter, type Order, type Row } from "./filter.ts";
 import { Missing, Section } from "./parts.tsx";
 import type { FullReport } from "./report.ts";
+import { VirtualTable, type ColumnOf } from "./table.tsx";
 import { grouped, in_order, kind_words, percent, plural, range, safe, severity_words, short } from "./words.ts";
 
-const row_height = 25, table_rows = 22, spare_rows = 8;
+const row_height = 25, table_rows = 22;
 const titles: Record<Column, string> = { id: "#", severity: "severity", kind: "kind", method: "method", family: "family", margin: "margin", bucket: "cause", standing: "standing" };
 const facet_titles: Record<Facet, string> = { severity: "Severity", kind: "Kind", library: "Library", family: "Family", standing: "Standing" };
 const numeric = new Set<Column>(["id", "margin"]);
@@ -72,64 +72,16 @@ const cell_of: Record<Column, (row: Row) => string> = {
   family: (r) => kind_words(r.f.family), margin: (r) => short(r.f.margin?.[0]), bucket: (r) => r.f.bucket ?? "", standing: (r) => r.standing ?? "" };
 
 function Table({ rows, order, set_order }: { rows: Row[]; order: Order; set_order: (order: Order) => void }) {
-  const box = useRef<HTMLDivElement>(null);
-  const [top, scrolled] = useState(0);
   const [at, move] = useState(-1);
-  useEffect(() => {
-    move(-1);
-    if (box.current) box.current.scrollTop = 0;
-    scrolled(0);
-  }, [rows]);
-  const first = Math.max(0, Math.floor(top / row_height) - spare_rows), last = Math.min(rows.length, first + table_rows + 2 * spare_rows);
-  const columns_shown = columns.filter((c) => (c !== "bucket" || rows.some((r) => r.f.bucket !== null)) && (c !== "standing" || rows.some((r) => r.standing !== null)));
-
-  useLayoutEffect(() => {
-    const element = box.current;
-    if (!element || at < 0) return;
-    const y = at * row_height, head = row_height;
-    if (y < element.scrollTop) element.scrollTop = y;
-    else if (y + head + row_height > element.scrollTop + element.clientHeight - head) element.scrollTop = y + 2 * head + row_height - element.clientHeight;
-  }, [at]);
-  const press = (event: KeyboardEvent) => {
-    const page = table_rows - 2;
-    const step = { ArrowDown: 1, ArrowUp: -1, PageDown: page, PageUp: -page, Home: -rows.length, End: rows.length, j: 1, k: -1 }[event.key];
-    if (step !== undefined && rows.length > 0) {
-      move((was) => Math.min(rows.length - 1, Math.max(0, was + step)));
-      event.preventDefault();
-    } else if (event.key === "Enter" && at >= 0 && event.target === box.current) {
-      location.hash = `#/finding/${rows[at]!.f.id}`;
-    }
-  };
-  const turn = (column: Column) => set_order({ column, down: order.column === column ? !order.down : column === "margin" });
-  return (
-    <div class="virtual" ref={box} tabIndex={0} role="region" aria-label="Findings; arrow keys choose one, Enter opens it" onKeyDown={press}
-      onScroll={(event) => scrolled(event.currentTarget.scrollTop)} style={{ maxHeight: `${(table_rows + 1) * row_height}px` }}>
-      <table class="plain findings" aria-rowcount={rows.length + 1}>
-        <thead>
-          <tr aria-rowindex={1}>
-            {columns_shown.map((c) => (
-              <th scope="col" class={`c-${c} ${numeric.has(c) ? "n" : ""}`} aria-sort={order.column === c ? (order.down ? "descending" : "ascending") : "none"} key={c}>
-                <button type="button" onClick={() => turn(c)}>{titles[c]}</button>
-              </th>
-            ))}
-          </tr>
-        </thead>
-        <tbody>
-          <tr class="spacer" aria-hidden="true" style={{ height: `${first * row_height}px` }}><td colSpan={columns_shown.length} /></tr>
-          {rows.slice(first, last).map((r, i) => (
-            <tr key={r.f.id} aria-rowindex={first + i + 2} class={first + i === at ? "at" : ""} aria-selected={first + i === at} onClick={() => { location.hash = `#/finding/${r.f.id}`; }}>
-              {columns_shown.map((c) => (
-                <td class={`c-${c} ${numeric.has(c) ? "n" : ""} ${c === "severity" && r.f.severity === "contract" ? "bad" : ""}`} title={c === "bucket" ? safe(cell_of[c](r)) : undefined} key={c}>
-                  {c === "id" ? <a href={`#/finding/${r.f.id}`} tabIndex={-1} onClick={(event) => event.stopPropagation()}>{r.f.id}</a> : safe(cell_of[c](r))}
-                </td>
-              ))}
-            </tr>
-          ))}
-          <tr class="spacer" aria-hidden="true" style={{ height: `${(rows.length - last) * row_height}px` }}><td colSpan={columns_shown.length} /></tr>
-        </tbody>
-      </table>
-    </div>
-  );
+  useEffect(() => move(-1), [rows]);
+  const shown = columns.filter((c) => (c !== "bucket" || rows.some((r) => r.f.bucket !== null)) && (c !== "standing" || rows.some((r) => r.standing !== null)));
+  const told = shown.map((c): ColumnOf<Row> => ({
+    key: c, title: titles[c], numeric: numeric.has(c), bad: (r) => c === "severity" && r.f.severity === "contract",
+    ...(c === "bucket" ? { hint: (r: Row) => safe(cell_of[c](r)) } : {}),
+    cell: (r) => c === "id" ? <a href={`#/finding/${r.f.id}`} tabIndex={-1} onClick={(event) => event.stopPropagation()}>{r.f.id}</a> : safe(cell_of[c](r)) }));
+  const turn = (column: string) => set_order({ column: column as Column, down: order.column === column ? !order.down : column === "margin" });
+  return <VirtualTable rows={rows} columns={told} key_of={(r) => r.f.id} label="Findings; arrow keys choose one, Enter opens it" order={order} turn={turn}
+    at={at} move={move} open={(r) => { location.hash = `#/finding/${r.f.id}`; }} row_height={row_height} rows_shown={table_rows} />;
 }
 
 export function Findings({ report, query }: { report: FullReport; query: URLSearchParams | null }) {

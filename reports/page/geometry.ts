@@ -28,6 +28,8 @@ export function square_to(n: Vec): [Vec, Vec] {
 }
 
 export interface Solid { center: Vec; axis: Vec; radius: number; half: number }
+/** All points within a radius of a segment; of half 0: a ball. */
+export interface Capsule { center: Vec; axis: Vec; half: number; radius: number }
 export interface Drawing {
   a: Solid; b: Solid;
   unit: number;                     // length of the scene that is drawn as 1

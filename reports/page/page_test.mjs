@@ -6,52 +6,27 @@
 //     node page_test.mjs --times FINDINGS         how long such a night takes to open and to filter
 // Exit status 77, and why, where there is no browser or no playwright-core.
 import assert from "node:assert/strict";
-import { existsSync, mkdirSync, mkdtempSync, rmSync, writeFileSync } from "node:fs";
-import { tmpdir } from "node:os";
+import { mkdirSync, writeFileSync } from "node:fs";
 import { join, resolve } from "node:path";
 import { pathToFileURL } from "node:url";
+import { asked, browser, colours, errors, folder, open, settled, without_webgl } from "./browser.mjs";
 import { filled, sample } from "./sample.mjs";
 
-function skip(why) {
-  console.log(`skipped: ${why}`);
-  process.exit(77);
-}
-
-const browser_file = ["/usr/bin/chromium", "/usr/bin/chromium-browser", "/usr/bin/google-chrome"].find(existsSync) ?? skip("no chromium here (apt-get install chromium)");
-const { chromium } = await import("playwright-core").catch(() => skip("no playwright-core here (npm ci in reports/page)"));
 const [option, argument, given] = process.argv.slice(2);
-const folder = mkdtempSync(join(tmpdir(), "daylight-page-"));
-process.on("exit", () => rmSync(folder, { recursive: true }));
 let address = "";
 
 function write(report) {
   writeFileSync(join(folder, "report.html"), filled(report));
   address = pathToFileURL(join(folder, "report.html")).href;
 }
-const browser = await chromium.launch({ executablePath: browser_file });
-const errors = [], asked = [];
-
-/** `first`: what runs before the page does. */
-async function open(scheme = "light", first) {
-  const context = await browser.newContext({ colorScheme: scheme, viewport: { width: 1366, height: 850 }, offline: true });
-  const page = await context.newPage();
-  if (first) await page.addInitScript(first);
-  page.on("console", (m) => { if (m.type() === "error") errors.push(m.text()); });
-  page.on("pageerror", (e) => errors.push(String(e)));
-  page.on("request", (r) => { if (!/^(file|data|blob):/.test(r.url())) asked.push(r.url()); });
-  await page.goto(address);
-  return page;
-}
-
-/** Until what was done is drawn. */
-const settled = (page) => page.evaluate(() => new Promise((done) => { requestAnimationFrame(() => requestAnimationFrame(() => setTimeout(done, 60))); }));
+const open_page = (options) => open(address, options);
 
 const rows_told = async (page) => (await settled(page), Number((await page.locator(".filters [role=status]").innerText()).split(" ")[0].replaceAll(",", "")));
 
 async function shots(to) {
   mkdirSync(to, { recursive: true });
   for (const scheme of ["light", "dark"]) {
-    const page = await open(scheme);
+    const page = await open_page({ scheme });
     for (const id of ["summary", "findings", "speed", "maps", "honesty", "stability", "methods", "faults"]) {
       const section = page.locator(`section#${id}`);
       await section.scrollIntoViewIfNeeded();
@@ -69,7 +44,7 @@ async function shots(to) {
     }
     await page.context().close();
   }
-  const page = await open();
+  const page = await open_page();
   await page.emulateMedia({ media: "print" });
   await page.pdf({ path: `${to}/print.pdf` }).catch(() => {});
 }
@@ -112,17 +87,6 @@ async function reads_the_findings(page) {
   await settled(page);
   assert.equal(await page.locator("main.overview").isVisible(), true);
 }
-
-/** Different colours on the canvas. */
-const colours = async (page) => (await settled(page), page.evaluate(() => {
-  const canvas = document.querySelector(".stage canvas");
-  const flat = Object.assign(document.createElement("canvas"), { width: canvas.width, height: canvas.height }).getContext("2d");
-  flat.drawImage(canvas, 0, 0);
-  const data = new Uint32Array(flat.getImageData(0, 0, canvas.width, canvas.height).data.buffer);
-  let hash = 0;
-  for (const pixel of data) hash = (Math.imul(hash, 31) + pixel) | 0;
-  return { count: new Set(data).size, hash };
-}));
 
 async function proves_and_turns(page) {
   const first = await colours(page);
@@ -223,7 +187,7 @@ async function fits_a_laptop(page) {
 /** What a run without triage and bench has: each gap names the command that fills it. */
 async function says_what_is_missing() {
   write({ ...sample(40), buckets: [], maps: [], honesty: [], speed: [], cost: [], paths: [], backward: [], builds: [], kill_matrix: null, history: null, alarm: null });
-  const page = await open();
+  const page = await open_page();
   const commands = await page.locator(".missing code").allInnerTexts();
   assert.equal(commands.length, 9);
   assert.ok(commands.every((c) => c.startsWith("./daylight ")), commands.join());
@@ -238,7 +202,7 @@ async function shows_hostile_text_as_text() {
   report.methods[0].name = report.methods[0].claim.source = hostile;
   report.cases[0].note = hostile;
   write(report);
-  const page = await open();
+  const page = await open_page();
   await page.evaluate(() => { location.hash = "#/finding/1"; });
   await page.waitForSelector(".case");
   assert.equal(await page.locator("img").count(), 0);
@@ -248,7 +212,7 @@ async function shows_hostile_text_as_text() {
 
 async function draws_lines_without_webgl() {
   write(sample(8));
-  const page = await open("light", () => { HTMLCanvasElement.prototype.getContext = () => null; });
+  const page = await open_page({ first: without_webgl });
   await page.evaluate(() => { location.hash = "#/finding/1"; });
   await page.waitForSelector(".stage.flat svg.projection");
   assert.ok(await page.locator(".projection").isVisible());
@@ -260,7 +224,7 @@ async function draws_lines_without_webgl() {
 async function test() {
   const report = sample(400);
   write(report);
-  const page = await open();
+  const page = await open_page();
   for (const step of [reads_the_findings, reads_a_cause, (p) => reads_a_narrow_gap(p, report), follows_a_heat_cell, draws_every_plot, follows_the_plots, fits_a_laptop]) await step(page);
   await page.context().close();
   assert.deepEqual(errors, []);
@@ -273,7 +237,7 @@ async function test() {
 
 async function times(findings) {
   write(sample(findings));
-  const page = await open();
+  const page = await open_page();
   await page.waitForSelector(".findings tbody tr");
   const loaded = await page.evaluate(() => performance.now());
   const filter = await page.evaluate(async () => {

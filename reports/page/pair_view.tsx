@@ -1,18 +1,33 @@
 // SPDX-License-Identifier: MIT
 // Both solids, to be turned; close up, and with a gap too narrow to see drawn wider, which is said.
 import { useLayoutEffect, useMemo, useRef, useState } from "preact/hooks";
-import type { Case } from "./data.ts";
-import { drawing_of, exaggerated, exaggeration } from "./geometry.ts";
+import type { Case, Vec } from "./data.ts";
+import { add, drawing_of, exaggerated, exaggeration, scale, square_to, type Drawing } from "./geometry.ts";
+import { colour } from "./parts.tsx";
 import { Projection } from "./projection.tsx";
-import { the_stage, view_of } from "./scene.ts";
+import { line, mark, plane, solid, the_stage, type View } from "./stage.ts";
 import { short } from "./words.ts";
-
-const colour = (name: string) => getComputedStyle(document.documentElement).getPropertyValue(name).trim();
 
 /** Gaps narrower than this part of what can be seen are widened before anybody asks. */
 const widened_at_once = 20;
 /** A solid this many times smaller than the other is not seen beside it. */
 const uneven = 300;
+
+/** Looking across the direction of the gap, a little from above; a lies left of b. */
+function view_of(d: Drawing, close: boolean): View {
+  const along: Vec = d.direction ?? [1, 0, 0], [u, v] = square_to(along);
+  const eye = add(add(scale(u, -0.85), scale(v, 0.4)), scale(along, 0.25));
+  return { eye, up: v, target: close ? d.contact : [0, 0, 0], radius: close ? 0.25 * d.extent : 1.12 * d.extent };
+}
+
+function objects_of(d: Drawing) {
+  const a = colour("--solid-a"), b = colour("--solid-b"), fg = colour("--fg");
+  return [
+    solid(d.a, a, d.extent), solid(d.b, b, d.extent),
+    ...(d.plane && d.direction ? [plane(d.plane, d.direction, 1.5 * d.extent, colour("--grey"))] : []),
+    ...(d.near ? [mark(d.near.a, a), mark(d.near.b, b), line([d.near.a, d.near.b], fg, { on_top: true })] : []),
+    ...(d.point ? [mark(d.point, fg)] : [])];
+}
 
 export function PairView({ shown }: { shown: Case }) {
   const place = useRef<HTMLDivElement>(null);
@@ -30,7 +45,7 @@ export function PairView({ shown }: { shown: Case }) {
     if (!stage || !place.current) return;
     place.current.append(stage.canvas);
     const paint = () => {
-      stage.show(drawing, { a: colour("--solid-a"), b: colour("--solid-b"), plane: colour("--grey"), point: colour("--fg"), line: colour("--fg") });
+      stage.show(objects_of(drawing));
       stage.draw();
     };
     paint();

@@ -5,6 +5,9 @@ import { useEffect, useRef, useState } from "preact/hooks";
 import type { Report } from "./data.ts";
 import { shell_quoted } from "./words.ts";
 
+/** A colour of style.css, for what is no element. */
+export const colour = (name: string) => getComputedStyle(document.documentElement).getPropertyValue(name).trim();
+
 export function Section({ id, title, lead, children }: { id: string; title: string; lead?: ComponentChildren; children: ComponentChildren }) {
   return (
     <section id={id} aria-labelledby={`${id}-title`}>

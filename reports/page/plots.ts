@@ -35,7 +35,7 @@ export const screen: Theme = {
 const power = (d: number) => (d === 0 ? "1" : `1e${d < 0 ? "\u2212" : ""}${Math.abs(d)}`);
 const log_tick = (x: number) => power(Math.round(Math.log10(x)));
 /** Powers of ten that the values span. */
-function decades(values: number[]): number[] {
+export function decades(values: number[]): number[] {
   const logs = values.filter((v) => v > 0).map(Math.log10);
   if (logs.length === 0) return [1];
   const low = Math.floor(Math.min(...logs)), high = Math.ceil(Math.max(...logs));
@@ -43,9 +43,9 @@ function decades(values: number[]): number[] {
 }
 /** A power of ten below `x`, where none is drawn on a logarithmic axis: only such ticks are labelled. */
 const below = (x: number) => 10 ** (Math.ceil(Math.log10(x)) - 1);
-const time_tick = (ns: number) => time(ns);
+export const time_tick = (ns: number) => time(ns);
 
-function common(o: Options, height: number, more: Plot.PlotOptions): Plot.PlotOptions {
+export function common(o: Options, height: number, more: Plot.PlotOptions): Plot.PlotOptions {
   return {
     width: o.width, height, marginLeft: 56, marginBottom: 42, marginRight: 30, marginTop: 22,
     style: { background: "transparent", color: o.theme.fg, fontFamily: "system-ui, sans-serif", fontSize: "11px", overflow: "visible" },

@@ -25,9 +25,14 @@ export function expand(report: Report): FullReport {
 }
 
 /** From the element that the C++ side fills; a template that nobody filled has none. */
-export function load(document: Document): FullReport | null {
+export function data_of(document: Document, reviver?: (key: string, value: unknown) => unknown): unknown {
   const text = document.getElementById("report-data")?.textContent ?? "";
-  return text.startsWith("{") ? expand(JSON.parse(text) as Report) : null;
+  return text.startsWith("{") ? JSON.parse(text, reviver) : null;
+}
+
+export function load(document: Document): FullReport | null {
+  const report = data_of(document) as Report | null;
+  return report && expand(report);
 }
 
 /** How a finding stands against earlier runs: as its bucket does, else as its group. */

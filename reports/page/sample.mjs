@@ -102,9 +102,9 @@ export function sample(findings_total = 400) {
     buckets, findings, findings_total: findings_total * 5, cases, names: methods, maps, honesty, speed, cost, paths, backward, builds };
 }
 
-/** The template with that report in it, as reports/page.cpp fills it. */
-export function filled(report) {
-  const template = readFileSync(new URL("../report_template.html", import.meta.url), "utf8");
+/** A template with its data in it, as reports/page.cpp fills it. */
+export function filled(report, name = "report") {
+  const template = readFileSync(new URL(`../${name}_template.html`, import.meta.url), "utf8");
   return template.replace("@@DAYLIGHT_REPORT_DATA@@", () => JSON.stringify(report).replaceAll("<", "\\u003c"));
 }
 

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: MIT
+// What is written, held against reports/schemas/ by programs that know the schema languages.
+#pragma once
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <string>
+
+namespace cyl {
+
+/// A file of this process, removed with the object.
+class ScratchFile {
+ public:
+  explicit ScratchFile(const std::string& content)
+      : path(std::filesystem::temp_directory_path() /
+             ("daylight_scratch_" + std::to_string(getpid()) + "_" +
+              testing::UnitTest::GetInstance()->current_test_info()->name())) {
+    std::ofstream(path, std::ios::binary) << content;
+  }
+  ScratchFile(const ScratchFile&) = delete;
+  ScratchFile& operator=(const ScratchFile&) = delete;
+  ~ScratchFile() { std::filesystem::remove(path); }
+  const std::filesystem::path path;
+};
+
+/// Whether a shell command succeeds, its own words kept off the terminal.
+inline bool succeeds(const std::string& command) {
+  return std::system(("(" + command + ") >/dev/null 2>&1").c_str()) == 0;
+}
+
+/// A Python with the module jsonschema; empty where there is none (Debian: python3-jsonschema).
+inline std::string schema_python() {  // the system's own has the Debian package, another one may come first
+  for (const char* name : {"/usr/bin/python3", "python3"})
+    if (succeeds(std::string(name) + " -c 'import jsonschema'")) return name;
+  return {};
+}
+
+/// Whether a JSON document keeps to a schema (of draft 7, in reports/schemas/), which is one itself.
+inline bool keeps_to(const std::string& schema, const std::string& document) {
+  const ScratchFile file(document);
+  return succeeds(
+      schema_python() +
+      " -c 'import json, sys, jsonschema; s, d = (json.load(open(f, encoding=\"utf-8\")) for f in "
+      "sys.argv[1:]); jsonschema.Draft7Validator.check_schema(s); "
+      "jsonschema.Draft7Validator(s).validate(d)' '" DAYLIGHT_SOURCE_DIR "/reports/schemas/" +
+      schema + "' '" + file.path.string() + "'");
+}
+
+}  // namespace cyl
