@@ -58,7 +58,7 @@ std::string claim_in_words(const Claim& claim) {
 }
 
 std::string methods_table(const GateReport& report) {
-  constexpr const char* row = "{:<28} {:<16} {:>13} {:>11} {:>11} {:>9}\n";
+  constexpr const char* row = "{:<28} {:<16} {:>15} {:>11} {:>11} {:>9}\n";
   std::string text =
       fmt::format(fmt::runtime(row), "method", "version", "asked", "declined", "undecided", "failed");
   for (const GateMethod& m : report.methods) {
@@ -150,13 +150,13 @@ std::string cells_table(const GateMethod& m) {
                       "wrong; in brackets: not claimed",
                       one_line(m.name)));
   text += fmt::format("{:<8}", "margin");
-  for (const std::string_view feature : features) text += fmt::format("{:>13}", feature);
+  for (const std::string_view feature : features) text += fmt::format("{:>15}", feature);
   text += '\n';
   for (const auto& [decade, row] : rows) {
     text += fmt::format("{:<8}", power(decade));
     for (const std::string_view feature : features) {
       const auto found = row.find(feature);
-      text += fmt::format("{:>13}", found == row.end() ? "" : found->second);
+      text += fmt::format("{:>15}", found == row.end() ? "" : found->second);
     }
     text += '\n';
   }

@@ -103,9 +103,10 @@ std::string needs_more(const Scene& scene, const SceneQuestion& q, const SceneSt
       ++more;
       continue;
     }
-    text += fmt::format("  {} - {}: {} (capsules: {} false alarms, up to {:.3g})\n", body(scene, pair.a),
-                        body(scene, pair.b), plan_words(pair.plan), pair.alone[index_of(Rung::outer)].wrong,
-                        pair.alone[index_of(Rung::outer)].alarm);
+    const Score& capsules = pair.alone[index_of(Rung::outer)];
+    text += fmt::format("  {} - {}: {} (capsules: {} false alarm{}, up to {:.3g})\n", body(scene, pair.a),
+                        body(scene, pair.b), plan_words(pair.plan), capsules.wrong,
+                        capsules.wrong == 1 ? "" : "s", capsules.alarm);
   }
   return more ? text + fmt::format("  and {} more\n", more) : text;
 }
