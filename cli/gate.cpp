@@ -89,14 +89,19 @@ int reproduce(const Arguments& arguments, std::span<const std::unique_ptr<Method
   return broken ? exit_findings : exit_pass;
 }
 
-/// The options of another command that has it ask the same methods.
-std::string methods_asked(std::span<const std::unique_ptr<Method>> methods, std::span<const Guest> guests) {
+/// The options of `replay` that have it ask the same methods, and hold them to the laws that failed.
+std::string replay_options(const GateReport& report, std::span<const std::unique_ptr<Method>> methods,
+                           std::span<const Guest> guests) {
   std::string options = " --methods ", comma;
   for (const auto& method : methods) {
     options += comma + shell_quoted(method->name());
     comma = ",";
   }
   for (const Guest& guest : guests) options += ' ' + options_for(guest);
+  std::set<int> laws;
+  for (const GateFailure& f : report.failures)
+    if (fails_gate(f) && !is_told_by_answer(*f.law)) laws.insert(f.law->number);
+  if (!laws.empty()) options += fmt::format(" --laws {}", fmt::join(laws, ","));
   return options;
 }
 
@@ -118,6 +123,7 @@ int gate(const Arguments& arguments) {
   if (!arguments.against.empty()) {
     base = read_base(arguments.against);
     options.seed = base.seed;
+    options.budget = base.budget;
     options.amount = base.amount;
   }
   const std::vector<Suppression> suppressions =
@@ -132,7 +138,7 @@ int gate(const Arguments& arguments) {
       if (!line.due(p.elapsed)) return;
       line.show(p.elapsed,
                 static_cast<double>(p.elapsed.count()) / static_cast<double>(options.budget.count()),
-                fmt::format("{}: {} pairs; {} kinds of failure", to_string(p.phase), p.pairs, p.failures));
+                fmt::format("{}: {} pairs; {} ways to fail", to_string(p.phase), p.pairs, p.failures));
     });
   }
   mark_known(report, base);
@@ -162,7 +168,7 @@ int gate(const Arguments& arguments) {
   for (const std::string& remark : remarks) fmt::print("{}\n", remark);
   if (!arguments.keep.empty() && std::any_of(report.failures.begin(), report.failures.end(), fails_gate))
     fmt::print("next: {} replay {}{}\n", own_command(), shell_quoted(arguments.keep),
-               methods_asked(methods, guests));
+               replay_options(report, methods, guests));
   if (!smoke.alive) throw std::runtime_error("the gate is blind: a planted fault was not caught");
   return stale > 0 ? exit_findings : exit_code(report);
 }

@@ -79,8 +79,9 @@ Company company_for(const GuestOptions& options, const std::vector<std::string>&
   Company company = with_guests(options);
   std::string missing;
   for (const std::string& target : targets) {
+    std::error_code none;  // of no name at all
     const auto of_buckets =
-        std::filesystem::absolute(target).parent_path().parent_path();  // RUN/buckets/FILE
+        std::filesystem::absolute(target, none).parent_path().parent_path();  // RUN/buckets/FILE
     for (const std::string& run : {target, target.substr(0, target.rfind(':')), of_buckets.string()}) {
       if (!holds_run(run)) continue;
       add_guests_of_run(company, run, missing);

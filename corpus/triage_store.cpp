@@ -69,6 +69,28 @@ TriageStore::TriageStore(const std::string& folder, const std::string& asked) : 
   });
 }
 
+void TriageStore::expect(const std::string& guest, const std::string& version,
+                         std::span<const std::int64_t> findings) {
+  naming(file_, [&] {
+    const std::string key = "guest " + guest;
+    if (note(*database_, key.c_str()) == version) return;
+    SQLite::Transaction transaction(*database_, SQLite::TransactionBehavior::IMMEDIATE);
+    for (const char* table : {"cause", "simple"}) {
+      SQLite::Statement drop(*database_, std::string("DELETE FROM ") + table + " WHERE finding = ?");
+      for (const std::int64_t finding : findings) {
+        drop.reset();
+        drop.bind(1, finding);
+        drop.exec();
+      }
+    }
+    SQLite::Statement drop(*database_, "DELETE FROM worst WHERE method = ?");
+    drop.bind(1, guest);
+    drop.exec();
+    set_note(*database_, key.c_str(), version);
+    transaction.commit();
+  });
+}
+
 TriageStore::TriageStore(TriageStore&&) noexcept = default;
 TriageStore::~TriageStore() = default;
 

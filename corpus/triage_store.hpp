@@ -45,9 +45,12 @@ struct WorstRecord {
 /// that names the file where it cannot be read or written.
 class TriageStore {
  public:
-  /// Creates the file where there is none. `asked`: the build, and whom it asks. What was found out of others
-  /// is dropped: causes are told by asking.
+  /// Creates the file where there is none. `asked`: the build, and whom it asks, guests apart. What was found
+  /// out of others is dropped: causes are told by asking.
   TriageStore(const std::string& folder, const std::string& asked);
+  /// The version of a guest. What another one told of these findings of it, and its buckets' worst, is
+  /// dropped.
+  void expect(const std::string& guest, const std::string& version, std::span<const std::int64_t> findings);
   TriageStore(TriageStore&&) noexcept;
   ~TriageStore();
 

@@ -128,7 +128,7 @@ else
 fi
 
 # The Debian packages hold the same, for everybody, and name what they need.
-if command -v dpkg-deb dpkg-shlibdeps file >/dev/null; then
+if command -v dpkg-deb >/dev/null && command -v dpkg-shlibdeps >/dev/null && command -v file >/dev/null; then
   packages=(daylight libdaylight-{solver,exact,oracles}-dev ${python:+python3-daylight})
   (umask 077 && cpack -G DEB --config "$build/CPackConfig.cmake" -B "$PWD/debs") >log 2>&1 || fail "$(cat log)"
   [[ $(compgen -G "debs/*.deb" | wc -l) == "${#packages[@]}" ]] || fail "$(ls debs)"

@@ -2,7 +2,9 @@
 #include "oracles/certificate.hpp"
 
 #include <array>
+#include <bit>
 #include <cmath>
+#include <cstdint>
 #include <vector>
 
 #include "oracles/wide.hpp"

@@ -206,14 +206,14 @@ TEST(GuestCommand, WhatCannotBeAskedIsRefusedAtOnce) {
 TEST(GuestNames, GivenOrDerived) {
   const auto name = [](const std::string& text) {
     Guest guest = read_guest(GuestKind::command, text);
-    return open_guest(guest)->name();
+    return std::string(open_guest(guest)->name());
   };
   EXPECT_EQ(read_guest(GuestKind::command, "mine=FOO=1 x").name, "mine");
   EXPECT_EQ(read_guest(GuestKind::command, "FOO=1 x").name, "");
   EXPECT_EQ(read_guest(GuestKind::command, "FOO=1 x").what, "FOO=1 x");
   const fs::path file = fs::temp_directory_path() / ("guest" + std::to_string(getpid()) + ".sh");
   std::ofstream(file) << each_line(say(apart)) << '\n';
-  EXPECT_EQ(std::string(name("sh  -e " + file.string() + " --fast")), file.stem().string());
+  EXPECT_EQ(name("sh  -e " + file.string() + " --fast"), file.stem().string());
   fs::remove(file);
   EXPECT_THROW(read_guest(GuestKind::command, "a\tb"), std::invalid_argument);
   EXPECT_THROW(read_guest(GuestKind::plugin, ""), std::invalid_argument);

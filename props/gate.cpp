@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <set>
 #include <tuple>
@@ -57,7 +58,7 @@ bool of_the_answer(const Law& law) { return law.kind == LawKind::answer; }
 
 /// "wrong_disjoint" of a refuted verdict, "crash" of a failure, else the law's name.
 std::string kind_of_break(const Law& law, const Broken& broken) {
-  if (law.number != 30 && law.number != 31) return std::string(law.name);
+  if (law.number != answer_law && law.number != verdict_law) return std::string(law.name);
   return broken.what.substr(0, broken.what.find_first_of(",:"));
 }
 
@@ -83,6 +84,7 @@ class Gate {
        const GateOptions& options, const std::function<void(const GateProgress&)>& on_progress)
       : methods_(methods), cases_(cases), options_(options), on_progress_(on_progress), start_(Clock::now()) {
     report_.seed = options.seed;
+    report_.budget = options.budget;
     for (const auto& method : methods) {
       GateMethod& m = report_.methods.emplace_back();
       m.name = method->name();
@@ -99,8 +101,12 @@ class Gate {
       replay_cases([](std::size_t, const Law& law) { return of_the_answer(law); }, Clock::time_point::max());
     });
     in_phase(GatePhase::corpus_laws, [&] {
-      replay_cases([](std::size_t, const Law& law) { return !of_the_answer(law); },
-                   options_.amount ? Clock::time_point::max() : start_ + options_.budget / 2);
+      const auto changed = [](std::size_t, const Law& law) { return !of_the_answer(law); };
+      if (options_.amount)
+        replay_cases(changed, Clock::time_point::max(),
+                     options_.amount->cases_under_laws.value_or(cases_.size()));
+      else
+        replay_cases(changed, start_ + options_.budget / 2);
     });
     const milliseconds left = std::max(options_.budget - elapsed(), options_.budget / 4);
     const auto share = [&](double part) {
@@ -142,7 +148,10 @@ class Gate {
   void show_progress(std::size_t pairs) {
     GatePhaseReport& now = report_.phases.back();
     now.pairs += pairs;
-    if (on_progress_) on_progress_({now.phase, now.pairs, report_.failures.size(), elapsed()});
+    if (!on_progress_) return;
+    const auto beyond = std::count_if(report_.failures.begin(), report_.failures.end(),
+                                      [](const auto& f) { return f.severity == Severity::contract; });
+    on_progress_({now.phase, now.pairs, static_cast<std::size_t>(beyond), elapsed()});
   }
 
   /// A break joins those of the same law and bucket.
@@ -191,8 +200,10 @@ class Gate {
         options_.caps);
   }
 
-  void replay_cases(const Wanted& wanted, Clock::time_point end) {
-    for (std::size_t first = 0; first < cases_.size() && Clock::now() < end; first += cases_at_once) {
+  void replay_cases(const Wanted& wanted, Clock::time_point end,
+                    std::uint64_t most = std::numeric_limits<std::uint64_t>::max()) {
+    for (std::size_t first = 0; first < std::min<std::uint64_t>(most, cases_.size()) && Clock::now() < end;
+         first += cases_at_once) {
       std::vector<Pair> pairs;
       for (const Case& c : cases_.subspan(first, std::min(cases_at_once, cases_.size() - first)))
         pairs.push_back(c.pair);
@@ -282,7 +293,7 @@ class Gate {
       std::set<std::pair<std::size_t, std::size_t>> wrong;  // one pair may break several laws
       for (const BrokenLaw& b : examined.broken) {
         const GateCell& at = report_.methods[b.method].cells[drawn[b.pair].cell];
-        if (b.law->number <= 31) wrong.emplace(b.method, b.pair);
+        if (b.law->number <= verdict_law) wrong.emplace(b.method, b.pair);
         note(b.method, *b.law, b.broken, pairs[b.pair],
              fmt::format("{} 1e-{:02}, seed {}, index {}", at.feature, at.decade, options_.seed,
                          drawn[b.pair].index),

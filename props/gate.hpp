@@ -35,6 +35,7 @@ inline constexpr std::array gate_phases{GatePhase::corpus, GatePhase::corpus_law
 
 /// How much is drawn.
 struct GateAmount {
+  std::optional<std::uint64_t> cases_under_laws;  ///< all, where not given
   std::uint64_t law_rounds = 0, sample_rounds = 0;
 };
 
@@ -97,6 +98,7 @@ struct GatePhaseReport {
 
 struct GateReport {
   std::uint64_t seed = 0;
+  std::chrono::milliseconds budget{0};
   std::vector<GateMethod> methods;
   std::vector<GateFailure> failures;
   std::vector<GatePhaseReport> phases;
@@ -108,7 +110,7 @@ struct GateReport {
 struct GateProgress {
   GatePhase phase;
   std::uint64_t pairs = 0;
-  std::size_t failures = 0;
+  std::size_t failures = 0;  ///< beyond claims
   std::chrono::milliseconds elapsed{0};
 };
 

@@ -187,7 +187,7 @@ TEST(Gate, AsksTheSamePairsWhereTheAmountIsGiven) {
   methods.push_back(std::make_unique<Planted>(honest, "planted", Claim{1e-12, 0, "planted"}));
   GateOptions options;
   options.budget = std::chrono::milliseconds(0);
-  options.amount = {3, 2};
+  options.amount = GateAmount{.cases_under_laws = {}, .law_rounds = 3, .sample_rounds = 2};
   const GateReport report = run_gate(methods, few_cases(), options);
   EXPECT_EQ(report.phases.at(1).pairs, few_cases().size());
   EXPECT_EQ(report.phases.at(2).rounds, 3u);

@@ -66,6 +66,9 @@ struct Law {
 /// For laws that look at the first answer alone.
 inline constexpr std::vector<Asked> (*needs_none)(const Method&, const Pair&, const MethodAnswer&) = nullptr;
 
+/// That an answer comes, and that no certificate refutes its verdict.
+inline constexpr int answer_law = 30, verdict_law = 31;
+
 /// Every law, by increasing number: exact from 1, one-sided from 10, approximate from 20, of the answer
 /// from 30.
 std::span<const Law> all_laws();

@@ -80,6 +80,10 @@ import subprocess
 import sys
 import tempfile
 
+if len(sys.argv) != 2:
+    print(f'usage: python3 {sys.argv[0]} COMMAND', file=sys.stderr)
+    sys.exit(64)
+
 PAIR = @pair@
 
 out = tempfile.TemporaryFile()
@@ -93,9 +97,13 @@ except subprocess.TimeoutExpired:
     os.killpg(process.pid, signal.SIGKILL)
 
 
+def refuse(word):
+    raise ValueError(word)
+
+
 def parsed(line):
     try:
-        said = json.loads(line)
+        said = json.loads(line, parse_constant=refuse)
         return said if isinstance(said, dict) else {}
     except ValueError:
         return {}
@@ -109,7 +117,9 @@ said = parsed(lines[0]) if lines else {}
 verdict = said.get('verdict')
 print('it says:', lines[0][:1000] if lines else f'nothing, and ends with status {process.returncode}')
 print('true is: @truth@')
-answered = len(lines) == 1 and len(lines[0]) <= 65536 and (
+three = [[0, 0, 0], said.get('direction', [0, 0, 0]), said.get('point', [0, 0, 0])]
+shaped = isinstance(said.get('distance', 0), (int, float)) and all(isinstance(x, list) and len(x) == 3 for x in three)
+answered = shaped and len(lines) == 1 and len(lines[0]) <= 65536 and (
     'declined' in said or 'error' in said or
     verdict in ('disjoint', 'intersecting', 'touching', 'undecided', 'invalid'))
 wrong = late or not answered or (@wrong@)

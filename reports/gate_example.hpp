@@ -42,8 +42,10 @@ inline GateReport example_report() {
   GateReport report;
   report.seed = std::numeric_limits<std::uint64_t>::max();
   report.phases = {{GatePhase::corpus, 0, 12, std::chrono::milliseconds(250)},
+                   {GatePhase::corpus_laws, 0, 7, std::chrono::milliseconds(0)},
                    {GatePhase::laws, 9, 576, std::chrono::milliseconds(1000)},
                    {GatePhase::sample, 831, 345678, std::chrono::milliseconds(30040)}};
+  report.budget = std::chrono::milliseconds(40'000);
   report.undecided_truths = 3;
 
   GateMethod intersect{.name = "intersect",

@@ -2,6 +2,7 @@
 #include "reports/gate_json.hpp"
 
 #include <cmath>
+#include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
@@ -91,11 +92,9 @@ std::string gate_json(const GateReport& report) {
                       {"pairs", p.pairs},
                       {"milliseconds", p.time.count()}});
   }
-  const json all = {{"seed", report.seed},
-                    {"methods", std::move(methods)},
-                    {"failures", std::move(failures)},
-                    {"phases", std::move(phases)},
-                    {"undecided_truths", report.undecided_truths},
+  const json all = {{"seed", report.seed},           {"budget_milliseconds", report.budget.count()},
+                    {"methods", std::move(methods)}, {"failures", std::move(failures)},
+                    {"phases", std::move(phases)},   {"undecided_truths", report.undecided_truths},
                     {"drawn", report.drawn}};
   return all.dump(1, ' ', false, json::error_handler_t::replace) + '\n';
 }
@@ -104,6 +103,13 @@ GateBase read_base(const std::string& file) {
   const auto refuse = [&](const std::string& wrong) {
     throw std::runtime_error(file + ": " + wrong + "; give the file that an earlier gate wrote as JSON");
   };
+  const auto natural = [&](const json& in, const char* key) {
+    const json& value = in.at(key);
+    if (!value.is_number_unsigned()) refuse(std::string("has no whole number as ") + key);
+    return value.get<std::uint64_t>();
+  };
+  std::error_code fault;
+  if (!std::filesystem::is_regular_file(file, fault)) refuse("is no file");
   std::ifstream in(file);
   if (!in) refuse("cannot be opened");
   const json all = json::parse(in, nullptr, false);
@@ -111,16 +117,21 @@ GateBase read_base(const std::string& file) {
   if (all.is_discarded()) refuse("is no JSON, or was cut off");
   GateBase base;
   try {
-    base.seed = all.at("seed").get<std::uint64_t>();
+    base.seed = natural(all, "seed");
+    base.budget = std::chrono::milliseconds(natural(all, "budget_milliseconds"));
+    std::uint64_t cases = 0;
     for (const json& phase : all.at("phases")) {
-      const auto rounds = phase.at("rounds").get<std::uint64_t>();
-      if (phase.at("phase") == to_string(GatePhase::laws)) base.amount.law_rounds = rounds;
-      if (phase.at("phase") == to_string(GatePhase::sample)) base.amount.sample_rounds = rounds;
+      const auto is = [&](GatePhase p) { return phase.at("phase") == to_string(p); };
+      if (is(GatePhase::corpus)) cases = natural(phase, "pairs");
+      if (is(GatePhase::corpus_laws) && natural(phase, "pairs") < cases)
+        base.amount.cases_under_laws = natural(phase, "pairs");
+      if (is(GatePhase::laws)) base.amount.law_rounds = natural(phase, "rounds");
+      if (is(GatePhase::sample)) base.amount.sample_rounds = natural(phase, "rounds");
     }
     for (const json& f : all.at("failures")) {
       // What the base breaks within its claims excuses nothing.
       if (f.at("severity") == to_string(Severity::resolution)) continue;
-      base.buckets[f.at("bucket").get<std::string>()] += f.at("count").get<std::uint64_t>();
+      base.buckets[f.at("bucket").get<std::string>()] += natural(f, "count");
     }
   } catch (const json::exception&) {
     refuse("is no report of this version's gate");

@@ -2,6 +2,7 @@
 // The gate's result as one JSON document, complete; and what a later gate reads back of it.
 #pragma once
 
+#include <chrono>
 #include <cstdint>
 #include <map>
 #include <string>
@@ -17,6 +18,7 @@ std::string gate_json(const GateReport& report);
 /// What a gate is held against.
 struct GateBase {
   std::uint64_t seed = 1;
+  std::chrono::milliseconds budget{0};
   GateAmount amount;
   std::map<std::string, std::uint64_t> buckets;  ///< of failures beyond claims, and on how many pairs
 };

@@ -18,7 +18,7 @@ TEST(GateJson, IsTheWholeReport) {
   EXPECT_EQ(all["seed"], std::numeric_limits<std::uint64_t>::max());
   EXPECT_EQ(all["undecided_truths"], 3);
   EXPECT_EQ(
-      all["phases"][2],
+      all["phases"][3],
       json({{"phase", "sample of all strata"}, {"rounds", 831}, {"pairs", 345678}, {"milliseconds", 30040}}));
   const json& method = all["methods"][0];
   EXPECT_EQ(method["counts"]["said"]["undecided"], 77);
@@ -46,6 +46,8 @@ TEST(GateJson, TheBaseComesBack) {
   const ScratchFile file(gate_json(example_report()));
   const GateBase base = read_base(file.path);
   EXPECT_EQ(base.seed, example_report().seed);
+  EXPECT_EQ(base.budget, example_report().budget);
+  EXPECT_EQ(base.amount.cases_under_laws, 7u) << "not all of 12";
   EXPECT_EQ(base.amount.law_rounds, 9u);
   EXPECT_EQ(base.amount.sample_rounds, 831u);
   EXPECT_EQ(base.buckets.size(), 2u) << "those beyond a claim";
@@ -82,7 +84,8 @@ TEST(GateJson, BadBasesAreRefusedByName) {
        {std::string(), std::string("{"), std::string("[]"), std::string("{}"),
         std::string("{\"failures\":7}"), std::string("{\"failures\":[{}]}"),
         std::string("{\"failures\":[{\"bucket\":7}]}"), std::string("{\"failures\":[7]}"),
-        replaced(good, "\"rounds\"", "\"round\""), good.substr(0, good.size() / 2)}) {
+        replaced(good, "\"budget_milliseconds\"", "\"budget\""),
+        replaced(good, "\"rounds\": 9", "\"rounds\": -1"), good.substr(0, good.size() / 2)}) {
     const ScratchFile file(bad);
     try {
       read_base(file.path);

@@ -82,6 +82,8 @@ SourceLine place_of(const GateFailure& failure) {
   return place;
 }
 
+bool is_told_by_answer(const Law& law) { return law.number == answer_law || law.number == verdict_law; }
+
 std::string law_title(const Law& law) { return fmt::format("law {} {}", law.number, law.name); }
 
 std::string luck_in_words(const GateFailure& failure) {
@@ -95,7 +97,7 @@ std::string replay_command(const GateFailure& failure) {
   return fmt::format("echo {} | {} replay - --methods {}{}{}", shell_quoted(format_pair(failure.simplest)),
                      own_command(), shell_quoted(one_line(failure.method)),
                      failure.options.empty() ? "" : ' ' + one_line(failure.options),
-                     failure.law->number == 31 ? "" : fmt::format(" --laws {}", failure.law->number));
+                     is_told_by_answer(*failure.law) ? "" : fmt::format(" --laws {}", failure.law->number));
 }
 
 std::string grouped(std::uint64_t n) {

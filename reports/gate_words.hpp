@@ -32,6 +32,8 @@ struct SourceLine {
 SourceLine place_of(const GateFailure& failure);
 
 std::string law_title(const Law& law);  ///< "law 10 growth"
+/// Whether a break shows in the answer to the pair itself, so that no law need be named to see it again.
+bool is_told_by_answer(const Law& law);
 /// "fails 10 of 10 times", or "depends on luck: 3 of 10"; empty where it was not run again.
 std::string luck_in_words(const GateFailure& failure);
 /// A line for a shell: asks the method the simplest pair, beside what is true, and holds it to the law.

@@ -141,7 +141,7 @@ std::string study_json(const Scene& scene, const SceneQuestion& q, const SceneSt
   for (const Kept& configuration : kept_configurations(scene, q, s))
     kept.push_back(kept_json(scene, configuration));
   json all{{"file", q.file},
-           {"seed", q.seed},
+           {"seed", std::to_string(q.seed)},
            {"clearance", q.clearance},
            {"tolerated", q.tolerated},
            {"configurations", s.configurations},

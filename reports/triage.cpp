@@ -137,18 +137,20 @@ class Triager {
     began_ = value_of(run.config(), "started");
     for (const FindingRecord& f : sorted_.findings) subjects_.push_back(subject_of(f));
     progress_.findings = subjects_.size();
-    progress_.absent = static_cast<std::size_t>(
-        std::count_if(subjects_.begin(), subjects_.end(), [](const Subject& s) { return s.absent; }));
+    for (const Subject& s : subjects_)
+      if (s.absent) absent_findings_.insert(s.record->id);
+    progress_.absent = absent_findings_.size();
   }
 
   Triage run() {
+    forget_changed_guests();
     tell_causes();
     simplify_findings(simplify_part);
     search_worst();
     simplify_findings(1);
     const TriageStore store(options_.folder, askers_);
-    sorted_.causes = store.causes();
-    sorted_.simples = store.simples();
+    sorted_.causes = here(store.causes());
+    sorted_.simples = here(store.simples());
     sorted_.worsts = store.worsts();
     count_progress();
     Triage triage;
@@ -198,8 +200,8 @@ class Triager {
   }
   void show_progress() {
     const TriageStore store(options_.folder, askers_);
-    progress_.told = store.causes().size();
-    progress_.simplified = ended(store.simples());
+    progress_.told = here(store.causes()).size();
+    progress_.simplified = ended(here(store.simples()));
     progress_.searched = store.worsts().size();
     progress_.elapsed = since(start_);
     if (on_progress_) on_progress_(progress_);
@@ -207,11 +209,30 @@ class Triager {
 
   // ---- causes
 
+  /// What was told of a guest that is another one now is told anew; of one that is not here it is kept.
+  void forget_changed_guests() {
+    TriageStore store(options_.folder, askers_);
+    for (std::size_t m = 0; m < methods_.size(); ++m) {
+      if (!methods_[m]->guest()) continue;
+      std::vector<std::int64_t> findings;
+      for (const Subject& s : subjects_)
+        if (s.method == m) findings.push_back(s.record->id);
+      store.expect(std::string(methods_[m]->name()), std::string(methods_[m]->version()), findings);
+    }
+  }
+
+  /// Without those of findings whose guest is not here.
+  template <class Record>
+  std::vector<Record> here(std::vector<Record> records) const {
+    std::erase_if(records, [&](const Record& r) { return absent_findings_.contains(r.finding); });
+    return records;
+  }
+
   void tell_causes() {
     std::set<std::int64_t> known;
     {
       const TriageStore store(options_.folder, askers_);
-      for (const CauseRecord& c : store.causes()) known.insert(c.finding);
+      for (const CauseRecord& c : here(store.causes())) known.insert(c.finding);
     }
     std::vector<const Subject*> open;
     for (const Subject& s : subjects_)
@@ -324,8 +345,8 @@ class Triager {
     std::vector<const Subject*> open;
     {
       const TriageStore store(options_.folder, askers_);
-      for (SimpleRecord& s : store.simples()) known[s.finding] = std::move(s);
-      sorted_.causes = store.causes();
+      for (SimpleRecord& s : here(store.simples())) known[s.finding] = std::move(s);
+      sorted_.causes = here(store.causes());
     }
     for (const CauseRecord& c : sorted_.causes) key_of_finding_[c.finding] = c.bucket;
     for (const Subject* s : in_turns(sorted_.causes))
@@ -419,7 +440,7 @@ class Triager {
     const std::map<std::int64_t, const Subject*> by_id = subjects_by_id();
     std::map<std::string, std::vector<const Subject*>> buckets;
     std::map<std::int64_t, Mechanism> mechanism_of;
-    for (const CauseRecord& c : store.causes()) {
+    for (const CauseRecord& c : here(store.causes())) {
       const auto found = by_id.find(c.finding);
       const Mechanism mechanism = find_mechanism(c.mechanism).value_or(Mechanism::gone);
       if (found == by_id.end() || mechanism == Mechanism::gone || !can_be_searched(*found->second)) continue;
@@ -427,7 +448,7 @@ class Triager {
       mechanism_of[c.finding] = mechanism;
     }
     std::map<std::int64_t, Pair> simple_of;
-    for (const SimpleRecord& s : store.simples())
+    for (const SimpleRecord& s : here(store.simples()))
       if (const CaseLine line = parse_case(s.pair, 1); line.value) simple_of[s.finding] = line.value->pair;
 
     std::vector<CauseSought> causes;
@@ -524,6 +545,7 @@ class Triager {
   const std::vector<std::size_t> kin_;
   const Clock::time_point start_ = Clock::now();
   std::set<std::string, std::less<>> absent_;  ///< guests of the run
+  std::set<std::int64_t> absent_findings_;
   Sorted sorted_;
   std::vector<Subject> subjects_;
   std::map<std::int64_t, std::string> key_of_finding_;
@@ -549,7 +571,8 @@ std::string short_number(const Json& x) { return x.is_null() ? "-" : fmt::format
 
 std::string askers(const std::string& build, std::span<const std::unique_ptr<Method>> methods) {
   std::string text = build;
-  for (const auto& method : methods) text += fmt::format("\n{} {}", method->name(), method->version());
+  for (const auto& method : methods)
+    if (!method->guest()) text += fmt::format("\n{} {}", method->name(), method->version());
   return text;
 }
 

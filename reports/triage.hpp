@@ -33,8 +33,8 @@ struct TriageOptions {
   std::string build;        ///< what was found out by another build is found out again
 };
 
-/// What found out whatever a triage keeps: the build and the methods, with their versions. A guest that was
-/// built anew is of another version.
+/// What found out whatever a triage keeps: the build and its methods, with their versions; guests apart, of
+/// which each is told anew where its own version changed.
 std::string askers(const std::string& build, std::span<const std::unique_ptr<Method>> methods);
 
 struct TriageProgress {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Built by build.mjs, not written by hand. Sources: 1a21fbede9e8de31e24b8725c86e9e5f68f4cad6b891c0a979a4d37a5d9d183e
+// Built by build.mjs, not written by hand. Sources: cf1bf7e63387476f697eea251b49551a01d39c6cefaa28c6b1b4f4e3dfe29942
 /* It holds
 
 @observablehq/plot 0.6.17:

@@ -25,7 +25,7 @@ export interface SeenPair { distance: number; within: boolean; wrong: Model[]; o
 export interface Kept { configuration: number; reasons: Reason[]; joints: Record<string, number>; cylinders: Cylinder[]; pairs: SeenPair[] }
 
 export interface Study {
-  file: string; seed: number; clearance: number; tolerated: number; configurations: number; cylinders: number;
+  file: string; seed: string; clearance: number; tolerated: number; configurations: number; cylinders: number;
   left_out: string[]; notes: string[];
   pairs_checked: number; pairs_same_link: number; pairs_adjacent: number; pairs_disabled: number;
   asked_referee: number; undecided: number;
