@@ -43,7 +43,7 @@ Examined examine(std::span<const std::unique_ptr<Method>> methods, std::span<con
                  const Wanted& wanted, const Caps& caps) {
   Examined result;
   result.counts.resize(methods.size());
-  result.truths.assign(pairs.size(), Verdict::undecided);
+  result.truths.resize(pairs.size());
 
   // Method by method, so that each worker stays with one library.
   std::vector<Question> questions;

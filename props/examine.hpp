@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -35,10 +36,10 @@ struct AnswerCounts {
 };
 
 struct Examined {
-  std::vector<BrokenLaw> broken;      ///< by pair, then method, then law
-  std::vector<AnswerCounts> counts;   ///< by method
-  std::vector<Verdict> truths;        ///< by pair; undecided where no law asked for it
-  std::vector<MethodAnswer> answers;  ///< to the pairs themselves: pair by pair, of every method
+  std::vector<BrokenLaw> broken;               ///< by pair, then method, then law
+  std::vector<AnswerCounts> counts;            ///< by method
+  std::vector<std::optional<Verdict>> truths;  ///< by pair; nothing where no law asked for it
+  std::vector<MethodAnswer> answers;           ///< to the pairs themselves: pair by pair, of every method
 };
 
 /// Which laws a method is held to.

@@ -82,6 +82,15 @@ TEST(Gate, ReportsWhoAlwaysAbstains) {
   EXPECT_EQ(exit_code(report), 3);
 }
 
+TEST(Gate, DoesNotDoubtTheTruthOfWhatIsDeclined) {
+  const GateReport report = gate_on([](const Pair& pair) {
+    return pair.a.radius == 0 || pair.b.radius == 0 ? MethodAnswer{} : honest(pair);
+  });
+  EXPECT_GT(report.methods.at(0).counts.declined, 0u);
+  EXPECT_EQ(report.undecided_truths, 0u);
+  EXPECT_EQ(exit_code(report), 0);
+}
+
 TEST(Gate, ReportsWhoMostlyAbstains) {
   const GateReport report = gate_on(
       [](const Pair& pair) { return pair.a.axis.x() > 0.5 ? honest(pair) : say(Verdict::undecided); });
