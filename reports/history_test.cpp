@@ -84,8 +84,9 @@ TEST_F(HistoryTest, PassesOverWhatCannotBeRead) {
   run("2", "2026-11-02", {{"x", {"held"}}});
   fs::create_directories(folder / "broken");
   std::ofstream(folder / "broken" / "run.sqlite") << std::string(4096, '?');
-  EXPECT_EQ(format_history(compare_with_earlier(folder / "2")),
-            "against 1 earlier run beside it: 0 new, 1 known, 0 gone, 0 back; 1 that cannot be read passed over");
+  EXPECT_EQ(
+      format_history(compare_with_earlier(folder / "2")),
+      "against 1 earlier run beside it: 0 new, 1 known, 0 gone, 0 back; 1 that cannot be read passed over");
 }
 
 }  // namespace
