@@ -8,24 +8,14 @@
 #include <stdexcept>
 
 #include "corpus/pair_io.hpp"
+#include "reports/pair_json.hpp"
 
 namespace cyl {
 namespace {
 
 using json = nlohmann::ordered_json;
 
-json number(double x) { return std::isfinite(x) ? json(x) : json(format_double(x)); }
-
-json vector(const Vector3& v) { return {number(v[0]), number(v[1]), number(v[2])}; }
-
-json cylinder(const Cylinder& c) {
-  return {{"center", vector(c.center)},
-          {"axis", vector(c.axis)},
-          {"radius", number(c.radius)},
-          {"height", number(c.height)}};
-}
-
-json pair(const Pair& p) { return {{"a", cylinder(p.a)}, {"b", cylinder(p.b)}}; }
+json pair(const Pair& p) { return {{"a", cylinder_json(p.a)}, {"b", cylinder_json(p.b)}}; }
 
 json counts(const AnswerCounts& c) {
   json said;
@@ -52,8 +42,8 @@ json method(const GateMethod& m) {
   return {{"name", m.name},
           {"version", m.version},
           {"claim",
-           {{"relative", number(m.claim.relative)},
-            {"absolute", number(m.claim.absolute)},
+           {{"relative", number_json(m.claim.relative)},
+            {"absolute", number_json(m.claim.absolute)},
             {"source", m.claim.source}}},
           {"counts", counts(m.counts)},
           {"cells", std::move(cells)},

@@ -81,6 +81,13 @@ Models make_models(const Cylinder& c, double clearance) noexcept {
   return m;
 }
 
+std::vector<Models> models_of(std::span<const Cylinder> placed, double clearance) {
+  std::vector<Models> models;
+  models.reserve(placed.size());
+  for (const Cylinder& c : placed) models.push_back(make_models(c, clearance));
+  return models;
+}
+
 Look look(Rung rung, const Models& a, const Models& b, double clearance) noexcept {
   switch (rung) {
     case Rung::sphere:

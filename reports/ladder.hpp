@@ -48,6 +48,7 @@ struct Models {
   double slack;  ///< its share in rounding
 };
 Models make_models(const Cylinder& c, double clearance) noexcept;
+std::vector<Models> models_of(std::span<const Cylinder> placed, double clearance);
 
 /// The answer of one rung; `apart` and `within` are never wrong beyond 1e-13 of the size (`cylinder`), within
 /// its own error bound (`distance`), or at all (the others).

@@ -25,6 +25,7 @@
 #include "reports/history.hpp"
 #include "reports/kill_data.hpp"
 #include "reports/own_command.hpp"
+#include "reports/pair_json.hpp"
 #include "reports/tally_table.hpp"
 #include "reports/triage.hpp"
 
@@ -32,12 +33,6 @@ namespace cyl {
 namespace {
 
 using json = nlohmann::ordered_json;
-
-json vector(const Vector3& v) { return {v[0], v[1], v[2]}; }
-
-json cylinder(const Cylinder& c) {
-  return {{"center", vector(c.center)}, {"axis", vector(c.axis)}, {"radius", c.radius}, {"height", c.height}};
-}
 
 /// What cannot be read is null.
 json parsed(const std::string& text) { return json::parse(text, nullptr, false); }
@@ -218,7 +213,7 @@ json case_of(const Shared& shared, Names& names) {
   const CaseLine line = parse_case(shared.first->pair, 1);
   if (!line.value) return nullptr;
   const Pair& pair = line.value->pair;
-  json told = {{"pair", {{"a", cylinder(pair.a)}, {"b", cylinder(pair.b)}}},
+  json told = {{"pair", {{"a", cylinder_json(pair.a)}, {"b", cylinder_json(pair.b)}}},
                {"truth", parsed(shared.first->truth)},
                {"margin", nullptr}};
   if (shared.margin) told["margin"] = {finite(shared.margin->lo), finite(shared.margin->hi)};

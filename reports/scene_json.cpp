@@ -2,6 +2,7 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
+#include "reports/pair_json.hpp"
 #include "reports/scene_kept.hpp"
 
 namespace cyl {
@@ -73,15 +74,6 @@ json words_json(const StudyWords& w) {
           {"cost", w.cost},         {"forgiven", w.forgiven},
           {"capsules", w.capsules}, {"closest", w.closest},
           {"verified", w.verified}};
-}
-
-json vector_json(const Vector3& v) { return {v.x(), v.y(), v.z()}; }
-
-json cylinder_json(const Cylinder& c) {
-  return {{"center", vector_json(c.center)},
-          {"axis", vector_json(c.axis)},
-          {"radius", c.radius},
-          {"height", c.height}};
 }
 
 json reason_json(const Reason& reason) {

@@ -98,8 +98,7 @@ std::vector<Kept> kept_configurations(const Scene& scene, const SceneQuestion& q
   for (Kept& kept : all) {
     kept.joints = joints_of(scene, question, kept.configuration);
     kept.placed = place(scene, kept.joints);
-    std::vector<Models> models;
-    for (const Cylinder& c : kept.placed) models.push_back(make_models(c, question.clearance));
+    const std::vector<Models> models = models_of(kept.placed, question.clearance);
     for (const PairStudy& pair : study.pairs)
       kept.pairs.push_back(see(models[pair.a], models[pair.b], {kept.placed[pair.a], kept.placed[pair.b]},
                                question.clearance));

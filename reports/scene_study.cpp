@@ -21,13 +21,6 @@ constexpr std::chrono::duration<double> timed_least = std::chrono::milliseconds(
 
 std::size_t index_of(Rung rung) { return static_cast<std::size_t>(rung); }
 
-std::vector<Models> models_of(const std::vector<Cylinder>& placed, double clearance) {
-  std::vector<Models> models;
-  models.reserve(placed.size());
-  for (const Cylinder& c : placed) models.push_back(make_models(c, clearance));
-  return models;
-}
-
 class Study {
  public:
   Study(const Scene& scene, const SceneQuestion& question) : scene_(scene), q_(question) {
