@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "reports/bench.hpp"
+#include "bench/bench.hpp"
 
 #include <fmt/format.h>
 
@@ -12,15 +12,15 @@
 #include <stdexcept>
 #include <string>
 
+#include "bench/bench_summary.hpp"
+#include "bench/curves.hpp"
+#include "bench/lower_bounds.hpp"
 #include "cli/build_info.hpp"
 #include "cli/commands.hpp"
 #include "cli/guests.hpp"
 #include "cli/unsigned_option.hpp"
-#include "corpus/pair_io.hpp"
-#include "reports/bench_floors.hpp"
-#include "reports/bench_summary.hpp"
-#include "reports/bench_table.hpp"
-#include "reports/curves.hpp"
+#include "corpus/pairs/pair_io.hpp"
+#include "reports/run/bench_table.hpp"
 
 namespace cyl {
 

@@ -20,7 +20,9 @@ std::string cpu_name() {
 }  // namespace
 
 std::string BuildInfo::text() const {
-  return "daylight " + version + " (" + commit + ", " + compiler + ", " + flags + ")";
+  const std::string without = BUILT_WITHOUT;
+  return "daylight " + version + " (" + commit + ", " + compiler + ", " + flags + ")" +
+         (without.empty() ? "" : "\nbuilt without: " + without);
 }
 
 BuildInfo build_info() {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "fuzz/campaign.hpp"
+#include "fuzz/campaign/campaign.hpp"
 
 #include <fmt/chrono.h>
 #include <fmt/format.h>
@@ -19,19 +19,19 @@
 #include <thread>
 #include <vector>
 
+#include "base/duration.hpp"
+#include "base/own_command.hpp"
+#include "base/safe_text.hpp"
+#include "base/source_tree.hpp"
+#include "base/time_point.hpp"
 #include "cli/build_info.hpp"
 #include "cli/commands.hpp"
-#include "cli/duration.hpp"
 #include "cli/guests.hpp"
-#include "cli/moment.hpp"
 #include "cli/mutants.hpp"
 #include "cli/progress.hpp"
 #include "cli/show_run.hpp"
-#include "cli/source_tree.hpp"
 #include "cli/unsigned_option.hpp"
-#include "corpus/case_files.hpp"
-#include "corpus/shell_words.hpp"
-#include "reports/own_command.hpp"
+#include "corpus/store/case_files.hpp"
 
 namespace cyl {
 namespace {
@@ -103,7 +103,7 @@ CampaignOptions plan_new(const Arguments& arguments, Asked& asked) {
   if (options.out.empty()) {
     options.out = fmt::format("runs/{:%Y%m%d-%H%M%S}-{}", fmt::localtime(std::time(nullptr)), options.seed);
   }
-  options.cases = arguments.cases ? *arguments.cases : in_source_tree("corpus");
+  options.cases = arguments.cases ? *arguments.cases : in_source_tree("corpus/cases");
   // Absolute: who resumes the run may stand elsewhere.
   if (!options.cases.empty()) options.cases = fs::absolute(options.cases).lexically_normal().string();
   Company company = with_guests(arguments.guests);
@@ -228,7 +228,7 @@ AlarmOptions plan_alarm(const Arguments& arguments, const CampaignOptions& optio
   if (!wants_alarm(arguments, options)) return {};
   AlarmOptions alarm;
   std::string missing;
-  const std::string kills = in_source_tree("reports/kill_matrix.jsonl");
+  const std::string kills = in_source_tree("props/mutants/kill_matrix.jsonl");
   if (!kills.empty()) alarm.faults = known_faults(kills, asked.methods);
   alarm.program = mutants_executable();
   if (alarm.faults.empty()) missing = "no fault is known that a campaign of these methods finds";
@@ -305,8 +305,9 @@ void add_campaign(CLI::App& app, int& exit_code) {
   auto* shard = command->add_option("--shard", arguments->shard,
                                     "i/n: every n-th batch from the i-th on, i from 0; see daylight merge");
   shard->needs(seed)->needs(out);
-  auto* cases = command->add_option(
-      "--cases", arguments->cases, "folder of case files played first; corpus/ where not given; '' for none");
+  auto* cases =
+      command->add_option("--cases", arguments->cases,
+                          "folder of case files played first; corpus/cases/ where not given; '' for none");
   add_unsigned(*command, "--jobs", arguments->jobs, "batches at once; does not change the findings", 1, 1024);
   auto* resume = command->add_option("--resume", arguments->resume, "go on with the run in this folder");
   auto* create_only = command->add_flag("--create-only", arguments->create_only,

@@ -6,14 +6,14 @@
 #include <string>
 #include <vector>
 
+#include "base/source_tree.hpp"
+#include "bench/curves.hpp"
 #include "cli/commands.hpp"
 #include "cli/guests.hpp"
-#include "cli/source_tree.hpp"
-#include "reports/charts.hpp"
-#include "reports/curves.hpp"
-#include "reports/draw_charts.hpp"
-#include "reports/page.hpp"
-#include "reports/stability.hpp"
+#include "reports/run/charts.hpp"
+#include "reports/run/draw_charts.hpp"
+#include "reports/run/page.hpp"
+#include "reports/run/stability.hpp"
 
 namespace cyl {
 namespace {
@@ -29,13 +29,13 @@ void chart(const Arguments& arguments) {
   write_charts(arguments.run, rows);
   if (arguments.stability)
     write_stability(arguments.run, company_for({}, {arguments.run}).methods,
-                    in_source_tree("reports/builds.jsonl"));
-  write_page(arguments.run, in_source_tree("reports/kill_matrix.jsonl"));
+                    in_source_tree("bench/stability/builds.jsonl"));
+  write_page(arguments.run, in_source_tree("props/mutants/kill_matrix.jsonl"));
   if (!rows.empty()) fmt::print("{}\n", format_curves(speed_points(rows)));
   fmt::print("{}/report.html\n", arguments.run);
   if (arguments.out.empty()) return;
   for (const std::string& file :
-       draw_charts(arguments.run, arguments.out, in_source_tree("reports/page/chart.mjs")))
+       draw_charts(arguments.run, arguments.out, in_source_tree("reports/web/chart.mjs")))
     fmt::print("{}\n", file);
 }
 
@@ -54,7 +54,7 @@ void add_chart(CLI::App& app, int& exit_code) {
   command->add_flag("--stability", arguments->stability,
                     "also ask every method along paths through touching and through parallel axes, and next "
                     "to touching how far its input would have to move where it is wrong; and show what "
-                    "changes between builds (reports/builds.jsonl)");
+                    "changes between builds (bench/stability/builds.jsonl)");
   command->add_option("--out", arguments->out,
                       "folder for the plots as SVG, and as PNG where rsvg-convert is there; needs Node.js "
                       "(apt-get install nodejs)");

@@ -14,13 +14,13 @@
 #include <string>
 #include <vector>
 
+#include "base/safe_text.hpp"
 #include "cli/commands.hpp"
 #include "cli/guests.hpp"
-#include "corpus/pair_io.hpp"
-#include "corpus/shell_words.hpp"
-#include "oracles/compare.hpp"
-#include "oracles/contained.hpp"
-#include "oracles/referee.hpp"
+#include "corpus/pairs/pair_io.hpp"
+#include "oracles/methods/contained.hpp"
+#include "oracles/referee/referee.hpp"
+#include "oracles/trial/compare.hpp"
 
 namespace cyl {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "reports/explain.hpp"
+#include "reports/explain/explain.hpp"
 
 #include <fmt/format.h>
 
@@ -10,13 +10,13 @@
 #include <stdexcept>
 #include <string>
 
+#include "base/files.hpp"
 #include "cli/commands.hpp"
 #include "cli/guests.hpp"
 #include "cli/one_failure.hpp"
 #include "cli/targets.hpp"
 #include "cli/unsigned_option.hpp"
-#include "cli/write_file.hpp"
-#include "reports/probe.hpp"
+#include "oracles/trial/probe.hpp"
 
 namespace cyl {
 namespace {

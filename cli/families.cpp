@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "corpus/families.hpp"
+#include "corpus/pairs/families.hpp"
 
 #include <fmt/format.h>
 
@@ -11,7 +11,7 @@
 
 #include "cli/commands.hpp"
 #include "cli/unsigned_option.hpp"
-#include "corpus/pair_io.hpp"
+#include "corpus/pairs/pair_io.hpp"
 
 namespace cyl {
 

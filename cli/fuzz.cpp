@@ -15,13 +15,13 @@
 #include <string>
 #include <thread>
 
+#include "base/duration.hpp"
+#include "base/own_command.hpp"
+#include "base/safe_text.hpp"
 #include "cli/commands.hpp"
-#include "cli/duration.hpp"
 #include "cli/progress.hpp"
 #include "cli/unsigned_option.hpp"
-#include "corpus/shell_words.hpp"
-#include "fuzz/fuzzing.hpp"
-#include "reports/own_command.hpp"
+#include "fuzz/guided/fuzzing.hpp"
 
 namespace cyl {
 namespace {

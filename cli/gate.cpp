@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "props/gate.hpp"
+#include "props/gate/gate.hpp"
 
 #include <fmt/format.h>
 
@@ -15,28 +15,28 @@
 #include <string>
 #include <vector>
 
+#include "base/duration.hpp"
+#include "base/files.hpp"
+#include "base/own_command.hpp"
+#include "base/safe_text.hpp"
+#include "base/source_tree.hpp"
+#include "base/today.hpp"
 #include "cli/build_info.hpp"
 #include "cli/commands.hpp"
-#include "cli/duration.hpp"
 #include "cli/guests.hpp"
 #include "cli/mutants.hpp"
 #include "cli/progress.hpp"
-#include "cli/source_tree.hpp"
-#include "cli/today.hpp"
 #include "cli/unsigned_option.hpp"
-#include "cli/write_file.hpp"
-#include "corpus/case_files.hpp"
-#include "corpus/pair_io.hpp"
-#include "corpus/shell_words.hpp"
-#include "props/law_hunt.hpp"
-#include "reports/gate_github.hpp"
-#include "reports/gate_json.hpp"
-#include "reports/gate_junit.hpp"
-#include "reports/gate_sarif.hpp"
-#include "reports/gate_text.hpp"
-#include "reports/gate_words.hpp"
-#include "reports/own_command.hpp"
-#include "reports/suppressed.hpp"
+#include "corpus/pairs/pair_io.hpp"
+#include "corpus/store/case_files.hpp"
+#include "props/gate/law_search.hpp"
+#include "reports/gate/failure_text.hpp"
+#include "reports/gate/gate_github.hpp"
+#include "reports/gate/gate_json.hpp"
+#include "reports/gate/gate_junit.hpp"
+#include "reports/gate/gate_sarif.hpp"
+#include "reports/gate/gate_text.hpp"
+#include "reports/triage/suppressed.hpp"
 
 namespace cyl {
 namespace {
@@ -117,7 +117,7 @@ int gate(const Arguments& arguments) {
   GateOptions options;
   options.seed = arguments.seed.value_or(options.seed);
   if (!arguments.budget.empty()) options.budget = parse_duration(arguments.budget);
-  const std::string folder = arguments.cases ? *arguments.cases : in_source_tree("corpus");
+  const std::string folder = arguments.cases ? *arguments.cases : in_source_tree("corpus/cases");
   const std::vector<Case> cases = folder.empty() ? std::vector<Case>{} : read_case_folder(folder);
   GateBase base;
   if (!arguments.against.empty()) {
@@ -187,7 +187,7 @@ void add_gate(CLI::App& app, int& exit_code) {
   add_guest_options(*command, arguments->guests);
   add_unsigned(*command, "--seed", arguments->seed, "same seed, same pairs in the same order");
   command->add_option("--cases", arguments->cases,
-                      "folder of case files; corpus/ where not given; '' for none");
+                      "folder of case files; corpus/cases/ where not given; '' for none");
   command->add_option("--junit", arguments->junit, "write a JUnit file");
   command->add_option("--sarif", arguments->sarif, "write a SARIF 2.1.0 file");
   command->add_option("--json", arguments->json, "write everything as JSON: what --against reads");

@@ -8,7 +8,7 @@
 #include <filesystem>
 #include <stdexcept>
 
-#include "corpus/store.hpp"
+#include "corpus/store/run_store.hpp"
 
 namespace cyl {
 namespace {

@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "oracles/guest.hpp"
+#include "oracles/methods/guest.hpp"
 
 namespace CLI {
 class App;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "fuzz/merge.hpp"
+#include "fuzz/campaign/merge.hpp"
 
 #include <fmt/format.h>
 

@@ -15,8 +15,8 @@
 #include <system_error>
 #include <vector>
 
+#include "base/safe_text.hpp"
 #include "cli/commands.hpp"
-#include "corpus/shell_words.hpp"
 
 namespace cyl {
 

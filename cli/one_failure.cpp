@@ -5,8 +5,8 @@
 
 #include <stdexcept>
 
-#include "oracles/mechanism.hpp"
-#include "reports/export.hpp"
+#include "oracles/trial/mechanism.hpp"
+#include "reports/export/export.hpp"
 
 namespace cyl {
 

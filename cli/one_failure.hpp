@@ -5,7 +5,7 @@
 #include <string>
 
 #include "cli/guests.hpp"
-#include "oracles/compare.hpp"
+#include "oracles/trial/compare.hpp"
 
 namespace cyl {
 

@@ -9,8 +9,8 @@ source_tree=$(dirname -- "$(dirname -- "$(readlink -f -- "${BASH_SOURCE[0]}")")"
 scratch=$(mktemp -d)
 trap 'rm -rf -- "$scratch"' EXIT
 cd -- "$scratch"
-mkdir -p runs reports bin
-cp -- "$source_tree/reports/kill_matrix.jsonl" reports/
+mkdir -p runs props/mutants bin
+cp -- "$source_tree/props/mutants/kill_matrix.jsonl" props/mutants/
 cp -- "$daylight" bin/daylight
 
 # expect CODE COMMAND.. : runs it into out and err.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "oracles/replay.hpp"
+#include "oracles/trial/replay.hpp"
 
 #include <fmt/format.h>
 
@@ -14,10 +14,10 @@
 #include "cli/commands.hpp"
 #include "cli/guests.hpp"
 #include "cli/targets.hpp"
-#include "corpus/finding_words.hpp"
-#include "corpus/pair_io.hpp"
-#include "corpus/store.hpp"
-#include "props/examine.hpp"
+#include "corpus/pairs/pair_io.hpp"
+#include "corpus/store/run_store.hpp"
+#include "oracles/trial/finding_text.hpp"
+#include "props/laws/examine.hpp"
 
 namespace cyl {
 namespace {

@@ -7,14 +7,15 @@
 #include <memory>
 #include <stdexcept>
 
+#include "base/files.hpp"
 #include "cli/commands.hpp"
 #include "cli/unsigned_option.hpp"
-#include "cli/write_file.hpp"
-#include "corpus/scene_files.hpp"
-#include "corpus/scene_generators.hpp"
-#include "reports/page.hpp"
-#include "reports/scene_study.hpp"
-#include "reports/scene_sweep.hpp"
+#include "reports/run/page.hpp"
+#include "reports/scene/scene_report.hpp"
+#include "scenes/parameter_sweep.hpp"
+#include "scenes/scene_files.hpp"
+#include "scenes/scene_generators.hpp"
+#include "scenes/scene_study.hpp"
 
 namespace cyl {
 namespace {

@@ -7,15 +7,15 @@
 #include <system_error>
 #include <tuple>
 
-#include "cli/source_tree.hpp"
-#include "corpus/shell_words.hpp"
-#include "corpus/store.hpp"
-#include "fuzz/alarm.hpp"
-#include "reports/charts.hpp"
-#include "reports/history.hpp"
-#include "reports/own_command.hpp"
-#include "reports/page.hpp"
-#include "reports/tally_table.hpp"
+#include "base/own_command.hpp"
+#include "base/safe_text.hpp"
+#include "base/source_tree.hpp"
+#include "corpus/store/run_store.hpp"
+#include "fuzz/campaign/self_check.hpp"
+#include "reports/run/charts.hpp"
+#include "reports/run/history.hpp"
+#include "reports/run/page.hpp"
+#include "reports/run/tally_table.hpp"
 
 namespace cyl {
 namespace {
@@ -50,7 +50,7 @@ void point_latest_at(const fs::path& run) {
 
 void show_run(const std::string& folder, std::uint64_t pairs) {
   write_charts(folder, {});
-  write_page(folder, in_source_tree("reports/kill_matrix.jsonl"));
+  write_page(folder, in_source_tree("props/mutants/kill_matrix.jsonl"));
   const RunStore store = RunStore::open(folder);
   fmt::print("{}", format_tallies(tally_methods(store)));
   if (const History history = compare_with_earlier(folder); history.runs + history.unreadable > 0)

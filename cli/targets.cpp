@@ -12,7 +12,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include "corpus/pair_io.hpp"
+#include "corpus/pairs/pair_io.hpp"
 
 namespace cyl {
 namespace {

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "corpus/store.hpp"
+#include "corpus/store/run_store.hpp"
 #include "solver/cylinder.hpp"
 
 namespace cyl {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "reports/triage.hpp"
+#include "reports/triage/triage.hpp"
 
 #include <fmt/format.h>
 
@@ -12,21 +12,21 @@
 #include <string>
 #include <vector>
 
+#include "base/duration.hpp"
+#include "base/files.hpp"
+#include "base/source_tree.hpp"
+#include "base/today.hpp"
 #include "cli/build_info.hpp"
 #include "cli/commands.hpp"
-#include "cli/duration.hpp"
 #include "cli/guests.hpp"
 #include "cli/one_failure.hpp"
 #include "cli/progress.hpp"
-#include "cli/source_tree.hpp"
-#include "cli/today.hpp"
 #include "cli/unsigned_option.hpp"
-#include "cli/write_file.hpp"
-#include "corpus/case_files.hpp"
-#include "corpus/pair_io.hpp"
-#include "corpus/suppressions.hpp"
-#include "reports/explain.hpp"
-#include "reports/page.hpp"
+#include "corpus/pairs/pair_io.hpp"
+#include "corpus/store/case_files.hpp"
+#include "corpus/store/suppressions.hpp"
+#include "reports/explain/explain.hpp"
+#include "reports/run/page.hpp"
 
 namespace cyl {
 namespace {
@@ -49,7 +49,7 @@ int triage(const Arguments& arguments) {
       read_suppressions(arguments.suppressions.value_or(in_source_tree("suppressions.jsonl")));
   options.today = today();
   options.build = build_info().text();
-  if (!options.suppressions.empty()) options.cases = read_case_folder(in_source_tree("corpus"));
+  if (!options.suppressions.empty()) options.cases = read_case_folder(in_source_tree("corpus/cases"));
 
   const auto methods = company_for(arguments.guests, {arguments.run}).methods;
   Triage result;
@@ -75,7 +75,7 @@ int triage(const Arguments& arguments) {
   if (p.absent > 0) fmt::print("{} are of guests that are not here\n", p.absent);
   for (const std::string& remark : result.remarks) fmt::print("{}\n", remark);
   if (!arguments.json.empty()) write_file(arguments.json, result.buckets.dump(1) + '\n');
-  write_page(arguments.run, in_source_tree("reports/kill_matrix.jsonl"));
+  write_page(arguments.run, in_source_tree("props/mutants/kill_matrix.jsonl"));
   fmt::print("page: {}/report.html\n", arguments.run);
   return exit_code(result);
 }

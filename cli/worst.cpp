@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "fuzz/worst.hpp"
+#include "fuzz/worst/worst.hpp"
 
 #include <fmt/format.h>
 
@@ -15,16 +15,16 @@
 #include <string>
 #include <vector>
 
+#include "base/duration.hpp"
+#include "base/source_tree.hpp"
 #include "cli/commands.hpp"
-#include "cli/duration.hpp"
 #include "cli/guests.hpp"
 #include "cli/progress.hpp"
-#include "cli/source_tree.hpp"
 #include "cli/unsigned_option.hpp"
-#include "corpus/case_files.hpp"
-#include "corpus/pair_io.hpp"
-#include "corpus/store.hpp"
-#include "corpus/strata.hpp"
+#include "corpus/pairs/pair_io.hpp"
+#include "corpus/pairs/strata.hpp"
+#include "corpus/store/case_files.hpp"
+#include "corpus/store/run_store.hpp"
 
 namespace cyl {
 namespace {
@@ -69,7 +69,7 @@ std::vector<Pair> known_pairs(const Arguments& arguments) {
     pairs.insert(pairs.end(), more.begin(), more.end());
   }
   if (arguments.from.empty())
-    for (const Case& c : read_case_folder(in_source_tree("corpus"))) pairs.push_back(c.pair);
+    for (const Case& c : read_case_folder(in_source_tree("corpus/cases"))) pairs.push_back(c.pair);
   return pairs;
 }
 
@@ -245,7 +245,7 @@ void add_worst(CLI::App& app, int& exit_code) {
   command->add_flag("--time", arguments->time, "search for the slowest call instead");
   command->add_option(
       "--from", arguments->from,
-      "start from the findings of a run or a file of cases; from corpus/ and drawn pairs where "
+      "start from the findings of a run or a file of cases; from corpus/cases/ and drawn pairs where "
       "not given");
   add_unsigned(*command, "--seed", arguments->seed, "same seed, and --evaluations: same result");
   add_unsigned(*command, "--evaluations", arguments->evaluations,

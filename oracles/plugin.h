@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  * A method of yours as a shared library: define daylight_method(), build with -shared -fPIC, and name the
- * file to any command: daylight gate --plugin ./libmine.so. C and C++ alike; guides/library.md has one whole.
+ * file to any command: daylight gate --plugin ./libmine.so. C and C++ alike; docs/guides/library.md has one whole.
  *
  * A cylinder is eight doubles: centre x y z, axis x y z (any length but 0), radius, full height. Solid,
  * closed, finite.

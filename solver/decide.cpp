@@ -7,8 +7,9 @@
 #include <bit>
 #include <cmath>
 
-#include "solver/frame.hpp"
-#include "solver/sections.hpp"
+#include "solver/detail/frame.hpp"
+#include "solver/detail/iteration_cap.hpp"
+#include "solver/detail/sections.hpp"
 
 namespace cyl {
 namespace {

@@ -4,7 +4,7 @@
 #pragma once
 
 #include "solver/cylinder.hpp"
-#include "solver/sections.hpp"
+#include "solver/detail/iteration_cap.hpp"
 
 namespace cyl {
 

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-#include "solver/frame.hpp"
+#include "solver/detail/frame.hpp"
 
 namespace cyl {
 namespace {

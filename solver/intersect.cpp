@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Yes or no.
 #include "solver/decide.hpp"
-#include "solver/frame.hpp"
-#include "solver/sections.hpp"
+#include "solver/detail/frame.hpp"
+#include "solver/detail/iteration_cap.hpp"
+#include "solver/detail/sections.hpp"
 
 namespace cyl {
 namespace {

@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <type_traits>
 
-#include "solver/intersect_batch_job.hpp"
+#include "solver/detail/intersect_batch_job.hpp"
 
 namespace cyl {
 namespace {

@@ -2,7 +2,7 @@
 #include <cmath>
 
 #include "solver/decide.hpp"
-#include "solver/frame.hpp"
+#include "solver/detail/frame.hpp"
 
 namespace cyl {
 

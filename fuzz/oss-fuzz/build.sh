@@ -6,7 +6,7 @@ build=${WORK:-/tmp}/daylight
 cmake -S "$SRC/daylight/fuzz/oss-fuzz" -B "$build" -G Ninja -DCMAKE_BUILD_TYPE=None \
   -DCMAKE_CXX_COMPILER="$CXX" -DCMAKE_CXX_FLAGS="$CXXFLAGS"
 ninja -C "$build" fuzz_core_libfuzzer fuzz_seed_methods_libfuzzer make_records
-"$build/make_records" "$SRC/daylight/corpus" "$build/records"
+"$build/make_records" "$SRC/daylight/corpus/cases" "$build/records"
 for target in core seed_methods; do
   cp "$build/fuzz_${target}_libfuzzer" "$OUT/fuzz_$target"
   cp "$build/records.dict" "$OUT/fuzz_$target.dict"

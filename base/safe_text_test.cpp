@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: MIT
+#include "base/safe_text.hpp"
+
+#include <gtest/gtest.h>
+
+namespace cyl {
+namespace {
+
+TEST(ShellQuoted, LeavesPlainWordsAlone) {
+  EXPECT_EQ(shell_quoted("runs/2026-11-21_a.b:12"), "runs/2026-11-21_a.b:12");
+}
+
+TEST(ShellQuoted, QuotesAllElse) {
+  EXPECT_EQ(shell_quoted(""), "''");
+  EXPECT_EQ(shell_quoted("a run"), "'a run'");
+  EXPECT_EQ(shell_quoted("$(id)`id`\"\\"), "'$(id)`id`\"\\'");
+  EXPECT_EQ(shell_quoted("it's"), "'it'\\''s'");
+  EXPECT_EQ(shell_quoted("~x"), "'~x'");
+  EXPECT_EQ(shell_quoted("caf\xc3\xa9"), "'caf\xc3\xa9'");
+}
+
+TEST(EscapedControls, LeavesOneLineThatShowsAsItIsWritten) {
+  EXPECT_EQ(escaped_controls("a\nb\tc\rd"), "a\\nb\\tc\\rd");
+  EXPECT_EQ(escaped_controls("\x1b[2J\x7f\u009b1m\u202e"), "\\u001b[2J\\u007f\\u009b1m\\u202e");
+  EXPECT_EQ(escaped_controls(std::string_view("\0", 1)), "\\u0000");
+  EXPECT_EQ(escaped_controls("caf\u00e9 \u2026 \\n"), "caf\u00e9 \u2026 \\n");
+  EXPECT_EQ(escaped_controls("\xc2"), "\xc2");
+}
+
+TEST(LeadingBidiControl, KnowsAllNineAndNoOther) {
+  int known = 0;
+  for (unsigned code = 0x2000; code < 0x2080; ++code) {
+    const std::string text{'\xe2', static_cast<char>(0x80 | (code >> 6 & 0x3f)),
+                           static_cast<char>(0x80 | (code & 0x3f))};
+    const bool control = (code >= 0x202a && code <= 0x202e) || (code >= 0x2066 && code <= 0x2069);
+    EXPECT_EQ(leading_bidi_control(text + "x"), control ? code : 0) << code;
+    known += control;
+  }
+  EXPECT_EQ(known, 9);
+  EXPECT_EQ(leading_bidi_control("\xe2\x80"), 0u);
+}
+
+}  // namespace
+}  // namespace cyl

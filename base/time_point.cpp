@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: MIT
+#include "base/time_point.hpp"
+
+#include <fmt/chrono.h>
+#include <time.h>
+
+#include <ctime>
+#include <stdexcept>
+
+namespace cyl {
+namespace {
+
+using std::chrono::system_clock;
+
+[[noreturn]] void refuse(const std::string& text) {
+  throw std::invalid_argument("'" + text + "' is no time like 06:30 or 2026-11-22T06:30");
+}
+
+// strptime takes a 31st of February, mktime moves it to March: what comes back must be what was written.
+system_clock::time_point moment_of(std::tm written, bool utc, const std::string& text) {
+  std::tm kept = written;
+  kept.tm_isdst = -1;
+  const std::time_t seconds = utc ? timegm(&kept) : std::mktime(&kept);
+  if (seconds == -1 || kept.tm_mday != written.tm_mday || kept.tm_mon != written.tm_mon) refuse(text);
+  return system_clock::from_time_t(seconds);
+}
+
+}  // namespace
+
+system_clock::time_point parse_moment(const std::string& text) {
+  std::tm fields{};
+  const auto reads_as = [&](const char* format) {
+    fields = {};
+    const char* end = strptime(text.c_str(), format, &fields);
+    return end && *end == '\0';
+  };
+  if (reads_as("%Y-%m-%dT%H:%M") || reads_as("%Y-%m-%dT%H:%M:%S")) return moment_of(fields, false, text);
+  if (reads_as("%Y-%m-%dT%H:%MZ") || reads_as("%Y-%m-%dT%H:%M:%SZ")) return moment_of(fields, true, text);
+  if (!reads_as("%H:%M")) refuse(text);
+  const system_clock::time_point now = system_clock::now();
+  const std::time_t seconds = system_clock::to_time_t(now);
+  std::tm day{};
+  localtime_r(&seconds, &day);
+  day.tm_hour = fields.tm_hour;
+  day.tm_min = fields.tm_min;
+  day.tm_sec = 0;
+  for (int days = 0;; ++days) {  // today or tomorrow; a day of 23 hours may lack the time of it
+    std::tm then = day;
+    then.tm_mday += days;
+    then.tm_isdst = -1;
+    const system_clock::time_point moment = system_clock::from_time_t(std::mktime(&then));
+    if (moment > now) return moment;
+  }
+}
+
+std::string format_moment(system_clock::time_point moment) {
+  return fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(system_clock::to_time_t(moment)));
+}
+
+}  // namespace cyl

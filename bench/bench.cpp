@@ -1,0 +1,269 @@
+// SPDX-License-Identifier: MIT
+#include "bench/bench.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <utility>
+
+#include "bench/bench_call.hpp"
+#include "oracles/trial/compare.hpp"
+#include "solver/intersect_batch.hpp"
+
+namespace cyl {
+namespace {
+
+/// Asked of the enclosures that distances and margins are held against, relative to the size: what doubles
+/// resolve. What comes back is some 3e-14 wide.
+constexpr double enclosure_width = 1e-15;
+
+/// A pair and what the referee proved of it.
+struct Proved {
+  Pair pair;
+  Truth truth;
+  std::optional<Enclosure> distance;  ///< filled when first asked for
+};
+
+Proved prove(const Pair& pair) {
+  static const auto solver = select_methods(own_methods(), "decide");
+  const MethodAnswer offered[] = {solver[0]->ask(pair)};
+  return {pair, judge(pair, offered), {}};
+}
+
+Proved prove(const Family& family, std::uint64_t seed, std::size_t index) {
+  return prove(family.generate(seed, index));
+}
+
+const Enclosure& distance_of(Proved& p) {
+  if (!p.distance) p.distance = enclose_distance(p.pair, p.truth, enclosure_width);
+  return *p.distance;
+}
+
+void count_faults(Proved& proved, MethodAnswer answer, const Claim& claim, BenchRow& row) {
+  if (answer.status != Status::answered) {
+    ++(answer.status == Status::failed ? row.failed : row.undecided);
+    return;
+  }
+  row.undecided += answer.verdict == Verdict::undecided;
+  const double size = size_of(proved.pair);
+  if (answer.has_distance && size > 0) {
+    const Enclosure& real = distance_of(proved);
+    const double said = answer.distance;
+    row.max_error = std::fmax(row.max_error, std::max({0.0, real.lo - said, said - real.hi}) / size);
+    row.max_error_at_most = std::fmax(row.max_error_at_most, std::max(real.hi - said, said - real.lo) / size);
+  }
+  answer.has_distance = false;
+  LazyDistance lazy([&](double width) { return enclose_distance(proved.pair, proved.truth, width); });
+  const std::optional<Finding> finding = compare(proved.pair, proved.truth, lazy, claim, answer);
+  if (!finding) return;
+  if (finding->kind == FindingKind::wrong_invalid) ++row.undecided;
+  const bool disjoint = finding->kind == FindingKind::wrong_disjoint;
+  if (!disjoint && finding->kind != FindingKind::wrong_intersecting) return;
+  ++(disjoint ? row.wrong_disjoint : row.wrong_intersecting);
+  row.wrong_below_claim += finding->severity == Severity::resolution;
+  const Enclosure& real = distance_of(proved);
+  row.wrong_at_margin += std::max(-real.lo, real.hi) >= right_from(row.family) * size;
+}
+
+/// A candidate at work on one family.
+struct Run {
+  Candidate candidate;
+  BenchRow row;
+  std::vector<Pair> timed;  ///< the pairs it does not fail on
+  std::vector<Cost> turns;
+};
+
+std::vector<double> values(std::span<const Cost> costs, double Cost::*field) {
+  std::vector<double> finite;
+  for (const Cost& cost : costs) {
+    if (std::isfinite(cost.*field)) finite.push_back(cost.*field);
+  }
+  return finite;
+}
+
+Cost median(std::span<const Cost> costs) {
+  return {quantile(values(costs, &Cost::ns), 0.5), quantile(values(costs, &Cost::instructions), 0.5)};
+}
+
+BenchRow make_row(const Candidate& candidate, const Family& family) {
+  BenchRow row;
+  row.method = candidate.method->name();
+  row.family = family.name;
+  row.query = candidate.query;
+  row.foreign = candidate.method->foreign();
+  return row;
+}
+
+void time(std::span<Run> runs, const Family& family, const BenchOptions& options,
+          const BenchProgress& progress) {
+  const double seconds = options.min_time / options.passes;
+  std::vector<Cost> empty;
+  for (int pass = 0; pass < options.passes; ++pass) {
+    progress(fmt::format("{}: timing, pass {} of {}", family.name, pass + 1, options.passes));
+    empty.push_back(time_nothing(options.pairs, seconds));
+    for (Run& run : runs) {
+      if (!run.timed.empty()) run.turns.push_back(time_turn(run.candidate, run.timed, seconds));
+    }
+  }
+  for (Run& run : runs) {
+    if (run.timed.empty()) continue;
+    progress(fmt::format("{}: slowest pairs of {} ({})", family.name, run.row.method, run.row.query));
+    const Cost nothing = run.candidate.query == "batch" ? Cost{0, 0} : median(empty);
+    const Cost turn = median(run.turns);
+    run.row.median_ns = turn.ns - nothing.ns;
+    run.row.instructions = turn.instructions - nothing.instructions;
+    run.row.spread_percent = spread_percent(values(run.turns, &Cost::ns));
+    const CallTimes each = time_each(run.candidate, run.timed, options.passes);
+    run.row.p50_ns = each.p50_ns;
+    run.row.p99_ns = each.p99_ns;
+    run.row.max_ns = each.max_ns;
+  }
+}
+
+/// The answers of one candidate, verified; nothing where it is not asked anything or gives no distance.
+std::optional<Run> verify(const Candidate& candidate, const Family& family, std::span<Proved> proved,
+                          std::size_t least) {
+  Run run{candidate, make_row(candidate, family), {}, {}};
+  std::vector<std::size_t> asked;
+  const std::size_t share = std::max<std::size_t>(1, proved.size() / candidate.method->share());
+  for (std::size_t i = 0; i < std::min(proved.size(), std::max(share, least)); ++i) {
+    const bool disjoint = proved[i].truth.verdict == Verdict::disjoint;
+    if (!asks_distance(candidate) || (candidate.query == "distance") == disjoint) asked.push_back(i);
+  }
+  std::vector<Pair> pairs;
+  for (const std::size_t i : asked) pairs.push_back(proved[i].pair);
+  const std::vector<MethodAnswer> answers = ask_all(candidate, pairs);
+  for (std::size_t k = 0; k < asked.size(); ++k) {
+    count_faults(proved[asked[k]], answers[k], candidate.method->claim(), run.row);
+    if (answers[k].status == Status::answered) run.timed.push_back(pairs[k]);
+  }
+  if (run.timed.size() > std::max(share, costly_timed)) run.timed.resize(std::max(share, costly_timed));
+  run.row.pairs = asked.size();
+  const bool gives_none = asks_distance(candidate) && run.row.undecided == asked.size();
+  if (asked.empty() || gives_none) return {};
+  return run;
+}
+
+std::vector<BenchRow> bench_family(const Family& family, std::span<const Candidate> candidates,
+                                   const BenchOptions& options, const BenchProgress& progress) {
+  progress(fmt::format("{}: proving {} pairs", family.name, options.pairs));
+  std::vector<Proved> proved;
+  for (std::size_t i = 0; i < options.pairs; ++i) proved.push_back(prove(family, options.seed, i));
+  std::vector<Run> runs;
+  for (const Candidate& candidate : candidates) {
+    progress(fmt::format("{}: verifying {} ({})", family.name, candidate.method->name(), candidate.query));
+    if (std::optional<Run> run = verify(candidate, family, proved, options.curves ? costly_asked : 0))
+      runs.push_back(std::move(*run));
+  }
+  time(runs, family, options, progress);
+  std::vector<BenchRow> rows;
+  for (Run& run : runs) rows.push_back(std::move(run.row));
+  return rows;
+}
+
+}  // namespace
+
+std::vector<BenchRow> bench(std::span<const std::unique_ptr<Method>> methods,
+                            std::span<const Family> families, const BenchOptions& options,
+                            const BenchProgress& progress) {
+  std::vector<Candidate> candidates = candidates_of(methods);
+  if (options.curves)
+    std::erase_if(candidates, [](const Candidate& c) { return c.query == "raw" || c.query == "depth"; });
+  std::vector<BenchRow> rows;
+  for (const Family& family : families) {
+    for (BenchRow& row : bench_family(family, candidates, options, progress)) rows.push_back(std::move(row));
+  }
+  return rows;
+}
+
+// A proof of each of a million pairs would not fit into memory beside the pairs: they are proved one by one.
+std::vector<BenchRow> bench_batches(std::span<const std::unique_ptr<Method>> methods, const Family& family,
+                                    std::size_t largest, const BenchOptions& options,
+                                    const BenchProgress& progress) {
+  std::vector<Candidate> candidates;
+  for (const Candidate& c : candidates_of(methods)) {
+    if (c.query == "batch") candidates.push_back(c);
+  }
+  std::vector<BenchRow> rows;
+  if (candidates.empty()) return rows;
+  for (std::size_t count = 100; count <= largest; count *= 10) {
+    progress(fmt::format("{}: verifying batches of {}", family.name, count));
+    std::vector<Pair> pairs;
+    for (std::size_t i = 0; i < count; ++i) pairs.push_back(family.generate(options.seed, i));
+    std::vector<Run> runs;
+    for (const Candidate& candidate : candidates) {
+      Run run{candidate, make_row(candidate, family), {}, {}};
+      run.row.pairs = count;
+      const std::vector<MethodAnswer> answers = ask_all(candidate, pairs);
+      for (std::size_t i = 0; i < count; ++i) {
+        Proved proved = prove(family, options.seed, i);
+        count_faults(proved, answers[i], candidate.method->claim(), run.row);
+      }
+      if (run.row.failed == 0) run.timed = pairs;
+      runs.push_back(std::move(run));
+    }
+    time(runs, family, options, progress);
+    for (Run& run : runs) rows.push_back(std::move(run.row));
+  }
+  return rows;
+}
+
+// The first solids of a family's pairs, all against all.
+std::vector<BenchRow> bench_sets(const Family& family, std::size_t largest, const BenchOptions& options,
+                                 const BenchProgress& progress) {
+  constexpr std::size_t verified_pairs = 10'000;  // evenly spread
+  std::vector<BenchRow> rows;
+  for (const std::size_t count : {10u, 32u, 100u, 316u, 1000u, 3162u}) {
+    if (count > largest) break;
+    progress(fmt::format("{}: all pairs of {} solids", family.name, count));
+    std::vector<Cylinder> solids;
+    std::vector<Prepared> prepared;
+    for (std::size_t i = 0; i < count; ++i) {
+      solids.push_back(family.generate(options.seed, i).a);
+      prepared.push_back(prepare(solids[i]));
+    }
+    std::vector<Verdict> verdicts(count * count);
+    intersect_all(prepared, prepared, verdicts.data());
+    BenchRow row;
+    row.method = "intersect";
+    row.family = family.name;
+    row.query = "all pairs";
+    row.pairs = verdicts.size();
+    for (std::size_t k = 0; k < verdicts.size(); k += 1 + verdicts.size() / verified_pairs) {
+      Proved proved = prove(Pair{solids[k / count], solids[k % count]});
+      MethodAnswer answer;
+      answer.status = Status::answered;
+      answer.verdict = verdicts[k];
+      count_faults(proved, answer, Claim{.relative = right_from(family.name), .source = {}}, row);
+    }
+    const std::chrono::duration<double> turn(options.min_time / options.passes);
+    std::vector<double> turns;
+    for (int pass = 0; pass < options.passes; ++pass) {
+      const auto all = [&](auto) { intersect_all(prepared, prepared, verdicts.data()); };
+      turns.push_back(turn_cost(all, verdicts.size(), turn).ns);
+    }
+    row.median_ns = quantile(turns, 0.5);
+    row.spread_percent = spread_percent(turns);
+    rows.push_back(row);
+  }
+  return rows;
+}
+
+std::vector<Family> select_families(std::string_view spec) {
+  std::vector<Family> all;
+  std::vector<std::string> names;
+  for (const std::span<const Family> some : {families(), margin_families()}) {
+    for (const Family& family : some) {
+      all.push_back(family);
+      names.emplace_back(family.name);
+    }
+  }
+  if (spec == "all") return all;
+  std::vector<Family> kept;
+  for (const std::size_t i : select_names(names, spec)) kept.push_back(all[i]);
+  return kept;
+}
+
+}  // namespace cyl

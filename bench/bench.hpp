@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: MIT
+// Nanoseconds a pair, by method, family and query, with the method's faults on the same pairs beside them.
+// Every answer is held against the referee before anything is timed.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "base/stopwatch.hpp"
+#include "corpus/pairs/families.hpp"
+#include "oracles/methods/method.hpp"
+
+namespace cyl {
+
+struct BenchOptions {
+  std::uint64_t seed = 1;    ///< of the families
+  std::size_t pairs = 2000;  ///< of each family; a method asked on a share of indices only gets its share
+  double min_time = 0.2;     ///< seconds of timing a row, all turns together
+  int passes = 9;            ///< turns of each row, the rows of a family taking turns
+  bool curves = false;       ///< for bench/curves.hpp: its queries alone, costly methods on more pairs
+};
+
+/// For curves a costly method is asked about this many pairs at least, and timed on this many of them, where
+/// its share is less: one answer of DIRECT at 6000 evaluations takes as long as ten thousand of the others.
+inline constexpr std::size_t costly_asked = 100, costly_timed = 30;
+
+/// What is asked, and of which pairs:
+///   verdict      yes or no on prepared solids; where a method has no such way, the plain question
+///   raw          the plain question of a method that has the other way too: solids prepared inside the call
+///   certificate  verdict and certificate on prepared solids (method `decide`)
+///   distance     the signed distance on prepared solids, of disjoint pairs
+///   depth        the same, of pairs with a common point
+///   batch        all verdicts in one call on prepared solids
+struct BenchRow {
+  std::string method;
+  std::string family;
+  std::string query;
+  bool foreign = false;
+  std::size_t pairs = 0;                 ///< asked, those it failed on included
+  double median_ns = not_measured;       ///< a pair: the median of the turns; NaN: every pair failed
+  double spread_percent = not_measured;  ///< of the turns
+  /// Over pairs, of the least time of each; NaN for a batch.
+  double p50_ns = not_measured, p99_ns = not_measured, max_ns = not_measured;
+  double instructions = not_measured;  ///< a pair; NaN where the machine has no counter
+  std::size_t wrong_disjoint = 0;      ///< of a distance: its sign
+  std::size_t wrong_intersecting = 0;
+  std::size_t wrong_below_claim = 0;  ///< of the two above, those that the method's own claim allows
+  std::size_t wrong_at_margin = 0;    ///< of the same, those not proved to have a margin < right_from(family)
+  std::size_t undecided = 0;          ///< or declined, or said invalid, or gave no distance
+  std::size_t failed = 0;             ///< crashed, threw or hung; left out of the times
+  /// Of a distance, the largest error in units of the pair's size: at least and at most, by the enclosures.
+  double max_error = not_measured;
+  double max_error_at_most = not_measured;
+};
+
+/// The margin from which on `intersect` is to be right.
+constexpr double right_from(std::string_view family) { return family == "random" ? 1e-14 : 1e-13; }
+
+using BenchProgress = std::function<void(std::string_view)>;
+
+/// Foreign methods run in a forked child. `progress` is told what is being done, in words.
+std::vector<BenchRow> bench(std::span<const std::unique_ptr<Method>> methods,
+                            std::span<const Family> families, const BenchOptions& options,
+                            const BenchProgress& progress);
+
+/// The batches of these methods alone, 10^2, 10^3, .. pairs of one family up to `largest`.
+std::vector<BenchRow> bench_batches(std::span<const std::unique_ptr<Method>> methods, const Family& family,
+                                    std::size_t largest, const BenchOptions& options,
+                                    const BenchProgress& progress);
+
+/// All pairs of n solids of one family, n up to `largest`, in steps of about sqrt(10); query "all pairs".
+std::vector<BenchRow> bench_sets(const Family& family, std::size_t largest, const BenchOptions& options,
+                                 const BenchProgress& progress);
+
+/// The families that `spec` names by the rule of select_names; "all" is those of campaigns and the margins.
+std::vector<Family> select_families(std::string_view spec);
+
+}  // namespace cyl

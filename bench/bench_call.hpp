@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: MIT
+// One way of asking one method, in a forked worker: for its answers, and for its time.
+#pragma once
+
+#include <memory>
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "base/stopwatch.hpp"
+#include "oracles/methods/method.hpp"
+
+namespace cyl {
+
+/// `query` is one of BenchRow's.
+struct Candidate {
+  Method* method;
+  std::string_view query;
+};
+
+/// Every way of asking each of these methods.
+std::vector<Candidate> candidates_of(std::span<const std::unique_ptr<Method>> methods);
+
+/// Whether the query is about distances; of these, `distance` is asked of disjoint pairs and `depth` of
+/// others.
+inline bool asks_distance(const Candidate& c) { return c.query == "distance" || c.query == "depth"; }
+
+/// An answer a pair. A distance says a verdict too, by its sign; where there is none the answer is declined.
+std::vector<MethodAnswer> ask_all(const Candidate& candidate, std::span<const Pair> pairs);
+
+/// What a pair costs in a turn that fills `seconds`, as turn_cost; NaN where the worker died.
+Cost time_turn(const Candidate& candidate, std::span<const Pair> pairs, double seconds);
+/// The same of a call that does nothing.
+Cost time_nothing(std::size_t count, double seconds);
+/// What the pairs cost one by one, as time_calls; NaN for a batch and where the worker died.
+CallTimes time_each(const Candidate& candidate, std::span<const Pair> pairs, int passes);
+
+}  // namespace cyl

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: MIT
+// The rows of a bench against each other: ours and the fastest packaged (foreign) method, family by family.
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "bench/bench.hpp"
+
+namespace cyl {
+
+/// The part of its pairs a method may be wrong, undecided or failed on and still be called right on a family.
+inline constexpr double right_tol = 1e-3;
+
+bool is_right(const BenchRow& row);
+
+/// A method that was asked only its share of the pairs is no rival: nobody knows whether it is right on them.
+struct Rival {
+  std::string method;  ///< empty: there is none
+  double ns = not_measured;
+  double ratio = not_measured;  ///< its time over ours
+  double max_error = not_measured;
+};
+
+/// One query on one family. All numbers NaN where not measured.
+struct Contest {
+  std::string family;
+  std::string method;  ///< ours: `intersect` for verdict and raw, else our fastest
+  double ns = not_measured;
+  double p99_over_median = not_measured;
+  double over_verdict = not_measured;  ///< ns over that of the verdict of `intersect`, same family
+  double over_random = not_measured;   ///< ns over that on family `random`, same query
+  double max_error = not_measured;
+  double max_error_at_most = not_measured;
+  std::size_t wrong = 0;
+  std::size_t wrong_at_margin = 0;
+  Rival right;    ///< the fastest that is_right
+  Rival fastest;  ///< right or wrong
+};
+
+/// Over the families where there is such a rival; NaN where there is none.
+struct Ratios {
+  double least = not_measured;
+  double geometric_mean = not_measured;
+};
+
+/// All contests of one query. A packaged method answers `certificate` and `batch` with its one-pair verdict.
+struct Standing {
+  std::string query;
+  std::vector<Contest> contests;
+  Ratios right, fastest;
+  std::size_t wrong_at_margin = 0;
+};
+
+/// The queries that we have rows of, in the order verdict, raw, certificate, batch, distance, depth.
+std::vector<Standing> summarise(std::span<const BenchRow> rows);
+
+}  // namespace cyl

@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: MIT
+#include "bench/curves.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <map>
+#include <regex>
+#include <utility>
+
+namespace cyl {
+namespace {
+
+constexpr std::array<std::string_view, 4> queries{"verdict", "batch", "certificate", "distance"};
+
+bool all_right(const BenchRow& row) {
+  return row.pairs > 0 && row.wrong_disjoint + row.wrong_intersecting + row.undecided + row.failed == 0;
+}
+
+/// Rows of one method and query together, by first appearance.
+std::vector<std::vector<BenchRow>> by_question(std::span<const BenchRow> rows) {
+  std::vector<std::vector<BenchRow>> groups;
+  for (const BenchRow& row : rows) {
+    if (std::find(queries.begin(), queries.end(), row.query) == queries.end()) continue;
+    const auto same = [&](const auto& g) { return g[0].method == row.method && g[0].query == row.query; };
+    const auto group = std::find_if(groups.begin(), groups.end(), same);
+    (group == groups.end() ? groups.emplace_back() : *group).push_back(row);
+  }
+  return groups;
+}
+
+SpeedPoint point_of(const BenchRow& row, const Digits& digits) {
+  return {row.method, curve_of(row.method), row.family, row.query,          row.median_ns,
+          row.p99_ns, row.max_ns,           row.pairs,  row.wrong_disjoint, row.wrong_intersecting,
+          digits};
+}
+
+/// Over all margins.
+SpeedPoint joint_point(std::span<const BenchRow> rows, const Digits& digits) {
+  SpeedPoint all = point_of(rows[0], digits);
+  all.family = "all";
+  all.ns = all.p99_ns = all.max_ns = not_measured;
+  all.asked = all.wrong_disjoint = all.wrong_intersecting = 0;
+  double sum = 0, timed = 0;
+  for (const BenchRow& row : rows) {
+    if (!margin_of_family(row.family)) continue;
+    all.asked += row.pairs;
+    all.wrong_disjoint += row.wrong_disjoint;
+    all.wrong_intersecting += row.wrong_intersecting;
+    all.p99_ns = std::fmax(all.p99_ns, row.p99_ns);
+    all.max_ns = std::fmax(all.max_ns, row.max_ns);
+    if (!std::isfinite(row.median_ns)) continue;
+    sum += row.median_ns;
+    ++timed;
+  }
+  if (timed > 0) all.ns = sum / timed;
+  return all;
+}
+
+std::string text_of(const std::optional<int>& digits) { return digits ? std::to_string(*digits) : "-"; }
+
+std::string number(double x) { return std::isfinite(x) ? fmt::format("{:.0f}", x) : "-"; }
+
+}  // namespace
+
+CurveName curve_of(std::string_view method) {
+  static const std::regex word(R"((.*-(?:polish|real|arc))([0-9][0-9.]*(?:e-?[0-9]+)?))");
+  static const std::regex setting(R"((.*?)-((?:tol)?([0-9][0-9.]*(?:e-?[0-9]+)?)))");
+  static const std::regex other(R"((.*)-(margin[0-9]+|contacts-[0-9]+|unrefined|centers))");
+  const std::string name(method);
+  std::smatch found;
+  if (std::regex_match(name, found, word)) return {found[1], found[2]};
+  if (std::regex_match(name, found, other)) return {found[1], found[2]};
+  if (std::regex_match(name, found, setting)) return {found[1], found[3]};
+  return {name, "default"};
+}
+
+std::optional<int> margin_of_family(std::string_view family) {
+  constexpr std::string_view start = "margin_1e-";
+  if (!family.starts_with(start)) return {};
+  family.remove_prefix(start.size());
+  int decade = 0;
+  const auto [rest, error] = std::from_chars(family.data(), family.data() + family.size(), decade);
+  if (error != std::errc() || rest != family.data() + family.size()) return {};
+  return decade;
+}
+
+Digits digits_of(std::span<const BenchRow> rows) {
+  std::map<int, const BenchRow*> by_margin;
+  for (const BenchRow& row : rows)
+    if (const auto decade = margin_of_family(row.family)) by_margin[*decade] = &row;
+  Digits digits;
+  for (int d = 1; by_margin.contains(d) && all_right(*by_margin[d]); ++d) digits.right = d;
+  if (!digits.right) return digits;
+  const double needed = std::log(1 - low_confidence) / std::log1p(-low_share_tol);
+  double right = 0;
+  for (int d = *digits.right; d >= 1 && !digits.low; --d) {
+    right += static_cast<double>(by_margin[d]->pairs);
+    if (right >= needed) digits.low = d;
+  }
+  return digits;
+}
+
+std::vector<SpeedPoint> speed_points(std::span<const BenchRow> rows) {
+  std::vector<SpeedPoint> points;
+  for (const std::vector<BenchRow>& group : by_question(rows)) {
+    const Digits digits = digits_of(group);
+    for (const BenchRow& row : group) points.push_back(point_of(row, digits));
+    points.push_back(joint_point(group, digits));
+  }
+  std::erase_if(points, [](const SpeedPoint& p) { return !std::isfinite(p.ns); });
+  return points;
+}
+
+std::vector<CostPoint> cost_points(std::span<const BenchRow> rows) {
+  std::vector<CostPoint> points;
+  for (const BenchRow& row : rows) {
+    const auto decade = margin_of_family(row.family);
+    if (!decade || (row.query != "verdict" && row.query != "certificate") || !std::isfinite(row.p50_ns))
+      continue;
+    points.push_back({row.method, *decade, row.p50_ns, row.p99_ns, row.max_ns});
+  }
+  std::stable_sort(points.begin(), points.end(), [](const CostPoint& x, const CostPoint& y) {
+    return std::pair(x.method, x.decade) < std::pair(y.method, y.decade);
+  });
+  return points;
+}
+
+std::string format_curves(std::span<const SpeedPoint> points) {
+  std::vector<SpeedPoint> joint;
+  for (const SpeedPoint& p : points)
+    if (p.family == "all") joint.push_back(p);
+  std::stable_sort(joint.begin(), joint.end(), [](const SpeedPoint& x, const SpeedPoint& y) {
+    return std::pair(x.query, x.name.curve) < std::pair(y.query, y.name.curve);
+  });
+  std::string text =
+      fmt::format("{:<32}{:<11}{:<13}{:>10}{:>10}{:>11}{:>7}{:>9}{:>9}{:>8}{:>6}\n", "curve", "setting",
+                  "query", "ns/pair", "p99 ns", "max ns", "pairs", "disj(!)", "inter(!)", "digits", "low");
+  for (const SpeedPoint& p : joint) {
+    text +=
+        fmt::format("{:<32}{:<11}{:<13}{:>10}{:>10}{:>11}{:>7}{:>9}{:>9}{:>8}{:>6}\n", p.name.curve,
+                    p.name.setting, p.query, number(p.ns), number(p.p99_ns), number(p.max_ns), p.asked,
+                    p.wrong_disjoint, p.wrong_intersecting, text_of(p.digits.right), text_of(p.digits.low));
+  }
+  return text +
+         "\ndigits: right on every pair at margins of 1e-1 to 1e-digits of the size, and not at the next; "
+         "low: at most 0.1 % not\nright, at 95 %. disj(!), inter(!): wrongly said disjoint, intersecting, "
+         "over margins 1e-1 to 1e-15.\n";
+}
+
+}  // namespace cyl

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: MIT
+// What the charts of speed show, from the rows of a bench over families of known margin.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "bench/bench.hpp"
+
+namespace cyl {
+
+/// Methods that differ in a setting only are points of one curve.
+struct CurveName {
+  std::string curve;
+  std::string setting;  ///< "1e-10", "64", "polish4"; "default" where the name tells none
+};
+
+/// By the words at the end of the name: "fcl-libccd-tol1e-10" is fcl-libccd at 1e-10, "bullet-hull-64" is
+/// bullet-hull at 64, "libccd-gjk-centers" is libccd-gjk at centers.
+CurveName curve_of(std::string_view method);
+
+/// d of "margin_1e-0d".
+std::optional<int> margin_of_family(std::string_view family);
+
+/// The share of wrong answers that `digits_low` excludes, and how surely.
+inline constexpr double low_share_tol = 1e-3, low_confidence = 0.95;
+
+/// How far down a method is right. A row is right where every answer is: none wrong, undecided, declined or
+/// failed.
+struct Digits {
+  /// d where all rows of margins 1e-1 to 1e-d are right, the next is not or was not measured.
+  std::optional<int> right;
+  /// d <= right from which on at most low_share_tol of the answers are not right, with low_confidence:
+  /// provided that a method is not worse farther from touching, each right answer at margins 1e-d to 1e-right
+  /// speaks against a greater share at 1e-d, and n of them would come with a chance of (1 - share)^n. That is
+  /// below 1 - low_confidence from n = 2,995 on. How many margins are needed does not depend on what was
+  /// seen, so no look is counted twice.
+  std::optional<int> low;
+};
+/// Of the rows of one method and query.
+Digits digits_of(std::span<const BenchRow> rows);
+
+/// One method and query on one family, or over all margins: there `family` is "all", ns the mean of the
+/// families', p99 and max the largest of theirs (which bound the joint ones), and counts are sums. Digits are
+/// the method's over all margins, whatever the family.
+struct SpeedPoint {
+  std::string method;
+  CurveName name;
+  std::string family, query;
+  double ns = not_measured, p99_ns = not_measured, max_ns = not_measured;
+  std::size_t asked = 0, wrong_disjoint = 0, wrong_intersecting = 0;
+  Digits digits;
+};
+
+/// Queries verdict, batch, certificate and distance, by first appearance; what was not timed is left out.
+/// Of a distance, the sign is the verdict, and all pairs are disjoint.
+std::vector<SpeedPoint> speed_points(std::span<const BenchRow> rows);
+
+/// Of one method, verdict or (where that is what it has) certificate, at the margin 1e-decade.
+struct CostPoint {
+  std::string method;
+  int decade = 0;
+  double p50_ns = not_measured, p99_ns = not_measured, max_ns = not_measured;
+};
+std::vector<CostPoint> cost_points(std::span<const BenchRow> rows);
+
+/// A line for each point over all margins, by curve.
+std::string format_curves(std::span<const SpeedPoint> points);
+
+}  // namespace cyl

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: MIT
+// Two times below which no decision about a pair can come: one look at a direction, one look at the data.
+#pragma once
+
+#include "bench/bench.hpp"
+
+namespace cyl {
+
+/// Nanoseconds a pair, medians of the turns, on pairs of family `random`.
+struct Floors {
+  /// One evaluation of f (Equation 6) on prepared solids, at random directions: throughput, not latency.
+  double equation_6_ns = not_measured;
+  /// Reading every cache line of prepared solids and of pairs of indices, writing verdicts: of as many pairs
+  /// as the families have, and of large_batch.
+  double memory_pass_ns = not_measured;
+  double large_memory_pass_ns = not_measured;
+};
+
+inline constexpr std::size_t large_batch = 1'000'000;  ///< pairs: far beyond every cache
+
+Floors measure_floors(const BenchOptions& options);
+
+}  // namespace cyl

@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: MIT
+#include "bench/stability/backward.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <nlohmann/json.hpp>
+
+#include "corpus/pairs/pair_io.hpp"
+#include "corpus/pairs/strata.hpp"
+#include "oracles/trial/mechanism.hpp"
+#include "oracles/trial/probe.hpp"
+
+namespace cyl {
+namespace {
+
+using nlohmann::json;
+
+constexpr std::uint64_t sample_seed = 1;
+/// Of each stratum, gaps and penetrations alike: 416 pairs.
+constexpr std::uint64_t pairs_per_stratum = 4;
+
+bool meets(Verdict v) { return v == Verdict::intersecting || v == Verdict::touching; }
+
+/// Said of a pair where it is wrong, by kind and truth.
+Verdict wrong_verdict(FindingKind kind) {
+  switch (kind) {
+    case FindingKind::wrong_disjoint:
+      return Verdict::disjoint;
+    case FindingKind::wrong_intersecting:
+      return Verdict::intersecting;
+    case FindingKind::wrong_touching:
+      return Verdict::touching;
+    default:
+      return Verdict::undecided;
+  }
+}
+
+double quantile(const std::vector<double>& sorted, double share) {
+  const auto rank = static_cast<std::size_t>(std::ceil(share * static_cast<double>(sorted.size())));
+  return sorted[std::clamp<std::size_t>(rank, 1, sorted.size()) - 1];
+}
+
+/// Of a pair whose truth is known, and its distance to some width.
+double movement(Probe& p) {
+  narrow_distance(p);
+  const double moved = std::max(std::abs(p.distance.lo), std::abs(p.distance.hi)) / size_of(p.pair);
+  return std::min(moved, std::numeric_limits<double>::max());
+}
+
+}  // namespace
+
+std::optional<double> backward_error(const Pair& pair, Verdict wrong) {
+  Probe p;
+  p.pair = pair;
+  p.truth = judge(pair);
+  if (!p.decided()) return {};
+  const bool right = wrong == p.truth.verdict || (wrong == Verdict::intersecting && meets(p.truth.verdict));
+  if (right) return {};
+  if (p.truth.verdict == Verdict::touching) return 0;
+  p.distance = enclose_distance(pair, p.truth, 1e-6);
+  return movement(p);
+}
+
+std::vector<WrongVerdict> wrong_verdicts(const std::vector<FindingRecord>& findings) {
+  std::vector<WrongVerdict> all;
+  std::map<std::pair<std::string, Verdict>, std::optional<double>> known;  // many methods err on one pair
+  for (const FindingRecord& f : findings) {
+    const auto kind = find_kind(f.kind);
+    const Verdict said = kind ? wrong_verdict(*kind) : Verdict::undecided;
+    if (said == Verdict::undecided) continue;
+    const auto [at, is_new] = known.try_emplace({f.pair, said});
+    const CaseLine line = parse_case(f.pair, 1);
+    if (is_new && line.value) at->second = backward_error(line.value->pair, said);
+    if (at->second) all.push_back({f.method, *at->second});
+  }
+  return all;
+}
+
+std::vector<WrongVerdict> wrong_verdicts(std::span<const std::unique_ptr<Method>> methods) {
+  std::vector<Pair> pairs;
+  for (std::size_t f = 0; f < contact_feature_count; ++f)
+    for (int decade = first_decade; decade <= last_decade; ++decade)
+      for (std::uint64_t i = 0; i < pairs_per_stratum; ++i)
+        if (const auto pair = draw_in_stratum(static_cast<ContactFeature>(f), decade, sample_seed, i))
+          pairs.push_back(*pair);
+  std::vector<WrongVerdict> all;
+  for (const auto& method : methods) {
+    for (const Probe& p : probe(method, pairs)) {
+      if (!p.finding || wrong_verdict(p.finding->kind) == Verdict::undecided) continue;
+      if (const auto backward = backward_error(p.pair, wrong_verdict(p.finding->kind)))
+        all.push_back({std::string(method->name()), *backward});
+    }
+  }
+  return all;
+}
+
+std::vector<BackwardError> backward_errors(std::span<const WrongVerdict> wrong) {
+  std::vector<std::pair<std::string, std::vector<double>>> by_method;
+  for (const WrongVerdict& w : wrong) {
+    auto at =
+        std::find_if(by_method.begin(), by_method.end(), [&](const auto& m) { return m.first == w.method; });
+    if (at == by_method.end()) at = by_method.insert(at, {w.method, {}});
+    at->second.push_back(w.backward);
+  }
+  std::vector<BackwardError> errors;
+  for (auto& [method, moves] : by_method) {
+    std::sort(moves.begin(), moves.end());
+    errors.push_back({method, moves.size(), quantile(moves, 0.5), quantile(moves, 0.99), moves.back()});
+  }
+  return errors;
+}
+
+json backward_json(std::span<const BackwardError> errors) {
+  json all = json::array();
+  for (const BackwardError& e : errors)
+    all.push_back({{"method", e.method}, {"wrong", e.wrong}, {"p50", e.p50}, {"p99", e.p99}, {"max", e.max}});
+  return all;
+}
+
+}  // namespace cyl

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: MIT
+// The backward error of wrong verdicts: for how near an input the answer would have been right.
+//
+// It is |signed distance|, as the length by which the solids move. b translated by minus the signed distance
+// along the direction in which that is attained touches a: there a wrong "intersecting" or "touching" is
+// right, and any farther a wrong "disjoint". Nothing less does, whatever is changed: where no point of the
+// solid a need move by more than x, nor of b by more than y, for it to become the changed solid (its
+// Hausdorff distance; centres, axes, radii and heights may all change), the support functions change by at
+// most x and y in every unit direction, and the signed distance, an extreme of their sums, by at most x + y.
+// So x + y is at least |signed distance|, and the translation attains it. In the input's own numbers a change
+// of a centre or radius moves a solid by as much, one of a height by half of that, and a turn of an axis by
+// at most its angle times sqrt(r^2 + h^2/4).
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <nlohmann/json_fwd.hpp>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "corpus/store/run_store.hpp"
+#include "oracles/methods/method.hpp"
+
+namespace cyl {
+
+/// In sizes, over the wrong verdicts of one method: half of them are right for an input within p50, ...
+struct BackwardError {
+  std::string method;
+  std::uint64_t wrong = 0;
+  double p50 = 0, p99 = 0, max = 0;
+};
+
+/// Of one wrong verdict, in sizes, to a thousandth of itself and never less, at most the largest double; 0 of
+/// what touches. Nothing where the truth of the pair is not decided, or such a verdict of it is right: then
+/// nothing need move.
+std::optional<double> backward_error(const Pair& pair, Verdict wrong);
+
+struct WrongVerdict {
+  std::string method;
+  double backward;
+};
+/// Of the findings that a run has kept, those of a verdict: the first ones of each kind and family, and the
+/// worst; so that their quantiles are of no distribution but that.
+std::vector<WrongVerdict> wrong_verdicts(const std::vector<FindingRecord>& findings);
+/// Of a fixed sample next to touching: pairs of every stratum (corpus/pairs/strata.hpp), seed 1.
+std::vector<WrongVerdict> wrong_verdicts(std::span<const std::unique_ptr<Method>> methods);
+
+/// By method, by first appearance. Quantiles are of the sample: the least value that so many do not exceed.
+std::vector<BackwardError> backward_errors(std::span<const WrongVerdict> wrong);
+
+nlohmann::json backward_json(std::span<const BackwardError> errors);
+
+}  // namespace cyl

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: MIT
+// What the programs that bench/stability/builds.sh compares are asked: by which methods, and pairs as plain
+// numbers.
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <memory>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+#include "oracles/methods/method.hpp"
+
+namespace cyl {
+
+static_assert(std::is_trivially_copyable_v<MethodAnswer>);
+
+inline constexpr std::size_t doubles_per_pair = 16;
+
+inline Pair pair_of(const double (&x)[doubles_per_pair]) {
+  const auto solid = [](const double* c) {
+    return Cylinder{{c[0], c[1], c[2]}, {c[3], c[4], c[5]}, c[6], c[7]};
+  };
+  return {solid(x), solid(x + doubles_per_pair / 2)};
+}
+
+inline void numbers_of(const Pair& pair, double (&x)[doubles_per_pair]) {
+  double* to = x;
+  for (const Cylinder* c : {&pair.a, &pair.b}) {
+    to = std::copy_n(c->center.data(), 3, to);
+    to = std::copy_n(c->axis.data(), 3, to);
+    *to++ = c->radius;
+    *to++ = c->height;
+  }
+}
+
+/// Ours without `exact`, and those of the texts; each is asked on the indices divisible by its share.
+inline std::vector<std::unique_ptr<Method>> built_methods() {
+  auto methods = own_methods();
+  std::erase_if(methods, [](const auto& method) { return method->name() == "exact"; });
+  for (auto make : {seed_2008_methods, seed_2017_methods})
+    for (auto& method : make()) methods.push_back(std::move(method));
+  return methods;
+}
+
+}  // namespace cyl

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: MIT
+// Which answers change between builds of the same source: other compilers, levels of optimisation, fused
+// multiply-add, denormal numbers flushed to 0. bench/stability/builds.sh makes the builds and asks them.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <map>
+#include <memory>
+#include <nlohmann/json_fwd.hpp>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "oracles/methods/method.hpp"
+#include "oracles/trial/proofs.hpp"
+
+namespace cyl {
+
+/// Of one method.
+struct BuildDifference {
+  std::string method, build, against;
+  std::uint64_t pairs = 0;             ///< asked in both builds
+  std::uint64_t verdicts_changed = 0;  ///< the verdict, or whether there is one
+  std::uint64_t beyond_claim =
+      0;  ///< of them, those whose new verdict is proved wrong beyond the method's claim
+  std::uint64_t distances_changed = 0;   ///< the number, or whether there is one
+  std::optional<double> largest_change;  ///< in sizes, of distances that both builds have
+};
+
+/// What builds are compared on: the first pairs of every family, and pairs of every stratum as they are and
+/// scaled down to where products vanish (2^-500), to just above the least normal numbers (2^-1010), and to
+/// lengths that are denormal themselves (2^-1060, rounded).
+std::vector<Pair> build_pairs();
+
+/// Holds builds against one another; what is proved of a pair is found once.
+class BuildComparison {
+ public:
+  BuildComparison(std::span<const std::unique_ptr<Method>> methods, std::span<const Pair> pairs)
+      : methods_(methods), pairs_(pairs) {}
+  /// By method. Answers by pair and then method, as bench/stability/build_answers_main.cpp writes them, those
+  /// not asked at the share of the method left out of account. The names stay to be filled in.
+  std::vector<BuildDifference> compare(std::span<const MethodAnswer> against,
+                                       std::span<const MethodAnswer> build);
+
+ private:
+  bool is_wrong_beyond_claim(std::size_t pair, const Method& method, const MethodAnswer& answer);
+
+  std::span<const std::unique_ptr<Method>> methods_;
+  std::span<const Pair> pairs_;
+  std::map<std::size_t, Proofs> proofs_;
+};
+
+nlohmann::json to_json(const BuildDifference& difference);
+/// The differences in a file like bench/stability/builds.jsonl, whose first line tells where they come from;
+/// an empty list where there is no such file. Throws std::runtime_error that names the file where it is
+/// something else.
+nlohmann::json builds_json(const std::filesystem::path& file);
+
+}  // namespace cyl

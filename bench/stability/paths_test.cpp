@@ -1,0 +1,223 @@
+// SPDX-License-Identifier: MIT
+#include "bench/stability/paths.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "corpus/pairs/pair_io.hpp"
+#include "oracles/referee/referee.hpp"
+
+namespace cyl {
+namespace {
+
+MethodAnswer right_answer(const PathStep& step) {
+  MethodAnswer a;
+  a.status = Status::answered;
+  a.verdict = step.distance > 0 ? Verdict::disjoint : Verdict::intersecting;
+  a.has_distance = true;
+  a.distance = step.distance;
+  a.set_direction(Vector3(0, 0, 2));
+  return a;
+}
+
+std::vector<MethodAnswer> right_answers(const Path& path) {
+  std::vector<MethodAnswer> answers;
+  for (const PathStep& step : path.steps) answers.push_back(right_answer(step));
+  return answers;
+}
+
+const std::vector<Path>& paths() {
+  static const std::vector<Path> made = make_paths(1);
+  return made;
+}
+
+TEST(Paths, AreAFunctionOfTheSeed) {
+  const std::vector<Path> again = make_paths(1), other = make_paths(2);
+  ASSERT_EQ(paths().size(), 24u);
+  for (std::size_t p = 0; p < paths().size(); ++p) {
+    ASSERT_EQ(paths()[p].steps.size(), again[p].steps.size());
+    for (std::size_t i = 0; i < again[p].steps.size(); ++i)
+      EXPECT_EQ(format_pair(paths()[p].steps[i].pair), format_pair(again[p].steps[i].pair));
+    EXPECT_NE(format_pair(paths()[p].steps[0].pair), format_pair(other[p].steps[0].pair));
+  }
+}
+
+TEST(Paths, TheProvedVerdictFlipsAsOftenAsThePathSays) {
+  for (const std::uint64_t seed : {1, 2}) {
+    for (const Path& path : make_paths(seed)) {
+      std::size_t flips = 0;
+      bool before = false;
+      for (std::size_t i = 0; i < path.steps.size(); ++i) {
+        const bool apart = judge_verdict(path.steps[i].pair).verdict == Verdict::disjoint;
+        ASSERT_EQ(apart, path.steps[i].distance > 0) << path.name << " at " << path.steps[i].at;
+        flips += i > 0 && apart != before;
+        before = apart;
+      }
+      EXPECT_EQ(flips, path.flips) << path.name;
+    }
+  }
+}
+
+TEST(Paths, TheProvedDistanceIsThatOfTheStep) {
+  for (const Path& path : paths()) {
+    for (std::size_t i = 0; i < path.steps.size(); i += 20) {
+      const PathStep& step = path.steps[i];
+      const double width = 1e-11;
+      const Enclosure proved = enclose_distance(step.pair, judge(step.pair), width);
+      const double tol = 1.2 * width * size_of(step.pair);
+      EXPECT_NEAR(proved.lo, step.distance, tol) << path.name << " at " << step.at;
+      EXPECT_NEAR(proved.hi, step.distance, tol) << path.name << " at " << step.at;
+    }
+  }
+}
+
+TEST(Paths, TheDirectionIsOneAndTheSameAllTheWay) {
+  for (const Path& path : paths()) {
+    Vector3 first(0, 0, 0);
+    for (const std::size_t i : {std::size_t{0}, path.steps.size() / 2, path.steps.size() - 1}) {
+      const PathStep& step = path.steps[i];
+      const auto found = attain_distance(step.pair, judge(step.pair), 1e-13);
+      const Vector3 direction(found.direction[0], found.direction[1], found.direction[2]);
+      if (i == 0) first = direction;
+      EXPECT_LT((direction - first).norm(), 1e-2) << path.name << " at " << step.at;
+    }
+  }
+}
+
+TEST(Paths, TurnThroughExactlyParallelAndExactlyOneLine) {
+  for (const Path& path : paths()) {
+    if (path.flips > 0) continue;
+    const PathStep& middle = path.steps[path.steps.size() / 2];
+    EXPECT_EQ(middle.at, 0) << path.name;
+    if (path.name.starts_with("parallel")) {
+      EXPECT_EQ(middle.pair.a.axis, middle.pair.b.axis);
+    }
+  }
+}
+
+TEST(Stability, OfRightAnswersIsWhole) {
+  for (const Path& path : paths()) {
+    const PathStability s = stability_along(path, "right", right_answers(path));
+    EXPECT_EQ(s.flips, path.flips);
+    EXPECT_EQ(s.said, s.steps);
+    EXPECT_EQ(s.distance_jump, 0);
+    EXPECT_EQ(s.direction_jump_degrees, 0);
+    EXPECT_TRUE(s.trace.empty());
+  }
+}
+
+TEST(Stability, SeesAVerdictThatFlipsTwiceMore) {
+  for (const Path& path : paths()) {
+    std::vector<MethodAnswer> answers = right_answers(path);
+    const std::size_t at = path.steps.size() / 4;
+    Verdict& one = answers[at].verdict;
+    one = one == Verdict::disjoint ? Verdict::touching : Verdict::disjoint;
+    const PathStability s = stability_along(path, "flips", answers);
+    EXPECT_EQ(s.flips, path.flips + 2) << path.name;
+    ASSERT_FALSE(s.trace.empty());
+    EXPECT_LE(s.trace.size(), trace_cap);
+    std::size_t shown = 0;
+    for (std::size_t i = 1; i < s.trace.size(); ++i)
+      shown += (s.trace[i].verdict == Verdict::disjoint) != (s.trace[i - 1].verdict == Verdict::disjoint);
+    EXPECT_EQ(shown, s.flips) << path.name;
+  }
+}
+
+TEST(Stability, TheTraceOfAVerdictThatAlwaysFlipsIsBounded) {
+  std::vector<MethodAnswer> answers = right_answers(paths()[0]);
+  for (std::size_t i = 0; i < answers.size(); i += 2) answers[i].verdict = Verdict::disjoint;
+  for (std::size_t i = 1; i < answers.size(); i += 2) answers[i].verdict = Verdict::intersecting;
+  const PathStability s = stability_along(paths()[0], "noise", answers);
+  EXPECT_EQ(s.flips, answers.size() - 1);
+  EXPECT_GT(s.trace.size(), trace_cap / 2);
+  EXPECT_LE(s.trace.size(), trace_cap);
+}
+
+TEST(Stability, PassesOverWhatIsNotSaid) {
+  std::vector<MethodAnswer> answers = right_answers(paths()[0]);
+  answers[3].verdict = Verdict::undecided;
+  answers[4].status = Status::declined;
+  answers[5].status = Status::failed;
+  const PathStability s = stability_along(paths()[0], "some", answers);
+  EXPECT_EQ(s.flips, 1u);
+  EXPECT_EQ(s.said, s.steps - 3);
+}
+
+TEST(Stability, SeesADistanceThatJumps) {
+  for (const Path& path : paths()) {
+    std::vector<MethodAnswer> answers = right_answers(path);
+    const std::size_t at = path.steps.size() / 2 + 3;
+    answers[at].distance += 0.25 * size_of(path.steps[at].pair);
+    answers[2].distance = std::nan("");  // told as no distance, not as a jump
+    const PathStability s = stability_along(path, "jumps", answers);
+    ASSERT_TRUE(s.distance_jump);
+    EXPECT_NEAR(*s.distance_jump, 0.25, 1e-3) << path.name;
+    EXPECT_EQ(s.flips, path.flips);
+  }
+}
+
+TEST(Stability, SeesADirectionThatTurns) {
+  std::vector<MethodAnswer> answers = right_answers(paths()[0]);
+  answers[7].set_direction(Vector3(5, 0, 5));
+  const PathStability s = stability_along(paths()[0], "turns", answers);
+  ASSERT_TRUE(s.direction_jump_degrees);
+  EXPECT_NEAR(*s.direction_jump_degrees, 45, 1e-9);
+}
+
+/// Says how it was taught, whatever the pair: disjoint on every third question.
+class Moody final : public Method {
+ public:
+  std::string_view name() const override { return "moody"; }
+  std::string_view version() const override { return "1"; }
+  Claim claim() const override { return {}; }
+  MethodAnswer ask(const Pair&) override {
+    MethodAnswer a;
+    a.status = Status::answered;
+    a.verdict = asked_++ % 3 == 0 ? Verdict::disjoint : Verdict::intersecting;
+    return a;
+  }
+
+ private:
+  int asked_ = 0;
+};
+
+class Silent final : public Method {
+ public:
+  std::string_view name() const override { return "silent"; }
+  std::string_view version() const override { return "1"; }
+  Claim claim() const override { return {}; }
+  MethodAnswer ask(const Pair&) override { return {}; }
+};
+
+TEST(Stability, OfMethodsIsByPathAndWithoutThoseThatSayNothing) {
+  std::vector<std::unique_ptr<Method>> methods = select_methods(own_methods(), "decide");
+  methods.push_back(std::make_unique<Moody>());
+  methods.push_back(std::make_unique<Silent>());
+  const std::vector<PathStability> all = path_stability(methods, 1);
+  ASSERT_EQ(all.size(), 2 * paths().size());
+  for (std::size_t p = 0; p < paths().size(); ++p) {
+    EXPECT_EQ(all[p].method, "decide");
+    EXPECT_LE(all[p].flips, paths()[p].flips) << all[p].path;  // it is never wrong
+    EXPECT_GT(all[p].said, 0u);
+    const PathStability& moody = all[paths().size() + p];
+    EXPECT_EQ(moody.path, paths()[p].name);
+    EXPECT_GT(moody.flips, moody.steps / 2);
+    EXPECT_FALSE(moody.distance_jump);
+  }
+  const nlohmann::json told = paths_json(all);
+  const nlohmann::json& last = told.back();
+  EXPECT_EQ(last["method"], "moody");
+  EXPECT_EQ(last["path"], "coaxial overlap");
+  EXPECT_EQ(last["steps"], all.back().steps);
+  EXPECT_EQ(last["flips"], all.back().flips);
+  EXPECT_TRUE(last["distance_jump"].is_null());
+  EXPECT_TRUE(last["direction_jump_degrees"].is_null());
+  EXPECT_TRUE(last["trace"][0]["distance"].is_null());
+  EXPECT_EQ(last["trace"][0]["at"], paths().back().steps[0].at);
+  EXPECT_FALSE(told[0].contains("trace"));
+}
+
+}  // namespace
+}  // namespace cyl

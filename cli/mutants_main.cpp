@@ -1,0 +1,266 @@
+// SPDX-License-Identifier: MIT
+// daylight-mutants: what the harness is worth. Lists the mutants and runs every detector on every one.
+// Exit status 0: the program as it is survives all, every mutant but those argued equivalent is caught; 2
+// where one is not; 1 where the harness itself fails.
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <CLI/CLI.hpp>
+#include <chrono>
+#include <cstdio>
+#include <exception>
+#include <filesystem>
+#include <fstream>
+#include <iostream>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "corpus/pairs/families.hpp"
+#include "corpus/store/batch_text.hpp"
+#include "corpus/store/case_files.hpp"
+#include "fuzz/campaign/batch.hpp"
+#include "fuzz/campaign/self_check.hpp"
+#include "oracles/trial/compare.hpp"
+#include "props/gate/gate.hpp"
+#include "props/mutants/kill_matrix.hpp"
+
+namespace {
+
+using namespace cyl;
+
+constexpr int exit_harness_failed = 1, exit_survivors = 2;
+
+/// A campaign of its own seed, looked at after each batch; a finding beyond a claim or a truth that nobody
+/// can prove ends it.
+constexpr std::uint64_t fuzz_seed = 7, fuzz_indices = 24 * batch_size;
+
+std::string finding(const Mutant& mutant) {
+  const auto methods = select_methods(all_methods(), mutant.asks);
+  for (std::uint64_t at = 0; at < fuzz_indices; at += batch_size) {
+    const BatchRecord batch = run_batch({methods, families(), {}}, fuzz_seed, at, at + batch_size);
+    for (const FindingRecord& f : batch.findings)
+      if (f.severity != to_string(Severity::resolution))
+        return fmt::format("{}: {} on {} {}; {}", f.method, f.kind, f.family, f.family_index, f.pair);
+  }
+  return {};
+}
+
+/// The gate, as a merge would meet it but for its time: what it does not see in this, it may yet see in its
+/// own forty seconds.
+constexpr std::chrono::milliseconds gate_budget{5000};
+
+std::string gate_closed(const Mutant& mutant, std::span<const Case> cases) {
+  const auto methods = select_methods(all_methods(), mutant.asks);
+  GateOptions options;
+  options.budget = gate_budget;
+  const GateReport report = run_gate(methods, cases, options);
+  if (exit_code(report) == 0) return {};
+  for (const GateFailure& f : report.failures)
+    if (f.severity == Severity::contract)
+      return fmt::format("{}: law {}, {}; {}", f.method, f.law->number, f.what, format_pair(f.simplest));
+  return "undecided";
+}
+
+/// Becomes the unit tests. They read the number of the mutant from the environment.
+std::string failing_test(const std::string& program, const Mutant& mutant) {
+  if (mutant.tests.empty()) return {};
+  setenv("DAYLIGHT_MUTANT", std::to_string(mutant.number).c_str(), 1);
+  setenv("RC_PARAMS", "seed=20261121 max_success=500", 1);
+  const std::string filter = "--gtest_filter=" + std::string(mutant.tests);
+  execl(program.c_str(), program.c_str(), filter.c_str(), "--gtest_fail_fast", nullptr);
+  return "cannot run " + program;
+}
+
+std::string json_of(const KillRow& row, std::span<const Detector> detectors) {
+  std::string text =
+      fmt::format(R"({{"mutant":{},"file":{},"what":{},"like":{})", row.mutant.number,
+                  quote_json(row.mutant.file), quote_json(row.mutant.what), quote_json(row.mutant.like));
+  text += ",\"asks\":" + quote_json(row.mutant.asks);
+  if (!row.mutant.equivalent.empty()) text += ",\"equivalent\":" + quote_json(row.mutant.equivalent);
+  for (std::size_t i = 0; i < detectors.size(); ++i) {
+    if (row.detections[i].fate == Fate::not_run) continue;
+    text += fmt::format(R"(,"{}":{{"fate":"{}","seconds":{:.3f},"what":{}}})", detectors[i].name,
+                        to_string(row.detections[i].fate), row.detections[i].seconds,
+                        quote_json(row.detections[i].what));
+  }
+  return text + "}";
+}
+
+void print(const KillRow& row) {
+  std::string line = fmt::format("{:4}", row.mutant.number);
+  for (const Detection& d : row.detections)
+    line += fmt::format("  {:8} {:6.2f}", to_string(d.fate), d.seconds);
+  fmt::print("{}  {}\n", line, row.mutant.what);
+  if (row.mutant.number == 0)
+    for (const Detection& d : row.detections)
+      if (!d.what.empty()) fmt::print("      {}\n", d.what);
+  std::fflush(stdout);
+}
+
+void list() {
+  for (const Mutant& m : all_mutants())
+    fmt::print("{:4}  {:30}  {}{}\n", m.number, m.file, m.what, m.equivalent.empty() ? "" : " (equivalent)");
+}
+
+struct Arguments {
+  std::vector<int> only;
+  std::vector<std::string> detectors;
+  bool first = false;
+  std::string json, corpus = DAYLIGHT_SOURCE_DIR "/corpus/cases";
+};
+
+int matrix(const Arguments& arguments) {
+  const auto& [only, wanted, first, json, corpus] = arguments;
+  const std::vector<Case> cases = read_case_folder(corpus);
+  std::vector<Detector> detectors = law_detectors(cases);
+  detectors.push_back({"fuzz", finding});
+  detectors.push_back({"gate", [&](const Mutant& mutant) { return gate_closed(mutant, cases); }});
+  const std::string tests = std::filesystem::read_symlink("/proc/self/exe").parent_path() / "mutant_tests";
+  detectors.push_back({"tests", [&](const Mutant& mutant) { return failing_test(tests, mutant); }});
+
+  for (const std::string& name : wanted)
+    if (std::none_of(detectors.begin(), detectors.end(), [&](const Detector& d) { return d.name == name; }))
+      throw std::invalid_argument("no detector " + name);
+  if (!wanted.empty())
+    std::erase_if(detectors, [&](const Detector& d) {
+      return std::find(wanted.begin(), wanted.end(), d.name) == wanted.end();
+    });
+
+  std::ofstream out;
+  if (!json.empty()) out.open(json);
+  const auto run = [&](const Mutant& mutant) {
+    KillRow row{mutant, {}};
+    for (const Detector& detector : detectors) {
+      const bool done = first && row.killed();
+      row.detections.push_back(
+          done ? Detection{} : run_detectors(mutant, {&detector, 1}, select_mutant).detections.front());
+    }
+    print(row);
+    if (!json.empty()) out << json_of(row, detectors) << '\n' << std::flush;
+    return row.killed();
+  };
+
+  fmt::print("    ");
+  for (const Detector& detector : detectors) fmt::print("  {:15}", detector.name);
+  fmt::print("\n");
+  // Each set of methods once without a fault; all tests that any mutant names together.
+  std::vector<Mutant> chosen, controls;
+  for (const Mutant& m : all_mutants())
+    if (only.empty() || std::find(only.begin(), only.end(), m.number) != only.end()) chosen.push_back(m);
+  if (chosen.empty()) throw std::invalid_argument("no such mutant");
+  for (const Mutant& m : chosen) {
+    const auto same = [&](const Mutant& c) { return c.asks == m.asks && c.tests == m.tests; };
+    if (std::none_of(controls.begin(), controls.end(), same))
+      controls.push_back({0, "", "the program as it is", "", m.asks, m.tests, ""});
+  }
+  for (const Mutant& control : controls)
+    if (run(control)) throw std::runtime_error("a detector fires without a fault");
+  std::size_t killed = 0;
+  std::string survivors, not_equivalent;
+  for (const Mutant& m : chosen) {
+    const bool caught = run(m);
+    killed += caught;
+    if (!caught && m.equivalent.empty()) survivors += fmt::format(" {}", m.number);
+    if (caught && !m.equivalent.empty()) not_equivalent += fmt::format(" {}", m.number);
+  }
+  fmt::print("{} of {} mutants caught\n", killed, chosen.size());
+  if (!survivors.empty()) fmt::print("not caught, nor argued equivalent:{}\n", survivors);
+  if (!not_equivalent.empty()) fmt::print("argued equivalent, and caught:{}\n", not_equivalent);
+  return survivors.empty() && not_equivalent.empty() ? 0 : exit_survivors;
+}
+
+/// Faults of each part, in an order in which any first few are of different parts; each is caught within a
+/// second or two.
+constexpr int smoke_mutants[] = {103, 301, 110, 204, 120};
+
+int smoke(std::size_t count, const std::string& corpus) {
+  const std::vector<Case> cases = read_case_folder(corpus);
+  const std::vector<Detector> detectors = law_detectors(cases);
+  count = std::min(count, std::size(smoke_mutants));
+  std::size_t caught = 0;
+  std::string missed;
+  for (const int number : std::span(smoke_mutants, count)) {
+    const auto mutants = all_mutants();
+    const auto mutant =
+        std::find_if(mutants.begin(), mutants.end(), [&](const Mutant& m) { return m.number == number; });
+    if (mutant == mutants.end()) throw std::runtime_error(fmt::format("there is no mutant {}", number));
+    const bool killed = std::any_of(detectors.begin(), detectors.end(), [&](const Detector& detector) {
+      return run_detectors(*mutant, {&detector, 1}, select_mutant).killed();
+    });
+    caught += killed;
+    if (!killed) missed += fmt::format(", not {} ({})", number, mutant->what);
+  }
+  fmt::print("{} of {} caught{}\n", caught, count, missed);
+  return caught == count ? 0 : exit_survivors;
+}
+
+struct Planted {
+  int number = 0;
+  std::uint64_t seed = 0, first = 0, pairs = 0;
+  std::string methods, weights;
+  std::vector<std::string> families;
+};
+
+/// One fault through a campaign's pairs until it is found; number 0 is the program as it is.
+int alarm(const Planted& planted) {
+  const auto mutants = all_mutants();
+  const auto is_it = [&](const Mutant& m) { return m.number == planted.number; };
+  if (planted.number != 0 && std::none_of(mutants.begin(), mutants.end(), is_it))
+    throw std::invalid_argument(fmt::format("there is no mutant {}", planted.number));
+  const auto methods = select_methods(all_methods(), planted.methods);
+  std::vector<Family> drawn;
+  for (const std::string& name : planted.families)
+    for (const Family& family : families())
+      if (family.name == name) drawn.push_back(family);
+  if (drawn.size() != planted.families.size()) throw std::invalid_argument("no such family");
+  const std::vector<unsigned> weights = parse_weights(planted.weights);
+  select_mutant(planted.number);
+  const BatchRecord found =
+      run_until_found({methods, drawn, {}, weights}, planted.seed, planted.first, planted.pairs);
+  fmt::print("{}\n", format_batch(found));
+  return 0;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  CLI::App app{"Plants one fault after the other into this program and sees which the harness catches."};
+  app.require_subcommand(1);
+  app.footer("For example: daylight-mutants matrix --only 101,102 --json kills.jsonl");
+  Arguments arguments;
+  auto* listing = app.add_subcommand("list", "the mutants");
+  auto* running = app.add_subcommand("matrix", "every detector on every mutant, the program as it is first");
+  running->add_option("--only", arguments.only, "numbers of mutants")->delimiter(',');
+  running
+      ->add_option("--detectors", arguments.detectors,
+                   "laws, corpus, differential, fuzz, gate, tests; all where not given")
+      ->delimiter(',');
+  running->add_flag("--first", arguments.first, "leave a mutant at its first kill");
+  running->add_option("--json", arguments.json, "a file for the rows, one JSON object a line");
+  running->add_option("--corpus", arguments.corpus, "the folder of the case files");
+  std::size_t count = std::size(smoke_mutants);
+  auto* quick = app.add_subcommand("smoke", "a few mutants that must be caught at once");
+  quick->add_option("--count", count, "how many");
+  quick->add_option("--corpus", arguments.corpus, "the folder of the case files");
+  Planted planted;
+  auto* night =
+      app.add_subcommand("alarm", "a mutant through a campaign's pairs until it is found; campaigns do it");
+  night->add_option("--mutant", planted.number)->required();
+  night->add_option("--seed", planted.seed)->required();
+  night->add_option("--first", planted.first)->required();
+  night->add_option("--pairs", planted.pairs)->required();
+  night->add_option("--methods", planted.methods)->required();
+  night->add_option("--families", planted.families)->delimiter(',')->required();
+  night->add_option("--weights", planted.weights);
+  CLI11_PARSE(app, argc, argv);
+  try {
+    if (listing->parsed()) list();
+    if (night->parsed()) return alarm(planted);
+    if (quick->parsed()) return smoke(count, arguments.corpus);
+    return running->parsed() ? matrix(arguments) : 0;
+  } catch (const std::exception& error) {
+    std::cerr << "daylight-mutants: " << error.what() << '\n';
+    return exit_harness_failed;
+  }
+}

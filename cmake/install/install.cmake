@@ -1,0 +1,98 @@
+# SPDX-License-Identifier: MIT
+# What can be installed, a component at a time. `program` is the program with what it reads. What other programs may link
+# are three libraries of the objects of the folders, each with its headers, a component of the CMake package `daylight` and
+# a pkg-config file:
+#   solver    the decision and the distance; needs Eigen alone
+#   exact     decide_exactly and the referee; GMP, MPFR and MPFI too
+#   oracles   every method, compare and the readers behind them; everything
+# The fifth, `python`, is in python/python.cmake.
+# Headers go under include/daylight, which is on the include path as is its parent: <daylight/solver/decide.hpp> and the
+# "solver/cylinder.hpp" in it are both found.
+include(GNUInstallDirs)
+include(CMakePackageConfigHelpers)
+set(package_folder ${CMAKE_INSTALL_LIBDIR}/cmake/daylight)
+file(RELATIVE_PATH prefix_from_pc /${CMAKE_INSTALL_LIBDIR}/pkgconfig /)
+
+# daylight_library(NAME OBJECTS .. HEADERS .. LINKS .. [PC_REQUIRES "a b"] [PC_LIBS "-la -lb"])
+function(daylight_library name)
+  cmake_parse_arguments(it "" "PC_REQUIRES;PC_LIBS" "OBJECTS;HEADERS;LINKS" ${ARGN})
+  set(library installed_${name})
+  add_library(${library} STATIC ${it_OBJECTS})
+  set_target_properties(${library} PROPERTIES LINKER_LANGUAGE CXX EXPORT_NAME ${name} OUTPUT_NAME daylight_${name}
+                        ARCHIVE_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/library)
+  target_link_libraries(${library} INTERFACE ${it_LINKS})
+  target_compile_features(${library} INTERFACE cxx_std_20)
+  target_include_directories(${library} INTERFACE $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>
+                                                  $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}/daylight>)
+  install(TARGETS ${library} EXPORT ${name} ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT ${name})
+  install(EXPORT ${name} NAMESPACE daylight:: FILE daylight-${name}.cmake DESTINATION ${package_folder} COMPONENT ${name})
+  foreach(header ${it_HEADERS})
+    get_filename_component(folder ${header} DIRECTORY)
+    install(FILES ${header} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/daylight/${folder} COMPONENT ${name})
+  endforeach()
+  configure_file(cmake/install/daylight.pc.in ${CMAKE_BINARY_DIR}/library/daylight-${name}.pc @ONLY)
+  install(FILES ${CMAKE_BINARY_DIR}/library/daylight-${name}.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig
+          COMPONENT ${name})
+endfunction()
+
+# Which objects are in which library: every library is made of whole rooms, but for `exact`, which the readers belong to.
+function(daylight_objects_of result)
+  set(all "")
+  foreach(room ${ARGN})
+    daylight_target_of(${room} target)
+    list(APPEND all $<TARGET_OBJECTS:${target}>)
+  endforeach()
+  set(${result} ${all} PARENT_SCOPE)
+endfunction()
+daylight_objects_of(solver_objects solver)
+daylight_objects_of(exact_objects corpus/pairs oracles/referee)
+daylight_objects_of(oracles_objects base base/process solver/literature corpus/store oracles/methods oracles/trial)
+
+daylight_library(solver OBJECTS ${solver_objects} LINKS Eigen3::Eigen PC_REQUIRES eigen3
+  HEADERS solver/cylinder.hpp solver/decide.hpp solver/detail/iteration_cap.hpp solver/distance.hpp solver/intersect_batch.hpp)
+daylight_library(exact LINKS installed_solver mpfi mpfr gmpxx gmp fmt::fmt OBJECTS ${exact_objects}
+  PC_REQUIRES "daylight-solver fmt" PC_LIBS "-lmpfi -lmpfr -lgmpxx -lgmp"
+  HEADERS oracles/referee/decide_exactly.hpp oracles/referee/referee.hpp corpus/pairs/method_answer.hpp)
+daylight_library(oracles OBJECTS ${oracles_objects} LINKS installed_exact NLopt::nlopt ${FCL_LIBRARY} ${BULLET_LIBRARY}
+                 ${CCD_LIBRARY} ${ODE_LIBRARY} SQLiteCpp fmt::fmt mujoco
+  PC_REQUIRES "daylight-exact nlopt fcl bullet-float64 ccd ode fmt" PC_LIBS "-lSQLiteCpp -lsqlite3 -lmujoco"
+  HEADERS oracles/methods/method.hpp oracles/methods/contained.hpp oracles/methods/adapter.hpp oracles/methods/guest.hpp
+          oracles/trial/compare.hpp oracles/plugin.h corpus/pairs/pair_io.hpp corpus/pairs/families.hpp)
+
+# The places of version 0.1.0: each old header includes the new one.
+foreach(move
+    oracles/exact.hpp=oracles/referee/decide_exactly.hpp:exact
+    oracles/referee.hpp=oracles/referee/referee.hpp:exact
+    oracles/method.hpp=oracles/methods/method.hpp:oracles
+    oracles/compare.hpp=oracles/trial/compare.hpp:oracles
+    oracles/contained.hpp=oracles/methods/contained.hpp:oracles
+    oracles/adapter.hpp=oracles/methods/adapter.hpp:oracles
+    oracles/guest.hpp=oracles/methods/guest.hpp:oracles
+    corpus/pair_io.hpp=corpus/pairs/pair_io.hpp:oracles
+    corpus/families.hpp=corpus/pairs/families.hpp:oracles)
+  string(REGEX MATCH "^(.*)=(.*):(.*)$" all ${move})
+  set(old ${CMAKE_MATCH_1})
+  set(new ${CMAKE_MATCH_2})
+  set(component ${CMAKE_MATCH_3})
+  file(WRITE ${CMAKE_BINARY_DIR}/library/${old} "// The place of version 0.1.0.\n#include \"${new}\"\n")
+  get_filename_component(folder ${old} DIRECTORY)
+  install(FILES ${CMAKE_BINARY_DIR}/library/${old} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/daylight/${folder} COMPONENT ${component})
+endforeach()
+
+configure_file(cmake/install/daylight-config.cmake.in ${CMAKE_BINARY_DIR}/library/daylight-config.cmake @ONLY)
+write_basic_package_version_file(${CMAKE_BINARY_DIR}/library/daylight-config-version.cmake
+                                 VERSION ${PROJECT_VERSION} COMPATIBILITY SameMinorVersion)
+install(FILES ${CMAKE_BINARY_DIR}/library/daylight-config.cmake ${CMAKE_BINARY_DIR}/library/daylight-config-version.cmake
+        DESTINATION ${package_folder} COMPONENT solver)
+
+# The program finds these by their names in the source tree (base/source_tree.hpp). Its page is inside it. Not installed: what
+# plants faults and what fuzzes, which are made of the sources and tell so when they are asked for.
+install(TARGETS daylight RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT program)
+file(GLOB data RELATIVE ${PROJECT_SOURCE_DIR} CONFIGURE_DEPENDS corpus/cases/*.jsonl corpus/scenes/*)
+list(APPEND data oracles/plugin.h props/mutants/kill_matrix.jsonl bench/stability/builds.jsonl reports/web/chart.mjs)
+foreach(file ${data})
+  get_filename_component(folder ${file} DIRECTORY)
+  install(FILES ${file} DESTINATION ${CMAKE_INSTALL_DATADIR}/daylight/${folder} COMPONENT program)
+endforeach()
+install(FILES README.md DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT program)
+install(DIRECTORY docs/guides DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT program FILES_MATCHING PATTERN *.md)

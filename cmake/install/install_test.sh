@@ -1,0 +1,188 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: MIT
+# Installs the libraries of the build folder $1 into a clean prefix, moves it, and builds the example of README.md against
+# it with compiler $2: by find_package and by pkg-config, a component at a time, each header alone.
+set -euo pipefail
+
+build=$1
+compiler=$2
+source=$(cd -- "$(dirname -- "$(readlink -f -- "${BASH_SOURCE[0]}")")/../.." && pwd)
+scratch=$(mktemp -d)
+trap 'rm -rf -- "$scratch"' EXIT
+cd -- "$scratch"
+
+fail() {
+  echo "$*"
+  exit 1
+}
+
+# What README.md prints, in files of the names it states.
+awk '/^```/ && open { close(name); open = 0; next } /^```[a-z]+ file=/ { name = $0; sub(/.*file=/, "", name); open = 1 }
+     open == 2 { print > name } open == 1 { open = 2 }' "$source/README.md"
+[[ -s CMakeLists.txt && -s consumer.cpp && -s consumer.out ]] || fail "README.md lacks an example"
+
+cat >some_oracles.cpp <<'END'
+#include <daylight/oracles/compare.hpp>
+#include <daylight/oracles/contained.hpp>
+#include <daylight/oracles/exact.hpp>
+int main() {
+  const cyl::Pair pair{{{0, 0, 0}, {0, 0, 1}, 1, 2}, {{0, 0, 5}, {0, 0, 1}, 1, 2}};
+  const cyl::Truth truth = cyl::judge(pair);
+  cyl::LazyDistance distance([&](double width) { return cyl::enclose_distance(pair, truth, width); });
+  int wrong = 0, answers = 0;
+  for (const auto& method : cyl::all_methods()) {
+    const cyl::MethodAnswer answer = method->ask(pair);
+    answers += answer.status == cyl::Status::answered;
+    wrong += cyl::compare(pair, truth, distance, method->claim(), answer).has_value();
+  }
+  return answers > 20 && wrong == 0 ? 0 : 1;
+}
+END
+
+install_into() { # prefix components..
+  local prefix=$1 component
+  shift
+  for component; do cmake --install "$build" --prefix "$prefix" --component "$component" >/dev/null; done
+}
+
+built_by_pkg_config() { # prefix module source program
+  local flags
+  export PKG_CONFIG_PATH
+  PKG_CONFIG_PATH=$(dirname -- "$(find "$1" -name daylight-solver.pc)")
+  flags=$(pkg-config --cflags --libs "$2")
+  # shellcheck disable=SC2086 # flags are words
+  "$compiler" "$3" -o "$4" $flags -std=c++20  # after the flags: those of FCL say c++11
+}
+
+built_by_cmake() { # prefix project folder
+  cmake -S "$2" -B "$2/build" -DCMAKE_PREFIX_PATH="$1" -DCMAKE_CXX_COMPILER="$compiler" >log 2>&1 || fail "$(cat log)"
+  cmake --build "$2/build" >log 2>&1 || fail "$(cat log)"
+}
+
+# The solver alone needs nothing of the rest.
+install_into first solver
+mv first moved
+cat >only_solver.cpp <<'END'
+#include <daylight/solver/intersect_batch.hpp>
+int main() { return cyl::intersect(cyl::Cylinder{}, cyl::Cylinder{}) == cyl::Verdict::intersecting ? 0 : 1; }
+END
+built_by_pkg_config "$PWD/moved" daylight-solver only_solver.cpp only_solver
+./only_solver || fail "the solver is wrong"
+! ldd only_solver | grep -E 'gmp|mpf|fcl|nlopt|sqlite' || fail "the solver alone needs more than Eigen"
+mkdir absent
+sed 's/^/# /; s/^# \(cmake_min\|project\|find_package\)/\1/' CMakeLists.txt >absent/CMakeLists.txt
+! cmake -S absent -B absent/build -DCMAKE_PREFIX_PATH="$PWD/moved" >log 2>&1 || fail "found a component that is not installed"
+grep -q 'component exact is not installed' log || fail "$(cat log)"
+
+install_into "$PWD/moved" exact
+mkdir example
+cp CMakeLists.txt consumer.cpp example
+built_by_cmake "$PWD/moved" example
+example/build/consumer >printed
+diff -u consumer.out printed || fail "README.md prints something else"
+built_by_pkg_config "$PWD/moved" daylight-exact consumer.cpp consumer
+./consumer | diff -u consumer.out - || fail "built by pkg-config it prints something else"
+
+install_into "$PWD/moved" oracles
+mkdir oracles
+mv some_oracles.cpp oracles/consumer.cpp
+sed 's/exact/oracles/g' CMakeLists.txt >oracles/CMakeLists.txt
+built_by_cmake "$PWD/moved" oracles
+oracles/build/consumer || fail "the oracles are wrong"
+built_by_pkg_config "$PWD/moved" daylight-oracles oracles/consumer.cpp some_oracles
+./some_oracles || fail "built by pkg-config the oracles are wrong"
+
+# The program finds its files beside it, wherever it is moved, and tells what an installation lacks.
+try_program() { # prefix
+  local daylight=$1/bin/daylight fault
+  "$daylight" campaign --methods decide --pairs 300 --seed 1 --out "$1/run" >printed || fail "the installed program: $(cat printed)"
+  grep -qE "^corpus +$(cat "$source"/corpus/cases/*.jsonl | grep -c .) " printed || fail "not every case was played: $(cat printed)"
+  grep -q '"command":"daylight campaign ' "$1/run/report.html" || fail "the page tells to run something else"
+  fault=$(head -n 1 "$source/props/mutants/kill_matrix.jsonl" | sed 's/"like".*//; s/.*"what": "//; s/".*//')
+  grep -qF -- "${fault:?}" "$1/run/report.html" || fail "the page lacks the kill matrix"
+  "$daylight" scene "$1/share/daylight/corpus/scenes/crane.urdf" >printed || fail "$(cat printed)"
+  ! "$daylight" mutants list 2>err || fail "mutants were installed"
+  grep -q 'never installed' err || fail "$(cat err)"
+  ! "$daylight" fuzz --for 1s >/dev/null 2>err || fail "a fuzzer was installed"
+  grep -q 'no part of an installation' err || fail "$(cat err)"
+  rm -r "$1/run"
+}
+install_into first program
+cp -r first/. moved
+rm -r first
+try_program "$PWD/moved"
+! grep -qF -- "$source" moved/bin/daylight || fail "the program names a path of this machine"
+
+# The Python module, as the interpreter of its prefix finds it.
+try_python() { # folder
+  PYTHONPATH=$1 "$python" "$source/python/module_test.py" 2>log || fail "$(cat log)"
+  [[ -s $1/daylight-stubs/__init__.pyi ]] || fail "the module has no types"
+}
+python=
+if compgen -G "$build/python/daylight*.so" >/dev/null; then
+  python=$(sed -n 's/^_\?Python_EXECUTABLE:[A-Z]*=//p' "$build/CMakeCache.txt" | head -n 1)
+  install_into "$PWD/moved" python
+  try_python "$(echo moved/lib/python3.*/site-packages)"
+else
+  echo 'skipped: the Python module (not built here)'
+fi
+
+# The Debian packages hold the same, for everybody, and name what they need.
+if command -v dpkg-deb >/dev/null && command -v dpkg-shlibdeps >/dev/null && command -v file >/dev/null; then
+  packages=(daylight libdaylight-{solver,exact,oracles}-dev ${python:+python3-daylight})
+  (umask 077 && cpack -G DEB --config "$build/CPackConfig.cmake" -B "$PWD/debs") >log 2>&1 || fail "$(cat log)"
+  [[ $(compgen -G "debs/*.deb" | wc -l) == "${#packages[@]}" ]] || fail "$(ls debs)"
+  for package in "${packages[@]}"; do
+    deb=$(echo "debs/${package}_"*.deb)
+    dpkg-deb -x "$deb" unpacked
+    dpkg-deb -c "$deb" | awk '{ print $1, $2 }' | sort -u >modes
+    ! grep -vE '^(drwxr-xr-x|-rw-r--r--|-rwxr-xr-x) root/root$' modes || fail "$package: not for everybody"
+    grep -q '^MIT License' "unpacked/usr/share/doc/$package/copyright" || fail "$package has no licence"
+    dpkg-deb -f "$deb" Description | sed 1d | grep -q 'This package holds' || fail "$package does not tell what it is"
+    [[ $(dpkg-deb -f "$deb" Architecture) == "$(dpkg --print-architecture)" ]] || fail "$package is for another machine"
+    [[ $(dpkg-deb -f "$deb" Maintainer) == "$(sed -n 's/^DAYLIGHT_MAINTAINER:STRING=//p' "$build/CMakeCache.txt")" ]] || fail "$package names no maintainer"
+    dpkg-deb -f "$deb" Depends | tr -d ' ' | tr , '\n' | sed 's/(.*//; /^libdaylight/d' >needed
+    while IFS= read -r other; do
+      dpkg-query -W "$other" >/dev/null || fail "$package needs $other, which the build did not"
+    done <needed
+  done
+  needs() { # package pattern..
+    local package=$1 pattern
+    shift
+    for pattern; do
+      dpkg-deb -f "debs/${package}_"*.deb Depends | tr , '\n' | grep -qE "^ *$pattern" || fail "$package does not say that it needs $pattern"
+    done
+  }
+  needs daylight libfcl libmujoco libode libnlopt libbullet libccd libmpfi libsqlite3 liburdfdom
+  needs libdaylight-solver-dev 'libeigen3-dev \(>= 3.4\)'
+  [[ $(dpkg-deb -f debs/libdaylight-solver-dev_*.deb Depends) != *,* ]] || fail "the solver's package needs something else"
+  needs libdaylight-exact-dev 'libdaylight-solver-dev \(= ' libmpfi-dev
+  needs libdaylight-oracles-dev 'libdaylight-exact-dev \(= ' libfcl-dev
+  [[ ! $python ]] || needs python3-daylight 'python3 \(>= ' 'python3 \(<< ' python3-numpy libmpfi
+  diff <(cd moved && find . -type f -printf '%f\n' | grep -v '\.pyc$' | sort) <(find unpacked -type f -printf '%f\n' | sort) || fail "the packages hold something else"
+  mkdir packaged
+  cp CMakeLists.txt consumer.cpp packaged
+  built_by_cmake "$PWD/unpacked/usr" packaged
+  packaged/build/consumer | diff -u consumer.out - || fail "built from the packages it prints something else"
+  try_program "$PWD/unpacked/usr"
+  [[ ! $python ]] || try_python unpacked/usr/lib/python3/dist-packages
+else
+  echo 'skipped: the Debian packages (dpkg-deb, dpkg-shlibdeps or file is missing)'
+fi
+
+# No header needs one that is not installed, nor one included before it; none warns, whoever compiles, and the plug-in's
+# is C too.
+cflags="$(pkg-config --cflags daylight-oracles | sed 's/-std=\S*//') -Wall -Wextra -Werror -fsyntax-only"
+export compiler cflags
+(cd moved/include/daylight && find . -type f) | sed 's|^\./|daylight/|' >headers
+# shellcheck disable=SC2016 # for the other shell
+xargs -P 2 -n 1 bash -c '$compiler $cflags -std=c++20 -x c++ - <<<"#include <$0>" || { echo "$0 does not stand alone"; exit 255; }' <headers ||
+  fail "a header does not stand alone"
+for other in g++ clang++; do
+  # shellcheck disable=SC2086 # flags are words
+  ! command -v $other >/dev/null || sed 's/.*/#include <&>/' headers | $other $cflags -std=c++20 -x c++ - || fail "$other warns"
+done
+# shellcheck disable=SC2086
+echo '#include <daylight/oracles/plugin.h>' | "$compiler" $cflags -x c - || fail "the header of plug-ins is no C"
+! grep -rlF -- "$source" moved/lib*/cmake moved/lib*/pkgconfig 2>/dev/null || fail "a path of this machine was installed"
+echo passed

@@ -1,0 +1,87 @@
+# SPDX-License-Identifier: MIT
+# Debian packages, one a component: cpack -G DEB --config build/release/CPackConfig.cmake, after everything is built. Wants
+# dpkg-dev, which finds the shared libraries that a program needs; what the static ones need is listed here.
+set(DAYLIGHT_MAINTAINER "the daylight authors <root@localhost>" CACHE STRING
+    "The Maintainer that the Debian packages name: who builds them for others says who answers for them, Name <address>")
+set(CPACK_GENERATOR DEB)
+set(CPACK_PACKAGE_CONTACT ${DAYLIGHT_MAINTAINER})
+set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
+set(CPACK_STRIP_FILES ON)
+set(CPACK_DEB_COMPONENT_INSTALL ON)
+set(CPACK_DEBIAN_PACKAGE_CONTROL_STRICT_PERMISSION ON)
+set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
+# Folders for everybody, whatever the umask of who packs.
+set(CPACK_PRE_BUILD_SCRIPTS ${CMAKE_BINARY_DIR}/packages/open_folders.cmake)
+file(WRITE ${CPACK_PRE_BUILD_SCRIPTS} "file(CHMOD_RECURSE \${CPACK_TEMPORARY_DIRECTORY} DIRECTORY_PERMISSIONS
+  OWNER_READ OWNER_WRITE OWNER_EXECUTE GROUP_READ GROUP_EXECUTE WORLD_READ WORLD_EXECUTE)
+")
+
+# daylight_package(COMPONENT PACKAGE SECTION SUMMARY TEXT [SHLIBDEPS] [DEPENDS ..] [BUILT_IN package..])
+# BUILT_IN: whose code is compiled in; their licences go with ours.
+function(daylight_package component package section summary text)
+  cmake_parse_arguments(it SHLIBDEPS "" "DEPENDS;SUGGESTS;BUILT_IN" ${ARGN})
+  file(READ ${PROJECT_SOURCE_DIR}/LICENSE licence)
+  foreach(other ${it_BUILT_IN})
+    if(EXISTS /usr/share/doc/${other}/copyright)
+      file(READ /usr/share/doc/${other}/copyright theirs)
+      string(APPEND licence "\n\nIt holds code of ${other}, of which Debian says:\n\n${theirs}")
+    endif()
+  endforeach()
+  file(WRITE ${CMAKE_BINARY_DIR}/packages/${component}/copyright "${licence}")
+  install(FILES ${CMAKE_BINARY_DIR}/packages/${component}/copyright
+          DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/${package} COMPONENT ${component})
+  list(JOIN it_DEPENDS ", " depends)
+  list(JOIN it_SUGGESTS ", " suggests)
+  string(TOUPPER ${component} upper)
+  foreach(name NAME=${package} SECTION=${section} DEPENDS=${depends} SUGGESTS=${suggests} SHLIBDEPS=${it_SHLIBDEPS})
+    string(REGEX MATCH "^([A-Z]+)=(.*)" all "${name}")
+    set(CPACK_DEBIAN_${upper}_PACKAGE_${CMAKE_MATCH_1} "${CMAKE_MATCH_2}" PARENT_SCOPE)
+  endforeach()
+  set(CPACK_DEBIAN_${upper}_DESCRIPTION "${summary}\n${text}" PARENT_SCOPE)
+  set(CPACK_COMPONENTS_ALL ${CPACK_COMPONENTS_ALL} ${component} PARENT_SCOPE)
+endfunction()
+
+set(what "daylight answers with a proof whether two solid finite cylinders intersect,\n\
+and cross-examines other solvers and libraries (NLopt, FCL, Bullet, libccd,\n\
+ODE, MuJoCo): whoever is wrong is shown wrong by a certificate that anyone\n\
+can check in exact arithmetic.\n\n")
+set(same_version "(= ${PROJECT_VERSION})")
+daylight_package(program daylight science "decide whether cylinders intersect, with proofs, and test who else can"
+  "${what}This package holds the program: check pairs, campaign, replay, scene\n\
+(URDF, MJCF), bench, gate, explain, and the cases that it plays first.\n\
+`daylight fuzz` and `daylight mutants` need the source tree."
+  SHLIBDEPS SUGGESTS nodejs BUILT_IN libcli11-dev libeigen3-dev librapidcheck-dev libsqlitecpp-dev nlohmann-json3-dev)
+daylight_package(solver libdaylight-solver-dev libdevel "intersection and distance of two cylinders (C++ library)"
+  "${what}This package holds the solver as a static library with its headers: yes or\n\
+no, verdicts with proofs, signed distances, batches. It needs Eigen alone,\n\
+and allocates, prints and throws nothing."
+  DEPENDS "libeigen3-dev (>= 3.4)" BUILT_IN libeigen3-dev)
+daylight_package(exact libdaylight-exact-dev libdevel "exact intersection predicate of two cylinders (C++ library)"
+  "${what}This package holds the exact predicate and the referee as a static library\n\
+with its headers: touching is told apart, in rationals where it has to be."
+  DEPENDS "libdaylight-solver-dev ${same_version}" libgmp-dev libmpfr-dev libmpfi-dev libfmt-dev BUILT_IN libeigen3-dev nlohmann-json3-dev)
+daylight_package(oracles libdaylight-oracles-dev libdevel "compare collision libraries on cylinders (C++ library)"
+  "${what}This package holds every method that daylight asks, what compares their\n\
+answers with the proved truth, and the readers behind them, as a static\n\
+library with its headers."
+  DEPENDS "libdaylight-exact-dev ${same_version}" libnlopt-dev libfcl-dev libbullet-dev libccd-dev libode-dev libmujoco-dev
+          libsqlitecpp-dev libsqlite3-dev libfmt-dev pkg-config
+  BUILT_IN libeigen3-dev libsqlitecpp-dev nlohmann-json3-dev)
+if(TARGET daylight_python)
+  math(EXPR next "${Python_VERSION_MINOR} + 1")
+  daylight_package(python python3-daylight python "decide whether cylinders intersect, with proofs (Python 3 module)"
+    "${what}This package holds the Python module: verdicts, proofs and signed distances\n\
+on NumPy arrays, and campaigns against a Python callable."
+    SHLIBDEPS DEPENDS "python3 (>= 3.${Python_VERSION_MINOR})" "python3 (<< 3.${next})" python3-numpy
+    BUILT_IN libeigen3-dev nlohmann-json3-dev pybind11-dev)
+endif()
+include(CPack)
+
+# Installs into a clean prefix and builds the example of README.md against it, by both ways. Not of libraries with
+# sanitizers in them, which want a program that has them too.
+if(CMAKE_CXX_FLAGS MATCHES "-fsanitize")
+  add_test(NAME install_test COMMAND sh -c "echo 'skipped: the libraries have sanitizers in them'; exit 77")
+else()
+  add_test(NAME install_test COMMAND ${PROJECT_SOURCE_DIR}/cmake/install/install_test.sh ${CMAKE_BINARY_DIR} ${CMAKE_CXX_COMPILER})
+endif()
+set_tests_properties(install_test PROPERTIES LABELS library TIMEOUT 1800 SKIP_RETURN_CODE 77)

@@ -1,0 +1,46 @@
+# SPDX-License-Identifier: MIT
+# What the harness is built with. The first are needed; each foreign collision library and each reader of robots is used where
+# it is found, can be turned off, and is said to be missing where it is not there (`daylight --version`).
+find_package(PkgConfig REQUIRED)
+find_package(NLopt REQUIRED CONFIG)
+find_package(nlohmann_json REQUIRED CONFIG)
+find_package(CLI11 REQUIRED CONFIG)
+find_package(fmt REQUIRED CONFIG)
+find_package(SQLiteCpp REQUIRED CONFIG)
+find_package(rapidcheck REQUIRED CONFIG)
+find_package(Python3 REQUIRED COMPONENTS Interpreter)
+find_library(MPFI mpfi REQUIRED)
+find_library(MPFR mpfr REQUIRED)
+find_library(GMP gmp REQUIRED)
+find_library(GMPXX gmpxx REQUIRED)
+
+find_package(fcl 0.7 QUIET CONFIG)
+pkg_check_modules(BULLETD QUIET IMPORTED_TARGET bullet-float64)
+find_package(ccd QUIET CONFIG)
+pkg_check_modules(ODE QUIET IMPORTED_TARGET ode)
+find_library(MUJOCO mujoco)  # its CMake package asks for OpenGL, which only drawing needs
+pkg_check_modules(URDF QUIET IMPORTED_TARGET urdfdom tinyxml)
+
+set(missing_libraries "")
+# daylight_optional(NAME FOUND SOURCES .. LIBRARIES ..): the option DAYLIGHT_WITH_<NAME>; NAME_SOURCES go where it is off.
+function(daylight_optional name found libraries)
+  option(DAYLIGHT_WITH_${name} "Use ${name}" ON)
+  if(DAYLIGHT_WITH_${name} AND found)
+    set(${name}_LIBRARY ${libraries} PARENT_SCOPE)
+    add_compile_definitions(DAYLIGHT_WITH_${name})
+  else()
+    set(${name}_LIBRARY "" PARENT_SCOPE)
+    set(${name}_SOURCES ${ARGN} PARENT_SCOPE)
+    set(missing_libraries ${missing_libraries} ${name} PARENT_SCOPE)
+    message(STATUS "without ${name}")
+  endif()
+endfunction()
+
+daylight_optional(FCL "${fcl_FOUND}" fcl oracles/methods/fcl_method.cpp scenes/fcl_tree.cpp)
+daylight_optional(BULLET "${BULLETD_FOUND}" PkgConfig::BULLETD oracles/methods/bullet_method.cpp)
+daylight_optional(CCD "${ccd_FOUND}" ccd oracles/methods/ccd_method.cpp)
+daylight_optional(ODE "${ODE_FOUND}" PkgConfig::ODE oracles/methods/ode_method.cpp)
+daylight_optional(MUJOCO "${MUJOCO}" "${MUJOCO}" oracles/methods/mujoco_method.cpp scenes/mjcf.cpp)
+daylight_optional(URDFDOM "${URDF_FOUND}" PkgConfig::URDF scenes/urdf.cpp)
+set(sources_without ${FCL_SOURCES} ${BULLET_SOURCES} ${CCD_SOURCES} ${ODE_SOURCES} ${MUJOCO_SOURCES} ${URDFDOM_SOURCES})
+set(exact_libraries ${MPFI} ${MPFR} ${GMPXX} ${GMP})

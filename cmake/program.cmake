@@ -1,0 +1,35 @@
+# SPDX-License-Identifier: MIT
+# The program `daylight`, and what it says of itself.
+foreach(room oracles_methods)
+  target_compile_definitions(daylight_${room} PRIVATE DAYLIGHT_VERSION="${PROJECT_VERSION}"
+                             DAYLIGHT_CCD_VERSION="${ccd_VERSION}")
+endforeach()
+
+# The pages go into the program as they are committed; reports/web/build.mjs makes them.
+set(report_template ${PROJECT_SOURCE_DIR}/reports/web/report_template.html)
+set(scene_template ${PROJECT_SOURCE_DIR}/reports/web/scene_template.html)
+set_source_files_properties(reports/run/page.cpp PROPERTIES OBJECT_DEPENDS "${report_template};${scene_template}"
+  COMPILE_DEFINITIONS "DAYLIGHT_REPORT_TEMPLATE=\"${report_template}\";DAYLIGHT_SCENE_TEMPLATE=\"${scene_template}\"")
+
+# Looked up at each build, since a commit touches no source.
+get_directory_property(flags COMPILE_OPTIONS)
+list(FILTER flags EXCLUDE REGEX "^-W|^-ffile-prefix-map")
+string(TOUPPER "${CMAKE_BUILD_TYPE}" type)
+list(JOIN flags " " flags)
+string(STRIP "${CMAKE_CXX_FLAGS} ${CMAKE_CXX_FLAGS_${type}} ${flags}" flags)
+list(JOIN missing_libraries " " missing)
+add_custom_target(built_from BYPRODUCTS ${CMAKE_BINARY_DIR}/generated/cli/built_from.hpp VERBATIM
+  COMMAND ${CMAKE_COMMAND} -D SOURCE=${PROJECT_SOURCE_DIR} -D HEADER=${CMAKE_BINARY_DIR}/generated/cli/built_from.hpp
+          -D VERSION=${PROJECT_VERSION} -D FLAGS=${flags} -D MISSING=${missing} -P ${PROJECT_SOURCE_DIR}/cmake/built_from.cmake)
+add_dependencies(daylight_cli built_from)
+target_include_directories(daylight_cli PRIVATE ${CMAKE_BINARY_DIR}/generated)
+
+add_executable(daylight cli/daylight_main.cpp)
+target_link_libraries(daylight PRIVATE daylight_cli)
+
+add_executable(compare_builds EXCLUDE_FROM_ALL bench/stability/builds_main.cpp)
+target_link_libraries(compare_builds PRIVATE daylight_bench_stability)
+foreach(year 2008 2017)
+  add_executable(find_errata_${year} EXCLUDE_FROM_ALL tools/find_errata_${year}_main.cpp)
+  target_link_libraries(find_errata_${year} PRIVATE daylight_oracles_methods daylight_props_shrink)
+endforeach()

@@ -1,0 +1,102 @@
+# SPDX-License-Identifier: MIT
+# Every x_test.cpp of a top folder and the folders below it is compiled into one program, <folder>_tests; every x_test.sh is
+# run with the executable as its argument.
+if(NOT PROJECT_IS_TOP_LEVEL)
+  return()
+endif()
+include(CTest)
+include(GoogleTest)
+find_package(GTest REQUIRED)
+daylight_precompiled_set(tests Eigen3::Eigen nlohmann_json::nlohmann_json fmt::fmt GTest::gtest rapidcheck rapidcheck_gtest)
+target_precompile_headers(daylight_precompiled_tests PRIVATE ${daylight_common_headers}
+                          <gtest/gtest.h> <rapidcheck.h> <rapidcheck/gtest.h>)
+target_compile_options(daylight_precompiled_tests PRIVATE $<$<CONFIG:Release>:-O1>)
+
+function(daylight_test_program name)
+  add_executable(${name} ${ARGN})
+  target_link_libraries(${name} PRIVATE GTest::gtest_main rapidcheck rapidcheck_gtest)
+  target_compile_options(${name} PRIVATE $<$<CONFIG:Release>:-O1>)
+  target_compile_definitions(${name} PRIVATE DAYLIGHT_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
+  target_precompile_headers(${name} REUSE_FROM daylight_precompiled_tests)
+endfunction()
+
+# daylight_tests(FOLDER ROOM..): tests in FOLDER and below, linked with the rooms. Fixed seeds in tests, fresh ones in
+# campaigns.
+function(daylight_tests folder)
+  file(GLOB tests RELATIVE ${PROJECT_SOURCE_DIR} CONFIGURE_DEPENDS ${folder}/*_test.cpp ${folder}/*/*_test.cpp)
+  daylight_test_program(${folder}_tests ${tests})
+  foreach(room ${ARGN})
+    daylight_target_of(${room} library)
+    target_link_libraries(${folder}_tests PRIVATE ${library})
+  endforeach()
+  gtest_discover_tests(${folder}_tests DISCOVERY_TIMEOUT 120
+    PROPERTIES LABELS ${folder} ENVIRONMENT "RC_PARAMS=seed=20261121 max_success=500" TIMEOUT 1200)
+endfunction()
+
+daylight_tests(base base)
+daylight_tests(solver solver solver/literature corpus/pairs)
+daylight_tests(corpus corpus/pairs corpus/store)
+daylight_tests(oracles oracles/trial props/laws)
+daylight_tests(props props/laws props/gate props/shrink props/mutants)
+daylight_tests(bench bench bench/stability reports/run)
+daylight_tests(scenes scenes)
+daylight_tests(fuzz fuzz/campaign fuzz/guided fuzz/worst)
+daylight_tests(reports reports/gate reports/triage reports/explain reports/export reports/run reports/scene)
+
+# The unit tests that may detect a mutant, as one program.
+daylight_test_program(mutant_tests ${test_candidates} $<TARGET_OBJECTS:daylight_mutants>)
+daylight_mutated(mutant_tests)
+target_link_libraries(mutant_tests PRIVATE daylight_fuzz_campaign daylight_props_mutants)
+
+# daylight_script(NAME LABEL SECONDS COMMAND..): a test that is a script. Status 77 says what was missing; CI takes none.
+function(daylight_script name label seconds)
+  add_test(NAME ${name} COMMAND ${ARGN})
+  set_tests_properties(${name} PROPERTIES LABELS "${label}" TIMEOUT ${seconds} SKIP_RETURN_CODE 77)
+endfunction()
+set(program $<TARGET_FILE:daylight>)
+file(GLOB scripts RELATIVE ${PROJECT_SOURCE_DIR} CONFIGURE_DEPENDS cli/*_test.sh)
+foreach(script ${scripts})
+  get_filename_component(name ${script} NAME_WE)
+  daylight_script(${name} cli 1200 ${PROJECT_SOURCE_DIR}/${script} ${program})
+endforeach()
+daylight_script(guides_test cli 1200 ${PROJECT_SOURCE_DIR}/docs/guides/guides_test.sh ${program})
+# What earlier versions wrote opens today.
+daylight_script(fixtures_test corpus 1200 ${Python3_EXECUTABLE} ${PROJECT_SOURCE_DIR}/corpus/store/fixtures/fixtures_test.py
+                ${program} $<TARGET_FILE:fuzz_xcheck>)
+foreach(part data browser rebuild scene)
+  daylight_script(page_${part} reports 1200 ${PROJECT_SOURCE_DIR}/reports/web/run_test.sh ${part} ${program})
+endforeach()
+daylight_script(engines_test oracles 1200 ${PROJECT_SOURCE_DIR}/oracles/guests/engines_test.sh ${program})
+
+# Planted faults: not selected they change nothing; the program as it is survives every detector, a plain fault does not.
+daylight_script(mutants_off_change_nothing props 600 ${PROJECT_SOURCE_DIR}/props/mutants/mutants_test.sh $<TARGET_FILE:answers>
+                $<TARGET_FILE:mutant_answers> ${program} $<TARGET_FILE:daylight-mutants>)
+daylight_script(make_mutants_test props 600 ${PROJECT_SOURCE_DIR}/props/mutants/make_mutants_test.sh
+                ${PROJECT_SOURCE_DIR}/props/mutants/make_mutants.py)
+daylight_script(mutants_smoke props 1200 daylight-mutants matrix --first --only 103)
+
+# The inputs that a fuzzing engine starts from, through every target. Methods as printed and foreign libraries are wrong on some
+# of them: that must be found, and must end nothing.
+set(records ${CMAKE_BINARY_DIR}/fuzz_seeds)
+daylight_script(fuzz_seeds fuzz 600 make_records ${PROJECT_SOURCE_DIR}/corpus/cases ${records})
+set_tests_properties(fuzz_seeds PROPERTIES FIXTURES_SETUP fuzz_seeds)
+foreach(target ${fuzz_targets})
+  daylight_script(fuzz_${target}_seeds fuzz 1200 fuzz_${target} ${records})
+  set_tests_properties(fuzz_${target}_seeds PROPERTIES FIXTURES_REQUIRED fuzz_seeds)
+endforeach()
+set_tests_properties(fuzz_seed_methods_seeds PROPERTIES ENVIRONMENT "DAYLIGHT_FUZZ_ABORT="
+                     PASS_REGULAR_EXPRESSION "seedbook-printed/wrong_intersecting.*[0-9]+ inputs")
+set_tests_properties(fuzz_xcheck_seeds PROPERTIES ENVIRONMENT "DAYLIGHT_FUZZ_ABORT="
+                     PASS_REGULAR_EXPRESSION "fcl-distance-libccd/crash/.*[0-9]+ inputs")
+if(CMAKE_CXX_COMPILER_ID STREQUAL Clang)
+  daylight_script(oss_fuzz_build "fuzz;long" 1800 ${PROJECT_SOURCE_DIR}/fuzz/oss-fuzz/build_test.sh)
+endif()
+
+# Schedulers as they are in the field. RUN_SERIAL: they use fixed ports of this machine.
+foreach(name parallel slurm)
+  daylight_script(${name}_test cluster 1200 ${PROJECT_SOURCE_DIR}/fuzz/slurm/${name}_test.sh ${program})
+  set_tests_properties(${name}_test PROPERTIES RUN_SERIAL ON)
+endforeach()
+# A short campaign of many processes that are killed; a whole one: fuzz/campaign/night_test.sh build/release/daylight 1800 180
+daylight_script(night_test cluster 1800 ${PROJECT_SOURCE_DIR}/fuzz/campaign/night_test.sh ${program} 12 3)
+set_tests_properties(night_test PROPERTIES RUN_SERIAL ON)

@@ -1,0 +1,422 @@
+// SPDX-License-Identifier: MIT
+#include "corpus/pairs/families.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+#include "corpus/pairs/near_touching.hpp"
+#include "corpus/pairs/random_stream.hpp"
+
+namespace cyl {
+namespace {
+
+constexpr std::array<double, 2> moderate{0.1, 1};  // lengths from 0.1 to 10
+constexpr std::array<double, 4> slender{1e-6, 1e-5, 1e-4, 1e-3};
+constexpr std::array<double, 15> angles{1e-2,  1e-3,  1e-4,  1e-5,  1e-6,  1e-7,  1e-8, 1e-9,
+                                        1e-10, 1e-11, 1e-12, 1e-13, 1e-14, 1e-15, 1e-16};
+constexpr std::array<double, 10> large{1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9, 1e10, 1e11, 1e12};
+constexpr std::array<double, 12> scales{1e-300, 1e-200, 1e-150, 1e-100, 1e-50, 1e-20,
+                                        1e-10,  1e10,   1e20,   1e50,   1e100, 1e150};
+constexpr std::array<double, 9> axis_lengths{1e-150, 1e-100, 1e-50, 1e-10, 1, 1e10, 1e50, 1e100, 1e149};
+constexpr std::array<double, 7> dusts{0, 1e-16, 1e-15, 1e-12, 1e-9, 1e-6, 1e-3};  // radians, or a length
+
+double reach(const Cylinder& c) { return std::sqrt(c.radius * c.radius + c.height * c.height / 4); }
+
+Cylinder draw_solid(RandomStream& s) {
+  Cylinder c;
+  c.axis = s.unit_vector();
+  c.radius = s.within_decades(moderate);
+  c.height = s.within_decades(moderate);
+  return c;
+}
+
+void draw_center(RandomStream& s, Cylinder& c) {
+  for (int i = 0; i < 3; ++i) c.center[i] = s.between(-1, 1);
+}
+
+// Centres apart by at most 0.9 of the sum of the circumscribed radii: about half of the pairs intersect.
+void scatter(RandomStream& s, Pair& p) {
+  draw_center(s, p.a);
+  const Vector3 direction = s.unit_vector();
+  const double distance = s.between(0, 0.9) * (reach(p.a) + reach(p.b));
+  p.b.center = p.a.center + distance * direction;
+}
+
+// A point of a's axis and a point of b's axis apart by `distance` along `direction`.
+void link_axes(RandomStream& s, Pair& p, const Vector3& direction, double distance) {
+  draw_center(s, p.a);
+  const double on_a = s.between(-0.5, 0.5) * p.a.height;
+  const double on_b = s.between(-0.5, 0.5) * p.b.height;
+  p.b.center = p.a.center + (on_a * p.a.axis - on_b * p.b.axis) + distance * direction;
+}
+
+// Side by side, the axes apart by up to twice the sum of the radii.
+void lay_beside(RandomStream& s, Pair& p) {
+  const Vector3 direction = s.perpendicular(p.a.axis);
+  const double distance = s.between(0, 2) * (p.a.radius + p.b.radius);
+  link_axes(s, p, direction, distance);
+}
+
+// The axes pass each other at up to twice the sum of the radii.
+void cross_over(RandomStream& s, Pair& p) {
+  p.b.axis = s.unit_vector();
+  while (dot(p.a.axis.cross(p.b.axis), p.a.axis.cross(p.b.axis)) < 0.01) p.b.axis = s.unit_vector();
+  const Vector3 direction = s.sign() * normalise(p.a.axis.cross(p.b.axis));
+  const double distance = s.between(0, 2) * (p.a.radius + p.b.radius);
+  link_axes(s, p, direction, distance);
+}
+
+Pair random_pair(RandomStream& s, std::uint64_t = 0) {
+  Pair p;
+  p.a = draw_solid(s);
+  p.b = draw_solid(s);
+  scatter(s, p);
+  return p;
+}
+
+template <ContactKind kind>
+Pair touching(RandomStream& s, std::uint64_t index) {
+  return draw_contact(kind, s, index).pair;
+}
+
+Pair axes_parallel(RandomStream& s, std::uint64_t) {
+  Pair p = random_pair(s);
+  p.b.axis = s.sign() * p.a.axis;
+  if (s.coin()) lay_beside(s, p);
+  return p;
+}
+
+// Below 1e-14 the angle would be lost in the rounding of a general axis, so a's axis is a coordinate axis
+// there.
+Pair axes_nearly_parallel(RandomStream& s, std::uint64_t index) {
+  const double angle = angles[(index / 2) % angles.size()];
+  Pair p = random_pair(s);
+  if (s.coin() || angle < 1e-14) p.a.axis = s.coordinate_axis();
+  p.b.axis = p.a.axis + angle * s.perpendicular(p.a.axis);
+  if (index % 2 == 1) p.b.axis = -p.b.axis;
+  if (s.coin()) lay_beside(s, p);
+  return p;
+}
+
+Pair axes_perpendicular(RandomStream& s, std::uint64_t) {
+  Pair p = random_pair(s);
+  if (s.coin()) {
+    p.a.axis = s.coordinate_axis();
+    do p.b.axis = s.coordinate_axis();
+    while (dot(p.a.axis, p.b.axis) != 0);
+  } else {
+    p.b.axis = s.perpendicular(p.a.axis);
+  }
+  return p;
+}
+
+Pair axes_crossing(RandomStream& s, std::uint64_t) {
+  Pair p = random_pair(s);
+  link_axes(s, p, Vector3(0, 0, 0), 0);
+  return p;
+}
+
+Pair needles(RandomStream& s, std::uint64_t) {
+  Pair p = random_pair(s);
+  for (Cylinder* c : {&p.a, &p.b}) c->radius = c->height * s.within_decades(slender);
+  cross_over(s, p);
+  return p;
+}
+
+Pair disks(RandomStream& s, std::uint64_t) {
+  Pair p = random_pair(s);
+  for (Cylinder* c : {&p.a, &p.b}) c->height = c->radius * s.within_decades(slender);
+  scatter(s, p);
+  return p;
+}
+
+// The needle's axis meets the disk's plane within 1.5 of the disk's radius.
+Pair needle_and_disk(RandomStream& s, std::uint64_t) {
+  Pair p = random_pair(s);
+  p.a.radius = p.a.height * s.within_decades(slender);
+  p.b.height = p.b.radius * s.within_decades(slender);
+  const Vector3 direction = s.perpendicular(p.b.axis);
+  const double distance = s.between(0, 1.5) * p.b.radius;
+  link_axes(s, p, direction, distance);
+  if (s.coin()) std::swap(p.a, p.b);
+  return p;
+}
+
+Pair segments(RandomStream& s, std::uint64_t index) {
+  Pair p = random_pair(s);
+  if (index % 3 != 1) p.a.radius = 0;
+  if (index % 3 != 0) p.b.radius = 0;
+  if (s.coin()) cross_over(s, p);
+  return p;
+}
+
+Pair flat_disks(RandomStream& s, std::uint64_t index) {
+  Pair p = random_pair(s);
+  if (index % 3 != 1) p.a.height = 0;
+  if (index % 3 != 0) p.b.height = 0;
+  scatter(s, p);
+  return p;
+}
+
+// Disks almost in one plane whose edges almost meet: what one axis shows and what the other shows are nearly
+// the same, and their difference is what decides.
+Pair coins_edge_to_edge(RandomStream& s, std::uint64_t index) {
+  constexpr std::array<double, 8> tilts{1e-9, 1e-8, 1e-7, 1e-6, 1e-5, 1e-4, 1e-3, 1e-2};
+  Pair p = random_pair(s);
+  const double tilt = s.pick(tilts), radii = p.a.radius + p.b.radius;
+  const Vector3 outwards = s.perpendicular(p.a.axis);
+  p.b.axis = s.sign() * (p.a.axis + tilt * s.perpendicular(p.a.axis));
+  p.a.height = index % 3 == 0 ? 0 : tilt * p.a.radius * s.unit();
+  p.b.height = index % 3 != 2 ? 0 : tilt * p.b.radius * s.unit();
+  draw_center(s, p.a);
+  const double gap = s.sign() * s.pick(dusts) * radii, lift = tilt * radii * s.between(-1, 1);
+  p.b.center = p.a.center + (radii + gap) * outwards + lift * p.a.axis;
+  return p;
+}
+
+// A point and a solid, either way round, and every third time two points, equal or apart by as little as
+// 1e-16.
+Pair points(RandomStream& s, std::uint64_t index) {
+  Pair p = random_pair(s);
+  Cylinder& point = index % 3 == 0 ? p.a : p.b;
+  point.radius = point.height = 0;
+  scatter(s, p);
+  if (index % 3 == 2) {
+    p.a.radius = p.a.height = 0;
+    const double distance = s.pick(dusts);
+    p.a.center = Vector3(0, 0, 0);
+    p.b.center = distance * s.coordinate_axis();
+  }
+  return p;
+}
+
+// The inner solid lies in a ball that touches the outer one's side or caps, shifted along the outer one.
+Pair contained(RandomStream& s, std::uint64_t) {
+  Pair p = random_pair(s);
+  const double ball = std::min(p.a.radius, p.a.height / 2);
+  const double shrink = s.between(0.05, 0.45) * ball / reach(p.b);
+  p.b.radius *= shrink;
+  p.b.height *= shrink;
+  const double along = s.between(-1, 1) * (p.a.height / 2 - ball);
+  const double across = s.between(0, 1) * (p.a.radius - ball);
+  const double inside = s.between(0, 0.5) * ball;
+  const Vector3 radial = s.perpendicular(p.a.axis);
+  const Vector3 direction = s.unit_vector();
+  p.b.center = p.a.center + along * p.a.axis + across * radial + inside * direction;
+  if (s.coin()) std::swap(p.a, p.b);
+  return p;
+}
+
+// By index: overlapping ends, one inside the other, apart.
+Pair coaxial(RandomStream& s, std::uint64_t index) {
+  Pair p = random_pair(s);
+  if (s.coin()) p.a.axis = s.coordinate_axis();
+  p.b.axis = s.sign() * p.a.axis;
+  const double sum = (p.a.height + p.b.height) / 2, difference = std::abs(p.a.height - p.b.height) / 2;
+  double along = s.between(difference, sum);
+  if (index % 3 == 1) {
+    p.b.radius = p.a.radius * s.between(0.1, 0.9);
+    p.b.height = p.a.height * s.between(0.1, 0.9);
+    along = s.between(0, 0.95) * (p.a.height - p.b.height) / 2;
+  } else if (index % 3 == 2) {
+    along = s.between(1.001, 2) * sum;
+  }
+  p.b.center = p.a.center + s.sign() * along * p.a.axis;
+  if (s.coin()) std::swap(p.a, p.b);
+  return p;
+}
+
+Pair equal(RandomStream& s, std::uint64_t index) {
+  Pair p = random_pair(s);
+  p.b = p.a;
+  if (index % 2 == 1) p.b.axis = -p.b.axis;
+  return p;
+}
+
+Pair far(RandomStream& s, std::uint64_t index) {
+  Pair p = random_pair(s);
+  const Vector3 offset = large[index % large.size()] * s.unit_vector();
+  p.a.center += offset;
+  p.b.center += offset;
+  return p;
+}
+
+Pair tiny_and_huge(RandomStream& s, std::uint64_t index) {
+  Pair p = random_pair(s);
+  const double scale = scales[index % scales.size()];
+  for (Cylinder* c : {&p.a, &p.b}) {
+    c->center *= scale;
+    c->radius *= scale;
+    c->height *= scale;
+  }
+  return p;
+}
+
+// The small solid's centre is within twice its circumscribed radius of a point of the large one's side or
+// cap.
+Pair mixed_scale(RandomStream& s, std::uint64_t index) {
+  Pair p = random_pair(s);
+  const double ratio = large[index % large.size()];
+  p.b.radius /= ratio;
+  p.b.height /= ratio;
+  const Vector3 radial = s.perpendicular(p.a.axis), end = s.sign() * p.a.axis;
+  const bool on_cap = s.coin();
+  const double along = on_cap ? 0.5 : s.between(-0.5, 0.5);
+  const double across = on_cap ? s.unit() : 1;
+  const double off = s.between(-2, 2) * reach(p.b);
+  p.b.center =
+      p.a.center + along * p.a.height * end + across * p.a.radius * radial + off * (on_cap ? end : radial);
+  if (s.coin()) std::swap(p.a, p.b);
+  return p;
+}
+
+Vector3 lattice_axis(RandomStream& s) {
+  if (s.coin()) return s.coordinate_axis();
+  for (;;) {
+    Vector3 w;
+    for (int i = 0; i < 3; ++i) w[i] = s.integer(-2, 2);
+    if (dot(w, w) != 0) return w;
+  }
+}
+
+Pair lattice(RandomStream& s, std::uint64_t) {
+  Pair p;
+  for (Cylinder* c : {&p.a, &p.b}) {
+    for (int i = 0; i < 3; ++i) c->center[i] = s.integer(-3, 3);
+    c->axis = lattice_axis(s);
+    c->radius = s.integer(1, 3);
+    c->height = s.integer(1, 6);
+  }
+  return p;
+}
+
+// By index, the dust runs fastest, then the shapes: two cubes, two disks, two needles, a disk and a needle.
+Pair lattice_dust(RandomStream& s, std::uint64_t index) {
+  const double dust = dusts[index % dusts.size()];
+  const std::uint64_t shapes = index / dusts.size() % 4;
+  Pair p = lattice(s, index);
+  for (Cylinder* c : {&p.a, &p.b}) {
+    const bool disk = shapes == 1 || (shapes == 3 && c == &p.a);
+    const bool needle = shapes == 2 || (shapes == 3 && c == &p.b);
+    c->radius = disk ? 4 : needle ? 0.125 : 1;
+    c->height = disk ? 0.125 : needle ? 8 : 2;
+  }
+  const Vector3 w = p.b.axis;
+  p.b.axis = w + dust * std::sqrt(dot(w, w)) * s.perpendicular(w);
+  if (s.coin()) std::swap(p.a, p.b);
+  return p;
+}
+
+Pair raw_axes(RandomStream& s, std::uint64_t) {
+  Pair p = random_pair(s);
+  for (Cylinder* c : {&p.a, &p.b}) c->axis *= s.within_decades(axis_lengths);
+  return p;
+}
+
+struct Entry {
+  std::string_view name, summary;
+  Pair (*draw)(RandomStream&, std::uint64_t index);
+};
+
+constexpr std::array entries{
+    Entry{"random", "any two solids, lengths 0.1 to 10, about half of the pairs intersecting", random_pair},
+    Entry{"touching_side_side", "side meets side at margins 1e-2 to 1e-15, gap and penetration",
+          touching<ContactKind::side_side>},
+    Entry{"touching_side_rim", "side meets rim at margins 1e-2 to 1e-15, gap and penetration",
+          touching<ContactKind::side_rim>},
+    Entry{"touching_rim_rim", "rim meets rim at margins 1e-2 to 1e-15, gap and penetration",
+          touching<ContactKind::rim_rim>},
+    Entry{"touching_cap_rim", "a rim stands on a cap at margins 1e-2 to 1e-15, gap and penetration",
+          touching<ContactKind::cap_rim>},
+    Entry{"touching_cap_side", "a side lies on a cap at margins 1e-2 to 1e-15, gap and penetration",
+          touching<ContactKind::cap_side>},
+    Entry{"touching_cap_cap", "cap faces cap at margins 1e-2 to 1e-15, gap and penetration",
+          touching<ContactKind::cap_cap>},
+    Entry{"touching_parallel_sides", "parallel sides at margins 1e-2 to 1e-15, gap and penetration",
+          touching<ContactKind::parallel_sides>},
+    Entry{"touching_needles", "crossing needles at margins 1e-6 to 1e-15, gap and penetration",
+          touching<ContactKind::needle_needle>},
+    Entry{"touching_disks", "rims of thin disks at margins 1e-6 to 1e-15, gap and penetration",
+          touching<ContactKind::disk_disk>},
+    Entry{"axes_parallel", "axes exactly parallel or antiparallel", axes_parallel},
+    Entry{"axes_nearly_parallel", "axes 1e-2 to 1e-16 rad from parallel or antiparallel",
+          axes_nearly_parallel},
+    Entry{"axes_perpendicular", "axes at right angles, half of them exactly", axes_perpendicular},
+    Entry{"axes_crossing", "the two axis segments have a common point, up to rounding", axes_crossing},
+    Entry{"needles", "radius 1e-6 to 1e-2 of the height, passing each other closely", needles},
+    Entry{"disks", "height 1e-6 to 1e-2 of the radius", disks},
+    Entry{"needle_and_disk", "a needle that passes through or beside a thin disk", needle_and_disk},
+    Entry{"segments", "radius exactly 0 in one solid or both", segments},
+    Entry{"flat_disks", "height exactly 0 in one solid or both", flat_disks},
+    Entry{"points", "radius and height exactly 0 in one solid or both", points},
+    Entry{"contained", "one solid inside the other", contained},
+    Entry{"coaxial", "one common axis line, up to rounding: overlapping, nested or apart", coaxial},
+    Entry{"equal", "the same solid twice, every other time with its axis reversed", equal},
+    Entry{"far", "a random pair 1e3 to 1e12 away from the origin", far},
+    Entry{"tiny_and_huge", "a random pair scaled by 1e-300 to 1e150", tiny_and_huge},
+    Entry{"mixed_scale", "a solid 1e3 to 1e12 times smaller than the other, at its surface", mixed_scale},
+    Entry{"lattice", "small integers throughout: exact ties", lattice},
+    Entry{"lattice_dust", "lattice poses turned by 0 to 1e-3 rad: cubes, disks, needles, disk and needle",
+          lattice_dust},
+    Entry{"raw_axes", "a random pair with axes of length 1e-150 to 1e150", raw_axes},
+    Entry{"coins_edge_to_edge", "disks tilted by 1e-9 to 1e-2 rad, edge to edge, flat or nearly",
+          coins_edge_to_edge},
+};
+
+template <std::size_t i>
+Pair generate(std::uint64_t seed, std::uint64_t index) {
+  RandomStream stream(entries[i].name, seed, index);
+  return entries[i].draw(stream, index);
+}
+
+template <std::size_t... i>
+constexpr std::array<Family, entries.size()> make_families(std::index_sequence<i...>) {
+  return {Family{entries[i].name, entries[i].summary, generate<i>}...};
+}
+
+constexpr std::array<double, 15> margins{1e-1, 1e-2,  1e-3,  1e-4,  1e-5,  1e-6,  1e-7, 1e-8,
+                                         1e-9, 1e-10, 1e-11, 1e-12, 1e-13, 1e-14, 1e-15};
+constexpr std::array<std::string_view, margins.size()> margin_names{
+    "margin_1e-01", "margin_1e-02", "margin_1e-03", "margin_1e-04", "margin_1e-05",
+    "margin_1e-06", "margin_1e-07", "margin_1e-08", "margin_1e-09", "margin_1e-10",
+    "margin_1e-11", "margin_1e-12", "margin_1e-13", "margin_1e-14", "margin_1e-15"};
+constexpr std::array general_contacts{ContactKind::side_side, ContactKind::side_rim, ContactKind::rim_rim,
+                                      ContactKind::cap_rim};
+
+// A penetration of 1e-1 would not be known by construction.
+template <std::size_t i>
+Pair generate_at_margin(std::uint64_t seed, std::uint64_t index) {
+  RandomStream stream(margin_names[i], seed, index);
+  const double sign = i > 0 && index % 2 == 1 ? -1 : 1;
+  const ContactKind kind = general_contacts[index / 2 % general_contacts.size()];
+  return draw_contact_at(kind, stream, sign * margins[i]).pair;
+}
+
+template <std::size_t... i>
+constexpr std::array<Family, margins.size()> make_margin_families(std::index_sequence<i...>) {
+  return {
+      Family{margin_names[i], "near touching at that margin, gap and penetration", generate_at_margin<i>}...};
+}
+
+constexpr auto all_margin_families = make_margin_families(std::make_index_sequence<margins.size()>());
+
+constexpr auto all_families = make_families(std::make_index_sequence<entries.size()>());
+
+}  // namespace
+
+std::span<const Family> families() { return all_families; }
+
+std::span<const Family> margin_families() { return all_margin_families; }
+
+const Family* find_family(std::string_view name) {
+  for (const std::span<const Family> some : {families(), margin_families()}) {
+    const auto found =
+        std::find_if(some.begin(), some.end(), [&](const Family& f) { return f.name == name; });
+    if (found != some.end()) return &*found;
+  }
+  return nullptr;
+}
+
+}  // namespace cyl

@@ -1,0 +1,411 @@
+// SPDX-License-Identifier: MIT
+#include "corpus/pairs/families.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <set>
+#include <string>
+
+#include "base/fnv.hpp"
+#include "corpus/pairs/near_touching.hpp"
+#include "corpus/pairs/pair_io.hpp"
+#include "corpus/pairs/random_stream.hpp"
+
+namespace cyl {
+namespace {
+
+constexpr std::uint64_t seed = 20261121;
+
+using Wide = long double;
+using Wide3 = Eigen::Matrix<Wide, 3, 1>;
+
+Wide3 wide(const Vector3& v) { return v.cast<Wide>(); }
+Wide3 unit_axis(const Cylinder& c) { return (wide(c.axis) / wide(c.axis).stableNorm()).eval(); }
+Wide size_of(const Pair& p) { return Wide(p.a.radius) + p.a.height + p.b.radius + p.b.height; }
+
+/// The greatest x.m over the solid, from its centre.
+Wide support(const Cylinder& c, const Wide3& m) {
+  const Wide3 w = unit_axis(c);
+  return c.radius * m.cross(w).norm() + Wide(c.height) / 2 * std::abs(m.dot(w));
+}
+
+/// By how much the planes orthogonal to the unit vector m separate a from b: at most the signed distance.
+Wide gap_along(const Pair& p, const Wide3& m) {
+  return m.dot(wide(p.b.center) - wide(p.a.center)) - support(p.a, m) - support(p.b, m);
+}
+
+/// How far x is outside the solid, along its axis or radially.
+Wide excess(const Cylinder& c, const Wide3& x) {
+  const Wide3 w = unit_axis(c), d = x - wide(c.center);
+  const Wide along = d.dot(w);
+  return std::max<Wide>(std::abs(along) - Wide(c.height) / 2, (d - along * w).norm() - c.radius);
+}
+
+Wide sine(const Pair& p) { return unit_axis(p.a).cross(unit_axis(p.b)).norm(); }
+Wide cosine(const Pair& p) { return unit_axis(p.a).dot(unit_axis(p.b)); }
+
+/// Closest points by projecting from solid to solid; 0 where they meet. Crude: a small value proves nothing.
+Wide crude_distance(const Pair& p) {
+  const auto project = [](const Cylinder& c, const Wide3& x) {
+    const Wide3 w = unit_axis(c), d = x - wide(c.center);
+    const Wide along = std::clamp<Wide>(d.dot(w), -Wide(c.height) / 2, Wide(c.height) / 2);
+    Wide3 radial = d - d.dot(w) * w;
+    if (radial.norm() > c.radius) radial *= c.radius / radial.norm();
+    return (wide(c.center) + along * w + radial).eval();
+  };
+  Wide3 x = wide(p.a.center), y = project(p.b, x);
+  for (int i = 0; i < 300; ++i) x = project(p.a, y), y = project(p.b, x);
+  return (x - y).norm();
+}
+
+Pair draw(std::string_view name, std::uint64_t index) {
+  const Family* family = find_family(name);
+  EXPECT_NE(family, nullptr) << name;
+  return family->generate(seed, index);
+}
+
+TEST(Families, HaveNamesAndSummaries) {
+  std::set<std::string_view> names;
+  for (const Family& f : families()) {
+    EXPECT_TRUE(names.insert(f.name).second) << f.name;
+    EXPECT_FALSE(f.summary.empty());
+    EXPECT_EQ(find_family(f.name), &f);
+  }
+  EXPECT_EQ(names.size(), 30u);
+  EXPECT_EQ(find_family("axes"), nullptr);
+}
+
+TEST(Families, ArePureFunctions) {
+  for (const Family& f : families()) {
+    const std::string there = format_pair(f.generate(seed, 57));
+    for (std::uint64_t i : {56u, 58u, 0u}) f.generate(seed, i);
+    EXPECT_EQ(format_pair(f.generate(seed, 57)), there) << f.name;
+  }
+}
+
+TEST(Families, DrawValidPairs) {
+  for (const Family& f : families())
+    for (std::uint64_t i = 0; i < 2000; ++i) {
+      const Pair p = f.generate(seed, i);
+      ASSERT_EQ(find_defect(p.a), Defect::none) << f.name << " " << i;
+      ASSERT_EQ(find_defect(p.b), Defect::none) << f.name << " " << i;
+    }
+}
+
+TEST(Families, DrawDistinctPairs) {
+  std::set<std::string> seen;
+  std::size_t drawn = 0;
+  for (const Family& f : families())
+    for (std::uint64_t s : {seed, seed + 1, std::uint64_t{0}})
+      for (std::uint64_t i = 0; i < 100; ++i, ++drawn) seen.insert(format_pair(f.generate(s, i)));
+  EXPECT_EQ(seen.size(), drawn);
+}
+
+TEST(Families, KeepTheirPairsForEver) {
+  struct Golden {
+    const char* name;
+    std::uint64_t seed, index;
+    const char* pair;
+  };
+  const std::
+      array
+          goldens =
+              {
+                  Golden{
+                      "random", 20261121, 0,
+                      R"({"a":{"center":[0.029473559235447366,0.011871236576196598,0.780172525635672],"axis":[-0.0815235571789536,0.672732676772093,-0.7353806192904083],"radius":0.7327895884185774,"height":0.11063949915379645},"b":{"center":[-0.5004780113677653,0.9756483195616389,1.9012609019426845],"axis":[-0.7481831323721498,-0.4323338178179856,-0.503298589710644],"radius":7.142521235089238,"height":0.5425726498303026}})"},
+                  Golden{
+                      "touching_side_side", 20261121, 5,
+                      R"({"a":{"center":[0,0,0],"axis":[0.5560722811244719,-0.48784983257689546,0.6728938690608806],"radius":1.912957630660994,"height":0.7778211949277587},"b":{"center":[-2.1639879233307537,0.3435331070096516,2.050460742472239],"axis":[-0.27331172146394633,-0.958056540624822,0.08618797988358523],"radius":1.0514740210147633,"height":1.8731177379854516}})"},
+                  Golden{
+                      "touching_rim_rim", 20261121, 1000000007,
+                      R"({"a":{"center":[0,0,0],"axis":[-0.7596184256540096,-0.3886162801393596,0.5214951909822089],"radius":0.8220282096570652,"height":1.352020872990872},"b":{"center":[0.11165348674420857,0.874028034263155,-2.6750340045506613],"axis":[-0.05560064244493536,-0.9984436474623652,0.004341820097404978],"radius":1.7083572308231425,"height":0.8853780649743412}})"},
+                  Golden{
+                      "axes_nearly_parallel", 0, 29,
+                      R"({"a":{"center":[-0.35282988838421625,0.3367066020280072,-0.03181452428697007],"axis":[1,0,0],"radius":0.36534590524419275,"height":4.891095840141296},"b":{"center":[0.0326597892848543,2.3460050299448776,2.7195070329003825],"axis":[-1,-7.219092517991284e-18,9.973908312801297e-17],"radius":2.236530224060718,"height":3.498980800703417}})"},
+                  Golden{"needle_and_disk", 20261121, 2,
+                         R"({"a":{"center":[0.508176202327373,-0.6585262221547155,0.42509913553205614],"axis":[0.16136350449725262,0.7952197276506797,-0.5844547922393518],"radius":0.0035769216583742174,"height":0.5454097596197784},"b":{"center":[0.45734301923959425,-0.7991450841652801,0.43419489405688094],"axis":[-0.11615102986482048,-0.7961406631976549,0.5938593963763981],"radius":0.1891023435057805,"height":0.00013676707006963807}})"},
+                  Golden{
+                      "coaxial", 20261121, 8,
+                      R"({"a":{"center":[10.848944855268215,-0.9731642814578814,0.523314927187313],"axis":[-1,-0,-0],"radius":0.5103843505986306,"height":8.628050595117461},"b":{"center":[0.5296432886520568,-0.9731642814578814,0.523314927187313],"axis":[1,0,0],"radius":0.9317022966535067,"height":3.20455890381427}})"},
+                  Golden{
+                      "mixed_scale", 20261121, 9,
+                      R"({"a":{"center":[0.09634331577550821,0.1597929650649063,1.1490919534492676],"axis":[0.06946061968443548,-0.9593700788966358,0.2734671351934577],"radius":6.893538111350324e-12,"height":6.470553617653879e-13},"b":{"center":[0.033753054963590934,0.27292088963617744,0.626953154627371],"axis":[-0.1139696812618963,0.19252797700920904,-0.9746506501417845],"radius":0.20483224722108734,"height":1.0756332045223154}})"},
+                  Golden{
+                      "lattice_dust", 20261121, 27,
+                      R"({"a":{"center":[0,-1,-3],"axis":[2.001412920401891,0.9986611330037045,0.9985130261925135],"radius":0.125,"height":8},"b":{"center":[-2,-1,-3],"axis":[0,1,0],"radius":4,"height":0.125}})"},
+              };
+  for (const Golden& g : goldens)
+    EXPECT_EQ(format_pair(find_family(g.name)->generate(g.seed, g.index)), g.pair) << g.name;
+
+  std::uint64_t digest = fnv1a({});  // over all families
+  for (const Family& f : families())
+    for (std::uint64_t i = 0; i < 500; ++i) digest = fnv1a(format_pair(f.generate(seed, i)), digest);
+  EXPECT_EQ(digest, 12863362681524556228u);
+}
+
+TEST(Families, RandomIntersectsAboutHalfTheTime) {
+  int near = 0;
+  constexpr int n = 1000;
+  for (std::uint64_t i = 0; i < n; ++i) {
+    const Pair p = draw("random", i);
+    for (const Cylinder& c : {p.a, p.b})
+      for (double length : {c.radius, c.height}) ASSERT_TRUE(length >= 0.1 && length < 10);
+    near += crude_distance(p) < 1e-3L * size_of(p);
+  }
+  EXPECT_GT(near, 0.3 * n);
+  EXPECT_LT(near, 0.7 * n);
+}
+
+struct Touching {
+  const char* name;
+  ContactKind kind;
+};
+constexpr std::array touching{Touching{"touching_side_side", ContactKind::side_side},
+                              Touching{"touching_side_rim", ContactKind::side_rim},
+                              Touching{"touching_rim_rim", ContactKind::rim_rim},
+                              Touching{"touching_cap_rim", ContactKind::cap_rim},
+                              Touching{"touching_cap_side", ContactKind::cap_side},
+                              Touching{"touching_cap_cap", ContactKind::cap_cap},
+                              Touching{"touching_parallel_sides", ContactKind::parallel_sides},
+                              Touching{"touching_needles", ContactKind::needle_needle},
+                              Touching{"touching_disks", ContactKind::disk_disk}};
+
+/// Part of the size: half of the smallest margin, so that rounding changes no pair's side.
+constexpr Wide construction_tol = 5e-16L;
+
+TEST(Families, TouchAtTheMarginTheyName) {
+  for (const Touching& t : touching) {
+    std::set<double> margins;
+    for (std::uint64_t i = 0; i < 2000; ++i) {
+      RandomStream stream(t.name, seed, i);
+      const Contact c = draw_contact(t.kind, stream, i);
+      ASSERT_EQ(format_pair(draw(t.name, i)), format_pair(c.pair));
+      const Wide size = size_of(c.pair), bound = construction_tol * size;
+      const double margin = contact_margin(t.kind, i);
+      margins.insert(margin);
+      ASSERT_NEAR(c.distance, margin * static_cast<double>(size),
+                  1e-15 * std::abs(margin) * static_cast<double>(size));
+
+      // f(normal) = -distance, and the contact points are points of the solids.
+      const Wide3 n = wide(c.normal), p = wide(c.point);
+      const Wide gap = gap_along(c.pair, n / n.norm());
+      ASSERT_LE(std::abs(gap - c.distance), bound) << t.name << " " << i;
+      ASSERT_LE(excess(c.pair.a, p), bound) << t.name << " " << i;
+      ASSERT_LE(excess(c.pair.b, p + Wide(c.distance) * n), bound) << t.name << " " << i;
+
+      // No direction, near the normal or far from it, promises a greater distance.
+      for (int k = 0; k < 20; ++k) {
+        Wide3 m = wide(stream.unit_vector());
+        m = n + std::ldexp(m.norm(), -2 * k) * m;
+        m /= m.norm();
+        ASSERT_LE(gap_along(c.pair, m), gap + bound) << t.name << " " << i << " " << k;
+      }
+    }
+    const bool slender = t.kind == ContactKind::needle_needle || t.kind == ContactKind::disk_disk;
+    EXPECT_EQ(margins.size(), slender ? 20u : 28u);
+    EXPECT_EQ(*margins.begin(), slender ? -1e-6 : -1e-2);
+    EXPECT_EQ(*margins.rbegin(), slender ? 1e-6 : 1e-2);
+    for (double m : margins) EXPECT_TRUE(margins.contains(-m) && std::abs(m) >= 1e-15) << m;
+  }
+}
+
+/// Which features meet: for either solid, whether n is orthogonal (side), parallel (cap) or neither (rim).
+std::string features(const Contact& c) {
+  std::string out;
+  for (const Cylinder& s : {c.pair.a, c.pair.b}) {
+    const Wide along = std::abs(unit_axis(s).dot(wide(c.normal)));
+    out += along < 1e-15L ? 's' : along > 1 - 1e-15L ? 'c' : along > 0.2L && along < 0.97L ? 'r' : '?';
+  }
+  std::sort(out.begin(), out.end());
+  return out;
+}
+
+TEST(Families, TouchWithTheFeaturesTheyName) {
+  const std::array wanted = {"ss", "rs", "rr", "cr", "cs", "cc", "ss", "ss", "rr"};
+  for (std::size_t k = 0; k < touching.size(); ++k)
+    for (std::uint64_t i = 0; i < 500; ++i) {
+      RandomStream stream(touching[k].name, seed, i);
+      const Contact c = draw_contact(touching[k].kind, stream, i);
+      ASSERT_EQ(features(c), wanted[k]) << touching[k].name << " " << i;
+      const bool parallel =
+          touching[k].kind == ContactKind::parallel_sides || touching[k].kind == ContactKind::cap_cap;
+      ASSERT_EQ(sine(c.pair) < 1e-15L, parallel) << touching[k].name << " " << i;
+    }
+}
+
+TEST(Families, HaveTheAnglesTheyName) {
+  std::set<int> decades;
+  int same = 0, beside = 0;
+  for (std::uint64_t i = 0; i < 600; ++i) {
+    const Pair parallel = draw("axes_parallel", i);
+    ASSERT_TRUE(parallel.a.axis == parallel.b.axis || parallel.a.axis == -parallel.b.axis);
+
+    const Pair nearly = draw("axes_nearly_parallel", i);
+    const int decade = -2 - static_cast<int>(i / 2 % 15);
+    decades.insert(decade);
+    const Wide angle = std::pow(Wide(10), decade);
+    ASSERT_NEAR(static_cast<double>(sine(nearly) / angle), 1, 0.05) << i;
+    ASSERT_EQ(cosine(nearly) > 0, i % 2 == 0);
+    same += cosine(nearly) > 0;
+
+    const Pair right = draw("axes_perpendicular", i);
+    ASSERT_LE(std::abs(cosine(right)), 1e-15L);
+    beside += right.a.axis.dot(right.b.axis) == 0;
+
+    // The axis segments meet: the centres' difference is a combination of the axes within the heights.
+    const Pair crossing = draw("axes_crossing", i);
+    const Wide3 u = unit_axis(crossing.a), v = unit_axis(crossing.b);
+    const Wide3 d = wide(crossing.b.center) - wide(crossing.a.center);
+    Eigen::Matrix<Wide, 3, 2> axes;
+    axes << u, -v;
+    const Eigen::Matrix<Wide, 2, 2> gram = axes.transpose() * axes;
+    const Wide det = gram(0, 0) * gram(1, 1) - gram(0, 1) * gram(1, 0);
+    const Eigen::Matrix<Wide, 2, 1> rhs = axes.transpose() * d;
+    const Wide s = (gram(1, 1) * rhs(0) - gram(0, 1) * rhs(1)) / det,
+               t = (gram(0, 0) * rhs(1) - gram(1, 0) * rhs(0)) / det;
+    ASSERT_LE((s * u - t * v - d).norm(), 1e-15L * 20) << i;
+    if (det > 1e-4L) {
+      ASSERT_LE(std::abs(s), crossing.a.height * 0.5L + 1e-10L) << i;
+      ASSERT_LE(std::abs(t), crossing.b.height * 0.5L + 1e-10L) << i;
+    }
+  }
+  EXPECT_EQ(decades.size(), 15u);
+  EXPECT_EQ(same, 300);
+  EXPECT_GT(beside, 200);
+}
+
+TEST(Families, HaveTheShapesTheyName) {
+  const auto needle = [](const Cylinder& c) {
+    return c.radius >= 1e-6 * c.height && c.radius < 1.001e-2 * c.height;
+  };
+  const auto disk = [](const Cylinder& c) {
+    return c.height >= 1e-6 * c.radius && c.height < 1.001e-2 * c.radius;
+  };
+  const auto point = [](const Cylinder& c) { return c.radius == 0 && c.height == 0; };
+  std::array<int, 3> segment_count{}, flat_count{}, point_count{};
+  int equal_points = 0;
+  for (std::uint64_t i = 0; i < 600; ++i) {
+    Pair p = draw("needles", i);
+    ASSERT_TRUE(needle(p.a) && needle(p.b));
+    p = draw("disks", i);
+    ASSERT_TRUE(disk(p.a) && disk(p.b));
+    p = draw("needle_and_disk", i);
+    ASSERT_TRUE((needle(p.a) && disk(p.b)) || (disk(p.a) && needle(p.b)));
+    p = draw("segments", i);
+    ASSERT_TRUE(p.a.height > 0 && p.b.height > 0 && (p.a.radius == 0 || p.b.radius == 0));
+    ++segment_count[(p.a.radius == 0) + 2 * (p.b.radius == 0) - 1];
+    p = draw("flat_disks", i);
+    ASSERT_TRUE(p.a.radius > 0 && p.b.radius > 0 && (p.a.height == 0 || p.b.height == 0));
+    ++flat_count[(p.a.height == 0) + 2 * (p.b.height == 0) - 1];
+    p = draw("points", i);
+    ASSERT_TRUE(point(p.a) || point(p.b));
+    ++point_count[point(p.a) + 2 * point(p.b) - 1];
+    equal_points += p.a.center == p.b.center;
+  }
+  for (const auto& counts : {segment_count, flat_count, point_count})
+    for (int count : counts) EXPECT_EQ(count, 200);
+  EXPECT_GT(equal_points, 10);
+  EXPECT_LT(equal_points, 60);
+}
+
+TEST(Families, HaveThePosesTheyName) {
+  int a_inside = 0;
+  for (std::uint64_t i = 0; i < 600; ++i) {
+    Pair p = draw("contained", i);
+    const bool inside_a = p.a.radius > p.b.radius && p.a.height > p.b.height;
+    const Cylinder &outer = inside_a ? p.a : p.b, &inner = inside_a ? p.b : p.a;
+    a_inside += !inside_a;
+    // The inner solid's extent along the outer axis, and across it from the outer axis.
+    const Wide3 w = unit_axis(outer), d = wide(inner.center) - wide(outer.center);
+    const Wide along = std::abs(d.dot(w)) + support(inner, w);
+    ASSERT_LE(along, Wide(outer.height) / 2) << i;
+    const Wide3 across = d - d.dot(w) * w;
+    ASSERT_LE(across.norm() + std::hypot(Wide(inner.radius), Wide(inner.height) / 2), outer.radius) << i;
+
+    p = draw("coaxial", i);
+    const Wide3 u = unit_axis(p.a), e = wide(p.b.center) - wide(p.a.center);
+    ASSERT_LE(sine(p), 1e-18L);
+    ASSERT_LE((e - e.dot(u) * u).norm(), 1e-15L * size_of(p)) << i;
+    const Wide shift = std::abs(e.dot(u)), sum = (Wide(p.a.height) + p.b.height) / 2;
+    const Wide difference = std::abs(Wide(p.a.height) - p.b.height) / 2;
+    const Wide bound = construction_tol * size_of(p);
+    const bool overlapping = shift >= difference - bound && shift <= sum + bound;
+    const bool nested = shift < difference && (p.a.radius < p.b.radius) == (p.a.height < p.b.height);
+    ASSERT_TRUE(i % 3 == 0 ? overlapping : i % 3 == 1 ? nested : shift > sum) << i;
+
+    p = draw("equal", i);
+    ASSERT_TRUE(p.a.center == p.b.center && p.a.radius == p.b.radius && p.a.height == p.b.height);
+    ASSERT_EQ(p.b.axis, i % 2 == 0 ? p.a.axis : Vector3(-p.a.axis));
+  }
+  EXPECT_GT(a_inside, 200);
+  EXPECT_LT(a_inside, 400);
+}
+
+TEST(Families, HaveTheScalesTheyName) {
+  double least = INFINITY, greatest = 0, shortest = INFINITY, longest = 0;
+  for (std::uint64_t i = 0; i < 600; ++i) {
+    Pair p = draw("far", i);
+    const double offset = p.a.center.norm(), wanted = std::pow(10.0, 3 + static_cast<double>(i % 10));
+    ASSERT_NEAR(offset / wanted, 1, 0.01) << i;
+    ASSERT_LT((p.a.center - p.b.center).norm(), 30);
+
+    p = draw("tiny_and_huge", i);
+    least = std::min(least, p.a.radius);
+    greatest = std::max(greatest, p.a.radius);
+    for (double length : {p.b.radius, p.a.height, p.b.height})
+      ASSERT_TRUE(length > p.a.radius / 101 && length < p.a.radius * 101) << i;
+
+    p = draw("mixed_scale", i);
+    const bool a_small = p.a.radius < p.b.radius;
+    const Cylinder &small = a_small ? p.a : p.b, &big = a_small ? p.b : p.a;
+    const double factor = big.radius / small.radius,
+                 exponent = std::pow(10.0, 3 + static_cast<double>(i % 10));
+    ASSERT_TRUE(factor > exponent / 100 && factor < exponent * 100) << i;
+    ASSERT_TRUE(small.height > small.radius / 101 && small.height < small.radius * 101) << i;
+    const Wide small_reach = std::hypot(Wide(small.radius), Wide(small.height) / 2);
+    ASSERT_LE(std::abs(excess(big, wide(small.center))), 2 * small_reach + 1e-14L) << i;
+
+    p = draw("raw_axes", i);
+    const double length = p.a.axis.stableNorm();
+    shortest = std::min(shortest, length);
+    longest = std::max(longest, length);
+  }
+  EXPECT_LT(least, 1e-298);
+  EXPECT_GT(greatest, 1e148);
+  EXPECT_LT(shortest, 1e-149);
+  EXPECT_GE(shortest, 0.999e-150);
+  EXPECT_GT(longest, 1e149);
+  EXPECT_LT(longest, 1.001e150);
+}
+
+TEST(Families, StandOnTheLattice) {
+  const auto whole = [](double x, double cap) { return x == std::floor(x) && std::abs(x) <= cap; };
+  const std::array dusts{0.0, 1e-16, 1e-15, 1e-12, 1e-9, 1e-6, 1e-3};
+  std::set<std::array<double, 2>> shapes;
+  for (std::uint64_t i = 0; i < 600; ++i) {
+    Pair p = draw("lattice", i);
+    for (const Cylinder& c : {p.a, p.b}) {
+      for (int k = 0; k < 3; ++k) ASSERT_TRUE(whole(c.center[k], 3) && whole(c.axis[k], 2));
+      ASSERT_TRUE(whole(c.radius, 3) && c.radius > 0 && whole(c.height, 6) && c.height > 0);
+    }
+    p = draw("lattice_dust", i);
+    Wide off = 0;
+    for (const Cylinder& c : {p.a, p.b}) {
+      shapes.insert({c.radius, c.height});
+      for (int k = 0; k < 3; ++k) ASSERT_TRUE(whole(c.center[k], 3));
+      const Wide3 w = wide(c.axis), lattice = w.array().round();
+      off = std::max<Wide>(off, w.cross(lattice).norm() / lattice.norm() / w.norm());
+    }
+    const double dust = dusts[i % dusts.size()];
+    ASSERT_NEAR(static_cast<double>(off), dust, 0.01 * dust + 2.3e-16) << i;
+    ASSERT_EQ(off == 0, dust == 0 || (off == 0 && dust == 1e-16)) << i;
+  }
+  EXPECT_EQ(shapes.size(), 3u);
+}
+
+}  // namespace
+}  // namespace cyl

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: MIT
+// What a method says of a pair, as plain data: its verdict, its distance, the witness it offers.
+#pragma once
+
+#include <string_view>
+
+#include "solver/cylinder.hpp"
+
+namespace cyl {
+
+enum class Status : unsigned char {
+  answered,
+  declined,  ///< cannot or does not want to answer this pair; no fault
+  failed     ///< tried and broke; `failure` says how
+};
+
+enum class Failure : unsigned char { none, exception, crash, hang, non_finite, malformed };
+
+enum class WitnessKind : unsigned char { none, direction, point };
+
+/// What a method said. Plain bytes, so that a contained worker can leave it in shared memory.
+struct MethodAnswer {
+  Status status = Status::declined;
+  Failure failure = Failure::none;
+  Verdict verdict = Verdict::undecided;  ///< meaningful where status == answered
+  bool has_distance = false;
+  WitnessKind witness = WitnessKind::none;
+  double distance = 0;         ///< signed: > 0 apart, in the scene's unit; meaningful where has_distance
+  double head[3] = {0, 0, 0};  ///< direction, or point = head + tail exactly, in the scene's frame
+  double tail[3] = {0, 0, 0};
+  int steps = 0, step_cap = 0;  ///< that its searches took, and the most they may; 0: not told
+  char reason[120] = {};        ///< why it declined or failed; zero-terminated
+
+  void set_reason(std::string_view text) noexcept;  ///< truncates
+  void set_direction(const Vector3& d) noexcept;    ///< as the witness
+};
+
+}  // namespace cyl

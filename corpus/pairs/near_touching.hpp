@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: MIT
+// Pairs at a prescribed signed distance, one kind for every pair of features that can touch. Built from the
+// contact outwards: nothing is solved, so no solver's error can hide in them.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string_view>
+
+#include "corpus/pairs/random_stream.hpp"
+#include "solver/cylinder.hpp"
+
+namespace cyl {
+
+/// The features that meet, of the one solid and of the other; which of the two is `a` is drawn.
+enum class ContactKind : unsigned char {
+  side_side,       ///< two generators cross
+  side_rim,        ///< a rim meets a generator
+  rim_rim,         ///< two rims meet in one point
+  cap_rim,         ///< a rim point stands on a cap
+  cap_side,        ///< a generator lies on a cap
+  cap_cap,         ///< two caps face each other
+  parallel_sides,  ///< two generators face each other
+  needle_needle,   ///< side_side of needles, radius 2.5e-5 to 4e-2 of the height
+  disk_disk        ///< rim_rim of disks, height 2.5e-5 to 4e-2 of the radius
+};
+
+/// A pair and why its distance is known.
+struct Contact {
+  Pair pair;
+  Vector3 normal;   ///< unit, from a to b: up to rounding, the direction whose f is minus the distance
+  Vector3 point;    ///< of a; point + distance * normal is of b
+  double distance;  ///< signed; rounding keeps within 5e-16 of the size on every pair tried
+};
+
+/// The contact at `index`: margins run through the decades 1e-2, 1e-3, .. 1e-15 (from 1e-6 for needles and
+/// disks), each with a gap (even index) and then a penetration (odd index).
+Contact draw_contact(ContactKind kind, RandomStream& stream, std::uint64_t index);
+/// The contact at a signed margin: any gap; a penetration up to 1e-2, of needles and disks up to 1e-6.
+Contact draw_contact_at(ContactKind kind, RandomStream& stream, double margin);
+
+/// The margin at `index`, negative where the solids penetrate.
+double contact_margin(ContactKind kind, std::uint64_t index);
+
+}  // namespace cyl

@@ -1,0 +1,397 @@
+// SPDX-License-Identifier: MIT
+#include "corpus/pairs/pair_io.hpp"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <iterator>
+#include <limits>
+#include <nlohmann/json.hpp>
+#include <set>
+#include <utility>
+
+namespace cyl {
+namespace {
+
+constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
+constexpr std::array<std::string_view, 4> cylinder_fields{"center", "axis", "radius", "height"};
+constexpr std::array<std::string_view, 3> guarded_keys{"source", "truth", "note"};
+
+/// The most bytes of a file's own words that an error text repeats.
+constexpr std::size_t shown_cap = 40;
+
+constexpr const char* too_long = "the line is longer than 1 MiB";
+
+std::string place(std::size_t line, std::size_t at) {
+  return "line " + std::to_string(line) + ", column " + std::to_string(at + 1) + ": ";
+}
+
+CaseLine refuse(std::size_t line, std::size_t at, const char* why) {
+  return {line, std::nullopt, place(line, at) + why};
+}
+
+std::string shorten(std::string_view text) {
+  if (text.size() <= shown_cap) return std::string(text);
+  std::size_t end = shown_cap;
+  while (end > 0 && (static_cast<unsigned char>(text[end]) & 0xC0) == 0x80) --end;  // whole UTF-8 characters
+  return std::string(text.substr(0, end)) + "...";
+}
+
+// What remains of two different words once their common beginning and end are taken off: at most one letter
+// each (one changed, added or lost), or two letters swapped.
+bool one_edit_apart(std::string_view x, std::string_view y) {
+  while (!x.empty() && !y.empty() && x.front() == y.front()) x.remove_prefix(1), y.remove_prefix(1);
+  while (!x.empty() && !y.empty() && x.back() == y.back()) x.remove_suffix(1), y.remove_suffix(1);
+  if (x.size() <= 1 && y.size() <= 1) return true;
+  return x.size() == 2 && y.size() == 2 && x[0] == y[1] && x[1] == y[0];
+}
+
+std::optional<Verdict> find_verdict(std::string_view word) {
+  for (Verdict v :
+       {Verdict::disjoint, Verdict::intersecting, Verdict::touching, Verdict::undecided, Verdict::invalid})
+    if (word == to_string(v)) return v;
+  return std::nullopt;
+}
+
+/// Hands out one byte at a time and leaves behind how many were taken.
+class CountingIterator {
+ public:
+  using iterator_category = std::input_iterator_tag;
+  using value_type = char;
+  using difference_type = std::ptrdiff_t;
+  using pointer = const char*;
+  using reference = const char&;
+
+  CountingIterator(const char* at, std::size_t* taken) : at_(at), taken_(taken) {}
+  reference operator*() const { return *at_; }
+  CountingIterator& operator++() {
+    ++at_;
+    ++*taken_;
+    return *this;
+  }
+  bool operator==(const CountingIterator& other) const { return at_ == other.at_; }
+
+ private:
+  const char* at_;
+  std::size_t* taken_;
+};
+
+/// Turns the events of the parser into a case, or stops it at the first fault.
+class CaseBuilder final : public nlohmann::json_sax<nlohmann::json> {
+ public:
+  CaseBuilder(std::string_view text, std::size_t line, const std::size_t& taken)
+      : text_(text), line_(line), taken_(taken) {}
+
+  Case value;
+  std::string error;
+
+  bool null() override {
+    begin_token();
+    return scalar("null");
+  }
+
+  bool boolean(bool x) override {
+    begin_token();
+    return scalar(x ? "true" : "false");
+  }
+
+  bool number_integer(number_integer_t x) override { return number(static_cast<double>(x)); }
+  bool number_unsigned(number_unsigned_t x) override { return number(static_cast<double>(x)); }
+  bool number_float(number_float_t x, const string_t&) override { return number(x); }
+  bool binary(binary_t&) override { return false; }  // no token of JSON text is one
+
+  bool string(string_t& x) override {
+    begin_token();
+    if (level_ != Level::line) return scalar("a string");
+    if (key_ == "id") {
+      value.id = std::move(x);
+    } else if (key_ == "source") {
+      value.source = std::move(x);
+    } else if (key_ == "note") {
+      value.note = std::move(x);
+    } else if (key_ == "truth") {
+      value.truth = find_verdict(x);
+      if (!value.truth)
+        return fail("truth is \"" + shorten(x) +
+                    "\", expected disjoint, intersecting, touching, undecided or invalid");
+    } else {
+      return scalar("a string");
+    }
+    return true;
+  }
+
+  bool key(string_t& x) override {
+    begin_token();
+    if (level_ == Level::ignored) return true;
+    if (level_ == Level::cylinder) {
+      const auto found = std::find(cylinder_fields.begin(), cylinder_fields.end(), x);
+      if (found == cylinder_fields.end())
+        return fail(key_ + "." + shorten(x) +
+                    " is not a field of a cylinder; expected center, axis, radius, height");
+      field_ = static_cast<std::size_t>(found - cylinder_fields.begin());
+      if (std::exchange(field_seen_[field_], true)) return fail(subject() + " is given twice");
+      return true;
+    }
+    for (std::string_view known : guarded_keys)
+      if (x != known && one_edit_apart(x, known))
+        return fail(shorten(x) + " is not a known key; did you mean " + std::string(known) + "?");
+    key_ = x;
+    if (!keys_seen_.insert(std::move(x)).second) return fail(shorten(key_) + " is given twice");
+    return true;
+  }
+
+  bool start_object(std::size_t) override {
+    begin_token();
+    if (level_ == Level::outside) {
+      level_ = Level::line;
+      return true;
+    }
+    if (level_ == Level::line && in_cylinder()) {
+      level_ = Level::cylinder;
+      field_seen_ = {};
+      return true;
+    }
+    return open("an object");
+  }
+
+  bool end_object() override {
+    begin_token();
+    if (level_ == Level::ignored) return close();
+    if (level_ == Level::cylinder) {
+      for (std::size_t i = 0; i < cylinder_fields.size(); ++i)
+        if (!field_seen_[i]) return fail(key_ + "." + std::string(cylinder_fields[i]) + " is missing");
+      level_ = Level::line;
+      return true;
+    }
+    for (const char* needed : {"a", "b"})
+      if (!keys_seen_.contains(needed)) return fail(std::string(needed) + " is missing");
+    level_ = Level::outside;
+    return true;
+  }
+
+  bool start_array(std::size_t) override {
+    begin_token();
+    if (level_ == Level::cylinder && field_ < 2) {
+      level_ = Level::vector;
+      coordinates_ = 0;
+      vector_start_ = start_;
+      return true;
+    }
+    return open("a list");
+  }
+
+  bool end_array() override {
+    begin_token();
+    if (level_ == Level::ignored) return close();
+    level_ = Level::cylinder;
+    start_ = vector_start_;
+    if (coordinates_ != 3)
+      return fail(subject() + " has " + std::to_string(coordinates_) + " coordinates, expected 3");
+    return check_field("");
+  }
+
+  bool parse_error(std::size_t position, const std::string&,
+                   const nlohmann::detail::exception& fault) override {
+    start_ = std::min(text_.find_first_not_of(between_tokens, token_end_), text_.size());
+    const std::string word =
+        shorten(text_.substr(start_, text_.find_first_of(" \t\r,:[]{}\"", start_) - start_));
+    constexpr int number_overflow = 406;  // nlohmann/json's number for this fault
+    if (fault.id == number_overflow)
+      return fail((level_ == Level::ignored ? "a number" : subject()) + " overflows a double (" + word + ")");
+    const bool wants_number = level_ == Level::vector || (level_ == Level::cylinder && field_ >= 2);
+    if (wants_number && after_colon_or_comma() && !word.empty())
+      return fail(subject() + " is " + word + ", expected " + expected());
+    start_ = position - 1;
+    // "[json.exception...] parse error at line 1, column 9: syntax error while parsing value - invalid
+    // literal; last read: '...'": what stands between the dash and what was read, which may be long.
+    std::string_view what = fault.what();
+    what.remove_prefix(std::min(what.find(" - ") + 3, what.size()));
+    return fail("not JSON: " + std::string(what.substr(0, what.find("; last read: "))));
+  }
+
+ private:
+  enum class Level { outside, line, cylinder, vector, ignored };
+  static constexpr std::string_view between_tokens = " \t\r\n,:";
+
+  // Every token but ',' and ':' is an event, so a token begins at the first other byte after the last one.
+  // When the event comes, the parser has taken all of the token, and one byte more only after a number.
+  void begin_token() {
+    start_ = text_.find_first_not_of(between_tokens, token_end_);
+    token_end_ = taken_;
+  }
+
+  bool after_colon_or_comma() const {
+    const auto before = text_.find_last_not_of(" \t\r", start_ == 0 ? 0 : start_ - 1);
+    return before != text_.npos && (text_[before] == ':' || text_[before] == ',' || text_[before] == '[');
+  }
+
+  bool fail(const std::string& what) {
+    error = place(line_, start_) + what;
+    return false;
+  }
+
+  bool in_cylinder() const { return key_ == "a" || key_ == "b"; }
+
+  std::string subject() const {
+    if (level_ == Level::outside) return "the line";
+    if (level_ == Level::line) return shorten(key_);
+    const std::string field = key_ + "." + std::string(cylinder_fields[field_]);
+    return level_ == Level::vector ? field + "[" + std::to_string(coordinates_) + "]" : field;
+  }
+
+  const char* expected() const {
+    if (level_ == Level::line && !in_cylinder()) return "a string";
+    if (level_ == Level::line || level_ == Level::outside) return "an object";
+    return level_ == Level::cylinder && field_ < 2 ? "a list of 3 numbers" : "a number";
+  }
+
+  bool skippable() const {
+    return level_ == Level::ignored ||
+           (level_ == Level::line && !in_cylinder() && key_ != "id" &&
+            std::find(guarded_keys.begin(), guarded_keys.end(), key_) == guarded_keys.end());
+  }
+
+  bool scalar(const char* kind) {
+    return skippable() || fail(subject() + " is " + kind + ", expected " + expected());
+  }
+
+  bool open(const char* kind) {
+    if (!scalar(kind)) return false;
+    level_ = Level::ignored;
+    ++ignored_depth_;
+    return true;
+  }
+
+  bool close() {
+    if (--ignored_depth_ == 0) level_ = Level::line;
+    return true;
+  }
+
+  bool number(double x) {
+    begin_token();
+    token_end_ = std::min(text_.find_first_not_of("+-.0123456789eE", start_), text_.size());
+    if (x == 0 && text_[start_] == '-') x = -0.0;  // the parser makes the integer 0 of "-0"
+    Cylinder& c = key_ == "a" ? value.pair.a : value.pair.b;
+    if (level_ == Level::vector) {
+      if (coordinates_ == 3) {
+        level_ = Level::cylinder;
+        return fail(subject() + " has more than 3 coordinates");
+      }
+      (field_ == 0 ? c.center : c.axis)[coordinates_++] = x;
+      return true;
+    }
+    if (level_ == Level::cylinder && field_ >= 2) {
+      (field_ == 2 ? c.radius : c.height) = x;
+      return check_field(" (" + format_double(x) + ")");
+    }
+    return scalar("a number");
+  }
+
+  // A cylinder begins without defect, so the first defect is of the field just read.
+  bool check_field(const std::string& shown) {
+    const Defect defect = find_defect(key_ == "a" ? value.pair.a : value.pair.b);
+    return defect == Defect::none || fail(key_ + "." + to_string(defect) + shown);
+  }
+
+  std::string_view text_;
+  std::size_t line_;
+  const std::size_t& taken_;
+  std::size_t start_ = 0;      // where the token of this event begins
+  std::size_t token_end_ = 0;  // where it ends
+  Level level_ = Level::outside;
+  std::string key_;  // the last key of the line itself
+  std::set<std::string, std::less<>> keys_seen_;
+  std::size_t field_ = 0;  // index into cylinder_fields
+  std::array<bool, 4> field_seen_{};
+  int coordinates_ = 0;
+  std::size_t vector_start_ = 0;
+  std::size_t ignored_depth_ = 0;
+};
+
+void append(std::string& out, std::string_view name, const Vector3& v) {
+  out.append("\"").append(name).append("\":[");
+  out.append(format_double(v.x())).append(",");
+  out.append(format_double(v.y())).append(",");
+  out.append(format_double(v.z())).append("]");
+}
+
+void append(std::string& out, const Cylinder& c) {
+  out += '{';
+  append(out, "center", c.center);
+  out += ',';
+  append(out, "axis", c.axis);
+  out.append(",\"radius\":").append(format_double(c.radius));
+  out.append(",\"height\":").append(format_double(c.height)).append("}");
+}
+
+}  // namespace
+
+std::optional<CaseLine> CaseReader::next() {
+  for (;;) {
+    // The buffer has room for the \r of a line that just fits and for the terminating zero.
+    in_.getline(buffer_.data(), static_cast<std::streamsize>(buffer_.size()));
+    const auto got = static_cast<std::size_t>(in_.gcount());
+    if (in_.bad() || got == 0) return std::nullopt;
+    ++line_;
+    if (in_.fail()) {  // the buffer was full before the end of the line
+      in_.clear();
+      in_.ignore(std::numeric_limits<std::streamsize>::max(), '\n');
+      return refuse(line_, line_cap, too_long);
+    }
+    std::string_view text(buffer_.data(), in_.eof() ? got : got - 1);  // a newline counts but is not stored
+    if (line_ == 1 && text.starts_with(byte_order_mark)) text.remove_prefix(byte_order_mark.size());
+    if (text.ends_with('\r')) text.remove_suffix(1);
+    if (text.find_first_not_of(" \t\r") != text.npos) return parse_case(text, line_);
+  }
+}
+
+CaseLine parse_case(std::string_view text, std::size_t line) {
+  if (text.size() > line_cap) return refuse(line, line_cap, too_long);
+  // The parser would take a NUL for the end of its input, and would skip a byte order mark.
+  if (const auto nul = text.find('\0'); nul != text.npos) return refuse(line, nul, "not JSON: a NUL byte");
+  if (text.starts_with(byte_order_mark)) return refuse(line, 0, "not JSON: a byte order mark");
+
+  std::size_t taken = 0;
+  CaseBuilder builder(text, line, taken);
+  const CountingIterator begin(text.data(), &taken), end(text.data() + text.size(), &taken);
+  CaseLine out;
+  out.line = line;
+  if (nlohmann::json::sax_parse(begin, end, &builder))
+    out.value = std::move(builder.value);
+  else
+    out.error = std::move(builder.error);
+  return out;
+}
+
+std::string format_double(double x) {
+  std::array<char, 32> digits;  // the longest, "-2.2250738585072014e-308", has 24
+  const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), x).ptr;
+  return std::string(digits.data(), end);
+}
+
+std::string quote_json(std::string_view text) {
+  return nlohmann::json(text).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
+}
+
+std::string format_pair(const Pair& p) {
+  std::string out = "{\"a\":";
+  append(out, p.a);
+  out += ",\"b\":";
+  append(out, p.b);
+  out += '}';
+  return out;
+}
+
+std::string format_case(const Case& c) {
+  std::string out = format_pair(c.pair);
+  out.pop_back();
+  if (!c.id.empty()) out += ",\"id\":" + quote_json(c.id);
+  if (!c.source.empty()) out += ",\"source\":" + quote_json(c.source);
+  if (c.truth) out += std::string(",\"truth\":\"") + to_string(*c.truth) + '"';
+  if (!c.note.empty()) out += ",\"note\":" + quote_json(c.note);
+  out += '}';
+  return out;
+}
+
+}  // namespace cyl

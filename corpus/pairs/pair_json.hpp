@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: MIT
+// Pairs as JSON values, with the fields of the case files.
+#pragma once
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "corpus/pairs/pair_io.hpp"
+
+namespace cyl {
+
+/// What is no number of JSON is the string "nan", "inf" or "-inf".
+inline nlohmann::ordered_json number_json(double x) {
+  return std::isfinite(x) ? nlohmann::ordered_json(x) : nlohmann::ordered_json(format_double(x));
+}
+
+inline nlohmann::ordered_json vector_json(const Vector3& v) {
+  return {number_json(v[0]), number_json(v[1]), number_json(v[2])};
+}
+
+inline nlohmann::ordered_json cylinder_json(const Cylinder& c) {
+  return {{"center", vector_json(c.center)},
+          {"axis", vector_json(c.axis)},
+          {"radius", number_json(c.radius)},
+          {"height", number_json(c.height)}};
+}
+
+}  // namespace cyl

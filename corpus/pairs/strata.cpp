@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: MIT
+#include "corpus/pairs/strata.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <utility>
+
+#include "corpus/pairs/near_touching.hpp"
+#include "corpus/pairs/random_stream.hpp"
+
+namespace cyl {
+namespace {
+
+using enum ContactFeature;
+
+constexpr std::array<std::string_view, contact_feature_count> names{
+    to_string(side_side), to_string(side_rim), to_string(rim_rim),    to_string(cap_side),
+    to_string(cap_rim),   to_string(cap_cap),  to_string(containment)};
+
+/// 10^-d.
+constexpr std::array<double, 17> powers{1,    1e-1,  1e-2,  1e-3,  1e-4,  1e-5,  1e-6,  1e-7, 1e-8,
+                                        1e-9, 1e-10, 1e-11, 1e-12, 1e-13, 1e-14, 1e-15, 1e-16};
+
+/// The first decade whose penetrations are known by construction (near_touching.hpp), in general and of
+/// slender solids.
+constexpr int penetration_decade = 2, slender_penetration_decade = 6;
+
+/// Those with the slender kinds last; one of them is taken by turns.
+std::span<const ContactKind> kinds_of(ContactFeature feature) {
+  static constexpr std::array sides{ContactKind::side_side, ContactKind::parallel_sides,
+                                    ContactKind::needle_needle};
+  static constexpr std::array side_rims{ContactKind::side_rim};
+  static constexpr std::array rims{ContactKind::rim_rim, ContactKind::disk_disk};
+  static constexpr std::array cap_sides{ContactKind::cap_side};
+  static constexpr std::array cap_rims{ContactKind::cap_rim};
+  static constexpr std::array caps{ContactKind::cap_cap};
+  switch (feature) {
+    case side_side:
+      return sides;
+    case side_rim:
+      return side_rims;
+    case rim_rim:
+      return rims;
+    case cap_side:
+      return cap_sides;
+    case cap_rim:
+      return cap_rims;
+    case cap_cap:
+      return caps;
+    case containment:
+      break;
+  }
+  return {};
+}
+
+bool is_slender(ContactKind kind) {
+  return kind == ContactKind::needle_needle || kind == ContactKind::disk_disk;
+}
+
+// The inner solid reaches from depth g below a point p of the outer one's side or cap up to no more than g/2
+// below: to half a length of g about, against a surface that in that range falls off by less than g/8. So it
+// lies inside. Its depth is g by the argument of near_touching.cpp: moved by g along the normal it only
+// touches, and a ball of radius R >= g in the outer solid touches at p, so that no direction does better. At
+// p, at most 0.3 of the way to the border, R >= min(r, 0.35 h) >= 0.175, and g <= 0.1 size is kept below
+// 0.9 of that.
+Pair draw_containment(RandomStream& s, double margin) {
+  constexpr double middle_part = 0.3, ball_part = 0.9;
+  Cylinder outer, inner;
+  outer.radius = s.between(0.5, 2);
+  outer.height = s.between(0.5, 2);
+  outer.axis = s.unit_vector();
+  const Vector3 radial = s.perpendicular(outer.axis);
+  const bool at_cap = s.coin();
+  const Vector3 normal = at_cap ? Vector3(s.sign() * outer.axis) : radial;
+  const double part = s.between(-middle_part, middle_part);
+  const Vector3 contact = at_cap ? Vector3(outer.height / 2 * normal + part * outer.radius * radial)
+                                 : Vector3(outer.radius * normal + part * outer.height / 2 * outer.axis);
+
+  switch (s.below(3)) {  // parallel, as nearly as a power of ten, anyhow
+    case 0:
+      inner.axis = s.sign() * outer.axis;
+      break;
+    case 1: {
+      const double angle = powers[1 + s.below(12)];
+      inner.axis = s.sign() * (outer.axis + angle * s.perpendicular(outer.axis));
+      break;
+    }
+    default:
+      inner.axis = s.unit_vector();
+  }
+  // In units of the depth; with g = margin (R + H + (r + h) g) and r + h <= 0.5 that gives g.
+  inner.radius = s.between(0.05, 0.15);
+  inner.height = s.between(0.05, 0.2);
+  const double outer_size = outer.radius + outer.height;
+  const double ball = at_cap ? std::min(outer.height / 2, (1 - middle_part) * outer.radius)
+                             : std::min(outer.radius, (1 - middle_part) * outer.height / 2);
+  const double depth =
+      std::min(margin * outer_size / (1 - margin * (inner.radius + inner.height)), ball_part * ball);
+  inner.radius *= depth;
+  inner.height *= depth;
+
+  const Vector3 w = normalise(inner.axis);
+  const double along = dot(normal, w);
+  const Vector3 across = normal - along * w;
+  const double support = inner.radius * std::sqrt(dot(across, across)) + inner.height / 2 * std::abs(along);
+  for (int i = 0; i < 3; ++i) outer.center[i] = 0;
+  if (s.coin())
+    for (int i = 0; i < 3; ++i) outer.center[i] = s.between(-1, 1);
+  inner.center = outer.center + (contact + (support - depth) * normal);
+  // Which of the two is `a` is drawn.
+  return s.coin() ? Pair{outer, inner} : Pair{inner, outer};
+}
+
+}  // namespace
+
+std::span<const std::string_view> contact_features() { return names; }
+
+std::optional<ContactFeature> find_contact_feature(std::string_view name) {
+  const auto found = std::find(names.begin(), names.end(), name);
+  if (found == names.end()) return {};
+  return static_cast<ContactFeature>(found - names.begin());
+}
+
+std::optional<Pair> draw_in_stratum(ContactFeature feature, int decade, std::uint64_t seed,
+                                    std::uint64_t index) {
+  if (decade < first_decade || decade > last_decade) return {};
+  if (feature == containment && decade == last_decade) return {};
+  const auto cell = static_cast<std::uint64_t>(decade);
+  RandomStream s(to_string(feature), seed, index * (last_decade + 1) + cell);
+  // Off the ends of the decade, where rounding would leave it; the lower end is not in it.
+  const double margin = powers[static_cast<std::size_t>(decade)] * s.between(0.11, 0.99);
+  if (feature == containment) return draw_containment(s, margin);
+  const bool penetrates = index % 2 == 1 && decade >= penetration_decade;
+  std::span<const ContactKind> kinds = kinds_of(feature);
+  if (penetrates && decade < slender_penetration_decade && is_slender(kinds.back()))
+    kinds = kinds.first(kinds.size() - 1);
+  const ContactKind kind = kinds[index / 2 % kinds.size()];
+  return draw_contact_at(kind, s, penetrates ? -margin : margin).pair;
+}
+
+}  // namespace cyl

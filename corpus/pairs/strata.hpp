@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: MIT
+// Pairs by stratum: what meets, and the decade of the margin, both by construction. Every pair is a pure
+// function of (feature, decade, seed, index).
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string_view>
+
+#include "corpus/pairs/contact_feature.hpp"
+#include "solver/cylinder.hpp"
+
+namespace cyl {
+
+/// The words of all ContactFeatures, in their order.
+std::span<const std::string_view> contact_features();
+/// The feature of that name, if there is one.
+std::optional<ContactFeature> find_contact_feature(std::string_view name);
+
+/// Margins of decade d are in (10^(-d-1), 10^-d].
+inline constexpr int first_decade = 1, last_decade = 15;
+
+/// Gaps at even indices, penetrations at odd ones, as far as the cell has both: one solid that holds the
+/// other leaves no gap, and in decade 1 other penetrations are not known by construction. Rounding moves the
+/// margin by up to 5e-16, so that from decade 14 on the decade, and in the last the sign too, are no more
+/// than aimed at. Nothing outside the decades, and for containment in the last one, where the inner solid
+/// would be smaller than what doubles tell apart at the outer one's surface.
+std::optional<Pair> draw_in_stratum(ContactFeature feature, int decade, std::uint64_t seed,
+                                    std::uint64_t index);
+
+}  // namespace cyl

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: MIT
+#include "corpus/store/batch_text.hpp"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+#include <stdexcept>
+
+namespace cyl {
+namespace {
+
+TEST(BatchText, ComesBackAsItWent) {
+  BatchRecord batch;
+  batch.tallies = {{"m", "f", Counts{1, 2, 3, 4, 5, 6, ~0ull}}, {"n", "f", {}}};
+  batch.groups = {{"m", "hang", "contract", "f", 9, GroupRecord::no_binade}};
+  FindingRecord f;
+  f.index = ~0ull;
+  f.family = "f";
+  f.family_index = 8;
+  f.method = "m";
+  f.kind = "hang";
+  f.severity = "contract";
+  f.margin = MarginRecord{5e-324, std::numeric_limits<double>::infinity()};
+  f.pair = "{\"a\":\"\n\0x\"}";
+  f.answers = "</script>";
+  f.truth = "t";
+  f.stage = "wide";
+  f.reason = "not UTF-8: \xff";
+  batch.findings = {f, f};
+  batch.findings[1].margin.reset();
+  batch.cells = {{"a-b", 0, 17, {{1}, {}, {1, 1}}}, {"c", 5, 6, {}}};
+
+  const BatchRecord back = parse_batch(format_batch(batch));
+  ASSERT_EQ(back.tallies.size(), 2u);
+  EXPECT_EQ(back.tallies[0].counts.declined, 2u);
+  EXPECT_EQ(back.tallies[0].counts.nanoseconds, ~0ull);
+  ASSERT_EQ(back.groups.size(), 1u);
+  EXPECT_EQ(back.groups[0].count, 9u);
+  EXPECT_EQ(back.groups[0].binade, GroupRecord::no_binade);
+  EXPECT_EQ(back.cells, batch.cells);
+  ASSERT_EQ(back.findings.size(), 2u);
+  EXPECT_EQ(back.findings[0].index, ~0ull);
+  EXPECT_EQ(back.findings[0].family_index, 8u);
+  EXPECT_EQ(back.findings[0].margin->lo, 5e-324);
+  EXPECT_EQ(back.findings[0].margin->hi, std::numeric_limits<double>::infinity());
+  EXPECT_FALSE(back.findings[1].margin);
+  EXPECT_EQ(back.findings[0].pair, f.pair);
+  EXPECT_EQ(back.findings[0].answers, f.answers);
+  EXPECT_EQ(back.findings[0].stage, "wide");
+  EXPECT_EQ(back.findings[0].reason, "not UTF-8: \xef\xbf\xbd");
+}
+
+TEST(BatchText, ACutTextIsRefused) {
+  const std::string whole = format_batch({});
+  for (std::size_t size = 0; size < whole.size(); ++size) {
+    EXPECT_THROW(parse_batch(whole.substr(0, size)), std::runtime_error);
+  }
+}
+
+}  // namespace
+}  // namespace cyl

@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: MIT
+#include "corpus/store/case_files.hpp"
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <filesystem>
+#include <fstream>
+#include <set>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+
+namespace cyl {
+namespace {
+
+const std::string committed = std::string(DAYLIGHT_SOURCE_DIR) + "/corpus/cases";
+
+class CaseFiles : public testing::Test {
+ protected:
+  CaseFiles() { std::filesystem::create_directory(folder_); }
+  ~CaseFiles() override { std::filesystem::remove_all(folder_); }
+
+  void write(const std::string& name, const std::string& text) const {
+    std::ofstream(folder_ / name) << text;
+  }
+
+  std::string error() const {
+    try {
+      read_case_folder(folder_.string());
+      return "";
+    } catch (const std::runtime_error& fault) {
+      return fault.what();
+    }
+  }
+
+  const std::filesystem::path folder_ = std::filesystem::temp_directory_path() /
+                                        ("case_files_test." + std::to_string(getpid()) + "." +
+                                         testing::UnitTest::GetInstance()->current_test_info()->name());
+};
+
+std::string line_with_id(const std::string& id) {
+  Case c;
+  c.id = id;
+  return format_case(c) + "\n";
+}
+
+TEST_F(CaseFiles, AreReadInTheOrderOfTheirNames) {
+  write("b.jsonl", line_with_id("3"));
+  write("a.jsonl", line_with_id("1") + "\n" + line_with_id("2"));
+  write("c.json", "not read");
+  std::filesystem::create_directory(folder_ / "d");
+  std::string ids;
+  for (const Case& c : read_case_folder(folder_.string())) ids += c.id;
+  EXPECT_EQ(ids, "123");
+}
+
+TEST_F(CaseFiles, NameTheFaultAndItsPlace) {
+  write("a.jsonl", line_with_id("1") + "{\"a\":1}\n");
+  EXPECT_EQ(error(),
+            (folder_ / "a.jsonl").string() + ": line 2, column 6: a is a number, expected an object");
+  std::filesystem::remove(folder_ / "a.jsonl");
+  EXPECT_EQ(error(), "");
+  std::filesystem::create_directory(folder_ / "e.jsonl");
+  EXPECT_EQ(error(), (folder_ / "e.jsonl").string() + ": cannot be read");
+  std::filesystem::remove_all(folder_);
+  EXPECT_EQ(error(), folder_.string() + ": No such file or directory");
+}
+
+TEST(CommittedCases, HaveUniqueIdsAndASource) {
+  std::set<std::string> ids;
+  for (const Case& c : read_case_folder(committed)) {
+    EXPECT_TRUE(ids.insert(c.id).second) << c.id;
+    EXPECT_FALSE(c.id.empty());
+    EXPECT_FALSE(c.source.empty()) << c.id;
+    EXPECT_TRUE(c.truth == Verdict::disjoint || c.truth == Verdict::intersecting ||
+                c.truth == Verdict::touching)
+        << c.id;
+  }
+  EXPECT_GE(ids.size(), 140u + 47u);
+}
+
+TEST(CommittedCases, AreWrittenAsTheWriterWrites) {
+  for (const char* name : {"hand_made.jsonl", "reported.jsonl"}) {
+    std::ifstream in(committed + "/" + name);
+    std::size_t line = 0;
+    for (std::string text; std::getline(in, text);) {
+      const CaseLine read = parse_case(text, ++line);
+      ASSERT_EQ(read.error, "") << name;
+      EXPECT_EQ(format_case(*read.value), text) << name;
+    }
+    EXPECT_GT(line, 40u) << name;
+  }
+}
+
+TEST(CommittedCases, CoverEveryContactOnEverySide) {
+  const auto cases = read_case_folder(committed);
+  for (std::string_view kind : {"side-side", "parallel-sides", "side-rim", "rim-rim", "cap-side", "cap-rim",
+                                "cap-cap", "coaxial", "segment", "disk", "point"})
+    for (Verdict truth : {Verdict::disjoint, Verdict::touching, Verdict::intersecting})
+      EXPECT_TRUE(std::any_of(cases.begin(), cases.end(),
+                              [&](const Case& c) { return c.id.starts_with(kind) && c.truth == truth; }))
+          << kind << " " << to_string(truth);
+}
+
+}  // namespace
+}  // namespace cyl

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: MIT
+// How often each method was asked and what came of it, by cell of the planes that failure maps are drawn on.
+// What the planes are is no matter of this file: oracles/trial/cells.hpp.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <string>
+#include <string_view>
+#include <tuple>
+#include <vector>
+
+namespace cyl {
+
+/// Of one method in one cell. An answer is counted in one of the others at most; the rest were right.
+struct CellCounts {
+  std::uint64_t asked = 0;
+  std::uint64_t wrong_disjoint = 0;
+  std::uint64_t wrong_intersecting = 0;
+  std::uint64_t failed = 0;     ///< exception, crash, hang, non-finite number
+  std::uint64_t undecided = 0;  ///< no verdict: undecided, declined, or called invalid
+
+  CellCounts& operator+=(const CellCounts& other);
+  bool operator==(const CellCounts&) const = default;
+};
+
+struct CellRecord {
+  std::string plane;
+  int x = 0, y = 0;
+  std::vector<CellCounts> methods;  ///< in the order of the run's methods; those that are missing: none asked
+
+  bool operator==(const CellRecord&) const = default;
+};
+
+/// Sums of records, in whatever order they come.
+class CellTable {
+ public:
+  /// Of a cell, grown to `methods` methods. Valid until the next call.
+  std::vector<CellCounts>& at(std::string_view plane, int x, int y, std::size_t methods);
+  void add(const CellRecord& record);
+  std::vector<CellRecord> records() const;  ///< by plane, x and y
+
+ private:
+  std::map<std::tuple<std::string, int, int>, std::vector<CellCounts>> cells_;
+};
+
+/// "12;12 0 3;;7": a method each, its counts in the order above, without the zeros and methods that end it.
+std::string format_cell_counts(const std::vector<CellCounts>& methods);
+/// What format_cell_counts wrote. Throws std::runtime_error on anything else.
+std::vector<CellCounts> parse_cell_counts(std::string_view text);
+
+}  // namespace cyl

@@ -1,0 +1,171 @@
+// SPDX-License-Identifier: MIT
+// What a run has done and found, in one SQLite file. It knows plain records only. A batch is committed whole
+// or not at all, so a run that is killed at any moment leaves the exact prefix it would have had on its way.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <tuple>
+#include <vector>
+
+#include "corpus/store/cell_counts.hpp"
+
+namespace SQLite {
+class Database;
+}
+
+namespace cyl {
+
+/// Findings of one (method, kind, severity, family) that are kept with their pair, the first in index order.
+/// Beyond them one is kept only where its margin reaches a power of two that none before it reached, so that
+/// the worst is always there within a factor of two; the rest is counted. Bounds the file: ten are enough to
+/// see a pattern.
+inline constexpr std::uint64_t representatives_cap = 10;
+
+/// How often a method was asked on a family and what came of it.
+struct Counts {
+  std::uint64_t asked = 0;
+  std::uint64_t declined = 0;
+  std::uint64_t failed = 0;      ///< exception, crash, hang, non-finite number
+  std::uint64_t contract = 0;    ///< wrong beyond its own claim
+  std::uint64_t resolution = 0;  ///< wrong within its own claim
+  std::uint64_t undecided = 0;
+  std::uint64_t nanoseconds = 0;  ///< wall time of the calls
+
+  Counts& operator+=(const Counts& other);
+};
+
+/// Who was asked. What it claims: right wherever |distance| >= relative * size + absolute.
+struct MethodRecord {
+  std::string name, version;
+  double relative = 0, absolute = 0;
+  std::string source;  ///< of the claim
+  unsigned share = 1;  ///< asked on the indices divisible by it, and in disputes
+
+  bool operator==(const MethodRecord&) const = default;
+};
+
+struct TallyRecord {
+  std::string method, family;
+  Counts counts;
+};
+
+/// A margin enclosure; stored as text, infinite allowed.
+struct MarginRecord {
+  double lo = 0, hi = 0;
+};
+
+/// One thing that is wrong, with all that is needed to see it again.
+struct FindingRecord {
+  std::int64_t id = 0;      ///< 1, 2, ... in the order they were found; given by the store
+  std::uint64_t index = 0;  ///< of the pair in the run
+  std::string family;
+  std::uint64_t family_index = 0;
+  std::string method, kind, severity;
+  std::optional<MarginRecord> margin;
+  std::string pair;     ///< one JSON line of corpus/pair_io
+  std::string answers;  ///< JSON object, method to what it said
+  std::string truth;    ///< JSON object: verdict and certificate
+  std::string stage;    ///< which arithmetic settled the truth
+  std::string reason;   ///< the method's own words on a failure
+};
+
+/// How many findings of a group there were, kept or not.
+struct GroupRecord {
+  std::string method, kind, severity, family;
+  std::uint64_t count = 0;
+  int binade = no_binade;  ///< the greatest power of two that a margin's lower bound reached
+
+  static constexpr int no_binade = -100000;  ///< below every exponent of a double
+};
+
+/// A fault that was planted in a copy of the program, and whether the campaign's own work found it.
+struct AlarmRecord {
+  std::uint64_t start = 0;  ///< the index of the run from which on it was looked for
+  int mutant = 0;           ///< its number
+  std::string what;         ///< the fault in words
+  bool found = false;
+  std::uint64_t pairs = 0;         ///< until it was found, or as many as were looked at
+  std::uint64_t usual = 0;         ///< pairs within which it should have been
+  std::uint64_t milliseconds = 0;  ///< CPU time
+  std::string said;                ///< which finding it was, or how the process ended; may be empty
+
+  bool operator==(const AlarmRecord&) const = default;
+};
+
+/// Which findings are kept. Filtering a sequence in pieces and then as a whole keeps the same as doing it at
+/// once.
+class Representatives {
+ public:
+  /// Counts the finding; whether it is to be kept.
+  bool admit(const FindingRecord& finding);
+  /// Adds findings that were counted elsewhere.
+  void add(const GroupRecord& group);
+  std::vector<GroupRecord> groups() const;
+
+ private:
+  using Key = std::tuple<std::string, std::string, std::string, std::string>;
+  static Key key_of(const FindingRecord& finding);
+  std::map<Key, GroupRecord> groups_;
+};
+
+/// What one stretch of indices [first, next) gave. Of a shard: what it had to do there.
+struct BatchRecord {
+  std::uint64_t first = 0, next = 0;
+  std::vector<TallyRecord> tallies;
+  std::vector<GroupRecord> groups;      ///< all findings of the batch, counted
+  std::vector<FindingRecord> findings;  ///< those its own Representatives admitted, in index order; id unset
+  std::vector<CellRecord> cells;        ///< of the failure maps
+};
+
+struct Progress {
+  std::uint64_t next = 0;          ///< the first index not done
+  std::uint64_t milliseconds = 0;  ///< wall time the run has taken, over all its sessions
+};
+
+using Config = std::map<std::string, std::string>;
+
+/// The store of one run: FOLDER/run.sqlite. Write-ahead log with synchronous=NORMAL: what is committed
+/// survives any death of the process; a loss of power may take the last batches, never the consistency. Every
+/// call throws std::runtime_error that names the file where it cannot be read or written.
+class RunStore {
+ public:
+  /// Creates folder and file; throws where a run is there already.
+  static RunStore create(const std::string& folder, const Config& config,
+                         const std::vector<MethodRecord>& methods = {});
+  /// Throws std::invalid_argument where no run is there.
+  static RunStore open(const std::string& folder);
+  RunStore(RunStore&&) noexcept;
+  ~RunStore();
+
+  Config config() const;
+  void set(const std::string& key, const std::string& value);  ///< an entry of the configuration
+  std::vector<MethodRecord> methods() const;
+  Progress progress() const;
+  /// Adds a batch and the wall time since the last commit in one transaction. Throws where `batch.first` is
+  /// not the next index: then another process writes to this run.
+  void commit(const BatchRecord& batch, std::uint64_t milliseconds);
+
+  std::vector<TallyRecord> tallies() const;     ///< by first appearance
+  std::vector<GroupRecord> groups() const;      ///< by method, kind, severity and family
+  std::vector<FindingRecord> findings() const;  ///< by id
+  /// By plane, x and y. Empty in runs of before there were maps.
+  std::vector<CellRecord> cells() const;
+  std::optional<FindingRecord> finding(std::int64_t id) const;
+
+  void add(const AlarmRecord& alarm);       ///< one there with the same start is replaced
+  std::vector<AlarmRecord> alarms() const;  ///< by start
+
+ private:
+  explicit RunStore(std::unique_ptr<SQLite::Database> database);
+  std::unique_ptr<SQLite::Database> database_;
+};
+
+bool holds_run(const std::string& folder);
+/// The folders right inside `folder` that hold a run, by name; symbolic links are passed over.
+std::vector<std::string> runs_in(const std::string& folder);
+
+}  // namespace cyl

@@ -1,0 +1,277 @@
+// SPDX-License-Identifier: MIT
+#include "corpus/store/run_store.hpp"
+
+#include <SQLiteCpp/SQLiteCpp.h>
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <limits>
+#include <stdexcept>
+
+namespace cyl {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// A folder of its own for each test, gone afterwards.
+class Store : public testing::Test {
+ protected:
+  void SetUp() override {
+    folder = fs::temp_directory_path() / ("daylight_store_" + std::to_string(getpid()) + "_" +
+                                          testing::UnitTest::GetInstance()->current_test_info()->name());
+    fs::remove_all(folder);
+  }
+  void TearDown() override { fs::remove_all(folder); }
+  fs::path folder;
+};
+
+FindingRecord finding_at(std::uint64_t index, double margin) {
+  FindingRecord f;
+  f.index = index;
+  f.family = "scene";
+  f.family_index = index;
+  f.method = "fake";
+  f.kind = "wrong_disjoint";
+  f.severity = "contract";
+  f.margin = MarginRecord{margin, margin * 2};
+  f.pair = R"({"a":{},"b":{}})";
+  f.answers = "{}";
+  f.truth = "{}";
+  f.stage = "filter";
+  return f;
+}
+
+/// Scatters small numbers over all of 32 bits (Knuth's multiplicative hash): cuts and margins without a
+/// pattern.
+std::uint64_t scatter(std::uint64_t i) { return (i + 1) * 2654435761u % 4294967296u >> 8; }
+
+/// Findings i in [first, next), each of the margin that `margin(i)` gives, as a batch would send them.
+template <class Margin>
+BatchRecord batch_of(std::uint64_t first, std::uint64_t next, Margin margin) {
+  BatchRecord batch;
+  batch.first = first;
+  batch.next = next;
+  Representatives kept;
+  for (std::uint64_t i = first; i < next; ++i) {
+    const FindingRecord f = finding_at(i, margin(i));
+    if (kept.admit(f)) batch.findings.push_back(f);
+  }
+  batch.groups = kept.groups();
+  batch.tallies = {{"fake", "scene", Counts{next - first, 0, 0, next - first, 0, 0, 10}}};
+  return batch;
+}
+
+std::vector<std::uint64_t> indices(const RunStore& store) {
+  std::vector<std::uint64_t> all;
+  for (const FindingRecord& f : store.findings()) all.push_back(f.index);
+  return all;
+}
+
+TEST_F(Store, GivesBackWhatWasCommitted) {
+  {
+    RunStore store = RunStore::create(folder, {{"seed", "18446744073709551615"}});
+    BatchRecord batch;
+    batch.next = 7;
+    FindingRecord f = finding_at(3, 0.25);
+    f.pair = "{\"a\":{\"radius\":-0}} '); DROP TABLE finding; --";
+    f.reason = "</script>";
+    f.margin = MarginRecord{5e-324, std::numeric_limits<double>::infinity()};
+    batch.findings = {f, finding_at(5, 0.5)};
+    batch.findings[1].margin.reset();
+    batch.groups = {{"fake", "wrong_disjoint", "contract", "scene", 2, -1}};
+    batch.tallies = {{"fake", "scene", Counts{1, 2, 3, 4, 5, 6, 7}}};
+    store.commit(batch, 12);
+  }
+  const RunStore store = RunStore::open(folder);
+  EXPECT_EQ(store.config().at("seed"), "18446744073709551615");
+  EXPECT_EQ(store.progress().next, 7u);
+  EXPECT_EQ(store.progress().milliseconds, 12u);
+  const auto findings = store.findings();
+  ASSERT_EQ(findings.size(), 2u);
+  EXPECT_EQ(findings[0].id, 1);
+  EXPECT_EQ(findings[0].pair, "{\"a\":{\"radius\":-0}} '); DROP TABLE finding; --");
+  EXPECT_EQ(findings[0].reason, "</script>");
+  EXPECT_EQ(findings[0].margin->lo, 5e-324);
+  EXPECT_EQ(findings[0].margin->hi, std::numeric_limits<double>::infinity());
+  EXPECT_FALSE(findings[1].margin);
+  EXPECT_EQ(store.finding(2)->index, 5u);
+  EXPECT_FALSE(store.finding(3));
+  ASSERT_EQ(store.tallies().size(), 1u);
+  EXPECT_EQ(store.tallies()[0].counts.nanoseconds, 7u);
+  ASSERT_EQ(store.groups().size(), 1u);
+  EXPECT_EQ(store.groups()[0].count, 2u);
+}
+
+TEST_F(Store, AddsTheCellsOfBatches) {
+  RunStore store = RunStore::create(folder, {});
+  BatchRecord batch;
+  batch.next = 1;
+  batch.cells = {{"a", 3, 4, {{1}, {1, 1}}}, {"b", 3, 4, {{5}}}};
+  store.commit(batch, 0);
+  batch.first = 1;
+  batch.next = 2;
+  batch.cells = {{"a", 3, 4, {{2, 0, 1, 0, 0}, {}, {1, 0, 0, 0, 1}}}, {"a", 0, 9, {{1, 0, 0, 1, 0}}}};
+  store.commit(batch, 0);
+  const std::vector<CellRecord> wanted{{"a", 0, 9, {{1, 0, 0, 1, 0}}},
+                                       {"a", 3, 4, {{3, 0, 1, 0, 0}, {1, 1}, {1, 0, 0, 0, 1}}},
+                                       {"b", 3, 4, {{5}}}};
+  EXPECT_EQ(RunStore::open(folder).cells(), wanted);
+}
+
+TEST_F(Store, OfBeforeThereWereMapsHasNoneAndGoesOn) {
+  RunStore::create(folder, {});
+  SQLite::Database((folder / "run.sqlite").string(), SQLite::OPEN_READWRITE).exec("DROP TABLE cell");
+  RunStore store = RunStore::open(folder);
+  EXPECT_TRUE(store.cells().empty());
+  BatchRecord batch;
+  batch.next = 1;
+  batch.cells = {{"a", 3, 4, {{1}}}};
+  store.commit(batch, 0);
+  EXPECT_EQ(store.cells(), batch.cells);
+}
+
+TEST_F(Store, RefusesAFolderThatHoldsARunAndOneThatHoldsNone) {
+  EXPECT_THROW(RunStore::open(folder), std::invalid_argument);
+  RunStore::create(folder, {});
+  EXPECT_THROW(RunStore::create(folder, {}), std::runtime_error);
+}
+
+TEST_F(Store, NamesTheFileThatCannotBeRead) {
+  fs::create_directories(folder);
+  std::ofstream(folder / "run.sqlite")
+      << "not a database, and longer than the header of one would be: " << folder;
+  try {
+    RunStore::open(folder);
+    FAIL() << "opened";
+  } catch (const std::runtime_error& error) {
+    EXPECT_NE(std::string(error.what()).find((folder / "run.sqlite").string()), std::string::npos)
+        << error.what();
+  }
+}
+
+TEST_F(Store, RunsInAFolderAreFoundByTheirStores) {
+  EXPECT_TRUE(runs_in(folder).empty());
+  RunStore::create(folder / "b", {});
+  RunStore::create(folder / "a", {{"status", "running"}}).set("status", "complete");
+  fs::create_directories(folder / "empty");
+  fs::create_directory_symlink("b", folder / "latest");
+  EXPECT_EQ(runs_in(folder), (std::vector<std::string>{folder / "a", folder / "b"}));
+  EXPECT_EQ(RunStore::open(folder / "a").config(), (Config{{"status", "complete"}}));
+}
+
+TEST_F(Store, RefusesABatchOutOfOrder) {
+  RunStore store = RunStore::create(folder, {});
+  store.commit(batch_of(0, 10, [](auto) { return 1.0; }), 0);
+  EXPECT_THROW(store.commit(batch_of(20, 30, [](auto) { return 1.0; }), 0), std::runtime_error);
+  EXPECT_THROW(store.commit(batch_of(0, 10, [](auto) { return 1.0; }), 0), std::runtime_error);
+  EXPECT_EQ(store.progress().next, 10u);
+  EXPECT_EQ(store.tallies()[0].counts.asked, 10u);
+}
+
+TEST_F(Store, KeepsTheFirstAndEveryNewBinadeAndCountsAll) {
+  RunStore store = RunStore::create(folder, {});
+  // All 1e-9, but for one 1e-3 and, later, a smaller 1e-6.
+  const auto margin = [](std::uint64_t i) { return i == 70 ? 1e-3 : i == 80 ? 1e-6 : 1e-9; };
+  store.commit(batch_of(0, 50, margin), 0);
+  store.commit(batch_of(50, 100, margin), 0);
+  std::vector<std::uint64_t> expected(representatives_cap);
+  for (std::size_t i = 0; i < expected.size(); ++i) expected[i] = i;
+  expected.push_back(70);
+  EXPECT_EQ(indices(store), expected);
+  EXPECT_EQ(store.groups()[0].count, 100u);
+  EXPECT_EQ(store.tallies()[0].counts.contract, 100u);
+}
+
+TEST_F(Store, WhatIsKeptDoesNotDependOnWhereBatchesAreCut) {
+  std::vector<double> margins(2000);
+  for (std::size_t i = 0; i < margins.size(); ++i)
+    margins[i] = std::ldexp(1.0, -static_cast<int>(scatter(i) % 60));
+  const auto margin = [&](std::uint64_t i) { return margins[i]; };
+  RunStore whole = RunStore::create(folder / "whole", {});
+  whole.commit(batch_of(0, 2000, margin), 0);
+  RunStore cut = RunStore::create(folder / "cut", {});
+  for (std::uint64_t first = 0; first < 2000;) {
+    const std::uint64_t next = std::min<std::uint64_t>(2000, first + 1 + scatter(first) % 200);
+    cut.commit(batch_of(first, next, margin), 0);
+    first = next;
+  }
+  EXPECT_EQ(indices(cut), indices(whole));
+  EXPECT_EQ(cut.groups()[0].count, whole.groups()[0].count);
+  EXPECT_EQ(cut.groups()[0].binade, whole.groups()[0].binade);
+}
+
+TEST_F(Store, WhatIsKeptDoesNotDependOnHowShardsTakeTurns) {
+  const auto margin = [](std::uint64_t i) { return std::ldexp(1.0, -static_cast<int>(scatter(i) % 60)); };
+  RunStore whole = RunStore::create(folder / "whole", {});
+  whole.commit(batch_of(0, 2000, margin), 0);
+  for (const std::uint64_t shards : {1u, 2u, 3u, 7u}) {
+    BatchRecord all;
+    all.next = 2000;
+    Representatives count;
+    for (std::uint64_t shard = 0; shard < shards; ++shard) {
+      Representatives kept;
+      for (std::uint64_t i = 0; i < 2000; ++i) {
+        if (i / 16 % shards == shard && kept.admit(finding_at(i, margin(i))))
+          all.findings.push_back(finding_at(i, margin(i)));
+      }
+      for (const GroupRecord& group : kept.groups()) count.add(group);
+    }
+    all.groups = count.groups();
+    std::sort(all.findings.begin(), all.findings.end(),
+              [](const FindingRecord& x, const FindingRecord& y) { return x.index < y.index; });
+    RunStore merged = RunStore::create(folder / std::to_string(shards), {});
+    merged.commit(all, 0);
+    EXPECT_EQ(indices(merged), indices(whole)) << shards;
+    EXPECT_EQ(merged.groups()[0].count, 2000u);
+  }
+}
+
+/// Bytes of the store with all that SQLite keeps beside it.
+std::uintmax_t size_of(const fs::path& folder) {
+  std::uintmax_t bytes = 0;
+  for (const auto& file : fs::directory_iterator(folder)) bytes += file.file_size();
+  return bytes;
+}
+
+TEST_F(Store, DoesNotGrowWithTheNumberOfPairs) {
+  const auto fill = [&](const fs::path& run, std::uint64_t batches) {
+    RunStore store = RunStore::create(run, {});
+    const auto margin = [](std::uint64_t i) { return std::ldexp(1.0, -static_cast<int>(i * 7 % 60)); };
+    for (std::uint64_t k = 0; k < batches; ++k) store.commit(batch_of(k * 100, k * 100 + 100, margin), 1);
+  };
+  fill(folder / "short", 20);
+  fill(folder / "long", 2000);
+  EXPECT_EQ(size_of(folder / "long"), size_of(folder / "short"));
+}
+
+TEST_F(Store, AKilledWriterLeavesAConsistentPrefix) {
+  RunStore::create(folder, {});
+  for (std::uint64_t round = 0; round < 5; ++round) {
+    const pid_t child = fork();
+    if (child == 0) {
+      RunStore store = RunStore::open(folder);
+      for (std::uint64_t first = store.progress().next;; first += 10) {
+        store.commit(batch_of(first, first + 10, [](auto i) { return 1.0 / double(i + 1); }), 1);
+      }
+    }
+    usleep(static_cast<useconds_t>(1000 + scatter(round) % 20000));
+    kill(child, SIGKILL);
+    waitpid(child, nullptr, 0);
+    const RunStore store = RunStore::open(folder);
+    const std::uint64_t next = store.progress().next;
+    ASSERT_EQ(next % 10, 0u);
+    if (next == 0) continue;
+    EXPECT_EQ(store.tallies()[0].counts.asked, next);
+    EXPECT_EQ(store.groups()[0].count, next);
+    EXPECT_EQ(store.findings().size(), std::min<std::uint64_t>(next, representatives_cap));
+  }
+  EXPECT_GT(RunStore::open(folder).progress().next, 0u);
+}
+
+}  // namespace
+}  // namespace cyl

@@ -1,0 +1,392 @@
+// SPDX-License-Identifier: MIT
+#include "fuzz/campaign/batch.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <exception>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "corpus/pairs/random_stream.hpp"
+#include "oracles/methods/contained.hpp"
+#include "oracles/referee/referee.hpp"
+#include "oracles/trial/cells.hpp"
+#include "oracles/trial/compare.hpp"
+
+namespace cyl {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+std::uint64_t nanoseconds_since(Clock::time_point start) {
+  return static_cast<std::uint64_t>(
+      std::chrono::duration_cast<std::chrono::nanoseconds>(Clock::now() - start).count());
+}
+
+bool is_failure(FindingKind kind) {
+  return kind == FindingKind::exception || kind == FindingKind::crash || kind == FindingKind::hang ||
+         kind == FindingKind::non_finite || kind == FindingKind::malformed;
+}
+
+bool is_verdict(FindingKind kind) {
+  return kind == FindingKind::wrong_disjoint || kind == FindingKind::wrong_intersecting ||
+         kind == FindingKind::wrong_touching || kind == FindingKind::wrong_invalid;
+}
+
+MethodAnswer ask_here(Method& method, const Pair& pair) {
+  const auto broke = [](std::string_view reason) {
+    MethodAnswer answer;
+    answer.status = Status::failed;
+    answer.failure = Failure::exception;
+    answer.set_reason(reason);
+    return answer;
+  };
+  try {
+    return method.ask(pair);
+  } catch (const std::exception& e) {
+    return broke(e.what());
+  } catch (...) {
+    return broke("an exception that is no std::exception");
+  }
+}
+
+bool any_foreign(const Subjects& subjects) {
+  return std::any_of(subjects.methods.begin(), subjects.methods.end(),
+                     [](const auto& method) { return method->foreign(); });
+}
+
+/// Indices that are worked on together: as many as a batch with foreign methods has, so that those are asked
+/// in one go, and so few that the answers of ours stay in the cache.
+constexpr std::uint64_t stretch_size = batch_size;
+
+/// The work on a batch, stretch by stretch: each step fills one of the members at the end.
+class Batch {
+ public:
+  Batch(const Subjects& subjects, std::uint64_t seed)
+      : subjects_(subjects),
+        seed_(seed),
+        turns_(turns_of(subjects)),
+        every_cell_(any_foreign(subjects)),
+        by_family_(subjects.families.size() + 1) {
+    counts_.resize(rows() * by_family_.size());
+  }
+
+  void work_on(std::uint64_t first, std::uint64_t next) {
+    draw_pairs(first, next);
+    ask_own_methods();
+    ask_foreign_methods([&](std::size_t m, std::size_t p) { return on_share(m, p); });
+    for (std::size_t p = 0; p < pairs_.size(); ++p) judge_once(p);
+    for (std::size_t p = 0; p < pairs_.size(); ++p) compare_all(p);
+    ask_foreign_methods([&](std::size_t m, std::size_t p) { return !asked(m, p) && in_dispute(p); });
+    for (std::size_t p = 0; p < pairs_.size(); ++p) {
+      if (!in_dispute(p)) continue;
+      // What the costly ones said may prove what nobody could prove before.
+      if (truths_[p].verdict == Verdict::undecided) judge_once(p);
+      compare_all(p);
+    }
+    repeat_own_methods();
+    for (std::size_t p = 0; p < pairs_.size(); ++p) count_all(p);
+    for (std::size_t p = 0; p < pairs_.size(); ++p) count_cells(p);
+  }
+
+  BatchRecord finish() {
+    BatchRecord record;
+    for (std::size_t row = 0; row < rows(); ++row) {
+      for (std::size_t family = 0; family < by_family_.size(); ++family) {
+        if (counts(row, family).asked == 0) continue;
+        record.tallies.push_back({row_name(row), family_name(family), counts(row, family)});
+      }
+    }
+    record.groups = kept_.groups();
+    record.findings = std::move(findings_);
+    record.cells = cells_.records();
+    return record;
+  }
+
+ private:
+  std::size_t methods() const { return subjects_.methods.size(); }
+  std::size_t corpus_row_index() const { return methods(); }
+  std::size_t referee_row_index() const { return methods() + 1; }
+  std::size_t stage_row_index(Stage stage) const { return methods() + 2 + static_cast<std::size_t>(stage); }
+  std::size_t rows() const { return methods() + 2 + stage_rows.size(); }
+  std::uint64_t index_of(std::size_t p) const { return first_ + p; }
+  unsigned share_of(std::size_t m) const { return std::max(1u, subjects_.methods[m]->share()); }
+  /// Asked whatever others say of the pair.
+  bool on_share(std::size_t m, std::size_t p) const { return index_of(p) % share_of(m) == 0; }
+
+  Place place_of(std::uint64_t index) const { return cyl::place_of(subjects_, turns_, index); }
+  Pair pair_at(const Place& place) const {
+    if (place.family == 0) return subjects_.cases[place.index].pair;
+    return subjects_.families[place.family - 1].generate(seed_, place.index);
+  }
+  std::string family_name(std::size_t family) const { return cyl::family_name(subjects_, family); }
+  std::string row_name(std::size_t row) const {
+    if (row < methods()) return std::string(subjects_.methods[row]->name());
+    if (row == corpus_row_index()) return corpus_row;
+    return row == referee_row_index() ? referee_row : stage_rows[row - stage_row_index(Stage::filter)];
+  }
+  /// asked_ and wrong_ lie as answers_ does.
+  std::size_t at(std::size_t m, std::size_t p) const { return p * methods() + m; }
+  bool asked(std::size_t m, std::size_t p) const { return asked_[at(m, p)]; }
+  Counts& counts(std::size_t row, std::size_t family) { return counts_[row * by_family_.size() + family]; }
+  std::span<const MethodAnswer> answers_of(std::size_t p) const {
+    return {answers_.data() + p * methods(), methods()};
+  }
+
+  void draw_pairs(std::uint64_t first, std::uint64_t next) {
+    first_ = first;
+    pairs_.clear();
+    for (auto& family : by_family_) family.clear();
+    for (std::uint64_t i = first; i < next; ++i) {
+      by_family_[place_of(i).family].push_back(pairs_.size());
+      pairs_.push_back(pair_at(place_of(i)));
+    }
+    answers_.assign(pairs_.size() * methods(), {});
+    asked_.assign(pairs_.size() * methods(), false);
+    wrong_.assign(pairs_.size() * methods(), {});
+    truths_.resize(pairs_.size());
+    judging_.assign(pairs_.size(), 0);
+  }
+
+  // The clock is read once per family and method, not once per call: our calls take less than it does.
+  void ask_own_methods() {
+    for (std::size_t m = 0; m < methods(); ++m) {
+      Method& method = *subjects_.methods[m];
+      if (method.foreign()) continue;
+      for (std::size_t family = 0; family < by_family_.size(); ++family) {
+        const auto start = Clock::now();
+        for (const std::size_t p : by_family_[family]) {
+          if (!on_share(m, p)) continue;
+          answers_[at(m, p)] = ask_here(method, pairs_[p]);
+          asked_[at(m, p)] = true;
+        }
+        counts(m, family).nanoseconds += nanoseconds_since(start);
+      }
+    }
+  }
+
+  template <class Wanted>
+  void ask_foreign_methods(Wanted wanted) {
+    std::vector<Question> questions;
+    for (std::size_t m = 0; m < methods(); ++m) {
+      if (!subjects_.methods[m]->foreign()) continue;
+      for (std::size_t p = 0; p < pairs_.size(); ++p) {
+        if (wanted(m, p)) questions.push_back({m, p});
+      }
+    }
+    if (questions.empty()) return;
+    const std::vector<ContainedAnswer> said = ask_contained(subjects_.methods, pairs_, questions);
+    for (std::size_t q = 0; q < questions.size(); ++q) {
+      const auto [m, p, way] = questions[q];
+      answers_[at(m, p)] = said[q].answer;
+      asked_[at(m, p)] = true;
+      counts(m, place_of(index_of(p)).family).nanoseconds += static_cast<std::uint64_t>(said[q].nanoseconds);
+    }
+  }
+
+  /// Adds to the time of the pair, which count_all() gives to the row of the stage that had the last word.
+  void judge_once(std::size_t p) {
+    const auto start = Clock::now();
+    truths_[p] = judge_verdict(pairs_[p], answers_of(p));
+    judging_[p] += nanoseconds_since(start);
+  }
+
+  void compare_all(std::size_t p) {
+    LazyDistance distance([&](double width) { return enclose_distance(pairs_[p], truths_[p], width); });
+    for (std::size_t m = 0; m < methods(); ++m) {
+      if (!asked(m, p)) continue;
+      wrong_[at(m, p)] =
+          compare(pairs_[p], truths_[p], distance, subjects_.methods[m]->claim(), answers_of(p)[m]);
+    }
+  }
+
+  bool in_dispute(std::size_t p) const {
+    if (truths_[p].verdict == Verdict::undecided) return true;
+    for (std::size_t m = 0; m < methods(); ++m) {
+      const auto& wrong = wrong_[at(m, p)];
+      if (wrong && wrong->severity == Severity::contract && is_verdict(wrong->kind)) return true;
+    }
+    return false;
+  }
+
+  /// What the lines of cases state is held to the proof like an answer of a method that claims to be always
+  /// right.
+  void compare_statement(std::size_t p) {
+    const auto& stated = subjects_.cases[index_of(p)].truth;
+    if (!stated) return;
+    MethodAnswer answer;
+    answer.status = Status::answered;
+    answer.verdict = *stated;
+    LazyDistance distance([&](double width) { return enclose_distance(pairs_[p], truths_[p], width); });
+    count_answer(counts(corpus_row_index(), 0), answer);
+    if (const auto wrong = compare(pairs_[p], truths_[p], distance, Claim{}, answer)) {
+      note(p, corpus_row_index(), *wrong);
+    }
+  }
+
+  void count_all(std::size_t p) {
+    const std::size_t family = place_of(index_of(p)).family;
+    for (std::size_t m = 0; m < methods(); ++m) {
+      if (!asked(m, p)) continue;
+      count_answer(counts(m, family), answers_of(p)[m]);
+      if (wrong_[at(m, p)]) note(p, m, *wrong_[at(m, p)]);
+    }
+    if (family == 0) compare_statement(p);
+    for (const std::size_t row : {referee_row_index(), stage_row_index(truths_[p].stage)}) {
+      ++counts(row, family).asked;
+      counts(row, family).nanoseconds += judging_[p];
+    }
+    if (truths_[p].verdict == Verdict::undecided) {
+      ++counts(referee_row_index(), family).undecided;
+      note(p, referee_row_index(), {FindingKind::undecided_truth, Severity::unresolved, {}});
+    }
+  }
+
+  void count_cells(std::size_t p) {
+    const Verdict truth = truths_[p].verdict;
+    if (truth == Verdict::undecided || truth == Verdict::invalid) return;
+    if (!every_cell_ && RandomStream("cells", seed_, index_of(p)).below(own_cell_share) != 0) return;
+    const auto cells = cells_of(pairs_[p], truth);
+    for (std::size_t plane = 0; plane < planes.size(); ++plane) {
+      auto& counts = cells_.at(to_string(planes[plane]), cells[plane].x, cells[plane].y, methods());
+      for (std::size_t m = 0; m < methods(); ++m) {
+        if (on_share(m, p)) cyl::count_answer(counts[m], answers_of(p)[m], wrong_[at(m, p)]);
+      }
+    }
+  }
+
+  static void count_answer(Counts& counts, const MethodAnswer& answer) {
+    ++counts.asked;
+    if (answer.status == Status::declined) ++counts.declined;
+    if (answer.status == Status::answered && answer.verdict == Verdict::undecided) ++counts.undecided;
+  }
+
+  void repeat_own_methods() {
+    for (std::size_t p = (repeat_share - first_ % repeat_share) % repeat_share; p < pairs_.size();
+         p += repeat_share) {
+      for (std::size_t m = 0; m < methods(); ++m) {
+        Method& method = *subjects_.methods[m];
+        if (method.foreign() || !asked(m, p) || wrong_[at(m, p)]) continue;
+        if (!same_answer(ask_here(method, pairs_[p]), answers_of(p)[m])) {
+          wrong_[at(m, p)] = Finding{FindingKind::nondeterminism, Severity::contract, {}};
+        }
+      }
+    }
+  }
+
+  void note(std::size_t p, std::size_t row, const Finding& finding) {
+    const Place place = place_of(index_of(p));
+    Counts& tally = counts(row, place.family);
+    if (is_failure(finding.kind)) {
+      ++tally.failed;
+    } else if (finding.severity == Severity::contract) {
+      ++tally.contract;
+    } else if (finding.severity == Severity::resolution) {
+      ++tally.resolution;
+    }
+    FindingRecord record;
+    record.index = index_of(p);
+    record.family = family_name(place.family);
+    record.family_index = place.index;
+    record.method = row_name(row);
+    record.kind = to_string(finding.kind);
+    record.severity = to_string(finding.severity);
+    if (finding.margin) record.margin = MarginRecord{finding.margin->lo, finding.margin->hi};
+    if (!kept_.admit(record)) return;
+    record.pair = case_line(p, place);
+    record.answers = answers_text(p);
+    const Truth truth = judge(pairs_[p], answers_of(p));  // with its certificate
+    record.truth = format_truth(truth);
+    record.stage = to_string(truth.stage);
+    if (row < methods() && is_failure(finding.kind)) record.reason = answers_of(p)[row].reason;
+    findings_.push_back(std::move(record));
+  }
+
+  std::string case_line(std::size_t p, const Place& place) const {
+    if (place.family == 0) return format_case(subjects_.cases[place.index]);
+    Case line;
+    line.pair = pairs_[p];
+    line.id = fmt::format("{}/{}", family_name(place.family), place.index);
+    line.source = fmt::format("daylight campaign --seed {}, index {}", seed_, index_of(p));
+    if (truths_[p].verdict != Verdict::undecided) line.truth = truths_[p].verdict;
+    return format_case(line);
+  }
+
+  std::string answers_text(std::size_t p) const {
+    std::string text = "{";
+    for (std::size_t m = 0; m < methods(); ++m) {
+      if (!asked(m, p)) continue;
+      if (text.size() > 1) text += ',';
+      text += quote_json(subjects_.methods[m]->name());
+      text += ':';
+      text += format_method_answer(answers_of(p)[m]);
+    }
+    text += '}';
+    return text;
+  }
+
+  const Subjects& subjects_;
+  const std::uint64_t seed_;
+  const Turns turns_;
+  const bool every_cell_;  ///< not only a share of the pairs is counted in the cells
+
+  // Of the stretch; the answers of one pair lie together, as the referee takes them.
+  std::uint64_t first_ = 0;
+  std::vector<std::vector<std::size_t>> by_family_;
+  std::vector<Pair> pairs_;
+  std::vector<MethodAnswer> answers_;
+  std::vector<bool> asked_;
+  std::vector<std::optional<Finding>> wrong_;
+  std::vector<Truth> truths_;
+  std::vector<std::uint64_t> judging_;  ///< nanoseconds
+
+  // Of the batch. Counts: a row for each method, the corpus and the referee; a column for each family.
+  std::vector<Counts> counts_;
+  Representatives kept_;
+  std::vector<FindingRecord> findings_;
+  CellTable cells_;
+};
+
+}  // namespace
+
+bool is_method_row(std::string_view name) {
+  return name != corpus_row && name != referee_row &&
+         std::find(stage_rows.begin(), stage_rows.end(), name) == stage_rows.end();
+}
+
+Turns turns_of(const Subjects& subjects) {
+  std::vector<unsigned> weights(subjects.weights.begin(), subjects.weights.end());
+  if (weights.empty()) weights.assign(subjects.families.size(), 1);
+  return Turns(std::move(weights));
+}
+
+Place place_of(const Subjects& subjects, const Turns& turns, std::uint64_t index) {
+  const std::uint64_t cases = subjects.cases.size();
+  if (index < cases) return {0, index};
+  const auto [family, own] = turns.at(index - cases);
+  return {1 + family, own};
+}
+
+std::string family_name(const Subjects& subjects, std::size_t family) {
+  return family == 0 ? cases_family : std::string(subjects.families[family - 1].name);
+}
+
+std::uint64_t batch_size_for(const Subjects& subjects) {
+  return any_foreign(subjects) ? batch_size : own_batch_size;
+}
+
+BatchRecord run_batch(const Subjects& subjects, std::uint64_t seed, std::uint64_t first, std::uint64_t next) {
+  Batch batch(subjects, seed);
+  for (std::uint64_t at = first; at < next; at += stretch_size)
+    batch.work_on(at, std::min(next, at + stretch_size));
+  BatchRecord record = batch.finish();
+  record.first = first;
+  record.next = next;
+  return record;
+}
+
+}  // namespace cyl

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: MIT
+// One batch of a campaign: a stretch of indices, asked, judged and compared. A pure function of its
+// arguments, times and kind `hang` excepted; where a campaign is cut into batches does not show in what it
+// finds.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "corpus/pairs/families.hpp"
+#include "corpus/pairs/pair_io.hpp"
+#include "corpus/store/run_store.hpp"
+#include "fuzz/campaign/schedule.hpp"
+#include "oracles/methods/method.hpp"
+
+namespace cyl {
+
+/// Who is asked, and about what. Index i of a run is case i while there are cases; then the families take
+/// turns (fuzz/campaign/schedule.hpp).
+struct Subjects {
+  std::span<const std::unique_ptr<Method>> methods;
+  std::span<const Family> families;
+  std::span<const Case> cases;
+  std::span<const unsigned> weights = {};  ///< of the families; none: all alike
+};
+
+/// What an index of a run is.
+struct Place {
+  std::size_t family;   ///< 0: the cases; f: families[f - 1]
+  std::uint64_t index;  ///< of the case, or of the family's own pairs
+};
+Turns turns_of(const Subjects& subjects);
+Place place_of(const Subjects& subjects, const Turns& turns, std::uint64_t index);
+std::string family_name(const Subjects& subjects, std::size_t family);
+
+/// Rows of the tally and the findings that are no method's: the cases' own statements of truth, the judge.
+inline constexpr const char* corpus_row = "corpus";
+inline constexpr const char* referee_row = "referee";
+/// How often each arithmetic had the last word, decided or not, and all the time of those pairs; in the order
+/// of Stage.
+inline constexpr std::array<const char*, 3> stage_rows{"referee-filter", "referee-wide", "referee-exact"};
+/// Whether a row is a method's own and none of those above.
+bool is_method_row(std::string_view name);
+/// The family name of the cases.
+inline constexpr const char* cases_family = "cases";
+
+/// Our methods are asked twice on every index divisible by this: often enough to catch a method that keeps
+/// state, at 2 % of the cost.
+inline constexpr std::uint64_t repeat_share = 64;
+
+/// Where ours alone are asked, a pair is counted in the cells of the failure maps (oracles/trial/cells.hpp)
+/// with a chance of one in this many, drawn from seed and index: finding the place of a pair takes longer
+/// than asking about it. Beside foreign methods it is a thousandth of the work, and every pair is counted.
+inline constexpr std::size_t own_cell_share = 256;
+
+/// Indices per batch process, about a second's work of the packaged methods; of ours alone a fork's time
+/// would show, and that of the findings which every batch hands over for the run to pick from.
+inline constexpr std::uint64_t batch_size = 512, own_batch_size = 131072;
+std::uint64_t batch_size_for(const Subjects& subjects);
+
+/// Own methods are asked in this process, foreign ones contained. A costly method (share() > 1) is asked on
+/// the indices divisible by its share and wherever another's verdict is wrong beyond its claim or the truth
+/// is undecided. (Within their claims tolerant methods differ on every near-touching pair: a quarter of all,
+/// no news, and the costly ones would take nearly all of the time.) In the cells of the failure maps they are
+/// counted on their share alone: disputes are where somebody is wrong, and no sample.
+BatchRecord run_batch(const Subjects& subjects, std::uint64_t seed, std::uint64_t first, std::uint64_t next);
+
+}  // namespace cyl

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: MIT
+// A campaign: draws pairs from the case files and the families, asks every method, lets the referee judge,
+// and stores what it finds. A pure function of (seed, pairs, families with their weights, methods); times and
+// kind `hang` excepted.
+#pragma once
+
+#include <chrono>
+#include <cstdint>
+#include <functional>
+#include <string>
+
+#include "fuzz/campaign/batch.hpp"
+#include "fuzz/campaign/self_check.hpp"
+#include "fuzz/campaign/shard.hpp"
+
+namespace cyl {
+
+/// A budget of which nothing is left, where 0 means that there is none.
+inline constexpr std::chrono::milliseconds spent_budget{-1};
+
+struct CampaignOptions {
+  std::string out;  ///< run folder; created
+  std::uint64_t seed = 0;
+  std::uint64_t shard = 0, shards = 1;  ///< does the batches of shard `shard` of `shards` alone
+  std::uint64_t pairs = 0;              ///< of the run in all its sessions and shards; 0: no limit
+  std::chrono::milliseconds budget{0};  ///< wall time of this session; 0: no limit. At least one limit is set
+  std::string cases;                    ///< where subjects.cases were read from, for whoever resumes
+  std::string stop_at;                  ///< when the budget is used up, for whoever resumes; may be empty
+  std::string guests;                   ///< where methods of no build are, for whoever asks them again
+  std::string build;                    ///< what was built from what, for the record only
+  unsigned jobs = 2;                    ///< batches under way at once; does not change the findings
+  bool resume = false;       ///< go on with the run in `out`, which must agree with seed, shard and subjects
+  AlarmOptions alarm;        ///< whom to plant faults in, and which
+  bool create_only = false;  ///< leave the run as it is when new, for whoever resumes
+};
+
+/// Totals of the run so far, sessions before this one included.
+struct CampaignProgress {
+  std::uint64_t done = 0;  ///< indices
+  std::uint64_t goal = 0;  ///< indices to do; 0: no limit
+  std::uint64_t contract = 0, resolution = 0, failed = 0, unresolved = 0;
+  std::uint64_t session_done = 0;             ///< indices of this session
+  std::chrono::milliseconds session_time{0};  ///< wall time of this session
+};
+
+struct CampaignSummary {
+  CampaignProgress progress;
+  bool interrupted = false;     ///< by SIGINT or SIGTERM before a limit: what was complete is stored
+  std::string harness_failure;  ///< empty, or which pair broke the harness and how, or which alarm rang
+};
+
+/// Adds what the rows of a tally count.
+void count(CampaignProgress& progress, const std::vector<TallyRecord>& tallies);
+
+/// What a run's store says of it under "status". A run that was killed stays `running`; one that broke the
+/// harness says `failed: ` and how.
+inline constexpr const char *status_planned = "planned", *status_running = "running",
+                            *status_stopped = "stopped", *status_complete = "complete",
+                            *status_failed = "failed: ";
+
+/// CPU time that each part of a batch may take that is run again to find the pair that broke it. A whole one
+/// takes about a second.
+inline constexpr std::chrono::seconds search_cpu_cap{60};
+
+/// Which shard a run is, by its configuration: all of it where that names none.
+Shard shard_of(const Config& config);
+/// A value of a configuration; empty where it has none.
+std::string value_of(const Config& config, const std::string& key);
+
+/// Runs until a limit is reached or a signal asks to stop. Calls `on_progress` after every commit and at
+/// least five times a second, from this thread. Throws std::runtime_error where the run folder cannot be used
+/// or does not agree.
+CampaignSummary run_campaign(const CampaignOptions& options, const Subjects& subjects,
+                             const std::function<void(const CampaignProgress&)>& on_progress = {});
+
+/// 1 the harness failed or an alarm rang, 2 contract findings or failures, 3 none, but undecided truth or
+/// interrupted, else 0.
+int exit_code(const CampaignSummary& summary);
+
+}  // namespace cyl

@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: MIT
+#include "fuzz/guided/counters.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+
+#include "corpus/pairs/random_stream.hpp"
+#include "fuzz/guided/visited.hpp"
+#include "oracles/methods/adapter.hpp"
+
+namespace cyl {
+namespace {
+
+/// Binary exponents of margins that are told apart: from 2^0 down.
+constexpr std::size_t exponent_count = 64;
+constexpr std::size_t sine_decade_count = 18;
+constexpr std::size_t iteration_count = 64;
+constexpr std::size_t method_count = 64;
+
+}  // namespace
+
+struct Counters {
+  std::uint8_t strata[features_count][angle_count][decade_count];
+  std::uint8_t margins[2][features_count][exponent_count];
+  std::uint8_t sines[sine_decade_count], cosines[sine_decade_count];
+  std::uint8_t stages[4], iterations[iteration_count];
+  std::uint8_t differences[method_count * (method_count - 1) / 2];
+};
+
+// Not static, or a compiler drops what nobody reads. DAYLIGHT_FUZZ_PLAIN: the engine is not to see them.
+#ifndef DAYLIGHT_FUZZ_PLAIN
+__attribute__((section("__libfuzzer_extra_counters")))
+#endif
+Counters extra_counters;
+
+namespace {
+
+double length(const Vector3& v) { return std::sqrt(dot(v, v)); }
+
+enum Face : unsigned char { side, rim, cap };
+
+// Of unit vectors.
+Face face_along(const Cylinder& c, const Vector3& w, const Vector3& d) {
+  if (length(d.cross(w)) < face_tol) return c.radius > 0 ? cap : rim;
+  return std::fabs(dot(d, w)) < face_tol && c.height > 0 ? side : rim;
+}
+
+// By comparisons alone, for powers of ten as written are the decades' borders.
+constexpr std::array<double, decade_count - 1> decades = {
+    1e-1, 1e-2, 1e-3, 1e-4, 1e-5, 1e-6, 1e-7, 1e-8, 1e-9, 1e-10, 1e-11, 1e-12, 1e-13, 1e-14, 1e-15, 1e-16};
+
+std::size_t decade(double x) {
+  return static_cast<std::size_t>(
+      std::count_if(decades.begin(), decades.end(), [&](double border) { return x <= border; }));
+}
+
+double margin_of(const Pair& pair, const Distance& measured) {
+  const double size = size_of(pair);
+  return size > 0 ? std::fabs(measured.value) / size : measured.value == 0 ? 0 : 1;
+}
+
+// The axes as unit vectors, and the angle between them.
+struct Axes {
+  explicit Axes(const Pair& pair)
+      : v(unit_axis(pair.a.axis)),
+        w(unit_axis(pair.b.axis)),
+        sine(length(v.cross(w))),
+        cosine(std::fabs(dot(v, w))) {}
+  Vector3 v, w;
+  double sine, cosine;
+};
+
+std::size_t features_along(const Pair& pair, const Axes& axes, const Vector3& direction) {
+  if (!(direction.x() != 0 || direction.y() != 0 || direction.z() != 0)) return 2;
+  const Vector3 d = unit_axis(direction);
+  const Face f = face_along(pair.a, axes.v, d), g = face_along(pair.b, axes.w, d);
+  constexpr std::size_t numbers[3][3] = {{0, 1, 3}, {1, 2, 4}, {3, 4, 5}};  // side, rim, cap
+  return numbers[std::min(f, g)][std::max(f, g)];
+}
+
+std::size_t class_of(const Axes& axes) {
+  if (axes.sine == 0) return 0;
+  if (axes.sine < 1e-12) return 1;
+  if (axes.sine < 1e-7) return 2;
+  if (axes.sine < 1e-2) return 3;
+  if (axes.cosine == 0) return 6;
+  return axes.cosine <= 1e-2 ? 5 : 4;
+}
+
+Stratum stratum_of(const Pair& pair, const Axes& axes, const Vector3& direction, double margin) {
+  return {features_along(pair, axes, direction), class_of(axes), decade(margin)};
+}
+
+}  // namespace
+
+std::size_t features_along(const Pair& pair, const Vector3& direction) {
+  return features_along(pair, Axes(pair), direction);
+}
+
+Stratum stratum_of(const Pair& pair, const Distance& measured) {
+  return stratum_of(pair, Axes(pair), measured.direction, margin_of(pair, measured));
+}
+
+bool can_occur(const Stratum& s) {
+  if (s.features == 5) return s.angle <= 3;
+  if (s.features == 3) return s.angle >= 5;
+  return true;
+}
+
+bool is_moderate(const Pair& pair) {
+  double largest = 0;
+  for (const Cylinder* c : {&pair.a, &pair.b}) largest = std::max({largest, c->radius, c->height});
+  const auto fits = [&](double x) { return x == 0 || x * moderate_factor >= largest; };
+  for (const Cylinder* c : {&pair.a, &pair.b})
+    if (!fits(c->radius) || !fits(c->height) ||
+        !(c->center.cwiseAbs().maxCoeff() <= largest * moderate_factor))
+      return false;
+  return true;
+}
+
+std::string to_string(const Stratum& s) {
+  constexpr const char* features[] = {"side-side", "side-rim", "rim-rim", "cap-side", "cap-rim", "cap-cap"};
+  constexpr const char* angles[] = {"parallel", "<1e-12", "<1e-7", "<1e-2", "generic", "near-90", "90"};
+  return std::string(features[s.features]) + ' ' + angles[s.angle] + " 1e-" + std::to_string(s.decade);
+}
+
+Stratum count_geometry(const Pair& pair, const Distance& measured) {
+  const Axes axes(pair);
+  const double margin = margin_of(pair, measured);
+  const Stratum s = stratum_of(pair, axes, measured.direction, margin);
+  if (is_moderate(pair)) {
+    extra_counters.strata[s.features][s.angle][s.decade] = 1;
+    visited().strata[index_of(s)] = 1;
+  }
+  const int exponent = margin > 0 ? -std::ilogb(margin) : static_cast<int>(exponent_count) - 1;
+  extra_counters.margins[measured.value > 0][s.features][static_cast<std::size_t>(
+      std::clamp(exponent, 0, static_cast<int>(exponent_count) - 1))] = 1;
+  extra_counters.sines[axes.sine == 0 ? sine_decade_count - 1 : decade(axes.sine)] = 1;
+  extra_counters.cosines[axes.cosine == 0 ? sine_decade_count - 1 : decade(axes.cosine)] = 1;
+  return s;
+}
+
+void count_stage(const Truth& truth) {
+  extra_counters.stages[truth.verdict == Verdict::undecided ? 3 : static_cast<std::size_t>(truth.stage)] = 1;
+}
+
+void count_iterations(int iterations) {
+  extra_counters.iterations[std::clamp(iterations, 0, static_cast<int>(iteration_count) - 1)] = 1;
+}
+
+void count_difference(std::size_t i, std::size_t j) {
+  if (j < method_count) extra_counters.differences[j * (j - 1) / 2 + i] = 1;
+}
+
+}  // namespace cyl

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: MIT
+// What a fuzz target tells the engine of the geometry it has seen. Engines trace no comparison of doubles;
+// these counters stand in the section that libFuzzer reads beside its own coverage. Without an engine they
+// are written and not read.
+#pragma once
+
+#include <cstddef>
+#include <string>
+
+#include "oracles/referee/referee.hpp"
+#include "solver/cylinder.hpp"
+#include "solver/distance.hpp"
+
+namespace cyl {
+
+/// Sine of the angle to an axis below which a direction is along it, cosine below which it is square to it.
+inline constexpr double face_tol = 1e-7;
+
+/// Which features face each other in a direction of any length: 0 side-side, 1 side-rim, 2 rim-rim,
+/// 3 cap-side, 4 cap-rim, 5 cap-cap. A disk has no side and a segment no cap: there it is the rim.
+std::size_t features_along(const Pair& pair, const Vector3& direction);
+inline constexpr std::size_t features_count = 6;
+
+/// A cell of what can be visited.
+struct Stratum {
+  std::size_t features;  ///< as above
+  std::size_t angle;     ///< of the axes: 0 parallel, sine below 1e-12, 1e-7, 1e-2, generic, near 90, 6: 90
+  std::size_t decade;    ///< d where the margin is in (10^(-d-1), 10^-d]; 16: at most 1e-16
+  bool operator==(const Stratum&) const = default;
+};
+inline constexpr std::size_t angle_count = 7, decade_count = 17;
+
+/// By the solver's own computation: a guide, no proof. `measured` is distance(pair.a, pair.b), not `invalid`.
+Stratum stratum_of(const Pair& pair, const Distance& measured);
+
+/// Whether a stratum can occur. D is along or square to an axis within face_tol = t.
+/// cap-cap: D along both, so their angle is below 2t: parallel to < 1e-7, and the next class by a factor of
+/// two. cap-side: D along one, square to the other: within 2t of 90 degrees. The others: all angles, since
+/// flat solids have rims where others have caps or sides, and a rim faces everything. All margins.
+bool can_occur(const Stratum& s);
+
+/// "cap-rim <1e-7 1e-12".
+std::string to_string(const Stratum& s);
+
+/// Lengths of a moderate pair are within this factor of 1 of the largest radius or height, 0 aside.
+inline constexpr double moderate_factor = 1e4;
+/// Whether no length dwarfs another: a margin is small there because solids nearly touch, not because one of
+/// them is huge.
+bool is_moderate(const Pair& pair);
+
+/// Counts the stratum of a moderate pair; of any pair the features with the binary exponent of the margin on
+/// either side of touching, and the decade of the axes' angle. Returns the stratum.
+Stratum count_geometry(const Pair& pair, const Distance& measured);
+/// Counts how the referee came to its verdict, or that it did not.
+void count_stage(const Truth& truth);
+void count_iterations(int iterations);
+/// Counts that the methods numbered i < j, of at most 64, do not say the same.
+void count_difference(std::size_t i, std::size_t j);
+
+}  // namespace cyl

@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: MIT
+#include "fuzz/guided/finding_sink.hpp"
+
+#include <cstdint>
+#include <cstdio>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+
+#include "corpus/pairs/pair_io.hpp"
+#include "fuzz/guided/record.hpp"
+#include "fuzz/guided/visited.hpp"
+#include "oracles/trial/bucket.hpp"
+
+namespace cyl {
+namespace {
+
+#ifdef DAYLIGHT_FUZZ_ABORT
+constexpr bool always_abort = true;
+#else
+constexpr bool always_abort = false;
+#endif
+
+std::string environment(const char* name) {
+  const char* text = std::getenv(name);
+  return text ? text : "";
+}
+
+}  // namespace
+
+// Until buckets are named by what is left of a pair after shrinking: by its features and angle as they are.
+// The low 48 bits of FNV-1a, four a letter, the highest first.
+Ledger::Ledger(std::string_view target)
+    : target_(target),
+      out_(environment("DAYLIGHT_FUZZ_OUT")),
+      abort_(always_abort || !environment("DAYLIGHT_FUZZ_ABORT").empty()) {
+  if (out_.empty()) return;
+  std::filesystem::create_directories(out_);
+  keep_visited(out_ + "/visited");
+  for (const char* folder : {"findings", "undecided"}) {
+    std::filesystem::create_directories(out_ + "/" + folder);
+    for (const auto& entry : std::filesystem::directory_iterator(out_ + "/" + folder))
+      known_.insert(std::string(folder) + "/" + entry.path().filename().string());
+  }
+}
+
+bool Ledger::is_new(const char* folder, const std::string& letters) {
+  return known_.insert(std::string(folder) + "/" + letters).second;
+}
+
+void Ledger::keep(const char* folder, const std::string& letters, const Pair& pair) const {
+  const Record record = encode_record(pair);
+  std::ofstream(out_ + "/" + folder + "/" + letters, std::ios::binary)
+      .write(reinterpret_cast<const char*>(record.data()), std::ssize(record));
+}
+
+void Ledger::add_finding(const Pair& pair, std::string_view method, std::string_view failure,
+                         std::string_view what) {
+  const std::string key = bucket_of(method, failure, pair), letters = letters_only(key);
+  ++findings_;
+  if (!abort_ && !is_new("findings", letters)) return;
+  Case c;
+  c.pair = pair;
+  c.id = letters;
+  c.source = target_;
+  c.note = key + ": " + std::string(what);
+  const std::string line = format_case(c);
+  std::fprintf(stderr, "%s\n", line.c_str());
+  if (!out_.empty()) {
+    keep("findings", letters, pair);
+    std::ofstream(out_ + "/findings.jsonl", std::ios::app) << line << '\n';
+  }
+  if (!abort_) return;
+  std::fprintf(stderr, "DEDUP_TOKEN: %s\n", letters.c_str());
+  std::abort();
+}
+
+void Ledger::add_undecided(const Pair& pair, const Stratum& stratum) {
+  if (out_.empty()) return;
+  const std::string letters = letters_only(to_string(stratum));
+  if (is_new("undecided", letters)) keep("undecided", letters, pair);
+}
+
+}  // namespace cyl

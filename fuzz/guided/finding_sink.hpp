@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: MIT
+// Where a fuzz target puts what it finds, so that the process lives on: one finding a bucket, one undecided
+// pair a stratum.
+//
+//   DAYLIGHT_FUZZ_OUT=FOLDER   findings.jsonl (a line of a case file each), findings/ and undecided/
+//                              (records, inputs of the target, named by their letters), visited
+//                              (visited.hpp); kept from run to run
+//   DAYLIGHT_FUZZ_ABORT=1      prints "DEDUP_TOKEN: letters" and aborts at the first finding, as services
+//                              want it that run targets (also by the macro of that name)
+// Without a folder a finding is printed, the first of its bucket, and an undecided pair is passed over.
+#pragma once
+
+#include <set>
+#include <string>
+#include <string_view>
+
+#include "fuzz/guided/counters.hpp"
+#include "solver/cylinder.hpp"
+
+namespace cyl {
+
+class Ledger {
+ public:
+  /// Reads the environment. `target` is the source of its findings.
+  explicit Ledger(std::string_view target);
+  /// Of each bucket the first is kept.
+  void add_finding(const Pair& pair, std::string_view method, std::string_view failure,
+                   std::string_view what);
+  /// A pair nobody could prove within the target's time. Of each stratum the first is kept.
+  void add_undecided(const Pair& pair, const Stratum& stratum);
+  std::size_t findings() const { return findings_; }
+
+ private:
+  bool is_new(const char* folder, const std::string& letters);
+  void keep(const char* folder, const std::string& letters, const Pair& pair) const;
+
+  std::string target_, out_;
+  bool abort_;
+  std::set<std::string> known_;  // "findings/abcdefghijkl"
+  std::size_t findings_ = 0;
+};
+
+}  // namespace cyl

@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: MIT
+// The core target: our solver, its laws and the referee on one record, and no foreign code but the exact
+// arithmetic.
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "fuzz/guided/counters.hpp"
+#include "fuzz/guided/fuzz_judge.hpp"
+#include "oracles/methods/own_answers.hpp"
+#include "props/laws/laws.hpp"
+#include "solver/distance.hpp"
+
+namespace cyl {
+namespace {
+
+/// As the shares of brief.hpp.
+constexpr std::size_t law_share = 4;            ///< one law of one method, needing no proof: 10 us
+constexpr std::size_t unaided_share = 16;       ///< the referee without a witness, in double: 5 us
+constexpr std::size_t proved_law_share = 4096;  ///< a law that needs proofs: as many enclosures as it asks
+
+class Core {
+ public:
+  Core() : methods_(own_methods()), ledger_("fuzz_core") {
+    std::erase_if(methods_, [](const auto& method) { return method->name() == "exact"; });  // the referee
+    for (const Law& law : all_laws()) {
+      const bool cheap = law.kind == LawKind::exact || law.kind == LawKind::one_sided;
+      (cheap ? cheap_laws_ : proved_laws_).push_back(&law);
+    }
+    answers_.resize(methods_.size());
+    decide_ = place_of("decide");
+    distance_ = place_of("distance");
+  }
+
+  void run(const Record& record) {
+    const Pair pair = decode_record(record);
+    const Distance measured = distance(pair.a, pair.b);
+    bool promised = false;  // a verdict by a method that promises to be right everywhere is looked into
+    for (std::size_t m = 0; m < methods_.size(); ++m) {
+      answers_[m] = m == distance_ ? answer_of(pair, measured) : methods_[m]->ask(pair);
+      const Claim claim = methods_[m]->claim();
+      promised |= claim.relative == 0 && claim.absolute == 0 && answers_[m].verdict != Verdict::undecided;
+    }
+    Brief brief(record, answers_, promised, ledger_, &measured);
+    for (std::size_t m = 0; m < methods_.size(); ++m) brief.hold(*methods_[m], answers_[m]);
+    if (brief.truth().verdict == Verdict::invalid) return;
+    count_iterations(answers_[decide_].steps);
+    if (brief.drawn(unaided_share)) judge_unaided(brief);
+    if (brief.drawn(law_share)) hold_to_law(brief, cheap_laws_);
+    if (brief.drawn(proved_law_share)) hold_to_law(brief, proved_laws_);
+  }
+
+ private:
+  std::size_t place_of(std::string_view name) const {
+    const auto named = [&](const auto& method) { return method->name() == name; };
+    return static_cast<std::size_t>(std::find_if(methods_.begin(), methods_.end(), named) - methods_.begin());
+  }
+
+  // Two proofs of one pair, one from the solver's certificate, one from the referee's own search.
+  void judge_unaided(const Brief& brief) {
+    const Verdict aided = brief.truth().verdict, unaided = judge(brief.pair(), {}, filter_bits_cap).verdict;
+    if (aided == unaided || aided == Verdict::undecided || unaided == Verdict::undecided) return;
+    if (aided != Verdict::disjoint && unaided != Verdict::disjoint) return;
+    ledger_.add_finding(brief.pair(), "referee", "contradiction",
+                        std::string("proves ") + to_string(aided) + " and " + to_string(unaided));
+  }
+
+  void hold_to_law(Brief& brief, const std::vector<const Law*>& laws) {
+    if (laws.empty()) return;
+    const Law& law = *laws[brief.draws().below(laws.size())];
+    Method& method = *methods_[brief.draws().below(methods_.size())];
+    const auto broken = broken_by(method, law, brief.pair());
+    if (broken && broken->severity == Severity::contract)
+      ledger_.add_finding(brief.pair(), method.name(), law.name, broken->what);
+  }
+
+  std::vector<std::unique_ptr<Method>> methods_;
+  std::vector<const Law*> cheap_laws_, proved_laws_;
+  std::vector<MethodAnswer> answers_;
+  std::size_t decide_, distance_;  // in methods_
+  Ledger ledger_;
+};
+
+}  // namespace
+}  // namespace cyl
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  if (size != cyl::record_size) return -1;  // newer engines keep no such input
+  static cyl::Core core;
+  cyl::Record record;
+  std::copy_n(data, size, record.begin());
+  core.run(record);
+  return 0;
+}

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: MIT
+// The referee within a fuzz target's time: microseconds. What is dear is done on a share of the records,
+// drawn by the record itself.
+#pragma once
+
+#include <cmath>
+#include <span>
+#include <string_view>
+
+#include "corpus/pairs/random_stream.hpp"
+#include "fuzz/guided/finding_sink.hpp"
+#include "fuzz/guided/record.hpp"
+#include "oracles/methods/method.hpp"
+#include "oracles/referee/referee.hpp"
+#include "oracles/trial/compare.hpp"
+#include "solver/distance.hpp"
+
+namespace cyl {
+
+/// Precisions at which the referee stops: in double, and after one round of MPFI.
+inline constexpr int filter_bits_cap = 53, wide_bits_cap = 128;
+
+/// Once in how many records the dear questions are asked, so that none of them costs more than the cheap ones
+/// together.
+inline constexpr std::size_t wide_share = 128;       ///< the referee beyond double: 0.3 ms
+inline constexpr std::size_t enclosed_share = 1024;  ///< the distance, enclosed: 1 ms, at the worst 100
+
+class Brief {
+ public:
+  /// Judges in double with the witnesses offered, beyond it where `must` or where drawn; counts what was
+  /// seen. `measured`: the distance of the record's pair, by whoever has it already.
+  Brief(const Record& record, std::span<const MethodAnswer> offered, bool must, Ledger& ledger,
+        const Distance* measured = nullptr);
+  Brief(const Brief&) = delete;
+  Brief& operator=(const Brief&) = delete;
+
+  const Pair& pair() const { return pair_; }
+  const Truth& truth() const { return truth_; }
+  /// Whether this record has a share of one in so many; each call draws again.
+  bool drawn(std::size_t share) { return draws_.below(share) == 0; }
+  RandomStream& draws() { return draws_; }
+  /// Puts what is wrong with the answer beyond the method's claim into the ledger. Offered distances and
+  /// witnesses are looked at on a share only, wrong verdicts that the measured distance puts within the claim
+  /// on that of the distances.
+  void hold(const Method& method, MethodAnswer answer);
+
+ private:
+  Pair pair_;
+  RandomStream draws_;
+  Ledger& ledger_;
+  Truth truth_;
+  Distance measured_;
+  bool enclose_ = false;
+  LazyDistance enclosed_;
+};
+
+}  // namespace cyl

@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: MIT
+// Foreign libraries against the referee, in this process: an invalid access is the sanitizer's to report. An
+// abort and a call without end are findings, from which the target comes back by a jump out of the library;
+// what that leaks or leaves half done is the price of going on.
+#include <setjmp.h>
+#include <signal.h>
+#include <sys/time.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <exception>
+#include <memory>
+#include <utility>
+#include <vector>
+
+#include "fuzz/guided/counters.hpp"
+#include "fuzz/guided/fuzz_judge.hpp"
+
+namespace cyl {
+namespace {
+
+/// CPU time of one call, a thousand times the usual, after which it counts as a hang.
+constexpr suseconds_t call_cpu_cap_us = 200000;
+/// NLopt costs a hundred times what the others do.
+constexpr std::size_t costly_share = 256;
+
+sigjmp_buf back;
+volatile sig_atomic_t asking = 0;
+struct sigaction engines_abort;
+
+extern "C" void jump_back(int signal) {
+  if (asking) {
+    asking = 0;
+    siglongjmp(back, signal);
+  }
+  // Not a library's: the engine's, or nobody's. A late timer is passed over.
+  if (signal == SIGABRT) {
+    sigaction(SIGABRT, &engines_abort, nullptr);
+    raise(SIGABRT);
+  }
+}
+
+void set_timer(suseconds_t microseconds) {
+  itimerval timer{};
+  timer.it_value.tv_usec = microseconds;
+  setitimer(ITIMER_VIRTUAL, &timer, nullptr);
+}
+
+MethodAnswer failed(Failure failure) {
+  MethodAnswer answer;
+  answer.status = Status::failed;
+  answer.failure = failure;
+  return answer;
+}
+
+MethodAnswer ask_and_return(Method& method, const Pair& pair) {
+  MethodAnswer answer;
+  const int signal = sigsetjmp(back, 1);
+  if (signal == 0) {
+    asking = 1;
+    set_timer(call_cpu_cap_us);
+    try {
+      answer = method.ask(pair);
+    } catch (const std::exception&) {
+      answer = failed(Failure::exception);
+    }
+  } else {
+    answer = failed(signal == SIGABRT ? Failure::crash : Failure::hang);
+  }
+  asking = 0;
+  set_timer(0);
+  return answer;
+}
+
+class Xcheck {
+ public:
+  Xcheck() : ledger_("fuzz_xcheck") {
+    for (auto make : {fcl_methods, bullet_methods, ccd_methods, ode_methods, mujoco_methods, nlopt_methods})
+      for (auto& method : make()) methods_.push_back(std::move(method));
+    answers_.resize(methods_.size());
+    struct sigaction action {};
+    action.sa_handler = jump_back;
+    sigaction(SIGABRT, &action, &engines_abort);
+    sigaction(SIGVTALRM, &action, nullptr);
+  }
+
+  void run(const Record& record) {
+    Brief brief(record, {}, false, ledger_);
+    if (brief.truth().verdict == Verdict::invalid) return;
+    for (std::size_t m = 0; m < methods_.size(); ++m) {
+      answers_[m] = {};
+      if (methods_[m]->share() > 1 && !brief.drawn(costly_share)) continue;
+      answers_[m] = ask_and_return(*methods_[m], brief.pair());
+      brief.hold(*methods_[m], answers_[m]);
+      for (std::size_t earlier = 0; earlier < m; ++earlier)
+        if (differ(answers_[earlier], answers_[m])) count_difference(earlier, m);
+    }
+  }
+
+ private:
+  static bool differ(const MethodAnswer& x, const MethodAnswer& y) {
+    return x.status == Status::answered && y.status == Status::answered &&
+           (x.verdict == Verdict::disjoint) != (y.verdict == Verdict::disjoint);
+  }
+
+  std::vector<std::unique_ptr<Method>> methods_;
+  std::vector<MethodAnswer> answers_;
+  Ledger ledger_;
+};
+
+}  // namespace
+}  // namespace cyl
+
+extern "C" const char* __lsan_default_options() { return "detect_leaks=0"; }
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  if (size != cyl::record_size) return -1;  // newer engines keep no such input
+  static cyl::Xcheck xcheck;
+  cyl::Record record;
+  std::copy_n(data, size, record.begin());
+  xcheck.run(record);
+  return 0;
+}

@@ -1,0 +1,394 @@
+// SPDX-License-Identifier: MIT
+#include "fuzz/guided/fuzzing.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <memory>
+#include <numeric>
+#include <optional>
+#include <set>
+#include <stdexcept>
+#include <string_view>
+#include <thread>
+#include <utility>
+
+#include "base/process/stop_signals.hpp"
+#include "base/process/worker.hpp"
+#include "corpus/pairs/pair_io.hpp"
+#include "fuzz/guided/record.hpp"
+#include "fuzz/guided/visited.hpp"
+#include "oracles/trial/bucket.hpp"
+
+namespace cyl {
+namespace {
+
+namespace fs = std::filesystem;
+using Clock = std::chrono::steady_clock;
+using std::chrono::duration_cast;
+using std::chrono::milliseconds;
+using std::chrono::seconds;
+
+constexpr milliseconds poll_time{100};
+constexpr seconds look_interval{1};
+/// After being asked to end: an input takes a millisecond.
+constexpr seconds end_cap{20};
+constexpr seconds merge_cap{600};
+/// Deaths of a worker one after the other that no input explains, before it is the harness that fails.
+constexpr unsigned unexplained_cap = 3;
+/// Findings and strata that a report names.
+constexpr std::size_t named_cap = 20;
+
+std::string text_of(const fs::path& file, std::uintmax_t from = 0) {
+  std::ifstream in(file, std::ios::binary);
+  in.seekg(static_cast<std::streamoff>(from));
+  return {std::istreambuf_iterator<char>(in), {}};
+}
+
+std::vector<fs::path> files_in(const fs::path& folder) {
+  std::vector<fs::path> files;
+  if (fs::is_directory(folder))
+    for (const auto& entry : fs::directory_iterator(folder)) files.push_back(entry.path());
+  std::sort(files.begin(), files.end());
+  return files;
+}
+
+/// The number after `word` where that stands last; 0: nowhere.
+std::size_t last_number(std::string_view text, std::string_view word) {
+  const std::size_t at = text.rfind(word);
+  std::size_t number = 0;
+  if (at != text.npos) std::from_chars(text.data() + at + word.size(), text.data() + text.size(), number);
+  return number;
+}
+
+/// The line that says why a process died, as sanitizers and the engine write it.
+std::string reason(const std::string& log) {
+  for (const std::string_view word : {"SUMMARY: ", "ERROR: "}) {
+    const std::size_t at = log.rfind(word);
+    if (at != log.npos) return log.substr(at, log.find('\n', at) - at);
+  }
+  return "no reason given";
+}
+
+/// One worker with its folder, over all its processes.
+class Place {
+ public:
+  Place(const FuzzOptions& options, unsigned number)
+      : options_(options),
+        number_(number),
+        folder_(fs::path(options.out) / fmt::format("worker-{}", number)) {
+    fs::remove_all(folder_);
+    fs::create_directories(corpus());
+    fs::create_directories(folder_ / "died");
+    for (const fs::path& file : files_in(fs::path(options.out) / "corpus"))
+      fs::copy_file(file, corpus() / file.filename());
+    // The engine ends where no input of its corpus runs any tested code; this one is no pair.
+    if (fs::is_empty(corpus()))
+      std::ofstream(corpus() / "zeros", std::ios::binary) << std::string(record_size, '\0');
+    start();
+  }
+
+  fs::path corpus() const { return folder_ / "corpus"; }
+  fs::path ledger() const { return folder_; }
+  std::string log() const { return folder_ / "log"; }
+  const WorkerProgress& progress() const { return progress_; }
+  bool ended() { return process_->ended().has_value(); }
+  void ask_to_end() { process_->ask_to_end(); }
+  void kill_now() { process_->kill_now(); }
+
+  void look() {
+    progress_.executions = read_visited(folder_ / "visited").executions;
+    progress_.cpu_seconds = earlier_cpu_seconds_ + process_->cpu_seconds();
+    std::string news = text_of(log(), log_read_);
+    news.resize(news.rfind('\n') + 1);  // the rest of a line comes later
+    log_read_ += news.size();
+    const std::size_t started = news.find("INITED");
+    if (progress_.first_features == 0 && started != news.npos)
+      progress_.first_features = last_number(news.substr(0, news.find('\n', started)), " ft: ");
+    progress_.features = std::max(progress_.features, last_number(news, " ft: "));
+  }
+
+  /// Where the process has died: what it says of the input it died of, as a case; then a new process. Throws
+  /// std::runtime_error where no input explains it, time and again.
+  std::optional<Case> bury() {
+    const auto status = process_->ended();
+    if (!status) return std::nullopt;
+    look();
+    const std::string how = how_it_ended(*status), text = text_of(log());
+    std::optional<Case> found;
+    for (const fs::path& file : files_in(folder_ / "died")) {
+      const std::string bytes = text_of(file), name = file.filename().string();
+      if (name.starts_with("slow-unit-") || bytes.size() != record_size || !buried_.insert(name).second)
+        continue;
+      Case c;
+      Record record;
+      std::copy(bytes.begin(), bytes.end(), record.begin());
+      c.pair = decode_record(record);
+      c.source = options_.target;
+      c.note = fmt::format("{}/{}: {}", options_.target, name.substr(0, name.find('-')), reason(text));
+      c.id = letters_only(c.note);
+      found = c;
+    }
+    unexplained_ = found ? 0 : unexplained_ + 1;
+    if (unexplained_ == unexplained_cap || *status >> 8 == cannot_run_code)
+      throw std::runtime_error(
+          fmt::format("worker {} ended with {}; {} says: {}", number_, how, log(),
+                      text.substr(text.size() - std::min<std::size_t>(text.size(), 300))));
+    earlier_cpu_seconds_ += process_->cpu_seconds();
+    ++progress_.deaths;
+    start();
+    return found;
+  }
+
+ private:
+  void start() {
+    const std::uint64_t seed =  // not 0, which asks for a random one
+        1 + (options_.seed + number_ * 1000003 + progress_.deaths * 10007) % 0x7fffffff;
+    process_ = std::make_unique<Worker>(
+        std::vector<std::string>{
+            options_.program, corpus(), fmt::format("-seed={}", seed),
+            fmt::format("-max_len={}", record_size), "-len_control=0", "-reduce_inputs=0",
+            fmt::format("-reload={}", 1 + options_.exchange_interval.count() / 1000), "-timeout=25",
+            "-print_pcs=0", "-entropic=0", fmt::format("-artifact_prefix={}/died/", folder_.string())},
+        log(), ledger());
+  }
+
+  const FuzzOptions& options_;
+  unsigned number_;
+  fs::path folder_;
+  std::unique_ptr<Worker> process_;
+  WorkerProgress progress_;
+  std::uintmax_t log_read_ = 0;
+  double earlier_cpu_seconds_ = 0;
+  std::set<std::string> buried_;
+  unsigned unexplained_ = 0;
+};
+
+/// Findings by their ids, those of earlier runs in the same folder aside.
+class Findings {
+ public:
+  explicit Findings(const fs::path& out) : file_(out / "findings.jsonl") {
+    std::ifstream in(file_);
+    CaseReader reader(in);
+    while (const auto line = reader.next())
+      if (line->value) known_.insert(line->value->id);
+  }
+  void add(const Case& c) {
+    if (!seen_.insert(c.id).second) return;
+    lines_.push_back(format_case(c));
+    if (known_.insert(c.id).second) std::ofstream(file_, std::ios::app) << lines_.back() << '\n';
+  }
+  /// What the ledger of a worker holds.
+  void add_all(const fs::path& ledger) {
+    std::ifstream in(ledger / "findings.jsonl");
+    CaseReader reader(in);
+    while (const auto line = reader.next())
+      if (line->value) add(*line->value);
+  }
+  const std::vector<std::string>& lines() const { return lines_; }
+
+ private:
+  fs::path file_;
+  std::set<std::string> known_, seen_;
+  std::vector<std::string> lines_;
+};
+
+class Run {
+ public:
+  Run(const FuzzOptions& options, const std::function<void(const FuzzProgress&)>& on_progress)
+      : options_(options), on_progress_(on_progress), out_(options.out), findings_(out_) {}
+
+  FuzzSummary run() {
+    const StopSignals signals;
+    try {
+      for (unsigned k = 1; k <= options_.jobs; ++k) places_.push_back(std::make_unique<Place>(options_, k));
+      fuzz();
+      end_all();
+      merge();
+    } catch (const std::runtime_error& error) {
+      summary_.harness_failure = error.what();
+    }
+    look();
+    summary_.interrupted = interrupted_;
+    summary_.findings = findings_.lines();
+    name_strata();
+    std::set<std::string> undecided;
+    for (const auto& place : places_)
+      for (const fs::path& file : files_in(place->ledger() / "undecided")) undecided.insert(file.filename());
+    summary_.undecided = undecided.size();
+    return std::move(summary_);
+  }
+
+ private:
+  void fuzz() {
+    const auto start = Clock::now();
+    auto looked = start, exchanged = start;
+    while (Clock::now() - start < options_.budget) {
+      if (StopSignals::asked()) {
+        interrupted_ = true;
+        break;
+      }
+      std::this_thread::sleep_for(poll_time);
+      for (const auto& place : places_)
+        if (const auto found = place->bury()) findings_.add(*found);
+      if (Clock::now() - exchanged >= options_.exchange_interval) {
+        exchanged = Clock::now();
+        exchange();
+      }
+      if (Clock::now() - looked < look_interval) continue;
+      looked = Clock::now();
+      summary_.progress.elapsed = duration_cast<milliseconds>(looked - start);
+      look();
+      if (on_progress_) on_progress_(summary_.progress);
+    }
+    summary_.progress.elapsed = duration_cast<milliseconds>(Clock::now() - start);
+  }
+
+  // The engine takes in what is new in its folder. Files are named by their content.
+  void exchange() {
+    for (const auto& from : places_)
+      for (const fs::path& file : files_in(from->corpus())) {
+        if (!exchanged_.insert(file.filename()).second) continue;
+        for (const auto& to : places_) {
+          std::error_code taken;  // by a worker that found the same: as well
+          if (to != from) fs::copy_file(file, to->corpus() / file.filename(), taken);
+        }
+      }
+  }
+
+  void look() {
+    FuzzProgress& progress = summary_.progress;
+    progress.workers.clear();
+    strata_ = {};
+    for (const auto& place : places_) {
+      place->look();
+      progress.workers.push_back(place->progress());
+      findings_.add_all(place->ledger());
+      const Visited seen = read_visited(place->ledger() / "visited");
+      for (std::size_t i = 0; i < strata_.size(); ++i) strata_[i] |= seen.strata[i];
+    }
+    progress.strata = 0;
+    for (std::size_t i = 0; i < strata_.size(); ++i)
+      progress.strata += strata_[i] != 0 && can_occur(stratum_at(i));
+    progress.findings = findings_.lines().size();
+  }
+
+  void end_all() {
+    for (const auto& place : places_) place->ask_to_end();
+    const auto asked = Clock::now();
+    const auto one_runs = [&] {
+      return std::any_of(places_.begin(), places_.end(), [](const auto& place) { return !place->ended(); });
+    };
+    while (one_runs() && Clock::now() - asked < end_cap) std::this_thread::sleep_for(poll_time);
+    for (const auto& place : places_) place->kill_now();
+  }
+
+  // Into a folder of its own, which takes the corpus's place at once.
+  void merge() {
+    const fs::path kept = out_ / "corpus", unfinished = out_ / "corpus.unfinished";
+    fs::remove_all(unfinished);
+    fs::create_directories(unfinished);
+    std::set<fs::path> inputs;
+    std::vector<std::string> command{options_.program,
+                                     "-merge=1",
+                                     fmt::format("-max_len={}", record_size),
+                                     "-timeout=25",
+                                     fmt::format("-artifact_prefix={}/", out_.string()),
+                                     unfinished};
+    if (fs::exists(kept)) command.push_back(kept);
+    for (const auto& place : places_) command.push_back(place->corpus());
+    for (auto folder = command.begin() + 6; folder != command.end(); ++folder)
+      for (const fs::path& file : files_in(*folder)) inputs.insert(file.filename());
+    const std::string log = out_ / "merge.log";
+    fs::remove(log);
+    Worker merging(command, log, {});
+    const auto start = Clock::now();
+    while (!merging.ended()) {
+      if (Clock::now() - start > merge_cap)
+        throw std::runtime_error(fmt::format("merging took more than {} s; the workers' corpora are in {}",
+                                             merge_cap.count(), out_.string()));
+      std::this_thread::sleep_for(poll_time);
+    }
+    if (*merging.ended() != 0)
+      throw std::runtime_error(
+          fmt::format("merging ended with {}: {}", how_it_ended(*merging.ended()), reason(text_of(log))));
+    fs::remove_all(kept);
+    fs::rename(unfinished, kept);
+    summary_.inputs = inputs.size();
+    summary_.kept_inputs = files_in(kept).size();
+  }
+
+  void name_strata() {
+    for (std::size_t i = 0; i < strata_.size(); ++i) {
+      const Stratum s = stratum_at(i);
+      summary_.possible_strata += can_occur(s);
+      if (can_occur(s) && !strata_[i]) summary_.never_visited.push_back(to_string(s));
+      if (!can_occur(s) && strata_[i]) summary_.impossible.push_back(to_string(s));
+    }
+  }
+
+  const FuzzOptions& options_;
+  const std::function<void(const FuzzProgress&)>& on_progress_;
+  fs::path out_;
+  Findings findings_;
+  std::vector<std::unique_ptr<Place>> places_;
+  std::set<fs::path> exchanged_;
+  decltype(Visited::strata) strata_{};
+  FuzzSummary summary_;
+  bool interrupted_ = false;
+};
+
+/// "a, b and 3 more".
+std::string first_of(const std::vector<std::string>& names) {
+  std::string text;
+  for (std::size_t i = 0; i < std::min(names.size(), named_cap); ++i) text += (i ? ", " : "") + names[i];
+  if (names.size() > named_cap) text += fmt::format(" and {} more", names.size() - named_cap);
+  return text;
+}
+
+}  // namespace
+
+FuzzSummary run_fuzzing(const FuzzOptions& options,
+                        const std::function<void(const FuzzProgress&)>& on_progress) {
+  fs::create_directories(options.out);
+  return Run(options, on_progress).run();
+}
+
+int exit_code(const FuzzSummary& summary) {
+  if (!summary.harness_failure.empty()) return 1;
+  return summary.findings.empty() ? 0 : 2;
+}
+
+std::string format_fuzzing(const FuzzSummary& summary) {
+  std::string text;
+  const double wall = std::max(1e-3, static_cast<double>(summary.progress.elapsed.count()) / 1000);
+  unsigned number = 0;
+  for (const WorkerProgress& w : summary.progress.workers)
+    text += fmt::format(
+        "worker {}: {} executions, {:.0f}/s, {:.0f} a second of its CPU time; {} features, {} of them new; "
+        "{} "
+        "deaths\n",
+        ++number, w.executions, static_cast<double>(w.executions) / wall,
+        static_cast<double>(w.executions) / std::max(1e-3, w.cpu_seconds), w.features,
+        w.features - w.first_features, w.deaths);
+  text += fmt::format("strata: {} of {} that can occur ({:.1f} %)\n", summary.progress.strata,
+                      summary.possible_strata,
+                      100 * static_cast<double>(summary.progress.strata) /
+                          std::max(1.0, static_cast<double>(summary.possible_strata)));
+  if (!summary.never_visited.empty())
+    text += fmt::format("never visited: {}\n", first_of(summary.never_visited));
+  if (!summary.impossible.empty())
+    text += fmt::format("visited, though they cannot occur: {}\n", first_of(summary.impossible));
+  text += fmt::format("undecided: pairs of {} strata\n", summary.undecided);
+  text += fmt::format("corpus: {} inputs, of {}\n", summary.kept_inputs, summary.inputs);
+  text += fmt::format("findings: {} buckets\n", summary.findings.size());
+  for (const std::string& line : summary.findings) text += line + '\n';
+  return text;
+}
+
+}  // namespace cyl

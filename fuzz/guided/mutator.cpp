@@ -1,0 +1,248 @@
+// SPDX-License-Identifier: MIT
+#include "fuzz/guided/mutator.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include "oracles/methods/adapter.hpp"
+#include "solver/distance.hpp"
+
+namespace cyl {
+namespace {
+
+bool legal(const Pair& p) { return find_defect(p.a) == Defect::none && find_defect(p.b) == Defect::none; }
+
+/// 10^-k, k from 0 to 17.
+constexpr std::array<double, 18> tenths = {1,    1e-1,  1e-2,  1e-3,  1e-4,  1e-5,  1e-6,  1e-7,  1e-8,
+                                           1e-9, 1e-10, 1e-11, 1e-12, 1e-13, 1e-14, 1e-15, 1e-16, 1e-17};
+
+/// One of them, or some number down to the next: faults may lie between.
+double tenth(RandomStream& s) {
+  const double sign = s.sign(), decade = s.pick(tenths);
+  return sign * decade * (s.coin() ? 1 : s.between(0.1, 1));
+}
+
+double length(const Vector3& v) { return std::sqrt(dot(v, v)); }
+
+double size_of_solids(const Pair& p) { return p.a.radius + p.a.height + p.b.radius + p.b.height; }
+
+Cylinder& either(Pair& p, RandomStream& s) { return s.coin() ? p.a : p.b; }
+Cylinder& other(Pair& p, const Cylinder& c) { return &c == &p.a ? p.b : p.a; }
+
+/// The eight numbers of a solid.
+std::array<double*, 8> fields(Cylinder& c) {
+  return {&c.center[0], &c.center[1], &c.center[2], &c.axis[0], &c.axis[1], &c.axis[2], &c.radius, &c.height};
+}
+
+double step(double x, RandomStream& s) {
+  return std::nextafter(x, s.sign() * std::numeric_limits<double>::infinity());
+}
+
+// Turned axes are of unit length; their lengths are for scale_field.
+void turn_to_parallel(Pair& p, RandomStream& s) {
+  Cylinder& c = either(p, s);
+  const Vector3 w = unit_axis(other(p, c).axis), aside = s.perpendicular(w);
+  const double sign = s.sign(), tilt = tenth(s);
+  c.axis = s.coin() ? Vector3(sign * (w + tilt * aside)) : Vector3(sign * other(p, c).axis);
+}
+
+void turn_to_perpendicular(Pair& p, RandomStream& s) {
+  Cylinder& c = either(p, s);
+  const Vector3 w = unit_axis(other(p, c).axis), aside = s.perpendicular(w);
+  const double tilt = tenth(s);
+  c.axis = s.coin() ? Vector3(aside + tilt * w) : aside;
+}
+
+// The distance is that of a plane where apart and a bound where overlapping: two slides reach it where one
+// does not.
+void touch(Pair& p) {
+  for (int i = 0; i < 2; ++i) {
+    const Distance d = distance(p.a, p.b);
+    if (d.verdict == Verdict::invalid) return;
+    p.b.center -= d.value * d.direction;
+  }
+}
+
+void slide_to_touching(Pair& p, RandomStream& s) {
+  touch(p);
+  const Distance d = distance(p.a, p.b);
+  switch (s.below(4)) {
+    case 0:
+      return;
+    case 1: {
+      double& x = p.b.center[static_cast<Eigen::Index>(s.below(3))];
+      x = step(x, s);
+      return;
+    }
+    default:
+      p.b.center += (tenth(s) * size_of_solids(p)) * d.direction;
+  }
+}
+
+void slide_along_contact(Pair& p, RandomStream& s) {
+  const Distance d = distance(p.a, p.b);
+  if (d.verdict == Verdict::invalid || !(length(d.direction) > 0.5)) return;
+  const Vector3 aside = s.perpendicular(d.direction);
+  p.b.center += (tenth(s) * size_of_solids(p)) * aside;
+  touch(p);
+}
+
+void slide_ends_level(Pair& p, RandomStream& s) {
+  const Vector3 w = unit_axis(p.a.axis);
+  const double ends = (p.a.height + s.sign() * p.b.height) / 2, along = dot(w, p.b.center - p.a.center);
+  p.b.center += (s.sign() * ends - along) * w;
+}
+
+void swap(Pair& p, RandomStream&) { std::swap(p.a, p.b); }
+
+void scale_all(Pair& p, RandomStream& s) {
+  const int k = s.integer(-40, 40);
+  for (Cylinder* c : {&p.a, &p.b}) {
+    for (double& x : c->center) x = std::ldexp(x, k);
+    c->radius = std::ldexp(c->radius, k);
+    c->height = std::ldexp(c->height, k);
+  }
+}
+
+void scale_field(Pair& p, RandomStream& s) {
+  double& x = *fields(either(p, s))[s.below(8)];
+  x = std::ldexp(x, s.integer(-20, 20));
+}
+
+void change_field(Pair& p, RandomStream& s) {
+  double& x = *fields(either(p, s))[s.below(8)];
+  x += tenth(s) * (x == 0 ? 1 : x);
+}
+
+void snap_to_grid(Pair& p, RandomStream& s) {
+  const int bits = s.integer(0, 10);
+  for (Cylinder* c : {&p.a, &p.b})
+    for (double* x : fields(*c)) *x = std::ldexp(std::nearbyint(std::ldexp(*x, bits)), -bits);
+}
+
+void make_coaxial(Pair& p, RandomStream& s) {
+  Cylinder& c = either(p, s);
+  const Cylinder& o = other(p, c);
+  const Vector3 w = unit_axis(o.axis);
+  c.axis = s.sign() * o.axis;
+  const double ends = (o.height + c.height) / 2, off = 1 + tenth(s);
+  c.center = o.center + (s.sign() * (s.coin() ? ends : ends * off)) * w;
+}
+
+void make_equal(Pair& p, RandomStream& s) {
+  Cylinder& c = either(p, s);
+  c = other(p, c);
+}
+
+void make_contained(Pair& p, RandomStream& s) {
+  Cylinder& c = either(p, s);
+  const Cylinder& o = other(p, c);
+  const double share = std::fabs(tenth(s));
+  c.center = o.center;
+  c.radius = o.radius * share;
+  c.height = o.height * share;
+  // Against the wall, or the end, from inside.
+  if (s.coin()) c.center += (o.radius - c.radius) * s.perpendicular(unit_axis(o.axis));
+  if (s.coin()) c.center += ((o.height - c.height) / 2) * unit_axis(o.axis);
+}
+
+void flatten(Pair& p, RandomStream& s) {
+  Cylinder& c = either(p, s);
+  c.height = s.coin() ? 0 : c.radius * std::fabs(tenth(s));
+}
+
+void thin(Pair& p, RandomStream& s) {
+  Cylinder& c = either(p, s);
+  c.radius = s.coin() ? 0 : c.height * std::fabs(tenth(s));
+}
+
+void move_far(Pair& p, RandomStream& s) {
+  const double away = std::ldexp(size_of_solids(p), s.integer(1, 50));
+  const Vector3 by = away * (s.coin() ? s.coordinate_axis() : s.unit_vector());
+  p.a.center += by;
+  p.b.center += by;
+}
+
+void move_to_origin(Pair& p, RandomStream&) {
+  p.b.center -= p.a.center;
+  p.a.center.setZero();
+}
+
+void copy_field(Pair& p, RandomStream& s) {
+  Cylinder& c = either(p, s);
+  const std::size_t i = s.below(8);
+  *fields(c)[i] = *fields(other(p, c))[i];
+}
+
+void step_field(Pair& p, RandomStream& s) {
+  double& x = *fields(either(p, s))[s.below(8)];
+  x = step(x, s);
+}
+
+void zero_coordinate(Pair& p, RandomStream& s) { *fields(either(p, s))[s.below(6)] = 0; }
+
+constexpr Move all_moves[] = {
+    {"turn_to_parallel", turn_to_parallel},
+    {"turn_to_perpendicular", turn_to_perpendicular},
+    {"slide_to_touching", slide_to_touching},
+    {"slide_along_contact", slide_along_contact},
+    {"slide_ends_level", slide_ends_level},
+    {"swap", swap},
+    {"scale_all", scale_all},
+    {"scale_field", scale_field},
+    {"change_field", change_field},
+    {"snap_to_grid", snap_to_grid},
+    {"make_coaxial", make_coaxial},
+    {"make_equal", make_equal},
+    {"make_contained", make_contained},
+    {"flatten", flatten},
+    {"thin", thin},
+    {"move_far", move_far},
+    {"move_to_origin", move_to_origin},
+    {"copy_field", copy_field},
+    {"step_field", step_field},
+    {"zero_coordinate", zero_coordinate},
+};
+
+/// The solid with every number that is at fault put right.
+Cylinder legalised(Cylinder c) {
+  for (double* x : fields(c))
+    if (!std::isfinite(*x)) *x = 1;
+  if (c.axis.isZero(0)) c.axis = {0, 0, 1};
+  c.radius = std::fabs(c.radius);
+  c.height = std::fabs(c.height);
+  return c;
+}
+
+void apply(const Move& move, Pair& pair, RandomStream& stream) {
+  Pair moved = pair;
+  move.apply(moved, stream);
+  if (legal(moved)) pair = moved;
+}
+
+}  // namespace
+
+std::span<const Move> moves() { return all_moves; }
+
+Pair mutate(const Pair& pair, std::uint64_t seed) {
+  RandomStream stream("mutate", seed, 0);
+  Pair p{legalised(pair.a), legalised(pair.b)};
+  const std::size_t count = 1 + stream.below(3);
+  for (std::size_t i = 0; i < count; ++i) apply(all_moves[stream.below(std::size(all_moves))], p, stream);
+  // Most turns and changes of form leave the boundary; half of them return to it.
+  if (stream.coin()) apply({"slide_to_touching", slide_to_touching}, p, stream);
+  return p;
+}
+
+Pair cross_over(const Pair& x, const Pair& y, std::uint64_t seed) {
+  RandomStream stream("cross_over", seed, 0);
+  const Cylinder& first = stream.coin() ? x.a : x.b;
+  const Cylinder& second = stream.coin() ? y.a : y.b;
+  Pair p{legalised(first), legalised(second)};
+  if (stream.coin()) apply({"slide_to_touching", slide_to_touching}, p, stream);
+  return p;
+}
+
+}  // namespace cyl

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: MIT
+#include "fuzz/guided/visited.hpp"
+
+#include <fcntl.h>
+#include <sys/mman.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <fstream>
+#include <system_error>
+
+namespace cyl {
+namespace {
+
+Visited own;
+Visited* current = &own;
+
+}  // namespace
+
+std::size_t index_of(const Stratum& s) {
+  return (s.features * angle_count + s.angle) * decade_count + s.decade;
+}
+
+Stratum stratum_at(std::size_t index) {
+  return {index / (angle_count * decade_count), index / decade_count % angle_count, index % decade_count};
+}
+
+Visited& visited() { return *current; }
+
+void keep_visited(const std::string& file) {
+  const int descriptor = open(file.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
+  void* memory = MAP_FAILED;
+  if (descriptor >= 0 && ftruncate(descriptor, sizeof(Visited)) == 0)
+    memory = mmap(nullptr, sizeof(Visited), PROT_READ | PROT_WRITE, MAP_SHARED, descriptor, 0);
+  const int error = errno;
+  if (descriptor >= 0) close(descriptor);
+  if (memory == MAP_FAILED) throw std::system_error(error, std::generic_category(), file);
+  current = static_cast<Visited*>(memory);
+}
+
+Visited read_visited(const std::string& file) {
+  Visited seen;
+  std::ifstream(file, std::ios::binary).read(reinterpret_cast<char*>(&seen), sizeof seen);
+  return seen;
+}
+
+}  // namespace cyl

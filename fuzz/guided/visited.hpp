@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: MIT
+// What a fuzz target has seen in all its executions, for whoever drives it: the engine clears its counters
+// before each of them, and a worker may be killed at any time. So it lies in a file that is mapped.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <string>
+
+#include "fuzz/guided/counters.hpp"
+
+namespace cyl {
+
+/// Two builds of one source agree about its layout, no others.
+struct Visited {
+  std::uint64_t executions = 0;
+  /// Not 0: a moderate pair of that stratum was seen.
+  std::array<std::uint8_t, features_count * angle_count * decade_count> strata{};
+};
+
+/// Where the stratum is in Visited::strata.
+std::size_t index_of(const Stratum& s);
+Stratum stratum_at(std::size_t index);
+
+/// Of this process.
+Visited& visited();
+/// From here on visited() is the content of that file, which is made where there is none; what is counted
+/// goes on from what it holds. Throws std::system_error.
+void keep_visited(const std::string& file);
+/// Nothing seen where there is no such file.
+Visited read_visited(const std::string& file);
+
+}  // namespace cyl

@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: MIT
+#include "fuzz/worst/pair_chart.hpp"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+
+#include "oracles/methods/adapter.hpp"
+#include "oracles/referee/referee.hpp"
+#include "solver/distance.hpp"
+
+namespace cyl {
+namespace {
+
+/// The coordinates: decades of the whole and of each length, a rotation vector of the whole, how far b is
+/// moved (in sizes: along a's axis, aside, square to both), decades of the angle of the axes, and b's azimuth
+/// about a's axis.
+enum : std::size_t { scale, lengths, rotation = lengths + 4, move = rotation + 3, angle = move + 3, azimuth };
+static_assert(azimuth + 1 == PairChart::dimensions);
+
+constexpr double pi = 3.14159265358979323846;
+/// Decades from 45 degrees at which an angle is taken to be exactly 0: below what doubles tell apart.
+constexpr double exact_decades = 15.5, most_decades = 16;
+/// Decades by which lengths may change; sizes, by which b may move.
+constexpr double length_reach = 3, move_reach = 1;
+
+std::array<double*, 4> lengths_of(Pair& p) { return {&p.a.radius, &p.a.height, &p.b.radius, &p.b.height}; }
+
+void scale_lengths(Pair& p, double factor) {
+  for (double* x : lengths_of(p)) *x *= factor;
+  p.a.center *= factor;
+  p.b.center *= factor;
+}
+
+bool legal(const Pair& p) { return find_defect(p.a) == Defect::none && find_defect(p.b) == Defect::none; }
+
+/// A point of `from`, as an offset from its centre, where it comes to in `to`: the axis is that of `from`.
+Vector3 stretched(const Cylinder& from, const Cylinder& to, const Vector3& point) {
+  const Vector3 axis = unit_axis(from.axis), along = axis.dot(point) * axis;
+  const auto ratio = [](double x, double y) { return x > 0 ? y / x : 1; };
+  return ratio(from.height, to.height) * along + ratio(from.radius, to.radius) * (point - along);
+}
+
+double farthest(const Pair& p) {
+  return std::max(p.a.center.cwiseAbs().maxCoeff(), p.b.center.cwiseAbs().maxCoeff());
+}
+
+}  // namespace
+
+// By a power of two, so that only lengths that leave the range of doubles are rounded.
+std::optional<Pair> bring_into(const Domain& domain, const Pair& pair) {
+  Pair p = pair;
+  const double size = legal(p) ? size_of(p) : 0;
+  if (!(size > 0)) return {};
+  if (size < domain.least_size) scale_lengths(p, std::exp2(std::ceil(std::log2(domain.least_size / size))));
+  if (size > domain.most_size) scale_lengths(p, std::exp2(std::floor(std::log2(domain.most_size / size))));
+  const double now = size_of(p);
+  for (double* x : lengths_of(p))
+    if (*x > 0) *x = std::max(*x, domain.least_part * now);
+  if (farthest(p) > domain.most_offset * now) {
+    p.b.center -= p.a.center;
+    p.a.center.setZero();
+  }
+  if (!legal(p) || farthest(p) > domain.most_offset * now) return {};
+  return p;
+}
+
+bool is_in(const Domain& domain, const Pair& pair) {
+  constexpr double rounding = 0x1p-40;  // of a few products and sums, generously
+  if (!legal(pair)) return false;
+  const double size = size_of(pair);
+  return size >= domain.least_size * (1 - rounding) && size <= domain.most_size * (1 + rounding) &&
+         farthest(pair) <= domain.most_offset * size * (1 + rounding);
+}
+
+PairChart::PairChart(const Pair& start, std::optional<ContactFeature> feature, const Domain& domain)
+    : start_(start), feature_(feature), domain_(domain), size_(size_of(start)), a_(unit_axis(start.a.axis)) {
+  const Vector3 b = unit_axis(start.b.axis);
+  const double along = a_.dot(b), across = a_.cross(b).norm();
+  aside_ = across > 0 ? Vector3(b - along * a_).normalized() : a_.unitOrthogonal();
+  sign_ = along < 0 ? -1 : 1;
+  const double small = std::min(across, std::abs(along));
+  const double decades =
+      small > 0 ? std::clamp(std::log10(std::asin(small) / (pi / 4)), -most_decades, 0.0) : -most_decades;
+  decades_ = across < std::abs(along) ? decades : -decades;
+
+  const Distance d = distance(start.a, start.b);
+  on_a_ = d.on_a;
+  on_b_ = d.on_b;
+  gap_ = d.value * d.direction;
+
+  const auto set = [&](std::size_t i, double low, double high, double step) {
+    low_[i] = std::min(low, 0.0);
+    high_[i] = std::max(high, 0.0);
+    step_[i] = step;
+  };
+  set(scale, std::log10(domain.least_size / size_), std::log10(domain.most_size / size_), 0.5);
+  for (std::size_t i = lengths; i < rotation; ++i) set(i, -length_reach, length_reach, 0.25);
+  for (std::size_t i = rotation; i < move; ++i) set(i, -pi, pi, 0.25);
+  for (std::size_t i = move; i < angle; ++i) set(i, -move_reach, move_reach, 0.05);
+  set(angle, -most_decades - decades_, most_decades - decades_, 0.5);
+  set(azimuth, -pi, pi, 0.25);
+}
+
+// The angle of the axes is 45 degrees times 10^decades from parallel where decades < 0, times 10^-decades
+// from perpendicular where they are more.
+Vector3 PairChart::turned_axis(double decades, double by) const {
+  const Vector3 towards = std::cos(by) * aside_ + std::sin(by) * a_.cross(aside_);
+  if (feature_ == ContactFeature::cap_cap || decades <= -exact_decades) return sign_ * a_;
+  if (feature_ == ContactFeature::cap_side || decades >= exact_decades) return towards;
+  const double small = pi / 4 * std::pow(10, -std::abs(decades));
+  return decades < 0 ? Vector3(std::cos(small) * sign_ * a_ + std::sin(small) * towards)
+                     : Vector3(std::sin(small) * sign_ * a_ + std::cos(small) * towards);
+}
+
+// The solids are put together again at the points that face each other: turned about that of b, each moved in
+// its solid as lengths change. So what meets stays what meets, mostly.
+Pair PairChart::pair(std::span<const double, dimensions> x) const {
+  Pair p = start_;
+  const bool turned = x[angle] != 0 || x[azimuth] != 0;
+  if (turned) p.b.axis = turned_axis(decades_ + x[angle], x[azimuth]);
+  if (turned || std::any_of(x.begin() + scale, x.begin() + rotation, [](double y) { return y != 0; })) {
+    std::size_t i = lengths;
+    for (double* length : lengths_of(p)) *length *= std::pow(10, x[i++]);
+    const double size = size_of(p);
+    for (double* length : lengths_of(p))
+      if (*length > 0) *length = std::max(*length, domain_.least_part * size);
+    const double wanted = std::clamp(size_ * std::pow(10, x[scale]), domain_.least_size, domain_.most_size);
+    scale_lengths(p, wanted / size_of(p));
+    p.a.center = wanted / size_ * start_.a.center;
+    const Vector3 on_b = stretched(start_.b, p.b, on_b_);
+    const Vector3 turned_on_b =
+        turned ? Vector3(Eigen::Quaterniond::FromTwoVectors(unit_axis(start_.b.axis), unit_axis(p.b.axis)) *
+                         on_b)
+               : on_b;
+    p.b.center = p.a.center + stretched(start_.a, p.a, on_a_) + wanted / size_ * gap_ - turned_on_b;
+  }
+  if (x[move] != 0 || x[move + 1] != 0 || x[move + 2] != 0)
+    p.b.center += size_of(p) * (x[move] * a_ + x[move + 1] * aside_ + x[move + 2] * a_.cross(aside_));
+  const Vector3 turn(x[rotation], x[rotation + 1], x[rotation + 2]);
+  if (const double by = turn.norm(); by > 0) {
+    const Eigen::Matrix3d m = Eigen::AngleAxisd(by, turn / by).toRotationMatrix();
+    for (Cylinder* c : {&p.a, &p.b}) {
+      c->axis = m * c->axis;
+      c->center = m * c->center;
+    }
+  }
+  return p;
+}
+
+}  // namespace cyl

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: MIT
+// The pairs around one pair as points of a box, for optimisers that know nothing of solids: lengths by their
+// logarithms, the angle of the axes by the decades it is away from parallel or from perpendicular.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <optional>
+#include <span>
+
+#include "corpus/pairs/contact_feature.hpp"
+#include "solver/cylinder.hpp"
+
+namespace cyl {
+
+/// Which pairs are looked at. At sizes of 1e-300 or 1e150, or far from the origin, everybody is wrong by any
+/// margin: that is known, and would be all that a search for the worst ever found.
+struct Domain {
+  double least_size = 1e-3, most_size = 1e3;  ///< size_of a pair, in the scene's unit
+  double least_part = 1e-6;  ///< of its size that a radius or a height may be, if it is not 0
+  double most_offset = 100;  ///< of a centre from the origin, in sizes
+};
+
+/// The pair scaled and moved into the domain, lengths that are too small made longer; unchanged, bit for bit,
+/// where it is in it. Nothing of a pair that is not legal, is of points alone or too far out to be scaled.
+std::optional<Pair> bring_into(const Domain& domain, const Pair& pair);
+
+/// Whether it is in the domain, rounding allowed for.
+bool is_in(const Domain& domain, const Pair& pair);
+
+class PairChart {
+ public:
+  static constexpr std::size_t dimensions = 13;
+  using Point = std::array<double, dimensions>;
+
+  /// Around a pair that is in the domain. Axes stay square to each other for `cap_side` and parallel for
+  /// `cap_cap`: anything else would not be such a pair.
+  PairChart(const Pair& start, std::optional<ContactFeature> feature, const Domain& domain);
+
+  /// 0 is the start itself, bit for bit. Every point of the box is a legal pair of a size in the
+  /// domain.
+  Pair pair(std::span<const double, dimensions> x) const;
+  const Point& low() const { return low_; }
+  const Point& high() const { return high_; }
+  /// Lengths of coordinates over which pairs change as much as a step of a search should change them.
+  const Point& step() const { return step_; }
+
+ private:
+  Vector3 turned_axis(double decades, double azimuth) const;
+
+  Pair start_;
+  std::optional<ContactFeature> feature_;
+  Domain domain_;
+  double size_;
+  Vector3 a_, aside_;          ///< a's axis, unit; the direction square to it towards which b's leans
+  Vector3 on_a_, on_b_, gap_;  ///< the points that face each other, from their centres; from a's to b's
+  double sign_, decades_;      ///< of b's axis along a's; see turned_axis
+  Point low_, high_, step_;
+};
+
+}  // namespace cyl

@@ -1,0 +1,312 @@
+// SPDX-License-Identifier: MIT
+#include "fuzz/worst/worst.hpp"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Geometry>
+#include <cmath>
+#include <cstdlib>
+#include <functional>
+#include <stdexcept>
+#include <string_view>
+
+#include "corpus/pairs/pair_io.hpp"
+#include "oracles/trial/contact.hpp"
+#include "oracles/trial/proofs.hpp"
+#include "solver/distance.hpp"
+
+namespace cyl {
+namespace {
+
+/// Wrong of a pair whose |distance| in sizes is below `wrong_up_to`, which depends on its shape.
+class Faulty : public Method {
+ public:
+  using Reach = std::function<double(const Pair&, double margin)>;
+  explicit Faulty(Reach wrong_up_to, double claimed = 0)
+      : wrong_up_to_(std::move(wrong_up_to)), claimed_(claimed) {}
+  std::string_view name() const override { return "faulty"; }
+  std::string_view version() const override { return "0"; }
+  Claim claim() const override { return {claimed_, 0, "planted"}; }
+  MethodAnswer ask(const Pair& pair) override {
+    const double margin = distance(pair.a, pair.b).value / size_of(pair);
+    const bool wrong = std::abs(margin) < wrong_up_to_(pair, margin);
+    MethodAnswer answer;
+    answer.status = Status::answered;
+    answer.verdict = (margin > 0) != wrong ? Verdict::disjoint : Verdict::intersecting;
+    return answer;
+  }
+
+ private:
+  Reach wrong_up_to_;
+  double claimed_;
+};
+
+std::unique_ptr<Method> faulty(Faulty::Reach wrong_up_to, double claimed = 0) {
+  return std::make_unique<Faulty>(std::move(wrong_up_to), claimed);
+}
+
+double decades_from(double x, double goal) { return std::abs(std::log10(x / goal)); }
+
+/// Apart: at most `most`, of a solid a eight times as high as wide and axes at 1e-3 of each other.
+constexpr double most = 2e-3;
+double sharp_reach(const Pair& pair, double margin) {
+  if (margin < 0) return 0;
+  const double sine = pair.a.axis.normalized().cross(pair.b.axis.normalized()).norm();
+  const double off =
+      decades_from(pair.a.height / (2 * pair.a.radius), 8) + 0.5 * decades_from(std::max(sine, 1e-17), 1e-3);
+  return most * std::pow(10, -off);
+}
+
+WorstOptions shapes(std::size_t evaluations) {
+  WorstOptions options;
+  options.seed = 2;
+  options.evaluation_cap = evaluations;
+  return options;
+}
+
+Worst search(const std::unique_ptr<Method>& method, std::optional<ContactFeature> feature,
+             const WorstOptions& options) {
+  return worst_of(method, drawn_starts(feature, options.seed), {feature, {}}, options);
+}
+
+TEST(Worst, NineTenthsOfAKnownWorstAreFound) {
+  const auto method = faulty(sharp_reach);
+  for (const ContactFeature feature : {ContactFeature::side_side, ContactFeature::side_rim}) {
+    const Worst worst = search(method, feature, shapes(1000));
+    ASSERT_TRUE(worst.wrong) << to_string(feature);
+    EXPECT_EQ(worst.wrong->finding.kind, FindingKind::wrong_intersecting);
+    EXPECT_GE(worst.wrong->finding.margin->lo, 0.9 * most) << to_string(feature);
+    EXPECT_LE(worst.wrong->finding.margin->lo, most);
+    EXPECT_EQ(contact_feature(worst.wrong->pair, judge(worst.wrong->pair)), feature);
+  }
+}
+
+TEST(Worst, CapsStayOnCapsAndWhatIsInsideInside) {
+  for (const ContactFeature feature :
+       {ContactFeature::cap_cap, ContactFeature::cap_side, ContactFeature::containment}) {
+    const bool inside = feature == ContactFeature::containment;
+    const auto method = faulty([&](const Pair& pair, double margin) {
+      if ((margin < 0) != inside) return 0.0;
+      return most * std::pow(10, -decades_from(pair.a.radius / pair.b.radius, inside ? 500 : 2));
+    });
+    const Worst worst = search(method, feature, shapes(1000));
+    ASSERT_TRUE(worst.wrong) << to_string(feature);
+    EXPECT_EQ(worst.wrong->finding.kind,
+              inside ? FindingKind::wrong_disjoint : FindingKind::wrong_intersecting);
+    EXPECT_GE(worst.wrong->finding.margin->lo, 0.9 * most) << to_string(feature);
+    EXPECT_EQ(contact_feature(worst.wrong->pair, judge(worst.wrong->pair)), feature);
+  }
+}
+
+TEST(Worst, TheSameSeedGivesTheSamePair) {
+  const auto method = faulty(sharp_reach);
+  const auto pair_of = [&](std::uint64_t seed) {
+    WorstOptions options = shapes(300);
+    options.seed = seed;
+    const Worst worst = search(method, ContactFeature::side_side, options);
+    return worst.wrong ? format_pair(worst.wrong->pair) : "";
+  };
+  EXPECT_EQ(pair_of(1), pair_of(1));
+  EXPECT_NE(pair_of(1), pair_of(2));
+}
+
+TEST(Worst, WhoIsRightIsNotBlamed) {
+  for (const auto& method : own_methods()) {
+    const Worst worst = search(method, {}, shapes(60));
+    EXPECT_FALSE(worst.wrong) << method->name();
+    EXPECT_FALSE(worst.failed) << method->name();
+    EXPECT_EQ(worst.evaluations, 60u) << "it goes on from mutations";
+  }
+}
+
+TEST(Worst, NothingOutsideTheStratumCounts) {
+  const auto method = faulty([](const Pair& pair, double margin) {
+    return feature_along(pair, distance(pair.a, pair.b).direction) == ContactFeature::side_rim && margin > 0
+               ? most
+               : 0;
+  });
+  EXPECT_FALSE(search(method, ContactFeature::rim_rim, shapes(200)).wrong);
+  EXPECT_TRUE(search(method, ContactFeature::side_rim, shapes(50)).wrong);
+  const Sought none{.also = [](const Pair&) { return false; }};
+  EXPECT_FALSE(worst_of(method, drawn_starts({}, 1), none, shapes(100)).wrong);
+}
+
+TEST(Worst, OfTwoWaysToBeWrongTheOneSoughtCounts) {
+  const auto method = faulty([](const Pair&, double margin) { return margin > 0 ? most : most / 10; });
+  const auto worst = [&](FindingKind kind) {
+    return worst_of(method, drawn_starts(ContactFeature::side_side, 1), {.kind = kind}, shapes(50)).wrong;
+  };
+  const auto apart = worst(FindingKind::wrong_intersecting), into = worst(FindingKind::wrong_disjoint);
+  ASSERT_TRUE(apart && into);
+  EXPECT_EQ(apart->finding.kind, FindingKind::wrong_intersecting);
+  EXPECT_EQ(into->finding.kind, FindingKind::wrong_disjoint);
+  EXPECT_LE(into->finding.margin->lo, most / 10);
+}
+
+TEST(Worst, BeyondAClaimComesBeforeALargerMarginWithin) {
+  const auto claims_a_length = [](double small) {
+    class Claims final : public Faulty {
+     public:
+      using Faulty::Faulty;
+      Claim claim() const override { return {0, 1e-3, "planted"}; }
+    };
+    // Below size 1: wrong within the claim, by nearly all of a solid. From 10 on: a hair beyond it.
+    return std::make_unique<Claims>([small](const Pair& pair, double) {
+      const double size = size_of(pair);
+      return size < 1 ? 0.9e-3 / size : size > 10 ? small / size : 0;
+    });
+  };
+  const std::unique_ptr<Method> beyond = claims_a_length(1.5e-3), within = claims_a_length(0.5e-3);
+  const Worst found = search(beyond, ContactFeature::side_side, shapes(600));
+  ASSERT_TRUE(found.wrong);
+  EXPECT_EQ(found.wrong->finding.severity, Severity::contract);
+  EXPECT_TRUE(found.beyond_claim());
+  const Worst not_beyond = search(within, ContactFeature::side_side, shapes(600));
+  ASSERT_TRUE(not_beyond.wrong);
+  EXPECT_EQ(not_beyond.wrong->finding.severity, Severity::resolution);
+  EXPECT_FALSE(not_beyond.beyond_claim());
+}
+
+/// Aborts or throws where the axes are parallel, right elsewhere.
+class Breaking final : public Faulty {
+ public:
+  explicit Breaking(bool abort) : Faulty([](const Pair&, double) { return 0; }), abort_(abort) {}
+  MethodAnswer ask(const Pair& pair) override {
+    if (pair.a.axis.cross(pair.b.axis).norm() == 0) {
+      if (abort_) std::abort();
+      throw std::runtime_error("parallel");
+    }
+    return Faulty::ask(pair);
+  }
+
+ private:
+  bool abort_;
+};
+
+TEST(Worst, WhatBreaksIsKeptAndNotAskedAgain) {
+  for (const bool abort : {false, true}) {
+    const std::unique_ptr<Method> method = std::make_unique<Breaking>(abort);
+    const Worst worst = search(method, ContactFeature::cap_cap, shapes(100));
+    ASSERT_TRUE(worst.failed);
+    EXPECT_EQ(worst.failed->failure, abort ? Failure::crash : Failure::exception);
+    EXPECT_EQ(worst.failed->pair.a.axis.cross(worst.failed->pair.b.axis).norm(), 0);
+    EXPECT_TRUE(worst.beyond_claim());
+    if (abort) {
+      EXPECT_LT(worst.evaluations, 100u);
+    }
+  }
+}
+
+/// A clock that only the method below moves, in the process that asks.
+double now_ns = 0;
+double false_clock() { return now_ns; }
+
+class Slow final : public Faulty {
+ public:
+  Slow() : Faulty([](const Pair&, double) { return 0; }) {}
+  MethodAnswer ask(const Pair& pair) override {
+    const double margin = std::abs(distance(pair.a, pair.b).value) / size_of(pair);
+    ++calls_;
+    if (calls_ > 50 && calls_ < 60) now_ns += 1e7;  // as if something else had come in between
+    now_ns += 100 + 1e5 * std::pow(10, -decades_from(pair.a.height / pair.a.radius, 30)) +
+              (margin < 1e-3 ? 1e4 : 0);
+    return Faulty::ask(pair);
+  }
+
+ private:
+  int calls_ = 0;  // of one worker
+};
+
+TEST(Worst, TheSlowestIsFound) {
+  const std::unique_ptr<Method> method = std::make_unique<Slow>();
+  WorstOptions options = shapes(400);
+  options.search = Search::time;
+  options.clock = false_clock;
+  const Worst worst = search(method, ContactFeature::side_side, options);
+  ASSERT_TRUE(worst.slow);
+  EXPECT_GE(worst.slow->ns, 0.9 * 110100);
+  EXPECT_LE(worst.slow->ns, 110100);
+  EXPECT_FALSE(worst.wrong);
+  const auto usual = usual_ns(method, false_clock);
+  ASSERT_TRUE(usual);
+  EXPECT_GE(*usual, 100);
+  EXPECT_LT(*usual, 0.5 * worst.slow->ns);
+}
+
+TEST(PairChart, ItsOriginIsTheStartBitForBit) {
+  for (const Pair& start : drawn_starts({}, 7)) {
+    const auto pair = bring_into({}, start);
+    if (!pair) continue;
+    EXPECT_TRUE(is_in({}, *pair)) << format_pair(start);
+    const PairChart::Point x{};
+    EXPECT_EQ(format_pair(PairChart(*pair, {}, {}).pair(x)), format_pair(*pair));
+  }
+}
+
+TEST(PairChart, AnAngleIsCountedInDecadesFromParallelAndFromPerpendicular) {
+  const Pair start{{{0, 0, 0}, {0, 0, 1}, 1, 2}, {{3, 0, 0}, {1e-3, 0, 1}, 1, 2}};
+  const PairChart chart(start, {}, {});
+  PairChart::Point x{};
+  const std::size_t angle = PairChart::dimensions - 2;
+  const auto sine = [&](double decades) {
+    x[angle] = decades;
+    const Pair p = chart.pair(x);
+    return p.a.axis.cross(p.b.axis).norm();
+  };
+  EXPECT_NEAR(sine(-3) / 1e-6, 1, 1e-6);
+  EXPECT_EQ(sine(chart.low()[angle]), 0);
+  x[angle] = chart.high()[angle];
+  EXPECT_EQ(chart.pair(x).b.axis.z(), 0);
+}
+
+TEST(PairChart, CapsStayFlatOnCapsAndOnSides) {
+  for (const ContactFeature feature : {ContactFeature::cap_cap, ContactFeature::cap_side}) {
+    for (const Pair& start : drawn_starts(feature, 9)) {
+      const auto pair = bring_into({}, start);
+      if (!pair || contact_feature(*pair, judge(*pair)) != feature) continue;
+      for (const double decades : {-4.0, 4.0}) {
+        PairChart::Point x;
+        x.fill(0.3);
+        x[PairChart::dimensions - 2] = decades;
+        const Pair p = PairChart(*pair, feature, {}).pair(x);
+        const Vector3 a = p.a.axis.normalized(), b = p.b.axis.normalized();
+        EXPECT_LT(feature == ContactFeature::cap_cap ? a.cross(b).norm() : std::abs(a.dot(b)), 1e-15);
+      }
+    }
+  }
+}
+
+// The directions in which a point of a rim, a side or a cap faces outwards do not depend on lengths.
+TEST(PairChart, WhatMeetsStaysWhatMeetsAsLengthsChange) {
+  int apart = 0;
+  for (const Pair& start : drawn_starts({}, 10)) {
+    const auto pair = bring_into({}, start);
+    if (!pair || std::min({pair->a.radius, pair->a.height, pair->b.radius, pair->b.height}) < 0.1) continue;
+    const Distance before = distance(pair->a, pair->b);
+    if (!(before.value > 1e-6)) continue;
+    ++apart;
+    PairChart::Point x{};
+    x[1] = 0.3, x[2] = -0.4, x[3] = -0.2, x[4] = 0.5;
+    const Pair p = PairChart(*pair, {}, {}).pair(x);
+    EXPECT_NEAR(distance(p.a, p.b).value / size_of(p), before.value / size_of(*pair), 1e-12);
+  }
+  EXPECT_GT(apart, 100);
+}
+
+TEST(PairChart, EveryPointIsLegalAndOfASizeInTheDomain) {
+  const Domain domain;
+  for (const Pair& start : drawn_starts({}, 8)) {
+    const auto pair = bring_into(domain, start);
+    if (!pair) continue;
+    const PairChart chart(*pair, {}, domain);
+    for (const PairChart::Point& x : {chart.low(), chart.high()}) {
+      const Pair p = chart.pair(x);
+      EXPECT_EQ(find_defect(p.a), Defect::none);
+      EXPECT_EQ(find_defect(p.b), Defect::none);
+      EXPECT_NEAR(std::log10(size_of(p)), 0, 3 + 1e-9);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace cyl

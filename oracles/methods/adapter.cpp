@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: MIT
+#include "oracles/methods/adapter.hpp"
+
+#include <cmath>
+#include <string>
+
+namespace cyl {
+
+std::optional<MethodAnswer> decline_invalid(const Pair& pair) {
+  const Defect a = find_defect(pair.a);
+  const Defect b = find_defect(pair.b);
+  if (a == Defect::none && b == Defect::none) return std::nullopt;
+  MethodAnswer answer;
+  answer.set_reason(a != Defect::none ? std::string("a: ") + to_string(a)
+                                      : std::string("b: ") + to_string(b));
+  return answer;
+}
+
+// Scaled by a power of two first (exact), so that squares neither overflow nor vanish. A coordinate that
+// becomes subnormal by it is below 2^-1000 of the largest.
+Vector3 unit_axis(const Vector3& axis) noexcept {
+  const int exponent = std::ilogb(axis.cwiseAbs().maxCoeff());
+  const Vector3 scaled(std::scalbn(axis.x(), -exponent), std::scalbn(axis.y(), -exponent),
+                       std::scalbn(axis.z(), -exponent));
+  return scaled / scaled.norm();
+}
+
+// Duff et al., Building an Orthonormal Basis, Revisited (JCGT 6:1, 2017): |sign + z| >= 1, so nothing
+// cancels.
+Eigen::Matrix3d rotation_to(const Vector3& u) noexcept {
+  const double sign = std::copysign(1.0, u.z());
+  const double a = -1 / (sign + u.z());
+  const double b = u.x() * u.y() * a;
+  Eigen::Matrix3d m;
+  m.col(0) << 1 + sign * u.x() * u.x() * a, sign * b, -sign * u.x();
+  m.col(1) << b, sign + u.y() * u.y() * a, -u.y();
+  m.col(2) = u;
+  return m;
+}
+
+}  // namespace cyl

@@ -1,0 +1,260 @@
+// SPDX-License-Identifier: MIT
+#include <BulletCollision/CollisionShapes/btConvexHullShape.h>
+#include <BulletCollision/CollisionShapes/btCylinderShape.h>
+#include <BulletCollision/NarrowPhaseCollision/btGjkEpa2.h>
+#include <BulletCollision/NarrowPhaseCollision/btGjkEpaPenetrationDepthSolver.h>
+#include <BulletCollision/NarrowPhaseCollision/btGjkPairDetector.h>
+#include <BulletCollision/NarrowPhaseCollision/btVoronoiSimplexSolver.h>
+
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <optional>
+#include <string>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+#include "oracles/methods/adapter.hpp"
+#include "oracles/methods/method.hpp"
+
+namespace cyl {
+namespace {
+
+// The headers of both precisions are the same; the library linked is the double one.
+static_assert(sizeof(btScalar) == 8);
+
+/// Two vertices nearer than this, a length, are one to Bullet: the square root of its threshold.
+constexpr double vertex_tol = 1e-6;
+constexpr std::string_view vertex_source =
+    "btVoronoiSimplexSolver.h: VORONOI_DEFAULT_EQUAL_VERTEX_THRESHOLD 1e-12f, a squared length";
+
+/// Relative rounding of a vertex of a prism: cosine, quotient and product, less than 4 ulp.
+constexpr double vertex_error = 0x1p-50;
+
+constexpr double no_distance = std::numeric_limits<double>::quiet_NaN();
+
+std::string version_of_bullet() {
+  return std::to_string(btGetVersion() / 100) + '.' + std::to_string(btGetVersion() % 100);
+}
+
+btVector3 to_bullet(const Vector3& v) { return {v.x(), v.y(), v.z()}; }
+
+btTransform pose_of(const Cylinder& c) {
+  const Eigen::Matrix3d m = rotation_to(unit_axis(c.axis));
+  return btTransform({m(0, 0), m(0, 1), m(0, 2), m(1, 0), m(1, 1), m(1, 2), m(2, 0), m(2, 1), m(2, 2)},
+                     to_bullet(c.center));
+}
+
+btVector3 half_extents(const Cylinder& c) { return {c.radius, c.radius, c.height / 2}; }
+
+/// btCylinderShapeZ as its constructor leaves it: shrunk by a margin, which rounds the rims.
+struct RoundedCylinder : btCylinderShapeZ {
+  explicit RoundedCylinder(const Cylinder& c) : btCylinderShapeZ(half_extents(c)) {}
+};
+
+struct SharpCylinder : btCylinderShapeZ {
+  explicit SharpCylinder(const Cylinder& c) : btCylinderShapeZ(half_extents(c)) { setMargin(0); }
+};
+
+template <class Shape>
+struct Solid {
+  explicit Solid(const Cylinder& c) : shape(c), pose(pose_of(c)) {}
+
+  Shape shape;
+  btTransform pose;
+};
+
+/// The signed distance that Bullet's default dispatch sees between two convex shapes: GJK, then EPA where
+/// they overlap. Nothing where it makes no contact; the bodies then pass through each other.
+std::optional<double> detect(const btConvexShape& a, const btTransform& pose_a, const btConvexShape& b,
+                             const btTransform& pose_b) {
+  btVoronoiSimplexSolver simplex;
+  btGjkEpaPenetrationDepthSolver depth;
+  btGjkPairDetector detector(&a, &b, &simplex, &depth);
+  btDiscreteCollisionDetectorInterface::ClosestPointInput input;
+  input.m_transformA = pose_a;
+  input.m_transformB = pose_b;
+
+  struct Contact final : btDiscreteCollisionDetectorInterface::Result {
+    std::optional<double> distance;
+    void setShapeIdentifiersA(int, int) override {}
+    void setShapeIdentifiersB(int, int) override {}
+    void addContactPoint(const btVector3&, const btVector3&, btScalar d) override { distance = d; }
+  } contact;
+  detector.getClosestPoints(input, contact, nullptr);
+  return contact.distance;
+}
+
+Verdict verdict_of(std::optional<double> distance) {
+  return distance && !(*distance > 0) ? Verdict::intersecting : Verdict::disjoint;
+}
+
+MethodAnswer answer_of(std::optional<double> distance) {
+  MethodAnswer answer;
+  answer.status = Status::answered;
+  answer.verdict = verdict_of(distance);
+  answer.has_distance = distance.has_value();
+  answer.distance = distance.value_or(0);
+  return answer;
+}
+
+class Bullet : public Method {
+ public:
+  explicit Bullet(std::string name) : name_(std::move(name)) {}
+  std::string_view name() const override { return name_; }
+  std::string_view version() const override { return version_; }
+  Claim claim() const override { return {.absolute = vertex_tol, .source = vertex_source}; }
+
+ private:
+  const std::string name_;
+  const std::string version_ = version_of_bullet();
+};
+
+/// The detector on cylinders of one kind.
+template <class Shape>
+class Detector final : public Bullet {
+ public:
+  using Bullet::Bullet;
+  Claim claim() const override {
+    if (std::is_same_v<Shape, SharpCylinder>) return Bullet::claim();
+    return {.absolute = 2 * CONVEX_DISTANCE_MARGIN,
+            .source = "btCollisionMargin.h: CONVEX_DISTANCE_MARGIN btScalar(0.04), of each shape"};
+  }
+  MethodAnswer ask(const Pair& pair) override {
+    if (const auto declined = decline_invalid(pair)) return *declined;
+    return answer_of(measure(Solid<Shape>(pair.a), Solid<Shape>(pair.b)));
+  }
+  Call prepare_all(std::span<const Pair> pairs) override {
+    return [solids = solids_of<Solid<Shape>>(pairs)](std::size_t i) {
+      return verdict_of(measure(solids[i].first, solids[i].second));
+    };
+  }
+  DistanceCall prepare_distances(std::span<const Pair> pairs) override {
+    return [solids = solids_of<Solid<Shape>>(pairs)](std::size_t i) {
+      return measure(solids[i].first, solids[i].second).value_or(no_distance);
+    };
+  }
+
+ private:
+  static std::optional<double> measure(const Solid<Shape>& a, const Solid<Shape>& b) {
+    return detect(a.shape, a.pose, b.shape, b.pose);
+  }
+};
+
+/// The solver under the detector, asked directly.
+class GjkEpa2 final : public Bullet {
+ public:
+  using Bullet::Bullet;
+  Claim claim() const override {
+    return {.absolute = vertex_tol,
+            .source = "btGjkEpa2.cpp: GJK_DUPLICATED_EPS 1e-12, a squared length; btGjkEpa2.h says nothing"};
+  }
+
+  // EPA comes after GJK has found the origin inside, so where EPA fails the yes stands and only the depth is
+  // lost.
+  MethodAnswer ask(const Pair& pair) override {
+    if (const auto declined = decline_invalid(pair)) return *declined;
+    btGjkEpaSolver2::sResults result;
+    if (measure(Solid<SharpCylinder>(pair.a), Solid<SharpCylinder>(pair.b), result))
+      return answer_of(result.distance);
+    MethodAnswer answer;
+    if (result.status == btGjkEpaSolver2::sResults::EPA_Failed) {
+      answer.status = Status::answered;
+      answer.verdict = Verdict::intersecting;
+    } else {
+      answer.set_reason("GJK_Failed: shapes are probably just 'touching' (btGjkEpa2.h)");
+    }
+    return answer;
+  }
+  Call prepare_all(std::span<const Pair> pairs) override {
+    return [solids = solids_of<Solid<SharpCylinder>>(pairs)](std::size_t i) {
+      btGjkEpaSolver2::sResults result;
+      if (measure(solids[i].first, solids[i].second, result)) return verdict_of(result.distance);
+      return result.status == result.EPA_Failed ? Verdict::intersecting : Verdict::undecided;
+    };
+  }
+  DistanceCall prepare_distances(std::span<const Pair> pairs) override {
+    return [solids = solids_of<Solid<SharpCylinder>>(pairs)](std::size_t i) {
+      btGjkEpaSolver2::sResults result;
+      const bool found = measure(solids[i].first, solids[i].second, result);
+      return found ? result.distance : no_distance;
+    };
+  }
+
+ private:
+  static bool measure(const Solid<SharpCylinder>& a, const Solid<SharpCylinder>& b,
+                      btGjkEpaSolver2::sResults& result) {
+    const btVector3 guess = a.pose.getOrigin() - b.pose.getOrigin();
+    return btGjkEpaSolver2::SignedDistance(&a.shape, a.pose, &b.shape, b.pose, guess, result);
+  }
+};
+
+/// Convex hulls of the prisms over the inscribed and the circumscribed regular polygon: the truth lies
+/// between.
+class Hull final : public Bullet {
+ public:
+  Hull(int sides, unsigned share)
+      : Bullet("bullet-hull-" + std::to_string(sides)), sides_(sides), share_(share) {}
+  unsigned share() const override { return share_; }
+
+  MethodAnswer ask(const Pair& pair) override {
+    if (const auto declined = decline_invalid(pair)) return *declined;
+    MethodAnswer answer;
+    answer.status = Status::answered;
+    const double outward = (1 + vertex_error) / std::cos(std::numbers::pi / sides_);
+    if (!meet(pair, outward)) {
+      answer.verdict = Verdict::disjoint;
+    } else if (meet(pair, 1 - vertex_error)) {
+      answer.verdict = Verdict::intersecting;
+    } else {
+      answer.status = Status::declined;
+      answer.set_reason("the circumscribed prisms meet, the inscribed ones do not");
+    }
+    return answer;
+  }
+
+ private:
+  bool meet(const Pair& pair, double stretch) const {
+    btConvexHullShape a, b;
+    fill(a, pair.a, stretch);
+    fill(b, pair.b, stretch);
+    return verdict_of(detect(a, pose_of(pair.a), b, pose_of(pair.b))) == Verdict::intersecting;
+  }
+
+  void fill(btConvexHullShape& hull, const Cylinder& c, double stretch) const {
+    hull.setMargin(0);
+    const double radius = c.radius * stretch;
+    for (int i = 0; i < sides_; ++i) {
+      const double angle = 2 * std::numbers::pi * i / sides_;
+      const double x = radius * std::cos(angle);
+      const double y = radius * std::sin(angle);
+      hull.addPoint({x, y, c.height / 2}, false);
+      hull.addPoint({x, y, -c.height / 2}, false);
+    }
+    hull.recalcLocalAabb();
+  }
+
+  const int sides_;
+  const unsigned share_;
+};
+
+}  // namespace
+
+std::vector<std::unique_ptr<Method>> bullet_methods() {
+  std::vector<std::unique_ptr<Method>> methods;
+  methods.push_back(std::make_unique<Detector<RoundedCylinder>>("bullet-cylinder"));
+  methods.push_back(std::make_unique<Detector<SharpCylinder>>("bullet-cylinder-margin0"));
+  methods.push_back(std::make_unique<GjkEpa2>("bullet-gjkepa2"));
+  methods.push_back(std::make_unique<Hull>(16, 1));
+  methods.push_back(std::make_unique<Hull>(64, 8));  // 40 us a pair, ten times the others
+  return methods;
+}
+
+std::vector<std::unique_ptr<Method>> bullet_settings() {
+  std::vector<std::unique_ptr<Method>> methods;
+  for (const int sides : {8, 32, 128}) methods.push_back(std::make_unique<Hull>(sides, 1));
+  return methods;
+}
+
+}  // namespace cyl

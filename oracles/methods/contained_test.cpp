@@ -1,0 +1,295 @@
+// SPDX-License-Identifier: MIT
+#include "oracles/methods/contained.hpp"
+
+#include <gtest/gtest.h>
+#include <poll.h>
+#include <sys/resource.h>
+#include <sys/stat.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <csignal>
+#include <cstdio>
+#include <cstdlib>
+#include <ctime>
+#include <functional>
+#include <limits>
+#include <stdexcept>
+#include <string>
+
+namespace cyl {
+namespace {
+
+using std::chrono::milliseconds;
+
+constexpr milliseconds short_cap{60};
+
+/// Runs what the test hands it, then answers with the radius of a as the distance.
+class Fake final : public Method {
+ public:
+  explicit Fake(std::function<void()> act) : act_(std::move(act)) {}
+  std::string_view name() const override { return "fake"; }
+  std::string_view version() const override { return "0"; }
+  Claim claim() const override { return {}; }
+  MethodAnswer ask(const Pair& pair) override {
+    act_();
+    MethodAnswer answer;
+    answer.status = Status::answered;
+    answer.verdict = Verdict::disjoint;
+    answer.has_distance = true;
+    answer.distance = pair.a.radius;
+    return answer;
+  }
+
+ private:
+  std::function<void()> act_;
+};
+
+std::vector<std::unique_ptr<Method>> fakes(std::vector<std::function<void()>> acts) {
+  std::vector<std::unique_ptr<Method>> methods;
+  for (auto& act : acts) methods.push_back(std::make_unique<Fake>(std::move(act)));
+  return methods;
+}
+
+std::vector<Pair> numbered_pairs(std::size_t count) {
+  std::vector<Pair> pairs(count);
+  for (std::size_t i = 0; i < count; ++i) pairs[i].a.radius = static_cast<double>(i);
+  return pairs;
+}
+
+/// Asks a good method, then one that does `act`, then the good one again; the middle answer. The others are
+/// checked.
+MethodAnswer ask_between_good_ones(std::function<void()> act, milliseconds cap = call_cpu_cap) {
+  const auto methods = fakes({[] {}, std::move(act)});
+  const auto pairs = numbered_pairs(3);
+  const std::vector<Question> questions{{0, 0}, {1, 1}, {0, 2}};
+  const auto answers = ask_contained(methods, pairs, questions, {.call_cpu = cap});
+  EXPECT_EQ(answers.size(), 3u);
+  for (std::size_t i : {0u, 2u}) {
+    EXPECT_EQ(answers[i].answer.status, Status::answered) << answers[i].answer.reason;
+    EXPECT_EQ(answers[i].answer.distance, static_cast<double>(i));
+    EXPECT_GT(answers[i].nanoseconds, 0);
+  }
+  return answers[1].answer;
+}
+
+double cpu_seconds_of_dead_children() {
+  rusage r;
+  getrusage(RUSAGE_CHILDREN, &r);
+  return static_cast<double>(r.ru_utime.tv_sec + r.ru_stime.tv_sec) +
+         1e-6 * static_cast<double>(r.ru_utime.tv_usec + r.ru_stime.tv_usec);
+}
+
+TEST(Contained, AnswersInTheOrderOfTheQuestions) {
+  const auto methods = fakes({[] {}});
+  const auto pairs = numbered_pairs(1000);
+  std::vector<Question> questions;
+  for (std::size_t i = 0; i < 5000; ++i) questions.push_back({0, i * 7 % 1000});
+  const auto answers = ask_contained(methods, pairs, questions);
+  ASSERT_EQ(answers.size(), questions.size());
+  for (std::size_t i = 0; i < answers.size(); ++i)
+    EXPECT_EQ(answers[i].answer.distance, static_cast<double>(questions[i].pair));
+}
+
+TEST(Contained, NoQuestionsNoAnswers) { EXPECT_TRUE(ask_contained({}, {}, {}).empty()); }
+
+TEST(Contained, AbortIsACrashWithItsMessage) {
+  const MethodAnswer answer = ask_between_good_ones([] {
+    std::fputs("oracle: gjk.h:177: Assertion `index != -1' failed.\n", stderr);
+    std::abort();
+  });
+  EXPECT_EQ(answer.status, Status::failed);
+  EXPECT_EQ(answer.failure, Failure::crash);
+  EXPECT_STREQ(answer.reason, "SIGABRT, after printing: oracle: gjk.h:177: Assertion `index != -1' failed.");
+}
+
+TEST(Contained, TheEndOfALongMessageIsKept) {
+  const MethodAnswer answer = ask_between_good_ones([] {
+    std::fputs((std::string(500, 'x') + " the end\n").c_str(), stderr);
+    std::abort();
+  });
+  const std::string reason = answer.reason;
+  EXPECT_TRUE(reason.starts_with("SIGABRT, after printing: xxx")) << reason;
+  EXPECT_TRUE(reason.ends_with("xxx the end")) << reason;
+}
+
+TEST(Contained, WhatAFreshWorkerPrintsDoesNotBelongToTheNext) {
+  const auto methods = fakes({[] {
+                                std::puts("first");
+                                std::abort();
+                              },
+                              [] { std::raise(SIGSEGV); }});
+  const auto answers = ask_contained(methods, numbered_pairs(1), std::vector<Question>{{0, 0}, {1, 0}});
+  EXPECT_STREQ(answers[0].answer.reason, "SIGABRT, after printing: first");
+  EXPECT_STREQ(answers[1].answer.reason, "SIGSEGV");
+}
+
+TEST(Contained, HandledSignalsStillKillTheWorker) {
+  const auto old = std::signal(SIGSEGV, [](int) {});
+  const MethodAnswer answer = ask_between_good_ones([] { std::raise(SIGSEGV); });
+  std::signal(SIGSEGV, old);
+  EXPECT_EQ(answer.failure, Failure::crash);
+  EXPECT_STREQ(answer.reason, "SIGSEGV");
+}
+
+TEST(Contained, ExceptionsKeepTheirText) {
+  MethodAnswer answer = ask_between_good_ones([] { throw std::runtime_error("no convergence"); });
+  EXPECT_EQ(answer.status, Status::failed);
+  EXPECT_EQ(answer.failure, Failure::exception);
+  EXPECT_STREQ(answer.reason, "no convergence");
+  answer = ask_between_good_ones([] { throw 7; });
+  EXPECT_EQ(answer.failure, Failure::exception);
+}
+
+TEST(Contained, ExitIsACrash) {
+  const MethodAnswer answer = ask_between_good_ones([] { std::exit(0); });
+  EXPECT_EQ(answer.failure, Failure::crash);
+  EXPECT_STREQ(answer.reason, "called exit()");
+  EXPECT_EQ(ask_between_good_ones([] { _exit(0); }).failure, Failure::crash);
+}
+
+TEST(Contained, ExitDoesNotRunTheHandlersOfTheParent) {
+  static int channel[2];
+  ASSERT_EQ(pipe(channel), 0);
+  static const pid_t parent = getpid();
+  std::atexit([] {
+    if (getpid() != parent && write(channel[1], "x", 1) != 1) std::abort();
+  });
+  ask_between_good_ones([] { std::exit(0); });
+  close(channel[1]);
+  char c;
+  EXPECT_EQ(read(channel[0], &c, 1), 0) << "a handler of the parent ran in the worker";
+  close(channel[0]);
+}
+
+TEST(Contained, EndlessLoopIsAHangByItsCpuTime) {
+  const double before = cpu_seconds_of_dead_children();
+  const MethodAnswer answer = ask_between_good_ones(
+      [] {
+        volatile bool forever = true;
+        while (forever) {
+        }
+      },
+      short_cap);
+  const double spent = cpu_seconds_of_dead_children() - before;
+  EXPECT_EQ(answer.status, Status::failed);
+  EXPECT_EQ(answer.failure, Failure::hang);
+  EXPECT_GE(spent, std::chrono::duration<double>(short_cap).count());
+  EXPECT_LE(spent, 5 * std::chrono::duration<double>(short_cap).count());
+}
+
+TEST(Contained, LongSleepIsAHang) {
+  const MethodAnswer answer = ask_between_good_ones([] { sleep(30); }, milliseconds(10));
+  EXPECT_EQ(answer.failure, Failure::hang);
+}
+
+TEST(Contained, SleepBelowTheWallCapIsNot) {
+  const MethodAnswer answer = ask_between_good_ones([] { usleep(100'000); }, milliseconds(20));
+  EXPECT_EQ(answer.status, Status::answered) << answer.reason;
+}
+
+TEST(Contained, TheCapIsForOneCallNotForTheBatch) {
+  const auto methods = fakes({[] {
+    const std::clock_t start = std::clock();
+    while (std::clock() - start < CLOCKS_PER_SEC / 16) {
+    }
+  }});
+  const std::vector<Question> questions(8, Question{0, 0});
+  for (const auto& a : ask_contained(methods, numbered_pairs(1), questions, {.call_cpu = milliseconds(200)}))
+    EXPECT_EQ(a.answer.status, Status::answered) << a.answer.reason;
+}
+
+TEST(Contained, NumbersThatAreNotFiniteFail) {
+  const auto methods = fakes({[] {}});
+  auto pairs = numbered_pairs(3);
+  pairs[0].a.radius = std::numeric_limits<double>::quiet_NaN();
+  pairs[1].a.radius = std::numeric_limits<double>::infinity();
+  const auto answers = ask_contained(methods, pairs, std::vector<Question>{{0, 0}, {0, 1}, {0, 2}});
+  for (int i : {0, 1}) {
+    EXPECT_EQ(answers[static_cast<std::size_t>(i)].answer.status, Status::failed);
+    EXPECT_EQ(answers[static_cast<std::size_t>(i)].answer.failure, Failure::non_finite);
+  }
+  EXPECT_STREQ(answers[0].answer.reason, "distance is nan");
+  EXPECT_EQ(answers[2].answer.status, Status::answered);
+}
+
+TEST(Contained, PrintingIsKeptOffTheTerminal) {
+  testing::internal::CaptureStdout();
+  const MethodAnswer answer = ask_between_good_ones([] {
+    for (int i = 0; i < 1 << 14; ++i)
+      std::puts("sixty-three characters of a warning that no one asked for......");
+  });
+  EXPECT_EQ(answer.status, Status::answered) << answer.reason;
+  EXPECT_EQ(testing::internal::GetCapturedStdout(), "");
+}
+
+TEST(Contained, PrintingWithoutEndTakesBoundedMemory) {
+  const MethodAnswer answer = ask_between_good_ones([] {
+    const std::string megabyte(1 << 20, 'x');
+    for (int i = 0; i < 32; ++i) std::fputs(megabyte.c_str(), stdout);
+    struct stat s;
+    if (fstat(STDOUT_FILENO, &s) != 0 || s.st_size > 17 << 20) throw std::runtime_error("all was kept");
+  });
+  EXPECT_EQ(answer.status, Status::answered) << answer.reason;
+}
+
+#if !defined(__SANITIZE_ADDRESS__)
+TEST(Contained, MemoryIsLimited) {
+  const MethodAnswer answer = ask_between_good_ones([] {
+    static char* volatile keep;
+    for (std::size_t i = 0; i < 64; ++i) keep = new char[std::size_t{1} << 30];
+    if (!keep) std::abort();
+  });
+  EXPECT_EQ(answer.failure, Failure::exception);
+  EXPECT_STREQ(answer.reason, "std::bad_alloc");
+}
+#endif
+
+TEST(Contained, AnInterruptForTheGroupIsNotTheMethodsFault) {
+  const MethodAnswer answer = ask_between_good_ones([] {
+    std::raise(SIGINT);
+    std::raise(SIGTERM);
+  });
+  EXPECT_EQ(answer.status, Status::answered) << answer.reason;
+}
+
+TEST(Contained, WorksInsideAForkedProcess) {
+  const pid_t child = fork();
+  ASSERT_GE(child, 0);
+  if (child == 0) {
+    const auto methods = fakes({[] { std::abort(); }, [] {}});
+    const auto answers = ask_contained(methods, numbered_pairs(1), std::vector<Question>{{0, 0}, {1, 0}});
+    _exit(answers[0].answer.failure == Failure::crash && answers[1].answer.status == Status::answered ? 0
+                                                                                                      : 1);
+  }
+  int status = 1;
+  waitpid(child, &status, 0);
+  EXPECT_TRUE(WIFEXITED(status) && WEXITSTATUS(status) == 0);
+}
+
+TEST(Contained, AWorkerDiesWithItsParent) {
+  int channel[2];
+  ASSERT_EQ(pipe(channel), 0);
+  const pid_t child = fork();
+  ASSERT_GE(child, 0);
+  if (child == 0) {
+    close(channel[0]);
+    const auto methods = fakes({[=] {
+      kill(getppid(), SIGKILL);
+      sleep(30);
+    }});
+    ask_contained(methods, numbered_pairs(1), std::vector<Question>{{0, 0}});
+    _exit(0);
+  }
+  close(channel[1]);
+  int status = 0;
+  waitpid(child, &status, 0);
+  EXPECT_TRUE(WIFSIGNALED(status));
+  // The end of the pipe shows that no worker holds it open.
+  pollfd closed{.fd = channel[0], .events = POLLIN, .revents = 0};
+  EXPECT_EQ(poll(&closed, 1, 10'000), 1) << "the worker lives on";
+  close(channel[0]);
+}
+
+}  // namespace
+}  // namespace cyl

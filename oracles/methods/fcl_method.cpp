@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: MIT
+#include <fcl/config.h>
+#include <fcl/geometry/shape/cylinder.h>
+#include <fcl/narrowphase/collision.h>
+#include <fcl/narrowphase/distance.h>
+
+#include <algorithm>
+#include <limits>
+#include <utility>
+#include <vector>
+
+#include "oracles/methods/adapter.hpp"
+#include "oracles/methods/method.hpp"
+
+namespace cyl {
+namespace {
+
+constexpr std::string_view collide_source =
+    "fcl/narrowphase/collision_request.h: gjk_tolerance{1e-6}, Numerical tolerance to use in the GJK "
+    "algorithm";
+constexpr std::string_view distance_source =
+    "fcl/narrowphase/distance_request.h: distance_tolerance = 1e-6, the threshold used in GJK algorithm to "
+    "stop "
+    "distance iteration";
+
+/// A tolerance that FCL offers as a default, and one that its users choose who need more.
+constexpr double default_tol = 1e-6;
+constexpr double fine_tol = 1e-10;
+
+/// A cylinder as FCL keeps it.
+struct Solid {
+  explicit Solid(const Cylinder& c) : shape(c.radius, c.height) {
+    pose.linear() = rotation_to(unit_axis(c.axis));
+    pose.translation() = c.center;
+  }
+
+  fcl::Cylinderd shape;
+  fcl::Transform3d pose = fcl::Transform3d::Identity();
+};
+
+/// fcl::collide without contacts: yes or no.
+class Collide final : public Method {
+ public:
+  Collide(std::string_view name, fcl::GJKSolverType solver, double tolerance) : name_(name) {
+    request_.gjk_solver_type = solver;
+    request_.gjk_tolerance = tolerance;
+  }
+  std::string_view name() const override { return name_; }
+  std::string_view version() const override { return FCL_VERSION; }
+  Claim claim() const override { return {.absolute = request_.gjk_tolerance, .source = collide_source}; }
+
+  MethodAnswer ask(const Pair& pair) override {
+    if (const auto declined = decline_invalid(pair)) return *declined;
+    MethodAnswer answer;
+    answer.status = Status::answered;
+    answer.verdict = collide(Solid(pair.a), Solid(pair.b));
+    return answer;
+  }
+  Call prepare_all(std::span<const Pair> pairs) override {
+    return [this, solids = solids_of<Solid>(pairs)](std::size_t i) {
+      return collide(solids[i].first, solids[i].second);
+    };
+  }
+
+ private:
+  Verdict collide(const Solid& a, const Solid& b) const {
+    fcl::CollisionResultd result;
+    const bool hit = fcl::collide(&a.shape, a.pose, &b.shape, b.pose, request_, result) > 0;
+    return hit ? Verdict::intersecting : Verdict::disjoint;
+  }
+
+  std::string_view name_;
+  fcl::CollisionRequestd request_;
+};
+
+/// fcl::distance with nearest points. Never with signed distance: there Debian's build, which has its
+/// assertions on, aborts on overlapping pairs.
+class Distance final : public Method {
+ public:
+  Distance(std::string_view name, double tolerance) : name_(name) {
+    request_.enable_nearest_points = true;
+    request_.gjk_solver_type = fcl::GST_LIBCCD;
+    request_.distance_tolerance = tolerance;
+  }
+  std::string_view name() const override { return name_; }
+  std::string_view version() const override { return FCL_VERSION; }
+  Claim claim() const override {
+    return {.absolute = request_.distance_tolerance, .source = distance_source};
+  }
+
+  // The nearest points are its witness: they are the ends of a separating direction.
+  MethodAnswer ask(const Pair& pair) override {
+    if (const auto declined = decline_invalid(pair)) return *declined;
+    fcl::DistanceResultd result;
+    const double distance = measure(Solid(pair.a), Solid(pair.b), result);
+    MethodAnswer answer;
+    answer.status = Status::answered;
+    answer.verdict = distance > 0 ? Verdict::disjoint : Verdict::intersecting;
+    if (!(distance > 0)) return answer;
+    answer.has_distance = true;
+    answer.distance = distance;
+    const Vector3 direction = result.nearest_points[1] - result.nearest_points[0];
+    if (!direction.isZero(0)) answer.set_direction(direction);
+    return answer;
+  }
+  DistanceCall prepare_distances(std::span<const Pair> pairs) override {
+    return [this, solids = solids_of<Solid>(pairs)](std::size_t i) {
+      fcl::DistanceResultd result;
+      const double distance = measure(solids[i].first, solids[i].second, result);
+      return distance > 0 ? distance : std::numeric_limits<double>::quiet_NaN();
+    };
+  }
+
+ private:
+  // Where FCL finds no distance it says -1: an overlap, of unknown depth. Where it gives up it leaves the
+  // nearest points as they were: uninitialised memory, another answer each time.
+  double measure(const Solid& a, const Solid& b, fcl::DistanceResultd& result) const {
+    for (Vector3& point : result.nearest_points) point.setZero();
+    return fcl::distance(&a.shape, a.pose, &b.shape, b.pose, request_, result);
+  }
+
+  std::string_view name_;
+  fcl::DistanceRequestd request_;
+};
+
+}  // namespace
+
+std::vector<std::unique_ptr<Method>> fcl_methods() {
+  std::vector<std::unique_ptr<Method>> methods;
+  methods.push_back(std::make_unique<Collide>("fcl-libccd", fcl::GST_LIBCCD, default_tol));
+  methods.push_back(std::make_unique<Collide>("fcl-libccd-tol1e-10", fcl::GST_LIBCCD, fine_tol));
+  methods.push_back(std::make_unique<Collide>("fcl-indep", fcl::GST_INDEP, default_tol));
+  methods.push_back(std::make_unique<Distance>("fcl-distance-libccd", default_tol));
+  methods.push_back(std::make_unique<Distance>("fcl-distance-libccd-tol1e-10", fine_tol));
+  return methods;
+}
+
+std::vector<std::unique_ptr<Method>> fcl_settings() {
+  std::vector<std::unique_ptr<Method>> methods;
+  methods.push_back(std::make_unique<Collide>("fcl-libccd-tol1e-4", fcl::GST_LIBCCD, 1e-4));
+  methods.push_back(std::make_unique<Collide>("fcl-libccd-tol1e-8", fcl::GST_LIBCCD, 1e-8));
+  methods.push_back(std::make_unique<Collide>("fcl-libccd-tol1e-12", fcl::GST_LIBCCD, 1e-12));
+  methods.push_back(std::make_unique<Collide>("fcl-indep-tol1e-4", fcl::GST_INDEP, 1e-4));
+  methods.push_back(std::make_unique<Collide>("fcl-indep-tol1e-8", fcl::GST_INDEP, 1e-8));
+  methods.push_back(std::make_unique<Collide>("fcl-indep-tol1e-10", fcl::GST_INDEP, 1e-10));
+  methods.push_back(std::make_unique<Collide>("fcl-indep-tol1e-12", fcl::GST_INDEP, 1e-12));
+  methods.push_back(std::make_unique<Distance>("fcl-distance-libccd-tol1e-4", 1e-4));
+  methods.push_back(std::make_unique<Distance>("fcl-distance-libccd-tol1e-8", 1e-8));
+  methods.push_back(std::make_unique<Distance>("fcl-distance-libccd-tol1e-12", 1e-12));
+  return methods;
+}
+
+}  // namespace cyl

@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: MIT
+#include "oracles/methods/guest.hpp"
+
+#include <algorithm>
+#include <cctype>
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+#include <stdexcept>
+
+#include "base/fnv.hpp"
+#include "base/safe_text.hpp"
+
+namespace cyl {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Bytes: what the tables have room for.
+constexpr std::size_t name_cap = 40;
+
+constexpr char separator = '\t';  // of what format_guests writes; no guest has one in it
+
+bool is_letter_or_digit(char c) {
+  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9');
+}
+
+/// Letters, digits and, but at the beginning, - _ and dot: a list of names and an option stay readable.
+bool will_do(std::string_view name) {
+  return !name.empty() && name.size() <= name_cap && is_letter_or_digit(name[0]) &&
+         std::all_of(name.begin(), name.end(),
+                     [](char c) { return is_letter_or_digit(c) || c == '-' || c == '_' || c == '.'; });
+}
+
+void check_name(const std::string& name) {
+  if (will_do(name)) return;
+  throw std::invalid_argument("'" + name + "' is no name for a method: it takes at most " +
+                              std::to_string(name_cap) + " letters, digits, - _ and dots");
+}
+
+/// Where `text` begins with a name and '=', how long the name is. FOO=1 is a variable of the shell's.
+std::size_t given_name(std::string_view text) {
+  const std::size_t equals = text.find('=');
+  if (equals == text.npos || text.empty() || text[0] < 'a' || text[0] > 'z') return 0;
+  return will_do(text.substr(0, equals)) ? equals : 0;
+}
+
+const char* option_of(GuestKind kind) { return kind == GuestKind::plugin ? "--plugin" : "--command"; }
+
+}  // namespace
+
+Guest read_guest(GuestKind kind, const std::string& text) {
+  for (const char c : text) {
+    if (std::iscntrl(static_cast<unsigned char>(c)))
+      throw std::invalid_argument(std::string(option_of(kind)) + " has a control character in it");
+  }
+  const std::size_t name = given_name(text);
+  Guest guest{kind, text.substr(0, name), text.substr(name == 0 ? 0 : name + 1), {}};
+  if (guest.what.find_first_not_of(' ') == guest.what.npos)
+    throw std::invalid_argument(std::string(option_of(kind)) + " names nothing");
+  if (kind == GuestKind::plugin) {
+    guest.what = fs::absolute(guest.what).lexically_normal().string();
+  } else {
+    guest.folder = fs::current_path().string();
+  }
+  return guest;
+}
+
+std::string options_for(const Guest& guest) {
+  return option_of(guest.kind) + (' ' + shell_quoted(guest.name + '=' + guest.what));
+}
+
+std::string format_guests(const std::vector<Guest>& guests) {
+  std::string text;
+  for (const Guest& guest : guests) {
+    text += guest.kind == GuestKind::plugin ? "plugin" : "command";
+    for (const std::string* part : {&guest.name, &guest.folder, &guest.what}) (text += separator) += *part;
+    text += '\n';
+  }
+  return text;
+}
+
+std::vector<Guest> parse_guests(std::string_view text) {
+  std::vector<Guest> guests;
+  while (!text.empty()) {
+    std::string_view line = text.substr(0, text.find('\n'));
+    text.remove_prefix(std::min(line.size() + 1, text.size()));
+    std::vector<std::string> parts;
+    while (parts.size() < 3 && line.find(separator) != line.npos) {
+      parts.emplace_back(line.substr(0, line.find(separator)));
+      line.remove_prefix(parts.back().size() + 1);
+    }
+    if (parts.size() != 3 || (parts[0] != "plugin" && parts[0] != "command"))
+      throw std::runtime_error("'" + std::string(line) + "' names no guest");
+    guests.push_back({parts[0] == "plugin" ? GuestKind::plugin : GuestKind::command, parts[1],
+                      std::string(line), parts[2]});
+  }
+  return guests;
+}
+
+std::string fingerprint(std::span<const std::string> files) {
+  std::uint64_t hash = fnv1a("");
+  for (const std::string& file : files) {
+    std::ifstream in(file, std::ios::binary);
+    std::ostringstream bytes;
+    bytes << in.rdbuf();
+    hash = fnv1a(bytes.str(), hash);
+  }
+  char digits[24];
+  std::snprintf(digits, sizeof digits, "%08x", static_cast<unsigned>(hash));
+  return digits;
+}
+
+std::unique_ptr<Method> open_guest(Guest& guest) {
+  try {
+    auto method = guest.kind == GuestKind::plugin ? open_plugin(guest) : open_command(guest);
+    guest.name = method->name();
+    check_name(guest.name);
+    return method;
+  } catch (const std::exception& error) {
+    throw std::runtime_error(std::string(option_of(guest.kind)) + " '" + guest.what + "': " + error.what());
+  }
+}
+
+}  // namespace cyl

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: MIT
+// Methods that are no part of this build: a shared library with the one function of plugin.h, or a program in
+// any language that answers lines with lines (oracles/methods/guest_protocol.hpp; questions as pair_io has
+// them). Nothing of a guest runs in a process that has more to do than to ask it.
+#pragma once
+
+#include <memory>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "oracles/methods/method.hpp"
+
+namespace cyl {
+
+enum class GuestKind : unsigned char { plugin, command };
+
+/// Where a guest is, which is enough to ask it again.
+struct Guest {
+  GuestKind kind;
+  std::string name;    ///< empty: as it says itself, else after its file
+  std::string what;    ///< the file, absolute; or the command, for /bin/sh
+  std::string folder;  ///< where the command runs; of a plug-in empty
+};
+
+/// "NAME=WHAT" or "WHAT", as a command line has it, seen from the working directory; a name begins with a
+/// small letter. Throws std::invalid_argument on a name no method can have, and on control characters.
+Guest read_guest(GuestKind kind, const std::string& text);
+
+/// As a shell takes it: --plugin mine=./libmine.so.
+std::string options_for(const Guest& guest);
+
+/// One line each, and back; the latter throws std::runtime_error on anything else.
+std::string format_guests(const std::vector<Guest>& guests);
+std::vector<Guest> parse_guests(std::string_view text);
+
+/// Loads the library, or asks the program about one easy pair, in a process of its own; guest.name becomes
+/// what the method is called. Throws std::runtime_error, which tells the user what is wrong, where it does
+/// not load, does not answer, or has no name that will do.
+std::unique_ptr<Method> open_guest(Guest& guest);
+
+/// Of the bytes of these files, eight digits. A guest that was changed is another version, whatever it says.
+std::string fingerprint(std::span<const std::string> files);
+
+std::unique_ptr<Method> open_plugin(const Guest& guest);   ///< as open_guest, but for the name
+std::unique_ptr<Method> open_command(const Guest& guest);  ///< likewise
+
+}  // namespace cyl

@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: MIT
+#include "oracles/methods/guest_protocol.hpp"
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+
+namespace cyl {
+namespace {
+
+using nlohmann::json;
+
+/// The most bytes of a line that an error text repeats.
+constexpr std::size_t shown_cap = 40;
+
+std::string shown(std::string_view text) {
+  const std::string part(text.substr(0, shown_cap));
+  return json(part + (text.size() > shown_cap ? "..." : ""))
+      .dump(-1, ' ', false, json::error_handler_t::replace);
+}
+
+double number(const json& value, const char* what) {
+  if (!value.is_number()) throw std::invalid_argument(std::string(what) + " is no number");
+  return value.get<double>();
+}
+
+std::string text_of(const json& object, const char* key) {
+  const auto found = object.find(key);
+  if (found == object.end()) return {};
+  if (!found->is_string()) throw std::invalid_argument(std::string(key) + " is no string");
+  return found->get<std::string>();
+}
+
+const json& three_of(const json& value, const char* what) {
+  if (!value.is_array() || value.size() != 3)
+    throw std::invalid_argument(std::string(what) + " is no list of 3");
+  return value;
+}
+
+Verdict verdict_of(const std::string& word) {
+  for (const Verdict v :
+       {Verdict::disjoint, Verdict::intersecting, Verdict::touching, Verdict::undecided, Verdict::invalid})
+    if (word == to_string(v)) return v;
+  throw std::invalid_argument("the verdict is " + shown(word));
+}
+
+GuestAnswer answer_of(const json& line) {
+  GuestAnswer answer;
+  answer.verdict = verdict_of(text_of(line, "verdict"));
+  if (const auto d = line.find("distance"); d != line.end()) answer.distance = number(*d, "distance");
+  if (const auto d = line.find("direction"); d != line.end()) {
+    answer.direction.emplace();
+    for (std::size_t i = 0; i < 3; ++i)
+      (*answer.direction)[i] = number(three_of(*d, "direction")[i], "a coordinate of direction");
+  }
+  if (const auto p = line.find("point"); p != line.end()) {
+    answer.point.emplace();
+    for (std::size_t i = 0; i < 3; ++i) {
+      const json& x = three_of(*p, "point")[i];
+      const bool sum = x.is_array() && x.size() == 2;
+      (*answer.point)[i] = number(sum ? x[0] : x, "a coordinate of point");
+      (*answer.point)[i + 3] = sum ? number(x[1], "a coordinate of point") : 0;
+    }
+  }
+  return answer;
+}
+
+GuestHello hello_of(const json& line) {
+  GuestHello hello;
+  hello.name = text_of(line, "name");
+  hello.version = text_of(line, "version");
+  const auto claim = line.find("claim");
+  if (claim == line.end()) return hello;
+  if (!claim->is_object()) throw std::invalid_argument("claim is no object");
+  for (const auto& [key, value] :
+       {std::pair("relative", &hello.relative), std::pair("absolute", &hello.absolute)}) {
+    if (const auto found = claim->find(key); found != claim->end()) *value = number(*found, key);
+    if (!(*value >= 0)) throw std::invalid_argument(std::string(key) + " of the claim is negative");
+  }
+  hello.claim_source = text_of(*claim, "source");
+  return hello;
+}
+
+GuestLine read(std::string_view text) {
+  const json line = json::parse(text);
+  if (!line.is_object()) throw std::invalid_argument("no object");
+  GuestLine out;
+  if (line.contains("verdict")) {
+    out.answer = answer_of(line);
+  } else if (line.contains("declined") || line.contains("error")) {
+    out.answer.emplace();
+    out.answer->declined = line.contains("declined");
+    out.answer->reason = text_of(line, out.answer->declined ? "declined" : "error");
+  } else if (line.contains("name") || line.contains("version") || line.contains("claim")) {
+    out.hello = hello_of(line);
+  } else {
+    throw std::invalid_argument("neither a verdict nor declined, error or a hello");
+  }
+  return out;
+}
+
+}  // namespace
+
+GuestLine parse_guest_line(std::string_view text) {
+  GuestLine out;
+  try {
+    return read(text);
+  } catch (const json::exception&) {  // its text may quote much of the line
+    out.error = "not JSON: " + shown(text);
+  } catch (const std::invalid_argument& wrong) {
+    out.error = std::string(wrong.what()) + ": " + shown(text);
+  }
+  return out;
+}
+
+}  // namespace cyl

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: MIT
+#include "oracles/methods/guest_protocol.hpp"
+
+#include <gtest/gtest.h>
+
+namespace cyl {
+namespace {
+
+TEST(GuestLines, AnAnswer) {
+  const GuestLine line = parse_guest_line(
+      R"({"verdict":"intersecting","distance":-0.25,"point":[1,[2,1e-20],-3],"direction":[0,0,1],"x":{}})");
+  ASSERT_TRUE(line.answer) << line.error;
+  EXPECT_FALSE(line.hello);
+  EXPECT_EQ(line.answer->verdict, Verdict::intersecting);
+  EXPECT_EQ(line.answer->distance, -0.25);
+  EXPECT_EQ(line.answer->point, (std::array<double, 6>{1, 2, -3, 0, 1e-20, 0}));
+  EXPECT_EQ(line.answer->direction, (std::array<double, 3>{0, 0, 1}));
+}
+
+TEST(GuestLines, AVerdictAlone) {
+  const GuestLine line = parse_guest_line(R"({"verdict":"touching"})");
+  ASSERT_TRUE(line.answer) << line.error;
+  EXPECT_EQ(line.answer->verdict, Verdict::touching);
+  EXPECT_FALSE(line.answer->distance || line.answer->direction || line.answer->point);
+}
+
+TEST(GuestLines, DecliningIsNoFailing) {
+  const GuestLine declined = parse_guest_line(R"({"declined":"no disks"})");
+  ASSERT_TRUE(declined.answer);
+  EXPECT_TRUE(declined.answer->declined);
+  EXPECT_EQ(declined.answer->reason, "no disks");
+  const GuestLine failed = parse_guest_line(R"({"error":"no convergence"})");
+  ASSERT_TRUE(failed.answer);
+  EXPECT_FALSE(failed.answer->declined || failed.answer->verdict);
+  EXPECT_EQ(failed.answer->reason, "no convergence");
+}
+
+TEST(GuestLines, AHello) {
+  const GuestLine line = parse_guest_line(
+      R"({"name":"mine","version":"1.2","claim":{"relative":1e-6,"absolute":1e-9,"source":"manual"}})");
+  ASSERT_TRUE(line.hello) << line.error;
+  EXPECT_EQ(line.hello->name, "mine");
+  EXPECT_EQ(line.hello->version, "1.2");
+  EXPECT_EQ(line.hello->relative, 1e-6);
+  EXPECT_EQ(line.hello->absolute, 1e-9);
+  EXPECT_EQ(line.hello->claim_source, "manual");
+}
+
+TEST(GuestLines, AnythingElseIsAnErrorThatShowsALittleOfIt) {
+  const auto error = [](std::string_view text) {
+    const GuestLine line = parse_guest_line(text);
+    EXPECT_FALSE(line.hello || line.answer) << text;
+    return line.error;
+  };
+  EXPECT_EQ(error("loading\n..."), "not JSON: \"loading\\n...\"");
+  EXPECT_EQ(error(""), "not JSON: \"\"");
+  EXPECT_EQ(error(R"({"verdict":"disjoint","distance":NaN})"),
+            R"(not JSON: "{\"verdict\":\"disjoint\",\"distance\":NaN}")");
+  EXPECT_EQ(error(R"({"verdict":"disjoint","distance":1e999})").substr(0, 8), "not JSON");
+  EXPECT_EQ(error("[1]"), "no object: \"[1]\"");
+  EXPECT_EQ(error("{}"), "neither a verdict nor declined, error or a hello: \"{}\"");
+  EXPECT_EQ(error(R"({"verdict":"no"})").substr(0, 19), R"(the verdict is "no")");
+  EXPECT_EQ(error(R"({"verdict":7})").substr(0, 20), "verdict is no string");
+  EXPECT_EQ(error(R"({"verdict":"disjoint","direction":[1,2]})").substr(0, 25), "direction is no list of 3");
+  EXPECT_EQ(error(R"({"verdict":"disjoint","point":[1,2,[3]]})").substr(0, 23), "a coordinate of point i");
+  EXPECT_EQ(error(R"({"name":"x","claim":{"relative":-1}})").substr(0, 30), "relative of the claim is negat");
+  EXPECT_LT(error(std::string(100'000, '[')).size(), 100u);
+  EXPECT_EQ(error("\xff\xfe"), "not JSON: \"\xef\xbf\xbd\xef\xbf\xbd\"");
+}
+
+}  // namespace
+}  // namespace cyl

@@ -1,0 +1,240 @@
+// SPDX-License-Identifier: MIT
+#include "oracles/methods/guest.hpp"
+
+#include <gtest/gtest.h>
+#include <signal.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+#include <stdexcept>
+#include <thread>
+
+#include "oracles/methods/contained.hpp"
+
+namespace cyl {
+namespace {
+
+namespace fs = std::filesystem;
+using std::chrono::milliseconds;
+
+constexpr const char* apart = R"({"verdict":"disjoint","distance":0.5,"direction":[1,0,0]})";
+
+/// A shell's program that answers each line by `body`, which finds it in $q and how many there were in $n.
+std::string each_line(const std::string& body) {
+  return "n=0; while read -r q; do n=$((n+1)); " + body + "; done";
+}
+std::string say(const std::string& line) { return "echo '" + line + "'"; }
+
+std::vector<Pair> numbered_pairs(std::size_t count) {
+  std::vector<Pair> pairs(count, {{{0, 0, 0}, {0, 0, 1}, 1, 2}, {{5, 0, 0}, {0, 0, 1}, 1, 2}});
+  for (std::size_t i = 0; i < count; ++i) pairs[i].a.radius = static_cast<double>(i + 1);
+  return pairs;
+}
+
+std::unique_ptr<Method> command(const std::string& text) {
+  Guest guest = read_guest(GuestKind::command, "test=" + text);
+  return open_guest(guest);
+}
+
+/// What it says of so many pairs, numbered from 1 by their first radius.
+std::vector<MethodAnswer> ask(std::unique_ptr<Method> method, std::size_t count, Way way = Way::usual) {
+  std::vector<std::unique_ptr<Method>> methods;
+  methods.push_back(std::move(method));
+  std::vector<Question> questions;
+  for (std::size_t i = 0; i < count; ++i) questions.push_back({0, i, way});
+  std::vector<MethodAnswer> answers;
+  for (const ContainedAnswer& said : ask_contained(methods, numbered_pairs(count), questions))
+    answers.push_back(said.answer);
+  return answers;
+}
+
+/// A program that does `body` where the first radius is 2, and is right elsewhere.
+std::vector<MethodAnswer> ask_with_trouble(const std::string& body) {
+  const std::string trouble =
+      "case $q in *'\"radius\":2,\"height\":2},\"b\"'*) " + body + ";; *) " + say(apart) + ";; esac";
+  const auto answers = ask(command(each_line(trouble)), 4);
+  for (const std::size_t i : {0u, 2u, 3u}) {
+    EXPECT_EQ(answers[i].status, Status::answered) << i << ": " << answers[i].reason;
+    EXPECT_EQ(answers[i].verdict, Verdict::disjoint);
+  }
+  return answers;
+}
+
+TEST(GuestCommand, AnswersWithAllItSays) {
+  const auto answers = ask(command(each_line(say(apart))), 3);
+  for (const MethodAnswer& answer : answers) {
+    EXPECT_EQ(answer.status, Status::answered) << answer.reason;
+    EXPECT_EQ(answer.verdict, Verdict::disjoint);
+    EXPECT_TRUE(answer.has_distance);
+    EXPECT_EQ(answer.distance, 0.5);
+    EXPECT_EQ(answer.witness, WitnessKind::direction);
+    EXPECT_EQ(answer.head[0], 1);
+  }
+}
+
+TEST(GuestCommand, TheHelloGivesNameVersionAndClaim) {
+  const std::string hello = R"({"name":"polite","version":"3","claim":{"relative":1e-6,"source":"p. 7"}})";
+  Guest guest = read_guest(GuestKind::command, say(hello) + "; " + each_line(say(apart)));
+  const auto method = open_guest(guest);
+  EXPECT_EQ(guest.name, "polite");
+  EXPECT_EQ(method->name(), "polite");
+  EXPECT_EQ(method->version(), "3");
+  EXPECT_EQ(method->claim().relative, 1e-6);
+  EXPECT_EQ(method->claim().source, "p. 7");
+  EXPECT_EQ(method->ask(numbered_pairs(1)[0]).status, Status::answered);
+}
+
+TEST(GuestCommand, AProgramThatWasChangedIsAnotherVersion) {
+  const fs::path file = fs::temp_directory_path() / ("guest_version" + std::to_string(getpid()) + ".sh");
+  const auto version_of = [&](const std::string& program) {
+    std::ofstream(file) << program << '\n';
+    Guest guest = read_guest(GuestKind::command, "test=sh -e " + file.string());
+    guest.folder = "/";
+    return std::string(open_guest(guest)->version());
+  };
+  const std::string before = version_of(each_line(say(apart)));
+  EXPECT_TRUE(before.starts_with("unversioned (")) << before;
+  EXPECT_EQ(version_of(each_line(say(apart))), before);
+  EXPECT_NE(version_of(each_line("true; " + say(apart))), before);
+  fs::remove(file);
+}
+
+TEST(GuestCommand, AskedFromAThreadThatEndsItGoesOn) {
+  const auto method = command(each_line("echo \"{\\\"verdict\\\":\\\"disjoint\\\",\\\"distance\\\":$n}\""));
+  for (int i = 1; i <= 3; ++i) {
+    const MethodAnswer answer = put(*method, numbered_pairs(1)[0], Way::other_thread);
+    EXPECT_EQ(answer.distance, i) << answer.reason;  // of one process
+  }
+}
+
+TEST(GuestCommand, ADeathIsACrashAndItIsStartedAgain) {
+  const auto answers = ask_with_trouble("echo 'no such shape' >&2; exit 3");
+  EXPECT_EQ(answers[1].failure, Failure::crash);
+  EXPECT_STREQ(answers[1].reason, "ended with status 3, after printing: no such shape");
+  EXPECT_STREQ(ask_with_trouble("kill -SEGV $$")[1].reason, "SIGSEGV");
+}
+
+TEST(GuestCommand, AHangIsEnded) {
+  const auto answers = ask_with_trouble("while :; do :; done");
+  EXPECT_EQ(answers[1].failure, Failure::hang);
+}
+
+/// Says that a program of its own hung.
+class Sleeper final : public Method {
+ public:
+  std::string_view name() const override { return "sleeper"; }
+  std::string_view version() const override { return "0"; }
+  Claim claim() const override { return {}; }
+  MethodAnswer ask(const Pair&) override {
+    MethodAnswer answer;
+    answer.status = Status::failed;
+    answer.failure = Failure::hang;
+    return answer;
+  }
+};
+
+TEST(GuestCommand, ItsHangsCountAsAnyMethods) {
+  std::vector<std::unique_ptr<Method>> methods;
+  methods.push_back(std::make_unique<Sleeper>());
+  const std::vector<Question> questions{{0, 0}, {0, 0}, {0, 0}};
+  const auto said = ask_contained(methods, numbered_pairs(1), questions, {.hangs = 2});
+  EXPECT_EQ(said[1].answer.failure, Failure::hang);
+  EXPECT_EQ(said[2].answer.status, Status::declined) << said[2].answer.reason;
+}
+
+TEST(GuestCommand, GarbageIsMalformedAndShown) {
+  const auto answers = ask_with_trouble("echo loading textures");
+  EXPECT_EQ(answers[1].failure, Failure::malformed);
+  EXPECT_STREQ(answers[1].reason, "not JSON: \"loading textures\"");
+}
+
+TEST(GuestCommand, LinesTooLongAreMalformed) {
+  for (const char* long_line : {"head -c 300000 /dev/zero | tr '\\0' ' '; echo", "yes | tr -d '\\n'"}) {
+    const auto answers = ask_with_trouble(long_line);
+    EXPECT_EQ(answers[1].failure, Failure::malformed);
+    EXPECT_STREQ(answers[1].reason, "a line of more than 65536 bytes");
+  }
+}
+
+TEST(GuestCommand, WhoSaysTwoLinesToOneQuestionIsNotBelieved) {
+  const std::string twice = std::string("printf '%s\\n%s\\n' '") + apart + "' '" + apart + "'";
+  const auto answers = ask(command(each_line(twice)), 4);
+  for (const std::size_t i : {1u, 3u}) EXPECT_EQ(answers[i].failure, Failure::malformed);
+  EXPECT_STREQ(answers[1].reason, "said more than one line to a question");
+}
+
+TEST(GuestCommand, DecliningAndErrorsAreToldApart) {
+  EXPECT_EQ(ask_with_trouble(say(R"({"declined":"no disks"})"))[1].status, Status::declined);
+  const MethodAnswer error = ask_with_trouble(say(R"({"error":"no convergence"})"))[1];
+  EXPECT_EQ(error.failure, Failure::exception);
+  EXPECT_STREQ(error.reason, "no convergence");
+}
+
+TEST(GuestCommand, NothingOfItOutlivesTheWorker) {
+  const fs::path file = fs::temp_directory_path() / ("guest_test_" + std::to_string(getpid()));
+  const auto answers =
+      ask(command(each_line("echo $$ >>'" + file.string() + "'; sleep 1000 & " + say(apart))), 2);
+  EXPECT_EQ(answers[1].status, Status::answered) << answers[1].reason;
+  std::ifstream in(file);
+  int processes = 0;
+  for (pid_t process; in >> process; ++processes) {
+    for (int i = 0; i < 500 && kill(-process, 0) == 0; ++i) std::this_thread::sleep_for(milliseconds(10));
+    EXPECT_NE(kill(-process, 0), 0) << process;
+  }
+  EXPECT_EQ(processes, 3);
+  fs::remove(file);
+}
+
+TEST(GuestCommand, WhatCannotBeAskedIsRefusedAtOnce) {
+  const auto refusal = [](const std::string& text) -> std::string {
+    try {
+      command(text);
+    } catch (const std::runtime_error& error) {
+      return error.what();
+    }
+    return "not refused";
+  };
+  EXPECT_NE(refusal("/nowhere/at/all").find("ended with status 127, after printing: "), std::string::npos);
+  EXPECT_NE(refusal("echo hello").find("not JSON"), std::string::npos);
+  EXPECT_NE(refusal("cat").find("neither a verdict"), std::string::npos);
+}
+
+TEST(GuestNames, GivenOrDerived) {
+  const auto name = [](const std::string& text) {
+    Guest guest = read_guest(GuestKind::command, text);
+    return std::string(open_guest(guest)->name());
+  };
+  EXPECT_EQ(read_guest(GuestKind::command, "mine=FOO=1 x").name, "mine");
+  EXPECT_EQ(read_guest(GuestKind::command, "FOO=1 x").name, "");
+  EXPECT_EQ(read_guest(GuestKind::command, "FOO=1 x").what, "FOO=1 x");
+  const fs::path file = fs::temp_directory_path() / ("guest" + std::to_string(getpid()) + ".sh");
+  std::ofstream(file) << each_line(say(apart)) << '\n';
+  EXPECT_EQ(name("sh  -e " + file.string() + " --fast"), file.stem().string());
+  fs::remove(file);
+  EXPECT_THROW(read_guest(GuestKind::command, "a\tb"), std::invalid_argument);
+  EXPECT_THROW(read_guest(GuestKind::plugin, ""), std::invalid_argument);
+  EXPECT_THROW(name("test=" + say(R"({"name":"a,b"})")), std::runtime_error);
+}
+
+TEST(GuestNames, AreWrittenAndReadBack) {
+  const std::vector<Guest> guests{read_guest(GuestKind::plugin, "mine=lib x.so"),
+                                  read_guest(GuestKind::command, "other=python3  'a b.py' =")};
+  const auto again = parse_guests(format_guests(guests));
+  ASSERT_EQ(again.size(), 2u);
+  for (std::size_t i = 0; i < 2; ++i) {
+    EXPECT_EQ(again[i].kind, guests[i].kind);
+    EXPECT_EQ(again[i].name, guests[i].name);
+    EXPECT_EQ(again[i].what, guests[i].what);
+    EXPECT_EQ(again[i].folder, guests[i].folder);
+  }
+  EXPECT_TRUE(fs::path(again[0].what).is_absolute());
+  EXPECT_TRUE(parse_guests("").empty());
+  EXPECT_THROW(parse_guests("nonsense"), std::runtime_error);
+}
+
+}  // namespace
+}  // namespace cyl

@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: MIT
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <string>
+
+#include "corpus/pairs/families.hpp"
+#include "corpus/store/case_files.hpp"
+#include "oracles/methods/literature_2008_errata_test.hpp"
+#include "oracles/referee/referee.hpp"
+#include "oracles/trial/compare.hpp"
+#include "solver/decide.hpp"
+
+namespace cyl {
+namespace {
+
+constexpr std::uint64_t pairs_per_family = 100;
+constexpr std::uint64_t family_seed = 20080302;
+
+const Erratum* find_erratum(std::string_view id) {
+  for (const Erratum& erratum : errata_2008())
+    if (erratum.id == id) return &erratum;
+  return nullptr;
+}
+
+TEST(Errata2008, AreWrongWithTheFaultAndRightWithout) {
+  int replayed = 0;
+  for (const Case& c : read_case_folder(DAYLIGHT_SOURCE_DIR "/corpus/cases")) {
+    const Erratum* erratum = find_erratum(c.id);
+    if (!erratum) continue;
+    ++replayed;
+    EXPECT_EQ(judge(c.pair).verdict, c.truth) << c.id;
+    EXPECT_EQ(without_fault(*erratum, c.pair), c.truth) << c.id;
+    const Verdict wrong = with_fault(*erratum, c.pair);
+    EXPECT_NE(wrong, c.truth) << c.id;
+    EXPECT_TRUE(wrong == Verdict::disjoint || wrong == Verdict::intersecting) << c.id;
+  }
+  EXPECT_EQ(replayed, 6);
+}
+
+// Those of which no pair shows anything: a campaign on the families changes no verdict.
+TEST(Errata2008, HarmlessOnesChangeNoVerdict) {
+  for (const std::string_view id : {"errata-2008-vanished-derivative-term", "errata-2008-equal-eigenvalues",
+                                    "errata-book-equal-eigenvalues"}) {
+    const Erratum& erratum = *find_erratum(id);
+    for (const Family& family : families())
+      for (std::uint64_t index = 0; index < pairs_per_family; ++index) {
+        const Pair pair = family.generate(family_seed, index);
+        ASSERT_EQ(with_fault(erratum, pair), without_fault(erratum, pair)) << id << family.name << index;
+      }
+  }
+}
+
+class SeedMethods2008 : public testing::TestWithParam<std::size_t> {};
+
+// `decide` and its certificates against every setting without faults.
+TEST_P(SeedMethods2008, AgreeWithDecideBeyondTheirClaim) {
+  const Family& family = families()[GetParam()];
+  for (const auto& method : seed_2008_methods()) {
+    if (method->name().find("printed") != std::string_view::npos) continue;
+    for (std::uint64_t index = 0; index < pairs_per_family; ++index) {
+      const Pair pair = family.generate(family_seed, index);
+      const MethodAnswer answer = method->ask(pair);
+      const Verdict truth = decide(pair.a, pair.b).verdict;
+      if (answer.verdict == truth || truth == Verdict::undecided) continue;
+      const Truth proved = judge(pair);
+      LazyDistance distance([&](double width) { return enclose_distance(pair, proved, width); });
+      const auto finding = compare(pair, proved, distance, method->claim(), answer);
+      EXPECT_FALSE(finding && finding->severity == Severity::contract)
+          << method->name() << ' ' << family.name << ' ' << index;
+    }
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(EachFamily, SeedMethods2008, testing::Range<std::size_t>(0, families().size()),
+                         [](const auto& info) { return std::string(families()[info.param].name); });
+
+TEST(SeedMethods2008Printed, AreOftenWrong) {
+  const Family& family = *find_family("random");
+  for (const auto& method : seed_2008_methods()) {
+    if (method->name() != "seed2008-printed") continue;
+    int wrong = 0;
+    for (std::uint64_t index = 0; index < 1000; ++index) {
+      const Pair pair = family.generate(family_seed, index);
+      wrong += method->ask(pair).verdict != judge(pair).verdict;
+    }
+    EXPECT_GT(wrong, 50);
+  }
+}
+
+}  // namespace
+}  // namespace cyl

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: MIT
+#include "oracles/methods/method.hpp"
+
+#include <stdexcept>
+#include <utility>
+
+namespace cyl {
+
+std::vector<std::size_t> select_names(const std::vector<std::string>& names, std::string_view spec) {
+  const bool all_but = spec.starts_with('-');
+  if (all_but) spec.remove_prefix(1);
+
+  std::vector<bool> named(names.size());
+  while (true) {
+    const std::string item(spec.substr(0, spec.find(',')));
+    bool known = false;
+    for (std::size_t i = 0; i < names.size(); ++i)
+      if (names[i] == item || (!item.empty() && names[i].starts_with(item + '-'))) named[i] = known = true;
+    if (!known) {
+      // Settings of one method have its name before the first dash.
+      std::string message = "unknown name '" + item + "'; known are", last;
+      for (const std::string& name : names) {
+        const std::string stem = name.substr(0, name.find('-'));
+        if (stem != last) message += ' ' + stem;
+        last = stem;
+      }
+      throw std::invalid_argument(message);
+    }
+    if (item.size() == spec.size()) break;
+    spec.remove_prefix(item.size() + 1);
+  }
+
+  std::vector<std::size_t> kept;
+  for (std::size_t i = 0; i < names.size(); ++i)
+    if (named[i] != all_but) kept.push_back(i);
+  return kept;
+}
+
+std::vector<std::unique_ptr<Method>> select_methods(std::vector<std::unique_ptr<Method>> methods,
+                                                    std::string_view spec) {
+  std::vector<std::string> names;
+  for (const auto& method : methods) names.emplace_back(method->name());
+  std::vector<std::unique_ptr<Method>> kept;
+  for (std::size_t i : select_names(names, spec)) kept.push_back(std::move(methods[i]));
+  return kept;
+}
+
+}  // namespace cyl

@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: MIT
+// A method: anything that answers a pair. It may decline or fail; it is never trusted.
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <memory>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "corpus/pairs/method_answer.hpp"
+#include "solver/cylinder.hpp"
+
+namespace cyl {
+
+/// From where on a method promises to be right: wherever |distance| >= relative * size + absolute.
+struct Claim {
+  double relative = 0;
+  double absolute = 0;      ///< a length in the scene's unit
+  std::string_view source;  ///< the line of its documentation or source that says so
+};
+
+/// Interface of a method. `ask` may do anything foreign code does: throw, abort, hang. Callers who cannot
+/// afford that go through contained.hpp. `ask` is called from one thread; the same pair gives the same
+/// answer.
+class Method {
+ public:
+  virtual ~Method() = default;
+  virtual std::string_view name() const = 0;     ///< <library>[-<way>][-<setting>]
+  virtual std::string_view version() const = 0;  ///< of the library, as found at build or run time
+  virtual Claim claim() const = 0;
+  virtual bool foreign() const { return true; }
+  virtual bool guest() const { return false; }  ///< no part of this build: guest.hpp
+  /// Asked on every index divisible by this (and wherever others disagree): > 1 for costly methods.
+  virtual unsigned share() const { return 1; }
+  virtual MethodAnswer ask(const Pair& pair) = 0;
+
+  using Call = std::function<Verdict(std::size_t)>;
+  /// For timing alone: does for all pairs what a user does once a solid (shapes built, axes normalised). The
+  /// call returned says yes or no of pair i; it holds what it needs of `pairs`. Empty where there is no such
+  /// way.
+  virtual Call prepare_all(std::span<const Pair> pairs) {
+    static_cast<void>(pairs);
+    return {};
+  }
+  using DistanceCall = std::function<double(std::size_t)>;
+  /// Likewise, for the signed distance with whatever witness comes with it; the call gives NaN where the
+  /// method has none (many give none of overlapping solids).
+  virtual DistanceCall prepare_distances(std::span<const Pair> pairs) {
+    static_cast<void>(pairs);
+    return {};
+  }
+  using BatchCall = std::function<void(std::span<Verdict>)>;
+  /// Likewise, for all pairs in one call.
+  virtual BatchCall prepare_batch(std::span<const Pair> pairs) {
+    static_cast<void>(pairs);
+    return {};
+  }
+};
+
+/// Every method of this build, in a fixed order: ours first.
+std::vector<std::unique_ptr<Method>> all_methods();
+
+/// The same libraries at more of their settings, for curves of speed against accuracy: no campaign asks
+/// them. Names follow those of all_methods(), with which they share none.
+std::vector<std::unique_ptr<Method>> setting_methods();
+
+std::vector<std::unique_ptr<Method>> own_methods();        ///< intersect, decide, distance, exact
+std::vector<std::unique_ptr<Method>> seed_2008_methods();  ///< the text of 2008 and the page of the book
+std::vector<std::unique_ptr<Method>> seed_2017_methods();  ///< of the text of 2017: put right, and as printed
+std::vector<std::unique_ptr<Method>> nlopt_methods();
+std::vector<std::unique_ptr<Method>> fcl_methods();
+std::vector<std::unique_ptr<Method>> bullet_methods();
+std::vector<std::unique_ptr<Method>> ccd_methods();
+std::vector<std::unique_ptr<Method>> ode_methods();
+std::vector<std::unique_ptr<Method>> mujoco_methods();
+std::vector<std::unique_ptr<Method>> nlopt_settings();   ///< evaluations
+std::vector<std::unique_ptr<Method>> fcl_settings();     ///< tolerances
+std::vector<std::unique_ptr<Method>> bullet_settings();  ///< sides of the hull
+std::vector<std::unique_ptr<Method>> ccd_settings();     ///< tolerances of MPR; GJK reads none
+std::vector<std::unique_ptr<Method>> mujoco_settings();  ///< tolerances
+
+/// Keeps the methods that `spec` names: "a,b" keeps a and b, "-a,b" (given as --methods=-a,b) all but a and
+/// b; a name stands for every method that is it or begins with it and '-'. Throws std::invalid_argument on an
+/// unknown name.
+std::vector<std::unique_ptr<Method>> select_methods(std::vector<std::unique_ptr<Method>> methods,
+                                                    std::string_view spec);
+
+/// The same rule for any list of names (families): the indices kept, in order.
+std::vector<std::size_t> select_names(const std::vector<std::string>& names, std::string_view spec);
+
+}  // namespace cyl

@@ -1,0 +1,461 @@
+// SPDX-License-Identifier: MIT
+#include <gtest/gtest.h>
+#include <mujoco/mujoco.h>
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <filesystem>
+#include <numbers>
+#include <set>
+#include <stdexcept>
+
+#include "oracles/methods/adapter.hpp"
+#include "oracles/methods/contained.hpp"
+#include "oracles/methods/method.hpp"
+#include "oracles/trial/compare.hpp"
+
+namespace cyl {
+namespace {
+
+struct Known {
+  Pair pair;
+  Verdict verdict;
+  double distance;  ///< exact up to rounding where disjoint
+};
+
+double extent_of(const Pair& p) { return p.a.radius + p.a.height + p.b.radius + p.b.height; }
+
+/// The point of c farthest along the unit vector d.
+Vector3 support(const Cylinder& c, const Vector3& d) {
+  const Vector3 w = unit_axis(c.axis);
+  const Vector3 side = w.cross(d).cross(w);
+  return c.center + std::copysign(c.height / 2, d.dot(w)) * w + c.radius * side.normalized();
+}
+
+/// Moves b so that its point nearest along d is `gap` beyond a's: then `gap` is the distance, d its
+/// direction.
+Known apart(Pair p, Vector3 d, double gap) {
+  d.normalize();
+  p.b.center += support(p.a, d) + gap * d - support(p.b, -d);
+  return {p, Verdict::disjoint, gap};
+}
+
+/// Pairs a margin of 0.1 or more away from touching, at a length unit of `scale`: in generic poses, apart and
+/// with one centre, then side by side and end to end, apart and overlapping.
+std::vector<Known> easy_pairs(double scale = 1) {
+  const Vector3 axes[] = {{0, 0, 1}, {0.3, -0.2, 1}, {1, 2, 3}, {-1, 0.5, 0.1}};
+  const Vector3 directions[] = {{1, 0.1, 0.2}, {0.1, -1, 0.7}, {-0.3, 0.4, 1.1}};
+  const double shapes[][2] = {{1, 2}, {0.3, 4}, {2, 0.5}};
+  std::vector<Known> known;
+  for (std::size_t i = 0; i < 24; ++i) {
+    Pair p;
+    p.a = {{0.1, -0.2, 0.3}, axes[i % 4], shapes[i % 3][0], shapes[i % 3][1]};
+    p.b = {{0, 0, 0}, axes[(i / 3 + 1) % 4], shapes[(i / 2) % 3][0], shapes[(i / 2) % 3][1]};
+    for (Cylinder* c : {&p.a, &p.b}) {
+      c->center *= scale;
+      c->radius *= scale;
+      c->height *= scale;
+    }
+    known.push_back(apart(p, directions[i % 3], 0.1 * extent_of(p)));
+    p.b.center = p.a.center;
+    known.push_back({p, Verdict::intersecting, 0});
+  }
+  const Vector3 w = unit_axis(axes[1]);
+  const Vector3 side = w.unitOrthogonal();
+  Pair p{{{0.1, -0.2, 0.3}, w, 1, 2}, {{0, 0, 0}, -w, 0.5, 3}};
+  for (Cylinder* c : {&p.a, &p.b}) {
+    c->center *= scale;
+    c->radius *= scale;
+    c->height *= scale;
+  }
+  for (double gap : {0.1 * extent_of(p), -0.1 * extent_of(p)}) {
+    const Verdict verdict = gap > 0 ? Verdict::disjoint : Verdict::intersecting;
+    p.b.center = p.a.center + (p.a.radius + p.b.radius + gap) * side;
+    known.push_back({p, verdict, gap});
+    p.b.center = p.a.center + (p.a.height / 2 + p.b.height / 2 + gap) * w;
+    known.push_back({p, verdict, gap});
+  }
+  return known;
+}
+
+std::vector<std::unique_ptr<Method>> chosen(std::string_view spec) {
+  return select_methods(all_methods(), spec);
+}
+
+Cylinder upright(const Vector3& center) { return {center, {0, 0, 1}, 1, 2}; }
+
+std::vector<std::string> names_of(const std::vector<std::unique_ptr<Method>>& methods) {
+  std::vector<std::string> names;
+  for (const auto& m : methods) names.emplace_back(m->name());
+  return names;
+}
+
+TEST(Methods, EachSaysWhoItIsAndWhatItClaims) {
+  std::set<std::string> names;
+  bool foreign_seen = false;
+  for (const auto& m : all_methods()) {
+    EXPECT_TRUE(names.emplace(m->name()).second) << m->name() << " twice";
+    EXPECT_FALSE(m->version().empty()) << m->name();
+    EXPECT_FALSE(m->claim().source.empty()) << m->name();
+    EXPECT_GE(m->share(), 1u);
+    EXPECT_FALSE(foreign_seen && !m->foreign()) << m->name() << " is ours and comes late";
+    foreign_seen |= m->foreign();
+  }
+  EXPECT_TRUE(foreign_seen);
+}
+
+TEST(Settings, AreMoreOfTheSameUnderNamesOfTheirOwn) {
+  const std::vector<std::string> names = names_of(all_methods());
+  std::set<std::string> all(names.begin(), names.end());
+  for (const auto& m : setting_methods()) {
+    EXPECT_TRUE(all.emplace(m->name()).second) << m->name() << " twice";
+    const std::string known(m->name().substr(0, m->name().find('-')));
+    EXPECT_TRUE(std::any_of(names.begin(), names.end(), [&](const auto& n) { return n.starts_with(known); }))
+        << m->name();
+    for (const Known& k : easy_pairs()) EXPECT_EQ(m->ask(k.pair).verdict, k.verdict) << m->name();
+  }
+}
+
+TEST(Methods, EachIsRightFarFromTouching) {
+  for (const auto& m : all_methods()) {
+    if (m->name().ends_with("-printed")) continue;  // a document with its faults
+    for (const Known& k : easy_pairs()) {
+      const MethodAnswer answer = m->ask(k.pair);
+      ASSERT_EQ(answer.status, Status::answered) << m->name() << ": " << answer.reason;
+      EXPECT_EQ(answer.verdict, k.verdict) << m->name();
+      if (!answer.has_distance) continue;
+      if (k.verdict == Verdict::disjoint) {
+        EXPECT_NEAR(answer.distance, k.distance, 2e-2 * extent_of(k.pair)) << m->name();
+      } else {
+        EXPECT_LE(answer.distance, 0) << m->name();
+      }
+    }
+  }
+}
+
+TEST(Methods, DirectionsSeparateAndPointFromAToB) {
+  for (const auto& m : chosen("decide,exact,nlopt,fcl-distance-libccd")) {
+    for (const Known& k : easy_pairs()) {
+      const MethodAnswer answer = m->ask(k.pair);
+      if (k.verdict != Verdict::disjoint) {
+        EXPECT_NE(answer.witness, WitnessKind::direction) << m->name();
+        continue;
+      }
+      ASSERT_EQ(answer.witness, WitnessKind::direction) << m->name();
+      const Vector3 d = Vector3(answer.head).normalized();
+      EXPECT_GT(d.dot(support(k.pair.b, -d) - support(k.pair.a, d)), 0) << m->name();
+    }
+  }
+}
+
+TEST(Methods, DecideProves) {
+  for (const auto& m : chosen("decide"))
+    for (const Known& k : easy_pairs())
+      EXPECT_EQ(m->ask(k.pair).witness,
+                k.verdict == Verdict::disjoint ? WitnessKind::direction : WitnessKind::point);
+}
+
+TEST(Methods, TheLengthOfAnAxisDoesNotMatter) {
+  for (const auto& m : chosen("nlopt,fcl,bullet,libccd,ode,mujoco")) {
+    for (const Known& k : easy_pairs()) {
+      Pair stretched = k.pair;
+      stretched.a.axis *= 0x1p-600;
+      stretched.b.axis *= 0x1p600;
+      const MethodAnswer plain = m->ask(k.pair);
+      const MethodAnswer answer = m->ask(stretched);
+      EXPECT_EQ(answer.verdict, plain.verdict) << m->name();
+      EXPECT_EQ(answer.distance, plain.distance) << m->name();
+    }
+  }
+}
+
+TEST(Methods, ForeignOnesDeclineWhatIsNoCylinder) {
+  Pair p{upright({0, 0, 0}), upright({3, 0, 0})};
+  p.b.axis = {0, 0, 0};
+  for (const auto& m : chosen("nlopt,fcl,bullet,libccd,ode,mujoco")) {
+    const MethodAnswer answer = m->ask(p);
+    EXPECT_EQ(answer.status, Status::declined) << m->name();
+    EXPECT_STREQ(answer.reason, "b: axis is zero");
+  }
+}
+
+TEST(Methods, TheSamePairGivesTheSameAnswerInAnyOrder) {
+  const auto known = easy_pairs();
+  for (const auto& m : chosen("fcl,bullet,libccd,ode,mujoco")) {
+    std::vector<MethodAnswer> answers;
+    for (const Known& k : known) answers.push_back(m->ask(k.pair));
+    for (std::size_t i = known.size(); i-- > 0;)
+      EXPECT_TRUE(same_answer(m->ask(known[i].pair), answers[i])) << m->name();
+  }
+}
+
+TEST(Methods, PreparedCallsSayWhatAskSays) {
+  std::vector<Pair> pairs;
+  for (const Known& k : easy_pairs()) pairs.push_back(k.pair);
+  std::set<std::string> verdicts, distances;
+  for (const auto& m : chosen("fcl,bullet,libccd,ode,mujoco")) {
+    const auto verdict_of = m->prepare_all(pairs);
+    const auto distance_of = m->prepare_distances(pairs);
+    if (verdict_of) verdicts.emplace(m->name());
+    if (distance_of) distances.emplace(m->name());
+    for (std::size_t i = 0; i < pairs.size(); ++i) {
+      const MethodAnswer answer = m->ask(pairs[i]);
+      if (verdict_of) {
+        EXPECT_EQ(verdict_of(i), answer.verdict) << m->name();
+      }
+      if (!distance_of) continue;
+      const double distance = distance_of(i);
+      EXPECT_EQ(std::isnan(distance), !answer.has_distance) << m->name();
+      if (answer.has_distance) {
+        EXPECT_EQ(distance, answer.distance) << m->name();
+      }
+    }
+  }
+  EXPECT_EQ(verdicts.size(), 15u);
+  EXPECT_EQ(distances,
+            (std::set<std::string>{"fcl-distance-libccd", "fcl-distance-libccd-tol1e-10", "bullet-cylinder",
+                                   "bullet-cylinder-margin0", "bullet-gjkepa2"}));
+}
+
+TEST(Methods, ExtremeScalesStayInTheWorker) {
+  const auto methods = all_methods();
+  std::vector<Pair> pairs;
+  for (double scale : {1e-300, 1e-150, 1e-20, 1e20, 1e150, 1e300})
+    for (const Known& k : easy_pairs(scale)) pairs.push_back(k.pair);
+  std::vector<Question> questions;
+  for (std::size_t m = 0; m < methods.size(); ++m)
+    for (std::size_t p = 0; p<pairs.size(); p += methods[m]->share()> 1 ? 7 : 1) questions.push_back({m, p});
+  const auto answers = ask_contained(methods, pairs, questions, {.call_cpu = std::chrono::milliseconds(200)});
+  ASSERT_EQ(answers.size(), questions.size());
+  for (const ContainedAnswer& a : answers)
+    EXPECT_TRUE(a.answer.status != Status::failed || a.answer.reason[0] != 0);
+}
+
+TEST(Nlopt, FindsTheDistanceAtEveryScale) {
+  for (const auto& m : chosen("nlopt-direct-600,nlopt-mlsl")) {
+    for (double scale : {1e-300, 1.0, 1e150}) {
+      for (const Known& k : easy_pairs(scale)) {
+        const MethodAnswer answer = m->ask(k.pair);
+        ASSERT_EQ(answer.verdict, k.verdict) << m->name() << " at " << scale;
+        ASSERT_TRUE(answer.has_distance);
+        if (k.verdict == Verdict::disjoint) {
+          EXPECT_NEAR(answer.distance / extent_of(k.pair), k.distance / extent_of(k.pair), 1e-7) << m->name();
+        }
+      }
+    }
+  }
+}
+
+// Rim against rim, neither axis nor their cross product separates: only a search can find it.
+TEST(Nlopt, FindsANarrowSeparation) {
+  const Pair p{{{0, 0, 0}, {1, 2, 3}, 1, 2}, {{0, 0, 0}, {-1, 0.5, 0.1}, 1, 2}};
+  const Known k = apart(p, {0.2, 0.9, -0.4}, 1e-4 * extent_of(p));
+  for (const auto& m : chosen("nlopt")) {
+    const MethodAnswer answer = m->ask(k.pair);
+    EXPECT_EQ(answer.verdict, Verdict::disjoint) << m->name();
+    EXPECT_EQ(answer.has_distance, m->name() != "nlopt-sign-600");
+  }
+}
+
+TEST(Nlopt, TheSamePairGivesTheSameAnswerWhateverCameBefore) {
+  const auto known = easy_pairs();
+  for (const auto& m : chosen("nlopt")) {
+    const MethodAnswer first = m->ask(known[2].pair);
+    for (std::size_t before : {2u, 7u, 12u}) {
+      m->ask(known[before].pair);
+      const MethodAnswer again = m->ask(known[2].pair);
+      EXPECT_EQ(std::memcmp(&first.distance, &again.distance, sizeof first.distance), 0) << m->name();
+      EXPECT_EQ(std::memcmp(first.head, again.head, sizeof first.head), 0) << m->name();
+    }
+  }
+}
+
+// The depth of an overlap is where a search can end in the wrong basin: 0.8 along the common axis, near the
+// middle of one chart, and 0.9 across it.
+TEST(Nlopt, FindsTheLeastDepthOnEveryChart) {
+  for (int i = 0; i < 3; ++i) {
+    Vector3 w(0.05, 0.02, 0.03);
+    w[i] = 1;
+    w.normalize();
+    const Pair p{{{0, 0, 0}, w, 1, 1}, {0.2 * w + 1.1 * w.unitOrthogonal(), w, 1, 1}};
+    for (const auto& m : chosen("nlopt")) {
+      const MethodAnswer answer = m->ask(p);
+      ASSERT_TRUE(answer.has_distance) << m->name();
+      EXPECT_NEAR(answer.distance, -0.8, 1e-6) << m->name() << ' ' << i;
+    }
+  }
+}
+
+TEST(Nlopt, OffsetsThatOverflow) {
+  Pair p{upright({-1.5e308, 0, 0}), upright({1.5e308, 0, 0})};
+  p.a.radius = p.b.radius = 1e308;
+  for (const auto& m : chosen("nlopt-direct-600")) {
+    const MethodAnswer answer = m->ask(p);
+    EXPECT_EQ(answer.verdict, Verdict::disjoint);
+    EXPECT_NEAR(answer.distance, 1e308, 1e301);
+  }
+}
+
+TEST(Nlopt, ADistanceThatOverflowsIsNotSaid) {
+  const Pair p{upright({-1.5e308, 0, 0}), upright({1.5e308, 0, 0})};
+  for (const auto& m : chosen("nlopt-direct-600")) {
+    const MethodAnswer answer = m->ask(p);
+    EXPECT_EQ(answer.verdict, Verdict::disjoint);
+    EXPECT_FALSE(answer.has_distance);
+  }
+}
+
+TEST(BulletHull, DeclinesBetweenThePrisms) {
+  // The polygon has a vertex towards angle 0 and the middle of a side towards pi/16.
+  const double side_angle = std::numbers::pi / 16;
+  const Vector3 to_side(std::cos(side_angle), std::sin(side_angle), 0);
+  for (const auto& m : chosen("bullet-hull-16")) {
+    const auto ask = [&](const Vector3& offset) { return m->ask({upright({0, 0, 0}), upright(offset)}); };
+    EXPECT_EQ(ask({2.001, 0, 0}).status, Status::declined);
+    EXPECT_EQ(ask(1.999 * to_side).status, Status::declined);
+    EXPECT_EQ(ask({2.1, 0, 0}).verdict, Verdict::disjoint);
+    EXPECT_EQ(ask(1.9 * to_side).verdict, Verdict::intersecting);
+    EXPECT_EQ(ask({0, 0, 1.999}).verdict, Verdict::intersecting);
+    EXPECT_EQ(ask({0, 0, 2.001}).verdict, Verdict::disjoint);
+  }
+}
+
+TEST(Bullet, TheDefaultMarginRoundsTheRims) {
+  // Rims that cross by less than what the margins round off, (sqrt(2) - 1) * 0.04 each.
+  const Pair p{upright({0, 0, 0}), {{1.99, 0, 1.99}, {0, 0, 1}, 1, 2}};
+  for (const auto& m : chosen("bullet-cylinder"))
+    EXPECT_EQ(m->ask(p).verdict, m->name() == "bullet-cylinder" ? Verdict::disjoint : Verdict::intersecting);
+}
+
+TEST(Libccd, AnyLengthOfADirectionWillDo) {
+  // Its directions are products of lengths; their squares overflow here, or vanish.
+  for (const auto& m : chosen("libccd-gjk"))
+    for (const Known& k : easy_pairs(1e60)) EXPECT_EQ(m->ask(k.pair).verdict, k.verdict) << m->name();
+}
+
+TEST(Libccd, GjkHitsAcrossASmallGap) {
+  const Pair p{upright({0, 0, 0}), upright({0, 0, 2 + 1e-9})};
+  EXPECT_EQ(chosen("libccd-gjk")[0]->ask(p).verdict, Verdict::intersecting);
+  for (const auto& m : chosen("libccd-mpr")) EXPECT_EQ(m->ask(p).verdict, Verdict::disjoint) << m->name();
+}
+
+TEST(Libccd, MprMissesAnOverlapBelowItsTolerance) {
+  const Pair p =
+      apart({{{0, 0, 0}, {1, 2, 3}, 1, 2}, {{0, 0, 0}, {-1, 0.5, 0.1}, 1, 2}}, {0.2, 0.9, -0.4}, -1e-6).pair;
+  for (const auto& m : chosen("libccd-mpr,decide"))
+    EXPECT_EQ(m->ask(p).verdict, m->name() == "libccd-mpr" ? Verdict::disjoint : Verdict::intersecting)
+        << m->name();
+}
+
+TEST(Ode, TakesNearlyParallelAxesForParallel) {
+  for (const double degrees : {2.56, 2.57}) {
+    const double tilt = degrees * std::numbers::pi / 180;
+    const Pair p{{{0, 0, 0}, {0, 0, 1}, 0.01, 1},
+                 {{0.0201, 0, 0}, {std::sin(tilt), 0, std::cos(tilt)}, 0.01, 1}};
+    for (const auto& m : chosen("decide,ode")) {
+      const bool missed = m->name() != "decide" && degrees == 2.56;
+      EXPECT_EQ(m->ask(p).verdict, missed ? Verdict::disjoint : Verdict::intersecting) << m->name();
+    }
+  }
+}
+
+TEST(Ode, AbortsOnTinyCylinders) {
+  const auto methods = chosen("ode");
+  const Pair pairs[] = {{{{0, 0, 0}, {0, 0, 1}, 1e-20, 1e-20}, upright({0, 0, 0})},
+                        {upright({0, 0, 0}), upright({3, 0, 0})}};
+  const Question questions[] = {{0, 0}, {0, 1}};
+  const auto answers = ask_contained(methods, pairs, questions);
+  EXPECT_EQ(answers[0].answer.failure, Failure::crash);
+  EXPECT_NE(std::string(answers[0].answer.reason).find("Invalid cylinder"), std::string::npos);
+  EXPECT_EQ(answers[1].answer.verdict, Verdict::disjoint);
+}
+
+TEST(Peers, DeclineSizesThatTheyDoNotTake) {
+  for (const auto& m : chosen("ode,mujoco,libccd")) {
+    const bool ode = m->name().starts_with("ode"), libccd = m->name().starts_with("libccd");
+    const auto status_of = [&](double radius, double height) {
+      return m->ask({{{0, 0, 0}, {0, 0, 1}, radius, height}, upright({3, 0, 0})}).status;
+    };
+    EXPECT_EQ(status_of(1, 0), libccd ? Status::answered : Status::declined) << m->name();
+    EXPECT_EQ(status_of(0, 1), libccd || ode ? Status::answered : Status::declined) << m->name();
+  }
+}
+
+TEST(Mujoco, SaysItsErrorsAndWritesNoLog) {
+  const auto methods = chosen("mujoco");
+  namespace fs = std::filesystem;
+  const fs::path before = fs::current_path(), scratch = fs::path(testing::TempDir()) / "daylight_mujoco";
+  fs::create_directories(scratch);
+  fs::current_path(scratch);
+  mju_warning("no trace of this");
+  EXPECT_DEATH(mju_error("said of this"), "said of this");
+  EXPECT_TRUE(fs::is_empty(scratch));
+  fs::current_path(before);
+  fs::remove_all(scratch);
+}
+
+TEST(SelectNames, NamesAndPrefixesInTheirOrder) {
+  const std::vector<std::string> names{"decide", "fcl-indep", "fcl-libccd", "fcl-libccd-tol1e-10", "fclx"};
+  using Indices = std::vector<std::size_t>;
+  EXPECT_EQ(select_names(names, "decide"), (Indices{0}));
+  EXPECT_EQ(select_names(names, "fcl"), (Indices{1, 2, 3}));
+  EXPECT_EQ(select_names(names, "fcl-libccd,decide"), (Indices{0, 2, 3}));
+  EXPECT_EQ(select_names(names, "fcl,fcl-indep"), (Indices{1, 2, 3}));
+  EXPECT_EQ(select_names(names, "-fcl"), (Indices{0, 4}));
+  EXPECT_EQ(select_names(names, "-decide,fclx"), (Indices{1, 2, 3}));
+}
+
+TEST(SelectNames, AnUnknownNameIsAnErrorThatListsTheKnown) {
+  const std::vector<std::string> names{"decide", "fcl-indep"};
+  for (const char* spec : {"", "-", "fc", "fcl-", "decide,", "decide,ode", "-decide,-fcl", "fcl-indep-x"}) {
+    try {
+      select_names(names, spec);
+      ADD_FAILURE() << "'" << spec << "' was accepted";
+    } catch (const std::invalid_argument& e) {
+      EXPECT_NE(std::string(e.what()).find("decide fcl"), std::string::npos) << e.what();
+    }
+  }
+}
+
+TEST(SelectMethods, KeepsTheMethodsNamed) {
+  EXPECT_EQ(names_of(chosen("decide,fcl-indep")), (std::vector<std::string>{"decide", "fcl-indep"}));
+  for (const auto& m : chosen("-nlopt,fcl,bullet,libccd,ode,mujoco")) EXPECT_FALSE(m->foreign()) << m->name();
+}
+
+TEST(SetReason, TruncatesAndTerminates) {
+  MethodAnswer answer;
+  answer.set_reason(std::string(500, 'x'));
+  EXPECT_EQ(std::string(answer.reason), std::string(sizeof answer.reason - 1, 'x'));
+  answer.set_reason("short");
+  EXPECT_STREQ(answer.reason, "short");
+}
+
+TEST(Adapter, RotationTakesZToTheAxis) {
+  for (const Vector3& axis :
+       {Vector3(0, 0, 1), Vector3(0, 0, -1), Vector3(1, 0, 0), Vector3(-1e-9, 1e-9, -1), Vector3(3, -4, 12),
+        Vector3(1e-320, -2e-320, 2e-320), Vector3(1e308, 1e308, -1e308), Vector3(1e-200, 1e200, -0.0)}) {
+    const Vector3 u = unit_axis(axis);
+    EXPECT_NEAR(u.norm(), 1, 4e-16);
+    EXPECT_NEAR(u.dot((axis / axis.cwiseAbs().maxCoeff()).normalized()), 1, 4e-16);
+    const Eigen::Matrix3d m = rotation_to(u);
+    EXPECT_EQ(Vector3(m.col(2)), u);
+    EXPECT_LE((m.transpose() * m - Eigen::Matrix3d::Identity()).cwiseAbs().maxCoeff(), 1e-15);
+    EXPECT_NEAR(m.determinant(), 1, 1e-15);
+  }
+}
+
+// Their squares vanish.
+TEST(OwnMethods, DistanceIsSureOfPointsVeryNearEachOther) {
+  const Pair points{{{0, 0, 0}, {0, 0, 1}, 0, 0}, {{0x1p-600, 0, 0}, {0, 0, 1}, 0, 0}};
+  for (const auto& method : own_methods())
+    if (method->name() == "distance") {
+      const MethodAnswer answer = method->ask(points);
+      EXPECT_TRUE(answer.has_distance);
+      EXPECT_EQ(answer.distance, 0x1p-600);
+    }
+}
+
+}  // namespace
+}  // namespace cyl

@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: MIT
+#include <mujoco/mujoco.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "oracles/methods/adapter.hpp"
+#include "oracles/methods/method.hpp"
+
+namespace cyl {
+namespace {
+
+static_assert(sizeof(mjtNum) == 8);
+
+/// Mpr_tolerance, a length, and how many steps go with it: MuJoCo's defaults, and what users choose who need
+/// more.
+constexpr double default_tol = 1e-6, fine_tol = 1e-10;
+constexpr int default_cap = 50, fine_cap = 500;
+
+/// The default ones also write MUJOCO_LOG.TXT into the working folder.
+void install_handlers() {
+  mju_user_error = [](const char* text) {
+    std::fprintf(stderr, "%s\n", text);
+    std::abort();
+  };
+  mju_user_warning = [](const char*) {};
+}
+
+struct DeleteModel {
+  void operator()(mjModel* model) const { mj_deleteModel(model); }
+};
+struct DeleteData {
+  void operator()(mjData* data) const { mj_deleteData(data); }
+};
+
+/// Two cylinders; their sizes and poses are written for each pair. Throws std::runtime_error.
+std::unique_ptr<mjModel, DeleteModel> make_model() {
+  constexpr char file[] = "pair.xml";
+  const std::string text =
+      "<mujoco><size nstack=\"1000\"/><worldbody><geom type=\"cylinder\" size=\"1 1\"/>"
+      "<geom type=\"cylinder\" size=\"1 1\"/></worldbody></mujoco>";
+  const auto files = std::make_unique<mjVFS>();
+  mj_defaultVFS(files.get());
+  mj_makeEmptyFileVFS(files.get(), file, static_cast<int>(text.size()));
+  std::memcpy(files->filedata[mj_findFileVFS(files.get(), file)], text.data(), text.size());
+  char error[200] = "";
+  std::unique_ptr<mjModel, DeleteModel> model(mj_loadXML(file, files.get(), error, sizeof error));
+  mj_deleteVFS(files.get());
+  if (!model) throw std::runtime_error(std::string("MuJoCo: ") + error);
+  return model;
+}
+
+/// A cylinder as MuJoCo keeps it.
+class Solid {
+ public:
+  explicit Solid(const Cylinder& c)
+      : size_(c.radius, c.height / 2, 0), position_(c.center), rotation_(rotation_to(unit_axis(c.axis))) {}
+
+  void write_to(mjModel& model, mjData& data, int geom) const {
+    std::copy_n(size_.data(), 3, model.geom_size + 3 * geom);
+    std::copy_n(position_.data(), 3, data.geom_xpos + 3 * geom);
+    std::copy_n(rotation_.data(), 9, data.geom_xmat + 9 * geom);
+  }
+
+ private:
+  Vector3 size_, position_;
+  Eigen::Matrix<double, 3, 3, Eigen::RowMajor> rotation_;
+};
+
+/// MuJoCo's collider of two cylinders, without what surrounds it in mj_collision: the search for near pairs
+/// and what the solver of contacts wants to know.
+class Collider {
+ public:
+  Collider(double tolerance, int iterations) {
+    install_handlers();
+    model_ = make_model();
+    data_.reset(mj_makeData(model_.get()));
+    if (!data_) throw std::runtime_error("MuJoCo makes no mjData");
+    model_->opt.mpr_tolerance = tolerance;
+    model_->opt.mpr_iterations = iterations;
+  }
+
+  Verdict collide(const Solid& a, const Solid& b) {
+    a.write_to(*model_, *data_, 0);
+    b.write_to(*model_, *data_, 1);
+    mjContact contacts[mjMAXCONPAIR];
+    const mjfCollision collider = mjCOLLISIONFUNC[mjGEOM_CYLINDER][mjGEOM_CYLINDER];
+    const int count = collider(model_.get(), data_.get(), contacts, 0, 1, /*margin*/ 0);
+    return count > 0 ? Verdict::intersecting : Verdict::disjoint;
+  }
+
+ private:
+  std::unique_ptr<mjModel, DeleteModel> model_;
+  std::unique_ptr<mjData, DeleteData> data_;
+};
+
+/// Yes or no: whether the collider makes a contact. Not asked for distances: with a margin it tells how deep
+/// the solids, grown by it, are along one direction that MPR finds, up to half off on plain pairs.
+class Mujoco final : public Method {
+ public:
+  Mujoco(std::string_view name, double tolerance, int iterations)
+      : name_(name), tolerance_(tolerance), collider_(tolerance, iterations) {}
+  std::string_view name() const override { return name_; }
+  std::string_view version() const override { return mj_versionString(); }
+  Claim claim() const override {
+    return {.absolute = tolerance_, .source = "mujoco/mjmodel.h: mpr_tolerance, MPR solver tolerance"};
+  }
+
+  MethodAnswer ask(const Pair& pair) override {
+    if (const auto declined = decline_invalid(pair)) return *declined;
+    MethodAnswer answer;
+    for (const Cylinder* c : {&pair.a, &pair.b}) {
+      if (c->radius > 0 && c->height / 2 > 0) continue;
+      answer.set_reason("radius or height 0: MuJoCo's model compiler says that sizes must be positive");
+      return answer;
+    }
+    answer.status = Status::answered;
+    answer.verdict = collider_.collide(Solid(pair.a), Solid(pair.b));
+    return answer;
+  }
+  Call prepare_all(std::span<const Pair> pairs) override {
+    return [this, solids = solids_of<Solid>(pairs)](std::size_t i) {
+      return collider_.collide(solids[i].first, solids[i].second);
+    };
+  }
+
+ private:
+  const std::string_view name_;
+  const double tolerance_;
+  Collider collider_;
+};
+
+}  // namespace
+
+std::vector<std::unique_ptr<Method>> mujoco_methods() {
+  std::vector<std::unique_ptr<Method>> methods;
+  methods.push_back(std::make_unique<Mujoco>("mujoco", default_tol, default_cap));
+  methods.push_back(std::make_unique<Mujoco>("mujoco-tol1e-10", fine_tol, fine_cap));
+  return methods;
+}
+
+std::vector<std::unique_ptr<Method>> mujoco_settings() {
+  std::vector<std::unique_ptr<Method>> methods;
+  methods.push_back(std::make_unique<Mujoco>("mujoco-tol1e-4", 1e-4, default_cap));
+  methods.push_back(std::make_unique<Mujoco>("mujoco-tol1e-8", 1e-8, fine_cap));
+  methods.push_back(std::make_unique<Mujoco>("mujoco-tol1e-12", 1e-12, fine_cap));
+  return methods;
+}
+
+}  // namespace cyl

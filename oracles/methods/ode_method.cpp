@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: MIT
+#include <ode/ode.h>
+
+#include <stdexcept>
+#include <utility>
+#include <vector>
+
+#include "oracles/methods/adapter.hpp"
+#include "oracles/methods/method.hpp"
+
+namespace cyl {
+namespace {
+
+static_assert(sizeof(dReal) == 8);
+
+/// What ODE hands to the algorithm of libccd; its users cannot change it.
+constexpr double mpr_tol = 1e-6;
+constexpr std::string_view mpr_source =
+    "ode/src/collision_libccd.cpp: ccd.mpr_tolerance = (ccd_real_t)1E-6; ode/collision.h says nothing";
+
+/// ODE gives no more contacts of two cylinders, whatever is asked.
+constexpr int contacts_cap = 8;
+
+/// Throws std::runtime_error. Never closed: a Call may hold solids for as long as the process lives.
+void initialise_once() {
+  static const bool ready =
+      dInitODE2(0) != 0 && dAllocateODEDataForThread(static_cast<unsigned>(dAllocateMaskAll)) != 0;
+  if (!ready) throw std::runtime_error("ODE does not initialise");
+}
+
+/// A cylinder as ODE keeps it, in no space and on no body.
+class Solid {
+ public:
+  explicit Solid(const Cylinder& c) : geom_(dCreateCylinder(nullptr, c.radius, c.height)) {
+    const Eigen::Matrix3d m = rotation_to(unit_axis(c.axis));
+    const dMatrix3 rotation = {m(0, 0), m(0, 1), m(0, 2), 0,       m(1, 0), m(1, 1),
+                               m(1, 2), 0,       m(2, 0), m(2, 1), m(2, 2), 0};
+    dGeomSetRotation(geom_, rotation);
+    dGeomSetPosition(geom_, c.center.x(), c.center.y(), c.center.z());
+  }
+  ~Solid() {
+    if (geom_ != nullptr) dGeomDestroy(geom_);
+  }
+  Solid(Solid&& other) noexcept : geom_(std::exchange(other.geom_, nullptr)) {}
+  Solid& operator=(Solid&&) = delete;
+
+  dGeomID geom() const { return geom_; }
+
+ private:
+  dGeomID geom_;
+};
+
+/// dCollide: whether it makes a contact.
+class Ode final : public Method {
+ public:
+  /// `flags`: the number of contacts asked for, and CONTACTS_UNIMPORTANT.
+  Ode(std::string_view name, unsigned flags) : name_(name), flags_(static_cast<int>(flags)) {
+    initialise_once();
+  }
+  std::string_view name() const override { return name_; }
+  std::string_view version() const override { return dODE_VERSION; }
+  Claim claim() const override { return {.absolute = mpr_tol, .source = mpr_source}; }
+
+  MethodAnswer ask(const Pair& pair) override {
+    if (const auto declined = decline_invalid(pair)) return *declined;
+    MethodAnswer answer;
+    if (pair.a.height == 0 || pair.b.height == 0) {
+      answer.set_reason("height 0: ODE calls it an invalid cylinder and aborts");
+      return answer;
+    }
+    answer.status = Status::answered;
+    answer.verdict = collide(Solid(pair.a), Solid(pair.b));
+    return answer;
+  }
+  Call prepare_all(std::span<const Pair> pairs) override {
+    auto solids = std::make_shared<std::vector<std::pair<Solid, Solid>>>();  // a Call is copied, a Solid not
+    for (const Pair& pair : pairs) solids->emplace_back(Solid(pair.a), Solid(pair.b));
+    return [this, solids](std::size_t i) { return collide((*solids)[i].first, (*solids)[i].second); };
+  }
+
+ private:
+  Verdict collide(const Solid& a, const Solid& b) const {
+    dContactGeom contacts[contacts_cap];
+    const int count = dCollide(a.geom(), b.geom(), flags_, contacts, sizeof contacts[0]);
+    return count > 0 ? Verdict::intersecting : Verdict::disjoint;
+  }
+
+  const std::string_view name_;
+  const int flags_;
+};
+
+}  // namespace
+
+std::vector<std::unique_ptr<Method>> ode_methods() {
+  std::vector<std::unique_ptr<Method>> methods;
+  methods.push_back(std::make_unique<Ode>("ode", 1));
+  methods.push_back(std::make_unique<Ode>("ode-unrefined", 1 | CONTACTS_UNIMPORTANT));
+  methods.push_back(std::make_unique<Ode>("ode-contacts-8", contacts_cap));
+  return methods;
+}
+
+}  // namespace cyl

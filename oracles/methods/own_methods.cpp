@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+#include "oracles/methods/adapter.hpp"
+#include "oracles/methods/method.hpp"
+#include "oracles/methods/own_answers.hpp"
+#include "oracles/referee/decide_exactly.hpp"
+#include "solver/decide.hpp"
+#include "solver/distance.hpp"
+#include "solver/intersect_batch.hpp"
+
+namespace cyl {
+namespace {
+
+/// `query` on two prepared solids, for every pair.
+template <typename Query>
+auto prepare_solids(std::span<const Pair> pairs, Query query) {
+  return [solids = solids_of<Prepared>(pairs, prepare), query](std::size_t i) {
+    return query(solids[i].first, solids[i].second);
+  };
+}
+
+class Intersect final : public Method {
+ public:
+  std::string_view name() const override { return "intersect"; }
+  std::string_view version() const override { return DAYLIGHT_VERSION; }
+  Claim claim() const override {
+    return {.relative = 1e-13, .source = "solver/decide.hpp: Right wherever the margin is >= 1e-13."};
+  }
+  bool foreign() const override { return false; }
+  MethodAnswer ask(const Pair& pair) override {
+    MethodAnswer answer;
+    answer.status = Status::answered;
+    answer.verdict = intersect(pair.a, pair.b);
+    return answer;
+  }
+  Call prepare_all(std::span<const Pair> pairs) override {
+    return prepare_solids(pairs, [](const Prepared& a, const Prepared& b) { return intersect(a, b); });
+  }
+  BatchCall prepare_batch(std::span<const Pair> pairs) override {
+    std::vector<Prepared> a, b;
+    std::vector<IndexPair> indices;
+    for (const Pair& pair : pairs) {
+      indices.push_back({static_cast<std::uint32_t>(a.size()), static_cast<std::uint32_t>(b.size())});
+      a.push_back(prepare(pair.a));
+      b.push_back(prepare(pair.b));
+    }
+    return [a = std::move(a), b = std::move(b), indices = std::move(indices)](std::span<Verdict> verdicts) {
+      intersect_batch(a, b, indices, verdicts.data());
+    };
+  }
+};
+
+class Decide final : public Method {
+ public:
+  std::string_view name() const override { return "decide"; }
+  std::string_view version() const override { return DAYLIGHT_VERSION; }
+  Claim claim() const override { return {.source = "solver/decide.hpp: Never wrong."}; }
+  bool foreign() const override { return false; }
+  MethodAnswer ask(const Pair& pair) override {
+    const Answer decided = decide(pair.a, pair.b);
+    MethodAnswer answer;
+    answer.status = Status::answered;
+    answer.verdict = decided.verdict;
+    answer.steps = decided.iterations;
+    answer.step_cap = iteration_cap;
+    switch (decided.proof) {
+      case Proof::none:
+        break;
+      case Proof::direction:
+        answer.set_direction(decided.direction);
+        break;
+      case Proof::point:
+        answer.witness = WitnessKind::point;
+        std::copy_n(decided.point_head.data(), 3, answer.head);
+        std::copy_n(decided.point_tail.data(), 3, answer.tail);
+        break;
+    }
+    return answer;
+  }
+  Call prepare_all(std::span<const Pair> pairs) override {
+    return prepare_solids(pairs, [](const Prepared& a, const Prepared& b) { return decide(a, b).verdict; });
+  }
+};
+
+/// What `distance` is asked to hold, relative to size and the centres' distance.
+constexpr double distance_tol = 1e-13;
+
+class MeasureDistance final : public Method {
+ public:
+  std::string_view name() const override { return "distance"; }
+  std::string_view version() const override { return DAYLIGHT_VERSION; }
+  Claim claim() const override {
+    return {.relative = distance_tol,
+            .source = "solver/distance.hpp: error within 1e-13 of size + |Delta|, or it says so."};
+  }
+  bool foreign() const override { return false; }
+  MethodAnswer ask(const Pair& pair) override { return answer_of(pair, distance(pair.a, pair.b)); }
+  Call prepare_all(std::span<const Pair> pairs) override {
+    return prepare_solids(pairs, [](const Prepared& a, const Prepared& b) { return distance(a, b).verdict; });
+  }
+  DistanceCall prepare_distances(std::span<const Pair> pairs) override {
+    return prepare_solids(pairs, [](const Prepared& a, const Prepared& b) { return distance(a, b).value; });
+  }
+};
+
+class Exact final : public Method {
+ public:
+  std::string_view name() const override { return "exact"; }
+  std::string_view version() const override { return DAYLIGHT_VERSION; }
+  Claim claim() const override {
+    return {.source = "oracles/referee/decide_exactly.hpp: Proved, with certificate."};
+  }
+  bool foreign() const override { return false; }
+  MethodAnswer ask(const Pair& pair) override {
+    const Truth truth = decide_exactly(pair.a, pair.b);
+    MethodAnswer answer;
+    answer.status = Status::answered;
+    answer.verdict = truth.verdict;
+    // A certificate of rationals that no doubles hold stays behind; the verdict stands without it.
+    const ExactVector& v = truth.certificate.vector;
+    if (!std::all_of(v.exact.begin(), v.exact.end(), [](const std::string& s) { return s.empty(); }))
+      return answer;
+    if (truth.certificate.kind == CertificateKind::direction) answer.witness = WitnessKind::direction;
+    if (truth.certificate.kind == CertificateKind::point) answer.witness = WitnessKind::point;
+    std::copy(v.head.begin(), v.head.end(), answer.head);
+    std::copy(v.tail.begin(), v.tail.end(), answer.tail);
+    return answer;
+  }
+};
+
+}  // namespace
+
+MethodAnswer answer_of(const Pair& pair, const Distance& measured) {
+  MethodAnswer answer;
+  answer.status = Status::answered;
+  answer.verdict = measured.verdict;
+  answer.steps = measured.iterations;
+  answer.step_cap = distance_step_cap;
+  // Where its bounds stay apart it says so, and no number.
+  const Vector3 delta = pair.b.center - pair.a.center;
+  const double reach = pair.a.radius + pair.a.height + pair.b.radius + pair.b.height +
+                       std::hypot(delta.x(), delta.y(), delta.z());
+  const bool sure = measured.verdict == Verdict::intersecting || measured.error <= distance_tol * reach;
+  answer.has_distance = measured.verdict != Verdict::invalid && sure;
+  answer.distance = measured.value;
+  if (measured.verdict == Verdict::disjoint) answer.set_direction(measured.direction);
+  return answer;
+}
+
+std::vector<std::unique_ptr<Method>> own_methods() {
+  std::vector<std::unique_ptr<Method>> methods;
+  methods.push_back(std::make_unique<Intersect>());
+  methods.push_back(std::make_unique<Decide>());
+  methods.push_back(std::make_unique<MeasureDistance>());
+  methods.push_back(std::make_unique<Exact>());
+  return methods;
+}
+
+}  // namespace cyl

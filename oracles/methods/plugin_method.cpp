@@ -1,0 +1,212 @@
+// SPDX-License-Identifier: MIT
+#include <dlfcn.h>
+#include <sys/mman.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cmath>
+#include <csignal>
+#include <cstring>
+#include <limits>
+#include <stdexcept>
+#include <system_error>
+
+#include "base/process/fork_with_retry.hpp"
+#include "oracles/methods/adapter.hpp"
+#include "oracles/methods/guest.hpp"
+#include "oracles/plugin.h"
+
+namespace cyl {
+namespace {
+
+/// Seconds in which a library must have loaded.
+constexpr unsigned load_cap = 20;
+
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+constexpr int own_symbols_first = 0;  // sanitizers replace functions, and forbid it
+#elif defined(__has_feature)
+#if __has_feature(address_sanitizer) || __has_feature(thread_sanitizer) || __has_feature(memory_sanitizer)
+constexpr int own_symbols_first = 0;
+#else
+constexpr int own_symbols_first = RTLD_DEEPBIND;
+#endif
+#else
+constexpr int own_symbols_first = RTLD_DEEPBIND;  // a plug-in's Bullet is not ours
+#endif
+
+/// What a library says of itself, or why it does not; plain bytes, to be left in shared memory.
+struct Label {
+  char name[64], version[64], source[256], error[256];
+  double relative, absolute;
+  bool batch;
+};
+
+void copy(char* to, std::size_t size, const char* from) {
+  std::strncpy(to, from ? from : "", size - 1);
+  to[size - 1] = 0;
+}
+
+const DaylightMethod& load(const std::string& file) {
+  void* library = dlopen(file.c_str(), RTLD_NOW | RTLD_LOCAL | own_symbols_first);
+  if (!library) throw std::runtime_error(dlerror());
+  const auto function = reinterpret_cast<const DaylightMethod* (*)()>(dlsym(library, "daylight_method"));
+  if (!function) throw std::runtime_error("it has no function daylight_method");
+  const DaylightMethod* method = function();
+  if (!method || method->abi != DAYLIGHT_PLUGIN_ABI) {
+    throw std::runtime_error("it is of interface " + std::to_string(method ? method->abi : 0) +
+                             ", this build's is " + std::to_string(DAYLIGHT_PLUGIN_ABI) +
+                             ": build it with this oracles/plugin.h");
+  }
+  if (!method->name || !method->ask) throw std::runtime_error("it has no name or no `ask`");
+  return *method;
+}
+
+void describe(const std::string& file, Label& label) {
+  try {
+    const DaylightMethod& method = load(file);
+    copy(label.name, sizeof label.name, method.name);
+    copy(label.version, sizeof label.version, method.version);
+    copy(label.source, sizeof label.source, method.claim_source);
+    label.relative = method.claim_relative;
+    label.absolute = method.claim_absolute;
+    label.batch = method.ask_all != nullptr;
+    if (!(label.relative >= 0) || !(label.absolute >= 0)) throw std::runtime_error("its claim is negative");
+  } catch (const std::exception& error) {
+    copy(label.error, sizeof label.error, error.what());
+  }
+}
+
+/// In a process of its own: the constructors of a library may do anything.
+Label read_label(const std::string& file) {
+  void* shared = mmap(nullptr, sizeof(Label), PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
+  if (shared == MAP_FAILED) throw std::system_error(errno, std::generic_category(), "mmap");
+  Label& shown = *new (shared) Label{};
+  copy(shown.error, sizeof shown.error, "it did not load");
+  const pid_t process = patient_fork();
+  if (process == 0) {
+    alarm(load_cap);
+    shown.error[0] = 0;
+    describe(file, shown);
+    _exit(0);
+  }
+  int status = 0;
+  if (process > 0) waitpid(process, &status, 0);
+  const Label label = shown;
+  munmap(shared, sizeof(Label));
+  if (process < 0) throw std::system_error(errno, std::generic_category(), "fork");
+  if (WIFSIGNALED(status) && WTERMSIG(status) == SIGALRM)
+    throw std::runtime_error("it did not load within " + std::to_string(load_cap) + " s");
+  if (WIFSIGNALED(status))
+    throw std::runtime_error(std::string("loading it ended with SIG") + sigabbrev_np(WTERMSIG(status)));
+  if (label.error[0] != 0) throw std::runtime_error(label.error);
+  if (label.name[0] == 0) throw std::runtime_error("loading it ended the process");
+  return label;
+}
+
+void flatten(const Cylinder& c, double* eight) {
+  std::copy_n(c.center.data(), 3, eight);
+  std::copy_n(c.axis.data(), 3, eight + 3);
+  eight[6] = c.radius;
+  eight[7] = c.height;
+}
+
+bool any_given(const double* three) {
+  return !std::all_of(three, three + 3, [](double x) { return std::isnan(x); });
+}
+
+/// Out of range where it is none, which contained.cpp finds.
+Verdict verdict_of(int word) {
+  return word >= 0 && word <= DAYLIGHT_UNDECIDED ? static_cast<Verdict>(word) : static_cast<Verdict>(255);
+}
+
+class Plugin final : public Method {
+ public:
+  explicit Plugin(const Guest& guest) : guest_(guest), label_(read_label(guest.what)) {
+    if (guest_.name.empty()) guest_.name = label_.name;
+    version_ = label_.version[0] != 0 ? label_.version + std::string(" ") : "";
+    version_.append("(").append(fingerprint({&guest.what, 1})).append(")");
+    if (label_.source[0] == 0) copy(label_.source, sizeof label_.source, "oracles/plugin.h's claim fields");
+  }
+
+  std::string_view name() const override { return guest_.name; }
+  std::string_view version() const override { return version_; }
+  Claim claim() const override { return {label_.relative, label_.absolute, label_.source}; }
+  bool guest() const override { return true; }
+
+  MethodAnswer ask(const Pair& pair) override {
+    if (const auto invalid = decline_invalid(pair)) return *invalid;
+    double a[8], b[8], more[7];
+    flatten(pair.a, a);
+    flatten(pair.b, b);
+    std::fill_n(more, 7, std::numeric_limits<double>::quiet_NaN());
+    const int word = loaded().ask(a, b, more);
+    MethodAnswer answer;
+    if (word == DAYLIGHT_DECLINED) {
+      answer.set_reason("declined");
+      return answer;
+    }
+    if (word == DAYLIGHT_FAILED) throw std::runtime_error("it says that it failed");
+    answer.status = Status::answered;
+    answer.verdict = verdict_of(word);
+    answer.has_distance = !std::isnan(more[0]);
+    if (answer.has_distance) answer.distance = more[0];
+    const bool meet = word == DAYLIGHT_INTERSECTING || word == DAYLIGHT_TOUCHING;
+    if (any_given(more + 4) && (meet || !any_given(more + 1))) {
+      answer.witness = WitnessKind::point;
+      std::copy_n(more + 4, 3, answer.head);
+    } else if (any_given(more + 1)) {
+      answer.set_direction(Vector3(more[1], more[2], more[3]));
+    }
+    return answer;
+  }
+
+  Call prepare_all(std::span<const Pair> pairs) override {
+    return [flat = flatten_all(pairs), method = loaded(pairs)](std::size_t i) {
+      double more[7];
+      std::fill_n(more, 7, std::numeric_limits<double>::quiet_NaN());
+      const int word = method->ask(&flat[16 * i], &flat[16 * i + 8], more);
+      return word < 0 ? Verdict::undecided : verdict_of(word);
+    };
+  }
+
+  BatchCall prepare_batch(std::span<const Pair> pairs) override {
+    if (!label_.batch) return {};
+    return [flat = flatten_all(pairs), method = loaded(pairs),
+            words = std::vector<signed char>(pairs.size())](std::span<Verdict> verdicts) mutable {
+      method->ask_all(words.size(), flat.data(), words.data());
+      for (std::size_t i = 0; i < words.size(); ++i)
+        verdicts[i] = words[i] < 0 ? Verdict::undecided : verdict_of(words[i]);
+    };
+  }
+
+ private:
+  /// Once a process, and only where it is asked: a worker.
+  const DaylightMethod& loaded() {
+    if (!method_) method_ = &load(guest_.what);
+    return *method_;
+  }
+
+  /// The bench asks whether there is such a way at all by no pairs, in its own process.
+  const DaylightMethod* loaded(std::span<const Pair> pairs) { return pairs.empty() ? nullptr : &loaded(); }
+
+  static std::vector<double> flatten_all(std::span<const Pair> pairs) {
+    std::vector<double> flat(16 * pairs.size());
+    for (std::size_t i = 0; i < pairs.size(); ++i) {
+      flatten(pairs[i].a, &flat[16 * i]);
+      flatten(pairs[i].b, &flat[16 * i + 8]);
+    }
+    return flat;
+  }
+
+  Guest guest_;
+  Label label_;
+  std::string version_;
+  const DaylightMethod* method_ = nullptr;
+};
+
+}  // namespace
+
+std::unique_ptr<Method> open_plugin(const Guest& guest) { return std::make_unique<Plugin>(guest); }
+
+}  // namespace cyl

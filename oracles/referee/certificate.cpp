@@ -1,0 +1,249 @@
+// SPDX-License-Identifier: MIT
+#include "oracles/referee/certificate.hpp"
+
+#include <array>
+#include <bit>
+#include <cmath>
+#include <cstdint>
+#include <vector>
+
+#include "oracles/referee/multiprecision.hpp"
+
+namespace cyl {
+namespace {
+
+template <class R, class T>
+Vec3<R> lift(const Vec3<T>& v) {
+  return {R(v.x), R(v.y), R(v.z)};
+}
+
+Vec3<double> plain(const Vector3& v) { return {v.x(), v.y(), v.z()}; }
+
+double max_abs(const Vec3<double>& v) {
+  return std::fmax(std::fabs(v.x), std::fmax(std::fabs(v.y), std::fabs(v.z)));
+}
+
+// 2^exponent where that is a normal double.
+double power_of_two(int exponent) {
+  return std::bit_cast<double>(static_cast<std::uint64_t>(exponent + 1023) << 52);
+}
+
+// x 2^exponent; clears `exact` where that does not give x back.
+double scaled(double x, int exponent, bool& exact) {
+  if (exponent > -1000 && exponent < 1000) {
+    const double y = x * power_of_two(exponent);
+    if (y * power_of_two(-exponent) != x) exact = false;
+    return y;
+  }
+  const double y = std::ldexp(x, exponent);
+  if (std::ldexp(y, -exponent) != x) exact = false;
+  return y;
+}
+
+Vec3<double> scaled(const Vec3<double>& v, int exponent, bool& exact) {
+  return {scaled(v.x, exponent, exact), scaled(v.y, exponent, exact), scaled(v.z, exponent, exact)};
+}
+
+template <class I>
+I length(const Vec3<I>& v) {
+  return sqrt(square(v.x) + square(v.y) + square(v.z));
+}
+
+// f for a direction: radius |D x w| + height/2 |D.w| of both solids less |D.delta|.
+template <class I>
+I support_gap_of(const Vec3<I>& d, const Vec3<I>& w0, const I& radius0, const I& half0, const Vec3<I>& w1,
+                 const I& radius1, const I& half1, const Vec3<I>& delta) {
+  return radius0 * length(cross(d, w0)) + half0 * abs(dot(d, w0)) + radius1 * length(cross(d, w1)) +
+         half1 * abs(dot(d, w1)) - abs(dot(d, delta));
+}
+
+}  // namespace
+
+template <class R>
+BasicFilter<R>::BasicFilter(const Pair& pair) {
+  const Cylinder &a = pair.a, &b = pair.b;
+  double most = std::fmax(std::fmax(a.radius, a.height), std::fmax(b.radius, b.height));
+  for (int i = 0; i < 3; ++i) most = std::fmax(most, std::fabs(b.center[i] - a.center[i]));
+  if (!std::isfinite(most)) return;
+  exponent_ = most > 0 ? std::ilogb(most) : 0;
+  bool exact = true;
+  auto solid = [&](const Cylinder& c) {
+    Solid s;
+    const Vec3<double> center = scaled(plain(c.center), -exponent_, exact);
+    s.center = {center.x, center.y, center.z};
+    s.radius = scaled(c.radius, -exponent_, exact);
+    s.height = scaled(c.height, -exponent_, exact);
+    const Vec3<double> w = plain(c.axis);
+    const Vec3<I> axis = lift<I>(scaled(w, -std::ilogb(max_abs(w)), exact));
+    s.unit_axis = axis / length(axis);
+    return s;
+  };
+  a_ = solid(a);
+  b_ = solid(b);
+  delta_ = lift<I>(b_.center) - lift<I>(a_.center);
+  usable_ = exact;
+}
+
+template <class R>
+bool BasicFilter<R>::separates(const double direction[3]) const {
+  const Vec3<double> given{direction[0], direction[1], direction[2]};
+  const double most = max_abs(given);
+  if (!(most > 0) || !std::isfinite(most)) return false;
+  bool exact = true;
+  const Vec3<double> d = scaled(given, -std::ilogb(most), exact);
+  return exact && separates(Vec3<R>{d.x, d.y, d.z});
+}
+
+template <class R>
+bool BasicFilter<R>::separates(const Vec3<R>& direction) const {
+  return usable_ && support_gap_of(lift<I>(direction), a_.unit_axis, I(a_.radius), I(a_.height / 2),
+                                   b_.unit_axis, I(b_.radius), I(b_.height / 2), delta_)
+                            .hi < 0;
+}
+
+template <class R>
+bool BasicFilter<R>::in_both(const double head[3], const double tail[3]) const {
+  if (!usable_) return false;
+  bool exact = true;
+  const Vec3<double> h = scaled({head[0], head[1], head[2]}, -exponent_, exact);
+  const Vec3<double> t = scaled({tail[0], tail[1], tail[2]}, -exponent_, exact);
+  if (!exact) return false;
+  for (const Solid* s : {&a_, &b_}) {
+    const Vec3<I> x = (lift<I>(h) - lift<I>(s->center)) + lift<I>(t);
+    if (!(abs(dot(x, s->unit_axis)).hi <= s->height / 2)) return false;
+    if (!(length(cross(x, s->unit_axis)).hi <= s->radius)) return false;
+  }
+  return true;
+}
+
+// Moves are by vectors of which only an interval is known: the point meant is the one that the exact unit
+// axes give, which lies in the flat solids exactly, so that what is 0 there need not be shown to be.
+//
+// Two flat solids whose planes, or plane and line, cross at a point strictly inside both: a - b holds a ball
+// about 0, so f > 0 in every direction.
+template <class R>
+bool BasicFilter<R>::overlap_at(const Vec3<R>& guess) const {
+  if (!usable_) return false;
+  const auto flat = [](const Solid& s) { return s.radius == 0 || s.height == 0; };
+  const auto is_disk = [](const Solid& s) { return s.radius > 0; };
+  // Onto the solid's plane, line or point.
+  const auto moved = [&](const Solid& s, const Vec3<I>& x) {
+    const Vec3<I> along = dot(x, s.unit_axis) * s.unit_axis;
+    if (is_disk(s)) return x - along;
+    return s.height > 0 ? along : Vec3<I>{};
+  };
+  const auto strictly_inside = [](const Solid& s, const Vec3<I>& x) {
+    return (s.height == 0 || abs(dot(x, s.unit_axis)).hi < s.height / 2) &&
+           (s.radius == 0 || length(cross(x, s.unit_axis)).hi < s.radius);
+  };
+  Vec3<I> x = lift<I>(guess);
+  if (flat(a_) && flat(b_)) {
+    const bool swap = !is_disk(b_);  // `second` is a disk
+    const Solid &first = swap ? b_ : a_, &second = swap ? a_ : b_;
+    if (!is_disk(second) || !(first.radius > 0 || first.height > 0)) return false;
+    const Vec3<I>&w0 = first.unit_axis, &w1 = second.unit_axis;
+    const Vec3<I> to_second = swap ? I(-1) * delta_ : delta_;
+    const Vec3<I> slide = is_disk(first) ? w1 - dot(w0, w1) * w0 : w0;  // within the first
+    Vec3<I> y = moved(first, swap ? x - delta_ : x);
+    const I steep = dot(slide, w1);
+    if (!(abs(steep).lo > 0)) return false;
+    y = y - (dot(y - to_second, w1) / steep) * slide;
+    return strictly_inside(first, y) && strictly_inside(second, y - to_second);
+  }
+  if (flat(a_)) x = moved(a_, x);
+  if (flat(b_)) x = moved(b_, x - delta_) + delta_;
+  return strictly_inside(a_, x) && strictly_inside(b_, x - delta_);
+}
+
+template class BasicFilter<double>;
+template class BasicFilter<long double>;
+
+Rational3 exact(const Vector3& v) { return {mpq_class(v.x()), mpq_class(v.y()), mpq_class(v.z())}; }
+
+int support_gap_sign(const Pair& pair, const Rational3& direction, int bits) {
+  const WidePrecision precision(bits);
+  auto interval = [](const Rational3& v) {
+    return Vec3<WideInterval>{WideInterval(v.x), WideInterval(v.y), WideInterval(v.z)};
+  };
+  auto unit = [&](const Cylinder& c) {
+    const Vec3<WideInterval> w = lift<WideInterval>(plain(c.axis));
+    return w / length(w);
+  };
+  const WideInterval two(2.0);
+  const WideInterval f = support_gap_of(interval(direction), unit(pair.a), WideInterval(pair.a.radius),
+                                        WideInterval(pair.a.height) / two, unit(pair.b),
+                                        WideInterval(pair.b.radius), WideInterval(pair.b.height) / two,
+                                        interval(exact(pair.b.center) - exact(pair.a.center)));
+  return f.negative() ? -1 : f.positive() ? 1 : 0;
+}
+
+bool separates_wide(const Pair& pair, const Rational3& direction, int bits) {
+  if (direction.x == 0 && direction.y == 0 && direction.z == 0) return false;
+  return support_gap_sign(pair, direction, bits) < 0;
+}
+
+namespace {
+
+// -1 strictly inside, 0 on the surface, 1 outside: x.w/|w| against height/2 and |x x w|/|w| against radius,
+// both squared, so that no square root is needed.
+int side_of(const Cylinder& c, const Rational3& point) {
+  const Rational3 x = point - exact(c.center), w = exact(c.axis), across = cross(x, w);
+  const mpq_class ww = dot(w, w), along = dot(x, w), half = mpq_class(c.height) / 2, radius(c.radius);
+  const int cap = cmp(mpq_class(along * along), mpq_class(half * half * ww));
+  const int wall = cmp(mpq_class(dot(across, across)), mpq_class(radius * radius * ww));
+  return cap > 0 || wall > 0 ? 1 : cap == 0 || wall == 0 ? 0 : -1;
+}
+
+}  // namespace
+
+bool in_both_exact(const Pair& pair, const Rational3& point) {
+  return side_of(pair.a, point) <= 0 && side_of(pair.b, point) <= 0;
+}
+
+bool interior_of_either(const Pair& pair, const Rational3& point) {
+  return side_of(pair.a, point) < 0 || side_of(pair.b, point) < 0;
+}
+
+std::optional<Rational3> project_to_hulls(const Pair& pair, const Rational3& point) {
+  // Each plane x.normal = offset that a flat solid lies in: one for a disk, two for a segment, three for a
+  // point. Made orthogonal to the planes before it; what is left of a dependent one must have offset 0.
+  struct Plane {
+    Rational3 normal;
+    mpq_class offset;
+  };
+  std::vector<Plane> planes;
+  bool empty = false;
+  auto add = [&](Rational3 normal, const Rational3& through) {
+    mpq_class offset = dot(normal, through);
+    for (const Plane& p : planes) {
+      const mpq_class share = dot(normal, p.normal) / dot(p.normal, p.normal);
+      normal = normal - share * p.normal;
+      offset -= share * p.offset;
+    }
+    if (dot(normal, normal) != 0)
+      planes.push_back({normal, offset});
+    else if (offset != 0)
+      empty = true;
+  };
+  for (const Cylinder* c : {&pair.a, &pair.b}) {
+    const Rational3 w = exact(c->axis), center = exact(c->center);
+    if (c->height == 0) add(w, center);
+    if (c->radius == 0) {
+      // Any vector not along w gives a first normal; the coordinate vector of w's least coordinate is one.
+      const bool x_least = abs(w.x) <= abs(w.y) && abs(w.x) <= abs(w.z), y_least = abs(w.y) <= abs(w.z);
+      const Rational3 other{x_least ? 1 : 0, !x_least && y_least ? 1 : 0, !x_least && !y_least ? 1 : 0};
+      const Rational3 first = cross(w, other);
+      add(first, center);
+      add(cross(w, first), center);
+    }
+  }
+  if (empty) return std::nullopt;
+  Rational3 x = point;
+  for (const Plane& p : planes) {
+    const mpq_class share = (p.offset - dot(p.normal, x)) / dot(p.normal, p.normal);
+    x = x + share * p.normal;
+  }
+  return x;
+}
+
+}  // namespace cyl

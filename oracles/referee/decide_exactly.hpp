@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: MIT
+// The exact predicate for users: the solver where its rounding bound decides, the referee where it does not.
+#pragma once
+
+#include "oracles/referee/referee.hpp"
+
+namespace cyl {
+
+/// Do the two meet? Lengths of both in one unit, any; doubles are taken exactly. Proved, with certificate;
+/// `touching` where the distance is exactly 0 and that could be proved; `undecided` only for a tangency that
+/// could not (see precision_cap). Typical cost: that of decide(); a few us for flat solids, 0.1 ms within
+/// rounding of touching, up to some ms for exact ties. Never throws. Thread-safe.
+Truth decide_exactly(const Cylinder& a, const Cylinder& b);
+
+}  // namespace cyl

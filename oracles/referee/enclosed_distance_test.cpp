@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: MIT
+// What solver/distance.hpp says, against the referee's enclosures. A few pairs daily;
+// DAYLIGHT_DISTANCE_PAIRS=5000 DAYLIGHT_SEED=n for a long run.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <cstdio>
+#include <cstdlib>
+
+#include "corpus/pairs/families.hpp"
+#include "corpus/pairs/pair_io.hpp"
+#include "oracles/referee/referee.hpp"
+#include "solver/distance.hpp"
+
+namespace cyl {
+namespace {
+
+std::uint64_t from_environment(const char* name, std::uint64_t otherwise) {
+  const char* text = std::getenv(name);
+  return text ? std::strtoull(text, nullptr, 10) : otherwise;
+}
+
+TEST(EnclosedDistance, OnEveryFamily) {
+  const std::uint64_t seed = from_environment("DAYLIGHT_SEED", 20261121);
+  const std::uint64_t many = from_environment("DAYLIGHT_DISTANCE_PAIRS", 300);
+  for (const Family& family : families()) {
+    int apart = 0, overlapping = 0, at_odds = 0;
+    double worst = 0;  // how far outside its enclosure, in units of the size
+    for (std::uint64_t i = 0; i < many; ++i) {
+      const Pair pair = family.generate(seed, i);
+      const Truth truth = judge(pair);
+      if (truth.verdict == Verdict::undecided) continue;
+      const Enclosure truly = truth.verdict == Verdict::disjoint ? enclose_distance(pair, truth, 1e-14)
+                                                                 : enclose_distance(pair, truth);
+      const Distance said = distance(pair.a, pair.b);
+      const double size = size_of(pair);
+      const double outside = std::max({0.0, truly.lo - said.value, said.value - truly.hi});
+      ASSERT_LE(outside, 1e-13 * size) << format_pair(pair);
+      if (size > 0) worst = std::max(worst, outside / size);
+      (truth.verdict == Verdict::disjoint ? apart : overlapping) += 1;
+      at_odds += (truth.verdict == Verdict::disjoint) != (said.verdict == Verdict::disjoint);
+      if (said.verdict != Verdict::disjoint) continue;
+      // Its own bounds hold, and are close.
+      ASSERT_LE(said.error, 1e-13 * (size + (pair.b.center - pair.a.center).stableNorm()))
+          << format_pair(pair);
+      ASSERT_LE(truly.lo, said.value + said.error) << format_pair(pair);
+      ASSERT_GE(truly.hi, said.value - said.error) << format_pair(pair);
+    }
+    std::printf("%-24s %5d apart, %5d not, %3d verdicts at odds, worst %.1e size\n", family.name.data(),
+                apart, overlapping, at_odds, worst);
+  }
+}
+
+}  // namespace
+}  // namespace cyl

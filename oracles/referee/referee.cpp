@@ -1,0 +1,397 @@
+// SPDX-License-Identifier: MIT
+#include "oracles/referee/referee.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <utility>
+
+#include "corpus/pairs/pair_io.hpp"
+#include "oracles/referee/certificate.hpp"
+#include "oracles/referee/multiprecision.hpp"
+#include "oracles/referee/search.hpp"
+#include "oracles/referee/tangency.hpp"
+
+namespace cyl {
+namespace {
+
+std::string text(const mpq_class& q) { return q.get_str(); }
+
+// As doubles where they hold it exactly, else as "n/d".
+ExactVector exact_vector(const Rational3& v) {
+  ExactVector r;
+  const mpq_class* c[3] = {&v.x, &v.y, &v.z};
+  for (std::size_t i = 0; i < 3; ++i) {
+    const double head = c[i]->get_d();
+    if (std::isfinite(head) && mpq_class(head) == *c[i])
+      r.head[i] = head;
+    else
+      r.exact[i] = text(*c[i]);
+  }
+  return r;
+}
+
+ExactVector exact_vector(const double head[3], const double tail[3]) {
+  ExactVector r;
+  for (std::size_t i = 0; i < 3; ++i) {
+    r.head[i] = head[i] == 0 ? tail[i] : head[i];
+    r.tail[i] = head[i] == 0 ? 0 : tail[i];
+  }
+  return r;
+}
+
+Truth proved(Verdict verdict, ExactVector certificate, Stage stage, int bits) {
+  Truth t;
+  t.verdict = verdict;
+  t.certificate.kind = verdict == Verdict::disjoint ? CertificateKind::direction : CertificateKind::point;
+  t.certificate.vector = std::move(certificate);
+  t.stage = stage;
+  t.bits = bits;
+  return t;
+}
+
+constexpr double no_tail[3] = {0, 0, 0};
+constexpr int first_wide_bits = 128;
+constexpr int tangency_bits = 256;  // contacts at simple rationals show themselves up to this precision
+constexpr int near_bits = 512;      // enough for a point within 2^-200 size of both solids
+
+std::optional<Truth> check_by_filter(const Filter& filter, const MethodAnswer& answer) {
+  if (answer.status != Status::answered) return std::nullopt;
+  if (answer.witness == WitnessKind::direction && filter.separates(answer.head))
+    return proved(Verdict::disjoint, exact_vector(answer.head, no_tail), Stage::filter, 53);
+  if (answer.witness == WitnessKind::point && filter.in_both(answer.head, answer.tail))
+    return proved(Verdict::intersecting, exact_vector(answer.head, answer.tail), Stage::filter, 53);
+  return std::nullopt;
+}
+
+bool finite(const double v[3]) { return std::isfinite(v[0]) && std::isfinite(v[1]) && std::isfinite(v[2]); }
+
+Rational3 sum(const double head[3], const double tail[3]) {
+  auto c = [&](int i) { return mpq_class(mpq_class(head[i]) + mpq_class(tail[i])); };
+  return {c(0), c(1), c(2)};
+}
+
+// A point on both surfaces proves that the solids meet, not that they overlap: it is left to the search.
+std::optional<Truth> check_exactly(const Pair& pair, const MethodAnswer& answer) {
+  if (answer.status != Status::answered || !finite(answer.head) || !finite(answer.tail)) return std::nullopt;
+  if (answer.witness == WitnessKind::direction &&
+      separates_wide(pair, sum(answer.head, no_tail), first_wide_bits))
+    return proved(Verdict::disjoint, exact_vector(answer.head, no_tail), Stage::wide, first_wide_bits);
+  if (answer.witness == WitnessKind::point) {
+    const Rational3 point = sum(answer.head, answer.tail);
+    if (in_both_exact(pair, point) && interior_of_either(pair, point))
+      return proved(Verdict::intersecting, exact_vector(answer.head, answer.tail), Stage::exact,
+                    first_wide_bits);
+  }
+  return std::nullopt;
+}
+
+SearchPair<Wide> wide_pair(const Pair& pair) {
+  auto lift = [](const Vector3& v) { return Vec3<Wide>{Wide(v.x()), Wide(v.y()), Wide(v.z())}; };
+  const Wide half(0.5);
+  return {lift(pair.a.axis),         lift(pair.b.axis),          lift(pair.b.center) - lift(pair.a.center),
+          Wide(pair.a.radius),       Wide(pair.a.height) * half, Wide(pair.b.radius),
+          Wide(pair.b.height) * half};
+}
+
+Rational3 rational(const Vec3<Wide>& v) { return {v.x.to_rational(), v.y.to_rational(), v.z.to_rational()}; }
+
+// The direction brought to coordinates of at most 1 by a power of two, then rounded to double.
+std::optional<std::array<double, 3>> rounded_direction(const Rational3& d) {
+  const mpq_class most = std::max({mpq_class(abs(d.x)), mpq_class(abs(d.y)), mpq_class(abs(d.z))});
+  if (most == 0) return std::nullopt;
+  const mpq_class x = d.x / most, y = d.y / most, z = d.z / most;
+  return std::array<double, 3>{x.get_d(), y.get_d(), z.get_d()};
+}
+
+std::optional<Truth> prove_disjoint(const Pair& pair, const Rational3& direction, int bits) {
+  const auto rounded = rounded_direction(direction);
+  if (!rounded) return std::nullopt;
+  const Rational3 simple = sum(rounded->data(), no_tail);
+  if (separates_wide(pair, simple, bits))
+    return proved(Verdict::disjoint, exact_vector(simple), Stage::wide, bits);
+  if (separates_wide(pair, direction, 2 * bits))
+    return proved(Verdict::disjoint, exact_vector(direction), Stage::wide, 2 * bits);
+  return std::nullopt;
+}
+
+// A common point found from a guess: the guess rounded to a's centre plus a double (short, and good enough
+// for all but the closest calls), or moved exactly into the flat solids' lines and planes.
+struct CommonPoint {
+  Rational3 point;
+  ExactVector written;
+};
+
+std::optional<CommonPoint> common_point(const Pair& pair, const Rational3& guess) {
+  const Rational3 a = exact(pair.a.center);
+  const double head[3] = {pair.a.center.x(), pair.a.center.y(), pair.a.center.z()};
+  const double tail[3] = {mpq_class(guess.x - a.x).get_d(), mpq_class(guess.y - a.y).get_d(),
+                          mpq_class(guess.z - a.z).get_d()};
+  if (finite(tail)) {
+    const Rational3 rounded = sum(head, tail);
+    if (in_both_exact(pair, rounded)) return CommonPoint{rounded, exact_vector(head, tail)};
+  }
+  const auto moved = project_to_hulls(pair, guess);
+  if (moved && in_both_exact(pair, *moved)) return CommonPoint{*moved, exact_vector(*moved)};
+  return std::nullopt;
+}
+
+mpq_class exact_size(const Pair& pair) {
+  return mpq_class(pair.a.radius) + mpq_class(pair.a.height) + mpq_class(pair.b.radius) +
+         mpq_class(pair.b.height);
+}
+
+mpq_class times_power(mpq_class x, int exponent) {
+  if (exponent < 0)
+    mpq_div_2exp(x.get_mpq_t(), x.get_mpq_t(), static_cast<mp_bitcnt_t>(-exponent));
+  else
+    mpq_mul_2exp(x.get_mpq_t(), x.get_mpq_t(), static_cast<mp_bitcnt_t>(exponent));
+  return x;
+}
+
+Found<Wide> search_wide(const Pair& pair, int bits, Rational3& point, Rational3& direction) {
+  const WidePrecision precision(bits);
+  const Found<Wide> found = search(wide_pair(pair), bits);
+  if (found.has_point) point = rational(found.point) + exact(pair.a.center);
+  if (found.has_direction) direction = rational(found.direction);
+  return found;
+}
+
+// Touching, proved: contacts at rational points in rational directions are guessed as the simplest rationals
+// near the search's result, then proved by algebra.
+std::optional<Truth> prove_touching(const Pair& pair, const Rational3& point, const Rational3& direction,
+                                    int bits) {
+  // Simple in a unit near the size, so that a scene of another scale has the same guess.
+  const mpq_class size = exact_size(pair);
+  const int unit = size > 0 ? std::ilogb(size_of(pair)) : 0;
+  const mpq_class tolerance = times_power(size, -unit - bits / 4);
+  const auto simple = [&](const mpq_class& x) {
+    return times_power(simplest_within(times_power(x, -unit), tolerance), unit);
+  };
+  const Rational3 guess{simple(point.x), simple(point.y), simple(point.z)};
+  const auto tangency = prove_tangency(pair, guess, direction);
+  if (!tangency || !tangency->meet) return std::nullopt;
+  Truth t = proved(Verdict::touching, {}, Stage::exact, bits);
+  for (const Rational3& x : {guess, point})
+    if (auto common = common_point(pair, x)) {
+      t.certificate.vector = common->written;
+      return t;
+    }
+  // No rational point was found. One within 2^-200 size of both solids is what a search at this precision
+  // returns.
+  Rational3 near_point, near_direction;
+  if (!search_wide(pair, near_bits, near_point, near_direction).has_point) return std::nullopt;
+  t.certificate.kind = CertificateKind::near;
+  t.certificate.vector = exact_vector(near_point);
+  t.certificate.second = exact_vector(tangency->direction);
+  return t;
+}
+
+bool legal(const Pair& pair) {
+  return find_defect(pair.a) == Defect::none && find_defect(pair.b) == Defect::none;
+}
+
+Truth verdict_alone(Verdict verdict) {
+  Truth t;
+  t.verdict = verdict;
+  return t;
+}
+
+// What the search in double found, in a unit of 2^exponent.
+struct Guess {
+  Found<double> found;
+  int exponent = 0;
+  Vec3<double> point_in(int unit) const {
+    const auto c = [&](double x) { return std::ldexp(x, exponent - unit); };
+    return {c(found.point.x), c(found.point.y), c(found.point.z)};
+  }
+};
+
+std::optional<Truth> prove_in_double(const Pair& pair, const Filter& filter,
+                                     std::span<const MethodAnswer> offered, Guess& guess) {
+  for (const MethodAnswer& answer : offered)
+    if (auto t = check_by_filter(filter, answer)) {
+      t->witnessed = true;
+      return t;
+    }
+  guess.found = search(double_pair(pair, guess.exponent), 53);
+  if (guess.found.has_direction) {
+    const double d[3] = {guess.found.direction.x, guess.found.direction.y, guess.found.direction.z};
+    if (filter.separates(d)) return proved(Verdict::disjoint, exact_vector(d, no_tail), Stage::filter, 53);
+  }
+  if (guess.found.has_point) {
+    const double head[3] = {pair.a.center.x(), pair.a.center.y(), pair.a.center.z()};
+    const Vec3<double> x = guess.point_in(0);
+    const double tail[3] = {x.x, x.y, x.z};
+    if (filter.in_both(head, tail))
+      return proved(Verdict::intersecting, exact_vector(head, tail), Stage::filter, 53);
+  }
+  return std::nullopt;
+}
+
+// A few digits more are enough for most pairs that rounding in double leaves open.
+std::optional<Truth> prove_in_long_double(const Pair& pair) {
+  using Long = long double;
+  const auto lift = [](const Vector3& v) { return Vec3<Long>{v.x(), v.y(), v.z()}; };
+  const SearchPair<Long> p{
+      lift(pair.a.axis),      lift(pair.b.axis),       lift(pair.b.center) - lift(pair.a.center),
+      pair.a.radius,          Long(pair.a.height) / 2, pair.b.radius,
+      Long(pair.b.height) / 2};
+  const Found<Long> found = search(p, std::numeric_limits<Long>::digits);
+  const LongFilter filter(pair);
+  const auto settled = [](Verdict verdict) {
+    Truth t = verdict_alone(verdict);
+    t.bits = std::numeric_limits<Long>::digits;
+    return t;
+  };
+  if (found.has_direction && filter.separates(found.direction)) return settled(Verdict::disjoint);
+  const auto c = [&](Long x) { return std::ldexp(x, -filter.exponent()); };
+  if (found.has_point && filter.overlap_at({c(found.point.x), c(found.point.y), c(found.point.z)}))
+    return settled(Verdict::intersecting);
+  return std::nullopt;
+}
+
+Truth judge_at_length(const Pair& pair, std::span<const MethodAnswer> offered, int bits_cap) {
+  Truth undecided;
+  undecided.stage = Stage::exact;
+  if (bits_cap < first_wide_bits) return undecided;
+  for (const MethodAnswer& answer : offered)
+    if (auto t = check_exactly(pair, answer)) {
+      t->witnessed = true;
+      return *t;
+    }
+
+  Rational3 point, direction;
+  for (int bits = first_wide_bits; bits <= bits_cap; bits *= 2) {
+    undecided.bits = bits;
+    const Found<Wide> found = search_wide(pair, bits, point, direction);
+    if (found.has_direction)
+      if (auto t = prove_disjoint(pair, direction, bits)) return *t;
+    if (!found.has_point) continue;
+    const auto common = common_point(pair, point);
+    // A point inside either solid rules touching out; on both surfaces the algebra has the word.
+    if (common && interior_of_either(pair, common->point))
+      return proved(Verdict::intersecting, common->written, Stage::exact, bits);
+    if (common || bits <= tangency_bits)
+      if (auto t = prove_touching(pair, common ? common->point : point, direction, bits)) return *t;
+    if (common) return proved(Verdict::intersecting, common->written, Stage::exact, bits);
+  }
+  return undecided;
+}
+
+}  // namespace
+
+Truth judge(const Pair& pair, std::span<const MethodAnswer> offered, int bits_cap) {
+  if (!legal(pair)) return verdict_alone(Verdict::invalid);
+  Guess guess;
+  if (auto t = prove_in_double(pair, Filter(pair), offered, guess)) return std::move(*t);
+  return judge_at_length(pair, offered, bits_cap);
+}
+
+Truth judge_verdict(const Pair& pair, std::span<const MethodAnswer> offered) {
+  if (!legal(pair)) return verdict_alone(Verdict::invalid);
+  const Filter filter(pair);
+  Guess guess;
+  if (auto t = prove_in_double(pair, filter, offered, guess)) return std::move(*t);
+  if (guess.found.has_point && filter.overlap_at(guess.point_in(filter.exponent())))
+    return verdict_alone(Verdict::intersecting);
+  if (auto t = prove_in_long_double(pair)) return std::move(*t);
+  return judge_at_length(pair, offered, precision_cap);
+}
+
+Verdict check_witness(const Pair& pair, const MethodAnswer& answer) {
+  if (!legal(pair)) return Verdict::undecided;
+  if (auto t = check_by_filter(Filter(pair), answer)) return t->verdict;
+  if (auto t = check_exactly(pair, answer)) return t->verdict;
+  if (answer.status == Status::answered && answer.witness == WitnessKind::point && finite(answer.head) &&
+      finite(answer.tail) && in_both_exact(pair, sum(answer.head, answer.tail)))
+    return Verdict::intersecting;
+  return Verdict::undecided;
+}
+
+double size_of(const Pair& pair) {
+  return std::min(pair.a.radius + pair.a.height + pair.b.radius + pair.b.height,
+                  std::numeric_limits<double>::max());
+}
+
+const char* to_string(Stage s) noexcept {
+  switch (s) {
+    case Stage::filter:
+      return "filter";
+    case Stage::wide:
+      return "wide";
+    case Stage::exact:
+      return "exact";
+  }
+  return "exact";
+}
+
+namespace {
+
+void append_vector(std::string& s, const ExactVector& v) {
+  s += '[';
+  for (std::size_t i = 0; i < 3; ++i) {
+    if (i) s += ',';
+    if (!v.exact[i].empty())
+      s.append("\"").append(v.exact[i]).append("\"");
+    else if (v.tail[i] != 0)
+      s.append("[").append(format_double(v.head[i])).append(",").append(format_double(v.tail[i])).append("]");
+    else
+      s += format_double(v.head[i]);
+  }
+  s += ']';
+}
+
+// The members of the certificate's object, without braces; nothing where there is none.
+void append_certificate(std::string& s, const Certificate& c) {
+  switch (c.kind) {
+    case CertificateKind::none:
+      return;
+    case CertificateKind::direction:
+      s += "\"direction\":";
+      break;
+    case CertificateKind::point:
+      s += "\"point\":";
+      break;
+    case CertificateKind::near:
+      s += "\"near\":{\"point\":";
+      break;
+  }
+  append_vector(s, c.vector);
+  if (c.kind != CertificateKind::near) return;
+  s += ",\"direction\":";
+  append_vector(s, c.second);
+  s += '}';
+}
+
+}  // namespace
+
+std::string format_certificate(const Certificate& c) {
+  std::string s = "{";
+  append_certificate(s, c);
+  s += '}';
+  return s;
+}
+
+std::string format_truth(const Truth& truth, const Enclosure* distance) {
+  std::string s = "{\"verdict\":\"";
+  s.append(to_string(truth.verdict)).append("\"");
+  if (truth.certificate.kind != CertificateKind::none) {
+    s += ',';
+    append_certificate(s, truth.certificate);
+  }
+  if (distance)
+    s.append(",\"distance\":[")
+        .append(format_double(distance->lo))
+        .append(",")
+        .append(format_double(distance->hi))
+        .append("]");
+  if (truth.verdict == Verdict::undecided) s.append(",\"bits\":").append(std::to_string(truth.bits));
+  if (truth.verdict != Verdict::invalid)
+    s.append(",\"stage\":\"").append(to_string(truth.stage)).append("\"");
+  s += '}';
+  return s;
+}
+
+}  // namespace cyl

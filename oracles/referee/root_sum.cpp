@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: MIT
+#include "oracles/referee/root_sum.hpp"
+
+#include "oracles/referee/multiprecision.hpp"
+
+namespace cyl {
+namespace {
+
+// The rational square root of q, where it has one.
+bool rational_root(const mpq_class& q, mpq_class& root) {
+  if (!mpz_perfect_square_p(q.get_num_mpz_t()) || !mpz_perfect_square_p(q.get_den_mpz_t())) return false;
+  root = mpq_class(sqrt(q.get_num()), sqrt(q.get_den()));
+  return true;
+}
+
+}  // namespace
+
+// sqrt(q) = sqrt(q r)/r sqrt(r): where q r is a square, the term joins that of sqrt(r). Square roots of
+// rationals no two of which have a square as product are linearly independent over the rationals (Besicovitch
+// 1940); so the sum is 0 iff no term is left.
+void RootSum::add(const mpq_class& c, const mpq_class& q) {
+  if (c == 0 || q == 0) return;
+  mpq_class root;
+  for (auto t = terms_.begin(); t != terms_.end(); ++t)
+    if (rational_root(q * t->q, root)) {
+      t->c += c * root / t->q;
+      if (t->c == 0) terms_.erase(t);
+      return;
+    }
+  if (rational_root(q, root))
+    terms_.push_back({c * root, 1});
+  else
+    terms_.push_back({c, q});
+}
+
+RootSum operator+(const RootSum& a, const RootSum& b) {
+  RootSum r = a;
+  for (const auto& t : b.terms_) r.add(t.c, t.q);
+  return r;
+}
+
+RootSum operator-(const RootSum& a, const RootSum& b) {
+  RootSum r = a;
+  for (const auto& t : b.terms_) r.add(-t.c, t.q);
+  return r;
+}
+
+RootSum operator*(const RootSum& a, const RootSum& b) {
+  RootSum r;
+  for (const auto& s : a.terms_)
+    for (const auto& t : b.terms_) r.add(s.c * t.c, s.q * t.q);
+  return r;
+}
+
+int RootSum::sign() const {
+  if (terms_.empty()) return 0;
+  // Not 0, so some precision shows the sign.
+  for (int bits = 128;; bits *= 2) {
+    const WidePrecision precision(bits);
+    WideInterval sum;
+    for (const Term& t : terms_) sum = sum + WideInterval(t.c) * sqrt(WideInterval(t.q));
+    if (sum.positive()) return 1;
+    if (sum.negative()) return -1;
+  }
+}
+
+}  // namespace cyl

@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: MIT
+#include "oracles/referee/tangency.hpp"
+
+#include <vector>
+
+#include "oracles/referee/root_sum.hpp"
+
+namespace cyl {
+namespace {
+
+using Root3 = Vec3<RootSum>;
+
+constexpr int screening_bits = 128;  // most candidates are far from f(D) = 0, and MPFI shows it cheaply
+
+bool is_zero(const Rational3& v) { return v.x == 0 && v.y == 0 && v.z == 0; }
+
+Rational3 off(const Rational3& v, const Rational3& axis) {
+  const mpq_class share = dot(v, axis) / dot(axis, axis);
+  return v - share * axis;
+}
+
+Root3 lift(const Rational3& v) { return {RootSum(v.x), RootSum(v.y), RootSum(v.z)}; }
+
+// length * v/|v|.
+Root3 along(const mpq_class& length, const Rational3& v) {
+  const mpq_class vv = dot(v, v);
+  return RootSum::root(length / vv, vv) * lift(v);
+}
+
+bool at_most(const RootSum& a, const RootSum& b) { return (b - a).sign() >= 0; }
+
+// Where a solid touches its supporting plane square to D, relative to its centre.
+struct Face {
+  enum Kind { point, segment, disk } kind;
+  Root3 center;
+  Rational3 axis;
+  mpq_class radius, half;
+};
+
+Face face(const Cylinder& c, const Rational3& d) {
+  const Rational3 w = exact(c.axis);
+  const mpq_class dw = dot(d, w), radius(c.radius), half = mpq_class(c.height) / 2;
+  const Rational3 radial = off(d, w);
+  const mpq_class end = dw < 0 ? mpq_class(-half) : half;
+  if (is_zero(radial)) return {Face::disk, along(end, w), w, radius, half};
+  if (dw == 0) return {Face::segment, along(radius, d), w, radius, half};
+  return {Face::point, along(radius, radial) + along(end, w), w, radius, half};
+}
+
+// Whether two faces in one plane share a point; `delta` leads from the centre of the first to that of the
+// second.
+bool faces_meet(const Face& f, const Face& g, const Root3& delta) {
+  if (f.kind < g.kind) return faces_meet(g, f, RootSum(-1) * delta);
+  const RootSum square = dot(delta, delta);
+  if (f.kind == Face::disk && g.kind != Face::segment) {
+    const mpq_class reach = g.kind == Face::disk ? mpq_class(f.radius + g.radius) : f.radius;
+    return at_most(square, mpq_class(reach * reach));
+  }
+  if (f.kind == Face::disk) {
+    const mpq_class ww = dot(g.axis, g.axis);
+    const RootSum p = dot(delta, lift(g.axis)), limit = mpq_class(f.radius * f.radius);
+    if (at_most(p * p, mpq_class(g.half * g.half * ww)))
+      return at_most(square - RootSum(mpq_class(1 / ww)) * p * p, limit);
+    const RootSum size = p.sign() < 0 ? RootSum(0) - p : p;
+    return at_most(square - RootSum::root(2 * g.half / ww, ww) * size + RootSum(mpq_class(g.half * g.half)),
+                   limit);
+  }
+  const mpq_class ww = dot(f.axis, f.axis);
+  const RootSum p = dot(delta, lift(f.axis));
+  auto on_line = [&] {
+    const Root3 beside = cross(delta, lift(f.axis));
+    return beside.x.sign() == 0 && beside.y.sign() == 0 && beside.z.sign() == 0;
+  };
+  if (f.kind == Face::segment && g.kind == Face::segment) {
+    const Rational3 normal = cross(f.axis, g.axis);
+    const mpq_class nn = dot(normal, normal);
+    if (nn == 0) {
+      const mpq_class reach = f.half + g.half;
+      return on_line() && at_most(p * p, mpq_class(reach * reach * ww));
+    }
+    // delta = s f.axis - t g.axis
+    const RootSum s = RootSum(mpq_class(1 / nn)) * dot(cross(delta, lift(g.axis)), lift(normal));
+    const RootSum t = RootSum(mpq_class(1 / nn)) * dot(cross(delta, lift(f.axis)), lift(normal));
+    const mpq_class gg = dot(g.axis, g.axis);
+    return at_most(s * s, mpq_class(f.half * f.half / ww)) && at_most(t * t, mpq_class(g.half * g.half / gg));
+  }
+  if (f.kind == Face::segment) return on_line() && at_most(p * p, mpq_class(f.half * f.half * ww));
+  return delta.x.sign() == 0 && delta.y.sign() == 0 && delta.z.sign() == 0;
+}
+
+// f(D) as a sum of roots, D.delta >= 0.
+RootSum support_gap(const Pair& pair, const Rational3& d, const Rational3& delta) {
+  RootSum sum = RootSum(0) - RootSum(dot(d, delta));
+  for (const Cylinder* c : {&pair.a, &pair.b}) {
+    const Rational3 w = exact(c->axis), side = cross(d, w);
+    const mpq_class ww = dot(w, w), dw = dot(d, w);
+    sum = sum + RootSum::root(c->radius, dot(side, side) / ww) +
+          RootSum::root(mpq_class(c->height) / 2, dw * dw / ww);
+  }
+  return sum;
+}
+
+}  // namespace
+
+mpq_class simplest_within(const mpq_class& x, const mpq_class& tolerance) {
+  // Convergents of the continued fraction of x, until one is near enough.
+  mpz_class p0 = 0, q0 = 1, p1 = 1, q1 = 0;
+  mpq_class rest = x;
+  for (;;) {
+    mpz_class whole;
+    mpz_fdiv_q(whole.get_mpz_t(), rest.get_num_mpz_t(), rest.get_den_mpz_t());
+    const mpz_class p2 = whole * p1 + p0, q2 = whole * q1 + q0;
+    p0 = p1, q0 = q1, p1 = p2, q1 = q2;
+    mpq_class guess(p1, q1);
+    guess.canonicalize();
+    if (abs(mpq_class(x - guess)) <= tolerance || rest == whole) return guess;
+    rest = 1 / mpq_class(rest - whole);
+  }
+}
+
+std::optional<Tangency> prove_tangency(const Pair& pair, const Rational3& near_point,
+                                       const Rational3& near_direction) {
+  const Rational3 w0 = exact(pair.a.axis), w1 = exact(pair.b.axis);
+  const Rational3 c0 = exact(pair.a.center), delta = exact(pair.b.center) - c0;
+  const Rational3 x0 = near_point - c0, x1 = near_point - exact(pair.b.center);
+
+  // A cap's normal; that of two crossing walls; that of two parallel walls, or of a wall and the point it
+  // meets; that of the two rims through the point (square to both rims' tangents); of segments on one line,
+  // any square to it; of two points in one place, any.
+  std::vector<Rational3> candidates = {w0,
+                                       w1,
+                                       cross(w0, w1),
+                                       off(delta, w0),
+                                       off(delta, w1),
+                                       off(x0, w0),
+                                       off(x1, w1),
+                                       cross(cross(w0, x0), cross(w1, x1)),
+                                       delta,
+                                       near_direction};
+  for (const Rational3& unit : {Rational3{1, 0, 0}, Rational3{0, 1, 0}})
+    candidates.push_back(cross(w0, unit));
+  if (is_zero(delta)) candidates.push_back({1, 0, 0});
+  for (Rational3& d : candidates) {
+    if (is_zero(d)) continue;
+    if (dot(d, delta) < 0) d = mpq_class(-1) * d;
+    if (support_gap_sign(pair, d, screening_bits) != 0 || support_gap(pair, d, delta).sign() != 0) continue;
+    const Rational3 back = mpq_class(-1) * d;
+    const Face f = face(pair.a, d), g = face(pair.b, back);
+    return Tangency{d, faces_meet(f, g, lift(delta) + g.center - f.center)};
+  }
+  return std::nullopt;
+}
+
+}  // namespace cyl

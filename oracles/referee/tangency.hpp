@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: MIT
+// Exact tangency: whether two solids touch without overlapping, proved by algebra.
+#pragma once
+
+#include <optional>
+
+#include "oracles/referee/certificate.hpp"
+
+namespace cyl {
+
+/// A direction D with f(D) = 0 exactly: the plane square to it has one solid on each closed side.
+struct Tangency {
+  Rational3 direction;
+  bool meet;  ///< the solids share a point of that plane: touching; else they are disjoint
+};
+
+/// Looks for D among the rational directions that the pair and the guessed point suggest. Nothing found
+/// proves nothing: D may be irrational (a rim against a wall or a rim, in general position).
+std::optional<Tangency> prove_tangency(const Pair& pair, const Rational3& near_point,
+                                       const Rational3& near_direction);
+
+/// A simple rational within `tolerance` of x: the first convergent of its continued fraction that is.
+mpq_class simplest_within(const mpq_class& x, const mpq_class& tolerance);
+
+}  // namespace cyl

@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: MIT
+#include "oracles/trial/algorithm_groups.hpp"
+
+#include <algorithm>
+#include <cstdint>
+#include <numeric>
+#include <utility>
+
+#include "corpus/pairs/strata.hpp"
+#include "oracles/methods/contained.hpp"
+#include "oracles/referee/referee.hpp"
+
+namespace cyl {
+namespace {
+
+constexpr std::uint64_t kin_seed = 7, pairs_per_cell = 4;
+
+/// Of the pairs on which the rarer wrong one of two is wrong, the part on which the other is wrong in the
+/// same way. Of all_methods(), those with one algorithm share 0.97 and more, others 0.92 at most.
+constexpr double shared_part_margin = 0.95;
+/// Of the pairs on which either is wrong, the part on which both are. Across libraries: 0.67 and more of
+/// those with one algorithm, 0.53 at most of others. Within one a setting may make the difference; below the
+/// smaller margin one is wrong so often that the other's pairs are among them by chance.
+constexpr double alike_part_margin = 0.3, alike_part_across_margin = 0.6;
+/// Pairs on which both must be wrong to be told from luck: within a library, and across.
+constexpr std::size_t least_wrong = 5, least_wrong_across = 20;
+
+enum class Said : unsigned char { nothing, right, wrong_disjoint, wrong_intersecting, failed };
+
+Said classify(const MethodAnswer& answer, Verdict truth) {
+  if (answer.status == Status::failed) return Said::failed;
+  if (answer.status == Status::declined || answer.verdict == Verdict::undecided) return Said::nothing;
+  if ((answer.verdict == Verdict::disjoint) == (truth == Verdict::disjoint)) return Said::right;
+  return answer.verdict == Verdict::disjoint ? Said::wrong_disjoint : Said::wrong_intersecting;
+}
+
+std::vector<Pair> fixed_pairs() {
+  std::vector<Pair> pairs;
+  for (std::size_t feature = 0; feature < contact_feature_count; ++feature)
+    for (int decade = first_decade; decade <= last_decade; ++decade)
+      for (std::uint64_t index = 0; index < pairs_per_cell; ++index)
+        if (const auto pair = draw_in_stratum(static_cast<ContactFeature>(feature), decade, kin_seed, index))
+          pairs.push_back(*pair);
+  return pairs;
+}
+
+bool err_alike(std::span<const Said> x, std::span<const Said> y, bool one_library) {
+  std::size_t x_wrong = 0, y_wrong = 0, both = 0;
+  for (std::size_t p = 0; p < x.size(); ++p) {
+    if (x[p] == Said::nothing || y[p] == Said::nothing) continue;
+    x_wrong += x[p] != Said::right;
+    y_wrong += y[p] != Said::right;
+    both += x[p] != Said::right && x[p] == y[p];
+  }
+  const auto part = [&](std::size_t of) { return static_cast<double>(both) / static_cast<double>(of); };
+  const std::size_t rarer = std::min(x_wrong, y_wrong);
+  if (rarer < (one_library ? least_wrong : least_wrong_across) || part(rarer) < shared_part_margin)
+    return false;
+  return part(x_wrong + y_wrong - both) >= (one_library ? alike_part_margin : alike_part_across_margin);
+}
+
+std::string_view library_and_way(std::string_view name) {
+  const std::size_t way = name.find('-');
+  return way == name.npos ? name : name.substr(0, name.find('-', way + 1));
+}
+
+bool extends(std::string_view name, std::string_view by) {
+  return name.size() > by.size() && name.starts_with(by) && name[by.size()] == '-';
+}
+
+}  // namespace
+
+std::string_view library_of(std::string_view method) { return method.substr(0, method.find('-')); }
+
+bool differ_in_setting(std::string_view x, std::string_view y) {
+  if (extends(x, y) || extends(y, x)) return true;
+  return x != y && library_and_way(x) == library_and_way(y);
+}
+
+std::vector<std::size_t> kin_of(std::span<const std::unique_ptr<Method>> methods) {
+  const std::vector<Pair> pairs = fixed_pairs();
+  std::vector<Question> questions;
+  for (std::size_t m = 0; m < methods.size(); ++m)
+    for (std::size_t p = 0; p < pairs.size() && !methods[m]->guest(); ++p) questions.push_back({m, p});
+  Caps caps;
+  caps.hangs = 4;
+  const std::vector<ContainedAnswer> answers = ask_contained(methods, pairs, questions, caps);
+  std::vector<Verdict> truths;
+  for (const Pair& pair : pairs) truths.push_back(judge(pair).verdict);
+  std::vector<Said> said(methods.size() * pairs.size(), Said::nothing);
+  for (std::size_t q = 0; q < questions.size(); ++q) {
+    const auto& [m, p, way] = questions[q];
+    if (truths[p] != Verdict::undecided) said[m * pairs.size() + p] = classify(answers[q].answer, truths[p]);
+  }
+
+  std::vector<std::size_t> first(methods.size());
+  std::iota(first.begin(), first.end(), std::size_t{0});
+  const auto of = [&](std::size_t m) { return std::span(said).subspan(m * pairs.size(), pairs.size()); };
+  for (std::size_t m = 0; m < methods.size(); ++m)
+    for (std::size_t n = 0; n < m; ++n) {
+      if (first[m] == first[n]) continue;
+      const std::string_view x = methods[m]->name(), y = methods[n]->name();
+      if (!differ_in_setting(x, y) && !err_alike(of(m), of(n), library_of(x) == library_of(y))) continue;
+      const std::size_t kept = std::min(first[m], first[n]), joined = std::max(first[m], first[n]);
+      std::replace(first.begin(), first.end(), joined, kept);
+    }
+  return first;
+}
+
+}  // namespace cyl

@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: MIT
+#include "oracles/trial/bucket.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <utility>
+
+#include "base/fnv.hpp"
+#include "oracles/referee/referee.hpp"
+#include "oracles/trial/compare.hpp"
+#include "oracles/trial/contact.hpp"
+
+namespace cyl {
+namespace {
+
+/// In the scene's unit: below and above it a size counts as extreme.
+constexpr std::pair<double, double> plain_sizes_margin{1e-3, 1e3};
+/// Longer to shorter.
+constexpr double plain_ratio_margin = 100;
+constexpr double small_margin = 1e-3;
+
+bool uneven(double x, double y) {
+  return x > 0 && y > 0 && std::max(x, y) / plain_ratio_margin > std::min(x, y);
+}
+
+}  // namespace
+
+std::string_view to_string(Coordinate c) noexcept {
+  constexpr std::array<std::string_view, 6> names{"offset", "scale", "aspect", "angle", "margin", "plain"};
+  return names[static_cast<std::size_t>(c)];
+}
+
+Coordinate coordinate_of(const Pair& p, double margin) {
+  const double size = size_of(p), far_away = offset_size_margin * size;
+  const double a = p.a.center.stableNorm(), b = p.b.center.stableNorm();
+  const double apart = (p.b.center / 2 - p.a.center / 2).stableNorm() * 2;
+  if (size > 0 && std::min(a, b) > far_away && apart <= std::min(a, b)) return Coordinate::offset;
+  if (size > 0 && (size < plain_sizes_margin.first || size > plain_sizes_margin.second))
+    return Coordinate::scale;
+  if (uneven(2 * p.a.radius, p.a.height) || uneven(2 * p.b.radius, p.b.height) ||
+      uneven(p.a.radius + p.a.height, p.b.radius + p.b.height))
+    return Coordinate::aspect;
+  switch (angle_class(p)) {
+    case AngleClass::within_1e_12:
+    case AngleClass::within_1e_7:
+    case AngleClass::within_1e_2:
+    case AngleClass::near_right:
+      return Coordinate::angle;
+    default:
+      break;
+  }
+  return margin < small_margin ? Coordinate::margin : Coordinate::plain;
+}
+
+std::string bucket_key(std::string_view method, std::string_view failure,
+                       std::optional<ContactFeature> feature, Coordinate coordinate) {
+  std::string key(method);
+  for (const std::string_view part :
+       {failure, feature ? to_string(*feature) : "unknown", to_string(coordinate)})
+    key.append("/").append(part);
+  return key;
+}
+
+std::string bucket_of(std::string_view method, std::string_view failure, const Pair& pair) {
+  const Truth truth = judge(pair);
+  LazyDistance distance([&](double width) { return enclose_distance(pair, truth, width); });
+  const bool decided = truth.verdict != Verdict::undecided && truth.verdict != Verdict::invalid;
+  const double size = size_of(pair);
+  const double margin = decided && size > 0 ? magnitude_against(0, truth, distance).hi / size : 0;
+  return bucket_key(method, failure, contact_feature(pair, truth), coordinate_of(pair, margin));
+}
+
+std::string letters_only(std::string_view key) {
+  constexpr unsigned letters = 12;
+  const std::uint64_t hash = fnv1a(key);
+  std::string text;
+  for (unsigned i = letters; i-- > 0;) text.push_back(static_cast<char>('a' + (hash >> (4 * i) & 15)));
+  return text;
+}
+
+}  // namespace cyl

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: MIT
+// The bucket key: findings with one cause, as far as we can tell, have one key. It is taken from a simplified
+// pair: what is still extreme there is what matters.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "corpus/pairs/contact_feature.hpp"
+#include "solver/cylinder.hpp"
+
+namespace cyl {
+
+/// The one coordinate that still matters: the first in this order. What places and sizes the whole scene
+/// comes before what tells the solids apart, and the margin last, because most findings are near touching.
+enum class Coordinate : unsigned char {
+  offset,  ///< both centres beyond offset_size_margin sizes from the origin, and nearer to each other than to
+           ///< it
+  scale,   ///< the size is below 1e-3 or above 1e3
+  aspect,  ///< diameter to height of a solid, or the sizes of the two, beyond 100 to 1; 0 lengths aside
+  angle,   ///< axes within 1e-2 of parallel or of perpendicular, but not exactly so
+  margin,  ///< the margin is below 1e-3
+  plain    ///< none of these
+};
+
+/// In sizes.
+inline constexpr double offset_size_margin = 100;
+
+/// The words used in keys: "offset", "scale", ...
+std::string_view to_string(Coordinate c) noexcept;
+
+/// Of a legal pair; `margin`: |signed distance| / size, or a bound of it from above.
+Coordinate coordinate_of(const Pair& simplified, double margin);
+
+/// "fcl-libccd/wrong_disjoint/side-rim/angle". `failure`: a finding's kind or a law's name; the feature is
+/// "unknown" where there is none.
+std::string bucket_key(std::string_view method, std::string_view failure,
+                       std::optional<ContactFeature> feature, Coordinate coordinate);
+
+/// The key of a pair: what meets and what matters are looked up. Cost: that of an enclosure of the distance.
+std::string bucket_of(std::string_view method, std::string_view failure, const Pair& pair);
+
+/// Twelve letters a to p that stand for the key, for tools that mangle digits: the low 48 bits of its FNV-1a
+/// hash, four a letter, the highest first.
+std::string letters_only(std::string_view key);
+
+}  // namespace cyl

@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: MIT
+#include "oracles/trial/cells.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "oracles/referee/referee.hpp"
+#include "oracles/trial/contact.hpp"
+#include "solver/distance.hpp"
+
+namespace cyl {
+namespace {
+
+constexpr std::array powers{1e1, 1e2,  1e3,  1e4,  1e5,  1e6,  1e7,  1e8,
+                            1e9, 1e10, 1e11, 1e12, 1e13, 1e14, 1e15, 1e16};
+constexpr int decades = 16;  ///< of a sine or cosine, below 0.1
+constexpr int oblique_bin = decades + 1, right_bin = 2 * decades + 2;
+constexpr int infinite_bin = decades + 1;  ///< of the aspect, after all that is above 1e16
+
+/// Decades where scenes are, coarser where only scales are tried.
+constexpr std::array scales{1e-200, 1e-100, 1e-50, 1e-20, 1e-12, 1e-11, 1e-10, 1e-9, 1e-8, 1e-7, 1e-6,
+                            1e-5,   1e-4,   1e-3,  1e-2,  1e-1,  1e0,   1e1,   1e2,  1e3,  1e4,  1e5,
+                            1e6,    1e7,    1e8,   1e9,   1e10,  1e11,  1e12,  1e20, 1e50, 1e100};
+
+std::string power_label(int exponent) {
+  if (exponent == 0 || exponent == 1) return exponent == 0 ? "1" : "10";
+  return fmt::format("1e{}", exponent);
+}
+
+/// The first end that x does not exceed; beyond the last where it exceeds all.
+template <std::size_t n>
+int bin_of(double x, const std::array<double, n>& ends) {
+  return static_cast<int>(std::lower_bound(ends.begin(), ends.end(), x) - ends.begin());
+}
+
+template <std::size_t n>
+std::vector<std::string> upper_ends(const std::array<double, n>& ends) {
+  std::vector<std::string> labels;
+  for (const double end : ends) labels.push_back(power_label(static_cast<int>(std::lround(std::log10(end)))));
+  labels.push_back("> " + labels.back());
+  return labels;
+}
+
+int angle_bin(const Pair& pair) {
+  const AxesAngle angle = axes_angle(pair);
+  if (angle.parallel) return 0;
+  if (angle.right) return right_bin;
+  const int from_parallel = margin_decade(angle.sine), from_right = margin_decade(angle.cosine);
+  return from_parallel > 0 ? oblique_bin - from_parallel : oblique_bin + from_right;
+}
+
+int aspect_bin(const Pair& pair) {
+  double most = 1;
+  const auto look = [&](double x, double y) { most = std::max({most, x / y, y / x}); };
+  for (const Cylinder* c : {&pair.a, &pair.b}) {
+    if (c->radius == 0 || c->height == 0) return infinite_bin;
+    look(c->radius, c->height / 2);
+  }
+  look(pair.a.radius + pair.a.height, pair.b.radius + pair.b.height);
+  return bin_of(most, powers);
+}
+
+int margin_bin(const Pair& pair, Verdict truth, double size) {
+  if (truth == Verdict::touching) return touching_bin;
+  // Points apart are infinitely many sizes apart.
+  return margin_decade(size > 0 ? std::abs(distance(pair.a, pair.b).value) / size
+                                : std::numeric_limits<double>::infinity());
+}
+
+int offset_bin(const Pair& pair, double size) {
+  constexpr std::array<double, powers.size() + 1> ends = [] {
+    std::array<double, powers.size() + 1> e{1};
+    std::copy(powers.begin(), powers.end(), e.begin() + 1);
+    return e;
+  }();
+  const double off = std::max(pair.a.center.cwiseAbs().maxCoeff(), pair.b.center.cwiseAbs().maxCoeff());
+  return off == 0 ? 0 : bin_of(off / size, ends);
+}
+
+}  // namespace
+
+std::string_view to_string(Plane plane) noexcept {
+  constexpr std::array<std::string_view, planes.size()> names{"angle-margin", "aspect-margin",
+                                                              "scale-offset"};
+  return names[static_cast<std::size_t>(plane)];
+}
+
+std::optional<Plane> find_plane(std::string_view name) {
+  for (const Plane plane : planes)
+    if (to_string(plane) == name) return plane;
+  return {};
+}
+
+CellAxis margin_axis() {
+  CellAxis axis{"margin: distance or depth over size", {}};
+  for (int d = 0; d <= decades; ++d) axis.labels.push_back(power_label(-d));
+  axis.labels.push_back("touching");
+  return axis;
+}
+
+CellAxis x_axis(Plane plane) {
+  if (plane == Plane::scale_offset) return {"size, in the unit of length", upper_ends(scales)};
+  if (plane == Plane::aspect_margin) {
+    CellAxis axis{"largest ratio of diameter, height or sizes", upper_ends(powers)};
+    axis.labels.push_back("flat, thin or a point");
+    return axis;
+  }
+  CellAxis axis{"angle of the axes: its sine, then its cosine", {"parallel"}};
+  for (int d = decades; d > 0; --d) axis.labels.push_back(power_label(-d));
+  axis.labels.push_back("oblique");
+  for (int d = 1; d <= decades; ++d) axis.labels.push_back(power_label(-d));
+  axis.labels.push_back("perpendicular");
+  return axis;
+}
+
+CellAxis y_axis(Plane plane) {
+  if (plane != Plane::scale_offset) return margin_axis();
+  CellAxis axis{"largest coordinate of a centre over size", upper_ends(powers)};
+  axis.labels.insert(axis.labels.begin(), power_label(0));
+  return axis;
+}
+
+std::array<Cell, planes.size()> cells_of(const Pair& pair, Verdict truth) {
+  const double size = size_of(pair);
+  const int margin = margin_bin(pair, truth, size);
+  return {Cell{angle_bin(pair), margin}, Cell{aspect_bin(pair), margin},
+          Cell{bin_of(size, scales), offset_bin(pair, size)}};
+}
+
+void count_answer(CellCounts& counts, const MethodAnswer& answer, const std::optional<Finding>& wrong) {
+  ++counts.asked;
+  if (answer.status == Status::failed || (wrong && wrong->kind == FindingKind::non_finite)) {
+    ++counts.failed;
+  } else if (answer.status == Status::declined || answer.verdict == Verdict::undecided ||
+             (wrong && wrong->kind == FindingKind::wrong_invalid)) {
+    ++counts.undecided;
+  } else if (wrong) {
+    counts.wrong_disjoint += wrong->kind == FindingKind::wrong_disjoint;
+    counts.wrong_intersecting += wrong->kind == FindingKind::wrong_intersecting;
+  }
+}
+
+}  // namespace cyl

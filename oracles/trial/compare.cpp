@@ -1,0 +1,270 @@
+// SPDX-License-Identifier: MIT
+#include "oracles/trial/compare.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <iterator>
+#include <limits>
+
+#include "corpus/pairs/pair_io.hpp"
+
+namespace cyl {
+namespace {
+
+/// Relative widths asked of an enclosure, in this order: a lower bound that has not reached the claim at the
+/// last of them counts as within the claim.
+constexpr double widths[] = {1e-6, 1e-9, 1e-12, 1e-15, 1e-18};
+constexpr double widest = widths[0], narrowest = widths[std::size(widths) - 1];
+/// Relative. Covers the rounding of size_of (3 sums), of a claim (2 operations) and of a quotient, 2^-53
+/// each.
+constexpr double rounding_error = 0x1p-50;
+
+Enclosure magnitude(const Enclosure& d) {
+  if (d.lo > 0) return d;
+  if (d.hi < 0) return {-d.hi, -d.lo};
+  return {0, std::max(-d.lo, d.hi)};
+}
+
+Enclosure relative_to(double size, const Enclosure& length) {
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  if (size == 0) return {length.lo > 0 ? infinity : 0, length.hi > 0 ? infinity : 0};
+  const double hi = length.hi / size * (1 + rounding_error);
+  return {length.lo / size * (1 - rounding_error), std::isnan(hi) ? infinity : hi};
+}
+
+/// The pair's own margin, for what went wrong whatever the distance; none where nothing is proved.
+std::optional<Enclosure> margin_of(const Pair& pair, const Truth& truth, LazyDistance& distance) {
+  if (truth.verdict == Verdict::undecided || truth.verdict == Verdict::invalid) return {};
+  if (truth.verdict == Verdict::touching) return Enclosure{0, 0};
+  return relative_to(size_of(pair), magnitude(distance.at(widest)));
+}
+
+Finding refuted(FindingKind kind, const Pair& pair, const Truth& truth, LazyDistance& distance,
+                const Claim& claim) {
+  const double size = size_of(pair), promised_from = reach(claim, size);
+  const Enclosure gap = magnitude_against(promised_from, truth, distance);
+  return {kind, gap.lo >= promised_from ? Severity::contract : Severity::resolution, relative_to(size, gap)};
+}
+
+std::optional<Finding> compare_verdict(const Pair& pair, const Truth& truth, LazyDistance& distance,
+                                       const Claim& claim, Verdict said) {
+  const bool disjoint = truth.verdict == Verdict::disjoint;
+  switch (said) {
+    case Verdict::undecided:
+      return {};
+    case Verdict::invalid:
+      return Finding{FindingKind::wrong_invalid, Severity::contract, margin_of(pair, truth, distance)};
+    case Verdict::disjoint:
+      if (disjoint) return {};
+      return refuted(FindingKind::wrong_disjoint, pair, truth, distance, claim);
+    case Verdict::intersecting:
+      if (!disjoint) return {};
+      return refuted(FindingKind::wrong_intersecting, pair, truth, distance, claim);
+    case Verdict::touching:
+      if (disjoint) return refuted(FindingKind::wrong_intersecting, pair, truth, distance, claim);
+      if (truth.verdict == Verdict::touching || distance.at(widest).hi >= 0) return {};
+      return refuted(FindingKind::wrong_touching, pair, truth, distance, claim);
+  }
+  return {};
+}
+
+/// The least and the greatest |said - d| over d in `real`.
+Enclosure error_of(double said, const Enclosure& real) {
+  return {std::max({0.0, real.lo - said, said - real.hi}), std::max(real.hi - said, said - real.lo)};
+}
+
+// Where an enclosure proves the distance neither right nor wrong the narrowest is asked: what is found never
+// depends on how narrow others have made it. One that is much wider than asked for ended at the rounding of
+// doubles or at its cap on cells, and would again.
+std::optional<Finding> compare_distance(const Pair& pair, const Truth& truth, LazyDistance& distance,
+                                        const Claim& claim, double said) {
+  const double size = size_of(pair), allowed = reach(claim, size);
+  // A claim of 0/0 promises a rounded number: one unit in the last place of the larger length is no fault.
+  const double last_place = std::max(std::abs(said), size) * rounding_error;
+  const double most = std::max(allowed, last_place);
+  const double part = size > 0 ? std::clamp(most / 8 / size, narrowest, widest) : widest;
+  for (const double width : {part, narrowest}) {
+    const Enclosure real = truth.verdict == Verdict::touching ? Enclosure{0, 0} : distance.at(width);
+    const Enclosure off = error_of(said, real);
+    if (off.lo > most)
+      return Finding{FindingKind::distance_outside, Severity::contract, relative_to(size, off)};
+    const bool as_narrow_as_it_gets = real.hi - real.lo > 4 * width * size;
+    if (off.hi <= most || as_narrow_as_it_gets) break;
+  }
+  return {};
+}
+
+bool finite(const double (&v)[3]) {
+  return std::isfinite(v[0]) && std::isfinite(v[1]) && std::isfinite(v[2]);
+}
+
+bool finite(const MethodAnswer& answer) {
+  if (answer.has_distance && !std::isfinite(answer.distance)) return false;
+  return answer.witness == WitnessKind::none || (finite(answer.head) && finite(answer.tail));
+}
+
+bool same_bits(const double* x, const double* y) { return std::memcmp(x, y, 3 * sizeof *x) == 0; }
+
+/// Whether the truth's certificate is this answer's own witness, so that it need not be checked again.
+bool is_certificate(const Truth& truth, const MethodAnswer& answer) {
+  const CertificateKind kind =
+      answer.witness == WitnessKind::direction ? CertificateKind::direction : CertificateKind::point;
+  const ExactVector& v = truth.certificate.vector;
+  return truth.certificate.kind == kind && v.exact[0].empty() && v.exact[1].empty() && v.exact[2].empty() &&
+         same_bits(v.head.data(), answer.head) && same_bits(v.tail.data(), answer.tail);
+}
+
+/// Whether the witness, if any, proves the verdict that was said. A direction says nothing about touching.
+bool witness_holds(const Pair& pair, const Truth& truth, const MethodAnswer& answer) {
+  if (answer.witness == WitnessKind::none || answer.verdict == Verdict::undecided) return true;
+  if (answer.verdict == Verdict::touching && answer.witness == WitnessKind::direction) return true;
+  const Verdict said = answer.verdict == Verdict::touching ? Verdict::intersecting : answer.verdict;
+  return (said == truth.verdict && is_certificate(truth, answer)) || check_witness(pair, answer) == said;
+}
+
+FindingKind kind_of(Failure failure) {
+  switch (failure) {
+    case Failure::hang:
+      return FindingKind::hang;
+    case Failure::non_finite:
+      return FindingKind::non_finite;
+    case Failure::malformed:
+      return FindingKind::malformed;
+    case Failure::exception:
+      return FindingKind::exception;
+    case Failure::crash:
+    case Failure::none:
+      return FindingKind::crash;
+  }
+  return FindingKind::crash;
+}
+
+}  // namespace
+
+double reach(const Claim& claim, double size) {
+  if (claim.relative == 0 || size == 0) return claim.absolute;
+  // Of subnormal solids the product may vanish.
+  const double relative_part = std::max(claim.relative * size, std::numeric_limits<double>::denorm_min());
+  return (relative_part + claim.absolute) * (1 + rounding_error);
+}
+
+const Enclosure& LazyDistance::at(double relative_width) {
+  if (!known_ || relative_width < width_) {
+    known_ = enclose_(relative_width);
+    width_ = relative_width;
+  }
+  return *known_;
+}
+
+Enclosure magnitude_against(double length, const Truth& truth, LazyDistance& distance) {
+  Enclosure gap{0, 0};
+  if (truth.verdict == Verdict::touching) return gap;
+  for (const double width : widths) {
+    gap = magnitude(distance.at(width));
+    if (gap.lo >= length || gap.hi < length) break;
+  }
+  return gap;
+}
+
+std::optional<Finding> compare(const Pair& pair, const Truth& truth, LazyDistance& distance,
+                               const Claim& claim, const MethodAnswer& answer) {
+  if (answer.status == Status::declined) return {};
+  if (answer.status == Status::failed)
+    return Finding{kind_of(answer.failure), Severity::contract, margin_of(pair, truth, distance)};
+  if (!finite(answer))
+    return Finding{FindingKind::non_finite, Severity::contract, margin_of(pair, truth, distance)};
+  if (truth.verdict == Verdict::undecided || truth.verdict == Verdict::invalid) return {};
+  if (auto wrong = compare_verdict(pair, truth, distance, claim, answer.verdict)) return wrong;
+  if (answer.has_distance)
+    if (auto wrong = compare_distance(pair, truth, distance, claim, answer.distance)) return wrong;
+  if (witness_holds(pair, truth, answer)) return {};
+  // Only who claims to be always right promises a proof. Of nearest points that are right within a tolerance
+  // the difference need not separate.
+  Finding wrong = refuted(FindingKind::bad_witness, pair, truth, distance, claim);
+  if (claim.relative > 0 || claim.absolute > 0) wrong.severity = Severity::resolution;
+  return wrong;
+}
+
+bool same_answer(const MethodAnswer& x, const MethodAnswer& y) {
+  if (x.failure == Failure::hang || y.failure == Failure::hang) return true;
+  if (x.status != y.status || x.failure != y.failure) return false;
+  if (x.status != Status::answered) return true;
+  if (x.verdict != y.verdict || x.has_distance != y.has_distance || x.witness != y.witness) return false;
+  if (x.has_distance && std::memcmp(&x.distance, &y.distance, sizeof x.distance) != 0) return false;
+  return x.witness == WitnessKind::none || (same_bits(x.head, y.head) && same_bits(x.tail, y.tail));
+}
+
+const char* to_string(FindingKind kind) noexcept {
+  switch (kind) {
+    case FindingKind::wrong_disjoint:
+      return "wrong_disjoint";
+    case FindingKind::wrong_intersecting:
+      return "wrong_intersecting";
+    case FindingKind::wrong_touching:
+      return "wrong_touching";
+    case FindingKind::wrong_invalid:
+      return "wrong_invalid";
+    case FindingKind::bad_witness:
+      return "bad_witness";
+    case FindingKind::distance_outside:
+      return "distance_outside";
+    case FindingKind::non_finite:
+      return "non_finite";
+    case FindingKind::exception:
+      return "exception";
+    case FindingKind::crash:
+      return "crash";
+    case FindingKind::hang:
+      return "hang";
+    case FindingKind::malformed:
+      return "malformed";
+    case FindingKind::nondeterminism:
+      return "nondeterminism";
+    case FindingKind::undecided_truth:
+      return "undecided_truth";
+  }
+  return "crash";
+}
+
+const char* to_string(Severity severity) noexcept {
+  switch (severity) {
+    case Severity::contract:
+      return "contract";
+    case Severity::resolution:
+      return "resolution";
+    case Severity::unresolved:
+      return "unresolved";
+  }
+  return "unresolved";
+}
+
+std::string format_method_answer(const MethodAnswer& answer) {
+  if (answer.status == Status::declined)
+    return fmt::format(R"({{"declined":{}}})", quote_json(answer.reason));
+  if (answer.status == Status::failed) {
+    return fmt::format(R"({{"failed":"{}","reason":{}}})", to_string(kind_of(answer.failure)),
+                       quote_json(answer.reason));
+  }
+  // JSON has no numbers that are not finite: they become strings.
+  const auto number = [](double x) {
+    return fmt::format(fmt::runtime(std::isfinite(x) ? "{}" : "\"{}\""), format_double(x));
+  };
+  const auto coordinate = [&](int i) {
+    const std::string head = number(answer.head[i]);
+    return answer.tail[i] == 0 ? head : fmt::format("[{},{}]", head, number(answer.tail[i]));
+  };
+  std::string text = fmt::format(R"({{"verdict":"{}")", to_string(answer.verdict));
+  if (answer.has_distance) text += fmt::format(R"(,"distance":{})", number(answer.distance));
+  if (answer.witness != WitnessKind::none) {
+    text +=
+        fmt::format(R"(,"{}":[{},{},{}])", answer.witness == WitnessKind::direction ? "direction" : "point",
+                    coordinate(0), coordinate(1), coordinate(2));
+  }
+  text += '}';
+  return text;
+}
+
+}  // namespace cyl

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: MIT
+// Holds a method's answer against the proved truth: what is wrong with it, if anything, and whether its own
+// claim allows that. Only proofs refute: where the truth is undecided nothing is wrong.
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <utility>
+
+#include "oracles/methods/method.hpp"
+#include "oracles/referee/referee.hpp"
+
+namespace cyl {
+
+enum class FindingKind : unsigned char {
+  wrong_disjoint,      ///< said disjoint of a pair with a common point
+  wrong_intersecting,  ///< said intersecting or touching of a pair with daylight between
+  wrong_touching,      ///< said touching of a pair whose distance is certainly not 0
+  wrong_invalid,       ///< said invalid of a legal pair
+  bad_witness,         ///< verdict and distance are right, the witness it offered does not prove the verdict
+  distance_outside,    ///< its distance is outside the certified enclosure by more than its claim
+  non_finite,          ///< an infinite or NaN distance or witness
+  exception,
+  crash,
+  hang,
+  malformed,       ///< no answer at all: a value that means nothing
+  nondeterminism,  ///< two answers to one question
+  undecided_truth  ///< nobody's fault: the referee could not prove a verdict
+};
+
+enum class Severity : unsigned char {
+  contract,    ///< beyond what the method claims of itself; a failure always is
+  resolution,  ///< within its own claim
+  unresolved   ///< not known: the truth is undecided
+};
+
+/// How wrong, relative to size_of(pair): |distance| of the pair for a verdict or a witness, |said - distance|
+/// for a distance. None where the truth is undecided.
+struct Finding {
+  FindingKind kind;
+  Severity severity;
+  std::optional<Enclosure> margin;
+};
+
+/// The signed distance of one pair: enclosed when first asked for, narrowed only where a question needs it.
+class LazyDistance {
+ public:
+  using Enclose = std::function<Enclosure(double relative_width)>;
+  explicit LazyDistance(Enclose enclose) : enclose_(std::move(enclose)) {}
+  /// An enclosure asked for at `relative_width` or narrower. Valid until the next call.
+  const Enclosure& at(double relative_width);
+  /// The narrowest enclosure so far, if it was ever asked for.
+  const std::optional<Enclosure>& known() const { return known_; }
+
+ private:
+  Enclose enclose_;
+  std::optional<Enclosure> known_;
+  double width_ = 0;
+};
+
+/// What is wrong with `answer`, the worst first; nothing where it is right, declined or undecided, or where
+/// nothing is proved. `distance` is asked only where the finding's severity or an offered distance depends on
+/// it, and is most of the cost. Throws nothing of its own; `truth` is what judge() said of the same pair.
+std::optional<Finding> compare(const Pair& pair, const Truth& truth, LazyDistance& distance,
+                               const Claim& claim, const MethodAnswer& answer);
+
+/// The length below which the claim promises nothing of a pair of this size, rounded up; exactly 0 for a
+/// claim of 0/0.
+double reach(const Claim& claim, double size);
+
+/// |signed distance| of a pair of decided truth, enclosed as narrowly as it takes to tell whether it reaches
+/// `length` (or as narrowly as is ever asked).
+Enclosure magnitude_against(double length, const Truth& truth, LazyDistance& distance);
+
+/// Whether two answers to one question say the same, bit for bit, reasons and kind `hang` excepted.
+bool same_answer(const MethodAnswer& x, const MethodAnswer& y);
+
+/// The words used in files and on screens: "wrong_disjoint", "contract", ...
+const char* to_string(FindingKind kind) noexcept;
+const char* to_string(Severity severity) noexcept;
+
+/// One JSON object: what the method said, {"verdict":"disjoint","distance":0.25,"direction":[x,y,z]} or
+/// {"failed":"crash","reason":"..."}.
+std::string format_method_answer(const MethodAnswer& answer);
+
+}  // namespace cyl

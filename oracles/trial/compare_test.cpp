@@ -1,0 +1,291 @@
+// SPDX-License-Identifier: MIT
+#include "oracles/trial/compare.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+namespace cyl {
+namespace {
+
+/// Size 8: two upright cylinders of radius 1 and height 3, `gap` apart along x.
+Pair upright(double gap) { return {{{0, 0, 0}, {0, 0, 1}, 1, 3}, {{2 + gap, 0, 0}, {0, 0, 1}, 1, 3}}; }
+constexpr double size = 8;
+
+Truth truth_of(Verdict verdict) {
+  Truth truth;
+  truth.verdict = verdict;
+  return truth;
+}
+
+MethodAnswer said(Verdict verdict) {
+  MethodAnswer answer;
+  answer.status = Status::answered;
+  answer.verdict = verdict;
+  return answer;
+}
+
+MethodAnswer said_distance(Verdict verdict, double distance) {
+  MethodAnswer answer = said(verdict);
+  answer.has_distance = true;
+  answer.distance = distance;
+  return answer;
+}
+
+/// A distance known to +- relative_width * size / 2, counting how often it was asked for.
+struct Known {
+  double distance;
+  int asked = 0;
+  LazyDistance lazy() {
+    return LazyDistance([this](double width) {
+      ++asked;
+      return Enclosure{distance - width * size / 2, distance + width * size / 2};
+    });
+  }
+};
+
+std::optional<Finding> judged(Verdict truth, double distance, const Claim& claim,
+                              const MethodAnswer& answer) {
+  Known known{distance};
+  LazyDistance lazy = known.lazy();
+  return compare(upright(distance), truth_of(truth), lazy, claim, answer);
+}
+
+const Claim none{0, 0, ""};
+
+TEST(Compare, ARightAnswerIsNoFindingAndAsksNoDistance) {
+  Known known{0.5};
+  LazyDistance lazy = known.lazy();
+  EXPECT_FALSE(compare(upright(0.5), truth_of(Verdict::disjoint), lazy, none, said(Verdict::disjoint)));
+  EXPECT_EQ(known.asked, 0);
+  EXPECT_FALSE(judged(Verdict::intersecting, -0.5, none, said(Verdict::intersecting)));
+  EXPECT_FALSE(judged(Verdict::touching, 0, none, said(Verdict::intersecting)));
+  EXPECT_FALSE(judged(Verdict::touching, 0, none, said(Verdict::touching)));
+}
+
+TEST(Compare, AWrongVerdictBeyondTheClaimIsAContractFinding) {
+  const Claim claim{1e-3, 1e-3, ""};  // reaches to 9e-3
+  const auto disjoint = judged(Verdict::intersecting, -0.01, claim, said(Verdict::disjoint));
+  ASSERT_TRUE(disjoint);
+  EXPECT_EQ(disjoint->kind, FindingKind::wrong_disjoint);
+  EXPECT_EQ(disjoint->severity, Severity::contract);
+  EXPECT_LE(disjoint->margin->lo, 0.01 / size);
+  EXPECT_GE(disjoint->margin->hi, 0.01 / size);
+  const auto intersecting = judged(Verdict::disjoint, 0.01, claim, said(Verdict::intersecting));
+  ASSERT_TRUE(intersecting);
+  EXPECT_EQ(intersecting->kind, FindingKind::wrong_intersecting);
+  EXPECT_EQ(intersecting->severity, Severity::contract);
+}
+
+TEST(Compare, AWrongVerdictWithinTheClaimIsAResolutionFinding) {
+  const Claim claim{1e-3, 1e-3, ""};
+  EXPECT_EQ(judged(Verdict::intersecting, -0.0089, claim, said(Verdict::disjoint))->severity,
+            Severity::resolution);
+  EXPECT_EQ(judged(Verdict::disjoint, 0.0089, claim, said(Verdict::touching))->severity,
+            Severity::resolution);
+}
+
+TEST(Compare, NarrowsTheEnclosureUntilTheClaimIsDecided) {
+  // 1e-11 / 8 is above a claim of 1e-13 and below one of 1e-11, and the first enclosure says neither.
+  EXPECT_EQ(judged(Verdict::disjoint, 1e-11, {1e-13, 0, ""}, said(Verdict::intersecting))->severity,
+            Severity::contract);
+  EXPECT_EQ(judged(Verdict::disjoint, 1e-11, {1e-11, 0, ""}, said(Verdict::intersecting))->severity,
+            Severity::resolution);
+}
+
+TEST(Compare, WhereTheEnclosureCannotBeNarrowedTheClaimCountsAsKept) {
+  LazyDistance lazy([](double) { return Enclosure{0.1, 0.9}; });
+  const auto finding =
+      compare(upright(0.5), truth_of(Verdict::disjoint), lazy, {0, 0.5, ""}, said(Verdict::intersecting));
+  ASSERT_TRUE(finding);
+  EXPECT_EQ(finding->severity, Severity::resolution);
+}
+
+TEST(Compare, AtTheClaimItselfTheMethodPromises) {
+  const Enclosure exactly{0.5, 0.5};
+  LazyDistance lazy([&](double) { return exactly; });
+  const auto severity = [&](double absolute) {
+    return compare(upright(0.5), truth_of(Verdict::disjoint), lazy, {0, absolute, ""},
+                   said(Verdict::intersecting))
+        ->severity;
+  };
+  EXPECT_EQ(severity(0.5 * (1 - 0x1p-40)), Severity::contract);
+  EXPECT_EQ(severity(0.5 * (1 + 0x1p-40)), Severity::resolution);
+}
+
+TEST(Compare, DisjointOfATouchingPairHasMarginZero) {
+  const auto tolerant = judged(Verdict::touching, 0, {0, 1e-9, ""}, said(Verdict::disjoint));
+  ASSERT_TRUE(tolerant);
+  EXPECT_EQ(tolerant->kind, FindingKind::wrong_disjoint);
+  EXPECT_EQ(tolerant->severity, Severity::resolution);
+  EXPECT_EQ(tolerant->margin->lo, 0);
+  EXPECT_EQ(tolerant->margin->hi, 0);
+  EXPECT_EQ(judged(Verdict::touching, 0, none, said(Verdict::disjoint))->severity, Severity::contract);
+}
+
+TEST(Compare, TouchingIsWrongOnlyWhereTheDistanceIsCertainlyNotZero) {
+  EXPECT_FALSE(judged(Verdict::intersecting, -1e-8, none, said(Verdict::touching)));
+  const auto deep = judged(Verdict::intersecting, -0.5, none, said(Verdict::touching));
+  ASSERT_TRUE(deep);
+  EXPECT_EQ(deep->kind, FindingKind::wrong_touching);
+  EXPECT_EQ(deep->severity, Severity::contract);
+}
+
+TEST(Compare, UndecidedIsNeverWrongAndNothingIsWrongOfAnUndecidedTruth) {
+  EXPECT_FALSE(judged(Verdict::disjoint, 1, none, said(Verdict::undecided)));
+  EXPECT_FALSE(judged(Verdict::undecided, 0, none, said(Verdict::disjoint)));
+  EXPECT_FALSE(judged(Verdict::undecided, 0, none, said_distance(Verdict::intersecting, 9)));
+}
+
+TEST(Compare, InvalidOfALegalPairIsWrong) {
+  const auto finding = judged(Verdict::disjoint, 1, {1, 1, ""}, said(Verdict::invalid));
+  ASSERT_TRUE(finding);
+  EXPECT_EQ(finding->kind, FindingKind::wrong_invalid);
+  EXPECT_EQ(finding->severity, Severity::contract);
+}
+
+TEST(Compare, AFailureIsAContractFindingWhateverTheTruthAndADeclinedPairIsNone) {
+  MethodAnswer answer;
+  EXPECT_FALSE(judged(Verdict::disjoint, 1, none, answer));
+  answer.status = Status::failed;
+  for (const auto& [failure, kind] : {std::pair{Failure::exception, FindingKind::exception},
+                                      {Failure::crash, FindingKind::crash},
+                                      {Failure::hang, FindingKind::hang},
+                                      {Failure::non_finite, FindingKind::non_finite}}) {
+    answer.failure = failure;
+    for (const Verdict truth : {Verdict::disjoint, Verdict::undecided}) {
+      const auto finding = judged(truth, 1, {1, 1, ""}, answer);
+      ASSERT_TRUE(finding);
+      EXPECT_EQ(finding->kind, kind);
+      EXPECT_EQ(finding->severity, Severity::contract);
+      EXPECT_EQ(finding->margin.has_value(), truth == Verdict::disjoint);  // the pair's own
+    }
+  }
+}
+
+TEST(Compare, ANumberThatIsNotFiniteIsAFinding) {
+  const double bad = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_EQ(judged(Verdict::disjoint, 1, none, said_distance(Verdict::disjoint, bad))->kind,
+            FindingKind::non_finite);
+  MethodAnswer answer = said(Verdict::disjoint);
+  answer.head[1] = bad;
+  EXPECT_FALSE(judged(Verdict::disjoint, 1, none, answer));  // no witness offered: the bytes mean nothing
+  answer.witness = WitnessKind::direction;
+  EXPECT_EQ(judged(Verdict::disjoint, 1, none, answer)->kind, FindingKind::non_finite);
+}
+
+TEST(Compare, ADistanceMayBeOffByTheClaimAndNoMore) {
+  const Claim claim{1e-3, 1e-3, ""};
+  EXPECT_FALSE(judged(Verdict::disjoint, 0.5, claim, said_distance(Verdict::disjoint, 0.5089)));
+  EXPECT_FALSE(judged(Verdict::disjoint, 0.5, claim, said_distance(Verdict::disjoint, 0.4911)));
+  for (const double off : {0.01, -0.01}) {
+    const auto finding = judged(Verdict::disjoint, 0.5, claim, said_distance(Verdict::disjoint, 0.5 + off));
+    ASSERT_TRUE(finding);
+    EXPECT_EQ(finding->kind, FindingKind::distance_outside);
+    EXPECT_EQ(finding->severity, Severity::contract);
+    EXPECT_NEAR(finding->margin->lo, 0.01 / size, 1e-5);
+    EXPECT_LE(finding->margin->lo, 0.01 / size);
+    EXPECT_GE(finding->margin->hi, 0.01 / size);
+  }
+}
+
+TEST(Compare, ARoundedDistanceIsNoFaultOfAMethodThatClaimsExactness) {
+  EXPECT_FALSE(
+      judged(Verdict::disjoint, 0.1, none, said_distance(Verdict::disjoint, std::nextafter(0.1, 1))));
+  EXPECT_TRUE(judged(Verdict::disjoint, 0.1, none, said_distance(Verdict::disjoint, 0.1 + 1e-12)));
+}
+
+TEST(Compare, WhatIsFoundDoesNotDependOnHowNarrowTheEnclosureIsAlready) {
+  const Claim claim{0, 1e-3, ""};
+  for (const double beyond : {1e-9, -1e-9}) {
+    MethodAnswer answer = said_distance(Verdict::disjoint, 0.5 + 1e-3 + beyond);
+    answer.witness = WitnessKind::direction;
+    answer.head[1] = 1;  // proves nothing
+    const FindingKind kind = beyond > 0 ? FindingKind::distance_outside : FindingKind::bad_witness;
+    for (const double width : {1.0, 1e-6, 1e-9, 1e-12, 1e-18}) {
+      Known known{0.5};
+      LazyDistance lazy = known.lazy();
+      lazy.at(width);
+      const auto finding = compare(upright(0.5), truth_of(Verdict::disjoint), lazy, claim, answer);
+      ASSERT_TRUE(finding);
+      EXPECT_EQ(finding->kind, kind) << width;
+    }
+  }
+}
+
+TEST(Compare, TheVerdictComesBeforeTheDistance) {
+  EXPECT_EQ(judged(Verdict::disjoint, 0.5, none, said_distance(Verdict::intersecting, -3))->kind,
+            FindingKind::wrong_intersecting);
+}
+
+TEST(Compare, AWitnessMustProveWhatWasSaid) {
+  MethodAnswer direction = said(Verdict::disjoint);
+  direction.witness = WitnessKind::direction;
+  direction.head[0] = 1;
+  EXPECT_FALSE(judged(Verdict::disjoint, 0.5, none, direction));
+  direction.head[0] = 0;
+  direction.head[1] = 1;
+  const auto finding = judged(Verdict::disjoint, 0.5, none, direction);
+  ASSERT_TRUE(finding);
+  EXPECT_EQ(finding->kind, FindingKind::bad_witness);
+  EXPECT_EQ(finding->severity, Severity::contract);
+  // Who claims a tolerance, however small, has not promised a proof.
+  EXPECT_EQ(judged(Verdict::disjoint, 0.5, {0, 1e-9, ""}, direction)->severity, Severity::resolution);
+  direction.has_distance = true;
+  direction.distance = 3;
+  EXPECT_EQ(judged(Verdict::disjoint, 0.5, {0, 1e-9, ""}, direction)->kind, FindingKind::distance_outside);
+
+  MethodAnswer point = said(Verdict::intersecting);
+  point.witness = WitnessKind::point;
+  point.head[0] = 1;
+  point.tail[0] = -0x1p-60;
+  EXPECT_FALSE(judged(Verdict::intersecting, -0.5, none, point));
+  point.head[1] = 1;
+  EXPECT_EQ(judged(Verdict::intersecting, -0.5, none, point)->kind, FindingKind::bad_witness);
+  // A verdict with the other kind of witness proves nothing either.
+  point.verdict = Verdict::disjoint;
+  EXPECT_EQ(judged(Verdict::disjoint, 0.5, none, point)->kind, FindingKind::bad_witness);
+}
+
+TEST(Compare, OfTwoPointsTheMarginIsZeroOrInfinite) {
+  const Pair points{{{0, 0, 0}, {0, 0, 1}, 0, 0}, {{1, 0, 0}, {0, 0, 1}, 0, 0}};
+  LazyDistance lazy([](double) { return Enclosure{1, 1}; });
+  const auto finding =
+      compare(points, truth_of(Verdict::disjoint), lazy, {1e-3, 0, ""}, said(Verdict::intersecting));
+  ASSERT_TRUE(finding);
+  EXPECT_EQ(finding->severity, Severity::contract);
+  EXPECT_EQ(finding->margin->lo, std::numeric_limits<double>::infinity());
+}
+
+TEST(SameAnswer, ComparesWhatWasSaidBitForBit) {
+  const MethodAnswer x = said_distance(Verdict::disjoint, 0.0);
+  EXPECT_TRUE(same_answer(x, x));
+  EXPECT_FALSE(same_answer(x, said_distance(Verdict::disjoint, -0.0)));
+  EXPECT_FALSE(same_answer(x, said(Verdict::disjoint)));
+  EXPECT_FALSE(same_answer(x, MethodAnswer{}));
+  MethodAnswer hung;
+  hung.status = Status::failed;
+  hung.failure = Failure::hang;
+  EXPECT_TRUE(same_answer(x, hung));  // time is no function of the pair
+}
+
+TEST(FormatMethodAnswer, SaysWhatWasSaidAsJson) {
+  MethodAnswer answer = said_distance(Verdict::disjoint, 0.25);
+  answer.witness = WitnessKind::direction;
+  answer.head[0] = 0.1;
+  answer.tail[0] = 1e-20;
+  EXPECT_EQ(format_method_answer(answer),
+            R"({"verdict":"disjoint","distance":0.25,"direction":[[0.1,1e-20],0,0]})");
+  answer.distance = -std::numeric_limits<double>::infinity();
+  answer.witness = WitnessKind::none;
+  EXPECT_EQ(format_method_answer(answer), R"({"verdict":"disjoint","distance":"-inf"})");
+  MethodAnswer crashed;
+  crashed.status = Status::failed;
+  crashed.failure = Failure::crash;
+  crashed.reason[0] = '"';
+  EXPECT_EQ(format_method_answer(crashed), R"({"failed":"crash","reason":"\""})");
+}
+
+}  // namespace
+}  // namespace cyl

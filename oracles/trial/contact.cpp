@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: MIT
+#include "oracles/trial/contact.hpp"
+
+#include <gmpxx.h>
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+
+#include "oracles/referee/certificate.hpp"
+
+namespace cyl {
+namespace {
+
+enum class Part : unsigned char { side, rim, cap };
+
+/// Largest coordinate between 1 and 2; exact but for subnormal numbers.
+Vector3 scaled(const Vector3& v) {
+  const double most = v.cwiseAbs().maxCoeff();
+  if (most == 0) return v;
+  const int e = -std::ilogb(most);
+  return v.unaryExpr([&](double x) { return std::ldexp(x, e); });
+}
+
+struct Angle {
+  double sine, cosine;  // >= 0
+};
+
+Angle angle_between(const Vector3& a, const Vector3& b) {
+  const Vector3 u = scaled(a), v = scaled(b);
+  const double lengths = u.norm() * v.norm();
+  return {u.cross(v).norm() / lengths, std::fabs(u.dot(v)) / lengths};
+}
+
+Part part_along(const Cylinder& c, const Vector3& direction) {
+  const Angle angle = angle_between(c.axis, direction);
+  if (angle.sine <= flat_tol && c.radius > 0) return Part::cap;
+  if (angle.cosine <= flat_tol && c.height > 0) return Part::side;
+  return Part::rim;
+}
+
+/// In sizes. What the search may leave open. Flat contacts are kinks of f: off one by an angle t, f is worse
+/// by about t heights or radii, so that the kink is found to less than flat_tol.
+constexpr double direction_width_tol = 1e-11;
+
+}  // namespace
+
+ContactFeature feature_along(const Pair& pair, const Vector3& direction) {
+  auto [first, second] = std::minmax({part_along(pair.a, direction), part_along(pair.b, direction)});
+  switch (second) {
+    case Part::side:
+      return ContactFeature::side_side;
+    case Part::rim:
+      return first == Part::side ? ContactFeature::side_rim : ContactFeature::rim_rim;
+    case Part::cap:
+      return first == Part::side  ? ContactFeature::cap_side
+             : first == Part::rim ? ContactFeature::cap_rim
+                                  : ContactFeature::cap_cap;
+  }
+  return ContactFeature::rim_rim;
+}
+
+// Along outer's axis the inner reaches |d.w| + h/2 |cos| + r sin. Across it, in the plane square to w with x
+// along the inner's axis, its rims are ellipses about (+-h/2 sin, 0) with half axes r |cos| and r; the point
+// of them farthest from outer's axis lies in the quarter away from it, where its square distance
+//     (X + r |cos| cos t)^2 + (Y + r sin t)^2,  X = |x| + h/2 sin,  Y = |y|,
+// is searched for the t of its maximum: a coarse look, then thirds.
+bool contains(const Cylinder& outer, const Cylinder& inner) {
+  const Vector3 d = inner.center - outer.center;
+  const Vector3 w = scaled(outer.axis).normalized(), v = scaled(inner.axis).normalized();
+  const double cosine = std::fabs(w.dot(v)), sine = w.cross(v).norm();
+  const double r = inner.radius, half = inner.height / 2, height = d.dot(w);
+  const double rounding = 16 * 0x1p-53 * (outer.radius + outer.height + d.norm());
+  if (std::fabs(height) + half * cosine + r * sine > outer.height / 2 + rounding) return false;
+  const Vector3 across = d - height * w, flat = v - v.dot(w) * w;
+  const Vector3 e = sine > 0 ? flat.stableNormalized() : across.stableNormalized();
+  const double x = std::fabs(across.dot(e)), y = (across - across.dot(e) * e).norm();
+  const auto reach = [&](double t) {
+    return std::hypot(x + half * sine + r * cosine * std::cos(t), y + r * std::sin(t));
+  };
+  constexpr int looks = 64;
+  constexpr double quarter = 1.5707963267948966, step = quarter / looks;
+  double best = 0;
+  for (int i = 0; i <= looks; ++i)
+    if (reach(i * step) > reach(best)) best = i * step;
+  double low = std::max(0.0, best - step), high = std::min(quarter, best + step);
+  for (int i = 0; i < 40; ++i) {
+    const double third = (high - low) / 3;
+    if (reach(low + third) < reach(high - third))
+      low += third;
+    else
+      high -= third;
+  }
+  return reach((low + high) / 2) <= outer.radius + rounding;
+}
+
+std::optional<ContactFeature> contact_feature(const Pair& pair, const Truth& truth) {
+  if (truth.verdict == Verdict::invalid || truth.verdict == Verdict::undecided) return {};
+  if (truth.verdict == Verdict::intersecting && (contains(pair.a, pair.b) || contains(pair.b, pair.a)))
+    return ContactFeature::containment;
+  const std::array<double, 3> found = attain_distance(pair, truth, direction_width_tol).direction;
+  return feature_along(pair, Vector3(found[0], found[1], found[2]));
+}
+
+AxesAngle axes_angle(const Pair& pair) {
+  const Angle angle = angle_between(pair.a.axis, pair.b.axis);
+  AxesAngle exactly{angle.sine, angle.cosine, false, false};
+  /// Sines and cosines above it are not 0: three coordinates of three roundings each, and the lengths.
+  constexpr double zero_error = 1e-15;
+  if (angle.sine <= zero_error) {
+    const Rational3 c = cross(exact(pair.a.axis), exact(pair.b.axis));
+    exactly.parallel = c.x == 0 && c.y == 0 && c.z == 0;
+  }
+  if (angle.cosine <= zero_error) exactly.right = dot(exact(pair.a.axis), exact(pair.b.axis)) == 0;
+  return exactly;
+}
+
+AngleClass angle_class(const Pair& pair) {
+  const AxesAngle angle = axes_angle(pair);
+  if (angle.parallel) return AngleClass::parallel;
+  if (angle.right) return AngleClass::right;
+  if (angle.sine < 1e-12) return AngleClass::within_1e_12;
+  if (angle.sine < 1e-7) return AngleClass::within_1e_7;
+  if (angle.sine < 1e-2) return AngleClass::within_1e_2;
+  return angle.cosine <= 1e-2 ? AngleClass::near_right : AngleClass::generic;
+}
+
+std::string_view to_string(AngleClass c) noexcept {
+  constexpr std::array<std::string_view, angle_class_count> names{"parallel", "<1e-12",  "<1e-7", "<1e-2",
+                                                                  "generic",  "near-90", "90"};
+  return names[static_cast<std::size_t>(c)];
+}
+
+int margin_decade(double margin) {
+  constexpr std::array<double, 16> ends{1e-1, 1e-2,  1e-3,  1e-4,  1e-5,  1e-6,  1e-7,  1e-8,
+                                        1e-9, 1e-10, 1e-11, 1e-12, 1e-13, 1e-14, 1e-15, 1e-16};
+  int decade = 0;
+  while (decade < 16 && margin <= ends[static_cast<std::size_t>(decade)]) ++decade;
+  return decade;
+}
+
+}  // namespace cyl

@@ -1,0 +1,216 @@
+// SPDX-License-Identifier: MIT
+#include "oracles/trial/contact.hpp"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <cstdio>
+#include <limits>
+
+#include "corpus/pairs/families.hpp"
+#include "corpus/pairs/pair_io.hpp"
+#include "corpus/pairs/strata.hpp"
+
+namespace cyl {
+namespace {
+
+constexpr std::uint64_t seed = 20261121;
+
+/// Rounding of a margin that was built (near_touching.hpp).
+constexpr double built_margin_error = 5e-16;
+/// Of the narrowest enclosures, in sizes.
+constexpr double enclosure_width = 4e-14;
+/// The last decade whose pairs the referee must find as they were built.
+constexpr int checked_decade = 13;
+
+// Of strata: verdict and margin are as built, and so is the feature.
+TEST(ContactFeatureOf, StrataIsAsBuilt) {
+  int pairs = 0, other_feature = 0;
+  for (const std::string_view name : contact_features()) {
+    const ContactFeature built = *find_contact_feature(name);
+    for (int decade = first_decade; decade <= checked_decade; ++decade)
+      for (std::uint64_t index = 0; index < 100; ++index) {
+        const Pair p = *draw_in_stratum(built, decade, seed, index);
+        const Truth truth = judge(p);
+        const bool gap = built != ContactFeature::containment && (index % 2 == 0 || decade == 1);
+        ASSERT_EQ(truth.verdict, gap ? Verdict::disjoint : Verdict::intersecting) << format_pair(p);
+        const double power = std::pow(10, -decade);
+        const Enclosure d = enclose_distance(p, truth, std::max(1e-15, 1e-3 * power));
+        const double size = size_of(p);
+        const double low = (gap ? d.lo : -d.hi) / size, high = (gap ? d.hi : -d.lo) / size;
+        EXPECT_LE(low, power + built_margin_error) << name << " " << decade << " " << format_pair(p);
+        EXPECT_GE(high, power / 10 - built_margin_error) << name << " " << decade << " " << format_pair(p);
+        EXPECT_LE(high, power * 1.01 + enclosure_width) << name << " " << decade << " " << format_pair(p);
+        ++pairs;
+        const ContactFeature found = contact_feature(p, truth).value();
+        other_feature += found != built;
+        if (found != built)
+          std::printf("%s %d is %s: %s\n", name.data(), decade, to_string(found).data(),
+                      format_pair(p).c_str());
+      }
+  }
+  EXPECT_LE(other_feature, pairs / 100);
+  std::printf("%d of %d pairs meet with other features\n", other_feature, pairs);
+}
+
+using enum ContactFeature;
+
+Cylinder solid(Vector3 center, Vector3 axis, double radius, double height) {
+  return {center, axis, radius, height};
+}
+const Vector3 x(1, 0, 0), y(0, 1, 0), z(0, 0, 1), origin(0, 0, 0);
+
+TEST(ContactFeatureOf, PlainScenes) {
+  struct Scene {
+    ContactFeature feature;
+    Cylinder a, b;
+  };
+  const Scene scenes[] = {
+      {cap_cap, solid(origin, z, 1, 2), solid({0, 0, 3}, z, 1, 2)},
+      {cap_cap, solid(origin, z, 1, 2), solid({0, 0, 2}, -z, 1, 2)},  // touching
+      {side_side, solid(origin, z, 1, 2), solid({3, 0, 0}, z, 1, 2)},
+      {side_side, solid(origin, z, 1, 2), solid({2, 0, 0}, z, 1, 2)},  // touching
+      {side_side, solid(origin, z, 1, 8), solid({0, 2.5, 0}, x, 1, 8)},
+      {side_side, solid(origin, z, 1, 8), solid({0, 2, 0}, x, 1, 8)},  // touching
+      {side_side, solid(origin, z, 1, 8), solid({0, 1.9, 0}, x, 1, 8)},
+      {cap_side, solid(origin, z, 1, 2), solid({0, 0, 2.5}, x, 1, 1)},
+      {cap_side, solid(origin, x, 1, 1), solid({0, 0, 2}, z, 1, 2)},  // touching
+      {cap_rim, solid(origin, z, 2, 2), solid({0, 0, 3}, {1, 0, 1}, 1, 1)},
+      {rim_rim, solid(origin, z, 1, 2), solid({3, 0, 3}, z, 1, 2)},  // parallel axes
+      {side_side, solid(origin, z, 1, 2),
+       solid({2, 0, 2}, z, 1, 2)},  // touching in one point: as well cap-cap
+      {side_rim, solid(origin, z, 1, 8), solid({4, 0, 0}, {1, 0, 1}, 1, 2)},
+      {containment, solid(origin, z, 2, 4), solid({0.5, 0, 0}, {1, 2, 3}, 0.5, 1)},
+      {containment, solid({0.5, 0, 0}, {1, 2, 3}, 0, 0), solid(origin, z, 2, 4)},  // a point
+      {containment, solid(origin, z, 1, 2), solid(origin, -z, 1, 2)},              // equal
+      // Disks have no side and segments no cap, points neither.
+      {rim_rim, solid(origin, z, 1, 0), solid({3, 0, 0}, z, 1, 0)},
+      {cap_cap, solid(origin, z, 1, 0), solid({0, 0, 1}, z, 1, 0)},
+      {rim_rim, solid(origin, z, 0, 2), solid({0, 0, 3}, z, 0, 2)},
+      {side_side, solid(origin, z, 0, 2), solid({1, 0, 0}, x + y, 0, 2)},
+      {rim_rim, solid(origin, z, 0, 0), solid({1, 0, 0}, x, 0, 0)},
+      {rim_rim, solid(origin, z, 0, 0), solid(origin, x, 0, 0)},
+      {side_rim, solid(origin, z, 1, 2), solid({3, 0, 0}, z, 0, 0)},
+  };
+  for (const Scene& s : scenes)
+    for (const double unit : {1.0, 1e-200, 1e150})
+      for (const bool swapped : {false, true}) {
+        Pair p{swapped ? s.b : s.a, swapped ? s.a : s.b};
+        for (Cylinder* c : {&p.a, &p.b}) {
+          c->center *= unit;
+          c->radius *= unit;
+          c->height *= unit;
+        }
+        const auto found = contact_feature(p, judge(p));
+        ASSERT_TRUE(found);
+        EXPECT_EQ(to_string(*found), to_string(s.feature)) << format_pair(p);
+      }
+  for (const Verdict none : {Verdict::undecided, Verdict::invalid}) {
+    Truth truth;
+    truth.verdict = none;
+    EXPECT_FALSE(contact_feature({}, truth));
+  }
+}
+
+// Axes nearly parallel: the common normal is the direction however small the angle.
+TEST(ContactFeatureOf, NearlyParallelSidesIsTwoSides) {
+  for (int power = 3; power <= 15; ++power) {
+    const Cylinder a = solid(origin, z, 1, 8), b = solid({2.001, 0, 0}, {0, std::pow(10, -power), 1}, 1, 8);
+    EXPECT_EQ(to_string(*contact_feature({a, b}, judge({a, b}))), "side-side") << power;
+  }
+}
+
+TEST(Contains, IsSharp) {
+  const Cylinder outer = solid({1, 2, 3}, {1, 2, 2}, 2, 4);
+  const Vector3 w = Vector3(1, 2, 2) / 3, u = Vector3(2, 1, -2) / 3, v = Vector3(2, -2, 1) / 3;
+  for (const double off : {-1e-12, 1e-12}) {
+    const bool in = off < 0;
+    EXPECT_EQ(contains(outer, solid(outer.center + (1.5 + off) * u, w, 0.5, 4)), in);
+    EXPECT_EQ(contains(outer, solid(outer.center + (1 + off) * w, -w, 0.5, 2)), in);
+    // Square to each other: along the axis by the radius, across it to the corner of half height and radius.
+    EXPECT_EQ(contains(outer, solid(outer.center + (1.5 + off) * w, u, 0.5, 1)), in);
+    EXPECT_EQ(contains(outer, solid(outer.center + (1.5 + off) * u, u, 0.5, 1)), false);
+    EXPECT_EQ(contains(outer, solid(outer.center + (std::sqrt(3.75) - 0.5 + off) * u, u, 0.5, 1)), in);
+    EXPECT_EQ(contains(outer, solid(outer.center + (1.5 + off) * v, u, 0.5, 0)), in);
+    // A tilted disk about the axis: an ellipse, whose long half axis is the radius.
+    EXPECT_EQ(contains(outer, solid(outer.center, w + u, 2 + off, 0)), in);
+  }
+  EXPECT_TRUE(contains(outer, outer));
+}
+
+// f at the direction handed out is within the enclosure, and the enclosure is the one without a direction,
+// but nearer to touching than the width.
+TEST(AttainedDistanceOf, EveryFamilyIsAttained) {
+  using Wide3 = Eigen::Matrix<long double, 3, 1>;
+  for (const Family& family : families())
+    for (std::uint64_t i = 0; i < 40; ++i) {
+      const Pair p = family.generate(seed, i);
+      const Truth truth = judge(p);
+      const AttainedDistance found = attain_distance(p, truth, 1e-11);
+      const Enclosure plain = enclose_distance(p, truth, 1e-11);
+      ASSERT_LE(std::max(found.distance.lo, plain.lo), std::min(found.distance.hi, plain.hi));
+      if (plain.lo > 0 || plain.hi < 0) {
+        ASSERT_EQ(found.distance.lo, plain.lo);
+        ASSERT_EQ(found.distance.hi, plain.hi);
+      }
+      const Wide3 d(found.direction[0], found.direction[1], found.direction[2]);
+      ASSERT_NEAR(static_cast<double>(d.norm()), 1, 1e-15) << format_pair(p);
+      const Wide3 delta = p.b.center.cast<long double>() - p.a.center.cast<long double>();
+      long double gap = d.dot(delta);
+      for (const Cylinder& c : {p.a, p.b}) {
+        const Wide3 w = c.axis.cast<long double>().stableNormalized();
+        gap -= c.radius * d.cross(w).norm() + c.height / 2 * std::abs(d.dot(w));
+      }
+      const double allowed = 1e-14 * (size_of(p) + static_cast<double>(delta.stableNorm()));
+      // A lower end of 0 is what the verdict alone tells.
+      if (found.distance.lo != 0)
+        EXPECT_GE(static_cast<double>(gap), found.distance.lo - allowed) << format_pair(p);
+      else
+        EXPECT_GE(static_cast<double>(gap), -1e-9 * size_of(p)) << format_pair(p);
+      EXPECT_LE(static_cast<double>(gap), found.distance.hi + allowed) << format_pair(p);
+    }
+}
+
+TEST(AngleClassOf, IsExactWhereItSaysSo) {
+  const auto of = [](const Vector3& a, const Vector3& b) {
+    return angle_class({solid(origin, a, 1, 1), solid(origin, b, 1, 1)});
+  };
+  EXPECT_EQ(of({1, 2, 3}, {-2, -4, -6}), AngleClass::parallel);
+  EXPECT_EQ(of({0.1, 0.2, 0.3}, {0.2, 0.4, 0.6}), AngleClass::parallel);
+  EXPECT_EQ(of({0.1, 0.2, 0.3}, {1, 2, 3}), AngleClass::within_1e_12);  // 0.1 is not a tenth
+  EXPECT_EQ(of({0, 0, 1}, {0, 5e-324, 1}), AngleClass::within_1e_12);
+  EXPECT_EQ(of({0, 0, 1e300}, {1e-300, 0, 1e-290}), AngleClass::within_1e_7);
+  EXPECT_EQ(of({0, 0, 1}, {0, 0.9e-12, 1}), AngleClass::within_1e_12);
+  EXPECT_EQ(of({0, 0, 1}, {0, 1.1e-12, 1}), AngleClass::within_1e_7);
+  EXPECT_EQ(of({0, 0, 1}, {0, 0.9e-7, -1}), AngleClass::within_1e_7);
+  EXPECT_EQ(of({0, 0, 1}, {0, 1.1e-7, 1}), AngleClass::within_1e_2);
+  EXPECT_EQ(of({0, 0, 1}, {0, 0.99e-2, 1}), AngleClass::within_1e_2);
+  EXPECT_EQ(of({0, 0, 1}, {0, 1.01e-2, 1}), AngleClass::generic);
+  EXPECT_EQ(of({0, 0, 1}, {0, 1, 1.01e-2}), AngleClass::generic);
+  EXPECT_EQ(of({0, 0, 1}, {0, 1, 0.99e-2}), AngleClass::near_right);
+  EXPECT_EQ(of({0, 0, 1}, {0, 1, 5e-324}), AngleClass::near_right);
+  EXPECT_EQ(of({0, 0, 1}, {0, 1, 0}), AngleClass::right);
+  EXPECT_EQ(of({1, 2, 2}, {2, 1, -2}), AngleClass::right);
+  EXPECT_EQ(of({0.1, 0.1, 0.1}, {1, 1, -2}), AngleClass::right);
+  EXPECT_EQ(of({0.1, 0.3, 1}, {3, -1, 0}), AngleClass::near_right);  // neither is exact
+  EXPECT_EQ(to_string(AngleClass::near_right), "near-90");
+  EXPECT_EQ(to_string(AngleClass::within_1e_12), "<1e-12");
+}
+
+TEST(MarginDecade, IsOpenBelow) {
+  EXPECT_EQ(margin_decade(std::numeric_limits<double>::infinity()), 0);
+  EXPECT_EQ(margin_decade(0.11), 0);
+  EXPECT_EQ(margin_decade(0.1), 1);
+  EXPECT_EQ(margin_decade(0.011), 1);
+  EXPECT_EQ(margin_decade(1e-2), 2);
+  EXPECT_EQ(margin_decade(1e-15), 15);
+  EXPECT_EQ(margin_decade(0.99e-15), 15);
+  EXPECT_EQ(margin_decade(1e-16), 16);
+  EXPECT_EQ(margin_decade(0), 16);
+}
+
+}  // namespace
+}  // namespace cyl

@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: MIT
+#include "oracles/trial/mechanism.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <functional>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "oracles/referee/referee.hpp"
+#include "oracles/trial/algorithm_groups.hpp"
+#include "solver/decide.hpp"
+
+namespace cyl {
+namespace {
+
+MethodAnswer say(Verdict verdict) {
+  MethodAnswer answer;
+  answer.status = Status::answered;
+  answer.verdict = verdict;
+  return answer;
+}
+
+/// Wrong wherever `errs` says so.
+class Erring : public Method {
+ public:
+  Erring(std::string name, std::function<bool(const Pair&)> errs, bool capped = false)
+      : name_(std::move(name)), errs_(std::move(errs)), capped_(capped) {}
+  std::string_view name() const override { return name_; }
+  std::string_view version() const override { return "1"; }
+  Claim claim() const override { return {}; }
+  MethodAnswer ask(const Pair& pair) override {
+    const bool meets = intersect(pair.a, pair.b) != Verdict::disjoint;
+    MethodAnswer answer = say(meets != errs_(pair) ? Verdict::intersecting : Verdict::disjoint);
+    answer.step_cap = 5;
+    answer.steps = capped_ ? 5 : 1;
+    return answer;
+  }
+
+ private:
+  std::string name_;
+  std::function<bool(const Pair&)> errs_;
+  bool capped_;
+};
+
+class Visitor final : public Erring {
+ public:
+  using Erring::Erring;
+  bool guest() const override { return true; }
+};
+
+using Methods = std::vector<std::unique_ptr<Method>>;
+
+Pair crossing(double size, double offset = 0) {
+  Pair p;
+  p.a = {{offset, 0, 0}, {0, 0, 1}, size / 4, size / 4};
+  p.b = {{offset + size / 8, 0, 0}, {0, 1, 0}, size / 4, size / 4};
+  return p;
+}
+
+Told told_of(const Methods& methods, std::vector<std::size_t> kin, const Pair& pair) {
+  const Failing failing{0, FindingKind::wrong_disjoint, pair};
+  return tell_mechanisms(methods, kin, {&failing, 1}, {})[0];
+}
+
+Told told_of(std::function<bool(const Pair&)> errs, const Pair& pair, bool capped = false) {
+  Methods methods;
+  methods.push_back(std::make_unique<Erring>("lib-way", std::move(errs), capped));
+  return told_of(methods, {0}, pair);
+}
+
+TEST(Mechanism, IsGoneWhereTheMethodIsRightNow) {
+  EXPECT_EQ(told_of([](const Pair&) { return false; }, crossing(1)).mechanism, Mechanism::gone);
+}
+
+TEST(Mechanism, IsUntoldWhereEveryPairIsWrong) {
+  EXPECT_EQ(told_of([](const Pair&) { return true; }, crossing(1)).mechanism, Mechanism::untold);
+}
+
+TEST(Mechanism, TellsAnOffset) {
+  const auto far = [](const Pair& p) { return p.a.center.norm() > 1e5; };
+  EXPECT_EQ(told_of(far, crossing(1, 1e6)).mechanism, Mechanism::offset);
+}
+
+TEST(Mechanism, TellsTheCapOnSteps) {
+  EXPECT_EQ(told_of([](const Pair&) { return true; }, crossing(1), true).mechanism, Mechanism::iteration_cap);
+}
+
+TEST(Mechanism, TellsAFixedLength) {
+  const Told small = told_of([](const Pair& p) { return size_of(p) < 1e-3; }, crossing(1e-4));
+  EXPECT_EQ(small.mechanism, Mechanism::absolute_length);
+  EXPECT_TRUE(small.larger_cures);
+  EXPECT_FALSE(small.smaller_cures);
+  const Told large = told_of([](const Pair& p) { return size_of(p) > 0.01; }, crossing(1));
+  EXPECT_EQ(large.mechanism, Mechanism::absolute_length);
+  EXPECT_TRUE(large.smaller_cures);
+}
+
+TEST(Mechanism, TellsWhatLeavesTheDoubles) {
+  EXPECT_EQ(told_of([](const Pair& p) { return size_of(p) > 1e100; }, crossing(1e120)).mechanism,
+            Mechanism::overflow);
+  EXPECT_EQ(told_of([](const Pair& p) { return size_of(p) < 1e-100; }, crossing(1e-120)).mechanism,
+            Mechanism::underflow);
+}
+
+TEST(Mechanism, TellsRounding) {
+  Pair p = crossing(1);
+  p.b.center.x() = 0.5;  // the walls touch
+  EXPECT_EQ(told_of([](const Pair&) { return true; }, p).mechanism, Mechanism::rounding);
+}
+
+TEST(Mechanism, TellsASettingThatIsRight) {
+  Methods methods;
+  methods.push_back(std::make_unique<Erring>("lib-way", [](const Pair&) { return true; }));
+  methods.push_back(std::make_unique<Erring>("lib-way-fine", [](const Pair&) { return false; }));
+  methods.push_back(std::make_unique<Erring>("other", [](const Pair&) { return false; }));
+  const Told told = told_of(methods, {0, 0, 0}, crossing(1));
+  EXPECT_EQ(told.mechanism, Mechanism::setting);
+  EXPECT_EQ(told.right_sibling, 1u);
+}
+
+TEST(Mechanism, GivesOneKeyToOneCause) {
+  Methods methods;
+  methods.push_back(std::make_unique<Erring>("lib-way", [](const Pair&) { return true; }));
+  methods.push_back(std::make_unique<Erring>("lib-way-fine", [](const Pair&) { return true; }));
+  const std::vector<std::size_t> kin{0, 0};
+  const auto key = [&](std::size_t m, FindingKind kind, Severity severity, Mechanism mechanism,
+                       std::string_view reason = {}) {
+    Told told;
+    told.mechanism = mechanism;
+    return cause_key(methods, kin, m, kind, severity, told, reason);
+  };
+  const auto contract = Severity::contract;
+  EXPECT_EQ(key(1, FindingKind::wrong_disjoint, contract, Mechanism::absolute_length),
+            "lib-way/absolute-length");
+  EXPECT_EQ(key(1, FindingKind::bad_witness, contract, Mechanism::untold), "lib-way/bad_witness");
+  EXPECT_EQ(key(1, FindingKind::bad_witness, contract, Mechanism::setting), "lib-way/bad_witness");
+  EXPECT_EQ(key(0, FindingKind::wrong_disjoint, contract, Mechanism::overflow), "overflow");
+  EXPECT_EQ(key(0, FindingKind::wrong_disjoint, Severity::resolution, Mechanism::untold), "lib/within-claim");
+  EXPECT_EQ(
+      key(0, FindingKind::crash, contract, Mechanism::untold, "SIGABRT: at 0x7f33 in line 12, bad shape"),
+      "lib/crash/sigabrt-at-in-line-bad-shape");
+}
+
+TEST(Kin, IsTheSettingOrTheSameErrors) {
+  EXPECT_TRUE(differ_in_setting("fcl-libccd", "fcl-libccd-tol1e-10"));
+  EXPECT_TRUE(differ_in_setting("bullet-hull-16", "bullet-hull-64"));
+  EXPECT_FALSE(differ_in_setting("fcl-libccd", "fcl-indep"));
+  EXPECT_FALSE(differ_in_setting("fcl-libccd", "fcl-libccdx"));
+  // Wrong by which way b lies: the first two alike, the third on the other half.
+  const auto up = [](const Pair& p) { return p.b.center.z() > 0; };
+  const auto down = [](const Pair& p) { return p.b.center.z() <= 0; };
+  Methods methods;
+  methods.push_back(std::make_unique<Erring>("x-one", up));
+  methods.push_back(std::make_unique<Erring>("y-two", up));
+  methods.push_back(std::make_unique<Erring>("y-three", down));
+  methods.push_back(std::make_unique<Erring>("z-right", [](const Pair&) { return false; }));
+  EXPECT_EQ(kin_of(methods), (std::vector<std::size_t>{0, 0, 2, 3}));
+
+  methods.push_back(std::make_unique<Visitor>("guest", up));
+  methods.push_back(std::make_unique<Visitor>("guest-fast", down));
+  EXPECT_EQ(kin_of(methods), (std::vector<std::size_t>{0, 0, 2, 3, 4, 4})) << "of guests the name counts";
+}
+
+}  // namespace
+}  // namespace cyl

@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: MIT
+// The merge gate: may this method go in? Replays every known case, holds the method to every law, samples
+// pairs from every stratum against the referee, and says how much that proves. Same seed, same failures in
+// the same order; a shorter budget finds a prefix of what a longer one does; hangs excepted.
+#pragma once
+
+#include <array>
+#include <chrono>
+#include <cstdint>
+#include <functional>
+#include <map>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "corpus/store/case_files.hpp"
+#include "oracles/methods/method.hpp"
+#include "props/laws/examine.hpp"
+#include "props/laws/laws.hpp"
+
+namespace cyl {
+
+/// In the order they are run.
+enum class GatePhase : unsigned char {
+  corpus,       ///< every case, in full, by law 30 and on
+  corpus_laws,  ///< all other laws on every case
+  laws,         ///< all laws on generated pairs
+  sample        ///< the differential sample: independent pairs of every stratum against the referee
+};
+inline constexpr std::array gate_phases{GatePhase::corpus, GatePhase::corpus_laws, GatePhase::laws,
+                                        GatePhase::sample};
+
+/// How much is drawn.
+struct GateAmount {
+  std::optional<std::uint64_t> cases_under_laws;  ///< all, where not given
+  std::uint64_t law_rounds = 0, sample_rounds = 0;
+};
+
+struct GateOptions {
+  std::uint64_t seed = 1;
+  std::chrono::milliseconds budget{
+      40'000};  ///< wall time of `laws`, `sample` and shrinking; the corpus is run in full
+  /// What an earlier gate drew: asked to the end, whatever the time, so that both saw the same pairs.
+  std::optional<GateAmount> amount;
+  /// Of one call and of the hangs in one batch: shorter than a campaign's, for a gate is to end.
+  Caps caps{
+      .call_cpu = std::chrono::milliseconds(500), .call_wall = std::chrono::milliseconds(2000), .hangs = 4};
+};
+
+/// One way in which one method fails: all pairs of one bucket, that is of one method, kind of failure,
+/// contact feature and extreme coordinate, and of one law; in the order found.
+struct GateFailure {
+  std::string method;
+  const Law* law = nullptr;
+  std::string kind;  ///< "wrong_disjoint" of a refuted verdict, "crash" of a failure, else the law's name
+  std::string what;  ///< what broke, on the first pair
+  Severity severity = Severity::contract;
+  GatePhase phase = GatePhase::corpus;
+  std::string origin;  ///< of the first pair: a case's "FILE:LINE id", or "side-rim 1e-09, seed 1, index 17"
+  Pair found;          ///< the first pair
+  Pair simplest;       ///< a simple one that breaks the same law in the same way
+  std::string
+      bucket;  ///< of the pairs as found, oracles/trial/bucket.hpp; that of the simplest may be another
+  std::uint64_t count = 0;  ///< pairs seen to fail like this
+  unsigned reruns = 0,
+           failed_again = 0;  ///< of the first pair; fewer failures than reruns: it depends on luck
+  std::string reproduce;      ///< RapidCheck's string, where it came from there; else empty
+  std::string options;        ///< that bring the method where it is of no build; else empty
+  bool known = false;         ///< excused: the base has it on as many pairs, or it is suppressed
+  std::uint64_t in_base = 0;  ///< pairs of the base that failed like this
+};
+
+/// Independent random pairs of one contact feature and one decade of margin, and how many were wrong.
+struct GateCell {
+  std::string_view feature;
+  int decade = 0;        ///< margins in (10^(-decade-1), 10^-decade]
+  bool claimed = false;  ///< by the method, for every pair of the cell
+  std::uint64_t pairs = 0, wrong = 0, undecided = 0;
+};
+
+/// What became of one method.
+struct GateMethod {
+  std::string name, version;
+  Claim claim;
+  AnswerCounts counts;
+  std::vector<GateCell> cells;
+  std::string remark;  ///< "abstains on every pair", "answers intersecting to every pair", ...; else empty
+};
+
+struct GatePhaseReport {
+  GatePhase phase;
+  std::uint64_t rounds = 0;  ///< of `laws` and `sample`
+  std::uint64_t pairs = 0;
+  std::chrono::milliseconds time{0};
+};
+
+struct GateReport {
+  std::uint64_t seed = 0;
+  std::chrono::milliseconds budget{0};
+  std::vector<GateMethod> methods;
+  std::vector<GateFailure> failures;
+  std::vector<GatePhaseReport> phases;
+  std::uint64_t undecided_truths = 0;  ///< pairs of which nothing could be proved
+  std::map<std::string, std::uint64_t>
+      drawn;  ///< pairs that laws were tried on, by what they were drawn from
+};
+
+struct GateProgress {
+  GatePhase phase;
+  std::uint64_t pairs = 0;
+  std::size_t failures = 0;  ///< beyond claims
+  std::chrono::milliseconds elapsed{0};
+};
+
+/// Runs the gate on methods. Throws std::system_error only where the system refuses a process or memory.
+GateReport run_gate(std::span<const std::unique_ptr<Method>> methods, std::span<const Case> cases,
+                    const GateOptions& options,
+                    const std::function<void(const GateProgress&)>& on_progress = {});
+
+/// The greatest error rate that `wrong` errors in `pairs` independent trials leave possible at 95 %: 3/n
+/// where none was seen. 1 where there were no trials.
+double error_rate_bound(std::uint64_t pairs, std::uint64_t wrong);
+
+/// 2 contract failures not known, reproducible or not; 3 none, but truth that nobody could prove, a method
+/// that decided less than half of its pairs, or a budget that ended before the sample began; else 0.
+int exit_code(const GateReport& report);
+
+/// The words used in files and on screens: "corpus", "corpus laws", ...
+const char* to_string(GatePhase phase) noexcept;
+
+}  // namespace cyl

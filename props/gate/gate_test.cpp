@@ -1,0 +1,220 @@
+// SPDX-License-Identifier: MIT
+#include "props/gate/gate.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <chrono>
+#include <limits>
+#include <memory>
+#include <set>
+#include <stdexcept>
+#include <string>
+#include <thread>
+#include <utility>
+#include <vector>
+
+#include "props/laws/laws_test.hpp"
+#include "solver/decide.hpp"
+
+namespace cyl {
+namespace {
+
+MethodAnswer say(Verdict verdict) {
+  MethodAnswer answer;
+  answer.status = Status::answered;
+  answer.verdict = verdict;
+  return answer;
+}
+
+MethodAnswer honest(const Pair& pair) { return say(intersect(pair.a, pair.b)); }
+
+const std::vector<Case>& few_cases() {
+  static const std::vector<Case> cases = [] {
+    std::vector<Case> all = read_case_folder(DAYLIGHT_SOURCE_DIR "/corpus/cases");
+    all.resize(40);
+    return all;
+  }();
+  return cases;
+}
+
+GateReport gate_on(const Planted::Ask& ask,
+                   std::chrono::milliseconds budget = std::chrono::milliseconds(1500)) {
+  std::vector<std::unique_ptr<Method>> methods;
+  methods.push_back(std::make_unique<Planted>(ask, "planted", Claim{1e-12, 0, "planted"}));
+  GateOptions options;
+  options.budget = budget;
+  options.caps = {
+      .call_cpu = std::chrono::milliseconds(100), .call_wall = std::chrono::milliseconds(100), .hangs = 2};
+  return run_gate(methods, few_cases(), options);
+}
+
+/// Whether a contract failure of that law was reported, with `what` in its text.
+bool reported(const GateReport& report, int law, const std::string& what = {}) {
+  return std::any_of(report.failures.begin(), report.failures.end(), [&](const GateFailure& f) {
+    return f.law->number == law && f.severity == Severity::contract && f.what.find(what) != std::string::npos;
+  });
+}
+
+TEST(Gate, LetsAnHonestMethodPass) {
+  const GateReport report = gate_on(honest);
+  for (const GateFailure& f : report.failures)
+    EXPECT_NE(f.severity, Severity::contract) << f.law->name << f.what;
+  EXPECT_EQ(exit_code(report), 0);
+  EXPECT_EQ(report.methods.at(0).remark, "");
+  for (const GateCell& cell : report.methods.at(0).cells) {
+    if (cell.claimed) {
+      EXPECT_EQ(cell.wrong, 0u) << cell.feature << ' ' << cell.decade;
+    }
+  }
+  for (const GatePhaseReport& phase : report.phases) EXPECT_GT(phase.pairs, 0u) << to_string(phase.phase);
+}
+
+TEST(Gate, ABudgetThatEndsBeforeTheSampleProvesNothing) {
+  const GateReport report = gate_on(honest, std::chrono::milliseconds(0));
+  EXPECT_EQ(report.phases.back().pairs, 0u);
+  EXPECT_EQ(exit_code(report), 3);
+}
+
+TEST(Gate, ReportsWhoAlwaysAbstains) {
+  const GateReport report = gate_on([](const Pair&) { return say(Verdict::undecided); });
+  EXPECT_EQ(report.methods.at(0).remark, "abstains on every pair");
+  EXPECT_EQ(exit_code(report), 3);
+}
+
+TEST(Gate, DoesNotDoubtTheTruthOfWhatIsDeclined) {
+  const GateReport report = gate_on([](const Pair& pair) {
+    return pair.a.radius == 0 || pair.b.radius == 0 ? MethodAnswer{} : honest(pair);
+  });
+  EXPECT_GT(report.methods.at(0).counts.declined, 0u);
+  EXPECT_EQ(report.undecided_truths, 0u);
+  EXPECT_EQ(exit_code(report), 0);
+}
+
+TEST(Gate, ReportsWhoMostlyAbstains) {
+  const GateReport report = gate_on(
+      [](const Pair& pair) { return pair.a.axis.x() > 0.5 ? honest(pair) : say(Verdict::undecided); });
+  EXPECT_TRUE(report.methods.at(0).remark.starts_with("abstains on ")) << report.methods.at(0).remark;
+  EXPECT_EQ(report.methods.at(0).remark.find("every"), std::string::npos);
+  EXPECT_NE(exit_code(report), 0);
+}
+
+TEST(Gate, ReportsWhoAlwaysDeclines) {
+  const GateReport report = gate_on([](const Pair&) { return MethodAnswer{}; });
+  EXPECT_EQ(report.methods.at(0).remark, "abstains on every pair");
+  EXPECT_EQ(exit_code(report), 3);
+}
+
+TEST(Gate, ReportsWhoAlwaysAnswersIntersecting) {
+  const GateReport report = gate_on([](const Pair&) { return say(Verdict::intersecting); });
+  EXPECT_EQ(report.methods.at(0).remark, "answers intersecting to every pair");
+  EXPECT_TRUE(reported(report, 31, "wrong_intersecting"));
+  EXPECT_EQ(exit_code(report), 2);
+}
+
+TEST(Gate, ReportsWhoSleepsAndEndsAllTheSame) {
+  const auto start = std::chrono::steady_clock::now();
+  const GateReport report = gate_on([](const Pair&) {
+    std::this_thread::sleep_for(std::chrono::hours(1));
+    return MethodAnswer{};
+  });
+  EXPECT_TRUE(reported(report, 30, "hang"));
+  EXPECT_EQ(report.methods.at(0).remark, "hangs, and was not asked to the end");
+  EXPECT_EQ(exit_code(report), 2);
+  EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(30));
+}
+
+TEST(Gate, ReportsWhoThrows) {
+  const GateReport report =
+      gate_on([](const Pair&) -> MethodAnswer { throw std::runtime_error("degenerate triangle"); });
+  EXPECT_EQ(report.methods.at(0).remark, "fails on every pair");
+  EXPECT_TRUE(reported(report, 30, "degenerate triangle"));
+  EXPECT_EQ(exit_code(report), 2);
+}
+
+TEST(Gate, ReportsWhoWritesGarbage) {
+  const GateReport verdict = gate_on([](const Pair&) { return say(static_cast<Verdict>(77)); });
+  EXPECT_TRUE(reported(verdict, 30, "malformed"));
+  const GateReport distance = gate_on([](const Pair& pair) {
+    MethodAnswer answer = honest(pair);
+    answer.has_distance = true;
+    answer.distance = std::numeric_limits<double>::quiet_NaN();
+    return answer;
+  });
+  EXPECT_TRUE(reported(distance, 30, "non_finite"));
+}
+
+TEST(Gate, SimplifiesAndRunsAgain) {
+  const GateReport report = gate_on(
+      [](const Pair& pair) { return pair.a.radius > pair.b.radius ? say(Verdict::disjoint) : honest(pair); });
+  const auto wrong = std::find_if(report.failures.begin(), report.failures.end(), [](const GateFailure& f) {
+    return f.law->number == 31 && f.severity == Severity::contract;
+  });
+  ASSERT_NE(wrong, report.failures.end());
+  EXPECT_GT(wrong->simplest.a.radius, wrong->simplest.b.radius);
+  EXPECT_EQ(wrong->simplest.a.center, Vector3(0, 0, 0));
+  EXPECT_EQ(wrong->reruns, 10u);
+  EXPECT_EQ(wrong->failed_again, 10u);
+  EXPECT_TRUE(reported(report, 1)) << "swap";
+}
+
+TEST(Gate, SaysWhatDependsOnLuck) {
+  // State is lost with each worker; the time is not.
+  const GateReport report = gate_on([](const Pair& pair) {
+    const auto now = std::chrono::steady_clock::now().time_since_epoch().count();
+    return now % 2 != 0 ? say(Verdict::disjoint) : honest(pair);
+  });
+  EXPECT_EQ(exit_code(report), 2);
+  EXPECT_TRUE(std::any_of(report.failures.begin(), report.failures.end(),
+                          [](const GateFailure& f) { return f.failed_again < f.reruns; }));
+}
+
+TEST(Gate, SameSeedSameFailures) {
+  const Planted::Ask favours = [](const Pair& pair) {
+    return pair.a.axis.x() < pair.b.axis.x() ? say(Verdict::intersecting) : honest(pair);
+  };
+  const GateReport first = gate_on(favours), second = gate_on(favours);
+  ASSERT_FALSE(first.failures.empty());
+  EXPECT_EQ(first.failures[0].origin, second.failures[0].origin);
+  EXPECT_EQ(first.failures[0].bucket, second.failures[0].bucket);
+}
+
+TEST(Gate, TellsFailuresOfDifferentBucketsApart) {
+  const GateReport report = gate_on(
+      [](const Pair& pair) { return pair.a.radius > pair.b.radius ? say(Verdict::disjoint) : honest(pair); });
+  std::set<std::string> buckets;
+  for (const GateFailure& f : report.failures) {
+    if (f.law->number != 31 || f.severity != Severity::contract) continue;
+    EXPECT_TRUE(buckets.insert(f.bucket).second) << f.bucket;
+    EXPECT_TRUE(f.bucket.starts_with("planted/wrong_disjoint/")) << f.bucket;
+  }
+  EXPECT_GT(buckets.size(), 5u);
+}
+
+TEST(Gate, AsksTheSamePairsWhereTheAmountIsGiven) {
+  std::vector<std::unique_ptr<Method>> methods;
+  methods.push_back(std::make_unique<Planted>(honest, "planted", Claim{1e-12, 0, "planted"}));
+  GateOptions options;
+  options.budget = std::chrono::milliseconds(0);
+  options.amount = GateAmount{.cases_under_laws = {}, .law_rounds = 3, .sample_rounds = 2};
+  const GateReport report = run_gate(methods, few_cases(), options);
+  EXPECT_EQ(report.phases.at(1).pairs, few_cases().size());
+  EXPECT_EQ(report.phases.at(2).rounds, 3u);
+  EXPECT_EQ(report.phases.at(3).rounds, 2u);
+  EXPECT_GT(report.phases.at(3).pairs, 500u);
+  EXPECT_EQ(exit_code(report), 0);
+}
+
+TEST(Gate, BoundsTheErrorRate) {
+  EXPECT_EQ(error_rate_bound(0, 0), 1);
+  EXPECT_EQ(error_rate_bound(1, 0), 1);
+  EXPECT_DOUBLE_EQ(error_rate_bound(3000, 0), 1e-3);
+  // Garwood's table of Poisson means, 95 % one-sided: 4.744 at one, 6.296 at two, 16.962 at ten.
+  EXPECT_NEAR(error_rate_bound(1000, 1), 4.744e-3, 1e-6);
+  EXPECT_NEAR(error_rate_bound(1000, 2), 6.296e-3, 1e-6);
+  EXPECT_NEAR(error_rate_bound(10000, 10), 16.962e-4, 1e-7);
+  EXPECT_NEAR(error_rate_bound(100000, 300), 330.5e-5, 2e-5);
+}
+
+}  // namespace
+}  // namespace cyl

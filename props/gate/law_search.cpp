@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: MIT
+#include "props/gate/law_search.hpp"
+
+#include <rapidcheck.h>
+
+#include <stdexcept>
+#include <unordered_map>
+#include <utility>
+
+#include "props/gate/pair_generators.hpp"
+
+namespace cyl {
+namespace {
+
+constexpr int pairs_per_draw = 16;
+constexpr const char* property_id = "laws";
+/// Draws that RapidCheck may try while it shrinks one case: some seconds of work at most. The rest is for
+/// simplify().
+constexpr int shrink_cap = 400;
+
+class Silent : public rc::detail::TestListener {
+  void onTestCaseFinished(const rc::detail::CaseDescription&) override {}
+  void onShrinkTried(const rc::detail::CaseDescription&, bool) override {}
+  void onTestFinished(const rc::detail::TestMetadata&, const rc::detail::TestResult&) override {}
+};
+
+class Hunt {
+ public:
+  Hunt(std::span<const std::unique_ptr<Method>> methods, const Wanted& wanted, const IsNews& is_news,
+       const Caps& caps)
+      : methods_(methods), wanted_(wanted), is_news_(is_news), caps_(caps) {
+    round_.counts.resize(methods.size());
+  }
+
+  HuntRound run(const rc::detail::TestParams& params,
+                const std::unordered_map<std::string, rc::detail::Reproduce>& again = {}) {
+    Silent listener;
+    const auto result = rc::detail::checkTestable(
+        [this] {
+          const PairsDrawn drawn = *pairs_of_one_kind(pairs_per_draw);
+          RC_TAG(drawn.from);
+          if (stopped_)
+            look_again(drawn);
+          else
+            look(drawn);
+        },
+        rc::detail::TestMetadata{property_id, property_id}, params, listener, again);
+    if (result.is<rc::detail::FailureResult>()) {
+      rc::detail::Configuration name;
+      name.reproduce.emplace(property_id, result.get<rc::detail::FailureResult>().reproduce);
+      const std::string text =
+          rc::detail::configToMinimalString(name);  // and the seed, which does not matter
+      round_.caught.back().reproduce = text.substr(0, text.find(' '));
+    } else if (result.is<rc::detail::Error>()) {
+      throw std::invalid_argument(result.get<rc::detail::Error>().description);
+    }
+    return std::move(round_);
+  }
+
+ private:
+  void look(const PairsDrawn& drawn) {
+    const Examined examined = examine(methods_, drawn.pairs, wanted_, caps_);
+    round_.drawn[drawn.from] += drawn.pairs.size();
+    for (std::size_t m = 0; m < methods_.size(); ++m) round_.counts[m] += examined.counts[m];
+    for (const BrokenLaw& b : examined.broken) {
+      round_.caught.push_back({b.method, b.law, b.broken, drawn.pairs[b.pair], drawn.from, {}});
+      if (b.broken.severity != Severity::contract || !is_news_(round_.caught.back())) continue;
+      stopped_ = true;
+      RC_FAIL(b.broken.what);
+    }
+  }
+
+  // While RapidCheck shrinks: only what stopped the round counts.
+  void look_again(const PairsDrawn& drawn) {
+    if (++shrinks_ > shrink_cap) return;
+    Catch& last = round_.caught.back();
+    const auto same = [&](std::size_t method, const Law& law) {
+      return method == last.method && law.number == last.law->number;
+    };
+    for (const BrokenLaw& b : examine(methods_, drawn.pairs, same, caps_).broken) {
+      if (b.broken.severity != Severity::contract) continue;
+      last.broken = b.broken;
+      last.pair = drawn.pairs[b.pair];
+      RC_FAIL(b.broken.what);
+    }
+  }
+
+  std::span<const std::unique_ptr<Method>> methods_;
+  const Wanted& wanted_;
+  const IsNews& is_news_;
+  const Caps& caps_;
+  HuntRound round_;
+  bool stopped_ = false;
+  int shrinks_ = 0;
+};
+
+}  // namespace
+
+HuntRound hunt(std::span<const std::unique_ptr<Method>> methods, const Wanted& wanted, const IsNews& is_news,
+               std::uint64_t seed, int draws, const Caps& caps) {
+  rc::detail::TestParams params;
+  params.seed = seed;
+  params.maxSuccess = draws;
+  return Hunt(methods, wanted, is_news, caps).run(params);
+}
+
+HuntRound hunt_again(std::span<const std::unique_ptr<Method>> methods, const Wanted& wanted,
+                     const std::string& reproduce, const Caps& caps) {
+  rc::detail::Configuration named;
+  try {
+    named = rc::detail::configFromString(reproduce);
+  } catch (const std::exception& error) {
+    throw std::invalid_argument("'" + reproduce + "' names no case: " + error.what());
+  }
+  if (!named.reproduce.contains(property_id))
+    throw std::invalid_argument("'" + reproduce + "' names no case");
+  const IsNews any = [](const Catch&) { return true; };
+  return Hunt(methods, wanted, any, caps).run({}, named.reproduce);
+}
+
+}  // namespace cyl

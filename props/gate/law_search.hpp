@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: MIT
+// Hunts for pairs on which methods break laws, with RapidCheck as the engine: it draws pairs of a kind,
+// shrinks what fails where that can be shrunk, and names the case so that it can be had again.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <map>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "props/laws/examine.hpp"
+
+namespace cyl {
+
+/// A law broken on a pair that was drawn.
+struct Catch {
+  std::size_t method = 0;
+  const Law* law = nullptr;
+  Broken broken;
+  Pair pair;              ///< where it stopped the round, shrunk as far as RapidCheck could
+  std::string from;       ///< the kind of pairs it was drawn from
+  std::string reproduce;  ///< RapidCheck's name of the case, where it stopped the round; else empty
+};
+
+struct HuntRound {
+  std::vector<Catch> caught;         ///< in the order found; only the last can have stopped the round
+  std::vector<AnswerCounts> counts;  ///< by method
+  std::map<std::string, std::uint64_t> drawn;  ///< pairs by kind: RapidCheck's classification
+  std::uint64_t undecided_truths = 0;
+};
+
+/// Whether a contract break of this law by this method is news, so that it stops the round.
+using IsNews = std::function<bool(const Catch&)>;
+
+/// `draws` times the pairs of one kind, all laws that are wanted; ends early at the first news. A pure
+/// function of its arguments but for hangs. One draw is 16 pairs.
+HuntRound hunt(std::span<const std::unique_ptr<Method>> methods, const Wanted& wanted, const IsNews& is_news,
+               std::uint64_t seed, int draws, const Caps& caps);
+
+/// The case again that `reproduce` names (what it was drawn from must not have changed since). Throws
+/// std::invalid_argument where it names none.
+HuntRound hunt_again(std::span<const std::unique_ptr<Method>> methods, const Wanted& wanted,
+                     const std::string& reproduce, const Caps& caps);
+
+}  // namespace cyl

@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: MIT
+#include "props/gate/pair_generators.hpp"
+
+#include <fmt/format.h>
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <tuple>
+#include <utility>
+
+#include "corpus/pairs/families.hpp"
+#include "corpus/pairs/pair_io.hpp"
+#include "corpus/pairs/strata.hpp"
+
+namespace cyl {
+namespace {
+
+/// n/64 with least <= n <= 256.
+rc::Gen<double> on_grid(int least) {
+  return rc::gen::map(rc::gen::inRange(least, 257), [](int n) { return n / 64.0; });
+}
+
+template <typename Coordinate>
+rc::Gen<Vector3> vector_of(const rc::Gen<Coordinate>& x) {
+  return rc::gen::map(rc::gen::tuple(x, x, x),
+                      [](const auto& v) { return Vector3(std::get<0>(v), std::get<1>(v), std::get<2>(v)); });
+}
+
+rc::Gen<Vector3> grid_axis() {
+  return rc::gen::suchThat(rc::gen::oneOf(vector_of(rc::gen::inRange(-2, 3)), vector_of(on_grid(-256))),
+                           [](const Vector3& v) { return v != Vector3::Zero(); });
+}
+
+rc::Gen<Cylinder> grid_cylinder() {
+  return rc::gen::map(rc::gen::tuple(vector_of(on_grid(-256)), grid_axis(), on_grid(0), on_grid(0)),
+                      [](const auto& c) {
+                        return Cylinder{std::get<0>(c), std::get<1>(c), std::get<2>(c), std::get<3>(c)};
+                      });
+}
+
+/// `count` pairs that `draw` makes of (seed, index), named; to be left as they are.
+template <class Draw>
+rc::Gen<PairsDrawn> drawn(std::string from, int count, Draw draw) {
+  return rc::gen::noShrink(rc::gen::map(rc::gen::arbitrary<std::uint64_t>(),
+                                        [from = std::move(from), count, draw](std::uint64_t seed) {
+                                          PairsDrawn result{from, {}};
+                                          for (int i = 0; i < count; ++i)
+                                            if (const auto pair = draw(seed, static_cast<std::uint64_t>(i)))
+                                              result.pairs.push_back(*pair);
+                                          return result;
+                                        }));
+}
+
+}  // namespace
+
+void showValue(const Pair& pair, std::ostream& out) { out << format_pair(pair); }
+
+void showValue(const PairsDrawn& drawn, std::ostream& out) {
+  out << drawn.from;
+  for (const Pair& pair : drawn.pairs) out << '\n' << format_pair(pair);
+}
+
+rc::Gen<Pair> grid_pair() {
+  return rc::gen::map(rc::gen::pair(grid_cylinder(), grid_cylinder()), [](const auto& p) {
+    return Pair{p.first, p.second};
+  });
+}
+
+rc::Gen<Pair> family_pair() {
+  return rc::gen::map(
+      rc::gen::tuple(rc::gen::inRange<std::size_t>(0, families().size()), rc::gen::arbitrary<std::uint64_t>(),
+                     rc::gen::arbitrary<std::uint64_t>()),
+      [](const auto& drawn) {
+        const auto& [family, seed, index] = drawn;
+        return families()[family].generate(seed, index);
+      });
+}
+
+rc::Gen<PairsDrawn> pairs_of_one_kind(int count) {
+  const auto grid =
+      rc::gen::map(rc::gen::container<std::vector<Pair>>(static_cast<std::size_t>(count), grid_pair()),
+                   [](std::vector<Pair> pairs) {
+                     return PairsDrawn{"grid", std::move(pairs)};
+                   });
+  const auto family = rc::gen::mapcat(
+      rc::gen::noShrink(rc::gen::inRange<std::size_t>(0, families().size())), [count](std::size_t i) {
+        const Family& f = families()[i];
+        return drawn("family " + std::string(f.name), count,
+                     [&f](std::uint64_t seed, std::uint64_t index) -> std::optional<Pair> {
+                       return f.generate(seed, index);
+                     });
+      });
+  const auto stratum =
+      rc::gen::mapcat(rc::gen::noShrink(rc::gen::pair(rc::gen::inRange<std::size_t>(0, contact_feature_count),
+                                                      rc::gen::inRange(first_decade, last_decade + 1))),
+                      [count](const std::pair<std::size_t, int>& cell) {
+                        const auto feature = static_cast<ContactFeature>(cell.first);
+                        const int decade = cell.second;
+                        return drawn(fmt::format("stratum {} 1e-{:02}", to_string(feature), decade), count,
+                                     [feature, decade](std::uint64_t seed, std::uint64_t index) {
+                                       return draw_in_stratum(feature, decade, seed, index);
+                                     });
+                      });
+  return rc::gen::weightedOneOf<PairsDrawn>({{1, grid}, {2, family}, {3, stratum}});
+}
+
+}  // namespace cyl

@@ -1,0 +1,226 @@
+// SPDX-License-Identifier: MIT
+// Laws 30 and on: what one answer owes by itself. The judge of them is the referee's proof, where one is
+// needed.
+#include <fmt/format.h>
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <bit>
+#include <cstdint>
+#include <initializer_list>
+
+#include "corpus/pairs/pair_io.hpp"
+#include "props/laws/law_groups.hpp"
+#include "solver/decide.hpp"
+
+namespace cyl {
+namespace {
+
+/// What compare() finds wrong with an answer to the pair, if it is of one of these kinds.
+std::optional<Broken> refuted(const LawCase& c, const MethodAnswer& answer,
+                              std::initializer_list<FindingKind> kinds) {
+  Proved& proved = c.proofs.of(c.pair);
+  const auto finding = compare(c.pair, proved.truth, proved.distance, c.method.claim(), answer);
+  if (!finding || std::find(kinds.begin(), kinds.end(), finding->kind) == kinds.end()) return {};
+  std::string what = to_string(finding->kind);
+  if (finding->margin) what += fmt::format(", margin {:.3g}", finding->margin->lo);
+  return Broken{std::move(what), finding->severity};
+}
+
+std::optional<Broken> break_answers(const LawCase& c) {
+  if (c.first.status != Status::failed) return {};
+  auto broken = refuted(c, c.first,
+                        {FindingKind::exception, FindingKind::crash, FindingKind::hang,
+                         FindingKind::non_finite, FindingKind::malformed});
+  if (broken) broken->what = fmt::format("{}: {}", broken->what, c.first.reason);
+  return broken;
+}
+
+// The verdict, the witness and the distance each by themselves: what is wrong with one hides no other, and a
+// distance, whose proof is dear, is not asked for twice.
+
+std::optional<Broken> break_verdict(const LawCase& c) {
+  if (c.first.status != Status::answered) return {};
+  MethodAnswer verdict = c.first;
+  verdict.has_distance = false;
+  verdict.witness = WitnessKind::none;
+  return refuted(c, verdict,
+                 {FindingKind::wrong_disjoint, FindingKind::wrong_intersecting, FindingKind::wrong_touching,
+                  FindingKind::wrong_invalid});
+}
+
+std::optional<Broken> break_certificate(const LawCase& c) {
+  if (c.first.status != Status::answered || c.first.witness == WitnessKind::none) return {};
+  MethodAnswer certificate = c.first;
+  certificate.has_distance = false;
+  return refuted(c, certificate, {FindingKind::bad_witness});
+}
+
+std::optional<Broken> break_distance(const LawCase& c) {
+  if (c.first.status != Status::answered || !c.first.has_distance) return {};
+  MethodAnswer distance = c.first;
+  distance.verdict = Verdict::undecided;
+  distance.witness = WitnessKind::none;
+  return refuted(c, distance, {FindingKind::distance_outside});
+}
+
+// A distance said is off by the allowance at most, so beyond it the sign is known; and where it is beyond by
+// the reach of the claim, the verdict is promised.
+std::optional<Broken> break_sign(const LawCase& c) {
+  if (!is_decided(c.first) || !c.first.has_distance) return {};
+  const double apart = says_meet(c.first) ? c.first.distance : -c.first.distance;
+  const double beyond = apart - distance_allowance(c, c.pair, c.first.distance);
+  if (!(beyond > 0)) return {};
+  return Broken{
+      fmt::format("says {} and distance {}", to_string(c.first.verdict), format_double(c.first.distance)),
+      beyond >= reach(c.method.claim(), size_of(c.pair)) ? Severity::contract : Severity::resolution};
+}
+
+std::vector<Asked> again(const Method&, const Pair& pair, const MethodAnswer&) { return {{pair}, {pair}}; }
+
+/// A thread costs more than all other laws: one pair of this many is asked from one, told by its digits.
+constexpr std::uint64_t thread_share = 16;
+
+std::vector<Asked> from_another_thread(const Method&, const Pair& pair, const MethodAnswer&) {
+  std::uint64_t digits = 0;
+  for (const Cylinder* c : {&pair.a, &pair.b})
+    for (const double x : {c->center.x(), c->axis.x(), c->radius, c->height})
+      digits = (digits ^ std::bit_cast<std::uint64_t>(x)) * 0x9e3779b97f4a7c15;
+  if ((digits >> 32) % thread_share != 0) return {};
+  return {{pair, Way::other_thread}};
+}
+
+/// A method that is not asked any more after many hangs declines: only that says nothing.
+std::optional<Broken> break_sameness(const LawCase& c) {
+  for (const MethodAnswer& second : c.answers) {
+    if (second.status == Status::declined || same_answer(c.first, second)) continue;
+    return Broken{
+        fmt::format("first {}, then {}", format_method_answer(c.first), format_method_answer(second))};
+  }
+  return {};
+}
+
+std::vector<Asked> in_other_ways(const Method&, const Pair& pair, const MethodAnswer&) {
+  return {{pair, Way::prepared}, {pair, Way::batch}};
+}
+
+std::optional<Broken> break_other_ways(const LawCase& c) {
+  for (std::size_t i = 0; i < c.answers.size(); ++i) {
+    const MethodAnswer& second = c.answers[i];
+    if (second.status != Status::answered || second.verdict == c.first.verdict) continue;
+    if (says_meet(second) && says_meet(c.first)) continue;
+    return Broken{fmt::format("asked singly {}, {} {}", to_string(c.first.verdict),
+                              c.asked[i].way == Way::batch ? "in a batch" : "prepared",
+                              to_string(second.verdict))};
+  }
+  return {};
+}
+
+std::optional<Broken> break_cap(const LawCase& c) {
+  if (c.first.status != Status::answered || c.first.step_cap == 0 || c.first.steps <= c.first.step_cap)
+    return {};
+  return Broken{fmt::format("{} steps, at most {} are allowed", c.first.steps, c.first.step_cap)};
+}
+
+bool is_ours(const Method& method) {
+  for (const std::string_view name : {"intersect", "decide", "distance", "exact"})
+    if (method.name() == name) return true;
+  return false;
+}
+
+/// Of size and centres' distance: from here on our methods decide. Ten times what the worst features of any
+/// family need, and of gaps between parallel solids.
+constexpr double resolved_tol = 1e-11, parallel_tol = 1e-14;
+
+// A point that is in both by more than rounding needs room in both: a sheet or a thread thinner than rounding
+// has none, however deep it is in the other solid.
+bool has_room(const Pair& pair, double least) {
+  return std::min({pair.a.radius, pair.a.height, pair.b.radius, pair.b.height}) >= least;
+}
+
+std::optional<Broken> break_resolution(const LawCase& c) {
+  if (!is_ours(c.method) || c.first.status != Status::answered || c.first.verdict != Verdict::undecided)
+    return {};
+  if (!is_in_range(c.pair)) return {};
+  Proved& proved = c.proofs.of(c.pair);
+  const Verdict truth = proved.truth.verdict;
+  if (truth == Verdict::undecided || truth == Verdict::invalid) return {};
+  if (c.method.name() == "exact")
+    return Broken{fmt::format("undecided, and proved to be {}", to_string(truth))};
+  if (truth == Verdict::touching) return {};
+  const double extent = size_of(c.pair) + (c.pair.b.center - c.pair.a.center).norm();
+  if (truth == Verdict::intersecting && !has_room(c.pair, resolved_tol * extent)) return {};
+  const bool parallel = prepare(c.pair.a).unit_axis == prepare(c.pair.b).unit_axis;
+  const double least = (parallel && truth == Verdict::disjoint ? parallel_tol : resolved_tol) * extent;
+  const double magnitude = magnitude_against(least, proved.truth, proved.distance).lo;
+  if (magnitude < least) return {};
+  return Broken{fmt::format("undecided, and {} by {:.3g}", to_string(truth), magnitude)};
+}
+
+/// Of a product of two vectors, relative: three products and two sums, on either side.
+constexpr double along_error = 16 * 0x1p-53;
+
+std::optional<Broken> break_orientation(const LawCase& c) {
+  if (!is_ours(c.method) || c.first.status != Status::answered || c.first.witness != WitnessKind::direction)
+    return {};
+  // In halves, since the centres may be far apart.
+  const Vector3 delta = c.pair.b.center / 2 - c.pair.a.center / 2;
+  const double along =
+      delta.x() * c.first.head[0] + delta.y() * c.first.head[1] + delta.z() * c.first.head[2];
+  const double length = Vector3::Map(c.first.head).norm() * delta.norm();
+  if (!is_in_range(c.pair) || !(along < -along_error * length)) return {};
+  return Broken{"the direction points from b to a"};
+}
+
+std::vector<Asked> spoilt(const Method& method, const Pair& pair, const MethodAnswer&) {
+  if (!is_ours(method)) return {};
+  std::vector<Asked> asked(2, Asked{pair});
+  asked[0].pair.a.radius = -1;
+  asked[1].pair.b.radius = -1;
+  return asked;
+}
+
+std::optional<Broken> break_validity(const LawCase& c) {
+  for (std::size_t i = 0; i < c.answers.size(); ++i)
+    if (c.answers[i].status == Status::answered && c.answers[i].verdict != Verdict::invalid)
+      return Broken{fmt::format("{} where the radius of {} is -1", to_string(c.answers[i].verdict),
+                                i == 0 ? "a" : "b")};
+  return {};
+}
+
+}  // namespace
+
+std::vector<Law> answer_laws() {
+  return {
+      {30, LawKind::answer, "answers", "it answers: no crash, exception, hang, NaN or value without meaning",
+       "everywhere", needs_none, break_answers},
+      {31, LawKind::answer, "verdict", "no certificate refutes the verdict", "where the truth is proved",
+       needs_none, break_verdict},
+      {32, LawKind::answer, "certificate", "the direction or point offered proves the verdict",
+       "where one is offered and the truth is proved; contract of methods that claim never to be wrong",
+       needs_none, break_certificate},
+      {33, LawKind::answer, "distance", "the distance is within the proved enclosure, but for the claim",
+       "of methods with distances, where the truth is proved", needs_none, break_distance},
+      {34, LawKind::answer, "sign", "the sign of the distance agrees with the verdict",
+       "of methods with distances, where the distance is beyond the claim", needs_none, break_sign},
+      {35, LawKind::answer, "again", "the same question has the same answer, bit for bit", "everywhere",
+       again, break_sameness},
+      {36, LawKind::answer, "thread", "from another thread the same answer, bit for bit",
+       "on one pair of 16, told by its digits", from_another_thread, break_sameness},
+      {37, LawKind::answer, "ways", "prepared solids and a batch have the verdict of a single question",
+       "of methods with such calls", in_other_ways, break_other_ways},
+      {38, LawKind::answer, "cap", "the searches take no more steps than they may",
+       "of methods that tell their steps: decide, distance", needs_none, break_cap},
+      {39, LawKind::answer, "resolves", "it is not undecided",
+       "of intersect, decide and distance where |distance| is 1e-11 of size and centres' distance or more "
+       "(1e-14 of a gap between parallel axes), and so are the radii and heights of overlapping solids; of "
+       "exact where anybody proves a verdict",
+       needs_none, break_resolution},
+      {40, LawKind::answer, "orientation", "the direction offered points from a to b", "of our methods",
+       needs_none, break_orientation},
+      {41, LawKind::answer, "validity", "a negative radius of either solid makes the pair invalid",
+       "of our methods", spoilt, break_validity},
+  };
+}
+
+}  // namespace cyl

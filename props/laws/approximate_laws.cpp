@@ -1,0 +1,220 @@
+// SPDX-License-Identifier: MIT
+// Laws 20 to 29: within an allowance that is proved. The signed distance is -min f over unit directions D,
+//   f(D) = sum of r |D x w| + h/2 |D.w| over both solids, less |D.Delta|,
+// so it changes by no more than f does at any D. |D x w| and |D.w| change by at most the change of w, hence
+//   |change| <= |Delta' - Delta| + sum of |r' - r| + |h' - h| / 2 + (r + h/2) |w' - w|.
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+#include <string>
+
+#include "corpus/pairs/pair_io.hpp"
+#include "props/laws/law_groups.hpp"
+#include "solver/decide.hpp"
+
+namespace cyl {
+namespace {
+
+bool is_usable(const Pair& pair) {
+  return find_defect(pair.a) == Defect::none && find_defect(pair.b) == Defect::none && is_in_range(pair);
+}
+
+/// What is wrong where the signed distance of asked[i] is within `change` of the pair's. Distances said are
+/// held to the allowance of each; verdicts to the proof.
+std::optional<Broken> break_change(const LawCase& c, std::size_t i, double change) {
+  const MethodAnswer &first = c.first, &second = c.answers[i];
+  const Pair& changed = c.asked[i].pair;
+  if (!is_decided(first) || !is_decided(second)) return {};
+  if (first.has_distance && second.has_distance) {
+    const double allowed = change + distance_allowance(c, c.pair, first.distance) +
+                           distance_allowance(c, changed, second.distance);
+    if (std::fabs(second.distance - first.distance) > allowed) {
+      return Broken{"the distance goes from " + format_double(first.distance) + " to " +
+                    format_double(second.distance) + ", allowed is " + format_double(allowed)};
+    }
+  }
+  if (says_meet(first) == says_meet(second)) return {};
+  // Proofs of verdicts are cheap, of distances not.
+  if (!is_refuted(c, c.pair, first) && !is_refuted(c, changed, second)) return {};
+  Proved& proved = c.proofs.of(c.pair);
+  if (proved.truth.verdict == Verdict::undecided) return {};
+  if (magnitude_against(change, proved.truth, proved.distance).lo <= change) return {};
+  return Broken{
+      std::string("the verdict turns from ") + to_string(first.verdict) + " to " + to_string(second.verdict),
+      severity_of(c, i)};
+}
+
+/// Of change_between(), relative: some 20 roundings.
+constexpr double sum_error = 0x1p-48;
+
+/// The bound above, from the numbers of two pairs; rounded up.
+double change_between(const Pair& x, const Pair& y) {
+  const Vector3 from = x.b.center - x.a.center, to = y.b.center - y.a.center;
+  double change = (to - from).norm(), lost = unit_roundoff_error * (from.norm() + to.norm());
+  for (const auto& [p, q] : {std::pair{&x.a, &y.a}, std::pair{&x.b, &y.b}}) {
+    const double extent = p->radius + p->height / 2;
+    change += std::fabs(q->radius - p->radius) + std::fabs(q->height - p->height) / 2 +
+              extent * (prepare(*q).unit_axis - prepare(*p).unit_axis).norm();
+    if (q->axis != p->axis) lost += 2 * unit_axis_error * extent;
+  }
+  return (change + lost) * (1 + sum_error);
+}
+
+std::optional<Broken> break_changes(const LawCase& c) {
+  return worst_of(c,
+                  [&](std::size_t i) { return break_change(c, i, change_between(c.pair, c.asked[i].pair)); });
+}
+
+// A quaternion of integers, as the integer matrix of its rotation times the sum of its squares.
+struct Rotation {
+  Eigen::Matrix3d times_square;
+  double square;
+};
+
+Rotation rotation(double w, double x, double y, double z) {
+  Eigen::Matrix3d m;
+  m << w * w + x * x - y * y - z * z, 2 * (x * y - w * z), 2 * (x * z + w * y),  //
+      2 * (x * y + w * z), w * w - x * x + y * y - z * z, 2 * (y * z - w * x),   //
+      2 * (x * z - w * y), 2 * (y * z + w * x), w * w - x * x - y * y + z * z;
+  return {m, w * w + x * x + y * y + z * z};
+}
+
+/// About a coordinate axis, and about none, by small and by large angles.
+const std::array rotations{rotation(2, 1, 0, 0), rotation(7, 0, 1, -1), rotation(1, 2, 3, -4)};
+
+// A centre: three products, two sums and a quotient, 4 u in each coordinate of |c| (the rows are of unit
+// length), so 7 u |c| in all. An axis: 4 u of unit_axis, and 5.2 u of |w| by products and sums. Both stay
+// below this bound, times |c| and times the extent.
+constexpr double rotation_error = 16 * unit_roundoff_error;
+
+double rotation_change(const Pair& pair) {
+  double lengths = 0;
+  for (const Cylinder* c : {&pair.a, &pair.b}) lengths += c->center.norm() + c->radius + c->height / 2;
+  return rotation_error * lengths;
+}
+
+std::vector<Asked> rotated(const Method&, const Pair& pair, const MethodAnswer&) {
+  if (!is_usable(pair)) return {};
+  std::vector<Asked> asked;
+  for (const Rotation& turn : rotations) {
+    asked.push_back({pair});
+    for (Cylinder* c : {&asked.back().pair.a, &asked.back().pair.b}) {
+      c->center = turn.times_square * c->center / turn.square;
+      c->axis = turn.times_square * prepare(*c).unit_axis;
+    }
+  }
+  return asked;
+}
+
+std::optional<Broken> break_rotation(const LawCase& c) {
+  return worst_of(c, [&](std::size_t i) { return break_change(c, i, rotation_change(c.pair)); });
+}
+
+/// How far the scene is moved, in units of its size.
+constexpr double translations[] = {0x1p-3, 3, 0x1p10, 0x1p20};
+
+std::vector<Asked> translated(const Method&, const Pair& pair, const MethodAnswer&) {
+  if (!is_usable(pair)) return {};
+  std::vector<Asked> asked;
+  for (const double length : translations) {
+    const Vector3 move = length * size_of(pair) * Vector3(2, -1, 2) / 3;
+    asked.push_back({pair});
+    asked.back().pair.a.center += move;
+    asked.back().pair.b.center += move;
+  }
+  return asked;
+}
+
+/// How much is changed of a and of b, in units of the size, and in radians: a jump shows where the change is
+/// smaller than it.
+constexpr double coarse = 0x1p-10, fine = 0x1p-30;
+
+std::vector<Asked> nearby(const Method&, const Pair& pair, const MethodAnswer&) {
+  if (!is_usable(pair)) return {};
+  std::vector<Asked> asked;
+  for (const auto& [solid, by] : {std::pair{&Pair::a, coarse}, std::pair{&Pair::b, fine}}) {
+    const double length = by * size_of(pair);
+    const auto push = [&, solid = solid]() -> Cylinder& {
+      asked.push_back({pair});
+      return asked.back().pair.*solid;
+    };
+    push().radius += length;
+    push().height += 2 * length;
+    push().center += length * Vector3(2, -1, 2) / 3;
+    Cylinder& turned = push();
+    const Vector3 w = prepare(turned).unit_axis;
+    Eigen::Index least;
+    w.cwiseAbs().minCoeff(&least);
+    turned.axis = w + by * w.cross(Vector3::Unit(least));
+  }
+  return asked;
+}
+
+/// c of the triangle: one beyond b, and a small one in the middle, where the inequality is nearly tight.
+std::array<Cylinder, 2> third_solids(const Pair& pair) {
+  const Vector3 delta = pair.b.center - pair.a.center;
+  constexpr double small = 0x1p-10;
+  return {Cylinder{pair.b.center + delta, pair.a.axis, pair.b.radius, pair.a.height},
+          Cylinder{pair.a.center + delta / 2, pair.b.axis, small * pair.b.radius, small * pair.a.height}};
+}
+
+std::vector<Asked> with_a_third(const Method&, const Pair& pair, const MethodAnswer& first) {
+  if (!first.has_distance || !is_usable(pair)) return {};
+  std::vector<Asked> asked;
+  for (const Cylinder& c : third_solids(pair)) {
+    asked.push_back({{pair.b, c}});
+    asked.push_back({{pair.a, c}});
+  }
+  return asked;
+}
+
+double diameter(const Cylinder& c) { return std::hypot(2 * c.radius, c.height) * (1 + sum_error); }
+
+// From the nearest point of one solid to that of another, through the middle one, whose two points are at
+// most its diameter apart: no side of the triangle is longer than the others with the diameter between them.
+std::optional<Broken> break_triangle(const LawCase& c) {
+  for (std::size_t i = 0; i + 1 < c.answers.size(); i += 2) {
+    const MethodAnswer &ab = c.first, &bc = c.answers[i], &ac = c.answers[i + 1];
+    if (!is_decided(ab) || !is_decided(bc) || !is_decided(ac) || !bc.has_distance || !ac.has_distance)
+      continue;
+    const Pair &second = c.asked[i].pair, &third = c.asked[i + 1].pair;
+    const double allowed = distance_allowance(c, c.pair, ab.distance) +
+                           distance_allowance(c, second, bc.distance) +
+                           distance_allowance(c, third, ac.distance);
+    const double x = std::max(0.0, ab.distance), y = std::max(0.0, bc.distance),
+                 z = std::max(0.0, ac.distance);
+    const double over = std::max(
+        {z - x - y - diameter(c.pair.b), y - x - z - diameter(c.pair.a), x - y - z - diameter(second.b)});
+    if (over > allowed) {
+      return Broken{"a gap is longer by " + format_double(over) +
+                    " than the way through the third solid, allowed is " + format_double(allowed)};
+    }
+  }
+  return {};
+}
+
+}  // namespace
+
+std::vector<Law> approximate_laws() {
+  return {
+      {20, LawKind::approximate, "rotation",
+       "the whole scene rotated about the origin: the same verdict and distance",
+       "verdicts where the distance exceeds 2^-49 of centres and lengths; lengths from 2^-200 to 2^200",
+       rotated, break_rotation},
+      {21, LawKind::approximate, "translation",
+       "the whole scene moved by 1/8 to 2^20 of its size: the same verdict and distance",
+       "verdicts where the distance exceeds the rounding of the centres; lengths from 2^-200 to 2^200",
+       translated, break_changes},
+      {22, LawKind::approximate, "Lipschitz",
+       "the distance changes by no more than a radius, half a height, a centre, or an axis times radius and "
+       "half height; the verdict stays where the distance is larger",
+       "lengths from 2^-200 to 2^200", nearby, break_changes},
+      {23, LawKind::approximate, "triangle",
+       "of three solids no gap is larger than the two others and the diameter of the solid between them",
+       "of methods with distances; lengths from 2^-200 to 2^200", with_a_third, break_triangle},
+  };
+}
+
+}  // namespace cyl

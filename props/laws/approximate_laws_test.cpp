@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: MIT
+// Each approximate law catches a method with a fault planted, and what else catches it has a reason.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "oracles/referee/referee.hpp"
+#include "props/laws/laws_test.hpp"
+
+namespace cyl {
+namespace {
+
+// The angle to the coordinate axes: no mirror or permutation changes it. Beyond 1 the factor makes moves too
+// long, as well.
+TEST(ApproximateLaws, CatchADistanceThatDependsOnTheDirection) {
+  EXPECT_EQ(laws_broken_by(plant("distance",
+                                 [](const Pair& pair, MethodAnswer& answer) {
+                                   const Vector3 delta = pair.b.center - pair.a.center;
+                                   const double steep = delta.lpNorm<Eigen::Infinity>() / delta.norm();
+                                   answer.distance *= 1 + 1e-6 * steep;
+                                 })),
+            (Numbers{20, 22, 33}));
+}
+
+TEST(ApproximateLaws, CatchADistanceThatDependsOnThePlace) {
+  EXPECT_EQ(laws_broken_by(plant("distance",
+                                 [](const Pair& pair, MethodAnswer& answer) {
+                                   if (pair.a.center.norm() > 1000 * size_of(pair)) answer.distance *= 2;
+                                 })),
+            Numbers{21});
+}
+
+TEST(ApproximateLaws, CatchAVerdictThatDependsOnThePlace) {
+  EXPECT_EQ(laws_broken_by(plant("intersect",
+                                 [](const Pair& pair, MethodAnswer& answer) {
+                                   if (pair.a.center.norm() > 1000 * size_of(pair))
+                                     answer.verdict = Verdict::intersecting;
+                                 })),
+            Numbers{21});
+}
+
+// The distance is wrong, too, and below what its direction shows, and two ways are shorter than one.
+TEST(ApproximateLaws, CatchADistanceInSteps) {
+  EXPECT_EQ(laws_broken_by(plant("distance",
+                                 [](const Pair& pair, MethodAnswer& answer) {
+                                   const double step = size_of(pair) / 100;
+                                   answer.distance = step * std::trunc(answer.distance / step);
+                                 })),
+            (Numbers{13, 22, 23, 33}));
+}
+
+// An axis of nearly unit length, as a turn by little leaves it.
+TEST(ApproximateLaws, CatchAVerdictThatMissesASmallTurn) {
+  EXPECT_EQ(laws_broken_by(plant("intersect",
+                                 [](const Pair& pair, MethodAnswer& answer) {
+                                   const double square = pair.a.axis.squaredNorm();
+                                   if (std::fabs(square - 1) > 0x1p-23 && std::fabs(square - 1) < 0x1p-19)
+                                     answer.verdict = Verdict::intersecting;
+                                 })),
+            Numbers{22});
+}
+
+// One solid much smaller than the other: among what is asked only the one in the middle.
+TEST(ApproximateLaws, CatchAWayThatIsLongerThanAround) {
+  EXPECT_EQ(laws_broken_by(plant("distance",
+                                 [](const Pair& pair, MethodAnswer& answer) {
+                                   if (std::min(pair.a.radius, pair.b.radius) <
+                                           std::max(pair.a.radius, pair.b.radius) / 512 &&
+                                       answer.distance > 0)
+                                     answer.distance = 0;
+                                 })),
+            Numbers{23});
+}
+
+}  // namespace
+}  // namespace cyl

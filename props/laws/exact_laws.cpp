@@ -1,0 +1,230 @@
+// SPDX-License-Identifier: MIT
+// Laws 1 to 9: changes that alter no digit of the problem, so that an answer may alter none either. A method
+// that computes promises that bit for bit; of one that searches the verdict alone is held to it.
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <limits>
+#include <optional>
+#include <utility>
+
+#include "corpus/pairs/pair_io.hpp"
+#include "props/laws/law_groups.hpp"
+
+namespace cyl {
+namespace {
+
+/// What a law expects of the second answer: the first one's distance and point times `length`, its direction
+/// times `direction`.
+struct Expected {
+  double length = 1;
+  double direction = 1;
+};
+
+bool promises_every_bit(const Method& method) {
+  return method.name() == "intersect" || method.name() == "decide" || method.name() == "distance" ||
+         method.name().starts_with("seed2017-");
+}
+
+std::string differ(const char* what, double wanted, double got) {
+  return std::string(what) + " is " + format_double(got) + ", expected " + format_double(wanted);
+}
+
+// Numbers are the same by ==, so 0 is -0, and where the first one times `factor` has lost bits to underflow,
+// on either side of the product, within the bits lost.
+bool same(double first, double second, double factor) {
+  const double lost = std::max(1.0, std::fabs(factor)) * std::numeric_limits<double>::denorm_min();
+  return second == factor * first || std::fabs(second - factor * first) <= lost;
+}
+
+std::string difference_in_bits(const MethodAnswer& first, const MethodAnswer& second,
+                               const Expected& expected) {
+  if (first.has_distance != second.has_distance) return "only one answer has a distance";
+  if (first.has_distance && !same(first.distance, second.distance, expected.length))
+    return differ("the distance", expected.length * first.distance, second.distance);
+  if (first.witness != second.witness) return "the witnesses are of different kinds";
+  if (first.witness == WitnessKind::none) return {};
+  const bool is_direction = first.witness == WitnessKind::direction;
+  const double factor = is_direction ? expected.direction : expected.length;
+  for (int i = 0; i < 3; ++i) {
+    for (const auto& [x, y] :
+         {std::pair{first.head[i], second.head[i]}, std::pair{first.tail[i], second.tail[i]}}) {
+      if (!same(x, y, factor)) return differ("a coordinate of the witness", factor * x, y);
+    }
+  }
+  return {};
+}
+
+std::optional<Broken> compare_answers(const LawCase& c, std::size_t i, const Expected& expected) {
+  const MethodAnswer& second = c.answers[i];
+  if (second.status != Status::answered) return {};
+  const bool every_bit = promises_every_bit(c.method);
+  if (c.first.verdict != second.verdict) {
+    return Broken{std::string("the verdict turns from ") + to_string(c.first.verdict) + " to " +
+                      to_string(second.verdict),
+                  every_bit ? Severity::contract : severity_of(c, i)};
+  }
+  if (!every_bit) return {};
+  std::string what = difference_in_bits(c.first, second, expected);
+  if (what.empty()) return {};
+  return Broken{std::move(what), Severity::contract};
+}
+
+std::optional<Broken> all_as_expected(const LawCase& c, const Expected& expected = {}) {
+  return worst_of(c, [&](std::size_t i) { return compare_answers(c, i, expected); });
+}
+
+std::vector<Asked> swapped(const Method&, const Pair& pair, const MethodAnswer&) {
+  return {{{pair.b, pair.a}}};
+}
+
+/// Of a pair's size and centres' distance: a little below it, decide() looks for points that lose no bits;
+/// and where these overflow, for points that do not.
+constexpr double least_scaled_length = 0x1p-890;
+/// Of a radius or height that is not 0: in a thinner solid few points have coordinates that are doubles.
+constexpr double least_scaled_side = 0x1p-960;
+
+double extent(const Pair& pair) {
+  return size_of(pair) + (pair.b.center - pair.a.center).lpNorm<Eigen::Infinity>();
+}
+/// One step each way, and farther than float or an absolute tolerance bears.
+constexpr int scales[] = {-400, -1, 1, 400};
+
+/// The pair with all lengths times 2^k, or nothing where that is not exact or leaves a pair too small.
+std::optional<Pair> scaled(Pair pair, int k) {
+  const double before = extent(pair);
+  for (Cylinder* c : {&pair.a, &pair.b}) {
+    for (double* x : {&c->center.x(), &c->center.y(), &c->center.z(), &c->radius, &c->height}) {
+      const double length = std::ldexp(*x, k);
+      if (!std::isfinite(length) || std::ldexp(length, -k) != *x) return {};
+      *x = length;
+    }
+  }
+  for (const Cylinder* c : {&pair.a, &pair.b})
+    for (const double side : {c->radius, c->height})
+      if (side != 0 && std::min(side, std::ldexp(side, -k)) < least_scaled_side) return {};
+  if (std::min(before, extent(pair)) < least_scaled_length) return {};
+  if (!std::isfinite(std::max(before, extent(pair)))) return {};
+  return pair;
+}
+
+std::vector<Asked> at_other_scales(const Method&, const Pair& pair, const MethodAnswer&) {
+  std::vector<Asked> asked;
+  for (const int k : scales)
+    if (const auto other = scaled(pair, k)) asked.push_back({*other});
+  return asked;
+}
+
+std::optional<Broken> break_scaling(const LawCase& c) {
+  std::vector<int> asked;
+  std::copy_if(std::begin(scales), std::end(scales), std::back_inserter(asked),
+               [&](int k) { return scaled(c.pair, k).has_value(); });
+  const auto cut_off = [](const MethodAnswer& x) {
+    return x.has_distance && std::fabs(x.distance) == std::numeric_limits<double>::max();
+  };
+  return worst_of(c, [&](std::size_t i) -> std::optional<Broken> {
+    if (cut_off(c.first) || cut_off(c.answers[i])) return {};
+    auto broken = compare_answers(c, i, {.length = std::ldexp(1, asked[i])});
+    if (broken) broken->what = "times 2^" + std::to_string(asked[i]) + ": " + broken->what;
+    return broken;
+  });
+}
+
+// 0 - x, unlike -x, makes no -0, which would tell which way an axis without a coordinate pointed.
+std::vector<Asked> reversed(const Method&, const Pair& pair, const MethodAnswer&) {
+  const auto negated = [](Cylinder c) { return c.axis = -c.axis, c; };
+  const auto taken_from_0 = [](Cylinder c) { return c.axis = Vector3::Zero() - c.axis, c; };
+  return {{{negated(pair.a), pair.b}},
+          {{pair.a, negated(pair.b)}},
+          {{taken_from_0(pair.a), pair.b}},
+          {{pair.a, taken_from_0(pair.b)}},
+          {{negated(pair.a), taken_from_0(pair.b)}}};
+}
+
+/// The axis times 2^k, or nothing where that is not exact.
+std::optional<Vector3> scaled_axis(const Vector3& axis, int k) {
+  Vector3 other;
+  for (int i = 0; i < 3; ++i) {
+    other[i] = std::ldexp(axis[i], k);
+    if (!std::isfinite(other[i]) || std::ldexp(other[i], -k) != axis[i]) return {};
+  }
+  return other;
+}
+
+std::vector<Asked> with_longer_axes(const Method&, const Pair& pair, const MethodAnswer&) {
+  std::vector<Asked> asked;
+  for (const int k : scales) {
+    const auto a = scaled_axis(pair.a.axis, k), b = scaled_axis(pair.b.axis, -k);
+    if (!a || !b) continue;
+    asked.push_back({pair});
+    asked.back().pair.a.axis = *a;
+    asked.push_back({pair});
+    asked.back().pair.b.axis = *b;
+  }
+  return asked;
+}
+
+/// The signs of the coordinates in mirror image k, 1 to 7.
+Vector3 signs(int k) { return {k & 1 ? -1.0 : 1.0, k & 2 ? -1.0 : 1.0, k & 4 ? -1.0 : 1.0}; }
+
+std::vector<Asked> mirrored(const Method&, const Pair& pair, const MethodAnswer&) {
+  std::vector<Asked> asked(7, Asked{pair});
+  for (int k = 1; k <= 7; ++k) {
+    Pair& image = asked[static_cast<std::size_t>(k) - 1].pair;
+    for (Vector3* v : {&image.a.center, &image.a.axis, &image.b.center, &image.b.axis})
+      *v = v->cwiseProduct(signs(k));
+  }
+  return asked;
+}
+
+std::vector<Asked> permuted(const Method&, const Pair& pair, const MethodAnswer&) {
+  std::vector<Asked> asked;
+  Eigen::Vector3i order(0, 1, 2);
+  while (std::next_permutation(order.begin(), order.end())) {
+    asked.push_back({pair});
+    Pair& other = asked.back().pair;
+    for (Vector3* v : {&other.a.center, &other.a.axis, &other.b.center, &other.b.axis})
+      *v = Vector3((*v)(order));
+  }
+  return asked;
+}
+
+// Roles and signs that break ties, and the order of sums, may change: digits may differ, and who does not
+// know need not know the same.
+std::optional<Broken> turned_verdict(const LawCase& c, bool promised) {
+  return worst_of(c, [&](std::size_t i) -> std::optional<Broken> {
+    const MethodAnswer& second = c.answers[i];
+    if (!is_decided(c.first) || !is_decided(second) || says_meet(c.first) == says_meet(second)) return {};
+    return Broken{std::string("the verdict turns from ") + to_string(c.first.verdict) + " to " +
+                      to_string(second.verdict),
+                  promised ? Severity::contract : severity_of(c, i)};
+  });
+}
+
+}  // namespace
+
+std::vector<Law> exact_laws() {
+  const char* const bits =
+      "everywhere; bit for bit of intersect, decide, distance and seed2017, the verdict of others";
+  return {
+      {1, LawKind::exact, "swap",
+       "the cylinders in the other order: the same verdict, distance and point, the direction negated", bits,
+       swapped, [](const LawCase& c) { return all_as_expected(c, {.direction = -1}); }},
+      {2, LawKind::exact, "scaling",
+       "all lengths times 2^k: the same verdict and direction, distance and point times 2^k",
+       "where no length over- or underflows; as above", at_other_scales, break_scaling},
+      {3, LawKind::exact, "reversal", "an axis reversed: the same verdict, distance, direction and point",
+       bits, reversed, [](const LawCase& c) { return all_as_expected(c); }},
+      {4, LawKind::exact, "axis length", "an axis times 2^k: the same verdict, distance, direction and point",
+       "where no coordinate of an axis over- or underflows; as above", with_longer_axes,
+       [](const LawCase& c) { return all_as_expected(c); }},
+      {5, LawKind::exact, "mirror", "signs of coordinates flipped, in all 7 ways: the same verdict",
+       "where both answers are yes or no; of intersect everywhere, of others where they claim to be right",
+       mirrored, [](const LawCase& c) { return turned_verdict(c, c.method.name() == "intersect"); }},
+      {6, LawKind::exact, "permutation", "coordinates permuted, in all 5 ways: the same verdict",
+       "where both answers are yes or no and the method claims to be right: sums change their order",
+       permuted, [](const LawCase& c) { return turned_verdict(c, false); }},
+  };
+}
+
+}  // namespace cyl

@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: MIT
+// Each exact law catches a method with a fault that it alone, of the exact ones, can see.
+#include <gtest/gtest.h>
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <vector>
+
+#include "oracles/referee/referee.hpp"
+#include "props/laws/laws_test.hpp"
+
+namespace cyl {
+namespace {
+
+/// Keeps every exact law: two cubes, one around each centre.
+MethodAnswer cubes(const Pair& pair) {
+  const Vector3 delta = pair.b.center - pair.a.center;
+  MethodAnswer answer;
+  answer.status = Status::answered;
+  answer.verdict = Verdict::intersecting;
+  for (int i = 0; i < 3; ++i) {
+    if (std::fabs(delta[i]) <= pair.a.radius + pair.b.radius) continue;
+    answer.verdict = Verdict::disjoint;
+    answer.witness = WitnessKind::direction;
+    answer.head[i] = delta[i] > 0 ? 1 : -1;
+  }
+  return answer;
+}
+
+/// The exact laws broken; cubes are no cylinders, so other laws are, too.
+Numbers exact_laws_broken_by(const Planted::Ask& ask, std::string_view name = "intersect") {
+  Numbers numbers = laws_broken_by(Planted(ask, name));
+  std::erase_if(numbers, [](int number) { return number >= 10; });
+  return numbers;
+}
+
+TEST(ExactLaws, AreKeptByAMethodThatKeepsThem) { EXPECT_EQ(exact_laws_broken_by(cubes), Numbers{}); }
+
+TEST(ExactLaws, CatchAVerdictThatFavoursOneRoleWhereOnlyVerdictsMustAgree) {
+  const auto favours = [](const Pair& pair) {
+    MethodAnswer answer = cubes(pair);
+    if (pair.a.radius < pair.b.radius) answer.verdict = Verdict::undecided;
+    answer.head[0] = pair.a.axis.x();
+    return answer;
+  };
+  EXPECT_EQ(exact_laws_broken_by(favours, "planted"), Numbers{1});
+}
+
+TEST(ExactLaws, CatchAVerdictThatFavoursOneRole) {
+  EXPECT_EQ(exact_laws_broken_by([](const Pair& pair) {
+              MethodAnswer answer = cubes(pair);
+              if (pair.a.radius < pair.b.radius) answer.verdict = Verdict::undecided;
+              return answer;
+            }),
+            Numbers{1});
+}
+
+TEST(ExactLaws, CatchADirectionThatAlwaysPointsUp) {
+  EXPECT_EQ(exact_laws_broken_by([](const Pair& pair) {
+              MethodAnswer answer = cubes(pair);
+              for (double& x : answer.head) x = std::fabs(x);
+              return answer;
+            }),
+            Numbers{1});
+}
+
+TEST(ExactLaws, CatchAnAbsoluteTolerance) {
+  EXPECT_EQ(exact_laws_broken_by([](const Pair& pair) {
+              MethodAnswer answer = cubes(pair);
+              if ((pair.b.center - pair.a.center).lpNorm<Eigen::Infinity>() < 1e-6)
+                answer.verdict = Verdict::undecided;
+              return answer;
+            }),
+            Numbers{2});
+}
+
+TEST(ExactLaws, CatchADistanceThatDoesNotScale) {
+  EXPECT_EQ(exact_laws_broken_by([](const Pair&) {
+              MethodAnswer answer;
+              answer.status = Status::answered;
+              answer.has_distance = true;
+              answer.distance = 1;
+              return answer;
+            }),
+            Numbers{2});
+}
+
+TEST(ExactLaws, CatchAnAnswerThatLooksAtTheSenseOfAnAxis) {
+  EXPECT_EQ(exact_laws_broken_by([](const Pair& pair) {
+              MethodAnswer answer = cubes(pair);
+              if (pair.a.axis.dot(pair.b.axis) < 0) answer.verdict = Verdict::undecided;
+              return answer;
+            }),
+            Numbers{3});
+}
+
+/// How far apart the solids are, in units of their size, where that is next to nothing; the rest is at 1.
+double margin_near_contact(const Pair& pair) {
+  const MethodAnswer measured = ask_ours("distance", pair);
+  const double margin = measured.distance / size_of(pair);
+  return std::fabs(margin) < 0.05 ? margin : 1;
+}
+
+TEST(ExactLaws, CatchAnAnswerThatLooksAtTheLengthOfAnAxis) {
+  EXPECT_EQ(laws_broken_by(plant(
+                "decide",
+                [](const Pair& pair, MethodAnswer& answer) {
+                  if (pair.a.axis.norm() > 1e6) answer.verdict = Verdict::undecided;
+                },
+                "decide")),
+            Numbers{4});
+}
+
+// Which way round the axes wind is nothing a mirror keeps, nor half of the permutations. The verdict is
+// wrong, which 31 proves, the proxies of 11 and 12 show, and 22 sees where the wrong ones begin.
+TEST(ExactLaws, CatchAnAnswerThatKnowsLeftFromRight) {
+  EXPECT_EQ(laws_broken_by(plant("intersect",
+                                 [](const Pair& pair, MethodAnswer& answer) {
+                                   const Vector3 delta = pair.b.center - pair.a.center;
+                                   const double winding = delta.dot(pair.a.axis.cross(pair.b.axis)) *
+                                                          pair.a.axis.dot(pair.b.axis);
+                                   if (winding < 0 && margin_near_contact(pair) < 0)
+                                     answer.verdict = Verdict::disjoint;
+                                 })),
+            (Numbers{5, 6, 11, 12, 22, 31}));
+}
+
+// A rotation turns x to y as well. The rest as above.
+TEST(ExactLaws, CatchAnAnswerThatFavoursACoordinate) {
+  EXPECT_EQ(
+      laws_broken_by(plant("intersect",
+                           [](const Pair& pair, MethodAnswer& answer) {
+                             const Vector3 delta = pair.b.center - pair.a.center;
+                             if (std::fabs(delta.x()) > std::fabs(delta.y()) && margin_near_contact(pair) < 0)
+                               answer.verdict = Verdict::disjoint;
+                           })),
+      (Numbers{6, 11, 12, 20, 22, 31}));
+}
+
+// At the first scale asked the solids are below an absolute claim, at the last they are not.
+TEST(ExactLaws, FindABreakBeyondTheClaimBehindOneWithinIt) {
+  const auto turns = [](const Pair& pair) {
+    MethodAnswer answer = ask_ours("intersect", pair);
+    const double size = size_of(pair);
+    if (size < 1e-50 || size > 1e50) answer.verdict = Verdict::disjoint;
+    return answer;
+  };
+  Planted method(turns, "planted", {0, 1e-6, "planted"});
+  const Pair pair{{{0, 0, 0}, {0, 0, 1}, 1, 2}, {{1, 0, 0}, {0, 1, 0}, 1, 2}};
+  const auto broken = broken_by(method, law_numbered(2), pair);
+  ASSERT_TRUE(broken);
+  EXPECT_EQ(broken->severity, Severity::contract) << broken->what;
+}
+
+}  // namespace
+}  // namespace cyl

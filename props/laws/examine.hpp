@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: MIT
+// Holds methods to the laws, many pairs at a time, so that foreign code is contained at the price of two
+// forks for all of them.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "oracles/methods/contained.hpp"
+#include "oracles/methods/method.hpp"
+#include "props/laws/laws.hpp"
+
+namespace cyl {
+
+/// A law that a method broke on a pair: indices into what was given to examine().
+struct BrokenLaw {
+  std::size_t method, pair;
+  const Law* law;
+  Broken broken;
+  std::vector<Asked> asked;           ///< what the law had asked beside the pair,
+  std::vector<MethodAnswer> answers;  ///< and what the method said to it
+};
+
+/// What a method answered to the pairs themselves.
+struct AnswerCounts {
+  std::uint64_t asked = 0, declined = 0, failed = 0;
+  double hung_seconds = 0;              ///< that it hung in all, changed pairs included
+  std::array<std::uint64_t, 5> said{};  ///< by Verdict
+  AnswerCounts& operator+=(const AnswerCounts& other);
+};
+
+struct Examined {
+  std::vector<BrokenLaw> broken;               ///< by pair, then method, then law
+  std::vector<AnswerCounts> counts;            ///< by method
+  std::vector<std::optional<Verdict>> truths;  ///< by pair; nothing where no law asked for it
+  std::vector<MethodAnswer> answers;           ///< to the pairs themselves: pair by pair, of every method
+};
+
+/// Which laws a method is held to.
+using Wanted = std::function<bool(std::size_t method, const Law& law)>;
+
+/// Asks every method contained that any law is wanted of: each pair once, then all that the laws want.
+/// Deterministic but for hangs.
+Examined examine(std::span<const std::unique_ptr<Method>> methods, std::span<const Pair> pairs,
+                 const Wanted& wanted, const Caps& caps = {});
+
+}  // namespace cyl

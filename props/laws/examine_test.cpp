@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: MIT
+// Methods that misbehave, side by side with an honest one: each is counted, law 30 says so, and the honest
+// one is as it is alone.
+#include "props/laws/examine.hpp"
+
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <cstdlib>
+#include <limits>
+#include <stdexcept>
+#include <string>
+#include <thread>
+
+#include "props/laws/laws_test.hpp"
+
+namespace cyl {
+namespace {
+
+using std::chrono::milliseconds;
+
+constexpr Caps short_caps{.call_cpu = milliseconds(20), .hangs = 2};
+constexpr std::uint64_t pair_count = 8;
+
+enum Behaviour : std::size_t { throws, sleeps, garbles, crashes, honest };
+
+std::vector<std::unique_ptr<Method>> misbehaving() {
+  const auto method = [](std::string_view name, Planted::Ask ask) {
+    return std::make_unique<Planted>(std::move(ask), name);
+  };
+  std::vector<std::unique_ptr<Method>> methods;
+  methods.push_back(
+      method("throws", [](const Pair&) -> MethodAnswer { throw std::runtime_error("no support point"); }));
+  methods.push_back(method("sleeps", [](const Pair&) {
+    std::this_thread::sleep_for(std::chrono::hours(1));
+    return MethodAnswer{};
+  }));
+  methods.push_back(method("garbles", [](const Pair& pair) {
+    MethodAnswer answer = ask_ours("distance", pair);
+    if (pair.a.radius < pair.b.radius)
+      answer.verdict = static_cast<Verdict>(77);
+    else
+      answer.distance = std::numeric_limits<double>::quiet_NaN();
+    answer.has_distance = true;
+    return answer;
+  }));
+  methods.push_back(method("crashes", [](const Pair&) -> MethodAnswer { std::abort(); }));
+  methods.push_back(method("honest", [](const Pair& pair) { return ask_ours("decide", pair); }));
+  return methods;
+}
+
+std::vector<Pair> some_pairs() {
+  std::vector<Pair> pairs;
+  for (std::uint64_t i = 0; i < pair_count; ++i)
+    pairs.push_back(find_family("random")->generate(family_seed, i));
+  return pairs;
+}
+
+bool every_law(std::size_t, const Law&) { return true; }
+
+class Misbehaving : public testing::Test {
+ protected:
+  const std::vector<std::unique_ptr<Method>> methods = misbehaving();
+  const std::vector<Pair> pairs = some_pairs();
+  const Examined examined = examine(methods, pairs, every_law, short_caps);
+};
+
+TEST_F(Misbehaving, IsCounted) {
+  for (const Behaviour b : {throws, garbles, crashes}) {
+    EXPECT_EQ(examined.counts[b].asked, pair_count);
+    EXPECT_EQ(examined.counts[b].failed, pair_count) << methods[b]->name();
+    EXPECT_EQ(examined.counts[b].hung_seconds, 0) << methods[b]->name();
+  }
+  // After two hangs it is not asked any more.
+  EXPECT_GT(examined.counts[sleeps].hung_seconds, 0);
+  EXPECT_EQ(examined.counts[sleeps].failed, 2u);
+  EXPECT_EQ(examined.counts[sleeps].declined, pair_count - 2);
+}
+
+TEST(Examine, SeesWhoBreaksDownOnAChangedPairAlone) {
+  std::vector<std::unique_ptr<Method>> methods;
+  methods.push_back(std::make_unique<Planted>([](const Pair& pair) {
+    if (pair.a.radius > pair.b.radius) throw std::runtime_error("roles");
+    return ask_ours("intersect", pair);
+  }));
+  Pair pair;
+  pair.a.radius = 1;
+  pair.b.radius = 2;
+  const Examined examined =
+      examine(methods, {&pair, 1}, [](std::size_t, const Law& law) { return law.number == 1; });
+  ASSERT_EQ(examined.broken.size(), 1u);
+  EXPECT_EQ(examined.broken[0].law->number, 1);
+  EXPECT_EQ(examined.broken[0].broken.what, "fails on a changed pair: roles");
+}
+
+TEST_F(Misbehaving, BreaksLaw30AndNoOther) {
+  std::vector<std::uint64_t> broken(methods.size(), 0);
+  for (const BrokenLaw& b : examined.broken) {
+    EXPECT_EQ(b.law->number, 30) << methods[b.method]->name() << ": " << b.broken.what;
+    EXPECT_EQ(b.broken.severity, Severity::contract);
+    ++broken[b.method];
+  }
+  EXPECT_EQ(broken, (std::vector<std::uint64_t>{pair_count, 2, pair_count, pair_count, 0}));
+}
+
+TEST_F(Misbehaving, IsTold) {
+  for (const BrokenLaw& b : examined.broken) {
+    const std::string& what = b.broken.what;
+    const bool told = b.method == throws    ? what.ends_with("no support point")
+                      : b.method == sleeps  ? what.starts_with("hang")
+                      : b.method == crashes ? what.starts_with("crash")
+                                            : what.starts_with("malformed") || what.starts_with("non_finite");
+    EXPECT_TRUE(told) << methods[b.method]->name() << ": " << what;
+  }
+}
+
+TEST_F(Misbehaving, LeavesTheHonestOneAlone) {
+  std::vector<std::unique_ptr<Method>> alone;
+  alone.push_back(std::move(misbehaving()[honest]));
+  const Examined expected = examine(alone, pairs, every_law);
+  EXPECT_EQ(examined.counts[honest].said, expected.counts[0].said);
+  EXPECT_EQ(examined.counts[honest].failed, 0u);
+  EXPECT_EQ(examined.truths, expected.truths);
+  for (std::size_t p = 0; p < pairs.size(); ++p)
+    EXPECT_TRUE(same_answer(examined.answers[p * methods.size() + honest], expected.answers[p]));
+}
+
+// A law asks only who answered, and only what it is wanted for.
+TEST(Examine, HoldsAMethodToTheLawsThatAreWanted) {
+  std::vector<std::unique_ptr<Method>> methods;
+  for (int i = 0; i < 2; ++i)
+    methods.push_back(std::make_unique<Planted>(
+        plant("decide", [](const Pair&, MethodAnswer& answer) { answer.steps = answer.step_cap + 1; })));
+  const auto pairs = some_pairs();
+  const Examined examined =
+      examine(methods, pairs, [](std::size_t m, const Law& law) { return m == 1 && law.number == 38; });
+  ASSERT_EQ(examined.broken.size(), pairs.size());
+  for (std::size_t p = 0; p < pairs.size(); ++p) {
+    EXPECT_EQ(examined.broken[p].method, 1u);
+    EXPECT_EQ(examined.broken[p].pair, p);
+    EXPECT_EQ(examined.broken[p].law->number, 38);
+  }
+}
+
+}  // namespace
+}  // namespace cyl

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: MIT
+// The parts that all_laws() is put together from, a file a kind; and what they share. For the files of props/
+// alone.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "props/laws/laws.hpp"
+
+namespace cyl {
+
+std::vector<Law> exact_laws();
+std::vector<Law> one_sided_laws();
+std::vector<Law> approximate_laws();
+std::vector<Law> answer_laws();
+
+/// Whether it answers yes or no. NaN, failures, `undecided` and `invalid` do not.
+bool is_decided(const MethodAnswer& answer);
+/// Of a decided answer: touching solids do intersect.
+bool says_meet(const MethodAnswer& answer);
+/// Whether the verdict of an answer to `pair` is yes or no, and proved to be the other.
+bool is_refuted(const LawCase& c, const Pair& pair, const MethodAnswer& answer);
+/// Of what compares the verdicts on the pair and on asked[i]: contract where the method promises both, or
+/// where one of them is refuted and it promises that one; else resolution. By proof.
+Severity severity_of(const LawCase& c, std::size_t i);
+
+/// What `broken_at(i)` finds of answers[i], the worst: one beyond the claim is not hidden by one within it.
+template <class BrokenAt>
+std::optional<Broken> worst_of(const LawCase& c, BrokenAt broken_at) {
+  std::optional<Broken> worst;
+  for (std::size_t i = 0; i < c.answers.size(); ++i) {
+    std::optional<Broken> broken = broken_at(i);
+    if (!broken) continue;
+    if (broken->severity == Severity::contract) return broken;
+    if (!worst) worst = std::move(broken);
+  }
+  return worst;
+}
+
+/// How far a distance that was said of the pair may be off: the claim, its relative part of size and centres'
+/// distance, or the rounding of the larger length.
+double distance_allowance(const LawCase& c, const Pair& pair, double said);
+
+/// Whether the largest length of the pair, or of its coordinates, is one whose fourth power has all its
+/// digits, so that the rounding bounds of the laws hold. Law 2 carries them to other scales.
+bool is_in_range(const Pair& pair);
+
+}  // namespace cyl

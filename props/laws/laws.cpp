@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: MIT
+#include "props/laws/laws.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <string>
+
+#include "props/laws/law_groups.hpp"
+
+namespace cyl {
+namespace {
+
+/// Relative, of a distance rounded by a method that claims to make no error: as compare() allows.
+constexpr double distance_rounding_error = 0x1p-50;
+
+}  // namespace
+
+std::span<const Law> all_laws() {
+  static const std::vector<Law> laws = [] {
+    std::vector<Law> all;
+    for (const auto& part : {exact_laws(), one_sided_laws(), approximate_laws(), answer_laws()})
+      all.insert(all.end(), part.begin(), part.end());
+    return all;
+  }();
+  return laws;
+}
+
+const Law& law_numbered(int number) {
+  const auto laws = all_laws();
+  const auto found =
+      std::find_if(laws.begin(), laws.end(), [&](const Law& law) { return law.number == number; });
+  if (found == laws.end()) throw std::invalid_argument("there is no law " + std::to_string(number));
+  return *found;
+}
+
+const char* to_string(LawKind kind) noexcept {
+  switch (kind) {
+    case LawKind::exact:
+      return "exact";
+    case LawKind::one_sided:
+      return "one-sided";
+    case LawKind::approximate:
+      return "approximate";
+    case LawKind::answer:
+      return "answer";
+  }
+  return "answer";
+}
+
+bool is_decided(const MethodAnswer& answer) {
+  return answer.status == Status::answered &&
+         (answer.verdict == Verdict::disjoint || answer.verdict == Verdict::intersecting ||
+          answer.verdict == Verdict::touching);
+}
+
+bool says_meet(const MethodAnswer& answer) {
+  return is_decided(answer) && answer.verdict != Verdict::disjoint;
+}
+
+bool is_refuted(const LawCase& c, const Pair& pair, const MethodAnswer& answer) {
+  if (!is_decided(answer)) return false;
+  const Verdict truth = c.proofs.of(pair).truth.verdict;
+  if (truth == Verdict::undecided || truth == Verdict::invalid) return false;
+  return says_meet(answer) == (truth == Verdict::disjoint);
+}
+
+Severity severity_of(const LawCase& c, std::size_t i) {
+  const Claim claim = c.method.claim();
+  const Pair& second = c.asked[i].pair;
+  const bool promised = beyond_claim(c.proofs.of(c.pair), claim);
+  const bool second_promised = beyond_claim(c.proofs.of(second), claim);
+  const bool contract = (promised && second_promised) || (promised && is_refuted(c, c.pair, c.first)) ||
+                        (second_promised && is_refuted(c, second, c.answers[i]));
+  return contract ? Severity::contract : Severity::resolution;
+}
+
+double distance_allowance(const LawCase& c, const Pair& pair, double said) {
+  const double length = size_of(pair) + (pair.b.center - pair.a.center).norm();
+  return std::max(reach(c.method.claim(), length),
+                  distance_rounding_error * std::max(std::fabs(said), length));
+}
+
+bool is_in_range(const Pair& pair) {
+  double largest = 0;
+  for (const Cylinder* c : {&pair.a, &pair.b})
+    largest = std::max({largest, c->center.lpNorm<Eigen::Infinity>(), c->radius, c->height});
+  return largest >= 0x1p-200 && largest <= 0x1p200;
+}
+
+}  // namespace cyl

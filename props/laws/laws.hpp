@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: MIT
+// The laws: what must hold between the answers of one method, or between an answer and what is proved. A law
+// says which further pairs it wants asked and looks at the answers; who asks, and how that is contained, is
+// no concern of it (examine.hpp). The exact and the one-sided ones need no oracle.
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "oracles/methods/contained.hpp"
+#include "oracles/methods/method.hpp"
+#include "oracles/trial/compare.hpp"
+#include "oracles/trial/proofs.hpp"
+#include "solver/cylinder.hpp"
+
+namespace cyl {
+
+enum class LawKind : unsigned char {
+  exact,        ///< bit for bit where the method promises that, else the verdict; no tolerance
+  one_sided,    ///< one answer bounds another
+  approximate,  ///< within an allowance that is proved
+  answer        ///< of one answer alone: what it offers holds, it comes, and comes again
+};
+
+/// A pair that a law wants asked, and how.
+struct Asked {
+  Pair pair;
+  Way way = Way::usual;
+};
+
+/// One method's answers to a pair and to what a law made of it.
+struct LawCase {
+  const Method& method;  ///< for its name and claim; not to be asked
+  const Pair& pair;
+  const MethodAnswer& first;  ///< to `pair`; answered, but for laws of failures
+  std::span<const Asked> asked;
+  std::span<const MethodAnswer> answers;  ///< to `asked`, one each
+  Proofs& proofs;                         ///< of `pair` and of any other
+};
+
+/// What broke, in one line; `contract` where the method promises what broke, here.
+struct Broken {
+  std::string what;
+  Severity severity = Severity::contract;
+  bool operator==(const Broken&) const = default;
+};
+
+struct Law {
+  int number;  ///< kept for good: a number is never given to another law
+  LawKind kind;
+  std::string_view name;       ///< "swap"
+  std::string_view statement;  ///< what is changed and what must hold
+  std::string_view where;      ///< for which pairs and methods
+  /// What is to be asked beside the pair itself, given the answer to it; empty: this law says nothing of this
+  /// pair, or looks at the first answer alone (needs_none).
+  std::vector<Asked> (*ask)(const Method& method, const Pair& pair, const MethodAnswer& first);
+  /// Nothing where the law holds. Says nothing where a method declines or fails (that is what law 30 is for).
+  std::optional<Broken> (*broken)(const LawCase& c);
+  const char* file = __builtin_FILE();  ///< where it is written, from the top of the project
+  int line = __builtin_LINE();
+};
+
+/// For laws that look at the first answer alone.
+inline constexpr std::vector<Asked> (*needs_none)(const Method&, const Pair&, const MethodAnswer&) = nullptr;
+
+/// That an answer comes, and that no certificate refutes its verdict.
+inline constexpr int answer_law = 30, verdict_law = 31;
+
+/// Every law, by increasing number: exact from 1, one-sided from 10, approximate from 20, of the answer
+/// from 30.
+std::span<const Law> all_laws();
+/// Throws std::invalid_argument where there is none.
+const Law& law_numbered(int number);
+
+/// The words used in files and on screens: "exact", "one-sided", ...
+const char* to_string(LawKind kind) noexcept;
+
+/// What a method breaks of a law on a pair, asked in this process: for tests and fuzz targets. Throws what
+/// the method throws.
+std::optional<Broken> broken_by(Method& method, const Law& law, const Pair& pair);
+
+}  // namespace cyl

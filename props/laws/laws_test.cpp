@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: MIT
+// The table of laws, and that our own methods keep all of them.
+#include <gtest/gtest.h>
+// After gtest.h.
+#include <rapidcheck/gtest.h>
+
+#include <algorithm>
+#include <cstdint>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+
+#include "corpus/pairs/families.hpp"
+#include "corpus/pairs/pair_io.hpp"
+#include "oracles/referee/referee.hpp"
+#include "props/gate/pair_generators.hpp"
+#include "props/laws/laws_test.hpp"
+
+namespace cyl {
+
+namespace {
+
+/// What our own methods break on this pair against their contract, or empty.
+std::string broken_by_ours(const Pair& pair) {
+  for (const auto& method : own_methods()) {
+    for (const Law& law : all_laws()) {
+      const auto broken = broken_by(*method, law, pair);
+      if (broken && broken->severity == Severity::contract) {
+        return std::string(method->name()) + ", law " + std::to_string(law.number) + ", " +
+               std::string(law.name) + ": " + broken->what;
+      }
+    }
+  }
+  return {};
+}
+
+void expect_kept(const Pair& pair) {
+  const Verdict truth = judge(pair).verdict;
+  RC_CLASSIFY(truth == Verdict::disjoint, "disjoint");
+  RC_CLASSIFY(truth == Verdict::intersecting, "intersecting");
+  RC_CLASSIFY(truth == Verdict::touching, "touching");
+  const std::string broken = broken_by_ours(pair);
+  if (!broken.empty()) RC_FAIL(broken);
+}
+
+RC_GTEST_PROP(Laws, HoldOnTheGrid, ()) { expect_kept(*grid_pair()); }
+
+RC_GTEST_PROP(Laws, HoldOnDrawnPairs, ()) { expect_kept(*family_pair()); }
+
+class FamilyLaws : public testing::TestWithParam<std::size_t> {};
+
+TEST_P(FamilyLaws, HoldOnTheFirstPairs) {
+  for (std::uint64_t index = 0; index < pairs_per_family; ++index) {
+    const Pair pair = families()[GetParam()].generate(family_seed, index);
+    ASSERT_EQ(broken_by_ours(pair), "") << format_pair(pair);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Laws, FamilyLaws, testing::Range<std::size_t>(0, families().size()),
+                         [](const auto& info) { return std::string(families()[info.param].name); });
+
+TEST(Laws, AreNumberedByKindAndFoundByNumber) {
+  int last = 0;
+  for (const Law& law : all_laws()) {
+    EXPECT_GT(law.number, last);
+    last = law.number;
+    EXPECT_EQ(static_cast<int>(law.kind), std::min(law.number / 10, 3)) << law.number;
+    EXPECT_EQ(&law_numbered(law.number), &law);
+    EXPECT_TRUE(std::string_view(law.file).ends_with("_laws.cpp")) << law.file;
+    EXPECT_FALSE(law.name.empty() || law.statement.empty() || law.where.empty()) << law.number;
+  }
+  EXPECT_THROW(law_numbered(99), std::invalid_argument);
+}
+
+TEST(Laws, SayNothingOfAMethodThatDeclines) {
+  EXPECT_EQ(laws_broken_by(Planted([](const Pair&) { return MethodAnswer{}; })), Numbers{});
+}
+
+TEST(Laws, SayNothingOfAMethodThatIsNeverSure) {
+  EXPECT_EQ(laws_broken_by(plant(
+                "intersect", [](const Pair&, MethodAnswer& answer) { answer.verdict = Verdict::undecided; })),
+            Numbers{});
+}
+
+}  // namespace
+}  // namespace cyl

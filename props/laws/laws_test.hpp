@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: MIT
+// What the tests of the laws share: methods with a fault planted, and the laws they break. A fault is planted
+// into an answer of our own, so that only the fault is to blame.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "corpus/pairs/families.hpp"
+#include "oracles/methods/method.hpp"
+#include "props/laws/laws.hpp"
+
+namespace cyl {
+
+/// Pairs of each family, beside those that are drawn.
+inline constexpr std::uint64_t pairs_per_family = 200;
+inline constexpr std::uint64_t family_seed = 20261121;
+
+/// One of our own methods.
+inline MethodAnswer ask_ours(std::string_view name, const Pair& pair) {
+  static const auto methods = own_methods();
+  for (const auto& method : methods)
+    if (method->name() == name) return method->ask(pair);
+  return {};
+}
+
+/// Under the name of a method that promises every bit, or of one that promises verdicts.
+struct Planted final : Method {
+  using Ask = std::function<MethodAnswer(const Pair&)>;
+  using Prepared = std::function<Verdict(const Pair&)>;
+
+  explicit Planted(Ask ask, std::string_view name = "planted", Claim claim = {1e-13, 0, "planted"})
+      : ask_(std::move(ask)), name_(name), claim_(claim) {}
+  std::string_view name() const override { return name_; }
+  std::string_view version() const override { return "0"; }
+  Claim claim() const override { return claim_; }
+  MethodAnswer ask(const Pair& pair) override { return ask_(pair); }
+  Call prepare_all(std::span<const Pair> pairs) override {
+    if (!prepared) return {};
+    return [this, copy = std::vector<Pair>(pairs.begin(), pairs.end())](std::size_t i) {
+      return prepared(copy[i]);
+    };
+  }
+  BatchCall prepare_batch(std::span<const Pair> pairs) override {
+    if (!batch) return {};
+    return [this, copy = std::vector<Pair>(pairs.begin(), pairs.end())](std::span<Verdict> verdicts) {
+      for (std::size_t i = 0; i < copy.size(); ++i) verdicts[i] = batch(copy[i]);
+    };
+  }
+
+  Prepared prepared, batch;  ///< none where empty
+
+ private:
+  Ask ask_;
+  std::string_view name_;
+  Claim claim_;
+};
+
+/// The numbers of the laws that the first pairs of a family show broken.
+inline std::vector<int> laws_broken_by(Planted method, std::string_view family = "random") {
+  std::vector<int> numbers;
+  for (const Law& law : all_laws()) {
+    for (std::uint64_t index = 0; index < pairs_per_family; ++index) {
+      if (!broken_by(method, law, find_family(family)->generate(family_seed, index))) continue;
+      numbers.push_back(law.number);
+      break;
+    }
+  }
+  return numbers;
+}
+
+/// Our answer with a fault: `change` alters it.
+inline Planted plant(std::string_view ours, std::function<void(const Pair&, MethodAnswer&)> change,
+                     std::string_view name = "planted") {
+  return Planted(
+      [ours, change = std::move(change)](const Pair& pair) {
+        MethodAnswer answer = ask_ours(ours, pair);
+        change(pair, answer);
+        return answer;
+      },
+      name);
+}
+
+using Numbers = std::vector<int>;
+
+}  // namespace cyl

@@ -1,0 +1,180 @@
+// SPDX-License-Identifier: MIT
+// Laws 10 to 19: one answer bounds another, or a simpler solid in a cylinder's place bounds it.
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <string>
+
+#include "corpus/pairs/pair_io.hpp"
+#include "props/laws/law_groups.hpp"
+#include "solver/capsule.hpp"
+#include "solver/decide.hpp"
+
+namespace cyl {
+namespace {
+
+Severity severity_on(const LawCase& c, const Pair& pair) {
+  return beyond_claim(c.proofs.of(pair), c.method.claim()) ? Severity::contract : Severity::resolution;
+}
+
+std::string said(const MethodAnswer& answer) { return std::string("says ") + to_string(answer.verdict); }
+
+/// By how much solids grow, in units of the size, beside what the claim asks for.
+constexpr double growth = 0x1p-20;
+
+// Radii and heights all grown by g and 2 g: each support function rises by g (sin + cos) >= g of the angle
+// between direction and axis, so the signed distance falls by 2 g. An answer `intersecting` within the claim
+// means a distance below the reach, so with 2 g more than the reach before and after, the solids then overlap
+// by more than the reach. One field alone promises less: a cap on a cap does not see the radius.
+std::vector<Asked> grown(const Method& method, const Pair& pair, const MethodAnswer& first) {
+  if (!says_meet(first)) return {};
+  const double size = size_of(pair);
+  const double g = 2 * reach(method.claim(), size) + growth * size;
+  std::vector<Asked> asked(5, Asked{pair});
+  asked[0].pair.a.radius += g;
+  asked[1].pair.a.height += 2 * g;
+  asked[2].pair.b.radius += g;
+  asked[3].pair.b.height += 2 * g;
+  asked[4].pair = {asked[0].pair.a, asked[2].pair.b};
+  asked[4].pair.a.height += 2 * g;
+  asked[4].pair.b.height += 2 * g;
+  std::erase_if(asked, [](const Asked& x) { return !std::isfinite(size_of(x.pair)); });
+  return asked;
+}
+
+std::optional<Broken> break_growing(const LawCase& c) {
+  return worst_of(c, [&](std::size_t i) -> std::optional<Broken> {
+    if (!is_decided(c.answers[i]) || says_meet(c.answers[i])) return {};
+    return Broken{said(c.first) + ", and disjoint of larger solids", severity_of(c, i)};
+  });
+}
+
+/// A proxy thinner than this, times the solid's largest number, is lost in the rounding of its centre.
+constexpr double thinnest_proxy = 0x1p-40;
+
+/// b scaled to half of the width of a's inner proxy and put around `point` on its axis: nothing of it is
+/// outside a.
+Cylinder shrunk_into(const seeds::Capsule& proxy, const Vector3& point, const Cylinder& b) {
+  const double extent = b.radius + b.height / 2;
+  const double factor = extent > 0 ? proxy.radius / 2 / extent : 0;
+  return {point, b.axis, b.radius * factor, b.height * factor};
+}
+
+std::vector<Asked> inside(const Method&, const Pair& pair, const MethodAnswer&) {
+  if (!is_in_range(pair) || find_defect(pair.a) != Defect::none || find_defect(pair.b) != Defect::none)
+    return {};
+  const Cylinder& a = pair.a;
+  const seeds::Capsule proxy = seeds::inner_proxy(a);
+  const double most = std::max({a.center.lpNorm<Eigen::Infinity>(), a.radius, a.height});
+  if (!(proxy.radius > thinnest_proxy * most)) return {};
+  return {{{a, shrunk_into(proxy, proxy.from, pair.b)}}, {{shrunk_into(proxy, proxy.to, pair.b), a}}};
+}
+
+std::optional<Broken> break_inside(const LawCase& c) {
+  return worst_of(c, [&](std::size_t i) -> std::optional<Broken> {
+    if (!is_decided(c.answers[i]) || says_meet(c.answers[i])) return {};
+    return Broken{said(c.answers[i]) + " of a solid and one inside it", severity_on(c, c.asked[i].pair)};
+  });
+}
+
+/// Of the distance of two proxies, times their lengths and largest coordinates: segment_distance is right to
+/// some 1e-15 of them.
+constexpr double proxy_distance_error = 0x1p-45;
+
+double bounding_radius(const Cylinder& c) { return std::hypot(c.radius, c.height / 2); }
+
+std::optional<Broken> break_proxies(const LawCase& c) {
+  if (!is_decided(c.first) || !is_in_range(c.pair)) return {};
+  const Cylinder &a = c.pair.a, &b = c.pair.b;
+  const double lost = proxy_distance_error * (size_of(c.pair) + a.center.norm() + b.center.norm());
+  if (says_meet(c.first)) {
+    const double spheres = (b.center - a.center).norm() - bounding_radius(a) - bounding_radius(b);
+    const double capsules = seeds::capsule_distance(seeds::outer_proxy(a), seeds::outer_proxy(b));
+    if (std::max(spheres, capsules) <= lost) return {};
+    const char* which = spheres > lost ? "spheres around" : "capsules around";
+    return Broken{said(c.first) + ", but the " + which + " the solids are apart", severity_on(c, c.pair)};
+  }
+  const seeds::Capsule in_a = seeds::inner_proxy(a), in_b = seeds::inner_proxy(b);
+  if (in_a.radius < 0 || in_b.radius < 0 || seeds::capsule_distance(in_a, in_b) >= -lost) return {};
+  return Broken{said(c.first) + ", but the capsules inside the solids meet", severity_on(c, c.pair)};
+}
+
+/// How far b is moved, in units of size and centres' distance.
+constexpr double moves[] = {0x1p-20, 0x1p-3, 0x1p10};
+
+/// The unit direction offered as witness, from a to b.
+Vector3 offered_direction(const Pair& pair, const MethodAnswer& answer) {
+  const Vector3 u = Vector3(answer.head[0], answer.head[1], answer.head[2]).stableNormalized();
+  return u.dot(pair.b.center - pair.a.center) < 0 ? Vector3(-u) : u;
+}
+
+std::vector<Asked> moved_apart(const Method&, const Pair& pair, const MethodAnswer& first) {
+  if (first.verdict != Verdict::disjoint || first.witness != WitnessKind::direction || !is_in_range(pair))
+    return {};
+  const Vector3 u = offered_direction(pair, first);
+  if (!u.allFinite() || u.isZero(0)) return {};
+  const double unit = size_of(pair) + (pair.b.center - pair.a.center).norm();
+  std::vector<Asked> asked;
+  for (const double move : moves) {
+    asked.push_back({pair});
+    asked.back().pair.b.center += move * unit * u;
+  }
+  return asked;
+}
+
+// -f(u), which no signed distance is below, whatever the unit vector u; less the rounding.
+double shown_by(const Pair& pair, const Vector3& u) {
+  const Vector3 delta = pair.b.center - pair.a.center;
+  double supports = 0, lengths = delta.norm();
+  for (const Cylinder* c : {&pair.a, &pair.b}) {
+    const Vector3 w = prepare(*c).unit_axis;
+    supports += c->radius * u.cross(w).norm() + c->height / 2 * std::fabs(u.dot(w));
+    lengths += c->radius + c->height / 2;
+  }
+  // |u| is 1 within 4 roundings, which half of the second bound covers.
+  return std::fabs(u.dot(delta)) - supports - 2 * separation_error * lengths;
+}
+
+std::optional<Broken> break_moving_apart(const LawCase& c) {
+  const Vector3 u = offered_direction(c.pair, c.first);
+  return worst_of(c, [&](std::size_t i) -> std::optional<Broken> {
+    const MethodAnswer& second = c.answers[i];
+    if (!is_decided(second)) return {};
+    const Pair& moved = c.asked[i].pair;
+    const double shown = shown_by(moved, u);
+    if (shown > 0 && says_meet(second)) {
+      return Broken{
+          said(second) + " after b moved away along its own direction",
+          shown >= reach(c.method.claim(), size_of(moved)) ? Severity::contract : Severity::resolution};
+    }
+    if (second.has_distance && second.distance < shown - distance_allowance(c, moved, second.distance)) {
+      return Broken{"says distance " + format_double(second.distance) + " where its direction shows " +
+                    format_double(shown)};
+    }
+    return {};
+  });
+}
+
+}  // namespace
+
+std::vector<Law> one_sided_laws() {
+  return {
+      {10, LawKind::one_sided, "growing",
+       "a radius or a height grown, or all of them: intersecting solids do not become disjoint",
+       "where the answer is intersecting", grown, break_growing},
+      {11, LawKind::one_sided, "inside", "a small copy of b well inside a, in either order, intersects a",
+       "where a capsule fits into a; lengths from 2^-200 to 2^200", inside, break_inside},
+      {12, LawKind::one_sided, "proxies",
+       "solids whose bounding spheres or outer capsules are apart are disjoint; those whose inner capsules "
+       "meet intersect",
+       "beyond the rounding of the proxies; lengths from 2^-200 to 2^200", needs_none, break_proxies},
+      {13, LawKind::one_sided, "moving apart",
+       "b moved by t along the direction offered: disjoint, the distance at least what that direction showed "
+       "and t more",
+       "where the answer is disjoint with a direction; lengths from 2^-200 to 2^200", moved_apart,
+       break_moving_apart},
+  };
+}
+
+}  // namespace cyl

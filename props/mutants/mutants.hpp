@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: MIT
+// The mutants: this program with one fault planted, chosen at run time, to measure whether the harness
+// catches faults. They are listed in props/mutants/mutants.jsonl; props/mutants/make_mutants.py writes the
+// mutated copies of the sources that daylight-mutants is made of, and the table behind all_mutants(). The
+// sources themselves, and so `daylight`, know nothing of it.
+#pragma once
+
+#include <span>
+#include <string_view>
+
+namespace cyl {
+
+struct Mutant {
+  int number;                   ///< > 0, kept for good
+  std::string_view file;        ///< that holds the fault
+  std::string_view what;        ///< the fault in words
+  std::string_view like;        ///< its kind: operator class, or where such a fault was seen
+  std::string_view asks;        ///< names of the methods that may betray it, as select_methods() takes them
+  std::string_view tests;       ///< filter of the unit tests that may betray it; empty: none
+  std::string_view equivalent;  ///< why no test can see it; empty where one can
+};
+
+/// By number. Only daylight-mutants and its kin have it.
+std::span<const Mutant> all_mutants();
+
+/// From here on this process runs the mutant of that number; 0, the program as it is. At start it is the
+/// number in the environment variable DAYLIGHT_MUTANT.
+void select_mutant(int number) noexcept;
+
+}  // namespace cyl

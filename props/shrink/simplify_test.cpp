@@ -1,0 +1,254 @@
+// SPDX-License-Identifier: MIT
+#include "props/shrink/simplify.hpp"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Geometry>
+#include <cmath>
+#include <cstdint>
+#include <cstdio>
+#include <functional>
+#include <ostream>
+#include <string>
+#include <vector>
+
+#include "corpus/pairs/families.hpp"
+#include "corpus/pairs/pair_io.hpp"
+#include "corpus/pairs/strata.hpp"
+#include "oracles/referee/referee.hpp"
+#include "oracles/trial/bucket.hpp"
+#include "oracles/trial/contact.hpp"
+
+namespace cyl {
+namespace {
+
+constexpr std::uint64_t seed = 20261121;
+
+using Fails = std::function<bool(const Pair&)>;
+
+/// Asks one after the other and counts.
+struct Asker {
+  Fails fails;
+  std::size_t asked = 0, illegal = 0;
+  std::vector<bool> operator()(std::span<const Pair> pairs) {
+    std::vector<bool> out;
+    for (const Pair& p : pairs) {
+      ++asked;
+      illegal += find_defect(p.a) != Defect::none || find_defect(p.b) != Defect::none;
+      out.push_back(fails(p));
+    }
+    return out;
+  }
+};
+
+Simplified simplify_by(const Pair& pair, const Fails& fails, std::size_t cap = question_cap_default) {
+  return simplify(pair, Asker{fails}, cap);
+}
+
+/// The pairs of a family that fail.
+std::vector<Pair> failing(std::string_view family, const Fails& fails, std::size_t count,
+                          std::uint64_t pairs = 20000) {
+  std::vector<Pair> out;
+  for (std::uint64_t i = 0; i < pairs && out.size() < count; ++i) {
+    const Pair p = find_family(family)->generate(seed, i);
+    if (fails(p)) out.push_back(p);
+  }
+  return out;
+}
+
+double sine(const Pair& p) { return p.a.axis.stableNormalized().cross(p.b.axis.stableNormalized()).norm(); }
+
+// Planted faults.
+
+bool nearly_parallel(const Pair& p) { return sine(p) < 1e-7; }
+bool nearly_parallel_not_quite(const Pair& p) { return sine(p) > 0 && sine(p) < 1e-7; }
+bool fat(const Pair& p) { return p.a.radius > 3; }
+bool far_out(const Pair& p) { return p.a.center.norm() > 1e6; }
+bool tiny_gap(const Pair& p) {
+  const Truth truth = judge(p);
+  return truth.verdict == Verdict::disjoint && enclose_distance(p, truth, 1e-14).hi < 1e-9 * size_of(p);
+}
+bool oblique_tiny_gap(const Pair& p) { return sine(p) > 0.1 && sine(p) < 0.9 && tiny_gap(p); }
+bool tiny_overlap(const Pair& p) {
+  const Truth truth = judge(p);
+  return truth.verdict == Verdict::intersecting && enclose_distance(p, truth).lo > -1e-5 * size_of(p);
+}
+bool shallow(const Pair& p) {
+  const Truth truth = judge(p);
+  const Enclosure d = enclose_distance(p, truth);
+  return truth.verdict == Verdict::intersecting && d.hi < 0 && d.lo > -1e-2 * size_of(p);
+}
+bool apart(const Pair& p) { return judge(p).verdict == Verdict::disjoint; }
+bool long_axes(const Pair& p) { return p.a.axis.stableNorm() > 1e40; }
+
+/// Nothing but noise: one pair in sixteen.
+bool chaotic(const Pair& p) { return std::hash<std::string>{}(format_pair(p)) / 128 % 16 == 0; }
+
+struct Planted {
+  const char* name;
+  const char* family;
+  bool (*fails)(const Pair&);
+  int digits;             ///< at most, of the simplest
+  std::size_t questions;  ///< at most
+};
+
+void PrintTo(const Planted& p, std::ostream* out) { *out << p.name; }
+
+constexpr Planted planted[] = {
+    {"parallel", "axes_nearly_parallel", nearly_parallel, 2, 1000},
+    {"nearly_parallel", "axes_nearly_parallel", nearly_parallel_not_quite, 3, 1000},
+    {"fat", "random", fat, 3, 1000},
+    {"far_out", "far", far_out, 3, 1000},
+    {"shallow", "random", shallow, 12, 2000},
+    {"tiny_gap_side_side", "touching_side_side", tiny_gap, 20, 2000},
+    {"tiny_gap_rim_rim", "touching_rim_rim", tiny_gap, 20, 2000},
+    {"oblique_tiny_gap", "touching_rim_rim", oblique_tiny_gap, 20, 2000},
+    {"tiny_overlap", "touching_side_rim", tiny_overlap, 20, 2000},
+    {"apart", "random", apart, 3, 1000},
+    {"long_axes", "raw_axes", long_axes, 2, 1000},
+    {"chaotic", "random", chaotic, 272, 4000},
+};
+
+class Simplify : public testing::TestWithParam<Planted> {};
+
+TEST_P(Simplify, EndsSimpleAndKeepsItsLaws) {
+  const Planted& fault = GetParam();
+  const std::vector<Pair> found = failing(fault.family, fault.fails, 3);
+  ASSERT_EQ(found.size(), 3u);
+  for (const Pair& pair : found) {
+    Asker asker{fault.fails};
+    const Simplified s = simplify(pair, std::ref(asker));
+    std::printf("%4zu questions, %2d digits: %s\n", s.questions, complexity(s.pair).digits,
+                format_pair(s.pair).c_str());
+    EXPECT_TRUE(fault.fails(s.pair));
+    EXPECT_LE(complexity(s.pair), complexity(pair));
+    EXPECT_LE(complexity(s.pair).digits, fault.digits) << format_pair(pair);
+    EXPECT_LE(s.questions, fault.questions);
+    EXPECT_FALSE(s.at_cap);
+    EXPECT_EQ(s.questions, asker.asked);
+    EXPECT_EQ(asker.illegal, 0u);
+    // Deterministic, and at an end.
+    EXPECT_EQ(format_pair(simplify_by(pair, fault.fails).pair), format_pair(s.pair));
+    EXPECT_EQ(format_pair(simplify_by(s.pair, fault.fails).pair), format_pair(s.pair));
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Planted, Simplify, testing::ValuesIn(planted),
+                         [](const auto& info) { return std::string(info.param.name); });
+
+TEST(SimplifyTo, TheObviousPair) {
+  const auto simplest = [](const char* family, const Fails& fails) {
+    return format_pair(simplify_by(failing(family, fails, 1).at(0), fails).pair);
+  };
+  EXPECT_EQ(simplest("axes_nearly_parallel", nearly_parallel),
+            R"({"a":{"center":[0,0,0],"axis":[0,0,1],"radius":0,"height":0},)"
+            R"("b":{"center":[0,0,0],"axis":[0,0,1],"radius":0,"height":0}})");
+  EXPECT_EQ(simplest("axes_nearly_parallel", nearly_parallel_not_quite),
+            R"({"a":{"center":[0,0,0],"axis":[0,0,1],"radius":0,"height":0},)"
+            R"("b":{"center":[0,0,0],"axis":[0,1e-07,1],"radius":0,"height":0}})");
+  EXPECT_EQ(simplest("random", fat), R"({"a":{"center":[0,0,0],"axis":[0,0,1],"radius":4,"height":0},)"
+                                     R"("b":{"center":[0,0,0],"axis":[0,0,1],"radius":0,"height":0}})");
+  EXPECT_EQ(simplest("far", far_out), R"({"a":{"center":[0,0,2e+06],"axis":[0,0,1],"radius":0,"height":0},)"
+                                      R"("b":{"center":[0,0,0],"axis":[0,0,1],"radius":0,"height":0}})");
+  EXPECT_EQ(simplest("random", apart), R"({"a":{"center":[0,0,0],"axis":[0,0,1],"radius":0,"height":0},)"
+                                       R"("b":{"center":[0,0,1],"axis":[0,0,1],"radius":0,"height":0}})");
+}
+
+TEST(SimplifyTo, TheOriginalWhereNothingElseFails) {
+  for (const Family& family : families()) {
+    const Pair pair = family.generate(seed, 0);
+    const Simplified s =
+        simplify_by(pair, [&](const Pair& p) { return format_pair(p) == format_pair(pair); });
+    EXPECT_EQ(format_pair(s.pair), format_pair(pair));
+    EXPECT_FALSE(s.at_cap);
+    // Too few answers are no "yes".
+    EXPECT_EQ(format_pair(simplify(pair, [](std::span<const Pair>) { return std::vector<bool>{}; }).pair),
+              format_pair(pair));
+  }
+}
+
+TEST(SimplifyTo, WhatFailedWithinAnyCap) {
+  const Pair pair = failing("touching_side_rim", tiny_gap, 1).at(0);
+  Complexity before = complexity(pair);
+  for (const std::size_t cap : {0u, 1u, 31u, 32u, 33u, 100u, 200u, 4000u}) {
+    Asker asker{tiny_gap};
+    const Simplified s = simplify(pair, std::ref(asker), cap);
+    EXPECT_LE(asker.asked, cap);
+    EXPECT_EQ(s.questions, asker.asked);
+    EXPECT_EQ(s.at_cap, cap < 4000);
+    EXPECT_TRUE(tiny_gap(s.pair));
+    EXPECT_LE(complexity(s.pair), before);  // more questions, no worse
+    before = complexity(s.pair);
+  }
+}
+
+// What the bucket key is read from does not depend on where the search began.
+TEST(SimplifyTo, OneBucketForOneFault) {
+  for (const ContactFeature feature : {ContactFeature::side_rim, ContactFeature::rim_rim}) {
+    const Fails tolerance = [&](const Pair& p) {
+      const Truth truth = judge(p);
+      return truth.verdict == Verdict::intersecting && enclose_distance(p, truth, 1e-12).lo > -1e-6 &&
+             contact_feature(p, truth) == feature;
+    };
+    for (const int decade : {7, 9})
+      for (std::uint64_t i = 1; i < 6; i += 2) {
+        const Pair pair = *draw_in_stratum(feature, decade, seed, i);
+        if (!tolerance(pair)) continue;
+        const Pair s = simplify_by(pair, tolerance).pair;
+        EXPECT_EQ(coordinate_of(s, -enclose_distance(s, judge(s)).lo / size_of(s)), Coordinate::margin)
+            << format_pair(s);
+        EXPECT_LE(complexity(s).digits, 25) << format_pair(s);
+      }
+  }
+}
+
+TEST(SimplifyTo, ItselfWhereThePairIsIllegal) {
+  Pair pair = find_family("random")->generate(seed, 0);
+  pair.a.radius = -1;
+  const Simplified s = simplify_by(pair, [](const Pair&) { return true; });
+  EXPECT_EQ(s.questions, 0u);
+  EXPECT_EQ(format_pair(s.pair), format_pair(pair));
+}
+
+// Numbers at the ends of the range: nothing overflows into an illegal question.
+TEST(SimplifyTo, SomethingLegalFromAnyLengths) {
+  for (const double length : {0.0, 5e-324, 1e-310, 1e-200, 1e200, 1.7e308}) {
+    Pair pair = find_family("random")->generate(seed, 1);
+    for (Cylinder* c : {&pair.a, &pair.b}) {
+      c->center = Vector3(length, -length, length / 3);
+      c->axis = length == 0 ? Vector3(5e-324, 0, -5e-324) : Vector3(length, length / 7, -length);
+      c->radius = c->height = length;
+    }
+    for (const bool answer : {true, false}) {
+      Asker asker{[&](const Pair&) { return answer; }};
+      const Simplified s = simplify(pair, std::ref(asker));
+      EXPECT_EQ(asker.illegal, 0u);
+      EXPECT_FALSE(s.at_cap);
+      EXPECT_TRUE(!answer || complexity(s.pair).digits == 2) << format_pair(s.pair);
+    }
+  }
+}
+
+TEST(ComplexityOf, CountsDecimals) {
+  Pair pair;
+  pair.a = {{0, 0, -0.25}, {0, 0, 1}, 120, 1e-9};
+  pair.b = {{-0.0, 0, 0}, {0.5, 0, 3e10}, 0.1, 1};
+  const Complexity c = complexity(pair);
+  EXPECT_EQ(c.digits, 2 + 1 + 2 + 1 + 1 + 1 + 1 + 1);
+  EXPECT_EQ(c.non_zero, 8);
+  EXPECT_EQ(c.extremes, 1 + 8 + 9);  // 120, 1e-9, 3e10
+  EXPECT_EQ(c.fractional, 4);
+  EXPECT_EQ(c.exponents, 1 + 0 + 2 + 9 + 1 + 10 + 1 + 0);
+  EXPECT_EQ(c.distinct, 7);
+  EXPECT_EQ(c.negative, 2);
+  EXPECT_EQ(c.digit_sum, 7 + 1 + 3 + 1 + 5 + 3 + 1 + 1);
+  Pair other = pair;
+  EXPECT_EQ(complexity(other), c);
+  other.b.center.x() = 0;
+  EXPECT_LT(complexity(other), c);
+  other.a.radius = 121;
+  EXPECT_GT(complexity(other), c);
+}
+
+}  // namespace
+}  // namespace cyl

@@ -1,0 +1,394 @@
+// SPDX-License-Identifier: MIT
+// The Python module `daylight`: the solver on NumPy arrays, and campaigns over a Python callable. A solid is
+// eight float64: center (3), axis (3), radius, height. Arithmetic runs without the interpreter's lock;
+// C-contiguous float64 is read where it lies.
+#include <pybind11/numpy.h>
+#include <pybind11/pybind11.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <exception>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "corpus/pairs/families.hpp"
+#include "corpus/pairs/pair_io.hpp"
+#include "oracles/referee/decide_exactly.hpp"
+#include "oracles/trial/compare.hpp"
+#include "solver/distance.hpp"
+#include "solver/intersect_batch.hpp"
+
+namespace py = pybind11;
+
+namespace {
+
+using namespace cyl;
+using Doubles = py::array_t<double, py::array::c_style>;
+
+constexpr py::ssize_t solid_numbers = 8;
+
+Cylinder solid_at(const double* x) { return {{x[0], x[1], x[2]}, {x[3], x[4], x[5]}, x[6], x[7]}; }
+
+Doubles array_of(const Cylinder& c) {
+  Doubles array(solid_numbers);
+  double* x = array.mutable_data();
+  for (py::ssize_t i = 0; i < 3; ++i) {
+    x[i] = c.center[i];
+    x[3 + i] = c.axis[i];
+  }
+  x[6] = c.radius;
+  x[7] = c.height;
+  return array;
+}
+
+Doubles solids(const std::string& name, const py::object& given) {
+  Doubles array = Doubles::ensure(given);
+  if (!array) {
+    PyErr_Clear();
+    const py::array found = py::array::ensure(given);
+    PyErr_Clear();
+    throw py::value_error(
+        name +
+        (found ? " has dtype " + py::str(found.dtype()).cast<std::string>() : std::string(" is no array")) +
+        ", not float64 or what NumPy casts to it safely");
+  }
+  if (array.ndim() == 0 || array.shape(array.ndim() - 1) != solid_numbers)
+    throw py::value_error(name + " has shape " + py::str(array.attr("shape")).cast<std::string>() +
+                          ", not (8,) or (.., 8): center (3), axis (3), radius, height");
+  return array;
+}
+
+// Two sets of solids of one shape, or one solid against a set.
+class Pairs {
+ public:
+  Pairs(const py::object& a, const py::object& b) : a_(solids("a", a)), b_(solids("b", b)) {
+    const bool one_a = a_.ndim() == 1, one_b = b_.ndim() == 1;
+    const Doubles& longer = one_a ? b_ : a_;
+    shape_.assign(longer.shape(), longer.shape() + longer.ndim() - 1);
+    if (!one_a && !one_b &&
+        !(a_.ndim() == b_.ndim() && std::equal(a_.shape(), a_.shape() + a_.ndim(), b_.shape())))
+      throw py::value_error("a has shape " + py::str(a_.attr("shape")).cast<std::string>() + " and b " +
+                            py::str(b_.attr("shape")).cast<std::string>() +
+                            ": they must be the same, or one of them (8,)");
+    size = longer.size() / solid_numbers;
+    a_data_ = a_.data();
+    b_data_ = b_.data();
+    a_step_ = one_a ? 0 : solid_numbers;
+    b_step_ = one_b ? 0 : solid_numbers;
+  }
+  Cylinder a(py::ssize_t i) const { return solid_at(a_data_ + i * a_step_); }
+  Cylinder b(py::ssize_t i) const { return solid_at(b_data_ + i * b_step_); }
+  bool single() const { return shape_.empty(); }
+  /// An array of a number a pair, or of `width` numbers a pair.
+  template <class Number>
+  py::array_t<Number> results(py::ssize_t width = 0) const {
+    std::vector<py::ssize_t> shape = shape_;
+    if (width > 0) shape.push_back(width);
+    return py::array_t<Number>(shape);
+  }
+
+  py::ssize_t size = 0;
+
+ private:
+  Doubles a_, b_;
+  std::vector<py::ssize_t> shape_;
+  const double *a_data_ = nullptr, *b_data_ = nullptr;
+  py::ssize_t a_step_ = 0, b_step_ = 0;
+};
+
+py::object verdict_class() { return py::module_::import("daylight").attr("Verdict"); }
+
+// One pair: a Verdict; many: int8.
+py::object verdicts_of(const Pairs& pairs, const py::array_t<std::int8_t>& codes) {
+  if (pairs.single()) return verdict_class()(static_cast<int>(*codes.data()));
+  return codes;
+}
+// One pair: a float; many: float64.
+py::object numbers_of(const Pairs& pairs, const Doubles& numbers) {
+  if (pairs.single()) return py::float_(*numbers.data());
+  return numbers;
+}
+
+void put(double* to, py::ssize_t i, const Vector3& x) {
+  for (py::ssize_t k = 0; k < 3; ++k) to[3 * i + k] = x[k];
+}
+
+// Prepared at a time: they stay in the first cache.
+constexpr py::ssize_t block_cap = 128;
+
+py::object intersect_arrays(const py::object& a, const py::object& b) {
+  const Pairs pairs(a, b);
+  auto codes = pairs.results<std::int8_t>();
+  std::int8_t* out = codes.mutable_data();
+  {
+    const py::gil_scoped_release unlocked;
+    std::array<Prepared, block_cap> prepared_a, prepared_b;
+    std::array<IndexPair, block_cap> same;
+    std::array<Verdict, block_cap> verdicts;
+    for (std::uint32_t i = 0; i < same.size(); ++i) same[i] = {i, i};
+    for (py::ssize_t first = 0; first < pairs.size; first += block_cap) {
+      const auto count = static_cast<std::size_t>(std::min(block_cap, pairs.size - first));
+      for (std::size_t i = 0; i < count; ++i) {
+        prepared_a[i] = prepare(pairs.a(first + static_cast<py::ssize_t>(i)));
+        prepared_b[i] = prepare(pairs.b(first + static_cast<py::ssize_t>(i)));
+      }
+      intersect_batch(prepared_a, prepared_b, std::span(same).first(count), verdicts.data());
+      for (std::size_t i = 0; i < count; ++i)
+        out[first + static_cast<py::ssize_t>(i)] = static_cast<std::int8_t>(verdicts[i]);
+    }
+  }
+  return verdicts_of(pairs, codes);
+}
+
+py::object decide_exactly_arrays(const py::object& a, const py::object& b) {
+  const Pairs pairs(a, b);
+  auto codes = pairs.results<std::int8_t>();
+  std::int8_t* out = codes.mutable_data();
+  {
+    const py::gil_scoped_release unlocked;
+    for (py::ssize_t i = 0; i < pairs.size; ++i)
+      out[i] = static_cast<std::int8_t>(decide_exactly(pairs.a(i), pairs.b(i)).verdict);
+  }
+  return verdicts_of(pairs, codes);
+}
+
+py::object decide_arrays(const py::object& a, const py::object& b) {
+  const Pairs pairs(a, b);
+  auto codes = pairs.results<std::int8_t>();
+  auto direction = pairs.results<double>(3), head = pairs.results<double>(3), tail = pairs.results<double>(3);
+  std::int8_t* out = codes.mutable_data();
+  double *direction_out = direction.mutable_data(), *head_out = head.mutable_data(),
+         *tail_out = tail.mutable_data();
+  {
+    const py::gil_scoped_release unlocked;
+    for (py::ssize_t i = 0; i < pairs.size; ++i) {
+      const Answer answer = decide(pairs.a(i), pairs.b(i));
+      out[i] = static_cast<std::int8_t>(answer.verdict);
+      put(direction_out, i, answer.direction);
+      put(head_out, i, answer.point_head);
+      put(tail_out, i, answer.point_tail);
+    }
+  }
+  return py::module_::import("daylight").attr("Decision")(verdicts_of(pairs, codes), direction, head, tail);
+}
+
+py::object distance_arrays(const py::object& a, const py::object& b) {
+  const Pairs pairs(a, b);
+  auto codes = pairs.results<std::int8_t>();
+  auto value = pairs.results<double>(), error = pairs.results<double>();
+  auto direction = pairs.results<double>(3), on_a = pairs.results<double>(3), on_b = pairs.results<double>(3);
+  std::int8_t* out = codes.mutable_data();
+  double *value_out = value.mutable_data(), *error_out = error.mutable_data();
+  double *direction_out = direction.mutable_data(), *on_a_out = on_a.mutable_data(),
+         *on_b_out = on_b.mutable_data();
+  {
+    const py::gil_scoped_release unlocked;
+    for (py::ssize_t i = 0; i < pairs.size; ++i) {
+      const Distance found = distance(pairs.a(i), pairs.b(i));
+      out[i] = static_cast<std::int8_t>(found.verdict);
+      value_out[i] = found.value;
+      error_out[i] = found.error;
+      put(direction_out, i, found.direction);
+      put(on_a_out, i, found.on_a);
+      put(on_b_out, i, found.on_b);
+    }
+  }
+  return py::module_::import("daylight")
+      .attr("Distance")(numbers_of(pairs, value), numbers_of(pairs, error), direction, on_a, on_b,
+                        verdicts_of(pairs, codes));
+}
+
+std::optional<Verdict> verdict_from(const py::object& said) {
+  if (py::isinstance<py::str>(said)) {
+    const auto word = said.cast<std::string>();
+    for (const Verdict v :
+         {Verdict::disjoint, Verdict::intersecting, Verdict::touching, Verdict::undecided, Verdict::invalid})
+      if (word == to_string(v)) return v;
+    return {};
+  }
+  // bool and numpy.bool_ alike.
+  if (said.attr("__class__").attr("__name__").cast<std::string>().starts_with("bool"))
+    return said.cast<bool>() ? Verdict::intersecting : Verdict::disjoint;
+  const int code = py::int_(said).cast<int>();
+  if (code < 0 || code > static_cast<int>(Verdict::invalid)) return {};
+  return static_cast<Verdict>(code);
+}
+
+MethodAnswer broken(Failure failure, const std::string& reason) {
+  MethodAnswer answer;
+  answer.status = Status::failed;
+  answer.failure = failure;
+  answer.set_reason(reason);
+  return answer;
+}
+
+// What the callable says of a pair; what it throws is an answer too, but for what ends the program.
+MethodAnswer ask(const py::function& callable, const Doubles& a, const Doubles& b) {
+  py::object said;
+  try {
+    said = callable(a, b);
+  } catch (py::error_already_set& error) {
+    if (!error.matches(PyExc_Exception)) throw;
+    return broken(Failure::exception, error.what());
+  }
+  MethodAnswer answer;
+  if (said.is_none()) return answer;
+  try {
+    py::object word = said;
+    if (py::isinstance<py::tuple>(said)) {
+      const auto both = said.cast<py::tuple>();
+      if (both.size() != 2) return broken(Failure::malformed, "a tuple is (verdict, distance)");
+      word = both[0];
+      answer.distance = py::float_(both[1]).cast<double>();
+      answer.has_distance = true;
+    }
+    const std::optional<Verdict> verdict = verdict_from(word);
+    if (!verdict) return broken(Failure::malformed, "no verdict: " + py::str(word).cast<std::string>());
+    answer.status = Status::answered;
+    answer.verdict = *verdict;
+    return answer;
+  } catch (const std::exception& error) {
+    return broken(Failure::malformed, error.what());
+  }
+}
+
+py::list campaign(const py::function& callable, std::uint64_t pairs, std::uint64_t seed, double relative,
+                  double absolute) {
+  for (const double part : {relative, absolute})
+    if (!(part >= 0 && std::isfinite(part)))
+      throw py::value_error("a claim is finite and not negative: relative " + format_double(relative) +
+                            ", absolute " + format_double(absolute));
+  const Claim claim{relative, absolute, "given to campaign()"};
+  const py::object parse = py::module_::import("json").attr("loads");
+  py::list findings;
+  const auto all = families();
+  for (std::uint64_t i = 0; i < pairs; ++i) {
+    if (PyErr_CheckSignals() != 0) throw py::error_already_set();
+    const Family& family = all[i % all.size()];
+    const std::uint64_t index = i / all.size();
+    const Pair pair = family.generate(seed, index);
+    const Doubles a = array_of(pair.a), b = array_of(pair.b);
+    const MethodAnswer answer = ask(callable, a, b);
+    Truth truth;
+    std::optional<Finding> finding;
+    {
+      const py::gil_scoped_release unlocked;
+      truth = judge(pair);
+      LazyDistance distance([&](double width) { return enclose_distance(pair, truth, width); });
+      finding = compare(pair, truth, distance, claim, answer);
+    }
+    if (!finding) continue;
+    py::dict entry;
+    entry["family"] = py::str(family.name.data(), family.name.size());
+    entry["index"] = index;
+    entry["kind"] = to_string(finding->kind);
+    entry["severity"] = to_string(finding->severity);
+    entry["margin"] = py::none();
+    if (finding->margin) entry["margin"] = py::make_tuple(finding->margin->lo, finding->margin->hi);
+    // Made again: the callable may have written to its own.
+    entry["a"] = array_of(pair.a);
+    entry["b"] = array_of(pair.b);
+    entry["said"] = parse(format_method_answer(answer));
+    entry["truth"] = parse(format_truth(truth));
+    findings.append(entry);
+  }
+  return findings;
+}
+
+// What help(daylight) shows; units, shapes and errors of the headers that they repeat.
+constexpr const char* module_text = R"(Do two cylinders intersect? With proofs.
+
+A solid is eight float64: center (3), axis (3, any finite length but 0), radius,
+height (full, not half), lengths in one unit. It is closed: solids that touch
+intersect. Radius 0 is a segment, height 0 a disk.
+
+a and b have one shape (.., 8), or one of them is a single solid (8,). Two
+single solids give a Verdict and floats; arrays of shape (.., 8) give, for each
+pair, int8 (the values of Verdict) and float64. C-contiguous float64 is read
+where it lies, without the interpreter's lock: write nothing to it meanwhile.
+Lists, float32 and what else NumPy casts safely are copied.
+
+Other shapes and types raise ValueError. A solid that is no cylinder (nan, a
+negative radius, axis 0) raises nothing: its verdict is `invalid`.)";
+
+constexpr const char* intersect_text = R"(Yes or no; touching is yes.
+
+Returns a Verdict, or an int8 array of shape (..): disjoint, intersecting or
+invalid (undecided at a cap on work that no pair has reached). Right wherever the
+solids are 1e-13 of their size (the sum of radii and heights) or more from
+touching; nearer than that either answer may come. Arrays go through the vectors
+of the processor, with the same verdicts.)";
+
+constexpr const char* decide_text = R"(The verdict with a proof, never wrong.
+
+Returns Decision(verdict, direction, point_head, point_tail); the last three
+float64 of shape (.., 3). disjoint: `direction`, not of unit length, points from
+a to b and is square to a plane that separates them. intersecting: the point
+that is exactly point_head + point_tail is in both. undecided: too
+near to touching for this arithmetic, and neither; ask decide_exactly. What does
+not belong to a verdict is 0.)";
+
+constexpr const char* decide_exactly_text = R"(The proved verdict, touching told apart.
+
+Returns a Verdict, or an int8 array of shape (..): disjoint, intersecting,
+touching, invalid; undecided only for a tangency that could not be proved. Costs
+what decide does where that suffices, 0.1 ms within rounding of touching, up to
+some ms for exact ties.)";
+
+constexpr const char* distance_text = R"(The signed distance with its error.
+
+Returns Distance(value, error, direction, on_a, on_b, verdict), in the unit of
+the arguments; value and error floats or float64 of shape (..), direction, on_a
+and on_b of shape (.., 3).
+value > 0, apart: the gap, |value - exact| <= error.
+value <= 0: minus the depth; the exact depth is at most -value + error (that no
+direction is shallower is not proved).
+direction: of unit length, from a to b; b moved along it by -value + error has
+no inner point of a in it.
+on_a, on_b: the points, as offsets from the centers of a and of b.
+verdict: by the sign of value; disjoint is proved where value > error.)";
+
+constexpr const char* campaign_text = R"(Asks a callable about drawn pairs and tells what is proved wrong.
+
+callable(a, b) is given two float64 arrays of shape (8,) and answers with a bool
+(they intersect), a Verdict, its value or its word, (verdict, signed distance),
+or None to decline. What it raises is a finding; KeyboardInterrupt and the like
+end the campaign.
+pairs: how many; the same pairs for the same seed, of all families in turn.
+relative, absolute: the claim. From relative * size + absolute away from touching
+it promises to be right; size is the sum of radii and heights.
+
+Returns a list of dicts: family, index, kind ('wrong_disjoint', ...), severity
+('contract' beyond the claim, 'resolution' within it, 'unresolved' where the truth
+is not known), margin ((least, most) in sizes, or None), a, b, said, truth (with its
+certificate). Runs in this thread, a pair at a time. ValueError: a claim that is
+negative or not finite.)";
+
+}  // namespace
+
+PYBIND11_MODULE(daylight, m) {
+  m.doc() = module_text;
+  py::dict words;
+  for (const Verdict v :
+       {Verdict::disjoint, Verdict::intersecting, Verdict::touching, Verdict::undecided, Verdict::invalid})
+    words[to_string(v)] = static_cast<int>(v);
+  m.attr("Verdict") =
+      py::module_::import("enum").attr("IntEnum")("Verdict", words, py::arg("module") = "daylight");
+  const auto record = [&m](const char* name, const char* fields) {
+    m.attr(name) =
+        py::module_::import("collections").attr("namedtuple")(name, fields, py::arg("module") = "daylight");
+  };
+  record("Decision", "verdict direction point_head point_tail");
+  record("Distance", "value error direction on_a on_b verdict");
+
+  m.def("intersect", &intersect_arrays, py::arg("a"), py::arg("b"), intersect_text);
+  m.def("decide", &decide_arrays, py::arg("a"), py::arg("b"), decide_text);
+  m.def("decide_exactly", &decide_exactly_arrays, py::arg("a"), py::arg("b"), decide_exactly_text);
+  m.def("distance", &distance_arrays, py::arg("a"), py::arg("b"), distance_text);
+  m.def("campaign", &campaign, py::arg("callable"), py::arg("pairs") = 1000, py::arg("seed") = 0,
+        py::arg("relative") = 0.0, py::arg("absolute") = 0.0, campaign_text);
+}

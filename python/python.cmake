@@ -1,0 +1,40 @@
+# SPDX-License-Identifier: MIT
+# The Python module, where pybind11-dev, python3-dev and python3-numpy are installed and the interpreter need not know sanitizers. It is compiled on its own: a shared
+# library wants position-independent code.
+set(PYBIND11_FINDPYTHON ON)
+if(NOT Python_EXECUTABLE AND EXISTS /usr/bin/python3)
+  set(Python_EXECUTABLE /usr/bin/python3)  # whose packages these are, whatever python3 comes first
+endif()
+find_package(Python 3.9 QUIET COMPONENTS Interpreter OPTIONAL_COMPONENTS Development.Module NumPy)
+if(Python_Development.Module_FOUND AND Python_NumPy_FOUND AND NOT CMAKE_CXX_FLAGS MATCHES "-fsanitize")
+  find_package(pybind11 2.6 QUIET CONFIG)
+endif()
+if(pybind11_FOUND)
+  file(GLOB sources CONFIGURE_DEPENDS solver/*.cpp solver/detail/*.cpp oracles/referee/*.cpp corpus/pairs/*.cpp)
+  list(FILTER sources EXCLUDE REGEX "_test\\.cpp$")
+  pybind11_add_module(daylight_python MODULE NO_EXTRAS python/module.cpp ${sources} oracles/trial/compare.cpp
+                      oracles/methods/method.cpp base/process/fork_with_retry.cpp)
+  set_target_properties(daylight_python PROPERTIES OUTPUT_NAME daylight CXX_VISIBILITY_PRESET hidden
+                        LIBRARY_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/python)
+  target_include_directories(daylight_python PRIVATE ${PROJECT_SOURCE_DIR})
+  target_link_libraries(daylight_python PRIVATE Eigen3::Eigen nlohmann_json::nlohmann_json fmt::fmt
+                        ${MPFI} ${MPFR} ${GMPXX} ${GMP})
+  # Where the interpreter of the prefix looks: Debian's has names of its own below /usr and /usr/local, a virtual
+  # environment and everybody else's this one.
+  set(version python${Python_VERSION_MAJOR}.${Python_VERSION_MINOR})
+  install(CODE "
+    set(python_folder lib/${version}/site-packages)
+    if(EXISTS /etc/debian_version AND CMAKE_INSTALL_PREFIX MATCHES \"/usr/local/?$\")
+      set(python_folder lib/${version}/dist-packages)
+    elseif(EXISTS /etc/debian_version AND CMAKE_INSTALL_PREFIX MATCHES \"^/usr/?$|/_CPack_Packages/.*/usr/?$\")
+      set(python_folder lib/python3/dist-packages)
+    endif()" COMPONENT python)
+  install(TARGETS daylight_python LIBRARY DESTINATION "\${python_folder}" COMPONENT python)
+  install(FILES python/daylight.pyi DESTINATION "\${python_folder}/daylight-stubs" RENAME __init__.pyi COMPONENT python)
+  add_test(NAME python_test COMMAND Python::Interpreter ${PROJECT_SOURCE_DIR}/python/module_test.py)
+  set_tests_properties(python_test PROPERTIES ENVIRONMENT "PYTHONPATH=${CMAKE_BINARY_DIR}/python" TIMEOUT 120)
+else()
+  message(STATUS "no Python module: pybind11-dev, python3-dev or python3-numpy is missing, or sanitizers are on")
+  add_test(NAME python_test COMMAND sh -c "echo 'skipped: pybind11-dev, python3-dev or python3-numpy is missing, or sanitizers are on'; exit 77")
+endif()
+set_tests_properties(python_test PROPERTIES LABELS library SKIP_RETURN_CODE 77)

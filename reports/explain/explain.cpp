@@ -1,0 +1,277 @@
+// SPDX-License-Identifier: MIT
+#include "reports/explain/explain.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+
+#include "corpus/pairs/pair_io.hpp"
+#include "reports/gate/failure_text.hpp"
+
+namespace cyl {
+namespace {
+
+using json = nlohmann::ordered_json;
+
+bool meet(const Probe& p) { return p.truth.verdict != Verdict::disjoint; }
+
+/// What is found beyond an end.
+std::string beyond_in_words(const Probe& asked, const RegionEnd& end) {
+  if (!end.beyond) return "as far as tried";
+  const Probe& p = *end.beyond;
+  if (p.finding) return to_string(p.finding->kind);
+  if (!p.decided()) return "truth unproved";
+  if (p.answer.status != Status::answered || p.answer.verdict == Verdict::undecided) return "no answer";
+  if (meet(p) != meet(asked)) return meet(p) ? "they meet" : "they are apart";
+  return "right";
+}
+
+/// Whether the method gets right beyond an end what it gets wrong within, the truth being the same.
+bool turns_right(const Probe& asked, const RegionEnd& end) {
+  return end.beyond && end.beyond->right() && meet(*end.beyond) == meet(asked);
+}
+
+/// Of an explanation that has regions.
+const FailingRegion& region_of(const Explanation& e, Parameter parameter) {
+  return e.regions[static_cast<std::size_t>(parameter)];
+}
+
+std::string column_title(Parameter p) {
+  return std::string(to_string(p)) + (p == Parameter::angle   ? " (rad)"
+                                      : p == Parameter::scale ? " (2^k)"
+                                                              : "");
+}
+
+/// "calls solids up to 9.9e-07 apart intersecting", ...
+std::string failure_in_words(const Explanation& e) {
+  switch (e.asked.finding->kind) {
+    case FindingKind::wrong_intersecting:
+      return fmt::format("calls solids up to {:.3g} apart {}",
+                         region_of(e, Parameter::distance).high.fails_at, to_string(e.asked.answer.verdict));
+    case FindingKind::wrong_disjoint:
+      return fmt::format("calls solids that overlap by up to {:.3g} disjoint",
+                         std::max(0.0, -region_of(e, Parameter::distance).low.fails_at));
+    case FindingKind::distance_outside:
+      return fmt::format("tells a distance of {:.6g} of solids {}", e.asked.answer.distance,
+                         distance_in_words(e.asked));
+    case FindingKind::bad_witness:
+      return fmt::format("offers a witness that proves nothing, of solids {}", distance_in_words(e.asked));
+    default:
+      return fmt::format("ends in {} on solids {}", to_string(e.asked.finding->kind),
+                         distance_in_words(e.asked));
+  }
+}
+
+std::string joined(const std::vector<std::string>& words, const char* last) {
+  std::string text;
+  for (std::size_t i = 0; i < words.size(); ++i)
+    text += (i == 0 ? "" : i + 1 == words.size() ? last : ", ") + words[i];
+  return text;
+}
+
+bool cured_by(const Explanation& e, Remedy remedy) {
+  return std::any_of(e.cures.begin(), e.cures.end(),
+                     [&](const Cure& c) { return c.remedy == remedy && c.effect == Effect::cured; });
+}
+
+std::vector<std::string> causes(const Explanation& e) {
+  std::vector<std::string> found;
+  std::vector<std::string> settings;
+  for (const Cure& c : e.cures)
+    if (c.remedy == Remedy::setting && c.effect == Effect::cured) settings.push_back(c.method);
+  if (!settings.empty())
+    found.push_back(fmt::format("its own setting decides ({} {} right)", joined(settings, " and "),
+                                settings.size() == 1 ? "is" : "are"));
+  const RegionEnd none, &up = e.regions.empty() ? none : region_of(e, Parameter::scale).high,
+                        &down = e.regions.empty() ? none : region_of(e, Parameter::scale).low;
+  const bool larger = turns_right(e.asked, up), smaller = turns_right(e.asked, down);
+  if (larger || smaller) {
+    std::string text = "a length of its own decides (right with all lengths times ";
+    if (smaller) text += fmt::format("2^{:.0f} or less", *down.ends_at);
+    if (larger) text += fmt::format("{}2^{:.0f} or more", smaller ? ", or " : "", *up.ends_at);
+    found.push_back(text + ")");
+  } else if (cured_by(e, Remedy::rescaled)) {
+    found.push_back("a length of its own decides (right once scaled to size 1)");
+  }
+  if (cured_by(e, Remedy::at_origin)) found.push_back("the place decides (right at the origin)");
+  if (cured_by(e, Remedy::unit_axes)) found.push_back("the axes' lengths decide (right with unit axes)");
+  if (cured_by(e, Remedy::exchanged)) found.push_back("the order decides (right with the solids exchanged)");
+  return found;
+}
+
+/// Parameters along which the failure goes on on both sides as far as was tried.
+std::vector<std::string> indifferent(const Explanation& e) {
+  std::vector<std::string> found;
+  for (const FailingRegion& r : e.regions)
+    if (!r.low.ends_at && !r.high.ends_at && r.low.fails_at < r.high.fails_at)
+      found.emplace_back(to_string(r.parameter));
+  return found;
+}
+
+/// Whether the method itself, and not the truth or a refusal to answer, ends the failure there.
+bool method_ends_it(const Probe& asked, const RegionEnd& end) {
+  return end.beyond && end.beyond->decided() && end.beyond->answer.status != Status::declined &&
+         meet(*end.beyond) == meet(asked);
+}
+
+/// "angle 0.0093 to 0.045", "height of a above 0.3": the shapes that it takes.
+std::vector<std::string> conditions(const Explanation& e) {
+  std::vector<std::string> found;
+  for (const FailingRegion& r : e.regions) {
+    if (r.parameter == Parameter::distance || r.parameter == Parameter::scale) continue;
+    // Far from the origin the centres' rounding makes another pair of it.
+    const bool low = method_ends_it(e.asked, r.low),
+               high = r.parameter != Parameter::offset && method_ends_it(e.asked, r.high);
+    if (low && high)
+      found.push_back(
+          fmt::format("{} {:.3g} to {:.3g}", to_string(r.parameter), r.low.fails_at, r.high.fails_at));
+    else if (low || high)
+      found.push_back(fmt::format("{} {} {:.3g}", to_string(r.parameter), low ? "from" : "up to",
+                                  low ? r.low.fails_at : r.high.fails_at));
+  }
+  return found;
+}
+
+std::string mechanism(const Explanation& e) {
+  std::string text = fmt::format("{} {}: ", e.method, failure_in_words(e));
+  const std::vector<std::string> found = causes(e);
+  text += found.empty() ? "no other setting, scale, place, order or axis length cures it"
+                        : joined(found, "; and ");
+  if (const auto only = conditions(e); !only.empty()) text += "; only with " + joined(only, " and ");
+  if (const auto rest = indifferent(e); !rest.empty())
+    text += fmt::format("; whatever the {}", joined(rest, " and "));
+  return text + ".";
+}
+
+std::string number(double x) { return x == 0 ? "0" : fmt::format("{:.4g}", x); }
+
+std::string regions_table(const Explanation& e) {
+  constexpr const char* row = "{:<16} {:>11} {:>11} {:>11}   {:<18} {}\n";
+  std::string text = fmt::format(fmt::runtime(row), "fails along", "from", "here", "to", "below", "above");
+  for (const FailingRegion& r : e.regions)
+    text += fmt::format(fmt::runtime(row), column_title(r.parameter), number(r.low.fails_at), number(r.at),
+                        number(r.high.fails_at), beyond_in_words(e.asked, r.low),
+                        beyond_in_words(e.asked, r.high));
+  return text;
+}
+
+std::string curve_table(const HonestyCurve& c) {
+  std::string text = fmt::format(
+      "\nshare that fails so, of drawn {} pairs of the pair's size (seed {}), with exact 95 % bounds\n"
+      "{:<8} {:>9} {:>9} {:>9}   {}\n",
+      to_string(c.feature), c.seed, "margin", "trials", "fail", "share", "bounds");
+  for (const HonestyPoint& p : c.points) {
+    if (p.trials == 0) continue;
+    text += fmt::format("1e-{:02}    {:>9} {:>9} {:>9.3g}   {:.2g} to {:.2g}\n", p.decade, p.trials,
+                        p.failures, static_cast<double>(p.failures) / static_cast<double>(p.trials),
+                        p.rate.lower, p.rate.upper);
+  }
+  return text;
+}
+
+std::string said_in_words(const MethodAnswer& answer) {
+  if (answer.status != Status::answered) return one_line(answer.reason);
+  return to_string(answer.verdict) +
+         (answer.has_distance ? fmt::format(", distance {:.6g}", answer.distance) : "");
+}
+
+std::string cures_table(const Explanation& e) {
+  std::string text = "\n";
+  for (const Cure& c : e.cures) {
+    const std::string remedy = c.remedy == Remedy::setting ? c.method : std::string(to_string(c.remedy));
+    text += fmt::format("{:<30} {:<18}", remedy, to_string(c.effect));
+    if (c.effect != Effect::no_change)
+      text += fmt::format(" {} of solids {}", said_in_words(c.after.answer), distance_in_words(c.after));
+    text += '\n';
+  }
+  return text;
+}
+
+json number_json(double x) { return std::isfinite(x) ? json(x) : json(format_double(x)); }
+
+json probe_json(const Probe& p) {
+  json object{{"pair", json::parse(format_pair(p.pair))},
+              {"truth", json::parse(format_truth(p.truth, p.decided() ? &p.distance : nullptr))},
+              {"answer", json::parse(format_method_answer(p.answer))}};
+  object["finding"] = p.finding ? json(to_string(p.finding->kind)) : json(nullptr);
+  return object;
+}
+
+json end_json(const RegionEnd& end) {
+  return {{"fails_at", number_json(end.fails_at)},
+          {"failing", probe_json(end.failing)},
+          {"ends_at", end.ends_at ? number_json(*end.ends_at) : json(nullptr)},
+          {"beyond", end.beyond ? probe_json(*end.beyond) : json(nullptr)}};
+}
+
+json curve_json(const HonestyCurve& c) {
+  json bins = json::array();
+  for (const HonestyPoint& p : c.points)
+    bins.push_back({{"decade", p.decade},
+                    {"drawn", p.drawn},
+                    {"trials", p.trials},
+                    {"failures", p.failures},
+                    {"lower", p.rate.lower},
+                    {"upper", p.rate.upper}});
+  return {{"feature", to_string(c.feature)},
+          {"seed", c.seed},
+          {"scaled_by_exponent", c.exponent},
+          {"bins", std::move(bins)}};
+}
+
+}  // namespace
+
+Explanation explain(std::span<const std::unique_ptr<Method>> methods, std::string_view name, FindingKind kind,
+                    const Pair& pair, std::uint64_t seed) {
+  const auto& method = find_method(methods, name);
+  Explanation e{std::string(name), method->claim(), probe_one(method, pair), {}, {}, {}, {}};
+  if (!e.asked.fails(kind))
+    throw std::invalid_argument(fmt::format("{} has no {} on this pair today: it says {}", name,
+                                            to_string(kind), format_method_answer(e.asked.answer)));
+  if (kind != FindingKind::hang) {
+    e.regions = failing_regions(method, e.asked);
+    e.curve = honesty_curve(method, e.asked, seed);
+  }
+  e.cures = try_cures(methods, method, e.asked);
+  e.mechanism = mechanism(e);
+  return e;
+}
+
+std::string explanation_text(const Explanation& e) {
+  std::string text = fmt::format("{} says {} of solids {}: {} ({})\n{}\n", e.method,
+                                 one_line(format_method_answer(e.asked.answer)), distance_in_words(e.asked),
+                                 to_string(e.asked.finding->kind), to_string(e.asked.finding->severity),
+                                 format_pair(e.asked.pair));
+  if (!e.regions.empty()) text += '\n' + regions_table(e);
+  if (e.curve) text += curve_table(*e.curve);
+  return text + cures_table(e) + "\n" + e.mechanism + "\n";
+}
+
+std::string explanation_json(const Explanation& e) {
+  json regions = json::array(), cures = json::array();
+  for (const FailingRegion& r : e.regions)
+    regions.push_back({{"parameter", to_string(r.parameter)},
+                       {"at", number_json(r.at)},
+                       {"low", end_json(r.low)},
+                       {"high", end_json(r.high)}});
+  for (const Cure& c : e.cures)
+    cures.push_back({{"remedy", to_string(c.remedy)},
+                     {"method", c.method},
+                     {"effect", to_string(c.effect)},
+                     {"after", c.effect == Effect::no_change ? json(nullptr) : probe_json(c.after)}});
+  const json all{{"method", e.method},
+                 {"claim", {{"relative", e.claim.relative}, {"absolute", e.claim.absolute}}},
+                 {"kind", to_string(e.asked.finding->kind)},
+                 {"severity", to_string(e.asked.finding->severity)},
+                 {"asked", probe_json(e.asked)},
+                 {"regions", std::move(regions)},
+                 {"curve", e.curve ? curve_json(*e.curve) : json(nullptr)},
+                 {"cures", std::move(cures)},
+                 {"mechanism", e.mechanism}};
+  return all.dump(1, ' ', false, json::error_handler_t::replace) + '\n';
+}
+
+}  // namespace cyl

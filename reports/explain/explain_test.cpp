@@ -1,0 +1,260 @@
+// SPDX-License-Identifier: MIT
+#include "reports/explain/explain.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+
+#include "oracles/trial/algorithm_groups.hpp"
+#include "solver/distance.hpp"
+
+namespace cyl {
+namespace {
+
+using json = nlohmann::json;
+
+/// Takes solids nearer than `tolerance` for intersecting, where the first centre is no farther from the
+/// origin than `place`.
+class Blurred final : public Method {
+ public:
+  Blurred(std::string name, double tolerance, double place = 0)
+      : name_(std::move(name)), tolerance_(tolerance), place_(place) {}
+  std::string_view name() const override { return name_; }
+  std::string_view version() const override { return "1"; }
+  Claim claim() const override { return {.absolute = tolerance_ / 100, .source = "this test"}; }
+  MethodAnswer ask(const Pair& pair) override {
+    MethodAnswer answer;
+    answer.status = Status::answered;
+    const bool blurred = pair.a.center.norm() >= place_;
+    answer.verdict = distance(pair.a, pair.b).value <= (blurred ? tolerance_ : 0) ? Verdict::intersecting
+                                                                                  : Verdict::disjoint;
+    return answer;
+  }
+
+ private:
+  std::string name_;
+  double tolerance_, place_;
+};
+
+std::vector<std::unique_ptr<Method>> blurred_methods() {
+  std::vector<std::unique_ptr<Method>> methods;
+  methods.push_back(std::make_unique<Blurred>("blurred-way", 1e-3));
+  methods.push_back(std::make_unique<Blurred>("blurred-way-fine", 1e-9));
+  methods.push_back(std::make_unique<Blurred>("blurred-far", 1e-3, 1e3));
+  return methods;
+}
+
+/// 1e-4 apart, of size 8.
+Pair stacked() {
+  Pair pair;
+  pair.a = {{0, 0, 0}, {0, 0, 1}, 1, 2};
+  pair.b = {{0.25, 0.5, 2.0001}, {0, 0, 1}, 1, 2};
+  return pair;
+}
+
+Pair far_away() {
+  Pair pair = stacked();
+  pair.a.center.x() += 5e3;
+  pair.b.center.x() += 5e3;
+  return pair;
+}
+
+constexpr FindingKind kind = FindingKind::wrong_intersecting;
+
+const FailingRegion& region(const std::vector<FailingRegion>& regions, Parameter parameter) {
+  return regions[static_cast<std::size_t>(parameter)];
+}
+
+TEST(FailingRegion, EndsWhereTheToleranceDoes) {
+  const auto methods = blurred_methods();
+  const auto regions = failing_regions(methods[0], probe_one(methods[0], stacked()));
+  const FailingRegion& r = region(regions, Parameter::distance);
+  EXPECT_NEAR(r.at, 1e-4, 1e-12);
+  EXPECT_GE(r.high.fails_at, 0.98e-3);
+  EXPECT_LE(r.high.fails_at, 1e-3);
+  ASSERT_TRUE(r.high.beyond);
+  EXPECT_GT(*r.high.ends_at, 1e-3);
+  EXPECT_TRUE(r.high.beyond->right());
+  EXPECT_EQ(r.high.beyond->truth.verdict, Verdict::disjoint);
+  // Below it ends because the solids meet.
+  EXPECT_LT(r.low.fails_at, 1e-13);
+  ASSERT_TRUE(r.low.beyond);
+  EXPECT_NE(r.low.beyond->truth.verdict, Verdict::disjoint);
+}
+
+TEST(FailingRegion, EveryEndWasAskedAboutAndProved) {
+  const auto methods = blurred_methods();
+  for (const FailingRegion& r : failing_regions(methods[0], probe_one(methods[0], stacked()))) {
+    for (const RegionEnd* end : {&r.low, &r.high}) {
+      EXPECT_TRUE(probe_one(methods[0], end->failing.pair).fails(kind)) << to_string(r.parameter);
+      EXPECT_EQ(end->ends_at.has_value(), end->beyond.has_value());
+      if (end->beyond) {
+        EXPECT_FALSE(end->beyond->fails(kind)) << to_string(r.parameter);
+        EXPECT_TRUE(end->beyond->decided());
+      }
+    }
+    EXPECT_LE(r.low.fails_at, r.at);
+    EXPECT_GE(r.high.fails_at, r.at);
+  }
+}
+
+TEST(FailingRegion, TellsWhatMatters) {
+  const auto methods = blurred_methods();
+  const auto regions = failing_regions(methods[0], probe_one(methods[0], stacked()));
+  const FailingRegion& scale = region(regions, Parameter::scale);
+  EXPECT_EQ(scale.high.fails_at, 3);
+  EXPECT_EQ(*scale.high.ends_at, 4);
+  EXPECT_TRUE(scale.high.beyond->right());
+  EXPECT_FALSE(scale.low.ends_at);
+  const FailingRegion& angle = region(regions, Parameter::angle);
+  EXPECT_FALSE(angle.low.ends_at);
+  EXPECT_FALSE(angle.high.ends_at);
+  EXPECT_GT(angle.high.fails_at, 1.57);
+  for (const Parameter p :
+       {Parameter::radius_a, Parameter::height_a, Parameter::radius_b, Parameter::height_b}) {
+    EXPECT_LT(region(regions, p).low.fails_at, 0.01) << to_string(p);
+    EXPECT_GT(region(regions, p).high.fails_at, 1e3) << to_string(p);
+  }
+
+  const auto places = failing_regions(methods[2], probe_one(methods[2], far_away()));
+  const FailingRegion& offset = region(places, Parameter::offset);
+  EXPECT_NEAR(offset.low.fails_at, 1e3, 20);
+  EXPECT_TRUE(offset.low.beyond->right());
+}
+
+TEST(HonestyCurve, StepsAtTheTolerance) {
+  const auto methods = blurred_methods();
+  const Probe failing = probe_one(methods[0], stacked());
+  const auto curve = honesty_curve(methods[0], failing, 7);
+  ASSERT_TRUE(curve);
+  EXPECT_EQ(curve->feature, ContactFeature::cap_cap);
+  std::uint64_t trials = 0;
+  for (const HonestyPoint& p : curve->points) {
+    trials += p.trials;
+    EXPECT_EQ(p.drawn, drawn_per_decade);
+    // Sizes are from 2 to 16.
+    if (p.decade <= 2) {
+      EXPECT_EQ(p.failures, 0u) << p.decade;
+    }
+    if (p.decade >= 5 && p.decade < 14) {
+      EXPECT_EQ(p.failures, p.trials) << p.decade;
+    }
+    EXPECT_LE(p.rate.lower, static_cast<double>(p.failures) / static_cast<double>(p.trials));
+  }
+  EXPECT_GT(trials, 15 * drawn_per_decade / 3);
+}
+
+TEST(Cures, OnesOfTheSameWay) {
+  EXPECT_TRUE(differ_in_setting("fcl-libccd", "fcl-libccd-tol1e-10"));
+  EXPECT_TRUE(differ_in_setting("fcl-libccd-tol1e-10", "fcl-libccd"));
+  EXPECT_TRUE(differ_in_setting("bullet-hull-16", "bullet-hull-64"));
+  EXPECT_TRUE(differ_in_setting("ode", "ode-unrefined"));
+  EXPECT_FALSE(differ_in_setting("fcl-libccd", "fcl-libccd"));
+  EXPECT_FALSE(differ_in_setting("fcl-libccd", "fcl-indep"));
+  EXPECT_FALSE(differ_in_setting("nlopt-direct-600", "nlopt-sign-600"));
+  EXPECT_TRUE(differ_in_setting("nlopt-direct-600", "nlopt-direct-6000"));
+}
+
+Effect effect(const std::vector<Cure>& cures, Remedy remedy) {
+  for (const Cure& c : cures)
+    if (c.remedy == remedy) return c.effect;
+  return Effect::no_change;
+}
+
+TEST(Cures, ToleranceScaleAndPlace) {
+  const auto methods = blurred_methods();
+  const auto near = try_cures(methods, methods[0], probe_one(methods[0], stacked()));
+  EXPECT_EQ(effect(near, Remedy::setting), Effect::cured);
+  EXPECT_EQ(effect(near, Remedy::rescaled), Effect::not_cured);
+  EXPECT_EQ(effect(near, Remedy::at_origin), Effect::no_change);
+  EXPECT_EQ(effect(near, Remedy::exchanged), Effect::not_cured);
+  EXPECT_EQ(effect(near, Remedy::unit_axes), Effect::no_change);
+  const auto far = try_cures(methods, methods[2], probe_one(methods[2], far_away()));
+  EXPECT_EQ(effect(far, Remedy::setting), Effect::no_change);
+  EXPECT_EQ(effect(far, Remedy::at_origin), Effect::cured);
+
+  Pair tiny = stacked();
+  for (Cylinder* c : {&tiny.a, &tiny.b}) {
+    c->center *= 0x1p-20;
+    c->radius *= 0x1p-20;
+    c->height *= 0x1p-20;
+  }
+  tiny.b.center.z() = 0x1.2p-19;  // apart by an eighth of the height: right at any other size
+  EXPECT_EQ(effect(try_cures(methods, methods[0], probe_one(methods[0], tiny)), Remedy::rescaled),
+            Effect::cured);
+}
+
+TEST(Explain, SumsUp) {
+  const auto methods = blurred_methods();
+  const Explanation e = explain(methods, "blurred-way", kind, stacked());
+  EXPECT_EQ(e.mechanism.find("blurred-way calls solids up to 0.0"), 0u) << e.mechanism;
+  EXPECT_NE(e.mechanism.find("blurred-way-fine is right"), std::string::npos) << e.mechanism;
+  EXPECT_NE(e.mechanism.find("times 2^4 or more"), std::string::npos) << e.mechanism;
+  EXPECT_NE(e.mechanism.find("whatever the angle"), std::string::npos) << e.mechanism;
+  const std::string text = explanation_text(e);
+  EXPECT_NE(text.find(e.mechanism), std::string::npos);
+  EXPECT_NE(text.find("they meet"), std::string::npos) << text;
+  const json all = json::parse(explanation_json(e));
+  EXPECT_EQ(all["regions"].size(), 8u);
+  EXPECT_EQ(all["regions"][0]["high"]["beyond"]["truth"]["verdict"], "disjoint");
+  EXPECT_EQ(all["curve"]["feature"], "cap-cap");
+  EXPECT_EQ(all["cures"].size(), 5u);
+  EXPECT_EQ(all["mechanism"], e.mechanism);
+}
+
+TEST(Explain, TheSameTwice) {
+  const auto methods = blurred_methods();
+  EXPECT_EQ(explanation_json(explain(methods, "blurred-far", kind, far_away())),
+            explanation_json(explain(methods, "blurred-far", kind, far_away())));
+}
+
+TEST(Explain, RefusesWhatDoesNotFail) {
+  const auto methods = blurred_methods();
+  EXPECT_THROW(explain(methods, "blurred-way-fine", kind, stacked()), std::invalid_argument);
+  EXPECT_THROW(explain(methods, "blurred-way", FindingKind::wrong_disjoint, stacked()),
+               std::invalid_argument);
+  EXPECT_THROW(explain(methods, "nobody", kind, stacked()), std::invalid_argument);
+}
+
+/// Does not come back where a is the lower one.
+class Hanging final : public Method {
+ public:
+  std::string_view name() const override { return "hanging"; }
+  std::string_view version() const override { return "1"; }
+  Claim claim() const override { return {}; }
+  MethodAnswer ask(const Pair& pair) override {
+    while (pair.a.center.z() < pair.b.center.z()) spins_ = spins_ + 1;
+    MethodAnswer answer;
+    answer.status = Status::answered;
+    answer.verdict = Verdict::disjoint;
+    return answer;
+  }
+
+ private:
+  volatile unsigned spins_ = 0;
+};
+
+TEST(Explain, AHangIsAskedAboutSeldom) {
+  std::vector<std::unique_ptr<Method>> methods;
+  methods.push_back(std::make_unique<Hanging>());
+  const Explanation e = explain(methods, "hanging", FindingKind::hang, stacked());
+  EXPECT_TRUE(e.regions.empty());
+  EXPECT_EQ(effect(e.cures, Remedy::exchanged), Effect::cured);
+  EXPECT_EQ(effect(e.cures, Remedy::rescaled), Effect::not_cured);
+  EXPECT_NE(explanation_text(e).find("the order decides"), std::string::npos) << explanation_text(e);
+  EXPECT_TRUE(json::parse(explanation_json(e))["curve"].is_null());
+}
+
+// A library as it is: FCL's own GJK stops at an absolute tolerance.
+TEST(Explain, AFinding) {
+  Pair pair;
+  pair.a = {{0, 0, 0}, {0, 0, 1}, 1, 2};
+  pair.b = {{0, 0, 2.0000005}, {0, 0, 1}, 1, 2};
+  const Explanation e = explain(fcl_methods(), "fcl-indep", kind, pair);
+  EXPECT_NE(e.mechanism.find("a length of its own decides"), std::string::npos) << e.mechanism;
+}
+
+}  // namespace
+}  // namespace cyl

@@ -1,0 +1,364 @@
+// SPDX-License-Identifier: MIT
+#include "reports/explain/failing_region.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <utility>
+
+#include "oracles/methods/adapter.hpp"
+
+namespace cyl {
+namespace {
+
+using enum Parameter;
+
+constexpr std::array parameters{distance, angle, radius_a, height_a, radius_b, height_b, scale, offset};
+
+/// Steps of a ladder: a factor of 4^12 = 1.7e7 for the solids, of 4^26, more than a double resolves, for
+/// distances and offsets.
+constexpr int short_ladder_cap = 12, long_ladder_cap = 26;
+/// Lengths, in sizes, at which ladders from 0 begin.
+constexpr double least_distance = 0x1p-50, least_length = 0x1p-20, least_angle = 0x1p-50;
+/// How near a distance is kept, relative to it and, for rounding, to the largest coordinate.
+constexpr double kept_tol = 0.01, rounding_tol = 0x1p-50;
+constexpr int moves_cap = 4;
+
+double middle(const Enclosure& e) { return e.lo / 2 + e.hi / 2; }
+
+double largest_coordinate(const Pair& p) {
+  return std::max(p.a.center.cwiseAbs().maxCoeff(), p.b.center.cwiseAbs().maxCoeff());
+}
+
+struct Located {
+  double distance;
+  Vector3 direction;
+};
+
+std::optional<Located> locate(const Pair& pair, double relative_width) {
+  const Truth truth = judge(pair);
+  if (truth.verdict == Verdict::undecided || truth.verdict == Verdict::invalid) return {};
+  const AttainedDistance d = attain_distance(pair, truth, relative_width);
+  return Located{middle(d.distance), {d.direction[0], d.direction[1], d.direction[2]}};
+}
+
+/// Narrow enough to see `distance`; a penetrating pair costs more the narrower.
+double width_for(double distance, double size) {
+  const double wanted = kept_tol / 10 * std::abs(distance) / size;
+  return std::clamp(wanted, distance > 0 ? 1e-16 : depth_width_tol, 1e-4);
+}
+
+/// b moved along the direction of the distance until that is `wanted`; nothing where it does not get there.
+std::optional<Pair> at_distance(Pair pair, double wanted) {
+  for (int i = 0; i < moves_cap; ++i) {
+    const double size = size_of(pair);
+    if (!(size > 0)) return {};
+    const auto now = locate(pair, width_for(wanted, size));
+    if (!now) return {};
+    const double allowed =
+        std::max(kept_tol * std::abs(wanted), rounding_tol * (size + largest_coordinate(pair)));
+    if (std::abs(now->distance - wanted) <= allowed) return pair;
+    pair.b.center += (wanted - now->distance) * now->direction;
+  }
+  return {};
+}
+
+bool all_finite(const Pair& p) {
+  return find_defect(p.a) == Defect::none && find_defect(p.b) == Defect::none;
+}
+
+/// The line of pairs that one parameter draws through the pair.
+class Course {
+ public:
+  Course(const Probe& failing, const std::optional<Located>& located, Parameter parameter)
+      : pair_(failing.pair), parameter_(parameter), size_(size_of(failing.pair)) {
+    if (located) {
+      distance_ = failing.truth.verdict == Verdict::touching ? 0 : located->distance;
+      direction_ = located->direction;
+    }
+    lay_axes();
+    const Vector3 middle = (pair_.a.center / 2 + pair_.b.center / 2);
+    offset_ = middle.stableNorm();
+    outwards_ = offset_ > 0 ? Vector3(middle / offset_) : Vector3(Vector3(1, 1, 1) / std::sqrt(3.0));
+  }
+
+  Parameter parameter() const { return parameter_; }
+
+  double here() const {
+    switch (parameter_) {
+      case distance:
+        return distance_;
+      case angle:
+        return angle_;
+      case scale:
+        return 0;
+      case offset:
+        return offset_;
+      default:
+        break;
+    }
+    Pair p = pair_;
+    return length(p);
+  }
+
+  /// From the pair's own value outwards, to smaller or to greater values.
+  std::vector<double> ladder(bool up) const {
+    switch (parameter_) {
+      case distance:
+        return distances(up);
+      case scale: {
+        std::vector<double> steps;
+        for (double k = 1; k <= 1024; k *= 2) steps.push_back(up ? k : -k);
+        return steps;
+      }
+      case angle: {
+        std::vector<double> steps = up ? rungs(angle_, least_angle, long_ladder_cap, std::numbers::pi / 2)
+                                       : descent(angle_, long_ladder_cap);
+        if (up && angle_ < std::numbers::pi / 2) steps.push_back(std::numbers::pi / 2);
+        return steps;
+      }
+      case offset:
+        return up ? rungs(std::max(offset_, size_), size_, long_ladder_cap)
+                  : descent(offset_, short_ladder_cap);
+      default:
+        return up ? rungs(here(), least_length * size_, short_ladder_cap) : descent(here(), short_ladder_cap);
+    }
+  }
+
+  /// The pair at that value, if it can be built.
+  std::optional<Pair> at(double value) const {
+    auto moved = moved_to(value);
+    if (!moved || !all_finite(*moved)) return {};
+    return moved;
+  }
+
+ private:
+  static std::vector<double> rungs(double from, double least, int count, double end = 1e300) {
+    std::vector<double> steps;
+    double x = from > 0 ? from * region_step : least;
+    for (int i = 0; i < count && x < end; ++i, x *= region_step) steps.push_back(x);
+    return steps;
+  }
+  static std::vector<double> descent(double from, int count) {
+    std::vector<double> steps;
+    if (!(from > 0)) return steps;
+    double x = from / region_step;
+    for (int i = 0; i < count; ++i, x /= region_step) steps.push_back(x);
+    steps.push_back(0);
+    return steps;
+  }
+
+  /// Away from touching by factors; towards it likewise, and beyond.
+  std::vector<double> distances(bool up) const {
+    const double sign = distance_ < 0 ? -1 : 1;
+    std::vector<double> steps;
+    if (distance_ != 0 && up == (sign > 0)) {
+      steps = rungs(std::abs(distance_), 0, long_ladder_cap, sign > 0 ? 1e3 * size_ : size_);
+      for (double& x : steps) x *= sign;
+      return steps;
+    }
+    if (distance_ != 0) {
+      for (double x = std::abs(distance_) / region_step; x > least_distance * size_; x /= region_step)
+        steps.push_back(sign * x);
+    }
+    const double beyond = distance_ != 0 ? -sign : up ? 1 : -1;
+    for (double x = least_distance * size_; x < 0.01 * size_; x *= region_step * region_step)
+      steps.push_back(beyond * x);
+    return steps;
+  }
+
+  void lay_axes() {
+    along_ = unit_axis(pair_.a.axis);
+    Vector3 other = unit_axis(pair_.b.axis);
+    if (other.dot(along_) < 0) other = -other;
+    Vector3 across = other - other.dot(along_) * along_;
+    angle_ = std::atan2(across.norm(), other.dot(along_));
+    // Parallel axes: away along the direction of the distance, or anyhow.
+    if (!(across.norm() > 0)) across = direction_ - direction_.dot(along_) * along_;
+    if (!(across.norm() > 1e-3 * direction_.norm())) across = rotation_to(along_).col(0);
+    across_ = across.normalized();
+  }
+
+  std::optional<Pair> moved_to(double value) const {
+    Pair p = pair_;
+    switch (parameter_) {
+      case distance:
+        if (direction_.isZero(0)) return {};
+        // Outwards no other direction comes to be shorter; inwards one may.
+        if (distance_ < 0 && value < distance_) return at_distance(p, value);
+        p.b.center += (value - distance_) * direction_;
+        return p;
+      case angle:
+        p.b.axis = value == 0 ? p.a.axis
+                   : value < std::numbers::pi / 2
+                       ? Vector3(std::cos(value) * along_ + std::sin(value) * across_)
+                       : across_;
+        return kept(p);
+      case scale:
+        return scaled(static_cast<int>(value));
+      case offset: {
+        const Vector3 by = (value - offset_) * outwards_;
+        p.a.center += by;
+        p.b.center += by;
+        return p;
+      }
+      default:
+        length(p) = value;
+        return kept(p);
+    }
+  }
+
+  std::optional<Pair> kept(const Pair& p) const {
+    if (distance_ == 0) return p;
+    return at_distance(p, distance_);
+  }
+
+  /// Nothing where a length would be rounded.
+  std::optional<Pair> scaled(int exponent) const {
+    Pair p = pair_;
+    bool exact = true;
+    const auto scale_by = [&](double& x) {
+      const double y = std::ldexp(x, exponent);
+      exact = exact && std::isfinite(y) && std::ldexp(y, -exponent) == x;
+      x = y;
+    };
+    for (Cylinder* c : {&p.a, &p.b}) {
+      for (double& x : c->center) scale_by(x);
+      scale_by(c->radius);
+      scale_by(c->height);
+    }
+    if (!exact) return {};
+    return p;
+  }
+
+  double& length(Pair& p) const {
+    Cylinder& c = parameter_ == radius_a || parameter_ == height_a ? p.a : p.b;
+    return parameter_ == radius_a || parameter_ == radius_b ? c.radius : c.height;
+  }
+
+  Pair pair_;
+  Parameter parameter_;
+  double size_, distance_ = 0, angle_ = 0, offset_ = 0;
+  Vector3 direction_{0, 0, 0}, along_, across_, outwards_;
+};
+
+double between(double x, double y) {
+  const bool same_sign = (x > 0 && y > 0) || (x < 0 && y < 0);
+  const double ratio = std::abs(x / y);
+  if (!same_sign || (ratio < region_step && ratio > 1 / region_step)) return x / 2 + y / 2;
+  return std::copysign(std::sqrt(std::abs(x)) * std::sqrt(std::abs(y)), x);
+}
+
+/// The end of a region on one side, found by rounds of questions.
+class Search {
+ public:
+  Search(const Course& course, bool up, const Probe& failing) : course_(&course), up_(up) {
+    end_.fails_at = course.here();
+    end_.failing = failing;
+  }
+
+  /// The values to ask about next, from those that fail outwards; none where it is done.
+  std::vector<double> proposals() const {
+    if (done_) return {};
+    if (!end_.ends_at) return course_->ladder(up_);
+    const double inner = end_.fails_at, outer = *end_.ends_at;
+    const double half = between(inner, outer), first = between(inner, half), last = between(half, outer);
+    std::vector<double> values{between(inner, first), first, between(first, half), half,
+                               between(half, last),   last,  between(last, outer)};
+    if (course_->parameter() == scale)
+      for (double& x : values) x = std::trunc(x);
+    std::erase_if(values, [&](double x) { return x == inner || x == outer; });
+    values.erase(std::unique(values.begin(), values.end()), values.end());
+    return values;
+  }
+
+  /// Goes on outwards over what was answered; no more after the first that does not fail.
+  void take(double value, const Probe& said, FindingKind kind) {
+    if (found_) return;
+    if (said.fails(kind)) {
+      end_.fails_at = value;
+      end_.failing = said;
+    } else {
+      found_ = true;
+      end_.ends_at = value;
+      end_.beyond = said;
+    }
+  }
+
+  void end_round() {
+    found_ = false;
+    done_ = !end_.ends_at || is_narrow();
+  }
+
+  /// What was aimed at is a distance only to rounding, and less where the solids overlap.
+  void end_as_enclosed() {
+    narrow_distance(end_.failing);
+    end_.fails_at = middle(end_.failing.distance);
+    if (!end_.beyond || !end_.beyond->decided()) return;
+    narrow_distance(*end_.beyond);
+    end_.ends_at = middle(end_.beyond->distance);
+  }
+
+  const Course& course() const { return *course_; }
+  const RegionEnd& end() const { return end_; }
+
+ private:
+  bool is_narrow() const {
+    const double x = end_.fails_at, y = *end_.ends_at;
+    if (course_->parameter() == scale) return std::abs(x - y) <= 1;
+    return std::abs(x - y) <= region_share * std::max(std::abs(x), std::abs(y));
+  }
+
+  const Course* course_;
+  bool up_, found_ = false, done_ = false;
+  RegionEnd end_;
+};
+
+void ask_round(std::vector<Search>& searches, const std::unique_ptr<Method>& method, FindingKind kind) {
+  struct Asked {
+    Search* search;
+    double value;
+  };
+  std::vector<Asked> asked;
+  std::vector<Pair> pairs;
+  for (Search& search : searches) {
+    for (const double value : search.proposals()) {
+      const auto pair = search.course().at(value);
+      if (!pair) break;
+      asked.push_back({&search, value});
+      pairs.push_back(*pair);
+    }
+  }
+  const std::vector<Probe> said = probe(method, pairs);
+  for (std::size_t i = 0; i < asked.size(); ++i) asked[i].search->take(asked[i].value, said[i], kind);
+  for (Search& search : searches) search.end_round();
+}
+
+}  // namespace
+
+std::vector<FailingRegion> failing_regions(const std::unique_ptr<Method>& method, const Probe& failing) {
+  const auto located = locate(failing.pair, gap_width_tol);
+  std::vector<Course> courses;
+  for (const Parameter p : parameters) courses.emplace_back(failing, located, p);
+  std::vector<Search> searches;
+  for (const Course& course : courses)
+    for (const bool up : {false, true}) searches.emplace_back(course, up, failing);
+  for (int round = 0; round <= region_rounds_cap; ++round) ask_round(searches, method, failing.finding->kind);
+  std::vector<FailingRegion> regions;
+  for (std::size_t i = 0; i < 2; ++i) searches[i].end_as_enclosed();
+  for (std::size_t i = 0; i < courses.size(); ++i)
+    regions.push_back(
+        {courses[i].parameter(), courses[i].here(), searches[2 * i].end(), searches[2 * i + 1].end()});
+  regions[0].at = middle(failing.distance);
+  return regions;
+}
+
+std::string_view to_string(Parameter p) noexcept {
+  constexpr std::array<std::string_view, parameters.size()> names{
+      "signed distance", "angle",       "radius of a", "height of a",
+      "radius of b",     "height of b", "scale",       "offset"};
+  return names[static_cast<std::size_t>(p)];
+}
+
+}  // namespace cyl

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: MIT
+// From one pair on which a method fails: how far each parameter can be moved, all else kept, before it stops
+// failing in that way.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string_view>
+#include <vector>
+
+#include "oracles/trial/probe.hpp"
+
+namespace cyl {
+
+enum class Parameter : unsigned char {
+  distance,  ///< signed, a length: b is moved along the direction of the distance; values as the referee
+             ///< encloses them
+  angle,     ///< between the lines of the axes, radians: b is turned about its centre in the plane of both
+  radius_a,
+  height_a,
+  radius_b,
+  height_b,
+  scale,  ///< the exponent k of a factor 2^k for all lengths
+  offset  ///< a length: of the middle between the centres from the origin, along its present direction
+};
+
+/// One side of a region. Between the two values lies where the failure ends; each is of a pair that was asked
+/// about and judged.
+struct RegionEnd {
+  double fails_at = 0;            ///< the farthest value at which it was seen to fail
+  Probe failing;                  ///< there
+  std::optional<double> ends_at;  ///< the nearest value beyond; none where it fails as far as was tried
+  std::optional<Probe> beyond;    ///< there
+};
+
+/// Around the pair's own value. Failures beyond an end are not looked for: the region may have holes that no
+/// question fell into, and others may follow.
+struct FailingRegion {
+  Parameter parameter;
+  double at;  ///< the pair's own value
+  RegionEnd low, high;
+};
+
+/// Values are tried at factors of this from the pair's own on outwards, then the step at which the failure
+/// ends is split until its ends are this share apart (for `scale`, until they are neighbours), or so often.
+inline constexpr double region_step = 4, region_share = 0.01;
+inline constexpr int region_rounds_cap = 6;
+
+/// In the order of the parameters; those that cannot be moved (a flat solid's height may grow, an axis
+/// without the other's plane may not turn) have both ends at their own value. Where angle, radii and heights
+/// are moved, b follows along the direction of the distance so that the signed distance stays (where it is 0,
+/// b stays). Questions: about 300 in the first call and 100 in each of the others. Deterministic.
+std::vector<FailingRegion> failing_regions(const std::unique_ptr<Method>& method, const Probe& failing);
+
+/// "signed distance", "angle", ...
+std::string_view to_string(Parameter p) noexcept;
+
+}  // namespace cyl

@@ -1,0 +1,268 @@
+// SPDX-License-Identifier: MIT
+#include "reports/export/export.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <stdexcept>
+#include <system_error>
+
+#include "corpus/pairs/pair_io.hpp"
+#include "oracles/trial/finding_text.hpp"
+#include "reports/export/export_check.hpp"
+#include "reports/export/export_guest.hpp"
+#include "reports/export/export_program.hpp"
+#include "reports/gate/failure_text.hpp"
+
+namespace cyl {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string triple(const Vector3& v) {
+  return fmt::format("({}, {}, {})", format_double(v[0]), format_double(v[1]), format_double(v[2]));
+}
+
+std::string row(const char* name, const Cylinder& c) {
+  return fmt::format("| {} | {} | {} | {} | {} |\n", name, triple(c.center), triple(c.axis),
+                     format_double(c.radius), format_double(c.height));
+}
+
+/// Who was asked, and how to ask again.
+struct Addressee {
+  std::string what;     ///< for titles: `fcl::collide`, or the guest's name
+  std::string whom;     ///< "`fcl::collide` of FCL 0.7.0, gjk_tolerance 1e-6"
+  std::string hulls;    ///< what is asked in place of cylinders, if anything is
+  std::string how;      ///< how to see it
+  std::string closing;  ///< of the issue
+  AxesGiven axes = AxesGiven::of_unit_length;
+  std::string program_name, program, build;
+};
+
+std::string title(const Addressee& to, const Probe& p) {
+  const std::string_view what = to.what;
+  switch (p.finding->kind) {
+    case FindingKind::wrong_disjoint:
+      return fmt::format(
+          "{} misses two cylinders that {}", what,
+          p.truth.verdict == Verdict::touching ? "touch" : fmt::format("overlap by {:.3g}", -p.distance.hi));
+    case FindingKind::wrong_intersecting:
+      return fmt::format("{} reports two cylinders that are {} as colliding", what, distance_in_words(p));
+    case FindingKind::distance_outside:
+      return fmt::format("{} gives a distance of {:.6g} for two cylinders that are {}", what,
+                         p.answer.distance, distance_in_words(p));
+    case FindingKind::non_finite:
+      return fmt::format("{} returns numbers that are not finite for two cylinders", what);
+    case FindingKind::bad_witness:
+      return fmt::format("{}: what it tells of two cylinders is no proof of its answer", what);
+    case FindingKind::wrong_touching:
+      return fmt::format("{} says touching of two cylinders that overlap by {:.3g}", what, -p.distance.hi);
+    case FindingKind::wrong_invalid:
+      return fmt::format("{} refuses two cylinders that are legal", what);
+    case FindingKind::malformed:
+      return fmt::format("{} gives no answer that means anything for two cylinders", what);
+    case FindingKind::exception:
+      return fmt::format("{} throws on two cylinders", what);
+    case FindingKind::hang:
+      return fmt::format("{} does not come back from two cylinders", what);
+    default:
+      return fmt::format("{} aborts on two cylinders", what);
+  }
+}
+
+std::string came_back(const Probe& p) {
+  const MethodAnswer& a = p.answer;
+  switch (p.finding->kind) {
+    case FindingKind::exception:
+      return fmt::format("An exception: `{}`.", one_line(a.reason));
+    case FindingKind::crash:
+      return fmt::format("The process ended: `{}`.", one_line(a.reason));
+    case FindingKind::hang:
+      return fmt::format("Nothing, in {} s of CPU time: the call was then ended from outside.",
+                         std::chrono::duration<double>(call_cpu_cap).count());
+    case FindingKind::distance_outside:
+      return fmt::format("A signed distance of {}.", format_double(a.distance));
+    case FindingKind::non_finite:
+      return fmt::format("Numbers that are not finite: {}.", one_line(a.reason));
+    case FindingKind::bad_witness:
+      return fmt::format(
+          "{}{}, which is not {}.",
+          a.has_distance ? fmt::format("A distance of {}, and ", format_double(a.distance)) : "",
+          triple({a.head[0], a.head[1], a.head[2]}),
+          a.witness == WitnessKind::point ? "in both" : "square to a plane between them");
+    case FindingKind::malformed:
+      return fmt::format("No answer that means anything: `{}`.", one_line(a.reason));
+    case FindingKind::wrong_invalid:
+      return "That the pair is invalid.";
+    case FindingKind::wrong_touching:
+      return "That they touch.";
+    default:
+      return a.verdict == Verdict::disjoint ? "No collision." : "A collision.";
+  }
+}
+
+std::string truth_in_words(const Probe& p) {
+  std::string text = describe_truth(format_truth(p.truth)).certificate;
+  if (p.truth.verdict == Verdict::disjoint)
+    return "They are disjoint. " + text + " " +
+           fmt::format("The gap is between {} and {} wide.", format_double(p.distance.lo),
+                       format_double(p.distance.hi));
+  if (p.truth.verdict == Verdict::touching) return "They touch, and solids are closed: they meet. " + text;
+  return "They overlap. " + text + " " +
+         fmt::format("To part them one of them must move by between {} and {}.",
+                     format_double(-p.distance.hi), format_double(-p.distance.lo));
+}
+
+/// Prisms are asked in place of cylinders.
+std::string hull_in_words(const LibraryCall& call, const Probe& p) {
+  if (call.settings.find("btConvexHullShape") == std::string_view::npos) return {};
+  if (p.answer.verdict == Verdict::disjoint)
+    return "\nThe hulls asked are prisms around the cylinders: where the cylinders meet, so do the hulls.\n";
+  return "\nThe hulls asked are prisms within the cylinders: where the cylinders are apart, so are the "
+         "hulls.\n";
+}
+
+/// What a reader might think of first: is this not within the tolerance?
+std::string tolerance_in_words(const Probe& p, const Claim& claim) {
+  if (p.answer.status != Status::answered || (claim.absolute == 0 && claim.relative == 0)) return {};
+  const bool within = p.finding->severity == Severity::resolution;
+  if (claim.relative > 0)
+    return fmt::format(
+        "\nThe claim is to be right from {} of the sizes together and a length of {} on ({}); "
+        "this is {} it.\n",
+        format_double(claim.relative), format_double(claim.absolute), one_line(claim.source),
+        within ? "below" : "above");
+  return fmt::format("\nThe tolerance that we found stated is a length of {} ({}); this is {} it.\n",
+                     format_double(claim.absolute), one_line(claim.source), within ? "within" : "beyond");
+}
+
+std::string depth_note(const Probe& p, const Claim& claim) {
+  if (p.finding->kind == FindingKind::distance_outside && shows_distance(p, claim))
+    return " and that the distance told is impossible";
+  if (p.truth.verdict == Verdict::intersecting)
+    return " (the depth comes from a search with interval arithmetic, which it does not repeat)";
+  return {};
+}
+
+std::string issue(const Addressee& to, const Probe& p, const Method& method) {
+  std::string text = fmt::format("# {}\n\n{}.\n\n", title(to, p), to.whom);
+  text +=
+      "**What was asked.** Do these two solid cylinders meet? Heights are full heights; all numbers are "
+      "exact doubles.\n\n";
+  text += "| | centre | axis | radius | height |\n|---|---|---|---|---|\n";
+  text += row("a", p.pair.a) + row("b", p.pair.b);
+  text += fmt::format("\n**What came back.** {}\n", came_back(p));
+  text += fmt::format("\n**What is true, and why.** {}\n", truth_in_words(p));
+  text += to.hulls + tolerance_in_words(p, method.claim());
+  text += fmt::format(
+      "\nNobody needs to be trusted with this: `python3 exact.py` (standard library only) proves the verdict "
+      "in rational arithmetic{}.{}\n",
+      depth_note(p, method.claim()),
+      to.axes == AxesGiven::of_unit_length ? " It does so for the axes above and, where they are not of "
+                                             "unit length, for the rounded ones that "
+                                             "the library gets."
+                                           : "");
+  return text + fmt::format("\n**How to see it.** {}\n", to.how) + to.closing;
+}
+
+constexpr std::string_view as_told = "it ends as told above.";
+constexpr std::string_view by_its_exit =
+    "it prints the answer and exits with 1 while the answer is wrong, 0 once it is right.";
+
+bool ends(const Probe& p) {
+  return p.finding->kind == FindingKind::crash || p.finding->kind == FindingKind::exception ||
+         p.finding->kind == FindingKind::hang;
+}
+
+std::string build(const LibraryCall& call, FindingKind kind) {
+  return fmt::format(
+      "#!/bin/sh\n# Builds reproduce.cpp and runs it. On Debian: apt install g++ pkg-config {}\nset -e\n"
+      "cd -- \"$(dirname -- \"$0\")\"\n"
+      "${{CXX:-c++}} {} reproduce.cpp -o reproduce {}\nexec {}./reproduce\n",
+      call.packages, compiler_options, call.flags, kind == FindingKind::hang ? "timeout 10 " : "");
+}
+
+Addressee ask_library(const LibraryCall& call, const Probe& p, const Method& method) {
+  Addressee to;
+  to.what = call.call;
+  to.whom =
+      fmt::format("`{}` of {} {}, {}", call.call, call.library, one_line(method.version()), call.settings);
+  to.hulls = hull_in_words(call, p);
+  to.how = fmt::format(
+      "`sh build.sh` builds and runs `reproduce.cpp`, which needs only {} (on Debian: "
+      "`apt install g++ pkg-config {}`); {}\n\n    c++ {} reproduce.cpp -o reproduce {}",
+      call.library, call.packages, ends(p) ? as_told : by_its_exit, compiler_options, call.flags);
+  to.closing =
+      "\nThank you for the library. We found this by cross-examining several libraries on the same pairs and "
+      "proving each answer right or wrong.\n";
+  to.program_name = "reproduce.cpp";
+  to.program = reproducing_program(call, p, method);
+  to.build = build(call, p.finding->kind);
+  return to;
+}
+
+Addressee ask_guest(const Guest& guest, const Probe& p, const Method& method) {
+  Addressee to;
+  to.what = guest.name;
+  to.whom = fmt::format("`{}` {}: {}", guest.name, one_line(method.version()), guest_in_words(guest));
+  to.axes = AxesGiven::as_they_are;
+  to.program_name = guest_program_name(guest);
+  const bool as_it_does = guest.kind == GuestKind::plugin && ends(p);
+  to.how = fmt::format("`sh build.sh` runs `{}`, which asks it without daylight; {}", to.program_name,
+                       as_it_does ? as_told : by_its_exit);
+  to.program = guest_program(guest, p, method.claim());
+  to.build = guest_build(guest, p.finding->kind);
+  return to;
+}
+
+void write_file(const fs::path& file, const std::string& text) {
+  std::ofstream out(file);
+  out << text;
+  out.close();
+  if (!out) throw std::runtime_error(file.string() + " cannot be written");
+}
+
+}  // namespace
+
+Export make_export(std::span<const std::unique_ptr<Method>> methods, std::string_view name, FindingKind kind,
+                   const Pair& pair, std::span<const Guest> guests) {
+  const auto& method = find_method(methods, name);
+  const auto guest =
+      std::find_if(guests.begin(), guests.end(), [&](const Guest& g) { return g.name == name; });
+  const bool is_guest = guest != guests.end();
+  const LibraryCall* call = find_library_call(name);
+  if (call == nullptr && !is_guest)
+    throw std::invalid_argument(fmt::format(
+        "no program can be written for '{}': only for guests and for FCL, Bullet, libccd, ODE and "
+        "MuJoCo",
+        name));
+  if (!(is_guest ? guest_program_shows(kind) : program_shows(kind)))
+    throw std::invalid_argument(fmt::format("no program can show a finding of kind {}", to_string(kind)));
+  const Probe asked = probe_one(method, pair);
+  if (!asked.fails(kind))
+    throw std::invalid_argument(fmt::format("{} has no {} on this pair today: it says {}", name,
+                                            to_string(kind), format_method_answer(asked.answer)));
+  if (!asked.decided())
+    throw std::invalid_argument("what is true of this pair could not be proved: there is nothing to send");
+  Addressee how = is_guest ? ask_guest(*guest, asked, *method) : ask_library(*call, asked, *method);
+  return {std::move(how.program_name), std::move(how.program), std::move(how.build),
+          exact_check(asked, method->claim(), how.axes), issue(how, asked, *method)};
+}
+
+void write_export(const Export& files, const std::string& folder) {
+  std::error_code fault;
+  fs::create_directories(folder, fault);
+  if (fault) throw std::runtime_error(folder + ": " + fault.message());
+  const fs::path into(folder);
+  write_file(into / files.program_name, files.program);
+  write_file(into / "build.sh", files.build);
+  write_file(into / "exact.py", files.check);
+  write_file(into / "issue.md", files.issue);
+  for (const char* script : {"build.sh", "exact.py"})
+    fs::permissions(into / script, fs::perms::owner_exec | fs::perms::group_exec | fs::perms::others_exec,
+                    fs::perm_options::add, fault);
+}
+
+}  // namespace cyl

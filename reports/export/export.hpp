@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: MIT
+// A finding as one would send it to the library's maintainers: a program that needs only their library (or
+// the guest), a proof that needs only Python, and the text of an issue.
+#pragma once
+
+#include <memory>
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "oracles/methods/guest.hpp"
+#include "oracles/trial/probe.hpp"
+
+namespace cyl {
+
+/// The files of the folder.
+struct Export {
+  std::string program_name;  ///< reproduce.cpp; of guests see guest_program_name()
+  std::string program;
+  std::string build;  ///< build.sh: builds the program beside itself and runs it
+  std::string check;  ///< exact.py
+  std::string issue;  ///< issue.md
+};
+
+/// Asks the method again, contained. Throws std::invalid_argument where no method has that name, where it is
+/// no guest and of no library that a program can be written for, or where it does not fail in this way on
+/// this pair today; std::runtime_error where only the rounding of the axes makes it fail.
+Export make_export(std::span<const std::unique_ptr<Method>> methods, std::string_view method,
+                   FindingKind kind, const Pair& pair, std::span<const Guest> guests = {});
+
+/// Creates the folder where it is not there; writes over what an earlier export left in it. Throws
+/// std::runtime_error that names what cannot be written.
+void write_export(const Export& files, const std::string& folder);
+
+}  // namespace cyl

@@ -1,0 +1,282 @@
+// SPDX-License-Identifier: MIT
+#include "reports/export/export_guest.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+
+#include "base/safe_text.hpp"
+#include "corpus/pairs/pair_io.hpp"
+#include "oracles/methods/adapter.hpp"
+#include "oracles/plugin.h"
+#include "reports/export/program_text.hpp"
+
+namespace cyl {
+namespace {
+
+/// Seconds after which a program that does not come back is ended.
+constexpr int patience = 20;
+
+constexpr std::string_view plugin_program = R"(#include <dlfcn.h>
+#include <math.h>
+#include <stdio.h>
+
+/* As oracles/plugin.h has it. */
+struct DaylightMethod {
+  int abi;
+  const char* name;
+  const char* version;
+  double claim_relative, claim_absolute;
+  const char* claim_source;
+  int (*ask)(const double a[8], const double b[8], double more[7]);
+  void (*ask_all)(size_t count, const double* pairs, signed char* verdicts);
+};
+
+enum { DAYLIGHT_DISJOINT, DAYLIGHT_INTERSECTING, DAYLIGHT_TOUCHING, DAYLIGHT_UNDECIDED, DAYLIGHT_FAILED = -2 };
+
+/* Centre, axis, radius, full height. */
+static const double a[8] = {@a@};
+static const double b[8] = {@b@};
+
+static const struct DaylightMethod* load(const char* file) {
+  const struct DaylightMethod* (*method)(void) = 0;
+  void* library = dlopen(file, RTLD_NOW | RTLD_LOCAL);
+  if (library) *(void**)&method = dlsym(library, "daylight_method");
+  if (!method) fprintf(stderr, "%s\n", dlerror());
+  return method && method()->abi == @abi@ ? method() : 0;
+}
+
+@helper@int main(int count, char** words) {
+  double more[7] = {NAN, NAN, NAN, NAN, NAN, NAN, NAN}; /* signed distance, a direction, a point */
+  const struct DaylightMethod* method = count == 2 ? load(words[1]) : 0;
+  const char* const verdicts[] = {"disjoint", "intersecting", "touching", "undecided"};
+  int said, wrong, i;
+  if (!method) return fputs("reproduce FILE: a plug-in of interface @abi@\n", stderr), 64;
+@before@  said = method->ask(a, b, more);
+  printf("%s says: %d, %s\n", method->name, said, said >= 0 && said <= DAYLIGHT_UNDECIDED ? verdicts[said] : "no verdict");
+  printf("and more: ");
+  for (i = 0; i < 7; ++i) printf("%.17g ", more[i]);
+  puts("\ntrue is: @truth@");
+  wrong = said < DAYLIGHT_FAILED || said > DAYLIGHT_UNDECIDED || (@wrong@);
+  puts(wrong ? "WRONG" : "right");
+  return wrong ? 1 : 0;
+}
+)";
+
+constexpr std::string_view some_of_three = R"(/* Given, but not as finite numbers. */
+static int some_of(const double* v) {
+  const int given = !isnan(v[0]) || !isnan(v[1]) || !isnan(v[2]);
+  return given && !(isfinite(v[0]) && isfinite(v[1]) && isfinite(v[2]));
+}
+
+)";
+
+constexpr std::string_view command_program = R"(import json
+import os
+import signal
+import subprocess
+import sys
+import tempfile
+
+if len(sys.argv) != 2:
+    print(f'usage: python3 {sys.argv[0]} COMMAND', file=sys.stderr)
+    sys.exit(64)
+
+PAIR = @pair@
+
+out = tempfile.TemporaryFile()
+process = subprocess.Popen(['/bin/sh', '-c', 'ulimit -f 65536; ' + sys.argv[1]], stdin=subprocess.PIPE, stdout=out,
+                           start_new_session=True)
+late = False
+try:
+    process.communicate(PAIR.encode() + b'\n', @patience@)
+except subprocess.TimeoutExpired:
+    late = True
+    os.killpg(process.pid, signal.SIGKILL)
+
+
+def refuse(word):
+    raise ValueError(word)
+
+
+def parsed(line):
+    try:
+        said = json.loads(line, parse_constant=refuse)
+        return said if isinstance(said, dict) else {}
+    except ValueError:
+        return {}
+
+
+out.seek(0)
+lines = out.read(1 << 20).decode(errors='replace').splitlines()
+if lines and {'name', 'version', 'claim'} & set(parsed(lines[0])) and 'verdict' not in parsed(lines[0]):
+    lines.pop(0)  # a hello
+said = parsed(lines[0]) if lines else {}
+verdict = said.get('verdict')
+print('it says:', lines[0][:1000] if lines else f'nothing, and ends with status {process.returncode}')
+print('true is: @truth@')
+three = [[0, 0, 0], said.get('direction', [0, 0, 0]), said.get('point', [0, 0, 0])]
+shaped = isinstance(said.get('distance', 0), (int, float)) and all(isinstance(x, list) and len(x) == 3 for x in three)
+answered = shaped and len(lines) == 1 and len(lines[0]) <= 65536 and (
+    'declined' in said or 'error' in said or
+    verdict in ('disjoint', 'intersecting', 'touching', 'undecided', 'invalid'))
+wrong = late or not answered or (@wrong@)
+print('WRONG' if wrong else 'right')
+sys.exit(1 if wrong else 0)
+)";
+
+std::string truth_in_words(const Probe& asked) {
+  if (!asked.decided()) return "not known";
+  std::string text = fmt::format("{} (python3 exact.py proves it)", to_string(asked.truth.verdict));
+  if (asked.truth.verdict != Verdict::touching)
+    text += fmt::format(", signed distance {} to {}", format_double(asked.distance.lo),
+                        format_double(asked.distance.hi));
+  return text;
+}
+
+std::string eight_numbers(const Cylinder& c) {
+  const double numbers[8] = {c.center[0], c.center[1], c.center[2], c.axis[0],
+                             c.axis[1],   c.axis[2],   c.radius,    c.height};
+  return listed(numbers, 8);
+}
+
+bool apart(const Probe& asked) { return asked.truth.verdict == Verdict::disjoint; }
+
+/// The least and the most that a distance may be said to be.
+Enclosure allowed(const Probe& asked, const Claim& claim) {
+  const double tolerance = reach(claim, size_of(asked.pair));
+  const Enclosure real = asked.truth.verdict == Verdict::touching ? Enclosure{0, 0} : asked.distance;
+  return {real.lo - tolerance, real.hi + tolerance};
+}
+
+std::string wrong_in_c(const Probe& asked, const Claim& claim) {
+  switch (asked.finding->kind) {
+    case FindingKind::distance_outside: {
+      const Enclosure real = allowed(asked, claim);
+      return fmt::format("!isnan(more[0]) && !(more[0] >= {} && more[0] <= {})", literal(real.lo),
+                         literal(real.hi));
+    }
+    case FindingKind::bad_witness: {
+      const int first = asked.answer.witness == WitnessKind::point ? 4 : 1;
+      std::string text;
+      for (int i = 0; i < 3; ++i)
+        text +=
+            fmt::format("{}more[{}] == {}", i == 0 ? "" : " && ", first + i, literal(asked.answer.head[i]));
+      return text;
+    }
+    case FindingKind::non_finite:
+      return "isinf(more[0]) || some_of(more + 1) || some_of(more + 4)";
+    case FindingKind::exception:
+      return "said == DAYLIGHT_FAILED";
+    case FindingKind::malformed:
+    case FindingKind::crash:
+    case FindingKind::hang:
+      return "0";
+    case FindingKind::wrong_touching:
+      return "said == DAYLIGHT_TOUCHING";
+    default:
+      return apart(asked) ? "said == DAYLIGHT_INTERSECTING || said == DAYLIGHT_TOUCHING"
+                          : "said == DAYLIGHT_DISJOINT";
+  }
+}
+
+std::string wrong_in_python(const Probe& asked, const Claim& claim) {
+  switch (asked.finding->kind) {
+    case FindingKind::distance_outside: {
+      const Enclosure real = allowed(asked, claim);
+      return fmt::format("'distance' in said and not {} <= said['distance'] <= {}", format_double(real.lo),
+                         format_double(real.hi));
+    }
+    case FindingKind::bad_witness: {
+      const MethodAnswer& a = asked.answer;
+      if (a.witness == WitnessKind::direction)
+        return fmt::format("said.get('direction') == [{}]", listed(a.head, 3));
+      std::string text = "[x if isinstance(x, list) else [x, 0] for x in said.get('point', [])] == [";
+      for (int i = 0; i < 3; ++i)
+        text += fmt::format("{}[{}, {}]", i == 0 ? "" : ", ", literal(a.head[i]), literal(a.tail[i]));
+      return text + "]";
+    }
+    case FindingKind::exception:
+      return "'error' in said";
+    case FindingKind::crash:
+    case FindingKind::hang:
+    case FindingKind::malformed:
+    case FindingKind::non_finite:  // no number of JSON
+      return "False";
+    case FindingKind::wrong_invalid:
+      return "verdict == 'invalid'";
+    case FindingKind::wrong_touching:
+      return "verdict == 'touching'";
+    default:
+      return apart(asked) ? "verdict in ('intersecting', 'touching')" : "verdict == 'disjoint'";
+  }
+}
+
+/// As a literal of Python: JSON's strings are, in ASCII.
+std::string python_literal(const std::string& text) {
+  return nlohmann::json(text).dump(-1, ' ', true, nlohmann::json::error_handler_t::replace);
+}
+
+bool ends_itself(FindingKind kind) { return kind == FindingKind::crash || kind == FindingKind::hang; }
+
+}  // namespace
+
+bool guest_program_shows(FindingKind kind) {
+  return kind != FindingKind::nondeterminism && kind != FindingKind::undecided_truth;
+}
+
+std::string guest_program_name(const Guest& guest) {
+  return guest.kind == GuestKind::plugin ? "reproduce.c" : "reproduce.py";
+}
+
+std::string guest_program(const Guest& guest, const Probe& asked, const Claim& claim) {
+  Words words{{"truth", truth_in_words(asked)}};
+  if (guest.kind == GuestKind::command) {
+    words["pair"] = python_literal(format_pair(asked.pair));
+    words["patience"] = std::to_string(patience);
+    words["wrong"] = wrong_in_python(asked, claim);
+    return "#!/usr/bin/env python3\n\"\"\"reproduce.py COMMAND: asks a program about two cylinders as "
+           "daylight does, a line there and a line back.\"\"\"\n" +
+           filled(command_program, words);
+  }
+  words["a"] = eight_numbers(asked.pair.a);
+  words["b"] = eight_numbers(asked.pair.b);
+  words["abi"] = std::to_string(DAYLIGHT_PLUGIN_ABI);
+  words["before"] = ends_itself(asked.finding->kind) || asked.finding->kind == FindingKind::exception
+                        ? fmt::format("  puts(\"asking; it had this: {}\");\n  fflush(stdout);\n",
+                                      to_string(asked.finding->kind))
+                        : "";
+  words["helper"] = asked.finding->kind == FindingKind::non_finite ? some_of_three : "";
+  words["wrong"] = wrong_in_c(asked, claim);
+  return "/* reproduce FILE: asks a plug-in of daylight's about two cylinders.\n"
+         "   cc reproduce.c -o reproduce -ldl && ./reproduce ./libmine.so */\n" +
+         filled(plugin_program, words);
+}
+
+std::string guest_build(const Guest& guest, FindingKind kind) {
+  std::string text = "#!/bin/sh\nset -e\nhere=$(cd -- \"$(dirname -- \"$0\")\" && pwd)\n";
+  if (guest.kind == GuestKind::command)
+    return text + fmt::format(
+                      "# sh build.sh [COMMAND]: asks the program; another that is given, from where one "
+                      "stands.\n[ $# -gt 0 ] || cd -- {}\n[ $# -gt 0 ] || set -- {}\n"
+                      "exec python3 \"$here/reproduce.py\" \"$1\"\n",
+                      shell_quoted(guest.folder), shell_quoted(guest.what));
+  return text + fmt::format(
+                    "# sh build.sh [FILE]: builds reproduce.c and asks the plug-in, or another that is "
+                    "given.\nfile={}\n[ $# = 0 ] || file=$(cd -- \"$(dirname -- \"$1\")\" && pwd)/$(basename "
+                    "-- \"$1\")\n"
+                    "${{CC:-cc}} -O2 \"$here/reproduce.c\" -o \"$here/reproduce\" -ldl -lm\n"
+                    "exec {}\"$here/reproduce\" \"$file\"\n",
+                    shell_quoted(guest.what),
+                    kind == FindingKind::hang ? fmt::format("timeout {} ", patience) : "");
+}
+
+std::string guest_in_words(const Guest& guest) {
+  return guest.kind == GuestKind::plugin
+             ? "a plug-in, " + std::filesystem::path(guest.what).filename().string()
+             : "a program, " + guest.what;
+}
+
+}  // namespace cyl

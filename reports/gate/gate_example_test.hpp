@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: MIT
+// A result of the gate for the tests of its writers, with all that a writer may stumble over.
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <limits>
+#include <string>
+
+#include "props/gate/gate.hpp"
+#include "reports/schemas/schema_check_test.hpp"
+
+namespace cyl {
+
+/// What foreign code may say of itself: markup, quotes, line ends, controls, a character that reorders text,
+/// bytes that are no UTF-8, and U+FFFF, which XML does not have.
+inline const std::string hostile =
+    "<a b='c'>\"]]>&amp;%0A,::error::\r\n\x1b[2J\x01\xe2\x80\xae\xff\xc3(\xef\xbf\xbf";
+
+inline GateFailure example_failure(const std::string& method, int law, Severity severity) {
+  GateFailure f;
+  f.method = method;
+  f.law = &law_numbered(law);
+  f.what = "said disjoint";
+  f.severity = severity;
+  f.phase = GatePhase::laws;
+  f.origin = "side-rim 1e-09, seed 1, index 17";
+  f.found.a.radius = 0.1;
+  f.found.b.center = {0.1, -0.0, 1e-300};
+  f.simplest.a.radius = 2;
+  f.kind = "law-" + std::to_string(law);
+  f.bucket = method + '/' + f.kind + "/side-rim";
+  f.count = 1234;
+  f.reruns = f.failed_again = 10;
+  return f;
+}
+
+/// intersect: law 1 broken beyond its claim on a random pair, law 2 by luck, law 3 within its claim; fake:
+/// law 30 on a case, all its words hostile. One cell of fake's is wrong, one empty.
+inline GateReport example_report() {
+  GateReport report;
+  report.seed = std::numeric_limits<std::uint64_t>::max();
+  report.phases = {{GatePhase::corpus, 0, 12, std::chrono::milliseconds(250)},
+                   {GatePhase::corpus_laws, 0, 7, std::chrono::milliseconds(0)},
+                   {GatePhase::laws, 9, 576, std::chrono::milliseconds(1000)},
+                   {GatePhase::sample, 831, 345678, std::chrono::milliseconds(30040)}};
+  report.budget = std::chrono::milliseconds(40'000);
+  report.undecided_truths = 3;
+
+  GateMethod intersect{.name = "intersect",
+                       .version = "0.1.0",
+                       .claim = {1e-13, 0, "derived bound"},
+                       .counts = {},
+                       .cells = {},
+                       .remark = {}};
+  intersect.counts.asked = 1234567;
+  intersect.counts.said[static_cast<std::size_t>(Verdict::undecided)] = 77;
+  GateMethod fake{.name = "fake" + hostile,
+                  .version = hostile,
+                  .claim = {0, 1e-6, hostile},
+                  .counts = {},
+                  .cells = {},
+                  .remark = "answers intersecting to every pair" + hostile};
+  for (const std::string_view feature : {"side-side", "side-rim"}) {
+    for (int decade = 0; decade < 13; ++decade) {
+      intersect.cells.push_back({.feature = feature,
+                                 .decade = decade,
+                                 .claimed = decade < 12,
+                                 .pairs = 2400u + static_cast<unsigned>(decade)});
+      fake.cells.push_back({.feature = feature, .decade = decade, .claimed = decade < 3, .pairs = 50});
+    }
+  }
+  fake.cells[1].wrong = 7;
+  fake.cells[2].pairs = 0;
+  report.methods = {intersect, fake};
+
+  report.failures = {example_failure("intersect", 1, Severity::contract),
+                     example_failure("intersect", 2, Severity::resolution),
+                     example_failure("intersect", 3, Severity::resolution),
+                     example_failure(fake.name, 30, Severity::contract)};
+  report.failures[0].reproduce = "BchAwNXYlR2c";
+  report.failures[1].failed_again = 3;
+  GateFailure& of_case = report.failures[3];
+  of_case.phase = GatePhase::corpus;
+  of_case.origin = "corpus/cases/found.jsonl:2 fuzz" + hostile;
+  of_case.what = hostile;
+  of_case.found.a.height = std::numeric_limits<double>::quiet_NaN();
+  return report;
+}
+
+inline std::string replaced(std::string text, const std::string& from, const std::string& to) {
+  const std::size_t at = text.find(from);
+  EXPECT_NE(at, std::string::npos) << "nothing to replace: " << from;
+  return at == std::string::npos ? text : text.replace(at, from.size(), to);
+}
+
+inline std::size_t occurrences(const std::string& text, const std::string& part) {
+  std::size_t count = 0;
+  for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) ++count;
+  return count;
+}
+
+}  // namespace cyl

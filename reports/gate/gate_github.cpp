@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: MIT
+#include "reports/gate/gate_github.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <string_view>
+#include <vector>
+
+#include "reports/gate/failure_text.hpp"
+
+namespace cyl {
+namespace {
+
+/// Each character of `special` as the percent sign and its two hexadecimal digits.
+std::string escaped(std::string_view text, std::string_view special) {
+  std::string safe;
+  for (const char c : text) {
+    if (special.find(c) == std::string_view::npos) {
+      safe += c;
+    } else {
+      safe += fmt::format("%{:02X}", static_cast<unsigned>(c));
+    }
+  }
+  return safe;
+}
+
+std::string message(std::string_view text) { return escaped(text, "%\r\n"); }
+std::string property(std::string_view text) { return escaped(text, "%\r\n:,"); }
+
+std::string annotation(const Alike& alike) {
+  const GateFailure& f = *alike.front();
+  const SourceLine place = place_of(f);
+  std::string text = fmt::format("{}\n{}, the first: {}\nbucket: {}", one_line(f.what),
+                                 pairs_in_words(pairs_of(alike)), one_line(f.origin), one_line(f.bucket));
+  if (const std::string luck = luck_in_words(f); !luck.empty()) text += '\n' + luck;
+  text += '\n' + replay_command(f);
+  return fmt::format("::error file={},line={},title={}::{}\n", property(one_line(place.file)), place.line,
+                     property(fmt::format("{} breaks {}", one_line(f.method), law_title(*f.law))),
+                     message(text));
+}
+
+}  // namespace
+
+std::string gate_github(const GateReport& report) {
+  const std::vector<Alike> failing = alike_failures(report, true);
+  std::string text;
+  for (std::size_t i = 0; i < std::min(annotations_cap, failing.size()); ++i) text += annotation(failing[i]);
+  if (failing.size() > annotations_cap)
+    text += fmt::format("::notice title=daylight gate::{} more that fail the gate are not shown here\n",
+                        grouped(failing.size() - annotations_cap));
+  return text;
+}
+
+}  // namespace cyl

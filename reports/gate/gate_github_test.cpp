@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: MIT
+#include "reports/gate/gate_github.hpp"
+
+#include <sstream>
+
+#include "reports/gate/gate_example_test.hpp"
+
+namespace cyl {
+namespace {
+
+TEST(GateGithub, OneCommandALine) {
+  std::istringstream lines(gate_github(example_report()));
+  std::size_t errors = 0;
+  for (std::string line; std::getline(lines, line);) {
+    errors += line.starts_with("::error file=");
+    EXPECT_EQ(line.find('\r'), std::string::npos);
+    const std::size_t end = line.find("::", 2);  // of the properties: what is quoted in them opens no other
+    ASSERT_NE(end, std::string::npos);
+    EXPECT_EQ(occurrences(line.substr(0, end), ","), 2u) << line;
+    EXPECT_NE(line.find("| daylight replay - --methods "), std::string::npos) << line;
+  }
+  EXPECT_EQ(errors, 3u);
+}
+
+TEST(GateGithub, EscapesWhatCommandsReserve) {
+  GateReport report = example_report();
+  report.failures = {report.failures[0]};
+  report.failures[0].method = "m:1,50%";
+  report.failures[0].what = "50%, at: x\ny";
+  const std::string text = gate_github(report);
+  EXPECT_NE(text.find("title=m%3A1%2C50%25 breaks law 1 "), std::string::npos) << text;
+  EXPECT_NE(text.find("::50%25, at: x\\ny%0A1,234 pairs"), std::string::npos) << text;
+  EXPECT_NE(text.find("::error file=props/laws/exact_laws.cpp,line="), std::string::npos) << text;
+}
+
+TEST(GateGithub, AtMostTenThenHowManyMore) {
+  GateReport report = example_report();
+  report.failures.assign(annotations_cap + 4, example_failure("intersect", 1, Severity::contract));
+  for (std::size_t i = 0; i < report.failures.size(); ++i) report.failures[i].kind = std::to_string(i);
+  const std::string text = gate_github(report);
+  EXPECT_EQ(occurrences(text, "::error file="), annotations_cap);
+  EXPECT_NE(text.find("::4 more that fail the gate"), std::string::npos);
+  EXPECT_EQ(occurrences(text, " more "), 1u);
+}
+
+TEST(GateGithub, OneOfALawAndKind) {
+  GateReport report = example_report();
+  report.failures.assign(3, example_failure("intersect", 1, Severity::contract));
+  const std::string text = gate_github(report);
+  EXPECT_EQ(occurrences(text, "::error file="), 1u);
+  EXPECT_NE(text.find("3,702 pairs"), std::string::npos) << text;
+}
+
+TEST(GateGithub, KnownIsNotShown) {
+  GateReport report = example_report();
+  report.failures = {report.failures[0]};
+  report.failures[0].known = true;
+  EXPECT_EQ(gate_github(report), "");
+}
+
+}  // namespace
+}  // namespace cyl

@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: MIT
+#include "reports/gate/gate_json.hpp"
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+
+#include "corpus/pairs/pair_io.hpp"
+#include "reports/gate/gate_example_test.hpp"
+
+namespace cyl {
+namespace {
+
+using json = nlohmann::json;
+
+TEST(GateJson, IsTheWholeReport) {
+  const json all = json::parse(gate_json(example_report()));
+  EXPECT_EQ(all["seed"], std::numeric_limits<std::uint64_t>::max());
+  EXPECT_EQ(all["undecided_truths"], 3);
+  EXPECT_EQ(
+      all["phases"][3],
+      json({{"phase", "sample of all strata"}, {"rounds", 831}, {"pairs", 345678}, {"milliseconds", 30040}}));
+  const json& method = all["methods"][0];
+  EXPECT_EQ(method["counts"]["said"]["undecided"], 77);
+  EXPECT_EQ(method["claim"]["relative"], 1e-13);
+  EXPECT_EQ(method["cells"].size(), 26u);
+  EXPECT_EQ(all["methods"][1]["cells"][1]["wrong"], 7);
+  const json& failure = all["failures"][1];
+  EXPECT_EQ(failure["law"], 2);
+  EXPECT_EQ(failure["severity"], "resolution");
+  EXPECT_EQ(failure["failed_again"], 3);
+  EXPECT_EQ(failure["known"], false);
+  EXPECT_EQ(all["failures"][3]["found"]["a"]["height"], "nan");
+}
+
+TEST(GateJson, PairsAreReadBackToTheBit) {
+  const GateReport report = example_report();
+  const json found = json::parse(gate_json(report))["failures"][0]["found"];
+  const CaseLine line = parse_case(found.dump(), 1);
+  ASSERT_TRUE(line.value) << line.error;
+  EXPECT_EQ(format_pair(line.value->pair), format_pair(report.failures[0].found));
+  EXPECT_TRUE(std::signbit(line.value->pair.b.center[1]));
+}
+
+TEST(GateJson, TheBaseComesBack) {
+  const ScratchFile file(gate_json(example_report()));
+  const GateBase base = read_base(file.path);
+  EXPECT_EQ(base.seed, example_report().seed);
+  EXPECT_EQ(base.budget, example_report().budget);
+  EXPECT_EQ(base.amount.cases_under_laws, 7u) << "not all of 12";
+  EXPECT_EQ(base.amount.law_rounds, 9u);
+  EXPECT_EQ(base.amount.sample_rounds, 831u);
+  EXPECT_EQ(base.buckets.size(), 2u) << "those beyond a claim";
+  EXPECT_EQ(base.buckets.at("intersect/law-1/side-rim"), 1234u);
+}
+
+TEST(GateJson, KnownIsWhatTheBaseHasOnAsManyPairs) {
+  const auto known = [](const GateFailure& failure, const GateBase& base) {
+    GateReport report;
+    report.failures = {failure};
+    mark_known(report, base);
+    return report.failures[0].known;
+  };
+  GateFailure f = example_failure("fake", 31, Severity::contract);
+  GateBase base;
+  EXPECT_FALSE(known(f, base));
+  base.buckets[f.bucket] = f.count;
+  EXPECT_TRUE(known(f, base));
+  base.buckets[f.bucket] = f.count - 1;
+  EXPECT_FALSE(known(f, base)) << "it has grown";
+  f.failed_again = 3;
+  EXPECT_TRUE(known(f, base)) << "by luck";
+  f.failed_again = f.reruns;
+  f.kind = "hang";
+  EXPECT_TRUE(known(f, base)) << "a slower machine";
+  f.bucket.clear();
+  base.buckets[""] = f.count;
+  EXPECT_FALSE(known(f, base)) << "without a bucket nothing is known";
+}
+
+TEST(GateJson, BadBasesAreRefusedByName) {
+  const std::string good = gate_json(example_report());
+  for (const std::string& bad :
+       {std::string(), std::string("{"), std::string("[]"), std::string("{}"),
+        std::string("{\"failures\":7}"), std::string("{\"failures\":[{}]}"),
+        std::string("{\"failures\":[{\"bucket\":7}]}"), std::string("{\"failures\":[7]}"),
+        replaced(good, "\"budget_milliseconds\"", "\"budget\""),
+        replaced(good, "\"rounds\": 9", "\"rounds\": -1"), good.substr(0, good.size() / 2)}) {
+    const ScratchFile file(bad);
+    try {
+      read_base(file.path);
+      ADD_FAILURE() << "read: " << bad.substr(0, 40);
+    } catch (const std::runtime_error& refused) {
+      EXPECT_NE(std::string(refused.what()).find(file.path), std::string::npos) << refused.what();
+    }
+  }
+  EXPECT_THROW(read_base("/no/such/file"), std::runtime_error);
+  EXPECT_THROW(read_base(std::filesystem::temp_directory_path()), std::runtime_error);
+}
+
+}  // namespace
+}  // namespace cyl

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: MIT
+#include "reports/gate/gate_junit.hpp"
+
+#include "reports/gate/gate_example_test.hpp"
+
+namespace cyl {
+namespace {
+
+bool valid(const std::string& document) {
+  const ScratchFile file(document);
+  return succeeds("xmllint --noout --nonet --schema '" DAYLIGHT_SOURCE_DIR "/reports/schemas/junit.xsd' '" +
+                  file.path.string() + "'");
+}
+
+TEST(GateJunit, KeepsToItsSchema) {
+  if (!succeeds("xmllint --version")) GTEST_SKIP() << "no xmllint here (Debian: libxml2-utils)";
+  const std::string document = gate_junit(example_report());
+  EXPECT_TRUE(valid(document)) << document;
+  EXPECT_TRUE(valid(gate_junit({})));
+  EXPECT_FALSE(valid(replaced(document, "<testcase ", "<testcase colour=\"red\" ")));
+  EXPECT_FALSE(valid(replaced(document, " failures=", " mistakes=")));
+  EXPECT_FALSE(valid(replaced(document, "&lt;a b=", "<a b=")));
+  EXPECT_FALSE(valid(replaced(document, "said disjoint", "said \x01")));
+}
+
+TEST(GateJunit, OneTestALawAndOneACaseThatFailed) {
+  const std::string document = gate_junit(example_report());
+  const std::size_t laws = all_laws().size();
+  EXPECT_EQ(occurrences(document, "<testsuite "), 2u);
+  EXPECT_EQ(occurrences(document, "<testcase "), 2 * laws + 1);
+  EXPECT_EQ(occurrences(document, "<failure "), 4u) << "law 1, law 2 by luck, law 30, and its case";
+  EXPECT_NE(document.find("failures=\"4\" errors=\"0\" time=\"31.290\""), std::string::npos);
+  EXPECT_NE(document.find("name=\"case corpus/cases/found.jsonl:2 fuzz"), std::string::npos);
+  EXPECT_NE(document.find("name=\"seed\" value=\"18446744073709551615\""), std::string::npos);
+}
+
+TEST(GateJunit, WithinTheClaimOrKnownIsNoFailure) {
+  GateReport report = example_report();
+  const std::string before = gate_junit(report);
+  const std::size_t out = before.find("<system-out>");
+  ASSERT_NE(out, std::string::npos);
+  EXPECT_NE(before.find("resolution, law 3 ", out), std::string::npos);
+  for (GateFailure& f : report.failures) f.known = true;
+  const std::string after = gate_junit(report);
+  EXPECT_EQ(occurrences(after, "<failure "), 0u);
+  EXPECT_NE(after.find("known, law 1 "), std::string::npos);
+}
+
+}  // namespace
+}  // namespace cyl

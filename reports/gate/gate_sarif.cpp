@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: MIT
+#include "reports/gate/gate_sarif.hpp"
+
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+
+#include "corpus/pairs/pair_io.hpp"
+#include "reports/gate/failure_text.hpp"
+
+namespace cyl {
+namespace {
+
+using json = nlohmann::ordered_json;
+
+std::string rule_id(const Law& law) { return fmt::format("law-{}", law.number); }
+
+json text(const std::string& words) { return {{"text", words}}; }
+
+json rule(const Law& law) {
+  return {{"id", rule_id(law)},
+          {"name", law.name},
+          {"shortDescription", text(law_title(law))},
+          {"help", text(fmt::format("{} Where: {}", law.statement, law.where))}};
+}
+
+/// As the path of a URI, RFC 3986: its unreserved characters and '/', all else in percent.
+std::string uri_path(std::string_view path) {
+  std::string uri;
+  for (const char c : path) {
+    const bool plain = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') ||
+                       std::string_view("-._~/").find(c) != std::string_view::npos;
+    if (plain) {
+      uri += c;
+    } else {
+      uri += fmt::format("%{:02X}", static_cast<unsigned>(static_cast<unsigned char>(c)));
+    }
+  }
+  return uri;
+}
+
+json location(const SourceLine& place) {
+  json artifact;
+  if (place.file.starts_with('/')) {
+    artifact["uri"] = "file://" + uri_path(place.file);
+  } else {
+    artifact["uri"] = uri_path(place.file);
+    artifact["uriBaseId"] = "%SRCROOT%";
+  }
+  return {{"physicalLocation", {{"artifactLocation", artifact}, {"region", {{"startLine", place.line}}}}}};
+}
+
+json result(const GateFailure& f, bool compared) {
+  std::string message =
+      fmt::format("{} breaks {}: {}. {}, the first: {}.", one_line(f.method), law_title(*f.law),
+                  one_line(f.what), pairs_in_words(f.count), one_line(f.origin));
+  if (const std::string luck = luck_in_words(f); !luck.empty()) message += " It " + luck + '.';
+  json r = {{"ruleId", rule_id(*f.law)},
+            {"level", is_error(f) ? "error" : "note"},
+            {"message", text(message)},
+            {"locations", json::array({location(place_of(f))})}};
+  if (!f.bucket.empty()) r["partialFingerprints"] = {{"bucket/v1", f.bucket}};
+  if (compared) r["baselineState"] = f.known ? "unchanged" : "new";
+  r["properties"] = {{"method", f.method},
+                     {"severity", to_string(f.severity)},
+                     {"origin", f.origin},
+                     {"count", f.count},
+                     {"found", format_pair(f.found)},
+                     {"simplest", format_pair(f.simplest)},
+                     {"replay", replay_command(f)}};
+  if (!f.reproduce.empty()) r["properties"]["reproduce"] = f.reproduce;
+  return r;
+}
+
+}  // namespace
+
+std::string gate_sarif(const GateReport& report, std::string_view version, bool compared) {
+  json rules = json::array(), results = json::array(), versions = json::object();
+  for (const Law& law : all_laws()) rules.push_back(rule(law));
+  for (const GateFailure& f : report.failures) results.push_back(result(f, compared));
+  for (const GateMethod& m : report.methods) versions[valid_utf8(m.name)] = m.version;
+  const json driver = {{"name", "daylight"}, {"version", version}, {"rules", std::move(rules)}};
+  const json run = {{"tool", {{"driver", driver}}},
+                    {"results", std::move(results)},
+                    {"properties", {{"seed", report.seed}, {"versions", std::move(versions)}}}};
+  const json log = {{"$schema", "https://json.schemastore.org/sarif-2.1.0.json"},
+                    {"version", "2.1.0"},
+                    {"runs", json::array({run})}};
+  return log.dump(1, ' ', false, json::error_handler_t::replace) + '\n';
+}
+
+}  // namespace cyl

@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: MIT
+#include "reports/gate/gate_sarif.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include "reports/gate/gate_example_test.hpp"
+
+namespace cyl {
+namespace {
+
+using json = nlohmann::json;
+
+bool valid(const std::string& document) { return keeps_to("sarif.json", document); }
+
+TEST(GateSarif, KeepsToItsSchema) {
+  if (schema_python().empty()) GTEST_SKIP() << "no jsonschema here (Debian: python3-jsonschema)";
+  const std::string document = gate_sarif(example_report(), "0.1.0", true);
+  EXPECT_TRUE(valid(document)) << document;
+  EXPECT_TRUE(valid(gate_sarif({}, "0.1.0", false)));
+  const json good = json::parse(document);
+  for (
+      const char* planted :
+      {R"([{"op":"remove","path":"/runs/0/results/0/locations/0"}])",
+       R"([{"op":"remove","path":"/runs/0/results/0/locations"}])",
+       R"([{"op":"add","path":"/runs/0/results/0/colour","value":"red"}])",
+       R"([{"op":"replace","path":"/runs/0/results/0/level","value":"bad"}])",
+       R"([{"op":"replace","path":"/runs/0/results/0/locations/0/physicalLocation/region/startLine","value":0}])",
+       R"([{"op":"remove","path":"/runs/0/tool/driver/name"}])"})
+    EXPECT_FALSE(valid(good.patch(json::parse(planted)).dump())) << planted;
+}
+
+TEST(GateSarif, ARuleALawAndAResultAFailure) {
+  const json run = json::parse(gate_sarif(example_report(), "0.1.0", false))["runs"][0];
+  const json& rules = run["tool"]["driver"]["rules"];
+  ASSERT_EQ(rules.size(), all_laws().size());
+  EXPECT_EQ(rules[0]["id"], "law-1");
+  const json& results = run["results"];
+  ASSERT_EQ(results.size(), 4u);
+  EXPECT_EQ(results[0]["ruleId"], "law-1");
+  EXPECT_EQ(results[0]["level"], "error");
+  EXPECT_EQ(results[1]["level"], "error") << "by luck";
+  EXPECT_EQ(results[2]["level"], "note");
+  EXPECT_EQ(results[0]["partialFingerprints"]["bucket/v1"], "intersect/law-1/side-rim");
+  EXPECT_FALSE(results[0].contains("baselineState"));
+  EXPECT_EQ(run["properties"]["seed"], std::numeric_limits<std::uint64_t>::max());
+  EXPECT_EQ(run["properties"]["versions"]["intersect"], "0.1.0");
+}
+
+TEST(GateSarif, PlacesAreTheCaseElseTheLawFromTheTopOfTheSources) {
+  const json results = json::parse(gate_sarif(example_report(), "0.1.0", false))["runs"][0]["results"];
+  const json& law = results[0]["locations"][0]["physicalLocation"];
+  EXPECT_EQ(law["artifactLocation"]["uri"], "props/laws/exact_laws.cpp");
+  EXPECT_EQ(law["region"]["startLine"], law_numbered(1).line);
+  const json& kept = results[3]["locations"][0]["physicalLocation"];
+  EXPECT_EQ(kept["artifactLocation"]["uri"], "corpus/cases/found.jsonl");
+  EXPECT_EQ(kept["region"]["startLine"], 2);
+}
+
+TEST(GateSarif, OddFileNames) {
+  GateReport report = example_report();
+  const auto uri = [&](const std::string& origin) {
+    report.failures[3].origin = origin;
+    return json::parse(gate_sarif(
+        report, "0.1.0",
+        false))["runs"][0]["results"][3]["locations"][0]["physicalLocation"]["artifactLocation"]["uri"]
+        .get<std::string>();
+  };
+  EXPECT_EQ(uri("a b:c%.jsonl:7 id:8 more"), "a%20b%3Ac%25.jsonl");
+  EXPECT_EQ(uri("./cases/../x.jsonl:7"), "x.jsonl");
+  EXPECT_EQ(uri("/no/such folder/x.jsonl:7 id"), "file:///no/such%20folder/x.jsonl");
+  EXPECT_EQ(uri((std::filesystem::current_path() / "x.jsonl").string() + ":7 id"), "x.jsonl");
+  EXPECT_EQ(uri("x.jsonl:0 id"), uri("no place")) << "lines count from 1: the law's place instead";
+}
+
+TEST(GateSarif, SaysWhatIsNewWhereThereIsABase) {
+  GateReport report = example_report();
+  report.failures[0].known = true;
+  const json results = json::parse(gate_sarif(report, "0.1.0", true))["runs"][0]["results"];
+  EXPECT_EQ(results[0]["baselineState"], "unchanged");
+  EXPECT_EQ(results[1]["baselineState"], "new");
+}
+
+}  // namespace
+}  // namespace cyl

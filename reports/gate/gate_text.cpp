@@ -1,0 +1,236 @@
+// SPDX-License-Identifier: MIT
+#include "reports/gate/gate_text.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <map>
+#include <set>
+#include <span>
+#include <vector>
+
+#include "corpus/pairs/pair_io.hpp"
+#include "reports/gate/failure_text.hpp"
+
+namespace cyl {
+namespace {
+
+// Lines are put together from words, and a word is never cut.
+constexpr std::size_t line_width = 100;
+
+/// Later lines stand below the first word of `text`, and in any case not at the margin.
+std::string wrapped(const std::string& first, const std::string& text) {
+  const std::size_t indent = std::max<std::size_t>(first.size(), 2);
+  std::string lines = first;
+  std::size_t column = first.size();
+  for (std::size_t begin = 0; begin < text.size();) {
+    const std::size_t end = std::min(text.find(' ', begin), text.size());
+    if (begin > 0 && column + 1 + (end - begin) > line_width) {
+      lines += '\n' + std::string(indent, ' ');
+      column = indent;
+    } else if (begin > 0) {
+      lines += ' ';
+      ++column;
+    }
+    lines += text.substr(begin, end - begin);
+    column += end - begin;
+    begin = end + 1;
+  }
+  return lines + '\n';
+}
+
+/// 10^-decade, as origins have it: 1e-09; but 1 for 1e-00.
+std::string power(int decade) {
+  return decade == 0 ? "1" : fmt::format("1e{}{:02}", decade < 0 ? '+' : '-', std::abs(decade));
+}
+
+std::string claim_in_words(const Claim& claim) {
+  std::string words = "claims to be right always";
+  if (claim.relative != 0 || claim.absolute != 0) {
+    words = "claims to be right where |distance| is at least ";
+    if (claim.relative != 0) words += format_double(claim.relative) + " of the size";
+    if (claim.relative != 0 && claim.absolute != 0) words += " plus ";
+    if (claim.absolute != 0) words += "a length of " + format_double(claim.absolute);
+  }
+  if (!claim.source.empty()) words += fmt::format(" ({})", one_line(claim.source));
+  return words;
+}
+
+std::string methods_table(const GateReport& report) {
+  constexpr const char* row = "{:<28} {:<16} {:>15} {:>11} {:>11} {:>9}\n";
+  std::string text =
+      fmt::format(fmt::runtime(row), "method", "version", "asked", "declined", "undecided", "failed");
+  for (const GateMethod& m : report.methods) {
+    const auto undecided = m.counts.said[static_cast<std::size_t>(Verdict::undecided)];
+    text += fmt::format(fmt::runtime(row), one_line(m.name), one_line(m.version), grouped(m.counts.asked),
+                        grouped(m.counts.declined), grouped(undecided), grouped(m.counts.failed));
+    text += wrapped("  ", claim_in_words(m.claim));
+    if (!m.remark.empty()) text += wrapped("  ", one_line(m.remark));
+  }
+  return text;
+}
+
+std::string told_in_full(std::size_t number, const Alike& alike) {
+  const GateFailure& f = *alike.front();
+  const auto line = [](const char* title, const std::string& words) {
+    return fmt::format("   {:<11}{}\n", title, words);
+  };
+  const auto grown = [](const GateFailure& g) {
+    return g.in_base == 0 ? "" : fmt::format(", {} in the base", grouped(g.in_base));
+  };
+  std::string text =
+      wrapped(fmt::format("{}. ", number), fmt::format("{} breaks {}, {}{}: {}", one_line(f.method),
+                                                       law_title(*f.law), pairs_in_words(pairs_of(alike)),
+                                                       alike.size() == 1 ? grown(f) : "", one_line(f.what)));
+  text += wrapped(fmt::format("   {:<11}", "law"), std::string(f.law->statement));
+  text += line("origin", fmt::format("{} ({})", one_line(f.origin), to_string(f.phase)));
+  text += line("bucket", one_line(f.bucket));
+  if (const std::string luck = luck_in_words(f); !luck.empty()) text += line("again", luck);
+  const std::string found = format_pair(f.found), simplest = format_pair(f.simplest);
+  text += line("found", found);
+  text += line("simplest", simplest == found ? "no simpler one was found in the time" : simplest);
+  text += line("replay", replay_command(f));
+  if (!f.reproduce.empty()) text += line("RapidCheck", one_line(f.reproduce));
+  for (const GateFailure* g : std::span(alike).subspan(1, std::min(also_cap, alike.size() - 1))) {
+    text += line("also", fmt::format("{}, {}{}", one_line(g->bucket), pairs_in_words(g->count), grown(*g)));
+    text += line("", format_pair(g->simplest));
+  }
+  if (alike.size() - 1 > also_cap)
+    text += line(
+        "", fmt::format("and in {} more buckets; --json FILE has them all", alike.size() - 1 - also_cap));
+  return text;
+}
+
+std::string failures_text(const GateReport& report) {
+  const std::vector<Alike> failing = alike_failures(report, true), others = alike_failures(report, false);
+  std::string text = failing.empty() ? "Nothing fails the gate.\n"
+                                     : fmt::format("Fails the gate ({}):\n", grouped(failing.size()));
+  for (std::size_t i = 0; i < failing.size(); ++i) text += told_in_full(i + 1, failing[i]);
+  if (!others.empty()) text += fmt::format("\nWithin claims, or known ({}):\n", grouped(others.size()));
+  for (std::size_t i = 0; i < std::min(brief_cap, others.size()); ++i) {
+    const GateFailure& f = *others[i].front();
+    const std::string buckets = others[i].size() == 1
+                                    ? one_line(f.bucket)
+                                    : fmt::format("{} and {} more", one_line(f.bucket), others[i].size() - 1);
+    text += wrapped("  ", fmt::format("{}: {}, {}, {}: {}{}", one_line(f.method), law_title(*f.law),
+                                      pairs_in_words(pairs_of(others[i])), buckets, one_line(f.what),
+                                      f.known ? " (known)" : ""));
+  }
+  if (others.size() > brief_cap) text += fmt::format("  and {} more\n", grouped(others.size() - brief_cap));
+  return text;
+}
+
+// A pair that the method left undecided is no trial: it can be neither right nor wrong.
+std::uint64_t trials(const GateCell& c) { return c.pairs - std::min(c.pairs, c.undecided); }
+
+/// Worth showing where cells differ in more than their number of pairs.
+bool table_helps(const GateMethod& m) {
+  return std::any_of(m.cells.begin(), m.cells.end(), [](const GateCell& c) {
+    return c.wrong > 0 || (c.claimed && (trials(c) == 0 || c.undecided > 0));
+  });
+}
+
+std::string cell_text(const GateCell& c) {
+  std::string text = grouped(trials(c));
+  if (c.wrong > 0) text = fmt::format("{}!{}", grouped(c.wrong), text);
+  return c.claimed ? text : '(' + text + ')';
+}
+
+std::string cells_table(const GateMethod& m) {
+  std::vector<std::string_view> features;  // in the order of the cells
+  std::map<int, std::map<std::string_view, std::string>> rows;
+  for (const GateCell& c : m.cells) {
+    if (std::find(features.begin(), features.end(), c.feature) == features.end())
+      features.push_back(c.feature);
+    rows[c.decade][c.feature] = cell_text(c);
+  }
+  std::string text = wrapped(
+      "", fmt::format("{}: independent pairs it decided by margin (up to) and contact feature; 3!70: 3 of 70 "
+                      "wrong; in brackets: not claimed",
+                      one_line(m.name)));
+  text += fmt::format("{:<8}", "margin");
+  for (const std::string_view feature : features) text += fmt::format("{:>15}", feature);
+  text += '\n';
+  for (const auto& [decade, row] : rows) {
+    text += fmt::format("{:<8}", power(decade));
+    for (const std::string_view feature : features) {
+      const auto found = row.find(feature);
+      text += fmt::format("{:>15}", found == row.end() ? "" : found->second);
+    }
+    text += '\n';
+  }
+  return text;
+}
+
+std::string plural(std::uint64_t n, const std::string& thing) {
+  return fmt::format("{} {}{}", grouped(n), thing, n == 1 ? "" : "s");
+}
+
+}  // namespace
+
+std::string proved_in_words(const GateMethod& method) {
+  std::set<std::string_view> features;
+  std::set<int> decades;
+  std::uint64_t cells = 0, wrong = 0, wrong_cells = 0, undecided = 0, all = 0, least = 0, most = 0;
+  double worst_rate = 0;
+  std::string empty;
+  for (const GateCell& c : method.cells) {
+    if (!c.claimed) continue;
+    undecided += c.undecided;
+    const std::uint64_t n = trials(c);
+    if (n == 0) {
+      empty += fmt::format("{}{} {}", empty.empty() ? "" : ", ", c.feature, power(c.decade));
+      continue;
+    }
+    features.insert(c.feature);
+    decades.insert(c.decade);
+    least = cells == 0 ? n : std::min(least, n);
+    most = std::max(most, n);
+    ++cells;
+    all += n;
+    wrong += c.wrong;
+    wrong_cells += c.wrong > 0;
+    worst_rate = std::max(worst_rate, error_rate_bound(n, c.wrong));
+  }
+
+  std::string text = one_line(method.name) + ": ";
+  if (cells == 0) {
+    text += "nothing proved, no independent pair decided in any cell it claims";
+  } else {
+    const std::string each = least == most ? grouped(least) : grouped(least) + " to " + grouped(most);
+    text += wrong == 0
+                ? fmt::format("right on {} independent {} in each of", each, most == 1 ? "pair" : "pairs")
+                : fmt::format("wrong on {} of {} independent pairs, in {} of", grouped(wrong), grouped(all),
+                              grouped(wrong_cells));
+    // The decade d holds margins above 10^(-d-1), up to 10^-d.
+    text += fmt::format(
+        " {} ({} {} {} of margin from {} to {} it claims{}), error rate <= {:.1e} in each at 95 %, <= {:.1e} "
+        "over all {}",
+        plural(cells, "cell"), plural(features.size(), "contact feature"),
+        cells == features.size() * decades.size() ? "x" : "in", plural(decades.size(), "decade"),
+        power(*decades.begin()), power(*decades.rbegin() + 1),
+        wrong == 0 ? "" : fmt::format("; {} pairs in each", each), worst_rate, error_rate_bound(all, wrong),
+        grouped(all));
+  }
+  if (undecided > 0) text += fmt::format("; undecided on {} more", grouped(undecided));
+  if (!empty.empty()) text += "; empty: " + empty;
+  return text;
+}
+
+std::string gate_text(const GateReport& report) {
+  std::string text;
+  for (const GatePhaseReport& p : report.phases) {
+    text += fmt::format("{:<12} {:>18} {:>9}.{} s\n", to_string(p.phase), pairs_in_words(p.pairs),
+                        p.time.count() / 1000, p.time.count() % 1000 / 100);
+  }
+  if (report.undecided_truths > 0)
+    text += fmt::format("nothing could be proved of {}\n", pairs_in_words(report.undecided_truths));
+  text += '\n' + methods_table(report) + '\n' + failures_text(report) + '\n';
+  for (const GateMethod& m : report.methods)
+    if (table_helps(m)) text += cells_table(m) + '\n';
+  for (const GateMethod& m : report.methods) text += wrapped("", proved_in_words(m));
+  return text;
+}
+
+}  // namespace cyl

@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: MIT
+#include "reports/gate/gate_text.hpp"
+
+#include "corpus/pairs/pair_io.hpp"
+#include "reports/gate/gate_example_test.hpp"
+
+namespace cyl {
+namespace {
+
+bool has(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
+
+TEST(GateText, TellsOfEachMethod) {
+  const std::string text = gate_text(example_report());
+  EXPECT_TRUE(has(text, "1,234,567"));
+  EXPECT_TRUE(has(text, "claims to be right where |distance| is at least 1e-13 of the size (derived bound)"));
+  EXPECT_TRUE(has(text, "at least a length of 1e-06")) << text;
+  EXPECT_TRUE(has(text, "answers intersecting to every pair"));
+  EXPECT_TRUE(has(text, "nothing could be proved of 3 pairs"));
+}
+
+TEST(GateText, TellsWhatFailedAndHowToSeeItAgain) {
+  const GateReport report = example_report();
+  const std::string text = gate_text(report);
+  EXPECT_TRUE(has(text, "Fails the gate (3)"));
+  EXPECT_TRUE(has(
+      text, "intersect breaks law 1 " + std::string(law_numbered(1).name) + ", 1,234 pairs: said disjoint"));
+  EXPECT_TRUE(has(text, "side-rim 1e-09, seed 1, index 17"));
+  EXPECT_TRUE(has(text, "fails 10 of 10 times"));
+  EXPECT_TRUE(has(text, "depends on luck: 3 of 10"));
+  EXPECT_TRUE(has(text, "BchAwNXYlR2c"));
+  EXPECT_TRUE(has(text, "echo '" + format_pair(report.failures[0].simplest) +
+                            "' | daylight replay - --methods intersect --laws 1"));
+  EXPECT_TRUE(has(text, "Within claims, or known (1)"));
+}
+
+TEST(GateText, TellsOneKindOfFailureOnce) {
+  GateReport report = example_report();
+  GateFailure elsewhere = report.failures[0];
+  elsewhere.bucket = "intersect/law-1/rim-rim";
+  elsewhere.count = 740;
+  elsewhere.in_base = 1;
+  report.failures.push_back(elsewhere);
+  const std::string text = gate_text(report);
+  EXPECT_TRUE(has(text, "Fails the gate (3)"));
+  EXPECT_EQ(occurrences(text, "intersect breaks law 1 "), 1u);
+  EXPECT_TRUE(has(text, ", 1,974 pairs: said disjoint"));
+  EXPECT_TRUE(has(text, "also       intersect/law-1/rim-rim, 740 pairs, 1 in the base"));
+}
+
+TEST(GateText, FurtherBucketsAreCapped) {
+  GateReport report = example_report();
+  report.failures.assign(also_cap + 4, report.failures[0]);
+  const std::string text = gate_text(report);
+  EXPECT_EQ(occurrences(text, "   also "), also_cap);
+  EXPECT_TRUE(has(text, "and in 3 more buckets"));
+}
+
+TEST(GateText, KnownFailuresDoNotFail) {
+  GateReport report = example_report();
+  for (GateFailure& f : report.failures) f.known = true;
+  const std::string text = gate_text(report);
+  EXPECT_TRUE(has(text, "Nothing fails the gate."));
+  EXPECT_TRUE(has(text, "(known)"));
+}
+
+TEST(GateText, BriefOnesAreCapped) {
+  GateReport report = example_report();
+  report.failures.assign(brief_cap + 5, example_failure("intersect", 3, Severity::resolution));
+  for (std::size_t i = 0; i < report.failures.size(); ++i) report.failures[i].kind = std::to_string(i);
+  const std::string text = gate_text(report);
+  EXPECT_TRUE(has(text, "and 5 more"));
+  EXPECT_EQ(occurrences(text, "said disjoint"), brief_cap);
+}
+
+TEST(GateText, TableWhereItHelps) {
+  const std::string text = gate_text(example_report());
+  EXPECT_FALSE(has(text, "intersect: independent pairs"));
+  EXPECT_TRUE(has(text, "7!50"));
+  EXPECT_TRUE(has(text, "(50)"));
+}
+
+TEST(GateText, SaysWhatIsProved) {
+  const GateReport report = example_report();
+  EXPECT_EQ(
+      proved_in_words(report.methods[0]),
+      "intersect: right on 2,400 to 2,411 independent pairs in each of 24 cells (2 contact features x 12 "
+      "decades of margin from 1 to 1e-12 it claims), error rate <= 1.3e-03 in each at 95 %, <= "
+      "5.2e-05 over all 57,732");
+  const std::string fake = proved_in_words(report.methods[1]);
+  EXPECT_TRUE(has(fake, "wrong on 7 of 250 independent pairs, in 1 of 5 cells")) << fake;
+  EXPECT_TRUE(has(fake, "empty: side-side 1e-02")) << fake;
+  EXPECT_TRUE(has(fake, "error rate <= 2.6e-01 in each at 95 %, <= 5.3e-02 over all 250")) << fake;
+}
+
+TEST(GateText, ProvesNothingFromKeptCasesAndLawsOrUndecidedPairs) {
+  GateMethod m = example_report().methods[0];
+  for (GateCell& c : m.cells) c.undecided = c.pairs;
+  EXPECT_TRUE(has(proved_in_words(m), "nothing proved")) << proved_in_words(m);
+  m.cells.clear();
+  EXPECT_EQ(m.counts.asked, 1234567u);
+  EXPECT_TRUE(has(proved_in_words(m), "nothing proved")) << proved_in_words(m);
+}
+
+TEST(GateText, EndsWithWhatIsProvedAndSteersNoTerminal) {
+  GateReport report = example_report();
+  report.methods.pop_back();
+  std::string proved = proved_in_words(report.methods[0]), text = gate_text(report);
+  const auto without_blanks = [](std::string s) {
+    std::erase_if(s, [](char c) { return c == ' ' || c == '\n'; });
+    return s;
+  };
+  EXPECT_TRUE(without_blanks(text).ends_with(without_blanks(proved)));
+  text = gate_text(example_report());
+  for (const char c : text) EXPECT_TRUE(c == '\n' || static_cast<unsigned char>(c) >= 0x20);
+  EXPECT_FALSE(has(text, "\xff")) << "not UTF-8";
+  EXPECT_FALSE(has(text, "\xe2\x80\xae"));
+}
+
+}  // namespace
+}  // namespace cyl

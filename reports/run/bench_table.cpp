@@ -1,0 +1,215 @@
+// SPDX-License-Identifier: MIT
+#include "reports/run/bench_table.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "corpus/pairs/pair_io.hpp"
+
+namespace cyl {
+namespace {
+
+std::string number(double x, int digits = 1) {
+  return std::isfinite(x) ? fmt::format("{:.{}f}", x, digits) : "-";
+}
+std::string power(double x) { return std::isfinite(x) ? fmt::format("{:.0e}", x) : "-"; }
+std::string json(double x) { return std::isfinite(x) ? format_double(x) : "null"; }
+
+std::string join(const std::vector<std::string>& texts) { return fmt::format("{}", fmt::join(texts, ",")); }
+
+bool is_our_path(const BenchRow& row) {
+  return !row.foreign && row.method != "exact" && std::isfinite(row.median_ns);
+}
+
+/// The pass over a batch of about as many pairs.
+double memory_pass_ns(const Floors& floors, const BenchRow& row) {
+  return row.pairs < large_batch ? floors.memory_pass_ns : floors.large_memory_pass_ns;
+}
+
+std::string rival_json(const Rival& rival) {
+  if (rival.method.empty()) return "null";
+  return fmt::format(R"({{"method":{},"median_ns":{},"ratio":{},"max_error":{}}})", quote_json(rival.method),
+                     json(rival.ns), json(rival.ratio), json(rival.max_error));
+}
+
+std::string ratios_json(const Ratios& ratios) {
+  return fmt::format(R"({{"least":{},"geometric_mean":{}}})", json(ratios.least),
+                     json(ratios.geometric_mean));
+}
+
+std::string row_json(const BenchRow& row) {
+  return fmt::format(
+      R"({{"method":{},"family":{},"query":{},"foreign":{},"n":{},"median_ns":{},"spread":{},"p50_ns":{},"p99_ns":{},"max_ns":{},)"
+      R"("instructions":{},"wrong_disjoint":{},"wrong_intersecting":{},"wrong_below_claim":{},"wrong_at_margin":{},)"
+      R"("undecided":{},"failed":{},"max_error":{},"max_error_at_most":{}}})",
+      quote_json(row.method), quote_json(row.family), quote_json(row.query), row.foreign, row.pairs,
+      json(row.median_ns), json(row.spread_percent), json(row.p50_ns), json(row.p99_ns), json(row.max_ns),
+      json(row.instructions), row.wrong_disjoint, row.wrong_intersecting, row.wrong_below_claim,
+      row.wrong_at_margin, row.undecided, row.failed, json(row.max_error), json(row.max_error_at_most));
+}
+
+std::string standings_json(std::span<const Standing> standings) {
+  std::vector<std::string> queries;
+  for (const Standing& s : standings) {
+    std::vector<std::string> contests;
+    for (const Contest& c : s.contests) {
+      contests.push_back(fmt::format(
+          R"({{"family":{},"method":{},"median_ns":{},"p99_over_median":{},"over_verdict":{},"over_random":{},)"
+          R"("max_error":{},"max_error_at_most":{},"wrong":{},"wrong_at_margin":{},"right":{},"fastest":{}}})",
+          quote_json(c.family), quote_json(c.method), json(c.ns), json(c.p99_over_median),
+          json(c.over_verdict), json(c.over_random), json(c.max_error), json(c.max_error_at_most), c.wrong,
+          c.wrong_at_margin, rival_json(c.right), rival_json(c.fastest)));
+    }
+    queries.push_back(fmt::format(
+        "\n{}:{{\"right\":{},\"fastest\":{},\"wrong_at_margin\":{},\"families\":[{}]}}", quote_json(s.query),
+        ratios_json(s.right), ratios_json(s.fastest), s.wrong_at_margin, join(contests)));
+  }
+  return fmt::format("{{{}}}", join(queries));
+}
+
+std::string floors_json(const Floors& floors, std::span<const BenchRow> rows) {
+  std::vector<std::string> paths;
+  for (const BenchRow& row : rows) {
+    if (!is_our_path(row)) continue;
+    paths.push_back(fmt::format(
+        R"({{"method":{},"family":{},"query":{},"n":{},"over_equation_6":{},"over_memory_pass":{}}})",
+        quote_json(row.method), quote_json(row.family), quote_json(row.query), row.pairs,
+        json(row.median_ns / floors.equation_6_ns), json(row.median_ns / memory_pass_ns(floors, row))));
+  }
+  return fmt::format(R"({{"equation_6_ns":{},"memory_pass_ns":{},"large_memory_pass_ns":{},"paths":[{}]}})",
+                     json(floors.equation_6_ns), json(floors.memory_pass_ns),
+                     json(floors.large_memory_pass_ns), join(paths));
+}
+
+}  // namespace
+
+std::string format_bench_table(std::span<const BenchRow> rows) {
+  std::map<std::pair<std::string, std::string>, double> unit;  // of (family, query)
+  for (const BenchRow& row : rows) {
+    if (row.method != "intersect") continue;
+    unit[{row.family, row.query}] = row.median_ns;
+    if (row.query == "verdict") unit[{row.family, "certificate"}] = row.median_ns;
+  }
+  std::string text;
+  std::string family;
+  for (const BenchRow& row : rows) {
+    if (row.family != family) {
+      family = row.family;
+      text += fmt::format(
+          "{}{}\n{:<30}{:<12}{:>7}{:>11}{:>8}{:>11}{:>8}{:>8}{:>9}{:>9}{:>9}{:>7}{:>7}{:>9}\n",
+          text.empty() ? "" : "\n", family, "method", "query", "pairs", "ns/pair", "spread", "p99 ns",
+          "ratio", "instr", "disj(!)", "inter(!)", "claimed", "undec", "failed", "error");
+    }
+    const auto base = unit.find({row.family, row.query});
+    const double ratio = base == unit.end() ? not_measured : row.median_ns / base->second;
+    text += fmt::format("{:<30}{:<12}{:>7}{:>11}{:>7}%{:>11}{:>8}{:>8}{:>9}{:>9}{:>9}{:>7}{:>7}{:>9}\n",
+                        row.method, row.query, row.pairs, number(row.median_ns), number(row.spread_percent),
+                        number(row.p99_ns), number(ratio), number(row.instructions, 0), row.wrong_disjoint,
+                        row.wrong_intersecting, row.wrong_below_claim, row.undecided, row.failed,
+                        power(row.max_error));
+  }
+  return text +
+         "\nns/pair: median of the turns; spread: the middle half of these, in % of it. p99: over "
+         "pairs.\n"
+         "ratio: times the ns of `intersect`, same query (certificate: its verdict). instr: instructions a "
+         "pair.\n"
+         "verdict, certificate, batch, distance, depth: on prepared solids; raw: prepared inside the call, "
+         "as a\n"
+         "foreign method's adapter does it. distance is asked of disjoint pairs, depth of the others. "
+         "disj(!),\n"
+         "inter(!): wrongly said disjoint, intersecting; claimed: of these, within its own claim. error: at\n"
+         "least, of a distance, in units of the pair's size.\n";
+}
+
+std::string format_standings(std::span<const Standing> standings) {
+  std::string text;
+  for (const Standing& s : standings) {
+    text += fmt::format(
+        "\n{}: ours against the fastest packaged method that is right on 99.9 % of the pairs, and the "
+        "fastest of all\n{:<25}{:<10}{:>9}{:>9}{:>9}{:>9}{:>9}{:>9}  {:<25}{:>9}{:>8}  {:<25}{:>9}{:>8}\n",
+        s.query, "family", "ours", "ns", "p99/ns", "/verdict", "/random", "wrong(!)", "error", "right", "ns",
+        "ratio", "fastest", "ns", "ratio");
+    for (const Contest& c : s.contests) {
+      text += fmt::format(
+          "{:<25}{:<10}{:>9}{:>9}{:>9}{:>9}{:>9}{:>9}  {:<25}{:>9}{:>8}  {:<25}{:>9}{:>8}\n", c.family,
+          c.method, number(c.ns), number(c.p99_over_median), number(c.over_verdict, 2),
+          number(c.over_random, 2), c.wrong_at_margin, power(c.max_error),
+          c.right.method.empty() ? "-" : c.right.method, number(c.right.ns), number(c.right.ratio),
+          c.fastest.method.empty() ? "-" : c.fastest.method, number(c.fastest.ns), number(c.fastest.ratio));
+    }
+    text += fmt::format(
+        "least ratio {}, geometric mean {} (of the fastest: {}, {}); wrong at margins from 1e-13 on "
+        "(random: 1e-14): {}\n",
+        number(s.right.least, 2), number(s.right.geometric_mean, 2), number(s.fastest.least, 2),
+        number(s.fastest.geometric_mean, 2), s.wrong_at_margin);
+  }
+  return text;
+}
+
+std::string format_floors(const Floors& floors, std::span<const BenchRow> rows) {
+  std::string text = fmt::format(
+      "\nfloors, ns a pair: {} one evaluation of f (Equation 6); {} one pass over the solids of a batch, {} "
+      "of 10^6 "
+      "pairs\n",
+      number(floors.equation_6_ns, 2), number(floors.memory_pass_ns, 2),
+      number(floors.large_memory_pass_ns, 2));
+  if (rows.empty()) return text;
+  const bool random =
+      std::any_of(rows.begin(), rows.end(), [](const BenchRow& r) { return r.family == "random"; });
+  const std::string family = random ? "random" : rows[0].family;
+  for (const BenchRow& row : rows) {
+    if (row.family != family || !is_our_path(row)) continue;
+    text += fmt::format("  {:<30}{:<12}{:>8} pairs{:>8} evaluations{:>8} passes\n", row.method, row.query,
+                        row.pairs, number(row.median_ns / floors.equation_6_ns),
+                        number(row.median_ns / memory_pass_ns(floors, row)));
+  }
+  return text;
+}
+
+std::string format_growth(std::span<const BenchRow> rows) {
+  if (rows.empty()) return "";
+  const bool one_family =
+      std::all_of(rows.begin(), rows.end(), [&](const BenchRow& r) { return r.family == rows[0].family; });
+  const auto remember = [](auto& seen, auto value) {
+    if (std::find(seen.begin(), seen.end(), value) == seen.end()) seen.push_back(value);
+  };
+  using Line = std::pair<std::string, std::string>;
+  std::vector<Line> lines;
+  std::vector<std::string> columns;
+  std::map<std::pair<Line, std::string>, std::string> cells;
+  for (const BenchRow& row : rows) {
+    const Line line{row.method, row.query};
+    const std::string column = one_family ? std::to_string(row.pairs) : row.family;
+    remember(lines, line);
+    remember(columns, column);
+    cells[{line, column}] = number(row.median_ns) + (is_right(row) ? "" : "!");
+  }
+  std::string text = fmt::format("{:<30}{:<12}", "method", "query");
+  for (const std::string& column : columns) text += fmt::format("{:>14}", column);
+  text += '\n';
+  for (const Line& line : lines) {
+    text += fmt::format("{:<30}{:<12}", line.first, line.second);
+    for (const std::string& column : columns) {
+      const auto cell = cells.find({line, column});
+      text += fmt::format("{:>14}", cell == cells.end() ? "-" : cell->second);
+    }
+    text += '\n';
+  }
+  return text;
+}
+
+std::string bench_json(std::span<const BenchRow> rows, std::span<const Standing> standings,
+                       const Floors& floors) {
+  std::vector<std::string> results;
+  for (const BenchRow& row : rows) results.push_back('\n' + row_json(row));
+  return fmt::format("\"results\":[{}\n],\n\"summary\":{},\n\"floors\":{}", join(results),
+                     standings_json(standings), floors_json(floors, rows));
+}
+
+}  // namespace cyl

@@ -1,0 +1,182 @@
+// SPDX-License-Identifier: MIT
+#include "reports/run/charts.hpp"
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+
+#include "corpus/pairs/pair_io.hpp"
+#include "reports/run/bench_table.hpp"
+
+namespace cyl {
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+
+/// Upright, side by side, at a margin in sizes (6).
+Pair beside(double margin) {
+  return {{{0, 0, 0}, {0, 0, 1}, 1, 2}, {{2 + 6 * margin, 0, 0}, {0, 0, 1}, 1, 2}};
+}
+
+FindingRecord finding(const char* method, const char* kind, const Pair& pair, Verdict truth) {
+  FindingRecord f;
+  f.method = method;
+  f.kind = kind;
+  f.severity = "contract";
+  f.family = "f";
+  Case line;
+  line.pair = pair;
+  f.pair = format_case(line);
+  f.truth = std::string("{\"verdict\":\"") + to_string(truth) + "\",\"stage\":\"filter\"}";
+  f.answers = "{}";
+  f.stage = "filter";
+  return f;
+}
+
+MethodRecord method(const char* name) { return {name, "1", 0, 0, "", 1}; }
+
+/// A run of two methods on four kinds of pair, in a folder that is gone afterwards.
+class Charts : public testing::Test {
+ protected:
+  void SetUp() override {
+    folder = fs::temp_directory_path() / ("daylight_charts_" + std::to_string(getpid()));
+    fs::remove_all(folder);
+    RunStore run = RunStore::create(folder, {}, {method("good"), method("bad"), method("silent")});
+    BatchRecord batch;
+    batch.next = 9;
+    CellTable cells;
+    const auto ask = [&](const Pair& pair, Verdict truth, const std::vector<CellCounts>& counts) {
+      const auto places = cells_of(pair, truth);
+      for (const Plane p : planes) {
+        const Cell at = places[static_cast<std::size_t>(p)];
+        cells.add({std::string(to_string(p)), at.x, at.y, counts});
+      }
+    };
+    ask(beside(3e-7), Verdict::disjoint, {{4}, {4, 0, 2, 0, 0}});
+    ask(beside(-3e-7), Verdict::intersecting, {{2}, {2, 1, 0, 1, 0}});
+    ask(beside(1), Verdict::disjoint, {{3}, {3, 0, 0, 0, 1}});
+    ask(beside(0), Verdict::touching, {{7}, {0}});
+    ask(beside(1e-17), Verdict::disjoint, {{1}, {0}});
+    batch.cells = cells.records();
+    batch.findings = {finding("bad", "distance_outside", beside(3e-7), Verdict::disjoint),
+                      finding("bad", "wrong_intersecting", beside(4e-7), Verdict::undecided),
+                      finding("bad", "wrong_intersecting", beside(4e-7), Verdict::disjoint),
+                      finding("bad", "wrong_intersecting", beside(3e-7), Verdict::disjoint),
+                      finding("bad", "crash", beside(1), Verdict::disjoint)};
+    run.commit(batch, 1);
+  }
+  void TearDown() override { fs::remove_all(folder); }
+
+  json charts() const {
+    std::ifstream in(folder / "charts.json");
+    return json::parse(in);
+  }
+  fs::path folder;
+};
+
+const MapCell* cell_at(const FailureMap& map, const Pair& pair, Verdict truth) {
+  for (const MapCell& c : map.cells)
+    if (c.at == cells_of(pair, truth)[static_cast<std::size_t>(map.plane)]) return &c;
+  return nullptr;
+}
+
+TEST_F(Charts, MapsCountAndNameTheFirstFindingOfEachCell) {
+  const std::vector<FailureMap> maps = failure_maps(RunStore::open(folder));
+  ASSERT_EQ(maps.size(), 2 * planes.size());  // the silent one was not asked
+  EXPECT_EQ(maps[0].method, "good");
+  EXPECT_EQ(maps[3].method, "bad");
+  EXPECT_EQ(maps[3].plane, Plane::angle_margin);
+  const MapCell* near = cell_at(maps[3], beside(3e-7), Verdict::disjoint);
+  ASSERT_TRUE(near);
+  EXPECT_EQ(near->counts, (CellCounts{6, 1, 2, 1, 0}));  // both sides of touching
+  EXPECT_EQ(near->finding, 3);                           // not the distance, and not the undecided
+  const MapCell* far = cell_at(maps[3], beside(1), Verdict::disjoint);
+  ASSERT_TRUE(far);
+  EXPECT_FALSE(far->finding);  // nothing wrong was counted there: it was seen in a dispute
+  EXPECT_FALSE(cell_at(maps[3], beside(0), Verdict::touching));
+  EXPECT_FALSE(cell_at(maps[0], beside(3e-7), Verdict::disjoint)->finding);
+}
+
+TEST_F(Charts, HonestyIsByDecadeAndTouchingIsBelowAll) {
+  const std::vector<Honesty> all = honesty_of(failure_maps(RunStore::open(folder)));
+  ASSERT_EQ(all.size(), 2u);
+  ASSERT_EQ(all[0].bins.size(), 3u);
+  EXPECT_EQ(all[0].bins[0].first, 0);
+  EXPECT_EQ(all[0].bins[1].first, 6);
+  EXPECT_EQ(all[0].bins[2].first, 16);
+  EXPECT_EQ(all[0].bins[2].second.asked, 8u);
+  EXPECT_EQ(all[1].bins[1].second, (CellCounts{6, 1, 2, 1, 0}));
+}
+
+TEST_F(Charts, TheFileHasWhatThePageReadsAndKeepsWhatOthersWrote) {
+  std::ofstream(folder / "charts.json") << R"({"paths":[1],"maps":[],"speed":[5]})";
+  write_charts(folder, {});
+  EXPECT_EQ(charts()["paths"], json::parse("[1]"));
+  EXPECT_EQ(charts()["speed"], json::parse("[5]"));
+  EXPECT_EQ(charts()["cost"], json::array());
+  BenchRow row;
+  row.method = "bad-tol1e-4";
+  row.family = "margin_1e-01";
+  row.query = "verdict";
+  row.pairs = 9;
+  row.median_ns = row.p50_ns = 12.5;
+  write_charts(folder, {row});
+  const json all = charts();
+  EXPECT_EQ(all["paths"], json::parse("[1]"));
+  const json& cell = all["maps"][3]["cells"][1];
+  for (const char* field :
+       {"x", "y", "asked", "wrong_disjoint", "wrong_intersecting", "failed", "undecided", "finding"})
+    EXPECT_TRUE(cell.contains(field)) << field;
+  EXPECT_EQ(all["maps"][3]["plane"], "angle-margin");
+  EXPECT_EQ(all["maps"][3]["x"]["labels"][static_cast<std::size_t>(cell["x"])], "parallel");
+  EXPECT_EQ(all["maps"][3]["y"]["labels"][static_cast<std::size_t>(cell["y"])], "1e-6");
+  EXPECT_EQ(all["honesty"][1]["bins"][1],
+            json::parse(R"({"decade":6,"asked":6,"wrong_disjoint":1,"wrong_intersecting":2,"undecided":0})"));
+  EXPECT_TRUE(all["honesty"][1]["family"].is_null());
+  EXPECT_EQ(all["speed"].size(), 2u);
+  EXPECT_EQ(all["speed"][1], json::parse(R"({"method":"bad-tol1e-4","curve":"bad","setting":"1e-4",
+    "family":"all","query":"verdict","ns":12.5,"p99":null,"max":null,"asked":9,"wrong_disjoint":0,
+    "wrong_intersecting":0,"digits":1,"digits_low":null})"));
+  EXPECT_EQ(all["cost"][0],
+            json::parse(R"({"method":"bad-tol1e-4","decade":1,"p50":12.5,"p99":null,"max":null})"));
+}
+
+TEST_F(Charts, ReadWhatABenchWrote) {
+  BenchRow row;
+  row.method = "a \"b\"";
+  row.family = "random";
+  row.query = "distance";
+  row.foreign = true;
+  row.pairs = 7;
+  row.median_ns = 0.1;
+  row.p50_ns = 1.0 / 3;
+  row.wrong_disjoint = 1;
+  row.wrong_intersecting = 2;
+  row.undecided = 3;
+  row.failed = 4;
+  const fs::path file = folder / "bench.json";
+  std::ofstream(file) << '{' << bench_json({&row, 1}, {}, {}) << '}';
+  const std::vector<BenchRow> rows = read_bench(file);
+  ASSERT_EQ(rows.size(), 1u);
+  EXPECT_EQ(rows[0].method, row.method);
+  EXPECT_EQ(rows[0].query, "distance");
+  EXPECT_TRUE(rows[0].foreign);
+  EXPECT_EQ(rows[0].pairs, 7u);
+  EXPECT_EQ(rows[0].median_ns, 0.1);
+  EXPECT_EQ(rows[0].p50_ns, 1.0 / 3);
+  EXPECT_NE(rows[0].max_ns, rows[0].max_ns);
+  EXPECT_EQ(rows[0].wrong_disjoint + 10 * rows[0].wrong_intersecting + 100 * rows[0].undecided +
+                1000 * rows[0].failed,
+            4321u);
+  for (const char* bad : {"", "[]", "{}", R"({"results":[{}]})"}) {
+    std::ofstream(file) << bad;
+    EXPECT_THROW(read_bench(file), std::runtime_error) << bad;
+  }
+}
+
+}  // namespace
+}  // namespace cyl

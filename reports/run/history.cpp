@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: MIT
+#include "reports/run/history.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <exception>
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <set>
+#include <tuple>
+
+#include "fuzz/campaign/campaign.hpp"
+
+namespace cyl {
+namespace {
+
+namespace fs = std::filesystem;
+
+using Asked = std::pair<std::string, std::string>;                           // method, family
+using Key = std::tuple<std::string, std::string, std::string, std::string>;  // method, kind, severity, family
+
+/// What history needs of a run.
+struct Past {
+  std::string began, folder;
+  bool shard = false;  ///< a part of a run, which tells nothing of nights
+  std::set<Asked> asked;
+  std::map<Key, GroupRecord> found;
+};
+
+Past read_past(const std::string& folder) {
+  const RunStore store = RunStore::open(folder);
+  const Config config = store.config();
+  Past past{value_of(config, "started"), folder, shard_of(config).count > 1, {}, {}};
+  for (const TallyRecord& t : store.tallies()) past.asked.emplace(t.method, t.family);
+  for (const GroupRecord& g : store.groups()) past.found[{g.method, g.kind, g.severity, g.family}] = g;
+  return past;
+}
+
+bool before(const Past& x, const Past& y) {
+  return std::pair(x.began, x.folder) < std::pair(y.began, y.folder);
+}
+
+/// Nothing where the group is neither here nor was in the last run that could have found it.
+std::optional<Standing> standing_of(const Key& key, const Past& here, const std::vector<Past>& earlier) {
+  const Asked asked{std::get<0>(key), std::get<3>(key)};
+  bool ever = false, last = false;
+  for (const Past& past : earlier) {
+    if (!past.asked.contains(asked)) continue;
+    last = past.found.contains(key);
+    ever |= last;
+  }
+  if (here.found.contains(key)) return !ever ? Standing::fresh : last ? Standing::known : Standing::back;
+  if (last && here.asked.contains(asked)) return Standing::gone;
+  return {};
+}
+
+}  // namespace
+
+const char* to_string(Standing standing) {
+  constexpr const char* words[] = {"new", "known", "back", "gone"};
+  return words[static_cast<std::size_t>(standing)];
+}
+
+std::size_t History::count(Standing standing) const {
+  return static_cast<std::size_t>(
+      std::count_if(groups.begin(), groups.end(), [&](const auto& g) { return g.second == standing; }));
+}
+
+History compare_with_earlier(const std::string& run_folder) {
+  const fs::path run = fs::canonical(run_folder);
+  const Past here = read_past(run.string());
+  History history;
+  if (here.shard) return history;
+  std::vector<Past> earlier;
+  for (const std::string& folder : runs_in(run.parent_path().string())) {
+    if (folder == run.string()) continue;
+    try {
+      Past past = read_past(folder);
+      if (!past.shard && before(past, here)) earlier.push_back(std::move(past));
+    } catch (const std::exception&) {
+      ++history.unreadable;
+    }
+  }
+  std::sort(earlier.begin(), earlier.end(), before);
+  history.runs = earlier.size();
+
+  std::map<Key, GroupRecord> all = here.found;
+  for (const Past& past : earlier) all.insert(past.found.begin(), past.found.end());
+  for (const auto& [key, group] : all) {
+    if (const auto standing = standing_of(key, here, earlier)) history.groups.emplace_back(group, *standing);
+  }
+  std::stable_sort(history.groups.begin(), history.groups.end(),
+                   [](const auto& x, const auto& y) { return x.second < y.second; });
+  return history;
+}
+
+std::string format_history(const History& history) {
+  const auto number = [&](Standing standing) {
+    return fmt::format("{} {}", history.count(standing), to_string(standing));
+  };
+  std::string text = fmt::format("against {} earlier run{} beside it: {}, {}, {}, {}", history.runs,
+                                 history.runs == 1 ? "" : "s", number(Standing::fresh),
+                                 number(Standing::known), number(Standing::gone), number(Standing::back));
+  if (history.unreadable > 0) text += fmt::format("; {} that cannot be read passed over", history.unreadable);
+  return text;
+}
+
+}  // namespace cyl

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: MIT
+// What a run found, held against the earlier runs beside it: those in the same folder that began before it.
+// Shards are passed over, and have no history of their own: the run they are merged to has.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "corpus/store/run_store.hpp"
+
+namespace cyl {
+
+/// How a group of findings stands. Only earlier runs that asked its method about its family tell something of
+/// it; the last of those decides between `known` and `back`, and on `gone`.
+enum class Standing {
+  fresh,  ///< found here, in no earlier run; told as "new"
+  known,  ///< found here and in the last
+  back,   ///< found here and in an earlier run, not in the last
+  gone,   ///< not found here though asked, but in the last
+};
+const char* to_string(Standing standing);
+
+struct History {
+  std::size_t runs = 0;                                  ///< earlier ones
+  std::size_t unreadable = 0;                            ///< stores that cannot be read, and are passed over
+  std::vector<std::pair<GroupRecord, Standing>> groups;  ///< by standing, then by group
+
+  std::size_t count(Standing standing) const;
+};
+
+History compare_with_earlier(const std::string& run_folder);
+
+/// "against 5 earlier runs: 2 new, 31 known, 1 gone, 0 back"
+std::string format_history(const History& history);
+
+}  // namespace cyl

@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: MIT
+#include "reports/run/history.hpp"
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <set>
+
+namespace cyl {
+namespace {
+
+namespace fs = std::filesystem;
+
+class HistoryTest : public testing::Test {
+ protected:
+  void SetUp() override {
+    folder = fs::temp_directory_path() / ("daylight_history_" + std::to_string(getpid()));
+    fs::remove_all(folder);
+  }
+  void TearDown() override { fs::remove_all(folder); }
+
+  /// A run that asked `methods` about one family and found these kinds of each.
+  void run(const std::string& name, const std::string& began,
+           const std::map<std::string, std::set<std::string>>& methods) const {
+    RunStore store = RunStore::create(folder / name, {{"started", began}});
+    BatchRecord batch;
+    batch.next = 1;
+    for (const auto& [method, kinds] : methods) {
+      batch.tallies.push_back({method, "flat", Counts{1, 0, 0, 0, 0, 0, 0}});
+      for (const std::string& kind : kinds) batch.groups.push_back({method, kind, "contract", "flat", 3, 0});
+    }
+    store.commit(batch, 1);
+  }
+  std::string standing(const std::string& name, const std::string& method, const std::string& kind) const {
+    for (const auto& [group, standing] : compare_with_earlier(folder / name).groups) {
+      if (group.method == method && group.kind == kind) return to_string(standing);
+    }
+    return "";
+  }
+
+  fs::path folder;
+};
+
+TEST_F(HistoryTest, TellsNewKnownBackAndGone) {
+  run("c", "2026-11-01", {{"x", {"lost", "held", "old"}}});
+  run("b", "2026-11-02", {{"x", {"held", "late"}}});
+  run("a", "2026-11-03", {{"x", {"held", "lost", "first"}}, {"y", {"other"}}});
+  run("later", "2026-11-04", {{"x", {"first"}}});
+  EXPECT_EQ(standing("a", "x", "first"), "new");
+  EXPECT_EQ(standing("a", "y", "other"), "new");
+  EXPECT_EQ(standing("a", "x", "held"), "known");
+  EXPECT_EQ(standing("a", "x", "lost"), "back");
+  EXPECT_EQ(standing("a", "x", "late"), "gone");
+  EXPECT_EQ(standing("a", "x", "old"), "") << "gone before";
+  EXPECT_EQ(format_history(compare_with_earlier(folder / "a")),
+            "against 2 earlier runs beside it: 2 new, 1 known, 1 gone, 1 back");
+  EXPECT_EQ(format_history(compare_with_earlier(folder / "c")),
+            "against 0 earlier runs beside it: 3 new, 0 known, 0 gone, 0 back");
+}
+
+TEST_F(HistoryTest, ARunThatDidNotAskTellsNothing) {
+  run("1", "2026-11-01", {{"x", {"held"}}});
+  run("2", "2026-11-02", {{"y", {}}});
+  run("3", "2026-11-03", {{"x", {"held"}}});
+  run("4", "2026-11-04", {{"y", {}}});
+  EXPECT_EQ(standing("3", "x", "held"), "known");
+  EXPECT_EQ(standing("4", "x", "held"), "");
+}
+
+TEST_F(HistoryTest, ShardsAreNoNights) {
+  run("0", "2026-11-01", {{"x", {"held"}}});
+  run("1", "2026-11-02", {{"x", {"held"}}});
+  run("2", "2026-11-03", {{"x", {"held"}}});
+  RunStore::open(folder / "1").set("shard", "1/3 of batches of 512");
+  EXPECT_EQ(compare_with_earlier(folder / "1").runs, 0u);
+  EXPECT_EQ(compare_with_earlier(folder / "2").runs, 1u);
+}
+
+TEST_F(HistoryTest, PassesOverWhatCannotBeRead) {
+  run("1", "2026-11-01", {{"x", {"held"}}});
+  run("2", "2026-11-02", {{"x", {"held"}}});
+  fs::create_directories(folder / "broken");
+  std::ofstream(folder / "broken" / "run.sqlite") << std::string(4096, '?');
+  EXPECT_EQ(
+      format_history(compare_with_earlier(folder / "2")),
+      "against 1 earlier run beside it: 0 new, 1 known, 0 gone, 0 back; 1 that cannot be read passed over");
+}
+
+}  // namespace
+}  // namespace cyl

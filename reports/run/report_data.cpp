@@ -1,0 +1,333 @@
+// SPDX-License-Identifier: MIT
+#include "reports/run/report_data.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <set>
+#include <stdexcept>
+#include <unordered_map>
+#include <vector>
+
+#include "base/own_command.hpp"
+#include "base/safe_text.hpp"
+#include "corpus/pairs/families.hpp"
+#include "corpus/pairs/pair_io.hpp"
+#include "corpus/pairs/pair_json.hpp"
+#include "corpus/store/run_store.hpp"
+#include "fuzz/campaign/batch.hpp"
+#include "fuzz/campaign/campaign.hpp"
+#include "fuzz/campaign/self_check.hpp"
+#include "oracles/methods/guest.hpp"
+#include "props/mutants/kill_data.hpp"
+#include "reports/run/history.hpp"
+#include "reports/run/tally_table.hpp"
+#include "reports/triage/case_distance.hpp"
+#include "reports/triage/triage.hpp"
+
+namespace cyl {
+namespace {
+
+using json = nlohmann::ordered_json;
+
+/// What cannot be read is null.
+json parsed(const std::string& text) { return json::parse(text, nullptr, false); }
+
+// The run
+// -----------------------------------------------------------------------------------------------------------
+
+std::string names_option(const char* option, const std::vector<std::string>& named,
+                         const std::vector<std::string>& all) {
+  if (named == all) return "";
+  std::string list;
+  for (const std::string& name : named) list += (list.empty() ? "" : ",") + name;
+  return fmt::format(" {} {}", option, shell_quoted(list));
+}
+
+std::vector<std::string> lines_of(const std::string& text) {
+  std::vector<std::string> lines;
+  for (std::size_t at = 0; at < text.size();) {
+    const std::size_t end = std::min(text.find('\n', at), text.size());
+    lines.push_back(text.substr(at, end - at));
+    at = end + 1;
+  }
+  return lines;
+}
+
+/// The command that does this run again on a machine with the same build, where its guests run; empty where
+/// its families were weighted by earlier runs, which may be gone.
+std::string command_of(const RunStore& store, const Config& config) {
+  if (!value_of(config, "weights").empty()) return "";
+  std::vector<std::string> asked, all, all_families;
+  for (const MethodRecord& m : store.methods()) asked.push_back(m.name);
+  for (const auto& m : all_methods()) all.emplace_back(m->name());
+  for (const Family& f : families()) all_families.emplace_back(f.name);
+  const Shard shard = shard_of(config);
+  std::string command = fmt::format("{} campaign --seed {} --pairs {}", own_command(),
+                                    shell_quoted(value_of(config, "seed")), store.progress().next);
+  for (const Guest& guest : parse_guests(value_of(config, "guests"))) {
+    all.push_back(guest.name);
+    command += ' ' + options_for(guest);
+  }
+  if (shard.count > 1) command += fmt::format(" --shard {}/{}", shard.index, shard.count);
+  return command + names_option("--methods", asked, all) +
+         names_option("--families", lines_of(value_of(config, "families")), all_families);
+}
+
+json run_of(const RunStore& store, const Config& config, const std::string& folder,
+            const std::vector<MethodTally>& tallies) {
+  std::uint64_t pairs = 0;  // judged: of a shard, the next index tells of others' too
+  for (const MethodTally& m : tallies)
+    if (m.method == referee_row) pairs = m.total.asked;
+  return {{"id", std::filesystem::canonical(folder).filename().string()},
+          {"seed", value_of(config, "seed")},
+          {"pairs", pairs},
+          {"started", value_of(config, "started")},
+          {"status", value_of(config, "status")},
+          {"seconds", static_cast<double>(store.progress().milliseconds) / 1000},
+          {"build", value_of(config, "build")},
+          {"command", command_of(store, config)},
+          {"folder", folder}};
+}
+
+json methods_of(const RunStore& store) {
+  std::set<std::string, std::less<>> own;
+  for (const auto& m : own_methods()) own.emplace(m->name());
+  json all = json::array();
+  for (const MethodRecord& m : store.methods()) {
+    all.push_back(
+        {{"name", m.name},
+         {"version", m.version},
+         {"claim",
+          {{"relative", finite(m.relative)}, {"absolute", finite(m.absolute)}, {"source", m.source}}},
+         {"own", own.contains(m.name)},
+         {"share", m.share}});
+  }
+  return all;
+}
+
+json families_of(const std::vector<MethodTally>& tallies) {
+  std::set<std::string> asked;
+  for (const MethodTally& m : tallies)
+    for (const TallyRecord& t : m.families) asked.insert(t.family);
+  json all = json::array();
+  const auto tell = [&](const std::string& name, std::string_view summary) {
+    if (asked.erase(name) > 0) all.push_back({{"name", name}, {"summary", summary}});
+  };
+  tell(cases_family, "the case files, played first");
+  for (const Family& f : families()) tell(std::string(f.name), f.summary);
+  for (const std::string& name : std::set(asked)) tell(name, "of another build");
+  return all;
+}
+
+json tallies_of(const std::vector<MethodTally>& tallies) {
+  json all = json::array();
+  for (const MethodTally& m : tallies) {
+    for (const TallyRecord& t : m.families) {
+      all.push_back({{"method", t.method},
+                     {"family", t.family},
+                     {"asked", t.counts.asked},
+                     {"declined", t.counts.declined},
+                     {"failed", t.counts.failed},
+                     {"contract", t.counts.contract},
+                     {"resolution", t.counts.resolution},
+                     {"undecided", t.counts.undecided},
+                     {"nanoseconds", t.counts.nanoseconds}});
+    }
+  }
+  return all;
+}
+
+json history_of(const std::string& folder) {
+  const History history = compare_with_earlier(folder);
+  if (history.runs == 0) return nullptr;
+  json groups = json::array();
+  for (const auto& [g, standing] : history.groups) {
+    groups.push_back({{"method", g.method},
+                      {"kind", g.kind},
+                      {"severity", g.severity},
+                      {"family", g.family},
+                      {"count", g.count},
+                      {"standing", to_string(standing)}});
+  }
+  return {{"runs", history.runs}, {"groups", std::move(groups)}};
+}
+
+// Findings
+// -----------------------------------------------------------------------------------------------------------
+
+/// Findings on one pair.
+struct Shared {
+  const FindingRecord* first = nullptr;
+  std::set<std::string, std::less<>> methods;  ///< that have a finding on it
+  std::optional<MarginRecord> margin;
+};
+
+/// Every name once, in the order of their first use.
+class Names {
+ public:
+  std::size_t index(const std::string& name) {
+    const auto [at, added] = index_.try_emplace(name, index_.size());
+    if (added) names_.push_back(name);
+    return at->second;
+  }
+  json list() const { return names_; }
+
+ private:
+  std::unordered_map<std::string, std::size_t> index_;
+  json names_ = json::array();
+};
+
+/// Equal answers once, with everybody who gave them; the witnesses of those who had no finding are left out.
+json said_on(const Shared& shared, Names& names) {
+  json said = json::array();
+  std::map<std::string, std::size_t> known;
+  const json answers = parsed(shared.first->answers);
+  if (!answers.is_object()) return said;
+  for (const auto& [method, answer] : answers.items()) {
+    json told = answer.is_object() ? answer : json::object();
+    if (!shared.methods.contains(method)) {
+      told.erase("direction");
+      told.erase("point");
+    }
+    const auto [at, added] = known.try_emplace(told.dump(), said.size());
+    if (added) said.push_back({std::move(told), json::array()});
+    said[at->second][1].push_back(names.index(method));
+  }
+  return said;
+}
+
+std::optional<Verdict> verdict_of(const json& truth) {
+  const auto at = truth.is_object() ? truth.find("verdict") : truth.end();
+  for (const Verdict v : {Verdict::disjoint, Verdict::intersecting, Verdict::touching})
+    if (truth.is_object() && at != truth.end() && *at == to_string(v)) return v;
+  return {};
+}
+
+/// null where the record holds no pair.
+json case_of(const Shared& shared, Names& names) {
+  const CaseLine line = parse_case(shared.first->pair, 1);
+  if (!line.value) return nullptr;
+  const Pair& pair = line.value->pair;
+  json told = {{"pair", {{"a", cylinder_json(pair.a)}, {"b", cylinder_json(pair.b)}}},
+               {"truth", parsed(shared.first->truth)},
+               {"margin", nullptr}};
+  if (shared.margin) told["margin"] = {finite(shared.margin->lo), finite(shared.margin->hi)};
+  if (!told["truth"].is_object()) told["truth"] = {{"verdict", "undecided"}};
+  told["truth"]["stage"] = shared.first->stage;
+  if (const auto verdict = verdict_of(told["truth"]))
+    add_distance(told, case_distance(pair, *verdict, shared.margin));
+  std::string note;
+  for (const std::string& part : {line.value->id, line.value->source, line.value->note})
+    if (!part.empty()) note += (note.empty() ? "" : "; ") + part;
+  if (!note.empty()) told["note"] = std::move(note);
+  told["said"] = said_on(shared, names);
+  return told;
+}
+
+void add_findings(json& report, const RunStore& store) {
+  std::unordered_map<std::int64_t, std::string> bucket_of;
+  for (const json& bucket : report["buckets"])
+    for (const json& id : bucket.at("findings"))
+      bucket_of.emplace(id.get<std::int64_t>(), bucket.at("key").get<std::string>());
+
+  const std::vector<FindingRecord> records = store.findings();
+  std::unordered_map<std::string, std::size_t> known;
+  std::vector<Shared> shared;
+  std::vector<std::size_t> case_at;
+  for (const FindingRecord& f : records) {
+    const auto [at, added] = known.try_emplace(f.pair + '\n' + f.truth + '\n' + f.answers, shared.size());
+    if (added) shared.push_back({&f, {}, {}});
+    Shared& s = shared[at->second];
+    s.methods.insert(f.method);
+    if (!s.margin) s.margin = f.margin;
+    case_at.push_back(at->second);
+  }
+
+  Names names;
+  json cases = json::array();
+  std::vector<std::optional<std::size_t>> told_at;
+  for (const Shared& s : shared) {
+    json told = case_of(s, names);
+    told_at.push_back(told.is_null() ? std::nullopt : std::optional(cases.size()));
+    if (!told.is_null()) cases.push_back(std::move(told));
+  }
+  json findings = json::array();
+  for (std::size_t i = 0; i < records.size(); ++i) {
+    const FindingRecord& f = records[i];
+    if (!told_at[case_at[i]]) continue;
+    const auto bucket = bucket_of.find(f.id);
+    findings.push_back({{"id", f.id},
+                        {"method", f.method},
+                        {"kind", f.kind},
+                        {"severity", f.severity},
+                        {"family", f.family},
+                        {"bucket", bucket == bucket_of.end() ? json() : json(bucket->second)},
+                        {"case", *told_at[case_at[i]]}});
+    if (!f.reason.empty()) findings.back()["reason"] = f.reason;
+  }
+  std::uint64_t total = 0;
+  for (const GroupRecord& g : store.groups()) total += g.count;
+  if (findings.size() < records.size()) report["unreadable"] = records.size() - findings.size();
+  report["findings"] = std::move(findings);
+  report["findings_total"] = total;
+  report["cases"] = std::move(cases);
+  report["names"] = names.list();
+}
+
+// Beside the store
+// -----------------------------------------------------------------------------------------------------------
+
+/// null where there is no such file.
+json read_beside(const std::string& folder, const char* name) {
+  const std::string file = folder + "/" + name;
+  if (!std::filesystem::exists(file)) return nullptr;
+  std::ifstream in(file);
+  json content = json::parse(in, nullptr, false);
+  if (content.is_discarded()) throw std::runtime_error(file + " holds no JSON");
+  return content;
+}
+
+void add_charts(json& report, const std::string& folder) {
+  const json charts = read_beside(folder, "charts.json");
+  for (const char* section : {"maps", "honesty", "speed", "cost", "paths", "backward", "builds"}) {
+    report[section] = json::array();
+    if (!charts.is_object() || !charts.contains(section)) continue;
+    if (!charts[section].is_array())
+      throw std::runtime_error(fmt::format("{}/charts.json: {} is no array", folder, section));
+    report[section] = charts[section];
+  }
+}
+
+json alarm_of(const RunStore& store) {
+  const std::vector<AlarmRecord> alarms = store.alarms();
+  if (alarms.empty()) return nullptr;
+  const bool green = std::none_of(alarms.begin(), alarms.end(), rings);
+  return {{"green", green}, {"text", green ? format_alarms(alarms) : describe_rings(alarms)}};
+}
+
+}  // namespace
+
+std::string report_json(const std::string& run_folder, const std::string& kill_matrix) {
+  const RunStore store = RunStore::open(run_folder);
+  const Config config = store.config();
+  const std::vector<MethodTally> tallies = tally_methods(store);
+  json report = {{"schema", 1},
+                 {"run", run_of(store, config, run_folder, tallies)},
+                 {"methods", methods_of(store)},
+                 {"families", families_of(tallies)},
+                 {"tallies", tallies_of(tallies)},
+                 {"history", history_of(run_folder)},
+                 {"alarm", alarm_of(store)},
+                 {"kill_matrix", kill_matrix.empty() ? json() : kill_data(kill_matrix)},
+                 {"buckets", json(buckets_json(run_folder))}};
+  add_findings(report, store);
+  add_charts(report, run_folder);
+  return report.dump(-1, ' ', false, json::error_handler_t::replace);
+}
+
+}  // namespace cyl

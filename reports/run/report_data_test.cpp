@@ -1,0 +1,275 @@
+// SPDX-License-Identifier: MIT
+#include "reports/run/report_data.hpp"
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <nlohmann/json.hpp>
+#include <vector>
+
+#include "corpus/pairs/pair_io.hpp"
+#include "corpus/store/run_store.hpp"
+#include "corpus/store/triage_store.hpp"
+#include "oracles/methods/method.hpp"
+#include "props/mutants/kill_data.hpp"
+#include "reports/run/page.hpp"
+
+namespace cyl {
+namespace {
+
+namespace fs = std::filesystem;
+using json = nlohmann::ordered_json;
+
+const std::string hostile = "</script></code></style><img src=x onerror=alert(1)>\"'&\x01<!--@@STYLE@@$&";
+
+class ReportData : public testing::Test {
+ protected:
+  void SetUp() override {
+    folder = fs::temp_directory_path() / ("daylight_report_" + std::to_string(getpid()) + "_" +
+                                          testing::UnitTest::GetInstance()->current_test_info()->name());
+    fs::remove_all(folder);
+    folder /= "run";  // alone in its folder: no earlier runs beside it
+    fs::create_directories(folder.parent_path());
+  }
+  void TearDown() override { fs::remove_all(folder.parent_path()); }
+  json data() const { return json::parse(report_json(folder)); }
+  void put(const char* name, const std::string& text) const { std::ofstream(folder / name) << text; }
+  fs::path folder;
+};
+
+FindingRecord finding(std::uint64_t index, const std::string& method, double margin) {
+  FindingRecord f;
+  f.index = f.family_index = index;
+  f.family = "cases";
+  f.method = method;
+  f.kind = "wrong_disjoint";
+  f.severity = "contract";
+  f.margin = MarginRecord{margin, margin};
+  Case c;
+  c.pair.a.radius = static_cast<double>(index) + 0.1;
+  c.pair.b.center = {-0.0, 5e-324, 1.7976931348623157e308};
+  f.pair = format_case(c);
+  f.answers =
+      R"({"fake":{"verdict":"disjoint","direction":[1,0,0.1]},"other":{"verdict":"disjoint","direction":[1,0,0.2]},"third":{"verdict":"disjoint","direction":[1,0,0.3]}})";
+  f.truth = R"({"verdict":"undecided","stage":"wide"})";
+  f.stage = "wide";
+  return f;
+}
+
+void commit(RunStore& store, const std::vector<FindingRecord>& findings) {
+  BatchRecord batch;
+  batch.first = store.progress().next;
+  batch.next = batch.first + findings.size();
+  Representatives kept;
+  for (const FindingRecord& f : findings) {
+    if (kept.admit(f)) batch.findings.push_back(f);
+    batch.tallies.push_back({f.method, f.family, Counts{1, 0, 0, 1, 0, 0, 100}});
+  }
+  batch.groups = kept.groups();
+  store.commit(batch, 1500);
+}
+
+TEST_F(ReportData, HasTheRunItsMethodsAndEveryNumber) {
+  RunStore store =
+      RunStore::create(folder, {{"seed", "42"}, {"started", "today"}, {"build", "b"}, {"status", "complete"}},
+                       {{"fake", "9.8", 1e-6, 0.001, "its manual", 3}, {"intersect", "1", 0, 0, "d", 1}});
+  BatchRecord batch;
+  batch.next = 7;
+  batch.tallies = {{"fake", "random", {1002, 11, 12, 13, 14, 15, 1002 * 16}},
+                   {"referee", "random", {7, 0, 0, 0, 0, 2, 70}}};
+  store.commit(batch, 1500);
+  const json report = data();
+  EXPECT_EQ(report["schema"], 1);
+  EXPECT_EQ(report["run"]["seed"], "42");
+  EXPECT_EQ(report["run"]["pairs"], 7);
+  EXPECT_EQ(report["run"]["seconds"], 1.5);
+  EXPECT_EQ(report["run"]["id"], folder.filename().string());
+  EXPECT_EQ(report["run"]["folder"], folder.string());
+  EXPECT_TRUE(report["run"]["command"].get<std::string>().starts_with(
+      "daylight campaign --seed 42 --pairs 7 --methods 'fake,intersect'"));
+  EXPECT_EQ(report["methods"][0], json::parse(R"({"name":"fake","version":"9.8","claim":{"relative":1e-6,
+    "absolute":0.001,"source":"its manual"},"own":false,"share":3})"));
+  EXPECT_EQ(report["methods"][1]["own"], true);
+  EXPECT_EQ(report["families"][0]["name"], "random");
+  EXPECT_NE(report["families"][0]["summary"], "");
+  EXPECT_EQ(report["tallies"][0],
+            json::parse(R"({"method":"fake","family":"random","asked":1002,"declined":11,
+    "failed":12,"contract":13,"resolution":14,"undecided":15,"nanoseconds":16032})"));
+  EXPECT_EQ(report["history"], nullptr);
+  EXPECT_EQ(report["kill_matrix"], nullptr);
+  for (const char* empty :
+       {"buckets", "findings", "maps", "honesty", "speed", "cost", "paths", "backward", "builds"})
+    EXPECT_EQ(report[empty], json::array()) << empty;
+}
+
+TEST_F(ReportData, TheCommandBringsTheGuests) {
+  const auto command_of = [&](const std::vector<std::string>& methods) {
+    const fs::path run = folder / std::to_string(methods.size());
+    std::vector<MethodRecord> asked;
+    for (const std::string& name : methods) asked.push_back({name, "1", 0, 0, "", 1});
+    RunStore::create(run, {{"seed", "1"}, {"guests", "plugin\tmine\t\t/a b/libmine.so\n"}}, asked);
+    return json::parse(report_json(run))["run"]["command"].get<std::string>();
+  };
+  const std::string plugin = " --plugin 'mine=/a b/libmine.so'";
+  EXPECT_NE(command_of({"mine", "decide"}).find(plugin + " --methods 'mine,decide'"), std::string::npos);
+  std::vector<std::string> all;
+  for (const auto& m : all_methods()) all.emplace_back(m->name());
+  all.emplace_back("mine");
+  const std::string whole = command_of(all);
+  EXPECT_NE(whole.find(plugin), std::string::npos);
+  EXPECT_EQ(whole.find("--methods"), std::string::npos);
+}
+
+TEST_F(ReportData, TellsAPairOfManyFindingsOnceAndToTheLastBit) {
+  RunStore store = RunStore::create(folder, {{"seed", "1"}});
+  std::vector<FindingRecord> findings{finding(0, "fake", 0.25), finding(0, "other", 0.25),
+                                      finding(1, "fake", 0.1)};
+  findings[1].reason = "SIGABRT";
+  findings[1].margin.reset();
+  commit(store, findings);
+  const json report = data();
+  ASSERT_EQ(report["findings"].size(), 3u);
+  ASSERT_EQ(report["cases"].size(), 2u);
+  EXPECT_EQ(report["findings_total"], 3);
+  EXPECT_EQ(report["findings"][0], json::parse(R"({"id":1,"method":"fake","kind":"wrong_disjoint",
+    "severity":"contract","family":"cases","bucket":null,"case":0})"));
+  EXPECT_EQ(report["findings"][1]["case"], 0);
+  EXPECT_EQ(report["findings"][1]["reason"], "SIGABRT");
+  EXPECT_EQ(report["findings"][2]["case"], 1);
+  const json& told = report["cases"][0];
+  EXPECT_EQ(told["margin"], json({0.25, 0.25}));
+  EXPECT_EQ(told["truth"]["stage"], "wide");
+  EXPECT_EQ(told["pair"]["a"]["radius"].get<double>(), 0.1);
+  EXPECT_TRUE(std::signbit(told["pair"]["b"]["center"][0].get<double>()));
+  EXPECT_EQ(told["pair"]["b"]["center"][1].get<double>(), 5e-324);
+  EXPECT_EQ(told["pair"]["b"]["center"][2].get<double>(), 1.7976931348623157e308);
+  // The witness of "third", who has no finding here, is left out; the answers of the others stay as they are.
+  ASSERT_EQ(told["said"].size(), 3u);
+  EXPECT_EQ(told["said"][0][0]["direction"][2], 0.1);
+  EXPECT_EQ(told["said"][2], json::parse(R"([{"verdict":"disjoint"},[2]])"));
+  EXPECT_EQ(report["names"], json({"fake", "other", "third"}));
+}
+
+TEST_F(ReportData, EnclosesTheDistanceAndShowsWhere) {
+  RunStore store = RunStore::create(folder, {});
+  FindingRecord f = finding(0, "fake", 0.5);
+  Case c;
+  c.pair = {{{0, 0, 0}, {0, 0, 1}, 1, 2}, {{2.5, 0, 0}, {0, 1, 0}, 1, 2}};
+  f.pair = format_case(c);
+  f.truth = R"({"verdict":"disjoint","direction":[1,0,0]})";
+  f.margin.reset();
+  commit(store, {f});
+  const json told = data()["cases"][0];
+  EXPECT_LE(told["truth"]["distance"][0].get<double>(), 0.5);
+  EXPECT_GE(told["truth"]["distance"][1].get<double>(), 0.5);
+  EXPECT_NEAR(told["margin"][0].get<double>(), 0.5 / 6, 1e-10);
+  EXPECT_NEAR(told["direction"][0].get<double>(), 1, 1e-6);
+  EXPECT_NEAR(told["nearest"]["a"][0].get<double>(), 1, 1e-9);
+  EXPECT_NEAR(told["nearest"]["b"][0].get<double>(), 1.5, 1e-9);
+}
+
+TEST_F(ReportData, TakesWhatStandsBesideTheStore) {
+  RunStore store = RunStore::create(folder, {});
+  commit(store, {finding(0, "fake", 0.5), finding(1, "fake", 0.5)});
+  TriageStore(folder, "a build").set_buckets(R"([{"key":"fake/wrong","findings":[2]}])");
+  put("charts.json", R"({"speed":[{"method":"fake"}],"other":1})");
+  const json report = data();
+  EXPECT_EQ(report["findings"][0]["bucket"], nullptr);
+  EXPECT_EQ(report["findings"][1]["bucket"], "fake/wrong");
+  EXPECT_EQ(report["buckets"].size(), 1u);
+  EXPECT_EQ(report["speed"][0]["method"], "fake");
+  EXPECT_FALSE(report.contains("other"));
+
+  const auto refused = [&](const char* name, const char* text) {
+    put(name, text);
+    try {
+      report_json(folder);
+      return false;
+    } catch (const std::runtime_error& error) {
+      return std::string(error.what()).find(name) != std::string::npos;
+    }
+  };
+  EXPECT_TRUE(refused("charts.json", "{"));
+  EXPECT_TRUE(refused("charts.json", R"({"speed":1})"));
+}
+
+TEST_F(ReportData, KeepsHostileTextAsText) {
+  RunStore store = RunStore::create(folder, {{"seed", hostile}, {"started", hostile}, {"build", hostile}},
+                                    {{hostile, hostile, 1, 1, hostile, 1}});
+  FindingRecord f = finding(0, hostile, 0.5);
+  Case c;
+  c.id = c.source = c.note = hostile;
+  f.pair = format_case(c);
+  f.kind = f.reason = f.stage = hostile;
+  f.answers = "{" + quote_json(hostile) + R"(:{"failed":)" + quote_json(hostile) + "}}";
+  f.truth = R"({"verdict":)" + quote_json(hostile) + R"(,"point":["1/3",)" + quote_json(hostile) + ",0]}";
+  FindingRecord broken = f;
+  broken.pair = broken.answers = broken.truth = hostile;
+  FindingRecord half = finding(1, "half", 0.5);
+  half.answers = half.truth = "[1]";
+  commit(store, {f, broken, half});
+  write_page(folder);
+  std::ifstream in(folder / "report.html");
+  const std::string page{std::istreambuf_iterator<char>(in), {}};
+  const std::string before = "<script type=\"application/json\" id=\"report-data\">";
+  const std::size_t at = page.find(before);
+  ASSERT_NE(at, page.npos);
+  const std::size_t end = page.find('<', at + before.size());
+  EXPECT_EQ(page.substr(end, 9), "</script>") << "the data ends its own element";
+  EXPECT_EQ(page.find("<img"), page.npos);
+  EXPECT_EQ(page.find('\x01', at), page.npos);
+
+  const json report = json::parse(page.substr(at + before.size(), end - at - before.size()));
+  EXPECT_EQ(report["unreadable"], 1);
+  ASSERT_EQ(report["findings"].size(), 2u);
+  EXPECT_EQ(report["findings"][0]["method"], hostile);
+  EXPECT_EQ(report["findings"][0]["reason"], hostile);
+  EXPECT_EQ(report["methods"][0]["claim"]["source"], hostile);
+  EXPECT_EQ(report["run"]["seed"], hostile);
+  EXPECT_EQ(report["cases"][0]["note"], hostile + "; " + hostile + "; " + hostile);
+  EXPECT_EQ(report["cases"][1]["truth"]["verdict"], "undecided");
+  EXPECT_EQ(report["cases"][1]["said"], json::array());
+}
+
+TEST_F(ReportData, NeedsNoNetworkAndStaysOneFile) {
+  RunStore store = RunStore::create(folder, {});
+  commit(store, {finding(0, "fake", 1)});
+  write_page(folder);
+  write_page(folder);
+  const std::string page = fill_template(Template::report, "{}");
+  for (const char* word : {"src=\"", "@import", "<link", "url(http"})
+    EXPECT_EQ(page.find(word), page.npos) << word;
+  EXPECT_NE(page.find("default-src 'none'"), page.npos);
+  EXPECT_EQ(std::distance(fs::directory_iterator(folder), {}),
+            static_cast<std::ptrdiff_t>(2 + fs::exists(folder / "run.sqlite-wal") +
+                                        fs::exists(folder / "run.sqlite-shm")));
+}
+
+TEST_F(ReportData, TellsWhatTheKillMatrixHas) {
+  fs::create_directories(folder);
+  put("kills.jsonl",
+      R"({"mutant":0,"file":"","what":"","like":"","laws":{"fate":"survived","seconds":5,"what":""}}
+{"mutant":101,"file":"s.hpp","what":"a < b","like":"","laws":{"fate":"killed","seconds":1.25,"what":"x"},"gate":{"fate":"survived","seconds":4,"what":""}}
+{"mutant":102,"file":"s.cpp","what":"none","like":"","equivalent":"by law","laws":{"fate":"survived","seconds":5,"what":""}}
+{"mutant":601,"file":"r.hpp","what":"missed","like":"","laws":{"fate":"survived","seconds":5,"what":""}}
+)");
+  const json matrix = kill_data(folder / "kills.jsonl");
+  EXPECT_EQ(matrix["mutants"], 3);
+  EXPECT_EQ(matrix["caught"], 1);
+  EXPECT_EQ(matrix["equivalent"], 1);
+  EXPECT_EQ(matrix["rows"][0],
+            json::parse(R"({"mutant":101,"file":"s.hpp","what":"a < b","caught_by":["laws"]})"));
+  EXPECT_EQ(matrix["rows"][1]["equivalent"], "by law");
+  EXPECT_EQ(kill_data(folder / "none.jsonl"), nullptr);
+  for (const char* other : {"no rows\n", "{}\n", ""}) {
+    put("kills.jsonl", other);
+    EXPECT_THROW(kill_data(folder / "kills.jsonl"), std::runtime_error);
+  }
+}
+
+}  // namespace
+}  // namespace cyl

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: MIT
+// What came of a run, method by method and family by family: the numbers that the terminal and the page show.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "corpus/store/run_store.hpp"
+
+namespace cyl {
+
+struct MethodTally {
+  std::string method;
+  Counts total;
+  std::vector<TallyRecord> families;  ///< in the order of the run; those never asked are absent
+};
+
+/// In the order of the run: the methods, then what the cases state, then the referee.
+std::vector<MethodTally> tally_methods(const RunStore& store);
+
+/// A text table: for each method its totals, then the families where it was wrong beyond its claim or
+/// failed. What stayed within claims is in the totals and on the page.
+std::string format_tallies(const std::vector<MethodTally>& tallies);
+
+}  // namespace cyl

@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: MIT
+// What is written of a study as JSON, and the page that is drawn from it.
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "reports/run/page.hpp"
+#include "reports/scene/scene_report.hpp"
+#include "reports/schemas/schema_check_test.hpp"
+#include "scenes/scene_files.hpp"
+#include "scenes/shown_pairs.hpp"
+
+namespace cyl {
+namespace {
+
+using json = nlohmann::json;
+
+const std::string hostile = "</script></style><img src=x onerror=alert(1)>\"'&\x01\xff<!--@@STYLE@@$&";
+
+SceneQuestion question(const char* file) {
+  SceneQuestion q;
+  q.file = file;
+  q.configurations = 20;
+  q.verify = true;
+  return q;
+}
+
+Scene crane() { return read_scene(DAYLIGHT_SOURCE_DIR "/corpus/scenes/crane.urdf"); }
+
+std::string written(const Scene& scene, const SceneQuestion& q) {
+  return study_json(scene, q, study_scene(scene, q));
+}
+
+TEST(SceneJson, KeepsToItsSchema) {
+  if (schema_python().empty()) GTEST_SKIP() << "no jsonschema here (Debian: python3-jsonschema)";
+  const std::string document = written(crane(), question("crane.urdf"));
+  EXPECT_TRUE(keeps_to("scene.json", document)) << document;
+  EXPECT_TRUE(keeps_to("scene.json", written(still_scene({{"alone", {}}}), question("alone.csv"))));
+  const json good = json::parse(document);
+  for (const char* planted :
+       {R"([{"op":"remove","path":"/kept/0/cylinders/0/axis"}])",
+        R"([{"op":"replace","path":"/kept/0/cylinders/0/radius","value":-1}])",
+        R"([{"op":"replace","path":"/kept/0/reasons/0/why","value":"by chance"}])",
+        R"([{"op":"remove","path":"/kept/0/pairs/0/on_a/2"}])",
+        R"([{"op":"replace","path":"/pairs/0/needs","value":"inner capsule"}])",
+        R"([{"op":"remove","path":"/pairs/0/models/5"}])", R"([{"op":"remove","path":"/words/capsules"}])",
+        R"([{"op":"add","path":"/colour","value":"red"}])"})
+    EXPECT_FALSE(keeps_to("scene.json", good.patch(json::parse(planted)).dump())) << planted;
+}
+
+// Others can draw what was kept: every number comes back, in the order of the bodies and pairs.
+TEST(SceneJson, HoldsTheKeptConfigurationsToTheBit) {
+  const Scene scene = crane();
+  const SceneQuestion q = question("crane.urdf");
+  const SceneStudy study = study_scene(scene, q);
+  const json all = json::parse(study_json(scene, q, study));
+  const std::vector<Kept> kept = kept_configurations(scene, q, study);
+  ASSERT_EQ(all["kept"].size(), kept.size());
+  for (std::size_t k = 0; k < kept.size(); ++k) {
+    const json& told = all["kept"][k];
+    EXPECT_EQ(told["configuration"], kept[k].configuration);
+    EXPECT_EQ(told["joints"].size(), 3u) << "free ones alone, for --at";
+    ASSERT_EQ(told["cylinders"].size(), scene.bodies.size());
+    for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
+      EXPECT_EQ(all["bodies"][i]["name"], scene.bodies[i].name);
+      const Cylinder& c = kept[k].placed[i];
+      EXPECT_EQ(told["cylinders"][i]["center"], json({c.center.x(), c.center.y(), c.center.z()}));
+      EXPECT_EQ(told["cylinders"][i]["axis"], json({c.axis.x(), c.axis.y(), c.axis.z()}));
+      EXPECT_EQ(told["cylinders"][i]["radius"], c.radius);
+      EXPECT_EQ(told["cylinders"][i]["height"], c.height);
+    }
+    for (std::size_t i = 0; i < study.pairs.size(); ++i) {
+      EXPECT_EQ(all["pairs"][i]["bodies"], json({study.pairs[i].a, study.pairs[i].b}));
+      EXPECT_EQ(told["pairs"][i]["distance"], kept[k].pairs[i].distance);
+    }
+  }
+}
+
+// The same sentences as the text, so that no two tell different numbers.
+TEST(SceneJson, HasTheSentencesOfTheText) {
+  const Scene scene = crane();
+  const SceneQuestion q = question("crane.urdf");
+  const SceneStudy study = study_scene(scene, q);
+  const std::string text = study_text(scene, q, study);
+  const json words = json::parse(study_json(scene, q, study))["words"];
+  EXPECT_EQ(words["left_out"].size(), 2u);
+  for (const auto& [key, told] : words.items()) {
+    if (!told.is_string()) continue;
+    const auto sentence = told.get<std::string>();
+    EXPECT_EQ(sentence.empty(), key == "forgiven") << key;
+    EXPECT_NE(text.find(sentence), std::string::npos) << sentence;
+  }
+}
+
+TEST(SceneJson, ALineAPair) {
+  const Scene scene = crane();
+  const SceneQuestion q = question("crane.urdf");
+  const SceneStudy study = study_scene(scene, q);
+  const std::string text = study_json(scene, q, study);
+  std::size_t lines = 0;
+  for (std::size_t at = text.find("\n  {\"a\":"); at != text.npos; at = text.find("\n  {\"a\":", at + 1))
+    ++lines;
+  EXPECT_EQ(lines, study.pairs.size());
+}
+
+TEST(ScenePage, HoldsTheDataAndAsksNothing) {
+  const Scene scene =
+      still_scene({{hostile, {{0, 0, 0}, {0, 0, 1}, 1, 10}}, {"high", {{0, 0, 11.5}, {0, 0, 1}, 1, 10}}});
+  const std::string told = written(scene, question(hostile.c_str()));
+  const std::string page = fill_template(Template::scene, told);
+  const std::string before = "<script type=\"application/json\" id=\"report-data\">";
+  const std::size_t at = page.find(before);
+  ASSERT_NE(at, page.npos);
+  const std::size_t end = page.find('<', at + before.size());
+  EXPECT_EQ(page.substr(end, 9), "</script>") << "the data ends its own element";
+  EXPECT_EQ(json::parse(page.substr(at + before.size(), end - at - before.size())), json::parse(told));
+  for (const char* word : {"<img", "src=\"", "@import", "<link", "url(http", "@@DAYLIGHT"})
+    EXPECT_EQ(page.find(word), page.npos) << word;
+  EXPECT_NE(page.find("default-src 'none'; script-src 'sha256-"), page.npos);
+}
+
+TEST(ScenePage, IsNotThatOfARun) {
+  const std::string says = "daylight scene FILE --page writes it";
+  EXPECT_NE(fill_template(Template::scene, "{}").find(says), std::string::npos);
+  EXPECT_EQ(fill_template(Template::report, "{}").find(says), std::string::npos);
+}
+
+}  // namespace
+}  // namespace cyl

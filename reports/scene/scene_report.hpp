@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: MIT
+// A study of a scene as people read it and as a page is drawn from it.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "scenes/scene_study.hpp"
+
+namespace cyl {
+
+/// For people; the seed first.
+std::string study_text(const Scene& scene, const SceneQuestion& question, const SceneStudy& study);
+
+/// What `study_text` says in sentences, for others to say the same; empty where there is nothing to say.
+struct StudyWords {
+  std::string counts;                 ///< "20 cylinders on 20 links, 18 free joints"
+  std::vector<std::string> left_out;  ///< "17 box (base, ...)"
+  std::string pairs;                  ///< how many are checked, and why others are not
+  std::string configurations;
+  std::string enough;       ///< for how many pairs spheres and capsules suffice
+  std::string recommended;  ///< "spheres for 112 pairs, cylinders for 59 pairs"
+  std::string cost;         ///< "0.54 us a configuration, against ..."
+  std::string forgiven;     ///< false alarms that are tolerated
+  std::string capsules;     ///< whether they may stand in for every cylinder
+  std::string closest;      ///< the closest call, and how exact an answer must be
+  std::string verified;
+};
+StudyWords words_of(const Scene& scene, const SceneQuestion& question, const SceneStudy& study);
+
+/// The study with its words and the configurations worth a look (scene_kept.hpp), as
+/// reports/schemas/scene.json describes it; a page is drawn from it alone.
+std::string study_json(const Scene& scene, const SceneQuestion& question, const SceneStudy& study);
+
+}  // namespace cyl

@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: MIT
+#include "reports/scene/scene_report.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "scenes/scene_files.hpp"
+#include "scenes/scene_study.hpp"
+#include "solver/distance.hpp"
+
+namespace cyl {
+namespace {
+
+const std::string folder = DAYLIGHT_SOURCE_DIR "/corpus/scenes/";
+
+SceneQuestion question(double clearance, double tolerated, std::size_t configurations) {
+  SceneQuestion q;
+  q.clearance = clearance;
+  q.tolerated = tolerated;
+  q.configurations = configurations;
+  q.verify = true;
+  return q;
+}
+
+TEST(Study, WhatItRecommendsTheRefereeConfirms) {
+  for (const char* file : {"twenty.urdf", "crane.urdf", "crane.xml", "shelf.jsonl"}) {
+    const Scene scene = read_scene(folder + file);
+    for (const double clearance : {0.0, 0.02}) {
+      const SceneStudy s = study_scene(scene, question(clearance, 0, 20));
+      ASSERT_TRUE(s.verification);
+      EXPECT_EQ(s.verification->asked, s.pairs.size() * s.configurations) << file;
+      EXPECT_EQ(s.verification->wrong, 0u) << file << ", clearance " << clearance;
+      EXPECT_EQ(s.verification->tolerated, 0u);
+      for (const PairStudy& pair : s.pairs) {
+        EXPECT_EQ(pair.plan_wrong, 0u);
+        EXPECT_NE(pair.plan.last, Rung::inner);
+        EXPECT_EQ(pair.alone[0].missed, 0) << "a ball apart and they are not";
+        EXPECT_EQ(pair.alone[1].missed, 0);
+        EXPECT_EQ(pair.alone[2].alarm, 0);
+      }
+    }
+  }
+}
+
+TEST(Study, ToleratedFalseAlarmsMakeItCheaper) {
+  const Scene scene = read_scene(folder + "twenty.urdf");
+  const auto costly = [&](double tolerated) {
+    const SceneStudy s = study_scene(scene, question(0, tolerated, 50));
+    EXPECT_EQ(s.verification->wrong, 0u);
+    return std::count_if(s.pairs.begin(), s.pairs.end(),
+                         [](const PairStudy& p) { return p.plan.last > Rung::outer; });
+  };
+  const auto strict = costly(0), lax = costly(0.5);
+  EXPECT_GT(strict, 0);
+  EXPECT_EQ(lax, 0);  // more than two rounded ends are high
+}
+
+// Rods end to end, 1.5 apart: the rounded ends of their capsules overlap, the balls around them do not.
+TEST(Study, TellsHowWrongAModelAloneIs) {
+  const Scene scene =
+      still_scene({{"low", {{0, 0, 0}, {0, 0, 1}, 1, 10}}, {"high", {{0, 0, 11.5}, {0, 0, 1}, 1, 10}}});
+  const SceneStudy s = study_scene(scene, question(0, 0, 7));
+  EXPECT_EQ(s.configurations, 1u);
+  ASSERT_EQ(s.pairs.size(), 1u);
+  const PairStudy& pair = s.pairs[0];
+  EXPECT_EQ(pair.alone[0].wrong, 0u);
+  EXPECT_NEAR(pair.least, 1.5, 1e-12);
+  EXPECT_EQ(pair.alone[1].wrong, 1u);
+  EXPECT_NEAR(pair.alone[1].alarm, 1.5, 1e-12);
+  EXPECT_EQ(pair.plan.last, Rung::sphere);
+}
+
+TEST(Study, TheSameTwiceButForTimes) {
+  const Scene scene = read_scene(folder + "crane.urdf");
+  const SceneQuestion q = question(0.01, 0, 30);
+  const auto told = [&] {
+    auto object = nlohmann::json::parse(study_json(scene, q, study_scene(scene, q)));
+    EXPECT_EQ(object.erase("ns_per_configuration"), 1u);
+    EXPECT_EQ(object["words"].erase("cost"), 1u);
+    return object;
+  };
+  const auto first = told();
+  EXPECT_EQ(first, told());
+  EXPECT_EQ(first["cylinders"], 7);
+  EXPECT_EQ(first["pairs"].size(), first["pairs_checked"]);
+  EXPECT_EQ(first["left_out"].size(), 2u);
+}
+
+TEST(Study, NeedsTheSimplestThatSuffices) {
+  const Scene scene = read_scene(folder + "twenty.urdf");
+  const SceneStudy s = study_scene(scene, question(0, 0, 100));
+  std::array<std::size_t, rung_count> count{};
+  for (const PairStudy& pair : s.pairs) {
+    const Rung rung = needed(pair, 0);
+    ++count[static_cast<std::size_t>(rung)];
+    EXPECT_TRUE(suffices(pair, rung, 0));
+    EXPECT_EQ(suffices(pair, Rung::sphere, 0), rung == Rung::sphere);
+    EXPECT_TRUE(rung == Rung::sphere || suffices(pair, Rung::outer, 0) == (rung == Rung::outer));
+  }
+  EXPECT_EQ(count[0], total_of(s, Rung::sphere, 0).suffices);
+  EXPECT_GT(count[1], 0u);
+  EXPECT_EQ(count[2], 0u);
+  EXPECT_GT(count[3], 0u);
+}
+
+TEST(Study, TellsWhereAModelIsWrongByMost) {
+  const Scene scene = read_scene(folder + "twenty.urdf");
+  const SceneQuestion q = question(0, 0, 100);
+  const SceneStudy s = study_scene(scene, q);
+  const auto least = [&](auto length, auto where) {
+    std::size_t asked = 0;
+    for (const PairStudy& pair : s.pairs) {
+      for (const Rung rung : {Rung::sphere, Rung::outer, Rung::inner}) {
+        const Score& score = pair.alone[static_cast<std::size_t>(rung)];
+        if (score.*length == 0) continue;
+        ++asked;
+        const auto placed = place(scene, joints_of(scene, q, score.*where));
+        EXPECT_EQ(std::fabs(distance(placed[pair.a], placed[pair.b]).value), score.*length);
+      }
+    }
+    return asked;
+  };
+  EXPECT_GT(least(&Score::alarm, &Score::alarm_in), 20u);
+  EXPECT_GT(least(&Score::missed, &Score::missed_in), 5u);
+}
+
+TEST(Study, SaysItInWords) {
+  const Scene scene = read_scene(folder + "crane.urdf");
+  const SceneQuestion q = question(0, 0, 30);
+  const std::string text = study_text(scene, q, study_scene(scene, q));
+  for (const char* words :
+       {"seed 1\n", "7 cylinders on 7 links, 3 free joints, 1 that mimic", "not a cylinder: 1 box (ground)",
+        "recommended: ", " suffice for ", "closest call: ", "referee: ", " 0 wrong"})
+    EXPECT_NE(text.find(words), std::string::npos) << words << "\n" << text;
+}
+
+}  // namespace
+}  // namespace cyl

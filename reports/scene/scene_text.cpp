@@ -1,0 +1,233 @@
+// SPDX-License-Identifier: MIT
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+
+#include "reports/scene/scene_report.hpp"
+#include "scenes/scene_study.hpp"
+
+namespace cyl {
+namespace {
+
+std::size_t index_of(Rung rung) { return static_cast<std::size_t>(rung); }
+
+std::string plural(std::size_t n, const char* what) {
+  return fmt::format("{} {}{}", n, what, n == 1 ? "" : "s");
+}
+
+std::string joined(const std::vector<std::string>& words) {
+  std::string text;
+  for (const std::string& word : words) text += (text.empty() ? "" : ", ") + word;
+  return text;
+}
+
+/// "3 boxes, ..." would hide which: each kind with the links that have it.
+std::vector<std::string> left_out_words(const Scene& scene) {
+  std::map<std::string, std::vector<std::string>> by_kind;
+  for (const std::string& shape : scene.left_out) {
+    const auto of = shape.find(" of ");
+    by_kind[shape.substr(0, of)].push_back(shape.substr(of + 4));
+  }
+  std::vector<std::string> words;
+  for (const auto& [kind, links] : by_kind)
+    words.push_back(fmt::format("{} {} ({})", links.size(), kind, joined(links)));
+  return words;
+}
+
+std::string counts_words(const Scene& scene, const SceneStudy& s) {
+  std::size_t turning = 0, mimics = 0;
+  for (const Link& link : scene.links) {
+    turning += link.motion != Motion::fixed && !link.follow && link.low < link.high;
+    mimics += link.follow.has_value();
+  }
+  return fmt::format("{} on {}, {}{}", plural(s.bodies, "cylinder"), plural(scene.links.size(), "link"),
+                     plural(turning, "free joint"), mimics ? fmt::format(", {} that mimic", mimics) : "");
+}
+
+std::string pairs_words(const SceneStudy& s) {
+  std::size_t all = 0;
+  for (const std::size_t n : s.pairs_by_reason) all += n;
+  return fmt::format("{}: {} checked; not checked: {} of one link, {} of adjacent links, {} disabled",
+                     plural(all, "pair"), s.pairs_by_reason[0], s.pairs_by_reason[1], s.pairs_by_reason[2],
+                     s.pairs_by_reason[3]);
+}
+
+std::string configurations_words(const SceneQuestion& q, const SceneStudy& s) {
+  std::size_t never = 0, always = 0;
+  for (const PairStudy& pair : s.pairs) {
+    never += pair.within == 0;
+    always += pair.within == pair.samples;
+  }
+  return fmt::format("{}, clearance {}: {} never within it, {} always, {} at times",
+                     plural(s.configurations, "configuration"), q.clearance, plural(never, "pair"), always,
+                     s.pairs.size() - never - always);
+}
+
+std::string length_text(double x) { return x == 0 ? "-" : fmt::format("{:.3g}", x); }
+std::string count_text(std::size_t n) { return n == 0 ? "-" : std::to_string(n); }
+
+std::string models_table(const SceneQuestion& q, const SceneStudy& s) {
+  constexpr const char* row = "{:<15} {:>10} {:>9} {:>10} {:>9} {:>9} {:>12} {:>9}\n";
+  std::string text = fmt::format(fmt::runtime("\n" + std::string(row)), "model", "decides", "alone ns",
+                                 "suffices", "wrong", "in pairs", "false alarm", "missed");
+  for (const Rung rung : all_rungs) {
+    const Total t = total_of(s, rung, q.tolerated);
+    text += fmt::format(fmt::runtime(row), to_string(rung), count_text(t.decided),
+                        fmt::format("{:.0f}", s.alone_ns[index_of(rung)]), t.suffices, count_text(t.wrong),
+                        count_text(t.wrong_pairs), length_text(t.alarm), length_text(t.missed));
+  }
+  if (s.asked_referee > 0)
+    text += fmt::format("{} left to the referee, {} of them not proved and taken for within\n",
+                        plural(s.asked_referee, "sample"), s.undecided);
+  return text;
+}
+
+std::string plan_words(const Plan& plan) {
+  std::string text;
+  for (std::size_t i = 0; i < plan.first.size(); ++i)
+    if (plan.first[i]) text += std::string(to_string(all_rungs[i])) + ", ";
+  return text + to_string(plan.last);
+}
+
+const char* body(const Scene& scene, std::size_t i) { return scene.bodies[i].name.c_str(); }
+
+/// Pairs that a line each would name are cut off here; --json has them all.
+constexpr std::size_t named_cap = 12;
+
+std::string needs_more(const Scene& scene, const SceneQuestion& q, const SceneStudy& s) {
+  std::string text;
+  std::size_t named = 0, more = 0;
+  for (const PairStudy& pair : s.pairs) {
+    if (suffices(pair, Rung::sphere, q.tolerated) || suffices(pair, Rung::outer, q.tolerated)) continue;
+    if (++named > named_cap) {
+      ++more;
+      continue;
+    }
+    const Score& capsules = pair.alone[index_of(Rung::outer)];
+    text += fmt::format("  {} - {}: {} (capsules: {} false alarm{}, up to {:.3g})\n", body(scene, pair.a),
+                        body(scene, pair.b), plan_words(pair.plan), capsules.wrong,
+                        capsules.wrong == 1 ? "" : "s", capsules.alarm);
+  }
+  return more ? text + fmt::format("  and {} more\n", more) : text;
+}
+
+std::string enough_words(const SceneQuestion& q, const SceneStudy& s) {
+  std::size_t balls = 0, capsules = 0, all = s.pairs.size();
+  for (const PairStudy& pair : s.pairs) {
+    const bool ball = suffices(pair, Rung::sphere, q.tolerated);
+    balls += ball;
+    capsules += ball || suffices(pair, Rung::outer, q.tolerated);
+  }
+  std::string text = fmt::format("spheres suffice for {} of {}, spheres or capsules for {}", balls,
+                                 plural(all, "pair"), capsules);
+  if (capsules == all) return text;
+  return text + (all - capsules == 1 ? "; this one needs more"
+                                     : fmt::format("; these {} need more", all - capsules));
+}
+
+const char* plural_of(Rung rung) {
+  switch (rung) {
+    case Rung::sphere:
+      return "spheres";
+    case Rung::outer:
+      return "capsules";
+    case Rung::cylinder:
+      return "cylinders";
+    case Rung::distance:
+      return "distances";
+    default:
+      return "proofs";
+  }
+}
+
+std::string recommended_words(const SceneStudy& s) {
+  std::map<Rung, std::size_t> last;
+  for (const PairStudy& pair : s.pairs) ++last[pair.plan.last];
+  std::vector<std::string> parts;
+  for (const auto& [rung, count] : last)
+    parts.push_back(fmt::format("{} for {}", plural_of(rung), plural(count, "pair")));
+  return joined(parts);
+}
+
+std::string cost_words(const SceneQuestion& q, const SceneStudy& s) {
+  const Rung exact = q.clearance > 0 ? Rung::distance : Rung::cylinder;
+  return fmt::format(
+      "{:.2f} us a configuration, against {:.2f} us with the {} test for every pair; {:.2f} us more to move "
+      "the bodies",
+      s.plan_ns / 1000, s.alone_ns[index_of(exact)] / 1000, to_string(exact),
+      (s.kinematics_ns + s.models_ns) / 1000);
+}
+
+std::string forgiven_words(const SceneQuestion& q, const SceneStudy& s) {
+  std::size_t forgiven = 0;
+  for (const PairStudy& pair : s.pairs) forgiven += pair.plan_wrong;
+  if (forgiven == 0) return "";
+  return fmt::format("with {} that {:.3g} allows", plural(forgiven, "false alarm"), q.tolerated);
+}
+
+std::string capsules_words(const SceneQuestion& q, const SceneStudy& s) {
+  const Total t = total_of(s, Rung::outer, q.tolerated);
+  if (t.wrong == 0) return "capsules in every cylinder's place: the same answer in every sample";
+  return fmt::format(
+      "capsules in every cylinder's place: not the same: {} in {}, of cylinders up to {:.3g} beyond the "
+      "clearance",
+      plural(t.wrong, "false alarm"), plural(t.wrong_pairs, "pair"), t.alarm);
+}
+
+std::string closest_words(const Scene& scene, const SceneQuestion& q, const SceneStudy& s) {
+  if (!s.closest) return "";
+  const ClosestCall& c = *s.closest;
+  const double miss = std::abs(c.distance - q.clearance);
+  return fmt::format(
+      "closest call: {} - {} in configuration {}, {:.3g} {} the clearance; an error of {:.1e} of their size "
+      "({:.3g}) would change it",
+      body(scene, c.a), body(scene, c.b), c.configuration, miss,
+      c.distance > q.clearance ? "beyond" : "below", miss / c.size, c.size);
+}
+
+std::string verified_words(const SceneStudy& s) {
+  if (!s.verification) return "";
+  const Verification& v = *s.verification;
+  return fmt::format("referee: {} asked, {} wrong, {} tolerated, {} not proved",
+                     plural(v.asked, "recommended answer"), v.wrong, v.tolerated, v.undecided);
+}
+
+std::string line(const std::string& words, const char* before = "") {
+  return words.empty() ? "" : before + words + "\n";
+}
+
+}  // namespace
+
+StudyWords words_of(const Scene& scene, const SceneQuestion& q, const SceneStudy& s) {
+  StudyWords w;
+  w.counts = counts_words(scene, s);
+  w.left_out = left_out_words(scene);
+  w.pairs = pairs_words(s);
+  if (s.pairs.empty()) return w;
+  w.configurations = configurations_words(q, s);
+  w.enough = enough_words(q, s);
+  w.recommended = recommended_words(s);
+  w.cost = cost_words(q, s);
+  w.forgiven = forgiven_words(q, s);
+  w.capsules = capsules_words(q, s);
+  w.closest = closest_words(scene, q, s);
+  w.verified = verified_words(s);
+  return w;
+}
+
+std::string study_text(const Scene& scene, const SceneQuestion& q, const SceneStudy& s) {
+  const StudyWords w = words_of(scene, q, s);
+  std::string text = fmt::format("seed {}\n", q.seed) + line(w.counts);
+  for (const std::string& shapes : w.left_out) text += line(shapes, "  not a cylinder: ");
+  for (const std::string& note : scene.notes) text += line(note, "  ");
+  text += line(w.pairs);
+  if (s.pairs.empty()) return text + "nothing to check\n";
+  text += line(w.configurations) + models_table(q, s);
+  const std::string more = needs_more(scene, q, s);
+  text += "\n" + w.enough + (more.empty() ? "\n" : ":\n" + more);
+  return text + line(w.recommended, "recommended: ") + line(w.cost, "  ") + line(w.forgiven, "  ") +
+         line(w.capsules) + line(w.closest) + line(w.verified);
+}
+
+}  // namespace cyl

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: MIT
+#include "reports/triage/case_distance.hpp"
+
+#include <algorithm>
+#include <limits>
+
+#include "solver/distance.hpp"
+
+namespace cyl {
+namespace {
+
+/// An overlap is enclosed to this part of the pair's size, or to this part of its margin where that is less:
+/// for people, and it costs a search.
+constexpr double shown_depth_width_tol = 1e-6, shown_depth_width_share = 0.01;
+
+}  // namespace
+
+double finite(double x) {
+  return std::clamp(x, std::numeric_limits<double>::lowest(), std::numeric_limits<double>::max());
+}
+
+CaseDistance case_distance(const Pair& pair, Verdict verdict, std::optional<MarginRecord> margin) {
+  double width = gap_width_tol;
+  if (verdict == Verdict::intersecting) {
+    width = shown_depth_width_tol;
+    if (margin) width = std::clamp(shown_depth_width_share * margin->lo, depth_width_tol, width);
+  }
+  Truth truth;
+  truth.verdict = verdict;
+  const AttainedDistance attained = attain_distance(pair, truth, width);
+  const Enclosure d = attained.distance;
+  CaseDistance told{d, margin, {}, {}};
+  if (!margin) {
+    const double size = size_of(pair), near = std::max({d.lo, -d.hi, 0.0}), far = std::max(d.hi, -d.lo);
+    if (size > 0) told.margin = MarginRecord{near / size, far / size};
+  }
+  if (std::any_of(attained.direction.begin(), attained.direction.end(), [](double x) { return x != 0; }))
+    told.direction = attained.direction;
+  const Distance nearest = distance(pair.a, pair.b);
+  const Vector3 a = pair.a.center + nearest.on_a, b = pair.b.center + nearest.on_b;
+  if (nearest.verdict != Verdict::invalid && nearest.verdict != Verdict::undecided && a.allFinite() &&
+      b.allFinite())
+    told.nearest = {a, b};
+  return told;
+}
+
+}  // namespace cyl

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: MIT
+// Suppressions (corpus/store/suppressions.hpp) held against what is stored and against a gate's failures.
+#pragma once
+
+#include <memory>
+#include <set>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "corpus/store/case_files.hpp"
+#include "corpus/store/suppressions.hpp"
+#include "oracles/methods/method.hpp"
+#include "props/gate/gate.hpp"
+
+namespace cyl {
+
+/// The causes of all that any method gets wrong on the cases, by cause_key(); contained. Cost: some seconds
+/// with all_methods().
+std::set<std::string> causes_of(std::span<const std::unique_ptr<Method>> methods,
+                                std::span<const Case> cases);
+
+/// Failures of a gate whose bucket or whose cause is suppressed count as known.
+void mark_suppressed(GateReport& report, std::span<const std::unique_ptr<Method>> methods,
+                     const std::vector<Suppression>& suppressions, std::string_view today);
+
+/// A line for each suppression that has expired, and one for each that no stored case shows any more: it
+/// should go, or its case should be kept. `stale`: how many of the latter.
+std::vector<std::string> remarks_on(const std::vector<Suppression>& suppressions, std::string_view today,
+                                    const std::set<std::string>& causes, std::size_t& stale);
+
+}  // namespace cyl

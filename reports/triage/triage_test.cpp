@@ -1,0 +1,249 @@
+// SPDX-License-Identifier: MIT
+#include "reports/triage/triage.hpp"
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <set>
+#include <string>
+
+#include "corpus/pairs/pair_io.hpp"
+#include "corpus/store/run_store.hpp"
+#include "corpus/store/triage_store.hpp"
+#include "oracles/referee/referee.hpp"
+#include "reports/triage/buckets.hpp"
+#include "reports/triage/suppressed.hpp"
+
+namespace cyl {
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::json;
+
+FindingRecord finding(const std::string& method, const std::string& family, const Pair& pair,
+                      const std::string& kind = "wrong_disjoint") {
+  FindingRecord f;
+  f.family = family;
+  f.method = method;
+  f.kind = kind;
+  f.severity = "contract";
+  f.margin = MarginRecord{0.1, 0.2};
+  f.pair = format_pair(pair);
+  f.answers = "{}";
+  f.truth = "{}";
+  f.stage = "filter";
+  return f;
+}
+
+/// Two balls of wire of that size that overlap.
+Pair huge(double size) {
+  Pair p;
+  p.a = {{0, 0, 0}, {0, 0, 1}, size, size};
+  p.b = {{size / 2, 0, 0}, {0, 1, 0}, size, size};
+  return p;
+}
+
+/// The book's page, as printed, says intersecting of it.
+Pair apart() {
+  Pair p;
+  p.a = {{0, 0, 0}, {0, 0, 1}, 3, 2};
+  p.b = {{3, 3, 3}, {0, 1, 2}, 1, 4};
+  return p;
+}
+
+std::vector<FindingRecord> three() {
+  return {finding("fcl-libccd", "tiny_and_huge", huge(1e156)), finding("mujoco", "random", huge(1e160)),
+          finding("seedbook-printed", "random", apart(), "wrong_intersecting")};
+}
+
+struct Folder {
+  fs::path path =
+      fs::temp_directory_path() / ("triage_test." + std::to_string(getpid()) + "." + std::to_string(next++));
+  Folder() { fs::create_directories(path); }
+  ~Folder() { fs::remove_all(path); }
+  static inline int next = 0;
+
+  std::string make_run(const std::string& name, const std::string& started,
+                       std::vector<FindingRecord> findings, std::uint64_t uncounted = 0) const {
+    const std::string folder = (path / name).string();
+    std::vector<MethodRecord> methods;
+    for (const char* method : {"fcl-libccd", "mujoco", "seedbook-printed"})
+      methods.push_back({method, "1", 0, 0, "", 1});
+    RunStore store = RunStore::create(folder, {{"started", started}}, methods);
+    BatchRecord batch;
+    batch.next = 1;
+    for (const FindingRecord& f : findings)
+      batch.groups.push_back({f.method, f.kind, f.severity, f.family, 1 + uncounted});
+    batch.findings = std::move(findings);
+    store.commit(batch, 1);
+    return folder;
+  }
+};
+
+Triage triage(const std::string& folder, std::chrono::milliseconds budget = std::chrono::seconds(60)) {
+  TriageOptions options;
+  options.folder = folder;
+  options.budget = budget;
+  options.today = "2026-11-22";
+  options.build = "test";
+  return run_triage(options, all_methods());
+}
+
+std::set<std::string> keys_of(const Json& buckets) {
+  std::set<std::string> keys;
+  for (const Json& b : buckets) keys.insert(b["key"].get<std::string>());
+  return keys;
+}
+
+TEST(Triage, TellsCausesWhateverTheOrderAndTheNight) {
+  const Folder nights;
+  const std::string first = nights.make_run("one", "2026-11-20", three(), 4);
+  const Triage one = triage(first);
+  EXPECT_EQ(keys_of(one.buckets), (std::set<std::string>{"overflow", "seedbook/wrong_intersecting"}));
+  EXPECT_EQ(exit_code(one), 2);
+  const Json& overflow = one.buckets[0];
+  EXPECT_EQ(overflow["key"], "overflow");
+  EXPECT_EQ(overflow["count"], 10);
+  EXPECT_EQ(overflow["methods"], (Json{"fcl-libccd", "mujoco"}));
+  EXPECT_EQ(overflow["simplest"]["truth"]["verdict"], "intersecting");
+  EXPECT_EQ(overflow["simplest"]["answers"][overflow["method"].get<std::string>()]["verdict"], "disjoint");
+  EXPECT_TRUE(overflow["standing"].is_null());
+  EXPECT_NE(overflow["simplest"]["pair"], overflow["worst"]["pair"]) << "nothing was simplified";
+  EXPECT_EQ(buckets_json(first), one.buckets);
+
+  auto other_way = three();
+  std::reverse(other_way.begin(), other_way.end());
+  other_way.pop_back();
+  const Triage two = triage(nights.make_run("two", "2026-11-21", other_way));
+  EXPECT_EQ(keys_of(two.buckets), keys_of(one.buckets));
+  for (const Json& b : two.buckets) {
+    EXPECT_EQ(b["standing"], "known");
+    EXPECT_EQ(b["first_seen"], "one");
+    EXPECT_EQ(b["last_seen"], "two");
+  }
+  const Triage three = triage(nights.make_run("three", "2026-11-22", {other_way.back()}));
+  ASSERT_EQ(three.buckets.size(), 2u);
+  EXPECT_EQ(three.buckets[0]["standing"], "known");
+  EXPECT_EQ(three.buckets[1]["standing"], "gone");
+  EXPECT_EQ(three.buckets[1]["last_seen"], "two");
+}
+
+TEST(Triage, GoesOnWhereItWas) {
+  const Folder nights;
+  const std::string folder = nights.make_run("one", "2026-11-20", three());
+  const Triage none = triage(folder, std::chrono::milliseconds(0));
+  EXPECT_EQ(none.progress.told, 0u);
+  EXPECT_EQ(exit_code(none), 3);
+  {
+    TriageStore store(folder, askers("test", all_methods()));
+    store.add(std::vector<CauseRecord>{{2, "told-before", "untold", ""}});
+    store.add(SimpleRecord{1, "half done", "", 1, false});
+    store.add(SimpleRecord{3, "done", "", 1, true});
+  }
+  const Triage all = triage(folder);
+  EXPECT_TRUE(keys_of(all.buckets).contains("told-before"));
+  EXPECT_EQ(all.progress.told, 3u);
+  EXPECT_EQ(all.progress.simplified, 3u);
+  for (const SimpleRecord& simple : TriageStore(folder, askers("test", all_methods())).simples()) {
+    EXPECT_TRUE(simple.ended);
+    EXPECT_EQ(simple.pair == "done", simple.finding == 3);
+    EXPECT_NE(simple.pair, "half done");
+  }
+  const TriageStore other(folder, "another build");
+  EXPECT_TRUE(other.causes().empty());
+}
+
+/// How far the solids of apart() are from each other, in sizes.
+double margin_of_apart() {
+  const Enclosure d = enclose_distance(apart(), judge(apart()));
+  return d.lo / size_of(apart());
+}
+
+TEST(Triage, SearchesForAWorsePairAndKeepsIt) {
+  const Folder nights;
+  FindingRecord printed = finding("seedbook-printed", "random", apart(), "wrong_intersecting");
+  printed.margin = MarginRecord{margin_of_apart(), margin_of_apart()};
+  const std::string folder = nights.make_run("one", "2026-11-20", {printed});
+  const Triage first = triage(folder);
+  ASSERT_EQ(first.buckets.size(), 1u);
+  EXPECT_EQ(first.progress.searched, 1u);
+  const Json& worst = first.buckets[0]["worst"];
+  EXPECT_GT(worst["margin"][0], 1.2 * margin_of_apart());
+  EXPECT_EQ(worst["truth"]["verdict"], "disjoint");
+  EXPECT_EQ(worst["answers"]["seedbook-printed"]["verdict"], "intersecting");
+  EXPECT_NE(worst["note"].get<std::string>().find(folder + ":1"), std::string::npos)
+      << "where the original is";
+  for (const char* shown : {"simplest", "worst"})
+    for (const char* what : {"nearest", "direction"})
+      EXPECT_TRUE(first.buckets[0][shown].contains(what)) << shown << ' ' << what;
+  EXPECT_NE(format_buckets(first.buckets).find("searched for"), std::string::npos);
+
+  TriageStore store(folder, askers("test", all_methods()));
+  ASSERT_EQ(store.worsts().size(), 1u);
+  WorstRecord kept = store.worsts()[0];
+  EXPECT_TRUE(kept.ended);
+
+  // What is wrong no more, or less wrong than the finding, is not shown; a search that ended is not done
+  // again.
+  kept.pair = format_pair(huge(1));
+  store.add(kept);
+  const Triage again = triage(folder);
+  EXPECT_FALSE(again.buckets[0]["worst"].contains("note"));
+  EXPECT_EQ(again.buckets[0]["worst"]["pair"], Json::parse(format_pair(apart())));
+  // A search that was cut goes on.
+  kept.ended = false;
+  store.add(kept);
+  EXPECT_EQ(triage(folder).buckets[0]["worst"]["margin"], worst["margin"]);
+}
+
+TEST(Buckets, AWrongVerdictIsWorseThanAWrongDistance) {
+  FindingRecord verdict = finding("m", "f", apart()),
+                distance = finding("m", "f", apart(), "distance_outside");
+  distance.margin = MarginRecord{9, 9};
+  EXPECT_TRUE(is_worse(verdict, distance));
+  EXPECT_FALSE(is_worse(distance, verdict));
+  FindingRecord deeper = verdict;
+  deeper.margin->lo = 0.15;
+  EXPECT_TRUE(is_worse(deeper, verdict));
+}
+
+TEST(Buckets, GiveAGroupsCountAsItsKeptOnesAre) {
+  Sorted sorted;
+  for (std::int64_t id = 1; id <= 3; ++id) {
+    sorted.findings.push_back(finding("m", "f", apart()));
+    sorted.findings.back().id = id;
+    sorted.causes.push_back({id, id == 1 ? "rare" : "often", "", ""});
+  }
+  sorted.groups.push_back({"m", "wrong_disjoint", "contract", "f", 100});
+  sorted.groups.push_back({"m", "wrong_disjoint", "contract", "not kept", 7});
+  EXPECT_EQ(count_by_bucket(sorted), (std::map<std::string, std::uint64_t>{{"often", 67}, {"rare", 33}}));
+}
+
+TEST(Buckets, SuppressedDoNotFail) {
+  Triage t;
+  t.buckets =
+      Json::array({{{"key", "x"}, {"severity", "contract"}, {"standing", nullptr}, {"suppressed", nullptr}}});
+  EXPECT_EQ(exit_code(t), 2);
+  const std::vector<Suppression> all{{"x", "because", "link", "ada", "2026-11-22", 1}};
+  suppress(t.buckets, all, "2026-11-22");
+  EXPECT_EQ(t.buckets[0]["suppressed"]["owner"], "ada");
+  EXPECT_EQ(exit_code(t), 0);
+  suppress(t.buckets, all, "2026-11-23");
+  EXPECT_EQ(exit_code(t), 2);
+}
+
+TEST(Buckets, RemarkOnWhatIsExpiredOrStale) {
+  const std::vector<Suppression> all{{"x", "r", "l", "ada", "2026-11-20", 1},
+                                     {"y", "r", "l", "ada", "2027-01-01", 2}};
+  std::size_t stale = 0;
+  const auto remarks = remarks_on(all, "2026-11-22", {"x"}, stale);
+  EXPECT_EQ(stale, 1u);
+  ASSERT_EQ(remarks.size(), 2u);
+  EXPECT_NE(remarks[0].find("x (line 1) expired on 2026-11-20"), std::string::npos);
+  EXPECT_NE(remarks[1].find("y (line 2) matches no stored case"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace cyl

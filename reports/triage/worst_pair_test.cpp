@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: MIT
+#include "reports/triage/worst_pair.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <functional>
+#include <string_view>
+
+#include "corpus/pairs/pair_io.hpp"
+#include "oracles/referee/referee.hpp"
+#include "solver/distance.hpp"
+
+namespace cyl {
+namespace {
+
+/// Says intersecting of pairs with less daylight than `wrong_up_to`, in sizes, between.
+class Planted final : public Method {
+ public:
+  using Reach = std::function<double(const Pair&)>;
+  explicit Planted(Reach wrong_up_to) : wrong_up_to_(std::move(wrong_up_to)) {}
+  std::string_view name() const override { return "planted"; }
+  std::string_view version() const override { return "0"; }
+  Claim claim() const override { return {}; }
+  MethodAnswer ask(const Pair& pair) override {
+    const double margin = distance(pair.a, pair.b).value / size_of(pair);
+    MethodAnswer answer;
+    answer.status = Status::answered;
+    answer.verdict = margin > wrong_up_to_(pair) ? Verdict::disjoint : Verdict::intersecting;
+    return answer;
+  }
+
+ private:
+  Reach wrong_up_to_;
+};
+
+using Methods = std::vector<std::unique_ptr<Method>>;
+
+Methods planted(Planted::Reach wrong_up_to) {
+  Methods methods;
+  methods.push_back(std::make_unique<Planted>(std::move(wrong_up_to)));
+  return methods;
+}
+
+/// Two equal cans side by side, axes at a right angle, `gap` sizes apart.
+Pair apart(double gap, double size = 1) {
+  const double h = size / 4, r = size / 4;
+  return {{{0, 0, 0}, {0, 0, 1}, r, h}, {{2 * r + gap * size, 0, 0}, {0, 1, 0}, r, h}};
+}
+
+/// At most `most`, of solids of which one is ten times as wide as the other.
+constexpr double most = 2e-3;
+double reach_of_unequal(const Pair& p) {
+  return most * std::pow(10, -std::abs(std::log10(p.a.radius / p.b.radius) - 1));
+}
+
+WorstOptions shapes(std::size_t cap) {
+  WorstOptions options;
+  options.evaluation_cap = cap;
+  return options;
+}
+
+std::optional<WrongPair> search(const Methods& methods, const CauseSought& cause, std::size_t cap = 300) {
+  const std::vector<std::size_t> kin{0};
+  return worst_of_cause(methods, kin, cause, shapes(cap), {});
+}
+
+TEST(WorstOfCause, NineTenthsOfAKnownMarginAreFoundAndAgainTheSame) {
+  const Methods methods = planted(reach_of_unequal);
+  const CauseSought cause{
+      "planted/wrong_intersecting", Mechanism::untold, 0, FindingKind::wrong_intersecting, {apart(1e-5)}};
+  const auto found = search(methods, cause);
+  ASSERT_TRUE(found);
+  EXPECT_EQ(found->finding.severity, Severity::contract);
+  EXPECT_GE(found->finding.margin->lo, 0.9 * most);
+  EXPECT_LE(found->finding.margin->lo, most);
+  EXPECT_EQ(format_pair(found->pair), format_pair(search(methods, cause)->pair));
+}
+
+// Of the one method two causes: by rounding up to 1e-13, and, of solids that are unequal, by no probe told.
+TEST(WorstOfCause, AnotherCauseDoesNotCount) {
+  const Methods methods = planted([](const Pair& p) { return p.a.radius > 1.1 * p.b.radius ? most : 1e-13; });
+  const CauseSought rounding{
+      "planted/rounding", Mechanism::rounding, 0, FindingKind::wrong_intersecting, {apart(5e-14)}};
+  const auto found = search(methods, rounding, 1000);
+  ASSERT_TRUE(found);
+  EXPECT_GE(found->finding.margin->lo, 0.9e-13);
+  EXPECT_LE(found->finding.margin->lo, rounding_margin);
+}
+
+// A fixed length of 1e-3: the smaller the solids the worse, without end. Those of the starts are the measure.
+TEST(WorstOfCause, AFixedLengthIsNotFollowedToWhereItSwallowsAll) {
+  const Methods methods = planted([](const Pair& p) { return 1e-3 / size_of(p); });
+  const std::vector<Pair> starts{apart(1e-5, 10), apart(1e-6, 1000)};
+  const CauseSought cause{"planted/absolute-length", Mechanism::absolute_length, 0,
+                          FindingKind::wrong_intersecting, starts};
+  const auto found = search(methods, cause);
+  ASSERT_TRUE(found);
+  EXPECT_GE(size_of(found->pair), 4.9);
+  EXPECT_GE(found->finding.margin->lo, 1e-4);
+  EXPECT_LE(found->finding.margin->lo, 2.1e-4);
+}
+
+TEST(DomainOf, KeepsToTheSizesAndPlacesOfTheStartsWhereTheCauseIsAboutThem) {
+  Pair far = apart(0.1, 1);
+  far.a.center[2] += 1e8;
+  far.b.center[2] += 1e8;
+  const std::vector<Pair> starts{apart(0.1, 1e-150), apart(0.1, 1e-140), far};
+  const Domain ordinary = domain_of(Mechanism::untold, starts);
+  EXPECT_EQ(ordinary.least_size, Domain{}.least_size);
+  EXPECT_EQ(ordinary.most_offset, Domain{}.most_offset);
+  const Domain small = domain_of(Mechanism::underflow, std::span(starts).first(2));
+  EXPECT_LE(small.least_size, 1e-150);
+  EXPECT_GE(small.least_size, 1e-151);
+  EXPECT_LE(small.most_size, 1e-138);
+  EXPECT_GE(domain_of(Mechanism::offset, starts).most_offset, 1e7);
+}
+
+}  // namespace
+}  // namespace cyl

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: MIT
+// Builds what is committed: report_template.html and scene_template.html, the pages of a run and of a scene without
+// their data, and chart.mjs, the plots for Node.
+//     npm ci && node build.mjs            writes all
+//     node build.mjs --check              says whether all are what these sources give; exit status 1 where not
+// The same sources and package-lock.json give the same bytes. All carry the hash of what they were built from, which
+// stamp_test.mjs holds against the sources without npm.
+import { createHash } from "node:crypto";
+import { existsSync, readFileSync, writeFileSync } from "node:fs";
+import { build } from "esbuild";
+import { sources_hash } from "./stamp.mjs";
+
+const here = new URL("./", import.meta.url);
+const stamp = sources_hash();
+const common = { bundle: true, minify: true, write: false, metafile: true, legalComments: "none", charset: "utf8", jsx: "automatic",
+  jsxImportSource: "preact", absWorkingDir: here.pathname, logLevel: "warning" };
+
+/** The packages that are in a bundle, with the licences that ask to go with them: each text once. */
+function licences(metafile) {
+  const folders = new Set(Object.values(metafile.outputs).flatMap((o) => Object.entries(o.inputs)).filter(([, { bytesInOutput }]) => bytesInOutput > 0).map(([file]) => /^node_modules\/(?:@[^/]+\/)?[^/]+/.exec(file)?.[0]).filter(Boolean));
+  const texts = new Map();
+  for (const folder of [...folders].sort()) {
+    const { name, version, license } = JSON.parse(readFileSync(new URL(`${folder}/package.json`, here), "utf8"));
+    const file = ["LICENSE", "LICENSE.md", "LICENSE.txt", "LICENCE"].map((f) => new URL(`${folder}/${f}`, here)).find(existsSync);
+    const text = file ? readFileSync(file, "utf8").trim() : license;
+    texts.set(text, [...(texts.get(text) ?? []), `${name} ${version}`]);
+  }
+  return [...texts].map(([text, names]) => `${names.join(", ")}:\n\n${text}`).join("\n\n\n").replaceAll("--", "- -").replaceAll("*/", "* /");
+}
+
+async function bundle(options) {
+  const { outputFiles, metafile } = await build({ ...common, ...options });
+  return { text: outputFiles[0].text, licences: licences(metafile) };
+}
+
+async function page(entry) {
+  const bundled = await bundle({ entryPoints: [entry], format: "iife", target: "es2022" });
+  const script = bundled.text.trimEnd().replaceAll("</script", "<\\/script").replaceAll("<!--", "<\\!--");
+  const style = (await bundle({ entryPoints: ["style.css"] })).text.trimEnd();
+  const hash = (text) => `'sha256-${createHash("sha256").update(text).digest("base64")}'`;
+  const policy = `default-src 'none'; script-src ${hash(script)}; style-src 'unsafe-inline'; img-src data: blob:`;
+  // Functions: a string would have its $& replaced.
+  return readFileSync(new URL("page.html", here), "utf8")
+    .replace("@@STAMP@@", () => stamp).replace("@@POLICY@@", () => policy)
+    .replace("@@LICENCES@@", () => bundled.licences).replace("@@STYLE@@", () => style).replace("@@SCRIPT@@", () => script);
+}
+
+async function chart() {
+  const bundled = await bundle({ entryPoints: ["chart.ts"], format: "esm", platform: "node", target: "node18" });
+  return `// SPDX-License-Identifier: MIT\n// Built by build.mjs, not written by hand. Sources: ${stamp}\n/* It holds\n\n${bundled.licences}\n*/\n${bundled.text}`;
+}
+
+const outputs = [["report_template.html", await page("main.tsx")], ["scene_template.html", await page("study_main.tsx")], ["chart.mjs", await chart()]];
+let stale = false;
+for (const [name, text] of outputs) {
+  const file = new URL(name, here);
+  if (process.argv.includes("--check")) {
+    const same = existsSync(file) && readFileSync(file, "utf8") === text;
+    console.log(`${name}: ${same ? "is what these sources give" : "is not what these sources give; run node build.mjs"}`);
+    stale ||= !same;
+  } else {
+    writeFileSync(file, text);
+    console.log(`${name}: ${text.length} characters`);
+  }
+}
+process.exit(stale ? 1 : 0);

@@ -1,0 +1,278 @@
+// SPDX-License-Identifier: MIT
+#include "scenes/scene_study.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+
+#include "base/stopwatch.hpp"
+#include "oracles/referee/referee.hpp"
+#include "solver/distance.hpp"
+
+namespace cyl {
+namespace {
+
+/// Configurations that are timed, and pairs in all of them: their models fit into a processor's nearer
+/// memory, and a sweep is over before others get their turn.
+constexpr std::size_t timed_cap = 32, timed_pairs_cap = 2000;
+constexpr std::chrono::duration<double> timed_least = std::chrono::milliseconds(5);
+
+std::size_t index_of(Rung rung) { return static_cast<std::size_t>(rung); }
+
+class Study {
+ public:
+  Study(const Scene& scene, const SceneQuestion& question) : scene_(scene), q_(question) {
+    result_.bodies = scene.bodies.size();
+    result_.configurations = moves(scene) && q_.at.empty() ? q_.configurations : 1;
+    const PairRule rule(scene, q_.all_pairs);
+    for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
+      for (std::size_t j = 0; j < i; ++j) {
+        const PairRule::Reason reason = rule.reason(scene.bodies[j], scene.bodies[i]);
+        ++result_.pairs_by_reason[static_cast<std::size_t>(reason)];
+        if (reason != PairRule::Reason::checked) continue;
+        PairStudy pair;
+        pair.a = j;
+        pair.b = i;
+        result_.pairs.push_back(pair);
+      }
+    }
+  }
+
+  SceneStudy run() {
+    for (std::size_t k = 0; k < result_.configurations; ++k) observe(k);
+    for (PairStudy& pair : result_.pairs) pair.plan = recommend(pair, q_.tolerated);
+    for (std::size_t k = 0; k < result_.configurations; ++k) check_plans(k);
+    if (q_.verify) verify();
+    measure();
+    return std::move(result_);
+  }
+
+ private:
+  std::vector<double> joints(std::size_t configuration) const { return joints_of(scene_, q_, configuration); }
+
+  void observe(std::size_t configuration) {
+    placed_ = place(scene_, joints(configuration));
+    models_ = models_of(placed_, q_.clearance);
+    for (PairStudy& pair : result_.pairs) observe(pair, configuration);
+  }
+
+  void observe(PairStudy& pair, std::size_t configuration) {
+    const Models &a = models_[pair.a], &b = models_[pair.b];
+    std::optional<bool> truth;
+    std::size_t set = 0;
+    bool decided = false;
+    for (const Rung rung : all_rungs) {
+      const Look seen = look(rung, a, b, q_.clearance);
+      if (seen == Look::closer) continue;
+      if (index_of(rung) < 3) set |= std::size_t{1} << index_of(rung);
+      if (!std::exchange(decided, true)) ++pair.decided[index_of(rung)];
+      if (rung == Rung::certified) truth = seen == Look::within;
+    }
+    ++pair.outcomes[set];
+    if (!truth) {
+      ++result_.asked_referee;
+      truth = referee_within({placed_[pair.a], placed_[pair.b]}, q_.clearance);
+      if (!truth) ++result_.undecided;
+    }
+    const bool is_within = truth.value_or(true);
+    const double d = distance(a.solid, b.solid).value;
+    for (const Rung rung : all_rungs)
+      score(pair.alone[index_of(rung)], trusted(rung, a, b, q_.clearance), is_within, d, configuration);
+    pair.least = pair.samples == 0 ? d : std::min(pair.least, d);
+    pair.greatest = pair.samples == 0 ? d : std::max(pair.greatest, d);
+    ++pair.samples;
+    pair.within += is_within;
+    const auto miss = [&](double value) { return std::fabs(value - q_.clearance); };
+    if (!result_.closest || miss(d) < miss(result_.closest->distance))
+      result_.closest =
+          ClosestCall{pair.a, pair.b, configuration, d, size_of({placed_[pair.a], placed_[pair.b]})};
+    truths_.push_back(is_within);
+  }
+
+  void score(Score& s, bool said, bool is_within, double d, std::size_t configuration) const {
+    if (said == is_within) return;
+    ++s.wrong;
+    const double by = is_within ? q_.clearance - d : d - q_.clearance;
+    double& worst = is_within ? s.missed : s.alarm;
+    if (by <= worst) return;
+    worst = by;
+    (is_within ? s.missed_in : s.alarm_in) = configuration;
+  }
+
+  void check_plans(std::size_t configuration) {
+    models_ = models_of(place(scene_, joints(configuration)), q_.clearance);
+    for (std::size_t i = 0; i < result_.pairs.size(); ++i) {
+      PairStudy& pair = result_.pairs[i];
+      const bool said = within(pair.plan, models_[pair.a], models_[pair.b], q_.clearance);
+      pair.plan_wrong += said != truths_[configuration * result_.pairs.size() + i];
+    }
+  }
+
+  // Not with the truths found above: everything anew, by the referee alone.
+  void verify() {
+    Verification v;
+    const std::size_t pairs = result_.pairs.size(), all = pairs * result_.configurations;
+    const std::size_t stride = std::max<std::size_t>(1, (all + verified_cap - 1) / verified_cap);
+    for (std::size_t k = 0; k < result_.configurations; ++k) {
+      placed_ = place(scene_, joints(k));
+      for (std::size_t i = 0; i < pairs; ++i) {
+        if ((k * pairs + i) % stride != 0) continue;
+        const PairStudy& pair = result_.pairs[i];
+        const Pair solids{placed_[pair.a], placed_[pair.b]};
+        const auto truth = referee_within(solids, q_.clearance);
+        ++v.asked;
+        if (!truth) {
+          ++v.undecided;
+          continue;
+        }
+        const bool said = within(pair.plan, make_models(solids.a, q_.clearance),
+                                 make_models(solids.b, q_.clearance), q_.clearance);
+        if (said == *truth) continue;
+        const bool forgiven =
+            said && enclose_distance(solids, judge(solids)).lo <= q_.clearance + q_.tolerated;
+        ++(forgiven ? v.tolerated : v.wrong);
+      }
+    }
+    result_.verification = v;
+  }
+
+  void measure() {
+    const std::size_t pairs = std::max<std::size_t>(1, result_.pairs.size());
+    const std::size_t turns = std::min(timed_cap, std::max<std::size_t>(1, timed_pairs_cap / pairs));
+    const std::size_t count = std::min(turns, result_.configurations);
+    std::vector<std::vector<double>> drawn;
+    std::vector<std::vector<Cylinder>> placed;
+    std::vector<std::vector<Models>> models;
+    for (std::size_t k = 0; k < count; ++k) {
+      drawn.push_back(joints(k));
+      placed.push_back(place(scene_, drawn.back()));
+      models.push_back(models_of(placed.back(), q_.clearance));
+    }
+    const auto time = [&](const auto& once) {
+      return turn_cost(
+                 [&](std::span<const std::size_t> order) {
+                   double sum = 0;
+                   for (const std::size_t turn : order) sum += once(turn % count);
+                   keep(sum);
+                 },
+                 turns, timed_least)
+          .ns;
+    };
+    std::vector<Cylinder> into;
+    result_.kinematics_ns = time([&](std::size_t k) {
+      place(scene_, pose_links(scene_, drawn[k]), into);
+      return into.empty() ? 0 : into.back().center.x();
+    });
+    std::vector<Models> made(scene_.bodies.size());
+    result_.models_ns = time([&](std::size_t k) {
+      for (std::size_t i = 0; i < made.size(); ++i) made[i] = make_models(placed[k][i], q_.clearance);
+      return made.empty() ? 0 : made.back().ball;
+    });
+    const auto ask_all = [&](const auto& ask) {
+      if (result_.pairs.empty()) return 0.0;
+      return time([&](std::size_t k) {
+        int hits = 0;
+        for (const PairStudy& pair : result_.pairs) hits += ask(pair, models[k][pair.a], models[k][pair.b]);
+        return hits;
+      });
+    };
+    result_.plan_ns = ask_all([&](const PairStudy& pair, const Models& a, const Models& b) {
+      return within(pair.plan, a, b, q_.clearance);
+    });
+    for (const Rung rung : all_rungs)
+      result_.alone_ns[index_of(rung)] =
+          ask_all([&, rung](const PairStudy&, const Models& a, const Models& b) {
+            return trusted(rung, a, b, q_.clearance);
+          });
+  }
+
+  const Scene& scene_;
+  const SceneQuestion& q_;
+  SceneStudy result_;
+  std::vector<Cylinder> placed_;
+  std::vector<Models> models_;
+  std::vector<bool> truths_;  ///< by configuration, then pair
+};
+
+/// What a plan costs on the samples, by weights.
+double weight_of(const Plan& plan, const PairStudy& pair) {
+  double sum = 0;
+  for (std::size_t set = 0; set < pair.outcomes.size(); ++set) {
+    double once = 0;
+    bool decided = false;
+    for (std::size_t i = 0; i < plan.first.size() && !decided; ++i) {
+      if (!plan.first[i]) continue;
+      once += rung_weight[i];
+      decided = (set >> i & 1) != 0;
+    }
+    if (!decided) once += rung_weight[index_of(plan.last)];
+    sum += once * static_cast<double>(pair.outcomes[set]);
+  }
+  return sum;
+}
+
+}  // namespace
+
+std::vector<double> joints_of(const Scene& scene, const SceneQuestion& question, std::size_t configuration) {
+  if (moves(scene) && question.at.empty()) return draw_joints(scene, question.seed, configuration);
+  return joints_at(scene, question.at);
+}
+
+Total total_of(const SceneStudy& study, Rung rung, double tolerated) {
+  Total t;
+  for (const PairStudy& pair : study.pairs) {
+    const Score& score = pair.alone[index_of(rung)];
+    t.decided += pair.decided[index_of(rung)];
+    t.suffices += suffices(pair, rung, tolerated);
+    t.wrong += score.wrong;
+    t.wrong_pairs += score.wrong > 0;
+    t.alarm = std::max(t.alarm, score.alarm);
+    t.missed = std::max(t.missed, score.missed);
+  }
+  return t;
+}
+
+std::optional<bool> referee_within(const Pair& pair, double clearance) {
+  if (clearance == 0) {
+    const Verdict verdict = judge_verdict(pair).verdict;
+    if (verdict == Verdict::undecided || verdict == Verdict::invalid) return std::nullopt;
+    return verdict != Verdict::disjoint;
+  }
+  const Enclosure distance = enclose_distance(pair, judge(pair));
+  if (distance.lo > clearance) return false;
+  return distance.hi <= clearance ? std::optional<bool>(true) : std::nullopt;
+}
+
+bool suffices(const PairStudy& pair, Rung rung, double tolerated) {
+  const Score& s = pair.alone[index_of(rung)];
+  return s.wrong == 0 || (s.missed == 0 && s.alarm > 0 && s.alarm <= tolerated);
+}
+
+Rung needed(const PairStudy& pair, double tolerated) {
+  for (const Rung rung : {Rung::sphere, Rung::outer, Rung::cylinder, Rung::distance})
+    if (suffices(pair, rung, tolerated)) return rung;
+  return Rung::certified;
+}
+
+Plan recommend(const PairStudy& pair, double tolerated) {
+  Plan best;
+  best.last = Rung::certified;
+  for (const Rung last : {Rung::sphere, Rung::outer, Rung::cylinder, Rung::distance, Rung::certified}) {
+    if (last != Rung::certified && !suffices(pair, last, tolerated)) continue;
+    for (unsigned set = 0; set < 8; ++set) {
+      const Plan plan{{(set & 1) != 0, (set & 2) != 0, (set & 4) != 0}, last};
+      if (weight_of(plan, pair) < weight_of(best, pair)) best = plan;
+    }
+  }
+  return best;
+}
+
+SceneStudy study_scene(const Scene& scene, const SceneQuestion& question) {
+  if (scene.bodies.size() > study_cap)
+    throw std::invalid_argument("more than " + std::to_string(study_cap) + " cylinders");
+  return Study(scene, question).run();
+}
+
+}  // namespace cyl

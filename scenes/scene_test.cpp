@@ -1,0 +1,225 @@
+// SPDX-License-Identifier: MIT
+#include "scenes/scene.hpp"
+
+#include <gtest/gtest.h>
+#include <mujoco/mujoco.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <memory>
+
+#include "scenes/scene_files.hpp"
+
+namespace cyl {
+namespace {
+
+const std::string folder = DAYLIGHT_SOURCE_DIR "/corpus/scenes/";
+
+const Body& body(const Scene& scene, const std::string& name) {
+  const auto found =
+      std::find_if(scene.bodies.begin(), scene.bodies.end(), [&](const Body& b) { return b.name == name; });
+  if (found == scene.bodies.end()) throw std::runtime_error("no " + name);
+  return *found;
+}
+
+/// What a script that knows nothing of us counts in a file.
+std::size_t count_in_xml(const std::string& file, const std::string& what) {
+  const std::string command =
+      "python3 -c 'import sys, xml.etree.ElementTree as t; "
+      "print(len(t.parse(sys.argv[1]).findall(sys.argv[2])))' '" +
+      file + "' '" + what + "'";
+  std::FILE* pipe = popen(command.c_str(), "r");
+  unsigned long count = 0;
+  const int read = std::fscanf(pipe, "%lu", &count);
+  EXPECT_EQ(read, 1);
+  EXPECT_EQ(pclose(pipe), 0);
+  return count;
+}
+
+TEST(Urdf, NothingIsDroppedInSilence) {
+  for (const char* name : {"crane.urdf", "twenty.urdf"}) {
+    const Scene scene = read_scene(folder + name);
+    EXPECT_EQ(scene.bodies.size(), count_in_xml(folder + name, "./link/collision/geometry/cylinder")) << name;
+    EXPECT_EQ(scene.bodies.size() + scene.left_out.size(), count_in_xml(folder + name, "./link/collision"));
+    EXPECT_EQ(scene.links.size(), count_in_xml(folder + name, "./link"));
+  }
+  const Scene crane = read_scene(folder + "crane.urdf");
+  EXPECT_EQ(crane.left_out, (std::vector<std::string>{"box of ground", "sphere of boom"}));
+  EXPECT_EQ(body(crane, "boom/beam").solid.radius, 0.06);
+  EXPECT_EQ(body(crane, "counterweight/weight").solid.height, 0.3);
+}
+
+struct DeleteModel {
+  void operator()(mjModel* model) const { mj_deleteModel(model); }
+};
+struct DeleteData {
+  void operator()(mjData* data) const { mj_deleteData(data); }
+};
+
+/// MuJoCo's own kinematics, of URDF too, against ours: the same cylinders in the same places.
+void expect_like_mujoco(const std::string& file, bool geom_names) {
+  const Scene scene = read_scene(file);
+  char error[1000] = "";
+  const std::unique_ptr<mjModel, DeleteModel> model(mj_loadXML(file.c_str(), nullptr, error, sizeof error));
+  ASSERT_TRUE(model) << error;
+  const std::unique_ptr<mjData, DeleteData> data(mj_makeData(model.get()));
+  int coupled = 0;
+  for (std::uint64_t k = 0; k < 20; ++k) {
+    const std::vector<double> joints = draw_joints(scene, 1, k);
+    for (std::size_t i = 0; i < joints.size(); ++i) {
+      const int joint = scene.links[i].joint.empty()
+                            ? -1
+                            : mj_name2id(model.get(), mjOBJ_JOINT, scene.links[i].joint.c_str());
+      if (joint >= 0) data->qpos[model->jnt_qposadr[joint]] = joints[i];
+    }
+    mj_fwdPosition(model.get(), data.get());
+    for (int row = 0; row < data->nefc; ++row) {
+      if (data->efc_type[row] == mjCNSTR_EQUALITY) {
+        EXPECT_NEAR(data->efc_pos[row], 0, 1e-12) << "joints that are coupled";
+        ++coupled;
+      }
+    }
+    const std::vector<Cylinder> placed = place(scene, joints);
+    std::size_t met = 0;
+    for (int g = 0; g < model->ngeom; ++g) {
+      if (model->geom_type[g] != mjGEOM_CYLINDER || model->geom_contype[g] == 0) continue;
+      const Vector3 center(data->geom_xpos[3 * g], data->geom_xpos[3 * g + 1], data->geom_xpos[3 * g + 2]);
+      const Vector3 axis(data->geom_xmat[9 * g + 2], data->geom_xmat[9 * g + 5], data->geom_xmat[9 * g + 8]);
+      // The same one: by name, or where the file names no shapes by size and place.
+      const auto same = [&](std::size_t i) {
+        const Cylinder& c = placed[i];
+        return (!geom_names || scene.bodies[i].name.ends_with(mj_id2name(model.get(), mjOBJ_GEOM, g))) &&
+               c.radius == model->geom_size[3 * g] && c.height == 2 * model->geom_size[3 * g + 1] &&
+               (c.center - center).norm() < 1e-12 && (c.axis - axis).norm() < 1e-12;
+      };
+      bool found = false;
+      for (std::size_t i = 0; i < placed.size(); ++i) found |= same(i);
+      EXPECT_TRUE(found) << file << ", configuration " << k << ", geom " << g;
+      ++met;
+    }
+    EXPECT_EQ(met, placed.size());
+  }
+  EXPECT_EQ(coupled, 20 * model->neq);
+}
+
+TEST(Kinematics, OfUrdfAsMujocoHasThem) { expect_like_mujoco(folder + "crane.urdf", false); }
+TEST(Kinematics, OfMjcfAsMujocoHasThem) { expect_like_mujoco(folder + "crane.xml", true); }
+
+TEST(Joints, StayWithinLimitsAndMimic) {
+  const Scene scene = read_scene(folder + "crane.urdf");
+  const auto of = [&](const std::vector<double>& joints, const char* name) {
+    for (std::size_t i = 0; i < joints.size(); ++i)
+      if (scene.links[i].joint == name) return joints[i];
+    throw std::runtime_error(name);
+  };
+  double least = 9, most = -9;
+  for (std::uint64_t k = 0; k < 200; ++k) {
+    const auto joints = draw_joints(scene, 7, k);
+    const double travel = of(joints, "travel");
+    EXPECT_GE(travel, 0.1);
+    EXPECT_LE(travel, 1.3);
+    EXPECT_EQ(of(joints, "balance"), 0.5 * travel + 0.3);
+    EXPECT_EQ(of(joints, "hoist"), 0);
+    least = std::min(least, of(joints, "slew"));
+    most = std::max(most, of(joints, "slew"));
+  }
+  EXPECT_LT(least, -3);
+  EXPECT_GT(most, 3);
+  EXPECT_EQ(draw_joints(scene, 7, 3), draw_joints(scene, 7, 3));
+  EXPECT_NE(draw_joints(scene, 7, 3), draw_joints(scene, 8, 3));
+  const std::vector<std::pair<std::string, double>> at{{"travel", 0.8}};
+  EXPECT_EQ(of(joints_at(scene, at), "balance"), 0.5 * 0.8 + 0.3);
+  EXPECT_EQ(of(joints_at(scene), "travel"), 0.1);  // 0 is beyond its limits
+  const std::vector<std::pair<std::string, double>> mimic{{"balance", 0.8}};
+  EXPECT_THROW(joints_at(scene, mimic), std::invalid_argument);
+}
+
+TEST(Pairs, ThoseThatMoveItLeavesOut) {
+  const Scene scene = read_scene(folder + "crane.urdf");
+  const PairRule rule(scene, false), all(scene, true);
+  using Reason = PairRule::Reason;
+  const auto why = [&](const PairRule& r, const char* a, const char* b) {
+    EXPECT_EQ(r.reason(body(scene, a), body(scene, b)), r.reason(body(scene, b), body(scene, a)));
+    return r.reason(body(scene, a), body(scene, b));
+  };
+  EXPECT_EQ(why(rule, "counterweight/weight", "counterweight/shackle"), Reason::same_link);
+  EXPECT_EQ(why(rule, "ground/post", "tower"), Reason::adjacent);
+  EXPECT_EQ(why(rule, "tower", "boom/beam"), Reason::adjacent);  // through the hinge, which has no shape
+  EXPECT_EQ(why(rule, "trolley", "counterweight/weight"), Reason::checked);
+  EXPECT_EQ(why(rule, "hook", "counterweight/shackle"), Reason::disabled);
+  EXPECT_EQ(why(rule, "ground/post", "boom/beam"), Reason::checked);
+  EXPECT_EQ(why(all, "tower", "boom/beam"), Reason::checked);
+  EXPECT_EQ(why(all, "counterweight/weight", "counterweight/shackle"), Reason::same_link);
+  const Scene mjcf = read_scene(folder + "crane.xml");
+  const PairRule mujoco(mjcf, false);
+  EXPECT_EQ(mujoco.reason(body(mjcf, "tower/mast"), body(mjcf, "trolley/rope")), Reason::disabled);
+  EXPECT_EQ(mujoco.reason(body(mjcf, "tower/mast"), body(mjcf, "boom/beam")), Reason::adjacent);
+  EXPECT_EQ(mujoco.reason(body(mjcf, "tower/mast"), body(mjcf, "world/post")), Reason::checked);
+  EXPECT_EQ(mjcf.left_out, (std::vector<std::string>{"plane of world", "sphere of boom"}));
+}
+
+TEST(Files, JsonLinesAndCsvSayTheSame) {
+  const Scene a = read_scene(folder + "shelf.jsonl"), b = read_scene(folder + "shelf.csv");
+  ASSERT_EQ(a.bodies.size(), 4u);
+  ASSERT_EQ(b.bodies.size(), 4u);
+  for (std::size_t i = 0; i < 4; ++i) {
+    EXPECT_EQ(a.bodies[i].name, b.bodies[i].name);
+    EXPECT_EQ(a.bodies[i].solid.center, b.bodies[i].solid.center);
+    EXPECT_EQ(a.bodies[i].solid.axis, b.bodies[i].solid.axis);
+    EXPECT_EQ(a.bodies[i].solid.radius, b.bodies[i].solid.radius);
+    EXPECT_EQ(a.bodies[i].solid.height, b.bodies[i].solid.height);
+  }
+  EXPECT_FALSE(moves(a));
+}
+
+std::string error_of(const std::string& ending, const std::string& text) {
+  const auto file =
+      std::filesystem::path(testing::TempDir()) / ("scene_test_" + std::to_string(getpid()) + ending);
+  std::ofstream(file) << text;
+  std::string error = "none";
+  try {
+    read_scene(file.string());
+  } catch (const std::runtime_error& e) {
+    error = e.what();
+  }
+  std::filesystem::remove(file);
+  return error.substr(std::min(error.size(), file.string().size()));
+}
+
+TEST(Files, FaultsAreNamed) {
+  EXPECT_NE(error_of(".jsonl", "\n{\"center\":[0,0,0],\"axis\":[0,0,1],\"radius\":-1,\"height\":2}")
+                .find("line 2: radius is negative"),
+            std::string::npos);
+  EXPECT_NE(error_of(".jsonl", "{\"centre\":[0,0,0]}").find("'centre' is none of"), std::string::npos);
+  EXPECT_NE(error_of(".csv", "x,y,z,ax,ay,az,radius,height\n0,0,0,0,0,1,one,2").find("radius is 'one'"),
+            std::string::npos);
+  EXPECT_NE(error_of(".csv", "x,y,z,ax,ay,az,radius\n").find("no column 'height'"), std::string::npos);
+  EXPECT_NE(error_of(".csv", "x,y,z,ax,ay,az,radius,height\n1,2").find("2 fields, not 8"), std::string::npos);
+  EXPECT_NE(error_of(".urdf", "<robot name='r'><link name='a'/><link name='b'/></robot>").find("root"),
+            std::string::npos);
+  EXPECT_NE(error_of(".urdf", "<robot name='r'><link name='a'>\n").find("line 2: "), std::string::npos);
+  EXPECT_NE(error_of(".xml", "<mujoco><worldbody><geom type='cylinder' size='1'/></worldbody></mujoco>")
+                .find("sizes must be positive"),
+            std::string::npos);
+  EXPECT_NE(error_of(".obj", "").find("no scene"), std::string::npos);
+}
+
+TEST(Urdf, UnknownShapesAreNamedNotFatal) {
+  const auto file =
+      std::filesystem::path(testing::TempDir()) / ("shapes_" + std::to_string(getpid()) + ".urdf");
+  std::ofstream(file)
+      << "<robot name='r'><link name='a'><collision><geometry><capsule radius='1' length='2'/>"
+         "</geometry></collision><collision/><collision><geometry><cylinder radius='1' length='2'/>"
+         "</geometry></collision></link></robot>";
+  const Scene scene = read_scene(file.string());
+  std::filesystem::remove(file);
+  EXPECT_EQ(scene.bodies.size(), 1u);
+  EXPECT_EQ(scene.left_out, (std::vector<std::string>{"capsule of a", "nothing of a"}));
+}
+
+}  // namespace
+}  // namespace cyl

@@ -1,0 +1,213 @@
+// SPDX-License-Identifier: MIT
+#include <console_bridge/console.h>
+#include <fmt/format.h>
+#include <tinyxml.h>
+#include <urdf_parser/urdf_parser.h>
+
+#include <array>
+#include <cstring>
+#include <filesystem>
+#include <map>
+#include <numbers>
+#include <stdexcept>
+
+#include "scenes/scene_files.hpp"
+
+namespace cyl {
+namespace {
+
+/// Gathers what the parser would print.
+class Messages final : public console_bridge::OutputHandler {
+ public:
+  Messages() { console_bridge::useOutputHandler(this); }
+  ~Messages() override { console_bridge::restorePreviousOutputHandler(); }
+  void log(const std::string& text, console_bridge::LogLevel level, const char*, int) override {
+    if (level >= console_bridge::CONSOLE_BRIDGE_LOG_ERROR) all_ += (all_.empty() ? "" : "; ") + text;
+  }
+  const std::string& all() const { return all_; }
+
+ private:
+  std::string all_;
+};
+
+std::string attribute(const TiXmlElement& element, const char* name) {
+  const char* value = element.Attribute(name);
+  return value ? value : "";
+}
+
+void load(TiXmlDocument& document, const std::string& file) {
+  if (!document.LoadFile(file))
+    throw std::runtime_error(file + ": line " + std::to_string(document.ErrorRow()) + ": " +
+                             document.ErrorDesc());
+}
+
+void remove_all(TiXmlElement& parent, const char* name) {
+  while (TiXmlElement* child = parent.FirstChildElement(name)) parent.RemoveChild(child);
+}
+
+/// urdfdom refuses a whole robot for a material named twice or a shape that it does not know. Neither is any
+/// matter of cylinders: what is not needed is taken out, and shapes that are no cylinders are noted.
+void keep_cylinders(TiXmlElement& robot, Scene& scene, std::map<std::string, std::size_t>& shapes) {
+  for (const char* name : {"material", "transmission", "gazebo", "mujoco", "sensor"}) remove_all(robot, name);
+  for (TiXmlElement* link = robot.FirstChildElement("link"); link; link = link->NextSiblingElement("link")) {
+    remove_all(*link, "visual");
+    const std::string name = attribute(*link, "name");
+    for (TiXmlElement *next, *collision = link->FirstChildElement("collision"); collision; collision = next) {
+      next = collision->NextSiblingElement("collision");
+      ++shapes[name];
+      const TiXmlElement* geometry = collision->FirstChildElement("geometry");
+      const TiXmlElement* shape = geometry ? geometry->FirstChildElement() : nullptr;
+      if (shape && std::strcmp(shape->Value(), "cylinder") == 0) continue;
+      scene.left_out.push_back(fmt::format("{} of {}", shape ? shape->Value() : "nothing", name));
+      link->RemoveChild(collision);
+    }
+  }
+}
+
+Vector3 vector_of(const urdf::Vector3& v) { return {v.x, v.y, v.z}; }
+
+Pose pose_of(const urdf::Pose& p) {
+  const urdf::Rotation& q = p.rotation;
+  return Pose(Eigen::Translation3d(vector_of(p.position)) * Eigen::Quaterniond(q.w, q.x, q.y, q.z));
+}
+
+void set_motion(Link& link, const urdf::Joint& joint, Scene& scene) {
+  switch (joint.type) {
+    case urdf::Joint::CONTINUOUS:
+      link.motion = Motion::turn;
+      link.low = -std::numbers::pi;
+      link.high = std::numbers::pi;
+      break;
+    case urdf::Joint::REVOLUTE:
+    case urdf::Joint::PRISMATIC:
+      link.motion = joint.type == urdf::Joint::REVOLUTE ? Motion::turn : Motion::slide;
+      link.low = joint.limits->lower;
+      link.high = joint.limits->upper;
+      if (link.low > link.high) {
+        std::swap(link.low, link.high);
+        scene.notes.push_back("The limits of joint " + joint.name + " are the wrong way round: exchanged.");
+      }
+      break;
+    case urdf::Joint::FLOATING:
+    case urdf::Joint::PLANAR:
+      scene.notes.push_back("Joint " + joint.name +
+                            " is floating or planar: it is held where the file puts it.");
+      return;
+    default:
+      return;
+  }
+  const double length = vector_of(joint.axis).norm();
+  if (!(length > 0)) throw std::runtime_error("joint " + joint.name + " has no axis");
+  link.axis = vector_of(joint.axis) / length;
+}
+
+void add_bodies(Scene& scene, std::size_t index, const urdf::Link& link) {
+  for (const auto& collision : link.collision_array) {
+    const auto* shape = dynamic_cast<const urdf::Cylinder*>(collision->geometry.get());
+    if (!shape) continue;
+    const Pose pose = pose_of(collision->origin);
+    const Cylinder solid{pose.translation(), pose.linear().col(2), shape->radius, shape->length};
+    std::string name = link.name;
+    if (!collision->name.empty())
+      name += "/" + collision->name;
+    else if (link.collision_array.size() > 1)
+      name += "/" + std::to_string(&collision - link.collision_array.data() + 1);
+    if (const Defect defect = find_defect(solid); defect != Defect::none)
+      throw std::runtime_error("cylinder " + name + ": " + to_string(defect));
+    scene.bodies.push_back({name, index, solid, 1, 1});
+  }
+}
+
+class Builder {
+ public:
+  explicit Builder(Scene& scene, const std::map<std::string, std::size_t>& shapes)
+      : scene_(scene), shapes_(shapes) {}
+
+  void add(const urdf::Link& link, std::optional<std::size_t> parent) {
+    const std::size_t index = scene_.links.size();
+    index_of_[link.name] = index;
+    Link own;
+    own.name = link.name;
+    own.parent = parent;
+    if (const auto shapes = shapes_.find(link.name); shapes != shapes_.end()) own.shapes = shapes->second;
+    if (const auto& joint = link.parent_joint) {
+      own.joint = joint->name;
+      joint_index_[joint->name] = index;
+      own.origin = pose_of(joint->parent_to_joint_origin_transform);
+      set_motion(own, *joint, scene_);
+      if (joint->mimic && own.motion != Motion::fixed) mimics_.emplace_back(index, joint->mimic);
+    }
+    scene_.links.push_back(std::move(own));
+    add_bodies(scene_, index, link);
+    for (const auto& child : link.child_links) add(*child, index);
+  }
+
+  void follow() {
+    for (const auto& [index, mimic] : mimics_) {
+      const auto leader = joint_index_.find(mimic->joint_name);
+      if (leader == joint_index_.end())
+        throw std::runtime_error("joint " + scene_.links[index].joint + " mimics '" + mimic->joint_name +
+                                 "', which is none");
+      scene_.links[index].follow = Follow{leader->second, mimic->multiplier, mimic->offset};
+    }
+    joints_at(scene_);  // throws where they go in a circle
+  }
+
+  void disable(const std::string& file) {
+    TiXmlDocument document;
+    load(document, file);
+    const TiXmlElement* robot = document.FirstChildElement("robot");
+    if (!robot) throw std::runtime_error(file + ": no <robot>");
+    for (const TiXmlElement* e = robot->FirstChildElement("disable_collisions"); e;
+         e = e->NextSiblingElement("disable_collisions")) {
+      std::array<std::size_t, 2> links{};
+      for (std::size_t i = 0; i < 2; ++i) {
+        const std::string name = attribute(*e, i == 0 ? "link1" : "link2");
+        const auto found = index_of_.find(name);
+        if (found == index_of_.end())
+          throw std::runtime_error(file + ": line " + std::to_string(e->Row()) + ": '" + name +
+                                   "' is no link of the robot");
+        links[i] = found->second;
+      }
+      scene_.disabled.emplace_back(links[0], links[1]);
+    }
+  }
+
+ private:
+  Scene& scene_;
+  const std::map<std::string, std::size_t>& shapes_;
+  std::map<std::string, std::size_t> index_of_, joint_index_;
+  std::vector<std::pair<std::size_t, urdf::JointMimicSharedPtr>> mimics_;
+};
+
+}  // namespace
+
+Scene read_urdf(const std::string& file) {
+  TiXmlDocument document;
+  load(document, file);
+  TiXmlElement* robot = document.FirstChildElement("robot");
+  if (!robot) throw std::runtime_error(file + ": no <robot>");
+  Scene scene;
+  std::map<std::string, std::size_t> shapes;
+  keep_cylinders(*robot, scene, shapes);
+  TiXmlPrinter text;
+  document.Accept(&text);
+
+  Messages messages;
+  const urdf::ModelInterfaceSharedPtr model = urdf::parseURDF(text.Str());
+  if (!model) throw std::runtime_error(file + ": " + messages.all());
+  if (!messages.all().empty()) scene.notes.push_back("urdfdom: " + messages.all() + ".");
+  Builder builder(scene, shapes);
+  try {
+    builder.add(*model->getRoot(), std::nullopt);
+    builder.follow();
+  } catch (const std::exception& error) {
+    throw std::runtime_error(file + ": " + error.what());
+  }
+  if (const std::string srdf = std::filesystem::path(file).replace_extension(".srdf").string();
+      std::filesystem::exists(srdf))
+    builder.disable(srdf);
+  return scene;
+}
+
+}  // namespace cyl

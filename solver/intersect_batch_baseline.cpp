@@ -1,4 +1,0 @@
-// SPDX-License-Identifier: MIT
-#define CYL_KERNEL batch_baseline
-#define CYL_LANES 2
-#include "solver/intersect_batch_kernel.hpp"

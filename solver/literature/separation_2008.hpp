@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: MIT
+// The text of 2008: the gap f(D) is looked at where its gradient vanishes or is undefined. Sections 6 and 7
+// are here, 5 and 8 in separation_2008_circle.hpp, 9 to 13 in separation_2008_interior.hpp. No allocation.
+#pragma once
+
+#include "solver/decide.hpp"
+#include "solver/literature/document.hpp"
+
+namespace cyl::seeds {
+
+/// The ways in which section 8 looks at the directions perpendicular to an axis.
+enum class CircleWay : unsigned char {
+  polynomial,  ///< along the tangent line, roots of a polynomial of degree 8
+  projection,  ///< distance of a point to the other solid's projection, by a polynomial of degree 4
+  minimise     ///< bisection of the half circle where D.Delta > 0, on which F has one valley
+};
+
+/// How section 11 solves for the critical points.
+enum class CriticalWay : unsigned char {
+  normalised,  ///< unit vectors eta_i, by the inverse of B0
+  adjugate     ///< P_0 = r0 det(B0) eta_0, P_1 = r1 eta_1, without a division: the page of the book
+};
+
+/// What the text has wrong, and the page of the book. equal_eigenvalues and vanished_derivative_term change
+/// no verdict: errata.md.
+inline constexpr Faults printed_2008 =
+    Faults(Fault::radius_not_squared) | Fault::derivative_of_the_wrong_term | Fault::wrong_b_squared |
+    Fault::equal_eigenvalues | Fault::tangent_line_misses_u0 | Fault::negated_pair_ignored |
+    Fault::vanished_derivative_term | Fault::cancelling_distance;
+inline constexpr Faults printed_book = Faults(Fault::wrong_b_squared) | Fault::equal_eigenvalues;
+
+/// `disjoint` with a direction of negative f, `intersecting` where none was found, `invalid`. Without faults
+/// `disjoint` is as sure as the rounding of f (some 1e-15 of the lengths); `intersecting` as sure as the
+/// options allow. The square-root-free tests of section 7 are believed as they stand, so with the fault
+/// radius_not_squared the direction may be none. Cost: a circle 0.5 us (projection), 1 to 2 us (minimise) or
+/// 20 us (polynomial), critical points 3 us; most pairs end in section 7.
+Separation separation_2008(const Prepared& a, const Prepared& b, CircleWay circle, CriticalWay critical,
+                           const Options& options) noexcept;
+Separation separation_2008(const Cylinder& a, const Cylinder& b, CircleWay circle, CriticalWay critical,
+                           const Options& options) noexcept;
+
+}  // namespace cyl::seeds

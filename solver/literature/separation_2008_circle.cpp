@@ -1,0 +1,165 @@
+// SPDX-License-Identifier: MIT
+#include "solver/literature/separation_2008_circle.hpp"
+
+#include <algorithm>
+
+#include "solver/literature/real_roots.hpp"
+
+namespace cyl::seeds {
+namespace {
+
+template <std::size_t n, std::size_t m>
+std::array<double, n + m - 1> product(const std::array<double, n>& a,
+                                      const std::array<double, m>& b) noexcept {
+  std::array<double, n + m - 1> c{};
+  for (std::size_t i = 0; i < n; ++i)
+    for (std::size_t j = 0; j < m; ++j) c[i + j] += a[i] * b[j];
+  return c;
+}
+
+// G' rises: Newton's steps from a root of the polynomial, which the squarings have blurred.
+double polish(const TangentLine& line, double x, double k, int steps) noexcept {
+  for (int i = 0; i < steps; ++i) {
+    const double step = (line.rise(x) - k) / line.bend(x);
+    if (!(std::fabs(step) > 0x1p-53 * std::fabs(x))) break;
+    x -= step;
+  }
+  return x;
+}
+
+// (a) D = x U + V never is U, where f may be negative or, worse, 0 with F falling all the way to it. With V
+// along Delta that cannot be: f(U) >= 0, and F grows at both ends. That a critical point has the signs
+// assumed need not be tested: f itself is asked there.
+bool separated_by_roots(const Circle& q, const Options& options, Finder& finder) noexcept {
+  const double reach = std::hypot(q.a2, q.b2);
+  if (!(reach > 0)) return false;
+  const TangentLine line = options.faults.has(Fault::tangent_line_misses_u0)
+                               ? TangentLine(q, 0, 1)
+                               : TangentLine(q, q.a2 / reach, q.b2 / reach);
+  if (finder.separates(line.v)) return true;  // x = 0, often a root
+  for (const double sigma1 : {1.0, -1.0}) {
+    double k = line.k(sigma1, 1);
+    if (options.faults.has(Fault::derivative_of_the_wrong_term)) k += line.b2 - line.a2;
+    const auto roots = real_roots<8>(line.critical_polynomial(k), options.tolerance);
+    for (int i = 0; i < roots.count; ++i) {
+      const double root = roots.x[static_cast<std::size_t>(i)];
+      for (const double sign : {1.0, -1.0})
+        if (finder.separates(line.direction(polish(line, root, sign * k, options.step_cap)))) return true;
+    }
+  }
+  return false;
+}
+
+// (b) A disk about the origin against what is left of the other solid about (a2, b2).
+bool separated_in_projection(const Circle& q, const Options& options, Finder& finder) noexcept {
+  for (const PlaneVector v : {from_rectangle(q), from_ellipse(q, options)})
+    if (finder.separates(q.direction(v.x, v.y))) return true;
+  return false;
+}
+
+// (c) On the line D = e + t e', e along Delta's projection, the last term is constant and F convex.
+bool separated_in_valley(const Circle& q, const Options& options, Finder& finder) noexcept {
+  const double reach = std::hypot(q.a2, q.b2);
+  if (!(reach > 0)) return false;
+  const Eigen::Vector2d e(q.a2 / reach, q.b2 / reach);
+  Eigen::Vector2d low(e.y(), -e.x()), high = -low, d = e;
+  for (int i = 0; i < options.step_cap; ++i) {
+    if (finder.separates(q.direction(d.x(), d.y()))) return true;
+    if ((high - low).cwiseAbs().maxCoeff() <= options.tolerance) break;
+    // The gradient of the first three terms; of a term that vanishes, the subgradient 0.
+    const double length0 = std::hypot(d.x(), d.y()), length1 = std::hypot(q.c * d.x(), d.y());
+    const double share1 = length1 > 0 ? q.r1 / length1 : 0;
+    const double sign = d.x() > 0 ? 1 : d.x() < 0 ? -1 : 0;
+    const double gx = d.x() * (q.r0 / length0 + q.c * q.c * share1) + sign * q.side - q.a2;
+    const double gy = d.y() * (q.r0 / length0 + share1) - q.b2;
+    (gy * e.x() - gx * e.y() > 0 ? high : low) = d;
+    d = (low + high).normalized();
+  }
+  return false;
+}
+
+}  // namespace
+
+// U = (v_y, -v_x) in the circle's coordinates, where |P1 D|^2 = c^2 x^2 + y^2 and the other side is along x.
+TangentLine::TangentLine(const Circle& q, double v_x, double v_y) noexcept
+    : r0(q.r0),
+      r1(q.r1),
+      side(q.side),
+      q2(q.c * q.c * v_y * v_y + v_x * v_x),
+      q1((q.c * q.c - 1) * v_x * v_y),
+      q0(q.c * q.c * v_x * v_x + v_y * v_y),
+      a1(v_y),
+      b1(v_x),
+      a2(q.a2 * v_y - q.b2 * v_x),
+      b2(q.a2 * v_x + q.b2 * v_y),
+      u(q.direction(v_y, -v_x)),
+      v(q.direction(v_x, v_y)) {}
+
+double TangentLine::rise(double x) const noexcept {
+  return r0 * x / std::sqrt(1 + x * x) + r1 * (q2 * x + q1) / std::sqrt((q2 * x + 2 * q1) * x + q0);
+}
+
+double TangentLine::bend(double x) const noexcept {
+  const double s0 = 1 + x * x, s1 = (q2 * x + 2 * q1) * x + q0;
+  return r0 / (s0 * std::sqrt(s0)) + r1 * (q2 * q0 - q1 * q1) / (s1 * std::sqrt(s1));
+}
+
+// L0 = r0 x, L1 = r1 (q2 x + q1) over the roots of Q0 and Q1:
+// 4 L0^2 L1^2 Q0 Q1 - (k^2 Q0 Q1 - L0^2 Q1 - L1^2 Q0)^2, in the unit of its largest length.
+std::array<double, 9> TangentLine::critical_polynomial(double k) const noexcept {
+  const double unit = std::max({r0, r1, std::fabs(k)});
+  if (!(unit > 0)) return {};
+  const std::array<double, 2> l0{0, r0 / unit}, l1{r1 / unit * q1, r1 / unit * q2};
+  const std::array<double, 3> s0{1, 0, 1}, s1{q0, 2 * q1, q2};
+  const auto both = product(s0, s1), m0 = product(product(l0, l0), s1), m1 = product(product(l1, l1), s0);
+  std::array<double, 5> inner;
+  for (std::size_t i = 0; i < 5; ++i) inner[i] = k / unit * (k / unit) * both[i] - m0[i] - m1[i];
+  const auto left = product(m0, m1), right = product(inner, inner);
+  std::array<double, 9> c;
+  for (std::size_t i = 0; i < 9; ++i) c[i] = 4 * left[i] - right[i];
+  return c;
+}
+
+PlaneVector from_rectangle(const Circle& q) noexcept {
+  return {std::copysign(larger(std::fabs(q.a2) - q.side, 0), q.a2),
+          std::copysign(larger(std::fabs(q.b2) - q.r1, 0), q.b2)};
+}
+
+// In the unit r1 the ellipse about (side, 0) has half axes c and 1. The point of it nearest to an outer (u,
+// v) is (c^2 u/(t + c^2), v/(t + 1)) with the one t > 0 that puts it there, the largest root.
+PlaneVector from_ellipse(const Circle& q, const Options& options) noexcept {
+  if (!(q.r1 > 0) || !(q.c > 0)) return {};
+  const double u = (std::fabs(q.a2) - q.side) / q.r1, v = std::fabs(q.b2) / q.r1;
+  if (!(u > 0)) return {};  // the rectangle is nearer
+  const double c2 = q.c * q.c, u2 = c2 * u * u, v2 = v * v;
+  const auto roots = real_roots<4>({u2 + c2 * c2 * (v2 - 1), 2 * u2 + 2 * c2 * (v2 - 1 - c2),
+                                    u2 + v2 - 1 - c2 * (4 + c2), -2 - 2 * c2, -1},
+                                   options.tolerance);
+  double t = 0;
+  for (int i = 0; i < roots.count; ++i) t = larger(t, roots.x[static_cast<std::size_t>(i)]);
+  for (int i = 0; i < options.step_cap; ++i) {
+    const double m = 1 / (t + c2), n = 1 / (t + 1);
+    const double step = (u2 * m * m + v2 * n * n - 1) / (2 * (u2 * m * m * m + v2 * n * n * n));
+    const double next = larger(t + step, 0);
+    if (!(std::fabs(next - t) > 0x1p-53 * t)) break;
+    t = next;
+  }
+  const double x = u / (t + c2), y = v / (t + 1), size = std::hypot(x, y);
+  return {std::copysign(x / size, q.a2), std::copysign(y / size, q.b2)};
+}
+
+bool separated_on_circle(const Solids& solids, int i, CircleWay way, const Options& options,
+                         Finder& finder) noexcept {
+  const Circle circle(solids, i);
+  switch (way) {
+    case CircleWay::polynomial:
+      return separated_by_roots(circle, options, finder);
+    case CircleWay::projection:
+      return separated_in_projection(circle, options, finder);
+    case CircleWay::minimise:
+      return separated_in_valley(circle, options, finder);
+  }
+  return false;
+}
+
+}  // namespace cyl::seeds

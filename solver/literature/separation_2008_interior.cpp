@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: MIT
+#include "solver/literature/separation_2008_interior.hpp"
+
+#include <Eigen/Eigenvalues>
+#include <Eigen/LU>
+
+namespace cyl::seeds {
+namespace {
+
+Matrix2 outer(const Vector2& a) noexcept { return a * a.transpose(); }
+
+bool negative_by_squares(const SmoothGap& g, const Vector3& d) noexcept {
+  const Solids& p = g.solids;
+  const Vector3 x0 = p.r[0] * d.cross(p.w[0]), x1 = p.r[1] * d.cross(p.w[1]);
+  return below_by_squares(dot(x0, x0), dot(x1, x1), dot(g.phi, g.phi));
+}
+
+// Newton's steps on the convex g0 as long as it falls: the etas of nearly singular systems are blurred.
+bool separated_near(const SmoothGap& g, Vector3 d, int steps, Finder& finder) noexcept {
+  if (!(dot(d, g.w) > 0)) return false;
+  d /= dot(d, g.w);
+  if (negative_by_squares(g, d) && finder.separates(d)) return true;
+  double value = g.value(d);
+  for (int i = 0; i < steps; ++i) {
+    const Vector3 next = d + g.newton_step(d);
+    const double lower = g.value(next);
+    if (!(lower < value)) break;
+    if (negative_by_squares(g, next) && finder.separates(next)) return true;
+    d = next;
+    value = lower;
+  }
+  return false;
+}
+
+}  // namespace
+
+SmoothGap::SmoothGap(const Solids& p, double sign0, double sign1) noexcept
+    : solids(p), phi(p.delta - sign0 * p.h[0] * p.w[0] - sign1 * p.h[1] * p.w[1]) {
+  const double size = length(phi);
+  no_phi = !(size > 0);
+  if (no_phi) return;
+  w = phi / size;
+  u = w.unitOrthogonal();
+  v = w.cross(u);
+  const auto planar = [&](const Vector3& x) { return Vector2(dot(x, u), dot(x, v)); };
+  system.b0 << planar(p.u[0]), planar(p.n);
+  system.b1 << planar(p.u[1]), planar(p.n);
+  system.det0 = dot(w, p.w[0]);
+  system.det1 = dot(w, p.w[1]);
+  system.r0 = p.r[0];
+  system.r1 = p.r[1];
+}
+
+// eta_i^perp . A_i^T D = 0 for both i: D is perpendicular to A_0 eta_0^perp and A_1 eta_1^perp.
+Vector3 SmoothGap::direction(const Vector2& eta0, const Vector2& eta1) const noexcept {
+  const Vector2 p0 = perpendicular(eta0), p1 = perpendicular(eta1);
+  return (p0.x() * solids.u[0] + p0.y() * solids.n).cross(p1.x() * solids.u[1] + p1.y() * solids.n);
+}
+
+double SmoothGap::value(const Vector3& d) const noexcept {
+  return solids.r[0] * length(d.cross(solids.w[0])) + solids.r[1] * length(d.cross(solids.w[1])) -
+         dot(d, phi);
+}
+
+// P_i D has the length |D x W_i| and turns at the rate 1/|D x W_i| towards D x W_i.
+Vector3 SmoothGap::newton_step(const Vector3& d) const noexcept {
+  Vector2 gradient(0, 0);
+  Matrix2 hessian = Matrix2::Zero();
+  for (int i = 0; i < 2; ++i) {
+    const Vector3 across = d.cross(solids.w[i]);
+    const double size = length(across);
+    if (!(size > 0)) return {0, 0, 0};
+    const Vector3 tangent = across / size, normal = solids.w[i].cross(tangent);
+    gradient += solids.r[i] * Vector2(dot(normal, u), dot(normal, v));
+    hessian += solids.r[i] / size * outer({dot(tangent, u), dot(tangent, v)});
+  }
+  const double det = hessian.determinant();
+  if (!(det > 0)) return {0, 0, 0};
+  const Vector2 step = Vector2(hessian(1, 1) * gradient.x() - hessian(0, 1) * gradient.y(),
+                               hessian(0, 0) * gradient.y() - hessian(1, 0) * gradient.x()) /
+                       -det;
+  return step.x() * u + step.y() * v;
+}
+
+CriticalPairs solve_normalised(const CriticalSystem& s, Faults faults) noexcept {
+  CriticalPairs pairs;
+  const Matrix2 m = s.r1 / s.r0 * (s.b0.inverse() * s.b1);
+  const Eigen::SelfAdjointEigenSolver<Matrix2> eigen(m.transpose() * m);
+  const double e1 = eigen.eigenvalues()[1], det = s.r1 * s.r1 * s.det1 / (s.r0 * s.r0 * s.det0);
+  const double e0 = det * det / e1;
+  if (!faults.has(Fault::equal_eigenvalues) && !(e1 - e0 > equal_eigenvalues_tol * e1)) {
+    pairs.equal = true;
+    return pairs;
+  }
+  // a^2 + b^2 = 1, e0 a^2 + e1 b^2 = 1.
+  const double a2 = (e1 - 1) / (e1 - e0), b2 = (1 - e0) / (e1 - e0);
+  if (!(a2 >= 0) || !(b2 >= 0)) return pairs;
+  for (const double sign : {1.0, -1.0}) {
+    const Vector2 eta1 = eigen.eigenvectors() * Vector2(sign * std::sqrt(a2), std::sqrt(b2));
+    pairs.add(-m * eta1, eta1);
+  }
+  return pairs;
+}
+
+bool below_by_squares(double a_squared, double b_squared, double c_squared) noexcept {
+  const double rho = c_squared - a_squared - b_squared;
+  return rho > 0 && 4 * a_squared * b_squared < rho * rho;
+}
+
+bool separated_inside(const Solids& p, CriticalWay way, const Options& options, Finder& finder) noexcept {
+  for (const double sign0 : {1.0, -1.0}) {
+    for (const double sign1 : {1.0, -1.0}) {
+      const SmoothGap g(p, sign0, sign1);
+      if (g.no_phi) return false;  // two rims' centres coincide
+      const CriticalSystem& s = g.system;
+      if (s.det0 == 0 && s.det1 == 0) {
+        if (finder.separates(g.w)) return true;
+        continue;
+      }
+      CriticalPairs pairs;
+      if (s.det0 == 0 || s.det1 == 0)
+        pairs = solve_singular(s);
+      else if (way == CriticalWay::adjugate || options.faults.has(Fault::wrong_b_squared))
+        pairs = solve_adjugate(s, options.faults);  // the wrong formula is printed in this form
+      else if (s.r0 > 0 && s.r1 > 0)
+        pairs = solve_normalised(s, options.faults);
+
+      if (pairs.equal && finder.separates(g.w)) return true;
+      for (int i = 0; i < pairs.count; ++i) {
+        Vector3 d = g.direction(pairs.eta0[i], pairs.eta1[i]);
+        if (dot(d, g.w) < 0) d = -d;
+        // Of eta_i . A_i^T D: both positive, or both negative, which is the negated pair.
+        const auto along = [&](const Vector2& eta, int k) {
+          return eta.x() * dot(p.u[k], d) + eta.y() * dot(p.n, d);
+        };
+        const double along0 = along(pairs.eta0[i], 0), along1 = along(pairs.eta1[i], 1);
+        if (options.faults.has(Fault::negated_pair_ignored) ? !(along0 > 0 && along1 > 0)
+                                                            : !(along0 * along1 > 0))
+          continue;
+        if (separated_near(g, d, options.step_cap, finder)) return true;
+      }
+    }
+  }
+  return false;
+}
+
+}  // namespace cyl::seeds

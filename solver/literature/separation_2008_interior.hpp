@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: MIT
+// Sections 9 to 13 of the text of 2008: the directions where all terms of f are smooth.
+#pragma once
+
+#include "solver/literature/separation_2008.hpp"
+#include "solver/literature/separation_book.hpp"
+#include "solver/literature/solids.hpp"
+
+namespace cyl::seeds {
+
+/// g0(D) = r0 |P0 D| + r1 |P1 D| - D.phi, which is f(D) where sign0 D.W0, sign1 D.W1 and D.Delta >= 0. Of the
+/// eight signs four have this form, the others are their companions: g1(D) = g0(-D).
+struct SmoothGap {
+  SmoothGap(const Solids& solids, double sign0, double sign1) noexcept;  ///< phi = 0 gives no_phi
+
+  /// Section 12: D = x U + y V + W times det(C), where (x, y) are the etas': 0 where C is not invertible.
+  Vector3 direction(const Vector2& eta0, const Vector2& eta1) const noexcept;
+  double value(const Vector3& d) const noexcept;
+  /// The Newton step of g0 on the plane W.D = const, perpendicular to W.
+  Vector3 newton_step(const Vector3& d) const noexcept;
+
+  const Solids& solids;
+  Vector3 phi;
+  bool no_phi;
+  Vector3 u, v, w;  ///< U, V, W = phi/|phi|
+  CriticalSystem system;
+};
+
+/// Section 11, normalised: eta0 = -(r1/r0) B0^-1 B1 eta1. Needs r0 and both determinants not 0.
+CriticalPairs solve_normalised(const CriticalSystem& system, Faults faults) noexcept;
+
+/// Section 13: whether a + b < c of three lengths, from their squares and without a root.
+bool below_by_squares(double a_squared, double b_squared, double c_squared) noexcept;
+
+/// Whether a direction in the inside of one of the eight sign cases separates. Critical points outside the
+/// case's own signs need not be rejected: f itself is asked there.
+bool separated_inside(const Solids& solids, CriticalWay way, const Options& options, Finder& finder) noexcept;
+
+}  // namespace cyl::seeds

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: MIT
+#include "solver/literature/separation_2017.hpp"
+
+#include <cmath>
+
+#include "solver/detail/frame.hpp"
+
+namespace cyl::seeds {
+namespace {
+
+Vector3 axis0(const Couple<double>& p) noexcept { return {p.w0x, p.w0y, p.w0z}; }
+Vector3 axis1(const Couple<double>& p) noexcept { return {p.w1x, p.w1y, p.w1z}; }
+Vector3 delta_of(const Couple<double>& p) noexcept { return {p.dx, p.dy, p.dz}; }
+
+/// The roles exchanged; f is the same.
+Couple<double> exchanged(const Couple<double>& p) noexcept {
+  return {p.w1x, p.w1y, p.w1z, p.w0x, p.w0y, p.w0z, p.dx, p.dy, p.dz, p.r1, p.h1, p.r0, p.h0};
+}
+
+Direction search(const Couple<double>& p, Minimiser minimiser, const Options& options) noexcept {
+  const Vector3 w0 = axis0(p), w1 = axis1(p);
+  if (delta_of(p) == Vector3::Zero() && !options.faults.has(Fault::coincident_centers)) return {};
+  if (options.faults.has(Fault::cancelling_sine) ? w0.cross(w1) == Vector3::Zero() : Axes(w0, w1).parallel())
+    return separated_in_parallel(p);
+  if (const Direction d = separated_by_axes(p, options)) return d;
+  if (const Direction d = separated_by_cylinder_perpendiculars(p, options)) return d;
+  if (const Direction d = separated_by_cylinder_perpendiculars(exchanged(p), options)) return d;
+  return separated_by_other_directions(p, minimiser, options);
+}
+
+Separation from_a_to_b(const Direction& d, const Couple<double>& p) noexcept {
+  if (!d) return {Verdict::intersecting};
+  return {Verdict::disjoint, dot(d.vector, delta_of(p)) < 0 ? Vector3(-d.vector) : d.vector};
+}
+
+}  // namespace
+
+double f(const Couple<double>& p, const Vector3& d) noexcept {
+  const Vector3 w0 = axis0(p), w1 = axis1(p);
+  return p.r0 * length(d.cross(w0)) + p.r1 * length(d.cross(w1)) + p.h0 * std::fabs(dot(d, w0)) +
+         p.h1 * std::fabs(dot(d, w1)) - std::fabs(dot(d, delta_of(p)));
+}
+
+Direction separated_by_axes(const Couple<double>& p, const Options& options) noexcept {
+  const Vector3 w0 = axis0(p), w1 = axis1(p);
+  const bool plain = options.faults.has(Fault::cancelling_sine);
+  for (const Vector3& d : {w0, w1, plain ? Vector3(w0.cross(w1)) : Axes(w0, w1).cross})
+    if (f(p, d) < 0) return d;
+  return {};
+}
+
+Direction separated_in_parallel(const Couple<double>& p) noexcept {
+  const Parallel axes(delta_of(p), p.h0 + p.h1, p.r0 + p.r1, Axes(axis0(p), axis1(p)).sum);
+  if (axes.stacked) return axes.w;
+  if (axes.beside) return axes.across();
+  return {};
+}
+
+Separation separated_cylinders(const Prepared& a, const Prepared& b, Minimiser minimiser,
+                               const Options& options) noexcept {
+  if (a.defect != Defect::none || b.defect != Defect::none) return {Verdict::invalid};
+  // A fixed order of the roles, so that swapping them changes nothing but the direction's sign.
+  const bool swapped = out_of_order(a, b);
+  const Couple<double> p = swapped ? scale(b, a).couple() : scale(a, b).couple();
+  Separation found = from_a_to_b(search(p, minimiser, options), p);
+  if (swapped) found.direction = -found.direction;
+  return found;
+}
+
+Separation separated_by_perpendiculars_of_a(const Prepared& a, const Prepared& b,
+                                            const Options& options) noexcept {
+  if (a.defect != Defect::none || b.defect != Defect::none) return {Verdict::invalid};
+  if (Axes(a.unit_axis, b.unit_axis).parallel()) return {};
+  const Couple<double> p = scale(a, b).couple();
+  return from_a_to_b(separated_by_cylinder_perpendiculars(p, options), p);
+}
+
+}  // namespace cyl::seeds

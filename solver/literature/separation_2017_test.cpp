@@ -1,0 +1,279 @@
+// SPDX-License-Identifier: MIT
+#include "solver/literature/separation_2017.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdint>
+#include <vector>
+
+#include "solver/detail/frame.hpp"
+#include "solver/literature/octant_2017.hpp"
+#include "solver/solver_test.hpp"
+
+namespace cyl::seeds {
+namespace {
+
+constexpr double half = 0.5;
+
+class Draw : public Numbers {
+ public:
+  Draw() : Numbers(2017) {}
+  double next() { return either_sign(); }
+  Vector3 vector() {
+    const double x = next(), y = next(), z = next();
+    return {x, y, z};
+  }
+  double length() { return 1.5 + next(); }
+};
+
+Quarter some_quarter(Draw& n) {
+  const double c = n.next();
+  Quarter q{};
+  q.r0 = n.length();
+  q.r1 = n.length();
+  q.h1b1 = n.length();
+  q.c1_square = c * c;
+  q.a2 = n.next();
+  q.b2 = n.next();
+  return q;
+}
+
+/// Equation (8), in more digits.
+long double wide_value(const Quarter& q, long double t) {
+  const long double u = 1 - t;
+  return q.r0 * std::sqrt(u * u + t * t) + q.r1 * std::sqrt(u * u + q.c1_square * t * t) + q.h1b1 * t -
+         std::fabs(u * q.a2 + t * q.b2);
+}
+
+TEST(Quarter2017, DerivativesAreThoseOfF) {
+  Draw n;
+  constexpr long double step = 0x1p-16L;  // truncation 2^-32 of the derivatives, rounding 2^-48 and 2^-32
+  for (int i = 0; i < 2000; ++i) {
+    const Quarter q = some_quarter(n);
+    const double t = half + 0.4 * n.next();
+    const double kink = q.a2 / (q.a2 - q.b2);
+    if (std::fabs(kink - t) < 1e-3 || q.c1_square < 1e-2) continue;
+    const long double below = wide_value(q, t - step), here = wide_value(q, t),
+                      above = wide_value(q, t + step);
+    EXPECT_NEAR(q.value(t), static_cast<double>(here), 1e-14);
+    EXPECT_NEAR(q.slope(t), static_cast<double>((above - below) / (2 * step)), 1e-6);
+    EXPECT_NEAR(q.printed_slope(t), q.slope(t), 1e-12);
+    EXPECT_NEAR(q.bend(t), static_cast<double>((above - 2 * here + below) / (step * step)), 1e-5);
+  }
+}
+
+// Equation (10) is printed with 3 r0 for r0: at t = 1/2 of two solids alike it would say 2.83 r0 (3 + c^2
+// ...).
+TEST(Quarter2017, TheCoefficientOfEquation10IsOne) {
+  const Quarter q{.r0 = 1, .r1 = 0, .h1b1 = 0, .c1_square = 0, .a2 = 0, .b2 = 0};
+  constexpr long double step = 0x1p-16L;
+  const long double second =
+      (wide_value(q, half + step) - 2 * wide_value(q, half) + wide_value(q, half - step)) / (step * step);
+  EXPECT_NEAR(static_cast<double>(second), std::sqrt(8.0), 1e-5);
+  EXPECT_NEAR(q.bend(half), std::sqrt(8.0), 1e-14);
+}
+
+// Beside the kink the slope of its term changes sign where (1-t) a2 + t b2 does, not where (1-t) a2 + b2
+// does.
+TEST(Quarter2017, TheKinkIsWhereDeltaIsSquareToD) {
+  const Quarter q{.r0 = 0, .r1 = 0, .h1b1 = 0, .c1_square = 0, .a2 = 1, .b2 = -half};
+  EXPECT_NEAR(q.value(2 / 3.0), 0, 1e-15);
+  EXPECT_EQ(q.sign(0.6), 1);
+  EXPECT_EQ(q.sign(0.7), -1);
+  EXPECT_EQ(q.slope(0.6), 1.5);
+  EXPECT_EQ(q.slope(0.7), -1.5);
+}
+
+// Not convex there, but not below 0 either, unless at an end.
+TEST(Quarter2017, AKinkHidesNoSeparation) {
+  Draw n;
+  int kinks = 0;
+  for (int i = 0; i < 20000; ++i) {
+    Quarter q = some_quarter(n);
+    q.a2 *= 4;
+    q.b2 *= 4;
+    if (q.sign(0) == q.sign(1) || q.value(0) < 0 || q.value(1) < 0) continue;
+    ++kinks;
+    for (int k = 0; k <= 32; ++k) EXPECT_GE(q.value(k / 32.0), 0);
+  }
+  EXPECT_GT(kinks, 1000);
+}
+
+TEST(Quarter2017, SquareAxesHaveASlopeAtTheEnd) {
+  const Quarter q{.r0 = 1, .r1 = 2, .h1b1 = 1, .c1_square = 0, .a2 = 1, .b2 = 1};
+  EXPECT_TRUE(std::isnan(q.printed_slope(1)));
+  EXPECT_NEAR(q.slope(1), q.slope(1 - 0x1p-30), 1e-8);
+}
+
+Octant some_octant(Draw& n) {
+  const Vector3 w0 = n.vector(), w1 = n.vector();
+  Octant o{};
+  o.w0 = w0 / length(w0);
+  o.w1 = w1 / length(w1);
+  o.r0 = n.length();
+  o.h0 = n.length();
+  o.r1 = n.length();
+  o.h1 = n.length();
+  o.length = n.length();
+  return o;
+}
+
+TEST(Octant2017, GradientIsThatOfG) {
+  Draw n;
+  constexpr double step = 0x1p-20;
+  for (int i = 0; i < 2000; ++i) {
+    const Octant o = some_octant(n);
+    const double s = half * (1 + n.next()), t = (1 - s) * half * (1 + n.next());
+    const Point x(s, t);
+    const Signs signs{o.along(0, x) < 0 ? -1.0 : 1.0, o.along(1, x) < 0 ? -1.0 : 1.0};
+    if (o.across(0, x) < 0.1 || o.across(1, x) < 0.1) continue;
+    const Point g = o.gradient(x, signs);
+    Octant printed = o;
+    printed.printed_roots = printed.printed_gradient = true;
+    EXPECT_NEAR(o.value(x, signs), printed.value(x, signs), 1e-13);
+    EXPECT_EQ(o.value(x, signs), o.value(x, {}));
+    EXPECT_NEAR((g - printed.gradient(x, signs)).norm(), 0, 1e-12);
+    for (int k = 0; k < 2; ++k) {
+      const Point e = step * Point::Unit(k);
+      EXPECT_NEAR(g[k], (o.value(x + e, signs) - o.value(x - e, signs)) / (2 * step), 1e-8);
+    }
+  }
+}
+
+// Section 7 says Q^3 (eta_ss eta_tt - eta_st^2) = (2 Q Q_ss - Q_s^2)(2 Q Q_tt - Q_t^2) - (2 Q Q_st - Q_s
+// Q_t)^2. As 4 Q^(3/2) eta_ss = 2 Q Q_ss - Q_s^2, the right side is 16 times the left; both are 0 for unit
+// axes.
+TEST(Octant2017, TheDeterminantNeedsASixteenth) {
+  const double a = 0.3, b = 0.4, c = half;  // not of unit length
+  const double s = 0.2, t = 0.3, u = half;
+  const double l = a * s + b * t + c * u, q = s * s + t * t + u * u - l * l;
+  const double qs = 2 * s - 2 * u - 2 * (a - c) * l, qt = 2 * t - 2 * u - 2 * (b - c) * l;
+  const double qss = 4 - 2 * (a - c) * (a - c), qst = 2 - 2 * (a - c) * (b - c),
+               qtt = 4 - 2 * (b - c) * (b - c);
+  const auto eta = [&](long double x, long double y) {
+    const long double z = 1 - x - y, along = a * x + b * y + c * z;
+    return std::sqrt(x * x + y * y + z * z - along * along);
+  };
+  constexpr long double e = 0x1p-16L;
+  const long double here = eta(s, t), ss = (eta(s + e, t) - 2 * here + eta(s - e, t)) / (e * e),
+                    tt = (eta(s, t + e) - 2 * here + eta(s, t - e)) / (e * e),
+                    st = (eta(s + e, t + e) - eta(s + e, t - e) - eta(s - e, t + e) + eta(s - e, t - e)) /
+                         (4 * e * e);
+  const double left = q * q * q * static_cast<double>(ss * tt - st * st);
+  const double right =
+      (2 * q * qss - qs * qs) * (2 * q * qtt - qt * qt) - (2 * q * qst - qs * qt) * (2 * q * qst - qs * qt);
+  EXPECT_GT(std::fabs(right), 0.01);
+  EXPECT_NEAR(16 * left, right, 1e-6);
+}
+
+TEST(Octant2017, GIsConvexInEachCell) {
+  Draw n;
+  for (int i = 0; i < 2000; ++i) {
+    const Octant o = some_octant(n);
+    for (double sign : {1.0, -1.0}) {
+      Cell cell;
+      if (!cell.keep(o, i % 2, sign)) continue;
+      const Point x = cell.middle();
+      const Signs signs{i % 2 == 0 ? sign : 0, i % 2 == 1 ? sign : 0};
+      for (int k = 0; k < cell.count; ++k) {
+        const Point& y = cell.corners[k];
+        EXPECT_GE(sign * o.along(i % 2, y), -1e-15);
+        EXPECT_GE(o.value(y, signs) - o.value(x, signs), o.gradient(x, signs).dot(y - x) - 1e-12);
+      }
+    }
+  }
+}
+
+class Degenerate2017 : public testing::TestWithParam<Minimiser> {
+ protected:
+  static Separation ask(const Cylinder& a, const Cylinder& b) {
+    return separated_cylinders(prepare(a), prepare(b), GetParam(), {});
+  }
+  static void expect_apart(const Cylinder& a, const Cylinder& b) {
+    const Separation found = ask(a, b);
+    EXPECT_EQ(found.verdict, Verdict::disjoint);
+    const Couple<double> p = scale(prepare(a), prepare(b)).couple();
+    EXPECT_LT(f(p, found.direction), 0);
+    EXPECT_GT(dot(found.direction, b.center - a.center), 0);
+  }
+  static void expect_meeting(const Cylinder& a, const Cylinder& b) {
+    EXPECT_EQ(ask(a, b).verdict, Verdict::intersecting);
+  }
+};
+
+TEST_P(Degenerate2017, OneCentre) {
+  expect_meeting({{1, 2, 3}, {0, 0, 1}, 1, 2}, {{1, 2, 3}, {0, 1, 1}, 1, 2});
+  expect_meeting({{1, 2, 3}, {0, 0, 1}, 0, 0}, {{1, 2, 3}, {0, 1, 1}, 0, 0});
+}
+
+TEST_P(Degenerate2017, ParallelAxes) {
+  const Cylinder a{{0, 0, 0}, {0, 0, 1}, 1, 2};
+  expect_apart(a, {{2.5, 0, 0}, {0, 0, -3}, 1, 2});
+  expect_apart(a, {{0, 0, -2.5}, {0, 0, 1}, 1, 2});
+  expect_meeting(a, {{2, 0, 2}, {0, 0, 1}, 1, 2});
+}
+
+TEST_P(Degenerate2017, NearlyParallelAxes) {
+  const Cylinder a{{0, 0, 0}, {0, 0, 1}, 1, 2};
+  for (double angle : {1e-3, 1e-8, 1e-9, 1e-12, 1e-15, 1e-17, 1e-300}) {
+    for (const Vector3& axis : {Vector3(angle, 0, 1), Vector3(-angle, angle, -1)}) {
+      expect_apart(a, {{1.5, 1.5, 0}, axis, 1, 2});
+      expect_apart(a, {{0, 0, 2.01}, axis, 1, 2});
+      expect_meeting(a, {{1.3, 1.3, 1.9}, axis, 1, 2});
+    }
+  }
+}
+
+TEST_P(Degenerate2017, SquareAxes) {
+  const Cylinder a{{0, 0, 0}, {0, 0, 1}, 1, 2};
+  expect_apart(a, {{0, 2.1, 0}, {1, 0, 0}, 1, 2});
+  expect_apart(a, {{0, 1.6, 1.9}, {1, 0, 0}, 1, 2});
+  expect_meeting(a, {{0, 1.6, 1.6}, {1, 0, 0}, 1, 2});
+  expect_apart(a, {{2.1, 0, 0}, {1, 0, 0}, 1, 2});  // an axis along Delta
+  expect_apart(a, {{0, 0, 2.1}, {1, 0, 0}, 1, 2});
+}
+
+TEST_P(Degenerate2017, RadiusZero) {
+  const Cylinder rod{{0, 0, 0}, {0, 0, 1}, 0, 2};
+  expect_apart(rod, {{0, 0.01, 0}, {1, 1, 1}, 0, 2});
+  expect_apart(rod, {{0, 1.01, 0}, {1, 0, 1}, 1, 8});
+  expect_meeting(rod, {{0.9, 0, 0}, {1, 0, 0}, 0.1, 2});
+}
+
+TEST_P(Degenerate2017, HeightZero) {
+  const Cylinder disk{{0, 0, 0}, {0, 0, 1}, 1, 0};
+  expect_apart(disk, {{0, 0, 0.01}, {0, 0, 1}, 1, 0});
+  expect_apart(disk, {{0, 1.02, 0}, {1, 0, 0}, 0.01, 0});
+  expect_apart(disk, {{0, 1.9, 0.1}, {0, 1, 1}, 1, 0});
+  expect_meeting(disk, {{0, 0.5, 0}, {1, 0, 1}, 1, 0});
+}
+
+TEST_P(Degenerate2017, Points) {
+  expect_apart({{0, 0, 0}, {0, 0, 1}, 0, 0}, {{1e-9, 0, 0}, {1, 2, 3}, 0, 0});
+  expect_apart({{0, 0, 0}, {0, 0, 1}, 1, 2}, {{0.8, 0.8, 0}, {1, 2, 3}, 0, 0});
+  expect_meeting({{0, 0, 0}, {0, 0, 1}, 1, 2}, {{0.6, 0.6, 0.9}, {1, 2, 3}, 0, 0});
+}
+
+TEST_P(Degenerate2017, NoCylinder) {
+  EXPECT_EQ(ask({{0, 0, 0}, {0, 0, 0}, 1, 2}, {}).verdict, Verdict::invalid);
+}
+
+INSTANTIATE_TEST_SUITE_P(Both, Degenerate2017,
+                         testing::Values(Minimiser::conjugate_gradients, Minimiser::powell));
+
+// 0/0 and NaN are what the text has there; nothing worse.
+TEST(Printed2017, EndsOnDegenerateInput) {
+  Options printed;
+  printed.faults = faults_2017;
+  const Cylinder solids[] = {{{0, 0, 0}, {0, 0, 1}, 1, 2},    {{0, 0, 0}, {1, 0, 0}, 1, 2},
+                             {{0, 3, 0}, {0, 0, 1}, 0, 2},    {{0, 3, 0}, {1, 0, 0}, 1, 0},
+                             {{0, 3, 0}, {1e-9, 0, 1}, 1, 2}, {{0, 3, 0}, {0, 1, 0}, 0, 0}};
+  for (const Cylinder& a : solids)
+    for (const Cylinder& b : solids)
+      for (Minimiser m : {Minimiser::conjugate_gradients, Minimiser::powell})
+        EXPECT_NE(separated_cylinders(prepare(a), prepare(b), m, printed).verdict, Verdict::undecided);
+}
+
+}  // namespace
+}  // namespace cyl::seeds
