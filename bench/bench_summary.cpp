@@ -26,12 +26,13 @@ const BenchRow* own_row(std::span<const BenchRow> rows, std::string_view family,
   });
 }
 
-Rival rival_of(const BenchRow* row, double our_ns) {
-  return row ? Rival{row->method, row->median_ns, row->median_ns / our_ns, row->max_error} : Rival{};
+Competitor competitor_of(const BenchRow* row, double our_ns) {
+  return row ? Competitor{row->method, row->median_ns, row->median_ns / our_ns, row->max_error}
+             : Competitor{};
 }
 
-Contest contest_of(std::span<const BenchRow> rows, const BenchRow& ours) {
-  Contest c;
+Comparison comparison_of(std::span<const BenchRow> rows, const BenchRow& ours) {
+  Comparison c;
   c.family = ours.family;
   c.method = ours.method;
   c.ns = ours.median_ns;
@@ -44,20 +45,21 @@ Contest contest_of(std::span<const BenchRow> rows, const BenchRow& ours) {
     c.over_verdict = c.ns / verdict->median_ns;
   if (const BenchRow* random = own_row(rows, "random", ours.query)) c.over_random = c.ns / random->median_ns;
   const bool by_verdict = ours.query == "certificate" || ours.query == "batch";
-  const auto rival = [&](const BenchRow& row) {
+  const auto competitor = [&](const BenchRow& row) {
     return row.foreign && row.pairs >= ours.pairs && row.family == ours.family &&
            row.query == (by_verdict ? "verdict" : ours.query);
   };
-  c.right = rival_of(fastest_row(rows, [&](const BenchRow& r) { return rival(r) && is_right(r); }), c.ns);
-  c.fastest = rival_of(fastest_row(rows, rival), c.ns);
+  c.right =
+      competitor_of(fastest_row(rows, [&](const BenchRow& r) { return competitor(r) && is_right(r); }), c.ns);
+  c.fastest = competitor_of(fastest_row(rows, competitor), c.ns);
   return c;
 }
 
-Ratios ratios_of(std::span<const Contest> contests, Rival Contest::*rival) {
+Ratios ratios_of(std::span<const Comparison> comparisons, Competitor Comparison::*competitor) {
   Ratios ratios;
   double sum = 0, count = 0;
-  for (const Contest& contest : contests) {
-    const double ratio = (contest.*rival).ratio;
+  for (const Comparison& comparison : comparisons) {
+    const double ratio = (comparison.*competitor).ratio;
     if (std::isnan(ratio)) continue;
     ratios.least = std::fmin(ratios.least, ratio);
     sum += std::log(ratio);
@@ -74,26 +76,27 @@ bool is_right(const BenchRow& row) {
   return static_cast<double>(off) <= right_tol * static_cast<double>(row.pairs);
 }
 
-std::vector<Standing> summarise(std::span<const BenchRow> rows) {
+std::vector<QueryComparisons> summarise(std::span<const BenchRow> rows) {
   std::vector<std::string> families;
   for (const BenchRow& row : rows) {
     if (std::find(families.begin(), families.end(), row.family) == families.end())
       families.push_back(row.family);
   }
-  std::vector<Standing> standings;
+  std::vector<QueryComparisons> queries;
   for (const char* query : {"verdict", "raw", "certificate", "batch", "distance", "depth"}) {
-    Standing s;
+    QueryComparisons s;
     s.query = query;
     for (const std::string& family : families) {
-      if (const BenchRow* ours = own_row(rows, family, query)) s.contests.push_back(contest_of(rows, *ours));
+      if (const BenchRow* ours = own_row(rows, family, query))
+        s.comparisons.push_back(comparison_of(rows, *ours));
     }
-    if (s.contests.empty()) continue;
-    s.right = ratios_of(s.contests, &Contest::right);
-    s.fastest = ratios_of(s.contests, &Contest::fastest);
-    for (const Contest& contest : s.contests) s.wrong_at_margin += contest.wrong_at_margin;
-    standings.push_back(std::move(s));
+    if (s.comparisons.empty()) continue;
+    s.right = ratios_of(s.comparisons, &Comparison::right);
+    s.fastest = ratios_of(s.comparisons, &Comparison::fastest);
+    for (const Comparison& comparison : s.comparisons) s.wrong_at_margin += comparison.wrong_at_margin;
+    queries.push_back(std::move(s));
   }
-  return standings;
+  return queries;
 }
 
 }  // namespace cyl

@@ -16,8 +16,9 @@ inline constexpr double right_tol = 1e-3;
 
 bool is_right(const BenchRow& row);
 
-/// A method that was asked only its share of the pairs is no rival: nobody knows whether it is right on them.
-struct Rival {
+/// A method that was asked only its share of the pairs is no competitor: nobody knows whether it is right on
+/// them.
+struct Competitor {
   std::string method;  ///< empty: there is none
   double ns = not_measured;
   double ratio = not_measured;  ///< its time over ours
@@ -25,7 +26,7 @@ struct Rival {
 };
 
 /// One query on one family. All numbers NaN where not measured.
-struct Contest {
+struct Comparison {
   std::string family;
   std::string method;  ///< ours: `intersect` for verdict and raw, else our fastest
   double ns = not_measured;
@@ -36,25 +37,26 @@ struct Contest {
   double max_error_at_most = not_measured;
   std::size_t wrong = 0;
   std::size_t wrong_at_margin = 0;
-  Rival right;    ///< the fastest that is_right
-  Rival fastest;  ///< right or wrong
+  Competitor right;    ///< the fastest that is_right
+  Competitor fastest;  ///< right or wrong
 };
 
-/// Over the families where there is such a rival; NaN where there is none.
+/// Over the families where there is such a competitor; NaN where there is none.
 struct Ratios {
   double least = not_measured;
   double geometric_mean = not_measured;
 };
 
-/// All contests of one query. A packaged method answers `certificate` and `batch` with its one-pair verdict.
-struct Standing {
+/// All comparisons of one query. A packaged method answers `certificate` and `batch` with its one-pair
+/// verdict.
+struct QueryComparisons {
   std::string query;
-  std::vector<Contest> contests;
+  std::vector<Comparison> comparisons;
   Ratios right, fastest;
   std::size_t wrong_at_margin = 0;
 };
 
 /// The queries that we have rows of, in the order verdict, raw, certificate, batch, distance, depth.
-std::vector<Standing> summarise(std::span<const BenchRow> rows);
+std::vector<QueryComparisons> summarise(std::span<const BenchRow> rows);
 
 }  // namespace cyl

@@ -315,28 +315,28 @@ TEST(Summary, TakesTheFastestThatIsRight) {
                            row_of("intersect", "y", "verdict", 10),
                            row_of("hasty", "y", "verdict", 20, 4),
                            share};
-  const auto standings = summarise(rows);
-  ASSERT_EQ(standings.size(), 3u);
-  const Standing &verdict = standings[0], &certificate = standings[1], &batch = standings[2];
+  const auto queries = summarise(rows);
+  ASSERT_EQ(queries.size(), 3u);
+  const QueryComparisons &verdict = queries[0], &certificate = queries[1], &batch = queries[2];
   EXPECT_EQ(verdict.query, "verdict");
-  ASSERT_EQ(verdict.contests.size(), 3u);
-  EXPECT_EQ(verdict.contests[0].method, "intersect");
-  EXPECT_EQ(verdict.contests[0].right.method, "good");
-  EXPECT_DOUBLE_EQ(verdict.contests[0].right.ratio, 9);
-  EXPECT_EQ(verdict.contests[0].fastest.method, "hasty");
-  EXPECT_DOUBLE_EQ(verdict.contests[0].fastest.ratio, 5);
-  EXPECT_DOUBLE_EQ(verdict.contests[0].p99_over_median, 2);
-  EXPECT_DOUBLE_EQ(verdict.contests[1].over_random, 3);
-  EXPECT_EQ(verdict.contests[2].right.method, "") << "nobody is right on y";
+  ASSERT_EQ(verdict.comparisons.size(), 3u);
+  EXPECT_EQ(verdict.comparisons[0].method, "intersect");
+  EXPECT_EQ(verdict.comparisons[0].right.method, "good");
+  EXPECT_DOUBLE_EQ(verdict.comparisons[0].right.ratio, 9);
+  EXPECT_EQ(verdict.comparisons[0].fastest.method, "hasty");
+  EXPECT_DOUBLE_EQ(verdict.comparisons[0].fastest.ratio, 5);
+  EXPECT_DOUBLE_EQ(verdict.comparisons[0].p99_over_median, 2);
+  EXPECT_DOUBLE_EQ(verdict.comparisons[1].over_random, 3);
+  EXPECT_EQ(verdict.comparisons[2].right.method, "") << "nobody is right on y";
   EXPECT_DOUBLE_EQ(verdict.right.least, 4);
   EXPECT_DOUBLE_EQ(verdict.right.geometric_mean, 6);
   EXPECT_DOUBLE_EQ(verdict.fastest.least, 2);
   EXPECT_NEAR(verdict.fastest.geometric_mean, std::cbrt(5. * 4 * 2), 1e-12);
   EXPECT_EQ(verdict.wrong_at_margin, 1u);
   EXPECT_EQ(certificate.query, "certificate");
-  EXPECT_DOUBLE_EQ(certificate.contests[0].over_verdict, 1.4);
+  EXPECT_DOUBLE_EQ(certificate.comparisons[0].over_verdict, 1.4);
   EXPECT_EQ(batch.query, "batch");
-  EXPECT_EQ(batch.contests[0].right.method, "good") << "a batch is held against verdicts";
+  EXPECT_EQ(batch.comparisons[0].right.method, "good") << "a batch is held against verdicts";
   EXPECT_DOUBLE_EQ(batch.right.least, 45);
   EXPECT_DOUBLE_EQ(batch.fastest.least, 25);
 }
@@ -355,8 +355,8 @@ TEST(Summary, JsonHasEveryField) {
   rows[0].max_error = 1e-14;
   rows.push_back(row_of("intersect", "random", "batch", 10));
   rows[2].pairs = large_batch;
-  const Floors floors{2, 4, 20};
-  const auto json = nlohmann::json::parse("{" + bench_json(rows, summarise(rows), floors) + "}");
+  const LowerBounds lower_bounds{2, 4, 20};
+  const auto json = nlohmann::json::parse("{" + bench_json(rows, summarise(rows), lower_bounds) + "}");
   ASSERT_EQ(json["results"].size(), 3u);
   const auto& row = json["results"][0];
   for (const char* field :
@@ -388,7 +388,7 @@ TEST(Summary, TablesForPeople) {
   EXPECT_NE(growth.find("10.0"), std::string::npos);
   EXPECT_NE(growth.find("20.0!"), std::string::npos);
   EXPECT_LT(growth.find("margin_1e-01"), growth.find("margin_1e-02"));
-  EXPECT_NE(format_floors({2, 4, 20}, rows).find("5.0 evaluations"), std::string::npos);
+  EXPECT_NE(format_lower_bounds({2, 4, 20}, rows).find("5.0 evaluations"), std::string::npos);
 }
 
 TEST(Families, AMarginIsWhatItsNameSays) {

@@ -73,7 +73,7 @@ void pass_over(Batch& batch) {
 
 }  // namespace
 
-Floors measure_floors(const BenchOptions& options) {
+LowerBounds measure_lower_bounds(const BenchOptions& options) {
   Batch small = draw_batch(options.seed, options.pairs), large = draw_batch(options.seed, large_batch);
   const std::chrono::duration<double> turn(options.min_time / options.passes);
   std::vector<double> evaluation, pass, large_pass;

@@ -7,7 +7,7 @@
 namespace cyl {
 
 /// Nanoseconds a pair, medians of the turns, on pairs of family `random`.
-struct Floors {
+struct LowerBounds {
   /// One evaluation of f (Equation 6) on prepared solids, at random directions: throughput, not latency.
   double equation_6_ns = not_measured;
   /// Reading every cache line of prepared solids and of pairs of indices, writing verdicts: of as many pairs
@@ -18,6 +18,6 @@ struct Floors {
 
 inline constexpr std::size_t large_batch = 1'000'000;  ///< pairs: far beyond every cache
 
-Floors measure_floors(const BenchOptions& options);
+LowerBounds measure_lower_bounds(const BenchOptions& options);
 
 }  // namespace cyl

@@ -37,12 +37,12 @@ struct Options {
 };
 
 void write_json(const std::string& file, const std::vector<BenchRow>& rows,
-                const std::vector<Standing>& standings, const Floors& floors) {
+                const std::vector<QueryComparisons>& queries, const LowerBounds& lower_bounds) {
   const BuildInfo info = build_info();
   std::ofstream out(file);
   out << fmt::format("{{\"commit\":{},\"compiler\":{},\"flags\":{},\"cpu\":{},{}}}\n",
                      quote_json(info.commit), quote_json(info.compiler), quote_json(info.flags),
-                     quote_json(info.cpu), bench_json(rows, standings, floors));
+                     quote_json(info.cpu), bench_json(rows, queries, lower_bounds));
   if (!out.flush()) throw std::runtime_error(file + ": cannot be written");
 }
 
@@ -86,7 +86,7 @@ void run(const Options& options) {
   std::fflush(stdout);
 
   std::vector<BenchRow> rows;
-  std::vector<Standing> standings;
+  std::vector<QueryComparisons> queries;
   if (options.growth) {
     rows = bench(methods, margin_families(), options.bench, progress);
     fmt::print(
@@ -106,17 +106,17 @@ void run(const Options& options) {
     fmt::print("{}", format_curves(speed_points(rows)));
   } else {
     rows = bench(methods, families, options.bench, progress);
-    standings = summarise(rows);
-    fmt::print("{}{}", format_bench_table(rows), format_standings(standings));
+    queries = summarise(rows);
+    fmt::print("{}{}", format_bench_table(rows), format_comparisons(queries));
   }
   fmt::print("{}", pipes);
-  Floors floors;
+  LowerBounds lower_bounds;
   if (!options.curves) {
     progress("floors");
-    floors = measure_floors(options.bench);
-    fmt::print("{}", format_floors(floors, rows));
+    lower_bounds = measure_lower_bounds(options.bench);
+    fmt::print("{}", format_lower_bounds(lower_bounds, rows));
   }
-  if (!options.json.empty()) write_json(options.json, rows, standings, floors);
+  if (!options.json.empty()) write_json(options.json, rows, queries, lower_bounds);
 }
 
 }  // namespace

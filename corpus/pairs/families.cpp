@@ -62,7 +62,7 @@ void lay_beside(RandomStream& s, Pair& p) {
 // The axes pass each other at up to twice the sum of the radii.
 void cross_over(RandomStream& s, Pair& p) {
   p.b.axis = s.unit_vector();
-  while (dot(p.a.axis.cross(p.b.axis), p.a.axis.cross(p.b.axis)) < 0.01) p.b.axis = s.unit_vector();
+  while (inner_product(p.a.axis.cross(p.b.axis), p.a.axis.cross(p.b.axis)) < 0.01) p.b.axis = s.unit_vector();
   const Vector3 direction = s.sign() * normalise(p.a.axis.cross(p.b.axis));
   const double distance = s.between(0, 2) * (p.a.radius + p.b.radius);
   link_axes(s, p, direction, distance);
@@ -105,7 +105,7 @@ Pair axes_perpendicular(RandomStream& s, std::uint64_t) {
   if (s.coin()) {
     p.a.axis = s.coordinate_axis();
     do p.b.axis = s.coordinate_axis();
-    while (dot(p.a.axis, p.b.axis) != 0);
+    while (inner_product(p.a.axis, p.b.axis) != 0);
   } else {
     p.b.axis = s.perpendicular(p.a.axis);
   }
@@ -277,7 +277,7 @@ Vector3 lattice_axis(RandomStream& s) {
   for (;;) {
     Vector3 w;
     for (int i = 0; i < 3; ++i) w[i] = s.integer(-2, 2);
-    if (dot(w, w) != 0) return w;
+    if (inner_product(w, w) != 0) return w;
   }
 }
 
@@ -304,7 +304,7 @@ Pair lattice_dust(RandomStream& s, std::uint64_t index) {
     c->height = disk ? 0.125 : needle ? 8 : 2;
   }
   const Vector3 w = p.b.axis;
-  p.b.axis = w + dust * std::sqrt(dot(w, w)) * s.perpendicular(w);
+  p.b.axis = w + dust * std::sqrt(inner_product(w, w)) * s.perpendicular(w);
   if (s.coin()) std::swap(p.a, p.b);
   return p;
 }

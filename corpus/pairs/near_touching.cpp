@@ -122,7 +122,7 @@ Contact draw_contact_at(ContactKind kind, RandomStream& stream, double margin) {
   const Vector3 va = stream.perpendicular(c.normal);
   Vector3 vb =
       kind == ContactKind::parallel_sides ? Vector3(stream.sign() * va) : stream.perpendicular(c.normal);
-  while (kind != ContactKind::parallel_sides && std::abs(dot(va, vb)) > 0.6)
+  while (kind != ContactKind::parallel_sides && std::abs(inner_product(va, vb)) > 0.6)
     vb = stream.perpendicular(c.normal);
 
   Member a = draw_member(kind, stream), b = draw_member(kind, stream);

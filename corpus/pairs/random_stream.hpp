@@ -15,11 +15,11 @@
 
 namespace cyl {
 
-/// Summed in this order on every machine.
-inline double dot(const Vector3& u, const Vector3& v) {
+/// u . v, summed in this order on every machine.
+inline double inner_product(const Vector3& u, const Vector3& v) {
   return u.x() * v.x() + u.y() * v.y() + u.z() * v.z();
 }
-inline Vector3 normalise(const Vector3& v) { return v / std::sqrt(dot(v, v)); }
+inline Vector3 normalise(const Vector3& v) { return v / std::sqrt(inner_product(v, v)); }
 
 /// Draws one after the other; draw into names, because the order of evaluation of arguments differs between
 /// compilers.
@@ -51,7 +51,7 @@ class RandomStream {
     for (;;) {
       Vector3 v;
       for (int i = 0; i < 3; ++i) v[i] = between(-1, 1);
-      const double square = dot(v, v);
+      const double square = inner_product(v, v);
       if (square <= 1 && square >= 1e-4) return v / std::sqrt(square);
     }
   }
@@ -59,7 +59,8 @@ class RandomStream {
   Vector3 perpendicular(const Vector3& w) {
     for (;;) {
       const Vector3 v = w.cross(unit_vector());
-      if (const double square = dot(v, v); square >= 0.01 * dot(w, w)) return v / std::sqrt(square);
+      if (const double square = inner_product(v, v); square >= 0.01 * inner_product(w, w))
+        return v / std::sqrt(square);
     }
   }
   /// One of the six unit vectors along a coordinate axis.

@@ -101,9 +101,10 @@ Pair draw_containment(RandomStream& s, double margin) {
   inner.height *= depth;
 
   const Vector3 w = normalise(inner.axis);
-  const double along = dot(normal, w);
+  const double along = inner_product(normal, w);
   const Vector3 across = normal - along * w;
-  const double support = inner.radius * std::sqrt(dot(across, across)) + inner.height / 2 * std::abs(along);
+  const double support =
+      inner.radius * std::sqrt(inner_product(across, across)) + inner.height / 2 * std::abs(along);
   for (int i = 0; i < 3; ++i) outer.center[i] = 0;
   if (s.coin())
     for (int i = 0; i < 3; ++i) outer.center[i] = s.between(-1, 1);

@@ -37,14 +37,14 @@ Counters extra_counters;
 
 namespace {
 
-double length(const Vector3& v) { return std::sqrt(dot(v, v)); }
+double length(const Vector3& v) { return std::sqrt(inner_product(v, v)); }
 
 enum Face : unsigned char { side, rim, cap };
 
 // Of unit vectors.
 Face face_along(const Cylinder& c, const Vector3& w, const Vector3& d) {
   if (length(d.cross(w)) < face_tol) return c.radius > 0 ? cap : rim;
-  return std::fabs(dot(d, w)) < face_tol && c.height > 0 ? side : rim;
+  return std::fabs(inner_product(d, w)) < face_tol && c.height > 0 ? side : rim;
 }
 
 // By comparisons alone, for powers of ten as written are the decades' borders.
@@ -67,7 +67,7 @@ struct Axes {
       : v(unit_axis(pair.a.axis)),
         w(unit_axis(pair.b.axis)),
         sine(length(v.cross(w))),
-        cosine(std::fabs(dot(v, w))) {}
+        cosine(std::fabs(inner_product(v, w))) {}
   Vector3 v, w;
   double sine, cosine;
 };

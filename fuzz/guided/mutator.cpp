@@ -24,7 +24,7 @@ double tenth(RandomStream& s) {
   return sign * decade * (s.coin() ? 1 : s.between(0.1, 1));
 }
 
-double length(const Vector3& v) { return std::sqrt(dot(v, v)); }
+double length(const Vector3& v) { return std::sqrt(inner_product(v, v)); }
 
 double size_of_solids(const Pair& p) { return p.a.radius + p.a.height + p.b.radius + p.b.height; }
 
@@ -91,7 +91,8 @@ void slide_along_contact(Pair& p, RandomStream& s) {
 
 void slide_ends_level(Pair& p, RandomStream& s) {
   const Vector3 w = unit_axis(p.a.axis);
-  const double ends = (p.a.height + s.sign() * p.b.height) / 2, along = dot(w, p.b.center - p.a.center);
+  const double ends = (p.a.height + s.sign() * p.b.height) / 2,
+               along = inner_product(w, p.b.center - p.a.center);
   p.b.center += (s.sign() * ends - along) * w;
 }
 

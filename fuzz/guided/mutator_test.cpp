@@ -37,7 +37,7 @@ void look_at(std::string_view name, Look look) {
 }
 
 double sine(const Pair& p) { return unit_axis(p.a.axis).cross(unit_axis(p.b.axis)).norm(); }
-double cosine(const Pair& p) { return std::fabs(dot(unit_axis(p.a.axis), unit_axis(p.b.axis))); }
+double cosine(const Pair& p) { return std::fabs(inner_product(unit_axis(p.a.axis), unit_axis(p.b.axis))); }
 
 TEST(Mutator, KeepsLegalPairsLegalOfAnyForm) {
   for (const Family& family : families())

@@ -28,14 +28,15 @@ bool is_our_path(const BenchRow& row) {
 }
 
 /// The pass over a batch of about as many pairs.
-double memory_pass_ns(const Floors& floors, const BenchRow& row) {
-  return row.pairs < large_batch ? floors.memory_pass_ns : floors.large_memory_pass_ns;
+double memory_pass_ns(const LowerBounds& lower_bounds, const BenchRow& row) {
+  return row.pairs < large_batch ? lower_bounds.memory_pass_ns : lower_bounds.large_memory_pass_ns;
 }
 
-std::string rival_json(const Rival& rival) {
-  if (rival.method.empty()) return "null";
-  return fmt::format(R"({{"method":{},"median_ns":{},"ratio":{},"max_error":{}}})", quote_json(rival.method),
-                     json(rival.ns), json(rival.ratio), json(rival.max_error));
+std::string competitor_json(const Competitor& competitor) {
+  if (competitor.method.empty()) return "null";
+  return fmt::format(R"({{"method":{},"median_ns":{},"ratio":{},"max_error":{}}})",
+                     quote_json(competitor.method), json(competitor.ns), json(competitor.ratio),
+                     json(competitor.max_error));
 }
 
 std::string ratios_json(const Ratios& ratios) {
@@ -54,37 +55,38 @@ std::string row_json(const BenchRow& row) {
       row.wrong_at_margin, row.undecided, row.failed, json(row.max_error), json(row.max_error_at_most));
 }
 
-std::string standings_json(std::span<const Standing> standings) {
-  std::vector<std::string> queries;
-  for (const Standing& s : standings) {
-    std::vector<std::string> contests;
-    for (const Contest& c : s.contests) {
-      contests.push_back(fmt::format(
+std::string comparisons_json(std::span<const QueryComparisons> queries) {
+  std::vector<std::string> objects;
+  for (const QueryComparisons& s : queries) {
+    std::vector<std::string> comparisons;
+    for (const Comparison& c : s.comparisons) {
+      comparisons.push_back(fmt::format(
           R"({{"family":{},"method":{},"median_ns":{},"p99_over_median":{},"over_verdict":{},"over_random":{},)"
           R"("max_error":{},"max_error_at_most":{},"wrong":{},"wrong_at_margin":{},"right":{},"fastest":{}}})",
           quote_json(c.family), quote_json(c.method), json(c.ns), json(c.p99_over_median),
           json(c.over_verdict), json(c.over_random), json(c.max_error), json(c.max_error_at_most), c.wrong,
-          c.wrong_at_margin, rival_json(c.right), rival_json(c.fastest)));
+          c.wrong_at_margin, competitor_json(c.right), competitor_json(c.fastest)));
     }
-    queries.push_back(fmt::format(
+    objects.push_back(fmt::format(
         "\n{}:{{\"right\":{},\"fastest\":{},\"wrong_at_margin\":{},\"families\":[{}]}}", quote_json(s.query),
-        ratios_json(s.right), ratios_json(s.fastest), s.wrong_at_margin, join(contests)));
+        ratios_json(s.right), ratios_json(s.fastest), s.wrong_at_margin, join(comparisons)));
   }
-  return fmt::format("{{{}}}", join(queries));
+  return fmt::format("{{{}}}", join(objects));
 }
 
-std::string floors_json(const Floors& floors, std::span<const BenchRow> rows) {
+std::string lower_bounds_json(const LowerBounds& lower_bounds, std::span<const BenchRow> rows) {
   std::vector<std::string> paths;
   for (const BenchRow& row : rows) {
     if (!is_our_path(row)) continue;
     paths.push_back(fmt::format(
         R"({{"method":{},"family":{},"query":{},"n":{},"over_equation_6":{},"over_memory_pass":{}}})",
         quote_json(row.method), quote_json(row.family), quote_json(row.query), row.pairs,
-        json(row.median_ns / floors.equation_6_ns), json(row.median_ns / memory_pass_ns(floors, row))));
+        json(row.median_ns / lower_bounds.equation_6_ns),
+        json(row.median_ns / memory_pass_ns(lower_bounds, row))));
   }
   return fmt::format(R"({{"equation_6_ns":{},"memory_pass_ns":{},"large_memory_pass_ns":{},"paths":[{}]}})",
-                     json(floors.equation_6_ns), json(floors.memory_pass_ns),
-                     json(floors.large_memory_pass_ns), join(paths));
+                     json(lower_bounds.equation_6_ns), json(lower_bounds.memory_pass_ns),
+                     json(lower_bounds.large_memory_pass_ns), join(paths));
 }
 
 }  // namespace
@@ -127,15 +129,15 @@ std::string format_bench_table(std::span<const BenchRow> rows) {
          "least, of a distance, in units of the pair's size.\n";
 }
 
-std::string format_standings(std::span<const Standing> standings) {
+std::string format_comparisons(std::span<const QueryComparisons> queries) {
   std::string text;
-  for (const Standing& s : standings) {
+  for (const QueryComparisons& s : queries) {
     text += fmt::format(
         "\n{}: ours against the fastest packaged method that is right on 99.9 % of the pairs, and the "
         "fastest of all\n{:<25}{:<10}{:>9}{:>9}{:>9}{:>9}{:>9}{:>9}  {:<25}{:>9}{:>8}  {:<25}{:>9}{:>8}\n",
         s.query, "family", "ours", "ns", "p99/ns", "/verdict", "/random", "wrong(!)", "error", "right", "ns",
         "ratio", "fastest", "ns", "ratio");
-    for (const Contest& c : s.contests) {
+    for (const Comparison& c : s.comparisons) {
       text += fmt::format(
           "{:<25}{:<10}{:>9}{:>9}{:>9}{:>9}{:>9}{:>9}  {:<25}{:>9}{:>8}  {:<25}{:>9}{:>8}\n", c.family,
           c.method, number(c.ns), number(c.p99_over_median), number(c.over_verdict, 2),
@@ -152,13 +154,13 @@ std::string format_standings(std::span<const Standing> standings) {
   return text;
 }
 
-std::string format_floors(const Floors& floors, std::span<const BenchRow> rows) {
+std::string format_lower_bounds(const LowerBounds& lower_bounds, std::span<const BenchRow> rows) {
   std::string text = fmt::format(
       "\nfloors, ns a pair: {} one evaluation of f (Equation 6); {} one pass over the solids of a batch, {} "
       "of 10^6 "
       "pairs\n",
-      number(floors.equation_6_ns, 2), number(floors.memory_pass_ns, 2),
-      number(floors.large_memory_pass_ns, 2));
+      number(lower_bounds.equation_6_ns, 2), number(lower_bounds.memory_pass_ns, 2),
+      number(lower_bounds.large_memory_pass_ns, 2));
   if (rows.empty()) return text;
   const bool random =
       std::any_of(rows.begin(), rows.end(), [](const BenchRow& r) { return r.family == "random"; });
@@ -166,8 +168,8 @@ std::string format_floors(const Floors& floors, std::span<const BenchRow> rows) 
   for (const BenchRow& row : rows) {
     if (row.family != family || !is_our_path(row)) continue;
     text += fmt::format("  {:<30}{:<12}{:>8} pairs{:>8} evaluations{:>8} passes\n", row.method, row.query,
-                        row.pairs, number(row.median_ns / floors.equation_6_ns),
-                        number(row.median_ns / memory_pass_ns(floors, row)));
+                        row.pairs, number(row.median_ns / lower_bounds.equation_6_ns),
+                        number(row.median_ns / memory_pass_ns(lower_bounds, row)));
   }
   return text;
 }
@@ -204,12 +206,12 @@ std::string format_growth(std::span<const BenchRow> rows) {
   return text;
 }
 
-std::string bench_json(std::span<const BenchRow> rows, std::span<const Standing> standings,
-                       const Floors& floors) {
+std::string bench_json(std::span<const BenchRow> rows, std::span<const QueryComparisons> queries,
+                       const LowerBounds& lower_bounds) {
   std::vector<std::string> results;
   for (const BenchRow& row : rows) results.push_back('\n' + row_json(row));
   return fmt::format("\"results\":[{}\n],\n\"summary\":{},\n\"floors\":{}", join(results),
-                     standings_json(standings), floors_json(floors, rows));
+                     comparisons_json(queries), lower_bounds_json(lower_bounds, rows));
 }
 
 }  // namespace cyl

@@ -14,17 +14,17 @@ namespace cyl {
 /// A table a family. The column `ratio` is the time over that of `intersect`, same family, same query (a
 /// certificate's over its verdict).
 std::string format_bench_table(std::span<const BenchRow> rows);
-std::string format_standings(std::span<const Standing> standings);
-/// The floors, and our paths in units of them, on `random` where it is among the rows, else on their first
-/// family.
-std::string format_floors(const Floors& floors, std::span<const BenchRow> rows);
+std::string format_comparisons(std::span<const QueryComparisons> queries);
+/// The lower bounds, and our paths in units of them, on `random` where it is among the rows, else on their
+/// first family.
+std::string format_lower_bounds(const LowerBounds& lower_bounds, std::span<const BenchRow> rows);
 /// A line a method and query, a column a family or, where all rows are of one family, a number of pairs. A
 /// time is followed by '!' where the method is not right there.
 std::string format_growth(std::span<const BenchRow> rows);
 
 /// Members of a JSON object: "results" (the fields of BenchRow by name, `pairs` as "n", `spread_percent` as
 /// "spread"), "summary" (by query) and "floors".
-std::string bench_json(std::span<const BenchRow> rows, std::span<const Standing> standings,
-                       const Floors& floors);
+std::string bench_json(std::span<const BenchRow> rows, std::span<const QueryComparisons> queries,
+                       const LowerBounds& lower_bounds);
 
 }  // namespace cyl

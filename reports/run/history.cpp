@@ -43,7 +43,7 @@ bool before(const Past& x, const Past& y) {
 }
 
 /// Nothing where the group is neither here nor was in the last run that could have found it.
-std::optional<Standing> standing_of(const Key& key, const Past& here, const std::vector<Past>& earlier) {
+std::optional<GroupStatus> status_of(const Key& key, const Past& here, const std::vector<Past>& earlier) {
   const Asked asked{std::get<0>(key), std::get<3>(key)};
   bool ever = false, last = false;
   for (const Past& past : earlier) {
@@ -51,21 +51,22 @@ std::optional<Standing> standing_of(const Key& key, const Past& here, const std:
     last = past.found.contains(key);
     ever |= last;
   }
-  if (here.found.contains(key)) return !ever ? Standing::fresh : last ? Standing::known : Standing::back;
-  if (last && here.asked.contains(asked)) return Standing::gone;
+  if (here.found.contains(key))
+    return !ever ? GroupStatus::fresh : last ? GroupStatus::known : GroupStatus::back;
+  if (last && here.asked.contains(asked)) return GroupStatus::gone;
   return {};
 }
 
 }  // namespace
 
-const char* to_string(Standing standing) {
+const char* to_string(GroupStatus status) {
   constexpr const char* words[] = {"new", "known", "back", "gone"};
-  return words[static_cast<std::size_t>(standing)];
+  return words[static_cast<std::size_t>(status)];
 }
 
-std::size_t History::count(Standing standing) const {
+std::size_t History::count(GroupStatus status) const {
   return static_cast<std::size_t>(
-      std::count_if(groups.begin(), groups.end(), [&](const auto& g) { return g.second == standing; }));
+      std::count_if(groups.begin(), groups.end(), [&](const auto& g) { return g.second == status; }));
 }
 
 History compare_with_earlier(const std::string& run_folder) {
@@ -89,7 +90,7 @@ History compare_with_earlier(const std::string& run_folder) {
   std::map<Key, GroupRecord> all = here.found;
   for (const Past& past : earlier) all.insert(past.found.begin(), past.found.end());
   for (const auto& [key, group] : all) {
-    if (const auto standing = standing_of(key, here, earlier)) history.groups.emplace_back(group, *standing);
+    if (const auto status = status_of(key, here, earlier)) history.groups.emplace_back(group, *status);
   }
   std::stable_sort(history.groups.begin(), history.groups.end(),
                    [](const auto& x, const auto& y) { return x.second < y.second; });
@@ -97,12 +98,13 @@ History compare_with_earlier(const std::string& run_folder) {
 }
 
 std::string format_history(const History& history) {
-  const auto number = [&](Standing standing) {
-    return fmt::format("{} {}", history.count(standing), to_string(standing));
+  const auto number = [&](GroupStatus status) {
+    return fmt::format("{} {}", history.count(status), to_string(status));
   };
-  std::string text = fmt::format("against {} earlier run{} beside it: {}, {}, {}, {}", history.runs,
-                                 history.runs == 1 ? "" : "s", number(Standing::fresh),
-                                 number(Standing::known), number(Standing::gone), number(Standing::back));
+  std::string text =
+      fmt::format("against {} earlier run{} beside it: {}, {}, {}, {}", history.runs,
+                  history.runs == 1 ? "" : "s", number(GroupStatus::fresh), number(GroupStatus::known),
+                  number(GroupStatus::gone), number(GroupStatus::back));
   if (history.unreadable > 0) text += fmt::format("; {} that cannot be read passed over", history.unreadable);
   return text;
 }

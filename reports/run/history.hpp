@@ -12,22 +12,22 @@
 
 namespace cyl {
 
-/// How a group of findings stands. Only earlier runs that asked its method about its family tell something of
-/// it; the last of those decides between `known` and `back`, and on `gone`.
-enum class Standing {
+/// What has become of a group of findings since earlier runs. Only those that asked its method about its
+/// family tell; the last of them decides between `known` and `back`, and on `gone`.
+enum class GroupStatus {
   fresh,  ///< found here, in no earlier run; told as "new"
   known,  ///< found here and in the last
   back,   ///< found here and in an earlier run, not in the last
   gone,   ///< not found here though asked, but in the last
 };
-const char* to_string(Standing standing);
+const char* to_string(GroupStatus status);
 
 struct History {
-  std::size_t runs = 0;                                  ///< earlier ones
-  std::size_t unreadable = 0;                            ///< stores that cannot be read, and are passed over
-  std::vector<std::pair<GroupRecord, Standing>> groups;  ///< by standing, then by group
+  std::size_t runs = 0;        ///< earlier ones
+  std::size_t unreadable = 0;  ///< stores that cannot be read, and are passed over
+  std::vector<std::pair<GroupRecord, GroupStatus>> groups;  ///< by status, then by group
 
-  std::size_t count(Standing standing) const;
+  std::size_t count(GroupStatus status) const;
 };
 
 History compare_with_earlier(const std::string& run_folder);
