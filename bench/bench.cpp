@@ -20,28 +20,28 @@ namespace {
 constexpr double enclosure_width = 1e-15;
 
 /// A pair and what the referee proved of it.
-struct Proved {
+struct JudgedPair {
   Pair pair;
   Truth truth;
   std::optional<Enclosure> distance;  ///< filled when first asked for
 };
 
-Proved prove(const Pair& pair) {
+JudgedPair prove(const Pair& pair) {
   static const auto solver = select_methods(own_methods(), "decide");
   const MethodAnswer offered[] = {solver[0]->ask(pair)};
   return {pair, judge(pair, offered), {}};
 }
 
-Proved prove(const Family& family, std::uint64_t seed, std::size_t index) {
+JudgedPair prove(const Family& family, std::uint64_t seed, std::size_t index) {
   return prove(family.generate(seed, index));
 }
 
-const Enclosure& distance_of(Proved& p) {
+const Enclosure& distance_of(JudgedPair& p) {
   if (!p.distance) p.distance = enclose_distance(p.pair, p.truth, enclosure_width);
   return *p.distance;
 }
 
-void count_faults(Proved& proved, MethodAnswer answer, const Claim& claim, BenchRow& row) {
+void count_faults(JudgedPair& proved, MethodAnswer answer, const Claim& claim, BenchRow& row) {
   if (answer.status != Status::answered) {
     ++(answer.status == Status::failed ? row.failed : row.undecided);
     return;
@@ -123,7 +123,7 @@ void time(std::span<Run> runs, const Family& family, const BenchOptions& options
 }
 
 /// The answers of one candidate, verified; nothing where it is not asked anything or gives no distance.
-std::optional<Run> verify(const Candidate& candidate, const Family& family, std::span<Proved> proved,
+std::optional<Run> verify(const Candidate& candidate, const Family& family, std::span<JudgedPair> proved,
                           std::size_t least) {
   Run run{candidate, make_row(candidate, family), {}, {}};
   std::vector<std::size_t> asked;
@@ -149,7 +149,7 @@ std::optional<Run> verify(const Candidate& candidate, const Family& family, std:
 std::vector<BenchRow> bench_family(const Family& family, std::span<const Candidate> candidates,
                                    const BenchOptions& options, const BenchProgress& progress) {
   progress(fmt::format("{}: proving {} pairs", family.name, options.pairs));
-  std::vector<Proved> proved;
+  std::vector<JudgedPair> proved;
   for (std::size_t i = 0; i < options.pairs; ++i) proved.push_back(prove(family, options.seed, i));
   std::vector<Run> runs;
   for (const Candidate& candidate : candidates) {
@@ -198,7 +198,7 @@ std::vector<BenchRow> bench_batches(std::span<const std::unique_ptr<Method>> met
       run.row.pairs = count;
       const std::vector<MethodAnswer> answers = ask_all(candidate, pairs);
       for (std::size_t i = 0; i < count; ++i) {
-        Proved proved = prove(family, options.seed, i);
+        JudgedPair proved = prove(family, options.seed, i);
         count_faults(proved, answers[i], candidate.method->claim(), run.row);
       }
       if (run.row.failed == 0) run.timed = pairs;
@@ -232,7 +232,7 @@ std::vector<BenchRow> bench_sets(const Family& family, std::size_t largest, cons
     row.query = "all pairs";
     row.pairs = verdicts.size();
     for (std::size_t k = 0; k < verdicts.size(); k += 1 + verdicts.size() / verified_pairs) {
-      Proved proved = prove(Pair{solids[k / count], solids[k % count]});
+      JudgedPair proved = prove(Pair{solids[k / count], solids[k % count]});
       MethodAnswer answer;
       answer.status = Status::answered;
       answer.verdict = verdicts[k];

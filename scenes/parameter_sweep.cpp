@@ -23,13 +23,13 @@ double cpu_ms() {
 /// cylinder).
 constexpr std::array<Rung, 4> asked{Rung::sphere, Rung::cylinder, Rung::distance, Rung::certified};
 
-using IndexPair = std::pair<std::uint32_t, std::uint32_t>;
+using BodyPair = std::pair<std::uint32_t, std::uint32_t>;
 
 /// `within` is sorted.
 Verification verify_answers(std::span<const Cylinder> cylinders, double clearance,
-                            std::span<const IndexPair> candidates, std::span<const IndexPair> within) {
+                            std::span<const BodyPair> candidates, std::span<const BodyPair> within) {
   Verification v;
-  for (const IndexPair& pair : candidates) {
+  for (const BodyPair& pair : candidates) {
     const auto truth = referee_within({cylinders[pair.first], cylinders[pair.second]}, clearance);
     ++v.asked;
     if (!truth)

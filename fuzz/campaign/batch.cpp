@@ -27,16 +27,6 @@ std::uint64_t nanoseconds_since(Clock::time_point start) {
       std::chrono::duration_cast<std::chrono::nanoseconds>(Clock::now() - start).count());
 }
 
-bool is_failure(FindingKind kind) {
-  return kind == FindingKind::exception || kind == FindingKind::crash || kind == FindingKind::hang ||
-         kind == FindingKind::non_finite || kind == FindingKind::malformed;
-}
-
-bool is_verdict(FindingKind kind) {
-  return kind == FindingKind::wrong_disjoint || kind == FindingKind::wrong_intersecting ||
-         kind == FindingKind::wrong_touching || kind == FindingKind::wrong_invalid;
-}
-
 MethodAnswer ask_here(Method& method, const Pair& pair) {
   const auto broke = [](std::string_view reason) {
     MethodAnswer answer;
@@ -208,7 +198,7 @@ class Batch {
     if (truths_[p].verdict == Verdict::undecided) return true;
     for (std::size_t m = 0; m < methods(); ++m) {
       const auto& wrong = wrong_[at(m, p)];
-      if (wrong && wrong->severity == Severity::contract && is_verdict(wrong->kind)) return true;
+      if (wrong && wrong->severity == Severity::contract && is_wrong_verdict(wrong->kind)) return true;
     }
     return false;
   }

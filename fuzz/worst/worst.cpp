@@ -369,7 +369,7 @@ class Hunt {
       return nothing;
     proved.distance.at(std::clamp(enclosure_part * std::abs(wrong.margin), enclosure_least, enclosure_most));
     const auto finding = compare(wrong.pair, proved.truth, proved.distance, claim_, answer);
-    if (!finding || !is_verdict(finding->kind) || !finding->margin) return nothing;
+    if (!finding || !is_refuted_verdict(finding->kind) || !finding->margin) return nothing;
     if (sought_.kind && finding->kind != *sought_.kind) return nothing;
     if (sought_.feature && contact_feature(wrong.pair, proved.truth) != sought_.feature) return nothing;
     if (sought_.also && !sought_.also(wrong.pair)) return nothing;
@@ -430,15 +430,6 @@ class Hunt {
   unsigned breaks_ = 0;
   Worst worst_;
 };
-
-}  // namespace
-
-bool is_verdict(FindingKind kind) noexcept {
-  return kind == FindingKind::wrong_disjoint || kind == FindingKind::wrong_intersecting ||
-         kind == FindingKind::wrong_touching;
-}
-
-namespace {
 
 double read_clock(clockid_t clock) {
   timespec t{};

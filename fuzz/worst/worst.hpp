@@ -33,9 +33,6 @@ struct Sought {
   std::optional<FindingKind> kind = {};
 };
 
-/// Whether the kind is a refuted verdict, which is all that a margin is sought of.
-bool is_verdict(FindingKind kind) noexcept;
-
 enum class Search : unsigned char { margin, time };
 
 /// In ns: CPU time of this process, and time in all, which counts what another process does for a guest.

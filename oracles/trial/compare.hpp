@@ -35,6 +35,13 @@ enum class Severity : unsigned char {
   unresolved   ///< not known: the truth is undecided
 };
 
+/// Whether the method broke: exception, crash, hang, non-finite number or malformed answer.
+bool is_failure(FindingKind kind) noexcept;
+/// Whether it said a verdict that the proved one refutes, which is all that a margin is sought of.
+bool is_refuted_verdict(FindingKind kind) noexcept;
+/// Whether its verdict is wrong in any way: refuted, or "invalid" of a legal pair.
+bool is_wrong_verdict(FindingKind kind) noexcept;
+
 /// How wrong, relative to size_of(pair): |distance| of the pair for a verdict or a witness, |said - distance|
 /// for a distance. None where the truth is undecided.
 struct Finding {

@@ -269,11 +269,6 @@ std::string cause_key(std::span<const std::unique_ptr<Method>> methods, std::spa
   }
 }
 
-bool is_failure(FindingKind kind) noexcept {
-  return kind == FindingKind::exception || kind == FindingKind::crash || kind == FindingKind::hang ||
-         kind == FindingKind::non_finite || kind == FindingKind::malformed;
-}
-
 std::optional<Mechanism> find_mechanism(std::string_view word) noexcept {
   for (int m = 0; m <= static_cast<int>(Mechanism::untold); ++m)
     if (word == to_string(static_cast<Mechanism>(m))) return static_cast<Mechanism>(m);

@@ -78,8 +78,6 @@ std::string cause_key(std::span<const std::unique_ptr<Method>> methods, std::spa
                       std::size_t method, FindingKind kind, Severity severity, const Told& told,
                       std::string_view reason);
 
-/// Whether the kind is that a method broke: exception, crash, hang, non-finite number or malformed answer.
-bool is_failure(FindingKind kind) noexcept;
 /// The mechanism of that word, "absolute-length", if there is one.
 std::optional<Mechanism> find_mechanism(std::string_view word) noexcept;
 /// The kind of that name, "wrong_disjoint", if there is one.

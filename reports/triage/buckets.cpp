@@ -222,7 +222,7 @@ std::string said_of(const std::string& kind) {
 bool is_worse(const FindingRecord& x, const FindingRecord& y) {
   const auto refutes_verdict = [](const FindingRecord& f) {
     const auto kind = find_kind(f.kind);
-    return kind && is_verdict(*kind);
+    return kind && is_refuted_verdict(*kind);
   };
   return std::pair(refutes_verdict(x), least_margin(x)) > std::pair(refutes_verdict(y), least_margin(y));
 }
