@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-// Scenes from files, by the ending of the name:
-//   .jsonl  a cylinder a line: {"center":[0,0,0],"axis":[0,0,1],"radius":1,"height":2,"name":"..."}
-//   .csv    columns x y z ax ay az radius height, and name if there is one, named by the first line in any
-//   order .urdf   a robot; of a .srdf beside it the pairs of links that are not to be checked .xml MuJoCo's
-//   MJCF, through MuJoCo's own loader
+// Scenes from files. The ending of the name tells the format. A .jsonl file holds a cylinder a line,
+// {"center":[0,0,0],"axis":[0,0,1],"radius":1,"height":2,"name":"..."}. The first line of a .csv file names
+// its columns x y z ax ay az radius height, in any order, and name where there is one. A .urdf file holds a
+// robot; a .srdf file beside it names the pairs of links that are not to be checked. An .xml file is MuJoCo's
+// MJCF, which MuJoCo's own loader reads.
 #pragma once
 
 #include <string>

@@ -88,12 +88,6 @@ std::string_view to_string(Plane plane) noexcept {
   return names[static_cast<std::size_t>(plane)];
 }
 
-std::optional<Plane> find_plane(std::string_view name) {
-  for (const Plane plane : planes)
-    if (to_string(plane) == name) return plane;
-  return {};
-}
-
 CellAxis margin_axis() {
   CellAxis axis{"margin: distance or depth over size", {}};
   for (int d = 0; d <= decades; ++d) axis.labels.push_back(power_label(-d));

@@ -22,7 +22,6 @@ inline constexpr std::array planes{Plane::angle_margin, Plane::aspect_margin, Pl
 
 /// "angle-margin", "aspect-margin", "scale-offset".
 std::string_view to_string(Plane plane) noexcept;
-std::optional<Plane> find_plane(std::string_view name);
 
 /// Bins are numbered from 0, and each but the open ones is named by its upper end.
 struct CellAxis {

@@ -135,11 +135,6 @@ TEST(Cells, EveryPairHasAPlaceOnThePlanes) {
   }
 }
 
-TEST(Planes, AreFoundByTheirNames) {
-  for (const Plane plane : planes) EXPECT_EQ(find_plane(to_string(plane)), plane);
-  EXPECT_FALSE(find_plane("margin"));
-}
-
 TEST(CountAnswer, EachAnswerIsCountedOnce) {
   const auto counted = [](Status status, Verdict said, std::optional<FindingKind> kind) {
     MethodAnswer answer;

@@ -62,22 +62,6 @@ std::string certificate_in_words(const json& truth) {
   return "No verdict could be proved.";
 }
 
-std::string answer_in_words(const json& answer) {
-  if (!answer.is_object()) return "";
-  if (answer.contains("failed"))
-    return fmt::format("failed: {}, {}", text_at(answer, "failed"), text_at(answer, "reason"));
-  if (answer.contains("declined")) return fmt::format("declined: {}", text_at(answer, "declined"));
-  std::string words = text_at(answer, "verdict");
-  if (const auto distance = answer.find("distance"); distance != answer.end()) {
-    words += fmt::format(", distance {}", coordinate(*distance));
-  }
-  for (const char* key : {"direction", "point"}) {
-    if (const std::string vector = vector_at(answer, key); !vector.empty())
-      words += fmt::format(", {} {}", key, vector);
-  }
-  return words;
-}
-
 json parse_object(std::string_view text) {
   json parsed = json::parse(text, nullptr, false);
   return parsed.is_object() ? parsed : json::object();
@@ -88,13 +72,6 @@ json parse_object(std::string_view text) {
 TruthWords describe_truth(std::string_view text) {
   const json truth = parse_object(text);
   return {text_at(truth, "verdict"), certificate_in_words(truth)};
-}
-
-std::vector<std::pair<std::string, std::string>> describe_answers(std::string_view text) {
-  std::vector<std::pair<std::string, std::string>> said;
-  const json answers = parse_object(text);
-  for (const auto& [method, answer] : answers.items()) said.emplace_back(method, answer_in_words(answer));
-  return said;
 }
 
 }  // namespace cyl

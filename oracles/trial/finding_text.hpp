@@ -5,8 +5,6 @@
 
 #include <string>
 #include <string_view>
-#include <utility>
-#include <vector>
 
 namespace cyl {
 
@@ -17,8 +15,5 @@ struct TruthWords {
 
 /// From the JSON object of a proved truth: {"verdict":"disjoint","direction":[x,y,z],...}.
 TruthWords describe_truth(std::string_view json);
-
-/// From {"method":{"verdict":...},...}: each method and what it said, in the order of the text.
-std::vector<std::pair<std::string, std::string>> describe_answers(std::string_view json);
 
 }  // namespace cyl

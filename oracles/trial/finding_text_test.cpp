@@ -21,25 +21,11 @@ TEST(DescribeTruth, NamesTheWitnessExactly) {
   EXPECT_EQ(describe_truth(R"({"verdict":"undecided"})").certificate, "No verdict could be proved.");
 }
 
-TEST(DescribeAnswers, SaysWhatEachSaidInOrder) {
-  const auto said = describe_answers(
-      R"({"z":{"verdict":"disjoint","distance":0.5,"direction":[1,0,[0,1e-9]]},)"
-      R"("a":{"failed":"crash","reason":"SIGABRT"},"b":{"declined":"too thin"},"c":{"verdict":"disjoint","distance":"inf"}})");
-  ASSERT_EQ(said.size(), 4u);
-  EXPECT_EQ(said[0],
-            std::pair(std::string("z"), std::string("disjoint, distance 0.5, direction (1, 0, 0 + 1e-09)")));
-  EXPECT_EQ(said[1].second, "failed: crash, SIGABRT");
-  EXPECT_EQ(said[2].second, "declined: too thin");
-  EXPECT_EQ(said[3].second, "disjoint, distance inf");
-}
-
-TEST(Describe, SurvivesAnyText) {
+TEST(DescribeTruth, SurvivesAnyText) {
   for (const char* text :
-       {"", "null", "[]", "{", R"({"verdict":3,"point":[1,2]})", R"({"a":null,"b":[],"c":{"point":7}})",
-        R"({"near":[],"direction":"x","point":[{},[[]],null]})", R"({"failed":{},"reason":[]})"}) {
+       {"", "null", "[]", "{", R"({"verdict":3,"point":[1,2]})", R"({"point":7})", R"({"near":{"point":{}}})",
+        R"({"near":[],"direction":"x","point":[{},[[]],null]})"})
     describe_truth(text);
-    describe_answers(text);
-  }
 }
 
 }  // namespace

@@ -4,7 +4,6 @@
 // the same order; a shorter budget finds a prefix of what a longer one does; hangs excepted.
 #pragma once
 
-#include <array>
 #include <chrono>
 #include <cstdint>
 #include <functional>
@@ -30,8 +29,6 @@ enum class GatePhase : unsigned char {
   laws,         ///< all laws on generated pairs
   sample        ///< the differential sample: independent pairs of every stratum against the referee
 };
-inline constexpr std::array gate_phases{GatePhase::corpus, GatePhase::corpus_laws, GatePhase::laws,
-                                        GatePhase::sample};
 
 /// How much is drawn.
 struct GateAmount {

@@ -67,16 +67,6 @@ rc::Gen<Pair> grid_pair() {
   });
 }
 
-rc::Gen<Pair> family_pair() {
-  return rc::gen::map(
-      rc::gen::tuple(rc::gen::inRange<std::size_t>(0, families().size()), rc::gen::arbitrary<std::uint64_t>(),
-                     rc::gen::arbitrary<std::uint64_t>()),
-      [](const auto& drawn) {
-        const auto& [family, seed, index] = drawn;
-        return families()[family].generate(seed, index);
-      });
-}
-
 rc::Gen<PairsDrawn> pairs_of_one_kind(int count) {
   const auto grid =
       rc::gen::map(rc::gen::container<std::vector<Pair>>(static_cast<std::size_t>(count), grid_pair()),

@@ -19,8 +19,6 @@ void showValue(const Pair& pair, std::ostream& out);
 /// Numbers n/64, |n| <= 256: exact in sums and products, often touching; half the axes have coordinates
 /// -2..2, so that parallel and perpendicular ones are common.
 rc::Gen<Pair> grid_pair();
-/// Of any family, any seed and index.
-rc::Gen<Pair> family_pair();
 
 /// Pairs of one kind, which `from` names: "grid", "family random" or "stratum side-rim 1e-09".
 struct PairsDrawn {

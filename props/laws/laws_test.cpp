@@ -45,8 +45,6 @@ void expect_kept(const Pair& pair) {
 
 RC_GTEST_PROP(Laws, HoldOnTheGrid, ()) { expect_kept(*grid_pair()); }
 
-RC_GTEST_PROP(Laws, HoldOnDrawnPairs, ()) { expect_kept(*family_pair()); }
-
 class FamilyLaws : public testing::TestWithParam<std::size_t> {};
 
 TEST_P(FamilyLaws, HoldOnTheFirstPairs) {

@@ -41,9 +41,7 @@ std::string from_here(const std::string& file) {
 
 }  // namespace
 
-bool is_error(const GateFailure& failure) {
-  return failure.severity == Severity::contract || failure.failed_again < failure.reruns;
-}
+bool is_error(const GateFailure& failure) { return failure.severity == Severity::contract; }
 
 bool fails_gate(const GateFailure& failure) { return is_error(failure) && !failure.known; }
 

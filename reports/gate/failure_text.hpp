@@ -11,7 +11,7 @@
 
 namespace cyl {
 
-/// Beyond the method's claim, or depending on luck, which no claim excuses.
+/// Whether the method broke more than its own claim allows.
 bool is_error(const GateFailure& failure);
 /// An error that the base of --against does not have.
 bool fails_gate(const GateFailure& failure);

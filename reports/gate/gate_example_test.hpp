@@ -36,8 +36,8 @@ inline GateFailure example_failure(const std::string& method, int law, Severity 
   return f;
 }
 
-/// intersect: law 1 broken beyond its claim on a random pair, law 2 by luck, law 3 within its claim; fake:
-/// law 30 on a case, all its words hostile. One cell of fake's is wrong, one empty.
+/// intersect: law 1 broken beyond its claim on a random pair, law 2 by luck as well, law 3 within its claim;
+/// fake: law 30 on a case, all its words hostile. One cell of fake's is wrong, one empty.
 inline GateReport example_report() {
   GateReport report;
   report.seed = std::numeric_limits<std::uint64_t>::max();
@@ -76,7 +76,7 @@ inline GateReport example_report() {
   report.methods = {intersect, fake};
 
   report.failures = {example_failure("intersect", 1, Severity::contract),
-                     example_failure("intersect", 2, Severity::resolution),
+                     example_failure("intersect", 2, Severity::contract),
                      example_failure("intersect", 3, Severity::resolution),
                      example_failure(fake.name, 30, Severity::contract)};
   report.failures[0].reproduce = "BchAwNXYlR2c";
