@@ -182,7 +182,7 @@ std::vector<Candidate> candidates_of(std::span<const std::unique_ptr<Method>> me
   for (const auto& m : methods) {
     Method* method = m.get();
     const bool prepares = bool(method->prepare_all({}));
-    candidates.push_back({method, prepares && method->name() == "decide" ? "certificate" : "verdict"});
+    candidates.push_back({method, prepares && method->claim().certified ? "certificate" : "verdict"});
     if (prepares) candidates.push_back({method, "raw"});
     if (method->prepare_distances({})) {
       candidates.push_back({method, "distance"});

@@ -92,7 +92,7 @@ class Checker {
  public:
   explicit Checker(const CheckOptions& options) : options_(options) {
     if (!options.asks_somebody()) {
-      methods_ = select_methods(own_methods(), "decide");
+      methods_.push_back(certifying_method());
       return;
     }
     methods_ = with_guests(options.guests).select(options.method, options.method);

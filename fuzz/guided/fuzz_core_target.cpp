@@ -27,14 +27,14 @@ constexpr std::size_t proved_law_share = 4096;  ///< a law that needs proofs: as
 class Core {
  public:
   Core() : methods_(own_methods()), ledger_("fuzz_core") {
-    std::erase_if(methods_, [](const auto& method) { return method->name() == "exact"; });  // the referee
+    std::erase_if(methods_, [](const auto& m) { return m->claim().decides == Decides::all; });  // the referee
     for (const Law& law : all_laws()) {
       const bool cheap = law.kind == LawKind::exact || law.kind == LawKind::one_sided;
       (cheap ? cheap_laws_ : proved_laws_).push_back(&law);
     }
     answers_.resize(methods_.size());
-    decide_ = place_of("decide");
-    distance_ = place_of("distance");
+    decide_ = place_of([](Method& method) { return method.claim().certified; });
+    distance_ = place_of([](Method& method) { return bool(method.prepare_distances({})); });
   }
 
   void run(const Record& record) {
@@ -56,9 +56,11 @@ class Core {
   }
 
  private:
-  std::size_t place_of(std::string_view name) const {
-    const auto named = [&](const auto& method) { return method->name() == name; };
-    return static_cast<std::size_t>(std::find_if(methods_.begin(), methods_.end(), named) - methods_.begin());
+  template <typename Sought>
+  std::size_t place_of(Sought is_sought) const {
+    const auto at =
+        std::find_if(methods_.begin(), methods_.end(), [&](const auto& m) { return is_sought(*m); });
+    return static_cast<std::size_t>(at - methods_.begin());
   }
 
   // Two proofs of one pair, one from the solver's certificate, one from the referee's own search.

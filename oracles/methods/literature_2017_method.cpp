@@ -85,7 +85,8 @@ std::vector<std::unique_ptr<Method>> seed_2017_methods() {
     methods.push_back(std::make_unique<Seed2017>(
         s.name, s.minimiser, options,
         Claim{.relative = s.relative,
-              .source = "solver/literature/errata.md: above the largest margin at which it was wrong."},
+              .source = "solver/literature/errata.md: above the largest margin at which it was wrong.",
+              .every_bit = true},
         s.share));
   }
   seeds::Options printed;
@@ -94,7 +95,8 @@ std::vector<std::unique_ptr<Method>> seed_2017_methods() {
       "seed2017-printed", Minimiser::conjugate_gradients, printed,
       Claim{.source =
                 "Intersection of Cylinders, 2017, section 8: It returns true whenever the cylinders are "
-                "separated."},
+                "separated.",
+            .every_bit = true},
       1));
   return methods;
 }

@@ -15,11 +15,25 @@
 
 namespace cyl {
 
-/// From where on a method promises to be right: wherever |distance| >= relative * size + absolute.
+/// From where on a method promises not to be undecided, where both solids are valid and within range.
+enum class Decides : unsigned char {
+  not_promised,
+  beyond_rounding,  ///< It decides every pair whose margin doubles resolve.
+  all               ///< It decides every pair of which anybody can prove a verdict.
+};
+
+/// What a method promises: to be right wherever |distance| >= relative * size + absolute, and more.
 struct Claim {
   double relative = 0;
   double absolute = 0;      ///< a length in the scene's unit
   std::string_view source;  ///< the line of its documentation or source that says so
+  // No library documents any of these.
+  bool every_bit = false;       ///< A change that alters no digit of the question alters none of its answer.
+  bool keeps_mirrored = false;  ///< Its verdict stays, wherever, when signs of coordinates are flipped.
+  bool certified = false;       ///< It offers a witness that proves its verdict with every yes and no.
+  bool from_a_to_b = false;     ///< The directions it offers point from a to b.
+  bool tells_invalid = false;   ///< It says `invalid` of a pair with a negative radius.
+  Decides decides = Decides::not_promised;
 };
 
 /// Interface of a method. `ask` may do anything foreign code does: throw, abort, hang. Callers who cannot
@@ -68,6 +82,7 @@ std::vector<std::unique_ptr<Method>> all_methods();
 std::vector<std::unique_ptr<Method>> setting_methods();
 
 std::vector<std::unique_ptr<Method>> own_methods();        ///< intersect, decide, distance, exact
+std::unique_ptr<Method> certifying_method();               ///< the one of own_methods() that is `certified`
 std::vector<std::unique_ptr<Method>> seed_2008_methods();  ///< the text of 2008 and the page of the book
 std::vector<std::unique_ptr<Method>> seed_2017_methods();  ///< of the text of 2017: put right, and as printed
 std::vector<std::unique_ptr<Method>> nlopt_methods();

@@ -28,7 +28,13 @@ class Intersect final : public Method {
   std::string_view name() const override { return "intersect"; }
   std::string_view version() const override { return DAYLIGHT_VERSION; }
   Claim claim() const override {
-    return {.relative = 1e-13, .source = "solver/decide.hpp: Right wherever the margin is >= 1e-13."};
+    return {.relative = 1e-13,
+            .source = "solver/decide.hpp: Right wherever the margin is >= 1e-13.",
+            .every_bit = true,
+            .keeps_mirrored = true,
+            .from_a_to_b = true,
+            .tells_invalid = true,
+            .decides = Decides::beyond_rounding};
   }
   bool foreign() const override { return false; }
   MethodAnswer ask(const Pair& pair) override {
@@ -58,7 +64,14 @@ class Decide final : public Method {
  public:
   std::string_view name() const override { return "decide"; }
   std::string_view version() const override { return DAYLIGHT_VERSION; }
-  Claim claim() const override { return {.source = "solver/decide.hpp: Never wrong."}; }
+  Claim claim() const override {
+    return {.source = "solver/decide.hpp: Never wrong.",
+            .every_bit = true,
+            .certified = true,
+            .from_a_to_b = true,
+            .tells_invalid = true,
+            .decides = Decides::beyond_rounding};
+  }
   bool foreign() const override { return false; }
   MethodAnswer ask(const Pair& pair) override {
     const Answer decided = decide(pair.a, pair.b);
@@ -95,7 +108,11 @@ class MeasureDistance final : public Method {
   std::string_view version() const override { return DAYLIGHT_VERSION; }
   Claim claim() const override {
     return {.relative = distance_tol,
-            .source = "solver/distance.hpp: error within 1e-13 of size + |Delta|, or it says so."};
+            .source = "solver/distance.hpp: error within 1e-13 of size + |Delta|, or it says so.",
+            .every_bit = true,
+            .from_a_to_b = true,
+            .tells_invalid = true,
+            .decides = Decides::beyond_rounding};
   }
   bool foreign() const override { return false; }
   MethodAnswer ask(const Pair& pair) override { return answer_of(pair, distance(pair.a, pair.b)); }
@@ -112,7 +129,10 @@ class Exact final : public Method {
   std::string_view name() const override { return "exact"; }
   std::string_view version() const override { return DAYLIGHT_VERSION; }
   Claim claim() const override {
-    return {.source = "oracles/referee/decide_exactly.hpp: Proved, with certificate."};
+    return {.source = "oracles/referee/decide_exactly.hpp: Proved, with certificate.",
+            .from_a_to_b = true,
+            .tells_invalid = true,
+            .decides = Decides::all};
   }
   bool foreign() const override { return false; }
   MethodAnswer ask(const Pair& pair) override {
@@ -133,6 +153,8 @@ class Exact final : public Method {
 };
 
 }  // namespace
+
+std::unique_ptr<Method> certifying_method() { return std::make_unique<Decide>(); }
 
 MethodAnswer answer_of(const Pair& pair, const Distance& measured) {
   MethodAnswer answer;

@@ -122,12 +122,6 @@ std::optional<Broken> break_cap(const LawCase& c) {
   return Broken{fmt::format("{} steps, at most {} are allowed", c.first.steps, c.first.step_cap)};
 }
 
-bool is_ours(const Method& method) {
-  for (const std::string_view name : {"intersect", "decide", "distance", "exact"})
-    if (method.name() == name) return true;
-  return false;
-}
-
 /// Of size and centres' distance: from here on our methods decide. Ten times what the worst features of any
 /// family need, and of gaps between parallel solids.
 constexpr double resolved_tol = 1e-11, parallel_tol = 1e-14;
@@ -139,13 +133,15 @@ bool has_room(const Pair& pair, double least) {
 }
 
 std::optional<Broken> break_resolution(const LawCase& c) {
-  if (!is_ours(c.method) || c.first.status != Status::answered || c.first.verdict != Verdict::undecided)
+  const Decides promised = c.method.claim().decides;
+  if (promised == Decides::not_promised || c.first.status != Status::answered ||
+      c.first.verdict != Verdict::undecided)
     return {};
   if (!is_in_range(c.pair)) return {};
   Proved& proved = c.proofs.of(c.pair);
   const Verdict truth = proved.truth.verdict;
   if (truth == Verdict::undecided || truth == Verdict::invalid) return {};
-  if (c.method.name() == "exact")
+  if (promised == Decides::all)
     return Broken{fmt::format("undecided, and proved to be {}", to_string(truth))};
   if (truth == Verdict::touching) return {};
   const double extent = size_of(c.pair) + (c.pair.b.center - c.pair.a.center).norm();
@@ -161,7 +157,8 @@ std::optional<Broken> break_resolution(const LawCase& c) {
 constexpr double along_error = 16 * 0x1p-53;
 
 std::optional<Broken> break_orientation(const LawCase& c) {
-  if (!is_ours(c.method) || c.first.status != Status::answered || c.first.witness != WitnessKind::direction)
+  if (!c.method.claim().from_a_to_b || c.first.status != Status::answered ||
+      c.first.witness != WitnessKind::direction)
     return {};
   // In halves, since the centres may be far apart.
   const Vector3 delta = c.pair.b.center / 2 - c.pair.a.center / 2;
@@ -173,7 +170,7 @@ std::optional<Broken> break_orientation(const LawCase& c) {
 }
 
 std::vector<Asked> spoilt(const Method& method, const Pair& pair, const MethodAnswer&) {
-  if (!is_ours(method)) return {};
+  if (!method.claim().tells_invalid) return {};
   std::vector<Asked> asked(2, Asked{pair});
   asked[0].pair.a.radius = -1;
   asked[1].pair.b.radius = -1;

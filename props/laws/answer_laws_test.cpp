@@ -121,7 +121,7 @@ TEST(AnswerLaws, CatchWhoIsUndecidedWithoutNeed) {
                   answer = {};
                   answer.status = Status::answered;
                 },
-                "decide")),
+                of_everything)),
             (Numbers{1, 39, 41}));
 }
 
@@ -131,7 +131,7 @@ TEST(AnswerLaws, CatchWhoTakesABadSolid) {
                 [](const Pair& pair, MethodAnswer& answer) {
                   if (pair.b.radius < 0) answer.verdict = Verdict::disjoint;
                 },
-                "decide")),
+                of_everything)),
             Numbers{41});
 }
 
@@ -142,7 +142,7 @@ TEST(AnswerLaws, CatchADirectionTheWrongWay) {
                   if (answer.witness == WitnessKind::direction)
                     for (double& x : answer.head) x = -x;
                 },
-                "decide")),
+                of_everything)),
             Numbers{40});
 }
 
@@ -155,7 +155,7 @@ TEST(AnswerLaws, CatchWhoIsUndecidedBesideAParallelWall) {
         answer = {};
         answer.status = Status::answered;
       },
-      "decide");
+      of_everything);
   EXPECT_TRUE(broken_by(method, law_numbered(39), {upright(0), upright(2 + 5e-13)}));
   Pair askew{upright(0), upright(2 + 5e-13)};
   askew.b.axis.x() = 1e-13;

@@ -21,11 +21,6 @@ struct Expected {
   double direction = 1;
 };
 
-bool promises_every_bit(const Method& method) {
-  return method.name() == "intersect" || method.name() == "decide" || method.name() == "distance" ||
-         method.name().starts_with("seed2017-");
-}
-
 std::string differ(const char* what, double wanted, double got) {
   return std::string(what) + " is " + format_double(got) + ", expected " + format_double(wanted);
 }
@@ -58,7 +53,7 @@ std::string difference_in_bits(const MethodAnswer& first, const MethodAnswer& se
 std::optional<Broken> compare_answers(const LawCase& c, std::size_t i, const Expected& expected) {
   const MethodAnswer& second = c.answers[i];
   if (second.status != Status::answered) return {};
-  const bool every_bit = promises_every_bit(c.method);
+  const bool every_bit = c.method.claim().every_bit;
   if (c.first.verdict != second.verdict) {
     return Broken{std::string("the verdict turns from ") + to_string(c.first.verdict) + " to " +
                       to_string(second.verdict),
@@ -220,7 +215,7 @@ std::vector<Law> exact_laws() {
        [](const LawCase& c) { return all_as_expected(c); }},
       {5, LawKind::exact, "mirror", "signs of coordinates flipped, in all 7 ways: the same verdict",
        "where both answers are yes or no; of intersect everywhere, of others where they claim to be right",
-       mirrored, [](const LawCase& c) { return turned_verdict(c, c.method.name() == "intersect"); }},
+       mirrored, [](const LawCase& c) { return turned_verdict(c, c.method.claim().keeps_mirrored); }},
       {6, LawKind::exact, "permutation", "coordinates permuted, in all 5 ways: the same verdict",
        "where both answers are yes or no and the method claims to be right: sums change their order",
        permuted, [](const LawCase& c) { return turned_verdict(c, false); }},

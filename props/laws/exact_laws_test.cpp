@@ -30,8 +30,8 @@ MethodAnswer cubes(const Pair& pair) {
 }
 
 /// The exact laws broken; cubes are no cylinders, so other laws are, too.
-Numbers exact_laws_broken_by(const Planted::Ask& ask, std::string_view name = "intersect") {
-  Numbers numbers = laws_broken_by(Planted(ask, name));
+Numbers exact_laws_broken_by(const Planted::Ask& ask, const Claim& claim = of_everything) {
+  Numbers numbers = laws_broken_by(Planted(ask, "planted", claim));
   std::erase_if(numbers, [](int number) { return number >= 10; });
   return numbers;
 }
@@ -45,7 +45,7 @@ TEST(ExactLaws, CatchAVerdictThatFavoursOneRoleWhereOnlyVerdictsMustAgree) {
     answer.head[0] = pair.a.axis.x();
     return answer;
   };
-  EXPECT_EQ(exact_laws_broken_by(favours, "planted"), Numbers{1});
+  EXPECT_EQ(exact_laws_broken_by(favours, of_verdicts), Numbers{1});
 }
 
 TEST(ExactLaws, CatchAVerdictThatFavoursOneRole) {
@@ -109,7 +109,7 @@ TEST(ExactLaws, CatchAnAnswerThatLooksAtTheLengthOfAnAxis) {
                 [](const Pair& pair, MethodAnswer& answer) {
                   if (pair.a.axis.norm() > 1e6) answer.verdict = Verdict::undecided;
                 },
-                "decide")),
+                of_everything)),
             Numbers{4});
 }
 

@@ -29,12 +29,24 @@ inline MethodAnswer ask_ours(std::string_view name, const Pair& pair) {
   return {};
 }
 
-/// Under the name of a method that promises every bit, or of one that promises verdicts.
+/// Promises no more than verdicts beyond 1e-13 of the size.
+inline constexpr Claim of_verdicts{.relative = 1e-13, .source = "planted"};
+/// Promises, in addition, all that a method can.
+inline constexpr Claim of_everything{.relative = 1e-13,
+                                     .source = "planted",
+                                     .every_bit = true,
+                                     .keeps_mirrored = true,
+                                     .certified = true,
+                                     .from_a_to_b = true,
+                                     .tells_invalid = true,
+                                     .decides = Decides::beyond_rounding};
+
+/// A method that answers by a function.
 struct Planted final : Method {
   using Ask = std::function<MethodAnswer(const Pair&)>;
   using Prepared = std::function<Verdict(const Pair&)>;
 
-  explicit Planted(Ask ask, std::string_view name = "planted", Claim claim = {1e-13, 0, "planted"})
+  explicit Planted(Ask ask, std::string_view name = "planted", Claim claim = of_verdicts)
       : ask_(std::move(ask)), name_(name), claim_(claim) {}
   std::string_view name() const override { return name_; }
   std::string_view version() const override { return "0"; }
@@ -76,14 +88,14 @@ inline std::vector<int> laws_broken_by(Planted method, std::string_view family =
 
 /// Our answer with a fault: `change` alters it.
 inline Planted plant(std::string_view ours, std::function<void(const Pair&, MethodAnswer&)> change,
-                     std::string_view name = "planted") {
+                     const Claim& claim = of_verdicts) {
   return Planted(
       [ours, change = std::move(change)](const Pair& pair) {
         MethodAnswer answer = ask_ours(ours, pair);
         change(pair, answer);
         return answer;
       },
-      name);
+      "planted", claim);
 }
 
 using Numbers = std::vector<int>;
