@@ -11,7 +11,7 @@ namespace {
 double length_squared(const Vector3& v) noexcept { return v.x() * v.x() + v.y() * v.y() + v.z() * v.z(); }
 
 double slack(const Models& a, const Models& b, double clearance) noexcept {
-  return proxy_distance_error * clearance + a.slack + b.slack;
+  return seeds::proxy_distance_error * clearance + a.slack + b.slack;
 }
 
 /// Whether the balls are farther from each other than the clearance and `more`.
@@ -69,7 +69,7 @@ const char* to_string(Rung rung) noexcept {
 Models make_models(const Cylinder& c, double clearance) noexcept {
   Models m;
   m.solid = prepare(c);
-  m.slack = proxy_distance_error * (std::sqrt(length_squared(c.center)) + c.height + c.radius);
+  m.slack = seeds::proxy_distance_error * (std::sqrt(length_squared(c.center)) + c.height + c.radius);
   m.grown = m.solid;
   if (clearance > 0) {
     m.grown =

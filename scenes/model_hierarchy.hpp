@@ -35,17 +35,12 @@ enum class Look : unsigned char {
   closer   ///< look closer
 };
 
-/// What rounding may do to the distance of balls and capsules, times the coordinates and sizes in it: the
-/// centres are rounded sums, segment_distance is right to some 1e-15 of them. Wider, so that no rung is
-/// wrong.
-inline constexpr double proxy_distance_error = 0x1p-44;
-
 /// A cylinder with its models, for one clearance.
 struct Models {
   Prepared solid, grown;  ///< grown by half the clearance in all directions, and more at the rims
   seeds::Capsule outer, inner;
   double ball;   ///< radius of the sphere around it
-  double slack;  ///< its share in rounding
+  double slack;  ///< its share in seeds::proxy_distance_error
 };
 Models make_models(const Cylinder& c, double clearance) noexcept;
 std::vector<Models> models_of(std::span<const Cylinder> placed, double clearance);

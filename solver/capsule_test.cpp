@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 
 #include "solver/detail/frame.hpp"
 #include "solver/solver_test.hpp"
@@ -36,6 +37,49 @@ TEST(Segments, NearlyParallelOnesCross) {
                                           p + e + Vector3(1, 1, -2) * 1e-3);
     EXPECT_NEAR(apart, 1e-3 * std::sqrt(6.0), 1e-14) << angle;
   }
+}
+
+using Long3 = Eigen::Matrix<long double, 3, 1>;
+
+long double long_distance_to_segment(const Long3& x, const Long3& p0, const Long3& p1) {
+  const Long3 d = p1 - p0;
+  const long double t = std::clamp((x - p0).dot(d) / d.squaredNorm(), 0.0L, 1.0L);
+  return (x - p0 - t * d).norm();
+}
+
+// Eleven bits more than a double has, so that its own error, by the same bound, does not count.
+long double long_distance(const Vector3& a, const Vector3& b, const Vector3& c, const Vector3& d) {
+  const Long3 p0 = a.cast<long double>(), p1 = b.cast<long double>(), q0 = c.cast<long double>(),
+              q1 = d.cast<long double>();
+  const Long3 n = (p1 - p0).cross(q1 - q0);
+  long double least = std::min({long_distance_to_segment(p0, q0, q1), long_distance_to_segment(p1, q0, q1),
+                                long_distance_to_segment(q0, p0, p1), long_distance_to_segment(q1, p0, p1)});
+  const long double s = (q0 - p0).cross(q1 - q0).dot(n) / n.squaredNorm();
+  if (s > 0 && s < 1) least = std::min(least, long_distance_to_segment(p0 + s * (p1 - p0), q0, q1));
+  return least;
+}
+
+// At all angles and distances, across one another and beside one another, near the origin and far from it.
+TEST(Segments, AreMeasuredWithinTheProvedError) {
+  if (std::numeric_limits<long double>::digits < 64) GTEST_SKIP() << "no wider type to measure with";
+  Numbers n(20261122);
+  const auto vector = [&] {
+    const double x = n.either_sign(), y = n.either_sign(), z = n.either_sign();
+    return Vector3(x, y, z);
+  };
+  double worst = 0;
+  for (int i = 0; i < 200'000; ++i) {
+    const double angle = std::ldexp(1.0, -(i % 60)), far = std::ldexp(1.0, -(i / 60 % 60));
+    const Vector3 at = (i & 1) != 0 ? Vector3(vector()) : Vector3(0, 0, 0), d = vector();
+    const Vector3 e = (i & 2) != 0 ? Vector3(d + angle * vector()) : Vector3(angle * vector());
+    const Vector3 other = at + far * d.cross(e) / std::max(d.cross(e).norm(), 0x1p-200);
+    const Vector3 p0 = at - n.unit() * d, p1 = p0 + d, q0 = other - n.unit() * e, q1 = q0 + e;
+    const double lengths = ((p0 + p1) / 2).norm() + ((q0 + q1) / 2).norm() + d.norm() + e.norm();
+    const long double off = segment_distance(p0, p1, q0, q1) - long_distance(p0, p1, q0, q1);
+    worst = std::max(worst, static_cast<double>(std::fabs(off)) / lengths);
+  }
+  EXPECT_LE(worst, proxy_distance_error);
+  EXPECT_GT(worst, 0x1p-55) << "nothing was put to the test";
 }
 
 TEST(Capsules, SignedDistance) {

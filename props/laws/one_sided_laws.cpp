@@ -78,16 +78,12 @@ std::optional<Broken> break_inside(const LawCase& c) {
   });
 }
 
-/// Of the distance of two proxies, times their lengths and largest coordinates: segment_distance is right to
-/// some 1e-15 of them.
-constexpr double proxy_distance_error = 0x1p-45;
-
 double bounding_radius(const Cylinder& c) { return std::hypot(c.radius, c.height / 2); }
 
 std::optional<Broken> break_proxies(const LawCase& c) {
   if (!is_decided(c.first) || !is_in_range(c.pair)) return {};
   const Cylinder &a = c.pair.a, &b = c.pair.b;
-  const double lost = proxy_distance_error * (size_of(c.pair) + a.center.norm() + b.center.norm());
+  const double lost = seeds::proxy_distance_error * (size_of(c.pair) + a.center.norm() + b.center.norm());
   if (says_meet(c.first)) {
     const double spheres = (b.center - a.center).norm() - bounding_radius(a) - bounding_radius(b);
     const double capsules = seeds::capsule_distance(seeds::outer_proxy(a), seeds::outer_proxy(b));
