@@ -38,7 +38,8 @@ for folder in "$here" "$here/../clang"; do
   [[ -x $folder/fuzz_core_libfuzzer ]] && program=$folder/fuzz_core_libfuzzer && break
 done
 if [[ -z ${program-} ]]; then
-  echo 'skipped: a real run, since no clang has built fuzz_core_libfuzzer'
+  "$(dirname -- "$(readlink -f -- "${BASH_SOURCE[0]}")")/../.ci/skip" 'a real run: apt-get install clang, ninja -C build/clang fuzz_core_libfuzzer' ||
+    [[ $? == 77 ]]
 else
   run --for 5s --jobs 2 --seed 1 --out "$scratch/run" --program "$program"
   expect 'a real run: exit code' 0 "$code"

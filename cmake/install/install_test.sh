@@ -55,7 +55,7 @@ built_by_pkg_config() { # prefix module source program
 }
 
 built_by_cmake() { # prefix project folder
-  cmake -S "$2" -B "$2/build" -DCMAKE_PREFIX_PATH="$1" -DCMAKE_CXX_COMPILER="$compiler" >log 2>&1 || fail "$(cat log)"
+  cmake -G Ninja -S "$2" -B "$2/build" -DCMAKE_PREFIX_PATH="$1" -DCMAKE_CXX_COMPILER="$compiler" >log 2>&1 || fail "$(cat log)"
   cmake --build "$2/build" >log 2>&1 || fail "$(cat log)"
 }
 
@@ -71,7 +71,7 @@ built_by_pkg_config "$PWD/moved" daylight-solver only_solver.cpp only_solver
 ! ldd only_solver | grep -E 'gmp|mpf|fcl|nlopt|sqlite' || fail "the solver alone needs more than Eigen"
 mkdir absent
 sed 's/^/# /; s/^# \(cmake_min\|project\|find_package\)/\1/' CMakeLists.txt >absent/CMakeLists.txt
-! cmake -S absent -B absent/build -DCMAKE_PREFIX_PATH="$PWD/moved" >log 2>&1 || fail "found a component that is not installed"
+! cmake -G Ninja -S absent -B absent/build -DCMAKE_PREFIX_PATH="$PWD/moved" >log 2>&1 || fail "found a component that is not installed"
 grep -q 'component exact is not installed' log || fail "$(cat log)"
 
 install_into "$PWD/moved" exact
@@ -124,7 +124,7 @@ if compgen -G "$build/python/daylight*.so" >/dev/null; then
   install_into "$PWD/moved" python
   try_python "$(echo moved/lib/python3.*/site-packages)"
 else
-  echo 'skipped: the Python module (not built here)'
+  "$source/.ci/skip" 'the Python module, not built: apt-get install pybind11-dev python3-dev python3-numpy' || [[ $? == 77 ]]
 fi
 
 # The Debian packages hold the same, for everybody, and name what they need.
@@ -167,7 +167,7 @@ if command -v dpkg-deb >/dev/null && command -v dpkg-shlibdeps >/dev/null && com
   try_program "$PWD/unpacked/usr"
   [[ ! $python ]] || try_python unpacked/usr/lib/python3/dist-packages
 else
-  echo 'skipped: the Debian packages (dpkg-deb, dpkg-shlibdeps or file is missing)'
+  "$source/.ci/skip" 'the Debian packages: apt-get install dpkg-dev file' || [[ $? == 77 ]]
 fi
 
 # No header needs one that is not installed, nor one included before it; none warns, whoever compiles, and the plug-in's

@@ -5,7 +5,7 @@ set -euo pipefail
 
 export DAYLIGHT=$1
 here=$(dirname -- "$(readlink -f -- "${BASH_SOURCE[0]}")")
-command -v parallel >/dev/null || { echo 'skipped: no GNU parallel here'; exit 77; }
+command -v parallel >/dev/null || exec "$here/../../.ci/skip" 'no GNU parallel here: apt-get install parallel'
 # shellcheck source=SCRIPTDIR/same_run.sh
 source "$here/same_run.sh"
 scratch=$(mktemp -d)

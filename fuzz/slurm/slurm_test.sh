@@ -8,7 +8,7 @@ export DAYLIGHT=$1
 here=$(dirname -- "$(readlink -f -- "${BASH_SOURCE[0]}")")
 PATH=$PATH:/usr/sbin
 for program in slurmctld slurmd munged sbatch; do
-  command -v "$program" >/dev/null || { echo "skipped: no $program here"; exit 77; }
+  command -v "$program" >/dev/null || exec "$here/../../.ci/skip" "no $program here: apt-get install slurmctld slurmd slurm-client munge"
 done
 # shellcheck source=SCRIPTDIR/same_run.sh
 source "$here/same_run.sh"

@@ -6,9 +6,10 @@ set -euo pipefail
 
 daylight=$(readlink -f -- "$1")
 guests=$(dirname -- "$(readlink -f -- "${BASH_SOURCE[0]}")")
-command -v node >/dev/null || { echo 'skipped: no node here'; exit 77; }
+skip=$guests/../../.ci/skip
+command -v node >/dev/null || exec "$skip" 'no Node.js here: apt-get install nodejs'
 for package in @dimforge/rapier3d-compat jolt-physics; do
-  [[ -d $guests/node_modules/$package ]] || { echo "skipped: no $package; npm ci --prefix oracles/guests"; exit 77; }
+  [[ -d $guests/node_modules/$package ]] || exec "$skip" "no $package here: npm ci --prefix oracles/guests"
 done
 scratch=$(mktemp -d)
 trap 'rm -rf -- "$scratch"' EXIT

@@ -4,7 +4,7 @@
 //     npm ci && node build.mjs            writes all
 //     node build.mjs --check              says whether all are what these sources give; exit status 1 where not
 // The same sources and package-lock.json give the same bytes. All carry the hash of what they were built from, which
-// stamp_test.mjs holds against the sources without npm.
+// data_test.mjs holds against the sources without npm.
 import { createHash } from "node:crypto";
 import { existsSync, readFileSync, writeFileSync } from "node:fs";
 import { build } from "esbuild";

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Built by build.mjs, not written by hand. Sources: cf1bf7e63387476f697eea251b49551a01d39c6cefaa28c6b1b4f4e3dfe29942
+// Built by build.mjs, not written by hand. Sources: 8a39b3c7d9088361d6ad96258a9ddc8aa396ddb9aac31ee557693091c239b2af
 /* It holds
 
 @observablehq/plot 0.6.17:
