@@ -1,28 +1,31 @@
 // SPDX-License-Identifier: MIT
-// A browser without network, for the tests of the pages. Exit status 77, and why, where there is none or no
-// playwright-core.
+// A browser without network, for the tests of the pages.
+import { spawnSync } from "node:child_process";
 import { existsSync, mkdtempSync, rmSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
+import { fileURLToPath } from "node:url";
 
 function skip(why) {
-  console.log(`skipped: ${why}`);
-  process.exit(77);
+  process.exit(spawnSync(fileURLToPath(new URL("../../.ci/skip", import.meta.url)), [why], { stdio: "inherit" }).status ?? 1);
 }
 
-const browser_file = ["/usr/bin/chromium", "/usr/bin/chromium-browser", "/usr/bin/google-chrome"].find(existsSync) ?? skip("no chromium here (apt-get install chromium)");
-const { chromium } = await import("playwright-core").catch(() => skip("no playwright-core here (npm ci in reports/page)"));
+const browser_file = ["/usr/bin/chromium", "/usr/bin/chromium-browser", "/usr/bin/google-chrome"].find(existsSync) ?? skip("no chromium here: apt-get install chromium");
+const { chromium } = await import("playwright-core").catch(() => skip("no playwright-core here: npm ci --prefix reports/page"));
 
 /** Removed at the end. */
 export const folder = mkdtempSync(join(tmpdir(), "daylight-page-"));
 process.on("exit", () => rmSync(folder, { recursive: true }));
-export const browser = await chromium.launch({ executablePath: browser_file });
+/** Of any wait, in ms: for what never comes. A slow machine is not that. */
+const patience = 300_000;
+export const browser = await chromium.launch({ executablePath: browser_file, timeout: patience });
 /** What any page wrote on its console as an error, and what it asked of the network. */
 export const errors = [], asked = [];
 
 /** `first`: what runs before the page does. */
 export async function open(address, { scheme = "light", first, width = 1366 } = {}) {
   const context = await browser.newContext({ colorScheme: scheme, viewport: { width, height: 850 }, offline: true });
+  context.setDefaultTimeout(patience);
   const page = await context.newPage();
   if (first) await page.addInitScript(first);
   page.on("console", (m) => { if (m.type() === "error") errors.push(m.text()); });

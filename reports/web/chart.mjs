@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Built by build.mjs, not written by hand. Sources: 8a39b3c7d9088361d6ad96258a9ddc8aa396ddb9aac31ee557693091c239b2af
+// Built by build.mjs, not written by hand. Sources: 6ed7e90f39eb94e1e81a22c4577f2bc45e51dd84c440ea47e24442009e24769d
 /* It holds
 
 @observablehq/plot 0.6.17:

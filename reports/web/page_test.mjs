@@ -4,7 +4,6 @@
 //     node page_test.mjs                          a made-up night
 //     node page_test.mjs --shots FOLDER [PAGE]    only pictures of every section, light and dark
 //     node page_test.mjs --times FINDINGS         how long such a night takes to open and to filter
-// Exit status 77, and why, where there is no browser or no playwright-core.
 import assert from "node:assert/strict";
 import { mkdirSync, writeFileSync } from "node:fs";
 import { join, resolve } from "node:path";

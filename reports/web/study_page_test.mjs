@@ -2,7 +2,6 @@
 // A reader of the page of a scene: opens it from disk in a browser without network, filters, sorts, picks pairs in the
 // table and in the picture, switches configurations and ghosts.
 //     node study_page_test.mjs PAGE.html          of corpus/scenes/twenty.urdf, with --verify
-// Exit status 77, and why, where there is no browser or no playwright-core.
 import assert from "node:assert/strict";
 import { readFileSync, writeFileSync } from "node:fs";
 import { join, resolve } from "node:path";
