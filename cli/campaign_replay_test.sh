@@ -71,11 +71,11 @@ holds 'its families' out '^  random '
 
 "$daylight" campaign --for 1h --seed 7 --cases '' --methods intersect --out runs/stopped >out 2>err &
 campaign=$!
-for _ in {1..100}; do
-  [[ -L runs/latest && $(readlink runs/latest) == stopped ]] && break
+stored() { python3 -c 'import sqlite3, sys; print(sqlite3.connect(sys.argv[1]).execute("SELECT next FROM progress").fetchone()[0])' runs/stopped/run.sqlite 2>/dev/null || echo 0; }
+for _ in {1..6000}; do
+  [[ $(stored) != 0 ]] && break
   sleep 0.1
 done
-sleep 1
 kill -INT "$campaign"
 code=0
 wait "$campaign" || code=$?

@@ -78,10 +78,16 @@ if script -qec true /dev/null >/dev/null 2>&1; then # a pseudo-terminal can be h
   printf '#!/bin/sh\nexit 100\n' >"$scratch/no packages/sudo"
   chmod +x "$scratch/no packages/"*
   code=0
-  (printf 'y\n'; sleep 1) | PATH="$scratch/no packages:$PATH" script -qec "'$home/daylight'" /dev/null >"$scratch/out" || code=$?
+  { printf 'y\n'; until [[ -e $scratch/answered ]]; do sleep 0.1; done; } | { # its terminal stays open
+    PATH="$scratch/no packages:$PATH" script -qec "'$home/daylight'" /dev/null >"$scratch/out" || code=$?
+    touch "$scratch/answered"
+    exit "$code"
+  } || code=$?
   expect 'a failed installation: exit code' 1 "$code"
   expect 'a failed installation is told' yes "$([[ $(<"$scratch/out") == *'failed: sudo'* ]] && echo yes)"
   expect 'a failed installation: nothing is built' no "$([[ -e $home/build/release ]] && echo yes || echo no)"
+else
+  "$(dirname -- "$launcher")/.ci/skip" 'a terminal: apt-get install bsdutils' || [[ $? == 77 ]]
 fi
 
 # Two first builds at once, one through a link.
@@ -114,8 +120,40 @@ launch env PATH="$scratch/no packages:$PATH" "$home/daylight" fuzz --target none
 expect 'fuzz: an unknown target is left to the command' 3 "$code"
 expect 'fuzz: an unknown target: nothing is built' no "$([[ -e $home/build/clang ]] && echo yes || echo no)"
 
-launch "$home/daylight" test
+# What tests need is installed for `test` alone: Node.js and npm only where there are none, what npm brings only once. Who
+# cannot install it is told how, and the tests that do without run.
+few=$scratch/few # every program but these two
+mkdir "$few"
+ln -s /usr/sbin/* /usr/bin/* "$few" 2>/dev/null || true
+ln -sf "$(command -v cmake)" "$(command -v ninja)" "$few"
+rm -f "$few/node" "$few/npm"
+mkdir "$scratch/stubs" "$scratch/npm"
+cat >"$scratch/stubs/dpkg-query" <<'SH'
+#!/bin/sh
+shift 2
+for package; do [ "$package" = chromium ] || [ "$package" = nodejs ] || [ "$package" = npm ] || echo "installed $package"; done
+SH
+printf '#!/bin/sh\necho 1000\n' >"$scratch/stubs/id"
+cat >"$scratch/npm/npm" <<SH
+#!/bin/sh
+echo "\${PWD##*/} \$*" >>"$scratch/npm said"
+mkdir -p node_modules
+touch node_modules/.package-lock.json
+SH
+cp "$scratch/npm/npm" "$scratch/npm/node"
+chmod +x "$scratch/stubs/"* "$scratch/npm/"*
+mkdir -p "$home/reports/page"
+touch "$home/reports/page/package-lock.json"
+launch env PATH="$scratch/stubs:$few" "$home/daylight" test --install-only
+expect 'test --install-only: exit code' 0 "$code"
+expect 'test: what it lacks is told' yes "$([[ $err == *'--no-install-recommends chromium nodejs npm'* ]] && echo yes)"
+expect 'test: that tests are skipped is told' yes "$([[ $err == *'will be skipped'* ]] && echo yes)"
+launch env PATH="$scratch/stubs:$scratch/npm:$few" "$home/daylight" test
+expect 'test: not where there are Node.js and npm' yes "$([[ $err == *"--no-install-recommends chromium'"* ]] && echo yes)"
 expect 'test: exit code' 0 "$code"
+launch env PATH="$scratch/stubs:$scratch/npm:$few" "$home/daylight" test --install-only
+expect 'test: npm was asked once' 'page ci' "$(<"$scratch/npm said")"
+launch env PATH="$scratch/stubs:$scratch/npm:$few" "$home/daylight" test
 expect 'test: the last lines are those of ctest' yes "$([[ $out == *'100% tests passed'*'Total Test time'* ]] && echo yes)"
 
 echo 'this is no C++' >>"$home/main.cpp"

@@ -251,26 +251,34 @@ TEST_F(Store, DoesNotGrowWithTheNumberOfPairs) {
 
 TEST_F(Store, AKilledWriterLeavesAConsistentPrefix) {
   RunStore::create(folder, {});
+  std::uint64_t before = 0;
   for (std::uint64_t round = 0; round < 5; ++round) {
+    int stored[2];
+    ASSERT_EQ(pipe(stored), 0);
     const pid_t child = fork();
     if (child == 0) {
       RunStore store = RunStore::open(folder);
       for (std::uint64_t first = store.progress().next;; first += 10) {
         store.commit(batch_of(first, first + 10, [](auto i) { return 1.0 / double(i + 1); }), 1);
+        if (write(stored[1], "", 1) != 1) _exit(1);
       }
     }
-    usleep(static_cast<useconds_t>(1000 + scatter(round) % 20000));
+    close(stored[1]);
+    char byte;
+    ASSERT_EQ(read(stored[0], &byte, 1), 1);
+    usleep(static_cast<useconds_t>(scatter(round) % 20000));
     kill(child, SIGKILL);
     waitpid(child, nullptr, 0);
+    close(stored[0]);
     const RunStore store = RunStore::open(folder);
     const std::uint64_t next = store.progress().next;
     ASSERT_EQ(next % 10, 0u);
-    if (next == 0) continue;
+    ASSERT_GT(next, before);
+    before = next;
     EXPECT_EQ(store.tallies()[0].counts.asked, next);
     EXPECT_EQ(store.groups()[0].count, next);
     EXPECT_EQ(store.findings().size(), std::min<std::uint64_t>(next, representatives_cap));
   }
-  EXPECT_GT(RunStore::open(folder).progress().next, 0u);
 }
 
 }  // namespace

@@ -29,7 +29,7 @@ for guide in "$guides"/*.md; do
   ls [0-9]*.sh >/dev/null || { echo "$guide has no commands"; exit 1; }
   for block in [0-9]*.sh; do
     got=0
-    timeout 300 bash -Ec 'trap "code=\$?; ((code == 2)) || exit \$code" ERR; source "./$1"' guide "$block" >out 2>err || got=$?
+    timeout 1200 bash -Ec 'trap "code=\$?; ((code == 2)) || exit \$code" ERR; source "./$1"' guide "$block" >out 2>err || got=$?
     [[ $got == "$(cat "${block%.sh}.code")" ]] || { echo "$guide, block $block: exit code $got"; cat "$block"; tail -n 40 out err; exit 1; }
     cp out "${block%.sh}.out"
   done

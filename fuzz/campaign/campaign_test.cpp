@@ -14,10 +14,11 @@
 #include <sstream>
 #include <stdexcept>
 
-#include "fuzz/campaign/merge.hpp"
-#include "oracles/methods/contained.hpp"
-#include "oracles/trial/compare.hpp"
 #include "oracles/trial/finding_text.hpp"
+#include "fuzz/killed_test.hpp"
+#include "fuzz/campaign/merge.hpp"
+#include "oracles/trial/compare.hpp"
+#include "oracles/methods/contained.hpp"
 
 namespace cyl {
 namespace {
@@ -229,7 +230,7 @@ TEST_F(Campaign, AShorterRunIsAPrefixOfALonger) {
 
 TEST_F(Campaign, ABudgetEndsARunThatHasNoOtherLimit) {
   CampaignOptions o = options("run", 0);
-  o.budget = std::chrono::milliseconds(200);
+  o.budget = std::chrono::seconds(1);
   const CampaignSummary summary = run_campaign(o, subjects());
   EXPECT_EQ(summary.harness_failure, "");
   EXPECT_FALSE(summary.interrupted);
@@ -320,25 +321,19 @@ TEST_F(Shards, TogetherAreWhatOneRunIs) {
 TEST_F(Shards, KilledAtAnyMomentAndResumedTheyAreStillOneRun) {
   const std::uint64_t pairs = 200 * batch_size + 7;
   run_campaign(options("whole", pairs), subjects());
-  int kills = 0;
+  unsigned kills = 0;
   for (std::uint64_t i = 0; i < 3; ++i) {
     CampaignOptions o = shard_options(i, 3, pairs);
-    for (std::uint64_t round = 0; round < 200; ++round) {
+    const auto goes_on = [&](const auto& on_progress) {
       o.resume = holds_run(o.out);
-      const pid_t child = fork();
-      if (child == 0) {
-        run_campaign(o, subjects());
-        _exit(0);
-      }
-      usleep(static_cast<useconds_t>(5000 + mix(round + 100 * i) % 30000 + 1000 * round));
-      kill(child, SIGKILL);
-      int status = 0;
-      waitpid(child, &status, 0);
-      if (WIFEXITED(status)) break;
+      run_campaign(o, subjects(), on_progress);
+      return 0;
+    };
+    while (WIFSIGNALED(end_on_its_way(goes_on, SIGKILL, static_cast<useconds_t>(mix(i + 3 * kills) % 30000),
+                                      10 * batch_size)))
       ++kills;
-    }
   }
-  EXPECT_GE(kills, 3);
+  EXPECT_GE(kills, 3 * 6u) << "ten batches of each shard's 67 at a time";
   EXPECT_TRUE(merge_runs(folders(3), folder / "merged").incomplete.empty());
   EXPECT_EQ(sorted_content(store("merged")), sorted_content(store("whole")));
 }
@@ -436,31 +431,24 @@ TEST_F(Campaign, ItsStoreSaysHowItEnded) {
   o.resume = true;
   run_campaign(o, subjects());
   EXPECT_EQ(status(), status_complete);
-  const pid_t child = fork();
-  if (child == 0) {
-    o.pairs = 0;
-    o.budget = std::chrono::hours(1);
-    run_campaign(o, subjects());
-    _exit(0);
-  }
-  usleep(400000);
-  kill(child, SIGKILL);
-  waitpid(child, nullptr, 0);
+  o.pairs = 0;
+  o.budget = std::chrono::hours(1);
+  const auto goes_on = [&](const auto& on_progress) {
+    run_campaign(o, subjects(), on_progress);
+    return 0;
+  };
+  EXPECT_TRUE(WIFSIGNALED(end_on_its_way(goes_on, SIGKILL)));
   EXPECT_EQ(status(), status_running);
 }
 
 TEST_F(Campaign, ASignalStopsItAndKeepsWhatIsComplete) {
-  const pid_t child = fork();
-  if (child == 0) {
-    CampaignOptions o = options("run", 0);
-    o.budget = std::chrono::hours(1);
-    const CampaignSummary summary = run_campaign(o, subjects());
-    _exit(summary.interrupted && summary.harness_failure.empty() ? 42 : 1);
-  }
-  usleep(400000);
-  kill(child, SIGINT);
-  int status = 0;
-  waitpid(child, &status, 0);
+  CampaignOptions o = options("run", 0);
+  o.budget = std::chrono::hours(1);
+  const auto begins = [&](const auto& on_progress) {
+    const CampaignSummary summary = run_campaign(o, subjects(), on_progress);
+    return summary.interrupted && summary.harness_failure.empty() ? 42 : 1;
+  };
+  const int status = end_on_its_way(begins, SIGINT);
   ASSERT_TRUE(WIFEXITED(status));
   EXPECT_EQ(WEXITSTATUS(status), 42);
   EXPECT_GT(store("run").progress().next, 0u);

@@ -4,7 +4,7 @@
 #     fuzz/campaign/night_test.sh DAYLIGHT SECONDS INTERVAL [SUMMARY]
 # Two campaigns of the same pairs, about SECONDS of work, run side by side on half of the processors each. One is left
 # alone, and its memory watched; the other, with all its workers, is killed INTERVAL seconds after each start, or when it
-# has stored something since, whichever is later, and gone on with. The figures go to standard output and to the file
+# has stored something since, whichever is later (the first time as soon as it has), and gone on with. The figures go to standard output and to the file
 # SUMMARY.
 set -euo pipefail
 
@@ -64,7 +64,7 @@ run+=(--pairs "$pairs")
 alone=$!
 
 killed_and_resumed() {
-  local kills=0 stored='0 0' waited code pid
+  local kills=0 stored='0 0' started code pid
   while true; do
     if [[ -e killed/run.sqlite ]]; then
       stored=$(done_of killed)
@@ -73,10 +73,9 @@ killed_and_resumed() {
       "$daylight" campaign "${run[@]}" --jobs "$jobs" --out killed >killed.log 2>&1 &
     fi
     pid=$!
-    waited=0
-    while kill -0 "$pid" 2>/dev/null && { ((waited < interval)) || [[ $(done_of killed) == "$stored" ]]; }; do
-      sleep 1
-      waited=$((waited + 1))
+    started=$SECONDS
+    while kill -0 "$pid" 2>/dev/null && { ((kills > 0 && SECONDS - started < interval)) || [[ $(done_of killed) == "$stored" ]]; }; do
+      sleep 0.1
     done
     if kill -0 "$pid" 2>/dev/null; then
       kill_tree "$pid"

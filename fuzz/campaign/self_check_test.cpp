@@ -11,6 +11,7 @@
 #include <set>
 
 #include "fuzz/campaign/campaign.hpp"
+#include "fuzz/killed_test.hpp"
 #include "fuzz/campaign/merge.hpp"
 
 namespace cyl {
@@ -272,22 +273,14 @@ TEST_F(Night, KilledAtAnyMomentAndResumedItHasTheSameAlarms) {
   fs::create_directories(folder / "b");  // not beside each other: neither learns
   const CampaignSummary whole = run(options("a/whole", 8 * own_batch_size));
   CampaignOptions o = options("b/killed", 8 * own_batch_size);
-  int kills = 0;
-  for (unsigned round = 0; round < 200; ++round) {
+  const auto goes_on = [&](const auto& on_progress) {
     o.resume = holds_run(o.out);
-    const pid_t child = fork();
-    if (child == 0) {
-      run(o);
-      _exit(0);
-    }
-    usleep(20000 + 5000 * round);
-    kill(child, SIGKILL);
-    int status = 0;
-    waitpid(child, &status, 0);
-    if (WIFEXITED(status)) break;
-    ++kills;
-  }
-  EXPECT_GE(kills, 3);
+    run_campaign(o, {methods, only_family, {}}, on_progress);
+    return 0;
+  };
+  unsigned kills = 0;
+  while (WIFSIGNALED(end_on_its_way(goes_on, SIGKILL, 10000 * kills, 2 * own_batch_size))) ++kills;
+  EXPECT_GE(kills, 3u) << "two batches of the eight at a time";
   EXPECT_EQ(alarms("b/killed"), alarms("a/whole"));
   EXPECT_EQ(alarms("a/whole").size(), 11u);
 }

@@ -9,6 +9,7 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <functional>
 #include <iterator>
 #include <string>
 
@@ -51,7 +52,7 @@ class Fuzzing : public testing::Test {
     options_.program = folder_ / "engine";
     options_.target = "fuzz_fake";
     options_.out = folder_ / "run";
-    options_.budget = milliseconds(1000);
+    options_.budget = std::chrono::minutes(10);  // for what never comes
     options_.exchange_interval = milliseconds(200);
     options_.seed = 1;
     const Record record = encode_record(pair);
@@ -71,6 +72,16 @@ class Fuzzing : public testing::Test {
     std::ofstream(options_.program) << engine << life;
     fs::permissions(options_.program, fs::perms::owner_all);
   }
+  /// Fuzzes, and interrupts it once what shall be seen is seen.
+  FuzzSummary fuzz_until(const std::function<bool(const FuzzProgress&)>& seen) {
+    return run_fuzzing(options_, [&](const FuzzProgress& progress) {
+      if (seen(progress)) raise(SIGINT);
+    });
+  }
+  /// Whether a worker has an input.
+  bool has(unsigned worker, const char* input) const {
+    return fs::exists(fs::path(options_.out) / ("worker-" + std::to_string(worker)) / "corpus" / input);
+  }
   std::string text(const fs::path& file) {
     std::ifstream in(file);
     return {std::istreambuf_iterator<char>(in), {}};
@@ -84,7 +95,10 @@ TEST_F(Fuzzing, UnitesWhatWorkersSee) {
   live(
       "cp $here/visited-$((3 + worker)) $DAYLIGHT_FUZZ_OUT/visited; cp $here/record $corpus/input-$worker; "
       "live");
-  const FuzzSummary summary = run_fuzzing(options_);
+  const FuzzSummary summary = fuzz_until([&](const FuzzProgress& progress) {
+    return progress.workers[0].features == 12 && progress.workers[1].features == 12 && has(1, "input-2") &&
+           has(2, "input-1");
+  });
   EXPECT_EQ(summary.harness_failure, "");
   ASSERT_EQ(summary.progress.workers.size(), 2u);
   EXPECT_EQ(summary.progress.workers[0].executions, 74u);
@@ -94,9 +108,8 @@ TEST_F(Fuzzing, UnitesWhatWorkersSee) {
   EXPECT_EQ(summary.progress.strata, 2u);
   EXPECT_EQ(summary.never_visited.size(), summary.possible_strata - 2);
   EXPECT_EQ(std::count(summary.never_visited.begin(), summary.never_visited.end(), to_string(cap_cap)), 0);
-  for (const char* worker : {"worker-1", "worker-2"})  // each has the other's, and both are merged
-    for (const char* input : {"input-1", "input-2"})
-      EXPECT_TRUE(fs::exists(fs::path(options_.out) / worker / "corpus" / input)) << worker << input;
+  for (const unsigned worker : {1u, 2u})  // each has the other's, and both are merged
+    for (const char* input : {"input-1", "input-2"}) EXPECT_TRUE(has(worker, input)) << worker << input;
   EXPECT_TRUE(fs::exists(fs::path(options_.out) / "corpus" / "input-1"));
   EXPECT_EQ(summary.kept_inputs, 3u);  // and the zeros they began with
   EXPECT_EQ(exit_code(summary), 0);
@@ -109,7 +122,7 @@ TEST_F(Fuzzing, KeepsFindingsOncePerBucket) {
   std::ofstream(folder_ / "line") << format_case(c) << '\n';
   live("cp $here/line $DAYLIGHT_FUZZ_OUT/findings.jsonl; live");
   for (int run = 0; run < 2; ++run) {  // the second knows it from the first
-    const FuzzSummary summary = run_fuzzing(options_);
+    const FuzzSummary summary = fuzz_until([](const FuzzProgress& p) { return p.findings == 1; });
     ASSERT_EQ(summary.findings.size(), 1u);
     EXPECT_EQ(summary.findings[0], format_case(c));
     EXPECT_EQ(exit_code(summary), 2);
@@ -122,7 +135,8 @@ TEST_F(Fuzzing, ADeathIsAFindingAndTheWorkerStartsAgain) {
   live(
       "[[ -e $here/died ]] && live\ntouch $here/died; cp $here/record ${prefix}crash-1\n"
       "echo 'SUMMARY: AddressSanitizer: stack-buffer-overflow a.cpp:3 in f'; exit 77");
-  const FuzzSummary summary = run_fuzzing(options_);
+  const FuzzSummary summary =
+      fuzz_until([](const FuzzProgress& progress) { return progress.workers[0].features == 12; });
   EXPECT_EQ(summary.harness_failure, "");
   EXPECT_EQ(summary.progress.workers[0].deaths, 1u);
   ASSERT_EQ(summary.findings.size(), 1u);
@@ -150,15 +164,23 @@ TEST_F(Fuzzing, AMergeThatFailsLeavesTheCorpora) {
   std::string script = text(options_.program);
   script.replace(script.find("cp \"$folder\"/*"), 1, "exit 3; c");
   std::ofstream(options_.program) << script;
-  const FuzzSummary summary = run_fuzzing(options_);
+  const FuzzSummary summary = fuzz_until([&](const FuzzProgress&) { return has(1, "input-1"); });
   EXPECT_NE(summary.harness_failure.find("exit code 3"), std::string::npos) << summary.harness_failure;
-  EXPECT_TRUE(fs::exists(fs::path(options_.out) / "worker-1" / "corpus" / "input-1"));
+  EXPECT_TRUE(has(1, "input-1"));
+}
+
+TEST_F(Fuzzing, EndsWithItsTime) {
+  live("live");
+  options_.budget = milliseconds(200);
+  const FuzzSummary summary = run_fuzzing(options_);
+  EXPECT_FALSE(summary.interrupted);
+  EXPECT_EQ(summary.harness_failure, "");
+  EXPECT_EQ(summary.kept_inputs, 1u) << "the zeros they began with";
 }
 
 TEST_F(Fuzzing, EndsInOrderWhenAsked) {
   live("cp $here/record $corpus/input-$worker; live");
-  options_.budget = std::chrono::hours(1);
-  const FuzzSummary summary = run_fuzzing(options_, [](const FuzzProgress&) { raise(SIGINT); });
+  const FuzzSummary summary = fuzz_until([&](const FuzzProgress&) { return has(1, "input-1"); });
   EXPECT_TRUE(summary.interrupted);
   EXPECT_EQ(summary.harness_failure, "");
   EXPECT_TRUE(fs::exists(fs::path(options_.out) / "corpus" / "input-1"));

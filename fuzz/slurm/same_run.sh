@@ -23,14 +23,17 @@ same_run() {
   return "${PIPESTATUS[0]}"
 }
 
-# kill_shard OUT I : waits until shard I in OUT has stored something, then kills it.
+# kill_shard OUT I : waits until shard I in OUT has stored something, then kills it. It stands still while its store is
+# looked at, so that it cannot end meanwhile.
 kill_shard() {
   local pid
-  for _ in {1..300}; do
-    if pid=$(pgrep -o -f -- "--resume $1/shard-$2 ") &&
-      [[ $(python3 -c 'import sqlite3, sys; print(sqlite3.connect(sys.argv[1]).execute("SELECT next FROM progress").fetchone()[0])' "$1/shard-$2/run.sqlite") != 0 ]]; then
-      kill -KILL "$pid"
-      return
+  for _ in {1..12000}; do # ten minutes and more
+    if pid=$(pgrep -o -f -- "--resume $1/shard-$2 ") && kill -STOP "$pid" 2>/dev/null; then
+      if [[ $(python3 -c 'import sqlite3, sys; print(sqlite3.connect(sys.argv[1]).execute("SELECT next FROM progress").fetchone()[0])' "$1/shard-$2/run.sqlite") != 0 ]]; then
+        kill -KILL "$pid"
+        return
+      fi
+      kill -CONT "$pid"
     fi
     sleep 0.05
   done

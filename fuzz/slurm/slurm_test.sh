@@ -64,6 +64,8 @@ SelectTypeParameters=CR_Core
 SchedulerType=sched/builtin
 MpiDefault=none
 ReturnToService=2
+MessageTimeout=100
+BatchStartTimeout=300
 NodeName=n1 NodeHostname=$host NodeAddr=127.0.0.1 Port=$one CPUs=1 State=UNKNOWN
 NodeName=n2 NodeHostname=$host NodeAddr=127.0.0.1 Port=$two CPUs=1 State=UNKNOWN
 PartitionName=night Nodes=n1,n2 Default=YES MaxTime=INFINITE State=UP
@@ -76,11 +78,11 @@ munged --force --key-file="$scratch/munge/key" --socket="$scratch/munge/sock" --
 slurmctld -f "$SLURM_CONF"
 slurmd -N n1 -f "$SLURM_CONF"
 slurmd -N n2 -f "$SLURM_CONF"
-# until_true NAME COMMAND.. : within three minutes.
+# until_true NAME COMMAND.. : within a quarter of an hour.
 until_true() {
   local name=$1
   shift
-  for _ in {1..900}; do
+  for _ in {1..4500}; do
     if "$@"; then return; fi
     sleep 0.2
   done

@@ -182,7 +182,7 @@ TEST(GuestCommand, NothingOfItOutlivesTheWorker) {
   std::ifstream in(file);
   int processes = 0;
   for (pid_t process; in >> process; ++processes) {
-    for (int i = 0; i < 500 && kill(-process, 0) == 0; ++i) std::this_thread::sleep_for(milliseconds(10));
+    for (int i = 0; i < 6000 && kill(-process, 0) == 0; ++i) std::this_thread::sleep_for(milliseconds(10));
     EXPECT_NE(kill(-process, 0), 0) << process;
   }
   EXPECT_EQ(processes, 3);

@@ -32,7 +32,7 @@ std::string written(const Scene& scene, const SceneQuestion& q) {
 }
 
 TEST(SceneJson, KeepsToItsSchema) {
-  if (schema_python().empty()) GTEST_SKIP() << "no jsonschema here (Debian: python3-jsonschema)";
+  if (schema_python().empty()) SKIP_WITHOUT("python3-jsonschema");
   const std::string document = written(crane(), question("crane.urdf"));
   EXPECT_TRUE(keeps_to("scene.json", document)) << document;
   EXPECT_TRUE(keeps_to("scene.json", written(still_scene({{"alone", {}}}), question("alone.csv"))));

@@ -27,6 +27,14 @@ class ScratchFile {
   const std::filesystem::path path;
 };
 
+/// Ends a test for want of a Debian package: skipped, but failed where CI=true.
+#define SKIP_WITHOUT(package)                                                         \
+  do {                                                                                \
+    if (const char* ci = std::getenv("CI"); ci && ci == std::string("true"))          \
+      FAIL() << "with CI=true nothing may be skipped: apt-get install " << (package); \
+    GTEST_SKIP() << "apt-get install " << (package);                                  \
+  } while (false)
+
 /// Whether a shell command succeeds, its own words kept off the terminal.
 inline bool succeeds(const std::string& command) {
   return std::system(("(" + command + ") >/dev/null 2>&1").c_str()) == 0;

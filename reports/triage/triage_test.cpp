@@ -82,7 +82,7 @@ struct Folder {
   }
 };
 
-Triage triage(const std::string& folder, std::chrono::milliseconds budget = std::chrono::seconds(60)) {
+Triage triage(const std::string& folder, std::chrono::milliseconds budget = std::chrono::minutes(10)) {
   TriageOptions options;
   options.folder = folder;
   options.budget = budget;
