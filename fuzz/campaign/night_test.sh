@@ -40,10 +40,6 @@ jobs=$((($(nproc) + 1) / 2))
 run=(--seed 20261122 --methods=-nlopt --cases cases)
 [[ -x $(dirname -- "$daylight")/daylight-mutants ]] && run+=(--alarm)
 
-# done_of RUN : "indices milliseconds" that its store holds.
-done_of() {
-  python3 -c 'import sqlite3, sys; print(*sqlite3.connect(sys.argv[1]).execute("SELECT next, milliseconds FROM progress").fetchone())' "$1/run.sqlite"
-}
 # went_well CODE RUN : findings, and truths that nobody can prove, are no failure here.
 went_well() {
   [[ $1 == 0 || $1 == 2 || $1 == 3 ]] && return
@@ -74,7 +70,7 @@ killed_and_resumed() {
     fi
     pid=$!
     started=$SECONDS
-    while kill -0 "$pid" 2>/dev/null && { ((kills > 0 && SECONDS - started < interval)) || [[ $(done_of killed) == "$stored" ]]; }; do
+    while kill -0 "$pid" 2>/dev/null && { ((kills > 0 && SECONDS - started < interval)) || [[ $(done_of killed 2>/dev/null || echo "$stored") == "$stored" ]]; }; do
       sleep 0.1
     done
     if kill -0 "$pid" 2>/dev/null; then

@@ -23,13 +23,19 @@ same_run() {
   return "${PIPESTATUS[0]}"
 }
 
+# done_of RUN : "indices milliseconds" that its store holds.
+done_of() {
+  python3 -c 'import sqlite3, sys
+print(*sqlite3.connect(f"file:{sys.argv[1]}/run.sqlite?mode=rw", uri=True).execute("SELECT next, milliseconds FROM progress").fetchone())' "$1"
+}
+
 # kill_shard OUT I : waits until shard I in OUT has stored something, then kills it. It stands still while its store is
 # looked at, so that it cannot end meanwhile.
 kill_shard() {
-  local pid
+  local pid stored
   for _ in {1..12000}; do # ten minutes and more
     if pid=$(pgrep -o -f -- "--resume $1/shard-$2 ") && kill -STOP "$pid" 2>/dev/null; then
-      if [[ $(python3 -c 'import sqlite3, sys; print(sqlite3.connect(sys.argv[1]).execute("SELECT next FROM progress").fetchone()[0])' "$1/shard-$2/run.sqlite") != 0 ]]; then
+      if stored=$(done_of "$1/shard-$2" 2>/dev/null) && [[ $stored != '0 '* ]]; then
         kill -KILL "$pid"
         return
       fi
