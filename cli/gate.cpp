@@ -5,7 +5,6 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <chrono>
 #include <cstdio>
 #include <memory>
 #include <optional>
@@ -42,18 +41,18 @@ namespace cyl {
 namespace {
 
 struct Arguments {
-  std::string budget, methods, junit, sarif, json, against, keep, reproduce;
+  std::string cap, methods, junit, sarif, json, against, keep, reproduce;
   std::optional<std::string> cases, suppressions;
-  std::optional<std::uint64_t> seed;
+  std::optional<std::uint64_t> seed, pairs;
   bool github = false, laws = false;
   GuestOptions guests;
 };
 
 constexpr const char* our_methods = "intersect,decide,distance,exact";
 
-/// One planted fault for so much of the budget, at most so many: a second or two each.
-constexpr std::chrono::seconds smoke_interval{8};
-constexpr unsigned smoke_cap = 5;
+/// One planted fault for so many pairs, at most so many faults: a second or two each, of the eight that so many
+/// pairs take.
+constexpr std::uint64_t smoke_interval = 50'000, smoke_cap = 5;
 
 void print_laws() {
   for (const Law& law : all_laws())
@@ -82,7 +81,7 @@ int reproduce(const Arguments& arguments, std::span<const std::unique_ptr<Method
   bool broken = false;
   for (const Catch& c : hunt_again(methods, all, arguments.reproduce, GateOptions{}.caps).caught) {
     fmt::print("{} breaks law {}, {} ({}): {}\n  {}\n", methods[c.method]->name(), c.law->number, c.law->name,
-               to_string(c.broken.severity), c.broken.what, format_pair(c.pair));
+               to_string(c.broken.severity), c.broken.what, format_pair(c.shrunk.value_or(c.pair)));
     broken |= c.broken.severity == Severity::contract;
   }
   if (!broken) fmt::print("no law is broken beyond a claim\n");
@@ -116,14 +115,15 @@ int gate(const Arguments& arguments) {
   if (!arguments.reproduce.empty()) return reproduce(arguments, methods);
   GateOptions options;
   options.seed = arguments.seed.value_or(options.seed);
-  if (!arguments.budget.empty()) options.budget = parse_duration(arguments.budget);
-  const std::string folder = arguments.cases ? *arguments.cases : in_source_tree("corpus/cases");
+  options.pairs = arguments.pairs.value_or(options.pairs);
+  if (!arguments.cap.empty()) options.cap = parse_duration(arguments.cap);
+  const std::string folder = arguments.cases ? *arguments.cases : in_source_tree("corpus");
   const std::vector<Case> cases = folder.empty() ? std::vector<Case>{} : read_case_folder(folder);
   GateBase base;
   if (!arguments.against.empty()) {
     base = read_base(arguments.against);
     options.seed = base.seed;
-    options.budget = base.budget;
+    options.pairs = base.pairs;
     options.amount = base.amount;
   }
   const std::vector<Suppression> suppressions =
@@ -136,12 +136,12 @@ int gate(const Arguments& arguments) {
     ProgressLine line;
     report = run_gate(methods, cases, options, [&](const GateProgress& p) {
       if (!line.due(p.elapsed)) return;
-      line.show(p.elapsed,
-                static_cast<double>(p.elapsed.count()) / static_cast<double>(options.budget.count()),
+      line.show(p.elapsed, p.share,
                 fmt::format("{}: {} pairs; {} ways to fail", to_string(p.phase), p.pairs, p.failures));
     });
   }
   mark_known(report, base);
+  note_gaps(report, base);
   mark_suppressed(report, methods, suppressions, today());
   std::size_t stale = 0;
   std::vector<std::string> remarks;
@@ -155,7 +155,7 @@ int gate(const Arguments& arguments) {
     for (GateFailure& failure : report.failures)
       if (failure.method == guest.name) failure.options = options_for(guest);
   const Smoke smoke =
-      smoke_mutants(std::clamp(static_cast<unsigned>(options.budget / smoke_interval), 1u, smoke_cap));
+      smoke_mutants(static_cast<unsigned>(std::clamp<std::uint64_t>(options.pairs / smoke_interval, 1, smoke_cap)));
   if (!arguments.junit.empty()) write_file(arguments.junit, gate_junit(report));
   if (!arguments.sarif.empty())
     write_file(arguments.sarif, gate_sarif(report, build_info().version, !arguments.against.empty()));
@@ -179,13 +179,20 @@ void add_gate(CLI::App& app, int& exit_code) {
   CLI::App* command = app.add_subcommand(
       "gate", "Merge gate: every case, every law, a sample of every stratum; one exit code");
   auto arguments = std::make_shared<Arguments>();
-  command->add_option("--for", arguments->budget, "wall time, like 40s or 5m; 40s where not given");
+  add_unsigned(*command, "--pairs", arguments->pairs,
+               fmt::format("pairs to draw, beside the cases, in whole rounds of the laws and of the strata; {} "
+                           "where not given",
+                           gate_pairs),
+               1);
+  command->add_option("--for", arguments->cap,
+                      "a cap on wall time, like 40s or 5m, none where not given; what is not asked for it is "
+                      "said, and fails the gate with exit code 3");
   command->add_option(
       "--method", arguments->methods,
       "a,b: who is to pass; a name stands for all that begin with it; where not given, the guests or, "
       "without any, ours");
   add_guest_options(*command, arguments->guests);
-  add_unsigned(*command, "--seed", arguments->seed, "same seed, same pairs in the same order");
+  add_unsigned(*command, "--seed", arguments->seed, "same seed and number of pairs, same pairs in the same order");
   command->add_option("--cases", arguments->cases,
                       "folder of case files; corpus/cases/ where not given; '' for none");
   command->add_option("--junit", arguments->junit, "write a JUnit file");
@@ -194,9 +201,9 @@ void add_gate(CLI::App& app, int& exit_code) {
   command->add_flag("--github", arguments->github, "print annotations for GitHub's log");
   command
       ->add_option("--against", arguments->against,
-                   "JSON of an earlier gate: asks the same pairs, and only what it does not have fails, or "
+                   "JSON of an earlier gate: asks all its pairs, and only what it does not have fails, or "
                    "had on fewer pairs")
-      ->excludes("--for")
+      ->excludes("--pairs")
       ->excludes("--seed");
   command->add_option("--suppressions", arguments->suppressions,
                       "file of known causes that do not fail; suppressions.jsonl where not given");
@@ -208,7 +215,8 @@ void add_gate(CLI::App& app, int& exit_code) {
       "Example:\n  daylight gate --method fcl --junit gate.xml\n"
       "Exit code: 0 nothing beyond a claim, 2 broken laws, refuted verdicts, crashes or hangs, or a "
       "suppression "
-      "that\nmatches no stored case, 3 none of those, but undecided truth or a method that abstains, 1 the "
+      "that\nmatches no stored case, 3 none of those, but undecided truth, a method that abstains, or "
+      "pairs not asked, 1 the "
       "harness failed, 64 usage.");
   command->callback([arguments, &exit_code] { exit_code = gate(*arguments); });
 }

@@ -5,12 +5,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
+#include <cstring>
 #include <map>
 #include <set>
 #include <tuple>
 #include <utility>
 
+#include "base/fnv.hpp"
 #include "corpus/pairs/strata.hpp"
 #include "oracles/trial/bucket.hpp"
 #include "oracles/trial/contact.hpp"
@@ -25,10 +26,12 @@ using std::chrono::milliseconds;
 
 /// Cases asked together.
 constexpr std::size_t cases_at_once = 32;
-/// Draws of one round of the hunt: as often the clock is looked at.
+/// Draws of one round of the hunt.
 constexpr int draws_per_round = 4;
 /// Pairs of one cell in one round of the sample.
 constexpr std::uint64_t pairs_per_cell = 4;
+/// A pair under all laws takes as long as so many of the sample: both phases are to take about as long.
+constexpr std::uint64_t law_price = 50;
 /// Enclosing a distance takes a hundred times as long as proving a verdict: that law is held in one round of
 /// so many.
 constexpr std::uint64_t distance_share = 8;
@@ -38,12 +41,14 @@ constexpr int distance_law = 33;
 constexpr unsigned rerun_count = 10;
 /// Questions of the shrinker about one failure. Beyond them it stays as simple as it is.
 constexpr std::size_t simplify_cap = 1200;
+/// Questions about all failures, those of running again included: enough for a few in the smallest gate, and one
+/// for so many pairs drawn.
+constexpr std::uint64_t least_questions = 4 * simplify_cap, pairs_per_question = 10;
+/// A hang is paid for as so many questions: it takes half a second, they take some tenths of a millisecond each.
+constexpr std::uint64_t hang_price = 1000;
 
-/// Shares of the budget, the corpus not counted: what is left is for shrinking and running again.
-constexpr double laws_share = 0.4, sample_share = 0.4;
-
-/// Of the budget: a method that has hung longer is not asked any more.
-constexpr double hang_share = 0.25;
+/// A method that has hung so often is not asked any more: 8 s of CPU time, or half a minute of sleep.
+constexpr std::uint64_t hang_cap = 16;
 
 /// Where so many pairs got the same answer, it is no answer.
 constexpr std::uint64_t enough_to_remark = 100;
@@ -58,8 +63,8 @@ bool of_the_answer(const Law& law) { return law.kind == LawKind::answer; }
 
 /// "wrong_disjoint" of a refuted verdict, "crash" of a failure, else the law's name.
 std::string kind_of_break(const Law& law, const Broken& broken) {
-  if (law.number != answer_law && law.number != verdict_law) return std::string(law.name);
-  return broken.what.substr(0, broken.what.find_first_of(",:"));
+  const bool told = law.number == answer_law || law.number == verdict_law;
+  return told && broken.kind ? to_string(*broken.kind) : std::string(law.name);
 }
 
 std::optional<ContactFeature> feature_of(const Pair& pair) { return contact_feature(pair, judge(pair)); }
@@ -78,13 +83,32 @@ bool claims(const Claim& claim, double size, int decade) {
   return std::pow(10.0, -decade - 1) * size * (1 + claim_rounding_error) >= reach(claim, size);
 }
 
+/// Of a pair's numbers to the bit, after what went before.
+std::uint64_t digest_of(const Pair& pair, std::uint64_t so_far) {
+  const auto add = [&](double x) {
+    char bytes[sizeof x];
+    std::memcpy(bytes, &x, sizeof x);
+    so_far = fnv1a({bytes, sizeof x}, so_far);
+  };
+  for (const Cylinder* c : {&pair.a, &pair.b}) {
+    for (const Vector3* v : {&c->center, &c->axis})
+      for (int i = 0; i < 3; ++i) add((*v)[i]);
+    add(c->radius);
+    add(c->height);
+  }
+  return so_far;
+}
+
 class Gate {
  public:
   Gate(std::span<const std::unique_ptr<Method>> methods, std::span<const Case> cases,
        const GateOptions& options, const std::function<void(const GateProgress&)>& on_progress)
       : methods_(methods), cases_(cases), options_(options), on_progress_(on_progress), start_(Clock::now()) {
+    amount_ = options.amount.value_or(amount_of(options.pairs));
+    questions_left_ = least_questions + options.pairs / pairs_per_question;
     report_.seed = options.seed;
-    report_.budget = options.budget;
+    report_.pairs = options.pairs;
+    report_.cap = options.cap;
     for (const auto& method : methods) {
       GateMethod& m = report_.methods.emplace_back();
       m.name = method->name();
@@ -98,39 +122,32 @@ class Gate {
 
   GateReport run() {
     in_phase(GatePhase::corpus, [&] {
-      replay_cases([](std::size_t, const Law& law) { return of_the_answer(law); }, Clock::time_point::max());
+      replay_cases([](std::size_t, const Law& law) { return of_the_answer(law); }, cases_.size());
     });
     in_phase(GatePhase::corpus_laws, [&] {
-      const auto changed = [](std::size_t, const Law& law) { return !of_the_answer(law); };
-      if (options_.amount)
-        replay_cases(changed, Clock::time_point::max(),
-                     options_.amount->cases_under_laws.value_or(cases_.size()));
-      else
-        replay_cases(changed, start_ + options_.budget / 2);
+      replay_cases([](std::size_t, const Law& law) { return !of_the_answer(law); },
+                   std::min<std::uint64_t>(amount_.cases_under_laws.value_or(cases_.size()), cases_.size()));
     });
-    const milliseconds left = std::max(options_.budget - elapsed(), options_.budget / 4);
-    const auto share = [&](double part) {
-      return Clock::now() + std::chrono::duration_cast<milliseconds>(part * left);
-    };
-    in_phase(GatePhase::laws, [&] { hunt_until(share(laws_share)); });
-    in_phase(GatePhase::sample, [&] { sample_until(share(sample_share)); });
-    // Failures wait for both, so that what is found does not depend on how long they take to shrink. The
-    // first of each law and kind first: the others are like it.
-    const Clock::time_point end = share(1 - laws_share - sample_share);
+    in_phase(GatePhase::laws, [&] { hunt_laws(); });
+    in_phase(GatePhase::sample, [&] { sample(); });
+    // Failures wait for both, so that what is found does not depend on how they are shrunk. The first of each
+    // law and kind first: the others are like it.
     std::set<std::tuple<std::string, int, std::string>> seen;
     std::vector<GateFailure*> like_others;
     for (GateFailure& failure : report_.failures) {
       if (failure.severity != Severity::contract) continue;
       if (seen.emplace(failure.method, failure.law->number, failure.kind).second)
-        look_closer(failure, end);
+        look_closer(failure);
       else
         like_others.push_back(&failure);
     }
     for (GateFailure* failure : like_others)
-      if (Clock::now() < end) look_closer(*failure, end);
-    for (std::size_t m = 0; m < methods_.size(); ++m)
-      report_.methods[m].remark =
-          asleep(m) ? "hangs, and was not asked to the end" : remark_on(report_.methods[m].counts);
+      if (questions_left_ > 0) look_closer(*failure);
+    for (std::size_t m = 0; m < methods_.size(); ++m) {
+      GateMethod& method = report_.methods[m];
+      method.remark = asleep(m) ? "hangs, and was not asked to the end" : remark_on(method.counts);
+      if (asleep(m)) report_.not_asked.push_back(method.name + ", after it had hung too often");
+    }
     return std::move(report_);
   }
 
@@ -140,24 +157,36 @@ class Gate {
   template <class Work>
   void in_phase(GatePhase phase, Work work) {
     const auto from = Clock::now();
-    report_.phases.push_back({phase});
+    report_.phases.push_back({.phase = phase, .digest = fnv1a({})});
     work();
     report_.phases.back().time = std::chrono::duration_cast<milliseconds>(Clock::now() - from);
   }
 
-  void show_progress(std::size_t pairs) {
+  bool late() const { return options_.cap && Clock::now() - start_ >= *options_.cap; }
+
+  /// Whether a phase that has `done` of its rounds or cases goes on; where the time is over, what is left of it
+  /// is not asked, and that is said.
+  bool goes_on(std::uint64_t done, std::uint64_t due, const char* things) {
+    if (done >= due) return false;
+    if (!late()) return true;
+    report_.not_asked.push_back(fmt::format("{}: {} of {} {}, for the time was over",
+                                            to_string(report_.phases.back().phase), due - done, due, things));
+    return false;
+  }
+
+  void show_progress(std::span<const Pair> pairs, double share) {
     GatePhaseReport& now = report_.phases.back();
-    now.pairs += pairs;
+    now.pairs += pairs.size();
+    for (const Pair& pair : pairs) now.digest = digest_of(pair, now.digest);
     if (!on_progress_) return;
     const auto beyond = std::count_if(report_.failures.begin(), report_.failures.end(),
                                       [](const auto& f) { return f.severity == Severity::contract; });
-    on_progress_({now.phase, now.pairs, static_cast<std::size_t>(beyond), elapsed()});
+    on_progress_({now.phase, now.pairs, static_cast<std::size_t>(beyond), share, elapsed()});
   }
 
-  /// A break joins those of the same law and bucket.
-  void note(std::size_t method, const Law& law, const Broken& broken, const Pair& pair,
-            const std::string& origin, const std::string& reproduce = {},
-            const std::optional<Stratum>& stratum = {}) {
+  /// A break joins those of the same law and bucket. The failure it is the first of, if it is.
+  GateFailure* note(std::size_t method, const Law& law, const Broken& broken, const Pair& pair,
+            const std::string& origin, const std::optional<Stratum>& stratum = {}) {
     std::string kind = kind_of_break(law, broken);
     const std::string& name = report_.methods[method].name;
     const bool contract = broken.severity == Severity::contract;
@@ -169,7 +198,7 @@ class Gate {
         by_bucket_.try_emplace(std::tuple(law.number, bucket, contract), report_.failures.size());
     if (!is_new) {
       ++report_.failures[at->second].count;
-      return;
+      return nullptr;
     }
     GateFailure& failure = report_.failures.emplace_back();
     failure.method = name;
@@ -177,75 +206,74 @@ class Gate {
     failure.kind = std::move(kind);
     failure.bucket = std::move(bucket);
     failure.what = broken.what;
+    failure.reason = broken.reason;
     failure.severity = broken.severity;
     failure.phase = report_.phases.back().phase;
     failure.origin = origin;
     failure.found = failure.simplest = pair;
     failure.count = 1;
-    failure.reproduce = reproduce;
+    return &failure;
   }
 
   void count(const std::vector<AnswerCounts>& counts) {
     for (std::size_t m = 0; m < methods_.size(); ++m) report_.methods[m].counts += counts[m];
   }
 
-  /// A method that has used up its time hanging is not asked any more: the gate is to end.
-  bool asleep(std::size_t m) const {
-    return report_.methods[m].counts.hung_seconds >
-           hang_share * 1e-3 * static_cast<double>(options_.budget.count());
-  }
+  /// A method that hangs again and again is not asked any more: the gate is to end.
+  bool asleep(std::size_t m) const { return report_.methods[m].counts.hangs >= hang_cap; }
   Examined examine_awake(std::span<const Pair> pairs, const Wanted& wanted) const {
     return examine(
         methods_, pairs, [&](std::size_t m, const Law& law) { return !asleep(m) && wanted(m, law); },
         options_.caps);
   }
 
-  void replay_cases(const Wanted& wanted, Clock::time_point end,
-                    std::uint64_t most = std::numeric_limits<std::uint64_t>::max()) {
-    for (std::size_t first = 0; first < std::min<std::uint64_t>(most, cases_.size()) && Clock::now() < end;
-         first += cases_at_once) {
+  void replay_cases(const Wanted& wanted, std::size_t due) {
+    for (std::size_t first = 0; goes_on(first, due, "cases"); first += cases_at_once) {
       std::vector<Pair> pairs;
-      for (const Case& c : cases_.subspan(first, std::min(cases_at_once, cases_.size() - first)))
-        pairs.push_back(c.pair);
+      for (const Case& c : cases_.subspan(first, std::min(cases_at_once, due - first))) pairs.push_back(c.pair);
       const Examined examined = examine_awake(pairs, wanted);
       if (report_.phases.back().phase == GatePhase::corpus) {
         count(examined.counts);
         report_.undecided_truths += static_cast<std::uint64_t>(
             std::count(examined.truths.begin(), examined.truths.end(), Verdict::undecided));
+        for (const Pair& pair : pairs) report_.cases.push_back(digest_of(pair, fnv1a({})));
+      } else {
+        for (std::size_t m = 0; m < methods_.size(); ++m) {  // the pairs themselves were counted before
+          report_.methods[m].counts.hangs += examined.counts[m].hangs;
+          report_.methods[m].counts.hung_seconds += examined.counts[m].hung_seconds;
+        }
       }
       for (const BrokenLaw& b : examined.broken) {
         const Case& c = cases_[first + b.pair];
         note(b.method, *b.law, b.broken, c.pair, fmt::format("{}:{} {}", c.file, c.line, c.id));
       }
-      show_progress(pairs.size());
+      show_progress(pairs, part(first + pairs.size(), due));
     }
   }
 
-  /// Whether a phase goes on: by the clock, or by the rounds that are to be drawn.
-  bool goes_on(std::uint64_t round, Clock::time_point end, std::uint64_t GateAmount::*rounds) {
-    report_.phases.back().rounds = round;
-    return options_.amount ? round < *options_.amount.*rounds : Clock::now() < end;
+  static double part(std::uint64_t done, std::uint64_t due) {
+    return static_cast<double>(done) / static_cast<double>(due);
   }
 
-  void hunt_until(Clock::time_point end) {
+  void hunt_laws() {
     const Wanted all = [&](std::size_t m, const Law&) { return !asleep(m); };
     const IsNews is_news = [&](const Catch& c) {
       return !broken_.contains(std::tuple(c.method, c.law->number, kind_of_break(*c.law, c.broken)));
     };
-    for (std::uint64_t round = 0; goes_on(round, end, &GateAmount::law_rounds); ++round) {
+    for (std::uint64_t& round = report_.phases.back().rounds; goes_on(round, amount_.law_rounds, "rounds");) {
       // Each round has a seed of its own; neighbouring ones of RapidCheck's generator are unrelated.
       const HuntRound found =
           hunt(methods_, all, is_news, options_.seed + round, draws_per_round, options_.caps);
       count(found.counts);
-      std::size_t pairs = 0;
-      for (const auto& [kind, n] : found.drawn) {
-        report_.drawn[kind] += n;
-        pairs += n;
+      for (const auto& [kind, n] : found.drawn) report_.drawn[kind] += n;
+      for (const Catch& c : found.caught) {
+        GateFailure* first = note(c.method, *c.law, c.broken, c.pair,
+                                  c.from + fmt::format(", seed {}", options_.seed + round));
+        if (!first || !c.shrunk) continue;
+        first->simplest = *c.shrunk;
+        first->reproduce = c.reproduce;
       }
-      for (const Catch& c : found.caught)
-        note(c.method, *c.law, c.broken, c.pair, c.from + fmt::format(", seed {}", options_.seed + round),
-             c.reproduce);
-      show_progress(pairs);
+      show_progress(found.pairs, part(++round, amount_.law_rounds));
     }
   }
 
@@ -255,8 +283,9 @@ class Gate {
     Stratum stratum;
   };
 
-  void sample_until(Clock::time_point end) {
-    for (std::uint64_t round = 0; goes_on(round, end, &GateAmount::sample_rounds); ++round) {
+  void sample() {
+    for (std::uint64_t& round = report_.phases.back().rounds;
+         goes_on(round, amount_.sample_rounds, "rounds");) {
       std::vector<Pair> pairs;
       std::vector<Drawn> drawn;
       std::size_t cell = 0;
@@ -297,12 +326,12 @@ class Gate {
         note(b.method, *b.law, b.broken, pairs[b.pair],
              fmt::format("{} 1e-{:02}, seed {}, index {}", at.feature, at.decade, options_.seed,
                          drawn[b.pair].index),
-             {}, drawn[b.pair].stratum);
+             drawn[b.pair].stratum);
       }
       for (const auto& [m, p] : wrong) ++report_.methods[m].cells[drawn[p].cell].wrong;
       report_.undecided_truths += static_cast<std::uint64_t>(
           std::count(examined.truths.begin(), examined.truths.end(), Verdict::undecided));
-      show_progress(pairs.size());
+      show_progress(pairs, part(++round, amount_.sample_rounds));
     }
   }
 
@@ -312,25 +341,32 @@ class Gate {
                                      [&](const auto& m) { return m->name() == failure.method; });
     const Wanted this_law = [&](std::size_t, const Law& law) { return law.number == failure.law->number; };
     std::vector<bool> broken(pairs.size(), false);
-    for (const BrokenLaw& b : examine({&*method, 1}, pairs, this_law, options_.caps).broken)
+    const Examined examined = examine({&*method, 1}, pairs, this_law, options_.caps);
+    questions_left_ -= std::min(questions_left_, pairs.size() + hang_price * examined.counts[0].hangs);
+    for (const BrokenLaw& b : examined.broken)
       broken[b.pair] =
           b.broken.severity == failure.severity && kind_of_break(*b.law, b.broken) == failure.kind;
     return broken;
   }
 
-  void look_closer(GateFailure& failure, Clock::time_point end) {
-    for (; failure.reruns < rerun_count; ++failure.reruns)
+  /// Runs a failure again, however many questions are left, and simplifies it while there are some.
+  void look_closer(GateFailure& failure) {
+    for (; !late() && failure.reruns < rerun_count; ++failure.reruns)
       failure.failed_again += still_broken(failure, {&failure.found, 1})[0];
-    if (failure.failed_again < failure.reruns) return;  // what comes and goes cannot be shrunk
+    if (failure.failed_again < rerun_count) {  // what comes and goes cannot be shrunk
+      failure.simplest = failure.found;
+      return;
+    }
     // What meets stays: else all becomes a matter of points.
     const auto feature = feature_of(failure.found);
     const StillFails still_fails = [&](std::span<const Pair> pairs) {
-      if (Clock::now() >= end) return std::vector<bool>(pairs.size(), false);
+      if (questions_left_ == 0 || late()) return std::vector<bool>(pairs.size(), false);
       std::vector<bool> broken = still_broken(failure, pairs);
       for (std::size_t i = 0; i < pairs.size(); ++i) broken[i] = broken[i] && feature_of(pairs[i]) == feature;
       return broken;
     };
-    failure.simplest = simplify(failure.found, still_fails, simplify_cap).pair;
+    if (!still_fails({&failure.simplest, 1})[0]) failure.simplest = failure.found;
+    failure.simplest = simplify(failure.simplest, still_fails, simplify_cap).pair;
   }
 
   static std::string remark_on(const AnswerCounts& counts) {
@@ -351,6 +387,8 @@ class Gate {
   const GateOptions& options_;
   const std::function<void(const GateProgress&)>& on_progress_;
   const Clock::time_point start_;
+  GateAmount amount_;
+  std::uint64_t questions_left_ = 0;
   GateReport report_;
   std::map<std::tuple<int, std::string, bool>, std::size_t> by_bucket_;  ///< to failures
   std::set<std::tuple<std::size_t, int, std::string>> broken_;  ///< method, law and kind: contracts broken
@@ -361,6 +399,16 @@ class Gate {
 GateReport run_gate(std::span<const std::unique_ptr<Method>> methods, std::span<const Case> cases,
                     const GateOptions& options, const std::function<void(const GateProgress&)>& on_progress) {
   return Gate(methods, cases, options, on_progress).run();
+}
+
+GateAmount amount_of(std::uint64_t pairs) {
+  constexpr std::uint64_t law_round = draws_per_round * pairs_per_draw;
+  constexpr std::uint64_t sample_round =
+      pairs_per_cell * contact_feature_count * static_cast<std::uint64_t>(last_decade - first_decade + 1);
+  const std::uint64_t under_laws = pairs / (1 + law_price);
+  return {.cases_under_laws = {},
+          .law_rounds = std::max<std::uint64_t>(1, (under_laws + law_round - 1) / law_round),
+          .sample_rounds = std::max<std::uint64_t>(1, (pairs - under_laws + sample_round - 1) / sample_round)};
 }
 
 // Where `wrong` of n were wrong, the greatest rate p at which so few are seen with a probability of 5 %: of
@@ -387,7 +435,7 @@ int exit_code(const GateReport& report) {
   const auto unsampled = [](const GatePhaseReport& p) {
     return p.phase == GatePhase::sample && p.pairs == 0;
   };
-  const bool undecided = report.undecided_truths > 0 ||
+  const bool undecided = report.undecided_truths > 0 || !report.not_asked.empty() ||
                          std::any_of(report.phases.begin(), report.phases.end(), unsampled) ||
                          std::any_of(report.methods.begin(), report.methods.end(),
                                      [](const GateMethod& m) { return abstains(m.counts); });

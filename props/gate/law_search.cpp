@@ -3,6 +3,7 @@
 
 #include <rapidcheck.h>
 
+#include <algorithm>
 #include <stdexcept>
 #include <unordered_map>
 #include <utility>
@@ -12,7 +13,6 @@
 namespace cyl {
 namespace {
 
-constexpr int pairs_per_draw = 16;
 constexpr const char* property_id = "laws";
 /// Draws that RapidCheck may try while it shrinks one case: some seconds of work at most. The rest is for
 /// simplify().
@@ -50,7 +50,9 @@ class Hunt {
       name.reproduce.emplace(property_id, result.get<rc::detail::FailureResult>().reproduce);
       const std::string text =
           rc::detail::configToMinimalString(name);  // and the seed, which does not matter
-      round_.caught.back().reproduce = text.substr(0, text.find(' '));
+      Catch& last = round_.caught.back();
+      last.reproduce = text.substr(0, text.find(' '));
+      if (!last.shrunk) last.shrunk = last.pair;
     } else if (result.is<rc::detail::Error>()) {
       throw std::invalid_argument(result.get<rc::detail::Error>().description);
     }
@@ -61,9 +63,10 @@ class Hunt {
   void look(const PairsDrawn& drawn) {
     const Examined examined = examine(methods_, drawn.pairs, wanted_, caps_);
     round_.drawn[drawn.from] += drawn.pairs.size();
+    round_.pairs.insert(round_.pairs.end(), drawn.pairs.begin(), drawn.pairs.end());
     for (std::size_t m = 0; m < methods_.size(); ++m) round_.counts[m] += examined.counts[m];
     for (const BrokenLaw& b : examined.broken) {
-      round_.caught.push_back({b.method, b.law, b.broken, drawn.pairs[b.pair], drawn.from, {}});
+      round_.caught.push_back({b.method, b.law, b.broken, drawn.pairs[b.pair], drawn.from, {}, {}});
       if (b.broken.severity != Severity::contract || !is_news_(round_.caught.back())) continue;
       stopped_ = true;
       RC_FAIL(b.broken.what);
@@ -80,7 +83,7 @@ class Hunt {
     for (const BrokenLaw& b : examine(methods_, drawn.pairs, same, caps_).broken) {
       if (b.broken.severity != Severity::contract) continue;
       last.broken = b.broken;
-      last.pair = drawn.pairs[b.pair];
+      last.shrunk = drawn.pairs[b.pair];
       RC_FAIL(b.broken.what);
     }
   }
@@ -101,7 +104,21 @@ HuntRound hunt(std::span<const std::unique_ptr<Method>> methods, const Wanted& w
   rc::detail::TestParams params;
   params.seed = seed;
   params.maxSuccess = draws;
-  return Hunt(methods, wanted, is_news, caps).run(params);
+  const IsNews nothing = [](const Catch&) { return false; };
+  HuntRound round = Hunt(methods, wanted, nothing, caps).run(params);
+  const auto news = std::find_if(round.caught.begin(), round.caught.end(), [&](const Catch& c) {
+    return c.broken.severity == Severity::contract && is_news(c);
+  });
+  if (news == round.caught.end()) return round;
+  // The same draws again, but for that law alone: RapidCheck shrinks where it stops.
+  const Wanted same = [&](std::size_t method, const Law& law) {
+    return method == news->method && law.number == news->law->number;
+  };
+  const HuntRound again = Hunt(methods, same, is_news, caps).run(params);
+  if (again.caught.empty() || again.caught.back().reproduce.empty()) return round;  // it comes and goes
+  news->shrunk = again.caught.back().shrunk;
+  news->reproduce = again.caught.back().reproduce;
+  return round;
 }
 
 HuntRound hunt_again(std::span<const std::unique_ptr<Method>> methods, const Wanted& wanted,

@@ -21,27 +21,31 @@ struct Catch {
   std::size_t method = 0;
   const Law* law = nullptr;
   Broken broken;
-  Pair pair;              ///< where it stopped the round, shrunk as far as RapidCheck could
-  std::string from;       ///< the kind of pairs it was drawn from
-  std::string reproduce;  ///< RapidCheck's name of the case, where it stopped the round; else empty
+  Pair pair;
+  std::string from;            ///< the kind of pairs it was drawn from
+  std::optional<Pair> shrunk;  ///< as far as RapidCheck could, where that was asked for
+  std::string reproduce;       ///< RapidCheck's name of the shrunk case; empty where there is none
 };
 
 struct HuntRound {
-  std::vector<Catch> caught;         ///< in the order found; only the last can have stopped the round
+  std::vector<Catch> caught;         ///< in the order found
   std::vector<AnswerCounts> counts;  ///< by method
   std::map<std::string, std::uint64_t> drawn;  ///< pairs by kind: RapidCheck's classification
-  std::uint64_t undecided_truths = 0;
+  std::vector<Pair> pairs;                     ///< all that were drawn, in their order
 };
 
-/// Whether a contract break of this law by this method is news, so that it stops the round.
+/// Whether a contract break of this law by this method is news, so that it is worth shrinking.
 using IsNews = std::function<bool(const Catch&)>;
 
-/// `draws` times the pairs of one kind, all laws that are wanted; ends early at the first news. A pure
-/// function of its arguments but for hangs. One draw is 16 pairs.
+/// Pairs of one draw, at most.
+inline constexpr int pairs_per_draw = 16;
+
+/// `draws` times the pairs of one kind, all laws that are wanted. Which pairs are drawn depends on the seed and
+/// `draws` alone, whatever is found; the first news is shrunk. A pure function of its arguments but for hangs.
 HuntRound hunt(std::span<const std::unique_ptr<Method>> methods, const Wanted& wanted, const IsNews& is_news,
                std::uint64_t seed, int draws, const Caps& caps);
 
-/// The case again that `reproduce` names (what it was drawn from must not have changed since). Throws
+/// The case again that `reproduce` names, up to the first law that it breaks (what it was drawn from must not have changed since). Throws
 /// std::invalid_argument where it names none.
 HuntRound hunt_again(std::span<const std::unique_ptr<Method>> methods, const Wanted& wanted,
                      const std::string& reproduce, const Caps& caps);

@@ -24,7 +24,7 @@ std::optional<Broken> refuted(const LawCase& c, const MethodAnswer& answer,
   if (!finding || std::find(kinds.begin(), kinds.end(), finding->kind) == kinds.end()) return {};
   std::string what = to_string(finding->kind);
   if (finding->margin) what += fmt::format(", margin {:.3g}", finding->margin->lo);
-  return Broken{std::move(what), finding->severity};
+  return Broken{std::move(what), finding->severity, finding->kind};
 }
 
 std::optional<Broken> break_answers(const LawCase& c) {
@@ -32,7 +32,10 @@ std::optional<Broken> break_answers(const LawCase& c) {
   auto broken = refuted(c, c.first,
                         {FindingKind::exception, FindingKind::crash, FindingKind::hang,
                          FindingKind::non_finite, FindingKind::malformed});
-  if (broken) broken->what = fmt::format("{}: {}", broken->what, c.first.reason);
+  if (broken) {
+    broken->what = fmt::format("{}: {}", broken->what, c.first.reason);
+    broken->reason = c.first.reason;
+  }
   return broken;
 }
 

@@ -25,7 +25,9 @@ void count(AnswerCounts& counts, const MethodAnswer& answer) {
 }
 
 void count_hang(AnswerCounts& counts, const ContainedAnswer& said) {
-  if (said.answer.failure == Failure::hang) counts.hung_seconds += said.nanoseconds * 1e-9;
+  if (said.answer.failure != Failure::hang) return;
+  ++counts.hangs;
+  counts.hung_seconds += said.nanoseconds * 1e-9;
 }
 
 }  // namespace
@@ -34,6 +36,7 @@ AnswerCounts& AnswerCounts::operator+=(const AnswerCounts& other) {
   asked += other.asked;
   declined += other.declined;
   failed += other.failed;
+  hangs += other.hangs;
   hung_seconds += other.hung_seconds;
   for (std::size_t i = 0; i < said.size(); ++i) said[i] += other.said[i];
   return *this;

@@ -30,7 +30,8 @@ struct BrokenLaw {
 /// What a method answered to the pairs themselves.
 struct AnswerCounts {
   std::uint64_t asked = 0, declined = 0, failed = 0;
-  double hung_seconds = 0;              ///< that it hung in all, changed pairs included
+  std::uint64_t hangs = 0;              ///< changed pairs included
+  double hung_seconds = 0;              ///< that these took in all
   std::array<std::uint64_t, 5> said{};  ///< by Verdict
   AnswerCounts& operator+=(const AnswerCounts& other);
 };

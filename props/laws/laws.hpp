@@ -45,6 +45,8 @@ struct LawCase {
 struct Broken {
   std::string what;
   Severity severity = Severity::contract;
+  std::optional<FindingKind> kind = {};  ///< where compare() found it
+  std::string reason = {};               ///< of a failure: the method's own words
   bool operator==(const Broken&) const = default;
 };
 

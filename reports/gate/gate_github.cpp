@@ -49,6 +49,8 @@ std::string gate_github(const GateReport& report) {
   if (failing.size() > annotations_cap)
     text += fmt::format("::notice title=daylight gate::{} more that fail the gate are not shown here\n",
                         grouped(failing.size() - annotations_cap));
+  for (const std::string& line : report.not_asked)
+    text += fmt::format("::warning title=daylight gate, not asked::{}\n", message(one_line(line)));
   return text;
 }
 

@@ -1,10 +1,15 @@
 // SPDX-License-Identifier: MIT
 #include "reports/gate/gate_json.hpp"
 
+#include <fmt/format.h>
+
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
+#include <set>
+#include <span>
 #include <stdexcept>
 
 #include "corpus/pairs/pair_io.hpp"
@@ -14,6 +19,9 @@ namespace cyl {
 namespace {
 
 using json = nlohmann::ordered_json;
+
+/// 16 hexadecimal digits: not every reader of JSON keeps 64 bits of a number.
+std::string hex(std::uint64_t digest) { return fmt::format("{:016x}", digest); }
 
 json pair(const Pair& p) { return {{"a", cylinder_json(p.a)}, {"b", cylinder_json(p.b)}}; }
 
@@ -25,6 +33,7 @@ json counts(const AnswerCounts& c) {
   return {{"asked", c.asked},
           {"declined", c.declined},
           {"failed", c.failed},
+          {"hangs", c.hangs},
           {"hung_seconds", c.hung_seconds},
           {"said", std::move(said)}};
 }
@@ -56,6 +65,7 @@ json failure(const GateFailure& f) {
           {"name", f.law->name},
           {"kind", f.kind},
           {"what", f.what},
+          {"reason", f.reason},
           {"severity", to_string(f.severity)},
           {"phase", to_string(f.phase)},
           {"origin", f.origin},
@@ -80,11 +90,22 @@ std::string gate_json(const GateReport& report) {
     phases.push_back({{"phase", to_string(p.phase)},
                       {"rounds", p.rounds},
                       {"pairs", p.pairs},
-                      {"milliseconds", p.time.count()}});
+                      {"milliseconds", p.time.count()},
+                      {"digest", hex(p.digest)}});
   }
-  const json all = {{"seed", report.seed},           {"budget_milliseconds", report.budget.count()},
-                    {"methods", std::move(methods)}, {"failures", std::move(failures)},
-                    {"phases", std::move(phases)},   {"undecided_truths", report.undecided_truths},
+  json laws = json::array(), cases = json::array();
+  for (const Law& law : all_laws()) laws.push_back(law.number);
+  for (const std::uint64_t digest : report.cases) cases.push_back(hex(digest));
+  const json all = {{"seed", report.seed},
+                    {"pairs", report.pairs},
+                    {"cap_milliseconds", report.cap ? json(report.cap->count()) : json()},
+                    {"not_asked", report.not_asked},
+                    {"laws", std::move(laws)},
+                    {"cases", std::move(cases)},
+                    {"methods", std::move(methods)},
+                    {"failures", std::move(failures)},
+                    {"phases", std::move(phases)},
+                    {"undecided_truths", report.undecided_truths},
                     {"drawn", report.drawn}};
   return all.dump(1, ' ', false, json::error_handler_t::replace) + '\n';
 }
@@ -108,16 +129,23 @@ GateBase read_base(const std::string& file) {
   GateBase base;
   try {
     base.seed = natural(all, "seed");
-    base.budget = std::chrono::milliseconds(natural(all, "budget_milliseconds"));
-    std::uint64_t cases = 0;
+    for (const json& method : all.at("methods")) base.methods.push_back(method.at("name"));
+    // Version 0.1.0 wrote of laws and cases no more than how many pairs they were.
+    for (const json& law : all.value("laws", json::array())) base.laws.push_back(law.get<int>());
+    for (const json& digest : all.value("cases", json::array())) base.cases.push_back(digest);
     for (const json& phase : all.at("phases")) {
       const auto is = [&](GatePhase p) { return phase.at("phase") == to_string(p); };
-      if (is(GatePhase::corpus)) cases = natural(phase, "pairs");
-      if (is(GatePhase::corpus_laws) && natural(phase, "pairs") < cases)
-        base.amount.cases_under_laws = natural(phase, "pairs");
+      const std::uint64_t pairs = natural(phase, "pairs");
+      if (is(GatePhase::corpus)) base.case_count = pairs;
+      if (is(GatePhase::corpus_laws) && pairs < base.case_count) base.amount.cases_under_laws = pairs;
       if (is(GatePhase::laws)) base.amount.law_rounds = natural(phase, "rounds");
       if (is(GatePhase::sample)) base.amount.sample_rounds = natural(phase, "rounds");
+      if (is(GatePhase::laws) || is(GatePhase::sample)) {
+        base.pairs += pairs;
+        base.digests.push_back(phase.value("digest", ""));
+      }
     }
+    if (all.contains("pairs")) base.pairs = natural(all, "pairs");
     for (const json& f : all.at("failures")) {
       // What the base breaks within its claims excuses nothing.
       if (f.at("severity") == to_string(Severity::resolution)) continue;
@@ -135,6 +163,37 @@ void mark_known(GateReport& report, const GateBase& base) {
     if (f.bucket.empty() || found == base.buckets.end()) continue;
     f.in_base = found->second;
     f.known = f.count <= f.in_base || f.failed_again < f.reruns || f.kind == to_string(FindingKind::hang);
+  }
+}
+
+void note_gaps(GateReport& report, const GateBase& base) {
+  const auto miss = [&](const std::string& what) { report.not_asked.push_back(what + ", which the base has"); };
+  for (const std::string& name : base.methods)
+    if (std::none_of(report.methods.begin(), report.methods.end(),
+                     [&](const GateMethod& m) { return m.name == name; }))
+      miss("method " + name);
+  for (const int number : base.laws)
+    if (std::none_of(all_laws().begin(), all_laws().end(),
+                     [&](const Law& law) { return law.number == number; }))
+      miss(fmt::format("law {}", number));
+  std::uint64_t missing = base.case_count - std::min<std::uint64_t>(base.case_count, report.cases.size());
+  if (!base.cases.empty()) {
+    std::set<std::string> asked;
+    for (const std::uint64_t digest : report.cases) asked.insert(hex(digest));
+    missing = static_cast<std::uint64_t>(std::count_if(
+        base.cases.begin(), base.cases.end(), [&](const std::string& digest) { return !asked.contains(digest); }));
+  }
+  if (missing > 0) miss(fmt::format("{} of {} cases", missing, base.case_count));
+  std::size_t drawn = 0;
+  for (const GatePhaseReport& phase : report.phases) {
+    if (phase.phase != GatePhase::laws && phase.phase != GatePhase::sample) continue;
+    const std::uint64_t rounds =
+        phase.phase == GatePhase::laws ? base.amount.law_rounds : base.amount.sample_rounds;
+    const std::string digest = drawn < base.digests.size() ? base.digests[drawn] : "";
+    ++drawn;
+    // Where the time was over before, that was said.
+    if (phase.rounds == rounds && !digest.empty() && digest != hex(phase.digest))
+      miss(fmt::format("{}: the pairs", to_string(phase.phase)));
   }
 }
 

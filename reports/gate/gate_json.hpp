@@ -2,10 +2,10 @@
 // The gate's result as one JSON document, complete; and what a later gate reads back of it.
 #pragma once
 
-#include <chrono>
 #include <cstdint>
 #include <map>
 #include <string>
+#include <vector>
 
 #include "props/gate/gate.hpp"
 
@@ -18,14 +18,22 @@ std::string gate_json(const GateReport& report);
 /// What a gate is held against.
 struct GateBase {
   std::uint64_t seed = 1;
-  std::chrono::milliseconds budget{0};
-  GateAmount amount;
+  std::uint64_t pairs = 0;  ///< that were to be drawn
+  GateAmount amount;        ///< what was drawn
+  std::vector<std::string> methods;
+  std::vector<int> laws;            ///< empty where it does not say: version 0.1.0 did not
+  std::vector<std::string> cases;   ///< digests; likewise
+  std::uint64_t case_count = 0;
+  std::vector<std::string> digests; ///< of the pairs of each phase that draws, in their order; likewise
   std::map<std::string, std::uint64_t> buckets;  ///< of failures beyond claims, and on how many pairs
 };
 
 /// Of what gate_json() wrote to `file`. Throws std::runtime_error naming the file, what is wrong with it and
 /// the remedy.
 GateBase read_base(const std::string& file);
+
+/// Adds to what was not asked: methods, laws, cases and drawn pairs of the base that are none of the report's.
+void note_gaps(GateReport& report, const GateBase& base);
 
 /// Marks as known the failures whose bucket is in the base, but not those that are seen on more pairs now,
 /// where that cannot be luck or a slower machine: a hang, or what does not fail each time.

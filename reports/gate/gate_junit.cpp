@@ -130,15 +130,33 @@ Suite suite_of(const GateMethod& method, const GateReport& report) {
       " <testsuite name=\"{}\" tests=\"{}\" failures=\"{}\" errors=\"0\">\n"
       "  <properties>\n"
       "   <property name=\"seed\" value=\"{}\"/>\n"
+      "   <property name=\"pairs\" value=\"{}\"/>\n"
       "   <property name=\"version\" value=\"{}\"/>\n"
       "  </properties>\n",
       xml(one_line(method.name)), suite.tests.size(), suite.failed, report.seed,
-      xml(one_line(method.version)));
+      report.pairs, xml(one_line(method.version)));
   for (const TestCase& test : suite.tests) suite.text += format(one_line(method.name), test);
   if (!method.remark.empty()) beside += one_line(method.remark) + '\n';
   if (!beside.empty()) suite.text += "  <system-out>" + xml(beside) + "</system-out>\n";
   suite.text += " </testsuite>\n";
   return suite;
+}
+
+/// A suite of the gate itself: a test that is in error for each line of what was not asked.
+std::string suite_of_what_was_not_asked(const GateReport& report) {
+  std::string tests;
+  for (const std::string& line : report.not_asked) {
+    const std::string what = xml(one_line(line));
+    tests += fmt::format(
+        "  <testcase classname=\"daylight gate\" name=\"asked: {}\">\n"
+        "   <error type=\"not asked\" message=\"not asked: {}\"/>\n  </testcase>\n",
+        what, what);
+  }
+  return fmt::format(
+      " <testsuite name=\"daylight gate\" tests=\"{0}\" failures=\"0\" errors=\"{0}\">\n"
+      "  <properties>\n   <property name=\"seed\" value=\"{1}\"/>\n"
+      "   <property name=\"pairs\" value=\"{2}\"/>\n  </properties>\n{3} </testsuite>\n",
+      report.not_asked.size(), report.seed, report.pairs, tests);
 }
 
 }  // namespace
@@ -154,11 +172,13 @@ std::string gate_junit(const GateReport& report) {
     failed += suite.failed;
     suites += suite.text;
   }
+  const std::size_t errors = report.not_asked.size();
+  if (errors > 0) suites += suite_of_what_was_not_asked(report);
   return fmt::format(
       "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
-      "<testsuites name=\"daylight gate\" tests=\"{}\" failures=\"{}\" errors=\"0\" time=\"{}.{:03}\">\n"
+      "<testsuites name=\"daylight gate\" tests=\"{}\" failures=\"{}\" errors=\"{}\" time=\"{}.{:03}\">\n"
       "{}</testsuites>\n",
-      tests, failed, time.count() / 1000, time.count() % 1000, suites);
+      tests + errors, failed, errors, time.count() / 1000, time.count() % 1000, suites);
 }
 
 }  // namespace cyl

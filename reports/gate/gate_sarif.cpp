@@ -80,9 +80,15 @@ std::string gate_sarif(const GateReport& report, std::string_view version, bool 
   for (const GateFailure& f : report.failures) results.push_back(result(f, compared));
   for (const GateMethod& m : report.methods) versions[valid_utf8(m.name)] = m.version;
   const json driver = {{"name", "daylight"}, {"version", version}, {"rules", std::move(rules)}};
+  json notifications = json::array();
+  for (const std::string& line : report.not_asked)
+    notifications.push_back({{"level", "error"}, {"message", text("Not asked: " + one_line(line))}});
+  const json invocation = {{"executionSuccessful", report.not_asked.empty()},
+                           {"toolExecutionNotifications", std::move(notifications)}};
   const json run = {{"tool", {{"driver", driver}}},
+                    {"invocations", json::array({invocation})},
                     {"results", std::move(results)},
-                    {"properties", {{"seed", report.seed}, {"versions", std::move(versions)}}}};
+                    {"properties", {{"seed", report.seed}, {"pairs", report.pairs}, {"versions", std::move(versions)}}}};
   const json log = {{"$schema", "https://json.schemastore.org/sarif-2.1.0.json"},
                     {"version", "2.1.0"},
                     {"runs", json::array({run})}};

@@ -89,7 +89,7 @@ std::string told_in_full(std::size_t number, const Alike& alike) {
   if (const std::string luck = luck_in_words(f); !luck.empty()) text += line("again", luck);
   const std::string found = format_pair(f.found), simplest = format_pair(f.simplest);
   text += line("found", found);
-  text += line("simplest", simplest == found ? "no simpler one was found in the time" : simplest);
+  text += line("simplest", simplest == found ? "no simpler one was found" : simplest);
   text += line("replay", replay_command(f));
   if (!f.reproduce.empty()) text += line("RapidCheck", one_line(f.reproduce));
   for (const GateFailure* g : std::span(alike).subspan(1, std::min(also_cap, alike.size() - 1))) {
@@ -104,7 +104,9 @@ std::string told_in_full(std::size_t number, const Alike& alike) {
 
 std::string failures_text(const GateReport& report) {
   const std::vector<Alike> failing = alike_failures(report, true), others = alike_failures(report, false);
-  std::string text = failing.empty() ? "Nothing fails the gate.\n"
+  const char* nothing =
+      report.not_asked.empty() ? "Nothing fails the gate.\n" : "Nothing that was asked fails the gate.\n";
+  std::string text = failing.empty() ? nothing
                                      : fmt::format("Fails the gate ({}):\n", grouped(failing.size()));
   for (std::size_t i = 0; i < failing.size(); ++i) text += told_in_full(i + 1, failing[i]);
   if (!others.empty()) text += fmt::format("\nWithin claims, or known ({}):\n", grouped(others.size()));
@@ -226,6 +228,7 @@ std::string gate_text(const GateReport& report) {
   }
   if (report.undecided_truths > 0)
     text += fmt::format("nothing could be proved of {}\n", pairs_in_words(report.undecided_truths));
+  for (const std::string& line : report.not_asked) text += wrapped("NOT ASKED: ", one_line(line));
   text += '\n' + methods_table(report) + '\n' + failures_text(report) + '\n';
   for (const GateMethod& m : report.methods)
     if (table_helps(m)) text += cells_table(m) + '\n';

@@ -70,8 +70,7 @@ void mark_suppressed(GateReport& report, std::span<const std::unique_ptr<Method>
     if (f.known || !kind || method == methods.end()) continue;
     const Failing failing{static_cast<std::size_t>(method - methods.begin()), *kind, f.simplest};
     const Told told = tell_mechanisms(methods, kin, {&failing, 1}, caps)[0];
-    const std::string cause = cause_key(methods, kin, failing.method, *kind, f.severity, told,
-                                        std::string_view(f.what).substr(f.what.find_first_of(",:") + 1));
+    const std::string cause = cause_key(methods, kin, failing.method, *kind, f.severity, told, f.reason);
     f.known = find_suppression(suppressions, cause, today) != nullptr;
   }
 }
