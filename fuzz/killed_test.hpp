@@ -1,51 +1,70 @@
 // SPDX-License-Identifier: MIT
-// Campaigns that are ended from outside, at a moment that the campaign's own progress decides.
+// What the tests of killed campaigns share: a campaign that is killed again and again, and still comes to its
+// end on any machine.
 #pragma once
 
-#include <sys/types.h>
+#include <fcntl.h>
+#include <gtest/gtest.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include <cerrno>
 #include <csignal>
 #include <cstdint>
-#include <limits>
-#include <system_error>
+#include <exception>
+#include <functional>
+#include <stdexcept>
 
-#include "fuzz/campaign.hpp"
+#include "fuzz/campaign/campaign.hpp"
 
 namespace cyl {
 
-/// Runs `run`, which hands what it is given to run_campaign as `on_progress` and returns the exit code, in a
-/// process of its own; sends that process `signal`, `delay` microseconds after its first new pairs are
-/// stored; and returns the status that waitpid gives. Having stored `most` new pairs the campaign stands
-/// still, so that it cannot end before.
-template <class Run>
-int end_on_its_way(const Run& run, int signal, useconds_t delay = 0,
-                   std::uint64_t most = std::numeric_limits<std::uint64_t>::max()) {
-  int stored[2];
-  if (pipe(stored) != 0) throw std::system_error(errno, std::generic_category(), "pipe");
-  const pid_t child = fork();
-  if (child < 0) throw std::system_error(errno, std::generic_category(), "fork");
-  if (child == 0) {
-    close(stored[0]);
-    bool told = false;
-    const int code = run([&](const CampaignProgress& progress) {
-      if (progress.session_done > 0 && !told) told = write(stored[1], "", 1) == 1;
-      while (progress.session_done >= most) pause();
-    });
-    _exit(code);
+/// A splitmix64 step: the tests' own random numbers.
+inline std::uint64_t mix(std::uint64_t x) {
+  x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9u;
+  x = (x ^ (x >> 27)) * 0x94d049bb133111ebu;
+  return x ^ (x >> 31);
+}
+
+/// A session of a campaign, which hands on what it is told to call.
+using Session = std::function<void(const std::function<void(const CampaignProgress&)>&)>;
+
+/// Runs `session` in one child after the other until one ends by itself, and says how many were killed. Each is
+/// killed some drawn time after a drawn number of commits, 0 to `most`: that is anywhere in its work. At its
+/// commit most + 1 it kills itself, so that a session with more to do never ends by itself however slow this
+/// process is; and as soon as one commit is drawn there is progress, however fast.
+inline int kill_until_done(std::uint64_t seed, std::uint64_t most, const Session& session) {
+  constexpr std::uint64_t longest_microseconds = 20'000;  // some batches, where nothing else runs
+  for (int kills = 0;; ++kills) {
+    const std::uint64_t drawn = mix(seed + static_cast<std::uint64_t>(kills)), wanted = drawn % (most + 1);
+    int ends[2];
+    if (pipe2(ends, O_CLOEXEC) != 0) throw std::runtime_error("no pipe");
+    const pid_t child = fork();
+    if (child == 0) {
+      close(ends[0]);
+      std::uint64_t done = 0, commits = 0;
+      try {
+        session([&](const CampaignProgress& progress) {
+          if (progress.session_done == done) return;
+          done = progress.session_done;
+          if (++commits > most || write(ends[1], "c", 1) != 1) raise(SIGKILL);
+        });
+      } catch (const std::exception&) {
+        _exit(1);
+      }
+      _exit(0);
+    }
+    close(ends[1]);
+    char commit;
+    for (std::uint64_t n = 0; n < wanted && read(ends[0], &commit, 1) == 1;) ++n;
+    usleep(static_cast<useconds_t>((drawn >> 32) % longest_microseconds));
+    kill(child, SIGKILL);
+    int status = 0;
+    waitpid(child, &status, 0);
+    close(ends[0]);
+    if (!WIFEXITED(status)) continue;
+    EXPECT_EQ(WEXITSTATUS(status), 0);
+    return kills;
   }
-  close(stored[1]);
-  char byte;
-  if (read(stored[0], &byte, 1) == 1) {  // else it has ended, with nothing left to do
-    usleep(delay);
-    kill(child, signal);
-  }
-  close(stored[0]);
-  int status = 0;
-  waitpid(child, &status, 0);
-  return status;
 }
 
 }  // namespace cyl

@@ -57,13 +57,6 @@ Pair beside(double gap) { return {{{0, 0, 0}, {0, 0, 1}, 1, 3}, {{2 + gap, 0, 0}
 
 Verdict right(const Pair& pair) { return pair.b.center.x() > 2 ? Verdict::disjoint : Verdict::intersecting; }
 
-/// A splitmix64 step: the tests' own random numbers.
-std::uint64_t mix(std::uint64_t x) {
-  x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9u;
-  x = (x ^ (x >> 27)) * 0x94d049bb133111ebu;
-  return x ^ (x >> 31);
-}
-
 Pair wide(std::uint64_t seed, std::uint64_t index) {
   return beside(static_cast<double>(mix(seed * 77 + index) % 1000) / 1000 - 0.4995);
 }
@@ -240,26 +233,14 @@ TEST_F(Campaign, ABudgetEndsARunThatHasNoOtherLimit) {
 }
 
 TEST_F(Campaign, KilledAtAnyMomentAndResumedIsAsIfNothingHappened) {
-  const std::uint64_t pairs = 400 * batch_size;  // a second or so of work
+  const std::uint64_t batches = 400, pairs = batches * batch_size, most = 30;
   run_campaign(options("whole", pairs), subjects());
   CampaignOptions o = options("killed", pairs);
-  int kills = 0;
-  for (std::uint64_t round = 0; round < 200; ++round) {
-    o.resume = fs::exists(folder / "killed" / "run.sqlite");
-    const pid_t child = fork();
-    if (child == 0) {
-      run_campaign(o, subjects());
-      _exit(0);
-    }
-    // Later rounds live longer, so that it ends on a slow machine too.
-    usleep(static_cast<useconds_t>(5000 + mix(round) % 30000 + 1000 * round));
-    kill(child, SIGKILL);
-    int status = 0;
-    waitpid(child, &status, 0);
-    if (WIFEXITED(status)) break;
-    ++kills;
-  }
-  EXPECT_GE(kills, 3);
+  const int kills = kill_until_done(1, most, [&](const auto& on_progress) {
+    o.resume = holds_run(o.out);
+    run_campaign(o, subjects(), on_progress);
+  });
+  EXPECT_GE(kills, static_cast<int>(batches / (most + 1)));
   EXPECT_EQ(store("killed").progress().next, pairs);
   EXPECT_EQ(content(store("killed")), content(store("whole")));
 }
@@ -319,21 +300,16 @@ TEST_F(Shards, TogetherAreWhatOneRunIs) {
 }
 
 TEST_F(Shards, KilledAtAnyMomentAndResumedTheyAreStillOneRun) {
-  const std::uint64_t pairs = 200 * batch_size + 7;
+  const std::uint64_t pairs = 200 * batch_size + 7, most = 20;
   run_campaign(options("whole", pairs), subjects());
-  unsigned kills = 0;
   for (std::uint64_t i = 0; i < 3; ++i) {
     CampaignOptions o = shard_options(i, 3, pairs);
-    const auto goes_on = [&](const auto& on_progress) {
+    const int kills = kill_until_done(100 * i, most, [&](const auto& on_progress) {
       o.resume = holds_run(o.out);
       run_campaign(o, subjects(), on_progress);
-      return 0;
-    };
-    while (WIFSIGNALED(end_on_its_way(goes_on, SIGKILL, static_cast<useconds_t>(mix(i + 3 * kills) % 30000),
-                                      10 * batch_size)))
-      ++kills;
+    });
+    EXPECT_GE(kills, 3) << "of 66 batches";
   }
-  EXPECT_GE(kills, 3 * 6u) << "ten batches of each shard's 67 at a time";
   EXPECT_TRUE(merge_runs(folders(3), folder / "merged").incomplete.empty());
   EXPECT_EQ(sorted_content(store("merged")), sorted_content(store("whole")));
 }

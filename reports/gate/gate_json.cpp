@@ -129,10 +129,10 @@ GateBase read_base(const std::string& file) {
   GateBase base;
   try {
     base.seed = natural(all, "seed");
-    for (const json& method : all.at("methods")) base.methods.push_back(method.at("name"));
+    for (const json& method : all.at("methods")) base.methods.push_back(method.at("name").get<std::string>());
     // Version 0.1.0 wrote of laws and cases no more than how many pairs they were.
     for (const json& law : all.value("laws", json::array())) base.laws.push_back(law.get<int>());
-    for (const json& digest : all.value("cases", json::array())) base.cases.push_back(digest);
+    for (const json& digest : all.value("cases", json::array())) base.cases.push_back(digest.get<std::string>());
     for (const json& phase : all.at("phases")) {
       const auto is = [&](GatePhase p) { return phase.at("phase") == to_string(p); };
       const std::uint64_t pairs = natural(phase, "pairs");
