@@ -50,8 +50,8 @@ struct Arguments {
 
 constexpr const char* our_methods = "intersect,decide,distance,exact";
 
-/// One planted fault for so many pairs, at most so many faults: a second or two each, of the eight that so many
-/// pairs take.
+/// One planted fault for so many pairs, at most so many faults: a second or two each, of the eight that so
+/// many pairs take.
 constexpr std::uint64_t smoke_interval = 50'000, smoke_cap = 5;
 
 void print_laws() {
@@ -154,8 +154,8 @@ int gate(const Arguments& arguments) {
   for (const Guest& guest : guests)
     for (GateFailure& failure : report.failures)
       if (failure.method == guest.name) failure.options = options_for(guest);
-  const Smoke smoke =
-      smoke_mutants(static_cast<unsigned>(std::clamp<std::uint64_t>(options.pairs / smoke_interval, 1, smoke_cap)));
+  const Smoke smoke = smoke_mutants(
+      static_cast<unsigned>(std::clamp<std::uint64_t>(options.pairs / smoke_interval, 1, smoke_cap)));
   if (!arguments.junit.empty()) write_file(arguments.junit, gate_junit(report));
   if (!arguments.sarif.empty())
     write_file(arguments.sarif, gate_sarif(report, build_info().version, !arguments.against.empty()));
@@ -179,11 +179,12 @@ void add_gate(CLI::App& app, int& exit_code) {
   CLI::App* command = app.add_subcommand(
       "gate", "Merge gate: every case, every law, a sample of every stratum; one exit code");
   auto arguments = std::make_shared<Arguments>();
-  add_unsigned(*command, "--pairs", arguments->pairs,
-               fmt::format("pairs to draw, beside the cases, in whole rounds of the laws and of the strata; {} "
-                           "where not given",
-                           gate_pairs),
-               1);
+  add_unsigned(
+      *command, "--pairs", arguments->pairs,
+      fmt::format("pairs to draw, beside the cases, in whole rounds of the laws and of the strata; {} "
+                  "where not given",
+                  gate_pairs),
+      1);
   command->add_option("--for", arguments->cap,
                       "a cap on wall time, like 40s or 5m, none where not given; what is not asked for it is "
                       "said, and fails the gate with exit code 3");
@@ -192,7 +193,8 @@ void add_gate(CLI::App& app, int& exit_code) {
       "a,b: who is to pass; a name stands for all that begin with it; where not given, the guests or, "
       "without any, ours");
   add_guest_options(*command, arguments->guests);
-  add_unsigned(*command, "--seed", arguments->seed, "same seed and number of pairs, same pairs in the same order");
+  add_unsigned(*command, "--seed", arguments->seed,
+               "same seed and number of pairs, same pairs in the same order");
   command->add_option("--cases", arguments->cases,
                       "folder of case files; corpus/cases/ where not given; '' for none");
   command->add_option("--junit", arguments->junit, "write a JUnit file");

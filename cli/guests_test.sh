@@ -77,7 +77,7 @@ expect 0 "$daylight" check --command 'sh worse.sh' pair.jsonl
 holds out '^\{"verdict":"disjoint","method":"worse"\}$'
 expect 64 "$daylight" check "${guests[@]}" pair.jsonl
 expect 0 "$daylight" check --command 'us=sh worse.sh' --method us pair.jsonl
-expect 2 "$daylight" gate --plugin ./libbad.so --for 2s
+expect 2 "$daylight" gate --plugin ./libbad.so --pairs 1000
 holds out '^bad +1 \([0-9a-f]{8}\) '
 holds out "\| .*replay - --methods bad --plugin '?bad="
 expect 0 "$daylight" bench "${guests[@]}" --methods bad,worse,decide --families random --pairs 20 --min-time 0.001 --passes 1

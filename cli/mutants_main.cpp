@@ -46,8 +46,8 @@ std::string finding(const Mutant& mutant) {
   return {};
 }
 
-/// The gate, as a merge would meet it but for an eighth of its pairs: what it does not see in these, it may yet
-/// see in all.
+/// The gate, as a merge would meet it but for an eighth of its pairs: what it does not see in these, it may
+/// yet see in all.
 constexpr std::uint64_t gate_pairs_each = gate_pairs / 8;
 
 std::string gate_closed(const Mutant& mutant, std::span<const Case> cases) {

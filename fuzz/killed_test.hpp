@@ -28,10 +28,10 @@ inline std::uint64_t mix(std::uint64_t x) {
 /// A session of a campaign, which hands on what it is told to call.
 using Session = std::function<void(const std::function<void(const CampaignProgress&)>&)>;
 
-/// Runs `session` in one child after the other until one ends by itself, and says how many were killed. Each is
-/// killed some drawn time after a drawn number of commits, 0 to `most`: that is anywhere in its work. At its
-/// commit most + 1 it kills itself, so that a session with more to do never ends by itself however slow this
-/// process is; and as soon as one commit is drawn there is progress, however fast.
+/// Runs `session` in one child after the other until one ends by itself, and says how many were killed. Each
+/// is killed some drawn time after a drawn number of commits, 0 to `most`: that is anywhere in its work. At
+/// its commit most + 1 it kills itself, so that a session with more to do never ends by itself however slow
+/// this process is; and as soon as one commit is drawn there is progress, however fast.
 inline int kill_until_done(std::uint64_t seed, std::uint64_t most, const Session& session) {
   constexpr std::uint64_t longest_microseconds = 20'000;  // some batches, where nothing else runs
   for (int kills = 0;; ++kills) {

@@ -41,10 +41,11 @@ constexpr int distance_law = 33;
 constexpr unsigned rerun_count = 10;
 /// Questions of the shrinker about one failure. Beyond them it stays as simple as it is.
 constexpr std::size_t simplify_cap = 1200;
-/// Questions about all failures, those of running again included: enough for a few in the smallest gate, and one
-/// for so many pairs drawn.
+/// Questions about all failures, those of running again included: enough for a few in the smallest gate, and
+/// one for so many pairs drawn.
 constexpr std::uint64_t least_questions = 4 * simplify_cap, pairs_per_question = 10;
-/// A hang is paid for as so many questions: it takes half a second, they take some tenths of a millisecond each.
+/// A hang is paid for as so many questions: it takes half a second, they take some tenths of a millisecond
+/// each.
 constexpr std::uint64_t hang_price = 1000;
 
 /// A method that has hung so often is not asked any more: 8 s of CPU time, or half a minute of sleep.
@@ -164,8 +165,8 @@ class Gate {
 
   bool late() const { return options_.cap && Clock::now() - start_ >= *options_.cap; }
 
-  /// Whether a phase that has `done` of its rounds or cases goes on; where the time is over, what is left of it
-  /// is not asked, and that is said.
+  /// Whether a phase that has `done` of its rounds or cases goes on; where the time is over, what is left of
+  /// it is not asked, and that is said.
   bool goes_on(std::uint64_t done, std::uint64_t due, const char* things) {
     if (done >= due) return false;
     if (!late()) return true;
@@ -186,7 +187,7 @@ class Gate {
 
   /// A break joins those of the same law and bucket. The failure it is the first of, if it is.
   GateFailure* note(std::size_t method, const Law& law, const Broken& broken, const Pair& pair,
-            const std::string& origin, const std::optional<Stratum>& stratum = {}) {
+                    const std::string& origin, const std::optional<Stratum>& stratum = {}) {
     std::string kind = kind_of_break(law, broken);
     const std::string& name = report_.methods[method].name;
     const bool contract = broken.severity == Severity::contract;
@@ -230,7 +231,8 @@ class Gate {
   void replay_cases(const Wanted& wanted, std::size_t due) {
     for (std::size_t first = 0; goes_on(first, due, "cases"); first += cases_at_once) {
       std::vector<Pair> pairs;
-      for (const Case& c : cases_.subspan(first, std::min(cases_at_once, due - first))) pairs.push_back(c.pair);
+      for (const Case& c : cases_.subspan(first, std::min(cases_at_once, due - first)))
+        pairs.push_back(c.pair);
       const Examined examined = examine_awake(pairs, wanted);
       if (report_.phases.back().phase == GatePhase::corpus) {
         count(examined.counts);
@@ -406,9 +408,10 @@ GateAmount amount_of(std::uint64_t pairs) {
   constexpr std::uint64_t sample_round =
       pairs_per_cell * contact_feature_count * static_cast<std::uint64_t>(last_decade - first_decade + 1);
   const std::uint64_t under_laws = pairs / (1 + law_price);
-  return {.cases_under_laws = {},
-          .law_rounds = std::max<std::uint64_t>(1, (under_laws + law_round - 1) / law_round),
-          .sample_rounds = std::max<std::uint64_t>(1, (pairs - under_laws + sample_round - 1) / sample_round)};
+  return {
+      .cases_under_laws = {},
+      .law_rounds = std::max<std::uint64_t>(1, (under_laws + law_round - 1) / law_round),
+      .sample_rounds = std::max<std::uint64_t>(1, (pairs - under_laws + sample_round - 1) / sample_round)};
 }
 
 // Where `wrong` of n were wrong, the greatest rate p at which so few are seen with a probability of 5 %: of

@@ -31,9 +31,9 @@ enum class GatePhase : unsigned char {
   sample        ///< the differential sample: independent pairs of every stratum against the referee
 };
 
-/// Pairs that a gate draws where nothing else is said: with them our own methods take about 40 s on two cores,
-/// as long as people wait for a merge, and each cell of the sample gets 2,300, which bounds its error rate by
-/// 1.3e-3.
+/// Pairs that a gate draws where nothing else is said: with them our own methods take about 40 s on two
+/// cores, as long as people wait for a merge, and each cell of the sample gets 2,300, which bounds its error
+/// rate by 1.3e-3.
 inline constexpr std::uint64_t gate_pairs = 250'000;
 
 /// How much is drawn, in rounds: up to 64 pairs under all laws, or 4 pairs of each cell of the sample.
@@ -61,7 +61,7 @@ struct GateOptions {
 struct GateFailure {
   std::string method;
   const Law* law = nullptr;
-  std::string kind;  ///< "wrong_disjoint" of a refuted verdict, "crash" of a failure, else the law's name
+  std::string kind;    ///< "wrong_disjoint" of a refuted verdict, "crash" of a failure, else the law's name
   std::string what;    ///< what broke, on the first pair
   std::string reason;  ///< of a failure: the method's own words, on the first pair
   Severity severity = Severity::contract;
@@ -107,10 +107,10 @@ struct GatePhaseReport {
 
 struct GateReport {
   std::uint64_t seed = 0;
-  std::uint64_t pairs = 0;                        ///< that were to be drawn
+  std::uint64_t pairs = 0;  ///< that were to be drawn
   std::optional<std::chrono::milliseconds> cap;
-  std::vector<std::string> not_asked;             ///< that should have been, a line each: empty if all was
-  std::vector<std::uint64_t> cases;               ///< digests of the cases asked, in their order
+  std::vector<std::string> not_asked;  ///< that should have been, a line each: empty if all was
+  std::vector<std::uint64_t> cases;    ///< digests of the cases asked, in their order
   std::vector<GateMethod> methods;
   std::vector<GateFailure> failures;
   std::vector<GatePhaseReport> phases;
@@ -127,7 +127,8 @@ struct GateProgress {
   std::chrono::milliseconds elapsed{0};
 };
 
-/// Runs the gate on methods. What is asked is decided by counts; only the cap, if any, by a clock. Throws std::system_error only where the system refuses a process or memory.
+/// Runs the gate on methods. What is asked is decided by counts; only the cap, if any, by a clock. Throws
+/// std::system_error only where the system refuses a process or memory.
 GateReport run_gate(std::span<const std::unique_ptr<Method>> methods, std::span<const Case> cases,
                     const GateOptions& options,
                     const std::function<void(const GateProgress&)>& on_progress = {});

@@ -28,8 +28,8 @@ struct Catch {
 };
 
 struct HuntRound {
-  std::vector<Catch> caught;         ///< in the order found
-  std::vector<AnswerCounts> counts;  ///< by method
+  std::vector<Catch> caught;                   ///< in the order found
+  std::vector<AnswerCounts> counts;            ///< by method
   std::map<std::string, std::uint64_t> drawn;  ///< pairs by kind: RapidCheck's classification
   std::vector<Pair> pairs;                     ///< all that were drawn, in their order
 };
@@ -40,13 +40,14 @@ using IsNews = std::function<bool(const Catch&)>;
 /// Pairs of one draw, at most.
 inline constexpr int pairs_per_draw = 16;
 
-/// `draws` times the pairs of one kind, all laws that are wanted. Which pairs are drawn depends on the seed and
-/// `draws` alone, whatever is found; the first news is shrunk. A pure function of its arguments but for hangs.
+/// `draws` times the pairs of one kind, all laws that are wanted. Which pairs are drawn depends on the seed
+/// and `draws` alone, whatever is found; the first news is shrunk. A pure function of its arguments but for
+/// hangs.
 HuntRound hunt(std::span<const std::unique_ptr<Method>> methods, const Wanted& wanted, const IsNews& is_news,
                std::uint64_t seed, int draws, const Caps& caps);
 
-/// The case again that `reproduce` names, up to the first law that it breaks (what it was drawn from must not have changed since). Throws
-/// std::invalid_argument where it names none.
+/// The case again that `reproduce` names, up to the first law that it breaks (what it was drawn from must not
+/// have changed since). Throws std::invalid_argument where it names none.
 HuntRound hunt_again(std::span<const std::unique_ptr<Method>> methods, const Wanted& wanted,
                      const std::string& reproduce, const Caps& caps);
 

@@ -45,7 +45,9 @@ inline GateReport example_report() {
                    {GatePhase::corpus_laws, 0, 7, std::chrono::milliseconds(0)},
                    {GatePhase::laws, 9, 576, std::chrono::milliseconds(1000)},
                    {GatePhase::sample, 831, 345678, std::chrono::milliseconds(30040)}};
-  report.budget = std::chrono::milliseconds(40'000);
+  report.pairs = 350'000;
+  report.cap = std::chrono::milliseconds(40'000);
+  report.cases = {17, 18};
   report.undecided_truths = 3;
 
   GateMethod intersect{.name = "intersect",
@@ -86,6 +88,14 @@ inline GateReport example_report() {
   of_case.origin = "corpus/cases/found.jsonl:2 fuzz" + hostile;
   of_case.what = hostile;
   of_case.found.a.height = std::numeric_limits<double>::quiet_NaN();
+  return report;
+}
+
+/// Cut: two lines of what was not asked, the second hostile.
+inline GateReport cut_report() {
+  GateReport report = example_report();
+  report.failures.clear();
+  report.not_asked = {"sample of all strata: 9 of 840 rounds, for the time was over", "fake" + hostile};
   return report;
 }
 

@@ -14,8 +14,8 @@ namespace cyl {
 inline constexpr std::size_t annotations_cap = 10;
 
 /// One ::error for each method, law and kind of failure that fails the gate, in the order of the report, at
-/// most annotations_cap; then a ::notice saying how many more there are, and a ::warning for each line of what was not asked. Empty where
-/// nothing fails the gate and all was asked.
+/// most annotations_cap; then a ::notice saying how many more there are, and a ::warning for each line of
+/// what was not asked. Empty where nothing fails the gate and all was asked.
 std::string gate_github(const GateReport& report);
 
 }  // namespace cyl

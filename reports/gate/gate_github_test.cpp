@@ -51,6 +51,13 @@ TEST(GateGithub, OneOfALawAndKind) {
   EXPECT_NE(text.find("3,702 pairs"), std::string::npos) << text;
 }
 
+TEST(GateGithub, WarnsOfWhatWasNotAsked) {
+  const std::string text = gate_github(cut_report());
+  EXPECT_EQ(occurrences(text, "\n"), 2u) << text;
+  EXPECT_TRUE(
+      text.starts_with("::warning title=daylight gate, not asked::sample of all strata: 9 of 840 rounds"));
+}
+
 TEST(GateGithub, KnownIsNotShown) {
   GateReport report = example_report();
   report.failures = {report.failures[0]};

@@ -30,12 +30,8 @@ json counts(const AnswerCounts& c) {
   for (const Verdict v :
        {Verdict::disjoint, Verdict::intersecting, Verdict::touching, Verdict::undecided, Verdict::invalid})
     said[to_string(v)] = c.said[static_cast<std::size_t>(v)];
-  return {{"asked", c.asked},
-          {"declined", c.declined},
-          {"failed", c.failed},
-          {"hangs", c.hangs},
-          {"hung_seconds", c.hung_seconds},
-          {"said", std::move(said)}};
+  return {{"asked", c.asked}, {"declined", c.declined},         {"failed", c.failed},
+          {"hangs", c.hangs}, {"hung_seconds", c.hung_seconds}, {"said", std::move(said)}};
 }
 
 json method(const GateMethod& m) {
@@ -132,7 +128,8 @@ GateBase read_base(const std::string& file) {
     for (const json& method : all.at("methods")) base.methods.push_back(method.at("name").get<std::string>());
     // Version 0.1.0 wrote of laws and cases no more than how many pairs they were.
     for (const json& law : all.value("laws", json::array())) base.laws.push_back(law.get<int>());
-    for (const json& digest : all.value("cases", json::array())) base.cases.push_back(digest.get<std::string>());
+    for (const json& digest : all.value("cases", json::array()))
+      base.cases.push_back(digest.get<std::string>());
     for (const json& phase : all.at("phases")) {
       const auto is = [&](GatePhase p) { return phase.at("phase") == to_string(p); };
       const std::uint64_t pairs = natural(phase, "pairs");
@@ -167,7 +164,9 @@ void mark_known(GateReport& report, const GateBase& base) {
 }
 
 void note_gaps(GateReport& report, const GateBase& base) {
-  const auto miss = [&](const std::string& what) { report.not_asked.push_back(what + ", which the base has"); };
+  const auto miss = [&](const std::string& what) {
+    report.not_asked.push_back(what + ", which the base has");
+  };
   for (const std::string& name : base.methods)
     if (std::none_of(report.methods.begin(), report.methods.end(),
                      [&](const GateMethod& m) { return m.name == name; }))
@@ -180,8 +179,9 @@ void note_gaps(GateReport& report, const GateBase& base) {
   if (!base.cases.empty()) {
     std::set<std::string> asked;
     for (const std::uint64_t digest : report.cases) asked.insert(hex(digest));
-    missing = static_cast<std::uint64_t>(std::count_if(
-        base.cases.begin(), base.cases.end(), [&](const std::string& digest) { return !asked.contains(digest); }));
+    missing = static_cast<std::uint64_t>(
+        std::count_if(base.cases.begin(), base.cases.end(),
+                      [&](const std::string& digest) { return !asked.contains(digest); }));
   }
   if (missing > 0) miss(fmt::format("{} of {} cases", missing, base.case_count));
   std::size_t drawn = 0;

@@ -21,10 +21,10 @@ struct GateBase {
   std::uint64_t pairs = 0;  ///< that were to be drawn
   GateAmount amount;        ///< what was drawn
   std::vector<std::string> methods;
-  std::vector<int> laws;            ///< empty where it does not say: version 0.1.0 did not
-  std::vector<std::string> cases;   ///< digests; likewise
+  std::vector<int> laws;           ///< empty where it does not say: version 0.1.0 did not
+  std::vector<std::string> cases;  ///< digests; likewise
   std::uint64_t case_count = 0;
-  std::vector<std::string> digests; ///< of the pairs of each phase that draws, in their order; likewise
+  std::vector<std::string> digests;  ///< of the pairs of each phase that draws, in their order; likewise
   std::map<std::string, std::uint64_t> buckets;  ///< of failures beyond claims, and on how many pairs
 };
 
@@ -32,7 +32,8 @@ struct GateBase {
 /// the remedy.
 GateBase read_base(const std::string& file);
 
-/// Adds to what was not asked: methods, laws, cases and drawn pairs of the base that are none of the report's.
+/// Adds to what was not asked: methods, laws, cases and drawn pairs of the base that are none of the
+/// report's.
 void note_gaps(GateReport& report, const GateBase& base);
 
 /// Marks as known the failures whose bucket is in the base, but not those that are seen on more pairs now,

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "reports/gate/gate_json.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
@@ -17,9 +18,15 @@ TEST(GateJson, IsTheWholeReport) {
   const json all = json::parse(gate_json(example_report()));
   EXPECT_EQ(all["seed"], std::numeric_limits<std::uint64_t>::max());
   EXPECT_EQ(all["undecided_truths"], 3);
-  EXPECT_EQ(
-      all["phases"][3],
-      json({{"phase", "sample of all strata"}, {"rounds", 831}, {"pairs", 345678}, {"milliseconds", 30040}}));
+  EXPECT_EQ(all["phases"][3], json({{"phase", "sample of all strata"},
+                                    {"rounds", 831},
+                                    {"pairs", 345678},
+                                    {"milliseconds", 30040},
+                                    {"digest", "0000000000000000"}}));
+  EXPECT_EQ(all["pairs"], 350'000);
+  EXPECT_EQ(all["laws"].size(), all_laws().size());
+  EXPECT_EQ(all["not_asked"], json::array());
+  EXPECT_EQ(json::parse(gate_json(cut_report()))["not_asked"].size(), 2u);
   const json& method = all["methods"][0];
   EXPECT_EQ(method["counts"]["said"]["undecided"], 77);
   EXPECT_EQ(method["claim"]["relative"], 1e-13);
@@ -46,7 +53,9 @@ TEST(GateJson, TheBaseComesBack) {
   const ScratchFile file(gate_json(example_report()));
   const GateBase base = read_base(file.path);
   EXPECT_EQ(base.seed, example_report().seed);
-  EXPECT_EQ(base.budget, example_report().budget);
+  EXPECT_EQ(base.pairs, example_report().pairs);
+  EXPECT_EQ(base.methods.size(), 2u);
+  EXPECT_EQ(base.cases, (std::vector<std::string>{"0000000000000011", "0000000000000012"}));
   EXPECT_EQ(base.amount.cases_under_laws, 7u) << "not all of 12";
   EXPECT_EQ(base.amount.law_rounds, 9u);
   EXPECT_EQ(base.amount.sample_rounds, 831u);
@@ -78,13 +87,49 @@ TEST(GateJson, KnownIsWhatTheBaseHasOnAsManyPairs) {
   EXPECT_FALSE(known(f, base)) << "without a bucket nothing is known";
 }
 
+TEST(GateJson, WhatTheBaseAskedAndThisGateDidNotIsSaid) {
+  const GateReport report = example_report();
+  const ScratchFile file(gate_json(report));
+  const auto gaps = [&](const GateReport& now, const std::string& file_of_base) {
+    GateReport told = now;
+    note_gaps(told, read_base(file_of_base));
+    EXPECT_EQ(exit_code(told), told.not_asked.empty() ? exit_code(now) : std::max(exit_code(now), 3));
+    return told.not_asked;
+  };
+  GateReport now = report;
+  now.cases = {18, 17, 19};
+  // As it is written, which bytes that are no UTF-8 do not survive.
+  now.methods[1].name = nlohmann::json::parse(gate_json(report))["methods"][1]["name"];
+  EXPECT_EQ(gaps(now, file.path), std::vector<std::string>{}) << "more cases, in another order";
+  GateReport other = now;
+  other.cases = {17, 19, 20};
+  other.methods[0].name = "another";
+  other.phases[3].digest = 1;
+  const ScratchFile lawless(replaced(gate_json(report), "\"laws\": [\n", "\"laws\": [\n  999,\n"));
+  EXPECT_EQ(gaps(other, lawless.path),
+            (std::vector<std::string>{"method intersect, which the base has", "law 999, which the base has",
+                                      "1 of 12 cases, which the base has",
+                                      "sample of all strata: the pairs, which the base has"}));
+  // A base of version 0.1.0 says how many cases there were.
+  const json whole = json::parse(gate_json(report));
+  const ScratchFile old(
+      whole
+          .patch(json::parse(
+              R"([{"op":"remove","path":"/cases"},{"op":"remove","path":"/laws"},{"op":"remove","path":"/pairs"},
+                  {"op":"remove","path":"/phases/2/digest"},{"op":"remove","path":"/phases/3/digest"}])"))
+          .dump());
+  EXPECT_EQ(gaps(now, old.path), std::vector<std::string>{"9 of 12 cases, which the base has"});
+  now.cases.resize(12);
+  EXPECT_EQ(gaps(now, old.path), std::vector<std::string>{});
+}
+
 TEST(GateJson, BadBasesAreRefusedByName) {
   const std::string good = gate_json(example_report());
   for (const std::string& bad :
        {std::string(), std::string("{"), std::string("[]"), std::string("{}"),
         std::string("{\"failures\":7}"), std::string("{\"failures\":[{}]}"),
         std::string("{\"failures\":[{\"bucket\":7}]}"), std::string("{\"failures\":[7]}"),
-        replaced(good, "\"budget_milliseconds\"", "\"budget\""),
+        replaced(good, "\"seed\"", "\"seeds\""), replaced(good, "\"laws\": [\n", "\"laws\": [\n \"x\",\n"),
         replaced(good, "\"rounds\": 9", "\"rounds\": -1"), good.substr(0, good.size() / 2)}) {
     const ScratchFile file(bad);
     try {

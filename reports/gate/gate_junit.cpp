@@ -133,8 +133,8 @@ Suite suite_of(const GateMethod& method, const GateReport& report) {
       "   <property name=\"pairs\" value=\"{}\"/>\n"
       "   <property name=\"version\" value=\"{}\"/>\n"
       "  </properties>\n",
-      xml(one_line(method.name)), suite.tests.size(), suite.failed, report.seed,
-      report.pairs, xml(one_line(method.version)));
+      xml(one_line(method.name)), suite.tests.size(), suite.failed, report.seed, report.pairs,
+      xml(one_line(method.version)));
   for (const TestCase& test : suite.tests) suite.text += format(one_line(method.name), test);
   if (!method.remark.empty()) beside += one_line(method.remark) + '\n';
   if (!beside.empty()) suite.text += "  <system-out>" + xml(beside) + "</system-out>\n";

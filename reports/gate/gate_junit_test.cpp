@@ -17,6 +17,7 @@ TEST(GateJunit, KeepsToItsSchema) {
   const std::string document = gate_junit(example_report());
   EXPECT_TRUE(valid(document)) << document;
   EXPECT_TRUE(valid(gate_junit({})));
+  EXPECT_TRUE(valid(gate_junit(cut_report())));
   EXPECT_FALSE(valid(replaced(document, "<testcase ", "<testcase colour=\"red\" ")));
   EXPECT_FALSE(valid(replaced(document, " failures=", " mistakes=")));
   EXPECT_FALSE(valid(replaced(document, "&lt;a b=", "<a b=")));
@@ -32,6 +33,14 @@ TEST(GateJunit, OneTestALawAndOneACaseThatFailed) {
   EXPECT_NE(document.find("failures=\"4\" errors=\"0\" time=\"31.290\""), std::string::npos);
   EXPECT_NE(document.find("name=\"case corpus/cases/found.jsonl:2 fuzz"), std::string::npos);
   EXPECT_NE(document.find("name=\"seed\" value=\"18446744073709551615\""), std::string::npos);
+}
+
+TEST(GateJunit, WhatWasNotAskedIsAnError) {
+  const std::string document = gate_junit(cut_report());
+  EXPECT_EQ(occurrences(document, "<testsuite "), 3u);
+  EXPECT_EQ(occurrences(document, "<error "), 2u);
+  EXPECT_EQ(occurrences(document, "errors=\"2\""), 2u) << "of the suite and of all";
+  EXPECT_NE(document.find("message=\"not asked: sample of all strata: 9 of 840 rounds"), std::string::npos);
 }
 
 TEST(GateJunit, WithinTheClaimOrKnownIsNoFailure) {

@@ -85,10 +85,11 @@ std::string gate_sarif(const GateReport& report, std::string_view version, bool 
     notifications.push_back({{"level", "error"}, {"message", text("Not asked: " + one_line(line))}});
   const json invocation = {{"executionSuccessful", report.not_asked.empty()},
                            {"toolExecutionNotifications", std::move(notifications)}};
-  const json run = {{"tool", {{"driver", driver}}},
-                    {"invocations", json::array({invocation})},
-                    {"results", std::move(results)},
-                    {"properties", {{"seed", report.seed}, {"pairs", report.pairs}, {"versions", std::move(versions)}}}};
+  const json run = {
+      {"tool", {{"driver", driver}}},
+      {"invocations", json::array({invocation})},
+      {"results", std::move(results)},
+      {"properties", {{"seed", report.seed}, {"pairs", report.pairs}, {"versions", std::move(versions)}}}};
   const json log = {{"$schema", "https://json.schemastore.org/sarif-2.1.0.json"},
                     {"version", "2.1.0"},
                     {"runs", json::array({run})}};

@@ -11,8 +11,8 @@
 namespace cyl {
 
 /// `version` is that of daylight; `compared`: there was a base (--against), so each result is new or
-/// unchanged. Errors (contract, luck) have the level error, all others note. An invocation that did not ask all
-/// has a notification a line of it, and is no success.
+/// unchanged. Errors (contract, luck) have the level error, all others note. An invocation that did not ask
+/// all has a notification a line of it, and is no success.
 std::string gate_sarif(const GateReport& report, std::string_view version, bool compared);
 
 }  // namespace cyl

@@ -17,6 +17,7 @@ TEST(GateSarif, KeepsToItsSchema) {
   const std::string document = gate_sarif(example_report(), "0.1.0", true);
   EXPECT_TRUE(valid(document)) << document;
   EXPECT_TRUE(valid(gate_sarif({}, "0.1.0", false)));
+  EXPECT_TRUE(valid(gate_sarif(cut_report(), "0.1.0", false)));
   const json good = json::parse(document);
   for (
       const char* planted :
@@ -44,6 +45,18 @@ TEST(GateSarif, ARuleALawAndAResultAFailure) {
   EXPECT_FALSE(results[0].contains("baselineState"));
   EXPECT_EQ(run["properties"]["seed"], std::numeric_limits<std::uint64_t>::max());
   EXPECT_EQ(run["properties"]["versions"]["intersect"], "0.1.0");
+}
+
+TEST(GateSarif, WhatWasNotAskedIsNoSuccess) {
+  const auto invocation = [](const GateReport& report) {
+    return json::parse(gate_sarif(report, "0.1.0", false))["runs"][0]["invocations"][0];
+  };
+  EXPECT_EQ(invocation(example_report())["executionSuccessful"], true);
+  const json cut = invocation(cut_report());
+  EXPECT_EQ(cut["executionSuccessful"], false);
+  ASSERT_EQ(cut["toolExecutionNotifications"].size(), 2u);
+  EXPECT_EQ(cut["toolExecutionNotifications"][0]["message"]["text"],
+            "Not asked: sample of all strata: 9 of 840 rounds, for the time was over");
 }
 
 TEST(GateSarif, PlacesAreTheCaseElseTheLawFromTheTopOfTheSources) {

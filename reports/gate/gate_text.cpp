@@ -106,8 +106,8 @@ std::string failures_text(const GateReport& report) {
   const std::vector<Alike> failing = alike_failures(report, true), others = alike_failures(report, false);
   const char* nothing =
       report.not_asked.empty() ? "Nothing fails the gate.\n" : "Nothing that was asked fails the gate.\n";
-  std::string text = failing.empty() ? nothing
-                                     : fmt::format("Fails the gate ({}):\n", grouped(failing.size()));
+  std::string text =
+      failing.empty() ? nothing : fmt::format("Fails the gate ({}):\n", grouped(failing.size()));
   for (std::size_t i = 0; i < failing.size(); ++i) text += told_in_full(i + 1, failing[i]);
   if (!others.empty()) text += fmt::format("\nWithin claims, or known ({}):\n", grouped(others.size()));
   for (std::size_t i = 0; i < std::min(brief_cap, others.size()); ++i) {

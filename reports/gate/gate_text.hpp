@@ -15,7 +15,8 @@ inline constexpr std::size_t also_cap = 5;
 /// Breaks told in one line each (within claims, or known), of all methods together; then how many more.
 inline constexpr std::size_t brief_cap = 20;
 
-/// What was not asked is told before the methods. Beside the pairs and what is quoted of methods, no line is wider than 120 columns.
+/// What was not asked is told before the methods. Beside the pairs and what is quoted of methods, no line is
+/// wider than 120 columns.
 std::string gate_text(const GateReport& report);
 
 /// The last line of one method: what its independent pairs prove. Nothing of it comes from kept cases or

@@ -63,6 +63,13 @@ TEST(GateText, KnownFailuresDoNotFail) {
   EXPECT_TRUE(has(text, "(known)"));
 }
 
+TEST(GateText, TellsWhatWasNotAsked) {
+  const std::string text = gate_text(cut_report());
+  EXPECT_TRUE(has(text, "NOT ASKED: sample of all strata: 9 of 840 rounds, for the time was over\n"));
+  EXPECT_TRUE(has(text, "Nothing that was asked fails the gate."));
+  EXPECT_FALSE(has(text, "Nothing fails the gate."));
+}
+
 TEST(GateText, BriefOnesAreCapped) {
   GateReport report = example_report();
   report.failures.assign(brief_cap + 5, example_failure("intersect", 3, Severity::resolution));

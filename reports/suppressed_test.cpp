@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: MIT
+#include "reports/suppressed.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "oracles/kin.hpp"
+#include "props/laws_test.hpp"
+
+namespace cyl {
+namespace {
+
+TEST(Suppressed, AFailureIsKnownByItsCauseWhateverItsSentenceSays) {
+  std::vector<std::unique_ptr<Method>> methods;
+  methods.push_back(std::make_unique<Planted>([](const Pair&) -> MethodAnswer { std::abort(); }));
+  GateReport report;
+  GateFailure& crash = report.failures.emplace_back();
+  crash.method = "planted";
+  crash.law = &law_numbered(answer_law);
+  crash.kind = "crash";
+  crash.reason = "SIGABRT";
+  crash.found = crash.simplest = Pair{{{0, 0, 0}, {0, 0, 1}, 1, 2}, {{5, 0, 0}, {0, 0, 1}, 1, 2}};
+  const std::string cause = std::string(library_of("planted")) + "/crash/sigabrt";
+  for (const char* what : {"crash: SIGABRT", "crash, margin 0.25: SIGABRT"}) {
+    crash.what = what;
+    for (const bool same : {true, false}) {
+      crash.known = false;
+      const Suppression suppression{same ? cause : cause + "-elsewhere", "r", "-", "ada", "2999-12-31", 1};
+      mark_suppressed(report, methods, {suppression}, "2026-01-01");
+      EXPECT_EQ(crash.known, same) << what;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace cyl
