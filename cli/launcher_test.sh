@@ -142,8 +142,8 @@ touch node_modules/.package-lock.json
 SH
 cp "$scratch/npm/npm" "$scratch/npm/node"
 chmod +x "$scratch/stubs/"* "$scratch/npm/"*
-mkdir -p "$home/reports/page"
-touch "$home/reports/page/package-lock.json"
+mkdir -p "$home/reports/web"
+touch "$home/reports/web/package-lock.json"
 launch env PATH="$scratch/stubs:$few" "$home/daylight" test --install-only
 expect 'test --install-only: exit code' 0 "$code"
 expect 'test: what it lacks is told' yes "$([[ $err == *'--no-install-recommends chromium nodejs npm'* ]] && echo yes)"

@@ -14,11 +14,11 @@
 #include <sstream>
 #include <stdexcept>
 
-#include "oracles/trial/finding_text.hpp"
-#include "fuzz/killed_test.hpp"
+#include "fuzz/campaign/killed_test.hpp"
 #include "fuzz/campaign/merge.hpp"
-#include "oracles/trial/compare.hpp"
 #include "oracles/methods/contained.hpp"
+#include "oracles/trial/compare.hpp"
+#include "oracles/trial/finding_text.hpp"
 
 namespace cyl {
 namespace {

@@ -9,7 +9,7 @@
 #include <set>
 
 #include "fuzz/campaign/campaign.hpp"
-#include "fuzz/killed_test.hpp"
+#include "fuzz/campaign/killed_test.hpp"
 #include "fuzz/campaign/merge.hpp"
 
 namespace cyl {

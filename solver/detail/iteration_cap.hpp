@@ -3,8 +3,8 @@
 
 namespace cyl {
 
-/// Steps inside an edge before `undecided`. Exact arithmetic never reaches it (derivation.md, section 5), nor has any
-/// pair.
+/// Steps inside an edge before `undecided`. Exact arithmetic never reaches it (derivation.md, section 5), nor
+/// has any pair.
 inline constexpr int iteration_cap = 200;
 
 }  // namespace cyl

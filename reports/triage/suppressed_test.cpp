@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "reports/suppressed.hpp"
+#include "reports/triage/suppressed.hpp"
 
 #include <gtest/gtest.h>
 
@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
-#include "oracles/kin.hpp"
-#include "props/laws_test.hpp"
+#include "oracles/trial/algorithm_groups.hpp"
+#include "props/laws/laws_test.hpp"
 
 namespace cyl {
 namespace {
