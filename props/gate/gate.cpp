@@ -107,6 +107,7 @@ class Gate {
       : methods_(methods), cases_(cases), options_(options), on_progress_(on_progress), start_(Clock::now()) {
     amount_ = options.amount.value_or(amount_of(options.pairs));
     questions_left_ = least_questions + options.pairs / pairs_per_question;
+    skipped_.resize(methods.size());
     report_.seed = options.seed;
     report_.pairs = options.pairs;
     report_.cap = options.cap;
@@ -147,7 +148,7 @@ class Gate {
     for (std::size_t m = 0; m < methods_.size(); ++m) {
       GateMethod& method = report_.methods[m];
       method.remark = asleep(m) ? "hangs, and was not asked to the end" : remark_on(method.counts);
-      if (asleep(m)) report_.not_asked.push_back(method.name + ", after it had hung too often");
+      if (skipped_[m]) report_.not_asked.push_back(method.name + ", after it had hung too often");
     }
     return std::move(report_);
   }
@@ -216,8 +217,18 @@ class Gate {
     return &failure;
   }
 
-  void count(const std::vector<AnswerCounts>& counts) {
-    for (std::size_t m = 0; m < methods_.size(); ++m) report_.methods[m].counts += counts[m];
+  /// `again`: the pairs themselves were counted before, so only hangs are.
+  void count(const std::vector<AnswerCounts>& counts, bool again = false) {
+    for (std::size_t m = 0; m < methods_.size(); ++m) {
+      AnswerCounts& all = report_.methods[m].counts;
+      if (again) {
+        all.hangs += counts[m].hangs;
+        all.hung_seconds += counts[m].hung_seconds;
+      } else {
+        all += counts[m];
+      }
+      skipped_[m] = skipped_[m] || asleep(m) || counts[m].hangs >= options_.caps.hangs;
+    }
   }
 
   /// A method that hangs again and again is not asked any more: the gate is to end.
@@ -234,16 +245,11 @@ class Gate {
       for (const Case& c : cases_.subspan(first, std::min(cases_at_once, due - first)))
         pairs.push_back(c.pair);
       const Examined examined = examine_awake(pairs, wanted);
+      count(examined.counts, report_.phases.back().phase == GatePhase::corpus_laws);
       if (report_.phases.back().phase == GatePhase::corpus) {
-        count(examined.counts);
         report_.undecided_truths += static_cast<std::uint64_t>(
             std::count(examined.truths.begin(), examined.truths.end(), Verdict::undecided));
         for (const Pair& pair : pairs) report_.cases.push_back(digest_of(pair, fnv1a({})));
-      } else {
-        for (std::size_t m = 0; m < methods_.size(); ++m) {  // the pairs themselves were counted before
-          report_.methods[m].counts.hangs += examined.counts[m].hangs;
-          report_.methods[m].counts.hung_seconds += examined.counts[m].hung_seconds;
-        }
       }
       for (const BrokenLaw& b : examined.broken) {
         const Case& c = cases_[first + b.pair];
@@ -259,8 +265,9 @@ class Gate {
 
   void hunt_laws() {
     const Wanted all = [&](std::size_t m, const Law&) { return !asleep(m); };
-    const IsNews is_news = [&](const Catch& c) {
-      return !broken_.contains(std::tuple(c.method, c.law->number, kind_of_break(*c.law, c.broken)));
+    const IsNews is_news = [&](const Catch& c) {  // shrinking a hang would take an hour
+      return c.broken.kind != FindingKind::hang &&
+             !broken_.contains(std::tuple(c.method, c.law->number, kind_of_break(*c.law, c.broken)));
     };
     for (std::uint64_t& round = report_.phases.back().rounds; goes_on(round, amount_.law_rounds, "rounds");) {
       // Each round has a seed of its own; neighbouring ones of RapidCheck's generator are unrelated.
@@ -392,6 +399,7 @@ class Gate {
   GateAmount amount_;
   std::uint64_t questions_left_ = 0;
   GateReport report_;
+  std::vector<bool> skipped_;  ///< by method: some pairs were not asked, for others of their batch hung
   std::map<std::tuple<int, std::string, bool>, std::size_t> by_bucket_;  ///< to failures
   std::set<std::tuple<std::size_t, int, std::string>> broken_;  ///< method, law and kind: contracts broken
 };

