@@ -59,7 +59,8 @@ gate 2 --method fcl-libccd --pairs 3000 --seed 2 --json other.json
 
 # A cap on time cuts it: more pairs than any machine asks in a second.
 gate 3 --for 1s --pairs 4000000000 --json cut.json --junit cut.xml --sarif cut.sarif --github
-grep -qE '^NOT ASKED: sample of all strata: [0-9]+ of [0-9]+ rounds, for the time was over$' out || fail 'the cut is not told'
+grep -qE '^NOT ASKED: sample of all strata: [0-9]+ of [0-9]+ rounds, for the time was over$' out ||
+  fail 'the cut is not told'
 grep -q '^Nothing that was asked fails the gate' out || fail 'a cut gate says that nothing fails'
 grep -q '^::warning .*not asked::sample of all strata' out || fail 'no annotation of what was not asked'
 grep -q '"not_asked": \[$' cut.json || fail 'the JSON does not say what was not asked'
@@ -98,7 +99,7 @@ code=0
 [[ $code == 2 ]] || fail "exit code $code of: $again"
 grep -q '^  truth: ' out || fail 'what replays a failure does not say what is true'
 gate 2 --method fcl-libccd --against more.json
-grep -q '^NOT ASKED: method somebody, which the base has$' out || fail 'a method of the base was not asked, nor is that told'
+grep -q '^NOT ASKED: method somebody, which the base has$' out || fail 'a missing method of the base is not told'
 gate 0 --against ours.json
 gate 3 --against other.json
 for what in 'law 999' '1 of [0-9]* cases' 'sample of all strata: the pairs'; do
