@@ -71,7 +71,11 @@ holds 'its families' out '^  random '
 
 "$daylight" campaign --for 1h --seed 7 --cases '' --methods intersect --out runs/stopped >out 2>err &
 campaign=$!
-stored() { python3 -c 'import sqlite3; print(sqlite3.connect("file:runs/stopped/run.sqlite?mode=rw", uri=True).execute("SELECT next FROM progress").fetchone()[0])' 2>/dev/null || echo 0; }
+stored() {
+  python3 -c 'import sqlite3
+db = sqlite3.connect("file:runs/stopped/run.sqlite?mode=rw", uri=True)
+print(db.execute("SELECT next FROM progress").fetchone()[0])' 2>/dev/null || echo 0
+}
 for _ in {1..6000}; do
   [[ $(stored) != 0 ]] && break
   sleep 0.1

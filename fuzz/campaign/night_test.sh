@@ -4,8 +4,8 @@
 #     fuzz/campaign/night_test.sh DAYLIGHT SECONDS INTERVAL [SUMMARY]
 # Two campaigns of the same pairs, about SECONDS of work, run side by side on half of the processors each. One is left
 # alone, and its memory watched; the other, with all its workers, is killed INTERVAL seconds after each start, or when it
-# has stored something since, whichever is later (the first time as soon as it has), and gone on with. The figures go to standard output and to the file
-# SUMMARY.
+# has stored something since, whichever is later (the first time as soon as it has), and gone on with. The figures go to
+# standard output and to the file SUMMARY.
 set -euo pipefail
 
 [[ $# -ge 3 ]] || { sed -n '3,9s/^# \?//p' "$0" >&2; exit 64; }
@@ -70,7 +70,8 @@ killed_and_resumed() {
     fi
     pid=$!
     started=$SECONDS
-    while kill -0 "$pid" 2>/dev/null && { ((kills > 0 && SECONDS - started < interval)) || [[ $(done_of killed 2>/dev/null || echo "$stored") == "$stored" ]]; }; do
+    while kill -0 "$pid" 2>/dev/null && { ((kills > 0 && SECONDS - started < interval)) ||
+      [[ $(done_of killed 2>/dev/null || echo "$stored") == "$stored" ]]; }; do
       sleep 0.1
     done
     if kill -0 "$pid" 2>/dev/null; then

@@ -26,7 +26,8 @@ same_run() {
 # done_of RUN : "indices milliseconds" that its store holds.
 done_of() {
   python3 -c 'import sqlite3, sys
-print(*sqlite3.connect(f"file:{sys.argv[1]}/run.sqlite?mode=rw", uri=True).execute("SELECT next, milliseconds FROM progress").fetchone())' "$1"
+db = sqlite3.connect(f"file:{sys.argv[1]}/run.sqlite?mode=rw", uri=True)
+print(*db.execute("SELECT next, milliseconds FROM progress").fetchone())' "$1"
 }
 
 # kill_shard OUT I : waits until shard I in OUT has stored something, then kills it. It stands still while its store is

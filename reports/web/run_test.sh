@@ -16,7 +16,8 @@ scene() {
 }
 
 build() {
-  [[ node_modules/.package-lock.json -nt package-lock.json ]] || exec ../../.ci/skip 'no npm packages here, or old ones: npm ci --prefix reports/web'
+  [[ node_modules/.package-lock.json -nt package-lock.json ]] ||
+    exec ../../.ci/skip 'no npm packages here, or old ones: npm ci --prefix reports/page'
   node_modules/.bin/tsc
   node build.mjs --check
 }
