@@ -2,9 +2,10 @@
 #include "base/duration.hpp"
 
 #include <charconv>
-#include <stdexcept>
 #include <string>
 #include <system_error>
+
+#include "corpus/usage_error.hpp"
 
 namespace cyl {
 
@@ -20,7 +21,7 @@ std::chrono::milliseconds parse_duration(std::string_view text) {
   if (unit == "h") scale = 3600 * 1000;
   if (unit == "d") scale = 24 * 3600 * 1000;
   if (error != std::errc() || !(value * scale >= 1 && value * scale <= year)) {
-    throw std::invalid_argument("'" + std::string(text) + "' is no duration like 90s, 1m or 8h");
+    throw UsageError("'" + std::string(text) + "' is no duration like 90s, 1m or 8h");
   }
   return std::chrono::milliseconds(static_cast<std::int64_t>(value * scale));
 }

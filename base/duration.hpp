@@ -7,7 +7,7 @@
 
 namespace cyl {
 
-/// "500ms", "90s", "1.5m", "8h", "2d". Throws std::invalid_argument on anything else, on 0 and on more than a
+/// "500ms", "90s", "1.5m", "8h", "2d". Throws UsageError on anything else, on 0 and on more than a
 /// year.
 std::chrono::milliseconds parse_duration(std::string_view text);
 

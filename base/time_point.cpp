@@ -5,7 +5,8 @@
 #include <time.h>
 
 #include <ctime>
-#include <stdexcept>
+
+#include "corpus/usage_error.hpp"
 
 namespace cyl {
 namespace {
@@ -13,7 +14,7 @@ namespace {
 using std::chrono::system_clock;
 
 [[noreturn]] void refuse(const std::string& text) {
-  throw std::invalid_argument("'" + text + "' is no time like 06:30 or 2026-11-22T06:30");
+  throw UsageError("'" + text + "' is no time like 06:30 or 2026-11-22T06:30");
 }
 
 // strptime takes a 31st of February, mktime moves it to March: what comes back must be what was written.

@@ -32,6 +32,9 @@
 #include "cli/show_run.hpp"
 #include "cli/unsigned_option.hpp"
 #include "corpus/store/case_files.hpp"
+#include "base/safe_text.hpp"
+#include "corpus/usage_error.hpp"
+#include "base/own_command.hpp"
 
 namespace cyl {
 namespace {
@@ -92,7 +95,7 @@ void set_shard(const std::string& text, CampaignOptions& options) {
   const auto [rest, bad_count] = cut ? std::from_chars(slash + 1, end, options.shards)
                                      : std::from_chars_result{end, std::errc::invalid_argument};
   if (bad_count != std::errc() || rest != end || options.shard >= options.shards)
-    throw std::invalid_argument("--shard: '" + text + "' is not i/n with i from 0 to n - 1");
+    throw UsageError("--shard: '" + text + "' is not i/n with i from 0 to n - 1");
 }
 
 /// A new run: everything from the command line.
@@ -141,8 +144,8 @@ Company company_of(const Arguments& arguments, const std::vector<std::string>& a
   Company company = with_guests(arguments.guests);
   for (const Guest& guest : company.guests) {
     if (std::find(asked.begin(), asked.end(), guest.name) == asked.end())
-      throw std::invalid_argument(arguments.resume + " has not asked " + guest.name +
-                                  ": a run goes on with what it began with");
+      throw UsageError(arguments.resume + " has not asked " + guest.name +
+                       ": a run goes on with what it began with");
   }
   std::string missing;
   add_guests_of_run(company, arguments.resume, missing);
@@ -329,7 +332,7 @@ void add_campaign(CLI::App& app, int& exit_code) {
   command->callback([arguments, fixed, &exit_code] {
     for (const CLI::Option* option : fixed) {
       if (arguments->resume.empty() || option->count() == 0) continue;
-      throw std::invalid_argument(
+      throw UsageError(
           option->get_name() +
           " cannot be given with --resume: a run goes on with what it began with, or its first part and its "
           "last would not be of one run; only limits and --jobs may change");

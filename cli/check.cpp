@@ -18,9 +18,11 @@
 #include "cli/commands.hpp"
 #include "cli/guests.hpp"
 #include "corpus/pairs/pair_io.hpp"
+#include "base/safe_text.hpp"
+#include "corpus/usage_error.hpp"
+#include "oracles/trial/compare.hpp"
 #include "oracles/methods/contained.hpp"
 #include "oracles/referee/referee.hpp"
-#include "oracles/trial/compare.hpp"
 
 namespace cyl {
 
@@ -102,7 +104,7 @@ class Checker {
     std::string message = options.method.empty() ? "ask one at a time:"
                                                  : "--method " + options.method + " names more than one:";
     for (const auto& method : methods_) message.append(" ").append(method->name());
-    throw std::invalid_argument(message);
+    throw UsageError(message);
   }
 
   /// One line out for each non-blank line in, written as soon as no more input is waiting.

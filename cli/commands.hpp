@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The commands of the one executable, a file each: add_<command> describes it to the parser; when it runs it
-// leaves its exit code behind. A wrong argument throws std::invalid_argument, what the harness cannot do any
-// other std::exception: main.cpp prints the text and turns the first into exit code 64, the others into 1.
+// leaves its exit code behind. A wrong argument throws UsageError, what the harness cannot do any other
+// std::exception: main.cpp prints the text and turns the first into exit code 64, the others into 1.
 #pragma once
 
 namespace CLI {

@@ -4,11 +4,11 @@
 #include <cstdio>
 #include <exception>
 #include <iostream>
-#include <stdexcept>
 #include <string>
 
 #include "cli/build_info.hpp"
 #include "cli/commands.hpp"
+#include "corpus/usage_error.hpp"
 
 namespace {
 
@@ -44,7 +44,7 @@ int run(int argc, char** argv) {
       return cyl::exit_usage;
     }
     return app.exit(error) == 0 ? cyl::exit_pass : cyl::exit_usage;  // 0: --help, --version
-  } catch (const std::invalid_argument& error) {
+  } catch (const cyl::UsageError& error) {
     std::cerr << "daylight: " << error.what() << '\n';
     return cyl::exit_usage;
   }

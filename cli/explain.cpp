@@ -7,7 +7,6 @@
 #include <cstdint>
 #include <memory>
 #include <span>
-#include <stdexcept>
 #include <string>
 
 #include "base/files.hpp"
@@ -16,6 +15,8 @@
 #include "cli/one_failure.hpp"
 #include "cli/targets.hpp"
 #include "cli/unsigned_option.hpp"
+#include "base/files.hpp"
+#include "corpus/usage_error.hpp"
 #include "oracles/trial/probe.hpp"
 
 namespace cyl {
@@ -31,20 +32,19 @@ struct Arguments {
 OneFailure failure_of(const Arguments& arguments, std::span<const std::unique_ptr<Method>> methods) {
   const std::vector<Target> targets = targets_of(arguments.target);
   if (targets.size() != 1)
-    throw std::invalid_argument(
+    throw UsageError(
         fmt::format("'{}' names {} pairs; give one: FILE:LINE or RUN:ID", arguments.target, targets.size()));
   const Target& target = targets.front();
   const bool stored =
       target.finding && (arguments.method.empty() || arguments.method == target.finding->method);
   const std::string name = stored ? target.finding->method : arguments.method;
-  if (name.empty()) throw std::invalid_argument("which method? Give --method NAME");
+  if (name.empty()) throw UsageError("which method? Give --method NAME");
   const std::string word = !arguments.kind.empty() ? arguments.kind : stored ? target.finding->kind : "";
   if (!word.empty()) return {name, kind_of_word(word), target.pair};
   const Probe now = probe_one(find_method(methods, name), target.pair);
   if (!now.finding)
-    throw std::invalid_argument(fmt::format("{} is not wrong on {}: it says {}, and they are {}", name,
-                                            target.label, format_method_answer(now.answer),
-                                            distance_in_words(now)));
+    throw UsageError(fmt::format("{} is not wrong on {}: it says {}, and they are {}", name, target.label,
+                                 format_method_answer(now.answer), distance_in_words(now)));
   return {name, now.finding->kind, target.pair};
 }
 

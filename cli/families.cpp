@@ -6,12 +6,12 @@
 #include <CLI/CLI.hpp>
 #include <cstdint>
 #include <memory>
-#include <stdexcept>
 #include <string>
 
 #include "cli/commands.hpp"
 #include "cli/unsigned_option.hpp"
 #include "corpus/pairs/pair_io.hpp"
+#include "corpus/usage_error.hpp"
 
 namespace cyl {
 
@@ -33,7 +33,7 @@ void print_pairs(const FamiliesOptions& options) {
   if (!family) {
     std::string message = "no family '" + options.name + "'; there are";
     for (const Family& f : families()) message.append(" ").append(f.name);
-    throw std::invalid_argument(message);
+    throw UsageError(message);
   }
   for (std::uint64_t i = 0; i < options.count; ++i) {
     const std::uint64_t index = options.from + i;

@@ -9,6 +9,7 @@
 #include <stdexcept>
 
 #include "corpus/store/run_store.hpp"
+#include "corpus/usage_error.hpp"
 
 namespace cyl {
 namespace {
@@ -56,7 +57,7 @@ Company with_guests(const GuestOptions& options) {
     for (const std::string& text : options.plugins) add(company, read_guest(GuestKind::plugin, text));
     for (const std::string& text : options.commands) add(company, read_guest(GuestKind::command, text));
   } catch (const std::runtime_error& error) {
-    throw std::invalid_argument(error.what());
+    throw UsageError(error.what());
   }
   return company;
 }

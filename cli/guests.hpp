@@ -22,7 +22,7 @@ struct GuestOptions {
 
 void add_guest_options(CLI::App& command, GuestOptions& options);
 
-/// Every method of this build and, after them, the guests; throws std::invalid_argument where a guest cannot
+/// Every method of this build and, after them, the guests; throws UsageError where a guest cannot
 /// be had or has a name that is taken.
 struct Company {
   std::vector<std::unique_ptr<Method>> methods;

@@ -3,8 +3,7 @@
 
 #include <fmt/format.h>
 
-#include <stdexcept>
-
+#include "corpus/usage_error.hpp"
 #include "oracles/trial/mechanism.hpp"
 #include "reports/export/export.hpp"
 
@@ -12,7 +11,7 @@ namespace cyl {
 
 FindingKind kind_of_word(const std::string& word) {
   if (const auto kind = find_kind(word)) return *kind;
-  throw std::invalid_argument(fmt::format("'{}' is no kind of finding", word));
+  throw UsageError(fmt::format("'{}' is no kind of finding", word));
 }
 
 void export_failure(const Company& company, const OneFailure& failure, const std::string& folder) {

@@ -15,7 +15,7 @@ struct OneFailure {
   Pair pair;
 };
 
-/// Throws std::invalid_argument where the word is no kind of finding.
+/// Throws UsageError where the word is no kind of finding.
 FindingKind kind_of_word(const std::string& word);
 
 /// Writes what make_export() gives into the folder, and says on standard output what it wrote.

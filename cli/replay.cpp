@@ -7,16 +7,16 @@
 #include <algorithm>
 #include <memory>
 #include <optional>
-#include <stdexcept>
 #include <string>
 #include <vector>
 
 #include "cli/commands.hpp"
 #include "cli/guests.hpp"
 #include "cli/targets.hpp"
+#include "oracles/trial/finding_text.hpp"
 #include "corpus/pairs/pair_io.hpp"
 #include "corpus/store/run_store.hpp"
-#include "oracles/trial/finding_text.hpp"
+#include "corpus/usage_error.hpp"
 #include "props/laws/examine.hpp"
 
 namespace cyl {
@@ -66,7 +66,9 @@ std::string fate(const FindingRecord& stored, std::span<const std::unique_ptr<Me
 class Replayer {
  public:
   explicit Replayer(const Arguments& arguments) : laws_(arguments.laws) {
-    for (const int law : laws_) law_numbered(law);
+    for (const int law : laws_)
+      if (std::none_of(all_laws().begin(), all_laws().end(), [&](const Law& l) { return l.number == law; }))
+        throw UsageError("there is no law " + std::to_string(law));
     for (const std::string& name : arguments.targets) {
       for (Target& target : targets_of(name)) targets_.push_back(std::move(target));
     }

@@ -10,12 +10,13 @@
 #include "base/files.hpp"
 #include "cli/commands.hpp"
 #include "cli/unsigned_option.hpp"
-#include "reports/run/page.hpp"
-#include "reports/scene/scene_report.hpp"
-#include "scenes/parameter_sweep.hpp"
+#include "base/files.hpp"
 #include "scenes/scene_files.hpp"
 #include "scenes/scene_generators.hpp"
+#include "corpus/usage_error.hpp"
+#include "reports/run/page.hpp"
 #include "scenes/scene_study.hpp"
+#include "scenes/parameter_sweep.hpp"
 
 namespace cyl {
 namespace {
@@ -40,18 +41,18 @@ std::pair<std::string, double> parse_joint(const std::string& text) {
     const auto [rest, error] = std::from_chars(text.data() + sign + 1, end, value);
     if (error == std::errc() && rest == end && std::isfinite(value)) return {text.substr(0, sign), value};
   }
-  throw std::invalid_argument("--at: '" + text + "' is not JOINT=VALUE");
+  throw UsageError("--at: '" + text + "' is not JOINT=VALUE");
 }
 
 void check_lengths(const SceneQuestion& question) {
   if (!(question.clearance >= 0 && std::isfinite(question.clearance)) || !(question.tolerated >= 0))
-    throw std::invalid_argument("--clearance and --tolerate are lengths, 0 or more");
+    throw UsageError("--clearance and --tolerate are lengths, 0 or more");
 }
 
 /// Before any work: a page shows every pair.
 void check_page(const Arguments& arguments, std::size_t cylinders) {
   if (arguments.page.empty() || cylinders <= page_cap) return;
-  throw std::invalid_argument(
+  throw UsageError(
       fmt::format("--page shows up to {} cylinders, not {}; give a file with fewer, or take --json", page_cap,
                   cylinders));
 }
@@ -89,10 +90,9 @@ int study(Arguments& arguments) {
   SceneQuestion& question = arguments.question;
   check_lengths(question);
   if (question.file.empty() == arguments.generate.empty())
-    throw std::invalid_argument("which scene? Give a FILE or --generate");
+    throw UsageError("which scene? Give a FILE or --generate");
   if (!arguments.generate.empty()) {
-    if (!arguments.page.empty())
-      throw std::invalid_argument("--page shows a FILE; of --generate there is --json");
+    if (!arguments.page.empty()) throw UsageError("--page shows a FILE; of --generate there is --json");
     fmt::print("seed {}\n", question.seed);
     return sweep(arguments, generate_cylinders(arguments.generate, arguments.count, question.seed), true);
   }
@@ -107,7 +107,7 @@ int study(Arguments& arguments) {
   check_page(arguments, scene.bodies.size());
   if (scene.bodies.size() > study_cap) {
     if (scene.links.size() != scene.bodies.size() || moves(scene))
-      throw std::invalid_argument(fmt::format("a mechanism of more than {} cylinders", study_cap));
+      throw UsageError(fmt::format("a mechanism of more than {} cylinders", study_cap));
     return sweep(arguments, place(scene, joints_at(scene)), false);
   }
   const SceneStudy s = study_scene(scene, question);

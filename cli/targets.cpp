@@ -13,6 +13,7 @@
 #include <utility>
 
 #include "corpus/pairs/pair_io.hpp"
+#include "corpus/usage_error.hpp"
 
 namespace cyl {
 namespace {
@@ -40,8 +41,7 @@ std::vector<Target> of_file(const std::string& name, std::optional<std::size_t> 
     targets.push_back({id.empty() ? fmt::format("{}:{}", name, line->line) : id, line->value->pair, {}});
   }
   if (in.bad()) throw std::runtime_error(name + " cannot be read");
-  if (wanted && targets.empty())
-    throw std::invalid_argument(fmt::format("{} has no case in line {}", name, *wanted));
+  if (wanted && targets.empty()) throw UsageError(fmt::format("{} has no case in line {}", name, *wanted));
   return targets;
 }
 
@@ -70,14 +70,14 @@ std::vector<Target> targets_of(const std::string& name) {
     const auto& [place, number] = *parts;
     if (fs::is_directory(place)) {
       auto finding = RunStore::open(place).finding(number);
-      if (!finding) throw std::invalid_argument(fmt::format("{} has no finding {}", place, number));
+      if (!finding) throw UsageError(fmt::format("{} has no finding {}", place, number));
       targets.push_back(of_finding(place, std::move(*finding)));
       return targets;
     }
     if (fs::exists(place)) return of_file(place, static_cast<std::size_t>(number));
   }
-  throw std::invalid_argument(
-      "'" + name + "' is no run, no finding RUN:ID, no file of cases and no line FILE:LINE of one");
+  throw UsageError("'" + name +
+                   "' is no run, no finding RUN:ID, no file of cases and no line FILE:LINE of one");
 }
 
 }  // namespace cyl

@@ -19,7 +19,7 @@ struct Target {
 };
 
 /// RUN: all its findings; RUN:ID: one; FILE: all its cases; FILE:LINE: one; "-": the cases of standard input.
-/// Throws std::invalid_argument on a name that is none of these, std::runtime_error on what cannot be read.
+/// Throws UsageError on a name that is none of these, std::runtime_error on what cannot be read.
 std::vector<Target> targets_of(const std::string& name);
 
 }  // namespace cyl

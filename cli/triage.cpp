@@ -8,7 +8,6 @@
 #include <cstdio>
 #include <memory>
 #include <optional>
-#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -22,9 +21,11 @@
 #include "cli/one_failure.hpp"
 #include "cli/progress.hpp"
 #include "cli/unsigned_option.hpp"
-#include "corpus/pairs/pair_io.hpp"
+#include "base/files.hpp"
 #include "corpus/store/case_files.hpp"
+#include "corpus/pairs/pair_io.hpp"
 #include "corpus/store/suppressions.hpp"
+#include "corpus/usage_error.hpp"
 #include "reports/explain/explain.hpp"
 #include "reports/run/page.hpp"
 
@@ -85,8 +86,8 @@ nlohmann::json bucket_of(const Arguments& arguments, const std::string& key) {
   const nlohmann::json buckets = buckets_json(arguments.run);
   for (const nlohmann::json& bucket : buckets)
     if (bucket.at("key") == key) return bucket;
-  throw std::invalid_argument(fmt::format("{} has no bucket '{}'; `daylight triage {}` lists them ({} today)",
-                                          arguments.run, key, arguments.run, buckets.size()));
+  throw UsageError(fmt::format("{} has no bucket '{}'; `daylight triage {}` lists them ({} today)",
+                               arguments.run, key, arguments.run, buckets.size()));
 }
 
 /// What fails in a bucket, at its simplest.

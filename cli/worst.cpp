@@ -21,10 +21,11 @@
 #include "cli/guests.hpp"
 #include "cli/progress.hpp"
 #include "cli/unsigned_option.hpp"
-#include "corpus/pairs/pair_io.hpp"
-#include "corpus/pairs/strata.hpp"
 #include "corpus/store/case_files.hpp"
+#include "corpus/pairs/pair_io.hpp"
 #include "corpus/store/run_store.hpp"
+#include "corpus/pairs/strata.hpp"
+#include "corpus/usage_error.hpp"
 
 namespace cyl {
 namespace {
@@ -55,7 +56,7 @@ std::vector<Pair> pairs_of(const std::string& name) {
     return pairs;
   }
   std::ifstream in(name);
-  if (!in) throw std::invalid_argument("'" + name + "' is no run and no file of cases");
+  if (!in) throw UsageError("'" + name + "' is no run and no file of cases");
   CaseReader reader(in);
   while (const auto line = reader.next()) add(*line);
   if (in.bad()) throw std::runtime_error(name + " cannot be read");
@@ -122,8 +123,8 @@ class Searcher {
     } else if (const auto feature = find_contact_feature(arguments.feature)) {
       features_.push_back(*feature);
     } else {
-      throw std::invalid_argument("--feature: '" + arguments.feature + "' is none of side-side, side-rim, " +
-                                  "rim-rim, cap-side, cap-rim, cap-cap, containment");
+      throw UsageError("--feature: '" + arguments.feature + "' is none of side-side, side-rim, " +
+                       "rim-rim, cap-side, cap-rim, cap-cap, containment");
     }
     if (!arguments.out.empty()) {
       out_.open(arguments.out);

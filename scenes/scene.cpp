@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "corpus/pairs/random_stream.hpp"
+#include "corpus/usage_error.hpp"
 
 namespace cyl {
 namespace {
@@ -99,8 +100,7 @@ std::vector<double> joints_at(const Scene& scene, std::span<const std::pair<std:
     const auto found =
         std::find_if(scene.links.begin(), scene.links.end(),
                      [&, &joint = name](const Link& l) { return l.joint == joint && is_free(l); });
-    if (found == scene.links.end())
-      throw std::invalid_argument("'" + name + "' is no joint that moves by itself");
+    if (found == scene.links.end()) throw UsageError("'" + name + "' is no joint that moves by itself");
     joints[static_cast<std::size_t>(found - scene.links.begin())] = value;
   }
   follow(scene, joints);

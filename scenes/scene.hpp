@@ -73,7 +73,7 @@ class PairRule {
 /// A value for the joint of every link, within its limits; mimics follow. The same (seed, index) the same.
 std::vector<double> draw_joints(const Scene& scene, std::uint64_t seed, std::uint64_t index);
 /// The joints at 0, or at the limit nearest to it; those named at the values given. Throws
-/// std::invalid_argument on a name that no free joint has.
+/// UsageError on a name that no free joint has.
 std::vector<double> joints_at(const Scene& scene,
                               std::span<const std::pair<std::string, double>> values = {});
 /// Whether anything moves.

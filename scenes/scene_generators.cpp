@@ -2,10 +2,10 @@
 #include "scenes/scene_generators.hpp"
 
 #include <cmath>
-#include <stdexcept>
 #include <string>
 
 #include "corpus/pairs/random_stream.hpp"
+#include "corpus/usage_error.hpp"
 
 namespace cyl {
 namespace {
@@ -55,7 +55,7 @@ std::vector<Cylinder> pipes(std::size_t count, std::uint64_t seed) {
 std::vector<Cylinder> generate_cylinders(std::string_view kind, std::size_t count, std::uint64_t seed) {
   if (kind == "rods") return rods(count, seed);
   if (kind == "pipes") return pipes(count, seed);
-  throw std::invalid_argument("'" + std::string(kind) + "' is none of rods, pipes");
+  throw UsageError("'" + std::string(kind) + "' is none of rods, pipes");
 }
 
 }  // namespace cyl

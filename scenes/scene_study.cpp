@@ -5,10 +5,10 @@
 #include <chrono>
 #include <cmath>
 #include <limits>
-#include <stdexcept>
 
-#include "base/stopwatch.hpp"
+#include "corpus/usage_error.hpp"
 #include "oracles/referee/referee.hpp"
+#include "base/stopwatch.hpp"
 #include "solver/distance.hpp"
 
 namespace cyl {
@@ -271,7 +271,7 @@ Plan recommend(const PairStudy& pair, double tolerated) {
 
 SceneStudy study_scene(const Scene& scene, const SceneQuestion& question) {
   if (scene.bodies.size() > study_cap)
-    throw std::invalid_argument("more than " + std::to_string(study_cap) + " cylinders");
+    throw UsageError("more than " + std::to_string(study_cap) + " cylinders");
   return Study(scene, question).run();
 }
 

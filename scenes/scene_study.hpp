@@ -76,7 +76,7 @@ struct SceneStudy {
   std::optional<Verification> verification;
 };
 
-/// Throws std::invalid_argument where `at` names no joint, and where the scene has more than study_cap
+/// Throws UsageError where `at` names no joint, and where the scene has more than study_cap
 /// bodies.
 SceneStudy study_scene(const Scene& scene, const SceneQuestion& question);
 /// All pairs of so many bodies are looked at one by one.

@@ -11,6 +11,7 @@
 #include <stdexcept>
 
 #include "corpus/pairs/pair_io.hpp"
+#include "corpus/usage_error.hpp"
 
 namespace cyl {
 namespace {
@@ -227,7 +228,7 @@ RunStore RunStore::create(const std::string& folder, const Config& config,
 }
 
 RunStore RunStore::open(const std::string& folder) {
-  if (!holds_run(folder)) throw std::invalid_argument(folder + " holds no run");
+  if (!holds_run(folder)) throw UsageError(folder + " holds no run");
   RunStore store(naming(file_of(folder), [&] { return connect(folder); }));
   const int version =
       naming(file_of(folder), [&] { return store.database_->execAndGet("PRAGMA user_version").getInt(); });

@@ -136,7 +136,7 @@ class RunStore {
   /// Creates folder and file; throws where a run is there already.
   static RunStore create(const std::string& folder, const Config& config,
                          const std::vector<MethodRecord>& methods = {});
-  /// Throws std::invalid_argument where no run is there.
+  /// Throws UsageError where no run is there.
   static RunStore open(const std::string& folder);
   RunStore(RunStore&&) noexcept;
   ~RunStore();

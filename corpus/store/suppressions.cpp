@@ -10,6 +10,8 @@
 #include <stdexcept>
 #include <utility>
 
+#include "corpus/usage_error.hpp"
+
 namespace cyl {
 namespace {
 
@@ -101,7 +103,7 @@ std::vector<Suppression> read_suppressions(const std::string& file) {
     if (in.bad() || !in.eof()) throw std::invalid_argument("cannot be read");
     return all;
   } catch (const std::invalid_argument& error) {
-    throw std::invalid_argument(file + ": " + error.what());
+    throw UsageError(file + ": " + error.what());
   }
 }
 

@@ -13,6 +13,7 @@
 #include <utility>
 
 #include "corpus/store/run_store.hpp"
+#include "corpus/usage_error.hpp"
 
 namespace cyl {
 namespace {
@@ -33,14 +34,13 @@ struct Part {
 Part read_part(const std::string& folder) {
   const RunStore store = RunStore::open(folder);
   Part part{folder, store.config(), store.methods(), store.progress(), {}};
-  if (part.config.contains("shards")) throw std::invalid_argument(folder + " is itself merged from shards");
+  if (part.config.contains("shards")) throw UsageError(folder + " is itself merged from shards");
   part.shard = shard_of(part.config);
   return part;
 }
 
 void refuse(const Part& part, const Part& other, const std::string& what) {
-  throw std::invalid_argument(
-      fmt::format("{} and {} are no shards of one run: {}", part.folder, other.folder, what));
+  throw UsageError(fmt::format("{} and {} are no shards of one run: {}", part.folder, other.folder, what));
 }
 
 void check_agreement(const Part& a, const Part& b) {
@@ -112,9 +112,9 @@ std::string why_incomplete(const Part& part) {
 }  // namespace
 
 MergeSummary merge_runs(const std::vector<std::string>& runs, const std::string& out) {
-  if (runs.empty()) throw std::invalid_argument("no run to merge");
+  if (runs.empty()) throw UsageError("no run to merge");
   if (holds_run(out) && !RunStore::open(out).config().contains("shards"))
-    throw std::invalid_argument(out + " already holds a run that was not merged");
+    throw UsageError(out + " already holds a run that was not merged");
   std::vector<Part> parts;
   for (const std::string& run : runs) {
     parts.push_back(read_part(run));

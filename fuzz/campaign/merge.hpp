@@ -20,7 +20,7 @@ struct MergeSummary {
 };
 
 /// Writes the run of all `runs` together to `out`, at once: a run there that was merged before is replaced.
-/// Throws std::invalid_argument where shards do not belong together, one comes twice, or `out` holds a run
+/// Throws UsageError where shards do not belong together, one comes twice, or `out` holds a run
 /// that was not merged.
 MergeSummary merge_runs(const std::vector<std::string>& runs, const std::string& out);
 

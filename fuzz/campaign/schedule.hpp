@@ -42,7 +42,7 @@ class Turns {
 
 /// Weights from 1 to weight_cap: in proportion to how many different things (method and kind) an earlier run
 /// found wrong beyond a claim in the family. `folder` holds that run, or is a folder of runs, which count
-/// together. Throws std::invalid_argument where it is neither.
+/// together. Throws UsageError where it is neither.
 std::vector<unsigned> weights_from(const std::string& folder, std::span<const Family> families);
 
 /// Weights as a run's configuration keeps them, "3 1 1"; empty for equal ones, which need no record.

@@ -11,6 +11,7 @@
 
 #include "base/fnv.hpp"
 #include "base/safe_text.hpp"
+#include "corpus/usage_error.hpp"
 
 namespace cyl {
 namespace {
@@ -35,8 +36,8 @@ bool will_do(std::string_view name) {
 
 void check_name(const std::string& name) {
   if (will_do(name)) return;
-  throw std::invalid_argument("'" + name + "' is no name for a method: it takes at most " +
-                              std::to_string(name_cap) + " letters, digits, - _ and dots");
+  throw UsageError("'" + name + "' is no name for a method: it takes at most " + std::to_string(name_cap) +
+                   " letters, digits, - _ and dots");
 }
 
 /// Where `text` begins with a name and '=', how long the name is. FOO=1 is a variable of the shell's.
@@ -53,12 +54,12 @@ const char* option_of(GuestKind kind) { return kind == GuestKind::plugin ? "--pl
 Guest read_guest(GuestKind kind, const std::string& text) {
   for (const char c : text) {
     if (std::iscntrl(static_cast<unsigned char>(c)))
-      throw std::invalid_argument(std::string(option_of(kind)) + " has a control character in it");
+      throw UsageError(std::string(option_of(kind)) + " has a control character in it");
   }
   const std::size_t name = given_name(text);
   Guest guest{kind, text.substr(0, name), text.substr(name == 0 ? 0 : name + 1), {}};
   if (guest.what.find_first_not_of(' ') == guest.what.npos)
-    throw std::invalid_argument(std::string(option_of(kind)) + " names nothing");
+    throw UsageError(std::string(option_of(kind)) + " names nothing");
   if (kind == GuestKind::plugin) {
     guest.what = fs::absolute(guest.what).lexically_normal().string();
   } else {

@@ -25,7 +25,7 @@ struct Guest {
 };
 
 /// "NAME=WHAT" or "WHAT", as a command line has it, seen from the working directory; a name begins with a
-/// small letter. Throws std::invalid_argument on a name no method can have, and on control characters.
+/// small letter. Throws UsageError on a name no method can have, and on control characters.
 Guest read_guest(GuestKind kind, const std::string& text);
 
 /// As a shell takes it: --plugin mine=./libmine.so.

@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "oracles/methods/method.hpp"
 
-#include <stdexcept>
+#include <algorithm>
+#include <cstring>
+#include <iterator>
 #include <utility>
+
+#include "corpus/usage_error.hpp"
 
 namespace cyl {
 
@@ -24,7 +28,7 @@ std::vector<std::size_t> select_names(const std::vector<std::string>& names, std
         if (stem != last) message += ' ' + stem;
         last = stem;
       }
-      throw std::invalid_argument(message);
+      throw UsageError(message);
     }
     if (item.size() == spec.size()) break;
     spec.remove_prefix(item.size() + 1);

@@ -98,7 +98,7 @@ std::vector<std::unique_ptr<Method>> ccd_settings();     ///< tolerances of MPR;
 std::vector<std::unique_ptr<Method>> mujoco_settings();  ///< tolerances
 
 /// Keeps the methods that `spec` names: "a,b" keeps a and b, "-a,b" (given as --methods=-a,b) all but a and
-/// b; a name stands for every method that is it or begins with it and '-'. Throws std::invalid_argument on an
+/// b; a name stands for every method that is it or begins with it and '-'. Throws UsageError on an
 /// unknown name.
 std::vector<std::unique_ptr<Method>> select_methods(std::vector<std::unique_ptr<Method>> methods,
                                                     std::string_view spec);

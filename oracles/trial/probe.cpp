@@ -5,7 +5,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
+
+#include "corpus/usage_error.hpp"
 
 namespace cyl {
 namespace {
@@ -55,7 +56,7 @@ const std::unique_ptr<Method>& find_method(std::span<const std::unique_ptr<Metho
                                            std::string_view name) {
   for (const auto& method : methods)
     if (method->name() == name) return method;
-  throw std::invalid_argument(fmt::format("no method is named '{}'", name));
+  throw UsageError(fmt::format("no method is named '{}'", name));
 }
 
 std::string distance_in_words(const Probe& p) {

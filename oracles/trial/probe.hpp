@@ -45,7 +45,7 @@ Probe probe_one(const std::unique_ptr<Method>& method, const Pair& pair);
 /// Encloses the distance until it is known to a thousandth of itself, as far as it can be.
 void narrow_distance(Probe& probe);
 
-/// The method of that name. Throws std::invalid_argument where there is none.
+/// The method of that name. Throws UsageError where there is none.
 const std::unique_ptr<Method>& find_method(std::span<const std::unique_ptr<Method>> methods,
                                            std::string_view name);
 

@@ -3,11 +3,10 @@
 
 #include <rapidcheck.h>
 
-#include <algorithm>
-#include <stdexcept>
 #include <unordered_map>
 #include <utility>
 
+#include "corpus/usage_error.hpp"
 #include "props/gate/pair_generators.hpp"
 
 namespace cyl {
@@ -54,7 +53,7 @@ class Hunt {
       last.reproduce = text.substr(0, text.find(' '));
       if (!last.shrunk) last.shrunk = last.pair;
     } else if (result.is<rc::detail::Error>()) {
-      throw std::invalid_argument(result.get<rc::detail::Error>().description);
+      throw UsageError(result.get<rc::detail::Error>().description);
     }
     return std::move(round_);
   }
@@ -127,10 +126,9 @@ HuntRound hunt_again(std::span<const std::unique_ptr<Method>> methods, const Wan
   try {
     named = rc::detail::configFromString(reproduce);
   } catch (const std::exception& error) {
-    throw std::invalid_argument("'" + reproduce + "' names no case: " + error.what());
+    throw UsageError("'" + reproduce + "' names no case: " + error.what());
   }
-  if (!named.reproduce.contains(property_id))
-    throw std::invalid_argument("'" + reproduce + "' names no case");
+  if (!named.reproduce.contains(property_id)) throw UsageError("'" + reproduce + "' names no case");
   const IsNews any = [](const Catch&) { return true; };
   return Hunt(methods, wanted, any, caps).run({}, named.reproduce);
 }

@@ -46,8 +46,8 @@ inline constexpr int pairs_per_draw = 16;
 HuntRound hunt(std::span<const std::unique_ptr<Method>> methods, const Wanted& wanted, const IsNews& is_news,
                std::uint64_t seed, int draws, const Caps& caps);
 
-/// The case again that `reproduce` names, up to the first law that it breaks (what it was drawn from must not
-/// have changed since). Throws std::invalid_argument where it names none.
+/// The case again that `reproduce` names (what it was drawn from must not have changed since). Throws
+/// UsageError where it names none.
 HuntRound hunt_again(std::span<const std::unique_ptr<Method>> methods, const Wanted& wanted,
                      const std::string& reproduce, const Caps& caps);
 

@@ -6,9 +6,9 @@
 #include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
-#include <stdexcept>
 
 #include "corpus/pairs/pair_io.hpp"
+#include "corpus/usage_error.hpp"
 #include "reports/gate/failure_text.hpp"
 
 namespace cyl {
@@ -229,8 +229,8 @@ Explanation explain(std::span<const std::unique_ptr<Method>> methods, std::strin
   const auto& method = find_method(methods, name);
   Explanation e{std::string(name), method->claim(), probe_one(method, pair), {}, {}, {}, {}};
   if (!e.asked.fails(kind))
-    throw std::invalid_argument(fmt::format("{} has no {} on this pair today: it says {}", name,
-                                            to_string(kind), format_method_answer(e.asked.answer)));
+    throw UsageError(fmt::format("{} has no {} on this pair today: it says {}", name, to_string(kind),
+                                 format_method_answer(e.asked.answer)));
   if (kind != FindingKind::hang) {
     e.regions = failing_regions(method, e.asked);
     e.curve = honesty_curve(method, e.asked, seed);

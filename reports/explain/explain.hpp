@@ -32,7 +32,7 @@ struct Explanation {
 
 /// Asks the method about some 6,000 pairs, contained; a second or two, more where it is slow; a second
 /// for each cure of a hang. The
-/// same arguments give the same explanation, but for what depends on hangs. Throws std::invalid_argument
+/// same arguments give the same explanation, but for what depends on hangs. Throws UsageError
 /// where no method has that name or where it does not fail in this way on this pair today.
 Explanation explain(std::span<const std::unique_ptr<Method>> methods, std::string_view method,
                     FindingKind kind, const Pair& pair, std::uint64_t seed = explain_seed_default);

@@ -9,8 +9,9 @@
 #include <stdexcept>
 #include <system_error>
 
-#include "corpus/pairs/pair_io.hpp"
 #include "oracles/trial/finding_text.hpp"
+#include "corpus/pairs/pair_io.hpp"
+#include "corpus/usage_error.hpp"
 #include "reports/export/export_check.hpp"
 #include "reports/export/export_guest.hpp"
 #include "reports/export/export_program.hpp"
@@ -234,18 +235,18 @@ Export make_export(std::span<const std::unique_ptr<Method>> methods, std::string
   const bool is_guest = guest != guests.end();
   const LibraryCall* call = find_library_call(name);
   if (call == nullptr && !is_guest)
-    throw std::invalid_argument(fmt::format(
+    throw UsageError(fmt::format(
         "no program can be written for '{}': only for guests and for FCL, Bullet, libccd, ODE and "
         "MuJoCo",
         name));
   if (!(is_guest ? guest_program_shows(kind) : program_shows(kind)))
-    throw std::invalid_argument(fmt::format("no program can show a finding of kind {}", to_string(kind)));
+    throw UsageError(fmt::format("no program can show a finding of kind {}", to_string(kind)));
   const Probe asked = probe_one(method, pair);
   if (!asked.fails(kind))
-    throw std::invalid_argument(fmt::format("{} has no {} on this pair today: it says {}", name,
-                                            to_string(kind), format_method_answer(asked.answer)));
+    throw UsageError(fmt::format("{} has no {} on this pair today: it says {}", name, to_string(kind),
+                                 format_method_answer(asked.answer)));
   if (!asked.decided())
-    throw std::invalid_argument("what is true of this pair could not be proved: there is nothing to send");
+    throw UsageError("what is true of this pair could not be proved: there is nothing to send");
   Addressee how = is_guest ? ask_guest(*guest, asked, *method) : ask_library(*call, asked, *method);
   return {std::move(how.program_name), std::move(how.program), std::move(how.build),
           exact_check(asked, method->claim(), how.axes), issue(how, asked, *method)};

@@ -22,7 +22,7 @@ struct Export {
   std::string issue;  ///< issue.md
 };
 
-/// Asks the method again, contained. Throws std::invalid_argument where no method has that name, where it is
+/// Asks the method again, contained. Throws UsageError where no method has that name, where it is
 /// no guest and of no library that a program can be written for, or where it does not fail in this way on
 /// this pair today; std::runtime_error where only the rounding of the axes makes it fail.
 Export make_export(std::span<const std::unique_ptr<Method>> methods, std::string_view method,

@@ -51,7 +51,7 @@ struct Triage {
   std::vector<std::string> remarks;  ///< of suppressions that are expired or match nothing
 };
 
-/// `methods`: all there are, and the guests. Throws std::invalid_argument where no run is there,
+/// `methods`: all there are, and the guests. Throws UsageError where no run is there,
 /// std::runtime_error where a store cannot be used or a process ended in a way it should not.
 Triage run_triage(const TriageOptions& options, std::span<const std::unique_ptr<Method>> methods,
                   const std::function<void(const TriageProgress&)>& on_progress = {});
