@@ -20,54 +20,6 @@ constexpr std::string_view ccd_flags = "$(pkg-config --cflags --libs ccd)";
 constexpr std::string_view ode_flags = "$(pkg-config --cflags --libs ode)";
 constexpr std::string_view mujoco_flags = "-lmujoco";
 
-constexpr std::array library_calls{
-    LibraryCall{"fcl-libccd", "FCL", "fcl::collide", "gjk_solver_type GST_LIBCCD, gjk_tolerance 1e-6",
-                fcl_flags, "libfcl-dev"},
-    LibraryCall{"fcl-libccd-tol1e-10", "FCL", "fcl::collide",
-                "gjk_solver_type GST_LIBCCD, gjk_tolerance 1e-10", fcl_flags, "libfcl-dev"},
-    LibraryCall{"fcl-indep", "FCL", "fcl::collide", "gjk_solver_type GST_INDEP, gjk_tolerance 1e-6",
-                fcl_flags, "libfcl-dev"},
-    LibraryCall{"fcl-distance-libccd", "FCL", "fcl::distance",
-                "gjk_solver_type GST_LIBCCD, distance_tolerance 1e-6, nearest points", fcl_flags,
-                "libfcl-dev"},
-    LibraryCall{"fcl-distance-libccd-tol1e-10", "FCL", "fcl::distance",
-                "gjk_solver_type GST_LIBCCD, distance_tolerance 1e-10, nearest points", fcl_flags,
-                "libfcl-dev"},
-    LibraryCall{"bullet-cylinder", "Bullet", "btGjkPairDetector",
-                "two btCylinderShapeZ with their default margin, btGjkEpaPenetrationDepthSolver, double "
-                "precision",
-                bullet_flags, "libbullet-dev"},
-    LibraryCall{"bullet-cylinder-margin0", "Bullet", "btGjkPairDetector",
-                "two btCylinderShapeZ with setMargin(0), btGjkEpaPenetrationDepthSolver, double precision",
-                bullet_flags, "libbullet-dev"},
-    LibraryCall{"bullet-gjkepa2", "Bullet", "btGjkEpaSolver2::SignedDistance",
-                "two btCylinderShapeZ with setMargin(0), double precision", bullet_flags, "libbullet-dev"},
-    LibraryCall{"bullet-hull-16", "Bullet", "btGjkPairDetector",
-                "two btConvexHullShape with 16 sides and setMargin(0), btGjkEpaPenetrationDepthSolver, "
-                "double precision",
-                bullet_flags, "libbullet-dev"},
-    LibraryCall{"bullet-hull-64", "Bullet", "btGjkPairDetector",
-                "two btConvexHullShape with 64 sides and setMargin(0), btGjkEpaPenetrationDepthSolver, "
-                "double precision",
-                bullet_flags, "libbullet-dev"},
-    LibraryCall{"libccd-gjk", "libccd", "ccdGJKIntersect", "max_iterations 500, the default first direction",
-                ccd_flags, "libccd-dev"},
-    LibraryCall{"libccd-gjk-centers", "libccd", "ccdGJKIntersect",
-                "max_iterations 500, the first direction from centre to centre", ccd_flags, "libccd-dev"},
-    LibraryCall{"libccd-mpr", "libccd", "ccdMPRIntersect", "max_iterations 500, mpr_tolerance 1e-4",
-                ccd_flags, "libccd-dev"},
-    LibraryCall{"libccd-mpr-tol1e-10", "libccd", "ccdMPRIntersect", "max_iterations 500, mpr_tolerance 1e-10",
-                ccd_flags, "libccd-dev"},
-    LibraryCall{"ode", "ODE", "dCollide", "one contact", ode_flags, "libode-dev"},
-    LibraryCall{"ode-unrefined", "ODE", "dCollide", "one contact, CONTACTS_UNIMPORTANT", ode_flags,
-                "libode-dev"},
-    LibraryCall{"ode-contacts-8", "ODE", "dCollide", "eight contacts", ode_flags, "libode-dev"},
-    LibraryCall{"mujoco", "MuJoCo", "mjCOLLISIONFUNC[mjGEOM_CYLINDER][mjGEOM_CYLINDER]",
-                "mpr_tolerance 1e-6, mpr_iterations 50", mujoco_flags, "libmujoco-dev"},
-    LibraryCall{"mujoco-tol1e-10", "MuJoCo", "mjCOLLISIONFUNC[mjGEOM_CYLINDER][mjGEOM_CYLINDER]",
-                "mpr_tolerance 1e-10, mpr_iterations 500", mujoco_flags, "libmujoco-dev"},
-};
-
 /// @a.radius@, @a.rotation@, ... of one solid.
 void add_solid(Words& words, const std::string& name, const Cylinder& c) {
   const Vector3 axis = unit_axis(c.axis);
@@ -187,7 +139,7 @@ struct Contact final : btDiscreteCollisionDetectorInterface::Result {
 };
 @fill@
 int main() {
-@solids@
+@poses@@shapes@@margins@
   btVoronoiSimplexSolver simplex;
   btGjkEpaPenetrationDepthSolver depth;
   btGjkPairDetector detector(&a, &b, &simplex, &depth);
@@ -209,7 +161,7 @@ constexpr std::string_view bullet_gjkepa2 = R"(#include <BulletCollision/Collisi
 #include <cstdio>
 
 int main() {
-@solids@
+@poses@@shapes@@margins@
   btGjkEpaSolver2::sResults result;
   const btVector3 guess = pose_a.getOrigin() - pose_b.getOrigin();
 @before@  const bool found = btGjkEpaSolver2::SignedDistance(&a, pose_a, &b, pose_b, guess, result);
@@ -351,59 +303,165 @@ int main() {
 constexpr std::string_view outward = "(1 + 0x1p-50) / std::cos(3.141592653589793 / sides)";
 constexpr std::string_view inward = "1 - 0x1p-50";
 
-/// The text of the way, and its settings.
-std::string_view text_of(const LibraryCall& call, Words& words, const Probe& asked) {
-  const std::string_view name = call.method;
-  const bool fine = name.ends_with("tol1e-10");
-  words["tolerance"] = fine ? "1e-10" : "1e-6";
-  if (call.library == "FCL") {
-    words["solids"] = filled(fcl_solids, words);
-    words["solver"] = name == "fcl-indep" ? "GST_INDEP" : "GST_LIBCCD";
-    words["version"] = "FCL_VERSION";
-    return call.call == "fcl::distance" ? fcl_distance : fcl_collide;
-  }
-  if (call.library == "Bullet") {
-    words["version"] = "btGetVersion() / 100, btGetVersion() % 100";
-    words["fill"] = "";
-    words["header"] = "btCylinderShape.h";
-    std::string solids = filled(bullet_poses, words);
-    if (name.starts_with("bullet-hull-")) {
-      words["header"] = "btConvexHullShape.h";
-      const bool misses = asked.answer.verdict == Verdict::disjoint;
-      words["sides"] = name.substr(name.rfind('-') + 1);
-      words["stretch"] = misses ? outward : inward;
-      words["around"] = misses ? "around" : "within";
-      words["prisms"] = misses ? "are apart" : "meet";
-      words["fill"] = filled(bullet_hull, words);
-      solids += filled(bullet_hulls, words);
-    } else {
-      solids += filled(bullet_cylinders, words);
-      if (name != "bullet-cylinder") solids += bullet_margins;
-    }
-    words["solids"] = solids;
-    return name == "bullet-gjkepa2" ? bullet_gjkepa2 : bullet_detector;
-  }
-  if (call.library == "libccd") {
-    const bool centers = name == "libccd-gjk-centers";
-    words["version"] = "version";
-    words["call"] = call.call;
-    words["first_direction"] = centers ? ccd_first_direction : "";
-    words["settings"] = centers ? "  settings.first_dir = from_center_to_center;\n"
-                        : call.call == "ccdMPRIntersect"
-                            ? fmt::format("  settings.mpr_tolerance = {};\n", fine ? "1e-10" : "1e-4")
-                            : "";
-    return ccd;
-  }
-  if (call.library == "ODE") {
-    words["version"] = "dODE_VERSION";
-    words["flags"] = name == "ode-unrefined"    ? "static_cast<int>(1 | CONTACTS_UNIMPORTANT)"
-                     : name == "ode-contacts-8" ? "8"
-                                                : "1";
-    return ode;
-  }
-  words["version"] = "mj_versionString()";
-  words["iterations"] = fine ? "500" : "50";
-  return mujoco;
+constexpr std::string_view bullet_version = "btGetVersion() / 100, btGetVersion() % 100";
+
+/// What stands for a @word@ of a program's text; it may hold earlier words, and those of the pair.
+struct Setting {
+  std::string_view word, text;
+};
+
+struct Program {
+  LibraryCall call;
+  std::string_view text;
+  std::array<Setting, 7> settings;  ///< those without a word are none
+};
+
+constexpr std::array programs{
+    Program{LibraryCall{"fcl-libccd", "FCL", "fcl::collide", "gjk_solver_type GST_LIBCCD, gjk_tolerance 1e-6",
+                        fcl_flags, "libfcl-dev"},
+            fcl_collide,
+            {{{"version", "FCL_VERSION"},
+              {"solver", "GST_LIBCCD"},
+              {"tolerance", "1e-6"},
+              {"solids", fcl_solids}}}},
+    Program{LibraryCall{"fcl-libccd-tol1e-10", "FCL", "fcl::collide",
+                        "gjk_solver_type GST_LIBCCD, gjk_tolerance 1e-10", fcl_flags, "libfcl-dev"},
+            fcl_collide,
+            {{{"version", "FCL_VERSION"},
+              {"solver", "GST_LIBCCD"},
+              {"tolerance", "1e-10"},
+              {"solids", fcl_solids}}}},
+    Program{LibraryCall{"fcl-indep", "FCL", "fcl::collide", "gjk_solver_type GST_INDEP, gjk_tolerance 1e-6",
+                        fcl_flags, "libfcl-dev"},
+            fcl_collide,
+            {{{"version", "FCL_VERSION"},
+              {"solver", "GST_INDEP"},
+              {"tolerance", "1e-6"},
+              {"solids", fcl_solids}}}},
+    Program{LibraryCall{"fcl-distance-libccd", "FCL", "fcl::distance",
+                        "gjk_solver_type GST_LIBCCD, distance_tolerance 1e-6, nearest points", fcl_flags,
+                        "libfcl-dev"},
+            fcl_distance,
+            {{{"version", "FCL_VERSION"},
+              {"solver", "GST_LIBCCD"},
+              {"tolerance", "1e-6"},
+              {"solids", fcl_solids}}}},
+    Program{LibraryCall{"fcl-distance-libccd-tol1e-10", "FCL", "fcl::distance",
+                        "gjk_solver_type GST_LIBCCD, distance_tolerance 1e-10, nearest points", fcl_flags,
+                        "libfcl-dev"},
+            fcl_distance,
+            {{{"version", "FCL_VERSION"},
+              {"solver", "GST_LIBCCD"},
+              {"tolerance", "1e-10"},
+              {"solids", fcl_solids}}}},
+    Program{
+        LibraryCall{"bullet-cylinder", "Bullet", "btGjkPairDetector",
+                    "two btCylinderShapeZ with their default margin, btGjkEpaPenetrationDepthSolver, double "
+                    "precision",
+                    bullet_flags, "libbullet-dev"},
+        bullet_detector,
+        {{{"version", bullet_version},
+          {"header", "btCylinderShape.h"},
+          {"fill", ""},
+          {"poses", bullet_poses},
+          {"shapes", bullet_cylinders},
+          {"margins", ""}}}},
+    Program{LibraryCall{
+                "bullet-cylinder-margin0", "Bullet", "btGjkPairDetector",
+                "two btCylinderShapeZ with setMargin(0), btGjkEpaPenetrationDepthSolver, double precision",
+                bullet_flags, "libbullet-dev"},
+            bullet_detector,
+            {{{"version", bullet_version},
+              {"header", "btCylinderShape.h"},
+              {"fill", ""},
+              {"poses", bullet_poses},
+              {"shapes", bullet_cylinders},
+              {"margins", bullet_margins}}}},
+    Program{LibraryCall{"bullet-gjkepa2", "Bullet", "btGjkEpaSolver2::SignedDistance",
+                        "two btCylinderShapeZ with setMargin(0), double precision", bullet_flags,
+                        "libbullet-dev"},
+            bullet_gjkepa2,
+            {{{"version", bullet_version},
+              {"poses", bullet_poses},
+              {"shapes", bullet_cylinders},
+              {"margins", bullet_margins}}}},
+    Program{
+        LibraryCall{"bullet-hull-16", "Bullet", "btGjkPairDetector",
+                    "two btConvexHullShape with 16 sides and setMargin(0), btGjkEpaPenetrationDepthSolver, "
+                    "double precision",
+                    bullet_flags, "libbullet-dev"},
+        bullet_detector,
+        {{{"version", bullet_version},
+          {"header", "btConvexHullShape.h"},
+          {"sides", "16"},
+          {"fill", bullet_hull},
+          {"poses", bullet_poses},
+          {"shapes", bullet_hulls},
+          {"margins", ""}}}},
+    Program{
+        LibraryCall{"bullet-hull-64", "Bullet", "btGjkPairDetector",
+                    "two btConvexHullShape with 64 sides and setMargin(0), btGjkEpaPenetrationDepthSolver, "
+                    "double precision",
+                    bullet_flags, "libbullet-dev"},
+        bullet_detector,
+        {{{"version", bullet_version},
+          {"header", "btConvexHullShape.h"},
+          {"sides", "64"},
+          {"fill", bullet_hull},
+          {"poses", bullet_poses},
+          {"shapes", bullet_hulls},
+          {"margins", ""}}}},
+    Program{
+        LibraryCall{"libccd-gjk", "libccd", "ccdGJKIntersect",
+                    "max_iterations 500, the default first direction", ccd_flags, "libccd-dev"},
+        ccd,
+        {{{"version", "version"}, {"call", "ccdGJKIntersect"}, {"first_direction", ""}, {"settings", ""}}}},
+    Program{
+        LibraryCall{"libccd-gjk-centers", "libccd", "ccdGJKIntersect",
+                    "max_iterations 500, the first direction from centre to centre", ccd_flags, "libccd-dev"},
+        ccd,
+        {{{"version", "version"},
+          {"call", "ccdGJKIntersect"},
+          {"first_direction", ccd_first_direction},
+          {"settings", "  settings.first_dir = from_center_to_center;\n"}}}},
+    Program{LibraryCall{"libccd-mpr", "libccd", "ccdMPRIntersect", "max_iterations 500, mpr_tolerance 1e-4",
+                        ccd_flags, "libccd-dev"},
+            ccd,
+            {{{"version", "version"},
+              {"call", "ccdMPRIntersect"},
+              {"first_direction", ""},
+              {"settings", "  settings.mpr_tolerance = 1e-4;\n"}}}},
+    Program{LibraryCall{"libccd-mpr-tol1e-10", "libccd", "ccdMPRIntersect",
+                        "max_iterations 500, mpr_tolerance 1e-10", ccd_flags, "libccd-dev"},
+            ccd,
+            {{{"version", "version"},
+              {"call", "ccdMPRIntersect"},
+              {"first_direction", ""},
+              {"settings", "  settings.mpr_tolerance = 1e-10;\n"}}}},
+    Program{LibraryCall{"ode", "ODE", "dCollide", "one contact", ode_flags, "libode-dev"},
+            ode,
+            {{{"version", "dODE_VERSION"}, {"flags", "1"}}}},
+    Program{LibraryCall{"ode-unrefined", "ODE", "dCollide", "one contact, CONTACTS_UNIMPORTANT", ode_flags,
+                        "libode-dev"},
+            ode,
+            {{{"version", "dODE_VERSION"}, {"flags", "static_cast<int>(1 | CONTACTS_UNIMPORTANT)"}}}},
+    Program{LibraryCall{"ode-contacts-8", "ODE", "dCollide", "eight contacts", ode_flags, "libode-dev"},
+            ode,
+            {{{"version", "dODE_VERSION"}, {"flags", "8"}}}},
+    Program{LibraryCall{"mujoco", "MuJoCo", "mjCOLLISIONFUNC[mjGEOM_CYLINDER][mjGEOM_CYLINDER]",
+                        "mpr_tolerance 1e-6, mpr_iterations 50", mujoco_flags, "libmujoco-dev"},
+            mujoco,
+            {{{"version", "mj_versionString()"}, {"tolerance", "1e-6"}, {"iterations", "50"}}}},
+    Program{LibraryCall{"mujoco-tol1e-10", "MuJoCo", "mjCOLLISIONFUNC[mjGEOM_CYLINDER][mjGEOM_CYLINDER]",
+                        "mpr_tolerance 1e-10, mpr_iterations 500", mujoco_flags, "libmujoco-dev"},
+            mujoco,
+            {{{"version", "mj_versionString()"}, {"tolerance", "1e-10"}, {"iterations", "500"}}}},
+};
+
+const Program* find_program(std::string_view method) {
+  const auto* found = std::find_if(programs.begin(), programs.end(),
+                                   [&](const Program& p) { return p.call.method == method; });
+  return found == programs.end() ? nullptr : found;
 }
 
 std::string truth_line(const Probe& asked) {
@@ -490,9 +548,8 @@ std::string announcement(FindingKind kind) {
 }  // namespace
 
 const LibraryCall* find_library_call(std::string_view method) {
-  const auto* found = std::find_if(library_calls.begin(), library_calls.end(),
-                                   [&](const LibraryCall& c) { return c.method == method; });
-  return found == library_calls.end() ? nullptr : found;
+  const Program* program = find_program(method);
+  return program == nullptr ? nullptr : &program->call;
 }
 
 bool program_shows(FindingKind kind) {
@@ -522,12 +579,18 @@ std::string reproducing_program(const LibraryCall& call, const Probe& asked, con
   Words words;
   add_solid(words, "a", asked.pair.a);
   add_solid(words, "b", asked.pair.b);
-  const std::string_view text = text_of(call, words, asked);
+  const bool misses = asked.answer.verdict == Verdict::disjoint;
+  words["stretch"] = misses ? outward : inward;
+  words["around"] = misses ? "around" : "within";
+  words["prisms"] = misses ? "are apart" : "meet";
+  const Program& program = *find_program(call.method);
+  for (const Setting& setting : program.settings)
+    if (!setting.word.empty()) words[std::string(setting.word)] = filled(setting.text, words);
   words["before"] = announcement(asked.finding->kind);
   words["after"] = verdict_on(call, words, asked, method);
   return fmt::format("// Asks {} ({}) about two cylinders: {}.\n// c++ {} reproduce.cpp -o reproduce {}\n",
                      call.library, call.call, call.settings, compiler_options, call.flags) +
-         filled(text, words);
+         filled(program.text, words);
 }
 
 }  // namespace cyl
