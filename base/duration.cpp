@@ -5,7 +5,7 @@
 #include <string>
 #include <system_error>
 
-#include "corpus/usage_error.hpp"
+#include "base/usage_error.hpp"
 
 namespace cyl {
 

@@ -6,7 +6,7 @@
 
 #include <ctime>
 
-#include "corpus/usage_error.hpp"
+#include "base/usage_error.hpp"
 
 namespace cyl {
 namespace {

@@ -6,11 +6,11 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
-#include <nlohmann/json.hpp>
 #include <numeric>
 #include <set>
 #include <stdexcept>
 
+#include "base/json.hpp"
 #include "bench/bench_summary.hpp"
 #include "bench/lower_bounds.hpp"
 #include "oracles/referee/referee.hpp"
@@ -356,7 +356,7 @@ TEST(Summary, JsonHasEveryField) {
   rows.push_back(row_of("intersect", "random", "batch", 10));
   rows[2].pairs = large_batch;
   const LowerBounds lower_bounds{2, 4, 20};
-  const auto json = nlohmann::json::parse("{" + bench_json(rows, summarise(rows), lower_bounds) + "}");
+  const auto json = parse_json("{" + bench_json(rows, summarise(rows), lower_bounds) + "}");
   ASSERT_EQ(json["results"].size(), 3u);
   const auto& row = json["results"][0];
   for (const char* field :

@@ -24,6 +24,7 @@
 #include "base/safe_text.hpp"
 #include "base/source_tree.hpp"
 #include "base/time_point.hpp"
+#include "base/usage_error.hpp"
 #include "cli/build_info.hpp"
 #include "cli/commands.hpp"
 #include "cli/guests.hpp"
@@ -32,9 +33,6 @@
 #include "cli/show_run.hpp"
 #include "cli/unsigned_option.hpp"
 #include "corpus/store/case_files.hpp"
-#include "base/safe_text.hpp"
-#include "corpus/usage_error.hpp"
-#include "base/own_command.hpp"
 
 namespace cyl {
 namespace {

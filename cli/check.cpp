@@ -15,14 +15,13 @@
 #include <vector>
 
 #include "base/safe_text.hpp"
+#include "base/usage_error.hpp"
 #include "cli/commands.hpp"
 #include "cli/guests.hpp"
 #include "corpus/pairs/pair_io.hpp"
-#include "base/safe_text.hpp"
-#include "corpus/usage_error.hpp"
-#include "oracles/trial/compare.hpp"
 #include "oracles/methods/contained.hpp"
 #include "oracles/referee/referee.hpp"
+#include "oracles/trial/compare.hpp"
 
 namespace cyl {
 

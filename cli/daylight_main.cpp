@@ -6,9 +6,9 @@
 #include <iostream>
 #include <string>
 
+#include "base/usage_error.hpp"
 #include "cli/build_info.hpp"
 #include "cli/commands.hpp"
-#include "corpus/usage_error.hpp"
 
 namespace {
 

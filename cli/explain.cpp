@@ -10,13 +10,12 @@
 #include <string>
 
 #include "base/files.hpp"
+#include "base/usage_error.hpp"
 #include "cli/commands.hpp"
 #include "cli/guests.hpp"
 #include "cli/one_failure.hpp"
 #include "cli/targets.hpp"
 #include "cli/unsigned_option.hpp"
-#include "base/files.hpp"
-#include "corpus/usage_error.hpp"
 #include "oracles/trial/probe.hpp"
 
 namespace cyl {

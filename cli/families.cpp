@@ -8,10 +8,10 @@
 #include <memory>
 #include <string>
 
+#include "base/usage_error.hpp"
 #include "cli/commands.hpp"
 #include "cli/unsigned_option.hpp"
 #include "corpus/pairs/pair_io.hpp"
-#include "corpus/usage_error.hpp"
 
 namespace cyl {
 

@@ -8,8 +8,8 @@
 #include <filesystem>
 #include <stdexcept>
 
+#include "base/usage_error.hpp"
 #include "corpus/store/run_store.hpp"
-#include "corpus/usage_error.hpp"
 
 namespace cyl {
 namespace {

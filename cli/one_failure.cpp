@@ -3,7 +3,7 @@
 
 #include <fmt/format.h>
 
-#include "corpus/usage_error.hpp"
+#include "base/usage_error.hpp"
 #include "oracles/trial/mechanism.hpp"
 #include "reports/export/export.hpp"
 

@@ -10,13 +10,13 @@
 #include <string>
 #include <vector>
 
+#include "base/usage_error.hpp"
 #include "cli/commands.hpp"
 #include "cli/guests.hpp"
 #include "cli/targets.hpp"
-#include "oracles/trial/finding_text.hpp"
 #include "corpus/pairs/pair_io.hpp"
 #include "corpus/store/run_store.hpp"
-#include "corpus/usage_error.hpp"
+#include "oracles/trial/finding_text.hpp"
 #include "props/laws/examine.hpp"
 
 namespace cyl {

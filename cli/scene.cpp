@@ -8,15 +8,15 @@
 #include <stdexcept>
 
 #include "base/files.hpp"
+#include "base/usage_error.hpp"
 #include "cli/commands.hpp"
 #include "cli/unsigned_option.hpp"
-#include "base/files.hpp"
+#include "reports/run/page.hpp"
+#include "reports/scene/scene_report.hpp"
+#include "scenes/parameter_sweep.hpp"
 #include "scenes/scene_files.hpp"
 #include "scenes/scene_generators.hpp"
-#include "corpus/usage_error.hpp"
-#include "reports/run/page.hpp"
 #include "scenes/scene_study.hpp"
-#include "scenes/parameter_sweep.hpp"
 
 namespace cyl {
 namespace {

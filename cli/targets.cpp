@@ -12,8 +12,8 @@
 #include <stdexcept>
 #include <utility>
 
+#include "base/usage_error.hpp"
 #include "corpus/pairs/pair_io.hpp"
-#include "corpus/usage_error.hpp"
 
 namespace cyl {
 namespace {

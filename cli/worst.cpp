@@ -17,15 +17,15 @@
 
 #include "base/duration.hpp"
 #include "base/source_tree.hpp"
+#include "base/usage_error.hpp"
 #include "cli/commands.hpp"
 #include "cli/guests.hpp"
 #include "cli/progress.hpp"
 #include "cli/unsigned_option.hpp"
-#include "corpus/store/case_files.hpp"
 #include "corpus/pairs/pair_io.hpp"
-#include "corpus/store/run_store.hpp"
 #include "corpus/pairs/strata.hpp"
-#include "corpus/usage_error.hpp"
+#include "corpus/store/case_files.hpp"
+#include "corpus/store/run_store.hpp"
 
 namespace cyl {
 namespace {

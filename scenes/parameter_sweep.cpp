@@ -5,8 +5,8 @@
 
 #include <algorithm>
 #include <ctime>
-#include <nlohmann/json.hpp>
 
+#include "base/json.hpp"
 #include "scenes/broad_phase.hpp"
 
 namespace cyl {

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "base/usage_error.hpp"
 #include "corpus/pairs/random_stream.hpp"
-#include "corpus/usage_error.hpp"
 
 namespace cyl {
 namespace {

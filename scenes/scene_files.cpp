@@ -6,9 +6,10 @@
 #include <charconv>
 #include <filesystem>
 #include <fstream>
-#include <nlohmann/json.hpp>
 #include <stdexcept>
 #include <string_view>
+
+#include "base/json.hpp"
 
 namespace cyl {
 namespace {
@@ -23,7 +24,7 @@ Vector3 vector_of(const nlohmann::json& list) {
 }
 
 Named parse_json_line(const std::string& text) {
-  const auto object = nlohmann::json::parse(text);
+  const auto object = parse_json(text);
   if (!object.is_object()) throw std::runtime_error("a line is an object with center, axis, radius, height");
   Named named;
   for (const auto& [key, value] : object.items()) {

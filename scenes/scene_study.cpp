@@ -6,9 +6,9 @@
 #include <cmath>
 #include <limits>
 
-#include "corpus/usage_error.hpp"
-#include "oracles/referee/referee.hpp"
 #include "base/stopwatch.hpp"
+#include "base/usage_error.hpp"
+#include "oracles/referee/referee.hpp"
 #include "solver/distance.hpp"
 
 namespace cyl {

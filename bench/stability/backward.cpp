@@ -5,8 +5,8 @@
 #include <cmath>
 #include <limits>
 #include <map>
-#include <nlohmann/json.hpp>
 
+#include "base/json.hpp"
 #include "corpus/pairs/pair_io.hpp"
 #include "corpus/pairs/strata.hpp"
 #include "oracles/trial/mechanism.hpp"

@@ -4,8 +4,8 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <nlohmann/json.hpp>
 
+#include "base/json.hpp"
 #include "corpus/pairs/near_touching.hpp"
 #include "corpus/pairs/pair_io.hpp"
 #include "oracles/referee/referee.hpp"

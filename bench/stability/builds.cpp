@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <cmath>
 #include <fstream>
-#include <nlohmann/json.hpp>
 #include <stdexcept>
 
+#include "base/json.hpp"
 #include "corpus/pairs/families.hpp"
 #include "corpus/pairs/strata.hpp"
 #include "oracles/trial/compare.hpp"
@@ -110,9 +110,9 @@ json builds_json(const std::filesystem::path& file) {
   std::string line;
   if (!std::getline(in, line)) return all;
   try {
-    json::parse(line).at("command");
+    parse_json(line).at("command");
     while (std::getline(in, line)) {
-      all.push_back(json::parse(line));
+      all.push_back(parse_json(line));
       for (const char* field : {"method", "build", "against", "pairs", "verdicts_changed", "beyond_claim",
                                 "distances_changed", "largest_change"})
         all.back().at(field);

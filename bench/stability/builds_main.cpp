@@ -5,11 +5,11 @@
 #include <cstdio>
 #include <exception>
 #include <fstream>
-#include <nlohmann/json.hpp>
 #include <stdexcept>
 #include <string>
 #include <vector>
 
+#include "base/json.hpp"
 #include "bench/stability/build_pairs.hpp"
 #include "bench/stability/builds.hpp"
 

@@ -6,10 +6,10 @@
 
 #include <cstdlib>
 #include <fstream>
-#include <nlohmann/json.hpp>
 #include <set>
 #include <stdexcept>
 
+#include "base/json.hpp"
 #include "bench/stability/build_pairs.hpp"
 #include "corpus/pairs/pair_io.hpp"
 

@@ -6,10 +6,10 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
-#include <nlohmann/json.hpp>
 #include <numbers>
 #include <set>
 
+#include "base/json.hpp"
 #include "corpus/pairs/near_touching.hpp"
 #include "corpus/pairs/random_stream.hpp"
 #include "oracles/methods/contained.hpp"

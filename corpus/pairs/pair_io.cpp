@@ -7,9 +7,10 @@
 #include <cmath>
 #include <iterator>
 #include <limits>
-#include <nlohmann/json.hpp>
 #include <set>
 #include <utility>
+
+#include "base/json.hpp"
 
 namespace cyl {
 namespace {

@@ -3,8 +3,8 @@
 #pragma once
 
 #include <cmath>
-#include <nlohmann/json.hpp>
 
+#include "base/json.hpp"
 #include "corpus/pairs/pair_io.hpp"
 
 namespace cyl {

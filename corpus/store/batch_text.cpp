@@ -2,8 +2,9 @@
 #include "corpus/store/batch_text.hpp"
 
 #include <bit>
-#include <nlohmann/json.hpp>
 #include <stdexcept>
+
+#include "base/json.hpp"
 
 namespace cyl {
 namespace {
@@ -35,7 +36,7 @@ std::string format_batch(const BatchRecord& batch) {
 
 BatchRecord parse_batch(std::string_view text) try {
   BatchRecord batch;
-  const json all = json::parse(text);
+  const json all = parse_json(text);
   for (const json& t : all.at(0)) {
     batch.tallies.push_back(
         {t.at(0), t.at(1), Counts{t.at(2), t.at(3), t.at(4), t.at(5), t.at(6), t.at(7), t.at(8)}});

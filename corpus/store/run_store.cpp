@@ -10,8 +10,8 @@
 #include <filesystem>
 #include <stdexcept>
 
+#include "base/usage_error.hpp"
 #include "corpus/pairs/pair_io.hpp"
-#include "corpus/usage_error.hpp"
 
 namespace cyl {
 namespace {

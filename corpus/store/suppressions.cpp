@@ -6,11 +6,11 @@
 #include <chrono>
 #include <filesystem>
 #include <fstream>
-#include <nlohmann/json.hpp>
 #include <stdexcept>
 #include <utility>
 
-#include "corpus/usage_error.hpp"
+#include "base/json.hpp"
+#include "base/usage_error.hpp"
 
 namespace cyl {
 namespace {

@@ -10,10 +10,10 @@
 #include <cstdlib>
 #include <filesystem>
 #include <map>
-#include <nlohmann/json.hpp>
 #include <sstream>
 #include <stdexcept>
 
+#include "base/json.hpp"
 #include "fuzz/campaign/killed_test.hpp"
 #include "fuzz/campaign/merge.hpp"
 #include "oracles/methods/contained.hpp"
@@ -179,7 +179,7 @@ TEST_F(Campaign, AFindingHoldsAllThatIsNeededToSeeItAgain) {
     const Pair pair = two_families[f.index % 2].generate(20261121, f.index / 2);
     EXPECT_EQ(format_pair(line.value->pair), format_pair(pair));
     EXPECT_EQ(f.family, two_families[f.index % 2].name);
-    const auto said = nlohmann::json::parse(f.answers);
+    const auto said = parse_json(f.answers);
     ASSERT_EQ(said.size(), methods.size());
     EXPECT_EQ(said["good"]["verdict"], to_string(right(pair)));
     EXPECT_EQ(describe_truth(f.truth).verdict, to_string(right(pair)));

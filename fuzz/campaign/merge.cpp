@@ -12,8 +12,8 @@
 #include <tuple>
 #include <utility>
 
+#include "base/usage_error.hpp"
 #include "corpus/store/run_store.hpp"
-#include "corpus/usage_error.hpp"
 
 namespace cyl {
 namespace {

@@ -9,10 +9,10 @@
 #include <filesystem>
 #include <fstream>
 #include <limits>
-#include <nlohmann/json.hpp>
 #include <stdexcept>
 #include <utility>
 
+#include "base/json.hpp"
 #include "corpus/pairs/random_stream.hpp"
 #include "fuzz/campaign/campaign.hpp"
 #include "oracles/trial/compare.hpp"
@@ -98,7 +98,7 @@ std::vector<KnownFault> known_faults(const std::string& kill_matrix,
   std::string line;
   try {
     while (std::getline(in, line)) {
-      const nlohmann::json row = nlohmann::json::parse(line);
+      const nlohmann::json row = parse_json(line);
       if (!row.contains("fuzz") || !row.contains("asks")) continue;
       const nlohmann::json& fuzz = row.at("fuzz");
       // One that crashes or hangs says no number of pairs; an undecided truth is no method's fault.

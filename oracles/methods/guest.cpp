@@ -11,7 +11,7 @@
 
 #include "base/fnv.hpp"
 #include "base/safe_text.hpp"
-#include "corpus/usage_error.hpp"
+#include "base/usage_error.hpp"
 
 namespace cyl {
 namespace {

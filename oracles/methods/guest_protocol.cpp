@@ -2,8 +2,9 @@
 #include "oracles/methods/guest_protocol.hpp"
 
 #include <cmath>
-#include <nlohmann/json.hpp>
 #include <stdexcept>
+
+#include "base/json.hpp"
 
 namespace cyl {
 namespace {
@@ -82,7 +83,7 @@ GuestHello hello_of(const json& line) {
 }
 
 GuestLine read(std::string_view text) {
-  const json line = json::parse(text);
+  const json line = parse_json(text);
   if (!line.is_object()) throw std::invalid_argument("no object");
   GuestLine out;
   if (line.contains("verdict")) {

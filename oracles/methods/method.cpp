@@ -1,12 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "oracles/methods/method.hpp"
 
-#include <algorithm>
-#include <cstring>
-#include <iterator>
 #include <utility>
 
-#include "corpus/usage_error.hpp"
+#include "base/usage_error.hpp"
 
 namespace cyl {
 

@@ -6,7 +6,7 @@
 #include <unordered_map>
 #include <utility>
 
-#include "corpus/usage_error.hpp"
+#include "base/usage_error.hpp"
 #include "props/gate/pair_generators.hpp"
 
 namespace cyl {

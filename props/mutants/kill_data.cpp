@@ -5,9 +5,10 @@
 
 #include <filesystem>
 #include <fstream>
-#include <nlohmann/json.hpp>
 #include <stdexcept>
 #include <string_view>
+
+#include "base/json.hpp"
 
 namespace cyl {
 namespace {
@@ -40,7 +41,7 @@ json kill_data(const std::string& file) {
   std::string line;
   for (std::size_t number = 1; std::getline(in, line); ++number) {
     try {
-      json row = row_of(json::parse(line));
+      json row = row_of(parse_ordered_json(line));
       if (row["mutant"] == 0) continue;  // the program as it is
       caught += !row["caught_by"].empty();
       equivalent += row["caught_by"].empty() && row.contains("equivalent");

@@ -5,10 +5,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <nlohmann/json.hpp>
 
+#include "base/json.hpp"
+#include "base/usage_error.hpp"
 #include "corpus/pairs/pair_io.hpp"
-#include "corpus/usage_error.hpp"
 #include "reports/gate/failure_text.hpp"
 
 namespace cyl {
@@ -193,9 +193,9 @@ std::string cures_table(const Explanation& e) {
 json number_json(double x) { return std::isfinite(x) ? json(x) : json(format_double(x)); }
 
 json probe_json(const Probe& p) {
-  json object{{"pair", json::parse(format_pair(p.pair))},
-              {"truth", json::parse(format_truth(p.truth, p.decided() ? &p.distance : nullptr))},
-              {"answer", json::parse(format_method_answer(p.answer))}};
+  json object{{"pair", parse_ordered_json(format_pair(p.pair))},
+              {"truth", parse_ordered_json(format_truth(p.truth, p.decided() ? &p.distance : nullptr))},
+              {"answer", parse_ordered_json(format_method_answer(p.answer))}};
   object["finding"] = p.finding ? json(to_string(p.finding->kind)) : json(nullptr);
   return object;
 }

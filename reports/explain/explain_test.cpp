@@ -4,9 +4,9 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <nlohmann/json.hpp>
 #include <stdexcept>
 
+#include "base/json.hpp"
 #include "oracles/trial/algorithm_groups.hpp"
 #include "solver/distance.hpp"
 
@@ -196,7 +196,7 @@ TEST(Explain, SumsUp) {
   const std::string text = explanation_text(e);
   EXPECT_NE(text.find(e.mechanism), std::string::npos);
   EXPECT_NE(text.find("they meet"), std::string::npos) << text;
-  const json all = json::parse(explanation_json(e));
+  const json all = parse_json(explanation_json(e));
   EXPECT_EQ(all["regions"].size(), 8u);
   EXPECT_EQ(all["regions"][0]["high"]["beyond"]["truth"]["verdict"], "disjoint");
   EXPECT_EQ(all["curve"]["feature"], "cap-cap");
@@ -244,7 +244,7 @@ TEST(Explain, AHangIsAskedAboutSeldom) {
   EXPECT_EQ(effect(e.cures, Remedy::exchanged), Effect::cured);
   EXPECT_EQ(effect(e.cures, Remedy::rescaled), Effect::not_cured);
   EXPECT_NE(explanation_text(e).find("the order decides"), std::string::npos) << explanation_text(e);
-  EXPECT_TRUE(json::parse(explanation_json(e))["curve"].is_null());
+  EXPECT_TRUE(parse_json(explanation_json(e))["curve"].is_null());
 }
 
 // A library as it is: FCL's own GJK stops at an absolute tolerance.

@@ -9,9 +9,9 @@
 #include <stdexcept>
 #include <system_error>
 
-#include "oracles/trial/finding_text.hpp"
+#include "base/usage_error.hpp"
 #include "corpus/pairs/pair_io.hpp"
-#include "corpus/usage_error.hpp"
+#include "oracles/trial/finding_text.hpp"
 #include "reports/export/export_check.hpp"
 #include "reports/export/export_guest.hpp"
 #include "reports/export/export_program.hpp"

@@ -5,8 +5,8 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <nlohmann/json.hpp>
 
+#include "base/json.hpp"
 #include "base/safe_text.hpp"
 #include "corpus/pairs/pair_io.hpp"
 #include "oracles/methods/adapter.hpp"

@@ -6,9 +6,9 @@
 #include <algorithm>
 #include <charconv>
 #include <filesystem>
-#include <nlohmann/json.hpp>
 #include <optional>
 
+#include "base/json.hpp"
 #include "base/own_command.hpp"
 #include "base/safe_text.hpp"
 #include "corpus/pairs/pair_io.hpp"
@@ -104,9 +104,7 @@ std::string grouped(std::uint64_t n) {
 
 std::string pairs_in_words(std::uint64_t n) { return grouped(n) + (n == 1 ? " pair" : " pairs"); }
 
-std::string valid_utf8(std::string_view text) {
-  return nlohmann::json::parse(quote_json(text)).get<std::string>();
-}
+std::string valid_utf8(std::string_view text) { return parse_json(quote_json(text)).get<std::string>(); }
 
 std::string one_line(std::string_view text) { return escaped_controls(valid_utf8(text)); }
 

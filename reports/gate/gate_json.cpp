@@ -7,11 +7,11 @@
 #include <cmath>
 #include <filesystem>
 #include <fstream>
-#include <nlohmann/json.hpp>
 #include <set>
 #include <span>
 #include <stdexcept>
 
+#include "base/json.hpp"
 #include "corpus/pairs/pair_io.hpp"
 #include "corpus/pairs/pair_json.hpp"
 

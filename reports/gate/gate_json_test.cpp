@@ -2,9 +2,9 @@
 #include "reports/gate/gate_json.hpp"
 
 #include <cmath>
-#include <nlohmann/json.hpp>
 #include <stdexcept>
 
+#include "base/json.hpp"
 #include "corpus/pairs/pair_io.hpp"
 #include "reports/gate/gate_example_test.hpp"
 
@@ -14,7 +14,7 @@ namespace {
 using json = nlohmann::json;
 
 TEST(GateJson, IsTheWholeReport) {
-  const json all = json::parse(gate_json(example_report()));
+  const json all = parse_json(gate_json(example_report()));
   EXPECT_EQ(all["seed"], std::numeric_limits<std::uint64_t>::max());
   EXPECT_EQ(all["undecided_truths"], 3);
   EXPECT_EQ(all["phases"][3], json({{"phase", "sample of all strata"},
@@ -25,7 +25,7 @@ TEST(GateJson, IsTheWholeReport) {
   EXPECT_EQ(all["pairs"], 350'000);
   EXPECT_EQ(all["laws"].size(), all_laws().size());
   EXPECT_EQ(all["not_asked"], json::array());
-  EXPECT_EQ(json::parse(gate_json(cut_report()))["not_asked"].size(), 2u);
+  EXPECT_EQ(parse_json(gate_json(cut_report()))["not_asked"].size(), 2u);
   const json& method = all["methods"][0];
   EXPECT_EQ(method["counts"]["said"]["undecided"], 77);
   EXPECT_EQ(method["claim"]["relative"], 1e-13);
@@ -41,7 +41,7 @@ TEST(GateJson, IsTheWholeReport) {
 
 TEST(GateJson, PairsAreReadBackToTheBit) {
   const GateReport report = example_report();
-  const json found = json::parse(gate_json(report))["failures"][0]["found"];
+  const json found = parse_json(gate_json(report))["failures"][0]["found"];
   const CaseLine line = parse_case(found.dump(), 1);
   ASSERT_TRUE(line.value) << line.error;
   EXPECT_EQ(format_pair(line.value->pair), format_pair(report.failures[0].found));
@@ -97,7 +97,7 @@ TEST(GateJson, WhatTheBaseAskedAndThisGateDidNotIsSaid) {
   GateReport now = report;
   now.cases = {18, 17, 19};
   // As it is written, which bytes that are no UTF-8 do not survive.
-  now.methods[1].name = nlohmann::json::parse(gate_json(report))["methods"][1]["name"];
+  now.methods[1].name = parse_json(gate_json(report))["methods"][1]["name"];
   EXPECT_EQ(gaps(now, file.path), std::vector<std::string>{}) << "more cases, in another order";
   GateReport other = now;
   other.cases = {17, 19, 20};
@@ -109,10 +109,10 @@ TEST(GateJson, WhatTheBaseAskedAndThisGateDidNotIsSaid) {
                                       "1 of 12 cases, which the base has",
                                       "sample of all strata: the pairs, which the base has"}));
   // A base of version 0.1.0 says how many cases there were.
-  const json whole = json::parse(gate_json(report));
+  const json whole = parse_json(gate_json(report));
   const ScratchFile old(
       whole
-          .patch(json::parse(
+          .patch(parse_json(
               R"([{"op":"remove","path":"/cases"},{"op":"remove","path":"/laws"},{"op":"remove","path":"/pairs"},
                   {"op":"remove","path":"/phases/2/digest"},{"op":"remove","path":"/phases/3/digest"}])"))
           .dump());

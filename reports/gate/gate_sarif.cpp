@@ -3,8 +3,7 @@
 
 #include <fmt/format.h>
 
-#include <nlohmann/json.hpp>
-
+#include "base/json.hpp"
 #include "corpus/pairs/pair_io.hpp"
 #include "reports/gate/failure_text.hpp"
 

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "reports/gate/gate_sarif.hpp"
 
-#include <nlohmann/json.hpp>
-
+#include "base/json.hpp"
 #include "reports/gate/gate_example_test.hpp"
 
 namespace cyl {
@@ -18,7 +17,7 @@ TEST(GateSarif, KeepsToItsSchema) {
   EXPECT_TRUE(valid(document)) << document;
   EXPECT_TRUE(valid(gate_sarif({}, "0.1.0", false)));
   EXPECT_TRUE(valid(gate_sarif(cut_report(), "0.1.0", false)));
-  const json good = json::parse(document);
+  const json good = parse_json(document);
   for (
       const char* planted :
       {R"([{"op":"remove","path":"/runs/0/results/0/locations/0"}])",
@@ -27,11 +26,11 @@ TEST(GateSarif, KeepsToItsSchema) {
        R"([{"op":"replace","path":"/runs/0/results/0/level","value":"bad"}])",
        R"([{"op":"replace","path":"/runs/0/results/0/locations/0/physicalLocation/region/startLine","value":0}])",
        R"([{"op":"remove","path":"/runs/0/tool/driver/name"}])"})
-    EXPECT_FALSE(valid(good.patch(json::parse(planted)).dump())) << planted;
+    EXPECT_FALSE(valid(good.patch(parse_json(planted)).dump())) << planted;
 }
 
 TEST(GateSarif, ARuleALawAndAResultAFailure) {
-  const json run = json::parse(gate_sarif(example_report(), "0.1.0", false))["runs"][0];
+  const json run = parse_json(gate_sarif(example_report(), "0.1.0", false))["runs"][0];
   const json& rules = run["tool"]["driver"]["rules"];
   ASSERT_EQ(rules.size(), all_laws().size());
   EXPECT_EQ(rules[0]["id"], "law-1");
@@ -49,7 +48,7 @@ TEST(GateSarif, ARuleALawAndAResultAFailure) {
 
 TEST(GateSarif, WhatWasNotAskedIsNoSuccess) {
   const auto invocation = [](const GateReport& report) {
-    return json::parse(gate_sarif(report, "0.1.0", false))["runs"][0]["invocations"][0];
+    return parse_json(gate_sarif(report, "0.1.0", false))["runs"][0]["invocations"][0];
   };
   EXPECT_EQ(invocation(example_report())["executionSuccessful"], true);
   const json cut = invocation(cut_report());
@@ -60,7 +59,7 @@ TEST(GateSarif, WhatWasNotAskedIsNoSuccess) {
 }
 
 TEST(GateSarif, PlacesAreTheCaseElseTheLawFromTheTopOfTheSources) {
-  const json results = json::parse(gate_sarif(example_report(), "0.1.0", false))["runs"][0]["results"];
+  const json results = parse_json(gate_sarif(example_report(), "0.1.0", false))["runs"][0]["results"];
   const json& law = results[0]["locations"][0]["physicalLocation"];
   EXPECT_EQ(law["artifactLocation"]["uri"], "props/laws/exact_laws.cpp");
   EXPECT_EQ(law["region"]["startLine"], law_numbered(1).line);
@@ -73,7 +72,7 @@ TEST(GateSarif, OddFileNames) {
   GateReport report = example_report();
   const auto uri = [&](const std::string& origin) {
     report.failures[3].origin = origin;
-    return json::parse(gate_sarif(
+    return parse_json(gate_sarif(
         report, "0.1.0",
         false))["runs"][0]["results"][3]["locations"][0]["physicalLocation"]["artifactLocation"]["uri"]
         .get<std::string>();
@@ -88,7 +87,7 @@ TEST(GateSarif, OddFileNames) {
 TEST(GateSarif, SaysWhatIsNewWhereThereIsABase) {
   GateReport report = example_report();
   report.failures[0].known = true;
-  const json results = json::parse(gate_sarif(report, "0.1.0", true))["runs"][0]["results"];
+  const json results = parse_json(gate_sarif(report, "0.1.0", true))["runs"][0]["results"];
   EXPECT_EQ(results[0]["baselineState"], "unchanged");
   EXPECT_EQ(results[1]["baselineState"], "new");
 }

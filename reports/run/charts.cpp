@@ -7,11 +7,11 @@
 #include <cmath>
 #include <fstream>
 #include <map>
-#include <nlohmann/json.hpp>
 #include <stdexcept>
 #include <tuple>
 #include <utility>
 
+#include "base/json.hpp"
 #include "bench/curves.hpp"
 #include "corpus/pairs/pair_io.hpp"
 #include "oracles/trial/finding_text.hpp"

@@ -5,9 +5,9 @@
 #include <unistd.h>
 
 #include <fstream>
-#include <nlohmann/json.hpp>
 #include <stdexcept>
 
+#include "base/json.hpp"
 #include "corpus/pairs/pair_io.hpp"
 #include "reports/run/bench_table.hpp"
 
@@ -115,8 +115,8 @@ TEST_F(Charts, HonestyIsByDecadeAndTouchingIsBelowAll) {
 TEST_F(Charts, TheFileHasWhatThePageReadsAndKeepsWhatOthersWrote) {
   std::ofstream(folder / "charts.json") << R"({"paths":[1],"maps":[],"speed":[5]})";
   write_charts(folder, {});
-  EXPECT_EQ(charts()["paths"], json::parse("[1]"));
-  EXPECT_EQ(charts()["speed"], json::parse("[5]"));
+  EXPECT_EQ(charts()["paths"], parse_json("[1]"));
+  EXPECT_EQ(charts()["speed"], parse_json("[5]"));
   EXPECT_EQ(charts()["cost"], json::array());
   BenchRow row;
   row.method = "bad-tol1e-4";
@@ -126,7 +126,7 @@ TEST_F(Charts, TheFileHasWhatThePageReadsAndKeepsWhatOthersWrote) {
   row.median_ns = row.p50_ns = 12.5;
   write_charts(folder, {row});
   const json all = charts();
-  EXPECT_EQ(all["paths"], json::parse("[1]"));
+  EXPECT_EQ(all["paths"], parse_json("[1]"));
   const json& cell = all["maps"][3]["cells"][1];
   for (const char* field :
        {"x", "y", "asked", "wrong_disjoint", "wrong_intersecting", "failed", "undecided", "finding"})
@@ -135,14 +135,14 @@ TEST_F(Charts, TheFileHasWhatThePageReadsAndKeepsWhatOthersWrote) {
   EXPECT_EQ(all["maps"][3]["x"]["labels"][static_cast<std::size_t>(cell["x"])], "parallel");
   EXPECT_EQ(all["maps"][3]["y"]["labels"][static_cast<std::size_t>(cell["y"])], "1e-6");
   EXPECT_EQ(all["honesty"][1]["bins"][1],
-            json::parse(R"({"decade":6,"asked":6,"wrong_disjoint":1,"wrong_intersecting":2,"undecided":0})"));
+            parse_json(R"({"decade":6,"asked":6,"wrong_disjoint":1,"wrong_intersecting":2,"undecided":0})"));
   EXPECT_TRUE(all["honesty"][1]["family"].is_null());
   EXPECT_EQ(all["speed"].size(), 2u);
-  EXPECT_EQ(all["speed"][1], json::parse(R"({"method":"bad-tol1e-4","curve":"bad","setting":"1e-4",
+  EXPECT_EQ(all["speed"][1], parse_json(R"({"method":"bad-tol1e-4","curve":"bad","setting":"1e-4",
     "family":"all","query":"verdict","ns":12.5,"p99":null,"max":null,"asked":9,"wrong_disjoint":0,
     "wrong_intersecting":0,"digits":1,"digits_low":null})"));
   EXPECT_EQ(all["cost"][0],
-            json::parse(R"({"method":"bad-tol1e-4","decade":1,"p50":12.5,"p99":null,"max":null})"));
+            parse_json(R"({"method":"bad-tol1e-4","decade":1,"p50":12.5,"p99":null,"max":null})"));
 }
 
 TEST_F(Charts, ReadWhatABenchWrote) {

@@ -7,12 +7,12 @@
 #include <filesystem>
 #include <fstream>
 #include <map>
-#include <nlohmann/json.hpp>
 #include <set>
 #include <stdexcept>
 #include <unordered_map>
 #include <vector>
 
+#include "base/json.hpp"
 #include "base/own_command.hpp"
 #include "base/safe_text.hpp"
 #include "corpus/pairs/families.hpp"

@@ -8,9 +8,9 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
-#include <nlohmann/json.hpp>
 #include <vector>
 
+#include "base/json.hpp"
 #include "corpus/pairs/pair_io.hpp"
 #include "corpus/store/run_store.hpp"
 #include "corpus/store/triage_store.hpp"
@@ -36,7 +36,7 @@ class ReportData : public testing::Test {
     fs::create_directories(folder.parent_path());
   }
   void TearDown() override { fs::remove_all(folder.parent_path()); }
-  json data() const { return json::parse(report_json(folder)); }
+  json data() const { return parse_ordered_json(report_json(folder)); }
   void put(const char* name, const std::string& text) const { std::ofstream(folder / name) << text; }
   fs::path folder;
 };
@@ -91,13 +91,14 @@ TEST_F(ReportData, HasTheRunItsMethodsAndEveryNumber) {
   EXPECT_EQ(report["run"]["folder"], folder.string());
   EXPECT_TRUE(report["run"]["command"].get<std::string>().starts_with(
       "daylight campaign --seed 42 --pairs 7 --methods 'fake,intersect'"));
-  EXPECT_EQ(report["methods"][0], json::parse(R"({"name":"fake","version":"9.8","claim":{"relative":1e-6,
+  EXPECT_EQ(report["methods"][0],
+            parse_ordered_json(R"({"name":"fake","version":"9.8","claim":{"relative":1e-6,
     "absolute":0.001,"source":"its manual"},"own":false,"share":3})"));
   EXPECT_EQ(report["methods"][1]["own"], true);
   EXPECT_EQ(report["families"][0]["name"], "random");
   EXPECT_NE(report["families"][0]["summary"], "");
   EXPECT_EQ(report["tallies"][0],
-            json::parse(R"({"method":"fake","family":"random","asked":1002,"declined":11,
+            parse_ordered_json(R"({"method":"fake","family":"random","asked":1002,"declined":11,
     "failed":12,"contract":13,"resolution":14,"undecided":15,"nanoseconds":16032})"));
   EXPECT_EQ(report["history"], nullptr);
   EXPECT_EQ(report["kill_matrix"], nullptr);
@@ -112,7 +113,7 @@ TEST_F(ReportData, TheCommandBringsTheGuests) {
     std::vector<MethodRecord> asked;
     for (const std::string& name : methods) asked.push_back({name, "1", 0, 0, "", 1});
     RunStore::create(run, {{"seed", "1"}, {"guests", "plugin\tmine\t\t/a b/libmine.so\n"}}, asked);
-    return json::parse(report_json(run))["run"]["command"].get<std::string>();
+    return parse_ordered_json(report_json(run))["run"]["command"].get<std::string>();
   };
   const std::string plugin = " --plugin 'mine=/a b/libmine.so'";
   EXPECT_NE(command_of({"mine", "decide"}).find(plugin + " --methods 'mine,decide'"), std::string::npos);
@@ -135,7 +136,7 @@ TEST_F(ReportData, TellsAPairOfManyFindingsOnceAndToTheLastBit) {
   ASSERT_EQ(report["findings"].size(), 3u);
   ASSERT_EQ(report["cases"].size(), 2u);
   EXPECT_EQ(report["findings_total"], 3);
-  EXPECT_EQ(report["findings"][0], json::parse(R"({"id":1,"method":"fake","kind":"wrong_disjoint",
+  EXPECT_EQ(report["findings"][0], parse_ordered_json(R"({"id":1,"method":"fake","kind":"wrong_disjoint",
     "severity":"contract","family":"cases","bucket":null,"case":0})"));
   EXPECT_EQ(report["findings"][1]["case"], 0);
   EXPECT_EQ(report["findings"][1]["reason"], "SIGABRT");
@@ -150,7 +151,7 @@ TEST_F(ReportData, TellsAPairOfManyFindingsOnceAndToTheLastBit) {
   // The witness of "third", who has no finding here, is left out; the answers of the others stay as they are.
   ASSERT_EQ(told["said"].size(), 3u);
   EXPECT_EQ(told["said"][0][0]["direction"][2], 0.1);
-  EXPECT_EQ(told["said"][2], json::parse(R"([{"verdict":"disjoint"},[2]])"));
+  EXPECT_EQ(told["said"][2], parse_ordered_json(R"([{"verdict":"disjoint"},[2]])"));
   EXPECT_EQ(report["names"], json({"fake", "other", "third"}));
 }
 
@@ -223,7 +224,7 @@ TEST_F(ReportData, KeepsHostileTextAsText) {
   EXPECT_EQ(page.find("<img"), page.npos);
   EXPECT_EQ(page.find('\x01', at), page.npos);
 
-  const json report = json::parse(page.substr(at + before.size(), end - at - before.size()));
+  const json report = parse_ordered_json(page.substr(at + before.size(), end - at - before.size()));
   EXPECT_EQ(report["unreadable"], 1);
   ASSERT_EQ(report["findings"].size(), 2u);
   EXPECT_EQ(report["findings"][0]["method"], hostile);
@@ -262,7 +263,7 @@ TEST_F(ReportData, TellsWhatTheKillMatrixHas) {
   EXPECT_EQ(matrix["caught"], 1);
   EXPECT_EQ(matrix["equivalent"], 1);
   EXPECT_EQ(matrix["rows"][0],
-            json::parse(R"({"mutant":101,"file":"s.hpp","what":"a < b","caught_by":["laws"]})"));
+            parse_ordered_json(R"({"mutant":101,"file":"s.hpp","what":"a < b","caught_by":["laws"]})"));
   EXPECT_EQ(matrix["rows"][1]["equivalent"], "by law");
   EXPECT_EQ(kill_data(folder / "none.jsonl"), nullptr);
   for (const char* other : {"no rows\n", "{}\n", ""}) {

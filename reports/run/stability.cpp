@@ -2,9 +2,9 @@
 #include "reports/run/stability.hpp"
 
 #include <iterator>
-#include <nlohmann/json.hpp>
 #include <vector>
 
+#include "base/json.hpp"
 #include "bench/stability/backward.hpp"
 #include "bench/stability/builds.hpp"
 #include "bench/stability/paths.hpp"

@@ -5,8 +5,8 @@
 #include <unistd.h>
 
 #include <fstream>
-#include <nlohmann/json.hpp>
 
+#include "base/json.hpp"
 #include "corpus/pairs/pair_io.hpp"
 #include "corpus/store/run_store.hpp"
 
@@ -39,7 +39,7 @@ TEST(WriteStability, SetsWhatThePageReadsAndLeavesTheRest) {
   write_stability(folder, methods, DAYLIGHT_SOURCE_DIR "/bench/stability/builds.jsonl");
   std::ifstream in(folder / "charts.json");
   const json charts = json::parse(in);
-  EXPECT_EQ(charts["maps"], json::parse("[3]"));
+  EXPECT_EQ(charts["maps"], parse_json("[3]"));
   EXPECT_EQ(charts["paths"].size(), 24u);
   EXPECT_EQ(charts["paths"][0]["method"], "intersect");
   EXPECT_GT(charts["builds"].size(), 0u);

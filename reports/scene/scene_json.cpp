@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include <nlohmann/json.hpp>
 #include <utility>
 
+#include "base/json.hpp"
 #include "corpus/pairs/pair_json.hpp"
 #include "reports/scene/scene_report.hpp"
 #include "scenes/shown_pairs.hpp"

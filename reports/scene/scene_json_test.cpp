@@ -2,8 +2,7 @@
 // What is written of a study as JSON, and the page that is drawn from it.
 #include <gtest/gtest.h>
 
-#include <nlohmann/json.hpp>
-
+#include "base/json.hpp"
 #include "reports/run/page.hpp"
 #include "reports/scene/scene_report.hpp"
 #include "reports/schemas/schema_check_test.hpp"
@@ -36,7 +35,7 @@ TEST(SceneJson, KeepsToItsSchema) {
   const std::string document = written(crane(), question("crane.urdf"));
   EXPECT_TRUE(keeps_to("scene.json", document)) << document;
   EXPECT_TRUE(keeps_to("scene.json", written(still_scene({{"alone", {}}}), question("alone.csv"))));
-  const json good = json::parse(document);
+  const json good = parse_json(document);
   for (const char* planted :
        {R"([{"op":"remove","path":"/kept/0/cylinders/0/axis"}])",
         R"([{"op":"replace","path":"/kept/0/cylinders/0/radius","value":-1}])",
@@ -45,7 +44,7 @@ TEST(SceneJson, KeepsToItsSchema) {
         R"([{"op":"replace","path":"/pairs/0/needs","value":"inner capsule"}])",
         R"([{"op":"remove","path":"/pairs/0/models/5"}])", R"([{"op":"remove","path":"/words/capsules"}])",
         R"([{"op":"add","path":"/colour","value":"red"}])"})
-    EXPECT_FALSE(keeps_to("scene.json", good.patch(json::parse(planted)).dump())) << planted;
+    EXPECT_FALSE(keeps_to("scene.json", good.patch(parse_json(planted)).dump())) << planted;
 }
 
 // Others can draw what was kept: every number comes back, in the order of the bodies and pairs.
@@ -53,7 +52,7 @@ TEST(SceneJson, HoldsTheKeptConfigurationsToTheBit) {
   const Scene scene = crane();
   const SceneQuestion q = question("crane.urdf");
   const SceneStudy study = study_scene(scene, q);
-  const json all = json::parse(study_json(scene, q, study));
+  const json all = parse_json(study_json(scene, q, study));
   const std::vector<Kept> kept = kept_configurations(scene, q, study);
   ASSERT_EQ(all["kept"].size(), kept.size());
   for (std::size_t k = 0; k < kept.size(); ++k) {
@@ -82,7 +81,7 @@ TEST(SceneJson, HasTheSentencesOfTheText) {
   const SceneQuestion q = question("crane.urdf");
   const SceneStudy study = study_scene(scene, q);
   const std::string text = study_text(scene, q, study);
-  const json words = json::parse(study_json(scene, q, study))["words"];
+  const json words = parse_json(study_json(scene, q, study))["words"];
   EXPECT_EQ(words["left_out"].size(), 2u);
   for (const auto& [key, told] : words.items()) {
     if (!told.is_string()) continue;
@@ -113,7 +112,7 @@ TEST(ScenePage, HoldsTheDataAndAsksNothing) {
   ASSERT_NE(at, page.npos);
   const std::size_t end = page.find('<', at + before.size());
   EXPECT_EQ(page.substr(end, 9), "</script>") << "the data ends its own element";
-  EXPECT_EQ(json::parse(page.substr(at + before.size(), end - at - before.size())), json::parse(told));
+  EXPECT_EQ(parse_json(page.substr(at + before.size(), end - at - before.size())), parse_json(told));
   for (const char* word : {"<img", "src=\"", "@import", "<link", "url(http", "@@DAYLIGHT"})
     EXPECT_EQ(page.find(word), page.npos) << word;
   EXPECT_NE(page.find("default-src 'none'; script-src 'sha256-"), page.npos);

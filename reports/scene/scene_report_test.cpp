@@ -4,8 +4,8 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <nlohmann/json.hpp>
 
+#include "base/json.hpp"
 #include "scenes/scene_files.hpp"
 #include "scenes/scene_study.hpp"
 #include "solver/distance.hpp"
@@ -76,7 +76,7 @@ TEST(Study, TheSameTwiceButForTimes) {
   const Scene scene = read_scene(folder + "crane.urdf");
   const SceneQuestion q = question(0.01, 0, 30);
   const auto told = [&] {
-    auto object = nlohmann::json::parse(study_json(scene, q, study_scene(scene, q)));
+    auto object = parse_json(study_json(scene, q, study_scene(scene, q)));
     EXPECT_EQ(object.erase("ns_per_configuration"), 1u);
     EXPECT_EQ(object["words"].erase("cost"), 1u);
     return object;

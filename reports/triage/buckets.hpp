@@ -5,11 +5,11 @@
 #include <cstdint>
 #include <map>
 #include <memory>
-#include <nlohmann/json.hpp>
 #include <span>
 #include <string>
 #include <vector>
 
+#include "base/json.hpp"
 #include "corpus/store/run_store.hpp"
 #include "corpus/store/suppressions.hpp"
 #include "corpus/store/triage_store.hpp"

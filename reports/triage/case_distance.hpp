@@ -4,10 +4,10 @@
 #pragma once
 
 #include <array>
-#include <nlohmann/json.hpp>
 #include <optional>
 #include <utility>
 
+#include "base/json.hpp"
 #include "corpus/store/run_store.hpp"
 #include "oracles/referee/referee.hpp"
 #include "solver/cylinder.hpp"

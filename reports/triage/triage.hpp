@@ -10,11 +10,11 @@
 #include <cstddef>
 #include <functional>
 #include <memory>
-#include <nlohmann/json.hpp>
 #include <span>
 #include <string>
 #include <vector>
 
+#include "base/json.hpp"
 #include "corpus/store/case_files.hpp"
 #include "corpus/store/suppressions.hpp"
 #include "oracles/methods/method.hpp"

@@ -40,7 +40,7 @@ bool separated_by_roots(const Circle& q, const Options& options, Finder& finder)
   for (const double sigma1 : {1.0, -1.0}) {
     double k = line.k(sigma1, 1);
     if (options.faults.has(Fault::derivative_of_the_wrong_term)) k += line.b2 - line.a2;
-    const auto roots = real_roots<8>(line.critical_polynomial(k), options.tolerance);
+    const auto roots = real_roots(line.critical_polynomial(k), options.tolerance);
     for (int i = 0; i < roots.count; ++i) {
       const double root = roots.x[static_cast<std::size_t>(i)];
       for (const double sign : {1.0, -1.0})
@@ -132,9 +132,10 @@ PlaneVector from_ellipse(const Circle& q, const Options& options) noexcept {
   const double u = (std::fabs(q.a2) - q.side) / q.r1, v = std::fabs(q.b2) / q.r1;
   if (!(u > 0)) return {};  // the rectangle is nearer
   const double c2 = q.c * q.c, u2 = c2 * u * u, v2 = v * v;
-  const auto roots = real_roots<4>({u2 + c2 * c2 * (v2 - 1), 2 * u2 + 2 * c2 * (v2 - 1 - c2),
-                                    u2 + v2 - 1 - c2 * (4 + c2), -2 - 2 * c2, -1},
-                                   options.tolerance);
+  const auto roots =
+      real_roots(std::array<double, 5>{u2 + c2 * c2 * (v2 - 1), 2 * u2 + 2 * c2 * (v2 - 1 - c2),
+                                       u2 + v2 - 1 - c2 * (4 + c2), -2 - 2 * c2, -1},
+                 options.tolerance);
   double t = 0;
   for (int i = 0; i < roots.count; ++i) t = larger(t, roots.x[static_cast<std::size_t>(i)]);
   for (int i = 0; i < options.step_cap; ++i) {

@@ -184,7 +184,7 @@ TEST(Separation2008, LastTermOfTheDerivativeIsA2) {
 TEST(Separation2008, CriticalPointsAreRootsOfThePolynomial) {
   const TangentLine line(Circle(solids_of(upright, oblique), 0), 0.6, -0.8);
   for (double x : {-2.0, -0.3, 0.7, 1.5}) {
-    const auto roots = real_roots<8>(line.critical_polynomial(line.rise(x)), 1e-6);
+    const auto roots = real_roots(line.critical_polynomial(line.rise(x)), 1e-6);
     const auto end = roots.x.begin() + roots.count;
     EXPECT_TRUE(std::any_of(roots.x.begin(), end, [&](double root) { return std::fabs(root - x) < 1e-9; }));
   }
@@ -266,16 +266,16 @@ TEST(Separation2008, PrintedDistanceOfParallelAxesCancels) {
 
 TEST(RealRoots, OfAProductOfLinearFactors) {
   // (x - 1)(x + 2)(x^2 + 1), with a vanished leading coefficient and a root 0.
-  const auto roots = real_roots<6>({0, -2, 1, -1, 1, 1, 0}, 1e-6);
+  const auto roots = real_roots(std::array<double, 7>{0, -2, 1, -1, 1, 1, 0}, 1e-6);
   ASSERT_EQ(roots.count, 2);
   EXPECT_NEAR(std::min(roots.x[0], roots.x[1]), -2, 1e-14);
   EXPECT_NEAR(std::max(roots.x[0], roots.x[1]), 1, 1e-14);
 }
 
 TEST(RealRoots, NoneOfWhatIsNotFiniteOrConstant) {
-  EXPECT_EQ(real_roots<2>({1, NAN, 1}, 1).count, 0);
-  EXPECT_EQ(real_roots<2>({0, 0, 0}, 1).count, 0);
-  EXPECT_EQ(real_roots<2>({1, 0, 0}, 1).count, 0);
+  EXPECT_EQ(real_roots(std::array<double, 3>{1, NAN, 1}, 1).count, 0);
+  EXPECT_EQ(real_roots(std::array<double, 3>{0, 0, 0}, 1).count, 0);
+  EXPECT_EQ(real_roots(std::array<double, 3>{1, 0, 0}, 1).count, 0);
 }
 
 }  // namespace

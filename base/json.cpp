@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: MIT
+#include "base/json.hpp"
+
+template class nlohmann::basic_json<>;
+template class nlohmann::basic_json<nlohmann::ordered_map>;
+
+namespace cyl {
+
+nlohmann::json parse_json(std::string_view text) { return nlohmann::json::parse(text); }
+
+nlohmann::ordered_json parse_ordered_json(std::string_view text) {
+  return nlohmann::ordered_json::parse(text);
+}
+
+}  // namespace cyl
