@@ -73,10 +73,10 @@ TEST_F(Misbehaving, IsCounted) {
     EXPECT_EQ(examined.counts[b].hung_seconds, 0) << methods[b]->name();
   }
   // After two hangs it is not asked any more.
-  EXPECT_GT(examined.counts[sleeps].hung_seconds, 0);
-  EXPECT_GT(examined.counts[sleeps].hangs, 0u);
-  EXPECT_EQ(examined.counts[sleeps].failed, 2u);
-  EXPECT_EQ(examined.counts[sleeps].declined, pair_count - 2);
+  EXPECT_GT(examined.counts[spins].hung_seconds, 0);
+  EXPECT_GT(examined.counts[spins].hangs, 0u);
+  EXPECT_EQ(examined.counts[spins].failed, 2u);
+  EXPECT_EQ(examined.counts[spins].declined, pair_count - 2);
 }
 
 TEST(Examine, SeesWhoBreaksDownOnAChangedPairAlone) {
