@@ -13,7 +13,8 @@
 
 namespace cyl {
 
-/// Of one method in one cell. An answer is counted in one of the others at most; the rest were right.
+/// The counts of one method in one cell. Beside `asked`, an answer is counted once at most; the rest were
+/// right.
 struct CellCounts {
   std::uint64_t asked = 0;
   std::uint64_t wrong_disjoint = 0;
@@ -31,12 +32,14 @@ struct CellRecord {
   std::vector<CellCounts> methods;  ///< in the order of the run's methods; those that are missing: none asked
 
   bool operator==(const CellRecord&) const = default;
+  static constexpr const char* table = "cell";
+  static auto columns(auto& c) { return std::tie(c.plane, c.x, c.y, c.methods); }
 };
 
 /// Sums of records, in whatever order they come.
 class CellTable {
  public:
-  /// Of a cell, grown to `methods` methods. Valid until the next call.
+  /// Gives the counts of a cell, grown to `methods` methods. Valid until the next call.
   std::vector<CellCounts>& at(std::string_view plane, int x, int y, std::size_t methods);
   void add(const CellRecord& record);
   std::vector<CellRecord> records() const;  ///< by plane, x and y

@@ -13,11 +13,9 @@
 
 #include "corpus/store/cell_counts.hpp"
 
-namespace SQLite {
-class Database;
-}
-
 namespace cyl {
+
+class SqliteFile;
 
 /// Findings of one (method, kind, severity, family) that are kept with their pair, the first in index order.
 /// Beyond them one is kept only where its margin reaches a power of two that none before it reached, so that
@@ -36,6 +34,9 @@ struct Counts {
   std::uint64_t nanoseconds = 0;  ///< wall time of the calls
 
   Counts& operator+=(const Counts& other);
+  static auto columns(auto& c) {
+    return std::tie(c.asked, c.declined, c.failed, c.contract, c.resolution, c.undecided, c.nanoseconds);
+  }
 };
 
 /// Who was asked. What it claims: right wherever |distance| >= relative * size + absolute.
@@ -46,16 +47,25 @@ struct MethodRecord {
   unsigned share = 1;  ///< asked on the indices divisible by it, and in disputes
 
   bool operator==(const MethodRecord&) const = default;
+  static constexpr const char* table = "method";
+  static auto columns(auto& m) {
+    return std::tie(m.name, m.version, m.relative, m.absolute, m.source, m.share);
+  }
 };
 
 struct TallyRecord {
   std::string method, family;
   Counts counts;
+
+  static constexpr const char* table = "tally";
+  static auto columns(auto& t) { return std::tie(t.method, t.family, t.counts); }
 };
 
 /// A margin enclosure; stored as text, infinite allowed.
 struct MarginRecord {
   double lo = 0, hi = 0;
+
+  static auto columns(auto& m) { return std::tie(m.lo, m.hi); }
 };
 
 /// One thing that is wrong, with all that is needed to see it again.
@@ -71,6 +81,13 @@ struct FindingRecord {
   std::string truth;    ///< JSON object: verdict and certificate
   std::string stage;    ///< which arithmetic settled the truth
   std::string reason;   ///< the method's own words on a failure
+
+  static constexpr const char* table = "finding";
+  static auto columns(auto& f) { return std::tuple_cat(std::tie(f.id), data(f)); }
+  static auto data(auto& f) {
+    return std::tie(f.index, f.family, f.family_index, f.method, f.kind, f.severity, f.margin, f.pair,
+                    f.answers, f.truth, f.stage, f.reason);
+  }
 };
 
 /// How many findings of a group there were, kept or not.
@@ -80,6 +97,8 @@ struct GroupRecord {
   int binade = no_binade;  ///< the greatest power of two that a margin's lower bound reached
 
   static constexpr int no_binade = -100000;  ///< below every exponent of a double
+  static constexpr const char* table = "finding_group";
+  static auto columns(auto& g) { return std::tie(g.method, g.kind, g.severity, g.family, g.count, g.binade); }
 };
 
 /// A fault that was planted in a copy of the program, and whether the campaign's own work found it.
@@ -94,25 +113,13 @@ struct AlarmRecord {
   std::string said;                ///< which finding it was, or how the process ended; may be empty
 
   bool operator==(const AlarmRecord&) const = default;
+  static constexpr const char* table = "alarm";
+  static auto columns(auto& a) {
+    return std::tie(a.start, a.mutant, a.what, a.found, a.pairs, a.usual, a.milliseconds, a.said);
+  }
 };
 
-/// Which findings are kept. Filtering a sequence in pieces and then as a whole keeps the same as doing it at
-/// once.
-class Representatives {
- public:
-  /// Counts the finding; whether it is to be kept.
-  bool admit(const FindingRecord& finding);
-  /// Adds findings that were counted elsewhere.
-  void add(const GroupRecord& group);
-  std::vector<GroupRecord> groups() const;
-
- private:
-  using Key = std::tuple<std::string, std::string, std::string, std::string>;
-  static Key key_of(const FindingRecord& finding);
-  std::map<Key, GroupRecord> groups_;
-};
-
-/// What one stretch of indices [first, next) gave. Of a shard: what it had to do there.
+/// What one stretch of indices [first, next) gave; for a shard, what was its own there.
 struct BatchRecord {
   std::uint64_t first = 0, next = 0;
   std::vector<TallyRecord> tallies;
@@ -124,6 +131,8 @@ struct BatchRecord {
 struct Progress {
   std::uint64_t next = 0;          ///< the first index not done
   std::uint64_t milliseconds = 0;  ///< wall time the run has taken, over all its sessions
+
+  static auto columns(auto& p) { return std::tie(p.next, p.milliseconds); }
 };
 
 using Config = std::map<std::string, std::string>;
@@ -160,8 +169,8 @@ class RunStore {
   std::vector<AlarmRecord> alarms() const;  ///< by start
 
  private:
-  explicit RunStore(std::unique_ptr<SQLite::Database> database);
-  std::unique_ptr<SQLite::Database> database_;
+  explicit RunStore(std::unique_ptr<SqliteFile> file);
+  std::unique_ptr<SqliteFile> file_;
 };
 
 bool holds_run(const std::string& folder);

@@ -13,6 +13,8 @@
 #include <limits>
 #include <stdexcept>
 
+#include "corpus/store/representatives.hpp"
+
 namespace cyl {
 namespace {
 

@@ -8,13 +8,12 @@
 #include <memory>
 #include <span>
 #include <string>
+#include <tuple>
 #include <vector>
 
-namespace SQLite {
-class Database;
-}
-
 namespace cyl {
+
+class SqliteFile;
 
 /// Why a finding is wrong, as far as probes told.
 struct CauseRecord {
@@ -22,6 +21,9 @@ struct CauseRecord {
   std::string bucket;
   std::string mechanism;  ///< its word
   std::string labels;     ///< others that apply, one a line
+
+  static constexpr const char* table = "cause";
+  static auto columns(auto& c) { return std::tie(c.finding, c.bucket, c.mechanism, c.labels); }
 };
 
 /// A finding simplified.
@@ -31,6 +33,9 @@ struct SimpleRecord {
   std::string key;   ///< the bucket key of the pair: method, kind, feature, coordinate
   std::uint64_t questions = 0;
   bool ended = false;  ///< by itself: not to be simplified again
+
+  static constexpr const char* table = "simple";
+  static auto columns(auto& s) { return std::tie(s.finding, s.pair, s.key, s.questions, s.ended); }
 };
 
 /// What a search for a worse pair than a bucket's findings came to.
@@ -39,6 +44,9 @@ struct WorstRecord {
   std::string method, kind;  ///< that is wrong on it, and in which way
   std::string pair;          ///< one JSON line of corpus/pair_io; empty: none worse was found
   bool ended = false;        ///< by itself: not to be searched again
+
+  static constexpr const char* table = "worst";
+  static auto columns(auto& w) { return std::tie(w.bucket, w.method, w.kind, w.pair, w.ended); }
 };
 
 /// FOLDER/triage.sqlite. May be written by several processes at once. Every call throws std::runtime_error
@@ -65,8 +73,7 @@ class TriageStore {
   void set_buckets(const std::string& json);
 
  private:
-  std::string file_;
-  std::unique_ptr<SQLite::Database> database_;
+  std::unique_ptr<SqliteFile> file_;
 };
 
 /// The buckets that a triage of the run in `folder` left, as JSON; empty where there was none.

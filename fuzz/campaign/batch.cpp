@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "corpus/pairs/random_stream.hpp"
+#include "corpus/store/representatives.hpp"
 #include "oracles/methods/contained.hpp"
 #include "oracles/referee/referee.hpp"
 #include "oracles/trial/cells.hpp"

@@ -13,6 +13,7 @@
 #include <utility>
 
 #include "base/usage_error.hpp"
+#include "corpus/store/representatives.hpp"
 #include "corpus/store/run_store.hpp"
 
 namespace cyl {

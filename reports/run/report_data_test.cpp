@@ -12,6 +12,7 @@
 
 #include "base/json.hpp"
 #include "corpus/pairs/pair_io.hpp"
+#include "corpus/store/representatives.hpp"
 #include "corpus/store/run_store.hpp"
 #include "corpus/store/triage_store.hpp"
 #include "oracles/methods/method.hpp"

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: MIT
+#include "corpus/store/representatives.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace cyl {
+
+Representatives::Key Representatives::key_of(const FindingRecord& f) {
+  return {f.method, f.kind, f.severity, f.family};
+}
+
+// The first rule keeps by place in the group, the second by the running maximum of the binade. A piece knows
+// less of both than the whole, so it admits a superset, and every finding that raised the whole's maximum is
+// in it. That holds of shards, whose pieces lie between each other, as of stretches: let S be a group's
+// findings in index order, S_i those of shard i, and U the union of what the shards keep. Who is among the
+// first ten of S is among the first ten of its S_i, and who exceeds all before it in S exceeds those before
+// it in S_i: U holds both. As U is part of S and holds the first ten of S, those are the first ten of U; as U
+// holds every finding that raised the maximum of S, the maximum before any place is the same in U and in S.
+// So U, filtered in index order, keeps what S does.
+bool Representatives::admit(const FindingRecord& f) {
+  GroupRecord& group =
+      groups_.try_emplace(key_of(f), GroupRecord{f.method, f.kind, f.severity, f.family}).first->second;
+  const double margin = f.margin ? f.margin->lo : 0;
+  const int binade =
+      margin > 0 ? std::min(std::ilogb(margin), -(GroupRecord::no_binade + 1)) : GroupRecord::no_binade;
+  const bool worse = binade > group.binade;
+  if (worse) group.binade = binade;
+  return ++group.count <= representatives_cap || worse;
+}
+
+void Representatives::add(const GroupRecord& g) {
+  GroupRecord& group = groups_
+                           .try_emplace({g.method, g.kind, g.severity, g.family},
+                                        GroupRecord{g.method, g.kind, g.severity, g.family})
+                           .first->second;
+  group.count += g.count;
+  group.binade = std::max(group.binade, g.binade);
+}
+
+std::vector<GroupRecord> Representatives::groups() const {
+  std::vector<GroupRecord> all;
+  for (const auto& [key, group] : groups_) all.push_back(group);
+  return all;
+}
+
+}  // namespace cyl

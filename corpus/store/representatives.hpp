@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: MIT
+// Which of a run's findings are kept with their pair, and how many there were.
+#pragma once
+
+#include <map>
+#include <string>
+#include <tuple>
+#include <vector>
+
+#include "corpus/store/run_store.hpp"
+
+namespace cyl {
+
+/// Which findings are kept. Filtering a sequence in pieces and then as a whole keeps the same as doing it at
+/// once.
+class Representatives {
+ public:
+  /// Counts the finding; whether it is to be kept.
+  bool admit(const FindingRecord& finding);
+  /// Adds findings that were counted elsewhere.
+  void add(const GroupRecord& group);
+  std::vector<GroupRecord> groups() const;
+
+ private:
+  using Key = std::tuple<std::string, std::string, std::string, std::string>;
+  static Key key_of(const FindingRecord& finding);
+  std::map<Key, GroupRecord> groups_;
+};
+
+}  // namespace cyl
