@@ -10,7 +10,7 @@
 namespace cyl {
 
 FindingKind kind_of_word(const std::string& word) {
-  if (const auto kind = find_kind(word)) return *kind;
+  if (const auto kind = from_word<FindingKind>(word)) return *kind;
   throw UsageError(fmt::format("'{}' is no kind of finding", word));
 }
 

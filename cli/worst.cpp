@@ -3,7 +3,6 @@
 
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
@@ -20,8 +19,8 @@
 #include "base/usage_error.hpp"
 #include "cli/commands.hpp"
 #include "cli/guests.hpp"
+#include "cli/options.hpp"
 #include "cli/progress.hpp"
-#include "cli/unsigned_option.hpp"
 #include "corpus/pairs/pair_io.hpp"
 #include "corpus/pairs/strata.hpp"
 #include "corpus/store/case_files.hpp"
@@ -84,23 +83,6 @@ std::string case_line(const Pair& pair, std::string id, std::string note, std::u
   return format_case(c);
 }
 
-const char* to_string(Failure failure) {
-  switch (failure) {
-    case Failure::crash:
-      return "crash";
-    case Failure::hang:
-      return "hang";
-    case Failure::exception:
-      return "exception";
-    case Failure::non_finite:
-      return "non_finite";
-    case Failure::malformed:
-    case Failure::none:
-      break;
-  }
-  return "malformed";
-}
-
 /// Searches one method after the other, one feature after the other: what an early end leaves over goes to
 /// those that follow.
 class Searcher {
@@ -118,9 +100,8 @@ class Searcher {
                   ? (arguments.evaluations ? options_.budget : milliseconds(std::chrono::minutes(1)))
                   : parse_duration(arguments.budget);
     if (arguments.feature.empty()) {
-      for (std::size_t f = 0; f < contact_feature_count; ++f)
-        features_.push_back(static_cast<ContactFeature>(f));
-    } else if (const auto feature = find_contact_feature(arguments.feature)) {
+      features_.assign(enum_values<ContactFeature>.begin(), enum_values<ContactFeature>.end());
+    } else if (const auto feature = from_word<ContactFeature>(arguments.feature)) {
       features_.push_back(*feature);
     } else {
       throw UsageError("--feature: '" + arguments.feature + "' is none of side-side, side-rim, " +
@@ -233,35 +214,31 @@ class Searcher {
 
 }  // namespace
 
-void add_worst(CLI::App& app, int& exit_code) {
-  CLI::App* command = app.add_subcommand(
-      "worst", "Searches for the pair on which a method is wrong by the greatest margin, or slowest");
+void add_worst(Program& program) {
+  Command command =
+      program.command("Find", "worst",
+                      "Searches for the pair on which a method is wrong by the greatest margin, or slowest");
   auto arguments = std::make_shared<Arguments>();
-  command->add_option("--method", arguments->methods, "a,b: a name stands for all that begin with it")
-      ->required();
-  add_guest_options(*command, arguments->guests);
-  command->add_option("--feature", arguments->feature,
-                      "what meets, like side-rim; each in turn where not given");
-  command->add_option("--for", arguments->budget, "wall time in all, like 60s; 60s where not given");
-  command->add_flag("--time", arguments->time, "search for the slowest call instead");
-  command->add_option(
-      "--from", arguments->from,
-      "start from the findings of a run or a file of cases; from corpus/cases/ and drawn pairs where "
-      "not given");
-  add_unsigned(*command, "--seed", arguments->seed, "same seed, and --evaluations: same result");
-  add_unsigned(*command, "--evaluations", arguments->evaluations,
-               "shapes looked at for each method and feature; no limit of time then but --for", 1);
-  command->add_option("--out", arguments->out, "write the pairs as a file of cases");
-  command->add_flag(
-      "--extremes", arguments->extremes,
-      "sizes from 1e-12 to 1e12 and as far from the origin, not only from 1e-3 to 1e3 within 100 "
-      "sizes of it");
-  command->footer(
-      "Example:\n  daylight worst --method fcl-libccd --feature side-rim --for 60s --out worst.jsonl\n"
-      "Each line: method, feature, the proved margin in sizes (or the time of a call), what it is, and the "
-      "pair.\n"
-      "Exit code: 2 where something beyond a claim was found, 0 otherwise, 1 the harness failed, 64 usage.");
-  command->callback([arguments, &exit_code] { exit_code = Searcher(*arguments).run(); });
+  command.option("--method", arguments->methods, "a,b: a name stands for all that begin with it").required();
+  add_guest_options(command, arguments->guests);
+  command.option("--feature", arguments->feature, "what meets, like side-rim").default_text("each in turn");
+  command.option("--for", arguments->budget, "wall time in all, like 60s").default_text("60s");
+  command.flag("--time", arguments->time, "search for the slowest call instead");
+  command
+      .option("--from", arguments->from, "start from the findings of a run or a file of cases")
+      .default_text("corpus/cases/ and drawn pairs");
+  command.number("--seed", arguments->seed, "same seed, and --evaluations: same result");
+  command.number("--evaluations", arguments->evaluations,
+                 "shapes looked at for each method and feature; no limit of time then but --for", 1);
+  command.option("--out", arguments->out, "write the pairs as a file of cases");
+  command.flag("--extremes", arguments->extremes,
+               "sizes from 1e-12 to 1e12 and as far from the origin, not only from 1e-3 to 1e3 within 100 "
+               "sizes of it");
+  command.examples(
+      "  daylight worst --method fcl-libccd --feature side-rim --for 60s --out worst.jsonl",
+      "Each line: method, feature, the proved margin relative to the size (or the time of a call), what it is, "
+      "and the pair.");
+  command.run([arguments] { return Searcher(*arguments).run(); });
 }
 
 }  // namespace cyl

@@ -203,13 +203,7 @@ py::object distance_arrays(const py::object& a, const py::object& b) {
 }
 
 std::optional<Verdict> verdict_from(const py::object& said) {
-  if (py::isinstance<py::str>(said)) {
-    const auto word = said.cast<std::string>();
-    for (const Verdict v :
-         {Verdict::disjoint, Verdict::intersecting, Verdict::touching, Verdict::undecided, Verdict::invalid})
-      if (word == to_string(v)) return v;
-    return {};
-  }
+  if (py::isinstance<py::str>(said)) return from_word<Verdict>(said.cast<std::string>());
   // bool and numpy.bool_ alike.
   if (said.attr("__class__").attr("__name__").cast<std::string>().starts_with("bool"))
     return said.cast<bool>() ? Verdict::intersecting : Verdict::disjoint;
@@ -373,9 +367,7 @@ negative or not finite.)";
 PYBIND11_MODULE(daylight, m) {
   m.doc() = module_text;
   py::dict words;
-  for (const Verdict v :
-       {Verdict::disjoint, Verdict::intersecting, Verdict::touching, Verdict::undecided, Verdict::invalid})
-    words[to_string(v)] = static_cast<int>(v);
+  for (const Verdict v : enum_values<Verdict>) words[to_string(v)] = static_cast<int>(v);
   m.attr("Verdict") =
       py::module_::import("enum").attr("IntEnum")("Verdict", words, py::arg("module") = "daylight");
   const auto record = [&m](const char* name, const char* fields) {

@@ -48,24 +48,6 @@ Look look_certified(const Models& a, const Models& b, double clearance) noexcept
 
 }  // namespace
 
-const char* to_string(Rung rung) noexcept {
-  switch (rung) {
-    case Rung::sphere:
-      return "sphere";
-    case Rung::outer:
-      return "outer capsule";
-    case Rung::inner:
-      return "inner capsule";
-    case Rung::cylinder:
-      return "cylinder";
-    case Rung::distance:
-      return "distance";
-    case Rung::certified:
-      break;
-  }
-  return "certified";
-}
-
 Models make_models(const Cylinder& c, double clearance) noexcept {
   Models m;
   m.solid = prepare(c);

@@ -8,6 +8,7 @@
 #include <span>
 #include <vector>
 
+#include "base/enum_words.hpp"
 #include "solver/capsule.hpp"
 #include "solver/decide.hpp"
 
@@ -22,12 +23,12 @@ enum class Rung : unsigned char {
   distance,  ///< the distance with its error bound
   certified  ///< a proof
 };
+constexpr auto words_of(Rung) noexcept {
+  return std::array{"sphere", "outer capsule", "inner capsule", "cylinder", "distance", "certified"};
+}
 inline constexpr std::size_t rung_count = 6;
 inline constexpr std::array<Rung, rung_count> all_rungs{Rung::sphere,   Rung::outer,    Rung::inner,
                                                         Rung::cylinder, Rung::distance, Rung::certified};
-
-/// "sphere", "outer capsule", ...
-const char* to_string(Rung rung) noexcept;
 
 enum class Look : unsigned char {
   apart,   ///< farther from each other than the clearance

@@ -78,20 +78,6 @@ SeenPair see(const Models& a, const Models& b, const Pair& solids, double cleara
 
 }  // namespace
 
-const char* to_string(Why why) noexcept {
-  switch (why) {
-    case Why::first:
-      return "drawn first";
-    case Why::closest:
-      return "closest call";
-    case Why::alarm:
-      return "false alarm";
-    case Why::missed:
-      break;
-  }
-  return "missed";
-}
-
 std::vector<Kept> kept_configurations(const Scene& scene, const SceneQuestion& question,
                                       const SceneStudy& study) {
   std::vector<Kept> all = Keeper(question, study).chosen();

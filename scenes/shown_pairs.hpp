@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <vector>
 
+#include "base/enum_words.hpp"
 #include "scenes/scene_study.hpp"
 
 namespace cyl {
@@ -17,8 +18,9 @@ enum class Why : unsigned char {
   alarm,    ///< the worst false alarm of a model that is trusted alone
   missed    ///< what such a model misses by most
 };
-/// "drawn first", "closest call", ...
-const char* to_string(Why why) noexcept;
+constexpr auto words_of(Why) noexcept {
+  return std::array{"drawn first", "closest call", "false alarm", "missed"};
+}
 
 struct Reason {
   Why why = Why::first;

@@ -2,8 +2,20 @@
 #include "solver/cylinder.hpp"
 
 #include <cmath>
+#include <cstddef>
 
 namespace cyl {
+namespace {
+
+/// The word of a value; the last one for a number that is no value.
+template <typename E>
+const char* word(E value) noexcept {
+  static constexpr auto words = words_of(E{});
+  const auto i = static_cast<std::size_t>(value);
+  return i < words.size() ? words[i] : words.back();
+}
+
+}  // namespace
 
 Defect find_defect(const Cylinder& c) noexcept {
   if (!c.center.allFinite()) return Defect::center_not_finite;
@@ -16,42 +28,7 @@ Defect find_defect(const Cylinder& c) noexcept {
   return Defect::none;
 }
 
-const char* to_string(Verdict v) noexcept {
-  switch (v) {
-    case Verdict::disjoint:
-      return "disjoint";
-    case Verdict::intersecting:
-      return "intersecting";
-    case Verdict::touching:
-      return "touching";
-    case Verdict::undecided:
-      return "undecided";
-    case Verdict::invalid:
-      return "invalid";
-  }
-  return "invalid";
-}
-
-const char* to_string(Defect d) noexcept {
-  switch (d) {
-    case Defect::none:
-      return "nothing is wrong";
-    case Defect::center_not_finite:
-      return "center is not finite";
-    case Defect::axis_not_finite:
-      return "axis is not finite";
-    case Defect::axis_zero:
-      return "axis is zero";
-    case Defect::radius_not_finite:
-      return "radius is not finite";
-    case Defect::radius_negative:
-      return "radius is negative";
-    case Defect::height_not_finite:
-      return "height is not finite";
-    case Defect::height_negative:
-      return "height is negative";
-  }
-  return "nothing is wrong";
-}
+const char* to_string(Verdict v) noexcept { return word(v); }
+const char* to_string(Defect d) noexcept { return word(d); }
 
 }  // namespace cyl

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <array>
 
 namespace cyl {
 
@@ -31,6 +32,10 @@ enum class Verdict : unsigned char {
   undecided,     ///< not known: inside the rounding band, or the work cap was reached
   invalid        ///< the input is no pair of cylinders
 };
+/// The words used in files and on screens.
+constexpr auto words_of(Verdict) noexcept {
+  return std::array{"disjoint", "intersecting", "touching", "undecided", "invalid"};
+}
 
 /// Why a Cylinder is invalid; the first reason in this order.
 enum class Defect : unsigned char {
@@ -43,14 +48,17 @@ enum class Defect : unsigned char {
   height_not_finite,
   height_negative
 };
+/// Phrases for people.
+constexpr auto words_of(Defect) noexcept {
+  return std::array{"nothing is wrong",     "center is not finite", "axis is not finite",
+                    "axis is zero",         "radius is not finite", "radius is negative",
+                    "height is not finite", "height is negative"};
+}
 
 /// Cost: eight comparisons. Never throws.
 Defect find_defect(const Cylinder& c) noexcept;
 
-/// The words used in files and on screens: "disjoint", "intersecting", ...
 const char* to_string(Verdict v) noexcept;
-
-/// A phrase for people: "radius is negative", ...
 const char* to_string(Defect d) noexcept;
 
 }  // namespace cyl

@@ -4,7 +4,8 @@
 
 #include <array>
 #include <cstddef>
-#include <string_view>
+
+#include "base/enum_words.hpp"
 
 namespace cyl {
 
@@ -18,14 +19,10 @@ enum class ContactFeature : unsigned char {
   cap_cap,
   containment  ///< one solid wholly inside the other, whatever faces what
 };
-
-inline constexpr std::size_t contact_feature_count = 7;
-
-/// "side-side", "side-rim", ...
-constexpr std::string_view to_string(ContactFeature feature) noexcept {
-  constexpr std::array<std::string_view, contact_feature_count> names{
-      "side-side", "side-rim", "rim-rim", "cap-side", "cap-rim", "cap-cap", "containment"};
-  return names[static_cast<std::size_t>(feature)];
+constexpr auto words_of(ContactFeature) noexcept {
+  return std::array{"side-side", "side-rim", "rim-rim", "cap-side", "cap-rim", "cap-cap", "containment"};
 }
+
+inline constexpr std::size_t contact_feature_count = enum_values<ContactFeature>.size();
 
 }  // namespace cyl

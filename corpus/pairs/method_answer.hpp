@@ -2,8 +2,10 @@
 // What a method says of a pair, as plain data: its verdict, its distance, the witness it offers.
 #pragma once
 
+#include <array>
 #include <string_view>
 
+#include "base/enum_words.hpp"
 #include "solver/cylinder.hpp"
 
 namespace cyl {
@@ -15,6 +17,9 @@ enum class Status : unsigned char {
 };
 
 enum class Failure : unsigned char { none, exception, crash, hang, non_finite, malformed };
+constexpr auto words_of(Failure) noexcept {
+  return std::array{"none", "exception", "crash", "hang", "non_finite", "malformed"};
+}
 
 enum class WitnessKind : unsigned char { none, direction, point };
 

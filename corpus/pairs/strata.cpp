@@ -14,10 +14,6 @@ namespace {
 
 using enum ContactFeature;
 
-constexpr std::array<std::string_view, contact_feature_count> names{
-    to_string(side_side), to_string(side_rim), to_string(rim_rim),    to_string(cap_side),
-    to_string(cap_rim),   to_string(cap_cap),  to_string(containment)};
-
 /// 10^-d.
 constexpr std::array<double, 17> powers{1,    1e-1,  1e-2,  1e-3,  1e-4,  1e-5,  1e-6,  1e-7, 1e-8,
                                         1e-9, 1e-10, 1e-11, 1e-12, 1e-13, 1e-14, 1e-15, 1e-16};
@@ -114,14 +110,6 @@ Pair draw_containment(RandomStream& s, double margin) {
 }
 
 }  // namespace
-
-std::span<const std::string_view> contact_features() { return names; }
-
-std::optional<ContactFeature> find_contact_feature(std::string_view name) {
-  const auto found = std::find(names.begin(), names.end(), name);
-  if (found == names.end()) return {};
-  return static_cast<ContactFeature>(found - names.begin());
-}
 
 std::optional<Pair> draw_in_stratum(ContactFeature feature, int decade, std::uint64_t seed,
                                     std::uint64_t index) {

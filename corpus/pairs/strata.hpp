@@ -5,18 +5,11 @@
 
 #include <cstdint>
 #include <optional>
-#include <span>
-#include <string_view>
 
 #include "corpus/pairs/contact_feature.hpp"
 #include "solver/cylinder.hpp"
 
 namespace cyl {
-
-/// The words of all ContactFeatures, in their order.
-std::span<const std::string_view> contact_features();
-/// The feature of that name, if there is one.
-std::optional<ContactFeature> find_contact_feature(std::string_view name);
 
 /// Margins of decade d are in (10^(-d-1), 10^-d].
 inline constexpr int first_decade = 1, last_decade = 15;

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "base/enum_words.hpp"
 #include "base/json.hpp"
 
 namespace cyl {
@@ -39,9 +40,7 @@ const json& three_of(const json& value, const char* what) {
 }
 
 Verdict verdict_of(const std::string& word) {
-  for (const Verdict v :
-       {Verdict::disjoint, Verdict::intersecting, Verdict::touching, Verdict::undecided, Verdict::invalid})
-    if (word == to_string(v)) return v;
+  if (const auto verdict = from_word<Verdict>(word)) return *verdict;
   throw std::invalid_argument("the verdict is " + shown(word));
 }
 

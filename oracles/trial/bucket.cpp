@@ -27,11 +27,6 @@ bool uneven(double x, double y) {
 
 }  // namespace
 
-std::string_view to_string(Coordinate c) noexcept {
-  constexpr std::array<std::string_view, 6> names{"offset", "scale", "aspect", "angle", "margin", "plain"};
-  return names[static_cast<std::size_t>(c)];
-}
-
 Coordinate coordinate_of(const Pair& p, double margin) {
   const double size = size_of(p), far_away = offset_size_margin * size;
   const double a = p.a.center.stableNorm(), b = p.b.center.stableNorm();
@@ -57,10 +52,8 @@ Coordinate coordinate_of(const Pair& p, double margin) {
 std::string bucket_key(std::string_view method, std::string_view failure,
                        std::optional<ContactFeature> feature, Coordinate coordinate) {
   std::string key(method);
-  for (const std::string_view part :
-       {failure, feature ? to_string(*feature) : "unknown", to_string(coordinate)})
-    key.append("/").append(part);
-  return key;
+  key.append("/").append(failure).append("/").append(feature ? to_string(*feature) : "unknown");
+  return key.append("/").append(to_string(coordinate));
 }
 
 std::string bucket_of(std::string_view method, std::string_view failure, const Pair& pair) {

@@ -3,10 +3,12 @@
 // pair: what is still extreme there is what matters.
 #pragma once
 
+#include <array>
 #include <optional>
 #include <string>
 #include <string_view>
 
+#include "base/enum_words.hpp"
 #include "corpus/pairs/contact_feature.hpp"
 #include "solver/cylinder.hpp"
 
@@ -23,12 +25,12 @@ enum class Coordinate : unsigned char {
   margin,  ///< the margin is below 1e-3
   plain    ///< none of these
 };
+constexpr auto words_of(Coordinate) noexcept {
+  return std::array{"offset", "scale", "aspect", "angle", "margin", "plain"};
+}
 
 /// In sizes.
 inline constexpr double offset_size_margin = 100;
-
-/// The words used in keys: "offset", "scale", ...
-std::string_view to_string(Coordinate c) noexcept;
 
 /// Of a legal pair; `margin`: |signed distance| / size, or a bound of it from above.
 Coordinate coordinate_of(const Pair& simplified, double margin);

@@ -82,12 +82,6 @@ int offset_bin(const Pair& pair, double size) {
 
 }  // namespace
 
-std::string_view to_string(Plane plane) noexcept {
-  constexpr std::array<std::string_view, planes.size()> names{"angle-margin", "aspect-margin",
-                                                              "scale-offset"};
-  return names[static_cast<std::size_t>(plane)];
-}
-
 CellAxis margin_axis() {
   CellAxis axis{"margin: distance or depth over size", {}};
   for (int d = 0; d <= decades; ++d) axis.labels.push_back(power_label(-d));

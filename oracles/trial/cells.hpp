@@ -11,6 +11,7 @@
 #include <string_view>
 #include <vector>
 
+#include "base/enum_words.hpp"
 #include "corpus/store/cell_counts.hpp"
 #include "oracles/methods/method.hpp"
 #include "oracles/trial/compare.hpp"
@@ -18,10 +19,10 @@
 namespace cyl {
 
 enum class Plane : unsigned char { angle_margin, aspect_margin, scale_offset };
+constexpr auto words_of(Plane) noexcept {
+  return std::array{"angle-margin", "aspect-margin", "scale-offset"};
+}
 inline constexpr std::array planes{Plane::angle_margin, Plane::aspect_margin, Plane::scale_offset};
-
-/// "angle-margin", "aspect-margin", "scale-offset".
-std::string_view to_string(Plane plane) noexcept;
 
 /// Bins are numbered from 0, and each but the open ones is named by its upper end.
 struct CellAxis {

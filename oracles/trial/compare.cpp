@@ -211,50 +211,6 @@ bool same_answer(const MethodAnswer& x, const MethodAnswer& y) {
   return x.witness == WitnessKind::none || (same_bits(x.head, y.head) && same_bits(x.tail, y.tail));
 }
 
-const char* to_string(FindingKind kind) noexcept {
-  switch (kind) {
-    case FindingKind::wrong_disjoint:
-      return "wrong_disjoint";
-    case FindingKind::wrong_intersecting:
-      return "wrong_intersecting";
-    case FindingKind::wrong_touching:
-      return "wrong_touching";
-    case FindingKind::wrong_invalid:
-      return "wrong_invalid";
-    case FindingKind::bad_witness:
-      return "bad_witness";
-    case FindingKind::distance_outside:
-      return "distance_outside";
-    case FindingKind::non_finite:
-      return "non_finite";
-    case FindingKind::exception:
-      return "exception";
-    case FindingKind::crash:
-      return "crash";
-    case FindingKind::hang:
-      return "hang";
-    case FindingKind::malformed:
-      return "malformed";
-    case FindingKind::nondeterminism:
-      return "nondeterminism";
-    case FindingKind::undecided_truth:
-      return "undecided_truth";
-  }
-  return "crash";
-}
-
-const char* to_string(Severity severity) noexcept {
-  switch (severity) {
-    case Severity::contract:
-      return "contract";
-    case Severity::resolution:
-      return "resolution";
-    case Severity::unresolved:
-      return "unresolved";
-  }
-  return "unresolved";
-}
-
 std::string format_method_answer(const MethodAnswer& answer) {
   if (answer.status == Status::declined)
     return fmt::format(R"({{"declined":{}}})", quote_json(answer.reason));

@@ -3,11 +3,13 @@
 // claim allows that. Only proofs refute: where the truth is undecided nothing is wrong.
 #pragma once
 
+#include <array>
 #include <functional>
 #include <optional>
 #include <string>
 #include <utility>
 
+#include "base/enum_words.hpp"
 #include "oracles/methods/method.hpp"
 #include "oracles/referee/referee.hpp"
 
@@ -28,12 +30,19 @@ enum class FindingKind : unsigned char {
   nondeterminism,  ///< two answers to one question
   undecided_truth  ///< nobody's fault: the referee could not prove a verdict
 };
+constexpr auto words_of(FindingKind) noexcept {
+  return std::array{
+      "wrong_disjoint",   "wrong_intersecting", "wrong_touching", "wrong_invalid", "bad_witness",
+      "distance_outside", "non_finite",         "exception",      "crash",         "hang",
+      "malformed",        "nondeterminism",     "undecided_truth"};
+}
 
 enum class Severity : unsigned char {
   contract,    ///< beyond what the method claims of itself; a failure always is
   resolution,  ///< within its own claim
   unresolved   ///< not known: the truth is undecided
 };
+constexpr auto words_of(Severity) noexcept { return std::array{"contract", "resolution", "unresolved"}; }
 
 /// Whether the method broke: exception, crash, hang, non-finite number or malformed answer.
 bool is_failure(FindingKind kind) noexcept;
@@ -82,10 +91,6 @@ Enclosure magnitude_against(double length, const Truth& truth, LazyDistance& dis
 
 /// Whether two answers to one question say the same, bit for bit, reasons and kind `hang` excepted.
 bool same_answer(const MethodAnswer& x, const MethodAnswer& y);
-
-/// The words used in files and on screens: "wrong_disjoint", "contract", ...
-const char* to_string(FindingKind kind) noexcept;
-const char* to_string(Severity severity) noexcept;
 
 /// One JSON object: what the method said, {"verdict":"disjoint","distance":0.25,"direction":[x,y,z]} or
 /// {"failed":"crash","reason":"..."}.

@@ -125,12 +125,6 @@ AngleClass angle_class(const Pair& pair) {
   return angle.cosine <= 1e-2 ? AngleClass::near_right : AngleClass::generic;
 }
 
-std::string_view to_string(AngleClass c) noexcept {
-  constexpr std::array<std::string_view, angle_class_count> names{"parallel", "<1e-12",  "<1e-7", "<1e-2",
-                                                                  "generic",  "near-90", "90"};
-  return names[static_cast<std::size_t>(c)];
-}
-
 int margin_decade(double margin) {
   constexpr std::array<double, 16> ends{1e-1, 1e-2,  1e-3,  1e-4,  1e-5,  1e-6,  1e-7,  1e-8,
                                         1e-9, 1e-10, 1e-11, 1e-12, 1e-13, 1e-14, 1e-15, 1e-16};

@@ -8,6 +8,7 @@
 #include <optional>
 #include <string_view>
 
+#include "base/enum_words.hpp"
 #include "corpus/pairs/contact_feature.hpp"
 #include "oracles/referee/referee.hpp"
 #include "solver/cylinder.hpp"
@@ -48,13 +49,13 @@ enum class AngleClass : unsigned char {
   near_right,  ///< cosine at most 1e-2, not 0
   right        ///< exactly perpendicular
 };
+constexpr auto words_of(AngleClass) noexcept {
+  return std::array{"parallel", "<1e-12", "<1e-7", "<1e-2", "generic", "near-90", "90"};
+}
 inline constexpr std::size_t angle_class_count = 7;
 
 /// Of a legal pair; what it says is exact is decided in rational arithmetic.
 AngleClass angle_class(const Pair& pair);
-
-/// "parallel", "<1e-12", "<1e-7", "<1e-2", "generic", "near-90", "90".
-std::string_view to_string(AngleClass c) noexcept;
 
 /// d where 10^(-d-1) < margin <= 10^-d; from 0, for margins above 0.1, to 16, for all up to 1e-16.
 int margin_decade(double margin);

@@ -134,13 +134,6 @@ constexpr std::size_t not_asked = static_cast<std::size_t>(-1);
 
 }  // namespace
 
-std::string_view to_string(Mechanism m) noexcept {
-  constexpr std::array<std::string_view, 9> words{"gone",      "offset",   "iteration-cap",
-                                                  "underflow", "overflow", "absolute-length",
-                                                  "rounding",  "setting",  "untold"};
-  return words[static_cast<std::size_t>(m)];
-}
-
 std::string_view in_words(Mechanism m) noexcept {
   constexpr std::array<std::string_view, 9> words{
       "right when asked again",
@@ -267,18 +260,6 @@ std::string cause_key(std::span<const std::unique_ptr<Method>> methods, std::spa
     default:
       return first + '/' + std::string(to_string(told.mechanism));
   }
-}
-
-std::optional<Mechanism> find_mechanism(std::string_view word) noexcept {
-  for (int m = 0; m <= static_cast<int>(Mechanism::untold); ++m)
-    if (word == to_string(static_cast<Mechanism>(m))) return static_cast<Mechanism>(m);
-  return {};
-}
-
-std::optional<FindingKind> find_kind(std::string_view name) noexcept {
-  for (int k = 0; k <= static_cast<int>(FindingKind::undecided_truth); ++k)
-    if (name == to_string(static_cast<FindingKind>(k))) return static_cast<FindingKind>(k);
-  return {};
 }
 
 }  // namespace cyl

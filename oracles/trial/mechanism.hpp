@@ -3,6 +3,7 @@
 // smaller, put to the method's other settings.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <memory>
 #include <optional>
@@ -11,6 +12,7 @@
 #include <string_view>
 #include <vector>
 
+#include "base/enum_words.hpp"
 #include "oracles/methods/contained.hpp"
 #include "oracles/trial/compare.hpp"
 
@@ -28,12 +30,15 @@ enum class Mechanism : unsigned char {
   setting,          ///< another setting of the same algorithm is right
   untold            ///< none of these
 };
+constexpr auto words_of(Mechanism) noexcept {
+  return std::array{"gone",     "offset",  "iteration-cap", "underflow", "overflow", "absolute-length",
+                    "rounding", "setting", "untold"};
+}
 
 /// In sizes: errors no larger are what double computations of some steps leave.
 inline constexpr double rounding_margin = 1e-12;
 
-/// The words used in keys: "absolute-length"; and for people: "a fixed length in it: ...".
-std::string_view to_string(Mechanism m) noexcept;
+/// The same for people: "a fixed length in it: ...".
 std::string_view in_words(Mechanism m) noexcept;
 
 /// A pair and the method that is wrong on it.
@@ -77,10 +82,5 @@ std::vector<Told> tell_mechanisms(std::span<const std::unique_ptr<Method>> metho
 std::string cause_key(std::span<const std::unique_ptr<Method>> methods, std::span<const std::size_t> kin,
                       std::size_t method, FindingKind kind, Severity severity, const Told& told,
                       std::string_view reason);
-
-/// The mechanism of that word, "absolute-length", if there is one.
-std::optional<Mechanism> find_mechanism(std::string_view word) noexcept;
-/// The kind of that name, "wrong_disjoint", if there is one.
-std::optional<FindingKind> find_kind(std::string_view name) noexcept;
 
 }  // namespace cyl

@@ -116,7 +116,7 @@ class Gate {
       m.name = method->name();
       m.version = method->version();
       m.claim = method->claim();
-      for (const std::string_view feature : contact_features())
+      for (const std::string_view feature : enum_words<ContactFeature>)
         for (int decade = first_decade; decade <= last_decade; ++decade)
           m.cells.push_back({feature, decade, true});
     }
@@ -451,20 +451,6 @@ int exit_code(const GateReport& report) {
                          std::any_of(report.methods.begin(), report.methods.end(),
                                      [](const GateMethod& m) { return abstains(m.counts); });
   return undecided ? 3 : 0;
-}
-
-const char* to_string(GatePhase phase) noexcept {
-  switch (phase) {
-    case GatePhase::corpus:
-      return "corpus";
-    case GatePhase::corpus_laws:
-      return "laws on the corpus";
-    case GatePhase::laws:
-      return "laws on drawn pairs";
-    case GatePhase::sample:
-      return "sample of all strata";
-  }
-  return "corpus";
 }
 
 }  // namespace cyl

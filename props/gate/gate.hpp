@@ -5,6 +5,7 @@
 // was not asked.
 #pragma once
 
+#include <array>
 #include <chrono>
 #include <cstdint>
 #include <functional>
@@ -16,6 +17,7 @@
 #include <string_view>
 #include <vector>
 
+#include "base/enum_words.hpp"
 #include "corpus/store/case_files.hpp"
 #include "oracles/methods/method.hpp"
 #include "props/laws/examine.hpp"
@@ -30,6 +32,9 @@ enum class GatePhase : unsigned char {
   laws,         ///< all laws on generated pairs
   sample        ///< the differential sample: independent pairs of every stratum against the referee
 };
+constexpr auto words_of(GatePhase) noexcept {
+  return std::array{"corpus", "laws on the corpus", "laws on drawn pairs", "sample of all strata"};
+}
 
 /// Pairs that a gate draws where nothing else is said: with them our own methods take about 40 s on two
 /// cores, as long as people wait for a merge, and each cell of the sample gets 2,300, which bounds its error
@@ -140,8 +145,5 @@ double error_rate_bound(std::uint64_t pairs, std::uint64_t wrong);
 /// 2 contract failures not known, reproducible or not; 3 none, but truth that nobody could prove, a method
 /// that decided less than half of its pairs, or something that was not asked; else 0.
 int exit_code(const GateReport& report);
-
-/// The words used in files and on screens: "corpus", "corpus laws", ...
-const char* to_string(GatePhase phase) noexcept;
 
 }  // namespace cyl

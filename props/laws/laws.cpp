@@ -34,20 +34,6 @@ const Law& law_numbered(int number) {
   return *found;
 }
 
-const char* to_string(LawKind kind) noexcept {
-  switch (kind) {
-    case LawKind::exact:
-      return "exact";
-    case LawKind::one_sided:
-      return "one-sided";
-    case LawKind::approximate:
-      return "approximate";
-    case LawKind::answer:
-      return "answer";
-  }
-  return "answer";
-}
-
 bool is_decided(const MethodAnswer& answer) {
   return answer.status == Status::answered &&
          (answer.verdict == Verdict::disjoint || answer.verdict == Verdict::intersecting ||

@@ -4,12 +4,14 @@
 // no concern of it (examine.hpp). The exact and the one-sided ones need no oracle.
 #pragma once
 
+#include <array>
 #include <optional>
 #include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "base/enum_words.hpp"
 #include "oracles/methods/contained.hpp"
 #include "oracles/methods/method.hpp"
 #include "oracles/trial/compare.hpp"
@@ -24,6 +26,9 @@ enum class LawKind : unsigned char {
   approximate,  ///< within an allowance that is proved
   answer        ///< of one answer alone: what it offers holds, it comes, and comes again
 };
+constexpr auto words_of(LawKind) noexcept {
+  return std::array{"exact", "one-sided", "approximate", "answer"};
+}
 
 /// A pair that a law wants asked, and how.
 struct Asked {
@@ -76,9 +81,6 @@ inline constexpr int answer_law = 30, verdict_law = 31;
 std::span<const Law> all_laws();
 /// Throws std::invalid_argument where there is none.
 const Law& law_numbered(int number);
-
-/// The words used in files and on screens: "exact", "one-sided", ...
-const char* to_string(LawKind kind) noexcept;
 
 /// What a method breaks of a law on a pair, asked in this process: for tests and fuzz targets. Throws what
 /// the method throws.

@@ -168,20 +168,4 @@ std::vector<Detector> law_detectors(std::span<const Case> cases) {
   };
 }
 
-const char* to_string(Fate fate) noexcept {
-  switch (fate) {
-    case Fate::not_run:
-      return "-";
-    case Fate::survived:
-      return "survived";
-    case Fate::killed:
-      return "killed";
-    case Fate::crashed:
-      return "crashed";
-    case Fate::hung:
-      return "hung";
-  }
-  return "survived";
-}
-
 }  // namespace cyl

@@ -3,11 +3,13 @@
 // that crashes or hangs is caught by that.
 #pragma once
 
+#include <array>
 #include <functional>
 #include <span>
 #include <string>
 #include <vector>
 
+#include "base/enum_words.hpp"
 #include "corpus/pairs/pair_io.hpp"
 #include "props/mutants/mutants.hpp"
 
@@ -27,6 +29,7 @@ enum class Fate : unsigned char {
   crashed,  ///< by a signal
   hung      ///< at a cap below
 };
+constexpr auto words_of(Fate) noexcept { return std::array{"-", "survived", "killed", "crashed", "hung"}; }
 
 /// Time one detector may spend on one mutant; many times what the longest takes where it finds nothing.
 inline constexpr unsigned detector_cpu_cap = 120;   ///< seconds of CPU
@@ -53,8 +56,5 @@ KillRow run_detectors(const Mutant& mutant, std::span<const Detector> detectors,
 /// they state of the truth. differential: laws 30 and on for pairs of all families, near touching ones too.
 /// Only what a method promises (Severity::contract) counts. `cases` must outlive them.
 std::vector<Detector> law_detectors(std::span<const Case> cases);
-
-/// The words used in files and on screens: "survived", "killed", ...
-const char* to_string(Fate fate) noexcept;
 
 }  // namespace cyl

@@ -354,11 +354,4 @@ std::vector<FailingRegion> failing_regions(const std::unique_ptr<Method>& method
   return regions;
 }
 
-std::string_view to_string(Parameter p) noexcept {
-  constexpr std::array<std::string_view, parameters.size()> names{
-      "signed distance", "angle",       "radius of a", "height of a",
-      "radius of b",     "height of b", "scale",       "offset"};
-  return names[static_cast<std::size_t>(p)];
-}
-
 }  // namespace cyl

@@ -3,12 +3,14 @@
 // failing in that way.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <memory>
 #include <optional>
 #include <string_view>
 #include <vector>
 
+#include "base/enum_words.hpp"
 #include "oracles/trial/probe.hpp"
 
 namespace cyl {
@@ -24,6 +26,10 @@ enum class Parameter : unsigned char {
   scale,  ///< the exponent k of a factor 2^k for all lengths
   offset  ///< a length: of the middle between the centres from the origin, along its present direction
 };
+constexpr auto words_of(Parameter) noexcept {
+  return std::array{"signed distance", "angle",       "radius of a", "height of a",
+                    "radius of b",     "height of b", "scale",       "offset"};
+}
 
 /// One side of a region. Between the two values lies where the failure ends; each is of a pair that was asked
 /// about and judged.
@@ -52,8 +58,5 @@ inline constexpr int region_rounds_cap = 6;
 /// are moved, b follows along the direction of the distance so that the signed distance stays (where it is 0,
 /// b stays). Questions: about 300 in the first call and 100 in each of the others. Deterministic.
 std::vector<FailingRegion> failing_regions(const std::unique_ptr<Method>& method, const Probe& failing);
-
-/// "signed distance", "angle", ...
-std::string_view to_string(Parameter p) noexcept;
 
 }  // namespace cyl

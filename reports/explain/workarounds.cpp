@@ -86,17 +86,4 @@ std::vector<Cure> try_cures(std::span<const std::unique_ptr<Method>> methods,
   return cures;
 }
 
-std::string_view to_string(Remedy r) noexcept {
-  constexpr std::array<std::string_view, 5> names{"another setting", "rescaled to size 1",
-                                                  "moved to the origin", "solids exchanged",
-                                                  "axes of unit length"};
-  return names[static_cast<std::size_t>(r)];
-}
-
-std::string_view to_string(Effect e) noexcept {
-  constexpr std::array<std::string_view, 6> names{"cured",     "not cured",    "fails otherwise",
-                                                  "no answer", "truth turned", "nothing to change"};
-  return names[static_cast<std::size_t>(e)];
-}
-
 }  // namespace cyl

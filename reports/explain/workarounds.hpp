@@ -2,12 +2,14 @@
 // What cures a failure: the method's own other settings, and the same pair put to it in other words.
 #pragma once
 
+#include <array>
 #include <memory>
 #include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "base/enum_words.hpp"
 #include "oracles/trial/probe.hpp"
 
 namespace cyl {
@@ -19,6 +21,10 @@ enum class Remedy : unsigned char {
   exchanged,  ///< a and b exchanged
   unit_axes   ///< axes divided by their lengths; rounded
 };
+constexpr auto words_of(Remedy) noexcept {
+  return std::array{"another setting", "rescaled to size 1", "moved to the origin", "solids exchanged",
+                    "axes of unit length"};
+}
 
 enum class Effect : unsigned char {
   cured,
@@ -28,6 +34,10 @@ enum class Effect : unsigned char {
   truth_turned,   ///< the rounding of the remedy turned the verdict that is true: nothing is learnt
   no_change       ///< the pair is like that already, or cannot be brought there
 };
+constexpr auto words_of(Effect) noexcept {
+  return std::array{"cured",     "not cured",    "fails otherwise",
+                    "no answer", "truth turned", "nothing to change"};
+}
 
 struct Cure {
   Remedy remedy;
@@ -39,10 +49,5 @@ struct Cure {
 /// The settings, in the order of `methods`, then each of the others once.
 std::vector<Cure> try_cures(std::span<const std::unique_ptr<Method>> methods,
                             const std::unique_ptr<Method>& method, const Probe& failing);
-
-/// "rescaled to size 1", "moved to the origin", ...
-std::string_view to_string(Remedy r) noexcept;
-/// "cured", "not cured", ...
-std::string_view to_string(Effect e) noexcept;
 
 }  // namespace cyl

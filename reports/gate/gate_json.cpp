@@ -27,9 +27,7 @@ json pair(const Pair& p) { return {{"a", cylinder_json(p.a)}, {"b", cylinder_jso
 
 json counts(const AnswerCounts& c) {
   json said;
-  for (const Verdict v :
-       {Verdict::disjoint, Verdict::intersecting, Verdict::touching, Verdict::undecided, Verdict::invalid})
-    said[to_string(v)] = c.said[static_cast<std::size_t>(v)];
+  for (const Verdict v : enum_values<Verdict>) said[to_string(v)] = c.said[static_cast<std::size_t>(v)];
   return {{"asked", c.asked}, {"declined", c.declined},         {"failed", c.failed},
           {"hangs", c.hangs}, {"hung_seconds", c.hung_seconds}, {"said", std::move(said)}};
 }

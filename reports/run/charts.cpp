@@ -29,18 +29,13 @@ bool is_wrong_or_failed(const CellCounts& c) {
 }
 
 bool is_counted(const std::string& kind) {
-  for (const FindingKind k :
-       {FindingKind::wrong_disjoint, FindingKind::wrong_intersecting, FindingKind::non_finite,
-        FindingKind::exception, FindingKind::crash, FindingKind::hang, FindingKind::malformed})
-    if (kind == to_string(k)) return true;
-  return false;
+  const auto k = from_word<FindingKind>(kind);
+  return k == FindingKind::wrong_disjoint || k == FindingKind::wrong_intersecting || (k && is_failure(*k));
 }
 
 Verdict proved_verdict(const std::string& truth) {
   const std::string word = describe_truth(truth).verdict;
-  for (const Verdict v : {Verdict::disjoint, Verdict::intersecting, Verdict::touching})
-    if (word == to_string(v)) return v;
-  return Verdict::undecided;
+  return from_word<Verdict>(word).value_or(Verdict::undecided);
 }
 
 using Place = std::tuple<std::string, std::size_t, int, int>;  // method, plane, x, y
@@ -53,7 +48,7 @@ std::map<Place, std::int64_t> first_findings(const RunStore& run) {
     if (!is_counted(f.kind)) continue;
     const Verdict truth = proved_verdict(f.truth);
     const CaseLine line = parse_case(f.pair, 1);
-    if (truth == Verdict::undecided || !line.value) continue;
+    if (truth == Verdict::undecided || truth == Verdict::invalid || !line.value) continue;
     const auto cells = cells_of(line.value->pair, truth);
     for (std::size_t p = 0; p < planes.size(); ++p)
       first.try_emplace({f.method, p, cells[p].x, cells[p].y}, f.id);

@@ -59,11 +59,6 @@ std::optional<GroupStatus> status_of(const Key& key, const Past& here, const std
 
 }  // namespace
 
-const char* to_string(GroupStatus status) {
-  constexpr const char* words[] = {"new", "known", "back", "gone"};
-  return words[static_cast<std::size_t>(status)];
-}
-
 std::size_t History::count(GroupStatus status) const {
   return static_cast<std::size_t>(
       std::count_if(groups.begin(), groups.end(), [&](const auto& g) { return g.second == status; }));

@@ -3,11 +3,13 @@
 // Shards are passed over, and have no history of their own: the run they are merged to has.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "base/enum_words.hpp"
 #include "corpus/store/run_store.hpp"
 
 namespace cyl {
@@ -20,7 +22,7 @@ enum class GroupStatus {
   back,   ///< found here and in an earlier run, not in the last
   gone,   ///< not found here though asked, but in the last
 };
-const char* to_string(GroupStatus status);
+constexpr auto words_of(GroupStatus) noexcept { return std::array{"new", "known", "back", "gone"}; }
 
 struct History {
   std::size_t runs = 0;        ///< earlier ones

@@ -203,9 +203,9 @@ json said_on(const Shared& shared, Names& names) {
 
 std::optional<Verdict> verdict_of(const json& truth) {
   const auto at = truth.is_object() ? truth.find("verdict") : truth.end();
-  for (const Verdict v : {Verdict::disjoint, Verdict::intersecting, Verdict::touching})
-    if (truth.is_object() && at != truth.end() && *at == to_string(v)) return v;
-  return {};
+  if (!truth.is_object() || at == truth.end() || !at->is_string()) return {};
+  const auto verdict = from_word<Verdict>(at->get_ref<const std::string&>());
+  return verdict == Verdict::undecided || verdict == Verdict::invalid ? std::nullopt : verdict;
 }
 
 /// null where the record holds no pair.

@@ -189,7 +189,7 @@ Json share_json(const Pair& simplest, const Json& margin, std::optional<ContactF
 std::string cause_in_words(const std::string& key, const std::string& mechanism, const std::string& said) {
   if (key.ends_with("/within-claim")) return "within what it claims of itself: " + said;
   if (mechanism == to_string(Mechanism::untold)) return said;
-  const auto told = find_mechanism(mechanism);
+  const auto told = from_word<Mechanism>(mechanism);
   return told ? fmt::format("{} ({})", in_words(*told), said) : said;
 }
 
@@ -221,7 +221,7 @@ std::string said_of(const std::string& kind) {
 
 bool is_worse(const FindingRecord& x, const FindingRecord& y) {
   const auto refutes_verdict = [](const FindingRecord& f) {
-    const auto kind = find_kind(f.kind);
+    const auto kind = from_word<FindingKind>(f.kind);
     return kind && is_refuted_verdict(*kind);
   };
   return std::pair(refutes_verdict(x), least_margin(x)) > std::pair(refutes_verdict(y), least_margin(y));

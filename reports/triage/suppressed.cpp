@@ -64,7 +64,7 @@ void mark_suppressed(GateReport& report, std::span<const std::unique_ptr<Method>
   const std::vector<std::size_t> kin = kin_of(methods);
   for (GateFailure& f : report.failures) {
     if (find_suppression(suppressions, f.bucket, today) != nullptr) f.known = true;
-    const auto kind = find_kind(f.kind);
+    const auto kind = from_word<FindingKind>(f.kind);
     const auto method =
         std::find_if(methods.begin(), methods.end(), [&](const auto& m) { return m->name() == f.method; });
     if (f.known || !kind || method == methods.end()) continue;

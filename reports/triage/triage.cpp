@@ -176,9 +176,12 @@ class Triager {
   }
 
   Subject subject_of(const FindingRecord& f) const {
-    Subject s{&f, index_of(f.method), absent_.contains(f.method), find_kind(f.kind), Severity::contract, {}};
-    for (const Severity severity : {Severity::resolution, Severity::unresolved})
-      if (f.severity == to_string(severity)) s.severity = severity;
+    Subject s{&f,
+              index_of(f.method),
+              absent_.contains(f.method),
+              from_word<FindingKind>(f.kind),
+              from_word<Severity>(f.severity).value_or(Severity::contract),
+              {}};
     const CaseLine line = parse_case(f.pair, 1);
     if (!line.value) throw std::runtime_error(fmt::format("finding {}: {}", f.id, line.error));
     s.pair = line.value->pair;
@@ -442,7 +445,7 @@ class Triager {
     std::map<std::int64_t, Mechanism> mechanism_of;
     for (const CauseRecord& c : here(store.causes())) {
       const auto found = by_id.find(c.finding);
-      const Mechanism mechanism = find_mechanism(c.mechanism).value_or(Mechanism::gone);
+      const Mechanism mechanism = from_word<Mechanism>(c.mechanism).value_or(Mechanism::gone);
       if (found == by_id.end() || mechanism == Mechanism::gone || !can_be_searched(*found->second)) continue;
       buckets[c.bucket].push_back(found->second);
       mechanism_of[c.finding] = mechanism;
