@@ -3,7 +3,6 @@
 
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <fstream>
 #include <iostream>
@@ -18,7 +17,7 @@
 #include "cli/build_info.hpp"
 #include "cli/commands.hpp"
 #include "cli/guests.hpp"
-#include "cli/unsigned_option.hpp"
+#include "cli/options.hpp"
 #include "corpus/pairs/pair_io.hpp"
 #include "reports/run/bench_table.hpp"
 
@@ -26,7 +25,7 @@ namespace cyl {
 
 namespace {
 
-struct Options {
+struct Arguments {
   BenchOptions bench;
   std::string methods = "all";
   std::string families = "random,margin_1e-06,margin_1e-09";
@@ -48,9 +47,9 @@ void write_json(const std::string& file, const std::vector<BenchRow>& rows,
 
 /// What the flag stands for, where the command line does not say otherwise. 600 pairs: five margins of them
 /// are as many as `digits_low` needs.
-void set_curves(const CLI::App& command, Options& options) {
+void set_curves(const Command& command, Arguments& options) {
   const auto unless_given = [&](const char* name, auto& option, auto value) {
-    if (command.count(name) == 0) option = value;
+    if (!command.given(name)) option = value;
   };
   unless_given("--families", options.families, "random,margin_1e");
   unless_given("--pairs", options.bench.pairs, std::size_t{600});
@@ -59,7 +58,7 @@ void set_curves(const CLI::App& command, Options& options) {
   options.bench.curves = true;
 }
 
-std::vector<std::unique_ptr<Method>> methods_for(const Options& options, Company company) {
+std::vector<std::unique_ptr<Method>> methods_for(const Arguments& options, Company company) {
   auto methods = std::move(company.methods);
   if (options.curves) std::ranges::move(setting_methods(), std::back_inserter(methods));
   return options.methods == "all" ? std::move(methods) : select_methods(std::move(methods), options.methods);
@@ -74,7 +73,7 @@ std::string through_pipes(const std::vector<Guest>& guests) {
                        : names + ": times of a line there and a line back through a pipe, not of its code\n";
 }
 
-void run(const Options& options) {
+void run(const Arguments& options) {
   Company company = with_guests(options.guests);
   const std::string pipes = through_pipes(company.guests);
   const auto methods = methods_for(options, std::move(company));
@@ -121,42 +120,40 @@ void run(const Options& options) {
 
 }  // namespace
 
-void add_bench(CLI::App& app, int& exit_code) {
-  CLI::App* command =
-      app.add_subcommand("bench", "Nanoseconds a pair by method and family, faults beside them");
-  auto options = std::make_shared<Options>();
-  command->add_option("--methods", options->methods, "a,b or (--methods=-a,b) all but these")
-      ->capture_default_str();
-  add_guest_options(*command, options->guests);
+void add_bench(Program& program) {
+  Command command =
+      program.command("Measure", "bench", "Nanoseconds a pair by method and family, faults beside them");
+  auto options = std::make_shared<Arguments>();
+  command.option("--methods", options->methods, "a,b or (--methods=-a,b) all but these");
+  add_guest_options(command, options->guests);
+  command.option(
+      "--families", options->families,
+      "a,b or (--families=-a,b) all but these, or all; margin_1e-01 to margin_1e-15 are near-touching "
+      "pairs at that margin");
   command
-      ->add_option(
-          "--families", options->families,
-          "the same rule, or all; margin_1e-01 to margin_1e-15 are near-touching pairs at that margin")
-      ->capture_default_str();
-  command
-      ->add_option("--min-time", options->bench.min_time,
-                   "seconds of timing a row (method, family and query), all turns together")
-      ->check(CLI::Range(0.0, 1000.0))
-      ->capture_default_str();
-  add_unsigned(*command, "--pairs", options->bench.pairs, "of each family", 1);
-  add_unsigned(*command, "--passes", options->bench.passes, "turns of each row, taken in rotation", 1);
-  add_unsigned(*command, "--seed", options->bench.seed, "of the families");
-  command->add_flag(
+      .option("--min-time", options->bench.min_time,
+              "seconds of timing a row (method, family and query), all passes together")
+      .within(0, 1000);
+  command.number("--pairs", options->bench.pairs, "pairs to draw from each family", 1);
+  command.number("--passes", options->bench.passes,
+                 "how often each row is timed, in rotation with the others", 1);
+  command.number("--seed", options->bench.seed, "of the random pairs: same seed, same pairs");
+  command.flag(
       "--growth", options->growth,
       "how time grows as margins shrink from 1e-1 to 1e-15, batches grow to 10^6 pairs and sets to 10^7");
-  command->add_flag(
+  command.flag(
       "--curves", options->curves,
       "speed against accuracy, for `daylight chart`: every method at more settings than campaigns ask, on "
-      "random pairs and\nmargins 1e-1 to 1e-15, 600 of each, in 3 turns of 0.01 s together");
-  command->add_option("--json", options->json, "also write the results to this file");
-  command->footer(
-      "Example:\n  daylight bench --methods intersect,decide,fcl --families random --json bench.json\n"
+      "random pairs and\nmargins 1e-1 to 1e-15, 600 of each, in 3 passes of 0.01 s together");
+  command.option("--json", options->json, "also write the results to this file");
+  command.examples(
+      "  daylight bench --methods intersect,decide,fcl --families random --json bench.json\n"
       "  daylight bench --growth --methods intersect,fcl-libccd\n"
       "  daylight bench --curves --json bench.json");
-  command->callback([options, command, &exit_code] {
-    if (options->curves) set_curves(*command, *options);
+  command.run([options, command] {
+    if (options->curves) set_curves(command, *options);
     run(*options);
-    exit_code = exit_pass;
+    return exit_pass;
   });
 }
 

@@ -4,7 +4,6 @@
 #include <fmt/chrono.h>
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <charconv>
 #include <cstdio>
@@ -29,9 +28,9 @@
 #include "cli/commands.hpp"
 #include "cli/guests.hpp"
 #include "cli/mutants.hpp"
+#include "cli/options.hpp"
 #include "cli/progress.hpp"
 #include "cli/show_run.hpp"
-#include "cli/unsigned_option.hpp"
 #include "corpus/store/case_files.hpp"
 
 namespace cyl {
@@ -280,62 +279,64 @@ int campaign(const Arguments& arguments) {
 
 }  // namespace
 
-void add_campaign(CLI::App& app, int& exit_code) {
-  CLI::App* command = app.add_subcommand(
-      "campaign", "Draws pairs, asks every method, proves who is wrong, and keeps the proofs");
+void add_campaign(Program& program) {
+  Command command = program.command(
+      "Find", "campaign", "Draws pairs, asks every method, proves who is wrong, and keeps the proofs");
   auto arguments = std::make_shared<Arguments>();
-  auto* budget = command->add_option("--for", arguments->budget,
-                                     "wall time, like 90s, 1m or 8h; 1m where no limit is given");
-  add_unsigned(*command, "--pairs", arguments->pairs, "exactly this many pairs; 0: no such limit");
-  auto* stop_at =
-      command->add_option("--stop-at", arguments->stop_at,
-                          "local time, HH:MM (the next) or 2026-11-22T06:00; with Z at its end UTC");
-  stop_at->excludes(budget);
-  auto* seed =
-      add_unsigned(*command, "--seed", arguments->seed, "same seed, same findings; random where not given");
-  auto* out =
-      command->add_option("--out", arguments->out, "run folder; runs/<date-time>-<seed> where not given");
-  auto* methods = command->add_option(
-      "--methods", arguments->methods,
-      "a,b: these; --methods=-a,b: all but these; a name stands for all that begin with it");
-  add_guest_options(*command, arguments->guests);
-  auto* families = command->add_option("--families", arguments->families, "same rule");
-  auto* weights = command->add_option(
+  command.option("--for", arguments->budget, "wall time, like 90s, 1m or 8h; 1m where no limit is given");
+  command.number("--pairs", arguments->pairs, "exactly this many pairs; 0: no such limit");
+  command
+      .option("--stop-at", arguments->stop_at,
+              "local time, HH:MM (the next) or 2026-11-22T06:00; with Z at its end UTC")
+      .excludes("--for");
+  command.number("--seed", arguments->seed, "same seed, same findings").default_text("random");
+  command.option("--out", arguments->out, "run folder").default_text("runs/<date-time>-<seed>");
+  command
+      .option("--methods", arguments->methods,
+              "a,b: these; --methods=-a,b: all but these; a name stands for all that begin with it")
+      .default_text("all");
+  add_guest_options(command, arguments->guests);
+  command
+      .option("--families", arguments->families,
+              "a,b: pairs of these families; --families=-a,b: of all but these; a name stands for all that "
+              "begin with it")
+      .default_text("all");
+  command.option(
       "--weights-from", arguments->weights_from,
       "an earlier run, or a folder of runs: families in which they found more get more of the pairs");
-  auto* shard = command->add_option("--shard", arguments->shard,
-                                    "i/n: every n-th batch from the i-th on, i from 0; see daylight merge");
-  shard->needs(seed)->needs(out);
-  auto* cases =
-      command->add_option("--cases", arguments->cases,
-                          "folder of case files played first; corpus/cases/ where not given; '' for none");
-  add_unsigned(*command, "--jobs", arguments->jobs, "batches at once; does not change the findings", 1, 1024);
-  auto* resume = command->add_option("--resume", arguments->resume, "go on with the run in this folder");
-  auto* create_only = command->add_flag("--create-only", arguments->create_only,
-                                        "only make the run folder, for --resume to go on with");
-  resume->check([](const std::string& run) { return run.empty() ? "the folder of a run is expected" : ""; });
-  auto* alarm = command->add_flag(
+  command
+      .option("--shard", arguments->shard,
+              "i/n: every n-th batch from the i-th on, i from 0; see daylight merge")
+      .needs("--seed")
+      .needs("--out");
+  command.option("--cases", arguments->cases, "folder of case files played first; '' for none")
+      .default_text("corpus/cases/");
+  command.number("--jobs", arguments->jobs, "batches at once; does not change the findings", 1, 1024);
+  command.option("--resume", arguments->resume, "go on with the run in this folder")
+      .not_empty("the folder of a run is expected");
+  command.flag("--create-only", arguments->create_only,
+               "only make the run folder, for --resume to go on with");
+  command.flag(
       "--alarm", arguments->alarm,
-      "plant faults on the way and see that each is found; where not given, from 5 minutes or "
+      "self-test: plant faults on the way and fail unless each is found; as a rule from 5 minutes or "
       "3,000,000 pairs on");
-  command->add_flag("--no-alarm", arguments->no_alarm, "plant none")->excludes(alarm);
-  command->add_flag("--list", arguments->list, "only list the methods, with their claims, and the families");
-  command->footer(
-      "Example:\n  daylight campaign --for 1m --methods=-nlopt\n"
-      "Exit code: 0 nothing beyond a method's claim, 2 contract findings or failures, 3 none of those, but\n"
-      "undecided truth or stopped before its limit, 1 the harness failed or missed a fault that was "
-      "planted\nto try it, 64 usage. Ctrl-C keeps what is "
-      "complete.");
-  const std::vector<CLI::Option*> fixed{seed, out, methods, families, weights, shard, cases, create_only};
-  command->callback([arguments, fixed, &exit_code] {
-    for (const CLI::Option* option : fixed) {
-      if (arguments->resume.empty() || option->count() == 0) continue;
+  command.flag("--no-alarm", arguments->no_alarm, "plant no faults, however long the run")
+      .excludes("--alarm");
+  command.flag("--list", arguments->list, "only list the methods, with their claims, and the families");
+  command.examples(
+      "  daylight campaign --for 1m --methods=-nlopt",
+      "Here 3 also: stopped before its limit, 1 also: missed a fault that was planted to try it. Ctrl-C "
+      "keeps what is\ncomplete.");
+  command.run([arguments, command] {
+    for (const char* fixed : {"--seed", "--out", "--methods", "--families", "--weights-from", "--shard",
+                              "--cases", "--create-only"}) {
+      if (arguments->resume.empty() || !command.given(fixed)) continue;
       throw UsageError(
-          option->get_name() +
+          std::string(fixed) +
           " cannot be given with --resume: a run goes on with what it began with, or its first part and its "
           "last would not be of one run; only limits and --jobs may change");
     }
-    exit_code = campaign(*arguments);
+    return campaign(*arguments);
   });
 }
 

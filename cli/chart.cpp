@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <memory>
 #include <string>
 #include <vector>
@@ -10,6 +9,7 @@
 #include "bench/curves.hpp"
 #include "cli/commands.hpp"
 #include "cli/guests.hpp"
+#include "cli/options.hpp"
 #include "reports/run/charts.hpp"
 #include "reports/run/draw_charts.hpp"
 #include "reports/run/page.hpp"
@@ -41,29 +41,30 @@ void chart(const Arguments& arguments) {
 
 }  // namespace
 
-void add_chart(CLI::App& app, int& exit_code) {
-  CLI::App* command = app.add_subcommand(
-      "chart", "Speed against accuracy and failure maps, on the page of a run and as files");
+void add_chart(Program& program) {
+  Command command = program.command(
+      "Understand", "chart", "Speed against accuracy and failure maps, on the page of a run and as files");
   auto arguments = std::make_shared<Arguments>();
-  command->add_option("RUN", arguments->run, "the run's folder")->required()->check(CLI::ExistingDirectory);
+  command.option("RUN", arguments->run, "the run's folder").required().existing_folder();
   command
-      ->add_option("--bench", arguments->bench,
-                   "what `daylight bench --curves --json FILE` measured; without it speed and cost stay as "
-                   "they are")
-      ->check(CLI::ExistingFile);
-  command->add_flag("--stability", arguments->stability,
-                    "also ask every method along paths through touching and through parallel axes, and next "
-                    "to touching how far its input would have to move where it is wrong; and show what "
-                    "changes between builds (bench/stability/builds.jsonl)");
-  command->add_option("--out", arguments->out,
-                      "folder for the plots as SVG, and as PNG where rsvg-convert is there; needs Node.js "
-                      "(apt-get install nodejs)");
-  command->footer(
-      "Example:\n  daylight bench --curves --json bench.json\n"
+      .option(
+          "--bench", arguments->bench,
+          "what `daylight bench --curves --json FILE` measured; without it speed and cost stay as they are")
+      .existing_file();
+  command.flag(
+      "--stability", arguments->stability,
+      "also ask every method along paths through touching and through parallel axes, and next to "
+      "touching how far its input would have to move where it is wrong; and show what changes between "
+      "builds (bench/stability/builds.jsonl)");
+  command.option("--out", arguments->out,
+                 "folder for the plots as SVG, and as PNG where rsvg-convert is there; needs Node.js "
+                 "(apt-get install nodejs)");
+  command.examples(
+      "  daylight bench --curves --json bench.json\n"
       "  daylight chart runs/latest --bench bench.json --stability --out charts");
-  command->callback([arguments, &exit_code] {
+  command.run([arguments] {
     chart(*arguments);
-    exit_code = exit_pass;
+    return exit_pass;
   });
 }
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cstdio>
 #include <filesystem>
@@ -18,6 +17,7 @@
 #include "base/usage_error.hpp"
 #include "cli/commands.hpp"
 #include "cli/guests.hpp"
+#include "cli/options.hpp"
 #include "corpus/pairs/pair_io.hpp"
 #include "oracles/methods/contained.hpp"
 #include "oracles/referee/referee.hpp"
@@ -183,23 +183,20 @@ int check(const CheckOptions& options) {
 
 }  // namespace
 
-void add_check(CLI::App& app, int& exit_code) {
-  CLI::App* command = app.add_subcommand("check", "Pairs in, certified answers out, a line each");
+void add_check(Program& program) {
+  Command command = program.command("Ask", "check", "Pairs in, certified answers out, a line each");
   auto options = std::make_shared<CheckOptions>();
-  command->add_option("FILE", options->files, "JSON Lines of pairs; '-' or none: standard input");
-  command->add_flag("--text", options->text, "for people, not JSON");
-  auto* distance =
-      command->add_flag("--distance", options->distance, "add a certified enclosure of the signed distance");
-  command
-      ->add_option("--method", options->method, "ask this method instead; its answer is reported, not proved")
-      ->excludes(distance);
-  add_guest_options(*command, options->guests);
-  command->footer(
-      "Example:\n"
+  command.option("FILE", options->files, "JSON Lines of pairs; '-' or none: standard input");
+  command.flag("--text", options->text, "write sentences, not JSON");
+  command.flag("--distance", options->distance, "add a certified enclosure of the signed distance");
+  command.option("--method", options->method, "ask this method instead; its answer is reported, not proved")
+      .excludes("--distance");
+  add_guest_options(command, options->guests);
+  command.examples(
       "  echo '{\"a\":{\"center\":[0,0,0],\"axis\":[0,0,1],\"radius\":1,\"height\":2},"
-      "\"b\":{\"center\":[3,0,0],\"axis\":[0,1,0],\"radius\":1,\"height\":2}}' | daylight check\n"
-      "Exit code: 0 all answered, 3 some undecided, 65 some invalid, 1 a file could not be read, 64 usage.");
-  command->callback([options, &exit_code] { exit_code = check(*options); });
+      "\"b\":{\"center\":[3,0,0],\"axis\":[0,1,0],\"radius\":1,\"height\":2}}' | daylight check",
+      "Here 0: all answered, 3: some undecided, 65: some invalid, 1: a file could not be read.");
+  command.run([options] { return check(*options); });
 }
 
 }  // namespace cyl

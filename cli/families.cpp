@@ -3,14 +3,13 @@
 
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <cstdint>
 #include <memory>
 #include <string>
 
 #include "base/usage_error.hpp"
 #include "cli/commands.hpp"
-#include "cli/unsigned_option.hpp"
+#include "cli/options.hpp"
 #include "corpus/pairs/pair_io.hpp"
 
 namespace cyl {
@@ -46,21 +45,22 @@ void print_pairs(const FamiliesOptions& options) {
 
 }  // namespace
 
-void add_families(CLI::App& app, int& exit_code) {
-  CLI::App* command = app.add_subcommand("families", "Lists the generators of pairs, or prints pairs of one");
+void add_families(Program& program) {
+  Command command =
+      program.command("Measure", "families", "Lists the generators of pairs, or prints pairs of one");
   auto options = std::make_shared<FamiliesOptions>();
-  command->add_option("NAME", options->name, "the family to print pairs of; none: list them");
-  add_unsigned(*command, "--seed", options->seed, "same seed, same pairs, on every machine");
-  add_unsigned(*command, "--count", options->count, "pairs to print");
-  add_unsigned(*command, "--from", options->from, "index of the first");
-  command->footer("Example:\n  daylight families random --count 1000 | daylight check");
-  command->callback([options, &exit_code] {
+  command.option("NAME", options->name, "the family to print pairs of; none: list them");
+  command.number("--seed", options->seed, "same seed, same pairs, on every machine");
+  command.number("--count", options->count, "pairs to print");
+  command.number("--from", options->from, "index of the first");
+  command.examples("  daylight families random --count 1000 | daylight check");
+  command.run([options] {
     if (options->name.empty()) {
       list_families();
     } else {
       print_pairs(*options);
     }
-    exit_code = exit_pass;
+    return exit_pass;
   });
 }
 

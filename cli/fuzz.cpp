@@ -2,7 +2,6 @@
 #include <fmt/chrono.h>
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
@@ -19,8 +18,8 @@
 #include "base/own_command.hpp"
 #include "base/safe_text.hpp"
 #include "cli/commands.hpp"
+#include "cli/options.hpp"
 #include "cli/progress.hpp"
-#include "cli/unsigned_option.hpp"
 #include "fuzz/guided/fuzzing.hpp"
 
 namespace cyl {
@@ -99,30 +98,26 @@ int fuzz(const Arguments& arguments) {
 
 }  // namespace
 
-void add_fuzz(CLI::App& app, int& exit_code) {
-  CLI::App* command = app.add_subcommand(
-      "fuzz", "Lets libFuzzer look for pairs by what they make our code do, and proves who is wrong");
+void add_fuzz(Program& program) {
+  Command command = program.command(
+      "Find", "fuzz", "Lets libFuzzer look for pairs by what they make our code do, and proves who is wrong");
   auto arguments = std::make_shared<Arguments>();
-  command->add_option("--for", arguments->budget, "wall time, like 90s, 10m or 8h")->capture_default_str();
+  command.option("--for", arguments->budget, "wall time, like 90s, 10m or 8h");
   command
-      ->add_option(
-          "--target", arguments->target,
-          "core: the solver, its laws and the referee; seed_methods: the documents' methods; xcheck: "
-          "the foreign libraries")
-      ->check(CLI::IsMember({"core", "seed_methods", "xcheck"}))
-      ->capture_default_str();
-  add_unsigned(*command, "--jobs", arguments->jobs, "workers, each a process of its own", 1, 1024);
-  command->add_option("--out", arguments->out,
-                      "run folder; one that is there goes on with its corpus; runs/fuzz-<date-time> where "
-                      "not given");
-  add_unsigned(*command, "--seed", arguments->seed, "of the workers; random where not given");
-  command->add_option("--program", arguments->program,
-                      "the target as libFuzzer drives it, another build of it");
-  command->footer(
-      "Example:\n  daylight fuzz --for 10m --target core --out runs/fuzz-core\n"
-      "Exit code: 0 nothing found, 2 findings (findings.jsonl in the run folder; daylight replay takes it),\n"
-      "1 the harness failed, 64 usage. Ctrl-C ends it in order: the corpora are merged.");
-  command->callback([arguments, &exit_code] { exit_code = fuzz(*arguments); });
+      .option("--target", arguments->target,
+              "core: the solver, its laws and the referee; seed_methods: the documents' methods; xcheck: "
+              "the foreign libraries")
+      .one_of({"core", "seed_methods", "xcheck"});
+  command.number("--jobs", arguments->jobs, "workers, each a process of its own", 1, 1024);
+  command.option("--out", arguments->out, "run folder; one that is there goes on with its corpus")
+      .default_text("runs/fuzz-<date-time>");
+  command.number("--seed", arguments->seed, "from which each worker draws its own").default_text("random");
+  command.option("--program", arguments->program, "another build of the target, as libFuzzer drives it");
+  command.examples(
+      "  daylight fuzz --for 10m --target core --out runs/fuzz-core",
+      "Findings are in findings.jsonl of the run folder, which daylight replay takes. Ctrl-C ends it "
+      "in order: the\ncorpora are merged.");
+  command.run([arguments] { return fuzz(*arguments); });
 }
 
 }  // namespace cyl

@@ -3,7 +3,6 @@
 
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cstdio>
 #include <memory>
@@ -24,8 +23,8 @@
 #include "cli/commands.hpp"
 #include "cli/guests.hpp"
 #include "cli/mutants.hpp"
+#include "cli/options.hpp"
 #include "cli/progress.hpp"
-#include "cli/unsigned_option.hpp"
 #include "corpus/pairs/pair_io.hpp"
 #include "corpus/store/case_files.hpp"
 #include "props/gate/law_search.hpp"
@@ -175,52 +174,47 @@ int gate(const Arguments& arguments) {
 
 }  // namespace
 
-void add_gate(CLI::App& app, int& exit_code) {
-  CLI::App* command = app.add_subcommand(
-      "gate", "Merge gate: every case, every law, a sample of every stratum; one exit code");
+void add_gate(Program& program) {
+  Command command = program.command(
+      "Guard", "gate", "Merge gate: every case, every law, a sample of every stratum; one exit code");
   auto arguments = std::make_shared<Arguments>();
-  add_unsigned(
-      *command, "--pairs", arguments->pairs,
-      fmt::format("pairs to draw, beside the cases, in whole rounds of the laws and of the strata; {} "
-                  "where not given",
-                  gate_pairs),
-      1);
-  command->add_option("--for", arguments->cap,
-                      "a cap on wall time, like 40s or 5m, none where not given; what is not asked for it is "
-                      "said, and fails the gate with exit code 3");
-  command->add_option(
-      "--method", arguments->methods,
-      "a,b: who is to pass; a name stands for all that begin with it; where not given, the guests or, "
-      "without any, ours");
-  add_guest_options(*command, arguments->guests);
-  add_unsigned(*command, "--seed", arguments->seed,
-               "same seed and number of pairs, same pairs in the same order");
-  command->add_option("--cases", arguments->cases,
-                      "folder of case files; corpus/cases/ where not given; '' for none");
-  command->add_option("--junit", arguments->junit, "write a JUnit file");
-  command->add_option("--sarif", arguments->sarif, "write a SARIF 2.1.0 file");
-  command->add_option("--json", arguments->json, "write everything as JSON: what --against reads");
-  command->add_flag("--github", arguments->github, "print annotations for GitHub's log");
   command
-      ->add_option("--against", arguments->against,
-                   "JSON of an earlier gate: asks all its pairs, and only what it does not have fails, or "
-                   "had on fewer pairs")
-      ->excludes("--pairs")
-      ->excludes("--seed");
-  command->add_option("--suppressions", arguments->suppressions,
-                      "file of known causes that do not fail; suppressions.jsonl where not given");
-  command->add_option("--keep", arguments->keep, "write the simplified failing pairs as a file of cases");
-  command->add_option("--reproduce", arguments->reproduce,
-                      "run one drawn case again, by the name it was given");
-  command->add_flag("--laws", arguments->laws, "only list the laws");
-  command->footer(
-      "Example:\n  daylight gate --method fcl --junit gate.xml\n"
-      "Exit code: 0 nothing beyond a claim, 2 broken laws, refuted verdicts, crashes or hangs, or a "
-      "suppression "
-      "that\nmatches no stored case, 3 none of those, but undecided truth, a method that abstains, or "
-      "pairs not asked, 1 the "
-      "harness failed, 64 usage.");
-  command->callback([arguments, &exit_code] { exit_code = gate(*arguments); });
+      .number("--pairs", arguments->pairs,
+              "pairs to draw, beside the cases, in whole rounds of the laws and of the strata", 1)
+      .default_text(std::to_string(gate_pairs));
+  command.option(
+      "--for", arguments->cap,
+      "a cap on wall time, like 40s or 5m; what is not asked for it is said, and fails the gate with "
+      "exit code 3");
+  command
+      .option("--method", arguments->methods, "a,b: who is to pass; a name stands for all that begin with it")
+      .default_text("the guests or, without any, ours");
+  add_guest_options(command, arguments->guests);
+  command.number("--seed", arguments->seed, "same seed and number of pairs, same pairs in the same order")
+      .default_text(std::to_string(GateOptions{}.seed));
+  command.option("--cases", arguments->cases, "folder of case files; '' for none")
+      .default_text("corpus/cases/");
+  command.option("--junit", arguments->junit, "write a JUnit file");
+  command.option("--sarif", arguments->sarif, "write a SARIF 2.1.0 file");
+  command.option("--json", arguments->json, "write everything as JSON: what --against reads");
+  command.flag("--github", arguments->github, "print annotations for GitHub's log");
+  command
+      .option("--against", arguments->against,
+              "JSON of an earlier gate: asks all its pairs, and only what it does not have fails, or had on "
+              "fewer "
+              "pairs")
+      .excludes("--pairs")
+      .excludes("--seed");
+  command.option("--suppressions", arguments->suppressions, "file of known causes that do not fail")
+      .default_text("suppressions.jsonl");
+  command.option("--keep", arguments->keep, "write the simplified failing pairs as a file of cases");
+  command.option("--reproduce", arguments->reproduce, "run one drawn case again, by the name it was given");
+  command.flag("--laws", arguments->laws, "only list the laws");
+  command.examples(
+      "  daylight gate --method fcl --junit gate.xml",
+      "Here 2: broken laws, refuted verdicts, crashes, hangs, or a suppression that matches no stored "
+      "case, 3 also: a method\nabstains on more than half of its pairs.");
+  command.run([arguments] { return gate(*arguments); });
 }
 
 }  // namespace cyl

@@ -3,12 +3,12 @@
 
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <filesystem>
 #include <stdexcept>
 
 #include "base/usage_error.hpp"
+#include "cli/options.hpp"
 #include "corpus/store/run_store.hpp"
 
 namespace cyl {
@@ -32,16 +32,16 @@ void add(Company& company, Guest guest) {
 
 }  // namespace
 
-void add_guest_options(CLI::App& command, GuestOptions& options) {
+void add_guest_options(Command& command, GuestOptions& options) {
   command
-      .add_option("--plugin", options.plugins,
-                  "ask this shared library too (oracles/plugin.h); NAME=FILE gives it another name")
-      ->allow_extra_args(false);
+      .option("--plugin", options.plugins,
+              "ask this shared library too (oracles/plugin.h); NAME=FILE gives it another name")
+      .one_each();
   command
-      .add_option("--command", options.commands,
-                  "ask this program too, by lines of JSON, like 'python3 mine.py'; NAME=COMMAND gives it "
-                  "another name")
-      ->allow_extra_args(false);
+      .option("--command", options.commands,
+              "ask this program too, by lines of JSON, like 'python3 mine.py'; NAME=COMMAND gives it another "
+              "name")
+      .one_each();
 }
 
 std::vector<std::unique_ptr<Method>> Company::select(std::string_view spec, std::string_view unnamed) && {

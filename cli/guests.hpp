@@ -9,18 +9,16 @@
 
 #include "oracles/methods/guest.hpp"
 
-namespace CLI {
-class App;
-}
-
 namespace cyl {
+
+class Command;
 
 struct GuestOptions {
   std::vector<std::string> plugins, commands;
   bool any() const { return !plugins.empty() || !commands.empty(); }
 };
 
-void add_guest_options(CLI::App& command, GuestOptions& options);
+void add_guest_options(Command& command, GuestOptions& options);
 
 /// Every method of this build and, after them, the guests; throws UsageError where a guest cannot
 /// be had or has a name that is taken.

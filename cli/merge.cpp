@@ -3,13 +3,13 @@
 
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <cstdio>
 #include <memory>
 #include <string>
 #include <vector>
 
 #include "cli/commands.hpp"
+#include "cli/options.hpp"
 #include "cli/show_run.hpp"
 
 namespace cyl {
@@ -33,18 +33,15 @@ int merge(const Arguments& arguments) {
 
 }  // namespace
 
-void add_merge(CLI::App& app, int& exit_code) {
-  CLI::App* command = app.add_subcommand("merge", "Makes one run of the shards of a campaign");
+void add_merge(Program& program) {
+  Command command = program.command("Find", "merge", "Makes one run of the shards of a campaign");
   auto arguments = std::make_shared<Arguments>();
-  command->add_option("RUN", arguments->runs, "the folders of the shards")->required();
-  command->add_option("--out", arguments->out, "run folder; one that was merged before is replaced")
-      ->required();
-  command->footer(
-      "Example:\n  daylight merge runs/night/shard-* --out runs/night\n"
-      "Exit code: as of campaign; 3 also where a shard is missing or did not reach its limit, 1 also where "
-      "the "
-      "harness failed in one.");
-  command->callback([arguments, &exit_code] { exit_code = merge(*arguments); });
+  command.option("RUN", arguments->runs, "the folders of the shards").required();
+  command.option("--out", arguments->out, "run folder; one that was merged before is replaced").required();
+  command.examples(
+      "  daylight merge runs/night/shard-* --out runs/night",
+      "Here 3 also: a shard is missing or did not reach its limit, 1 also: the harness failed in one.");
+  command.run([arguments] { return merge(*arguments); });
 }
 
 }  // namespace cyl

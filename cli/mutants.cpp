@@ -5,7 +5,6 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include <CLI/CLI.hpp>
 #include <cerrno>
 #include <cstdio>
 #include <filesystem>
@@ -17,6 +16,7 @@
 
 #include "base/safe_text.hpp"
 #include "cli/commands.hpp"
+#include "cli/options.hpp"
 
 namespace cyl {
 
@@ -52,15 +52,14 @@ Smoke smoke_mutants(unsigned count) {
   return smoke;
 }
 
-void add_mutants(CLI::App& app, int&) {
-  CLI::App* command =
-      app.add_subcommand("mutants", "The kill matrix: one fault planted after the other, and who catches it");
-  command->prefix_command();
-  command->footer(
-      "Example:\n  daylight mutants matrix --only 101,102 --json kills.jsonl\n"
+void add_mutants(Program& program) {
+  Command command = program.command("Guard", "mutants",
+                                    "The kill matrix: one fault planted after the other, and who catches it");
+  command.examples(
+      "  daylight mutants matrix --only 101,102 --json kills.jsonl",
       "Hands its arguments to daylight-mutants; `daylight mutants --help` as seen there: list, matrix, "
       "smoke.");
-  command->callback([command] { become_mutants(command->remaining()); });
+  command.run_unparsed([](const std::vector<std::string>& arguments) -> int { become_mutants(arguments); });
 }
 
 }  // namespace cyl

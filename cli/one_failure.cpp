@@ -4,7 +4,10 @@
 #include <fmt/format.h>
 
 #include "base/usage_error.hpp"
+#include "cli/options.hpp"
+#include "cli/targets.hpp"
 #include "oracles/trial/mechanism.hpp"
+#include "oracles/trial/probe.hpp"
 #include "reports/export/export.hpp"
 
 namespace cyl {
@@ -12,6 +15,32 @@ namespace cyl {
 FindingKind kind_of_word(const std::string& word) {
   if (const auto kind = from_word<FindingKind>(word)) return *kind;
   throw UsageError(fmt::format("'{}' is no kind of finding", word));
+}
+
+void add_failure_options(Command& command, FailureOptions& options) {
+  command.option("CASE", options.target, "RUN:ID, FILE:LINE, or a FILE of one case").required();
+  command.option("--method", options.method, "who is wrong").default_text("of a stored finding: its own");
+  command.option("--kind", options.kind, "how, like wrong_disjoint")
+      .default_text("of a stored finding: its own; else found by asking");
+  add_guest_options(command, options.guests);
+}
+
+OneFailure failure_of(const FailureOptions& options, std::span<const std::unique_ptr<Method>> methods) {
+  const std::vector<Target> targets = targets_of(options.target);
+  if (targets.size() != 1)
+    throw UsageError(
+        fmt::format("'{}' names {} pairs; give one: FILE:LINE or RUN:ID", options.target, targets.size()));
+  const Target& target = targets.front();
+  const bool stored = target.finding && (options.method.empty() || options.method == target.finding->method);
+  const std::string name = stored ? target.finding->method : options.method;
+  if (name.empty()) throw UsageError("which method? Give --method NAME");
+  const std::string word = !options.kind.empty() ? options.kind : stored ? target.finding->kind : "";
+  if (!word.empty()) return {name, kind_of_word(word), target.pair};
+  const Probe now = probe_one(find_method(methods, name), target.pair);
+  if (!now.finding)
+    throw UsageError(fmt::format("{} is not wrong on {}: it says {}, and they are {}", name, target.label,
+                                 format_method_answer(now.answer), distance_in_words(now)));
+  return {name, now.finding->kind, target.pair};
 }
 
 void export_failure(const Company& company, const OneFailure& failure, const std::string& folder) {

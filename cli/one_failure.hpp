@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
-// One method's failure on one pair, which can be explained and sent to who maintains the method.
+// One method's failure on one pair, which can be explained and sent to the maintainers of the method.
 #pragma once
 
+#include <memory>
+#include <span>
 #include <string>
 
 #include "cli/guests.hpp"
@@ -17,6 +19,17 @@ struct OneFailure {
 
 /// Throws UsageError where the word is no kind of finding.
 FindingKind kind_of_word(const std::string& word);
+
+/// What `explain` and `export` are told of a failure.
+struct FailureOptions {
+  std::string target, method, kind;
+  GuestOptions guests;
+};
+void add_failure_options(Command& command, FailureOptions& options);
+
+/// Returns what the command line names; what it leaves out is taken from the stored finding, else found by
+/// asking. Throws UsageError where that is no one pair, or the method is not wrong on it.
+OneFailure failure_of(const FailureOptions& options, std::span<const std::unique_ptr<Method>> methods);
 
 /// Writes what make_export() gives into the folder, and says on standard output what it wrote.
 void export_failure(const Company& company, const OneFailure& failure, const std::string& folder);

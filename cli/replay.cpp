@@ -3,7 +3,6 @@
 
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <memory>
 #include <optional>
@@ -13,6 +12,7 @@
 #include "base/usage_error.hpp"
 #include "cli/commands.hpp"
 #include "cli/guests.hpp"
+#include "cli/options.hpp"
 #include "cli/targets.hpp"
 #include "corpus/pairs/pair_io.hpp"
 #include "corpus/store/run_store.hpp"
@@ -152,26 +152,25 @@ class Replayer {
 
 }  // namespace
 
-void add_replay(CLI::App& app, int& exit_code) {
-  CLI::App* command = app.add_subcommand("replay", "Runs stored findings or cases again on today's build");
+void add_replay(Program& program) {
+  Command command =
+      program.command("Understand", "replay", "Runs stored findings or cases again on today's build");
   auto arguments = std::make_shared<Arguments>();
   command
-      ->add_option("TARGET", arguments->targets,
-                   "RUN: all its findings; RUN:ID: one; FILE: a file of cases; FILE:LINE: one; -: cases of "
-                   "standard input")
-      ->required();
-  command->add_option("--methods", arguments->methods, "a,b: ask these; --methods=-a,b: all but these");
+      .option("TARGET", arguments->targets,
+              "RUN: all its findings; RUN:ID: one; FILE: a file of cases; FILE:LINE: one; -: cases of "
+              "standard input")
+      .required();
+  command.option("--methods", arguments->methods, "a,b: ask these; --methods=-a,b: all but these");
   command
-      ->add_option("--laws", arguments->laws,
-                   "1,10: hold the methods to these laws too, by numbers as `gate --laws` lists them")
-      ->delimiter(',')
-      ->allow_extra_args(false);
-  add_guest_options(*command, arguments->guests);
-  command->footer(
-      "Example:\n  daylight replay runs/latest:12\n"
-      "Exit code: 2 where something is still wrong beyond its method's claim, 3 where nothing is but some "
-      "truth\nis undecided, 0 otherwise, 1 the harness failed, 64 usage.");
-  command->callback([arguments, &exit_code] { exit_code = Replayer(*arguments).run(); });
+      .option("--laws", arguments->laws,
+              "1,10: hold the methods to these laws too, by numbers as `gate --laws` lists them")
+      .separated_by(',')
+      .one_each();
+  add_guest_options(command, arguments->guests);
+  command.examples("  daylight replay runs/latest:12",
+                   "Here 2: something is still wrong beyond its method's claim.");
+  command.run([arguments] { return Replayer(*arguments).run(); });
 }
 
 }  // namespace cyl

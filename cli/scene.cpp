@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <charconv>
 #include <cmath>
 #include <memory>
@@ -10,7 +9,7 @@
 #include "base/files.hpp"
 #include "base/usage_error.hpp"
 #include "cli/commands.hpp"
-#include "cli/unsigned_option.hpp"
+#include "cli/options.hpp"
 #include "reports/run/page.hpp"
 #include "reports/scene/scene_report.hpp"
 #include "scenes/parameter_sweep.hpp"
@@ -119,34 +118,30 @@ int study(Arguments& arguments) {
 
 }  // namespace
 
-void add_scene(CLI::App& app, int& exit_code) {
+void add_scene(Program& program) {
   auto arguments = std::make_shared<Arguments>();
   SceneQuestion& question = arguments->question;
-  CLI::App* command = app.add_subcommand(
-      "scene", "Says which model of its cylinders a scene or robot needs, and at what cost");
-  command->add_option("FILE", question.file, "a scene: .urdf, .xml (MJCF), .jsonl or .csv of cylinders");
-  command->add_option("--clearance", question.clearance, "are two this near or nearer? In the scene's unit");
-  command->add_option("--tolerate", question.tolerated,
-                      "false alarms that do no harm: this far beyond the clearance");
-  add_unsigned(*command, "--configurations", question.configurations, "to draw, within the joints' limits", 1,
-               1'000'000);
-  add_unsigned(*command, "--seed", question.seed, "of the configurations");
-  command->add_option("--at", arguments->at, "JOINT=VALUE..: one configuration, the other joints at 0");
-  command->add_flag("--all-pairs", question.all_pairs,
-                    "also adjacent links and those that the description disables");
-  command->add_flag("--verify", question.verify, "put every recommended answer before the referee");
-  command->add_option("--generate", arguments->generate,
-                      "in place of a FILE: rods or pipes, and all close pairs");
-  add_unsigned(*command, "--count", arguments->count, "cylinders to generate", 1, 10'000'000);
-  command->add_option("--json", arguments->json, "write everything as JSON, a line of results for each pair");
-  command->add_option("--page", arguments->page,
-                      "write it as one HTML file: the robot in 3D, its pairs, cost against wrong answers");
-  command->footer(
-      "Example:\n  daylight scene robot.urdf --clearance 0.01 --verify --page robot.html\n"
-      "Exit code: 0 told, 1 the harness failed, 2 the referee found a recommended answer wrong, 3 something "
-      "is not\n"
-      "proved, 64 usage, 65 the file cannot be read.");
-  command->callback([arguments, &exit_code] { exit_code = study(*arguments); });
+  Command command = program.command(
+      "Measure", "scene", "Says which model of its cylinders a scene or robot needs, and at what cost");
+  command.option("FILE", question.file, "a scene: .urdf, .xml (MJCF), .jsonl or .csv of cylinders");
+  command.option("--clearance", question.clearance, "are two this near or nearer? In the scene's unit");
+  command.option("--tolerate", question.tolerated,
+                 "false alarms that do no harm: this far beyond the clearance");
+  command.number("--configurations", question.configurations, "to draw, within the joints' limits", 1,
+                 1'000'000);
+  command.number("--seed", question.seed, "of the random configurations: same seed, same configurations");
+  command.option("--at", arguments->at, "JOINT=VALUE..: one configuration, the other joints at 0");
+  command.flag("--all-pairs", question.all_pairs,
+               "also adjacent links and those that the description disables");
+  command.flag("--verify", question.verify, "put every recommended answer before the referee");
+  command.option("--generate", arguments->generate, "in place of a FILE: rods or pipes, and all close pairs");
+  command.number("--count", arguments->count, "cylinders to generate", 1, 10'000'000);
+  command.option("--json", arguments->json, "write everything as JSON, a line of results for each pair");
+  command.option("--page", arguments->page,
+                 "write it as one HTML file: the robot in 3D, its pairs, cost against wrong answers");
+  command.examples("  daylight scene robot.urdf --clearance 0.01 --verify --page robot.html",
+                   "Here 2: the referee found a recommended answer wrong, 65: the file cannot be read.");
+  command.run([arguments] { return study(*arguments); });
 }
 
 }  // namespace cyl

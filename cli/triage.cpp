@@ -3,7 +3,6 @@
 
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cstdio>
 #include <memory>
@@ -20,8 +19,8 @@
 #include "cli/commands.hpp"
 #include "cli/guests.hpp"
 #include "cli/one_failure.hpp"
+#include "cli/options.hpp"
 #include "cli/progress.hpp"
-#include "cli/unsigned_option.hpp"
 #include "corpus/pairs/pair_io.hpp"
 #include "corpus/store/case_files.hpp"
 #include "corpus/store/suppressions.hpp"
@@ -110,40 +109,38 @@ int export_bucket(const Arguments& arguments) {
 
 }  // namespace
 
-void add_triage(CLI::App& app, int& exit_code) {
-  CLI::App* command =
-      app.add_subcommand("triage", "From the findings of a run to their causes, each with a simple pair");
+void add_triage(Program& program) {
+  Command command = program.command("Understand", "triage",
+                                    "From the findings of a run to their causes, each with a simple pair");
   auto arguments = std::make_shared<Arguments>();
-  command->add_option("RUN", arguments->run, "folder of the run")->required();
-  command->add_option("--against", arguments->against,
-                      "triaged runs to hold it against; those beside it where not given");
-  command->add_option("--for", arguments->budget, "wall time, like 5m; 5m where not given");
-  add_guest_options(*command, arguments->guests);
-  add_unsigned(*command, "--jobs", arguments->jobs, "processes; do not change the causes", 1, 1024);
-  command->add_option("--suppressions", arguments->suppressions,
-                      "file of known causes that do not fail; suppressions.jsonl where not given");
-  command->add_option("--json", arguments->json, "write the causes as JSON");
-  auto* explained = command->add_option("--explain", arguments->explained,
-                                        "KEY of a bucket of the last triage: only say why its method fails");
-  auto* out = command->add_option("--out", arguments->out, "folder for what --export writes");
+  command.option("RUN", arguments->run, "folder of the run").required();
+  command.option("--against", arguments->against, "triaged runs to hold it against")
+      .default_text("those beside it");
+  command.option("--for", arguments->budget, "wall time, like 5m").default_text("5m");
+  add_guest_options(command, arguments->guests);
+  command.number("--jobs", arguments->jobs, "processes; do not change the causes", 1, 1024);
+  command.option("--suppressions", arguments->suppressions, "file of known causes that do not fail")
+      .default_text("suppressions.jsonl");
+  command.option("--json", arguments->json, "write the causes as JSON");
+  command.option("--explain", arguments->explained,
+                 "KEY of a bucket of the last triage: only say why its method fails");
+  command.option("--out", arguments->out, "folder for what --export writes");
   command
-      ->add_option("--export", arguments->exported,
-                   "KEY of a bucket of the last triage: only write a program, a proof and the text of an "
-                   "issue for the library's maintainers")
-      ->needs(out)
-      ->excludes(explained);
-  command->footer(
-      "Example:\n  daylight triage runs/latest --for 2m\n"
+      .option("--export", arguments->exported,
+              "KEY of a bucket of the last triage: only write a program, a proof and the text of an "
+              "issue for the library's maintainers")
+      .needs("--out")
+      .excludes("--explain");
+  command.examples(
+      "  daylight triage runs/latest --for 2m",
       "What is found out is kept in RUN/triage.sqlite: run again, it goes on. RUN/buckets/ has the simplest "
       "pairs, and the worst (.worst.jsonl) where a search found one worse than the findings.\n"
       "The guests of the run are found again, or taken from --plugin and --command.\n"
-      "Exit code: 2 a cause beyond a claim that is not suppressed, 3 none, but undecided truth or findings "
-      "not "
-      "looked\nat, 0 otherwise, 1 the harness failed, 64 usage.");
-  command->callback([arguments, &exit_code] {
-    exit_code = !arguments->explained.empty()  ? explain_bucket(*arguments)
-                : !arguments->exported.empty() ? export_bucket(*arguments)
-                                               : triage(*arguments);
+      "Here 2: a cause beyond a claim that is not suppressed, 3 also: findings not looked at yet.");
+  command.run([arguments] {
+    return !arguments->explained.empty()  ? explain_bucket(*arguments)
+           : !arguments->exported.empty() ? export_bucket(*arguments)
+                                          : triage(*arguments);
   });
 }
 

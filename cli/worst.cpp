@@ -215,17 +215,15 @@ class Searcher {
 }  // namespace
 
 void add_worst(Program& program) {
-  Command command =
-      program.command("Find", "worst",
-                      "Searches for the pair on which a method is wrong by the greatest margin, or slowest");
+  Command command = program.command(
+      "Find", "worst", "Searches for the pair on which a method is wrong by the greatest margin, or slowest");
   auto arguments = std::make_shared<Arguments>();
   command.option("--method", arguments->methods, "a,b: a name stands for all that begin with it").required();
   add_guest_options(command, arguments->guests);
   command.option("--feature", arguments->feature, "what meets, like side-rim").default_text("each in turn");
   command.option("--for", arguments->budget, "wall time in all, like 60s").default_text("60s");
   command.flag("--time", arguments->time, "search for the slowest call instead");
-  command
-      .option("--from", arguments->from, "start from the findings of a run or a file of cases")
+  command.option("--from", arguments->from, "start from the findings of a run or a file of cases")
       .default_text("corpus/cases/ and drawn pairs");
   command.number("--seed", arguments->seed, "same seed, and --evaluations: same result");
   command.number("--evaluations", arguments->evaluations,
@@ -234,10 +232,10 @@ void add_worst(Program& program) {
   command.flag("--extremes", arguments->extremes,
                "sizes from 1e-12 to 1e12 and as far from the origin, not only from 1e-3 to 1e3 within 100 "
                "sizes of it");
-  command.examples(
-      "  daylight worst --method fcl-libccd --feature side-rim --for 60s --out worst.jsonl",
-      "Each line: method, feature, the proved margin relative to the size (or the time of a call), what it is, "
-      "and the pair.");
+  command.examples("  daylight worst --method fcl-libccd --feature side-rim --for 60s --out worst.jsonl",
+                   "Each line: method, feature, the proved margin relative to the size (or the time of a "
+                   "call), what it is, "
+                   "and the pair.");
   command.run([arguments] { return Searcher(*arguments).run(); });
 }
 

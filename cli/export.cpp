@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: MIT
+#include <memory>
+#include <string>
+
+#include "cli/commands.hpp"
+#include "cli/guests.hpp"
+#include "cli/one_failure.hpp"
+#include "cli/options.hpp"
+
+namespace cyl {
+namespace {
+
+struct Arguments {
+  FailureOptions failure;
+  std::string out;
+};
+
+int export_case(const Arguments& arguments) {
+  const Company company = company_for(arguments.failure.guests, {arguments.failure.target});
+  export_failure(company, failure_of(arguments.failure, company.methods), arguments.out);
+  return exit_pass;
+}
+
+}  // namespace
+
+void add_export(Program& program) {
+  Command command = program.command("Understand", "export",
+                                    "Writes a finding as one would send it to the library's maintainers");
+  auto arguments = std::make_shared<Arguments>();
+  add_failure_options(command, arguments->failure);
+  command.option("--out", arguments->out, "folder for the files").required();
+  command.examples("  daylight export runs/latest:12 --out upstream",
+                   "Here 64 also: the method is not wrong on that pair.");
+  command.run([arguments] { return export_case(*arguments); });
+}
+
+}  // namespace cyl

@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: MIT
+#include "cli/options.hpp"
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <charconv>
+#include <iostream>
+#include <system_error>
+#include <utility>
+
+#include "cli/commands.hpp"
+
+namespace cyl {
+namespace {
+
+/// The same for every command; docs/exit-codes.md says more.
+constexpr const char* exit_codes =
+    "Exit code: 0 nothing is wrong; 2 something is, beyond a method's claim; 3 nothing is, but something is "
+    "undecided\n"
+    "or was not asked; 1 the harness failed; 64 wrong usage; 65 input that is no pair or no scene.";
+
+template <class T>
+CLI::Option* add_number(CLI::App& app, const std::string& name, T& value, const std::string& help,
+                        std::uint64_t least, std::uint64_t most) {
+  const auto set = [&value, name, least, most](const std::string& text) {
+    std::uint64_t n = 0;
+    const char* end = text.data() + text.size();
+    const auto [rest, error] = std::from_chars(text.data(), end, n);
+    if (error != std::errc() || rest != end || n < least || n > most) {
+      throw CLI::ValidationError(name, "'" + text + "' is no whole number from " + std::to_string(least) +
+                                           " to " + std::to_string(most));
+    }
+    value = static_cast<T>(n);
+  };
+  return app.add_option_function<std::string>(name, set, help)->type_name("N");
+}
+
+template <class T>
+Option add_integer(CLI::App& app, const std::string& name, T& value, const std::string& help,
+                   std::uint64_t least, std::uint64_t most) {
+  most = std::min(most, static_cast<std::uint64_t>(std::numeric_limits<T>::max()));
+  return Option(*add_number(app, name, value, help, least, most)->default_str(std::to_string(value)));
+}
+
+}  // namespace
+
+Option Option::required() const { return Option(*option_->required()); }
+Option Option::needs(const std::string& other) const { return Option(*option_->needs(other)); }
+Option Option::excludes(const std::string& other) const { return Option(*option_->excludes(other)); }
+Option Option::one_each() const { return Option(*option_->allow_extra_args(false)); }
+Option Option::separated_by(char separator) const { return Option(*option_->delimiter(separator)); }
+Option Option::one_of(const std::vector<std::string>& words) const {
+  return Option(*option_->check(CLI::IsMember(words)));
+}
+Option Option::within(double least, double most) const {
+  return Option(*option_->check(CLI::Range(least, most)));
+}
+Option Option::not_empty(const std::string& error) const {
+  return Option(*option_->check([error](const std::string& text) { return text.empty() ? error : ""; }));
+}
+Option Option::existing_file() const { return Option(*option_->check(CLI::ExistingFile)); }
+Option Option::existing_folder() const { return Option(*option_->check(CLI::ExistingDirectory)); }
+Option Option::default_text(const std::string& text) const { return Option(*option_->default_str(text)); }
+
+Option Command::option(const std::string& name, std::string& value, const std::string& help) {
+  return Option(*app_->add_option(name, value, help)->capture_default_str());
+}
+Option Command::option(const std::string& name, std::optional<std::string>& value, const std::string& help) {
+  return Option(*app_->add_option(name, value, help));
+}
+Option Command::option(const std::string& name, std::vector<std::string>& value, const std::string& help) {
+  return Option(*app_->add_option(name, value, help));
+}
+Option Command::option(const std::string& name, std::vector<int>& value, const std::string& help) {
+  return Option(*app_->add_option(name, value, help));
+}
+Option Command::option(const std::string& name, double& value, const std::string& help) {
+  return Option(*app_->add_option(name, value, help)->capture_default_str());
+}
+Option Command::flag(const std::string& name, bool& value, const std::string& help) {
+  return Option(*app_->add_flag(name, value, help));
+}
+
+Option Command::number(const std::string& name, std::uint64_t& value, const std::string& help,
+                       std::uint64_t least, std::uint64_t most) {
+  return add_integer(*app_, name, value, help, least, most);
+}
+Option Command::number(const std::string& name, unsigned& value, const std::string& help, std::uint64_t least,
+                       std::uint64_t most) {
+  return add_integer(*app_, name, value, help, least, most);
+}
+Option Command::number(const std::string& name, int& value, const std::string& help, std::uint64_t least,
+                       std::uint64_t most) {
+  return add_integer(*app_, name, value, help, least, most);
+}
+Option Command::number(const std::string& name, std::optional<std::uint64_t>& value, const std::string& help,
+                       std::uint64_t least, std::uint64_t most) {
+  return Option(*add_number(*app_, name, value, help, least, most));
+}
+
+bool Command::given(const std::string& name) const { return app_->count(name) > 0; }
+
+void Command::examples(const std::string& lines, const std::string& remarks) {
+  app_->footer("Example:\n" + lines + '\n' + remarks + (remarks.empty() ? "" : "\n") + exit_codes);
+}
+
+void Command::run(std::function<int()> work) {
+  app_->callback([work = std::move(work), exit_code = exit_code_] { *exit_code = work(); });
+}
+
+void Command::run_unparsed(std::function<int(const std::vector<std::string>&)> work) {
+  app_->prefix_command();
+  run([work = std::move(work), app = app_] { return work(app->remaining()); });
+}
+
+Program::Program(const std::string& name, const std::string& summary, const std::string& version)
+    : app_(std::make_unique<CLI::App>(summary, name)) {
+  app_->require_subcommand(1);
+  app_->set_version_flag("--version", version);
+  app_->footer(name + " COMMAND --help tells more, with an example.\n" + exit_codes);
+}
+
+Program::~Program() = default;
+
+Command Program::command(const std::string& group, const std::string& name, const std::string& summary) {
+  return Command(*app_->add_subcommand(name, summary)->group(group), exit_code_);
+}
+
+int Program::run(int argc, char** argv) {
+  try {
+    app_->parse(argc, argv);
+    return exit_code_;
+  } catch (const CLI::ParseError& error) {
+    if (error.get_exit_code() != 0 && app_->get_subcommands().empty()) {
+      std::cerr << app_->get_name() << ": "
+                << (argc > 1 ? "no command '" + std::string(argv[1]) + "'" : "no command given") << "\n\n"
+                << app_->help();
+      return exit_usage;
+    }
+    return app_->exit(error) == 0 ? exit_pass : exit_usage;  // 0: --help, --version
+  }
+}
+
+}  // namespace cyl

@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: MIT
+// The command line, as the commands describe it. The parser behind it, CLI11, is a large header: only
+// options.cpp compiles it. What is bound to an option has to live until Program::run() is over.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <limits>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace CLI {
+class App;
+class Option;
+}  // namespace CLI
+
+namespace cyl {
+
+/// One option of a command. Each function demands something of it and returns the option itself; what is not
+/// met is a usage error. Other options are named, and have to be there already.
+class Option {
+ public:
+  explicit Option(CLI::Option& option) : option_(&option) {}
+  Option required() const;
+  Option needs(const std::string& other) const;
+  Option excludes(const std::string& other) const;
+  Option one_each() const;  ///< one value each time it is given, not all words up to the next option
+  Option separated_by(char separator) const;
+  Option one_of(const std::vector<std::string>& words) const;
+  Option within(double least, double most) const;
+  Option not_empty(const std::string& error) const;
+  Option existing_file() const;
+  Option existing_folder() const;
+  Option default_text(const std::string& text) const;  ///< shown by --help, where the value bound has none
+
+ private:
+  CLI::Option* option_;
+};
+
+/// One command. --help shows the defaults of strings and numbers: the values at the time they are bound.
+class Command {
+ public:
+  explicit Command(CLI::App& app, int& exit_code) : app_(&app), exit_code_(&exit_code) {}
+
+  /// Adds an option "--name", or an argument "NAME".
+  Option option(const std::string& name, std::string& value, const std::string& help);
+  Option option(const std::string& name, std::optional<std::string>& value, const std::string& help);
+  Option option(const std::string& name, std::vector<std::string>& value, const std::string& help);
+  Option option(const std::string& name, std::vector<int>& value, const std::string& help);
+  Option option(const std::string& name, double& value, const std::string& help);
+  Option flag(const std::string& name, bool& value, const std::string& help);
+
+  /// Adds an option that holds a whole number from `least` to `most`: digits only, in base ten. (The parser's
+  /// own conversion takes -1 for 2^64 - 1 and 010 for 8.)
+  static constexpr std::uint64_t no_limit = std::numeric_limits<std::uint64_t>::max();
+  Option number(const std::string& name, std::uint64_t& value, const std::string& help,
+                std::uint64_t least = 0, std::uint64_t most = no_limit);
+  Option number(const std::string& name, unsigned& value, const std::string& help, std::uint64_t least = 0,
+                std::uint64_t most = no_limit);
+  Option number(const std::string& name, int& value, const std::string& help, std::uint64_t least = 0,
+                std::uint64_t most = no_limit);
+  Option number(const std::string& name, std::optional<std::uint64_t>& value, const std::string& help,
+                std::uint64_t least = 0, std::uint64_t most = no_limit);
+
+  bool given(const std::string& name) const;  ///< whether the command line has this option
+
+  /// Ends --help with these examples, remarks, and what every command's exit code means.
+  void examples(const std::string& lines, const std::string& remarks = "");
+
+  /// Has `work` run where this command is given; what it returns is the exit code.
+  void run(std::function<int()> work);
+  /// Likewise, with all that follows the command, which is not parsed.
+  void run_unparsed(std::function<int(const std::vector<std::string>&)> work);
+
+ private:
+  CLI::App* app_;
+  int* exit_code_;
+};
+
+/// The program with all its commands.
+class Program {
+ public:
+  Program(const std::string& name, const std::string& summary, const std::string& version);
+  ~Program();
+  Program(const Program&) = delete;
+  Program& operator=(const Program&) = delete;
+
+  /// Adds a command; --help lists the commands by group.
+  Command command(const std::string& group, const std::string& name, const std::string& summary);
+  /// Runs the command that the command line gives, and returns its exit code: exit_usage, with the reason on
+  /// standard error, where it cannot be parsed. Lets through what the command throws.
+  int run(int argc, char** argv);
+
+ private:
+  std::unique_ptr<CLI::App> app_;
+  int exit_code_ = 0;
+};
+
+}  // namespace cyl
