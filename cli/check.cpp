@@ -19,6 +19,7 @@
 #include "cli/guests.hpp"
 #include "cli/options.hpp"
 #include "corpus/pairs/pair_io.hpp"
+#include "corpus/pairs/truth_io.hpp"
 #include "oracles/methods/contained.hpp"
 #include "oracles/referee/referee.hpp"
 #include "oracles/trial/compare.hpp"

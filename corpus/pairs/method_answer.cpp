@@ -13,8 +13,20 @@ void MethodAnswer::set_reason(std::string_view text) noexcept {
 }
 
 void MethodAnswer::set_direction(const Vector3& d) noexcept {
-  witness = WitnessKind::direction;
+  witness = CertificateKind::direction;
   std::copy_n(d.data(), 3, head);
+}
+
+void MethodAnswer::set_witness(const Certificate& certificate) noexcept {
+  const ExactVector& v = certificate.vector;
+  if (certificate.kind == CertificateKind::near || !v.in_doubles()) return;
+  witness = certificate.kind;
+  std::copy_n(v.head.data(), 3, head);
+  std::copy_n(v.tail.data(), 3, tail);
+}
+
+Certificate MethodAnswer::certificate() const {
+  return {witness, {{head[0], head[1], head[2]}, {tail[0], tail[1], tail[2]}, {}}, {}};
 }
 
 }  // namespace cyl

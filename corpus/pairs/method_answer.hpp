@@ -5,7 +5,7 @@
 #include <array>
 #include <string_view>
 
-#include "base/enum_words.hpp"
+#include "corpus/pairs/certificate.hpp"
 #include "solver/cylinder.hpp"
 
 namespace cyl {
@@ -21,15 +21,13 @@ constexpr auto words_of(Failure) noexcept {
   return std::array{"none", "exception", "crash", "hang", "non_finite", "malformed"};
 }
 
-enum class WitnessKind : unsigned char { none, direction, point };
-
 /// What a method said. Plain bytes, so that a contained worker can leave it in shared memory.
 struct MethodAnswer {
   Status status = Status::declined;
   Failure failure = Failure::none;
   Verdict verdict = Verdict::undecided;  ///< meaningful where status == answered
   bool has_distance = false;
-  WitnessKind witness = WitnessKind::none;
+  CertificateKind witness = CertificateKind::none;  ///< never `near`
   double distance = 0;         ///< signed: > 0 apart, in the scene's unit; meaningful where has_distance
   double head[3] = {0, 0, 0};  ///< direction, or point = head + tail exactly, in the scene's frame
   double tail[3] = {0, 0, 0};
@@ -38,6 +36,9 @@ struct MethodAnswer {
 
   void set_reason(std::string_view text) noexcept;  ///< truncates
   void set_direction(const Vector3& d) noexcept;    ///< as the witness
+  /// As the witness, where it is one vector that doubles hold; else none.
+  void set_witness(const Certificate& certificate) noexcept;
+  Certificate certificate() const;  ///< the witness, as it was offered
 };
 
 }  // namespace cyl

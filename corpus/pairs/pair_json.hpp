@@ -25,4 +25,12 @@ inline nlohmann::ordered_json cylinder_json(const Cylinder& c) {
           {"height", number_json(c.height)}};
 }
 
+inline nlohmann::ordered_json pair_json(const Pair& p) {
+  return {{"a", cylinder_json(p.a)}, {"b", cylinder_json(p.b)}};
+}
+
+/// What format_pair() writes, as a value: numbers that are written without a point are integers. The pair is
+/// valid.
+inline nlohmann::ordered_json pair_to_json(const Pair& p) { return parse_ordered_json(format_pair(p)); }
+
 }  // namespace cyl

@@ -5,7 +5,7 @@
 #include <system_error>
 #include <vector>
 
-#include "base/process/child.hpp"
+#include "base/process/line_program.hpp"
 #include "corpus/pairs/pair_io.hpp"
 #include "oracles/methods/adapter.hpp"
 #include "oracles/methods/contained.hpp"
@@ -17,12 +17,12 @@ namespace {
 
 using std::chrono::milliseconds;
 
-constexpr Child::Cap answer_cap{call_cpu_cap, 20 * call_cpu_cap};  // as any call of a foreign method
+constexpr LineProgram::Cap answer_cap{call_cpu_cap, 20 * call_cpu_cap};  // as any call of a foreign method
 
 /// Until the first answer: interpreters and engines start slowly.
-constexpr Child::Cap start_cap{milliseconds(10'000), milliseconds(20'000)};
+constexpr LineProgram::Cap start_cap{milliseconds(10'000), milliseconds(20'000)};
 /// Likewise, of the first start of all: nothing is in the machine's memory yet.
-constexpr Child::Cap first_start_cap{milliseconds(30'000), milliseconds(60'000)};
+constexpr LineProgram::Cap first_start_cap{milliseconds(30'000), milliseconds(60'000)};
 
 /// A yard apart, the plainest there is.
 const Pair easy{{Vector3(0, 0, 0), Vector3(0, 0, 1), 1, 2}, {Vector3(3, 0, 0), Vector3(0, 0, 1), 1, 2}};
@@ -48,7 +48,7 @@ MethodAnswer answer_of(const GuestAnswer& said) {
   answer.distance = said.distance.value_or(0);
   const bool meet = answer.verdict == Verdict::intersecting || answer.verdict == Verdict::touching;
   if (said.point && (meet || !said.direction)) {
-    answer.witness = WitnessKind::point;
+    answer.witness = CertificateKind::point;
     for (std::size_t i = 0; i < 3; ++i)
       answer.head[i] = (*said.point)[i], answer.tail[i] = (*said.point)[i + 3];
   } else if (said.direction) {
@@ -90,7 +90,7 @@ class CommandMethod final : public Method {
     if (answer.status == Status::failed)
       throw std::runtime_error(std::string("asked about an easy pair, it failed: ") + answer.reason);
     introduced_ = true;
-    child_.reset();  // workers start their own
+    program_.reset();  // workers start their own
     if (guest_.name.empty()) guest_.name = hello_.name.empty() ? name_after(guest.what) : hello_.name;
     if (hello_.version.empty()) hello_.version = "unversioned";
     if (const auto files = files_of(guest); !files.empty())
@@ -117,38 +117,39 @@ class CommandMethod final : public Method {
   }
 
  private:
-  MethodAnswer exchange(const Pair& pair, const Child::Cap& cap_to_start) {
-    if (child_ && !child_->ours()) child_.reset();
-    const bool starts = !child_;
-    if (starts) child_ = std::make_unique<Child>(guest_.what, guest_.folder);
+  MethodAnswer exchange(const Pair& pair, const LineProgram::Cap& cap_to_start) {
+    if (program_ && !program_->ours()) program_.reset();
+    const bool starts = !program_;
+    if (starts) program_ = std::make_unique<LineProgram>(guest_.what, guest_.folder);
     const MethodAnswer answer = read_answer(format_pair(pair) + '\n', starts ? &cap_to_start : nullptr);
-    if (answer.status == Status::failed && answer.failure != Failure::exception) child_.reset();
+    if (answer.status == Status::failed && answer.failure != Failure::exception) program_.reset();
     return answer;
   }
 
-  MethodAnswer read_answer(const std::string& question, const Child::Cap* start) {
-    if (!start && child_->has_said_more())
+  MethodAnswer read_answer(const std::string& question, const LineProgram::Cap* start) {
+    if (!start && program_->has_answered_more())
       return failed(Failure::malformed, "said more than one line to a question");
-    const Child::Cap& cap = start ? *start : answer_cap;
+    const LineProgram::Cap& cap = start ? *start : answer_cap;
     std::string line;
-    Child::Read read = child_->exchange(question, line, cap);
+    LineProgram::Read read = program_->exchange(question, line, cap);
     GuestLine said;
-    if (read == Child::Read::line) said = parse_guest_line(line);
+    if (read == LineProgram::Read::line) said = parse_guest_line(line);
     if (start && said.hello) {
       if (!introduced_) hello_ = *said.hello;
-      read = child_->exchange({}, line, cap);
-      if (read == Child::Read::line) said = parse_guest_line(line);
+      read = program_->exchange({}, line, cap);
+      if (read == LineProgram::Read::line) said = parse_guest_line(line);
     }
     switch (read) {
-      case Child::Read::ended:
-        return failed(Failure::crash, child_->death());
-      case Child::Read::late:
+      case LineProgram::Read::ended:
+        return failed(Failure::crash, program_->death());
+      case LineProgram::Read::late:
         return failed(Failure::hang, "no answer within " + std::to_string(cap.cpu.count()) +
                                          " ms of CPU time or " + std::to_string(cap.wall.count()) +
                                          " ms in all");
-      case Child::Read::too_long:
-        return failed(Failure::malformed, "a line of more than " + std::to_string(child_line_cap) + " bytes");
-      case Child::Read::line:
+      case LineProgram::Read::too_long:
+        return failed(Failure::malformed,
+                      "a line of more than " + std::to_string(program_line_cap) + " bytes");
+      case LineProgram::Read::line:
         break;
     }
     if (said.hello) return failed(Failure::malformed, "a second hello");
@@ -158,7 +159,7 @@ class CommandMethod final : public Method {
   Guest guest_;
   GuestHello hello_;
   bool introduced_ = false;  ///< what it says of itself when started again changes nothing
-  std::unique_ptr<Child> child_;
+  std::unique_ptr<LineProgram> program_;
 };
 
 }  // namespace

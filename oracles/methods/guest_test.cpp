@@ -41,11 +41,12 @@ std::unique_ptr<Method> command(const std::string& text) {
 }
 
 /// What it says of so many pairs, numbered from 1 by their first radius.
-std::vector<MethodAnswer> ask(std::unique_ptr<Method> method, std::size_t count, Way way = Way::usual) {
+std::vector<MethodAnswer> ask(std::unique_ptr<Method> method, std::size_t count,
+                              CallMode mode = CallMode::usual) {
   std::vector<std::unique_ptr<Method>> methods;
   methods.push_back(std::move(method));
   std::vector<Question> questions;
-  for (std::size_t i = 0; i < count; ++i) questions.push_back({0, i, way});
+  for (std::size_t i = 0; i < count; ++i) questions.push_back({0, i, mode});
   std::vector<MethodAnswer> answers;
   for (const ContainedAnswer& said : ask_contained(methods, numbered_pairs(count), questions))
     answers.push_back(said.answer);
@@ -71,7 +72,7 @@ TEST(GuestCommand, AnswersWithAllItSays) {
     EXPECT_EQ(answer.verdict, Verdict::disjoint);
     EXPECT_TRUE(answer.has_distance);
     EXPECT_EQ(answer.distance, 0.5);
-    EXPECT_EQ(answer.witness, WitnessKind::direction);
+    EXPECT_EQ(answer.witness, CertificateKind::direction);
     EXPECT_EQ(answer.head[0], 1);
   }
 }
@@ -106,7 +107,7 @@ TEST(GuestCommand, AProgramThatWasChangedIsAnotherVersion) {
 TEST(GuestCommand, AskedFromAThreadThatEndsItGoesOn) {
   const auto method = command(each_line("echo \"{\\\"verdict\\\":\\\"disjoint\\\",\\\"distance\\\":$n}\""));
   for (int i = 1; i <= 3; ++i) {
-    const MethodAnswer answer = put(*method, numbered_pairs(1)[0], Way::other_thread);
+    const MethodAnswer answer = call(*method, numbered_pairs(1)[0], CallMode::other_thread);
     EXPECT_EQ(answer.distance, i) << answer.reason;  // of one process
   }
 }

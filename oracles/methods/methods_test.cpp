@@ -140,10 +140,10 @@ TEST(Methods, DirectionsSeparateAndPointFromAToB) {
     for (const Known& k : easy_pairs()) {
       const MethodAnswer answer = m->ask(k.pair);
       if (k.verdict != Verdict::disjoint) {
-        EXPECT_NE(answer.witness, WitnessKind::direction) << m->name();
+        EXPECT_NE(answer.witness, CertificateKind::direction) << m->name();
         continue;
       }
-      ASSERT_EQ(answer.witness, WitnessKind::direction) << m->name();
+      ASSERT_EQ(answer.witness, CertificateKind::direction) << m->name();
       const Vector3 d = Vector3(answer.head).normalized();
       EXPECT_GT(d.dot(support(k.pair.b, -d) - support(k.pair.a, d)), 0) << m->name();
     }
@@ -154,7 +154,7 @@ TEST(Methods, DecideProves) {
   for (const auto& m : chosen("decide"))
     for (const Known& k : easy_pairs())
       EXPECT_EQ(m->ask(k.pair).witness,
-                k.verdict == Verdict::disjoint ? WitnessKind::direction : WitnessKind::point);
+                k.verdict == Verdict::disjoint ? CertificateKind::direction : CertificateKind::point);
 }
 
 TEST(Methods, TheLengthOfAnAxisDoesNotMatter) {

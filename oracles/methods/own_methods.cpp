@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include <algorithm>
 #include <cstdint>
 #include <utility>
 #include <vector>
@@ -8,7 +7,6 @@
 #include "oracles/methods/method.hpp"
 #include "oracles/methods/own_answers.hpp"
 #include "oracles/referee/decide_exactly.hpp"
-#include "solver/decide.hpp"
 #include "solver/distance.hpp"
 #include "solver/intersect_batch.hpp"
 
@@ -80,18 +78,7 @@ class Decide final : public Method {
     answer.verdict = decided.verdict;
     answer.steps = decided.iterations;
     answer.step_cap = iteration_cap;
-    switch (decided.proof) {
-      case Proof::none:
-        break;
-      case Proof::direction:
-        answer.set_direction(decided.direction);
-        break;
-      case Proof::point:
-        answer.witness = WitnessKind::point;
-        std::copy_n(decided.point_head.data(), 3, answer.head);
-        std::copy_n(decided.point_tail.data(), 3, answer.tail);
-        break;
-    }
+    answer.set_witness(certificate_of(decided));
     return answer;
   }
   Call prepare_all(std::span<const Pair> pairs) override {
@@ -141,13 +128,7 @@ class Exact final : public Method {
     answer.status = Status::answered;
     answer.verdict = truth.verdict;
     // A certificate of rationals that no doubles hold stays behind; the verdict stands without it.
-    const ExactVector& v = truth.certificate.vector;
-    if (!std::all_of(v.exact.begin(), v.exact.end(), [](const std::string& s) { return s.empty(); }))
-      return answer;
-    if (truth.certificate.kind == CertificateKind::direction) answer.witness = WitnessKind::direction;
-    if (truth.certificate.kind == CertificateKind::point) answer.witness = WitnessKind::point;
-    std::copy(v.head.begin(), v.head.end(), answer.head);
-    std::copy(v.tail.begin(), v.tail.end(), answer.tail);
+    answer.set_witness(truth.certificate);
     return answer;
   }
 };

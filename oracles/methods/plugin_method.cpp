@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
 #include <dlfcn.h>
-#include <sys/mman.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -10,9 +9,10 @@
 #include <cstring>
 #include <limits>
 #include <stdexcept>
-#include <system_error>
 
-#include "base/process/fork_with_retry.hpp"
+#include "base/json.hpp"
+#include "base/process/child.hpp"
+#include "base/process/process.hpp"
 #include "oracles/methods/adapter.hpp"
 #include "oracles/methods/guest.hpp"
 #include "oracles/plugin.h"
@@ -35,16 +35,18 @@ constexpr int own_symbols_first = RTLD_DEEPBIND;
 constexpr int own_symbols_first = RTLD_DEEPBIND;  // a plug-in's Bullet is not ours
 #endif
 
-/// What a library says of itself, or why it does not; plain bytes, to be left in shared memory.
+/// What a library says of itself.
 struct Label {
-  char name[64], version[64], source[256], error[256];
-  double relative, absolute;
-  bool batch;
+  std::string name, version, source;
+  double relative = 0, absolute = 0;
+  bool batch = false;
 };
 
-void copy(char* to, std::size_t size, const char* from) {
-  std::strncpy(to, from ? from : "", size - 1);
-  to[size - 1] = 0;
+/// Bytes that are read of a text of a library's.
+constexpr std::size_t name_cap = 63, source_cap = 255;
+
+std::string text_of(const char* text, std::size_t cap) {
+  return text ? std::string(text, strnlen(text, cap)) : "";
 }
 
 const DaylightMethod& load(const std::string& file) {
@@ -62,46 +64,35 @@ const DaylightMethod& load(const std::string& file) {
   return *method;
 }
 
-void describe(const std::string& file, Label& label) {
-  try {
-    const DaylightMethod& method = load(file);
-    copy(label.name, sizeof label.name, method.name);
-    copy(label.version, sizeof label.version, method.version);
-    copy(label.source, sizeof label.source, method.claim_source);
-    label.relative = method.claim_relative;
-    label.absolute = method.claim_absolute;
-    label.batch = method.ask_all != nullptr;
-    if (!(label.relative >= 0) || !(label.absolute >= 0)) throw std::runtime_error("its claim is negative");
-  } catch (const std::exception& error) {
-    copy(label.error, sizeof label.error, error.what());
-  }
+/// The label as CBOR, or a text that says why there is none.
+nlohmann::json describe(const std::string& file) try {
+  const DaylightMethod& method = load(file);
+  if (!(method.claim_relative >= 0) || !(method.claim_absolute >= 0))
+    throw std::runtime_error("its claim is negative");
+  return {text_of(method.name, name_cap),
+          text_of(method.version, name_cap),
+          text_of(method.claim_source, source_cap),
+          method.claim_relative,
+          method.claim_absolute,
+          method.ask_all != nullptr};
+} catch (const std::exception& error) {
+  return text_of(error.what(), source_cap);
 }
 
-/// In a process of its own: the constructors of a library may do anything.
+/// Reads it in a process of its own: the constructors of a library may do anything.
 Label read_label(const std::string& file) {
-  void* shared = mmap(nullptr, sizeof(Label), PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
-  if (shared == MAP_FAILED) throw std::system_error(errno, std::generic_category(), "mmap");
-  Label& shown = *new (shared) Label{};
-  copy(shown.error, sizeof shown.error, "it did not load");
-  const pid_t process = patient_fork();
-  if (process == 0) {
+  Child loading([&] {
     alarm(load_cap);
-    shown.error[0] = 0;
-    describe(file, shown);
-    _exit(0);
-  }
-  int status = 0;
-  if (process > 0) waitpid(process, &status, 0);
-  const Label label = shown;
-  munmap(shared, sizeof(Label));
-  if (process < 0) throw std::system_error(errno, std::generic_category(), "fork");
+    return format_cbor(describe(file));
+  });
+  const int status = loading.wait();
   if (WIFSIGNALED(status) && WTERMSIG(status) == SIGALRM)
     throw std::runtime_error("it did not load within " + std::to_string(load_cap) + " s");
-  if (WIFSIGNALED(status))
-    throw std::runtime_error(std::string("loading it ended with SIG") + sigabbrev_np(WTERMSIG(status)));
-  if (label.error[0] != 0) throw std::runtime_error(label.error);
-  if (label.name[0] == 0) throw std::runtime_error("loading it ended the process");
-  return label;
+  if (WIFSIGNALED(status)) throw std::runtime_error("loading it ended with " + signal_name(WTERMSIG(status)));
+  if (loading.bytes().empty()) throw std::runtime_error("loading it ended the process");
+  const nlohmann::json read = parse_cbor(loading.bytes());
+  if (read.is_string()) throw std::runtime_error(read.get<std::string>());
+  return {read.at(0), read.at(1), read.at(2), read.at(3), read.at(4), read.at(5)};
 }
 
 void flatten(const Cylinder& c, double* eight) {
@@ -124,9 +115,8 @@ class Plugin final : public Method {
  public:
   explicit Plugin(const Guest& guest) : guest_(guest), label_(read_label(guest.what)) {
     if (guest_.name.empty()) guest_.name = label_.name;
-    version_ = label_.version[0] != 0 ? label_.version + std::string(" ") : "";
-    version_.append("(").append(fingerprint({&guest.what, 1})).append(")");
-    if (label_.source[0] == 0) copy(label_.source, sizeof label_.source, "oracles/plugin.h's claim fields");
+    version_ = label_.version + (label_.version.empty() ? "(" : " (") + fingerprint({&guest.what, 1}) + ')';
+    if (label_.source.empty()) label_.source = "oracles/plugin.h's claim fields";
   }
 
   std::string_view name() const override { return guest_.name; }
@@ -153,7 +143,7 @@ class Plugin final : public Method {
     if (answer.has_distance) answer.distance = more[0];
     const bool meet = word == DAYLIGHT_INTERSECTING || word == DAYLIGHT_TOUCHING;
     if (any_given(more + 4) && (meet || !any_given(more + 1))) {
-      answer.witness = WitnessKind::point;
+      answer.witness = CertificateKind::point;
       std::copy_n(more + 4, 3, answer.head);
     } else if (any_given(more + 1)) {
       answer.set_direction(Vector3(more[1], more[2], more[3]));

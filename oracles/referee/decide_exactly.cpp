@@ -1,22 +1,29 @@
 // SPDX-License-Identifier: MIT
 #include "oracles/referee/decide_exactly.hpp"
 
-#include "solver/decide.hpp"
+#include <array>
 
 namespace cyl {
+
+Certificate certificate_of(const Answer& answer) {
+  const auto doubles = [](const Vector3& v) { return std::array<double, 3>{v[0], v[1], v[2]}; };
+  switch (answer.proof) {
+    case Proof::none:
+      break;
+    case Proof::direction:
+      return {CertificateKind::direction, {doubles(answer.direction), {}, {}}, {}};
+    case Proof::point:
+      return {CertificateKind::point, {doubles(answer.point_head), doubles(answer.point_tail), {}}, {}};
+  }
+  return {};
+}
 
 Truth decide_exactly(const Cylinder& a, const Cylinder& b) {
   const Answer answer = decide(a, b);
   if (answer.proof == Proof::none) return judge({a, b});
   Truth truth;
   truth.verdict = answer.verdict;
-  const bool point = answer.proof == Proof::point;
-  truth.certificate.kind = point ? CertificateKind::point : CertificateKind::direction;
-  const Vector3 &head = point ? answer.point_head : answer.direction, &tail = answer.point_tail;
-  for (int i = 0; i < 3; ++i) {
-    truth.certificate.vector.head[static_cast<std::size_t>(i)] = head[i];
-    if (point) truth.certificate.vector.tail[static_cast<std::size_t>(i)] = tail[i];
-  }
+  truth.certificate = certificate_of(answer);
   return truth;
 }
 

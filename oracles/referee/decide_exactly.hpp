@@ -3,8 +3,12 @@
 #pragma once
 
 #include "oracles/referee/referee.hpp"
+#include "solver/decide.hpp"
 
 namespace cyl {
+
+/// Returns the certificate that the solver's answer carries.
+Certificate certificate_of(const Answer& answer);
 
 /// Do the two meet? Lengths of both in one unit, any; doubles are taken exactly. Proved, with certificate;
 /// `touching` where the distance is exactly 0 and that could be proved; `undecided` only for a tangency that

@@ -7,7 +7,6 @@
 #include <optional>
 #include <utility>
 
-#include "corpus/pairs/pair_io.hpp"
 #include "oracles/referee/certificate.hpp"
 #include "oracles/referee/multiprecision.hpp"
 #include "oracles/referee/search.hpp"
@@ -58,9 +57,9 @@ constexpr int near_bits = 512;      // enough for a point within 2^-200 size of 
 
 std::optional<Truth> check_by_filter(const Filter& filter, const MethodAnswer& answer) {
   if (answer.status != Status::answered) return std::nullopt;
-  if (answer.witness == WitnessKind::direction && filter.separates(answer.head))
+  if (answer.witness == CertificateKind::direction && filter.separates(answer.head))
     return proved(Verdict::disjoint, exact_vector(answer.head, no_tail), Stage::filter, 53);
-  if (answer.witness == WitnessKind::point && filter.in_both(answer.head, answer.tail))
+  if (answer.witness == CertificateKind::point && filter.in_both(answer.head, answer.tail))
     return proved(Verdict::intersecting, exact_vector(answer.head, answer.tail), Stage::filter, 53);
   return std::nullopt;
 }
@@ -75,10 +74,10 @@ Rational3 sum(const double head[3], const double tail[3]) {
 // A point on both surfaces proves that the solids meet, not that they overlap: it is left to the search.
 std::optional<Truth> check_exactly(const Pair& pair, const MethodAnswer& answer) {
   if (answer.status != Status::answered || !finite(answer.head) || !finite(answer.tail)) return std::nullopt;
-  if (answer.witness == WitnessKind::direction &&
+  if (answer.witness == CertificateKind::direction &&
       separates_wide(pair, sum(answer.head, no_tail), first_wide_bits))
     return proved(Verdict::disjoint, exact_vector(answer.head, no_tail), Stage::wide, first_wide_bits);
-  if (answer.witness == WitnessKind::point) {
+  if (answer.witness == CertificateKind::point) {
     const Rational3 point = sum(answer.head, answer.tail);
     if (in_both_exact(pair, point) && interior_of_either(pair, point))
       return proved(Verdict::intersecting, exact_vector(answer.head, answer.tail), Stage::exact,
@@ -304,7 +303,7 @@ Verdict check_witness(const Pair& pair, const MethodAnswer& answer) {
   if (!legal(pair)) return Verdict::undecided;
   if (auto t = check_by_filter(Filter(pair), answer)) return t->verdict;
   if (auto t = check_exactly(pair, answer)) return t->verdict;
-  if (answer.status == Status::answered && answer.witness == WitnessKind::point && finite(answer.head) &&
+  if (answer.status == Status::answered && answer.witness == CertificateKind::point && finite(answer.head) &&
       finite(answer.tail) && in_both_exact(pair, sum(answer.head, answer.tail)))
     return Verdict::intersecting;
   return Verdict::undecided;
@@ -313,85 +312,6 @@ Verdict check_witness(const Pair& pair, const MethodAnswer& answer) {
 double size_of(const Pair& pair) {
   return std::min(pair.a.radius + pair.a.height + pair.b.radius + pair.b.height,
                   std::numeric_limits<double>::max());
-}
-
-const char* to_string(Stage s) noexcept {
-  switch (s) {
-    case Stage::filter:
-      return "filter";
-    case Stage::wide:
-      return "wide";
-    case Stage::exact:
-      return "exact";
-  }
-  return "exact";
-}
-
-namespace {
-
-void append_vector(std::string& s, const ExactVector& v) {
-  s += '[';
-  for (std::size_t i = 0; i < 3; ++i) {
-    if (i) s += ',';
-    if (!v.exact[i].empty())
-      s.append("\"").append(v.exact[i]).append("\"");
-    else if (v.tail[i] != 0)
-      s.append("[").append(format_double(v.head[i])).append(",").append(format_double(v.tail[i])).append("]");
-    else
-      s += format_double(v.head[i]);
-  }
-  s += ']';
-}
-
-// The members of the certificate's object, without braces; nothing where there is none.
-void append_certificate(std::string& s, const Certificate& c) {
-  switch (c.kind) {
-    case CertificateKind::none:
-      return;
-    case CertificateKind::direction:
-      s += "\"direction\":";
-      break;
-    case CertificateKind::point:
-      s += "\"point\":";
-      break;
-    case CertificateKind::near:
-      s += "\"near\":{\"point\":";
-      break;
-  }
-  append_vector(s, c.vector);
-  if (c.kind != CertificateKind::near) return;
-  s += ",\"direction\":";
-  append_vector(s, c.second);
-  s += '}';
-}
-
-}  // namespace
-
-std::string format_certificate(const Certificate& c) {
-  std::string s = "{";
-  append_certificate(s, c);
-  s += '}';
-  return s;
-}
-
-std::string format_truth(const Truth& truth, const Enclosure* distance) {
-  std::string s = "{\"verdict\":\"";
-  s.append(to_string(truth.verdict)).append("\"");
-  if (truth.certificate.kind != CertificateKind::none) {
-    s += ',';
-    append_certificate(s, truth.certificate);
-  }
-  if (distance)
-    s.append(",\"distance\":[")
-        .append(format_double(distance->lo))
-        .append(",")
-        .append(format_double(distance->hi))
-        .append("]");
-  if (truth.verdict == Verdict::undecided) s.append(",\"bits\":").append(std::to_string(truth.bits));
-  if (truth.verdict != Verdict::invalid)
-    s.append(",\"stage\":\"").append(to_string(truth.stage)).append("\"");
-  s += '}';
-  return s;
 }
 
 }  // namespace cyl

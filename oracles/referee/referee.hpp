@@ -5,54 +5,12 @@
 
 #include <array>
 #include <span>
-#include <string>
 
+#include "corpus/pairs/certificate.hpp"
 #include "corpus/pairs/method_answer.hpp"
 #include "solver/cylinder.hpp"
 
 namespace cyl {
-
-/// The arithmetic that settled a question.
-enum class Stage : unsigned char {
-  filter,  ///< double, or long double, with outward rounding
-  wide,    ///< MPFI
-  exact    ///< rationals
-};
-
-/// The words used in files and on screens: "filter", "wide", "exact".
-const char* to_string(Stage s) noexcept;
-
-enum class CertificateKind : unsigned char { none, direction, point, near };
-
-/// One vector of a certificate, exactly head + tail, or, where `exact` is not empty, the rationals written
-/// there as "n/d" (or "n").
-struct ExactVector {
-  std::array<double, 3> head{0, 0, 0};
-  std::array<double, 3> tail{0, 0, 0};
-  std::array<std::string, 3> exact;
-};
-
-/// direction: D with f(D) < 0. point: in both solids. near: `vector` a point within 2^-200 size of both
-/// solids, `second` a direction with |f| <= 2^-200 size |direction| (touching without a rational point).
-struct Certificate {
-  CertificateKind kind = CertificateKind::none;
-  ExactVector vector;
-  ExactVector second;
-};
-
-struct Truth {
-  Verdict verdict = Verdict::undecided;  ///< disjoint, intersecting, touching, undecided or invalid
-  Certificate certificate;
-  Stage stage = Stage::filter;
-  int bits = 53;           ///< the widest precision that was used
-  bool witnessed = false;  ///< settled by a witness that an answer offered
-};
-
-/// A closed interval [lo, hi] that certainly holds the signed distance: > 0 the gap, < 0 minus the
-/// penetration depth; in the scene's unit (of a Finding's margin: in sizes).
-struct Enclosure {
-  double lo = 0, hi = 0;
-};
 
 /// Bits of the widest search. Reaching it is `undecided`.
 inline constexpr int precision_cap = 4096;
@@ -97,11 +55,5 @@ Verdict check_witness(const Pair& pair, const MethodAnswer& answer);
 
 /// radius a + height a + radius b + height b, rounded, at most the largest double (the unit of margins).
 double size_of(const Pair& pair);
-
-/// One JSON object: {"verdict":"disjoint","direction":[x,y,z],"stage":"filter"} and so on; `distance` may be
-/// null.
-std::string format_truth(const Truth& truth, const Enclosure* distance = nullptr);
-/// The certificate alone, e.g. {"point":[[0,1e-3],0,"1/3"]}; {} where there is none.
-std::string format_certificate(const Certificate& certificate);
 
 }  // namespace cyl

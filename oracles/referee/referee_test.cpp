@@ -113,7 +113,7 @@ TEST(Referee, SaysTouchingWhereAlgebraShowsIt) {
     if (truth.certificate.kind != CertificateKind::point) continue;
     MethodAnswer witness;
     witness.status = Status::answered;
-    witness.witness = WitnessKind::point;
+    witness.witness = CertificateKind::point;
     std::copy_n(truth.certificate.vector.head.begin(), 3, witness.head);
     std::copy_n(truth.certificate.vector.tail.begin(), 3, witness.tail);
     EXPECT_EQ(check_witness(pair, witness), Verdict::intersecting) << line;
@@ -198,7 +198,7 @@ TEST(Referee, WitnessesCarryTheDayOrAreIgnored) {
       R"({"a":{"center":[0,0,0],"axis":[0,0,1],"radius":1,"height":2},"b":{"center":[2.5,0,0],"axis":[0,0,1],"radius":1,"height":2}})");
   MethodAnswer good, bad;
   good.status = bad.status = Status::answered;
-  good.witness = bad.witness = WitnessKind::direction;
+  good.witness = bad.witness = CertificateKind::direction;
   good.head[0] = 1;
   bad.head[2] = 1;
   EXPECT_EQ(check_witness(apart, good), Verdict::disjoint);
@@ -208,7 +208,7 @@ TEST(Referee, WitnessesCarryTheDayOrAreIgnored) {
   EXPECT_FALSE(alone.witnessed);
   EXPECT_EQ(alone.verdict, Verdict::disjoint);
   MethodAnswer point = good;
-  point.witness = WitnessKind::point;
+  point.witness = CertificateKind::point;
   point.head[0] = 1.25;
   EXPECT_EQ(check_witness(apart, point), Verdict::undecided);
   point.head[0] = std::nan("");

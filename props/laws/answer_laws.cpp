@@ -10,6 +10,7 @@
 #include <initializer_list>
 
 #include "corpus/pairs/pair_io.hpp"
+#include "corpus/pairs/truth_io.hpp"
 #include "props/laws/law_groups.hpp"
 #include "solver/decide.hpp"
 
@@ -19,8 +20,8 @@ namespace {
 /// What compare() finds wrong with an answer to the pair, if it is of one of these kinds.
 std::optional<Broken> refuted(const LawCase& c, const MethodAnswer& answer,
                               std::initializer_list<FindingKind> kinds) {
-  Proved& proved = c.proofs.of(c.pair);
-  const auto finding = compare(c.pair, proved.truth, proved.distance, c.method.claim(), answer);
+  Trial& proved = c.proofs.of(c.pair);
+  const auto finding = compare(proved, c.method.claim(), answer);
   if (!finding || std::find(kinds.begin(), kinds.end(), finding->kind) == kinds.end()) return {};
   std::string what = to_string(finding->kind);
   if (finding->margin) what += fmt::format(", margin {:.3g}", finding->margin->lo);
@@ -46,14 +47,14 @@ std::optional<Broken> break_verdict(const LawCase& c) {
   if (c.first.status != Status::answered) return {};
   MethodAnswer verdict = c.first;
   verdict.has_distance = false;
-  verdict.witness = WitnessKind::none;
+  verdict.witness = CertificateKind::none;
   return refuted(c, verdict,
                  {FindingKind::wrong_disjoint, FindingKind::wrong_intersecting, FindingKind::wrong_touching,
                   FindingKind::wrong_invalid});
 }
 
 std::optional<Broken> break_certificate(const LawCase& c) {
-  if (c.first.status != Status::answered || c.first.witness == WitnessKind::none) return {};
+  if (c.first.status != Status::answered || c.first.witness == CertificateKind::none) return {};
   MethodAnswer certificate = c.first;
   certificate.has_distance = false;
   return refuted(c, certificate, {FindingKind::bad_witness});
@@ -63,7 +64,7 @@ std::optional<Broken> break_distance(const LawCase& c) {
   if (c.first.status != Status::answered || !c.first.has_distance) return {};
   MethodAnswer distance = c.first;
   distance.verdict = Verdict::undecided;
-  distance.witness = WitnessKind::none;
+  distance.witness = CertificateKind::none;
   return refuted(c, distance, {FindingKind::distance_outside});
 }
 
@@ -90,7 +91,7 @@ std::vector<Asked> from_another_thread(const Method&, const Pair& pair, const Me
     for (const double x : {c->center.x(), c->axis.x(), c->radius, c->height})
       digits = (digits ^ std::bit_cast<std::uint64_t>(x)) * 0x9e3779b97f4a7c15;
   if ((digits >> 32) % thread_share != 0) return {};
-  return {{pair, Way::other_thread}};
+  return {{pair, CallMode::other_thread}};
 }
 
 /// A method that is not asked any more after many hangs declines: only that says nothing.
@@ -104,7 +105,7 @@ std::optional<Broken> break_sameness(const LawCase& c) {
 }
 
 std::vector<Asked> in_other_ways(const Method&, const Pair& pair, const MethodAnswer&) {
-  return {{pair, Way::prepared}, {pair, Way::batch}};
+  return {{pair, CallMode::prepared}, {pair, CallMode::batch}};
 }
 
 std::optional<Broken> break_other_ways(const LawCase& c) {
@@ -113,7 +114,7 @@ std::optional<Broken> break_other_ways(const LawCase& c) {
     if (second.status != Status::answered || second.verdict == c.first.verdict) continue;
     if (says_meet(second) && says_meet(c.first)) continue;
     return Broken{fmt::format("asked singly {}, {} {}", to_string(c.first.verdict),
-                              c.asked[i].way == Way::batch ? "in a batch" : "prepared",
+                              c.asked[i].mode == CallMode::batch ? "in a batch" : "prepared",
                               to_string(second.verdict))};
   }
   return {};
@@ -141,7 +142,7 @@ std::optional<Broken> break_resolution(const LawCase& c) {
       c.first.verdict != Verdict::undecided)
     return {};
   if (!is_in_range(c.pair)) return {};
-  Proved& proved = c.proofs.of(c.pair);
+  Trial& proved = c.proofs.of(c.pair);
   const Verdict truth = proved.truth.verdict;
   if (truth == Verdict::undecided || truth == Verdict::invalid) return {};
   if (promised == Decides::all)
@@ -151,7 +152,7 @@ std::optional<Broken> break_resolution(const LawCase& c) {
   if (truth == Verdict::intersecting && !has_room(c.pair, resolved_tol * extent)) return {};
   const bool parallel = prepare(c.pair.a).unit_axis == prepare(c.pair.b).unit_axis;
   const double least = (parallel && truth == Verdict::disjoint ? parallel_tol : resolved_tol) * extent;
-  const double magnitude = magnitude_against(least, proved.truth, proved.distance).lo;
+  const double magnitude = magnitude_against(least, proved).lo;
   if (magnitude < least) return {};
   return Broken{fmt::format("undecided, and {} by {:.3g}", to_string(truth), magnitude)};
 }
@@ -161,7 +162,7 @@ constexpr double along_error = 16 * 0x1p-53;
 
 std::optional<Broken> break_orientation(const LawCase& c) {
   if (!c.method.claim().from_a_to_b || c.first.status != Status::answered ||
-      c.first.witness != WitnessKind::direction)
+      c.first.witness != CertificateKind::direction)
     return {};
   // In halves, since the centres may be far apart.
   const Vector3 delta = c.pair.b.center / 2 - c.pair.a.center / 2;

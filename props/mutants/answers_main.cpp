@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "corpus/pairs/families.hpp"
+#include "corpus/pairs/truth_io.hpp"
 #include "oracles/trial/compare.hpp"
 #include "solver/intersect_batch.hpp"
 

@@ -23,8 +23,6 @@ using json = nlohmann::ordered_json;
 /// 16 hexadecimal digits: not every reader of JSON keeps 64 bits of a number.
 std::string hex(std::uint64_t digest) { return fmt::format("{:016x}", digest); }
 
-json pair(const Pair& p) { return {{"a", cylinder_json(p.a)}, {"b", cylinder_json(p.b)}}; }
-
 json counts(const AnswerCounts& c) {
   json said;
   for (const Verdict v : enum_values<Verdict>) said[to_string(v)] = c.said[static_cast<std::size_t>(v)];
@@ -63,8 +61,8 @@ json failure(const GateFailure& f) {
           {"severity", to_string(f.severity)},
           {"phase", to_string(f.phase)},
           {"origin", f.origin},
-          {"found", pair(f.found)},
-          {"simplest", pair(f.simplest)},
+          {"found", pair_json(f.found)},
+          {"simplest", pair_json(f.simplest)},
           {"bucket", f.bucket},
           {"count", f.count},
           {"reruns", f.reruns},

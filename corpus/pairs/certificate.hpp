@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: MIT
+// What is proved of a pair, as plain data: the verdict, its certificate, the distance. The referee makes
+// them.
+#pragma once
+
+#include <array>
+#include <string>
+
+#include "base/enum_words.hpp"
+#include "solver/cylinder.hpp"
+
+namespace cyl {
+
+/// What kind of vector proves a verdict, or is offered as a witness of it.
+enum class CertificateKind : unsigned char { none, direction, point, near };
+constexpr auto words_of(CertificateKind) noexcept { return std::array{"none", "direction", "point", "near"}; }
+
+/// One vector of a certificate, exactly head + tail, or, where `exact` is not empty, the rationals written
+/// there as "n/d" (or "n").
+struct ExactVector {
+  std::array<double, 3> head{0, 0, 0};
+  std::array<double, 3> tail{0, 0, 0};
+  std::array<std::string, 3> exact;
+  bool in_doubles() const { return exact[0].empty() && exact[1].empty() && exact[2].empty(); }
+};
+
+/// direction: D with f(D) < 0. point: in both solids. near: `vector` a point within 2^-200 size of both
+/// solids, `second` a direction with |f| <= 2^-200 size |direction| (touching without a rational point).
+struct Certificate {
+  CertificateKind kind = CertificateKind::none;
+  ExactVector vector;
+  ExactVector second;
+};
+
+/// The arithmetic that settled a question.
+enum class Stage : unsigned char {
+  filter,  ///< double, or long double, with outward rounding
+  wide,    ///< multiprecision: MPFI
+  exact    ///< rationals
+};
+constexpr auto words_of(Stage) noexcept { return std::array{"filter", "wide", "exact"}; }
+
+struct Truth {
+  Verdict verdict = Verdict::undecided;  ///< disjoint, intersecting, touching, undecided or invalid
+  Certificate certificate;
+  Stage stage = Stage::filter;
+  int bits = 53;           ///< the widest precision that was used
+  bool witnessed = false;  ///< settled by a witness that an answer offered
+};
+
+/// A closed interval [lo, hi] that certainly holds the signed distance: > 0 the gap, < 0 minus the
+/// penetration depth; in the scene's unit (a Finding's margin: relative to the size).
+struct Enclosure {
+  double lo = 0, hi = 0;
+};
+
+}  // namespace cyl

@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: MIT
+#include "corpus/pairs/truth_io.hpp"
+
+#include <cmath>
+#include <cstddef>
+
+#include "corpus/pairs/pair_io.hpp"
+
+namespace cyl {
+namespace {
+
+/// JSON has no numbers that are not finite: they become strings.
+std::string number(double x) { return std::isfinite(x) ? format_double(x) : '"' + format_double(x) + '"'; }
+
+void append(std::string& s, const ExactVector& v) {
+  for (std::size_t i = 0; i < 3; ++i) {
+    s += i == 0 ? '[' : ',';
+    if (!v.exact[i].empty()) {
+      s.append("\"").append(v.exact[i]).append("\"");
+    } else if (v.tail[i] != 0) {
+      s.append("[").append(number(v.head[i])).append(",").append(number(v.tail[i])).append("]");
+    } else {
+      s += number(v.head[i]);
+    }
+  }
+  s += ']';
+}
+
+/// The members of the certificate's object, without braces, each after a comma; nothing where there is none.
+void append(std::string& s, const Certificate& c) {
+  if (c.kind == CertificateKind::none) return;
+  s.append(",\"").append(to_string(c.kind)).append("\":");
+  if (c.kind == CertificateKind::near) s += "{\"point\":";
+  append(s, c.vector);
+  if (c.kind != CertificateKind::near) return;
+  s += ",\"direction\":";
+  append(s, c.second);
+  s += '}';
+}
+
+std::string verdict_member(Verdict verdict) {
+  return std::string("{\"verdict\":\"") + to_string(verdict) + '"';
+}
+
+}  // namespace
+
+std::string format_certificate(const Certificate& c) {
+  std::string s;
+  append(s, c);
+  return '{' + (s.empty() ? s : s.substr(1)) + '}';
+}
+
+std::string format_truth(const Truth& truth, const Enclosure* distance) {
+  std::string s = verdict_member(truth.verdict);
+  append(s, truth.certificate);
+  if (distance)
+    s.append(",\"distance\":[")
+        .append(format_double(distance->lo))
+        .append(",")
+        .append(format_double(distance->hi))
+        .append("]");
+  if (truth.verdict == Verdict::undecided) s.append(",\"bits\":").append(std::to_string(truth.bits));
+  if (truth.verdict != Verdict::invalid)
+    s.append(",\"stage\":\"").append(to_string(truth.stage)).append("\"");
+  return s += '}';
+}
+
+std::string format_method_answer(const MethodAnswer& answer) {
+  if (answer.status == Status::declined) return "{\"declined\":" + quote_json(answer.reason) + '}';
+  if (answer.status == Status::failed) {
+    const Failure failure = answer.failure == Failure::none ? Failure::crash : answer.failure;
+    return std::string("{\"failed\":\"") + to_string(failure) + "\",\"reason\":" + quote_json(answer.reason) +
+           '}';
+  }
+  std::string s = verdict_member(answer.verdict);
+  if (answer.has_distance) s.append(",\"distance\":").append(number(answer.distance));
+  append(s, answer.certificate());
+  return s += '}';
+}
+
+nlohmann::ordered_json truth_to_json(const Truth& truth, const Enclosure* distance) {
+  return parse_ordered_json(format_truth(truth, distance));
+}
+
+nlohmann::ordered_json answer_to_json(const MethodAnswer& answer) {
+  return parse_ordered_json(format_method_answer(answer));
+}
+
+}  // namespace cyl
