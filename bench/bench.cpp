@@ -8,8 +8,9 @@
 #include <optional>
 #include <utility>
 
+#include "base/statistics.hpp"
 #include "bench/bench_call.hpp"
-#include "oracles/trial/compare.hpp"
+#include "oracles/trial/trial.hpp"
 #include "solver/intersect_batch.hpp"
 
 namespace cyl {
@@ -20,16 +21,15 @@ namespace {
 constexpr double enclosure_width = 1e-15;
 
 /// A pair and what the referee proved of it.
-struct JudgedPair {
-  Pair pair;
-  Truth truth;
-  std::optional<Enclosure> distance;  ///< filled when first asked for
+struct JudgedPair : Trial {
+  using Trial::Trial;
+  std::optional<Enclosure> narrow{};  ///< filled when first asked for
 };
 
 JudgedPair prove(const Pair& pair) {
   static const auto solver = certifying_method();
   const MethodAnswer offered[] = {solver->ask(pair)};
-  return {pair, judge(pair, offered), {}};
+  return JudgedPair(pair, offered);
 }
 
 JudgedPair prove(const Family& family, std::uint64_t seed, std::size_t index) {
@@ -37,8 +37,8 @@ JudgedPair prove(const Family& family, std::uint64_t seed, std::size_t index) {
 }
 
 const Enclosure& distance_of(JudgedPair& p) {
-  if (!p.distance) p.distance = enclose_distance(p.pair, p.truth, enclosure_width);
-  return *p.distance;
+  if (!p.narrow) p.narrow = enclose_distance(p.pair, p.truth, enclosure_width);
+  return *p.narrow;
 }
 
 void count_faults(JudgedPair& proved, MethodAnswer answer, const Claim& claim, BenchRow& row) {
@@ -55,8 +55,7 @@ void count_faults(JudgedPair& proved, MethodAnswer answer, const Claim& claim, B
     row.max_error_at_most = std::fmax(row.max_error_at_most, std::max(real.hi - said, said - real.lo) / size);
   }
   answer.has_distance = false;
-  LazyDistance lazy([&](double width) { return enclose_distance(proved.pair, proved.truth, width); });
-  const std::optional<Finding> finding = compare(proved.pair, proved.truth, lazy, claim, answer);
+  const std::optional<Finding> finding = compare(proved, claim, answer);
   if (!finding) return;
   if (finding->kind == FindingKind::wrong_invalid) ++row.undecided;
   const bool disjoint = finding->kind == FindingKind::wrong_disjoint;

@@ -6,8 +6,9 @@
 #include "base/usage_error.hpp"
 #include "cli/options.hpp"
 #include "cli/targets.hpp"
+#include "corpus/pairs/truth_io.hpp"
 #include "oracles/trial/mechanism.hpp"
-#include "oracles/trial/probe.hpp"
+#include "oracles/trial/trial.hpp"
 #include "reports/export/export.hpp"
 
 namespace cyl {
@@ -36,11 +37,11 @@ OneFailure failure_of(const FailureOptions& options, std::span<const std::unique
   if (name.empty()) throw UsageError("which method? Give --method NAME");
   const std::string word = !options.kind.empty() ? options.kind : stored ? target.finding->kind : "";
   if (!word.empty()) return {name, kind_of_word(word), target.pair};
-  const Probe now = probe_one(find_method(methods, name), target.pair);
-  if (!now.finding)
+  const Trial now = try_method(find_method(methods, name), target.pair);
+  if (!now.finding())
     throw UsageError(fmt::format("{} is not wrong on {}: it says {}, and they are {}", name, target.label,
-                                 format_method_answer(now.answer), distance_in_words(now)));
-  return {name, now.finding->kind, target.pair};
+                                 format_method_answer(now.answer()), distance_in_words(now)));
+  return {name, now.finding()->kind, target.pair};
 }
 
 void export_failure(const Company& company, const OneFailure& failure, const std::string& folder) {

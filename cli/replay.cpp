@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include "oracles/trial/replay.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -15,8 +13,10 @@
 #include "cli/options.hpp"
 #include "cli/targets.hpp"
 #include "corpus/pairs/pair_io.hpp"
+#include "corpus/pairs/truth_io.hpp"
 #include "corpus/store/run_store.hpp"
 #include "oracles/trial/finding_text.hpp"
+#include "oracles/trial/trial.hpp"
 #include "props/laws/examine.hpp"
 
 namespace cyl {
@@ -39,9 +39,9 @@ std::string describe(const Finding& finding) {
   return text + ")";
 }
 
-/// What happened to a stored finding: "stands", or why not.
-std::string fate(const FindingRecord& stored, std::span<const std::unique_ptr<Method>> methods,
-                 const Replayed& now) {
+/// What became of a stored finding: "stands", or why not.
+std::string outcome(const FindingRecord& stored, std::span<const std::unique_ptr<Method>> methods,
+                    const Trial& now) {
   for (std::size_t m = 0; m < methods.size(); ++m) {
     if (methods[m]->name() != stored.method) continue;
     if (!now.findings[m]) {
@@ -81,7 +81,7 @@ class Replayer {
       const std::size_t count = std::min(together_cap, targets_.size() - first);
       std::vector<Pair> pairs;
       for (std::size_t i = 0; i < count; ++i) pairs.push_back(targets_[first + i].pair);
-      const std::vector<Replayed> now = replay(methods_, pairs);
+      const std::vector<Trial> now = try_methods(methods_, pairs, Caps{}, 2);
       const Wanted wanted = [&](std::size_t, const Law& law) {
         return std::find(laws_.begin(), laws_.end(), law.number) != laws_.end();
       };
@@ -104,12 +104,11 @@ class Replayer {
   }
 
  private:
-  void print(const Target& target, const Replayed& now) {
-    const bool decided = now.truth.verdict != Verdict::undecided && now.truth.verdict != Verdict::invalid;
+  void print(const Target& target, const Trial& now) {
     fmt::print("{}\n  {}\n", target.label, format_pair(target.pair));
     fmt::print("  truth: {}. {}\n", to_string(now.truth.verdict),
                describe_truth(format_truth(now.truth)).certificate);
-    if (decided)
+    if (now.decided())
       fmt::print("  distance: {} to {}\n", format_double(now.distance.lo), format_double(now.distance.hi));
     for (std::size_t m = 0; m < methods_.size(); ++m) {
       const bool wrong = now.findings[m].has_value();
@@ -117,7 +116,7 @@ class Replayer {
                  wrong ? "  <- " + describe(*now.findings[m]) : "");
     }
     if (target.finding) {
-      const std::string what = fate(*target.finding, methods_, now);
+      const std::string what = outcome(*target.finding, methods_, now);
       fmt::print("  finding of {}, {} ({}): {}\n", target.finding->method, target.finding->kind,
                  target.finding->severity, what);
     }
@@ -133,9 +132,9 @@ class Replayer {
   }
 
   /// Of a stored finding only its own method counts; of a case, any.
-  bool stands_by_contract(const Target& target, const Replayed& now) const {
+  bool stands_by_contract(const Target& target, const Trial& now) const {
     if (target.finding && target.finding->method == "corpus")
-      return fate(*target.finding, methods_, now).starts_with("stands");
+      return outcome(*target.finding, methods_, now).starts_with("stands");
     for (std::size_t m = 0; m < methods_.size(); ++m) {
       if (target.finding && target.finding->method != methods_[m]->name()) continue;
       if (now.findings[m] && now.findings[m]->severity == Severity::contract) return true;

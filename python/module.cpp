@@ -17,8 +17,10 @@
 
 #include "corpus/pairs/families.hpp"
 #include "corpus/pairs/pair_io.hpp"
+#include "corpus/pairs/pair_numbers.hpp"
+#include "corpus/pairs/truth_io.hpp"
 #include "oracles/referee/decide_exactly.hpp"
-#include "oracles/trial/compare.hpp"
+#include "oracles/trial/trial.hpp"
 #include "solver/distance.hpp"
 #include "solver/intersect_batch.hpp"
 
@@ -31,17 +33,9 @@ using Doubles = py::array_t<double, py::array::c_style>;
 
 constexpr py::ssize_t solid_numbers = 8;
 
-Cylinder solid_at(const double* x) { return {{x[0], x[1], x[2]}, {x[3], x[4], x[5]}, x[6], x[7]}; }
-
 Doubles array_of(const Cylinder& c) {
   Doubles array(solid_numbers);
-  double* x = array.mutable_data();
-  for (py::ssize_t i = 0; i < 3; ++i) {
-    x[i] = c.center[i];
-    x[3 + i] = c.axis[i];
-  }
-  x[6] = c.radius;
-  x[7] = c.height;
+  std::ranges::copy(numbers_of(c), array.mutable_data());
   return array;
 }
 
@@ -80,8 +74,8 @@ class Pairs {
     a_step_ = one_a ? 0 : solid_numbers;
     b_step_ = one_b ? 0 : solid_numbers;
   }
-  Cylinder a(py::ssize_t i) const { return solid_at(a_data_ + i * a_step_); }
-  Cylinder b(py::ssize_t i) const { return solid_at(b_data_ + i * b_step_); }
+  Cylinder a(py::ssize_t i) const { return cylinder_of(a_data_ + i * a_step_); }
+  Cylinder b(py::ssize_t i) const { return cylinder_of(b_data_ + i * b_step_); }
   bool single() const { return shape_.empty(); }
   /// An array of a number a pair, or of `width` numbers a pair.
   template <class Number>
@@ -267,13 +261,12 @@ py::list campaign(const py::function& callable, std::uint64_t pairs, std::uint64
     const Pair pair = family.generate(seed, index);
     const Doubles a = array_of(pair.a), b = array_of(pair.b);
     const MethodAnswer answer = ask(callable, a, b);
-    Truth truth;
+    Trial trial;
     std::optional<Finding> finding;
     {
       const py::gil_scoped_release unlocked;
-      truth = judge(pair);
-      LazyDistance distance([&](double width) { return enclose_distance(pair, truth, width); });
-      finding = compare(pair, truth, distance, claim, answer);
+      trial = Trial(pair);
+      finding = compare(trial, claim, answer);
     }
     if (!finding) continue;
     py::dict entry;
@@ -287,7 +280,7 @@ py::list campaign(const py::function& callable, std::uint64_t pairs, std::uint64
     entry["a"] = array_of(pair.a);
     entry["b"] = array_of(pair.b);
     entry["said"] = parse(format_method_answer(answer));
-    entry["truth"] = parse(format_truth(truth));
+    entry["truth"] = parse(format_truth(trial.truth));
     findings.append(entry);
   }
   return findings;

@@ -7,10 +7,11 @@
 #include <map>
 
 #include "base/json.hpp"
+#include "base/statistics.hpp"
 #include "corpus/pairs/pair_io.hpp"
 #include "corpus/pairs/strata.hpp"
 #include "oracles/trial/mechanism.hpp"
-#include "oracles/trial/probe.hpp"
+#include "oracles/trial/trial.hpp"
 
 namespace cyl {
 namespace {
@@ -37,14 +38,10 @@ Verdict wrong_verdict(FindingKind kind) {
   }
 }
 
-double quantile(const std::vector<double>& sorted, double share) {
-  const auto rank = static_cast<std::size_t>(std::ceil(share * static_cast<double>(sorted.size())));
-  return sorted[std::clamp<std::size_t>(rank, 1, sorted.size()) - 1];
-}
-
-/// Of a pair whose truth is known, and its distance to some width.
-double movement(Probe& p) {
-  narrow_distance(p);
+/// Returns how far, relative to the size, a solid must move until the verdict turns; a verdict is proved.
+double movement(Trial& p) {
+  p.distance_at(1e-6);
+  p.narrow_distance();
   const double moved = std::max(std::abs(p.distance.lo), std::abs(p.distance.hi)) / size_of(p.pair);
   return std::min(moved, std::numeric_limits<double>::max());
 }
@@ -52,14 +49,11 @@ double movement(Probe& p) {
 }  // namespace
 
 std::optional<double> backward_error(const Pair& pair, Verdict wrong) {
-  Probe p;
-  p.pair = pair;
-  p.truth = judge(pair);
+  Trial p(pair);
   if (!p.decided()) return {};
   const bool right = wrong == p.truth.verdict || (wrong == Verdict::intersecting && meets(p.truth.verdict));
   if (right) return {};
   if (p.truth.verdict == Verdict::touching) return 0;
-  p.distance = enclose_distance(pair, p.truth, 1e-6);
   return movement(p);
 }
 
@@ -79,17 +73,12 @@ std::vector<WrongVerdict> wrong_verdicts(const std::vector<FindingRecord>& findi
 }
 
 std::vector<WrongVerdict> wrong_verdicts(std::span<const std::unique_ptr<Method>> methods) {
-  std::vector<Pair> pairs;
-  for (std::size_t f = 0; f < contact_feature_count; ++f)
-    for (int decade = first_decade; decade <= last_decade; ++decade)
-      for (std::uint64_t i = 0; i < pairs_per_stratum; ++i)
-        if (const auto pair = draw_in_stratum(static_cast<ContactFeature>(f), decade, sample_seed, i))
-          pairs.push_back(*pair);
+  const std::vector<Pair> pairs = draw_in_all_strata(pairs_per_stratum, sample_seed);
   std::vector<WrongVerdict> all;
   for (const auto& method : methods) {
-    for (const Probe& p : probe(method, pairs)) {
-      if (!p.finding || wrong_verdict(p.finding->kind) == Verdict::undecided) continue;
-      if (const auto backward = backward_error(p.pair, wrong_verdict(p.finding->kind)))
+    for (const Trial& p : try_method(method, pairs)) {
+      if (!p.finding() || wrong_verdict(p.finding()->kind) == Verdict::undecided) continue;
+      if (const auto backward = backward_error(p.pair, wrong_verdict(p.finding()->kind)))
         all.push_back({std::string(method->name()), *backward});
     }
   }
@@ -107,7 +96,7 @@ std::vector<BackwardError> backward_errors(std::span<const WrongVerdict> wrong) 
   std::vector<BackwardError> errors;
   for (auto& [method, moves] : by_method) {
     std::sort(moves.begin(), moves.end());
-    errors.push_back({method, moves.size(), quantile(moves, 0.5), quantile(moves, 0.99), moves.back()});
+    errors.push_back({method, moves.size(), least_above(moves, 0.5), least_above(moves, 0.99), moves.back()});
   }
   return errors;
 }

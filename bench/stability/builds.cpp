@@ -8,6 +8,7 @@
 
 #include "base/json.hpp"
 #include "corpus/pairs/families.hpp"
+#include "corpus/pairs/scaled_pair.hpp"
 #include "corpus/pairs/strata.hpp"
 #include "oracles/trial/compare.hpp"
 
@@ -20,15 +21,6 @@ constexpr std::uint64_t seed = 1;
 /// So few that the slowest build, not optimised, is asked all within minutes.
 constexpr std::uint64_t pairs_per_family = 30, pairs_per_stratum = 3, scaled_pairs_per_stratum = 1;
 constexpr int tiny_exponents[] = {-500, -1010, -1060};
-
-Pair scaled(Pair pair, int exponent) {
-  for (Cylinder* c : {&pair.a, &pair.b}) {
-    for (double& x : c->center) x = std::ldexp(x, exponent);
-    c->radius = std::ldexp(c->radius, exponent);
-    c->height = std::ldexp(c->height, exponent);
-  }
-  return pair;
-}
 
 bool said_same(const MethodAnswer& x, const MethodAnswer& y) {
   return x.status == y.status && (x.status != Status::answered || x.verdict == y.verdict);
@@ -46,11 +38,7 @@ std::vector<Pair> build_pairs() {
   for (const Family& family : families())
     for (std::uint64_t i = 0; i < pairs_per_family; ++i) pairs.push_back(family.generate(seed, i));
   const auto add_strata = [&](std::uint64_t count, int exponent) {
-    for (std::size_t f = 0; f < contact_feature_count; ++f)
-      for (int decade = first_decade; decade <= last_decade; ++decade)
-        for (std::uint64_t i = 0; i < count; ++i)
-          if (const auto pair = draw_in_stratum(static_cast<ContactFeature>(f), decade, seed, i))
-            pairs.push_back(scaled(*pair, exponent));
+    for (const Pair& pair : draw_in_all_strata(count, seed)) pairs.push_back(scaled(pair, exponent));
   };
   add_strata(pairs_per_stratum, 0);
   for (const int exponent : tiny_exponents) add_strata(scaled_pairs_per_stratum, exponent);
@@ -59,11 +47,11 @@ std::vector<Pair> build_pairs() {
 
 bool BuildComparison::is_wrong_beyond_claim(std::size_t i, const Method& method, const MethodAnswer& answer) {
   Proofs& proofs = proofs_.try_emplace(i, pairs_[i], std::span<const MethodAnswer>()).first->second;
-  Proved& proved = proofs.of(pairs_[i]);
+  Trial& proved = proofs.of(pairs_[i]);
   MethodAnswer verdict = answer;  // alone: that is what changed
   verdict.has_distance = false;
-  verdict.witness = WitnessKind::none;
-  const auto finding = cyl::compare(pairs_[i], proved.truth, proved.distance, method.claim(), verdict);
+  verdict.witness = CertificateKind::none;
+  const auto finding = cyl::compare(proved, method.claim(), verdict);
   return finding && finding->severity == Severity::contract;
 }
 

@@ -15,7 +15,7 @@
 #include <vector>
 
 #include "oracles/methods/method.hpp"
-#include "oracles/trial/proofs.hpp"
+#include "oracles/trial/trial.hpp"
 
 namespace cyl {
 

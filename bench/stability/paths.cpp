@@ -14,7 +14,7 @@
 #include "corpus/pairs/random_stream.hpp"
 #include "oracles/methods/contained.hpp"
 #include "oracles/referee/referee.hpp"
-#include "oracles/trial/probe.hpp"
+#include "oracles/trial/trial.hpp"
 
 namespace cyl {
 namespace {
@@ -160,7 +160,7 @@ bool says_distance(const MethodAnswer& a) {
 }
 
 std::optional<Vector3> direction_of(const MethodAnswer& a) {
-  if (a.status != Status::answered || a.witness != WitnessKind::direction) return {};
+  if (a.status != Status::answered || a.witness != CertificateKind::direction) return {};
   const Vector3 d(a.head[0] + a.tail[0], a.head[1] + a.tail[1], a.head[2] + a.tail[2]);
   const double length = d.stableNorm();
   if (!(length > 0) || !std::isfinite(length)) return {};

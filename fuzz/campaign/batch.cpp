@@ -12,11 +12,12 @@
 #include <vector>
 
 #include "corpus/pairs/random_stream.hpp"
+#include "corpus/pairs/truth_io.hpp"
 #include "corpus/store/representatives.hpp"
 #include "oracles/methods/contained.hpp"
 #include "oracles/referee/referee.hpp"
 #include "oracles/trial/cells.hpp"
-#include "oracles/trial/compare.hpp"
+#include "oracles/trial/trial.hpp"
 
 namespace cyl {
 namespace {
@@ -76,7 +77,7 @@ class Batch {
     for (std::size_t p = 0; p < pairs_.size(); ++p) {
       if (!in_dispute(p)) continue;
       // What the costly ones said may prove what nobody could prove before.
-      if (truths_[p].verdict == Verdict::undecided) judge_once(p);
+      if (trials_[p].truth.verdict == Verdict::undecided) judge_once(p);
       compare_all(p);
     }
     repeat_own_methods();
@@ -139,7 +140,9 @@ class Batch {
     answers_.assign(pairs_.size() * methods(), {});
     asked_.assign(pairs_.size() * methods(), false);
     wrong_.assign(pairs_.size() * methods(), {});
-    truths_.resize(pairs_.size());
+    trials_.clear();
+    for (const Pair& pair : pairs_) trials_.emplace_back(pair, Truth{});
+    certified_.reset();
     judging_.assign(pairs_.size(), 0);
   }
 
@@ -172,7 +175,7 @@ class Batch {
     if (questions.empty()) return;
     const std::vector<ContainedAnswer> said = ask_contained(subjects_.methods, pairs_, questions);
     for (std::size_t q = 0; q < questions.size(); ++q) {
-      const auto [m, p, way] = questions[q];
+      const auto [m, p, mode] = questions[q];
       answers_[at(m, p)] = said[q].answer;
       asked_[at(m, p)] = true;
       counts(m, place_of(index_of(p)).family).nanoseconds += static_cast<std::uint64_t>(said[q].nanoseconds);
@@ -182,21 +185,20 @@ class Batch {
   /// Adds to the time of the pair, which count_all() gives to the row of the stage that had the last word.
   void judge_once(std::size_t p) {
     const auto start = Clock::now();
-    truths_[p] = judge_verdict(pairs_[p], answers_of(p));
+    trials_[p].truth = judge_verdict(pairs_[p], answers_of(p));
     judging_[p] += nanoseconds_since(start);
   }
 
   void compare_all(std::size_t p) {
-    LazyDistance distance([&](double width) { return enclose_distance(pairs_[p], truths_[p], width); });
+    trials_[p].forget_distance();
     for (std::size_t m = 0; m < methods(); ++m) {
       if (!asked(m, p)) continue;
-      wrong_[at(m, p)] =
-          compare(pairs_[p], truths_[p], distance, subjects_.methods[m]->claim(), answers_of(p)[m]);
+      wrong_[at(m, p)] = compare(trials_[p], subjects_.methods[m]->claim(), answers_of(p)[m]);
     }
   }
 
   bool in_dispute(std::size_t p) const {
-    if (truths_[p].verdict == Verdict::undecided) return true;
+    if (trials_[p].truth.verdict == Verdict::undecided) return true;
     for (std::size_t m = 0; m < methods(); ++m) {
       const auto& wrong = wrong_[at(m, p)];
       if (wrong && wrong->severity == Severity::contract && is_wrong_verdict(wrong->kind)) return true;
@@ -212,9 +214,9 @@ class Batch {
     MethodAnswer answer;
     answer.status = Status::answered;
     answer.verdict = *stated;
-    LazyDistance distance([&](double width) { return enclose_distance(pairs_[p], truths_[p], width); });
+    trials_[p].forget_distance();
     count_answer(counts(corpus_row_index(), 0), answer);
-    if (const auto wrong = compare(pairs_[p], truths_[p], distance, Claim{}, answer)) {
+    if (const auto wrong = compare(trials_[p], Claim{}, answer)) {
       note(p, corpus_row_index(), *wrong);
     }
   }
@@ -227,19 +229,19 @@ class Batch {
       if (wrong_[at(m, p)]) note(p, m, *wrong_[at(m, p)]);
     }
     if (family == 0) compare_statement(p);
-    for (const std::size_t row : {referee_row_index(), stage_row_index(truths_[p].stage)}) {
+    for (const std::size_t row : {referee_row_index(), stage_row_index(trials_[p].truth.stage)}) {
       ++counts(row, family).asked;
       counts(row, family).nanoseconds += judging_[p];
     }
-    if (truths_[p].verdict == Verdict::undecided) {
+    if (trials_[p].truth.verdict == Verdict::undecided) {
       ++counts(referee_row_index(), family).undecided;
       note(p, referee_row_index(), {FindingKind::undecided_truth, Severity::unresolved, {}});
     }
   }
 
   void count_cells(std::size_t p) {
-    const Verdict truth = truths_[p].verdict;
-    if (truth == Verdict::undecided || truth == Verdict::invalid) return;
+    const Verdict truth = trials_[p].truth.verdict;
+    if (!trials_[p].decided()) return;
     if (!every_cell_ && RandomStream("cells", seed_, index_of(p)).below(own_cell_share) != 0) return;
     const auto cells = cells_of(pairs_[p], truth);
     for (std::size_t plane = 0; plane < planes.size(); ++plane) {
@@ -290,7 +292,8 @@ class Batch {
     if (!kept_.admit(record)) return;
     record.pair = case_line(p, place);
     record.answers = answers_text(p);
-    const Truth truth = judge(pairs_[p], answers_of(p));  // with its certificate
+    if (!certified_ || certified_->first != p) certified_.emplace(p, judge(pairs_[p], answers_of(p)));
+    const Truth& truth = certified_->second;
     record.truth = format_truth(truth);
     record.stage = to_string(truth.stage);
     if (row < methods() && is_failure(finding.kind)) record.reason = answers_of(p)[row].reason;
@@ -303,7 +306,7 @@ class Batch {
     line.pair = pairs_[p];
     line.id = fmt::format("{}/{}", family_name(place.family), place.index);
     line.source = fmt::format("daylight campaign --seed {}, index {}", seed_, index_of(p));
-    if (truths_[p].verdict != Verdict::undecided) line.truth = truths_[p].verdict;
+    if (trials_[p].truth.verdict != Verdict::undecided) line.truth = trials_[p].truth.verdict;
     return format_case(line);
   }
 
@@ -332,8 +335,9 @@ class Batch {
   std::vector<MethodAnswer> answers_;
   std::vector<bool> asked_;
   std::vector<std::optional<Finding>> wrong_;
-  std::vector<Truth> truths_;
-  std::vector<std::uint64_t> judging_;  ///< nanoseconds
+  std::vector<Trial> trials_;                               ///< whose answers and findings are those above
+  std::optional<std::pair<std::size_t, Truth>> certified_;  ///< the pair that was last judged so
+  std::vector<std::uint64_t> judging_;                      ///< nanoseconds
 
   // Of the batch. Counts: a row for each method, the corpus and the referee; a column for each family.
   std::vector<Counts> counts_;

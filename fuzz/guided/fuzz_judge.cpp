@@ -7,7 +7,7 @@
 namespace cyl {
 namespace {
 
-/// As the shares of brief.hpp: a witness that is not the truth's own, looked at in the referee's widest
+/// As the shares of fuzz_judge.hpp: a witness that is not the truth's own, looked at in the referee's widest
 /// arithmetic where double does not prove it. 0.1 ms.
 constexpr std::size_t witness_share = 16;
 
@@ -17,39 +17,36 @@ std::string_view text(const Record& record) {
 
 }  // namespace
 
-Brief::Brief(const Record& record, std::span<const MethodAnswer> offered, bool must, Ledger& ledger,
-             const Distance* measured)
-    : pair_(decode_record(record)),
-      draws_(text(record), 0, 0),
-      ledger_(ledger),
-      truth_(judge(pair_, offered, filter_bits_cap)),
-      enclosed_([this](double width) { return enclose_distance(pair_, truth_, width); }) {
+FuzzJudge::FuzzJudge(const Record& record, std::span<const MethodAnswer> offered, bool must,
+                     FindingSink& sink, const Distance* measured)
+    : trial_(decode_record(record), Truth{}), draws_(text(record), 0, 0), sink_(sink) {
+  trial_.truth = judge(trial_.pair, offered, filter_bits_cap);
   ++visited().executions;
-  if (truth_.verdict == Verdict::invalid) return;
-  if (truth_.verdict == Verdict::undecided && (drawn(wide_share) || must))
-    truth_ = judge(pair_, offered, wide_bits_cap);
-  measured_ = measured ? *measured : distance(pair_.a, pair_.b);
-  const Stratum stratum = count_geometry(pair_, measured_);
-  count_stage(truth_);
-  if (truth_.verdict == Verdict::undecided) ledger_.add_undecided(pair_, stratum);
+  if (trial_.truth.verdict == Verdict::invalid) return;
+  if (trial_.truth.verdict == Verdict::undecided && (drawn(wide_share) || must))
+    trial_.truth = judge(trial_.pair, offered, wide_bits_cap);
+  measured_ = measured ? *measured : distance(trial_.pair.a, trial_.pair.b);
+  const Stratum stratum = count_geometry(trial_.pair, measured_);
+  count_stage(trial_.truth);
+  if (trial_.truth.verdict == Verdict::undecided) sink_.add_undecided(trial_.pair, stratum);
   enclose_ = drawn(enclosed_share);
 }
 
-void Brief::hold(const Method& method, MethodAnswer answer) {
+void FuzzJudge::record(const Method& method, MethodAnswer answer) {
   if (answer.status == Status::answered &&
-      (answer.verdict == Verdict::invalid) != (truth_.verdict == Verdict::invalid)) {
-    ledger_.add_finding(pair_, method.name(), "wrong_invalid", "the referee disagrees about `invalid`");
+      (answer.verdict == Verdict::invalid) != (trial_.truth.verdict == Verdict::invalid)) {
+    sink_.add_finding(trial_.pair, method.name(), "wrong_invalid", "the referee disagrees about `invalid`");
     return;
   }
-  if (truth_.verdict == Verdict::invalid) return;
+  if (trial_.truth.verdict == Verdict::invalid) return;
   if (!enclose_) {
     answer.has_distance = false;
-    if (std::fabs(measured_.value) < reach(method.claim(), size_of(pair_))) return;
+    if (std::fabs(measured_.value) < reach(method.claim(), size_of(trial_.pair))) return;
   }
-  if (!drawn(witness_share)) answer.witness = WitnessKind::none;
-  const auto finding = compare(pair_, truth_, enclosed_, method.claim(), answer);
+  if (!drawn(witness_share)) answer.witness = CertificateKind::none;
+  const auto finding = compare(trial_, method.claim(), answer);
   if (finding && finding->severity == Severity::contract)
-    ledger_.add_finding(pair_, method.name(), to_string(finding->kind), "beyond its claim");
+    sink_.add_finding(trial_.pair, method.name(), to_string(finding->kind), "beyond its claim");
 }
 
 }  // namespace cyl

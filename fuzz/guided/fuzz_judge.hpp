@@ -12,7 +12,7 @@
 #include "fuzz/guided/record.hpp"
 #include "oracles/methods/method.hpp"
 #include "oracles/referee/referee.hpp"
-#include "oracles/trial/compare.hpp"
+#include "oracles/trial/trial.hpp"
 #include "solver/distance.hpp"
 
 namespace cyl {
@@ -25,33 +25,31 @@ inline constexpr int filter_bits_cap = 53, wide_bits_cap = 128;
 inline constexpr std::size_t wide_share = 128;       ///< the referee beyond double: 0.3 ms
 inline constexpr std::size_t enclosed_share = 1024;  ///< the distance, enclosed: 1 ms, at the worst 100
 
-class Brief {
+class FuzzJudge {
  public:
   /// Judges in double with the witnesses offered, beyond it where `must` or where drawn; counts what was
   /// seen. `measured`: the distance of the record's pair, by whoever has it already.
-  Brief(const Record& record, std::span<const MethodAnswer> offered, bool must, Ledger& ledger,
-        const Distance* measured = nullptr);
-  Brief(const Brief&) = delete;
-  Brief& operator=(const Brief&) = delete;
+  FuzzJudge(const Record& record, std::span<const MethodAnswer> offered, bool must, FindingSink& sink,
+            const Distance* measured = nullptr);
+  FuzzJudge(const FuzzJudge&) = delete;
+  FuzzJudge& operator=(const FuzzJudge&) = delete;
 
-  const Pair& pair() const { return pair_; }
-  const Truth& truth() const { return truth_; }
+  const Pair& pair() const { return trial_.pair; }
+  const Truth& truth() const { return trial_.truth; }
   /// Whether this record has a share of one in so many; each call draws again.
   bool drawn(std::size_t share) { return draws_.below(share) == 0; }
   RandomStream& draws() { return draws_; }
-  /// Puts what is wrong with the answer beyond the method's claim into the ledger. Offered distances and
+  /// Puts what is wrong with the answer beyond the method's claim into the sink. Offered distances and
   /// witnesses are looked at on a share only, wrong verdicts that the measured distance puts within the claim
   /// on that of the distances.
-  void hold(const Method& method, MethodAnswer answer);
+  void record(const Method& method, MethodAnswer answer);
 
  private:
-  Pair pair_;
+  Trial trial_;
   RandomStream draws_;
-  Ledger& ledger_;
-  Truth truth_;
+  FindingSink& sink_;
   Distance measured_;
   bool enclose_ = false;
-  LazyDistance enclosed_;
 };
 
 }  // namespace cyl

@@ -16,7 +16,7 @@
 #include "corpus/pairs/strata.hpp"
 #include "fuzz/guided/mutator.hpp"
 #include "oracles/trial/contact.hpp"
-#include "oracles/trial/proofs.hpp"
+#include "oracles/trial/trial.hpp"
 #include "solver/distance.hpp"
 
 namespace cyl {
@@ -83,7 +83,7 @@ class Timed final : public Method {
     }
     answer.has_distance = true;
     answer.distance = std::max(0.0, least - reading);
-    answer.witness = WitnessKind::none;
+    answer.witness = CertificateKind::none;
     return answer;
   }
 
@@ -364,11 +364,11 @@ class Hunt {
   double prove(const Answered& wrong, double likely) {
     const MethodAnswer& answer = wrong.answer;
     Proofs proofs(wrong.pair, {&answer, 1});
-    Proved& proved = proofs.of(wrong.pair);
-    if (proved.truth.verdict == Verdict::undecided || proved.truth.verdict == Verdict::invalid)
+    Trial& proved = proofs.of(wrong.pair);
+    if (!proved.decided())
       return nothing;
-    proved.distance.at(std::clamp(enclosure_part * std::abs(wrong.margin), enclosure_least, enclosure_most));
-    const auto finding = compare(wrong.pair, proved.truth, proved.distance, claim_, answer);
+    proved.distance_at(std::clamp(enclosure_part * std::abs(wrong.margin), enclosure_least, enclosure_most));
+    const auto finding = compare(proved, claim_, answer);
     if (!finding || !is_refuted_verdict(finding->kind) || !finding->margin) return nothing;
     if (sought_.kind && finding->kind != *sought_.kind) return nothing;
     if (sought_.feature && contact_feature(wrong.pair, proved.truth) != sought_.feature) return nothing;

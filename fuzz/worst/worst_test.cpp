@@ -12,7 +12,7 @@
 
 #include "corpus/pairs/pair_io.hpp"
 #include "oracles/trial/contact.hpp"
-#include "oracles/trial/proofs.hpp"
+#include "oracles/trial/trial.hpp"
 #include "solver/distance.hpp"
 
 namespace cyl {

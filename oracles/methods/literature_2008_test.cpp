@@ -8,7 +8,7 @@
 #include "corpus/store/case_files.hpp"
 #include "oracles/methods/literature_2008_errata_test.hpp"
 #include "oracles/referee/referee.hpp"
-#include "oracles/trial/compare.hpp"
+#include "oracles/trial/trial.hpp"
 #include "solver/decide.hpp"
 
 namespace cyl {
@@ -63,9 +63,8 @@ TEST_P(SeedMethods2008, AgreeWithDecideBeyondTheirClaim) {
       const MethodAnswer answer = method->ask(pair);
       const Verdict truth = decide(pair.a, pair.b).verdict;
       if (answer.verdict == truth || truth == Verdict::undecided) continue;
-      const Truth proved = judge(pair);
-      LazyDistance distance([&](double width) { return enclose_distance(pair, proved, width); });
-      const auto finding = compare(pair, proved, distance, method->claim(), answer);
+      Trial trial(pair);
+      const auto finding = compare(trial, method->claim(), answer);
       EXPECT_FALSE(finding && finding->severity == Severity::contract)
           << method->name() << ' ' << family.name << ' ' << index;
     }

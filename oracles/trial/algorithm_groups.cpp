@@ -13,7 +13,7 @@
 namespace cyl {
 namespace {
 
-constexpr std::uint64_t kin_seed = 7, pairs_per_cell = 4;
+constexpr std::uint64_t group_seed = 7, pairs_per_cell = 4;
 
 /// Of the pairs on which the rarer wrong one of two is wrong, the part on which the other is wrong in the
 /// same way. Of all_methods(), those with one algorithm share 0.97 and more, others 0.92 at most.
@@ -32,16 +32,6 @@ Said classify(const MethodAnswer& answer, Verdict truth) {
   if (answer.status == Status::declined || answer.verdict == Verdict::undecided) return Said::nothing;
   if ((answer.verdict == Verdict::disjoint) == (truth == Verdict::disjoint)) return Said::right;
   return answer.verdict == Verdict::disjoint ? Said::wrong_disjoint : Said::wrong_intersecting;
-}
-
-std::vector<Pair> fixed_pairs() {
-  std::vector<Pair> pairs;
-  for (std::size_t feature = 0; feature < contact_feature_count; ++feature)
-    for (int decade = first_decade; decade <= last_decade; ++decade)
-      for (std::uint64_t index = 0; index < pairs_per_cell; ++index)
-        if (const auto pair = draw_in_stratum(static_cast<ContactFeature>(feature), decade, kin_seed, index))
-          pairs.push_back(*pair);
-  return pairs;
 }
 
 bool err_alike(std::span<const Said> x, std::span<const Said> y, bool one_library) {
@@ -77,8 +67,8 @@ bool differ_in_setting(std::string_view x, std::string_view y) {
   return x != y && library_and_way(x) == library_and_way(y);
 }
 
-std::vector<std::size_t> kin_of(std::span<const std::unique_ptr<Method>> methods) {
-  const std::vector<Pair> pairs = fixed_pairs();
+std::vector<std::size_t> algorithm_groups(std::span<const std::unique_ptr<Method>> methods) {
+  const std::vector<Pair> pairs = draw_in_all_strata(pairs_per_cell, group_seed);
   std::vector<Question> questions;
   for (std::size_t m = 0; m < methods.size(); ++m)
     for (std::size_t p = 0; p < pairs.size() && !methods[m]->guest(); ++p) questions.push_back({m, p});

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Which methods share an algorithm, as far as their errors tell: methods that are wrong on the same pairs in
-// the same way are kin. Told from pairs that never change, so that it depends on the build alone and not on
+// Which methods share an algorithm, as far as their errors tell: those that are wrong on the same pairs in
+// the same way are one group. The pairs never change, so that the groups depend on the build alone and not on
 // what a run happened to find.
 #pragma once
 
@@ -14,18 +14,18 @@
 
 namespace cyl {
 
-/// "fcl" of "fcl-libccd-tol1e-10".
+/// Returns "fcl" of "fcl-libccd-tol1e-10".
 std::string_view library_of(std::string_view method);
 
-/// Whether two names differ in a setting alone, by the rule <library>[-<way>][-<setting>]: one begins with
-/// the other and '-', or both with the same library and way.
+/// Returns whether two names differ in a setting alone, by the rule <library>[-<way>][-<setting>]: one begins
+/// with the other and '-', or both with the same library and way.
 bool differ_in_setting(std::string_view x, std::string_view y);
 
-/// Of each method the first of its kin, itself where it has none before it. Kin are methods that differ in a
-/// setting, those of one library of which one is hardly ever wrong where the other is right, and those of
-/// different libraries that are moreover wrong about equally often. Of a guest the name alone counts: who
-/// else is there turns neither its kin nor that of others. Cost: every method but guests is asked, contained,
-/// about 400 pairs near touching; about a second with those of all_methods().
-std::vector<std::size_t> kin_of(std::span<const std::unique_ptr<Method>> methods);
+/// Returns for each method the first one of its shared-algorithm group. A group holds methods that differ in
+/// a setting, those of one library of which one is hardly ever wrong where the other is right, and those of
+/// different libraries that are moreover wrong about equally often. A guest is grouped by its name alone, and
+/// changes no group of others. Cost: every method but guests is asked, contained, about 400 pairs near
+/// touching; about a second with those of all_methods().
+std::vector<std::size_t> algorithm_groups(std::span<const std::unique_ptr<Method>> methods);
 
 }  // namespace cyl

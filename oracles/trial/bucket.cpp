@@ -9,8 +9,8 @@
 
 #include "base/fnv.hpp"
 #include "oracles/referee/referee.hpp"
-#include "oracles/trial/compare.hpp"
 #include "oracles/trial/contact.hpp"
+#include "oracles/trial/trial.hpp"
 
 namespace cyl {
 namespace {
@@ -57,12 +57,10 @@ std::string bucket_key(std::string_view method, std::string_view failure,
 }
 
 std::string bucket_of(std::string_view method, std::string_view failure, const Pair& pair) {
-  const Truth truth = judge(pair);
-  LazyDistance distance([&](double width) { return enclose_distance(pair, truth, width); });
-  const bool decided = truth.verdict != Verdict::undecided && truth.verdict != Verdict::invalid;
+  Trial trial(pair);
   const double size = size_of(pair);
-  const double margin = decided && size > 0 ? magnitude_against(0, truth, distance).hi / size : 0;
-  return bucket_key(method, failure, contact_feature(pair, truth), coordinate_of(pair, margin));
+  const double margin = trial.decided() && size > 0 ? magnitude_against(0, trial).hi / size : 0;
+  return bucket_key(method, failure, contact_feature(pair, trial.truth), coordinate_of(pair, margin));
 }
 
 std::string letters_only(std::string_view key) {

@@ -10,6 +10,7 @@
 #include <limits>
 
 #include "corpus/pairs/pair_io.hpp"
+#include "oracles/trial/trial.hpp"
 
 namespace cyl {
 namespace {
@@ -36,37 +37,36 @@ Enclosure relative_to(double size, const Enclosure& length) {
 }
 
 /// The pair's own margin, for what went wrong whatever the distance; none where nothing is proved.
-std::optional<Enclosure> margin_of(const Pair& pair, const Truth& truth, LazyDistance& distance) {
-  if (truth.verdict == Verdict::undecided || truth.verdict == Verdict::invalid) return {};
-  if (truth.verdict == Verdict::touching) return Enclosure{0, 0};
-  return relative_to(size_of(pair), magnitude(distance.at(widest)));
+std::optional<Enclosure> margin_of(Trial& trial) {
+  if (!trial.decided()) return {};
+  if (trial.truth.verdict == Verdict::touching) return Enclosure{0, 0};
+  return relative_to(size_of(trial.pair), magnitude(trial.distance_at(widest)));
 }
 
-Finding refuted(FindingKind kind, const Pair& pair, const Truth& truth, LazyDistance& distance,
-                const Claim& claim) {
-  const double size = size_of(pair), promised_from = reach(claim, size);
-  const Enclosure gap = magnitude_against(promised_from, truth, distance);
+Finding refuted(FindingKind kind, Trial& trial, const Claim& claim) {
+  const double size = size_of(trial.pair), promised_from = reach(claim, size);
+  const Enclosure gap = magnitude_against(promised_from, trial);
   return {kind, gap.lo >= promised_from ? Severity::contract : Severity::resolution, relative_to(size, gap)};
 }
 
-std::optional<Finding> compare_verdict(const Pair& pair, const Truth& truth, LazyDistance& distance,
-                                       const Claim& claim, Verdict said) {
-  const bool disjoint = truth.verdict == Verdict::disjoint;
+std::optional<Finding> compare_verdict(Trial& trial, const Claim& claim, Verdict said) {
+  const Verdict truth = trial.truth.verdict;
+  const bool disjoint = truth == Verdict::disjoint;
   switch (said) {
     case Verdict::undecided:
       return {};
     case Verdict::invalid:
-      return Finding{FindingKind::wrong_invalid, Severity::contract, margin_of(pair, truth, distance)};
+      return Finding{FindingKind::wrong_invalid, Severity::contract, margin_of(trial)};
     case Verdict::disjoint:
       if (disjoint) return {};
-      return refuted(FindingKind::wrong_disjoint, pair, truth, distance, claim);
+      return refuted(FindingKind::wrong_disjoint, trial, claim);
     case Verdict::intersecting:
       if (!disjoint) return {};
-      return refuted(FindingKind::wrong_intersecting, pair, truth, distance, claim);
+      return refuted(FindingKind::wrong_intersecting, trial, claim);
     case Verdict::touching:
-      if (disjoint) return refuted(FindingKind::wrong_intersecting, pair, truth, distance, claim);
-      if (truth.verdict == Verdict::touching || distance.at(widest).hi >= 0) return {};
-      return refuted(FindingKind::wrong_touching, pair, truth, distance, claim);
+      if (disjoint) return refuted(FindingKind::wrong_intersecting, trial, claim);
+      if (truth == Verdict::touching || trial.distance_at(widest).hi >= 0) return {};
+      return refuted(FindingKind::wrong_touching, trial, claim);
   }
   return {};
 }
@@ -79,15 +79,15 @@ Enclosure error_of(double said, const Enclosure& real) {
 // Where an enclosure proves the distance neither right nor wrong the narrowest is asked: what is found never
 // depends on how narrow others have made it. One that is much wider than asked for ended at the rounding of
 // doubles or at its cap on cells, and would again.
-std::optional<Finding> compare_distance(const Pair& pair, const Truth& truth, LazyDistance& distance,
-                                        const Claim& claim, double said) {
-  const double size = size_of(pair), allowed = reach(claim, size);
+std::optional<Finding> compare_distance(Trial& trial, const Claim& claim, double said) {
+  const double size = size_of(trial.pair), allowed = reach(claim, size);
   // A claim of 0/0 promises a rounded number: one unit in the last place of the larger length is no fault.
   const double last_place = std::max(std::abs(said), size) * rounding_error;
   const double most = std::max(allowed, last_place);
   const double part = size > 0 ? std::clamp(most / 8 / size, narrowest, widest) : widest;
   for (const double width : {part, narrowest}) {
-    const Enclosure real = truth.verdict == Verdict::touching ? Enclosure{0, 0} : distance.at(width);
+    const bool touching = trial.truth.verdict == Verdict::touching;
+    const Enclosure real = touching ? Enclosure{0, 0} : trial.distance_at(width);
     const Enclosure off = error_of(said, real);
     if (off.lo > most)
       return Finding{FindingKind::distance_outside, Severity::contract, relative_to(size, off)};
@@ -103,24 +103,22 @@ bool finite(const double (&v)[3]) {
 
 bool finite(const MethodAnswer& answer) {
   if (answer.has_distance && !std::isfinite(answer.distance)) return false;
-  return answer.witness == WitnessKind::none || (finite(answer.head) && finite(answer.tail));
+  return answer.witness == CertificateKind::none || (finite(answer.head) && finite(answer.tail));
 }
 
 bool same_bits(const double* x, const double* y) { return std::memcmp(x, y, 3 * sizeof *x) == 0; }
 
 /// Whether the truth's certificate is this answer's own witness, so that it need not be checked again.
 bool is_certificate(const Truth& truth, const MethodAnswer& answer) {
-  const CertificateKind kind =
-      answer.witness == WitnessKind::direction ? CertificateKind::direction : CertificateKind::point;
   const ExactVector& v = truth.certificate.vector;
-  return truth.certificate.kind == kind && v.exact[0].empty() && v.exact[1].empty() && v.exact[2].empty() &&
+  return truth.certificate.kind == answer.witness && v.in_doubles() &&
          same_bits(v.head.data(), answer.head) && same_bits(v.tail.data(), answer.tail);
 }
 
 /// Whether the witness, if any, proves the verdict that was said. A direction says nothing about touching.
 bool witness_holds(const Pair& pair, const Truth& truth, const MethodAnswer& answer) {
-  if (answer.witness == WitnessKind::none || answer.verdict == Verdict::undecided) return true;
-  if (answer.verdict == Verdict::touching && answer.witness == WitnessKind::direction) return true;
+  if (answer.witness == CertificateKind::none || answer.verdict == Verdict::undecided) return true;
+  if (answer.verdict == Verdict::touching && answer.witness == CertificateKind::direction) return true;
   const Verdict said = answer.verdict == Verdict::touching ? Verdict::intersecting : answer.verdict;
   return (said == truth.verdict && is_certificate(truth, answer)) || check_witness(pair, answer) == said;
 }
@@ -165,39 +163,29 @@ double reach(const Claim& claim, double size) {
   return (relative_part + claim.absolute) * (1 + rounding_error);
 }
 
-const Enclosure& LazyDistance::at(double relative_width) {
-  if (!known_ || relative_width < width_) {
-    known_ = enclose_(relative_width);
-    width_ = relative_width;
-  }
-  return *known_;
-}
-
-Enclosure magnitude_against(double length, const Truth& truth, LazyDistance& distance) {
+Enclosure magnitude_against(double length, Trial& trial) {
   Enclosure gap{0, 0};
-  if (truth.verdict == Verdict::touching) return gap;
+  if (trial.truth.verdict == Verdict::touching) return gap;
   for (const double width : widths) {
-    gap = magnitude(distance.at(width));
+    gap = magnitude(trial.distance_at(width));
     if (gap.lo >= length || gap.hi < length) break;
   }
   return gap;
 }
 
-std::optional<Finding> compare(const Pair& pair, const Truth& truth, LazyDistance& distance,
-                               const Claim& claim, const MethodAnswer& answer) {
+std::optional<Finding> compare(Trial& trial, const Claim& claim, const MethodAnswer& answer) {
   if (answer.status == Status::declined) return {};
   if (answer.status == Status::failed)
-    return Finding{kind_of(answer.failure), Severity::contract, margin_of(pair, truth, distance)};
-  if (!finite(answer))
-    return Finding{FindingKind::non_finite, Severity::contract, margin_of(pair, truth, distance)};
-  if (truth.verdict == Verdict::undecided || truth.verdict == Verdict::invalid) return {};
-  if (auto wrong = compare_verdict(pair, truth, distance, claim, answer.verdict)) return wrong;
+    return Finding{kind_of(answer.failure), Severity::contract, margin_of(trial)};
+  if (!finite(answer)) return Finding{FindingKind::non_finite, Severity::contract, margin_of(trial)};
+  if (!trial.decided()) return {};
+  if (auto wrong = compare_verdict(trial, claim, answer.verdict)) return wrong;
   if (answer.has_distance)
-    if (auto wrong = compare_distance(pair, truth, distance, claim, answer.distance)) return wrong;
-  if (witness_holds(pair, truth, answer)) return {};
+    if (auto wrong = compare_distance(trial, claim, answer.distance)) return wrong;
+  if (witness_holds(trial.pair, trial.truth, answer)) return {};
   // Only who claims to be always right promises a proof. Of nearest points that are right within a tolerance
   // the difference need not separate.
-  Finding wrong = refuted(FindingKind::bad_witness, pair, truth, distance, claim);
+  Finding wrong = refuted(FindingKind::bad_witness, trial, claim);
   if (claim.relative > 0 || claim.absolute > 0) wrong.severity = Severity::resolution;
   return wrong;
 }
@@ -208,33 +196,7 @@ bool same_answer(const MethodAnswer& x, const MethodAnswer& y) {
   if (x.status != Status::answered) return true;
   if (x.verdict != y.verdict || x.has_distance != y.has_distance || x.witness != y.witness) return false;
   if (x.has_distance && std::memcmp(&x.distance, &y.distance, sizeof x.distance) != 0) return false;
-  return x.witness == WitnessKind::none || (same_bits(x.head, y.head) && same_bits(x.tail, y.tail));
-}
-
-std::string format_method_answer(const MethodAnswer& answer) {
-  if (answer.status == Status::declined)
-    return fmt::format(R"({{"declined":{}}})", quote_json(answer.reason));
-  if (answer.status == Status::failed) {
-    return fmt::format(R"({{"failed":"{}","reason":{}}})", to_string(kind_of(answer.failure)),
-                       quote_json(answer.reason));
-  }
-  // JSON has no numbers that are not finite: they become strings.
-  const auto number = [](double x) {
-    return fmt::format(fmt::runtime(std::isfinite(x) ? "{}" : "\"{}\""), format_double(x));
-  };
-  const auto coordinate = [&](int i) {
-    const std::string head = number(answer.head[i]);
-    return answer.tail[i] == 0 ? head : fmt::format("[{},{}]", head, number(answer.tail[i]));
-  };
-  std::string text = fmt::format(R"({{"verdict":"{}")", to_string(answer.verdict));
-  if (answer.has_distance) text += fmt::format(R"(,"distance":{})", number(answer.distance));
-  if (answer.witness != WitnessKind::none) {
-    text +=
-        fmt::format(R"(,"{}":[{},{},{}])", answer.witness == WitnessKind::direction ? "direction" : "point",
-                    coordinate(0), coordinate(1), coordinate(2));
-  }
-  text += '}';
-  return text;
+  return x.witness == CertificateKind::none || (same_bits(x.head, y.head) && same_bits(x.tail, y.tail));
 }
 
 }  // namespace cyl

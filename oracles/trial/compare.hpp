@@ -4,16 +4,16 @@
 #pragma once
 
 #include <array>
-#include <functional>
 #include <optional>
 #include <string>
-#include <utility>
 
 #include "base/enum_words.hpp"
 #include "oracles/methods/method.hpp"
 #include "oracles/referee/referee.hpp"
 
 namespace cyl {
+
+struct Trial;
 
 enum class FindingKind : unsigned char {
   wrong_disjoint,      ///< said disjoint of a pair with a common point
@@ -59,41 +59,20 @@ struct Finding {
   std::optional<Enclosure> margin;
 };
 
-/// The signed distance of one pair: enclosed when first asked for, narrowed only where a question needs it.
-class LazyDistance {
- public:
-  using Enclose = std::function<Enclosure(double relative_width)>;
-  explicit LazyDistance(Enclose enclose) : enclose_(std::move(enclose)) {}
-  /// An enclosure asked for at `relative_width` or narrower. Valid until the next call.
-  const Enclosure& at(double relative_width);
-  /// The narrowest enclosure so far, if it was ever asked for.
-  const std::optional<Enclosure>& known() const { return known_; }
+/// Returns what is wrong with `answer`, the worst first; nothing where it is right, declined or undecided, or
+/// where nothing is proved. The distance is enclosed only where the finding's severity or an offered distance
+/// depends on it, and is most of the cost. Throws nothing of its own.
+std::optional<Finding> compare(Trial& trial, const Claim& claim, const MethodAnswer& answer);
 
- private:
-  Enclose enclose_;
-  std::optional<Enclosure> known_;
-  double width_ = 0;
-};
-
-/// What is wrong with `answer`, the worst first; nothing where it is right, declined or undecided, or where
-/// nothing is proved. `distance` is asked only where the finding's severity or an offered distance depends on
-/// it, and is most of the cost. Throws nothing of its own; `truth` is what judge() said of the same pair.
-std::optional<Finding> compare(const Pair& pair, const Truth& truth, LazyDistance& distance,
-                               const Claim& claim, const MethodAnswer& answer);
-
-/// The length below which the claim promises nothing of a pair of this size, rounded up; exactly 0 for a
-/// claim of 0/0.
+/// Returns the length below which the claim promises nothing of a pair of this size, rounded up; exactly 0
+/// for a claim of 0/0.
 double reach(const Claim& claim, double size);
 
-/// |signed distance| of a pair of decided truth, enclosed as narrowly as it takes to tell whether it reaches
-/// `length` (or as narrowly as is ever asked).
-Enclosure magnitude_against(double length, const Truth& truth, LazyDistance& distance);
+/// Returns |signed distance| of a pair whose verdict is proved, enclosed as narrowly as it takes to tell
+/// whether it reaches `length` (or as narrowly as is ever asked).
+Enclosure magnitude_against(double length, Trial& trial);
 
 /// Whether two answers to one question say the same, bit for bit, reasons and kind `hang` excepted.
 bool same_answer(const MethodAnswer& x, const MethodAnswer& y);
-
-/// One JSON object: what the method said, {"verdict":"disjoint","distance":0.25,"direction":[x,y,z]} or
-/// {"failed":"crash","reason":"..."}.
-std::string format_method_answer(const MethodAnswer& answer);
 
 }  // namespace cyl

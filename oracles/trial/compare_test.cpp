@@ -6,6 +6,9 @@
 #include <cmath>
 #include <limits>
 
+#include "corpus/pairs/truth_io.hpp"
+#include "oracles/trial/trial.hpp"
+
 namespace cyl {
 namespace {
 
@@ -37,27 +40,29 @@ MethodAnswer said_distance(Verdict verdict, double distance) {
 struct Known {
   double distance;
   int asked = 0;
-  LazyDistance lazy() {
-    return LazyDistance([this](double width) {
+  Trial trial(Verdict truth) {
+    Trial of(upright(distance), truth_of(truth));
+    of.enclose = [this](double width) {
       ++asked;
       return Enclosure{distance - width * size / 2, distance + width * size / 2};
-    });
+    };
+    return of;
   }
 };
 
 std::optional<Finding> judged(Verdict truth, double distance, const Claim& claim,
                               const MethodAnswer& answer) {
   Known known{distance};
-  LazyDistance lazy = known.lazy();
-  return compare(upright(distance), truth_of(truth), lazy, claim, answer);
+  Trial trial = known.trial(truth);
+  return compare(trial, claim, answer);
 }
 
 const Claim none{0, 0, ""};
 
 TEST(Compare, ARightAnswerIsNoFindingAndAsksNoDistance) {
   Known known{0.5};
-  LazyDistance lazy = known.lazy();
-  EXPECT_FALSE(compare(upright(0.5), truth_of(Verdict::disjoint), lazy, none, said(Verdict::disjoint)));
+  Trial trial = known.trial(Verdict::disjoint);
+  EXPECT_FALSE(compare(trial, none, said(Verdict::disjoint)));
   EXPECT_EQ(known.asked, 0);
   EXPECT_FALSE(judged(Verdict::intersecting, -0.5, none, said(Verdict::intersecting)));
   EXPECT_FALSE(judged(Verdict::touching, 0, none, said(Verdict::intersecting)));
@@ -95,20 +100,18 @@ TEST(Compare, NarrowsTheEnclosureUntilTheClaimIsDecided) {
 }
 
 TEST(Compare, WhereTheEnclosureCannotBeNarrowedTheClaimCountsAsKept) {
-  LazyDistance lazy([](double) { return Enclosure{0.1, 0.9}; });
-  const auto finding =
-      compare(upright(0.5), truth_of(Verdict::disjoint), lazy, {0, 0.5, ""}, said(Verdict::intersecting));
+  Trial trial(upright(0.5), truth_of(Verdict::disjoint));
+  trial.enclose = [](double) { return Enclosure{0.1, 0.9}; };
+  const auto finding = compare(trial, {0, 0.5, ""}, said(Verdict::intersecting));
   ASSERT_TRUE(finding);
   EXPECT_EQ(finding->severity, Severity::resolution);
 }
 
 TEST(Compare, AtTheClaimItselfTheMethodPromises) {
-  const Enclosure exactly{0.5, 0.5};
-  LazyDistance lazy([&](double) { return exactly; });
+  Trial trial(upright(0.5), truth_of(Verdict::disjoint));
+  trial.enclose = [](double) { return Enclosure{0.5, 0.5}; };
   const auto severity = [&](double absolute) {
-    return compare(upright(0.5), truth_of(Verdict::disjoint), lazy, {0, absolute, ""},
-                   said(Verdict::intersecting))
-        ->severity;
+    return compare(trial, {0, absolute, ""}, said(Verdict::intersecting))->severity;
   };
   EXPECT_EQ(severity(0.5 * (1 - 0x1p-40)), Severity::contract);
   EXPECT_EQ(severity(0.5 * (1 + 0x1p-40)), Severity::resolution);
@@ -171,7 +174,7 @@ TEST(Compare, ANumberThatIsNotFiniteIsAFinding) {
   MethodAnswer answer = said(Verdict::disjoint);
   answer.head[1] = bad;
   EXPECT_FALSE(judged(Verdict::disjoint, 1, none, answer));  // no witness offered: the bytes mean nothing
-  answer.witness = WitnessKind::direction;
+  answer.witness = CertificateKind::direction;
   EXPECT_EQ(judged(Verdict::disjoint, 1, none, answer)->kind, FindingKind::non_finite);
 }
 
@@ -200,14 +203,14 @@ TEST(Compare, WhatIsFoundDoesNotDependOnHowNarrowTheEnclosureIsAlready) {
   const Claim claim{0, 1e-3, ""};
   for (const double beyond : {1e-9, -1e-9}) {
     MethodAnswer answer = said_distance(Verdict::disjoint, 0.5 + 1e-3 + beyond);
-    answer.witness = WitnessKind::direction;
+    answer.witness = CertificateKind::direction;
     answer.head[1] = 1;  // proves nothing
     const FindingKind kind = beyond > 0 ? FindingKind::distance_outside : FindingKind::bad_witness;
     for (const double width : {1.0, 1e-6, 1e-9, 1e-12, 1e-18}) {
       Known known{0.5};
-      LazyDistance lazy = known.lazy();
-      lazy.at(width);
-      const auto finding = compare(upright(0.5), truth_of(Verdict::disjoint), lazy, claim, answer);
+      Trial trial = known.trial(Verdict::disjoint);
+      trial.distance_at(width);
+      const auto finding = compare(trial, claim, answer);
       ASSERT_TRUE(finding);
       EXPECT_EQ(finding->kind, kind) << width;
     }
@@ -221,7 +224,7 @@ TEST(Compare, TheVerdictComesBeforeTheDistance) {
 
 TEST(Compare, AWitnessMustProveWhatWasSaid) {
   MethodAnswer direction = said(Verdict::disjoint);
-  direction.witness = WitnessKind::direction;
+  direction.witness = CertificateKind::direction;
   direction.head[0] = 1;
   EXPECT_FALSE(judged(Verdict::disjoint, 0.5, none, direction));
   direction.head[0] = 0;
@@ -237,7 +240,7 @@ TEST(Compare, AWitnessMustProveWhatWasSaid) {
   EXPECT_EQ(judged(Verdict::disjoint, 0.5, {0, 1e-9, ""}, direction)->kind, FindingKind::distance_outside);
 
   MethodAnswer point = said(Verdict::intersecting);
-  point.witness = WitnessKind::point;
+  point.witness = CertificateKind::point;
   point.head[0] = 1;
   point.tail[0] = -0x1p-60;
   EXPECT_FALSE(judged(Verdict::intersecting, -0.5, none, point));
@@ -250,9 +253,9 @@ TEST(Compare, AWitnessMustProveWhatWasSaid) {
 
 TEST(Compare, OfTwoPointsTheMarginIsZeroOrInfinite) {
   const Pair points{{{0, 0, 0}, {0, 0, 1}, 0, 0}, {{1, 0, 0}, {0, 0, 1}, 0, 0}};
-  LazyDistance lazy([](double) { return Enclosure{1, 1}; });
-  const auto finding =
-      compare(points, truth_of(Verdict::disjoint), lazy, {1e-3, 0, ""}, said(Verdict::intersecting));
+  Trial trial(points, truth_of(Verdict::disjoint));
+  trial.enclose = [](double) { return Enclosure{1, 1}; };
+  const auto finding = compare(trial, {1e-3, 0, ""}, said(Verdict::intersecting));
   ASSERT_TRUE(finding);
   EXPECT_EQ(finding->severity, Severity::contract);
   EXPECT_EQ(finding->margin->lo, std::numeric_limits<double>::infinity());
@@ -272,13 +275,13 @@ TEST(SameAnswer, ComparesWhatWasSaidBitForBit) {
 
 TEST(FormatMethodAnswer, SaysWhatWasSaidAsJson) {
   MethodAnswer answer = said_distance(Verdict::disjoint, 0.25);
-  answer.witness = WitnessKind::direction;
+  answer.witness = CertificateKind::direction;
   answer.head[0] = 0.1;
   answer.tail[0] = 1e-20;
   EXPECT_EQ(format_method_answer(answer),
             R"({"verdict":"disjoint","distance":0.25,"direction":[[0.1,1e-20],0,0]})");
   answer.distance = -std::numeric_limits<double>::infinity();
-  answer.witness = WitnessKind::none;
+  answer.witness = CertificateKind::none;
   EXPECT_EQ(format_method_answer(answer), R"({"verdict":"disjoint","distance":"-inf"})");
   MethodAnswer crashed;
   crashed.status = Status::failed;

@@ -8,9 +8,10 @@
 #include <cstdlib>
 #include <utility>
 
-#include "oracles/referee/referee.hpp"
+#include "corpus/pairs/scaled_pair.hpp"
 #include "oracles/trial/algorithm_groups.hpp"
 #include "oracles/trial/bucket.hpp"
+#include "oracles/trial/trial.hpp"
 
 namespace cyl {
 namespace {
@@ -18,19 +19,10 @@ namespace {
 /// Powers of two by which a pair is made larger and smaller: more than the tolerances of libraries span in
 /// one step, and far from where squares leave the doubles.
 constexpr int scale_step = 20;
-/// Of a size beyond 2^+-this, products of four lengths leave the doubles or lose bits.
+/// Where the size is beyond 2^+-this, products of four lengths leave the doubles or lose bits.
 constexpr int extreme_exponent_margin = 200;
 
-Pair scaled(Pair p, int exponent) {
-  for (Cylinder* c : {&p.a, &p.b}) {
-    for (double& x : c->center) x = std::scalbn(x, exponent);
-    c->radius = std::scalbn(c->radius, exponent);
-    c->height = std::scalbn(c->height, exponent);
-  }
-  return p;
-}
-
-/// The solid that is nearer to the origin brought there, the other by the same way.
+/// Returns the pair with the first solid at the origin and the other moved along.
 Pair at_origin(Pair p) {
   const Vector3 delta = p.b.center - p.a.center;
   p.a.center.setZero();
@@ -44,19 +36,15 @@ bool is_far(const Pair& p) {
   return size > 0 && near > offset_size_margin * size && apart <= near;
 }
 
-/// e where 2^e <= size < 2^(e+1); of two points, of their distance.
+/// Returns e where 2^e <= size < 2^(e+1); for two points their distance counts as the size.
 int exponent_of_size(const Pair& p) {
   double size = size_of(p);
   if (size == 0) size = (p.b.center - p.a.center).stableNorm();
   return size > 0 && std::isfinite(size) ? std::ilogb(size) : 0;
 }
 
-bool is_right(const Examination& e) {
-  return !e.wrong && e.answer.status == Status::answered && e.answer.verdict != Verdict::undecided;
-}
-
-/// The first words of a text, joined by '-'; what has a digit in it, and the words after the first few, tell
-/// one pair from another.
+/// Returns the first words of a text, joined by '-', without those that have a digit in them: these, and the
+/// words after the first few, tell one pair from another.
 std::string slug(std::string_view text) {
   constexpr int words_cap = 7;
   std::string out;
@@ -80,26 +68,10 @@ std::string slug(std::string_view text) {
   return out;
 }
 
-/// What is known of a failing pair on the way.
-struct Suspect {
-  Failing now;  ///< the pair as far as it is brought towards the ordinary and still fails
-  Claim claim;  ///< by which it fails
-  Told told{};
-  bool done = false;
-  int exponent = 0;  ///< of the size before it was made ordinary
-  Enclosure margin{};
-
-  void end(Mechanism m) {
-    told.mechanism = m;
-    done = true;
-  }
-};
-
-/// Some questions about each suspect that is not done, all asked together.
+/// Questions that are asked all together, each held against the claim given with it.
 class Round {
  public:
-  Round(std::span<const std::unique_ptr<Method>> methods, const Caps& caps)
-      : methods_(methods), caps_(caps) {}
+  explicit Round(std::span<const std::unique_ptr<Method>> methods) : methods_(methods) {}
 
   std::size_t ask(std::size_t method, const Pair& pair, const Claim& claim) {
     questions_.push_back({method, pairs_.size()});
@@ -107,30 +79,110 @@ class Round {
     claims_.push_back(claim);
     return questions_.size() - 1;
   }
-  void run() {
-    for (const ContainedAnswer& said : ask_contained(methods_, pairs_, questions_, caps_)) {
-      const std::size_t q = examined_.size();
-      const Pair& pair = pairs_[q];
-      const Truth truth = judge(pair, {&said.answer, 1});
-      LazyDistance distance([&](double width) { return enclose_distance(pair, truth, width); });
-      examined_.push_back({said.answer, compare(pair, truth, distance, claims_[q], said.answer)});
+  void run(const Caps& caps) {
+    for (const ContainedAnswer& said : ask_contained(methods_, pairs_, questions_, caps)) {
+      const std::size_t q = trials_.size();
+      Trial& trial = trials_.emplace_back(pairs_[q], std::span(&said.answer, 1));
+      trial.answers = {said.answer};
+      trial.findings = {compare(trial, claims_[q], said.answer)};
     }
   }
-  const Examination& operator[](std::size_t question) const { return examined_[question]; }
-  bool fails(std::size_t question, FindingKind kind) const {
-    return examined_[question].wrong && examined_[question].wrong->kind == kind;
+  const Trial& operator[](std::size_t question) const { return trials_[question]; }
+  bool fails(std::size_t question, FindingKind kind) const { return trials_[question].fails(kind); }
+  bool is_right(std::size_t question) const {
+    const MethodAnswer& answer = trials_[question].answers[0];
+    return !trials_[question].findings[0] && answer.status == Status::answered &&
+           answer.verdict != Verdict::undecided;
   }
 
  private:
   std::span<const std::unique_ptr<Method>> methods_;
-  const Caps& caps_;
   std::vector<Pair> pairs_;  ///< by question
   std::vector<Question> questions_;
   std::vector<Claim> claims_;
-  std::vector<Examination> examined_;
+  std::vector<Trial> trials_;
 };
 
-constexpr std::size_t not_asked = static_cast<std::size_t>(-1);
+/// What is known of a failing pair on the way.
+struct Candidate {
+  Failing now;  ///< the pair as far as it is brought towards the ordinary and still fails
+  Claim claim;  ///< by which it fails
+  Classification found{};
+  bool done = false;
+  int exponent = 0;  ///< of the size before it was made ordinary
+  Enclosure margin{};
+  // Questions of the round at hand.
+  std::size_t asked = 0;
+  std::optional<std::size_t> at_origin{};
+  std::size_t larger = 0, smaller = 0;
+  std::vector<std::pair<std::size_t, std::size_t>> siblings{};  ///< method, question
+
+  void end(Mechanism m) {
+    found.mechanism = m;
+    done = true;
+  }
+  bool fails(const Round& round, std::size_t question) const { return round.fails(question, now.kind); }
+};
+
+/// As it is, and moved to the origin.
+void ask_as_it_is(Candidate& c, Round& round) {
+  c.asked = round.ask(c.now.method, c.now.pair, c.claim);
+  if (is_far(c.now.pair)) c.at_origin = round.ask(c.now.method, at_origin(c.now.pair), c.claim);
+}
+
+void take_as_it_is(Candidate& c, const Round& round) {
+  const Trial& seen = round[c.asked];
+  c.found.capped = seen.answers[0].step_cap > 0 && seen.answers[0].steps >= seen.answers[0].step_cap;
+  if (!c.fails(round, c.asked)) return c.end(Mechanism::gone);
+  if (seen.findings[0]->margin) c.margin = *seen.findings[0]->margin;
+  // A claim has an absolute part: of a distance the error itself is followed instead.
+  if (c.now.kind == FindingKind::distance_outside) c.claim = {.relative = c.margin.lo / 2, .source = {}};
+  if (c.at_origin) {
+    c.found.right_at_origin = !c.fails(round, *c.at_origin);
+    if (c.found.right_at_origin) return c.end(Mechanism::offset);
+    c.now.pair = at_origin(c.now.pair);
+  }
+  if (c.found.capped) c.end(Mechanism::iteration_cap);
+}
+
+/// At an ordinary size.
+void ask_at_ordinary_size(Candidate& c, Round& round) {
+  c.exponent = exponent_of_size(c.now.pair);
+  c.asked = round.ask(c.now.method, scaled(c.now.pair, -c.exponent), c.claim);
+}
+
+void take_at_ordinary_size(Candidate& c, const Round& round) {
+  if (c.fails(round, c.asked)) {
+    c.now.pair = scaled(c.now.pair, -c.exponent);
+    return;
+  }
+  (c.exponent < 0 ? c.found.right_larger : c.found.right_smaller) = true;
+  if (std::abs(c.exponent) > extreme_exponent_margin)
+    c.end(c.exponent < 0 ? Mechanism::underflow : Mechanism::overflow);
+}
+
+/// Larger, smaller; other settings.
+void ask_changed(Candidate& c, Round& round, const GroupedMethods& of) {
+  c.larger = round.ask(c.now.method, scaled(c.now.pair, scale_step), c.claim);
+  c.smaller = round.ask(c.now.method, scaled(c.now.pair, -scale_step), c.claim);
+  for (std::size_t m = 0; m < of.methods.size(); ++m)
+    if (m != c.now.method && of.groups[m] == of.groups[c.now.method] &&
+        differ_in_setting(of.methods[m]->name(), of.methods[c.now.method]->name()))
+      c.siblings.emplace_back(m, round.ask(m, c.now.pair, c.claim));
+}
+
+void take_changed(Candidate& c, const Round& round) {
+  for (const auto& [m, question] : c.siblings)
+    if (!c.found.right_sibling && round.is_right(question)) c.found.right_sibling = m;
+  c.found.right_larger |= !c.fails(round, c.larger);
+  c.found.right_smaller |= !c.fails(round, c.smaller);
+  if (c.found.right_larger || c.found.right_smaller)
+    c.end(Mechanism::absolute_length);
+  else if (!is_failure(c.now.kind) && c.margin.hi <= rounding_margin)
+    c.end(Mechanism::rounding);
+  else
+    c.end(c.found.right_sibling ? Mechanism::setting : Mechanism::unclassified);
+}
 
 }  // namespace
 
@@ -148,118 +200,54 @@ std::string_view in_words(Mechanism m) noexcept {
   return words[static_cast<std::size_t>(m)];
 }
 
-std::vector<Told> tell_mechanisms(std::span<const std::unique_ptr<Method>> methods,
-                                  std::span<const std::size_t> kin, std::span<const Failing> failing,
-                                  const Caps& caps) {
-  std::vector<Suspect> suspects;
-  for (const Failing& f : failing) suspects.push_back({f, methods[f.method]->claim()});
-  std::vector<std::size_t> asked(suspects.size()), more(suspects.size());
-
-  // As it is, and moved to the origin.
-  Round first(methods, caps);
-  for (std::size_t i = 0; i < suspects.size(); ++i) {
-    const Failing& f = suspects[i].now;
-    asked[i] = first.ask(f.method, f.pair, suspects[i].claim);
-    more[i] = is_far(f.pair) ? first.ask(f.method, at_origin(f.pair), suspects[i].claim) : not_asked;
-  }
-  first.run();
-  for (std::size_t i = 0; i < suspects.size(); ++i) {
-    Suspect& s = suspects[i];
-    const Examination& seen = first[asked[i]];
-    s.told.capped = seen.answer.step_cap > 0 && seen.answer.steps >= seen.answer.step_cap;
-    if (!first.fails(asked[i], s.now.kind)) {
-      s.end(Mechanism::gone);
-      continue;
-    }
-    if (seen.wrong->margin) s.margin = *seen.wrong->margin;
-    // A claim has an absolute part: of a distance the error itself is followed instead.
-    if (s.now.kind == FindingKind::distance_outside) s.claim = {.relative = s.margin.lo / 2, .source = {}};
-    if (more[i] == not_asked) continue;
-    s.told.moving_cures = !first.fails(more[i], s.now.kind);
-    if (s.told.moving_cures)
-      s.end(Mechanism::offset);
-    else
-      s.now.pair = at_origin(s.now.pair);
-  }
-
-  // At an ordinary size.
-  Round second(methods, caps);
-  for (std::size_t i = 0; i < suspects.size(); ++i) {
-    Suspect& s = suspects[i];
-    if (s.told.capped && !s.done) s.end(Mechanism::iteration_cap);
-    if (s.done) continue;
-    s.exponent = exponent_of_size(s.now.pair);
-    asked[i] = second.ask(s.now.method, scaled(s.now.pair, -s.exponent), s.claim);
-  }
-  second.run();
-  for (std::size_t i = 0; i < suspects.size(); ++i) {
-    Suspect& s = suspects[i];
-    if (s.done) continue;
-    if (second.fails(asked[i], s.now.kind)) {
-      s.now.pair = scaled(s.now.pair, -s.exponent);
-      continue;
-    }
-    (s.exponent < 0 ? s.told.larger_cures : s.told.smaller_cures) = true;
-    if (std::abs(s.exponent) > extreme_exponent_margin)
-      s.end(s.exponent < 0 ? Mechanism::underflow : Mechanism::overflow);
-  }
-
-  // Larger, smaller; other settings.
-  Round third(methods, caps);
-  std::vector<std::vector<std::pair<std::size_t, std::size_t>>> siblings(suspects.size());
-  for (std::size_t i = 0; i < suspects.size(); ++i) {
-    Suspect& s = suspects[i];
-    if (s.done) continue;
-    asked[i] = third.ask(s.now.method, scaled(s.now.pair, scale_step), s.claim);
-    more[i] = third.ask(s.now.method, scaled(s.now.pair, -scale_step), s.claim);
-    for (std::size_t m = 0; m < methods.size(); ++m)
-      if (m != s.now.method && kin[m] == kin[s.now.method] &&
-          differ_in_setting(methods[m]->name(), methods[s.now.method]->name()))
-        siblings[i].emplace_back(m, third.ask(m, s.now.pair, s.claim));
-  }
-  third.run();
-  for (std::size_t i = 0; i < suspects.size(); ++i) {
-    Suspect& s = suspects[i];
-    if (s.done) continue;
-    for (const auto& [m, question] : siblings[i])
-      if (!s.told.right_sibling && is_right(third[question])) s.told.right_sibling = m;
-    s.told.larger_cures |= !third.fails(asked[i], s.now.kind);
-    s.told.smaller_cures |= !third.fails(more[i], s.now.kind);
-    if (s.told.larger_cures || s.told.smaller_cures)
-      s.end(Mechanism::absolute_length);
-    else if (!is_failure(s.now.kind) && s.margin.hi <= rounding_margin)
-      s.end(Mechanism::rounding);
-    else
-      s.end(s.told.right_sibling ? Mechanism::setting : Mechanism::untold);
-  }
-  std::vector<Told> told;
-  for (const Suspect& s : suspects) told.push_back(s.told);
-  return told;
+std::vector<Classification> classify(const GroupedMethods& of, std::span<const Failing> failing,
+                                     const Caps& caps) {
+  std::vector<Candidate> candidates;
+  for (const Failing& f : failing) candidates.push_back({f, of.methods[f.method]->claim()});
+  const auto round = [&](auto ask, auto take) {
+    Round asked(of.methods);
+    for (Candidate& c : candidates)
+      if (!c.done) ask(c, asked);
+    asked.run(caps);
+    for (Candidate& c : candidates)
+      if (!c.done) take(c, asked);
+  };
+  round(ask_as_it_is, take_as_it_is);
+  round(ask_at_ordinary_size, take_at_ordinary_size);
+  round([&](Candidate& c, Round& asked) { ask_changed(c, asked, of); }, take_changed);
+  std::vector<Classification> found;
+  for (const Candidate& c : candidates) found.push_back(c.found);
+  return found;
 }
 
-std::string cause_key(std::span<const std::unique_ptr<Method>> methods, std::span<const std::size_t> kin,
-                      std::size_t method, FindingKind kind, Severity severity, const Told& told,
-                      std::string_view reason) {
-  const Method& m = *methods[method];
+std::string cause_key(const GroupedMethods& of, std::size_t method, FindingKind kind, Severity severity,
+                      Mechanism mechanism, std::string_view reason) {
+  const Method& m = *of.methods[method];
   const std::string library(m.foreign() ? library_of(m.name()) : "own");
-  const std::string first(methods[kin[method]]->name());
+  const std::string first(of.methods[of.groups[method]]->name());
   if (severity == Severity::resolution) return library + "/within-claim";
-  if (kind == FindingKind::hang) return first + '/' + cyl::to_string(kind);
-  if (kind == FindingKind::nondeterminism) return library + '/' + cyl::to_string(kind);
+  if (kind == FindingKind::hang) return first + '/' + to_string(kind);
+  if (kind == FindingKind::nondeterminism) return library + '/' + to_string(kind);
   if (is_failure(kind) && kind != FindingKind::non_finite)
-    return library + '/' + cyl::to_string(kind) + '/' + slug(reason);
-  switch (told.mechanism) {
+    return library + '/' + to_string(kind) + '/' + slug(reason);
+  switch (mechanism) {
     case Mechanism::gone:
       return first + "/not-again";
     case Mechanism::underflow:
     case Mechanism::overflow:
-      return std::string(to_string(told.mechanism));
+      return to_string(mechanism);
     case Mechanism::setting:
-    case Mechanism::untold:
-      return first + '/' + cyl::to_string(kind);
+    case Mechanism::unclassified:
+      return first + '/' + to_string(kind);
     default:
-      return first + '/' + std::string(to_string(told.mechanism));
+      return first + '/' + to_string(mechanism);
   }
+}
+
+std::string find_cause(const GroupedMethods& of, const Failing& failing, Severity severity,
+                       std::string_view reason, const Caps& caps) {
+  const Mechanism mechanism = classify(of, {&failing, 1}, caps)[0].mechanism;
+  return cause_key(of, failing.method, failing.kind, severity, mechanism, reason);
 }
 
 }  // namespace cyl

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Why a method is wrong on a pair, as far as a few more questions tell: the pair moved, made larger and
-// smaller, put to the method's other settings.
+// Why a method is wrong on a pair, as far as a few more questions tell: it is asked about the pair moved,
+// made larger and smaller, and its other settings are asked about the pair.
 #pragma once
 
 #include <array>
@@ -28,14 +28,14 @@ enum class Mechanism : unsigned char {
   absolute_length,  ///< right where both solids are made larger or smaller, by up to 2^200
   rounding,         ///< wrong below rounding_margin, at any size
   setting,          ///< another setting of the same algorithm is right
-  untold            ///< none of these
+  unclassified      ///< none of these
 };
 constexpr auto words_of(Mechanism) noexcept {
   return std::array{"gone",     "offset",  "iteration-cap", "underflow", "overflow", "absolute-length",
                     "rounding", "setting", "untold"};
 }
 
-/// In sizes: errors no larger are what double computations of some steps leave.
+/// Relative to the size: errors no larger are what double computations of some steps leave.
 inline constexpr double rounding_margin = 1e-12;
 
 /// The same for people: "a fixed length in it: ...".
@@ -48,39 +48,42 @@ struct Failing {
   Pair pair;
 };
 
-struct Told {
-  Mechanism mechanism = Mechanism::untold;
+/// What further questions told of a failure.
+struct Classification {
+  Mechanism mechanism = Mechanism::unclassified;
   /// The method that is right with another setting, whatever the mechanism.
   std::optional<std::size_t> right_sibling;
   bool capped = false;         ///< its search ended by its own cap
-  bool larger_cures = false;   ///< right where the pair is made larger,
-  bool smaller_cures = false;  ///< smaller; the order of the mechanisms notwithstanding
-  bool moving_cures = false;
+  bool right_larger = false;   ///< right where the pair is made larger,
+  bool right_smaller = false;  ///< smaller; the order of the mechanisms notwithstanding
+  bool right_at_origin = false;
 };
 
-/// An answer, and what is wrong with it, if anything is.
-struct Examination {
-  MethodAnswer answer;
-  std::optional<Finding> wrong;
+/// Methods, and for each the first of those that share its algorithm (algorithm_groups()).
+struct GroupedMethods {
+  std::span<const std::unique_ptr<Method>> methods;
+  std::span<const std::size_t> groups;
 };
 
-/// The mechanism of each. `kin`: as kin_of() gives it. A pure function of each, hangs excepted. Cost: four
-/// rounds of questions for all together.
-std::vector<Told> tell_mechanisms(std::span<const std::unique_ptr<Method>> methods,
-                                  std::span<const std::size_t> kin, std::span<const Failing> failing,
-                                  const Caps& caps);
+/// Returns the classification of each failure, a pure function of it, hangs excepted. Cost: four rounds of
+/// questions for all together.
+std::vector<Classification> classify(const GroupedMethods& of, std::span<const Failing> failing,
+                                     const Caps& caps);
 
-/// The key of the cause: the same for every finding that has it, whatever the pair, the run or the night.
-///   "fcl-libccd/absolute-length"   what was told; the first of the method's kin stands for all of them
-///   "fcl-libccd/wrong_disjoint"    nothing was told but the kind, or that another setting is right
+/// Returns the key of the cause: the same for every finding that has it, whatever the pair or the run.
+///   "fcl-libccd/absolute-length"   the mechanism; the first of the method's group stands for all of them
+///   "fcl-libccd/wrong_disjoint"    no more is known than the kind, or that another setting is right
 ///   "overflow", "underflow"        whose products of lengths leave the doubles: wrong on the same pairs
 ///   "fcl-libccd/hang"              it does not come to an end
 ///   "ode/crash/..."                a failure of a library, by its own words without numbers
 ///   "fcl/within-claim"             a library's answers that its claims allow; "own" of those not foreign
 ///   "fcl-libccd/not-again"         not wrong when asked again
 /// `reason`: the method's own words on a failure.
-std::string cause_key(std::span<const std::unique_ptr<Method>> methods, std::span<const std::size_t> kin,
-                      std::size_t method, FindingKind kind, Severity severity, const Told& told,
-                      std::string_view reason);
+std::string cause_key(const GroupedMethods& of, std::size_t method, FindingKind kind, Severity severity,
+                      Mechanism mechanism, std::string_view reason);
+
+/// Returns the key of the cause of one failure, classified beforehand.
+std::string find_cause(const GroupedMethods& of, const Failing& failing, Severity severity,
+                       std::string_view reason, const Caps& caps);
 
 }  // namespace cyl

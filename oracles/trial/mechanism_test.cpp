@@ -61,55 +61,56 @@ Pair crossing(double size, double offset = 0) {
   return p;
 }
 
-Told told_of(const Methods& methods, std::vector<std::size_t> kin, const Pair& pair) {
+Classification classified(const Methods& methods, std::vector<std::size_t> groups, const Pair& pair) {
   const Failing failing{0, FindingKind::wrong_disjoint, pair};
-  return tell_mechanisms(methods, kin, {&failing, 1}, {})[0];
+  return classify({methods, groups}, {&failing, 1}, {})[0];
 }
 
-Told told_of(std::function<bool(const Pair&)> errs, const Pair& pair, bool capped = false) {
+Classification classified(std::function<bool(const Pair&)> errs, const Pair& pair, bool capped = false) {
   Methods methods;
   methods.push_back(std::make_unique<Erring>("lib-way", std::move(errs), capped));
-  return told_of(methods, {0}, pair);
+  return classified(methods, {0}, pair);
 }
 
 TEST(Mechanism, IsGoneWhereTheMethodIsRightNow) {
-  EXPECT_EQ(told_of([](const Pair&) { return false; }, crossing(1)).mechanism, Mechanism::gone);
+  EXPECT_EQ(classified([](const Pair&) { return false; }, crossing(1)).mechanism, Mechanism::gone);
 }
 
-TEST(Mechanism, IsUntoldWhereEveryPairIsWrong) {
-  EXPECT_EQ(told_of([](const Pair&) { return true; }, crossing(1)).mechanism, Mechanism::untold);
+TEST(Mechanism, IsUnclassifiedWhereEveryPairIsWrong) {
+  EXPECT_EQ(classified([](const Pair&) { return true; }, crossing(1)).mechanism, Mechanism::unclassified);
 }
 
 TEST(Mechanism, TellsAnOffset) {
   const auto far = [](const Pair& p) { return p.a.center.norm() > 1e5; };
-  EXPECT_EQ(told_of(far, crossing(1, 1e6)).mechanism, Mechanism::offset);
+  EXPECT_EQ(classified(far, crossing(1, 1e6)).mechanism, Mechanism::offset);
 }
 
 TEST(Mechanism, TellsTheCapOnSteps) {
-  EXPECT_EQ(told_of([](const Pair&) { return true; }, crossing(1), true).mechanism, Mechanism::iteration_cap);
+  EXPECT_EQ(classified([](const Pair&) { return true; }, crossing(1), true).mechanism,
+            Mechanism::iteration_cap);
 }
 
 TEST(Mechanism, TellsAFixedLength) {
-  const Told small = told_of([](const Pair& p) { return size_of(p) < 1e-3; }, crossing(1e-4));
+  const Classification small = classified([](const Pair& p) { return size_of(p) < 1e-3; }, crossing(1e-4));
   EXPECT_EQ(small.mechanism, Mechanism::absolute_length);
-  EXPECT_TRUE(small.larger_cures);
-  EXPECT_FALSE(small.smaller_cures);
-  const Told large = told_of([](const Pair& p) { return size_of(p) > 0.01; }, crossing(1));
+  EXPECT_TRUE(small.right_larger);
+  EXPECT_FALSE(small.right_smaller);
+  const Classification large = classified([](const Pair& p) { return size_of(p) > 0.01; }, crossing(1));
   EXPECT_EQ(large.mechanism, Mechanism::absolute_length);
-  EXPECT_TRUE(large.smaller_cures);
+  EXPECT_TRUE(large.right_smaller);
 }
 
 TEST(Mechanism, TellsWhatLeavesTheDoubles) {
-  EXPECT_EQ(told_of([](const Pair& p) { return size_of(p) > 1e100; }, crossing(1e120)).mechanism,
+  EXPECT_EQ(classified([](const Pair& p) { return size_of(p) > 1e100; }, crossing(1e120)).mechanism,
             Mechanism::overflow);
-  EXPECT_EQ(told_of([](const Pair& p) { return size_of(p) < 1e-100; }, crossing(1e-120)).mechanism,
+  EXPECT_EQ(classified([](const Pair& p) { return size_of(p) < 1e-100; }, crossing(1e-120)).mechanism,
             Mechanism::underflow);
 }
 
 TEST(Mechanism, TellsRounding) {
   Pair p = crossing(1);
   p.b.center.x() = 0.5;  // the walls touch
-  EXPECT_EQ(told_of([](const Pair&) { return true; }, p).mechanism, Mechanism::rounding);
+  EXPECT_EQ(classified([](const Pair&) { return true; }, p).mechanism, Mechanism::rounding);
 }
 
 TEST(Mechanism, TellsASettingThatIsRight) {
@@ -117,7 +118,7 @@ TEST(Mechanism, TellsASettingThatIsRight) {
   methods.push_back(std::make_unique<Erring>("lib-way", [](const Pair&) { return true; }));
   methods.push_back(std::make_unique<Erring>("lib-way-fine", [](const Pair&) { return false; }));
   methods.push_back(std::make_unique<Erring>("other", [](const Pair&) { return false; }));
-  const Told told = told_of(methods, {0, 0, 0}, crossing(1));
+  const Classification told = classified(methods, {0, 0, 0}, crossing(1));
   EXPECT_EQ(told.mechanism, Mechanism::setting);
   EXPECT_EQ(told.right_sibling, 1u);
 }
@@ -126,23 +127,22 @@ TEST(Mechanism, GivesOneKeyToOneCause) {
   Methods methods;
   methods.push_back(std::make_unique<Erring>("lib-way", [](const Pair&) { return true; }));
   methods.push_back(std::make_unique<Erring>("lib-way-fine", [](const Pair&) { return true; }));
-  const std::vector<std::size_t> kin{0, 0};
+  const std::vector<std::size_t> groups{0, 0};
   const auto key = [&](std::size_t m, FindingKind kind, Severity severity, Mechanism mechanism,
                        std::string_view reason = {}) {
-    Told told;
-    told.mechanism = mechanism;
-    return cause_key(methods, kin, m, kind, severity, told, reason);
+    return cause_key({methods, groups}, m, kind, severity, mechanism, reason);
   };
   const auto contract = Severity::contract;
   EXPECT_EQ(key(1, FindingKind::wrong_disjoint, contract, Mechanism::absolute_length),
             "lib-way/absolute-length");
-  EXPECT_EQ(key(1, FindingKind::bad_witness, contract, Mechanism::untold), "lib-way/bad_witness");
+  EXPECT_EQ(key(1, FindingKind::bad_witness, contract, Mechanism::unclassified), "lib-way/bad_witness");
   EXPECT_EQ(key(1, FindingKind::bad_witness, contract, Mechanism::setting), "lib-way/bad_witness");
   EXPECT_EQ(key(0, FindingKind::wrong_disjoint, contract, Mechanism::overflow), "overflow");
-  EXPECT_EQ(key(0, FindingKind::wrong_disjoint, Severity::resolution, Mechanism::untold), "lib/within-claim");
-  EXPECT_EQ(
-      key(0, FindingKind::crash, contract, Mechanism::untold, "SIGABRT: at 0x7f33 in line 12, bad shape"),
-      "lib/crash/sigabrt-at-in-line-bad-shape");
+  EXPECT_EQ(key(0, FindingKind::wrong_disjoint, Severity::resolution, Mechanism::unclassified),
+            "lib/within-claim");
+  EXPECT_EQ(key(0, FindingKind::crash, contract, Mechanism::unclassified,
+                "SIGABRT: at 0x7f33 in line 12, bad shape"),
+            "lib/crash/sigabrt-at-in-line-bad-shape");
 }
 
 TEST(Kin, IsTheSettingOrTheSameErrors) {
@@ -158,11 +158,12 @@ TEST(Kin, IsTheSettingOrTheSameErrors) {
   methods.push_back(std::make_unique<Erring>("y-two", up));
   methods.push_back(std::make_unique<Erring>("y-three", down));
   methods.push_back(std::make_unique<Erring>("z-right", [](const Pair&) { return false; }));
-  EXPECT_EQ(kin_of(methods), (std::vector<std::size_t>{0, 0, 2, 3}));
+  EXPECT_EQ(algorithm_groups(methods), (std::vector<std::size_t>{0, 0, 2, 3}));
 
   methods.push_back(std::make_unique<Visitor>("guest", up));
   methods.push_back(std::make_unique<Visitor>("guest-fast", down));
-  EXPECT_EQ(kin_of(methods), (std::vector<std::size_t>{0, 0, 2, 3, 4, 4})) << "of guests the name counts";
+  EXPECT_EQ(algorithm_groups(methods), (std::vector<std::size_t>{0, 0, 2, 3, 4, 4}))
+      << "of guests the name counts";
 }
 
 }  // namespace

@@ -2,8 +2,6 @@
 // Every certificate of many pairs, checked again in wide and rational arithmetic, and every verdict against
 // those of the methods that carry proofs. A few pairs daily; DAYLIGHT_PROOF_PAIRS=10000000 DAYLIGHT_SEED=n
 // for a long run.
-#include "oracles/trial/proofs.hpp"
-
 #include <gtest/gtest.h>
 
 #include <cstdio>
@@ -12,9 +10,11 @@
 
 #include "corpus/pairs/families.hpp"
 #include "corpus/pairs/pair_io.hpp"
+#include "corpus/pairs/truth_io.hpp"
 #include "oracles/referee/certificate.hpp"
 #include "oracles/referee/decide_exactly.hpp"
 #include "oracles/referee/referee.hpp"
+#include "oracles/trial/trial.hpp"
 #include "solver/decide.hpp"
 
 namespace cyl {

@@ -33,7 +33,7 @@ TEST(AnswerLaws, CatchAWrongVerdict) {
 TEST(AnswerLaws, CatchADirectionThatDoesNotSeparate) {
   EXPECT_EQ(laws_broken_by(plant("decide",
                                  [](const Pair&, MethodAnswer& answer) {
-                                   if (answer.witness == WitnessKind::direction)
+                                   if (answer.witness == CertificateKind::direction)
                                      answer.set_direction(Vector3(1, 0, 0));
                                  })),
             Numbers{32});
@@ -60,7 +60,7 @@ TEST(AnswerLaws, CatchAnAnswerThatChanges) {
   int calls = 0;
   EXPECT_EQ(laws_broken_by(plant("decide",
                                  [&](const Pair&, MethodAnswer& answer) {
-                                   if (++calls % 3 == 0) answer.witness = WitnessKind::none;
+                                   if (++calls % 3 == 0) answer.witness = CertificateKind::none;
                                  })),
             (Numbers{35, 36}));
 }
@@ -139,7 +139,7 @@ TEST(AnswerLaws, CatchADirectionTheWrongWay) {
   EXPECT_EQ(laws_broken_by(plant(
                 "decide",
                 [](const Pair&, MethodAnswer& answer) {
-                  if (answer.witness == WitnessKind::direction)
+                  if (answer.witness == CertificateKind::direction)
                     for (double& x : answer.head) x = -x;
                 },
                 of_everything)),

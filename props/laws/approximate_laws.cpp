@@ -38,9 +38,9 @@ std::optional<Broken> break_change(const LawCase& c, std::size_t i, double chang
   if (says_meet(first) == says_meet(second)) return {};
   // Proofs of verdicts are cheap, of distances not.
   if (!is_refuted(c, c.pair, first) && !is_refuted(c, changed, second)) return {};
-  Proved& proved = c.proofs.of(c.pair);
+  Trial& proved = c.proofs.of(c.pair);
   if (proved.truth.verdict == Verdict::undecided) return {};
-  if (magnitude_against(change, proved.truth, proved.distance).lo <= change) return {};
+  if (magnitude_against(change, proved).lo <= change) return {};
   return Broken{
       std::string("the verdict turns from ") + to_string(first.verdict) + " to " + to_string(second.verdict),
       severity_of(c, i)};

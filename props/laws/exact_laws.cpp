@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "corpus/pairs/pair_io.hpp"
+#include "corpus/pairs/scaled_pair.hpp"
 #include "props/laws/law_groups.hpp"
 
 namespace cyl {
@@ -38,8 +39,8 @@ std::string difference_in_bits(const MethodAnswer& first, const MethodAnswer& se
   if (first.has_distance && !same(first.distance, second.distance, expected.length))
     return differ("the distance", expected.length * first.distance, second.distance);
   if (first.witness != second.witness) return "the witnesses are of different kinds";
-  if (first.witness == WitnessKind::none) return {};
-  const bool is_direction = first.witness == WitnessKind::direction;
+  if (first.witness == CertificateKind::none) return {};
+  const bool is_direction = first.witness == CertificateKind::direction;
   const double factor = is_direction ? expected.direction : expected.length;
   for (int i = 0; i < 3; ++i) {
     for (const auto& [x, y] :
@@ -85,35 +86,31 @@ double extent(const Pair& pair) {
 /// One step each way, and farther than float or an absolute tolerance bears.
 constexpr int scales[] = {-400, -1, 1, 400};
 
-/// The pair with all lengths times 2^k, or nothing where that is not exact or leaves a pair too small.
-std::optional<Pair> scaled(Pair pair, int k) {
-  const double before = extent(pair);
-  for (Cylinder* c : {&pair.a, &pair.b}) {
-    for (double* x : {&c->center.x(), &c->center.y(), &c->center.z(), &c->radius, &c->height}) {
-      const double length = std::ldexp(*x, k);
-      if (!std::isfinite(length) || std::ldexp(length, -k) != *x) return {};
-      *x = length;
-    }
-  }
-  for (const Cylinder* c : {&pair.a, &pair.b})
+/// Returns the pair with all lengths times 2^k, or nothing where that is not exact or leaves a pair too
+/// small.
+std::optional<Pair> scaled_far_from_underflow(const Pair& whole, int k) {
+  const auto pair = scaled_exactly(whole, k);
+  if (!pair) return {};
+  for (const Cylinder* c : {&pair->a, &pair->b})
     for (const double side : {c->radius, c->height})
       if (side != 0 && std::min(side, std::ldexp(side, -k)) < least_scaled_side) return {};
-  if (std::min(before, extent(pair)) < least_scaled_length) return {};
-  if (!std::isfinite(std::max(before, extent(pair)))) return {};
+  const double before = extent(whole), after = extent(*pair);
+  if (std::min(before, after) < least_scaled_length) return {};
+  if (!std::isfinite(std::max(before, after))) return {};
   return pair;
 }
 
 std::vector<Asked> at_other_scales(const Method&, const Pair& pair, const MethodAnswer&) {
   std::vector<Asked> asked;
   for (const int k : scales)
-    if (const auto other = scaled(pair, k)) asked.push_back({*other});
+    if (const auto other = scaled_far_from_underflow(pair, k)) asked.push_back({*other});
   return asked;
 }
 
 std::optional<Broken> break_scaling(const LawCase& c) {
   std::vector<int> asked;
   std::copy_if(std::begin(scales), std::end(scales), std::back_inserter(asked),
-               [&](int k) { return scaled(c.pair, k).has_value(); });
+               [&](int k) { return scaled_far_from_underflow(c.pair, k).has_value(); });
   const auto cut_off = [](const MethodAnswer& x) {
     return x.has_distance && std::fabs(x.distance) == std::numeric_limits<double>::max();
   };

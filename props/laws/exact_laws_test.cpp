@@ -23,7 +23,7 @@ MethodAnswer cubes(const Pair& pair) {
   for (int i = 0; i < 3; ++i) {
     if (std::fabs(delta[i]) <= pair.a.radius + pair.b.radius) continue;
     answer.verdict = Verdict::disjoint;
-    answer.witness = WitnessKind::direction;
+    answer.witness = CertificateKind::direction;
     answer.head[i] = delta[i] > 0 ? 1 : -1;
   }
   return answer;

@@ -80,7 +80,7 @@ Examined examine(std::span<const std::unique_ptr<Method>> methods, std::span<con
           if (errand.asked.empty()) continue;
           errand.first_question = further.size();
           for (const Asked& asked : errand.asked) {
-            further.push_back({m, changed.size(), asked.way});
+            further.push_back({m, changed.size(), asked.mode});
             changed.push_back(asked.pair);
           }
         }
@@ -121,7 +121,7 @@ Examined examine(std::span<const std::unique_ptr<Method>> methods, std::span<con
                                errand->asked,
                                {c.answers.begin(), c.answers.end()}});
     }
-    if (const Proved* proved = proofs.known(pairs[p])) result.truths[p] = proved->truth.verdict;
+    if (const Trial* proved = proofs.known(pairs[p])) result.truths[p] = proved->truth.verdict;
   }
   return result;
 }
@@ -136,7 +136,7 @@ std::optional<Broken> broken_by(Method& method, const Law& law, const Pair& pair
     if (asked.empty()) return {};
   }
   std::vector<MethodAnswer> answers;
-  for (const Asked& a : asked) answers.push_back(put(method, a.pair, a.way));
+  for (const Asked& a : asked) answers.push_back(call(method, a.pair, a.mode));
   return law.broken({method, pair, first, asked, answers, proofs});
 }
 

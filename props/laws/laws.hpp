@@ -15,7 +15,7 @@
 #include "oracles/methods/contained.hpp"
 #include "oracles/methods/method.hpp"
 #include "oracles/trial/compare.hpp"
-#include "oracles/trial/proofs.hpp"
+#include "oracles/trial/trial.hpp"
 #include "solver/cylinder.hpp"
 
 namespace cyl {
@@ -33,7 +33,7 @@ constexpr auto words_of(LawKind) noexcept {
 /// A pair that a law wants asked, and how.
 struct Asked {
   Pair pair;
-  Way way = Way::usual;
+  CallMode mode = CallMode::usual;
 };
 
 /// One method's answers to a pair and to what a law made of it.

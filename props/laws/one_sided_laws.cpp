@@ -106,7 +106,7 @@ Vector3 offered_direction(const Pair& pair, const MethodAnswer& answer) {
 }
 
 std::vector<Asked> moved_apart(const Method&, const Pair& pair, const MethodAnswer& first) {
-  if (first.verdict != Verdict::disjoint || first.witness != WitnessKind::direction || !is_in_range(pair))
+  if (first.verdict != Verdict::disjoint || first.witness != CertificateKind::direction || !is_in_range(pair))
     return {};
   const Vector3 u = offered_direction(pair, first);
   if (!u.allFinite() || u.isZero(0)) return {};

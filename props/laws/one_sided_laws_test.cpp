@@ -52,7 +52,7 @@ TEST(OneSidedLaws, CatchSolidsSaidToMeetWhereTheyWereMovedApart) {
                                  [](const Pair& pair, MethodAnswer& answer) {
                                    if (centre_distance(pair) < 100 * size_of(pair)) return;
                                    answer.verdict = Verdict::intersecting;
-                                   answer.witness = WitnessKind::none;
+                                   answer.witness = CertificateKind::none;
                                  })),
             Numbers{13});
 }

@@ -1,34 +1,29 @@
 // SPDX-License-Identifier: MIT
 #include "props/mutants/kill_matrix.hpp"
 
-#include <fcntl.h>
 #include <fmt/format.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 #include <algorithm>
-#include <array>
-#include <cerrno>
 #include <chrono>
 #include <csignal>
-#include <cstdio>
 #include <exception>
 #include <memory>
-#include <system_error>
 
-#include "base/process/fork_with_retry.hpp"
+#include "base/json.hpp"
+#include "base/process/child.hpp"
+#include "base/process/process.hpp"
 #include "corpus/pairs/families.hpp"
-#include "oracles/trial/compare.hpp"
+#include "oracles/trial/trial.hpp"
 #include "props/laws/examine.hpp"
 
 namespace cyl {
 namespace {
 
-constexpr int survived_code = 0, killed_code = 1;
-
-/// Bytes of a report that are kept; a pipe holds as many unread.
-constexpr std::size_t report_cap = 4096;
+/// Bytes of a message that are kept.
+constexpr std::size_t message_cap = 4096;
 
 /// Pairs drawn of each family, and of each family for timing; enough that chance plays no part with faults
 /// that are seen at all.
@@ -72,44 +67,50 @@ auto methods_of(const Mutant& mutant) { return select_methods(all_methods(), mut
 std::string contradiction(std::span<const Case> cases) {
   for (const Case& c : cases) {
     if (!c.truth) continue;
-    const Truth truth = judge(c.pair);
+    Trial trial(c.pair);
+    const Verdict truth = trial.truth.verdict;
     MethodAnswer stated;
     stated.status = Status::answered;
     stated.verdict = *c.truth;
-    LazyDistance distance([&](double width) { return enclose_distance(c.pair, truth, width); });
-    if (truth.verdict == Verdict::undecided ? *c.truth != Verdict::undecided
-                                            : compare(c.pair, truth, distance, Claim{}, stated).has_value())
-      return fmt::format("{} is stated to be {}, judged {}", c.id, to_string(*c.truth),
-                         to_string(truth.verdict));
+    if (truth == Verdict::undecided ? *c.truth != Verdict::undecided
+                                    : compare(trial, Claim{}, stated).has_value())
+      return fmt::format("{} is stated to be {}, judged {}", c.id, to_string(*c.truth), to_string(truth));
   }
   return {};
 }
 
-[[noreturn]] void detect(const Mutant& mutant, const Detector& detector, void (*select)(int) noexcept,
-                         int report) {
-  const rlimit no_core{0, 0}, cpu{detector_cpu_cap, detector_cpu_cap + 1};
-  setrlimit(RLIMIT_CORE, &no_core);
+/// The evidence as CBOR; no bytes where there is none.
+std::string run_detector(const Mutant& mutant, const Detector& detector, void (*select)(int) noexcept) {
+  limit(RLIMIT_CORE, 0);
+  const rlimit cpu{detector_cpu_cap, detector_cpu_cap + 1};
   setrlimit(RLIMIT_CPU, &cpu);
   alarm(detector_wall_cap);
-  const int nowhere = open("/dev/null", O_RDWR);
-  for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) dup2(nowhere, stream);
+  redirect_streams("/dev/null", "/dev/null");
   select(mutant.number);
-  std::string what;
+  Evidence evidence;
   try {
-    what = detector.betrayal(mutant);
+    evidence = detector.detect(mutant);
   } catch (const std::exception& error) {
-    what = fmt::format("the harness fails: {}", error.what());
+    evidence.failure_message = fmt::format("the harness fails: {}", error.what());
   }
-  if (what.empty()) _exit(survived_code);
-  if (write(report, what.data(), std::min(what.size(), report_cap)) < 0) _exit(killed_code);
-  _exit(killed_code);
+  if (evidence.failure_message.empty()) return {};
+  nlohmann::json bytes = nlohmann::json::array({evidence.failure_message.substr(0, message_cap)});
+  if (evidence.family_index) bytes.push_back(*evidence.family_index);
+  return format_cbor(bytes);
+}
+
+Detection::Outcome outcome_of(const Child& child) {
+  using enum Detection::Outcome;
+  if (!WIFSIGNALED(child.status())) return child.status() == 0 && child.bytes().empty() ? survived : killed;
+  const int signal = WTERMSIG(child.status());
+  return signal == SIGXCPU || signal == SIGALRM || signal == SIGKILL ? hung : crashed;
 }
 
 }  // namespace
 
 bool KillRow::killed() const {
   return std::any_of(detections.begin(), detections.end(),
-                     [](const Detection& d) { return d.fate > Fate::survived; });
+                     [](const Detection& d) { return d.outcome > Detection::Outcome::survived; });
 }
 
 KillRow run_detectors(const Mutant& mutant, std::span<const Detector> detectors,
@@ -117,28 +118,15 @@ KillRow run_detectors(const Mutant& mutant, std::span<const Detector> detectors,
   KillRow row{mutant, {}};
   for (const Detector& detector : detectors) {
     const auto start = std::chrono::steady_clock::now();
-    std::fflush(nullptr);
-    int report[2];
-    if (pipe2(report, O_CLOEXEC) != 0) throw std::system_error(errno, std::generic_category(), "pipe");
-    const pid_t child = patient_fork();
-    if (child < 0) throw std::system_error(errno, std::generic_category(), "fork");
-    if (child == 0) detect(mutant, detector, select, report[1]);
-    close(report[1]);
-    int status = 0;
-    while (waitpid(child, &status, 0) < 0 && errno == EINTR) {
-    }
+    Child child([&] { return run_detector(mutant, detector, select); });
+    child.wait();
     Detection d;
     d.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-    fcntl(report[0], F_SETFL, O_NONBLOCK);  // a worker that outlives the child may hold the other end
-    std::array<char, report_cap> text;
-    if (const ssize_t got = read(report[0], text.data(), text.size()); got > 0)
-      d.what.assign(text.data(), static_cast<std::size_t>(got));
-    close(report[0]);
-    if (WIFSIGNALED(status)) {
-      const int signal = WTERMSIG(status);
-      d.fate = signal == SIGXCPU || signal == SIGALRM || signal == SIGKILL ? Fate::hung : Fate::crashed;
-    } else {
-      d.fate = WEXITSTATUS(status) == survived_code ? Fate::survived : Fate::killed;
+    d.outcome = outcome_of(child);
+    if (!child.bytes().empty()) {
+      const nlohmann::json evidence = parse_cbor(child.bytes());
+      d.evidence.failure_message = evidence.at(0);
+      if (evidence.size() > 1) d.evidence.family_index = evidence.at(1);
     }
     row.detections.push_back(d);
   }

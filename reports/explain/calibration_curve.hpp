@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// How often a method fails in one way, decade of margin by decade, on pairs on which what meets is the same
-// as on the pair that is to be explained.
+// Calibration: how often a method fails in one way, decade of margin by decade, against what it claims, on
+// pairs on which what meets is the same as on the pair that is to be explained.
 #pragma once
 
 #include <cstdint>
@@ -8,13 +8,13 @@
 #include <optional>
 #include <vector>
 
-#include "base/rate_bounds.hpp"
+#include "base/statistics.hpp"
 #include "corpus/pairs/contact_feature.hpp"
-#include "oracles/trial/probe.hpp"
+#include "oracles/trial/trial.hpp"
 
 namespace cyl {
 
-struct HonestyPoint {
+struct CalibrationPoint {
   int decade = 0;              ///< margins in (10^(-decade-1), 10^-decade], as drawn
   std::uint64_t drawn = 0;     ///< pairs asked about
   std::uint64_t trials = 0;    ///< of them, those it answered and on which it could fail so: of a wrong
@@ -23,19 +23,19 @@ struct HonestyPoint {
   RateBounds rate;
 };
 
-struct HonestyCurve {
+struct CalibrationCurve {
   ContactFeature feature;
   std::uint64_t seed = 0;
   int exponent = 0;  ///< the drawn pairs, of sizes about 1 to 10, are scaled by 2^exponent to the pair's size
-  std::vector<HonestyPoint> points;  ///< decades from 1 to 15; those without such pairs are absent
+  std::vector<CalibrationPoint> points;  ///< decades from 1 to 15; those without such pairs are absent
 };
 
 /// Pairs of a decade; divided by the method's share where it is costly.
 inline constexpr std::uint64_t drawn_per_decade = 400;
 
-/// Nothing where no stratum fits: the truth of the failing pair is not decided. The pairs are
+/// Returns nothing where no stratum fits: the truth of the failing pair is not decided. The pairs are
 /// corpus/strata's: independent, near the origin, at index 0, 1, .. of the seed.
-std::optional<HonestyCurve> honesty_curve(const std::unique_ptr<Method>& method, const Probe& failing,
-                                          std::uint64_t seed);
+std::optional<CalibrationCurve> calibration_curve(const std::unique_ptr<Method>& method, const Trial& failing,
+                                                  std::uint64_t seed);
 
 }  // namespace cyl

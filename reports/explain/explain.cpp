@@ -7,34 +7,36 @@
 #include <cmath>
 
 #include "base/json.hpp"
+#include "base/safe_text.hpp"
 #include "base/usage_error.hpp"
 #include "corpus/pairs/pair_io.hpp"
-#include "reports/gate/failure_text.hpp"
+#include "corpus/pairs/pair_json.hpp"
+#include "corpus/pairs/truth_io.hpp"
 
 namespace cyl {
 namespace {
 
 using json = nlohmann::ordered_json;
 
-bool meet(const Probe& p) { return p.truth.verdict != Verdict::disjoint; }
+bool meet(const Trial& p) { return p.truth.verdict != Verdict::disjoint; }
 
 /// What is found beyond an end.
-std::string beyond_in_words(const Probe& asked, const RegionEnd& end) {
+std::string beyond_in_words(const Trial& asked, const RegionEnd& end) {
   if (!end.beyond) return "as far as tried";
-  const Probe& p = *end.beyond;
-  if (p.finding) return to_string(p.finding->kind);
+  const Trial& p = *end.beyond;
+  if (p.finding()) return to_string(p.finding()->kind);
   if (!p.decided()) return "truth unproved";
-  if (p.answer.status != Status::answered || p.answer.verdict == Verdict::undecided) return "no answer";
+  if (p.answer().status != Status::answered || p.answer().verdict == Verdict::undecided) return "no answer";
   if (meet(p) != meet(asked)) return meet(p) ? "they meet" : "they are apart";
   return "right";
 }
 
 /// Whether the method gets right beyond an end what it gets wrong within, the truth being the same.
-bool turns_right(const Probe& asked, const RegionEnd& end) {
+bool turns_right(const Trial& asked, const RegionEnd& end) {
   return end.beyond && end.beyond->right() && meet(*end.beyond) == meet(asked);
 }
 
-/// Of an explanation that has regions.
+/// The region of a parameter, where the explanation has regions.
 const FailingRegion& region_of(const Explanation& e, Parameter parameter) {
   return e.regions[static_cast<std::size_t>(parameter)];
 }
@@ -47,20 +49,21 @@ std::string column_title(Parameter p) {
 
 /// "calls solids up to 9.9e-07 apart intersecting", ...
 std::string failure_in_words(const Explanation& e) {
-  switch (e.asked.finding->kind) {
+  switch (e.asked.finding()->kind) {
     case FindingKind::wrong_intersecting:
       return fmt::format("calls solids up to {:.3g} apart {}",
-                         region_of(e, Parameter::distance).high.fails_at, to_string(e.asked.answer.verdict));
+                         region_of(e, Parameter::distance).high.fails_at,
+                         to_string(e.asked.answer().verdict));
     case FindingKind::wrong_disjoint:
       return fmt::format("calls solids that overlap by up to {:.3g} disjoint",
                          std::max(0.0, -region_of(e, Parameter::distance).low.fails_at));
     case FindingKind::distance_outside:
-      return fmt::format("tells a distance of {:.6g} of solids {}", e.asked.answer.distance,
+      return fmt::format("tells a distance of {:.6g} of solids {}", e.asked.answer().distance,
                          distance_in_words(e.asked));
     case FindingKind::bad_witness:
       return fmt::format("offers a witness that proves nothing, of solids {}", distance_in_words(e.asked));
     default:
-      return fmt::format("ends in {} on solids {}", to_string(e.asked.finding->kind),
+      return fmt::format("ends in {} on solids {}", to_string(e.asked.finding()->kind),
                          distance_in_words(e.asked));
   }
 }
@@ -72,16 +75,18 @@ std::string joined(const std::vector<std::string>& words, const char* last) {
   return text;
 }
 
-bool cured_by(const Explanation& e, Remedy remedy) {
-  return std::any_of(e.cures.begin(), e.cures.end(),
-                     [&](const Cure& c) { return c.remedy == remedy && c.effect == Effect::cured; });
+bool helps(const Explanation& e, Transformation transformation) {
+  return std::any_of(e.workarounds.begin(), e.workarounds.end(), [&](const Workaround& w) {
+    return w.transformation == transformation && w.outcome == WorkaroundOutcome::right;
+  });
 }
 
 std::vector<std::string> causes(const Explanation& e) {
   std::vector<std::string> found;
   std::vector<std::string> settings;
-  for (const Cure& c : e.cures)
-    if (c.remedy == Remedy::setting && c.effect == Effect::cured) settings.push_back(c.method);
+  for (const Workaround& w : e.workarounds)
+    if (w.transformation == Transformation::setting && w.outcome == WorkaroundOutcome::right)
+      settings.push_back(w.method);
   if (!settings.empty())
     found.push_back(fmt::format("its own setting decides ({} {} right)", joined(settings, " and "),
                                 settings.size() == 1 ? "is" : "are"));
@@ -93,12 +98,13 @@ std::vector<std::string> causes(const Explanation& e) {
     if (smaller) text += fmt::format("2^{:.0f} or less", *down.ends_at);
     if (larger) text += fmt::format("{}2^{:.0f} or more", smaller ? ", or " : "", *up.ends_at);
     found.push_back(text + ")");
-  } else if (cured_by(e, Remedy::rescaled)) {
+  } else if (helps(e, Transformation::rescaled)) {
     found.push_back("a length of its own decides (right once scaled to size 1)");
   }
-  if (cured_by(e, Remedy::at_origin)) found.push_back("the place decides (right at the origin)");
-  if (cured_by(e, Remedy::unit_axes)) found.push_back("the axes' lengths decide (right with unit axes)");
-  if (cured_by(e, Remedy::exchanged)) found.push_back("the order decides (right with the solids exchanged)");
+  if (helps(e, Transformation::at_origin)) found.push_back("the place decides (right at the origin)");
+  if (helps(e, Transformation::unit_axes)) found.push_back("the axes' lengths decide (right with unit axes)");
+  if (helps(e, Transformation::exchanged))
+    found.push_back("the order decides (right with the solids exchanged)");
   return found;
 }
 
@@ -112,8 +118,8 @@ std::vector<std::string> indifferent(const Explanation& e) {
 }
 
 /// Whether the method itself, and not the truth or a refusal to answer, ends the failure there.
-bool method_ends_it(const Probe& asked, const RegionEnd& end) {
-  return end.beyond && end.beyond->decided() && end.beyond->answer.status != Status::declined &&
+bool method_ends_it(const Trial& asked, const RegionEnd& end) {
+  return end.beyond && end.beyond->decided() && end.beyond->answer().status != Status::declined &&
          meet(*end.beyond) == meet(asked);
 }
 
@@ -158,12 +164,12 @@ std::string regions_table(const Explanation& e) {
   return text;
 }
 
-std::string curve_table(const HonestyCurve& c) {
+std::string curve_table(const CalibrationCurve& c) {
   std::string text = fmt::format(
       "\nshare that fails so, of drawn {} pairs of the pair's size (seed {}), with exact 95 % bounds\n"
       "{:<8} {:>9} {:>9} {:>9}   {}\n",
       to_string(c.feature), c.seed, "margin", "trials", "fail", "share", "bounds");
-  for (const HonestyPoint& p : c.points) {
+  for (const CalibrationPoint& p : c.points) {
     if (p.trials == 0) continue;
     text += fmt::format("1e-{:02}    {:>9} {:>9} {:>9.3g}   {:.2g} to {:.2g}\n", p.decade, p.trials,
                         p.failures, static_cast<double>(p.failures) / static_cast<double>(p.trials),
@@ -178,38 +184,37 @@ std::string said_in_words(const MethodAnswer& answer) {
          (answer.has_distance ? fmt::format(", distance {:.6g}", answer.distance) : "");
 }
 
-std::string cures_table(const Explanation& e) {
+std::string workarounds_table(const Explanation& e) {
   std::string text = "\n";
-  for (const Cure& c : e.cures) {
-    const std::string remedy = c.remedy == Remedy::setting ? c.method : std::string(to_string(c.remedy));
-    text += fmt::format("{:<30} {:<18}", remedy, to_string(c.effect));
-    if (c.effect != Effect::no_change)
-      text += fmt::format(" {} of solids {}", said_in_words(c.after.answer), distance_in_words(c.after));
+  for (const Workaround& w : e.workarounds) {
+    const std::string what =
+        w.transformation == Transformation::setting ? w.method : std::string(to_string(w.transformation));
+    text += fmt::format("{:<30} {:<18}", what, to_string(w.outcome));
+    if (w.outcome != WorkaroundOutcome::no_change)
+      text += fmt::format(" {} of solids {}", said_in_words(w.after.answer()), distance_in_words(w.after));
     text += '\n';
   }
   return text;
 }
 
-json number_json(double x) { return std::isfinite(x) ? json(x) : json(format_double(x)); }
-
-json probe_json(const Probe& p) {
-  json object{{"pair", parse_ordered_json(format_pair(p.pair))},
-              {"truth", parse_ordered_json(format_truth(p.truth, p.decided() ? &p.distance : nullptr))},
-              {"answer", parse_ordered_json(format_method_answer(p.answer))}};
-  object["finding"] = p.finding ? json(to_string(p.finding->kind)) : json(nullptr);
+json trial_json(const Trial& p) {
+  json object{{"pair", pair_to_json(p.pair)},
+              {"truth", truth_to_json(p.truth, p.decided() ? &p.distance : nullptr)},
+              {"answer", answer_to_json(p.answer())}};
+  object["finding"] = p.finding() ? json(to_string(p.finding()->kind)) : json(nullptr);
   return object;
 }
 
 json end_json(const RegionEnd& end) {
   return {{"fails_at", number_json(end.fails_at)},
-          {"failing", probe_json(end.failing)},
+          {"failing", trial_json(end.failing)},
           {"ends_at", end.ends_at ? number_json(*end.ends_at) : json(nullptr)},
-          {"beyond", end.beyond ? probe_json(*end.beyond) : json(nullptr)}};
+          {"beyond", end.beyond ? trial_json(*end.beyond) : json(nullptr)}};
 }
 
-json curve_json(const HonestyCurve& c) {
+json curve_json(const CalibrationCurve& c) {
   json bins = json::array();
-  for (const HonestyPoint& p : c.points)
+  for (const CalibrationPoint& p : c.points)
     bins.push_back({{"decade", p.decade},
                     {"drawn", p.drawn},
                     {"trials", p.trials},
@@ -227,49 +232,50 @@ json curve_json(const HonestyCurve& c) {
 Explanation explain(std::span<const std::unique_ptr<Method>> methods, std::string_view name, FindingKind kind,
                     const Pair& pair, std::uint64_t seed) {
   const auto& method = find_method(methods, name);
-  Explanation e{std::string(name), method->claim(), probe_one(method, pair), {}, {}, {}, {}};
+  Explanation e{std::string(name), method->claim(), try_method(method, pair), {}, {}, {}, {}};
   if (!e.asked.fails(kind))
     throw UsageError(fmt::format("{} has no {} on this pair today: it says {}", name, to_string(kind),
-                                 format_method_answer(e.asked.answer)));
+                                 format_method_answer(e.asked.answer())));
   if (kind != FindingKind::hang) {
     e.regions = failing_regions(method, e.asked);
-    e.curve = honesty_curve(method, e.asked, seed);
+    e.curve = calibration_curve(method, e.asked, seed);
   }
-  e.cures = try_cures(methods, method, e.asked);
+  e.workarounds = try_workarounds(methods, method, e.asked);
   e.mechanism = mechanism(e);
   return e;
 }
 
 std::string explanation_text(const Explanation& e) {
   std::string text = fmt::format("{} says {} of solids {}: {} ({})\n{}\n", e.method,
-                                 one_line(format_method_answer(e.asked.answer)), distance_in_words(e.asked),
-                                 to_string(e.asked.finding->kind), to_string(e.asked.finding->severity),
+                                 one_line(format_method_answer(e.asked.answer())), distance_in_words(e.asked),
+                                 to_string(e.asked.finding()->kind), to_string(e.asked.finding()->severity),
                                  format_pair(e.asked.pair));
   if (!e.regions.empty()) text += '\n' + regions_table(e);
   if (e.curve) text += curve_table(*e.curve);
-  return text + cures_table(e) + "\n" + e.mechanism + "\n";
+  return text + workarounds_table(e) + "\n" + e.mechanism + "\n";
 }
 
 std::string explanation_json(const Explanation& e) {
-  json regions = json::array(), cures = json::array();
+  json regions = json::array(), workarounds = json::array();
   for (const FailingRegion& r : e.regions)
     regions.push_back({{"parameter", to_string(r.parameter)},
                        {"at", number_json(r.at)},
                        {"low", end_json(r.low)},
                        {"high", end_json(r.high)}});
-  for (const Cure& c : e.cures)
-    cures.push_back({{"remedy", to_string(c.remedy)},
-                     {"method", c.method},
-                     {"effect", to_string(c.effect)},
-                     {"after", c.effect == Effect::no_change ? json(nullptr) : probe_json(c.after)}});
+  for (const Workaround& w : e.workarounds)
+    workarounds.push_back(
+        {{"remedy", to_string(w.transformation)},
+         {"method", w.method},
+         {"effect", to_string(w.outcome)},
+         {"after", w.outcome == WorkaroundOutcome::no_change ? json(nullptr) : trial_json(w.after)}});
   const json all{{"method", e.method},
                  {"claim", {{"relative", e.claim.relative}, {"absolute", e.claim.absolute}}},
-                 {"kind", to_string(e.asked.finding->kind)},
-                 {"severity", to_string(e.asked.finding->severity)},
-                 {"asked", probe_json(e.asked)},
+                 {"kind", to_string(e.asked.finding()->kind)},
+                 {"severity", to_string(e.asked.finding()->severity)},
+                 {"asked", trial_json(e.asked)},
                  {"regions", std::move(regions)},
                  {"curve", e.curve ? curve_json(*e.curve) : json(nullptr)},
-                 {"cures", std::move(cures)},
+                 {"cures", std::move(workarounds)},
                  {"mechanism", e.mechanism}};
   return all.dump(1, ' ', false, json::error_handler_t::replace) + '\n';
 }

@@ -11,7 +11,7 @@
 #include <string_view>
 #include <vector>
 
-#include "oracles/trial/probe.hpp"
+#include "oracles/trial/trial.hpp"
 #include "reports/explain/calibration_curve.hpp"
 #include "reports/explain/failing_region.hpp"
 #include "reports/explain/workarounds.hpp"
@@ -23,23 +23,23 @@ inline constexpr std::uint64_t explain_seed_default = 1;
 struct Explanation {
   std::string method;
   Claim claim;
-  Probe asked;                         ///< holds the finding
-  std::vector<FailingRegion> regions;  ///< none of a hang: each question would cost a second
-  std::optional<HonestyCurve> curve;   ///< likewise
-  std::vector<Cure> cures;
+  Trial asked;                            ///< of the method alone: holds the finding
+  std::vector<FailingRegion> regions;     ///< none of a hang: each question would cost a second
+  std::optional<CalibrationCurve> curve;  ///< likewise
+  std::vector<Workaround> workarounds;
   std::string mechanism;  ///< one sentence that sums up the rest
 };
 
 /// Asks the method about some 6,000 pairs, contained; a second or two, more where it is slow; a second
-/// for each cure of a hang. The
-/// same arguments give the same explanation, but for what depends on hangs. Throws UsageError
-/// where no method has that name or where it does not fail in this way on this pair today.
+/// for each workaround of a hang. The same arguments give the same explanation, but for what depends on
+/// hangs. Throws UsageError where no method has that name or where it does not fail in this way on this pair
+/// today.
 Explanation explain(std::span<const std::unique_ptr<Method>> methods, std::string_view method,
                     FindingKind kind, const Pair& pair, std::uint64_t seed = explain_seed_default);
 
-/// Tables for people, ending in the mechanism.
+/// Returns tables for people, ending in the mechanism.
 std::string explanation_text(const Explanation& explanation);
-/// Everything, as one JSON object.
+/// Returns everything, as one JSON object.
 std::string explanation_json(const Explanation& explanation);
 
 }  // namespace cyl

@@ -69,7 +69,7 @@ const FailingRegion& region(const std::vector<FailingRegion>& regions, Parameter
 
 TEST(FailingRegion, EndsWhereTheToleranceDoes) {
   const auto methods = blurred_methods();
-  const auto regions = failing_regions(methods[0], probe_one(methods[0], stacked()));
+  const auto regions = failing_regions(methods[0], try_method(methods[0], stacked()));
   const FailingRegion& r = region(regions, Parameter::distance);
   EXPECT_NEAR(r.at, 1e-4, 1e-12);
   EXPECT_GE(r.high.fails_at, 0.98e-3);
@@ -86,9 +86,9 @@ TEST(FailingRegion, EndsWhereTheToleranceDoes) {
 
 TEST(FailingRegion, EveryEndWasAskedAboutAndProved) {
   const auto methods = blurred_methods();
-  for (const FailingRegion& r : failing_regions(methods[0], probe_one(methods[0], stacked()))) {
+  for (const FailingRegion& r : failing_regions(methods[0], try_method(methods[0], stacked()))) {
     for (const RegionEnd* end : {&r.low, &r.high}) {
-      EXPECT_TRUE(probe_one(methods[0], end->failing.pair).fails(kind)) << to_string(r.parameter);
+      EXPECT_TRUE(try_method(methods[0], end->failing.pair).fails(kind)) << to_string(r.parameter);
       EXPECT_EQ(end->ends_at.has_value(), end->beyond.has_value());
       if (end->beyond) {
         EXPECT_FALSE(end->beyond->fails(kind)) << to_string(r.parameter);
@@ -102,7 +102,7 @@ TEST(FailingRegion, EveryEndWasAskedAboutAndProved) {
 
 TEST(FailingRegion, TellsWhatMatters) {
   const auto methods = blurred_methods();
-  const auto regions = failing_regions(methods[0], probe_one(methods[0], stacked()));
+  const auto regions = failing_regions(methods[0], try_method(methods[0], stacked()));
   const FailingRegion& scale = region(regions, Parameter::scale);
   EXPECT_EQ(scale.high.fails_at, 3);
   EXPECT_EQ(*scale.high.ends_at, 4);
@@ -118,20 +118,20 @@ TEST(FailingRegion, TellsWhatMatters) {
     EXPECT_GT(region(regions, p).high.fails_at, 1e3) << to_string(p);
   }
 
-  const auto places = failing_regions(methods[2], probe_one(methods[2], far_away()));
+  const auto places = failing_regions(methods[2], try_method(methods[2], far_away()));
   const FailingRegion& offset = region(places, Parameter::offset);
   EXPECT_NEAR(offset.low.fails_at, 1e3, 20);
   EXPECT_TRUE(offset.low.beyond->right());
 }
 
-TEST(HonestyCurve, StepsAtTheTolerance) {
+TEST(CalibrationCurve, StepsAtTheTolerance) {
   const auto methods = blurred_methods();
-  const Probe failing = probe_one(methods[0], stacked());
-  const auto curve = honesty_curve(methods[0], failing, 7);
+  const Trial failing = try_method(methods[0], stacked());
+  const auto curve = calibration_curve(methods[0], failing, 7);
   ASSERT_TRUE(curve);
   EXPECT_EQ(curve->feature, ContactFeature::cap_cap);
   std::uint64_t trials = 0;
-  for (const HonestyPoint& p : curve->points) {
+  for (const CalibrationPoint& p : curve->points) {
     trials += p.trials;
     EXPECT_EQ(p.drawn, drawn_per_decade);
     // Sizes are from 2 to 16.
@@ -157,23 +157,23 @@ TEST(Cures, OnesOfTheSameWay) {
   EXPECT_TRUE(differ_in_setting("nlopt-direct-600", "nlopt-direct-6000"));
 }
 
-Effect effect(const std::vector<Cure>& cures, Remedy remedy) {
-  for (const Cure& c : cures)
-    if (c.remedy == remedy) return c.effect;
-  return Effect::no_change;
+WorkaroundOutcome outcome(const std::vector<Workaround>& tried, Transformation transformation) {
+  for (const Workaround& w : tried)
+    if (w.transformation == transformation) return w.outcome;
+  return WorkaroundOutcome::no_change;
 }
 
 TEST(Cures, ToleranceScaleAndPlace) {
   const auto methods = blurred_methods();
-  const auto near = try_cures(methods, methods[0], probe_one(methods[0], stacked()));
-  EXPECT_EQ(effect(near, Remedy::setting), Effect::cured);
-  EXPECT_EQ(effect(near, Remedy::rescaled), Effect::not_cured);
-  EXPECT_EQ(effect(near, Remedy::at_origin), Effect::no_change);
-  EXPECT_EQ(effect(near, Remedy::exchanged), Effect::not_cured);
-  EXPECT_EQ(effect(near, Remedy::unit_axes), Effect::no_change);
-  const auto far = try_cures(methods, methods[2], probe_one(methods[2], far_away()));
-  EXPECT_EQ(effect(far, Remedy::setting), Effect::no_change);
-  EXPECT_EQ(effect(far, Remedy::at_origin), Effect::cured);
+  const auto near = try_workarounds(methods, methods[0], try_method(methods[0], stacked()));
+  EXPECT_EQ(outcome(near, Transformation::setting), WorkaroundOutcome::right);
+  EXPECT_EQ(outcome(near, Transformation::rescaled), WorkaroundOutcome::still_fails);
+  EXPECT_EQ(outcome(near, Transformation::at_origin), WorkaroundOutcome::no_change);
+  EXPECT_EQ(outcome(near, Transformation::exchanged), WorkaroundOutcome::still_fails);
+  EXPECT_EQ(outcome(near, Transformation::unit_axes), WorkaroundOutcome::no_change);
+  const auto far = try_workarounds(methods, methods[2], try_method(methods[2], far_away()));
+  EXPECT_EQ(outcome(far, Transformation::setting), WorkaroundOutcome::no_change);
+  EXPECT_EQ(outcome(far, Transformation::at_origin), WorkaroundOutcome::right);
 
   Pair tiny = stacked();
   for (Cylinder* c : {&tiny.a, &tiny.b}) {
@@ -182,8 +182,9 @@ TEST(Cures, ToleranceScaleAndPlace) {
     c->height *= 0x1p-20;
   }
   tiny.b.center.z() = 0x1.2p-19;  // apart by an eighth of the height: right at any other size
-  EXPECT_EQ(effect(try_cures(methods, methods[0], probe_one(methods[0], tiny)), Remedy::rescaled),
-            Effect::cured);
+  EXPECT_EQ(
+      outcome(try_workarounds(methods, methods[0], try_method(methods[0], tiny)), Transformation::rescaled),
+      WorkaroundOutcome::right);
 }
 
 TEST(Explain, SumsUp) {
@@ -241,8 +242,8 @@ TEST(Explain, AHangIsAskedAboutSeldom) {
   methods.push_back(std::make_unique<Hanging>());
   const Explanation e = explain(methods, "hanging", FindingKind::hang, stacked());
   EXPECT_TRUE(e.regions.empty());
-  EXPECT_EQ(effect(e.cures, Remedy::exchanged), Effect::cured);
-  EXPECT_EQ(effect(e.cures, Remedy::rescaled), Effect::not_cured);
+  EXPECT_EQ(outcome(e.workarounds, Transformation::exchanged), WorkaroundOutcome::right);
+  EXPECT_EQ(outcome(e.workarounds, Transformation::rescaled), WorkaroundOutcome::still_fails);
   EXPECT_NE(explanation_text(e).find("the order decides"), std::string::npos) << explanation_text(e);
   EXPECT_TRUE(parse_json(explanation_json(e))["curve"].is_null());
 }

@@ -7,6 +7,7 @@
 #include <numbers>
 #include <utility>
 
+#include "corpus/pairs/scaled_pair.hpp"
 #include "oracles/methods/adapter.hpp"
 
 namespace cyl {
@@ -16,10 +17,10 @@ using enum Parameter;
 
 constexpr std::array parameters{distance, angle, radius_a, height_a, radius_b, height_b, scale, offset};
 
-/// Steps of a ladder: a factor of 4^12 = 1.7e7 for the solids, of 4^26, more than a double resolves, for
+/// Steps outwards: a factor of 4^12 = 1.7e7 for the solids, of 4^26, more than a double resolves, for
 /// distances and offsets.
-constexpr int short_ladder_cap = 12, long_ladder_cap = 26;
-/// Lengths, in sizes, at which ladders from 0 begin.
+constexpr int short_steps_cap = 12, long_steps_cap = 26;
+/// Lengths, relative to the size, at which steps from 0 begin.
 constexpr double least_distance = 0x1p-50, least_length = 0x1p-20, least_angle = 0x1p-50;
 /// How near a distance is kept, relative to it and, for rounding, to the largest coordinate.
 constexpr double kept_tol = 0.01, rounding_tol = 0x1p-50;
@@ -69,9 +70,9 @@ bool all_finite(const Pair& p) {
 }
 
 /// The line of pairs that one parameter draws through the pair.
-class Course {
+class SearchPath {
  public:
-  Course(const Probe& failing, const std::optional<Located>& located, Parameter parameter)
+  SearchPath(const Trial& failing, const std::optional<Located>& located, Parameter parameter)
       : pair_(failing.pair), parameter_(parameter), size_(size_of(failing.pair)) {
     if (located) {
       distance_ = failing.truth.verdict == Verdict::touching ? 0 : located->distance;
@@ -103,7 +104,7 @@ class Course {
   }
 
   /// From the pair's own value outwards, to smaller or to greater values.
-  std::vector<double> ladder(bool up) const {
+  std::vector<double> steps_outwards(bool up) const {
     switch (parameter_) {
       case distance:
         return distances(up);
@@ -113,16 +114,17 @@ class Course {
         return steps;
       }
       case angle: {
-        std::vector<double> steps = up ? rungs(angle_, least_angle, long_ladder_cap, std::numbers::pi / 2)
-                                       : descent(angle_, long_ladder_cap);
+        std::vector<double> steps = up ? growing(angle_, least_angle, long_steps_cap, std::numbers::pi / 2)
+                                       : shrinking(angle_, long_steps_cap);
         if (up && angle_ < std::numbers::pi / 2) steps.push_back(std::numbers::pi / 2);
         return steps;
       }
       case offset:
-        return up ? rungs(std::max(offset_, size_), size_, long_ladder_cap)
-                  : descent(offset_, short_ladder_cap);
+        return up ? growing(std::max(offset_, size_), size_, long_steps_cap)
+                  : shrinking(offset_, short_steps_cap);
       default:
-        return up ? rungs(here(), least_length * size_, short_ladder_cap) : descent(here(), short_ladder_cap);
+        return up ? growing(here(), least_length * size_, short_steps_cap)
+                  : shrinking(here(), short_steps_cap);
     }
   }
 
@@ -134,13 +136,13 @@ class Course {
   }
 
  private:
-  static std::vector<double> rungs(double from, double least, int count, double end = 1e300) {
+  static std::vector<double> growing(double from, double least, int count, double end = 1e300) {
     std::vector<double> steps;
     double x = from > 0 ? from * region_step : least;
     for (int i = 0; i < count && x < end; ++i, x *= region_step) steps.push_back(x);
     return steps;
   }
-  static std::vector<double> descent(double from, int count) {
+  static std::vector<double> shrinking(double from, int count) {
     std::vector<double> steps;
     if (!(from > 0)) return steps;
     double x = from / region_step;
@@ -154,7 +156,7 @@ class Course {
     const double sign = distance_ < 0 ? -1 : 1;
     std::vector<double> steps;
     if (distance_ != 0 && up == (sign > 0)) {
-      steps = rungs(std::abs(distance_), 0, long_ladder_cap, sign > 0 ? 1e3 * size_ : size_);
+      steps = growing(std::abs(distance_), 0, long_steps_cap, sign > 0 ? 1e3 * size_ : size_);
       for (double& x : steps) x *= sign;
       return steps;
     }
@@ -196,7 +198,7 @@ class Course {
                        : across_;
         return kept(p);
       case scale:
-        return scaled(static_cast<int>(value));
+        return scaled_exactly(p, static_cast<int>(value));
       case offset: {
         const Vector3 by = (value - offset_) * outwards_;
         p.a.center += by;
@@ -212,24 +214,6 @@ class Course {
   std::optional<Pair> kept(const Pair& p) const {
     if (distance_ == 0) return p;
     return at_distance(p, distance_);
-  }
-
-  /// Nothing where a length would be rounded.
-  std::optional<Pair> scaled(int exponent) const {
-    Pair p = pair_;
-    bool exact = true;
-    const auto scale_by = [&](double& x) {
-      const double y = std::ldexp(x, exponent);
-      exact = exact && std::isfinite(y) && std::ldexp(y, -exponent) == x;
-      x = y;
-    };
-    for (Cylinder* c : {&p.a, &p.b}) {
-      for (double& x : c->center) scale_by(x);
-      scale_by(c->radius);
-      scale_by(c->height);
-    }
-    if (!exact) return {};
-    return p;
   }
 
   double& length(Pair& p) const {
@@ -253,20 +237,20 @@ double between(double x, double y) {
 /// The end of a region on one side, found by rounds of questions.
 class Search {
  public:
-  Search(const Course& course, bool up, const Probe& failing) : course_(&course), up_(up) {
-    end_.fails_at = course.here();
+  Search(const SearchPath& path, bool up, const Trial& failing) : path_(&path), up_(up) {
+    end_.fails_at = path.here();
     end_.failing = failing;
   }
 
   /// The values to ask about next, from those that fail outwards; none where it is done.
   std::vector<double> proposals() const {
     if (done_) return {};
-    if (!end_.ends_at) return course_->ladder(up_);
+    if (!end_.ends_at) return path_->steps_outwards(up_);
     const double inner = end_.fails_at, outer = *end_.ends_at;
     const double half = between(inner, outer), first = between(inner, half), last = between(half, outer);
     std::vector<double> values{between(inner, first), first, between(first, half), half,
                                between(half, last),   last,  between(last, outer)};
-    if (course_->parameter() == scale)
+    if (path_->parameter() == scale)
       for (double& x : values) x = std::trunc(x);
     std::erase_if(values, [&](double x) { return x == inner || x == outer; });
     values.erase(std::unique(values.begin(), values.end()), values.end());
@@ -274,7 +258,7 @@ class Search {
   }
 
   /// Goes on outwards over what was answered; no more after the first that does not fail.
-  void take(double value, const Probe& said, FindingKind kind) {
+  void take(double value, const Trial& said, FindingKind kind) {
     if (found_) return;
     if (said.fails(kind)) {
       end_.fails_at = value;
@@ -293,24 +277,24 @@ class Search {
 
   /// What was aimed at is a distance only to rounding, and less where the solids overlap.
   void end_as_enclosed() {
-    narrow_distance(end_.failing);
+    end_.failing.narrow_distance();
     end_.fails_at = middle(end_.failing.distance);
     if (!end_.beyond || !end_.beyond->decided()) return;
-    narrow_distance(*end_.beyond);
+    end_.beyond->narrow_distance();
     end_.ends_at = middle(end_.beyond->distance);
   }
 
-  const Course& course() const { return *course_; }
+  const SearchPath& path() const { return *path_; }
   const RegionEnd& end() const { return end_; }
 
  private:
   bool is_narrow() const {
     const double x = end_.fails_at, y = *end_.ends_at;
-    if (course_->parameter() == scale) return std::abs(x - y) <= 1;
+    if (path_->parameter() == scale) return std::abs(x - y) <= 1;
     return std::abs(x - y) <= region_share * std::max(std::abs(x), std::abs(y));
   }
 
-  const Course* course_;
+  const SearchPath* path_;
   bool up_, found_ = false, done_ = false;
   RegionEnd end_;
 };
@@ -324,32 +308,33 @@ void ask_round(std::vector<Search>& searches, const std::unique_ptr<Method>& met
   std::vector<Pair> pairs;
   for (Search& search : searches) {
     for (const double value : search.proposals()) {
-      const auto pair = search.course().at(value);
+      const auto pair = search.path().at(value);
       if (!pair) break;
       asked.push_back({&search, value});
       pairs.push_back(*pair);
     }
   }
-  const std::vector<Probe> said = probe(method, pairs);
+  const std::vector<Trial> said = try_method(method, pairs);
   for (std::size_t i = 0; i < asked.size(); ++i) asked[i].search->take(asked[i].value, said[i], kind);
   for (Search& search : searches) search.end_round();
 }
 
 }  // namespace
 
-std::vector<FailingRegion> failing_regions(const std::unique_ptr<Method>& method, const Probe& failing) {
+std::vector<FailingRegion> failing_regions(const std::unique_ptr<Method>& method, const Trial& failing) {
   const auto located = locate(failing.pair, gap_width_tol);
-  std::vector<Course> courses;
-  for (const Parameter p : parameters) courses.emplace_back(failing, located, p);
+  std::vector<SearchPath> paths;
+  for (const Parameter p : parameters) paths.emplace_back(failing, located, p);
   std::vector<Search> searches;
-  for (const Course& course : courses)
-    for (const bool up : {false, true}) searches.emplace_back(course, up, failing);
-  for (int round = 0; round <= region_rounds_cap; ++round) ask_round(searches, method, failing.finding->kind);
+  for (const SearchPath& path : paths)
+    for (const bool up : {false, true}) searches.emplace_back(path, up, failing);
+  for (int round = 0; round <= region_rounds_cap; ++round)
+    ask_round(searches, method, failing.finding()->kind);
   std::vector<FailingRegion> regions;
   for (std::size_t i = 0; i < 2; ++i) searches[i].end_as_enclosed();
-  for (std::size_t i = 0; i < courses.size(); ++i)
+  for (std::size_t i = 0; i < paths.size(); ++i)
     regions.push_back(
-        {courses[i].parameter(), courses[i].here(), searches[2 * i].end(), searches[2 * i + 1].end()});
+        {paths[i].parameter(), paths[i].here(), searches[2 * i].end(), searches[2 * i + 1].end()});
   regions[0].at = middle(failing.distance);
   return regions;
 }

@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "base/enum_words.hpp"
-#include "oracles/trial/probe.hpp"
+#include "oracles/trial/trial.hpp"
 
 namespace cyl {
 
@@ -35,9 +35,9 @@ constexpr auto words_of(Parameter) noexcept {
 /// about and judged.
 struct RegionEnd {
   double fails_at = 0;            ///< the farthest value at which it was seen to fail
-  Probe failing;                  ///< there
+  Trial failing;                  ///< there
   std::optional<double> ends_at;  ///< the nearest value beyond; none where it fails as far as was tried
-  std::optional<Probe> beyond;    ///< there
+  std::optional<Trial> beyond;    ///< there
 };
 
 /// Around the pair's own value. Failures beyond an end are not looked for: the region may have holes that no
@@ -57,6 +57,6 @@ inline constexpr int region_rounds_cap = 6;
 /// without the other's plane may not turn) have both ends at their own value. Where angle, radii and heights
 /// are moved, b follows along the direction of the distance so that the signed distance stays (where it is 0,
 /// b stays). Questions: about 300 in the first call and 100 in each of the others. Deterministic.
-std::vector<FailingRegion> failing_regions(const std::unique_ptr<Method>& method, const Probe& failing);
+std::vector<FailingRegion> failing_regions(const std::unique_ptr<Method>& method, const Trial& failing);
 
 }  // namespace cyl

@@ -9,13 +9,14 @@
 #include <stdexcept>
 #include <system_error>
 
+#include "base/safe_text.hpp"
 #include "base/usage_error.hpp"
 #include "corpus/pairs/pair_io.hpp"
+#include "corpus/pairs/truth_io.hpp"
 #include "oracles/trial/finding_text.hpp"
 #include "reports/export/export_check.hpp"
 #include "reports/export/export_guest.hpp"
 #include "reports/export/export_program.hpp"
-#include "reports/gate/failure_text.hpp"
 
 namespace cyl {
 namespace {
@@ -42,9 +43,9 @@ struct Addressee {
   std::string program_name, program, build;
 };
 
-std::string title(const Addressee& to, const Probe& p) {
+std::string title(const Addressee& to, const Trial& p) {
   const std::string_view what = to.what;
-  switch (p.finding->kind) {
+  switch (p.finding()->kind) {
     case FindingKind::wrong_disjoint:
       return fmt::format(
           "{} misses two cylinders that {}", what,
@@ -53,7 +54,7 @@ std::string title(const Addressee& to, const Probe& p) {
       return fmt::format("{} reports two cylinders that are {} as colliding", what, distance_in_words(p));
     case FindingKind::distance_outside:
       return fmt::format("{} gives a distance of {:.6g} for two cylinders that are {}", what,
-                         p.answer.distance, distance_in_words(p));
+                         p.answer().distance, distance_in_words(p));
     case FindingKind::non_finite:
       return fmt::format("{} returns numbers that are not finite for two cylinders", what);
     case FindingKind::bad_witness:
@@ -73,9 +74,9 @@ std::string title(const Addressee& to, const Probe& p) {
   }
 }
 
-std::string came_back(const Probe& p) {
-  const MethodAnswer& a = p.answer;
-  switch (p.finding->kind) {
+std::string came_back(const Trial& p) {
+  const MethodAnswer& a = p.answer();
+  switch (p.finding()->kind) {
     case FindingKind::exception:
       return fmt::format("An exception: `{}`.", one_line(a.reason));
     case FindingKind::crash:
@@ -92,7 +93,7 @@ std::string came_back(const Probe& p) {
           "{}{}, which is not {}.",
           a.has_distance ? fmt::format("A distance of {}, and ", format_double(a.distance)) : "",
           triple({a.head[0], a.head[1], a.head[2]}),
-          a.witness == WitnessKind::point ? "in both" : "square to a plane between them");
+          a.witness == CertificateKind::point ? "in both" : "square to a plane between them");
     case FindingKind::malformed:
       return fmt::format("No answer that means anything: `{}`.", one_line(a.reason));
     case FindingKind::wrong_invalid:
@@ -104,7 +105,7 @@ std::string came_back(const Probe& p) {
   }
 }
 
-std::string truth_in_words(const Probe& p) {
+std::string truth_in_words(const Trial& p) {
   std::string text = describe_truth(format_truth(p.truth)).certificate;
   if (p.truth.verdict == Verdict::disjoint)
     return "They are disjoint. " + text + " " +
@@ -117,18 +118,18 @@ std::string truth_in_words(const Probe& p) {
 }
 
 /// Prisms are asked in place of cylinders.
-std::string hull_in_words(const LibraryCall& call, const Probe& p) {
+std::string hull_in_words(const LibraryCall& call, const Trial& p) {
   if (call.settings.find("btConvexHullShape") == std::string_view::npos) return {};
-  if (p.answer.verdict == Verdict::disjoint)
+  if (p.answer().verdict == Verdict::disjoint)
     return "\nThe hulls asked are prisms around the cylinders: where the cylinders meet, so do the hulls.\n";
   return "\nThe hulls asked are prisms within the cylinders: where the cylinders are apart, so are the "
          "hulls.\n";
 }
 
 /// What a reader might think of first: is this not within the tolerance?
-std::string tolerance_in_words(const Probe& p, const Claim& claim) {
-  if (p.answer.status != Status::answered || (claim.absolute == 0 && claim.relative == 0)) return {};
-  const bool within = p.finding->severity == Severity::resolution;
+std::string tolerance_in_words(const Trial& p, const Claim& claim) {
+  if (p.answer().status != Status::answered || (claim.absolute == 0 && claim.relative == 0)) return {};
+  const bool within = p.finding()->severity == Severity::resolution;
   if (claim.relative > 0)
     return fmt::format(
         "\nThe claim is to be right from {} of the sizes together and a length of {} on ({}); "
@@ -139,15 +140,15 @@ std::string tolerance_in_words(const Probe& p, const Claim& claim) {
                      format_double(claim.absolute), one_line(claim.source), within ? "within" : "beyond");
 }
 
-std::string depth_note(const Probe& p, const Claim& claim) {
-  if (p.finding->kind == FindingKind::distance_outside && shows_distance(p, claim))
+std::string depth_note(const Trial& p, const Claim& claim) {
+  if (p.finding()->kind == FindingKind::distance_outside && shows_distance(p, claim))
     return " and that the distance told is impossible";
   if (p.truth.verdict == Verdict::intersecting)
     return " (the depth comes from a search with interval arithmetic, which it does not repeat)";
   return {};
 }
 
-std::string issue(const Addressee& to, const Probe& p, const Method& method) {
+std::string issue(const Addressee& to, const Trial& p, const Method& method) {
   std::string text = fmt::format("# {}\n\n{}.\n\n", title(to, p), to.whom);
   text +=
       "**What was asked.** Do these two solid cylinders meet? Heights are full heights; all numbers are "
@@ -172,9 +173,9 @@ constexpr std::string_view as_told = "it ends as told above.";
 constexpr std::string_view by_its_exit =
     "it prints the answer and exits with 1 while the answer is wrong, 0 once it is right.";
 
-bool ends(const Probe& p) {
-  return p.finding->kind == FindingKind::crash || p.finding->kind == FindingKind::exception ||
-         p.finding->kind == FindingKind::hang;
+bool ends(const Trial& p) {
+  return p.finding()->kind == FindingKind::crash || p.finding()->kind == FindingKind::exception ||
+         p.finding()->kind == FindingKind::hang;
 }
 
 std::string build(const LibraryCall& call, FindingKind kind) {
@@ -185,7 +186,7 @@ std::string build(const LibraryCall& call, FindingKind kind) {
       call.packages, compiler_options, call.flags, kind == FindingKind::hang ? "timeout 10 " : "");
 }
 
-Addressee ask_library(const LibraryCall& call, const Probe& p, const Method& method) {
+Addressee ask_library(const LibraryCall& call, const Trial& p, const Method& method) {
   Addressee to;
   to.what = call.call;
   to.whom =
@@ -200,11 +201,11 @@ Addressee ask_library(const LibraryCall& call, const Probe& p, const Method& met
       "proving each answer right or wrong.\n";
   to.program_name = "reproduce.cpp";
   to.program = reproducing_program(call, p, method);
-  to.build = build(call, p.finding->kind);
+  to.build = build(call, p.finding()->kind);
   return to;
 }
 
-Addressee ask_guest(const Guest& guest, const Probe& p, const Method& method) {
+Addressee ask_guest(const Guest& guest, const Trial& p, const Method& method) {
   Addressee to;
   to.what = guest.name;
   to.whom = fmt::format("`{}` {}: {}", guest.name, one_line(method.version()), guest_in_words(guest));
@@ -214,7 +215,7 @@ Addressee ask_guest(const Guest& guest, const Probe& p, const Method& method) {
   to.how = fmt::format("`sh build.sh` runs `{}`, which asks it without daylight; {}", to.program_name,
                        as_it_does ? as_told : by_its_exit);
   to.program = guest_program(guest, p, method.claim());
-  to.build = guest_build(guest, p.finding->kind);
+  to.build = guest_build(guest, p.finding()->kind);
   return to;
 }
 
@@ -241,10 +242,10 @@ Export make_export(std::span<const std::unique_ptr<Method>> methods, std::string
         name));
   if (!(is_guest ? guest_program_shows(kind) : program_shows(kind)))
     throw UsageError(fmt::format("no program can show a finding of kind {}", to_string(kind)));
-  const Probe asked = probe_one(method, pair);
+  const Trial asked = try_method(method, pair);
   if (!asked.fails(kind))
     throw UsageError(fmt::format("{} has no {} on this pair today: it says {}", name, to_string(kind),
-                                 format_method_answer(asked.answer)));
+                                 format_method_answer(asked.answer())));
   if (!asked.decided())
     throw UsageError("what is true of this pair could not be proved: there is nothing to send");
   Addressee how = is_guest ? ask_guest(*guest, asked, *method) : ask_library(*call, asked, *method);

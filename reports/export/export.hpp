@@ -9,7 +9,7 @@
 #include <string_view>
 
 #include "oracles/methods/guest.hpp"
-#include "oracles/trial/probe.hpp"
+#include "oracles/trial/trial.hpp"
 
 namespace cyl {
 

@@ -146,7 +146,7 @@ std::string certificate(const Pair& pair, const Truth& truth) {
   return tuple(truth.certificate.vector);
 }
 
-std::string cases(const Probe& asked, CertificateKind kind, AxesGiven axes) {
+std::string cases(const Trial& asked, CertificateKind kind, AxesGiven axes) {
   const auto line = [](const char* name, const Pair& pair, const Truth& truth) {
     return fmt::format("    ('{}', {},\n     {},\n     {}),\n", name, solid(pair.a), solid(pair.b),
                        certificate(pair, truth));
@@ -185,9 +185,9 @@ std::string tuple(const Rational3& v) {
 }
 
 /// The lines that show the distance said to be impossible, of the pair as asked.
-std::string distance_lines(const Probe& asked, const Claim& claim) {
-  if (!asked.finding || asked.finding->kind != FindingKind::distance_outside) return {};
-  const double said = asked.answer.distance, tolerance = reach(claim, size_of(asked.pair));
+std::string distance_lines(const Trial& asked, const Claim& claim) {
+  if (!asked.finding() || asked.finding()->kind != FindingKind::distance_outside) return {};
+  const double said = asked.answer().distance, tolerance = reach(claim, size_of(asked.pair));
   const bool short_of = said < asked.distance.lo;
   const std::string numbers = fmt::format("\nSAID, TOLERANCE = {}, {}\nname, a, b, _ = CASES[0]\n",
                                           format_double(said), format_double(tolerance));
@@ -220,12 +220,12 @@ std::string distance_lines(const Probe& asked, const Claim& claim) {
          "{float(depth):.9g}',\n      depth < -F(SAID) - F(TOLERANCE))\n";
 }
 
-std::string witness_lines(const Probe& asked) {
-  if (!asked.finding || asked.finding->kind != FindingKind::bad_witness) return {};
-  if (asked.answer.witness == WitnessKind::point) {
+std::string witness_lines(const Trial& asked) {
+  if (!asked.finding() || asked.finding()->kind != FindingKind::bad_witness) return {};
+  if (asked.answer().witness == CertificateKind::point) {
     ExactVector said;
-    std::copy_n(asked.answer.head, 3, said.head.begin());
-    std::copy_n(asked.answer.tail, 3, said.tail.begin());
+    std::copy_n(asked.answer().head, 3, said.head.begin());
+    std::copy_n(asked.answer().tail, 3, said.tail.begin());
     return fmt::format(
         "\nsaid = {}\nname, a, b, _ = CASES[0]\n"
         "claim('the point said is not in both', not (holds(a, said) and holds(b, said)))\n",
@@ -237,14 +237,14 @@ std::string witness_lines(const Probe& asked) {
       "name, a, b, _ = CASES[0]\n"
       "claim('the direction said does not separate them',\n"
       "      daylight(a, b, said) < -(reach(a, said) + reach(b, said)) / 2 ** 190)\n",
-      tuple(plain(asked.answer.head)));
+      tuple(plain(asked.answer().head)));
 }
 
 }  // namespace
 
-bool shows_distance(const Probe& asked, const Claim& claim) { return !distance_lines(asked, claim).empty(); }
+bool shows_distance(const Trial& asked, const Claim& claim) { return !distance_lines(asked, claim).empty(); }
 
-std::string exact_check(const Probe& asked, const Claim& claim, AxesGiven axes) {
+std::string exact_check(const Trial& asked, const Claim& claim, AxesGiven axes) {
   const CertificateKind kind = asked.truth.certificate.kind;
   const std::string data = cases(asked, kind, axes);
   const std::string more = distance_lines(asked, claim) + witness_lines(asked);

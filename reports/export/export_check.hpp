@@ -6,7 +6,7 @@
 #include <optional>
 #include <string>
 
-#include "oracles/trial/probe.hpp"
+#include "oracles/trial/trial.hpp"
 
 namespace cyl {
 
@@ -17,9 +17,9 @@ enum class AxesGiven : unsigned char { as_they_are, of_unit_length };  ///< the 
 /// the pair as asked and of the pair as the method gets it, and, of a wrong distance, that the distance said
 /// is impossible, where a direction or two points show that. Throws std::runtime_error where the rounding of
 /// the axes turns the verdict: then the library is not to blame. `asked` is of decided truth.
-std::string exact_check(const Probe& asked, const Claim& claim, AxesGiven axes = AxesGiven::of_unit_length);
+std::string exact_check(const Trial& asked, const Claim& claim, AxesGiven axes = AxesGiven::of_unit_length);
 
 /// Whether exact_check() shows the distance said to be impossible.
-bool shows_distance(const Probe& asked, const Claim& claim);
+bool shows_distance(const Trial& asked, const Claim& claim);
 
 }  // namespace cyl

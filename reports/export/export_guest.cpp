@@ -9,6 +9,7 @@
 #include "base/json.hpp"
 #include "base/safe_text.hpp"
 #include "corpus/pairs/pair_io.hpp"
+#include "corpus/pairs/pair_numbers.hpp"
 #include "oracles/methods/adapter.hpp"
 #include "oracles/plugin.h"
 #include "reports/export/program_text.hpp"
@@ -127,7 +128,7 @@ print('WRONG' if wrong else 'right')
 sys.exit(1 if wrong else 0)
 )";
 
-std::string truth_in_words(const Probe& asked) {
+std::string truth_in_words(const Trial& asked) {
   if (!asked.decided()) return "not known";
   std::string text = fmt::format("{} (python3 exact.py proves it)", to_string(asked.truth.verdict));
   if (asked.truth.verdict != Verdict::touching)
@@ -136,34 +137,30 @@ std::string truth_in_words(const Probe& asked) {
   return text;
 }
 
-std::string eight_numbers(const Cylinder& c) {
-  const double numbers[8] = {c.center[0], c.center[1], c.center[2], c.axis[0],
-                             c.axis[1],   c.axis[2],   c.radius,    c.height};
-  return listed(numbers, 8);
-}
+std::string eight_numbers(const Cylinder& c) { return listed(numbers_of(c).data(), cylinder_number_count); }
 
-bool apart(const Probe& asked) { return asked.truth.verdict == Verdict::disjoint; }
+bool apart(const Trial& asked) { return asked.truth.verdict == Verdict::disjoint; }
 
 /// The least and the most that a distance may be said to be.
-Enclosure allowed(const Probe& asked, const Claim& claim) {
+Enclosure allowed(const Trial& asked, const Claim& claim) {
   const double tolerance = reach(claim, size_of(asked.pair));
   const Enclosure real = asked.truth.verdict == Verdict::touching ? Enclosure{0, 0} : asked.distance;
   return {real.lo - tolerance, real.hi + tolerance};
 }
 
-std::string wrong_in_c(const Probe& asked, const Claim& claim) {
-  switch (asked.finding->kind) {
+std::string wrong_in_c(const Trial& asked, const Claim& claim) {
+  switch (asked.finding()->kind) {
     case FindingKind::distance_outside: {
       const Enclosure real = allowed(asked, claim);
       return fmt::format("!isnan(more[0]) && !(more[0] >= {} && more[0] <= {})", literal(real.lo),
                          literal(real.hi));
     }
     case FindingKind::bad_witness: {
-      const int first = asked.answer.witness == WitnessKind::point ? 4 : 1;
+      const int first = asked.answer().witness == CertificateKind::point ? 4 : 1;
       std::string text;
       for (int i = 0; i < 3; ++i)
         text +=
-            fmt::format("{}more[{}] == {}", i == 0 ? "" : " && ", first + i, literal(asked.answer.head[i]));
+            fmt::format("{}more[{}] == {}", i == 0 ? "" : " && ", first + i, literal(asked.answer().head[i]));
       return text;
     }
     case FindingKind::non_finite:
@@ -182,16 +179,16 @@ std::string wrong_in_c(const Probe& asked, const Claim& claim) {
   }
 }
 
-std::string wrong_in_python(const Probe& asked, const Claim& claim) {
-  switch (asked.finding->kind) {
+std::string wrong_in_python(const Trial& asked, const Claim& claim) {
+  switch (asked.finding()->kind) {
     case FindingKind::distance_outside: {
       const Enclosure real = allowed(asked, claim);
       return fmt::format("'distance' in said and not {} <= said['distance'] <= {}", format_double(real.lo),
                          format_double(real.hi));
     }
     case FindingKind::bad_witness: {
-      const MethodAnswer& a = asked.answer;
-      if (a.witness == WitnessKind::direction)
+      const MethodAnswer& a = asked.answer();
+      if (a.witness == CertificateKind::direction)
         return fmt::format("said.get('direction') == [{}]", listed(a.head, 3));
       std::string text = "[x if isinstance(x, list) else [x, 0] for x in said.get('point', [])] == [";
       for (int i = 0; i < 3; ++i)
@@ -231,7 +228,7 @@ std::string guest_program_name(const Guest& guest) {
   return guest.kind == GuestKind::plugin ? "reproduce.c" : "reproduce.py";
 }
 
-std::string guest_program(const Guest& guest, const Probe& asked, const Claim& claim) {
+std::string guest_program(const Guest& guest, const Trial& asked, const Claim& claim) {
   Words words{{"truth", truth_in_words(asked)}};
   if (guest.kind == GuestKind::command) {
     words["pair"] = python_literal(format_pair(asked.pair));
@@ -244,11 +241,11 @@ std::string guest_program(const Guest& guest, const Probe& asked, const Claim& c
   words["a"] = eight_numbers(asked.pair.a);
   words["b"] = eight_numbers(asked.pair.b);
   words["abi"] = std::to_string(DAYLIGHT_PLUGIN_ABI);
-  words["before"] = ends_itself(asked.finding->kind) || asked.finding->kind == FindingKind::exception
+  words["before"] = ends_itself(asked.finding()->kind) || asked.finding()->kind == FindingKind::exception
                         ? fmt::format("  puts(\"asking; it had this: {}\");\n  fflush(stdout);\n",
-                                      to_string(asked.finding->kind))
+                                      to_string(asked.finding()->kind))
                         : "";
-  words["helper"] = asked.finding->kind == FindingKind::non_finite ? some_of_three : "";
+  words["helper"] = asked.finding()->kind == FindingKind::non_finite ? some_of_three : "";
   words["wrong"] = wrong_in_c(asked, claim);
   return "/* reproduce FILE: asks a plug-in of daylight's about two cylinders.\n"
          "   cc reproduce.c -o reproduce -ldl && ./reproduce ./libmine.so */\n" +

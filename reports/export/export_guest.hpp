@@ -5,7 +5,7 @@
 #include <string>
 
 #include "oracles/methods/guest.hpp"
-#include "oracles/trial/probe.hpp"
+#include "oracles/trial/trial.hpp"
 
 namespace cyl {
 
@@ -18,7 +18,7 @@ std::string guest_program_name(const Guest& guest);
 /// It prints what the guest says and what is true, and exits with 1 where the answer is wrong in the way of
 /// the finding, 0 where it is right; that of a plug-in ends as the plug-in does. `asked` must hold a finding
 /// of a kind that guest_program_shows().
-std::string guest_program(const Guest& guest, const Probe& asked, const Claim& claim);
+std::string guest_program(const Guest& guest, const Trial& asked, const Claim& claim);
 
 /// build.sh: asks the guest where it was, or another file or command that is given.
 std::string guest_build(const Guest& guest, FindingKind kind);

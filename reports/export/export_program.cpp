@@ -464,7 +464,7 @@ const Program* find_program(std::string_view method) {
   return found == programs.end() ? nullptr : found;
 }
 
-std::string truth_line(const Probe& asked) {
+std::string truth_line(const Trial& asked) {
   std::string text = fmt::format("{} (python3 exact.py proves it)", to_string(asked.truth.verdict));
   if (asked.truth.verdict != Verdict::touching)
     text += fmt::format(", signed distance {} to {}", format_double(asked.distance.lo),
@@ -473,9 +473,9 @@ std::string truth_line(const Probe& asked) {
 }
 
 /// What stands after the call: prints and judges the answer.
-std::string verdict_on(const LibraryCall& call, const Words& words, const Probe& asked,
+std::string verdict_on(const LibraryCall& call, const Words& words, const Trial& asked,
                        const Method& method) {
-  const FindingKind kind = asked.finding->kind;
+  const FindingKind kind = asked.finding()->kind;
   std::string text;
   // The headers of libccd do not tell its version.
   if (call.library == "libccd") text = fmt::format("  const char version[] = \"{}\";\n", method.version());
@@ -514,7 +514,7 @@ std::string verdict_on(const LibraryCall& call, const Words& words, const Probe&
       text += fmt::format(
           "  // The direction that exact.py shows not to separate them.\n"
           "  const fcl::Vector3d shown({});\n",
-          listed(asked.answer.head, 3));
+          listed(asked.answer().head, 3));
       judge_by("between == shown");
       break;
     case FindingKind::exception:
@@ -575,18 +575,18 @@ Pair as_given(const Pair& pair) {
   return given;
 }
 
-std::string reproducing_program(const LibraryCall& call, const Probe& asked, const Method& method) {
+std::string reproducing_program(const LibraryCall& call, const Trial& asked, const Method& method) {
   Words words;
   add_solid(words, "a", asked.pair.a);
   add_solid(words, "b", asked.pair.b);
-  const bool misses = asked.answer.verdict == Verdict::disjoint;
+  const bool misses = asked.answer().verdict == Verdict::disjoint;
   words["stretch"] = misses ? outward : inward;
   words["around"] = misses ? "around" : "within";
   words["prisms"] = misses ? "are apart" : "meet";
   const Program& program = *find_program(call.method);
   for (const Setting& setting : program.settings)
     if (!setting.word.empty()) words[std::string(setting.word)] = filled(setting.text, words);
-  words["before"] = announcement(asked.finding->kind);
+  words["before"] = announcement(asked.finding()->kind);
   words["after"] = verdict_on(call, words, asked, method);
   return fmt::format("// Asks {} ({}) about two cylinders: {}.\n// c++ {} reproduce.cpp -o reproduce {}\n",
                      call.library, call.call, call.settings, compiler_options, call.flags) +

@@ -7,7 +7,7 @@
 #include <string_view>
 
 #include "oracles/trial/compare.hpp"
-#include "oracles/trial/probe.hpp"
+#include "oracles/trial/trial.hpp"
 
 namespace cyl {
 
@@ -36,6 +36,6 @@ Pair as_given(const Pair& pair);
 /// as nine of them. It prints what the library says and what is true, and exits with 1 where the answer is
 /// wrong in the way of the finding, 0 where it is right. `asked` must hold a finding, of a kind that
 /// program_shows(), of a method with a LibraryCall.
-std::string reproducing_program(const LibraryCall& call, const Probe& asked, const Method& method);
+std::string reproducing_program(const LibraryCall& call, const Trial& asked, const Method& method);
 
 }  // namespace cyl

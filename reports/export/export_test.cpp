@@ -146,14 +146,13 @@ TEST(Export, EveryMethodHasAProgram) {
   for (const auto& method : library_methods()) {
     const LibraryCall* call = find_library_call(method->name());
     ASSERT_NE(call, nullptr) << method->name();
-    Probe asked;
-    asked.pair = pair_of(nearly_parallel);
-    asked.truth = judge(asked.pair);
+    Trial asked(pair_of(nearly_parallel));
     asked.distance = {-0.5, -0.25};
-    asked.answer.status = Status::answered;
-    asked.answer.verdict = Verdict::disjoint;
+    asked.answers.resize(1);
+    asked.answers[0].status = Status::answered;
+    asked.answers[0].verdict = Verdict::disjoint;
     for (const FindingKind kind : {FindingKind::wrong_disjoint, FindingKind::crash, FindingKind::hang}) {
-      asked.finding = Finding{kind, Severity::contract, {}};
+      asked.findings = {Finding{kind, Severity::contract, {}}};
       const std::string program = reproducing_program(*call, asked, *method);
       EXPECT_FALSE(has(program, "@")) << program;
       EXPECT_TRUE(has(program, "1.01")) << program;
@@ -179,10 +178,9 @@ TEST(Export, RefusesWhatCannotBeSent) {
 
 // Of an axis (0, 3, 4) the library gets (0, 0.6, 0.8), whose doubles point elsewhere.
 TEST(Export, TheLibraryIsNotBlamedForRoundedAxes) {
-  Probe asked;
-  asked.pair = pair_of(R"({"a":{"center":[0,0,0],"axis":[0,3,4],"radius":0,"height":10},)"
-                       R"("b":{"center":[0,3,4],"axis":[1,0,0],"radius":0,"height":2}})");
-  asked.truth = judge(asked.pair);
+  Trial asked(pair_of(R"({"a":{"center":[0,0,0],"axis":[0,3,4],"radius":0,"height":10},)"
+                      R"("b":{"center":[0,3,4],"axis":[1,0,0],"radius":0,"height":2}})"));
+  asked.findings.resize(1);
   ASSERT_NE(asked.truth.verdict, Verdict::disjoint);
   ASSERT_EQ(judge(as_given(asked.pair)).verdict, Verdict::disjoint);
   try {
@@ -197,9 +195,9 @@ TEST(Export, TheLibraryIsNotBlamedForRoundedAxes) {
 TEST(Export, AnImpossibleDistanceIsProvedImpossible) {
   const auto methods = select_methods(own_methods(), "distance");
   const auto expect_proof = [&](const Pair& pair, double said, std::string_view words) {
-    Probe asked = probe_one(methods[0], pair);
-    asked.answer.distance = said;
-    asked.finding = Finding{FindingKind::distance_outside, Severity::contract, {}};
+    Trial asked = try_method(methods[0], pair);
+    asked.answers[0].distance = said;
+    asked.findings = {Finding{FindingKind::distance_outside, Severity::contract, {}}};
     const Claim claim{.absolute = 1e-6, .source = "this test"};
     ASSERT_TRUE(shows_distance(asked, claim));
     Export files;

@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: MIT
+#include "oracles/trial/trial.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstring>
+
+#include "base/usage_error.hpp"
+
+namespace cyl {
+namespace {
+
+/// Relative widths of a distance that is only shown, and how much of itself it may be unsure of.
+constexpr double shown_widths[] = {1e-6, 1e-9, 1e-12, 1e-15};
+constexpr double shown_share = 1e-3;
+
+std::array<double, 16> numbers_of(const Pair& pair) {
+  std::array<double, 16> x;
+  double* next = x.data();
+  for (const Cylinder* c : {&pair.a, &pair.b}) {
+    next = std::copy_n(c->center.data(), 3, next);
+    next = std::copy_n(c->axis.data(), 3, next);
+    *next++ = c->radius;
+    *next++ = c->height;
+  }
+  return x;
+}
+
+bool same(const Pair& x, const Pair& y) {
+  const auto p = numbers_of(x), q = numbers_of(y);
+  return std::memcmp(p.data(), q.data(), sizeof p) == 0;
+}
+
+}  // namespace
+
+bool Trial::right() const {
+  return decided() && !finding() && answer().status == Status::answered &&
+         answer().verdict != Verdict::undecided;
+}
+
+const Enclosure& Trial::distance_at(double relative_width) {
+  if (relative_width < width) {
+    distance = enclose ? enclose(relative_width) : enclose_distance(pair, truth, relative_width);
+    width = relative_width;
+  }
+  return distance;
+}
+
+void Trial::narrow_distance() {
+  if (!decided() || truth.verdict == Verdict::touching) return;
+  for (const double next : shown_widths) {
+    const double least = std::min(std::abs(distance.lo), std::abs(distance.hi));
+    const bool one_sign = (distance.lo > 0) == (distance.hi > 0);
+    if (one_sign && distance.hi - distance.lo <= shown_share * least) return;
+    distance_at(next);
+  }
+}
+
+std::vector<Trial> try_methods(std::span<const std::unique_ptr<Method>> methods, std::span<const Pair> pairs,
+                               const Caps& caps, std::size_t times) {
+  std::vector<Question> questions;
+  for (std::size_t p = 0; p < pairs.size(); ++p)
+    for (std::size_t m = 0; m < methods.size(); ++m) questions.insert(questions.end(), times, Question{m, p});
+  const std::vector<ContainedAnswer> said = ask_contained(methods, pairs, questions, caps);
+  std::vector<Trial> trials;
+  for (std::size_t p = 0; p < pairs.size(); ++p) {
+    const auto of_pair = std::span(said).subspan(p * methods.size() * times, methods.size() * times);
+    std::vector<MethodAnswer> answers;
+    for (std::size_t q = 0; q < of_pair.size(); q += times) answers.push_back(of_pair[q].answer);
+    Trial& trial = trials.emplace_back(pairs[p], answers);
+    trial.answers = std::move(answers);
+    for (std::size_t m = 0; m < methods.size(); ++m) {
+      auto wrong = compare(trial, methods[m]->claim(), trial.answers[m]);
+      if (!wrong && !same_answer(trial.answers[m], of_pair[(m + 1) * times - 1].answer))
+        wrong = Finding{FindingKind::nondeterminism, Severity::contract, {}};
+      trial.findings.push_back(std::move(wrong));
+    }
+    if (trial.decided()) trial.distance_at(shown_widths[0]);
+  }
+  return trials;
+}
+
+std::vector<Trial> try_method(const std::unique_ptr<Method>& method, std::span<const Pair> pairs,
+                              const Caps& caps) {
+  return try_methods({&method, 1}, pairs, caps);
+}
+
+Trial try_method(const std::unique_ptr<Method>& method, const Pair& pair) {
+  Trial trial = std::move(try_method(method, {&pair, 1}, Caps{}).front());
+  trial.narrow_distance();
+  return trial;
+}
+
+const std::unique_ptr<Method>& find_method(std::span<const std::unique_ptr<Method>> methods,
+                                           std::string_view name) {
+  for (const auto& method : methods)
+    if (method->name() == name) return method;
+  throw UsageError(fmt::format("no method is named '{}'", name));
+}
+
+std::string distance_in_words(const Trial& trial) {
+  if (!trial.decided()) return "of unproved distance";
+  if (trial.truth.verdict == Verdict::touching) return "touching";
+  if (trial.truth.verdict == Verdict::disjoint) return fmt::format("{:.3g} apart", trial.distance.lo);
+  return fmt::format("overlapping by {:.3g}", -trial.distance.hi);
+}
+
+Trial& Proofs::of(const Pair& pair) {
+  for (Trial& known : proved_)
+    if (same(known.pair, pair)) return known;
+  return proved_.emplace_back(pair, same(pair, pair_) ? offered_ : std::span<const MethodAnswer>{});
+}
+
+const Trial* Proofs::known(const Pair& pair) const {
+  for (const Trial& known : proved_)
+    if (same(known.pair, pair)) return &known;
+  return nullptr;
+}
+
+bool beyond_claim(Trial& trial, const Claim& claim) {
+  if (!trial.decided()) return false;
+  const double from = reach(claim, size_of(trial.pair));
+  return magnitude_against(from, trial).lo >= from;
+}
+
+}  // namespace cyl
