@@ -10,9 +10,9 @@
 #include "base/usage_error.hpp"
 #include "cli/commands.hpp"
 #include "cli/options.hpp"
-#include "reports/run/page.hpp"
 #include "reports/scene/scene_report.hpp"
-#include "scenes/parameter_sweep.hpp"
+#include "reports/web/page_template.hpp"
+#include "scenes/close_pairs.hpp"
 #include "scenes/scene_files.hpp"
 #include "scenes/scene_generators.hpp"
 #include "scenes/scene_study.hpp"
@@ -57,19 +57,20 @@ void check_page(const Arguments& arguments, std::size_t cylinders) {
 }
 
 /// Many that stand still: of a generated scene also its first parts, for the time against the number.
-int sweep(const Arguments& arguments, std::span<const Cylinder> cylinders, bool parts) {
+int list_close_pairs(const Arguments& arguments, std::span<const Cylinder> cylinders, bool parts) {
   const double clearance = arguments.question.clearance;
-  fmt::print("{}", sweep_head());
+  fmt::print("{}", close_pairs_head());
   for (std::size_t part = parts ? 1000 : 1; part > 1; part /= 10) {
     if (cylinders.size() < 1000 * part) continue;
-    fmt::print("{}", sweep_line(sweep_scene(generate_cylinders(arguments.generate, cylinders.size() / part,
-                                                               arguments.question.seed),
-                                            clearance)));
+    fmt::print("{}",
+               close_pairs_line(find_close_pairs(
+                   generate_cylinders(arguments.generate, cylinders.size() / part, arguments.question.seed),
+                   clearance)));
     std::fflush(stdout);
   }
-  const SceneSweep s = sweep_scene(cylinders, clearance, arguments.question.verify);
-  fmt::print("{}", sweep_line(s));
-  if (!arguments.json.empty()) write_file(arguments.json, sweep_json(s));
+  const ClosePairs s = find_close_pairs(cylinders, clearance, arguments.question.verify);
+  fmt::print("{}", close_pairs_line(s));
+  if (!arguments.json.empty()) write_file(arguments.json, close_pairs_json(s));
   if (const auto& v = s.verification) {
     fmt::print("referee: {} pairs asked, {} wrong, {} not proved\n", v->asked, v->wrong, v->undecided);
     if (v->wrong > 0) return exit_findings;
@@ -82,7 +83,7 @@ void write_results(const Arguments& arguments, const Scene& scene, const SceneSt
   if (arguments.json.empty() && arguments.page.empty()) return;
   const std::string json = study_json(scene, arguments.question, s);
   if (!arguments.json.empty()) write_file(arguments.json, json);
-  if (!arguments.page.empty()) write_file(arguments.page, fill_template(Template::scene, json));
+  if (!arguments.page.empty()) write_file(arguments.page, fill_template(json));
 }
 
 int study(Arguments& arguments) {
@@ -93,7 +94,7 @@ int study(Arguments& arguments) {
   if (!arguments.generate.empty()) {
     if (!arguments.page.empty()) throw UsageError("--page shows a FILE; of --generate there is --json");
     fmt::print("seed {}\n", question.seed);
-    return sweep(arguments, generate_cylinders(arguments.generate, arguments.count, question.seed), true);
+    return list_close_pairs(arguments, generate_cylinders(arguments.generate, arguments.count, question.seed), true);
   }
   for (const std::string& text : arguments.at) question.at.push_back(parse_joint(text));
   Scene scene;
@@ -107,7 +108,7 @@ int study(Arguments& arguments) {
   if (scene.bodies.size() > study_cap) {
     if (scene.links.size() != scene.bodies.size() || moves(scene))
       throw UsageError(fmt::format("a mechanism of more than {} cylinders", study_cap));
-    return sweep(arguments, place(scene, joints_at(scene)), false);
+    return list_close_pairs(arguments, place(scene, joints_at(scene)), false);
   }
   const SceneStudy s = study_scene(scene, question);
   fmt::print("{}", study_text(scene, question, s));

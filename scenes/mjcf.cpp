@@ -27,24 +27,10 @@ Pose pose_of(const mjtNum* position, const mjtNum* q) {
 std::size_t size_of(int n) { return static_cast<std::size_t>(n); }
 
 const char* shape_name(int type) {
-  switch (type) {
-    case mjGEOM_PLANE:
-      return "plane";
-    case mjGEOM_HFIELD:
-      return "height field";
-    case mjGEOM_SPHERE:
-      return "sphere";
-    case mjGEOM_CAPSULE:
-      return "capsule";
-    case mjGEOM_ELLIPSOID:
-      return "ellipsoid";
-    case mjGEOM_BOX:
-      return "box";
-    case mjGEOM_MESH:
-      return "mesh";
-    default:
-      return "geom of another kind";
-  }
+  static_assert(mjGEOM_PLANE == 0 && mjGEOM_CYLINDER == 5 && mjGEOM_MESH == 7);
+  constexpr std::array names{"plane",     "height field", "sphere", "capsule",
+                             "ellipsoid", "cylinder",     "box",    "mesh"};
+  return type >= 0 && size_of(type) < names.size() ? names[size_of(type)] : "geom of another kind";
 }
 
 /// A body becomes a link, and one more for each joint but its first; the links between have no shapes.
@@ -128,7 +114,7 @@ class Builder {
                                Cylinder{pose.translation(), pose.linear().col(2), size[0], 2 * size[1]}, type,
                                affinity});
     else
-      scene_.left_out.push_back(fmt::format("{} of {}", shape_name(m_.geom_type[geom]), link.name));
+      scene_.left_out.push_back({shape_name(m_.geom_type[geom]), link.name});
   }
 
   /// q1 - q1 at rest = c0 + c1 (q2 - q2 at rest) + higher powers, which we do not follow.

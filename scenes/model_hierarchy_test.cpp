@@ -28,10 +28,10 @@ double clearance_near(const Pair& pair, std::uint64_t way) {
 }
 
 struct Tried {
-  std::array<int, rung_count> apart{}, within{};
+  std::array<int, level_count> apart{}, within{};
 };
 
-/// No rung is wrong where it decides; the exact ones may be inside the bounds that they tell.
+/// No level is wrong where it decides; the exact ones may be inside the bounds that they tell.
 Tried expect_never_wrong(bool with_clearance) {
   Tried tried;
   for (const Family& family : families()) {
@@ -43,26 +43,26 @@ Tried expect_never_wrong(bool with_clearance) {
       const double clearance = with_clearance ? clearance_near(pair, i % 4) * size : 0;
       const int truth = truth_of(pair, clearance);
       if (truth < 0) continue;
-      const Models a = make_models(pair.a, clearance), b = make_models(pair.b, clearance);
-      for (const Rung rung : all_rungs) {
-        const Look seen = look(rung, a, b, clearance);
-        EXPECT_EQ(seen, look(rung, b, a, clearance)) << to_string(rung);
-        if (seen == Look::closer) continue;
-        ++(seen == Look::apart ? tried.apart : tried.within)[static_cast<std::size_t>(rung)];
-        if ((seen == Look::within) == (truth == 1)) continue;
+      const ProxyModels a = make_models(pair.a, clearance), b = make_models(pair.b, clearance);
+      for (const Level level : enum_values<Level>) {
+        const Proximity seen = proximity(level, a, b, clearance);
+        EXPECT_EQ(seen, proximity(level, b, a, clearance)) << to_string(level);
+        if (seen == Proximity::unclear) continue;
+        ++(seen == Proximity::apart ? tried.apart : tried.within)[index_of(level)];
+        if ((seen == Proximity::within) == (truth == 1)) continue;
         const double reach = size + (pair.b.center - pair.a.center).norm();
         const Enclosure d = enclose_distance(pair, judge(pair), 1e-15);  // as narrow as doubles have it
         const double miss = std::max(std::abs(d.lo - clearance), std::abs(d.hi - clearance));
-        const bool proved = rung != Rung::cylinder && rung != Rung::distance;
+        const bool proved = level != Level::cylinder && level != Level::distance;
         EXPECT_TRUE(!proved && miss <= 1e-13 * reach)
-            << family.name << ' ' << i << ": " << to_string(rung) << " by " << miss / reach;
+            << family.name << ' ' << i << ": " << to_string(level) << " by " << miss / reach;
       }
     }
   }
   return tried;
 }
 
-TEST(Ladder, NoRungIsWrongAtTouch) {
+TEST(ModelHierarchy, NoLevelIsWrongAtTouch) {
   const Tried tried = expect_never_wrong(false);
   EXPECT_GT(tried.apart[0], 50);
   EXPECT_GT(tried.apart[1], 100);
@@ -70,41 +70,42 @@ TEST(Ladder, NoRungIsWrongAtTouch) {
   EXPECT_EQ(tried.within[0] + tried.within[1] + tried.apart[2], 0);
 }
 
-TEST(Ladder, NoRungIsWrongAtAClearance) {
+TEST(ModelHierarchy, NoLevelIsWrongAtAClearance) {
   const Tried tried = expect_never_wrong(true);
-  for (const Rung rung : {Rung::sphere, Rung::outer, Rung::cylinder, Rung::distance, Rung::certified})
-    EXPECT_GT(tried.apart[static_cast<std::size_t>(rung)], 20) << to_string(rung);
-  for (const Rung rung : {Rung::inner, Rung::cylinder, Rung::distance, Rung::certified})
-    EXPECT_GT(tried.within[static_cast<std::size_t>(rung)], 50) << to_string(rung);
+  for (const Level level : {Level::sphere, Level::outer, Level::cylinder, Level::distance, Level::certified})
+    EXPECT_GT(tried.apart[index_of(level)], 20) << to_string(level);
+  for (const Level level : {Level::inner, Level::cylinder, Level::distance, Level::certified})
+    EXPECT_GT(tried.within[index_of(level)], 50) << to_string(level);
 }
 
 /// Two upright rods side by side, `gap` apart.
-std::pair<Models, Models> rods(double gap, double clearance) {
+std::pair<ProxyModels, ProxyModels> rods(double gap, double clearance) {
   return {make_models({{0, 0, 0}, {0, 0, 1}, 1, 6}, clearance),
           make_models({{2 + gap, 0, 0}, {0, 0, 1}, 1, 6}, clearance)};
 }
 
-TEST(Ladder, EachModelKnowsItsWorth) {
+TEST(ModelHierarchy, EachModelKnowsItsWorth) {
   const auto [a, b] = rods(0.5, 0);
-  EXPECT_EQ(look(Rung::sphere, a, b, 0), Look::closer);  // the balls overlap
-  EXPECT_EQ(look(Rung::outer, a, b, 0), Look::apart);
-  EXPECT_TRUE(trusted(Rung::sphere, a, b, 0));
-  EXPECT_FALSE(trusted(Rung::outer, a, b, 0));
+  EXPECT_EQ(proximity(Level::sphere, a, b, 0), Proximity::unclear);  // the balls overlap
+  EXPECT_EQ(proximity(Level::outer, a, b, 0), Proximity::apart);
+  EXPECT_TRUE(accepted(Level::sphere, a, b, 0));
+  EXPECT_FALSE(accepted(Level::outer, a, b, 0));
   const auto [c, d] = rods(0.5, 0.6);
-  EXPECT_EQ(look(Rung::outer, c, d, 0.6), Look::closer);
-  EXPECT_EQ(look(Rung::inner, c, d, 0.6), Look::within);
-  EXPECT_EQ(look(Rung::cylinder, c, d, 0.6), Look::closer);  // the grown ones meet, the given ones do not
-  EXPECT_EQ(look(Rung::distance, c, d, 0.6), Look::within);
-  EXPECT_EQ(look(Rung::certified, c, d, 0.6), Look::within);
+  EXPECT_EQ(proximity(Level::outer, c, d, 0.6), Proximity::unclear);
+  EXPECT_EQ(proximity(Level::inner, c, d, 0.6), Proximity::within);
+  EXPECT_EQ(proximity(Level::cylinder, c, d, 0.6),
+            Proximity::unclear);  // the grown ones meet, the given ones do not
+  EXPECT_EQ(proximity(Level::distance, c, d, 0.6), Proximity::within);
+  EXPECT_EQ(proximity(Level::certified, c, d, 0.6), Proximity::within);
 }
 
-TEST(Ladder, APlanAsksInOrder) {
+TEST(ModelHierarchy, ACascadeAsksInOrder) {
   const auto [a, b] = rods(0.5, 0);
-  EXPECT_FALSE(within({{true, true, false}, Rung::sphere}, a, b, 0));  // settled before the last
-  EXPECT_TRUE(within({{true, false, true}, Rung::sphere}, a, b, 0));
-  EXPECT_FALSE(within({{}, Rung::cylinder}, a, b, 0));
+  EXPECT_FALSE(within({{true, true, false}, Level::sphere}, a, b, 0));  // settled before the last
+  EXPECT_TRUE(within({{true, false, true}, Level::sphere}, a, b, 0));
+  EXPECT_FALSE(within({{}, Level::cylinder}, a, b, 0));
   const auto [c, d] = rods(-0.5, 0);
-  EXPECT_TRUE(within({{true, true, true}, Rung::cylinder}, c, d, 0));
+  EXPECT_TRUE(within({{true, true, true}, Level::cylinder}, c, d, 0));
 }
 
 }  // namespace

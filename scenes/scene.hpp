@@ -43,17 +43,22 @@ struct Body {
   std::string name;
   std::size_t link;
   Cylinder solid;  ///< in the link's frame
-  /// Of MJCF: two bodies are checked where the type of one and the affinity of the other share a bit.
+  /// MJCF checks two bodies where the type of one and the affinity of the other share a bit.
   unsigned type = 1, affinity = 1;
+};
+
+/// A collision shape that is no cylinder.
+struct LeftOut {
+  std::string shape, link;  ///< "box", "base_link"
+  bool operator==(const LeftOut&) const = default;
 };
 
 struct Scene {
   std::vector<Link> links;
   std::vector<Body> bodies;
-  std::vector<std::string> left_out;  ///< collision shapes that are no cylinders: "box of base_link"
-  std::vector<std::string> notes;     ///< what else was not taken as written, a sentence each
-  std::vector<std::pair<std::size_t, std::size_t>>
-      disabled;  ///< links that the description says not to check
+  std::vector<LeftOut> left_out;
+  std::vector<std::string> notes;  ///< what else was not taken as written, a sentence each
+  std::vector<std::pair<std::size_t, std::size_t>> disabled;  ///< links not to be checked, as the file says
 };
 
 /// Which pairs of bodies are checked, as MoveIt has it: not those of one link, not those of adjacent links
@@ -70,13 +75,14 @@ class PairRule {
   std::vector<std::pair<std::size_t, std::size_t>> adjacent_, disabled_;  ///< lower first, sorted
 };
 
-/// A value for the joint of every link, within its limits; mimics follow. The same (seed, index) the same.
+/// Draws a value for the joint of every link, within its limits, as a pure function of (seed, index); mimics
+/// follow.
 std::vector<double> draw_joints(const Scene& scene, std::uint64_t seed, std::uint64_t index);
-/// The joints at 0, or at the limit nearest to it; those named at the values given. Throws
-/// UsageError on a name that no free joint has.
+/// Returns the joints at 0, or at the limit nearest to it; those named at the values given. Throws UsageError
+/// on a name that no free joint has.
 std::vector<double> joints_at(const Scene& scene,
                               std::span<const std::pair<std::string, double>> values = {});
-/// Whether anything moves.
+/// Returns whether anything moves.
 bool moves(const Scene& scene);
 
 /// Forward kinematics: the pose of every link, and the bodies in the root's frame.

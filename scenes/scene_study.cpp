@@ -15,11 +15,9 @@ namespace cyl {
 namespace {
 
 /// Configurations that are timed, and pairs in all of them: their models fit into a processor's nearer
-/// memory, and a sweep is over before others get their turn.
+/// memory, and a round is over before others get their turn.
 constexpr std::size_t timed_cap = 32, timed_pairs_cap = 2000;
 constexpr std::chrono::duration<double> timed_least = std::chrono::milliseconds(5);
-
-std::size_t index_of(Rung rung) { return static_cast<std::size_t>(rung); }
 
 class Study {
  public:
@@ -42,8 +40,8 @@ class Study {
 
   SceneStudy run() {
     for (std::size_t k = 0; k < result_.configurations; ++k) observe(k);
-    for (PairStudy& pair : result_.pairs) pair.plan = recommend(pair, q_.tolerated);
-    for (std::size_t k = 0; k < result_.configurations; ++k) check_plans(k);
+    for (PairStudy& pair : result_.pairs) pair.cascade = recommend(pair, q_.tolerated);
+    for (std::size_t k = 0; k < result_.configurations; ++k) check_cascades(k);
     if (q_.verify) verify();
     measure();
     return std::move(result_);
@@ -59,16 +57,16 @@ class Study {
   }
 
   void observe(PairStudy& pair, std::size_t configuration) {
-    const Models &a = models_[pair.a], &b = models_[pair.b];
+    const ProxyModels &a = models_[pair.a], &b = models_[pair.b];
     std::optional<bool> truth;
     std::size_t set = 0;
     bool decided = false;
-    for (const Rung rung : all_rungs) {
-      const Look seen = look(rung, a, b, q_.clearance);
-      if (seen == Look::closer) continue;
-      if (index_of(rung) < 3) set |= std::size_t{1} << index_of(rung);
-      if (!std::exchange(decided, true)) ++pair.decided[index_of(rung)];
-      if (rung == Rung::certified) truth = seen == Look::within;
+    for (const Level level : enum_values<Level>) {
+      const Proximity seen = proximity(level, a, b, q_.clearance);
+      if (seen == Proximity::unclear) continue;
+      if (index_of(level) < 3) set |= std::size_t{1} << index_of(level);
+      if (!std::exchange(decided, true)) ++pair.decided[index_of(level)];
+      if (level == Level::certified) truth = seen == Proximity::within;
     }
     ++pair.outcomes[set];
     if (!truth) {
@@ -78,8 +76,8 @@ class Study {
     }
     const bool is_within = truth.value_or(true);
     const double d = distance(a.solid, b.solid).value;
-    for (const Rung rung : all_rungs)
-      score(pair.alone[index_of(rung)], trusted(rung, a, b, q_.clearance), is_within, d, configuration);
+    for (const Level level : enum_values<Level>)
+      score(pair.alone[index_of(level)], accepted(level, a, b, q_.clearance), is_within, d, configuration);
     pair.least = pair.samples == 0 ? d : std::min(pair.least, d);
     pair.greatest = pair.samples == 0 ? d : std::max(pair.greatest, d);
     ++pair.samples;
@@ -95,18 +93,16 @@ class Study {
     if (said == is_within) return;
     ++s.wrong;
     const double by = is_within ? q_.clearance - d : d - q_.clearance;
-    double& worst = is_within ? s.missed : s.alarm;
-    if (by <= worst) return;
-    worst = by;
-    (is_within ? s.missed_in : s.alarm_in) = configuration;
+    Extreme& worst = is_within ? s.missed : s.alarm;
+    if (by > worst.length) worst = {by, configuration};
   }
 
-  void check_plans(std::size_t configuration) {
+  void check_cascades(std::size_t configuration) {
     models_ = models_of(place(scene_, joints(configuration)), q_.clearance);
     for (std::size_t i = 0; i < result_.pairs.size(); ++i) {
       PairStudy& pair = result_.pairs[i];
-      const bool said = within(pair.plan, models_[pair.a], models_[pair.b], q_.clearance);
-      pair.plan_wrong += said != truths_[configuration * result_.pairs.size() + i];
+      const bool said = within(pair.cascade, models_[pair.a], models_[pair.b], q_.clearance);
+      pair.cascade_wrong += said != truths_[configuration * result_.pairs.size() + i];
     }
   }
 
@@ -127,7 +123,7 @@ class Study {
           ++v.undecided;
           continue;
         }
-        const bool said = within(pair.plan, make_models(solids.a, q_.clearance),
+        const bool said = within(pair.cascade, make_models(solids.a, q_.clearance),
                                  make_models(solids.b, q_.clearance), q_.clearance);
         if (said == *truth) continue;
         const bool forgiven =
@@ -140,11 +136,11 @@ class Study {
 
   void measure() {
     const std::size_t pairs = std::max<std::size_t>(1, result_.pairs.size());
-    const std::size_t turns = std::min(timed_cap, std::max<std::size_t>(1, timed_pairs_cap / pairs));
-    const std::size_t count = std::min(turns, result_.configurations);
+    const std::size_t calls = std::min(timed_cap, std::max<std::size_t>(1, timed_pairs_cap / pairs));
+    const std::size_t count = std::min(calls, result_.configurations);
     std::vector<std::vector<double>> drawn;
     std::vector<std::vector<Cylinder>> placed;
-    std::vector<std::vector<Models>> models;
+    std::vector<std::vector<ProxyModels>> models;
     for (std::size_t k = 0; k < count; ++k) {
       drawn.push_back(joints(k));
       placed.push_back(place(scene_, drawn.back()));
@@ -154,10 +150,10 @@ class Study {
       return turn_cost(
                  [&](std::span<const std::size_t> order) {
                    double sum = 0;
-                   for (const std::size_t turn : order) sum += once(turn % count);
+                   for (const std::size_t call : order) sum += once(call % count);
                    keep(sum);
                  },
-                 turns, timed_least)
+                 calls, timed_least)
           .ns;
     };
     std::vector<Cylinder> into;
@@ -165,7 +161,7 @@ class Study {
       place(scene_, pose_links(scene_, drawn[k]), into);
       return into.empty() ? 0 : into.back().center.x();
     });
-    std::vector<Models> made(scene_.bodies.size());
+    std::vector<ProxyModels> made(scene_.bodies.size());
     result_.models_ns = time([&](std::size_t k) {
       for (std::size_t i = 0; i < made.size(); ++i) made[i] = make_models(placed[k][i], q_.clearance);
       return made.empty() ? 0 : made.back().ball;
@@ -178,13 +174,13 @@ class Study {
         return hits;
       });
     };
-    result_.plan_ns = ask_all([&](const PairStudy& pair, const Models& a, const Models& b) {
-      return within(pair.plan, a, b, q_.clearance);
+    result_.cascade_ns = ask_all([&](const PairStudy& pair, const ProxyModels& a, const ProxyModels& b) {
+      return within(pair.cascade, a, b, q_.clearance);
     });
-    for (const Rung rung : all_rungs)
-      result_.alone_ns[index_of(rung)] =
-          ask_all([&, rung](const PairStudy&, const Models& a, const Models& b) {
-            return trusted(rung, a, b, q_.clearance);
+    for (const Level level : enum_values<Level>)
+      result_.alone_ns[index_of(level)] =
+          ask_all([&, level](const PairStudy&, const ProxyModels& a, const ProxyModels& b) {
+            return accepted(level, a, b, q_.clearance);
           });
   }
 
@@ -192,22 +188,22 @@ class Study {
   const SceneQuestion& q_;
   SceneStudy result_;
   std::vector<Cylinder> placed_;
-  std::vector<Models> models_;
+  std::vector<ProxyModels> models_;
   std::vector<bool> truths_;  ///< by configuration, then pair
 };
 
-/// What a plan costs on the samples, by weights.
-double weight_of(const Plan& plan, const PairStudy& pair) {
+/// What a cascade costs on the samples, by weights.
+double weight_of(const Cascade& cascade, const PairStudy& pair) {
   double sum = 0;
   for (std::size_t set = 0; set < pair.outcomes.size(); ++set) {
     double once = 0;
     bool decided = false;
-    for (std::size_t i = 0; i < plan.first.size() && !decided; ++i) {
-      if (!plan.first[i]) continue;
-      once += rung_weight[i];
+    for (std::size_t i = 0; i < cascade.first.size() && !decided; ++i) {
+      if (!cascade.first[i]) continue;
+      once += level_weight[i];
       decided = (set >> i & 1) != 0;
     }
-    if (!decided) once += rung_weight[index_of(plan.last)];
+    if (!decided) once += level_weight[index_of(cascade.last)];
     sum += once * static_cast<double>(pair.outcomes[set]);
   }
   return sum;
@@ -220,16 +216,16 @@ std::vector<double> joints_of(const Scene& scene, const SceneQuestion& question,
   return joints_at(scene, question.at);
 }
 
-Total total_of(const SceneStudy& study, Rung rung, double tolerated) {
+Total total_of(const SceneStudy& study, Level level, double tolerated) {
   Total t;
   for (const PairStudy& pair : study.pairs) {
-    const Score& score = pair.alone[index_of(rung)];
-    t.decided += pair.decided[index_of(rung)];
-    t.suffices += suffices(pair, rung, tolerated);
+    const Score& score = pair.alone[index_of(level)];
+    t.decided += pair.decided[index_of(level)];
+    t.suffices += suffices(pair, level, tolerated);
     t.wrong += score.wrong;
     t.wrong_pairs += score.wrong > 0;
-    t.alarm = std::max(t.alarm, score.alarm);
-    t.missed = std::max(t.missed, score.missed);
+    t.alarm = std::max(t.alarm, score.alarm.length);
+    t.missed = std::max(t.missed, score.missed.length);
   }
   return t;
 }
@@ -245,25 +241,25 @@ std::optional<bool> referee_within(const Pair& pair, double clearance) {
   return distance.hi <= clearance ? std::optional<bool>(true) : std::nullopt;
 }
 
-bool suffices(const PairStudy& pair, Rung rung, double tolerated) {
-  const Score& s = pair.alone[index_of(rung)];
-  return s.wrong == 0 || (s.missed == 0 && s.alarm > 0 && s.alarm <= tolerated);
+bool suffices(const PairStudy& pair, Level level, double tolerated) {
+  const Score& s = pair.alone[index_of(level)];
+  return s.wrong == 0 || (s.missed.length == 0 && s.alarm.length > 0 && s.alarm.length <= tolerated);
 }
 
-Rung needed(const PairStudy& pair, double tolerated) {
-  for (const Rung rung : {Rung::sphere, Rung::outer, Rung::cylinder, Rung::distance})
-    if (suffices(pair, rung, tolerated)) return rung;
-  return Rung::certified;
+Level needed(const PairStudy& pair, double tolerated) {
+  for (const Level level : {Level::sphere, Level::outer, Level::cylinder, Level::distance})
+    if (suffices(pair, level, tolerated)) return level;
+  return Level::certified;
 }
 
-Plan recommend(const PairStudy& pair, double tolerated) {
-  Plan best;
-  best.last = Rung::certified;
-  for (const Rung last : {Rung::sphere, Rung::outer, Rung::cylinder, Rung::distance, Rung::certified}) {
-    if (last != Rung::certified && !suffices(pair, last, tolerated)) continue;
+Cascade recommend(const PairStudy& pair, double tolerated) {
+  Cascade best;
+  best.last = Level::certified;
+  for (const Level last : {Level::sphere, Level::outer, Level::cylinder, Level::distance, Level::certified}) {
+    if (last != Level::certified && !suffices(pair, last, tolerated)) continue;
     for (unsigned set = 0; set < 8; ++set) {
-      const Plan plan{{(set & 1) != 0, (set & 2) != 0, (set & 4) != 0}, last};
-      if (weight_of(plan, pair) < weight_of(best, pair)) best = plan;
+      const Cascade cascade{{(set & 1) != 0, (set & 2) != 0, (set & 4) != 0}, last};
+      if (weight_of(cascade, pair) < weight_of(best, pair)) best = cascade;
     }
   }
   return best;

@@ -48,7 +48,7 @@ TEST(Urdf, NothingIsDroppedInSilence) {
     EXPECT_EQ(scene.links.size(), count_in_xml(folder + name, "./link"));
   }
   const Scene crane = read_scene(folder + "crane.urdf");
-  EXPECT_EQ(crane.left_out, (std::vector<std::string>{"box of ground", "sphere of boom"}));
+  EXPECT_EQ(crane.left_out, (std::vector<LeftOut>{{"box", "ground"}, {"sphere", "boom"}}));
   EXPECT_EQ(body(crane, "boom/beam").solid.radius, 0.06);
   EXPECT_EQ(body(crane, "counterweight/weight").solid.height, 0.3);
 }
@@ -159,7 +159,7 @@ TEST(Pairs, ThoseThatMoveItLeavesOut) {
   EXPECT_EQ(mujoco.reason(body(mjcf, "tower/mast"), body(mjcf, "trolley/rope")), Reason::disabled);
   EXPECT_EQ(mujoco.reason(body(mjcf, "tower/mast"), body(mjcf, "boom/beam")), Reason::adjacent);
   EXPECT_EQ(mujoco.reason(body(mjcf, "tower/mast"), body(mjcf, "world/post")), Reason::checked);
-  EXPECT_EQ(mjcf.left_out, (std::vector<std::string>{"plane of world", "sphere of boom"}));
+  EXPECT_EQ(mjcf.left_out, (std::vector<LeftOut>{{"plane", "world"}, {"sphere", "boom"}}));
 }
 
 TEST(Files, JsonLinesAndCsvSayTheSame) {
@@ -218,7 +218,7 @@ TEST(Urdf, UnknownShapesAreNamedNotFatal) {
   const Scene scene = read_scene(file.string());
   std::filesystem::remove(file);
   EXPECT_EQ(scene.bodies.size(), 1u);
-  EXPECT_EQ(scene.left_out, (std::vector<std::string>{"capsule of a", "nothing of a"}));
+  EXPECT_EQ(scene.left_out, (std::vector<LeftOut>{{"capsule", "a"}, {"nothing", "a"}}));
 }
 
 }  // namespace

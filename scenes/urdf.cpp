@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
 #include <console_bridge/console.h>
-#include <fmt/format.h>
 #include <tinyxml.h>
 #include <urdf_parser/urdf_parser.h>
 
@@ -58,7 +57,7 @@ void keep_cylinders(TiXmlElement& robot, Scene& scene, std::map<std::string, std
       const TiXmlElement* geometry = collision->FirstChildElement("geometry");
       const TiXmlElement* shape = geometry ? geometry->FirstChildElement() : nullptr;
       if (shape && std::strcmp(shape->Value(), "cylinder") == 0) continue;
-      scene.left_out.push_back(fmt::format("{} of {}", shape ? shape->Value() : "nothing", name));
+      scene.left_out.push_back({shape ? shape->Value() : "nothing", name});
       link->RemoveChild(collision);
     }
   }

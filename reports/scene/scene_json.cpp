@@ -29,24 +29,24 @@ std::string layout(const json& all) {
   return text + "}\n";
 }
 
-json plan_json(const Plan& plan) {
-  json rungs = json::array();
-  for (std::size_t i = 0; i < plan.first.size(); ++i)
-    if (plan.first[i]) rungs.push_back(to_string(all_rungs[i]));
-  rungs.push_back(to_string(plan.last));
-  return rungs;
+json cascade_json(const Cascade& cascade) {
+  json levels = json::array();
+  for (std::size_t i = 0; i < cascade.first.size(); ++i)
+    if (cascade.first[i]) levels.push_back(to_string(enum_values<Level>[i]));
+  levels.push_back(to_string(cascade.last));
+  return levels;
 }
 
 json pair_json(const Scene& scene, const SceneQuestion& q, const PairStudy& pair) {
   json models = json::array();
-  for (const Rung rung : all_rungs) {
-    const auto i = static_cast<std::size_t>(rung);
+  for (const Level level : enum_values<Level>) {
+    const auto i = index_of(level);
     const Score& s = pair.alone[i];
-    models.push_back({{"model", to_string(rung)},
+    models.push_back({{"model", to_string(level)},
                       {"decides", pair.decided[i]},
                       {"wrong", s.wrong},
-                      {"false_alarm", s.alarm},
-                      {"missed", s.missed}});
+                      {"false_alarm", s.alarm.length},
+                      {"missed", s.missed.length}});
   }
   return {{"a", scene.bodies[pair.a].name},
           {"b", scene.bodies[pair.b].name},
@@ -57,14 +57,14 @@ json pair_json(const Scene& scene, const SceneQuestion& q, const PairStudy& pair
           {"greatest_distance", pair.greatest},
           {"models", std::move(models)},
           {"needs", to_string(needed(pair, q.tolerated))},
-          {"recommended", plan_json(pair.plan)},
-          {"recommended_wrong", pair.plan_wrong}};
+          {"recommended", cascade_json(pair.cascade)},
+          {"recommended_wrong", pair.cascade_wrong}};
 }
 
-json model_json(const SceneQuestion& q, const SceneStudy& s, Rung rung) {
-  const Total t = total_of(s, rung, q.tolerated);
-  return {{"model", to_string(rung)}, {"decides", t.decided},         {"suffices", t.suffices},
-          {"wrong", t.wrong},         {"wrong_pairs", t.wrong_pairs}, {"false_alarm", t.alarm},
+json model_json(const SceneQuestion& q, const SceneStudy& s, Level level) {
+  const Total t = total_of(s, level, q.tolerated);
+  return {{"model", to_string(level)}, {"decides", t.decided},         {"suffices", t.suffices},
+          {"wrong", t.wrong},          {"wrong_pairs", t.wrong_pairs}, {"false_alarm", t.alarm},
           {"missed", t.missed}};
 }
 
@@ -77,24 +77,24 @@ json words_json(const StudyWords& w) {
           {"verified", w.verified}};
 }
 
-json reason_json(const Reason& reason) {
-  json all{{"why", to_string(reason.why)}};
-  if (reason.why == Why::first) return all;
-  all["pair"] = reason.pair;
-  if (reason.why != Why::closest) all["model"] = to_string(reason.model);
-  all["length"] = reason.length;
+json highlight_json(const Highlight& highlight) {
+  json all{{"why", to_string(highlight.reason)}};
+  if (highlight.reason == Reason::first) return all;
+  all["pair"] = highlight.pair;
+  if (highlight.reason != Reason::closest) all["model"] = to_string(highlight.model);
+  all["length"] = highlight.length;
   return all;
 }
 
-json seen_json(const SeenPair& seen) {
+json sample_json(const Sample& sample) {
   json wrong = json::array();
-  for (const Rung rung : all_rungs)
-    if (seen.wrong[static_cast<std::size_t>(rung)]) wrong.push_back(to_string(rung));
-  return {{"distance", seen.distance},
-          {"within", seen.within},
+  for (const Level level : enum_values<Level>)
+    if (sample.wrong[index_of(level)]) wrong.push_back(to_string(level));
+  return {{"distance", sample.distance},
+          {"within", sample.within},
           {"wrong", std::move(wrong)},
-          {"on_a", vector_json(seen.on_a)},
-          {"on_b", vector_json(seen.on_b)}};
+          {"on_a", vector_json(sample.on_a)},
+          {"on_b", vector_json(sample.on_b)}};
 }
 
 /// Only the joints that --at takes.
@@ -107,14 +107,14 @@ json joints_json(const Scene& scene, const std::vector<double>& values) {
   return joints;
 }
 
-json kept_json(const Scene& scene, const Kept& kept) {
+json shown_json(const Scene& scene, const Shown& shown) {
   json reasons = json::array(), cylinders = json::array(), pairs = json::array();
-  for (const Reason& reason : kept.reasons) reasons.push_back(reason_json(reason));
-  for (const Cylinder& c : kept.placed) cylinders.push_back(cylinder_json(c));
-  for (const SeenPair& seen : kept.pairs) pairs.push_back(seen_json(seen));
-  return {{"configuration", kept.configuration},
+  for (const Highlight& highlight : shown.highlights) reasons.push_back(highlight_json(highlight));
+  for (const Cylinder& c : shown.placed) cylinders.push_back(cylinder_json(c));
+  for (const Sample& sample : shown.pairs) pairs.push_back(sample_json(sample));
+  return {{"configuration", shown.configuration},
           {"reasons", std::move(reasons)},
-          {"joints", joints_json(scene, kept.joints)},
+          {"joints", joints_json(scene, shown.joints)},
           {"cylinders", std::move(cylinders)},
           {"pairs", std::move(pairs)}};
 }
@@ -122,24 +122,25 @@ json kept_json(const Scene& scene, const Kept& kept) {
 }  // namespace
 
 std::string study_json(const Scene& scene, const SceneQuestion& q, const SceneStudy& s) {
-  json pairs = json::array(), alone = json::object(), models = json::array(), bodies = json::array(),
-       kept = json::array();
+  json left_out = json::array(), pairs = json::array(), alone = json::object(), models = json::array(),
+       bodies = json::array(), kept = json::array();
+  for (const auto& [shape, link] : scene.left_out) left_out.push_back(shape + " of " + link);
   for (const PairStudy& pair : s.pairs) pairs.push_back(pair_json(scene, q, pair));
-  for (const Rung rung : all_rungs) {
-    alone[to_string(rung)] = s.alone_ns[static_cast<std::size_t>(rung)];
-    models.push_back(model_json(q, s, rung));
+  for (const Level level : enum_values<Level>) {
+    alone[to_string(level)] = s.alone_ns[index_of(level)];
+    models.push_back(model_json(q, s, level));
   }
   for (const Body& body : scene.bodies)
     bodies.push_back({{"name", body.name}, {"link", scene.links[body.link].name}});
-  for (const Kept& configuration : kept_configurations(scene, q, s))
-    kept.push_back(kept_json(scene, configuration));
+  for (const Shown& configuration : shown_configurations(scene, q, s))
+    kept.push_back(shown_json(scene, configuration));
   json all{{"file", q.file},
            {"seed", std::to_string(q.seed)},
            {"clearance", q.clearance},
            {"tolerated", q.tolerated},
            {"configurations", s.configurations},
            {"cylinders", s.bodies},
-           {"left_out", scene.left_out},
+           {"left_out", std::move(left_out)},
            {"notes", scene.notes},
            {"pairs_checked", s.pairs_by_reason[0]},
            {"pairs_same_link", s.pairs_by_reason[1]},
@@ -150,7 +151,7 @@ std::string study_json(const Scene& scene, const SceneQuestion& q, const SceneSt
            {"ns_per_configuration",
             {{"kinematics", s.kinematics_ns},
              {"models", s.models_ns},
-             {"recommended", s.plan_ns},
+             {"recommended", s.cascade_ns},
              {"alone", std::move(alone)}}},
            {"words", words_json(words_of(scene, q, s))},
            {"models", std::move(models)},
@@ -167,6 +168,19 @@ std::string study_json(const Scene& scene, const SceneQuestion& q, const SceneSt
     all["verification"] = {
         {"asked", v->asked}, {"wrong", v->wrong}, {"tolerated", v->tolerated}, {"undecided", v->undecided}};
   return layout(all);
+}
+
+std::string close_pairs_json(const ClosePairs& s) {
+  json decided;
+  for (const Level level : crowd_levels) decided[to_string(level)] = s.decided[index_of(level)];
+  return json{{"cylinders", s.bodies},
+              {"candidates", s.candidates},
+              {"decided", std::move(decided)},
+              {"undecided", s.undecided},
+              {"cpu_ms", {{"prepare", s.prepare_ms}, {"tree", s.tree_ms}, {"ladder", s.cascade_ms}}},
+              {"within", s.within}}
+             .dump() +
+         '\n';
 }
 
 }  // namespace cyl

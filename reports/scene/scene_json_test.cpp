@@ -3,9 +3,9 @@
 #include <gtest/gtest.h>
 
 #include "base/json.hpp"
-#include "reports/run/page.hpp"
 #include "reports/scene/scene_report.hpp"
 #include "reports/schemas/schema_check_test.hpp"
+#include "reports/web/page_template.hpp"
 #include "scenes/scene_files.hpp"
 #include "scenes/shown_pairs.hpp"
 
@@ -53,16 +53,16 @@ TEST(SceneJson, HoldsTheKeptConfigurationsToTheBit) {
   const SceneQuestion q = question("crane.urdf");
   const SceneStudy study = study_scene(scene, q);
   const json all = parse_json(study_json(scene, q, study));
-  const std::vector<Kept> kept = kept_configurations(scene, q, study);
-  ASSERT_EQ(all["kept"].size(), kept.size());
-  for (std::size_t k = 0; k < kept.size(); ++k) {
+  const std::vector<Shown> shown = shown_configurations(scene, q, study);
+  ASSERT_EQ(all["kept"].size(), shown.size());
+  for (std::size_t k = 0; k < shown.size(); ++k) {
     const json& told = all["kept"][k];
-    EXPECT_EQ(told["configuration"], kept[k].configuration);
+    EXPECT_EQ(told["configuration"], shown[k].configuration);
     EXPECT_EQ(told["joints"].size(), 3u) << "free ones alone, for --at";
     ASSERT_EQ(told["cylinders"].size(), scene.bodies.size());
     for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
       EXPECT_EQ(all["bodies"][i]["name"], scene.bodies[i].name);
-      const Cylinder& c = kept[k].placed[i];
+      const Cylinder& c = shown[k].placed[i];
       EXPECT_EQ(told["cylinders"][i]["center"], json({c.center.x(), c.center.y(), c.center.z()}));
       EXPECT_EQ(told["cylinders"][i]["axis"], json({c.axis.x(), c.axis.y(), c.axis.z()}));
       EXPECT_EQ(told["cylinders"][i]["radius"], c.radius);
@@ -70,7 +70,7 @@ TEST(SceneJson, HoldsTheKeptConfigurationsToTheBit) {
     }
     for (std::size_t i = 0; i < study.pairs.size(); ++i) {
       EXPECT_EQ(all["pairs"][i]["bodies"], json({study.pairs[i].a, study.pairs[i].b}));
-      EXPECT_EQ(told["pairs"][i]["distance"], kept[k].pairs[i].distance);
+      EXPECT_EQ(told["pairs"][i]["distance"], shown[k].pairs[i].distance);
     }
   }
 }
@@ -106,7 +106,7 @@ TEST(ScenePage, HoldsTheDataAndAsksNothing) {
   const Scene scene =
       still_scene({{hostile, {{0, 0, 0}, {0, 0, 1}, 1, 10}}, {"high", {{0, 0, 11.5}, {0, 0, 1}, 1, 10}}});
   const std::string told = written(scene, question(hostile.c_str()));
-  const std::string page = fill_template(Template::scene, told);
+  const std::string page = fill_template(told);
   const std::string before = "<script type=\"application/json\" id=\"report-data\">";
   const std::size_t at = page.find(before);
   ASSERT_NE(at, page.npos);
@@ -116,12 +116,6 @@ TEST(ScenePage, HoldsTheDataAndAsksNothing) {
   for (const char* word : {"<img", "src=\"", "@import", "<link", "url(http", "@@DAYLIGHT"})
     EXPECT_EQ(page.find(word), page.npos) << word;
   EXPECT_NE(page.find("default-src 'none'; script-src 'sha256-"), page.npos);
-}
-
-TEST(ScenePage, IsNotThatOfARun) {
-  const std::string says = "daylight scene FILE --page writes it";
-  EXPECT_NE(fill_template(Template::scene, "{}").find(says), std::string::npos);
-  EXPECT_EQ(fill_template(Template::report, "{}").find(says), std::string::npos);
 }
 
 }  // namespace

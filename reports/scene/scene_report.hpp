@@ -5,11 +5,12 @@
 #include <string>
 #include <vector>
 
+#include "scenes/close_pairs.hpp"
 #include "scenes/scene_study.hpp"
 
 namespace cyl {
 
-/// For people; the seed first.
+/// Returns the study for people; the seed first.
 std::string study_text(const Scene& scene, const SceneQuestion& question, const SceneStudy& study);
 
 /// What `study_text` says in sentences, for others to say the same; empty where there is nothing to say.
@@ -28,8 +29,13 @@ struct StudyWords {
 };
 StudyWords words_of(const Scene& scene, const SceneQuestion& question, const SceneStudy& study);
 
-/// The study with its words and the configurations worth a look (scene_kept.hpp), as
+/// Returns the study with its words and the shown configurations (scenes/shown_pairs.hpp), as
 /// reports/schemas/scene.json describes it; a page is drawn from it alone.
 std::string study_json(const Scene& scene, const SceneQuestion& question, const SceneStudy& study);
+
+/// Returns a line for people; `close_pairs_head` names its columns.
+std::string close_pairs_head();
+std::string close_pairs_line(const ClosePairs& pairs);
+std::string close_pairs_json(const ClosePairs& pairs);
 
 }  // namespace cyl

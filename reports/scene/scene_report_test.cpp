@@ -34,11 +34,11 @@ TEST(Study, WhatItRecommendsTheRefereeConfirms) {
       EXPECT_EQ(s.verification->wrong, 0u) << file << ", clearance " << clearance;
       EXPECT_EQ(s.verification->tolerated, 0u);
       for (const PairStudy& pair : s.pairs) {
-        EXPECT_EQ(pair.plan_wrong, 0u);
-        EXPECT_NE(pair.plan.last, Rung::inner);
-        EXPECT_EQ(pair.alone[0].missed, 0) << "a ball apart and they are not";
-        EXPECT_EQ(pair.alone[1].missed, 0);
-        EXPECT_EQ(pair.alone[2].alarm, 0);
+        EXPECT_EQ(pair.cascade_wrong, 0u);
+        EXPECT_NE(pair.cascade.last, Level::inner);
+        EXPECT_EQ(pair.alone[0].missed.length, 0) << "a ball apart and they are not";
+        EXPECT_EQ(pair.alone[1].missed.length, 0);
+        EXPECT_EQ(pair.alone[2].alarm.length, 0);
       }
     }
   }
@@ -50,7 +50,7 @@ TEST(Study, ToleratedFalseAlarmsMakeItCheaper) {
     const SceneStudy s = study_scene(scene, question(0, tolerated, 50));
     EXPECT_EQ(s.verification->wrong, 0u);
     return std::count_if(s.pairs.begin(), s.pairs.end(),
-                         [](const PairStudy& p) { return p.plan.last > Rung::outer; });
+                         [](const PairStudy& p) { return p.cascade.last > Level::outer; });
   };
   const auto strict = costly(0), lax = costly(0.5);
   EXPECT_GT(strict, 0);
@@ -68,8 +68,8 @@ TEST(Study, TellsHowWrongAModelAloneIs) {
   EXPECT_EQ(pair.alone[0].wrong, 0u);
   EXPECT_NEAR(pair.least, 1.5, 1e-12);
   EXPECT_EQ(pair.alone[1].wrong, 1u);
-  EXPECT_NEAR(pair.alone[1].alarm, 1.5, 1e-12);
-  EXPECT_EQ(pair.plan.last, Rung::sphere);
+  EXPECT_NEAR(pair.alone[1].alarm.length, 1.5, 1e-12);
+  EXPECT_EQ(pair.cascade.last, Level::sphere);
 }
 
 TEST(Study, TheSameTwiceButForTimes) {
@@ -91,15 +91,15 @@ TEST(Study, TheSameTwiceButForTimes) {
 TEST(Study, NeedsTheSimplestThatSuffices) {
   const Scene scene = read_scene(folder + "twenty.urdf");
   const SceneStudy s = study_scene(scene, question(0, 0, 100));
-  std::array<std::size_t, rung_count> count{};
+  std::array<std::size_t, level_count> count{};
   for (const PairStudy& pair : s.pairs) {
-    const Rung rung = needed(pair, 0);
-    ++count[static_cast<std::size_t>(rung)];
-    EXPECT_TRUE(suffices(pair, rung, 0));
-    EXPECT_EQ(suffices(pair, Rung::sphere, 0), rung == Rung::sphere);
-    EXPECT_TRUE(rung == Rung::sphere || suffices(pair, Rung::outer, 0) == (rung == Rung::outer));
+    const Level level = needed(pair, 0);
+    ++count[index_of(level)];
+    EXPECT_TRUE(suffices(pair, level, 0));
+    EXPECT_EQ(suffices(pair, Level::sphere, 0), level == Level::sphere);
+    EXPECT_TRUE(level == Level::sphere || suffices(pair, Level::outer, 0) == (level == Level::outer));
   }
-  EXPECT_EQ(count[0], total_of(s, Rung::sphere, 0).suffices);
+  EXPECT_EQ(count[0], total_of(s, Level::sphere, 0).suffices);
   EXPECT_GT(count[1], 0u);
   EXPECT_EQ(count[2], 0u);
   EXPECT_GT(count[3], 0u);
@@ -109,21 +109,21 @@ TEST(Study, TellsWhereAModelIsWrongByMost) {
   const Scene scene = read_scene(folder + "twenty.urdf");
   const SceneQuestion q = question(0, 0, 100);
   const SceneStudy s = study_scene(scene, q);
-  const auto least = [&](auto length, auto where) {
+  const auto least = [&](Extreme Score::*extreme) {
     std::size_t asked = 0;
     for (const PairStudy& pair : s.pairs) {
-      for (const Rung rung : {Rung::sphere, Rung::outer, Rung::inner}) {
-        const Score& score = pair.alone[static_cast<std::size_t>(rung)];
-        if (score.*length == 0) continue;
+      for (const Level level : {Level::sphere, Level::outer, Level::inner}) {
+        const Extreme& worst = pair.alone[index_of(level)].*extreme;
+        if (worst.length == 0) continue;
         ++asked;
-        const auto placed = place(scene, joints_of(scene, q, score.*where));
-        EXPECT_EQ(std::fabs(distance(placed[pair.a], placed[pair.b]).value), score.*length);
+        const auto placed = place(scene, joints_of(scene, q, worst.configuration));
+        EXPECT_EQ(std::fabs(distance(placed[pair.a], placed[pair.b]).value), worst.length);
       }
     }
     return asked;
   };
-  EXPECT_GT(least(&Score::alarm, &Score::alarm_in), 20u);
-  EXPECT_GT(least(&Score::missed, &Score::missed_in), 5u);
+  EXPECT_GT(least(&Score::alarm), 20u);
+  EXPECT_GT(least(&Score::missed), 5u);
 }
 
 TEST(Study, SaysItInWords) {

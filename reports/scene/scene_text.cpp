@@ -1,16 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include <fmt/format.h>
 
-#include <algorithm>
+#include <array>
 #include <map>
 
 #include "reports/scene/scene_report.hpp"
-#include "scenes/scene_study.hpp"
 
 namespace cyl {
 namespace {
-
-std::size_t index_of(Rung rung) { return static_cast<std::size_t>(rung); }
 
 std::string plural(std::size_t n, const char* what) {
   return fmt::format("{} {}{}", n, what, n == 1 ? "" : "s");
@@ -25,10 +22,7 @@ std::string joined(const std::vector<std::string>& words) {
 /// "3 boxes, ..." would hide which: each kind with the links that have it.
 std::vector<std::string> left_out_words(const Scene& scene) {
   std::map<std::string, std::vector<std::string>> by_kind;
-  for (const std::string& shape : scene.left_out) {
-    const auto of = shape.find(" of ");
-    by_kind[shape.substr(0, of)].push_back(shape.substr(of + 4));
-  }
+  for (const auto& [shape, link] : scene.left_out) by_kind[shape].push_back(link);
   std::vector<std::string> words;
   for (const auto& [kind, links] : by_kind)
     words.push_back(fmt::format("{} {} ({})", links.size(), kind, joined(links)));
@@ -71,10 +65,10 @@ std::string models_table(const SceneQuestion& q, const SceneStudy& s) {
   constexpr const char* row = "{:<15} {:>10} {:>9} {:>10} {:>9} {:>9} {:>12} {:>9}\n";
   std::string text = fmt::format(fmt::runtime("\n" + std::string(row)), "model", "decides", "alone ns",
                                  "suffices", "wrong", "in pairs", "false alarm", "missed");
-  for (const Rung rung : all_rungs) {
-    const Total t = total_of(s, rung, q.tolerated);
-    text += fmt::format(fmt::runtime(row), to_string(rung), count_text(t.decided),
-                        fmt::format("{:.0f}", s.alone_ns[index_of(rung)]), t.suffices, count_text(t.wrong),
+  for (const Level level : enum_values<Level>) {
+    const Total t = total_of(s, level, q.tolerated);
+    text += fmt::format(fmt::runtime(row), to_string(level), count_text(t.decided),
+                        fmt::format("{:.0f}", s.alone_ns[index_of(level)]), t.suffices, count_text(t.wrong),
                         count_text(t.wrong_pairs), length_text(t.alarm), length_text(t.missed));
   }
   if (s.asked_referee > 0)
@@ -83,11 +77,11 @@ std::string models_table(const SceneQuestion& q, const SceneStudy& s) {
   return text;
 }
 
-std::string plan_words(const Plan& plan) {
+std::string cascade_words(const Cascade& cascade) {
   std::string text;
-  for (std::size_t i = 0; i < plan.first.size(); ++i)
-    if (plan.first[i]) text += std::string(to_string(all_rungs[i])) + ", ";
-  return text + to_string(plan.last);
+  for (std::size_t i = 0; i < cascade.first.size(); ++i)
+    if (cascade.first[i]) text += std::string(to_string(enum_values<Level>[i])) + ", ";
+  return text + to_string(cascade.last);
 }
 
 const char* body(const Scene& scene, std::size_t i) { return scene.bodies[i].name.c_str(); }
@@ -99,15 +93,15 @@ std::string needs_more(const Scene& scene, const SceneQuestion& q, const SceneSt
   std::string text;
   std::size_t named = 0, more = 0;
   for (const PairStudy& pair : s.pairs) {
-    if (suffices(pair, Rung::sphere, q.tolerated) || suffices(pair, Rung::outer, q.tolerated)) continue;
+    if (suffices(pair, Level::sphere, q.tolerated) || suffices(pair, Level::outer, q.tolerated)) continue;
     if (++named > named_cap) {
       ++more;
       continue;
     }
-    const Score& capsules = pair.alone[index_of(Rung::outer)];
+    const Score& capsules = pair.alone[index_of(Level::outer)];
     text += fmt::format("  {} - {}: {} (capsules: {} false alarm{}, up to {:.3g})\n", body(scene, pair.a),
-                        body(scene, pair.b), plan_words(pair.plan), capsules.wrong,
-                        capsules.wrong == 1 ? "" : "s", capsules.alarm);
+                        body(scene, pair.b), cascade_words(pair.cascade), capsules.wrong,
+                        capsules.wrong == 1 ? "" : "s", capsules.alarm.length);
   }
   return more ? text + fmt::format("  and {} more\n", more) : text;
 }
@@ -115,9 +109,9 @@ std::string needs_more(const Scene& scene, const SceneQuestion& q, const SceneSt
 std::string enough_words(const SceneQuestion& q, const SceneStudy& s) {
   std::size_t balls = 0, capsules = 0, all = s.pairs.size();
   for (const PairStudy& pair : s.pairs) {
-    const bool ball = suffices(pair, Rung::sphere, q.tolerated);
+    const bool ball = suffices(pair, Level::sphere, q.tolerated);
     balls += ball;
-    capsules += ball || suffices(pair, Rung::outer, q.tolerated);
+    capsules += ball || suffices(pair, Level::outer, q.tolerated);
   }
   std::string text = fmt::format("spheres suffice for {} of {}, spheres or capsules for {}", balls,
                                  plural(all, "pair"), capsules);
@@ -126,48 +120,38 @@ std::string enough_words(const SceneQuestion& q, const SceneStudy& s) {
                                      : fmt::format("; these {} need more", all - capsules));
 }
 
-const char* plural_of(Rung rung) {
-  switch (rung) {
-    case Rung::sphere:
-      return "spheres";
-    case Rung::outer:
-      return "capsules";
-    case Rung::cylinder:
-      return "cylinders";
-    case Rung::distance:
-      return "distances";
-    default:
-      return "proofs";
-  }
+const char* plural_of(Level level) {
+  return std::array{
+      "spheres", "capsules", "inner capsules", "cylinders", "distances", "proofs"}[index_of(level)];
 }
 
 std::string recommended_words(const SceneStudy& s) {
-  std::map<Rung, std::size_t> last;
-  for (const PairStudy& pair : s.pairs) ++last[pair.plan.last];
+  std::map<Level, std::size_t> last;
+  for (const PairStudy& pair : s.pairs) ++last[pair.cascade.last];
   std::vector<std::string> parts;
-  for (const auto& [rung, count] : last)
-    parts.push_back(fmt::format("{} for {}", plural_of(rung), plural(count, "pair")));
+  for (const auto& [level, count] : last)
+    parts.push_back(fmt::format("{} for {}", plural_of(level), plural(count, "pair")));
   return joined(parts);
 }
 
 std::string cost_words(const SceneQuestion& q, const SceneStudy& s) {
-  const Rung exact = q.clearance > 0 ? Rung::distance : Rung::cylinder;
+  const Level exact = q.clearance > 0 ? Level::distance : Level::cylinder;
   return fmt::format(
       "{:.2f} us a configuration, against {:.2f} us with the {} test for every pair; {:.2f} us more to move "
       "the bodies",
-      s.plan_ns / 1000, s.alone_ns[index_of(exact)] / 1000, to_string(exact),
+      s.cascade_ns / 1000, s.alone_ns[index_of(exact)] / 1000, to_string(exact),
       (s.kinematics_ns + s.models_ns) / 1000);
 }
 
 std::string forgiven_words(const SceneQuestion& q, const SceneStudy& s) {
   std::size_t forgiven = 0;
-  for (const PairStudy& pair : s.pairs) forgiven += pair.plan_wrong;
+  for (const PairStudy& pair : s.pairs) forgiven += pair.cascade_wrong;
   if (forgiven == 0) return "";
   return fmt::format("with {} that {:.3g} allows", plural(forgiven, "false alarm"), q.tolerated);
 }
 
 std::string capsules_words(const SceneQuestion& q, const SceneStudy& s) {
-  const Total t = total_of(s, Rung::outer, q.tolerated);
+  const Total t = total_of(s, Level::outer, q.tolerated);
   if (t.wrong == 0) return "capsules in every cylinder's place: the same answer in every sample";
   return fmt::format(
       "capsules in every cylinder's place: not the same: {} in {}, of cylinders up to {:.3g} beyond the "
@@ -228,6 +212,18 @@ std::string study_text(const Scene& scene, const SceneQuestion& q, const SceneSt
   text += "\n" + w.enough + (more.empty() ? "\n" : ":\n" + more);
   return text + line(w.recommended, "recommended: ") + line(w.cost, "  ") + line(w.forgiven, "  ") +
          line(w.capsules) + line(w.closest) + line(w.verified);
+}
+
+std::string close_pairs_head() {
+  return fmt::format("{:>10} {:>12} {:>10} {:>10} {:>10} {:>10} {:>10} {:>11} {:>10} {:>11}\n", "cylinders",
+                     "boxes meet", "sphere", "cylinder", "distance", "undecided", "within", "prepare ms",
+                     "tree ms", "ladder ms");
+}
+
+std::string close_pairs_line(const ClosePairs& s) {
+  return fmt::format("{:>10} {:>12} {:>10} {:>10} {:>10} {:>10} {:>10} {:>11.2f} {:>10.2f} {:>11.2f}\n",
+                     s.bodies, s.candidates, s.decided[0], s.decided[3], s.decided[4] + s.decided[5],
+                     s.undecided, s.within.size(), s.prepare_ms, s.tree_ms, s.cascade_ms);
 }
 
 }  // namespace cyl

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "scenes/parameter_sweep.hpp"
+#include "scenes/close_pairs.hpp"
 
 #include <gtest/gtest.h>
 
@@ -29,11 +29,11 @@ std::vector<std::pair<std::uint32_t, std::uint32_t>> by_referee(const std::vecto
   return found;
 }
 
-TEST(Sweep, FindsAllClosePairsAndNoOthers) {
+TEST(ClosePairs, FindsAllClosePairsAndNoOthers) {
   for (const char* kind : {"rods", "pipes"}) {
     for (const double clearance : {0.0, 0.01}) {
       const std::vector<Cylinder> c = generate_cylinders(kind, 120, 3);
-      const SceneSweep s = sweep_scene(c, clearance, true);
+      const ClosePairs s = find_close_pairs(c, clearance, true);
       ASSERT_TRUE(s.verification);
       EXPECT_EQ(s.verification->asked, s.candidates);
       EXPECT_EQ(s.verification->wrong + s.verification->undecided, 0u);
@@ -47,8 +47,8 @@ TEST(Sweep, FindsAllClosePairsAndNoOthers) {
   }
 }
 
-TEST(Sweep, AnswersOneQuestionForEachPairOfBoxes) {
-  const SceneSweep s = sweep_scene(generate_cylinders("rods", 3000, 1), 0);
+TEST(ClosePairs, AnswersOneQuestionForEachPairOfBoxes) {
+  const ClosePairs s = find_close_pairs(generate_cylinders("rods", 3000, 1), 0);
   std::size_t decided = s.undecided;
   for (const std::size_t n : s.decided) decided += n;
   EXPECT_EQ(decided, s.candidates);
