@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <cstdio>
 #include <string>
 #include <string_view>
@@ -65,5 +66,14 @@ inline std::string shell_quoted(std::string_view text) {
   }
   return word + '\'';
 }
+
+/// Returns `text` with each byte that is no UTF-8 as U+FFFD.
+std::string valid_utf8(std::string_view text);
+
+/// Returns `text` as one line of valid UTF-8 that steers no terminal.
+std::string one_line(std::string_view text);
+
+/// Returns 1234567 as 1,234,567.
+std::string grouped(std::uint64_t n);
 
 }  // namespace cyl

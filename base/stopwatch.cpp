@@ -14,6 +14,8 @@
 #include <x86intrin.h>
 #endif
 
+#include "base/statistics.hpp"
+
 namespace cyl {
 namespace {
 
@@ -133,17 +135,6 @@ CallTimes time_calls(const std::function<void(std::size_t)>& call, std::size_t c
   for (const std::uint64_t t : least)
     ns.push_back(static_cast<double>(t - std::min(t, empty)) * all.count() / all_ticks);
   return {quantile(ns, 0.5), quantile(ns, 0.99), quantile(ns, 1)};
-}
-
-double quantile(std::vector<double> values, double q) {
-  if (values.empty()) return not_measured;
-  const auto rank = static_cast<std::size_t>(q * static_cast<double>(values.size() - 1) + 0.5);
-  std::nth_element(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(rank), values.end());
-  return values[rank];
-}
-
-double spread_percent(const std::vector<double>& values) {
-  return 100 * (quantile(values, 0.75) - quantile(values, 0.25)) / quantile(values, 0.5);
 }
 
 }  // namespace cyl

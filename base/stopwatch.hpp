@@ -41,11 +41,6 @@ struct CallTimes {
 /// less the least time of an empty call.
 CallTimes time_calls(const std::function<void(std::size_t)>& call, std::size_t count, int passes);
 
-/// The value of rank q (count - 1), rounded; NaN where there are none.
-double quantile(std::vector<double> values, double q);
-/// The range of the middle half of the values, in % of their median.
-double spread_percent(const std::vector<double>& values);
-
 /// Makes the compiler believe that `value` is looked at.
 void keep(double value);
 

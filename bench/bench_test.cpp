@@ -242,17 +242,6 @@ TEST(Bench, BatchesGrowByDecades) {
   for (const BenchRow& row : rows) EXPECT_TRUE(is_right(row) && row.query == "batch");
 }
 
-TEST(Stopwatch, Quantiles) {
-  std::vector<double> values(101);
-  std::iota(values.rbegin(), values.rend(), 0.0);
-  EXPECT_EQ(quantile(values, 0.5), 50);
-  EXPECT_EQ(quantile(values, 0.99), 99);
-  EXPECT_EQ(quantile(values, 1), 100);
-  EXPECT_TRUE(std::isnan(quantile({}, 0.5)));
-  EXPECT_EQ(spread_percent({9, 1, 8, 2, 7, 3, 6, 4, 5}), 80);
-  EXPECT_EQ(spread_percent({7}), 0);
-}
-
 TEST(Stopwatch, EverySweepHasAnotherOrder) {
   for (const std::size_t count : {1u, 2u, 7u, 60u}) {
     std::vector<std::size_t> all(count), order(count);

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstring>
 
+#include "base/statistics.hpp"
 #include "solver/decide.hpp"
 
 namespace cyl {

@@ -29,11 +29,8 @@
 #include "corpus/store/case_files.hpp"
 #include "props/gate/law_search.hpp"
 #include "reports/gate/failure_text.hpp"
-#include "reports/gate/gate_github.hpp"
 #include "reports/gate/gate_json.hpp"
-#include "reports/gate/gate_junit.hpp"
-#include "reports/gate/gate_sarif.hpp"
-#include "reports/gate/gate_text.hpp"
+#include "reports/gate/gate_writers.hpp"
 #include "reports/triage/suppressed.hpp"
 
 namespace cyl {
@@ -51,7 +48,7 @@ constexpr const char* our_methods = "intersect,decide,distance,exact";
 
 /// One planted fault for so many pairs, at most so many faults: a second or two each, of the eight that so
 /// many pairs take.
-constexpr std::uint64_t smoke_interval = 50'000, smoke_cap = 5;
+constexpr std::uint64_t self_test_interval = 50'000, self_test_cap = 5;
 
 void print_laws() {
   for (const Law& law : all_laws())
@@ -153,8 +150,8 @@ int gate(const Arguments& arguments) {
   for (const Guest& guest : guests)
     for (GateFailure& failure : report.failures)
       if (failure.method == guest.name) failure.options = options_for(guest);
-  const Smoke smoke = smoke_mutants(
-      static_cast<unsigned>(std::clamp<std::uint64_t>(options.pairs / smoke_interval, 1, smoke_cap)));
+  const SelfTest test = self_test(
+      static_cast<unsigned>(std::clamp<std::uint64_t>(options.pairs / self_test_interval, 1, self_test_cap)));
   if (!arguments.junit.empty()) write_file(arguments.junit, gate_junit(report));
   if (!arguments.sarif.empty())
     write_file(arguments.sarif, gate_sarif(report, build_info().version, !arguments.against.empty()));
@@ -162,13 +159,13 @@ int gate(const Arguments& arguments) {
   if (!arguments.keep.empty()) write_file(arguments.keep, case_lines(report));
   if (arguments.github) fmt::print("{}", gate_github(report));
   fmt::print("the gate itself, tried on methods with known faults: {}",
-             smoke.ran ? smoke.text : "not run, daylight-mutants is not beside this executable\n");
+             test.ran ? test.text : "not run, daylight-mutants is not beside this executable\n");
   fmt::print("{}", gate_text(report));
   for (const std::string& remark : remarks) fmt::print("{}\n", remark);
   if (!arguments.keep.empty() && std::any_of(report.failures.begin(), report.failures.end(), fails_gate))
     fmt::print("next: {} replay {}{}\n", own_command(), shell_quoted(arguments.keep),
                replay_options(report, methods, guests));
-  if (!smoke.alive) throw std::runtime_error("the gate is blind: a planted fault was not caught");
+  if (!test.passed) throw std::runtime_error("the gate is blind: a planted fault was not caught");
   return stale > 0 ? exit_findings : exit_code(report);
 }
 

@@ -137,7 +137,7 @@ class Gate {
     std::set<std::tuple<std::string, int, std::string>> seen;
     std::vector<GateFailure*> like_others;
     for (GateFailure& failure : report_.failures) {
-      if (failure.severity != Severity::contract) continue;
+      if (!is_error(failure)) continue;
       if (seen.emplace(failure.method, failure.law->number, failure.kind).second)
         look_closer(failure);
       else
@@ -181,8 +181,7 @@ class Gate {
     now.pairs += pairs.size();
     for (const Pair& pair : pairs) now.digest = digest_of(pair, now.digest);
     if (!on_progress_) return;
-    const auto beyond = std::count_if(report_.failures.begin(), report_.failures.end(),
-                                      [](const auto& f) { return f.severity == Severity::contract; });
+    const auto beyond = std::count_if(report_.failures.begin(), report_.failures.end(), is_error);
     on_progress_({now.phase, now.pairs, static_cast<std::size_t>(beyond), share, elapsed()});
   }
 
@@ -422,27 +421,12 @@ GateAmount amount_of(std::uint64_t pairs) {
       .sample_rounds = std::max<std::uint64_t>(1, (pairs - under_laws + sample_round - 1) / sample_round)};
 }
 
-// Where `wrong` of n were wrong, the greatest rate p at which so few are seen with a probability of 5 %: of
-// Poisson's law, which bounds the binomial one there. None wrong: e^(-np) = 0.05, np = 3.0.
-double error_rate_bound(std::uint64_t pairs, std::uint64_t wrong) {
-  if (pairs == 0) return 1;
-  const auto seen_at_most = [&](double mean) {
-    double term = std::exp(-mean), sum = term;
-    for (std::uint64_t k = 1; k <= wrong; ++k) sum += term *= mean / static_cast<double>(k);
-    return sum;
-  };
-  constexpr double level = 0.05;
-  const double k = static_cast<double>(wrong), n = static_cast<double>(pairs);
-  if (wrong == 0) return std::min(1.0, 3 / n);
-  if (wrong > 200) return std::min(1.0, (k + 1.645 * std::sqrt(k) + 1.5) / n);  // where e^-mean would vanish
-  double low = k, high = 2 * k + 10;
-  for (int i = 0; i < 60; ++i) (seen_at_most((low + high) / 2) > level ? low : high) = (low + high) / 2;
-  return std::min(1.0, high / n);
-}
+bool is_error(const GateFailure& failure) { return failure.severity == Severity::contract; }
+
+bool fails_gate(const GateFailure& failure) { return is_error(failure) && !failure.known; }
 
 int exit_code(const GateReport& report) {
-  for (const GateFailure& failure : report.failures)
-    if (failure.severity == Severity::contract && !failure.known) return 2;
+  if (std::any_of(report.failures.begin(), report.failures.end(), fails_gate)) return 2;
   const auto unsampled = [](const GatePhaseReport& p) {
     return p.phase == GatePhase::sample && p.pairs == 0;
   };

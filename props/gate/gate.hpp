@@ -138,12 +138,13 @@ GateReport run_gate(std::span<const std::unique_ptr<Method>> methods, std::span<
                     const GateOptions& options,
                     const std::function<void(const GateProgress&)>& on_progress = {});
 
-/// The greatest error rate that `wrong` errors in `pairs` independent trials leave possible at 95 %: 3/n
-/// where none was seen. 1 where there were no trials.
-double error_rate_bound(std::uint64_t pairs, std::uint64_t wrong);
+/// Returns whether the method broke more than its own claim allows.
+bool is_error(const GateFailure& failure);
+/// Returns whether that is not excused either.
+bool fails_gate(const GateFailure& failure);
 
-/// 2 contract failures not known, reproducible or not; 3 none, but truth that nobody could prove, a method
-/// that decided less than half of its pairs, or something that was not asked; else 0.
+/// Returns 2 where a failure fails the gate, reproducible or not; 3 where none does, but truth that nobody
+/// could prove, a method that decided less than half of its pairs, or something that was not asked; else 0.
 int exit_code(const GateReport& report);
 
 }  // namespace cyl

@@ -262,16 +262,5 @@ TEST(Gate, AsksTheSamePairsWhereTheAmountIsGiven) {
   EXPECT_EQ(exit_code(report), 0);
 }
 
-TEST(Gate, BoundsTheErrorRate) {
-  EXPECT_EQ(error_rate_bound(0, 0), 1);
-  EXPECT_EQ(error_rate_bound(1, 0), 1);
-  EXPECT_DOUBLE_EQ(error_rate_bound(3000, 0), 1e-3);
-  // Garwood's table of Poisson means, 95 % one-sided: 4.744 at one, 6.296 at two, 16.962 at ten.
-  EXPECT_NEAR(error_rate_bound(1000, 1), 4.744e-3, 1e-6);
-  EXPECT_NEAR(error_rate_bound(1000, 2), 6.296e-3, 1e-6);
-  EXPECT_NEAR(error_rate_bound(10000, 10), 16.962e-4, 1e-7);
-  EXPECT_NEAR(error_rate_bound(100000, 300), 330.5e-5, 2e-5);
-}
-
 }  // namespace
 }  // namespace cyl

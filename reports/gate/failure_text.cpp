@@ -8,7 +8,6 @@
 #include <filesystem>
 #include <optional>
 
-#include "base/json.hpp"
 #include "base/own_command.hpp"
 #include "base/safe_text.hpp"
 #include "corpus/pairs/pair_io.hpp"
@@ -18,7 +17,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Of "FILE:LINE id". A file's name may hold colons, so the first one that a line number follows counts.
+/// Returns FILE and LINE of "FILE:LINE id". A file's name may hold colons, so the first one that a line
+/// number follows counts.
 std::optional<SourceLine> place_in(std::string_view origin) {
   for (std::size_t colon = origin.find(':'); colon != std::string_view::npos;
        colon = origin.find(':', colon + 1)) {
@@ -31,6 +31,7 @@ std::optional<SourceLine> place_in(std::string_view origin) {
   return {};
 }
 
+/// Returns the path from the current folder where the file lies below it.
 std::string from_here(const std::string& file) {
   const fs::path path = fs::path(file).lexically_normal();
   if (path.is_relative()) return path.string();
@@ -39,11 +40,25 @@ std::string from_here(const std::string& file) {
   return below.empty() || *below.begin() == ".." ? path.string() : below.string();
 }
 
+/// The line of the case, else that of the law.
+SourceLine place_of(const GateFailure& failure) {
+  SourceLine place{failure.law->file, static_cast<unsigned>(failure.law->line)};
+  if (is_from_case(failure)) {
+    if (auto of_case = place_in(failure.origin)) place = std::move(*of_case);
+  }
+  place.file = from_here(valid_utf8(place.file));
+  return place;
+}
+
+/// "fails 10 of 10 times", or "depends on luck: 3 of 10"; empty where it was not run again.
+std::string again_in_words(const GateFailure& failure) {
+  if (failure.reruns == 0) return {};
+  return fmt::format("{} {} of {}{}", failure.failed_again < failure.reruns ? "depends on luck:" : "fails",
+                     failure.failed_again, failure.reruns,
+                     failure.failed_again < failure.reruns ? "" : " times");
+}
+
 }  // namespace
-
-bool is_error(const GateFailure& failure) { return failure.severity == Severity::contract; }
-
-bool fails_gate(const GateFailure& failure) { return is_error(failure) && !failure.known; }
 
 bool is_from_case(const GateFailure& failure) {
   return failure.phase == GatePhase::corpus || failure.phase == GatePhase::corpus_laws;
@@ -65,47 +80,38 @@ std::vector<Alike> alike_failures(const GateReport& report, bool failing) {
   return all;
 }
 
-std::uint64_t pairs_of(const Alike& alike) {
-  std::uint64_t count = 0;
-  for (const GateFailure* f : alike) count += f->count;
-  return count;
-}
-
-SourceLine place_of(const GateFailure& failure) {
-  SourceLine place{failure.law->file, static_cast<unsigned>(failure.law->line)};
-  if (is_from_case(failure)) {
-    if (auto of_case = place_in(failure.origin)) place = std::move(*of_case);
-  }
-  place.file = from_here(valid_utf8(place.file));
-  return place;
-}
-
 bool is_told_by_answer(const Law& law) { return law.number == answer_law || law.number == verdict_law; }
 
 std::string law_title(const Law& law) { return fmt::format("law {} {}", law.number, law.name); }
 
-std::string luck_in_words(const GateFailure& failure) {
-  if (failure.reruns == 0) return {};
-  return fmt::format("{} {} of {}{}", failure.failed_again < failure.reruns ? "depends on luck:" : "fails",
-                     failure.failed_again, failure.reruns,
-                     failure.failed_again < failure.reruns ? "" : " times");
+FailureView view_of(const GateFailure& f) {
+  FailureView view{.method = one_line(f.method),
+                   .law = law_title(*f.law),
+                   .what = one_line(f.what),
+                   .pairs = pairs_in_words(f.count),
+                   .origin = one_line(f.origin),
+                   .bucket = one_line(f.bucket),
+                   .again = again_in_words(f),
+                   .found = format_pair(f.found),
+                   .simplest = format_pair(f.simplest),
+                   .reproduce = one_line(f.reproduce),
+                   .replay = {},
+                   .place = place_of(f)};
+  view.replay =
+      fmt::format("echo {} | {} replay - --methods {}{}{}", shell_quoted(view.simplest), own_command(),
+                  shell_quoted(view.method), f.options.empty() ? "" : ' ' + one_line(f.options),
+                  is_told_by_answer(*f.law) ? "" : fmt::format(" --laws {}", f.law->number));
+  return view;
 }
 
-std::string replay_command(const GateFailure& failure) {
-  return fmt::format("echo {} | {} replay - --methods {}{}{}", shell_quoted(format_pair(failure.simplest)),
-                     own_command(), shell_quoted(one_line(failure.method)),
-                     failure.options.empty() ? "" : ' ' + one_line(failure.options),
-                     is_told_by_answer(*failure.law) ? "" : fmt::format(" --laws {}", failure.law->number));
-}
-
-std::string grouped(std::uint64_t n) {
-  return n < 1000 ? std::to_string(n) : fmt::format("{},{:03}", grouped(n / 1000), n % 1000);
+FailureView view_of(const Alike& alike) {
+  FailureView view = view_of(*alike.front());
+  std::uint64_t count = 0;
+  for (const GateFailure* f : alike) count += f->count;
+  view.pairs = pairs_in_words(count);
+  return view;
 }
 
 std::string pairs_in_words(std::uint64_t n) { return grouped(n) + (n == 1 ? " pair" : " pairs"); }
-
-std::string valid_utf8(std::string_view text) { return parse_json(quote_json(text)).get<std::string>(); }
-
-std::string one_line(std::string_view text) { return escaped_controls(valid_utf8(text)); }
 
 }  // namespace cyl

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
-#include "reports/gate/gate_github.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <string_view>
 #include <vector>
 
+#include "base/safe_text.hpp"
 #include "reports/gate/failure_text.hpp"
+#include "reports/gate/gate_writers.hpp"
 
 namespace cyl {
 namespace {
@@ -29,15 +29,12 @@ std::string message(std::string_view text) { return escaped(text, "%\r\n"); }
 std::string property(std::string_view text) { return escaped(text, "%\r\n:,"); }
 
 std::string annotation(const Alike& alike) {
-  const GateFailure& f = *alike.front();
-  const SourceLine place = place_of(f);
-  std::string text = fmt::format("{}\n{}, the first: {}\nbucket: {}", one_line(f.what),
-                                 pairs_in_words(pairs_of(alike)), one_line(f.origin), one_line(f.bucket));
-  if (const std::string luck = luck_in_words(f); !luck.empty()) text += '\n' + luck;
-  text += '\n' + replay_command(f);
-  return fmt::format("::error file={},line={},title={}::{}\n", property(one_line(place.file)), place.line,
-                     property(fmt::format("{} breaks {}", one_line(f.method), law_title(*f.law))),
-                     message(text));
+  const FailureView f = view_of(alike);
+  return fmt::format(
+      "::error file={},line={},title={}::{}\n", property(one_line(f.place.file)), f.place.line,
+      property(fmt::format("{} breaks {}", f.method, f.law)),
+      message(fmt::format("{}\n{}, the first: {}\nbucket: {}{}{}\n{}", f.what, f.pairs, f.origin, f.bucket,
+                          f.again.empty() ? "" : "\n", f.again, f.replay)));
 }
 
 }  // namespace

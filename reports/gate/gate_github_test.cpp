@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
-#include "reports/gate/gate_github.hpp"
-
 #include <sstream>
 
 #include "reports/gate/gate_example_test.hpp"
+#include "reports/gate/gate_writers.hpp"
 
 namespace cyl {
 namespace {

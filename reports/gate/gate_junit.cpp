@@ -1,84 +1,63 @@
 // SPDX-License-Identifier: MIT
-#include "reports/gate/gate_junit.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <chrono>
+#include <initializer_list>
+#include <pugixml.hpp>
+#include <sstream>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "base/safe_text.hpp"
-#include "corpus/pairs/pair_io.hpp"
 #include "reports/gate/failure_text.hpp"
+#include "reports/gate/gate_writers.hpp"
 
 namespace cyl {
 namespace {
 
-/// `text` with & < > " ' as character references; control characters but newline and tab become U+FFFD, and
-/// those that reorder text are written as \u202e is.
-std::string escape(std::string_view text) {
-  std::string safe;
-  safe.reserve(text.size());
-  for (std::size_t i = 0; i < text.size(); ++i) {
-    if (const unsigned control = leading_bidi_control(text.substr(i))) {
-      safe += escaped_code(control);
-      i += 2;
-      continue;
-    }
-    const char c = text[i];
-    switch (c) {
-      case '&':
-        safe += "&amp;";
-        break;
-      case '<':
-        safe += "&lt;";
-        break;
-      case '>':
-        safe += "&gt;";
-        break;
-      case '"':
-        safe += "&quot;";
-        break;
-      case '\'':
-        safe += "&#39;";
-        break;
-      default:
-        if ((static_cast<unsigned char>(c) < 0x20 && c != '\n' && c != '\t') || c == 0x7f) {
-          safe += "\xef\xbf\xbd";
-        } else {
-          safe += c;
-        }
-    }
-  }
-  return safe;
+/// Returns `text`, of one_line(), without U+FFFE and U+FFFF: XML does not have them, not even as references.
+std::string xml(std::string text) {
+  for (const std::string_view none : {"\xef\xbf\xbe", "\xef\xbf\xbf"})
+    for (std::size_t at = 0; (at = text.find(none, at)) != std::string::npos;)
+      text.replace(at, none.size(), "\xef\xbf\xbd");
+  return text;
 }
 
-/// Safe as content and as an attribute, where a parser would make a blank of a newline. XML has no U+FFFE and
-/// no U+FFFF, not even as references.
-std::string xml(std::string_view text) {
-  std::string safe;
-  const std::string escaped = escape(valid_utf8(text));
-  for (std::size_t i = 0; i < escaped.size(); ++i) {
-    if (escaped[i] == '\n') {
-      safe += "&#10;";
-    } else if (escaped.compare(i, 3, "\xef\xbf\xbe") == 0 || escaped.compare(i, 3, "\xef\xbf\xbf") == 0) {
-      safe += "\xef\xbf\xbd";
-      i += 2;
-    } else {
-      safe += escaped[i];
-    }
-  }
-  return safe;
+pugi::xml_node add(pugi::xml_node parent, const char* name,
+                   std::initializer_list<std::pair<const char*, std::string>> attributes) {
+  pugi::xml_node node = parent.append_child(name);
+  for (const auto& [key, value] : attributes) node.append_attribute(key) = xml(value).c_str();
+  return node;
 }
 
 /// Lines that say all of one failure.
-std::string details(const GateFailure& f) {
-  std::string text = fmt::format("{}: {}, the first: {}\nfound: {}\nsimplest: {}\nbucket: {}\n",
-                                 one_line(f.what), pairs_in_words(f.count), one_line(f.origin),
-                                 format_pair(f.found), format_pair(f.simplest), one_line(f.bucket));
-  if (const std::string luck = luck_in_words(f); !luck.empty()) text += luck + '\n';
-  if (!f.reproduce.empty()) text += "RapidCheck: " + one_line(f.reproduce) + '\n';
-  return text + "again: " + replay_command(f) + '\n';
+std::string details(const FailureView& f) {
+  std::string text = fmt::format("{}: {}, the first: {}\nfound: {}\nsimplest: {}\nbucket: {}\n", f.what,
+                                 f.pairs, f.origin, f.found, f.simplest, f.bucket);
+  if (!f.again.empty()) text += f.again + '\n';
+  if (!f.reproduce.empty()) text += "RapidCheck: " + f.reproduce + '\n';
+  return text + "again: " + f.replay + '\n';
+}
+
+struct Counts {
+  std::size_t tests = 0, failures = 0, errors = 0;
+};
+
+/// Adds the attributes that a suite has, and all of them together.
+void add_totals(pugi::xml_node node, const std::string& name, const Counts& counts) {
+  node.append_attribute("name") = xml(name).c_str();
+  node.append_attribute("tests") = counts.tests;
+  node.append_attribute("failures") = counts.failures;
+  node.append_attribute("errors") = counts.errors;
+}
+
+pugi::xml_node add_properties(pugi::xml_node suite, const GateReport& report) {
+  pugi::xml_node properties = suite.append_child("properties");
+  add(properties, "property", {{"name", "seed"}, {"value", std::to_string(report.seed)}});
+  add(properties, "property", {{"name", "pairs"}, {"value", std::to_string(report.pairs)}});
+  return properties;
 }
 
 struct TestCase {
@@ -86,99 +65,89 @@ struct TestCase {
   std::vector<const GateFailure*> failures;
 };
 
-std::string format(const std::string& suite, const TestCase& test) {
-  std::string text =
-      fmt::format("  <testcase classname=\"{}\" name=\"{}\"", xml(suite), xml(one_line(test.name)));
-  if (test.failures.empty()) return text + "/>\n";
-  text += ">\n";
-  for (const GateFailure* f : test.failures) {
-    text += fmt::format("   <failure type=\"{}\" message=\"{}\">{}</failure>\n", to_string(f->severity),
-                        xml(fmt::format("{}: {}", law_title(*f->law), one_line(f->what))), xml(details(*f)));
-  }
-  return text + "  </testcase>\n";
-}
-
-struct Suite {
+/// A test for each law, and after them one for each kept case on which the method failed.
+std::vector<TestCase> tests_of(const GateMethod& method, const GateReport& report) {
   std::vector<TestCase> tests;
-  std::size_t failed = 0;  ///< tests
-  std::string text;
-};
-
-Suite suite_of(const GateMethod& method, const GateReport& report) {
-  Suite suite;
-  for (const Law& law : all_laws()) suite.tests.push_back({law_title(law), {}});
-  const auto add = [&](const std::string& name, const GateFailure& f) {
-    auto test = std::find_if(suite.tests.begin(), suite.tests.end(),
-                             [&](const TestCase& t) { return t.name == name; });
-    if (test == suite.tests.end()) test = suite.tests.insert(test, {name, {}});
-    suite.failed += test->failures.empty();
+  for (const Law& law : all_laws()) tests.push_back({law_title(law), {}});
+  const auto fail = [&](const std::string& name, const GateFailure& f) {
+    auto test = std::find_if(tests.begin(), tests.end(), [&](const TestCase& t) { return t.name == name; });
+    if (test == tests.end()) test = tests.insert(test, {name, {}});
     test->failures.push_back(&f);
   };
-  std::string beside;
   for (const GateFailure& f : report.failures) {
-    if (f.method != method.name) continue;
-    if (fails_gate(f)) {
-      add(law_title(*f.law), f);
-      if (is_from_case(f)) add("case " + f.origin, f);
-    } else {
-      beside += fmt::format("{}, {}: {}\n", f.known ? "known" : to_string(f.severity), law_title(*f.law),
-                            details(f));
+    if (f.method != method.name || !fails_gate(f)) continue;
+    fail(law_title(*f.law), f);
+    if (is_from_case(f)) fail("case " + f.origin, f);
+  }
+  return tests;
+}
+
+Counts add_method(pugi::xml_node suites, const GateMethod& method, const GateReport& report) {
+  const std::vector<TestCase> tests = tests_of(method, report);
+  const std::string name = one_line(method.name);
+  const auto failed =
+      std::count_if(tests.begin(), tests.end(), [](const TestCase& t) { return !t.failures.empty(); });
+  const Counts counts{tests.size(), static_cast<std::size_t>(failed), 0};
+  pugi::xml_node suite = suites.append_child("testsuite");
+  add_totals(suite, name, counts);
+  add(add_properties(suite, report), "property", {{"name", "version"}, {"value", one_line(method.version)}});
+  for (const TestCase& test : tests) {
+    pugi::xml_node node = add(suite, "testcase", {{"classname", name}, {"name", one_line(test.name)}});
+    for (const GateFailure* f : test.failures) {
+      const FailureView view = view_of(*f);
+      add(node, "failure",
+          {{"type", to_string(f->severity)}, {"message", fmt::format("{}: {}", view.law, view.what)}})
+          .text() = xml(details(view)).c_str();
     }
   }
-
-  suite.text = fmt::format(
-      " <testsuite name=\"{}\" tests=\"{}\" failures=\"{}\" errors=\"0\">\n"
-      "  <properties>\n"
-      "   <property name=\"seed\" value=\"{}\"/>\n"
-      "   <property name=\"pairs\" value=\"{}\"/>\n"
-      "   <property name=\"version\" value=\"{}\"/>\n"
-      "  </properties>\n",
-      xml(one_line(method.name)), suite.tests.size(), suite.failed, report.seed, report.pairs,
-      xml(one_line(method.version)));
-  for (const TestCase& test : suite.tests) suite.text += format(one_line(method.name), test);
+  std::string beside;
+  for (const GateFailure& f : report.failures)
+    if (f.method == method.name && !fails_gate(f))
+      beside += fmt::format("{}, {}: {}\n", f.known ? "known" : to_string(f.severity), law_title(*f.law),
+                            details(view_of(f)));
   if (!method.remark.empty()) beside += one_line(method.remark) + '\n';
-  if (!beside.empty()) suite.text += "  <system-out>" + xml(beside) + "</system-out>\n";
-  suite.text += " </testsuite>\n";
-  return suite;
+  if (!beside.empty()) suite.append_child("system-out").text() = xml(beside).c_str();
+  return counts;
 }
 
 /// A suite of the gate itself: a test that is in error for each line of what was not asked.
-std::string suite_of_what_was_not_asked(const GateReport& report) {
-  std::string tests;
+void add_not_asked(pugi::xml_node suites, const GateReport& report, const Counts& counts) {
+  pugi::xml_node suite = suites.append_child("testsuite");
+  add_totals(suite, "daylight gate", counts);
+  add_properties(suite, report);
   for (const std::string& line : report.not_asked) {
-    const std::string what = xml(one_line(line));
-    tests += fmt::format(
-        "  <testcase classname=\"daylight gate\" name=\"asked: {}\">\n"
-        "   <error type=\"not asked\" message=\"not asked: {}\"/>\n  </testcase>\n",
-        what, what);
+    const std::string what = one_line(line);
+    add(add(suite, "testcase", {{"classname", "daylight gate"}, {"name", "asked: " + what}}), "error",
+        {{"type", "not asked"}, {"message", "not asked: " + what}});
   }
-  return fmt::format(
-      " <testsuite name=\"daylight gate\" tests=\"{0}\" failures=\"0\" errors=\"{0}\">\n"
-      "  <properties>\n   <property name=\"seed\" value=\"{1}\"/>\n"
-      "   <property name=\"pairs\" value=\"{2}\"/>\n  </properties>\n{3} </testsuite>\n",
-      report.not_asked.size(), report.seed, report.pairs, tests);
 }
 
 }  // namespace
 
 std::string gate_junit(const GateReport& report) {
-  std::chrono::milliseconds time{0};
-  for (const GatePhaseReport& p : report.phases) time += p.time;
-  std::string suites;
-  std::size_t tests = 0, failed = 0;
-  for (const GateMethod& m : report.methods) {
-    const Suite suite = suite_of(m, report);
-    tests += suite.tests.size();
-    failed += suite.failed;
-    suites += suite.text;
+  pugi::xml_document document;
+  pugi::xml_node declaration = document.append_child(pugi::node_declaration);
+  declaration.append_attribute("version") = "1.0";
+  declaration.append_attribute("encoding") = "UTF-8";
+  pugi::xml_node suites = document.append_child("testsuites");
+  Counts all;
+  for (const GateMethod& method : report.methods) {
+    const Counts counts = add_method(suites, method, report);
+    all.tests += counts.tests;
+    all.failures += counts.failures;
   }
-  const std::size_t errors = report.not_asked.size();
-  if (errors > 0) suites += suite_of_what_was_not_asked(report);
-  return fmt::format(
-      "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
-      "<testsuites name=\"daylight gate\" tests=\"{}\" failures=\"{}\" errors=\"{}\" time=\"{}.{:03}\">\n"
-      "{}</testsuites>\n",
-      tests + errors, failed, errors, time.count() / 1000, time.count() % 1000, suites);
+  if (const std::size_t n = report.not_asked.size(); n > 0) {
+    add_not_asked(suites, report, {n, 0, n});
+    all.tests += n;
+    all.errors = n;
+  }
+  std::chrono::milliseconds time{0};
+  for (const GatePhaseReport& phase : report.phases) time += phase.time;
+  add_totals(suites, "daylight gate", all);
+  suites.append_attribute("time") = fmt::format("{}.{:03}", time.count() / 1000, time.count() % 1000).c_str();
+  std::ostringstream text;
+  document.save(text, " ");
+  return text.str();
 }
 
 }  // namespace cyl

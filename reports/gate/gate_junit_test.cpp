@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
-#include "reports/gate/gate_junit.hpp"
-
 #include "reports/gate/gate_example_test.hpp"
+#include "reports/gate/gate_writers.hpp"
 
 namespace cyl {
 namespace {

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: MIT
-#include "reports/gate/gate_sarif.hpp"
-
 #include <fmt/format.h>
 
 #include "base/json.hpp"
-#include "corpus/pairs/pair_io.hpp"
+#include "base/safe_text.hpp"
 #include "reports/gate/failure_text.hpp"
+#include "reports/gate/gate_writers.hpp"
 
 namespace cyl {
 namespace {
@@ -23,7 +22,7 @@ json rule(const Law& law) {
           {"help", text(fmt::format("{} Where: {}", law.statement, law.where))}};
 }
 
-/// As the path of a URI, RFC 3986: its unreserved characters and '/', all else in percent.
+/// Returns the path of a URI, RFC 3986: its unreserved characters and '/' as they are, all else in percent.
 std::string uri_path(std::string_view path) {
   std::string uri;
   for (const char c : path) {
@@ -50,23 +49,19 @@ json location(const SourceLine& place) {
 }
 
 json result(const GateFailure& f, bool compared) {
-  std::string message =
-      fmt::format("{} breaks {}: {}. {}, the first: {}.", one_line(f.method), law_title(*f.law),
-                  one_line(f.what), pairs_in_words(f.count), one_line(f.origin));
-  if (const std::string luck = luck_in_words(f); !luck.empty()) message += " It " + luck + '.';
+  const FailureView view = view_of(f);
+  std::string message = fmt::format("{} breaks {}: {}. {}, the first: {}.", view.method, view.law, view.what,
+                                    view.pairs, view.origin);
+  if (!view.again.empty()) message += " It " + view.again + '.';
   json r = {{"ruleId", rule_id(*f.law)},
             {"level", is_error(f) ? "error" : "note"},
             {"message", text(message)},
-            {"locations", json::array({location(place_of(f))})}};
+            {"locations", json::array({location(view.place)})}};
   if (!f.bucket.empty()) r["partialFingerprints"] = {{"bucket/v1", f.bucket}};
   if (compared) r["baselineState"] = f.known ? "unchanged" : "new";
-  r["properties"] = {{"method", f.method},
-                     {"severity", to_string(f.severity)},
-                     {"origin", f.origin},
-                     {"count", f.count},
-                     {"found", format_pair(f.found)},
-                     {"simplest", format_pair(f.simplest)},
-                     {"replay", replay_command(f)}};
+  r["properties"] = {
+      {"method", f.method},  {"severity", to_string(f.severity)}, {"origin", f.origin},   {"count", f.count},
+      {"found", view.found}, {"simplest", view.simplest},         {"replay", view.replay}};
   if (!f.reproduce.empty()) r["properties"]["reproduce"] = f.reproduce;
   return r;
 }

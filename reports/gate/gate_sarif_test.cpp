@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include "reports/gate/gate_sarif.hpp"
-
 #include "base/json.hpp"
 #include "reports/gate/gate_example_test.hpp"
+#include "reports/gate/gate_writers.hpp"
 
 namespace cyl {
 namespace {

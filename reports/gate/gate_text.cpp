@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include "reports/gate/gate_text.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -10,8 +8,11 @@
 #include <span>
 #include <vector>
 
+#include "base/safe_text.hpp"
+#include "base/statistics.hpp"
 #include "corpus/pairs/pair_io.hpp"
 #include "reports/gate/failure_text.hpp"
+#include "reports/gate/gate_writers.hpp"
 
 namespace cyl {
 namespace {
@@ -40,7 +41,7 @@ std::string wrapped(const std::string& first, const std::string& text) {
   return lines + '\n';
 }
 
-/// 10^-decade, as origins have it: 1e-09; but 1 for 1e-00.
+/// Returns 10^-decade as origins have it: 1e-09; but 1 for 1e-00.
 std::string power(int decade) {
   return decade == 0 ? "1" : fmt::format("1e{}{:02}", decade < 0 ? '+' : '-', std::abs(decade));
 }
@@ -71,8 +72,9 @@ std::string methods_table(const GateReport& report) {
   return text;
 }
 
-std::string told_in_full(std::size_t number, const Alike& alike) {
-  const GateFailure& f = *alike.front();
+std::string in_full(std::size_t number, const Alike& alike) {
+  const GateFailure& first = *alike.front();
+  const FailureView f = view_of(alike);
   const auto line = [](const char* title, const std::string& words) {
     return fmt::format("   {:<11}{}\n", title, words);
   };
@@ -80,18 +82,16 @@ std::string told_in_full(std::size_t number, const Alike& alike) {
     return g.in_base == 0 ? "" : fmt::format(", {} in the base", grouped(g.in_base));
   };
   std::string text =
-      wrapped(fmt::format("{}. ", number), fmt::format("{} breaks {}, {}{}: {}", one_line(f.method),
-                                                       law_title(*f.law), pairs_in_words(pairs_of(alike)),
-                                                       alike.size() == 1 ? grown(f) : "", one_line(f.what)));
-  text += wrapped(fmt::format("   {:<11}", "law"), std::string(f.law->statement));
-  text += line("origin", fmt::format("{} ({})", one_line(f.origin), to_string(f.phase)));
-  text += line("bucket", one_line(f.bucket));
-  if (const std::string luck = luck_in_words(f); !luck.empty()) text += line("again", luck);
-  const std::string found = format_pair(f.found), simplest = format_pair(f.simplest);
-  text += line("found", found);
-  text += line("simplest", simplest == found ? "no simpler one was found" : simplest);
-  text += line("replay", replay_command(f));
-  if (!f.reproduce.empty()) text += line("RapidCheck", one_line(f.reproduce));
+      wrapped(fmt::format("{}. ", number), fmt::format("{} breaks {}, {}{}: {}", f.method, f.law, f.pairs,
+                                                       alike.size() == 1 ? grown(first) : "", f.what));
+  text += wrapped(fmt::format("   {:<11}", "law"), std::string(first.law->statement));
+  text += line("origin", fmt::format("{} ({})", f.origin, to_string(first.phase)));
+  text += line("bucket", f.bucket);
+  if (!f.again.empty()) text += line("again", f.again);
+  text += line("found", f.found);
+  text += line("simplest", f.simplest == f.found ? "no simpler one was found" : f.simplest);
+  text += line("replay", f.replay);
+  if (!f.reproduce.empty()) text += line("RapidCheck", f.reproduce);
   for (const GateFailure* g : std::span(alike).subspan(1, std::min(also_cap, alike.size() - 1))) {
     text += line("also", fmt::format("{}, {}{}", one_line(g->bucket), pairs_in_words(g->count), grown(*g)));
     text += line("", format_pair(g->simplest));
@@ -108,16 +108,14 @@ std::string failures_text(const GateReport& report) {
       report.not_asked.empty() ? "Nothing fails the gate.\n" : "Nothing that was asked fails the gate.\n";
   std::string text =
       failing.empty() ? nothing : fmt::format("Fails the gate ({}):\n", grouped(failing.size()));
-  for (std::size_t i = 0; i < failing.size(); ++i) text += told_in_full(i + 1, failing[i]);
+  for (std::size_t i = 0; i < failing.size(); ++i) text += in_full(i + 1, failing[i]);
   if (!others.empty()) text += fmt::format("\nWithin claims, or known ({}):\n", grouped(others.size()));
   for (std::size_t i = 0; i < std::min(brief_cap, others.size()); ++i) {
-    const GateFailure& f = *others[i].front();
-    const std::string buckets = others[i].size() == 1
-                                    ? one_line(f.bucket)
-                                    : fmt::format("{} and {} more", one_line(f.bucket), others[i].size() - 1);
-    text += wrapped("  ", fmt::format("{}: {}, {}, {}: {}{}", one_line(f.method), law_title(*f.law),
-                                      pairs_in_words(pairs_of(others[i])), buckets, one_line(f.what),
-                                      f.known ? " (known)" : ""));
+    const FailureView f = view_of(others[i]);
+    const std::string buckets =
+        others[i].size() == 1 ? f.bucket : fmt::format("{} and {} more", f.bucket, others[i].size() - 1);
+    text += wrapped("  ", fmt::format("{}: {}, {}, {}: {}{}", f.method, f.law, f.pairs, buckets, f.what,
+                                      others[i].front()->known ? " (known)" : ""));
   }
   if (others.size() > brief_cap) text += fmt::format("  and {} more\n", grouped(others.size() - brief_cap));
   return text;

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include "base/rate_bounds.hpp"
+#include "base/statistics.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <numeric>
+#include <vector>
 
 namespace cyl {
 namespace {
@@ -39,6 +41,31 @@ TEST(RateBounds, HoldTheShareAndAreMirrored) {
 TEST(RateBounds, NothingIsKnownWithoutTrials) {
   EXPECT_EQ(rate_bounds(0, 0).lower, 0);
   EXPECT_EQ(rate_bounds(0, 0).upper, 1);
+}
+
+TEST(ErrorRateBound, IsGarwoodsOneSided) {
+  EXPECT_EQ(error_rate_bound(0, 0), 1);
+  EXPECT_EQ(error_rate_bound(1, 0), 1);
+  EXPECT_DOUBLE_EQ(error_rate_bound(3000, 0), 1e-3);
+  // Garwood's table of Poisson means, 95 % one-sided: 4.744 at one, 6.296 at two, 16.962 at ten.
+  EXPECT_NEAR(error_rate_bound(1000, 1), 4.744e-3, 1e-6);
+  EXPECT_NEAR(error_rate_bound(1000, 2), 6.296e-3, 1e-6);
+  EXPECT_NEAR(error_rate_bound(10000, 10), 16.962e-4, 1e-7);
+  EXPECT_NEAR(error_rate_bound(100000, 300), 330.5e-5, 2e-5);
+}
+
+TEST(Quantile, IsTheValueOfARank) {
+  std::vector<double> values(101);
+  std::iota(values.rbegin(), values.rend(), 0.0);
+  EXPECT_EQ(quantile(values, 0.5), 50);
+  EXPECT_EQ(quantile(values, 0.99), 99);
+  EXPECT_EQ(quantile(values, 1), 100);
+  EXPECT_TRUE(std::isnan(quantile({}, 0.5)));
+  EXPECT_EQ(least_above({1, 2, 3, 4}, 0.5), 2);
+  EXPECT_EQ(least_above({1, 2, 3, 4}, 0.51), 3);
+  EXPECT_EQ(least_above({1, 2, 3, 4}, 1), 4);
+  EXPECT_EQ(spread_percent({9, 1, 8, 2, 7, 3, 6, 4, 5}), 80);
+  EXPECT_EQ(spread_percent({7}), 0);
 }
 
 }  // namespace

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: MIT
+#include "base/safe_text.hpp"
+
+#include <fmt/format.h>
+
+#include "base/json.hpp"
+
+namespace cyl {
+
+std::string valid_utf8(std::string_view text) {
+  using nlohmann::json;
+  return parse_json(json(text).dump(-1, ' ', false, json::error_handler_t::replace)).get<std::string>();
+}
+
+std::string one_line(std::string_view text) { return escaped_controls(valid_utf8(text)); }
+
+std::string grouped(std::uint64_t n) {
+  return n < 1000 ? std::to_string(n) : fmt::format("{},{:03}", grouped(n / 1000), n % 1000);
+}
+
+}  // namespace cyl
