@@ -12,4 +12,12 @@ nlohmann::ordered_json parse_ordered_json(std::string_view text) {
   return nlohmann::ordered_json::parse(text);
 }
 
+std::string format_cbor(const nlohmann::json& value) {
+  std::string bytes;
+  nlohmann::json::to_cbor(value, bytes);
+  return bytes;
+}
+
+nlohmann::json parse_cbor(std::string_view bytes) { return nlohmann::json::from_cbor(bytes); }
+
 }  // namespace cyl

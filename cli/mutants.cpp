@@ -1,20 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "cli/mutants.hpp"
 
-#include <fmt/format.h>
-#include <sys/wait.h>
-#include <unistd.h>
-
-#include <cerrno>
-#include <cstdio>
 #include <filesystem>
-#include <memory>
 #include <stdexcept>
 #include <string>
-#include <system_error>
 #include <vector>
 
-#include "base/safe_text.hpp"
+#include "base/process/child.hpp"
+#include "base/process/process.hpp"
 #include "cli/commands.hpp"
 #include "cli/options.hpp"
 
@@ -31,25 +24,17 @@ void become_mutants(const std::vector<std::string>& arguments) {
     throw std::runtime_error(
         "daylight-mutants is not beside this executable; it is built in a source tree (ninja "
         "daylight-mutants) and never installed");
-  std::vector<char*> words{const_cast<char*>(program.c_str())};
-  for (const std::string& argument : arguments) words.push_back(const_cast<char*>(argument.c_str()));
-  words.push_back(nullptr);
-  execv(program.c_str(), words.data());
-  throw std::system_error(errno, std::generic_category(), program);
+  std::vector<std::string> command{program};
+  command.insert(command.end(), arguments.begin(), arguments.end());
+  become_program(command);
 }
 
-Smoke smoke_mutants(unsigned count) {
+SelfTest self_test(unsigned count) {
   const std::string program = mutants_executable();
   if (program.empty()) return {};
-  Smoke smoke;
-  std::FILE* pipe = popen(fmt::format("{} smoke --count {}", shell_quoted(program), count).c_str(), "re");
-  if (!pipe) throw std::system_error(errno, std::generic_category(), program);
-  char part[256];
-  while (std::fgets(part, sizeof part, pipe)) smoke.text += part;
-  const int status = pclose(pipe);
-  smoke.ran = true;
-  smoke.alive = WIFEXITED(status) && WEXITSTATUS(status) == 0;
-  return smoke;
+  Child child(std::vector<std::string>{program, "smoke", "--count", std::to_string(count)});
+  const bool passed = child.wait() == 0;
+  return {true, passed, child.bytes()};
 }
 
 void add_mutants(Program& program) {

@@ -13,12 +13,12 @@ std::string mutants_executable();
 /// Becomes `daylight-mutants` with these arguments. Throws std::runtime_error where there is none.
 [[noreturn]] void become_mutants(const std::vector<std::string>& arguments);
 
-struct Smoke {
-  bool ran = false;   ///< false: there is no such executable
-  bool alive = true;  ///< every planted fault was caught
-  std::string text;   ///< what it said, e.g. "5 of 5 mutants caught"
+struct SelfTest {
+  bool ran = false;    ///< false: there is no such executable
+  bool passed = true;  ///< every planted fault was caught
+  std::string text;    ///< what it said, e.g. "5 of 5 mutants caught"
 };
 /// Plants this many faults, one after the other, and sees whether laws, corpus and referee catch each.
-Smoke smoke_mutants(unsigned count);
+SelfTest self_test(unsigned count);
 
 }  // namespace cyl

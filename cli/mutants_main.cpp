@@ -3,7 +3,6 @@
 // Exit status 0: the program as it is survives all, every mutant but those argued equivalent is caught; 2
 // where one is not; 1 where the harness itself fails.
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <CLI/CLI.hpp>
 #include <chrono>
@@ -16,8 +15,9 @@
 #include <string>
 #include <vector>
 
+#include "base/process/process.hpp"
 #include "corpus/pairs/families.hpp"
-#include "corpus/store/batch_text.hpp"
+#include "corpus/store/batch_bytes.hpp"
 #include "corpus/store/case_files.hpp"
 #include "fuzz/campaign/batch.hpp"
 #include "fuzz/campaign/self_check.hpp"
@@ -35,13 +35,14 @@ constexpr int exit_harness_failed = 1, exit_survivors = 2;
 /// can prove ends it.
 constexpr std::uint64_t fuzz_seed = 7, fuzz_indices = 24 * batch_size;
 
-std::string finding(const Mutant& mutant) {
+Evidence finding(const Mutant& mutant) {
   const auto methods = select_methods(all_methods(), mutant.asks);
   for (std::uint64_t at = 0; at < fuzz_indices; at += batch_size) {
     const BatchRecord batch = run_batch({methods, families(), {}}, fuzz_seed, at, at + batch_size);
     for (const FindingRecord& f : batch.findings)
       if (f.severity != to_string(Severity::resolution))
-        return fmt::format("{}: {} on {} {}; {}", f.method, f.kind, f.family, f.family_index, f.pair);
+        return {fmt::format("{}: {} on {} {}; {}", f.method, f.kind, f.family, f.family_index, f.pair),
+                is_method_row(f.method) ? std::optional(f.family_index) : std::nullopt};
   }
   return {};
 }
@@ -67,9 +68,7 @@ std::string failing_test(const std::string& program, const Mutant& mutant) {
   if (mutant.tests.empty()) return {};
   setenv("DAYLIGHT_MUTANT", std::to_string(mutant.number).c_str(), 1);
   setenv("RC_PARAMS", "seed=20261121 max_success=500", 1);
-  const std::string filter = "--gtest_filter=" + std::string(mutant.tests);
-  execl(program.c_str(), program.c_str(), filter.c_str(), "--gtest_fail_fast", nullptr);
-  return "cannot run " + program;
+  become_program({program, "--gtest_filter=" + std::string(mutant.tests), "--gtest_fail_fast"});
 }
 
 std::string json_of(const KillRow& row, std::span<const Detector> detectors) {
@@ -79,10 +78,12 @@ std::string json_of(const KillRow& row, std::span<const Detector> detectors) {
   text += ",\"asks\":" + quote_json(row.mutant.asks);
   if (!row.mutant.equivalent.empty()) text += ",\"equivalent\":" + quote_json(row.mutant.equivalent);
   for (std::size_t i = 0; i < detectors.size(); ++i) {
-    if (row.detections[i].fate == Fate::not_run) continue;
-    text += fmt::format(R"(,"{}":{{"fate":"{}","seconds":{:.3f},"what":{}}})", detectors[i].name,
-                        to_string(row.detections[i].fate), row.detections[i].seconds,
-                        quote_json(row.detections[i].what));
+    const Detection& d = row.detections[i];
+    if (d.outcome == Detection::Outcome::not_run) continue;
+    text += fmt::format(R"(,"{}":{{"fate":"{}","seconds":{:.3f},"what":{})", detectors[i].name,
+                        to_string(d.outcome), d.seconds, quote_json(d.evidence.failure_message));
+    if (d.evidence.family_index) text += fmt::format(R"(,"family_index":{})", *d.evidence.family_index);
+    text += '}';
   }
   return text + "}";
 }
@@ -90,11 +91,11 @@ std::string json_of(const KillRow& row, std::span<const Detector> detectors) {
 void print(const KillRow& row) {
   std::string line = fmt::format("{:4}", row.mutant.number);
   for (const Detection& d : row.detections)
-    line += fmt::format("  {:8} {:6.2f}", to_string(d.fate), d.seconds);
+    line += fmt::format("  {:8} {:6.2f}", to_string(d.outcome), d.seconds);
   fmt::print("{}  {}\n", line, row.mutant.what);
   if (row.mutant.number == 0)
     for (const Detection& d : row.detections)
-      if (!d.what.empty()) fmt::print("      {}\n", d.what);
+      if (!d.evidence.failure_message.empty()) fmt::print("      {}\n", d.evidence.failure_message);
   std::fflush(stdout);
 }
 
@@ -172,15 +173,15 @@ int matrix(const Arguments& arguments) {
 
 /// Faults of each part, in an order in which any first few are of different parts; each is caught within a
 /// second or two.
-constexpr int smoke_mutants[] = {103, 301, 110, 204, 120};
+constexpr int self_test_mutants[] = {103, 301, 110, 204, 120};
 
-int smoke(std::size_t count, const std::string& corpus) {
+int self_test(std::size_t count, const std::string& corpus) {
   const std::vector<Case> cases = read_case_folder(corpus);
   const std::vector<Detector> detectors = law_detectors(cases);
-  count = std::min(count, std::size(smoke_mutants));
+  count = std::min(count, std::size(self_test_mutants));
   std::size_t caught = 0;
   std::string missed;
-  for (const int number : std::span(smoke_mutants, count)) {
+  for (const int number : std::span(self_test_mutants, count)) {
     const auto mutants = all_mutants();
     const auto mutant =
         std::find_if(mutants.begin(), mutants.end(), [&](const Mutant& m) { return m.number == number; });
@@ -203,7 +204,7 @@ struct Planted {
 };
 
 /// One fault through a campaign's pairs until it is found; number 0 is the program as it is.
-int alarm(const Planted& planted) {
+int self_check(const Planted& planted) {
   const auto mutants = all_mutants();
   const auto is_it = [&](const Mutant& m) { return m.number == planted.number; };
   if (planted.number != 0 && std::none_of(mutants.begin(), mutants.end(), is_it))
@@ -218,8 +219,8 @@ int alarm(const Planted& planted) {
   select_mutant(planted.number);
   const BatchRecord found =
       run_until_found({methods, drawn, {}, weights}, planted.seed, planted.first, planted.pairs);
-  fmt::print("{}\n", format_batch(found));
-  return 0;
+  const std::string bytes = format_batch(found);
+  return std::fwrite(bytes.data(), 1, bytes.size(), stdout) == bytes.size() ? 0 : exit_harness_failed;
 }
 
 }  // namespace
@@ -239,25 +240,25 @@ int main(int argc, char** argv) {
   running->add_flag("--first", arguments.first, "leave a mutant at its first kill");
   running->add_option("--json", arguments.json, "a file for the rows, one JSON object a line");
   running->add_option("--corpus", arguments.corpus, "the folder of the case files");
-  std::size_t count = std::size(smoke_mutants);
+  std::size_t count = std::size(self_test_mutants);
   auto* quick = app.add_subcommand("smoke", "a few mutants that must be caught at once");
   quick->add_option("--count", count, "how many");
   quick->add_option("--corpus", arguments.corpus, "the folder of the case files");
   Planted planted;
-  auto* night =
+  auto* self_checking =
       app.add_subcommand("alarm", "a mutant through a campaign's pairs until it is found; campaigns do it");
-  night->add_option("--mutant", planted.number)->required();
-  night->add_option("--seed", planted.seed)->required();
-  night->add_option("--first", planted.first)->required();
-  night->add_option("--pairs", planted.pairs)->required();
-  night->add_option("--methods", planted.methods)->required();
-  night->add_option("--families", planted.families)->delimiter(',')->required();
-  night->add_option("--weights", planted.weights);
+  self_checking->add_option("--mutant", planted.number)->required();
+  self_checking->add_option("--seed", planted.seed)->required();
+  self_checking->add_option("--first", planted.first)->required();
+  self_checking->add_option("--pairs", planted.pairs)->required();
+  self_checking->add_option("--methods", planted.methods)->required();
+  self_checking->add_option("--families", planted.families)->delimiter(',')->required();
+  self_checking->add_option("--weights", planted.weights);
   CLI11_PARSE(app, argc, argv);
   try {
     if (listing->parsed()) list();
-    if (night->parsed()) return alarm(planted);
-    if (quick->parsed()) return smoke(count, arguments.corpus);
+    if (self_checking->parsed()) return self_check(planted);
+    if (quick->parsed()) return self_test(count, arguments.corpus);
     return running->parsed() ? matrix(arguments) : 0;
   } catch (const std::exception& error) {
     std::cerr << "daylight-mutants: " << error.what() << '\n';

@@ -3,258 +3,144 @@
 
 #include <fcntl.h>
 #include <poll.h>
-#include <pthread.h>
 #include <sys/mman.h>
+#include <sys/prctl.h>
 #include <sys/resource.h>
-#include <sys/stat.h>
 #include <sys/syscall.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include <algorithm>
-#include <cctype>
 #include <cerrno>
 #include <csignal>
-#include <cstring>
-#include <ctime>
+#include <cstdio>
+#include <exception>
 #include <system_error>
-#include <utility>
 
-#include "base/process/fork_with_retry.hpp"
+#include "base/process/process.hpp"
 
 namespace cyl {
 namespace {
 
-using std::chrono::milliseconds;
-using std::chrono::nanoseconds;
-
-/// How often a silent program is looked at: its time cap is noticed at most this late.
-constexpr milliseconds look_interval{20};
-
-/// From the end of its output on, until it is ended.
-constexpr milliseconds ending_cap{1000};
-
-/// Bytes that it may print on standard error, kept in memory; what comes after is lost.
-constexpr rlim_t output_cap = rlim_t{16} << 20;
-
-/// Bytes of what it printed that a reason shows.
-constexpr off_t shown_cap = 90;
-
-void close_all(std::initializer_list<int> descriptors) {
-  for (const int fd : descriptors)
-    if (fd >= 0) close(fd);
-}
-
-[[noreturn]] void throw_errno(const char* what) {
-  throw std::system_error(errno, std::generic_category(), what);
-}
-
-nanoseconds read_clock(clockid_t clock) {
-  timespec t{};
-  clock_gettime(clock, &t);
-  return std::chrono::seconds(t.tv_sec) + nanoseconds(t.tv_nsec);
-}
-
-/// Of a process that may have ended: then nothing.
-nanoseconds cpu_of(pid_t process) {
-  clockid_t clock;
-  return clock_getcpuclockid(process, &clock) == 0 ? read_clock(clock) : nanoseconds(0);
-}
-
-/// While it lives, writing to a pipe that nobody reads is an error of this thread, no signal.
-class NoPipeSignal {
- public:
-  NoPipeSignal() {
-    sigemptyset(&pipe_);
-    sigaddset(&pipe_, SIGPIPE);
-    pthread_sigmask(SIG_BLOCK, &pipe_, &before_);
+void write_all(int descriptor, const std::string& bytes) {
+  for (std::size_t done = 0; done < bytes.size();) {
+    const ssize_t written = write(descriptor, bytes.data() + done, bytes.size() - done);
+    if (written < 0 && errno == EINTR) continue;
+    if (written < 0) throw_errno("cannot hand over a result");
+    done += static_cast<std::size_t>(written);
   }
-  ~NoPipeSignal() {
-    const timespec now{};
-    if (!sigismember(&before_, SIGPIPE)) {
-      while (sigtimedwait(&pipe_, nullptr, &now) < 0 && errno == EINTR) {
-      }
-    }
-    pthread_sigmask(SIG_SETMASK, &before_, nullptr);
+}
+
+void put_on_standard_input(const std::string& text) {
+  const int file = memfd_create("standard input", MFD_CLOEXEC);
+  if (file < 0) throw_errno("memfd_create");
+  write_all(file, text);
+  lseek(file, 0, SEEK_SET);
+  dup2(file, STDIN_FILENO);
+}
+
+[[noreturn]] void run_as_child(pid_t parent, const ChildOptions& options, const std::function<void()>& run) {
+  std::string failure;
+  try {
+    if (options.own_group) setpgid(0, 0);
+    prctl(PR_SET_PDEATHSIG, SIGKILL);
+    if (getppid() != parent) _exit(1);  // it died before the line above
+    if (options.own_group)
+      for (const int stop : {SIGINT, SIGTERM}) std::signal(stop, SIG_DFL);
+    run();
+    _exit(0);
+  } catch (const std::exception& error) {
+    failure = error.what();
+  } catch (...) {
+    failure = "an exception of no known type";
   }
-  NoPipeSignal(const NoPipeSignal&) = delete;
-  NoPipeSignal& operator=(const NoPipeSignal&) = delete;
-
- private:
-  sigset_t pipe_, before_;
-};
-
-// From here to the end of keep(): between fork and exec, maybe of a process with threads. Nothing but system
-// calls.
-
-void limit(decltype(RLIMIT_CORE) resource, rlim_t value) {
-  rlimit r;
-  getrlimit(resource, &r);
-  r.rlim_cur = std::min(value, r.rlim_max);
-  setrlimit(resource, &r);
+  failure = "daylight: " + options.failure + ": " + failure + '\n';
+  [[maybe_unused]] const ssize_t ignored = write(STDERR_FILENO, failure.data(), failure.size());
+  _exit(1);
 }
 
-/// As far as it can be.
-void write_text(int fd, const char* text) {
-  if (write(fd, text, std::strlen(text)) < 0) return;
-}
-
-[[noreturn]] void become_program(const char* command, const char* folder, int in, int out, int said) {
-  setpgid(0, 0);
-  dup2(in, STDIN_FILENO);
-  dup2(out, STDOUT_FILENO);
-  dup2(said, STDERR_FILENO);
-  for (int s = 1; s < NSIG; ++s) std::signal(s, SIG_DFL);
-  sigset_t none;
-  sigemptyset(&none);
-  sigprocmask(SIG_SETMASK, &none, nullptr);
-  limit(RLIMIT_CORE, 0);
-  limit(RLIMIT_FSIZE, output_cap);
-  limit(RLIMIT_AS, RLIM_INFINITY);  // a worker's cap is not for engines that reserve what they never touch
-  write_text(open("/proc/self/oom_score_adj", O_WRONLY | O_CLOEXEC), "1000");
-  if (chdir(folder) == 0) execl("/bin/sh", "sh", "-c", command, static_cast<char*>(nullptr));
-  write_text(STDERR_FILENO, "its folder or /bin/sh is gone");
-  _exit(127);
-}
-
-/// Starts the program, reports its number, and waits until it ends or until nobody holds the other end of
-/// `life` any more; then ends what is left of its group and reports how it ended.
-[[noreturn]] void keep(const char* command, const char* folder, int in, int out, int said, int life,
-                       int report) {
-  sigset_t all;
-  sigfillset(&all);
-  sigprocmask(SIG_SETMASK, &all, nullptr);
-  const pid_t program = patient_fork();
-  if (program == 0) become_program(command, folder, in, out, said);
-  if (program < 0 || write(report, &program, sizeof program) < 0) _exit(1);
-  setpgid(program, program);
-  const int ended = static_cast<int>(syscall(SYS_pidfd_open, program, 0));
-  if (ended < 0) kill(program, SIGKILL);
-  // Ends that belong to others must close when those close them.
-  dup2(life, 0);
-  dup2(report, 1);
-  dup2(ended, 2);
-  close_range(3, ~0u, 0);
-  pollfd either[] = {{0, POLLIN, 0}, {2, POLLIN, 0}};
-  while (poll(either, 2, -1) < 0 && errno == EINTR) {
-  }
-  if (either[1].revents == 0) kill(program, SIGKILL);
-  int status = 0;
-  while (waitpid(program, &status, 0) < 0 && errno == EINTR) {
-  }
-  kill(-program, SIGKILL);
-  _exit(write(1, &status, sizeof status) < 0);
-}
-
-bool read_whole(int fd, void* to, std::size_t size) {
-  ssize_t got = 0;
-  while ((got = read(fd, to, size)) < 0 && errno == EINTR) {
-  }
-  return got == static_cast<ssize_t>(size);
-}
-
-std::string end_of(int said) {
-  struct stat s;
-  if (fstat(said, &s) != 0) return {};
-  char tail[shown_cap];
-  const off_t length = std::min<off_t>(s.st_size, shown_cap);
-  const ssize_t got = pread(said, tail, static_cast<std::size_t>(length), s.st_size - length);
-  std::string text(tail, got > 0 ? static_cast<std::size_t>(got) : 0);
-  while (!text.empty() && std::isspace(static_cast<unsigned char>(text.back()))) text.pop_back();
-  for (char& c : text)
-    if (std::iscntrl(static_cast<unsigned char>(c))) c = ' ';
-  return text;
+std::chrono::nanoseconds nanoseconds_of(const timeval& time) {
+  return std::chrono::seconds(time.tv_sec) + std::chrono::microseconds(time.tv_usec);
 }
 
 }  // namespace
 
-Child::Child(const std::string& command, const std::string& folder) : owner_(getpid()) {
-  int in[2] = {-1, -1}, out[2] = {-1, -1}, life[2] = {-1, -1}, report[2] = {-1, -1};
-  said_ = memfd_create("guest's standard error", MFD_CLOEXEC);
-  const bool made = said_ >= 0 && pipe2(in, O_CLOEXEC) == 0 && pipe2(out, O_CLOEXEC) == 0 &&
-                    pipe2(life, O_CLOEXEC) == 0 && pipe2(report, O_CLOEXEC) == 0;
-  if (made) {
-    fcntl(said_, F_SETFL, O_APPEND);
-    fcntl(in[1], F_SETFL, O_NONBLOCK);
-    fcntl(out[0], F_SETFL, O_NONBLOCK);
-    keeper_ = patient_fork();
-    if (keeper_ == 0) {
-      close_all({in[1], out[0], life[1], report[0]});
-      keep(command.c_str(), folder.c_str(), in[0], out[1], said_, life[0], report[1]);
-    }
-  }
+Child::Child(const std::function<std::string()>& work, const ChildOptions& options)
+    : own_group_(options.own_group) {
+  start([&](int output) { write_all(output, work()); }, options);
+}
+
+Child::Child(const std::vector<std::string>& command, const ChildOptions& options)
+    : own_group_(options.own_group) {
+  const auto run = [&](int output) {
+    dup2(output, STDOUT_FILENO);
+    if (!options.input.empty()) put_on_standard_input(options.input);
+    become_program(command);
+  };
+  start(run, options);
+}
+
+void Child::start(const std::function<void(int output)>& run, const ChildOptions& options) {
+  int ends[2];
+  if (pipe2(ends, O_CLOEXEC) != 0) throw_errno("pipe");
+  std::fflush(nullptr);  // or the child might print it once more
+  const pid_t parent = getpid();
+  process_ = fork_with_retry();
+  if (process_ == 0) run_as_child(parent, options, [&] { run(ends[1]); });
   const int error = errno;
-  to_ = in[1], from_ = out[0], life_ = life[1], report_ = report[0];
-  close_all({in[0], out[1], life[0], report[1]});
-  if (keeper_ >= 0 && read_whole(report_, &child_, sizeof child_)) return;
-  close_all({to_, from_, life_, report_, said_});
-  if (keeper_ >= 0) waitpid(keeper_, nullptr, 0);
-  errno = made && keeper_ >= 0 ? EAGAIN : error;
-  throw_errno("starting a program");
+  close(ends[1]);
+  if (process_ < 0) {
+    close(ends[0]);
+    throw std::system_error(error, std::generic_category(), "fork");
+  }
+  output_ = ends[0];
+  if (own_group_) setpgid(process_, process_);  // on both sides: whichever runs first
+  fcntl(output_, F_SETFL, O_NONBLOCK);
 }
 
 Child::~Child() {
-  close_all({to_, from_, life_, report_, said_});
-  while (ours() && waitpid(keeper_, nullptr, 0) < 0 && errno == EINTR) {
+  kill_now();
+  if (!ended_) reap(process_);
+  close_all({output_, end_});
+}
+
+bool Child::advance() {
+  if (ended_) return true;
+  rusage used{};
+  const bool gone = wait4(process_, &status_, WNOHANG, &used) == process_;
+  char part[65536];
+  for (ssize_t got = 1; got > 0 || (got < 0 && errno == EINTR);) {
+    got = read(output_, part, sizeof part);
+    if (got > 0) bytes_.append(part, static_cast<std::size_t>(got));
+    output_ended_ = got == 0;
   }
+  if (!gone) return false;
+  if (own_group_) kill(-process_, SIGKILL);  // what it started and left
+  cpu_time_ = nanoseconds_of(used.ru_utime) + nanoseconds_of(used.ru_stime);
+  return ended_ = true;
 }
 
-bool Child::ours() const { return getpid() == owner_; }
-
-bool Child::take_input() {
-  char chunk[4096];
-  const ssize_t got = read(from_, chunk, sizeof chunk);
-  if (got > 0) buffer_.append(chunk, static_cast<std::size_t>(got));
-  return got > 0 || (got < 0 && (errno == EAGAIN || errno == EINTR));
-}
-
-bool Child::has_said_more() {
-  take_input();
-  return !buffer_.empty();
-}
-
-Child::Read Child::exchange(std::string_view text, std::string& line, const Cap& cap) {
-  const NoPipeSignal quiet;
-  const nanoseconds cpu_start = cpu_of(child_), wall_start = read_clock(CLOCK_MONOTONIC);
-  bool open = true;
-  while (true) {
-    if (const std::size_t end = buffer_.find('\n'); end != buffer_.npos) {
-      line.assign(buffer_, 0, end);
-      buffer_.erase(0, end + 1);
-      return line.size() > child_line_cap ? Read::too_long : Read::line;
-    }
-    if (buffer_.size() > child_line_cap) return Read::too_long;
-    if (!open) return Read::ended;
-    pollfd ends[] = {{from_, POLLIN, 0}, {to_, POLLOUT, 0}};
-    poll(ends, text.empty() ? 1 : 2, static_cast<int>(look_interval.count()));
-    if (ends[0].revents != 0) open = take_input();
-    if (ends[1].revents != 0 && !text.empty()) {
-      const ssize_t sent = write(to_, text.data(), text.size());
-      if (sent > 0) text.remove_prefix(static_cast<std::size_t>(sent));
-      if (sent < 0 && errno == EPIPE) text = {};  // what it has said already is read to its end
-    }
-    if (cpu_of(child_) - cpu_start > cap.cpu || read_clock(CLOCK_MONOTONIC) - wall_start > cap.wall)
-      return Read::late;
+int Child::wait() {
+  while (!advance()) {
+    pollfd news[] = {{end(), POLLIN, 0}, {output_ended_ ? -1 : output_, POLLIN, 0}};
+    poll(news, 2, -1);
   }
+  return status_;
 }
 
-std::string Child::death() {
-  // Its output ends a little before it does, or without it: then it is ended.
-  pollfd reported{report_, POLLIN, 0};
-  poll(&reported, 1, static_cast<int>(ending_cap.count()));
-  close_all({std::exchange(to_, -1), std::exchange(life_, -1)});
-  int status = 0;
-  std::string how = "ended";
-  if (read_whole(report_, &status, sizeof status)) {
-    if (WIFSIGNALED(status)) {
-      const char* name = sigabbrev_np(WTERMSIG(status));
-      how = name ? std::string("SIG") + name : "signal " + std::to_string(WTERMSIG(status));
-    } else {
-      how = "ended with status " + std::to_string(WEXITSTATUS(status));
-    }
-  }
-  const std::string printed = end_of(said_);
-  return printed.empty() ? how : how + ", after printing: " + printed;
+int Child::end() {
+  if (end_ < 0) end_ = static_cast<int>(syscall(SYS_pidfd_open, process_, 0));
+  if (end_ < 0) throw_errno("pidfd_open");
+  return end_;
+}
+
+std::chrono::nanoseconds Child::cpu_time() const { return ended_ ? cpu_time_ : cpu_time_of(process_); }
+
+void Child::kill_now() {
+  if (!ended_) kill(own_group_ ? -process_ : process_, SIGKILL);
+}
+
+void Child::send(int signal) const {
+  if (!ended_) kill(process_, signal);
 }
 
 }  // namespace cyl

@@ -1,50 +1,68 @@
 // SPDX-License-Identifier: MIT
-// A program of somebody else's that answers lines on its standard input with lines on its standard output.
+// A function or a program run in a process of its own, which hands back bytes. Whatever happens to it, this
+// process lives on; and where this process ends, so does the child.
 #pragma once
 
 #include <sys/types.h>
 
 #include <chrono>
+#include <functional>
 #include <string>
-#include <string_view>
+#include <vector>
 
 namespace cyl {
 
-/// The most bytes of a line that are read; no answer needs so many.
-inline constexpr std::size_t child_line_cap = std::size_t{1} << 16;
+struct ChildOptions {
+  /// What stands before the reason on standard error where the child throws: "daylight: a batch failed: ...".
+  std::string failure = "a process failed";
+  /// Whether the child leads a process group. Then a Ctrl-C meant for this process does not reach it, it ends
+  /// on SIGINT and SIGTERM, and all that it started in its group ends with it.
+  bool own_group = false;
+  std::string input = {};  ///< of a program, on its standard input; empty: that of this process
+};
 
-/// Runs `command` by /bin/sh in `folder`. It ends, with all that it started, with the Child and with this
-/// process, however that ends. It does not hear the signals of a terminal, and where the machine runs out of
-/// memory it is killed first. To a process forked from this one the Child is of no use.
 class Child {
  public:
-  /// Throws std::system_error where the system refuses a process, memory or a descriptor.
-  Child(const std::string& command, const std::string& folder);
-  ~Child();
+  /// Forks and calls `work` in the child; what that returns are the bytes. The child ends with status 0, with
+  /// 1 where `work` throws, and runs no destructors nor exit handlers. It is killed where the thread that
+  /// made it ends. Throws std::system_error where the system has no process or pipe left.
+  explicit Child(const std::function<std::string()>& work, const ChildOptions& options = {});
+  /// Runs a program with its arguments, looked for in PATH, likewise; what it prints on standard output are
+  /// the bytes.
+  explicit Child(const std::vector<std::string>& command, const ChildOptions& options = {});
   Child(const Child&) = delete;
   Child& operator=(const Child&) = delete;
+  ~Child();  ///< kills what still runs
 
-  bool ours() const;  ///< this process started it
-
-  /// What a call may take: processor time of the program itself, and time in all.
-  struct Cap {
-    std::chrono::milliseconds cpu, wall;
-  };
-  enum class Read : unsigned char { line, ended, late, too_long };
-  /// Sends `text` as it is and waits for a line, which is left in `line` without its newline.
-  Read exchange(std::string_view text, std::string& line, const Cap& cap);
-  /// Whether it has said more than was asked for.
-  bool has_said_more();
-  /// How it ended: "ended with status 1, after printing: ..." (on standard error). After Read::ended alone.
-  std::string death();
+  /// Takes in the bytes that have arrived, without waiting, and returns whether the child has ended. The end
+  /// of the process counts, not that of the pipe: somebody who outlives it may hold the pipe open.
+  bool advance();
+  /// Waits for the end and returns the status. Throws std::system_error where the system has no descriptor
+  /// left.
+  int wait();
+  /// Returns the status that waitpid() gives, once it has ended.
+  int status() const { return status_; }
+  const std::string& bytes() const { return bytes_; }
+  /// Returns the CPU time of the process; once it has ended, with that of the children that it waited for.
+  std::chrono::nanoseconds cpu_time() const;
+  bool ended() const { return ended_; }
+  int output() const { return output_; }  ///< to poll for reading
+  /// Returns a descriptor to poll for the end. Throws std::system_error where the system has none left.
+  int end();
+  void kill_now();              ///< with its group, if that is its own
+  void send(int signal) const;  ///< to the process alone
 
  private:
-  bool take_input();  ///< false at its end
+  void start(const std::function<void(int output)>& run, const ChildOptions& options);
 
-  pid_t owner_;
-  pid_t child_ = -1, keeper_ = -1;
-  int to_ = -1, from_ = -1, life_ = -1, report_ = -1, said_ = -1;
-  std::string buffer_;
+  const bool own_group_;
+  pid_t process_ = -1;
+  int output_ = -1, end_ = -1;
+  bool ended_ = false;
+  bool output_ended_ = false;
+  int status_ = 0;
+  std::chrono::nanoseconds cpu_time_{0};
+  std::string bytes_;
 };
 
 }  // namespace cyl

@@ -111,9 +111,9 @@ RunStore open_run(const CampaignOptions& options, const Subjects& subjects) {
   return store;
 }
 
-void wait_for_news(const std::deque<Flight>& flights) {
+void wait_for_news(const std::deque<BatchProcess>& flights) {
   std::vector<pollfd> descriptors;
-  for (const Flight& flight : flights) {
+  for (const BatchProcess& flight : flights) {
     if (!flight.ended()) descriptors.push_back({flight.descriptor(), POLLIN, 0});
   }
   poll(descriptors.data(), descriptors.size(), static_cast<int>(poll_time.count()));
@@ -146,7 +146,7 @@ class Search {
  private:
   /// How [first, next) died, or nothing.
   std::string death(std::uint64_t first, std::uint64_t next) {
-    std::deque<Flight> flight;
+    std::deque<BatchProcess> flight;
     flight.emplace_back(
         first, next, [&] { return run_batch(subjects_, seed_, first, next); }, search_cpu_cap);
     while (!flight.front().advance()) {
@@ -221,11 +221,11 @@ CampaignSummary run_campaign(const CampaignOptions& options, const Subjects& sub
   };
 
   Alarms alarms(options.alarm, subjects, options.seed, store, options.out);
-  std::deque<Flight> flights;  // in the order of their indices
+  std::deque<BatchProcess> flights;  // in the order of their indices
   std::uint64_t next = shard.first_from(stored_to);
   const auto may_launch = [&] {
     const auto running =
-        std::count_if(flights.begin(), flights.end(), [](const Flight& f) { return !f.ended(); });
+        std::count_if(flights.begin(), flights.end(), [](const BatchProcess& f) { return !f.ended(); });
     return running < options.jobs && flights.size() < options.jobs * window_per_job &&
            !StopSignals::asked() && (options.pairs == 0 || next < options.pairs) &&
            (options.budget.count() == 0 || Clock::now() - start < options.budget);
@@ -241,7 +241,7 @@ CampaignSummary run_campaign(const CampaignOptions& options, const Subjects& sub
     }
     if (flights.empty()) break;
     wait_for_news(flights);
-    for (Flight& flight : flights) flight.advance();
+    for (BatchProcess& flight : flights) flight.advance();
     while (!flights.empty() && flights.front().ended()) {
       BatchRecord batch;
       try {

@@ -85,7 +85,7 @@ class Alarms {
   std::vector<KnownFault> order_;  ///< as they are drawn
   unsigned next_ = 0;              ///< the first that is not done
   AlarmRecord at_;                 ///< that of flight_
-  std::optional<Flight> flight_;
+  std::optional<BatchProcess> flight_;
 };
 
 /// Whether it shows that the harness sleeps.

@@ -30,7 +30,7 @@ std::string environment(const char* name) {
 
 // Until buckets are named by what is left of a pair after shrinking: by its features and angle as they are.
 // The low 48 bits of FNV-1a, four a letter, the highest first.
-Ledger::Ledger(std::string_view target)
+FindingSink::FindingSink(std::string_view target)
     : target_(target),
       out_(environment("DAYLIGHT_FUZZ_OUT")),
       abort_(always_abort || !environment("DAYLIGHT_FUZZ_ABORT").empty()) {
@@ -44,18 +44,18 @@ Ledger::Ledger(std::string_view target)
   }
 }
 
-bool Ledger::is_new(const char* folder, const std::string& letters) {
+bool FindingSink::is_new(const char* folder, const std::string& letters) {
   return known_.insert(std::string(folder) + "/" + letters).second;
 }
 
-void Ledger::keep(const char* folder, const std::string& letters, const Pair& pair) const {
+void FindingSink::keep(const char* folder, const std::string& letters, const Pair& pair) const {
   const Record record = encode_record(pair);
   std::ofstream(out_ + "/" + folder + "/" + letters, std::ios::binary)
       .write(reinterpret_cast<const char*>(record.data()), std::ssize(record));
 }
 
-void Ledger::add_finding(const Pair& pair, std::string_view method, std::string_view failure,
-                         std::string_view what) {
+void FindingSink::add_finding(const Pair& pair, std::string_view method, std::string_view failure,
+                              std::string_view what) {
   const std::string key = bucket_of(method, failure, pair), letters = letters_only(key);
   ++findings_;
   if (!abort_ && !is_new("findings", letters)) return;
@@ -75,7 +75,7 @@ void Ledger::add_finding(const Pair& pair, std::string_view method, std::string_
   std::abort();
 }
 
-void Ledger::add_undecided(const Pair& pair, const Stratum& stratum) {
+void FindingSink::add_undecided(const Pair& pair, const Stratum& stratum) {
   if (out_.empty()) return;
   const std::string letters = letters_only(to_string(stratum));
   if (is_new("undecided", letters)) keep("undecided", letters, pair);

@@ -19,10 +19,10 @@
 
 namespace cyl {
 
-class Ledger {
+class FindingSink {
  public:
   /// Reads the environment. `target` is the source of its findings.
-  explicit Ledger(std::string_view target);
+  explicit FindingSink(std::string_view target);
   /// Of each bucket the first is kept.
   void add_finding(const Pair& pair, std::string_view method, std::string_view failure,
                    std::string_view what);

@@ -19,14 +19,14 @@
 namespace cyl {
 namespace {
 
-/// As the shares of brief.hpp.
+/// As the shares of fuzz_judge.hpp.
 constexpr std::size_t law_share = 4;            ///< one law of one method, needing no proof: 10 us
 constexpr std::size_t unaided_share = 16;       ///< the referee without a witness, in double: 5 us
 constexpr std::size_t proved_law_share = 4096;  ///< a law that needs proofs: as many enclosures as it asks
 
 class Core {
  public:
-  Core() : methods_(own_methods()), ledger_("fuzz_core") {
+  Core() : methods_(own_methods()), sink_("fuzz_core") {
     std::erase_if(methods_, [](const auto& m) { return m->claim().decides == Decides::all; });  // the referee
     for (const Law& law : all_laws()) {
       const bool cheap = law.kind == LawKind::exact || law.kind == LawKind::one_sided;
@@ -46,13 +46,13 @@ class Core {
       const Claim claim = methods_[m]->claim();
       promised |= claim.relative == 0 && claim.absolute == 0 && answers_[m].verdict != Verdict::undecided;
     }
-    Brief brief(record, answers_, promised, ledger_, &measured);
-    for (std::size_t m = 0; m < methods_.size(); ++m) brief.hold(*methods_[m], answers_[m]);
-    if (brief.truth().verdict == Verdict::invalid) return;
+    FuzzJudge fuzz_judge(record, answers_, promised, sink_, &measured);
+    for (std::size_t m = 0; m < methods_.size(); ++m) fuzz_judge.record(*methods_[m], answers_[m]);
+    if (fuzz_judge.truth().verdict == Verdict::invalid) return;
     count_iterations(answers_[decide_].steps);
-    if (brief.drawn(unaided_share)) judge_unaided(brief);
-    if (brief.drawn(law_share)) hold_to_law(brief, cheap_laws_);
-    if (brief.drawn(proved_law_share)) hold_to_law(brief, proved_laws_);
+    if (fuzz_judge.drawn(unaided_share)) judge_unaided(fuzz_judge);
+    if (fuzz_judge.drawn(law_share)) check_law(fuzz_judge, cheap_laws_);
+    if (fuzz_judge.drawn(proved_law_share)) check_law(fuzz_judge, proved_laws_);
   }
 
  private:
@@ -64,28 +64,29 @@ class Core {
   }
 
   // Two proofs of one pair, one from the solver's certificate, one from the referee's own search.
-  void judge_unaided(const Brief& brief) {
-    const Verdict aided = brief.truth().verdict, unaided = judge(brief.pair(), {}, filter_bits_cap).verdict;
+  void judge_unaided(const FuzzJudge& fuzz_judge) {
+    const Verdict aided = fuzz_judge.truth().verdict,
+                  unaided = judge(fuzz_judge.pair(), {}, filter_bits_cap).verdict;
     if (aided == unaided || aided == Verdict::undecided || unaided == Verdict::undecided) return;
     if (aided != Verdict::disjoint && unaided != Verdict::disjoint) return;
-    ledger_.add_finding(brief.pair(), "referee", "contradiction",
-                        std::string("proves ") + to_string(aided) + " and " + to_string(unaided));
+    sink_.add_finding(fuzz_judge.pair(), "referee", "contradiction",
+                      std::string("proves ") + to_string(aided) + " and " + to_string(unaided));
   }
 
-  void hold_to_law(Brief& brief, const std::vector<const Law*>& laws) {
+  void check_law(FuzzJudge& fuzz_judge, const std::vector<const Law*>& laws) {
     if (laws.empty()) return;
-    const Law& law = *laws[brief.draws().below(laws.size())];
-    Method& method = *methods_[brief.draws().below(methods_.size())];
-    const auto broken = broken_by(method, law, brief.pair());
+    const Law& law = *laws[fuzz_judge.draws().below(laws.size())];
+    Method& method = *methods_[fuzz_judge.draws().below(methods_.size())];
+    const auto broken = broken_by(method, law, fuzz_judge.pair());
     if (broken && broken->severity == Severity::contract)
-      ledger_.add_finding(brief.pair(), method.name(), law.name, broken->what);
+      sink_.add_finding(fuzz_judge.pair(), method.name(), law.name, broken->what);
   }
 
   std::vector<std::unique_ptr<Method>> methods_;
   std::vector<const Law*> cheap_laws_, proved_laws_;
   std::vector<MethodAnswer> answers_;
   std::size_t decide_, distance_;  // in methods_
-  Ledger ledger_;
+  FindingSink sink_;
 };
 
 }  // namespace

@@ -15,19 +15,19 @@ namespace {
 
 class SeedMethods {
  public:
-  SeedMethods() : methods_(seed_2008_methods()), ledger_("fuzz_seed_methods") {
+  SeedMethods() : methods_(seed_2008_methods()), sink_("fuzz_seed_methods") {
     for (auto& method : seed_2017_methods()) methods_.push_back(std::move(method));
   }
 
   void run(const Record& record) {
-    Brief brief(record, {}, false, ledger_);
-    Method& method = *methods_[brief.draws().below(methods_.size())];
-    brief.hold(method, method.ask(brief.pair()));
+    FuzzJudge fuzz_judge(record, {}, false, sink_);
+    Method& method = *methods_[fuzz_judge.draws().below(methods_.size())];
+    fuzz_judge.record(method, method.ask(fuzz_judge.pair()));
   }
 
  private:
   std::vector<std::unique_ptr<Method>> methods_;
-  Ledger ledger_;
+  FindingSink sink_;
 };
 
 }  // namespace

@@ -75,7 +75,7 @@ MethodAnswer ask_and_return(Method& method, const Pair& pair) {
 
 class Xcheck {
  public:
-  Xcheck() : ledger_("fuzz_xcheck") {
+  Xcheck() : sink_("fuzz_xcheck") {
     for (auto make : {fcl_methods, bullet_methods, ccd_methods, ode_methods, mujoco_methods, nlopt_methods})
       for (auto& method : make()) methods_.push_back(std::move(method));
     answers_.resize(methods_.size());
@@ -86,13 +86,13 @@ class Xcheck {
   }
 
   void run(const Record& record) {
-    Brief brief(record, {}, false, ledger_);
-    if (brief.truth().verdict == Verdict::invalid) return;
+    FuzzJudge fuzz_judge(record, {}, false, sink_);
+    if (fuzz_judge.truth().verdict == Verdict::invalid) return;
     for (std::size_t m = 0; m < methods_.size(); ++m) {
       answers_[m] = {};
-      if (methods_[m]->share() > 1 && !brief.drawn(costly_share)) continue;
-      answers_[m] = ask_and_return(*methods_[m], brief.pair());
-      brief.hold(*methods_[m], answers_[m]);
+      if (methods_[m]->share() > 1 && !fuzz_judge.drawn(costly_share)) continue;
+      answers_[m] = ask_and_return(*methods_[m], fuzz_judge.pair());
+      fuzz_judge.record(*methods_[m], answers_[m]);
       for (std::size_t earlier = 0; earlier < m; ++earlier)
         if (differ(answers_[earlier], answers_[m])) count_difference(earlier, m);
     }
@@ -106,7 +106,7 @@ class Xcheck {
 
   std::vector<std::unique_ptr<Method>> methods_;
   std::vector<MethodAnswer> answers_;
-  Ledger ledger_;
+  FindingSink sink_;
 };
 
 }  // namespace

@@ -2,10 +2,13 @@
 #include "fuzz/guided/fuzzing.hpp"
 
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <array>
 #include <charconv>
+#include <csignal>
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -18,8 +21,9 @@
 #include <thread>
 #include <utility>
 
+#include "base/process/child.hpp"
+#include "base/process/process.hpp"
 #include "base/process/stop_signals.hpp"
-#include "base/process/worker.hpp"
 #include "corpus/pairs/pair_io.hpp"
 #include "fuzz/guided/record.hpp"
 #include "fuzz/guided/visited.hpp"
@@ -75,10 +79,35 @@ std::string reason(const std::string& log) {
   return "no reason given";
 }
 
-/// One worker with its folder, over all its processes.
-class Place {
+/// Exit code of an engine that could not be run.
+constexpr int cannot_run_code = 127;
+
+/// Starts an engine, its output at the end of `log`, with DAYLIGHT_FUZZ_OUT set to `findings` (none where
+/// empty).
+std::unique_ptr<Child> run_engine(const std::vector<std::string>& command, const std::string& log,
+                                  const std::string& findings) {
+  return std::make_unique<Child>(
+      [&]() -> std::string {
+        try {
+          redirect_streams("/dev/null", log);
+          unsetenv("DAYLIGHT_FUZZ_ABORT");
+          if (findings.empty())
+            unsetenv("DAYLIGHT_FUZZ_OUT");
+          else
+            setenv("DAYLIGHT_FUZZ_OUT", findings.c_str(), 1);
+          become_program(command);
+        } catch (const std::exception& error) {
+          fmt::print(stderr, "cannot run {}\n", error.what());
+          _exit(cannot_run_code);
+        }
+      },
+      ChildOptions{.own_group = true});
+}
+
+/// One fuzzing engine with its folder, over all its processes.
+class Engine {
  public:
-  Place(const FuzzOptions& options, unsigned number)
+  Engine(const FuzzOptions& options, unsigned number)
       : options_(options),
         number_(number),
         folder_(fs::path(options.out) / fmt::format("worker-{}", number)) {
@@ -94,16 +123,16 @@ class Place {
   }
 
   fs::path corpus() const { return folder_ / "corpus"; }
-  fs::path ledger() const { return folder_; }
+  fs::path findings() const { return folder_; }
   std::string log() const { return folder_ / "log"; }
   const WorkerProgress& progress() const { return progress_; }
-  bool ended() { return process_->ended().has_value(); }
-  void ask_to_end() { process_->ask_to_end(); }
+  bool ended() { return process_->advance(); }
+  void ask_to_end() { process_->send(SIGUSR1); }
   void kill_now() { process_->kill_now(); }
 
   void look() {
     progress_.executions = read_visited(folder_ / "visited").executions;
-    progress_.cpu_seconds = earlier_cpu_seconds_ + process_->cpu_seconds();
+    progress_.cpu_seconds = earlier_cpu_seconds_ + cpu_seconds();
     std::string news = text_of(log(), log_read_);
     news.resize(news.rfind('\n') + 1);  // the rest of a line comes later
     log_read_ += news.size();
@@ -116,10 +145,10 @@ class Place {
   /// Where the process has died: what it says of the input it died of, as a case; then a new process. Throws
   /// std::runtime_error where no input explains it, time and again.
   std::optional<Case> bury() {
-    const auto status = process_->ended();
-    if (!status) return std::nullopt;
+    if (!process_->advance()) return std::nullopt;
     look();
-    const std::string how = how_it_ended(*status), text = text_of(log());
+    const int status = process_->status();
+    const std::string how = how_it_ended(status), text = text_of(log());
     std::optional<Case> found;
     for (const fs::path& file : files_in(folder_ / "died")) {
       const std::string bytes = text_of(file), name = file.filename().string();
@@ -135,33 +164,33 @@ class Place {
       found = c;
     }
     unexplained_ = found ? 0 : unexplained_ + 1;
-    if (unexplained_ == unexplained_cap || *status >> 8 == cannot_run_code)
+    if (unexplained_ == unexplained_cap || status >> 8 == cannot_run_code)
       throw std::runtime_error(
           fmt::format("worker {} ended with {}; {} says: {}", number_, how, log(),
                       text.substr(text.size() - std::min<std::size_t>(text.size(), 300))));
-    earlier_cpu_seconds_ += process_->cpu_seconds();
+    earlier_cpu_seconds_ += cpu_seconds();
     ++progress_.deaths;
     start();
     return found;
   }
 
  private:
+  double cpu_seconds() const { return std::chrono::duration<double>(process_->cpu_time()).count(); }
   void start() {
     const std::uint64_t seed =  // not 0, which asks for a random one
         1 + (options_.seed + number_ * 1000003 + progress_.deaths * 10007) % 0x7fffffff;
-    process_ = std::make_unique<Worker>(
-        std::vector<std::string>{
-            options_.program, corpus(), fmt::format("-seed={}", seed),
-            fmt::format("-max_len={}", record_size), "-len_control=0", "-reduce_inputs=0",
-            fmt::format("-reload={}", 1 + options_.exchange_interval.count() / 1000), "-timeout=25",
-            "-print_pcs=0", "-entropic=0", fmt::format("-artifact_prefix={}/died/", folder_.string())},
-        log(), ledger());
+    process_ = run_engine(
+        {options_.program, corpus(), fmt::format("-seed={}", seed), fmt::format("-max_len={}", record_size),
+         "-len_control=0", "-reduce_inputs=0",
+         fmt::format("-reload={}", 1 + options_.exchange_interval.count() / 1000), "-timeout=25",
+         "-print_pcs=0", "-entropic=0", fmt::format("-artifact_prefix={}/died/", folder_.string())},
+        log(), findings());
   }
 
   const FuzzOptions& options_;
   unsigned number_;
   fs::path folder_;
-  std::unique_ptr<Worker> process_;
+  std::unique_ptr<Child> process_;
   WorkerProgress progress_;
   std::uintmax_t log_read_ = 0;
   double earlier_cpu_seconds_ = 0;
@@ -183,9 +212,9 @@ class Findings {
     lines_.push_back(format_case(c));
     if (known_.insert(c.id).second) std::ofstream(file_, std::ios::app) << lines_.back() << '\n';
   }
-  /// What the ledger of a worker holds.
-  void add_all(const fs::path& ledger) {
-    std::ifstream in(ledger / "findings.jsonl");
+  /// Adds those that an engine has written in its folder.
+  void add_all(const fs::path& folder) {
+    std::ifstream in(folder / "findings.jsonl");
     CaseReader reader(in);
     while (const auto line = reader.next())
       if (line->value) add(*line->value);
@@ -206,7 +235,7 @@ class Run {
   FuzzSummary run() {
     const StopSignals signals;
     try {
-      for (unsigned k = 1; k <= options_.jobs; ++k) places_.push_back(std::make_unique<Place>(options_, k));
+      for (unsigned k = 1; k <= options_.jobs; ++k) engines_.push_back(std::make_unique<Engine>(options_, k));
       fuzz();
       end_all();
       merge();
@@ -218,8 +247,9 @@ class Run {
     summary_.findings = findings_.lines();
     name_strata();
     std::set<std::string> undecided;
-    for (const auto& place : places_)
-      for (const fs::path& file : files_in(place->ledger() / "undecided")) undecided.insert(file.filename());
+    for (const auto& engine : engines_)
+      for (const fs::path& file : files_in(engine->findings() / "undecided"))
+        undecided.insert(file.filename());
     summary_.undecided = undecided.size();
     return std::move(summary_);
   }
@@ -234,8 +264,8 @@ class Run {
         break;
       }
       std::this_thread::sleep_for(poll_time);
-      for (const auto& place : places_)
-        if (const auto found = place->bury()) findings_.add(*found);
+      for (const auto& engine : engines_)
+        if (const auto found = engine->bury()) findings_.add(*found);
       if (Clock::now() - exchanged >= options_.exchange_interval) {
         exchanged = Clock::now();
         exchange();
@@ -251,10 +281,10 @@ class Run {
 
   // The engine takes in what is new in its folder. Files are named by their content.
   void exchange() {
-    for (const auto& from : places_)
+    for (const auto& from : engines_)
       for (const fs::path& file : files_in(from->corpus())) {
         if (!exchanged_.insert(file.filename()).second) continue;
-        for (const auto& to : places_) {
+        for (const auto& to : engines_) {
           std::error_code taken;  // by a worker that found the same: as well
           if (to != from) fs::copy_file(file, to->corpus() / file.filename(), taken);
         }
@@ -265,11 +295,11 @@ class Run {
     FuzzProgress& progress = summary_.progress;
     progress.workers.clear();
     strata_ = {};
-    for (const auto& place : places_) {
-      place->look();
-      progress.workers.push_back(place->progress());
-      findings_.add_all(place->ledger());
-      const Visited seen = read_visited(place->ledger() / "visited");
+    for (const auto& engine : engines_) {
+      engine->look();
+      progress.workers.push_back(engine->progress());
+      findings_.add_all(engine->findings());
+      const Visited seen = read_visited(engine->findings() / "visited");
       for (std::size_t i = 0; i < strata_.size(); ++i) strata_[i] |= seen.strata[i];
     }
     progress.strata = 0;
@@ -279,13 +309,14 @@ class Run {
   }
 
   void end_all() {
-    for (const auto& place : places_) place->ask_to_end();
+    for (const auto& engine : engines_) engine->ask_to_end();
     const auto asked = Clock::now();
     const auto one_runs = [&] {
-      return std::any_of(places_.begin(), places_.end(), [](const auto& place) { return !place->ended(); });
+      return std::any_of(engines_.begin(), engines_.end(),
+                         [](const auto& engine) { return !engine->ended(); });
     };
     while (one_runs() && Clock::now() - asked < end_cap) std::this_thread::sleep_for(poll_time);
-    for (const auto& place : places_) place->kill_now();
+    for (const auto& engine : engines_) engine->kill_now();
   }
 
   // Into a folder of its own, which takes the corpus's place at once.
@@ -301,22 +332,22 @@ class Run {
                                      fmt::format("-artifact_prefix={}/", out_.string()),
                                      unfinished};
     if (fs::exists(kept)) command.push_back(kept);
-    for (const auto& place : places_) command.push_back(place->corpus());
+    for (const auto& engine : engines_) command.push_back(engine->corpus());
     for (auto folder = command.begin() + 6; folder != command.end(); ++folder)
       for (const fs::path& file : files_in(*folder)) inputs.insert(file.filename());
     const std::string log = out_ / "merge.log";
     fs::remove(log);
-    Worker merging(command, log, {});
+    const auto merging = run_engine(command, log, {});
     const auto start = Clock::now();
-    while (!merging.ended()) {
+    while (!merging->advance()) {
       if (Clock::now() - start > merge_cap)
         throw std::runtime_error(fmt::format("merging took more than {} s; the workers' corpora are in {}",
                                              merge_cap.count(), out_.string()));
       std::this_thread::sleep_for(poll_time);
     }
-    if (*merging.ended() != 0)
+    if (merging->status() != 0)
       throw std::runtime_error(
-          fmt::format("merging ended with {}: {}", how_it_ended(*merging.ended()), reason(text_of(log))));
+          fmt::format("merging ended with {}: {}", how_it_ended(merging->status()), reason(text_of(log))));
     fs::remove_all(kept);
     fs::rename(unfinished, kept);
     summary_.inputs = inputs.size();
@@ -336,7 +367,7 @@ class Run {
   const std::function<void(const FuzzProgress&)>& on_progress_;
   fs::path out_;
   Findings findings_;
-  std::vector<std::unique_ptr<Place>> places_;
+  std::vector<std::unique_ptr<Engine>> engines_;
   std::set<fs::path> exchanged_;
   decltype(Visited::strata) strata_{};
   FuzzSummary summary_;

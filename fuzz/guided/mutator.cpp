@@ -6,13 +6,13 @@
 #include <cmath>
 #include <limits>
 
+#include "corpus/pairs/pair_numbers.hpp"
+#include "corpus/pairs/scaled_pair.hpp"
 #include "oracles/methods/adapter.hpp"
 #include "solver/distance.hpp"
 
 namespace cyl {
 namespace {
-
-bool legal(const Pair& p) { return find_defect(p.a) == Defect::none && find_defect(p.b) == Defect::none; }
 
 /// 10^-k, k from 0 to 17.
 constexpr std::array<double, 18> tenths = {1,    1e-1,  1e-2,  1e-3,  1e-4,  1e-5,  1e-6,  1e-7,  1e-8,
@@ -30,11 +30,6 @@ double size_of_solids(const Pair& p) { return p.a.radius + p.a.height + p.b.radi
 
 Cylinder& either(Pair& p, RandomStream& s) { return s.coin() ? p.a : p.b; }
 Cylinder& other(Pair& p, const Cylinder& c) { return &c == &p.a ? p.b : p.a; }
-
-/// The eight numbers of a solid.
-std::array<double*, 8> fields(Cylinder& c) {
-  return {&c.center[0], &c.center[1], &c.center[2], &c.axis[0], &c.axis[1], &c.axis[2], &c.radius, &c.height};
-}
 
 double step(double x, RandomStream& s) {
   return std::nextafter(x, s.sign() * std::numeric_limits<double>::infinity());
@@ -98,29 +93,22 @@ void slide_ends_level(Pair& p, RandomStream& s) {
 
 void swap(Pair& p, RandomStream&) { std::swap(p.a, p.b); }
 
-void scale_all(Pair& p, RandomStream& s) {
-  const int k = s.integer(-40, 40);
-  for (Cylinder* c : {&p.a, &p.b}) {
-    for (double& x : c->center) x = std::ldexp(x, k);
-    c->radius = std::ldexp(c->radius, k);
-    c->height = std::ldexp(c->height, k);
-  }
-}
+void scale_all(Pair& p, RandomStream& s) { p = scaled(p, s.integer(-40, 40)); }
 
 void scale_field(Pair& p, RandomStream& s) {
-  double& x = *fields(either(p, s))[s.below(8)];
+  double& x = *numbers_of(either(p, s))[s.below(8)];
   x = std::ldexp(x, s.integer(-20, 20));
 }
 
 void change_field(Pair& p, RandomStream& s) {
-  double& x = *fields(either(p, s))[s.below(8)];
+  double& x = *numbers_of(either(p, s))[s.below(8)];
   x += tenth(s) * (x == 0 ? 1 : x);
 }
 
 void snap_to_grid(Pair& p, RandomStream& s) {
   const int bits = s.integer(0, 10);
   for (Cylinder* c : {&p.a, &p.b})
-    for (double* x : fields(*c)) *x = std::ldexp(std::nearbyint(std::ldexp(*x, bits)), -bits);
+    for (double* x : numbers_of(*c)) *x = std::ldexp(std::nearbyint(std::ldexp(*x, bits)), -bits);
 }
 
 void make_coaxial(Pair& p, RandomStream& s) {
@@ -174,15 +162,15 @@ void move_to_origin(Pair& p, RandomStream&) {
 void copy_field(Pair& p, RandomStream& s) {
   Cylinder& c = either(p, s);
   const std::size_t i = s.below(8);
-  *fields(c)[i] = *fields(other(p, c))[i];
+  *numbers_of(c)[i] = *numbers_of(other(p, c))[i];
 }
 
 void step_field(Pair& p, RandomStream& s) {
-  double& x = *fields(either(p, s))[s.below(8)];
+  double& x = *numbers_of(either(p, s))[s.below(8)];
   x = step(x, s);
 }
 
-void zero_coordinate(Pair& p, RandomStream& s) { *fields(either(p, s))[s.below(6)] = 0; }
+void zero_coordinate(Pair& p, RandomStream& s) { *numbers_of(either(p, s))[s.below(6)] = 0; }
 
 constexpr Move all_moves[] = {
     {"turn_to_parallel", turn_to_parallel},
@@ -209,7 +197,7 @@ constexpr Move all_moves[] = {
 
 /// The solid with every number that is at fault put right.
 Cylinder legalised(Cylinder c) {
-  for (double* x : fields(c))
+  for (double* x : numbers_of(c))
     if (!std::isfinite(*x)) *x = 1;
   if (c.axis.isZero(0)) c.axis = {0, 0, 1};
   c.radius = std::fabs(c.radius);
@@ -220,7 +208,7 @@ Cylinder legalised(Cylinder c) {
 void apply(const Move& move, Pair& pair, RandomStream& stream) {
   Pair moved = pair;
   move.apply(moved, stream);
-  if (legal(moved)) pair = moved;
+  if (is_legal(moved)) pair = moved;
 }
 
 }  // namespace

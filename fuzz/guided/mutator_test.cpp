@@ -11,6 +11,7 @@
 
 #include "corpus/pairs/families.hpp"
 #include "corpus/pairs/pair_io.hpp"
+#include "corpus/pairs/pair_numbers.hpp"
 #include "fuzz/guided/counters.hpp"
 #include "oracles/methods/adapter.hpp"
 
@@ -18,8 +19,6 @@ namespace cyl {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
-
-bool legal(const Pair& p) { return find_defect(p.a) == Defect::none && find_defect(p.b) == Defect::none; }
 
 const Move& move_named(std::string_view name) {
   return *std::find_if(moves().begin(), moves().end(), [&](const Move& m) { return m.name == name; });
@@ -43,14 +42,14 @@ TEST(Mutator, KeepsLegalPairsLegalOfAnyForm) {
   for (const Family& family : families())
     for (std::uint64_t i = 0; i < 100; ++i) {
       const Pair before = family.generate(1, i), after = mutate(before, i);
-      EXPECT_TRUE(legal(after)) << format_pair(before);
+      EXPECT_TRUE(is_legal(after)) << format_pair(before);
     }
 }
 
 TEST(Mutator, MakesNumbersOfAnyBitsLegal) {
   RandomStream stream("bits", 1, 0);
   Pair pair{{{NAN, infinity, 0}, {0, 0, 0}, -1, -infinity}, {{1, 2, 3}, {-0.0, 0, NAN}, NAN, 5e-324}};
-  for (std::uint64_t i = 0; i < 100; ++i) EXPECT_TRUE(legal(mutate(pair, i)));
+  for (std::uint64_t i = 0; i < 100; ++i) EXPECT_TRUE(is_legal(mutate(pair, i)));
 }
 
 TEST(Mutator, IsAFunctionOfPairAndSeed) {

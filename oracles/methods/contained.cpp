@@ -4,16 +4,12 @@
 #include <fcntl.h>
 #include <poll.h>
 #include <sys/mman.h>
-#include <sys/prctl.h>
 #include <sys/resource.h>
-#include <sys/stat.h>
-#include <sys/syscall.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <atomic>
-#include <cctype>
 #include <cmath>
 #include <csignal>
 #include <cstdio>
@@ -24,11 +20,11 @@
 #include <new>
 #include <optional>
 #include <string>
-#include <system_error>
 #include <thread>
 #include <type_traits>
 
-#include "base/process/fork_with_retry.hpp"
+#include "base/process/child.hpp"
+#include "base/process/process.hpp"
 
 namespace cyl {
 namespace {
@@ -57,10 +53,6 @@ constexpr bool sanitized =
 constexpr bool sanitized = false;
 #endif
 
-[[noreturn]] void throw_errno(const char* what) {
-  throw std::system_error(errno, std::generic_category(), what);
-}
-
 class Descriptor {
  public:
   Descriptor(int fd, const char* what) : fd_(fd) {
@@ -76,16 +68,16 @@ class Descriptor {
 };
 
 /// What parent and workers share: the cursor, and an answer for every question.
-class Board {
+class SharedMemory {
  public:
-  explicit Board(std::size_t count) : bytes_(sizeof(Head) + count * sizeof(ContainedAnswer)) {
+  explicit SharedMemory(std::size_t count) : bytes_(sizeof(Head) + count * sizeof(ContainedAnswer)) {
     memory_ = mmap(nullptr, bytes_, PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
     if (memory_ == MAP_FAILED) throw_errno("mmap");
     new (memory_) Head;
   }
-  ~Board() { munmap(memory_, bytes_); }
-  Board(const Board&) = delete;
-  Board& operator=(const Board&) = delete;
+  ~SharedMemory() { munmap(memory_, bytes_); }
+  SharedMemory(const SharedMemory&) = delete;
+  SharedMemory& operator=(const SharedMemory&) = delete;
 
   /// Index of the question being asked; the number of questions when all are answered.
   std::atomic<std::size_t>& cursor() { return static_cast<Head*>(memory_)->cursor; }
@@ -111,20 +103,10 @@ rlim_t address_space_now() {
   return rlim_t{pages} * static_cast<rlim_t>(sysconf(_SC_PAGESIZE));
 }
 
-void limit(decltype(RLIMIT_CORE) resource, rlim_t value) {
-  rlimit r;
-  getrlimit(resource, &r);
-  r.rlim_cur = std::min(value, r.rlim_max);
-  setrlimit(resource, &r);
-}
-
-// A worker dies with its parent, leaves no core, and meets signals as if no one had touched them, but for
+// A worker leaves no core, and meets signals as if no one had touched them, but for
 // those a terminal or a batch system sends to the whole group: these are the parent's to handle, or the
 // method that happens to be asked would be blamed for them.
-void become_worker(pid_t parent, int output) {
-  prctl(PR_SET_PDEATHSIG, SIGKILL);
-  if (getppid() != parent) _exit(1);
-
+void become_worker(int output) {
   for (int s = 1; s < NSIG; ++s) std::signal(s, SIG_DFL);
   for (int s : {SIGINT, SIGTERM, SIGHUP, SIGQUIT, SIGXFSZ}) std::signal(s, SIG_IGN);
   sigset_t none;
@@ -147,7 +129,7 @@ void become_worker(pid_t parent, int output) {
 bool all_finite(const MethodAnswer& a) {
   const auto finite = [](double x) { return std::isfinite(x); };
   return (!a.has_distance || finite(a.distance)) &&
-         (a.witness == WitnessKind::none ||
+         (a.witness == CertificateKind::none ||
           (std::all_of(a.head, a.head + 3, finite) && std::all_of(a.tail, a.tail + 3, finite)));
 }
 
@@ -166,7 +148,7 @@ MethodAnswer verdict_alone(Verdict verdict) {
   return answer;
 }
 
-MethodAnswer has_no_such_way() {
+MethodAnswer has_no_such_mode() {
   MethodAnswer answer;
   answer.set_reason("cannot be asked this way");
   return answer;
@@ -180,12 +162,12 @@ MethodAnswer gave_up(const Caps& caps) {
 
 bool well_formed(const MethodAnswer& a) {
   return a.status <= Status::failed && a.failure <= Failure::malformed && a.verdict <= Verdict::invalid &&
-         a.witness <= WitnessKind::point;
+         a.witness <= CertificateKind::point;
 }
 
-MethodAnswer ask(Method& method, const Pair& pair, Way way) {
+MethodAnswer ask(Method& method, const Pair& pair, CallMode mode) {
   try {
-    MethodAnswer answer = put(method, pair, way);
+    MethodAnswer answer = call(method, pair, mode);
     if (!well_formed(answer)) {
       return failed(Failure::malformed, "no answer: status " +
                                             std::to_string(static_cast<int>(answer.status)) + ", verdict " +
@@ -207,33 +189,23 @@ MethodAnswer ask(Method& method, const Pair& pair, Way way) {
   }
 }
 
-nanoseconds read_clock(clockid_t clock) {
-  timespec t{};
-  clock_gettime(clock, &t);
-  return std::chrono::seconds(t.tv_sec) + nanoseconds(t.tv_nsec);
-}
-
 /// The question a worker was killed for, and the wall time it had taken.
 struct Kill {
   std::size_t question;
   nanoseconds wall;
 };
 
-/// Watches a worker until it ends, or ends it. It is not yet reaped.
-std::optional<Kill> watch(pid_t worker, std::atomic<std::size_t>& cursor, const Caps& caps) {
-  const Descriptor handle(static_cast<int>(syscall(SYS_pidfd_open, worker, 0)), "pidfd_open");
-  clockid_t cpu_clock;
-  if (const int error = clock_getcpuclockid(worker, &cpu_clock))
-    throw std::system_error(error, std::generic_category(), "clock_getcpuclockid");
+/// Watches a worker until it ends, or ends it.
+std::optional<Kill> watch(Child& worker, const std::atomic<std::size_t>& cursor, const Caps& caps) {
   const auto interval = std::clamp(caps.call_cpu / 4, std::chrono::milliseconds(1), longest_look_interval);
 
   // The times start where a move of the cursor is noticed, so they never count what an earlier call used.
   std::size_t seen = cursor.load();
   nanoseconds cpu_start{0};
   nanoseconds wall_start = read_clock(CLOCK_MONOTONIC);
-  pollfd ended{.fd = handle.get(), .events = POLLIN, .revents = 0};
+  pollfd ended{.fd = worker.end(), .events = POLLIN, .revents = 0};
   while (poll(&ended, 1, static_cast<int>(interval.count())) <= 0) {
-    const nanoseconds cpu = read_clock(cpu_clock);
+    const nanoseconds cpu = worker.cpu_time();
     const nanoseconds wall = read_clock(CLOCK_MONOTONIC);
     const std::size_t now = cursor.load();
     if (now != seen) {
@@ -241,32 +213,11 @@ std::optional<Kill> watch(pid_t worker, std::atomic<std::size_t>& cursor, const 
       cpu_start = cpu;
       wall_start = wall;
     } else if (cpu - cpu_start > caps.call_cpu || wall - wall_start > caps.call_wall) {
-      kill(worker, SIGKILL);
+      worker.kill_now();
       return Kill{seen, wall - wall_start};
     }
   }
   return std::nullopt;
-}
-
-int reap(pid_t worker) {
-  int status = 0;
-  while (waitpid(worker, &status, 0) < 0 && errno == EINTR) {
-  }
-  return status;
-}
-
-/// The end of what the worker printed, on one line; empty where nothing, or too much to know the end.
-std::string last_output(int output) {
-  struct stat s;
-  if (fstat(output, &s) != 0 || s.st_size >= output_cap) return {};
-  char tail[sizeof MethodAnswer::reason];
-  const off_t length = std::min<off_t>(s.st_size, sizeof tail);
-  const ssize_t got = pread(output, tail, static_cast<std::size_t>(length), s.st_size - length);
-  std::string text(tail, got > 0 ? static_cast<std::size_t>(got) : 0);
-  while (!text.empty() && std::isspace(static_cast<unsigned char>(text.back()))) text.pop_back();
-  for (char& c : text)
-    if (std::iscntrl(static_cast<unsigned char>(c))) c = ' ';
-  return text;
 }
 
 std::string describe_hang(const Caps& caps) {
@@ -278,14 +229,15 @@ std::string describe_hang(const Caps& caps) {
 std::string describe_death(int status, int output) {
   std::string how;
   if (WIFSIGNALED(status)) {
-    const char* abbreviation = sigabbrev_np(WTERMSIG(status));
-    how = abbreviation ? std::string("SIG") + abbreviation : "signal " + std::to_string(WTERMSIG(status));
+    how = signal_name(WTERMSIG(status));
   } else if (WEXITSTATUS(status) == exit_called_code) {
     how = "called exit()";
   } else {
     how = "ended its process with status " + std::to_string(WEXITSTATUS(status));
   }
-  const std::string printed = last_output(output);
+  // Where it printed too much, the end is not known.
+  const bool whole = lseek(output, 0, SEEK_END) < output_cap;
+  const std::string printed = whole ? last_line(output, sizeof MethodAnswer::reason) : std::string();
   if (printed.empty()) return how;
   how += ", after printing: ";
   const std::size_t room = sizeof MethodAnswer::reason - 1 - how.size();
@@ -298,11 +250,11 @@ const Pair company{{Vector3(0, 0, 0), Vector3(0, 0, 1), 5, 1}, {Vector3(-5, 5, 1
 
 }  // namespace
 
-MethodAnswer put(Method& method, const Pair& pair, Way way) {
-  switch (way) {
-    case Way::usual:
+MethodAnswer call(Method& method, const Pair& pair, CallMode mode) {
+  switch (mode) {
+    case CallMode::usual:
       break;
-    case Way::other_thread: {
+    case CallMode::other_thread: {
       MethodAnswer answer;
       std::exception_ptr thrown;
       std::thread([&] {
@@ -315,14 +267,14 @@ MethodAnswer put(Method& method, const Pair& pair, Way way) {
       if (thrown) std::rethrow_exception(thrown);
       return answer;
     }
-    case Way::prepared: {
+    case CallMode::prepared: {
       const Method::Call call = method.prepare_all({&pair, 1});
-      return call ? verdict_alone(call(0)) : has_no_such_way();
+      return call ? verdict_alone(call(0)) : has_no_such_mode();
     }
-    case Way::batch: {
+    case CallMode::batch: {
       const Pair both[] = {company, pair};
       const Method::BatchCall call = method.prepare_batch(both);
-      if (!call) return has_no_such_way();
+      if (!call) return has_no_such_mode();
       Verdict verdicts[] = {Verdict::undecided, Verdict::undecided};
       call(verdicts);
       return verdict_alone(verdicts[1]);
@@ -335,57 +287,45 @@ std::vector<ContainedAnswer> ask_contained(std::span<const std::unique_ptr<Metho
                                            std::span<const Pair> pairs, std::span<const Question> questions,
                                            const Caps& caps) {
   if (questions.empty()) return {};
-  Board board(questions.size());
+  SharedMemory shared(questions.size());
   const Descriptor output(memfd_create("worker output", MFD_CLOEXEC), "memfd_create");
   fcntl(output.get(), F_SETFL, O_APPEND);
-  std::atomic<std::size_t>& cursor = board.cursor();
+  std::atomic<std::size_t>& cursor = shared.cursor();
 
   while (cursor.load() < questions.size()) {
     if (ftruncate(output.get(), 0) != 0) throw_errno("ftruncate");
-    std::fflush(nullptr);
     std::vector<unsigned> hangs(methods.size(), 0);
     for (std::size_t i = 0; i < cursor.load(); ++i)
-      hangs[questions[i].method] += board.answers()[i].answer.failure == Failure::hang;
-    const pid_t parent = getpid();
-    const pid_t worker = patient_fork();
-    if (worker < 0) throw_errno("fork");
-    if (worker == 0) {
-      become_worker(parent, output.get());
+      hangs[questions[i].method] += shared.answers()[i].answer.failure == Failure::hang;
+    Child worker([&]() -> std::string {
+      become_worker(output.get());
       for (std::size_t i = cursor.load(); i < questions.size(); cursor.store(++i)) {
         const nanoseconds start = read_clock(CLOCK_MONOTONIC);
         const Question& q = questions[i];
         const MethodAnswer answer =
-            hangs[q.method] < caps.hangs ? ask(*methods[q.method], pairs[q.pair], q.way) : gave_up(caps);
+            hangs[q.method] < caps.hangs ? ask(*methods[q.method], pairs[q.pair], q.mode) : gave_up(caps);
         const nanoseconds end = read_clock(CLOCK_MONOTONIC);
         if (answer.failure == Failure::hang) ++hangs[q.method];  // of a program that the method runs
-        board.answers()[i] = {answer, static_cast<double>((end - start).count())};
+        shared.answers()[i] = {answer, static_cast<double>((end - start).count())};
       }
-      _exit(0);
-    }
-
-    std::optional<Kill> killed_for;
-    try {
-      killed_for = watch(worker, cursor, caps);
-    } catch (...) {
-      kill(worker, SIGKILL);
-      reap(worker);
-      throw;
-    }
-    const int status = reap(worker);
+      return {};
+    });
+    const std::optional<Kill> killed_for = watch(worker, cursor, caps);
+    const int status = worker.wait();
     const std::size_t i = cursor.load();
     if (i == questions.size()) break;
     // A call may end just before the kill meant for it: then no one is to blame, and the next worker goes on
     // at i.
     if (killed_for && killed_for->question != i) continue;
     if (killed_for) {
-      board.answers()[i] = {failed(Failure::hang, describe_hang(caps)),
-                            static_cast<double>(killed_for->wall.count())};
+      shared.answers()[i] = {failed(Failure::hang, describe_hang(caps)),
+                             static_cast<double>(killed_for->wall.count())};
     } else {
-      board.answers()[i] = {failed(Failure::crash, describe_death(status, output.get()))};
+      shared.answers()[i] = {failed(Failure::crash, describe_death(status, output.get()))};
     }
     cursor.store(i + 1);
   }
-  return {board.answers(), board.answers() + questions.size()};
+  return {shared.answers(), shared.answers() + questions.size()};
 }
 
 }  // namespace cyl

@@ -14,7 +14,7 @@
 namespace cyl {
 
 /// How a question is put to a method. All must give the same verdict, the first two the same answer.
-enum class Way : unsigned char {
+enum class CallMode : unsigned char {
   usual,         ///< Method::ask
   other_thread,  ///< Method::ask, from a thread that is new
   prepared,      ///< Method::prepare_all, then its call: the verdict alone; declined where there is none
@@ -25,11 +25,11 @@ enum class Way : unsigned char {
 struct Question {
   std::size_t method;
   std::size_t pair;
-  Way way = Way::usual;
+  CallMode mode = CallMode::usual;
 };
 
 /// Puts a question in this process: throws what the method throws.
-MethodAnswer put(Method& method, const Pair& pair, Way way);
+MethodAnswer call(Method& method, const Pair& pair, CallMode mode);
 
 struct ContainedAnswer {
   MethodAnswer answer;

@@ -13,6 +13,7 @@
 #include "base/json.hpp"
 #include "base/process/child.hpp"
 #include "base/process/process.hpp"
+#include "corpus/pairs/pair_numbers.hpp"
 #include "oracles/methods/adapter.hpp"
 #include "oracles/methods/guest.hpp"
 #include "oracles/plugin.h"
@@ -95,13 +96,6 @@ Label read_label(const std::string& file) {
   return {read.at(0), read.at(1), read.at(2), read.at(3), read.at(4), read.at(5)};
 }
 
-void flatten(const Cylinder& c, double* eight) {
-  std::copy_n(c.center.data(), 3, eight);
-  std::copy_n(c.axis.data(), 3, eight + 3);
-  eight[6] = c.radius;
-  eight[7] = c.height;
-}
-
 bool any_given(const double* three) {
   return !std::all_of(three, three + 3, [](double x) { return std::isnan(x); });
 }
@@ -181,11 +175,9 @@ class Plugin final : public Method {
   const DaylightMethod* loaded(std::span<const Pair> pairs) { return pairs.empty() ? nullptr : &loaded(); }
 
   static std::vector<double> flatten_all(std::span<const Pair> pairs) {
-    std::vector<double> flat(16 * pairs.size());
-    for (std::size_t i = 0; i < pairs.size(); ++i) {
-      flatten(pairs[i].a, &flat[16 * i]);
-      flatten(pairs[i].b, &flat[16 * i + 8]);
-    }
+    std::vector<double> flat;
+    flat.reserve(16 * pairs.size());
+    for (const Pair& pair : pairs) std::ranges::copy(numbers_of(pair), std::back_inserter(flat));
     return flat;
   }
 

@@ -4,9 +4,12 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <functional>
+#include <optional>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "base/enum_words.hpp"
@@ -15,31 +18,41 @@
 
 namespace cyl {
 
-/// What gives the program away, as the mutant has made it, in one line; empty: nothing does. Called in a
-/// child, which it may crash, hang or replace (then the exit code says it: 0 survived).
-struct Detector {
-  std::string name;
-  std::function<std::string(const Mutant&)> betrayal;
+/// What gives the program away, as the mutant has made it.
+struct Evidence {
+  std::string failure_message;  ///< one line; empty: nothing does
+  /// The number among its family's pairs, where a method was wrong about a pair that a campaign drew.
+  std::optional<std::uint64_t> family_index;
+
+  Evidence(std::string message = {}, std::optional<std::uint64_t> index = {})
+      : failure_message(std::move(message)), family_index(index) {}
 };
 
-enum class Fate : unsigned char {
-  not_run,
-  survived,
-  killed,   ///< by a detector's word
-  crashed,  ///< by a signal
-  hung      ///< at a cap below
+struct Detector {
+  std::string name;
+  /// Is called in a child, which it may crash, hang or replace (then the exit code says it: 0 survived).
+  std::function<Evidence(const Mutant&)> detect;
 };
-constexpr auto words_of(Fate) noexcept { return std::array{"-", "survived", "killed", "crashed", "hung"}; }
 
 /// Time one detector may spend on one mutant; many times what the longest takes where it finds nothing.
 inline constexpr unsigned detector_cpu_cap = 120;   ///< seconds of CPU
 inline constexpr unsigned detector_wall_cap = 600;  ///< seconds, for what waits without working
 
 struct Detection {
-  Fate fate = Fate::not_run;
+  enum class Outcome : unsigned char {
+    not_run,
+    survived,
+    killed,   ///< by a detector's word
+    crashed,  ///< by a signal
+    hung      ///< at a cap above
+  };
+  Outcome outcome = Outcome::not_run;
   double seconds = 0;  ///< wall time to the kill, or to the end
-  std::string what;    ///< gave it away, in one line; may be empty
+  Evidence evidence = {};
 };
+constexpr auto words_of(Detection::Outcome) noexcept {
+  return std::array{"-", "survived", "killed", "crashed", "hung"};
+}
 
 struct KillRow {
   Mutant mutant;                      ///< number 0: the program as it is, which nothing may kill

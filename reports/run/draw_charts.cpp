@@ -4,12 +4,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cstdio>
-#include <cstdlib>
 #include <filesystem>
 #include <stdexcept>
 
-#include "base/safe_text.hpp"
+#include "base/process/child.hpp"
 #include "reports/run/report_data.hpp"
 
 namespace cyl {
@@ -17,30 +15,32 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// As one word that no program takes for an option.
-std::string argument(const fs::path& path) { return shell_quoted(fs::absolute(path).string()); }
-
-bool installed(const char* program) {
-  return std::system(fmt::format("command -v {} >/dev/null 2>&1", program).c_str()) == 0;
+/// Runs a program, what it says on standard output dropped, and returns whether it went well.
+bool runs_well(const std::vector<std::string>& command, const std::string& input = {}) {
+  return Child(command, {.input = input}).wait() == 0;
 }
 
-/// What the script says on standard output is dropped: the folder tells what it wrote.
-void draw(const std::string& script, const std::string& out, const std::string& report) {
-  const std::string command = fmt::format("node {} {} >/dev/null", argument(script), argument(out));
-  std::FILE* node = popen(command.c_str(), "w");
-  if (node == nullptr) throw std::runtime_error("cannot run " + command);
-  const bool written = std::fwrite(report.data(), 1, report.size(), node) == report.size();
-  if (pclose(node) != 0 || !written) throw std::runtime_error("failed: " + command);
+bool installed(const char* program) {
+  return runs_well({"/bin/sh", "-c", "command -v \"$0\" >/dev/null 2>&1", program});
+}
+
+/// Runs a program that is told of files, whose names it does not take for options. Throws std::runtime_error
+/// where that fails.
+void run(const std::vector<std::string>& options, const std::vector<fs::path>& files,
+         const std::string& input = {}) {
+  std::vector<std::string> command = options;
+  for (const fs::path& file : files) command.push_back(fs::absolute(file).string());
+  if (!runs_well(command, input))
+    throw std::runtime_error(fmt::format("failed: {}", fmt::join(command, " ")));
 }
 
 }  // namespace
 
-std::vector<std::string> draw_charts(const std::string& run_folder, const std::string& out,
-                                     const std::string& script) {
+std::vector<std::string> draw_charts(const RunData& data, const std::string& out, const std::string& script) {
   if (!installed("node")) throw std::runtime_error("charts need Node.js: apt-get install nodejs");
   if (script.empty()) throw std::runtime_error("reports/web/chart.mjs is not beside this program");
   const auto began = fs::file_time_type::clock::now();
-  draw(script, out, report_json(run_folder));
+  run({"node"}, {script, out}, report_json(data));
   const bool png = installed("rsvg-convert");
   std::vector<std::string> files;
   for (const auto& entry : fs::directory_iterator(out)) {
@@ -48,9 +48,7 @@ std::vector<std::string> draw_charts(const std::string& run_folder, const std::s
     files.push_back(entry.path().string());
     if (!png) continue;
     const fs::path image = fs::path(entry.path()).replace_extension(".png");
-    const std::string command =
-        fmt::format("rsvg-convert --zoom 2 --output {} {}", argument(image), argument(entry.path()));
-    if (std::system(command.c_str()) != 0) throw std::runtime_error("failed: " + command);
+    run({"rsvg-convert", "--zoom", "2", "--output"}, {image, entry.path()});
     files.push_back(image.string());
   }
   std::sort(files.begin(), files.end());

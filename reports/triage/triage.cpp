@@ -2,25 +2,20 @@
 #include "reports/triage/triage.hpp"
 
 #include <fmt/format.h>
-#include <sys/prctl.h>
-#include <sys/wait.h>
-#include <unistd.h>
 
 #include <algorithm>
-#include <cerrno>
-#include <csignal>
 #include <filesystem>
 #include <fstream>
+#include <list>
 #include <map>
 #include <optional>
 #include <set>
 #include <stdexcept>
-#include <system_error>
 #include <thread>
 #include <tuple>
 #include <utility>
 
-#include "base/process/fork_with_retry.hpp"
+#include "base/process/child.hpp"
 #include "corpus/pairs/pair_io.hpp"
 #include "fuzz/campaign/batch.hpp"
 #include "fuzz/campaign/campaign.hpp"
@@ -66,34 +61,15 @@ milliseconds since(Clock::time_point start) {
 /// now and then. Throws where one of them failed.
 void in_processes(unsigned jobs, const std::function<void(unsigned)>& work,
                   const std::function<void()>& meanwhile) {
-  const pid_t parent = getpid();
-  std::vector<pid_t> running;
-  for (unsigned job = 0; job < jobs; ++job) {
-    const pid_t process = patient_fork();
-    if (process < 0) throw std::system_error(errno, std::generic_category(), "fork");
-    if (process > 0) {
-      running.push_back(process);
-      continue;
-    }
-    int code = 1;
-    try {
-      prctl(PR_SET_PDEATHSIG, SIGKILL);
-      if (getppid() != parent) _exit(1);
-      work(job);
-      code = 0;
-    } catch (const std::exception& error) {
-      fmt::print(stderr, "daylight: triage: {}\n", error.what());
-    }
-    std::fflush(stderr);
-    _exit(code);
-  }
+  std::list<Child> running;
+  for (unsigned job = 0; job < jobs; ++job)
+    running.emplace_back([&]() -> std::string { return work(job), std::string(); }, ChildOptions{"triage"});
   bool failed = false;
   for (Clock::time_point shown = Clock::now(); !running.empty();) {
     std::this_thread::sleep_for(poll_interval);
-    std::erase_if(running, [&](pid_t process) {
-      int status = 0;
-      if (waitpid(process, &status, WNOHANG) != process) return false;
-      failed |= status != 0;
+    running.remove_if([&](Child& child) {
+      if (!child.advance()) return false;
+      failed |= child.status() != 0;
       return true;
     });
     if (since(shown) < show_interval) continue;

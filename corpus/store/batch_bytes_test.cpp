@@ -1,15 +1,17 @@
 // SPDX-License-Identifier: MIT
-#include "corpus/store/batch_text.hpp"
+#include "corpus/store/batch_bytes.hpp"
 
 #include <gtest/gtest.h>
 
+#include <bit>
+#include <cmath>
 #include <limits>
 #include <stdexcept>
 
 namespace cyl {
 namespace {
 
-TEST(BatchText, ComesBackAsItWent) {
+TEST(BatchBytes, ComesBackAsItWent) {
   BatchRecord batch;
   batch.tallies = {{"m", "f", Counts{1, 2, 3, 4, 5, 6, ~0ull}}, {"n", "f", {}}};
   batch.groups = {{"m", "hang", "contract", "f", 9, GroupRecord::no_binade}};
@@ -26,8 +28,10 @@ TEST(BatchText, ComesBackAsItWent) {
   f.truth = "t";
   f.stage = "wide";
   f.reason = "not UTF-8: \xff";
-  batch.findings = {f, f};
+  batch.findings = {f, f, f};
   batch.findings[1].margin.reset();
+  constexpr std::uint64_t nan_with_payload = 0xfff8000000000001;
+  batch.findings[2].margin = MarginRecord{std::bit_cast<double>(nan_with_payload), -0.0};
   batch.cells = {{"a-b", 0, 17, {{1}, {}, {1, 1}}}, {"c", 5, 6, {}}};
 
   const BatchRecord back = parse_batch(format_batch(batch));
@@ -38,19 +42,21 @@ TEST(BatchText, ComesBackAsItWent) {
   EXPECT_EQ(back.groups[0].count, 9u);
   EXPECT_EQ(back.groups[0].binade, GroupRecord::no_binade);
   EXPECT_EQ(back.cells, batch.cells);
-  ASSERT_EQ(back.findings.size(), 2u);
+  ASSERT_EQ(back.findings.size(), 3u);
   EXPECT_EQ(back.findings[0].index, ~0ull);
   EXPECT_EQ(back.findings[0].family_index, 8u);
   EXPECT_EQ(back.findings[0].margin->lo, 5e-324);
   EXPECT_EQ(back.findings[0].margin->hi, std::numeric_limits<double>::infinity());
   EXPECT_FALSE(back.findings[1].margin);
+  EXPECT_EQ(std::bit_cast<std::uint64_t>(back.findings[2].margin->lo), nan_with_payload);
+  EXPECT_TRUE(std::signbit(back.findings[2].margin->hi));
   EXPECT_EQ(back.findings[0].pair, f.pair);
   EXPECT_EQ(back.findings[0].answers, f.answers);
   EXPECT_EQ(back.findings[0].stage, "wide");
   EXPECT_EQ(back.findings[0].reason, "not UTF-8: \xef\xbf\xbd");
 }
 
-TEST(BatchText, ACutTextIsRefused) {
+TEST(BatchBytes, OneThatIsCutIsRefused) {
   const std::string whole = format_batch({});
   for (std::size_t size = 0; size < whole.size(); ++size) {
     EXPECT_THROW(parse_batch(whole.substr(0, size)), std::runtime_error);

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: MIT
+// A program of somebody else's that answers lines on its standard input with lines on its standard output.
+#pragma once
+
+#include <sys/types.h>
+
+#include <chrono>
+#include <string>
+#include <string_view>
+
+namespace cyl {
+
+/// The most bytes of a line that are read; no answer needs so many.
+inline constexpr std::size_t program_line_cap = std::size_t{1} << 16;
+
+/// Runs `command` by /bin/sh in `folder`. It ends, with all that it started, with the LineProgram and with
+/// this process, however that ends. It does not hear the signals of a terminal, and where the machine runs
+/// out of memory it is killed first. To a process forked from this one the LineProgram is of no use.
+class LineProgram {
+ public:
+  /// Throws std::system_error where the system refuses a process, memory or a descriptor.
+  LineProgram(const std::string& command, const std::string& folder);
+  ~LineProgram();
+  LineProgram(const LineProgram&) = delete;
+  LineProgram& operator=(const LineProgram&) = delete;
+
+  bool ours() const;  ///< this process started it
+
+  /// What a call may take: processor time of the program itself, and time in all.
+  struct Cap {
+    std::chrono::milliseconds cpu, wall;
+  };
+  enum class Read : unsigned char { line, ended, late, too_long };
+  /// Sends `text` as it is and waits for a line, which is left in `line` without its newline.
+  Read exchange(std::string_view text, std::string& line, const Cap& cap);
+  /// Whether it has said more than was asked for.
+  bool has_answered_more();
+  /// How it ended: "ended with status 1, after printing: ..." (on standard error). After Read::ended alone.
+  std::string death();
+
+ private:
+  bool take_input();  ///< false at its end
+
+  pid_t owner_;
+  pid_t program_ = -1, watchdog_ = -1;
+  int to_ = -1, from_ = -1;
+  int pipe_ = -1;     ///< whose other end the watchdog holds: where it closes, the program is ended
+  int report_ = -1;   ///< what the watchdog says: the program's number, then its status
+  int answers_ = -1;  ///< what the program printed on standard error
+  std::string buffer_;
+};
+
+}  // namespace cyl

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: MIT
+#include "corpus/store/batch_bytes.hpp"
+
+#include <array>
+#include <bit>
+#include <stdexcept>
+
+#include "base/json.hpp"
+
+// As their bits: CBOR of JSON numbers keeps infinities, but makes every NaN one.
+template <>
+struct nlohmann::adl_serializer<std::optional<cyl::MarginRecord>> {
+  static void to_json(json& to, const std::optional<cyl::MarginRecord>& margin) {
+    to = json::array();
+    if (margin) to = {std::bit_cast<std::uint64_t>(margin->lo), std::bit_cast<std::uint64_t>(margin->hi)};
+  }
+  static void from_json(const json& from, std::optional<cyl::MarginRecord>& margin) {
+    if (from.empty()) return;
+    margin.emplace(std::bit_cast<double>(from.at(0).get<std::uint64_t>()),
+                   std::bit_cast<double>(from.at(1).get<std::uint64_t>()));
+  }
+};
+
+namespace cyl {
+namespace {
+
+using nlohmann::json;
+
+std::string as_utf8(const std::string& text) {
+  return parse_json(json(text).dump(-1, ' ', false, json::error_handler_t::replace));
+}
+
+}  // namespace
+
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Counts, asked, declined, failed, contract, resolution, undecided,
+                                   nanoseconds)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(TallyRecord, method, family, counts)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(GroupRecord, method, kind, severity, family, count, binade)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(FindingRecord, index, family, family_index, method, kind, severity, margin,
+                                   pair, answers, truth, stage, reason)
+
+static void to_json(json& to, const CellRecord& c) {
+  to = {c.plane, c.x, c.y, format_cell_counts(c.methods)};
+}
+static void from_json(const json& from, CellRecord& c) {
+  c = {from.at(0), from.at(1), from.at(2), parse_cell_counts(from.at(3).get<std::string>())};
+}
+
+std::string format_batch(const BatchRecord& batch) {
+  json findings = batch.findings;
+  for (json& finding : findings)
+    for (const char* text : {"pair", "answers", "reason"})
+      finding[text] = as_utf8(finding[text].get<std::string>());
+  return format_cbor({batch.tallies, batch.groups, findings, batch.cells});
+}
+
+BatchRecord parse_batch(std::string_view bytes) try {
+  BatchRecord batch;
+  const json all = parse_cbor(bytes);
+  all.at(0).get_to(batch.tallies);
+  all.at(1).get_to(batch.groups);
+  all.at(2).get_to(batch.findings);
+  all.at(3).get_to(batch.cells);
+  return batch;
+} catch (const json::exception& error) {
+  throw std::runtime_error(std::string("a batch cannot be read: ") + error.what());
+}
+
+}  // namespace cyl
