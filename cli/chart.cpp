@@ -12,7 +12,7 @@
 #include "cli/options.hpp"
 #include "reports/run/charts.hpp"
 #include "reports/run/draw_charts.hpp"
-#include "reports/run/page.hpp"
+#include "reports/run/report_data.hpp"
 #include "reports/run/stability.hpp"
 
 namespace cyl {
@@ -26,16 +26,16 @@ struct Arguments {
 void chart(const Arguments& arguments) {
   std::vector<BenchRow> rows;
   if (!arguments.bench.empty()) rows = read_bench(arguments.bench);
-  write_charts(arguments.run, rows);
+  RunData run = read_run(arguments.run);
+  write_charts(run, rows);
   if (arguments.stability)
-    write_stability(arguments.run, company_for({}, {arguments.run}).methods,
+    write_stability(run, company_for({}, {arguments.run}).methods,
                     in_source_tree("bench/stability/builds.jsonl"));
-  write_page(arguments.run, in_source_tree("props/mutants/kill_matrix.jsonl"));
+  write_page(run, in_source_tree("props/mutants/kill_matrix.jsonl"));
   if (!rows.empty()) fmt::print("{}\n", format_curves(speed_points(rows)));
   fmt::print("{}/report.html\n", arguments.run);
   if (arguments.out.empty()) return;
-  for (const std::string& file :
-       draw_charts(arguments.run, arguments.out, in_source_tree("reports/web/chart.mjs")))
+  for (const std::string& file : draw_charts(run, arguments.out, in_source_tree("reports/web/chart.mjs")))
     fmt::print("{}\n", file);
 }
 

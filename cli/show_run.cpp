@@ -3,18 +3,15 @@
 
 #include <fmt/format.h>
 
-#include <optional>
 #include <system_error>
 #include <tuple>
 
 #include "base/own_command.hpp"
 #include "base/safe_text.hpp"
 #include "base/source_tree.hpp"
-#include "corpus/store/run_store.hpp"
 #include "fuzz/campaign/self_check.hpp"
 #include "reports/run/charts.hpp"
-#include "reports/run/history.hpp"
-#include "reports/run/page.hpp"
+#include "reports/run/report_data.hpp"
 #include "reports/run/tally_table.hpp"
 
 namespace cyl {
@@ -24,14 +21,14 @@ namespace fs = std::filesystem;
 
 /// The finding to look at first: beyond a claim before within, a wrong verdict before anything else, then by
 /// margin.
-std::optional<FindingRecord> worst_finding(const RunStore& store) {
-  std::optional<FindingRecord> worst;
+const FindingRecord* worst_finding(const RunData& run) {
+  const FindingRecord* worst = nullptr;
   const auto key = [](const FindingRecord& f) {
     return std::tuple(f.severity == "contract", f.severity == "resolution", f.kind.starts_with("wrong_"),
                       f.margin ? f.margin->lo : 0.0);
   };
-  for (FindingRecord& f : store.findings()) {
-    if (!worst || key(f) > key(*worst)) worst = std::move(f);
+  for (const FindingRecord& f : run.findings) {
+    if (!worst || key(f) > key(*worst)) worst = &f;
   }
   return worst;
 }
@@ -49,15 +46,14 @@ void point_latest_at(const fs::path& run) {
 }
 
 void show_run(const std::string& folder, std::uint64_t pairs) {
-  write_charts(folder, {});
-  write_page(folder, in_source_tree("props/mutants/kill_matrix.jsonl"));
-  const RunStore store = RunStore::open(folder);
-  fmt::print("{}", format_tallies(tally_methods(store)));
-  if (const History history = compare_with_earlier(folder); history.runs + history.unreadable > 0)
-    fmt::print("{}\n", format_history(history));
-  if (const std::string alarms = format_alarms(store.alarms()); !alarms.empty()) fmt::print("{}\n", alarms);
+  RunData run = read_run(folder);
+  write_charts(run, {});
+  write_page(run, in_source_tree("props/mutants/kill_matrix.jsonl"));
+  fmt::print("{}", format_tallies(tally_methods(run.tallies)));
+  if (run.history.runs + run.history.unreadable > 0) fmt::print("{}\n", format_history(run.history));
+  if (const std::string alarms = format_alarms(run.alarms); !alarms.empty()) fmt::print("{}\n", alarms);
   fmt::print("{} pairs; page: {}/report.html\n", pairs, folder);
-  if (const auto worst = worst_finding(store)) {
+  if (const auto worst = worst_finding(run)) {
     fmt::print("the worst, {} {} ({}): {} replay {}\n", worst->method, worst->kind, worst->severity,
                own_command(), shell_quoted(fmt::format("{}:{}", folder, worst->id)));
   }

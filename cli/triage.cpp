@@ -25,7 +25,7 @@
 #include "corpus/store/case_files.hpp"
 #include "corpus/store/suppressions.hpp"
 #include "reports/explain/explain.hpp"
-#include "reports/run/page.hpp"
+#include "reports/run/report_data.hpp"
 
 namespace cyl {
 namespace {
@@ -74,7 +74,7 @@ int triage(const Arguments& arguments) {
   if (p.absent > 0) fmt::print("{} are of guests that are not here\n", p.absent);
   for (const std::string& remark : result.remarks) fmt::print("{}\n", remark);
   if (!arguments.json.empty()) write_file(arguments.json, result.buckets.dump(1) + '\n');
-  write_page(arguments.run, in_source_tree("props/mutants/kill_matrix.jsonl"));
+  write_page(read_run(arguments.run), in_source_tree("props/mutants/kill_matrix.jsonl"));
   fmt::print("page: {}/report.html\n", arguments.run);
   return exit_code(result);
 }

@@ -5,11 +5,10 @@ foreach(room oracles_methods)
                              DAYLIGHT_CCD_VERSION="${ccd_VERSION}")
 endforeach()
 
-# The pages go into the program as they are committed; reports/web/build.mjs makes them.
-set(report_template ${PROJECT_SOURCE_DIR}/reports/web/report_template.html)
-set(scene_template ${PROJECT_SOURCE_DIR}/reports/web/scene_template.html)
-set_source_files_properties(reports/run/page.cpp PROPERTIES OBJECT_DEPENDS "${report_template};${scene_template}"
-  COMPILE_DEFINITIONS "DAYLIGHT_REPORT_TEMPLATE=\"${report_template}\";DAYLIGHT_SCENE_TEMPLATE=\"${scene_template}\"")
+# The page goes into the program as it is committed; reports/web/build.mjs makes it.
+set(page_template ${PROJECT_SOURCE_DIR}/reports/web/page_template.html)
+set_source_files_properties(reports/web/page_template.cpp PROPERTIES OBJECT_DEPENDS ${page_template}
+  COMPILE_DEFINITIONS DAYLIGHT_PAGE_TEMPLATE="${page_template}")
 
 # Looked up at each build, since a commit touches no source.
 get_directory_property(flags COMPILE_OPTIONS)

@@ -11,10 +11,9 @@
 #include <tuple>
 #include <utility>
 
+#include "base/files.hpp"
 #include "base/json.hpp"
 #include "bench/curves.hpp"
-#include "corpus/pairs/pair_io.hpp"
-#include "oracles/trial/finding_text.hpp"
 
 namespace cyl {
 namespace {
@@ -22,7 +21,7 @@ namespace {
 using nlohmann::json;
 namespace fs = std::filesystem;
 
-constexpr int last_honest_bin = touching_bin - 1;
+constexpr int last_calibrated_bin = touching_bin - 1;
 
 bool is_wrong_or_failed(const CellCounts& c) {
   return c.wrong_disjoint + c.wrong_intersecting + c.failed > 0;
@@ -33,23 +32,17 @@ bool is_counted(const std::string& kind) {
   return k == FindingKind::wrong_disjoint || k == FindingKind::wrong_intersecting || (k && is_failure(*k));
 }
 
-Verdict proved_verdict(const std::string& truth) {
-  const std::string word = describe_truth(truth).verdict;
-  return from_word<Verdict>(word).value_or(Verdict::undecided);
-}
-
-using Place = std::tuple<std::string, std::size_t, int, int>;  // method, plane, x, y
+using MapPlace = std::tuple<std::string, std::size_t, int, int>;  // method, plane, x, y
 
 /// The first finding kept in each cell of each method. What is wrong with undecided or invalid pairs is in
 /// none.
-std::map<Place, std::int64_t> first_findings(const RunStore& run) {
-  std::map<Place, std::int64_t> first;
-  for (const FindingRecord& f : run.findings()) {
-    if (!is_counted(f.kind)) continue;
-    const Verdict truth = proved_verdict(f.truth);
-    const CaseLine line = parse_case(f.pair, 1);
-    if (truth == Verdict::undecided || truth == Verdict::invalid || !line.value) continue;
-    const auto cells = cells_of(line.value->pair, truth);
+std::map<MapPlace, std::int64_t> first_findings(const RunData& run) {
+  std::map<MapPlace, std::int64_t> first;
+  for (std::size_t i = 0; i < run.findings.size(); ++i) {
+    const FindingRecord& f = run.findings[i];
+    const auto& [line, truth] = run.pairs[i];
+    if (!is_counted(f.kind) || !truth || !line) continue;
+    const auto cells = cells_of(line->pair, *truth);
     for (std::size_t p = 0; p < planes.size(); ++p)
       first.try_emplace({f.method, p, cells[p].x, cells[p].y}, f.id);
   }
@@ -82,14 +75,14 @@ json map_json(const FailureMap& map) {
           {"cells", std::move(cells)}};
 }
 
-json honesty_json(const Honesty& honesty) {
+json calibration_json(const Calibration& calibration) {
   json bins = json::array();
-  for (const auto& [decade, counts] : honesty.bins) {
+  for (const auto& [decade, counts] : calibration.bins) {
     json bin = counts_json(counts);
     bin["decade"] = decade;
     bins.push_back(std::move(bin));
   }
-  return {{"method", honesty.method}, {"family", nullptr}, {"bins", std::move(bins)}};
+  return {{"method", calibration.method}, {"family", nullptr}, {"bins", std::move(bins)}};
 }
 
 json number(double x) { return std::isfinite(x) ? json(x) : json(nullptr); }
@@ -137,15 +130,13 @@ double measured(const json& x) { return x.is_null() ? not_measured : x.get<doubl
 
 }  // namespace
 
-std::vector<FailureMap> failure_maps(const RunStore& run) {
-  const std::map<Place, std::int64_t> findings = first_findings(run);
-  const std::vector<CellRecord> records = run.cells();
-  const std::vector<MethodRecord> methods = run.methods();
+std::vector<FailureMap> failure_maps(const RunData& run) {
+  const std::map<MapPlace, std::int64_t> findings = first_findings(run);
   std::vector<FailureMap> maps;
-  for (std::size_t m = 0; m < methods.size(); ++m) {
+  for (std::size_t m = 0; m < run.methods.size(); ++m) {
     for (const Plane plane : planes) {
-      FailureMap map{methods[m].name, plane, {}};
-      for (const CellRecord& r : records) {
+      FailureMap map{run.methods[m].name, plane, {}};
+      for (const CellRecord& r : run.cells) {
         if (r.plane != to_string(plane) || m >= r.methods.size() || r.methods[m].asked == 0) continue;
         MapCell cell{{r.x, r.y}, r.methods[m], {}};
         const auto first = findings.find({map.method, static_cast<std::size_t>(plane), r.x, r.y});
@@ -158,12 +149,12 @@ std::vector<FailureMap> failure_maps(const RunStore& run) {
   return maps;
 }
 
-std::vector<Honesty> honesty_of(const std::vector<FailureMap>& maps) {
-  std::vector<Honesty> all;
+std::vector<Calibration> calibration_of(const std::vector<FailureMap>& maps) {
+  std::vector<Calibration> all;
   for (const FailureMap& map : maps) {
     if (map.plane != Plane::angle_margin) continue;
     std::map<int, CellCounts> bins;
-    for (const MapCell& cell : map.cells) bins[std::min(cell.at.y, last_honest_bin)] += cell.counts;
+    for (const MapCell& cell : map.cells) bins[std::min(cell.at.y, last_calibrated_bin)] += cell.counts;
     all.push_back({map.method, {bins.begin(), bins.end()}});
   }
   return all;
@@ -196,22 +187,25 @@ std::vector<BenchRow> read_bench(const fs::path& file) {
   return rows;
 }
 
-void set_charts(const fs::path& run, const json& fields) {
+json read_charts(const fs::path& run) {
   const fs::path file = run / "charts.json";
   json charts = fs::exists(file) ? read_json(file) : json::object();
-  charts.update(fields);
+  if (!charts.is_object()) throw std::runtime_error(file.string() + " holds no object");
+  return charts;
+}
+
+void set_charts(RunData& run, const json& fields) {
+  run.charts.update(fields);
   for (const char* other : {"speed", "cost"})
-    if (!charts.contains(other)) charts[other] = json::array();
-  const fs::path unfinished = file.string() + ".new";
-  std::ofstream out(unfinished);
-  out << charts.dump() << '\n';
-  if (!out.flush()) throw std::runtime_error(unfinished.string() + " cannot be written");
+    if (!run.charts.contains(other)) run.charts[other] = json::array();
+  const fs::path file = fs::path(run.folder) / "charts.json", unfinished = file.string() + ".new";
+  write_file(unfinished, run.charts.dump() + '\n');
   fs::rename(unfinished, file);
 }
 
-void write_charts(const fs::path& run, const std::vector<BenchRow>& bench) {
-  const std::vector<FailureMap> maps = failure_maps(RunStore::open(run));
-  json fields = {{"maps", list(maps, map_json)}, {"honesty", list(honesty_of(maps), honesty_json)}};
+void write_charts(RunData& run, const std::vector<BenchRow>& bench) {
+  const std::vector<FailureMap> maps = failure_maps(run);
+  json fields = {{"maps", list(maps, map_json)}, {"honesty", list(calibration_of(maps), calibration_json)}};
   if (!bench.empty()) {
     fields["speed"] = list(speed_points(bench), speed_json);
     fields["cost"] = list(cost_points(bench), cost_json);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The data of the charts on a run's page: RUN/charts.json, one JSON object. The names of its fields are the
-// page's contract.
+// The data of the charts on a run's page. RUN/charts.json keeps them, one JSON object, for whoever draws them
+// elsewhere and for later commands that write the page again. The names of its fields are the page's
+// contract.
 #pragma once
 
 #include <filesystem>
@@ -10,8 +11,8 @@
 #include <vector>
 
 #include "bench/bench.hpp"
-#include "corpus/store/run_store.hpp"
 #include "oracles/trial/cells.hpp"
+#include "reports/run/run_data.hpp"
 
 namespace cyl {
 
@@ -21,7 +22,7 @@ struct MapCell {
   std::optional<std::int64_t> finding;  ///< the first kept one of those counted as wrong or failed here
 };
 
-/// Of one method; cells in which it was not asked are left out.
+/// The cells of a plane in which a method was asked.
 struct FailureMap {
   std::string method;
   Plane plane;
@@ -29,24 +30,26 @@ struct FailureMap {
 };
 
 /// By method, in the run's order, and plane; methods that no cell was asked of are left out.
-std::vector<FailureMap> failure_maps(const RunStore& run);
+std::vector<FailureMap> failure_maps(const RunData& run);
 
-/// The rows of plane angle-margin: bin d holds margins in (10^(-d-1), 10^-d], the last, 16, all below, and
-/// what touches.
-struct Honesty {
+/// Claimed against observed accuracy, by the rows of plane angle-margin: bin d holds margins in (10^(-d-1),
+/// 10^-d], the last, 16, all below, and what touches.
+struct Calibration {
   std::string method;
   std::vector<std::pair<int, CellCounts>> bins;  ///< by decade, those that were asked about
 };
-std::vector<Honesty> honesty_of(const std::vector<FailureMap>& maps);
+std::vector<Calibration> calibration_of(const std::vector<FailureMap>& maps);
 
 /// The rows in a file that `daylight bench --json` wrote. Throws std::runtime_error that names the file.
 std::vector<BenchRow> read_bench(const std::filesystem::path& file);
 
-/// Sets fields of the object in RUN/charts.json; others stay as they are.
-void set_charts(const std::filesystem::path& run, const nlohmann::json& fields);
+/// What RUN/charts.json holds; {} where there is no such file. Throws std::runtime_error that names the file.
+nlohmann::json read_charts(const std::filesystem::path& run);
 
-/// Writes RUN/charts.json: "maps" and "honesty" from the run, "speed" and "cost" from `bench`, if there are
-/// rows. What is in the file under other names, and under these two where there are none, stays.
-void write_charts(const std::filesystem::path& run, const std::vector<BenchRow>& bench);
+/// Sets fields of `run.charts` and writes RUN/charts.json; other fields stay as they are.
+void set_charts(RunData& run, const nlohmann::json& fields);
+
+/// Sets the charts "maps" and "honesty" from the run, "speed" and "cost" from `bench`, if there are rows.
+void write_charts(RunData& run, const std::vector<BenchRow>& bench);
 
 }  // namespace cyl

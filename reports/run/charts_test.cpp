@@ -85,7 +85,7 @@ const MapCell* cell_at(const FailureMap& map, const Pair& pair, Verdict truth) {
 }
 
 TEST_F(Charts, MapsCountAndNameTheFirstFindingOfEachCell) {
-  const std::vector<FailureMap> maps = failure_maps(RunStore::open(folder));
+  const std::vector<FailureMap> maps = failure_maps(read_run(folder));
   ASSERT_EQ(maps.size(), 2 * planes.size());  // the silent one was not asked
   EXPECT_EQ(maps[0].method, "good");
   EXPECT_EQ(maps[3].method, "bad");
@@ -101,8 +101,8 @@ TEST_F(Charts, MapsCountAndNameTheFirstFindingOfEachCell) {
   EXPECT_FALSE(cell_at(maps[0], beside(3e-7), Verdict::disjoint)->finding);
 }
 
-TEST_F(Charts, HonestyIsByDecadeAndTouchingIsBelowAll) {
-  const std::vector<Honesty> all = honesty_of(failure_maps(RunStore::open(folder)));
+TEST_F(Charts, CalibrationIsByDecadeAndTouchingIsBelowAll) {
+  const std::vector<Calibration> all = calibration_of(failure_maps(read_run(folder)));
   ASSERT_EQ(all.size(), 2u);
   ASSERT_EQ(all[0].bins.size(), 3u);
   EXPECT_EQ(all[0].bins[0].first, 0);
@@ -114,7 +114,8 @@ TEST_F(Charts, HonestyIsByDecadeAndTouchingIsBelowAll) {
 
 TEST_F(Charts, TheFileHasWhatThePageReadsAndKeepsWhatOthersWrote) {
   std::ofstream(folder / "charts.json") << R"({"paths":[1],"maps":[],"speed":[5]})";
-  write_charts(folder, {});
+  RunData run = read_run(folder);
+  write_charts(run, {});
   EXPECT_EQ(charts()["paths"], parse_json("[1]"));
   EXPECT_EQ(charts()["speed"], parse_json("[5]"));
   EXPECT_EQ(charts()["cost"], json::array());
@@ -124,8 +125,9 @@ TEST_F(Charts, TheFileHasWhatThePageReadsAndKeepsWhatOthersWrote) {
   row.query = "verdict";
   row.pairs = 9;
   row.median_ns = row.p50_ns = 12.5;
-  write_charts(folder, {row});
+  write_charts(run, {row});
   const json all = charts();
+  EXPECT_EQ(all, run.charts);
   EXPECT_EQ(all["paths"], parse_json("[1]"));
   const json& cell = all["maps"][3]["cells"][1];
   for (const char* field :

@@ -12,29 +12,29 @@
 #include <tuple>
 
 #include "fuzz/campaign/campaign.hpp"
+#include "reports/run/run_data.hpp"
 
 namespace cyl {
 namespace {
 
 namespace fs = std::filesystem;
 
-using Asked = std::pair<std::string, std::string>;                           // method, family
+using MethodFamily = std::pair<std::string, std::string>;
 using Key = std::tuple<std::string, std::string, std::string, std::string>;  // method, kind, severity, family
 
 /// What history needs of a run.
 struct Past {
   std::string began, folder;
   bool shard = false;  ///< a part of a run, which tells nothing of nights
-  std::set<Asked> asked;
+  std::set<MethodFamily> asked;
   std::map<Key, GroupRecord> found;
 };
 
-Past read_past(const std::string& folder) {
-  const RunStore store = RunStore::open(folder);
-  const Config config = store.config();
+Past past_of(const std::string& folder, const Config& config, const std::vector<TallyRecord>& tallies,
+             const std::vector<GroupRecord>& groups) {
   Past past{value_of(config, "started"), folder, shard_of(config).count > 1, {}, {}};
-  for (const TallyRecord& t : store.tallies()) past.asked.emplace(t.method, t.family);
-  for (const GroupRecord& g : store.groups()) past.found[{g.method, g.kind, g.severity, g.family}] = g;
+  for (const TallyRecord& t : tallies) past.asked.emplace(t.method, t.family);
+  for (const GroupRecord& g : groups) past.found[{g.method, g.kind, g.severity, g.family}] = g;
   return past;
 }
 
@@ -44,7 +44,7 @@ bool before(const Past& x, const Past& y) {
 
 /// Nothing where the group is neither here nor was in the last run that could have found it.
 std::optional<GroupStatus> status_of(const Key& key, const Past& here, const std::vector<Past>& earlier) {
-  const Asked asked{std::get<0>(key), std::get<3>(key)};
+  const MethodFamily asked{std::get<0>(key), std::get<3>(key)};
   bool ever = false, last = false;
   for (const Past& past : earlier) {
     if (!past.asked.contains(asked)) continue;
@@ -64,16 +64,17 @@ std::size_t History::count(GroupStatus status) const {
       std::count_if(groups.begin(), groups.end(), [&](const auto& g) { return g.second == status; }));
 }
 
-History compare_with_earlier(const std::string& run_folder) {
-  const fs::path run = fs::canonical(run_folder);
-  const Past here = read_past(run.string());
+History compare_with_earlier(const RunData& data) {
+  const fs::path run = fs::canonical(data.folder);
+  const Past here = past_of(run.string(), data.config, data.tallies, data.groups);
   History history;
   if (here.shard) return history;
   std::vector<Past> earlier;
   for (const std::string& folder : runs_in(run.parent_path().string())) {
     if (folder == run.string()) continue;
     try {
-      Past past = read_past(folder);
+      const RunStore store = RunStore::open(folder);
+      Past past = past_of(folder, store.config(), store.tallies(), store.groups());
       if (!past.shard && before(past, here)) earlier.push_back(std::move(past));
     } catch (const std::exception&) {
       ++history.unreadable;

@@ -14,6 +14,8 @@
 
 namespace cyl {
 
+struct RunData;
+
 /// What has become of a group of findings since earlier runs. Only those that asked its method about its
 /// family tell; the last of them decides between `known` and `back`, and on `gone`.
 enum class GroupStatus {
@@ -32,7 +34,8 @@ struct History {
   std::size_t count(GroupStatus status) const;
 };
 
-History compare_with_earlier(const std::string& run_folder);
+/// Compares the groups of a run with those of earlier runs; what `run.history` holds is not looked at.
+History compare_with_earlier(const RunData& run);
 
 /// "against 5 earlier runs: 2 new, 31 known, 1 gone, 0 back"
 std::string format_history(const History& history);

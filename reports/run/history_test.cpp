@@ -9,6 +9,8 @@
 #include <map>
 #include <set>
 
+#include "reports/run/run_data.hpp"
+
 namespace cyl {
 namespace {
 
@@ -35,7 +37,7 @@ class HistoryTest : public testing::Test {
     store.commit(batch, 1);
   }
   std::string standing(const std::string& name, const std::string& method, const std::string& kind) const {
-    for (const auto& [group, standing] : compare_with_earlier(folder / name).groups) {
+    for (const auto& [group, standing] : read_run(folder / name).history.groups) {
       if (group.method == method && group.kind == kind) return to_string(standing);
     }
     return "";
@@ -55,9 +57,9 @@ TEST_F(HistoryTest, TellsNewKnownBackAndGone) {
   EXPECT_EQ(standing("a", "x", "lost"), "back");
   EXPECT_EQ(standing("a", "x", "late"), "gone");
   EXPECT_EQ(standing("a", "x", "old"), "") << "gone before";
-  EXPECT_EQ(format_history(compare_with_earlier(folder / "a")),
+  EXPECT_EQ(format_history(read_run(folder / "a").history),
             "against 2 earlier runs beside it: 2 new, 1 known, 1 gone, 1 back");
-  EXPECT_EQ(format_history(compare_with_earlier(folder / "c")),
+  EXPECT_EQ(format_history(read_run(folder / "c").history),
             "against 0 earlier runs beside it: 3 new, 0 known, 0 gone, 0 back");
 }
 
@@ -75,8 +77,8 @@ TEST_F(HistoryTest, ShardsAreNoNights) {
   run("1", "2026-11-02", {{"x", {"held"}}});
   run("2", "2026-11-03", {{"x", {"held"}}});
   RunStore::open(folder / "1").set("shard", "1/3 of batches of 512");
-  EXPECT_EQ(compare_with_earlier(folder / "1").runs, 0u);
-  EXPECT_EQ(compare_with_earlier(folder / "2").runs, 1u);
+  EXPECT_EQ(read_run(folder / "1").history.runs, 0u);
+  EXPECT_EQ(read_run(folder / "2").history.runs, 1u);
 }
 
 TEST_F(HistoryTest, PassesOverWhatCannotBeRead) {
@@ -85,7 +87,7 @@ TEST_F(HistoryTest, PassesOverWhatCannotBeRead) {
   fs::create_directories(folder / "broken");
   std::ofstream(folder / "broken" / "run.sqlite") << std::string(4096, '?');
   EXPECT_EQ(
-      format_history(compare_with_earlier(folder / "2")),
+      format_history(read_run(folder / "2").history),
       "against 1 earlier run beside it: 0 new, 1 known, 0 gone, 0 back; 1 that cannot be read passed over");
 }
 

@@ -2,32 +2,31 @@
 #include "reports/run/report_data.hpp"
 
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <filesystem>
-#include <fstream>
 #include <map>
 #include <set>
 #include <stdexcept>
 #include <unordered_map>
 #include <vector>
 
+#include "base/files.hpp"
 #include "base/json.hpp"
 #include "base/own_command.hpp"
 #include "base/safe_text.hpp"
 #include "corpus/pairs/families.hpp"
-#include "corpus/pairs/pair_io.hpp"
 #include "corpus/pairs/pair_json.hpp"
-#include "corpus/store/run_store.hpp"
 #include "fuzz/campaign/batch.hpp"
 #include "fuzz/campaign/campaign.hpp"
 #include "fuzz/campaign/self_check.hpp"
 #include "oracles/methods/guest.hpp"
 #include "props/mutants/kill_data.hpp"
-#include "reports/run/history.hpp"
 #include "reports/run/tally_table.hpp"
 #include "reports/triage/case_distance.hpp"
 #include "reports/triage/triage.hpp"
+#include "reports/web/page_template.hpp"
 
 namespace cyl {
 namespace {
@@ -60,15 +59,16 @@ std::vector<std::string> lines_of(const std::string& text) {
 
 /// The command that does this run again on a machine with the same build, where its guests run; empty where
 /// its families were weighted by earlier runs, which may be gone.
-std::string command_of(const RunStore& store, const Config& config) {
+std::string command_of(const RunData& run) {
+  const Config& config = run.config;
   if (!value_of(config, "weights").empty()) return "";
   std::vector<std::string> asked, all, all_families;
-  for (const MethodRecord& m : store.methods()) asked.push_back(m.name);
+  for (const MethodRecord& m : run.methods) asked.push_back(m.name);
   for (const auto& m : all_methods()) all.emplace_back(m->name());
   for (const Family& f : families()) all_families.emplace_back(f.name);
   const Shard shard = shard_of(config);
   std::string command = fmt::format("{} campaign --seed {} --pairs {}", own_command(),
-                                    shell_quoted(value_of(config, "seed")), store.progress().next);
+                                    shell_quoted(value_of(config, "seed")), run.progress.next);
   for (const Guest& guest : parse_guests(value_of(config, "guests"))) {
     all.push_back(guest.name);
     command += ' ' + options_for(guest);
@@ -78,27 +78,26 @@ std::string command_of(const RunStore& store, const Config& config) {
          names_option("--families", lines_of(value_of(config, "families")), all_families);
 }
 
-json run_of(const RunStore& store, const Config& config, const std::string& folder,
-            const std::vector<MethodTally>& tallies) {
+json run_json(const RunData& run, const std::vector<MethodTally>& tallies) {
   std::uint64_t pairs = 0;  // judged: of a shard, the next index tells of others' too
   for (const MethodTally& m : tallies)
     if (m.method == referee_row) pairs = m.total.asked;
-  return {{"id", std::filesystem::canonical(folder).filename().string()},
-          {"seed", value_of(config, "seed")},
+  return {{"id", std::filesystem::canonical(run.folder).filename().string()},
+          {"seed", value_of(run.config, "seed")},
           {"pairs", pairs},
-          {"started", value_of(config, "started")},
-          {"status", value_of(config, "status")},
-          {"seconds", static_cast<double>(store.progress().milliseconds) / 1000},
-          {"build", value_of(config, "build")},
-          {"command", command_of(store, config)},
-          {"folder", folder}};
+          {"started", value_of(run.config, "started")},
+          {"status", value_of(run.config, "status")},
+          {"seconds", static_cast<double>(run.progress.milliseconds) / 1000},
+          {"build", value_of(run.config, "build")},
+          {"command", command_of(run)},
+          {"folder", run.folder}};
 }
 
-json methods_of(const RunStore& store) {
+json methods_json(const std::vector<MethodRecord>& methods) {
   std::set<std::string, std::less<>> own;
   for (const auto& m : own_methods()) own.emplace(m->name());
   json all = json::array();
-  for (const MethodRecord& m : store.methods()) {
+  for (const MethodRecord& m : methods) {
     all.push_back(
         {{"name", m.name},
          {"version", m.version},
@@ -110,7 +109,7 @@ json methods_of(const RunStore& store) {
   return all;
 }
 
-json families_of(const std::vector<MethodTally>& tallies) {
+json families_json(const std::vector<MethodTally>& tallies) {
   std::set<std::string> asked;
   for (const MethodTally& m : tallies)
     for (const TallyRecord& t : m.families) asked.insert(t.family);
@@ -124,7 +123,7 @@ json families_of(const std::vector<MethodTally>& tallies) {
   return all;
 }
 
-json tallies_of(const std::vector<MethodTally>& tallies) {
+json tallies_json(const std::vector<MethodTally>& tallies) {
   json all = json::array();
   for (const MethodTally& m : tallies) {
     for (const TallyRecord& t : m.families) {
@@ -142,8 +141,7 @@ json tallies_of(const std::vector<MethodTally>& tallies) {
   return all;
 }
 
-json history_of(const std::string& folder) {
-  const History history = compare_with_earlier(folder);
+json history_json(const History& history) {
   if (history.runs == 0) return nullptr;
   json groups = json::array();
   for (const auto& [g, standing] : history.groups) {
@@ -163,6 +161,7 @@ json history_of(const std::string& folder) {
 /// Findings on one pair.
 struct Shared {
   const FindingRecord* first = nullptr;
+  const FoundPair* pair = nullptr;             ///< that of `first`
   std::set<std::string, std::less<>> methods;  ///< that have a finding on it
   std::optional<MarginRecord> margin;
 };
@@ -201,47 +200,38 @@ json said_on(const Shared& shared, Names& names) {
   return said;
 }
 
-std::optional<Verdict> verdict_of(const json& truth) {
-  const auto at = truth.is_object() ? truth.find("verdict") : truth.end();
-  if (!truth.is_object() || at == truth.end() || !at->is_string()) return {};
-  const auto verdict = from_word<Verdict>(at->get_ref<const std::string&>());
-  return verdict == Verdict::undecided || verdict == Verdict::invalid ? std::nullopt : verdict;
-}
-
 /// null where the record holds no pair.
 json case_of(const Shared& shared, Names& names) {
-  const CaseLine line = parse_case(shared.first->pair, 1);
-  if (!line.value) return nullptr;
-  const Pair& pair = line.value->pair;
-  json told = {{"pair", {{"a", cylinder_json(pair.a)}, {"b", cylinder_json(pair.b)}}},
-               {"truth", parsed(shared.first->truth)},
-               {"margin", nullptr}};
+  const std::optional<Case>& line = shared.pair->line;
+  if (!line) return nullptr;
+  json told = {{"pair", pair_json(line->pair)}, {"truth", parsed(shared.first->truth)}, {"margin", nullptr}};
   if (shared.margin) told["margin"] = {finite(shared.margin->lo), finite(shared.margin->hi)};
   if (!told["truth"].is_object()) told["truth"] = {{"verdict", "undecided"}};
   told["truth"]["stage"] = shared.first->stage;
-  if (const auto verdict = verdict_of(told["truth"]))
-    add_distance(told, case_distance(pair, *verdict, shared.margin));
+  if (const auto verdict = shared.pair->truth)
+    add_distance(told, case_distance(line->pair, *verdict, shared.margin));
   std::string note;
-  for (const std::string& part : {line.value->id, line.value->source, line.value->note})
+  for (const std::string& part : {line->id, line->source, line->note})
     if (!part.empty()) note += (note.empty() ? "" : "; ") + part;
   if (!note.empty()) told["note"] = std::move(note);
   told["said"] = said_on(shared, names);
   return told;
 }
 
-void add_findings(json& report, const RunStore& store) {
+void add_findings(json& report, const RunData& run) {
   std::unordered_map<std::int64_t, std::string> bucket_of;
   for (const json& bucket : report["buckets"])
     for (const json& id : bucket.at("findings"))
       bucket_of.emplace(id.get<std::int64_t>(), bucket.at("key").get<std::string>());
 
-  const std::vector<FindingRecord> records = store.findings();
+  const std::vector<FindingRecord>& records = run.findings;
   std::unordered_map<std::string, std::size_t> known;
   std::vector<Shared> shared;
   std::vector<std::size_t> case_at;
-  for (const FindingRecord& f : records) {
+  for (std::size_t i = 0; i < records.size(); ++i) {
+    const FindingRecord& f = records[i];
     const auto [at, added] = known.try_emplace(f.pair + '\n' + f.truth + '\n' + f.answers, shared.size());
-    if (added) shared.push_back({&f, {}, {}});
+    if (added) shared.push_back({&f, &run.pairs[i], {}, {}});
     Shared& s = shared[at->second];
     s.methods.insert(f.method);
     if (!s.margin) s.margin = f.margin;
@@ -271,7 +261,7 @@ void add_findings(json& report, const RunStore& store) {
     if (!f.reason.empty()) findings.back()["reason"] = f.reason;
   }
   std::uint64_t total = 0;
-  for (const GroupRecord& g : store.groups()) total += g.count;
+  for (const GroupRecord& g : run.groups) total += g.count;
   if (findings.size() < records.size()) report["unreadable"] = records.size() - findings.size();
   report["findings"] = std::move(findings);
   report["findings_total"] = total;
@@ -282,29 +272,15 @@ void add_findings(json& report, const RunStore& store) {
 // Beside the store
 // -----------------------------------------------------------------------------------------------------------
 
-/// null where there is no such file.
-json read_beside(const std::string& folder, const char* name) {
-  const std::string file = folder + "/" + name;
-  if (!std::filesystem::exists(file)) return nullptr;
-  std::ifstream in(file);
-  json content = json::parse(in, nullptr, false);
-  if (content.is_discarded()) throw std::runtime_error(file + " holds no JSON");
-  return content;
-}
-
-void add_charts(json& report, const std::string& folder) {
-  const json charts = read_beside(folder, "charts.json");
+void add_charts(json& report, const RunData& run) {
   for (const char* section : {"maps", "honesty", "speed", "cost", "paths", "backward", "builds"}) {
-    report[section] = json::array();
-    if (!charts.is_object() || !charts.contains(section)) continue;
-    if (!charts[section].is_array())
-      throw std::runtime_error(fmt::format("{}/charts.json: {} is no array", folder, section));
-    report[section] = charts[section];
+    report[section] = run.charts.value(section, nlohmann::json::array());
+    if (!report[section].is_array())
+      throw std::runtime_error(fmt::format("{}/charts.json: {} is no array", run.folder, section));
   }
 }
 
-json alarm_of(const RunStore& store) {
-  const std::vector<AlarmRecord> alarms = store.alarms();
+json alarm_json(const std::vector<AlarmRecord>& alarms) {
   if (alarms.empty()) return nullptr;
   const bool green = std::none_of(alarms.begin(), alarms.end(), rings);
   return {{"green", green}, {"text", green ? format_alarms(alarms) : describe_rings(alarms)}};
@@ -312,22 +288,26 @@ json alarm_of(const RunStore& store) {
 
 }  // namespace
 
-std::string report_json(const std::string& run_folder, const std::string& kill_matrix) {
-  const RunStore store = RunStore::open(run_folder);
-  const Config config = store.config();
-  const std::vector<MethodTally> tallies = tally_methods(store);
+std::string report_json(const RunData& run, const std::string& kill_matrix) {
+  const std::vector<MethodTally> tallies = tally_methods(run.tallies);
   json report = {{"schema", 1},
-                 {"run", run_of(store, config, run_folder, tallies)},
-                 {"methods", methods_of(store)},
-                 {"families", families_of(tallies)},
-                 {"tallies", tallies_of(tallies)},
-                 {"history", history_of(run_folder)},
-                 {"alarm", alarm_of(store)},
+                 {"run", run_json(run, tallies)},
+                 {"methods", methods_json(run.methods)},
+                 {"families", families_json(tallies)},
+                 {"tallies", tallies_json(tallies)},
+                 {"history", history_json(run.history)},
+                 {"alarm", alarm_json(run.alarms)},
                  {"kill_matrix", kill_matrix.empty() ? json() : kill_data(kill_matrix)},
-                 {"buckets", json(buckets_json(run_folder))}};
-  add_findings(report, store);
-  add_charts(report, run_folder);
+                 {"buckets", json(buckets_json(run.folder))}};
+  add_findings(report, run);
+  add_charts(report, run);
   return report.dump(-1, ' ', false, json::error_handler_t::replace);
+}
+
+void write_page(const RunData& run, const std::string& kill_matrix) {
+  const std::string page = run.folder + "/report.html", unfinished = fmt::format("{}.{}", page, getpid());
+  write_file(unfinished, fill_template(report_json(run, kill_matrix)));
+  std::filesystem::rename(unfinished, page);
 }
 
 }  // namespace cyl

@@ -17,7 +17,7 @@
 #include "corpus/store/triage_store.hpp"
 #include "oracles/methods/method.hpp"
 #include "props/mutants/kill_data.hpp"
-#include "reports/run/page.hpp"
+#include "reports/web/page_template.hpp"
 
 namespace cyl {
 namespace {
@@ -37,7 +37,7 @@ class ReportData : public testing::Test {
     fs::create_directories(folder.parent_path());
   }
   void TearDown() override { fs::remove_all(folder.parent_path()); }
-  json data() const { return parse_ordered_json(report_json(folder)); }
+  json data() const { return parse_ordered_json(report_json(read_run(folder))); }
   void put(const char* name, const std::string& text) const { std::ofstream(folder / name) << text; }
   fs::path folder;
 };
@@ -114,7 +114,7 @@ TEST_F(ReportData, TheCommandBringsTheGuests) {
     std::vector<MethodRecord> asked;
     for (const std::string& name : methods) asked.push_back({name, "1", 0, 0, "", 1});
     RunStore::create(run, {{"seed", "1"}, {"guests", "plugin\tmine\t\t/a b/libmine.so\n"}}, asked);
-    return parse_ordered_json(report_json(run))["run"]["command"].get<std::string>();
+    return parse_ordered_json(report_json(read_run(run)))["run"]["command"].get<std::string>();
   };
   const std::string plugin = " --plugin 'mine=/a b/libmine.so'";
   EXPECT_NE(command_of({"mine", "decide"}).find(plugin + " --methods 'mine,decide'"), std::string::npos);
@@ -189,7 +189,7 @@ TEST_F(ReportData, TakesWhatStandsBesideTheStore) {
   const auto refused = [&](const char* name, const char* text) {
     put(name, text);
     try {
-      report_json(folder);
+      report_json(read_run(folder));
       return false;
     } catch (const std::runtime_error& error) {
       return std::string(error.what()).find(name) != std::string::npos;
@@ -214,7 +214,7 @@ TEST_F(ReportData, KeepsHostileTextAsText) {
   FindingRecord half = finding(1, "half", 0.5);
   half.answers = half.truth = "[1]";
   commit(store, {f, broken, half});
-  write_page(folder);
+  write_page(read_run(folder));
   std::ifstream in(folder / "report.html");
   const std::string page{std::istreambuf_iterator<char>(in), {}};
   const std::string before = "<script type=\"application/json\" id=\"report-data\">";
@@ -240,9 +240,9 @@ TEST_F(ReportData, KeepsHostileTextAsText) {
 TEST_F(ReportData, NeedsNoNetworkAndStaysOneFile) {
   RunStore store = RunStore::create(folder, {});
   commit(store, {finding(0, "fake", 1)});
-  write_page(folder);
-  write_page(folder);
-  const std::string page = fill_template(Template::report, "{}");
+  write_page(read_run(folder));
+  write_page(read_run(folder));
+  const std::string page = fill_template("{}");
   for (const char* word : {"src=\"", "@import", "<link", "url(http"})
     EXPECT_EQ(page.find(word), page.npos) << word;
   EXPECT_NE(page.find("default-src 'none'"), page.npos);

@@ -8,15 +8,14 @@
 #include "bench/stability/backward.hpp"
 #include "bench/stability/builds.hpp"
 #include "bench/stability/paths.hpp"
-#include "corpus/store/run_store.hpp"
 #include "reports/run/charts.hpp"
 
 namespace cyl {
 
-void write_stability(const std::filesystem::path& run, std::span<const std::unique_ptr<Method>> methods,
+void write_stability(RunData& run, std::span<const std::unique_ptr<Method>> methods,
                      const std::filesystem::path& builds) {
   std::vector<WrongVerdict> wrong = wrong_verdicts(methods);
-  std::vector<WrongVerdict> found = wrong_verdicts(RunStore::open(run).findings());
+  std::vector<WrongVerdict> found = wrong_verdicts(run.findings);
   wrong.insert(wrong.end(), std::make_move_iterator(found.begin()), std::make_move_iterator(found.end()));
   set_charts(run, {{"paths", paths_json(path_stability(methods))},
                    {"backward", backward_json(backward_errors(wrong))},

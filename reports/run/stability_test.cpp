@@ -36,7 +36,8 @@ TEST(WriteStability, SetsWhatThePageReadsAndLeavesTheRest) {
   RunStore::create(folder, {}).commit(batch, 1);
   std::ofstream(folder / "charts.json") << R"({"maps":[3],"paths":[4]})";
   const auto methods = select_methods(own_methods(), "intersect");
-  write_stability(folder, methods, DAYLIGHT_SOURCE_DIR "/bench/stability/builds.jsonl");
+  RunData run = read_run(folder);
+  write_stability(run, methods, DAYLIGHT_SOURCE_DIR "/bench/stability/builds.jsonl");
   std::ifstream in(folder / "charts.json");
   const json charts = json::parse(in);
   EXPECT_EQ(charts["maps"], parse_json("[3]"));

@@ -28,9 +28,9 @@ std::string row(const std::string& name, const Counts& c) {
 
 // A batch lists its rows in the order of the run, but a family or a method may appear only in a later batch;
 // the corpus and the referee come last in every batch, so they are moved behind whatever came after them.
-std::vector<MethodTally> tally_methods(const RunStore& store) {
+std::vector<MethodTally> tally_methods(const std::vector<TallyRecord>& tallies) {
   std::vector<MethodTally> all;
-  for (const TallyRecord& t : store.tallies()) {
+  for (const TallyRecord& t : tallies) {
     auto found =
         std::find_if(all.begin(), all.end(), [&](const MethodTally& m) { return m.method == t.method; });
     if (found == all.end()) found = all.insert(all.end(), MethodTally{t.method, {}, {}});

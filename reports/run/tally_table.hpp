@@ -15,8 +15,9 @@ struct MethodTally {
   std::vector<TallyRecord> families;  ///< in the order of the run; those never asked are absent
 };
 
-/// In the order of the run: the methods, then what the cases state, then the referee.
-std::vector<MethodTally> tally_methods(const RunStore& store);
+/// Sums the tallies of a run by method: the methods in the order of the run, then what the cases state, then
+/// the referee.
+std::vector<MethodTally> tally_methods(const std::vector<TallyRecord>& tallies);
 
 /// A text table: for each method its totals, then the families where it was wrong beyond its claim or
 /// failed. What stayed within claims is in the totals and on the page.

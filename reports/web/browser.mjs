@@ -7,11 +7,17 @@ import { join } from "node:path";
 import { fileURLToPath } from "node:url";
 
 function skip(why) {
-  process.exit(spawnSync(fileURLToPath(new URL("../../.ci/skip", import.meta.url)), [why], { stdio: "inherit" }).status ?? 1);
+  process.exit(
+    spawnSync(fileURLToPath(new URL("../../.ci/skip", import.meta.url)), [why], { stdio: "inherit" }).status ?? 1,
+  );
 }
 
-const browser_file = ["/usr/bin/chromium", "/usr/bin/chromium-browser", "/usr/bin/google-chrome"].find(existsSync) ?? skip("no chromium here: apt-get install chromium");
-const { chromium } = await import("playwright-core").catch(() => skip("no playwright-core here: npm ci --prefix reports/page"));
+const browser_file =
+  ["/usr/bin/chromium", "/usr/bin/chromium-browser", "/usr/bin/google-chrome"].find(existsSync) ??
+  skip("no chromium here: apt-get install chromium");
+const { chromium } = await import("playwright-core").catch(() =>
+  skip("no playwright-core here: npm ci --prefix reports/web"),
+);
 
 /** Removed at the end. */
 export const folder = mkdtempSync(join(tmpdir(), "daylight-page-"));
@@ -20,7 +26,8 @@ process.on("exit", () => rmSync(folder, { recursive: true }));
 const patience = 300_000;
 export const browser = await chromium.launch({ executablePath: browser_file, timeout: patience });
 /** What any page wrote on its console as an error, and what it asked of the network. */
-export const errors = [], asked = [];
+export const errors = [],
+  asked = [];
 
 /** `first`: what runs before the page does. */
 export async function open(address, { scheme = "light", first, width = 1366 } = {}) {
@@ -28,29 +35,48 @@ export async function open(address, { scheme = "light", first, width = 1366 } = 
   context.setDefaultTimeout(patience);
   const page = await context.newPage();
   if (first) await page.addInitScript(first);
-  page.on("console", (m) => { if (m.type() === "error") errors.push(m.text()); });
+  page.on("console", (m) => {
+    if (m.type() === "error") errors.push(m.text());
+  });
   page.on("pageerror", (e) => errors.push(String(e)));
-  page.on("request", (r) => { if (!/^(file|data|blob):/.test(r.url())) asked.push(r.url()); });
+  page.on("request", (r) => {
+    if (!/^(file|data|blob):/.test(r.url())) asked.push(r.url());
+  });
   await page.goto(address);
   return page;
 }
 
 /** As where there is no WebGL. */
-export const without_webgl = () => { HTMLCanvasElement.prototype.getContext = () => null; };
+export const without_webgl = () => {
+  HTMLCanvasElement.prototype.getContext = () => null;
+};
 
 /** Until what was done is drawn. */
-export const settled = (page) => page.evaluate(() => new Promise((done) => { requestAnimationFrame(() => requestAnimationFrame(() => setTimeout(done, 60))); }));
+export const settled = (page) =>
+  page.evaluate(
+    () =>
+      new Promise((done) => {
+        requestAnimationFrame(() => requestAnimationFrame(() => setTimeout(done, 60)));
+      }),
+  );
 
 /** Of the canvas: how many different colours, and how many pixels that nothing shines through. */
-export const colours = async (page) => (await settled(page), page.evaluate(() => {
-  const canvas = document.querySelector(".stage canvas");
-  const flat = Object.assign(document.createElement("canvas"), { width: canvas.width, height: canvas.height }).getContext("2d");
-  flat.drawImage(canvas, 0, 0);
-  const data = new Uint32Array(flat.getImageData(0, 0, canvas.width, canvas.height).data.buffer);
-  let hash = 0, opaque = 0;
-  for (const pixel of data) {
-    hash = (Math.imul(hash, 31) + pixel) | 0;
-    opaque += pixel >>> 24 > 200 ? 1 : 0;
-  }
-  return { count: new Set(data).size, hash, opaque };
-}));
+export const colours = async (page) => (
+  await settled(page),
+  page.evaluate(() => {
+    const canvas = document.querySelector(".stage canvas");
+    const flat = Object.assign(document.createElement("canvas"), {
+      width: canvas.width,
+      height: canvas.height,
+    }).getContext("2d");
+    flat.drawImage(canvas, 0, 0);
+    const data = new Uint32Array(flat.getImageData(0, 0, canvas.width, canvas.height).data.buffer);
+    let hash = 0,
+      opaque = 0;
+    for (const pixel of data) {
+      hash = (Math.imul(hash, 31) + pixel) | 0;
+      opaque += pixel >>> 24 > 200 ? 1 : 0;
+    }
+    return { count: new Set(data).size, hash, opaque };
+  })
+);

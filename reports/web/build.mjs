@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Builds what is committed: report_template.html and scene_template.html, the pages of a run and of a scene without
-// their data, and chart.mjs, the plots for Node.
+// Builds what is committed: page_template.html, the page of a run or a scene without its data, and chart.mjs, the plots
+// for Node.
 //     npm ci && node build.mjs            writes all
 //     node build.mjs --check              says whether all are what these sources give; exit status 1 where not
 // The same sources and package-lock.json give the same bytes. All carry the hash of what they were built from, which
@@ -12,20 +12,42 @@ import { sources_hash } from "./stamp.mjs";
 
 const here = new URL("./", import.meta.url);
 const stamp = sources_hash();
-const common = { bundle: true, minify: true, write: false, metafile: true, legalComments: "none", charset: "utf8", jsx: "automatic",
-  jsxImportSource: "preact", absWorkingDir: here.pathname, logLevel: "warning" };
+const common = {
+  bundle: true,
+  minify: true,
+  write: false,
+  metafile: true,
+  legalComments: "none",
+  charset: "utf8",
+  jsx: "automatic",
+  jsxImportSource: "preact",
+  absWorkingDir: here.pathname,
+  logLevel: "warning",
+};
 
 /** The packages that are in a bundle, with the licences that ask to go with them: each text once. */
 function licences(metafile) {
-  const folders = new Set(Object.values(metafile.outputs).flatMap((o) => Object.entries(o.inputs)).filter(([, { bytesInOutput }]) => bytesInOutput > 0).map(([file]) => /^node_modules\/(?:@[^/]+\/)?[^/]+/.exec(file)?.[0]).filter(Boolean));
+  const folders = new Set(
+    Object.values(metafile.outputs)
+      .flatMap((o) => Object.entries(o.inputs))
+      .filter(([, { bytesInOutput }]) => bytesInOutput > 0)
+      .map(([file]) => /^node_modules\/(?:@[^/]+\/)?[^/]+/.exec(file)?.[0])
+      .filter(Boolean),
+  );
   const texts = new Map();
   for (const folder of [...folders].sort()) {
     const { name, version, license } = JSON.parse(readFileSync(new URL(`${folder}/package.json`, here), "utf8"));
-    const file = ["LICENSE", "LICENSE.md", "LICENSE.txt", "LICENCE"].map((f) => new URL(`${folder}/${f}`, here)).find(existsSync);
+    const file = ["LICENSE", "LICENSE.md", "LICENSE.txt", "LICENCE"]
+      .map((f) => new URL(`${folder}/${f}`, here))
+      .find(existsSync);
     const text = file ? readFileSync(file, "utf8").trim() : license;
     texts.set(text, [...(texts.get(text) ?? []), `${name} ${version}`]);
   }
-  return [...texts].map(([text, names]) => `${names.join(", ")}:\n\n${text}`).join("\n\n\n").replaceAll("--", "- -").replaceAll("*/", "* /");
+  return [...texts]
+    .map(([text, names]) => `${names.join(", ")}:\n\n${text}`)
+    .join("\n\n\n")
+    .replaceAll("--", "- -")
+    .replaceAll("*/", "* /");
 }
 
 async function bundle(options) {
@@ -41,22 +63,31 @@ async function page(entry) {
   const policy = `default-src 'none'; script-src ${hash(script)}; style-src 'unsafe-inline'; img-src data: blob:`;
   // Functions: a string would have its $& replaced.
   return readFileSync(new URL("page.html", here), "utf8")
-    .replace("@@STAMP@@", () => stamp).replace("@@POLICY@@", () => policy)
-    .replace("@@LICENCES@@", () => bundled.licences).replace("@@STYLE@@", () => style).replace("@@SCRIPT@@", () => script);
+    .replace("@@STAMP@@", () => stamp)
+    .replace("@@POLICY@@", () => policy)
+    .replace("@@LICENCES@@", () => bundled.licences)
+    .replace("@@STYLE@@", () => style)
+    .replace("@@SCRIPT@@", () => script);
 }
 
 async function chart() {
   const bundled = await bundle({ entryPoints: ["chart.ts"], format: "esm", platform: "node", target: "node18" });
-  return `// SPDX-License-Identifier: MIT\n// Built by build.mjs, not written by hand. Sources: ${stamp}\n/* It holds\n\n${bundled.licences}\n*/\n${bundled.text}`;
+  const head = `// SPDX-License-Identifier: MIT\n// Built by build.mjs, not written by hand. Sources: ${stamp}\n`;
+  return `${head}/* It holds\n\n${bundled.licences}\n*/\n${bundled.text}`;
 }
 
-const outputs = [["report_template.html", await page("main.tsx")], ["scene_template.html", await page("study_main.tsx")], ["chart.mjs", await chart()]];
+const outputs = [
+  ["page_template.html", await page("main.tsx")],
+  ["chart.mjs", await chart()],
+];
 let stale = false;
 for (const [name, text] of outputs) {
   const file = new URL(name, here);
   if (process.argv.includes("--check")) {
     const same = existsSync(file) && readFileSync(file, "utf8") === text;
-    console.log(`${name}: ${same ? "is what these sources give" : "is not what these sources give; run node build.mjs"}`);
+    console.log(
+      `${name}: ${same ? "is what these sources give" : "is not what these sources give; run node build.mjs"}`,
+    );
     stale ||= !same;
   } else {
     writeFileSync(file, text);

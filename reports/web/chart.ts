@@ -6,7 +6,22 @@ import { argv, exit, stdin } from "node:process";
 import { pathToFileURL } from "node:url";
 import { parseHTML } from "linkedom";
 import type { Report } from "./data.ts";
-import { backward_plot, cost_plot, families_plot, first_of_each, honesty_plot, map_plot, paper, palette, pareto, series_key, speed_plot, trace_plot, wrong_plot, type Options } from "./plots.ts";
+import {
+  backward_plot,
+  cost_plot,
+  families_plot,
+  first_of_each,
+  calibration_plot,
+  map_plot,
+  paper,
+  palette,
+  pareto,
+  series_key,
+  speed_plot,
+  trace_plot,
+  wrong_plot,
+  type Options,
+} from "./plots.ts";
 import { expand, in_run_order, type FullReport } from "./report.ts";
 import { grouped, library } from "./words.ts";
 
@@ -18,58 +33,163 @@ export { expand, pareto };
 /** Points of a file's width; text is 11 of them high. */
 const width = 760;
 
-interface Key { name: string; colour: string }
+interface Key {
+  name: string;
+  colour: string;
+}
 
-const escaped = (text: string) => text.replaceAll("&", "&amp;").replaceAll("<", "&lt;").replaceAll(">", "&gt;").replaceAll('"', "&quot;");
+const escaped = (text: string) =>
+  text.replaceAll("&", "&amp;").replaceAll("<", "&lt;").replaceAll(">", "&gt;").replaceAll('"', "&quot;");
 
 /** A plot in a file of its own: white behind it, a title, and who has which colour below it. */
 function framed(plot: Element, title: string, keys: Key[]): string {
   const [w, h] = ["width", "height"].map((name) => Number(plot.getAttribute(name)));
-  const columns = Math.max(1, Math.floor(w! / 150)), rows = Math.ceil(keys.length / columns);
-  const head = 26, height = h! + head + rows * 15 + (rows > 0 ? 8 : 0);
+  const columns = Math.max(1, Math.floor(w! / 150)),
+    rows = Math.ceil(keys.length / columns);
+  const head = 26,
+    height = h! + head + rows * 15 + (rows > 0 ? 8 : 0);
   const inner = plot.innerHTML.replace(/<style>[^]*?<\/style>/, "");
-  const legend = keys.map(({ name, colour }, i) => {
-    const x = 12 + (i % columns) * 150, y = h! + head + 6 + Math.floor(i / columns) * 15;
-    return `<rect x="${x}" y="${y}" width="10" height="10" fill="${colour}"/><text x="${x + 15}" y="${y + 9}">${escaped(name)}</text>`;
-  }).join("");
-  return `<?xml version="1.0" encoding="UTF-8"?>\n<svg xmlns="http://www.w3.org/2000/svg" xmlns:xlink="http://www.w3.org/1999/xlink" width="${w}" height="${height}" viewBox="0 0 ${w} ${height}" font-family="sans-serif" font-size="11" fill="${paper.fg}">` +
-    `<rect width="100%" height="100%" fill="${paper.bg}"/><text x="12" y="17" font-size="13" font-weight="bold">${escaped(title)}</text><g transform="translate(0,${head})" text-anchor="middle" color="${paper.fg}" fill="currentColor">${inner}</g>${legend}</svg>\n`;
+  const legend = keys
+    .map(({ name, colour }, i) => {
+      const x = 12 + (i % columns) * 150,
+        y = h! + head + 6 + Math.floor(i / columns) * 15;
+      const square = `<rect x="${x}" y="${y}" width="10" height="10" fill="${colour}"/>`;
+      return `${square}<text x="${x + 15}" y="${y + 9}">${escaped(name)}</text>`;
+    })
+    .join("");
+  return (
+    `<?xml version="1.0" encoding="UTF-8"?>\n<svg xmlns="http://www.w3.org/2000/svg" ` +
+    `xmlns:xlink="http://www.w3.org/1999/xlink" width="${w}" height="${height}" viewBox="0 0 ${w} ${height}" ` +
+    `font-family="sans-serif" font-size="11" fill="${paper.fg}">` +
+    `<rect width="100%" height="100%" fill="${paper.bg}"/><text x="12" y="17" font-size="13" ` +
+    `font-weight="bold">${escaped(title)}</text><g transform="translate(0,${head})" text-anchor="middle" ` +
+    `color="${paper.fg}" fill="currentColor">${inner}</g>${legend}</svg>\n`
+  );
 }
 
 const sure = (name: string) => name.replace(/[^A-Za-z0-9_.-]+/g, "_");
 
-/** The plots that the report has data for, speed of all families and the random ones, maps of a method a library: file name (without ending) and SVG. */
+/** The plots that the report has data for, speed of all families and the random ones, maps of a method a library:
+ * file name (without ending) and SVG. */
 export function charts(report: FullReport, document: Document): Map<string, string> {
   const files = new Map<string, string>();
   const o: Options = { width, theme: paper, document };
-  const libraries = (methods: string[]): Key[] => [...palette(methods.map(library), paper)].filter(([name]) => methods.some((m) => library(m) === name)).map(([name, colour]) => ({ name, colour }));
-  const series = (methods: string[]): Key[] => series_key(methods, paper).map(({ method, colour }) => ({ name: method, colour }));
-  const heat: Key[] = ["<1e-4", "1e-4 on", "1e-3 on", "1e-2 on", "0.1 on"].map((name, i) => ({ name, colour: paper.heat[i]! }));
+  const libraries = (methods: string[]): Key[] =>
+    [...palette(methods.map(library), paper)]
+      .filter(([name]) => methods.some((m) => library(m) === name))
+      .map(([name, colour]) => ({ name, colour }));
+  const series = (methods: string[]): Key[] =>
+    series_key(methods, paper).map(({ method, colour }) => ({ name: method, colour }));
+  const heat: Key[] = ["<1e-4", "1e-4 on", "1e-3 on", "1e-2 on", "0.1 on"].map((name, i) => ({
+    name,
+    colour: paper.heat[i]!,
+  }));
 
   const methods = report.methods.map((m) => m.name).filter((name) => report.tallies.some((t) => t.method === name));
-  if (methods.length > 0) files.set("families", framed(families_plot(report.tallies, methods, report.families.map((f) => f.name), o), `Wrong beyond the claim or failed, ${grouped(report.run.pairs)} pairs`,
-    [...heat, { name: "wrong within the claim", colour: paper.intersecting }, { name: "undecided", colour: paper.undecided }, { name: "neither", colour: paper.clean }]));
-  for (const query of new Set(report.speed.map((p) => p.query))) for (const family of ["all", "random"]) {
-    const points = report.speed.filter((p) => p.query === query && p.family === family);
-    if (points.length === 0) continue;
-    const name = sure(`${query}-${family}`), keys = libraries(points.map((p) => p.method));
-    if (points.some((p) => p.digits !== null)) files.set(`speed-${name}`, framed(speed_plot(points, o), `Speed against accuracy: ${query}, ${family === "all" ? "all families" : family}`, keys));
-    files.set(`wrong-${name}`, framed(wrong_plot(points, o), `Wrong answers against speed: ${query}, ${family === "all" ? "all families" : family}`, []));
-  }
-  const mapped = first_of_each(in_run_order(report, report.maps.map((m) => m.method)));
-  for (const map of report.maps.filter((m) => mapped.includes(m.method))) files.set(sure(`map-${map.plane}-${map.method}`), framed(map_plot(map, "all", { ...o, width: width * 0.7 }), `${map.method}: share wrong or failed`, [...heat, { name: "none wrong", colour: paper.clean }]));
-  const honest = first_of_each(in_run_order(report, report.honesty.map((h) => h.method)));
+  if (methods.length > 0)
+    files.set(
+      "families",
+      framed(
+        families_plot(
+          report.tallies,
+          methods,
+          report.families.map((f) => f.name),
+          o,
+        ),
+        `Wrong beyond the claim or failed, ${grouped(report.run.pairs)} pairs`,
+        [
+          ...heat,
+          { name: "wrong within the claim", colour: paper.intersecting },
+          { name: "undecided", colour: paper.undecided },
+          { name: "neither", colour: paper.clean },
+        ],
+      ),
+    );
+  for (const query of new Set(report.speed.map((p) => p.query)))
+    for (const family of ["all", "random"]) {
+      const points = report.speed.filter((p) => p.query === query && p.family === family);
+      if (points.length === 0) continue;
+      const name = sure(`${query}-${family}`),
+        keys = libraries(points.map((p) => p.method));
+      if (points.some((p) => p.digits !== null))
+        files.set(
+          `speed-${name}`,
+          framed(
+            speed_plot(points, o),
+            `Speed against accuracy: ${query}, ${family === "all" ? "all families" : family}`,
+            keys,
+          ),
+        );
+      files.set(
+        `wrong-${name}`,
+        framed(
+          wrong_plot(points, o),
+          `Wrong answers against speed: ${query}, ${family === "all" ? "all families" : family}`,
+          [],
+        ),
+      );
+    }
+  const mapped = first_of_each(
+    in_run_order(
+      report,
+      report.maps.map((m) => m.method),
+    ),
+  );
+  for (const map of report.maps.filter((m) => mapped.includes(m.method)))
+    files.set(
+      sure(`map-${map.plane}-${map.method}`),
+      framed(map_plot(map, "all", { ...o, width: width * 0.7 }), `${map.method}: share wrong or failed`, [
+        ...heat,
+        { name: "none wrong", colour: paper.clean },
+      ]),
+    );
+  const honest = first_of_each(
+    in_run_order(
+      report,
+      report.honesty.map((h) => h.method),
+    ),
+  );
   const curves = honest.flatMap((m) => report.honesty.filter((h) => h.method === m && h.family === null));
-  if (curves.length > 0) files.set("honesty", framed(honesty_plot(curves, o), "Share of wrong answers against margin", series(curves.map((h) => h.method))));
-  const timed = first_of_each(in_run_order(report, report.cost.map((c) => c.method)));
-  if (timed.length > 0) files.set("cost", framed(cost_plot(timed.flatMap((m) => report.cost.filter((c) => c.method === m)), o), "Time a pair against margin", series(timed)));
-  for (const path of report.paths) if (path.trace && path.trace.length > 0) files.set(sure(`path-${path.path}-${path.method}`), framed(trace_plot(path, o), `${path.method}, ${path.path}`, []));
-  if (report.backward.length > 0) files.set("backward", framed(backward_plot(report.backward, o), "How far the input must move for a wrong answer to be right", []));
+  if (curves.length > 0)
+    files.set(
+      "honesty",
+      framed(calibration_plot(curves, o), "Share of wrong answers against margin", series(curves.map((h) => h.method))),
+    );
+  const timed = first_of_each(
+    in_run_order(
+      report,
+      report.cost.map((c) => c.method),
+    ),
+  );
+  if (timed.length > 0)
+    files.set(
+      "cost",
+      framed(
+        cost_plot(
+          timed.flatMap((m) => report.cost.filter((c) => c.method === m)),
+          o,
+        ),
+        "Time a pair against margin",
+        series(timed),
+      ),
+    );
+  for (const path of report.paths)
+    if (path.trace && path.trace.length > 0)
+      files.set(
+        sure(`path-${path.path}-${path.method}`),
+        framed(trace_plot(path, o), `${path.method}, ${path.path}`, []),
+      );
+  if (report.backward.length > 0)
+    files.set(
+      "backward",
+      framed(backward_plot(report.backward, o), "How far the input must move for a wrong answer to be right", []),
+    );
   return files;
 }
 
 /** A document to draw in, where there is no browser. */
-export const plain_document = (): Document => parseHTML("<!DOCTYPE html><html><body></body></html>").document as unknown as Document;
+export const plain_document = (): Document =>
+  parseHTML("<!DOCTYPE html><html><body></body></html>").document as unknown as Document;
 
 if (argv[1] !== undefined && import.meta.url === pathToFileURL(argv[1]).href) {
   const folder = argv[2];
@@ -79,7 +199,7 @@ if (argv[1] !== undefined && import.meta.url === pathToFileURL(argv[1]).href) {
   }
   mkdirSync(folder, { recursive: true });
   let text = "";
-  for await (const chunk of stdin.setEncoding("utf8")) text += chunk;  // readFileSync(0) fails where a pipe is slow
+  for await (const chunk of stdin.setEncoding("utf8")) text += chunk; // readFileSync(0) fails where a pipe is slow
   const report = expand(JSON.parse(text) as Report);
   for (const [name, text] of charts(report, plain_document())) {
     writeFileSync(`${folder}/${name}.svg`, text);

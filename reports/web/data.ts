@@ -8,8 +8,16 @@ export type Vec = [number, number, number];
 /** An exact coordinate: a double, doubles that stand for their exact sum, or a rational "n/d". */
 export type Coordinate = number | number[] | string;
 
-export interface Cylinder { center: Vec; axis: Vec; radius: number; height: number }
-export interface Pair { a: Cylinder; b: Cylinder }
+export interface Cylinder {
+  center: Vec;
+  axis: Vec;
+  radius: number;
+  height: number;
+}
+export interface Pair {
+  a: Cylinder;
+  b: Cylinder;
+}
 
 /** As one line of `daylight check --distance`. */
 export interface Truth {
@@ -22,104 +30,240 @@ export interface Truth {
 }
 
 /** What a method said, as in a run's store. */
-export interface Answer { verdict?: Verdict; distance?: number; direction?: number[]; point?: Coordinate[]; declined?: string; failed?: string; reason?: string }
+export interface Answer {
+  verdict?: Verdict;
+  distance?: number;
+  direction?: number[];
+  point?: Coordinate[];
+  declined?: string;
+  failed?: string;
+  reason?: string;
+}
 
-export interface Claim { relative: number; absolute: number; source: string }
-export interface Method { name: string; version: string; claim: Claim; own: boolean; share: number }
-export interface Tally { method: string; family: string; asked: number; declined: number; failed: number; contract: number; resolution: number; undecided: number; nanoseconds: number }
+export interface Claim {
+  relative: number;
+  absolute: number;
+  source: string;
+}
+export interface Method {
+  name: string;
+  version: string;
+  claim: Claim;
+  own: boolean;
+  share: number;
+}
+export interface Tally {
+  method: string;
+  family: string;
+  asked: number;
+  declined: number;
+  failed: number;
+  contract: number;
+  resolution: number;
+  undecided: number;
+  nanoseconds: number;
+}
 export type Standing = "new" | "known" | "gone" | "back";
-export interface HistoryGroup { method: string; kind: string; severity: string; family: string; count: number; standing: Standing }
+export interface HistoryGroup {
+  method: string;
+  kind: string;
+  severity: string;
+  family: string;
+  count: number;
+  standing: Standing;
+}
 
 /** A pair with all that is known of it. */
 export interface Case {
   pair: Pair;
   truth: Truth;
-  margin: [number, number] | null;          // |signed distance| / size, enclosed
-  direction?: Vec;                          // unit, from a to b, where the signed distance is attained
-  nearest?: { a: Vec; b: Vec };             // nearest points (apart) or deepest (overlapping), where known
+  margin: [number, number] | null; // |signed distance| / size, enclosed
+  direction?: Vec; // unit, from a to b, where the signed distance is attained
+  nearest?: { a: Vec; b: Vec }; // nearest points (apart) or deepest (overlapping), where known
   answers: Record<string, Answer>;
-  replay: string;                           // the command that asks again
-  note?: string;                            // where the pair comes from, in words
+  replay: string; // the command that asks again
+  note?: string; // where the pair comes from, in words
 }
 
 export type Severity = "contract" | "resolution" | "unresolved";
-export interface Finding extends Case { id: number; method: string; kind: string; severity: Severity; family: string; bucket: string | null; reason?: string }
+export interface Finding extends Case {
+  id: number;
+  method: string;
+  kind: string;
+  severity: Severity;
+  family: string;
+  bucket: string | null;
+  reason?: string;
+}
 
-/** What is written of a finding: the fields of Case are those of cases[case], its replay is of the run's folder and its id. */
-export interface PackedFinding { id: number; method: string; kind: string; severity: Severity; family: string; bucket: string | null; reason?: string; case: number }
+/** What is written of a finding: the fields of Case are those of cases[case], its replay is of the run's folder and
+ * its id. */
+export interface PackedFinding {
+  id: number;
+  method: string;
+  kind: string;
+  severity: Severity;
+  family: string;
+  bucket: string | null;
+  reason?: string;
+  case: number;
+}
 /** A pair of many findings, once: each different answer with who gave it, as indices into Report.names. Directions
  *  and points of answers are there only of the methods that have a finding on the pair. */
-export interface PackedCase { pair: Pair; truth: Truth; margin: [number, number] | null; direction?: Vec; nearest?: { a: Vec; b: Vec }; note?: string; said: [Answer, number[]][] }
+export interface PackedCase {
+  pair: Pair;
+  truth: Truth;
+  margin: [number, number] | null;
+  direction?: Vec;
+  nearest?: { a: Vec; b: Vec };
+  note?: string;
+  said: [Answer, number[]][];
+}
 
 export interface Bucket {
-  key: string;                              // "fcl-libccd/wrong_disjoint/side-rim/angle"
-  method: string; kind: string; severity: string; feature: string; coordinate: string;
-  labels: string[];                         // other causes that apply: "iteration cap", "absolute tolerance", ...
-  merged: string[];                         // keys that led to the same cause
-  count: number;                            // findings, kept or not
+  key: string; // "fcl-libccd/wrong_disjoint/side-rim/angle"
+  method: string;
+  kind: string;
+  severity: string;
+  feature: string;
+  coordinate: string;
+  labels: string[]; // other causes that apply: "iteration cap", "absolute tolerance", ...
+  merged: string[]; // keys that led to the same cause
+  count: number; // findings, kept or not
   families: string[];
-  first_seen: string; last_seen: string;    // run ids
+  first_seen: string;
+  last_seen: string; // run ids
   standing: Standing | null;
-  margin: [number, number] | null;          // least and largest lower bound of the margins in it
-  share: { wrong: number; asked: number } | null;   // of the stratum it is in
-  simplest: Case; worst: Case | null;
+  margin: [number, number] | null; // least and largest lower bound of the margins in it
+  share: { wrong: number; asked: number } | null; // of the stratum it is in
+  simplest: Case;
+  worst: Case | null;
   suppressed: { reason: string; link: string; owner: string; expires: string } | null;
-  findings: number[];                       // ids of those kept
-  cause?: string;                           // in words
-  mechanism?: string;                       // what was told by probes: "absolute-length", "offset", ...
-  methods?: string[];                       // all that it makes wrong; `method` is one of them
+  findings: number[]; // ids of those kept
+  cause?: string; // in words
+  mechanism?: string; // what was told by probes: "absolute-length", "offset", ...
+  methods?: string[]; // all that it makes wrong; `method` is one of them
 }
 
 /** How often a method was asked and wrong, by cell of a plane. Cells not listed were not visited. */
 export interface FailureMap {
   method: string;
   plane: "angle-margin" | "aspect-margin" | "scale-offset";
-  x: Axis; y: Axis;
-  cells: { x: number; y: number; asked: number; wrong_disjoint: number; wrong_intersecting: number; failed: number; undecided: number; finding?: number }[];
+  x: Axis;
+  y: Axis;
+  cells: {
+    x: number;
+    y: number;
+    asked: number;
+    wrong_disjoint: number;
+    wrong_intersecting: number;
+    failed: number;
+    undecided: number;
+    finding?: number;
+  }[];
 }
 /** Bins are numbered from 0; labels[i] names bin i, its decade. */
-export interface Axis { title: string; labels: string[] }
+export interface Axis {
+  title: string;
+  labels: string[];
+}
 
 /** Share wrong against margin: bin d holds margins in (10^(-d-1), 10^-d]; the last all below. */
-export interface Honesty { method: string; family: string | null; bins: { decade: number; asked: number; wrong_disjoint: number; wrong_intersecting: number; undecided: number }[] }
+export interface Calibration {
+  method: string;
+  family: string | null;
+  bins: { decade: number; asked: number; wrong_disjoint: number; wrong_intersecting: number; undecided: number }[];
+}
 
-/** From `daylight bench`: speed against accuracy. `digits`: -log10 of the least margin from which on the method was always right; `digits_low`: the same where at most that share is wrong with 95 % confidence. */
+/** From `daylight bench`: speed against accuracy. `digits`: -log10 of the least margin from which on the method was
+ * always right; `digits_low`: the same where at most that share is wrong with 95 % confidence. */
 export interface SpeedPoint {
-  method: string; curve: string; setting: string;   // curve: methods that differ in a setting only share it; setting as a number or word
-  family: string;                           // or "all"
+  method: string;
+  curve: string;
+  setting: string; // curve: methods that differ in a setting only share it; setting as a number or word
+  family: string; // or "all"
   query: "verdict" | "batch" | "certificate" | "distance";
-  ns: number; p99: number | null; max: number | null;
-  asked: number; wrong_disjoint: number; wrong_intersecting: number;
-  digits: number | null; digits_low: number | null;
+  ns: number;
+  p99: number | null;
+  max: number | null;
+  asked: number;
+  wrong_disjoint: number;
+  wrong_intersecting: number;
+  digits: number | null;
+  digits_low: number | null;
 }
 /** Stability of cost: nanoseconds against margin. */
-export interface CostPoint { method: string; decade: number; p50: number; p99: number; max: number }
+export interface CostPoint {
+  method: string;
+  decade: number;
+  p50: number;
+  p99: number;
+  max: number;
+}
 
 /** Along a path of pairs through touching or through parallel axes. */
-export interface PathStability { method: string; path: string; steps: number; flips: number; distance_jump: number | null; direction_jump_degrees: number | null; trace?: { at: number; verdict: Verdict; distance: number | null }[] }
+export interface PathStability {
+  method: string;
+  path: string;
+  steps: number;
+  flips: number;
+  distance_jump: number | null;
+  direction_jump_degrees: number | null;
+  trace?: { at: number; verdict: Verdict; distance: number | null }[];
+}
 /** How far (in sizes) the input must move for a wrong answer to be right: quantiles over the wrong answers. */
-export interface BackwardError { method: string; wrong: number; p50: number; p99: number; max: number }
+export interface BackwardError {
+  method: string;
+  wrong: number;
+  p50: number;
+  p99: number;
+  max: number;
+}
 /** Which answers change between builds of the same source. */
-export interface BuildDifference { method: string; build: string; against: string; pairs: number; verdicts_changed: number; beyond_claim: number; distances_changed: number; largest_change: number | null }
+export interface BuildDifference {
+  method: string;
+  build: string;
+  against: string;
+  pairs: number;
+  verdicts_changed: number;
+  beyond_claim: number;
+  distances_changed: number;
+  largest_change: number | null;
+}
 
 export interface Report {
   schema: 1;
-  run: { id: string; seed: string; pairs: number; started: string; status: string; seconds: number; build: string; command: string; folder?: string };
+  run: {
+    id: string;
+    seed: string;
+    pairs: number;
+    started: string;
+    status: string;
+    seconds: number;
+    build: string;
+    command: string;
+    folder?: string;
+  };
   methods: Method[];
   families: { name: string; summary: string }[];
   tallies: Tally[];
   history: { runs: number; groups: HistoryGroup[] } | null;
   /** What the planted faults of this night told: true where each was found in its usual time. */
   alarm: { green: boolean; text: string } | null;
-  kill_matrix: { mutants: number; caught: number; equivalent: number; rows: { mutant: number; file: string; what: string; caught_by: string[]; equivalent?: string }[] } | null;
+  kill_matrix: {
+    mutants: number;
+    caught: number;
+    equivalent: number;
+    rows: { mutant: number; file: string; what: string; caught_by: string[]; equivalent?: string }[];
+  } | null;
   buckets: Bucket[];
   findings: (Finding | PackedFinding)[];
   findings_total: number;
   cases?: PackedCase[];
   names?: string[];
-  unreadable?: number;                      // findings whose records hold no pair, and are not told
+  unreadable?: number; // findings whose records hold no pair, and are not told
   maps: FailureMap[];
-  honesty: Honesty[];
+  honesty: Calibration[];
   speed: SpeedPoint[];
   cost: CostPoint[];
   paths: PathStability[];

@@ -4,17 +4,34 @@
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { test } from "node:test";
-import { chip_counts, charts, expand, filter_of, filtered, pareto, plain_document, prove, rows_of, sorted } from "./chart.mjs";
+import {
+  chip_counts,
+  charts,
+  expand,
+  filter_of,
+  filtered,
+  pareto,
+  plain_document,
+  prove,
+  rows_of,
+  sorted,
+} from "./chart.mjs";
 import { sample } from "./sample.mjs";
 import { sources_hash } from "./stamp.mjs";
 
-test("the committed pages and charts were built from the committed sources", () => {
-  for (const file of ["report_template.html", "scene_template.html", "chart.mjs"])
-    assert.ok(readFileSync(new URL(file, import.meta.url), "utf8").slice(0, 400).includes(sources_hash()), `${file} is older than its sources: run node build.mjs`);
+test("the committed page and charts were built from the committed sources", () => {
+  for (const file of ["page_template.html", "chart.mjs"])
+    assert.ok(
+      readFileSync(new URL(file, import.meta.url), "utf8")
+        .slice(0, 400)
+        .includes(sources_hash()),
+      `${file} is older than its sources: run node build.mjs`,
+    );
 });
 
 test("findings get back the pair, the answers and the command", () => {
-  const report = expand(sample(9)), f = report.findings[5];
+  const report = expand(sample(9)),
+    f = report.findings[5];
   assert.equal(f.id, 6);
   assert.equal(f.replay, "./daylight replay runs/sample:6");
   assert.equal(f.answers["fcl-libccd"].verdict, f.truth.verdict === "disjoint" ? "intersecting" : "disjoint");
@@ -33,14 +50,25 @@ test("every certificate of the sample holds", () => {
 test("chips filter and count", () => {
   const rows = rows_of(expand(sample(400)));
   const filter = filter_of(new URLSearchParams("kind=crash&library=ode&library=fcl"));
-  const shown = filtered(rows, filter), by_hand = rows.filter((r) => r.f.kind === "crash" && /^(ode|fcl)/.test(r.f.method));
+  const shown = filtered(rows, filter),
+    by_hand = rows.filter((r) => r.f.kind === "crash" && /^(ode|fcl)/.test(r.f.method));
   assert.ok(by_hand.length > 0 && by_hand.length < 100);
   assert.deepEqual(shown, by_hand);
   const counts = chip_counts(rows, filter);
   assert.equal(counts.library.get("ode") + counts.library.get("fcl"), shown.length);
-  assert.equal(counts.library.get("bullet"), rows.filter((r) => r.f.kind === "crash" && r.f.method.startsWith("bullet")).length, "what the chip would add");
-  assert.equal([...counts.severity.values()].reduce((n, c) => n + c), shown.length);
-  assert.equal(filtered(rows, filter_of(new URLSearchParams("method=fcl-libccd"))).every((r) => r.f.method === "fcl-libccd"), true);
+  assert.equal(
+    counts.library.get("bullet"),
+    rows.filter((r) => r.f.kind === "crash" && r.f.method.startsWith("bullet")).length,
+    "what the chip would add",
+  );
+  assert.equal(
+    [...counts.severity.values()].reduce((n, c) => n + c),
+    shown.length,
+  );
+  assert.equal(
+    filtered(rows, filter_of(new URLSearchParams("method=fcl-libccd"))).every((r) => r.f.method === "fcl-libccd"),
+    true,
+  );
 });
 
 test("sorting is stable, and failures sort by severity first", () => {
@@ -54,12 +82,27 @@ test("sorting is stable, and failures sort by severity first", () => {
 
 test("nobody on the front is beaten in both", () => {
   const p = (ns, digits) => ({ ns, digits });
-  assert.deepEqual(pareto([p(30, 9), p(10, 5), p(20, 5), p(20, 9), p(40, 3), p(50, 15), p(1, null)]), [p(10, 5), p(20, 9), p(50, 15)]);
+  assert.deepEqual(pareto([p(30, 9), p(10, 5), p(20, 5), p(20, 9), p(40, 3), p(50, 15), p(1, null)]), [
+    p(10, 5),
+    p(20, 9),
+    p(50, 15),
+  ]);
 });
 
 test("every plot is drawn as a whole SVG", () => {
   const files = charts(expand(sample(40)), plain_document());
-  for (const name of ["families", "speed-verdict-all", "speed-certificate-all", "wrong-verdict-random", "map-angle-margin-ode", "map-scale-offset-intersect", "honesty", "cost", "backward", "path-through_touching-intersect"])
+  for (const name of [
+    "families",
+    "speed-verdict-all",
+    "speed-certificate-all",
+    "wrong-verdict-random",
+    "map-angle-margin-ode",
+    "map-scale-offset-intersect",
+    "honesty",
+    "cost",
+    "backward",
+    "path-through_touching-intersect",
+  ])
     assert.ok(files.has(name), `${name} among ${[...files.keys()].slice(0, 8)}`);
   for (const [name, text] of files) {
     assert.ok(text.startsWith("<?xml") && text.trimEnd().endsWith("</svg>"), name);

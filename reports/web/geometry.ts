@@ -8,7 +8,11 @@ export const add = (u: Vec, v: Vec): Vec => [u[0] + v[0], u[1] + v[1], u[2] + v[
 export const sub = (u: Vec, v: Vec): Vec => [u[0] - v[0], u[1] - v[1], u[2] - v[2]];
 export const scale = (u: Vec, k: number): Vec => [u[0] * k, u[1] * k, u[2] * k];
 export const dot = (u: Vec, v: Vec) => u[0] * v[0] + u[1] * v[1] + u[2] * v[2];
-export const cross = (u: Vec, v: Vec): Vec => [u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]];
+export const cross = (u: Vec, v: Vec): Vec => [
+  u[1] * v[2] - u[2] * v[1],
+  u[2] * v[0] - u[0] * v[2],
+  u[0] * v[1] - u[1] * v[0],
+];
 
 /** Of any finite length, huge or tiny. */
 export function unit(v: Vec): Vec {
@@ -20,26 +24,44 @@ export function unit(v: Vec): Vec {
 
 /** Two unit vectors square to n and to each other. */
 export function square_to(n: Vec): [Vec, Vec] {
-  const least = Math.abs(n[0]) < Math.abs(n[1]) ? (Math.abs(n[0]) < Math.abs(n[2]) ? 0 : 2) : Math.abs(n[1]) < Math.abs(n[2]) ? 1 : 2;
+  const least =
+    Math.abs(n[0]) < Math.abs(n[1])
+      ? Math.abs(n[0]) < Math.abs(n[2])
+        ? 0
+        : 2
+      : Math.abs(n[1]) < Math.abs(n[2])
+        ? 1
+        : 2;
   const other: Vec = [0, 0, 0];
   other[least] = 1;
   const u = unit(cross(n, other));
   return [u, cross(n, u)];
 }
 
-export interface Solid { center: Vec; axis: Vec; radius: number; half: number }
+export interface Solid {
+  center: Vec;
+  axis: Vec;
+  radius: number;
+  half: number;
+}
 /** All points within a radius of a segment; of half 0: a ball. */
-export interface Capsule { center: Vec; axis: Vec; half: number; radius: number }
+export interface Capsule {
+  center: Vec;
+  axis: Vec;
+  half: number;
+  radius: number;
+}
 export interface Drawing {
-  a: Solid; b: Solid;
-  unit: number;                     // length of the scene that is drawn as 1
-  extent: number;                   // radius of a ball around the origin that holds both
-  contact: Vec;                     // middle of the nearest points, or as good as is known
+  a: Solid;
+  b: Solid;
+  unit: number; // length of the scene that is drawn as 1
+  extent: number; // radius of a ball around the origin that holds both
+  contact: Vec; // middle of the nearest points, or as good as is known
   near: { a: Vec; b: Vec } | null;
-  direction: Vec | null;            // from a to b
-  plane: Vec | null;                // a point of the separating plane
-  point: Vec | null;                // a common point
-  gap: number | null;               // signed, drawn length
+  direction: Vec | null; // from a to b
+  plane: Vec | null; // a point of the separating plane
+  point: Vec | null; // a common point
+  gap: number | null; // signed, drawn length
 }
 
 /** The extent of a solid along n. */
@@ -57,7 +79,8 @@ function unit_of(pair: Pair): number {
 /** A point of the solid that is farthest along n, the middle of its face where a whole face is. */
 function support(s: Solid, n: Vec): Vec {
   const along = dot(s.axis, n);
-  const radial = sub(n, scale(s.axis, along)), length = Math.sqrt(dot(radial, radial));
+  const radial = sub(n, scale(s.axis, along)),
+    length = Math.sqrt(dot(radial, radial));
   const rim = length > 1e-9 ? scale(radial, s.radius / length) : ([0, 0, 0] as Vec);
   return add(add(s.center, scale(s.axis, Math.abs(along) > 1e-9 ? Math.sign(along) * s.half : 0)), rim);
 }
@@ -69,8 +92,14 @@ export function drawing_of(c: Case): Drawing {
   const half_way = scale(sub(scale(b.center, 1 / u), scale(a.center, 1 / u)), 0.5);
   const exact_way: Vec = [0, 1, 2].map((i) => (b.center[i]! / 2 - a.center[i]! / 2) / u) as Vec;
   const way = exact_way.every(Number.isFinite) ? exact_way : half_way;
-  const solid = (s: typeof a, center: Vec): Solid => ({ center, axis: unit(s.axis), radius: s.radius / u, half: s.height / 2 / u });
-  const drawn_a = solid(a, scale(way, -1)), drawn_b = solid(b, way);
+  const solid = (s: typeof a, center: Vec): Solid => ({
+    center,
+    axis: unit(s.axis),
+    radius: s.radius / u,
+    half: s.height / 2 / u,
+  });
+  const drawn_a = solid(a, scale(way, -1)),
+    drawn_b = solid(b, way);
   const local = (x: Vec): Vec => add(drawn_a.center, [0, 1, 2].map((i) => (x[i]! - a.center[i]!) / u) as Vec);
 
   const certificate = c.truth.direction ?? c.truth.near?.direction;
@@ -80,26 +109,39 @@ export function drawing_of(c: Case): Drawing {
   if (direction && dot(direction, delta) < 0) direction = scale(direction, -1);
   const certified = c.truth.point ?? c.truth.near?.point;
   const point = certified ? local(certified.map(coordinate_value) as Vec) : null;
-  const near = c.nearest ? { a: local(c.nearest.a), b: local(c.nearest.b) }
-    : direction ? { a: support(drawn_a, direction), b: support(drawn_b, scale(direction, -1)) } : null;
+  const near = c.nearest
+    ? { a: local(c.nearest.a), b: local(c.nearest.b) }
+    : direction
+      ? { a: support(drawn_a, direction), b: support(drawn_b, scale(direction, -1)) }
+      : null;
 
   // A plane square to the direction of the certificate itself, in the middle of what it leaves free.
   let plane: Vec | null = null;
   if (c.truth.verdict === "disjoint" && certificate) {
     let n = unit(certificate.map(coordinate_value) as Vec);
     if (dot(n, delta) < 0) n = scale(n, -1);
-    const low = dot(n, drawn_a.center) + reach(drawn_a, n), high = dot(n, drawn_b.center) - reach(drawn_b, n);
+    const low = dot(n, drawn_a.center) + reach(drawn_a, n),
+      high = dot(n, drawn_b.center) - reach(drawn_b, n);
     const from = near ? scale(add(near.a, near.b), 0.5) : ([0, 0, 0] as Vec);
     plane = add(from, scale(n, (low + high) / 2 - dot(n, from)));
     direction ??= n;
   }
-  const contact = near ? scale(add(near.a, near.b), 0.5) : point ?? ([0, 0, 0] as Vec);
+  const contact = near ? scale(add(near.a, near.b), 0.5) : (point ?? ([0, 0, 0] as Vec));
   const distance = c.truth.distance;
   const gap = distance ? (distance[0] + (distance[1] - distance[0]) / 2) / u : null;
   const ball = (s: Solid) => Math.sqrt(dot(s.center, s.center)) + Math.hypot(s.radius, s.half);
-  return { a: drawn_a, b: drawn_b, unit: u, extent: Math.max(ball(drawn_a), ball(drawn_b), 1e-3), contact: contact.every(Number.isFinite) ? contact : [0, 0, 0],
-    near: near && [...near.a, ...near.b].every(Number.isFinite) ? near : null, direction, plane, point: point?.every(Number.isFinite) ? point : null,
-    gap: gap !== null && Number.isFinite(gap) ? gap : null };
+  return {
+    a: drawn_a,
+    b: drawn_b,
+    unit: u,
+    extent: Math.max(ball(drawn_a), ball(drawn_b), 1e-3),
+    contact: contact.every(Number.isFinite) ? contact : [0, 0, 0],
+    near: near && [...near.a, ...near.b].every(Number.isFinite) ? near : null,
+    direction,
+    plane,
+    point: point?.every(Number.isFinite) ? point : null,
+    gap: gap !== null && Number.isFinite(gap) ? gap : null,
+  };
 }
 
 /** A gap or an overlap narrower than this part of the drawing cannot be seen. */
@@ -112,10 +154,17 @@ export function exaggeration(d: Drawing): number {
   return k > 1 ? k : 1;
 }
 
-/** The solids moved apart (or into each other) along the direction until the gap is k times as wide: about the contact. */
+/** The solids moved apart (or into each other) along the direction until the gap is k times as wide: about the
+ * contact. */
 export function exaggerated(d: Drawing, k: number): Drawing {
   if (k === 1 || d.gap === null || !d.direction) return d;
-  const move = scale(d.direction, ((k - 1) * d.gap) / 2), back = scale(move, -1);
-  return { ...d, a: { ...d.a, center: add(d.a.center, back) }, b: { ...d.b, center: add(d.b.center, move) },
-    near: d.near && { a: add(d.near.a, back), b: add(d.near.b, move) }, gap: d.gap * k };
+  const move = scale(d.direction, ((k - 1) * d.gap) / 2),
+    back = scale(move, -1);
+  return {
+    ...d,
+    a: { ...d.a, center: add(d.a.center, back) },
+    b: { ...d.b, center: add(d.b.center, move) },
+    near: d.near && { a: add(d.near.a, back), b: add(d.near.b, move) },
+    gap: d.gap * k,
+  };
 }

@@ -1,119 +1,36 @@
 // SPDX-License-Identifier: MIT
-// The page: an overview in sections, and a view of one bucket or finding by the part of the address after '#'.
+// The page: it shows the run or the scene that its data describe.
 import { render } from "preact";
-import { useEffect, useMemo, useRef, useState } from "preact/hooks";
-import { BucketView, FindingView } from "./detail.tsx";
-import { Findings } from "./findings.tsx";
-import { Honesty } from "./honesty.tsx";
-import { Kills } from "./kills.tsx";
-import { Maps } from "./maps.tsx";
-import { load, type FullReport } from "./report.ts";
-import { Speed } from "./speed.tsx";
-import { Stability } from "./stability.tsx";
-import { Methods, Summary } from "./summary.tsx";
-import { grouped, safe, seconds } from "./words.ts";
+import { data_of, expand } from "./report.ts";
+import { RunPage } from "./run_page.tsx";
+import { StudyPage } from "./study_page.tsx";
+import type { Report } from "./data.ts";
+import type { Study } from "./study.ts";
+import { safe, safe_texts } from "./words.ts";
 
-const sections = [
-  ["summary", "Summary"], ["findings", "Findings"], ["speed", "Speed and accuracy"], ["maps", "Failure maps"],
-  ["honesty", "Honesty"], ["stability", "Stability"], ["methods", "Methods"], ["faults", "Planted faults"],
-] as const;
+const no_data =
+  "This is the page without its data. daylight campaign writes it with those of a run, daylight scene FILE --page " +
+  "with those of a scene.";
 
-/** "#/findings?method=fcl" as ["findings"] and its parameters. */
-function read_address() {
-  const [path = "", query = ""] = location.hash.replace(/^#\/?/, "").split("?");
-  const parts = path.split("/").map((part) => {
-    try { return decodeURIComponent(part); } catch { return part; }
-  });
-  return { parts, query: new URLSearchParams(query), whole: location.hash };
-}
-
-function useAddress() {
-  const [address, set] = useState(read_address);
-  useEffect(() => {
-    const changed = () => set(read_address());
-    addEventListener("hashchange", changed);
-    return () => removeEventListener("hashchange", changed);
-  }, []);
-  return address;
-}
-
-function Header({ report }: { report: FullReport }) {
-  const { run } = report;
-  return (
-    <header>
-      <h1><a href="#/summary">daylight</a> <span class="soft">who was wrong about two cylinders</span></h1>
-      <nav aria-label="Sections">{sections.map(([key, title]) => <a href={`#/${key}`} key={key}>{title}</a>)}</nav>
-      <p class="run">
-        <b>{safe(run.id)}</b> · seed {safe(run.seed)} · {grouped(run.pairs)} pairs · {seconds(run.seconds)} · begun {safe(run.started)} ·{" "}
-        <span class={run.status === "complete" ? "" : "warn"}>{safe(run.status) || "unfinished"}</span>
-      </p>
-    </header>
-  );
-}
-
-function App({ report }: { report: FullReport }) {
-  const address = useAddress();
-  const view = address.parts[0] ?? "";
-  const detail = view === "bucket" || view === "finding";
-  const scrolled = useRef(0);
-  const was_detail = useRef(detail);
-  const finding = useMemo(() => new Map(report.findings.map((f) => [f.id, f])), [report]);
-  const bucket = useMemo(() => new Map(report.buckets.map((b) => [b.key, b])), [report]);
-
-  useEffect(() => {
-    const remember = () => { if (!was_detail.current) scrolled.current = scrollY; };
-    addEventListener("scroll", remember, { passive: true });
-    return () => removeEventListener("scroll", remember);
-  }, []);
-  useEffect(() => {
-    if (detail) scrollTo(0, 0);
-    else if (was_detail.current && view === "") scrollTo(0, scrolled.current);
-    else document.getElementById(view)?.scrollIntoView();
-    was_detail.current = detail;
-  }, [address]);
-
-  const named = address.parts.slice(1).join("/");
-  return (
-    <>
-      <Header report={report} />
-      {detail && (
-        <main class="detail">
-          {view === "bucket" && <BucketView report={report} bucket={bucket.get(named)} finding={finding} named={named} key={named} />}
-          {view === "finding" && <FindingView report={report} finding={finding.get(Number(named))} named={named} key={named} />}
-        </main>
-      )}
-      <main class="overview" hidden={detail}>
-        <Summary report={report} />
-        <Findings report={report} query={view === "findings" ? address.query : null} />
-        <Speed report={report} />
-        <Maps report={report} />
-        <Honesty report={report} />
-        <Stability report={report} />
-        <Methods report={report} />
-        <Kills report={report} />
-        <footer class="soft">
-          <p>{safe(report.run.build)}</p>
-          {report.run.command && <p>The same run again: <code>{safe(report.run.command)}</code></p>}
-          <p>One file; it asks nothing from the network. <button type="button" class="link" onClick={print_all}>Print</button></p>
-        </footer>
-      </main>
-    </>
-  );
-}
-
-function print_all() {
-  for (const details of document.querySelectorAll<HTMLDetailsElement>("details.print")) details.open = true;
-  print();
+/** The title of the page and what it shows; nothing in the template without data. */
+function shown() {
+  const data = data_of(document) as Report | Study | null;
+  if (data === null) return null;
+  if ("kept" in data) {
+    const study = safe_texts(data);
+    return { title: study.file, view: <StudyPage study={study} /> };
+  }
+  return { title: safe(data.run.id), view: <RunPage report={expand(data)} /> };
 }
 
 const page = document.getElementById("page")!;
 try {
-  const report = load(document);
-  if (report) {
-    document.title = `daylight ${safe(report.run.id)}`;
-    render(<App report={report} />, page);
+  const it = shown();
+  if (it) {
+    document.title = `daylight ${it.title}`;
+    render(it.view, page);
   } else {
-    page.textContent = "This is the page without its data. A run of daylight campaign writes it with them.";
+    page.textContent = no_data;
   }
 } catch (error) {
   page.textContent = `The data of this page cannot be read: ${error}`;

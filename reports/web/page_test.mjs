@@ -20,20 +20,28 @@ function write(report) {
 }
 const open_page = (options) => open(address, options);
 
-const rows_told = async (page) => (await settled(page), Number((await page.locator(".filters [role=status]").innerText()).split(" ")[0].replaceAll(",", "")));
+const rows_told = async (page) => (
+  await settled(page),
+  Number((await page.locator(".filters [role=status]").innerText()).split(" ")[0].replaceAll(",", ""))
+);
 
 async function shots(to) {
   mkdirSync(to, { recursive: true });
   for (const scheme of ["light", "dark"]) {
     const page = await open_page({ scheme });
-    for (const id of ["summary", "findings", "speed", "maps", "honesty", "stability", "methods", "faults"]) {
+    for (const id of ["summary", "findings", "speed", "maps", "calibration", "stability", "methods", "faults"]) {
       const section = page.locator(`section#${id}`);
       await section.scrollIntoViewIfNeeded();
       await page.waitForTimeout(250);
       await section.screenshot({ path: `${to}/${id}-${scheme}.png` });
     }
-    for (const [name, link] of [["finding", ".findings tbody a"], ["bucket", ".buckets a"]]) {
-      await page.evaluate(() => { location.hash = "#/findings"; });
+    for (const [name, link] of [
+      ["finding", ".findings tbody a"],
+      ["bucket", ".buckets a"],
+    ]) {
+      await page.evaluate(() => {
+        location.hash = "#/findings";
+      });
       if ((await page.locator(link).count()) === 0) continue;
       await page.locator(link).first().click();
       await page.waitForSelector(".case");
@@ -49,7 +57,10 @@ async function shots(to) {
 }
 
 /** The rows on the screen, as the texts of one column. */
-const column = async (page, name) => (await settled(page), page.locator(`.findings tbody td.c-${name}`).allInnerTexts());
+const column = async (page, name) => (
+  await settled(page),
+  page.locator(`.findings tbody td.c-${name}`).allInnerTexts()
+);
 
 async function reads_the_findings(page) {
   assert.equal(await rows_told(page), 400);
@@ -100,8 +111,11 @@ async function proves_and_turns(page) {
   await page.locator(".prove").click();
   await settled(page);
   assert.equal(await page.locator(".proof").getAttribute("data-holds"), "true");
-  const field = page.locator(".prover textarea"), certificate = JSON.parse(await field.inputValue());
-  const tampered = certificate.direction ? { ...certificate, direction: [0, 0, 1] } : { ...certificate, point: [certificate.point[0], 5, 0] };
+  const field = page.locator(".prover textarea"),
+    certificate = JSON.parse(await field.inputValue());
+  const tampered = certificate.direction
+    ? { ...certificate, direction: [0, 0, 1] }
+    : { ...certificate, point: [certificate.point[0], 5, 0] };
   await field.fill(JSON.stringify(tampered));
   await settled(page);
   assert.equal(await page.locator(".proof").count(), 0, "an old proof does not stand beside a new certificate");
@@ -127,9 +141,14 @@ async function reads_a_cause(page) {
 
 async function reads_a_narrow_gap(page, report) {
   const narrow = report.findings.find((f) => report.cases[f.case].margin[0] < 1e-11);
-  await page.evaluate((id) => { location.hash = `#/finding/${id}`; }, narrow.id);
+  await page.evaluate((id) => {
+    location.hash = `#/finding/${id}`;
+  }, narrow.id);
   await page.waitForSelector(".pair-view figcaption .warn");
-  assert.match(await page.locator(".pair-view figcaption").innerText(), /^Not to scale: the (gap|overlap) of \S+ is drawn \S+ times as wide/);
+  assert.match(
+    await page.locator(".pair-view figcaption").innerText(),
+    /^Not to scale: the (gap|overlap) of \S+ is drawn \S+ times as wide/,
+  );
   const wide = await colours(page);
   await page.getByRole("button", { name: /^Widen/ }).click();
   await settled(page);
@@ -138,20 +157,33 @@ async function reads_a_narrow_gap(page, report) {
 }
 
 async function follows_a_heat_cell(page) {
-  await page.evaluate(() => { location.hash = "#/summary"; });
+  await page.evaluate(() => {
+    location.hash = "#/summary";
+  });
   await page.locator("td.heat.bad a").first().click();
   await page.waitForFunction(() => location.hash.startsWith("#/findings?"));
   await settled(page);
   const chosen = await page.evaluate(() => new URLSearchParams(location.hash.split("?")[1]).get("family"));
   assert.equal(await page.locator(".chips[aria-label=Family] .chip[aria-pressed=true]").count(), 1);
-  assert.match(await page.locator(".chips[aria-label=Family] .chip[aria-pressed=true]").innerText(), new RegExp(chosen.replaceAll("_", " ")));
+  assert.match(
+    await page.locator(".chips[aria-label=Family] .chip[aria-pressed=true]").innerText(),
+    new RegExp(chosen.replaceAll("_", " ")),
+  );
 }
 
 async function draws_every_plot(page) {
-  for (const [id, plots] of [["speed", 2], ["maps", 6], ["honesty", 1], ["stability", 3]]) {
+  for (const [id, plots] of [
+    ["speed", 2],
+    ["maps", 6],
+    ["calibration", 1],
+    ["stability", 3],
+  ]) {
     await page.locator(`section#${id}`).scrollIntoViewIfNeeded();
     for (const plot of await page.locator(`section#${id} .plot`).all()) await plot.scrollIntoViewIfNeeded();
-    await page.waitForFunction(([id, plots]) => document.querySelectorAll(`#${id} .plot svg`).length === plots, [id, plots]);
+    await page.waitForFunction(
+      ([id, plots]) => document.querySelectorAll(`#${id} .plot svg`).length === plots,
+      [id, plots],
+    );
   }
   assert.equal(await page.locator(".missing").count(), 0, "the made-up night has everything");
 }
@@ -175,34 +207,60 @@ async function follows_the_plots(page) {
 }
 
 async function fits_a_laptop(page) {
-  await page.evaluate(() => { location.hash = "#/summary"; });
+  await page.evaluate(() => {
+    location.hash = "#/summary";
+  });
   await page.getByRole("button", { name: "Unfold all methods" }).click();
   await settled(page);
   const [inner, outer] = await page.evaluate(() => [document.documentElement.scrollWidth, innerWidth]);
   assert.ok(inner <= outer, `the page is ${inner} wide in a window of ${outer}`);
-  assert.equal(await page.evaluate(() => [...document.querySelectorAll(".scroll")].filter((e) => e.scrollWidth > e.clientWidth + 1).length), 0);
+  assert.equal(
+    await page.evaluate(
+      () => [...document.querySelectorAll(".scroll")].filter((e) => e.scrollWidth > e.clientWidth + 1).length,
+    ),
+    0,
+  );
 }
 
 /** What a run without triage and bench has: each gap names the command that fills it. */
 async function says_what_is_missing() {
-  write({ ...sample(40), buckets: [], maps: [], honesty: [], speed: [], cost: [], paths: [], backward: [], builds: [], kill_matrix: null, history: null, alarm: null });
+  write({
+    ...sample(40),
+    buckets: [],
+    maps: [],
+    honesty: [],
+    speed: [],
+    cost: [],
+    paths: [],
+    backward: [],
+    builds: [],
+    kill_matrix: null,
+    history: null,
+    alarm: null,
+  });
   const page = await open_page();
   const commands = await page.locator(".missing code").allInnerTexts();
   assert.equal(commands.length, 9);
-  assert.ok(commands.every((c) => c.startsWith("./daylight ")), commands.join());
+  assert.ok(
+    commands.every((c) => c.startsWith("./daylight ")),
+    commands.join(),
+  );
   await page.context().close();
 }
 
 /** Text of a store may be anything. */
 async function shows_hostile_text_as_text() {
-  const hostile = "</script><img src=x onerror=alert(1)>\u202e\u0001", report = sample(8);
+  const hostile = "</script><img src=x onerror=alert(1)>\u202e\u0001",
+    report = sample(8);
   Object.assign(report.run, { id: hostile, seed: hostile, status: hostile, build: hostile, command: hostile });
   report.findings.forEach((f) => Object.assign(f, { method: hostile, family: hostile, reason: hostile }));
   report.methods[0].name = report.methods[0].claim.source = hostile;
   report.cases[0].note = hostile;
   write(report);
   const page = await open_page();
-  await page.evaluate(() => { location.hash = "#/finding/1"; });
+  await page.evaluate(() => {
+    location.hash = "#/finding/1";
+  });
   await page.waitForSelector(".case");
   assert.equal(await page.locator("img").count(), 0);
   assert.ok(!(await page.locator("body").innerText()).includes("\u202e"));
@@ -212,11 +270,13 @@ async function shows_hostile_text_as_text() {
 async function draws_lines_without_webgl() {
   write(sample(8));
   const page = await open_page({ first: without_webgl });
-  await page.evaluate(() => { location.hash = "#/finding/1"; });
+  await page.evaluate(() => {
+    location.hash = "#/finding/1";
+  });
   await page.waitForSelector(".stage.flat svg.projection");
   assert.ok(await page.locator(".projection").isVisible());
   assert.ok((await page.locator(".projection path").count()) >= 6);
-  errors.length = 0;  // three.js says itself that it got no context
+  errors.length = 0; // three.js says itself that it got no context
   await page.context().close();
 }
 
@@ -224,7 +284,16 @@ async function test() {
   const report = sample(400);
   write(report);
   const page = await open_page();
-  for (const step of [reads_the_findings, reads_a_cause, (p) => reads_a_narrow_gap(p, report), follows_a_heat_cell, draws_every_plot, follows_the_plots, fits_a_laptop]) await step(page);
+  for (const step of [
+    reads_the_findings,
+    reads_a_cause,
+    (p) => reads_a_narrow_gap(p, report),
+    follows_a_heat_cell,
+    draws_every_plot,
+    follows_the_plots,
+    fits_a_laptop,
+  ])
+    await step(page);
   await page.context().close();
   assert.deepEqual(errors, []);
   await says_what_is_missing();
@@ -240,7 +309,8 @@ async function times(findings) {
   await page.waitForSelector(".findings tbody tr");
   const loaded = await page.evaluate(() => performance.now());
   const filter = await page.evaluate(async () => {
-    const chips = [...document.querySelectorAll(".chips[aria-label=Kind] .chip")], took = [];
+    const chips = [...document.querySelectorAll(".chips[aria-label=Kind] .chip")],
+      took = [];
     for (const chip of [...chips, ...chips]) {
       const start = performance.now();
       chip.click();
@@ -249,7 +319,10 @@ async function times(findings) {
     }
     return took;
   });
-  console.log(`${findings} findings: ${Math.round(loaded)} ms until the table stands; a filter ${Math.round(Math.min(...filter))} to ${Math.round(Math.max(...filter))} ms until it is drawn`);
+  console.log(
+    `${findings} findings: ${Math.round(loaded)} ms until the table stands; a filter ` +
+    `${Math.round(Math.min(...filter))} to ${Math.round(Math.max(...filter))} ms until it is drawn`,
+  );
 }
 
 if (option === "--shots") {

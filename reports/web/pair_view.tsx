@@ -15,18 +15,23 @@ const uneven = 300;
 
 /** Looking across the direction of the gap, a little from above; a lies left of b. */
 function view_of(d: Drawing, close: boolean): View {
-  const along: Vec = d.direction ?? [1, 0, 0], [u, v] = square_to(along);
+  const along: Vec = d.direction ?? [1, 0, 0],
+    [u, v] = square_to(along);
   const eye = add(add(scale(u, -0.85), scale(v, 0.4)), scale(along, 0.25));
   return { eye, up: v, target: close ? d.contact : [0, 0, 0], radius: close ? 0.25 * d.extent : 1.12 * d.extent };
 }
 
 function objects_of(d: Drawing) {
-  const a = colour("--solid-a"), b = colour("--solid-b"), fg = colour("--fg");
+  const a = colour("--solid-a"),
+    b = colour("--solid-b"),
+    fg = colour("--fg");
   return [
-    solid(d.a, a, d.extent), solid(d.b, b, d.extent),
+    solid(d.a, a, d.extent),
+    solid(d.b, b, d.extent),
     ...(d.plane && d.direction ? [plane(d.plane, d.direction, 1.5 * d.extent, colour("--grey"))] : []),
     ...(d.near ? [mark(d.near.a, a), mark(d.near.b, b), line([d.near.a, d.near.b], fg, { on_top: true })] : []),
-    ...(d.point ? [mark(d.point, fg)] : [])];
+    ...(d.point ? [mark(d.point, fg)] : []),
+  ];
 }
 
 export function PairView({ shown }: { shown: Case }) {
@@ -53,30 +58,68 @@ export function PairView({ shown }: { shown: Case }) {
     observer.observe(place.current);
     const scheme = matchMedia("(prefers-color-scheme: dark)");
     scheme.addEventListener("change", paint);
-    return () => { observer.disconnect(); scheme.removeEventListener("change", paint); };
+    return () => {
+      observer.disconnect();
+      scheme.removeEventListener("change", paint);
+    };
   }, [drawing]);
   useLayoutEffect(() => stage?.look(view), [view.radius, shown]);
 
-  const gap = true_drawing.gap, words = gap === null ? "" : gap < 0 ? "overlap" : "gap";
+  const gap = true_drawing.gap,
+    words = gap === null ? "" : gap < 0 ? "overlap" : "gap";
   const label = `Cylinder a and cylinder b, ${shown.truth.verdict}`;
   return (
     <figure class="pair-view">
       <div class="stage-tools" role="group" aria-label="View">
-        <button type="button" aria-pressed={!close} onClick={() => zoom(false)}>Whole pair</button>
-        <button type="button" aria-pressed={close} onClick={() => zoom(true)}>Contact</button>
-        {factor > 1 && <button type="button" aria-pressed={wide} onClick={() => widen(!wide)}>Widen the {words}</button>}
-        <span class="swatches"><i class="a" /> a <i class="b" /> b{drawing.plane && <><i class="plane" /> plane between</>}{drawing.point && <><i class="point" /> common point</>}</span>
+        <button type="button" aria-pressed={!close} onClick={() => zoom(false)}>
+          Whole pair
+        </button>
+        <button type="button" aria-pressed={close} onClick={() => zoom(true)}>
+          Contact
+        </button>
+        {factor > 1 && (
+          <button type="button" aria-pressed={wide} onClick={() => widen(!wide)}>
+            Widen the {words}
+          </button>
+        )}
+        <span class="swatches">
+          <i class="a" /> a <i class="b" /> b
+          {drawing.plane && (
+            <>
+              <i class="plane" /> plane between
+            </>
+          )}
+          {drawing.point && (
+            <>
+              <i class="point" /> common point
+            </>
+          )}
+        </span>
       </div>
       <div class={`stage ${stage ? "" : "flat"}`} ref={place}>
         <Projection drawing={drawing} view={view} label={label} />
       </div>
       <figcaption>
-        {factor > 1 && wide && <b class="warn">Not to scale: the {words} of {short(Math.abs(gap!) * true_drawing.unit)} is drawn {short(factor, 2)} times as wide, by moving the solids {gap! > 0 ? "apart" : "into each other"} about their contact. </b>}
-        {factor > 1 && !wide && <>To scale: the {words} of {short(Math.abs(gap!) * true_drawing.unit)} is drawn as it is. </>}
+        {factor > 1 && wide && (
+          <b class="warn">
+            Not to scale: the {words} of {short(Math.abs(gap!) * true_drawing.unit)} is drawn {short(factor, 2)} times
+            as wide, by moving the solids {gap! > 0 ? "apart" : "into each other"} about their contact.{" "}
+          </b>
+        )}
+        {factor > 1 && !wide && (
+          <>
+            To scale: the {words} of {short(Math.abs(gap!) * true_drawing.unit)} is drawn as it is.{" "}
+          </>
+        )}
         {factor === 1 && <>To scale. </>}
-        {Number.isFinite(ratio) && ratio > uneven && <>One solid is {short(ratio, 2)} times as large as the other, which may be too small to be seen. </>}
+        {Number.isFinite(ratio) && ratio > uneven && (
+          <>One solid is {short(ratio, 2)} times as large as the other, which may be too small to be seen. </>
+        )}
         {stage ? "Drag to turn, wheel to zoom." : "This browser has no WebGL: a projection stands in."}
-        {drawing.near && (gap !== null && gap < 0 ? " The dots on a line are the points of each that lie deepest in the other, approximately." : " The dots on a line are the nearest points, approximately.")}
+        {drawing.near &&
+          (gap !== null && gap < 0
+            ? " The dots on a line are the points of each that lie deepest in the other, approximately."
+            : " The dots on a line are the nearest points, approximately.")}
       </figcaption>
     </figure>
   );

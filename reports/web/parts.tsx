@@ -8,7 +8,17 @@ import { shell_quoted } from "./words.ts";
 /** A colour of style.css, for what is no element. */
 export const colour = (name: string) => getComputedStyle(document.documentElement).getPropertyValue(name).trim();
 
-export function Section({ id, title, lead, children }: { id: string; title: string; lead?: ComponentChildren; children: ComponentChildren }) {
+export function Section({
+  id,
+  title,
+  lead,
+  children,
+}: {
+  id: string;
+  title: string;
+  lead?: ComponentChildren;
+  children: ComponentChildren;
+}) {
   return (
     <section id={id} aria-labelledby={`${id}-title`}>
       <h2 id={`${id}-title`}>{title}</h2>
@@ -23,8 +33,14 @@ const makes = {
   buckets: ["causes: its findings have not been folded into buckets", (run: string) => `./daylight triage ${run}`],
   maps: ["failure maps", (run: string) => `./daylight chart ${run}`],
   honesty: ["curves of wrongness against margin", (run: string) => `./daylight chart ${run}`],
-  speed: ["times", (run: string) => `./daylight bench --curves --json bench.json && ./daylight chart ${run} --bench bench.json`],
-  cost: ["times against margin", (run: string) => `./daylight bench --curves --json bench.json && ./daylight chart ${run} --bench bench.json`],
+  speed: [
+    "times",
+    (run: string) => `./daylight bench --curves --json bench.json && ./daylight chart ${run} --bench bench.json`,
+  ],
+  cost: [
+    "times against margin",
+    (run: string) => `./daylight bench --curves --json bench.json && ./daylight chart ${run} --bench bench.json`,
+  ],
   paths: ["walks along paths", (run: string) => `./daylight chart ${run} --stability`],
   backward: ["backward errors", (run: string) => `./daylight chart ${run} --stability`],
   builds: ["comparison of builds", (run: string) => `./daylight chart ${run} --stability`],
@@ -34,7 +50,11 @@ const makes = {
 /** What stands where a run has no data of a kind. */
 export function Missing({ of, report }: { of: keyof typeof makes; report: Report }) {
   const [what, command] = makes[of];
-  return <p class="missing">This run has no {what}. <code>{command(shell_quoted(report.run.folder ?? report.run.id))}</code> makes it.</p>;
+  return (
+    <p class="missing">
+      This run has no {what}. <code>{command(shell_quoted(report.run.folder ?? report.run.id))}</code> makes it.
+    </p>
+  );
 }
 
 export function Copy({ text, label }: { text: string; label: string }) {
@@ -44,23 +64,48 @@ export function Copy({ text, label }: { text: string; label: string }) {
       await navigator.clipboard.writeText(text);
       say("copied");
     } catch {
-      say("select and copy by hand");  // a page from disk may have no clipboard
+      say("select and copy by hand"); // a page from disk may have no clipboard
     }
     setTimeout(() => say(""), 2000);
   };
   return (
     <div class="copy">
-      <div class="copy-head"><span>{label}</span><span><span class="soft" role="status">{said}</span> <button type="button" onClick={copy}>Copy</button></span></div>
+      <div class="copy-head">
+        <span>{label}</span>
+        <span>
+          <span class="soft" role="status">
+            {said}
+          </span>{" "}
+          <button type="button" onClick={copy}>
+            Copy
+          </button>
+        </span>
+      </div>
       <code tabIndex={0}>{text}</code>
     </div>
   );
 }
 
-export function Select({ label, value, options, onChange }: { label: string; value: string; options: readonly (readonly [string, string])[]; onChange: (value: string) => void }) {
+export function Select({
+  label,
+  value,
+  options,
+  onChange,
+}: {
+  label: string;
+  value: string;
+  options: readonly (readonly [string, string])[];
+  onChange: (value: string) => void;
+}) {
   return (
-    <label class="select">{label}{" "}
+    <label class="select">
+      {label}{" "}
       <select value={value} onChange={(event) => onChange(event.currentTarget.value)}>
-        {options.map(([key, words]) => <option value={key} key={key} selected={key === value}>{words}</option>)}
+        {options.map(([key, words]) => (
+          <option value={key} key={key} selected={key === value}>
+            {words}
+          </option>
+        ))}
       </select>
     </label>
   );
@@ -73,7 +118,9 @@ export function useWidth<T extends HTMLElement>() {
   useEffect(() => {
     const element = ref.current;
     if (!element) return;
-    const measure = () => { if (element.clientWidth > 0) set(element.clientWidth); };
+    const measure = () => {
+      if (element.clientWidth > 0) set(element.clientWidth);
+    };
     measure();
     const observer = new ResizeObserver(measure);
     observer.observe(element);
@@ -83,17 +130,35 @@ export function useWidth<T extends HTMLElement>() {
 }
 
 /** A plot as wide as its place, drawn when it first comes near the screen and when `draw` changes. */
-export function Figure({ draw, height, caption, label }: { draw: (width: number) => Element; height: number; caption?: ComponentChildren; label: string }) {
+export function Figure({
+  draw,
+  height,
+  caption,
+  label,
+}: {
+  draw: (width: number) => Element;
+  height: number;
+  caption?: ComponentChildren;
+  label: string;
+}) {
   const [ref, width] = useWidth<HTMLDivElement>();
   const [near, come] = useState(false);
   useEffect(() => {
     const element = ref.current;
     if (!element) return;
-    const observer = new IntersectionObserver((entries) => { if (entries.some((e) => e.isIntersecting)) come(true); }, { rootMargin: "600px" });
+    const observer = new IntersectionObserver(
+      (entries) => {
+        if (entries.some((e) => e.isIntersecting)) come(true);
+      },
+      { rootMargin: "600px" },
+    );
     observer.observe(element);
     const now = () => come(true);
     addEventListener("beforeprint", now);
-    return () => { observer.disconnect(); removeEventListener("beforeprint", now); };
+    return () => {
+      observer.disconnect();
+      removeEventListener("beforeprint", now);
+    };
   }, []);
   useEffect(() => {
     if (near && width > 0) ref.current!.replaceChildren(draw(width));

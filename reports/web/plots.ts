@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The plots, for the page and for files: the same marks from the same data, with the colours of a Theme.
 import * as Plot from "@observablehq/plot";
-import type { CostPoint, FailureMap, Honesty, PathStability, BackwardError, SpeedPoint, Tally } from "./data.ts";
+import type { CostPoint, FailureMap, Calibration, PathStability, BackwardError, SpeedPoint, Tally } from "./data.ts";
 import { group_by, grouped, in_order, library, percent, share_bounds, short, time } from "./words.ts";
 
 export type Heat = "empty" | "clean" | "bad" | "within" | "undecided";
@@ -10,25 +10,66 @@ export type Heat = "empty" | "clean" | "bad" | "within" | "undecided";
 export const heat_step = (share: number) => Math.min(5, Math.max(1, Math.floor(Math.log10(share) + 1e-9) + 6));
 
 export interface Theme {
-  fg: string; soft: string; line: string; bg: string;
-  disjoint: string; intersecting: string; failed: string; undecided: string; own: string;
-  clean: string; heat: string[];   // of steps 1 to 5
+  fg: string;
+  soft: string;
+  line: string;
+  bg: string;
+  disjoint: string;
+  intersecting: string;
+  failed: string;
+  undecided: string;
+  own: string;
+  clean: string;
+  heat: string[]; // of steps 1 to 5
   series: string[];
 }
 /** `document`: where there is none of a browser. `link`: where a click on a point leads. */
-export interface Options { width: number; theme: Theme; document?: Document; link?: (method: string, family?: string) => string; title?: string }
+export interface Options {
+  width: number;
+  theme: Theme;
+  document?: Document;
+  link?: (method: string, family?: string) => string;
+  title?: string;
+}
 
 /** Safe for those who do not tell red from green (Okabe and Ito). */
 export const paper: Theme = {
-  fg: "#1a1a1a", soft: "#666666", line: "#d0d0d0", bg: "#ffffff",
-  disjoint: "#d55e00", intersecting: "#0072b2", failed: "#8b3f86", undecided: "#8a8a8a", own: "#007a55",
-  clean: "#e6f0ea", heat: ["#fbe3cf", "#f6bd8e", "#ee9250", "#d55e00", "#8f3a00"],
-  series: ["#0072b2", "#d55e00", "#8b3f86", "#b58900", "#3f6f8f", "#a0522d", "#5b5b9e", "#6b6b6b", "#c0507a", "#4d7f3a"],
+  fg: "#1a1a1a",
+  soft: "#666666",
+  line: "#d0d0d0",
+  bg: "#ffffff",
+  disjoint: "#d55e00",
+  intersecting: "#0072b2",
+  failed: "#8b3f86",
+  undecided: "#8a8a8a",
+  own: "#007a55",
+  clean: "#e6f0ea",
+  heat: ["#fbe3cf", "#f6bd8e", "#ee9250", "#d55e00", "#8f3a00"],
+  series: [
+    "#0072b2",
+    "#d55e00",
+    "#8b3f86",
+    "#b58900",
+    "#3f6f8f",
+    "#a0522d",
+    "#5b5b9e",
+    "#6b6b6b",
+    "#c0507a",
+    "#4d7f3a",
+  ],
 };
 export const screen: Theme = {
-  fg: "var(--fg)", soft: "var(--soft)", line: "var(--line)", bg: "var(--bg)",
-  disjoint: "var(--bad)", intersecting: "var(--blue)", failed: "var(--failed)", undecided: "var(--grey)", own: "var(--own)",
-  clean: "var(--clean)", heat: [1, 2, 3, 4, 5].map((i) => `var(--bad-${i})`),
+  fg: "var(--fg)",
+  soft: "var(--soft)",
+  line: "var(--line)",
+  bg: "var(--bg)",
+  disjoint: "var(--bad)",
+  intersecting: "var(--blue)",
+  failed: "var(--failed)",
+  undecided: "var(--grey)",
+  own: "var(--own)",
+  clean: "var(--clean)",
+  heat: [1, 2, 3, 4, 5].map((i) => `var(--bad-${i})`),
   series: Array.from({ length: 10 }, (_, i) => `var(--series-${i})`),
 };
 
@@ -38,7 +79,8 @@ const log_tick = (x: number) => power(Math.round(Math.log10(x)));
 export function decades(values: number[]): number[] {
   const logs = values.filter((v) => v > 0).map(Math.log10);
   if (logs.length === 0) return [1];
-  const low = Math.floor(Math.min(...logs)), high = Math.ceil(Math.max(...logs));
+  const low = Math.floor(Math.min(...logs)),
+    high = Math.ceil(Math.max(...logs));
   return Array.from({ length: high - low + 1 }, (_, i) => 10 ** (low + i));
 }
 /** A power of ten below `x`, where none is drawn on a logarithmic axis: only such ticks are labelled. */
@@ -47,18 +89,43 @@ export const time_tick = (ns: number) => time(ns);
 
 export function common(o: Options, height: number, more: Plot.PlotOptions): Plot.PlotOptions {
   return {
-    width: o.width, height, marginLeft: 56, marginBottom: 42, marginRight: 30, marginTop: 22,
-    style: { background: "transparent", color: o.theme.fg, fontFamily: "system-ui, sans-serif", fontSize: "11px", overflow: "visible" },
-    ...(o.document ? { document: o.document } : {}), ...more } as Plot.PlotOptions;
+    width: o.width,
+    height,
+    marginLeft: 56,
+    marginBottom: 42,
+    marginRight: 30,
+    marginTop: 22,
+    style: {
+      background: "transparent",
+      color: o.theme.fg,
+      fontFamily: "system-ui, sans-serif",
+      fontSize: "11px",
+      overflow: "visible",
+    },
+    ...(o.document ? { document: o.document } : {}),
+    ...more,
+  } as Plot.PlotOptions;
 }
 
 /** Colours by library, ours apart; the same in every plot of a report. */
 export function palette(libraries: Iterable<string>, theme: Theme): Map<string, string> {
   const colours = new Map([["ours", theme.own]]);
-  for (const name of [...new Set(libraries)].sort()) if (name !== "ours") colours.set(name, theme.series[(colours.size - 1) % theme.series.length]!);
+  for (const name of [...new Set(libraries)].sort())
+    if (name !== "ours") colours.set(name, theme.series[(colours.size - 1) % theme.series.length]!);
   return colours;
 }
-const symbols = ["circle", "triangle", "square", "diamond", "star", "wye", "cross", "hexagon", "diamond2", "square2"] as const;
+const symbols = [
+  "circle",
+  "triangle",
+  "square",
+  "diamond",
+  "star",
+  "wye",
+  "cross",
+  "hexagon",
+  "diamond2",
+  "square2",
+] as const;
 const symbol_of = (libraries: string[]) => new Map(libraries.map((name, i) => [name, symbols[i % symbols.length]!]));
 
 // Speed against accuracy
@@ -67,81 +134,204 @@ const symbol_of = (libraries: string[]) => new Map(libraries.map((name, i) => [n
 /** Those that no other beats in both: the faster first. */
 export function pareto(points: SpeedPoint[]): SpeedPoint[] {
   const front: SpeedPoint[] = [];
-  for (const p of in_order(points.filter((p) => p.digits !== null), (x, y) => x.ns - y.ns || y.digits! - x.digits!))
+  for (const p of in_order(
+    points.filter((p) => p.digits !== null),
+    (x, y) => x.ns - y.ns || y.digits! - x.digits!,
+  ))
     if (front.length === 0 || p.digits! > front[front.length - 1]!.digits!) front.push(p);
   return front;
 }
 
 /** Each curve along its settings: by number where all are numbers, else from the least accurate on. */
-const curves_of = (points: SpeedPoint[]) => [...group_by(points, (p) => p.curve).values()].map((c) => {
-  const numbers = c.every((p) => p.setting !== "" && !Number.isNaN(Number(p.setting)));
-  return in_order(c, (x, y) => (numbers ? Number(x.setting) - Number(y.setting) : x.digits! - y.digits! || x.ns - y.ns));
-});
+const curves_of = (points: SpeedPoint[]) =>
+  [...group_by(points, (p) => p.curve).values()].map((c) => {
+    const numbers = c.every((p) => p.setting !== "" && !Number.isNaN(Number(p.setting)));
+    return in_order(c, (x, y) =>
+      numbers ? Number(x.setting) - Number(y.setting) : x.digits! - y.digits! || x.ns - y.ns,
+    );
+  });
 /** Room that a name takes in the plot: digits high, and as a part of its width for each letter. */
-const name_height = 0.5, name_width = 0.0055;
+const name_height = 0.5,
+  name_width = 0.0055;
 
 /** Of points with names, those whose name has room beside the names before it. */
 function with_room(points: SpeedPoint[]): SpeedPoint[] {
-  const logs = points.map((p) => Math.log10(p.ns)), span = Math.max(1, Math.max(...logs) - Math.min(...logs));
+  const logs = points.map((p) => Math.log10(p.ns)),
+    span = Math.max(1, Math.max(...logs) - Math.min(...logs));
   const placed: SpeedPoint[] = [];
   const apart = (p: SpeedPoint, q: SpeedPoint) => {
     const [left, right] = p.ns < q.ns ? [p, q] : [q, p];
-    return Math.abs(p.digits! - q.digits!) > name_height || Math.log10(right.ns / left.ns) > name_width * span * (left.curve.length + 2) * 1.4;
+    return (
+      Math.abs(p.digits! - q.digits!) > name_height ||
+      Math.log10(right.ns / left.ns) > name_width * span * (left.curve.length + 2) * 1.4
+    );
   };
-  for (const p of in_order(points, (x, y) => y.digits! - x.digits! || x.ns - y.ns)) if (placed.every((q) => apart(p, q))) placed.push(p);
+  for (const p of in_order(points, (x, y) => y.digits! - x.digits! || x.ns - y.ns))
+    if (placed.every((q) => apart(p, q))) placed.push(p);
   return placed;
 }
-const point_words = (p: SpeedPoint) => [
-  p.method + (p.setting && p.setting !== p.method ? ` (${p.setting})` : ""), `${time(p.ns)} a pair${p.p99 === null ? "" : `, p99 ${time(p.p99)}`}${p.max === null ? "" : `, most ${time(p.max)}`}`,
-  p.digits === null ? "no digits told" : `right from 1e\u2212${short(p.digits)} on${p.digits_low === null ? "" : `; with 95 % confidence from 1e\u2212${short(p.digits_low)}`}`,
-  `said disjoint wrongly ${grouped(p.wrong_disjoint)}, intersecting wrongly ${grouped(p.wrong_intersecting)} of ${grouped(p.asked)}`].join("\n");
+const point_words = (p: SpeedPoint) =>
+  [
+    p.method + (p.setting && p.setting !== p.method ? ` (${p.setting})` : ""),
+    `${time(p.ns)} a ` +
+      `pair${p.p99 === null ? "" : `, p99 ${time(p.p99)}`}${p.max === null ? "" : `, most ${time(p.max)}`}`,
+    p.digits === null
+      ? "no digits told"
+      : `right from 1e\u2212${short(p.digits)} ` +
+        `on${p.digits_low === null ? "" : `; with 95 % confidence from 1e\u2212${short(p.digits_low)}`}`,
+    `said disjoint wrongly ${grouped(p.wrong_disjoint)}, intersecting wrongly ${grouped(p.wrong_intersecting)} of ` +
+      `${grouped(p.asked)}`,
+  ].join("\n");
 
 export function speed_plot(points: SpeedPoint[], o: Options): Element {
   const told = points.filter((p) => p.digits !== null);
-  const libraries = [...palette(points.map((p) => library(p.method)), o.theme).keys()];
-  const colour = palette(libraries, o.theme), shape = symbol_of(libraries);
+  const libraries = [
+    ...palette(
+      points.map((p) => library(p.method)),
+      o.theme,
+    ).keys(),
+  ];
+  const colour = palette(libraries, o.theme),
+    shape = symbol_of(libraries);
   const front = pareto(told);
   const times = told.flatMap((p) => [p.ns, p.p99 ?? p.ns]);
   const fill = (p: SpeedPoint) => colour.get(library(p.method))!;
   const ends = curves_of(told).map((c) => c.reduce((best, p) => (p.digits! > best.digits! ? p : best)));
-  const stairs = front.flatMap((p, i) => (i === 0 ? [] : [{ ns: p.ns, digits: front[i - 1]!.digits! }]).concat({ ns: p.ns, digits: p.digits! }));
-  return Plot.plot(common(o, 420, {
-    x: { type: "log", label: "time a pair (median; whisker: p99) \u2192", ticks: decades(times), tickFormat: time_tick, grid: true, nice: true },
-    y: { label: "\u2191 correct digits d: right at every margin from 1e\u2212d on (whisker: down to the 95 % bound)", grid: true, domain: [0, Math.max(4, ...told.map((p) => p.digits!)) + 1] },
-    color: { type: "identity" }, symbol: { type: "identity" },
-    marks: [
-      Plot.line(stairs, { x: "ns", y: "digits", stroke: o.theme.soft, strokeDasharray: "5 3", strokeWidth: 1.2 }),
-      Plot.ruleY(told.filter((p) => p.p99 !== null && p.p99 > p.ns), { x1: "ns", x2: "p99", y: "digits", stroke: fill, strokeOpacity: 0.45 }),
-      Plot.ruleX(told.filter((p) => p.digits_low !== null), { x: "ns", y1: "digits_low", y2: "digits", stroke: fill, strokeOpacity: 0.7 }),
-      ...curves_of(told).filter((c) => c.length > 1).map((c) => Plot.line(c, { x: "ns", y: "digits", stroke: fill(c[0]!), strokeWidth: 1.3 })),
-      Plot.dot(told, { x: "ns", y: "digits", fill, stroke: o.theme.bg, strokeWidth: 0.8, symbol: (p: SpeedPoint) => shape.get(library(p.method)), r: 4.5,
-        ...(o.link ? { href: (p: SpeedPoint) => o.link!(p.method, p.family), target: "_self" } : {}), ariaLabel: point_words }),
-      Plot.text(with_room(ends), { x: "ns", y: "digits", text: "curve", dy: -9, textAnchor: "start", dx: 4, fill, fontSize: 10, stroke: o.theme.bg, strokeWidth: 3, paintOrder: "stroke" }),
-      ...(o.document ? [] : [Plot.tip(told, Plot.pointer({ x: "ns", y: "digits", title: point_words, fill: o.theme.bg, stroke: o.theme.line }))]),
-    ],
-  }));
+  const stairs = front.flatMap((p, i) =>
+    (i === 0 ? [] : [{ ns: p.ns, digits: front[i - 1]!.digits! }]).concat({ ns: p.ns, digits: p.digits! }),
+  );
+  return Plot.plot(
+    common(o, 420, {
+      x: {
+        type: "log",
+        label: "time a pair (median; whisker: p99) \u2192",
+        ticks: decades(times),
+        tickFormat: time_tick,
+        grid: true,
+        nice: true,
+      },
+      y: {
+        label: "\u2191 correct digits d: right at every margin from 1e\u2212d on (whisker: down to the 95 % bound)",
+        grid: true,
+        domain: [0, Math.max(4, ...told.map((p) => p.digits!)) + 1],
+      },
+      color: { type: "identity" },
+      symbol: { type: "identity" },
+      marks: [
+        Plot.line(stairs, { x: "ns", y: "digits", stroke: o.theme.soft, strokeDasharray: "5 3", strokeWidth: 1.2 }),
+        Plot.ruleY(
+          told.filter((p) => p.p99 !== null && p.p99 > p.ns),
+          { x1: "ns", x2: "p99", y: "digits", stroke: fill, strokeOpacity: 0.45 },
+        ),
+        Plot.ruleX(
+          told.filter((p) => p.digits_low !== null),
+          { x: "ns", y1: "digits_low", y2: "digits", stroke: fill, strokeOpacity: 0.7 },
+        ),
+        ...curves_of(told)
+          .filter((c) => c.length > 1)
+          .map((c) => Plot.line(c, { x: "ns", y: "digits", stroke: fill(c[0]!), strokeWidth: 1.3 })),
+        Plot.dot(told, {
+          x: "ns",
+          y: "digits",
+          fill,
+          stroke: o.theme.bg,
+          strokeWidth: 0.8,
+          symbol: (p: SpeedPoint) => shape.get(library(p.method)),
+          r: 4.5,
+          ...(o.link ? { href: (p: SpeedPoint) => o.link!(p.method, p.family), target: "_self" } : {}),
+          ariaLabel: point_words,
+        }),
+        Plot.text(with_room(ends), {
+          x: "ns",
+          y: "digits",
+          text: "curve",
+          dy: -9,
+          textAnchor: "start",
+          dx: 4,
+          fill,
+          fontSize: 10,
+          stroke: o.theme.bg,
+          strokeWidth: 3,
+          paintOrder: "stroke",
+        }),
+        ...(o.document
+          ? []
+          : [
+              Plot.tip(
+                told,
+                Plot.pointer({ x: "ns", y: "digits", title: point_words, fill: o.theme.bg, stroke: o.theme.line }),
+              ),
+            ]),
+      ],
+    }),
+  );
 }
 
 /** The two ways to be wrong, apart; none wrong stands on the lowest line. */
 export function wrong_plot(points: SpeedPoint[], o: Options): Element {
   const floor = below(1 / Math.max(10, ...points.map((p) => p.asked)));
   const rows = points.flatMap((p) => [
-    { p, ns: p.ns, side: "said disjoint, but they meet", share: Math.max(floor, p.wrong_disjoint / Math.max(1, p.asked)) },
-    { p, ns: p.ns, side: "said intersecting, but they do not", share: Math.max(floor, p.wrong_intersecting / Math.max(1, p.asked)) }]);
-  const colour = (r: { side: string }) => (r.side.startsWith("said disjoint") ? o.theme.disjoint : o.theme.intersecting);
+    {
+      p,
+      ns: p.ns,
+      side: "said disjoint, but they meet",
+      share: Math.max(floor, p.wrong_disjoint / Math.max(1, p.asked)),
+    },
+    {
+      p,
+      ns: p.ns,
+      side: "said intersecting, but they do not",
+      share: Math.max(floor, p.wrong_intersecting / Math.max(1, p.asked)),
+    },
+  ]);
+  const colour = (r: { side: string }) =>
+    r.side.startsWith("said disjoint") ? o.theme.disjoint : o.theme.intersecting;
   const words = (r: (typeof rows)[number]) => `${point_words(r.p)}`;
-  return Plot.plot(common(o, 230, {
-    x: { type: "log", label: "time a pair \u2192", ticks: decades(points.map((p) => p.ns)), tickFormat: time_tick, grid: true, nice: true },
-    y: { type: "log", label: "\u2191 share of answers", ticks: decades([floor, 1]), tickFormat: (v: number) => (v < floor * 1.01 ? "0" : log_tick(v)), grid: true, domain: [floor, 1] },
-    fx: { label: null, padding: 0.12 }, color: { type: "identity" },
-    marks: [
-      Plot.frame({ stroke: o.theme.line, }),
-      Plot.dot(rows, { x: "ns", y: "share", fx: "side", fill: colour, symbol: (r: { side: string }) => (r.side.startsWith("said disjoint") ? "triangle" : "square"), r: 3.5, fillOpacity: 0.85,
-        ...(o.link ? { href: (r: (typeof rows)[number]) => o.link!(r.p.method, r.p.family), target: "_self" } : {}), ariaLabel: words }),
-      ...(o.document ? [] : [Plot.tip(rows, Plot.pointer({ x: "ns", y: "share", fx: "side", title: words, fill: o.theme.bg, stroke: o.theme.line }))]),
-    ],
-    symbol: { type: "identity" },
-  }));
+  return Plot.plot(
+    common(o, 230, {
+      x: {
+        type: "log",
+        label: "time a pair \u2192",
+        ticks: decades(points.map((p) => p.ns)),
+        tickFormat: time_tick,
+        grid: true,
+        nice: true,
+      },
+      y: {
+        type: "log",
+        label: "\u2191 share of answers",
+        ticks: decades([floor, 1]),
+        tickFormat: (v: number) => (v < floor * 1.01 ? "0" : log_tick(v)),
+        grid: true,
+        domain: [floor, 1],
+      },
+      fx: { label: null, padding: 0.12 },
+      color: { type: "identity" },
+      marks: [
+        Plot.frame({ stroke: o.theme.line }),
+        Plot.dot(rows, {
+          x: "ns",
+          y: "share",
+          fx: "side",
+          fill: colour,
+          symbol: (r: { side: string }) => (r.side.startsWith("said disjoint") ? "triangle" : "square"),
+          r: 3.5,
+          fillOpacity: 0.85,
+          ...(o.link ? { href: (r: (typeof rows)[number]) => o.link!(r.p.method, r.p.family), target: "_self" } : {}),
+          ariaLabel: words,
+        }),
+        ...(o.document
+          ? []
+          : [
+              Plot.tip(
+                rows,
+                Plot.pointer({ x: "ns", y: "share", fx: "side", title: words, fill: o.theme.bg, stroke: o.theme.line }),
+              ),
+            ]),
+      ],
+      symbol: { type: "identity" },
+    }),
+  );
 }
 
 // Failure maps
@@ -149,39 +339,98 @@ export function wrong_plot(points: SpeedPoint[], o: Options): Element {
 
 export type Wrongness = "all" | "wrong_disjoint" | "wrong_intersecting" | "failed" | "undecided";
 type Cell = FailureMap["cells"][number];
-export const wrong_of = (c: Cell, what: Wrongness) => (what === "all" ? c.wrong_disjoint + c.wrong_intersecting + c.failed : c[what]);
-const cell_words = (map: FailureMap, c: Cell) => [
-  `${map.x.title}: ${map.x.labels[c.x] ?? c.x}`, `${map.y.title}: ${map.y.labels[c.y] ?? c.y}`, `asked ${grouped(c.asked)}`,
-  ...([["wrong_disjoint", "said disjoint wrongly"], ["wrong_intersecting", "said intersecting wrongly"], ["failed", "failed"], ["undecided", "undecided"]] as const)
-    .filter(([k]) => c[k] > 0).map(([k, words]) => `${words} ${grouped(c[k])} (${percent(c[k], c.asked)})`),
-  ...(c.finding !== undefined ? ["click: a case of this cell"] : [])].join("\n");
+export const wrong_of = (c: Cell, what: Wrongness) =>
+  what === "all" ? c.wrong_disjoint + c.wrong_intersecting + c.failed : c[what];
+const cell_words = (map: FailureMap, c: Cell) =>
+  [
+    `${map.x.title}: ${map.x.labels[c.x] ?? c.x}`,
+    `${map.y.title}: ${map.y.labels[c.y] ?? c.y}`,
+    `asked ${grouped(c.asked)}`,
+    ...(
+      [
+        ["wrong_disjoint", "said disjoint wrongly"],
+        ["wrong_intersecting", "said intersecting wrongly"],
+        ["failed", "failed"],
+        ["undecided", "undecided"],
+      ] as const
+    )
+      .filter(([k]) => c[k] > 0)
+      .map(([k, words]) => `${words} ${grouped(c[k])} (${percent(c[k], c.asked)})`),
+    ...(c.finding !== undefined ? ["click: a case of this cell"] : []),
+  ].join("\n");
 
-export function map_plot(map: FailureMap, what: Wrongness, o: Options & { link_finding?: (id: number) => string }): Element {
-  const fill = (c: Cell) => { const wrong = wrong_of(c, what); return wrong === 0 ? o.theme.clean : o.theme.heat[heat_step(wrong / c.asked) - 1]!; };
+export function map_plot(
+  map: FailureMap,
+  what: Wrongness,
+  o: Options & { link_finding?: (id: number) => string },
+): Element {
+  const fill = (c: Cell) => {
+    const wrong = wrong_of(c, what);
+    return wrong === 0 ? o.theme.clean : o.theme.heat[heat_step(wrong / c.asked) - 1]!;
+  };
   const visited = map.cells.filter((c) => c.asked > 0);
   const seen = new Set(visited.map((c) => `${c.x} ${c.y}`));
-  const blank = map.x.labels.flatMap((_, x) => map.y.labels.map((_, y) => ({ x, y }) as Cell)).filter((c) => !seen.has(`${c.x} ${c.y}`));
+  const blank = map.x.labels
+    .flatMap((_, x) => map.y.labels.map((_, y) => ({ x, y }) as Cell))
+    .filter((c) => !seen.has(`${c.x} ${c.y}`));
   const n = { x: map.x.labels.length, y: map.y.labels.length };
   const at = { x: (c: Cell) => c.x, y: (c: Cell) => c.y };
   const words = (c: Cell) => cell_words(map, c);
   const skip = Math.max(1, Math.ceil((n.x * 40) / (o.width - 90)));
-  return Plot.plot(common(o, 40 + n.y * 17 + 46, {
-    title: undefined, marginLeft: 74, marginBottom: 44,
-    x: { type: "band", domain: Array.from({ length: n.x }, (_, i) => i), tickFormat: (i: number) => (i % skip === 0 ? map.x.labels[i] ?? "" : ""), label: `${map.x.title} \u2192`, padding: 0.06, tickSize: 0 },
-    y: { type: "band", domain: Array.from({ length: n.y }, (_, i) => n.y - 1 - i), tickFormat: (i: number) => map.y.labels[i] ?? "", label: `\u2191 ${map.y.title}`, padding: 0.06, tickSize: 0 },
-    color: { type: "identity" },
-    marks: [
-      Plot.frame({ stroke: o.theme.line }),
-      Plot.cell(visited, { ...at, fill, stroke: o.theme.line, strokeWidth: 0.5, inset: 0,
-        ...(o.link_finding ? { href: (c: Cell) => (c.finding !== undefined ? o.link_finding!(c.finding) : null), target: "_self" } : {}), ariaLabel: words }),
-      Plot.text(blank, { ...at, text: () => "\u2215", fill: o.theme.soft, fillOpacity: 0.6, fontSize: 8 }),
-      Plot.dot(visited.filter((c) => wrong_of(c, what) > 0 && c.finding !== undefined), { ...at, r: 1.3, fill: o.theme.fg, pointerEvents: "none" }),
-      ...(o.document ? [] : [Plot.tip(visited, Plot.pointer({ ...at, title: words, fill: o.theme.bg, stroke: o.theme.line, maxRadius: 14 }))]),
-    ],
-  }));
+  return Plot.plot(
+    common(o, 40 + n.y * 17 + 46, {
+      title: undefined,
+      marginLeft: 74,
+      marginBottom: 44,
+      x: {
+        type: "band",
+        domain: Array.from({ length: n.x }, (_, i) => i),
+        tickFormat: (i: number) => (i % skip === 0 ? (map.x.labels[i] ?? "") : ""),
+        label: `${map.x.title} \u2192`,
+        padding: 0.06,
+        tickSize: 0,
+      },
+      y: {
+        type: "band",
+        domain: Array.from({ length: n.y }, (_, i) => n.y - 1 - i),
+        tickFormat: (i: number) => map.y.labels[i] ?? "",
+        label: `\u2191 ${map.y.title}`,
+        padding: 0.06,
+        tickSize: 0,
+      },
+      color: { type: "identity" },
+      marks: [
+        Plot.frame({ stroke: o.theme.line }),
+        Plot.cell(visited, {
+          ...at,
+          fill,
+          stroke: o.theme.line,
+          strokeWidth: 0.5,
+          inset: 0,
+          ...(o.link_finding
+            ? { href: (c: Cell) => (c.finding !== undefined ? o.link_finding!(c.finding) : null), target: "_self" }
+            : {}),
+          ariaLabel: words,
+        }),
+        Plot.text(blank, { ...at, text: () => "\u2215", fill: o.theme.soft, fillOpacity: 0.6, fontSize: 8 }),
+        Plot.dot(
+          visited.filter((c) => wrong_of(c, what) > 0 && c.finding !== undefined),
+          { ...at, r: 1.3, fill: o.theme.fg, pointerEvents: "none" },
+        ),
+        ...(o.document
+          ? []
+          : [
+              Plot.tip(
+                visited,
+                Plot.pointer({ ...at, title: words, fill: o.theme.bg, stroke: o.theme.line, maxRadius: 14 }),
+              ),
+            ]),
+      ],
+    }),
+  );
 }
 
-// Honesty: share wrong against margin
+// Calibration: share wrong against margin
 // -------------------------------------------------------------------------------------
 
 /** Curves in one plot: as many as have a colour and a symbol that nobody confuses. */
@@ -194,33 +443,100 @@ export function first_of_each(methods: string[]): string[] {
   return in_order(firsts, (x, y) => rank(x) - rank(y)).slice(0, shown_cap);
 }
 
-export function honesty_plot(all: Honesty[], o: Options): Element {
-  const sides = [["wrong_disjoint", "said disjoint, but they meet"], ["wrong_intersecting", "said intersecting, but they do not"]] as const;
-  const rows = all.flatMap((h) => sides.flatMap(([key, side]) => h.bins.filter((b) => b.asked > 0).map((b) => {
-    const [low, high] = share_bounds(b[key], b.asked);
-    return { method: h.method, side, decade: b.decade, asked: b.asked, wrong: b[key], share: b[key] / b.asked, low, high };
-  })));
+export function calibration_plot(all: Calibration[], o: Options): Element {
+  const sides = [
+    ["wrong_disjoint", "said disjoint, but they meet"],
+    ["wrong_intersecting", "said intersecting, but they do not"],
+  ] as const;
+  const rows = all.flatMap((h) =>
+    sides.flatMap(([key, side]) =>
+      h.bins
+        .filter((b) => b.asked > 0)
+        .map((b) => {
+          const [low, high] = share_bounds(b[key], b.asked);
+          return {
+            method: h.method,
+            side,
+            decade: b.decade,
+            asked: b.asked,
+            wrong: b[key],
+            share: b[key] / b.asked,
+            low,
+            high,
+          };
+        }),
+    ),
+  );
   const floor = below(Math.min(0.01, ...rows.map((r) => r.high)));
   const methods = [...new Set(all.map((h) => h.method))];
   const colour = (r: { method: string }) => o.theme.series[methods.indexOf(r.method) % o.theme.series.length]!;
   const shape = (r: { method: string }) => symbols[methods.indexOf(r.method) % symbols.length]!;
-  const words = (r: (typeof rows)[number]) => `${r.method}, margin (1e\u2212${r.decade + 1}, 1e\u2212${r.decade}]\nwrong ${grouped(r.wrong)} of ${grouped(r.asked)}: ${percent(r.wrong, r.asked)}\n95 %: ${short(r.low, 2)} to ${short(r.high, 2)}`;
+  const words = (r: (typeof rows)[number]) =>
+    `${r.method}, margin (1e\u2212${r.decade + 1}, 1e\u2212${r.decade}]\nwrong ${grouped(r.wrong)} of ` +
+    `${grouped(r.asked)}: ${percent(r.wrong, r.asked)}\n95 %: ${short(r.low, 2)} to ${short(r.high, 2)}`;
   const last = Math.max(0, ...rows.map((r) => r.decade));
   const dx = (r: { method: string }) => (methods.indexOf(r.method) - (methods.length - 1) / 2) * 0.09;
   const x = (r: (typeof rows)[number]) => r.decade + dx(r);
-  const share = (r: (typeof rows)[number]) => Math.max(floor, r.share), low = (r: (typeof rows)[number]) => Math.max(floor, r.low);
-  return Plot.plot(common(o, 330, {
-    x: { label: "margin, smaller \u2192", domain: [-0.5, last + 0.5], ticks: Array.from({ length: last + 1 }, (_, i) => i).filter((i) => i % Math.ceil((last * 46 * 2) / (o.width - 90)) === 0), tickFormat: (d: number) => power(-d) },
-    y: { type: "log", label: "\u2191 share wrong (bar: 95 %)", domain: [floor, 1], ticks: decades([floor, 1]), tickFormat: (v: number) => (v < floor * 1.01 ? "0" : log_tick(v)), grid: true },
-    fx: { label: null, padding: 0.08 }, color: { type: "identity" }, symbol: { type: "identity" },
-    marks: [
-      Plot.frame({ stroke: o.theme.line }),
-      Plot.ruleX(rows, { x, y1: low, y2: "high", fx: "side", stroke: colour, strokeOpacity: (r: (typeof rows)[number]) => (r.wrong === 0 ? 0.2 : 0.5) }),
-      ...methods.map((m) => Plot.line(rows.filter((r) => r.method === m), { x, y: share, fx: "side", stroke: colour({ method: m }), strokeWidth: 1.3 })),
-      Plot.dot(rows, { x, y: share, fx: "side", stroke: colour, fill: (r: (typeof rows)[number]) => (r.wrong === 0 ? o.theme.bg : colour(r)), symbol: shape, r: 3, ariaLabel: words }),
-      ...(o.document ? [] : [Plot.tip(rows, Plot.pointer({ x, y: share, fx: "side", title: words, fill: o.theme.bg, stroke: o.theme.line }))]),
-    ],
-  }));
+  const share = (r: (typeof rows)[number]) => Math.max(floor, r.share),
+    low = (r: (typeof rows)[number]) => Math.max(floor, r.low);
+  return Plot.plot(
+    common(o, 330, {
+      x: {
+        label: "margin, smaller \u2192",
+        domain: [-0.5, last + 0.5],
+        ticks: Array.from({ length: last + 1 }, (_, i) => i).filter(
+          (i) => i % Math.ceil((last * 46 * 2) / (o.width - 90)) === 0,
+        ),
+        tickFormat: (d: number) => power(-d),
+      },
+      y: {
+        type: "log",
+        label: "\u2191 share wrong (bar: 95 %)",
+        domain: [floor, 1],
+        ticks: decades([floor, 1]),
+        tickFormat: (v: number) => (v < floor * 1.01 ? "0" : log_tick(v)),
+        grid: true,
+      },
+      fx: { label: null, padding: 0.08 },
+      color: { type: "identity" },
+      symbol: { type: "identity" },
+      marks: [
+        Plot.frame({ stroke: o.theme.line }),
+        Plot.ruleX(rows, {
+          x,
+          y1: low,
+          y2: "high",
+          fx: "side",
+          stroke: colour,
+          strokeOpacity: (r: (typeof rows)[number]) => (r.wrong === 0 ? 0.2 : 0.5),
+        }),
+        ...methods.map((m) =>
+          Plot.line(
+            rows.filter((r) => r.method === m),
+            { x, y: share, fx: "side", stroke: colour({ method: m }), strokeWidth: 1.3 },
+          ),
+        ),
+        Plot.dot(rows, {
+          x,
+          y: share,
+          fx: "side",
+          stroke: colour,
+          fill: (r: (typeof rows)[number]) => (r.wrong === 0 ? o.theme.bg : colour(r)),
+          symbol: shape,
+          r: 3,
+          ariaLabel: words,
+        }),
+        ...(o.document
+          ? []
+          : [
+              Plot.tip(
+                rows,
+                Plot.pointer({ x, y: share, fx: "side", title: words, fill: o.theme.bg, stroke: o.theme.line }),
+              ),
+            ]),
+      ],
+    }),
+  );
 }
 
 // Stability
@@ -229,65 +545,173 @@ export function honesty_plot(all: Honesty[], o: Options): Element {
 export function cost_plot(points: CostPoint[], o: Options): Element {
   const methods = [...new Set(points.map((p) => p.method))];
   const colour = (p: { method: string }) => o.theme.series[methods.indexOf(p.method) % o.theme.series.length]!;
-  const by_method = [...group_by(points, (p) => p.method).values()].map((ps) => in_order(ps, (x, y) => x.decade - y.decade));
-  const words = (p: CostPoint) => `${p.method}, margin 1e\u2212${p.decade}\nhalf within ${time(p.p50)}\n99 % within ${time(p.p99)}\nall within ${time(p.max)}`;
-  const last = Math.max(1, ...points.map((p) => p.decade)), first = Math.min(0, ...points.map((p) => p.decade));
-  return Plot.plot(common(o, 330, {
-    x: { label: "margin, smaller \u2192", domain: [first, last], ticks: Array.from({ length: last - first + 1 }, (_, i) => first + i), tickFormat: (d: number) => power(-d) },
-    y: { type: "log", label: "\u2191 time a pair: line p50, band to p99, dot longest", ticks: decades(points.flatMap((p) => [p.p50, p.max])), tickFormat: time_tick, grid: true, nice: true },
-    color: { type: "identity" }, symbol: { type: "identity" },
-    marks: [
-      ...by_method.map((ps) => Plot.areaY(ps, { x: "decade", y1: "p50", y2: "p99", fill: colour(ps[0]!), fillOpacity: 0.14 })),
-      ...by_method.map((ps) => Plot.line(ps, { x: "decade", y: "p50", stroke: colour(ps[0]!), strokeWidth: 1.5 })),
-      Plot.dot(points, { x: "decade", y: "max", stroke: colour, r: 2.2, symbol: (p: CostPoint) => symbols[methods.indexOf(p.method) % symbols.length]!, ariaLabel: words }),
-      ...(o.document ? [] : [Plot.tip(points, Plot.pointer({ x: "decade", y: "p50", title: words, fill: o.theme.bg, stroke: o.theme.line }))]),
-    ],
-  }));
+  const by_method = [...group_by(points, (p) => p.method).values()].map((ps) =>
+    in_order(ps, (x, y) => x.decade - y.decade),
+  );
+  const words = (p: CostPoint) =>
+    `${p.method}, margin 1e\u2212${p.decade}\nhalf within ${time(p.p50)}\n99 % within ${time(p.p99)}\nall within ` +
+    `${time(p.max)}`;
+  const last = Math.max(1, ...points.map((p) => p.decade)),
+    first = Math.min(0, ...points.map((p) => p.decade));
+  return Plot.plot(
+    common(o, 330, {
+      x: {
+        label: "margin, smaller \u2192",
+        domain: [first, last],
+        ticks: Array.from({ length: last - first + 1 }, (_, i) => first + i),
+        tickFormat: (d: number) => power(-d),
+      },
+      y: {
+        type: "log",
+        label: "\u2191 time a pair: line p50, band to p99, dot longest",
+        ticks: decades(points.flatMap((p) => [p.p50, p.max])),
+        tickFormat: time_tick,
+        grid: true,
+        nice: true,
+      },
+      color: { type: "identity" },
+      symbol: { type: "identity" },
+      marks: [
+        ...by_method.map((ps) =>
+          Plot.areaY(ps, { x: "decade", y1: "p50", y2: "p99", fill: colour(ps[0]!), fillOpacity: 0.14 }),
+        ),
+        ...by_method.map((ps) => Plot.line(ps, { x: "decade", y: "p50", stroke: colour(ps[0]!), strokeWidth: 1.5 })),
+        Plot.dot(points, {
+          x: "decade",
+          y: "max",
+          stroke: colour,
+          r: 2.2,
+          symbol: (p: CostPoint) => symbols[methods.indexOf(p.method) % symbols.length]!,
+          ariaLabel: words,
+        }),
+        ...(o.document
+          ? []
+          : [
+              Plot.tip(
+                points,
+                Plot.pointer({ x: "decade", y: "p50", title: words, fill: o.theme.bg, stroke: o.theme.line }),
+              ),
+            ]),
+      ],
+    }),
+  );
 }
 
 /** Where each method of a chosen list has its colour and symbol in the two plots above. */
-export const series_key = (methods: string[], theme: Theme) => methods.map((method, i) => ({ method, colour: theme.series[i % theme.series.length]!, symbol: symbols[i % symbols.length]! }));
+export const series_key = (methods: string[], theme: Theme) =>
+  methods.map((method, i) => ({
+    method,
+    colour: theme.series[i % theme.series.length]!,
+    symbol: symbols[i % symbols.length]!,
+  }));
 
 export function trace_plot(path: PathStability, o: Options): Element {
   const trace = path.trace ?? [];
-  const colour = (t: { verdict: string }) => ({ disjoint: o.theme.intersecting, intersecting: o.theme.disjoint, touching: o.theme.failed })[t.verdict] ?? o.theme.undecided;
-  const shape = (t: { verdict: string }) => ({ disjoint: "circle", intersecting: "square", touching: "diamond2" })[t.verdict] ?? "times";
+  const colour = (t: { verdict: string }) =>
+    ({ disjoint: o.theme.intersecting, intersecting: o.theme.disjoint, touching: o.theme.failed })[t.verdict] ??
+    o.theme.undecided;
+  const shape = (t: { verdict: string }) =>
+    ({ disjoint: "circle", intersecting: "square", touching: "diamond2" })[t.verdict] ?? "times";
   const told = trace.some((t) => t.distance !== null);
-  const nearest = Math.min(1, ...trace.map((t) => Math.abs(t.at)).filter((v) => v > 0));  // steps go by decades towards 0
-  const y = (t: (typeof trace)[number]) => (told ? t.distance : t.verdict === "disjoint" ? 1 : t.verdict === "intersecting" ? -1 : 0);
-  const words = (t: (typeof trace)[number]) => `at ${short(t.at, 6)}: ${t.verdict}${t.distance === null ? "" : `, distance ${short(t.distance, 6)}`}`;
-  const flips = trace.slice(1).flatMap((t, i) => (t.verdict === trace[i]!.verdict ? [] : [{ at: (t.at + trace[i]!.at) / 2 }]));
-  return Plot.plot(common(o, 220, {
-    x: { type: "symlog", constant: nearest, label: "along the path \u2192", grid: true, ticks: 7, tickFormat: (v: number) => short(v) },
-    y: told ? { label: "\u2191 distance it tells", grid: true, tickFormat: (v: number) => short(v) } : { label: null, domain: [-1.6, 1.6], ticks: [-1, 1], tickFormat: (v: number) => (v > 0 ? "disjoint" : "meets") },
-    marginLeft: 68, color: { type: "identity" }, symbol: { type: "identity" },
-    marks: [
-      ...(told ? [Plot.ruleY([0], { stroke: o.theme.soft })] : []),
-      Plot.ruleX(flips, { x: "at", stroke: o.theme.soft, strokeDasharray: "3 3" }),
-      ...(told ? [Plot.line(trace.filter((t) => t.distance !== null), { x: "at", y: "distance", stroke: o.theme.soft, strokeWidth: 0.8 })] : []),
-      Plot.dot(trace, { x: "at", y, fill: colour, symbol: shape, r: 2.6, ariaLabel: words }),
-      ...(o.document ? [] : [Plot.tip(trace, Plot.pointer({ x: "at", y, title: words, fill: o.theme.bg, stroke: o.theme.line }))]),
-    ],
-  }));
+  // Steps go by decades towards 0.
+  const nearest = Math.min(1, ...trace.map((t) => Math.abs(t.at)).filter((v) => v > 0));
+  const y = (t: (typeof trace)[number]) =>
+    told ? t.distance : t.verdict === "disjoint" ? 1 : t.verdict === "intersecting" ? -1 : 0;
+  const words = (t: (typeof trace)[number]) =>
+    `at ${short(t.at, 6)}: ${t.verdict}${t.distance === null ? "" : `, distance ${short(t.distance, 6)}`}`;
+  const flips = trace
+    .slice(1)
+    .flatMap((t, i) => (t.verdict === trace[i]!.verdict ? [] : [{ at: (t.at + trace[i]!.at) / 2 }]));
+  return Plot.plot(
+    common(o, 220, {
+      x: {
+        type: "symlog",
+        constant: nearest,
+        label: "along the path \u2192",
+        grid: true,
+        ticks: 7,
+        tickFormat: (v: number) => short(v),
+      },
+      y: told
+        ? { label: "\u2191 distance it tells", grid: true, tickFormat: (v: number) => short(v) }
+        : {
+            label: null,
+            domain: [-1.6, 1.6],
+            ticks: [-1, 1],
+            tickFormat: (v: number) => (v > 0 ? "disjoint" : "meets"),
+          },
+      marginLeft: 68,
+      color: { type: "identity" },
+      symbol: { type: "identity" },
+      marks: [
+        ...(told ? [Plot.ruleY([0], { stroke: o.theme.soft })] : []),
+        Plot.ruleX(flips, { x: "at", stroke: o.theme.soft, strokeDasharray: "3 3" }),
+        ...(told
+          ? [
+              Plot.line(
+                trace.filter((t) => t.distance !== null),
+                { x: "at", y: "distance", stroke: o.theme.soft, strokeWidth: 0.8 },
+              ),
+            ]
+          : []),
+        Plot.dot(trace, { x: "at", y, fill: colour, symbol: shape, r: 2.6, ariaLabel: words }),
+        ...(o.document
+          ? []
+          : [Plot.tip(trace, Plot.pointer({ x: "at", y, title: words, fill: o.theme.bg, stroke: o.theme.line }))]),
+      ],
+    }),
+  );
 }
 
 export function backward_plot(rows: BackwardError[], o: Options): Element {
   const sorted = in_order(rows, (x, y) => y.max - x.max);
   const least = Math.min(...rows.flatMap((r) => [r.p50, r.p99, r.max]).filter((v) => v > 0), 1);
-  const at = (v: number) => Math.min(Math.max(v, least), 10);  // beyond: solids far apart that were taken for meeting
-  const words = (r: BackwardError) => `${r.method}: ${grouped(r.wrong)} wrong answers\nhalf right for an input within ${short(r.p50)} of its size\n99 % within ${short(r.p99)}\nall within ${short(r.max)}`;
-  return Plot.plot(common(o, 40 + rows.length * 17 + 40, {
-    marginLeft: 190,
-    x: { type: "log", label: "how far the input must move for the answer to be right, in sizes: dot p50, tick p99, end largest \u2192", ticks: decades(rows.flatMap((r) => [at(r.p50), at(r.max)])), tickFormat: log_tick, grid: true, nice: true },
-    y: { type: "band", domain: sorted.map((r) => r.method), label: null, tickSize: 0 },
-    marks: [
-      Plot.link(sorted, { x1: (r: BackwardError) => at(r.p50), x2: (r: BackwardError) => at(r.max), y1: "method", y2: "method", stroke: o.theme.line, strokeWidth: 3 }),
-      Plot.tickX(sorted, { x: (r: BackwardError) => at(r.p99), y: "method", stroke: o.theme.soft, inset: 4 }),
-      Plot.dot(sorted, { x: (r: BackwardError) => at(r.max), y: "method", stroke: o.theme.disjoint, r: 2.5 }),
-      Plot.dot(sorted, { x: (r: BackwardError) => at(r.p50), y: "method", fill: o.theme.fg, r: 3, ariaLabel: words }),
-      ...(o.document ? [] : [Plot.tip(sorted, Plot.pointer({ x: (r: BackwardError) => at(r.p50), y: "method", title: words, fill: o.theme.bg, stroke: o.theme.line }))]),
-    ],
-  }));
+  const at = (v: number) => Math.min(Math.max(v, least), 10); // beyond: solids far apart that were taken for meeting
+  const words = (r: BackwardError) =>
+    `${r.method}: ${grouped(r.wrong)} wrong answers\nhalf right for an input within ${short(r.p50)} of its size\n` +
+    `99 % within ${short(r.p99)}\nall within ${short(r.max)}`;
+  return Plot.plot(
+    common(o, 40 + rows.length * 17 + 40, {
+      marginLeft: 190,
+      x: {
+        type: "log",
+        label:
+          "how far the input must move for the answer to be right, in sizes: dot p50, tick p99, end largest \u2192",
+        ticks: decades(rows.flatMap((r) => [at(r.p50), at(r.max)])),
+        tickFormat: log_tick,
+        grid: true,
+        nice: true,
+      },
+      y: { type: "band", domain: sorted.map((r) => r.method), label: null, tickSize: 0 },
+      marks: [
+        Plot.link(sorted, {
+          x1: (r: BackwardError) => at(r.p50),
+          x2: (r: BackwardError) => at(r.max),
+          y1: "method",
+          y2: "method",
+          stroke: o.theme.line,
+          strokeWidth: 3,
+        }),
+        Plot.tickX(sorted, { x: (r: BackwardError) => at(r.p99), y: "method", stroke: o.theme.soft, inset: 4 }),
+        Plot.dot(sorted, { x: (r: BackwardError) => at(r.max), y: "method", stroke: o.theme.disjoint, r: 2.5 }),
+        Plot.dot(sorted, { x: (r: BackwardError) => at(r.p50), y: "method", fill: o.theme.fg, r: 3, ariaLabel: words }),
+        ...(o.document
+          ? []
+          : [
+              Plot.tip(
+                sorted,
+                Plot.pointer({
+                  x: (r: BackwardError) => at(r.p50),
+                  y: "method",
+                  title: words,
+                  fill: o.theme.bg,
+                  stroke: o.theme.line,
+                }),
+              ),
+            ]),
+      ],
+    }),
+  );
 }
 
 // Methods against families, for files: the page has a table
@@ -300,12 +724,28 @@ export function families_plot(tallies: Tally[], methods: string[], families: str
     if (bad > 0) return o.theme.heat[heat_step(bad / t.asked) - 1]!;
     return t.resolution > 0 ? o.theme.intersecting : t.undecided > 0 ? o.theme.undecided : o.theme.clean;
   };
-  const opacity = (t: Tally) => (t.contract + t.failed > 0 || t.resolution + t.undecided === 0 ? 1 : 0.15 + 0.12 * heat_step((t.resolution + t.undecided) / t.asked));
-  return Plot.plot(common(o, 150 + methods.length * 13, {
-    marginLeft: 190, marginTop: 130, marginBottom: 8,
-    x: { type: "band", domain: families, axis: "top", tickRotate: -60, label: null, tickFormat: (f: string) => f.replaceAll("_", " "), tickSize: 0, padding: 0.06 },
-    y: { type: "band", domain: methods, label: null, tickSize: 0, padding: 0.08 },
-    color: { type: "identity" },
-    marks: [Plot.cell(rows, { x: "family", y: "method", fill, fillOpacity: opacity })],
-  }));
+  const opacity = (t: Tally) =>
+    t.contract + t.failed > 0 || t.resolution + t.undecided === 0
+      ? 1
+      : 0.15 + 0.12 * heat_step((t.resolution + t.undecided) / t.asked);
+  return Plot.plot(
+    common(o, 150 + methods.length * 13, {
+      marginLeft: 190,
+      marginTop: 130,
+      marginBottom: 8,
+      x: {
+        type: "band",
+        domain: families,
+        axis: "top",
+        tickRotate: -60,
+        label: null,
+        tickFormat: (f: string) => f.replaceAll("_", " "),
+        tickSize: 0,
+        padding: 0.06,
+      },
+      y: { type: "band", domain: methods, label: null, tickSize: 0, padding: 0.08 },
+      color: { type: "identity" },
+      marks: [Plot.cell(rows, { x: "family", y: "method", fill, fillOpacity: opacity })],
+    }),
+  );
 }

@@ -7,7 +7,8 @@ import type { View } from "./stage.ts";
 type Flat = [number, number];
 
 function rim(s: Solid, end: 1 | -1): Vec[] {
-  const [u, v] = square_to(s.axis), middle = add(s.center, scale(s.axis, end * s.half));
+  const [u, v] = square_to(s.axis),
+    middle = add(s.center, scale(s.axis, end * s.half));
   return Array.from({ length: 72 }, (_, i) => {
     const t = (i * Math.PI) / 36;
     return add(middle, add(scale(u, s.radius * Math.cos(t)), scale(v, s.radius * Math.sin(t))));
@@ -36,26 +37,65 @@ type Flatten = (x: Vec) => Flat;
 
 /** To the unit of the picture: x right, y down. */
 function flatten(view: View): Flatten {
-  const forward = unit(scale(view.eye, -1)), right = unit(cross(forward, view.up)), up = cross(right, forward);
-  return (x) => { const from = sub(x, view.target); return [dot(from, right) / view.radius, -dot(from, up) / view.radius]; };
+  const forward = unit(scale(view.eye, -1)),
+    right = unit(cross(forward, view.up)),
+    up = cross(right, forward);
+  return (x) => {
+    const from = sub(x, view.target);
+    return [dot(from, right) / view.radius, -dot(from, up) / view.radius];
+  };
 }
 
-const path = (points: Flat[]) => points.map(([x, y], i) => `${i === 0 ? "M" : "L"}${x.toFixed(4)} ${y.toFixed(4)}`).join("") + "Z";
+const path = (points: Flat[]) =>
+  points.map(([x, y], i) => `${i === 0 ? "M" : "L"}${x.toFixed(4)} ${y.toFixed(4)}`).join("") + "Z";
 
-function Outline({ of, flat, ...how }: { of: Solid; flat: Flatten; class?: string; style?: Record<string, string | number> }) {
+function Outline({
+  of,
+  flat,
+  ...how
+}: {
+  of: Solid;
+  flat: Flatten;
+  class?: string;
+  style?: Record<string, string | number>;
+}) {
   const ends = [rim(of, 1), rim(of, -1)].map((points) => points.map(flat));
-  return <g {...how}><path class="body" d={path(hull(ends.flat()))} />{ends.map((points, i) => <path class="rim" d={path(points)} key={i} />)}</g>;
+  return (
+    <g {...how}>
+      <path class="body" d={path(hull(ends.flat()))} />
+      {ends.map((points, i) => (
+        <path class="rim" d={path(points)} key={i} />
+      ))}
+    </g>
+  );
 }
 
 function Way({ from, to }: { from: Flat; to: Flat }) {
   return <line class="gap" x1={from[0]} y1={from[1]} x2={to[0]} y2={to[1]} />;
 }
 
-export function SolidsProjection({ solids, view, near, label }: { solids: { solid: Solid; colour: string; faint: boolean }[]; view: View; near: [Vec, Vec] | null; label: string }) {
+export function SolidsProjection({
+  solids,
+  view,
+  near,
+  label,
+}: {
+  solids: { solid: Solid; colour: string; faint: boolean }[];
+  view: View;
+  near: [Vec, Vec] | null;
+  label: string;
+}) {
   const flat = flatten(view);
   return (
     <svg class="projection" viewBox="-1.3 -1 2.6 2" role="img" aria-label={label} preserveAspectRatio="xMidYMid meet">
-      {solids.map(({ solid, colour, faint }, i) => <Outline of={solid} flat={flat} style={{ fill: `var(${colour})`, stroke: `var(${colour})`, opacity: faint ? 0.2 : 1 }} key={i} />)}
+      {solids.map(({ solid, colour, faint }, i) => (
+        <Outline
+          of={solid}
+          flat={flat}
+          style={{ fill: `var(${colour})`, stroke: `var(${colour})`, opacity: faint ? 0.2 : 1 }}
+          key={i}
+        />
+      ))}
       {near && <Way from={flat(near[0])} to={flat(near[1])} />}
     </svg>
   );
@@ -63,17 +103,35 @@ export function SolidsProjection({ solids, view, near, label }: { solids: { soli
 
 export function Projection({ drawing: d, view, label }: { drawing: Drawing; view: View; label: string }) {
   const flat = flatten(view);
-  const dot_at = (x: Vec, name: string) => { const [cx, cy] = flat(x); return <circle class={`mark-${name}`} cx={cx} cy={cy} r={0.014} />; };
+  const dot_at = (x: Vec, name: string) => {
+    const [cx, cy] = flat(x);
+    return <circle class={`mark-${name}`} cx={cx} cy={cy} r={0.014} />;
+  };
   let trace = null;
-  if (d.plane && d.direction) {  // as the edge that it would show if one looked along it
-    const [u, v] = square_to(d.direction), side = 0.75 * d.extent;
-    const corners = [[1, 1], [1, -1], [-1, -1], [-1, 1]].map(([p, q]) => flat(add(d.plane!, add(scale(u, p! * side), scale(v, q! * side)))));
+  if (d.plane && d.direction) {
+    // as the edge that it would show if one looked along it
+    const [u, v] = square_to(d.direction),
+      side = 0.75 * d.extent;
+    const corners = [
+      [1, 1],
+      [1, -1],
+      [-1, -1],
+      [-1, 1],
+    ].map(([p, q]) => flat(add(d.plane!, add(scale(u, p! * side), scale(v, q! * side)))));
     trace = <path class="plane" d={path(corners)} />;
   }
   return (
     <svg class="projection" viewBox="-1.3 -1 2.6 2" role="img" aria-label={label} preserveAspectRatio="xMidYMid meet">
-      {trace}<Outline of={d.a} flat={flat} class="solid-a" /><Outline of={d.b} flat={flat} class="solid-b" />
-      {d.near && <><Way from={flat(d.near.a)} to={flat(d.near.b)} />{dot_at(d.near.a, "a")}{dot_at(d.near.b, "b")}</>}
+      {trace}
+      <Outline of={d.a} flat={flat} class="solid-a" />
+      <Outline of={d.b} flat={flat} class="solid-b" />
+      {d.near && (
+        <>
+          <Way from={flat(d.near.a)} to={flat(d.near.b)} />
+          {dot_at(d.near.a, "a")}
+          {dot_at(d.near.b, "b")}
+        </>
+      )}
       {d.point && dot_at(d.point, "point")}
     </svg>
   );

@@ -6,14 +6,23 @@
 //   point X       |(X - c).w| <= h/2 |w|  and  |(X - c) x w| <= r |w|  of both, squared
 //   near X, D     X in both after each was grown by 2^-200 of the size, D apart after each was shrunk by as much
 //
-// f is a rational minus four square roots of rationals. Each root is enclosed between whole multiples of 2^-k; k doubles
+// f is a rational minus four square roots of rationals. Each root is enclosed between whole multiples of 2^-k; k
+// doubles
 // until the sign shows. Where f(D) = 0 exactly no k shows it: at bits_cap the answer is "not decided".
 import type { Coordinate, Cylinder, Pair, Truth } from "./data.ts";
 
 /** n/d, d > 0; not reduced. */
-interface Rational { n: bigint; d: bigint }
+interface Rational {
+  n: bigint;
+  d: bigint;
+}
 type Vector = [Rational, Rational, Rational];
-interface Solid { center: Vector; axis: Vector; radius: Rational; height: Rational }
+interface Solid {
+  center: Vector;
+  axis: Vector;
+  radius: Rational;
+  height: Rational;
+}
 
 export interface Proof {
   /** null: not decided, or nothing to be proved. */
@@ -24,13 +33,15 @@ export interface Proof {
 }
 
 /** Binary digits behind the point of a root, of the largest such number. */
-const bits_first = 128, bits_cap = 16384;
+const bits_first = 128,
+  bits_cap = 16384;
 /** `near` is proved to this part of the size, as the power of two. */
 const near_bits = 200n;
 
 const rational = (n: bigint, d = 1n): Rational => (d < 0n ? { n: -n, d: -d } : { n, d });
 const zero = rational(0n);
-const add = (x: Rational, y: Rational): Rational => (x.d === y.d ? { n: x.n + y.n, d: x.d } : { n: x.n * y.d + y.n * x.d, d: x.d * y.d });
+const add = (x: Rational, y: Rational): Rational =>
+  x.d === y.d ? { n: x.n + y.n, d: x.d } : { n: x.n * y.d + y.n * x.d, d: x.d * y.d };
 const neg = (x: Rational): Rational => ({ n: -x.n, d: x.d });
 const sub = (x: Rational, y: Rational) => add(x, neg(y));
 const mul = (x: Rational, y: Rational): Rational => ({ n: x.n * y.n, d: x.d * y.d });
@@ -41,7 +52,10 @@ const square = (x: Rational) => mul(x, x);
 const dot = (u: Vector, v: Vector) => add(add(mul(u[0], v[0]), mul(u[1], v[1])), mul(u[2], v[2]));
 const minus = (u: Vector, v: Vector): Vector => [sub(u[0], v[0]), sub(u[1], v[1]), sub(u[2], v[2])];
 const cross = (u: Vector, v: Vector): Vector => [
-  sub(mul(u[1], v[2]), mul(u[2], v[1])), sub(mul(u[2], v[0]), mul(u[0], v[2])), sub(mul(u[0], v[1]), mul(u[1], v[0]))];
+  sub(mul(u[1], v[2]), mul(u[2], v[1])),
+  sub(mul(u[2], v[0]), mul(u[0], v[2])),
+  sub(mul(u[0], v[1]), mul(u[1], v[0])),
+];
 
 /** A double as the dyadic rational that it is. */
 export function exact(x: number): Rational {
@@ -74,12 +88,16 @@ function vector(v: Coordinate[] | undefined, what: string): Vector {
 }
 
 const solid = (c: Cylinder): Solid => ({
-  center: vector(c.center, "a centre"), axis: vector(c.axis, "an axis"), radius: exact(c.radius), height: exact(c.height) });
+  center: vector(c.center, "a centre"),
+  axis: vector(c.axis, "an axis"),
+  radius: exact(c.radius),
+  height: exact(c.height),
+});
 
 /** The largest whole number whose square is at most n. */
 export function floor_sqrt(n: bigint): bigint {
   if (n < 2n) return n;
-  let x = 1n << BigInt((n.toString(16).length * 4 + 1) >> 1);  // not below the root
+  let x = 1n << BigInt((n.toString(16).length * 4 + 1) >> 1); // not below the root
   for (;;) {
     const next = (x + n / x) >> 1n;
     if (next >= x) return x;
@@ -91,7 +109,10 @@ export function floor_sqrt(n: bigint): bigint {
 function root(q: Rational, bits: bigint): [Rational, Rational] {
   if (q.n === 0n) return [zero, zero];
   const low = floor_sqrt((q.n << (2n * bits)) / q.d);
-  return [{ n: low, d: 1n << bits }, { n: low + 1n, d: 1n << bits }];
+  return [
+    { n: low, d: 1n << bits },
+    { n: low + 1n, d: 1n << bits },
+  ];
 }
 
 /** A rational for reading: 12 digits, any exponent. */
@@ -112,14 +133,20 @@ export function decimal(x: Rational): string {
   return `${sign}${mantissa}e${exponent}`;
 }
 
-interface Side { sign: -1 | 0 | 1; steps: string[]; bits: number }
+interface Side {
+  sign: -1 | 0 | 1;
+  steps: string[];
+  bits: number;
+}
 
 /** The sign of f(D), 0 where it did not show. */
 function sign_of_f(a: Solid, b: Solid, d: Vector): Side {
   const terms = [a, b].flatMap((s, i) => {
     const ww = dot(s.axis, s.axis);
     if (ww.n === 0n) throw new Error("an axis is zero");
-    const across = cross(d, s.axis), along = dot(d, s.axis), name = i === 0 ? "a" : "b";
+    const across = cross(d, s.axis),
+      along = dot(d, s.axis),
+      name = i === 0 ? "a" : "b";
     return [
       { what: `radius ${name}: r |P D|`, q: mul(square(s.radius), div(dot(across, across), ww)) },
       { what: `height ${name}: h/2 |D.w|`, q: mul(square(div(s.height, rational(2n))), div(square(along), ww)) },
@@ -131,30 +158,43 @@ function sign_of_f(a: Solid, b: Solid, d: Vector): Side {
   const small = BigInt(Math.max(0, length(apart.d) - length(apart.n)));
   for (let bits = bits_first; ; bits *= 2) {
     const roots = terms.map((t) => root(t.q, BigInt(bits) + small));
-    const low = roots.reduce((sum, r) => add(sum, r[0]), zero), high = roots.reduce((sum, r) => add(sum, r[1]), zero);
+    const low = roots.reduce((sum, r) => add(sum, r[0]), zero),
+      high = roots.reduce((sum, r) => add(sum, r[1]), zero);
     const shown = less(high, apart) || less(apart, low);
     if (!shown && bits < bits_cap) continue;
     const sign = less(high, apart) ? -1 : less(apart, low) ? 1 : 0;
-    return { sign, bits, steps: [
-      ...terms.map((t, i) => `${t.what} = ${decimal(roots[i]![0])}`),
-      `their sum = ${decimal(low)}`,
-      `centres: |D.(c_b \u2212 c_a)| = ${decimal(apart)}`,
-      `f(D) = ${sign === 0 ? "0 within 2^-" + bits : decimal(sub(low, apart))}`] };
+    return {
+      sign,
+      bits,
+      steps: [
+        ...terms.map((t, i) => `${t.what} = ${decimal(roots[i]![0])}`),
+        `their sum = ${decimal(low)}`,
+        `centres: |D.(c_b \u2212 c_a)| = ${decimal(apart)}`,
+        `f(D) = ${sign === 0 ? "0 within 2^-" + bits : decimal(sub(low, apart))}`,
+      ],
+    };
   }
 }
 
 function reach(name: string, s: Solid, x: Vector): { inside: boolean; steps: string[] } {
   const ww = dot(s.axis, s.axis);
   if (ww.n === 0n) throw new Error("an axis is zero");
-  const from = minus(x, s.center), along = dot(from, s.axis), across = cross(from, s.axis);
+  const from = minus(x, s.center),
+    along = dot(from, s.axis),
+    across = cross(from, s.axis);
   const axial = [mul(rational(4n), square(along)), mul(square(s.height), ww)] as const;
   const radial = [dot(across, across), mul(square(s.radius), ww)] as const;
   const line = (what: string, [value, limit]: readonly [Rational, Rational]) => {
     const sign = less(limit, value) ? ">" : less(value, limit) ? "<" : "=";
     return `${name}, ${what}: ${decimal(value)} ${sign} ${decimal(limit)}${sign === "=" ? " exactly" : ""}`;
   };
-  return { inside: !less(axial[1], axial[0]) && !less(radial[1], radial[0]),
-    steps: [line("along the axis, 4((x\u2212c).w)\u00b2 against h\u00b2 w\u00b2", axial), line("across it, |(x\u2212c)\u00d7w|\u00b2 against r\u00b2 w\u00b2", radial)] };
+  return {
+    inside: !less(axial[1], axial[0]) && !less(radial[1], radial[0]),
+    steps: [
+      line("along the axis, 4((x\u2212c).w)\u00b2 against h\u00b2 w\u00b2", axial),
+      line("across it, |(x\u2212c)\u00d7w|\u00b2 against r\u00b2 w\u00b2", radial),
+    ],
+  };
 }
 
 function in_both(a: Solid, b: Solid, x: Vector): { inside: boolean; steps: string[] } {
@@ -164,7 +204,11 @@ function in_both(a: Solid, b: Solid, x: Vector): { inside: boolean; steps: strin
 
 function grown(s: Solid, by: Rational): Solid {
   const at_least_zero = (x: Rational) => (x.n < 0n ? zero : x);
-  return { ...s, radius: at_least_zero(add(s.radius, by)), height: at_least_zero(add(s.height, mul(rational(2n), by))) };
+  return {
+    ...s,
+    radius: at_least_zero(add(s.radius, by)),
+    height: at_least_zero(add(s.height, mul(rational(2n), by))),
+  };
 }
 
 const is_zero = (d: Vector) => d.every((x) => x.n === 0n);
@@ -172,7 +216,8 @@ const is_zero = (d: Vector) => d.every((x) => x.n === 0n);
 function prove_direction(a: Solid, b: Solid, d: Vector): Proof {
   if (is_zero(d)) return { holds: false, text: "Refuted: the direction is zero.", steps: [] };
   const { sign, bits, steps } = sign_of_f(a, b, d);
-  if (sign < 0) return { holds: true, text: "Proved: f(D) < 0 exactly. A plane square to D has one solid on each side.", steps };
+  if (sign < 0)
+    return { holds: true, text: "Proved: f(D) < 0 exactly. A plane square to D has one solid on each side.", steps };
   if (sign > 0) return { holds: false, text: "Refuted: f(D) > 0 exactly. No plane square to D separates them.", steps };
   return { holds: null, text: `Not decided with ${bits} binary digits: f(D) is 0, or nearer to it than that.`, steps };
 }
@@ -180,28 +225,41 @@ function prove_direction(a: Solid, b: Solid, d: Vector): Proof {
 function prove_point(a: Solid, b: Solid, x: Vector, touching: boolean): Proof {
   const { inside, steps } = in_both(a, b, x);
   if (!inside) return { holds: false, text: "Refuted: the point is not in both solids.", steps };
-  return { holds: true, steps,
-    text: "Proved: the point lies in both solids." + (touching ? " (That they share no inner point is not what this shows.)" : "") };
+  return {
+    holds: true,
+    steps,
+    text:
+      "Proved: the point lies in both solids." +
+      (touching ? " (That they share no inner point is not what this shows.)" : ""),
+  };
 }
 
 function prove_near(a: Solid, b: Solid, near: NonNullable<Truth["near"]>): Proof {
-  const x = vector(near.point, "the point"), d = vector(near.direction, "the direction");
+  const x = vector(near.point, "the point"),
+    d = vector(near.direction, "the direction");
   const size = [a.radius, a.height, b.radius, b.height].reduce(add);
   const slack = div(size, rational(1n << near_bits));
   const met = in_both(grown(a, slack), grown(b, slack), x);
-  if (!met.inside) return { holds: false, text: "Refuted: the point is not within 2^-200 of the size of both.", steps: met.steps };
+  if (!met.inside)
+    return { holds: false, text: "Refuted: the point is not within 2^-200 of the size of both.", steps: met.steps };
   if (is_zero(d)) return { holds: false, text: "Refuted: the direction is zero.", steps: [] };
   const apart = sign_of_f(grown(a, neg(slack)), grown(b, neg(slack)), d);
   const steps = [...met.steps, ...apart.steps];
   if (apart.sign < 0) return { holds: true, text: "Proved: within 2^-200 of their size they touch.", steps };
-  if (apart.sign > 0) return { holds: false, steps, text: "Refuted: along that direction they overlap by more than 2^-200 of their size." };
+  if (apart.sign > 0)
+    return {
+      holds: false,
+      steps,
+      text: "Refuted: along that direction they overlap by more than 2^-200 of their size.",
+    };
   return { holds: null, steps, text: `Not decided with ${apart.bits} binary digits.` };
 }
 
 /** Never throws: what cannot be read proves nothing. */
 export function prove(pair: Pair, truth: Truth): Proof {
   try {
-    const a = solid(pair.a), b = solid(pair.b);
+    const a = solid(pair.a),
+      b = solid(pair.b);
     switch (truth.verdict) {
       case "disjoint":
         return prove_direction(a, b, vector(truth.direction, "the direction"));

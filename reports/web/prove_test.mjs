@@ -33,41 +33,78 @@ test("a gap of one unit in the last place shows", () => {
 });
 
 test("a sign that hides in the sixtieth digit shows with more of them", () => {
-  const touching = { a: upright, b: cylinder([2, 0, 0], [0, 3, 4], 1, 2) }, tiny = `1/${10n ** 60n}`, tinier = `1/${10n ** 6000n}`;
+  const touching = { a: upright, b: cylinder([2, 0, 0], [0, 3, 4], 1, 2) },
+    tiny = `1/${10n ** 60n}`,
+    tinier = `1/${10n ** 6000n}`;
   assert.equal(holds(touching, direction(1, tiny, 0)), false);
   assert.equal(holds(touching, direction(1, tinier, 0)), null);
   assert.match(prove(touching, direction(1, tinier, 0)).text, /16384/);
 });
 
 test("lengths hundreds of decades apart", () => {
-  const far = { a: cylinder([-1e300, 0, 0], [0, 0, 5e-324], 5e-324, 1e-300), b: cylinder([1e300, 1, 0], [0, 0, 1e300], 1, 2) };
+  const far = {
+    a: cylinder([-1e300, 0, 0], [0, 0, 5e-324], 5e-324, 1e-300),
+    b: cylinder([1e300, 1, 0], [0, 0, 1e300], 1, 2),
+  };
   assert.equal(holds(far, direction(1, 5e-301, 0)), true);
   assert.equal(holds(far, direction(5e-301, -1, 0)), false);
 });
 
 test("a point lies in both or not", () => {
-  assert.equal(holds(meeting, point([1, -0.5860419361783156], [1, -0.5860419361783156], [1, -0.5274632924156251])), true);
+  assert.equal(
+    holds(meeting, point([1, -0.5860419361783156], [1, -0.5860419361783156], [1, -0.5274632924156251])),
+    true,
+  );
   assert.equal(holds(meeting, point(0, 0, 1)), false, "in the first alone");
   assert.equal(holds(meeting, point(1, 1, 1)), false, "in the second alone");
   assert.equal(holds(at_a_rational_point, { verdict: "touching", point: ["6/5", "8/5", 0] }), true);
-  assert.equal(holds(at_a_rational_point, { verdict: "touching", point: ["6/5", "8/5", 2] }), true, "on the rim too: solids are closed");
-  assert.equal(holds(at_a_rational_point, { verdict: "touching", point: ["6000000000000000000000001/5000000000000000000000000", "8/5", 0] }), false);
+  assert.equal(
+    holds(at_a_rational_point, { verdict: "touching", point: ["6/5", "8/5", 2] }),
+    true,
+    "on the rim too: solids are closed",
+  );
+  assert.equal(
+    holds(at_a_rational_point, {
+      verdict: "touching",
+      point: ["6000000000000000000000001/5000000000000000000000000", "8/5", 0],
+    }),
+    false,
+  );
   assert.equal(holds(at_a_rational_point, { verdict: "touching", point: [1.2, 1.6, 0] }), false, "rounded to doubles");
-  assert.equal(holds(at_a_rational_point, { verdict: "touching", point: ["6/5", "8/5", [2, 1e-300]] }), false, "above both");
+  assert.equal(
+    holds(at_a_rational_point, { verdict: "touching", point: ["6/5", "8/5", [2, 1e-300]] }),
+    false,
+    "above both",
+  );
 });
 
 test("touching within 2^-200 of the size", () => {
   const near = (x, d) => ({ verdict: "touching", near: { point: x, direction: d } });
   assert.equal(holds(huge, near([-0.0000028746500148266185, 1e150, 0], [0, 1, 0])), true);
-  assert.equal(holds(huge, near([-0.0000028746500148266185, [1e150, 1e85], 0], [0, 1, 0])), true, "1e85 is below 2^-200 of 1.0e151");
+  assert.equal(
+    holds(huge, near([-0.0000028746500148266185, [1e150, 1e85], 0], [0, 1, 0])),
+    true,
+    "1e85 is below 2^-200 of 1.0e151",
+  );
   assert.equal(holds(huge, near([-0.0000028746500148266185, [1e150, 1e92], 0], [0, 1, 0])), false);
   assert.equal(holds(huge, near([0, 1e150, 0], [1e-20, 1, 0])), false);
   assert.equal(holds(huge, near([0, 1e150, 0], [0, 0, 0])), false);
 });
 
 test("what is no certificate proves nothing, and throws nothing", () => {
-  for (const truth of [direction(1, 0), direction(1, 0, "x"), direction(1, 0, "1/0"), direction(1, 0, null), direction(1, 0, [1, "2"]), direction(Infinity, 0, 0), { verdict: "disjoint" },
-    point(), { verdict: "intersecting", direction: [1, 0, 0] }, { verdict: "touching", near: {} }]) assert.equal(holds(apart, truth), false, JSON.stringify(truth));
+  for (const truth of [
+    direction(1, 0),
+    direction(1, 0, "x"),
+    direction(1, 0, "1/0"),
+    direction(1, 0, null),
+    direction(1, 0, [1, "2"]),
+    direction(Infinity, 0, 0),
+    { verdict: "disjoint" },
+    point(),
+    { verdict: "intersecting", direction: [1, 0, 0] },
+    { verdict: "touching", near: {} },
+  ])
+    assert.equal(holds(apart, truth), false, JSON.stringify(truth));
   for (const verdict of ["undecided", "invalid", "nonsense"]) assert.equal(holds(apart, { verdict }), null);
   assert.equal(holds({ a: upright, b: { ...upright, axis: [0, 0, 0] } }, direction(1, 0, 0)), false);
 });
@@ -76,7 +113,21 @@ test("doubles are taken exactly, roots rounded down", () => {
   assert.deepEqual(exact(0.1), { n: 3602879701896397n * 2n, d: 2n ** 56n });
   assert.deepEqual(exact(-5e-324), { n: -1n, d: 2n ** 1074n });
   assert.deepEqual(exact(2 ** 60), { n: 2n ** 60n, d: 1n });
-  for (const n of [0n, 1n, 2n, 3n, 4n, 15n, 16n, 17n, 10n ** 40n, 10n ** 40n - 1n, 2n ** 2000n + 1n, (3n ** 700n) ** 2n, (3n ** 700n) ** 2n - 1n]) {
+  for (const n of [
+    0n,
+    1n,
+    2n,
+    3n,
+    4n,
+    15n,
+    16n,
+    17n,
+    10n ** 40n,
+    10n ** 40n - 1n,
+    2n ** 2000n + 1n,
+    (3n ** 700n) ** 2n,
+    (3n ** 700n) ** 2n - 1n,
+  ]) {
     const root = floor_sqrt(n);
     assert.ok(root * root <= n && (root + 1n) * (root + 1n) > n, String(n));
   }

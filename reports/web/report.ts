@@ -3,7 +3,9 @@
 import type { Answer, Case, Finding, PackedCase, Report, Standing } from "./data.ts";
 import { shell_quoted } from "./words.ts";
 
-export interface FullReport extends Report { findings: Finding[] }
+export interface FullReport extends Report {
+  findings: Finding[];
+}
 
 function unpack(packed: PackedCase, names: string[]): Omit<Case, "replay"> {
   const { said, ...rest } = packed;
@@ -25,20 +27,16 @@ export function expand(report: Report): FullReport {
 }
 
 /** From the element that the C++ side fills; a template that nobody filled has none. */
-export function data_of(document: Document, reviver?: (key: string, value: unknown) => unknown): unknown {
+export function data_of(document: Document): unknown {
   const text = document.getElementById("report-data")?.textContent ?? "";
-  return text.startsWith("{") ? JSON.parse(text, reviver) : null;
-}
-
-export function load(document: Document): FullReport | null {
-  const report = data_of(document) as Report | null;
-  return report && expand(report);
+  return text.startsWith("{") ? JSON.parse(text) : null;
 }
 
 /** How a finding stands against earlier runs: as its bucket does, else as its group. */
 export function standings(report: FullReport): (f: Finding) => Standing | null {
   const of_bucket = new Map(report.buckets.map((b) => [b.key, b.standing]));
-  const key = (g: { method: string; kind: string; severity: string; family: string }) => [g.method, g.kind, g.severity, g.family].join("\n");
+  const key = (g: { method: string; kind: string; severity: string; family: string }) =>
+    [g.method, g.kind, g.severity, g.family].join("\n");
   const of_group = new Map(report.history?.groups.map((g) => [key(g), g.standing]));
   return (f) => (f.bucket !== null ? of_bucket.get(f.bucket) : null) ?? of_group.get(key(f)) ?? null;
 }

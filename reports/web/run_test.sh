@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
 # The tests of the page that need Node.js:
-#     run_test.sh data       the prover, the filters, the charts, and that what is committed was built from what is committed
+#     run_test.sh data       the prover, the filters, the charts, and that what is built was built from these sources
 #     run_test.sh browser    a reader of the page; needs chromium, and npm ci in this folder
 #     run_test.sh scene DAYLIGHT    the same of the page of a scene, written by the executable DAYLIGHT
 #     run_test.sh build      the types are right, and a build gives the committed bytes; needs npm ci in this folder
@@ -17,7 +17,7 @@ scene() {
 
 build() {
   [[ node_modules/.package-lock.json -nt package-lock.json ]] ||
-    exec ../../.ci/skip 'no npm packages here, or old ones: npm ci --prefix reports/page'
+    exec ../../.ci/skip 'no npm packages here, or old ones: npm ci --prefix reports/web'
   node_modules/.bin/tsc
   node build.mjs --check
 }

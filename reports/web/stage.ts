@@ -1,15 +1,42 @@
 // SPDX-License-Identifier: MIT
 // The one WebGL renderer of a page and what stands on it. It draws when something changed, never by itself.
 import {
-  AmbientLight, BufferGeometry, CapsuleGeometry, CylinderGeometry, DirectionalLight, DoubleSide, EdgesGeometry, Float32BufferAttribute, Group, Line, LineBasicMaterial,
-  LineSegments, Mesh, MeshBasicMaterial, MeshLambertMaterial, OrthographicCamera, PlaneGeometry, Quaternion, Raycaster, Scene, SphereGeometry, Vector2, Vector3, WebGLRenderer,
+  AmbientLight,
+  BufferGeometry,
+  CapsuleGeometry,
+  CylinderGeometry,
+  DirectionalLight,
+  DoubleSide,
+  EdgesGeometry,
+  Float32BufferAttribute,
+  Group,
+  Line,
+  LineBasicMaterial,
+  LineSegments,
+  Mesh,
+  MeshBasicMaterial,
+  MeshLambertMaterial,
+  OrthographicCamera,
+  PlaneGeometry,
+  Quaternion,
+  Raycaster,
+  Scene,
+  SphereGeometry,
+  Vector2,
+  Vector3,
+  WebGLRenderer,
   type Object3D,
 } from "three";
 import { OrbitControls } from "three/examples/jsm/controls/OrbitControls.js";
 import type { Vec } from "./data.ts";
 import { add, scale, type Capsule, type Solid } from "./geometry.ts";
 
-export interface View { eye: Vec; up: Vec; target: Vec; radius: number }
+export interface View {
+  eye: Vec;
+  up: Vec;
+  target: Vec;
+  radius: number;
+}
 
 const three = (v: Vec) => new Vector3(v[0], v[1], v[2]);
 const turned = (from: Vec, to: Vec) => new Quaternion().setFromUnitVectors(three(from), three(to));
@@ -22,11 +49,34 @@ const behind_edges = { polygonOffset: true, polygonOffsetFactor: 1, polygonOffse
 
 /** See-through, so that what lies behind or inside is seen; of opacity 1 not. */
 export function solid(s: Solid, colour: string, extent: number, opacity = 0.62): Group {
-  const radius = Math.max(s.radius, thinnest * extent), height = Math.max(2 * s.half, thinnest * extent);
-  const geometry = new CylinderGeometry(radius, radius, height, 96, 1), clear = opacity < 1;
+  const radius = Math.max(s.radius, thinnest * extent),
+    height = Math.max(2 * s.half, thinnest * extent);
+  const geometry = new CylinderGeometry(radius, radius, height, 96, 1),
+    clear = opacity < 1;
   const group = new Group();
-  group.add(new Mesh(geometry, new MeshLambertMaterial({ color: colour, transparent: clear, opacity, side: DoubleSide, depthWrite: !clear, ...(clear ? {} : behind_edges) })));
-  group.add(new LineSegments(new EdgesGeometry(geometry, 30), new LineBasicMaterial(clear ? { color: colour, transparent: true, opacity: Math.min(1, opacity * 2) } : { color: "#000000", transparent: true, opacity: 0.45 })));
+  group.add(
+    new Mesh(
+      geometry,
+      new MeshLambertMaterial({
+        color: colour,
+        transparent: clear,
+        opacity,
+        side: DoubleSide,
+        depthWrite: !clear,
+        ...(clear ? {} : behind_edges),
+      }),
+    ),
+  );
+  group.add(
+    new LineSegments(
+      new EdgesGeometry(geometry, 30),
+      new LineBasicMaterial(
+        clear
+          ? { color: colour, transparent: true, opacity: Math.min(1, opacity * 2) }
+          : { color: "#000000", transparent: true, opacity: 0.45 },
+      ),
+    ),
+  );
   group.quaternion.copy(turned([0, 1, 0], s.axis));
   group.position.copy(three(s.center));
   return group;
@@ -35,14 +85,29 @@ export function solid(s: Solid, colour: string, extent: number, opacity = 0.62):
 /** All points within a radius of a segment, as a breath of colour with outlines. */
 export function ghost(c: Capsule, colour: string): Group {
   const group = new Group();
-  group.add(new Mesh(new CapsuleGeometry(c.radius, 2 * c.half, 24, 64), new MeshLambertMaterial({ color: colour, transparent: true, opacity: 0.2, depthWrite: false, ...behind_edges })));
-  const arc = (at: (t: number) => Vec, from: number, to: number) => Array.from({ length: 33 }, (_, i) => at(from + ((to - from) * i) / 32));
-  const side = (u: Vec): Vec[] => {   // a stadium in the plane of the axis and u
-    const around = (middle: number) => (t: number): Vec => add(scale(u, c.radius * Math.cos(t)), [0, middle + c.radius * Math.sin(t), 0]);
-    return [...arc(around(c.half), 0, Math.PI), ...arc(around(-c.half), Math.PI, 2 * Math.PI), [u[0] * c.radius, c.half, u[2] * c.radius]];
+  group.add(
+    new Mesh(
+      new CapsuleGeometry(c.radius, 2 * c.half, 24, 64),
+      new MeshLambertMaterial({ color: colour, transparent: true, opacity: 0.2, depthWrite: false, ...behind_edges }),
+    ),
+  );
+  const arc = (at: (t: number) => Vec, from: number, to: number) =>
+    Array.from({ length: 33 }, (_, i) => at(from + ((to - from) * i) / 32));
+  const side = (u: Vec): Vec[] => {
+    // a stadium in the plane of the axis and u
+    const around =
+      (middle: number) =>
+      (t: number): Vec =>
+        add(scale(u, c.radius * Math.cos(t)), [0, middle + c.radius * Math.sin(t), 0]);
+    return [
+      ...arc(around(c.half), 0, Math.PI),
+      ...arc(around(-c.half), Math.PI, 2 * Math.PI),
+      [u[0] * c.radius, c.half, u[2] * c.radius],
+    ];
   };
   const ring = (y: number) => arc((t) => [c.radius * Math.cos(t), y, c.radius * Math.sin(t)], 0, 2 * Math.PI);
-  for (const points of [side([1, 0, 0]), side([0, 0, 1]), ring(c.half), ring(-c.half)]) group.add(line(points, colour, { opacity: 0.7 }));
+  for (const points of [side([1, 0, 0]), side([0, 0, 1]), ring(c.half), ring(-c.half)])
+    group.add(line(points, colour, { opacity: 0.7 }));
   group.quaternion.copy(turned([0, 1, 0], c.axis));
   group.position.copy(three(c.center));
   return group;
@@ -50,14 +115,20 @@ export function ghost(c: Capsule, colour: string): Group {
 
 export function line(points: Vec[], colour: string, { opacity = 1, on_top = false } = {}): Line {
   const geometry = new BufferGeometry().setAttribute("position", new Float32BufferAttribute(points.flat(), 3));
-  const drawn = new Line(geometry, new LineBasicMaterial({ color: colour, transparent: true, opacity, depthTest: !on_top }));
+  const drawn = new Line(
+    geometry,
+    new LineBasicMaterial({ color: colour, transparent: true, opacity, depthTest: !on_top }),
+  );
   if (on_top) drawn.renderOrder = 1;
   return drawn;
 }
 
 /** A dot of the same size at any zoom. */
 export function mark(at: Vec, colour: string): Mesh {
-  const ball = new Mesh(new SphereGeometry(1, 16, 12), new MeshBasicMaterial({ color: colour, depthTest: false, transparent: true }));
+  const ball = new Mesh(
+    new SphereGeometry(1, 16, 12),
+    new MeshBasicMaterial({ color: colour, depthTest: false, transparent: true }),
+  );
   ball.position.copy(three(at));
   ball.renderOrder = 2;
   ball.userData.mark = true;
@@ -65,8 +136,14 @@ export function mark(at: Vec, colour: string): Mesh {
 }
 
 export function plane(at: Vec, normal: Vec, side: number, colour: string): Group {
-  const sheet = new Mesh(new PlaneGeometry(side, side), new MeshBasicMaterial({ color: colour, transparent: true, opacity: 0.16, side: DoubleSide, depthWrite: false }));
-  const frame = new LineSegments(new EdgesGeometry(sheet.geometry), new LineBasicMaterial({ color: colour, transparent: true, opacity: 0.6 }));
+  const sheet = new Mesh(
+    new PlaneGeometry(side, side),
+    new MeshBasicMaterial({ color: colour, transparent: true, opacity: 0.16, side: DoubleSide, depthWrite: false }),
+  );
+  const frame = new LineSegments(
+    new EdgesGeometry(sheet.geometry),
+    new LineBasicMaterial({ color: colour, transparent: true, opacity: 0.6 }),
+  );
   const group = new Group();
   group.add(sheet, frame);
   group.quaternion.copy(turned([0, 0, 1], normal));
@@ -92,7 +169,7 @@ class Stage {
     this.canvas = this.renderer.domElement;
     this.controls = new OrbitControls(this.camera, this.canvas);
     this.controls.enableDamping = false;
-    const light = new DirectionalLight("#ffffff", 2.2);  // beside the eye
+    const light = new DirectionalLight("#ffffff", 2.2); // beside the eye
     light.position.set(0.3, 0.6, 1);
     this.camera.add(light);
     this.controls.addEventListener("change", () => this.draw());
@@ -103,7 +180,10 @@ class Stage {
   /** These and nothing else, from the next draw() on. */
   show(objects: Object3D[]) {
     this.scene.traverse((o) => {
-      if (o instanceof Mesh || o instanceof LineSegments || o instanceof Line) { o.geometry.dispose(); (o.material as { dispose(): void }).dispose(); }
+      if (o instanceof Mesh || o instanceof LineSegments || o instanceof Line) {
+        o.geometry.dispose();
+        (o.material as { dispose(): void }).dispose();
+      }
     });
     this.scene = new Scene();
     this.scene.add(this.camera, new AmbientLight("#ffffff", 1.5), ...objects);
@@ -124,7 +204,8 @@ class Stage {
     const { clientWidth: width, clientHeight: height } = this.canvas.parentElement ?? this.canvas;
     if (width === 0 || height === 0) return;
     this.renderer.setSize(width, height, false);
-    const aspect = width / height, half = this.radius / Math.min(1, aspect);
+    const aspect = width / height,
+      half = this.radius / Math.min(1, aspect);
     Object.assign(this.camera, { left: -half * aspect, right: half * aspect, top: half, bottom: -half });
     this.camera.updateProjectionMatrix();
     for (const ball of this.marks) ball.scale.setScalar((0.012 * half * 2) / this.camera.zoom);
@@ -138,7 +219,8 @@ class Stage {
     ray.params.Line.threshold = (line_reach * (this.camera.top - this.camera.bottom)) / this.camera.zoom / height;
     ray.setFromCamera(new Vector2((2 * x) / width - 1, 1 - (2 * y) / height), this.camera);
     for (const { object } of ray.intersectObjects(this.scene.children, true))
-      for (let o: Object3D | null = object; o; o = o.parent) if (o.userData.is !== undefined) return o.userData.is as unknown;
+      for (let o: Object3D | null = object; o; o = o.parent)
+        if (o.userData.is !== undefined) return o.userData.is as unknown;
     return undefined;
   }
 }

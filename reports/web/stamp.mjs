@@ -4,11 +4,23 @@ import { createHash } from "node:crypto";
 import { readFileSync, readdirSync } from "node:fs";
 
 const here = new URL("./", import.meta.url);
-const others = ["build.mjs", "package-lock.json", "package.json", "page.html", "stamp.mjs", "style.css", "tsconfig.json"];
+const others = [
+  "build.mjs",
+  "package-lock.json",
+  "package.json",
+  "page.html",
+  "stamp.mjs",
+  "style.css",
+  "tsconfig.json",
+];
 
 export function sources_hash() {
   const names = [...readdirSync(here).filter((name) => /\.tsx?$/.test(name)), ...others].sort();
   const hash = createHash("sha256");
-  for (const name of names) hash.update(`${name}\0`).update(readFileSync(new URL(name, here))).update("\0");
+  for (const name of names)
+    hash
+      .update(`${name}\0`)
+      .update(readFileSync(new URL(name, here)))
+      .update("\0");
   return hash.digest("hex");
 }

@@ -9,29 +9,93 @@ import { in_order, short } from "./words.ts";
 export const models = ["sphere", "outer capsule", "inner capsule", "cylinder", "distance", "certified"] as const;
 export type Model = (typeof models)[number];
 export const model_colour: Record<Model, string> = {
-  sphere: "--model-sphere", "outer capsule": "--model-outer", "inner capsule": "--model-inner", cylinder: "--model-cylinder", distance: "--model-distance", certified: "--model-certified" };
+  sphere: "--model-sphere",
+  "outer capsule": "--model-outer",
+  "inner capsule": "--model-inner",
+  cylinder: "--model-cylinder",
+  distance: "--model-distance",
+  certified: "--model-certified",
+};
 
-export interface ModelOfPair { model: Model; decides: number; wrong: number; false_alarm: number; missed: number }
+export interface ModelOfPair {
+  model: Model;
+  decides: number;
+  wrong: number;
+  false_alarm: number;
+  missed: number;
+}
 export interface StudiedPair {
-  a: string; b: string; bodies: [number, number];
-  samples: number; within: number; least_distance: number; greatest_distance: number;
+  a: string;
+  b: string;
+  bodies: [number, number];
+  samples: number;
+  within: number;
+  least_distance: number;
+  greatest_distance: number;
   models: ModelOfPair[];
-  needs: Model;                             // the simplest that alone answers every sample right
-  recommended: Model[];                     // the cheapest: asked one after the other; the last is trusted
+  needs: Model; // the simplest that alone answers every sample right
+  recommended: Model[]; // the cheapest: asked one after the other; the last is trusted
   recommended_wrong: number;
 }
-export interface Reason { why: "drawn first" | "closest call" | "false alarm" | "missed"; pair?: number; model?: Model; length?: number }
-export interface SeenPair { distance: number; within: boolean; wrong: Model[]; on_a: Vec; on_b: Vec }
-export interface Kept { configuration: number; reasons: Reason[]; joints: Record<string, number>; cylinders: Cylinder[]; pairs: SeenPair[] }
+export interface Reason {
+  why: "drawn first" | "closest call" | "false alarm" | "missed";
+  pair?: number;
+  model?: Model;
+  length?: number;
+}
+export interface SeenPair {
+  distance: number;
+  within: boolean;
+  wrong: Model[];
+  on_a: Vec;
+  on_b: Vec;
+}
+export interface Kept {
+  configuration: number;
+  reasons: Reason[];
+  joints: Record<string, number>;
+  cylinders: Cylinder[];
+  pairs: SeenPair[];
+}
 
 export interface Study {
-  file: string; seed: string; clearance: number; tolerated: number; configurations: number; cylinders: number;
-  left_out: string[]; notes: string[];
-  pairs_checked: number; pairs_same_link: number; pairs_adjacent: number; pairs_disabled: number;
-  asked_referee: number; undecided: number;
+  file: string;
+  seed: string;
+  clearance: number;
+  tolerated: number;
+  configurations: number;
+  cylinders: number;
+  left_out: string[];
+  notes: string[];
+  pairs_checked: number;
+  pairs_same_link: number;
+  pairs_adjacent: number;
+  pairs_disabled: number;
+  asked_referee: number;
+  undecided: number;
   ns_per_configuration: { kinematics: number; models: number; recommended: number; alone: Record<Model, number> };
-  words: Record<"counts" | "pairs" | "configurations" | "enough" | "recommended" | "cost" | "forgiven" | "capsules" | "closest" | "verified", string> & { left_out: string[] };
-  models: { model: Model; decides: number; suffices: number; wrong: number; wrong_pairs: number; false_alarm: number; missed: number }[];
+  words: Record<
+    | "counts"
+    | "pairs"
+    | "configurations"
+    | "enough"
+    | "recommended"
+    | "cost"
+    | "forgiven"
+    | "capsules"
+    | "closest"
+    | "verified",
+    string
+  > & { left_out: string[] };
+  models: {
+    model: Model;
+    decides: number;
+    suffices: number;
+    wrong: number;
+    wrong_pairs: number;
+    false_alarm: number;
+    missed: number;
+  }[];
   bodies: { name: string; link: string }[];
   pairs: StudiedPair[];
   kept: Kept[];
@@ -42,59 +106,100 @@ const rank = (model: Model) => models.indexOf(model);
 /** Of each body the most exact model that one of its pairs needs; null where none is checked. */
 export function most_exact(study: Study): (Model | null)[] {
   const of = study.bodies.map((): Model | null => null);
-  for (const pair of study.pairs) for (const body of pair.bodies) if (of[body] === null || rank(of[body]!) < rank(pair.needs)) of[body] = pair.needs;
+  for (const pair of study.pairs)
+    for (const body of pair.bodies) if (of[body] === null || rank(of[body]!) < rank(pair.needs)) of[body] = pair.needs;
   return of;
 }
 
 // The solids, in a frame for drawing that is the same for all configurations that were kept
 // ---------------------------------------------------------------------------------------
 
-export interface Frame { unit: number; to: (x: Vec) => Vec; solid: (c: Cylinder) => Solid }
+export interface Frame {
+  unit: number;
+  to: (x: Vec) => Vec;
+  solid: (c: Cylinder) => Solid;
+}
 
 export function frame_of(study: Study): Frame {
-  const low: Vec = [Infinity, Infinity, Infinity], high: Vec = [-Infinity, -Infinity, -Infinity];
-  for (const { cylinders } of study.kept) for (const c of cylinders) {
-    const reach = Math.hypot(c.radius, c.height / 2);
-    for (const i of [0, 1, 2] as const) { low[i] = Math.min(low[i], c.center[i] - reach); high[i] = Math.max(high[i], c.center[i] + reach); }
-  }
-  const middle = scale(add(low, high), 0.5), wide = Math.hypot(...sub(high, low)) / 2, unit_length = wide > 0 && Number.isFinite(wide) ? wide : 1;
+  const low: Vec = [Infinity, Infinity, Infinity],
+    high: Vec = [-Infinity, -Infinity, -Infinity];
+  for (const { cylinders } of study.kept)
+    for (const c of cylinders) {
+      const reach = Math.hypot(c.radius, c.height / 2);
+      for (const i of [0, 1, 2] as const) {
+        low[i] = Math.min(low[i], c.center[i] - reach);
+        high[i] = Math.max(high[i], c.center[i] + reach);
+      }
+    }
+  const middle = scale(add(low, high), 0.5),
+    wide = Math.hypot(...sub(high, low)) / 2,
+    unit_length = wide > 0 && Number.isFinite(wide) ? wide : 1;
   const to = (x: Vec) => scale(sub(x, middle), 1 / unit_length);
-  return { unit: unit_length, to, solid: (c) => ({ center: to(c.center), axis: unit(c.axis), radius: c.radius / unit_length, half: c.height / 2 / unit_length }) };
+  return {
+    unit: unit_length,
+    to,
+    solid: (c) => ({
+      center: to(c.center),
+      axis: unit(c.axis),
+      radius: c.radius / unit_length,
+      half: c.height / 2 / unit_length,
+    }),
+  };
 }
 
 /** The model that stands for a cylinder, where it is a solid of its own (scenes/model_hierarchy.cpp). */
 export function stand_in(s: Solid, model: Model): Capsule | null {
   const { center, axis } = s;
   switch (model) {
-    case "sphere": return { center, axis, half: 0, radius: Math.hypot(s.radius, s.half) };
-    case "outer capsule": return { center, axis, half: s.half, radius: s.radius };
-    case "inner capsule": { const radius = Math.min(s.radius, s.half); return { center, axis, half: s.half - radius, radius }; }
-    default: return null;
+    case "sphere":
+      return { center, axis, half: 0, radius: Math.hypot(s.radius, s.half) };
+    case "outer capsule":
+      return { center, axis, half: s.half, radius: s.radius };
+    case "inner capsule": {
+      const radius = Math.min(s.radius, s.half);
+      return { center, axis, half: s.half - radius, radius };
+    }
+    default:
+      return null;
   }
 }
 export const has_stand_in = (model: Model) => rank(model) < 3;
 
 /** Of a box around the balls around all. */
 export function middle_of(solids: Solid[]): Vec {
-  const ends = (i: 0 | 1 | 2) => solids.flatMap((s) => [s.center[i] - Math.hypot(s.radius, s.half), s.center[i] + Math.hypot(s.radius, s.half)]);
+  const ends = (i: 0 | 1 | 2) =>
+    solids.flatMap((s) => [s.center[i] - Math.hypot(s.radius, s.half), s.center[i] + Math.hypot(s.radius, s.half)]);
   return ([0, 1, 2] as const).map((i) => (Math.min(...ends(i)) + Math.max(...ends(i))) / 2) as Vec;
 }
 
 /** The radius of a ball around a point that holds all. */
 export const extent_of = (solids: Solid[], from: Vec = [0, 0, 0]) =>
-  Math.max(1e-3, ...solids.map((s) => { const way = sub(s.center, from); return Math.sqrt(dot(way, way)) + Math.hypot(s.radius, s.half); }));
+  Math.max(
+    1e-3,
+    ...solids.map((s) => {
+      const way = sub(s.center, from);
+      return Math.sqrt(dot(way, way)) + Math.hypot(s.radius, s.half);
+    }),
+  );
 
 // Words
 // -----
 
-export const a_model = (model: Model) => (model === "certified" ? "a proof" : model === "distance" ? "the distance" : `${/^[aeiou]/.test(model) ? "an" : "a"} ${model}`);
+export const a_model = (model: Model) =>
+  model === "certified"
+    ? "a proof"
+    : model === "distance"
+      ? "the distance"
+      : `${/^[aeiou]/.test(model) ? "an" : "a"} ${model}`;
 const capital = (text: string) => text.charAt(0).toUpperCase() + text.slice(1);
 /** As `daylight scene` says it, in a page's letters. */
 export const said = (text: string) => capital(text.replace(/(\d) us\b/g, "$1 \u00b5s").replaceAll(" - ", " \u2013 "));
 
 export function gap_words(distance: number, clearance: number): string {
   if (distance < 0) return `overlap by ${short(-distance)}`;
-  return distance === 0 ? "touch" : `are ${short(distance)} apart${clearance > 0 ? ` (clearance ${short(clearance)})` : ""}`;
+  return distance === 0
+    ? "touch"
+    : `are ${short(distance)} apart${clearance > 0 ? ` (clearance ${short(clearance)})` : ""}`;
 }
 
 const pair_name = (study: Study, pair: number) => `${study.pairs[pair]!.a} \u2013 ${study.pairs[pair]!.b}`;
@@ -103,43 +208,68 @@ export function reason_words(study: Study, kept: Kept, reason: Reason): string {
   const of = reason.pair === undefined ? "" : `: ${pair_name(study, reason.pair)}`;
   const length = short(Math.abs(reason.length ?? 0));
   switch (reason.why) {
-    case "drawn first": return study.configurations === 1 ? "the only configuration" : `configuration ${kept.configuration}, as drawn`;
-    case "closest call": return `closest call${of}, ${length} ${reason.length! > 0 ? "beyond" : "below"} the clearance`;
-    case "false alarm": return `worst false alarm of the ${reason.model}${of}, ${length} beyond the clearance`;
-    case "missed": return `most missed by the ${reason.model}${of}, ${length} below the clearance`;
+    case "drawn first":
+      return study.configurations === 1 ? "the only configuration" : `configuration ${kept.configuration}, as drawn`;
+    case "closest call":
+      return `closest call${of}, ${length} ${reason.length! > 0 ? "beyond" : "below"} the clearance`;
+    case "false alarm":
+      return `worst false alarm of the ${reason.model}${of}, ${length} beyond the clearance`;
+    case "missed":
+      return `most missed by the ${reason.model}${of}, ${length} below the clearance`;
   }
 }
 
 // Which pairs are shown, in which order
 // -------------------------------------
 
-export interface Filter { models: ReadonlySet<Model>; text: string }   // no model: all
+export interface Filter {
+  models: ReadonlySet<Model>;
+  text: string;
+} // no model: all
 export const no_filter: Filter = { models: new Set(), text: "" };
 
 export const passes = (pair: StudiedPair, filter: Filter) =>
   (filter.models.size === 0 || filter.models.has(pair.needs)) &&
-  filter.text.toLowerCase().split(/\s+/).every((word) => pair.a.toLowerCase().includes(word) || pair.b.toLowerCase().includes(word));
+  filter.text
+    .toLowerCase()
+    .split(/\s+/)
+    .every((word) => pair.a.toLowerCase().includes(word) || pair.b.toLowerCase().includes(word));
 
 export const columns = ["pair", "needs", "least", "within", "sphere", "outer", "inner"] as const;
 export type Column = (typeof columns)[number];
-export interface Order { column: Column; down: boolean }
+export interface Order {
+  column: Column;
+  down: boolean;
+}
 
 const of_model = (pair: StudiedPair, model: Model) => pair.models[rank(model)]!;
 /** The longest false alarm, or what is missed. */
-export const worst_of = (pair: StudiedPair, model: Model) => Math.max(of_model(pair, model).false_alarm, of_model(pair, model).missed);
+export const worst_of = (pair: StudiedPair, model: Model) =>
+  Math.max(of_model(pair, model).false_alarm, of_model(pair, model).missed);
 export const wrong_of = (pair: StudiedPair, model: Model) => of_model(pair, model).wrong;
 
 const value: Record<Column, (pair: StudiedPair) => number | string> = {
-  pair: (p) => `${p.a} ${p.b}`, needs: (p) => rank(p.needs), least: (p) => p.least_distance, within: (p) => p.within / Math.max(1, p.samples),
-  sphere: (p) => worst_of(p, "sphere"), outer: (p) => worst_of(p, "outer capsule"), inner: (p) => worst_of(p, "inner capsule") };
+  pair: (p) => `${p.a} ${p.b}`,
+  needs: (p) => rank(p.needs),
+  least: (p) => p.least_distance,
+  within: (p) => p.within / Math.max(1, p.samples),
+  sphere: (p) => worst_of(p, "sphere"),
+  outer: (p) => worst_of(p, "outer capsule"),
+  inner: (p) => worst_of(p, "inner capsule"),
+};
 
 /** Indices of study.pairs; of equal ones first that of which a capsule is wrong by most. */
 export function rows_of(study: Study, filter: Filter, order: Order): number[] {
   const passing = study.pairs.flatMap((pair, i) => (passes(pair, filter) ? [i] : []));
-  const shown = in_order(passing, (i, j) => value.outer(study.pairs[j]!) as number - (value.outer(study.pairs[i]!) as number));
-  const of = value[order.column], sign = order.down ? -1 : 1;
+  const shown = in_order(
+    passing,
+    (i, j) => (value.outer(study.pairs[j]!) as number) - (value.outer(study.pairs[i]!) as number),
+  );
+  const of = value[order.column],
+    sign = order.down ? -1 : 1;
   return in_order(shown, (i, j) => {
-    const x = of(study.pairs[i]!), y = of(study.pairs[j]!);
+    const x = of(study.pairs[i]!),
+      y = of(study.pairs[j]!);
     return x < y ? -sign : x > y ? sign : 0;
   });
 }

@@ -10,7 +10,13 @@ export function short(x: number | null | undefined, digits = 3): string {
   if (Math.abs(x) > 1.7e308) return x > 0 ? "\u221e" : "\u2212\u221e";
   if (x === 0) return "0";
   const size = Math.abs(x);
-  const text = size >= 1e-3 && size < 1e5 ? Number(x.toPrecision(digits)).toString() : x.toExponential(digits - 1).replace(/\.?0+e/, "e").replace("e+", "e");
+  const text =
+    size >= 1e-3 && size < 1e5
+      ? Number(x.toPrecision(digits)).toString()
+      : x
+          .toExponential(digits - 1)
+          .replace(/\.?0+e/, "e")
+          .replace("e+", "e");
   return text.replace(/^-/, "\u2212");
 }
 
@@ -44,8 +50,21 @@ export function time(ns: number): string {
 
 /** Text from anywhere: what reorders or hides the text around it is shown as an escape. */
 export function safe(text: string): string {
-  return text.replace(/[\u0000-\u0008\u000b-\u001f\u007f-\u009f\u200b-\u200f\u2028-\u202e\u2060-\u2069\ufeff]/g,
-    (c) => "\\u" + c.charCodeAt(0).toString(16).padStart(4, "0"));
+  return text.replace(
+    /[\u0000-\u0008\u000b-\u001f\u007f-\u009f\u200b-\u200f\u2028-\u202e\u2060-\u2069\ufeff]/g,
+    (c) => "\\u" + c.charCodeAt(0).toString(16).padStart(4, "0"),
+  );
+}
+
+/** The same data with every text in them made safe. */
+export function safe_texts<T>(data: T): T {
+  const made_safe = (x: unknown): unknown => {
+    if (typeof x === "string") return safe(x);
+    if (Array.isArray(x)) return x.map(made_safe);
+    if (x === null || typeof x !== "object") return x;
+    return Object.fromEntries(Object.entries(x).map(([key, value]) => [key, made_safe(value)]));
+  };
+  return made_safe(data) as T;
 }
 
 const own_names = new Set(["intersect", "decide", "distance", "exact"]);
@@ -54,7 +73,10 @@ export const library = (method: string) => (own_names.has(method) ? "ours" : met
 
 export const kind_words = (kind: string) => kind.replaceAll("_", " ");
 export const severity_words: Record<string, string> = {
-  contract: "beyond its claim", resolution: "within its claim", unresolved: "truth undecided" };
+  contract: "beyond its claim",
+  resolution: "within its claim",
+  unresolved: "truth undecided",
+};
 
 export function claim_words(claim: Claim): string {
   const parts = [];
@@ -74,27 +96,33 @@ export function coordinate_value(x: Coordinate): number {
   if (typeof x === "number") return x;
   if (typeof x !== "string") return x.reduce((sum, term) => sum + term, 0);
   const [n, d = "1"] = x.split("/");
-  const digits = Math.max(n!.length, d.length) - 300;  // beyond the range of doubles: the leading ones
-  const value = (text: string) => (digits > 0 ? Number(text.slice(0, Math.max(1, text.length - digits))) : Number(text));
+  const digits = Math.max(n!.length, d.length) - 300; // beyond the range of doubles: the leading ones
+  const value = (text: string) =>
+    digits > 0 ? Number(text.slice(0, Math.max(1, text.length - digits))) : Number(text);
   return value(n!) / value(d);
 }
 
 /** One word of a POSIX shell. */
-export const shell_quoted = (text: string) => (/^[A-Za-z0-9_./:-]+$/.test(text) ? text : `'${text.replaceAll("'", "'\\''")}'`);
+export const shell_quoted = (text: string) =>
+  /^[A-Za-z0-9_./:-]+$/.test(text) ? text : `'${text.replaceAll("'", "'\\''")}'`;
 
 /** Of k hits in n trials: where the share lies with 95 % confidence (Wilson); of none the upper end is 3/n. */
 export function share_bounds(k: number, n: number): [number, number] {
   if (n === 0) return [0, 1];
   if (k === 0) return [0, Math.min(1, 3 / n)];
-  const z = 1.96, p = k / n, spread = (z * z) / n;
-  const middle = (p + spread / 2) / (1 + spread), half = (z / (1 + spread)) * Math.sqrt((p * (1 - p)) / n + (z * z) / (4 * n * n));
+  const z = 1.96,
+    p = k / n,
+    spread = (z * z) / n;
+  const middle = (p + spread / 2) / (1 + spread),
+    half = (z / (1 + spread)) * Math.sqrt((p * (1 - p)) / n + (z * z) / (4 * n * n));
   return [Math.max(0, middle - half), Math.min(1, middle + half)];
 }
 
 export function group_by<T, K>(all: Iterable<T>, key_of: (x: T) => K): Map<K, T[]> {
   const groups = new Map<K, T[]>();
   for (const x of all) {
-    const key = key_of(x), group = groups.get(key);
+    const key = key_of(x),
+      group = groups.get(key);
     if (group) group.push(x);
     else groups.set(key, [x]);
   }

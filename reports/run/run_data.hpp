@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: MIT
+// All that a run's page, charts and table show, read once: the run's store, the earlier runs beside it, and
+// RUN/charts.json.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "base/json.hpp"
+#include "corpus/pairs/pair_io.hpp"
+#include "corpus/store/run_store.hpp"
+#include "reports/run/history.hpp"
+
+namespace cyl {
+
+/// The pair of a finding, as far as its record can be read.
+struct FoundPair {
+  std::optional<Case> line;
+  std::optional<Verdict> truth;  ///< where it is proved: disjoint, intersecting or touching
+};
+
+struct RunData {
+  std::string folder;  ///< as it was named
+  Config config;
+  Progress progress;
+  std::vector<MethodRecord> methods;
+  std::vector<TallyRecord> tallies;
+  std::vector<GroupRecord> groups;
+  std::vector<FindingRecord> findings;
+  std::vector<FoundPair> pairs;  ///< of `findings`, one each
+  std::vector<CellRecord> cells;
+  std::vector<AlarmRecord> alarms;
+  History history;
+  nlohmann::json charts;  ///< what RUN/charts.json holds, which may be the work of earlier commands; or {}
+};
+
+/// Reads the run in a folder. Throws UsageError where there is none, and std::runtime_error that names the
+/// file that cannot be read.
+RunData read_run(const std::string& folder);
+
+}  // namespace cyl

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: MIT
+// The page of a run or of a scene: one HTML file, nothing beside it and nothing from the network. It is
+// page_template.html, which the sources in this folder are built to, with the data in it.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace cyl {
+
+/// Returns the page that shows a JSON object: a run (report_json) or a scene (study_json). It is written so
+/// that no text in the object can end the element that holds it.
+std::string fill_template(std::string_view json);
+
+}  // namespace cyl

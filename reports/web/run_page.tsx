@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: MIT
+// The page of a run: an overview in sections, and a view of one bucket or finding by the part of the address after '#'.
+import { useEffect, useMemo, useRef, useState } from "preact/hooks";
+import { Calibration } from "./calibration.tsx";
+import { BucketView, FindingView } from "./detail.tsx";
+import { Findings } from "./findings.tsx";
+import { Kills } from "./kills.tsx";
+import { Maps } from "./maps.tsx";
+import type { FullReport } from "./report.ts";
+import { Speed } from "./speed.tsx";
+import { Stability } from "./stability.tsx";
+import { Methods, Summary } from "./summary.tsx";
+import { grouped, safe, seconds } from "./words.ts";
+
+const sections = [
+  ["summary", "Summary"],
+  ["findings", "Findings"],
+  ["speed", "Speed and accuracy"],
+  ["maps", "Failure maps"],
+  ["calibration", "Calibration"],
+  ["stability", "Stability"],
+  ["methods", "Methods"],
+  ["faults", "Planted faults"],
+] as const;
+
+/** "#/findings?method=fcl" as ["findings"] and its parameters. */
+function read_address() {
+  const [path = "", query = ""] = location.hash.replace(/^#\/?/, "").split("?");
+  const parts = path.split("/").map((part) => {
+    try {
+      return decodeURIComponent(part);
+    } catch {
+      return part;
+    }
+  });
+  return { parts, query: new URLSearchParams(query), whole: location.hash };
+}
+
+function useAddress() {
+  const [address, set] = useState(read_address);
+  useEffect(() => {
+    const changed = () => set(read_address());
+    addEventListener("hashchange", changed);
+    return () => removeEventListener("hashchange", changed);
+  }, []);
+  return address;
+}
+
+function Header({ report }: { report: FullReport }) {
+  const { run } = report;
+  return (
+    <header>
+      <h1>
+        <a href="#/summary">daylight</a> <span class="soft">who was wrong about two cylinders</span>
+      </h1>
+      <nav aria-label="Sections">
+        {sections.map(([key, title]) => (
+          <a href={`#/${key}`} key={key}>
+            {title}
+          </a>
+        ))}
+      </nav>
+      <p class="run">
+        <b>{safe(run.id)}</b> · seed {safe(run.seed)} · {grouped(run.pairs)} pairs · {seconds(run.seconds)} ·{" "}
+        begun {safe(run.started)} ·{" "}
+        <span class={run.status === "complete" ? "" : "warn"}>{safe(run.status) || "unfinished"}</span>
+      </p>
+    </header>
+  );
+}
+
+export function RunPage({ report }: { report: FullReport }) {
+  const address = useAddress();
+  const [asked = ""] = address.parts;
+  const view = asked === "honesty" ? "calibration" : asked; // the name that links of version 0.1.0 have
+  const detail = view === "bucket" || view === "finding";
+  const scrolled = useRef(0);
+  const was_detail = useRef(detail);
+  const finding = useMemo(() => new Map(report.findings.map((f) => [f.id, f])), [report]);
+  const bucket = useMemo(() => new Map(report.buckets.map((b) => [b.key, b])), [report]);
+
+  useEffect(() => {
+    const remember = () => {
+      if (!was_detail.current) scrolled.current = scrollY;
+    };
+    addEventListener("scroll", remember, { passive: true });
+    return () => removeEventListener("scroll", remember);
+  }, []);
+  useEffect(() => {
+    if (detail) scrollTo(0, 0);
+    else if (was_detail.current && view === "") scrollTo(0, scrolled.current);
+    else document.getElementById(view)?.scrollIntoView();
+    was_detail.current = detail;
+  }, [address]);
+
+  const named = address.parts.slice(1).join("/");
+  return (
+    <>
+      <Header report={report} />
+      {detail && (
+        <main class="detail">
+          {view === "bucket" && (
+            <BucketView report={report} bucket={bucket.get(named)} finding={finding} named={named} key={named} />
+          )}
+          {view === "finding" && (
+            <FindingView report={report} finding={finding.get(Number(named))} named={named} key={named} />
+          )}
+        </main>
+      )}
+      <main class="overview" hidden={detail}>
+        <Summary report={report} />
+        <Findings report={report} query={view === "findings" ? address.query : null} />
+        <Speed report={report} />
+        <Maps report={report} />
+        <Calibration report={report} />
+        <Stability report={report} />
+        <Methods report={report} />
+        <Kills report={report} />
+        <footer class="soft">
+          <p>{safe(report.run.build)}</p>
+          {report.run.command && (
+            <p>
+              The same run again: <code>{safe(report.run.command)}</code>
+            </p>
+          )}
+          <p>
+            One file; it asks nothing from the network.{" "}
+            <button type="button" class="link" onClick={print_all}>
+              Print
+            </button>
+          </p>
+        </footer>
+      </main>
+    </>
+  );
+}
+
+function print_all() {
+  for (const details of document.querySelectorAll<HTMLDetailsElement>("details.print")) details.open = true;
+  print();
+}
