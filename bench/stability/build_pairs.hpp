@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "corpus/pairs/pair_numbers.hpp"
 #include "oracles/methods/method.hpp"
 
 namespace cyl {
@@ -18,21 +19,8 @@ static_assert(std::is_trivially_copyable_v<MethodAnswer>);
 
 inline constexpr std::size_t doubles_per_pair = 16;
 
-inline Pair pair_of(const double (&x)[doubles_per_pair]) {
-  const auto solid = [](const double* c) {
-    return Cylinder{{c[0], c[1], c[2]}, {c[3], c[4], c[5]}, c[6], c[7]};
-  };
-  return {solid(x), solid(x + doubles_per_pair / 2)};
-}
-
 inline void numbers_of(const Pair& pair, double (&x)[doubles_per_pair]) {
-  double* to = x;
-  for (const Cylinder* c : {&pair.a, &pair.b}) {
-    to = std::copy_n(c->center.data(), 3, to);
-    to = std::copy_n(c->axis.data(), 3, to);
-    *to++ = c->radius;
-    *to++ = c->height;
-  }
+  std::ranges::copy(numbers_of(pair), x);
 }
 
 /// Ours without `exact`, and those of the texts; each is asked on the indices divisible by its share.

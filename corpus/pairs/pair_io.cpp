@@ -10,13 +10,22 @@
 #include <set>
 #include <utility>
 
+#include "base/enum_words.hpp"
 #include "base/json.hpp"
+#include "corpus/pairs/pair_numbers.hpp"
 
 namespace cyl {
 namespace {
 
 constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
-constexpr std::array<std::string_view, 4> cylinder_fields{"center", "axis", "radius", "height"};
+
+/// Where the numbers of a field are among those of a cylinder.
+struct Field {
+  std::string_view name;
+  std::size_t first, count;
+};
+constexpr std::array<Field, 4> cylinder_fields{
+    {{"center", 0, 3}, {"axis", 3, 3}, {"radius", 6, 1}, {"height", 7, 1}}};
 constexpr std::array<std::string_view, 3> guarded_keys{"source", "truth", "note"};
 
 /// The most bytes of a file's own words that an error text repeats.
@@ -46,13 +55,6 @@ bool one_edit_apart(std::string_view x, std::string_view y) {
   while (!x.empty() && !y.empty() && x.back() == y.back()) x.remove_suffix(1), y.remove_suffix(1);
   if (x.size() <= 1 && y.size() <= 1) return true;
   return x.size() == 2 && y.size() == 2 && x[0] == y[1] && x[1] == y[0];
-}
-
-std::optional<Verdict> find_verdict(std::string_view word) {
-  for (Verdict v :
-       {Verdict::disjoint, Verdict::intersecting, Verdict::touching, Verdict::undecided, Verdict::invalid})
-    if (word == to_string(v)) return v;
-  return std::nullopt;
 }
 
 /// Hands out one byte at a time and leaves behind how many were taken.
@@ -87,16 +89,8 @@ class CaseBuilder final : public nlohmann::json_sax<nlohmann::json> {
   Case value;
   std::string error;
 
-  bool null() override {
-    begin_token();
-    return scalar("null");
-  }
-
-  bool boolean(bool x) override {
-    begin_token();
-    return scalar(x ? "true" : "false");
-  }
-
+  bool null() override { return begin_token(), accept("null"); }
+  bool boolean(bool x) override { return begin_token(), accept(x ? "true" : "false"); }
   bool number_integer(number_integer_t x) override { return number(static_cast<double>(x)); }
   bool number_unsigned(number_unsigned_t x) override { return number(static_cast<double>(x)); }
   bool number_float(number_float_t x, const string_t&) override { return number(x); }
@@ -104,89 +98,58 @@ class CaseBuilder final : public nlohmann::json_sax<nlohmann::json> {
 
   bool string(string_t& x) override {
     begin_token();
-    if (level_ != Level::line) return scalar("a string");
-    if (key_ == "id") {
-      value.id = std::move(x);
-    } else if (key_ == "source") {
-      value.source = std::move(x);
-    } else if (key_ == "note") {
-      value.note = std::move(x);
-    } else if (key_ == "truth") {
-      value.truth = find_verdict(x);
-      if (!value.truth)
-        return fail("truth is \"" + shorten(x) +
-                    "\", expected disjoint, intersecting, touching, undecided or invalid");
-    } else {
-      return scalar("a string");
+    if (wanted() != Wanted::text) return accept("a string");
+    if (key_ == "truth") {
+      value.truth = from_word<Verdict>(x);
+      return value.truth || fail("truth is \"" + shorten(x) +
+                                 "\", expected disjoint, intersecting, touching, undecided or invalid");
     }
+    (key_ == "id" ? value.id : key_ == "source" ? value.source : value.note) = std::move(x);
     return true;
   }
 
   bool key(string_t& x) override {
     begin_token();
-    if (level_ == Level::ignored) return true;
-    if (level_ == Level::cylinder) {
-      const auto found = std::find(cylinder_fields.begin(), cylinder_fields.end(), x);
-      if (found == cylinder_fields.end())
-        return fail(key_ + "." + shorten(x) +
-                    " is not a field of a cylinder; expected center, axis, radius, height");
-      field_ = static_cast<std::size_t>(found - cylinder_fields.begin());
-      if (std::exchange(field_seen_[field_], true)) return fail(subject() + " is given twice");
-      return true;
-    }
+    if (skipped_ > 0) return true;
+    if (depth_ == in_cylinder) return field_key(x);
     for (std::string_view known : guarded_keys)
       if (x != known && one_edit_apart(x, known))
         return fail(shorten(x) + " is not a known key; did you mean " + std::string(known) + "?");
     key_ = x;
-    if (!keys_seen_.insert(std::move(x)).second) return fail(shorten(key_) + " is given twice");
-    return true;
+    return keys_seen_.insert(std::move(x)).second || fail(shorten(key_) + " is given twice");
   }
 
   bool start_object(std::size_t) override {
-    begin_token();
-    if (level_ == Level::outside) {
-      level_ = Level::line;
-      return true;
-    }
-    if (level_ == Level::line && in_cylinder()) {
-      level_ = Level::cylinder;
-      field_seen_ = {};
-      return true;
-    }
-    return open("an object");
+    fields_seen_ = {};
+    return open(Wanted::object, "an object");
   }
 
   bool end_object() override {
     begin_token();
-    if (level_ == Level::ignored) return close();
-    if (level_ == Level::cylinder) {
+    if (skipped_ > 0) return close();
+    if (depth_-- == in_cylinder) {
       for (std::size_t i = 0; i < cylinder_fields.size(); ++i)
-        if (!field_seen_[i]) return fail(key_ + "." + std::string(cylinder_fields[i]) + " is missing");
-      level_ = Level::line;
+        if (!fields_seen_[i]) return fail(key_ + "." + std::string(cylinder_fields[i].name) + " is missing");
       return true;
     }
     for (const char* needed : {"a", "b"})
       if (!keys_seen_.contains(needed)) return fail(std::string(needed) + " is missing");
-    level_ = Level::outside;
     return true;
   }
 
   bool start_array(std::size_t) override {
-    begin_token();
-    if (level_ == Level::cylinder && field_ < 2) {
-      level_ = Level::vector;
-      coordinates_ = 0;
-      vector_start_ = start_;
-      return true;
-    }
-    return open("a list");
+    if (!open(Wanted::list, "a list")) return false;
+    if (skipped_ > 0) return true;
+    coordinates_ = 0;
+    list_start_ = start_;
+    return true;
   }
 
   bool end_array() override {
     begin_token();
-    if (level_ == Level::ignored) return close();
-    level_ = Level::cylinder;
-    start_ = vector_start_;
+    if (skipped_ > 0) return close();
+    --depth_;
+    start_ = list_start_;
     if (coordinates_ != 3)
       return fail(subject() + " has " + std::to_string(coordinates_) + " coordinates, expected 3");
     return check_field("");
@@ -199,9 +162,8 @@ class CaseBuilder final : public nlohmann::json_sax<nlohmann::json> {
         shorten(text_.substr(start_, text_.find_first_of(" \t\r,:[]{}\"", start_) - start_));
     constexpr int number_overflow = 406;  // nlohmann/json's number for this fault
     if (fault.id == number_overflow)
-      return fail((level_ == Level::ignored ? "a number" : subject()) + " overflows a double (" + word + ")");
-    const bool wants_number = level_ == Level::vector || (level_ == Level::cylinder && field_ >= 2);
-    if (wants_number && after_colon_or_comma() && !word.empty())
+      return fail((skipped_ > 0 ? "a number" : subject()) + " overflows a double (" + word + ")");
+    if (wanted() == Wanted::number && after_colon_or_comma() && !word.empty())
       return fail(subject() + " is " + word + ", expected " + expected());
     start_ = position - 1;
     // "[json.exception...] parse error at line 1, column 9: syntax error while parsing value - invalid
@@ -212,7 +174,8 @@ class CaseBuilder final : public nlohmann::json_sax<nlohmann::json> {
   }
 
  private:
-  enum class Level { outside, line, cylinder, vector, ignored };
+  enum Depth { outside, in_line, in_cylinder, in_list };  // of the containers that are not skipped
+  enum class Wanted { object, list, number, text, anything };
   static constexpr std::string_view between_tokens = " \t\r\n,:";
 
   // Every token but ',' and ':' is an event, so a token begins at the first other byte after the last one.
@@ -232,66 +195,71 @@ class CaseBuilder final : public nlohmann::json_sax<nlohmann::json> {
     return false;
   }
 
-  bool in_cylinder() const { return key_ == "a" || key_ == "b"; }
-
-  std::string subject() const {
-    if (level_ == Level::outside) return "the line";
-    if (level_ == Level::line) return shorten(key_);
-    const std::string field = key_ + "." + std::string(cylinder_fields[field_]);
-    return level_ == Level::vector ? field + "[" + std::to_string(coordinates_) + "]" : field;
+  /// What belongs where the parser is.
+  Wanted wanted() const {
+    if (skipped_ > 0) return Wanted::anything;
+    if (depth_ == outside) return Wanted::object;
+    if (depth_ == in_list) return Wanted::number;
+    if (depth_ == in_cylinder) return cylinder_fields[field_].count > 1 ? Wanted::list : Wanted::number;
+    if (key_ == "a" || key_ == "b") return Wanted::object;
+    const bool text = key_ == "id" || std::ranges::find(guarded_keys, key_) != guarded_keys.end();
+    return text ? Wanted::text : Wanted::anything;
   }
 
   const char* expected() const {
-    if (level_ == Level::line && !in_cylinder()) return "a string";
-    if (level_ == Level::line || level_ == Level::outside) return "an object";
-    return level_ == Level::cylinder && field_ < 2 ? "a list of 3 numbers" : "a number";
+    constexpr std::array names{"an object", "a list of 3 numbers", "a number", "a string", "anything"};
+    return names[static_cast<std::size_t>(wanted())];
   }
 
-  bool skippable() const {
-    return level_ == Level::ignored ||
-           (level_ == Level::line && !in_cylinder() && key_ != "id" &&
-            std::find(guarded_keys.begin(), guarded_keys.end(), key_) == guarded_keys.end());
+  std::string subject() const {
+    if (depth_ == outside) return "the line";
+    if (depth_ == in_line) return shorten(key_);
+    const std::string field = key_ + "." + std::string(cylinder_fields[field_].name);
+    return depth_ == in_list ? field + "[" + std::to_string(coordinates_) + "]" : field;
   }
 
-  bool scalar(const char* kind) {
-    return skippable() || fail(subject() + " is " + kind + ", expected " + expected());
+  bool accept(const char* kind) {
+    return wanted() == Wanted::anything || fail(subject() + " is " + kind + ", expected " + expected());
   }
 
-  bool open(const char* kind) {
-    if (!scalar(kind)) return false;
-    level_ = Level::ignored;
-    ++ignored_depth_;
+  bool open(Wanted container, const char* kind) {
+    begin_token();
+    if (wanted() == container) return ++depth_, true;
+    if (!accept(kind)) return false;
+    ++skipped_;
     return true;
   }
 
-  bool close() {
-    if (--ignored_depth_ == 0) level_ = Level::line;
-    return true;
+  bool close() { return --skipped_, true; }
+
+  bool field_key(const std::string& x) {
+    const auto found = std::ranges::find(cylinder_fields, x, &Field::name);
+    if (found == cylinder_fields.end())
+      return fail(key_ + "." + shorten(x) +
+                  " is not a field of a cylinder; expected center, axis, radius, height");
+    field_ = static_cast<std::size_t>(found - cylinder_fields.begin());
+    return !std::exchange(fields_seen_[field_], true) || fail(subject() + " is given twice");
   }
+
+  Cylinder& cylinder() { return key_ == "a" ? value.pair.a : value.pair.b; }
 
   bool number(double x) {
     begin_token();
     token_end_ = std::min(text_.find_first_not_of("+-.0123456789eE", start_), text_.size());
     if (x == 0 && text_[start_] == '-') x = -0.0;  // the parser makes the integer 0 of "-0"
-    Cylinder& c = key_ == "a" ? value.pair.a : value.pair.b;
-    if (level_ == Level::vector) {
-      if (coordinates_ == 3) {
-        level_ = Level::cylinder;
-        return fail(subject() + " has more than 3 coordinates");
-      }
-      (field_ == 0 ? c.center : c.axis)[coordinates_++] = x;
-      return true;
+    if (wanted() != Wanted::number) return accept("a number");
+    const Field& field = cylinder_fields[field_];
+    if (depth_ == in_list && coordinates_ == field.count) {
+      --depth_;
+      return fail(subject() + " has more than 3 coordinates");
     }
-    if (level_ == Level::cylinder && field_ >= 2) {
-      (field_ == 2 ? c.radius : c.height) = x;
-      return check_field(" (" + format_double(x) + ")");
-    }
-    return scalar("a number");
+    *numbers_of(cylinder())[field.first + (depth_ == in_list ? coordinates_++ : 0)] = x;
+    return depth_ == in_list || check_field(" (" + format_double(x) + ")");
   }
 
   // A cylinder begins without defect, so the first defect is of the field just read.
   bool check_field(const std::string& shown) {
-    const Defect defect = find_defect(key_ == "a" ? value.pair.a : value.pair.b);
+    const Defect defect = find_defect(cylinder());
     return defect == Defect::none || fail(key_ + "." + to_string(defect) + shown);
   }
 
@@ -300,14 +268,14 @@ class CaseBuilder final : public nlohmann::json_sax<nlohmann::json> {
   const std::size_t& taken_;
   std::size_t start_ = 0;      // where the token of this event begins
   std::size_t token_end_ = 0;  // where it ends
-  Level level_ = Level::outside;
-  std::string key_;  // the last key of the line itself
+  int depth_ = outside;
+  std::size_t skipped_ = 0;  // open containers of which nothing is wanted
+  std::string key_;          // the last key of the line itself
   std::set<std::string, std::less<>> keys_seen_;
   std::size_t field_ = 0;  // index into cylinder_fields
-  std::array<bool, 4> field_seen_{};
-  int coordinates_ = 0;
-  std::size_t vector_start_ = 0;
-  std::size_t ignored_depth_ = 0;
+  std::array<bool, 4> fields_seen_{};
+  std::size_t coordinates_ = 0;
+  std::size_t list_start_ = 0;
 };
 
 void append(std::string& out, std::string_view name, const Vector3& v) {

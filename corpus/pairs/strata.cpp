@@ -128,4 +128,13 @@ std::optional<Pair> draw_in_stratum(ContactFeature feature, int decade, std::uin
   return draw_contact_at(kind, s, penetrates ? -margin : margin).pair;
 }
 
+std::vector<Pair> draw_in_all_strata(std::uint64_t per_cell, std::uint64_t seed) {
+  std::vector<Pair> pairs;
+  for (const ContactFeature feature : enum_values<ContactFeature>)
+    for (int decade = first_decade; decade <= last_decade; ++decade)
+      for (std::uint64_t index = 0; index < per_cell; ++index)
+        if (const auto pair = draw_in_stratum(feature, decade, seed, index)) pairs.push_back(*pair);
+  return pairs;
+}
+
 }  // namespace cyl

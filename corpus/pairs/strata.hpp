@@ -5,6 +5,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <vector>
 
 #include "corpus/pairs/contact_feature.hpp"
 #include "solver/cylinder.hpp"
@@ -21,5 +22,8 @@ inline constexpr int first_decade = 1, last_decade = 15;
 /// would be smaller than what doubles tell apart at the outer one's surface.
 std::optional<Pair> draw_in_stratum(ContactFeature feature, int decade, std::uint64_t seed,
                                     std::uint64_t index);
+
+/// Returns the pairs of indices below `per_cell` of every stratum: by feature, then by decade, then by index.
+std::vector<Pair> draw_in_all_strata(std::uint64_t per_cell, std::uint64_t seed);
 
 }  // namespace cyl

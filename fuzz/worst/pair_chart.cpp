@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "corpus/pairs/pair_numbers.hpp"
 #include "oracles/methods/adapter.hpp"
 #include "oracles/referee/referee.hpp"
 #include "solver/distance.hpp"
@@ -32,8 +33,6 @@ void scale_lengths(Pair& p, double factor) {
   p.b.center *= factor;
 }
 
-bool legal(const Pair& p) { return find_defect(p.a) == Defect::none && find_defect(p.b) == Defect::none; }
-
 /// A point of `from`, as an offset from its centre, where it comes to in `to`: the axis is that of `from`.
 Vector3 stretched(const Cylinder& from, const Cylinder& to, const Vector3& point) {
   const Vector3 axis = unit_axis(from.axis), along = axis.dot(point) * axis;
@@ -50,7 +49,7 @@ double farthest(const Pair& p) {
 // By a power of two, so that only lengths that leave the range of doubles are rounded.
 std::optional<Pair> bring_into(const Domain& domain, const Pair& pair) {
   Pair p = pair;
-  const double size = legal(p) ? size_of(p) : 0;
+  const double size = is_legal(p) ? size_of(p) : 0;
   if (!(size > 0)) return {};
   if (size < domain.least_size) scale_lengths(p, std::exp2(std::ceil(std::log2(domain.least_size / size))));
   if (size > domain.most_size) scale_lengths(p, std::exp2(std::floor(std::log2(domain.most_size / size))));
@@ -61,13 +60,13 @@ std::optional<Pair> bring_into(const Domain& domain, const Pair& pair) {
     p.b.center -= p.a.center;
     p.a.center.setZero();
   }
-  if (!legal(p) || farthest(p) > domain.most_offset * now) return {};
+  if (!is_legal(p) || farthest(p) > domain.most_offset * now) return {};
   return p;
 }
 
 bool is_in(const Domain& domain, const Pair& pair) {
   constexpr double rounding = 0x1p-40;  // of a few products and sums, generously
-  if (!legal(pair)) return false;
+  if (!is_legal(pair)) return false;
   const double size = size_of(pair);
   return size >= domain.least_size * (1 - rounding) && size <= domain.most_size * (1 + rounding) &&
          farthest(pair) <= domain.most_offset * size * (1 + rounding);

@@ -25,8 +25,6 @@ struct Known {
   double distance;  ///< exact up to rounding where disjoint
 };
 
-double extent_of(const Pair& p) { return p.a.radius + p.a.height + p.b.radius + p.b.height; }
-
 /// The point of c farthest along the unit vector d.
 Vector3 support(const Cylinder& c, const Vector3& d) {
   const Vector3 w = unit_axis(c.axis);
@@ -58,7 +56,7 @@ std::vector<Known> easy_pairs(double scale = 1) {
       c->radius *= scale;
       c->height *= scale;
     }
-    known.push_back(apart(p, directions[i % 3], 0.1 * extent_of(p)));
+    known.push_back(apart(p, directions[i % 3], 0.1 * size_of(p)));
     p.b.center = p.a.center;
     known.push_back({p, Verdict::intersecting, 0});
   }
@@ -70,7 +68,7 @@ std::vector<Known> easy_pairs(double scale = 1) {
     c->radius *= scale;
     c->height *= scale;
   }
-  for (double gap : {0.1 * extent_of(p), -0.1 * extent_of(p)}) {
+  for (double gap : {0.1 * size_of(p), -0.1 * size_of(p)}) {
     const Verdict verdict = gap > 0 ? Verdict::disjoint : Verdict::intersecting;
     p.b.center = p.a.center + (p.a.radius + p.b.radius + gap) * side;
     known.push_back({p, verdict, gap});
@@ -127,7 +125,7 @@ TEST(Methods, EachIsRightFarFromTouching) {
       EXPECT_EQ(answer.verdict, k.verdict) << m->name();
       if (!answer.has_distance) continue;
       if (k.verdict == Verdict::disjoint) {
-        EXPECT_NEAR(answer.distance, k.distance, 2e-2 * extent_of(k.pair)) << m->name();
+        EXPECT_NEAR(answer.distance, k.distance, 2e-2 * size_of(k.pair)) << m->name();
       } else {
         EXPECT_LE(answer.distance, 0) << m->name();
       }
@@ -241,7 +239,7 @@ TEST(Nlopt, FindsTheDistanceAtEveryScale) {
         ASSERT_EQ(answer.verdict, k.verdict) << m->name() << " at " << scale;
         ASSERT_TRUE(answer.has_distance);
         if (k.verdict == Verdict::disjoint) {
-          EXPECT_NEAR(answer.distance / extent_of(k.pair), k.distance / extent_of(k.pair), 1e-7) << m->name();
+          EXPECT_NEAR(answer.distance / size_of(k.pair), k.distance / size_of(k.pair), 1e-7) << m->name();
         }
       }
     }
@@ -251,7 +249,7 @@ TEST(Nlopt, FindsTheDistanceAtEveryScale) {
 // Rim against rim, neither axis nor their cross product separates: only a search can find it.
 TEST(Nlopt, FindsANarrowSeparation) {
   const Pair p{{{0, 0, 0}, {1, 2, 3}, 1, 2}, {{0, 0, 0}, {-1, 0.5, 0.1}, 1, 2}};
-  const Known k = apart(p, {0.2, 0.9, -0.4}, 1e-4 * extent_of(p));
+  const Known k = apart(p, {0.2, 0.9, -0.4}, 1e-4 * size_of(p));
   for (const auto& m : chosen("nlopt")) {
     const MethodAnswer answer = m->ask(k.pair);
     EXPECT_EQ(answer.verdict, Verdict::disjoint) << m->name();

@@ -120,11 +120,10 @@ class Plugin final : public Method {
 
   MethodAnswer ask(const Pair& pair) override {
     if (const auto invalid = decline_invalid(pair)) return *invalid;
-    double a[8], b[8], more[7];
-    flatten(pair.a, a);
-    flatten(pair.b, b);
+    const auto a = numbers_of(pair.a), b = numbers_of(pair.b);
+    double more[7];
     std::fill_n(more, 7, std::numeric_limits<double>::quiet_NaN());
-    const int word = loaded().ask(a, b, more);
+    const int word = loaded().ask(a.data(), b.data(), more);
     MethodAnswer answer;
     if (word == DAYLIGHT_DECLINED) {
       answer.set_reason("declined");

@@ -187,10 +187,6 @@ std::optional<Truth> prove_touching(const Pair& pair, const Rational3& point, co
   return t;
 }
 
-bool legal(const Pair& pair) {
-  return find_defect(pair.a) == Defect::none && find_defect(pair.b) == Defect::none;
-}
-
 Truth verdict_alone(Verdict verdict) {
   Truth t;
   t.verdict = verdict;
@@ -282,14 +278,14 @@ Truth judge_at_length(const Pair& pair, std::span<const MethodAnswer> offered, i
 }  // namespace
 
 Truth judge(const Pair& pair, std::span<const MethodAnswer> offered, int bits_cap) {
-  if (!legal(pair)) return verdict_alone(Verdict::invalid);
+  if (!is_legal(pair)) return verdict_alone(Verdict::invalid);
   Guess guess;
   if (auto t = prove_in_double(pair, Filter(pair), offered, guess)) return std::move(*t);
   return judge_at_length(pair, offered, bits_cap);
 }
 
 Truth judge_verdict(const Pair& pair, std::span<const MethodAnswer> offered) {
-  if (!legal(pair)) return verdict_alone(Verdict::invalid);
+  if (!is_legal(pair)) return verdict_alone(Verdict::invalid);
   const Filter filter(pair);
   Guess guess;
   if (auto t = prove_in_double(pair, filter, offered, guess)) return std::move(*t);
@@ -300,18 +296,13 @@ Truth judge_verdict(const Pair& pair, std::span<const MethodAnswer> offered) {
 }
 
 Verdict check_witness(const Pair& pair, const MethodAnswer& answer) {
-  if (!legal(pair)) return Verdict::undecided;
+  if (!is_legal(pair)) return Verdict::undecided;
   if (auto t = check_by_filter(Filter(pair), answer)) return t->verdict;
   if (auto t = check_exactly(pair, answer)) return t->verdict;
   if (answer.status == Status::answered && answer.witness == CertificateKind::point && finite(answer.head) &&
       finite(answer.tail) && in_both_exact(pair, sum(answer.head, answer.tail)))
     return Verdict::intersecting;
   return Verdict::undecided;
-}
-
-double size_of(const Pair& pair) {
-  return std::min(pair.a.radius + pair.a.height + pair.b.radius + pair.b.height,
-                  std::numeric_limits<double>::max());
 }
 
 }  // namespace cyl

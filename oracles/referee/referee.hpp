@@ -8,6 +8,7 @@
 
 #include "corpus/pairs/certificate.hpp"
 #include "corpus/pairs/method_answer.hpp"
+#include "corpus/pairs/pair_numbers.hpp"
 #include "solver/cylinder.hpp"
 
 namespace cyl {
@@ -52,8 +53,5 @@ AttainedDistance attain_distance(const Pair& pair, const Truth& truth, double re
 
 /// Whether a witness proves a verdict: `disjoint`, `intersecting`, or `undecided` where it proves nothing.
 Verdict check_witness(const Pair& pair, const MethodAnswer& answer);
-
-/// radius a + height a + radius b + height b, rounded, at most the largest double (the unit of margins).
-double size_of(const Pair& pair);
 
 }  // namespace cyl

@@ -14,6 +14,7 @@
 #include <string>
 #include <utility>
 
+#include "corpus/pairs/pair_numbers.hpp"
 #include "solver/distance.hpp"
 
 namespace cyl {
@@ -78,29 +79,17 @@ int significant_bits(double x) {
 // ---- the numbers of a pair
 
 std::array<double*, 16> numbers(Pair& p) {
-  std::array<double*, 16> all{};
-  std::size_t i = 0;
-  for (Cylinder* c : {&p.a, &p.b}) {
-    for (double* x : {&c->center[0], &c->center[1], &c->center[2], &c->axis[0], &c->axis[1], &c->axis[2],
-                      &c->radius, &c->height})
-      all[i++] = x;
-  }
+  std::array<double*, 16> all;
+  std::ranges::copy(numbers_of(p.b), std::ranges::copy(numbers_of(p.a), all.begin()).out);
   return all;
 }
+
+using Bits = std::array<std::uint64_t, 16>;
 
 /// Bits of the numbers: equal for the same pair alone.
-std::array<std::uint64_t, 16> bits_of(Pair p) {
-  std::array<std::uint64_t, 16> all{};
-  std::ranges::transform(numbers(p), all.begin(),
-                         [](const double* x) { return std::bit_cast<std::uint64_t>(*x); });
-  return all;
-}
-
-bool is_legal(const Pair& p) { return find_defect(p.a) == Defect::none && find_defect(p.b) == Defect::none; }
+Bits bits_of(const Pair& p) { return std::bit_cast<Bits>(numbers_of(p)); }
 
 std::array<double*, 4> lengths(Pair& p) { return {&p.a.radius, &p.a.height, &p.b.radius, &p.b.height}; }
-
-double size(const Pair& p) { return p.a.radius + p.a.height + p.b.radius + p.b.height; }
 
 /// A changed copy.
 template <class Change>
@@ -486,7 +475,7 @@ class Search {
     if (ask(pairs)) return true;
     if (!may_keep_distance) return false;
     const double kept = distance(best_.a, best_.b).value;
-    if (kept == 0 || !(std::fabs(kept) < near_margin * size(best_))) return false;
+    if (kept == 0 || !(std::fabs(kept) < near_margin * size_of(best_))) return false;
     Pairs at_distance;
     for (const Pair& p : pairs) add_at_distance(p, kept, at_distance);
     return ask(at_distance);

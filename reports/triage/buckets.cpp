@@ -14,13 +14,16 @@
 #include "base/own_command.hpp"
 #include "base/safe_text.hpp"
 #include "corpus/pairs/pair_io.hpp"
+#include "corpus/pairs/pair_json.hpp"
+#include "corpus/pairs/scaled_pair.hpp"
 #include "corpus/pairs/strata.hpp"
+#include "corpus/pairs/truth_io.hpp"
 #include "fuzz/worst/worst.hpp"
 #include "oracles/methods/contained.hpp"
 #include "oracles/trial/bucket.hpp"
 #include "oracles/trial/contact.hpp"
 #include "oracles/trial/mechanism.hpp"
-#include "oracles/trial/replay.hpp"
+#include "oracles/trial/trial.hpp"
 #include "props/shrink/simplify.hpp"
 #include "reports/triage/case_distance.hpp"
 
@@ -125,20 +128,18 @@ bool surpasses(const WorstRecord& found, const std::optional<Finding>& wrong, co
   return wrong->severity == Severity::contract && wrong->margin->lo > least_margin(stored);
 }
 
-Json parsed(const std::string& text) { return Json::parse(text, nullptr, false); }
-
 /// In the form of the page's Case.
 Json case_json(const Pair& pair, const Replayed& now, std::span<const std::unique_ptr<Method>> methods,
                const std::string& replay) {
   Json c;
-  c["pair"] = parsed(format_pair(pair));
+  c["pair"] = pair_to_json(pair);
   const bool decided = now.truth.verdict != Verdict::undecided && now.truth.verdict != Verdict::invalid;
-  c["truth"] = parsed(format_truth(now.truth));
+  c["truth"] = truth_to_json(now.truth);
   c["margin"] = nullptr;
   if (decided) add_distance(c, case_distance(pair, now.truth.verdict, known_margin(pair, now.distance)));
   c["answers"] = Json::object();
   for (std::size_t m = 0; m < methods.size(); ++m)
-    c["answers"][std::string(methods[m]->name())] = parsed(format_method_answer(now.answers[m]));
+    c["answers"][std::string(methods[m]->name())] = answer_to_json(now.answers[m]);
   c["replay"] = replay;
   return c;
 }
@@ -146,12 +147,9 @@ Json case_json(const Pair& pair, const Replayed& now, std::span<const std::uniqu
 Pair like(Pair drawn, const Pair& model, bool moved) {
   const auto exponent = [](const Pair& p) { return size_of(p) > 0 ? std::ilogb(size_of(p)) : 0; };
   const int by = exponent(model) - exponent(drawn);
-  for (Cylinder* c : {&drawn.a, &drawn.b}) {
-    for (double& x : c->center) x = std::scalbn(x, by);
-    c->radius = std::scalbn(c->radius, by);
-    c->height = std::scalbn(c->height, by);
-    if (moved) c->center += model.a.center;
-  }
+  drawn = scaled(drawn, by);
+  if (moved)
+    for (Cylinder* c : {&drawn.a, &drawn.b}) c->center += model.a.center;
   return drawn;
 }
 

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: MIT
+// The numbers of a pair: in a row, checked, summed up.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <limits>
+
+#include "solver/cylinder.hpp"
+
+namespace cyl {
+
+/// Center x y z, axis x y z, radius, height: as in every file and interface that has them in a row.
+inline constexpr std::size_t cylinder_number_count = 8;
+
+inline std::array<double*, cylinder_number_count> numbers_of(Cylinder& c) noexcept {
+  return {&c.center[0], &c.center[1], &c.center[2], &c.axis[0], &c.axis[1], &c.axis[2], &c.radius, &c.height};
+}
+
+inline std::array<double, cylinder_number_count> numbers_of(const Cylinder& c) noexcept {
+  return {c.center[0], c.center[1], c.center[2], c.axis[0], c.axis[1], c.axis[2], c.radius, c.height};
+}
+
+/// The 16 of a pair, those of a first.
+inline std::array<double, 2 * cylinder_number_count> numbers_of(const Pair& p) noexcept {
+  std::array<double, 2 * cylinder_number_count> all;
+  std::ranges::copy(numbers_of(p.b), std::ranges::copy(numbers_of(p.a), all.begin()).out);
+  return all;
+}
+
+/// The cylinder of 8 numbers, the pair of 16.
+inline Cylinder cylinder_of(const double* x) noexcept {
+  return {{x[0], x[1], x[2]}, {x[3], x[4], x[5]}, x[6], x[7]};
+}
+
+inline Pair pair_of(const double* x) noexcept {
+  return {cylinder_of(x), cylinder_of(x + cylinder_number_count)};
+}
+
+inline bool is_legal(const Pair& p) noexcept {
+  return find_defect(p.a) == Defect::none && find_defect(p.b) == Defect::none;
+}
+
+/// radius a + height a + radius b + height b, rounded, at most the largest double (the unit of margins).
+inline double size_of(const Pair& p) noexcept {
+  return std::min(p.a.radius + p.a.height + p.b.radius + p.b.height, std::numeric_limits<double>::max());
+}
+
+}  // namespace cyl
