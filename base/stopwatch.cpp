@@ -84,31 +84,31 @@ void shuffle(std::span<std::size_t> order, std::size_t& stride) {
   for (std::size_t i = 0, at = 0; i < count; ++i, at = (at + stride) % count) order[i] = at;
 }
 
-Cost turn_cost(const Sweep& sweep, std::size_t count, std::chrono::duration<double> least) {
+Cost series_cost(const Series& series, std::size_t count, std::chrono::duration<double> least) {
   const InstructionCounter counter;
   std::vector<std::size_t> order(count);
   std::size_t stride = 0;
-  const auto sweep_once = [&] {
+  const auto run_once = [&] {
     shuffle(order, stride);
     const double before = counter.read(), processor_start = processor_ns();
     const auto start = Clock::now();
-    sweep(order);
+    series(order);
     const std::chrono::duration<double, std::nano> spent = Clock::now() - start;
     // The second is the longer one, by the cost of reading it, unless another process had its turn.
     return Cost{std::min(spent.count(), processor_ns() - processor_start), counter.read() - before};
   };
   double spent = 0, instructions = 0;
-  std::vector<double> sweeps;
+  std::vector<double> runs;
   const auto take = [&](const Cost& once) {
     spent += once.ns;
     instructions += once.instructions;
-    sweeps.push_back(once.ns);
+    runs.push_back(once.ns);
   };
   const double least_ns = least.count() * 1e9;
-  if (const Cost first = sweep_once(); first.ns >= least_ns) take(first);
-  while (sweeps.empty() || spent < least_ns) take(sweep_once());
+  if (const Cost first = run_once(); first.ns >= least_ns) take(first);
+  while (runs.empty() || spent < least_ns) take(run_once());
   const double calls = static_cast<double>(count);
-  return {quantile(sweeps, 0.5) / calls, instructions / static_cast<double>(sweeps.size()) / calls};
+  return {quantile(runs, 0.5) / calls, instructions / static_cast<double>(runs.size()) / calls};
 }
 
 CallTimes time_calls(const std::function<void(std::size_t)>& call, std::size_t count, int passes) {

@@ -20,17 +20,17 @@ struct Cost {
 };
 
 /// Makes all calls once, in the order of the indices given, or in its own where order is nothing to it.
-using Sweep = std::function<void(std::span<const std::size_t> order)>;
+using Series = std::function<void(std::span<const std::size_t> order)>;
 
 /// Another permutation of 0 .. order.size() - 1 at each call; `stride` is what it remembers, at first 0.
 void shuffle(std::span<std::size_t> order, std::size_t& stride);
 
-/// Runs a sweep of `count` calls once to warm up and then as often as fills `least`; a first run that fills
-/// it is itself the measurement. The time is the median of the sweeps', which loses the few that something
-/// else interrupted; of a sweep that others had the processor in, only its own time counts. Each time in
+/// Runs a series of `count` calls once to warm up and then as often as fills `least`; a first run that fills
+/// it is itself the measurement. The time is the median of the runs', which loses the few that something
+/// else interrupted; of a run that others had the processor in, only its own time counts. Each time in
 /// another order: branch predictors learn a couple of thousand pairs by heart (a quarter of the time of our
 /// verdict on random pairs).
-Cost turn_cost(const Sweep& sweep, std::size_t count, std::chrono::duration<double> least);
+Cost series_cost(const Series& series, std::size_t count, std::chrono::duration<double> least);
 
 /// Over calls, of the time of each.
 struct CallTimes {

@@ -16,8 +16,8 @@
 namespace cyl {
 namespace {
 
-/// Asked of the enclosures that distances and margins are held against, relative to the size: what doubles
-/// resolve. What comes back is some 3e-14 wide.
+/// The width relative to the size that is asked of the enclosures which distances and margins are held
+/// against: what doubles resolve. What comes back is some 3e-14 wide.
 constexpr double enclosure_width = 1e-15;
 
 /// A pair and what the referee proved of it.
@@ -71,7 +71,7 @@ struct Run {
   Candidate candidate;
   BenchRow row;
   std::vector<Pair> timed;  ///< the pairs it does not fail on
-  std::vector<Cost> turns;
+  std::vector<Cost> rounds;
 };
 
 std::vector<double> values(std::span<const Cost> costs, double Cost::*field) {
@@ -103,17 +103,17 @@ void time(std::span<Run> runs, const Family& family, const BenchOptions& options
     progress(fmt::format("{}: timing, pass {} of {}", family.name, pass + 1, options.passes));
     empty.push_back(time_nothing(options.pairs, seconds));
     for (Run& run : runs) {
-      if (!run.timed.empty()) run.turns.push_back(time_turn(run.candidate, run.timed, seconds));
+      if (!run.timed.empty()) run.rounds.push_back(time_round(run.candidate, run.timed, seconds));
     }
   }
   for (Run& run : runs) {
     if (run.timed.empty()) continue;
     progress(fmt::format("{}: slowest pairs of {} ({})", family.name, run.row.method, run.row.query));
     const Cost nothing = run.candidate.query == "batch" ? Cost{0, 0} : median(empty);
-    const Cost turn = median(run.turns);
-    run.row.median_ns = turn.ns - nothing.ns;
-    run.row.instructions = turn.instructions - nothing.instructions;
-    run.row.spread_percent = spread_percent(values(run.turns, &Cost::ns));
+    const Cost round = median(run.rounds);
+    run.row.median_ns = round.ns - nothing.ns;
+    run.row.instructions = round.instructions - nothing.instructions;
+    run.row.spread_percent = spread_percent(values(run.rounds, &Cost::ns));
     const CallTimes each = time_each(run.candidate, run.timed, options.passes);
     run.row.p50_ns = each.p50_ns;
     run.row.p99_ns = each.p99_ns;
@@ -121,7 +121,7 @@ void time(std::span<Run> runs, const Family& family, const BenchOptions& options
   }
 }
 
-/// The answers of one candidate, verified; nothing where it is not asked anything or gives no distance.
+/// Asks one candidate and verifies its answers; returns nothing if it is asked nothing or gives no distance.
 std::optional<Run> verify(const Candidate& candidate, const Family& family, std::span<JudgedPair> proved,
                           std::size_t least) {
   Run run{candidate, make_row(candidate, family), {}, {}};
@@ -237,14 +237,14 @@ std::vector<BenchRow> bench_sets(const Family& family, std::size_t largest, cons
       answer.verdict = verdicts[k];
       count_faults(proved, answer, Claim{.relative = right_from(family.name), .source = {}}, row);
     }
-    const std::chrono::duration<double> turn(options.min_time / options.passes);
-    std::vector<double> turns;
+    const std::chrono::duration<double> round(options.min_time / options.passes);
+    std::vector<double> rounds;
     for (int pass = 0; pass < options.passes; ++pass) {
       const auto all = [&](auto) { intersect_all(prepared, prepared, verdicts.data()); };
-      turns.push_back(turn_cost(all, verdicts.size(), turn).ns);
+      rounds.push_back(series_cost(all, verdicts.size(), round).ns);
     }
-    row.median_ns = quantile(turns, 0.5);
-    row.spread_percent = spread_percent(turns);
+    row.median_ns = quantile(rounds, 0.5);
+    row.spread_percent = spread_percent(rounds);
     rows.push_back(row);
   }
   return rows;

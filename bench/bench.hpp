@@ -21,8 +21,8 @@ namespace cyl {
 struct BenchOptions {
   std::uint64_t seed = 1;    ///< of the families
   std::size_t pairs = 2000;  ///< of each family; a method asked on a share of indices only gets its share
-  double min_time = 0.2;     ///< seconds of timing a row, all turns together
-  int passes = 9;            ///< turns of each row, the rows of a family taking turns
+  double min_time = 0.2;     ///< seconds of timing a row, all rounds together
+  int passes = 9;            ///< rounds of each row, the rows of a family taking turns
   bool curves = false;       ///< for bench/curves.hpp: its queries alone, costly methods on more pairs
 };
 
@@ -43,18 +43,18 @@ struct BenchRow {
   std::string query;
   bool foreign = false;
   std::size_t pairs = 0;                 ///< asked, those it failed on included
-  double median_ns = not_measured;       ///< a pair: the median of the turns; NaN: every pair failed
-  double spread_percent = not_measured;  ///< of the turns
-  /// Over pairs, of the least time of each; NaN for a batch.
+  double median_ns = not_measured;       ///< a pair: the median of the rounds; NaN: every pair failed
+  double spread_percent = not_measured;  ///< of the rounds
+  /// Quantiles over pairs of the least time of each; NaN for a batch.
   double p50_ns = not_measured, p99_ns = not_measured, max_ns = not_measured;
   double instructions = not_measured;  ///< a pair; NaN where the machine has no counter
-  std::size_t wrong_disjoint = 0;      ///< of a distance: its sign
+  std::size_t wrong_disjoint = 0;      ///< a distance says it by its sign
   std::size_t wrong_intersecting = 0;
-  std::size_t wrong_below_claim = 0;  ///< of the two above, those that the method's own claim allows
-  std::size_t wrong_at_margin = 0;    ///< of the same, those not proved to have a margin < right_from(family)
+  std::size_t wrong_below_claim = 0;  ///< those of the two above that the method's own claim allows
+  std::size_t wrong_at_margin = 0;    ///< those of the same not proved to have a margin < right_from(family)
   std::size_t undecided = 0;          ///< or declined, or said invalid, or gave no distance
   std::size_t failed = 0;             ///< crashed, threw or hung; left out of the times
-  /// Of a distance, the largest error in units of the pair's size: at least and at most, by the enclosures.
+  /// The largest error of a distance relative to the size: at least and at most, by the enclosures.
   double max_error = not_measured;
   double max_error_at_most = not_measured;
 };
@@ -64,21 +64,24 @@ constexpr double right_from(std::string_view family) { return family == "random"
 
 using BenchProgress = std::function<void(std::string_view)>;
 
-/// Foreign methods run in a forked child. `progress` is told what is being done, in words.
+/// Returns a row for each family, method and query. Foreign methods run in a forked child; `progress` is told
+/// what is being done, in words.
 std::vector<BenchRow> bench(std::span<const std::unique_ptr<Method>> methods,
                             std::span<const Family> families, const BenchOptions& options,
                             const BenchProgress& progress);
 
-/// The batches of these methods alone, 10^2, 10^3, .. pairs of one family up to `largest`.
+/// Times the batches of these methods alone, 10^2, 10^3, .. pairs of one family up to `largest`.
 std::vector<BenchRow> bench_batches(std::span<const std::unique_ptr<Method>> methods, const Family& family,
                                     std::size_t largest, const BenchOptions& options,
                                     const BenchProgress& progress);
 
-/// All pairs of n solids of one family, n up to `largest`, in steps of about sqrt(10); query "all pairs".
+/// Times all pairs of n solids of one family, n up to `largest`, in steps of about sqrt(10); query "all
+/// pairs".
 std::vector<BenchRow> bench_sets(const Family& family, std::size_t largest, const BenchOptions& options,
                                  const BenchProgress& progress);
 
-/// The families that `spec` names by the rule of select_names; "all" is those of campaigns and the margins.
+/// Returns the families that `spec` names by the rule of select_names; "all" is those of campaigns and the
+/// margins.
 std::vector<Family> select_families(std::string_view spec);
 
 }  // namespace cyl

@@ -19,7 +19,7 @@
 namespace cyl {
 namespace {
 
-/// CPU time one turn may take beyond what it is asked to fill before the method counts as hung.
+/// CPU time that a round may take beyond what it is asked to fill before the method counts as hung.
 constexpr std::chrono::milliseconds timing_cpu_cap{120'000};
 
 Verdict verdict_of(const MethodAnswer& answer) {
@@ -29,7 +29,7 @@ Verdict verdict_of(const MethodAnswer& answer) {
 
 using AnyCall = std::variant<Method::Call, Method::DistanceCall, Method::BatchCall>;
 
-/// What is not timed.
+/// Does what is not timed.
 AnyCall prepare(const Candidate& candidate, std::span<const Pair> pairs) {
   Method& method = *candidate.method;
   if (asks_distance(candidate)) return method.prepare_distances(pairs);
@@ -101,7 +101,7 @@ class SharedVerdicts {
   void* memory_;
 };
 
-/// The verdicts of a batch, into `verdicts`; what comes back says whether it got to its end.
+/// Writes the verdicts of a batch into `verdicts`; the answer says whether it got to its end.
 MethodAnswer ask_batch(const Candidate& candidate, std::span<const Pair> pairs, std::span<Verdict> verdicts) {
   const Pair none;
   return in_worker(
@@ -130,33 +130,28 @@ MethodAnswer answer_of(const AnyCall& call) {
 
 /// What a row times: all calls, and the i-th alone.
 struct Work {
-  Sweep sweep;
+  Series series;
   std::function<void(std::size_t)> one;
 };
 
 Work work_of(AnyCall prepared) {
   const auto any = std::make_shared<AnyCall>(std::move(prepared));  // copying it may copy every shape
-  if (const auto* call = std::get_if<Method::Call>(any.get())) {
+  const auto work = [&]<class Number>(const auto* call, Number) -> Work {
     return {[any, call](std::span<const std::size_t> order) {
-              unsigned sum = 0;
-              for (const std::size_t i : order) sum += static_cast<unsigned>((*call)(i));
+              Number sum = 0;
+              for (const std::size_t i : order) sum += static_cast<Number>((*call)(i));
               keep(sum);
             },
-            [any, call](std::size_t i) { keep(static_cast<unsigned>((*call)(i))); }};
-  }
-  if (const auto* call = std::get_if<Method::DistanceCall>(any.get())) {
-    return {[any, call](std::span<const std::size_t> order) {
-              double sum = 0;
-              for (const std::size_t i : order) sum += (*call)(i);
-              keep(sum);
-            },
-            [any, call](std::size_t i) { keep((*call)(i)); }};
-  }
+            [any, call](std::size_t i) { keep(static_cast<Number>((*call)(i))); }};
+  };
+  if (const auto* call = std::get_if<Method::Call>(any.get())) return work(call, 0u);
+  if (const auto* call = std::get_if<Method::DistanceCall>(any.get())) return work(call, 0.0);
   return {};
 }
 
-/// A batch has an order of its own: the same pairs in as many as fit into `batch_pairs`, taken in rotation.
-Sweep batch_work(const Candidate& candidate, std::span<const Pair> pairs) {
+/// Returns batches of the same pairs in orders of their own, as many as fit into `batch_pairs`, taken in
+/// rotation.
+Series batch_work(const Candidate& candidate, std::span<const Pair> pairs) {
   constexpr std::size_t batch_pairs = 20'000;
   std::vector<Method::BatchCall> batches;
   std::vector<std::size_t> order(pairs.size());
@@ -207,12 +202,12 @@ std::vector<MethodAnswer> ask_all(const Candidate& candidate, std::span<const Pa
   return answers;
 }
 
-Cost time_turn(const Candidate& candidate, std::span<const Pair> pairs, double seconds) {
+Cost time_round(const Candidate& candidate, std::span<const Pair> pairs, double seconds) {
   const Numbers numbers = in_worker(
       [&]() -> Numbers {
-        const Sweep sweep = candidate.query == "batch" ? batch_work(candidate, pairs)
-                                                       : work_of(prepare(candidate, pairs)).sweep;
-        const Cost cost = turn_cost(sweep, pairs.size(), std::chrono::duration<double>(seconds));
+        const Series series = candidate.query == "batch" ? batch_work(candidate, pairs)
+                                                         : work_of(prepare(candidate, pairs)).series;
+        const Cost cost = series_cost(series, pairs.size(), std::chrono::duration<double>(seconds));
         return {cost.ns, cost.instructions, 0};
       },
       seconds);
@@ -221,7 +216,7 @@ Cost time_turn(const Candidate& candidate, std::span<const Pair> pairs, double s
 
 Cost time_nothing(std::size_t count, double seconds) {
   const Method::Call nothing = [](std::size_t) { return Verdict::undecided; };
-  return turn_cost(work_of(nothing).sweep, count, std::chrono::duration<double>(seconds));
+  return series_cost(work_of(nothing).series, count, std::chrono::duration<double>(seconds));
 }
 
 CallTimes time_each(const Candidate& candidate, std::span<const Pair> pairs, int passes) {

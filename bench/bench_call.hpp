@@ -18,21 +18,22 @@ struct Candidate {
   std::string_view query;
 };
 
-/// Every way of asking each of these methods.
+/// Returns every way of asking each of these methods.
 std::vector<Candidate> candidates_of(std::span<const std::unique_ptr<Method>> methods);
 
-/// Whether the query is about distances; of these, `distance` is asked of disjoint pairs and `depth` of
+/// Returns whether the query is about distances: `distance` is asked about disjoint pairs, `depth` about
 /// others.
 inline bool asks_distance(const Candidate& c) { return c.query == "distance" || c.query == "depth"; }
 
-/// An answer a pair. A distance says a verdict too, by its sign; where there is none the answer is declined.
+/// Returns an answer a pair. A distance says a verdict too, by its sign; where there is none the answer is
+/// declined.
 std::vector<MethodAnswer> ask_all(const Candidate& candidate, std::span<const Pair> pairs);
 
-/// What a pair costs in a turn that fills `seconds`, as turn_cost; NaN where the worker died.
-Cost time_turn(const Candidate& candidate, std::span<const Pair> pairs, double seconds);
-/// The same of a call that does nothing.
+/// Returns what a pair costs in a round that fills `seconds`, as series_cost; NaN where the worker died.
+Cost time_round(const Candidate& candidate, std::span<const Pair> pairs, double seconds);
+/// Returns the same for a call that does nothing.
 Cost time_nothing(std::size_t count, double seconds);
-/// What the pairs cost one by one, as time_calls; NaN for a batch and where the worker died.
+/// Returns what the pairs cost one by one, as time_calls; NaN for a batch and where the worker died.
 CallTimes time_each(const Candidate& candidate, std::span<const Pair> pairs, int passes);
 
 }  // namespace cyl

@@ -25,7 +25,7 @@ struct Competitor {
   double max_error = not_measured;
 };
 
-/// One query on one family. All numbers NaN where not measured.
+/// One query on one family. Every number is NaN where it was not measured.
 struct Comparison {
   std::string family;
   std::string method;  ///< ours: `intersect` for verdict and raw, else our fastest
@@ -41,7 +41,7 @@ struct Comparison {
   Competitor fastest;  ///< right or wrong
 };
 
-/// Over the families where there is such a competitor; NaN where there is none.
+/// Ratios over the families where there is such a competitor; NaN where there is none.
 struct Ratios {
   double least = not_measured;
   double geometric_mean = not_measured;
@@ -56,7 +56,7 @@ struct QueryComparisons {
   std::size_t wrong_at_margin = 0;
 };
 
-/// The queries that we have rows of, in the order verdict, raw, certificate, batch, distance, depth.
+/// Returns the queries that we have rows of, in the order verdict, raw, certificate, batch, distance, depth.
 std::vector<QueryComparisons> summarise(std::span<const BenchRow> rows);
 
 }  // namespace cyl

@@ -6,8 +6,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
-#include <numeric>
-#include <set>
 #include <stdexcept>
 
 #include "base/json.hpp"
@@ -240,38 +238,6 @@ TEST(Bench, BatchesGrowByDecades) {
   EXPECT_EQ(rows[0].pairs, 100u);
   EXPECT_EQ(rows[1].pairs, 1000u);
   for (const BenchRow& row : rows) EXPECT_TRUE(is_right(row) && row.query == "batch");
-}
-
-TEST(Stopwatch, EverySweepHasAnotherOrder) {
-  for (const std::size_t count : {1u, 2u, 7u, 60u}) {
-    std::vector<std::size_t> all(count), order(count);
-    std::iota(all.begin(), all.end(), std::size_t{0});
-    std::set<std::vector<std::size_t>> seen;
-    std::size_t stride = 0;
-    for (int i = 0; i < 5; ++i) {
-      shuffle(order, stride);
-      EXPECT_TRUE(std::is_permutation(order.begin(), order.end(), all.begin()));
-      seen.insert(order);
-    }
-    EXPECT_GE(seen.size(), count < 7 ? 1u : 5u) << count;
-  }
-}
-
-TEST(Stopwatch, ATurnMakesEveryCallAndAtLeastOnce) {
-  std::size_t calls = 0, sweeps = 0;
-  const auto sweep = [&](std::span<const std::size_t> order) {
-    calls += order.size();
-    ++sweeps;
-  };
-  turn_cost(sweep, 10, std::chrono::duration<double>(0));
-  EXPECT_EQ(calls, 10u) << "a first sweep that fills the time is the measurement";
-  sweeps = 0;
-  turn_cost(sweep, 10, std::chrono::duration<double>(1e-3));
-  EXPECT_GE(sweeps, 2u) << "and else a warm-up";
-  std::vector<int> times(10);
-  const CallTimes of_each = time_calls([&](std::size_t i) { ++times[i]; }, times.size(), 9);
-  EXPECT_EQ(times, std::vector<int>(10, 9));
-  EXPECT_TRUE(of_each.p50_ns <= of_each.p99_ns && of_each.p99_ns <= of_each.max_ns);
 }
 
 BenchRow row_of(const char* method, const char* family, const char* query, double ns, std::size_t wrong = 0) {

@@ -20,7 +20,7 @@ bool all_right(const BenchRow& row) {
   return row.pairs > 0 && row.wrong_disjoint + row.wrong_intersecting + row.undecided + row.failed == 0;
 }
 
-/// Rows of one method and query together, by first appearance.
+/// Puts the rows of one method and query together, by first appearance.
 std::vector<std::vector<BenchRow>> by_question(std::span<const BenchRow> rows) {
   std::vector<std::vector<BenchRow>> groups;
   for (const BenchRow& row : rows) {
@@ -38,7 +38,7 @@ SpeedPoint point_of(const BenchRow& row, const Digits& digits) {
           digits};
 }
 
-/// Over all margins.
+/// Returns the point of one method and query over all margins.
 SpeedPoint joint_point(std::span<const BenchRow> rows, const Digits& digits) {
   SpeedPoint all = point_of(rows[0], digits);
   all.family = "all";

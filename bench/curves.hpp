@@ -19,11 +19,11 @@ struct CurveName {
   std::string setting;  ///< "1e-10", "64", "polish4"; "default" where the name tells none
 };
 
-/// By the words at the end of the name: "fcl-libccd-tol1e-10" is fcl-libccd at 1e-10, "bullet-hull-64" is
-/// bullet-hull at 64, "libccd-gjk-centers" is libccd-gjk at centers.
+/// Tells curve and setting by the words at the end of the name: "fcl-libccd-tol1e-10" is fcl-libccd at 1e-10,
+/// "bullet-hull-64" is bullet-hull at 64, "libccd-gjk-centers" is libccd-gjk at centers.
 CurveName curve_of(std::string_view method);
 
-/// d of "margin_1e-0d".
+/// Returns d for "margin_1e-0d", nothing for another family.
 std::optional<int> margin_of_family(std::string_view family);
 
 /// The share of wrong answers that `digits_low` excludes, and how surely.
@@ -38,10 +38,10 @@ struct Digits {
   /// provided that a method is not worse farther from touching, each right answer at margins 1e-d to 1e-right
   /// speaks against a greater share at 1e-d, and n of them would come with a chance of (1 - share)^n. That is
   /// below 1 - low_confidence from n = 2,995 on. How many margins are needed does not depend on what was
-  /// seen, so no look is counted twice.
+  /// seen, so nothing is counted twice.
   std::optional<int> low;
 };
-/// Of the rows of one method and query.
+/// Returns the digits of one method and query from its rows.
 Digits digits_of(std::span<const BenchRow> rows);
 
 /// One method and query on one family, or over all margins: there `family` is "all", ns the mean of the
@@ -56,11 +56,11 @@ struct SpeedPoint {
   Digits digits;
 };
 
-/// Queries verdict, batch, certificate and distance, by first appearance; what was not timed is left out.
-/// Of a distance, the sign is the verdict, and all pairs are disjoint.
+/// Returns the points of the queries verdict, batch, certificate and distance, by first appearance; what was
+/// not timed is left out. The sign of a distance is its verdict, and all its pairs are disjoint.
 std::vector<SpeedPoint> speed_points(std::span<const BenchRow> rows);
 
-/// Of one method, verdict or (where that is what it has) certificate, at the margin 1e-decade.
+/// One method at the margin 1e-decade: its verdict or, where that is what it has, its certificate.
 struct CostPoint {
   std::string method;
   int decade = 0;
@@ -68,7 +68,7 @@ struct CostPoint {
 };
 std::vector<CostPoint> cost_points(std::span<const BenchRow> rows);
 
-/// A line for each point over all margins, by curve.
+/// Returns a line for each point over all margins, by curve.
 std::string format_curves(std::span<const SpeedPoint> points);
 
 }  // namespace cyl

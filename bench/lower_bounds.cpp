@@ -35,7 +35,7 @@ Batch draw_batch(std::uint64_t seed, std::size_t count) {
   return batch;
 }
 
-/// r |P D| + h/2 |D.w|.
+/// Returns r |P D| + h/2 |D.w|; dd is |D|^2.
 double half_width(const Prepared& solid, const Vector3& d, double dd) {
   const double along = d.dot(solid.unit_axis);
   return solid.radius * std::sqrt(std::max(0.0, dd - along * along)) + solid.height / 2 * std::abs(along);
@@ -76,12 +76,12 @@ void pass_over(Batch& batch) {
 
 LowerBounds measure_lower_bounds(const BenchOptions& options) {
   Batch small = draw_batch(options.seed, options.pairs), large = draw_batch(options.seed, large_batch);
-  const std::chrono::duration<double> turn(options.min_time / options.passes);
+  const std::chrono::duration<double> round(options.min_time / options.passes);
   std::vector<double> evaluation, pass, large_pass;
   for (int i = 0; i < options.passes; ++i) {
-    evaluation.push_back(turn_cost([&](auto) { evaluate(small); }, options.pairs, turn).ns);
-    pass.push_back(turn_cost([&](auto) { pass_over(small); }, options.pairs, turn).ns);
-    large_pass.push_back(turn_cost([&](auto) { pass_over(large); }, large_batch, turn).ns);
+    evaluation.push_back(series_cost([&](auto) { evaluate(small); }, options.pairs, round).ns);
+    pass.push_back(series_cost([&](auto) { pass_over(small); }, options.pairs, round).ns);
+    large_pass.push_back(series_cost([&](auto) { pass_over(large); }, large_batch, round).ns);
   }
   return {quantile(evaluation, 0.5), quantile(pass, 0.5), quantile(large_pass, 0.5)};
 }

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: MIT
-// Two times below which no decision about a pair can come: one look at a direction, one look at the data.
+// Two times below which no decision about a pair can come: one evaluation at a direction, one pass over the
+// data.
 #pragma once
 
 #include "bench/bench.hpp"
 
 namespace cyl {
 
-/// Nanoseconds a pair, medians of the turns, on pairs of family `random`.
+/// Times in nanoseconds a pair, medians of the rounds, on pairs of family `random`.
 struct LowerBounds {
   /// One evaluation of f (Equation 6) on prepared solids, at random directions: throughput, not latency.
   double equation_6_ns = not_measured;

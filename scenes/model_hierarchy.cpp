@@ -11,7 +11,7 @@ namespace {
 double length_squared(const Vector3& v) noexcept { return v.x() * v.x() + v.y() * v.y() + v.z() * v.z(); }
 
 double slack(const ProxyModels& a, const ProxyModels& b, double clearance) noexcept {
-  return seeds::proxy_distance_error * clearance + a.slack + b.slack;
+  return proxy_distance_error * clearance + a.slack + b.slack;
 }
 
 /// Whether the balls are farther from each other than the clearance and `more`.
@@ -51,14 +51,14 @@ Proximity compare_certified(const ProxyModels& a, const ProxyModels& b, double c
 ProxyModels make_models(const Cylinder& c, double clearance) noexcept {
   ProxyModels m;
   m.solid = prepare(c);
-  m.slack = seeds::proxy_distance_error * (std::sqrt(length_squared(c.center)) + c.height + c.radius);
+  m.slack = proxy_distance_error * (std::sqrt(length_squared(c.center)) + c.height + c.radius);
   m.grown = m.solid;
   if (clearance > 0) {
     m.grown =
         prepare({c.center, c.axis, c.radius + clearance / 2 + m.slack, c.height + clearance + 2 * m.slack});
   }
-  m.outer = seeds::outer_proxy(m.solid);
-  m.inner = seeds::inner_proxy(m.solid);
+  m.outer = outer_proxy(m.solid);
+  m.inner = inner_proxy(m.solid);
   m.ball = std::sqrt(c.radius * c.radius + c.height * c.height / 4);
   return m;
 }
@@ -75,12 +75,12 @@ Proximity proximity(Level level, const ProxyModels& a, const ProxyModels& b, dou
     case Level::sphere:
       return balls_apart(a, b, clearance + slack(a, b, clearance)) ? Proximity::apart : Proximity::unclear;
     case Level::outer:
-      return seeds::capsule_distance(a.outer, b.outer) > clearance + slack(a, b, clearance)
+      return capsule_distance(a.outer, b.outer) > clearance + slack(a, b, clearance)
                  ? Proximity::apart
                  : Proximity::unclear;
     case Level::inner:
       if (a.inner.radius < 0 || b.inner.radius < 0) return Proximity::unclear;
-      return seeds::capsule_distance(a.inner, b.inner) <= clearance - slack(a, b, clearance)
+      return capsule_distance(a.inner, b.inner) <= clearance - slack(a, b, clearance)
                  ? Proximity::within
                  : Proximity::unclear;
     case Level::cylinder:

@@ -38,9 +38,9 @@ enum class Proximity : unsigned char {
 /// A cylinder with its models, for one clearance.
 struct ProxyModels {
   Prepared solid, grown;  ///< grown by half the clearance in all directions, and more at the rims
-  seeds::Capsule outer, inner;
+  Capsule outer, inner;
   double ball;   ///< radius of the sphere around it
-  double slack;  ///< its share in seeds::proxy_distance_error
+  double slack;  ///< its share in proxy_distance_error
 };
 ProxyModels make_models(const Cylinder& c, double clearance) noexcept;
 std::vector<ProxyModels> models_of(std::span<const Cylinder> placed, double clearance);

@@ -147,7 +147,7 @@ class Study {
       models.push_back(models_of(placed.back(), q_.clearance));
     }
     const auto time = [&](const auto& once) {
-      return turn_cost(
+      return series_cost(
                  [&](std::span<const std::size_t> order) {
                    double sum = 0;
                    for (const std::size_t call : order) sum += once(call % count);

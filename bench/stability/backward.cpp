@@ -19,12 +19,12 @@ namespace {
 using nlohmann::json;
 
 constexpr std::uint64_t sample_seed = 1;
-/// Of each stratum, gaps and penetrations alike: 416 pairs.
+/// Pairs drawn of each stratum, gaps and penetrations alike: 416 pairs.
 constexpr std::uint64_t pairs_per_stratum = 4;
 
 bool meets(Verdict v) { return v == Verdict::intersecting || v == Verdict::touching; }
 
-/// Said of a pair where it is wrong, by kind and truth.
+/// Returns the verdict that a finding of this kind is about; undecided if it is about none.
 Verdict wrong_verdict(FindingKind kind) {
   switch (kind) {
     case FindingKind::wrong_disjoint:

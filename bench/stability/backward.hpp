@@ -26,29 +26,32 @@
 
 namespace cyl {
 
-/// In sizes, over the wrong verdicts of one method: half of them are right for an input within p50, ...
+/// Quantiles over the wrong verdicts of one method, relative to the size: half of them are right for an input
+/// within p50, ..
 struct BackwardError {
   std::string method;
   std::uint64_t wrong = 0;
   double p50 = 0, p99 = 0, max = 0;
 };
 
-/// Of one wrong verdict, in sizes, to a thousandth of itself and never less, at most the largest double; 0 of
-/// what touches. Nothing where the truth of the pair is not decided, or such a verdict of it is right: then
-/// nothing need move.
+/// Returns the backward error of one wrong verdict relative to the size, to a thousandth of itself and never
+/// less, at most the largest double; 0 for what touches. Returns nothing if the truth of the pair is not
+/// decided, or if such a verdict about it is right: then nothing need move.
 std::optional<double> backward_error(const Pair& pair, Verdict wrong);
 
 struct WrongVerdict {
   std::string method;
   double backward;
 };
-/// Of the findings that a run has kept, those of a verdict: the first ones of each kind and family, and the
-/// worst; so that their quantiles are of no distribution but that.
+/// Returns the wrong verdicts among the findings that a run has kept: the first ones of each kind and family,
+/// and the worst; so their quantiles say nothing of any other distribution.
 std::vector<WrongVerdict> wrong_verdicts(const std::vector<FindingRecord>& findings);
-/// Of a fixed sample next to touching: pairs of every stratum (corpus/pairs/strata.hpp), seed 1.
+/// Returns those on a fixed sample next to touching: pairs of every stratum (corpus/pairs/strata.hpp),
+/// seed 1.
 std::vector<WrongVerdict> wrong_verdicts(std::span<const std::unique_ptr<Method>> methods);
 
-/// By method, by first appearance. Quantiles are of the sample: the least value that so many do not exceed.
+/// Returns the errors by method, by first appearance. A quantile is the least value that so many do not
+/// exceed.
 std::vector<BackwardError> backward_errors(std::span<const WrongVerdict> wrong);
 
 nlohmann::json backward_json(std::span<const BackwardError> errors);

@@ -13,7 +13,7 @@
 namespace cyl {
 namespace {
 
-/// Upright, side by side, at a margin in sizes (6).
+/// Upright, side by side, at a margin relative to the size (6).
 Pair beside(double margin) {
   return {{{0, 0, 0}, {0, 0, 1}, 1, 2}, {{2 + 6 * margin, 0, 0}, {0, 0, 1}, 1, 2}};
 }

@@ -19,20 +19,19 @@
 
 namespace cyl {
 
-/// Of one method.
+/// What changed of one method's answers.
 struct BuildDifference {
   std::string method, build, against;
-  std::uint64_t pairs = 0;             ///< asked in both builds
-  std::uint64_t verdicts_changed = 0;  ///< the verdict, or whether there is one
-  std::uint64_t beyond_claim =
-      0;  ///< of them, those whose new verdict is proved wrong beyond the method's claim
-  std::uint64_t distances_changed = 0;   ///< the number, or whether there is one
-  std::optional<double> largest_change;  ///< in sizes, of distances that both builds have
+  std::uint64_t pairs = 0;              ///< asked in both builds
+  std::uint64_t verdicts_changed = 0;   ///< the verdict, or whether there is one
+  std::uint64_t beyond_claim = 0;       ///< those whose new verdict is proved wrong beyond the method's claim
+  std::uint64_t distances_changed = 0;  ///< the number, or whether there is one
+  std::optional<double> largest_change;  ///< relative to the size, of distances that both builds have
 };
 
-/// What builds are compared on: the first pairs of every family, and pairs of every stratum as they are and
-/// scaled down to where products vanish (2^-500), to just above the least normal numbers (2^-1010), and to
-/// lengths that are denormal themselves (2^-1060, rounded).
+/// Returns what builds are compared on: the first pairs of every family, and pairs of every stratum as they
+/// are and scaled down to where products vanish (2^-500), to just above the least normal numbers (2^-1010),
+/// and to lengths that are denormal themselves (2^-1060, rounded).
 std::vector<Pair> build_pairs();
 
 /// Holds builds against one another; what is proved of a pair is found once.
@@ -40,8 +39,8 @@ class BuildComparison {
  public:
   BuildComparison(std::span<const std::unique_ptr<Method>> methods, std::span<const Pair> pairs)
       : methods_(methods), pairs_(pairs) {}
-  /// By method. Answers by pair and then method, as bench/stability/build_answers_main.cpp writes them, those
-  /// not asked at the share of the method left out of account. The names stay to be filled in.
+  /// Returns the differences by method. Answers are by pair and then method, as build_answers_main.cpp writes
+  /// them; those at indices outside the method's share do not count. The names of the builds stay empty.
   std::vector<BuildDifference> compare(std::span<const MethodAnswer> against,
                                        std::span<const MethodAnswer> build);
 
@@ -54,8 +53,8 @@ class BuildComparison {
 };
 
 nlohmann::json to_json(const BuildDifference& difference);
-/// The differences in a file like bench/stability/builds.jsonl, whose first line tells where they come from;
-/// an empty list where there is no such file. Throws std::runtime_error that names the file where it is
+/// Returns the differences in a file like bench/stability/builds.jsonl, whose first line tells where they
+/// come from; an empty list if there is no such file. Throws std::runtime_error that names the file if it is
 /// something else.
 nlohmann::json builds_json(const std::filesystem::path& file);
 

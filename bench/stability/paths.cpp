@@ -21,18 +21,19 @@ namespace {
 
 using nlohmann::json;
 
-/// Of what a path changes, by decades; 1e-3 is the greatest overlap known by construction of all features.
+/// The decades of what a path changes; 1e-3 is the greatest overlap known by construction of all features.
 constexpr double touching_decades[] = {1e-3,  1e-4,  1e-5,  1e-6,  1e-7,  1e-8, 1e-9,
                                        1e-10, 1e-11, 1e-12, 1e-13, 1e-14, 1e-15};
 constexpr double turning_decades[] = {1e-2,  1e-3,  1e-4,  1e-5,  1e-6,  1e-7,  1e-8, 1e-9,
                                       1e-10, 1e-11, 1e-12, 1e-13, 1e-14, 1e-15, 1e-16};
 constexpr double in_a_decade[] = {1, 0.6, 0.4, 0.25, 0.16};
 
-/// In sizes. Rounding moves a pair's distance by up to 5e-16, so the true verdict flips once.
+/// A step relative to the size. Rounding moves a pair's distance by up to 5e-16, so the true verdict flips
+/// once.
 constexpr double fine_step_margin = 2e-15;
 constexpr int fine_steps = 128;
 
-/// -decades.front(), .. -decades.back(), (0,) decades.back(), .. decades.front().
+/// Returns -decades.front(), .. -decades.back(), (0,) decades.back(), .. decades.front().
 std::vector<double> by_decades(std::span<const double> decades, bool with_zero) {
   std::vector<double> at;
   for (std::size_t d = 0; d < decades.size(); ++d)
@@ -51,25 +52,25 @@ std::vector<double> finely() {
   return at;
 }
 
-struct Meeting {
+struct Configuration {
   ContactKind kind;
   std::string_view name;
 };
-constexpr Meeting meetings[] = {{ContactKind::side_side, "side-side"},
-                                {ContactKind::side_rim, "side-rim"},
-                                {ContactKind::rim_rim, "rim-rim"},
-                                {ContactKind::cap_rim, "cap-rim"},
-                                {ContactKind::cap_side, "cap-side"},
-                                {ContactKind::cap_cap, "cap-cap"},
-                                {ContactKind::parallel_sides, "parallel-sides"}};
+constexpr Configuration configurations[] = {{ContactKind::side_side, "side-side"},
+                                            {ContactKind::side_rim, "side-rim"},
+                                            {ContactKind::rim_rim, "rim-rim"},
+                                            {ContactKind::cap_rim, "cap-rim"},
+                                            {ContactKind::cap_side, "cap-side"},
+                                            {ContactKind::cap_cap, "cap-cap"},
+                                            {ContactKind::parallel_sides, "parallel-sides"}};
 
 /// The margin changes nothing that is drawn, so that the same solids move along the same normal.
-Path touching_path(std::string name, const Meeting& meeting, std::span<const double> margins,
+Path touching_path(std::string name, const Configuration& configuration, std::span<const double> margins,
                    std::uint64_t seed) {
   Path path{std::move(name), 1, {}};
   for (const double margin : margins) {
-    RandomStream stream(meeting.name, seed, 0);
-    const Contact c = draw_contact_at(meeting.kind, stream, margin);
+    RandomStream stream(configuration.name, seed, 0);
+    const Contact c = draw_contact_at(configuration.kind, stream, margin);
     path.steps.push_back({margin, c.pair, c.distance});
   }
   return path;
@@ -114,35 +115,21 @@ Path turning_path(Turn turn, bool gap, std::uint64_t seed) {
   a.axis = on_cap ? n : u;
   const Vector3 facing = (on_cap ? a.height / 2 : a.radius) * n;
   for (const double t : by_decades(turning_decades, true)) {
-    Vector3 middle(0, 0, 0);  // of b, in the plane square to n
-    switch (turn) {
-      case Turn::parallel_cross:
-        b.axis = u + t * v;
-        middle = shift * u;
-        break;
-      case Turn::parallel_tilt:
-        b.axis = u + t * n;
-        middle = shift * u;
-        break;
-      case Turn::perpendicular_cross:
-        b.axis = v + t * u;
-        middle = shift * u;
-        break;
-      case Turn::perpendicular_tilt:
-        b.axis = n + t * u;
-        middle = shift * u;
-        break;
-      case Turn::coaxial:
-        b.axis = n;
-        middle = t * size * v;
-        break;
+    Vector3 middle = shift * u;  // of b, in the plane square to n
+    if (turn == Turn::parallel_cross) b.axis = u + t * v;
+    if (turn == Turn::parallel_tilt) b.axis = u + t * n;
+    if (turn == Turn::perpendicular_cross) b.axis = v + t * u;
+    if (turn == Turn::perpendicular_tilt) b.axis = n + t * u;
+    if (on_cap) {
+      b.axis = n;
+      middle = t * size * v;
     }
     // How far b reaches against n: its axis and n span the tilt, of tangent t.
     const double cosine = 1 / std::sqrt(1 + t * t), sine = std::abs(t) * cosine;
     double reach = b.radius;
     if (turn == Turn::parallel_tilt) reach = b.radius * cosine + b.height / 2 * sine;
     if (turn == Turn::perpendicular_tilt) reach = b.height / 2 * cosine + b.radius * sine;
-    if (turn == Turn::coaxial) reach = b.height / 2;
+    if (on_cap) reach = b.height / 2;
     b.center = a.center + (facing + (reach + distance) * n + middle);
     path.steps.push_back({t, {a, b}, distance});
   }
@@ -205,10 +192,10 @@ void add_worst(PathStability& all, PathStability&& one) {
 
 std::vector<Path> make_paths(std::uint64_t seed) {
   std::vector<Path> paths;
-  for (const Meeting& m : meetings) {
+  for (const Configuration& c : configurations) {
     paths.push_back(
-        touching_path(fmt::format("touching {}", m.name), m, by_decades(touching_decades, false), seed));
-    paths.push_back(touching_path(fmt::format("touching-fine {}", m.name), m, finely(), seed));
+        touching_path(fmt::format("touching {}", c.name), c, by_decades(touching_decades, false), seed));
+    paths.push_back(touching_path(fmt::format("touching-fine {}", c.name), c, finely(), seed));
   }
   for (const Turn turn : {Turn::parallel_cross, Turn::parallel_tilt, Turn::perpendicular_cross,
                           Turn::perpendicular_tilt, Turn::coaxial})

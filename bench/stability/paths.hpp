@@ -20,9 +20,10 @@ namespace cyl {
 
 /// A pair on a path. f(normal) is minus the distance.
 struct PathStep {
-  double at;  ///< what the path changes: the margin, the tangent of the axes' angle, or an offset in sizes
+  double at;  ///< what the path changes: the margin, the tangent of the axes' angle, or an offset relative to
+              ///< the size
   Pair pair;
-  double distance;  ///< signed; rounding of the input moves it by up to 1e-15 sizes
+  double distance;  ///< signed; rounding of the input moves it by up to 1e-15 of the size
 };
 
 struct Path {
@@ -34,16 +35,18 @@ struct Path {
 /// Signed margin of the paths on which it does not change.
 inline constexpr double path_margin = 1e-7;
 
-/// Pure functions of the seed. For each two features that touch in general position, and parallel sides: b
-/// moves along the normal, from an overlap of 1e-3 sizes to a gap of that, by decades down to 1e-15
-/// ("touching .."); and by steps of 2e-15 sizes about touching ("touching-fine .."), each above what rounding
-/// moves. Then, at a gap and at an overlap of path_margin, axes whose angle goes from 1e-2 through 0 to -1e-2
+/// Returns the paths of a seed, as a pure function of it. For each two features that touch in general
+/// position, and parallel sides: b moves along the normal, from an overlap of 1e-3 of the size to a gap of
+/// that, by decades down to 1e-15
+/// ("touching .."); and by steps of 2e-15 of the size about touching ("touching-fine .."), each above what
+/// rounding moves. Then, at a gap and at an overlap of path_margin, axes whose angle goes from 1e-2 through 0
+/// to -1e-2
 /// ("parallel-..", exactly parallel in the middle) or likewise from a right angle ("perpendicular-.."),
 /// turned about the normal (".. -cross") or against it (".. -tilt", where a rim is next on either side of
 /// it); and caps face to face whose axes are moved across, through one line ("coaxial ..").
 std::vector<Path> make_paths(std::uint64_t seed);
 
-/// Of one method on one path, the worst of all seeds.
+/// How steady one method is on one path, at the worst of all seeds.
 struct PathStability {
   struct Said {
     double at;
@@ -55,12 +58,13 @@ struct PathStability {
   std::size_t said = 0;   ///< verdicts on them
   /// Changes between disjoint and not. What is undecided, declined or failed is passed over.
   std::size_t flips = 0;
-  /// In sizes, how much farther the distances it told of two neighbours are apart than the pairs' own.
+  /// How much farther, relative to the size, the distances it told of two neighbours are apart than the
+  /// pairs' own.
   std::optional<double> distance_jump;
   /// Between the directions it told of two neighbours. The one in which the distance is attained is the same
   /// all the way; a method that only separates may choose another, more freely the wider the gap.
   std::optional<double> direction_jump_degrees;
-  /// Of the first seed with most flips, where these are more than right: what it said where it flips, and
+  /// What it said on the first seed with most flips, where these are more than right: where it flips, and
   /// evenly between, at most trace_cap points.
   std::vector<Said> trace;
 };
@@ -69,13 +73,13 @@ inline constexpr std::size_t trace_cap = 40;
 /// Two seeds: a path of one is of one pair of shapes.
 inline constexpr std::uint64_t path_seeds = 2;
 
-/// Of one method whose answers along a path are given.
+/// Returns the stability of one method whose answers along a path are given.
 PathStability stability_along(const Path& path, std::string_view method,
                               std::span<const MethodAnswer> answers);
 
-/// By method and path; paths on which a method said nothing are left out. Foreign methods are contained; one
-/// that hangs often is not asked on. Costly methods are asked on the first seed alone. Cost: 3,180 questions
-/// to each method a seed.
+/// Returns the stability by method and path; paths on which a method said nothing are left out. Foreign
+/// methods are contained; one that hangs often is not asked on. Costly methods are asked on the first seed
+/// alone. Cost: 3,180 questions to each method a seed.
 std::vector<PathStability> path_stability(std::span<const std::unique_ptr<Method>> methods,
                                           std::uint64_t seeds = path_seeds);
 
