@@ -10,6 +10,19 @@ set(page_template ${PROJECT_SOURCE_DIR}/reports/web/page_template.html)
 set_source_files_properties(reports/web/page_template.cpp PROPERTIES OBJECT_DEPENDS ${page_template}
   COMPILE_DEFINITIONS DAYLIGHT_PAGE_TEMPLATE="${page_template}")
 
+# The programs that `daylight export` writes are templates; they go into the program as an array of names and texts.
+file(GLOB templates CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/reports/export/templates/*)
+set(export_templates "")
+foreach(template ${templates})
+  set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${template})
+  cmake_path(GET template FILENAME name)
+  file(READ ${template} text)
+  string(APPEND export_templates "    {\"${name}\", R\"~~~(${text})~~~\"},\n")
+endforeach()
+set(export_templates_source ${CMAKE_BINARY_DIR}/generated/reports/export/templates.cpp)
+configure_file(cmake/templates.cpp.in ${export_templates_source} @ONLY)
+target_sources(daylight_reports_export PRIVATE ${export_templates_source})
+
 # Looked up at each build, since a commit touches no source.
 get_directory_property(flags COMPILE_OPTIONS)
 list(FILTER flags EXCLUDE REGEX "^-W|^-ffile-prefix-map")

@@ -20,112 +20,12 @@ namespace {
 /// Seconds after which a program that does not come back is ended.
 constexpr int patience = 20;
 
-constexpr std::string_view plugin_program = R"(#include <dlfcn.h>
-#include <math.h>
-#include <stdio.h>
-
-/* As oracles/plugin.h has it. */
-struct DaylightMethod {
-  int abi;
-  const char* name;
-  const char* version;
-  double claim_relative, claim_absolute;
-  const char* claim_source;
-  int (*ask)(const double a[8], const double b[8], double more[7]);
-  void (*ask_all)(size_t count, const double* pairs, signed char* verdicts);
-};
-
-enum { DAYLIGHT_DISJOINT, DAYLIGHT_INTERSECTING, DAYLIGHT_TOUCHING, DAYLIGHT_UNDECIDED, DAYLIGHT_FAILED = -2 };
-
-/* Centre, axis, radius, full height. */
-static const double a[8] = {@a@};
-static const double b[8] = {@b@};
-
-static const struct DaylightMethod* load(const char* file) {
-  const struct DaylightMethod* (*method)(void) = 0;
-  void* library = dlopen(file, RTLD_NOW | RTLD_LOCAL);
-  if (library) *(void**)&method = dlsym(library, "daylight_method");
-  if (!method) fprintf(stderr, "%s\n", dlerror());
-  return method && method()->abi == @abi@ ? method() : 0;
-}
-
-@helper@int main(int count, char** words) {
-  double more[7] = {NAN, NAN, NAN, NAN, NAN, NAN, NAN}; /* signed distance, a direction, a point */
-  const struct DaylightMethod* method = count == 2 ? load(words[1]) : 0;
-  const char* const verdicts[] = {"disjoint", "intersecting", "touching", "undecided"};
-  int said, wrong, i;
-  if (!method) return fputs("reproduce FILE: a plug-in of interface @abi@\n", stderr), 64;
-@before@  said = method->ask(a, b, more);
-  printf("%s says: %d, %s\n", method->name, said, said >= 0 && said <= DAYLIGHT_UNDECIDED ? verdicts[said] : "no verdict");
-  printf("and more: ");
-  for (i = 0; i < 7; ++i) printf("%.17g ", more[i]);
-  puts("\ntrue is: @truth@");
-  wrong = said < DAYLIGHT_FAILED || said > DAYLIGHT_UNDECIDED || (@wrong@);
-  puts(wrong ? "WRONG" : "right");
-  return wrong ? 1 : 0;
-}
-)";
-
 constexpr std::string_view some_of_three = R"(/* Given, but not as finite numbers. */
 static int some_of(const double* v) {
   const int given = !isnan(v[0]) || !isnan(v[1]) || !isnan(v[2]);
   return given && !(isfinite(v[0]) && isfinite(v[1]) && isfinite(v[2]));
 }
 
-)";
-
-constexpr std::string_view command_program = R"(import json
-import os
-import signal
-import subprocess
-import sys
-import tempfile
-
-if len(sys.argv) != 2:
-    print(f'usage: python3 {sys.argv[0]} COMMAND', file=sys.stderr)
-    sys.exit(64)
-
-PAIR = @pair@
-
-out = tempfile.TemporaryFile()
-process = subprocess.Popen(['/bin/sh', '-c', 'ulimit -f 65536; ' + sys.argv[1]], stdin=subprocess.PIPE, stdout=out,
-                           start_new_session=True)
-late = False
-try:
-    process.communicate(PAIR.encode() + b'\n', @patience@)
-except subprocess.TimeoutExpired:
-    late = True
-    os.killpg(process.pid, signal.SIGKILL)
-
-
-def refuse(word):
-    raise ValueError(word)
-
-
-def parsed(line):
-    try:
-        said = json.loads(line, parse_constant=refuse)
-        return said if isinstance(said, dict) else {}
-    except ValueError:
-        return {}
-
-
-out.seek(0)
-lines = out.read(1 << 20).decode(errors='replace').splitlines()
-if lines and {'name', 'version', 'claim'} & set(parsed(lines[0])) and 'verdict' not in parsed(lines[0]):
-    lines.pop(0)  # a hello
-said = parsed(lines[0]) if lines else {}
-verdict = said.get('verdict')
-print('it says:', lines[0][:1000] if lines else f'nothing, and ends with status {process.returncode}')
-print('true is: @truth@')
-three = [[0, 0, 0], said.get('direction', [0, 0, 0]), said.get('point', [0, 0, 0])]
-shaped = isinstance(said.get('distance', 0), (int, float)) and all(isinstance(x, list) and len(x) == 3 for x in three)
-answered = shaped and len(lines) == 1 and len(lines[0]) <= 65536 and (
-    'declined' in said or 'error' in said or
-    verdict in ('disjoint', 'intersecting', 'touching', 'undecided', 'invalid'))
-wrong = late or not answered or (@wrong@)
-print('WRONG' if wrong else 'right')
-sys.exit(1 if wrong else 0)
 )";
 
 std::string truth_in_words(const Trial& asked) {
@@ -234,9 +134,7 @@ std::string guest_program(const Guest& guest, const Trial& asked, const Claim& c
     words["pair"] = python_literal(format_pair(asked.pair));
     words["patience"] = std::to_string(patience);
     words["wrong"] = wrong_in_python(asked, claim);
-    return "#!/usr/bin/env python3\n\"\"\"reproduce.py COMMAND: asks a program about two cylinders as "
-           "daylight does, a line there and a line back.\"\"\"\n" +
-           filled(command_program, words);
+    return filled(template_text("command.py.in"), words);
   }
   words["a"] = eight_numbers(asked.pair.a);
   words["b"] = eight_numbers(asked.pair.b);
@@ -247,9 +145,7 @@ std::string guest_program(const Guest& guest, const Trial& asked, const Claim& c
                         : "";
   words["helper"] = asked.finding()->kind == FindingKind::non_finite ? some_of_three : "";
   words["wrong"] = wrong_in_c(asked, claim);
-  return "/* reproduce FILE: asks a plug-in of daylight's about two cylinders.\n"
-         "   cc reproduce.c -o reproduce -ldl && ./reproduce ./libmine.so */\n" +
-         filled(plugin_program, words);
+  return filled(template_text("plugin.c.in"), words);
 }
 
 std::string guest_build(const Guest& guest, FindingKind kind) {

@@ -8,16 +8,20 @@
 
 namespace cyl {
 
+/// Returns the file of that name in templates/, which is part of this program; throws std::out_of_range where
+/// there is none.
+std::string_view template_text(std::string_view name);
+
 using Words = std::map<std::string, std::string, std::less<>>;
 
-/// `text` with every @word@ replaced.
+/// Returns `text` with every @word@ replaced.
 std::string filled(std::string_view text, const Words& words);
 
-/// A literal of C, C++ and Python that is this double: no integer that a type could be too small for, and -0
-/// stays it.
+/// Returns a literal of C, C++ and Python that is this double: no integer that a type could be too small for,
+/// and -0 stays it.
 std::string literal(double x);
 
-/// "1, 2.5, -0.0".
+/// Returns "1, 2.5, -0.0".
 std::string listed(const double* numbers, int count);
 
 }  // namespace cyl
