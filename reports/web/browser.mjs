@@ -22,7 +22,7 @@ const { chromium } = await import("playwright-core").catch(() =>
 /** Removed at the end. */
 export const folder = mkdtempSync(join(tmpdir(), "daylight-page-"));
 process.on("exit", () => rmSync(folder, { recursive: true }));
-/** Of any wait, in ms: for what never comes. A slow machine is not that. */
+/** The longest wait, in ms, for what never comes. A slow machine is not that. */
 const patience = 300_000;
 export const browser = await chromium.launch({ executablePath: browser_file, timeout: patience });
 /** What any page wrote on its console as an error, and what it asked of the network. */
@@ -60,7 +60,7 @@ export const settled = (page) =>
       }),
   );
 
-/** Of the canvas: how many different colours, and how many pixels that nothing shines through. */
+/** How many different colours the canvas has, and how many pixels that nothing shines through. */
 export const colours = async (page) => (
   await settled(page),
   page.evaluate(() => {

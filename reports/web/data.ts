@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // What the page is given: one JSON object in <script type="application/json" id="report-data">. C++ writes it
-// (reports/report_data.*); numbers are shortest round-trip decimals, so that JSON.parse gives the doubles back.
+// (reports/run/report_data.*); numbers are shortest round-trip decimals, so that JSON.parse gives the doubles back.
 // Sections that a run has nothing for are null or empty: the page says so and how to get them.
 
 export type Verdict = "disjoint" | "intersecting" | "touching" | "undecided" | "invalid";
@@ -141,7 +141,7 @@ export interface Bucket {
   suppressed: { reason: string; link: string; owner: string; expires: string } | null;
   findings: number[]; // ids of those kept
   cause?: string; // in words
-  mechanism?: string; // what was told by probes: "absolute-length", "offset", ...
+  mechanism?: string; // what probes showed: "absolute-length", "offset", ...
   methods?: string[]; // all that it makes wrong; `method` is one of them
 }
 
@@ -248,7 +248,7 @@ export interface Report {
   families: { name: string; summary: string }[];
   tallies: Tally[];
   history: { runs: number; groups: HistoryGroup[] } | null;
-  /** What the planted faults of this night told: true where each was found in its usual time. */
+  /** Whether the campaign found the faults planted to test it: green where each was found in its usual time. */
   alarm: { green: boolean; text: string } | null;
   kill_matrix: {
     mutants: number;
@@ -261,7 +261,7 @@ export interface Report {
   findings_total: number;
   cases?: PackedCase[];
   names?: string[];
-  unreadable?: number; // findings whose records hold no pair, and are not told
+  unreadable?: number; // findings whose records hold no pair, and are left out
   maps: FailureMap[];
   honesty: Calibration[];
   speed: SpeedPoint[];

@@ -14,7 +14,7 @@ export const cross = (u: Vec, v: Vec): Vec => [
   u[0] * v[1] - u[1] * v[0],
 ];
 
-/** Of any finite length, huge or tiny. */
+/** The unit vector along one of any finite length, huge or tiny. */
 export function unit(v: Vec): Vec {
   const largest = Math.max(Math.abs(v[0]), Math.abs(v[1]), Math.abs(v[2]));
   if (!(largest > 0)) return [0, 0, 1];

@@ -15,7 +15,7 @@ export function Kills({ report }: { report: FullReport }) {
   const [missed_only, set] = useState(false);
   if (!matrix)
     return (
-      <Section id="faults" title="Is the harness awake?">
+      <Section id="faults" title="Planted faults">
         <Missing of="kill_matrix" report={report} />
       </Section>
     );
@@ -24,7 +24,7 @@ export function Kills({ report }: { report: FullReport }) {
   return (
     <Section
       id="faults"
-      title="Is the harness awake?"
+      title="Planted faults"
       lead={
         "Faults planted one at a time into the solver, the referee and the harness, and what caught each; as last " +
         "measured with daylight mutants matrix, not in this run."

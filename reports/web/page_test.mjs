@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 // A reader of the page: opens it from disk in a browser without network, filters, sorts, opens findings and causes,
 // turns the drawing, proves again and tampers.
-//     node page_test.mjs                          a made-up night
+//     node page_test.mjs                          a made-up run
 //     node page_test.mjs --shots FOLDER [PAGE]    only pictures of every section, light and dark
-//     node page_test.mjs --times FINDINGS         how long such a night takes to open and to filter
+//     node page_test.mjs --times FINDINGS         how long such a run takes to open and to filter
 import assert from "node:assert/strict";
 import { mkdirSync, writeFileSync } from "node:fs";
 import { join, resolve } from "node:path";
@@ -185,7 +185,7 @@ async function draws_every_plot(page) {
       [id, plots],
     );
   }
-  assert.equal(await page.locator(".missing").count(), 0, "the made-up night has everything");
+  assert.equal(await page.locator(".missing").count(), 0, "the made-up run has everything");
 }
 
 /** A point leads to its method's findings, a cell of a map to a case; the pointer shows the numbers. */
@@ -321,7 +321,7 @@ async function times(findings) {
   });
   console.log(
     `${findings} findings: ${Math.round(loaded)} ms until the table stands; a filter ` +
-    `${Math.round(Math.min(...filter))} to ${Math.round(Math.max(...filter))} ms until it is drawn`,
+      `${Math.round(Math.min(...filter))} to ${Math.round(Math.max(...filter))} ms until it is drawn`,
   );
 }
 

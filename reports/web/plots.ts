@@ -154,7 +154,7 @@ const curves_of = (points: SpeedPoint[]) =>
 const name_height = 0.5,
   name_width = 0.0055;
 
-/** Of points with names, those whose name has room beside the names before it. */
+/** The points whose name has room beside the names before it. */
 function with_room(points: SpeedPoint[]): SpeedPoint[] {
   const logs = points.map((p) => Math.log10(p.ns)),
     span = Math.max(1, Math.max(...logs) - Math.min(...logs));
@@ -176,7 +176,7 @@ const point_words = (p: SpeedPoint) =>
     `${time(p.ns)} a ` +
       `pair${p.p99 === null ? "" : `, p99 ${time(p.p99)}`}${p.max === null ? "" : `, most ${time(p.max)}`}`,
     p.digits === null
-      ? "no digits told"
+      ? "no digits known"
       : `right from 1e\u2212${short(p.digits)} ` +
         `on${p.digits_low === null ? "" : `; with 95 % confidence from 1e\u2212${short(p.digits_low)}`}`,
     `said disjoint wrongly ${grouped(p.wrong_disjoint)}, intersecting wrongly ${grouped(p.wrong_intersecting)} of ` +
@@ -184,7 +184,7 @@ const point_words = (p: SpeedPoint) =>
   ].join("\n");
 
 export function speed_plot(points: SpeedPoint[], o: Options): Element {
-  const told = points.filter((p) => p.digits !== null);
+  const known = points.filter((p) => p.digits !== null);
   const libraries = [
     ...palette(
       points.map((p) => library(p.method)),
@@ -193,10 +193,10 @@ export function speed_plot(points: SpeedPoint[], o: Options): Element {
   ];
   const colour = palette(libraries, o.theme),
     shape = symbol_of(libraries);
-  const front = pareto(told);
-  const times = told.flatMap((p) => [p.ns, p.p99 ?? p.ns]);
+  const front = pareto(known);
+  const times = known.flatMap((p) => [p.ns, p.p99 ?? p.ns]);
   const fill = (p: SpeedPoint) => colour.get(library(p.method))!;
-  const ends = curves_of(told).map((c) => c.reduce((best, p) => (p.digits! > best.digits! ? p : best)));
+  const ends = curves_of(known).map((c) => c.reduce((best, p) => (p.digits! > best.digits! ? p : best)));
   const stairs = front.flatMap((p, i) =>
     (i === 0 ? [] : [{ ns: p.ns, digits: front[i - 1]!.digits! }]).concat({ ns: p.ns, digits: p.digits! }),
   );
@@ -213,24 +213,24 @@ export function speed_plot(points: SpeedPoint[], o: Options): Element {
       y: {
         label: "\u2191 correct digits d: right at every margin from 1e\u2212d on (whisker: down to the 95 % bound)",
         grid: true,
-        domain: [0, Math.max(4, ...told.map((p) => p.digits!)) + 1],
+        domain: [0, Math.max(4, ...known.map((p) => p.digits!)) + 1],
       },
       color: { type: "identity" },
       symbol: { type: "identity" },
       marks: [
         Plot.line(stairs, { x: "ns", y: "digits", stroke: o.theme.soft, strokeDasharray: "5 3", strokeWidth: 1.2 }),
         Plot.ruleY(
-          told.filter((p) => p.p99 !== null && p.p99 > p.ns),
+          known.filter((p) => p.p99 !== null && p.p99 > p.ns),
           { x1: "ns", x2: "p99", y: "digits", stroke: fill, strokeOpacity: 0.45 },
         ),
         Plot.ruleX(
-          told.filter((p) => p.digits_low !== null),
+          known.filter((p) => p.digits_low !== null),
           { x: "ns", y1: "digits_low", y2: "digits", stroke: fill, strokeOpacity: 0.7 },
         ),
-        ...curves_of(told)
+        ...curves_of(known)
           .filter((c) => c.length > 1)
           .map((c) => Plot.line(c, { x: "ns", y: "digits", stroke: fill(c[0]!), strokeWidth: 1.3 })),
-        Plot.dot(told, {
+        Plot.dot(known, {
           x: "ns",
           y: "digits",
           fill,
@@ -258,7 +258,7 @@ export function speed_plot(points: SpeedPoint[], o: Options): Element {
           ? []
           : [
               Plot.tip(
-                told,
+                known,
                 Plot.pointer({ x: "ns", y: "digits", title: point_words, fill: o.theme.bg, stroke: o.theme.line }),
               ),
             ]),
@@ -612,11 +612,11 @@ export function trace_plot(path: PathStability, o: Options): Element {
     o.theme.undecided;
   const shape = (t: { verdict: string }) =>
     ({ disjoint: "circle", intersecting: "square", touching: "diamond2" })[t.verdict] ?? "times";
-  const told = trace.some((t) => t.distance !== null);
+  const known = trace.some((t) => t.distance !== null);
   // Steps go by decades towards 0.
   const nearest = Math.min(1, ...trace.map((t) => Math.abs(t.at)).filter((v) => v > 0));
   const y = (t: (typeof trace)[number]) =>
-    told ? t.distance : t.verdict === "disjoint" ? 1 : t.verdict === "intersecting" ? -1 : 0;
+    known ? t.distance : t.verdict === "disjoint" ? 1 : t.verdict === "intersecting" ? -1 : 0;
   const words = (t: (typeof trace)[number]) =>
     `at ${short(t.at, 6)}: ${t.verdict}${t.distance === null ? "" : `, distance ${short(t.distance, 6)}`}`;
   const flips = trace
@@ -632,7 +632,7 @@ export function trace_plot(path: PathStability, o: Options): Element {
         ticks: 7,
         tickFormat: (v: number) => short(v),
       },
-      y: told
+      y: known
         ? { label: "\u2191 distance it tells", grid: true, tickFormat: (v: number) => short(v) }
         : {
             label: null,
@@ -644,9 +644,9 @@ export function trace_plot(path: PathStability, o: Options): Element {
       color: { type: "identity" },
       symbol: { type: "identity" },
       marks: [
-        ...(told ? [Plot.ruleY([0], { stroke: o.theme.soft })] : []),
+        ...(known ? [Plot.ruleY([0], { stroke: o.theme.soft })] : []),
         Plot.ruleX(flips, { x: "at", stroke: o.theme.soft, strokeDasharray: "3 3" }),
-        ...(told
+        ...(known
           ? [
               Plot.line(
                 trace.filter((t) => t.distance !== null),

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The data of the page, put back to what the contract (data.ts) says: every finding with its case.
+// The data of the page, put back to the form of data.ts: every finding with its case.
 import type { Answer, Case, Finding, PackedCase, Report, Standing } from "./data.ts";
 import { shell_quoted } from "./words.ts";
 

@@ -61,8 +61,8 @@ function Header({ report }: { report: FullReport }) {
         ))}
       </nav>
       <p class="run">
-        <b>{safe(run.id)}</b> · seed {safe(run.seed)} · {grouped(run.pairs)} pairs · {seconds(run.seconds)} ·{" "}
-        begun {safe(run.started)} ·{" "}
+        <b>{safe(run.id)}</b> · seed {safe(run.seed)} · {grouped(run.pairs)} pairs · {seconds(run.seconds)} · begun{" "}
+        {safe(run.started)} ·{" "}
         <span class={run.status === "complete" ? "" : "warn"}>{safe(run.status) || "unfinished"}</span>
       </p>
     </header>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// A made-up night that fills every section, for the tests of the page and of the charts. Its numbers mean nothing, but
-// its certificates are right. Same arguments, same night.
-//     node sample.mjs FINDINGS PAGE.html        the page of such a night
+// A made-up run that fills every section, for the tests of the page and of the charts. Its numbers mean nothing, but
+// its certificates are right. Same arguments, same run.
+//     node sample.mjs FINDINGS PAGE.html        the page of such a run
 import { readFileSync, writeFileSync } from "node:fs";
 
 const methods = [

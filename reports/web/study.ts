@@ -34,7 +34,7 @@ export interface StudiedPair {
   greatest_distance: number;
   models: ModelOfPair[];
   needs: Model; // the simplest that alone answers every sample right
-  recommended: Model[]; // the cheapest: asked one after the other; the last is trusted
+  recommended: Model[]; // the cheapest: asked one after the other; the last is accepted
   recommended_wrong: number;
 }
 export interface Reason {
@@ -43,19 +43,19 @@ export interface Reason {
   model?: Model;
   length?: number;
 }
-export interface SeenPair {
+export interface SampledPair {
   distance: number;
   within: boolean;
   wrong: Model[];
   on_a: Vec;
   on_b: Vec;
 }
-export interface Kept {
+export interface Shown {
   configuration: number;
   reasons: Reason[];
   joints: Record<string, number>;
   cylinders: Cylinder[];
-  pairs: SeenPair[];
+  pairs: SampledPair[];
 }
 
 export interface Study {
@@ -98,12 +98,12 @@ export interface Study {
   }[];
   bodies: { name: string; link: string }[];
   pairs: StudiedPair[];
-  kept: Kept[];
+  kept: Shown[];
 }
 
 const rank = (model: Model) => models.indexOf(model);
 
-/** Of each body the most exact model that one of its pairs needs; null where none is checked. */
+/** The most exact model that a pair of each body needs; null where none is checked. */
 export function most_exact(study: Study): (Model | null)[] {
   const of = study.bodies.map((): Model | null => null);
   for (const pair of study.pairs)
@@ -165,7 +165,7 @@ export function stand_in(s: Solid, model: Model): Capsule | null {
 }
 export const has_stand_in = (model: Model) => rank(model) < 3;
 
-/** Of a box around the balls around all. */
+/** The middle of a box around the balls around all. */
 export function middle_of(solids: Solid[]): Vec {
   const ends = (i: 0 | 1 | 2) =>
     solids.flatMap((s) => [s.center[i] - Math.hypot(s.radius, s.half), s.center[i] + Math.hypot(s.radius, s.half)]);
@@ -204,7 +204,7 @@ export function gap_words(distance: number, clearance: number): string {
 
 const pair_name = (study: Study, pair: number) => `${study.pairs[pair]!.a} \u2013 ${study.pairs[pair]!.b}`;
 
-export function reason_words(study: Study, kept: Kept, reason: Reason): string {
+export function reason_words(study: Study, kept: Shown, reason: Reason): string {
   const of = reason.pair === undefined ? "" : `: ${pair_name(study, reason.pair)}`;
   const length = short(Math.abs(reason.length ?? 0));
   switch (reason.why) {
@@ -258,7 +258,7 @@ const value: Record<Column, (pair: StudiedPair) => number | string> = {
   inner: (p) => worst_of(p, "inner capsule"),
 };
 
-/** Indices of study.pairs; of equal ones first that of which a capsule is wrong by most. */
+/** Indices of study.pairs; among equal ones, first the pair on which a capsule is wrong by most. */
 export function rows_of(study: Study, filter: Filter, order: Order): number[] {
   const passing = study.pairs.flatMap((pair, i) => (passes(pair, filter) ? [i] : []));
   const shown = in_order(

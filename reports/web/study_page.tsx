@@ -276,7 +276,7 @@ function Cost({ study }: { study: Study }) {
       id="cost"
       title="Cost and wrong answers"
       lead={
-        "Each model trusted alone for every pair, in every configuration drawn. To the left is cheaper, on the " +
+        "Each model alone for every pair, in every configuration drawn. To the left is cheaper, on the " +
         "lowest line nothing is wrong. A sphere or an outer capsule alone only raises false alarms, an inner capsule " +
         "alone only misses."
       }>

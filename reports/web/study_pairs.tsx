@@ -71,13 +71,13 @@ const titles: Record<Column, [string, string]> = {
   needs: [
     "needs",
     "the simplest model that alone answers every sample right; below it what is cheapest, where that is something " +
-      "else: asked one after the other, the last is trusted",
+      "else: asked one after the other, the last is accepted",
   ],
   least: ["least distance", "over all configurations; negative: the depth of an overlap"],
   within: ["within", "share of the configurations in which the two are within the clearance"],
-  sphere: ["sphere", "false alarms of the spheres around both, trusted alone: up to how far beyond the clearance"],
-  outer: ["capsule", "false alarms of the capsules around both, trusted alone: up to how far beyond the clearance"],
-  inner: ["inner", "what the capsules inside both, trusted alone, miss: down to how far below the clearance"],
+  sphere: ["sphere", "false alarms of the spheres around both, alone: up to how far beyond the clearance"],
+  outer: ["capsule", "false alarms of the capsules around both, alone: up to how far beyond the clearance"],
+  inner: ["inner", "what the capsules inside both, alone, miss: down to how far below the clearance"],
 };
 
 export function Pairs({
@@ -215,7 +215,7 @@ export function Picked({
 }) {
   const pair = study.pairs[picked]!,
     seen = study.kept[at]!.pairs[picked]!;
-  const fooled = seen.wrong.filter(has_stand_in);
+  const wrong_models = seen.wrong.filter(has_stand_in);
   return (
     <div class="picked">
       <h3>
@@ -226,12 +226,12 @@ export function Picked({
       </h3>
       <p>
         Here they {gap_words(seen.distance, study.clearance)}.
-        {fooled.length > 0 && (
+        {wrong_models.length > 0 && (
           <span class="bad">
             {" "}
             {seen.within
-              ? `Trusted alone, the ${fooled.join(" and the ")} would miss that.`
-              : `Trusted alone, the ${fooled.join(" and the ")} would raise a false alarm.`}
+              ? `Alone, the ${wrong_models.join(" and the ")} would miss that.`
+              : `Alone, the ${wrong_models.join(" and the ")} would raise a false alarm.`}
           </span>
         )}
       </p>

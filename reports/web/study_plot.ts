@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a model costs against how often it is wrong, trusted alone for every pair; and the recommended set.
+// What a model costs against how often it is wrong, accepted alone for every pair; and the recommended set.
 import * as Plot from "@observablehq/plot";
 import { common, decades, time_tick, type Options } from "./plots.ts";
 import { model_colour, type Model, type Study } from "./study.ts";
@@ -48,7 +48,7 @@ function points_of(study: Study): Point[] {
 const height = 340,
   left = 64,
   right = 34;
-/** Of a letter of a name, about, in pixels; and of a line. */
+/** The width of a letter of a name, about, in pixels; and the height of a line. */
 const letter = 6.2,
   line_height = 13;
 

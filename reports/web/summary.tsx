@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The night at a glance: what was found, methods against families, how it stands against earlier runs.
+// The run at a glance: what was found, methods against families, how it stands against earlier runs.
 import { useMemo, useState } from "preact/hooks";
 import type { Report, Standing, Tally } from "./data.ts";
 import { Section } from "./parts.tsx";
@@ -21,6 +21,7 @@ import {
 type Sum = Omit<Tally, "method" | "family">;
 const none: Sum = { asked: 0, declined: 0, failed: 0, contract: 0, resolution: 0, undecided: 0, nanoseconds: 0 };
 const counts = ["asked", "declined", "failed", "contract", "resolution", "undecided"] as const;
+const count_words: Record<string, string> = { contract: "beyond claim", resolution: "within claim" };
 const plus = (x: Sum, y: Sum): Sum => ({
   asked: x.asked + y.asked,
   declined: x.declined + y.declined,
@@ -78,7 +79,7 @@ const cell_words = (name: string, family: string, c: Sum | undefined) =>
         ...counts
           .slice(1)
           .filter((k) => c[k] > 0)
-          .map((k) => `${k} ${grouped(c[k])} (${percent(c[k], c.asked)})`),
+          .map((k) => `${count_words[k] ?? k} ${grouped(c[k])} (${percent(c[k], c.asked)})`),
         `${time(c.nanoseconds / c.asked)} a pair`,
       ].join("\n");
 
@@ -163,7 +164,7 @@ function HeatTable({ report }: { report: FullReport }) {
               <th scope="col">method</th>
               {counts.map((k) => (
                 <th scope="col" class="n" key={k}>
-                  {k}
+                  {count_words[k] ?? k}
                 </th>
               ))}
               <th scope="col" class="n">
@@ -313,7 +314,7 @@ function Headline({ report }: { report: FullReport }) {
       </dl>
       {report.alarm && (
         <p class={`alarm ${report.alarm.green ? "ok" : "bad"}`} role={report.alarm.green ? undefined : "alert"}>
-          <b>{report.alarm.green ? "The harness was awake." : "The harness was asleep."}</b> {safe(report.alarm.text)}
+          <b>{report.alarm.green ? "The self-check passed." : "The self-check failed."}</b> {safe(report.alarm.text)}
         </p>
       )}
       {unexplained > 0 && (
@@ -347,8 +348,8 @@ export function Methods({ report }: { report: FullReport }) {
       id="methods"
       title="Methods and what they claim"
       lead={
-        "A method is held to what its documentation says of its own tolerance: wrong beyond that is a finding of the " +
-        "contract, wrong within it is told apart."
+        "A method is held to what its documentation says of its own tolerance: wrong beyond that is a finding " +
+        "beyond its claim, wrong within it is counted apart."
       }>
       <details class="print">
         <summary>

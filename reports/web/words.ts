@@ -106,7 +106,7 @@ export function coordinate_value(x: Coordinate): number {
 export const shell_quoted = (text: string) =>
   /^[A-Za-z0-9_./:-]+$/.test(text) ? text : `'${text.replaceAll("'", "'\\''")}'`;
 
-/** Of k hits in n trials: where the share lies with 95 % confidence (Wilson); of none the upper end is 3/n. */
+/** Where the share lies with 95 % confidence after k hits in n trials (Wilson); the upper end is 3/n for none. */
 export function share_bounds(k: number, n: number): [number, number] {
   if (n === 0) return [0, 1];
   if (k === 0) return [0, Math.min(1, 3 / n)];
