@@ -4,24 +4,31 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
+#include <string_view>
 
 #include "fuzz/campaign/batch.hpp"
 
 namespace cyl {
 namespace {
 
-constexpr int name_width = 30, number_width = 11;
+constexpr int name_width = 30;
+constexpr std::array<std::string_view, 7> titles{"asked",        "declined",  "failed", "beyond claim",
+                                                 "within claim", "undecided", "ns/pair"};
+
+/// Every cell as wide as its title, and two more; no narrower than counts of a long run.
+std::string line_of(std::string_view name, const std::array<std::string, titles.size()>& cells) {
+  std::string line = fmt::format("{:<{}}", name, name_width);
+  for (std::size_t i = 0; i < cells.size(); ++i)
+    line += fmt::format("{:>{}}", cells[i], std::max<std::size_t>(titles[i].size() + 2, 11));
+  return line + '\n';
+}
 
 std::string row(const std::string& name, const Counts& c) {
-  const auto number = [](std::uint64_t n) {
-    return fmt::format("{:>{}}", n == 0 ? "-" : std::to_string(n), number_width);
-  };
-  std::string line = fmt::format("{:<{}}", name, name_width);
-  for (const std::uint64_t n : {c.asked, c.declined, c.failed, c.contract, c.resolution, c.undecided})
-    line += number(n);
-  line += number(c.asked == 0 ? 0 : c.nanoseconds / c.asked);
-  line += '\n';
-  return line;
+  const auto number = [](std::uint64_t n) { return n == 0 ? "-" : std::to_string(n); };
+  return line_of(
+      name, {number(c.asked), number(c.declined), number(c.failed), number(c.contract), number(c.resolution),
+             number(c.undecided), number(c.asked == 0 ? 0 : c.nanoseconds / c.asked)});
 }
 
 }  // namespace
@@ -42,12 +49,9 @@ std::vector<MethodTally> tally_methods(const std::vector<TallyRecord>& tallies) 
 }
 
 std::string format_tallies(const std::vector<MethodTally>& tallies) {
-  std::string text = fmt::format("{:<{}}", "", name_width);
-  for (const char* title :
-       {"asked", "declined", "failed", "contract", "resolution", "undecided", "ns/pair"}) {
-    text += fmt::format("{:>{}}", title, number_width);
-  }
-  text += '\n';
+  std::array<std::string, titles.size()> head;
+  std::copy(titles.begin(), titles.end(), head.begin());
+  std::string text = line_of("", head);
   for (const MethodTally& m : tallies) {
     text += row(m.method, m.total);
     for (const auto& [method, family, counts] : m.families) {
