@@ -32,15 +32,16 @@
 #include "cli/progress.hpp"
 #include "cli/show_run.hpp"
 #include "corpus/store/case_files.hpp"
+#include "props/mutants/kill_data.hpp"
 
 namespace cyl {
 namespace {
 
 namespace fs = std::filesystem;
 
-/// The least run that is worth an alarm: in less, planting faults takes a share of the time that shows.
-constexpr std::chrono::minutes least_alarm_budget{5};
-constexpr std::uint64_t least_alarm_pairs = 3'000'000;  // in five minutes, at 10,000 a second
+/// The least run that is worth a self-check: in less, planting faults takes a share of the time that shows.
+constexpr std::chrono::minutes least_self_check_budget{5};
+constexpr std::uint64_t least_self_check_pairs = 3'000'000;  // in five minutes, at 10,000 a second
 
 /// Where a run is given no limit of its own.
 constexpr std::chrono::minutes default_budget{1};
@@ -52,17 +53,17 @@ struct Arguments {
   std::optional<std::uint64_t> seed;
   unsigned jobs = std::max(1u, std::thread::hardware_concurrency());
   bool list = false, create_only = false;
-  bool alarm = false, no_alarm = false;
+  bool self_check = false, no_self_check = false;
   GuestOptions guests;
 };
 
-/// What Subjects refers to.
+/// What Workload refers to.
 struct Asked {
   std::vector<std::unique_ptr<Method>> methods;
   std::vector<Family> families;
   std::vector<Case> cases;
   std::vector<unsigned> weights;
-  Subjects subjects() const { return {methods, families, cases, weights}; }
+  Workload workload() const { return {methods, families, cases, weights}; }
 };
 
 std::vector<Family> select_families(std::string_view spec) {
@@ -195,7 +196,7 @@ double share_done(const CampaignOptions& options, const CampaignProgress& p) {
 
 std::string numbers(const CampaignProgress& p) {
   const double seconds = std::max(1e-3, static_cast<double>(p.session_time.count()) / 1000);
-  return fmt::format("{} pairs, {:.0f}/s; contract {}, failed {}, within claim {}", p.done,
+  return fmt::format("{} pairs, {:.0f}/s; beyond claim {}, failed {}, within claim {}", p.done,
                      static_cast<double>(p.session_done) / seconds, p.contract, p.failed, p.resolution);
 }
 
@@ -217,24 +218,25 @@ void set_limits(const Arguments& arguments, CampaignOptions& options) {
     fmt::print(stderr, "no time is left; --for or --stop-at gives it more\n");
 }
 
-bool wants_alarm(const Arguments& arguments, const CampaignOptions& options) {
-  if (options.shard != 0 || arguments.no_alarm) return false;  // the first shard's is enough
-  if (arguments.alarm) return true;
+bool wants_self_check(const Arguments& arguments, const CampaignOptions& options) {
+  if (options.shard != 0 || arguments.no_self_check) return false;  // the first shard's is enough
+  if (arguments.self_check) return true;
   if (options.resume) return value_of(RunStore::open(options.out).config(), "alarm") == "on";
-  return options.budget >= least_alarm_budget || options.pairs >= least_alarm_pairs;
+  return options.budget >= least_self_check_budget || options.pairs >= least_self_check_pairs;
 }
 
-AlarmOptions plan_alarm(const Arguments& arguments, const CampaignOptions& options, const Asked& asked) {
-  if (!wants_alarm(arguments, options)) return {};
-  AlarmOptions alarm;
+SelfCheckOptions plan_self_check(const Arguments& arguments, const CampaignOptions& options,
+                                 const Asked& asked) {
+  if (!wants_self_check(arguments, options)) return {};
+  SelfCheckOptions check{mutants_executable(), {}};
   std::string missing;
-  const std::string kills = in_source_tree("props/mutants/kill_matrix.jsonl");
-  if (!kills.empty()) alarm.faults = known_faults(kills, asked.methods);
-  alarm.program = mutants_executable();
-  if (alarm.faults.empty()) missing = "no fault is known that a campaign of these methods finds";
-  if (alarm.program.empty()) missing = "daylight-mutants is not beside this executable";
-  if (missing.empty()) return alarm;
-  if (arguments.alarm) throw std::runtime_error("--alarm: " + missing);
+  if (const std::string kills = in_source_tree("props/mutants/kill_matrix.jsonl"); !kills.empty())
+    for (const KillMatrixRow& row : faults_soon_found(read_kill_matrix(kills), asked.methods))
+      check.faults.push_back({row.mutant, row.what, row.asks});
+  if (check.faults.empty()) missing = "no fault is known that a campaign of these methods finds";
+  if (check.program.empty()) missing = "daylight-mutants is not beside this executable";
+  if (missing.empty()) return check;
+  if (arguments.self_check) throw std::runtime_error("--alarm: " + missing);
   fmt::print(stderr, "daylight: no faults are planted in this run: {}\n", missing);
   return {};
 }
@@ -254,14 +256,14 @@ int campaign(const Arguments& arguments) {
   options.jobs = arguments.jobs;
   options.build = build_info().text();
   options.create_only = arguments.create_only;
-  options.alarm = plan_alarm(arguments, options, asked);
+  options.self_check = plan_self_check(arguments, options, asked);
   if (!options.cases.empty()) asked.cases = read_case_folder(options.cases);
 
   CampaignSummary summary;
   {
     ProgressLine line;
     bool linked = false;
-    summary = run_campaign(options, asked.subjects(), [&](const CampaignProgress& progress) {
+    summary = run_campaign(options, asked.workload(), [&](const CampaignProgress& progress) {
       if (!linked) point_latest_at(options.out);
       linked = true;
       if (line.due(progress.session_time))
@@ -317,10 +319,10 @@ void add_campaign(Program& program) {
   command.flag("--create-only", arguments->create_only,
                "only make the run folder, for --resume to go on with");
   command.flag(
-      "--alarm", arguments->alarm,
+      "--alarm", arguments->self_check,
       "self-test: plant faults on the way and fail unless each is found; as a rule from 5 minutes or "
       "3,000,000 pairs on");
-  command.flag("--no-alarm", arguments->no_alarm, "plant no faults, however long the run")
+  command.flag("--no-alarm", arguments->no_self_check, "plant no faults, however long the run")
       .excludes("--alarm");
   command.flag("--list", arguments->list, "only list the methods, with their claims, and the families");
   command.examples(

@@ -11,7 +11,7 @@ namespace cyl {
 /// Points runs/latest at a run in runs/; a run elsewhere has no such link.
 void point_latest_at(const std::filesystem::path& run);
 
-/// Writes the page; prints the tallies, what is new against earlier runs, how the alarms stand, and the
+/// Writes the page; prints the tallies, what is new against earlier runs, how its self-checks went, and the
 /// finding to look at first.
 void show_run(const std::string& folder, std::uint64_t pairs);
 

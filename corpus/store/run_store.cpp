@@ -37,8 +37,8 @@ constexpr const char* cell_table =
     "CREATE TABLE IF NOT EXISTS cell(plane TEXT NOT NULL, x INTEGER NOT NULL, y INTEGER NOT NULL, "
     "methods TEXT NOT NULL, PRIMARY KEY(plane, x, y)) WITHOUT ROWID";
 
-/// Made with the first alarm: runs without any are what they always were.
-constexpr const char* alarm_table = R"(
+/// Made with the first self-check: runs without any are what they always were.
+constexpr const char* self_check_table = R"(
 CREATE TABLE IF NOT EXISTS alarm(start INTEGER PRIMARY KEY, mutant INTEGER NOT NULL, what TEXT NOT NULL,
   found INTEGER NOT NULL, pairs INTEGER NOT NULL, usual INTEGER NOT NULL, milliseconds INTEGER NOT NULL,
   said TEXT NOT NULL);
@@ -181,14 +181,14 @@ std::optional<FindingRecord> RunStore::finding(std::int64_t id) const {
   return found.empty() ? std::nullopt : std::optional(found.front());
 }
 
-void RunStore::add(const AlarmRecord& alarm) {
-  file_->script(alarm_table);
-  file_->replace(alarm);
+void RunStore::add(const SelfCheckRecord& check) {
+  file_->script(self_check_table);
+  file_->replace(check);
 }
 
-std::vector<AlarmRecord> RunStore::alarms() const {
-  if (!file_->has(AlarmRecord::table)) return {};
-  return file_->all<AlarmRecord>("start");
+std::vector<SelfCheckRecord> RunStore::self_checks() const {
+  if (!file_->has(SelfCheckRecord::table)) return {};
+  return file_->all<SelfCheckRecord>("start");
 }
 
 bool holds_run(const std::string& folder) { return std::filesystem::exists(file_of(folder)); }

@@ -102,7 +102,7 @@ struct GroupRecord {
 };
 
 /// A fault that was planted in a copy of the program, and whether the campaign's own work found it.
-struct AlarmRecord {
+struct SelfCheckRecord {
   std::uint64_t start = 0;  ///< the index of the run from which on it was looked for
   int mutant = 0;           ///< its number
   std::string what;         ///< the fault in words
@@ -112,7 +112,7 @@ struct AlarmRecord {
   std::uint64_t milliseconds = 0;  ///< CPU time
   std::string said;                ///< which finding it was, or how the process ended; may be empty
 
-  bool operator==(const AlarmRecord&) const = default;
+  bool operator==(const SelfCheckRecord&) const = default;
   static constexpr const char* table = "alarm";
   static auto columns(auto& a) {
     return std::tie(a.start, a.mutant, a.what, a.found, a.pairs, a.usual, a.milliseconds, a.said);
@@ -165,8 +165,8 @@ class RunStore {
   std::vector<CellRecord> cells() const;
   std::optional<FindingRecord> finding(std::int64_t id) const;
 
-  void add(const AlarmRecord& alarm);       ///< one there with the same start is replaced
-  std::vector<AlarmRecord> alarms() const;  ///< by start
+  void add(const SelfCheckRecord& check);       ///< one there with the same start is replaced
+  std::vector<SelfCheckRecord> self_checks() const;  ///< by start
 
  private:
   explicit RunStore(std::unique_ptr<SqliteFile> file);

@@ -46,8 +46,8 @@ MethodAnswer ask_here(Method& method, const Pair& pair) {
   }
 }
 
-bool any_foreign(const Subjects& subjects) {
-  return std::any_of(subjects.methods.begin(), subjects.methods.end(),
+bool any_foreign(const Workload& workload) {
+  return std::any_of(workload.methods.begin(), workload.methods.end(),
                      [](const auto& method) { return method->foreign(); });
 }
 
@@ -58,12 +58,12 @@ constexpr std::uint64_t stretch_size = batch_size;
 /// The work on a batch, stretch by stretch: each step fills one of the members at the end.
 class Batch {
  public:
-  Batch(const Subjects& subjects, std::uint64_t seed)
-      : subjects_(subjects),
+  Batch(const Workload& workload, std::uint64_t seed)
+      : workload_(workload),
         seed_(seed),
-        turns_(turns_of(subjects)),
-        every_cell_(any_foreign(subjects)),
-        by_family_(subjects.families.size() + 1) {
+        schedule_(schedule_of(workload)),
+        every_cell_(any_foreign(workload)),
+        by_family_(workload.families.size() + 1) {
     counts_.resize(rows() * by_family_.size());
   }
 
@@ -100,24 +100,26 @@ class Batch {
   }
 
  private:
-  std::size_t methods() const { return subjects_.methods.size(); }
+  std::size_t methods() const { return workload_.methods.size(); }
   std::size_t corpus_row_index() const { return methods(); }
   std::size_t referee_row_index() const { return methods() + 1; }
   std::size_t stage_row_index(Stage stage) const { return methods() + 2 + static_cast<std::size_t>(stage); }
   std::size_t rows() const { return methods() + 2 + stage_rows.size(); }
   std::uint64_t index_of(std::size_t p) const { return first_ + p; }
-  unsigned share_of(std::size_t m) const { return std::max(1u, subjects_.methods[m]->share()); }
+  unsigned share_of(std::size_t m) const { return std::max(1u, workload_.methods[m]->share()); }
   /// Asked whatever others say of the pair.
   bool on_share(std::size_t m, std::size_t p) const { return index_of(p) % share_of(m) == 0; }
 
-  Place place_of(std::uint64_t index) const { return cyl::place_of(subjects_, turns_, index); }
-  Pair pair_at(const Place& place) const {
-    if (place.family == 0) return subjects_.cases[place.index].pair;
-    return subjects_.families[place.family - 1].generate(seed_, place.index);
+  FamilyIndex family_index_of(std::uint64_t index) const {
+    return cyl::family_index_of(workload_, schedule_, index);
   }
-  std::string family_name(std::size_t family) const { return cyl::family_name(subjects_, family); }
+  Pair pair_at(const FamilyIndex& drawn) const {
+    if (drawn.family == 0) return workload_.cases[drawn.index].pair;
+    return workload_.families[drawn.family - 1].generate(seed_, drawn.index);
+  }
+  std::string family_name(std::size_t family) const { return cyl::family_name(workload_, family); }
   std::string row_name(std::size_t row) const {
-    if (row < methods()) return std::string(subjects_.methods[row]->name());
+    if (row < methods()) return std::string(workload_.methods[row]->name());
     if (row == corpus_row_index()) return corpus_row;
     return row == referee_row_index() ? referee_row : stage_rows[row - stage_row_index(Stage::filter)];
   }
@@ -134,8 +136,8 @@ class Batch {
     pairs_.clear();
     for (auto& family : by_family_) family.clear();
     for (std::uint64_t i = first; i < next; ++i) {
-      by_family_[place_of(i).family].push_back(pairs_.size());
-      pairs_.push_back(pair_at(place_of(i)));
+      by_family_[family_index_of(i).family].push_back(pairs_.size());
+      pairs_.push_back(pair_at(family_index_of(i)));
     }
     answers_.assign(pairs_.size() * methods(), {});
     asked_.assign(pairs_.size() * methods(), false);
@@ -149,7 +151,7 @@ class Batch {
   // The clock is read once per family and method, not once per call: our calls take less than it does.
   void ask_own_methods() {
     for (std::size_t m = 0; m < methods(); ++m) {
-      Method& method = *subjects_.methods[m];
+      Method& method = *workload_.methods[m];
       if (method.foreign()) continue;
       for (std::size_t family = 0; family < by_family_.size(); ++family) {
         const auto start = Clock::now();
@@ -167,18 +169,19 @@ class Batch {
   void ask_foreign_methods(Wanted wanted) {
     std::vector<Question> questions;
     for (std::size_t m = 0; m < methods(); ++m) {
-      if (!subjects_.methods[m]->foreign()) continue;
+      if (!workload_.methods[m]->foreign()) continue;
       for (std::size_t p = 0; p < pairs_.size(); ++p) {
         if (wanted(m, p)) questions.push_back({m, p});
       }
     }
     if (questions.empty()) return;
-    const std::vector<ContainedAnswer> said = ask_contained(subjects_.methods, pairs_, questions);
+    const std::vector<ContainedAnswer> said = ask_contained(workload_.methods, pairs_, questions);
     for (std::size_t q = 0; q < questions.size(); ++q) {
       const auto [m, p, mode] = questions[q];
       answers_[at(m, p)] = said[q].answer;
       asked_[at(m, p)] = true;
-      counts(m, place_of(index_of(p)).family).nanoseconds += static_cast<std::uint64_t>(said[q].nanoseconds);
+      counts(m, family_index_of(index_of(p)).family).nanoseconds +=
+          static_cast<std::uint64_t>(said[q].nanoseconds);
     }
   }
 
@@ -193,7 +196,7 @@ class Batch {
     trials_[p].forget_distance();
     for (std::size_t m = 0; m < methods(); ++m) {
       if (!asked(m, p)) continue;
-      wrong_[at(m, p)] = compare(trials_[p], subjects_.methods[m]->claim(), answers_of(p)[m]);
+      wrong_[at(m, p)] = compare(trials_[p], workload_.methods[m]->claim(), answers_of(p)[m]);
     }
   }
 
@@ -209,7 +212,7 @@ class Batch {
   /// What the lines of cases state is held to the proof like an answer of a method that claims to be always
   /// right.
   void compare_statement(std::size_t p) {
-    const auto& stated = subjects_.cases[index_of(p)].truth;
+    const auto& stated = workload_.cases[index_of(p)].truth;
     if (!stated) return;
     MethodAnswer answer;
     answer.status = Status::answered;
@@ -222,7 +225,7 @@ class Batch {
   }
 
   void count_all(std::size_t p) {
-    const std::size_t family = place_of(index_of(p)).family;
+    const std::size_t family = family_index_of(index_of(p)).family;
     for (std::size_t m = 0; m < methods(); ++m) {
       if (!asked(m, p)) continue;
       count_answer(counts(m, family), answers_of(p)[m]);
@@ -262,7 +265,7 @@ class Batch {
     for (std::size_t p = (repeat_share - first_ % repeat_share) % repeat_share; p < pairs_.size();
          p += repeat_share) {
       for (std::size_t m = 0; m < methods(); ++m) {
-        Method& method = *subjects_.methods[m];
+        Method& method = *workload_.methods[m];
         if (method.foreign() || !asked(m, p) || wrong_[at(m, p)]) continue;
         if (!same_answer(ask_here(method, pairs_[p]), answers_of(p)[m])) {
           wrong_[at(m, p)] = Finding{FindingKind::nondeterminism, Severity::contract, {}};
@@ -272,8 +275,8 @@ class Batch {
   }
 
   void note(std::size_t p, std::size_t row, const Finding& finding) {
-    const Place place = place_of(index_of(p));
-    Counts& tally = counts(row, place.family);
+    const FamilyIndex drawn = family_index_of(index_of(p));
+    Counts& tally = counts(row, drawn.family);
     if (is_failure(finding.kind)) {
       ++tally.failed;
     } else if (finding.severity == Severity::contract) {
@@ -283,14 +286,14 @@ class Batch {
     }
     FindingRecord record;
     record.index = index_of(p);
-    record.family = family_name(place.family);
-    record.family_index = place.index;
+    record.family = family_name(drawn.family);
+    record.family_index = drawn.index;
     record.method = row_name(row);
     record.kind = to_string(finding.kind);
     record.severity = to_string(finding.severity);
     if (finding.margin) record.margin = MarginRecord{finding.margin->lo, finding.margin->hi};
     if (!kept_.admit(record)) return;
-    record.pair = case_line(p, place);
+    record.pair = case_line(p, drawn);
     record.answers = answers_text(p);
     if (!certified_ || certified_->first != p) certified_.emplace(p, judge(pairs_[p], answers_of(p)));
     const Truth& truth = certified_->second;
@@ -300,11 +303,11 @@ class Batch {
     findings_.push_back(std::move(record));
   }
 
-  std::string case_line(std::size_t p, const Place& place) const {
-    if (place.family == 0) return format_case(subjects_.cases[place.index]);
+  std::string case_line(std::size_t p, const FamilyIndex& drawn) const {
+    if (drawn.family == 0) return format_case(workload_.cases[drawn.index]);
     Case line;
     line.pair = pairs_[p];
-    line.id = fmt::format("{}/{}", family_name(place.family), place.index);
+    line.id = fmt::format("{}/{}", family_name(drawn.family), drawn.index);
     line.source = fmt::format("daylight campaign --seed {}, index {}", seed_, index_of(p));
     if (trials_[p].truth.verdict != Verdict::undecided) line.truth = trials_[p].truth.verdict;
     return format_case(line);
@@ -315,7 +318,7 @@ class Batch {
     for (std::size_t m = 0; m < methods(); ++m) {
       if (!asked(m, p)) continue;
       if (text.size() > 1) text += ',';
-      text += quote_json(subjects_.methods[m]->name());
+      text += quote_json(workload_.methods[m]->name());
       text += ':';
       text += format_method_answer(answers_of(p)[m]);
     }
@@ -323,9 +326,9 @@ class Batch {
     return text;
   }
 
-  const Subjects& subjects_;
+  const Workload& workload_;
   const std::uint64_t seed_;
-  const Turns turns_;
+  const Schedule schedule_;
   const bool every_cell_;  ///< not only a share of the pairs is counted in the cells
 
   // Of the stretch; the answers of one pair lie together, as the referee takes them.
@@ -353,29 +356,29 @@ bool is_method_row(std::string_view name) {
          std::find(stage_rows.begin(), stage_rows.end(), name) == stage_rows.end();
 }
 
-Turns turns_of(const Subjects& subjects) {
-  std::vector<unsigned> weights(subjects.weights.begin(), subjects.weights.end());
-  if (weights.empty()) weights.assign(subjects.families.size(), 1);
-  return Turns(std::move(weights));
+Schedule schedule_of(const Workload& workload) {
+  std::vector<unsigned> weights(workload.weights.begin(), workload.weights.end());
+  if (weights.empty()) weights.assign(workload.families.size(), 1);
+  return Schedule(std::move(weights));
 }
 
-Place place_of(const Subjects& subjects, const Turns& turns, std::uint64_t index) {
-  const std::uint64_t cases = subjects.cases.size();
+FamilyIndex family_index_of(const Workload& workload, const Schedule& schedule, std::uint64_t index) {
+  const std::uint64_t cases = workload.cases.size();
   if (index < cases) return {0, index};
-  const auto [family, own] = turns.at(index - cases);
+  const auto [family, own] = schedule.at(index - cases);
   return {1 + family, own};
 }
 
-std::string family_name(const Subjects& subjects, std::size_t family) {
-  return family == 0 ? cases_family : std::string(subjects.families[family - 1].name);
+std::string family_name(const Workload& workload, std::size_t family) {
+  return family == 0 ? cases_family : std::string(workload.families[family - 1].name);
 }
 
-std::uint64_t batch_size_for(const Subjects& subjects) {
-  return any_foreign(subjects) ? batch_size : own_batch_size;
+std::uint64_t batch_size_for(const Workload& workload) {
+  return any_foreign(workload) ? batch_size : own_batch_size;
 }
 
-BatchRecord run_batch(const Subjects& subjects, std::uint64_t seed, std::uint64_t first, std::uint64_t next) {
-  Batch batch(subjects, seed);
+BatchRecord run_batch(const Workload& workload, std::uint64_t seed, std::uint64_t first, std::uint64_t next) {
+  Batch batch(workload, seed);
   for (std::uint64_t at = first; at < next; at += stretch_size)
     batch.work_on(at, std::min(next, at + stretch_size));
   BatchRecord record = batch.finish();

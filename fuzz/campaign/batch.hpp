@@ -21,7 +21,7 @@ namespace cyl {
 
 /// Who is asked, and about what. Index i of a run is case i while there are cases; then the families take
 /// turns (fuzz/campaign/schedule.hpp).
-struct Subjects {
+struct Workload {
   std::span<const std::unique_ptr<Method>> methods;
   std::span<const Family> families;
   std::span<const Case> cases;
@@ -29,13 +29,13 @@ struct Subjects {
 };
 
 /// What an index of a run is.
-struct Place {
+struct FamilyIndex {
   std::size_t family;   ///< 0: the cases; f: families[f - 1]
   std::uint64_t index;  ///< of the case, or of the family's own pairs
 };
-Turns turns_of(const Subjects& subjects);
-Place place_of(const Subjects& subjects, const Turns& turns, std::uint64_t index);
-std::string family_name(const Subjects& subjects, std::size_t family);
+Schedule schedule_of(const Workload& workload);
+FamilyIndex family_index_of(const Workload& workload, const Schedule& schedule, std::uint64_t index);
+std::string family_name(const Workload& workload, std::size_t family);
 
 /// Rows of the tally and the findings that are no method's: the cases' own statements of truth, the judge.
 inline constexpr const char* corpus_row = "corpus";
@@ -60,13 +60,13 @@ inline constexpr std::size_t own_cell_share = 256;
 /// Indices per batch process, about a second's work of the packaged methods; of ours alone a fork's time
 /// would show, and that of the findings which every batch hands over for the run to pick from.
 inline constexpr std::uint64_t batch_size = 512, own_batch_size = 131072;
-std::uint64_t batch_size_for(const Subjects& subjects);
+std::uint64_t batch_size_for(const Workload& workload);
 
 /// Own methods are asked in this process, foreign ones contained. A costly method (share() > 1) is asked on
 /// the indices divisible by its share and wherever another's verdict is wrong beyond its claim or the truth
 /// is undecided. (Within their claims tolerant methods differ on every near-touching pair: a quarter of all,
 /// no news, and the costly ones would take nearly all of the time.) In the cells of the failure maps they are
 /// counted on their share alone: disputes are where somebody is wrong, and no sample.
-BatchRecord run_batch(const Subjects& subjects, std::uint64_t seed, std::uint64_t first, std::uint64_t next);
+BatchRecord run_batch(const Workload& workload, std::uint64_t seed, std::uint64_t first, std::uint64_t next);
 
 }  // namespace cyl

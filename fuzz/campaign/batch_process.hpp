@@ -34,7 +34,8 @@ class BatchProcess {
   /// Takes in what has arrived, without waiting, and returns whether the process has ended.
   bool advance();
   bool ended() const { return child_.ended(); }
-  /// Returns what the batch gave, once the process has ended. Throws std::runtime_error that says how it died.
+  /// Returns what the batch gave, once the process has ended. Throws std::runtime_error that says how it
+  /// died.
   BatchRecord take() const;
   /// Returns what the process took, once it has ended, with its workers.
   std::chrono::milliseconds cpu_time() const {

@@ -6,6 +6,8 @@
 #include <map>
 #include <string>
 
+#include "oracles/methods/fake_method_test.hpp"
+
 namespace cyl {
 namespace {
 
@@ -13,24 +15,13 @@ namespace {
 const Pair hair{{{0, 0, 0}, {0, 0, 1}, 1, 2}, {{-0x1p-1074, 2, 0}, {1, 0x1p-1074, 0}, 1, 2}};
 
 /// Asked in disputes alone here, so that a pair nobody decides is judged twice.
-class Costly : public Method {
- public:
-  std::string_view name() const override { return "costly"; }
-  std::string_view version() const override { return "1"; }
-  Claim claim() const override { return {}; }
-  bool foreign() const override { return true; }
-  unsigned share() const override { return 100; }
-  MethodAnswer ask(const Pair&) override {
-    MethodAnswer answer;
-    answer.status = Status::answered;
-    answer.verdict = Verdict::disjoint;
-    return answer;
-  }
-};
+std::unique_ptr<Method> costly() {
+  return fake_method("costly", [](const Pair&) { return answered(Verdict::disjoint); }, {.share = 100});
+}
 
 TEST(Batch, AnUndecidedPairIsCountedOnceAndWithItsTimeAtTheLastStage) {
   std::vector<std::unique_ptr<Method>> methods;
-  methods.push_back(std::make_unique<Costly>());
+  methods.push_back(costly());
   const Family families[] = {{"hair", "", [](std::uint64_t, std::uint64_t) { return hair; }}};
   const BatchRecord batch =
       run_batch({methods, families, {}}, 1, 1, 3);  // no index the costly one is asked at
@@ -47,22 +38,12 @@ TEST(Batch, AnUndecidedPairIsCountedOnceAndWithItsTimeAtTheLastStage) {
 }
 
 /// Wrong of every pair that is apart; where it has a memory, of every other call.
-class Wrong : public Costly {
- public:
-  explicit Wrong(bool memory) : memory_(memory) {}
-  std::string_view name() const override { return "wrong"; }
-  bool foreign() const override { return false; }
-  unsigned share() const override { return 1; }
-  MethodAnswer ask(const Pair& pair) override {
-    MethodAnswer answer = Costly::ask(pair);
-    if (!memory_ || ++calls_ % 2 == 0) answer.verdict = Verdict::intersecting;
-    return answer;
-  }
-
- private:
-  bool memory_;
-  int calls_ = 0;
-};
+std::unique_ptr<Method> wrong(bool memory) {
+  const auto ask = [memory, calls = 0](const Pair&) mutable {
+    return answered(!memory || ++calls % 2 == 0 ? Verdict::intersecting : Verdict::disjoint);
+  };
+  return fake_method("wrong", ask, {.foreign = false});
+}
 
 const Family apart[] = {{"apart", "", [](std::uint64_t, std::uint64_t index) {
                            const double far = 3 + static_cast<double>(index);
@@ -71,8 +52,8 @@ const Family apart[] = {{"apart", "", [](std::uint64_t, std::uint64_t index) {
 
 TEST(Batch, AWrongVerdictIsNotedAndTheCostlyAreAsked) {
   std::vector<std::unique_ptr<Method>> methods;
-  methods.push_back(std::make_unique<Costly>());
-  methods.push_back(std::make_unique<Wrong>(false));
+  methods.push_back(costly());
+  methods.push_back(wrong(false));
   const BatchRecord batch = run_batch({methods, apart, {}}, 1, 1, 3);
   ASSERT_EQ(batch.findings.size(), 2u);
   EXPECT_EQ(batch.findings[0].kind, "wrong_intersecting");
@@ -83,7 +64,7 @@ TEST(Batch, AWrongVerdictIsNotedAndTheCostlyAreAsked) {
 
 TEST(Batch, AMemoryIsNoted) {
   std::vector<std::unique_ptr<Method>> methods;
-  methods.push_back(std::make_unique<Wrong>(true));
+  methods.push_back(wrong(true));
   bool noted = false;
   for (const FindingRecord& f : run_batch({methods, apart, {}}, 1, 0, 2 * repeat_share + 1).findings)
     noted = noted || f.kind == "nondeterminism";

@@ -35,9 +35,9 @@ std::string fingerprint(std::span<const Case> cases) {
   return fmt::format("{:016x}", hash);
 }
 
-std::vector<MethodRecord> record_methods(const Subjects& subjects) {
+std::vector<MethodRecord> record_methods(const Workload& workload) {
   std::vector<MethodRecord> all;
-  for (const auto& method : subjects.methods) {
+  for (const auto& method : workload.methods) {
     const Claim claim = method->claim();
     all.push_back({std::string(method->name()), std::string(method->version()), claim.relative,
                    claim.absolute, std::string(claim.source), method->share()});
@@ -51,15 +51,15 @@ std::string format_shard(const Shard& shard) {
 }
 
 /// With the methods, what the findings are a function of. Two sessions of one run agree in all of it.
-Config identity(const CampaignOptions& options, const Subjects& subjects) {
+Config identity(const CampaignOptions& options, const Workload& workload) {
   std::string families;
-  for (const Family& family : subjects.families) families.append(family.name).append("\n");
+  for (const Family& family : workload.families) families.append(family.name).append("\n");
   return {{"seed", std::to_string(options.seed)},
           {"families", families},
-          {"case_count", std::to_string(subjects.cases.size())},
-          {"case_fingerprint", fingerprint(subjects.cases)},
-          {"weights", format_weights(subjects.weights)},
-          {"shard", format_shard({options.shard, options.shards, batch_size_for(subjects)})}};
+          {"case_count", std::to_string(workload.cases.size())},
+          {"case_fingerprint", fingerprint(workload.cases)},
+          {"weights", format_weights(workload.weights)},
+          {"shard", format_shard({options.shard, options.shards, batch_size_for(workload)})}};
 }
 
 void refuse(const CampaignOptions& options, const std::string& what) {
@@ -76,14 +76,14 @@ Config limits(const CampaignOptions& options, milliseconds spent) {
           {"stop_at", options.stop_at}};
 }
 
-RunStore open_run(const CampaignOptions& options, const Subjects& subjects) {
-  Config config = identity(options, subjects);
-  const std::vector<MethodRecord> methods = record_methods(subjects);
+RunStore open_run(const CampaignOptions& options, const Workload& workload) {
+  Config config = identity(options, workload);
+  const std::vector<MethodRecord> methods = record_methods(workload);
   if (!options.resume) {
     config["cases"] = options.cases;
     config["build"] = options.build;
     config["guests"] = options.guests;
-    config["alarm"] = options.alarm.program.empty() ? "" : "on";
+    config["alarm"] = options.self_check.program.empty() ? "" : "on";
     config["status"] = status_planned;
     config["started"] = fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::time(nullptr)));
     config.merge(limits(options, {}));
@@ -111,10 +111,10 @@ RunStore open_run(const CampaignOptions& options, const Subjects& subjects) {
   return store;
 }
 
-void wait_for_news(const std::deque<BatchProcess>& flights) {
+void wait_for_news(const std::deque<BatchProcess>& batches) {
   std::vector<pollfd> descriptors;
-  for (const BatchProcess& flight : flights) {
-    if (!flight.ended()) descriptors.push_back({flight.descriptor(), POLLIN, 0});
+  for (const BatchProcess& batch : batches) {
+    if (!batch.ended()) descriptors.push_back({batch.descriptor(), POLLIN, 0});
   }
   poll(descriptors.data(), descriptors.size(), static_cast<int>(poll_time.count()));
 }
@@ -122,8 +122,8 @@ void wait_for_news(const std::deque<BatchProcess>& flights) {
 /// Finds the pair that broke a batch, by running halves of it again.
 class Search {
  public:
-  Search(const Subjects& subjects, std::uint64_t seed, std::function<void()> report)
-      : subjects_(subjects), seed_(seed), report_(std::move(report)) {}
+  Search(const Workload& workload, std::uint64_t seed, std::function<void()> report)
+      : workload_(workload), seed_(seed), report_(std::move(report)) {}
 
   /// Which index of [first, next) breaks the harness when it is alone, in words. A pair that does so only
   /// after others, or only sometimes, is not found.
@@ -138,33 +138,161 @@ class Search {
     if (StopSignals::asked())
       return fmt::format("the search for the pair was stopped at {} to {}", first, next - 1);
     if (how.empty()) return "run again in parts it did not die, so no pair can be named";
-    const Place place = place_of(subjects_, turns_of(subjects_), first);
-    return fmt::format("its index {} alone dies ({}): pair {} of {}", first, how, place.index,
-                       family_name(subjects_, place.family));
+    const FamilyIndex drawn = family_index_of(workload_, schedule_of(workload_), first);
+    return fmt::format("its index {} alone dies ({}): pair {} of {}", first, how, drawn.index,
+                       family_name(workload_, drawn.family));
   }
 
  private:
   /// How [first, next) died, or nothing.
   std::string death(std::uint64_t first, std::uint64_t next) {
-    std::deque<BatchProcess> flight;
-    flight.emplace_back(
-        first, next, [&] { return run_batch(subjects_, seed_, first, next); }, search_cpu_cap);
-    while (!flight.front().advance()) {
+    std::deque<BatchProcess> part;
+    part.emplace_back(
+        first, next, [&] { return run_batch(workload_, seed_, first, next); }, search_cpu_cap);
+    while (!part.front().advance()) {
       if (StopSignals::asked()) return {};
-      wait_for_news(flight);
+      wait_for_news(part);
       report_();
     }
     try {
-      flight.front().take();
+      part.front().take();
       return {};
     } catch (const std::exception& e) {
       return e.what();
     }
   }
 
-  const Subjects& subjects_;
+  const Workload& workload_;
   const std::uint64_t seed_;
   const std::function<void()> report_;
+};
+
+/// The work on a run from where its store stands to a limit, a signal or a death.
+class Session {
+ public:
+  Session(const CampaignOptions& options, const Workload& workload, RunStore& store,
+          const std::function<void(const CampaignProgress&)>& on_progress)
+      : options_(options),
+        workload_(workload),
+        store_(store),
+        on_progress_(on_progress),
+        shard_{options.shard, options.shards, batch_size_for(workload)},
+        stored_to_(store.progress().next),
+        next_(shard_.first_from(stored_to_)),
+        self_checks_(options.self_check, workload, options.seed, store, options.out) {
+    CampaignProgress& progress = summary_.progress;
+    progress.done = shard_.below(stored_to_);
+    progress.goal = shard_.below(options.pairs);
+    count(progress, store.tallies());
+  }
+
+  CampaignSummary run() {
+    store_.set("status", status_running);
+    while (true) {
+      while (may_launch()) launch();
+      if (batches_.empty()) break;
+      wait_for_news(batches_);
+      for (BatchProcess& batch : batches_) batch.advance();
+      while (!batches_.empty() && batches_.front().ended())
+        if (!store_first()) return summary_;
+      if (StopSignals::asked()) break;  // the batches still under way are lost; --resume does them again
+      self_checks_.advance(stored_to_);
+      report();
+    }
+    while (!StopSignals::asked() && !self_checks_.advance(stored_to_)) {
+      wait_for_news({});
+      report();
+    }
+    settle();
+    report();
+    return summary_;
+  }
+
+ private:
+  bool budget_is_spent() const {
+    return options_.budget.count() != 0 && Clock::now() - start_ >= options_.budget;
+  }
+
+  bool may_launch() const {
+    const auto running = std::count_if(batches_.begin(), batches_.end(),
+                                       [](const BatchProcess& batch) { return !batch.ended(); });
+    return running < options_.jobs && batches_.size() < options_.jobs * window_per_job &&
+           !StopSignals::asked() && (options_.pairs == 0 || next_ < options_.pairs) && !budget_is_spent();
+  }
+
+  void launch() {
+    const std::uint64_t first = next_;
+    std::uint64_t end = shard_.batch_end(first);
+    if (options_.pairs != 0) end = std::min(end, options_.pairs);
+    batches_.emplace_back(first, end, [&] { return run_batch(workload_, options_.seed, first, end); });
+    next_ = shard_.first_from(end);
+  }
+
+  /// Stores what the first of the batches gave, and returns whether it lived to give it.
+  bool store_first() {
+    BatchRecord batch;
+    try {
+      batch = batches_.front().take();
+    } catch (const std::exception& e) {
+      name_death(e.what());
+      return false;
+    }
+    batches_.pop_front();
+    const auto passed = duration_cast<milliseconds>(Clock::now() - last_commit_);
+    batch.first = stored_to_;  // what lies between is other shards'
+    store_.commit(batch, static_cast<std::uint64_t>(passed.count()));
+    last_commit_ += passed;
+    stored_to_ = batch.next;
+    CampaignProgress& progress = summary_.progress;
+    const std::uint64_t done = shard_.below(stored_to_);
+    progress.session_done += done - progress.done;
+    progress.done = done;
+    count(progress, batch.tallies);
+    report();
+    return true;
+  }
+
+  void name_death(const std::string& how) {
+    const std::uint64_t first = batches_.front().first(), end = batches_.front().next();
+    batches_.clear();
+    const std::string blame = Search(workload_, options_.seed, [this] { report(); }).blame(first, end);
+    fail(
+        fmt::format("the batch of indices {} to {} died: {}; {}. What came before it is stored; "
+                    "`daylight campaign --resume {}` meets it again as its first batch",
+                    first, end - 1, how, blame, options_.out));
+    report();
+  }
+
+  void settle() {
+    const bool pairs_reached = options_.pairs != 0 && next_ >= options_.pairs && batches_.empty();
+    summary_.interrupted = StopSignals::asked() && !pairs_reached && !(budget_is_spent() && batches_.empty());
+    store_.set("status", summary_.interrupted ? status_stopped : status_complete);
+    if (const std::string failed = describe_failed_checks(store_.self_checks()); !failed.empty())
+      fail("the harness sleeps: " + failed);
+  }
+
+  void fail(const std::string& how) {
+    summary_.harness_failure = how;
+    store_.set("status", status_failed + how);
+  }
+
+  void report() {
+    summary_.progress.session_time = duration_cast<milliseconds>(Clock::now() - start_);
+    if (on_progress_) on_progress_(summary_.progress);
+  }
+
+  const StopSignals signals_;
+  const CampaignOptions& options_;
+  const Workload& workload_;
+  RunStore& store_;
+  const std::function<void(const CampaignProgress&)>& on_progress_;
+  const Clock::time_point start_ = Clock::now();
+  Clock::time_point last_commit_ = start_;
+  const Shard shard_;
+  CampaignSummary summary_;
+  std::uint64_t stored_to_, next_;    ///< all below is stored; the next index to launch
+  std::deque<BatchProcess> batches_;  ///< in the order of their indices
+  SelfChecks self_checks_;
 };
 
 }  // namespace
@@ -194,100 +322,16 @@ void count(CampaignProgress& progress, const std::vector<TallyRecord>& tallies) 
   }
 }
 
-CampaignSummary run_campaign(const CampaignOptions& options, const Subjects& subjects,
+CampaignSummary run_campaign(const CampaignOptions& options, const Workload& workload,
                              const std::function<void(const CampaignProgress&)>& on_progress) {
   if (options.pairs == 0 && options.budget.count() == 0) throw std::runtime_error("a campaign needs a limit");
-  if (subjects.families.empty()) throw std::runtime_error("a campaign needs a family");
+  if (workload.families.empty()) throw std::runtime_error("a campaign needs a family");
   if (options.shard >= options.shards) throw std::runtime_error("a campaign has no such shard");
-  if (!subjects.weights.empty() && subjects.weights.size() != subjects.families.size())
+  if (!workload.weights.empty() && workload.weights.size() != workload.families.size())
     throw std::runtime_error("a campaign needs a weight for each family");
-  RunStore store = open_run(options, subjects);
+  RunStore store = open_run(options, workload);
   if (options.create_only) return {};
-  store.set("status", status_running);
-  const StopSignals signals;
-  const auto start = Clock::now();
-  auto last_commit = start;
-
-  CampaignSummary summary;
-  CampaignProgress& progress = summary.progress;
-  const Shard shard{options.shard, options.shards, batch_size_for(subjects)};
-  std::uint64_t stored_to = store.progress().next;
-  progress.done = shard.below(stored_to);
-  progress.goal = shard.below(options.pairs);
-  count(progress, store.tallies());
-  const auto report = [&] {
-    progress.session_time = duration_cast<milliseconds>(Clock::now() - start);
-    if (on_progress) on_progress(progress);
-  };
-
-  Alarms alarms(options.alarm, subjects, options.seed, store, options.out);
-  std::deque<BatchProcess> flights;  // in the order of their indices
-  std::uint64_t next = shard.first_from(stored_to);
-  const auto may_launch = [&] {
-    const auto running =
-        std::count_if(flights.begin(), flights.end(), [](const BatchProcess& f) { return !f.ended(); });
-    return running < options.jobs && flights.size() < options.jobs * window_per_job &&
-           !StopSignals::asked() && (options.pairs == 0 || next < options.pairs) &&
-           (options.budget.count() == 0 || Clock::now() - start < options.budget);
-  };
-
-  while (true) {
-    while (may_launch()) {
-      const std::uint64_t first = next;
-      std::uint64_t end = shard.batch_end(first);
-      if (options.pairs != 0) end = std::min(end, options.pairs);
-      flights.emplace_back(first, end, [&] { return run_batch(subjects, options.seed, first, end); });
-      next = shard.first_from(end);
-    }
-    if (flights.empty()) break;
-    wait_for_news(flights);
-    for (BatchProcess& flight : flights) flight.advance();
-    while (!flights.empty() && flights.front().ended()) {
-      BatchRecord batch;
-      try {
-        batch = flights.front().take();
-      } catch (const std::exception& e) {
-        const std::uint64_t first = flights.front().first(), end = flights.front().next();
-        flights.clear();
-        const std::string blame = Search(subjects, options.seed, report).blame(first, end);
-        summary.harness_failure = fmt::format(
-            "the batch of indices {} to {} died: {}; {}. What came before it is stored; "
-            "`daylight campaign --resume {}` meets it again as its first batch",
-            first, end - 1, e.what(), blame, options.out);
-        store.set("status", status_failed + summary.harness_failure);
-        report();
-        return summary;
-      }
-      const auto passed = duration_cast<milliseconds>(Clock::now() - last_commit);
-      batch.first = stored_to;  // what lies between is other shards'
-      store.commit(batch, static_cast<std::uint64_t>(passed.count()));
-      last_commit += passed;
-      stored_to = batch.next;
-      const std::uint64_t done = shard.below(stored_to);
-      progress.session_done += done - progress.done;
-      progress.done = done;
-      count(progress, batch.tallies);
-      flights.pop_front();
-      report();
-    }
-    if (StopSignals::asked()) break;  // the batches still under way are lost; --resume does them again
-    alarms.advance(stored_to);
-    report();
-  }
-  while (!StopSignals::asked() && !alarms.advance(stored_to)) {
-    wait_for_news({});
-    report();
-  }
-  const bool pairs_reached = options.pairs != 0 && next >= options.pairs && flights.empty();
-  const bool budget_reached = options.budget.count() != 0 && Clock::now() - start >= options.budget;
-  summary.interrupted = StopSignals::asked() && !pairs_reached && !(budget_reached && flights.empty());
-  store.set("status", summary.interrupted ? status_stopped : status_complete);
-  if (const std::string ringing = describe_rings(store.alarms()); !ringing.empty()) {
-    summary.harness_failure = "the harness sleeps: " + ringing;
-    store.set("status", status_failed + summary.harness_failure);
-  }
-  report();
-  return summary;
+  return Session(options, workload, store, on_progress).run();
 }
 
 int exit_code(const CampaignSummary& summary) {

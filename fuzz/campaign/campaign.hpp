@@ -24,14 +24,14 @@ struct CampaignOptions {
   std::uint64_t shard = 0, shards = 1;  ///< does the batches of shard `shard` of `shards` alone
   std::uint64_t pairs = 0;              ///< of the run in all its sessions and shards; 0: no limit
   std::chrono::milliseconds budget{0};  ///< wall time of this session; 0: no limit. At least one limit is set
-  std::string cases;                    ///< where subjects.cases were read from, for whoever resumes
+  std::string cases;                    ///< where workload.cases were read from, for whoever resumes
   std::string stop_at;                  ///< when the budget is used up, for whoever resumes; may be empty
   std::string guests;                   ///< where methods of no build are, for whoever asks them again
   std::string build;                    ///< what was built from what, for the record only
   unsigned jobs = 2;                    ///< batches under way at once; does not change the findings
-  bool resume = false;       ///< go on with the run in `out`, which must agree with seed, shard and subjects
-  AlarmOptions alarm;        ///< whom to plant faults in, and which
-  bool create_only = false;  ///< leave the run as it is when new, for whoever resumes
+  bool resume = false;  ///< go on with the run in `out`, which must agree with seed, shard and workload
+  SelfCheckOptions self_check;  ///< whom to plant faults in, and which
+  bool create_only = false;     ///< leave the run as it is when new, for whoever resumes
 };
 
 /// Totals of the run so far, sessions before this one included.
@@ -45,8 +45,9 @@ struct CampaignProgress {
 
 struct CampaignSummary {
   CampaignProgress progress;
-  bool interrupted = false;     ///< by SIGINT or SIGTERM before a limit: what was complete is stored
-  std::string harness_failure;  ///< empty, or which pair broke the harness and how, or which alarm rang
+  bool interrupted = false;  ///< by SIGINT or SIGTERM before a limit: what was complete is stored
+  std::string
+      harness_failure;  ///< empty, or which pair broke the harness and how, or which self-check failed
 };
 
 /// Adds what the rows of a tally count.
@@ -70,11 +71,11 @@ std::string value_of(const Config& config, const std::string& key);
 /// Runs until a limit is reached or a signal asks to stop. Calls `on_progress` after every commit and at
 /// least five times a second, from this thread. Throws std::runtime_error where the run folder cannot be used
 /// or does not agree.
-CampaignSummary run_campaign(const CampaignOptions& options, const Subjects& subjects,
+CampaignSummary run_campaign(const CampaignOptions& options, const Workload& workload,
                              const std::function<void(const CampaignProgress&)>& on_progress = {});
 
-/// 1 the harness failed or an alarm rang, 2 contract findings or failures, 3 none, but undecided truth or
-/// interrupted, else 0.
+/// 1 the harness failed or a self-check failed, 2 contract findings or failures, 3 none, but undecided truth
+/// or interrupted, else 0.
 int exit_code(const CampaignSummary& summary);
 
 }  // namespace cyl

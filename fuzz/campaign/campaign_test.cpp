@@ -17,6 +17,7 @@
 #include "fuzz/campaign/killed_test.hpp"
 #include "fuzz/campaign/merge.hpp"
 #include "oracles/methods/contained.hpp"
+#include "oracles/methods/fake_method_test.hpp"
 #include "oracles/trial/compare.hpp"
 #include "oracles/trial/finding_text.hpp"
 
@@ -26,30 +27,9 @@ namespace {
 namespace fs = std::filesystem;
 
 /// A method made of a function, so that a test can make it wrong in any way.
-class Fake : public Method {
- public:
-  using Ask = std::function<MethodAnswer(const Pair&)>;
-  Fake(std::string name, Ask ask, bool foreign = true, unsigned share = 1)
-      : name_(std::move(name)), ask_(std::move(ask)), foreign_(foreign), share_(share) {}
-  std::string_view name() const override { return name_; }
-  std::string_view version() const override { return "1"; }
-  Claim claim() const override { return {1e-6, 0, "a fake's word"}; }
-  bool foreign() const override { return foreign_; }
-  unsigned share() const override { return share_; }
-  MethodAnswer ask(const Pair& pair) override { return ask_(pair); }
-
- private:
-  std::string name_;
-  Ask ask_;
-  bool foreign_;
-  unsigned share_;
-};
-
-MethodAnswer say(Verdict verdict) {
-  MethodAnswer answer;
-  answer.status = Status::answered;
-  answer.verdict = verdict;
-  return answer;
+std::unique_ptr<Method> fake(std::string name, FakeMethod::Ask ask, bool foreign = true, unsigned share = 1) {
+  return fake_method(std::move(name), std::move(ask),
+                     {.claim = {1e-6, 0, "a fake's word"}, .foreign = foreign, .share = share});
 }
 
 /// The families here hold upright cylinders of radius 1 and height 3, side by side along x.
@@ -69,15 +49,15 @@ const Family two_families[] = {{"wide", "gaps up to half a radius", wide}, {"nar
 
 std::vector<std::unique_ptr<Method>> make_methods() {
   std::vector<std::unique_ptr<Method>> methods;
-  methods.push_back(std::make_unique<Fake>(
-      "good", [](const Pair& p) { return say(right(p)); }, false));
-  methods.push_back(std::make_unique<Fake>("blind", [](const Pair&) { return say(Verdict::disjoint); }));
-  methods.push_back(std::make_unique<Fake>("crashing", [](const Pair& p) {
+  methods.push_back(fake(
+      "good", [](const Pair& p) { return answered(right(p)); }, false));
+  methods.push_back(fake("blind", [](const Pair&) { return answered(Verdict::disjoint); }));
+  methods.push_back(fake("crashing", [](const Pair& p) {
     if (p.b.center.x() > 2.49) std::abort();
-    return say(right(p));
+    return answered(right(p));
   }));
-  methods.push_back(std::make_unique<Fake>(
-      "choosy", [](const Pair& p) { return p.b.center.x() > 2.1 ? MethodAnswer{} : say(right(p)); }));
+  methods.push_back(fake(
+      "choosy", [](const Pair& p) { return p.b.center.x() > 2.1 ? MethodAnswer{} : answered(right(p)); }));
   return methods;
 }
 
@@ -99,7 +79,7 @@ class Campaign : public testing::Test {
     o.pairs = pairs;
     return o;
   }
-  Subjects subjects() const { return {methods, two_families, cases}; }
+  Workload workload() const { return {methods, two_families, cases}; }
   RunStore store(const std::string& name) const { return RunStore::open(folder / name); }
 
   fs::path folder;
@@ -145,7 +125,7 @@ Counts total(const RunStore& store, const std::string& method) {
 
 TEST_F(Campaign, CountsWhatEveryMethodDid) {
   const std::uint64_t pairs = 5 * batch_size;
-  const CampaignSummary summary = run_campaign(options("run", pairs), subjects());
+  const CampaignSummary summary = run_campaign(options("run", pairs), workload());
   EXPECT_EQ(summary.harness_failure, "");
   EXPECT_EQ(summary.progress.done, pairs);
   EXPECT_EQ(exit_code(summary), 2);
@@ -172,7 +152,7 @@ TEST_F(Campaign, CountsWhatEveryMethodDid) {
 }
 
 TEST_F(Campaign, AFindingHoldsAllThatIsNeededToSeeItAgain) {
-  run_campaign(options("run", 500), subjects());
+  run_campaign(options("run", 500), workload());
   for (const FindingRecord& f : store("run").findings()) {
     const CaseLine line = parse_case(f.pair, 1);
     ASSERT_TRUE(line.value) << line.error;
@@ -199,32 +179,32 @@ TEST_F(Campaign, SameSeedSameFindingsWhateverTheJobs) {
   CampaignOptions one = options("one", 3 * batch_size), three = options("three", 3 * batch_size);
   one.jobs = 1;
   three.jobs = 3;
-  run_campaign(one, subjects());
-  run_campaign(three, subjects());
+  run_campaign(one, workload());
+  run_campaign(three, workload());
   EXPECT_EQ(content(store("one")), content(store("three")));
   CampaignOptions other = options("other", 3 * batch_size);
   other.seed = 1;
-  run_campaign(other, subjects());
+  run_campaign(other, workload());
   EXPECT_NE(content(store("one")), content(store("other")));
 }
 
 TEST_F(Campaign, AShorterRunIsAPrefixOfALonger) {
   const std::uint64_t shorter = batch_size + 300;
-  run_campaign(options("short", shorter), subjects());
-  run_campaign(options("long", 2 * batch_size), subjects());
+  run_campaign(options("short", shorter), workload());
+  run_campaign(options("long", 2 * batch_size), workload());
   EXPECT_NE(content(store("short"), shorter), "");
   EXPECT_EQ(content(store("short"), shorter), content(store("long"), shorter));
   // Gone on with, the shorter one becomes the longer one, though its batches are cut elsewhere.
   CampaignOptions on = options("short", 2 * batch_size);
   on.resume = true;
-  run_campaign(on, subjects());
+  run_campaign(on, workload());
   EXPECT_EQ(content(store("short")), content(store("long")));
 }
 
 TEST_F(Campaign, ABudgetEndsARunThatHasNoOtherLimit) {
   CampaignOptions o = options("run", 0);
   o.budget = std::chrono::seconds(1);
-  const CampaignSummary summary = run_campaign(o, subjects());
+  const CampaignSummary summary = run_campaign(o, workload());
   EXPECT_EQ(summary.harness_failure, "");
   EXPECT_FALSE(summary.interrupted);
   EXPECT_GT(summary.progress.done, 0u);
@@ -234,11 +214,11 @@ TEST_F(Campaign, ABudgetEndsARunThatHasNoOtherLimit) {
 
 TEST_F(Campaign, KilledAtAnyMomentAndResumedIsAsIfNothingHappened) {
   const std::uint64_t batches = 400, pairs = batches * batch_size, most = 30;
-  run_campaign(options("whole", pairs), subjects());
+  run_campaign(options("whole", pairs), workload());
   CampaignOptions o = options("killed", pairs);
   const int kills = kill_until_done(1, most, [&](const auto& on_progress) {
     o.resume = holds_run(o.out);
-    run_campaign(o, subjects(), on_progress);
+    run_campaign(o, workload(), on_progress);
   });
   EXPECT_GE(kills, static_cast<int>(batches / (most + 1)));
   EXPECT_EQ(store("killed").progress().next, pairs);
@@ -279,10 +259,10 @@ class Shards : public Campaign {
 
 TEST_F(Shards, TogetherAreWhatOneRunIs) {
   const std::uint64_t pairs = 9 * batch_size + 100;
-  run_campaign(options("whole", pairs), subjects());
+  run_campaign(options("whole", pairs), workload());
   for (const std::uint64_t n : {1u, 2u, 3u, 7u}) {
     for (std::uint64_t i = 0; i < n; ++i) {
-      const CampaignSummary summary = run_campaign(shard_options(i, n, pairs), subjects());
+      const CampaignSummary summary = run_campaign(shard_options(i, n, pairs), workload());
       EXPECT_EQ(summary.progress.done, summary.progress.goal);
       EXPECT_EQ(total(store(name_of(i)), referee_row).asked, summary.progress.goal);
     }
@@ -301,12 +281,12 @@ TEST_F(Shards, TogetherAreWhatOneRunIs) {
 
 TEST_F(Shards, KilledAtAnyMomentAndResumedTheyAreStillOneRun) {
   const std::uint64_t pairs = 200 * batch_size + 7, most = 20;
-  run_campaign(options("whole", pairs), subjects());
+  run_campaign(options("whole", pairs), workload());
   for (std::uint64_t i = 0; i < 3; ++i) {
     CampaignOptions o = shard_options(i, 3, pairs);
     const int kills = kill_until_done(100 * i, most, [&](const auto& on_progress) {
       o.resume = holds_run(o.out);
-      run_campaign(o, subjects(), on_progress);
+      run_campaign(o, workload(), on_progress);
     });
     EXPECT_GE(kills, 3) << "of 66 batches";
   }
@@ -316,10 +296,10 @@ TEST_F(Shards, KilledAtAnyMomentAndResumedTheyAreStillOneRun) {
 
 TEST_F(Shards, WhatIsMissingIsSaid) {
   const std::uint64_t pairs = 6 * batch_size;
-  run_campaign(shard_options(0, 3, pairs), subjects());
+  run_campaign(shard_options(0, 3, pairs), workload());
   CampaignOptions planned = shard_options(2, 3, pairs);
   planned.create_only = true;
-  run_campaign(planned, subjects());
+  run_campaign(planned, workload());
   const MergeSummary summary = merge_runs({folders(3)[0], folders(3)[2]}, folder / "merged");
   ASSERT_EQ(summary.incomplete.size(), 2u);
   EXPECT_EQ(summary.incomplete[0], "shard 1 of 3 is missing");
@@ -335,36 +315,36 @@ TEST_F(Shards, WhatIsMissingIsSaid) {
   // Gone on with, and merged again over it, it is whole.
   planned.create_only = false;
   planned.resume = true;
-  run_campaign(planned, subjects());
-  run_campaign(shard_options(1, 3, pairs), subjects());
+  run_campaign(planned, workload());
+  run_campaign(shard_options(1, 3, pairs), workload());
   EXPECT_TRUE(merge_runs(folders(3), folder / "merged").incomplete.empty());
   EXPECT_EQ(total(store("merged"), referee_row).asked, pairs);
 }
 
 TEST_F(Shards, ThatDoNotBelongTogetherAreRefused) {
-  run_campaign(shard_options(0, 2, 100), subjects());
+  run_campaign(shard_options(0, 2, 100), workload());
   const std::string first = folders(1)[0], out = folder / "out";
-  const auto refuses = [&](const CampaignOptions& other, const Subjects& about) {
+  const auto refuses = [&](const CampaignOptions& other, const Workload& about) {
     run_campaign(other, about);
     EXPECT_THROW(merge_runs({first, other.out}, out), std::invalid_argument);
     fs::remove_all(other.out);
   };
   CampaignOptions o = shard_options(1, 2, 100);
   o.seed = 1;
-  refuses(o, subjects());
-  refuses(shard_options(1, 3, 100), subjects());
+  refuses(o, workload());
+  refuses(shard_options(1, 3, 100), workload());
   o = shard_options(1, 2, 100);
   o.build = "another";
-  refuses(o, subjects());
+  refuses(o, workload());
   const unsigned weights[] = {2, 1};
-  Subjects weighted = subjects();
+  Workload weighted = workload();
   weighted.weights = weights;
   refuses(shard_options(1, 2, 100), weighted);
   cases.resize(1);
-  refuses(shard_options(1, 2, 100), subjects());
+  refuses(shard_options(1, 2, 100), workload());
   cases.clear();
   methods.pop_back();
-  refuses(shard_options(1, 2, 100), subjects());
+  refuses(shard_options(1, 2, 100), workload());
   EXPECT_THROW(merge_runs({first, first}, out), std::invalid_argument);
   EXPECT_THROW(merge_runs({first}, first), std::invalid_argument);
   merge_runs({first}, out);
@@ -372,12 +352,12 @@ TEST_F(Shards, ThatDoNotBelongTogetherAreRefused) {
   CampaignOptions on = options("out", 200);
   on.resume = true;
   methods = make_methods();
-  EXPECT_THROW(run_campaign(on, subjects()), std::runtime_error);
+  EXPECT_THROW(run_campaign(on, workload()), std::runtime_error);
 }
 
 TEST_F(Campaign, WeightsShareThePairsOutAndAreKept) {
   const unsigned weights[] = {3, 1};
-  Subjects weighted = subjects();
+  Workload weighted = workload();
   weighted.weights = weights;
   run_campaign(options("run", 400), weighted);
   EXPECT_EQ(value_of(store("run").config(), "weights"), "3 1");
@@ -389,11 +369,11 @@ TEST_F(Campaign, WeightsShareThePairsOutAndAreKept) {
   EXPECT_EQ(asked["narrow"], 100u);
   CampaignOptions on = options("run", 500);
   on.resume = true;
-  EXPECT_THROW(run_campaign(on, subjects()), std::runtime_error);
+  EXPECT_THROW(run_campaign(on, workload()), std::runtime_error);
   const unsigned equal[] = {1, 1};
   weighted.weights = equal;
   run_campaign(options("equal", 400), weighted);
-  run_campaign(options("none", 400), subjects());
+  run_campaign(options("none", 400), workload());
   EXPECT_EQ(content(store("equal")), content(store("none")));
 }
 
@@ -401,16 +381,16 @@ TEST_F(Campaign, ItsStoreSaysHowItEnded) {
   const auto status = [&] { return value_of(store("run").config(), "status"); };
   CampaignOptions o = options("run", 200);
   o.create_only = true;
-  run_campaign(o, subjects());
+  run_campaign(o, workload());
   EXPECT_EQ(status(), status_planned);
   o.create_only = false;
   o.resume = true;
-  run_campaign(o, subjects());
+  run_campaign(o, workload());
   EXPECT_EQ(status(), status_complete);
   o.pairs = 0;
   o.budget = std::chrono::hours(1);
   const auto goes_on = [&](const auto& on_progress) {
-    run_campaign(o, subjects(), on_progress);
+    run_campaign(o, workload(), on_progress);
     return 0;
   };
   EXPECT_TRUE(WIFSIGNALED(end_on_its_way(goes_on, SIGKILL)));
@@ -421,7 +401,7 @@ TEST_F(Campaign, ASignalStopsItAndKeepsWhatIsComplete) {
   CampaignOptions o = options("run", 0);
   o.budget = std::chrono::hours(1);
   const auto begins = [&](const auto& on_progress) {
-    const CampaignSummary summary = run_campaign(o, subjects(), on_progress);
+    const CampaignSummary summary = run_campaign(o, workload(), on_progress);
     return summary.interrupted && summary.harness_failure.empty() ? 42 : 1;
   };
   const int status = end_on_its_way(begins, SIGINT);
@@ -432,21 +412,21 @@ TEST_F(Campaign, ASignalStopsItAndKeepsWhatIsComplete) {
 }
 
 TEST_F(Campaign, RefusesToResumeWhatDiffers) {
-  run_campaign(options("run", 100), subjects());
+  run_campaign(options("run", 100), workload());
   CampaignOptions o = options("run", 200);
   o.resume = true;
   o.seed = 5;
-  EXPECT_THROW(run_campaign(o, subjects()), std::runtime_error);
+  EXPECT_THROW(run_campaign(o, workload()), std::runtime_error);
   o.seed = 20261121;
   methods.pop_back();
-  EXPECT_THROW(run_campaign(o, subjects()), std::runtime_error);
+  EXPECT_THROW(run_campaign(o, workload()), std::runtime_error);
   methods = make_methods();
   cases.resize(1);
-  EXPECT_THROW(run_campaign(o, subjects()), std::runtime_error);
+  EXPECT_THROW(run_campaign(o, workload()), std::runtime_error);
   cases.clear();
-  EXPECT_EQ(run_campaign(o, subjects()).progress.done, 200u);
+  EXPECT_EQ(run_campaign(o, workload()).progress.done, 200u);
   o.resume = false;
-  EXPECT_THROW(run_campaign(o, subjects()), std::runtime_error);
+  EXPECT_THROW(run_campaign(o, workload()), std::runtime_error);
 }
 
 TEST_F(Campaign, CasesComeFirstAndTheirStatedTruthIsHeldToTheProof) {
@@ -457,7 +437,7 @@ TEST_F(Campaign, CasesComeFirstAndTheirStatedTruthIsHeldToTheProof) {
     c.truth = Verdict::disjoint;  // a lie of the second
     cases.push_back(c);
   }
-  run_campaign(options("run", 10), subjects());
+  run_campaign(options("run", 10), workload());
   const RunStore run = store("run");
   EXPECT_EQ(total(run, corpus_row).asked, 2u);
   EXPECT_EQ(total(run, corpus_row).contract, 1u);
@@ -475,17 +455,18 @@ TEST_F(Campaign, CasesComeFirstAndTheirStatedTruthIsHeldToTheProof) {
 
 TEST_F(Campaign, ACostlyMethodIsAskedOnItsShareAndInDisputes) {
   methods.clear();
-  methods.push_back(std::make_unique<Fake>(
-      "good", [](const Pair& p) { return say(right(p)); }, false));
-  methods.push_back(std::make_unique<Fake>(
-      "mostly", [](const Pair& p) { return say(p.b.center.x() < 1.6 ? Verdict::disjoint : right(p)); }));
-  methods.push_back(std::make_unique<Fake>("tolerant", [](const Pair& p) {
+  methods.push_back(fake(
+      "good", [](const Pair& p) { return answered(right(p)); }, false));
+  methods.push_back(fake(
+      "mostly", [](const Pair& p) { return answered(p.b.center.x() < 1.6 ? Verdict::disjoint : right(p)); }));
+  methods.push_back(fake("tolerant", [](const Pair& p) {
     const double gap = p.b.center.x() - 2;
-    return say(std::abs(gap) < 1e-7 ? Verdict::disjoint : right(p));  // often wrong, always within its claim
+    return answered(std::abs(gap) < 1e-7 ? Verdict::disjoint
+                                         : right(p));  // often wrong, always within its claim
   }));
-  methods.push_back(std::make_unique<Fake>(
-      "costly", [](const Pair& p) { return say(right(p)); }, true, 100));
-  run_campaign(options("run", 1000), subjects());
+  methods.push_back(fake(
+      "costly", [](const Pair& p) { return answered(right(p)); }, true, 100));
+  run_campaign(options("run", 1000), workload());
   std::uint64_t expected = 0;
   for (std::uint64_t i = 0; i < 1000; ++i) {
     expected += i % 100 == 0 || two_families[i % 2].generate(20261121, i / 2).b.center.x() < 1.6;
@@ -505,7 +486,7 @@ std::vector<CellCounts> on_plane(const RunStore& store, const std::string& plane
 
 TEST_F(Campaign, EveryPairIsInOneCellOfEachPlane) {
   const std::uint64_t pairs = 2 * batch_size;
-  run_campaign(options("run", pairs), subjects());
+  run_campaign(options("run", pairs), workload());
   const RunStore run = store("run");
   std::uint64_t meet = 0, in_cell = 0;
   for (std::uint64_t i = 0; i < pairs; ++i) {
@@ -530,19 +511,19 @@ TEST_F(Campaign, EveryPairIsInOneCellOfEachPlane) {
 
 TEST_F(Campaign, CostlyMethodsAreInCellsOnTheirShareAndOursAloneOnAShareOfPairs) {
   methods.clear();
-  methods.push_back(std::make_unique<Fake>(
-      "blind", [](const Pair&) { return say(Verdict::disjoint); }, true));
-  methods.push_back(std::make_unique<Fake>(
-      "costly", [](const Pair& p) { return say(right(p)); }, true, 100));
-  run_campaign(options("run", 1000), subjects());
+  methods.push_back(fake(
+      "blind", [](const Pair&) { return answered(Verdict::disjoint); }, true));
+  methods.push_back(fake(
+      "costly", [](const Pair& p) { return answered(right(p)); }, true, 100));
+  run_campaign(options("run", 1000), workload());
   EXPECT_GT(total(store("run"), "costly").asked, 100u);  // in disputes
   EXPECT_EQ(on_plane(store("run"), "angle-margin").at(1).asked, 10u);
 
   methods.clear();
-  methods.push_back(std::make_unique<Fake>(
-      "good", [](const Pair& p) { return say(right(p)); }, false));
+  methods.push_back(fake(
+      "good", [](const Pair& p) { return answered(right(p)); }, false));
   const std::uint64_t pairs = 200 * own_cell_share;
-  run_campaign(options("own", pairs), subjects());
+  run_campaign(options("own", pairs), workload());
   const std::uint64_t asked = on_plane(store("own"), "angle-margin").at(0).asked;
   EXPECT_GT(asked, 150u);
   EXPECT_LT(asked, 250u);
@@ -551,9 +532,10 @@ TEST_F(Campaign, CostlyMethodsAreInCellsOnTheirShareAndOursAloneOnAShareOfPairs)
 TEST_F(Campaign, AnOwnMethodWithAMemoryIsFound) {
   methods.clear();
   int calls = 0;
-  methods.push_back(std::make_unique<Fake>(
-      "moody", [&](const Pair& p) { return say(++calls % 2 == 0 ? Verdict::undecided : right(p)); }, false));
-  run_campaign(options("run", 3), subjects());
+  methods.push_back(fake(
+      "moody", [&](const Pair& p) { return answered(++calls % 2 == 0 ? Verdict::undecided : right(p)); },
+      false));
+  run_campaign(options("run", 3), workload());
   const auto findings = store("run").findings();
   EXPECT_TRUE(std::any_of(findings.begin(), findings.end(),
                           [](const FindingRecord& f) { return f.kind == "nondeterminism" && f.index == 0; }));
@@ -561,11 +543,11 @@ TEST_F(Campaign, AnOwnMethodWithAMemoryIsFound) {
 
 TEST_F(Campaign, ABatchThatDiesIsAHarnessFailureThatNamesThePair) {
   methods.clear();
-  methods.push_back(std::make_unique<Fake>(
+  methods.push_back(fake(
       "deadly",
       [](const Pair& p) -> MethodAnswer {
         if (p.b.center.x() == 9) std::abort();
-        return say(right(p));
+        return answered(right(p));
       },
       false));
   const Family deadly[] = {

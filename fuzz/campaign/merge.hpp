@@ -24,8 +24,8 @@ struct MergeSummary {
 /// that was not merged.
 MergeSummary merge_runs(const std::vector<std::string>& runs, const std::string& out);
 
-/// 1 the harness failed or an alarm rang in a shard, 2 contract findings or failures, 3 none, but undecided
-/// truth or incomplete shards, else 0.
+/// 1 the harness failed or a self-check failed in a shard, 2 contract findings or failures, 3 none, but
+/// undecided truth or incomplete shards, else 0.
 int exit_code(const MergeSummary& summary);
 
 }  // namespace cyl

@@ -17,7 +17,7 @@ namespace cyl {
 
 // Smooth weighted round robin: each step all gain their weight, the richest (the first of equals) has the
 // turn and pays the sum. After a round every credit is 0 again. Equal weights give the order itself.
-Turns::Turns(std::vector<unsigned> weights) : weights_(std::move(weights)) {
+Schedule::Schedule(std::vector<unsigned> weights) : weights_(std::move(weights)) {
   const std::int64_t sum = std::accumulate(weights_.begin(), weights_.end(), std::int64_t{0});
   std::vector<std::int64_t> credit(weights_.size());
   std::vector<std::uint64_t> had(weights_.size());

@@ -14,10 +14,10 @@
 namespace cyl {
 
 /// The most turns in a round of a family against one that never found anything: nobody starves, and what has
-/// been fruitful takes most of a night.
+/// been fruitful takes most of a campaign.
 inline constexpr unsigned weight_cap = 8;
 
-class Turns {
+class Schedule {
  public:
   struct Turn {
     std::size_t family;
@@ -25,7 +25,7 @@ class Turns {
   };
 
   /// Weights of at least 1, one a family.
-  explicit Turns(std::vector<unsigned> weights);
+  explicit Schedule(std::vector<unsigned> weights);
   Turn at(std::uint64_t index) const {
     const Slot& slot = round_[index % round_.size()];
     return {slot.family, index / round_.size() * weights_[slot.family] + slot.before};

@@ -14,7 +14,7 @@ int main() {
   using namespace cyl;
   constexpr std::uint32_t pairs_per_family = 100;
   auto methods = own_methods();
-  for (auto make : {seed_2008_methods, seed_2017_methods})
+  for (auto make : {literature_2008_methods, literature_2017_methods})
     for (auto& method : make()) methods.push_back(std::move(method));
   for (const auto& from : {families(), margin_families()}) {
     for (const Family& family : from) {

@@ -7,6 +7,8 @@
 #include <csignal>
 #include <stdexcept>
 
+#include "props/mutants/kill_data.hpp"
+
 namespace cyl {
 namespace {
 
@@ -48,6 +50,17 @@ TEST(KillMatrix, OneOutcomeOtherThanSurvivalIsAKill) {
   EXPECT_FALSE(row.killed());
   row.detections[1].outcome = Detection::Outcome::hung;
   EXPECT_TRUE(row.killed());
+}
+
+TEST(KillData, NamesTheFaultsThatCampaignsSoonFindWithTheMethodsAsked) {
+  const auto rows = read_kill_matrix(DAYLIGHT_SOURCE_DIR "/props/mutants/kill_matrix.jsonl");
+  const auto own = own_methods();
+  // Too few, and a campaign's faults could be guessed: measure the column again, daylight mutants matrix
+  // --detectors fuzz.
+  EXPECT_GE(faults_soon_found(rows, own).size(), 40u);
+  EXPECT_TRUE(faults_soon_found(rows, std::span(own).first(1)).empty());
+  EXPECT_GE(faults_soon_found(rows, all_methods()).size(), faults_soon_found(rows, own).size());
+  EXPECT_THROW(read_kill_matrix("/nowhere"), std::runtime_error);
 }
 
 }  // namespace

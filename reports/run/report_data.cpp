@@ -280,10 +280,10 @@ void add_charts(json& report, const RunData& run) {
   }
 }
 
-json alarm_json(const std::vector<AlarmRecord>& alarms) {
-  if (alarms.empty()) return nullptr;
-  const bool green = std::none_of(alarms.begin(), alarms.end(), rings);
-  return {{"green", green}, {"text", green ? format_alarms(alarms) : describe_rings(alarms)}};
+json self_check_json(const std::vector<SelfCheckRecord>& checks) {
+  if (checks.empty()) return nullptr;
+  const bool green = std::none_of(checks.begin(), checks.end(), fails);
+  return {{"green", green}, {"text", green ? format_self_checks(checks) : describe_failed_checks(checks)}};
 }
 
 }  // namespace
@@ -296,7 +296,7 @@ std::string report_json(const RunData& run, const std::string& kill_matrix) {
                  {"families", families_json(tallies)},
                  {"tallies", tallies_json(tallies)},
                  {"history", history_json(run.history)},
-                 {"alarm", alarm_json(run.alarms)},
+                 {"alarm", self_check_json(run.self_checks)},
                  {"kill_matrix", kill_matrix.empty() ? json() : kill_data(kill_matrix)},
                  {"buckets", json(buckets_json(run.folder))}};
   add_findings(report, run);
