@@ -8,6 +8,7 @@
 #include "base/json.hpp"
 #include "corpus/pairs/near_touching.hpp"
 #include "corpus/pairs/pair_io.hpp"
+#include "oracles/methods/fake_method_test.hpp"
 #include "oracles/referee/referee.hpp"
 
 namespace cyl {
@@ -115,34 +116,22 @@ TEST(Backward, QuantilesAreOfTheSample) {
             R"({"max":200.0,"method":"many","p50":100.0,"p99":198.0,"wrong":200}])");
 }
 
-/// Right, but that it takes gaps of less than `wrong_by` sizes for none.
-class Fat final : public Method {
- public:
-  static constexpr double wrong_by = 3e-5;
-  std::string_view name() const override { return "fat"; }
-  std::string_view version() const override { return "1"; }
-  Claim claim() const override { return {.relative = 1, .source = "the test"}; }
-  MethodAnswer ask(const Pair& pair) override {
-    const Truth truth = judge(pair);
-    MethodAnswer a;
-    a.status = Status::answered;
-    a.verdict = truth.verdict;
-    if (truth.verdict == Verdict::disjoint &&
-        enclose_distance(pair, truth, 1e-9).lo < wrong_by * size_of(pair))
-      a.verdict = Verdict::intersecting;
-    return a;
-  }
-};
-
 TEST(Backward, OfAMethodWrongByALengthIsThatLength) {
   std::vector<std::unique_ptr<Method>> methods = select_methods(own_methods(), "exact");
-  methods.push_back(std::make_unique<Fat>());
+  constexpr double wrong_by = 3e-5;  // it takes gaps of less, relative to the size, for none
+  const auto fat = [](const Pair& pair) {
+    const Truth truth = judge(pair);
+    const bool near = truth.verdict == Verdict::disjoint &&
+                      enclose_distance(pair, truth, 1e-9).lo < wrong_by * size_of(pair);
+    return answered(near ? Verdict::intersecting : truth.verdict);
+  };
+  methods.push_back(fake_method("fat", fat, {.claim = {.relative = 1, .source = "the test"}}));
   const std::vector<BackwardError> errors = backward_errors(wrong_verdicts(methods));
   ASSERT_EQ(errors.size(), 1u);  // what is right has none
   EXPECT_EQ(errors[0].method, "fat");
   EXPECT_GT(errors[0].wrong, 100u);
-  EXPECT_LE(errors[0].max, 1.001 * Fat::wrong_by);
-  EXPECT_GT(errors[0].max, Fat::wrong_by / 3);
+  EXPECT_LE(errors[0].max, 1.001 * wrong_by);
+  EXPECT_GT(errors[0].max, wrong_by / 3);
   EXPECT_LT(errors[0].p50, errors[0].p99);
   EXPECT_LE(errors[0].p99, errors[0].max);
 }

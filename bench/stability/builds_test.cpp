@@ -12,6 +12,7 @@
 #include "base/json.hpp"
 #include "bench/stability/build_pairs.hpp"
 #include "corpus/pairs/pair_io.hpp"
+#include "oracles/methods/fake_method_test.hpp"
 
 namespace cyl {
 namespace {
@@ -24,21 +25,11 @@ Pair beside(double margin) {
   return {{{0, 0, 0}, {0, 0, 1}, 1, 2}, {{2 + 6 * margin, 0, 0}, {0, 0, 1}, 1, 2}};
 }
 
-class Named final : public Method {
- public:
-  Named(std::string_view name, double relative, unsigned share)
-      : name_(name), relative_(relative), share_(share) {}
-  std::string_view name() const override { return name_; }
-  std::string_view version() const override { return "1"; }
-  Claim claim() const override { return {.relative = relative_, .source = "the test"}; }
-  unsigned share() const override { return share_; }
-  MethodAnswer ask(const Pair&) override { std::abort(); }
-
- private:
-  const std::string_view name_;
-  const double relative_;
-  const unsigned share_;
-};
+std::unique_ptr<Method> named(std::string name, double relative, unsigned share) {
+  const auto ask = [](const Pair&) -> MethodAnswer { std::abort(); };
+  return fake_method(std::move(name), ask,
+                     {.claim = {.relative = relative, .source = "the test"}, .share = share});
+}
 
 MethodAnswer said(Verdict verdict, std::optional<double> distance = {}) {
   MethodAnswer a;
@@ -51,9 +42,9 @@ MethodAnswer said(Verdict verdict, std::optional<double> distance = {}) {
 
 TEST(Builds, CountWhatChangesAndWhatIsWrongByIt) {
   std::vector<std::unique_ptr<Method>> methods;
-  methods.push_back(std::make_unique<Named>("sure", 1e-13, 1));
-  methods.push_back(std::make_unique<Named>("coarse", 1e-2, 1));
-  methods.push_back(std::make_unique<Named>("costly", 1e-13, 2));
+  methods.push_back(named("sure", 1e-13, 1));
+  methods.push_back(named("coarse", 1e-2, 1));
+  methods.push_back(named("costly", 1e-13, 2));
   const std::vector<Pair> pairs{beside(1e-3), beside(1e-3), beside(-1e-3), beside(1e-15)};
   std::vector<MethodAnswer> before(12), after(12);
   for (std::size_t i = 0; i < pairs.size(); ++i)

@@ -7,6 +7,7 @@
 
 #include "base/json.hpp"
 #include "corpus/pairs/pair_io.hpp"
+#include "oracles/methods/fake_method_test.hpp"
 #include "oracles/referee/referee.hpp"
 
 namespace cyl {
@@ -166,35 +167,12 @@ TEST(Stability, SeesADirectionThatTurns) {
   EXPECT_NEAR(*s.direction_jump_degrees, 45, 1e-9);
 }
 
-/// Says how it was taught, whatever the pair: disjoint on every third question.
-class Moody final : public Method {
- public:
-  std::string_view name() const override { return "moody"; }
-  std::string_view version() const override { return "1"; }
-  Claim claim() const override { return {}; }
-  MethodAnswer ask(const Pair&) override {
-    MethodAnswer a;
-    a.status = Status::answered;
-    a.verdict = asked_++ % 3 == 0 ? Verdict::disjoint : Verdict::intersecting;
-    return a;
-  }
-
- private:
-  int asked_ = 0;
-};
-
-class Silent final : public Method {
- public:
-  std::string_view name() const override { return "silent"; }
-  std::string_view version() const override { return "1"; }
-  Claim claim() const override { return {}; }
-  MethodAnswer ask(const Pair&) override { return {}; }
-};
-
 TEST(Stability, OfMethodsIsByPathAndWithoutThoseThatSayNothing) {
   std::vector<std::unique_ptr<Method>> methods = select_methods(own_methods(), "decide");
-  methods.push_back(std::make_unique<Moody>());
-  methods.push_back(std::make_unique<Silent>());
+  methods.push_back(fake_method("moody", [asked = 0](const Pair&) mutable {
+    return answered(asked++ % 3 == 0 ? Verdict::disjoint : Verdict::intersecting);
+  }));
+  methods.push_back(fake_method("silent", [](const Pair&) { return MethodAnswer(); }));
   const std::vector<PathStability> all = path_stability(methods, 1);
   ASSERT_EQ(all.size(), 2 * paths().size());
   for (std::size_t p = 0; p < paths().size(); ++p) {

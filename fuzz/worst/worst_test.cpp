@@ -11,6 +11,7 @@
 #include <string_view>
 
 #include "corpus/pairs/pair_io.hpp"
+#include "oracles/methods/fake_method_test.hpp"
 #include "oracles/trial/contact.hpp"
 #include "oracles/trial/trial.hpp"
 #include "solver/distance.hpp"
@@ -19,30 +20,14 @@ namespace cyl {
 namespace {
 
 /// Wrong of a pair whose |distance| in sizes is below `wrong_up_to`, which depends on its shape.
-class Faulty : public Method {
- public:
-  using Reach = std::function<double(const Pair&, double margin)>;
-  explicit Faulty(Reach wrong_up_to, double claimed = 0)
-      : wrong_up_to_(std::move(wrong_up_to)), claimed_(claimed) {}
-  std::string_view name() const override { return "faulty"; }
-  std::string_view version() const override { return "0"; }
-  Claim claim() const override { return {claimed_, 0, "planted"}; }
-  MethodAnswer ask(const Pair& pair) override {
+using Reach = std::function<double(const Pair&, double margin)>;
+std::unique_ptr<Method> faulty(Reach wrong_up_to, Claim claim = {.source = "planted"}) {
+  const auto ask = [wrong_up_to = std::move(wrong_up_to)](const Pair& pair) {
     const double margin = distance(pair.a, pair.b).value / size_of(pair);
-    const bool wrong = std::abs(margin) < wrong_up_to_(pair, margin);
-    MethodAnswer answer;
-    answer.status = Status::answered;
-    answer.verdict = (margin > 0) != wrong ? Verdict::disjoint : Verdict::intersecting;
-    return answer;
-  }
-
- private:
-  Reach wrong_up_to_;
-  double claimed_;
-};
-
-std::unique_ptr<Method> faulty(Faulty::Reach wrong_up_to, double claimed = 0) {
-  return std::make_unique<Faulty>(std::move(wrong_up_to), claimed);
+    const bool wrong = std::abs(margin) < wrong_up_to(pair, margin);
+    return answered((margin > 0) != wrong ? Verdict::disjoint : Verdict::intersecting);
+  };
+  return fake_method("faulty", ask, {.claim = claim});
 }
 
 double decades_from(double x, double goal) { return std::abs(std::log10(x / goal)); }
@@ -145,16 +130,12 @@ TEST(Worst, OfTwoWaysToBeWrongTheOneSoughtCounts) {
 
 TEST(Worst, BeyondAClaimComesBeforeALargerMarginWithin) {
   const auto claims_a_length = [](double small) {
-    class Claims final : public Faulty {
-     public:
-      using Faulty::Faulty;
-      Claim claim() const override { return {0, 1e-3, "planted"}; }
-    };
     // Below size 1: wrong within the claim, by nearly all of a solid. From 10 on: a hair beyond it.
-    return std::make_unique<Claims>([small](const Pair& pair, double) {
+    const auto reach = [small](const Pair& pair, double) {
       const double size = size_of(pair);
       return size < 1 ? 0.9e-3 / size : size > 10 ? small / size : 0;
-    });
+    };
+    return faulty(reach, {0, 1e-3, "planted"});
   };
   const std::unique_ptr<Method> beyond = claims_a_length(1.5e-3), within = claims_a_length(0.5e-3);
   const Worst found = search(beyond, ContactFeature::side_side, shapes(600));
@@ -168,24 +149,19 @@ TEST(Worst, BeyondAClaimComesBeforeALargerMarginWithin) {
 }
 
 /// Aborts or throws where the axes are parallel, right elsewhere.
-class Breaking final : public Faulty {
- public:
-  explicit Breaking(bool abort) : Faulty([](const Pair&, double) { return 0; }), abort_(abort) {}
-  MethodAnswer ask(const Pair& pair) override {
+std::unique_ptr<Method> breaking(bool abort) {
+  return faulty([abort](const Pair& pair, double) {
     if (pair.a.axis.cross(pair.b.axis).norm() == 0) {
-      if (abort_) std::abort();
+      if (abort) std::abort();
       throw std::runtime_error("parallel");
     }
-    return Faulty::ask(pair);
-  }
-
- private:
-  bool abort_;
-};
+    return 0.0;
+  });
+}
 
 TEST(Worst, WhatBreaksIsKeptAndNotAskedAgain) {
   for (const bool abort : {false, true}) {
-    const std::unique_ptr<Method> method = std::make_unique<Breaking>(abort);
+    const std::unique_ptr<Method> method = breaking(abort);
     const Worst worst = search(method, ContactFeature::cap_cap, shapes(100));
     ASSERT_TRUE(worst.failed);
     EXPECT_EQ(worst.failed->failure, abort ? Failure::crash : Failure::exception);
@@ -201,24 +177,19 @@ TEST(Worst, WhatBreaksIsKeptAndNotAskedAgain) {
 double now_ns = 0;
 double false_clock() { return now_ns; }
 
-class Slow final : public Faulty {
- public:
-  Slow() : Faulty([](const Pair&, double) { return 0; }) {}
-  MethodAnswer ask(const Pair& pair) override {
-    const double margin = std::abs(distance(pair.a, pair.b).value) / size_of(pair);
-    ++calls_;
-    if (calls_ > 50 && calls_ < 60) now_ns += 1e7;  // as if something else had come in between
+/// Counts the calls of one worker.
+std::unique_ptr<Method> slow() {
+  return faulty([calls = 0](const Pair& pair, double margin) mutable {
+    ++calls;
+    if (calls > 50 && calls < 60) now_ns += 1e7;  // as if something else had come in between
     now_ns += 100 + 1e5 * std::pow(10, -decades_from(pair.a.height / pair.a.radius, 30)) +
-              (margin < 1e-3 ? 1e4 : 0);
-    return Faulty::ask(pair);
-  }
-
- private:
-  int calls_ = 0;  // of one worker
-};
+              (std::abs(margin) < 1e-3 ? 1e4 : 0);
+    return 0.0;
+  });
+}
 
 TEST(Worst, TheSlowestIsFound) {
-  const std::unique_ptr<Method> method = std::make_unique<Slow>();
+  const std::unique_ptr<Method> method = slow();
   WorstOptions options = shapes(400);
   options.search = Search::time;
   options.clock = false_clock;

@@ -17,6 +17,8 @@
 #include <stdexcept>
 #include <string>
 
+#include "oracles/methods/fake_method_test.hpp"
+
 namespace cyl {
 namespace {
 
@@ -26,29 +28,17 @@ constexpr milliseconds short_cap{60};
 constexpr std::chrono::hours no_cap{1};
 
 /// Runs what the test hands it, then answers with the radius of a as the distance.
-class Fake final : public Method {
- public:
-  explicit Fake(std::function<void()> act) : act_(std::move(act)) {}
-  std::string_view name() const override { return "fake"; }
-  std::string_view version() const override { return "0"; }
-  Claim claim() const override { return {}; }
-  MethodAnswer ask(const Pair& pair) override {
-    act_();
-    MethodAnswer answer;
-    answer.status = Status::answered;
-    answer.verdict = Verdict::disjoint;
-    answer.has_distance = true;
-    answer.distance = pair.a.radius;
-    return answer;
-  }
-
- private:
-  std::function<void()> act_;
-};
-
 std::vector<std::unique_ptr<Method>> fakes(std::vector<std::function<void()>> acts) {
   std::vector<std::unique_ptr<Method>> methods;
-  for (auto& act : acts) methods.push_back(std::make_unique<Fake>(std::move(act)));
+  for (auto& act : acts) {
+    methods.push_back(fake_method("fake", [act = std::move(act)](const Pair& pair) {
+      act();
+      MethodAnswer answer = answered(Verdict::disjoint);
+      answer.has_distance = true;
+      answer.distance = pair.a.radius;
+      return answer;
+    }));
+  }
   return methods;
 }
 

@@ -14,6 +14,7 @@
 #include <thread>
 
 #include "oracles/methods/contained.hpp"
+#include "oracles/methods/fake_method_test.hpp"
 
 namespace cyl {
 namespace {
@@ -125,22 +126,14 @@ TEST(GuestCommand, AHangIsEnded) {
 }
 
 /// Says that a program of its own hung.
-class Sleeper final : public Method {
- public:
-  std::string_view name() const override { return "sleeper"; }
-  std::string_view version() const override { return "0"; }
-  Claim claim() const override { return {}; }
-  MethodAnswer ask(const Pair&) override {
+TEST(GuestCommand, ItsHangsCountAsAnyMethods) {
+  std::vector<std::unique_ptr<Method>> methods;
+  methods.push_back(fake_method("sleeper", [](const Pair&) {
     MethodAnswer answer;
     answer.status = Status::failed;
     answer.failure = Failure::hang;
     return answer;
-  }
-};
-
-TEST(GuestCommand, ItsHangsCountAsAnyMethods) {
-  std::vector<std::unique_ptr<Method>> methods;
-  methods.push_back(std::make_unique<Sleeper>());
+  }));
   const std::vector<Question> questions{{0, 0}, {0, 0}, {0, 0}};
   const auto said = ask_contained(methods, numbered_pairs(1), questions, {.hangs = 2});
   EXPECT_EQ(said[1].answer.failure, Failure::hang);

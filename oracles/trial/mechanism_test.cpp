@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "oracles/methods/fake_method_test.hpp"
 #include "oracles/referee/referee.hpp"
 #include "oracles/trial/algorithm_groups.hpp"
 #include "solver/decide.hpp"
@@ -17,40 +18,18 @@
 namespace cyl {
 namespace {
 
-MethodAnswer say(Verdict verdict) {
-  MethodAnswer answer;
-  answer.status = Status::answered;
-  answer.verdict = verdict;
-  return answer;
-}
-
 /// Wrong wherever `errs` says so.
-class Erring : public Method {
- public:
-  Erring(std::string name, std::function<bool(const Pair&)> errs, bool capped = false)
-      : name_(std::move(name)), errs_(std::move(errs)), capped_(capped) {}
-  std::string_view name() const override { return name_; }
-  std::string_view version() const override { return "1"; }
-  Claim claim() const override { return {}; }
-  MethodAnswer ask(const Pair& pair) override {
+std::unique_ptr<Method> erring(std::string name, std::function<bool(const Pair&)> errs, bool capped = false,
+                               bool guest = false) {
+  const auto ask = [errs = std::move(errs), capped](const Pair& pair) {
     const bool meets = intersect(pair.a, pair.b) != Verdict::disjoint;
-    MethodAnswer answer = say(meets != errs_(pair) ? Verdict::intersecting : Verdict::disjoint);
+    MethodAnswer answer = answered(meets != errs(pair) ? Verdict::intersecting : Verdict::disjoint);
     answer.step_cap = 5;
-    answer.steps = capped_ ? 5 : 1;
+    answer.steps = capped ? 5 : 1;
     return answer;
-  }
-
- private:
-  std::string name_;
-  std::function<bool(const Pair&)> errs_;
-  bool capped_;
-};
-
-class Visitor final : public Erring {
- public:
-  using Erring::Erring;
-  bool guest() const override { return true; }
-};
+  };
+  return fake_method(std::move(name), ask, {.guest = guest});
+}
 
 using Methods = std::vector<std::unique_ptr<Method>>;
 
@@ -68,7 +47,7 @@ Classification classified(const Methods& methods, std::vector<std::size_t> group
 
 Classification classified(std::function<bool(const Pair&)> errs, const Pair& pair, bool capped = false) {
   Methods methods;
-  methods.push_back(std::make_unique<Erring>("lib-way", std::move(errs), capped));
+  methods.push_back(erring("lib-way", std::move(errs), capped));
   return classified(methods, {0}, pair);
 }
 
@@ -115,9 +94,9 @@ TEST(Mechanism, TellsRounding) {
 
 TEST(Mechanism, TellsASettingThatIsRight) {
   Methods methods;
-  methods.push_back(std::make_unique<Erring>("lib-way", [](const Pair&) { return true; }));
-  methods.push_back(std::make_unique<Erring>("lib-way-fine", [](const Pair&) { return false; }));
-  methods.push_back(std::make_unique<Erring>("other", [](const Pair&) { return false; }));
+  methods.push_back(erring("lib-way", [](const Pair&) { return true; }));
+  methods.push_back(erring("lib-way-fine", [](const Pair&) { return false; }));
+  methods.push_back(erring("other", [](const Pair&) { return false; }));
   const Classification told = classified(methods, {0, 0, 0}, crossing(1));
   EXPECT_EQ(told.mechanism, Mechanism::setting);
   EXPECT_EQ(told.right_sibling, 1u);
@@ -125,8 +104,8 @@ TEST(Mechanism, TellsASettingThatIsRight) {
 
 TEST(Mechanism, GivesOneKeyToOneCause) {
   Methods methods;
-  methods.push_back(std::make_unique<Erring>("lib-way", [](const Pair&) { return true; }));
-  methods.push_back(std::make_unique<Erring>("lib-way-fine", [](const Pair&) { return true; }));
+  methods.push_back(erring("lib-way", [](const Pair&) { return true; }));
+  methods.push_back(erring("lib-way-fine", [](const Pair&) { return true; }));
   const std::vector<std::size_t> groups{0, 0};
   const auto key = [&](std::size_t m, FindingKind kind, Severity severity, Mechanism mechanism,
                        std::string_view reason = {}) {
@@ -154,14 +133,14 @@ TEST(Kin, IsTheSettingOrTheSameErrors) {
   const auto up = [](const Pair& p) { return p.b.center.z() > 0; };
   const auto down = [](const Pair& p) { return p.b.center.z() <= 0; };
   Methods methods;
-  methods.push_back(std::make_unique<Erring>("x-one", up));
-  methods.push_back(std::make_unique<Erring>("y-two", up));
-  methods.push_back(std::make_unique<Erring>("y-three", down));
-  methods.push_back(std::make_unique<Erring>("z-right", [](const Pair&) { return false; }));
+  methods.push_back(erring("x-one", up));
+  methods.push_back(erring("y-two", up));
+  methods.push_back(erring("y-three", down));
+  methods.push_back(erring("z-right", [](const Pair&) { return false; }));
   EXPECT_EQ(algorithm_groups(methods), (std::vector<std::size_t>{0, 0, 2, 3}));
 
-  methods.push_back(std::make_unique<Visitor>("guest", up));
-  methods.push_back(std::make_unique<Visitor>("guest-fast", down));
+  methods.push_back(erring("guest", up, false, true));
+  methods.push_back(erring("guest-fast", down, false, true));
   EXPECT_EQ(algorithm_groups(methods), (std::vector<std::size_t>{0, 0, 2, 3, 4, 4}))
       << "of guests the name counts";
 }

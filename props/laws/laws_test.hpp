@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "corpus/pairs/families.hpp"
-#include "oracles/methods/method.hpp"
+#include "oracles/methods/fake_method_test.hpp"
 #include "props/laws/laws.hpp"
 
 namespace cyl {
@@ -42,16 +42,11 @@ inline constexpr Claim of_everything{.relative = 1e-13,
                                      .decides = Decides::beyond_rounding};
 
 /// A method that answers by a function.
-struct Planted final : Method {
-  using Ask = std::function<MethodAnswer(const Pair&)>;
+struct Planted final : FakeMethod {
   using Prepared = std::function<Verdict(const Pair&)>;
 
   explicit Planted(Ask ask, std::string_view name = "planted", Claim claim = of_verdicts)
-      : ask_(std::move(ask)), name_(name), claim_(claim) {}
-  std::string_view name() const override { return name_; }
-  std::string_view version() const override { return "0"; }
-  Claim claim() const override { return claim_; }
-  MethodAnswer ask(const Pair& pair) override { return ask_(pair); }
+      : FakeMethod(std::string(name), std::move(ask), {.claim = claim}) {}
   Call prepare_all(std::span<const Pair> pairs) override {
     if (!prepared) return {};
     return [this, copy = std::vector<Pair>(pairs.begin(), pairs.end())](std::size_t i) {
@@ -66,11 +61,6 @@ struct Planted final : Method {
   }
 
   Prepared prepared, batch;  ///< none where empty
-
- private:
-  Ask ask_;
-  std::string_view name_;
-  Claim claim_;
 };
 
 /// The numbers of the laws that the first pairs of a family show broken.

@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "base/json.hpp"
+#include "oracles/methods/fake_method_test.hpp"
 #include "oracles/trial/algorithm_groups.hpp"
 #include "solver/distance.hpp"
 
@@ -17,32 +18,19 @@ using json = nlohmann::json;
 
 /// Takes solids nearer than `tolerance` for intersecting, where the first centre is no farther from the
 /// origin than `place`.
-class Blurred final : public Method {
- public:
-  Blurred(std::string name, double tolerance, double place = 0)
-      : name_(std::move(name)), tolerance_(tolerance), place_(place) {}
-  std::string_view name() const override { return name_; }
-  std::string_view version() const override { return "1"; }
-  Claim claim() const override { return {.absolute = tolerance_ / 100, .source = "this test"}; }
-  MethodAnswer ask(const Pair& pair) override {
-    MethodAnswer answer;
-    answer.status = Status::answered;
-    const bool blurred = pair.a.center.norm() >= place_;
-    answer.verdict = distance(pair.a, pair.b).value <= (blurred ? tolerance_ : 0) ? Verdict::intersecting
-                                                                                  : Verdict::disjoint;
-    return answer;
-  }
-
- private:
-  std::string name_;
-  double tolerance_, place_;
-};
+std::unique_ptr<Method> blurred(std::string name, double tolerance, double place = 0) {
+  const auto ask = [=](const Pair& pair) {
+    const double blur = pair.a.center.norm() >= place ? tolerance : 0;
+    return answered(distance(pair.a, pair.b).value <= blur ? Verdict::intersecting : Verdict::disjoint);
+  };
+  return fake_method(std::move(name), ask, {.claim = {.absolute = tolerance / 100, .source = "this test"}});
+}
 
 std::vector<std::unique_ptr<Method>> blurred_methods() {
   std::vector<std::unique_ptr<Method>> methods;
-  methods.push_back(std::make_unique<Blurred>("blurred-way", 1e-3));
-  methods.push_back(std::make_unique<Blurred>("blurred-way-fine", 1e-9));
-  methods.push_back(std::make_unique<Blurred>("blurred-far", 1e-3, 1e3));
+  methods.push_back(blurred("blurred-way", 1e-3));
+  methods.push_back(blurred("blurred-way-fine", 1e-9));
+  methods.push_back(blurred("blurred-far", 1e-3, 1e3));
   return methods;
 }
 
@@ -220,26 +208,13 @@ TEST(Explain, RefusesWhatDoesNotFail) {
 }
 
 /// Does not come back where a is the lower one.
-class Hanging final : public Method {
- public:
-  std::string_view name() const override { return "hanging"; }
-  std::string_view version() const override { return "1"; }
-  Claim claim() const override { return {}; }
-  MethodAnswer ask(const Pair& pair) override {
-    while (pair.a.center.z() < pair.b.center.z()) spins_ = spins_ + 1;
-    MethodAnswer answer;
-    answer.status = Status::answered;
-    answer.verdict = Verdict::disjoint;
-    return answer;
-  }
-
- private:
-  volatile unsigned spins_ = 0;
-};
-
 TEST(Explain, AHangIsAskedAboutSeldom) {
   std::vector<std::unique_ptr<Method>> methods;
-  methods.push_back(std::make_unique<Hanging>());
+  methods.push_back(fake_method("hanging", [](const Pair& pair) {
+    volatile unsigned spins = 0;
+    while (pair.a.center.z() < pair.b.center.z()) spins = spins + 1;
+    return answered(Verdict::disjoint);
+  }));
   const Explanation e = explain(methods, "hanging", FindingKind::hang, stacked());
   EXPECT_TRUE(e.regions.empty());
   EXPECT_EQ(outcome(e.workarounds, Transformation::exchanged), WorkaroundOutcome::right);

@@ -8,6 +8,7 @@
 #include <string_view>
 
 #include "corpus/pairs/pair_io.hpp"
+#include "oracles/methods/fake_method_test.hpp"
 #include "oracles/referee/referee.hpp"
 #include "solver/distance.hpp"
 
@@ -15,30 +16,14 @@ namespace cyl {
 namespace {
 
 /// Says intersecting of pairs with less daylight than `wrong_up_to`, in sizes, between.
-class Planted final : public Method {
- public:
-  using Reach = std::function<double(const Pair&)>;
-  explicit Planted(Reach wrong_up_to) : wrong_up_to_(std::move(wrong_up_to)) {}
-  std::string_view name() const override { return "planted"; }
-  std::string_view version() const override { return "0"; }
-  Claim claim() const override { return {}; }
-  MethodAnswer ask(const Pair& pair) override {
-    const double margin = distance(pair.a, pair.b).value / size_of(pair);
-    MethodAnswer answer;
-    answer.status = Status::answered;
-    answer.verdict = margin > wrong_up_to_(pair) ? Verdict::disjoint : Verdict::intersecting;
-    return answer;
-  }
-
- private:
-  Reach wrong_up_to_;
-};
-
 using Methods = std::vector<std::unique_ptr<Method>>;
 
-Methods planted(Planted::Reach wrong_up_to) {
+Methods planted(std::function<double(const Pair&)> wrong_up_to) {
   Methods methods;
-  methods.push_back(std::make_unique<Planted>(std::move(wrong_up_to)));
+  methods.push_back(fake_method("planted", [wrong_up_to = std::move(wrong_up_to)](const Pair& pair) {
+    const double margin = distance(pair.a, pair.b).value / size_of(pair);
+    return answered(margin > wrong_up_to(pair) ? Verdict::disjoint : Verdict::intersecting);
+  }));
   return methods;
 }
 

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: MIT
+// A method for tests, which answers by a function.
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <utility>
+
+#include "oracles/methods/method.hpp"
+
+namespace cyl {
+
+/// Returns an answer with this verdict and nothing else.
+inline MethodAnswer answered(Verdict verdict) {
+  MethodAnswer answer;
+  answer.status = Status::answered;
+  answer.verdict = verdict;
+  return answer;
+}
+
+struct FakeTraits {
+  Claim claim = {};
+  bool foreign = true, guest = false;
+  unsigned share = 1;
+};
+
+class FakeMethod : public Method {
+ public:
+  using Ask = std::function<MethodAnswer(const Pair&)>;
+  FakeMethod(std::string name, Ask ask, FakeTraits traits = {})
+      : name_(std::move(name)), ask_(std::move(ask)), traits_(traits) {}
+  std::string_view name() const override { return name_; }
+  std::string_view version() const override { return "1"; }
+  Claim claim() const override { return traits_.claim; }
+  bool foreign() const override { return traits_.foreign; }
+  bool guest() const override { return traits_.guest; }
+  unsigned share() const override { return traits_.share; }
+  MethodAnswer ask(const Pair& pair) override { return ask_(pair); }
+
+ private:
+  std::string name_;
+  Ask ask_;
+  FakeTraits traits_;
+};
+
+inline std::unique_ptr<Method> fake_method(std::string name, FakeMethod::Ask ask, FakeTraits traits = {}) {
+  return std::make_unique<FakeMethod>(std::move(name), std::move(ask), traits);
+}
+
+}  // namespace cyl
