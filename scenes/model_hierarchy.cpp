@@ -75,14 +75,12 @@ Proximity proximity(Level level, const ProxyModels& a, const ProxyModels& b, dou
     case Level::sphere:
       return balls_apart(a, b, clearance + slack(a, b, clearance)) ? Proximity::apart : Proximity::unclear;
     case Level::outer:
-      return capsule_distance(a.outer, b.outer) > clearance + slack(a, b, clearance)
-                 ? Proximity::apart
-                 : Proximity::unclear;
+      return capsule_distance(a.outer, b.outer) > clearance + slack(a, b, clearance) ? Proximity::apart
+                                                                                     : Proximity::unclear;
     case Level::inner:
       if (a.inner.radius < 0 || b.inner.radius < 0) return Proximity::unclear;
-      return capsule_distance(a.inner, b.inner) <= clearance - slack(a, b, clearance)
-                 ? Proximity::within
-                 : Proximity::unclear;
+      return capsule_distance(a.inner, b.inner) <= clearance - slack(a, b, clearance) ? Proximity::within
+                                                                                      : Proximity::unclear;
     case Level::cylinder:
       return compare_cylinders(a, b, clearance);
     case Level::distance:

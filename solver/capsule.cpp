@@ -6,7 +6,7 @@
 
 #include "solver/detail/frame.hpp"
 
-namespace cyl::seeds {
+namespace cyl {
 namespace {
 
 double distance_to_segment(const Vector3& x, const Vector3& p0, const Vector3& p1) noexcept {
@@ -85,4 +85,4 @@ Capsule inner_proxy(const Prepared& c) noexcept {
   return along(c, c.height / 2 - radius, radius - slack(c));
 }
 
-}  // namespace cyl::seeds
+}  // namespace cyl

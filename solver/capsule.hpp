@@ -5,7 +5,7 @@
 
 #include "solver/decide.hpp"
 
-namespace cyl::seeds {
+namespace cyl {
 
 struct Capsule {
   Vector3 from, to;   ///< the segment's ends; they may coincide
@@ -41,4 +41,4 @@ Capsule outer_proxy(const Cylinder& c) noexcept;
 Capsule inner_proxy(const Prepared& c) noexcept;
 Capsule inner_proxy(const Cylinder& c) noexcept;
 
-}  // namespace cyl::seeds
+}  // namespace cyl

@@ -11,7 +11,7 @@
 #include "solver/detail/frame.hpp"
 #include "solver/solver_test.hpp"
 
-namespace cyl::seeds {
+namespace cyl {
 namespace {
 
 TEST(Segments, ExactCases) {
@@ -138,4 +138,4 @@ TEST(Proxies, NothingIsInsideASegmentOrADisk) {
 }
 
 }  // namespace
-}  // namespace cyl::seeds
+}  // namespace cyl

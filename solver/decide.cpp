@@ -273,10 +273,10 @@ void prove_at_optimum(const Scaled& p, const Frame& frame, const Base& base, Ans
 }
 
 // The five directions and the slice that decide most pairs.
-bool prove_at_first_sight(const Scaled& p, const Frame& frame, const Base& base, Answer& answer) noexcept {
+bool prove_by_filter(const Scaled& p, const Frame& frame, const Base& base, Answer& answer) noexcept {
   const Sections<double>& f = frame.f;
-  const auto sight = at_first_sight(f);
-  if (sight.apart) {
+  const auto filter = separating_axis_filter(f);
+  if (filter.apart) {
     const double most[] = {f.s * f.r1, f.s * f.r0, f.s * (f.r0 + f.c * f.r1), f.s * (f.c * f.r0 + f.r1)};
     const double k[] = {f.k0, f.k1, f.k2_s, f.k3_s};
     if (f.z_s > f.s * (f.r0 + f.r1) && try_direction(p, frame.n, answer)) return true;
@@ -285,21 +285,21 @@ bool prove_at_first_sight(const Scaled& p, const Frame& frame, const Base& base,
     return false;
   }
   const double radii = f.r0 + f.r1;
-  return sight.met && try_slice(p, frame, base, radii > 0 ? frame.z * (f.r0 / radii) : 0, answer);
+  return filter.met && try_slice(p, frame, base, radii > 0 ? frame.z * (f.r0 / radii) : 0, answer);
 }
 
-// The common case, where first sight decides by more than rounding and the numbers it compared are proof
-// enough (section 8): ordinary solids, axes at an angle.
-[[gnu::always_inline]] inline bool prove_in_passing(const Couple<double>& p, const Base& base,
-                                                    Answer& answer) noexcept {
+// The common case, where the separating-axis filter decides by more than rounding and the numbers it compared
+// are proof enough (section 8): ordinary solids, axes at an angle.
+[[gnu::always_inline]] inline bool prove_on_fast_path(const Couple<double>& p, const Base& base,
+                                                      Answer& answer) noexcept {
   const Products<double> q = products(p);
   if (!(magnitude(q.cosine) <= steep_cosine)) return false;
   const Sections<double> f = sections(p, q);
-  const auto sight = at_first_sight(f);
+  const auto filter = separating_axis_filter(f);
   const double radii = p.r0 + p.r1;
   const double reach = radii + p.h0 + p.h1 + std::fabs(p.dx) + std::fabs(p.dy) + std::fabs(p.dz);
-  if (sight.apart) {
-    const double error = sight_error * reach;
+  if (filter.apart) {
+    const double error = filter_error * reach;
     const unsigned beyond = (f.z_s - f.s * radii > error ? 1u : 0u) | (f.k0 - f.s * p.r1 > error ? 2u : 0u) |
                             (f.k1 - f.s * p.r0 > error ? 4u : 0u) |
                             (f.k2_s - f.s * (p.r0 + f.c * p.r1) > error ? 8u : 0u) |
@@ -317,7 +317,7 @@ bool prove_at_first_sight(const Scaled& p, const Frame& frame, const Base& base,
                         a * p.w0z + b * p.w1z + n * q.nz};
     return true;
   }
-  if (!sight.met) return false;
+  if (!filter.met) return false;
   // The slice at u, in coordinates along w0 and along (w1 - C w0)/s, in units of r0 + r1.
   const double inverse = 1 / f.s, unit = 1 / radii;
   const double h0 = p.h0 * unit, r0 = p.r0 * unit, h1 = p.h1 * unit, r1 = p.r1 * unit;
@@ -360,8 +360,7 @@ bool prove_at_first_sight(const Scaled& p, const Frame& frame, const Base& base,
 }
 
 // Everything else.
-[[gnu::noinline]] void prove_at_length(const Prepared& first, const Prepared& second,
-                                       Answer& answer) noexcept {
+[[gnu::noinline]] void prove_in_full(const Prepared& first, const Prepared& second, Answer& answer) noexcept {
   if ((first.defect != Defect::none) | (second.defect != Defect::none)) {
     answer.verdict = Verdict::invalid;
     return;
@@ -371,7 +370,7 @@ bool prove_at_first_sight(const Scaled& p, const Frame& frame, const Base& base,
   // As decide() does with ordinary solids, so that the scene's unit cannot be seen in the answer; but where
   // it is so small that a point may lose bits when it goes back into it.
   if (!(first.ordinary & second.ordinary) && p.exponent > -900 &&
-      prove_in_passing(p.couple(), base, answer)) {
+      prove_on_fast_path(p.couple(), base, answer)) {
     answer.point_tail = times_power(answer.point_tail, p.exponent);
     if (answer.point_tail.allFinite()) return;
     answer = Answer{};  // the largest double is near: other points may be nearer
@@ -381,7 +380,7 @@ bool prove_at_first_sight(const Scaled& p, const Frame& frame, const Base& base,
     prove_parallel(p, Parallel(p.delta, p.h0 + p.h1, p.r0 + p.r1, axes.sum), base, answer);
   } else {
     const Frame frame(p, axes);
-    if (!prove_at_first_sight(p, frame, base, answer)) prove_at_optimum(p, frame, base, answer);
+    if (!prove_by_filter(p, frame, base, answer)) prove_at_optimum(p, frame, base, answer);
   }
 }
 
@@ -395,8 +394,8 @@ Answer decide(const Prepared& a, const Prepared& b) noexcept {
   const Prepared* const roles[] = {&a, &b};
   const Prepared &first = *roles[swapped], &second = *roles[!swapped];
   if (!(a.ordinary & b.ordinary) ||
-      !prove_in_passing(as_it_is(first, second).couple(), {first.center, 0}, answer))
-    prove_at_length(first, second, answer);
+      !prove_on_fast_path(as_it_is(first, second).couple(), {first.center, 0}, answer))
+    prove_in_full(first, second, answer);
   answer.direction *= 1 - 2 * static_cast<double>(swapped);
   return answer;
 }

@@ -23,7 +23,7 @@ inline constexpr double unit_roundoff_error = 0x1p-53;              ///< of one 
 inline constexpr double unit_axis_error = 4 * unit_roundoff_error;  ///< of unit_axis, as a vector's length
 inline constexpr double separation_error =
     16 * unit_roundoff_error;  ///< of f(D), times |D| (r0+h0/2+r1+h1/2+|Delta|)
-inline constexpr double sight_error =
+inline constexpr double filter_error =
     64 * unit_roundoff_error;  ///< of s f at the five first directions, times the reach above
 inline constexpr double point_error =
     512 * unit_roundoff_error;  ///< of a point built in the first slice, times the same

@@ -14,7 +14,7 @@ Verdict verdict_of(bool met) noexcept {
   return static_cast<Verdict>(met);
 }
 
-// After at_first_sight has seen neither.
+// After separating_axis_filter has seen neither.
 [[gnu::noinline]] Verdict settle(const Sections<double>& f) noexcept {
   const auto at = corner(in_order(f));
   if (at.met | at.in_vain | !(at.rises2 | at.rises3)) return verdict_of(at.met);
@@ -32,10 +32,10 @@ Verdict verdict_of(bool met) noexcept {
 }
 
 [[gnu::always_inline]] inline Verdict intersect_sections(const Sections<double>& f) noexcept {
-  const auto sight = at_first_sight(f);
+  const auto filter = separating_axis_filter(f);
   // One branch for both.
-  if (static_cast<unsigned>(sight.apart) + static_cast<unsigned>(sight.met) != 0)
-    return verdict_of(!sight.apart);
+  if (static_cast<unsigned>(filter.apart) + static_cast<unsigned>(filter.met) != 0)
+    return verdict_of(!filter.apart);
   return settle(f);
 }
 

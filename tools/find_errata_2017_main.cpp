@@ -38,7 +38,7 @@ void find(const Fault2017& fault, std::uint64_t pairs) {
       Case c{simplify(pair, still_shows).pair, "errata-2017-" + std::string(fault.name), {}, {}, {}};
       c.truth = judge(c.pair).verdict;
       c.source = "the text of 2017 put right is wrong with this fault " +
-                 std::string(fault.beside.has(seeds::Fault::stays_on_the_boundary)
+                 std::string(fault.beside.has(literature::Fault::stays_on_the_boundary)
                                  ? "and stays-on-the-boundary, and right with the latter alone"
                                  : "alone") +
                  "; found in family " + std::string(family.name) + ", simplified while that held";

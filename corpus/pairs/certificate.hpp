@@ -34,9 +34,9 @@ struct Certificate {
 
 /// The arithmetic that settled a question.
 enum class Stage : unsigned char {
-  filter,  ///< double, or long double, with outward rounding
-  wide,    ///< multiprecision: MPFI
-  exact    ///< rationals
+  filter,          ///< double, or long double, with outward rounding
+  multiprecision,  ///< MPFI; in files and on screens "wide"
+  exact            ///< rationals
 };
 constexpr auto words_of(Stage) noexcept { return std::array{"filter", "wide", "exact"}; }
 

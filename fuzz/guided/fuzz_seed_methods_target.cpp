@@ -15,8 +15,8 @@ namespace {
 
 class SeedMethods {
  public:
-  SeedMethods() : methods_(seed_2008_methods()), sink_("fuzz_seed_methods") {
-    for (auto& method : seed_2017_methods()) methods_.push_back(std::move(method));
+  SeedMethods() : methods_(literature_2008_methods()), sink_("fuzz_seed_methods") {
+    for (auto& method : literature_2017_methods()) methods_.push_back(std::move(method));
   }
 
   void run(const Record& record) {

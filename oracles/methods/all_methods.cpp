@@ -26,8 +26,8 @@ std::vector<std::unique_ptr<Method>> together(std::initializer_list<Make*> maker
 std::vector<std::unique_ptr<Method>> all_methods() {
   return together({
       own_methods,
-      seed_2008_methods,
-      seed_2017_methods,
+      literature_2008_methods,
+      literature_2017_methods,
       nlopt_methods,
 #ifdef DAYLIGHT_WITH_FCL
       fcl_methods,

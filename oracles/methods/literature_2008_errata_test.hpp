@@ -13,20 +13,20 @@ namespace cyl {
 struct Erratum {
   std::string_view id;    ///< of its case
   std::string_view what;  ///< for the case's source
-  seeds::Fault fault;
-  seeds::CircleWay circle;
-  seeds::CriticalWay critical;
+  literature::Fault fault;
+  literature::CircleWay circle;
+  literature::CriticalWay critical;
 };
 
 /// Most work, smallest tolerance at which roots are still recognised.
-inline seeds::Options careful(seeds::Faults faults) {
+inline literature::Options careful(literature::Faults faults) {
   return {.faults = faults, .step_cap = 60, .tolerance = 1e-3};
 }
 
 inline std::span<const Erratum> errata_2008() {
-  using seeds::CircleWay;
-  using seeds::CriticalWay;
-  using seeds::Fault;
+  using literature::CircleWay;
+  using literature::CriticalWay;
+  using literature::Fault;
   static constexpr Erratum errata[] = {
       {"errata-2008-radius-not-squared", "section 7, r1 instead of r1^2", Fault::radius_not_squared,
        CircleWay::polynomial, CriticalWay::normalised},
@@ -53,10 +53,10 @@ inline std::span<const Erratum> errata_2008() {
 }
 
 inline Verdict with_fault(const Erratum& e, const Pair& pair) {
-  return seeds::separation_2008(pair.a, pair.b, e.circle, e.critical, careful(e.fault)).verdict;
+  return literature::separation_2008(pair.a, pair.b, e.circle, e.critical, careful(e.fault)).verdict;
 }
 inline Verdict without_fault(const Erratum& e, const Pair& pair) {
-  return seeds::separation_2008(pair.a, pair.b, e.circle, e.critical, careful({})).verdict;
+  return literature::separation_2008(pair.a, pair.b, e.circle, e.critical, careful({})).verdict;
 }
 
 }  // namespace cyl

@@ -10,9 +10,9 @@
 namespace cyl {
 namespace {
 
-using seeds::CircleWay;
-using seeds::CriticalWay;
-using seeds::Options;
+using literature::CircleWay;
+using literature::CriticalWay;
+using literature::Options;
 
 struct Setting {
   std::string_view name;
@@ -49,15 +49,15 @@ constexpr Setting settings[] = {
     {"seed2008-printed",
      CircleWay::polynomial,
      CriticalWay::normalised,
-     {seeds::printed_2008, 16, 1e-3},
+     {literature::printed_2008, 16, 1e-3},
      1e-13},
     {"seedbook", CircleWay::minimise, CriticalWay::adjugate, {{}, 60, 0}, 1e-13},
-    {"seedbook-printed", CircleWay::minimise, CriticalWay::adjugate, {seeds::printed_book, 60, 0}, 1e-13},
+    {"seedbook-printed", CircleWay::minimise, CriticalWay::adjugate, {literature::printed_book, 60, 0}, 1e-13},
 };
 
-class Seed2008 final : public Method {
+class Literature2008 final : public Method {
  public:
-  explicit Seed2008(const Setting& setting) : setting_(setting) {}
+  explicit Literature2008(const Setting& setting) : setting_(setting) {}
   std::string_view name() const override { return setting_.name; }
   std::string_view version() const override { return "2008-03-02"; }
   Claim claim() const override {
@@ -71,8 +71,8 @@ class Seed2008 final : public Method {
   unsigned share() const override { return setting_.circle == CircleWay::polynomial ? 16 : 1; }
 
   MethodAnswer ask(const Pair& pair) override {
-    const seeds::Separation found =
-        seeds::separation_2008(pair.a, pair.b, setting_.circle, setting_.critical, setting_.options);
+    const literature::Separation found =
+        literature::separation_2008(pair.a, pair.b, setting_.circle, setting_.critical, setting_.options);
     MethodAnswer answer;
     answer.status = Status::answered;
     answer.verdict = found.verdict;
@@ -81,7 +81,7 @@ class Seed2008 final : public Method {
   }
   Call prepare_all(std::span<const Pair> pairs) override {
     return [solids = solids_of<Prepared>(pairs, prepare), s = setting_](std::size_t i) {
-      return seeds::separation_2008(solids[i].first, solids[i].second, s.circle, s.critical, s.options)
+      return literature::separation_2008(solids[i].first, solids[i].second, s.circle, s.critical, s.options)
           .verdict;
     };
   }
@@ -92,9 +92,9 @@ class Seed2008 final : public Method {
 
 }  // namespace
 
-std::vector<std::unique_ptr<Method>> seed_2008_methods() {
+std::vector<std::unique_ptr<Method>> literature_2008_methods() {
   std::vector<std::unique_ptr<Method>> methods;
-  for (const Setting& s : settings) methods.push_back(std::make_unique<Seed2008>(s));
+  for (const Setting& s : settings) methods.push_back(std::make_unique<Literature2008>(s));
   return methods;
 }
 

@@ -56,7 +56,7 @@ class SeedMethods2008 : public testing::TestWithParam<std::size_t> {};
 // `decide` and its certificates against every setting without faults.
 TEST_P(SeedMethods2008, AgreeWithDecideBeyondTheirClaim) {
   const Family& family = families()[GetParam()];
-  for (const auto& method : seed_2008_methods()) {
+  for (const auto& method : literature_2008_methods()) {
     if (method->name().find("printed") != std::string_view::npos) continue;
     for (std::uint64_t index = 0; index < pairs_per_family; ++index) {
       const Pair pair = family.generate(family_seed, index);
@@ -76,7 +76,7 @@ INSTANTIATE_TEST_SUITE_P(EachFamily, SeedMethods2008, testing::Range<std::size_t
 
 TEST(SeedMethods2008Printed, AreOftenWrong) {
   const Family& family = *find_family("random");
-  for (const auto& method : seed_2008_methods()) {
+  for (const auto& method : literature_2008_methods()) {
     if (method->name() != "seed2008-printed") continue;
     int wrong = 0;
     for (std::uint64_t index = 0; index < 1000; ++index) {

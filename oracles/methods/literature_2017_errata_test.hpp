@@ -14,13 +14,13 @@ namespace cyl {
 /// A fault that changes a verdict, and of what.
 struct Fault2017 {
   std::string_view name;
-  seeds::Fault fault;
+  literature::Fault fault;
   bool of_the_whole;     ///< else of the perpendiculars to a's axis alone, which the rest would mend
-  seeds::Faults beside;  ///< that are in both times
+  literature::Faults beside;  ///< that are in both times
 };
 
 inline std::span<const Fault2017> faults_2017() {
-  using seeds::Fault;
+  using literature::Fault;
   static constexpr Fault2017 faults[] = {
       {"kink-taken-for-convex", Fault::kink_taken_for_convex, false, {}},
       {"first-quarter-ends-all", Fault::first_quarter_ends_all, false, {}},
@@ -38,15 +38,15 @@ inline std::span<const Fault2017> faults_2017() {
 /// In sizes: below it the text put right is rounding too.
 inline constexpr double rounding_margin_2017 = 1e-12;
 
-inline seeds::Separation ask_2017(const Pair& pair, bool of_the_whole, seeds::Faults faults) {
-  seeds::Options options;
+inline literature::Separation ask_2017(const Pair& pair, bool of_the_whole, literature::Faults faults) {
+  literature::Options options;
   options.faults = faults;
   const Prepared a = prepare(pair.a), b = prepare(pair.b);
-  return of_the_whole ? separated_cylinders(a, b, seeds::Minimiser::conjugate_gradients, options)
+  return of_the_whole ? separated_cylinders(a, b, literature::Minimiser::conjugate_gradients, options)
                       : separated_by_perpendiculars_of_a(a, b, options);
 }
 
-inline MethodAnswer offered_2017(const seeds::Separation& found) {
+inline MethodAnswer offered_2017(const literature::Separation& found) {
   MethodAnswer answer;
   answer.status = Status::answered;
   answer.verdict = found.verdict;
@@ -57,8 +57,8 @@ inline MethodAnswer offered_2017(const seeds::Separation& found) {
 /// Wrong with the fault, right without, by certificate. Of a part: it denies the direction that proves the
 /// pair disjoint and that the part finds without the fault.
 inline bool shows(const Fault2017& shown, const Pair& pair) {
-  const seeds::Separation right = ask_2017(pair, shown.of_the_whole, shown.beside);
-  const seeds::Separation wrong = ask_2017(pair, shown.of_the_whole, shown.beside | shown.fault);
+  const literature::Separation right = ask_2017(pair, shown.of_the_whole, shown.beside);
+  const literature::Separation wrong = ask_2017(pair, shown.of_the_whole, shown.beside | shown.fault);
   if (right.verdict == wrong.verdict || right.verdict == Verdict::undecided) return false;
   if (right.verdict == Verdict::disjoint)
     return check_witness(pair, offered_2017(right)) == Verdict::disjoint &&
@@ -67,7 +67,7 @@ inline bool shows(const Fault2017& shown, const Pair& pair) {
   // Rounding may say disjoint of what touches; only one fault says it on principle.
   const Verdict truth = judge(pair).verdict;
   return truth ==
-         (shown.fault == seeds::Fault::touching_is_separated ? Verdict::touching : Verdict::intersecting);
+         (shown.fault == literature::Fault::touching_is_separated ? Verdict::touching : Verdict::intersecting);
 }
 
 }  // namespace cyl

@@ -11,7 +11,7 @@
 namespace cyl {
 namespace {
 
-using seeds::Minimiser;
+using literature::Minimiser;
 
 /// The steps of each search along a line, and the lines (rounds of lines) of each search in a cell.
 struct Setting {
@@ -38,9 +38,9 @@ constexpr Setting settings[] = {
     {"seed2017-powell-steps-64", Minimiser::powell, 64, 1e-12, 8},
 };
 
-class Seed2017 final : public Method {
+class Literature2017 final : public Method {
  public:
-  Seed2017(std::string_view name, Minimiser minimiser, const seeds::Options& options, const Claim& claim,
+  Literature2017(std::string_view name, Minimiser minimiser, const literature::Options& options, const Claim& claim,
            unsigned share)
       : name_(name), minimiser_(minimiser), options_(options), claim_(claim), share_(share) {}
 
@@ -50,7 +50,7 @@ class Seed2017 final : public Method {
   bool foreign() const override { return false; }
   unsigned share() const override { return share_; }
   MethodAnswer ask(const Pair& pair) override {
-    const seeds::Separation found = separate(prepare(pair.a), prepare(pair.b));
+    const literature::Separation found = separate(prepare(pair.a), prepare(pair.b));
     MethodAnswer answer;
     answer.status = Status::answered;
     answer.verdict = found.verdict;
@@ -64,34 +64,34 @@ class Seed2017 final : public Method {
   }
 
  private:
-  seeds::Separation separate(const Prepared& a, const Prepared& b) const {
-    return seeds::separated_cylinders(a, b, minimiser_, options_);
+  literature::Separation separate(const Prepared& a, const Prepared& b) const {
+    return literature::separated_cylinders(a, b, minimiser_, options_);
   }
 
   const std::string_view name_;
   const Minimiser minimiser_;
-  const seeds::Options options_;
+  const literature::Options options_;
   const Claim claim_;
   const unsigned share_;
 };
 
 }  // namespace
 
-std::vector<std::unique_ptr<Method>> seed_2017_methods() {
+std::vector<std::unique_ptr<Method>> literature_2017_methods() {
   std::vector<std::unique_ptr<Method>> methods;
   for (const Setting& s : settings) {
-    seeds::Options options;
+    literature::Options options;
     options.step_cap = options.line_cap = s.cap;
-    methods.push_back(std::make_unique<Seed2017>(
+    methods.push_back(std::make_unique<Literature2017>(
         s.name, s.minimiser, options,
         Claim{.relative = s.relative,
               .source = "solver/literature/errata.md: above the largest margin at which it was wrong.",
               .every_bit = true},
         s.share));
   }
-  seeds::Options printed;
-  printed.faults = seeds::faults_2017;
-  methods.push_back(std::make_unique<Seed2017>(
+  literature::Options printed;
+  printed.faults = literature::faults_2017;
+  methods.push_back(std::make_unique<Literature2017>(
       "seed2017-printed", Minimiser::conjugate_gradients, printed,
       Claim{.source =
                 "Intersection of Cylinders, 2017, section 8: It returns true whenever the cylinders are "

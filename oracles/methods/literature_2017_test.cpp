@@ -17,8 +17,8 @@
 namespace cyl {
 namespace {
 
-using seeds::Minimiser;
-using seeds::Separation;
+using literature::Minimiser;
+using literature::Separation;
 
 constexpr std::uint64_t family_seed = 20170416;
 
@@ -55,10 +55,10 @@ TEST(Errata2017, NoneIsWrongOncePutRight) {
           << c.id;
 }
 
-class Seed2017 : public testing::TestWithParam<std::size_t> {};
+class Literature2017 : public testing::TestWithParam<std::size_t> {};
 
 /// Claims of oracles/methods/literature_2017_method.cpp, in brief.
-TEST_P(Seed2017, AgreesWithTheSolverAboveItsClaim) {
+TEST_P(Literature2017, AgreesWithTheSolverAboveItsClaim) {
   const Family& family = families()[GetParam()];
   for (std::uint64_t i = 0; i < 300; ++i) {
     const Pair pair = family.generate(family_seed, i);
@@ -74,7 +74,7 @@ TEST_P(Seed2017, AgreesWithTheSolverAboveItsClaim) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Families, Seed2017, testing::Range<std::size_t>(0, families().size()),
+INSTANTIATE_TEST_SUITE_P(Families, Literature2017, testing::Range<std::size_t>(0, families().size()),
                          [](const auto& info) { return std::string(families()[info.param].name); });
 
 }  // namespace

@@ -17,22 +17,22 @@
 namespace cyl {
 namespace {
 
-using W3 = Vec3<Wide>;
+using W3 = Vec3<MpFloat>;
 
-W3 lift(const Vector3& v) { return {Wide(v.x()), Wide(v.y()), Wide(v.z())}; }
+W3 lift(const Vector3& v) { return {MpFloat(v.x()), MpFloat(v.y()), MpFloat(v.z())}; }
 
 struct Slow {
   W3 w0, w1, delta;
-  Wide r0, h0, r1, h1, size;
+  MpFloat r0, h0, r1, h1, size;
 
   explicit Slow(const Pair& p)
       : w0(lift(p.a.axis)),
         w1(lift(p.b.axis)),
         delta(lift(p.b.center) - lift(p.a.center)),
         r0(p.a.radius),
-        h0(Wide(p.a.height) * Wide(0.5)),
+        h0(MpFloat(p.a.height) * MpFloat(0.5)),
         r1(p.b.radius),
-        h1(Wide(p.b.height) * Wide(0.5)),
+        h1(MpFloat(p.b.height) * MpFloat(0.5)),
         size(r0 + r1 + h0 + h1) {
     w0 = w0 / sqrt(dot(w0, w0));
     w1 = w1 / sqrt(dot(w1, w1));
@@ -40,15 +40,15 @@ struct Slow {
 
   // f~(D) and a subgradient: the support point of D. Where D is along an axis, to all of the precision but 56
   // bits, the middle of the cap serves.
-  Wide evaluate(const W3& d, W3& gradient) const {
-    Wide value = -dot(d, delta);
-    gradient = Wide(-1.0) * delta;
-    auto add = [&](const W3& w, const Wide& r, const Wide& h) {
-      const Wide t = dot(d, w);
+  MpFloat evaluate(const W3& d, W3& gradient) const {
+    MpFloat value = -dot(d, delta);
+    gradient = MpFloat(-1.0) * delta;
+    auto add = [&](const W3& w, const MpFloat& r, const MpFloat& h) {
+      const MpFloat t = dot(d, w);
       const W3 radial = d - t * w;
-      const Wide length = sqrt(dot(radial, radial));
-      if (length > abs(t) * Wide(0x1p-200)) gradient = gradient + Wide(r / length) * radial;
-      gradient = gradient + (t < Wide(0.0) ? -h : h) * w;
+      const MpFloat length = sqrt(dot(radial, radial));
+      if (length > abs(t) * MpFloat(0x1p-200)) gradient = gradient + MpFloat(r / length) * radial;
+      gradient = gradient + (t < MpFloat(0.0) ? -h : h) * w;
       value = value + r * length + h * abs(t);
     };
     add(w0, r0, h0);
@@ -59,17 +59,17 @@ struct Slow {
 
 // disjoint; or intersecting, meaning: no gap of more than 2^-resolution size.
 Verdict slow_verdict(const Pair& pair, int resolution) {
-  const WidePrecision precision(256);
+  const PrecisionScope precision(256);
   const Slow slow(pair);
-  const Wide zero(0.0), one(1.0);
-  const Wide least = slow.size * Wide(std::ldexp(1.0, -resolution));
-  const Wide rounding = slow.size * Wide(0x1p-240);  // f~ of an exact tie comes out as +- this
+  const MpFloat zero(0.0), one(1.0);
+  const MpFloat least = slow.size * MpFloat(std::ldexp(1.0, -resolution));
+  const MpFloat rounding = slow.size * MpFloat(0x1p-240);  // f~ of an exact tie comes out as +- this
   // The ellipsoid {D : (D - c)' P^-1 (D - c) <= 1}, at first the unit ball.
   W3 c{zero, zero, zero};
   std::array<W3, 3> p = {W3{one, zero, zero}, W3{zero, one, zero}, W3{zero, zero, one}};
   for (int step = 0; step < 40 * resolution; ++step) {
     W3 g;
-    const Wide outside = dot(c, c) - one;
+    const MpFloat outside = dot(c, c) - one;
     const bool in_ball = outside <= zero;
     if (in_ball) {
       if (slow.evaluate(c, g) < -rounding) return Verdict::disjoint;
@@ -77,18 +77,18 @@ Verdict slow_verdict(const Pair& pair, int resolution) {
       g = c;
     }
     const W3 pg{dot(p[0], g), dot(p[1], g), dot(p[2], g)};
-    const Wide gpg = dot(g, pg);
+    const MpFloat gpg = dot(g, pg);
     if (gpg <= zero) return Verdict::intersecting;  // the minimum is where we stand
-    const Wide width = sqrt(gpg);
+    const MpFloat width = sqrt(gpg);
     // All of the ellipsoid has f~ >= f~(c) - width >= -width, and the cut parts were higher than their
     // centres.
     if (in_ball && width < least) return Verdict::intersecting;
-    const W3 step_to = Wide(one / (Wide(4.0) * width)) * pg;
+    const W3 step_to = MpFloat(one / (MpFloat(4.0) * width)) * pg;
     c = c - step_to;
-    const Wide scale = Wide(9.0) / Wide(8.0), share = Wide(0.5) / gpg;
+    const MpFloat scale = MpFloat(9.0) / MpFloat(8.0), share = MpFloat(0.5) / gpg;
     for (std::size_t i = 0; i < 3; ++i) {
-      const Wide& a = i == 0 ? pg.x : i == 1 ? pg.y : pg.z;
-      p[i] = scale * (p[i] - Wide(share * a) * pg);
+      const MpFloat& a = i == 0 ? pg.x : i == 1 ? pg.y : pg.z;
+      p[i] = scale * (p[i] - MpFloat(share * a) * pg);
     }
   }
   return Verdict::undecided;

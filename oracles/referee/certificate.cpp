@@ -161,23 +161,23 @@ template class BasicFilter<long double>;
 Rational3 exact(const Vector3& v) { return {mpq_class(v.x()), mpq_class(v.y()), mpq_class(v.z())}; }
 
 int support_gap_sign(const Pair& pair, const Rational3& direction, int bits) {
-  const WidePrecision precision(bits);
+  const PrecisionScope precision(bits);
   auto interval = [](const Rational3& v) {
-    return Vec3<WideInterval>{WideInterval(v.x), WideInterval(v.y), WideInterval(v.z)};
+    return Vec3<MpInterval>{MpInterval(v.x), MpInterval(v.y), MpInterval(v.z)};
   };
   auto unit = [&](const Cylinder& c) {
-    const Vec3<WideInterval> w = lift<WideInterval>(plain(c.axis));
+    const Vec3<MpInterval> w = lift<MpInterval>(plain(c.axis));
     return w / length(w);
   };
-  const WideInterval two(2.0);
-  const WideInterval f = support_gap_of(interval(direction), unit(pair.a), WideInterval(pair.a.radius),
-                                        WideInterval(pair.a.height) / two, unit(pair.b),
-                                        WideInterval(pair.b.radius), WideInterval(pair.b.height) / two,
-                                        interval(exact(pair.b.center) - exact(pair.a.center)));
+  const MpInterval two(2.0);
+  const MpInterval f =
+      support_gap_of(interval(direction), unit(pair.a), MpInterval(pair.a.radius),
+                     MpInterval(pair.a.height) / two, unit(pair.b), MpInterval(pair.b.radius),
+                     MpInterval(pair.b.height) / two, interval(exact(pair.b.center) - exact(pair.a.center)));
   return f.negative() ? -1 : f.positive() ? 1 : 0;
 }
 
-bool separates_wide(const Pair& pair, const Rational3& direction, int bits) {
+bool separates_in_multiprecision(const Pair& pair, const Rational3& direction, int bits) {
   if (direction.x == 0 && direction.y == 0 && direction.z == 0) return false;
   return support_gap_sign(pair, direction, bits) < 0;
 }

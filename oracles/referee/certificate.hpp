@@ -56,7 +56,7 @@ using LongFilter = BasicFilter<long double>;
 int support_gap_sign(const Pair& pair, const Rational3& direction, int bits);
 
 /// f(direction) < 0 for certain, in MPFI at the given precision.
-bool separates_wide(const Pair& pair, const Rational3& direction, int bits);
+bool separates_in_multiprecision(const Pair& pair, const Rational3& direction, int bits);
 
 /// Whether the point is in both solids, decided exactly.
 bool in_both_exact(const Pair& pair, const Rational3& point);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Values of MPFR and intervals of MPFI as ordinary C++ values. New values take the thread's current
-// precision: set it with WidePrecision for a scope.
+// precision: set it with PrecisionScope for a scope.
 #pragma once
 
 #include <gmpxx.h>
@@ -13,32 +13,32 @@
 namespace cyl {
 
 /// Precision in bits of the values made while it lives.
-class WidePrecision {
+class PrecisionScope {
  public:
-  explicit WidePrecision(int bits) : before_(mpfr_get_default_prec()) { mpfr_set_default_prec(bits); }
-  ~WidePrecision() { mpfr_set_default_prec(before_); }
-  WidePrecision(const WidePrecision&) = delete;
-  WidePrecision& operator=(const WidePrecision&) = delete;
+  explicit PrecisionScope(int bits) : before_(mpfr_get_default_prec()) { mpfr_set_default_prec(bits); }
+  ~PrecisionScope() { mpfr_set_default_prec(before_); }
+  PrecisionScope(const PrecisionScope&) = delete;
+  PrecisionScope& operator=(const PrecisionScope&) = delete;
 
  private:
   mpfr_prec_t before_;
 };
 
-/// Bits up to which a Wide allocates nothing: most pairs are settled at 128, nearly all others at 256.
+/// Bits up to which a MpFloat allocates nothing: most pairs are settled at 128, nearly all others at 256.
 inline constexpr mpfr_prec_t inline_bits_cap = 256;
 
 /// A floating-point number of MPFR, rounded to nearest, its exponent as good as unbounded.
-class Wide {
+class MpFloat {
  public:
-  Wide() { make_zero(mpfr_get_default_prec()); }
-  Wide(double x) : Wide() {  // NOLINT: a double is a number
+  MpFloat() { make_zero(mpfr_get_default_prec()); }
+  MpFloat(double x) : MpFloat() {  // NOLINT: a double is a number
     mpfr_set_d(v_, x, MPFR_RNDN);
   }
-  Wide(const Wide& o) {
+  MpFloat(const MpFloat& o) {
     if (!o.is_inline()) make_zero(mpfr_get_prec(o.v_));
     copy_digits(o);
   }
-  Wide& operator=(const Wide& o) {
+  MpFloat& operator=(const MpFloat& o) {
     if (this == &o) return *this;
     if (mpfr_get_prec(v_) != mpfr_get_prec(o.v_)) {
       clear();
@@ -47,7 +47,7 @@ class Wide {
     copy_digits(o);
     return *this;
   }
-  Wide(Wide&& o) noexcept {
+  MpFloat(MpFloat&& o) noexcept {
     if (o.is_inline()) {
       copy_digits(o);
       return;
@@ -55,12 +55,12 @@ class Wide {
     *v_ = *o.v_;
     o.make_zero(inline_bits_cap);
   }
-  Wide& operator=(Wide&& o) noexcept {
+  MpFloat& operator=(MpFloat&& o) noexcept {
     if (is_inline() || o.is_inline()) return *this = o;
     mpfr_swap(v_, o.v_);
     return *this;
   }
-  ~Wide() { clear(); }
+  ~MpFloat() { clear(); }
 
   double to_double() const { return mpfr_get_d(v_, MPFR_RNDN); }
   /// The same number exactly. Throws nothing; the number is finite.
@@ -70,35 +70,35 @@ class Wide {
     return q;
   }
 
-  friend Wide operator+(const Wide& a, const Wide& b) { return make(mpfr_add, a, b); }
-  friend Wide operator-(const Wide& a, const Wide& b) { return make(mpfr_sub, a, b); }
-  friend Wide operator*(const Wide& a, const Wide& b) { return make(mpfr_mul, a, b); }
-  friend Wide operator/(const Wide& a, const Wide& b) { return make(mpfr_div, a, b); }
-  Wide operator-() const {
-    Wide r;
+  friend MpFloat operator+(const MpFloat& a, const MpFloat& b) { return make(mpfr_add, a, b); }
+  friend MpFloat operator-(const MpFloat& a, const MpFloat& b) { return make(mpfr_sub, a, b); }
+  friend MpFloat operator*(const MpFloat& a, const MpFloat& b) { return make(mpfr_mul, a, b); }
+  friend MpFloat operator/(const MpFloat& a, const MpFloat& b) { return make(mpfr_div, a, b); }
+  MpFloat operator-() const {
+    MpFloat r;
     mpfr_neg(r.v_, v_, MPFR_RNDN);
     return r;
   }
-  friend Wide sqrt(const Wide& a) {
-    Wide r;
+  friend MpFloat sqrt(const MpFloat& a) {
+    MpFloat r;
     mpfr_sqrt(r.v_, a.v_, MPFR_RNDN);
     return r;
   }
-  friend Wide abs(const Wide& a) {
-    Wide r;
+  friend MpFloat abs(const MpFloat& a) {
+    MpFloat r;
     mpfr_abs(r.v_, a.v_, MPFR_RNDN);
     return r;
   }
-  friend bool operator<(const Wide& a, const Wide& b) { return mpfr_less_p(a.v_, b.v_) != 0; }
-  friend bool operator>(const Wide& a, const Wide& b) { return mpfr_greater_p(a.v_, b.v_) != 0; }
-  friend bool operator<=(const Wide& a, const Wide& b) { return mpfr_lessequal_p(a.v_, b.v_) != 0; }
-  friend bool operator>=(const Wide& a, const Wide& b) { return mpfr_greaterequal_p(a.v_, b.v_) != 0; }
-  friend bool operator==(const Wide& a, const Wide& b) { return mpfr_equal_p(a.v_, b.v_) != 0; }
+  friend bool operator<(const MpFloat& a, const MpFloat& b) { return mpfr_less_p(a.v_, b.v_) != 0; }
+  friend bool operator>(const MpFloat& a, const MpFloat& b) { return mpfr_greater_p(a.v_, b.v_) != 0; }
+  friend bool operator<=(const MpFloat& a, const MpFloat& b) { return mpfr_lessequal_p(a.v_, b.v_) != 0; }
+  friend bool operator>=(const MpFloat& a, const MpFloat& b) { return mpfr_greaterequal_p(a.v_, b.v_) != 0; }
+  friend bool operator==(const MpFloat& a, const MpFloat& b) { return mpfr_equal_p(a.v_, b.v_) != 0; }
 
  private:
   template <class Operation>
-  static Wide make(Operation operation, const Wide& a, const Wide& b) {
-    Wide r;
+  static MpFloat make(Operation operation, const MpFloat& a, const MpFloat& b) {
+    MpFloat r;
     operation(r.v_, a.v_, b.v_, MPFR_RNDN);
     return r;
   }
@@ -115,7 +115,7 @@ class Wide {
     if (!is_inline()) mpfr_clear(v_);
   }
   // Of the same precision, where the digits are not inline.
-  void copy_digits(const Wide& o) {
+  void copy_digits(const MpFloat& o) {
     if (!o.is_inline()) {
       mpfr_set(v_, o.v_, MPFR_RNDN);
       return;
@@ -129,51 +129,51 @@ class Wide {
 };
 
 /// A closed interval of MPFI.
-class WideInterval {
+class MpInterval {
  public:
-  WideInterval() : WideInterval(0.0) {}
-  WideInterval(double x) {  // NOLINT: a double is an interval
+  MpInterval() : MpInterval(0.0) {}
+  MpInterval(double x) {  // NOLINT: a double is an interval
     mpfi_init(v_);
     mpfi_set_d(v_, x);
   }
-  explicit WideInterval(const mpq_class& x) {
+  explicit MpInterval(const mpq_class& x) {
     mpfi_init(v_);
     mpfi_set_q(v_, x.get_mpq_t());
   }
-  WideInterval(const WideInterval& o) {
+  MpInterval(const MpInterval& o) {
     mpfi_init2(v_, mpfi_get_prec(o.v_));
     mpfi_set(v_, o.v_);
   }
-  WideInterval& operator=(const WideInterval& o) {
+  MpInterval& operator=(const MpInterval& o) {
     if (this != &o) {
       mpfi_set_prec(v_, mpfi_get_prec(o.v_));
       mpfi_set(v_, o.v_);
     }
     return *this;
   }
-  WideInterval(WideInterval&& o) noexcept : WideInterval() { mpfi_swap(v_, o.v_); }
-  WideInterval& operator=(WideInterval&& o) noexcept {
+  MpInterval(MpInterval&& o) noexcept : MpInterval() { mpfi_swap(v_, o.v_); }
+  MpInterval& operator=(MpInterval&& o) noexcept {
     mpfi_swap(v_, o.v_);
     return *this;
   }
-  ~WideInterval() { mpfi_clear(v_); }
+  ~MpInterval() { mpfi_clear(v_); }
 
-  friend WideInterval operator+(const WideInterval& a, const WideInterval& b) { return make(mpfi_add, a, b); }
-  friend WideInterval operator-(const WideInterval& a, const WideInterval& b) { return make(mpfi_sub, a, b); }
-  friend WideInterval operator*(const WideInterval& a, const WideInterval& b) { return make(mpfi_mul, a, b); }
-  friend WideInterval operator/(const WideInterval& a, const WideInterval& b) { return make(mpfi_div, a, b); }
-  friend WideInterval sqrt(const WideInterval& a) {
-    WideInterval r;
+  friend MpInterval operator+(const MpInterval& a, const MpInterval& b) { return make(mpfi_add, a, b); }
+  friend MpInterval operator-(const MpInterval& a, const MpInterval& b) { return make(mpfi_sub, a, b); }
+  friend MpInterval operator*(const MpInterval& a, const MpInterval& b) { return make(mpfi_mul, a, b); }
+  friend MpInterval operator/(const MpInterval& a, const MpInterval& b) { return make(mpfi_div, a, b); }
+  friend MpInterval sqrt(const MpInterval& a) {
+    MpInterval r;
     mpfi_sqrt(r.v_, a.v_);
     return r;
   }
-  friend WideInterval abs(const WideInterval& a) {
-    WideInterval r;
+  friend MpInterval abs(const MpInterval& a) {
+    MpInterval r;
     mpfi_abs(r.v_, a.v_);
     return r;
   }
-  friend WideInterval square(const WideInterval& a) {
-    WideInterval r;
+  friend MpInterval square(const MpInterval& a) {
+    MpInterval r;
     mpfi_sqr(r.v_, a.v_);
     return r;
   }
@@ -199,15 +199,15 @@ class WideInterval {
 
  private:
   template <class Operation>
-  static WideInterval make(Operation operation, const WideInterval& a, const WideInterval& b) {
-    WideInterval r;
+  static MpInterval make(Operation operation, const MpInterval& a, const MpInterval& b) {
+    MpInterval r;
     operation(r.v_, a.v_, b.v_);
     return r;
   }
   mpfi_t v_;
 };
 
-inline double lower(const WideInterval& a) { return a.lower_double(); }
-inline double upper(const WideInterval& a) { return a.upper_double(); }
+inline double lower(const MpInterval& a) { return a.lower_double(); }
+inline double upper(const MpInterval& a) { return a.upper_double(); }
 
 }  // namespace cyl

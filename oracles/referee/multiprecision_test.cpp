@@ -10,25 +10,25 @@
 namespace cyl {
 namespace {
 
-Wide third_at(int bits) {
-  const WidePrecision precision(bits);
-  return Wide(1) / Wide(3);
+MpFloat third_at(int bits) {
+  const PrecisionScope precision(bits);
+  return MpFloat(1) / MpFloat(3);
 }
 
 // On both sides of the cap below which digits are kept inside the object.
 constexpr int precisions[] = {53, 128, 256, 257, 512};
 
-TEST(Wide, KeepsItsDigitsThroughCopiesAndMoves) {
+TEST(MpFloat, KeepsItsDigitsThroughCopiesAndMoves) {
   for (const int from : precisions)
     for (const int to : precisions) {
-      Wide third = third_at(from);
+      MpFloat third = third_at(from);
       const mpq_class digits = third.to_rational();
-      Wide copy(third), assigned = third_at(to);
+      MpFloat copy(third), assigned = third_at(to);
       third = -third;  // not through the copy
       assigned = copy;
       EXPECT_EQ(assigned.to_rational(), digits);
       EXPECT_EQ(copy.to_rational(), digits);
-      Wide moved(std::move(copy)), move_assigned = -third_at(to);
+      MpFloat moved(std::move(copy)), move_assigned = -third_at(to);
       move_assigned = std::move(assigned);
       EXPECT_EQ(moved.to_rational(), digits);
       EXPECT_EQ(move_assigned.to_rational(), digits);
@@ -37,14 +37,14 @@ TEST(Wide, KeepsItsDigitsThroughCopiesAndMoves) {
     }
 }
 
-TEST(Wide, MovesWithItsDigitsWhereAVectorGrows) {
-  std::vector<Wide> numbers;
+TEST(MpFloat, MovesWithItsDigitsWhereAVectorGrows) {
+  std::vector<MpFloat> numbers;
   for (int i = 0; i < 100; ++i) numbers.push_back(third_at(precisions[i % 5]));
   for (int i = 0; i < 100; ++i)
     EXPECT_EQ(numbers[static_cast<std::size_t>(i)].to_rational(), third_at(precisions[i % 5]).to_rational());
 }
 
-TEST(Wide, KeepsTheSignOfZero) { EXPECT_TRUE(std::signbit(Wide(-0.0).to_double())); }
+TEST(MpFloat, KeepsTheSignOfZero) { EXPECT_TRUE(std::signbit(MpFloat(-0.0).to_double())); }
 
 }  // namespace
 }  // namespace cyl

@@ -51,7 +51,7 @@ Truth proved(Verdict verdict, ExactVector certificate, Stage stage, int bits) {
 }
 
 constexpr double no_tail[3] = {0, 0, 0};
-constexpr int first_wide_bits = 128;
+constexpr int first_multiprecision_bits = 128;
 constexpr int tangency_bits = 256;  // contacts at simple rationals show themselves up to this precision
 constexpr int near_bits = 512;      // enough for a point within 2^-200 size of both solids
 
@@ -75,26 +75,33 @@ Rational3 sum(const double head[3], const double tail[3]) {
 std::optional<Truth> check_exactly(const Pair& pair, const MethodAnswer& answer) {
   if (answer.status != Status::answered || !finite(answer.head) || !finite(answer.tail)) return std::nullopt;
   if (answer.witness == CertificateKind::direction &&
-      separates_wide(pair, sum(answer.head, no_tail), first_wide_bits))
-    return proved(Verdict::disjoint, exact_vector(answer.head, no_tail), Stage::wide, first_wide_bits);
+      separates_in_multiprecision(pair, sum(answer.head, no_tail), first_multiprecision_bits))
+    return proved(Verdict::disjoint, exact_vector(answer.head, no_tail), Stage::multiprecision,
+                  first_multiprecision_bits);
   if (answer.witness == CertificateKind::point) {
     const Rational3 point = sum(answer.head, answer.tail);
     if (in_both_exact(pair, point) && interior_of_either(pair, point))
       return proved(Verdict::intersecting, exact_vector(answer.head, answer.tail), Stage::exact,
-                    first_wide_bits);
+                    first_multiprecision_bits);
   }
   return std::nullopt;
 }
 
-SearchPair<Wide> wide_pair(const Pair& pair) {
-  auto lift = [](const Vector3& v) { return Vec3<Wide>{Wide(v.x()), Wide(v.y()), Wide(v.z())}; };
-  const Wide half(0.5);
-  return {lift(pair.a.axis),         lift(pair.b.axis),          lift(pair.b.center) - lift(pair.a.center),
-          Wide(pair.a.radius),       Wide(pair.a.height) * half, Wide(pair.b.radius),
-          Wide(pair.b.height) * half};
+SearchPair<MpFloat> multiprecision_pair(const Pair& pair) {
+  auto lift = [](const Vector3& v) { return Vec3<MpFloat>{MpFloat(v.x()), MpFloat(v.y()), MpFloat(v.z())}; };
+  const MpFloat half(0.5);
+  return {lift(pair.a.axis),
+          lift(pair.b.axis),
+          lift(pair.b.center) - lift(pair.a.center),
+          MpFloat(pair.a.radius),
+          MpFloat(pair.a.height) * half,
+          MpFloat(pair.b.radius),
+          MpFloat(pair.b.height) * half};
 }
 
-Rational3 rational(const Vec3<Wide>& v) { return {v.x.to_rational(), v.y.to_rational(), v.z.to_rational()}; }
+Rational3 rational(const Vec3<MpFloat>& v) {
+  return {v.x.to_rational(), v.y.to_rational(), v.z.to_rational()};
+}
 
 // The direction brought to coordinates of at most 1 by a power of two, then rounded to double.
 std::optional<std::array<double, 3>> rounded_direction(const Rational3& d) {
@@ -108,10 +115,10 @@ std::optional<Truth> prove_disjoint(const Pair& pair, const Rational3& direction
   const auto rounded = rounded_direction(direction);
   if (!rounded) return std::nullopt;
   const Rational3 simple = sum(rounded->data(), no_tail);
-  if (separates_wide(pair, simple, bits))
-    return proved(Verdict::disjoint, exact_vector(simple), Stage::wide, bits);
-  if (separates_wide(pair, direction, 2 * bits))
-    return proved(Verdict::disjoint, exact_vector(direction), Stage::wide, 2 * bits);
+  if (separates_in_multiprecision(pair, simple, bits))
+    return proved(Verdict::disjoint, exact_vector(simple), Stage::multiprecision, bits);
+  if (separates_in_multiprecision(pair, direction, 2 * bits))
+    return proved(Verdict::disjoint, exact_vector(direction), Stage::multiprecision, 2 * bits);
   return std::nullopt;
 }
 
@@ -149,9 +156,9 @@ mpq_class times_power(mpq_class x, int exponent) {
   return x;
 }
 
-Found<Wide> search_wide(const Pair& pair, int bits, Rational3& point, Rational3& direction) {
-  const WidePrecision precision(bits);
-  const Found<Wide> found = search(wide_pair(pair), bits);
+Found<MpFloat> search_in_multiprecision(const Pair& pair, int bits, Rational3& point, Rational3& direction) {
+  const PrecisionScope precision(bits);
+  const Found<MpFloat> found = search(multiprecision_pair(pair), bits);
   if (found.has_point) point = rational(found.point) + exact(pair.a.center);
   if (found.has_direction) direction = rational(found.direction);
   return found;
@@ -180,7 +187,7 @@ std::optional<Truth> prove_touching(const Pair& pair, const Rational3& point, co
   // No rational point was found. One within 2^-200 size of both solids is what a search at this precision
   // returns.
   Rational3 near_point, near_direction;
-  if (!search_wide(pair, near_bits, near_point, near_direction).has_point) return std::nullopt;
+  if (!search_in_multiprecision(pair, near_bits, near_point, near_direction).has_point) return std::nullopt;
   t.certificate.kind = CertificateKind::near;
   t.certificate.vector = exact_vector(near_point);
   t.certificate.second = exact_vector(tangency->direction);
@@ -247,10 +254,10 @@ std::optional<Truth> prove_in_long_double(const Pair& pair) {
   return std::nullopt;
 }
 
-Truth judge_at_length(const Pair& pair, std::span<const MethodAnswer> offered, int bits_cap) {
+Truth judge_in_full(const Pair& pair, std::span<const MethodAnswer> offered, int bits_cap) {
   Truth undecided;
   undecided.stage = Stage::exact;
-  if (bits_cap < first_wide_bits) return undecided;
+  if (bits_cap < first_multiprecision_bits) return undecided;
   for (const MethodAnswer& answer : offered)
     if (auto t = check_exactly(pair, answer)) {
       t->witnessed = true;
@@ -258,9 +265,9 @@ Truth judge_at_length(const Pair& pair, std::span<const MethodAnswer> offered, i
     }
 
   Rational3 point, direction;
-  for (int bits = first_wide_bits; bits <= bits_cap; bits *= 2) {
+  for (int bits = first_multiprecision_bits; bits <= bits_cap; bits *= 2) {
     undecided.bits = bits;
-    const Found<Wide> found = search_wide(pair, bits, point, direction);
+    const Found<MpFloat> found = search_in_multiprecision(pair, bits, point, direction);
     if (found.has_direction)
       if (auto t = prove_disjoint(pair, direction, bits)) return *t;
     if (!found.has_point) continue;
@@ -281,7 +288,7 @@ Truth judge(const Pair& pair, std::span<const MethodAnswer> offered, int bits_ca
   if (!is_legal(pair)) return verdict_alone(Verdict::invalid);
   Guess guess;
   if (auto t = prove_in_double(pair, Filter(pair), offered, guess)) return std::move(*t);
-  return judge_at_length(pair, offered, bits_cap);
+  return judge_in_full(pair, offered, bits_cap);
 }
 
 Truth judge_verdict(const Pair& pair, std::span<const MethodAnswer> offered) {
@@ -292,7 +299,7 @@ Truth judge_verdict(const Pair& pair, std::span<const MethodAnswer> offered) {
   if (guess.found.has_point && filter.overlap_at(guess.point_in(filter.exponent())))
     return verdict_alone(Verdict::intersecting);
   if (auto t = prove_in_long_double(pair)) return std::move(*t);
-  return judge_at_length(pair, offered, precision_cap);
+  return judge_in_full(pair, offered, precision_cap);
 }
 
 Verdict check_witness(const Pair& pair, const MethodAnswer& answer) {

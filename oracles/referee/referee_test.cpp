@@ -40,7 +40,7 @@ void expect_proved(const Pair& pair, const Truth& truth, const std::string& what
   const Certificate& c = truth.certificate;
   switch (truth.verdict) {
     case Verdict::disjoint:
-      EXPECT_TRUE(separates_wide(pair, rational(c.vector), 2048)) << what;
+      EXPECT_TRUE(separates_in_multiprecision(pair, rational(c.vector), 2048)) << what;
       break;
     case Verdict::intersecting:
       EXPECT_TRUE(in_both_exact(pair, rational(c.vector))) << what;
@@ -84,7 +84,7 @@ TEST(Referee, ProvesEveryFamily) {
   EXPECT_GT(seen[Verdict::disjoint], 300);
   EXPECT_GT(seen[Verdict::intersecting], 300);
   EXPECT_GT(seen[Verdict::touching], 10);
-  for (const Stage s : {Stage::filter, Stage::wide, Stage::exact})
+  for (const Stage s : {Stage::filter, Stage::multiprecision, Stage::exact})
     EXPECT_GT(stages[s], 10) << static_cast<int>(s);
 }
 

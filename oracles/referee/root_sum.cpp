@@ -56,9 +56,9 @@ int RootSum::sign() const {
   if (terms_.empty()) return 0;
   // Not 0, so some precision shows the sign.
   for (int bits = 128;; bits *= 2) {
-    const WidePrecision precision(bits);
-    WideInterval sum;
-    for (const Term& t : terms_) sum = sum + WideInterval(t.c) * sqrt(WideInterval(t.q));
+    const PrecisionScope precision(bits);
+    MpInterval sum;
+    for (const Term& t : terms_) sum = sum + MpInterval(t.c) * sqrt(MpInterval(t.q));
     if (sum.positive()) return 1;
     if (sum.negative()) return -1;
   }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Three numbers of any kind (double, Interval, Wide, WideInterval, mpq_class) as a vector.
+// Three numbers of any kind (double, Interval, MpFloat, MpInterval, mpq_class) as a vector.
 #pragma once
 
 namespace cyl {

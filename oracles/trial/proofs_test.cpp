@@ -37,7 +37,7 @@ bool holds(const Pair& pair, const Truth& truth) {
   if (truth.verdict == Verdict::undecided) return true;
   const Rational3 v = rational(truth.certificate.vector);
   if (truth.verdict == Verdict::disjoint)
-    return separates_wide(pair, v, 256) || separates_wide(pair, v, 4096);
+    return separates_in_multiprecision(pair, v, 256) || separates_in_multiprecision(pair, v, 4096);
   return truth.certificate.kind == CertificateKind::near || in_both_exact(pair, v);
 }
 

@@ -18,7 +18,7 @@ constexpr std::uint64_t family_seed = 20080302;
 /// The laws that the pairs of a family show broken, by method.
 std::map<std::string, std::set<std::string>> broken_laws(const Family& family) {
   std::map<std::string, std::set<std::string>> broken;
-  for (const auto& method : seed_2008_methods())
+  for (const auto& method : literature_2008_methods())
     for (const int law : {1, 2, 3})
       for (std::uint64_t index = 0; index < pairs_per_family; ++index)
         if (broken_by(*method, law_numbered(law), family.generate(family_seed, index)))

@@ -16,7 +16,7 @@ namespace {
 class Seed2017Laws : public testing::TestWithParam<std::size_t> {};
 
 TEST_P(Seed2017Laws, HoldBitForBit) {
-  const auto methods = seed_2017_methods();
+  const auto methods = literature_2017_methods();
   for (std::uint64_t index = 0; index < 30; ++index) {
     const Pair pair = families()[GetParam()].generate(20170416, index);
     for (const auto& method : methods)

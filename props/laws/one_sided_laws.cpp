@@ -55,7 +55,7 @@ constexpr double thinnest_proxy = 0x1p-40;
 
 /// b scaled to half of the width of a's inner proxy and put around `point` on its axis: nothing of it is
 /// outside a.
-Cylinder shrunk_into(const seeds::Capsule& proxy, const Vector3& point, const Cylinder& b) {
+Cylinder shrunk_into(const Capsule& proxy, const Vector3& point, const Cylinder& b) {
   const double extent = b.radius + b.height / 2;
   const double factor = extent > 0 ? proxy.radius / 2 / extent : 0;
   return {point, b.axis, b.radius * factor, b.height * factor};
@@ -65,7 +65,7 @@ std::vector<Asked> inside(const Method&, const Pair& pair, const MethodAnswer&) 
   if (!is_in_range(pair) || find_defect(pair.a) != Defect::none || find_defect(pair.b) != Defect::none)
     return {};
   const Cylinder& a = pair.a;
-  const seeds::Capsule proxy = seeds::inner_proxy(a);
+  const Capsule proxy = inner_proxy(a);
   const double most = std::max({a.center.lpNorm<Eigen::Infinity>(), a.radius, a.height});
   if (!(proxy.radius > thinnest_proxy * most)) return {};
   return {{{a, shrunk_into(proxy, proxy.from, pair.b)}}, {{shrunk_into(proxy, proxy.to, pair.b), a}}};
@@ -83,16 +83,16 @@ double bounding_radius(const Cylinder& c) { return std::hypot(c.radius, c.height
 std::optional<Broken> break_proxies(const LawCase& c) {
   if (!is_decided(c.first) || !is_in_range(c.pair)) return {};
   const Cylinder &a = c.pair.a, &b = c.pair.b;
-  const double lost = seeds::proxy_distance_error * (size_of(c.pair) + a.center.norm() + b.center.norm());
+  const double lost = proxy_distance_error * (size_of(c.pair) + a.center.norm() + b.center.norm());
   if (says_meet(c.first)) {
     const double spheres = (b.center - a.center).norm() - bounding_radius(a) - bounding_radius(b);
-    const double capsules = seeds::capsule_distance(seeds::outer_proxy(a), seeds::outer_proxy(b));
+    const double capsules = capsule_distance(outer_proxy(a), outer_proxy(b));
     if (std::max(spheres, capsules) <= lost) return {};
     const char* which = spheres > lost ? "spheres around" : "capsules around";
     return Broken{said(c.first) + ", but the " + which + " the solids are apart", severity_on(c, c.pair)};
   }
-  const seeds::Capsule in_a = seeds::inner_proxy(a), in_b = seeds::inner_proxy(b);
-  if (in_a.radius < 0 || in_b.radius < 0 || seeds::capsule_distance(in_a, in_b) >= -lost) return {};
+  const Capsule in_a = inner_proxy(a), in_b = inner_proxy(b);
+  if (in_a.radius < 0 || in_b.radius < 0 || capsule_distance(in_a, in_b) >= -lost) return {};
   return Broken{said(c.first) + ", but the capsules inside the solids meet", severity_on(c, c.pair)};
 }
 

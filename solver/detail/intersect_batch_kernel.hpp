@@ -123,8 +123,8 @@ unsigned bits(Mask mask) {
   return p;
 }
 
-/// What `settle` of intersect.cpp does, for lanes that are not decided at first sight; `open` keeps those
-/// that reach the cap.
+/// What `settle` of intersect.cpp does, for lanes that are not decided by the separating-axis filter; `open`
+/// keeps those that reach the cap.
 Mask settle(const Sections<Lanes>& f, Mask& open) {
   const auto at = corner(in_order(f));
   Mask met = at.met;
@@ -169,7 +169,7 @@ Records find(const BatchJob& job, const unsigned* indices, unsigned count) {
   return r;
 }
 
-/// Pairs that first sight has left open, at their indices.
+/// Pairs that the separating-axis filter has left open, at their indices.
 template <bool steep>
 unsigned finish(const BatchJob& job, const unsigned* indices, unsigned count, unsigned* rest) {
   unsigned left = 0;
@@ -184,10 +184,11 @@ unsigned finish(const BatchJob& job, const unsigned* indices, unsigned count, un
       open = f.c <= steep_cosine;  // all
       met = settle(f, open);
     } else {
-      const auto sight = at_first_sight(f);
+      const auto filter = separating_axis_filter(f);
       const Mask parallel = f.s2 < parallel_square;
-      met = (sight.met & negate(sight.apart) & negate(parallel)) | (parallel & negate(apart_in_parallel(p)));
-      open = negate(parallel | sight.apart | sight.met);
+      met =
+          (filter.met & negate(filter.apart) & negate(parallel)) | (parallel & negate(apart_in_parallel(p)));
+      open = negate(parallel | filter.apart | filter.met);
       if (bits(open) != 0) {
         const Mask asked = open;
         met = met | (settle(f, open) & asked);
@@ -220,8 +221,8 @@ unsigned CYL_KERNEL(const BatchJob& job, unsigned* rest) {
     }
     const Couple<Lanes> p = load(r.first, r.second);
     const Sections<Lanes> f = sections(p);
-    const auto sight = at_first_sight(f);
-    const unsigned apart = bits(sight.apart), seen = apart | bits(sight.met);
+    const auto filter = separating_axis_filter(f);
+    const unsigned apart = bits(filter.apart), seen = apart | bits(filter.met);
     const unsigned at_angle = bits(f.c <= steep_cosine);
     const unsigned decided = ordinary & at_angle & seen;
     for (unsigned i = 0; i < n; ++i) job.verdicts[start + i] = static_cast<unsigned char>(~apart >> i & 1);

@@ -134,8 +134,8 @@ auto apart_in_parallel(const Couple<T>& p) noexcept {
 }
 
 /// The roles in an order of their own, which neither scaling by 2^k nor reversing an axis nor swapping the
-/// roles changes: what comes after at_first_sight is not symmetric. Where all of it is equal, so are the
-/// roles.
+/// roles changes: what comes after separating_axis_filter is not symmetric. Where all of it is equal, so are
+/// the roles.
 template <class T>
 Sections<T> in_order(const Sections<T>& f) noexcept {
   const auto swapped =
@@ -153,14 +153,14 @@ Sections<T> in_order(const Sections<T>& f) noexcept {
 }
 
 template <class Mask>
-struct Sight {
+struct FilterResult {
   Mask apart, met;
 };
 
 /// Five rejections and one slice, without a division: they decide most pairs (section 2). Symmetric in the
 /// roles bit for bit. Where both are true, apart counts.
 template <class T>
-[[gnu::always_inline]] inline auto at_first_sight(const Sections<T>& f) noexcept {
+[[gnu::always_inline]] inline auto separating_axis_filter(const Sections<T>& f) noexcept {
   const T radii = f.r0 + f.r1, reach_s = f.s * radii;
   const T most2 = f.r0 + f.c * f.r1, most3 = f.c * f.r0 + f.r1;
   const T q = root(positive((reach_s - f.z_s) * (reach_s + f.z_s)));  // times s radii
@@ -168,7 +168,7 @@ template <class T>
                      (f.k3_s > f.s * most3);
   const auto met = (f.k0 * radii <= q * f.r1) & (f.k1 * radii <= q * f.r0) & (f.k2_s * radii <= q * most2) &
                    (f.k3_s * radii <= q * most3);
-  return Sight<decltype(apart | met)>{apart, met};
+  return FilterResult<decltype(apart | met)>{apart, met};
 }
 
 /// Relative, of the square of a radius: more than the roundings of the two squares compared with it.
@@ -194,7 +194,7 @@ struct Corner {
   Mask in_vain;         ///< H rises, but not to 0 (section 4)
 };
 
-/// Not for pairs that are apart at first sight.
+/// Not for pairs that are apart by the separating-axis filter.
 template <class T>
 auto corner(const Sections<T>& f) noexcept {
   const T inverse = T(1) / f.s;

@@ -5,7 +5,7 @@
 
 #include "solver/literature/document.hpp"
 
-namespace cyl::seeds {
+namespace cyl::literature {
 
 /// Between low and high, `unit` long in each; true as soon as `found(r)` is.
 template <class Found, class Slope>
@@ -25,4 +25,4 @@ bool bisect(double low, double high, double unit, const Options& options, Found&
   return false;
 }
 
-}  // namespace cyl::seeds
+}  // namespace cyl::literature

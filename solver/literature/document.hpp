@@ -9,7 +9,7 @@
 
 #include "solver/cylinder.hpp"
 
-namespace cyl::seeds {
+namespace cyl::literature {
 
 /// What the documents get wrong, numbered as in errata.md. Each is a switch of the mended method, so that it
 /// can be shown alone; `printed` has all that its document has.
@@ -68,4 +68,4 @@ struct Separation {
   Vector3 direction{0, 0, 0};
 };
 
-}  // namespace cyl::seeds
+}  // namespace cyl::literature

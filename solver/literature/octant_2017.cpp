@@ -8,7 +8,7 @@
 
 #include "solver/detail/frame.hpp"
 
-namespace cyl::seeds {
+namespace cyl::literature {
 namespace {
 
 double own_sign(double given, double x) noexcept { return given != 0 ? given : x > 0 ? 1 : x < 0 ? -1 : 0; }
@@ -97,4 +97,4 @@ Cell::Interval Cell::chord(const Point& x, const Point& d) const noexcept {
   return {low, high};
 }
 
-}  // namespace cyl::seeds
+}  // namespace cyl::literature

@@ -5,7 +5,7 @@
 
 #include "solver/literature/document.hpp"
 
-namespace cyl::seeds {
+namespace cyl::literature {
 
 using Point = Eigen::Vector2d;  ///< (s, t)
 
@@ -54,4 +54,4 @@ struct Cell {
   Interval chord(const Point& x, const Point& d) const noexcept;
 };
 
-}  // namespace cyl::seeds
+}  // namespace cyl::literature

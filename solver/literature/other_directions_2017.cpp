@@ -17,7 +17,7 @@
 #include "solver/literature/octant_2017.hpp"
 #include "solver/literature/separation_2017.hpp"
 
-namespace cyl::seeds {
+namespace cyl::literature {
 namespace {
 
 /// |P D| for |D| >= 3^-1/2 below which an axis counts as near: a line more, none less.
@@ -234,4 +234,4 @@ Direction separated_by_other_directions(const Couple<double>& p, Minimiser minim
   return {};
 }
 
-}  // namespace cyl::seeds
+}  // namespace cyl::literature

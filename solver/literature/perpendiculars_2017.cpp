@@ -6,7 +6,7 @@
 #include "solver/literature/bisection.hpp"
 #include "solver/literature/separation_2017.hpp"
 
-namespace cyl::seeds {
+namespace cyl::literature {
 namespace {
 
 double sign_of(double x) noexcept { return x > 0 ? 1 : x < 0 ? -1 : 0; }
@@ -114,4 +114,4 @@ Direction separated_by_cylinder_perpendiculars(const Couple<double>& p, const Op
   return {};
 }
 
-}  // namespace cyl::seeds
+}  // namespace cyl::literature

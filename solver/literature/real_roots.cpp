@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-namespace cyl::seeds {
+namespace cyl::literature {
 
 RealRoots real_roots(std::span<const double> c, double tolerance) noexcept {
   RealRoots roots;
@@ -36,4 +36,4 @@ RealRoots real_roots(std::span<const double> c, double tolerance) noexcept {
   return roots;
 }
 
-}  // namespace cyl::seeds
+}  // namespace cyl::literature

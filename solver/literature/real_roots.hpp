@@ -5,7 +5,7 @@
 #include <array>
 #include <span>
 
-namespace cyl::seeds {
+namespace cyl::literature {
 
 inline constexpr int degree_cap = 8;  ///< of a polynomial whose roots are asked for
 
@@ -19,4 +19,4 @@ struct RealRoots {
 /// multiplicity m come with an error of about 2^(-53/m). None where a coefficient is not finite.
 RealRoots real_roots(std::span<const double> c, double tolerance) noexcept;
 
-}  // namespace cyl::seeds
+}  // namespace cyl::literature

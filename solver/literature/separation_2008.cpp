@@ -5,7 +5,7 @@
 #include "solver/literature/separation_2008_interior.hpp"
 #include "solver/literature/solids.hpp"
 
-namespace cyl::seeds {
+namespace cyl::literature {
 namespace {
 
 // Section 7, f(W_i) < 0 without a root. The other solid's radius counts.
@@ -65,4 +65,4 @@ Separation separation_2008(const Cylinder& a, const Cylinder& b, CircleWay circl
   return separation_2008(prepare(a), prepare(b), circle, critical, options);
 }
 
-}  // namespace cyl::seeds
+}  // namespace cyl::literature

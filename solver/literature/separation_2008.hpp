@@ -6,7 +6,7 @@
 #include "solver/decide.hpp"
 #include "solver/literature/document.hpp"
 
-namespace cyl::seeds {
+namespace cyl::literature {
 
 /// The ways in which section 8 looks at the directions perpendicular to an axis.
 enum class CircleWay : unsigned char {
@@ -39,4 +39,4 @@ Separation separation_2008(const Prepared& a, const Prepared& b, CircleWay circl
 Separation separation_2008(const Cylinder& a, const Cylinder& b, CircleWay circle, CriticalWay critical,
                            const Options& options) noexcept;
 
-}  // namespace cyl::seeds
+}  // namespace cyl::literature

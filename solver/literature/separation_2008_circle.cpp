@@ -5,7 +5,7 @@
 
 #include "solver/literature/real_roots.hpp"
 
-namespace cyl::seeds {
+namespace cyl::literature {
 namespace {
 
 template <std::size_t n, std::size_t m>
@@ -163,4 +163,4 @@ bool separated_on_circle(const Solids& solids, int i, CircleWay way, const Optio
   return false;
 }
 
-}  // namespace cyl::seeds
+}  // namespace cyl::literature

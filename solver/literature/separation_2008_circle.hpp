@@ -5,7 +5,7 @@
 #include "solver/literature/separation_2008.hpp"
 #include "solver/literature/solids.hpp"
 
-namespace cyl::seeds {
+namespace cyl::literature {
 
 /// f on the circle D = x U0 + y V0 with U0 = n x W0 and V0 = n ("0" is the solid whose axis is meant):
 ///
@@ -62,4 +62,4 @@ PlaneVector from_ellipse(const Circle& circle, const Options& options) noexcept;
 bool separated_on_circle(const Solids& solids, int i, CircleWay way, const Options& options,
                          Finder& finder) noexcept;
 
-}  // namespace cyl::seeds
+}  // namespace cyl::literature

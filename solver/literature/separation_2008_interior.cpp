@@ -4,7 +4,7 @@
 #include <Eigen/Eigenvalues>
 #include <Eigen/LU>
 
-namespace cyl::seeds {
+namespace cyl::literature {
 namespace {
 
 Matrix2 outer(const Vector2& a) noexcept { return a * a.transpose(); }
@@ -144,4 +144,4 @@ bool separated_inside(const Solids& p, CriticalWay way, const Options& options, 
   return false;
 }
 
-}  // namespace cyl::seeds
+}  // namespace cyl::literature

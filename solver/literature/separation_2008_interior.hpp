@@ -6,7 +6,7 @@
 #include "solver/literature/separation_book.hpp"
 #include "solver/literature/solids.hpp"
 
-namespace cyl::seeds {
+namespace cyl::literature {
 
 /// g0(D) = r0 |P0 D| + r1 |P1 D| - D.phi, which is f(D) where sign0 D.W0, sign1 D.W1 and D.Delta >= 0. Of the
 /// eight signs four have this form, the others are their companions: g1(D) = g0(-D).
@@ -36,4 +36,4 @@ bool below_by_squares(double a_squared, double b_squared, double c_squared) noex
 /// case's own signs need not be rejected: f itself is asked there.
 bool separated_inside(const Solids& solids, CriticalWay way, const Options& options, Finder& finder) noexcept;
 
-}  // namespace cyl::seeds
+}  // namespace cyl::literature

@@ -9,7 +9,7 @@
 #include "solver/literature/separation_2008_circle.hpp"
 #include "solver/literature/separation_2008_interior.hpp"
 
-namespace cyl::seeds {
+namespace cyl::literature {
 namespace {
 
 constexpr CircleWay circle_ways[] = {CircleWay::polynomial, CircleWay::projection, CircleWay::minimise};
@@ -279,4 +279,4 @@ TEST(RealRoots, NoneOfWhatIsNotFiniteOrConstant) {
 }
 
 }  // namespace
-}  // namespace cyl::seeds
+}  // namespace cyl::literature

@@ -5,7 +5,7 @@
 
 #include "solver/detail/frame.hpp"
 
-namespace cyl::seeds {
+namespace cyl::literature {
 namespace {
 
 Vector3 axis0(const Couple<double>& p) noexcept { return {p.w0x, p.w0y, p.w0z}; }
@@ -75,4 +75,4 @@ Separation separated_by_perpendiculars_of_a(const Prepared& a, const Prepared& b
   return from_a_to_b(separated_by_cylinder_perpendiculars(p, options), p);
 }
 
-}  // namespace cyl::seeds
+}  // namespace cyl::literature

@@ -8,7 +8,7 @@
 #include "solver/detail/sections.hpp"
 #include "solver/literature/document.hpp"
 
-namespace cyl::seeds {
+namespace cyl::literature {
 
 /// Everything the text gets wrong.
 inline constexpr Faults faults_2017 =
@@ -74,4 +74,4 @@ struct Quarter {
   double bend(double t) const noexcept;
 };
 
-}  // namespace cyl::seeds
+}  // namespace cyl::literature

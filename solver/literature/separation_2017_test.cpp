@@ -11,7 +11,7 @@
 #include "solver/literature/octant_2017.hpp"
 #include "solver/solver_test.hpp"
 
-namespace cyl::seeds {
+namespace cyl::literature {
 namespace {
 
 constexpr double half = 0.5;
@@ -276,4 +276,4 @@ TEST(Printed2017, EndsOnDegenerateInput) {
 }
 
 }  // namespace
-}  // namespace cyl::seeds
+}  // namespace cyl::literature

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <utility>
 
-namespace cyl::seeds {
+namespace cyl::literature {
 
 CriticalPairs solve_singular(const CriticalSystem& system) noexcept {
   CriticalPairs pairs;
@@ -59,4 +59,4 @@ CriticalPairs solve_adjugate(const CriticalSystem& s, Faults faults) noexcept {
   return pairs;
 }
 
-}  // namespace cyl::seeds
+}  // namespace cyl::literature

@@ -7,7 +7,7 @@
 
 #include "solver/literature/document.hpp"
 
-namespace cyl::seeds {
+namespace cyl::literature {
 
 using Vector2 = Eigen::Vector2d;
 using Matrix2 = Eigen::Matrix2d;
@@ -42,4 +42,4 @@ CriticalPairs solve_singular(const CriticalSystem& system) noexcept;
 /// det(B0) and det(B1) not 0: P_0 = -C P_1 with C = Adj(B0) B1, |P_0| = r0 |det(B0)|, |P_1| = r1.
 CriticalPairs solve_adjugate(const CriticalSystem& system, Faults faults) noexcept;
 
-}  // namespace cyl::seeds
+}  // namespace cyl::literature

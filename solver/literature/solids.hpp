@@ -7,7 +7,7 @@
 
 #include "solver/detail/frame.hpp"
 
-namespace cyl::seeds {
+namespace cyl::literature {
 
 /// W_i, r_i, *half* heights h_i, Delta, and the one frame that suits both solids: n is the axes' common unit
 /// normal, and (n x W_i, n, W_i) is the (U_i, V_i, W_i) of solid i. The text leaves U_i and V_i open.
@@ -57,4 +57,4 @@ class Finder {
   const Solids& solids_;
 };
 
-}  // namespace cyl::seeds
+}  // namespace cyl::literature
