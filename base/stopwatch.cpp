@@ -52,13 +52,6 @@ class InstructionCounter {
   int file_;
 };
 
-/// What this thread has used of a processor.
-double processor_ns() {
-  timespec used{};
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &used);
-  return static_cast<double>(used.tv_sec) * 1e9 + static_cast<double>(used.tv_nsec);
-}
-
 std::uint64_t ticks() {
 #if defined(__x86_64__)
   _mm_lfence();
@@ -71,6 +64,12 @@ std::uint64_t ticks() {
 }
 
 }  // namespace
+
+double processor_ns() {
+  timespec used{};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &used);
+  return static_cast<double>(used.tv_sec) * 1e9 + static_cast<double>(used.tv_nsec);
+}
 
 void keep(double value) { sink = value; }
 

@@ -41,6 +41,9 @@ struct CallTimes {
 /// less the least time of an empty call.
 CallTimes time_calls(const std::function<void(std::size_t)>& call, std::size_t count, int passes);
 
+/// Returns the CPU time of this thread: what others do on the machine is not in it.
+double processor_ns();
+
 /// Makes the compiler believe that `value` is looked at.
 void keep(double value);
 

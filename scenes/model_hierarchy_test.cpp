@@ -7,21 +7,12 @@
 
 #include "corpus/pairs/families.hpp"
 #include "oracles/referee/referee.hpp"
+#include "scenes/scene_study.hpp"
 
 namespace cyl {
 namespace {
 
-/// Whether the referee proves them within the clearance (1), apart (0), or neither (-1).
-int truth_of(const Pair& pair, double clearance) {
-  if (clearance == 0) {
-    const Verdict v = judge_verdict(pair).verdict;
-    return v == Verdict::disjoint ? 0 : v == Verdict::intersecting || v == Verdict::touching ? 1 : -1;
-  }
-  const Enclosure d = enclose_distance(pair, judge(pair));
-  return d.lo > clearance ? 0 : d.hi <= clearance ? 1 : -1;
-}
-
-/// In sizes: 1 % above or below the distance where they are apart, else some.
+/// Relative to the size: 1 % above or below the distance where they are apart, else some.
 double clearance_near(const Pair& pair, std::uint64_t way) {
   const double gap = enclose_distance(pair, judge(pair)).lo / size_of(pair);
   return gap < 1e-6 || way > 1 ? 0.01 : way == 0 ? 1.01 * gap : 0.99 * gap;
@@ -41,15 +32,15 @@ Tried expect_never_wrong(bool with_clearance) {
       const double size = size_of(pair);
       if (!(size > 1e-100 && size < 1e100)) continue;
       const double clearance = with_clearance ? clearance_near(pair, i % 4) * size : 0;
-      const int truth = truth_of(pair, clearance);
-      if (truth < 0) continue;
+      const auto truth = referee_within(pair, clearance);
+      if (!truth) continue;
       const ProxyModels a = make_models(pair.a, clearance), b = make_models(pair.b, clearance);
       for (const Level level : enum_values<Level>) {
         const Proximity seen = proximity(level, a, b, clearance);
         EXPECT_EQ(seen, proximity(level, b, a, clearance)) << to_string(level);
         if (seen == Proximity::unclear) continue;
         ++(seen == Proximity::apart ? tried.apart : tried.within)[index_of(level)];
-        if ((seen == Proximity::within) == (truth == 1)) continue;
+        if ((seen == Proximity::within) == *truth) continue;
         const double reach = size + (pair.b.center - pair.a.center).norm();
         const Enclosure d = enclose_distance(pair, judge(pair), 1e-15);  // as narrow as doubles have it
         const double miss = std::max(std::abs(d.lo - clearance), std::abs(d.hi - clearance));

@@ -108,7 +108,7 @@ class Study {
 
   // Not with the truths found above: everything anew, by the referee alone.
   void verify() {
-    Verification v;
+    Verification& v = result_.verification.emplace();
     const std::size_t pairs = result_.pairs.size(), all = pairs * result_.configurations;
     const std::size_t stride = std::max<std::size_t>(1, (all + verified_cap - 1) / verified_cap);
     for (std::size_t k = 0; k < result_.configurations; ++k) {
@@ -117,21 +117,11 @@ class Study {
         if ((k * pairs + i) % stride != 0) continue;
         const PairStudy& pair = result_.pairs[i];
         const Pair solids{placed_[pair.a], placed_[pair.b]};
-        const auto truth = referee_within(solids, q_.clearance);
-        ++v.asked;
-        if (!truth) {
-          ++v.undecided;
-          continue;
-        }
-        const bool said = within(pair.cascade, make_models(solids.a, q_.clearance),
-                                 make_models(solids.b, q_.clearance), q_.clearance);
-        if (said == *truth) continue;
-        const bool forgiven =
-            said && enclose_distance(solids, judge(solids)).lo <= q_.clearance + q_.tolerated;
-        ++(forgiven ? v.tolerated : v.wrong);
+        v.add(solids, q_.clearance, q_.tolerated,
+              within(pair.cascade, make_models(solids.a, q_.clearance), make_models(solids.b, q_.clearance),
+                     q_.clearance));
       }
     }
-    result_.verification = v;
   }
 
   void measure() {
@@ -239,6 +229,15 @@ std::optional<bool> referee_within(const Pair& pair, double clearance) {
   const Enclosure distance = enclose_distance(pair, judge(pair));
   if (distance.lo > clearance) return false;
   return distance.hi <= clearance ? std::optional<bool>(true) : std::nullopt;
+}
+
+void Verification::add(const Pair& pair, double clearance, double tolerance, bool said) {
+  ++asked;
+  const auto truth = referee_within(pair, clearance);
+  if (!truth)
+    ++undecided;
+  else if (said != *truth)
+    ++(said && enclose_distance(pair, judge(pair)).lo <= clearance + tolerance ? tolerated : wrong);
 }
 
 bool suffices(const PairStudy& pair, Level level, double tolerated) {

@@ -64,6 +64,8 @@ struct ClosestCall {
 
 struct Verification {
   std::size_t asked = 0, wrong = 0, tolerated = 0, undecided = 0;
+  /// Asks the referee whether the pair is within the clearance, as was said or not.
+  void add(const Pair& pair, double clearance, double tolerance, bool said);
 };
 
 struct SceneStudy {
