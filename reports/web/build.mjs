@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Builds what is committed: page_template.html, the page of a run or a scene without its data, and chart.mjs, the plots
-// for Node.
-//     npm ci && node build.mjs            writes all
-//     node build.mjs --check              says whether all are what these sources give; exit status 1 where not
-// The same sources and package-lock.json give the same bytes. All carry the hash of what they were built from, which
+// Builds what is committed: page_template.html, the page of a run or a scene without its data.
+//     npm ci && node build.mjs            writes it
+//     node build.mjs --check              says whether it is what these sources give; exit status 1 where not
+// The same sources and package-lock.json give the same bytes. It carries the hash of what it was built from, which
 // data_test.mjs holds against the sources without npm.
 import { createHash } from "node:crypto";
 import { existsSync, readFileSync, writeFileSync } from "node:fs";
@@ -55,8 +54,8 @@ async function bundle(options) {
   return { text: outputFiles[0].text, licences: licences(metafile) };
 }
 
-async function page(entry) {
-  const bundled = await bundle({ entryPoints: [entry], format: "iife", target: "es2022" });
+async function page() {
+  const bundled = await bundle({ entryPoints: ["main.tsx"], format: "iife", target: "es2022" });
   const script = bundled.text.trimEnd().replaceAll("</script", "<\\/script").replaceAll("<!--", "<\\!--");
   const style = (await bundle({ entryPoints: ["style.css"] })).text.trimEnd();
   const hash = (text) => `'sha256-${createHash("sha256").update(text).digest("base64")}'`;
@@ -70,28 +69,13 @@ async function page(entry) {
     .replace("@@SCRIPT@@", () => script);
 }
 
-async function chart() {
-  const bundled = await bundle({ entryPoints: ["chart.ts"], format: "esm", platform: "node", target: "node18" });
-  const head = `// SPDX-License-Identifier: MIT\n// Built by build.mjs, not written by hand. Sources: ${stamp}\n`;
-  return `${head}/* It holds\n\n${bundled.licences}\n*/\n${bundled.text}`;
+const name = "page_template.html",
+  file = new URL(name, here),
+  text = await page();
+if (process.argv.includes("--check")) {
+  const same = existsSync(file) && readFileSync(file, "utf8") === text;
+  console.log(`${name}: ${same ? "is what these sources give" : "is not what these sources give; run node build.mjs"}`);
+  process.exit(same ? 0 : 1);
 }
-
-const outputs = [
-  ["page_template.html", await page("main.tsx")],
-  ["chart.mjs", await chart()],
-];
-let stale = false;
-for (const [name, text] of outputs) {
-  const file = new URL(name, here);
-  if (process.argv.includes("--check")) {
-    const same = existsSync(file) && readFileSync(file, "utf8") === text;
-    console.log(
-      `${name}: ${same ? "is what these sources give" : "is not what these sources give; run node build.mjs"}`,
-    );
-    stale ||= !same;
-  } else {
-    writeFileSync(file, text);
-    console.log(`${name}: ${text.length} characters`);
-  }
-}
-process.exit(stale ? 1 : 0);
+writeFileSync(file, text);
+console.log(`${name}: ${text.length} characters`);

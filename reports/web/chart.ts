@@ -1,11 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The plots as files for a paper or a README, in Node: daylight chart runs it, with interface Report on standard input.
-//     node chart.mjs FOLDER < report.json        writes FOLDER/*.svg and names each on standard output
-import { mkdirSync, writeFileSync } from "node:fs";
-import { argv, exit, stdin } from "node:process";
-import { pathToFileURL } from "node:url";
-import { parseHTML } from "linkedom";
-import type { Report } from "./data.ts";
+// The plots as files for a paper or a README; and what else of the page chart.mjs gives to Node.
 import {
   backward_plot,
   cost_plot,
@@ -22,13 +16,14 @@ import {
   wrong_plot,
   type Options,
 } from "./plots.ts";
+import { plain_document } from "./plain_document.ts";
 import { expand, in_run_order, type FullReport } from "./report.ts";
 import { grouped, library } from "./words.ts";
 
 export { exact, floor_sqrt, prove } from "./prove.ts";
 export { chip_counts, filter_of, filtered, rows_of, sorted } from "./filter.ts";
 export { frame_of, stand_in } from "./study.ts";
-export { expand, pareto };
+export { expand, pareto, plain_document };
 
 /** Points of a file's width; text is 11 of them high. */
 const width = 760;
@@ -185,24 +180,4 @@ export function charts(report: FullReport, document: Document): Map<string, stri
       framed(backward_plot(report.backward, o), "How far the input must move for a wrong answer to be right", []),
     );
   return files;
-}
-
-/** A document to draw in, where there is no browser. */
-export const plain_document = (): Document =>
-  parseHTML("<!DOCTYPE html><html><body></body></html>").document as unknown as Document;
-
-if (argv[1] !== undefined && import.meta.url === pathToFileURL(argv[1]).href) {
-  const folder = argv[2];
-  if (folder === undefined) {
-    console.error("usage: node chart.mjs FOLDER < report.json");
-    exit(64);
-  }
-  mkdirSync(folder, { recursive: true });
-  let text = "";
-  for await (const chunk of stdin.setEncoding("utf8")) text += chunk; // readFileSync(0) fails where a pipe is slow
-  const report = expand(JSON.parse(text) as Report);
-  for (const [name, text] of charts(report, plain_document())) {
-    writeFileSync(`${folder}/${name}.svg`, text);
-    console.log(`${folder}/${name}.svg`);
-  }
 }

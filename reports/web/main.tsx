@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The page: it shows the run or the scene that its data describe.
 import { render } from "preact";
+import * as for_node from "./chart.ts";
 import { data_of, expand } from "./report.ts";
 import { RunPage } from "./run_page.tsx";
 import { StudyPage } from "./study_page.tsx";
@@ -23,16 +24,23 @@ function shown() {
   return { title: safe(data.run.id), view: <RunPage report={expand(data)} /> };
 }
 
-const page = document.getElementById("page")!;
-try {
-  const it = shown();
-  if (it) {
-    document.title = `daylight ${it.title}`;
-    render(it.view, page);
-  } else {
-    page.textContent = no_data;
+/** Draws the page, or says why it cannot. */
+function draw() {
+  const page = document.getElementById("page")!;
+  try {
+    const it = shown();
+    if (it) {
+      document.title = `daylight ${it.title}`;
+      render(it.view, page);
+    } else {
+      page.textContent = no_data;
+    }
+  } catch (error) {
+    page.textContent = `The data of this page cannot be read: ${error}`;
+    console.error(error);
   }
-} catch (error) {
-  page.textContent = `The data of this page cannot be read: ${error}`;
-  console.error(error);
 }
+
+// In Node there is no page to draw: chart.mjs takes from here what draws the plots as files.
+if (typeof document === "undefined") Object.assign(globalThis, { daylight: for_node });
+else draw();

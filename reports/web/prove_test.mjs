@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The prover of the page, as it was built into chart.mjs: good certificates hold, tampered ones do not.
+// The prover of the page, as it was built into the page: good certificates hold, tampered ones do not.
 //     node --test prove_test.mjs
 import assert from "node:assert/strict";
 import { test } from "node:test";
