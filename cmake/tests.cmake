@@ -33,7 +33,7 @@ function(daylight_tests folder)
     PROPERTIES LABELS ${folder} ENVIRONMENT "RC_PARAMS=seed=20261121 max_success=500" TIMEOUT 1200)
 endfunction()
 
-daylight_tests(base base)
+daylight_tests(base base base/process)
 daylight_tests(solver solver solver/literature corpus/pairs)
 daylight_tests(corpus corpus/pairs corpus/store)
 daylight_tests(oracles oracles/trial props/laws)
