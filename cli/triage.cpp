@@ -50,7 +50,7 @@ int triage(const Arguments& arguments) {
   options.build = build_info().text();
   if (!options.suppressions.empty()) options.cases = read_case_folder(in_source_tree("corpus/cases"));
 
-  const auto methods = company_for(arguments.guests, {arguments.run}).methods;
+  const auto methods = methods_for_targets(arguments.guests, {arguments.run}).methods;
   Triage result;
   {
     ProgressLine line;
@@ -59,7 +59,7 @@ int triage(const Arguments& arguments) {
       line.show(
           p.elapsed,
           std::min(1.0, static_cast<double>(p.elapsed.count()) / static_cast<double>(options.budget.count())),
-          fmt::format("causes of {} of {} findings told, {} simplified, {} causes searched", p.told,
+          fmt::format("causes of {} of {} findings told, {} simplified, {} causes searched", p.classified,
                       p.findings, p.simplified, p.searched));
     });
   }
@@ -67,13 +67,14 @@ int triage(const Arguments& arguments) {
   fmt::print(
       "{} causes of {} kept findings; {} simplified, {} causes searched for a worse pair, --for gives "
       "them more time\n",
-      result.buckets.size(), result.progress.told, result.progress.simplified, result.progress.searched);
+      result.buckets.size(), result.progress.classified, result.progress.simplified,
+      result.progress.searched);
   const TriageProgress& p = result.progress;
-  if (p.told + p.absent < p.findings)
-    fmt::print("{} not looked at yet: run it again to go on\n", p.findings - p.told - p.absent);
+  if (p.classified + p.absent < p.findings)
+    fmt::print("{} not looked at yet: run it again to go on\n", p.findings - p.classified - p.absent);
   if (p.absent > 0) fmt::print("{} are of guests that are not here\n", p.absent);
   for (const std::string& remark : result.remarks) fmt::print("{}\n", remark);
-  if (!arguments.json.empty()) write_file(arguments.json, result.buckets.dump(1) + '\n');
+  if (!arguments.json.empty()) write_file(arguments.json, to_json(result.buckets).dump(1) + '\n');
   write_page(read_run(arguments.run), in_source_tree("props/mutants/kill_matrix.jsonl"));
   fmt::print("page: {}/report.html\n", arguments.run);
   return exit_code(result);
@@ -96,14 +97,14 @@ OneFailure failure_in(const nlohmann::json& bucket) {
 
 int explain_bucket(const Arguments& arguments) {
   const OneFailure failure = failure_in(bucket_of(arguments, arguments.explained));
-  const auto methods = company_for(arguments.guests, {arguments.run}).methods;
+  const auto methods = methods_for_targets(arguments.guests, {arguments.run}).methods;
   fmt::print("{}", explanation_text(explain(methods, failure.method, failure.kind, failure.pair)));
   return exit_pass;
 }
 
 int export_bucket(const Arguments& arguments) {
   const OneFailure failure = failure_in(bucket_of(arguments, arguments.exported));
-  export_failure(company_for(arguments.guests, {arguments.run}), failure, arguments.out);
+  export_failure(methods_for_targets(arguments.guests, {arguments.run}), failure, arguments.out);
   return exit_pass;
 }
 

@@ -43,23 +43,17 @@ bool before(const Past& x, const Past& y) {
 }
 
 /// Nothing where the group is neither here nor was in the last run that could have found it.
-std::optional<GroupStatus> status_of(const Key& key, const Past& here, const std::vector<Past>& earlier) {
+std::optional<Recurrence> status_of(const Key& key, const Past& here, const std::vector<Past>& earlier) {
   const MethodFamily asked{std::get<0>(key), std::get<3>(key)};
-  bool ever = false, last = false;
-  for (const Past& past : earlier) {
-    if (!past.asked.contains(asked)) continue;
-    last = past.found.contains(key);
-    ever |= last;
-  }
-  if (here.found.contains(key))
-    return !ever ? GroupStatus::fresh : last ? GroupStatus::known : GroupStatus::back;
-  if (last && here.asked.contains(asked)) return GroupStatus::gone;
-  return {};
+  std::vector<bool> found;
+  for (const Past& past : earlier)
+    if (past.asked.contains(asked)) found.push_back(past.found.contains(key));
+  return recurrence(here.found.contains(key), here.asked.contains(asked), found);
 }
 
 }  // namespace
 
-std::size_t History::count(GroupStatus status) const {
+std::size_t History::count(Recurrence status) const {
   return static_cast<std::size_t>(
       std::count_if(groups.begin(), groups.end(), [&](const auto& g) { return g.second == status; }));
 }
@@ -94,13 +88,13 @@ History compare_with_earlier(const RunData& data) {
 }
 
 std::string format_history(const History& history) {
-  const auto number = [&](GroupStatus status) {
+  const auto number = [&](Recurrence status) {
     return fmt::format("{} {}", history.count(status), to_string(status));
   };
   std::string text =
       fmt::format("against {} earlier run{} beside it: {}, {}, {}, {}", history.runs,
-                  history.runs == 1 ? "" : "s", number(GroupStatus::fresh), number(GroupStatus::known),
-                  number(GroupStatus::gone), number(GroupStatus::back));
+                  history.runs == 1 ? "" : "s", number(Recurrence::fresh), number(Recurrence::known),
+                  number(Recurrence::gone), number(Recurrence::back));
   if (history.unreadable > 0) text += fmt::format("; {} that cannot be read passed over", history.unreadable);
   return text;
 }

@@ -8,10 +8,9 @@
 #include <optional>
 #include <utility>
 
-#include "oracles/methods/contained.hpp"
-#include "oracles/referee/referee.hpp"
 #include "oracles/trial/algorithm_groups.hpp"
 #include "oracles/trial/mechanism.hpp"
+#include "oracles/trial/trial.hpp"
 
 namespace cyl {
 namespace {
@@ -24,36 +23,27 @@ constexpr Caps caps{
 
 std::set<std::string> causes_of(std::span<const std::unique_ptr<Method>> methods,
                                 std::span<const Case> cases) {
-  const std::vector<std::size_t> kin = kin_of(methods);
+  const std::vector<std::size_t> groups = algorithm_groups(methods);
+  const GroupedMethods grouped{methods, groups};
   std::set<std::string> causes;
   for (std::size_t first = 0; first < cases.size(); first += cases_at_once) {
     std::vector<Pair> pairs;
-    std::vector<Question> questions;
     for (const Case& c : cases.subspan(first, std::min(cases_at_once, cases.size() - first)))
       pairs.push_back(c.pair);
-    for (std::size_t m = 0; m < methods.size(); ++m)
-      for (std::size_t p = 0; p < pairs.size(); ++p) questions.push_back({m, p});
-    const std::vector<ContainedAnswer> said = ask_contained(methods, pairs, questions, caps);
+    const std::vector<Trial> trials = try_methods(methods, pairs, caps);
     std::vector<Failing> failing;
-    std::vector<Severity> severities;
-    std::vector<std::string> reasons;
-    for (std::size_t p = 0; p < pairs.size(); ++p) {
-      std::vector<MethodAnswer> answers;
-      for (std::size_t m = 0; m < methods.size(); ++m) answers.push_back(said[m * pairs.size() + p].answer);
-      const Truth truth = judge(pairs[p], answers);
-      LazyDistance distance([&](double width) { return enclose_distance(pairs[p], truth, width); });
+    std::vector<std::pair<Severity, std::string>> found;  // and the method's own words
+    for (const Trial& trial : trials)
       for (std::size_t m = 0; m < methods.size(); ++m) {
-        const auto wrong = compare(pairs[p], truth, distance, methods[m]->claim(), answers[m]);
+        const std::optional<Finding>& wrong = trial.findings[m];
         if (!wrong) continue;
-        failing.push_back({m, wrong->kind, pairs[p]});
-        severities.push_back(wrong->severity);
-        reasons.push_back(answers[m].reason);
+        failing.push_back({m, wrong->kind, trial.pair});
+        found.emplace_back(wrong->severity, trial.answers[m].reason);
       }
-    }
-    const std::vector<Told> told = tell_mechanisms(methods, kin, failing, caps);
+    const std::vector<Classification> classified = classify(grouped, failing, caps);
     for (std::size_t i = 0; i < failing.size(); ++i)
-      causes.insert(
-          cause_key(methods, kin, failing[i].method, failing[i].kind, severities[i], told[i], reasons[i]));
+      causes.insert(cause_key(grouped, failing[i].method, failing[i].kind, found[i].first,
+                              classified[i].mechanism, found[i].second));
   }
   return causes;
 }
@@ -61,7 +51,7 @@ std::set<std::string> causes_of(std::span<const std::unique_ptr<Method>> methods
 void mark_suppressed(GateReport& report, std::span<const std::unique_ptr<Method>> methods,
                      const std::vector<Suppression>& suppressions, std::string_view today) {
   if (suppressions.empty()) return;
-  const std::vector<std::size_t> kin = kin_of(methods);
+  const std::vector<std::size_t> groups = algorithm_groups(methods);
   for (GateFailure& f : report.failures) {
     if (find_suppression(suppressions, f.bucket, today) != nullptr) f.known = true;
     const auto kind = from_word<FindingKind>(f.kind);
@@ -69,8 +59,7 @@ void mark_suppressed(GateReport& report, std::span<const std::unique_ptr<Method>
         std::find_if(methods.begin(), methods.end(), [&](const auto& m) { return m->name() == f.method; });
     if (f.known || !kind || method == methods.end()) continue;
     const Failing failing{static_cast<std::size_t>(method - methods.begin()), *kind, f.simplest};
-    const Told told = tell_mechanisms(methods, kin, {&failing, 1}, caps)[0];
-    const std::string cause = cause_key(methods, kin, failing.method, *kind, f.severity, told, f.reason);
+    const std::string cause = find_cause({methods, groups}, failing, f.severity, f.reason, caps);
     f.known = find_suppression(suppressions, cause, today) != nullptr;
   }
 }

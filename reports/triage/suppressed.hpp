@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Suppressions (corpus/store/suppressions.hpp) held against what is stored and against a gate's failures.
+// Compares suppressions (corpus/store/suppressions.hpp) with what is stored and with a gate's failures.
 #pragma once
 
 #include <memory>
@@ -16,17 +16,17 @@
 
 namespace cyl {
 
-/// The causes of all that any method gets wrong on the cases, by cause_key(); contained. Cost: some seconds
-/// with all_methods().
+/// Returns the causes of all that any method gets wrong on the cases, by cause_key(); contained. Cost: some
+/// seconds with all_methods().
 std::set<std::string> causes_of(std::span<const std::unique_ptr<Method>> methods,
                                 std::span<const Case> cases);
 
-/// Failures of a gate whose bucket or whose cause is suppressed count as known.
+/// Marks failures of a gate whose bucket or whose cause is suppressed as known.
 void mark_suppressed(GateReport& report, std::span<const std::unique_ptr<Method>> methods,
                      const std::vector<Suppression>& suppressions, std::string_view today);
 
-/// A line for each suppression that has expired, and one for each that no stored case shows any more: it
-/// should go, or its case should be kept. `stale`: how many of the latter.
+/// Returns a line for each suppression that has expired, and one for each that no stored case shows any more:
+/// it should go, or its case should be kept. `stale`: how many of the latter.
 std::vector<std::string> remarks_on(const std::vector<Suppression>& suppressions, std::string_view today,
                                     const std::set<std::string>& causes, std::size_t& stale);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Triage: from the findings of a run to their causes. Each finding that is kept is probed for its cause
+// Triage: from the findings of a run to their causes. Each finding that is kept is classified
 // (oracles/trial/mechanism.hpp), and as many as the time allows are simplified with what fails, what meets
 // and the cause kept. For each cause a worse pair is searched for (reports/triage/worst_pair.hpp). What is
 // found out goes into FOLDER/triage.sqlite at once: a triage that is killed goes on where it was, and one
@@ -18,6 +18,7 @@
 #include "corpus/store/case_files.hpp"
 #include "corpus/store/suppressions.hpp"
 #include "oracles/methods/method.hpp"
+#include "reports/triage/buckets.hpp"
 
 namespace cyl {
 
@@ -33,38 +34,35 @@ struct TriageOptions {
   std::string build;        ///< what was found out by another build is found out again
 };
 
-/// What found out whatever a triage keeps: the build and its methods, with their versions; guests apart, of
-/// which each is told anew where its own version changed.
+/// Returns what found out whatever a triage keeps: the build and its methods, with their versions; guests
+/// apart, whose findings are classified anew where their own version changed.
 std::string askers(const std::string& build, std::span<const std::unique_ptr<Method>> methods);
 
 struct TriageProgress {
-  std::size_t findings = 0, told = 0;  ///< kept, and those whose cause is told
-  std::size_t absent = 0;  ///< kept, of guests of the run that are not among the methods: not told
+  std::size_t findings = 0, classified = 0;  ///< kept, and those whose cause is known
+  std::size_t absent = 0;  ///< kept, of guests of the run that are not among the methods: not classified
   std::size_t simplified = 0;
   std::size_t searched = 0;  ///< causes, for a worse pair
   std::chrono::milliseconds elapsed{0};
 };
 
 struct Triage {
-  nlohmann::json buckets;            ///< as buckets_json() gives them
+  std::vector<Bucket> buckets;       ///< those beyond claims first, then by count; what is gone last
   TriageProgress progress;           ///< at the end
   std::vector<std::string> remarks;  ///< of suppressions that are expired or match nothing
 };
 
-/// `methods`: all there are, and the guests. Throws UsageError where no run is there,
+/// Triages a run. `methods`: all there are, and the guests. Throws UsageError where no run is there,
 /// std::runtime_error where a store cannot be used or a process ended in a way it should not.
 Triage run_triage(const TriageOptions& options, std::span<const std::unique_ptr<Method>> methods,
                   const std::function<void(const TriageProgress&)>& on_progress = {});
 
-/// The buckets that the last triage of a run left: an array, the most findings first, those beyond claims
-/// before all others; empty where the run was never triaged. Each has the fields of the page's Bucket, and
-/// "cause", "mechanism" and "methods".
+/// Returns the buckets that the last triage of a run left, as it stored them: an array of what to_json()
+/// makes of a Bucket; empty where the run was never triaged.
 nlohmann::json buckets_json(const std::string& run_folder);
 
-/// 2 a cause beyond a claim that is not suppressed, 3 none, but undecided truth or findings not told, else 0.
+/// Returns 2 for a cause beyond a claim that is not suppressed, 3 for none, but undecided truth or findings
+/// that are not classified, else 0.
 int exit_code(const Triage& triage);
-
-/// A line a bucket: findings, margins, what is wrong and the simplest pair.
-std::string format_buckets(const nlohmann::json& buckets);
 
 }  // namespace cyl

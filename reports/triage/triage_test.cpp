@@ -91,9 +91,9 @@ Triage triage(const std::string& folder, std::chrono::milliseconds budget = std:
   return run_triage(options, all_methods());
 }
 
-std::set<std::string> keys_of(const Json& buckets) {
+std::set<std::string> keys_of(const std::vector<Bucket>& buckets) {
   std::set<std::string> keys;
-  for (const Json& b : buckets) keys.insert(b["key"].get<std::string>());
+  for (const Bucket& b : buckets) keys.insert(b.key);
   return keys;
 }
 
@@ -103,38 +103,39 @@ TEST(Triage, TellsCausesWhateverTheOrderAndTheNight) {
   const Triage one = triage(first);
   EXPECT_EQ(keys_of(one.buckets), (std::set<std::string>{"overflow", "seedbook/wrong_intersecting"}));
   EXPECT_EQ(exit_code(one), 2);
-  const Json& overflow = one.buckets[0];
-  EXPECT_EQ(overflow["key"], "overflow");
-  EXPECT_EQ(overflow["count"], 10);
-  EXPECT_EQ(overflow["methods"], (Json{"fcl-libccd", "mujoco"}));
-  EXPECT_EQ(overflow["simplest"]["truth"]["verdict"], "intersecting");
-  EXPECT_EQ(overflow["simplest"]["answers"][overflow["method"].get<std::string>()]["verdict"], "disjoint");
-  EXPECT_TRUE(overflow["standing"].is_null());
-  EXPECT_NE(overflow["simplest"]["pair"], overflow["worst"]["pair"]) << "nothing was simplified";
-  EXPECT_EQ(buckets_json(first), one.buckets);
+  const Bucket& overflow = one.buckets[0];
+  EXPECT_EQ(overflow.key, "overflow");
+  EXPECT_EQ(overflow.count, 10u);
+  EXPECT_EQ(overflow.methods, (std::set<std::string>{"fcl-libccd", "mujoco"}));
+  EXPECT_EQ(overflow.simplest["truth"]["verdict"], "intersecting");
+  EXPECT_EQ(overflow.simplest["answers"][overflow.method]["verdict"], "disjoint");
+  EXPECT_FALSE(overflow.status);
+  EXPECT_NE(overflow.simplest["pair"], overflow.worst["pair"]) << "nothing was simplified";
+  EXPECT_EQ(buckets_json(first), to_json(one.buckets));
+  for (const Json& b : buckets_json(first)) EXPECT_EQ(to_json(bucket_from_json(b)), b);
 
   auto other_way = three();
   std::reverse(other_way.begin(), other_way.end());
   other_way.pop_back();
   const Triage two = triage(nights.make_run("two", "2026-11-21", other_way));
   EXPECT_EQ(keys_of(two.buckets), keys_of(one.buckets));
-  for (const Json& b : two.buckets) {
-    EXPECT_EQ(b["standing"], "known");
-    EXPECT_EQ(b["first_seen"], "one");
-    EXPECT_EQ(b["last_seen"], "two");
+  for (const Bucket& b : two.buckets) {
+    EXPECT_EQ(b.status, Recurrence::known);
+    EXPECT_EQ(b.first_seen, "one");
+    EXPECT_EQ(b.last_seen, "two");
   }
   const Triage three = triage(nights.make_run("three", "2026-11-22", {other_way.back()}));
   ASSERT_EQ(three.buckets.size(), 2u);
-  EXPECT_EQ(three.buckets[0]["standing"], "known");
-  EXPECT_EQ(three.buckets[1]["standing"], "gone");
-  EXPECT_EQ(three.buckets[1]["last_seen"], "two");
+  EXPECT_EQ(three.buckets[0].status, Recurrence::known);
+  EXPECT_EQ(three.buckets[1].status, Recurrence::gone);
+  EXPECT_EQ(three.buckets[1].last_seen, "two");
 }
 
 TEST(Triage, GoesOnWhereItWas) {
   const Folder nights;
   const std::string folder = nights.make_run("one", "2026-11-20", three());
   const Triage none = triage(folder, std::chrono::milliseconds(0));
-  EXPECT_EQ(none.progress.told, 0u);
+  EXPECT_EQ(none.progress.classified, 0u);
   EXPECT_EQ(exit_code(none), 3);
   {
     TriageStore store(folder, askers("test", all_methods()));
@@ -144,7 +145,7 @@ TEST(Triage, GoesOnWhereItWas) {
   }
   const Triage all = triage(folder);
   EXPECT_TRUE(keys_of(all.buckets).contains("told-before"));
-  EXPECT_EQ(all.progress.told, 3u);
+  EXPECT_EQ(all.progress.classified, 3u);
   EXPECT_EQ(all.progress.simplified, 3u);
   for (const SimpleRecord& simple : TriageStore(folder, askers("test", all_methods())).simples()) {
     EXPECT_TRUE(simple.ended);
@@ -169,15 +170,14 @@ TEST(Triage, SearchesForAWorsePairAndKeepsIt) {
   const Triage first = triage(folder);
   ASSERT_EQ(first.buckets.size(), 1u);
   EXPECT_EQ(first.progress.searched, 1u);
-  const Json& worst = first.buckets[0]["worst"];
+  const Json& worst = first.buckets[0].worst;
   EXPECT_GT(worst["margin"][0], 1.2 * margin_of_apart());
   EXPECT_EQ(worst["truth"]["verdict"], "disjoint");
   EXPECT_EQ(worst["answers"]["seedbook-printed"]["verdict"], "intersecting");
   EXPECT_NE(worst["note"].get<std::string>().find(folder + ":1"), std::string::npos)
       << "where the original is";
-  for (const char* shown : {"simplest", "worst"})
-    for (const char* what : {"nearest", "direction"})
-      EXPECT_TRUE(first.buckets[0][shown].contains(what)) << shown << ' ' << what;
+  for (const Json& shown : {first.buckets[0].simplest, first.buckets[0].worst})
+    for (const char* what : {"nearest", "direction"}) EXPECT_TRUE(shown.contains(what)) << what;
   EXPECT_NE(format_buckets(first.buckets).find("searched for"), std::string::npos);
 
   TriageStore store(folder, askers("test", all_methods()));
@@ -190,12 +190,12 @@ TEST(Triage, SearchesForAWorsePairAndKeepsIt) {
   kept.pair = format_pair(huge(1));
   store.add(kept);
   const Triage again = triage(folder);
-  EXPECT_FALSE(again.buckets[0]["worst"].contains("note"));
-  EXPECT_EQ(again.buckets[0]["worst"]["pair"], Json::parse(format_pair(apart())));
+  EXPECT_FALSE(again.buckets[0].worst.contains("note"));
+  EXPECT_EQ(again.buckets[0].worst["pair"], Json::parse(format_pair(apart())));
   // A search that was cut goes on.
   kept.ended = false;
   store.add(kept);
-  EXPECT_EQ(triage(folder).buckets[0]["worst"]["margin"], worst["margin"]);
+  EXPECT_EQ(triage(folder).buckets[0].worst["margin"], worst["margin"]);
 }
 
 TEST(Buckets, AWrongVerdictIsWorseThanAWrongDistance) {
@@ -210,25 +210,26 @@ TEST(Buckets, AWrongVerdictIsWorseThanAWrongDistance) {
 }
 
 TEST(Buckets, GiveAGroupsCountAsItsKeptOnesAre) {
-  Sorted sorted;
+  TriageRecords records;
   for (std::int64_t id = 1; id <= 3; ++id) {
-    sorted.findings.push_back(finding("m", "f", apart()));
-    sorted.findings.back().id = id;
-    sorted.causes.push_back({id, id == 1 ? "rare" : "often", "", ""});
+    records.findings.push_back(finding("m", "f", apart()));
+    records.findings.back().id = id;
+    records.causes.push_back({id, id == 1 ? "rare" : "often", "", ""});
   }
-  sorted.groups.push_back({"m", "wrong_disjoint", "contract", "f", 100});
-  sorted.groups.push_back({"m", "wrong_disjoint", "contract", "not kept", 7});
-  EXPECT_EQ(count_by_bucket(sorted), (std::map<std::string, std::uint64_t>{{"often", 67}, {"rare", 33}}));
+  records.groups.push_back({"m", "wrong_disjoint", "contract", "f", 100});
+  records.groups.push_back({"m", "wrong_disjoint", "contract", "not kept", 7});
+  EXPECT_EQ(count_by_bucket(records), (std::map<std::string, std::uint64_t>{{"often", 67}, {"rare", 33}}));
 }
 
 TEST(Buckets, SuppressedDoNotFail) {
   Triage t;
-  t.buckets =
-      Json::array({{{"key", "x"}, {"severity", "contract"}, {"standing", nullptr}, {"suppressed", nullptr}}});
+  t.buckets.resize(1);
+  t.buckets[0].key = "x";
+  t.buckets[0].severity = Severity::contract;
   EXPECT_EQ(exit_code(t), 2);
   const std::vector<Suppression> all{{"x", "because", "link", "ada", "2026-11-22", 1}};
   suppress(t.buckets, all, "2026-11-22");
-  EXPECT_EQ(t.buckets[0]["suppressed"]["owner"], "ada");
+  EXPECT_EQ(t.buckets[0].suppressed->owner, "ada");
   EXPECT_EQ(exit_code(t), 0);
   suppress(t.buckets, all, "2026-11-23");
   EXPECT_EQ(exit_code(t), 2);

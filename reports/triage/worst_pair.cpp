@@ -39,18 +39,15 @@ Domain domain_of(Mechanism mechanism, std::span<const Pair> starts) {
 }
 
 // The sign of the distance tells first whether the verdict can be wrong in this way at all.
-std::optional<WrongPair> worst_of_cause(std::span<const std::unique_ptr<Method>> methods,
-                                        std::span<const std::size_t> kin, const CauseSought& cause,
+std::optional<WrongPair> worst_of_cause(const GroupedMethods& methods, const CauseSought& cause,
                                         WorstOptions options, const Caps& caps) {
   options.domain = domain_of(cause.mechanism, cause.starts);
   const auto of_the_cause = [&](const Pair& pair) {
     if ((cause.kind == FindingKind::wrong_intersecting) != (distance(pair.a, pair.b).value > 0)) return false;
-    const Failing failing{cause.method, cause.kind, pair};
-    const Told told = tell_mechanisms(methods, kin, {&failing, 1}, caps)[0];
-    return cause_key(methods, kin, cause.method, cause.kind, Severity::contract, told, {}) == cause.key;
+    return find_cause(methods, {cause.method, cause.kind, pair}, Severity::contract, {}, caps) == cause.key;
   };
-  const Worst worst =
-      worst_of(methods[cause.method], cause.starts, {.also = of_the_cause, .kind = cause.kind}, options);
+  const Worst worst = worst_of(methods.methods[cause.method], cause.starts,
+                               {.also = of_the_cause, .kind = cause.kind}, options);
   if (!worst.wrong || worst.wrong->finding.severity != Severity::contract) return {};
   return worst.wrong;
 }

@@ -19,22 +19,21 @@ namespace cyl {
 /// One cause, and where to begin.
 struct CauseSought {
   std::string key;                                 ///< as cause_key() gives it
-  Mechanism mechanism = Mechanism::untold;         ///< of the first start
+  Mechanism mechanism = Mechanism::unclassified;   ///< of the first start
   std::size_t method = 0;                          ///< that is asked
   FindingKind kind = FindingKind::wrong_disjoint;  ///< a refuted verdict
   std::vector<Pair> starts;                        ///< on which it fails of this cause, the worst first
 };
 
-/// Which pairs are looked at. Where the cause is about size or place: from the least to the largest of the
-/// starts, since beyond them everybody is wrong by any margin. Else ordinary ones.
+/// Returns which pairs are looked at. Where the cause is about size or place: from the least to the largest
+/// of the starts, since beyond them everybody is wrong by any margin. Else ordinary ones.
 Domain domain_of(Mechanism mechanism, std::span<const Pair> starts);
 
-/// The pair of the largest margin found, beyond the method's claim, wrong in the same way of the same cause;
-/// nothing where none is. `kin`: as kin_of() gives it. `options.domain` is not used. Deterministic where the
+/// Returns the pair of the largest margin found, beyond the method's claim, wrong in the same way of the same
+/// cause; nothing where none is. `options.domain` is not used. Deterministic where the
 /// cap on shapes ends it. Cost: that of worst_of(), and some milliseconds for every pair that would be the
 /// worst yet.
-std::optional<WrongPair> worst_of_cause(std::span<const std::unique_ptr<Method>> methods,
-                                        std::span<const std::size_t> kin, const CauseSought& cause,
+std::optional<WrongPair> worst_of_cause(const GroupedMethods& methods, const CauseSought& cause,
                                         WorstOptions options, const Caps& caps);
 
 }  // namespace cyl

@@ -46,14 +46,17 @@ WorstOptions shapes(std::size_t cap) {
 }
 
 std::optional<WrongPair> search(const Methods& methods, const CauseSought& cause, std::size_t cap = 300) {
-  const std::vector<std::size_t> kin{0};
-  return worst_of_cause(methods, kin, cause, shapes(cap), {});
+  const std::vector<std::size_t> groups{0};
+  return worst_of_cause({methods, groups}, cause, shapes(cap), {});
 }
 
 TEST(WorstOfCause, NineTenthsOfAKnownMarginAreFoundAndAgainTheSame) {
   const Methods methods = planted(reach_of_unequal);
-  const CauseSought cause{
-      "planted/wrong_intersecting", Mechanism::untold, 0, FindingKind::wrong_intersecting, {apart(1e-5)}};
+  const CauseSought cause{"planted/wrong_intersecting",
+                          Mechanism::unclassified,
+                          0,
+                          FindingKind::wrong_intersecting,
+                          {apart(1e-5)}};
   const auto found = search(methods, cause);
   ASSERT_TRUE(found);
   EXPECT_EQ(found->finding.severity, Severity::contract);
@@ -91,7 +94,7 @@ TEST(DomainOf, KeepsToTheSizesAndPlacesOfTheStartsWhereTheCauseIsAboutThem) {
   far.a.center[2] += 1e8;
   far.b.center[2] += 1e8;
   const std::vector<Pair> starts{apart(0.1, 1e-150), apart(0.1, 1e-140), far};
-  const Domain ordinary = domain_of(Mechanism::untold, starts);
+  const Domain ordinary = domain_of(Mechanism::unclassified, starts);
   EXPECT_EQ(ordinary.least_size, Domain{}.least_size);
   EXPECT_EQ(ordinary.most_offset, Domain{}.most_offset);
   const Domain small = domain_of(Mechanism::underflow, std::span(starts).first(2));

@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: MIT
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "reports/triage/buckets.hpp"
+
+namespace cyl {
+namespace {
+
+using Json = nlohmann::json;
+
+/// Stands for infinite margins (two points apart), of which JSON has no number.
+constexpr double infinite_margin = 1e308;
+
+Json margin_json(const std::optional<MarginRecord>& margin) {
+  if (!margin) return nullptr;
+  const auto finite = [](double x) { return std::isfinite(x) ? x : infinite_margin; };
+  return {finite(margin->lo), finite(margin->hi)};
+}
+
+Json share_json(const std::optional<Bucket::Share>& share) {
+  return share ? Json{{"wrong", share->wrong}, {"asked", share->asked}} : Json(nullptr);
+}
+
+Json suppression_json(const std::optional<Suppression>& s) {
+  if (!s) return nullptr;
+  return {{"reason", s->reason}, {"link", s->link}, {"owner", s->owner}, {"expires", s->expires}};
+}
+
+/// "fcl-libccd, ode and 3 more".
+std::string some_of(const std::set<std::string>& names) {
+  constexpr std::size_t named_cap = 4;
+  std::string text;
+  std::size_t named = 0;
+  for (auto name = names.begin(); name != names.end() && named < named_cap; ++name, ++named)
+    text += (named == 0 ? "" : ", ") + *name;
+  if (names.size() > named_cap) text += fmt::format(" and {} more", names.size() - named_cap);
+  return text;
+}
+
+/// "1.0e-05", "0.0e+00" or "-".
+std::string short_number(const Json& x) { return x.is_null() ? "-" : fmt::format("{:.1e}", x.get<double>()); }
+
+std::string format_bucket(const Bucket& b) {
+  const Json margin = b.margin ? margin_json(b.margin) : Json{nullptr, nullptr};
+  std::string text = fmt::format("{} {}{}{}\n    {}\n", b.severity == Severity::contract ? "*" : " ", b.key,
+                                 b.status ? std::string(", ") + to_string(*b.status) : "",
+                                 b.suppressed ? ", suppressed" : "", b.cause);
+  text += fmt::format("    {} findings of {} methods in {} families; margins {} to {}", b.count,
+                      b.methods.size(), b.families.size(), short_number(margin[0]), short_number(margin[1]));
+  if (b.worst_was_searched)
+    text += fmt::format(", {} searched for", short_number(b.worst.at("margin").at(0)));
+  if (b.share)
+    text += fmt::format("; {} wrong on {} of {} drawn like it", b.method, b.share->wrong, b.share->asked);
+  return text + fmt::format("\n    {}: {}\n", some_of(b.methods), b.simplest.at("pair").dump());
+}
+
+}  // namespace
+
+Json to_json(const Bucket& b) {
+  Json j{{"key", b.key},
+         {"method", b.method},
+         {"methods", b.methods},
+         {"kind", b.kind},
+         {"severity", to_string(b.severity)},
+         {"count", b.count},
+         {"families", b.families},
+         {"findings", b.findings},
+         {"margin", margin_json(b.margin)},
+         {"merged", b.merged},
+         {"simplest", b.simplest},
+         {"worst", b.worst},
+         {"feature", b.feature},
+         {"coordinate", b.coordinate},
+         {"mechanism", to_string(b.mechanism)},
+         {"cause", b.cause},
+         {"labels", b.labels},
+         {"share", share_json(b.share)},
+         {"standing", nullptr},
+         {"first_seen", b.first_seen},
+         {"last_seen", b.last_seen},
+         {"suppressed", suppression_json(b.suppressed)}};
+  if (b.status) j["standing"] = to_string(*b.status);
+  return j;
+}
+
+Json to_json(const std::vector<Bucket>& buckets) {
+  Json all = Json::array();
+  for (const Bucket& b : buckets) all.push_back(to_json(b));
+  return all;
+}
+
+Bucket bucket_from_json(const Json& j) {
+  Bucket b;
+  const auto read = [&](const char* key, auto& value) { j.at(key).get_to(value); };
+  read("key", b.key);
+  read("method", b.method);
+  read("methods", b.methods);
+  read("kind", b.kind);
+  read("count", b.count);
+  read("families", b.families);
+  read("findings", b.findings);
+  read("merged", b.merged);
+  read("feature", b.feature);
+  read("coordinate", b.coordinate);
+  read("cause", b.cause);
+  read("labels", b.labels);
+  read("first_seen", b.first_seen);
+  read("last_seen", b.last_seen);
+  b.simplest = j.at("simplest");
+  b.worst = j.at("worst");
+  b.worst_was_searched = b.worst.contains("note");
+  b.severity = from_word<Severity>(j.at("severity").get<std::string>()).value_or(Severity::resolution);
+  b.mechanism = from_word<Mechanism>(j.at("mechanism").get<std::string>()).value_or(Mechanism::unclassified);
+  if (const Json& margin = j.at("margin"); !margin.is_null())
+    b.margin = MarginRecord{margin.at(0).get<double>(), margin.at(1).get<double>()};
+  if (const Json& share = j.at("share"); !share.is_null())
+    b.share = Bucket::Share{share.at("wrong").get<std::uint64_t>(), share.at("asked").get<std::uint64_t>()};
+  if (const Json& status = j.at("standing"); !status.is_null())
+    b.status = from_word<Recurrence>(status.get<std::string>());
+  return b;
+}
+
+std::string format_buckets(const std::vector<Bucket>& buckets) {
+  std::string text;
+  for (const Bucket& b : buckets) text += format_bucket(b);
+  return text;
+}
+
+}  // namespace cyl

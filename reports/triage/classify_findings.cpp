@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: MIT
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <set>
+
+#include "fuzz/campaign/batch.hpp"
+#include "reports/triage/triage_context.hpp"
+
+namespace cyl {
+namespace {
+
+/// Findings classified together: more would cost a slow method's user time beyond the budget.
+constexpr std::size_t together_cap = 32;
+
+/// What was told of a guest that is another one now is dropped; of one that is not here it is kept.
+void forget_changed_guests(const TriageContext& context) {
+  TriageStore store = context.store();
+  for (std::size_t m = 0; m < context.methods().size(); ++m) {
+    const Method& method = *context.methods()[m];
+    if (!method.guest()) continue;
+    std::vector<std::int64_t> findings;
+    for (const Subject& s : context.subjects())
+      if (s.method == m) findings.push_back(s.record->id);
+    store.expect(std::string(method.name()), std::string(method.version()), findings);
+  }
+}
+
+std::string key_of(const Subject& s, const GroupedMethods& methods, Mechanism mechanism) {
+  if (!is_method_row(s.record->method)) return s.record->method + '/' + s.record->kind;
+  if (!s.method || !s.kind) return s.record->method + "/not-in-this-build";
+  return cause_key(methods, *s.method, *s.kind, s.severity, mechanism, s.record->reason);
+}
+
+std::string labels_of(const Classification& found, std::span<const std::unique_ptr<Method>> methods) {
+  std::string labels;
+  const auto add = [&](const std::string& label) { labels += (labels.empty() ? "" : "\n") + label; };
+  if (found.right_at_origin) add("offset: right at the origin");
+  if (found.capped) add("iteration cap: its search used up its steps");
+  if (found.right_larger) add("absolute length: right where it is larger");
+  if (found.right_smaller) add("absolute length: right where it is smaller");
+  if (found.right_sibling)
+    add(fmt::format("own setting: {} is right", methods[*found.right_sibling]->name()));
+  return labels;
+}
+
+std::vector<CauseRecord> causes_of(std::span<const Subject* const> subjects, const GroupedMethods& methods) {
+  std::vector<Failing> failing;
+  for (const Subject* s : subjects)
+    if (s->can_be_classified()) failing.push_back(s->failing());
+  const std::vector<Classification> found = classify(methods, failing, triage_caps);
+  std::vector<CauseRecord> causes;
+  auto next = found.begin();
+  for (const Subject* s : subjects) {
+    const Classification c = s->can_be_classified() ? *next++ : Classification{};
+    causes.push_back({s->record->id, key_of(*s, methods, c.mechanism), to_string(c.mechanism),
+                      labels_of(c, methods.methods)});
+  }
+  return causes;
+}
+
+}  // namespace
+
+void classify_findings(const TriageContext& context) {
+  forget_changed_guests(context);
+  std::set<std::int64_t> known;
+  for (const CauseRecord& c : context.causes()) known.insert(c.finding);
+  std::vector<const Subject*> open;
+  for (const Subject& s : context.subjects())
+    if (!s.absent && !known.contains(s.record->id)) open.push_back(&s);
+  if (open.empty()) return;
+  const std::size_t jobs = context.options().jobs;
+  context.in_processes([&](unsigned job) {
+    TriageStore store = context.store();
+    for (std::size_t first = job * together_cap; first < open.size() && !context.out_of_time();
+         first += jobs * together_cap) {
+      const std::size_t count = std::min(together_cap, open.size() - first);
+      store.add(causes_of(std::span(open).subspan(first, count), context.grouped()));
+    }
+  });
+}
+
+}  // namespace cyl

@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <map>
+#include <string>
+#include <tuple>
+
+#include "corpus/pairs/pair_io.hpp"
+#include "oracles/trial/bucket.hpp"
+#include "oracles/trial/contact.hpp"
+#include "oracles/trial/trial.hpp"
+#include "props/shrink/simplify.hpp"
+#include "reports/triage/triage_context.hpp"
+
+namespace cyl {
+namespace {
+
+/// Questions of the shrinker about one finding; about one that hangs, where each that does costs half a
+/// second.
+constexpr std::size_t simplify_cap = 1500, simplify_hang_cap = 600;
+/// Of what hangs one pair at a time is enough.
+constexpr Caps hang_caps{.call_cpu = triage_caps.call_cpu, .call_wall = triage_caps.call_wall, .hangs = 1};
+
+/// A finding that waits in its bucket.
+struct Waiting {
+  std::size_t turn;
+  Complexity complexity;
+  const Subject* subject;
+};
+
+bool is_simpler(const Waiting& x, const Waiting& y) {
+  return x.complexity != y.complexity ? x.complexity < y.complexity
+                                      : x.subject->record->id < y.subject->record->id;
+}
+
+/// Puts the simplest first, and other methods, kinds and families before more of the same.
+void put_in_order(std::vector<Waiting>& bucket) {
+  std::sort(bucket.begin(), bucket.end(), is_simpler);
+  std::map<std::tuple<std::string, std::string, std::string>, std::size_t> seen;
+  for (Waiting& w : bucket)
+    w.turn = seen[{w.subject->record->method, w.subject->record->kind, w.subject->record->family}]++;
+  std::stable_sort(bucket.begin(), bucket.end(),
+                   [](const Waiting& x, const Waiting& y) { return x.turn < y.turn; });
+}
+
+/// Returns the findings bucket by bucket in turns, in an order that is their own.
+std::vector<const Subject*> in_turns(const TriageContext& context, const std::vector<CauseRecord>& causes) {
+  std::map<std::string, std::vector<Waiting>> buckets;
+  for (const CauseRecord& c : causes) {
+    const auto found = context.by_id().find(c.finding);
+    if (found == context.by_id().end() || !found->second->can_be_simplified()) continue;
+    if (c.mechanism == to_string(Mechanism::gone)) continue;
+    buckets[c.bucket].push_back({0, complexity(found->second->pair), found->second});
+  }
+  std::size_t longest = 0;
+  for (auto& [key, bucket] : buckets) {
+    put_in_order(bucket);
+    longest = std::max(longest, bucket.size());
+  }
+  std::vector<const Subject*> order;
+  for (std::size_t turn = 0; turn < longest; ++turn)
+    for (const auto& [key, bucket] : buckets)
+      if (turn < bucket.size()) order.push_back(bucket[turn].subject);
+  return order;
+}
+
+/// Whether the trial fails as the finding does: in the same way, of the same cause and feature.
+bool fails_alike(const GroupedMethods& methods, const Subject& s, const std::string& cause,
+                 std::optional<ContactFeature> feature, Trial trial, const MethodAnswer& said) {
+  const auto found = compare(trial, methods.methods[*s.method]->claim(), said);
+  if (!found || found->kind != *s.kind || found->severity != s.severity) return false;
+  if (contact_feature(trial.pair, trial.truth) != feature) return false;
+  if (s.severity != Severity::contract || !s.can_be_classified()) return true;
+  return find_cause(methods, {*s.method, *s.kind, trial.pair}, s.severity, said.reason, triage_caps) == cause;
+}
+
+/// Which of the pairs fail alike: no more than the first of them, since no others are looked at.
+std::vector<bool> fail_alike(const GroupedMethods& methods, const Subject& s, const std::string& cause,
+                             std::optional<ContactFeature> feature, std::span<const Pair> pairs) {
+  std::vector<Question> questions;
+  for (std::size_t p = 0; p < pairs.size(); ++p) questions.push_back({*s.method, p});
+  const Caps& caps = s.kind == FindingKind::hang ? hang_caps : triage_caps;
+  const auto said = ask_contained(methods.methods, pairs, questions, caps);
+  std::vector<bool> fails(pairs.size(), false);
+  for (std::size_t p = 0; p < pairs.size(); ++p) {
+    const MethodAnswer& answer = said[p].answer;
+    fails[p] = fails_alike(methods, s, cause, feature, Trial(pairs[p], {&answer, 1}), answer);
+    if (fails[p]) break;
+  }
+  return fails;
+}
+
+SimpleRecord simplified(const TriageContext& context, const Subject& s, const std::string& cause,
+                        const SimpleRecord& earlier) {
+  const auto feature = contact_feature(s.pair, judge(s.pair));
+  bool cut = false;
+  const StillFails still_fails = [&](std::span<const Pair> pairs) {
+    cut = cut || context.out_of_time();
+    return cut ? std::vector<bool>(pairs.size()) : fail_alike(context.grouped(), s, cause, feature, pairs);
+  };
+  const CaseLine begun = parse_case(earlier.pair, 1);
+  const std::size_t cap = s.kind == FindingKind::hang ? simplify_hang_cap : simplify_cap;
+  const Simplified simple = simplify(begun.value ? begun.value->pair : s.pair, still_fails, cap);
+  return {s.record->id, format_pair(simple.pair), bucket_of(s.record->method, s.record->kind, simple.pair),
+          simple.questions, !cut};
+}
+
+}  // namespace
+
+void simplify_findings(const TriageContext& context, double part) {
+  std::map<std::int64_t, SimpleRecord> known;
+  for (SimpleRecord& s : context.simples()) known[s.finding] = std::move(s);
+  const std::vector<CauseRecord> causes = context.causes();
+  std::map<std::int64_t, std::string> cause_of;
+  for (const CauseRecord& c : causes) cause_of[c.finding] = c.bucket;
+  std::vector<const Subject*> open;
+  for (const Subject* s : in_turns(context, causes))
+    if (!known[s->record->id].ended) open.push_back(s);
+  if (open.empty() || context.out_of_time(part)) return;
+  context.in_processes([&](unsigned job) {
+    TriageStore store = context.store();
+    for (std::size_t i = job; i < open.size() && !context.out_of_time(part); i += context.options().jobs) {
+      const std::int64_t id = open[i]->record->id;
+      store.add(simplified(context, *open[i], cause_of.at(id), known.at(id)));
+    }
+  });
+}
+
+}  // namespace cyl

@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: MIT
+// What the steps of a triage share: the findings of the run, who is asked, the store, the budget of time.
+#pragma once
+
+#include <chrono>
+#include <cstdint>
+#include <functional>
+#include <map>
+#include <memory>
+#include <optional>
+#include <set>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "corpus/store/run_store.hpp"
+#include "corpus/store/triage_store.hpp"
+#include "oracles/methods/contained.hpp"
+#include "oracles/trial/compare.hpp"
+#include "oracles/trial/mechanism.hpp"
+#include "reports/triage/triage.hpp"
+
+namespace cyl {
+
+/// As the gate has them: shorter than a campaign's.
+inline constexpr Caps triage_caps{
+    .call_cpu = std::chrono::milliseconds(500), .call_wall = std::chrono::milliseconds(2000), .hangs = 4};
+
+/// A finding with what is read of it once.
+struct Subject {
+  const FindingRecord* record;
+  std::optional<std::size_t> method;
+  bool absent = false;  ///< its method is a guest of the run that is not here
+  std::optional<FindingKind> kind;
+  Severity severity = Severity::contract;
+  Pair pair;
+
+  /// What hangs or comes and goes tells nothing when it is asked again.
+  bool can_be_classified() const {
+    return method && kind && kind != FindingKind::hang && kind != FindingKind::nondeterminism;
+  }
+  bool can_be_simplified() const { return method && kind && kind != FindingKind::nondeterminism; }
+  /// Of a crash or a hang there is no margin; of touching, no search.
+  bool can_be_searched() const {
+    return method && severity == Severity::contract &&
+           (kind == FindingKind::wrong_disjoint || kind == FindingKind::wrong_intersecting);
+  }
+  Failing failing() const { return {*method, *kind, pair}; }
+};
+
+class TriageContext {
+ public:
+  using Clock = std::chrono::steady_clock;
+
+  /// Opens the run. Throws as run_triage() does.
+  TriageContext(const TriageOptions& options, std::span<const std::unique_ptr<Method>> methods,
+                const std::function<void(const TriageProgress&)>& on_progress);
+  TriageContext(const TriageContext&) = delete;
+  TriageContext& operator=(const TriageContext&) = delete;
+
+  const TriageOptions& options() const { return options_; }
+  std::span<const std::unique_ptr<Method>> methods() const { return methods_; }
+  GroupedMethods grouped() const { return {methods_, groups_}; }
+  const std::vector<Subject>& subjects() const { return subjects_; }
+  const std::map<std::int64_t, const Subject*>& by_id() const { return by_id_; }
+  const std::vector<FindingRecord>& findings() const { return findings_; }
+  const std::vector<GroupRecord>& finding_groups() const { return finding_groups_; }
+  const std::vector<std::string>& asked() const { return asked_; }  ///< the run's methods that are here
+  const std::string& began() const { return began_; }
+
+  /// Opens the triage's own store; each process its own.
+  TriageStore store() const { return {options_.folder, asked_by_}; }
+  // Without the records of findings whose guest is not here; by finding.
+  std::vector<CauseRecord> causes() const { return here(store().causes()); }
+  std::vector<SimpleRecord> simples() const { return here(store().simples()); }
+
+  std::chrono::milliseconds elapsed() const;
+  bool out_of_time(double part = 1) const { return Clock::now() - start_ >= part * options_.budget; }
+  TriageProgress progress() const;
+
+  /// Does `work(job)` in as many processes at once as there are jobs, and shows progress meanwhile. Throws
+  /// std::runtime_error where one of them failed.
+  void in_processes(const std::function<void(unsigned job)>& work) const;
+
+ private:
+  Subject subject_of(const FindingRecord& f, bool absent) const;
+  template <class Record>
+  std::vector<Record> here(std::vector<Record> records) const {
+    std::erase_if(records, [&](const Record& r) { return absent_.contains(r.finding); });
+    return records;
+  }
+
+  const TriageOptions& options_;
+  const std::function<void(const TriageProgress&)>& on_progress_;
+  const std::span<const std::unique_ptr<Method>> methods_;
+  const std::string asked_by_;
+  const std::vector<std::size_t> groups_;
+  const Clock::time_point start_ = Clock::now();
+  std::string began_;
+  std::vector<FindingRecord> findings_;  ///< by id
+  std::vector<GroupRecord> finding_groups_;
+  std::vector<Subject> subjects_;  ///< likewise
+  std::map<std::int64_t, const Subject*> by_id_;
+  std::set<std::int64_t> absent_;  ///< findings of guests that are not here
+  std::vector<std::string> asked_;
+};
+
+// The steps. Each goes on where an earlier triage was, and ends where the time does.
+
+/// Finds the cause of each finding that has none yet; what another version of a guest told is told anew.
+void classify_findings(const TriageContext& context);
+/// Simplifies findings until that part of the budget is used up. What is cut goes on from what it came to.
+void simplify_findings(const TriageContext& context, double part);
+/// Searches a worse pair for each cause.
+void search_worst(const TriageContext& context);
+
+}  // namespace cyl
