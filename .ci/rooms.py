@@ -138,6 +138,9 @@ def violations(rooms, lines):
         yield PAGE, 1, f'the table of rooms is not that of CMakeLists.txt; {again}'
     if read(PICTURE) != picture_of(rooms):
         yield PICTURE, 1, f'the picture is not that of CMakeLists.txt; {again}'
+    for room, (sources, tests) in lines.items():
+        if 4 * (sources + tests) > sum(map(sum, lines.values())):
+            yield 'CMakeLists.txt', 1, f'{room}/ holds more than a quarter of all lines'
     for room in rooms:
         if not re.search(rf'^\| `{room}/` \| ', page, re.MULTILINE):
             yield PAGE, 1, f'{room}/ is for what? There is no row for it'
