@@ -58,8 +58,8 @@ void set_curves(const Command& command, Arguments& options) {
   options.bench.curves = true;
 }
 
-std::vector<std::unique_ptr<Method>> methods_for(const Arguments& options, Company company) {
-  auto methods = std::move(company.methods);
+std::vector<std::unique_ptr<Method>> methods_for(const Arguments& options, MethodSet set) {
+  auto methods = std::move(set.methods);
   if (options.curves) std::ranges::move(setting_methods(), std::back_inserter(methods));
   return options.methods == "all" ? std::move(methods) : select_methods(std::move(methods), options.methods);
 }
@@ -74,9 +74,9 @@ std::string through_pipes(const std::vector<Guest>& guests) {
 }
 
 void run(const Arguments& options) {
-  Company company = with_guests(options.guests);
-  const std::string pipes = through_pipes(company.guests);
-  const auto methods = methods_for(options, std::move(company));
+  MethodSet set = with_guests(options.guests);
+  const std::string pipes = through_pipes(set.guests);
+  const auto methods = methods_for(options, std::move(set));
   const auto progress = [](std::string_view what) { std::cerr << what << std::endl; };
   const std::vector<Family> families = select_families(options.families);
   fmt::print("seed {}, {} pairs a family, {} turns, {} s of timing a row; {}; {}\n\n", options.bench.seed,

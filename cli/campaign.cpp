@@ -58,7 +58,7 @@ struct Arguments {
 };
 
 /// What Workload refers to.
-struct Asked {
+struct Selection {
   std::vector<std::unique_ptr<Method>> methods;
   std::vector<Family> families;
   std::vector<Case> cases;
@@ -97,7 +97,7 @@ void set_shard(const std::string& text, CampaignOptions& options) {
 }
 
 /// A new run: everything from the command line.
-CampaignOptions plan_new(const Arguments& arguments, Asked& asked) {
+CampaignOptions plan_new(const Arguments& arguments, Selection& selection) {
   CampaignOptions options;
   options.seed = arguments.seed ? *arguments.seed : std::random_device()();
   options.out = arguments.out;
@@ -107,13 +107,15 @@ CampaignOptions plan_new(const Arguments& arguments, Asked& asked) {
   options.cases = arguments.cases ? *arguments.cases : in_source_tree("corpus/cases");
   // Absolute: who resumes the run may stand elsewhere.
   if (!options.cases.empty()) options.cases = fs::absolute(options.cases).lexically_normal().string();
-  Company company = with_guests(arguments.guests);
-  options.guests = format_guests(company.guests);
-  asked.methods = std::move(company.methods);
-  if (!arguments.methods.empty()) asked.methods = select_methods(std::move(asked.methods), arguments.methods);
-  asked.families.assign(families().begin(), families().end());
-  if (!arguments.families.empty()) asked.families = select_families(arguments.families);
-  if (!arguments.weights_from.empty()) asked.weights = weights_from(arguments.weights_from, asked.families);
+  MethodSet set = with_guests(arguments.guests);
+  options.guests = format_guests(set.guests);
+  selection.methods = std::move(set.methods);
+  if (!arguments.methods.empty())
+    selection.methods = select_methods(std::move(selection.methods), arguments.methods);
+  selection.families.assign(families().begin(), families().end());
+  if (!arguments.families.empty()) selection.families = select_families(arguments.families);
+  if (!arguments.weights_from.empty())
+    selection.weights = weights_from(arguments.weights_from, selection.families);
   if (!arguments.shard.empty()) set_shard(arguments.shard, options);
   return options;
 }
@@ -138,21 +140,21 @@ std::chrono::milliseconds left_of(std::chrono::milliseconds budget) {
 }
 
 /// Every method there is and the run's guests; of those, one that is given anew is taken from there.
-Company company_of(const Arguments& arguments, const std::vector<std::string>& asked) {
-  Company company = with_guests(arguments.guests);
-  for (const Guest& guest : company.guests) {
+MethodSet methods_of_run(const Arguments& arguments, const std::vector<std::string>& asked) {
+  MethodSet set = with_guests(arguments.guests);
+  for (const Guest& guest : set.guests) {
     if (std::find(asked.begin(), asked.end(), guest.name) == asked.end())
       throw UsageError(arguments.resume + " has not asked " + guest.name +
                        ": a run goes on with what it began with");
   }
   std::string missing;
-  add_guests_of_run(company, arguments.resume, missing);
+  add_guests_of_run(set, arguments.resume, missing);
   if (!missing.empty()) throw std::runtime_error(arguments.resume + " cannot be resumed: " + missing);
-  return company;
+  return set;
 }
 
 /// A run to go on with: everything from its store but the limits, where the command line has some.
-CampaignOptions plan_resumed(const Arguments& arguments, Asked& asked) {
+CampaignOptions plan_resumed(const Arguments& arguments, Selection& selection) {
   const RunStore store = RunStore::open(arguments.resume);
   const Config config = store.config();
   CampaignOptions options;
@@ -165,17 +167,17 @@ CampaignOptions plan_resumed(const Arguments& arguments, Asked& asked) {
   for (const MethodRecord& method : store.methods()) method_names.push_back(method.name);
   std::istringstream lines(config.at("families"));
   for (std::string name; std::getline(lines, name);) family_names.push_back(name);
-  Company company = company_of(arguments, method_names);
-  options.guests = format_guests(company.guests);
-  asked.methods = pick(
-      std::move(company.methods), method_names, [](const auto& m) { return m->name(); }, arguments.resume);
-  asked.families = pick(
+  MethodSet set = methods_of_run(arguments, method_names);
+  options.guests = format_guests(set.guests);
+  selection.methods = pick(
+      std::move(set.methods), method_names, [](const auto& m) { return m->name(); }, arguments.resume);
+  selection.families = pick(
       std::vector<Family>(families().begin(), families().end()), family_names,
       [](const Family& f) { return f.name; }, arguments.resume);
   const Shard shard = shard_of(config);
   options.shard = shard.index;
   options.shards = shard.count;
-  asked.weights = parse_weights(value_of(config, "weights"));
+  selection.weights = parse_weights(value_of(config, "weights"));
   options.pairs = std::stoull(config.at("pairs"));
   options.stop_at = value_of(config, "stop_at");
   const std::chrono::milliseconds budget(std::stoll(config.at("budget_milliseconds")));
@@ -208,10 +210,10 @@ void set_limits(const Arguments& arguments, CampaignOptions& options) {
     options.budget = parse_duration(arguments.budget);
     options.stop_at.clear();
   }
-  if (!arguments.stop_at.empty()) options.stop_at = format_moment(parse_moment(arguments.stop_at));
+  if (!arguments.stop_at.empty()) options.stop_at = format_time_point(parse_time_point(arguments.stop_at));
   if (!options.stop_at.empty()) {
     options.budget = left_of(std::chrono::duration_cast<std::chrono::milliseconds>(
-        parse_moment(options.stop_at) - std::chrono::system_clock::now()));
+        parse_time_point(options.stop_at) - std::chrono::system_clock::now()));
   }
   if (options.pairs == 0 && options.budget.count() == 0) options.budget = default_budget;
   if (options.budget == spent_budget)
@@ -226,12 +228,12 @@ bool wants_self_check(const Arguments& arguments, const CampaignOptions& options
 }
 
 SelfCheckOptions plan_self_check(const Arguments& arguments, const CampaignOptions& options,
-                                 const Asked& asked) {
+                                 const Selection& selection) {
   if (!wants_self_check(arguments, options)) return {};
   SelfCheckOptions check{mutants_executable(), {}};
   std::string missing;
   if (const std::string kills = in_source_tree("props/mutants/kill_matrix.jsonl"); !kills.empty())
-    for (const KillMatrixRow& row : faults_soon_found(read_kill_matrix(kills), asked.methods))
+    for (const KillMatrixRow& row : faults_soon_found(read_kill_matrix(kills), selection.methods))
       check.faults.push_back({row.mutant, row.what, row.asks});
   if (check.faults.empty()) missing = "no fault is known that a campaign of these methods finds";
   if (check.program.empty()) missing = "daylight-mutants is not beside this executable";
@@ -246,9 +248,9 @@ int campaign(const Arguments& arguments) {
     print_list(arguments.guests);
     return exit_pass;
   }
-  Asked asked;
+  Selection selection;
   CampaignOptions options =
-      arguments.resume.empty() ? plan_new(arguments, asked) : plan_resumed(arguments, asked);
+      arguments.resume.empty() ? plan_new(arguments, selection) : plan_resumed(arguments, selection);
   fmt::print("seed {}, run {}\n", options.seed, options.out);
   std::fflush(stdout);
 
@@ -256,14 +258,14 @@ int campaign(const Arguments& arguments) {
   options.jobs = arguments.jobs;
   options.build = build_info().text();
   options.create_only = arguments.create_only;
-  options.self_check = plan_self_check(arguments, options, asked);
-  if (!options.cases.empty()) asked.cases = read_case_folder(options.cases);
+  options.self_check = plan_self_check(arguments, options, selection);
+  if (!options.cases.empty()) selection.cases = read_case_folder(options.cases);
 
   CampaignSummary summary;
   {
     ProgressLine line;
     bool linked = false;
-    summary = run_campaign(options, asked.workload(), [&](const CampaignProgress& progress) {
+    summary = run_campaign(options, selection.workload(), [&](const CampaignProgress& progress) {
       if (!linked) point_latest_at(options.out);
       linked = true;
       if (line.due(progress.session_time))

@@ -29,7 +29,7 @@ void chart(const Arguments& arguments) {
   RunData run = read_run(arguments.run);
   write_charts(run, rows);
   if (arguments.stability)
-    write_stability(run, company_for({}, {arguments.run}).methods,
+    write_stability(run, methods_for_targets({}, {arguments.run}).methods,
                     in_source_tree("bench/stability/builds.jsonl"));
   write_page(run, in_source_tree("props/mutants/kill_matrix.jsonl"));
   if (!rows.empty()) fmt::print("{}\n", format_curves(speed_points(rows)));

@@ -23,7 +23,7 @@ struct Arguments {
 };
 
 int explain_case(const Arguments& arguments) {
-  const auto methods = company_for(arguments.failure.guests, {arguments.failure.target}).methods;
+  const auto methods = methods_for_targets(arguments.failure.guests, {arguments.failure.target}).methods;
   const OneFailure failure = failure_of(arguments.failure, methods);
   fmt::print("seed {}\n", arguments.seed);
   std::fflush(stdout);

@@ -16,8 +16,8 @@ struct Arguments {
 };
 
 int export_case(const Arguments& arguments) {
-  const Company company = company_for(arguments.failure.guests, {arguments.failure.target});
-  export_failure(company, failure_of(arguments.failure, company.methods), arguments.out);
+  const MethodSet set = methods_for_targets(arguments.failure.guests, {arguments.failure.target});
+  export_failure(set, failure_of(arguments.failure, set.methods), arguments.out);
   return exit_pass;
 }
 

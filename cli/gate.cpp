@@ -56,11 +56,11 @@ void print_laws() {
                law.statement, "", law.where);
 }
 
-/// What failed as lines of a case file, to be kept beside the other cases.
+/// Returns what failed as lines of a case file, to be kept beside the other cases.
 std::string case_lines(const GateReport& report) {
   std::string lines;
   for (const GateFailure& failure : report.failures) {
-    if (failure.severity != Severity::contract) continue;
+    if (!is_error(failure)) continue;
     Case c;
     c.pair = failure.simplest;
     c.id = failure.bucket;
@@ -75,7 +75,8 @@ std::string case_lines(const GateReport& report) {
 int reproduce(const Arguments& arguments, std::span<const std::unique_ptr<Method>> methods) {
   const Wanted all = [](std::size_t, const Law&) { return true; };
   bool broken = false;
-  for (const Catch& c : hunt_again(methods, all, arguments.reproduce, GateOptions{}.caps).caught) {
+  for (const LawFailure& c :
+       find_break_again(methods, all, arguments.reproduce, GateOptions{}.caps).failures) {
     fmt::print("{} breaks law {}, {} ({}): {}\n  {}\n", methods[c.method]->name(), c.law->number, c.law->name,
                to_string(c.broken.severity), c.broken.what, format_pair(c.shrunk.value_or(c.pair)));
     broken |= c.broken.severity == Severity::contract;
@@ -84,7 +85,7 @@ int reproduce(const Arguments& arguments, std::span<const std::unique_ptr<Method
   return broken ? exit_findings : exit_pass;
 }
 
-/// The options of `replay` that have it ask the same methods, and hold them to the laws that failed.
+/// Returns the options of `replay` that have it ask the same methods, and hold them to the laws that failed.
 std::string replay_options(const GateReport& report, std::span<const std::unique_ptr<Method>> methods,
                            std::span<const Guest> guests) {
   std::string options = " --methods ", comma;
@@ -95,9 +96,51 @@ std::string replay_options(const GateReport& report, std::span<const std::unique
   for (const Guest& guest : guests) options += ' ' + options_for(guest);
   std::set<int> laws;
   for (const GateFailure& f : report.failures)
-    if (fails_gate(f) && !is_told_by_answer(*f.law)) laws.insert(f.law->number);
+    if (fails_gate(f) && !shows_in_answer(*f.law)) laws.insert(f.law->number);
   if (!laws.empty()) options += fmt::format(" --laws {}", fmt::join(laws, ","));
   return options;
+}
+
+/// What a gate is held against, and what is to be said of it.
+struct Known {
+  GateBase base;
+  std::vector<Suppression> suppressions;
+  std::vector<std::string> remarks;  ///< on the suppressions
+  std::size_t stale = 0;             ///< suppressions that no stored case shows any more
+};
+
+/// Completes the report: what is known, what is missing against the base, how the guests are brought.
+void complete(GateReport& report, Known& known, std::span<const std::unique_ptr<Method>> methods,
+              std::span<const Guest> guests, std::span<const Case> cases) {
+  mark_known(report, known.base);
+  note_gaps(report, known.base);
+  mark_suppressed(report, methods, known.suppressions, today());
+  for (const Guest& guest : guests)
+    for (GateFailure& failure : report.failures)
+      if (failure.method == guest.name) failure.options = options_for(guest);
+  if (known.suppressions.empty()) return;
+  std::set<std::string> stored = causes_of(all_methods(), cases);
+  for (const GateFailure& f : report.failures)
+    if (is_from_case(f)) stored.insert(f.bucket);
+  known.remarks = remarks_on(known.suppressions, today(), stored, known.stale);
+}
+
+void write_files(const Arguments& arguments, const GateReport& report) {
+  if (!arguments.junit.empty()) write_file(arguments.junit, gate_junit(report));
+  if (!arguments.sarif.empty())
+    write_file(arguments.sarif, gate_sarif(report, build_info().version, !arguments.against.empty()));
+  if (!arguments.json.empty()) write_file(arguments.json, gate_json(report));
+  if (!arguments.keep.empty()) write_file(arguments.keep, case_lines(report));
+}
+
+GateReport run_with_progress(std::span<const std::unique_ptr<Method>> methods, std::span<const Case> cases,
+                             const GateOptions& options) {
+  ProgressLine line;
+  return run_gate(methods, cases, options, [&](const GateProgress& p) {
+    if (!line.due(p.elapsed)) return;
+    line.show(p.elapsed, p.share,
+              fmt::format("{}: {} pairs; {} ways to fail", to_string(p.phase), p.pairs, p.failures));
+  });
 }
 
 int gate(const Arguments& arguments) {
@@ -105,68 +148,43 @@ int gate(const Arguments& arguments) {
     print_laws();
     return exit_pass;
   }
-  Company company = with_guests(arguments.guests);
-  const std::vector<Guest> guests = company.guests;
-  const auto methods = std::move(company).select(arguments.methods, our_methods);
+  MethodSet set = with_guests(arguments.guests);
+  const std::vector<Guest> guests = set.guests;
+  const auto methods = std::move(set).select(arguments.methods, our_methods);
   if (!arguments.reproduce.empty()) return reproduce(arguments, methods);
   GateOptions options;
   options.seed = arguments.seed.value_or(options.seed);
   options.pairs = arguments.pairs.value_or(options.pairs);
   if (!arguments.cap.empty()) options.cap = parse_duration(arguments.cap);
-  const std::string folder = arguments.cases ? *arguments.cases : in_source_tree("corpus");
+  const std::string folder = arguments.cases ? *arguments.cases : in_source_tree("corpus/cases");
   const std::vector<Case> cases = folder.empty() ? std::vector<Case>{} : read_case_folder(folder);
-  GateBase base;
+  Known known;
   if (!arguments.against.empty()) {
-    base = read_base(arguments.against);
-    options.seed = base.seed;
-    options.pairs = base.pairs;
-    options.amount = base.amount;
+    known.base = read_base(arguments.against);
+    options.seed = known.base.seed;
+    options.pairs = known.base.pairs;
+    options.amount = known.base.amount;
   }
-  const std::vector<Suppression> suppressions =
+  known.suppressions =
       read_suppressions(arguments.suppressions.value_or(in_source_tree("suppressions.jsonl")));
   fmt::print("seed {}\n", options.seed);
   std::fflush(stdout);
 
-  GateReport report;
-  {
-    ProgressLine line;
-    report = run_gate(methods, cases, options, [&](const GateProgress& p) {
-      if (!line.due(p.elapsed)) return;
-      line.show(p.elapsed, p.share,
-                fmt::format("{}: {} pairs; {} ways to fail", to_string(p.phase), p.pairs, p.failures));
-    });
-  }
-  mark_known(report, base);
-  note_gaps(report, base);
-  mark_suppressed(report, methods, suppressions, today());
-  std::size_t stale = 0;
-  std::vector<std::string> remarks;
-  if (!suppressions.empty()) {
-    std::set<std::string> stored = causes_of(all_methods(), cases);
-    for (const GateFailure& f : report.failures)
-      if (f.phase == GatePhase::corpus || f.phase == GatePhase::corpus_laws) stored.insert(f.bucket);
-    remarks = remarks_on(suppressions, today(), stored, stale);
-  }
-  for (const Guest& guest : guests)
-    for (GateFailure& failure : report.failures)
-      if (failure.method == guest.name) failure.options = options_for(guest);
+  GateReport report = run_with_progress(methods, cases, options);
+  complete(report, known, methods, guests, cases);
   const SelfTest test = self_test(
       static_cast<unsigned>(std::clamp<std::uint64_t>(options.pairs / self_test_interval, 1, self_test_cap)));
-  if (!arguments.junit.empty()) write_file(arguments.junit, gate_junit(report));
-  if (!arguments.sarif.empty())
-    write_file(arguments.sarif, gate_sarif(report, build_info().version, !arguments.against.empty()));
-  if (!arguments.json.empty()) write_file(arguments.json, gate_json(report));
-  if (!arguments.keep.empty()) write_file(arguments.keep, case_lines(report));
+  write_files(arguments, report);
   if (arguments.github) fmt::print("{}", gate_github(report));
   fmt::print("the gate itself, tried on methods with known faults: {}",
              test.ran ? test.text : "not run, daylight-mutants is not beside this executable\n");
   fmt::print("{}", gate_text(report));
-  for (const std::string& remark : remarks) fmt::print("{}\n", remark);
+  for (const std::string& remark : known.remarks) fmt::print("{}\n", remark);
   if (!arguments.keep.empty() && std::any_of(report.failures.begin(), report.failures.end(), fails_gate))
     fmt::print("next: {} replay {}{}\n", own_command(), shell_quoted(arguments.keep),
                replay_options(report, methods, guests));
   if (!test.passed) throw std::runtime_error("the gate is blind: a planted fault was not caught");
-  return stale > 0 ? exit_findings : exit_code(report);
+  return known.stale > 0 ? exit_findings : exit_code(report);
 }
 
 }  // namespace

@@ -14,20 +14,20 @@
 namespace cyl {
 namespace {
 
-const Method* find(const Company& company, std::string_view name) {
-  const auto found = std::find_if(company.methods.begin(), company.methods.end(),
+const Method* find(const MethodSet& set, std::string_view name) {
+  const auto found = std::find_if(set.methods.begin(), set.methods.end(),
                                   [&](const auto& method) { return method->name() == name; });
-  return found == company.methods.end() ? nullptr : found->get();
+  return found == set.methods.end() ? nullptr : found->get();
 }
 
-void add(Company& company, Guest guest) {
+void add(MethodSet& set, Guest guest) {
   auto method = open_guest(guest);
-  if (find(company, guest.name)) {
+  if (find(set, guest.name)) {
     throw std::runtime_error("there is a method " + guest.name + " already; give '" + guest.what +
                              "' another name: NAME=...");
   }
-  company.methods.push_back(std::move(method));
-  company.guests.push_back(std::move(guest));
+  set.methods.push_back(std::move(method));
+  set.guests.push_back(std::move(guest));
 }
 
 }  // namespace
@@ -44,40 +44,40 @@ void add_guest_options(Command& command, GuestOptions& options) {
       .one_each();
 }
 
-std::vector<std::unique_ptr<Method>> Company::select(std::string_view spec, std::string_view unnamed) && {
+std::vector<std::unique_ptr<Method>> MethodSet::select(std::string_view spec, std::string_view unnamed) && {
   if (!spec.empty()) return select_methods(std::move(methods), spec);
   if (guests.empty()) return select_methods(std::move(methods), unnamed);
   methods.erase(methods.begin(), methods.end() - static_cast<std::ptrdiff_t>(guests.size()));
   return std::move(methods);
 }
 
-Company with_guests(const GuestOptions& options) {
-  Company company{all_methods(), {}};
+MethodSet with_guests(const GuestOptions& options) {
+  MethodSet set{all_methods(), {}};
   try {
-    for (const std::string& text : options.plugins) add(company, read_guest(GuestKind::plugin, text));
-    for (const std::string& text : options.commands) add(company, read_guest(GuestKind::command, text));
+    for (const std::string& text : options.plugins) add(set, read_guest(GuestKind::plugin, text));
+    for (const std::string& text : options.commands) add(set, read_guest(GuestKind::command, text));
   } catch (const std::runtime_error& error) {
     throw UsageError(error.what());
   }
-  return company;
+  return set;
 }
 
-void add_guests_of_run(Company& company, const std::string& run, std::string& missing) {
+void add_guests_of_run(MethodSet& set, const std::string& run, std::string& missing) {
   const Config config = RunStore::open(run).config();
   const auto stored = config.find("guests");
   if (stored == config.end()) return;
   for (const Guest& guest : parse_guests(stored->second)) {
-    if (find(company, guest.name)) continue;
+    if (find(set, guest.name)) continue;
     try {
-      add(company, guest);
+      add(set, guest);
     } catch (const std::runtime_error& error) {
       missing += guest.name + " of " + run + " is not here: " + error.what() + '\n';
     }
   }
 }
 
-Company company_for(const GuestOptions& options, const std::vector<std::string>& targets) {
-  Company company = with_guests(options);
+MethodSet methods_for_targets(const GuestOptions& options, const std::vector<std::string>& targets) {
+  MethodSet set = with_guests(options);
   std::string missing;
   for (const std::string& target : targets) {
     std::error_code none;  // of no name at all
@@ -85,12 +85,12 @@ Company company_for(const GuestOptions& options, const std::vector<std::string>&
         std::filesystem::absolute(target, none).parent_path().parent_path();  // RUN/buckets/FILE
     for (const std::string& run : {target, target.substr(0, target.rfind(':')), of_buckets.string()}) {
       if (!holds_run(run)) continue;
-      add_guests_of_run(company, run, missing);
+      add_guests_of_run(set, run, missing);
       break;
     }
   }
   if (!missing.empty()) fmt::print(stderr, "daylight: {}", missing);
-  return company;
+  return set;
 }
 
 }  // namespace cyl

@@ -20,23 +20,26 @@ struct GuestOptions {
 
 void add_guest_options(Command& command, GuestOptions& options);
 
-/// Every method of this build and, after them, the guests; throws UsageError where a guest cannot
-/// be had or has a name that is taken.
-struct Company {
+/// Methods, the guests last.
+struct MethodSet {
   std::vector<std::unique_ptr<Method>> methods;
   std::vector<Guest> guests;  ///< with the names they are called by
 
-  /// As select_methods; "" stands for the guests where there are any, else for what `unnamed` names.
+  /// Keeps what select_methods() does; "" stands for the guests where there are any, else for what `unnamed`
+  /// names.
   std::vector<std::unique_ptr<Method>> select(std::string_view spec, std::string_view unnamed) &&;
 };
-Company with_guests(const GuestOptions& options);
 
-/// And the guests that the run in this folder asked, but those that are here by that name. Where one cannot
-/// be had, `missing` is told why.
-void add_guests_of_run(Company& company, const std::string& run, std::string& missing);
+/// Returns every method of this build and the guests. Throws UsageError where a guest cannot be had or has a
+/// name that is taken.
+MethodSet with_guests(const GuestOptions& options);
 
-/// For `targets` of targets.hpp: with_guests, and those of the runs that are named, be it by a file of one.
-/// A guest of a run that cannot be had is told of on standard error and left out.
-Company company_for(const GuestOptions& options, const std::vector<std::string>& targets);
+/// Adds the guests that the run in this folder asked, but those that are here by that name. Where one cannot
+/// be had, the reason is added to `missing`.
+void add_guests_of_run(MethodSet& set, const std::string& run, std::string& missing);
+
+/// Returns what with_guests() does, and the guests of the runs that `targets` (of targets.hpp) name, be it by
+/// a file of one. A guest of a run that cannot be had is left out, with a line on standard error.
+MethodSet methods_for_targets(const GuestOptions& options, const std::vector<std::string>& targets);
 
 }  // namespace cyl

@@ -44,9 +44,8 @@ OneFailure failure_of(const FailureOptions& options, std::span<const std::unique
   return {name, now.finding()->kind, target.pair};
 }
 
-void export_failure(const Company& company, const OneFailure& failure, const std::string& folder) {
-  const Export files =
-      make_export(company.methods, failure.method, failure.kind, failure.pair, company.guests);
+void export_failure(const MethodSet& set, const OneFailure& failure, const std::string& folder) {
+  const Export files = make_export(set.methods, failure.method, failure.kind, failure.pair, set.guests);
   write_export(files, folder);
   fmt::print("{}, {}: {}/issue.md, build.sh, {}, exact.py\n", failure.method, to_string(failure.kind), folder,
              files.program_name);

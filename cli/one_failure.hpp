@@ -20,7 +20,7 @@ struct OneFailure {
 /// Throws UsageError where the word is no kind of finding.
 FindingKind kind_of_word(const std::string& word);
 
-/// What `explain` and `export` are told of a failure.
+/// The options of `explain` and `export` that name a failure.
 struct FailureOptions {
   std::string target, method, kind;
   GuestOptions guests;
@@ -32,6 +32,6 @@ void add_failure_options(Command& command, FailureOptions& options);
 OneFailure failure_of(const FailureOptions& options, std::span<const std::unique_ptr<Method>> methods);
 
 /// Writes what make_export() gives into the folder, and says on standard output what it wrote.
-void export_failure(const Company& company, const OneFailure& failure, const std::string& folder);
+void export_failure(const MethodSet& set, const OneFailure& failure, const std::string& folder);
 
 }  // namespace cyl

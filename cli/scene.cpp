@@ -94,7 +94,8 @@ int study(Arguments& arguments) {
   if (!arguments.generate.empty()) {
     if (!arguments.page.empty()) throw UsageError("--page shows a FILE; of --generate there is --json");
     fmt::print("seed {}\n", question.seed);
-    return list_close_pairs(arguments, generate_cylinders(arguments.generate, arguments.count, question.seed), true);
+    return list_close_pairs(arguments, generate_cylinders(arguments.generate, arguments.count, question.seed),
+                            true);
   }
   for (const std::string& text : arguments.at) question.at.push_back(parse_joint(text));
   Scene scene;

@@ -51,7 +51,8 @@ void show_run(const std::string& folder, std::uint64_t pairs) {
   write_page(run, in_source_tree("props/mutants/kill_matrix.jsonl"));
   fmt::print("{}", format_tallies(tally_methods(run.tallies)));
   if (run.history.runs + run.history.unreadable > 0) fmt::print("{}\n", format_history(run.history));
-  if (const std::string checks = format_self_checks(run.self_checks); !checks.empty()) fmt::print("{}\n", checks);
+  if (const std::string checks = format_self_checks(run.self_checks); !checks.empty())
+    fmt::print("{}\n", checks);
   fmt::print("{} pairs; page: {}/report.html\n", pairs, folder);
   if (const auto worst = worst_finding(run)) {
     fmt::print("the worst, {} {} ({}): {} replay {}\n", worst->method, worst->kind, worst->severity,

@@ -89,7 +89,8 @@ class Searcher {
  public:
   explicit Searcher(const Arguments& arguments)
       : arguments_(arguments),
-        methods_(select_methods(company_for(arguments.guests, arguments.from).methods, arguments.methods)),
+        methods_(
+            select_methods(methods_for_targets(arguments.guests, arguments.from).methods, arguments.methods)),
         known_(known_pairs(arguments)) {
     options_.seed = arguments.seed;
     options_.search = arguments.time ? Search::time : Search::margin;

@@ -26,7 +26,7 @@ using std::chrono::milliseconds;
 
 /// Cases asked together.
 constexpr std::size_t cases_at_once = 32;
-/// Draws of one round of the hunt.
+/// Draws of one round of the search.
 constexpr int draws_per_round = 4;
 /// Pairs of one cell in one round of the sample.
 constexpr std::uint64_t pairs_per_cell = 4;
@@ -54,18 +54,17 @@ constexpr std::uint64_t hang_cap = 16;
 /// Where so many pairs got the same answer, it is no answer.
 constexpr std::uint64_t enough_to_remark = 100;
 
-/// On more than half of what it is asked: it passes no gate for what it does not say.
+/// Whether it says nothing on more than half of what it is asked: it passes no gate for what it does not say.
 bool abstains(const AnswerCounts& counts) {
   const auto silent = counts.declined + counts.said[static_cast<std::size_t>(Verdict::undecided)];
   return counts.asked == 0 || 2 * silent > counts.asked;
 }
 
-bool of_the_answer(const Law& law) { return law.kind == LawKind::answer; }
+bool is_of_answer(const Law& law) { return law.kind == LawKind::answer; }
 
-/// "wrong_disjoint" of a refuted verdict, "crash" of a failure, else the law's name.
+/// Returns "wrong_disjoint" of a refuted verdict, "crash" of a failure, else the law's name.
 std::string kind_of_break(const Law& law, const Broken& broken) {
-  const bool told = law.number == answer_law || law.number == verdict_law;
-  return told && broken.kind ? to_string(*broken.kind) : std::string(law.name);
+  return shows_in_answer(law) && broken.kind ? to_string(*broken.kind) : std::string(law.name);
 }
 
 std::optional<ContactFeature> feature_of(const Pair& pair) { return contact_feature(pair, judge(pair)); }
@@ -84,7 +83,7 @@ bool claims(const Claim& claim, double size, int decade) {
   return std::pow(10.0, -decade - 1) * size * (1 + claim_rounding_error) >= reach(claim, size);
 }
 
-/// Of a pair's numbers to the bit, after what went before.
+/// Digests a pair's numbers to the bit, after what went before.
 std::uint64_t digest_of(const Pair& pair, std::uint64_t so_far) {
   const auto add = [&](double x) {
     char bytes[sizeof x];
@@ -124,13 +123,13 @@ class Gate {
 
   GateReport run() {
     in_phase(GatePhase::corpus, [&] {
-      replay_cases([](std::size_t, const Law& law) { return of_the_answer(law); }, cases_.size());
+      replay_cases([](std::size_t, const Law& law) { return is_of_answer(law); }, cases_.size());
     });
     in_phase(GatePhase::corpus_laws, [&] {
-      replay_cases([](std::size_t, const Law& law) { return !of_the_answer(law); },
+      replay_cases([](std::size_t, const Law& law) { return !is_of_answer(law); },
                    std::min<std::uint64_t>(amount_.cases_under_laws.value_or(cases_.size()), cases_.size()));
     });
-    in_phase(GatePhase::laws, [&] { hunt_laws(); });
+    in_phase(GatePhase::laws, [&] { search_laws(); });
     in_phase(GatePhase::sample, [&] { sample(); });
     // Failures wait for both, so that what is found does not depend on how they are shrunk. The first of each
     // law and kind first: the others are like it.
@@ -139,15 +138,15 @@ class Gate {
     for (GateFailure& failure : report_.failures) {
       if (!is_error(failure)) continue;
       if (seen.emplace(failure.method, failure.law->number, failure.kind).second)
-        look_closer(failure);
+        rerun_and_simplify(failure);
       else
         like_others.push_back(&failure);
     }
     for (GateFailure* failure : like_others)
-      if (questions_left_ > 0) look_closer(*failure);
+      if (questions_left_ > 0) rerun_and_simplify(*failure);
     for (std::size_t m = 0; m < methods_.size(); ++m) {
       GateMethod& method = report_.methods[m];
-      method.remark = asleep(m) ? "hangs, and was not asked to the end" : remark_on(method.counts);
+      method.remark = given_up(m) ? "hangs, and was not asked to the end" : remark_on(method.counts);
       if (skipped_[m]) report_.not_asked.push_back(method.name + ", after it had hung too often");
     }
     return std::move(report_);
@@ -164,13 +163,13 @@ class Gate {
     report_.phases.back().time = std::chrono::duration_cast<milliseconds>(Clock::now() - from);
   }
 
-  bool late() const { return options_.cap && Clock::now() - start_ >= *options_.cap; }
+  bool out_of_time() const { return options_.cap && Clock::now() - start_ >= *options_.cap; }
 
   /// Whether a phase that has `done` of its rounds or cases goes on; where the time is over, what is left of
   /// it is not asked, and that is said.
   bool goes_on(std::uint64_t done, std::uint64_t due, const char* things) {
     if (done >= due) return false;
-    if (!late()) return true;
+    if (!out_of_time()) return true;
     report_.not_asked.push_back(fmt::format("{}: {} of {} {}, for the time was over",
                                             to_string(report_.phases.back().phase), due - done, due, things));
     return false;
@@ -185,9 +184,9 @@ class Gate {
     on_progress_({now.phase, now.pairs, static_cast<std::size_t>(beyond), share, elapsed()});
   }
 
-  /// A break joins those of the same law and bucket. The failure it is the first of, if it is.
-  GateFailure* note(std::size_t method, const Law& law, const Broken& broken, const Pair& pair,
-                    const std::string& origin, const std::optional<Stratum>& stratum = {}) {
+  /// Adds a break to those of the same law and bucket. Returns the failure that it is the first of, if it is.
+  GateFailure* record(std::size_t method, const Law& law, const Broken& broken, const Pair& pair,
+                      const std::string& origin, const std::optional<Stratum>& stratum = {}) {
     std::string kind = kind_of_break(law, broken);
     const std::string& name = report_.methods[method].name;
     const bool contract = broken.severity == Severity::contract;
@@ -226,15 +225,15 @@ class Gate {
       } else {
         all += counts[m];
       }
-      skipped_[m] = skipped_[m] || asleep(m) || counts[m].hangs >= options_.caps.hangs;
+      skipped_[m] = skipped_[m] || given_up(m) || counts[m].hangs >= options_.caps.hangs;
     }
   }
 
   /// A method that hangs again and again is not asked any more: the gate is to end.
-  bool asleep(std::size_t m) const { return report_.methods[m].counts.hangs >= hang_cap; }
-  Examined examine_awake(std::span<const Pair> pairs, const Wanted& wanted) const {
+  bool given_up(std::size_t m) const { return report_.methods[m].counts.hangs >= hang_cap; }
+  Examined examine_all(std::span<const Pair> pairs, const Wanted& wanted) const {
     return examine(
-        methods_, pairs, [&](std::size_t m, const Law& law) { return !asleep(m) && wanted(m, law); },
+        methods_, pairs, [&](std::size_t m, const Law& law) { return !given_up(m) && wanted(m, law); },
         options_.caps);
   }
 
@@ -243,7 +242,7 @@ class Gate {
       std::vector<Pair> pairs;
       for (const Case& c : cases_.subspan(first, std::min(cases_at_once, due - first)))
         pairs.push_back(c.pair);
-      const Examined examined = examine_awake(pairs, wanted);
+      const Examined examined = examine_all(pairs, wanted);
       count(examined.counts, report_.phases.back().phase == GatePhase::corpus_laws);
       if (report_.phases.back().phase == GatePhase::corpus) {
         report_.undecided_truths += static_cast<std::uint64_t>(
@@ -252,7 +251,7 @@ class Gate {
       }
       for (const BrokenLaw& b : examined.broken) {
         const Case& c = cases_[first + b.pair];
-        note(b.method, *b.law, b.broken, c.pair, fmt::format("{}:{} {}", c.file, c.line, c.id));
+        record(b.method, *b.law, b.broken, c.pair, fmt::format("{}:{} {}", c.file, c.line, c.id));
       }
       show_progress(pairs, part(first + pairs.size(), due));
     }
@@ -262,21 +261,21 @@ class Gate {
     return static_cast<double>(done) / static_cast<double>(due);
   }
 
-  void hunt_laws() {
-    const Wanted all = [&](std::size_t m, const Law&) { return !asleep(m); };
-    const IsNews is_news = [&](const Catch& c) {  // shrinking a hang would take an hour
+  void search_laws() {
+    const Wanted all = [&](std::size_t m, const Law&) { return !given_up(m); };
+    const IsNews is_news = [&](const LawFailure& c) {  // shrinking a hang would take an hour
       return c.broken.kind != FindingKind::hang &&
              !broken_.contains(std::tuple(c.method, c.law->number, kind_of_break(*c.law, c.broken)));
     };
     for (std::uint64_t& round = report_.phases.back().rounds; goes_on(round, amount_.law_rounds, "rounds");) {
       // Each round has a seed of its own; neighbouring ones of RapidCheck's generator are unrelated.
-      const HuntRound found =
-          hunt(methods_, all, is_news, options_.seed + round, draws_per_round, options_.caps);
+      const SearchRound found =
+          find_breaks(methods_, all, is_news, options_.seed + round, draws_per_round, options_.caps);
       count(found.counts);
       for (const auto& [kind, n] : found.drawn) report_.drawn[kind] += n;
-      for (const Catch& c : found.caught) {
-        GateFailure* first = note(c.method, *c.law, c.broken, c.pair,
-                                  c.from + fmt::format(", seed {}", options_.seed + round));
+      for (const LawFailure& c : found.failures) {
+        GateFailure* first = record(c.method, *c.law, c.broken, c.pair,
+                                    c.from + fmt::format(", seed {}", options_.seed + round));
         if (!first || !c.shrunk) continue;
         first->simplest = *c.shrunk;
         first->reproduce = c.reproduce;
@@ -311,9 +310,9 @@ class Gate {
       }
       const bool distances = round % distance_share == 0;
       const Wanted wanted = [&](std::size_t, const Law& law) {
-        return of_the_answer(law) && law.ask == needs_none && (distances || law.number != distance_law);
+        return is_of_answer(law) && law.ask == needs_none && (distances || law.number != distance_law);
       };
-      const Examined examined = examine_awake(pairs, wanted);
+      const Examined examined = examine_all(pairs, wanted);
       count(examined.counts);
       for (std::size_t m = 0; m < methods_.size(); ++m) {
         for (std::size_t p = 0; p < pairs.size(); ++p) {
@@ -331,10 +330,10 @@ class Gate {
       for (const BrokenLaw& b : examined.broken) {
         const GateCell& at = report_.methods[b.method].cells[drawn[b.pair].cell];
         if (b.law->number <= verdict_law) wrong.emplace(b.method, b.pair);
-        note(b.method, *b.law, b.broken, pairs[b.pair],
-             fmt::format("{} 1e-{:02}, seed {}, index {}", at.feature, at.decade, options_.seed,
-                         drawn[b.pair].index),
-             drawn[b.pair].stratum);
+        record(b.method, *b.law, b.broken, pairs[b.pair],
+               fmt::format("{} 1e-{:02}, seed {}, index {}", at.feature, at.decade, options_.seed,
+                           drawn[b.pair].index),
+               drawn[b.pair].stratum);
       }
       for (const auto& [m, p] : wrong) ++report_.methods[m].cells[drawn[p].cell].wrong;
       report_.undecided_truths += static_cast<std::uint64_t>(
@@ -343,7 +342,7 @@ class Gate {
     }
   }
 
-  /// Which of the pairs break the law of `failure` in its way.
+  /// Returns which of the pairs break the law of `failure` in its way.
   std::vector<bool> still_broken(const GateFailure& failure, std::span<const Pair> pairs) {
     const auto method = std::find_if(methods_.begin(), methods_.end(),
                                      [&](const auto& m) { return m->name() == failure.method; });
@@ -358,8 +357,8 @@ class Gate {
   }
 
   /// Runs a failure again, however many questions are left, and simplifies it while there are some.
-  void look_closer(GateFailure& failure) {
-    for (; !late() && failure.reruns < rerun_count; ++failure.reruns)
+  void rerun_and_simplify(GateFailure& failure) {
+    for (; !out_of_time() && failure.reruns < rerun_count; ++failure.reruns)
       failure.failed_again += still_broken(failure, {&failure.found, 1})[0];
     if (failure.failed_again < rerun_count) {  // what comes and goes cannot be shrunk
       failure.simplest = failure.found;
@@ -368,7 +367,7 @@ class Gate {
     // What meets stays: else all becomes a matter of points.
     const auto feature = feature_of(failure.found);
     const StillFails still_fails = [&](std::span<const Pair> pairs) {
-      if (questions_left_ == 0 || late()) return std::vector<bool>(pairs.size(), false);
+      if (questions_left_ == 0 || out_of_time()) return std::vector<bool>(pairs.size(), false);
       std::vector<bool> broken = still_broken(failure, pairs);
       for (std::size_t i = 0; i < pairs.size(); ++i) broken[i] = broken[i] && feature_of(pairs[i]) == feature;
       return broken;
@@ -420,6 +419,8 @@ GateAmount amount_of(std::uint64_t pairs) {
       .law_rounds = std::max<std::uint64_t>(1, (under_laws + law_round - 1) / law_round),
       .sample_rounds = std::max<std::uint64_t>(1, (pairs - under_laws + sample_round - 1) / sample_round)};
 }
+
+bool shows_in_answer(const Law& law) { return law.number == answer_law || law.number == verdict_law; }
 
 bool is_error(const GateFailure& failure) { return failure.severity == Severity::contract; }
 

@@ -36,9 +36,9 @@ constexpr auto words_of(GatePhase) noexcept {
   return std::array{"corpus", "laws on the corpus", "laws on drawn pairs", "sample of all strata"};
 }
 
-/// Pairs that a gate draws where nothing else is said: with them our own methods take about 40 s on two
-/// cores, as long as people wait for a merge, and each cell of the sample gets 2,300, which bounds its error
-/// rate by 1.3e-3.
+/// The number of pairs that a gate draws where nothing else is said: with them our own methods take about 40
+/// s on two cores, as long as people wait for a merge, and each cell of the sample gets 2,300, which bounds
+/// its error rate by 1.3e-3.
 inline constexpr std::uint64_t gate_pairs = 250'000;
 
 /// How much is drawn, in rounds: up to 64 pairs under all laws, or 4 pairs of each cell of the sample.
@@ -47,7 +47,7 @@ struct GateAmount {
   std::uint64_t law_rounds = 0, sample_rounds = 0;
 };
 
-/// Of so many pairs in all, in whole rounds and at least one of each.
+/// Returns the amount of so many pairs in all, in whole rounds and at least one of each.
 GateAmount amount_of(std::uint64_t pairs);
 
 struct GateOptions {
@@ -56,7 +56,7 @@ struct GateOptions {
   /// What an earlier gate drew, instead: so that both see the same pairs.
   std::optional<GateAmount> amount;
   std::optional<std::chrono::milliseconds> cap;  ///< wall time, after which nothing more is asked
-  /// Of one call and of the hangs in one batch: shorter than a campaign's, for a gate is to end.
+  /// The caps on one call and on the hangs in one batch are shorter than a campaign's, for a gate is to end.
   Caps caps{
       .call_cpu = std::chrono::milliseconds(500), .call_wall = std::chrono::milliseconds(2000), .hangs = 4};
 };
@@ -138,6 +138,9 @@ GateReport run_gate(std::span<const std::unique_ptr<Method>> methods, std::span<
                     const GateOptions& options,
                     const std::function<void(const GateProgress&)>& on_progress = {});
 
+/// Returns whether a break shows in the answer to the pair itself, so that no law need be named to see it
+/// again.
+bool shows_in_answer(const Law& law);
 /// Returns whether the method broke more than its own claim allows.
 bool is_error(const GateFailure& failure);
 /// Returns whether that is not excused either.

@@ -23,25 +23,25 @@ class Silent : public rc::detail::TestListener {
   void onTestFinished(const rc::detail::TestMetadata&, const rc::detail::TestResult&) override {}
 };
 
-class Hunt {
+class LawSearch {
  public:
-  Hunt(std::span<const std::unique_ptr<Method>> methods, const Wanted& wanted, const IsNews& is_news,
-       const Caps& caps)
+  LawSearch(std::span<const std::unique_ptr<Method>> methods, const Wanted& wanted, const IsNews& is_news,
+            const Caps& caps)
       : methods_(methods), wanted_(wanted), is_news_(is_news), caps_(caps) {
     round_.counts.resize(methods.size());
   }
 
-  HuntRound run(const rc::detail::TestParams& params,
-                const std::unordered_map<std::string, rc::detail::Reproduce>& again = {}) {
+  SearchRound run(const rc::detail::TestParams& params,
+                  const std::unordered_map<std::string, rc::detail::Reproduce>& again = {}) {
     Silent listener;
     const auto result = rc::detail::checkTestable(
         [this] {
           const PairsDrawn drawn = *pairs_of_one_kind(pairs_per_draw);
           RC_TAG(drawn.from);
           if (stopped_)
-            look_again(drawn);
+            shrink(drawn);
           else
-            look(drawn);
+            examine_drawn(drawn);
         },
         rc::detail::TestMetadata{property_id, property_id}, params, listener, again);
     if (result.is<rc::detail::FailureResult>()) {
@@ -49,7 +49,7 @@ class Hunt {
       name.reproduce.emplace(property_id, result.get<rc::detail::FailureResult>().reproduce);
       const std::string text =
           rc::detail::configToMinimalString(name);  // and the seed, which does not matter
-      Catch& last = round_.caught.back();
+      LawFailure& last = round_.failures.back();
       last.reproduce = text.substr(0, text.find(' '));
       if (!last.shrunk) last.shrunk = last.pair;
     } else if (result.is<rc::detail::Error>()) {
@@ -59,23 +59,23 @@ class Hunt {
   }
 
  private:
-  void look(const PairsDrawn& drawn) {
+  void examine_drawn(const PairsDrawn& drawn) {
     const Examined examined = examine(methods_, drawn.pairs, wanted_, caps_);
     round_.drawn[drawn.from] += drawn.pairs.size();
     round_.pairs.insert(round_.pairs.end(), drawn.pairs.begin(), drawn.pairs.end());
     for (std::size_t m = 0; m < methods_.size(); ++m) round_.counts[m] += examined.counts[m];
     for (const BrokenLaw& b : examined.broken) {
-      round_.caught.push_back({b.method, b.law, b.broken, drawn.pairs[b.pair], drawn.from, {}, {}});
-      if (b.broken.severity != Severity::contract || !is_news_(round_.caught.back())) continue;
+      round_.failures.push_back({b.method, b.law, b.broken, drawn.pairs[b.pair], drawn.from, {}, {}});
+      if (b.broken.severity != Severity::contract || !is_news_(round_.failures.back())) continue;
       stopped_ = true;
       RC_FAIL(b.broken.what);
     }
   }
 
   // While RapidCheck shrinks: only what stopped the round counts.
-  void look_again(const PairsDrawn& drawn) {
+  void shrink(const PairsDrawn& drawn) {
     if (++shrinks_ > shrink_cap) return;
-    Catch& last = round_.caught.back();
+    LawFailure& last = round_.failures.back();
     const auto same = [&](std::size_t method, const Law& law) {
       return method == last.method && law.number == last.law->number;
     };
@@ -91,37 +91,37 @@ class Hunt {
   const Wanted& wanted_;
   const IsNews& is_news_;
   const Caps& caps_;
-  HuntRound round_;
+  SearchRound round_;
   bool stopped_ = false;
   int shrinks_ = 0;
 };
 
 }  // namespace
 
-HuntRound hunt(std::span<const std::unique_ptr<Method>> methods, const Wanted& wanted, const IsNews& is_news,
-               std::uint64_t seed, int draws, const Caps& caps) {
+SearchRound find_breaks(std::span<const std::unique_ptr<Method>> methods, const Wanted& wanted,
+                        const IsNews& is_news, std::uint64_t seed, int draws, const Caps& caps) {
   rc::detail::TestParams params;
   params.seed = seed;
   params.maxSuccess = draws;
-  const IsNews nothing = [](const Catch&) { return false; };
-  HuntRound round = Hunt(methods, wanted, nothing, caps).run(params);
-  const auto news = std::find_if(round.caught.begin(), round.caught.end(), [&](const Catch& c) {
+  const IsNews nothing = [](const LawFailure&) { return false; };
+  SearchRound round = LawSearch(methods, wanted, nothing, caps).run(params);
+  const auto news = std::find_if(round.failures.begin(), round.failures.end(), [&](const LawFailure& c) {
     return c.broken.severity == Severity::contract && is_news(c);
   });
-  if (news == round.caught.end()) return round;
+  if (news == round.failures.end()) return round;
   // The same draws again, but for that law alone: RapidCheck shrinks where it stops.
   const Wanted same = [&](std::size_t method, const Law& law) {
     return method == news->method && law.number == news->law->number;
   };
-  const HuntRound again = Hunt(methods, same, is_news, caps).run(params);
-  if (again.caught.empty() || again.caught.back().reproduce.empty()) return round;  // it comes and goes
-  news->shrunk = again.caught.back().shrunk;
-  news->reproduce = again.caught.back().reproduce;
+  const SearchRound again = LawSearch(methods, same, is_news, caps).run(params);
+  if (again.failures.empty() || again.failures.back().reproduce.empty()) return round;  // it comes and goes
+  news->shrunk = again.failures.back().shrunk;
+  news->reproduce = again.failures.back().reproduce;
   return round;
 }
 
-HuntRound hunt_again(std::span<const std::unique_ptr<Method>> methods, const Wanted& wanted,
-                     const std::string& reproduce, const Caps& caps) {
+SearchRound find_break_again(std::span<const std::unique_ptr<Method>> methods, const Wanted& wanted,
+                             const std::string& reproduce, const Caps& caps) {
   rc::detail::Configuration named;
   try {
     named = rc::detail::configFromString(reproduce);
@@ -129,8 +129,8 @@ HuntRound hunt_again(std::span<const std::unique_ptr<Method>> methods, const Wan
     throw UsageError("'" + reproduce + "' names no case: " + error.what());
   }
   if (!named.reproduce.contains(property_id)) throw UsageError("'" + reproduce + "' names no case");
-  const IsNews any = [](const Catch&) { return true; };
-  return Hunt(methods, wanted, any, caps).run({}, named.reproduce);
+  const IsNews any = [](const LawFailure&) { return true; };
+  return LawSearch(methods, wanted, any, caps).run({}, named.reproduce);
 }
 
 }  // namespace cyl

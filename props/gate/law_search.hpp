@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Hunts for pairs on which methods break laws, with RapidCheck as the engine: it draws pairs of a kind,
+// The search for pairs on which methods break laws, with RapidCheck as the engine: it draws pairs of a kind,
 // shrinks what fails where that can be shrunk, and names the case so that it can be had again.
 #pragma once
 
@@ -17,7 +17,7 @@
 namespace cyl {
 
 /// A law broken on a pair that was drawn.
-struct Catch {
+struct LawFailure {
   std::size_t method = 0;
   const Law* law = nullptr;
   Broken broken;
@@ -27,28 +27,28 @@ struct Catch {
   std::string reproduce;       ///< RapidCheck's name of the shrunk case; empty where there is none
 };
 
-struct HuntRound {
-  std::vector<Catch> caught;                   ///< in the order found
+struct SearchRound {
+  std::vector<LawFailure> failures;            ///< in the order found
   std::vector<AnswerCounts> counts;            ///< by method
   std::map<std::string, std::uint64_t> drawn;  ///< pairs by kind: RapidCheck's classification
   std::vector<Pair> pairs;                     ///< all that were drawn, in their order
 };
 
 /// Whether a contract break of this law by this method is news, so that it is worth shrinking.
-using IsNews = std::function<bool(const Catch&)>;
+using IsNews = std::function<bool(const LawFailure&)>;
 
-/// Pairs of one draw, at most.
+/// The number of pairs of one draw, at most.
 inline constexpr int pairs_per_draw = 16;
 
-/// `draws` times the pairs of one kind, all laws that are wanted. Which pairs are drawn depends on the seed
-/// and `draws` alone, whatever is found; the first news is shrunk. A pure function of its arguments but for
-/// hangs.
-HuntRound hunt(std::span<const std::unique_ptr<Method>> methods, const Wanted& wanted, const IsNews& is_news,
-               std::uint64_t seed, int draws, const Caps& caps);
+/// Draws the pairs of one kind `draws` times, and holds the methods to all laws that are wanted. Which pairs
+/// are drawn depends on the seed and `draws` alone, whatever is found; the first news is shrunk. A pure
+/// function of its arguments but for hangs.
+SearchRound find_breaks(std::span<const std::unique_ptr<Method>> methods, const Wanted& wanted,
+                        const IsNews& is_news, std::uint64_t seed, int draws, const Caps& caps);
 
-/// The case again that `reproduce` names (what it was drawn from must not have changed since). Throws
+/// Runs the case again that `reproduce` names (what it was drawn from must not have changed since). Throws
 /// UsageError where it names none.
-HuntRound hunt_again(std::span<const std::unique_ptr<Method>> methods, const Wanted& wanted,
-                     const std::string& reproduce, const Caps& caps);
+SearchRound find_break_again(std::span<const std::unique_ptr<Method>> methods, const Wanted& wanted,
+                             const std::string& reproduce, const Caps& caps);
 
 }  // namespace cyl

@@ -15,14 +15,14 @@ namespace cyl {
 namespace {
 
 const Wanted everything = [](std::size_t, const Law&) { return true; };
-const IsNews anything = [](const Catch&) { return true; };
+const IsNews anything = [](const LawFailure&) { return true; };
 constexpr std::uint64_t seed = 20261121;
 
 /// What RapidCheck shrank and named.
-const Catch& named(const HuntRound& round) {
-  const auto found = std::find_if(round.caught.begin(), round.caught.end(),
-                                  [](const Catch& c) { return !c.reproduce.empty(); });
-  if (found == round.caught.end()) throw std::runtime_error("nothing was named");
+const LawFailure& named(const SearchRound& round) {
+  const auto found = std::find_if(round.failures.begin(), round.failures.end(),
+                                  [](const LawFailure& c) { return !c.reproduce.empty(); });
+  if (found == round.failures.end()) throw std::runtime_error("nothing was named");
   return *found;
 }
 
@@ -39,10 +39,10 @@ MethodAnswer favours_narrow(const Pair& pair) {
   return answer;
 }
 
-TEST(LawHunt, FindsNothingWhereNothingIsBroken) {
+TEST(LawSearch, FindsNothingWhereNothingIsBroken) {
   const auto methods = own_methods();
-  const HuntRound round = hunt(methods, everything, anything, seed, 20, {});
-  for (const Catch& c : round.caught) EXPECT_NE(c.broken.severity, Severity::contract) << c.law->name;
+  const SearchRound round = find_breaks(methods, everything, anything, seed, 20, {});
+  for (const LawFailure& c : round.failures) EXPECT_NE(c.broken.severity, Severity::contract) << c.law->name;
   std::uint64_t drawn = 0;
   for (const auto& [kind, pairs] : round.drawn) drawn += pairs;
   EXPECT_GT(drawn, 200u);
@@ -50,13 +50,13 @@ TEST(LawHunt, FindsNothingWhereNothingIsBroken) {
   EXPECT_EQ(round.counts.at(0).asked, drawn);
 }
 
-TEST(LawHunt, ShrinksWhatItFindsOnTheGridAndNamesIt) {
+TEST(LawSearch, ShrinksWhatItFindsOnTheGridAndNamesIt) {
   const auto methods = one(favours_narrow);
   // Only swaps on the grid, so that it is RapidCheck that shrinks.
   const Wanted swap = [](std::size_t, const Law& law) { return law.number == 1; };
-  const IsNews on_the_grid = [](const Catch& c) { return c.from == "grid"; };
-  const HuntRound round = hunt(methods, swap, on_the_grid, seed, 400, {});
-  const Catch& first = named(round);
+  const IsNews on_the_grid = [](const LawFailure& c) { return c.from == "grid"; };
+  const SearchRound round = find_breaks(methods, swap, on_the_grid, seed, 400, {});
+  const LawFailure& first = named(round);
   EXPECT_EQ(first.from, "grid");
   EXPECT_EQ(first.law->number, 1);
   ASSERT_TRUE(first.shrunk);
@@ -65,17 +65,17 @@ TEST(LawHunt, ShrinksWhatItFindsOnTheGridAndNamesIt) {
   EXPECT_LT(wide, 3.25) << "as near to the least of the grid as the cap lets it come";
   ASSERT_TRUE(first.reproduce.starts_with("reproduce=")) << first.reproduce;
 
-  const HuntRound again = hunt_again(methods, swap, first.reproduce, {});
-  ASSERT_FALSE(again.caught.empty());
-  ASSERT_TRUE(again.caught.back().shrunk);
-  EXPECT_EQ(again.caught.back().shrunk->a.radius, first.shrunk->a.radius);
-  EXPECT_EQ(again.caught.back().shrunk->b.center, first.shrunk->b.center);
+  const SearchRound again = find_break_again(methods, swap, first.reproduce, {});
+  ASSERT_FALSE(again.failures.empty());
+  ASSERT_TRUE(again.failures.back().shrunk);
+  EXPECT_EQ(again.failures.back().shrunk->a.radius, first.shrunk->a.radius);
+  EXPECT_EQ(again.failures.back().shrunk->b.center, first.shrunk->b.center);
 }
 
-TEST(LawHunt, DrawsTheSamePairsWhateverItFinds) {
-  const HuntRound broken = hunt(one(favours_narrow), everything, anything, seed, 20, {});
-  const HuntRound whole =
-      hunt(one([](const Pair& p) { return ask_ours("intersect", p); }), everything, anything, seed, 20, {});
+TEST(LawSearch, DrawsTheSamePairsWhateverItFinds) {
+  const SearchRound broken = find_breaks(one(favours_narrow), everything, anything, seed, 20, {});
+  const SearchRound whole = find_breaks(one([](const Pair& p) { return ask_ours("intersect", p); }),
+                                        everything, anything, seed, 20, {});
   EXPECT_FALSE(named(broken).reproduce.empty());
   EXPECT_EQ(broken.drawn, whole.drawn);
   ASSERT_EQ(broken.pairs.size(), whole.pairs.size());
@@ -85,18 +85,18 @@ TEST(LawHunt, DrawsTheSamePairsWhateverItFinds) {
   }
 }
 
-TEST(LawHunt, SameSeedSameCatch) {
+TEST(LawSearch, SameSeedSameFailure) {
   const auto methods = one(favours_narrow);
-  const HuntRound first = hunt(methods, everything, anything, seed, 20, {});
-  const HuntRound second = hunt(methods, everything, anything, seed, 20, {});
+  const SearchRound first = find_breaks(methods, everything, anything, seed, 20, {});
+  const SearchRound second = find_breaks(methods, everything, anything, seed, 20, {});
   EXPECT_EQ(named(first).reproduce, named(second).reproduce);
   EXPECT_EQ(named(first).broken, named(second).broken);
 }
 
-TEST(LawHunt, RefusesANameOfNothing) {
+TEST(LawSearch, RefusesANameOfNothing) {
   const auto methods = own_methods();
-  EXPECT_THROW(hunt_again(methods, everything, "reproduce=nonsense", {}), std::invalid_argument);
-  EXPECT_THROW(hunt_again(methods, everything, "", {}), std::invalid_argument);
+  EXPECT_THROW(find_break_again(methods, everything, "reproduce=nonsense", {}), std::invalid_argument);
+  EXPECT_THROW(find_break_again(methods, everything, "", {}), std::invalid_argument);
 }
 
 }  // namespace

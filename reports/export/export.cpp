@@ -33,7 +33,7 @@ std::string row(const char* name, const Cylinder& c) {
 }
 
 /// Who was asked, and how to ask again.
-struct Addressee {
+struct Recipient {
   std::string what;     ///< for titles: `fcl::collide`, or the guest's name
   std::string whom;     ///< "`fcl::collide` of FCL 0.7.0, gjk_tolerance 1e-6"
   std::string hulls;    ///< what is asked in place of cylinders, if anything is
@@ -43,7 +43,7 @@ struct Addressee {
   std::string program_name, program, build;
 };
 
-std::string title(const Addressee& to, const Trial& p) {
+std::string title(const Recipient& to, const Trial& p) {
   const std::string_view what = to.what;
   switch (p.finding()->kind) {
     case FindingKind::wrong_disjoint:
@@ -148,7 +148,7 @@ std::string depth_note(const Trial& p, const Claim& claim) {
   return {};
 }
 
-std::string issue(const Addressee& to, const Trial& p, const Method& method) {
+std::string issue(const Recipient& to, const Trial& p, const Method& method) {
   std::string text = fmt::format("# {}\n\n{}.\n\n", title(to, p), to.whom);
   text +=
       "**What was asked.** Do these two solid cylinders meet? Heights are full heights; all numbers are "
@@ -186,8 +186,8 @@ std::string build(const LibraryCall& call, FindingKind kind) {
       call.packages, compiler_options, call.flags, kind == FindingKind::hang ? "timeout 10 " : "");
 }
 
-Addressee ask_library(const LibraryCall& call, const Trial& p, const Method& method) {
-  Addressee to;
+Recipient ask_library(const LibraryCall& call, const Trial& p, const Method& method) {
+  Recipient to;
   to.what = call.call;
   to.whom =
       fmt::format("`{}` of {} {}, {}", call.call, call.library, one_line(method.version()), call.settings);
@@ -205,8 +205,8 @@ Addressee ask_library(const LibraryCall& call, const Trial& p, const Method& met
   return to;
 }
 
-Addressee ask_guest(const Guest& guest, const Trial& p, const Method& method) {
-  Addressee to;
+Recipient ask_guest(const Guest& guest, const Trial& p, const Method& method) {
+  Recipient to;
   to.what = guest.name;
   to.whom = fmt::format("`{}` {}: {}", guest.name, one_line(method.version()), guest_in_words(guest));
   to.axes = AxesGiven::as_they_are;
@@ -248,7 +248,7 @@ Export make_export(std::span<const std::unique_ptr<Method>> methods, std::string
                                  format_method_answer(asked.answer())));
   if (!asked.decided())
     throw UsageError("what is true of this pair could not be proved: there is nothing to send");
-  Addressee how = is_guest ? ask_guest(*guest, asked, *method) : ask_library(*call, asked, *method);
+  Recipient how = is_guest ? ask_guest(*guest, asked, *method) : ask_library(*call, asked, *method);
   return {std::move(how.program_name), std::move(how.program), std::move(how.build),
           exact_check(asked, method->claim(), how.axes), issue(how, asked, *method)};
 }

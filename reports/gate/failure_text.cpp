@@ -80,8 +80,6 @@ std::vector<Alike> alike_failures(const GateReport& report, bool failing) {
   return all;
 }
 
-bool is_told_by_answer(const Law& law) { return law.number == answer_law || law.number == verdict_law; }
-
 std::string law_title(const Law& law) { return fmt::format("law {} {}", law.number, law.name); }
 
 FailureView view_of(const GateFailure& f) {
@@ -100,7 +98,7 @@ FailureView view_of(const GateFailure& f) {
   view.replay =
       fmt::format("echo {} | {} replay - --methods {}{}{}", shell_quoted(view.simplest), own_command(),
                   shell_quoted(view.method), f.options.empty() ? "" : ' ' + one_line(f.options),
-                  is_told_by_answer(*f.law) ? "" : fmt::format(" --laws {}", f.law->number));
+                  shows_in_answer(*f.law) ? "" : fmt::format(" --laws {}", f.law->number));
   return view;
 }
 

@@ -13,7 +13,7 @@ namespace cyl {
 /// Whether it was found while a kept case was held to some law: `origin` is "FILE:LINE id".
 bool is_from_case(const GateFailure& failure);
 
-/// Failures of one method, law and kind, in different buckets: told together.
+/// Failures of one method, law and kind, in different buckets: shown together.
 using Alike = std::vector<const GateFailure*>;
 /// Returns those that fail the gate, or all others (known ones apart), in the order of the first of each.
 std::vector<Alike> alike_failures(const GateReport& report, bool failing);
@@ -39,9 +39,7 @@ struct FailureView {
 FailureView view_of(const GateFailure& failure);
 FailureView view_of(const Alike& alike);  ///< the first of them, with the pairs of all
 
-std::string law_title(const Law& law);  ///< "law 10 growth"
-/// Whether a break shows in the answer to the pair itself, so that no law need be named to see it again.
-bool is_told_by_answer(const Law& law);
+std::string law_title(const Law& law);        ///< "law 10 growth"
 std::string pairs_in_words(std::uint64_t n);  ///< "1 pair", "17 pairs"
 
 }  // namespace cyl
