@@ -13,7 +13,7 @@ namespace cyl {
 
 inline constexpr double not_measured = std::numeric_limits<double>::quiet_NaN();
 
-/// Of one call, on average over many.
+/// The cost of one call, on average over many.
 struct Cost {
   double ns = not_measured;
   double instructions = not_measured;  ///< in user space; NaN where the machine offers no counter

@@ -18,7 +18,7 @@ using std::chrono::system_clock;
 }
 
 // strptime takes a 31st of February, mktime moves it to March: what comes back must be what was written.
-system_clock::time_point moment_of(std::tm written, bool utc, const std::string& text) {
+system_clock::time_point time_point_of(std::tm written, bool utc, const std::string& text) {
   std::tm kept = written;
   kept.tm_isdst = -1;
   const std::time_t seconds = utc ? timegm(&kept) : std::mktime(&kept);
@@ -28,15 +28,15 @@ system_clock::time_point moment_of(std::tm written, bool utc, const std::string&
 
 }  // namespace
 
-system_clock::time_point parse_moment(const std::string& text) {
+system_clock::time_point parse_time_point(const std::string& text) {
   std::tm fields{};
   const auto reads_as = [&](const char* format) {
     fields = {};
     const char* end = strptime(text.c_str(), format, &fields);
     return end && *end == '\0';
   };
-  if (reads_as("%Y-%m-%dT%H:%M") || reads_as("%Y-%m-%dT%H:%M:%S")) return moment_of(fields, false, text);
-  if (reads_as("%Y-%m-%dT%H:%MZ") || reads_as("%Y-%m-%dT%H:%M:%SZ")) return moment_of(fields, true, text);
+  if (reads_as("%Y-%m-%dT%H:%M") || reads_as("%Y-%m-%dT%H:%M:%S")) return time_point_of(fields, false, text);
+  if (reads_as("%Y-%m-%dT%H:%MZ") || reads_as("%Y-%m-%dT%H:%M:%SZ")) return time_point_of(fields, true, text);
   if (!reads_as("%H:%M")) refuse(text);
   const system_clock::time_point now = system_clock::now();
   const std::time_t seconds = system_clock::to_time_t(now);
@@ -49,13 +49,13 @@ system_clock::time_point parse_moment(const std::string& text) {
     std::tm then = day;
     then.tm_mday += days;
     then.tm_isdst = -1;
-    const system_clock::time_point moment = system_clock::from_time_t(std::mktime(&then));
-    if (moment > now) return moment;
+    const system_clock::time_point next = system_clock::from_time_t(std::mktime(&then));
+    if (next > now) return next;
   }
 }
 
-std::string format_moment(system_clock::time_point moment) {
-  return fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(system_clock::to_time_t(moment)));
+std::string format_time_point(system_clock::time_point time) {
+  return fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(system_clock::to_time_t(time)));
 }
 
 }  // namespace cyl

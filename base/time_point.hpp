@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Moments as people write them: 06:30, 2026-11-22T06:30.
+// Points in time as people write them: 06:30, 2026-11-22T06:30.
 #pragma once
 
 #include <chrono>
@@ -7,10 +7,10 @@
 
 namespace cyl {
 
-/// "06:30": the next such local time. "2026-11-22T06:30" or with ":00" for seconds: local time; with "Z" at
-/// its end UTC. Throws UsageError on anything else.
-std::chrono::system_clock::time_point parse_moment(const std::string& text);
-/// In UTC, to the second; parse_moment reads it.
-std::string format_moment(std::chrono::system_clock::time_point moment);
+/// Reads "06:30", the next such local time, "2026-11-22T06:30" or with ":00" for seconds: local time; with
+/// "Z" at its end UTC. Throws UsageError on anything else.
+std::chrono::system_clock::time_point parse_time_point(const std::string& text);
+/// Returns the time in UTC, to the second, as parse_time_point() reads it.
+std::string format_time_point(std::chrono::system_clock::time_point time);
 
 }  // namespace cyl

@@ -30,7 +30,7 @@ inline constexpr double point_error =
 inline constexpr double membership_error =
     16 * unit_roundoff_error;  ///< of a point's distances to axis and middle plane, times |x| + |Delta|
 inline constexpr double underflow_error =
-    0x1p-500;  ///< of the same distances, where squares vanish; in units of the pair's largest length
+    0x1p-500;  ///< of the same distances, where squares vanish; relative to the pair's largest length
 
 /// Checks the cylinder and brings its axis to unit length, whatever its length was. Once a solid: intersect()
 /// then costs a third of what it does from two Cylinders. Never throws; the defect is in the result.

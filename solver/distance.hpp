@@ -28,7 +28,7 @@ struct Distance {
   /// edge (2 in 1,000 are not); where it is more, tell it to whoever asked. Overlapping: the exact depth is
   /// at most -value + error, always; that no direction is shallower is not proved (distance.md, section 4).
   double error = 0;
-  /// Of unit length, direction.(b.center - a.center) >= 0: b moved along it by -value + error or more has no
+  /// A unit vector, direction.(b.center - a.center) >= 0: b moved along it by -value + error or more has no
   /// inner point of a in it.
   Vector3 direction{0, 0, 0};
   /// Offsets from a.center and from b.center. Apart: points of a and of b, |distance - value| <= error.

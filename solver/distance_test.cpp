@@ -22,7 +22,7 @@ class Stream : public Numbers {
     return {between(-limit, limit), between(-limit, limit), between(-limit, limit)};
   }
   Cylinder cylinder() { return {vector(1), vector(1), between(0, 1), between(0, 3)}; }
-  // Of every shape and in every pose that has cases of its own.
+  // Every shape, in every pose, that has cases of its own.
   Pair pair(int i) {
     Pair p{cylinder(), cylinder()};
     if (i % 3 == 1) p.a.radius = 0;

@@ -57,7 +57,7 @@ MethodAnswer answer_of(const GuestAnswer& said) {
   return answer;
 }
 
-/// Of its words those that are files: `mine.py` of "python3 -u mine.py --fast".
+/// Returns those of its words that are files: `mine.py` of "python3 -u mine.py --fast".
 std::vector<std::string> files_of(const Guest& guest) {
   std::vector<std::string> files;
   std::istringstream words(guest.what);

@@ -40,7 +40,8 @@ std::vector<Guest> parse_guests(std::string_view text);
 /// not load, does not answer, or has no name that will do.
 std::unique_ptr<Method> open_guest(Guest& guest);
 
-/// Of the bytes of these files, eight digits. A guest that was changed is another version, whatever it says.
+/// Returns a hash of the bytes of these files, eight digits. A guest that was changed is another version,
+/// whatever it says.
 std::string fingerprint(std::span<const std::string> files);
 
 std::unique_ptr<Method> open_plugin(const Guest& guest);   ///< as open_guest, but for the name

@@ -51,10 +51,10 @@ TEST(Errata2008, HarmlessOnesChangeNoVerdict) {
   }
 }
 
-class SeedMethods2008 : public testing::TestWithParam<std::size_t> {};
+class Literature2008 : public testing::TestWithParam<std::size_t> {};
 
 // `decide` and its certificates against every setting without faults.
-TEST_P(SeedMethods2008, AgreeWithDecideBeyondTheirClaim) {
+TEST_P(Literature2008, AgreeWithDecideBeyondTheirClaim) {
   const Family& family = families()[GetParam()];
   for (const auto& method : literature_2008_methods()) {
     if (method->name().find("printed") != std::string_view::npos) continue;
@@ -71,10 +71,10 @@ TEST_P(SeedMethods2008, AgreeWithDecideBeyondTheirClaim) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(EachFamily, SeedMethods2008, testing::Range<std::size_t>(0, families().size()),
+INSTANTIATE_TEST_SUITE_P(EachFamily, Literature2008, testing::Range<std::size_t>(0, families().size()),
                          [](const auto& info) { return std::string(families()[info.param].name); });
 
-TEST(SeedMethods2008Printed, AreOftenWrong) {
+TEST(Literature2008Printed, AreOftenWrong) {
   const Family& family = *find_family("random");
   for (const auto& method : literature_2008_methods()) {
     if (method->name() != "seed2008-printed") continue;

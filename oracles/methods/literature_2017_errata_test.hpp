@@ -54,7 +54,7 @@ inline MethodAnswer offered_2017(const literature::Separation& found) {
   return answer;
 }
 
-/// Wrong with the fault, right without, by certificate. Of a part: it denies the direction that proves the
+/// Wrong with the fault, right without, by certificate. For a part of the text: it denies the direction that proves the
 /// pair disjoint and that the part finds without the fault.
 inline bool shows(const Fault2017& shown, const Pair& pair) {
   const literature::Separation right = ask_2017(pair, shown.of_the_whole, shown.beside);

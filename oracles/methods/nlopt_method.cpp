@@ -150,9 +150,9 @@ void minimise(Problem& p, const Setting& s) {
 // Shares: an answer of 600 evaluations takes 0.15 ms, of 1200 0.3 ms, of 6000 by DIRECT 2.6 ms, and all other
 // methods together take 0.1 ms on a pair.
 //
-// Claims: the largest errors seen, in sizes, on 2500 pairs each of random solids, needles, disks and solids
-// along the axes were 4e-2 (direct-600, crs-1200), 7e-4 (mlsl-1200) and 1.4e-5 (direct-6000); nine in
-// ten were below 2e-10, and all above 2e-4 were depths of overlaps.
+// Claims: the largest errors seen, relative to the size, on 2500 pairs each of random solids, needles, disks
+// and solids along the axes were 4e-2 (direct-600, crs-1200), 7e-4 (mlsl-1200) and 1.4e-5 (direct-6000); nine
+// in ten were below 2e-10, and all above 2e-4 were depths of overlaps.
 constexpr Setting settings[] = {
     {"nlopt-direct-600", NLOPT_GN_DIRECT_L, 120, 80, false, 64, 1e-1},
     {"nlopt-direct-6000", NLOPT_GN_DIRECT_L, 1800, 200, false, 1024, 1e-3},

@@ -114,7 +114,7 @@ class MpFloat {
   void clear() {
     if (!is_inline()) mpfr_clear(v_);
   }
-  // Of the same precision, where the digits are not inline.
+  // Takes numbers of the same precision, where the digits are not inline.
   void copy_digits(const MpFloat& o) {
     if (!o.is_inline()) {
       mpfr_set(v_, o.v_, MPFR_RNDN);

@@ -37,7 +37,7 @@ inline constexpr double depth_width_tol = 1e-9;
 /// centres are so far apart that doubles do not resolve it, or where the cap on cells ends the search (many
 /// equal depths: rods along each other). Touching gives [0, 0]. Cost: 20 to 100 us, up to 40 ms at the cap.
 Enclosure enclose_distance(const Pair& pair, const Truth& truth);
-/// The same at a width of the caller's choice, in units of the pair's size; a few us, and one end 0, where
+/// The same at a width of the caller's choice, relative to the pair's size; a few us, and one end 0, where
 /// one guess shows the distance to be less than that.
 Enclosure enclose_distance(const Pair& pair, const Truth& truth, double relative_width);
 

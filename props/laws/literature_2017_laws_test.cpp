@@ -13,9 +13,9 @@
 namespace cyl {
 namespace {
 
-class Seed2017Laws : public testing::TestWithParam<std::size_t> {};
+class Literature2017Laws : public testing::TestWithParam<std::size_t> {};
 
-TEST_P(Seed2017Laws, HoldBitForBit) {
+TEST_P(Literature2017Laws, HoldBitForBit) {
   const auto methods = literature_2017_methods();
   for (std::uint64_t index = 0; index < 30; ++index) {
     const Pair pair = families()[GetParam()].generate(20170416, index);
@@ -26,7 +26,7 @@ TEST_P(Seed2017Laws, HoldBitForBit) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Families, Seed2017Laws, testing::Range<std::size_t>(0, families().size()),
+INSTANTIATE_TEST_SUITE_P(Families, Literature2017Laws, testing::Range<std::size_t>(0, families().size()),
                          [](const auto& info) { return std::string(families()[info.param].name); });
 
 }  // namespace

@@ -20,7 +20,7 @@ inline double positive(double x) noexcept { return 0.5 * (x + magnitude(x)); }
 inline double pick(bool mask, double a, double b) noexcept { return mask ? a : b; }
 inline bool negate(bool mask) noexcept { return !mask; }
 
-/// Of F' as computed, in units of the radii's sum: five roundings, upwards.
+/// The error of F' as computed, relative to the radii's sum: five roundings, upwards.
 inline constexpr double slope_error = 0x1p-50;
 /// A smaller cosine counts as 0 to the edges: it moves their ends by less than a rounding of the radii.
 inline constexpr double least_cosine = 0x1p-60;

@@ -19,7 +19,7 @@ double eta(const Vector3& w, const Vector3& d, bool printed) noexcept {
   return std::sqrt(dot(d, d) - along * along);
 }
 
-/// Of r |P D| + h Sign(L) D.W with respect to D.
+/// Returns the gradient of r |P D| + h Sign(L) D.W with respect to D.
 Vector3 rise(const Octant& o, const Vector3& w, double r, double h, double sign, const Vector3& d) noexcept {
   const double root = eta(w, d, o.printed_roots);
   const double side = own_sign(sign, dot(d, w));

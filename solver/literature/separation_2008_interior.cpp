@@ -129,7 +129,7 @@ bool separated_inside(const Solids& p, CriticalWay way, const Options& options, 
       for (int i = 0; i < pairs.count; ++i) {
         Vector3 d = g.direction(pairs.eta0[i], pairs.eta1[i]);
         if (dot(d, g.w) < 0) d = -d;
-        // Of eta_i . A_i^T D: both positive, or both negative, which is the negated pair.
+        // The signs of eta_i . A_i^T D: both positive, or both negative, which is the negated pair.
         const auto along = [&](const Vector2& eta, int k) {
           return eta.x() * dot(p.u[k], d) + eta.y() * dot(p.n, d);
         };
