@@ -9,6 +9,7 @@
 #include "corpus/pairs/random_stream.hpp"
 #include "fuzz/guided/visited.hpp"
 #include "oracles/methods/adapter.hpp"
+#include "oracles/trial/contact.hpp"
 
 namespace cyl {
 namespace {
@@ -47,14 +48,7 @@ Face face_along(const Cylinder& c, const Vector3& w, const Vector3& d) {
   return std::fabs(inner_product(d, w)) < face_tol && c.height > 0 ? side : rim;
 }
 
-// By comparisons alone, for powers of ten as written are the decades' borders.
-constexpr std::array<double, decade_count - 1> decades = {
-    1e-1, 1e-2, 1e-3, 1e-4, 1e-5, 1e-6, 1e-7, 1e-8, 1e-9, 1e-10, 1e-11, 1e-12, 1e-13, 1e-14, 1e-15, 1e-16};
-
-std::size_t decade(double x) {
-  return static_cast<std::size_t>(
-      std::count_if(decades.begin(), decades.end(), [&](double border) { return x <= border; }));
-}
+std::size_t decade(double x) { return static_cast<std::size_t>(margin_decade(x)); }
 
 double margin_of(const Pair& pair, const Distance& measured) {
   const double size = size_of(pair);
@@ -121,9 +115,8 @@ bool is_moderate(const Pair& pair) {
 }
 
 std::string to_string(const Stratum& s) {
-  constexpr const char* features[] = {"side-side", "side-rim", "rim-rim", "cap-side", "cap-rim", "cap-cap"};
-  constexpr const char* angles[] = {"parallel", "<1e-12", "<1e-7", "<1e-2", "generic", "near-90", "90"};
-  return std::string(features[s.features]) + ' ' + angles[s.angle] + " 1e-" + std::to_string(s.decade);
+  return std::string(to_string(static_cast<ContactFeature>(s.features))) + ' ' +
+         to_string(static_cast<AngleClass>(s.angle)) + " 1e-" + std::to_string(s.decade);
 }
 
 Stratum count_geometry(const Pair& pair, const Distance& measured) {

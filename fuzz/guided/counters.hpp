@@ -16,15 +16,16 @@ namespace cyl {
 /// Sine of the angle to an axis below which a direction is along it, cosine below which it is square to it.
 inline constexpr double face_tol = 1e-7;
 
-/// Which features face each other in a direction of any length: 0 side-side, 1 side-rim, 2 rim-rim,
-/// 3 cap-side, 4 cap-rim, 5 cap-cap. A disk has no side and a segment no cap: there it is the rim.
+/// Returns which features face each other in a direction of any length, by the number of the ContactFeature:
+/// as feature_along(), in the solver's arithmetic. A disk has no side and a segment no cap: there it is the
+/// rim.
 std::size_t features_along(const Pair& pair, const Vector3& direction);
 inline constexpr std::size_t features_count = 6;
 
 /// A cell of what can be visited.
 struct Stratum {
   std::size_t features;  ///< as above
-  std::size_t angle;     ///< of the axes: 0 parallel, sine below 1e-12, 1e-7, 1e-2, generic, near 90, 6: 90
+  std::size_t angle;     ///< of the axes: the number of the AngleClass, "exactly" being as doubles have it
   std::size_t decade;    ///< d where the margin is in (10^(-d-1), 10^-d]; 16: at most 1e-16
   bool operator==(const Stratum&) const = default;
 };

@@ -4,11 +4,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstring>
 
 #include "base/usage_error.hpp"
+#include "corpus/pairs/pair_numbers.hpp"
 
 namespace cyl {
 namespace {
@@ -16,18 +16,6 @@ namespace {
 /// Relative widths of a distance that is only shown, and how much of itself it may be unsure of.
 constexpr double shown_widths[] = {1e-6, 1e-9, 1e-12, 1e-15};
 constexpr double shown_share = 1e-3;
-
-std::array<double, 16> numbers_of(const Pair& pair) {
-  std::array<double, 16> x;
-  double* next = x.data();
-  for (const Cylinder* c : {&pair.a, &pair.b}) {
-    next = std::copy_n(c->center.data(), 3, next);
-    next = std::copy_n(c->axis.data(), 3, next);
-    *next++ = c->radius;
-    *next++ = c->height;
-  }
-  return x;
-}
 
 bool same(const Pair& x, const Pair& y) {
   const auto p = numbers_of(x), q = numbers_of(y);

@@ -6,44 +6,19 @@
 // (oracles/trial/contact.hpp), or most pairs end as disks and points.
 #pragma once
 
-#include <array>
-#include <compare>
 #include <cstddef>
 #include <functional>
 #include <span>
 #include <vector>
 
+#include "props/shrink/complexity.hpp"
 #include "solver/cylinder.hpp"
 
 namespace cyl {
 
-/// Which of these pairs still fail, one bool each; asked many at a time, because each call about foreign code
-/// costs a fork. Must be a pure function of each pair. The pairs are legal.
+/// Says which of these pairs still fail, one bool each; asked many at a time, because each call about foreign
+/// code costs a fork. Must be a pure function of each pair. The pairs are legal.
 using StillFails = std::function<std::vector<bool>(std::span<const Pair>)>;
-
-/// How simple a pair is: compared from the first member on, smaller is simpler. Well-founded, since there
-/// are finitely many doubles. Extremes come first, so that they stay only where they matter. "Numbers" are
-/// the pair's 16, in their shortest round-trip decimals.
-struct Complexity {
-  /// Decades, summed, by which radii, heights and the largest coordinate of each axis are below 0.1 or not
-  /// below 100.
-  int extremes;
-  int digits;      ///< significant decimal digits of all numbers together; 0 has none, 1e-9 has one
-  int non_zero;    ///< numbers that are not 0
-  int fractional;  ///< numbers that are not integers
-  int exponents;   ///< absolute decimal exponents of all numbers, summed
-  int bits;        ///< significant bits, summed
-  int negative;    ///< numbers with a minus sign, -0 too
-  int digit_sum;   ///< of the decimal digits
-  int distinct;    ///< different absolute values, 0 aside
-  /// Absolute values: a's axis, b's axis, radii, heights, a's centre, b's centre, z last in each vector.
-  std::array<double, 16> values;
-  std::array<bool, 16> signs;  ///< which of them have a minus sign
-  auto operator<=>(const Complexity&) const = default;
-};
-
-/// Of a legal pair.
-Complexity complexity(const Pair& pair);
 
 struct Simplified {
   Pair pair;              ///< confirmed failing, or the pair given
@@ -55,8 +30,9 @@ struct Simplified {
 /// at most 600, in 20 to 60 calls.
 inline constexpr std::size_t question_cap_default = 4000;
 
-/// The pair given is taken to fail and is not asked about; an illegal one comes back as it is. Deterministic;
-/// never worse than what was given; where it did not end at the cap, simplifying again changes nothing.
+/// Returns the simplest pair found. The pair given is taken to fail and is not asked about; an illegal one
+/// comes back as it is. Deterministic; never worse than what was given; where it did not end at the cap,
+/// simplifying again changes nothing.
 Simplified simplify(const Pair& pair, const StillFails& still_fails,
                     std::size_t question_cap = question_cap_default);
 

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: MIT
+// How simple a pair is to read.
+#pragma once
+
+#include <array>
+#include <compare>
+
+#include "solver/cylinder.hpp"
+
+namespace cyl {
+
+/// Shortest round-trip decimals of a number: how many digits, their sum, and the exponent of the first.
+struct Decimal {
+  int digits = 0, exponent = 0, digit_sum = 0;
+};
+Decimal decimal_of(double x);
+
+/// How simple a pair is: compared from the first member on, smaller is simpler. Well-founded, since there
+/// are finitely many doubles. Extremes come first, so that they stay only where they matter. "Numbers" are
+/// the pair's 16, in their shortest round-trip decimals.
+struct Complexity {
+  /// Decades, summed, by which radii, heights and the largest coordinate of each axis are below 0.1 or not
+  /// below 100.
+  int extremes;
+  int digits;      ///< significant decimal digits of all numbers together; 0 has none, 1e-9 has one
+  int non_zero;    ///< numbers that are not 0
+  int fractional;  ///< numbers that are not integers
+  int exponents;   ///< absolute decimal exponents of all numbers, summed
+  int bits;        ///< significant bits, summed
+  int negative;    ///< numbers with a minus sign, -0 too
+  int digit_sum;   ///< of the decimal digits
+  int distinct;    ///< different absolute values, 0 aside
+  /// Absolute values: a's axis, b's axis, radii, heights, a's centre, b's centre, z last in each vector.
+  std::array<double, 16> values;
+  std::array<bool, 16> signs;  ///< which of them have a minus sign
+  auto operator<=>(const Complexity&) const = default;
+};
+
+/// The pair is legal.
+Complexity complexity(const Pair& pair);
+
+}  // namespace cyl

@@ -1,0 +1,395 @@
+// SPDX-License-Identifier: MIT
+#include "props/shrink/moves.hpp"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <iterator>
+#include <numeric>
+#include <string>
+#include <utility>
+
+#include "corpus/pairs/pair_numbers.hpp"
+#include "props/shrink/complexity.hpp"
+#include "solver/distance.hpp"
+
+namespace cyl::moves {
+namespace {
+
+/// Sine of the angle below which axes are also tried as an axis and a little beside it.
+constexpr double near_sine_margin = 1e-2;
+/// Newton steps towards a distance; the distance is smooth in a number but for kinks, where it is given up.
+constexpr int newton_cap = 8;
+/// Of a distance that was to be kept: what is farther from it is not asked about.
+constexpr double kept_part_tol = 0.25;
+constexpr int digit_cap = 17;  ///< all that a double has
+
+/// Nearest double of units * 10^exponent; 0 where that is out of range.
+double decimal(long long units, int exponent) {
+  const std::string text = std::to_string(units) + 'e' + std::to_string(exponent);
+  double x = 0;
+  return std::from_chars(text.data(), text.data() + text.size(), x).ec == std::errc() ? x : 0;
+}
+
+double rounded(double x, int digits) {
+  char text[40];
+  const char* end = std::to_chars(text, text + sizeof text, x, std::chars_format::scientific, digits - 1).ptr;
+  double y = 0;
+  return std::from_chars(text, end, y).ec == std::errc() ? y : x;
+}
+
+std::array<double*, 16> numbers(Pair& p) {
+  std::array<double*, 16> all;
+  std::ranges::copy(numbers_of(p.b), std::ranges::copy(numbers_of(p.a), all.begin()).out);
+  return all;
+}
+
+std::array<double*, 4> lengths(Pair& p) { return {&p.a.radius, &p.a.height, &p.b.radius, &p.b.height}; }
+
+/// A changed copy.
+template <class Change>
+Pair with(Pair p, Change change) {
+  change(p);
+  return p;
+}
+
+// distance = max over unit D of D.(b - a) - (support of both). By a number x it grows with what D.(..) or the
+// support does at the D that attains it: D_i by b's centre, minus the sine of the angle between D and the
+// axis by a radius, minus half the cosine by a height.
+double slope(const Distance& d, const Pair& p, std::size_t which) {
+  if (which < 3) return d.direction[static_cast<Eigen::Index>(which)];
+  const Cylinder& c = which < 5 ? p.a : p.b;
+  const Vector3 w = c.axis.stableNormalized();
+  return which % 2 == 1 ? -d.direction.cross(w).norm() : -std::fabs(d.direction.dot(w)) / 2;
+}
+
+/// The scene turned so that `up` is the z axis and `side` lies in the plane y = 0.
+struct Frame {
+  Eigen::Matrix3d turn;
+  Frame(const Vector3& up, const Vector3& side) {
+    const Vector3 z = up.stableNormalized();
+    const Vector3 y = z.cross(side.stableNormalized()).stableNormalized();
+    turn << y.cross(z).transpose(), y.transpose(), z.transpose();
+  }
+};
+
+/// Divided by its length, its largest and its smallest coordinate.
+std::vector<Vector3> multiples(const Vector3& w) {
+  std::vector<Vector3> out{w.stableNormalized()};
+  double least = w.cwiseAbs().maxCoeff();
+  out.push_back(w / least);
+  for (const double x : w)
+    if (x != 0) least = std::min(least, std::fabs(x));
+  out.push_back(w / least);
+  return out;
+}
+
+Vector3 smallest_multiple(const Vector3& integers) {
+  long long common = 0;
+  for (const double x : integers) common = std::gcd(common, static_cast<long long>(x));
+  return common == 0 ? integers : Vector3(integers / static_cast<double>(common));
+}
+
+/// Directions of small integers near w, the boldest first, and w itself at other lengths.
+std::vector<Vector3> near_axes(const Vector3& w) {
+  std::vector<Vector3> out;
+  const Vector3 unit = w / w.cwiseAbs().maxCoeff();
+  for (const double most : {1, 2, 3, 4, 8, 16}) {
+    Vector3 v = (most * unit).array().round();
+    out.push_back(smallest_multiple(v));
+  }
+  std::ranges::copy(multiples(w), std::back_inserter(out));
+  out.push_back(w / std::ldexp(1, std::ilogb(w.cwiseAbs().maxCoeff())));
+  return out;
+}
+
+/// Where the axes are nearly parallel: a simpler axis, and beside it a power of ten in one coordinate.
+void add_nearly_parallel(const Pair& p, Pairs& out) {
+  const Vector3 wa = p.a.axis.stableNormalized(), wb = p.b.axis.stableNormalized();
+  const double sine = wa.cross(wb).norm();
+  if (!(sine > 0 && sine < near_sine_margin)) return;
+  const int e = decimal_of(sine).exponent;
+  std::vector<Vector3> bases = near_axes(p.a.axis);
+  bases.insert(bases.end(), {Vector3::UnitX(), Vector3::UnitY(), Vector3::UnitZ()});
+  for (const Vector3& a : bases) {
+    Eigen::Index most = 0;
+    a.cwiseAbs().maxCoeff(&most);
+    for (const int exponent : {e, e + 1})
+      for (const Eigen::Index i : {(most + 1) % 3, (most + 2) % 3})
+        out.push_back(with(p, [&](Pair& q) {
+          q.a.axis = a;
+          q.b.axis = a + decimal(1, exponent) * Vector3::Unit(i);
+        }));
+  }
+}
+
+/// Numbers that might stand in for x; only the simpler ones will be asked about.
+std::vector<double> simpler_numbers(double x) {
+  if (x == 0) return {0};
+  std::vector<double> out{0,           1, std::copysign(1, x), std::fabs(x), std::round(x), std::floor(x),
+                          std::ceil(x)};
+  const int e = decimal_of(x).exponent, sign = x < 0 ? -1 : 1;
+  for (int k = 1; k <= 10; ++k) out.push_back(decimal(sign * k, e));
+  // Towards 1: the exponents.
+  for (const int other : {e / 2, e > 0 ? e - 1 : e + 1}) {
+    out.push_back(decimal(sign, other));
+    out.push_back(decimal(static_cast<long long>(rounded(x / decimal(1, e), 1)), other));
+  }
+  int exponent = 0;
+  const double significand = std::frexp(x, &exponent);
+  for (int bits = 1; bits <= 6; ++bits)
+    out.push_back(std::ldexp(std::round(std::ldexp(significand, bits)), exponent - bits));
+  for (int digits = 1; digits < digit_cap; ++digits) {
+    const double y = rounded(x, digits);
+    out.push_back(y);
+    if (digits > 3) continue;
+    const double unit = decimal(1, e - digits + 1);
+    out.push_back(rounded(y + unit, digits));
+    out.push_back(rounded(y - unit, digits));
+  }
+  // A simple number and a tiny rest: the rest to powers of ten.
+  for (const double whole : {rounded(x, 1), rounded(x, 2), std::round(x)}) {
+    const double rest = x - whole;
+    if (whole == 0 || rest == 0 || std::fabs(rest) > near_margin * std::fabs(x)) continue;
+    for (int power = decimal_of(rest).exponent; power < e - 1; ++power)
+      out.push_back(rounded(whole + decimal(rest < 0 ? -1 : 1, power), e - power + 1));
+  }
+  return out;
+}
+
+}  // namespace
+
+void add_at_distance(const Pair& p, double kept, Pairs& out) {
+  if (!is_legal(p)) return;
+  const Distance now = distance(p.a, p.b);
+  for (const auto& [first, last] : {std::pair<std::size_t, std::size_t>{0, 3}, {3, 7}}) {
+    std::size_t best = first;
+    for (std::size_t i = first; i < last; ++i)
+      if (std::fabs(slope(now, p, i)) > std::fabs(slope(now, p, best))) best = i;
+    Pair q = p;
+    double& x = best < 3 ? q.b.center[static_cast<Eigen::Index>(best)] : *lengths(q)[best - 3];
+    double off = now.value - kept;
+    Distance at = now;
+    for (int step = 0; step < newton_cap && off != 0; ++step) {
+      const double before = x, by = slope(at, q, best);
+      if (by == 0) break;
+      x -= off / by;
+      if (x == before || !is_legal(q)) break;
+      at = distance(q.a, q.b);
+      off = at.value - kept;
+    }
+    if (is_legal(q) && std::fabs(off) <= kept_part_tol * std::fabs(kept)) out.push_back(q);
+  }
+}
+
+Pairs translations(const Pair& p) {
+  Pairs out;
+  const auto add = [&](bool of_a, const Vector3& to) {
+    out.push_back(with(p, [&](Pair& q) {
+      Cylinder &fixed = of_a ? q.a : q.b, &other = of_a ? q.b : q.a;
+      other.center = to + (other.center - fixed.center);
+      fixed.center = to;
+    }));
+  };
+  for (const bool of_a : {true, false}) {
+    const Vector3& c = (of_a ? p.a : p.b).center;
+    add(of_a, Vector3::Zero());
+    for (int digits = 1; digits <= 4; ++digits)
+      out.push_back(with(out.back(), [&](Pair& q) {
+        Vector3& other = (of_a ? q.b : q.a).center;
+        other = (p.b.center - p.a.center) * (of_a ? 1 : -1);
+        other = other.unaryExpr([&](double x) { return rounded(x, digits); }).eval();
+      }));
+    Eigen::Index most = 0;
+    c.cwiseAbs().maxCoeff(&most);
+    if (c[most] == 0) continue;
+    const int e = decimal_of(c[most]).exponent;
+    for (const int exponent : {e + 1, e, e - 1}) add(of_a, decimal(1, exponent) * Vector3::UnitZ());
+    for (int digits = 1; digits <= 4; ++digits) {
+      const Vector3 to = c.unaryExpr([&](double x) { return rounded(x, digits); });
+      add(of_a, to);
+      add(of_a, to[most] * Vector3::Unit(most));
+    }
+  }
+  return out;
+}
+
+Pairs frames(const Pair& p) {
+  Pairs out;
+  const Vector3 n = distance(p.a, p.b).direction, delta = p.b.center - p.a.center;
+  const auto add = [&](const Vector3& up, const Vector3& side) {
+    const Frame frame(up, side);
+    if (!frame.turn.allFinite()) return;
+    // What is meant to be 0 is 0, else rounding would leave it with 17 digits.
+    const auto turned = [&](const Vector3& v) {
+      Vector3 t = frame.turn * v;
+      if (v == up || v == -up) t.head<2>().setZero();
+      if (v == side || v == -side) t.y() = 0;
+      return t;
+    };
+    for (const Vector3& axis_a : multiples(turned(p.a.axis)))
+      for (const Vector3& axis_b : multiples(turned(p.b.axis)))
+        out.push_back(with(p, [&](Pair& q) {
+          q.a.axis = axis_a;
+          q.b.axis = axis_b;
+          q.a.center = turned(p.a.center);
+          q.b.center = p.a.center.isZero(0) ? turned(delta) : turned(p.b.center);
+        }));
+  };
+  add(p.a.axis, p.b.axis);
+  add(p.a.axis, delta);
+  add(p.b.axis, p.a.axis);
+  add(p.b.axis, delta);
+  add(n, p.a.axis);
+  add(n, p.b.axis);
+  return out;
+}
+
+Pairs symmetries(const Pair& p) {
+  Pairs out;
+  std::array<Eigen::Index, 3> order{0, 1, 2};
+  do
+    for (unsigned mirror = 0; mirror < 8; ++mirror)
+      out.push_back(with(p, [&](Pair& q) {
+        for (Cylinder* c : {&q.a, &q.b})
+          for (Vector3* v : {&c->center, &c->axis}) {
+            const Vector3 from = *v;
+            for (unsigned i = 0; i < 3; ++i) (*v)[i] = (mirror >> i & 1 ? -1 : 1) * from[order[i]];
+          }
+      }));
+  while (std::ranges::next_permutation(order).found);
+  for (unsigned which = 1; which < 16; ++which)
+    out.push_back(with(p, [&](Pair& q) {
+      if (which & 1) q.a.axis = -q.a.axis;
+      if (which & 2) q.b.axis = -q.b.axis;
+      if (which & 4) std::swap(q.a, q.b);
+      if (which & 8) std::swap(q.a.center, q.b.center);
+    }));
+  // No minus sign on zeros.
+  for (Pair& q : out)
+    for (double* x : numbers(q)) *x += 0.0;
+  return out;
+}
+
+Pairs scales(const Pair& p) {
+  Pairs out;
+  const auto add = [&](double by) {
+    if (by == 0 || !std::isfinite(by)) return;
+    out.push_back(with(p, [&](Pair& q) {
+      for (Cylinder* c : {&q.a, &q.b}) {
+        c->center /= by;
+        c->radius /= by;
+        c->height /= by;
+      }
+    }));
+  };
+  Pair copy = p;
+  double most = 0;
+  for (const double* x : lengths(copy)) {
+    add(*x);
+    most = std::max(most, *x);
+  }
+  for (const double x : p.b.center) add(std::fabs(x));
+  if (most == 0) most = p.b.center.cwiseAbs().maxCoeff();
+  if (most == 0) return out;
+  add(std::ldexp(1, std::ilogb(most)));
+  const int e = decimal_of(most).exponent;
+  for (const int exponent : {e, e / 2, e > 0 ? 1 : -1}) add(decimal(1, exponent));
+  return out;
+}
+
+Pairs shapes(const Pair& p) {
+  Pairs out;
+  for (const double r : {0.0, 1.0, 2.0})
+    for (const double h : {0.0, 1.0, 2.0})
+      for (const unsigned which : {3u, 1u, 2u})
+        out.push_back(with(p, [&](Pair& q) {
+          if (which & 1) q.a.radius = r, q.a.height = h;
+          if (which & 2) q.b.radius = r, q.b.height = h;
+        }));
+  out.push_back(with(p, [&](Pair& q) {
+    for (double* x : lengths(q))
+      if (*x != 0) *x = std::ldexp(1, std::ilogb(*x));
+  }));
+  return out;
+}
+
+Pairs axes(const Pair& p) {
+  Pairs out;
+  std::vector<Vector3> for_a{p.a.axis}, for_b{p.b.axis};
+  std::ranges::copy(near_axes(p.a.axis), std::back_inserter(for_a));
+  std::ranges::copy(near_axes(p.b.axis), std::back_inserter(for_b));
+  for (Eigen::Index i = 0; i < 3; ++i) {
+    for_a.push_back(Vector3::Unit(i));
+    for_b.push_back(Vector3::Unit(i));
+  }
+  const auto add = [&](const Vector3& a, const Vector3& b) {
+    out.push_back(with(p, [&](Pair& q) { q.a.axis = a, q.b.axis = b; }));
+  };
+  for (const Vector3& a : for_a) add(a, p.b.axis);
+  for (const Vector3& b : for_b) add(p.a.axis, b);
+  for (std::size_t i = 1; i < std::min(for_a.size(), for_b.size()); ++i) add(for_a[i], for_b[i]);
+  for (Eigen::Index i = 0; i < 3; ++i)
+    for (Eigen::Index j = 0; j < 3; ++j) add(Vector3::Unit(i), Vector3::Unit(j));
+  add(p.a.axis, p.a.axis);
+  add(p.b.axis, p.b.axis);
+  add_nearly_parallel(p, out);
+  return out;
+}
+
+Pairs centres(const Pair& p) {
+  Pairs out;
+  const Vector3 delta = p.b.center - p.a.center;
+  for (unsigned kept = 0; kept < 7; ++kept)
+    out.push_back(with(p, [&](Pair& q) {
+      for (unsigned i = 0; i < 3; ++i)
+        if (!(kept >> i & 1)) q.b.center[i] = q.a.center[i];
+    }));
+  for (Eigen::Index i = 0; i < 3; ++i)
+    out.push_back(with(p, [&](Pair& q) { q.b.center = q.a.center + delta.stableNorm() * Vector3::Unit(i); }));
+  return out;
+}
+
+Pairs roundings(const Pair& p) {
+  Pairs out;
+  constexpr unsigned centre = 0b111, axis = 0b111000, shape = 0b11000000;
+  for (const unsigned which : {0xffffu, centre << 8, axis << 8, axis, axis | axis << 8, shape | shape << 8,
+                               shape, shape << 8, shape | shape << 8 | centre << 8}) {
+    const auto add = [&](auto simpler) {
+      out.push_back(with(p, [&](Pair& q) {
+        const auto all = numbers(q);
+        for (unsigned i = 0; i < 16; ++i)
+          if (which >> i & 1) *all[i] = simpler(*all[i]);
+      }));
+    };
+    add([](double x) { return std::round(x); });
+    for (int digits = 1; digits < digit_cap; ++digits) add([&](double x) { return rounded(x, digits); });
+  }
+  return out;
+}
+
+Pairs one_number(const Pair& p, std::size_t which) {
+  Pairs out;
+  Pair copy = p;
+  for (const double simpler : simpler_numbers(*numbers(copy)[which]))
+    out.push_back(with(p, [&](Pair& q) { *numbers(q)[which] = simpler; }));
+  return out;
+}
+
+Pairs equalities(const Pair& p) {
+  Pairs out;
+  for (std::size_t i = 0; i < 4; ++i) {
+    out.push_back(with(p, [&](Pair& q) {
+      for (double* x : lengths(q)) *x = *lengths(q)[i];
+    }));
+    for (std::size_t j = 0; j < 4; ++j)
+      if (i != j) out.push_back(with(p, [&](Pair& q) { *lengths(q)[j] = *lengths(q)[i]; }));
+  }
+  out.push_back(with(p, [&](Pair& q) { q.b.radius = q.a.radius, q.b.height = q.a.height; }));
+  out.push_back(with(p, [&](Pair& q) { q.a.radius = q.b.radius, q.a.height = q.b.height; }));
+  return out;
+}
+
+}  // namespace cyl::moves
