@@ -16,7 +16,9 @@ namespace cyl {
 
 /// An enum with a table of words, whose values are 0, 1, .. in the order of the table.
 template <typename E>
-concept Worded = std::is_enum_v<E> && requires { words_of(E{}); };
+concept Worded = std::is_enum_v<E> && requires {
+  words_of(E{});
+};
 
 template <Worded E>
 inline constexpr auto enum_words = words_of(E{});
