@@ -165,7 +165,7 @@ class RunStore {
   std::vector<CellRecord> cells() const;
   std::optional<FindingRecord> finding(std::int64_t id) const;
 
-  void add(const SelfCheckRecord& check);       ///< one there with the same start is replaced
+  void add(const SelfCheckRecord& check);            ///< one there with the same start is replaced
   std::vector<SelfCheckRecord> self_checks() const;  ///< by start
 
  private:

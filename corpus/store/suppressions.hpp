@@ -22,7 +22,7 @@ struct Suppression {
 
 /// Throws std::invalid_argument "line 3, column 17: ..." at the first bad line; columns count bytes from 1.
 std::vector<Suppression> read_suppressions(std::istream& in);
-/// Of a file; a file that is not there has none. Throws UsageError, with the file's name before that text.
+/// Reads a file; one that is not there has none. Throws UsageError, with the file's name before that text.
 std::vector<Suppression> read_suppressions(const std::string& file);
 
 /// Whether it holds no more on a day, YYYY-MM-DD.

@@ -25,7 +25,7 @@ using Key = std::tuple<std::string, std::string, std::string, std::string>;  // 
 /// What history needs of a run.
 struct Past {
   std::string began, folder;
-  bool shard = false;  ///< a part of a run, which tells nothing of nights
+  bool shard = false;  ///< a part of a run
   std::set<MethodFamily> asked;
   std::map<Key, GroupRecord> found;
 };

@@ -63,7 +63,7 @@ TEST_F(HistoryTest, TellsNewKnownBackAndGone) {
             "against 0 earlier runs beside it: 3 new, 0 known, 0 gone, 0 back");
 }
 
-TEST_F(HistoryTest, ARunThatDidNotAskTellsNothing) {
+TEST_F(HistoryTest, ARunThatDidNotAskDoesNotCount) {
   run("1", "2026-11-01", {{"x", {"held"}}});
   run("2", "2026-11-02", {{"y", {}}});
   run("3", "2026-11-03", {{"x", {"held"}}});
@@ -72,7 +72,7 @@ TEST_F(HistoryTest, ARunThatDidNotAskTellsNothing) {
   EXPECT_EQ(standing("4", "x", "held"), "");
 }
 
-TEST_F(HistoryTest, ShardsAreNoNights) {
+TEST_F(HistoryTest, ShardsHaveNoHistoryOfTheirOwn) {
   run("0", "2026-11-01", {{"x", {"held"}}});
   run("1", "2026-11-02", {{"x", {"held"}}});
   run("2", "2026-11-03", {{"x", {"held"}}});
