@@ -51,6 +51,10 @@ def floors_of(arrows):
     floor = {}
     for room, below in arrows.items():
         floor[room] = 1 + max((floor[other] for other in below), default=-1)
+    for room in reversed(arrows):  # as high as its users let it, where that makes no arrow longer
+        users = [other for other in arrows if room in arrows[other]]
+        if len(users) >= max(1, len(arrows[room])):
+            floor[room] = min(floor[user] for user in users) - 1
     floors = [[room for room in arrows if floor[room] == i] for i in range(max(floor.values()) + 1)]
     hops = []
     for room, below in arrows.items():
