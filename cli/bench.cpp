@@ -45,8 +45,8 @@ void write_json(const std::string& file, const std::vector<BenchRow>& rows,
   if (!out.flush()) throw std::runtime_error(file + ": cannot be written");
 }
 
-/// What the flag stands for, where the command line does not say otherwise. 600 pairs: five margins of them
-/// are as many as `digits_low` needs.
+/// Sets what the flag --curves stands for, where the command line does not say otherwise. 600 pairs: five
+/// margins of them are as many as `digits_low` needs.
 void set_curves(const Command& command, Arguments& options) {
   const auto unless_given = [&](const char* name, auto& option, auto value) {
     if (!command.given(name)) option = value;
@@ -64,7 +64,7 @@ std::vector<std::unique_ptr<Method>> methods_for(const Arguments& options, Metho
   return options.methods == "all" ? std::move(methods) : select_methods(std::move(methods), options.methods);
 }
 
-/// What is to be read beside the times of programs; empty where none is here.
+/// Returns what is to be read beside the times of programs; empty where none is here.
 std::string through_pipes(const std::vector<Guest>& guests) {
   std::string names;
   for (const Guest& guest : guests)

@@ -43,7 +43,7 @@ namespace fs = std::filesystem;
 constexpr std::chrono::minutes least_self_check_budget{5};
 constexpr std::uint64_t least_self_check_pairs = 3'000'000;  // in five minutes, at 10,000 a second
 
-/// Where a run is given no limit of its own.
+/// The wall time of a run that is given no limit of its own.
 constexpr std::chrono::minutes default_budget{1};
 
 struct Arguments {
@@ -85,7 +85,7 @@ void print_list(const GuestOptions& guests) {
   for (const Family& family : families()) fmt::print("  {:<26} {}\n", family.name, family.summary);
 }
 
-/// "i/n", i from 0 to n - 1.
+/// Reads "i/n", i from 0 to n - 1. Throws UsageError where the text is something else.
 void set_shard(const std::string& text, CampaignOptions& options) {
   const char* end = text.data() + text.size();
   const auto [slash, bad_index] = std::from_chars(text.data(), end, options.shard);
@@ -96,7 +96,7 @@ void set_shard(const std::string& text, CampaignOptions& options) {
     throw UsageError("--shard: '" + text + "' is not i/n with i from 0 to n - 1");
 }
 
-/// A new run: everything from the command line.
+/// Plans a new run: everything from the command line.
 CampaignOptions plan_new(const Arguments& arguments, Selection& selection) {
   CampaignOptions options;
   options.seed = arguments.seed ? *arguments.seed : std::random_device()();
@@ -120,7 +120,7 @@ CampaignOptions plan_new(const Arguments& arguments, Selection& selection) {
   return options;
 }
 
-/// Moves what `named` names, in that order, out of `all`; name_of tells the name of one.
+/// Moves what `named` names, in that order, out of `all`; name_of() gives the name of one.
 template <class T, class NameOf>
 std::vector<T> pick(std::vector<T> all, const std::vector<std::string>& named, NameOf name_of,
                     const std::string& run) {
@@ -139,7 +139,7 @@ std::chrono::milliseconds left_of(std::chrono::milliseconds budget) {
   return budget.count() > 0 ? budget : spent_budget;
 }
 
-/// Every method there is and the run's guests; of those, one that is given anew is taken from there.
+/// Returns every method there is and the run's guests; of those, one that is given anew is taken from there.
 MethodSet methods_of_run(const Arguments& arguments, const std::vector<std::string>& asked) {
   MethodSet set = with_guests(arguments.guests);
   for (const Guest& guest : set.guests) {
@@ -153,7 +153,7 @@ MethodSet methods_of_run(const Arguments& arguments, const std::vector<std::stri
   return set;
 }
 
-/// A run to go on with: everything from its store but the limits, where the command line has some.
+/// Plans to go on with a run: everything from its store but the limits, where the command line has some.
 CampaignOptions plan_resumed(const Arguments& arguments, Selection& selection) {
   const RunStore store = RunStore::open(arguments.resume);
   const Config config = store.config();

@@ -28,7 +28,8 @@ namespace cyl {
 
 namespace {
 
-/// Lines. So many at most are answered together: a foreign method's worker is forked once for all of them.
+/// The number of lines that are answered together, at most: a foreign method's worker is forked once for all
+/// of them.
 constexpr std::size_t batch_cap = 1000;
 
 struct CheckOptions {
@@ -62,7 +63,7 @@ std::string describe(Verdict verdict, const Enclosure& d) {
                      format_double(apart ? d.hi : -d.lo), apart ? "apart" : "deep");
 }
 
-/// Proved by the referee, to whom the solver's own certificate is offered first.
+/// Returns the verdict as proved by the referee, to whom the solver's own certificate is offered first.
 Reply certified(const CaseLine& c, Method& solver, const CheckOptions& options) {
   const Pair& pair = c.value->pair;
   const MethodAnswer offered[] = {solver.ask(pair)};
@@ -75,7 +76,7 @@ Reply certified(const CaseLine& c, Method& solver, const CheckOptions& options) 
                                      format_certificate(truth.certificate))};
 }
 
-/// What the method itself said, proved by nobody.
+/// Returns what the method itself said, proved by nobody.
 Reply reported(const CaseLine& c, const Method& method, const MethodAnswer& answer, bool text) {
   if (answer.status == Status::answered) {
     std::string said = format_method_answer(answer);
@@ -107,7 +108,7 @@ class Checker {
     throw UsageError(message);
   }
 
-  /// One line out for each non-blank line in, written as soon as no more input is waiting.
+  /// Writes one line for each non-blank line in, written as soon as no more input is waiting.
   void answer_all(std::istream& in, const std::string& file) {
     CaseReader reader(in);
     std::vector<CaseLine> batch;

@@ -25,7 +25,7 @@ struct MethodSet {
   std::vector<std::unique_ptr<Method>> methods;
   std::vector<Guest> guests;  ///< with the names they are called by
 
-  /// Keeps what select_methods() does; "" stands for the guests where there are any, else for what `unnamed`
+  /// Selects as select_methods() does; "" stands for the guests where there are any, else for what `unnamed`
   /// names.
   std::vector<std::unique_ptr<Method>> select(std::string_view spec, std::string_view unnamed) &&;
 };

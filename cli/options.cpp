@@ -13,7 +13,7 @@
 namespace cyl {
 namespace {
 
-/// The same for every command; docs/exit-codes.md says more.
+/// The meaning of exit codes, the same for every command.
 constexpr const char* exit_codes =
     "Exit code: 0 nothing is wrong; 2 something is, beyond a method's claim; 3 nothing is, but something is "
     "undecided\n"

@@ -13,9 +13,9 @@ class ProgressLine {
   ~ProgressLine();  ///< takes the bar away
   ProgressLine(const ProgressLine&) = delete;
   ProgressLine& operator=(const ProgressLine&) = delete;
-  /// Whether it is time to show something; `elapsed` since the work began.
+  /// Returns whether it is time to show something; `elapsed` since the work began.
   bool due(std::chrono::milliseconds elapsed) const;
-  /// `share` of the work that is done, and what came of it.
+  /// Shows the share of the work that is done, and what came of it.
   void show(std::chrono::milliseconds elapsed, double share, const std::string& numbers);
 
  private:

@@ -22,7 +22,7 @@
 namespace cyl {
 namespace {
 
-/// Pairs that are asked together: a worker is forked once for all of them.
+/// The number of pairs that are asked together: a worker is forked once for all of them.
 constexpr std::size_t together_cap = 64;
 
 struct Arguments {
@@ -39,7 +39,7 @@ std::string describe(const Finding& finding) {
   return text + ")";
 }
 
-/// What became of a stored finding: "stands", or why not.
+/// Returns what became of a stored finding: "stands", or why not.
 std::string outcome(const FindingRecord& stored, std::span<const std::unique_ptr<Method>> methods,
                     const Trial& now) {
   for (std::size_t m = 0; m < methods.size(); ++m) {
@@ -106,8 +106,7 @@ class Replayer {
  private:
   void print(const Target& target, const Trial& now) {
     fmt::print("{}\n  {}\n", target.label, format_pair(target.pair));
-    fmt::print("  truth: {}. {}\n", to_string(now.truth.verdict),
-               describe_truth(format_truth(now.truth)).certificate);
+    fmt::print("  truth: {}. {}\n", to_string(now.truth.verdict), in_words(now.truth.certificate));
     if (now.decided())
       fmt::print("  distance: {} to {}\n", format_double(now.distance.lo), format_double(now.distance.hi));
     for (std::size_t m = 0; m < methods_.size(); ++m) {
@@ -131,7 +130,8 @@ class Replayer {
                  format_method_answer(b.answers[i]));
   }
 
-  /// Of a stored finding only its own method counts; of a case, any.
+  /// Returns whether something is wrong beyond a claim: with a stored finding, by its own method; with a
+  /// case, by any.
   bool stands_by_contract(const Target& target, const Trial& now) const {
     if (target.finding && target.finding->method == "corpus")
       return outcome(*target.finding, methods_, now).starts_with("stands");

@@ -20,7 +20,7 @@
 namespace cyl {
 namespace {
 
-/// All pairs of so many cylinders are in a page: 20 thousand, in ten configurations, some 40 MB.
+/// The number of cylinders of which a page has all pairs: 20 thousand, in ten configurations, some 40 MB.
 constexpr std::size_t page_cap = 200;
 
 struct Arguments {
@@ -31,7 +31,7 @@ struct Arguments {
   SceneQuestion question;
 };
 
-/// "elbow=0.5"
+/// Reads "elbow=0.5". Throws UsageError where the text is no such thing.
 std::pair<std::string, double> parse_joint(const std::string& text) {
   const auto sign = text.find('=');
   double value = 0;
@@ -48,7 +48,7 @@ void check_lengths(const SceneQuestion& question) {
     throw UsageError("--clearance and --tolerate are lengths, 0 or more");
 }
 
-/// Before any work: a page shows every pair.
+/// Throws UsageError, before any work, where there are too many cylinders for a page, which shows every pair.
 void check_page(const Arguments& arguments, std::size_t cylinders) {
   if (arguments.page.empty() || cylinders <= page_cap) return;
   throw UsageError(
@@ -56,7 +56,8 @@ void check_page(const Arguments& arguments, std::size_t cylinders) {
                   cylinders));
 }
 
-/// Many that stand still: of a generated scene also its first parts, for the time against the number.
+/// Sweeps many cylinders that stand still; with `parts` also the first parts of a generated scene, for the
+/// time against the number.
 int list_close_pairs(const Arguments& arguments, std::span<const Cylinder> cylinders, bool parts) {
   const double clearance = arguments.question.clearance;
   fmt::print("{}", close_pairs_head());

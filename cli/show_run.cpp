@@ -19,8 +19,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The finding to look at first: beyond a claim before within, a wrong verdict before anything else, then by
-/// margin.
+/// Returns the finding to look at first: beyond a claim before within, a wrong verdict before anything else,
+/// then by margin.
 const FindingRecord* worst_finding(const RunData& run) {
   const FindingRecord* worst = nullptr;
   const auto key = [](const FindingRecord& f) {

@@ -18,8 +18,9 @@ struct Target {
   std::optional<FindingRecord> finding;
 };
 
-/// RUN: all its findings; RUN:ID: one; FILE: all its cases; FILE:LINE: one; "-": the cases of standard input.
-/// Throws UsageError on a name that is none of these, std::runtime_error on what cannot be read.
+/// Returns what `name` stands for. RUN: all its findings; RUN:ID: one; FILE: all its cases; FILE:LINE: one;
+/// "-": the cases of standard input. Throws UsageError on a name that is none of these, std::runtime_error on
+/// what cannot be read.
 std::vector<Target> targets_of(const std::string& name);
 
 }  // namespace cyl

@@ -80,7 +80,7 @@ int triage(const Arguments& arguments) {
   return exit_code(result);
 }
 
-/// The bucket of the last triage with that key.
+/// Returns the bucket of the last triage with that key.
 nlohmann::json bucket_of(const Arguments& arguments, const std::string& key) {
   const nlohmann::json buckets = buckets_json(arguments.run);
   for (const nlohmann::json& bucket : buckets)
@@ -89,7 +89,7 @@ nlohmann::json bucket_of(const Arguments& arguments, const std::string& key) {
                                arguments.run, key, arguments.run, buckets.size()));
 }
 
-/// What fails in a bucket, at its simplest.
+/// Returns what fails in a bucket, at its simplest.
 OneFailure failure_in(const nlohmann::json& bucket) {
   return {bucket.at("method"), kind_of_word(bucket.at("kind")),
           parse_case(bucket.at("simplest").at("pair").dump(), 1).value.value().pair};

@@ -32,7 +32,7 @@ namespace {
 namespace fs = std::filesystem;
 using std::chrono::milliseconds;
 
-/// Of sizes and offsets with --extremes: what a float holds of a world in metres, about.
+/// The greatest size and offset with --extremes: what a float holds of a world in metres, about.
 constexpr double extreme_size = 1e12;
 
 struct Arguments {

@@ -24,11 +24,11 @@ namespace {
 using Clock = std::chrono::steady_clock;
 using std::chrono::milliseconds;
 
-/// Cases asked together.
+/// The number of cases asked together.
 constexpr std::size_t cases_at_once = 32;
-/// Draws of one round of the search.
+/// The number of draws of one round of the search.
 constexpr int draws_per_round = 4;
-/// Pairs of one cell in one round of the sample.
+/// The number of pairs of one cell in one round of the sample.
 constexpr std::uint64_t pairs_per_cell = 4;
 /// A pair under all laws takes as long as so many of the sample: both phases are to take about as long.
 constexpr std::uint64_t law_price = 50;
@@ -39,10 +39,10 @@ constexpr int distance_law = 33;
 
 /// How often a failing case is run again.
 constexpr unsigned rerun_count = 10;
-/// Questions of the shrinker about one failure. Beyond them it stays as simple as it is.
+/// The number of questions of the shrinker about one failure. Beyond them it stays as simple as it is.
 constexpr std::size_t simplify_cap = 1200;
-/// Questions about all failures, those of running again included: enough for a few in the smallest gate, and
-/// one for so many pairs drawn.
+/// The number of questions about all failures, those of running again included: enough for a few in the
+/// smallest gate, and one for so many pairs drawn.
 constexpr std::uint64_t least_questions = 4 * simplify_cap, pairs_per_question = 10;
 /// A hang is paid for as so many questions: it takes half a second, they take some tenths of a millisecond
 /// each.
@@ -50,15 +50,6 @@ constexpr std::uint64_t hang_price = 1000;
 
 /// A method that has hung so often is not asked any more: 8 s of CPU time, or half a minute of sleep.
 constexpr std::uint64_t hang_cap = 16;
-
-/// Where so many pairs got the same answer, it is no answer.
-constexpr std::uint64_t enough_to_remark = 100;
-
-/// Whether it says nothing on more than half of what it is asked: it passes no gate for what it does not say.
-bool abstains(const AnswerCounts& counts) {
-  const auto silent = counts.declined + counts.said[static_cast<std::size_t>(Verdict::undecided)];
-  return counts.asked == 0 || 2 * silent > counts.asked;
-}
 
 bool is_of_answer(const Law& law) { return law.kind == LawKind::answer; }
 
@@ -75,10 +66,10 @@ struct Stratum {
   int decade;
 };
 
-/// Relative: 10^-13 computed, and a claim rounded up, are still 1e-13.
+/// A relative allowance: 10^-13 computed, and a claim rounded up, are still 1e-13.
 constexpr double claim_rounding_error = 0x1p-48;
 
-/// Whether every pair of this size and decade of margin is beyond the claim.
+/// Returns whether every pair of this size and decade of margin is beyond the claim.
 bool claims(const Claim& claim, double size, int decade) {
   return std::pow(10.0, -decade - 1) * size * (1 + claim_rounding_error) >= reach(claim, size);
 }
@@ -165,8 +156,8 @@ class Gate {
 
   bool out_of_time() const { return options_.cap && Clock::now() - start_ >= *options_.cap; }
 
-  /// Whether a phase that has `done` of its rounds or cases goes on; where the time is over, what is left of
-  /// it is not asked, and that is said.
+  /// Returns whether a phase that has `done` of its rounds or cases goes on; where the time is over, what is
+  /// left of it is not asked, and that is said.
   bool goes_on(std::uint64_t done, std::uint64_t due, const char* things) {
     if (done >= due) return false;
     if (!out_of_time()) return true;
@@ -376,19 +367,6 @@ class Gate {
     failure.simplest = simplify(failure.simplest, still_fails, simplify_cap).pair;
   }
 
-  static std::string remark_on(const AnswerCounts& counts) {
-    if (counts.asked < enough_to_remark) return {};
-    const auto said = [&](Verdict v) { return counts.said[static_cast<std::size_t>(v)]; };
-    if (counts.failed == counts.asked) return "fails on every pair";
-    const std::uint64_t silent = counts.declined + said(Verdict::undecided);
-    if (silent == counts.asked) return "abstains on every pair";
-    if (abstains(counts)) return fmt::format("abstains on {} of {} pairs", silent, counts.asked);
-    for (const Verdict v : {Verdict::disjoint, Verdict::intersecting, Verdict::touching, Verdict::invalid})
-      if (said(v) + counts.declined + counts.failed == counts.asked)
-        return fmt::format("answers {} to every pair", to_string(v));
-    return {};
-  }
-
   std::span<const std::unique_ptr<Method>> methods_;
   std::span<const Case> cases_;
   const GateOptions& options_;
@@ -418,24 +396,6 @@ GateAmount amount_of(std::uint64_t pairs) {
       .cases_under_laws = {},
       .law_rounds = std::max<std::uint64_t>(1, (under_laws + law_round - 1) / law_round),
       .sample_rounds = std::max<std::uint64_t>(1, (pairs - under_laws + sample_round - 1) / sample_round)};
-}
-
-bool shows_in_answer(const Law& law) { return law.number == answer_law || law.number == verdict_law; }
-
-bool is_error(const GateFailure& failure) { return failure.severity == Severity::contract; }
-
-bool fails_gate(const GateFailure& failure) { return is_error(failure) && !failure.known; }
-
-int exit_code(const GateReport& report) {
-  if (std::any_of(report.failures.begin(), report.failures.end(), fails_gate)) return 2;
-  const auto unsampled = [](const GatePhaseReport& p) {
-    return p.phase == GatePhase::sample && p.pairs == 0;
-  };
-  const bool undecided = report.undecided_truths > 0 || !report.not_asked.empty() ||
-                         std::any_of(report.phases.begin(), report.phases.end(), unsampled) ||
-                         std::any_of(report.methods.begin(), report.methods.end(),
-                                     [](const GateMethod& m) { return abstains(m.counts); });
-  return undecided ? 3 : 0;
 }
 
 }  // namespace cyl

@@ -16,7 +16,7 @@
 namespace cyl {
 namespace {
 
-/// n/64 with least <= n <= 256.
+/// Generates n/64 with least <= n <= 256.
 rc::Gen<double> on_grid(int least) {
   return rc::gen::map(rc::gen::inRange(least, 257), [](int n) { return n / 64.0; });
 }
@@ -39,7 +39,7 @@ rc::Gen<Cylinder> grid_cylinder() {
                       });
 }
 
-/// `count` pairs that `draw` makes of (seed, index), named; to be left as they are.
+/// Generates `count` pairs that `draw` makes of (seed, index), named; to be left as they are.
 template <class Draw>
 rc::Gen<PairsDrawn> drawn(std::string from, int count, Draw draw) {
   return rc::gen::noShrink(rc::gen::map(rc::gen::arbitrary<std::uint64_t>(),

@@ -13,11 +13,11 @@
 
 namespace cyl {
 
-/// How RapidCheck prints a counterexample: as a line of a case file.
+/// Prints a counterexample of RapidCheck as a line of a case file.
 void showValue(const Pair& pair, std::ostream& out);
 
-/// Numbers n/64, |n| <= 256: exact in sums and products, often touching; half the axes have coordinates
-/// -2..2, so that parallel and perpendicular ones are common.
+/// Generates numbers n/64, |n| <= 256: exact in sums and products, often touching; half the axes have
+/// coordinates -2..2, so that parallel and perpendicular ones are common.
 rc::Gen<Pair> grid_pair();
 
 /// Pairs of one kind, which `from` names: "grid", "family random" or "stratum side-rim 1e-09".
@@ -25,7 +25,8 @@ struct PairsDrawn {
   std::string from;
   std::vector<Pair> pairs;
 };
-/// At most `count` pairs of one kind; the kinds take turns at random: the grid, each family, each stratum.
+/// Generates at most `count` pairs of one kind; the kinds take turns at random: the grid, each family, each
+/// stratum.
 rc::Gen<PairsDrawn> pairs_of_one_kind(int count);
 void showValue(const PairsDrawn& drawn, std::ostream& out);
 

@@ -106,7 +106,7 @@ std::string came_back(const Trial& p) {
 }
 
 std::string truth_in_words(const Trial& p) {
-  std::string text = describe_truth(format_truth(p.truth)).certificate;
+  std::string text = in_words(p.truth.certificate);
   if (p.truth.verdict == Verdict::disjoint)
     return "They are disjoint. " + text + " " +
            fmt::format("The gap is between {} and {} wide.", format_double(p.distance.lo),

@@ -14,9 +14,9 @@
 namespace cyl {
 namespace {
 
-/// Relative width of the distance at whose direction the solids are shown to be apart.
+/// The relative width of the distance at whose direction the solids are shown to be apart.
 constexpr double direction_width = 1e-9;
-/// Relative; pulls a rounded nearest point into its solid.
+/// A relative length that pulls a rounded nearest point into its solid.
 constexpr double pull_margin = 0x1p-40;
 
 constexpr std::string_view head = R"(#!/usr/bin/env python3

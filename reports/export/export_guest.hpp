@@ -9,21 +9,21 @@
 
 namespace cyl {
 
-/// Whether such a program can show a finding of this kind.
+/// Returns whether such a program can show a finding of this kind.
 bool guest_program_shows(FindingKind kind);
 
-/// "reproduce.c" or "reproduce.py".
+/// Returns "reproduce.c" or "reproduce.py".
 std::string guest_program_name(const Guest& guest);
 
-/// It prints what the guest says and what is true, and exits with 1 where the answer is wrong in the way of
-/// the finding, 0 where it is right; that of a plug-in ends as the plug-in does. `asked` must hold a finding
-/// of a kind that guest_program_shows().
+/// Returns a program that prints what the guest says and what is true, and exits with 1 where the answer is
+/// wrong in the way of the finding, 0 where it is right; that of a plug-in ends as the plug-in does. `asked`
+/// must hold a finding of a kind that guest_program_shows().
 std::string guest_program(const Guest& guest, const Trial& asked, const Claim& claim);
 
-/// build.sh: asks the guest where it was, or another file or command that is given.
+/// Returns build.sh, which asks the guest where it was, or another file or command that is given.
 std::string guest_build(const Guest& guest, FindingKind kind);
 
-/// The plug-in's file, or the command.
+/// Returns the plug-in's file, or the command.
 std::string guest_in_words(const Guest& guest);
 
 }  // namespace cyl

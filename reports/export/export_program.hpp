@@ -27,7 +27,7 @@ inline constexpr std::string_view compiler_options = "-std=c++17 -O2 -DNDEBUG -f
 /// MuJoCo.
 const LibraryCall* find_library_call(std::string_view method);
 
-/// Whether a program can show a finding of this kind.
+/// Returns whether a program can show a finding of this kind.
 bool program_shows(FindingKind kind);
 
 /// Returns the pair as the libraries get it: axes of unit length, rounded.

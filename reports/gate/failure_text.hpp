@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "props/gate/gate.hpp"
+#include "props/gate/gate_report.hpp"
 
 namespace cyl {
 

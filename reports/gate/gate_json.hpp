@@ -11,8 +11,8 @@
 
 namespace cyl {
 
-/// Every field of the report under its own name. Pairs are written as in the case files; numbers that are no
-/// JSON are the strings "nan", "inf", "-inf".
+/// Returns every field of the report under its own name. Pairs are written as in the case files; numbers that
+/// are no JSON are the strings "nan", "inf", "-inf".
 std::string gate_json(const GateReport& report);
 
 /// What a gate is held against.
@@ -28,8 +28,8 @@ struct GateBase {
   std::map<std::string, std::uint64_t> buckets;  ///< of failures beyond claims, and on how many pairs
 };
 
-/// Of what gate_json() wrote to `file`. Throws std::runtime_error naming the file, what is wrong with it and
-/// the remedy.
+/// Reads what gate_json() wrote to `file`. Throws std::runtime_error naming the file, what is wrong with it
+/// and the remedy.
 GateBase read_base(const std::string& file);
 
 /// Adds to what was not asked: methods, laws, cases and drawn pairs of the base that are none of the

@@ -20,7 +20,8 @@ namespace {
 // Lines are put together from words, and a word is never cut.
 constexpr std::size_t line_width = 100;
 
-/// Later lines stand below the first word of `text`, and in any case not at the margin.
+/// Breaks `text` into lines. Later ones stand below the first word of `text`, and in any case not at the
+/// margin.
 std::string wrapped(const std::string& first, const std::string& text) {
   const std::size_t indent = std::max<std::size_t>(first.size(), 2);
   std::string lines = first;
@@ -124,7 +125,7 @@ std::string failures_text(const GateReport& report) {
 // A pair that the method left undecided is no trial: it can be neither right nor wrong.
 std::uint64_t trials(const GateCell& c) { return c.pairs - std::min(c.pairs, c.undecided); }
 
-/// Worth showing where cells differ in more than their number of pairs.
+/// Returns whether a table is worth showing: where cells differ in more than their number of pairs.
 bool table_helps(const GateMethod& m) {
   return std::any_of(m.cells.begin(), m.cells.end(), [](const GateCell& c) {
     return c.wrong > 0 || (c.claimed && (trials(c) == 0 || c.undecided > 0));

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: MIT
+#include "props/gate/gate_report.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace cyl {
+namespace {
+
+/// Where so many pairs got the same answer, it is no answer.
+constexpr std::uint64_t enough_to_remark = 100;
+
+}  // namespace
+
+bool abstains(const AnswerCounts& counts) {
+  const auto silent = counts.declined + counts.said[static_cast<std::size_t>(Verdict::undecided)];
+  return counts.asked == 0 || 2 * silent > counts.asked;
+}
+
+std::string remark_on(const AnswerCounts& counts) {
+  if (counts.asked < enough_to_remark) return {};
+  const auto said = [&](Verdict v) { return counts.said[static_cast<std::size_t>(v)]; };
+  if (counts.failed == counts.asked) return "fails on every pair";
+  const std::uint64_t silent = counts.declined + said(Verdict::undecided);
+  if (silent == counts.asked) return "abstains on every pair";
+  if (abstains(counts)) return fmt::format("abstains on {} of {} pairs", silent, counts.asked);
+  for (const Verdict v : {Verdict::disjoint, Verdict::intersecting, Verdict::touching, Verdict::invalid})
+    if (said(v) + counts.declined + counts.failed == counts.asked)
+      return fmt::format("answers {} to every pair", to_string(v));
+  return {};
+}
+
+bool shows_in_answer(const Law& law) { return law.number == answer_law || law.number == verdict_law; }
+
+bool is_error(const GateFailure& failure) { return failure.severity == Severity::contract; }
+
+bool fails_gate(const GateFailure& failure) { return is_error(failure) && !failure.known; }
+
+int exit_code(const GateReport& report) {
+  if (std::any_of(report.failures.begin(), report.failures.end(), fails_gate)) return 2;
+  const auto unsampled = [](const GatePhaseReport& p) {
+    return p.phase == GatePhase::sample && p.pairs == 0;
+  };
+  const bool undecided = report.undecided_truths > 0 || !report.not_asked.empty() ||
+                         std::any_of(report.phases.begin(), report.phases.end(), unsampled) ||
+                         std::any_of(report.methods.begin(), report.methods.end(),
+                                     [](const GateMethod& m) { return abstains(m.counts); });
+  return undecided ? 3 : 0;
+}
+
+}  // namespace cyl

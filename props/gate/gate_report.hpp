@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: MIT
+// What came of a merge gate, and whether it passes.
+#pragma once
+
+#include <array>
+#include <chrono>
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "base/enum_words.hpp"
+#include "props/laws/examine.hpp"
+#include "props/laws/laws.hpp"
+
+namespace cyl {
+
+/// In the order they are run.
+enum class GatePhase : unsigned char {
+  corpus,       ///< every case, in full, by law 30 and on
+  corpus_laws,  ///< all other laws on every case
+  laws,         ///< all laws on generated pairs
+  sample        ///< the differential sample: independent pairs of every stratum against the referee
+};
+constexpr auto words_of(GatePhase) noexcept {
+  return std::array{"corpus", "laws on the corpus", "laws on drawn pairs", "sample of all strata"};
+}
+
+/// One way in which one method fails: all pairs of one bucket, that is of one method, kind of failure,
+/// contact feature and extreme coordinate, and of one law; in the order found.
+struct GateFailure {
+  std::string method;
+  const Law* law = nullptr;
+  std::string kind;    ///< "wrong_disjoint" of a refuted verdict, "crash" of a failure, else the law's name
+  std::string what;    ///< what broke, on the first pair
+  std::string reason;  ///< of a failure: the method's own words, on the first pair
+  Severity severity = Severity::contract;
+  GatePhase phase = GatePhase::corpus;
+  std::string origin;  ///< of the first pair: a case's "FILE:LINE id", or "side-rim 1e-09, seed 1, index 17"
+  Pair found;          ///< the first pair
+  Pair simplest;       ///< a simple one that breaks the same law in the same way
+  std::string
+      bucket;  ///< of the pairs as found, oracles/trial/bucket.hpp; that of the simplest may be another
+  std::uint64_t count = 0;  ///< pairs seen to fail like this
+  unsigned reruns = 0,
+           failed_again = 0;  ///< of the first pair; fewer failures than reruns: it depends on luck
+  std::string reproduce;      ///< RapidCheck's string, where it came from there; else empty
+  std::string options;        ///< that bring the method where it is of no build; else empty
+  bool known = false;         ///< excused: the base has it on as many pairs, or it is suppressed
+  std::uint64_t in_base = 0;  ///< pairs of the base that failed like this
+};
+
+/// Independent random pairs of one contact feature and one decade of margin, and how many were wrong.
+struct GateCell {
+  std::string_view feature;
+  int decade = 0;        ///< margins in (10^(-decade-1), 10^-decade]
+  bool claimed = false;  ///< by the method, for every pair of the cell
+  std::uint64_t pairs = 0, wrong = 0, undecided = 0;
+};
+
+/// What became of one method.
+struct GateMethod {
+  std::string name, version;
+  Claim claim;
+  AnswerCounts counts;
+  std::vector<GateCell> cells;
+  std::string remark;  ///< "abstains on every pair", "answers intersecting to every pair", ...; else empty
+};
+
+struct GatePhaseReport {
+  GatePhase phase;
+  std::uint64_t rounds = 0;  ///< of `laws` and `sample`
+  std::uint64_t pairs = 0;
+  std::chrono::milliseconds time{0};
+  std::uint64_t digest = 0;  ///< of the pairs, in their order
+};
+
+struct GateReport {
+  std::uint64_t seed = 0;
+  std::uint64_t pairs = 0;  ///< that were to be drawn
+  std::optional<std::chrono::milliseconds> cap;
+  std::vector<std::string> not_asked;  ///< that should have been, a line each: empty if all was
+  std::vector<std::uint64_t> cases;    ///< digests of the cases asked, in their order
+  std::vector<GateMethod> methods;
+  std::vector<GateFailure> failures;
+  std::vector<GatePhaseReport> phases;
+  std::uint64_t undecided_truths = 0;  ///< pairs of which nothing could be proved
+  std::map<std::string, std::uint64_t>
+      drawn;  ///< pairs that laws were tried on, by what they were drawn from
+};
+
+/// Returns whether a break shows in the answer to the pair itself, so that no law need be named to see it
+/// again.
+bool shows_in_answer(const Law& law);
+/// Returns whether the method broke more than its own claim allows.
+bool is_error(const GateFailure& failure);
+/// Returns whether that is not excused either.
+bool fails_gate(const GateFailure& failure);
+
+/// Returns 2 where a failure fails the gate, reproducible or not; 3 where none does, but truth that nobody
+/// could prove, a method that decided less than half of its pairs, or something that was not asked; else 0.
+int exit_code(const GateReport& report);
+
+/// Returns whether a method says nothing on more than half of what it is asked: it passes no gate for what it
+/// does not say.
+bool abstains(const AnswerCounts& counts);
+/// Returns what is remarkable in a method's answers, "abstains on every pair" or "answers disjoint to every
+/// pair"; else nothing.
+std::string remark_on(const AnswerCounts& counts);
+
+}  // namespace cyl
