@@ -34,10 +34,13 @@ concept Record = requires(T& row) {
   T::columns(row);
 };
 
+/// The number of columns that a value takes.
 template <class T>
 struct Width : std::integral_constant<int, 1> {};
 template <class... T>
 struct Width<std::tuple<T...>> : std::integral_constant<int, (Width<std::remove_cvref_t<T>>::value + ...)> {};
+template <class T>
+struct Width<std::optional<T>> : Width<T> {};
 template <Record T>
 struct Width<T> : Width<decltype(T::columns(std::declval<T&>()))> {};
 
