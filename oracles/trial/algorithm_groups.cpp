@@ -15,10 +15,10 @@ namespace {
 
 constexpr std::uint64_t group_seed = 7, pairs_per_cell = 4;
 
-/// Of the pairs on which the rarer wrong one of two is wrong, the part on which the other is wrong in the
-/// same way. Of all_methods(), those with one algorithm share 0.97 and more, others 0.92 at most.
+/// The part, of the pairs on which the rarer wrong one of two is wrong, on which the other is wrong in the
+/// same way. Among all_methods(), those with one algorithm share 0.97 and more, others 0.92 at most.
 constexpr double shared_part_margin = 0.95;
-/// Of the pairs on which either is wrong, the part on which both are. Across libraries: 0.67 and more of
+/// The part, of the pairs on which either is wrong, on which both are. Across libraries: 0.67 and more of
 /// those with one algorithm, 0.53 at most of others. Within one a setting may make the difference; below the
 /// smaller margin one is wrong so often that the other's pairs are among them by chance.
 constexpr double alike_part_margin = 0.3, alike_part_across_margin = 0.6;

@@ -29,22 +29,23 @@ constexpr auto words_of(Coordinate) noexcept {
   return std::array{"offset", "scale", "aspect", "angle", "margin", "plain"};
 }
 
-/// In sizes.
+/// Relative to the size.
 inline constexpr double offset_size_margin = 100;
 
-/// Of a legal pair; `margin`: |signed distance| / size, or a bound of it from above.
+/// Returns the coordinate of a legal pair; `margin`: |signed distance| / size, or a bound of it from above.
 Coordinate coordinate_of(const Pair& simplified, double margin);
 
-/// "fcl-libccd/wrong_disjoint/side-rim/angle". `failure`: a finding's kind or a law's name; the feature is
-/// "unknown" where there is none.
+/// Returns "fcl-libccd/wrong_disjoint/side-rim/angle". `failure`: a finding's kind or a law's name; the
+/// feature is "unknown" where there is none.
 std::string bucket_key(std::string_view method, std::string_view failure,
                        std::optional<ContactFeature> feature, Coordinate coordinate);
 
-/// The key of a pair: what meets and what matters are looked up. Cost: that of an enclosure of the distance.
+/// Returns the key of a pair: what meets and what matters are looked up. Cost: that of an enclosure of the
+/// distance.
 std::string bucket_of(std::string_view method, std::string_view failure, const Pair& pair);
 
-/// Twelve letters a to p that stand for the key, for tools that mangle digits: the low 48 bits of its FNV-1a
-/// hash, four a letter, the highest first.
+/// Returns twelve letters a to p that stand for the key, for tools that mangle digits: the low 48 bits of its
+/// FNV-1a hash, four a letter, the highest first.
 std::string letters_only(std::string_view key);
 
 }  // namespace cyl

@@ -30,8 +30,8 @@ struct CellAxis {
   std::vector<std::string> labels;
 };
 
-/// Of the margin |signed distance| / size: decades d with margins in (10^(-d-1), 10^-d], from 0, all above
-/// 0.1, to 16, all up to 1e-16; then what is proved to touch.
+/// Returns the bins of the margin |signed distance| / size: decades d of (10^(-d-1), 10^-d], from 0, all
+/// above 0.1, to 16, all up to 1e-16; then what is proved to touch.
 inline constexpr int margin_bins = 18, touching_bin = 17;
 CellAxis margin_axis();
 CellAxis x_axis(Plane plane);
@@ -42,7 +42,7 @@ struct Cell {
   bool operator==(const Cell&) const = default;
 };
 
-/// Where a legal pair lies, in the order of `planes`; `truth` is its proved verdict.
+/// Returns where a legal pair lies, in the order of `planes`; `truth` is its proved verdict.
 ///   angle  of the lines of the axes: exactly parallel, decades of the sine, oblique, decades of the cosine,
 ///          exactly perpendicular
 ///   aspect the largest of: diameter to height or height to diameter of either solid, and size of one solid

@@ -51,8 +51,8 @@ bool is_refuted_verdict(FindingKind kind) noexcept;
 /// Whether its verdict is wrong in any way: refuted, or "invalid" of a legal pair.
 bool is_wrong_verdict(FindingKind kind) noexcept;
 
-/// How wrong, relative to size_of(pair): |distance| of the pair for a verdict or a witness, |said - distance|
-/// for a distance. None where the truth is undecided.
+/// What is wrong with an answer. The margin is how wrong, relative to size_of(pair): |distance| of the pair
+/// for a verdict or a witness, |said - distance| for a distance; none where the truth is undecided.
 struct Finding {
   FindingKind kind;
   Severity severity;
@@ -72,7 +72,7 @@ double reach(const Claim& claim, double size);
 /// whether it reaches `length` (or as narrowly as is ever asked).
 Enclosure magnitude_against(double length, Trial& trial);
 
-/// Whether two answers to one question say the same, bit for bit, reasons and kind `hang` excepted.
+/// Returns whether two answers to one question say the same, bit for bit, reasons and kind `hang` excepted.
 bool same_answer(const MethodAnswer& x, const MethodAnswer& y);
 
 }  // namespace cyl

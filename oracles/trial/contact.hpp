@@ -19,27 +19,27 @@ namespace cyl {
 /// which it is square to it.
 inline constexpr double flat_tol = 1e-7;
 
-/// Which features meet in a direction of any length from a to b, by the angles between it and the axes: along
-/// the axis a cap, square to it a side, else a rim. A disk (height 0) has no side and a segment (radius 0) no
-/// cap: there it is the rim. Never `containment`.
+/// Returns which features meet in a direction of any length from a to b, by the angles between it and the
+/// axes: along the axis a cap, square to it a side, else a rim. A disk (height 0) has no side and a segment
+/// (radius 0) no cap: there it is the rim. Never `containment`.
 ContactFeature feature_along(const Pair& pair, const Vector3& direction);
 
-/// Whether no point of `inner` is outside `outer`, but for rounding.
+/// Returns whether no point of `inner` is outside `outer`, but for rounding.
 bool contains(const Cylinder& outer, const Cylinder& inner);
 
-/// Which features meet where the signed distance is attained, one of several where several do: `containment`
-/// where the solids overlap and one holds the other. Nothing of a pair that is invalid or undecided. Cost:
-/// that of an enclosure of the distance.
+/// Returns which features meet where the signed distance is attained, one of several where several do:
+/// `containment` where the solids overlap and one holds the other. Nothing for a pair that is invalid or
+/// undecided. Cost: that of an enclosure of the distance.
 std::optional<ContactFeature> contact_feature(const Pair& pair, const Truth& truth);
 
-/// Of the lines of the axes.
+/// The angle between the lines of the axes.
 struct AxesAngle {
   double sine = 0, cosine = 0;           ///< >= 0, within 1e-15
   bool parallel = false, right = false;  ///< exactly: decided in rational arithmetic
 };
-AxesAngle axes_angle(const Pair& pair);  ///< of a legal pair
+AxesAngle axes_angle(const Pair& pair);  ///< the pair is legal
 
-/// Of the lines of the axes.
+/// How nearly the lines of the axes are parallel or perpendicular.
 enum class AngleClass : unsigned char {
   parallel,      ///< exactly
   within_1e_12,  ///< sine below 1e-12, not 0
@@ -54,10 +54,10 @@ constexpr auto words_of(AngleClass) noexcept {
 }
 inline constexpr std::size_t angle_class_count = 7;
 
-/// Of a legal pair; what it says is exact is decided in rational arithmetic.
+/// Returns the class of a legal pair; what it says is exact is decided in rational arithmetic.
 AngleClass angle_class(const Pair& pair);
 
-/// d where 10^(-d-1) < margin <= 10^-d; from 0, for margins above 0.1, to 16, for all up to 1e-16.
+/// Returns d where 10^(-d-1) < margin <= 10^-d; from 0, for margins above 0.1, to 16, for all up to 1e-16.
 int margin_decade(double margin);
 
 }  // namespace cyl

@@ -126,8 +126,8 @@ std::optional<Broken> break_cap(const LawCase& c) {
   return Broken{fmt::format("{} steps, at most {} are allowed", c.first.steps, c.first.step_cap)};
 }
 
-/// Of size and centres' distance: from here on our methods decide. Ten times what the worst features of any
-/// family need, and of gaps between parallel solids.
+/// Relative to size and centres' distance: from here on our methods decide. Ten times what the worst features
+/// of any family need, and of gaps between parallel solids.
 constexpr double resolved_tol = 1e-11, parallel_tol = 1e-14;
 
 // A point that is in both by more than rounding needs room in both: a sheet or a thread thinner than rounding

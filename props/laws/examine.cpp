@@ -10,7 +10,7 @@ namespace cyl {
 namespace {
 
 /// What one law wants asked of one method about one pair: a stretch of all questions of the second round.
-struct Errand {
+struct Job {
   std::size_t method, pair;
   const Law* law;
   std::vector<Asked> asked;
@@ -30,6 +30,109 @@ void count_hang(AnswerCounts& counts, const ContainedAnswer& said) {
   counts.hung_seconds += said.nanoseconds * 1e-9;
 }
 
+/// The two rounds of questions, and what the laws say of the answers.
+class Examination {
+ public:
+  Examination(std::span<const std::unique_ptr<Method>> methods, std::span<const Pair> pairs,
+              const Wanted& wanted, const Caps& caps)
+      : methods_(methods), pairs_(pairs), wanted_(wanted), caps_(caps) {
+    result_.counts.resize(methods.size());
+    result_.truths.resize(pairs.size());
+    result_.answers.resize(methods.size() * pairs.size());
+  }
+
+  Examined run() {
+    ask_pairs();
+    make_jobs();
+    ask_further();
+    // By pair, so that what is proved of it serves all methods.
+    std::vector<std::vector<const Job*>> by_pair(pairs_.size());
+    for (const Job& job : jobs_) by_pair[job.pair].push_back(&job);
+    for (std::size_t p = 0; p < pairs_.size(); ++p) hold_to_laws(p, by_pair[p]);
+    return std::move(result_);
+  }
+
+ private:
+  MethodAnswer& answer(std::size_t m, std::size_t p) { return result_.answers[p * methods_.size() + m]; }
+
+  // Method by method, so that each worker stays with one library.
+  void ask_pairs() {
+    std::vector<Question> questions;
+    for (std::size_t m = 0; m < methods_.size(); ++m) {
+      const auto wanted_of_it = [&](const Law& law) { return wanted_(m, law); };
+      if (std::none_of(all_laws().begin(), all_laws().end(), wanted_of_it)) continue;
+      for (std::size_t p = 0; p < pairs_.size(); ++p) questions.push_back({m, p});
+    }
+    const std::vector<ContainedAnswer> said = ask_contained(methods_, pairs_, questions, caps_);
+    for (std::size_t q = 0; q < questions.size(); ++q) {
+      answer(questions[q].method, questions[q].pair) = said[q].answer;
+      count(result_.counts[questions[q].method], said[q].answer);
+      count_hang(result_.counts[questions[q].method], said[q]);
+    }
+  }
+
+  void make_jobs() {
+    for (std::size_t m = 0; m < methods_.size(); ++m)
+      for (std::size_t p = 0; p < pairs_.size(); ++p)
+        for (const Law& law : all_laws())
+          if (wanted_(m, law)) add_job({m, p, &law, {}});
+  }
+
+  void add_job(Job job) {
+    if (job.law->ask != needs_none) {
+      const MethodAnswer& first = answer(job.method, job.pair);
+      if (first.status != Status::answered) return;
+      job.asked = job.law->ask(*methods_[job.method], pairs_[job.pair], first);
+      if (job.asked.empty()) return;
+      job.first_question = further_.size();
+      for (const Asked& asked : job.asked) {
+        further_.push_back({job.method, changed_.size(), asked.mode});
+        changed_.push_back(asked.pair);
+      }
+    }
+    jobs_.push_back(std::move(job));
+  }
+
+  void ask_further() {
+    const std::vector<ContainedAnswer> said = ask_contained(methods_, changed_, further_, caps_);
+    for (std::size_t q = 0; q < further_.size(); ++q) {
+      further_answers_.push_back(said[q].answer);
+      count_hang(result_.counts[further_[q].method], said[q]);
+    }
+  }
+
+  void hold_to_laws(std::size_t p, const std::vector<const Job*>& jobs) {
+    Proofs proofs(pairs_[p], std::span(result_.answers).subspan(p * methods_.size(), methods_.size()));
+    for (const Job* job : jobs) {
+      const auto answers = std::span(further_answers_).subspan(job->first_question, job->asked.size());
+      const LawCase c{*methods_[job->method], pairs_[p], answer(job->method, p), job->asked, answers, proofs};
+      auto broken = broken_law(*job->law, c);
+      if (!broken) continue;
+      result_.broken.push_back(
+          {job->method, p, job->law, std::move(*broken), job->asked, {answers.begin(), answers.end()}});
+    }
+    if (const Trial* proved = proofs.known(pairs_[p])) result_.truths[p] = proved->truth.verdict;
+  }
+
+  static std::optional<Broken> broken_law(const Law& law, const LawCase& c) {
+    const auto failed = std::find_if(c.answers.begin(), c.answers.end(),
+                                     [](const MethodAnswer& a) { return a.status == Status::failed; });
+    if (failed == c.answers.end()) return law.broken(c);
+    return Broken{fmt::format("fails on a changed pair: {}", failed->reason), Severity::contract};
+  }
+
+  std::span<const std::unique_ptr<Method>> methods_;
+  std::span<const Pair> pairs_;
+  const Wanted& wanted_;
+  const Caps& caps_;
+  std::vector<Job> jobs_;
+  // The second round: what laws made of the pairs.
+  std::vector<Pair> changed_;
+  std::vector<Question> further_;
+  std::vector<MethodAnswer> further_answers_;
+  Examined result_;
+};
+
 }  // namespace
 
 AnswerCounts& AnswerCounts::operator+=(const AnswerCounts& other) {
@@ -44,86 +147,7 @@ AnswerCounts& AnswerCounts::operator+=(const AnswerCounts& other) {
 
 Examined examine(std::span<const std::unique_ptr<Method>> methods, std::span<const Pair> pairs,
                  const Wanted& wanted, const Caps& caps) {
-  Examined result;
-  result.counts.resize(methods.size());
-  result.truths.resize(pairs.size());
-
-  // Method by method, so that each worker stays with one library.
-  std::vector<Question> questions;
-  for (std::size_t m = 0; m < methods.size(); ++m) {
-    if (std::none_of(all_laws().begin(), all_laws().end(), [&](const Law& law) { return wanted(m, law); }))
-      continue;
-    for (std::size_t p = 0; p < pairs.size(); ++p) questions.push_back({m, p});
-  }
-  const std::vector<ContainedAnswer> said = ask_contained(methods, pairs, questions, caps);
-  result.answers.resize(methods.size() * pairs.size());
-  for (std::size_t q = 0; q < questions.size(); ++q) {
-    result.answers[questions[q].pair * methods.size() + questions[q].method] = said[q].answer;
-    count(result.counts[questions[q].method], said[q].answer);
-    count_hang(result.counts[questions[q].method], said[q]);
-  }
-  const auto answer = [&](std::size_t m, std::size_t p) -> const MethodAnswer& {
-    return result.answers[p * methods.size() + m];
-  };
-
-  std::vector<Errand> errands;
-  std::vector<Pair> changed;
-  std::vector<Question> further;
-  for (std::size_t m = 0; m < methods.size(); ++m) {
-    for (std::size_t p = 0; p < pairs.size(); ++p) {
-      for (const Law& law : all_laws()) {
-        if (!wanted(m, law)) continue;
-        Errand errand{m, p, &law, {}};
-        if (law.ask != needs_none) {
-          if (answer(m, p).status != Status::answered) continue;
-          errand.asked = law.ask(*methods[m], pairs[p], answer(m, p));
-          if (errand.asked.empty()) continue;
-          errand.first_question = further.size();
-          for (const Asked& asked : errand.asked) {
-            further.push_back({m, changed.size(), asked.mode});
-            changed.push_back(asked.pair);
-          }
-        }
-        errands.push_back(std::move(errand));
-      }
-    }
-  }
-  std::vector<MethodAnswer> further_answers;
-  const std::vector<ContainedAnswer> said_further = ask_contained(methods, changed, further, caps);
-  for (std::size_t q = 0; q < further.size(); ++q) {
-    further_answers.push_back(said_further[q].answer);
-    count_hang(result.counts[further[q].method], said_further[q]);
-  }
-
-  // By pair, so that what is proved of it serves all methods.
-  std::vector<std::vector<const Errand*>> by_pair(pairs.size());
-  for (const Errand& errand : errands) by_pair[errand.pair].push_back(&errand);
-  for (std::size_t p = 0; p < pairs.size(); ++p) {
-    Proofs proofs(pairs[p], std::span(result.answers).subspan(p * methods.size(), methods.size()));
-    for (const Errand* errand : by_pair[p]) {
-      const LawCase c{*methods[errand->method],
-                      pairs[p],
-                      answer(errand->method, p),
-                      errand->asked,
-                      std::span(further_answers).subspan(errand->first_question, errand->asked.size()),
-                      proofs};
-      const auto failed = std::find_if(c.answers.begin(), c.answers.end(),
-                                       [](const MethodAnswer& a) { return a.status == Status::failed; });
-      auto broken =
-          failed == c.answers.end()
-              ? errand->law->broken(c)
-              : Broken{fmt::format("fails on a changed pair: {}", failed->reason), Severity::contract};
-      if (!broken) continue;
-      result.broken.push_back({errand->method,
-                               p,
-                               errand->law,
-                               std::move(*broken),
-                               errand->asked,
-                               {c.answers.begin(), c.answers.end()}});
-    }
-    if (const Trial* proved = proofs.known(pairs[p])) result.truths[p] = proved->truth.verdict;
-  }
-  return result;
+  return Examination(methods, pairs, wanted, caps).run();
 }
 
 std::optional<Broken> broken_by(Method& method, const Law& law, const Pair& pair) {

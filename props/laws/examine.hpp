@@ -43,7 +43,7 @@ struct Examined {
   std::vector<MethodAnswer> answers;           ///< to the pairs themselves: pair by pair, of every method
 };
 
-/// Which laws a method is held to.
+/// Says whether a method is held to a law.
 using Wanted = std::function<bool(std::size_t method, const Law& law)>;
 
 /// Asks every method contained that any law is wanted of: each pair once, then all that the laws want.

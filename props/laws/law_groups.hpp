@@ -19,12 +19,12 @@ std::vector<Law> answer_laws();
 
 /// Whether it answers yes or no. NaN, failures, `undecided` and `invalid` do not.
 bool is_decided(const MethodAnswer& answer);
-/// Of a decided answer: touching solids do intersect.
+/// Whether a decided answer says that they meet: touching solids do.
 bool says_meet(const MethodAnswer& answer);
 /// Whether the verdict of an answer to `pair` is yes or no, and proved to be the other.
 bool is_refuted(const LawCase& c, const Pair& pair, const MethodAnswer& answer);
-/// Of what compares the verdicts on the pair and on asked[i]: contract where the method promises both, or
-/// where one of them is refuted and it promises that one; else resolution. By proof.
+/// The severity of what compares the verdicts on the pair and on asked[i]: contract where the method promises
+/// both, or where one of them is refuted and it promises that one; else resolution. By proof.
 Severity severity_of(const LawCase& c, std::size_t i);
 
 /// What `broken_at(i)` finds of answers[i], the worst: one beyond the claim is not hidden by one within it.

@@ -24,8 +24,8 @@ struct CaseDistance {
   std::optional<std::pair<Vector3, Vector3>> nearest;  ///< on a, on b; the solver's, approximate
 };
 
-/// Of a pair of that truth, which is decided. `margin`: as it is known, or to be enclosed; an overlap is
-/// enclosed no narrower than that is worth. Cost: some 0.1 ms.
+/// Encloses the distance of a pair with that truth, which is decided. `margin`: as it is known, or to be
+/// enclosed; an overlap is enclosed no narrower than that is worth. Cost: some 0.1 ms.
 CaseDistance case_distance(const Pair& pair, Verdict truth, std::optional<MarginRecord> margin);
 
 /// Adds truth.distance, margin, direction and nearest to a Case of reports/web/data.ts, as far as known.
