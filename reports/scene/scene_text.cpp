@@ -13,19 +13,13 @@ std::string plural(std::size_t n, const char* what) {
   return fmt::format("{} {}{}", n, what, n == 1 ? "" : "s");
 }
 
-std::string joined(const std::vector<std::string>& words) {
-  std::string text;
-  for (const std::string& word : words) text += (text.empty() ? "" : ", ") + word;
-  return text;
-}
-
-/// "3 boxes, ..." would hide which: each kind with the links that have it.
+/// Names each kind of shape with the links that have it: "3 boxes, ..." would hide which.
 std::vector<std::string> left_out_words(const Scene& scene) {
   std::map<std::string, std::vector<std::string>> by_kind;
   for (const auto& [shape, link] : scene.left_out) by_kind[shape].push_back(link);
   std::vector<std::string> words;
   for (const auto& [kind, links] : by_kind)
-    words.push_back(fmt::format("{} {} ({})", links.size(), kind, joined(links)));
+    words.push_back(fmt::format("{} {} ({})", links.size(), kind, fmt::join(links, ", ")));
   return words;
 }
 
@@ -131,7 +125,7 @@ std::string recommended_words(const SceneStudy& s) {
   std::vector<std::string> parts;
   for (const auto& [level, count] : last)
     parts.push_back(fmt::format("{} for {}", plural_of(level), plural(count, "pair")));
-  return joined(parts);
+  return fmt::format("{}", fmt::join(parts, ", "));
 }
 
 std::string cost_words(const SceneQuestion& q, const SceneStudy& s) {
