@@ -50,10 +50,10 @@ bool same_bits(const Cylinder& x, const Cylinder& y) {
 bool same_bits(const Pair& x, const Pair& y) { return same_bits(x.a, y.a) && same_bits(x.b, y.b); }
 
 TEST(PairIo, ReadsWhatItSays) {
-  const CaseLine line = parse_case(
-      with_more(
-          R"("id":"n\u0061me","source":"a book","truth":"disjoint","note":"ok","url":{"x":[1,{"a":null}]},"kind":[true])"),
-      7);
+  const CaseLine line =
+      parse_case(with_more(R"("id":"n\u0061me","source":"a book","truth":"disjoint","note":"ok",)"
+                           R"("url":{"x":[1,{"a":null}]},"kind":[true])"),
+                 7);
   ASSERT_EQ(line.error, "");
   ASSERT_TRUE(line.value);
   EXPECT_EQ(line.line, 7u);
@@ -123,10 +123,10 @@ TEST(PairIo, KeepsEveryBitOfEveryFamily) {
 }
 
 TEST(PairIo, ReadsNumbersAsTheNearestDouble) {
-  const CaseLine line = parse_case(
-      with_a(
-          R"({"center":[-0,-0.0,-1e-400],"axis":[9007199254740993,18446744073709551616,-0e5],"radius":1e0,"height":0e-999})"),
-      1);
+  const CaseLine line =
+      parse_case(with_a(R"({"center":[-0,-0.0,-1e-400],"axis":[9007199254740993,18446744073709551616,-0e5],)"
+                        R"("radius":1e0,"height":0e-999})"),
+                 1);
   ASSERT_EQ(line.error, "");
   const Cylinder& a = line.value->pair.a;
   for (int i = 0; i < 3; ++i) EXPECT_TRUE(same_bits(a.center[i], -0.0)) << i;

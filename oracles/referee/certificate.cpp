@@ -160,6 +160,14 @@ template class BasicFilter<long double>;
 
 Rational3 exact(const Vector3& v) { return {mpq_class(v.x()), mpq_class(v.y()), mpq_class(v.z())}; }
 
+Rational3 exact(const ExactVector& v) {
+  const auto c = [&](std::size_t i) {
+    return v.exact[i].empty() ? mpq_class(mpq_class(v.head[i]) + mpq_class(v.tail[i]))
+                              : mpq_class(v.exact[i]);
+  };
+  return {c(0), c(1), c(2)};
+}
+
 int support_gap_sign(const Pair& pair, const Rational3& direction, int bits) {
   const PrecisionScope precision(bits);
   auto interval = [](const Rational3& v) {

@@ -7,6 +7,7 @@
 
 #include <optional>
 
+#include "corpus/pairs/certificate.hpp"
 #include "oracles/referee/interval.hpp"
 #include "oracles/referee/vec3.hpp"
 #include "solver/cylinder.hpp"
@@ -69,5 +70,6 @@ bool interior_of_either(const Pair& pair, const Rational3& point);
 std::optional<Rational3> project_to_hulls(const Pair& pair, const Rational3& point);
 
 Rational3 exact(const Vector3& v);
+Rational3 exact(const ExactVector& v);
 
 }  // namespace cyl

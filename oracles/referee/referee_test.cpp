@@ -21,33 +21,19 @@
 namespace cyl {
 namespace {
 
-Pair pair_of(const char* line) {
-  const CaseLine c = parse_case(line, 1);
-  EXPECT_TRUE(c.value) << c.error;
-  return c.value->pair;
-}
-
-Rational3 rational(const ExactVector& v) {
-  auto c = [&](std::size_t i) {
-    return v.exact[i].empty() ? mpq_class(mpq_class(v.head[i]) + mpq_class(v.tail[i]))
-                              : mpq_class(v.exact[i]);
-  };
-  return {c(0), c(1), c(2)};
-}
-
 // Every certificate is checked again, in the widest arithmetic, whatever stage handed it out.
 void expect_proved(const Pair& pair, const Truth& truth, const std::string& what) {
   const Certificate& c = truth.certificate;
   switch (truth.verdict) {
     case Verdict::disjoint:
-      EXPECT_TRUE(separates_in_multiprecision(pair, rational(c.vector), 2048)) << what;
+      EXPECT_TRUE(separates_in_multiprecision(pair, exact(c.vector), 2048)) << what;
       break;
     case Verdict::intersecting:
-      EXPECT_TRUE(in_both_exact(pair, rational(c.vector))) << what;
+      EXPECT_TRUE(in_both_exact(pair, exact(c.vector))) << what;
       break;
     case Verdict::touching:
       if (c.kind == CertificateKind::point) {
-        EXPECT_TRUE(in_both_exact(pair, rational(c.vector))) << what;
+        EXPECT_TRUE(in_both_exact(pair, exact(c.vector))) << what;
       }
       break;
     default:
@@ -89,26 +75,25 @@ TEST(Referee, ProvesEveryFamily) {
 }
 
 TEST(Referee, SaysTouchingWhereAlgebraShowsIt) {
-  const char* touching[] = {
+  const Pair touching[] = {
       // caps; walls, parallel and crossing; a cap and a wall; segments; points; a rim point; rims
-      R"({"a":{"center":[0,0,0],"axis":[0,0,1],"radius":1,"height":2},"b":{"center":[0,0,2],"axis":[0,0,1],"radius":1,"height":2}})",
-      R"({"a":{"center":[0,0,0],"axis":[0,0,1],"radius":1,"height":2},"b":{"center":[2,0,0],"axis":[0,0,1],"radius":1,"height":2}})",
-      R"({"a":{"center":[0,0,0],"axis":[1,1,0],"radius":1,"height":2},"b":{"center":[0,0,2],"axis":[1,-1,0],"radius":1,"height":2}})",
-      R"({"a":{"center":[0,0,0],"axis":[0,0,1],"radius":1,"height":2},"b":{"center":[0,0,2],"axis":[1,0,0],"radius":1,"height":2}})",
-      R"({"a":{"center":[0,0,0],"axis":[0,0,1],"radius":0,"height":2},"b":{"center":[0,0,0],"axis":[1,0,0],"radius":0,"height":2}})",
-      R"({"a":{"center":[1,2,3],"axis":[1,2,3],"radius":0,"height":0},"b":{"center":[1,2,3],"axis":[1,0,0],"radius":0,"height":0}})",
-      R"({"a":{"center":[0,0,0],"axis":[0,0,1],"radius":5,"height":2},"b":{"center":[3,4,1],"axis":[1,0,1],"radius":0,"height":0}})",
-      R"({"a":{"center":[0,0,0],"axis":[0,0,1],"radius":5,"height":2},"b":{"center":[6,8,2],"axis":[0,0,1],"radius":5,"height":2}})",
+      {{{0, 0, 0}, {0, 0, 1}, 1, 2}, {{0, 0, 2}, {0, 0, 1}, 1, 2}},
+      {{{0, 0, 0}, {0, 0, 1}, 1, 2}, {{2, 0, 0}, {0, 0, 1}, 1, 2}},
+      {{{0, 0, 0}, {1, 1, 0}, 1, 2}, {{0, 0, 2}, {1, -1, 0}, 1, 2}},
+      {{{0, 0, 0}, {0, 0, 1}, 1, 2}, {{0, 0, 2}, {1, 0, 0}, 1, 2}},
+      {{{0, 0, 0}, {0, 0, 1}, 0, 2}, {{0, 0, 0}, {1, 0, 0}, 0, 2}},
+      {{{1, 2, 3}, {1, 2, 3}, 0, 0}, {{1, 2, 3}, {1, 0, 0}, 0, 0}},
+      {{{0, 0, 0}, {0, 0, 1}, 5, 2}, {{3, 4, 1}, {1, 0, 1}, 0, 0}},
+      {{{0, 0, 0}, {0, 0, 1}, 5, 2}, {{6, 8, 2}, {0, 0, 1}, 5, 2}},
       // one segment along another; a disk on itself
-      R"({"a":{"center":[0,0,0],"axis":[1,1,1],"radius":0,"height":2},"b":{"center":[0,0,0],"axis":[1,1,1],"radius":0,"height":4}})",
-      R"({"a":{"center":[0,0,0],"axis":[0,0,1],"radius":2,"height":0},"b":{"center":[0,0,0],"axis":[0,0,1],"radius":2,"height":0}})"};
-  for (const char* line : touching) {
-    const Pair pair = pair_of(line);
+      {{{0, 0, 0}, {1, 1, 1}, 0, 2}, {{0, 0, 0}, {1, 1, 1}, 0, 4}},
+      {{{0, 0, 0}, {0, 0, 1}, 2, 0}, {{0, 0, 0}, {0, 0, 1}, 2, 0}}};
+  for (const Pair& pair : touching) {
     const Truth truth = judge(pair);
-    EXPECT_EQ(truth.verdict, Verdict::touching) << line;
-    expect_proved(pair, truth, line);
-    EXPECT_EQ(decide_exactly(pair.a, pair.b).verdict, Verdict::touching) << line;
-    EXPECT_EQ(judge_verdict(pair).verdict, Verdict::touching) << line;
+    EXPECT_EQ(truth.verdict, Verdict::touching) << format_pair(pair);
+    expect_proved(pair, truth, format_pair(pair));
+    EXPECT_EQ(decide_exactly(pair.a, pair.b).verdict, Verdict::touching) << format_pair(pair);
+    EXPECT_EQ(judge_verdict(pair).verdict, Verdict::touching) << format_pair(pair);
     // A witness that is the very point of contact shows that they meet, and no more.
     if (truth.certificate.kind != CertificateKind::point) continue;
     MethodAnswer witness;
@@ -116,8 +101,8 @@ TEST(Referee, SaysTouchingWhereAlgebraShowsIt) {
     witness.witness = CertificateKind::point;
     std::copy_n(truth.certificate.vector.head.begin(), 3, witness.head);
     std::copy_n(truth.certificate.vector.tail.begin(), 3, witness.tail);
-    EXPECT_EQ(check_witness(pair, witness), Verdict::intersecting) << line;
-    EXPECT_EQ(judge(pair, {&witness, 1}).verdict, Verdict::touching) << line;
+    EXPECT_EQ(check_witness(pair, witness), Verdict::intersecting) << format_pair(pair);
+    EXPECT_EQ(judge(pair, {&witness, 1}).verdict, Verdict::touching) << format_pair(pair);
   }
 }
 
@@ -175,15 +160,14 @@ TEST(Referee, RightAtMarginsFarBelowDoubles) {
 TEST(Referee, ContactWhoseMiddleIsIrrationalIsShownByAPointNearBy) {
   // Walls of parallel axes along (0, 12.5, 33) meet in a segment, 2 from a's axis; its middle has irrational
   // coordinates.
-  const Pair pair = pair_of(
-      R"({"a":{"center":[0,0,0],"axis":[0,12.5,33],"radius":2,"height":40},"b":{"center":[5,12.5,33],"axis":[0,12.5,33],"radius":3,"height":45}})");
+  const Pair pair = {{{0, 0, 0}, {0, 12.5, 33}, 2, 40}, {{5, 12.5, 33}, {0, 12.5, 33}, 3, 45}};
   const Truth truth = judge(pair);
   ASSERT_EQ(truth.verdict, Verdict::touching);
   ASSERT_EQ(truth.certificate.kind, CertificateKind::near);
   // Within 2^-200 size: inside both once they have grown by that much; the plane separates them once they
   // have shrunk.
   const mpq_class slack = mpq_class(90) / (mpz_class(1) << 200);
-  const Rational3 x = rational(truth.certificate.vector);
+  const Rational3 x = exact(truth.certificate.vector);
   for (const Cylinder* c : {&pair.a, &pair.b}) {
     const Rational3 r = x - exact(c->center), w = exact(c->axis), side = cross(r, w);
     const mpq_class ww = dot(w, w), half = mpq_class(c->height) / 2 + slack,
@@ -194,8 +178,7 @@ TEST(Referee, ContactWhoseMiddleIsIrrationalIsShownByAPointNearBy) {
 }
 
 TEST(Referee, WitnessesCarryTheDayOrAreIgnored) {
-  const Pair apart = pair_of(
-      R"({"a":{"center":[0,0,0],"axis":[0,0,1],"radius":1,"height":2},"b":{"center":[2.5,0,0],"axis":[0,0,1],"radius":1,"height":2}})");
+  const Pair apart = {{{0, 0, 0}, {0, 0, 1}, 1, 2}, {{2.5, 0, 0}, {0, 0, 1}, 1, 2}};
   MethodAnswer good, bad;
   good.status = bad.status = Status::answered;
   good.witness = bad.witness = CertificateKind::direction;
@@ -289,30 +272,22 @@ TEST(Filter, RoundsOutwardsByOneNumberOrTwo) {
 
 TEST(Enclosure, HoldsDistancesKnownOnPaper) {
   struct Known {
-    const char* line;
+    Pair pair;
     double distance;
   };
-  const Known all[] = {
-      // along an axis; across; both (corner to corner); depth: the least way out
-      {R"({"a":{"center":[0,0,0],"axis":[0,0,1],"radius":1,"height":2},"b":{"center":[0,0,3],"axis":[0,0,1],"radius":1,"height":2}})",
-       1},
-      {R"({"a":{"center":[0,0,0],"axis":[0,0,1],"radius":1,"height":2},"b":{"center":[5,0,6],"axis":[0,0,1],"radius":1,"height":2}})",
-       5},
-      {R"({"a":{"center":[0,0,0],"axis":[0,0,1],"radius":1,"height":2},"b":{"center":[1.5,0,0],"axis":[0,0,2],"radius":1,"height":2}})",
-       -0.5},
-      {R"({"a":{"center":[0,0,0],"axis":[0,0,1],"radius":1,"height":2},"b":{"center":[0,0,0],"axis":[1,0,0],"radius":1,"height":2}})",
-       -2},
-      {R"({"a":{"center":[0,0,0],"axis":[0,0,1],"radius":1,"height":10},"b":{"center":[2.5,0,0],"axis":[0,1,0],"radius":1,"height":10}})",
-       0.5},
-      // a lying cylinder's wall over a cap
-      {R"({"a":{"center":[0,0,0],"axis":[0,0,1],"radius":1,"height":2},"b":{"center":[0.25,0,2.5],"axis":[1,0,0],"radius":1,"height":2}})",
-       0.5}};
+  const Known all[] = {// along an axis; across; both (corner to corner); depth: the least way out
+                       {{{{0, 0, 0}, {0, 0, 1}, 1, 2}, {{0, 0, 3}, {0, 0, 1}, 1, 2}}, 1},
+                       {{{{0, 0, 0}, {0, 0, 1}, 1, 2}, {{5, 0, 6}, {0, 0, 1}, 1, 2}}, 5},
+                       {{{{0, 0, 0}, {0, 0, 1}, 1, 2}, {{1.5, 0, 0}, {0, 0, 2}, 1, 2}}, -0.5},
+                       {{{{0, 0, 0}, {0, 0, 1}, 1, 2}, {{0, 0, 0}, {1, 0, 0}, 1, 2}}, -2},
+                       {{{{0, 0, 0}, {0, 0, 1}, 1, 10}, {{2.5, 0, 0}, {0, 1, 0}, 1, 10}}, 0.5},
+                       // a lying cylinder's wall over a cap
+                       {{{{0, 0, 0}, {0, 0, 1}, 1, 2}, {{0.25, 0, 2.5}, {1, 0, 0}, 1, 2}}, 0.5}};
   for (const Known& k : all) {
-    const Pair pair = pair_of(k.line);
-    const Enclosure e = enclose_distance(pair, judge(pair));
-    EXPECT_LE(e.lo, k.distance) << k.line;
-    EXPECT_GE(e.hi, k.distance) << k.line;
-    EXPECT_LE(e.hi - e.lo, 2e-9 * size_of(pair)) << k.line;
+    const Enclosure e = enclose_distance(k.pair, judge(k.pair));
+    EXPECT_LE(e.lo, k.distance) << format_pair(k.pair);
+    EXPECT_GE(e.hi, k.distance) << format_pair(k.pair);
+    EXPECT_LE(e.hi - e.lo, 2e-9 * size_of(k.pair)) << format_pair(k.pair);
   }
 }
 

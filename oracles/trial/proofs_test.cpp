@@ -25,17 +25,9 @@ std::uint64_t from_environment(const char* name, std::uint64_t otherwise) {
   return text ? std::strtoull(text, nullptr, 10) : otherwise;
 }
 
-Rational3 rational(const ExactVector& v) {
-  auto c = [&](std::size_t i) {
-    return v.exact[i].empty() ? mpq_class(mpq_class(v.head[i]) + mpq_class(v.tail[i]))
-                              : mpq_class(v.exact[i]);
-  };
-  return {c(0), c(1), c(2)};
-}
-
 bool holds(const Pair& pair, const Truth& truth) {
   if (truth.verdict == Verdict::undecided) return true;
-  const Rational3 v = rational(truth.certificate.vector);
+  const Rational3 v = exact(truth.certificate.vector);
   if (truth.verdict == Verdict::disjoint)
     return separates_in_multiprecision(pair, v, 256) || separates_in_multiprecision(pair, v, 4096);
   return truth.certificate.kind == CertificateKind::near || in_both_exact(pair, v);

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: MIT
+// What can be wrong with an answer, as plain data; compare() of oracles/trial finds it.
+#pragma once
+
+#include <array>
+#include <optional>
+
+#include "base/enum_words.hpp"
+#include "corpus/pairs/certificate.hpp"
+
+namespace cyl {
+
+enum class FindingKind : unsigned char {
+  wrong_disjoint,      ///< said disjoint of a pair with a common point
+  wrong_intersecting,  ///< said intersecting or touching of a pair with daylight between
+  wrong_touching,      ///< said touching of a pair whose distance is certainly not 0
+  wrong_invalid,       ///< said invalid of a legal pair
+  bad_witness,         ///< verdict and distance are right, the witness it offered does not prove the verdict
+  distance_outside,    ///< its distance is outside the certified enclosure by more than its claim
+  non_finite,          ///< an infinite or NaN distance or witness
+  exception,
+  crash,
+  hang,
+  malformed,       ///< no answer at all: a value that means nothing
+  nondeterminism,  ///< two answers to one question
+  undecided_truth  ///< nobody's fault: the referee could not prove a verdict
+};
+constexpr auto words_of(FindingKind) noexcept {
+  return std::array{
+      "wrong_disjoint",   "wrong_intersecting", "wrong_touching", "wrong_invalid", "bad_witness",
+      "distance_outside", "non_finite",         "exception",      "crash",         "hang",
+      "malformed",        "nondeterminism",     "undecided_truth"};
+}
+
+enum class Severity : unsigned char {
+  contract,    ///< beyond what the method claims of itself; a failure always is
+  resolution,  ///< within its own claim
+  unresolved   ///< not known: the truth is undecided
+};
+constexpr auto words_of(Severity) noexcept { return std::array{"contract", "resolution", "unresolved"}; }
+
+/// Whether the method broke: exception, crash, hang, non-finite number or malformed answer.
+constexpr bool is_failure(FindingKind kind) noexcept {
+  return kind == FindingKind::exception || kind == FindingKind::crash || kind == FindingKind::hang ||
+         kind == FindingKind::non_finite || kind == FindingKind::malformed;
+}
+
+/// Whether it said a verdict that the proved one refutes, which is all that a margin is sought of.
+constexpr bool is_refuted_verdict(FindingKind kind) noexcept {
+  return kind == FindingKind::wrong_disjoint || kind == FindingKind::wrong_intersecting ||
+         kind == FindingKind::wrong_touching;
+}
+
+/// Whether its verdict is wrong in any way: refuted, or "invalid" of a legal pair.
+constexpr bool is_wrong_verdict(FindingKind kind) noexcept {
+  return is_refuted_verdict(kind) || kind == FindingKind::wrong_invalid;
+}
+
+/// What is wrong with an answer. The margin is how wrong, relative to size_of(pair): |distance| of the pair
+/// for a verdict or a witness, |said - distance| for a distance; none where the truth is undecided.
+struct Finding {
+  FindingKind kind;
+  Severity severity;
+  std::optional<Enclosure> margin;
+};
+
+}  // namespace cyl
