@@ -26,16 +26,17 @@ class LineProgram {
 
   bool ours() const;  ///< this process started it
 
-  /// What a call may take: processor time of the program itself, and time in all.
+  /// Limits of a call: processor time of the program itself, and time in all.
   struct Cap {
     std::chrono::milliseconds cpu, wall;
   };
   enum class Read : unsigned char { line, ended, late, too_long };
   /// Sends `text` as it is and waits for a line, which is left in `line` without its newline.
   Read exchange(std::string_view text, std::string& line, const Cap& cap);
-  /// Whether it has said more than was asked for.
+  /// Returns whether it has answered more than was asked for.
   bool has_answered_more();
-  /// How it ended: "ended with status 1, after printing: ..." (on standard error). After Read::ended alone.
+  /// Returns how it ended: "ended with status 1, after printing: ..." (on standard error). Only after
+  /// Read::ended.
   std::string death();
 
  private:

@@ -291,7 +291,7 @@ class Batch {
     record.method = row_name(row);
     record.kind = to_string(finding.kind);
     record.severity = to_string(finding.severity);
-    if (finding.margin) record.margin = MarginRecord{finding.margin->lo, finding.margin->hi};
+    record.margin = finding.margin;
     if (!kept_.admit(record)) return;
     record.pair = case_line(p, drawn);
     record.answers = answers_text(p);

@@ -28,7 +28,7 @@ struct Workload {
   std::span<const unsigned> weights = {};  ///< of the families; none: all alike
 };
 
-/// What an index of a run is.
+/// Says what an index of a run stands for.
 struct FamilyIndex {
   std::size_t family;   ///< 0: the cases; f: families[f - 1]
   std::uint64_t index;  ///< of the case, or of the family's own pairs
@@ -43,7 +43,7 @@ inline constexpr const char* referee_row = "referee";
 /// How often each arithmetic had the last word, decided or not, and all the time of those pairs; in the order
 /// of Stage.
 inline constexpr std::array<const char*, 3> stage_rows{"referee-filter", "referee-wide", "referee-exact"};
-/// Whether a row is a method's own and none of those above.
+/// Returns whether a row is a method's own and none of those above.
 bool is_method_row(std::string_view name);
 /// The family name of the cases.
 inline constexpr const char* cases_family = "cases";

@@ -125,8 +125,8 @@ class Search {
   Search(const Workload& workload, std::uint64_t seed, std::function<void()> report)
       : workload_(workload), seed_(seed), report_(std::move(report)) {}
 
-  /// Which index of [first, next) breaks the harness when it is alone, in words. A pair that does so only
-  /// after others, or only sometimes, is not found.
+  /// Returns which index of [first, next) breaks the harness when it is alone, in words. A pair that does so
+  /// only after others, or only sometimes, is not found.
   std::string blame(std::uint64_t first, std::uint64_t next) {
     while (next - first > 1) {
       const std::uint64_t middle = first + (next - first) / 2;
@@ -144,7 +144,7 @@ class Search {
   }
 
  private:
-  /// How [first, next) died, or nothing.
+  /// Returns how [first, next) died, or nothing.
   std::string death(std::uint64_t first, std::uint64_t next) {
     std::deque<BatchProcess> part;
     part.emplace_back(

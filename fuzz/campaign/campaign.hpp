@@ -53,8 +53,8 @@ struct CampaignSummary {
 /// Adds what the rows of a tally count.
 void count(CampaignProgress& progress, const std::vector<TallyRecord>& tallies);
 
-/// What a run's store says of it under "status". A run that was killed stays `running`; one that broke the
-/// harness says `failed: ` and how.
+/// A run's store says one of these of it under "status". A run that was killed stays `running`; one that
+/// broke the harness says `failed: ` and how.
 inline constexpr const char *status_planned = "planned", *status_running = "running",
                             *status_stopped = "stopped", *status_complete = "complete",
                             *status_failed = "failed: ";

@@ -47,7 +47,7 @@ std::vector<unsigned> weights_from(const std::string& folder, std::span<const Fa
 
 /// Weights as a run's configuration keeps them, "3 1 1"; empty for equal ones, which need no record.
 std::string format_weights(std::span<const unsigned> weights);
-/// What format_weights wrote. Throws std::runtime_error on anything else.
+/// Returns what format_weights was given. Throws std::runtime_error on anything else.
 std::vector<unsigned> parse_weights(const std::string& text);
 
 }  // namespace cyl

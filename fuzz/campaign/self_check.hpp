@@ -24,7 +24,7 @@ struct KnownFault {
 };
 
 /// Pairs after which a fault that was not found is given up: ten times as many as the kill matrix looks at,
-/// some seconds of work, and a hundred times as many as the slowest of known_faults() took there.
+/// some seconds of work, and a hundred times as many as the slowest of faults_soon_found() took there.
 inline constexpr std::uint64_t self_check_pairs_cap = 1 << 17;
 /// CPU time of one planted fault, several times what those pairs take: beyond it the program hangs.
 inline constexpr std::chrono::seconds self_check_cpu_cap{60};
@@ -37,7 +37,7 @@ inline constexpr double false_alarm_cap = 1e-4;
 /// longer has those of the shorter.
 std::uint64_t self_check_start(std::uint64_t seed, unsigned k);
 
-/// What earlier runs tell of a fault.
+/// How earlier runs fared with a fault.
 struct PastSelfChecks {
   std::uint64_t found = 0;  ///< how often it was
   std::uint64_t most = 0;   ///< pairs that it took

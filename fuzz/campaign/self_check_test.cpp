@@ -52,7 +52,7 @@ TEST(SelfCheckStarts, LieInOctavesAndAreDrawnFromTheSeed) {
 
 TEST(Usual, IsLearnedFromWhatItEverTook) {
   EXPECT_EQ(usual_pairs({}, 21), self_check_pairs_cap);
-  EXPECT_EQ(usual_pairs({1, 100}, 21), self_check_pairs_cap) << "one night tells next to nothing";
+  EXPECT_EQ(usual_pairs({1, 100}, 21), self_check_pairs_cap) << "one campaign tells next to nothing";
   EXPECT_EQ(usual_pairs({2, 100}, 21), 14000u);
   EXPECT_EQ(usual_pairs({5, 100}, 21), 1400u);
   EXPECT_EQ(usual_pairs({10, 100}, 21), 700u);
@@ -71,10 +71,10 @@ TEST(RunUntilFound, EndsWithTheFirstFindingBeyondAClaim) {
   EXPECT_TRUE(run_until_found({methods, only_family, {}}, seed, the_one + 1, 2000).findings.empty());
 }
 
-class Night : public testing::Test {
+class SelfCheck : public testing::Test {
  protected:
   void SetUp() override {
-    folder = fs::temp_directory_path() / ("daylight_alarm_" + std::to_string(getpid()) + "_" +
+    folder = fs::temp_directory_path() / ("daylight_self_check_" + std::to_string(getpid()) + "_" +
                                           testing::UnitTest::GetInstance()->current_test_info()->name());
     fs::remove_all(folder);
     fs::create_directories(folder);
@@ -142,10 +142,10 @@ class Night : public testing::Test {
 };
 
 // Moments below 2^15 pairs are six.
-constexpr std::uint64_t short_night = 1 << 15;
+constexpr std::uint64_t short_run = 1 << 15;
 
-TEST_F(Night, PlantsFaultsAtMomentsOfItsSeed) {
-  const CampaignSummary summary = run(options("run", short_night));
+TEST_F(SelfCheck, PlantsFaultsAtMomentsOfItsSeed) {
+  const CampaignSummary summary = run(options("run", short_run));
   EXPECT_EQ(summary.harness_failure, "");
   EXPECT_EQ(exit_code(summary), 2) << "its own finding";
   const std::vector<SelfCheckRecord> all = self_checks("run");
@@ -160,15 +160,15 @@ TEST_F(Night, PlantsFaultsAtMomentsOfItsSeed) {
   }
   EXPECT_EQ(mutants.size(), 6u) << "each once";
   EXPECT_EQ(format_self_checks(all).find("alarm: 6 planted faults found"), 0u) << format_self_checks(all);
-  run(options("again", short_night));
+  run(options("again", short_run));
   EXPECT_EQ(self_checks("again"), all);
-  CampaignOptions other = options("other", short_night);
+  CampaignOptions other = options("other", short_run);
   other.seed = 1;
   run(other);
   EXPECT_NE(self_checks("other"), all);
 }
 
-TEST_F(Night, OneThatIsNotFoundIsRedThoughNothingElseIsFound) {
+TEST_F(SelfCheck, OneThatIsNotFoundIsRedThoughNothingElseIsFound) {
   methods.clear();
   methods.push_back(apart(right));
   finds_nothing();
@@ -192,22 +192,22 @@ TEST_F(Night, OneThatIsNotFoundIsRedThoughNothingElseIsFound) {
   EXPECT_EQ(planted(), before);
 }
 
-TEST_F(Night, AWorkerThatDiesIsRed) {
+TEST_F(SelfCheck, AWorkerThatDiesIsRed) {
   worker("kill -SEGV $$");
-  const CampaignSummary summary = run(options("run", short_night));
+  const CampaignSummary summary = run(options("run", short_run));
   EXPECT_EQ(exit_code(summary), 1);
   EXPECT_NE(summary.harness_failure.find("its process ended: killed by signal 11"), std::string::npos)
       << summary.harness_failure;
-  CampaignOptions none = options("none", short_night);
+  CampaignOptions none = options("none", short_run);
   none.self_check.program = folder / "nowhere";
   EXPECT_EQ(exit_code(run(none)), 1);
 }
 
-TEST_F(Night, WhatItFindsIsTheSameWithAlarmsAndWithout) {
+TEST_F(SelfCheck, WhatItFindsIsTheSameWithSelfChecksAndWithout) {
   finds_after(1);
-  CampaignOptions without = options("without", short_night);
+  CampaignOptions without = options("without", short_run);
   without.self_check = {};
-  EXPECT_EQ(exit_code(run(without)), exit_code(run(options("with", short_night))));
+  EXPECT_EQ(exit_code(run(without)), exit_code(run(options("with", short_run))));
   const RunStore with = RunStore::open(folder / "with"), none = RunStore::open(folder / "without");
   ASSERT_EQ(with.findings().size(), none.findings().size());
   for (std::size_t i = 0; i < with.findings().size(); ++i) {
@@ -222,8 +222,8 @@ TEST_F(Night, WhatItFindsIsTheSameWithAlarmsAndWithout) {
   EXPECT_TRUE(none.self_checks().empty());
 }
 
-TEST_F(Night, LearnsFromEarlierNightsAndIsRedBeyondThem) {
-  CampaignOptions o = options("0", short_night);
+TEST_F(SelfCheck, LearnsFromEarlierRunsAndIsRedBeyondThem) {
+  CampaignOptions o = options("0", short_run);
   o.self_check.faults.resize(1);
   for (const char* name : {"0", "1", "2", "3", "4"}) {
     o.out = folder / name;
@@ -243,7 +243,7 @@ TEST_F(Night, LearnsFromEarlierNightsAndIsRedBeyondThem) {
       << late.harness_failure;
   o.out = folder / "next";
   EXPECT_EQ(exit_code(run(o)), 2);
-  // No longer found: red, and no night learns from that.
+  // No longer found: red, and no campaign learns from that.
   finds_nothing();
   for (const char* name : {"lost", "lost again"}) {
     o.out = folder / name;
@@ -257,7 +257,7 @@ TEST_F(Night, LearnsFromEarlierNightsAndIsRedBeyondThem) {
   EXPECT_EQ(self_checks("weighted").at(0).usual, self_check_pairs_cap);
 }
 
-TEST_F(Night, KilledAtAnyMomentAndResumedItHasTheSameAlarms) {
+TEST_F(SelfCheck, KilledAtAnyMomentAndResumedItHasTheSameSelfChecks) {
   fs::create_directories(folder / "a");
   fs::create_directories(folder / "b");  // not beside each other: neither learns
   const CampaignSummary whole = run(options("a/whole", 8 * own_batch_size));
@@ -271,7 +271,7 @@ TEST_F(Night, KilledAtAnyMomentAndResumedItHasTheSameAlarms) {
   EXPECT_EQ(self_checks("a/whole").size(), 11u);
 }
 
-TEST_F(Night, AMergedRunHasTheAlarmsOfItsShards) {
+TEST_F(SelfCheck, AMergedRunHasTheSelfChecksOfItsShards) {
   finds_nothing();
   for (std::uint64_t i = 0; i < 2; ++i) {
     CampaignOptions o = options("shard-" + std::to_string(i), 2 * own_batch_size);

@@ -14,14 +14,14 @@ struct Shard {
   std::uint64_t index = 0, count = 1;
   std::uint64_t batch = 1;  ///< indices
 
-  /// The least index of its own that is not below `at`.
+  /// Returns the least index of its own that is not below `at`.
   std::uint64_t first_from(std::uint64_t at) const {
     const std::uint64_t k = at / batch, wait = (index + count - k % count) % count;
     return wait == 0 ? at : (k + wait) * batch;
   }
-  /// The end of the batch that holds `at`.
+  /// Returns the end of the batch that holds `at`.
   std::uint64_t batch_end(std::uint64_t at) const { return (at / batch + 1) * batch; }
-  /// How many indices of its own are below `at`.
+  /// Returns how many indices of its own are below `at`.
   std::uint64_t below(std::uint64_t at) const {
     const std::uint64_t round = count * batch;
     const std::uint64_t rest = at % round, start = std::min(rest, index * batch);

@@ -34,7 +34,7 @@ inline constexpr std::size_t angle_count = 7, decade_count = 17;
 /// By the solver's own computation: a guide, no proof. `measured` is distance(pair.a, pair.b), not `invalid`.
 Stratum stratum_of(const Pair& pair, const Distance& measured);
 
-/// Whether a stratum can occur. D is along or square to an axis within face_tol = t.
+/// Returns whether a stratum can occur. D is along or square to an axis within face_tol = t.
 /// cap-cap: D along both, so their angle is below 2t: parallel to < 1e-7, and the next class by a factor of
 /// two. cap-side: D along one, square to the other: within 2t of 90 degrees. The others: all angles, since
 /// flat solids have rims where others have caps or sides, and a rim faces everything. All margins.
@@ -45,8 +45,8 @@ std::string to_string(const Stratum& s);
 
 /// Lengths of a moderate pair are within this factor of 1 of the largest radius or height, 0 aside.
 inline constexpr double moderate_factor = 1e4;
-/// Whether no length dwarfs another: a margin is small there because solids nearly touch, not because one of
-/// them is huge.
+/// Returns whether no length dwarfs another: a margin is small there because solids nearly touch, not because
+/// one of them is huge.
 bool is_moderate(const Pair& pair);
 
 /// Counts the stratum of a moderate pair; of any pair the features with the binary exponent of the margin on

@@ -23,10 +23,10 @@ class FindingSink {
  public:
   /// Reads the environment. `target` is the source of its findings.
   explicit FindingSink(std::string_view target);
-  /// Of each bucket the first is kept.
+  /// Keeps a finding if it is the first of its bucket.
   void add_finding(const Pair& pair, std::string_view method, std::string_view failure,
                    std::string_view what);
-  /// A pair nobody could prove within the target's time. Of each stratum the first is kept.
+  /// Keeps a pair that nobody could prove within the target's time if it is the first of its stratum.
   void add_undecided(const Pair& pair, const Stratum& stratum);
   std::size_t findings() const { return findings_; }
 

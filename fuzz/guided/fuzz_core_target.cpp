@@ -19,7 +19,7 @@
 namespace cyl {
 namespace {
 
-/// As the shares of fuzz_judge.hpp.
+/// Records for one in which a question is asked, as in fuzz_judge.hpp.
 constexpr std::size_t law_share = 4;            ///< one law of one method, needing no proof: 10 us
 constexpr std::size_t unaided_share = 16;       ///< the referee without a witness, in double: 5 us
 constexpr std::size_t proved_law_share = 4096;  ///< a law that needs proofs: as many enclosures as it asks

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The referee within a fuzz target's time: microseconds. What is dear is done on a share of the records,
+// The referee within a fuzz target's time: microseconds. What is costly is done on a share of the records,
 // drawn by the record itself.
 #pragma once
 
@@ -20,7 +20,7 @@ namespace cyl {
 /// Precisions at which the referee stops: in double, and after one round of MPFI.
 inline constexpr int filter_bits_cap = 53, wide_bits_cap = 128;
 
-/// Once in how many records the dear questions are asked, so that none of them costs more than the cheap ones
+/// Records for one in which a costly question is asked, so that none of them costs more than the cheap ones
 /// together.
 inline constexpr std::size_t wide_share = 128;       ///< the referee beyond double: 0.3 ms
 inline constexpr std::size_t enclosed_share = 1024;  ///< the distance, enclosed: 1 ms, at the worst 100
@@ -36,10 +36,10 @@ class FuzzJudge {
 
   const Pair& pair() const { return trial_.pair; }
   const Truth& truth() const { return trial_.truth; }
-  /// Whether this record has a share of one in so many; each call draws again.
+  /// Returns whether this record has a share of one in so many; each call draws again.
   bool drawn(std::size_t share) { return draws_.below(share) == 0; }
   RandomStream& draws() { return draws_; }
-  /// Puts what is wrong with the answer beyond the method's claim into the sink. Offered distances and
+  /// Records what is wrong with the answer beyond the method's claim. Offered distances and
   /// witnesses are looked at on a share only, wrong verdicts that the measured distance puts within the claim
   /// on that of the distances.
   void record(const Method& method, MethodAnswer answer);

@@ -62,7 +62,7 @@ std::vector<fs::path> files_in(const fs::path& folder) {
   return files;
 }
 
-/// The number after `word` where that stands last; 0: nowhere.
+/// Returns the number after `word` where that stands last; 0: nowhere.
 std::size_t last_number(std::string_view text, std::string_view word) {
   const std::size_t at = text.rfind(word);
   std::size_t number = 0;
@@ -70,7 +70,7 @@ std::size_t last_number(std::string_view text, std::string_view word) {
   return number;
 }
 
-/// The line that says why a process died, as sanitizers and the engine write it.
+/// Returns the line that says why a process died, as sanitizers and the engine write it.
 std::string reason(const std::string& log) {
   for (const std::string_view word : {"SUMMARY: ", "ERROR: "}) {
     const std::size_t at = log.rfind(word);
@@ -142,9 +142,9 @@ class Engine {
     progress_.features = std::max(progress_.features, last_number(news, " ft: "));
   }
 
-  /// Where the process has died: what it says of the input it died of, as a case; then a new process. Throws
-  /// std::runtime_error where no input explains it, time and again.
-  std::optional<Case> bury() {
+  /// Returns what a process that has died says of the input it died of, as a case, and starts a new one.
+  /// Throws std::runtime_error where no input explains it, time and again.
+  std::optional<Case> replace_dead() {
     if (!process_->advance()) return std::nullopt;
     look();
     const int status = process_->status();
@@ -152,7 +152,7 @@ class Engine {
     std::optional<Case> found;
     for (const fs::path& file : files_in(folder_ / "died")) {
       const std::string bytes = text_of(file), name = file.filename().string();
-      if (name.starts_with("slow-unit-") || bytes.size() != record_size || !buried_.insert(name).second)
+      if (name.starts_with("slow-unit-") || bytes.size() != record_size || !known_deaths_.insert(name).second)
         continue;
       Case c;
       Record record;
@@ -194,7 +194,7 @@ class Engine {
   WorkerProgress progress_;
   std::uintmax_t log_read_ = 0;
   double earlier_cpu_seconds_ = 0;
-  std::set<std::string> buried_;
+  std::set<std::string> known_deaths_;
   unsigned unexplained_ = 0;
 };
 
@@ -265,7 +265,7 @@ class Run {
       }
       std::this_thread::sleep_for(poll_time);
       for (const auto& engine : engines_)
-        if (const auto found = engine->bury()) findings_.add(*found);
+        if (const auto found = engine->replace_dead()) findings_.add(*found);
       if (Clock::now() - exchanged >= options_.exchange_interval) {
         exchanged = Clock::now();
         exchange();

@@ -60,7 +60,7 @@ FuzzSummary run_fuzzing(const FuzzOptions& options,
 /// 1 the harness failed, 2 findings, else 0.
 int exit_code(const FuzzSummary& summary);
 
-/// What a person wants to know of it, in lines.
+/// Returns what a person wants to know of it, in lines.
 std::string format_fuzzing(const FuzzSummary& summary);
 
 }  // namespace cyl

@@ -21,7 +21,7 @@
 
 namespace {
 
-/// Of each family: a gap and a penetration where indices tell these apart.
+/// Each family has a gap and a penetration where indices tell these apart.
 constexpr std::uint64_t pairs_of_a_family = 2;
 constexpr std::uint64_t seed = 1;
 /// Cases with a number, from which on it goes into the dictionary.

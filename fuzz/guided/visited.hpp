@@ -19,13 +19,13 @@ struct Visited {
   std::array<std::uint8_t, features_count * angle_count * decade_count> strata{};
 };
 
-/// Where the stratum is in Visited::strata.
+/// Returns the place of a stratum in Visited::strata.
 std::size_t index_of(const Stratum& s);
 Stratum stratum_at(std::size_t index);
 
-/// Of this process.
+/// Returns the counts of this process.
 Visited& visited();
-/// From here on visited() is the content of that file, which is made where there is none; what is counted
+/// Makes visited() from here on the content of that file, which is made where there is none; what is counted
 /// goes on from what it holds. Throws std::system_error.
 void keep_visited(const std::string& file);
 /// Nothing seen where there is no such file.

@@ -25,7 +25,7 @@ struct Domain {
 /// where it is in it. Nothing of a pair that is not legal, is of points alone or too far out to be scaled.
 std::optional<Pair> bring_into(const Domain& domain, const Pair& pair);
 
-/// Whether it is in the domain, rounding allowed for.
+/// Returns whether a pair is in the domain, rounding allowed for.
 bool is_in(const Domain& domain, const Pair& pair);
 
 class PairChart {

@@ -30,7 +30,7 @@ constexpr int mutations = 12;
 /// Part of the budget that looking at the starts may take.
 constexpr double starts_part = 0.25;
 
-/// From the starts, walks that are told how bad the method is on each shape.
+/// Walks from the starts, told how bad the method is on each shape.
 class ShapeSearch {
  public:
   ShapeSearch(const std::unique_ptr<Method>& method, const Sought& sought, const WorstOptions& options,

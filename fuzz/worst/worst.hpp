@@ -70,14 +70,14 @@ struct SlowPair {
 };
 
 struct Worst {
-  /// Of Search::margin: of those beyond the claim the one of the greatest margin; where none is, the one
+  /// Where Search::margin: of those beyond the claim the one of the greatest margin; where none is, the one
   /// nearest to the claim.
   std::optional<WrongPair> wrong;
   std::optional<FailedPair> failed;  ///< the first of the worst kind: crash, hang, others
   std::optional<SlowPair> slow;      ///< of Search::time
   std::size_t evaluations = 0, questions = 0;
 
-  /// Whether something beyond the method's claim was found: all failures are.
+  /// Returns whether something beyond the method's claim was found: all failures are.
   bool beyond_claim() const;
 };
 

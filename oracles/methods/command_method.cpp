@@ -21,10 +21,10 @@ constexpr LineProgram::Cap answer_cap{call_cpu_cap, 20 * call_cpu_cap};  // as a
 
 /// Until the first answer: interpreters and engines start slowly.
 constexpr LineProgram::Cap start_cap{milliseconds(10'000), milliseconds(20'000)};
-/// Likewise, of the first start of all: nothing is in the machine's memory yet.
+/// Likewise for the first start of all: nothing is in the machine's memory yet.
 constexpr LineProgram::Cap first_start_cap{milliseconds(30'000), milliseconds(60'000)};
 
-/// A yard apart, the plainest there is.
+/// One apart, the plainest there is.
 const Pair easy{{Vector3(0, 0, 0), Vector3(0, 0, 1), 1, 2}, {Vector3(3, 0, 0), Vector3(0, 0, 1), 1, 2}};
 
 MethodAnswer failed(Failure failure, const std::string& reason) {
@@ -69,8 +69,8 @@ std::vector<std::string> files_of(const Guest& guest) {
   return files;
 }
 
-/// The stem of the first word that looks like a file of source ("mine" of "python3 -u mine.py --fast"), else
-/// of the first word.
+/// Returns the stem of the first word that looks like a file of source ("mine" of "python3 -u mine.py
+/// --fast"), else of the first word.
 std::string name_after(const std::string& command) {
   std::string first;
   for (std::size_t at = 0; at < command.size();) {
@@ -108,7 +108,7 @@ class CommandMethod final : public Method {
     return exchange(pair, start_cap);
   }
 
-  /// With the way there and back through the pipe.
+  /// Its time holds the way there and back through the pipe.
   Call prepare_all(std::span<const Pair> pairs) override {
     return [this, pairs = std::vector(pairs.begin(), pairs.end())](std::size_t i) {
       const MethodAnswer answer = ask(pairs[i]);

@@ -148,7 +148,7 @@ MethodAnswer verdict_alone(Verdict verdict) {
   return answer;
 }
 
-MethodAnswer has_no_such_mode() {
+MethodAnswer cannot_be_called_so() {
   MethodAnswer answer;
   answer.set_reason("cannot be asked this way");
   return answer;
@@ -269,12 +269,12 @@ MethodAnswer call(Method& method, const Pair& pair, CallMode mode) {
     }
     case CallMode::prepared: {
       const Method::Call call = method.prepare_all({&pair, 1});
-      return call ? verdict_alone(call(0)) : has_no_such_mode();
+      return call ? verdict_alone(call(0)) : cannot_be_called_so();
     }
     case CallMode::batch: {
       const Pair both[] = {company, pair};
       const Method::BatchCall call = method.prepare_batch(both);
-      if (!call) return has_no_such_mode();
+      if (!call) return cannot_be_called_so();
       Verdict verdicts[] = {Verdict::undecided, Verdict::undecided};
       call(verdicts);
       return verdict_alone(verdicts[1]);

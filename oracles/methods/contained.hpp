@@ -13,7 +13,7 @@
 
 namespace cyl {
 
-/// How a question is put to a method. All must give the same verdict, the first two the same answer.
+/// How a method is called. All must give the same verdict, the first two the same answer.
 enum class CallMode : unsigned char {
   usual,         ///< Method::ask
   other_thread,  ///< Method::ask, from a thread that is new
@@ -28,7 +28,7 @@ struct Question {
   CallMode mode = CallMode::usual;
 };
 
-/// Puts a question in this process: throws what the method throws.
+/// Asks in this process: throws what the method throws.
 MethodAnswer call(Method& method, const Pair& pair, CallMode mode);
 
 struct ContainedAnswer {
@@ -39,7 +39,7 @@ struct ContainedAnswer {
 /// CPU time one call may take before the worker is killed and the answer becomes failed(hang).
 inline constexpr std::chrono::milliseconds call_cpu_cap{1000};
 
-/// What foreign code may use up.
+/// Limits of foreign code.
 struct Caps {
   std::chrono::milliseconds call_cpu = call_cpu_cap;
   /// Wall time of one call: who sleeps uses no CPU. Far beyond what a loaded machine makes of the above.

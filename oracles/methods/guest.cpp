@@ -40,7 +40,8 @@ void check_name(const std::string& name) {
                    " letters, digits, - _ and dots");
 }
 
-/// Where `text` begins with a name and '=', how long the name is. FOO=1 is a variable of the shell's.
+/// Returns how long the name is where `text` begins with one and '=', else 0. FOO=1 is a variable of the
+/// shell's.
 std::size_t given_name(std::string_view text) {
   const std::size_t equals = text.find('=');
   if (equals == text.npos || text.empty() || text[0] < 'a' || text[0] > 'z') return 0;

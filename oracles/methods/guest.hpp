@@ -16,7 +16,7 @@ namespace cyl {
 
 enum class GuestKind : unsigned char { plugin, command };
 
-/// Where a guest is, which is enough to ask it again.
+/// Names a guest well enough to ask it again.
 struct Guest {
   GuestKind kind;
   std::string name;    ///< empty: as it says itself, else after its file
@@ -28,7 +28,7 @@ struct Guest {
 /// small letter. Throws UsageError on a name no method can have, and on control characters.
 Guest read_guest(GuestKind kind, const std::string& text);
 
-/// As a shell takes it: --plugin mine=./libmine.so.
+/// Returns the option that names it, as a shell takes it: --plugin mine=./libmine.so.
 std::string options_for(const Guest& guest);
 
 /// One line each, and back; the latter throws std::runtime_error on anything else.

@@ -164,7 +164,7 @@ class Plugin final : public Method {
   }
 
  private:
-  /// Once a process, and only where it is asked: a worker.
+  /// Loads once a process, and only where it is asked: in a worker.
   const DaylightMethod& loaded() {
     if (!method_) method_ = &load(guest_.what);
     return *method_;

@@ -20,10 +20,10 @@ struct Mutant {
   std::string_view equivalent;  ///< why no test can see it; empty where one can
 };
 
-/// By number. Only daylight-mutants and its kin have it.
+/// Returns all mutants by number. Only daylight-mutants and its kin have it.
 std::span<const Mutant> all_mutants();
 
-/// From here on this process runs the mutant of that number; 0, the program as it is. At start it is the
+/// Makes this process run the mutant of that number from here on; 0, the program as it is. At start it is the
 /// number in the environment variable DAYLIGHT_MUTANT.
 void select_mutant(int number) noexcept;
 
