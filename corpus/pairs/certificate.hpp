@@ -5,6 +5,7 @@
 
 #include <array>
 #include <string>
+#include <tuple>
 
 #include "base/enum_words.hpp"
 #include "solver/cylinder.hpp"
@@ -52,6 +53,8 @@ struct Truth {
 /// penetration depth; in the scene's unit (a Finding's margin: relative to the size).
 struct Enclosure {
   double lo = 0, hi = 0;
+
+  static auto columns(auto& e) { return std::tie(e.lo, e.hi); }  ///< as it is stored
 };
 
 }  // namespace cyl

@@ -9,12 +9,12 @@
 
 // As their bits: CBOR of JSON numbers keeps infinities, but makes every NaN one.
 template <>
-struct nlohmann::adl_serializer<std::optional<cyl::MarginRecord>> {
-  static void to_json(json& to, const std::optional<cyl::MarginRecord>& margin) {
+struct nlohmann::adl_serializer<std::optional<cyl::Enclosure>> {
+  static void to_json(json& to, const std::optional<cyl::Enclosure>& margin) {
     to = json::array();
     if (margin) to = {std::bit_cast<std::uint64_t>(margin->lo), std::bit_cast<std::uint64_t>(margin->hi)};
   }
-  static void from_json(const json& from, std::optional<cyl::MarginRecord>& margin) {
+  static void from_json(const json& from, std::optional<cyl::Enclosure>& margin) {
     if (from.empty()) return;
     margin.emplace(std::bit_cast<double>(from.at(0).get<std::uint64_t>()),
                    std::bit_cast<double>(from.at(1).get<std::uint64_t>()));

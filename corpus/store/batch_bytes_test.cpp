@@ -22,7 +22,7 @@ TEST(BatchBytes, ComesBackAsItWent) {
   f.method = "m";
   f.kind = "hang";
   f.severity = "contract";
-  f.margin = MarginRecord{5e-324, std::numeric_limits<double>::infinity()};
+  f.margin = Enclosure{5e-324, std::numeric_limits<double>::infinity()};
   f.pair = "{\"a\":\"\n\0x\"}";
   f.answers = "</script>";
   f.truth = "t";
@@ -31,7 +31,7 @@ TEST(BatchBytes, ComesBackAsItWent) {
   batch.findings = {f, f, f};
   batch.findings[1].margin.reset();
   constexpr std::uint64_t nan_with_payload = 0xfff8000000000001;
-  batch.findings[2].margin = MarginRecord{std::bit_cast<double>(nan_with_payload), -0.0};
+  batch.findings[2].margin = Enclosure{std::bit_cast<double>(nan_with_payload), -0.0};
   batch.cells = {{"a-b", 0, 17, {{1}, {}, {1, 1}}}, {"c", 5, 6, {}}};
 
   const BatchRecord back = parse_batch(format_batch(batch));

@@ -11,6 +11,7 @@
 #include <tuple>
 #include <vector>
 
+#include "corpus/pairs/certificate.hpp"
 #include "corpus/store/cell_counts.hpp"
 
 namespace cyl {
@@ -61,13 +62,6 @@ struct TallyRecord {
   static auto columns(auto& t) { return std::tie(t.method, t.family, t.counts); }
 };
 
-/// A margin enclosure; stored as text, infinite allowed.
-struct MarginRecord {
-  double lo = 0, hi = 0;
-
-  static auto columns(auto& m) { return std::tie(m.lo, m.hi); }
-};
-
 /// One thing that is wrong, with all that is needed to see it again.
 struct FindingRecord {
   std::int64_t id = 0;      ///< 1, 2, ... in the order they were found; given by the store
@@ -75,12 +69,12 @@ struct FindingRecord {
   std::string family;
   std::uint64_t family_index = 0;
   std::string method, kind, severity;
-  std::optional<MarginRecord> margin;
-  std::string pair;     ///< one JSON line of corpus/pair_io
-  std::string answers;  ///< JSON object, method to what it said
-  std::string truth;    ///< JSON object: verdict and certificate
-  std::string stage;    ///< which arithmetic settled the truth
-  std::string reason;   ///< the method's own words on a failure
+  std::optional<Enclosure> margin;  ///< stored as text, infinite allowed
+  std::string pair;                 ///< one JSON line of corpus/pair_io
+  std::string answers;              ///< JSON object, method to what it said
+  std::string truth;                ///< JSON object: verdict and certificate
+  std::string stage;                ///< which arithmetic settled the truth
+  std::string reason;               ///< the method's own words on a failure
 
   static constexpr const char* table = "finding";
   static auto columns(auto& f) { return std::tuple_cat(std::tie(f.id), data(f)); }

@@ -40,7 +40,7 @@ FindingRecord finding_at(std::uint64_t index, double margin) {
   f.method = "fake";
   f.kind = "wrong_disjoint";
   f.severity = "contract";
-  f.margin = MarginRecord{margin, margin * 2};
+  f.margin = Enclosure{margin, margin * 2};
   f.pair = R"({"a":{},"b":{}})";
   f.answers = "{}";
   f.truth = "{}";
@@ -82,7 +82,7 @@ TEST_F(Store, GivesBackWhatWasCommitted) {
     FindingRecord f = finding_at(3, 0.25);
     f.pair = "{\"a\":{\"radius\":-0}} '); DROP TABLE finding; --";
     f.reason = "</script>";
-    f.margin = MarginRecord{5e-324, std::numeric_limits<double>::infinity()};
+    f.margin = Enclosure{5e-324, std::numeric_limits<double>::infinity()};
     batch.findings = {f, finding_at(5, 0.5)};
     batch.findings[1].margin.reset();
     batch.groups = {{"fake", "wrong_disjoint", "contract", "scene", 2, -1}};

@@ -142,20 +142,6 @@ FindingKind kind_of(Failure failure) {
 
 }  // namespace
 
-bool is_failure(FindingKind kind) noexcept {
-  return kind == FindingKind::exception || kind == FindingKind::crash || kind == FindingKind::hang ||
-         kind == FindingKind::non_finite || kind == FindingKind::malformed;
-}
-
-bool is_refuted_verdict(FindingKind kind) noexcept {
-  return kind == FindingKind::wrong_disjoint || kind == FindingKind::wrong_intersecting ||
-         kind == FindingKind::wrong_touching;
-}
-
-bool is_wrong_verdict(FindingKind kind) noexcept {
-  return is_refuted_verdict(kind) || kind == FindingKind::wrong_invalid;
-}
-
 double reach(const Claim& claim, double size) {
   if (claim.relative == 0 || size == 0) return claim.absolute;
   // Of subnormal solids the product may vanish.

@@ -163,7 +163,7 @@ struct Shared {
   const FindingRecord* first = nullptr;
   const FoundPair* pair = nullptr;             ///< that of `first`
   std::set<std::string, std::less<>> methods;  ///< that have a finding on it
-  std::optional<MarginRecord> margin;
+  std::optional<Enclosure> margin;
 };
 
 /// Every name once, in the order of their first use.

@@ -49,7 +49,7 @@ FindingRecord finding(std::uint64_t index, const std::string& method, double mar
   f.method = method;
   f.kind = "wrong_disjoint";
   f.severity = "contract";
-  f.margin = MarginRecord{margin, margin};
+  f.margin = Enclosure{margin, margin};
   Case c;
   c.pair.a.radius = static_cast<double>(index) + 0.1;
   c.pair.b.center = {-0.0, 5e-324, 1.7976931348623157e308};

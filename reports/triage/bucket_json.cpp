@@ -14,7 +14,7 @@ using Json = nlohmann::json;
 /// Stands for infinite margins (two points apart), of which JSON has no number.
 constexpr double infinite_margin = 1e308;
 
-Json margin_json(const std::optional<MarginRecord>& margin) {
+Json margin_json(const std::optional<Enclosure>& margin) {
   if (!margin) return nullptr;
   const auto finite = [](double x) { return std::isfinite(x) ? x : infinite_margin; };
   return {finite(margin->lo), finite(margin->hi)};
@@ -115,7 +115,7 @@ Bucket bucket_from_json(const Json& j) {
   b.severity = from_word<Severity>(j.at("severity").get<std::string>()).value_or(Severity::resolution);
   b.mechanism = from_word<Mechanism>(j.at("mechanism").get<std::string>()).value_or(Mechanism::unclassified);
   if (const Json& margin = j.at("margin"); !margin.is_null())
-    b.margin = MarginRecord{margin.at(0).get<double>(), margin.at(1).get<double>()};
+    b.margin = Enclosure{margin.at(0).get<double>(), margin.at(1).get<double>()};
   if (const Json& share = j.at("share"); !share.is_null())
     b.share = Bucket::Share{share.at("wrong").get<std::uint64_t>(), share.at("asked").get<std::uint64_t>()};
   if (const Json& status = j.at("standing"); !status.is_null())

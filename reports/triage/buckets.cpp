@@ -15,7 +15,7 @@
 #include "base/safe_text.hpp"
 #include "corpus/pairs/pair_io.hpp"
 #include "corpus/pairs/pair_json.hpp"
-#include "corpus/pairs/scaled_pair.hpp"
+#include "corpus/pairs/pair_numbers.hpp"
 #include "corpus/pairs/strata.hpp"
 #include "corpus/pairs/truth_io.hpp"
 #include "oracles/trial/bucket.hpp"
@@ -148,8 +148,8 @@ std::optional<CaseDistance> distance_of(const Trial& trial) {
   if (!trial.decided()) return {};
   const double size = size_of(trial.pair);
   const Enclosure& d = trial.distance;
-  std::optional<MarginRecord> margin;
-  if (size > 0) margin = MarginRecord{std::max({d.lo, -d.hi, 0.0}) / size, std::max(d.hi, -d.lo) / size};
+  std::optional<Enclosure> margin;
+  if (size > 0) margin = Enclosure{std::max({d.lo, -d.hi, 0.0}) / size, std::max(d.hi, -d.lo) / size};
   return case_distance(trial.pair, trial.truth.verdict, margin);
 }
 
@@ -283,8 +283,8 @@ Bucket sum_up(const std::string& key, const Group& group, std::uint64_t count) {
     const Severity severity = from_word<Severity>(f->severity).value_or(Severity::resolution);
     if (rank_of(severity) < rank_of(b.severity)) b.severity = severity;
     if (!f->margin) continue;
-    if (!b.margin) b.margin = MarginRecord{f->margin->lo, f->margin->lo};
-    b.margin = MarginRecord{std::min(b.margin->lo, f->margin->lo), std::max(b.margin->hi, f->margin->lo)};
+    if (!b.margin) b.margin = Enclosure{f->margin->lo, f->margin->lo};
+    b.margin = Enclosure{std::min(b.margin->lo, f->margin->lo), std::max(b.margin->hi, f->margin->lo)};
   }
   for (const std::string& merged : group.merged)
     if (b.merged.size() < merged_cap) b.merged.push_back(merged);

@@ -37,7 +37,7 @@ struct Bucket {
   Severity severity = Severity::resolution;  ///< the gravest
   std::uint64_t count = 0;                   ///< findings, kept or not
   std::vector<std::int64_t> findings;        ///< ids of those that are kept
-  std::optional<MarginRecord> margin;        ///< from the least to the greatest proved one
+  std::optional<Enclosure> margin;           ///< from the least to the greatest proved one
   std::vector<std::string> merged;           ///< keys of the simplified pairs
   nlohmann::json simplest, worst;            ///< in the form of the page's Case
   bool worst_was_searched = false;           ///< it is no finding

@@ -19,7 +19,7 @@ double finite(double x) {
   return std::clamp(x, std::numeric_limits<double>::lowest(), std::numeric_limits<double>::max());
 }
 
-CaseDistance case_distance(const Pair& pair, Verdict verdict, std::optional<MarginRecord> margin) {
+CaseDistance case_distance(const Pair& pair, Verdict verdict, std::optional<Enclosure> margin) {
   double width = gap_width_tol;
   if (verdict == Verdict::intersecting) {
     width = shown_depth_width_tol;
@@ -32,7 +32,7 @@ CaseDistance case_distance(const Pair& pair, Verdict verdict, std::optional<Marg
   CaseDistance told{d, margin, {}, {}};
   if (!margin) {
     const double size = size_of(pair), near = std::max({d.lo, -d.hi, 0.0}), far = std::max(d.hi, -d.lo);
-    if (size > 0) told.margin = MarginRecord{near / size, far / size};
+    if (size > 0) told.margin = Enclosure{near / size, far / size};
   }
   if (std::any_of(attained.direction.begin(), attained.direction.end(), [](double x) { return x != 0; }))
     told.direction = attained.direction;

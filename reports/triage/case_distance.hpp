@@ -19,14 +19,14 @@ double finite(double x);
 
 struct CaseDistance {
   Enclosure distance;
-  std::optional<MarginRecord> margin;                  ///< none of two points
+  std::optional<Enclosure> margin;                     ///< none of two points
   std::optional<std::array<double, 3>> direction;      ///< unit, from a to b
   std::optional<std::pair<Vector3, Vector3>> nearest;  ///< on a, on b; the solver's, approximate
 };
 
 /// Encloses the distance of a pair with that truth, which is decided. `margin`: as it is known, or to be
 /// enclosed; an overlap is enclosed no narrower than that is worth. Cost: some 0.1 ms.
-CaseDistance case_distance(const Pair& pair, Verdict truth, std::optional<MarginRecord> margin);
+CaseDistance case_distance(const Pair& pair, Verdict truth, std::optional<Enclosure> margin);
 
 /// Adds truth.distance, margin, direction and nearest to a Case of reports/web/data.ts, as far as known.
 template <class Json>

@@ -29,7 +29,7 @@ FindingRecord finding(const std::string& method, const std::string& family, cons
   f.method = method;
   f.kind = kind;
   f.severity = "contract";
-  f.margin = MarginRecord{0.1, 0.2};
+  f.margin = Enclosure{0.1, 0.2};
   f.pair = format_pair(pair);
   f.answers = "{}";
   f.truth = "{}";
@@ -165,7 +165,7 @@ double margin_of_apart() {
 TEST(Triage, SearchesForAWorsePairAndKeepsIt) {
   const Folder nights;
   FindingRecord printed = finding("seedbook-printed", "random", apart(), "wrong_intersecting");
-  printed.margin = MarginRecord{margin_of_apart(), margin_of_apart()};
+  printed.margin = Enclosure{margin_of_apart(), margin_of_apart()};
   const std::string folder = nights.make_run("one", "2026-11-20", {printed});
   const Triage first = triage(folder);
   ASSERT_EQ(first.buckets.size(), 1u);
@@ -201,7 +201,7 @@ TEST(Triage, SearchesForAWorsePairAndKeepsIt) {
 TEST(Buckets, AWrongVerdictIsWorseThanAWrongDistance) {
   FindingRecord verdict = finding("m", "f", apart()),
                 distance = finding("m", "f", apart(), "distance_outside");
-  distance.margin = MarginRecord{9, 9};
+  distance.margin = Enclosure{9, 9};
   EXPECT_TRUE(is_worse(verdict, distance));
   EXPECT_FALSE(is_worse(distance, verdict));
   FindingRecord deeper = verdict;
