@@ -14,7 +14,7 @@
 #include <string>
 #include <thread>
 
-#include "base/duration.hpp"
+#include "base/times.hpp"
 #include "base/own_command.hpp"
 #include "base/safe_text.hpp"
 #include "cli/commands.hpp"

@@ -13,12 +13,11 @@
 #include <string>
 #include <vector>
 
-#include "base/duration.hpp"
+#include "base/times.hpp"
 #include "base/files.hpp"
 #include "base/own_command.hpp"
 #include "base/safe_text.hpp"
 #include "base/source_tree.hpp"
-#include "base/today.hpp"
 #include "cli/build_info.hpp"
 #include "cli/commands.hpp"
 #include "cli/guests.hpp"

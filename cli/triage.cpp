@@ -10,10 +10,9 @@
 #include <string>
 #include <vector>
 
-#include "base/duration.hpp"
+#include "base/times.hpp"
 #include "base/files.hpp"
 #include "base/source_tree.hpp"
-#include "base/today.hpp"
 #include "base/usage_error.hpp"
 #include "cli/build_info.hpp"
 #include "cli/commands.hpp"

@@ -14,7 +14,7 @@
 #include <string>
 #include <vector>
 
-#include "base/duration.hpp"
+#include "base/times.hpp"
 #include "base/source_tree.hpp"
 #include "base/usage_error.hpp"
 #include "cli/commands.hpp"

@@ -8,7 +8,7 @@
 
 #include "base/json.hpp"
 #include "corpus/pairs/families.hpp"
-#include "corpus/pairs/scaled_pair.hpp"
+#include "corpus/pairs/pair_numbers.hpp"
 #include "corpus/pairs/strata.hpp"
 #include "oracles/trial/compare.hpp"
 

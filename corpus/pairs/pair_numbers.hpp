@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: MIT
-// The numbers of a pair: in a row, checked, summed up.
+// The numbers of a pair: in a row, checked, summed up, scaled.
 #pragma once
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <limits>
+#include <optional>
 
 #include "solver/cylinder.hpp"
 
@@ -45,6 +47,34 @@ inline bool is_legal(const Pair& p) noexcept {
 /// radius a + height a + radius b + height b, rounded, at most the largest double (the unit of margins).
 inline double size_of(const Pair& p) noexcept {
   return std::min(p.a.radius + p.a.height + p.b.radius + p.b.height, std::numeric_limits<double>::max());
+}
+
+/// Calls `change` with each length of the pair: the coordinates of the centres, the radii, the heights.
+template <class Change>
+void for_each_length(Pair& pair, Change change) {
+  for (Cylinder* c : {&pair.a, &pair.b}) {
+    for (double& x : c->center) change(x);
+    change(c->radius);
+    change(c->height);
+  }
+}
+
+/// Returns the pair with all lengths times 2^exponent.
+inline Pair scaled(Pair pair, int exponent) {
+  for_each_length(pair, [&](double& x) { x = std::ldexp(x, exponent); });
+  return pair;
+}
+
+/// Returns the same, or nothing where a length would be rounded.
+inline std::optional<Pair> scaled_exactly(Pair pair, int exponent) {
+  bool exact = true;
+  for_each_length(pair, [&](double& x) {
+    const double y = std::ldexp(x, exponent);
+    exact = exact && std::isfinite(y) && std::ldexp(y, -exponent) == x;
+    x = y;
+  });
+  if (!exact) return {};
+  return pair;
 }
 
 }  // namespace cyl

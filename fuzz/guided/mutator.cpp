@@ -7,7 +7,6 @@
 #include <limits>
 
 #include "corpus/pairs/pair_numbers.hpp"
-#include "corpus/pairs/scaled_pair.hpp"
 #include "oracles/methods/adapter.hpp"
 #include "solver/distance.hpp"
 

@@ -8,7 +8,7 @@
 #include <cstdlib>
 #include <utility>
 
-#include "corpus/pairs/scaled_pair.hpp"
+#include "corpus/pairs/pair_numbers.hpp"
 #include "oracles/trial/algorithm_groups.hpp"
 #include "oracles/trial/bucket.hpp"
 #include "oracles/trial/trial.hpp"

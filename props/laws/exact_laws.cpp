@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "corpus/pairs/pair_io.hpp"
-#include "corpus/pairs/scaled_pair.hpp"
+#include "corpus/pairs/pair_numbers.hpp"
 #include "props/laws/law_groups.hpp"
 
 namespace cyl {

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "corpus/pairs/scaled_pair.hpp"
+#include "corpus/pairs/pair_numbers.hpp"
 #include "corpus/pairs/strata.hpp"
 #include "oracles/trial/contact.hpp"
 

@@ -7,7 +7,7 @@
 #include <numbers>
 #include <utility>
 
-#include "corpus/pairs/scaled_pair.hpp"
+#include "corpus/pairs/pair_numbers.hpp"
 #include "oracles/methods/adapter.hpp"
 
 namespace cyl {

@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "corpus/pairs/pair_io.hpp"
-#include "corpus/pairs/scaled_pair.hpp"
+#include "corpus/pairs/pair_numbers.hpp"
 #include "oracles/methods/adapter.hpp"
 #include "oracles/trial/algorithm_groups.hpp"
 
