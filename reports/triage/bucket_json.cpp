@@ -14,6 +14,27 @@ using Json = nlohmann::json;
 /// Stands for infinite margins (two points apart), of which JSON has no number.
 constexpr double infinite_margin = 1e308;
 
+/// Calls `visit` with the name and the value of each field that JSON has as it is.
+template <class B, class Visit>
+void visit_plain(B& b, Visit visit) {
+  visit("key", b.key);
+  visit("method", b.method);
+  visit("methods", b.methods);
+  visit("kind", b.kind);
+  visit("count", b.count);
+  visit("families", b.families);
+  visit("findings", b.findings);
+  visit("merged", b.merged);
+  visit("simplest", b.simplest);
+  visit("worst", b.worst);
+  visit("feature", b.feature);
+  visit("coordinate", b.coordinate);
+  visit("cause", b.cause);
+  visit("labels", b.labels);
+  visit("first_seen", b.first_seen);
+  visit("last_seen", b.last_seen);
+}
+
 Json margin_json(const std::optional<Enclosure>& margin) {
   if (!margin) return nullptr;
   const auto finite = [](double x) { return std::isfinite(x) ? x : infinite_margin; };
@@ -60,29 +81,14 @@ std::string format_bucket(const Bucket& b) {
 }  // namespace
 
 Json to_json(const Bucket& b) {
-  Json j{{"key", b.key},
-         {"method", b.method},
-         {"methods", b.methods},
-         {"kind", b.kind},
-         {"severity", to_string(b.severity)},
-         {"count", b.count},
-         {"families", b.families},
-         {"findings", b.findings},
+  Json j{{"severity", to_string(b.severity)},
          {"margin", margin_json(b.margin)},
-         {"merged", b.merged},
-         {"simplest", b.simplest},
-         {"worst", b.worst},
-         {"feature", b.feature},
-         {"coordinate", b.coordinate},
          {"mechanism", to_string(b.mechanism)},
-         {"cause", b.cause},
-         {"labels", b.labels},
          {"share", share_json(b.share)},
          {"standing", nullptr},
-         {"first_seen", b.first_seen},
-         {"last_seen", b.last_seen},
          {"suppressed", suppression_json(b.suppressed)}};
   if (b.status) j["standing"] = to_string(*b.status);
+  visit_plain(b, [&](const char* key, const auto& value) { j[key] = value; });
   return j;
 }
 
@@ -94,23 +100,7 @@ Json to_json(const std::vector<Bucket>& buckets) {
 
 Bucket bucket_from_json(const Json& j) {
   Bucket b;
-  const auto read = [&](const char* key, auto& value) { j.at(key).get_to(value); };
-  read("key", b.key);
-  read("method", b.method);
-  read("methods", b.methods);
-  read("kind", b.kind);
-  read("count", b.count);
-  read("families", b.families);
-  read("findings", b.findings);
-  read("merged", b.merged);
-  read("feature", b.feature);
-  read("coordinate", b.coordinate);
-  read("cause", b.cause);
-  read("labels", b.labels);
-  read("first_seen", b.first_seen);
-  read("last_seen", b.last_seen);
-  b.simplest = j.at("simplest");
-  b.worst = j.at("worst");
+  visit_plain(b, [&](const char* key, auto& value) { j.at(key).get_to(value); });
   b.worst_was_searched = b.worst.contains("note");
   b.severity = from_word<Severity>(j.at("severity").get<std::string>()).value_or(Severity::resolution);
   b.mechanism = from_word<Mechanism>(j.at("mechanism").get<std::string>()).value_or(Mechanism::unclassified);

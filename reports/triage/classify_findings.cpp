@@ -16,11 +16,11 @@ constexpr std::size_t together_cap = 32;
 /// What was told of a guest that is another one now is dropped; of one that is not here it is kept.
 void forget_changed_guests(const TriageContext& context) {
   TriageStore store = context.store();
-  for (std::size_t m = 0; m < context.methods().size(); ++m) {
-    const Method& method = *context.methods()[m];
+  for (std::size_t m = 0; m < context.methods.size(); ++m) {
+    const Method& method = *context.methods[m];
     if (!method.guest()) continue;
     std::vector<std::int64_t> findings;
-    for (const Subject& s : context.subjects())
+    for (const Subject& s : context.subjects)
       if (s.method == m) findings.push_back(s.record->id);
     store.expect(std::string(method.name()), std::string(method.version()), findings);
   }
@@ -66,10 +66,10 @@ void classify_findings(const TriageContext& context) {
   std::set<std::int64_t> known;
   for (const CauseRecord& c : context.causes()) known.insert(c.finding);
   std::vector<const Subject*> open;
-  for (const Subject& s : context.subjects())
+  for (const Subject& s : context.subjects)
     if (!s.absent && !known.contains(s.record->id)) open.push_back(&s);
   if (open.empty()) return;
-  const std::size_t jobs = context.options().jobs;
+  const std::size_t jobs = context.options.jobs;
   context.in_processes([&](unsigned job) {
     TriageStore store = context.store();
     for (std::size_t first = job * together_cap; first < open.size() && !context.out_of_time();

@@ -55,9 +55,9 @@ std::vector<CauseSought> causes_sought(const TriageContext& context) {
   std::map<std::string, std::vector<const Subject*>> buckets;
   std::map<std::int64_t, Mechanism> mechanism_of;
   for (const CauseRecord& c : context.causes()) {
-    const auto found = context.by_id().find(c.finding);
+    const auto found = context.by_id.find(c.finding);
     const Mechanism mechanism = from_word<Mechanism>(c.mechanism).value_or(Mechanism::gone);
-    if (found == context.by_id().end() || mechanism == Mechanism::gone || !found->second->can_be_searched())
+    if (found == context.by_id.end() || mechanism == Mechanism::gone || !found->second->can_be_searched())
       continue;
     buckets[c.bucket].push_back(found->second);
     mechanism_of[c.finding] = mechanism;
@@ -81,7 +81,7 @@ WorstRecord searched(const TriageContext& context, CauseSought cause, const Wors
   options.budget = budget;
   const milliseconds began = context.elapsed();
   const auto found = worst_of_cause(context.grouped(), cause, options, triage_caps);
-  return {cause.key, std::string(context.methods()[cause.method]->name()), to_string(cause.kind),
+  return {cause.key, std::string(context.methods[cause.method]->name()), to_string(cause.kind),
           found ? format_pair(found->pair) : earlier.pair, context.elapsed() - began < budget};
 }
 
@@ -94,12 +94,12 @@ void search_worst(const TriageContext& context) {
   for (CauseSought& cause : causes_sought(context))
     if (!earlier[cause.key].ended) open.push_back(std::move(cause));
   if (open.empty() || context.out_of_time()) return;
-  const unsigned jobs = context.options().jobs;
+  const unsigned jobs = context.options.jobs;
   context.in_processes([&](unsigned job) {
     TriageStore store = context.store();
     for (std::size_t i = job; i < open.size() && !context.out_of_time(); i += jobs) {
       const auto left = static_cast<milliseconds::rep>((open.size() - i - 1) / jobs + 1);
-      const milliseconds budget = (context.options().budget - context.elapsed()) / left;
+      const milliseconds budget = (context.options.budget - context.elapsed()) / left;
       store.add(searched(context, open[i], earlier[open[i].key], budget));
     }
   });

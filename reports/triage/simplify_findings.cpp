@@ -46,8 +46,8 @@ void put_in_order(std::vector<Waiting>& bucket) {
 std::vector<const Subject*> in_turns(const TriageContext& context, const std::vector<CauseRecord>& causes) {
   std::map<std::string, std::vector<Waiting>> buckets;
   for (const CauseRecord& c : causes) {
-    const auto found = context.by_id().find(c.finding);
-    if (found == context.by_id().end() || !found->second->can_be_simplified()) continue;
+    const auto found = context.by_id.find(c.finding);
+    if (found == context.by_id.end() || !found->second->can_be_simplified()) continue;
     if (c.mechanism == to_string(Mechanism::gone)) continue;
     buckets[c.bucket].push_back({0, complexity(found->second->pair), found->second});
   }
@@ -118,7 +118,7 @@ void simplify_findings(const TriageContext& context, double part) {
   if (open.empty() || context.out_of_time(part)) return;
   context.in_processes([&](unsigned job) {
     TriageStore store = context.store();
-    for (std::size_t i = job; i < open.size() && !context.out_of_time(part); i += context.options().jobs) {
+    for (std::size_t i = job; i < open.size() && !context.out_of_time(part); i += context.options.jobs) {
       const std::int64_t id = open[i]->record->id;
       store.add(simplified(context, *open[i], cause_of.at(id), known.at(id)));
     }

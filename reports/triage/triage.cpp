@@ -31,13 +31,13 @@ std::vector<Bucket> read_buckets(const std::string& folder) {
 
 /// The buckets of the triaged runs that the run is held against, the earliest first.
 std::vector<std::vector<Bucket>> earlier_buckets(const TriageContext& context) {
-  const std::vector<std::string>& against = context.options().against;
+  const std::vector<std::string>& against = context.options.against;
   std::vector<std::pair<std::string, std::string>> runs;  // when it began, folder
-  const fs::path here = fs::canonical(context.options().folder);
+  const fs::path here = fs::canonical(context.options.folder);
   for (const std::string& folder : against.empty() ? runs_in(here.parent_path().string()) : against) {
     if (fs::canonical(folder) == here || stored_buckets(folder).empty()) continue;
     const std::string began = value_of(RunStore::open(folder).config(), "started");
-    if (!against.empty() || std::pair(began, folder) < std::pair(context.began(), here.string()))
+    if (!against.empty() || std::pair(began, folder) < std::pair(context.began, here.string()))
       runs.emplace_back(began, folder);
   }
   std::sort(runs.begin(), runs.end());
@@ -80,10 +80,10 @@ Triage run_triage(const TriageOptions& options, std::span<const std::unique_ptr<
   simplify_findings(context, 1);
   Triage triage;
   triage.progress = context.progress();
-  triage.buckets = make_buckets({options.folder, context.findings(), context.finding_groups(),
-                                 context.causes(), context.simples(), context.store().worsts()},
+  triage.buckets = make_buckets({options.folder, context.findings, context.finding_groups, context.causes(),
+                                 context.simples(), context.store().worsts()},
                                 methods);
-  compare_with_earlier(triage.buckets, fs::canonical(options.folder).filename().string(), context.asked(),
+  compare_with_earlier(triage.buckets, fs::canonical(options.folder).filename().string(), context.asked,
                        earlier_buckets(context));
   write_pairs(options.folder, triage.buckets);
   suppress(triage.buckets, options.suppressions, options.today);

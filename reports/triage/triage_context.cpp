@@ -41,50 +41,41 @@ std::string askers(const std::string& build, std::span<const std::unique_ptr<Met
   return text;
 }
 
-TriageContext::TriageContext(const TriageOptions& options, std::span<const std::unique_ptr<Method>> methods,
-                             const std::function<void(const TriageProgress&)>& on_progress)
-    : options_(options),
-      on_progress_(on_progress),
-      methods_(methods),
-      asked_by_(askers(options.build, methods)),
-      groups_(algorithm_groups(methods)) {
+TriageContext::TriageContext(const TriageOptions& how, std::span<const std::unique_ptr<Method>> all,
+                             const std::function<void(const TriageProgress&)>& show)
+    : options(how),
+      on_progress(show),
+      methods(all),
+      asked_by(askers(how.build, all)),
+      groups(algorithm_groups(all)) {
   const RunStore run = RunStore::open(options.folder);
   std::set<std::string, std::less<>> absent_guests;
   for (Guest& guest : parse_guests(value_of(run.config(), "guests")))
-    if (!index_of(methods_, guest.name)) absent_guests.insert(std::move(guest.name));
-  began_ = value_of(run.config(), "started");
-  findings_ = run.findings();
-  finding_groups_ = run.groups();
+    if (!index_of(methods, guest.name)) absent_guests.insert(std::move(guest.name));
+  began = value_of(run.config(), "started");
+  findings = run.findings();
+  finding_groups = run.groups();
   for (const MethodRecord& m : run.methods())
-    if (!absent_guests.contains(m.name)) asked_.push_back(m.name);
-  for (const FindingRecord& f : findings_) {
-    subjects_.push_back(subject_of(f, absent_guests.contains(f.method)));
-    if (subjects_.back().absent) absent_.insert(f.id);
+    if (!absent_guests.contains(m.name)) asked.push_back(m.name);
+  for (const FindingRecord& f : findings) {
+    const CaseLine line = parse_case(f.pair, 1);
+    if (!line.value) throw std::runtime_error(fmt::format("finding {}: {}", f.id, line.error));
+    subjects.push_back({&f, index_of(methods, f.method), absent_guests.contains(f.method),
+                        from_word<FindingKind>(f.kind),
+                        from_word<Severity>(f.severity).value_or(Severity::contract), line.value->pair});
+    if (subjects.back().absent) absent.insert(f.id);
   }
-  for (const Subject& s : subjects_) by_id_[s.record->id] = &s;
+  for (const Subject& s : subjects) by_id[s.record->id] = &s;
 }
 
-Subject TriageContext::subject_of(const FindingRecord& f, bool absent) const {
-  Subject s{&f,
-            index_of(methods_, f.method),
-            absent,
-            from_word<FindingKind>(f.kind),
-            from_word<Severity>(f.severity).value_or(Severity::contract),
-            {}};
-  const CaseLine line = parse_case(f.pair, 1);
-  if (!line.value) throw std::runtime_error(fmt::format("finding {}: {}", f.id, line.error));
-  s.pair = line.value->pair;
-  return s;
-}
-
-milliseconds TriageContext::elapsed() const { return since(start_); }
+milliseconds TriageContext::elapsed() const { return since(start); }
 
 TriageProgress TriageContext::progress() const {
   const std::vector<SimpleRecord> simple = simples();
   TriageProgress progress;
-  progress.findings = subjects_.size();
+  progress.findings = subjects.size();
   progress.classified = causes().size();
-  progress.absent = absent_.size();
+  progress.absent = absent.size();
   progress.simplified = static_cast<std::size_t>(
       std::count_if(simple.begin(), simple.end(), [](const SimpleRecord& s) { return s.ended; }));
   progress.searched = store().worsts().size();
@@ -94,10 +85,10 @@ TriageProgress TriageContext::progress() const {
 
 void TriageContext::in_processes(const std::function<void(unsigned job)>& work) const {
   const auto show = [&] {
-    if (on_progress_) on_progress_(progress());
+    if (on_progress) on_progress(progress());
   };
   std::deque<Child> running;
-  for (unsigned job = 0; job < options_.jobs; ++job) {
+  for (unsigned job = 0; job < options.jobs; ++job) {
     const auto run = [&work, job] {
       work(job);
       return std::string();

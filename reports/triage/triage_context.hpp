@@ -48,9 +48,22 @@ struct Subject {
   Failing failing() const { return {*method, *kind, pair}; }
 };
 
-class TriageContext {
- public:
+struct TriageContext {
   using Clock = std::chrono::steady_clock;
+
+  const TriageOptions& options;
+  const std::function<void(const TriageProgress&)>& on_progress;
+  const std::span<const std::unique_ptr<Method>> methods;
+  const std::string asked_by;             ///< as askers() gives it
+  const std::vector<std::size_t> groups;  ///< as algorithm_groups() gives them
+  const Clock::time_point start = Clock::now();
+  std::string began;                             ///< the run
+  std::vector<FindingRecord> findings;           ///< by id
+  std::vector<GroupRecord> finding_groups;       ///< all findings, counted
+  std::vector<std::string> asked;                ///< the run's methods that are here
+  std::vector<Subject> subjects;                 ///< the findings
+  std::map<std::int64_t, const Subject*> by_id;  ///< likewise
+  std::set<std::int64_t> absent;                 ///< findings of guests that are not here
 
   /// Opens the run. Throws as run_triage() does.
   TriageContext(const TriageOptions& options, std::span<const std::unique_ptr<Method>> methods,
@@ -58,24 +71,15 @@ class TriageContext {
   TriageContext(const TriageContext&) = delete;
   TriageContext& operator=(const TriageContext&) = delete;
 
-  const TriageOptions& options() const { return options_; }
-  std::span<const std::unique_ptr<Method>> methods() const { return methods_; }
-  GroupedMethods grouped() const { return {methods_, groups_}; }
-  const std::vector<Subject>& subjects() const { return subjects_; }
-  const std::map<std::int64_t, const Subject*>& by_id() const { return by_id_; }
-  const std::vector<FindingRecord>& findings() const { return findings_; }
-  const std::vector<GroupRecord>& finding_groups() const { return finding_groups_; }
-  const std::vector<std::string>& asked() const { return asked_; }  ///< the run's methods that are here
-  const std::string& began() const { return began_; }
-
+  GroupedMethods grouped() const { return {methods, groups}; }
   /// Opens the triage's own store; each process its own.
-  TriageStore store() const { return {options_.folder, asked_by_}; }
-  // Without the records of findings whose guest is not here; by finding.
+  TriageStore store() const { return {options.folder, asked_by}; }
+  // What the store has of findings whose guest is here; by finding.
   std::vector<CauseRecord> causes() const { return here(store().causes()); }
   std::vector<SimpleRecord> simples() const { return here(store().simples()); }
 
   std::chrono::milliseconds elapsed() const;
-  bool out_of_time(double part = 1) const { return Clock::now() - start_ >= part * options_.budget; }
+  bool out_of_time(double part = 1) const { return Clock::now() - start >= part * options.budget; }
   TriageProgress progress() const;
 
   /// Does `work(job)` in as many processes at once as there are jobs, and shows progress meanwhile. Throws
@@ -83,26 +87,11 @@ class TriageContext {
   void in_processes(const std::function<void(unsigned job)>& work) const;
 
  private:
-  Subject subject_of(const FindingRecord& f, bool absent) const;
   template <class Record>
   std::vector<Record> here(std::vector<Record> records) const {
-    std::erase_if(records, [&](const Record& r) { return absent_.contains(r.finding); });
+    std::erase_if(records, [&](const Record& r) { return absent.contains(r.finding); });
     return records;
   }
-
-  const TriageOptions& options_;
-  const std::function<void(const TriageProgress&)>& on_progress_;
-  const std::span<const std::unique_ptr<Method>> methods_;
-  const std::string asked_by_;
-  const std::vector<std::size_t> groups_;
-  const Clock::time_point start_ = Clock::now();
-  std::string began_;
-  std::vector<FindingRecord> findings_;  ///< by id
-  std::vector<GroupRecord> finding_groups_;
-  std::vector<Subject> subjects_;  ///< likewise
-  std::map<std::int64_t, const Subject*> by_id_;
-  std::set<std::int64_t> absent_;  ///< findings of guests that are not here
-  std::vector<std::string> asked_;
 };
 
 // The steps. Each goes on where an earlier triage was, and ends where the time does.
