@@ -288,6 +288,29 @@ bool prove_by_filter(const Scaled& p, const Frame& frame, const Base& base, Answ
   return filter.met && try_slice(p, frame, base, radii > 0 ? frame.z * (f.r0 / radii) : 0, answer);
 }
 
+// The filter's own numbers as proof that the solids are apart, where they show it by more than rounding.
+[[gnu::always_inline]] inline bool prove_apart_by_filter(const Couple<double>& p, const Products<double>& q,
+                                                         const Sections<double>& f, double reach,
+                                                         Answer& answer) noexcept {
+  const double error = filter_error * reach;
+  const unsigned beyond = (f.z_s - f.s * (p.r0 + p.r1) > error ? 1u : 0u) |
+                          (f.k0 - f.s * p.r1 > error ? 2u : 0u) | (f.k1 - f.s * p.r0 > error ? 4u : 0u) |
+                          (f.k2_s - f.s * (p.r0 + f.c * p.r1) > error ? 8u : 0u) |
+                          (f.k3_s - f.s * (f.c * p.r0 + p.r1) > error ? 16u : 0u);
+  if (beyond == 0) return false;
+  // n, w0, w1, m0 and m1 as sums of w0, w1 and n. A table, since which of them it is nobody can predict.
+  const double weights[5][3] = {{0, 0, 1}, {1, 0, 0}, {0, 1, 0}, {q.cosine, -1, 0}, {-1, q.cosine, 0}};
+  const double along[5] = {q.dn, q.d0, q.d1, q.cosine * q.d0 - q.d1, q.cosine * q.d1 - q.d0};
+  const int j = std::countr_zero(beyond);
+  const double sign = std::copysign(1.0, along[j]);
+  const double a = sign * weights[j][0], b = sign * weights[j][1], n = sign * weights[j][2];
+  answer.verdict = Verdict::disjoint;
+  answer.proof = Proof::direction;
+  answer.direction = {a * p.w0x + b * p.w1x + n * q.nx, a * p.w0y + b * p.w1y + n * q.ny,
+                      a * p.w0z + b * p.w1z + n * q.nz};
+  return true;
+}
+
 // The common case, where the separating-axis filter decides by more than rounding and the numbers it compared
 // are proof enough (section 8): ordinary solids, axes at an angle.
 [[gnu::always_inline]] inline bool prove_on_fast_path(const Couple<double>& p, const Base& base,
@@ -298,25 +321,7 @@ bool prove_by_filter(const Scaled& p, const Frame& frame, const Base& base, Answ
   const auto filter = separating_axis_filter(f);
   const double radii = p.r0 + p.r1;
   const double reach = radii + p.h0 + p.h1 + std::fabs(p.dx) + std::fabs(p.dy) + std::fabs(p.dz);
-  if (filter.apart) {
-    const double error = filter_error * reach;
-    const unsigned beyond = (f.z_s - f.s * radii > error ? 1u : 0u) | (f.k0 - f.s * p.r1 > error ? 2u : 0u) |
-                            (f.k1 - f.s * p.r0 > error ? 4u : 0u) |
-                            (f.k2_s - f.s * (p.r0 + f.c * p.r1) > error ? 8u : 0u) |
-                            (f.k3_s - f.s * (f.c * p.r0 + p.r1) > error ? 16u : 0u);
-    if (beyond == 0) return false;
-    // n, w0, w1, m0 and m1 as sums of w0, w1 and n. A table, since which of them it is nobody can predict.
-    const double weights[5][3] = {{0, 0, 1}, {1, 0, 0}, {0, 1, 0}, {q.cosine, -1, 0}, {-1, q.cosine, 0}};
-    const double along[5] = {q.dn, q.d0, q.d1, q.cosine * q.d0 - q.d1, q.cosine * q.d1 - q.d0};
-    const int j = std::countr_zero(beyond);
-    const double sign = std::copysign(1.0, along[j]);
-    const double a = sign * weights[j][0], b = sign * weights[j][1], n = sign * weights[j][2];
-    answer.verdict = Verdict::disjoint;
-    answer.proof = Proof::direction;
-    answer.direction = {a * p.w0x + b * p.w1x + n * q.nx, a * p.w0y + b * p.w1y + n * q.ny,
-                        a * p.w0z + b * p.w1z + n * q.nz};
-    return true;
-  }
+  if (filter.apart) return prove_apart_by_filter(p, q, f, reach, answer);
   if (!filter.met) return false;
   // The slice at u, in coordinates along w0 and along (w1 - C w0)/s, in units of r0 + r1.
   const double inverse = 1 / f.s, unit = 1 / radii;
