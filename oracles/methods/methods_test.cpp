@@ -9,8 +9,8 @@
 #include <filesystem>
 #include <numbers>
 #include <set>
-#include <stdexcept>
 
+#include "corpus/pairs/pair_numbers.hpp"
 #include "oracles/methods/adapter.hpp"
 #include "oracles/methods/contained.hpp"
 #include "oracles/methods/method.hpp"
@@ -51,11 +51,7 @@ std::vector<Known> easy_pairs(double scale = 1) {
     Pair p;
     p.a = {{0.1, -0.2, 0.3}, axes[i % 4], shapes[i % 3][0], shapes[i % 3][1]};
     p.b = {{0, 0, 0}, axes[(i / 3 + 1) % 4], shapes[(i / 2) % 3][0], shapes[(i / 2) % 3][1]};
-    for (Cylinder* c : {&p.a, &p.b}) {
-      c->center *= scale;
-      c->radius *= scale;
-      c->height *= scale;
-    }
+    for_each_length(p, [&](double& x) { x *= scale; });
     known.push_back(apart(p, directions[i % 3], 0.1 * size_of(p)));
     p.b.center = p.a.center;
     known.push_back({p, Verdict::intersecting, 0});
@@ -63,11 +59,7 @@ std::vector<Known> easy_pairs(double scale = 1) {
   const Vector3 w = unit_axis(axes[1]);
   const Vector3 side = w.unitOrthogonal();
   Pair p{{{0.1, -0.2, 0.3}, w, 1, 2}, {{0, 0, 0}, -w, 0.5, 3}};
-  for (Cylinder* c : {&p.a, &p.b}) {
-    c->center *= scale;
-    c->radius *= scale;
-    c->height *= scale;
-  }
+  for_each_length(p, [&](double& x) { x *= scale; });
   for (double gap : {0.1 * size_of(p), -0.1 * size_of(p)}) {
     const Verdict verdict = gap > 0 ? Verdict::disjoint : Verdict::intersecting;
     p.b.center = p.a.center + (p.a.radius + p.b.radius + gap) * side;
@@ -392,56 +384,6 @@ TEST(Mujoco, SaysItsErrorsAndWritesNoLog) {
   EXPECT_TRUE(fs::is_empty(scratch));
   fs::current_path(before);
   fs::remove_all(scratch);
-}
-
-TEST(SelectNames, NamesAndPrefixesInTheirOrder) {
-  const std::vector<std::string> names{"decide", "fcl-indep", "fcl-libccd", "fcl-libccd-tol1e-10", "fclx"};
-  using Indices = std::vector<std::size_t>;
-  EXPECT_EQ(select_names(names, "decide"), (Indices{0}));
-  EXPECT_EQ(select_names(names, "fcl"), (Indices{1, 2, 3}));
-  EXPECT_EQ(select_names(names, "fcl-libccd,decide"), (Indices{0, 2, 3}));
-  EXPECT_EQ(select_names(names, "fcl,fcl-indep"), (Indices{1, 2, 3}));
-  EXPECT_EQ(select_names(names, "-fcl"), (Indices{0, 4}));
-  EXPECT_EQ(select_names(names, "-decide,fclx"), (Indices{1, 2, 3}));
-}
-
-TEST(SelectNames, AnUnknownNameIsAnErrorThatListsTheKnown) {
-  const std::vector<std::string> names{"decide", "fcl-indep"};
-  for (const char* spec : {"", "-", "fc", "fcl-", "decide,", "decide,ode", "-decide,-fcl", "fcl-indep-x"}) {
-    try {
-      select_names(names, spec);
-      ADD_FAILURE() << "'" << spec << "' was accepted";
-    } catch (const std::invalid_argument& e) {
-      EXPECT_NE(std::string(e.what()).find("decide fcl"), std::string::npos) << e.what();
-    }
-  }
-}
-
-TEST(SelectMethods, KeepsTheMethodsNamed) {
-  EXPECT_EQ(names_of(chosen("decide,fcl-indep")), (std::vector<std::string>{"decide", "fcl-indep"}));
-  for (const auto& m : chosen("-nlopt,fcl,bullet,libccd,ode,mujoco")) EXPECT_FALSE(m->foreign()) << m->name();
-}
-
-TEST(SetReason, TruncatesAndTerminates) {
-  MethodAnswer answer;
-  answer.set_reason(std::string(500, 'x'));
-  EXPECT_EQ(std::string(answer.reason), std::string(sizeof answer.reason - 1, 'x'));
-  answer.set_reason("short");
-  EXPECT_STREQ(answer.reason, "short");
-}
-
-TEST(Adapter, RotationTakesZToTheAxis) {
-  for (const Vector3& axis :
-       {Vector3(0, 0, 1), Vector3(0, 0, -1), Vector3(1, 0, 0), Vector3(-1e-9, 1e-9, -1), Vector3(3, -4, 12),
-        Vector3(1e-320, -2e-320, 2e-320), Vector3(1e308, 1e308, -1e308), Vector3(1e-200, 1e200, -0.0)}) {
-    const Vector3 u = unit_axis(axis);
-    EXPECT_NEAR(u.norm(), 1, 4e-16);
-    EXPECT_NEAR(u.dot((axis / axis.cwiseAbs().maxCoeff()).normalized()), 1, 4e-16);
-    const Eigen::Matrix3d m = rotation_to(u);
-    EXPECT_EQ(Vector3(m.col(2)), u);
-    EXPECT_LE((m.transpose() * m - Eigen::Matrix3d::Identity()).cwiseAbs().maxCoeff(), 1e-15);
-    EXPECT_NEAR(m.determinant(), 1, 1e-15);
-  }
 }
 
 // Their squares vanish.
