@@ -103,6 +103,18 @@ BatchRecord together(const std::vector<Part>& parts) {
   return all;
 }
 
+/// Returns the shards in their order. Throws UsageError where they do not belong together.
+std::vector<Part> read_parts(const std::vector<std::string>& runs) {
+  std::vector<Part> parts;
+  for (const std::string& run : runs) {
+    parts.push_back(read_part(run));
+    for (std::size_t i = 0; i + 1 < parts.size(); ++i) check_agreement(parts[i], parts.back());
+  }
+  std::sort(parts.begin(), parts.end(),
+            [](const Part& x, const Part& y) { return x.shard.index < y.shard.index; });
+  return parts;
+}
+
 std::string why_incomplete(const Part& part) {
   const std::string status = value_of(part.config, "status");
   if (status == status_complete) return "";
@@ -116,14 +128,7 @@ MergeSummary merge_runs(const std::vector<std::string>& runs, const std::string&
   if (runs.empty()) throw UsageError("no run to merge");
   if (holds_run(out) && !RunStore::open(out).config().contains("shards"))
     throw UsageError(out + " already holds a run that was not merged");
-  std::vector<Part> parts;
-  for (const std::string& run : runs) {
-    parts.push_back(read_part(run));
-    for (std::size_t i = 0; i + 1 < parts.size(); ++i) check_agreement(parts[i], parts.back());
-  }
-  std::sort(parts.begin(), parts.end(),
-            [](const Part& x, const Part& y) { return x.shard.index < y.shard.index; });
-
+  const std::vector<Part> parts = read_parts(runs);
   MergeSummary summary;
   summary.whole_below = std::numeric_limits<std::uint64_t>::max();
   Config config = parts.front().config;
