@@ -76,12 +76,6 @@ std::vector<std::unique_ptr<Method>> chosen(std::string_view spec) {
 
 Cylinder upright(const Vector3& center) { return {center, {0, 0, 1}, 1, 2}; }
 
-std::vector<std::string> names_of(const std::vector<std::unique_ptr<Method>>& methods) {
-  std::vector<std::string> names;
-  for (const auto& m : methods) names.emplace_back(m->name());
-  return names;
-}
-
 TEST(Methods, EachSaysWhoItIsAndWhatItClaims) {
   std::set<std::string> names;
   bool foreign_seen = false;
@@ -97,8 +91,9 @@ TEST(Methods, EachSaysWhoItIsAndWhatItClaims) {
 }
 
 TEST(Settings, AreMoreOfTheSameUnderNamesOfTheirOwn) {
-  const std::vector<std::string> names = names_of(all_methods());
-  std::set<std::string> all(names.begin(), names.end());
+  std::set<std::string> names;
+  for (const auto& m : all_methods()) names.emplace(m->name());
+  std::set<std::string> all = names;
   for (const auto& m : setting_methods()) {
     EXPECT_TRUE(all.emplace(m->name()).second) << m->name() << " twice";
     const std::string known(m->name().substr(0, m->name().find('-')));
