@@ -4,8 +4,10 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <charconv>
+#include <concepts>
 #include <iostream>
 #include <system_error>
+#include <type_traits>
 #include <utility>
 
 #include "cli/commands.hpp"
@@ -19,27 +21,15 @@ constexpr const char* exit_codes =
     "undecided\n"
     "or was not asked; 1 the harness failed; 64 wrong usage; 65 input that is no pair or no scene.";
 
-template <class T>
-CLI::Option* add_number(CLI::App& app, const std::string& name, T& value, const std::string& help,
-                        std::uint64_t least, std::uint64_t most) {
-  const auto set = [&value, name, least, most](const std::string& text) {
-    std::uint64_t n = 0;
-    const char* end = text.data() + text.size();
-    const auto [rest, error] = std::from_chars(text.data(), end, n);
-    if (error != std::errc() || rest != end || n < least || n > most) {
-      throw CLI::ValidationError(name, "'" + text + "' is no whole number from " + std::to_string(least) +
-                                           " to " + std::to_string(most));
-    }
-    value = static_cast<T>(n);
-  };
-  return app.add_option_function<std::string>(name, set, help)->type_name("N");
-}
-
-template <class T>
-Option add_integer(CLI::App& app, const std::string& name, T& value, const std::string& help,
-                   std::uint64_t least, std::uint64_t most) {
-  most = std::min(most, static_cast<std::uint64_t>(std::numeric_limits<T>::max()));
-  return Option(*add_number(app, name, value, help, least, most)->default_str(std::to_string(value)));
+/// The whole number that `text` is. Throws the parser's error where it is none from `least` to `most`.
+std::uint64_t whole_number(const std::string& text, const std::string& name, std::uint64_t least,
+                           std::uint64_t most) {
+  std::uint64_t n = 0;
+  const char* end = text.data() + text.size();
+  const auto [rest, error] = std::from_chars(text.data(), end, n);
+  if (error == std::errc() && rest == end && n >= least && n <= most) return n;
+  throw CLI::ValidationError(name, "'" + text + "' is no whole number from " + std::to_string(least) +
+                                       " to " + std::to_string(most));
 }
 
 }  // namespace
@@ -62,40 +52,31 @@ Option Option::existing_file() const { return Option(*option_->check(CLI::Existi
 Option Option::existing_folder() const { return Option(*option_->check(CLI::ExistingDirectory)); }
 Option Option::default_text(const std::string& text) const { return Option(*option_->default_str(text)); }
 
-Option Command::option(const std::string& name, std::string& value, const std::string& help) {
-  return Option(*app_->add_option(name, value, help)->capture_default_str());
-}
-Option Command::option(const std::string& name, std::optional<std::string>& value, const std::string& help) {
-  return Option(*app_->add_option(name, value, help));
-}
-Option Command::option(const std::string& name, std::vector<std::string>& value, const std::string& help) {
-  return Option(*app_->add_option(name, value, help));
-}
-Option Command::option(const std::string& name, std::vector<int>& value, const std::string& help) {
-  return Option(*app_->add_option(name, value, help));
-}
-Option Command::option(const std::string& name, double& value, const std::string& help) {
-  return Option(*app_->add_option(name, value, help)->capture_default_str());
+Option Command::option(const std::string& name, Value value, const std::string& help) {
+  const auto add = [&]<class T>(std::reference_wrapper<T> bound) {
+    CLI::Option* option = app_->add_option(name, bound.get(), help);
+    if constexpr (std::is_same_v<T, std::string> || std::is_same_v<T, double>) option->capture_default_str();
+    return Option(*option);
+  };
+  return std::visit(add, value);
 }
 Option Command::flag(const std::string& name, bool& value, const std::string& help) {
   return Option(*app_->add_flag(name, value, help));
 }
 
-Option Command::number(const std::string& name, std::uint64_t& value, const std::string& help,
-                       std::uint64_t least, std::uint64_t most) {
-  return add_integer(*app_, name, value, help, least, most);
-}
-Option Command::number(const std::string& name, unsigned& value, const std::string& help, std::uint64_t least,
+Option Command::number(const std::string& name, Integer value, const std::string& help, std::uint64_t least,
                        std::uint64_t most) {
-  return add_integer(*app_, name, value, help, least, most);
-}
-Option Command::number(const std::string& name, int& value, const std::string& help, std::uint64_t least,
-                       std::uint64_t most) {
-  return add_integer(*app_, name, value, help, least, most);
-}
-Option Command::number(const std::string& name, std::optional<std::uint64_t>& value, const std::string& help,
-                       std::uint64_t least, std::uint64_t most) {
-  return Option(*add_number(*app_, name, value, help, least, most));
+  const auto add = [&]<class T>(std::reference_wrapper<T> bound) {
+    std::uint64_t greatest = most;
+    if constexpr (std::integral<T>) greatest = std::min<std::uint64_t>(most, std::numeric_limits<T>::max());
+    const auto set = [&target = bound.get(), name, least, greatest](const std::string& text) {
+      target = static_cast<T>(whole_number(text, name, least, greatest));
+    };
+    CLI::Option* option = app_->add_option_function<std::string>(name, set, help)->type_name("N");
+    if constexpr (std::integral<T>) option->default_str(std::to_string(bound.get()));
+    return Option(*option);
+  };
+  return std::visit(add, value);
 }
 
 bool Command::given(const std::string& name) const { return app_->count(name) > 0; }

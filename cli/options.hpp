@@ -9,6 +9,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <variant>
 #include <vector>
 
 namespace CLI {
@@ -41,28 +42,24 @@ class Option {
 
 /// One command. --help shows the defaults of strings and numbers: the values at the time they are bound.
 class Command {
+  template <class T>
+  using Bound = std::reference_wrapper<T>;
+
  public:
   explicit Command(CLI::App& app, int& exit_code) : app_(&app), exit_code_(&exit_code) {}
 
+  using Value = std::variant<Bound<std::string>, Bound<std::optional<std::string>>,
+                             Bound<std::vector<std::string>>, Bound<std::vector<int>>, Bound<double>>;
   /// Adds an option "--name", or an argument "NAME".
-  Option option(const std::string& name, std::string& value, const std::string& help);
-  Option option(const std::string& name, std::optional<std::string>& value, const std::string& help);
-  Option option(const std::string& name, std::vector<std::string>& value, const std::string& help);
-  Option option(const std::string& name, std::vector<int>& value, const std::string& help);
-  Option option(const std::string& name, double& value, const std::string& help);
+  Option option(const std::string& name, Value value, const std::string& help);
   Option flag(const std::string& name, bool& value, const std::string& help);
 
+  using Integer =
+      std::variant<Bound<std::uint64_t>, Bound<unsigned>, Bound<int>, Bound<std::optional<std::uint64_t>>>;
   /// Adds an option that holds a whole number from `least` to `most`: digits only, in base ten. (The parser's
   /// own conversion takes -1 for 2^64 - 1 and 010 for 8.)
-  static constexpr std::uint64_t no_limit = std::numeric_limits<std::uint64_t>::max();
-  Option number(const std::string& name, std::uint64_t& value, const std::string& help,
-                std::uint64_t least = 0, std::uint64_t most = no_limit);
-  Option number(const std::string& name, unsigned& value, const std::string& help, std::uint64_t least = 0,
-                std::uint64_t most = no_limit);
-  Option number(const std::string& name, int& value, const std::string& help, std::uint64_t least = 0,
-                std::uint64_t most = no_limit);
-  Option number(const std::string& name, std::optional<std::uint64_t>& value, const std::string& help,
-                std::uint64_t least = 0, std::uint64_t most = no_limit);
+  Option number(const std::string& name, Integer value, const std::string& help, std::uint64_t least = 0,
+                std::uint64_t most = std::numeric_limits<std::uint64_t>::max());
 
   bool given(const std::string& name) const;  ///< whether the command line has this option
 
