@@ -142,8 +142,8 @@ class Batch {
     answers_.assign(pairs_.size() * methods(), {});
     asked_.assign(pairs_.size() * methods(), false);
     wrong_.assign(pairs_.size() * methods(), {});
-    trials_.clear();
-    for (const Pair& pair : pairs_) trials_.emplace_back(pair, Truth{});
+    trials_.resize(pairs_.size());
+    for (std::size_t p = 0; p < pairs_.size(); ++p) trials_[p].pair = pairs_[p];
     certified_.reset();
     judging_.assign(pairs_.size(), 0);
   }
