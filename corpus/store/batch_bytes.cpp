@@ -47,10 +47,9 @@ static void from_json(const json& from, CellRecord& c) {
 }
 
 std::string format_batch(const BatchRecord& batch) {
-  json findings = batch.findings;
-  for (json& finding : findings)
-    for (const char* text : {"pair", "answers", "reason"})
-      finding[text] = as_utf8(finding[text].get<std::string>());
+  std::vector<FindingRecord> findings = batch.findings;
+  for (FindingRecord& f : findings)
+    for (std::string* text : {&f.pair, &f.answers, &f.reason}) *text = as_utf8(*text);
   return format_cbor({batch.tallies, batch.groups, findings, batch.cells});
 }
 
