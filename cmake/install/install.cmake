@@ -52,12 +52,14 @@ daylight_library(solver OBJECTS ${solver_objects} LINKS Eigen3::Eigen PC_REQUIRE
   HEADERS solver/cylinder.hpp solver/decide.hpp solver/detail/iteration_cap.hpp solver/distance.hpp solver/intersect_batch.hpp)
 daylight_library(exact LINKS installed_solver mpfi mpfr gmpxx gmp fmt::fmt OBJECTS ${exact_objects}
   PC_REQUIRES "daylight-solver fmt" PC_LIBS "-lmpfi -lmpfr -lgmpxx -lgmp"
-  HEADERS oracles/referee/decide_exactly.hpp oracles/referee/referee.hpp corpus/pairs/method_answer.hpp)
+  HEADERS oracles/referee/decide_exactly.hpp oracles/referee/referee.hpp corpus/pairs/method_answer.hpp
+          corpus/pairs/certificate.hpp corpus/pairs/pair_numbers.hpp base/enum_words.hpp)
 daylight_library(oracles OBJECTS ${oracles_objects} LINKS installed_exact NLopt::nlopt ${FCL_LIBRARY} ${BULLET_LIBRARY}
                  ${CCD_LIBRARY} ${ODE_LIBRARY} SQLiteCpp fmt::fmt mujoco
   PC_REQUIRES "daylight-exact nlopt fcl bullet-float64 ccd ode fmt" PC_LIBS "-lSQLiteCpp -lsqlite3 -lmujoco"
   HEADERS oracles/methods/method.hpp oracles/methods/contained.hpp oracles/methods/adapter.hpp oracles/methods/guest.hpp
-          oracles/trial/compare.hpp oracles/plugin.h corpus/pairs/pair_io.hpp corpus/pairs/families.hpp)
+          oracles/trial/compare.hpp oracles/trial/trial.hpp oracles/plugin.h base/json.hpp corpus/pairs/pair_io.hpp
+          corpus/pairs/truth_io.hpp corpus/pairs/finding.hpp corpus/pairs/families.hpp)
 
 # The places of version 0.1.0: each old header includes the new one.
 foreach(move
