@@ -60,7 +60,7 @@ class CellSearch {
   Direction run(Minimiser minimiser) noexcept {
     const Point middle = cell_.middle();
     best_ = middle;
-    look(middle);
+    step_to(middle);
     if (!found_ && !in_vain(middle)) {
       stay_ = options_.faults.has(Fault::stays_on_the_boundary);
       if (!stay_) search_sides();
@@ -75,8 +75,8 @@ class CellSearch {
   }
 
  private:
-  /// Looks at G in x; true where D(x) separates. The lowest x is kept.
-  bool look(const Point& x) noexcept {
+  /// Steps to x: true where D(x) separates. The lowest x is kept.
+  bool step_to(const Point& x) noexcept {
     const double value = octant_.value(x, cell_.signs);
     if (value < lowest_) {
       lowest_ = value;
@@ -101,14 +101,14 @@ class CellSearch {
     return true;
   }
 
-  /// The line search of section 8 on x + r d, low <= r <= high; best_ is the lowest point of all looks so
+  /// The line search of section 8 on x + r d, low <= r <= high; best_ is the lowest point of all steps so
   /// far. True where it ended at `low` or `high`.
   bool search_line(const Point x, const Point d, double low, double high) noexcept {
-    if (look(x + low * d) || look(x + high * d)) return true;
+    if (step_to(x + low * d) || step_to(x + high * d)) return true;
     const auto slope = [&](double r) { return d.dot(gradient(x + r * d)); };
     if (slope(low) >= 0 || slope(high) <= 0) return true;
     bisect(
-        low, high, d.norm(), options_, [&](double r) { return look(x + r * d); }, slope);
+        low, high, d.norm(), options_, [&](double r) { return step_to(x + r * d); }, slope);
     return false;
   }
 
