@@ -18,10 +18,10 @@
 #include <thread>
 #include <vector>
 
-#include "base/times.hpp"
 #include "base/own_command.hpp"
 #include "base/safe_text.hpp"
 #include "base/source_tree.hpp"
+#include "base/times.hpp"
 #include "base/usage_error.hpp"
 #include "cli/build_info.hpp"
 #include "cli/commands.hpp"
