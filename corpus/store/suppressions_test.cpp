@@ -9,8 +9,8 @@
 namespace cyl {
 namespace {
 
-const std::string good =
-    R"({"bucket":"fcl-libccd/hang","reason":"reported","link":"https://example.org/1","owner":"ada","expires":"2027-02-28"})";
+const std::string good = R"({"bucket":"fcl-libccd/hang","reason":"reported","link":"https://example.org/1",)"
+                         R"("owner":"ada","expires":"2027-02-28"})";
 
 std::vector<Suppression> read(const std::string& text) {
   std::istringstream in(text);

@@ -46,7 +46,8 @@ std::string ratios_json(const Ratios& ratios) {
 
 std::string row_json(const BenchRow& row) {
   return fmt::format(
-      R"({{"method":{},"family":{},"query":{},"foreign":{},"n":{},"median_ns":{},"spread":{},"p50_ns":{},"p99_ns":{},"max_ns":{},)"
+      R"({{"method":{},"family":{},"query":{},"foreign":{},"n":{},"median_ns":{},)"
+      R"("spread":{},"p50_ns":{},"p99_ns":{},"max_ns":{},)"
       R"("instructions":{},"wrong_disjoint":{},"wrong_intersecting":{},"wrong_below_claim":{},"wrong_at_margin":{},)"
       R"("undecided":{},"failed":{},"max_error":{},"max_error_at_most":{}}})",
       quote_json(row.method), quote_json(row.family), quote_json(row.query), row.foreign, row.pairs,

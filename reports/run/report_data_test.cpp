@@ -55,7 +55,8 @@ FindingRecord finding(std::uint64_t index, const std::string& method, double mar
   c.pair.b.center = {-0.0, 5e-324, 1.7976931348623157e308};
   f.pair = format_case(c);
   f.answers =
-      R"({"fake":{"verdict":"disjoint","direction":[1,0,0.1]},"other":{"verdict":"disjoint","direction":[1,0,0.2]},"third":{"verdict":"disjoint","direction":[1,0,0.3]}})";
+      R"({"fake":{"verdict":"disjoint","direction":[1,0,0.1]},"other":{"verdict":"disjoint","direction":[1,0,0.2]},)"
+      R"("third":{"verdict":"disjoint","direction":[1,0,0.3]}})";
   f.truth = R"({"verdict":"undecided","stage":"wide"})";
   f.stage = "wide";
   return f;
@@ -255,8 +256,10 @@ TEST_F(ReportData, TellsWhatTheKillMatrixHas) {
   fs::create_directories(folder);
   put("kills.jsonl",
       R"({"mutant":0,"file":"","what":"","like":"","laws":{"fate":"survived","seconds":5,"what":""}}
-{"mutant":101,"file":"s.hpp","what":"a < b","like":"","laws":{"fate":"killed","seconds":1.25,"what":"x"},"gate":{"fate":"survived","seconds":4,"what":""}}
-{"mutant":102,"file":"s.cpp","what":"none","like":"","equivalent":"by law","laws":{"fate":"survived","seconds":5,"what":""}}
+{"mutant":101,"file":"s.hpp","what":"a < b","like":"","laws":{"fate":"killed","seconds":1.25,"what":"x"},)"
+      R"("gate":{"fate":"survived","seconds":4,"what":""}}
+{"mutant":102,"file":"s.cpp","what":"none","like":"","equivalent":"by law",)"
+      R"("laws":{"fate":"survived","seconds":5,"what":""}}
 {"mutant":601,"file":"r.hpp","what":"missed","like":"","laws":{"fate":"survived","seconds":5,"what":""}}
 )");
   const json matrix = kill_data(folder / "kills.jsonl");
