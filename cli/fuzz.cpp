@@ -14,9 +14,9 @@
 #include <string>
 #include <thread>
 
-#include "base/times.hpp"
 #include "base/own_command.hpp"
 #include "base/safe_text.hpp"
+#include "base/times.hpp"
 #include "cli/commands.hpp"
 #include "cli/options.hpp"
 #include "cli/progress.hpp"
