@@ -46,7 +46,7 @@ daylight_tests(reports reports/gate reports/triage reports/explain reports/expor
 # The unit tests that may detect a mutant, as one program.
 daylight_test_program(mutant_tests ${test_candidates} $<TARGET_OBJECTS:daylight_mutants>)
 daylight_mutated(mutant_tests)
-target_link_libraries(mutant_tests PRIVATE daylight_fuzz_campaign daylight_props_mutants)
+target_link_libraries(mutant_tests PRIVATE daylight_fuzz_campaign daylight_props_gate daylight_props_mutants)
 
 # daylight_script(NAME LABEL SECONDS COMMAND..): a test that is a script. Status 77 says what was missing; CI takes none.
 function(daylight_script name label seconds)
