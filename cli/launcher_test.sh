@@ -152,7 +152,7 @@ launch env PATH="$scratch/stubs:$scratch/npm:$few" "$home/daylight" test
 expect 'test: not where there are Node.js and npm' yes "$([[ $err == *"--no-install-recommends chromium'"* ]] && echo yes)"
 expect 'test: exit code' 0 "$code"
 launch env PATH="$scratch/stubs:$scratch/npm:$few" "$home/daylight" test --install-only
-expect 'test: npm was asked once' 'page ci' "$(<"$scratch/npm said")"
+expect 'test: npm was asked once' 'web ci' "$(<"$scratch/npm said")"
 launch env PATH="$scratch/stubs:$scratch/npm:$few" "$home/daylight" test
 expect 'test: the last lines are those of ctest' yes "$([[ $out == *'100% tests passed'*'Total Test time'* ]] && echo yes)"
 

@@ -13,7 +13,7 @@ if(pybind11_FOUND)
   file(GLOB sources CONFIGURE_DEPENDS solver/*.cpp solver/detail/*.cpp oracles/referee/*.cpp corpus/pairs/*.cpp)
   list(FILTER sources EXCLUDE REGEX "_test\\.cpp$")
   pybind11_add_module(daylight_python MODULE NO_EXTRAS python/module.cpp ${sources} oracles/trial/compare.cpp
-                      oracles/methods/method.cpp base/process/fork_with_retry.cpp)
+                      oracles/methods/method.cpp base/json.cpp)
   set_target_properties(daylight_python PROPERTIES OUTPUT_NAME daylight CXX_VISIBILITY_PRESET hidden
                         LIBRARY_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/python)
   target_include_directories(daylight_python PRIVATE ${PROJECT_SOURCE_DIR})

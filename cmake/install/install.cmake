@@ -45,8 +45,8 @@ function(daylight_objects_of result)
   set(${result} ${all} PARENT_SCOPE)
 endfunction()
 daylight_objects_of(solver_objects solver)
-daylight_objects_of(exact_objects corpus/pairs oracles/referee)
-daylight_objects_of(oracles_objects base base/process solver/literature corpus/store oracles/methods oracles/trial)
+daylight_objects_of(exact_objects base corpus/pairs oracles/referee)
+daylight_objects_of(oracles_objects base/process solver/literature corpus/store oracles/methods oracles/trial)
 
 daylight_library(solver OBJECTS ${solver_objects} LINKS Eigen3::Eigen PC_REQUIRES eigen3
   HEADERS solver/cylinder.hpp solver/decide.hpp solver/detail/iteration_cap.hpp solver/distance.hpp solver/intersect_batch.hpp)

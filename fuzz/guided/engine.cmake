@@ -16,7 +16,7 @@ if(sources_without)
   list(TRANSFORM sources_without PREPEND ${top}/ OUTPUT_VARIABLE absent)
   list(REMOVE_ITEM adapters ${absent})
 endif()
-foreach(part base/process/fork_with_retry corpus/pairs/method_answer corpus/pairs/pair_io fuzz/guided/record
+foreach(part base/json base/process/fork_with_retry corpus/pairs/method_answer corpus/pairs/pair_io fuzz/guided/record
              fuzz/guided/finding_sink fuzz/guided/fuzz_judge fuzz/guided/mutator fuzz/guided/visited)
   list(APPEND checking ${top}/${part}.cpp)
 endforeach()
