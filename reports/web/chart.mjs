@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Built by build.mjs, not written by hand. Sources: 6ed7e90f39eb94e1e81a22c4577f2bc45e51dd84c440ea47e24442009e24769d
+// Built by build.mjs, not written by hand. Sources: 2cceffcabc0252ddc76d2dccbabeee03f9d43aa0fcba0f84f6b53a012596dd4d
 /* It holds
 
 @observablehq/plot 0.6.17:

@@ -4,7 +4,7 @@ import { render } from "preact";
 import { useEffect, useMemo, useRef, useState } from "preact/hooks";
 import { BucketView, FindingView } from "./detail.tsx";
 import { Findings } from "./findings.tsx";
-import { Honesty } from "./honesty.tsx";
+import { Honesty } from "./calibration.tsx";
 import { Kills } from "./kills.tsx";
 import { Maps } from "./maps.tsx";
 import { load, type FullReport } from "./report.ts";

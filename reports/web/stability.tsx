@@ -2,7 +2,7 @@
 // What stays the same when little changes: the cost near touching, the answers along a path, the answers of another
 // build of the same source.
 import { useCallback, useMemo, useState } from "preact/hooks";
-import { Cost } from "./honesty.tsx";
+import { Cost } from "./calibration.tsx";
 import { Figure, Missing, Section } from "./parts.tsx";
 import { backward_plot, screen, trace_plot } from "./plots.ts";
 import type { FullReport } from "./report.ts";
