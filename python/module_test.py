@@ -14,7 +14,7 @@ import numpy as np
 import daylight
 from daylight import Verdict
 
-README = pathlib.Path(__file__).resolve().parents[2] / 'README.md'
+README = pathlib.Path(__file__).resolve().parents[1] / 'README.md'
 FUNCTIONS = ['campaign', 'decide', 'decide_exactly', 'distance', 'intersect']
 ROD = np.array([0, 0, 0, 0, 0, 1, 1, 4.0])
 
