@@ -25,7 +25,7 @@ namespace cyl {
 
 namespace {
 
-struct Arguments {
+struct BenchArguments {
   BenchOptions bench;
   std::string methods = "all";
   std::string families = "random,margin_1e-06,margin_1e-09";
@@ -47,7 +47,7 @@ void write_json(const std::string& file, const std::vector<BenchRow>& rows,
 
 /// Sets what the flag --curves stands for, where the command line does not say otherwise. 600 pairs: five
 /// margins of them are as many as `digits_low` needs.
-void set_curves(const Command& command, Arguments& options) {
+void set_curves(const Command& command, BenchArguments& options) {
   const auto unless_given = [&](const char* name, auto& option, auto value) {
     if (!command.given(name)) option = value;
   };
@@ -58,7 +58,7 @@ void set_curves(const Command& command, Arguments& options) {
   options.bench.curves = true;
 }
 
-std::vector<std::unique_ptr<Method>> methods_for(const Arguments& options, MethodSet set) {
+std::vector<std::unique_ptr<Method>> methods_for(const BenchArguments& options, MethodSet set) {
   auto methods = std::move(set.methods);
   if (options.curves) std::ranges::move(setting_methods(), std::back_inserter(methods));
   return options.methods == "all" ? std::move(methods) : select_methods(std::move(methods), options.methods);
@@ -73,7 +73,7 @@ std::string through_pipes(const std::vector<Guest>& guests) {
                        : names + ": times of a line there and a line back through a pipe, not of its code\n";
 }
 
-void run(const Arguments& options) {
+void run(const BenchArguments& options) {
   MethodSet set = with_guests(options.guests);
   const std::string pipes = through_pipes(set.guests);
   const auto methods = methods_for(options, std::move(set));
@@ -123,7 +123,7 @@ void run(const Arguments& options) {
 void add_bench(Program& program) {
   Command command =
       program.command("Measure", "bench", "Nanoseconds a pair by method and family, faults beside them");
-  auto options = std::make_shared<Arguments>();
+  auto options = std::make_shared<BenchArguments>();
   command.option("--methods", options->methods, "a,b or (--methods=-a,b) all but these");
   add_guest_options(command, options->guests);
   command.option(

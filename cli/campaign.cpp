@@ -45,7 +45,7 @@ constexpr std::uint64_t least_self_check_pairs = 3'000'000;  // in five minutes,
 /// The wall time of a run that is given no limit of its own.
 constexpr std::chrono::minutes default_budget{1};
 
-struct Arguments {
+struct CampaignArguments {
   std::string budget, stop_at, out, methods, families, weights_from, shard, resume;
   std::optional<std::string> cases;
   std::optional<std::uint64_t> pairs;
@@ -96,7 +96,7 @@ void set_shard(const std::string& text, CampaignOptions& options) {
 }
 
 /// Plans a new run: everything from the command line.
-CampaignOptions plan_new(const Arguments& arguments, Selection& selection) {
+CampaignOptions plan_new(const CampaignArguments& arguments, Selection& selection) {
   CampaignOptions options;
   options.seed = arguments.seed ? *arguments.seed : std::random_device()();
   options.out = arguments.out;
@@ -139,7 +139,7 @@ std::chrono::milliseconds left_of(std::chrono::milliseconds budget) {
 }
 
 /// Returns every method there is and the run's guests; of those, one that is given anew is taken from there.
-MethodSet methods_of_run(const Arguments& arguments, const std::vector<std::string>& asked) {
+MethodSet methods_of_run(const CampaignArguments& arguments, const std::vector<std::string>& asked) {
   MethodSet set = with_guests(arguments.guests);
   for (const Guest& guest : set.guests) {
     if (std::find(asked.begin(), asked.end(), guest.name) == asked.end())
@@ -153,7 +153,7 @@ MethodSet methods_of_run(const Arguments& arguments, const std::vector<std::stri
 }
 
 /// Plans to go on with a run: everything from its store but the limits, where the command line has some.
-CampaignOptions plan_resumed(const Arguments& arguments, Selection& selection) {
+CampaignOptions plan_resumed(const CampaignArguments& arguments, Selection& selection) {
   const RunStore store = RunStore::open(arguments.resume);
   const Config config = store.config();
   CampaignOptions options;
@@ -203,7 +203,7 @@ std::string numbers(const CampaignProgress& p) {
 
 /// What the command line says of limits replaces what the run had, each for itself; one of time ends the
 /// other.
-void set_limits(const Arguments& arguments, CampaignOptions& options) {
+void set_limits(const CampaignArguments& arguments, CampaignOptions& options) {
   if (arguments.pairs) options.pairs = *arguments.pairs;
   if (!arguments.budget.empty()) {
     options.budget = parse_duration(arguments.budget);
@@ -219,14 +219,14 @@ void set_limits(const Arguments& arguments, CampaignOptions& options) {
     fmt::print(stderr, "no time is left; --for or --stop-at gives it more\n");
 }
 
-bool wants_self_check(const Arguments& arguments, const CampaignOptions& options) {
+bool wants_self_check(const CampaignArguments& arguments, const CampaignOptions& options) {
   if (options.shard != 0 || arguments.no_self_check) return false;  // the first shard's is enough
   if (arguments.self_check) return true;
   if (options.resume) return value_of(RunStore::open(options.out).config(), "alarm") == "on";
   return options.budget >= least_self_check_budget || options.pairs >= least_self_check_pairs;
 }
 
-SelfCheckOptions plan_self_check(const Arguments& arguments, const CampaignOptions& options,
+SelfCheckOptions plan_self_check(const CampaignArguments& arguments, const CampaignOptions& options,
                                  const Selection& selection) {
   if (!wants_self_check(arguments, options)) return {};
   SelfCheckOptions check{mutants_executable(), {}};
@@ -242,7 +242,7 @@ SelfCheckOptions plan_self_check(const Arguments& arguments, const CampaignOptio
   return {};
 }
 
-int campaign(const Arguments& arguments) {
+int campaign(const CampaignArguments& arguments) {
   if (arguments.list) {
     print_list(arguments.guests);
     return exit_pass;
@@ -285,7 +285,7 @@ int campaign(const Arguments& arguments) {
 void add_campaign(Program& program) {
   Command command = program.command(
       "Find", "campaign", "Draws pairs, asks every method, proves who is wrong, and keeps the proofs");
-  auto arguments = std::make_shared<Arguments>();
+  auto arguments = std::make_shared<CampaignArguments>();
   command.option("--for", arguments->budget, "wall time, like 90s, 1m or 8h; 1m where no limit is given");
   command.number("--pairs", arguments->pairs, "exactly this many pairs; 0: no such limit");
   command

@@ -18,12 +18,12 @@
 namespace cyl {
 namespace {
 
-struct Arguments {
+struct ChartArguments {
   std::string run, bench, out;
   bool stability = false;
 };
 
-void chart(const Arguments& arguments) {
+void chart(const ChartArguments& arguments) {
   std::vector<BenchRow> rows;
   if (!arguments.bench.empty()) rows = read_bench(arguments.bench);
   RunData run = read_run(arguments.run);
@@ -44,7 +44,7 @@ void chart(const Arguments& arguments) {
 void add_chart(Program& program) {
   Command command = program.command(
       "Understand", "chart", "Speed against accuracy and failure maps, on the page of a run and as files");
-  auto arguments = std::make_shared<Arguments>();
+  auto arguments = std::make_shared<ChartArguments>();
   command.option("RUN", arguments->run, "the run's folder").required().existing_folder();
   command
       .option(

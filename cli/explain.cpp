@@ -16,13 +16,13 @@
 namespace cyl {
 namespace {
 
-struct Arguments {
+struct ExplainArguments {
   FailureOptions failure;
   std::string json;
   std::uint64_t seed = explain_seed_default;
 };
 
-int explain_case(const Arguments& arguments) {
+int explain_case(const ExplainArguments& arguments) {
   const auto methods = methods_for_targets(arguments.failure.guests, {arguments.failure.target}).methods;
   const OneFailure failure = failure_of(arguments.failure, methods);
   fmt::print("seed {}\n", arguments.seed);
@@ -37,7 +37,7 @@ int explain_case(const Arguments& arguments) {
 
 void add_explain(Program& program) {
   Command command = program.command("Understand", "explain", "Says why a method is wrong on one pair");
-  auto arguments = std::make_shared<Arguments>();
+  auto arguments = std::make_shared<ExplainArguments>();
   add_failure_options(command, arguments->failure);
   command.number("--seed", arguments->seed, "of the pairs drawn from the pair's stratum");
   command.option("--json", arguments->json, "write everything as JSON, each end with its pair and proof");

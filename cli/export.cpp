@@ -10,12 +10,12 @@
 namespace cyl {
 namespace {
 
-struct Arguments {
+struct ExportArguments {
   FailureOptions failure;
   std::string out;
 };
 
-int export_case(const Arguments& arguments) {
+int export_case(const ExportArguments& arguments) {
   const MethodSet set = methods_for_targets(arguments.failure.guests, {arguments.failure.target});
   export_failure(set, failure_of(arguments.failure, set.methods), arguments.out);
   return exit_pass;
@@ -26,7 +26,7 @@ int export_case(const Arguments& arguments) {
 void add_export(Program& program) {
   Command command = program.command("Understand", "export",
                                     "Writes a finding as one would send it to the library's maintainers");
-  auto arguments = std::make_shared<Arguments>();
+  auto arguments = std::make_shared<ExportArguments>();
   add_failure_options(command, arguments->failure);
   command.option("--out", arguments->out, "folder for the files").required();
   command.examples("  daylight export runs/latest:12 --out upstream",

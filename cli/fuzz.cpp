@@ -27,7 +27,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-struct Arguments {
+struct FuzzArguments {
   std::string budget = "10m", target = "core", out, program;
   std::optional<std::uint64_t> seed;
   unsigned jobs = std::max(1u, std::thread::hardware_concurrency());
@@ -64,7 +64,7 @@ std::string numbers(const FuzzProgress& p) {
       p.findings, deaths);
 }
 
-int fuzz(const Arguments& arguments) {
+int fuzz(const FuzzArguments& arguments) {
   FuzzOptions options;
   options.budget = parse_duration(arguments.budget);
   options.program = arguments.program.empty() ? program_of(arguments.target) : arguments.program;
@@ -102,7 +102,7 @@ int fuzz(const Arguments& arguments) {
 void add_fuzz(Program& program) {
   Command command = program.command(
       "Find", "fuzz", "Lets libFuzzer look for pairs by what they make our code do, and proves who is wrong");
-  auto arguments = std::make_shared<Arguments>();
+  auto arguments = std::make_shared<FuzzArguments>();
   command.option("--for", arguments->budget, "wall time, like 90s, 10m or 8h");
   command
       .option("--target", arguments->target,

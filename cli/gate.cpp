@@ -13,11 +13,11 @@
 #include <string>
 #include <vector>
 
-#include "base/times.hpp"
 #include "base/files.hpp"
 #include "base/own_command.hpp"
 #include "base/safe_text.hpp"
 #include "base/source_tree.hpp"
+#include "base/times.hpp"
 #include "cli/build_info.hpp"
 #include "cli/commands.hpp"
 #include "cli/guests.hpp"
@@ -35,7 +35,7 @@
 namespace cyl {
 namespace {
 
-struct Arguments {
+struct GateArguments {
   std::string cap, methods, junit, sarif, json, against, keep, reproduce;
   std::optional<std::string> cases, suppressions;
   std::optional<std::uint64_t> seed, pairs;
@@ -71,7 +71,7 @@ std::string case_lines(const GateReport& report) {
   return lines;
 }
 
-int reproduce(const Arguments& arguments, std::span<const std::unique_ptr<Method>> methods) {
+int reproduce(const GateArguments& arguments, std::span<const std::unique_ptr<Method>> methods) {
   const Wanted all = [](std::size_t, const Law&) { return true; };
   bool broken = false;
   for (const LawFailure& c :
@@ -124,7 +124,7 @@ void complete(GateReport& report, Known& known, std::span<const std::unique_ptr<
   known.remarks = remarks_on(known.suppressions, today(), stored, known.stale);
 }
 
-void write_files(const Arguments& arguments, const GateReport& report) {
+void write_files(const GateArguments& arguments, const GateReport& report) {
   if (!arguments.junit.empty()) write_file(arguments.junit, gate_junit(report));
   if (!arguments.sarif.empty())
     write_file(arguments.sarif, gate_sarif(report, build_info().version, !arguments.against.empty()));
@@ -142,7 +142,7 @@ GateReport run_with_progress(std::span<const std::unique_ptr<Method>> methods, s
   });
 }
 
-int gate(const Arguments& arguments) {
+int gate(const GateArguments& arguments) {
   if (arguments.laws) {
     print_laws();
     return exit_pass;
@@ -191,7 +191,7 @@ int gate(const Arguments& arguments) {
 void add_gate(Program& program) {
   Command command = program.command(
       "Guard", "gate", "Merge gate: every case, every law, a sample of every stratum; one exit code");
-  auto arguments = std::make_shared<Arguments>();
+  auto arguments = std::make_shared<GateArguments>();
   command
       .number("--pairs", arguments->pairs,
               "pairs to draw, beside the cases, in whole rounds of the laws and of the strata", 1)

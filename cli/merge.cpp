@@ -15,12 +15,12 @@
 namespace cyl {
 namespace {
 
-struct Arguments {
+struct MergeArguments {
   std::vector<std::string> runs;
   std::string out;
 };
 
-int merge(const Arguments& arguments) {
+int merge(const MergeArguments& arguments) {
   const MergeSummary summary = merge_runs(arguments.runs, arguments.out);
   point_latest_at(arguments.out);
   show_run(arguments.out, summary.progress.done);
@@ -35,7 +35,7 @@ int merge(const Arguments& arguments) {
 
 void add_merge(Program& program) {
   Command command = program.command("Find", "merge", "Makes one run of the shards of a campaign");
-  auto arguments = std::make_shared<Arguments>();
+  auto arguments = std::make_shared<MergeArguments>();
   command.option("RUN", arguments->runs, "the folders of the shards").required();
   command.option("--out", arguments->out, "run folder; one that was merged before is replaced").required();
   command.examples(

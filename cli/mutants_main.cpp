@@ -104,14 +104,14 @@ void list() {
     fmt::print("{:4}  {:30}  {}{}\n", m.number, m.file, m.what, m.equivalent.empty() ? "" : " (equivalent)");
 }
 
-struct Arguments {
+struct MutantsMainArguments {
   std::vector<int> only;
   std::vector<std::string> detectors;
   bool first = false;
   std::string json, corpus = DAYLIGHT_SOURCE_DIR "/corpus/cases";
 };
 
-int matrix(const Arguments& arguments) {
+int matrix(const MutantsMainArguments& arguments) {
   const auto& [only, wanted, first, json, corpus] = arguments;
   const std::vector<Case> cases = read_case_folder(corpus);
   std::vector<Detector> detectors = law_detectors(cases);
@@ -229,7 +229,7 @@ int main(int argc, char** argv) {
   CLI::App app{"Plants one fault after the other into this program and sees which the harness catches."};
   app.require_subcommand(1);
   app.footer("For example: daylight-mutants matrix --only 101,102 --json kills.jsonl");
-  Arguments arguments;
+  MutantsMainArguments arguments;
   auto* listing = app.add_subcommand("list", "the mutants");
   auto* running = app.add_subcommand("matrix", "every detector on every mutant, the program as it is first");
   running->add_option("--only", arguments.only, "numbers of mutants")->delimiter(',');

@@ -25,7 +25,7 @@ namespace {
 /// The number of pairs that are asked together: a worker is forked once for all of them.
 constexpr std::size_t together_cap = 64;
 
-struct Arguments {
+struct ReplayArguments {
   std::vector<std::string> targets;
   std::string methods;
   std::vector<int> laws;
@@ -65,7 +65,7 @@ std::string outcome(const FindingRecord& stored, std::span<const std::unique_ptr
 
 class Replayer {
  public:
-  explicit Replayer(const Arguments& arguments) : laws_(arguments.laws) {
+  explicit Replayer(const ReplayArguments& arguments) : laws_(arguments.laws) {
     for (const int law : laws_)
       if (std::none_of(all_laws().begin(), all_laws().end(), [&](const Law& l) { return l.number == law; }))
         throw UsageError("there is no law " + std::to_string(law));
@@ -154,7 +154,7 @@ class Replayer {
 void add_replay(Program& program) {
   Command command =
       program.command("Understand", "replay", "Runs stored findings or cases again on today's build");
-  auto arguments = std::make_shared<Arguments>();
+  auto arguments = std::make_shared<ReplayArguments>();
   command
       .option("TARGET", arguments->targets,
               "RUN: all its findings; RUN:ID: one; FILE: a file of cases; FILE:LINE: one; -: cases of "

@@ -23,7 +23,7 @@ namespace {
 /// The number of cylinders of which a page has all pairs: 20 thousand, in ten configurations, some 40 MB.
 constexpr std::size_t page_cap = 200;
 
-struct Arguments {
+struct SceneArguments {
   std::string json, page;
   std::vector<std::string> at;
   std::string generate;
@@ -49,7 +49,7 @@ void check_lengths(const SceneQuestion& question) {
 }
 
 /// Throws UsageError, before any work, where there are too many cylinders for a page, which shows every pair.
-void check_page(const Arguments& arguments, std::size_t cylinders) {
+void check_page(const SceneArguments& arguments, std::size_t cylinders) {
   if (arguments.page.empty() || cylinders <= page_cap) return;
   throw UsageError(
       fmt::format("--page shows up to {} cylinders, not {}; give a file with fewer, or take --json", page_cap,
@@ -58,7 +58,7 @@ void check_page(const Arguments& arguments, std::size_t cylinders) {
 
 /// Sweeps many cylinders that stand still; with `parts` also the first parts of a generated scene, for the
 /// time against the number.
-int list_close_pairs(const Arguments& arguments, std::span<const Cylinder> cylinders, bool parts) {
+int list_close_pairs(const SceneArguments& arguments, std::span<const Cylinder> cylinders, bool parts) {
   const double clearance = arguments.question.clearance;
   fmt::print("{}", close_pairs_head());
   for (std::size_t part = parts ? 1000 : 1; part > 1; part /= 10) {
@@ -80,14 +80,14 @@ int list_close_pairs(const Arguments& arguments, std::span<const Cylinder> cylin
   return s.undecided > 0 ? exit_undecided : exit_pass;
 }
 
-void write_results(const Arguments& arguments, const Scene& scene, const SceneStudy& s) {
+void write_results(const SceneArguments& arguments, const Scene& scene, const SceneStudy& s) {
   if (arguments.json.empty() && arguments.page.empty()) return;
   const std::string json = study_json(scene, arguments.question, s);
   if (!arguments.json.empty()) write_file(arguments.json, json);
   if (!arguments.page.empty()) write_file(arguments.page, fill_template(json));
 }
 
-int study(Arguments& arguments) {
+int study(SceneArguments& arguments) {
   SceneQuestion& question = arguments.question;
   check_lengths(question);
   if (question.file.empty() == arguments.generate.empty())
@@ -122,7 +122,7 @@ int study(Arguments& arguments) {
 }  // namespace
 
 void add_scene(Program& program) {
-  auto arguments = std::make_shared<Arguments>();
+  auto arguments = std::make_shared<SceneArguments>();
   SceneQuestion& question = arguments->question;
   Command command = program.command(
       "Measure", "scene", "Says which model of its cylinders a scene or robot needs, and at what cost");

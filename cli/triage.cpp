@@ -10,9 +10,9 @@
 #include <string>
 #include <vector>
 
-#include "base/times.hpp"
 #include "base/files.hpp"
 #include "base/source_tree.hpp"
+#include "base/times.hpp"
 #include "base/usage_error.hpp"
 #include "cli/build_info.hpp"
 #include "cli/commands.hpp"
@@ -29,7 +29,7 @@
 namespace cyl {
 namespace {
 
-struct Arguments {
+struct TriageArguments {
   std::string run, budget, json, explained, exported, out;
   std::optional<std::string> suppressions;
   std::vector<std::string> against;
@@ -37,7 +37,7 @@ struct Arguments {
   GuestOptions guests;
 };
 
-int triage(const Arguments& arguments) {
+int triage(const TriageArguments& arguments) {
   TriageOptions options;
   options.folder = arguments.run;
   options.against = arguments.against;
@@ -80,7 +80,7 @@ int triage(const Arguments& arguments) {
 }
 
 /// Returns the bucket of the last triage with that key.
-nlohmann::json bucket_of(const Arguments& arguments, const std::string& key) {
+nlohmann::json bucket_of(const TriageArguments& arguments, const std::string& key) {
   const nlohmann::json buckets = buckets_json(arguments.run);
   for (const nlohmann::json& bucket : buckets)
     if (bucket.at("key") == key) return bucket;
@@ -94,14 +94,14 @@ OneFailure failure_in(const nlohmann::json& bucket) {
           parse_case(bucket.at("simplest").at("pair").dump(), 1).value.value().pair};
 }
 
-int explain_bucket(const Arguments& arguments) {
+int explain_bucket(const TriageArguments& arguments) {
   const OneFailure failure = failure_in(bucket_of(arguments, arguments.explained));
   const auto methods = methods_for_targets(arguments.guests, {arguments.run}).methods;
   fmt::print("{}", explanation_text(explain(methods, failure.method, failure.kind, failure.pair)));
   return exit_pass;
 }
 
-int export_bucket(const Arguments& arguments) {
+int export_bucket(const TriageArguments& arguments) {
   const OneFailure failure = failure_in(bucket_of(arguments, arguments.exported));
   export_failure(methods_for_targets(arguments.guests, {arguments.run}), failure, arguments.out);
   return exit_pass;
@@ -112,7 +112,7 @@ int export_bucket(const Arguments& arguments) {
 void add_triage(Program& program) {
   Command command = program.command("Understand", "triage",
                                     "From the findings of a run to their causes, each with a simple pair");
-  auto arguments = std::make_shared<Arguments>();
+  auto arguments = std::make_shared<TriageArguments>();
   command.option("RUN", arguments->run, "folder of the run").required();
   command.option("--against", arguments->against, "triaged runs to hold it against")
       .default_text("those beside it");

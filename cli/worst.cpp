@@ -14,8 +14,8 @@
 #include <string>
 #include <vector>
 
-#include "base/times.hpp"
 #include "base/source_tree.hpp"
+#include "base/times.hpp"
 #include "base/usage_error.hpp"
 #include "cli/commands.hpp"
 #include "cli/guests.hpp"
@@ -35,7 +35,7 @@ using std::chrono::milliseconds;
 /// The greatest size and offset with --extremes: what a float holds of a world in metres, about.
 constexpr double extreme_size = 1e12;
 
-struct Arguments {
+struct WorstArguments {
   std::string methods, feature, budget, out;
   std::vector<std::string> from;
   std::optional<std::uint64_t> evaluations;
@@ -62,7 +62,7 @@ std::vector<Pair> pairs_of(const std::string& name) {
   return pairs;
 }
 
-std::vector<Pair> known_pairs(const Arguments& arguments) {
+std::vector<Pair> known_pairs(const WorstArguments& arguments) {
   std::vector<Pair> pairs;
   for (const std::string& name : arguments.from) {
     const std::vector<Pair> more = pairs_of(name);
@@ -87,7 +87,7 @@ std::string case_line(const Pair& pair, std::string id, std::string note, std::u
 /// those that follow.
 class Searcher {
  public:
-  explicit Searcher(const Arguments& arguments)
+  explicit Searcher(const WorstArguments& arguments)
       : arguments_(arguments),
         methods_(
             select_methods(methods_for_targets(arguments.guests, arguments.from).methods, arguments.methods)),
@@ -201,7 +201,7 @@ class Searcher {
     if (out_.is_open()) out_ << line << '\n' << std::flush;
   }
 
-  const Arguments& arguments_;
+  const WorstArguments& arguments_;
   std::vector<std::unique_ptr<Method>> methods_;
   std::vector<Pair> known_;
   std::vector<ContactFeature> features_;
@@ -218,7 +218,7 @@ class Searcher {
 void add_worst(Program& program) {
   Command command = program.command(
       "Find", "worst", "Searches for the pair on which a method is wrong by the greatest margin, or slowest");
-  auto arguments = std::make_shared<Arguments>();
+  auto arguments = std::make_shared<WorstArguments>();
   command.option("--method", arguments->methods, "a,b: a name stands for all that begin with it").required();
   add_guest_options(command, arguments->guests);
   command.option("--feature", arguments->feature, "what meets, like side-rim").default_text("each in turn");

@@ -50,20 +50,22 @@ foreach(file ${reached})
   endif()
   get_source_file_property(options ${file} COMPILE_OPTIONS)
   if(options)
-    set_source_files_properties(${source} PROPERTIES COMPILE_OPTIONS "${options}")
+    set_source_files_properties(${source} PROPERTIES COMPILE_OPTIONS "${options}" SKIP_PRECOMPILE_HEADERS ON)
   endif()
   list(APPEND mutant_sources ${source})
 endforeach()
 
 function(daylight_mutated target)
   target_include_directories(${target} BEFORE PRIVATE ${copies})
-  target_compile_options(${target} PRIVATE -Wno-bitwise-instead-of-logical)  # a switch is a call to clang
+  target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-O1>
+                         -Wno-bitwise-instead-of-logical)  # a switch is a call to clang
   target_compile_definitions(${target} PRIVATE DAYLIGHT_SOURCE_DIR="${PROJECT_SOURCE_DIR}" DAYLIGHT_VERSION="${PROJECT_VERSION}")
 endfunction()
 add_library(daylight_mutants OBJECT ${mutant_sources} ${mutated_copies} ${mutant_table})
 daylight_mutated(daylight_mutants)
+set_target_properties(daylight_mutants PROPERTIES POSITION_INDEPENDENT_CODE ON)
+daylight_precompiled(daylight_mutants)
 target_link_libraries(daylight_mutants PRIVATE daylight_fuzz_campaign daylight_props_gate daylight_props_mutants)
-target_include_directories(daylight_mutants BEFORE PRIVATE ${copies})
 
 function(daylight_mutant_program name)
   add_executable(${name} ${ARGN} $<TARGET_OBJECTS:daylight_mutants>)

@@ -14,6 +14,7 @@ endfunction()
 
 daylight_precompiled_set(plain Eigen3::Eigen nlohmann_json::nlohmann_json fmt::fmt)
 target_precompile_headers(daylight_precompiled_plain PRIVATE ${daylight_common_headers})
+set_target_properties(daylight_precompiled_plain PROPERTIES POSITION_INDEPENDENT_CODE ON)  # as the rooms are
 
 function(daylight_precompiled target)
   if(NOT target STREQUAL daylight_solver)  # it sees Eigen alone

@@ -14,6 +14,9 @@ endif()
 add_compile_options(-ffp-contract=off -fno-math-errno)
 if(PROJECT_IS_TOP_LEVEL)
   add_compile_options(-Wall -Wextra -Wconversion)
+  if(CMAKE_CXX_COMPILER_ID STREQUAL GNU)
+    add_compile_options(-Wno-stringop-overflow -Wno-array-bounds)  # GCC 12 sees them in its own std::string
+  endif()
 endif()
 # A law says in which line it is written: from the top of the project, however the compiler was given the file's name.
 file(RELATIVE_PATH up ${CMAKE_BINARY_DIR} ${PROJECT_SOURCE_DIR})

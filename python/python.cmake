@@ -10,16 +10,15 @@ if(Python_Development.Module_FOUND AND Python_NumPy_FOUND AND NOT CMAKE_CXX_FLAG
   find_package(pybind11 2.6 QUIET CONFIG)
 endif()
 if(pybind11_FOUND)
-  file(GLOB sources CONFIGURE_DEPENDS solver/*.cpp solver/detail/*.cpp oracles/referee/*.cpp corpus/pairs/*.cpp)
+  # The solver is compiled for it; of the other rooms' libraries it takes what it needs.
+  file(GLOB sources CONFIGURE_DEPENDS solver/*.cpp solver/detail/*.cpp)
   list(FILTER sources EXCLUDE REGEX "_test\\.cpp$")
-  pybind11_add_module(daylight_python MODULE NO_EXTRAS python/module.cpp ${sources} oracles/trial/compare.cpp
-                      oracles/trial/trial.cpp oracles/methods/contained.cpp oracles/methods/method.cpp
-                      base/process/child.cpp base/process/process.cpp base/json.cpp)
+  pybind11_add_module(daylight_python MODULE NO_EXTRAS python/module.cpp ${sources})
   set_target_properties(daylight_python PROPERTIES OUTPUT_NAME daylight CXX_VISIBILITY_PRESET hidden
                         LIBRARY_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/python)
   target_include_directories(daylight_python PRIVATE ${PROJECT_SOURCE_DIR})
-  target_link_libraries(daylight_python PRIVATE Eigen3::Eigen nlohmann_json::nlohmann_json fmt::fmt
-                        ${MPFI} ${MPFR} ${GMPXX} ${GMP})
+  target_link_libraries(daylight_python PRIVATE daylight_oracles_trial)
+  target_link_options(daylight_python PRIVATE -Wl,--as-needed -Wl,--exclude-libs,ALL)
   # Where the interpreter of the prefix looks: Debian's has names of its own below /usr and /usr/local, a virtual
   # environment and everybody else's this one.
   set(version python${Python_VERSION_MAJOR}.${Python_VERSION_MINOR})

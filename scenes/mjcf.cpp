@@ -24,27 +24,27 @@ Pose pose_of(const mjtNum* position, const mjtNum* q) {
               Eigen::Quaterniond(q[0], q[1], q[2], q[3]).normalized());
 }
 
-std::size_t size_of(int n) { return static_cast<std::size_t>(n); }
+std::size_t to_size(int n) { return static_cast<std::size_t>(n); }
 
 const char* shape_name(int type) {
   static_assert(mjGEOM_PLANE == 0 && mjGEOM_CYLINDER == 5 && mjGEOM_MESH == 7);
   constexpr std::array names{"plane",     "height field", "sphere", "capsule",
                              "ellipsoid", "cylinder",     "box",    "mesh"};
-  return type >= 0 && size_of(type) < names.size() ? names[size_of(type)] : "geom of another kind";
+  return type >= 0 && to_size(type) < names.size() ? names[to_size(type)] : "geom of another kind";
 }
 
 /// A body becomes a link, and one more for each joint but its first; the links between have no shapes.
-class Builder {
+class MjcfBuilder {
  public:
-  explicit Builder(const mjModel& model)
-      : m_(model), link_of_(size_of(model.nbody)), joint_link_(size_of(model.njnt)) {}
+  explicit MjcfBuilder(const mjModel& model)
+      : m_(model), link_of_(to_size(model.nbody)), joint_link_(to_size(model.njnt)) {}
 
   Scene build() {
     for (int body = 0; body < m_.nbody; ++body) add(body);
     for (int i = 0; i < m_.nexclude; ++i) {
       const int signature = m_.exclude_signature[i];  // 2^16 (one + 1) + other + 1
-      scene_.disabled.emplace_back(link_of_[size_of((signature >> 16) - 1)],
-                                   link_of_[size_of((signature & 0xffff) - 1)]);
+      scene_.disabled.emplace_back(link_of_[to_size((signature >> 16) - 1)],
+                                   link_of_[to_size((signature & 0xffff) - 1)]);
     }
     for (int i = 0; i < m_.neq; ++i) couple(i);
     joints_at(scene_);  // throws where they go in a circle
@@ -61,7 +61,7 @@ class Builder {
     Link link;
     link.name = name(mjOBJ_BODY, body, "body");
     // What stands on the world is not adjacent to it: a floor is there to be hit.
-    if (body > 0 && m_.body_parentid[body] > 0) link.parent = link_of_[size_of(m_.body_parentid[body])];
+    if (body > 0 && m_.body_parentid[body] > 0) link.parent = link_of_[to_size(m_.body_parentid[body])];
     Pose origin = pose_of(m_.body_pos + 3 * body, m_.body_quat + 4 * body);
     for (int k = 0; k < m_.body_jntnum[body]; ++k) {
       const int joint = m_.body_jntadr[body] + k;
@@ -87,7 +87,7 @@ class Builder {
         link.origin.rotate(Eigen::AngleAxisd(-reference, axis));
       else
         link.origin.translate(-reference * axis);
-      joint_link_[size_of(joint)] = scene_.links.size();
+      joint_link_[to_size(joint)] = scene_.links.size();
       const std::size_t carrier = scene_.links.size();
       scene_.links.push_back(link);
       link = Link{};
@@ -96,7 +96,7 @@ class Builder {
       origin = Eigen::Translation3d(-anchor) * Pose::Identity();
     }
     link.origin = origin;
-    link_of_[size_of(body)] = scene_.links.size();
+    link_of_[to_size(body)] = scene_.links.size();
     scene_.links.push_back(link);
     for (int k = 0; k < m_.body_geomnum[body]; ++k) add_geom(body, m_.body_geomadr[body] + k);
   }
@@ -105,12 +105,12 @@ class Builder {
     const auto type = static_cast<unsigned>(m_.geom_contype[geom]);
     const auto affinity = static_cast<unsigned>(m_.geom_conaffinity[geom]);
     if (type == 0 && affinity == 0) return;  // to be seen only
-    Link& link = scene_.links[link_of_[size_of(body)]];
+    Link& link = scene_.links[link_of_[to_size(body)]];
     ++link.shapes;
     const mjtNum* size = m_.geom_size + 3 * geom;
     const Pose pose = pose_of(m_.geom_pos + 3 * geom, m_.geom_quat + 4 * geom);
     if (m_.geom_type[geom] == mjGEOM_CYLINDER)
-      scene_.bodies.push_back({link.name + "/" + name(mjOBJ_GEOM, geom, "geom"), link_of_[size_of(body)],
+      scene_.bodies.push_back({link.name + "/" + name(mjOBJ_GEOM, geom, "geom"), link_of_[to_size(body)],
                                Cylinder{pose.translation(), pose.linear().col(2), size[0], 2 * size[1]}, type,
                                affinity});
     else
@@ -128,8 +128,8 @@ class Builder {
       return;
     }
     const double rest_one = m_.qpos0[m_.jnt_qposadr[one]], rest_other = m_.qpos0[m_.jnt_qposadr[other]];
-    scene_.links[joint_link_[size_of(one)]].follow =
-        Follow{joint_link_[size_of(other)], c[1], c[0] + rest_one - c[1] * rest_other};
+    scene_.links[joint_link_[to_size(one)]].follow =
+        Follow{joint_link_[to_size(other)], c[1], c[0] + rest_one - c[1] * rest_other};
   }
 
   const mjModel& m_;
@@ -144,7 +144,7 @@ Scene read_mjcf(const std::string& file) {
   std::array<char, 1000> error{};
   const Model model(mj_loadXML(file.c_str(), nullptr, error.data(), static_cast<int>(error.size())));
   if (!model) throw std::runtime_error(file + ": " + error.data());
-  return Builder(*model).build();
+  return MjcfBuilder(*model).build();
 }
 
 }  // namespace cyl

@@ -117,9 +117,9 @@ void add_bodies(Scene& scene, std::size_t index, const urdf::Link& link) {
   }
 }
 
-class Builder {
+class UrdfBuilder {
  public:
-  explicit Builder(Scene& scene, const std::map<std::string, std::size_t>& shapes)
+  explicit UrdfBuilder(Scene& scene, const std::map<std::string, std::size_t>& shapes)
       : scene_(scene), shapes_(shapes) {}
 
   void add(const urdf::Link& link, std::optional<std::size_t> parent) {
@@ -196,7 +196,7 @@ Scene read_urdf(const std::string& file) {
   const urdf::ModelInterfaceSharedPtr model = urdf::parseURDF(text.Str());
   if (!model) throw std::runtime_error(file + ": " + messages.all());
   if (!messages.all().empty()) scene.notes.push_back("urdfdom: " + messages.all() + ".");
-  Builder builder(scene, shapes);
+  UrdfBuilder builder(scene, shapes);
   try {
     builder.add(*model->getRoot(), std::nullopt);
     builder.follow();

@@ -19,7 +19,7 @@ using nlohmann::json;
 
 constexpr std::uint64_t seed = 1;
 /// So few that the slowest build, not optimised, is asked all within minutes.
-constexpr std::uint64_t pairs_per_family = 30, pairs_per_stratum = 3, scaled_pairs_per_stratum = 1;
+constexpr std::uint64_t pairs_per_family = 30, plain_pairs_per_stratum = 3, scaled_pairs_per_stratum = 1;
 constexpr int tiny_exponents[] = {-500, -1010, -1060};
 
 bool said_same(const MethodAnswer& x, const MethodAnswer& y) {
@@ -40,7 +40,7 @@ std::vector<Pair> build_pairs() {
   const auto add_strata = [&](std::uint64_t count, int exponent) {
     for (const Pair& pair : draw_in_all_strata(count, seed)) pairs.push_back(scaled(pair, exponent));
   };
-  add_strata(pairs_per_stratum, 0);
+  add_strata(plain_pairs_per_stratum, 0);
   for (const int exponent : tiny_exponents) add_strata(scaled_pairs_per_stratum, exponent);
   return pairs;
 }

@@ -19,6 +19,9 @@ namespace cyl {
 inline double inner_product(const Vector3& u, const Vector3& v) {
   return u.x() * v.x() + u.y() * v.y() + u.z() * v.z();
 }
+
+/// Returns the length of a vector.
+inline double length_of(const Vector3& v) { return std::sqrt(inner_product(v, v)); }
 inline Vector3 normalise(const Vector3& v) { return v / std::sqrt(inner_product(v, v)); }
 
 /// Draws one after the other; draw into names, because the order of evaluation of arguments differs between

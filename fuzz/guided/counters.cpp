@@ -38,13 +38,11 @@ Counters extra_counters;
 
 namespace {
 
-double length(const Vector3& v) { return std::sqrt(inner_product(v, v)); }
-
 enum Face : unsigned char { side, rim, cap };
 
 // Of unit vectors.
 Face face_along(const Cylinder& c, const Vector3& w, const Vector3& d) {
-  if (length(d.cross(w)) < face_tol) return c.radius > 0 ? cap : rim;
+  if (length_of(d.cross(w)) < face_tol) return c.radius > 0 ? cap : rim;
   return std::fabs(inner_product(d, w)) < face_tol && c.height > 0 ? side : rim;
 }
 
@@ -60,7 +58,7 @@ struct Axes {
   explicit Axes(const Pair& pair)
       : v(unit_axis(pair.a.axis)),
         w(unit_axis(pair.b.axis)),
-        sine(length(v.cross(w))),
+        sine(length_of(v.cross(w))),
         cosine(std::fabs(inner_product(v, w))) {}
   Vector3 v, w;
   double sine, cosine;

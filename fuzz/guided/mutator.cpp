@@ -23,8 +23,6 @@ double tenth(RandomStream& s) {
   return sign * decade * (s.coin() ? 1 : s.between(0.1, 1));
 }
 
-double length(const Vector3& v) { return std::sqrt(inner_product(v, v)); }
-
 double size_of_solids(const Pair& p) { return p.a.radius + p.a.height + p.b.radius + p.b.height; }
 
 Cylinder& either(Pair& p, RandomStream& s) { return s.coin() ? p.a : p.b; }
@@ -77,7 +75,7 @@ void slide_to_touching(Pair& p, RandomStream& s) {
 
 void slide_along_contact(Pair& p, RandomStream& s) {
   const Distance d = distance(p.a, p.b);
-  if (d.verdict == Verdict::invalid || !(length(d.direction) > 0.5)) return;
+  if (d.verdict == Verdict::invalid || !(length_of(d.direction) > 0.5)) return;
   const Vector3 aside = s.perpendicular(d.direction);
   p.b.center += (tenth(s) * size_of_solids(p)) * aside;
   touch(p);

@@ -35,8 +35,8 @@ SearchPair<double> double_pair(const Pair& pair, int& exponent);
 template <class R>
 struct Found {
   bool has_direction = false, has_point = false;
-  Vec3<R> direction;  ///< direction.delta >= 0
-  Vec3<R> point;      ///< relative to a's centre
+  Vec3<R> direction{};  ///< direction.delta >= 0
+  Vec3<R> point{};      ///< relative to a's centre
 };
 
 namespace search_detail {

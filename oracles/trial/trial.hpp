@@ -38,6 +38,8 @@ struct Trial {
       : Trial(about, judge(about, offered)) {}
 
   /// Whether a verdict is proved.
+  /// True unless the solids are proved apart.
+  bool meets() const { return truth.verdict != Verdict::disjoint; }
   bool decided() const { return truth.verdict != Verdict::undecided && truth.verdict != Verdict::invalid; }
   /// Where one method was asked: its answer, and what is wrong with that.
   const MethodAnswer& answer() const { return answers.front(); }

@@ -18,8 +18,6 @@ namespace {
 
 using json = nlohmann::ordered_json;
 
-bool meet(const Trial& p) { return p.truth.verdict != Verdict::disjoint; }
-
 /// What is found beyond an end.
 std::string beyond_in_words(const Trial& asked, const RegionEnd& end) {
   if (!end.beyond) return "as far as tried";
@@ -27,13 +25,13 @@ std::string beyond_in_words(const Trial& asked, const RegionEnd& end) {
   if (p.finding()) return to_string(p.finding()->kind);
   if (!p.decided()) return "truth unproved";
   if (p.answer().status != Status::answered || p.answer().verdict == Verdict::undecided) return "no answer";
-  if (meet(p) != meet(asked)) return meet(p) ? "they meet" : "they are apart";
+  if (p.meets() != asked.meets()) return p.meets() ? "they meet" : "they are apart";
   return "right";
 }
 
 /// Whether the method gets right beyond an end what it gets wrong within, the truth being the same.
 bool turns_right(const Trial& asked, const RegionEnd& end) {
-  return end.beyond && end.beyond->right() && meet(*end.beyond) == meet(asked);
+  return end.beyond && end.beyond->right() && end.beyond->meets() == asked.meets();
 }
 
 /// The region of a parameter, where the explanation has regions.
@@ -120,7 +118,7 @@ std::vector<std::string> indifferent(const Explanation& e) {
 /// Whether the method itself, and not the truth or a refusal to answer, ends the failure there.
 bool method_ends_it(const Trial& asked, const RegionEnd& end) {
   return end.beyond && end.beyond->decided() && end.beyond->answer().status != Status::declined &&
-         meet(*end.beyond) == meet(asked);
+         end.beyond->meets() == asked.meets();
 }
 
 /// "angle 0.0093 to 0.045", "height of a above 0.3": the shapes that it takes.

@@ -42,11 +42,9 @@ std::optional<Pair> transformed(Transformation transformation, Pair pair) {
   return {};
 }
 
-bool meet(const Trial& p) { return p.truth.verdict != Verdict::disjoint; }
-
 WorkaroundOutcome outcome_of(const Trial& before, const Trial& after) {
   if (after.fails(before.finding()->kind)) return WorkaroundOutcome::still_fails;
-  if (!after.decided() || meet(after) != meet(before)) return WorkaroundOutcome::truth_changed;
+  if (!after.decided() || after.meets() != before.meets()) return WorkaroundOutcome::truth_changed;
   if (after.finding()) return WorkaroundOutcome::other_failure;
   return after.right() ? WorkaroundOutcome::right : WorkaroundOutcome::no_answer;
 }

@@ -28,7 +28,7 @@ static int some_of(const double* v) {
 
 )";
 
-std::string truth_in_words(const Trial& asked) {
+std::string truth_for_guest(const Trial& asked) {
   if (!asked.decided()) return "not known";
   std::string text = fmt::format("{} (python3 exact.py proves it)", to_string(asked.truth.verdict));
   if (asked.truth.verdict != Verdict::touching)
@@ -129,7 +129,7 @@ std::string guest_program_name(const Guest& guest) {
 }
 
 std::string guest_program(const Guest& guest, const Trial& asked, const Claim& claim) {
-  Words words{{"truth", truth_in_words(asked)}};
+  Words words{{"truth", truth_for_guest(asked)}};
   if (guest.kind == GuestKind::command) {
     words["pair"] = python_literal(format_pair(asked.pair));
     words["patience"] = std::to_string(patience);

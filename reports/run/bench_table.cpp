@@ -19,7 +19,7 @@ std::string number(double x, int digits = 1) {
   return std::isfinite(x) ? fmt::format("{:.{}f}", x, digits) : "-";
 }
 std::string power(double x) { return std::isfinite(x) ? fmt::format("{:.0e}", x) : "-"; }
-std::string json(double x) { return std::isfinite(x) ? format_double(x) : "null"; }
+std::string number_text(double x) { return std::isfinite(x) ? format_double(x) : "null"; }
 
 std::string join(const std::vector<std::string>& texts) { return fmt::format("{}", fmt::join(texts, ",")); }
 
@@ -35,13 +35,13 @@ double memory_pass_ns(const LowerBounds& lower_bounds, const BenchRow& row) {
 std::string competitor_json(const Competitor& competitor) {
   if (competitor.method.empty()) return "null";
   return fmt::format(R"({{"method":{},"median_ns":{},"ratio":{},"max_error":{}}})",
-                     quote_json(competitor.method), json(competitor.ns), json(competitor.ratio),
-                     json(competitor.max_error));
+                     quote_json(competitor.method), number_text(competitor.ns), number_text(competitor.ratio),
+                     number_text(competitor.max_error));
 }
 
 std::string ratios_json(const Ratios& ratios) {
-  return fmt::format(R"({{"least":{},"geometric_mean":{}}})", json(ratios.least),
-                     json(ratios.geometric_mean));
+  return fmt::format(R"({{"least":{},"geometric_mean":{}}})", number_text(ratios.least),
+                     number_text(ratios.geometric_mean));
 }
 
 std::string row_json(const BenchRow& row) {
@@ -51,9 +51,10 @@ std::string row_json(const BenchRow& row) {
       R"("instructions":{},"wrong_disjoint":{},"wrong_intersecting":{},"wrong_below_claim":{},"wrong_at_margin":{},)"
       R"("undecided":{},"failed":{},"max_error":{},"max_error_at_most":{}}})",
       quote_json(row.method), quote_json(row.family), quote_json(row.query), row.foreign, row.pairs,
-      json(row.median_ns), json(row.spread_percent), json(row.p50_ns), json(row.p99_ns), json(row.max_ns),
-      json(row.instructions), row.wrong_disjoint, row.wrong_intersecting, row.wrong_below_claim,
-      row.wrong_at_margin, row.undecided, row.failed, json(row.max_error), json(row.max_error_at_most));
+      number_text(row.median_ns), number_text(row.spread_percent), number_text(row.p50_ns),
+      number_text(row.p99_ns), number_text(row.max_ns), number_text(row.instructions), row.wrong_disjoint,
+      row.wrong_intersecting, row.wrong_below_claim, row.wrong_at_margin, row.undecided, row.failed,
+      number_text(row.max_error), number_text(row.max_error_at_most));
 }
 
 std::string comparisons_json(std::span<const QueryComparisons> queries) {
@@ -64,9 +65,10 @@ std::string comparisons_json(std::span<const QueryComparisons> queries) {
       comparisons.push_back(fmt::format(
           R"({{"family":{},"method":{},"median_ns":{},"p99_over_median":{},"over_verdict":{},"over_random":{},)"
           R"("max_error":{},"max_error_at_most":{},"wrong":{},"wrong_at_margin":{},"right":{},"fastest":{}}})",
-          quote_json(c.family), quote_json(c.method), json(c.ns), json(c.p99_over_median),
-          json(c.over_verdict), json(c.over_random), json(c.max_error), json(c.max_error_at_most), c.wrong,
-          c.wrong_at_margin, competitor_json(c.right), competitor_json(c.fastest)));
+          quote_json(c.family), quote_json(c.method), number_text(c.ns), number_text(c.p99_over_median),
+          number_text(c.over_verdict), number_text(c.over_random), number_text(c.max_error),
+          number_text(c.max_error_at_most), c.wrong, c.wrong_at_margin, competitor_json(c.right),
+          competitor_json(c.fastest)));
     }
     objects.push_back(fmt::format(
         "\n{}:{{\"right\":{},\"fastest\":{},\"wrong_at_margin\":{},\"families\":[{}]}}", quote_json(s.query),
@@ -82,12 +84,12 @@ std::string lower_bounds_json(const LowerBounds& lower_bounds, std::span<const B
     paths.push_back(fmt::format(
         R"({{"method":{},"family":{},"query":{},"n":{},"over_equation_6":{},"over_memory_pass":{}}})",
         quote_json(row.method), quote_json(row.family), quote_json(row.query), row.pairs,
-        json(row.median_ns / lower_bounds.equation_6_ns),
-        json(row.median_ns / memory_pass_ns(lower_bounds, row))));
+        number_text(row.median_ns / lower_bounds.equation_6_ns),
+        number_text(row.median_ns / memory_pass_ns(lower_bounds, row))));
   }
   return fmt::format(R"({{"equation_6_ns":{},"memory_pass_ns":{},"large_memory_pass_ns":{},"paths":[{}]}})",
-                     json(lower_bounds.equation_6_ns), json(lower_bounds.memory_pass_ns),
-                     json(lower_bounds.large_memory_pass_ns), join(paths));
+                     number_text(lower_bounds.equation_6_ns), number_text(lower_bounds.memory_pass_ns),
+                     number_text(lower_bounds.large_memory_pass_ns), join(paths));
 }
 
 }  // namespace

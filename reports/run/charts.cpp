@@ -18,7 +18,6 @@
 namespace cyl {
 namespace {
 
-using nlohmann::json;
 namespace fs = std::filesystem;
 
 constexpr int last_calibrated_bin = touching_bin - 1;
@@ -49,19 +48,19 @@ std::map<MapPlace, std::int64_t> first_findings(const RunData& run) {
   return first;
 }
 
-json axis_json(const CellAxis& axis) { return {{"title", axis.title}, {"labels", axis.labels}}; }
+nlohmann::json axis_json(const CellAxis& axis) { return {{"title", axis.title}, {"labels", axis.labels}}; }
 
-json counts_json(const CellCounts& c) {
+nlohmann::json counts_json(const CellCounts& c) {
   return {{"asked", c.asked},
           {"wrong_disjoint", c.wrong_disjoint},
           {"wrong_intersecting", c.wrong_intersecting},
           {"undecided", c.undecided}};
 }
 
-json map_json(const FailureMap& map) {
-  json cells = json::array();
+nlohmann::json map_json(const FailureMap& map) {
+  nlohmann::json cells = nlohmann::json::array();
   for (const MapCell& c : map.cells) {
-    json cell = counts_json(c.counts);
+    nlohmann::json cell = counts_json(c.counts);
     cell["x"] = c.at.x;
     cell["y"] = c.at.y;
     cell["failed"] = c.counts.failed;
@@ -75,58 +74,62 @@ json map_json(const FailureMap& map) {
           {"cells", std::move(cells)}};
 }
 
-json calibration_json(const Calibration& calibration) {
-  json bins = json::array();
+nlohmann::json calibration_json(const Calibration& calibration) {
+  nlohmann::json bins = nlohmann::json::array();
   for (const auto& [decade, counts] : calibration.bins) {
-    json bin = counts_json(counts);
+    nlohmann::json bin = counts_json(counts);
     bin["decade"] = decade;
     bins.push_back(std::move(bin));
   }
   return {{"method", calibration.method}, {"family", nullptr}, {"bins", std::move(bins)}};
 }
 
-json number(double x) { return std::isfinite(x) ? json(x) : json(nullptr); }
-json number(const std::optional<int>& x) { return x ? json(*x) : json(nullptr); }
+nlohmann::json finite_json(double x) {
+  return std::isfinite(x) ? nlohmann::json(x) : nlohmann::json(nullptr);
+}
+nlohmann::json finite_json(const std::optional<int>& x) {
+  return x ? nlohmann::json(*x) : nlohmann::json(nullptr);
+}
 
-json speed_json(const SpeedPoint& p) {
+nlohmann::json speed_json(const SpeedPoint& p) {
   return {{"method", p.method},
           {"curve", p.name.curve},
           {"setting", p.name.setting},
           {"family", p.family},
           {"query", p.query},
-          {"ns", number(p.ns)},
-          {"p99", number(p.p99_ns)},
-          {"max", number(p.max_ns)},
+          {"ns", finite_json(p.ns)},
+          {"p99", finite_json(p.p99_ns)},
+          {"max", finite_json(p.max_ns)},
           {"asked", p.asked},
           {"wrong_disjoint", p.wrong_disjoint},
           {"wrong_intersecting", p.wrong_intersecting},
-          {"digits", number(p.digits.right)},
-          {"digits_low", number(p.digits.low)}};
+          {"digits", finite_json(p.digits.right)},
+          {"digits_low", finite_json(p.digits.low)}};
 }
 
-json cost_json(const CostPoint& p) {
+nlohmann::json cost_json(const CostPoint& p) {
   return {{"method", p.method},
           {"decade", p.decade},
-          {"p50", number(p.p50_ns)},
-          {"p99", number(p.p99_ns)},
-          {"max", number(p.max_ns)}};
+          {"p50", finite_json(p.p50_ns)},
+          {"p99", finite_json(p.p99_ns)},
+          {"max", finite_json(p.max_ns)}};
 }
 
 template <class Things, class ToJson>
-json list(const Things& things, ToJson to_json) {
-  json all = json::array();
+nlohmann::json list(const Things& things, ToJson to_json) {
+  nlohmann::json all = nlohmann::json::array();
   for (const auto& thing : things) all.push_back(to_json(thing));
   return all;
 }
 
-json read_json(const fs::path& file) try {
+nlohmann::json read_json(const fs::path& file) try {
   std::ifstream in(file);
-  return json::parse(in);
-} catch (const json::exception& e) {
+  return nlohmann::json::parse(in);
+} catch (const nlohmann::json::exception& e) {
   throw std::runtime_error(file.string() + " cannot be read: " + e.what());
 }
 
-double measured(const json& x) { return x.is_null() ? not_measured : x.get<double>(); }
+double measured(const nlohmann::json& x) { return x.is_null() ? not_measured : x.get<double>(); }
 
 }  // namespace
 
@@ -161,10 +164,10 @@ std::vector<Calibration> calibration_of(const std::vector<FailureMap>& maps) {
 }
 
 std::vector<BenchRow> read_bench(const fs::path& file) {
-  const json bench = read_json(file);
+  const nlohmann::json bench = read_json(file);
   std::vector<BenchRow> rows;
   try {
-    for (const json& r : bench.at("results")) {
+    for (const nlohmann::json& r : bench.at("results")) {
       BenchRow row;
       row.method = r.at("method");
       row.family = r.at("family");
@@ -181,23 +184,23 @@ std::vector<BenchRow> read_bench(const fs::path& file) {
       row.failed = r.at("failed");
       rows.push_back(std::move(row));
     }
-  } catch (const json::exception& e) {
+  } catch (const nlohmann::json::exception& e) {
     throw std::runtime_error(file.string() + " is no result of a bench: " + e.what());
   }
   return rows;
 }
 
-json read_charts(const fs::path& run) {
+nlohmann::json read_charts(const fs::path& run) {
   const fs::path file = run / "charts.json";
-  json charts = fs::exists(file) ? read_json(file) : json::object();
+  nlohmann::json charts = fs::exists(file) ? read_json(file) : nlohmann::json::object();
   if (!charts.is_object()) throw std::runtime_error(file.string() + " holds no object");
   return charts;
 }
 
-void set_charts(RunData& run, const json& fields) {
+void set_charts(RunData& run, const nlohmann::json& fields) {
   run.charts.update(fields);
   for (const char* other : {"speed", "cost"})
-    if (!run.charts.contains(other)) run.charts[other] = json::array();
+    if (!run.charts.contains(other)) run.charts[other] = nlohmann::json::array();
   const fs::path file = fs::path(run.folder) / "charts.json", unfinished = file.string() + ".new";
   write_file(unfinished, run.charts.dump() + '\n');
   fs::rename(unfinished, file);
@@ -205,7 +208,8 @@ void set_charts(RunData& run, const json& fields) {
 
 void write_charts(RunData& run, const std::vector<BenchRow>& bench) {
   const std::vector<FailureMap> maps = failure_maps(run);
-  json fields = {{"maps", list(maps, map_json)}, {"honesty", list(calibration_of(maps), calibration_json)}};
+  nlohmann::json fields = {{"maps", list(maps, map_json)},
+                           {"honesty", list(calibration_of(maps), calibration_json)}};
   if (!bench.empty()) {
     fields["speed"] = list(speed_points(bench), speed_json);
     fields["cost"] = list(cost_points(bench), cost_json);

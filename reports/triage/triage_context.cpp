@@ -22,12 +22,6 @@ using std::chrono::milliseconds;
 /// How often the processes' end is looked for, and how far they are.
 constexpr milliseconds poll_interval{50}, show_interval{500};
 
-std::optional<std::size_t> index_of(std::span<const std::unique_ptr<Method>> methods, std::string_view name) {
-  for (std::size_t m = 0; m < methods.size(); ++m)
-    if (methods[m]->name() == name) return m;
-  return {};
-}
-
 milliseconds since(TriageContext::Clock::time_point start) {
   return std::chrono::duration_cast<milliseconds>(TriageContext::Clock::now() - start);
 }
