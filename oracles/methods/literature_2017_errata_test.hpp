@@ -15,7 +15,7 @@ namespace cyl {
 struct Fault2017 {
   std::string_view name;
   literature::Fault fault;
-  bool of_the_whole;     ///< else of the perpendiculars to a's axis alone, which the rest would mend
+  bool of_the_whole;          ///< else of the perpendiculars to a's axis alone, which the rest would mend
   literature::Faults beside;  ///< that are in both times
 };
 
@@ -54,8 +54,8 @@ inline MethodAnswer offered_2017(const literature::Separation& found) {
   return answer;
 }
 
-/// Wrong with the fault, right without, by certificate. For a part of the text: it denies the direction that proves the
-/// pair disjoint and that the part finds without the fault.
+/// Wrong with the fault, right without, by certificate. For a part of the text: it denies the direction that
+/// proves the pair disjoint and that the part finds without the fault.
 inline bool shows(const Fault2017& shown, const Pair& pair) {
   const literature::Separation right = ask_2017(pair, shown.of_the_whole, shown.beside);
   const literature::Separation wrong = ask_2017(pair, shown.of_the_whole, shown.beside | shown.fault);
@@ -66,8 +66,8 @@ inline bool shows(const Fault2017& shown, const Pair& pair) {
   if (!shown.of_the_whole) return false;
   // Rounding may say disjoint of what touches; only one fault says it on principle.
   const Verdict truth = judge(pair).verdict;
-  return truth ==
-         (shown.fault == literature::Fault::touching_is_separated ? Verdict::touching : Verdict::intersecting);
+  return truth == (shown.fault == literature::Fault::touching_is_separated ? Verdict::touching
+                                                                           : Verdict::intersecting);
 }
 
 }  // namespace cyl

@@ -40,8 +40,8 @@ constexpr Setting settings[] = {
 
 class Literature2017 final : public Method {
  public:
-  Literature2017(std::string_view name, Minimiser minimiser, const literature::Options& options, const Claim& claim,
-           unsigned share)
+  Literature2017(std::string_view name, Minimiser minimiser, const literature::Options& options,
+                 const Claim& claim, unsigned share)
       : name_(name), minimiser_(minimiser), options_(options), claim_(claim), share_(share) {}
 
   std::string_view name() const override { return name_; }

@@ -81,10 +81,12 @@ std::vector<std::unique_ptr<Method>> all_methods();
 /// them. Names follow those of all_methods(), with which they share none.
 std::vector<std::unique_ptr<Method>> setting_methods();
 
-std::vector<std::unique_ptr<Method>> own_methods();        ///< intersect, decide, distance, exact
-std::unique_ptr<Method> certifying_method();               ///< the one of own_methods() that is `certified`
-std::vector<std::unique_ptr<Method>> literature_2008_methods();  ///< the text of 2008 and the page of the book
-std::vector<std::unique_ptr<Method>> literature_2017_methods();  ///< of the text of 2017: put right, and as printed
+std::vector<std::unique_ptr<Method>> own_methods();  ///< intersect, decide, distance, exact
+std::unique_ptr<Method> certifying_method();         ///< the one of own_methods() that is `certified`
+std::vector<std::unique_ptr<Method>>
+literature_2008_methods();  ///< the text of 2008 and the page of the book
+std::vector<std::unique_ptr<Method>>
+literature_2017_methods();  ///< of the text of 2017: put right, and as printed
 std::vector<std::unique_ptr<Method>> nlopt_methods();
 std::vector<std::unique_ptr<Method>> fcl_methods();
 std::vector<std::unique_ptr<Method>> bullet_methods();

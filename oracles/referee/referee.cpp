@@ -7,7 +7,7 @@
 #include <optional>
 #include <utility>
 
-#include "oracles/referee/certificate.hpp"
+#include "oracles/referee/certificate_check.hpp"
 #include "oracles/referee/multiprecision.hpp"
 #include "oracles/referee/search.hpp"
 #include "oracles/referee/tangency.hpp"

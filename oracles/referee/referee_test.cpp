@@ -12,7 +12,7 @@
 #include "corpus/pairs/families.hpp"
 #include "corpus/pairs/pair_io.hpp"
 #include "corpus/store/case_files.hpp"
-#include "oracles/referee/certificate.hpp"
+#include "oracles/referee/certificate_check.hpp"
 #include "oracles/referee/decide_exactly.hpp"
 #include "oracles/referee/root_sum.hpp"
 #include "oracles/referee/tangency.hpp"

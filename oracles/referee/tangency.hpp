@@ -4,7 +4,7 @@
 
 #include <optional>
 
-#include "oracles/referee/certificate.hpp"
+#include "oracles/referee/certificate_check.hpp"
 
 namespace cyl {
 

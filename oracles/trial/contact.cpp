@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "oracles/referee/certificate.hpp"
+#include "oracles/referee/certificate_check.hpp"
 
 namespace cyl {
 namespace {

@@ -11,7 +11,7 @@
 #include "corpus/pairs/families.hpp"
 #include "corpus/pairs/pair_io.hpp"
 #include "corpus/pairs/truth_io.hpp"
-#include "oracles/referee/certificate.hpp"
+#include "oracles/referee/certificate_check.hpp"
 #include "oracles/referee/decide_exactly.hpp"
 #include "oracles/referee/referee.hpp"
 #include "oracles/trial/trial.hpp"

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The moves of the shrinker: from a legal pair each makes pairs that might be simpler. Not all are legal.
+// simplify.cpp lists the moves that are tried.
 #pragma once
 
 #include <cstddef>

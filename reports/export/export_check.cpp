@@ -7,7 +7,7 @@
 #include <stdexcept>
 
 #include "corpus/pairs/pair_io.hpp"
-#include "oracles/referee/certificate.hpp"
+#include "oracles/referee/certificate_check.hpp"
 #include "reports/export/export_program.hpp"
 #include "solver/distance.hpp"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "oracles/referee/certificate.hpp"
+#include "oracles/referee/certificate_check.hpp"
 
 #include <array>
 #include <bit>
