@@ -160,10 +160,10 @@ int matrix(const MutantsMainArguments& arguments) {
   std::size_t killed = 0;
   std::string survivors, not_equivalent;
   for (const Mutant& m : chosen) {
-    const bool caught = run(m);
-    killed += caught;
-    if (!caught && m.equivalent.empty()) survivors += fmt::format(" {}", m.number);
-    if (caught && !m.equivalent.empty()) not_equivalent += fmt::format(" {}", m.number);
+    const bool detected = run(m);
+    killed += detected;
+    if (!detected && m.equivalent.empty()) survivors += fmt::format(" {}", m.number);
+    if (detected && !m.equivalent.empty()) not_equivalent += fmt::format(" {}", m.number);
   }
   fmt::print("{} of {} mutants caught\n", killed, chosen.size());
   if (!survivors.empty()) fmt::print("not caught, nor argued equivalent:{}\n", survivors);
@@ -179,7 +179,7 @@ int self_test(std::size_t count, const std::string& corpus) {
   const std::vector<Case> cases = read_case_folder(corpus);
   const std::vector<Detector> detectors = law_detectors(cases);
   count = std::min(count, std::size(self_test_mutants));
-  std::size_t caught = 0;
+  std::size_t detected = 0;
   std::string missed;
   for (const int number : std::span(self_test_mutants, count)) {
     const auto mutants = all_mutants();
@@ -189,11 +189,11 @@ int self_test(std::size_t count, const std::string& corpus) {
     const bool killed = std::any_of(detectors.begin(), detectors.end(), [&](const Detector& detector) {
       return run_detectors(*mutant, {&detector, 1}, select_mutant).killed();
     });
-    caught += killed;
+    detected += killed;
     if (!killed) missed += fmt::format(", not {} ({})", number, mutant->what);
   }
-  fmt::print("{} of {} caught{}\n", caught, count, missed);
-  return caught == count ? 0 : exit_survivors;
+  fmt::print("{} of {} caught{}\n", detected, count, missed);
+  return detected == count ? 0 : exit_survivors;
 }
 
 struct Planted {

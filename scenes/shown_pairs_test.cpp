@@ -65,14 +65,14 @@ TEST_P(ShownOfTwenty, TheReasonIsSeenInTheConfiguration) {
 
 TEST_P(ShownOfTwenty, NoOtherPairIsWorse) {
   for (const Level level : enum_values<Level>) {
-    double worst = 0, told = 0;
+    double worst = 0, reported = 0;
     for (const PairStudy& pair : study.pairs)
       worst = std::max(worst, pair.alone[index_of(level)].alarm.length);
     for (const Shown& k : shown)
       for (const Highlight& highlight : k.highlights)
         if (highlight.reason == Reason::alarm && highlight.model == level)
-          told = std::max(told, highlight.length);
-    EXPECT_EQ(told, worst) << to_string(level);
+          reported = std::max(reported, highlight.length);
+    EXPECT_EQ(reported, worst) << to_string(level);
   }
 }
 

@@ -224,9 +224,9 @@ PathStability stability_along(const Path& path, std::string_view method,
     if (i == 0) continue;
     const MethodAnswer &x = answers[i - 1], &y = answers[i];
     if (says_distance(x) && says_distance(y)) {
-      const double told = std::abs(y.distance - x.distance);
+      const double reported = std::abs(y.distance - x.distance);
       const double true_change = std::abs(path.steps[i].distance - path.steps[i - 1].distance);
-      at_least(s.distance_jump, std::max(0.0, told - true_change) / size_of(path.steps[i].pair));
+      at_least(s.distance_jump, std::max(0.0, reported - true_change) / size_of(path.steps[i].pair));
     }
     const auto before = direction_of(x), after = direction_of(y);
     if (before && after) at_least(s.direction_jump_degrees, degrees_between(*before, *after));

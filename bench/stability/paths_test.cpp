@@ -184,8 +184,8 @@ TEST(Stability, OfMethodsIsByPathAndWithoutThoseThatSayNothing) {
     EXPECT_GT(moody.flips, moody.steps / 2);
     EXPECT_FALSE(moody.distance_jump);
   }
-  const nlohmann::json told = paths_json(all);
-  const nlohmann::json& last = told.back();
+  const nlohmann::json reported = paths_json(all);
+  const nlohmann::json& last = reported.back();
   EXPECT_EQ(last["method"], "moody");
   EXPECT_EQ(last["path"], "coaxial overlap");
   EXPECT_EQ(last["steps"], all.back().steps);
@@ -194,7 +194,7 @@ TEST(Stability, OfMethodsIsByPathAndWithoutThoseThatSayNothing) {
   EXPECT_TRUE(last["direction_jump_degrees"].is_null());
   EXPECT_TRUE(last["trace"][0]["distance"].is_null());
   EXPECT_EQ(last["trace"][0]["at"], paths().back().steps[0].at);
-  EXPECT_FALSE(told[0].contains("trace"));
+  EXPECT_FALSE(reported[0].contains("trace"));
 }
 
 }  // namespace

@@ -83,9 +83,9 @@ int end_on_its_way(const Run& run, int signal, useconds_t delay = 0,
   if (child < 0) throw std::system_error(errno, std::generic_category(), "fork");
   if (child == 0) {
     close(stored[0]);
-    bool told = false;
+    bool reported = false;
     const int code = run([&](const CampaignProgress& progress) {
-      if (progress.session_done > 0 && !told) told = write(stored[1], "", 1) == 1;
+      if (progress.session_done > 0 && !reported) reported = write(stored[1], "", 1) == 1;
       while (progress.session_done >= most) pause();
     });
     _exit(code);

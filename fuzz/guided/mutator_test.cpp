@@ -25,8 +25,8 @@ const Move& move_named(std::string_view name) {
 }
 
 /// What the move makes of many random pairs.
-template <class Look>
-void look_at(std::string_view name, Look look) {
+template <class Accept>
+void look_at(std::string_view name, Accept look) {
   for (std::uint64_t i = 0; i < 200; ++i) {
     Pair pair = find_family("random")->generate(1, i);
     RandomStream stream("mutator_test", 1, i);

@@ -97,9 +97,9 @@ TEST(Mechanism, TellsASettingThatIsRight) {
   methods.push_back(erring("lib-way", [](const Pair&) { return true; }));
   methods.push_back(erring("lib-way-fine", [](const Pair&) { return false; }));
   methods.push_back(erring("other", [](const Pair&) { return false; }));
-  const Classification told = classified(methods, {0, 0, 0}, crossing(1));
-  EXPECT_EQ(told.mechanism, Mechanism::setting);
-  EXPECT_EQ(told.right_sibling, 1u);
+  const Classification reported = classified(methods, {0, 0, 0}, crossing(1));
+  EXPECT_EQ(reported.mechanism, Mechanism::setting);
+  EXPECT_EQ(reported.right_sibling, 1u);
 }
 
 TEST(Mechanism, GivesOneKeyToOneCause) {

@@ -80,12 +80,12 @@ std::optional<Broken> break_sign(const LawCase& c) {
       beyond >= reach(c.method.claim(), size_of(c.pair)) ? Severity::contract : Severity::resolution};
 }
 
-std::vector<Asked> again(const Method&, const Pair& pair, const MethodAnswer&) { return {{pair}, {pair}}; }
+std::vector<LawQuery> again(const Method&, const Pair& pair, const MethodAnswer&) { return {{pair}, {pair}}; }
 
 /// A thread costs more than all other laws: one pair of this many is asked from one, told by its digits.
 constexpr std::uint64_t thread_share = 16;
 
-std::vector<Asked> from_another_thread(const Method&, const Pair& pair, const MethodAnswer&) {
+std::vector<LawQuery> from_another_thread(const Method&, const Pair& pair, const MethodAnswer&) {
   std::uint64_t digits = 0;
   for (const Cylinder* c : {&pair.a, &pair.b})
     for (const double x : {c->center.x(), c->axis.x(), c->radius, c->height})
@@ -104,7 +104,7 @@ std::optional<Broken> break_sameness(const LawCase& c) {
   return {};
 }
 
-std::vector<Asked> in_other_ways(const Method&, const Pair& pair, const MethodAnswer&) {
+std::vector<LawQuery> in_other_ways(const Method&, const Pair& pair, const MethodAnswer&) {
   return {{pair, CallMode::prepared}, {pair, CallMode::batch}};
 }
 
@@ -173,9 +173,9 @@ std::optional<Broken> break_orientation(const LawCase& c) {
   return Broken{"the direction points from b to a"};
 }
 
-std::vector<Asked> spoilt(const Method& method, const Pair& pair, const MethodAnswer&) {
+std::vector<LawQuery> spoilt(const Method& method, const Pair& pair, const MethodAnswer&) {
   if (!method.claim().tells_invalid) return {};
-  std::vector<Asked> asked(2, Asked{pair});
+  std::vector<LawQuery> asked(2, LawQuery{pair});
   asked[0].pair.a.radius = -1;
   asked[1].pair.b.radius = -1;
   return asked;

@@ -95,9 +95,9 @@ double rotation_change(const Pair& pair) {
   return rotation_error * lengths;
 }
 
-std::vector<Asked> rotated(const Method&, const Pair& pair, const MethodAnswer&) {
+std::vector<LawQuery> rotated(const Method&, const Pair& pair, const MethodAnswer&) {
   if (!is_usable(pair)) return {};
-  std::vector<Asked> asked;
+  std::vector<LawQuery> asked;
   for (const Rotation& turn : rotations) {
     asked.push_back({pair});
     for (Cylinder* c : {&asked.back().pair.a, &asked.back().pair.b}) {
@@ -115,9 +115,9 @@ std::optional<Broken> break_rotation(const LawCase& c) {
 /// How far the scene is moved, in units of its size.
 constexpr double translations[] = {0x1p-3, 3, 0x1p10, 0x1p20};
 
-std::vector<Asked> translated(const Method&, const Pair& pair, const MethodAnswer&) {
+std::vector<LawQuery> translated(const Method&, const Pair& pair, const MethodAnswer&) {
   if (!is_usable(pair)) return {};
-  std::vector<Asked> asked;
+  std::vector<LawQuery> asked;
   for (const double length : translations) {
     const Vector3 move = length * size_of(pair) * Vector3(2, -1, 2) / 3;
     asked.push_back({pair});
@@ -131,9 +131,9 @@ std::vector<Asked> translated(const Method&, const Pair& pair, const MethodAnswe
 /// smaller than it.
 constexpr double coarse = 0x1p-10, fine = 0x1p-30;
 
-std::vector<Asked> nearby(const Method&, const Pair& pair, const MethodAnswer&) {
+std::vector<LawQuery> nearby(const Method&, const Pair& pair, const MethodAnswer&) {
   if (!is_usable(pair)) return {};
-  std::vector<Asked> asked;
+  std::vector<LawQuery> asked;
   for (const auto& [solid, by] : {std::pair{&Pair::a, coarse}, std::pair{&Pair::b, fine}}) {
     const double length = by * size_of(pair);
     const auto push = [&, solid = solid]() -> Cylinder& {
@@ -160,9 +160,9 @@ std::array<Cylinder, 2> third_solids(const Pair& pair) {
           Cylinder{pair.a.center + delta / 2, pair.b.axis, small * pair.b.radius, small * pair.a.height}};
 }
 
-std::vector<Asked> with_a_third(const Method&, const Pair& pair, const MethodAnswer& first) {
+std::vector<LawQuery> with_a_third(const Method&, const Pair& pair, const MethodAnswer& first) {
   if (!first.has_distance || !is_usable(pair)) return {};
-  std::vector<Asked> asked;
+  std::vector<LawQuery> asked;
   for (const Cylinder& c : third_solids(pair)) {
     asked.push_back({{pair.b, c}});
     asked.push_back({{pair.a, c}});

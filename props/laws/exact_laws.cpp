@@ -70,7 +70,7 @@ std::optional<Broken> all_as_expected(const LawCase& c, const Expected& expected
   return worst_of(c, [&](std::size_t i) { return compare_answers(c, i, expected); });
 }
 
-std::vector<Asked> swapped(const Method&, const Pair& pair, const MethodAnswer&) {
+std::vector<LawQuery> swapped(const Method&, const Pair& pair, const MethodAnswer&) {
   return {{{pair.b, pair.a}}};
 }
 
@@ -100,8 +100,8 @@ std::optional<Pair> scaled_far_from_underflow(const Pair& whole, int k) {
   return pair;
 }
 
-std::vector<Asked> at_other_scales(const Method&, const Pair& pair, const MethodAnswer&) {
-  std::vector<Asked> asked;
+std::vector<LawQuery> at_other_scales(const Method&, const Pair& pair, const MethodAnswer&) {
+  std::vector<LawQuery> asked;
   for (const int k : scales)
     if (const auto other = scaled_far_from_underflow(pair, k)) asked.push_back({*other});
   return asked;
@@ -123,7 +123,7 @@ std::optional<Broken> break_scaling(const LawCase& c) {
 }
 
 // 0 - x, unlike -x, makes no -0, which would tell which way an axis without a coordinate pointed.
-std::vector<Asked> reversed(const Method&, const Pair& pair, const MethodAnswer&) {
+std::vector<LawQuery> reversed(const Method&, const Pair& pair, const MethodAnswer&) {
   const auto negated = [](Cylinder c) { return c.axis = -c.axis, c; };
   const auto taken_from_0 = [](Cylinder c) { return c.axis = Vector3::Zero() - c.axis, c; };
   return {{{negated(pair.a), pair.b}},
@@ -143,8 +143,8 @@ std::optional<Vector3> scaled_axis(const Vector3& axis, int k) {
   return other;
 }
 
-std::vector<Asked> with_longer_axes(const Method&, const Pair& pair, const MethodAnswer&) {
-  std::vector<Asked> asked;
+std::vector<LawQuery> with_longer_axes(const Method&, const Pair& pair, const MethodAnswer&) {
+  std::vector<LawQuery> asked;
   for (const int k : scales) {
     const auto a = scaled_axis(pair.a.axis, k), b = scaled_axis(pair.b.axis, -k);
     if (!a || !b) continue;
@@ -159,8 +159,8 @@ std::vector<Asked> with_longer_axes(const Method&, const Pair& pair, const Metho
 /// The signs of the coordinates in mirror image k, 1 to 7.
 Vector3 signs(int k) { return {k & 1 ? -1.0 : 1.0, k & 2 ? -1.0 : 1.0, k & 4 ? -1.0 : 1.0}; }
 
-std::vector<Asked> mirrored(const Method&, const Pair& pair, const MethodAnswer&) {
-  std::vector<Asked> asked(7, Asked{pair});
+std::vector<LawQuery> mirrored(const Method&, const Pair& pair, const MethodAnswer&) {
+  std::vector<LawQuery> asked(7, LawQuery{pair});
   for (int k = 1; k <= 7; ++k) {
     Pair& image = asked[static_cast<std::size_t>(k) - 1].pair;
     for (Vector3* v : {&image.a.center, &image.a.axis, &image.b.center, &image.b.axis})
@@ -169,8 +169,8 @@ std::vector<Asked> mirrored(const Method&, const Pair& pair, const MethodAnswer&
   return asked;
 }
 
-std::vector<Asked> permuted(const Method&, const Pair& pair, const MethodAnswer&) {
-  std::vector<Asked> asked;
+std::vector<LawQuery> permuted(const Method&, const Pair& pair, const MethodAnswer&) {
+  std::vector<LawQuery> asked;
   Eigen::Vector3i order(0, 1, 2);
   while (std::next_permutation(order.begin(), order.end())) {
     asked.push_back({pair});

@@ -13,7 +13,7 @@ namespace {
 struct Job {
   std::size_t method, pair;
   const Law* law;
-  std::vector<Asked> asked;
+  std::vector<LawQuery> asked;
   std::size_t first_question = 0;
 };
 
@@ -85,7 +85,7 @@ class Examination {
       job.asked = job.law->ask(*methods_[job.method], pairs_[job.pair], first);
       if (job.asked.empty()) return;
       job.first_question = further_.size();
-      for (const Asked& asked : job.asked) {
+      for (const LawQuery& asked : job.asked) {
         further_.push_back({job.method, changed_.size(), asked.mode});
         changed_.push_back(asked.pair);
       }
@@ -153,14 +153,14 @@ Examined examine(std::span<const std::unique_ptr<Method>> methods, std::span<con
 std::optional<Broken> broken_by(Method& method, const Law& law, const Pair& pair) {
   const MethodAnswer first = method.ask(pair);
   Proofs proofs(pair, {&first, 1});
-  std::vector<Asked> asked;
+  std::vector<LawQuery> asked;
   if (law.ask != needs_none) {
     if (first.status != Status::answered) return {};
     asked = law.ask(method, pair, first);
     if (asked.empty()) return {};
   }
   std::vector<MethodAnswer> answers;
-  for (const Asked& a : asked) answers.push_back(call(method, a.pair, a.mode));
+  for (const LawQuery& a : asked) answers.push_back(call(method, a.pair, a.mode));
   return law.broken({method, pair, first, asked, answers, proofs});
 }
 

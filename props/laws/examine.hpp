@@ -23,7 +23,7 @@ struct BrokenLaw {
   std::size_t method, pair;
   const Law* law;
   Broken broken;
-  std::vector<Asked> asked;           ///< what the law had asked beside the pair,
+  std::vector<LawQuery> asked;        ///< what the law had asked beside the pair,
   std::vector<MethodAnswer> answers;  ///< and what the method said to it
 };
 

@@ -108,11 +108,12 @@ TEST_F(Misbehaving, BreaksLaw30AndNoOther) {
 TEST_F(Misbehaving, IsTold) {
   for (const BrokenLaw& b : examined.broken) {
     const std::string& what = b.broken.what;
-    const bool told = b.method == throws    ? what.ends_with("no support point")
-                      : b.method == spins   ? what.starts_with("hang")
-                      : b.method == crashes ? what.starts_with("crash")
-                                            : what.starts_with("malformed") || what.starts_with("non_finite");
-    EXPECT_TRUE(told) << methods[b.method]->name() << ": " << what;
+    const bool reported = b.method == throws  ? what.ends_with("no support point")
+                          : b.method == spins ? what.starts_with("hang")
+                          : b.method == crashes
+                              ? what.starts_with("crash")
+                              : what.starts_with("malformed") || what.starts_with("non_finite");
+    EXPECT_TRUE(reported) << methods[b.method]->name() << ": " << what;
   }
 }
 

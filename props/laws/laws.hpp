@@ -31,7 +31,7 @@ constexpr auto words_of(LawKind) noexcept {
 }
 
 /// A pair that a law wants asked, and how.
-struct Asked {
+struct LawQuery {
   Pair pair;
   CallMode mode = CallMode::usual;
 };
@@ -41,7 +41,7 @@ struct LawCase {
   const Method& method;  ///< for its name and claim; not to be asked
   const Pair& pair;
   const MethodAnswer& first;  ///< to `pair`; answered, but for laws of failures
-  std::span<const Asked> asked;
+  std::span<const LawQuery> asked;
   std::span<const MethodAnswer> answers;  ///< to `asked`, one each
   Proofs& proofs;                         ///< of `pair` and of any other
 };
@@ -63,7 +63,7 @@ struct Law {
   std::string_view where;      ///< for which pairs and methods
   /// What is to be asked beside the pair itself, given the answer to it; empty: this law says nothing of this
   /// pair, or looks at the first answer alone (needs_none).
-  std::vector<Asked> (*ask)(const Method& method, const Pair& pair, const MethodAnswer& first);
+  std::vector<LawQuery> (*ask)(const Method& method, const Pair& pair, const MethodAnswer& first);
   /// Nothing where the law holds. Says nothing where a method declines or fails (that is what law 30 is for).
   std::optional<Broken> (*broken)(const LawCase& c);
   const char* file = __builtin_FILE();  ///< where it is written, from the top of the project
@@ -71,7 +71,8 @@ struct Law {
 };
 
 /// For laws that look at the first answer alone.
-inline constexpr std::vector<Asked> (*needs_none)(const Method&, const Pair&, const MethodAnswer&) = nullptr;
+inline constexpr std::vector<LawQuery> (*needs_none)(const Method&, const Pair&,
+                                                     const MethodAnswer&) = nullptr;
 
 /// That an answer comes, and that no certificate refutes its verdict.
 inline constexpr int answer_law = 30, verdict_law = 31;

@@ -27,11 +27,11 @@ constexpr double growth = 0x1p-20;
 // between direction and axis, so the signed distance falls by 2 g. An answer `intersecting` within the claim
 // means a distance below the reach, so with 2 g more than the reach before and after, the solids then overlap
 // by more than the reach. One field alone promises less: a cap on a cap does not see the radius.
-std::vector<Asked> grown(const Method& method, const Pair& pair, const MethodAnswer& first) {
+std::vector<LawQuery> grown(const Method& method, const Pair& pair, const MethodAnswer& first) {
   if (!says_meet(first)) return {};
   const double size = size_of(pair);
   const double g = 2 * reach(method.claim(), size) + growth * size;
-  std::vector<Asked> asked(5, Asked{pair});
+  std::vector<LawQuery> asked(5, LawQuery{pair});
   asked[0].pair.a.radius += g;
   asked[1].pair.a.height += 2 * g;
   asked[2].pair.b.radius += g;
@@ -39,7 +39,7 @@ std::vector<Asked> grown(const Method& method, const Pair& pair, const MethodAns
   asked[4].pair = {asked[0].pair.a, asked[2].pair.b};
   asked[4].pair.a.height += 2 * g;
   asked[4].pair.b.height += 2 * g;
-  std::erase_if(asked, [](const Asked& x) { return !std::isfinite(size_of(x.pair)); });
+  std::erase_if(asked, [](const LawQuery& x) { return !std::isfinite(size_of(x.pair)); });
   return asked;
 }
 
@@ -61,7 +61,7 @@ Cylinder shrunk_into(const Capsule& proxy, const Vector3& point, const Cylinder&
   return {point, b.axis, b.radius * factor, b.height * factor};
 }
 
-std::vector<Asked> inside(const Method&, const Pair& pair, const MethodAnswer&) {
+std::vector<LawQuery> inside(const Method&, const Pair& pair, const MethodAnswer&) {
   if (!is_in_range(pair) || find_defect(pair.a) != Defect::none || find_defect(pair.b) != Defect::none)
     return {};
   const Cylinder& a = pair.a;
@@ -105,13 +105,13 @@ Vector3 offered_direction(const Pair& pair, const MethodAnswer& answer) {
   return u.dot(pair.b.center - pair.a.center) < 0 ? Vector3(-u) : u;
 }
 
-std::vector<Asked> moved_apart(const Method&, const Pair& pair, const MethodAnswer& first) {
+std::vector<LawQuery> moved_apart(const Method&, const Pair& pair, const MethodAnswer& first) {
   if (first.verdict != Verdict::disjoint || first.witness != CertificateKind::direction || !is_in_range(pair))
     return {};
   const Vector3 u = offered_direction(pair, first);
   if (!u.allFinite() || u.isZero(0)) return {};
   const double unit = size_of(pair) + (pair.b.center - pair.a.center).norm();
-  std::vector<Asked> asked;
+  std::vector<LawQuery> asked;
   for (const double move : moves) {
     asked.push_back({pair});
     asked.back().pair.b.center += move * unit * u;

@@ -77,18 +77,18 @@ std::vector<KillMatrixRow> faults_soon_found(const std::vector<KillMatrixRow>& r
 
 json kill_data(const std::string& file) {
   if (!std::filesystem::exists(file)) return nullptr;
-  int caught = 0, equivalent = 0;
+  int detected = 0, equivalent = 0;
   json rows = json::array();
   for (const KillMatrixRow& row : read_kill_matrix(file)) {
     if (row.mutant == 0) continue;
-    caught += !row.caught_by.empty();
+    detected += !row.caught_by.empty();
     equivalent += row.caught_by.empty() && !row.equivalent.empty();
     rows.push_back(
         {{"mutant", row.mutant}, {"file", row.file}, {"what", row.what}, {"caught_by", row.caught_by}});
     if (!row.equivalent.empty()) rows.back()["equivalent"] = row.equivalent;
   }
   if (rows.empty()) throw std::runtime_error(file + " holds no kill matrix");
-  return {{"mutants", rows.size()}, {"caught", caught}, {"equivalent", equivalent}, {"rows", rows}};
+  return {{"mutants", rows.size()}, {"caught", detected}, {"equivalent", equivalent}, {"rows", rows}};
 }
 
 }  // namespace cyl

@@ -300,11 +300,11 @@ class Search {
 };
 
 void ask_round(std::vector<Search>& searches, const std::unique_ptr<Method>& method, FindingKind kind) {
-  struct Asked {
+  struct LawQuery {
     Search* search;
     double value;
   };
-  std::vector<Asked> asked;
+  std::vector<LawQuery> asked;
   std::vector<Pair> pairs;
   for (Search& search : searches) {
     for (const double value : search.proposals()) {

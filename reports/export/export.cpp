@@ -74,7 +74,7 @@ std::string title(const Recipient& to, const Trial& p) {
   }
 }
 
-std::string came_back(const Trial& p) {
+std::string returned_text(const Trial& p) {
   const MethodAnswer& a = p.answer();
   switch (p.finding()->kind) {
     case FindingKind::exception:
@@ -155,7 +155,7 @@ std::string issue(const Recipient& to, const Trial& p, const Method& method) {
       "exact doubles.\n\n";
   text += "| | centre | axis | radius | height |\n|---|---|---|---|---|\n";
   text += row("a", p.pair.a) + row("b", p.pair.b);
-  text += fmt::format("\n**What came back.** {}\n", came_back(p));
+  text += fmt::format("\n**What came back.** {}\n", returned_text(p));
   text += fmt::format("\n**What is true, and why.** {}\n", truth_in_words(p));
   text += to.hulls + tolerance_in_words(p, method.claim());
   text += fmt::format(

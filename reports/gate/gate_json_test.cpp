@@ -90,9 +90,9 @@ TEST(GateJson, WhatTheBaseAskedAndThisGateDidNotIsSaid) {
   const GateReport report = example_report();
   const ScratchFile file(gate_json(report));
   const auto gaps = [&](const GateReport& now, const std::string& file_of_base) {
-    GateReport told = now;
-    note_gaps(told, read_base(file_of_base));
-    return told.not_asked;
+    GateReport reported = now;
+    note_gaps(reported, read_base(file_of_base));
+    return reported.not_asked;
   };
   GateReport now = report;
   now.cases = {18, 17, 19};

@@ -188,13 +188,13 @@ json said_on(const Shared& shared, Names& names) {
   const json answers = parsed(shared.first->answers);
   if (!answers.is_object()) return said;
   for (const auto& [method, answer] : answers.items()) {
-    json told = answer.is_object() ? answer : json::object();
+    json reported = answer.is_object() ? answer : json::object();
     if (!shared.methods.contains(method)) {
-      told.erase("direction");
-      told.erase("point");
+      reported.erase("direction");
+      reported.erase("point");
     }
-    const auto [at, added] = known.try_emplace(told.dump(), said.size());
-    if (added) said.push_back({std::move(told), json::array()});
+    const auto [at, added] = known.try_emplace(reported.dump(), said.size());
+    if (added) said.push_back({std::move(reported), json::array()});
     said[at->second][1].push_back(names.index(method));
   }
   return said;
@@ -204,18 +204,19 @@ json said_on(const Shared& shared, Names& names) {
 json case_of(const Shared& shared, Names& names) {
   const std::optional<Case>& line = shared.pair->line;
   if (!line) return nullptr;
-  json told = {{"pair", pair_json(line->pair)}, {"truth", parsed(shared.first->truth)}, {"margin", nullptr}};
-  if (shared.margin) told["margin"] = {finite(shared.margin->lo), finite(shared.margin->hi)};
-  if (!told["truth"].is_object()) told["truth"] = {{"verdict", "undecided"}};
-  told["truth"]["stage"] = shared.first->stage;
+  json reported = {
+      {"pair", pair_json(line->pair)}, {"truth", parsed(shared.first->truth)}, {"margin", nullptr}};
+  if (shared.margin) reported["margin"] = {finite(shared.margin->lo), finite(shared.margin->hi)};
+  if (!reported["truth"].is_object()) reported["truth"] = {{"verdict", "undecided"}};
+  reported["truth"]["stage"] = shared.first->stage;
   if (const auto verdict = shared.pair->truth)
-    add_distance(told, case_distance(line->pair, *verdict, shared.margin));
+    add_distance(reported, case_distance(line->pair, *verdict, shared.margin));
   std::string note;
   for (const std::string& part : {line->id, line->source, line->note})
     if (!part.empty()) note += (note.empty() ? "" : "; ") + part;
-  if (!note.empty()) told["note"] = std::move(note);
-  told["said"] = said_on(shared, names);
-  return told;
+  if (!note.empty()) reported["note"] = std::move(note);
+  reported["said"] = said_on(shared, names);
+  return reported;
 }
 
 void add_findings(json& report, const RunData& run) {
@@ -242,9 +243,9 @@ void add_findings(json& report, const RunData& run) {
   json cases = json::array();
   std::vector<std::optional<std::size_t>> told_at;
   for (const Shared& s : shared) {
-    json told = case_of(s, names);
-    told_at.push_back(told.is_null() ? std::nullopt : std::optional(cases.size()));
-    if (!told.is_null()) cases.push_back(std::move(told));
+    json reported = case_of(s, names);
+    told_at.push_back(reported.is_null() ? std::nullopt : std::optional(cases.size()));
+    if (!reported.is_null()) cases.push_back(std::move(reported));
   }
   json findings = json::array();
   for (std::size_t i = 0; i < records.size(); ++i) {

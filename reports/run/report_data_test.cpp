@@ -143,17 +143,17 @@ TEST_F(ReportData, TellsAPairOfManyFindingsOnceAndToTheLastBit) {
   EXPECT_EQ(report["findings"][1]["case"], 0);
   EXPECT_EQ(report["findings"][1]["reason"], "SIGABRT");
   EXPECT_EQ(report["findings"][2]["case"], 1);
-  const json& told = report["cases"][0];
-  EXPECT_EQ(told["margin"], json({0.25, 0.25}));
-  EXPECT_EQ(told["truth"]["stage"], "wide");
-  EXPECT_EQ(told["pair"]["a"]["radius"].get<double>(), 0.1);
-  EXPECT_TRUE(std::signbit(told["pair"]["b"]["center"][0].get<double>()));
-  EXPECT_EQ(told["pair"]["b"]["center"][1].get<double>(), 5e-324);
-  EXPECT_EQ(told["pair"]["b"]["center"][2].get<double>(), 1.7976931348623157e308);
+  const json& reported = report["cases"][0];
+  EXPECT_EQ(reported["margin"], json({0.25, 0.25}));
+  EXPECT_EQ(reported["truth"]["stage"], "wide");
+  EXPECT_EQ(reported["pair"]["a"]["radius"].get<double>(), 0.1);
+  EXPECT_TRUE(std::signbit(reported["pair"]["b"]["center"][0].get<double>()));
+  EXPECT_EQ(reported["pair"]["b"]["center"][1].get<double>(), 5e-324);
+  EXPECT_EQ(reported["pair"]["b"]["center"][2].get<double>(), 1.7976931348623157e308);
   // The witness of "third", who has no finding here, is left out; the answers of the others stay as they are.
-  ASSERT_EQ(told["said"].size(), 3u);
-  EXPECT_EQ(told["said"][0][0]["direction"][2], 0.1);
-  EXPECT_EQ(told["said"][2], parse_ordered_json(R"([{"verdict":"disjoint"},[2]])"));
+  ASSERT_EQ(reported["said"].size(), 3u);
+  EXPECT_EQ(reported["said"][0][0]["direction"][2], 0.1);
+  EXPECT_EQ(reported["said"][2], parse_ordered_json(R"([{"verdict":"disjoint"},[2]])"));
   EXPECT_EQ(report["names"], json({"fake", "other", "third"}));
 }
 
@@ -166,13 +166,13 @@ TEST_F(ReportData, EnclosesTheDistanceAndShowsWhere) {
   f.truth = R"({"verdict":"disjoint","direction":[1,0,0]})";
   f.margin.reset();
   commit(store, {f});
-  const json told = data()["cases"][0];
-  EXPECT_LE(told["truth"]["distance"][0].get<double>(), 0.5);
-  EXPECT_GE(told["truth"]["distance"][1].get<double>(), 0.5);
-  EXPECT_NEAR(told["margin"][0].get<double>(), 0.5 / 6, 1e-10);
-  EXPECT_NEAR(told["direction"][0].get<double>(), 1, 1e-6);
-  EXPECT_NEAR(told["nearest"]["a"][0].get<double>(), 1, 1e-9);
-  EXPECT_NEAR(told["nearest"]["b"][0].get<double>(), 1.5, 1e-9);
+  const json reported = data()["cases"][0];
+  EXPECT_LE(reported["truth"]["distance"][0].get<double>(), 0.5);
+  EXPECT_GE(reported["truth"]["distance"][1].get<double>(), 0.5);
+  EXPECT_NEAR(reported["margin"][0].get<double>(), 0.5 / 6, 1e-10);
+  EXPECT_NEAR(reported["direction"][0].get<double>(), 1, 1e-6);
+  EXPECT_NEAR(reported["nearest"]["a"][0].get<double>(), 1, 1e-9);
+  EXPECT_NEAR(reported["nearest"]["b"][0].get<double>(), 1.5, 1e-9);
 }
 
 TEST_F(ReportData, TakesWhatStandsBesideTheStore) {

@@ -56,21 +56,21 @@ TEST(SceneJson, HoldsTheKeptConfigurationsToTheBit) {
   const std::vector<Shown> shown = shown_configurations(scene, q, study);
   ASSERT_EQ(all["kept"].size(), shown.size());
   for (std::size_t k = 0; k < shown.size(); ++k) {
-    const json& told = all["kept"][k];
-    EXPECT_EQ(told["configuration"], shown[k].configuration);
-    EXPECT_EQ(told["joints"].size(), 3u) << "free ones alone, for --at";
-    ASSERT_EQ(told["cylinders"].size(), scene.bodies.size());
+    const json& reported = all["kept"][k];
+    EXPECT_EQ(reported["configuration"], shown[k].configuration);
+    EXPECT_EQ(reported["joints"].size(), 3u) << "free ones alone, for --at";
+    ASSERT_EQ(reported["cylinders"].size(), scene.bodies.size());
     for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
       EXPECT_EQ(all["bodies"][i]["name"], scene.bodies[i].name);
       const Cylinder& c = shown[k].placed[i];
-      EXPECT_EQ(told["cylinders"][i]["center"], json({c.center.x(), c.center.y(), c.center.z()}));
-      EXPECT_EQ(told["cylinders"][i]["axis"], json({c.axis.x(), c.axis.y(), c.axis.z()}));
-      EXPECT_EQ(told["cylinders"][i]["radius"], c.radius);
-      EXPECT_EQ(told["cylinders"][i]["height"], c.height);
+      EXPECT_EQ(reported["cylinders"][i]["center"], json({c.center.x(), c.center.y(), c.center.z()}));
+      EXPECT_EQ(reported["cylinders"][i]["axis"], json({c.axis.x(), c.axis.y(), c.axis.z()}));
+      EXPECT_EQ(reported["cylinders"][i]["radius"], c.radius);
+      EXPECT_EQ(reported["cylinders"][i]["height"], c.height);
     }
     for (std::size_t i = 0; i < study.pairs.size(); ++i) {
       EXPECT_EQ(all["pairs"][i]["bodies"], json({study.pairs[i].a, study.pairs[i].b}));
-      EXPECT_EQ(told["pairs"][i]["distance"], shown[k].pairs[i].distance);
+      EXPECT_EQ(reported["pairs"][i]["distance"], shown[k].pairs[i].distance);
     }
   }
 }
@@ -83,9 +83,9 @@ TEST(SceneJson, HasTheSentencesOfTheText) {
   const std::string text = study_text(scene, q, study);
   const json words = parse_json(study_json(scene, q, study))["words"];
   EXPECT_EQ(words["left_out"].size(), 2u);
-  for (const auto& [key, told] : words.items()) {
-    if (!told.is_string()) continue;
-    const auto sentence = told.get<std::string>();
+  for (const auto& [key, reported] : words.items()) {
+    if (!reported.is_string()) continue;
+    const auto sentence = reported.get<std::string>();
     EXPECT_EQ(sentence.empty(), key == "forgiven") << key;
     EXPECT_NE(text.find(sentence), std::string::npos) << sentence;
   }
@@ -105,14 +105,14 @@ TEST(SceneJson, ALineAPair) {
 TEST(ScenePage, HoldsTheDataAndAsksNothing) {
   const Scene scene =
       still_scene({{hostile, {{0, 0, 0}, {0, 0, 1}, 1, 10}}, {"high", {{0, 0, 11.5}, {0, 0, 1}, 1, 10}}});
-  const std::string told = written(scene, question(hostile.c_str()));
-  const std::string page = fill_template(told);
+  const std::string reported = written(scene, question(hostile.c_str()));
+  const std::string page = fill_template(reported);
   const std::string before = "<script type=\"application/json\" id=\"report-data\">";
   const std::size_t at = page.find(before);
   ASSERT_NE(at, page.npos);
   const std::size_t end = page.find('<', at + before.size());
   EXPECT_EQ(page.substr(end, 9), "</script>") << "the data ends its own element";
-  EXPECT_EQ(parse_json(page.substr(at + before.size(), end - at - before.size())), parse_json(told));
+  EXPECT_EQ(parse_json(page.substr(at + before.size(), end - at - before.size())), parse_json(reported));
   for (const char* word : {"<img", "src=\"", "@import", "<link", "url(http", "@@DAYLIGHT"})
     EXPECT_EQ(page.find(word), page.npos) << word;
   EXPECT_NE(page.find("default-src 'none'; script-src 'sha256-"), page.npos);

@@ -75,14 +75,14 @@ TEST(Study, TellsHowWrongAModelAloneIs) {
 TEST(Study, TheSameTwiceButForTimes) {
   const Scene scene = read_scene(folder + "crane.urdf");
   const SceneQuestion q = question(0.01, 0, 30);
-  const auto told = [&] {
+  const auto reported = [&] {
     auto object = parse_json(study_json(scene, q, study_scene(scene, q)));
     EXPECT_EQ(object.erase("ns_per_configuration"), 1u);
     EXPECT_EQ(object["words"].erase("cost"), 1u);
     return object;
   };
-  const auto first = told();
-  EXPECT_EQ(first, told());
+  const auto first = reported();
+  EXPECT_EQ(first, reported());
   EXPECT_EQ(first["cylinders"], 7);
   EXPECT_EQ(first["pairs"].size(), first["pairs_checked"]);
   EXPECT_EQ(first["left_out"].size(), 2u);

@@ -29,19 +29,19 @@ CaseDistance case_distance(const Pair& pair, Verdict verdict, std::optional<Encl
   truth.verdict = verdict;
   const AttainedDistance attained = attain_distance(pair, truth, width);
   const Enclosure d = attained.distance;
-  CaseDistance told{d, margin, {}, {}};
+  CaseDistance reported{d, margin, {}, {}};
   if (!margin) {
     const double size = size_of(pair), near = std::max({d.lo, -d.hi, 0.0}), far = std::max(d.hi, -d.lo);
-    if (size > 0) told.margin = Enclosure{near / size, far / size};
+    if (size > 0) reported.margin = Enclosure{near / size, far / size};
   }
   if (std::any_of(attained.direction.begin(), attained.direction.end(), [](double x) { return x != 0; }))
-    told.direction = attained.direction;
+    reported.direction = attained.direction;
   const Distance nearest = distance(pair.a, pair.b);
   const Vector3 a = pair.a.center + nearest.on_a, b = pair.b.center + nearest.on_b;
   if (nearest.verdict != Verdict::invalid && nearest.verdict != Verdict::undecided && a.allFinite() &&
       b.allFinite())
-    told.nearest = {a, b};
-  return told;
+    reported.nearest = {a, b};
+  return reported;
 }
 
 }  // namespace cyl

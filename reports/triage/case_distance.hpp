@@ -30,12 +30,12 @@ CaseDistance case_distance(const Pair& pair, Verdict truth, std::optional<Enclos
 
 /// Adds truth.distance, margin, direction and nearest to a Case of reports/web/data.ts, as far as known.
 template <class Json>
-void add_distance(Json& told, const CaseDistance& d) {
+void add_distance(Json& reported, const CaseDistance& d) {
   const auto vector = [](const Vector3& v) { return Json::array({v[0], v[1], v[2]}); };
-  told["truth"]["distance"] = {finite(d.distance.lo), finite(d.distance.hi)};
-  if (d.margin) told["margin"] = {finite(d.margin->lo), finite(d.margin->hi)};
-  if (d.direction) told["direction"] = *d.direction;
-  if (d.nearest) told["nearest"] = {{"a", vector(d.nearest->first)}, {"b", vector(d.nearest->second)}};
+  reported["truth"]["distance"] = {finite(d.distance.lo), finite(d.distance.hi)};
+  if (d.margin) reported["margin"] = {finite(d.margin->lo), finite(d.margin->hi)};
+  if (d.direction) reported["direction"] = *d.direction;
+  if (d.nearest) reported["nearest"] = {{"a", vector(d.nearest->first)}, {"b", vector(d.nearest->second)}};
 }
 
 }  // namespace cyl

@@ -36,7 +36,7 @@ struct TriageOptions {
 
 /// Returns what found out whatever a triage keeps: the build and its methods, with their versions; guests
 /// apart, whose findings are classified anew where their own version changed.
-std::string askers(const std::string& build, std::span<const std::unique_ptr<Method>> methods);
+std::string methods_line(const std::string& build, std::span<const std::unique_ptr<Method>> methods);
 
 struct TriageProgress {
   std::size_t findings = 0, classified = 0;  ///< kept, and those whose cause is known

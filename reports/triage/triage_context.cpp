@@ -28,7 +28,7 @@ milliseconds since(TriageContext::Clock::time_point start) {
 
 }  // namespace
 
-std::string askers(const std::string& build, std::span<const std::unique_ptr<Method>> methods) {
+std::string methods_line(const std::string& build, std::span<const std::unique_ptr<Method>> methods) {
   std::string text = build;
   for (const auto& method : methods)
     if (!method->guest()) text += fmt::format("\n{} {}", method->name(), method->version());
@@ -40,7 +40,7 @@ TriageContext::TriageContext(const TriageOptions& how, std::span<const std::uniq
     : options(how),
       on_progress(show),
       methods(all),
-      asked_by(askers(how.build, all)),
+      asked_by(methods_line(how.build, all)),
       groups(algorithm_groups(all)) {
   const RunStore run = RunStore::open(options.folder);
   std::set<std::string, std::less<>> absent_guests;

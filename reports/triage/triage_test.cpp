@@ -138,7 +138,7 @@ TEST(Triage, GoesOnWhereItWas) {
   EXPECT_EQ(none.progress.classified, 0u);
   EXPECT_EQ(exit_code(none), 3);
   {
-    TriageStore store(folder, askers("test", all_methods()));
+    TriageStore store(folder, methods_line("test", all_methods()));
     store.add(std::vector<CauseRecord>{{2, "told-before", "untold", ""}});
     store.add(SimpleRecord{1, "half done", "", 1, false});
     store.add(SimpleRecord{3, "done", "", 1, true});
@@ -147,7 +147,7 @@ TEST(Triage, GoesOnWhereItWas) {
   EXPECT_TRUE(keys_of(all.buckets).contains("told-before"));
   EXPECT_EQ(all.progress.classified, 3u);
   EXPECT_EQ(all.progress.simplified, 3u);
-  for (const SimpleRecord& simple : TriageStore(folder, askers("test", all_methods())).simples()) {
+  for (const SimpleRecord& simple : TriageStore(folder, methods_line("test", all_methods())).simples()) {
     EXPECT_TRUE(simple.ended);
     EXPECT_EQ(simple.pair == "done", simple.finding == 3);
     EXPECT_NE(simple.pair, "half done");
@@ -180,7 +180,7 @@ TEST(Triage, SearchesForAWorsePairAndKeepsIt) {
     for (const char* what : {"nearest", "direction"}) EXPECT_TRUE(shown.contains(what)) << what;
   EXPECT_NE(format_buckets(first.buckets).find("searched for"), std::string::npos);
 
-  TriageStore store(folder, askers("test", all_methods()));
+  TriageStore store(folder, methods_line("test", all_methods()));
   ASSERT_EQ(store.worsts().size(), 1u);
   WorstRecord kept = store.worsts()[0];
   EXPECT_TRUE(kept.ended);
