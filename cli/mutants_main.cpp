@@ -47,9 +47,9 @@ Evidence finding(const Mutant& mutant) {
   return {};
 }
 
-/// The gate, as a merge would meet it but for an eighth of its pairs: what it does not see in these, it may
+/// The gate, as a merge would meet it but for a twentieth of its pairs: what it does not see in these, it may
 /// yet see in all.
-constexpr std::uint64_t gate_pairs_each = gate_pairs / 8;
+constexpr std::uint64_t gate_pairs_each = 31'250;
 
 std::string gate_closed(const Mutant& mutant, std::span<const Case> cases) {
   const auto methods = select_methods(all_methods(), mutant.asks);

@@ -114,7 +114,8 @@ TEST(Gate, TheAmountIsAFunctionOfTheNumberOfPairs) {
   is(few_pairs, 1, 6);
   is(51 * 64, 1, 8);
   is(51 * 64 + 51, 2, 8);
-  is(gate_pairs, 77, 584);
+  is(250'000, 77, 584);
+  is(gate_pairs, 184, 1401);
 }
 
 TEST(Gate, ThePairsAreTheSameWhateverIsFound) {
