@@ -7,7 +7,7 @@
                                                         them, or in a header that they include
 
 One entry a line; of its fields number, file, find, replace, what and like are needed:
-    number      > 0, kept for good
+    number      > 0, kept for good: the next free one of the hundred that its neighbours are in
     file        from the top of the project
     find        exact text, exactly once in the file, or in `near`, a longer text that is exactly once in the file
     replace     what stands there in the mutant, on one line
