@@ -46,7 +46,7 @@ std::string program_of(const std::string& target) {
       "    cmake --preset clang && ninja -C build/clang " + name);
 }
 
-std::string numbers(const FuzzProgress& p) {
+std::string fuzz_numbers(const FuzzProgress& p) {
   std::uint64_t executions = 0;
   double cpu = 0;
   std::size_t features = 0, first = 0;
@@ -84,7 +84,7 @@ int fuzz(const FuzzArguments& arguments) {
       if (line.due(progress.elapsed))
         line.show(progress.elapsed,
                   static_cast<double>(progress.elapsed.count()) / static_cast<double>(options.budget.count()),
-                  numbers(progress));
+                  fuzz_numbers(progress));
     });
   }
   fmt::print("{}", format_fuzzing(summary));

@@ -32,7 +32,7 @@ struct ReplayArguments {
   GuestOptions guests;
 };
 
-std::string describe(const Finding& finding) {
+std::string describe_finding(const Finding& finding) {
   std::string text = fmt::format("{} ({}", to_string(finding.kind), to_string(finding.severity));
   if (finding.margin)
     text += fmt::format(", margin {:.3g} to {:.3g}", finding.margin->lo, finding.margin->hi);
@@ -48,9 +48,10 @@ std::string outcome(const FindingRecord& stored, std::span<const std::unique_ptr
       if (now.truth.verdict == Verdict::undecided) return "open: the truth is undecided";
       return now.answers[m].status == Status::declined ? "gone: declined now" : "gone";
     }
-    if (to_string(now.findings[m]->kind) != stored.kind) return "stands, as " + describe(*now.findings[m]);
+    if (to_string(now.findings[m]->kind) != stored.kind)
+      return "stands, as " + describe_finding(*now.findings[m]);
     if (to_string(now.findings[m]->severity) != stored.severity)
-      return "stands, now " + describe(*now.findings[m]);
+      return "stands, now " + describe_finding(*now.findings[m]);
     return "stands";
   }
   if (stored.method == "referee")
@@ -112,7 +113,7 @@ class Replayer {
     for (std::size_t m = 0; m < methods_.size(); ++m) {
       const bool wrong = now.findings[m].has_value();
       fmt::print("  {:<26} {}{}\n", methods_[m]->name(), format_method_answer(now.answers[m]),
-                 wrong ? "  <- " + describe(*now.findings[m]) : "");
+                 wrong ? "  <- " + describe_finding(*now.findings[m]) : "");
     }
     if (target.finding) {
       const std::string what = outcome(*target.finding, methods_, now);

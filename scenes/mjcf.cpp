@@ -17,10 +17,10 @@ struct DeleteModel {
 };
 using Model = std::unique_ptr<mjModel, DeleteModel>;
 
-Vector3 vector_of(const mjtNum* v) { return {v[0], v[1], v[2]}; }
+Vector3 mjcf_vector(const mjtNum* v) { return {v[0], v[1], v[2]}; }
 
-Pose pose_of(const mjtNum* position, const mjtNum* q) {
-  return Pose(Eigen::Translation3d(vector_of(position)) *
+Pose mjcf_pose(const mjtNum* position, const mjtNum* q) {
+  return Pose(Eigen::Translation3d(mjcf_vector(position)) *
               Eigen::Quaterniond(q[0], q[1], q[2], q[3]).normalized());
 }
 
@@ -62,10 +62,10 @@ class MjcfBuilder {
     link.name = name(mjOBJ_BODY, body, "body");
     // What stands on the world is not adjacent to it: a floor is there to be hit.
     if (body > 0 && m_.body_parentid[body] > 0) link.parent = link_of_[to_size(m_.body_parentid[body])];
-    Pose origin = pose_of(m_.body_pos + 3 * body, m_.body_quat + 4 * body);
+    Pose origin = mjcf_pose(m_.body_pos + 3 * body, m_.body_quat + 4 * body);
     for (int k = 0; k < m_.body_jntnum[body]; ++k) {
       const int joint = m_.body_jntadr[body] + k;
-      const Vector3 anchor = vector_of(m_.jnt_pos + 3 * joint), axis = vector_of(m_.jnt_axis + 3 * joint);
+      const Vector3 anchor = mjcf_vector(m_.jnt_pos + 3 * joint), axis = mjcf_vector(m_.jnt_axis + 3 * joint);
       const int type = m_.jnt_type[joint];
       link.joint = name(mjOBJ_JOINT, joint, "joint");
       if (type != mjJNT_HINGE && type != mjJNT_SLIDE) {
@@ -108,7 +108,7 @@ class MjcfBuilder {
     Link& link = scene_.links[link_of_[to_size(body)]];
     ++link.shapes;
     const mjtNum* size = m_.geom_size + 3 * geom;
-    const Pose pose = pose_of(m_.geom_pos + 3 * geom, m_.geom_quat + 4 * geom);
+    const Pose pose = mjcf_pose(m_.geom_pos + 3 * geom, m_.geom_quat + 4 * geom);
     if (m_.geom_type[geom] == mjGEOM_CYLINDER)
       scene_.bodies.push_back({link.name + "/" + name(mjOBJ_GEOM, geom, "geom"), link_of_[to_size(body)],
                                Cylinder{pose.translation(), pose.linear().col(2), size[0], 2 * size[1]}, type,

@@ -63,11 +63,11 @@ void keep_cylinders(TiXmlElement& robot, Scene& scene, std::map<std::string, std
   }
 }
 
-Vector3 vector_of(const urdf::Vector3& v) { return {v.x, v.y, v.z}; }
+Vector3 urdf_vector(const urdf::Vector3& v) { return {v.x, v.y, v.z}; }
 
-Pose pose_of(const urdf::Pose& p) {
+Pose urdf_pose(const urdf::Pose& p) {
   const urdf::Rotation& q = p.rotation;
-  return Pose(Eigen::Translation3d(vector_of(p.position)) * Eigen::Quaterniond(q.w, q.x, q.y, q.z));
+  return Pose(Eigen::Translation3d(urdf_vector(p.position)) * Eigen::Quaterniond(q.w, q.x, q.y, q.z));
 }
 
 void set_motion(Link& link, const urdf::Joint& joint, Scene& scene) {
@@ -95,16 +95,16 @@ void set_motion(Link& link, const urdf::Joint& joint, Scene& scene) {
     default:
       return;
   }
-  const double length = vector_of(joint.axis).norm();
+  const double length = urdf_vector(joint.axis).norm();
   if (!(length > 0)) throw std::runtime_error("joint " + joint.name + " has no axis");
-  link.axis = vector_of(joint.axis) / length;
+  link.axis = urdf_vector(joint.axis) / length;
 }
 
 void add_bodies(Scene& scene, std::size_t index, const urdf::Link& link) {
   for (const auto& collision : link.collision_array) {
     const auto* shape = dynamic_cast<const urdf::Cylinder*>(collision->geometry.get());
     if (!shape) continue;
-    const Pose pose = pose_of(collision->origin);
+    const Pose pose = urdf_pose(collision->origin);
     const Cylinder solid{pose.translation(), pose.linear().col(2), shape->radius, shape->length};
     std::string name = link.name;
     if (!collision->name.empty())
@@ -132,7 +132,7 @@ class UrdfBuilder {
     if (const auto& joint = link.parent_joint) {
       own.joint = joint->name;
       joint_index_[joint->name] = index;
-      own.origin = pose_of(joint->parent_to_joint_origin_transform);
+      own.origin = urdf_pose(joint->parent_to_joint_origin_transform);
       set_motion(own, *joint, scene_);
       if (joint->mimic && own.motion != Motion::fixed) mimics_.emplace_back(index, joint->mimic);
     }

@@ -32,7 +32,7 @@ std::string key_of(const Subject& s, const GroupedMethods& methods, Mechanism me
   return cause_key(methods, *s.method, *s.kind, s.severity, mechanism, s.record->reason);
 }
 
-std::string labels_of(const Classification& found, std::span<const std::unique_ptr<Method>> methods) {
+std::string mechanism_labels(const Classification& found, std::span<const std::unique_ptr<Method>> methods) {
   std::string labels;
   const auto add = [&](const std::string& label) { labels += (labels.empty() ? "" : "\n") + label; };
   if (found.right_at_origin) add("offset: right at the origin");
@@ -44,7 +44,8 @@ std::string labels_of(const Classification& found, std::span<const std::unique_p
   return labels;
 }
 
-std::vector<CauseRecord> causes_of(std::span<const Subject* const> subjects, const GroupedMethods& methods) {
+std::vector<CauseRecord> causes_together(std::span<const Subject* const> subjects,
+                                         const GroupedMethods& methods) {
   std::vector<Failing> failing;
   for (const Subject* s : subjects)
     if (s->can_be_classified()) failing.push_back(s->failing());
@@ -54,7 +55,7 @@ std::vector<CauseRecord> causes_of(std::span<const Subject* const> subjects, con
   for (const Subject* s : subjects) {
     const Classification c = s->can_be_classified() ? *next++ : Classification{};
     causes.push_back({s->record->id, key_of(*s, methods, c.mechanism), to_string(c.mechanism),
-                      labels_of(c, methods.methods)});
+                      mechanism_labels(c, methods.methods)});
   }
   return causes;
 }
@@ -75,7 +76,7 @@ void classify_findings(const TriageContext& context) {
     for (std::size_t first = job * together_cap; first < open.size() && !context.out_of_time();
          first += jobs * together_cap) {
       const std::size_t count = std::min(together_cap, open.size() - first);
-      store.add(causes_of(std::span(open).subspan(first, count), context.grouped()));
+      store.add(causes_together(std::span(open).subspan(first, count), context.grouped()));
     }
   });
 }

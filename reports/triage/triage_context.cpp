@@ -22,6 +22,13 @@ using std::chrono::milliseconds;
 /// How often the processes' end is looked for, and how far they are.
 constexpr milliseconds poll_interval{50}, show_interval{500};
 
+std::optional<std::size_t> position_of(std::span<const std::unique_ptr<Method>> methods,
+                                       std::string_view name) {
+  for (std::size_t m = 0; m < methods.size(); ++m)
+    if (methods[m]->name() == name) return m;
+  return {};
+}
+
 milliseconds since(TriageContext::Clock::time_point start) {
   return std::chrono::duration_cast<milliseconds>(TriageContext::Clock::now() - start);
 }
@@ -45,7 +52,7 @@ TriageContext::TriageContext(const TriageOptions& how, std::span<const std::uniq
   const RunStore run = RunStore::open(options.folder);
   std::set<std::string, std::less<>> absent_guests;
   for (Guest& guest : parse_guests(value_of(run.config(), "guests")))
-    if (!index_of(methods, guest.name)) absent_guests.insert(std::move(guest.name));
+    if (!position_of(methods, guest.name)) absent_guests.insert(std::move(guest.name));
   began = value_of(run.config(), "started");
   findings = run.findings();
   finding_groups = run.groups();
@@ -54,7 +61,7 @@ TriageContext::TriageContext(const TriageOptions& how, std::span<const std::uniq
   for (const FindingRecord& f : findings) {
     const CaseLine line = parse_case(f.pair, 1);
     if (!line.value) throw std::runtime_error(fmt::format("finding {}: {}", f.id, line.error));
-    subjects.push_back({&f, index_of(methods, f.method), absent_guests.contains(f.method),
+    subjects.push_back({&f, position_of(methods, f.method), absent_guests.contains(f.method),
                         from_word<FindingKind>(f.kind),
                         from_word<Severity>(f.severity).value_or(Severity::contract), line.value->pair});
     if (subjects.back().absent) absent.insert(f.id);
