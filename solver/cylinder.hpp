@@ -37,6 +37,17 @@ constexpr auto words_of(Verdict) noexcept {
   return std::array{"disjoint", "intersecting", "touching", "undecided", "invalid"};
 }
 
+/// What a flat solid lies in, or nearly does: a common point may be known by it better than by coordinates,
+/// which no doubles need hold.
+enum class Hull : unsigned char {
+  space,
+  plane,  ///< through the centre, square to the axis: of a disk
+  line,   ///< the axis: of a segment
+  center  ///< of a point
+};
+/// The words used in files and on screens.
+constexpr auto words_of(Hull) noexcept { return std::array{"space", "plane", "line", "center"}; }
+
 /// Why a Cylinder is invalid; the first reason in this order.
 enum class Defect : unsigned char {
   none,

@@ -44,10 +44,12 @@ struct Answer {
   Verdict verdict = Verdict::undecided;
   Proof proof = Proof::none;
   /// proof == direction: D with f(D) < 0 and D.(b.center - a.center) > 0, of any length.
-  /// proof == point: the common point is exactly point_head + point_tail; head is the centre of a or of b.
+  /// proof == point: the common point is exactly point_head + point_tail, or, where a hull is not `space`, the
+  /// point of both hulls that is nearest to it; head is the centre of a or of b.
   Vector3 direction{0, 0, 0};
   Vector3 point_head{0, 0, 0};
   Vector3 point_tail{0, 0, 0};
+  Hull hull_a = Hull::space, hull_b = Hull::space;
   int iterations = 0;  ///< steps inside an edge, at most iteration_cap
 };
 

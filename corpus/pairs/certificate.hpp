@@ -31,6 +31,8 @@ struct Certificate {
   CertificateKind kind = CertificateKind::none;
   ExactVector vector;
   ExactVector second;
+  /// Of a point: it is the point nearest to `vector` in these hulls of a and of b. Of what is proved: space.
+  std::array<Hull, 2> hulls{Hull::space, Hull::space};
 };
 
 /// The arithmetic that settled a question.

@@ -23,10 +23,11 @@ void MethodAnswer::set_witness(const Certificate& certificate) noexcept {
   witness = certificate.kind;
   std::copy_n(v.head.data(), 3, head);
   std::copy_n(v.tail.data(), 3, tail);
+  std::copy_n(certificate.hulls.data(), 2, hulls);
 }
 
 Certificate MethodAnswer::certificate() const {
-  return {witness, {{head[0], head[1], head[2]}, {tail[0], tail[1], tail[2]}, {}}, {}};
+  return {witness, {{head[0], head[1], head[2]}, {tail[0], tail[1], tail[2]}, {}}, {}, {hulls[0], hulls[1]}};
 }
 
 }  // namespace cyl

@@ -18,7 +18,10 @@ inline Certificate certificate_of(const Answer& answer) {
     case Proof::direction:
       return {CertificateKind::direction, {doubles(answer.direction), {}, {}}, {}};
     case Proof::point:
-      return {CertificateKind::point, {doubles(answer.point_head), doubles(answer.point_tail), {}}, {}};
+      return {CertificateKind::point,
+              {doubles(answer.point_head), doubles(answer.point_tail), {}},
+              {},
+              {answer.hull_a, answer.hull_b}};
   }
   return {};
 }
