@@ -75,9 +75,11 @@ unset "${!SLURM_JOB@}" "${!SBATCH_@}"
 (umask 077 && head -c 1024 /dev/urandom >munge/key)
 munged --force --key-file="$scratch/munge/key" --socket="$scratch/munge/sock" --pid-file="$scratch/munge/pid" \
   --log-file="$scratch/munge/log" --seed-file="$scratch/munge/seed" 2>/dev/null
-slurmctld -f "$SLURM_CONF"
-slurmd -N n1 -f "$SLURM_CONF"
-slurmd -N n2 -f "$SLURM_CONF"
+# A daemon that does not start (slurmd without /sys/fs/cgroup, as in a chroot) says why in its log alone.
+start() { "$@" -f "$SLURM_CONF" || { tail -n 20 log/*; exit 1; }; }
+start slurmctld
+start slurmd -N n1
+start slurmd -N n2
 # until_true NAME COMMAND.. : within a quarter of an hour.
 until_true() {
   local name=$1
