@@ -29,7 +29,7 @@ enum class Verdict : unsigned char {
   disjoint,      ///< no common point
   intersecting,  ///< a common point; from a yes/no call this includes touching
   touching,      ///< a common point and signed distance exactly 0; said only where proved
-  undecided,     ///< not known: inside the rounding band, or the work cap was reached
+  undecided,     ///< not known: within rounding of touching, or the work cap was reached (decide.hpp)
   invalid        ///< the input is no pair of cylinders
 };
 /// The words used in files and on screens.

@@ -78,7 +78,7 @@ TEST(Decide, RightAndProvedOnBothSidesOfTouching) {
     const Verdict truth = apart ? Verdict::disjoint : Verdict::intersecting;
     ASSERT_EQ(intersect(p.a, p.b), truth) << "pair " << i;
     const Answer answer = decide(p.a, p.b);
-    ASSERT_LT(answer.iterations, iteration_cap);
+    ASSERT_LT(answer.iterations, decide_iteration_cap);
     if (answer.verdict == Verdict::undecided) {
       ++undecided;
       continue;
@@ -190,6 +190,106 @@ TEST(Decide, EndsWhereTheSlopeIsRounding) {
                    Vector3(-0x1.bf2b2e4b125e3p-1, -0x1.85b7e51f68ab1p-2, 0x1.3737acbb0fab1p-2),
                    0x1.a229711c88df8p-7, 0x1.c30eac1384af2p-3};
   EXPECT_LT(decide(a, b).iterations, 60);
+}
+
+// Gaps that double alone does not prove: a cap's border in the plane of the other's cap, axes 1e-15 apart,
+// axes all but square, segments side by side, lengths 1e271 apart.
+TEST(Decide, ProvesGapsThatRoundingHides) {
+  const Pair pairs[] = {
+      {{Vector3(0, 0, 0), Vector3(0, 0, 1), 3, 6}, {Vector3(-5, 2, -7), Vector3(0, 3, 4), 4, 4}},
+      {{Vector3(0, 0, 0), Vector3(0, 0, 1), 5, 6}, {Vector3(6, -8, 7), Vector3(0, 3, -4), 3, 10}},
+      {{Vector3(0, 0, 0), Vector3(0.3422637646834484, -0.8395023563572672, -0.4220086599292826),
+        0.11017494225220584, 2.6456315525242347},
+       {Vector3(-0.9749389316379928, -5.828023973286293, 6.704393193310718),
+        Vector3(0.34226376468345354, -0.8395023563572676, -0.4220086599292777), 7.711211487953818,
+        0.8136516519828619}},
+      {{Vector3(0, 0, 0), Vector3(0, -1, 0), 4, 2},
+       {Vector3(-4.571739711562755, -4, 3.9685115978853105),
+        Vector3(-1.0476591106850177e-15, 1, -1.798451146637744e-15), 2, 6}},
+      {{Vector3(0, 0, 0), Vector3(-0.8474871826606096, -0.5307409473544117, -0.008917512395516523),
+        0.7011727422361593, 0.3673396247333566},
+       {Vector3(-0.5115251256922481, 0.46618208821713697, 0.22280472549821798),
+        Vector3(-0.06590183611067849, 0.12451568001130262, -0.9900276613982899), 8.849546964868194e-05,
+        0.6150513289088054}},
+      {{Vector3(0, 0, 0), Vector3(0.9453033725360256, 0.2875220722153185, -0.15405386026005674), 0,
+        0.2123553564467482},
+       {Vector3(-3.3855030671627087, -1.0297296537754541, 0.5517274470517148),
+        Vector3(236.58306241928716, 71.95875349026868, -38.555383485049575), 0, 7.164059981223426}},
+      {{Vector3(0, 0, 0), Vector3(0, 0, -1), 3.32101592848426e-288, 6.510129745930559e-246},
+       {Vector3(0.06713070102102087, -1.819587959123952e-229, -0.1377979219284154), Vector3(0, -1, 0),
+        0.1377979219284154, 3.639175918247904e-229}}};
+  for (const Pair& p : pairs) {
+    EXPECT_EQ(decide(p.a, p.b).proof, Proof::direction) << &p - pairs;
+    EXPECT_EQ(decide(p.b, p.a).proof, Proof::direction) << &p - pairs;
+  }
+}
+
+// A feature of each solid at a common normal, at any tilt and in any place down to rounding, and lengths from
+// 1e-6 to 1: gaps of 1.01e-13 of the size are proved, and so are overlaps that hold a ball of 1e-13 of it.
+TEST(Decide, UndecidedOnlyWithinItsWord) {
+  Stream random(20261122);
+  const auto decades = [&](double least) { return std::pow(10, random.between(least, 0)); };
+  const auto angle = [&] {
+    const int kind = static_cast<int>(random.between(0, 4));
+    return kind == 0   ? decades(-16)
+           : kind == 1 ? 1.5707963267948966 - decades(-16)
+           : kind == 2 ? 0
+                       : random.between(0, 1.57);
+  };
+  int gaps = 0, balls = 0;
+  for (int i = 0; i < 30000; ++i) {
+    const Vector3 n = random.direction(), u = n.cross(random.direction()).normalized(), v = n.cross(u);
+    const double between = angle();
+    const Vector3 turned = std::cos(between) * u + std::sin(between) * v;
+    Cylinder a = random.cylinder(), b = random.cylinder();
+    for (double* length : {&a.radius, &a.height, &b.radius, &b.height})
+      if (i % 2) *length = decades(-6);
+    a.center = Vector3(0, 0, 0);
+    const double tilt_a = angle(), tilt_b = i % 3 ? angle() : tilt_a + decades(-16);
+    a.axis = std::cos(tilt_a) * u + std::sin(tilt_a) * n;
+    b.axis = std::cos(tilt_b) * turned + std::sin(tilt_b) * n;
+    const double margin = 1.01e-13 + decades(-14);
+    const Pair apart = at_distance(a, b, n, margin, random), common = at_distance(a, b, n, -margin, random);
+    if (support_gap(apart, n) < -1.005e-13L * (a.radius + a.height + b.radius + b.height)) {
+      ++gaps;
+      EXPECT_EQ(decide(apart.a, apart.b).proof, Proof::direction) << "pair " << i;
+    }
+    Pair inner = common;
+    const double ball = 1e-13 * (a.radius + a.height + b.radius + b.height);
+    for (Cylinder* c : {&inner.a, &inner.b}) {
+      c->radius -= ball;
+      c->height -= 2 * ball;
+    }
+    if (intersect(inner.a, inner.b) == Verdict::intersecting) {
+      ++balls;
+      EXPECT_EQ(decide(common.a, common.b).proof, Proof::point) << "pair " << i;
+    }
+  }
+  EXPECT_GT(gaps, 25000);
+  EXPECT_GT(balls, 15000);
+}
+
+// Solids without inner points: what they share is known by the lines and planes they lie in.
+TEST(Decide, ProvesThatFlatSolidsMeet) {
+  const Vector3 oblique(0.3, -0.5, 0.7), other(0.9, 0.1, -0.2);
+  const Cylinder solid{Vector3(0.1, 0.2, 0.3), oblique, 1, 2}, segment{Vector3(0.2, 0.1, 0.4), other, 0, 5},
+      disk{Vector3(0, 0.1, 0.2), other, 1, 0}, tilted{Vector3(0.1, 0.2, 0.3), oblique, 1, 0},
+      point{Vector3(0.3, 0.1, 0.2), other, 0, 0}, thin{Vector3(0.2, 0, 0.4), other, 1e-17, 3};
+  const struct {
+    Cylinder a, b;
+    Hull hull_a, hull_b;
+  } cases[] = {{segment, solid, Hull::line, Hull::space},  {disk, solid, Hull::plane, Hull::space},
+               {segment, tilted, Hull::line, Hull::plane}, {disk, tilted, Hull::plane, Hull::plane},
+               {thin, solid, Hull::line, Hull::space},     {point, solid, Hull::center, Hull::space}};
+  for (const auto& c : cases) {
+    const Answer answer = decide(c.a, c.b), swapped = decide(c.b, c.a);
+    EXPECT_EQ(answer.proof, Proof::point) << &c - cases;
+    EXPECT_EQ(swapped.proof, Proof::point) << &c - cases;
+    EXPECT_EQ(answer.hull_a, c.hull_a);
+    EXPECT_EQ(answer.hull_b, c.hull_b);
+    EXPECT_EQ(swapped.hull_b, c.hull_a);
+  }
+  EXPECT_EQ(decide(segment, segment).proof, Proof::point);  // one centre
 }
 
 TEST(Decide, NothingIsAllocated) {

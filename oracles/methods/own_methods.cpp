@@ -77,7 +77,7 @@ class Decide final : public Method {
     answer.status = Status::answered;
     answer.verdict = decided.verdict;
     answer.steps = decided.iterations;
-    answer.step_cap = iteration_cap;
+    answer.step_cap = decide_iteration_cap;
     answer.set_witness(certificate_of(decided));
     return answer;
   }

@@ -156,6 +156,12 @@ struct Frame {
     const Vector3& axis = j == 0 ? w0 : j == 1 ? w1 : j == 2 ? m0 : m1;
     return d[j] < 0 ? Vector3(-axis) : axis;
   }
+  using Scalar = double;
+  // a e_i + b e_j + c n.
+  Vector3 direction(int i, double a, int j, double b, double c) const noexcept {
+    return a * e(i) + b * e(j) + c * n;
+  }
+  const Frame& slices() const noexcept { return *this; }
 
   Vector3 w0, w1, delta, n, m0, m1;
   double d[4];  // Delta along w0, w1, m0, m1
@@ -174,7 +180,11 @@ struct Parallel {
         distance(length(delta.cross(w))),
         stacked(std::fabs(along) > heights),
         beside(distance > radii) {}
-  Vector3 across() const noexcept { return (delta - along * w) / distance; }
+  // Square to w also where nearly all of Delta is along it.
+  Vector3 across() const noexcept {
+    const Vector3 off = delta - along * w;
+    return (off - dot(off, w) * w) / distance;
+  }
 
   Vector3 w, delta;
   double along, distance;

@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: MIT
+// Whether a direction or a point proves a verdict beyond rounding: derivation.md, section 8. For decide()
+// alone.
+#pragma once
+
+#include "solver/detail/frame.hpp"
+
+namespace cyl {
+
+// The centre of the solid whose frame is used; answers are given from it.
+struct Base {
+  const Vector3& center;
+  int exponent;  // of the frame's unit
+};
+
+inline Vector3 times_power(const Vector3& x, int exponent) noexcept {
+  if (exponent == 0) return x;
+  return {std::ldexp(x.x(), exponent), std::ldexp(x.y(), exponent), std::ldexp(x.z(), exponent)};
+}
+
+inline double reach_of(const Scaled& p) noexcept { return p.r0 + p.h0 + p.r1 + p.h1 + length(p.delta); }
+
+// By how much decide() grows and shrinks solids where rounding has the word, of the reach: 64 units of
+// rounding of separation_error, and such that sqrt(8) of it, twice the size for the reach, is below 1e-13.
+inline constexpr double room_tol = 0x1p-46;
+
+// A solid no thicker than that is taken for flat: a common point in its plane or line needs no room across
+// it.
+inline Hull hull_of(double r, double h, double reach) noexcept {
+  const bool thin = r <= room_tol * reach, low = h <= room_tol * reach;
+  return thin & low ? Hull::center : thin ? Hull::line : low ? Hull::plane : Hull::space;
+}
+
+// f(D) < 0 beyond rounding.
+inline bool separates(const Scaled& p, const Vector3& d) noexcept {
+  const double f = p.r0 * length(d.cross(p.w0)) + p.h0 * std::fabs(dot(d, p.w0)) +
+                   p.r1 * length(d.cross(p.w1)) + p.h1 * std::fabs(dot(d, p.w1)) - std::fabs(dot(d, p.delta));
+  return f < -separation_error * length(d) * reach_of(p);
+}
+
+// A point looked at from one solid: how far along its axis and across it.
+struct Place {
+  Place(const Vector3& x, const Vector3& w) noexcept
+      : along(std::fabs(dot(x, w))), across(length(x.cross(w))), away(length(x)) {}
+  double off(Hull hull) const noexcept {
+    return hull == Hull::space ? 0 : hull == Hull::plane ? along : hull == Hull::line ? across : away;
+  }
+  // With so much room left; within its hull a solid needs none across it.
+  bool inside(double r, double h, Hull hull, double room) const noexcept {
+    const bool in_plane = (hull == Hull::plane) | (hull == Hull::center);
+    const bool on_line = (hull == Hull::line) | (hull == Hull::center);
+    return (in_plane | (along + room < h)) & (on_line | ((r - room > 0) & (across < r - room)));
+  }
+  double along, across, away;
+};
+
+// Whether the point of both hulls nearest to x, from C0, lies inside both solids beyond rounding. It is no
+// farther from x than x is off the one hull, or, where planes cross, or a plane and a line, off both over the
+// sine of their angle (and twice that for the line, which x goes along).
+inline bool in_both(const Scaled& p, const Vector3& x, Hull hull0, Hull hull1) noexcept {
+  const Place at0(x, p.w0), at1(x - p.delta, p.w1);
+  const double error = membership_error * (at0.away + length(p.delta)) + underflow_error;
+  double move = 0;
+  if ((hull0 != Hull::space) & (hull1 != Hull::space)) {
+    if ((hull0 == Hull::center) | (hull1 == Hull::center) | ((hull0 == Hull::line) & (hull1 == Hull::line)))
+      return false;  // no double can show that they cross
+    const bool planes = hull0 == hull1;
+    const double sine = (planes ? length(p.w0.cross(p.w1)) : std::fabs(dot(p.w0, p.w1))) - separation_error;
+    if (!(sine > 0)) return false;
+    move = (at0.off(hull0) + at1.off(hull1) + 2 * error) * ((planes ? 1 : 2) / sine);
+  } else if ((hull0 != Hull::space) | (hull1 != Hull::space)) {
+    move = at0.off(hull0) + at1.off(hull1) + error;
+  }
+  return at0.inside(p.r0, p.h0, hull0, error + move) & at1.inside(p.r1, p.h1, hull1, error + move);
+}
+
+inline bool try_direction(const Scaled& p, Vector3 direction, Answer& answer) noexcept {
+  // Weights are products of lengths; a direction has no unit.
+  const double most = max_abs(direction);
+  if (!(most >= 0x1p-900)) return false;
+  direction *= power_of_two(-exponent_of(most));
+  if (!separates(p, direction)) return false;
+  answer.verdict = Verdict::disjoint;
+  answer.proof = Proof::direction;
+  answer.direction = dot(direction, p.delta) < 0 ? Vector3(-direction) : direction;
+  return true;
+}
+
+inline bool try_point(const Scaled& p, const Base& base, const Vector3& x, Answer& answer) noexcept {
+  // The certificate is what is handed out, so that is what gets checked: back in the scene's unit, where a
+  // subnormal coordinate may have lost bits.
+  const Vector3 tail = times_power(x, base.exponent), given = times_power(tail, -base.exponent);
+  const double reach = reach_of(p);
+  Hull hull0 = Hull::space, hull1 = Hull::space;
+  if (!in_both(p, given, hull0, hull1)) {
+    hull0 = hull_of(p.r0, p.h0, reach);
+    hull1 = hull_of(p.r1, p.h1, reach);
+    if (((hull0 == Hull::space) & (hull1 == Hull::space)) || !in_both(p, given, hull0, hull1)) return false;
+  }
+  answer.verdict = Verdict::intersecting;
+  answer.proof = Proof::point;
+  answer.point_head = base.center;
+  answer.point_tail = tail;
+  answer.hull_a = hull0;
+  answer.hull_b = hull1;
+  return true;
+}
+
+}  // namespace cyl

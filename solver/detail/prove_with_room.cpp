@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: MIT
+#include "solver/detail/prove_with_room.hpp"
+
+#include "solver/detail/double_double.hpp"
+#include "solver/detail/optimum.hpp"
+
+namespace cyl {
+namespace {
+
+struct DeepVector {
+  DoubleDouble x, y, z;
+};
+
+DeepVector operator+(const DeepVector& a, const DeepVector& b) noexcept {
+  return {a.x + b.x, a.y + b.y, a.z + b.z};
+}
+DeepVector operator*(const DoubleDouble& s, const DeepVector& a) noexcept {
+  return {s * a.x, s * a.y, s * a.z};
+}
+DoubleDouble dot(const DeepVector& a, const DeepVector& b) noexcept {
+  return a.x * b.x + a.y * b.y + a.z * b.z;
+}
+DeepVector cross(const DeepVector& a, const DeepVector& b) noexcept {
+  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+}
+DeepVector deep(const Vector3& a) noexcept { return {a.x(), a.y(), a.z()}; }
+DeepVector unit(const DeepVector& a) noexcept { return (DoubleDouble(1) / root(dot(a, a))) * a; }
+DeepVector towards(const DeepVector& a, const DeepVector& delta) noexcept {
+  return dot(a, delta) < DoubleDouble(0) ? DoubleDouble(-1) * a : a;
+}
+
+// Frame (frame.hpp) in twice the digits. The axes are of unit length anew: their cosine and sine have to
+// agree.
+class DeepFrame {
+ public:
+  using Scalar = DoubleDouble;
+
+  DeepFrame(const Scaled& p, const Axes& axes) noexcept : slices_(p, axes) {
+    const DeepVector w0 = unit(deep(p.w0)), w1 = unit(deep(p.w1)), delta = deep(p.delta);
+    f = shallow_sections(Couple<DoubleDouble>{w0.x, w0.y, w0.z, w1.x, w1.y, w1.z, delta.x, delta.y, delta.z,
+                                              p.r0, p.h0, p.r1, p.h1});
+    const DeepVector aligned = DoubleDouble(axes.cosine < 0 ? -1 : 1) * w1;
+    n_ = towards(unit(cross(w0 + DoubleDouble(-1) * aligned, w0 + aligned)), delta);
+    e_[0] = towards(w0, delta);
+    e_[1] = towards(w1, delta);
+    e_[2] = towards(cross(w0, n_), delta);
+    e_[3] = towards(cross(w1, n_), delta);
+  }
+
+  Vector3 direction(int i, DoubleDouble a, int j, DoubleDouble b, DoubleDouble c) const noexcept {
+    const DeepVector d = a * e_[i] + b * e_[j] + c * n_;
+    return {to_double(d.x), to_double(d.y), to_double(d.z)};
+  }
+  const Frame& slices() const noexcept { return slices_; }
+
+  Sections<DoubleDouble> f;
+
+ private:
+  Frame slices_;
+  DeepVector n_, e_[4];
+};
+
+// Every length moved by `by`; to 0 at least.
+Scaled resized(const Scaled& p, double by) noexcept {
+  return {p.w0,
+          p.w1,
+          p.delta,
+          larger(0, p.r0 + by),
+          larger(0, p.h0 + by),
+          larger(0, p.r1 + by),
+          larger(0, p.h1 + by),
+          p.exponent};
+}
+
+}  // namespace
+
+[[gnu::noinline]] void prove_with_room(const Question& question, const Axes& axes) noexcept {
+  const double room = room_tol * reach_of(question.solids);
+  for (const double by : {room, -room}) {
+    const Scaled p = resized(question.solids, by);
+    const DeepFrame frame(p, axes);
+    if (!prove_by_filter(question, p, frame)) prove_at_optimum(question, p, frame);
+    if (question.answer.proof != Proof::none) return;
+  }
+}
+
+}  // namespace cyl
