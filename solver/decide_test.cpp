@@ -272,7 +272,7 @@ TEST(Decide, UndecidedOnlyWithinItsWord) {
 // Solids without inner points: what they share is known by the lines and planes they lie in.
 TEST(Decide, ProvesThatFlatSolidsMeet) {
   const Vector3 oblique(0.3, -0.5, 0.7), other(0.9, 0.1, -0.2);
-  const Cylinder solid{Vector3(0.1, 0.2, 0.3), oblique, 1, 2}, segment{Vector3(0.2, 0.1, 0.4), other, 0, 5},
+  const Cylinder solid{Vector3(0.1, 0.2, 0.3), oblique, 1, 2}, segment{Vector3(0.12, 0.2, 0.31), other, 0, 3},
       disk{Vector3(0, 0.1, 0.2), other, 1, 0}, tilted{Vector3(0.1, 0.2, 0.3), oblique, 1, 0},
       point{Vector3(0.3, 0.1, 0.2), other, 0, 0}, thin{Vector3(0.2, 0, 0.4), other, 1e-17, 3};
   const struct {
