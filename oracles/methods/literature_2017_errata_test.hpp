@@ -24,7 +24,7 @@ inline std::span<const Fault2017> faults_2017() {
   static constexpr Fault2017 faults[] = {
       {"kink-taken-for-convex", Fault::kink_taken_for_convex, false, {}},
       {"first-quarter-ends-all", Fault::first_quarter_ends_all, false, {}},
-      {"division-by-vanished-root", Fault::division_by_vanished_root, true, Fault::stays_on_the_boundary},
+      {"division-by-vanished-root", Fault::division_by_vanished_root, true, {}},
       {"one-octant", Fault::one_octant, true, {}},
       {"cancelling-sine", Fault::cancelling_sine, false, {}},
       {"touching-is-separated", Fault::touching_is_separated, true, {}},

@@ -17,8 +17,7 @@ enum class Fault : unsigned char {
   // 2017
   kink_taken_for_convex,      ///< F is said to be convex, its last term is not; no verdict depends on it
   first_quarter_ends_all,     ///< the test of one quarter circle returns for both
-  division_by_vanished_root,  ///< F' at t = 1 of perpendicular axes, the gradient of G at an axis;
-  ///< no verdict was found to depend on it
+  division_by_vanished_root,  ///< F' at t = 1 of perpendicular axes, the gradient of G at an axis
   one_octant,          ///< the other directions are searched for s, t >= 0 alone
   cancelling_sine,     ///< sqrt(1 - c^2) for the sine of the axes' angle, and W0 x W1 as it comes
   coincident_centers,  ///< Delta = 0 is excluded in the text and not tested; NaN, but no
