@@ -268,10 +268,11 @@ class Search {
     bracket_peak(left, right);
   }
 
-  /// Narrows the bracket down to the slice at which the least function is greatest.
+  /// Narrows the bracket down to the slice at which the least function is greatest, or until what the tangents
+  /// leave above the best slice is rounding.
   void bracket_peak(Cut<R> left, Cut<R> right) {
     Cut<R> best = left.value < right.value ? right : left;
-    const R radii = p_.radius0 + p_.radius1;
+    const R radii = p_.radius0 + p_.radius1, rounding = fine_ / R(256);
     R next = radii > zero_ ? R(z_ * p_.radius0 / radii) : zero_;
     if (!(next > left.u && next < right.u)) next = (left.u + right.u) / two_;
     for (int step = 0; step < 3 * bits_ + 20; ++step) {
@@ -284,24 +285,42 @@ class Search {
       }
       (t.slope > zero_ ? left : right) = t;
 
-      const R width = right.u - left.u;
-      R meeting = left.u + width / two_;
-      if (!steep(left) && !steep(right) && left.slope > zero_ && right.slope < zero_) {
-        const R fall = -right.slope, total = left.slope + fall;
-        if (offer_between(left, right, width, fall / total)) return;
-        if (step % 2 == 0) meeting = left.u + (right.value - left.value + fall * width) / total;
+      const R width = right.u - left.u, middle = left.u + width / two_;
+      R guess = middle;
+      if (left.slope > zero_ && right.slope < zero_) {
+        if (steep(left) || steep(right)) {
+          if (!steep(left) && offer_beside(right, left, width)) return;
+          if (!steep(right) && offer_beside(left, right, width)) return;
+        } else {
+          const R fall = -right.slope, total = left.slope + fall, lambda = fall / total;
+          const R top = lambda * (left.value + left.slope * width) + (one_ - lambda) * right.value;
+          if (offer_between(left, right, lambda, top)) return;
+          if (top - best.value < rounding) break;
+          if (step % 2 == 0)
+            guess = left.least == right.least
+                        ? level_after(t)
+                        : R(left.u + (right.value - left.value + fall * width) / total);
+        }
       }
-      if (!(meeting > left.u && meeting < right.u)) meeting = left.u + width / two_;
-      if (!(meeting > left.u && meeting < right.u) || width < fine_ * fine_ / size_) break;
-      next = meeting;
+      if (!(guess > left.u && guess < right.u)) guess = middle;
+      if (!(guess > left.u && guess < right.u) || width < fine_ * fine_ / size_) break;
+      next = guess;
     }
     if (best.value > -fine_) offer_slice_point(best);
   }
 
-  /// Offers the direction of which the two tangents, mixed by `lambda`, show that it separates; true where
-  /// they show so by more than rounding.
-  bool offer_between(const Cut<R>& left, const Cut<R>& right, const R& width, const R& lambda) {
-    const R bound = lambda * (left.value + left.slope * width) + (one_ - lambda) * right.value;
+  /// Where the function that is least at `t` is level, by a step of Newton's. Not at a rim.
+  R level_after(const Cut<R>& t) const {
+    const Line<R>& line = line_of(t);
+    R bend = zero_;
+    if (t.b0 > zero_) bend = line.a * (one_ + t.tilt0 * t.tilt0) / t.b0;
+    if (t.b1 > zero_) bend = bend + line.b * (one_ + t.tilt1 * t.tilt1) / t.b1;
+    return t.u + t.slope / bend;
+  }
+
+  /// Offers the direction of which the two tangents, mixed by `lambda`, show that f is at most `bound`;
+  /// true where that separates by more than rounding.
+  bool offer_between(const Cut<R>& left, const Cut<R>& right, const R& lambda, const R& bound) {
     if (!(bound < zero_)) return false;
     const Line<R>&j = line_of(left), &k = line_of(right);
     // Either solid gives the tilt; the one whose widths are further from 0 gives it more accurately.
@@ -309,6 +328,16 @@ class Search {
     const R tilt = use0 ? R(lambda * j.a * left.tilt0 + (one_ - lambda) * k.a * right.tilt0)
                         : R(lambda * j.b * left.tilt1 + (one_ - lambda) * k.b * right.tilt1);
     offer_direction(lambda * j.e + R(one_ - lambda) * k.e + tilt * n_);
+    return bound < -fine_;
+  }
+
+  /// The same where the bracket ends at a disk's `rim`, beside which widths grow without bound: one tangent may
+  /// show it alone, tilted as the other solid is at `t`.
+  bool offer_beside(const Cut<R>& rim, const Cut<R>& t, const R& width) {
+    const R bound = t.value + R(abs(t.slope)) * width;
+    if (!(bound < zero_)) return false;
+    const Line<R>& line = line_of(t);
+    offer_direction(line.e + (rim.steep0 ? R(line.b * t.tilt1) : R(line.a * t.tilt0)) * n_);
     return bound < -fine_;
   }
 

@@ -125,8 +125,9 @@ std::optional<Tangency> prove_tangency(const Pair& pair, const Rational3& near_p
   const Rational3 x0 = near_point - c0, x1 = near_point - exact(pair.b.center);
 
   // A cap's normal; that of two crossing walls; that of two parallel walls, or of a wall and the point it
-  // meets; that of the two rims through the point (square to both rims' tangents); of segments on one line,
-  // any square to it; of two points in one place, any.
+  // meets; that of the two rims through the point (square to both rims' tangents), of a rim and a wall or a
+  // segment (square to tangent and axis); of segments on one line, any square to it; of two points in one
+  // place, any.
   std::vector<Rational3> candidates = {w0,
                                        w1,
                                        cross(w0, w1),
@@ -135,6 +136,8 @@ std::optional<Tangency> prove_tangency(const Pair& pair, const Rational3& near_p
                                        off(x0, w0),
                                        off(x1, w1),
                                        cross(cross(w0, x0), cross(w1, x1)),
+                                       cross(w1, cross(w0, x0)),
+                                       cross(w0, cross(w1, x1)),
                                        delta,
                                        near_direction};
   for (const Rational3& unit : {Rational3{1, 0, 0}, Rational3{0, 1, 0}})
