@@ -6,6 +6,7 @@
 #include <cmath>
 #include <utility>
 
+#include "corpus/pairs/close_contact.hpp"
 #include "corpus/pairs/near_touching.hpp"
 #include "corpus/pairs/random_stream.hpp"
 
@@ -315,6 +316,11 @@ Pair raw_axes(RandomStream& s, std::uint64_t) {
   return p;
 }
 
+template <CloseKind kind>
+Pair close(RandomStream& s, std::uint64_t index) {
+  return draw_close_contact(kind, s, index).pair;
+}
+
 struct Entry {
   std::string_view name, summary;
   Pair (*draw)(RandomStream&, std::uint64_t index);
@@ -363,6 +369,15 @@ constexpr std::array entries{
     Entry{"raw_axes", "a random pair with axes of length 1e-150 to 1e150", raw_axes},
     Entry{"coins_edge_to_edge", "disks tilted by 1e-9 to 1e-2 rad, edge to edge, flat or nearly",
           coins_edge_to_edge},
+    Entry{"close_contacts",
+          "every lie and angle of the axes at margins 1e-1 to 1e-13, lengths 0 and extreme too",
+          close<CloseKind::by_decade>},
+    Entry{"close_contacts_by_angle", "margins 0.1 to 1 of the axes' small angle, which is 1e-1 to 1e-13 rad",
+          close<CloseKind::by_angle>},
+    Entry{"close_rods", "overlapping rods 2e-13 to 9e-13 rad from parallel, no deeper than that",
+          close<CloseKind::rods>},
+    Entry{"close_rims", "rim on rim, one radius 1e-4 to 1e-1 of the other, margins 1e-1 to 1e-13",
+          close<CloseKind::rims>},
 };
 
 template <std::size_t i>

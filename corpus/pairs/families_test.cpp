@@ -74,7 +74,7 @@ TEST(Families, HaveNamesAndSummaries) {
     EXPECT_FALSE(f.summary.empty());
     EXPECT_EQ(find_family(f.name), &f);
   }
-  EXPECT_EQ(names.size(), 30u);
+  EXPECT_EQ(names.size(), 34u);
   EXPECT_EQ(find_family("axes"), nullptr);
 }
 
@@ -122,10 +122,14 @@ TEST(Families, KeepTheirPairsForEver) {
   for (const Golden& g : goldens)
     EXPECT_EQ(fnv1a(format_pair(find_family(g.name)->generate(g.seed, g.index))), g.hash) << g.name;
 
-  std::uint64_t digest = fnv1a({});  // over all families
-  for (const Family& f : families())
+  std::uint64_t digest = fnv1a({});  // over all families of version 0.1.0, then of the others
+  for (const Family& f : families()) {
+    if (f.name == "close_contacts") {
+      EXPECT_EQ(digest, 12863362681524556228u);
+    }
     for (std::uint64_t i = 0; i < 500; ++i) digest = fnv1a(format_pair(f.generate(seed, i)), digest);
-  EXPECT_EQ(digest, 12863362681524556228u);
+  }
+  EXPECT_EQ(digest, 2905474968733833220u);
 }
 
 TEST(Families, RandomIntersectsAboutHalfTheTime) {

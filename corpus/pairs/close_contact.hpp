@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: MIT
+// Pairs next to touching with everything else extreme as well: axes as good as parallel or square, contacts
+// at a feature's border, flat solids, small rims on large ones. Built from the contact outwards, as
+// near_touching.hpp does, but with angles, places and lengths drawn by their decades down to their exact
+// ends.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "base/enum_words.hpp"
+#include "corpus/pairs/contact_feature.hpp"
+#include "corpus/pairs/random_stream.hpp"
+#include "solver/cylinder.hpp"
+
+namespace cyl {
+
+/// How the lines of the axes lie.
+enum class AxesLie : unsigned char {
+  generic,        ///< more than generic_tol from parallel and from square
+  near_parallel,  ///< at the cell's angle
+  near_square     ///< at the cell's angle from a right one
+};
+constexpr auto words_of(AxesLie) noexcept { return std::array{"generic", "near-parallel", "near-square"}; }
+
+/// Sine or cosine from which on axes are generic.
+inline constexpr double generic_tol = 0.1;
+
+/// Of the small angle, in radians: between the axes, or what they lack of a right angle; of generic axes that
+/// between the contact's normal and one axis, or what it lacks of a right angle.
+enum class AngleBand : unsigned char {
+  wide,   ///< above 1e-3
+  small,  ///< above 1e-8
+  tiny,   ///< above 1e-13
+  none    ///< below, half of them exactly 0, as far as doubles have such axes
+};
+constexpr auto words_of(AngleBand) noexcept {
+  return std::array{"> 1e-03", "1e-03..1e-08", "1e-08..1e-13", "< 1e-13"};
+}
+
+/// Margins of decade d are in (10^(-d-1), 10^-d], in the last one above least_close_margin: so that what is
+/// claimed from 1e-13 on is claimed, whatever rounding did.
+inline constexpr int first_close_decade = 1, last_close_decade = 12;
+inline constexpr double least_close_margin = 1.01e-13;
+
+struct CloseCell {
+  AxesLie lie;
+  AngleBand band;
+  int decade;
+};
+
+/// All cells: by lie, then by band, then by decade. Each is drawn from.
+inline constexpr std::size_t close_cell_count =
+    enum_values<AxesLie>.size() * enum_values<AngleBand>.size() *
+    static_cast<std::size_t>(last_close_decade - first_close_decade + 1);
+CloseCell close_cell(std::size_t number);
+std::size_t number_of(const CloseCell& cell);
+
+/// How the margin is drawn.
+enum class CloseKind : unsigned char {
+  by_decade,  ///< whatever the angle is: every cell as often as every other
+  by_angle,   ///< 0.1 to 1 of the small angle, which is 1e-1 to 1e-13: what a neglected angle moves decides
+  rods,       ///< the same of overlapping rods, 2e-13 to 9e-13 from parallel, that meet at an end of one
+  rims        ///< by decade, rim on rim, one radius 1e-4 to 1e-1 of the other
+};
+constexpr auto words_of(CloseKind) noexcept { return std::array{"by decade", "by angle", "rods", "rims"}; }
+
+/// A pair and what is known of it.
+struct CloseContact {
+  Pair pair;
+  CloseCell cell;  ///< aimed at: of an overlap the depth may be less
+  ContactFeature feature;
+  Vector3 normal;   ///< unit, from a to b
+  double distance;  ///< f(normal) is minus it, but for rounding. > 0: the gap. < 0: they overlap by no more,
+                    ///< and flat solids may have passed through each other and be apart
+};
+
+/// By decade and of rims the cells take turns fastest, then gap and overlap, then the features that the cell
+/// has; half of the rims are of generic axes at wide angles, whatever the turn. By angle the lies take turns,
+/// the decades of the angle, gap and overlap, the features.
+CloseContact draw_close_contact(CloseKind kind, RandomStream& stream, std::uint64_t index);
+/// The same from a stream of its own: a pure function of its arguments.
+CloseContact draw_close_contact(CloseKind kind, std::uint64_t seed, std::uint64_t index);
+
+/// How many pairs of a kind a round has: in each as many of every cell and of every decade of the angle.
+constexpr std::uint64_t close_share(CloseKind kind) {
+  constexpr std::array<std::uint64_t, enum_words<CloseKind>.size()> shares{close_cell_count, close_cell_count,
+                                                                           12, 60};
+  return shares[static_cast<std::size_t>(kind)];
+}
+inline constexpr std::uint64_t close_round = [] {
+  std::uint64_t sum = 0;
+  for (const CloseKind kind : enum_values<CloseKind>) sum += close_share(kind);
+  return sum;
+}();
+
+/// Returns the pairs of a round: kind by kind, of consecutive indices in consecutive rounds.
+std::vector<CloseContact> draw_close_round(std::uint64_t seed, std::uint64_t round);
+
+}  // namespace cyl

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: MIT
+// The distances of close contacts are as built, and the referee decides all of them.
+#include "corpus/pairs/close_contact.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "corpus/pairs/pair_io.hpp"
+#include "oracles/referee/referee.hpp"
+#include "oracles/trial/compare.hpp"
+
+namespace cyl {
+namespace {
+
+/// Relative to the size: roundings of two axes, two contacts and a centre.
+constexpr double construction_error = 4e-15;
+
+TEST(CloseContact, GapsAreAsBuiltAndOverlapsNoDeeper) {
+  std::map<Verdict, std::uint64_t> overlaps;
+  std::uint64_t gaps = 0;
+  for (std::uint64_t round = 0; round < 12; ++round) {
+    for (const CloseContact& c : draw_close_round(20261121, round)) {
+      const Truth truth = judge(c.pair);
+      const double size = size_of(c.pair), off = construction_error * size;
+      if (c.distance < 0) {
+        ++overlaps[truth.verdict];
+        // Cells of depth cost too much to be had for each.
+        const double margin = -c.distance / size;
+        if (truth.verdict == Verdict::intersecting && margin > 1e-4) {
+          ASSERT_GE(enclose_distance(c.pair, truth, margin / 4).hi, c.distance - off) << format_pair(c.pair);
+        }
+        continue;
+      }
+      ++gaps;
+      ASSERT_EQ(truth.verdict, Verdict::disjoint) << format_pair(c.pair);
+      const Enclosure proved = enclose_distance(c.pair, truth, 1e-15);
+      ASSERT_LE(proved.lo, c.distance + off) << format_pair(c.pair);
+      ASSERT_GE(proved.hi, c.distance - off) << format_pair(c.pair);
+    }
+  }
+  EXPECT_EQ(overlaps[Verdict::undecided], 0u);
+  EXPECT_GT(overlaps[Verdict::intersecting], 1500u);
+  EXPECT_GT(overlaps[Verdict::disjoint], 50u) << "flat solids that passed through each other";
+  EXPECT_GT(gaps, 2000u);
+}
+
+}  // namespace
+}  // namespace cyl
