@@ -6,15 +6,19 @@
 
 #include <CLI/CLI.hpp>
 #include <chrono>
+#include <cmath>
 #include <cstdio>
 #include <exception>
 #include <filesystem>
 #include <fstream>
 #include <iostream>
+#include <map>
 #include <stdexcept>
 #include <string>
 #include <vector>
 
+#include "base/files.hpp"
+#include "base/json.hpp"
 #include "base/process/process.hpp"
 #include "corpus/pairs/families.hpp"
 #include "corpus/store/batch_bytes.hpp"
@@ -71,21 +75,48 @@ std::string failing_test(const std::string& program, const Mutant& mutant) {
   become_program({program, "--gtest_filter=" + std::string(mutant.tests), "--gtest_fail_fast"});
 }
 
-std::string json_of(const KillRow& row, std::span<const Detector> detectors) {
-  std::string text =
-      fmt::format(R"({{"mutant":{},"file":{},"what":{},"like":{})", row.mutant.number,
-                  quote_json(row.mutant.file), quote_json(row.mutant.what), quote_json(row.mutant.like));
-  text += ",\"asks\":" + quote_json(row.mutant.asks);
-  if (!row.mutant.equivalent.empty()) text += ",\"equivalent\":" + quote_json(row.mutant.equivalent);
-  for (std::size_t i = 0; i < detectors.size(); ++i) {
-    const Detection& d = row.detections[i];
-    if (d.outcome == Detection::Outcome::not_run) continue;
-    text += fmt::format(R"(,"{}":{{"fate":"{}","seconds":{:.3f},"what":{})", detectors[i].name,
-                        to_string(d.outcome), d.seconds, quote_json(d.evidence.failure_message));
-    if (d.evidence.family_index) text += fmt::format(R"(,"family_index":{})", *d.evidence.family_index);
-    text += '}';
+using json = nlohmann::ordered_json;
+
+json cell_of(const Detection& d) {
+  json cell = {{"fate", to_string(d.outcome)},
+               {"seconds", std::round(d.seconds * 1000) / 1000},
+               {"what", d.evidence.failure_message}};
+  if (d.evidence.family_index) cell["family_index"] = *d.evidence.family_index;
+  return cell;
+}
+
+/// The row of a mutant: what it is, and those cells of `before` that were asked of it as it is.
+json row_of(const Mutant& mutant, const json& before) {
+  json row = {{"mutant", mutant.number},
+              {"file", mutant.file},
+              {"what", mutant.what},
+              {"like", mutant.like},
+              {"asks", mutant.asks}};
+  if (!mutant.equivalent.empty()) row["equivalent"] = mutant.equivalent;
+  if (before.value("what", "") != mutant.what || before.value("asks", "") != mutant.asks) return row;
+  for (const auto& [name, value] : before.items())
+    if (value.is_object()) row[name] = value;
+  return row;
+}
+
+/// The rows that a matrix wrote before, by number; none where there is no file.
+std::map<int, json> rows_before(const std::string& file) {
+  std::map<int, json> rows;
+  std::ifstream in(file);
+  for (std::string line; std::getline(in, line);) {
+    json row = parse_ordered_json(line);
+    rows.emplace(row.at("mutant").get<int>(), std::move(row));
   }
-  return text + "}";
+  return rows;
+}
+
+void write_rows(const std::string& file, const std::map<int, json>& rows) {
+  if (file.empty()) return;
+  std::string text;
+  for (const auto& [number, row] : rows)
+    text += row.dump(-1, ' ', true, json::error_handler_t::replace) + '\n';
+  write_file(file + ".part", text);
+  std::filesystem::rename(file + ".part", file);
 }
 
 void print(const KillRow& row) {
@@ -112,7 +143,7 @@ struct MutantsMainArguments {
 };
 
 int matrix(const MutantsMainArguments& arguments) {
-  const auto& [only, wanted, first, json, corpus] = arguments;
+  const auto& [only, wanted, first, file, corpus] = arguments;
   const std::vector<Case> cases = read_case_folder(corpus);
   std::vector<Detector> detectors = law_detectors(cases);
   detectors.push_back({"fuzz", finding});
@@ -128,39 +159,49 @@ int matrix(const MutantsMainArguments& arguments) {
       return std::find(wanted.begin(), wanted.end(), d.name) == wanted.end();
     });
 
-  std::ofstream out;
-  if (!json.empty()) out.open(json);
-  const auto run = [&](const Mutant& mutant) {
-    KillRow row{mutant, {}};
+  std::map<int, json> rows = rows_before(file);
+  const auto run = [&](const Mutant& mutant, json& row) {
+    KillRow found{mutant, {}};
     for (const Detector& detector : detectors) {
-      const bool done = first && row.killed();
-      row.detections.push_back(
-          done ? Detection{} : run_detectors(mutant, {&detector, 1}, select_mutant).detections.front());
+      Detection d;
+      if (const auto cell = row.find(detector.name); cell != row.end()) {
+        d.outcome = from_word<Detection::Outcome>(cell->at("fate").get<std::string>()).value();
+        d.seconds = cell->at("seconds");
+      } else if (!first || !found.killed()) {
+        d = run_detectors(mutant, {&detector, 1}, select_mutant).detections.front();
+        row[detector.name] = cell_of(d);
+      }
+      found.detections.push_back(d);
     }
-    print(row);
-    if (!json.empty()) out << json_of(row, detectors) << '\n' << std::flush;
-    return row.killed();
+    print(found);
+    return found.killed();
   };
 
   fmt::print("    ");
   for (const Detector& detector : detectors) fmt::print("  {:15}", detector.name);
   fmt::print("\n");
-  // Each set of methods once without a fault; all tests that any mutant names together.
+  // Each set of methods once without a fault, where anything is left to ask of it; all tests that any mutant
+  // names together.
   std::vector<Mutant> chosen, controls;
   for (const Mutant& m : all_mutants())
     if (only.empty() || std::find(only.begin(), only.end(), m.number) != only.end()) chosen.push_back(m);
   if (chosen.empty()) throw std::invalid_argument("no such mutant");
   for (const Mutant& m : chosen) {
+    json& row = rows[m.number];
+    row = row_of(m, row.is_null() ? json::object() : row);
+    const auto asked = [&](const Detector& detector) { return row.contains(detector.name); };
     const auto same = [&](const Mutant& c) { return c.asks == m.asks && c.tests == m.tests; };
-    if (std::none_of(controls.begin(), controls.end(), same))
+    if (!std::all_of(detectors.begin(), detectors.end(), asked) &&
+        std::none_of(controls.begin(), controls.end(), same))
       controls.push_back({0, "", "the program as it is", "", m.asks, m.tests, ""});
   }
   for (const Mutant& control : controls)
-    if (run(control)) throw std::runtime_error("a detector fires without a fault");
+    if (json row; run(control, row)) throw std::runtime_error("a detector fires without a fault");
   std::size_t killed = 0;
   std::string survivors, not_equivalent;
   for (const Mutant& m : chosen) {
-    const bool detected = run(m);
+    const bool detected = run(m, rows[m.number]);
+    write_rows(file, rows);
     killed += detected;
     if (!detected && m.equivalent.empty()) survivors += fmt::format(" {}", m.number);
     if (detected && !m.equivalent.empty()) not_equivalent += fmt::format(" {}", m.number);
@@ -238,7 +279,8 @@ int main(int argc, char** argv) {
                    "laws, corpus, differential, fuzz, gate, tests; all where not given")
       ->delimiter(',');
   running->add_flag("--first", arguments.first, "leave a mutant at its first kill");
-  running->add_option("--json", arguments.json, "a file for the rows, one JSON object a line");
+  running->add_option("--json", arguments.json,
+                      "a file for the rows, one JSON object a line; what it holds is not asked again");
   running->add_option("--corpus", arguments.corpus, "the folder of the case files");
   std::size_t count = std::size(self_test_mutants);
   auto* quick = app.add_subcommand("smoke", "a few mutants that must be caught at once");

@@ -11,6 +11,8 @@ what is added to a source moves no other. For each one only the objects that hol
 commands, and linked before its libraries. Then, until something notices:
     gate        daylight gate --pairs 60000: any exit status but 0 closes it
     full gate   daylight gate
+    answers     daylight check --distance: a certificate fails in exact arithmetic of tools/verify_answers.py, or an answer
+                contradicts that of the program as it is, or is undecided where that one is not
     tests       the unit tests of the solver and of the oracles
 What does not compile, or compiles to the same machine code, is no mutant, and another is drawn. What ends in no time
 (`unresolved`) counts as survived. Each one tried is a line of JSON in FILE; a run goes on behind those that it finds there
@@ -31,13 +33,16 @@ import tempfile
 import time
 from pathlib import Path
 
-from mutations import mutated, mutations
-
 HERE = Path(__file__).resolve().parent
 ROOT = HERE.parent.parent
+sys.path += [str(HERE), str(ROOT / 'tools')]
+from mutations import mutated, mutations  # noqa: E402
+import verify_answers  # noqa: E402
+
 RESULTS, ARGUMENTS = HERE / 'mechanical.jsonl', HERE / 'mechanical_equivalent.jsonl'
 ARITHMETIC = ('solver/*.cpp', 'solver/detail/*.?pp', 'oracles/referee/*.?pp')
 FIRST_PAIRS = 60_000
+FAMILY_PAIRS, FAMILY_SEED = 100, 20261122  # of each family, whose answers are checked beside those of all cases
 # Seconds for one question, of CPU in one process and on the wall: forty times what the unmutated program takes.
 CPU_CAP, WALL_CAP = 1600, 3600
 TEST_SUITES = {'solver_tests': '*', 'oracles_tests': 'Textbook*:EnclosedDistance*:MpFloat*:Referee*:Filter*:Enclosure*:'
@@ -157,12 +162,40 @@ def questions(build, scratch, path, names):
     daylight = build.link(scratch, 'daylight', names)
     yield f'gate of {FIRST_PAIRS}', [daylight, 'gate', '--pairs', str(FIRST_PAIRS)]
     yield 'gate', [daylight, 'gate']
+    yield 'answers', [sys.executable, __file__, 'answers', build.folder / 'daylight', daylight]
     for suite, wanted in TEST_SUITES.items():
         more = build.affected(suite, path)
         with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
             if any(pool.map(lambda name: build.compile(scratch, name, path), [n for n in more if n not in names])):
                 yield suite, ['false']
         yield suite, [build.link(scratch, suite, more), f'--gtest_filter={wanted}', '--gtest_brief=1']
+
+
+def check_answers(arguments):
+    plain, program = arguments.plain, arguments.program
+    pairs = [path.read_text(encoding='utf-8') for path in sorted(ROOT.glob('corpus/cases/*.jsonl'))]
+
+    def output_of(*words):
+        return subprocess.run(words, stdout=subprocess.PIPE, encoding='utf-8').stdout
+    for line in output_of(plain, 'families').splitlines():
+        if re.match(r'\w', line):
+            pairs.append(output_of(plain, 'families', line.split()[0], '--count', str(FAMILY_PAIRS), '--seed', str(FAMILY_SEED)))
+    with tempfile.NamedTemporaryFile('w', suffix='.jsonl', encoding='utf-8') as file:
+        file.write(''.join(pairs))
+        file.flush()
+        pairs = verify_answers.read(file.name)
+        right, answers = ([json.loads(line) for line in output_of(p, 'check', '--distance', file.name).splitlines()]
+                          for p in (plain, program))
+    if verify_answers.main(pairs, answers):
+        return 2
+    for number, (a, b) in enumerate(zip(right, answers), 1):
+        apart = 'distance' in a and 'distance' in b and (
+            verify_answers.exact(a['distance'][0]) > verify_answers.exact(b['distance'][1])
+            or verify_answers.exact(b['distance'][0]) > verify_answers.exact(a['distance'][1]))
+        if a['verdict'] != b['verdict'] or apart or ('distance' in a) != ('distance' in b):
+            print(f'answer {number} FAILED: {b} for {a} to {pairs[number - 1]}')
+            return 2
+    return 0
 
 
 def attempt(build, mutation, scratch):
@@ -279,6 +312,10 @@ def main():
             part.add_argument('--only', action='append', help='this one alone, whether it was asked before or not')
             part.add_argument('--build', type=Path, default=ROOT / 'build/release')
             part.add_argument('--no-control', action='store_true', help='take it that the program as it is passes')
+    part = parts.add_parser('answers')
+    part.add_argument('plain', type=Path)
+    part.add_argument('program', type=Path)
+    part.set_defaults(command=check_answers)
     part = parts.add_parser('list')
     part.add_argument('text', nargs='?', default='')
     part.set_defaults(command=lambda a: print(*(m.id for m in population(ROOT) if a.text in m.id), sep='\n'))
