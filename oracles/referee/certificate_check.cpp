@@ -44,6 +44,17 @@ Vec3<double> scaled(const Vec3<double>& v, int exponent, bool& exact) {
   return {scaled(v.x, exponent, exact), scaled(v.y, exponent, exact), scaled(v.z, exponent, exact)};
 }
 
+// The words of Hull are sets of what is 0: 1 along the axis, 2 across it.
+static_assert(static_cast<int>(Hull::plane) == 1 && static_cast<int>(Hull::line) == 2 &&
+              static_cast<int>(Hull::center) == 3);
+bool level(Hull hull) { return (static_cast<int>(hull) & 1) != 0; }
+bool thin(Hull hull) { return (static_cast<int>(hull) & 2) != 0; }
+Hull both(Hull x, Hull y) { return static_cast<Hull>(static_cast<int>(x) | static_cast<int>(y)); }
+
+Hull own_hull(const Cylinder& c) {
+  return both(c.height == 0 ? Hull::plane : Hull::space, c.radius == 0 ? Hull::line : Hull::space);
+}
+
 template <class I>
 I length(const Vec3<I>& v) {
   return sqrt(square(v.x) + square(v.y) + square(v.z));
@@ -76,6 +87,7 @@ BasicFilter<R>::BasicFilter(const Pair& pair) {
     const Vec3<double> w = plain(c.axis);
     const Vec3<I> axis = lift<I>(scaled(w, -std::ilogb(max_abs(w)), exact));
     s.unit_axis = axis / length(axis);
+    s.hull = own_hull(c);
     return s;
   };
   a_ = solid(a);
@@ -116,43 +128,53 @@ bool BasicFilter<R>::in_both(const double head[3], const double tail[3]) const {
   return true;
 }
 
+template <class R>
+bool BasicFilter<R>::overlap_at(const Vec3<R>& guess, const Hulls& hulls) const {
+  return usable_ && overlap_near(lift<I>(guess), hulls);
+}
+
+template <class R>
+bool BasicFilter<R>::overlap_at(const double head[3], const double tail[3], const Hulls& hulls) const {
+  bool exact = usable_;
+  const Vec3<double> h = scaled({head[0], head[1], head[2]}, -exponent_, exact);
+  const Vec3<double> t = scaled({tail[0], tail[1], tail[2]}, -exponent_, exact);
+  return exact && overlap_near((lift<I>(h) - lift<I>(a_.center)) + lift<I>(t), hulls);
+}
+
 // Moves are by vectors of which only an interval is known: the point meant is the one that the exact unit
-// axes give, which lies in the flat solids exactly, so that what is 0 there need not be shown to be.
+// axes give, which lies in the hulls exactly, so that what is 0 there need not be shown to be.
 //
 // Two flat solids whose planes, or plane and line, cross at a point strictly inside both: a - b holds a ball
 // about 0, so f > 0 in every direction.
 template <class R>
-bool BasicFilter<R>::overlap_at(const Vec3<R>& guess) const {
-  if (!usable_) return false;
-  const auto flat = [](const Solid& s) { return s.radius == 0 || s.height == 0; };
-  const auto is_disk = [](const Solid& s) { return s.radius > 0; };
-  // Onto the solid's plane, line or point.
-  const auto moved = [&](const Solid& s, const Vec3<I>& x) {
-    const Vec3<I> along = dot(x, s.unit_axis) * s.unit_axis;
-    if (is_disk(s)) return x - along;
-    return s.height > 0 ? along : Vec3<I>{};
+bool BasicFilter<R>::overlap_near(Vec3<I> x, const Hulls& hulls) const {
+  const Hull hull_a = both(a_.hull, hulls[0]), hull_b = both(b_.hull, hulls[1]);
+  const auto moved = [](const Solid& s, Hull hull, const Vec3<I>& from) {
+    if (hull == Hull::center) return Vec3<I>{};
+    const Vec3<I> along = dot(from, s.unit_axis) * s.unit_axis;
+    return hull == Hull::line ? along : from - along;
   };
-  const auto strictly_inside = [](const Solid& s, const Vec3<I>& x) {
-    return (s.height == 0 || abs(dot(x, s.unit_axis)).hi < s.height / 2) &&
-           (s.radius == 0 || length(cross(x, s.unit_axis)).hi < s.radius);
+  const auto strictly_inside = [](const Solid& s, Hull hull, const Vec3<I>& at) {
+    return (level(hull) || abs(dot(at, s.unit_axis)).hi < s.height / 2) &&
+           (thin(hull) || length(cross(at, s.unit_axis)).hi < s.radius);
   };
-  Vec3<I> x = lift<I>(guess);
-  if (flat(a_) && flat(b_)) {
-    const bool swap = !is_disk(b_);  // `second` is a disk
+  if (hull_a != Hull::space && hull_b != Hull::space) {
+    const bool swap = hull_b != Hull::plane;  // `second` lies in a plane
     const Solid &first = swap ? b_ : a_, &second = swap ? a_ : b_;
-    if (!is_disk(second) || !(first.radius > 0 || first.height > 0)) return false;
+    const Hull hull = swap ? hull_b : hull_a;
+    if ((swap && hull_a != Hull::plane) || hull == Hull::center) return false;
     const Vec3<I>&w0 = first.unit_axis, &w1 = second.unit_axis;
     const Vec3<I> to_second = swap ? I(-1) * delta_ : delta_;
-    const Vec3<I> slide = is_disk(first) ? w1 - dot(w0, w1) * w0 : w0;  // within the first
-    Vec3<I> y = moved(first, swap ? x - delta_ : x);
+    const Vec3<I> slide = hull == Hull::plane ? w1 - dot(w0, w1) * w0 : w0;  // within the first
+    Vec3<I> y = moved(first, hull, swap ? x - delta_ : x);
     const I steep = dot(slide, w1);
     if (!(abs(steep).lo > 0)) return false;
     y = y - (dot(y - to_second, w1) / steep) * slide;
-    return strictly_inside(first, y) && strictly_inside(second, y - to_second);
+    return strictly_inside(first, hull, y) && strictly_inside(second, Hull::plane, y - to_second);
   }
-  if (flat(a_)) x = moved(a_, x);
-  if (flat(b_)) x = moved(b_, x - delta_) + delta_;
-  return strictly_inside(a_, x) && strictly_inside(b_, x - delta_);
+  if (hull_a != Hull::space) x = moved(a_, hull_a, x);
+  if (hull_b != Hull::space) x = moved(b_, hull_b, x - delta_) + delta_;
+  return strictly_inside(a_, hull_a, x) && strictly_inside(b_, hull_b, x - delta_);
 }
 
 template class BasicFilter<double>;
@@ -192,29 +214,53 @@ bool separates_in_multiprecision(const Pair& pair, const Rational3& direction, i
 
 namespace {
 
-// -1 strictly inside, 0 on the surface, 1 outside: x.w/|w| against height/2 and |x x w|/|w| against radius,
-// both squared, so that no square root is needed.
-int side_of(const Cylinder& c, const Rational3& point) {
+struct Sides {
+  int cap, wall;  // of either: -1 strictly inside, 0 on it, 1 outside
+};
+
+// x.w/|w| against height/2 and |x x w|/|w| against radius, both squared, so that no square root is needed.
+Sides sides_of(const Cylinder& c, const Rational3& point) {
   const Rational3 x = point - exact(c.center), w = exact(c.axis), across = cross(x, w);
   const mpq_class ww = dot(w, w), along = dot(x, w), half = mpq_class(c.height) / 2, radius(c.radius);
-  const int cap = cmp(mpq_class(along * along), mpq_class(half * half * ww));
-  const int wall = cmp(mpq_class(dot(across, across)), mpq_class(radius * radius * ww));
-  return cap > 0 || wall > 0 ? 1 : cap == 0 || wall == 0 ? 0 : -1;
+  return {cmp(mpq_class(along * along), mpq_class(half * half * ww)),
+          cmp(mpq_class(dot(across, across)), mpq_class(radius * radius * ww))};
+}
+
+bool is_in(const Cylinder& c, const Rational3& point) {
+  const Sides sides = sides_of(c, point);
+  return sides.cap <= 0 && sides.wall <= 0;
+}
+
+// Of a flat solid: of its part of the plane or line. The point is in the solid.
+bool strictly_inside(const Cylinder& c, const Rational3& point, Hull hull) {
+  const Sides sides = sides_of(c, point);
+  return (level(hull) || sides.cap < 0) && (thin(hull) || sides.wall < 0);
+}
+
+// Planes, or a plane and a line.
+bool cross_at_an_angle(const Pair& pair, Hull hull_a, Hull hull_b) {
+  const Rational3 w0 = exact(pair.a.axis), w1 = exact(pair.b.axis), normal = cross(w0, w1);
+  if (hull_a == hull_b) return hull_a == Hull::plane && dot(normal, normal) != 0;
+  return hull_a != Hull::center && hull_b != Hull::center && dot(w0, w1) != 0;
 }
 
 }  // namespace
 
 bool in_both_exact(const Pair& pair, const Rational3& point) {
-  return side_of(pair.a, point) <= 0 && side_of(pair.b, point) <= 0;
+  return is_in(pair.a, point) && is_in(pair.b, point);
 }
 
-bool interior_of_either(const Pair& pair, const Rational3& point) {
-  return side_of(pair.a, point) < 0 || side_of(pair.b, point) < 0;
+bool overlap_at(const Pair& pair, const Rational3& point) {
+  const Hull hull_a = own_hull(pair.a), hull_b = own_hull(pair.b);
+  if (hull_a == Hull::space || hull_b == Hull::space)
+    return strictly_inside(pair.a, point, Hull::space) || strictly_inside(pair.b, point, Hull::space);
+  return cross_at_an_angle(pair, hull_a, hull_b) && strictly_inside(pair.a, point, hull_a) &&
+         strictly_inside(pair.b, point, hull_b);
 }
 
-std::optional<Rational3> project_to_hulls(const Pair& pair, const Rational3& point) {
-  // Each plane x.normal = offset that a flat solid lies in: one for a disk, two for a segment, three for a
-  // point. Made orthogonal to the planes before it; what is left of a dependent one must have offset 0.
+std::optional<Rational3> project_to_hulls(const Pair& pair, const Rational3& point, const Hulls& hulls) {
+  // Each plane x.normal = offset that a hull lies in: one for a plane, two for a line, three for a centre.
+  // Made orthogonal to the planes before it; what is left of a dependent one must have offset 0.
   struct Plane {
     Rational3 normal;
     mpq_class offset;
@@ -233,10 +279,12 @@ std::optional<Rational3> project_to_hulls(const Pair& pair, const Rational3& poi
     else if (offset != 0)
       empty = true;
   };
-  for (const Cylinder* c : {&pair.a, &pair.b}) {
-    const Rational3 w = exact(c->axis), center = exact(c->center);
-    if (c->height == 0) add(w, center);
-    if (c->radius == 0) {
+  for (const bool second : {false, true}) {
+    const Cylinder& c = second ? pair.b : pair.a;
+    const Hull hull = both(own_hull(c), hulls[second ? 1 : 0]);
+    const Rational3 w = exact(c.axis), center = exact(c.center);
+    if (level(hull)) add(w, center);
+    if (thin(hull)) {
       // Any vector not along w gives a first normal; the coordinate vector of w's least coordinate is one.
       const bool x_least = abs(w.x) <= abs(w.y) && abs(w.x) <= abs(w.z), y_least = abs(w.y) <= abs(w.z);
       const Rational3 other{x_least ? 1 : 0, !x_least && y_least ? 1 : 0, !x_least && !y_least ? 1 : 0};

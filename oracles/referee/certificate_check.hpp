@@ -5,6 +5,7 @@
 
 #include <gmpxx.h>
 
+#include <array>
 #include <optional>
 
 #include "corpus/pairs/certificate.hpp"
@@ -15,6 +16,10 @@
 namespace cyl {
 
 using Rational3 = Vec3<mpq_class>;
+
+/// Of a and of b: what a point is said to lie in. A flat solid's own, its disk's plane or its segment's line,
+/// counts whatever is said here.
+using Hulls = std::array<Hull, 2>;
 
 /// The filter, in intervals of R: double, or long double where that has more digits. Brings the pair to a
 /// unit near 1 by powers of two, exactly; where that is not exact (lengths more than about 2^1000 apart) the
@@ -32,10 +37,12 @@ class BasicFilter {
   bool separates(const Vec3<R>& direction) const;
   /// head + tail, exactly, is in both solids for certain.
   bool in_both(const double head[3], const double tail[3]) const;
-  /// Whether the solids meet for certain, and more than touch, at the guess (relative to a's centre, in the
-  /// filter's unit) moved into the plane or line of a flat solid, or to where those of two flat ones cross:
-  /// strictly inside one with inner points, or where two flat ones cross strictly inside both.
-  bool overlap_at(const Vec3<R>& guess) const;
+  /// Whether the solids meet for certain, and more than touch, at the point of the hulls nearest to the guess
+  /// (relative to a's centre, in the filter's unit): strictly inside one with inner points, or where two flat
+  /// ones cross strictly inside both.
+  bool overlap_at(const Vec3<R>& guess, const Hulls& hulls = {}) const;
+  /// The same near head + tail, in the scene's frame and unit.
+  bool overlap_at(const double head[3], const double tail[3], const Hulls& hulls) const;
 
  private:
   using I = BasicInterval<R>;
@@ -43,7 +50,9 @@ class BasicFilter {
     Vec3<R> center;  // in the filter's unit
     Vec3<I> unit_axis;
     R radius, height;
+    Hull hull;
   };
+  bool overlap_near(Vec3<I> guess, const Hulls& hulls) const;
   bool usable_ = false;
   int exponent_ = 0;
   Solid a_, b_;
@@ -62,12 +71,12 @@ bool separates_in_multiprecision(const Pair& pair, const Rational3& direction, i
 /// Whether the point is in both solids, decided exactly.
 bool in_both_exact(const Pair& pair, const Rational3& point);
 
-/// Whether the point is strictly inside at least one of the solids, decided exactly.
-bool interior_of_either(const Pair& pair, const Rational3& point);
+/// Whether the point, one of both solids, shows that they overlap and do not only touch: strictly inside one
+/// of them, or two flat ones cross there strictly inside both. Decided exactly.
+bool overlap_at(const Pair& pair, const Rational3& point);
 
-/// The point moved, exactly, into the line of every segment and the plane of every disk of the pair (the
-/// nearest such point); nothing where these have no common point. Solids with inner points do not move it.
-std::optional<Rational3> project_to_hulls(const Pair& pair, const Rational3& point);
+/// The point of the hulls nearest to the one given, exactly; nothing where the hulls do not meet.
+std::optional<Rational3> project_to_hulls(const Pair& pair, const Rational3& point, const Hulls& hulls = {});
 
 Rational3 exact(const Vector3& v);
 Rational3 exact(const ExactVector& v);

@@ -55,20 +55,47 @@ constexpr int first_multiprecision_bits = 128;
 constexpr int tangency_bits = 256;  // contacts at simple rationals show themselves up to this precision
 constexpr int near_bits = 512;      // enough for a point within 2^-200 size of both solids
 
-std::optional<Truth> check_by_filter(const Filter& filter, const MethodAnswer& answer) {
-  if (answer.status != Status::answered) return std::nullopt;
-  if (answer.witness == CertificateKind::direction && filter.separates(answer.head))
-    return proved(Verdict::disjoint, exact_vector(answer.head, no_tail), Stage::filter, 53);
-  if (answer.witness == CertificateKind::point && filter.in_both(answer.head, answer.tail))
-    return proved(Verdict::intersecting, exact_vector(answer.head, answer.tail), Stage::filter, 53);
-  return std::nullopt;
-}
-
 bool finite(const double v[3]) { return std::isfinite(v[0]) && std::isfinite(v[1]) && std::isfinite(v[2]); }
 
 Rational3 sum(const double head[3], const double tail[3]) {
   auto c = [&](int i) { return mpq_class(mpq_class(head[i]) + mpq_class(tail[i])); };
   return {c(0), c(1), c(2)};
+}
+
+Hulls hulls_of(const MethodAnswer& answer) { return {answer.hulls[0], answer.hulls[1]}; }
+
+bool in_space(const MethodAnswer& answer) { return hulls_of(answer) == Hulls{}; }
+
+// The point that is offered, which is finite; none where its hulls do not meet.
+std::optional<Rational3> offered_point(const Pair& pair, const MethodAnswer& answer) {
+  const Rational3 given = sum(answer.head, answer.tail);
+  if (in_space(answer)) return given;
+  return project_to_hulls(pair, given, hulls_of(answer));
+}
+
+Truth verdict_alone(Verdict verdict) {
+  Truth t;
+  t.verdict = verdict;
+  return t;
+}
+
+enum class Certificates : bool { left_out, written };
+
+std::optional<Truth> check_by_filter(const Pair& pair, const Filter& filter, const MethodAnswer& answer,
+                                     Certificates certificates) {
+  if (answer.status != Status::answered || !finite(answer.head) || !finite(answer.tail)) return std::nullopt;
+  if (answer.witness == CertificateKind::direction && filter.separates(answer.head))
+    return proved(Verdict::disjoint, exact_vector(answer.head, no_tail), Stage::filter, 53);
+  if (answer.witness != CertificateKind::point) return std::nullopt;
+  if (in_space(answer)) {
+    if (!filter.in_both(answer.head, answer.tail)) return std::nullopt;
+    return proved(Verdict::intersecting, exact_vector(answer.head, answer.tail), Stage::filter, 53);
+  }
+  if (!filter.overlap_at(answer.head, answer.tail, hulls_of(answer))) return std::nullopt;
+  if (certificates == Certificates::left_out) return verdict_alone(Verdict::intersecting);
+  const auto point = offered_point(pair, answer);
+  if (!point) return std::nullopt;
+  return proved(Verdict::intersecting, exact_vector(*point), Stage::filter, 53);
 }
 
 // A point on both surfaces proves that the solids meet, not that they overlap: it is left to the search.
@@ -78,13 +105,12 @@ std::optional<Truth> check_exactly(const Pair& pair, const MethodAnswer& answer)
       separates_in_multiprecision(pair, sum(answer.head, no_tail), first_multiprecision_bits))
     return proved(Verdict::disjoint, exact_vector(answer.head, no_tail), Stage::multiprecision,
                   first_multiprecision_bits);
-  if (answer.witness == CertificateKind::point) {
-    const Rational3 point = sum(answer.head, answer.tail);
-    if (in_both_exact(pair, point) && interior_of_either(pair, point))
-      return proved(Verdict::intersecting, exact_vector(answer.head, answer.tail), Stage::exact,
-                    first_multiprecision_bits);
-  }
-  return std::nullopt;
+  if (answer.witness != CertificateKind::point) return std::nullopt;
+  const auto point = offered_point(pair, answer);
+  if (!point || !in_both_exact(pair, *point) || !overlap_at(pair, *point)) return std::nullopt;
+  return proved(Verdict::intersecting,
+                in_space(answer) ? exact_vector(answer.head, answer.tail) : exact_vector(*point),
+                Stage::exact, first_multiprecision_bits);
 }
 
 SearchPair<MpFloat> multiprecision_pair(const Pair& pair) {
@@ -194,12 +220,6 @@ std::optional<Truth> prove_touching(const Pair& pair, const Rational3& point, co
   return t;
 }
 
-Truth verdict_alone(Verdict verdict) {
-  Truth t;
-  t.verdict = verdict;
-  return t;
-}
-
 // What the search in double found, in a unit of 2^exponent.
 struct Guess {
   Found<double> found;
@@ -211,9 +231,10 @@ struct Guess {
 };
 
 std::optional<Truth> prove_in_double(const Pair& pair, const Filter& filter,
-                                     std::span<const MethodAnswer> offered, Guess& guess) {
+                                     std::span<const MethodAnswer> offered, Certificates certificates,
+                                     Guess& guess) {
   for (const MethodAnswer& answer : offered)
-    if (auto t = check_by_filter(filter, answer)) {
+    if (auto t = check_by_filter(pair, filter, answer, certificates)) {
       t->witnessed = true;
       return t;
     }
@@ -272,8 +293,8 @@ Truth judge_in_full(const Pair& pair, std::span<const MethodAnswer> offered, int
       if (auto t = prove_disjoint(pair, direction, bits)) return *t;
     if (!found.has_point) continue;
     const auto common = common_point(pair, point);
-    // A point inside either solid rules touching out; on both surfaces the algebra has the word.
-    if (common && interior_of_either(pair, common->point))
+    // Where the point does not rule touching out, the algebra has the word.
+    if (common && overlap_at(pair, common->point))
       return proved(Verdict::intersecting, common->written, Stage::exact, bits);
     if (common || bits <= tangency_bits)
       if (auto t = prove_touching(pair, common ? common->point : point, direction, bits)) return *t;
@@ -287,7 +308,8 @@ Truth judge_in_full(const Pair& pair, std::span<const MethodAnswer> offered, int
 Truth judge(const Pair& pair, std::span<const MethodAnswer> offered, int bits_cap) {
   if (!is_legal(pair)) return verdict_alone(Verdict::invalid);
   Guess guess;
-  if (auto t = prove_in_double(pair, Filter(pair), offered, guess)) return std::move(*t);
+  if (auto t = prove_in_double(pair, Filter(pair), offered, Certificates::written, guess))
+    return std::move(*t);
   return judge_in_full(pair, offered, bits_cap);
 }
 
@@ -295,7 +317,7 @@ Truth judge_verdict(const Pair& pair, std::span<const MethodAnswer> offered) {
   if (!is_legal(pair)) return verdict_alone(Verdict::invalid);
   const Filter filter(pair);
   Guess guess;
-  if (auto t = prove_in_double(pair, filter, offered, guess)) return std::move(*t);
+  if (auto t = prove_in_double(pair, filter, offered, Certificates::left_out, guess)) return std::move(*t);
   if (guess.found.has_point && filter.overlap_at(guess.point_in(filter.exponent())))
     return verdict_alone(Verdict::intersecting);
   if (auto t = prove_in_long_double(pair)) return std::move(*t);
@@ -304,11 +326,13 @@ Truth judge_verdict(const Pair& pair, std::span<const MethodAnswer> offered) {
 
 Verdict check_witness(const Pair& pair, const MethodAnswer& answer) {
   if (!is_legal(pair)) return Verdict::undecided;
-  if (auto t = check_by_filter(Filter(pair), answer)) return t->verdict;
+  if (auto t = check_by_filter(pair, Filter(pair), answer, Certificates::left_out)) return t->verdict;
   if (auto t = check_exactly(pair, answer)) return t->verdict;
   if (answer.status == Status::answered && answer.witness == CertificateKind::point && finite(answer.head) &&
-      finite(answer.tail) && in_both_exact(pair, sum(answer.head, answer.tail)))
-    return Verdict::intersecting;
+      finite(answer.tail)) {
+    const auto point = offered_point(pair, answer);
+    if (point && in_both_exact(pair, *point)) return Verdict::intersecting;
+  }
   return Verdict::undecided;
 }
 

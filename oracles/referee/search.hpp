@@ -268,8 +268,8 @@ class Search {
     bracket_peak(left, right);
   }
 
-  /// Narrows the bracket down to the slice at which the least function is greatest, or until what the tangents
-  /// leave above the best slice is rounding.
+  /// Narrows the bracket down to the slice at which the least function is greatest, or until what the
+  /// tangents leave above the best slice is rounding.
   void bracket_peak(Cut<R> left, Cut<R> right) {
     Cut<R> best = left.value < right.value ? right : left;
     const R radii = p_.radius0 + p_.radius1, rounding = fine_ / R(256);
@@ -297,9 +297,8 @@ class Search {
           if (offer_between(left, right, lambda, top)) return;
           if (top - best.value < rounding) break;
           if (step % 2 == 0)
-            guess = left.least == right.least
-                        ? level_after(t)
-                        : R(left.u + (right.value - left.value + fall * width) / total);
+            guess = left.least == right.least ? level_after(t)
+                                              : R(left.u + (right.value - left.value + fall * width) / total);
         }
       }
       if (!(guess > left.u && guess < right.u)) guess = middle;
@@ -331,8 +330,8 @@ class Search {
     return bound < -fine_;
   }
 
-  /// The same where the bracket ends at a disk's `rim`, beside which widths grow without bound: one tangent may
-  /// show it alone, tilted as the other solid is at `t`.
+  /// The same where the bracket ends at a disk's `rim`, beside which widths grow without bound: one tangent
+  /// may show it alone, tilted as the other solid is at `t`.
   bool offer_beside(const Cut<R>& rim, const Cut<R>& t, const R& width) {
     const R bound = t.value + R(abs(t.slope)) * width;
     if (!(bound < zero_)) return false;
