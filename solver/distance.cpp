@@ -6,100 +6,11 @@
 #include <cmath>
 #include <limits>
 
-#include "solver/detail/frame.hpp"
+#include "solver/detail/distance_frame.hpp"
+#include "solver/detail/distance_rims.hpp"
 
 namespace cyl {
 namespace {
-
-double clamp(double x, double limit) noexcept { return larger(-limit, smaller(limit, x)); }
-
-double support_gap(const Scaled& p, const Vector3& d) noexcept {
-  return p.r0 * length(d.cross(p.w0)) + p.h0 * std::fabs(dot(d, p.w0)) + p.r1 * length(d.cross(p.w1)) +
-         p.h1 * std::fabs(dot(d, p.w1)) - std::fabs(dot(d, p.delta));
-}
-
-// The point of a centred solid nearest to x.
-Vector3 nearest(const Vector3& x, const Vector3& w, double r, double h) noexcept {
-  const double along = dot(x, w);
-  const Vector3 radial = x - along * w;
-  const double square = dot(radial, radial);
-  const double shrink = square > r * r ? r / std::sqrt(square) : 1;
-  return clamp(along, h) * w + shrink * radial;
-}
-
-// Axes that are not parallel. Both are turned, and m0, m1 chosen perpendicular to them in their plane, so
-// that
-//   w0.w1 = c,  m0.w1 = m1.w0 = s,  m0.m1 = -c,  z = Delta.n >= 0,  e0 = Delta.m0 >= 0,  e1 = Delta.m1 >= 0.
-struct TurnedFrame {
-  TurnedFrame(const Scaled& p, const Axes& axes) noexcept {
-    const double beside = dot(p.delta, axes.cross);
-    s = std::sqrt(axes.square);
-    n = axes.cross * std::copysign(1 / s, beside);
-    z = std::fabs(beside) / s;
-    m0 = p.w0.cross(n);
-    m1 = p.w1.cross(n);
-    const double turn0 = std::copysign(1.0, dot(p.delta, m0)), turn1 = std::copysign(1.0, dot(p.delta, m1));
-    m0 *= turn0;
-    m1 *= turn1;
-    const double sign0 = std::copysign(1.0, dot(m1, p.w0)), sign1 = std::copysign(1.0, dot(m0, p.w1));
-    w0 = p.w0 * sign0;
-    w1 = p.w1 * sign1;
-    const auto [along0, along1] = axes.along(p.delta);
-    d0 = along0 * sign0;
-    d1 = along1 * sign1;
-    e0 = dot(p.delta, m0);
-    e1 = dot(p.delta, m1);
-    // At right angles within rounding: an angle of 2^-60 instead moves nothing, and no quotient below is 0/0.
-    c = std::copysign(larger(std::fabs(axes.cosine), 0x1p-60), dot(w0, w1));
-  }
-  Vector3 n, w0, w1, m0, m1;
-  double z, s, c, d0, d1, e0, e1;
-};
-
-constexpr int circle_step_cap = 60;  // 3 or 4 are usual
-
-struct Turn {
-  double x, y;
-};
-
-// Section 2. On the circle square to one axis: D = x n + y m, x and y >= 0. Beyond x = 1 the part of f that
-// varies, r sqrt(x^2 + c^2 y^2) - z x - e y, has at most one minimum inside the quarter: E(t) = its
-// derivative over x, t = y/x, is convex, and the minimum is at the larger root. {1, 0} where there is none.
-Turn lowest_on_circle(double z, double e, double r, double s, double c, int& steps) noexcept {
-  const double bend = r * s * s, cc = c * c;
-  const double q1 = 1 / std::sqrt(1 + cc), g1 = z - e - bend * q1, slope1 = z - bend * (q1 * q1 * q1);
-  if (g1 >= 0 && slope1 > 0) {
-    double t = e > 0 ? e / (e + g1) : 1;
-    for (int i = 0; i < circle_step_cap; ++i) {
-      ++steps;
-      const double q = 1 / std::sqrt(1 + cc * t * t);
-      const double slope = z - bend * (q * q * q);
-      if (!(slope > 0)) {
-        if (i > 0 || t == 1) return {1, 0};
-        t = 1;
-        continue;
-      }
-      const double step = (z * t - e - bend * t * q) / slope;
-      t -= step;
-      if (!(t > 0)) return {1, 0};
-      if (std::fabs(step) <= 0x1p-27 * t) break;
-    }
-    const double x = 1 / std::sqrt(1 + t * t);
-    return {x, t * x};
-  }
-  double t = e > 0 && z > bend ? (z - bend) / e : 0;  // x/y here
-  for (int i = 0; i < circle_step_cap; ++i) {
-    ++steps;
-    const double q = 1 / std::sqrt(t * t + cc);
-    const double slope = e + bend * cc * (q * q * q);
-    if (!(slope > 0)) return {1, 0};
-    const double step = (z - e * t - bend * t * q) / slope;
-    t = larger(0, t + step);
-    if (std::fabs(step) <= 0x1p-27 * t || step == 0) break;
-  }
-  const double y = 1 / std::sqrt(1 + t * t);
-  return {t * y, y};
-}
 
 // Two values of f within this times the reach may be the same: twice distance_error.
 constexpr double tie_error = 2 * distance_error;
@@ -107,45 +18,31 @@ constexpr double tie_error = 2 * distance_error;
 // Overlapping less than this times the reach may be not overlapping at all, with a direction badly known.
 constexpr double shallow_tol = 0x1p-20;
 
-constexpr int rim_step_cap = 60;    // of one rim on another; 6 to 10 are usual
 constexpr int projection_cap = 60;  // of the points, where nothing else brought the bounds together
-
-// A rim of each solid, and a point on each: (x, y) on (n, m0) and on (n, m1).
-struct Rims {
-  double side0, side1;  // which caps, along w0 and w1
-  double x0, y0, x1, y1;
-};
-
-// (x, y) turned by about `angle` (its third order is off), still of unit length.
-void turn(double& x, double& y, double x_old, double y_old, double angle) noexcept {
-  const double q = angle / 2, i = 1 / (1 + q * q);
-  x = ((1 - q * q) * x_old - 2 * q * y_old) * i;
-  y = ((1 - q * q) * y_old + 2 * q * x_old) * i;
-}
 
 class Search {
  public:
   Search(const Scaled& p, const TurnedFrame& f) noexcept
       : p_(p), f_(f), reach_(p.r0 + p.h0 + p.r1 + p.h1 + length(p.delta)) {}
 
-  // `decided`: what decide() says of the pair, asked where the features show no gap and next to no depth.
+  // `decided`: what decide() says of the pair, asked where the features show no gap beyond rounding.
   template <class Decide>
   void run(Decide&& decided) noexcept {
-    constexpr double doubt_tol = 0x1p-20;  // of reach
-    if (look_at_features()) return;
-    if (low_ >= 0 && low_ < doubt_tol * reach_) {
-      // Outwards, square to the middle of the axes: rims of disks almost in one plane hide from Newton.
-      const Vector3 along = f_.w0 + (f_.c < 0 ? -f_.w1 : f_.w1);
-      const Vector3 outwards = p_.delta - dot(p_.delta, along) / dot(along, along) * along;
-      consider(outwards, on0_, false);
+    bool proved = look_at_features();
+    Proof proof = Proof::none;
+    if (low_ > -distance_error * reach_) {
       const Answer answer = decided();
-      if (answer.proof == Proof::direction) consider(answer.direction, on0_, false);
+      proof = answer.proof;
+      if (proof == Proof::direction) proved = look_along(answer.direction);
     }
-    if (low_ < 0) project();
+    if (low_ < 0 && !proved) proved = look_along(Vector3(direction_)) || project();
+    // A gap within rounding that neither decide() nor the points prove is none.
+    if (low_ > -distance_error * reach_ && (proof == Proof::point || (proof == Proof::none && !proved)))
+      low_ = larger(0, low_);
   }
 
   void report(Distance& out) const noexcept {
-    out.value = -low_;
+    out.value = 0 - low_;  // never -0
     out.error = distance_error * reach_;
     out.direction = direction_;
     if (low_ < 0) {
@@ -241,74 +138,38 @@ class Search {
     return false;
   }
 
-  // Section 3. Newton on |y|^2 over the two angles, y the vector from the point of rim 0 to that of rim 1.
-  bool look_at_rims(Rims k) noexcept {
-    const Scaled& p = p_;
-    const TurnedFrame& f = f_;
-    const double e0 = f.e0 - k.side1 * p.h1 * f.s, e1 = f.e1 - k.side0 * p.h0 * f.s;
-    const double l0 = f.d0 - k.side0 * p.h0 - k.side1 * p.h1 * f.c;
-    double yn, y0, y1, yw;      // y along n, m0, m1, w0
-    double cn, cm, cw, square;  // the product of the tangents along n, m0, w0, and its square
-    double last = std::numeric_limits<double>::infinity(), turn0 = 0, turn1 = 0, slack = 0;
-    Rims kept = k;
-    bool fine = false;
-    for (int i = 0;; ++i) {
-      ++steps_;
-      yn = f.z - p.r0 * k.x0 - p.r1 * k.x1;
-      y0 = e0 - p.r0 * k.y0 + p.r1 * f.c * k.y1;
-      y1 = e1 + p.r0 * f.c * k.y0 - p.r1 * k.y1;
-      yw = l0 - p.r1 * f.s * k.y1;
-      cn = f.s * k.x0 * k.x1;
-      cm = f.s * k.x1 * k.y0;
-      cw = k.x0 * k.y1 + f.c * k.x1 * k.y0;
-      square = cn * cn + cm * cm + cw * cw;
-      if (fine || i == rim_step_cap) break;
-      const double now = yn * yn + y0 * y0 + yw * yw;
-      if (now > last * (1 + 0x1p-40)) {
-        turn0 /= 4;
-        turn1 /= 4;
-      } else {
-        last = now;
-        kept = k;
-        const double g0 = k.x0 * y0 - k.y0 * yn, g1 = k.x1 * y1 - k.y1 * yn;
-        double u0 = k.x0 * yn + k.y0 * y0, u1 = k.x1 * yn + k.y1 * y1;
-        const double bent = k.y0 * k.y1 - f.c * k.x0 * k.x1;
-        const double across = p.r0 * p.r1 * square;
-        // H of distance.md, section 3; where it is not positive, without what makes it so.
-        double det = across + p.r0 * u1 + p.r1 * u0 + u0 * u1;
-        if (!(p.r0 + u0 > 0 && det > 0)) {
-          u0 = larger(u0, 0x1p-500);
-          u1 = larger(u1, 0x1p-500);
-          det = across + p.r0 * u1 + p.r1 * u0 + u0 * u1;
-        }
-        const double inverse = 1 / larger(det, 0x1p-1000);
-        turn0 = clamp(((p.r1 + u1) * g0 - bent * p.r1 * g1) * inverse, 1);
-        turn1 = clamp(((p.r0 + u0) * g1 - bent * p.r0 * g0) * inverse, 1);
-        slack = larger(0x1p-40 * (det / ((p.r0 + u0) * (p.r1 + u1))), 0x1p-90);
-      }
-      fine = larger(turn0 * turn0, turn1 * turn1) <= slack;
-      turn(k.x0, k.y0, kept.x0, kept.y0, turn0);
-      turn(k.x1, k.y1, kept.x1, kept.y1, turn1);
-    }
-    // D is square to both tangents, and along y. Near contact y is mostly rounding, and where the tangents
-    // are nearly parallel their product is.
-    const Vector3 on0 = k.side0 * p.h0 * f.w0 + p.r0 * (k.x0 * f.n + k.y0 * f.m0);
-    const Vector3 on1 = p.delta - k.side1 * p.h1 * f.w1 - p.r1 * (k.x1 * f.n + k.y1 * f.m1);
-    const Vector3 product = cn * f.n + cw * f.w0 + cm * f.m0, y = yn * f.n + yw * f.w0 + y0 * f.m0;
-    const bool near = square * (p.r0 + p.r1) * (p.r0 + p.r1) > yn * yn + y0 * y0 + yw * yw;
-    if (consider(near ? product : y, on0, false)) return true;
+  // Section 3. D is square to both tangents, and along y. Near contact y is mostly rounding, and where the
+  // tangents are nearly parallel their product is.
+  bool look_at_rims(const Rims& start) noexcept {
+    RimPoints rims(p_, f_, start);
+    rims.come_near(steps_);
+    const Vector3 on0 = rims.on0(), on1 = rims.on1(), y = rims.y();
+    if (consider(rims.near() ? rims.product() : y, on0, false)) return true;
     if (low_ > shallow_tol * reach_) return false;
-    const Vector3 tangent0 = k.x0 * f.m0 - k.y0 * f.n, tangent1 = k.x1 * f.m1 - k.y1 * f.n;
-    return consider(near ? y : product, on1, true) || consider(y - dot(y, tangent0) * tangent0, on0, false) ||
+    const Vector3 tangent0 = rims.tangent0(), tangent1 = rims.tangent1();
+    return consider(rims.near() ? y : rims.product(), on1, true) ||
+           consider(y - dot(y, tangent0) * tangent0, on0, false) ||
            consider(y - dot(y, tangent1) * tangent1, on1, true);
   }
 
+  // A direction that somebody found, and the rims it points to.
+  bool look_along(const Vector3& d) noexcept {
+    if (consider(d, on0_, false)) return true;
+    const TurnedFrame& f = f_;
+    const double along = dot(d, f.n), u0 = dot(d, f.m0), u1 = dot(d, f.m1);
+    const double i0 = 1 / std::sqrt(larger(along * along + u0 * u0, 0x1p-1000));
+    const double i1 = 1 / std::sqrt(larger(along * along + u1 * u1, 0x1p-1000));
+    return look_at_rims({std::copysign(1.0, dot(d, f.w0)), std::copysign(1.0, dot(d, f.w1)), along * i0,
+                         u0 * i0, along * i1, u1 * i1});
+  }
+
   // From each solid to the other and back.
-  void project() noexcept {
+  bool project() noexcept {
     for (int i = 0; i < projection_cap; ++i) {
       ++steps_;
-      if (meet(on0_, false) || meet(on1_, true)) return;
+      if (meet(on0_, false) || meet(on1_, true)) return true;
     }
+    return false;
   }
 
   const Scaled& p_;
@@ -376,6 +237,7 @@ Distance distance(const Prepared& a, const Prepared& b) noexcept {
   const Scaled p = scale(first, second);
   if (axes.parallel()) {
     measure_parallel(p, axes.sum, out);
+    if (out.value > 0 && out.value <= out.error && decide(first, second).proof == Proof::point) out.value = 0;
   } else {
     const TurnedFrame frame(p, axes);
     Search search(p, frame);
@@ -388,7 +250,8 @@ Distance distance(const Prepared& a, const Prepared& b) noexcept {
     const int half = p.exponent / 2;
     auto scaled = [&](double x) {
       const double y = x * power_of_two(half) * power_of_two(p.exponent - half);
-      return clamp(y, std::numeric_limits<double>::max());
+      constexpr double most = std::numeric_limits<double>::max();
+      return larger(-most, smaller(most, y));
     };
     out.value = scaled(out.value);
     out.error = scaled(out.error);

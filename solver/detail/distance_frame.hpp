@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: MIT
+// What distance.cpp works in: f, the frame with all signs turned, the lowest point of a circle. For the files
+// of solver/ alone. Symbols as in distance.md.
+#pragma once
+
+#include <Eigen/Geometry>
+#include <cmath>
+
+#include "solver/detail/frame.hpp"
+
+namespace cyl {
+
+// At a unit vector.
+inline double support_gap(const Scaled& p, const Vector3& d) noexcept {
+  return p.r0 * length(d.cross(p.w0)) + p.h0 * std::fabs(dot(d, p.w0)) + p.r1 * length(d.cross(p.w1)) +
+         p.h1 * std::fabs(dot(d, p.w1)) - std::fabs(dot(d, p.delta));
+}
+
+// The point of a centred solid nearest to x.
+inline Vector3 nearest(const Vector3& x, const Vector3& w, double r, double h) noexcept {
+  const double along = dot(x, w);
+  const Vector3 radial = x - along * w;
+  const double square = dot(radial, radial);
+  const double shrink = square > r * r ? r / std::sqrt(square) : 1;
+  return larger(-h, smaller(h, along)) * w + shrink * radial;
+}
+
+// Axes that are not parallel. Both are turned, and m0, m1 chosen perpendicular to them in their plane, so
+// that
+//   w0.w1 = c,  m0.w1 = m1.w0 = s,  m0.m1 = -c,  z = Delta.n >= 0,  e0 = Delta.m0 >= 0,  e1 = Delta.m1 >= 0.
+struct TurnedFrame {
+  TurnedFrame(const Scaled& p, const Axes& axes) noexcept {
+    const double beside = dot(p.delta, axes.cross);
+    s = std::sqrt(axes.square);
+    n = axes.cross * std::copysign(1 / s, beside);
+    z = std::fabs(beside) / s;
+    m0 = p.w0.cross(n);
+    m1 = p.w1.cross(n);
+    const double turn0 = std::copysign(1.0, dot(p.delta, m0)), turn1 = std::copysign(1.0, dot(p.delta, m1));
+    m0 *= turn0;
+    m1 *= turn1;
+    const double sign0 = std::copysign(1.0, dot(m1, p.w0)), sign1 = std::copysign(1.0, dot(m0, p.w1));
+    w0 = p.w0 * sign0;
+    w1 = p.w1 * sign1;
+    const auto [along0, along1] = axes.along(p.delta);
+    d0 = along0 * sign0;
+    d1 = along1 * sign1;
+    e0 = dot(p.delta, m0);
+    e1 = dot(p.delta, m1);
+    // At right angles within rounding: an angle of 2^-60 instead moves nothing, and no quotient below is 0/0.
+    c = std::copysign(larger(std::fabs(axes.cosine), 0x1p-60), dot(w0, w1));
+  }
+  Vector3 n, w0, w1, m0, m1;
+  double z, s, c, d0, d1, e0, e1;
+};
+
+inline constexpr int circle_step_cap = 60;  // 3 or 4 are usual
+
+struct Turn {
+  double x, y;
+};
+
+// Section 2. On the circle square to one axis: D = x n + y m, x and y >= 0. Beyond x = 1 the part of f that
+// varies, r sqrt(x^2 + c^2 y^2) - z x - e y, has at most one minimum inside the quarter: E(t) = its
+// derivative over x, t = y/x, is convex, and the minimum is at the larger root. {1, 0} where there is none.
+inline Turn lowest_on_circle(double z, double e, double r, double s, double c, int& steps) noexcept {
+  const double bend = r * s * s, cc = c * c;
+  const double q1 = 1 / std::sqrt(1 + cc), g1 = z - e - bend * q1, slope1 = z - bend * (q1 * q1 * q1);
+  if (g1 >= 0 && slope1 > 0) {
+    double t = e > 0 ? e / (e + g1) : 1;
+    for (int i = 0; i < circle_step_cap; ++i) {
+      ++steps;
+      const double q = 1 / std::sqrt(1 + cc * t * t);
+      const double slope = z - bend * (q * q * q);
+      if (!(slope > 0)) {
+        if (i > 0 || t == 1) return {1, 0};
+        t = 1;
+        continue;
+      }
+      const double step = (z * t - e - bend * t * q) / slope;
+      t -= step;
+      if (!(t > 0)) return {1, 0};
+      if (std::fabs(step) <= 0x1p-27 * t) break;
+    }
+    const double x = 1 / std::sqrt(1 + t * t);
+    return {x, t * x};
+  }
+  double t = e > 0 && z > bend ? (z - bend) / e : 0;  // x/y here
+  for (int i = 0; i < circle_step_cap; ++i) {
+    ++steps;
+    const double q = 1 / std::sqrt(t * t + cc);
+    const double slope = e + bend * cc * (q * q * q);
+    if (!(slope > 0)) return {1, 0};
+    const double step = (z - e * t - bend * t * q) / slope;
+    if (!(step > 0)) break;  // rounding
+    t += step;
+    if (step <= 0x1p-27 * t) break;
+  }
+  const double y = 1 / std::sqrt(1 + t * t);
+  return {t * y, y};
+}
+
+}  // namespace cyl
