@@ -12,10 +12,12 @@
 #include <utility>
 
 #include "base/fnv.hpp"
+#include "corpus/pairs/close_contact.hpp"
 #include "corpus/pairs/strata.hpp"
 #include "oracles/trial/bucket.hpp"
 #include "oracles/trial/contact.hpp"
 #include "props/gate/law_search.hpp"
+#include "props/gate/sample.hpp"
 #include "props/shrink/simplify.hpp"
 
 namespace cyl {
@@ -28,13 +30,11 @@ using std::chrono::milliseconds;
 constexpr std::size_t cases_at_once = 32;
 /// The number of draws of one round of the search.
 constexpr int draws_per_round = 4;
-/// The number of pairs of one cell in one round of the sample.
-constexpr std::uint64_t pairs_per_cell = 4;
 /// A pair under all laws takes as long as so many of the sample: both phases are to take about as long.
 constexpr std::uint64_t law_price = 50;
 /// Enclosing a distance takes a hundred times as long as proving a verdict: that law is held in one round of
-/// so many.
-constexpr std::uint64_t distance_share = 8;
+/// so many. That of a close contact takes ten times as long again.
+constexpr std::uint64_t distance_share = 8, close_distance_share = 64;
 constexpr int distance_law = 33;
 
 /// How often a failing case is run again.
@@ -59,20 +59,6 @@ std::string kind_of_break(const Law& law, const Broken& broken) {
 }
 
 std::optional<ContactFeature> feature_of(const Pair& pair) { return contact_feature(pair, judge(pair)); }
-
-/// Where a pair stands, by its construction.
-struct Stratum {
-  ContactFeature feature;
-  int decade;
-};
-
-/// A relative allowance: 10^-13 computed, and a claim rounded up, are still 1e-13.
-constexpr double claim_rounding_error = 0x1p-48;
-
-/// Returns whether every pair of this size and decade of margin is beyond the claim.
-bool claims(const Claim& claim, double size, int decade) {
-  return std::pow(10.0, -decade - 1) * size * (1 + claim_rounding_error) >= reach(claim, size);
-}
 
 /// Digests a pair's numbers to the bit, after what went before.
 std::uint64_t digest_of(const Pair& pair, std::uint64_t so_far) {
@@ -106,9 +92,8 @@ class Gate {
       m.name = method->name();
       m.version = method->version();
       m.claim = method->claim();
-      for (const std::string_view feature : enum_words<ContactFeature>)
-        for (int decade = first_decade; decade <= last_decade; ++decade)
-          m.cells.push_back({feature, decade, true});
+      m.cells = empty_cells();
+      m.close_cells = empty_close_cells();
     }
   }
 
@@ -120,9 +105,13 @@ class Gate {
       replay_cases([](std::size_t, const Law& law) { return !is_of_answer(law); },
                    std::min<std::uint64_t>(amount_.cases_under_laws.value_or(cases_.size()), cases_.size()));
     });
-    in_phase(GatePhase::laws, [&] { search_laws(); });
-    in_phase(GatePhase::sample, [&] { sample(); });
-    // Failures wait for both, so that what is found does not depend on how they are shrunk. The first of each
+    in_phase(GatePhase::laws, [&] { search_laws(PairSource::kinds, amount_.law_rounds); });
+    in_phase(GatePhase::sample, [&] { sample(draw_strata, amount_.sample_rounds, distance_share); });
+    in_phase(GatePhase::close_laws,
+             [&] { search_laws(PairSource::close_contacts, amount_.close_law_rounds); });
+    in_phase(GatePhase::close_sample,
+             [&] { sample(draw_close_contacts, amount_.close_rounds, close_distance_share); });
+    // Failures wait for all, so that what is found does not depend on how they are shrunk. The first of each
     // law and kind first: the others are like it.
     std::set<std::tuple<std::string, int, std::string>> seen;
     std::vector<GateFailure*> like_others;
@@ -252,16 +241,16 @@ class Gate {
     return static_cast<double>(done) / static_cast<double>(due);
   }
 
-  void search_laws() {
+  void search_laws(PairSource source, std::uint64_t due) {
     const Wanted all = [&](std::size_t m, const Law&) { return !given_up(m); };
     const IsNews is_news = [&](const LawFailure& c) {  // shrinking a hang would take an hour
       return c.broken.kind != FindingKind::hang &&
              !broken_.contains(std::tuple(c.method, c.law->number, kind_of_break(*c.law, c.broken)));
     };
-    for (std::uint64_t& round = report_.phases.back().rounds; goes_on(round, amount_.law_rounds, "rounds");) {
+    for (std::uint64_t& round = report_.phases.back().rounds; goes_on(round, due, "rounds");) {
       // Each round has a seed of its own; neighbouring ones of RapidCheck's generator are unrelated.
       const SearchRound found =
-          find_breaks(methods_, all, is_news, options_.seed + round, draws_per_round, options_.caps);
+          find_breaks(methods_, all, is_news, source, options_.seed + round, draws_per_round, options_.caps);
       count(found.counts);
       for (const auto& [kind, n] : found.drawn) report_.drawn[kind] += n;
       for (const LawFailure& c : found.failures) {
@@ -271,65 +260,36 @@ class Gate {
         first->simplest = *c.shrunk;
         first->reproduce = c.reproduce;
       }
-      show_progress(found.pairs, part(++round, amount_.law_rounds));
+      show_progress(found.pairs, part(++round, due));
     }
   }
 
-  struct Drawn {
-    std::size_t cell;
-    std::uint64_t index;
-    Stratum stratum;
-  };
-
-  void sample() {
-    for (std::uint64_t& round = report_.phases.back().rounds;
-         goes_on(round, amount_.sample_rounds, "rounds");) {
-      std::vector<Pair> pairs;
-      std::vector<Drawn> drawn;
-      std::size_t cell = 0;
-      for (std::size_t feature = 0; feature < contact_feature_count; ++feature) {
-        for (int decade = first_decade; decade <= last_decade; ++decade, ++cell) {
-          for (std::uint64_t i = 0; i < pairs_per_cell; ++i) {
-            const std::uint64_t index = round * pairs_per_cell + i;
-            if (const auto pair =
-                    draw_in_stratum(static_cast<ContactFeature>(feature), decade, options_.seed, index)) {
-              pairs.push_back(*pair);
-              drawn.push_back({cell, index, {static_cast<ContactFeature>(feature), decade}});
-            }
-          }
-        }
-      }
-      const bool distances = round % distance_share == 0;
+  /// Draws rounds and holds their pairs to the laws that need no further question; to that of the distance in
+  /// one round of so many.
+  void sample(SampleRound (*draw)(std::uint64_t, std::uint64_t), std::uint64_t due, std::uint64_t distances) {
+    for (std::uint64_t& round = report_.phases.back().rounds; goes_on(round, due, "rounds");) {
+      const SampleRound drawn = draw(options_.seed, round);
       const Wanted wanted = [&](std::size_t, const Law& law) {
-        return is_of_answer(law) && law.ask == needs_none && (distances || law.number != distance_law);
+        return is_of_answer(law) && law.ask == needs_none &&
+               (round % distances == 0 || law.number != distance_law);
       };
-      const Examined examined = examine_all(pairs, wanted);
+      const Examined examined = examine_all(drawn.pairs, wanted);
       count(examined.counts);
-      for (std::size_t m = 0; m < methods_.size(); ++m) {
-        for (std::size_t p = 0; p < pairs.size(); ++p) {
-          GateCell& at = report_.methods[m].cells[drawn[p].cell];
-          const MethodAnswer& answer = examined.answers[p * methods_.size() + m];
-          if (!claims(methods_[m]->claim(), size_of(pairs[p]), at.decade)) at.claimed = false;
-          if (answer.status == Status::declined) continue;
-          if (answer.status == Status::answered && answer.verdict == Verdict::undecided)
-            ++at.undecided;
-          else if (examined.truths[p] != Verdict::undecided)
-            ++at.pairs;
-        }
-      }
-      std::set<std::pair<std::size_t, std::size_t>> wrong;  // one pair may break several laws
+      const std::vector<bool> none(drawn.pairs.size(), false);
+      std::vector<Said> said(methods_.size(), Said{{}, examined.truths, none, none});
+      for (std::size_t i = 0; i < examined.answers.size(); ++i)
+        said[i % methods_.size()].answers.push_back(examined.answers[i]);
       for (const BrokenLaw& b : examined.broken) {
-        const GateCell& at = report_.methods[b.method].cells[drawn[b.pair].cell];
-        if (b.law->number <= verdict_law) wrong.emplace(b.method, b.pair);
-        record(b.method, *b.law, b.broken, pairs[b.pair],
-               fmt::format("{} 1e-{:02}, seed {}, index {}", at.feature, at.decade, options_.seed,
-                           drawn[b.pair].index),
-               drawn[b.pair].stratum);
+        if (b.law->number <= verdict_law) {  // one pair may break several laws
+          said[b.method].wrong[b.pair] = true;
+          if (b.broken.severity == Severity::contract) said[b.method].wrong_beyond[b.pair] = true;
+        }
+        record(b.method, *b.law, b.broken, drawn.pairs[b.pair], drawn.origins[b.pair], drawn.strata[b.pair]);
       }
-      for (const auto& [m, p] : wrong) ++report_.methods[m].cells[drawn[p].cell].wrong;
+      for (std::size_t m = 0; m < methods_.size(); ++m) count_cells(report_.methods[m], drawn, said[m]);
       report_.undecided_truths += static_cast<std::uint64_t>(
           std::count(examined.truths.begin(), examined.truths.end(), Verdict::undecided));
-      show_progress(pairs, part(++round, amount_.sample_rounds));
+      show_progress(drawn.pairs, part(++round, due));
     }
   }
 
@@ -390,12 +350,17 @@ GateReport run_gate(std::span<const std::unique_ptr<Method>> methods, std::span<
 GateAmount amount_of(std::uint64_t pairs) {
   constexpr std::uint64_t law_round = draws_per_round * pairs_per_draw;
   constexpr std::uint64_t sample_round =
-      pairs_per_cell * contact_feature_count * static_cast<std::uint64_t>(last_decade - first_decade + 1);
-  const std::uint64_t under_laws = pairs / (1 + law_price);
-  return {
-      .cases_under_laws = {},
-      .law_rounds = std::max<std::uint64_t>(1, (under_laws + law_round - 1) / law_round),
-      .sample_rounds = std::max<std::uint64_t>(1, (pairs - under_laws + sample_round - 1) / sample_round)};
+      pairs_per_stratum * contact_feature_count * static_cast<std::uint64_t>(last_decade - first_decade + 1);
+  const auto rounds = [](std::uint64_t amount, std::uint64_t round) {
+    return std::max<std::uint64_t>(1, (amount + round - 1) / round);
+  };
+  // Halves: the laws' and the samples' of close contacts, and of all else.
+  const std::uint64_t under_laws = pairs / (1 + law_price) / 2, sampled = (pairs - 2 * under_laws) / 2;
+  return {.cases_under_laws = {},
+          .law_rounds = rounds(under_laws, law_round),
+          .sample_rounds = rounds(sampled, sample_round),
+          .close_law_rounds = rounds(under_laws, law_round),
+          .close_rounds = rounds(sampled, close_round)};
 }
 
 }  // namespace cyl

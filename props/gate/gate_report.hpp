@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "base/enum_words.hpp"
+#include "corpus/pairs/close_contact.hpp"
 #include "props/laws/examine.hpp"
 #include "props/laws/laws.hpp"
 
@@ -22,10 +23,17 @@ enum class GatePhase : unsigned char {
   corpus,       ///< every case, in full, by law 30 and on
   corpus_laws,  ///< all other laws on every case
   laws,         ///< all laws on generated pairs
-  sample        ///< the differential sample: independent pairs of every stratum against the referee
+  sample,       ///< the differential sample: independent pairs of every stratum against the referee
+  close_laws,   ///< all laws on generated close contacts
+  close_sample  ///< independent close contacts of every cell against the referee
 };
 constexpr auto words_of(GatePhase) noexcept {
-  return std::array{"corpus", "laws on the corpus", "laws on drawn pairs", "sample of all strata"};
+  return std::array{"corpus",
+                    "laws on the corpus",
+                    "laws on drawn pairs",
+                    "sample of all strata",
+                    "laws on close contacts",
+                    "sample of close contacts"};
 }
 
 /// One way in which one method fails: all pairs of one bucket, that is of one method, kind of failure,
@@ -60,18 +68,32 @@ struct GateCell {
   std::uint64_t pairs = 0, wrong = 0, undecided = 0;
 };
 
+/// Independent random pairs of one cell of close contacts (corpus/pairs/close_contact.hpp).
+struct CloseGateCell {
+  AxesLie lie;
+  AngleBand band;
+  int decade = 0;
+  bool claimed = false;  ///< by the method, for every gap of the cell
+  std::uint64_t gaps = 0, wrong_gaps = 0;
+  /// Pairs built to overlap, whose depth the cell's margin does not tell, but that it is no more. Wrong:
+  /// where the proved margin is beyond the claim.
+  std::uint64_t overlaps = 0, wrong_overlaps = 0;
+  std::uint64_t undecided = 0;  ///< besides
+};
+
 /// What became of one method.
 struct GateMethod {
   std::string name, version;
   Claim claim;
   AnswerCounts counts;
   std::vector<GateCell> cells;
+  std::vector<CloseGateCell> close_cells;  ///< in the order of their numbers
   std::string remark;  ///< "abstains on every pair", "answers intersecting to every pair", ...; else empty
 };
 
 struct GatePhaseReport {
   GatePhase phase;
-  std::uint64_t rounds = 0;  ///< of `laws` and `sample`
+  std::uint64_t rounds = 0;  ///< of the phases that draw
   std::uint64_t pairs = 0;
   std::chrono::milliseconds time{0};
   std::uint64_t digest = 0;  ///< of the pairs, in their order

@@ -39,7 +39,7 @@ const std::vector<Case>& few_cases() {
   return cases;
 }
 
-/// One round of the laws, and six of the sample: 24 pairs of each cell.
+/// One round of either law search, three of the strata, four of close contacts: 12 pairs of each stratum.
 constexpr std::uint64_t few_pairs = 2500;
 
 GateReport gate_on(const Planted::Ask& ask, std::uint64_t pairs = few_pairs,
@@ -72,6 +72,13 @@ TEST(Gate, LetsAnHonestMethodPass) {
       EXPECT_EQ(cell.wrong, 0u) << cell.feature << ' ' << cell.decade;
     }
   }
+  ASSERT_EQ(report.methods.at(0).close_cells.size(), close_cell_count);
+  for (const CloseGateCell& cell : report.methods.at(0).close_cells) {
+    EXPECT_EQ(cell.claimed, cell.decade < last_close_decade) << cell.decade;
+    EXPECT_GE(cell.gaps, 2u);
+    EXPECT_GE(cell.overlaps, 2u);
+    EXPECT_EQ(cell.wrong_gaps + cell.wrong_overlaps, 0u);
+  }
   for (const GatePhaseReport& phase : report.phases) EXPECT_GT(phase.pairs, 0u) << to_string(phase.phase);
 }
 
@@ -80,7 +87,9 @@ TEST(Gate, ACapOnTimeSaysWhatItDidNotAsk) {
   const std::vector<std::string> all = {"corpus: 40 of 40 cases, for the time was over",
                                         "laws on the corpus: 40 of 40 cases, for the time was over",
                                         "laws on drawn pairs: 1 of 1 rounds, for the time was over",
-                                        "sample of all strata: 6 of 6 rounds, for the time was over"};
+                                        "sample of all strata: 3 of 3 rounds, for the time was over",
+                                        "laws on close contacts: 1 of 1 rounds, for the time was over",
+                                        "sample of close contacts: 4 of 4 rounds, for the time was over"};
   EXPECT_EQ(report.not_asked, all);
   EXPECT_EQ(exit_code(report), 3);
 }
@@ -96,26 +105,27 @@ TEST(Gate, ACutGateStillFailsForWhatItFound) {
 TEST(Gate, AllIsAskedWithinAWideCap) {
   GateReport report = gate_on(honest, 1, std::chrono::hours(24));
   EXPECT_TRUE(report.not_asked.empty()) << report.not_asked.front();
-  EXPECT_EQ(report.phases.at(2).rounds, 1u);
-  EXPECT_EQ(report.phases.at(3).rounds, 1u);
+  for (const std::size_t drawing : {2, 3, 4, 5}) EXPECT_EQ(report.phases.at(drawing).rounds, 1u);
   EXPECT_EQ(exit_code(report), 0);
   report.not_asked.push_back("a method of the base");
   EXPECT_EQ(exit_code(report), 3);
 }
 
 TEST(Gate, TheAmountIsAFunctionOfTheNumberOfPairs) {
-  const auto is = [](std::uint64_t pairs, std::uint64_t laws, std::uint64_t sample) {
+  const auto is = [](std::uint64_t pairs, std::uint64_t laws, std::uint64_t sample, std::uint64_t close) {
     const GateAmount amount = amount_of(pairs);
     EXPECT_FALSE(amount.cases_under_laws);
     EXPECT_EQ(amount.law_rounds, laws) << pairs;
     EXPECT_EQ(amount.sample_rounds, sample) << pairs;
+    EXPECT_EQ(amount.close_law_rounds, laws) << pairs;
+    EXPECT_EQ(amount.close_rounds, close) << pairs;
   };
-  is(1, 1, 1);
-  is(few_pairs, 1, 6);
-  is(51 * 64, 1, 8);
-  is(51 * 64 + 51, 2, 8);
-  is(250'000, 77, 584);
-  is(gate_pairs, 184, 1401);
+  is(1, 1, 1, 1);
+  is(few_pairs, 1, 3, 4);
+  is(2 * 51 * 64, 1, 8, 9);
+  is(2 * 51 * 65, 2, 8, 10);
+  is(250'000, 39, 292, 341);
+  is(gate_pairs, 92, 701, 817);
 }
 
 TEST(Gate, ThePairsAreTheSameWhateverIsFound) {
@@ -125,7 +135,7 @@ TEST(Gate, ThePairsAreTheSameWhateverIsFound) {
     return all;
   };
   const auto all = digests(honest);
-  EXPECT_EQ(std::set<std::uint64_t>(all.begin(), all.end()).size(), 3u) << "the corpus twice";
+  EXPECT_EQ(std::set<std::uint64_t>(all.begin(), all.end()).size(), 5u) << "the corpus twice";
   EXPECT_EQ(all, digests([](const Pair&) { return say(Verdict::disjoint); }));
 }
 
@@ -249,6 +259,24 @@ TEST(Gate, TellsFailuresOfDifferentBucketsApart) {
   EXPECT_GT(buckets.size(), 5u);
 }
 
+TEST(Gate, CountsWhatIsWrongInItsCellOfCloseContacts) {
+  // Wrong of axes 1.5e-13 to 1e-12 from parallel: no stratum has such pairs next to touching.
+  const GateReport report = gate_on([](const Pair& pair) {
+    const double sine = pair.a.axis.cross(pair.b.axis).norm() / pair.a.axis.norm() / pair.b.axis.norm();
+    return sine > 1.5e-13 && sine < 1e-12 ? say(Verdict::disjoint) : honest(pair);
+  });
+  EXPECT_EQ(exit_code(report), 2);
+  std::uint64_t wrong = 0;
+  for (const CloseGateCell& cell : report.methods.at(0).close_cells) {
+    const bool at_fault = cell.lie == AxesLie::near_parallel && cell.band == AngleBand::tiny;
+    if (at_fault) wrong += cell.wrong_overlaps;
+    EXPECT_EQ(cell.wrong_gaps, 0u) << "disjoint is right there";
+    EXPECT_TRUE(at_fault || cell.wrong_overlaps == 0) << to_string(cell.lie) << ' ' << to_string(cell.band);
+  }
+  EXPECT_GT(wrong, 0u);
+  for (const GateCell& cell : report.methods.at(0).cells) EXPECT_EQ(cell.wrong, 0u) << cell.feature;
+}
+
 TEST(Gate, AsksTheSamePairsWhereTheAmountIsGiven) {
   std::vector<std::unique_ptr<Method>> methods;
   methods.push_back(std::make_unique<Planted>(honest, "planted", Claim{1e-12, 0, "planted"}));
@@ -260,6 +288,7 @@ TEST(Gate, AsksTheSamePairsWhereTheAmountIsGiven) {
   EXPECT_EQ(report.phases.at(2).rounds, 3u);
   EXPECT_EQ(report.phases.at(3).rounds, 2u);
   EXPECT_GT(report.phases.at(3).pairs, 500u);
+  EXPECT_EQ(report.phases.at(4).pairs + report.phases.at(5).pairs, 0u) << "as gates that knew none";
   EXPECT_EQ(exit_code(report), 0);
 }
 

@@ -3,6 +3,7 @@
 
 #include <rapidcheck.h>
 
+#include <array>
 #include <unordered_map>
 #include <utility>
 
@@ -12,7 +13,10 @@
 namespace cyl {
 namespace {
 
-constexpr const char* property_id = "laws";
+/// By source: it says in a case's name what the case was drawn from.
+constexpr std::array property_ids{"laws", "close contacts"};
+const char* property_id(PairSource source) { return property_ids[static_cast<std::size_t>(source)]; }
+
 /// Draws that RapidCheck may try while it shrinks one case: some seconds of work at most. The rest is for
 /// simplify().
 constexpr int shrink_cap = 400;
@@ -26,8 +30,8 @@ class Silent : public rc::detail::TestListener {
 class LawSearch {
  public:
   LawSearch(std::span<const std::unique_ptr<Method>> methods, const Wanted& wanted, const IsNews& is_news,
-            const Caps& caps)
-      : methods_(methods), wanted_(wanted), is_news_(is_news), caps_(caps) {
+            PairSource source, const Caps& caps)
+      : methods_(methods), wanted_(wanted), is_news_(is_news), source_(source), caps_(caps) {
     round_.counts.resize(methods.size());
   }
 
@@ -36,17 +40,18 @@ class LawSearch {
     Silent listener;
     const auto result = rc::detail::checkTestable(
         [this] {
-          const PairsDrawn drawn = *pairs_of_one_kind(pairs_per_draw);
+          const PairsDrawn drawn = *(source_ == PairSource::kinds ? pairs_of_one_kind(pairs_per_draw)
+                                                                  : close_pairs_of_one_kind(pairs_per_draw));
           RC_TAG(drawn.from);
           if (stopped_)
             shrink(drawn);
           else
             examine_drawn(drawn);
         },
-        rc::detail::TestMetadata{property_id, property_id}, params, listener, again);
+        rc::detail::TestMetadata{property_id(source_), property_id(source_)}, params, listener, again);
     if (result.is<rc::detail::FailureResult>()) {
       rc::detail::Configuration name;
-      name.reproduce.emplace(property_id, result.get<rc::detail::FailureResult>().reproduce);
+      name.reproduce.emplace(property_id(source_), result.get<rc::detail::FailureResult>().reproduce);
       const std::string text =
           rc::detail::configToMinimalString(name);  // and the seed, which does not matter
       LawFailure& last = round_.failures.back();
@@ -90,6 +95,7 @@ class LawSearch {
   std::span<const std::unique_ptr<Method>> methods_;
   const Wanted& wanted_;
   const IsNews& is_news_;
+  const PairSource source_;
   const Caps& caps_;
   SearchRound round_;
   bool stopped_ = false;
@@ -99,12 +105,13 @@ class LawSearch {
 }  // namespace
 
 SearchRound find_breaks(std::span<const std::unique_ptr<Method>> methods, const Wanted& wanted,
-                        const IsNews& is_news, std::uint64_t seed, int draws, const Caps& caps) {
+                        const IsNews& is_news, PairSource source, std::uint64_t seed, int draws,
+                        const Caps& caps) {
   rc::detail::TestParams params;
   params.seed = seed;
   params.maxSuccess = draws;
   const IsNews nothing = [](const LawFailure&) { return false; };
-  SearchRound round = LawSearch(methods, wanted, nothing, caps).run(params);
+  SearchRound round = LawSearch(methods, wanted, nothing, source, caps).run(params);
   const auto news = std::find_if(round.failures.begin(), round.failures.end(), [&](const LawFailure& c) {
     return c.broken.severity == Severity::contract && is_news(c);
   });
@@ -113,7 +120,7 @@ SearchRound find_breaks(std::span<const std::unique_ptr<Method>> methods, const 
   const Wanted same = [&](std::size_t method, const Law& law) {
     return method == news->method && law.number == news->law->number;
   };
-  const SearchRound again = LawSearch(methods, same, is_news, caps).run(params);
+  const SearchRound again = LawSearch(methods, same, is_news, source, caps).run(params);
   if (again.failures.empty() || again.failures.back().reproduce.empty()) return round;  // it comes and goes
   news->shrunk = again.failures.back().shrunk;
   news->reproduce = again.failures.back().reproduce;
@@ -128,9 +135,11 @@ SearchRound find_break_again(std::span<const std::unique_ptr<Method>> methods, c
   } catch (const std::exception& error) {
     throw UsageError("'" + reproduce + "' names no case: " + error.what());
   }
-  if (!named.reproduce.contains(property_id)) throw UsageError("'" + reproduce + "' names no case");
   const IsNews any = [](const LawFailure&) { return true; };
-  return LawSearch(methods, wanted, any, caps).run({}, named.reproduce);
+  for (const PairSource source : {PairSource::kinds, PairSource::close_contacts})
+    if (named.reproduce.contains(property_id(source)))
+      return LawSearch(methods, wanted, any, source, caps).run({}, named.reproduce);
+  throw UsageError("'" + reproduce + "' names no case");
 }
 
 }  // namespace cyl

@@ -40,11 +40,19 @@ using IsNews = std::function<bool(const LawFailure&)>;
 /// The number of pairs of one draw, at most.
 inline constexpr int pairs_per_draw = 16;
 
+/// What pairs are drawn from. What a seed draws from `kinds` stays as it is, because a gate's base names its
+/// pairs by seeds: new families go to `close_contacts`.
+enum class PairSource : unsigned char {
+  kinds,          ///< the grid, the families of version 0.1.0, the strata
+  close_contacts  ///< of every cell, and the families since
+};
+
 /// Draws the pairs of one kind `draws` times, and holds the methods to all laws that are wanted. Which pairs
 /// are drawn depends on the seed and `draws` alone, whatever is found; the first news is shrunk. A pure
 /// function of its arguments but for hangs.
 SearchRound find_breaks(std::span<const std::unique_ptr<Method>> methods, const Wanted& wanted,
-                        const IsNews& is_news, std::uint64_t seed, int draws, const Caps& caps);
+                        const IsNews& is_news, PairSource source, std::uint64_t seed, int draws,
+                        const Caps& caps);
 
 /// Runs the case again that `reproduce` names (what it was drawn from must not have changed since). Throws
 /// UsageError where it names none.

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <memory>
 #include <stdexcept>
+#include <string>
 #include <vector>
 
 #include "props/laws/laws_test.hpp"
@@ -41,7 +42,7 @@ MethodAnswer favours_narrow(const Pair& pair) {
 
 TEST(LawSearch, FindsNothingWhereNothingIsBroken) {
   const auto methods = own_methods();
-  const SearchRound round = find_breaks(methods, everything, anything, seed, 20, {});
+  const SearchRound round = find_breaks(methods, everything, anything, PairSource::kinds, seed, 20, {});
   for (const LawFailure& c : round.failures) EXPECT_NE(c.broken.severity, Severity::contract) << c.law->name;
   std::uint64_t drawn = 0;
   for (const auto& [kind, pairs] : round.drawn) drawn += pairs;
@@ -55,7 +56,7 @@ TEST(LawSearch, ShrinksWhatItFindsOnTheGridAndNamesIt) {
   // Only swaps on the grid, so that it is RapidCheck that shrinks.
   const Wanted swap = [](std::size_t, const Law& law) { return law.number == 1; };
   const IsNews on_the_grid = [](const LawFailure& c) { return c.from == "grid"; };
-  const SearchRound round = find_breaks(methods, swap, on_the_grid, seed, 400, {});
+  const SearchRound round = find_breaks(methods, swap, on_the_grid, PairSource::kinds, seed, 400, {});
   const LawFailure& first = named(round);
   EXPECT_EQ(first.from, "grid");
   EXPECT_EQ(first.law->number, 1);
@@ -73,9 +74,10 @@ TEST(LawSearch, ShrinksWhatItFindsOnTheGridAndNamesIt) {
 }
 
 TEST(LawSearch, DrawsTheSamePairsWhateverItFinds) {
-  const SearchRound broken = find_breaks(one(favours_narrow), everything, anything, seed, 20, {});
+  const SearchRound broken =
+      find_breaks(one(favours_narrow), everything, anything, PairSource::kinds, seed, 20, {});
   const SearchRound whole = find_breaks(one([](const Pair& p) { return ask_ours("intersect", p); }),
-                                        everything, anything, seed, 20, {});
+                                        everything, anything, PairSource::kinds, seed, 20, {});
   EXPECT_FALSE(named(broken).reproduce.empty());
   EXPECT_EQ(broken.drawn, whole.drawn);
   ASSERT_EQ(broken.pairs.size(), whole.pairs.size());
@@ -87,10 +89,37 @@ TEST(LawSearch, DrawsTheSamePairsWhateverItFinds) {
 
 TEST(LawSearch, SameSeedSameFailure) {
   const auto methods = one(favours_narrow);
-  const SearchRound first = find_breaks(methods, everything, anything, seed, 20, {});
-  const SearchRound second = find_breaks(methods, everything, anything, seed, 20, {});
+  const SearchRound first = find_breaks(methods, everything, anything, PairSource::kinds, seed, 20, {});
+  const SearchRound second = find_breaks(methods, everything, anything, PairSource::kinds, seed, 20, {});
   EXPECT_EQ(named(first).reproduce, named(second).reproduce);
   EXPECT_EQ(named(first).broken, named(second).broken);
+}
+
+TEST(LawSearch, KeepsWhatASeedDrawsForTheBasesOfGates) {
+  const auto methods = one(favours_narrow);
+  std::string drawn;
+  for (std::uint64_t i = 1; i <= 3; ++i)
+    for (const auto& [kind, pairs] :
+         find_breaks(methods, everything, anything, PairSource::kinds, i, 4, {}).drawn)
+      drawn += kind + "; ";
+  EXPECT_EQ(drawn, "");
+}
+
+TEST(LawSearch, NamesWhatItFindsOnCloseContacts) {
+  // Wrong of flat solids alone, so that not every pair is.
+  const auto methods = one([](const Pair& pair) {
+    MethodAnswer answer = ask_ours("intersect", pair);
+    if (pair.a.height == 0 || pair.a.radius == 0) answer.verdict = Verdict::disjoint;
+    return answer;
+  });
+  const SearchRound round =
+      find_breaks(methods, everything, anything, PairSource::close_contacts, seed, 20, {});
+  for (const auto& [kind, pairs] : round.drawn)
+    EXPECT_TRUE(kind.starts_with("close ") || kind.starts_with("family close_")) << kind;
+  EXPECT_GT(round.drawn.size(), 10u);
+  const SearchRound again = find_break_again(methods, everything, named(round).reproduce, {});
+  ASSERT_FALSE(again.failures.empty());
+  EXPECT_EQ(again.failures.back().from, named(round).from);
 }
 
 TEST(LawSearch, RefusesANameOfNothing) {

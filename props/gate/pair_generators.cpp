@@ -9,6 +9,7 @@
 #include <tuple>
 #include <utility>
 
+#include "corpus/pairs/close_contact.hpp"
 #include "corpus/pairs/families.hpp"
 #include "corpus/pairs/pair_io.hpp"
 #include "corpus/pairs/strata.hpp"
@@ -52,6 +53,23 @@ rc::Gen<PairsDrawn> drawn(std::string from, int count, Draw draw) {
                                         }));
 }
 
+/// How many families version 0.1.0 had.
+constexpr std::size_t first_families = 30;
+/// Indices of a family take turns in what they are: where close contacts begin is drawn as well.
+constexpr std::uint64_t turns = 16 * close_cell_count;
+
+/// Generates `count` pairs of one of the families from the first number up to the last, of the first indices
+/// or of any.
+rc::Gen<PairsDrawn> family_of(std::size_t first, std::size_t last, int count, bool from_any_index) {
+  return rc::gen::mapcat(rc::gen::noShrink(rc::gen::inRange(first, last)), [=](std::size_t i) {
+    const Family& f = families()[i];
+    return drawn("family " + std::string(f.name), count,
+                 [&f, from_any_index](std::uint64_t seed, std::uint64_t index) -> std::optional<Pair> {
+                   return f.generate(seed, index + (from_any_index ? seed % turns : 0));
+                 });
+  });
+}
+
 }  // namespace
 
 void showValue(const Pair& pair, std::ostream& out) { out << format_pair(pair); }
@@ -73,14 +91,7 @@ rc::Gen<PairsDrawn> pairs_of_one_kind(int count) {
                    [](std::vector<Pair> pairs) {
                      return PairsDrawn{"grid", std::move(pairs)};
                    });
-  const auto family = rc::gen::mapcat(
-      rc::gen::noShrink(rc::gen::inRange<std::size_t>(0, families().size())), [count](std::size_t i) {
-        const Family& f = families()[i];
-        return drawn("family " + std::string(f.name), count,
-                     [&f](std::uint64_t seed, std::uint64_t index) -> std::optional<Pair> {
-                       return f.generate(seed, index);
-                     });
-      });
+  const auto family = family_of(0, first_families, count, false);
   const auto stratum =
       rc::gen::mapcat(rc::gen::noShrink(rc::gen::pair(rc::gen::inRange<std::size_t>(0, contact_feature_count),
                                                       rc::gen::inRange(first_decade, last_decade + 1))),
@@ -93,6 +104,20 @@ rc::Gen<PairsDrawn> pairs_of_one_kind(int count) {
                                      });
                       });
   return rc::gen::weightedOneOf<PairsDrawn>({{1, grid}, {2, family}, {3, stratum}});
+}
+
+rc::Gen<PairsDrawn> close_pairs_of_one_kind(int count) {
+  const auto cell = rc::gen::mapcat(
+      rc::gen::noShrink(rc::gen::inRange<std::size_t>(0, close_cell_count)), [count](std::size_t i) {
+        const CloseCell at = close_cell(i);
+        return drawn(
+            fmt::format("close {} {} 1e-{:02}", to_string(at.lie), to_string(at.band), at.decade), count,
+            [i](std::uint64_t seed, std::uint64_t index) -> std::optional<Pair> {
+              return draw_close_contact(CloseKind::by_decade, seed, i + index * close_cell_count).pair;
+            });
+      });
+  return rc::gen::weightedOneOf<PairsDrawn>(
+      {{3, cell}, {3, family_of(first_families, families().size(), count, true)}});
 }
 
 }  // namespace cyl

@@ -20,14 +20,17 @@ void showValue(const Pair& pair, std::ostream& out);
 /// coordinates -2..2, so that parallel and perpendicular ones are common.
 rc::Gen<Pair> grid_pair();
 
-/// Pairs of one kind, which `from` names: "grid", "family random" or "stratum side-rim 1e-09".
+/// Pairs of one kind, which `from` names: "grid", "family random", "stratum side-rim 1e-09" or
+/// "close near-parallel 1e-03..1e-08 1e-05".
 struct PairsDrawn {
   std::string from;
   std::vector<Pair> pairs;
 };
-/// Generates at most `count` pairs of one kind; the kinds take turns at random: the grid, each family, each
-/// stratum.
+/// Generates at most `count` pairs of one kind; the kinds take turns at random: the grid, each family of
+/// version 0.1.0, each stratum.
 rc::Gen<PairsDrawn> pairs_of_one_kind(int count);
+/// The same of close contacts: each cell, and each family since.
+rc::Gen<PairsDrawn> close_pairs_of_one_kind(int count);
 void showValue(const PairsDrawn& drawn, std::ostream& out);
 
 }  // namespace cyl

@@ -44,7 +44,9 @@ inline GateReport example_report() {
   report.phases = {{GatePhase::corpus, 0, 12, std::chrono::milliseconds(250)},
                    {GatePhase::corpus_laws, 0, 7, std::chrono::milliseconds(0)},
                    {GatePhase::laws, 9, 576, std::chrono::milliseconds(1000)},
-                   {GatePhase::sample, 831, 345678, std::chrono::milliseconds(30040)}};
+                   {GatePhase::sample, 831, 345678, std::chrono::milliseconds(30040)},
+                   {GatePhase::close_laws, 5, 320, std::chrono::milliseconds(500)},
+                   {GatePhase::close_sample, 70, 25200, std::chrono::milliseconds(900)}};
   report.pairs = 350'000;
   report.cap = std::chrono::milliseconds(40'000);
   report.cases = {17, 18};
@@ -55,6 +57,7 @@ inline GateReport example_report() {
                        .claim = {1e-13, 0, "derived bound"},
                        .counts = {},
                        .cells = {},
+                       .close_cells = {},
                        .remark = {}};
   intersect.counts.asked = 1234567;
   intersect.counts.said[static_cast<std::size_t>(Verdict::undecided)] = 77;
@@ -63,6 +66,7 @@ inline GateReport example_report() {
                   .claim = {0, 1e-6, hostile},
                   .counts = {},
                   .cells = {},
+                  .close_cells = {},
                   .remark = "answers intersecting to every pair" + hostile};
   for (const std::string_view feature : {"side-side", "side-rim"}) {
     for (int decade = 0; decade < 13; ++decade) {
@@ -73,6 +77,14 @@ inline GateReport example_report() {
       fake.cells.push_back({.feature = feature, .decade = decade, .claimed = decade < 3, .pairs = 50});
     }
   }
+  for (std::size_t i = 0; i < close_cell_count; ++i) {
+    const CloseCell at = close_cell(i);
+    intersect.close_cells.push_back({at.lie, at.band, at.decade, true, 409, 0, 408, 0, 0});
+    fake.close_cells.push_back({at.lie, at.band, at.decade, at.decade < 3, 100, 0, 90, 0, 2});
+  }
+  intersect.close_cells[1] = {AxesLie::generic, AngleBand::wide, 2, true, 12, 0, 408, 0, 0};
+  fake.close_cells[0] = {AxesLie::generic, AngleBand::wide, 1, true, 0, 0, 0, 0, 2};
+  fake.close_cells[1].wrong_overlaps = 3;
   fake.cells[1].wrong = 7;
   fake.cells[2].pairs = 0;
   report.methods = {intersect, fake};

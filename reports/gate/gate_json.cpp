@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <filesystem>
 #include <fstream>
@@ -40,6 +41,18 @@ json method(const GateMethod& m) {
                      {"wrong", c.wrong},
                      {"undecided", c.undecided}});
   }
+  json close_cells = json::array();
+  for (const CloseGateCell& c : m.close_cells) {
+    close_cells.push_back({{"lie", to_string(c.lie)},
+                           {"angle", to_string(c.band)},
+                           {"decade", c.decade},
+                           {"claimed", c.claimed},
+                           {"gaps", c.gaps},
+                           {"wrong_gaps", c.wrong_gaps},
+                           {"overlaps", c.overlaps},
+                           {"wrong_overlaps", c.wrong_overlaps},
+                           {"undecided", c.undecided}});
+  }
   return {{"name", m.name},
           {"version", m.version},
           {"claim",
@@ -48,6 +61,7 @@ json method(const GateMethod& m) {
             {"source", m.claim.source}}},
           {"counts", counts(m.counts)},
           {"cells", std::move(cells)},
+          {"close_cells", std::move(close_cells)},
           {"remark", m.remark}};
 }
 
@@ -70,6 +84,16 @@ json failure(const GateFailure& f) {
           {"reproduce", f.reproduce},
           {"known", f.known},
           {"in_base", f.in_base}};
+}
+
+constexpr std::array drawing_phases{GatePhase::laws, GatePhase::sample, GatePhase::close_laws,
+                                    GatePhase::close_sample};
+
+std::uint64_t& rounds_of(GateAmount& amount, GatePhase drawing) {
+  return drawing == GatePhase::laws         ? amount.law_rounds
+         : drawing == GatePhase::sample     ? amount.sample_rounds
+         : drawing == GatePhase::close_laws ? amount.close_law_rounds
+                                            : amount.close_rounds;
 }
 
 }  // namespace
@@ -131,11 +155,12 @@ GateBase read_base(const std::string& file) {
       const std::uint64_t pairs = natural(phase, "pairs");
       if (is(GatePhase::corpus)) base.case_count = pairs;
       if (is(GatePhase::corpus_laws) && pairs < base.case_count) base.amount.cases_under_laws = pairs;
-      if (is(GatePhase::laws)) base.amount.law_rounds = natural(phase, "rounds");
-      if (is(GatePhase::sample)) base.amount.sample_rounds = natural(phase, "rounds");
-      if (is(GatePhase::laws) || is(GatePhase::sample)) {
+      // Gates that did not know close contacts have no such phase, and drew none.
+      for (const GatePhase p : drawing_phases) {
+        if (!is(p)) continue;
+        rounds_of(base.amount, p) = natural(phase, "rounds");
         base.pairs += pairs;
-        base.digests.push_back(phase.value("digest", ""));
+        base.digests[p] = phase.value("digest", "");
       }
     }
     if (all.contains("pairs")) base.pairs = natural(all, "pairs");
@@ -180,15 +205,12 @@ void note_gaps(GateReport& report, const GateBase& base) {
                       [&](const std::string& digest) { return !asked.contains(digest); }));
   }
   if (missing > 0) miss(fmt::format("{} of {} cases", missing, base.case_count));
-  std::size_t drawn = 0;
+  GateAmount amount = base.amount;
   for (const GatePhaseReport& phase : report.phases) {
-    if (phase.phase != GatePhase::laws && phase.phase != GatePhase::sample) continue;
-    const std::uint64_t rounds =
-        phase.phase == GatePhase::laws ? base.amount.law_rounds : base.amount.sample_rounds;
-    const std::string digest = drawn < base.digests.size() ? base.digests[drawn] : "";
-    ++drawn;
+    const auto found = base.digests.find(phase.phase);
+    if (found == base.digests.end() || found->second.empty()) continue;
     // Where the time was over before, that was said.
-    if (phase.rounds == rounds && !digest.empty() && digest != hex(phase.digest))
+    if (phase.rounds == rounds_of(amount, phase.phase) && found->second != hex(phase.digest))
       miss(fmt::format("{}: the pairs", to_string(phase.phase)));
   }
 }

@@ -24,7 +24,7 @@ struct GateBase {
   std::vector<int> laws;           ///< empty where it does not say: version 0.1.0 did not
   std::vector<std::string> cases;  ///< digests; likewise
   std::uint64_t case_count = 0;
-  std::vector<std::string> digests;  ///< of the pairs of each phase that draws, in their order; likewise
+  std::map<GatePhase, std::string> digests;      ///< of the pairs of each phase that draws; likewise
   std::map<std::string, std::uint64_t> buckets;  ///< of failures beyond claims, and on how many pairs
 };
 

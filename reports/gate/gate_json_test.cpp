@@ -31,6 +31,16 @@ TEST(GateJson, IsTheWholeReport) {
   EXPECT_EQ(method["claim"]["relative"], 1e-13);
   EXPECT_EQ(method["cells"].size(), 26u);
   EXPECT_EQ(all["methods"][1]["cells"][1]["wrong"], 7);
+  EXPECT_EQ(method["close_cells"].size(), close_cell_count);
+  EXPECT_EQ(all["methods"][1]["close_cells"][1], json({{"lie", "generic"},
+                                                       {"angle", "> 1e-03"},
+                                                       {"decade", 2},
+                                                       {"claimed", true},
+                                                       {"gaps", 100},
+                                                       {"wrong_gaps", 0},
+                                                       {"overlaps", 90},
+                                                       {"wrong_overlaps", 3},
+                                                       {"undecided", 2}}));
   const json& failure = all["failures"][1];
   EXPECT_EQ(failure["law"], 2);
   EXPECT_EQ(failure["severity"], "contract");
@@ -58,6 +68,8 @@ TEST(GateJson, TheBaseComesBack) {
   EXPECT_EQ(base.amount.cases_under_laws, 7u) << "not all of 12";
   EXPECT_EQ(base.amount.law_rounds, 9u);
   EXPECT_EQ(base.amount.sample_rounds, 831u);
+  EXPECT_EQ(base.amount.close_law_rounds, 5u);
+  EXPECT_EQ(base.amount.close_rounds, 70u);
   EXPECT_EQ(base.buckets.size(), 3u) << "those beyond a claim";
   EXPECT_EQ(base.buckets.at("intersect/law-1/side-rim"), 1234u);
 }
@@ -103,19 +115,24 @@ TEST(GateJson, WhatTheBaseAskedAndThisGateDidNotIsSaid) {
   other.cases = {17, 19, 20};
   other.methods[0].name = "another";
   other.phases[3].digest = 1;
+  other.phases[5].digest = 1;
   const ScratchFile lawless(replaced(gate_json(report), "\"laws\": [\n", "\"laws\": [\n  999,\n"));
   EXPECT_EQ(gaps(other, lawless.path),
             (std::vector<std::string>{"method intersect, which the base has", "law 999, which the base has",
                                       "1 of 12 cases, which the base has",
-                                      "sample of all strata: the pairs, which the base has"}));
+                                      "sample of all strata: the pairs, which the base has",
+                                      "sample of close contacts: the pairs, which the base has"}));
   // A base of version 0.1.0 says how many cases there were.
   const json whole = parse_json(gate_json(report));
   const ScratchFile old(
       whole
           .patch(parse_json(
               R"([{"op":"remove","path":"/cases"},{"op":"remove","path":"/laws"},{"op":"remove","path":"/pairs"},
+                  {"op":"remove","path":"/phases/5"},{"op":"remove","path":"/phases/4"},
                   {"op":"remove","path":"/phases/2/digest"},{"op":"remove","path":"/phases/3/digest"}])"))
           .dump());
+  EXPECT_EQ(read_base(old.path).amount.close_law_rounds + read_base(old.path).amount.close_rounds, 0u)
+      << "it drew no close contacts";
   EXPECT_EQ(gaps(now, old.path), std::vector<std::string>{"9 of 12 cases, which the base has"});
   now.cases.resize(12);
   EXPECT_EQ(gaps(now, old.path), std::vector<std::string>{});

@@ -168,6 +168,93 @@ std::string plural(std::uint64_t n, const std::string& thing) {
   return fmt::format("{} {}{}", grouped(n), thing, n == 1 ? "" : "s");
 }
 
+std::string name_of(const CloseGateCell& c) {
+  return fmt::format("{} {} {}", to_string(c.lie), to_string(c.band), power(c.decade));
+}
+
+std::string close_table(const GateMethod& m) {
+  std::string text = wrapped(
+      "", fmt::format("{}: close contacts it decided by lie and small angle of the axes and by margin "
+                      "(up to); 3!70: 3 of 70 wrong beyond its claim",
+                      one_line(m.name)));
+  text += fmt::format("{:<26}", "margin");
+  for (int d = first_close_decade; d <= last_close_decade; ++d) text += fmt::format("{:>6}", power(d));
+  for (const CloseGateCell& c : m.close_cells) {
+    if (c.decade == first_close_decade)
+      text += fmt::format("\n{:<13} {:<12}", to_string(c.lie), to_string(c.band));
+    const std::uint64_t wrong = c.wrong_gaps + c.wrong_overlaps, all = c.gaps + c.overlaps;
+    text += fmt::format("{:>6}", wrong > 0 ? fmt::format("{}!{}", wrong, all) : fmt::format("{}", all));
+  }
+  return text + '\n';
+}
+
+bool is_wrong(const CloseGateCell& c) { return c.wrong_gaps + c.wrong_overlaps > 0; }
+
+/// Of the bounds of gaps and of overlaps, which are two questions, the worse.
+double bound_of(const CloseGateCell& c) {
+  return std::max(error_rate_bound(c.gaps, c.wrong_gaps), error_rate_bound(c.overlaps, c.wrong_overlaps));
+}
+
+/// Names at most so many cells.
+constexpr std::size_t cells_named_cap = 6;
+
+std::string named(const std::vector<const CloseGateCell*>& cells, bool bounds) {
+  std::string text;
+  for (std::size_t i = 0; i < std::min(cells.size(), cells_named_cap); ++i) {
+    text += fmt::format("{}{}", i == 0 ? "" : ", ", name_of(*cells[i]));
+    if (bounds) text += fmt::format(" (<= {:.1e})", bound_of(*cells[i]));
+  }
+  if (cells.size() > cells_named_cap) text += fmt::format(" and {} more", cells.size() - cells_named_cap);
+  return text;
+}
+
+/// A cell with less than such a part of the gaps or overlaps of the cell in the middle is rare.
+constexpr std::uint64_t rare_part = 4;
+
+/// Says what close contacts prove, of cells that a method claims; nothing where it was asked of none.
+std::string close_in_words(const std::vector<CloseGateCell>& all) {
+  std::vector<const CloseGateCell*> empty, rare, full;
+  std::vector<std::uint64_t> gaps, overlaps;
+  std::uint64_t undecided = 0;
+  for (const CloseGateCell& c : all) {
+    if (!c.claimed) continue;
+    gaps.push_back(c.gaps);
+    overlaps.push_back(c.overlaps);
+    undecided += c.undecided;
+  }
+  if (std::all_of(gaps.begin(), gaps.end(), [](auto n) { return n == 0; }) &&
+      std::all_of(overlaps.begin(), overlaps.end(), [](auto n) { return n == 0; }))
+    return undecided == 0 ? "" : "; of close contacts, undecided on all";
+  const auto middle = [](std::vector<std::uint64_t> n) {
+    const auto at = n.begin() + static_cast<std::ptrdiff_t>(n.size() / 2);
+    std::nth_element(n.begin(), at, n.end());
+    return *at;
+  };
+  const std::uint64_t usual_gaps = middle(gaps), usual_overlaps = middle(overlaps);
+  std::uint64_t wrong = 0, decided = 0, least_gaps = 0, least_overlaps = 0;
+  double worst = 0;
+  for (const CloseGateCell& c : all) {
+    if (!c.claimed) continue;
+    wrong += c.wrong_gaps + c.wrong_overlaps;
+    decided += c.gaps + c.overlaps;
+    const bool few = c.gaps * rare_part < usual_gaps || c.overlaps * rare_part < usual_overlaps;
+    (c.gaps + c.overlaps == 0 ? empty : few ? rare : full).push_back(&c);
+    if (full.empty() || full.back() != &c) continue;
+    least_gaps = full.size() == 1 ? c.gaps : std::min(least_gaps, c.gaps);
+    least_overlaps = full.size() == 1 ? c.overlaps : std::min(least_overlaps, c.overlaps);
+    worst = std::max(worst, bound_of(c));
+  }
+  std::string text = fmt::format(
+      "; {} {} close contacts, with {} gaps and {} overlaps or more in each of {} (lie of the axes x small "
+      "angle x decade of margin), error rate <= {:.1e} for each of the two in each at 95 %",
+      wrong == 0 ? "right on" : fmt::format("wrong beyond its claim on {} of", grouped(wrong)),
+      grouped(decided), grouped(least_gaps), grouped(least_overlaps), plural(full.size(), "cell"), worst);
+  if (undecided > 0) text += fmt::format("; undecided on {} more of them", grouped(undecided));
+  if (!rare.empty()) text += "; rare: " + named(rare, true);
+  if (!empty.empty()) text += "; empty: " + named(empty, false);
+  return text;
+}
+
 }  // namespace
 
 std::string proved_in_words(const GateMethod& method) {
@@ -216,13 +303,13 @@ std::string proved_in_words(const GateMethod& method) {
   }
   if (undecided > 0) text += fmt::format("; undecided on {} more", grouped(undecided));
   if (!empty.empty()) text += "; empty: " + empty;
-  return text;
+  return text + close_in_words(method.close_cells);
 }
 
 std::string gate_text(const GateReport& report) {
   std::string text;
   for (const GatePhaseReport& p : report.phases) {
-    text += fmt::format("{:<12} {:>18} {:>9}.{} s\n", to_string(p.phase), pairs_in_words(p.pairs),
+    text += fmt::format("{:<24} {:>18} {:>9}.{} s\n", to_string(p.phase), pairs_in_words(p.pairs),
                         p.time.count() / 1000, p.time.count() % 1000 / 100);
   }
   if (report.undecided_truths > 0)
@@ -231,6 +318,8 @@ std::string gate_text(const GateReport& report) {
   text += '\n' + methods_table(report) + '\n' + failures_text(report) + '\n';
   for (const GateMethod& m : report.methods)
     if (table_helps(m)) text += cells_table(m) + '\n';
+  for (const GateMethod& m : report.methods)
+    if (std::any_of(m.close_cells.begin(), m.close_cells.end(), is_wrong)) text += close_table(m) + '\n';
   for (const GateMethod& m : report.methods) text += wrapped("", proved_in_words(m));
   return text;
 }

@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: MIT
+#include "props/gate/sample.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "oracles/trial/compare.hpp"
+
+namespace cyl {
+namespace {
+
+/// A relative allowance: 10^-13 computed, and a claim rounded up, are still 1e-13.
+constexpr double claim_rounding_error = 0x1p-48;
+
+/// Returns whether every pair of this size and decade of margin is beyond the claim.
+bool claims(const Claim& claim, double size, int decade) {
+  return std::pow(10.0, -decade - 1) * size * (1 + claim_rounding_error) >= reach(claim, size);
+}
+
+/// Counts pair `p` as undecided where it is. Returns whether it is a trial: there is an answer to it, and a
+/// truth.
+bool is_trial(const Said& said, std::size_t p, std::uint64_t& undecided) {
+  const MethodAnswer& answer = said.answers[p];
+  if (answer.status == Status::declined) return false;
+  const bool silent = answer.status == Status::answered && answer.verdict == Verdict::undecided;
+  undecided += silent;
+  return !silent && said.truths[p] != Verdict::undecided;
+}
+
+std::size_t number_of(const Stratum& stratum) {
+  constexpr std::size_t decades = last_decade - first_decade + 1;
+  return static_cast<std::size_t>(stratum.feature) * decades +
+         static_cast<std::size_t>(stratum.decade - first_decade);
+}
+
+}  // namespace
+
+std::vector<GateCell> empty_cells() {
+  std::vector<GateCell> cells;
+  for (const std::string_view feature : enum_words<ContactFeature>)
+    for (int decade = first_decade; decade <= last_decade; ++decade) cells.push_back({feature, decade, true});
+  return cells;
+}
+
+std::vector<CloseGateCell> empty_close_cells() {
+  std::vector<CloseGateCell> cells;
+  for (std::size_t i = 0; i < close_cell_count; ++i) {
+    const CloseCell cell = close_cell(i);
+    cells.push_back({.lie = cell.lie, .band = cell.band, .decade = cell.decade, .claimed = true});
+  }
+  return cells;
+}
+
+SampleRound draw_strata(std::uint64_t seed, std::uint64_t round) {
+  SampleRound drawn;
+  for (const ContactFeature feature : enum_values<ContactFeature>) {
+    for (int decade = first_decade; decade <= last_decade; ++decade) {
+      for (std::uint64_t i = 0; i < pairs_per_stratum; ++i) {
+        const std::uint64_t index = round * pairs_per_stratum + i;
+        const auto pair = draw_in_stratum(feature, decade, seed, index);
+        if (!pair) continue;
+        drawn.pairs.push_back(*pair);
+        drawn.strata.push_back({feature, decade});
+        drawn.origins.push_back(
+            fmt::format("{} 1e-{:02}, seed {}, index {}", to_string(feature), decade, seed, index));
+      }
+    }
+  }
+  return drawn;
+}
+
+SampleRound draw_close_contacts(std::uint64_t seed, std::uint64_t round) {
+  SampleRound drawn;
+  drawn.contacts = draw_close_round(seed, round);
+  for (const CloseContact& c : drawn.contacts) {
+    drawn.origins.push_back(fmt::format("{} {} 1e-{:02} {}, seed {}, round {}, number {}",
+                                        to_string(c.cell.lie), to_string(c.cell.band), c.cell.decade,
+                                        to_string(c.feature), seed, round, drawn.pairs.size()));
+    drawn.pairs.push_back(c.pair);
+    drawn.strata.push_back({c.feature, c.cell.decade});
+  }
+  return drawn;
+}
+
+void count_cells(GateMethod& method, const SampleRound& round, const Said& said) {
+  for (std::size_t p = 0; p < round.pairs.size(); ++p) {
+    const double size = size_of(round.pairs[p]);
+    if (round.contacts.empty()) {
+      GateCell& at = method.cells[number_of(round.strata[p])];
+      at.claimed = at.claimed && claims(method.claim, size, at.decade);
+      at.pairs += is_trial(said, p, at.undecided);
+      at.wrong += said.wrong[p];
+    } else {
+      CloseGateCell& at = method.close_cells[number_of(round.contacts[p].cell)];
+      const bool gap = round.contacts[p].distance > 0;
+      at.claimed = at.claimed && claims(method.claim, size, at.decade);
+      (gap ? at.gaps : at.overlaps) += is_trial(said, p, at.undecided);
+      (gap ? at.wrong_gaps : at.wrong_overlaps) += said.wrong_beyond[p];
+    }
+  }
+}
+
+}  // namespace cyl
