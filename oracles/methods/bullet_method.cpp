@@ -192,9 +192,9 @@ class GjkEpa2 final : public Bullet {
 
 /// Convex hulls of the prisms over the inscribed and the circumscribed regular polygon: the truth lies
 /// between.
-class Hull final : public Bullet {
+class HullShape final : public Bullet {
  public:
-  Hull(int sides, unsigned share)
+  HullShape(int sides, unsigned share)
       : Bullet("bullet-hull-" + std::to_string(sides)), sides_(sides), share_(share) {}
   unsigned share() const override { return share_; }
 
@@ -246,14 +246,14 @@ std::vector<std::unique_ptr<Method>> bullet_methods() {
   methods.push_back(std::make_unique<Detector<RoundedCylinder>>("bullet-cylinder"));
   methods.push_back(std::make_unique<Detector<SharpCylinder>>("bullet-cylinder-margin0"));
   methods.push_back(std::make_unique<GjkEpa2>("bullet-gjkepa2"));
-  methods.push_back(std::make_unique<Hull>(16, 1));
-  methods.push_back(std::make_unique<Hull>(64, 8));  // 40 us a pair, ten times the others
+  methods.push_back(std::make_unique<HullShape>(16, 1));
+  methods.push_back(std::make_unique<HullShape>(64, 8));  // 40 us a pair, ten times the others
   return methods;
 }
 
 std::vector<std::unique_ptr<Method>> bullet_settings() {
   std::vector<std::unique_ptr<Method>> methods;
-  for (const int sides : {8, 32, 128}) methods.push_back(std::make_unique<Hull>(sides, 1));
+  for (const int sides : {8, 32, 128}) methods.push_back(std::make_unique<HullShape>(sides, 1));
   return methods;
 }
 
