@@ -289,8 +289,13 @@ class Search {
       R guess = middle;
       if (left.slope > zero_ && right.slope < zero_) {
         if (steep(left) || steep(right)) {
-          if (!steep(left) && offer_beside(right, left, width)) return;
-          if (!steep(right) && offer_beside(left, right, width)) return;
+          if (!steep(left) || !steep(right)) {
+            const Cut<R>&rim = steep(left) ? left : right, &other = steep(left) ? right : left;
+            const R top = other.value + R(abs(other.slope)) * width;
+            if (offer_beside(rim, other, top)) return;
+            if (top - best.value < rounding) break;
+            if (step % 2 == 0) guess = rim.u + R((other.u - rim.u) * (width / size_));
+          }
         } else {
           const R fall = -right.slope, total = left.slope + fall, lambda = fall / total;
           const R top = lambda * (left.value + left.slope * width) + (one_ - lambda) * right.value;
@@ -332,8 +337,7 @@ class Search {
 
   /// The same where the bracket ends at a disk's `rim`, beside which widths grow without bound: one tangent
   /// may show it alone, tilted as the other solid is at `t`.
-  bool offer_beside(const Cut<R>& rim, const Cut<R>& t, const R& width) {
-    const R bound = t.value + R(abs(t.slope)) * width;
+  bool offer_beside(const Cut<R>& rim, const Cut<R>& t, const R& bound) {
     if (!(bound < zero_)) return false;
     const Line<R>& line = line_of(t);
     offer_direction(line.e + (rim.steep0 ? R(line.b * t.tilt1) : R(line.a * t.tilt0)) * n_);
