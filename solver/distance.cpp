@@ -37,8 +37,12 @@ class Search {
     }
     if (low_ < 0 && !proved) proved = look_along(Vector3(direction_)) || project();
     // A gap within rounding that neither decide() nor the points prove is none.
-    if (low_ > -distance_error * reach_ && (proof == Proof::point || (proof == Proof::none && !proved)))
-      low_ = larger(0, low_);
+    const bool shown = proof == Proof::direction || (proof == Proof::none && proved);
+    if (low_ < 0 && low_ > -distance_error * reach_ && !shown) {
+      low_ = 0;
+      anchor_ = on0_;
+      on_b_ = false;
+    }
   }
 
   void report(Distance& out) const noexcept {
