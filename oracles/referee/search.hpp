@@ -6,8 +6,9 @@
 // Planes parallel to both axes cut each solid in a rectangle; the solids meet iff in some plane the
 // rectangles do. With u the height of the plane above C0 along the common normal, the rectangles' four
 // separating axes give four concave functions of u, and the height that maximises the least of them decides.
-// Here that height is bracketed by the sign of the slope, by the meeting point of tangents and by halving in
-// turn.
+// Here that height is bracketed by the sign of the slope, and by halving in turn with the meeting point of
+// tangents, Newton's step where one function is least at both ends, or, beside a rim, a square of the
+// distance to it.
 #pragma once
 
 #include <algorithm>
@@ -37,6 +38,7 @@ struct Found {
   bool has_direction = false, has_point = false;
   Vec3<R> direction{};  ///< direction.delta >= 0
   Vec3<R> point{};      ///< relative to a's centre
+  int slices = 0;       ///< looked at between the two ends of the range
 };
 
 namespace search_detail {
@@ -277,6 +279,7 @@ class Search {
     if (!(next > left.u && next < right.u)) next = (left.u + right.u) / two_;
     for (int step = 0; step < 3 * bits_ + 20; ++step) {
       const Cut<R> t = cut_at(next);
+      ++found_.slices;
       if (t.value > best.value || t.value > fine_) best = t;
       if (t.value > fine_) break;
       if (t.slope == zero_) {
@@ -358,8 +361,8 @@ class Search {
 
 }  // namespace search_detail
 
-/// Searches with `bits` of precision; R's own precision is at least that. Cost: about 5 slices of 4 square
-/// roots on random pairs, up to 3 `bits` of them near touching.
+/// Searches with `bits` of precision; R's own precision is at least that. Cost: 3 slices of 2 square roots on
+/// random pairs, in the mean 13 near touching, up to about 100 where lengths or angles are extreme.
 template <class R>
 Found<R> search(const SearchPair<R>& p, int bits) {
   return search_detail::Search<R>(p, bits).run();

@@ -1,0 +1,204 @@
+// SPDX-License-Identifier: MIT
+// What the referee makes of witnesses, and that it needs none.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstdint>
+#include <limits>
+#include <string>
+
+#include "corpus/pairs/families.hpp"
+#include "corpus/pairs/pair_io.hpp"
+#include "oracles/referee/certificate_check.hpp"
+#include "oracles/referee/decide_exactly.hpp"
+#include "oracles/referee/multiprecision.hpp"
+#include "oracles/referee/search.hpp"
+#include "solver/decide.hpp"
+
+namespace cyl {
+namespace {
+
+MethodAnswer point_in(Hull hull_a, Hull hull_b, const Vector3& at) {
+  MethodAnswer answer;
+  answer.status = Status::answered;
+  answer.witness = CertificateKind::point;
+  std::copy_n(at.data(), 3, answer.head);
+  answer.hulls[0] = hull_a;
+  answer.hulls[1] = hull_b;
+  return answer;
+}
+
+MethodAnswer witness_of(const Answer& answer) {
+  MethodAnswer witness;
+  witness.status = Status::answered;
+  witness.verdict = answer.verdict;
+  witness.set_witness(certificate_of(answer));
+  return witness;
+}
+
+Pair swapped(const Pair& pair) { return {pair.b, pair.a}; }
+
+// The coordinates in another order, and one of them mirrored.
+Pair turned(Pair pair, int how) {
+  for (Cylinder* c : {&pair.a, &pair.b})
+    for (Vector3* v : {&c->center, &c->axis}) {
+      for (int i = 0; i < how % 3; ++i) *v = Vector3(v->z(), v->x(), v->y());
+      if (how >= 3) v->y() = -v->y();
+    }
+  return pair;
+}
+
+template <class Check>
+void in_all_positions(const Pair& pair, Check check) {
+  for (int how = 0; how < 6; ++how) {
+    check(turned(pair, how));
+    check(swapped(turned(pair, how)));
+  }
+}
+
+// A segment along (1, 1, 1) through a disk, in a point (1, 1, 1)/3 that no doubles are; a guess beside it.
+const Vector3 x(1, 0, 0), z(0, 0, 1), diagonal(1, 1, 1), beside(0.3125, 0.375, 0.34375);
+const Cylinder segment{Vector3(0, 0, 0), diagonal, 0, 4};
+const Cylinder disk{Vector3(0.5, 0.5, 0), diagonal, 2, 0};
+
+TEST(HullWitness, StandsForARationalPoint) {
+  const Pair pair{segment, disk};
+  for (const Hull a : {Hull::space, Hull::line})
+    for (const Hull b : {Hull::space, Hull::plane}) {
+      const MethodAnswer witness = point_in(a, b, beside);
+      const bool named = a != Hull::space || b != Hull::space;
+      EXPECT_EQ(check_witness(pair, witness), named ? Verdict::intersecting : Verdict::undecided);
+      const Truth truth = judge(pair, {&witness, 1});
+      EXPECT_EQ(truth.witnessed, named);
+      EXPECT_EQ(truth.verdict, Verdict::intersecting);
+      const Rational3 common = exact(truth.certificate.vector);
+      EXPECT_TRUE(in_both_exact(pair, common));
+      EXPECT_EQ(common.x, mpq_class(1, 3));
+      EXPECT_EQ(common.y, mpq_class(1, 3));
+      EXPECT_EQ(common.z, mpq_class(1, 3));
+      EXPECT_EQ(truth.certificate.hulls, Hulls{});
+      EXPECT_EQ(judge_verdict(pair, {&witness, 1}).verdict, Verdict::intersecting);
+      EXPECT_EQ(judge_verdict(pair, {&witness, 1}).witnessed, named);
+    }
+}
+
+TEST(HullWitness, IsThePointNearestToTheOneWritten) {
+  // Two disks that cross along z at x = 2: they share -0.5 <= z - 3 <= 0.5 of it.
+  const Pair pair{{{0, 0, 3}, {0, 1, 0}, 4, 0}, {{2, 0, 3}, x, 0.5, 0}};
+  const auto said = [&](const Vector3& at) {
+    return check_witness(pair, point_in(Hull::plane, Hull::plane, at));
+  };
+  for (const double off : {0.0, 0.25, 100.0}) {
+    EXPECT_EQ(said({2 + off, -off, 3.5}), Verdict::intersecting) << off;
+    EXPECT_EQ(said({2 + off, -off, 3.5 + 0x1p-40}), Verdict::undecided) << off;
+  }
+}
+
+TEST(HullWitness, IsNoneWhereTheHullsDoNotMeet) {
+  // Rods across each other; their lines pass at 2^-80.
+  const Pair pair{{{0, 0, 0}, x, 0.125, 2}, {{0, 0, 0x1p-80}, {0, 1, 0}, 0.125, 2}};
+  const Vector3 origin(0, 0, 0);
+  EXPECT_EQ(check_witness(pair, point_in(Hull::line, Hull::line, origin)), Verdict::undecided);
+  EXPECT_EQ(check_witness(pair, point_in(Hull::center, Hull::center, origin)), Verdict::undecided);
+  for (const Hull hull : {Hull::space, Hull::plane, Hull::line, Hull::center}) {
+    EXPECT_EQ(check_witness(pair, point_in(hull, Hull::space, origin)), Verdict::intersecting);
+    EXPECT_EQ(check_witness(pair, point_in(Hull::space, hull, origin)), Verdict::intersecting);
+  }
+  // Where they do meet, but in no inner point of the solids.
+  EXPECT_EQ(check_witness({segment, {{9, 9, 0}, z, 2, 0}}, point_in(Hull::line, Hull::plane, beside)),
+            Verdict::undecided);
+  const double infinity = std::numeric_limits<double>::infinity();
+  EXPECT_EQ(check_witness(pair, point_in(Hull::center, Hull::space, {infinity, 0, 0})), Verdict::undecided);
+}
+
+TEST(HullWitness, OfTouchingLeavesItTouching) {
+  const Pair touching[] = {{{{0, 0, 0}, z, 2, 0}, {{1, 0, 0}, z, 2, 0}},          // in one plane
+                           {{{0, 0, 0}, z, 2, 0}, {{0, 0, 0}, x, 0, 4}},          // lies in it
+                           {{{0, 0, 0}, diagonal, 0, 2}, {{0, 0, 0}, x, 0, 4}}};  // segments that cross
+  for (const Pair& pair : touching) {
+    const Hull of_b = pair.b.radius > 0 ? Hull::plane : Hull::line;
+    const Hull of_a = pair.a.radius > 0 ? Hull::plane : Hull::line;
+    const MethodAnswer witness = point_in(of_a, of_b, {0, 0, 0});
+    EXPECT_EQ(check_witness(pair, witness), Verdict::intersecting) << format_pair(pair);
+    EXPECT_EQ(judge(pair, {&witness, 1}).verdict, Verdict::touching) << format_pair(pair);
+    EXPECT_EQ(judge_verdict(pair, {&witness, 1}).verdict, Verdict::touching) << format_pair(pair);
+    EXPECT_EQ(decide_exactly(pair.a, pair.b).verdict, Verdict::touching) << format_pair(pair);
+  }
+}
+
+// Every witness that decide() offers holds, and the referee says the same with it and without.
+TEST(Witness, OfOurSolverIsNotNeeded) {
+  int witnesses = 0, in_hulls = 0;
+  for (const Family& family : families())
+    for (std::uint64_t i = 0; i < 60; ++i) {
+      const Pair pair = family.generate(20261122, i);
+      const Answer answer = decide(pair.a, pair.b);
+      if (answer.proof == Proof::none) continue;
+      ++witnesses;
+      in_hulls += answer.hull_a != Hull::space || answer.hull_b != Hull::space;
+      const MethodAnswer witness = witness_of(answer);
+      const std::string what = std::string(family.name) + " " + format_pair(pair);
+      EXPECT_EQ(check_witness(pair, witness), answer.verdict) << what;
+      const Truth alone = judge(pair), with = judge(pair, {&witness, 1}),
+                  exactly = decide_exactly(pair.a, pair.b);
+      EXPECT_EQ(alone.verdict, with.verdict) << what;
+      EXPECT_EQ(alone.verdict, exactly.verdict) << what;
+      if (exactly.certificate.kind == CertificateKind::point) {
+        EXPECT_EQ(exactly.certificate.hulls, Hulls{}) << what;
+        EXPECT_TRUE(in_both_exact(pair, exact(exactly.certificate.vector))) << what;
+      }
+    }
+  EXPECT_GT(witnesses, 1000);
+  EXPECT_GT(in_hulls, 30);
+}
+
+// The best slice ends the range: one disk's width is 0 there, and two of the four functions tie.
+TEST(Referee, ProvesGapsWhereTwoFunctionsTieAtARim) {
+  const Pair apart[] = {{{{0, 0, 0}, z, 5, 4}, {{8, 7, 4}, x, 3, 6}},
+                        {{{0, 0, 0}, z, 10, 2}, {{-8, 19, -3}, {0, 1, 0}, 2, 18}}};
+  for (const Pair& pair : apart)
+    in_all_positions(pair, [](const Pair& p) {
+      const Truth truth = judge(p);
+      EXPECT_EQ(truth.verdict, Verdict::disjoint) << format_pair(p);
+      EXPECT_EQ(truth.bits, 53) << format_pair(p);
+    });
+}
+
+// A segment through a rational point of a rim: D is square to the segment and to the rim's tangent.
+TEST(Referee, ProvesThatASegmentTouchesARim) {
+  const Pair touching[] = {{{{0, 0, 0}, z, 5, 6}, {{4, 3, -3}, {1, 2, 2}, 0, 8}},
+                           {{{-2, -2, -3}, {2, 2, -1}, 2, 2}, {{-2, -4, -4}, {-2, 1, 0}, 0, 2}},
+                           {{{0, 0, 0}, {2, 9, -6}, 4, 2}, {{2, -3, -2}, {-8, 1, 4}, 0, 4}}};
+  for (const Pair& pair : touching)
+    in_all_positions(pair, [](const Pair& p) {
+      const Truth truth = judge(p);
+      EXPECT_EQ(truth.verdict, Verdict::touching) << format_pair(p);
+      EXPECT_EQ(truth.bits, 128) << format_pair(p);
+      EXPECT_EQ(truth.certificate.kind, CertificateKind::point) << format_pair(p);
+      EXPECT_TRUE(in_both_exact(p, exact(truth.certificate.vector))) << format_pair(p);
+    });
+}
+
+// What took 200 to 2000 slices: contacts within 2^-500 of a rim or of a tie.
+TEST(Referee, FindsExtremeContactsInFewSlices) {
+  const Pair extreme[] = {{{{1, 0, 0}, {12, 0, 1.03904747e-316}, 1, 0}, {{1, 1, 1}, {12, 0, 5}, 1, 0}},
+                          {{{0, -1, 0}, {3, 6.664204317189761e-213, 0}, 1, 0},
+                           {{0, 6.664204317189761e-213, -1}, {3, 4, 1.3479489305571723e-167}, 1, 0}},
+                          {{{0, -3, -2}, {0, 0, -2}, 3, 3.007273164814324e+244},
+                           {{-3, -1, 3}, {9.182927232626564e+164, -6.781125439384204e-282, 3}, 2, 0}},
+                          {{{-2, 1, 1}, {-1.35554224573e-313, 4, 3}, 1.6137099473647703e-232, 2},
+                           {{-2, 0, -1}, {0, 4, 3}, 1, 2}}};
+  for (const Pair& pair : extreme)
+    for (int bits = 128; bits <= precision_cap; bits *= 2) {
+      const PrecisionScope precision(bits);
+      const auto lift = [](const Vector3& v) { return Vec3<MpFloat>{v.x(), v.y(), v.z()}; };
+      const SearchPair<MpFloat> p{
+          lift(pair.a.axis), lift(pair.b.axis), lift(pair.b.center) - lift(pair.a.center),
+          pair.a.radius,     pair.a.height / 2, pair.b.radius,
+          pair.b.height / 2};
+      EXPECT_LE(search(p, bits).slices, 40) << bits << " " << format_pair(pair);
+    }
+}
+
+}  // namespace
+}  // namespace cyl
