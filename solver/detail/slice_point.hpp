@@ -36,12 +36,19 @@ inline PlanePoint on_long_side(const Rectangle& r, const Rectangle& other) noexc
                width1 = other.across * std::fabs(inverse1);
   const double lo = larger(-longer, larger(middle0 - width0, middle1 - width1));
   const double hi = smaller(longer, smaller(middle0 + width0, middle1 + width1));
-  const double t = (lo + hi) / 2;
+  // Where next to nothing is left, rounding may have lo > hi, since a side of the other all but along the
+  // line ends anywhere on it: the side that crosses it has the last word.
+  const bool crosses0 = std::fabs(inverse0) < std::fabs(inverse1);
+  const double middle = crosses0 ? middle0 : middle1, width = crosses0 ? width0 : width1;
+  const double t =
+      larger(larger(-longer, middle - width), smaller(smaller(longer, middle + width), (lo + hi) / 2));
   return {r.x + ox + t * lx, r.y + oy + t * ly};
 }
 
-// Deep in both: rectangle 1 clipped by rectangle 0, the mean of what is left. False where nothing is left.
-inline bool middle_of_overlap(const Rectangle& r0, const Rectangle& r1, PlanePoint& found) noexcept {
+// Deep in both: rectangle 1 clipped by rectangle 0 grown by `slack`, so that rounding does not lose a
+// splinter; the mean of what is left. False where nothing is left.
+inline bool middle_of_overlap(const Rectangle& r0, const Rectangle& r1, double slack,
+                              PlanePoint& found) noexcept {
   const double ax = r1.along * r1.ax, ay = r1.along * r1.ay, bx = -r1.across * r1.ay, by = r1.across * r1.ax;
   PlanePoint polygon[8] = {{r1.x - ax - bx, r1.y - ay - by},
                            {r1.x + ax - bx, r1.y + ay - by},
@@ -63,10 +70,10 @@ inline bool middle_of_overlap(const Rectangle& r0, const Rectangle& r1, PlanePoi
     count = n;
     for (int i = 0; i < n; ++i) polygon[i] = kept[i];
   };
-  clip(&PlanePoint::x, 1, r0.along);
-  clip(&PlanePoint::x, -1, r0.along);
-  clip(&PlanePoint::y, 1, r0.across);
-  clip(&PlanePoint::y, -1, r0.across);
+  clip(&PlanePoint::x, 1, r0.along + slack);
+  clip(&PlanePoint::x, -1, r0.along + slack);
+  clip(&PlanePoint::y, 1, r0.across + slack);
+  clip(&PlanePoint::y, -1, r0.across + slack);
   if (count == 0) return false;
   found = {0, 0};
   for (int i = 0; i < count; ++i) {
@@ -93,9 +100,11 @@ inline bool try_slice(const Question& q, const Scaled& p, const Frame& frame, do
   auto attempt = [&](PlanePoint at) {
     return try_point(q.solids, q.base, at.x * frame.w0 + at.y * frame.m0 + u * frame.n, q.answer);
   };
+  constexpr double slack_tol = room_tol / 8;  // of the reach: much of a rounding, little of the room
   PlanePoint at;
   return attempt(on_long_side(r0, r1)) || attempt(on_long_side(r1, r0)) ||
-         (middle_of_overlap(r0, r1, at) && attempt(at));
+         (middle_of_overlap(r0, r1, 0, at) && attempt(at)) ||
+         (middle_of_overlap(r0, r1, slack_tol * reach_of(p), at) && attempt(at));
 }
 
 }  // namespace cyl
