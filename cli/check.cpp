@@ -59,8 +59,8 @@ Reply malformed(const CaseLine& c, const std::string& file, bool text) {
 std::string describe(Verdict verdict, const Enclosure& d) {
   if (verdict == Verdict::touching) return "";
   const bool apart = verdict == Verdict::disjoint;
-  return fmt::format(", {} to {} {}", format_double(apart ? d.lo : -d.hi),
-                     format_double(apart ? d.hi : -d.lo), apart ? "apart" : "deep");
+  return fmt::format(", {} to {} {}", format_end(apart ? d.lo : -d.hi), format_end(apart ? d.hi : -d.lo),
+                     apart ? "apart" : "deep");
 }
 
 /// Returns the verdict as proved by the referee, to whom the solver's own certificate is offered first.

@@ -93,7 +93,7 @@ class CaseBuilder final : public nlohmann::json_sax<nlohmann::json> {
   bool boolean(bool x) override { return begin_token(), accept(x ? "true" : "false"); }
   bool number_integer(number_integer_t x) override { return number(static_cast<double>(x)); }
   bool number_unsigned(number_unsigned_t x) override { return number(static_cast<double>(x)); }
-  bool number_float(number_float_t x, const string_t&) override { return number(x); }
+  bool number_float(number_float_t x, const string_t& text) override { return number(x, text); }
   bool binary(binary_t&) override { return false; }  // no token of JSON text is one
 
   bool string(string_t& x) override {
@@ -243,7 +243,8 @@ class CaseBuilder final : public nlohmann::json_sax<nlohmann::json> {
 
   Cylinder& cylinder() { return key_ == "a" ? value.pair.a : value.pair.b; }
 
-  bool number(double x) {
+  /// `text`: its digits, where it has a point or an exponent.
+  bool number(double x, std::string_view text = {}) {
     begin_token();
     token_end_ = std::min(text_.find_first_not_of("+-.0123456789eE", start_), text_.size());
     if (x == 0 && text_[start_] == '-') x = -0.0;  // the parser makes the integer 0 of "-0"
@@ -253,6 +254,8 @@ class CaseBuilder final : public nlohmann::json_sax<nlohmann::json> {
       --depth_;
       return fail(subject() + " has more than 3 coordinates");
     }
+    if (x == 0 && text.substr(0, text.find_first_of("eE")).find_first_of("123456789") != text.npos)
+      return fail(subject() + " underflows a double (" + shorten(text) + ")");
     *numbers_of(cylinder())[field.first + (depth_ == in_list ? coordinates_++ : 0)] = x;
     return depth_ == in_list || check_field(" (" + format_double(x) + ")");
   }

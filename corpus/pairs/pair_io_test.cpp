@@ -123,10 +123,10 @@ TEST(PairIo, KeepsEveryBitOfEveryFamily) {
 }
 
 TEST(PairIo, ReadsNumbersAsTheNearestDouble) {
-  const CaseLine line =
-      parse_case(with_a(R"({"center":[-0,-0.0,-1e-400],"axis":[9007199254740993,18446744073709551616,-0e5],)"
-                        R"("radius":1e0,"height":0e-999})"),
-                 1);
+  const CaseLine line = parse_case(
+      with_a(R"({"center":[-0,-0.0,-0.00e-400],"axis":[9007199254740993,18446744073709551616,-0e5],)"
+             R"("radius":1e0,"height":0e-999})"),
+      1);
   ASSERT_EQ(line.error, "");
   const Cylinder& a = line.value->pair.a;
   for (int i = 0; i < 3; ++i) EXPECT_TRUE(same_bits(a.center[i], -0.0)) << i;
@@ -189,6 +189,14 @@ TEST(PairIo, NamesTheFaultAndItsPlace) {
       {with_a(start + R"(@1e999,"height":2})"), "a.radius overflows a double (1e999)"},
       {with_a(R"({"center":[0,@-1e999,0],"axis":[0,0,1],"radius":1,"height":2})"),
        "a.center[1] overflows a double (-1e999)"},
+      {with_a(start + R"(@1e-999,"height":2})"), "a.radius underflows a double (1e-999)"},
+      {with_a(start + R"(@0.)" + std::string(330, '0') + R"(1,"height":2})"),
+       "a.radius underflows a double (0." + std::string(38, '0') + "...)"},
+      {with_a(start + R"(1,"height":@2E-324})"), "a.height underflows a double (2E-324)"},
+      {with_a(R"({"center":[0,@-1e-999,0],"axis":[0,0,1],"radius":1,"height":2})"),
+       "a.center[1] underflows a double (-1e-999)"},
+      {with_a(R"({"center":[0,0,0],"axis":[0,@1e-400,1],"radius":1,"height":2})"),
+       "a.axis[1] underflows a double (1e-400)"},
       {with_a(R"({"center":[0,0,@Infinity],"axis":[0,0,1],"radius":1,"height":2})"),
        "a.center[2] is Infinity, expected a number"},
       {with_a(R"({"center":[0,@"0",0],"axis":[0,0,1],"radius":1,"height":2})"),
@@ -278,7 +286,7 @@ TEST(PairIo, SkipsOtherKeysWhateverTheyHold) {
   for (const std::string& more :
        {std::string(R"("url":"x","report":null,"kind":{"a":{"radius":-1},"truht":1},"numbers_exact":false)"),
         "\"x\":" + deep + std::string(100000, ']'), std::string(R"("c":1,"trust":2,"ids":3,"not_a_note":4)"),
-        std::string(R"("":0)")}) {
+        std::string(R"("":0,"tiny":1e-999)")}) {
     const CaseLine line = parse_case(with_more(more), 1);
     ASSERT_EQ(line.error, "") << more.substr(0, 100);
     EXPECT_EQ(format_pair(line.value->pair), good_line);

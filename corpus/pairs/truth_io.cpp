@@ -32,6 +32,12 @@ void append(std::string& s, const Certificate& c) {
   s.append(",\"").append(to_string(c.kind)).append("\":");
   if (c.kind == CertificateKind::near) s += "{\"point\":";
   append(s, c.vector);
+  if (c.hulls != Certificate{}.hulls)
+    s.append(",\"hulls\":[\"")
+        .append(to_string(c.hulls[0]))
+        .append("\",\"")
+        .append(to_string(c.hulls[1]))
+        .append("\"]");
   if (c.kind != CertificateKind::near) return;
   s += ",\"direction\":";
   append(s, c.second);
@@ -42,7 +48,17 @@ std::string verdict_member(Verdict verdict) {
   return std::string("{\"verdict\":\"") + to_string(verdict) + '"';
 }
 
+/// A length of JSON; of a string there the decimals.
+std::string end_text(double x) { return std::isfinite(x) ? format_double(x) : '"' + format_end(x) + '"'; }
+
 }  // namespace
+
+// Between centres there are at most 2 sqrt(3) of the largest double, 6.23e308, and a depth is at most r0 +
+// h0 / 2 + r1 + h1 / 2, three of them.
+std::string format_end(double x) {
+  if (std::isfinite(x)) return format_double(x);
+  return x < 0 ? "-6.3e308" : "6.3e308";
+}
 
 std::string format_certificate(const Certificate& c) {
   std::string s;
@@ -55,9 +71,9 @@ std::string format_truth(const Truth& truth, const Enclosure* distance) {
   append(s, truth.certificate);
   if (distance)
     s.append(",\"distance\":[")
-        .append(format_double(distance->lo))
+        .append(end_text(distance->lo))
         .append(",")
-        .append(format_double(distance->hi))
+        .append(end_text(distance->hi))
         .append("]");
   if (truth.verdict == Verdict::undecided) s.append(",\"bits\":").append(std::to_string(truth.bits));
   if (truth.verdict != Verdict::invalid)
