@@ -167,9 +167,7 @@ bool BasicFilter<R>::overlap_near(Vec3<I> x, const Hulls& hulls) const {
     const Vec3<I> to_second = swap ? I(-1) * delta_ : delta_;
     const Vec3<I> slide = hull == Hull::plane ? w1 - dot(w0, w1) * w0 : w0;  // within the first
     Vec3<I> y = moved(first, hull, swap ? x - delta_ : x);
-    const I steep = dot(slide, w1);
-    if (!(abs(steep).lo > 0)) return false;
-    y = y - (dot(y - to_second, w1) / steep) * slide;
+    y = y - (dot(y - to_second, w1) / dot(slide, w1)) * slide;  // everything where the two may be parallel
     return strictly_inside(first, hull, y) && strictly_inside(second, Hull::plane, y - to_second);
   }
   if (hull_a != Hull::space) x = moved(a_, hull_a, x);
