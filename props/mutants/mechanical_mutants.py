@@ -157,11 +157,13 @@ def reason(output):
     return ''
 
 
-def questions(build, scratch, path, names):
+def questions(build, scratch, path, names, gate_only):
     """What notices: (name, words of a program to run), in the order in which they are asked."""
     daylight = build.link(scratch, 'daylight', names)
     yield f'gate of {FIRST_PAIRS}', [daylight, 'gate', '--pairs', str(FIRST_PAIRS)]
     yield 'gate', [daylight, 'gate']
+    if gate_only:
+        return
     yield 'answers', [sys.executable, __file__, 'answers', build.folder / 'daylight', daylight]
     for suite, wanted in TEST_SUITES.items():
         more = build.affected(suite, path)
@@ -198,7 +200,7 @@ def check_answers(arguments):
     return 0
 
 
-def attempt(build, mutation, scratch):
+def attempt(build, mutation, scratch, gate_only):
     """Returns the fate, what noticed, and why it did."""
     path = build.root / mutation.path
     over = scratch / 'over' / mutation.path
@@ -212,7 +214,7 @@ def attempt(build, mutation, scratch):
     if build.same_code(scratch, names):
         return 'same code', '', ''
     unresolved = ''
-    for name, words in questions(build, scratch, path, names):
+    for name, words in questions(build, scratch, path, names, gate_only):
         status, output = ask(words, build.root)
         if status is None:
             unresolved = f'{name} came to no end'
@@ -221,7 +223,7 @@ def attempt(build, mutation, scratch):
     return ('unresolved' if unresolved else 'survived'), '', unresolved
 
 
-def control(build, path):
+def control(build, path, gate_only):
     """Nothing may notice the program as it is; and its objects must come out as they are in the build."""
     with tempfile.TemporaryDirectory() as folder:
         scratch = Path(folder)
@@ -233,7 +235,7 @@ def control(build, path):
                 sys.exit(f'{name} does not compile as it is:\n{complaint}')
         if not build.same_code(scratch, names):
             sys.exit(f'{build.folder}: {path} compiles to something else than is there; build first, and change nothing')
-        for name, words in questions(build, scratch, build.root / path, names):
+        for name, words in questions(build, scratch, build.root / path, names, gate_only):
             start = time.monotonic()
             status, output = ask(words, build.root)
             print(f'without a fault, {name}: {time.monotonic() - start:.1f} s', flush=True)
@@ -254,7 +256,7 @@ def run(arguments):
     if arguments.only:
         chosen, done, counted = [m for m in chosen if m.id in arguments.only], set(), 0
     if not arguments.no_control:
-        control(build, 'solver/distance.cpp')
+        control(build, 'solver/distance.cpp', arguments.gate_only)
     for mutation in chosen:
         if counted == arguments.count:
             break
@@ -262,7 +264,7 @@ def run(arguments):
             continue
         start = time.monotonic()
         with tempfile.TemporaryDirectory() as scratch:
-            fate, by, why = attempt(build, mutation, Path(scratch))
+            fate, by, why = attempt(build, mutation, Path(scratch), arguments.gate_only)
         text = (ROOT / mutation.path).read_text(encoding='utf-8')
         was, now = (' '.join(t.split('\n')[mutation.line - 1].split()) for t in (text, mutated(mutation, text)))
         row = {'id': mutation.id, 'line': mutation.line, 'was': was, 'now': now, 'fate': fate, 'by': by, 'why': why,
@@ -311,6 +313,7 @@ def main():
             part.add_argument('--count', type=int, required=True, help='mutants in all, those in FILE among them')
             part.add_argument('--only', action='append', help='this one alone, whether it was asked before or not')
             part.add_argument('--build', type=Path, default=ROOT / 'build/release')
+            part.add_argument('--gate-only', action='store_true', help='leave out answers and tests')
             part.add_argument('--no-control', action='store_true', help='take it that the program as it is passes')
     part = parts.add_parser('answers')
     part.add_argument('plain', type=Path)
