@@ -17,16 +17,17 @@ inline constexpr double distance_error = 32 * unit_roundoff_error;
 
 /// Lengths in the unit, vectors in the frame of the cylinders. `invalid`: all of it 0.
 struct Distance {
-  /// By the sign of `value` (0: intersecting), or `invalid`. `disjoint` is proved where value > error;
-  /// `intersecting` says that no separating direction was found.
+  /// By the sign of `value` (0: intersecting), or `invalid`. `disjoint` is proved where value > error.
+  /// `intersecting`: decide() proves no gap either, so that there is none beyond what it leaves undecided.
   Verdict verdict = Verdict::undecided;
   /// > 0: the gap. <= 0: minus the penetration depth. It is -f(direction), rounded; cut off at the largest
   /// double.
   double value = 0;
   /// Apart: |value - exact| <= error, always; the width between the plane square to `direction` that
-  /// separates and the two points, and the rounding. Within 1e-13 of size + |Delta| but for coins edge to
-  /// edge (2 in 1,000 are not); where it is more, tell it to whoever asked. Overlapping: the exact depth is
-  /// at most -value + error, always; that no direction is shallower is not proved (distance.md, section 4).
+  /// separates and the two points, and the rounding. Within 1e-13 of size + |Delta| on all pairs tried
+  /// (distance.md, section 4); where it is more, tell it to whoever asked. Overlapping: the exact depth is at
+  /// most -value + error, always. That no direction is shallower is not proved, and not always so: 5 of
+  /// 9 million penetrations of a small rim into a large one were told deeper, by up to 3.3e-6 of the size.
   double error = 0;
   /// A unit vector, direction.(b.center - a.center) >= 0: b moved along it by -value + error or more has no
   /// inner point of a in it.
@@ -39,7 +40,7 @@ struct Distance {
 };
 
 /// Symmetric in its arguments (value bit for bit, direction and points exchanged; of two equal solids any
-/// direction), exact under scaling by powers of two. Cost: 0.2 us apart, 1 us overlapping.
+/// direction), exact under scaling by powers of two. Cost: 0.2 us apart; overlapping 1 us, decide() among it.
 Distance distance(const Prepared& a, const Prepared& b) noexcept;
 Distance distance(const Cylinder& a, const Cylinder& b) noexcept;
 

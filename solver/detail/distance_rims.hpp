@@ -30,8 +30,8 @@ class RimPoints {
         e1_(f.e1 - start.side0 * p.h0 * f.s),
         l0_(f.d0 - start.side0 * p.h0 - start.side1 * p.h1 * f.c) {}
 
-  // Newton on |y|^2 over the two angles, from where it is, to a local minimum.
-  void come_near(int& steps) noexcept {
+  // Newton on |y|^2 over the two angles, from where it is, to a local minimum. Inlined for 7 % of the time.
+  [[gnu::always_inline]] void come_near(int& steps) noexcept {
     double last = std::numeric_limits<double>::infinity();
     Rims kept = k;
     Step step;
@@ -76,9 +76,13 @@ class RimPoints {
  private:
   struct Step {
     double turn0 = 0, turn1 = 0;  // of the angles
-    double slack = 0;             // the square of a small one here
+    double det = 1, own = 1;      // of the equations: the determinant, and what it is without t0.t1
     bool bowl = true;             // whether |y|^2 is bent upwards in all directions
-    bool is_small() const noexcept { return larger(turn0 * turn0, turn1 * turn1) <= slack; }
+    // Beside how well the equations are conditioned, or in any case.
+    bool is_small() const noexcept {
+      const double most = larger(turn0 * turn0, turn1 * turn1);
+      return most * own <= 0x1p-40 * det || most <= 0x1p-90;
+    }
   };
 
   void look() noexcept {
@@ -101,7 +105,7 @@ class RimPoints {
   // The equations of section 3, the second one replaced by its difference from the first. Where they are not
   // positive definite, with -y.u_i/4 for a negative y.u_i: downwards in any case. A step above 1/2 is
   // shortened in both angles alike, or it would be downwards no more.
-  Step newton() const noexcept {
+  [[gnu::always_inline]] Step newton() const noexcept {
     Step step;
     const double b = tangents(), sign = std::copysign(1.0, b), across = p_.r0 * p_.r1 * square_;
     double u0 = bend0(), u1 = bend1(), det = across + p_.r0 * u1 + p_.r1 * u0 + u0 * u1;
@@ -121,7 +125,8 @@ class RimPoints {
     const double inverse = 1 / most;
     step.turn0 = of0 * inverse;
     step.turn1 = of1 * inverse;
-    step.slack = larger(0x1p-40 * (det / ((p_.r0 + u0) * (p_.r1 + u1))), 0x1p-90);
+    step.det = det;
+    step.own = (p_.r0 + u0) * (p_.r1 + u1);
     return step;
   }
 
