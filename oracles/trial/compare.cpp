@@ -108,11 +108,14 @@ bool finite(const MethodAnswer& answer) {
 
 bool same_bits(const double* x, const double* y) { return std::memcmp(x, y, 3 * sizeof *x) == 0; }
 
+bool same_hulls(const Hull* x, const Hull* y) { return x[0] == y[0] && x[1] == y[1]; }
+
 /// Whether the truth's certificate is this answer's own witness, so that it need not be checked again.
 bool is_certificate(const Truth& truth, const MethodAnswer& answer) {
   const ExactVector& v = truth.certificate.vector;
   return truth.certificate.kind == answer.witness && v.in_doubles() &&
-         same_bits(v.head.data(), answer.head) && same_bits(v.tail.data(), answer.tail);
+         same_bits(v.head.data(), answer.head) && same_bits(v.tail.data(), answer.tail) &&
+         same_hulls(truth.certificate.hulls.data(), answer.hulls);
 }
 
 /// Whether the witness, if any, proves the verdict that was said. A direction says nothing about touching.
@@ -182,7 +185,8 @@ bool same_answer(const MethodAnswer& x, const MethodAnswer& y) {
   if (x.status != Status::answered) return true;
   if (x.verdict != y.verdict || x.has_distance != y.has_distance || x.witness != y.witness) return false;
   if (x.has_distance && std::memcmp(&x.distance, &y.distance, sizeof x.distance) != 0) return false;
-  return x.witness == CertificateKind::none || (same_bits(x.head, y.head) && same_bits(x.tail, y.tail));
+  return x.witness == CertificateKind::none ||
+         (same_bits(x.head, y.head) && same_bits(x.tail, y.tail) && same_hulls(x.hulls, y.hulls));
 }
 
 }  // namespace cyl

@@ -271,6 +271,11 @@ TEST(SameAnswer, ComparesWhatWasSaidBitForBit) {
   hung.status = Status::failed;
   hung.failure = Failure::hang;
   EXPECT_TRUE(same_answer(x, hung));  // time is no function of the pair
+  MethodAnswer point = said(Verdict::intersecting), elsewhere = point;
+  point.witness = elsewhere.witness = CertificateKind::point;
+  EXPECT_TRUE(same_answer(point, elsewhere));
+  elsewhere.hulls[1] = Hull::line;
+  EXPECT_FALSE(same_answer(point, elsewhere));
 }
 
 TEST(FormatMethodAnswer, SaysWhatWasSaidAsJson) {

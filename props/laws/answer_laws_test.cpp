@@ -146,9 +146,9 @@ TEST(AnswerLaws, CatchADirectionTheWrongWay) {
             Numbers{40});
 }
 
-// Half a picometre on a metre: only what is said of parallel axes is so fine.
-TEST(AnswerLaws, CatchWhoIsUndecidedBesideAParallelWall) {
-  const auto upright = [](double x) { return Cylinder{Vector3(x, 0, 0), Vector3(0, 0, 1), 1, 2}; };
+// Of a gap and of a common ball 1e-13 of the size is the border; a coin has room for a disk, a needle for a
+// segment. Of two that are flat, and of what is thinner than the ball and not flat, nothing is said.
+TEST(AnswerLaws, CatchWhoIsUndecidedWhereThereIsRoom) {
   Planted method = plant(
       "decide",
       [](const Pair&, MethodAnswer& answer) {
@@ -156,10 +156,44 @@ TEST(AnswerLaws, CatchWhoIsUndecidedBesideAParallelWall) {
         answer.status = Status::answered;
       },
       of_everything);
-  EXPECT_TRUE(broken_by(method, law_numbered(39), {upright(0), upright(2 + 5e-13)}));
-  Pair askew{upright(0), upright(2 + 5e-13)};
-  askew.b.axis.x() = 1e-13;
-  EXPECT_FALSE(broken_by(method, law_numbered(39), askew));
+  const auto broken = [&](const Cylinder& a, const Cylinder& b) {
+    return broken_by(method, law_numbered(39), {a, b}).has_value();
+  };
+  const auto upright = [](double x, double radius = 1, double height = 2) {
+    return Cylinder{Vector3(x, 0, 0), Vector3(0, 0, 1), radius, height};
+  };
+  EXPECT_TRUE(broken(upright(0), upright(2 + 7e-13)));
+  EXPECT_FALSE(broken(upright(0), upright(2 + 5e-13)));
+  EXPECT_TRUE(broken(upright(0), upright(2 - 13e-13)));
+  EXPECT_FALSE(broken(upright(0), upright(2 - 11e-13)));
+  EXPECT_TRUE(broken(upright(0, 1, 0), upright(1.5)));
+  EXPECT_TRUE(broken(upright(0), upright(0.5, 0, 1)));
+  EXPECT_FALSE(broken(upright(0), upright(0.5, 0, 0)));
+  EXPECT_FALSE(broken(upright(0, 1, 0), upright(1.5, 1, 0)));
+  EXPECT_FALSE(broken(upright(0), upright(0.5, 1, 6e-13)));
+  EXPECT_TRUE(broken(upright(0), upright(0.5, 1, 3e-13)));
+}
+
+// The enclosure tells the same, what moves on along the direction is nearer than that shows, and from a gap
+// to none the distance jumps.
+TEST(AnswerLaws, CatchADistanceBelowWhatADirectionProves) {
+  EXPECT_EQ(laws_broken_by(plant("distance",
+                                 [](const Pair& pair, MethodAnswer& answer) {
+                                   if (answer.distance > 0) answer.distance -= 1e-9 * size_of(pair);
+                                 })),
+            (Numbers{13, 22, 33, 42}));
+}
+
+TEST(AnswerLaws, CatchARefereeThatNeedsAWitness) {
+  Planted method = plant(
+      "decide", [](const Pair&, MethodAnswer&) {}, of_everything);
+  const Pair pair = find_family("random")->generate(family_seed, 0);
+  const MethodAnswer first = method.ask(pair);
+  Proofs proofs(pair, {&first, 1});
+  const LawCase c{method, pair, first, {}, {}, proofs};
+  EXPECT_FALSE(law_numbered(43).broken(c));
+  proofs.of(pair).truth.verdict = Verdict::undecided;
+  EXPECT_EQ(law_numbered(43).broken(c)->severity, Severity::contract);
 }
 
 }  // namespace

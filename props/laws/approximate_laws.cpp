@@ -152,6 +152,32 @@ std::vector<LawQuery> nearby(const Method&, const Pair& pair, const MethodAnswer
   return asked;
 }
 
+/// How deep b is pushed into a, in units of the size.
+constexpr double depths[] = {0x1p-33, 0x1p-20, 0x1p-7};
+
+// Solids apart by g, b pushed by g and t more against the direction offered: they overlap by t at most.
+// Solids that overlap by d, b pulled out by d: there is no gap, whatever the direction.
+std::vector<LawQuery> slid(const Method&, const Pair& pair, const MethodAnswer& first) {
+  if (!is_decided(first) || !first.has_distance || !is_usable(pair)) return {};
+  std::vector<LawQuery> asked;
+  const Vector3 delta = pair.b.center - pair.a.center;
+  const auto slide = [&](const Vector3& way, double length) {
+    const Vector3 u = way.stableNormalized();
+    if (!u.allFinite() || u.isZero(0)) return;
+    asked.push_back({pair});
+    asked.back().pair.b.center += (u.dot(delta) < 0 ? -length : length) * u;
+  };
+  if (first.distance > 0) {
+    const bool told = first.witness == CertificateKind::direction;
+    for (const double depth : depths)
+      slide(told ? offered_direction(pair, first) : delta, -first.distance - depth * size_of(pair));
+  } else {
+    const Vector3 w0 = prepare(pair.a).unit_axis, w1 = prepare(pair.b).unit_axis;
+    for (const Vector3& way : {w0, w1, Vector3(w0.cross(w1)), delta}) slide(way, -first.distance);
+  }
+  return asked;
+}
+
 /// c of the triangle: one beyond b, and a small one in the middle, where the inequality is nearly tight.
 std::array<Cylinder, 2> third_solids(const Pair& pair) {
   const Vector3 delta = pair.b.center - pair.a.center;
@@ -214,6 +240,11 @@ std::vector<Law> approximate_laws() {
       {23, LawKind::approximate, "triangle",
        "of three solids no gap is larger than the two others and the diameter of the solid between them",
        "of methods with distances; lengths from 2^-200 to 2^200", with_a_third, break_triangle},
+      {24, LawKind::approximate, "slide",
+       "b moved by t, into a from a gap or out of it by the depth: the distance changes by no more than t, "
+       "so "
+       "that no depth exceeds the way back to touching",
+       "of methods with distances; lengths from 2^-200 to 2^200", slid, break_changes},
   };
 }
 

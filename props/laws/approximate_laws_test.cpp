@@ -20,7 +20,7 @@ TEST(ApproximateLaws, CatchADistanceThatDependsOnTheDirection) {
                                    const double steep = delta.lpNorm<Eigen::Infinity>() / delta.norm();
                                    answer.distance *= 1 + 1e-6 * steep;
                                  })),
-            (Numbers{20, 22, 33}));
+            (Numbers{20, 22, 24, 33}));
 }
 
 TEST(ApproximateLaws, CatchADistanceThatDependsOnThePlace) {
@@ -47,7 +47,7 @@ TEST(ApproximateLaws, CatchADistanceInSteps) {
                                    const double step = size_of(pair) / 100;
                                    answer.distance = step * std::trunc(answer.distance / step);
                                  })),
-            (Numbers{13, 22, 23, 33}));
+            (Numbers{13, 22, 23, 33, 42}));
 }
 
 // An axis of nearly unit length, as a turn by little leaves it.
@@ -71,6 +71,26 @@ TEST(ApproximateLaws, CatchAWayThatIsLongerThanAround) {
                                      answer.distance = 0;
                                  })),
             Numbers{23});
+}
+
+// Next to touching, where no pair that is drawn lies and every slide ends.
+TEST(ApproximateLaws, CatchADepthBeyondTheWayBack) {
+  EXPECT_EQ(laws_broken_by(plant("distance",
+                                 [](const Pair& pair, MethodAnswer& answer) {
+                                   const double least = 1e-5 * size_of(pair);
+                                   if (answer.distance < 0 && answer.distance > -least)
+                                     answer.distance = -least;
+                                 })),
+            Numbers{24});
+}
+
+// Of a method that never takes the right way out, the gap that a slide leaves tells.
+TEST(ApproximateLaws, CatchADepthThatOpensAGap) {
+  EXPECT_EQ(laws_broken_by(plant("distance",
+                                 [](const Pair&, MethodAnswer& answer) {
+                                   if (answer.distance < 0) answer.distance *= 1.001;
+                                 })),
+            (Numbers{22, 24, 33}));
 }
 
 }  // namespace

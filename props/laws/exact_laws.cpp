@@ -16,10 +16,11 @@ namespace cyl {
 namespace {
 
 /// What a law expects of the second answer: the first one's distance and point times `length`, its direction
-/// times `direction`.
+/// times `direction`, its hulls in this or the other order.
 struct Expected {
   double length = 1;
   double direction = 1;
+  bool swapped = false;
 };
 
 std::string differ(const char* what, double wanted, double got) {
@@ -40,6 +41,8 @@ std::string difference_in_bits(const MethodAnswer& first, const MethodAnswer& se
     return differ("the distance", expected.length * first.distance, second.distance);
   if (first.witness != second.witness) return "the witnesses are of different kinds";
   if (first.witness == CertificateKind::none) return {};
+  for (int i = 0; i < 2; ++i)
+    if (second.hulls[i] != first.hulls[expected.swapped ? 1 - i : i]) return "the point is in other hulls";
   const bool is_direction = first.witness == CertificateKind::direction;
   const double factor = is_direction ? expected.direction : expected.length;
   for (int i = 0; i < 3; ++i) {
@@ -201,7 +204,7 @@ std::vector<Law> exact_laws() {
   return {
       {1, LawKind::exact, "swap",
        "the cylinders in the other order: the same verdict, distance and point, the direction negated", bits,
-       swapped, [](const LawCase& c) { return all_as_expected(c, {.direction = -1}); }},
+       swapped, [](const LawCase& c) { return all_as_expected(c, {.direction = -1, .swapped = true}); }},
       {2, LawKind::exact, "scaling",
        "all lengths times 2^k: the same verdict and direction, distance and point times 2^k",
        "where no length over- or underflows; as above", at_other_scales, break_scaling},

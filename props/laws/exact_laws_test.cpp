@@ -139,6 +139,17 @@ TEST(ExactLaws, CatchAnAnswerThatFavoursACoordinate) {
       (Numbers{6, 11, 12, 20, 22, 31}));
 }
 
+// Of round solids these hulls prove nothing, so that 32 finds them, too.
+TEST(ExactLaws, CatchHullsThatStayWithTheFirst) {
+  EXPECT_EQ(laws_broken_by(plant(
+                "decide",
+                [](const Pair&, MethodAnswer& answer) {
+                  if (answer.witness == CertificateKind::point) answer.hulls[0] = Hull::plane;
+                },
+                of_everything)),
+            (Numbers{1, 32}));
+}
+
 // At the first scale asked the solids are below an absolute claim, at the last they are not.
 TEST(ExactLaws, FindABreakBeyondTheClaimBehindOneWithinIt) {
   const auto turns = [](const Pair& pair) {

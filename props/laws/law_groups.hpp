@@ -44,6 +44,12 @@ std::optional<Broken> worst_of(const LawCase& c, BrokenAt broken_at) {
 /// distance, or the rounding of the larger length.
 double distance_allowance(const LawCase& c, const Pair& pair, double said);
 
+/// The unit direction offered as witness, from a to b; not finite or 0 where none can be made of it.
+Vector3 offered_direction(const Pair& pair, const MethodAnswer& answer);
+/// -f(u), which no signed distance is below, whatever the unit vector u from a to b or back; rounded down.
+/// The pair is in range.
+double shown_by(const Pair& pair, const Vector3& u);
+
 /// Whether the largest length of the pair, or of its coordinates, is one whose fourth power has all its
 /// digits, so that the rounding bounds of the laws hold. Law 2 carries them to other scales.
 bool is_in_range(const Pair& pair);

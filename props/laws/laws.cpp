@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include "props/laws/laws.hpp"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
 #include <string>
 
 #include "props/laws/law_groups.hpp"
+#include "solver/decide.hpp"
 
 namespace cyl {
 namespace {
@@ -65,6 +67,23 @@ double distance_allowance(const LawCase& c, const Pair& pair, double said) {
   const double length = size_of(pair) + (pair.b.center - pair.a.center).norm();
   return std::max(reach(c.method.claim(), length),
                   distance_rounding_error * std::max(std::fabs(said), length));
+}
+
+Vector3 offered_direction(const Pair& pair, const MethodAnswer& answer) {
+  const Vector3 u = Vector3(answer.head[0], answer.head[1], answer.head[2]).stableNormalized();
+  return u.dot(pair.b.center - pair.a.center) < 0 ? Vector3(-u) : u;
+}
+
+double shown_by(const Pair& pair, const Vector3& u) {
+  const Vector3 delta = pair.b.center - pair.a.center;
+  double supports = 0, lengths = delta.norm();
+  for (const Cylinder* c : {&pair.a, &pair.b}) {
+    const Vector3 w = prepare(*c).unit_axis;
+    supports += c->radius * u.cross(w).norm() + c->height / 2 * std::fabs(u.dot(w));
+    lengths += c->radius + c->height / 2;
+  }
+  // |u| is 1 within 4 roundings, which half of the second bound covers.
+  return std::fabs(u.dot(delta)) - supports - 2 * separation_error * lengths;
 }
 
 bool is_in_range(const Pair& pair) {

@@ -99,12 +99,6 @@ std::optional<Broken> break_proxies(const LawCase& c) {
 /// How far b is moved, in units of size and centres' distance.
 constexpr double moves[] = {0x1p-20, 0x1p-3, 0x1p10};
 
-/// The unit direction offered as witness, from a to b.
-Vector3 offered_direction(const Pair& pair, const MethodAnswer& answer) {
-  const Vector3 u = Vector3(answer.head[0], answer.head[1], answer.head[2]).stableNormalized();
-  return u.dot(pair.b.center - pair.a.center) < 0 ? Vector3(-u) : u;
-}
-
 std::vector<LawQuery> moved_apart(const Method&, const Pair& pair, const MethodAnswer& first) {
   if (first.verdict != Verdict::disjoint || first.witness != CertificateKind::direction || !is_in_range(pair))
     return {};
@@ -117,19 +111,6 @@ std::vector<LawQuery> moved_apart(const Method&, const Pair& pair, const MethodA
     asked.back().pair.b.center += move * unit * u;
   }
   return asked;
-}
-
-// -f(u), which no signed distance is below, whatever the unit vector u; less the rounding.
-double shown_by(const Pair& pair, const Vector3& u) {
-  const Vector3 delta = pair.b.center - pair.a.center;
-  double supports = 0, lengths = delta.norm();
-  for (const Cylinder* c : {&pair.a, &pair.b}) {
-    const Vector3 w = prepare(*c).unit_axis;
-    supports += c->radius * u.cross(w).norm() + c->height / 2 * std::fabs(u.dot(w));
-    lengths += c->radius + c->height / 2;
-  }
-  // |u| is 1 within 4 roundings, which half of the second bound covers.
-  return std::fabs(u.dot(delta)) - supports - 2 * separation_error * lengths;
 }
 
 std::optional<Broken> break_moving_apart(const LawCase& c) {
