@@ -30,6 +30,8 @@ ROOT = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
 ROOMS = re.compile(r'(solver|solver/detail|oracles/referee)/[^/]+\.[ch]pp$')
 OBJECTS = re.compile(r'CMakeFiles/daylight_(solver|oracles_referee)\.dir/(.*)')
 ARGUMENT = re.compile(r'//.*\buntaken: (?=\S)(.*)')
+# The counters lie in a mapped file, so that those of the gate's child processes are there when these are gone.
+COUNTERS = ('-fprofile-instr-generate', '-mllvm', '-runtime-counter-relocation')
 TOOLS = ('clang++', 'llvm-profdata', 'llvm-cov')
 
 Branch = collections.namedtuple('Branch', 'line column what text')
@@ -56,8 +58,8 @@ def compiled(folder, out):
         if '-include' in words:
             del words[words.index('-include'):words.index('-include') + 2]
         flags = [w for w in words if not w.startswith(('-W', '-O', '-ffile-prefix-map', '-fno-semantic'))]
-        waiting.append(['clang++', *flags, '-O2', '-w', '-fprofile-instr-generate', '-fcoverage-mapping', '-c',
-                        entry['file'], '-o', objects[-1]])
+        waiting.append(['clang++', *flags, '-O2', '-w', *COUNTERS, '-fcoverage-mapping', '-c', entry['file'],
+                        '-o', objects[-1]])
     jobs = []
     for command in waiting:
         if len(jobs) == os.cpu_count() and jobs.pop(0).wait():
@@ -84,8 +86,9 @@ def counted(out, program, arguments):
     """Runs the gate; returns what llvm-cov says of each function, and of the gate its last line and exit code."""
     raw = os.path.join(out, 'raw')
     shutil.rmtree(raw, ignore_errors=True)
+    os.makedirs(raw)
     gate = subprocess.run([program, 'gate', *arguments], cwd=ROOT, stdout=subprocess.PIPE, encoding='utf-8',
-                          env={**os.environ, 'LLVM_PROFILE_FILE': os.path.join(raw, '%p.profraw')})
+                          env={**os.environ, 'LLVM_PROFILE_FILE': os.path.join(raw, '%p%c.profraw')})
     with open(os.path.join(out, 'gate.txt'), 'w', encoding='utf-8') as file:
         file.write(gate.stdout)
     profile = os.path.join(out, 'profdata')
