@@ -7,14 +7,17 @@
 Compiles solver/ and oracles/referee/ once more, by clang with counters, links them in front of what ./daylight has built,
 runs the gate and reads llvm-cov: some three minutes. The counters are those of the source, not of the machine code: a
 condition counts once wherever it is inlined and for whatever types it is instantiated. What stands behind a branch that
-is not taken is not listed again. Not counted: exceptions, and values of an enum that a switch has no case for.
+is not taken is not listed again. Not counted: exceptions, what the compiler runs (constexpr), and values of an enum that a
+switch has no case for.
 
-A branch that no pair can take has a line beside it, or in the comment above its statement, that argues why:
+A branch that no pair can take has a line beside it, or in the comment above its statement, that argues why; above a
+function, `within` argues for every branch of it:
 
     // untaken: <reason>
+    // untaken within: <reason>
 
-A line of that kind at a statement all of whose branches are taken is an error too. --argued lists what they excuse;
---as-built builds nothing of ./daylight first. Everything is written to build/untaken/.
+A line of that kind where all branches are taken is an error too. --argued lists what they excuse; --as-built builds nothing
+of ./daylight first. Everything is written to build/untaken/.
 """
 import collections
 import json
@@ -29,7 +32,7 @@ import time
 ROOT = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
 ROOMS = re.compile(r'(solver|solver/detail|oracles/referee)/[^/]+\.[ch]pp$')
 OBJECTS = re.compile(r'CMakeFiles/daylight_(solver|oracles_referee)\.dir/(.*)')
-ARGUMENT = re.compile(r'//.*\buntaken: (?=\S)(.*)')
+ARGUMENT = re.compile(r'//.*\buntaken( within)?: (?=\S)(.*)')
 # The counters lie in a mapped file, so that those of the gate's child processes are there when these are gone.
 COUNTERS = ('-fprofile-instr-generate', '-mllvm', '-runtime-counter-relocation')
 TOOLS = ('clang++', 'llvm-profdata', 'llvm-cov')
@@ -98,14 +101,14 @@ def counted(out, program, arguments):
 
 
 def folded(functions, root):
-    """Adds up instances: {path: ({(line, column): calls}, {(line, column, to line, to column): [true, false]})}."""
+    """Adds up instances: {path: (functions, conditions)}, both by (line, column, to line, to column), with how often they
+    were called, and were [true, false]."""
     files = collections.defaultdict(lambda: ({}, {}))
     for function in functions:
         paths = [os.path.relpath(name, root) for name in function['filenames']]
         if ROOMS.match(paths[0]):
-            line, column = function['regions'][0][:2]
-            calls = files[paths[0]][0]
-            calls[line, column] = calls.get((line, column), 0) + function['count']
+            place, calls = tuple(function['regions'][0][:4]), files[paths[0]][0]
+            calls[place] = calls.get(place, 0) + function['count']
         for line, column, to_line, to_column, yes, no, file, *_ in function['branches']:
             if ROOMS.match(paths[file]):
                 ways = files[paths[file]][1].setdefault((line, column, to_line, to_column), [0, 0])
@@ -124,7 +127,9 @@ def text_between(lines, line, column, to_line, to_column):
 def branches_of(lines, calls, conditions):
     """Returns how many branches a file has, and those of them that are not taken."""
     count, untaken = 0, []
-    for (line, column), times in calls.items():
+    for (line, column, *_), times in calls.items():
+        if times == 0 and lines[line - 1].lstrip().startswith('constexpr'):
+            continue
         count += 1
         if times == 0:
             untaken.append(Branch(line, column, 'never called', lines[line - 1].strip()))
@@ -143,8 +148,8 @@ def branches_of(lines, calls, conditions):
     return count, sorted(untaken)
 
 
-def argument_for(lines, number):
-    """Returns the line that argues for the statement of which line `number` is part, or None."""
+def argument_beside(lines, number):
+    """Returns the line that argues in the statement of which line `number` is part, or above it, or 0."""
     while True:
         if ARGUMENT.search(lines[number - 1]):
             return number
@@ -152,8 +157,20 @@ def argument_for(lines, number):
         if not above.startswith('//'):
             code = above.partition('//')[0].rstrip()
             if not code or code[-1] in ';{}:' or lines[number - 1].lstrip().startswith('//'):
-                return None
+                return 0
         number -= 1
+
+
+def arguments_for(lines, calls, untaken):
+    """Returns of each branch the line that argues for it, or 0."""
+    whole = []
+    for line, _, to_line, _ in calls:
+        at = argument_beside(lines, line)
+        if at and ARGUMENT.search(lines[at - 1])[1]:
+            whole.append((line, to_line, at))
+    for branch in untaken:
+        yield argument_beside(lines, branch.line) or next(
+            (at for line, to_line, at in whole if line <= branch.line <= to_line), 0)
 
 
 def main():
@@ -179,14 +196,12 @@ def main():
         count, untaken = branches_of(lines, *files[path])
         total += count
         taken += count - len(untaken)
-        used = set()
-        for branch in untaken:
-            at = argument_for(lines, branch.line)
-            used.add(at)
-            argued += at is not None
-            left += at is None
-            if at is None or '--argued' in chosen:
-                reason = '' if at is None else '   // ' + ARGUMENT.search(lines[at - 1])[1]
+        used = list(arguments_for(lines, files[path][0], untaken))
+        argued += sum(at > 0 for at in used)
+        left += used.count(0)
+        for branch, at in zip(untaken, used):
+            if at == 0 or '--argued' in chosen:
+                reason = '   // ' + ARGUMENT.search(lines[at - 1])[2] if at else ''
                 print(f'{path}:{branch.line}:{branch.column}: {branch.what}: {branch.text}{reason}')
         for number, line in enumerate(lines, 1):
             if ARGUMENT.search(line) and number not in used:
