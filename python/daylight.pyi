@@ -14,11 +14,19 @@ class Verdict(IntEnum):
     undecided = 3
     invalid = 4
 
+class Hull(IntEnum):
+    space = 0
+    plane = 1
+    line = 2
+    center = 3
+
 class Decision(NamedTuple):
     verdict: Verdict | NDArray[int8]
     direction: NDArray[float64]
     point_head: NDArray[float64]
     point_tail: NDArray[float64]
+    hull_a: Hull | NDArray[int8]
+    hull_b: Hull | NDArray[int8]
 
 class Distance(NamedTuple):
     value: float | NDArray[float64]

@@ -94,13 +94,15 @@ class Pairs {
   py::ssize_t a_step_ = 0, b_step_ = 0;
 };
 
-py::object verdict_class() { return py::module_::import("daylight").attr("Verdict"); }
+using Codes = py::array_t<std::int8_t>;
 
-// One pair: a Verdict; many: int8.
-py::object verdicts_of(const Pairs& pairs, const py::array_t<std::int8_t>& codes) {
-  if (pairs.single()) return verdict_class()(static_cast<int>(*codes.data()));
+// One pair: a Verdict or Hull; many: int8.
+py::object enum_of(const char* enumeration, const Pairs& pairs, const Codes& codes) {
+  if (pairs.single())
+    return py::module_::import("daylight").attr(enumeration)(static_cast<int>(*codes.data()));
   return codes;
 }
+py::object verdicts_of(const Pairs& pairs, const Codes& codes) { return enum_of("Verdict", pairs, codes); }
 // One pair: a float; many: float64.
 py::object numbers_of(const Pairs& pairs, const Doubles& numbers) {
   if (pairs.single()) return py::float_(*numbers.data());
@@ -152,9 +154,11 @@ py::object decide_exactly_arrays(const py::object& a, const py::object& b) {
 
 py::object decide_arrays(const py::object& a, const py::object& b) {
   const Pairs pairs(a, b);
-  auto codes = pairs.results<std::int8_t>();
+  auto codes = pairs.results<std::int8_t>(), hull_a = pairs.results<std::int8_t>(),
+       hull_b = pairs.results<std::int8_t>();
   auto direction = pairs.results<double>(3), head = pairs.results<double>(3), tail = pairs.results<double>(3);
-  std::int8_t* out = codes.mutable_data();
+  std::int8_t *out = codes.mutable_data(), *hull_a_out = hull_a.mutable_data(),
+              *hull_b_out = hull_b.mutable_data();
   double *direction_out = direction.mutable_data(), *head_out = head.mutable_data(),
          *tail_out = tail.mutable_data();
   {
@@ -165,9 +169,13 @@ py::object decide_arrays(const py::object& a, const py::object& b) {
       put(direction_out, i, answer.direction);
       put(head_out, i, answer.point_head);
       put(tail_out, i, answer.point_tail);
+      hull_a_out[i] = static_cast<std::int8_t>(answer.hull_a);
+      hull_b_out[i] = static_cast<std::int8_t>(answer.hull_b);
     }
   }
-  return py::module_::import("daylight").attr("Decision")(verdicts_of(pairs, codes), direction, head, tail);
+  return py::module_::import("daylight")
+      .attr("Decision")(verdicts_of(pairs, codes), direction, head, tail, enum_of("Hull", pairs, hull_a),
+                        enum_of("Hull", pairs, hull_b));
 }
 
 py::object distance_arrays(const py::object& a, const py::object& b) {
@@ -312,12 +320,15 @@ of the processor, with the same verdicts.)";
 
 constexpr const char* decide_text = R"(The verdict with a proof, never wrong.
 
-Returns Decision(verdict, direction, point_head, point_tail); the last three
-float64 of shape (.., 3). disjoint: `direction`, not of unit length, points from
-a to b and is square to a plane that separates them. intersecting: the point
-that is exactly point_head + point_tail is in both. undecided: too
-near to touching for this arithmetic, and neither; ask decide_exactly. What does
-not belong to a verdict is 0.)";
+Returns Decision(verdict, direction, point_head, point_tail, hull_a, hull_b);
+direction and the points float64 of shape (.., 3), the hulls each a Hull, or int8
+of shape (..). disjoint: `direction`, not of unit length, points from a to b and
+is square to a plane that separates them. intersecting: a point is in both, which
+is exactly point_head + point_tail where both hulls are `space`; else the nearest
+to that in both hulls: `plane`, through the solid's centre, square to its axis;
+`line`, its axis; `center`. undecided: within 1e-13 of the size of touching, or
+flat solids with little in common; ask decide_exactly. What does not belong to a
+verdict is 0.)";
 
 constexpr const char* decide_exactly_text = R"(The proved verdict, touching told apart.
 
@@ -359,15 +370,18 @@ negative or not finite.)";
 
 PYBIND11_MODULE(daylight, m) {
   m.doc() = module_text;
-  py::dict words;
-  for (const Verdict v : enum_values<Verdict>) words[to_string(v)] = static_cast<int>(v);
-  m.attr("Verdict") =
-      py::module_::import("enum").attr("IntEnum")("Verdict", words, py::arg("module") = "daylight");
+  const auto enumeration = [&m]<class Enum>(const char* name, Enum) {
+    py::dict words;
+    for (const Enum e : enum_values<Enum>) words[to_string(e)] = static_cast<int>(e);
+    m.attr(name) = py::module_::import("enum").attr("IntEnum")(name, words, py::arg("module") = "daylight");
+  };
+  enumeration("Verdict", Verdict{});
+  enumeration("Hull", Hull{});
   const auto record = [&m](const char* name, const char* fields) {
     m.attr(name) =
         py::module_::import("collections").attr("namedtuple")(name, fields, py::arg("module") = "daylight");
   };
-  record("Decision", "verdict direction point_head point_tail");
+  record("Decision", "verdict direction point_head point_tail hull_a hull_b");
   record("Distance", "value error direction on_a on_b verdict");
 
   m.def("intersect", &intersect_arrays, py::arg("a"), py::arg("b"), intersect_text);

@@ -12,7 +12,7 @@ import unittest
 import numpy as np
 
 import daylight
-from daylight import Verdict
+from daylight import Hull, Verdict
 
 README = pathlib.Path(__file__).resolve().parents[1] / 'README.md'
 FUNCTIONS = ['campaign', 'decide', 'decide_exactly', 'distance', 'intersect']
@@ -39,6 +39,15 @@ class Module(unittest.TestCase):
         self.assertIs(meet.verdict, Verdict.intersecting)
         x = meet.point_head + meet.point_tail
         self.assertTrue(np.hypot(x[0], x[1]) <= 1 and np.hypot(x[0] - 1, x[1]) <= 1 and abs(x[2]) <= 0.5)
+
+    def test_hulls(self):
+        self.assertEqual(daylight.decide(ROD, beside(1))[4:], (Hull.space, Hull.space))
+        axis = np.array([0.1, 0.2, 0, 0.3, 0.4, 1, 0, 4])
+        meet = daylight.decide(axis, ROD)
+        self.assertEqual((meet.verdict, meet.hull_a, meet.hull_b), (Verdict.intersecting, Hull.line, Hull.space))
+        self.assertIs(type(meet.hull_a), Hull)
+        many = daylight.decide(np.array([axis, ROD]), ROD)
+        self.assertEqual((many.hull_a.tolist(), many.hull_a.dtype), ([Hull.line, Hull.space], np.int8))
 
     def test_distance(self):
         gap = daylight.distance(ROD, beside(3))
@@ -186,8 +195,8 @@ class Documentation(unittest.TestCase):
         for x in stub:
             if isinstance(x, ast.ClassDef):
                 known = getattr(daylight, x.name)
-                if known is Verdict:
-                    self.assertEqual({y.targets[0].id: y.value.value for y in x.body}, {v.name: v for v in Verdict})
+                if known in (Verdict, Hull):
+                    self.assertEqual({y.targets[0].id: y.value.value for y in x.body}, {v.name: v for v in known})
                 else:
                     self.assertEqual([y.target.id for y in x.body], list(known._fields))
         self.assertEqual({x.name for x in stub if isinstance(x, (ast.ClassDef, ast.FunctionDef))},

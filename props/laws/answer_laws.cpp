@@ -8,6 +8,7 @@
 #include <bit>
 #include <cstdint>
 #include <initializer_list>
+#include <limits>
 
 #include "corpus/pairs/pair_io.hpp"
 #include "corpus/pairs/truth_io.hpp"
@@ -141,11 +142,12 @@ std::optional<Cylinder> core(Cylinder c, double least) {
 }
 
 /// Whether both hold a ball of that radius, or a disk or segment where one of them is flat. Of two that are
-/// flat nothing is said.
+/// flat nothing is said, nor of lengths whose sum overflows, as an offset to a common point may.
 bool hold_room(const LawCase& c, double least) {
   const auto flat = [&](const Cylinder& solid) { return std::min(2 * solid.radius, solid.height) <= least; };
   const auto a = core(c.pair.a, least), b = core(c.pair.b, least);
-  return a && b && !(flat(c.pair.a) && flat(c.pair.b)) && c.proofs.of({*a, *b}).decided() &&
+  return a && b && size_of(c.pair) < std::numeric_limits<double>::max() &&
+         !(flat(c.pair.a) && flat(c.pair.b)) && c.proofs.of({*a, *b}).decided() &&
          c.proofs.of({*a, *b}).meets();
 }
 
