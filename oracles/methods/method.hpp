@@ -18,7 +18,7 @@ namespace cyl {
 /// From where on a method promises not to be undecided, where both solids are valid and within range.
 enum class Decides : unsigned char {
   not_promised,
-  beyond_rounding,  ///< It decides every pair whose margin doubles resolve.
+  beyond_rounding,  ///< It decides gaps of 1e-13 of the size, and where a ball of that lies in both (law 39).
   all               ///< It decides every pair of which anybody can prove a verdict.
 };
 
