@@ -100,9 +100,11 @@ template <class R>
 bool BasicFilter<R>::separates(const double direction[3]) const {
   const Vec3<double> given{direction[0], direction[1], direction[2]};
   const double most = max_abs(given);
+  // untaken: our directions are finite; others' may be anything
   if (!(most > 0) || !std::isfinite(most)) return false;
   bool exact = true;
   const Vec3<double> d = scaled(given, -std::ilogb(most), exact);
+  // untaken: of our directions the greatest coordinate is about 1, where the scale is
   return exact && separates(Vec3<R>{d.x, d.y, d.z});
 }
 
@@ -119,6 +121,7 @@ bool BasicFilter<R>::in_both(const double head[3], const double tail[3]) const {
   bool exact = true;
   const Vec3<double> h = scaled({head[0], head[1], head[2]}, -exponent_, exact);
   const Vec3<double> t = scaled({tail[0], tail[1], tail[2]}, -exponent_, exact);
+  // untaken: our tails are sums of multiples of unit axes, whose coordinates are 0 or at least 2^-200
   if (!exact) return false;
   for (const Solid* s : {&a_, &b_}) {
     const Vec3<I> x = (lift<I>(h) - lift<I>(s->center)) + lift<I>(t);
@@ -155,6 +158,7 @@ bool BasicFilter<R>::overlap_near(Vec3<I> x, const Hulls& hulls) const {
     return hull == Hull::line ? along : from - along;
   };
   const auto strictly_inside = [](const Solid& s, Hull hull, const Vec3<I>& at) {
+    // untaken: what decide() proved in a hull keeps away from caps and rims by more than rounding
     return (level(hull) || abs(dot(at, s.unit_axis)).hi < s.height / 2) &&
            (thin(hull) || length(cross(at, s.unit_axis)).hi < s.radius);
   };
@@ -162,16 +166,19 @@ bool BasicFilter<R>::overlap_near(Vec3<I> x, const Hulls& hulls) const {
     const bool swap = hull_b != Hull::plane;  // `second` lies in a plane
     const Solid &first = swap ? b_ : a_, &second = swap ? a_ : b_;
     const Hull hull = swap ? hull_b : hull_a;
+    // untaken: decide() proves no two lines and no centre in a hull
     if ((swap && hull_a != Hull::plane) || hull == Hull::center) return false;
     const Vec3<I>&w0 = first.unit_axis, &w1 = second.unit_axis;
     const Vec3<I> to_second = swap ? I(-1) * delta_ : delta_;
     const Vec3<I> slide = hull == Hull::plane ? w1 - dot(w0, w1) * w0 : w0;  // within the first
     Vec3<I> y = moved(first, hull, swap ? x - delta_ : x);
     y = y - (dot(y - to_second, w1) / dot(slide, w1)) * slide;  // everything where the two may be parallel
+    // untaken: what decide() proved keeps away from caps and rims by more than rounding
     return strictly_inside(first, hull, y) && strictly_inside(second, Hull::plane, y - to_second);
   }
   if (hull_a != Hull::space) x = moved(a_, hull_a, x);
   if (hull_b != Hull::space) x = moved(b_, hull_b, x - delta_) + delta_;
+  // untaken: what decide() proved keeps away from caps and rims by more than rounding
   return strictly_inside(a_, hull_a, x) && strictly_inside(b_, hull_b, x - delta_);
 }
 
@@ -180,6 +187,7 @@ template class BasicFilter<long double>;
 
 Rational3 exact(const Vector3& v) { return {mpq_class(v.x()), mpq_class(v.y()), mpq_class(v.z())}; }
 
+// untaken within: tests and exports read certificates that are written; the gate has them in hand
 Rational3 exact(const ExactVector& v) {
   const auto c = [&](std::size_t i) {
     return v.exact[i].empty() ? mpq_class(mpq_class(v.head[i]) + mpq_class(v.tail[i]))
@@ -206,6 +214,7 @@ int support_gap_sign(const Pair& pair, const Rational3& direction, int bits) {
 }
 
 bool separates_in_multiprecision(const Pair& pair, const Rational3& direction, int bits) {
+  // untaken: our directions and the search's are not 0; others' may be
   if (direction.x == 0 && direction.y == 0 && direction.z == 0) return false;
   return support_gap_sign(pair, direction, bits) < 0;
 }

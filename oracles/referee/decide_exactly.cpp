@@ -1,12 +1,30 @@
 // SPDX-License-Identifier: MIT
 #include "oracles/referee/decide_exactly.hpp"
 
+#include <array>
+
 namespace cyl {
 namespace {
 
 bool flat(const Cylinder& c) { return c.radius == 0 || c.height == 0; }
 
 }  // namespace
+
+Certificate certificate_of(const Answer& answer) {
+  const auto doubles = [](const Vector3& v) { return std::array<double, 3>{v[0], v[1], v[2]}; };
+  switch (answer.proof) {
+    case Proof::none:
+      break;
+    case Proof::direction:
+      return {CertificateKind::direction, {doubles(answer.direction), {}, {}}, {}};
+    case Proof::point:
+      return {CertificateKind::point,
+              {doubles(answer.point_head), doubles(answer.point_tail), {}},
+              {},
+              {answer.hull_a, answer.hull_b}};
+  }
+  return {};
+}
 
 // The points of two flat solids may all be of touching, and the point of a hull has yet to be found.
 Truth decide_exactly(const Cylinder& a, const Cylinder& b) {

@@ -79,6 +79,7 @@ class Search {
     Bounds best = plane(cap, {false, false}, {false, false});
     auto consider = [&](const Vec& middle, std::array<bool, 2> on_circle, std::array<bool, 2> at_axis) {
       Cap moved;
+      // untaken: a cap of the first cells has 36 degrees and holds its middle; twice 36 is less than 84
       if (!widen(cap, middle, moved)) return;
       const Bounds b = plane(moved, on_circle, at_axis);
       best.below = std::max(best.below, b.below);
@@ -290,6 +291,7 @@ std::optional<Enclosure> enclose_near_touching(const Pair& pair, Verdict verdict
 }  // namespace
 
 AttainedDistance attain_distance(const Pair& pair, const Truth& truth, double relative_width) {
+  // untaken: a family's pairs are valid
   if (truth.verdict == Verdict::invalid) return {};
   int exponent = 0;
   const SearchPair<double> p = double_pair(pair, exponent);
@@ -300,6 +302,7 @@ AttainedDistance attain_distance(const Pair& pair, const Truth& truth, double re
   Range f;
   if (size == 0) {
     const double apart = length(p.delta);
+    // untaken: points in one place touch, of which the gate asks no distance
     f = {-apart, -apart, apart > 0 ? (1 / apart) * p.delta : Vec{0, 0, 1}};
   } else if (c.x == 0 && c.y == 0 && c.z == 0) {
     f = parallel(p);
@@ -318,11 +321,13 @@ AttainedDistance attain_distance(const Pair& pair, const Truth& truth, double re
 }
 
 Enclosure enclose_distance(const Pair& pair, const Truth& truth, double relative_width) {
+  // untaken: that the distance is 0 the gate takes from the verdict
   if (truth.verdict == Verdict::touching) return {0, 0};
   if (const auto near = enclose_near_touching(pair, truth.verdict, relative_width)) return *near;
   return attain_distance(pair, truth, relative_width).distance;
 }
 
+// untaken within: for `check --distance`; the gate asks at widths of its own
 Enclosure enclose_distance(const Pair& pair, const Truth& truth) {
   if (truth.verdict == Verdict::touching) return {0, 0};
   const double width = truth.verdict == Verdict::disjoint ? gap_width_tol : depth_width_tol;

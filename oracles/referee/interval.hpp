@@ -25,6 +25,7 @@ template <class R>
 R next_up(R x) {
   using Limits = std::numeric_limits<R>;
   static_assert(Limits::is_iec559, "sums round to nearest");
+  // untaken: an end above that is infinite is one of everything(), or of an overflow, which is positive first
   if (!(std::fabs(x) < Limits::infinity())) return x < 0 ? Limits::lowest() : Limits::infinity();
   return x + (std::fabs(x) * half_spacing<R> + Limits::denorm_min());
 }
@@ -63,6 +64,7 @@ struct BasicInterval {
     if (b.lo <= 0 && b.hi >= 0) return everything();
     if (b.hi < 0) return -a / -b;
     const R low = a.lo / (a.lo < 0 ? b.lo : b.hi), high = a.hi / (a.hi < 0 ? b.hi : b.lo);
+    // untaken: the filter divides by numbers above 2^-60
     return std::isnan(low + high) ? everything() : outward(low, high);
   }
   friend BasicInterval sqrt(const BasicInterval& a) {

@@ -39,7 +39,8 @@ class MpFloat {
     copy_digits(o);
   }
   MpFloat& operator=(const MpFloat& o) {
-    if (this == &o) return *this;
+    if (this == &o) return *this;  // untaken: the search assigns no number to itself
+    // untaken: the numbers of one search have one precision
     if (mpfr_get_prec(v_) != mpfr_get_prec(o.v_)) {
       clear();
       make_zero(mpfr_get_prec(o.v_));
@@ -56,7 +57,7 @@ class MpFloat {
     o.make_zero(inline_bits_cap);
   }
   MpFloat& operator=(MpFloat&& o) noexcept {
-    if (is_inline() || o.is_inline()) return *this = o;
+    if (is_inline() || o.is_inline()) return *this = o;  // untaken: they have one precision
     mpfr_swap(v_, o.v_);
     return *this;
   }
@@ -140,17 +141,6 @@ class MpInterval {
     mpfi_init(v_);
     mpfi_set_q(v_, x.get_mpq_t());
   }
-  MpInterval(const MpInterval& o) {
-    mpfi_init2(v_, mpfi_get_prec(o.v_));
-    mpfi_set(v_, o.v_);
-  }
-  MpInterval& operator=(const MpInterval& o) {
-    if (this != &o) {
-      mpfi_set_prec(v_, mpfi_get_prec(o.v_));
-      mpfi_set(v_, o.v_);
-    }
-    return *this;
-  }
   MpInterval(MpInterval&& o) noexcept : MpInterval() { mpfi_swap(v_, o.v_); }
   MpInterval& operator=(MpInterval&& o) noexcept {
     mpfi_swap(v_, o.v_);
@@ -179,23 +169,6 @@ class MpInterval {
   }
   bool negative() const { return mpfi_is_strictly_neg(v_) != 0; }
   bool positive() const { return mpfi_is_strictly_pos(v_) != 0; }
-  /// Doubles outside, rounded away from the interval.
-  double lower_double() const {
-    mpfr_t x;
-    mpfr_init(x);
-    mpfi_get_left(x, v_);
-    const double d = mpfr_get_d(x, MPFR_RNDD);
-    mpfr_clear(x);
-    return d;
-  }
-  double upper_double() const {
-    mpfr_t x;
-    mpfr_init(x);
-    mpfi_get_right(x, v_);
-    const double d = mpfr_get_d(x, MPFR_RNDU);
-    mpfr_clear(x);
-    return d;
-  }
 
  private:
   template <class Operation>
@@ -206,8 +179,5 @@ class MpInterval {
   }
   mpfi_t v_;
 };
-
-inline double lower(const MpInterval& a) { return a.lower_double(); }
-inline double upper(const MpInterval& a) { return a.upper_double(); }
 
 }  // namespace cyl

@@ -113,7 +113,7 @@ mpq_class simplest_within(const mpq_class& x, const mpq_class& tolerance) {
     p0 = p1, q0 = q1, p1 = p2, q1 = q2;
     mpq_class guess(p1, q1);
     guess.canonicalize();
-    if (abs(mpq_class(x - guess)) <= tolerance || rest == whole) return guess;
+    if (abs(mpq_class(x - guess)) <= tolerance) return guess;  // the last is x
     rest = 1 / mpq_class(rest - whole);
   }
 }
