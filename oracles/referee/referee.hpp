@@ -20,7 +20,7 @@ inline constexpr int precision_cap = 4096;
 /// Deterministic. Never throws; an invalid pair gives `invalid`. What it proves is written as a direction, a
 /// point (of a witness in hulls: the rational point that it stands for) or `near`. `undecided` only at the
 /// cap on precision: a tangency for which algebra was offered no rational direction, or a gap or depth too
-/// small for that many bits to show. Cost: below 1 us with a witness and about that without, 15 us with one
+/// small for that many bits to show. Cost: below 1 us with a witness and about that without, 20 us with one
 /// in hulls, 0.1 ms where double does not reach, below 1 ms for exact ties; of axes or lengths with
 /// components hundreds of decades apart 0.4 ms in the mean, 11 ms at most among 200,000 pairs. A cap below
 /// 128 bits: in double alone, witnesses too.
