@@ -104,7 +104,6 @@ class Search {
     const double q0 = f.e0 - sc * s0 * p.h1 * f.s + p.r1 * s0 * f.c;
     const double q1 = f.e1 - sc * s1 * p.h0 * f.s + p.r0 * s1 * f.c;
     const double far0 = f.z * f.z + q0 * q0, far1 = f.z * f.z + q1 * q1;
-    const bool on_cap0 = far0 <= p.r0 * p.r0, on_cap1 = far1 <= p.r1 * p.r1;
     if (consider(s0 * f.w0, p.delta - sc * s0 * p.h1 * f.w1 - s0 * p.r1 * f.m1, true)) return true;
     if (consider(s1 * f.w1, sc * s1 * p.h0 * f.w0 + s1 * p.r0 * f.m0, false)) return true;
     // Circles.
@@ -127,18 +126,12 @@ class Search {
     if (k1.y > 0 && std::fabs(at1) > p.h1 &&
         look_at_rims({1, -std::copysign(1.0, at1), cx1, cy1, k1.x, k1.y}))
       return true;
-    // From a pole the facing rim starts at its lowest point; where the pole's point is just on its own rim
-    // that is a stationary point of section 3 but perhaps no minimum, so that it starts beside it, too.
-    constexpr double aside = 20.0 / 101, up = 99.0 / 101, tie_tol = 0x1p-20;  // of the squared radius
+    // A pole whose point is just on the rim of its face is a stationary point of section 3, too.
+    constexpr double tie_tol = 0x1p-20;  // of the squared radius
     const double i0 = 1 / std::sqrt(larger(far0, 0x1p-1000)), i1 = 1 / std::sqrt(larger(far1, 0x1p-1000));
-    Rims pole0{s0, sc * s0, f.z * i0, q0 * i0, 0, s0}, pole1{sc * s1, s1, 0, s1, f.z * i1, q1 * i1};
-    if (!on_cap0 && look_at_rims(pole0)) return true;
-    if (!on_cap1 && look_at_rims(pole1)) return true;
-    pole0.x1 = pole1.x0 = aside;
-    pole0.y1 = up * s0;
-    pole1.y0 = up * s1;
-    if (std::fabs(far0 - p.r0 * p.r0) <= tie_tol * p.r0 * p.r0 && look_at_rims(pole0)) return true;
-    if (std::fabs(far1 - p.r1 * p.r1) <= tie_tol * p.r1 * p.r1 && look_at_rims(pole1)) return true;
+    const Rims pole0{s0, sc * s0, f.z * i0, q0 * i0, 0, s0}, pole1{sc * s1, s1, 0, s1, f.z * i1, q1 * i1};
+    if (far0 > (1 - tie_tol) * p.r0 * p.r0 && look_at_rims(pole0)) return true;
+    if (far1 > (1 - tie_tol) * p.r1 * p.r1 && look_at_rims(pole1)) return true;
     return false;
   }
 
@@ -241,6 +234,7 @@ Distance distance(const Prepared& a, const Prepared& b) noexcept {
   const Scaled p = scale(first, second);
   if (axes.parallel()) {
     measure_parallel(p, axes.sum, out);
+    // untaken: where decide() proves a point the depth is beyond rounding, or the centres are one
     if (out.value > 0 && out.value <= out.error && decide(first, second).proof == Proof::point) out.value = 0;
   } else {
     const TurnedFrame frame(p, axes);

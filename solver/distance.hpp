@@ -7,9 +7,9 @@
 
 namespace cyl {
 
-/// Steps of all searches that one answer may spend: two of 60 on circles, eight of 61 with rims, 60
+/// Steps of all searches that one answer may spend: two of 60 on circles, six of 61 with rims, 60
 /// projections.
-inline constexpr int distance_step_cap = 668;
+inline constexpr int distance_step_cap = 546;
 
 /// Bound of rounding in f(direction) and in the distance of the points, times r0 + h0/2 + r1 + h1/2 +
 /// |Delta|; derived in distance.md, section 5.

@@ -194,6 +194,12 @@ TEST(Distance, SmallRimsAndSquareAxes) {
   }
 }
 
+// One search starts on a saddle, by symmetry: if it stayed there, the answer would be 0.002 too deep.
+TEST(Distance, SaddleIsLeft) {
+  const Distance d = distance(Cylinder{{-1, 2, 1}, {0, 0, -2}, 3, 2}, Cylinder{{-1, 0, 1}, {-1, 0, 2}, 3, 2});
+  EXPECT_NEAR(d.value, -3.2336479117, 1e-9);
+}
+
 // The distance is known because the rims are put together by it: at a point of each with the normal n, by the
 // offset along n. Apart it is the gap, and overlapping no less deep than the pair.
 TEST(Distance, SmallRimsPutTogether) {
