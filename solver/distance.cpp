@@ -183,8 +183,11 @@ class Search {
 void measure_parallel(const Scaled& p, const Vector3& axis_sum, Distance& out) noexcept {
   const Vector3 w = axis_sum / length(axis_sum);
   const double along = dot(p.delta, w);
-  const Vector3 off = p.delta - along * w;
-  const double across = length(off);
+  // Square to w also where nearly all of Delta is along it; where all is but for rounding, so that nothing of
+  // `off` need be square to w, Delta counts as along it.
+  constexpr double coaxial_error = 8 * unit_roundoff_error;
+  const Vector3 rest = p.delta - along * w, off = rest - dot(rest, w) * w;
+  const double across = length(off) > coaxial_error * std::fabs(along) ? length(off) : 0;
   // Any direction square to w where there is none.
   Vector3 u;
   if (across > 0) {
@@ -198,6 +201,7 @@ void measure_parallel(const Scaled& p, const Vector3& axis_sum, Distance& out) n
     u = w.cross(unit);
     u /= length(u);
   }
+  if (dot(u, p.delta) < 0) u = -u;
   const double beyond = std::fabs(along) - p.h0 - p.h1, beside = across - p.r0 - p.r1;
   const double sign = std::copysign(1.0, along);
   const bool by_caps = beyond > 0 || (beside <= 0 && beyond >= beside), by_sides = beside > 0 || !by_caps;

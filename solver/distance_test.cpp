@@ -260,5 +260,17 @@ TEST(Distance, AllocatesNothing) {
   EXPECT_LT(met, 59);
 }
 
+// Coaxial but for a rounding: any direction square to the axis will do, but square it must be.
+TEST(Distance, CoaxialSolidsKeepTheirDirectionSquare) {
+  const Vector3 w(1, 1, 2);
+  for (const double radius : {0.0, 0.25}) {
+    const Cylinder a{Vector3(0, 0, 0), w, radius, 1}, b{w, w, radius / 2, 4.4};
+    const Distance d = distance(a, b);
+    EXPECT_GE(d.direction.dot(b.center - a.center), -1e-15);
+    EXPECT_LE(std::fabs(d.direction.dot(w)), 1e-15);
+    EXPECT_NEAR(d.value, -1.5 * radius, 1e-15);
+  }
+}
+
 }  // namespace
 }  // namespace cyl
