@@ -31,9 +31,10 @@ struct MethodAnswer {
   double distance = 0;         ///< signed: > 0 apart, in the scene's unit; meaningful where has_distance
   double head[3] = {0, 0, 0};  ///< direction, or point = head + tail exactly, in the scene's frame
   double tail[3] = {0, 0, 0};
-  Hull hulls[2] = {Hull::space, Hull::space};  ///< of a and b: the point is the nearest to head + tail in both
-  int steps = 0, step_cap = 0;  ///< that its searches took, and the most they may; 0: not told
-  char reason[120] = {};        ///< why it declined or failed; zero-terminated
+  Hull hulls[2] = {Hull::space,
+                   Hull::space};  ///< of a and b: the point is the nearest to head + tail in both
+  int steps = 0, step_cap = 0;    ///< that its searches took, and the most they may; 0: not told
+  char reason[120] = {};          ///< why it declined or failed; zero-terminated
 
   void set_reason(std::string_view text) noexcept;  ///< truncates
   void set_direction(const Vector3& d) noexcept;    ///< as the witness
