@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "corpus/pairs/close_contact.hpp"
+#include "corpus/pairs/exact_pairs.hpp"
 #include "corpus/pairs/near_touching.hpp"
 #include "corpus/pairs/random_stream.hpp"
 
@@ -21,7 +22,6 @@ constexpr std::array<double, 10> large{1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9, 1e10, 
 constexpr std::array<double, 12> scales{1e-300, 1e-200, 1e-150, 1e-100, 1e-50, 1e-20,
                                         1e-10,  1e10,   1e20,   1e50,   1e100, 1e150};
 constexpr std::array<double, 9> axis_lengths{1e-150, 1e-100, 1e-50, 1e-10, 1, 1e10, 1e50, 1e100, 1e149};
-constexpr std::array<double, 7> dusts{0, 1e-16, 1e-15, 1e-12, 1e-9, 1e-6, 1e-3};  // radians, or a length
 
 double reach(const Cylinder& c) { return std::sqrt(c.radius * c.radius + c.height * c.height / 4); }
 
@@ -273,43 +273,6 @@ Pair mixed_scale(RandomStream& s, std::uint64_t index) {
   return p;
 }
 
-Vector3 lattice_axis(RandomStream& s) {
-  if (s.coin()) return s.coordinate_axis();
-  for (;;) {
-    Vector3 w;
-    for (int i = 0; i < 3; ++i) w[i] = s.integer(-2, 2);
-    if (inner_product(w, w) != 0) return w;
-  }
-}
-
-Pair lattice(RandomStream& s, std::uint64_t) {
-  Pair p;
-  for (Cylinder* c : {&p.a, &p.b}) {
-    for (int i = 0; i < 3; ++i) c->center[i] = s.integer(-3, 3);
-    c->axis = lattice_axis(s);
-    c->radius = s.integer(1, 3);
-    c->height = s.integer(1, 6);
-  }
-  return p;
-}
-
-// By index, the dust runs fastest, then the shapes: two cubes, two disks, two needles, a disk and a needle.
-Pair lattice_dust(RandomStream& s, std::uint64_t index) {
-  const double dust = dusts[index % dusts.size()];
-  const std::uint64_t shapes = index / dusts.size() % 4;
-  Pair p = lattice(s, index);
-  for (Cylinder* c : {&p.a, &p.b}) {
-    const bool disk = shapes == 1 || (shapes == 3 && c == &p.a);
-    const bool needle = shapes == 2 || (shapes == 3 && c == &p.b);
-    c->radius = disk ? 4 : needle ? 0.125 : 1;
-    c->height = disk ? 0.125 : needle ? 8 : 2;
-  }
-  const Vector3 w = p.b.axis;
-  p.b.axis = w + dust * std::sqrt(inner_product(w, w)) * s.perpendicular(w);
-  if (s.coin()) std::swap(p.a, p.b);
-  return p;
-}
-
 Pair raw_axes(RandomStream& s, std::uint64_t) {
   Pair p = random_pair(s);
   for (Cylinder* c : {&p.a, &p.b}) c->axis *= s.within_decades(axis_lengths);
@@ -363,9 +326,9 @@ constexpr std::array entries{
     Entry{"far", "a random pair 1e3 to 1e12 away from the origin", far},
     Entry{"tiny_and_huge", "a random pair scaled by 1e-300 to 1e150", tiny_and_huge},
     Entry{"mixed_scale", "a solid 1e3 to 1e12 times smaller than the other, at its surface", mixed_scale},
-    Entry{"lattice", "small integers throughout: exact ties", lattice},
+    Entry{"lattice", "small integers throughout: exact ties", draw_on_lattice},
     Entry{"lattice_dust", "lattice poses turned by 0 to 1e-3 rad: cubes, disks, needles, disk and needle",
-          lattice_dust},
+          draw_beside_lattice},
     Entry{"raw_axes", "a random pair with axes of length 1e-150 to 1e150", raw_axes},
     Entry{"coins_edge_to_edge", "disks tilted by 1e-9 to 1e-2 rad, edge to edge, flat or nearly",
           coins_edge_to_edge},
@@ -378,6 +341,9 @@ constexpr std::array entries{
           close<CloseKind::rods>},
     Entry{"close_rims", "rim on rim, one radius 1e-4 to 1e-1 of the other, margins 1e-1 to 1e-13",
           close<CloseKind::rims>},
+    Entry{"range_ends", "beside the largest and the smallest doubles, and farther apart than either",
+          draw_range_end},
+    Entry{"whiskers", "exactly touching but for 2^-300 to 2^-900, flat solids' ends and rims", draw_whisker},
 };
 
 template <std::size_t i>
