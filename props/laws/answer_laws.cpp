@@ -189,10 +189,12 @@ std::optional<Broken> break_proof(const LawCase& c) {
   if (!c.method.claim().certified || c.first.status != Status::answered ||
       c.first.witness == CertificateKind::none)
     return {};
-  const Verdict with = c.proofs.of(c.pair).truth.verdict, without = judge(c.pair).verdict;
-  if (with == without) return {};
-  return Broken{fmt::format("the referee proves {} with the witnesses offered and {} without",
-                            to_string(with), to_string(without))};
+  const Verdict with = c.proofs.of(c.pair).truth.verdict;
+  for (const Verdict without : {judge(c.pair).verdict, judge_verdict(c.pair).verdict})
+    if (with != without)
+      return Broken{fmt::format("the referee proves {} with the witnesses offered and {} without",
+                                to_string(with), to_string(without))};
+  return {};
 }
 
 /// Of a product of two vectors, relative: three products and two sums, on either side.
