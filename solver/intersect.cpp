@@ -23,6 +23,7 @@ Verdict verdict_of(bool met) noexcept {
   if (end.here) return verdict_of(end.met);
   const auto [low, first] = start(e);
   double t = first;
+  // untaken: no pair that was ever seen comes to the cap
   for (int i = 0; i < iteration_cap; ++i) {
     const auto now = step(e, low, t);
     if (now.apart | now.met) return verdict_of(now.met);

@@ -18,6 +18,7 @@ static_assert(sizeof(IndexPair) == 2 * sizeof(unsigned) && sizeof(Verdict) == 1)
 
 using Kernel = unsigned (*)(const BatchJob&, unsigned*);
 
+// untaken within: each machine takes the branch of its processor
 Kernel kernel_of(Instructions wanted) noexcept {
 #if defined(__x86_64__)
   switch (std::min(wanted, best_instructions())) {
@@ -46,6 +47,7 @@ void run(Kernel kernel, std::span<const Prepared> a, std::span<const Prepared> b
 
 }  // namespace
 
+// untaken within: each machine takes the branch of its processor
 Instructions best_instructions() noexcept {
 #if defined(__x86_64__)
   static const bool v3 = __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma") &&
@@ -68,6 +70,7 @@ void intersect_batch(std::span<const Prepared> a, std::span<const Prepared> b,
         verdicts + start);
 }
 
+// untaken within: the gate asks for pairs, not for all of two sets; intersect_batch_test does
 void intersect_all(std::span<const Prepared> a, std::span<const Prepared> b, Verdict* verdicts,
                    Instructions instructions) noexcept {
   const Kernel kernel = kernel_of(instructions);

@@ -158,7 +158,6 @@ bool BasicFilter<R>::overlap_near(Vec3<I> x, const Hulls& hulls) const {
     return hull == Hull::line ? along : from - along;
   };
   const auto strictly_inside = [](const Solid& s, Hull hull, const Vec3<I>& at) {
-    // untaken: what decide() proved in a hull keeps away from caps and rims by more than rounding
     return (level(hull) || abs(dot(at, s.unit_axis)).hi < s.height / 2) &&
            (thin(hull) || length(cross(at, s.unit_axis)).hi < s.radius);
   };
@@ -166,19 +165,16 @@ bool BasicFilter<R>::overlap_near(Vec3<I> x, const Hulls& hulls) const {
     const bool swap = hull_b != Hull::plane;  // `second` lies in a plane
     const Solid &first = swap ? b_ : a_, &second = swap ? a_ : b_;
     const Hull hull = swap ? hull_b : hull_a;
-    // untaken: decide() proves no two lines and no centre in a hull
     if ((swap && hull_a != Hull::plane) || hull == Hull::center) return false;
     const Vec3<I>&w0 = first.unit_axis, &w1 = second.unit_axis;
     const Vec3<I> to_second = swap ? I(-1) * delta_ : delta_;
     const Vec3<I> slide = hull == Hull::plane ? w1 - dot(w0, w1) * w0 : w0;  // within the first
     Vec3<I> y = moved(first, hull, swap ? x - delta_ : x);
     y = y - (dot(y - to_second, w1) / dot(slide, w1)) * slide;  // everything where the two may be parallel
-    // untaken: what decide() proved keeps away from caps and rims by more than rounding
     return strictly_inside(first, hull, y) && strictly_inside(second, Hull::plane, y - to_second);
   }
   if (hull_a != Hull::space) x = moved(a_, hull_a, x);
   if (hull_b != Hull::space) x = moved(b_, hull_b, x - delta_) + delta_;
-  // untaken: what decide() proved keeps away from caps and rims by more than rounding
   return strictly_inside(a_, hull_a, x) && strictly_inside(b_, hull_b, x - delta_);
 }
 

@@ -29,7 +29,6 @@ template <class R>
 class BasicFilter {
  public:
   explicit BasicFilter(const Pair& pair);
-  bool usable() const { return usable_; }
   /// The scene's unit is 2^exponent of the filter's.
   int exponent() const { return exponent_; }
   /// f(direction) < 0 for certain.

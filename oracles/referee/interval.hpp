@@ -25,7 +25,6 @@ template <class R>
 R next_up(R x) {
   using Limits = std::numeric_limits<R>;
   static_assert(Limits::is_iec559, "sums round to nearest");
-  // untaken: an end above that is infinite is one of everything(), or of an overflow, which is positive first
   if (!(std::fabs(x) < Limits::infinity())) return x < 0 ? Limits::lowest() : Limits::infinity();
   return x + (std::fabs(x) * half_spacing<R> + Limits::denorm_min());
 }

@@ -63,7 +63,7 @@ class MpFloat {
   }
   ~MpFloat() { clear(); }
 
-  double to_double() const { return mpfr_get_d(v_, MPFR_RNDN); }
+  double to_double() const { return mpfr_get_d(v_, MPFR_RNDN); }  // untaken: for tests
   /// The same number exactly. Throws nothing; the number is finite.
   mpq_class to_rational() const {
     mpq_class q;
@@ -141,6 +141,7 @@ class MpInterval {
     mpfi_init(v_);
     mpfi_set_q(v_, x.get_mpq_t());
   }
+  // untaken: results are built in place; the language wants it all the same
   MpInterval(MpInterval&& o) noexcept : MpInterval() { mpfi_swap(v_, o.v_); }
   MpInterval& operator=(MpInterval&& o) noexcept {
     mpfi_swap(v_, o.v_);

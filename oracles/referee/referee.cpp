@@ -55,7 +55,9 @@ constexpr int first_multiprecision_bits = 128;
 constexpr int tangency_bits = 256;  // contacts at simple rationals show themselves up to this precision
 constexpr int near_bits = 512;      // enough for a point within 2^-200 size of both solids
 
-bool finite(const double v[3]) { return std::isfinite(v[0]) && std::isfinite(v[1]) && std::isfinite(v[2]); }
+bool finite(const double v[3]) {
+  return std::all_of(v, v + 3, [](double x) { return std::isfinite(x); });
+}
 
 Rational3 sum(const double head[3], const double tail[3]) {
   auto c = [&](int i) { return mpq_class(mpq_class(head[i]) + mpq_class(tail[i])); };
@@ -83,6 +85,7 @@ enum class Certificates : bool { left_out, written };
 
 std::optional<Truth> check_by_filter(const Pair& pair, const Filter& filter, const MethodAnswer& answer,
                                      Certificates certificates) {
+  // untaken: our answers are finite; others' may be anything
   if (answer.status != Status::answered || !finite(answer.head) || !finite(answer.tail)) return std::nullopt;
   if (answer.witness == CertificateKind::direction && filter.separates(answer.head))
     return proved(Verdict::disjoint, exact_vector(answer.head, no_tail), Stage::filter, 53);
@@ -94,12 +97,13 @@ std::optional<Truth> check_by_filter(const Pair& pair, const Filter& filter, con
   if (!filter.overlap_at(answer.head, answer.tail, hulls_of(answer))) return std::nullopt;
   if (certificates == Certificates::left_out) return verdict_alone(Verdict::intersecting);
   const auto point = offered_point(pair, answer);
-  if (!point) return std::nullopt;
+  if (!point) return std::nullopt;  // untaken: the filter saw the hulls meet
   return proved(Verdict::intersecting, exact_vector(*point), Stage::filter, 53);
 }
 
 // A point on both surfaces proves that the solids meet, not that they overlap: it is left to the search.
 std::optional<Truth> check_exactly(const Pair& pair, const MethodAnswer& answer) {
+  // untaken: our answers are finite; others' may be anything
   if (answer.status != Status::answered || !finite(answer.head) || !finite(answer.tail)) return std::nullopt;
   if (answer.witness == CertificateKind::direction &&
       separates_in_multiprecision(pair, sum(answer.head, no_tail), first_multiprecision_bits))
@@ -107,6 +111,7 @@ std::optional<Truth> check_exactly(const Pair& pair, const MethodAnswer& answer)
                   first_multiprecision_bits);
   if (answer.witness != CertificateKind::point) return std::nullopt;
   const auto point = offered_point(pair, answer);
+  // untaken: our answers are finite, and points of both solids; others' may be anything
   if (!point || !in_both_exact(pair, *point) || !overlap_at(pair, *point)) return std::nullopt;
   return proved(Verdict::intersecting,
                 in_space(answer) ? exact_vector(answer.head, answer.tail) : exact_vector(*point),
@@ -213,6 +218,7 @@ std::optional<Truth> prove_touching(const Pair& pair, const Rational3& point, co
   // No rational point was found. One within 2^-200 size of both solids is what a search at this precision
   // returns.
   Rational3 near_point, near_direction;
+  // untaken: touching solids show their point at any precision
   if (!search_in_multiprecision(pair, near_bits, near_point, near_direction).has_point) return std::nullopt;
   t.certificate.kind = CertificateKind::near;
   t.certificate.vector = exact_vector(near_point);
@@ -278,6 +284,7 @@ std::optional<Truth> prove_in_long_double(const Pair& pair) {
 Truth judge_in_full(const Pair& pair, std::span<const MethodAnswer> offered, int bits_cap) {
   Truth undecided;
   undecided.stage = Stage::exact;
+  // untaken: tests ask with that cap
   if (bits_cap < first_multiprecision_bits) return undecided;
   for (const MethodAnswer& answer : offered)
     if (auto t = check_exactly(pair, answer)) {
@@ -314,7 +321,7 @@ Truth judge(const Pair& pair, std::span<const MethodAnswer> offered, int bits_ca
 }
 
 Truth judge_verdict(const Pair& pair, std::span<const MethodAnswer> offered) {
-  if (!is_legal(pair)) return verdict_alone(Verdict::invalid);
+  if (!is_legal(pair)) return verdict_alone(Verdict::invalid);  // untaken: a family's pairs are valid
   const Filter filter(pair);
   Guess guess;
   if (auto t = prove_in_double(pair, filter, offered, Certificates::left_out, guess)) return std::move(*t);
@@ -325,12 +332,14 @@ Truth judge_verdict(const Pair& pair, std::span<const MethodAnswer> offered) {
 }
 
 Verdict check_witness(const Pair& pair, const MethodAnswer& answer) {
-  if (!is_legal(pair)) return Verdict::undecided;
+  if (!is_legal(pair)) return Verdict::undecided;  // untaken: a family's pairs are valid
   if (auto t = check_by_filter(pair, Filter(pair), answer, Certificates::left_out)) return t->verdict;
   if (auto t = check_exactly(pair, answer)) return t->verdict;
+  // untaken: our answers are finite, and points of both solids; others' may be anything
   if (answer.status == Status::answered && answer.witness == CertificateKind::point && finite(answer.head) &&
       finite(answer.tail)) {
     const auto point = offered_point(pair, answer);
+    // untaken: the same
     if (point && in_both_exact(pair, *point)) return Verdict::intersecting;
   }
   return Verdict::undecided;

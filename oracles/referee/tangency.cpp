@@ -19,6 +19,8 @@ Rational3 off(const Rational3& v, const Rational3& axis) {
   return v - share * axis;
 }
 
+bool is_zero(const Root3& v) { return v.x.sign() == 0 && v.y.sign() == 0 && v.z.sign() == 0; }
+
 Root3 lift(const Rational3& v) { return {RootSum(v.x), RootSum(v.y), RootSum(v.z)}; }
 
 // length * v/|v|.
@@ -67,10 +69,7 @@ bool faces_meet(const Face& f, const Face& g, const Root3& delta) {
   }
   const mpq_class ww = dot(f.axis, f.axis);
   const RootSum p = dot(delta, lift(f.axis));
-  auto on_line = [&] {
-    const Root3 beside = cross(delta, lift(f.axis));
-    return beside.x.sign() == 0 && beside.y.sign() == 0 && beside.z.sign() == 0;
-  };
+  auto on_line = [&] { return is_zero(cross(delta, lift(f.axis))); };
   if (f.kind == Face::segment && g.kind == Face::segment) {
     const Rational3 normal = cross(f.axis, g.axis);
     const mpq_class nn = dot(normal, normal);
@@ -85,7 +84,7 @@ bool faces_meet(const Face& f, const Face& g, const Root3& delta) {
     return at_most(s * s, mpq_class(f.half * f.half / ww)) && at_most(t * t, mpq_class(g.half * g.half / gg));
   }
   if (f.kind == Face::segment) return on_line() && at_most(p * p, mpq_class(f.half * f.half * ww));
-  return delta.x.sign() == 0 && delta.y.sign() == 0 && delta.z.sign() == 0;
+  return is_zero(delta);
 }
 
 // f(D) as a sum of roots, D.delta >= 0.

@@ -73,7 +73,7 @@ inline Turn lowest_on_circle(double z, double e, double r, double s, double c, i
       const double q = 1 / std::sqrt(1 + cc * t * t);
       const double slope = z - bend * (q * q * q);
       if (!(slope > 0)) {
-        if (i > 0 || t == 1) return {1, 0};
+        if (i > 0) return {1, 0};
         t = 1;
         continue;
       }
@@ -86,6 +86,7 @@ inline Turn lowest_on_circle(double z, double e, double r, double s, double c, i
     return {x, t * x};
   }
   double t = e > 0 && z > bend ? (z - bend) / e : 0;  // x/y here
+  // untaken: Newton on a convex function ends before the cap
   for (int i = 0; i < circle_step_cap; ++i) {
     ++steps;
     const double q = 1 / std::sqrt(t * t + cc);

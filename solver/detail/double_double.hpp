@@ -60,11 +60,11 @@ inline DoubleDouble operator/(const DoubleDouble& a, const DoubleDouble& b) noex
 }
 
 inline bool operator<(const DoubleDouble& a, const DoubleDouble& b) noexcept {
-  return a.hi < b.hi || (a.hi == b.hi && a.lo < b.lo);
+  return (a.hi < b.hi) | ((a.hi == b.hi) & (a.lo < b.lo));
 }
 inline bool operator>(const DoubleDouble& a, const DoubleDouble& b) noexcept { return b < a; }
 inline bool operator<=(const DoubleDouble& a, const DoubleDouble& b) noexcept {
-  return a.hi < b.hi || (a.hi == b.hi && a.lo <= b.lo);
+  return (a.hi < b.hi) | ((a.hi == b.hi) & (a.lo <= b.lo));
 }
 inline bool operator>=(const DoubleDouble& a, const DoubleDouble& b) noexcept { return b <= a; }
 

@@ -137,6 +137,7 @@ Mask settle(const Sections<Lanes>& f, Mask& open) {
   if (bits(open) == 0) return met;
   const auto first = start(e);
   Lanes t = first.t;
+  // untaken: no pair that was ever seen comes to the cap
   for (int i = 0; i < iteration_cap && bits(open) != 0; ++i) {
     const auto now = step(e, first.low, t);
     met = met | (open & now.met);
@@ -174,6 +175,7 @@ template <bool steep>
 unsigned finish(const BatchJob& job, const unsigned* indices, unsigned count, unsigned* rest) {
   unsigned left = 0;
   for (unsigned start = 0; start < count; start += static_cast<unsigned>(lanes)) {
+    // untaken: the gate asks batches of one pair; intersect_batch_test asks all sizes
     const unsigned n =
         count - start < static_cast<unsigned>(lanes) ? count - start : static_cast<unsigned>(lanes);
     const Records r = find(job, indices + start, n);
@@ -210,6 +212,7 @@ unsigned CYL_KERNEL(const BatchJob& job, unsigned* rest) {
   constexpr unsigned width = lanes, all = (1u << width) - 1;
   unsigned steep[batch_chunk] = {}, flat[batch_chunk] = {}, steep_count = 0, flat_count = 0, left = 0;
   for (unsigned start = 0; start < job.count; start += width) {
+    // untaken: the same
     const unsigned n = job.count - start < width ? job.count - start : width;
     Records r;
     unsigned ordinary = 0;
@@ -226,7 +229,7 @@ unsigned CYL_KERNEL(const BatchJob& job, unsigned* rest) {
     const unsigned at_angle = bits(f.c <= steep_cosine);
     const unsigned decided = ordinary & at_angle & seen;
     for (unsigned i = 0; i < n; ++i) job.verdicts[start + i] = static_cast<unsigned char>(~apart >> i & 1);
-    if (decided == all) continue;
+    if (decided == all) continue;  // untaken: the same
     for (unsigned i = 0; i < n; ++i) {
       if (decided >> i & 1) continue;
       if (!(ordinary >> i & 1))

@@ -93,6 +93,7 @@ void separate_at_corner(const Question& q, const F& frame, const At& at) noexcep
 template <class F, class T>
 void separate_at_top(const Question& q, const F& frame, int line, const Edge<T>& e, T u, T cv) noexcept {
   const auto [x, u_now, y, v] = beside_tips(e.ra, u, e.rb, cv / e.c, e.z);
+  // untaken: x is 0 where the radius is, and u with it; a tip, of width 0, is no top, since k > 0
   const T slope = x > T(0) || u_now > T(0) ? u_now : T(1), cb = e.c * y, c_v = e.c * v;
   try_direction(q.solids,
                 frame.direction(line, frame.f.s * (cb * slope), line == 2 ? 1 : 0,
@@ -124,6 +125,7 @@ void prove_on_edge(const Question& q, const Scaled& p, const F& frame, const At&
   const auto [low, first] = start(e);
   T t = first;
   int misses = 0;
+  // untaken: no pair that was ever seen comes to the first of the caps
   for (int i = 0; i < iteration_cap && misses < miss_cap && t <= T(far_tol); ++i) {
     ++q.answer.iterations;
     const auto now = step(e, low, t);

@@ -61,9 +61,11 @@ inline bool middle_of_overlap(const Rectangle& r0, const Rectangle& r1, double s
     for (int i = 0; i < count; ++i) {
       const PlanePoint &from = polygon[i], &to = polygon[(i + 1) % count];
       const double d0 = limit - sign * (from.*axis), d1 = limit - sign * (to.*axis);
+      // untaken: a rectangle cut four times has at most 8 corners
       if (d0 >= 0 && n < 8) kept[n++] = from;
       if ((d0 > 0 && d1 < 0) || (d0 < 0 && d1 > 0)) {
         const double t = d0 / (d0 - d1);
+        // untaken: the same
         if (n < 8) kept[n++] = {from.x + t * (to.x - from.x), from.y + t * (to.y - from.y)};
       }
     }
