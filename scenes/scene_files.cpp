@@ -23,8 +23,19 @@ Vector3 vector_of(const nlohmann::json& list) {
   return {list[0].get<double>(), list[1].get<double>(), list[2].get<double>()};
 }
 
+/// Throws std::runtime_error where a number that is not 0 is less than any double.
+struct UnderflowCheck : nlohmann::detail::json_sax_acceptor<nlohmann::json> {
+  bool number_float(double x, const std::string& text) {
+    if (x == 0 && text.substr(0, text.find_first_of("eE")).find_first_of("123456789") != text.npos)
+      throw std::runtime_error(text + " underflows a double");
+    return true;
+  }
+};
+
 Named parse_json_line(const std::string& text) {
   const auto object = parse_json(text);
+  UnderflowCheck check;
+  nlohmann::json::sax_parse(text, &check);
   if (!object.is_object()) throw std::runtime_error("a line is an object with center, axis, radius, height");
   Named named;
   for (const auto& [key, value] : object.items()) {

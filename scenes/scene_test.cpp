@@ -194,6 +194,9 @@ TEST(Files, FaultsAreNamed) {
   EXPECT_NE(error_of(".jsonl", "\n{\"center\":[0,0,0],\"axis\":[0,0,1],\"radius\":-1,\"height\":2}")
                 .find("line 2: radius is negative"),
             std::string::npos);
+  EXPECT_NE(error_of(".jsonl", "{\"center\":[0,0,0],\"axis\":[0,0,1],\"radius\":1e-999,\"height\":2}")
+                .find("line 1: 1e-999 underflows a double"),
+            std::string::npos);
   EXPECT_NE(error_of(".jsonl", "{\"centre\":[0,0,0]}").find("'centre' is none of"), std::string::npos);
   EXPECT_NE(error_of(".csv", "x,y,z,ax,ay,az,radius,height\n0,0,0,0,0,1,one,2").find("radius is 'one'"),
             std::string::npos);
