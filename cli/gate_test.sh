@@ -102,7 +102,7 @@ gate 2 --method fcl-libccd --against more.json
 grep -q '^NOT ASKED: method somebody, which the base has$' out || fail 'a missing method of the base is not told'
 gate 0 --against ours.json
 gate 3 --against other.json
-for what in 'law 999' '1 of [0-9]* cases' 'sample of all strata: the pairs'; do
+for what in 'law 999' '1 of [0-9]* cases' 'sample of close contacts: the pairs'; do
   grep -q "^NOT ASKED: $what, which the base has\$" out || fail "not told: $what"
 done
 gate 3 --method intersect --against ours.json
