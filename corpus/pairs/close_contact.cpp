@@ -12,7 +12,6 @@ namespace cyl {
 namespace {
 
 using enum ContactFeature;
-
 constexpr std::size_t decade_count = last_close_decade - first_close_decade + 1;
 constexpr std::size_t band_count = enum_values<AngleBand>.size();
 
