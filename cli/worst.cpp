@@ -25,6 +25,7 @@
 #include "corpus/pairs/strata.hpp"
 #include "corpus/store/case_files.hpp"
 #include "corpus/store/run_store.hpp"
+#include "fuzz/worst/score.hpp"
 
 namespace cyl {
 namespace {
@@ -36,7 +37,7 @@ using std::chrono::milliseconds;
 constexpr double extreme_size = 1e12;
 
 struct WorstArguments {
-  std::string methods, feature, budget, out;
+  std::string methods, feature, budget, out, search = to_string(Search::margin);
   std::vector<std::string> from;
   std::optional<std::uint64_t> evaluations;
   std::uint64_t seed = 1;
@@ -83,20 +84,26 @@ std::string case_line(const Pair& pair, std::string id, std::string note, std::u
   return format_case(c);
 }
 
+std::vector<std::unique_ptr<Method>> with_judge(std::vector<std::unique_ptr<Method>> methods) {
+  methods.push_back(judge_method());
+  return methods;
+}
+
 /// Searches one method after the other, one feature after the other: what an early end leaves over goes to
 /// those that follow.
 class Searcher {
  public:
   explicit Searcher(const WorstArguments& arguments)
       : arguments_(arguments),
-        methods_(
-            select_methods(methods_for_targets(arguments.guests, arguments.from).methods, arguments.methods)),
+        methods_(select_methods(with_judge(methods_for_targets(arguments.guests, arguments.from).methods),
+                                arguments.methods)),
         known_(known_pairs(arguments)) {
     options_.seed = arguments.seed;
-    options_.search = arguments.time ? Search::time : Search::margin;
+    options_.search = arguments.time ? Search::time : *from_word<Search>(arguments.search);
     if (arguments.evaluations) options_.evaluation_cap = *arguments.evaluations;
     if (arguments.extremes)
       options_.domain = {1 / extreme_size, extreme_size, 1 / extreme_size, extreme_size};
+    options_.domain.fine = options_.search != Search::margin && !arguments.time;
     budget_ = arguments.budget.empty()
                   ? (arguments.evaluations ? options_.budget : milliseconds(std::chrono::minutes(1)))
                   : parse_duration(arguments.budget);
@@ -118,7 +125,7 @@ class Searcher {
     std::size_t left = methods_.size() * features_.size();
     for (const auto& method : methods_) {
       options_.clock = method->guest() ? wall_clock : cpu_clock;
-      if (arguments_.time) usual_ = usual_ns(method, options_.clock);
+      if (options_.search == Search::time) usual_ = usual_ns(method, options_.clock);
       for (const ContactFeature feature : features_) search(method, feature, left--);
     }
     out_.close();
@@ -134,7 +141,8 @@ class Searcher {
   void search(const std::unique_ptr<Method>& method, ContactFeature feature, std::size_t left) {
     std::vector<Pair> starts = known_;
     if (arguments_.from.empty()) {
-      const std::vector<Pair> drawn = drawn_starts(feature, arguments_.seed);
+      const std::vector<Pair> drawn = options_.domain.fine ? close_starts(feature, arguments_.seed)
+                                                           : drawn_starts(feature, arguments_.seed);
       starts.insert(starts.end(), drawn.begin(), drawn.end());
     }
     options_.budget = std::max(milliseconds(0), (budget_ - elapsed()) / static_cast<int>(left));
@@ -161,10 +169,11 @@ class Searcher {
     return part(all - left, all) + part(w.evaluations, options_.evaluation_cap) / static_cast<double>(all);
   }
 
-  static std::string so_far(const Worst& w) {
+  std::string so_far(const Worst& w) const {
     std::string text;
     if (w.wrong) text += fmt::format(", margin {:.3g}", w.wrong->finding.margin->lo);
     if (w.slow) text += fmt::format(", {:.3g} ns", w.slow->ns);
+    if (w.scored) text += fmt::format(", {} {:.3g}", to_string(options_.search), w.scored->score);
     if (w.failed) text += fmt::format(", {}", to_string(w.failed->failure));
     return text;
   }
@@ -185,7 +194,15 @@ class Searcher {
                                                       : "it answers no random pair";
       show(method, name, fmt::format("{:.0f} ns", worst.slow->ns), times, worst.slow->pair, {});
     }
-    if (!worst.failed && !worst.wrong && !worst.slow)
+    if (worst.scored) {
+      const ScoredPair& s = *worst.scored;
+      show(method, name, fmt::format("{} {:.4g}", to_string(options_.search), s.score),
+           s.beyond                                          ? "beyond its claim"
+           : s.score > 1 && options_.search == Search::error ? "at most"
+                                                             : "within its claim",
+           s.pair, {});
+    }
+    if (!worst.failed && !worst.wrong && !worst.slow && !worst.scored)
       fmt::print("{} nothing in {} shapes, {} questions\n", name, worst.evaluations, worst.questions);
     std::fflush(stdout);
   }
@@ -219,11 +236,20 @@ void add_worst(Program& program) {
   Command command = program.command(
       "Find", "worst", "Searches for the pair on which a method is wrong by the greatest margin, or slowest");
   auto arguments = std::make_shared<WorstArguments>();
-  command.option("--method", arguments->methods, "a,b: a name stands for all that begin with it").required();
+  command
+      .option("--method", arguments->methods,
+              "a,b: a name stands for all that begin with it; judge: the referee")
+      .required();
   add_guest_options(command, arguments->guests);
   command.option("--feature", arguments->feature, "what meets, like side-rim").default_text("each in turn");
   command.option("--for", arguments->budget, "wall time in all, like 60s").default_text("60s");
-  command.flag("--time", arguments->time, "search for the slowest call instead");
+  command
+      .option("--search", arguments->search,
+              "the most of what: margin by which a verdict is wrong, time or steps of a call, error of the "
+              "distance "
+              "over the bound told with it (bound: that over the claim), margin of a pair left undecided")
+      .one_of({enum_words<Search>.begin(), enum_words<Search>.end()});
+  command.flag("--time", arguments->time, "the same as --search time");
   command.option("--from", arguments->from, "start from the findings of a run or a file of cases")
       .default_text("corpus/cases/ and drawn pairs");
   command.number("--seed", arguments->seed, "same seed, and --evaluations: same result");
@@ -234,9 +260,8 @@ void add_worst(Program& program) {
                "sizes from 1e-12 to 1e12 and as far from the origin, not only from 1e-3 to 1e3 within 100 "
                "sizes of it");
   command.examples("  daylight worst --method fcl-libccd --feature side-rim --for 60s --out worst.jsonl",
-                   "Each line: method, feature, the proved margin relative to the size (or the time of a "
-                   "call), what it is, "
-                   "and the pair.");
+                   "Each line: method, feature, the proved margin relative to the size (or what else "
+                   "is sought), what it is, and the pair.");
   command.run([arguments] { return Searcher(*arguments).run(); });
 }
 

@@ -29,6 +29,9 @@ struct MethodAnswer {
   bool has_distance = false;
   CertificateKind witness = CertificateKind::none;  ///< never `near`
   double distance = 0;         ///< signed: > 0 apart, in the scene's unit; meaningful where has_distance
+  /// Its own bound of the distance's error, 0 where it tells none: apart both ways; where it says that they
+  /// overlap, of how much deeper they are than it says.
+  double told_error = 0;
   double head[3] = {0, 0, 0};  ///< direction, or point = head + tail exactly, in the scene's frame
   double tail[3] = {0, 0, 0};
   Hull hulls[2] = {Hull::space,

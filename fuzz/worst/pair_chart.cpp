@@ -14,9 +14,17 @@ namespace cyl {
 namespace {
 
 /// The coordinates: decades of the whole and of each length, a rotation vector of the whole, how far b is
-/// moved (in sizes: along a's axis, aside, square to both), decades of the angle of the axes, and b's azimuth
-/// about a's axis.
-enum : std::size_t { scale, lengths, rotation = lengths + 4, move = rotation + 3, angle = move + 3, azimuth };
+/// moved (in sizes: along a's axis, aside, square to both), decades of the distance, of the angle of the
+/// axes, and b's azimuth about a's axis.
+enum : std::size_t {
+  scale,
+  lengths,
+  rotation = lengths + 4,
+  move = rotation + 3,
+  margin = move + 3,
+  angle,
+  azimuth
+};
 static_assert(azimuth + 1 == PairChart::dimensions);
 
 constexpr double pi = 3.14159265358979323846;
@@ -24,6 +32,8 @@ constexpr double pi = 3.14159265358979323846;
 constexpr double exact_decades = 15.5, most_decades = 16;
 /// Decades by which lengths may change; sizes, by which b may move.
 constexpr double length_reach = 3, move_reach = 1;
+/// Decades by which the distance may.
+constexpr double margin_reach = 6;
 
 std::array<double*, 4> lengths_of(Pair& p) { return {&p.a.radius, &p.a.height, &p.b.radius, &p.b.height}; }
 
@@ -96,7 +106,11 @@ PairChart::PairChart(const Pair& start, std::optional<ContactFeature> feature, c
   set(scale, std::log10(domain.least_size / size_), std::log10(domain.most_size / size_), 0.5);
   for (std::size_t i = lengths; i < rotation; ++i) set(i, -length_reach, length_reach, 0.25);
   for (std::size_t i = rotation; i < move; ++i) set(i, -pi, pi, 0.25);
-  for (std::size_t i = move; i < angle; ++i) set(i, -move_reach, move_reach, 0.05);
+  for (std::size_t i = move; i < margin; ++i) set(i, -move_reach, move_reach, 0.05);
+  if (domain.fine)
+    set(margin, -margin_reach, margin_reach, 0.5);
+  else
+    low_[margin] = high_[margin] = 0, step_[margin] = 1;  // without room it is left out by NLopt
   set(angle, -most_decades - decades_, most_decades - decades_, 0.5);
   set(azimuth, -pi, pi, 0.25);
 }
@@ -118,9 +132,12 @@ Pair PairChart::pair(std::span<const double, dimensions> x) const {
   Pair p = start_;
   const bool turned = x[angle] != 0 || x[azimuth] != 0;
   if (turned) p.b.axis = turned_axis(decades_ + x[angle], x[azimuth]);
-  if (turned || std::any_of(x.begin() + scale, x.begin() + rotation, [](double y) { return y != 0; })) {
+  if (turned || x[margin] != 0 ||
+      std::any_of(x.begin() + scale, x.begin() + rotation, [](double y) { return y != 0; })) {
     std::size_t i = lengths;
-    for (double* length : lengths_of(p)) *length *= std::pow(10, x[i++]);
+    for (double* length : lengths_of(p))
+      *length *= domain_.fine && x[i] == low_[i] ? 0 : std::pow(10, x[i]), ++i;
+    if (!(size_of(p) > 0)) p.a.radius = size_;
     const double size = size_of(p);
     for (double* length : lengths_of(p))
       if (*length > 0) *length = std::max(*length, domain_.least_part * size);
@@ -132,7 +149,8 @@ Pair PairChart::pair(std::span<const double, dimensions> x) const {
         turned ? Vector3(Eigen::Quaterniond::FromTwoVectors(unit_axis(start_.b.axis), unit_axis(p.b.axis)) *
                          on_b)
                : on_b;
-    p.b.center = p.a.center + stretched(start_.a, p.a, on_a_) + wanted / size_ * gap_ - turned_on_b;
+    p.b.center = p.a.center + stretched(start_.a, p.a, on_a_) +
+                 wanted / size_ * std::pow(10, x[margin]) * gap_ - turned_on_b;
   }
   if (x[move] != 0 || x[move + 1] != 0 || x[move + 2] != 0)
     p.b.center += size_of(p) * (x[move] * a_ + x[move + 1] * aside_ + x[move + 2] * a_.cross(aside_));

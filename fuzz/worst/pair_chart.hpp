@@ -19,6 +19,7 @@ struct Domain {
   double least_size = 1e-3, most_size = 1e3;  ///< size_of a pair, in the scene's unit
   double least_part = 1e-6;  ///< of its size that a radius or a height may be, if it is not 0
   double most_offset = 100;  ///< of a centre from the origin, in sizes
+  bool fine = false;         ///< lengths may become 0, and the distance changes by decades as well
 };
 
 /// The pair scaled and moved into the domain, lengths that are too small made longer; unchanged, bit for bit,
@@ -30,7 +31,7 @@ bool is_in(const Domain& domain, const Pair& pair);
 
 class PairChart {
  public:
-  static constexpr std::size_t dimensions = 13;
+  static constexpr std::size_t dimensions = 14;
   using Point = std::array<double, dimensions>;
 
   /// Around a pair that is in the domain. Axes stay square to each other for `cap_side` and parallel for

@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "corpus/pairs/strata.hpp"
+#include "fuzz/worst/score.hpp"
 #include "oracles/trial/contact.hpp"
 #include "oracles/trial/trial.hpp"
 
@@ -106,8 +107,9 @@ Evaluation ShapeEvaluator::evaluate(const Pair& pair) {
   const std::optional<Ray> ray = ray_of(pair);
   if (!ray || !is_in(options_.domain, pair) || !is_in(options_.domain, ray->touching)) return {};
   const unsigned breaks = breaks_;
-  const Evaluation found =
-      options_.search == Search::time ? slowest_on(pair, *ray) : most_wrong_on(pair, *ray);
+  const Evaluation found = options_.search == Search::margin ? most_wrong_on(pair, *ray)
+                           : options_.search == Search::time ? slowest_on(pair, *ray)
+                                                             : highest_on(pair, *ray);
   if (breaks_ > breaks) return {};
   if (found.value > best_.value) best_ = found;
   return found;
@@ -132,10 +134,15 @@ void ShapeEvaluator::ask(std::vector<Probe>& probes) {
     questions.push_back({0, pairs.size()});
     pairs.push_back(probe.pair);
   }
+  const std::unique_ptr<Method>& asked = timed_ ? timed_ : method_;
+  worst_.questions += probes.size();
+  if (!method_->foreign()) {
+    for (Probe& probe : probes) probe.answer = asked->ask(probe.pair);
+    return;
+  }
   Caps caps;
   caps.hangs = 1;
-  const auto said = ask_contained({timed_ ? &timed_ : &method_, 1}, pairs, questions, caps);
-  worst_.questions += said.size();
+  const auto said = ask_contained({&asked, 1}, pairs, questions, caps);
   for (std::size_t i = 0; i < said.size(); ++i) {
     probes[i].answer = said[i].answer;
     if (said[i].answer.status == Status::failed) note_failure(probes[i]);
@@ -257,6 +264,28 @@ Evaluation ShapeEvaluator::confirm(const Probe& probe) {
   if (ns > 0 && (!worst_.slow || ns > worst_.slow->ns) && belongs(probe.pair))
     worst_.slow = SlowPair{probe.pair, ns};
   return {std::log10(std::max(1.0, ns)), probe.pair};
+}
+
+Evaluation ShapeEvaluator::highest_on(const Pair& pair, const Ray& ray) {
+  Evaluation found;
+  const Probe* highest = nullptr;
+  const std::vector<Probe> probes =
+      ask_along(pair, ray, options_.search == Search::undecided ? margins_per_decade : 1);
+  for (const Probe& probe : probes) {
+    if (probe.answer.status != Status::answered) continue;
+    const double score = likely_score(options_.search, claim_, probe.pair, probe.answer);
+    if (!(score > 0) || std::log10(score) <= found.value) continue;
+    if (!likely_sought(probe.pair, distance(probe.pair.a, probe.pair.b))) continue;
+    found = {std::log10(score), probe.pair};
+    highest = &probe;
+  }
+  const double known = worst_.scored ? std::log10(worst_.scored->score) : nothing_wrong;
+  if (!highest || found.value <= known + gain_tol) return found;
+  const ScoredPair proved = proved_score(options_.search, claim_, highest->pair, highest->answer);
+  if (!(proved.score > 0) || !belongs(highest->pair)) return {};
+  found.value = std::min(found.value, std::log10(proved.score));
+  if (found.value > known) worst_.scored = proved;
+  return found;
 }
 
 bool ShapeEvaluator::belongs(const Pair& pair) const {

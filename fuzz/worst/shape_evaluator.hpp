@@ -76,6 +76,8 @@ class ShapeEvaluator {
   Evaluation slowest_on(const Pair& pair, const Ray& ray);
   /// A time that something else caused does not come again.
   Evaluation confirm(const Probe& probe);
+  /// Of the searches for a score.
+  Evaluation highest_on(const Pair& pair, const Ray& ray);
   bool belongs(const Pair& pair) const;
 
   const std::unique_ptr<Method>& method_;

@@ -9,6 +9,7 @@
 #include <exception>
 #include <utility>
 
+#include "corpus/pairs/close_contact.hpp"
 #include "corpus/pairs/families.hpp"
 #include "corpus/pairs/random_stream.hpp"
 #include "corpus/pairs/strata.hpp"
@@ -173,7 +174,7 @@ double cpu_clock() { return nanoseconds_on(CLOCK_PROCESS_CPUTIME_ID); }
 double wall_clock() { return nanoseconds_on(CLOCK_MONOTONIC); }
 
 bool Worst::beyond_claim() const {
-  return failed || (wrong && wrong->finding.severity == Severity::contract);
+  return failed || (scored && scored->beyond) || (wrong && wrong->finding.severity == Severity::contract);
 }
 
 Worst worst_of(const std::unique_ptr<Method>& method, std::span<const Pair> starts, const Sought& sought,
@@ -193,6 +194,17 @@ std::vector<Pair> drawn_starts(std::optional<ContactFeature> feature, std::uint6
       }
     }
   }
+  for (std::uint64_t index = 0; index < of_a_family; ++index)
+    for (const Family& family : families()) starts.push_back(family.generate(seed, index));
+  return starts;
+}
+
+std::vector<Pair> close_starts(std::optional<ContactFeature> feature, std::uint64_t seed) {
+  constexpr std::uint64_t of_a_family = 2;
+  std::vector<Pair> starts;
+  for (const CloseContact& contact : draw_close_round(seed, 0))
+    if (!feature || contact.feature == *feature || *feature == ContactFeature::containment)
+      starts.push_back(contact.pair);
   for (std::uint64_t index = 0; index < of_a_family; ++index)
     for (const Family& family : families()) starts.push_back(family.generate(seed, index));
   return starts;

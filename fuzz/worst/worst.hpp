@@ -6,6 +6,7 @@
 // proves counts.
 #pragma once
 
+#include <array>
 #include <chrono>
 #include <cstddef>
 #include <cstdint>
@@ -33,7 +34,18 @@ struct Sought {
   std::optional<FindingKind> kind = {};
 };
 
-enum class Search : unsigned char { margin, time };
+/// What is sought: the most of it.
+enum class Search : unsigned char {
+  margin,     ///< by which a verdict is wrong
+  time,       ///< of a call, by the clock
+  steps,      ///< that a call tells of: the same on every machine
+  error,      ///< of the distance, over the bound that is told with it, or claimed
+  bound,      ///< told of the error of the distance of solids apart, over the claim
+  undecided,  ///< the distance, or the radius of a ball in common, over the size, of a pair left undecided
+};
+constexpr auto words_of(Search) noexcept {
+  return std::array{"margin", "time", "steps", "error", "bound", "undecided"};
+}
 
 /// In ns: CPU time of this process, and time in all, which counts what another process does for a guest.
 double cpu_clock();
@@ -69,12 +81,20 @@ struct SlowPair {
   double ns;  ///< of one call: the least of a few
 };
 
+/// Of the other searches.
+struct ScoredPair {
+  Pair pair;
+  double score;
+  bool beyond;  ///< proved to be more than the method promises; an error's score is what it is at most
+};
+
 struct Worst {
   /// Where Search::margin: of those beyond the claim the one of the greatest margin; where none is, the one
   /// nearest to the claim.
   std::optional<WrongPair> wrong;
   std::optional<FailedPair> failed;  ///< the first of the worst kind: crash, hang, others
   std::optional<SlowPair> slow;      ///< of Search::time
+  std::optional<ScoredPair> scored;  ///< of steps, error, bound and undecided
   std::size_t evaluations = 0, questions = 0;
 
   /// Returns whether something beyond the method's claim was found: all failures are.
@@ -84,16 +104,21 @@ struct Worst {
 /// Called now and then, with what was found so far.
 using OnWorst = std::function<void(const Worst& so_far, std::chrono::milliseconds elapsed)>;
 
-/// `method` is asked contained. Starts are looked at in their order, those with the features sought first,
-/// then those on which the method is worst are walked from; while it is wrong on none, mutations of them are
-/// looked at. Cost: a millisecond a shape of a quick method. With a cap on evaluations the result is a pure
-/// function of the arguments but for times and hangs.
+/// A foreign `method` is asked contained. Starts are looked at in their order, those with the features sought
+/// first, then those on which the method is worst are walked from; while it is wrong on none, mutations of
+/// them are looked at. Cost: a millisecond a shape of a quick method. With a cap on evaluations the result is
+/// a pure function of the arguments but for times and hangs.
 Worst worst_of(const std::unique_ptr<Method>& method, std::span<const Pair> starts, const Sought& sought,
                const WorstOptions& options, const OnWorst& on_worst = {});
 
 /// Pairs to start from where nothing is known: near touching, of that stratum (of every one where none is
 /// named), and some of every family.
 std::vector<Pair> drawn_starts(std::optional<ContactFeature> feature, std::uint64_t seed);
+
+/// Pairs to start from where solvers of our kind are at their worst: close contacts of all lies and angles
+/// (corpus/pairs/close_contact.hpp), those of the feature where it is one that they are drawn by, and some of
+/// every family.
+std::vector<Pair> close_starts(std::optional<ContactFeature> feature, std::uint64_t seed);
 
 /// The method's usual time of a call: the median over pairs of family `random`, each the least of a few.
 /// Nothing where it answers none.

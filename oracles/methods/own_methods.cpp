@@ -150,6 +150,7 @@ MethodAnswer answer_of(const Pair& pair, const Distance& measured) {
   const bool sure = measured.verdict == Verdict::intersecting || measured.error <= distance_tol * reach;
   answer.has_distance = measured.verdict != Verdict::invalid && sure;
   answer.distance = measured.value;
+  answer.told_error = measured.error;
   if (measured.verdict == Verdict::disjoint) answer.set_direction(measured.direction);
   return answer;
 }

@@ -79,12 +79,13 @@ Enclosure error_of(double said, const Enclosure& real) {
 // Where an enclosure proves the distance neither right nor wrong the narrowest is asked: what is found never
 // depends on how narrow others have made it. One that is much wider than asked for ended at the rounding of
 // doubles or at its cap on cells, and would again.
-std::optional<Finding> compare_distance(Trial& trial, const Claim& claim, double said) {
-  const double size = size_of(trial.pair), allowed = reach(claim, size);
+std::optional<Finding> compare_distance(Trial& trial, const Claim& claim, const MethodAnswer& answer) {
+  const double said = answer.distance, size = size_of(trial.pair), allowed = reach(claim, size);
   // A claim of 0/0 promises a rounded number: one unit in the last place of the larger length is no fault.
   const double last_place = std::max(std::abs(said), size) * rounding_error;
   const double most = std::max(allowed, last_place);
-  const double part = size > 0 ? std::clamp(most / 8 / size, narrowest, widest) : widest;
+  const double finest = answer.told_error > 0 ? std::min(most, answer.told_error) : most;
+  const double part = size > 0 ? std::clamp(finest / 8 / size, narrowest, widest) : widest;
   for (const double width : {part, narrowest}) {
     const bool touching = trial.truth.verdict == Verdict::touching;
     const Enclosure real = touching ? Enclosure{0, 0} : trial.distance_at(width);
@@ -94,6 +95,9 @@ std::optional<Finding> compare_distance(Trial& trial, const Claim& claim, double
     const bool as_narrow_as_it_gets = real.hi - real.lo > 4 * width * size;
     if (off.hi <= most || as_narrow_as_it_gets) break;
   }
+  const Enclosure off = told_error_of(trial, answer);
+  if (answer.told_error > 0 && off.lo > answer.told_error)
+    return Finding{FindingKind::distance_outside, Severity::contract, relative_to(size, off)};
   return {};
 }
 
@@ -162,6 +166,12 @@ Enclosure magnitude_against(double length, Trial& trial) {
   return gap;
 }
 
+Enclosure told_error_of(const Trial& trial, const MethodAnswer& answer) {
+  const Enclosure real = trial.truth.verdict == Verdict::touching ? Enclosure{0, 0} : trial.distance;
+  if (answer.distance > 0) return error_of(answer.distance, real);
+  return {std::max(0.0, answer.distance - real.hi), std::max(0.0, answer.distance - real.lo)};
+}
+
 std::optional<Finding> compare(Trial& trial, const Claim& claim, const MethodAnswer& answer) {
   if (answer.status == Status::declined) return {};
   if (answer.status == Status::failed)
@@ -170,7 +180,7 @@ std::optional<Finding> compare(Trial& trial, const Claim& claim, const MethodAns
   if (!trial.decided()) return {};
   if (auto wrong = compare_verdict(trial, claim, answer.verdict)) return wrong;
   if (answer.has_distance)
-    if (auto wrong = compare_distance(trial, claim, answer.distance)) return wrong;
+    if (auto wrong = compare_distance(trial, claim, answer)) return wrong;
   if (witness_holds(trial.pair, trial.truth, answer)) return {};
   // Only who claims to be always right promises a proof. Of nearest points that are right within a tolerance
   // the difference need not separate.

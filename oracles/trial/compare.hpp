@@ -27,6 +27,10 @@ double reach(const Claim& claim, double size);
 /// whether it reaches `length` (or as narrowly as is ever asked).
 Enclosure magnitude_against(double length, Trial& trial);
 
+/// Returns the error of the distance said that the answer's `told_error` bounds, in the pair's unit, by the
+/// narrowest enclosure that the trial has.
+Enclosure told_error_of(const Trial& trial, const MethodAnswer& answer);
+
 /// Returns whether two answers to one question say the same, bit for bit, reasons and kind `hang` excepted.
 bool same_answer(const MethodAnswer& x, const MethodAnswer& y);
 

@@ -217,6 +217,21 @@ TEST(Compare, WhatIsFoundDoesNotDependOnHowNarrowTheEnclosureIsAlready) {
   }
 }
 
+TEST(Compare, WhoTellsAnErrorIsHeldToIt) {
+  const Claim claim{1e-3, 0, ""};
+  for (const double told : {1e-6, 1e-4}) {
+    for (const double off : {1e-5, -1e-5}) {
+      MethodAnswer apart = said_distance(Verdict::disjoint, 0.5 + off);
+      apart.told_error = told;
+      EXPECT_EQ(judged(Verdict::disjoint, 0.5, claim, apart).has_value(), told < 1e-5);
+      // Overlapping, that the depth is less is not ruled out.
+      MethodAnswer into = said_distance(Verdict::intersecting, -0.5 + off);
+      into.told_error = told;
+      EXPECT_EQ(judged(Verdict::intersecting, -0.5, claim, into).has_value(), told < 1e-5 && off > 0);
+    }
+  }
+}
+
 TEST(Compare, TheVerdictComesBeforeTheDistance) {
   EXPECT_EQ(judged(Verdict::disjoint, 0.5, none, said_distance(Verdict::intersecting, -3))->kind,
             FindingKind::wrong_intersecting);

@@ -8,10 +8,10 @@
 #include <bit>
 #include <cstdint>
 #include <initializer_list>
-#include <limits>
 
 #include "corpus/pairs/pair_io.hpp"
 #include "corpus/pairs/truth_io.hpp"
+#include "oracles/trial/room.hpp"
 #include "props/laws/law_groups.hpp"
 #include "solver/decide.hpp"
 
@@ -127,30 +127,6 @@ std::optional<Broken> break_cap(const LawCase& c) {
   return Broken{fmt::format("{} steps, at most {} are allowed", c.first.steps, c.first.step_cap)};
 }
 
-/// Relative to the size: solver/decide.hpp promises 1e-13, and a hundredth more is far beyond what core() and
-/// the bound of the distance lose.
-constexpr double resolved_margin = 1.01e-13;
-
-// The points around which a ball of radius `least` lies in the solid are a cylinder, smaller by that all
-// around; of one no thicker than that, those around which a disk or a segment does. Nothing of a solid
-// between, which no ball fits into, and of a point.
-std::optional<Cylinder> core(Cylinder c, double least) {
-  c.radius = 2 * c.radius <= least ? 0 : c.radius - least;
-  c.height = c.height <= least ? 0 : c.height - 2 * least;
-  if (c.radius < 0 || c.height < 0 || (c.radius == 0 && c.height == 0)) return {};
-  return c;
-}
-
-/// Whether both hold a ball of that radius, or a disk or segment where one of them is flat. Of two that are
-/// flat nothing is said, nor of lengths whose sum overflows, as an offset to a common point may.
-bool hold_room(const LawCase& c, double least) {
-  const auto flat = [&](const Cylinder& solid) { return std::min(2 * solid.radius, solid.height) <= least; };
-  const auto a = core(c.pair.a, least), b = core(c.pair.b, least);
-  return a && b && size_of(c.pair) < std::numeric_limits<double>::max() &&
-         !(flat(c.pair.a) && flat(c.pair.b)) && c.proofs.of({*a, *b}).decided() &&
-         c.proofs.of({*a, *b}).meets();
-}
-
 std::optional<Broken> break_resolution(const LawCase& c) {
   const Decides promised = c.method.claim().decides;
   if (promised == Decides::not_promised || c.first.status != Status::answered ||
@@ -163,7 +139,7 @@ std::optional<Broken> break_resolution(const LawCase& c) {
     return Broken{fmt::format("undecided, and proved to be {}", to_string(truth))};
   const double least = reach({.relative = resolved_margin}, size_of(c.pair));
   if (proved.meets()) {
-    if (!hold_room(c, least)) return {};
+    if (!hold_room(c.proofs, c.pair, least)) return {};
     return Broken{fmt::format("undecided, and {:.3g} all around a point are in both", least)};
   }
   const double gap = magnitude_against(least, proved).lo;

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: MIT
+#include "oracles/trial/room.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "corpus/pairs/pair_numbers.hpp"
+#include "solver/distance.hpp"
+
+namespace cyl {
+namespace {
+
+/// Radii of balls that are tried: 8 a decade, from 1e-16 to 1 of the size.
+constexpr int per_decade = 8, decades = 16;
+
+/// The greatest of those radii, relative to the size, at which the cores meet; 0 where they do at none.
+template <class Meet>
+double greatest_room(const Pair& pair, Meet meet) {
+  int least = -1, most = per_decade * decades;  // met, not met
+  const auto radius = [](int step) { return std::pow(10, static_cast<double>(step) / per_decade - decades); };
+  while (most - least > 1) {
+    const int middle = (least + most) / 2;
+    const auto inner = cores(pair, radius(middle) * size_of(pair));
+    (inner && meet(*inner) ? least : most) = middle;
+  }
+  return least < 0 ? 0 : radius(least);
+}
+
+}  // namespace
+
+std::optional<Cylinder> core(Cylinder c, double least) {
+  c.radius = 2 * c.radius <= least ? 0 : c.radius - least;
+  c.height = c.height <= least ? 0 : c.height - 2 * least;
+  if (c.radius < 0 || c.height < 0 || (c.radius == 0 && c.height == 0)) return {};
+  return c;
+}
+
+std::optional<Pair> cores(const Pair& pair, double least) {
+  const auto flat = [&](const Cylinder& solid) { return std::min(2 * solid.radius, solid.height) <= least; };
+  const auto a = core(pair.a, least), b = core(pair.b, least);
+  if (!a || !b || (flat(pair.a) && flat(pair.b)) || !(size_of(pair) < std::numeric_limits<double>::max()))
+    return {};
+  return Pair{*a, *b};
+}
+
+bool hold_room(Proofs& proofs, const Pair& pair, double least) {
+  const auto inner = cores(pair, least);
+  return inner && proofs.of(*inner).decided() && proofs.of(*inner).meets();
+}
+
+double likely_room(const Pair& pair) {
+  const double gap = distance(pair.a, pair.b).value;
+  if (gap > 0) return gap / size_of(pair);
+  return greatest_room(pair, [](const Pair& inner) { return distance(inner.a, inner.b).value <= 0; });
+}
+
+double proved_room(Trial& proved) {
+  if (!proved.decided()) return 0;
+  if (!proved.meets()) return magnitude_against(size_of(proved.pair), proved).lo / size_of(proved.pair);
+  return greatest_room(proved.pair, [](const Pair& inner) {
+    const Verdict truth = judge_verdict(inner).verdict;
+    return truth == Verdict::intersecting || truth == Verdict::touching;
+  });
+}
+
+}  // namespace cyl
