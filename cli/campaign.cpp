@@ -31,6 +31,7 @@
 #include "cli/progress.hpp"
 #include "cli/show_run.hpp"
 #include "corpus/store/case_files.hpp"
+#include "fuzz/campaign/climbed.hpp"
 #include "props/mutants/kill_data.hpp"
 
 namespace cyl {
@@ -67,9 +68,9 @@ struct Selection {
 
 std::vector<Family> select_families(std::string_view spec) {
   std::vector<std::string> names;
-  for (const Family& family : families()) names.emplace_back(family.name);
+  for (const Family& family : campaign_families()) names.emplace_back(family.name);
   std::vector<Family> kept;
-  for (const std::size_t i : select_names(names, spec)) kept.push_back(families()[i]);
+  for (const std::size_t i : select_names(names, spec)) kept.push_back(campaign_families()[i]);
   return kept;
 }
 
@@ -81,7 +82,7 @@ void print_list(const GuestOptions& guests) {
                format_double(claim.relative), format_double(claim.absolute), claim.source);
   }
   fmt::print("families:\n");
-  for (const Family& family : families()) fmt::print("  {:<26} {}\n", family.name, family.summary);
+  for (const Family& family : campaign_families()) fmt::print("  {:<26} {}\n", family.name, family.summary);
 }
 
 /// Reads "i/n", i from 0 to n - 1. Throws UsageError where the text is something else.
@@ -111,7 +112,7 @@ CampaignOptions plan_new(const CampaignArguments& arguments, Selection& selectio
   selection.methods = std::move(set.methods);
   if (!arguments.methods.empty())
     selection.methods = select_methods(std::move(selection.methods), arguments.methods);
-  selection.families.assign(families().begin(), families().end());
+  selection.families.assign(campaign_families().begin(), campaign_families().end());
   if (!arguments.families.empty()) selection.families = select_families(arguments.families);
   if (!arguments.weights_from.empty())
     selection.weights = weights_from(arguments.weights_from, selection.families);
@@ -171,7 +172,7 @@ CampaignOptions plan_resumed(const CampaignArguments& arguments, Selection& sele
   selection.methods = pick(
       std::move(set.methods), method_names, [](const auto& m) { return m->name(); }, arguments.resume);
   selection.families = pick(
-      std::vector<Family>(families().begin(), families().end()), family_names,
+      std::vector<Family>(campaign_families().begin(), campaign_families().end()), family_names,
       [](const Family& f) { return f.name; }, arguments.resume);
   const Shard shard = shard_of(config);
   options.shard = shard.index;

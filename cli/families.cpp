@@ -11,6 +11,7 @@
 #include "cli/commands.hpp"
 #include "cli/options.hpp"
 #include "corpus/pairs/pair_io.hpp"
+#include "fuzz/campaign/climbed.hpp"
 
 namespace cyl {
 
@@ -24,14 +25,15 @@ struct FamiliesOptions {
 };
 
 void list_families() {
-  for (const Family& family : families()) fmt::print("{:<28} {}\n", family.name, family.summary);
+  for (const Family& family : campaign_families()) fmt::print("{:<28} {}\n", family.name, family.summary);
 }
 
 void print_pairs(const FamiliesOptions& options) {
-  const Family* family = find_family(options.name);
+  const Family* family =
+      options.name == climbed_family().name ? &climbed_family() : find_family(options.name);
   if (!family) {
     std::string message = "no family '" + options.name + "'; there are";
-    for (const Family& f : families()) message.append(" ").append(f.name);
+    for (const Family& f : campaign_families()) message.append(" ").append(f.name);
     throw UsageError(message);
   }
   for (std::uint64_t i = 0; i < options.count; ++i) {

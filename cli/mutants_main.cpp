@@ -24,6 +24,7 @@
 #include "corpus/store/batch_bytes.hpp"
 #include "corpus/store/case_files.hpp"
 #include "fuzz/campaign/batch.hpp"
+#include "fuzz/campaign/climbed.hpp"
 #include "fuzz/campaign/self_check.hpp"
 #include "oracles/trial/compare.hpp"
 #include "props/gate/gate.hpp"
@@ -253,7 +254,7 @@ int self_check(const Planted& planted) {
   const auto methods = select_methods(all_methods(), planted.methods);
   std::vector<Family> drawn;
   for (const std::string& name : planted.families)
-    for (const Family& family : families())
+    for (const Family& family : campaign_families())
       if (family.name == name) drawn.push_back(family);
   if (drawn.size() != planted.families.size()) throw std::invalid_argument("no such family");
   const std::vector<unsigned> weights = parse_weights(planted.weights);

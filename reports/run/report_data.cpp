@@ -16,10 +16,10 @@
 #include "base/json.hpp"
 #include "base/own_command.hpp"
 #include "base/safe_text.hpp"
-#include "corpus/pairs/families.hpp"
 #include "corpus/pairs/pair_json.hpp"
 #include "fuzz/campaign/batch.hpp"
 #include "fuzz/campaign/campaign.hpp"
+#include "fuzz/campaign/climbed.hpp"
 #include "fuzz/campaign/self_check.hpp"
 #include "oracles/methods/guest.hpp"
 #include "props/mutants/kill_data.hpp"
@@ -65,7 +65,7 @@ std::string command_of(const RunData& run) {
   std::vector<std::string> asked, all, all_families;
   for (const MethodRecord& m : run.methods) asked.push_back(m.name);
   for (const auto& m : all_methods()) all.emplace_back(m->name());
-  for (const Family& f : families()) all_families.emplace_back(f.name);
+  for (const Family& f : campaign_families()) all_families.emplace_back(f.name);
   const Shard shard = shard_of(config);
   std::string command = fmt::format("{} campaign --seed {} --pairs {}", own_command(),
                                     shell_quoted(value_of(config, "seed")), run.progress.next);
@@ -118,7 +118,7 @@ json families_json(const std::vector<MethodTally>& tallies) {
     if (asked.erase(name) > 0) all.push_back({{"name", name}, {"summary", summary}});
   };
   tell(cases_family, "the case files, played first");
-  for (const Family& f : families()) tell(std::string(f.name), f.summary);
+  for (const Family& f : campaign_families()) tell(std::string(f.name), f.summary);
   for (const std::string& name : std::set(asked)) tell(name, "of another build");
   return all;
 }

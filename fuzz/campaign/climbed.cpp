@@ -1,0 +1,180 @@
+// SPDX-License-Identifier: MIT
+#include "fuzz/campaign/climbed.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+#include "corpus/pairs/close_contact.hpp"
+#include "corpus/pairs/pair_numbers.hpp"
+#include "corpus/pairs/random_stream.hpp"
+#include "oracles/methods/adapter.hpp"
+#include "oracles/referee/referee.hpp"
+#include "solver/distance.hpp"
+
+namespace cyl {
+namespace {
+
+/// Where the referee is stopped: a tie of 4096 bits takes as long as the climb.
+constexpr int climb_bits_cap = 256;
+/// Sizes of the pairs; what is smaller or larger is no worse.
+constexpr double least_size = 1e-6, most_size = 1e6;
+/// The shortest length that is not 0, over the size.
+constexpr double least_part = 1e-9;
+
+constexpr std::array<double, 17> tenths{1,    1e-1,  1e-2,  1e-3,  1e-4,  1e-5,  1e-6,  1e-7, 1e-8,
+                                        1e-9, 1e-10, 1e-11, 1e-12, 1e-13, 1e-14, 1e-15, 1e-16};
+
+/// Of either sign, by decades from 1 to 1e-17.
+double tenth(RandomStream& s) {
+  const double sign = s.sign(), decade = s.pick(tenths);
+  return sign * decade * s.between(0.1, 1);
+}
+
+Cylinder& either(Pair& p, RandomStream& s) { return s.coin() ? p.a : p.b; }
+
+void change_length(Pair& p, RandomStream& s) {
+  Cylinder& c = either(p, s);
+  double& length = s.coin() ? c.radius : c.height;
+  const std::size_t way = s.below(8);
+  length = way == 0      ? 0
+           : length == 0 ? size_of(p) * std::abs(tenth(s))
+                         : length * (way < 5 ? 1 + tenth(s) : 2 * std::abs(tenth(s)));
+  if (length < least_part * size_of(p)) length = 0;
+}
+
+void turn(Pair& p, RandomStream& s) {
+  Cylinder& c = either(p, s);
+  const Vector3 own = unit_axis(c.axis), other = unit_axis(&c == &p.a ? p.b.axis : p.a.axis);
+  const std::size_t way = s.below(4);
+  const double tilt = s.below(8) == 0 ? 0 : tenth(s);
+  const Vector3 from = way < 2 ? own : way == 2 ? other : s.perpendicular(other);
+  c.axis = from + tilt * (way == 3 ? other : s.perpendicular(from));
+}
+
+void slide(Pair& p, RandomStream& s) {
+  const double by = tenth(s) * size_of(p);
+  p.b.center += by * s.unit_vector();
+}
+
+void step_number(Pair& p, RandomStream& s) {
+  double& x = *numbers_of(either(p, s))[s.below(cylinder_number_count)];
+  x = std::nextafter(x, s.sign() * std::numeric_limits<double>::infinity());
+}
+
+// By the solver's own distance, whatever that is worth: to a margin near the one there was, or to any.
+void bring_to_margin(Pair& p, double margin, RandomStream& s) {
+  const bool anew = s.below(4) == 0, other_side = s.below(4) == 0;
+  double wanted = anew ? tenth(s) : margin * s.between(0.3, 3);
+  if (other_side) wanted = -wanted;
+  for (int i = 0; i < 2; ++i) {
+    const Distance d = distance(p.a, p.b);
+    p.b.center += (wanted * size_of(p) - d.value) * d.direction;
+  }
+}
+
+bool is_moderate(const Pair& p) {
+  return is_legal(p) && size_of(p) >= least_size && size_of(p) <= most_size &&
+         (p.b.center - p.a.center).cwiseAbs().maxCoeff() <= 100 * size_of(p);
+}
+
+Pair changed(const Pair& from, RandomStream& s) {
+  constexpr std::array changes{change_length, turn, slide, step_number};
+  for (int trial = 0; trial < 8; ++trial) {
+    Pair p = from;
+    for (std::size_t i = s.below(3); i > 0; --i) changes[s.below(changes.size())](p, s);
+    if (!is_moderate(p)) continue;
+    if (s.below(8) != 0) bring_to_margin(p, distance(from.a, from.b).value / size_of(from), s);
+    if (is_moderate(p)) return p;
+  }
+  return from;
+}
+
+Pair drawn_start(RandomStream& s, std::uint64_t index) {
+  const auto kind = enum_values<CloseKind>[index % enum_values<CloseKind>.size()];
+  const std::uint64_t number = s.bits() >> 32;
+  return draw_close_contact(kind, s, number).pair;
+}
+
+/// Of a climb all pairs, in their order.
+std::vector<Pair> climb(std::uint64_t seed, std::uint64_t number) {
+  RandomStream s("climbed", seed, number);
+  const ClimbGoal goal = goal_of_climb(number);
+  std::vector<Pair> pairs;
+  Pair best;
+  double highest = -1;
+  for (std::uint64_t i = 0; i < climb_size; ++i) {
+    pairs.push_back(i < climb_starts ? drawn_start(s, i) : changed(best, s));
+    const double height = height_of(goal, pairs.back());
+    if (height < highest) continue;
+    highest = height;
+    best = pairs.back();
+  }
+  return pairs;
+}
+
+// Those who ask go through the indices in order: the last climb is kept.
+Pair climbed(std::uint64_t seed, std::uint64_t index) {
+  struct Last {
+    std::uint64_t seed, number;
+    std::vector<Pair> pairs;
+  };
+  thread_local Last last{};
+  const std::uint64_t number = index / climb_size;
+  if (last.pairs.empty() || last.seed != seed || last.number != number)
+    last = {seed, number, climb(seed, number)};
+  return last.pairs[index % climb_size];
+}
+
+}  // namespace
+
+// Of solids that overlap the ball in common is no larger than the depth nor than either of them.
+double height_of(ClimbGoal goal, const Pair& pair) {
+  const double size = size_of(pair);
+  switch (goal) {
+    case ClimbGoal::undecided: {
+      if (decide(pair.a, pair.b).verdict != Verdict::undecided) return 0;
+      const double gap = distance(pair.a, pair.b).value;
+      if (gap > 0) return gap / size;
+      double room = -gap;
+      for (const Cylinder* c : {&pair.a, &pair.b}) room = std::min({room, c->radius, c->height / 2});
+      return room / size;
+    }
+    case ClimbGoal::decide_steps:
+      return decide(pair.a, pair.b).iterations;
+    case ClimbGoal::distance_steps:
+      return distance(pair.a, pair.b).iterations;
+    case ClimbGoal::distance_bound: {
+      const Distance d = distance(pair.a, pair.b);
+      return d.value > 0 ? d.error / (size + length_of(pair.b.center - pair.a.center)) : 0;
+    }
+    case ClimbGoal::judge_bits:
+      return judge(pair, {}, climb_bits_cap).bits;
+  }
+  return 0;
+}
+
+ClimbGoal goal_of_climb(std::uint64_t climb) {
+  using enum ClimbGoal;
+  constexpr std::array turns{undecided,      distance_bound, decide_steps, undecided,
+                             distance_bound, distance_steps, undecided,    judge_bits};
+  return turns[climb % turns.size()];
+}
+
+const Family& climbed_family() {
+  static constexpr Family family{"climbed", "changed again and again to what is worst for our own calls",
+                                 climbed};
+  return family;
+}
+
+std::span<const Family> campaign_families() {
+  static const std::vector<Family> all = [] {
+    std::vector<Family> both(families().begin(), families().end());
+    both.push_back(climbed_family());
+    return both;
+  }();
+  return all;
+}
+
+}  // namespace cyl
