@@ -144,8 +144,11 @@ struct MutantsMainArguments {
 };
 
 int matrix(const MutantsMainArguments& arguments) {
-  const auto& [only, wanted, first, file, corpus] = arguments;
-  const std::vector<Case> cases = read_case_folder(corpus);
+  // No structured binding: clang 14 captures none.
+  const std::vector<int>& only = arguments.only;
+  const std::vector<std::string>& wanted = arguments.detectors;
+  const std::string& file = arguments.json;
+  const std::vector<Case> cases = read_case_folder(arguments.corpus);
   std::vector<Detector> detectors = law_detectors(cases);
   detectors.push_back({"fuzz", finding});
   detectors.push_back({"gate", [&](const Mutant& mutant) { return gate_closed(mutant, cases); }});
@@ -168,7 +171,7 @@ int matrix(const MutantsMainArguments& arguments) {
       if (const auto cell = row.find(detector.name); cell != row.end()) {
         d.outcome = from_word<Detection::Outcome>(cell->at("fate").get<std::string>()).value();
         d.seconds = cell->at("seconds");
-      } else if (!first || !found.killed()) {
+      } else if (!arguments.first || !found.killed()) {
         d = run_detectors(mutant, {&detector, 1}, select_mutant).detections.front();
         row[detector.name] = cell_of(d);
       }

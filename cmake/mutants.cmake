@@ -57,8 +57,7 @@ endforeach()
 
 function(daylight_mutated target)
   target_include_directories(${target} BEFORE PRIVATE ${copies})
-  target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-O1>
-                         -Wno-bitwise-instead-of-logical)  # a switch is a call to clang
+  target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-O1>)
   target_compile_definitions(${target} PRIVATE DAYLIGHT_SOURCE_DIR="${PROJECT_SOURCE_DIR}" DAYLIGHT_VERSION="${PROJECT_VERSION}")
 endfunction()
 add_library(daylight_mutants OBJECT ${mutant_sources} ${mutated_copies} ${mutant_table})

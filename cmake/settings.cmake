@@ -16,6 +16,8 @@ if(PROJECT_IS_TOP_LEVEL)
   add_compile_options(-Wall -Wextra -Wconversion)
   if(CMAKE_CXX_COMPILER_ID STREQUAL GNU)
     add_compile_options(-Wno-stringop-overflow -Wno-array-bounds)  # GCC 12 sees them in its own std::string
+  else()
+    add_compile_options(-Wno-bitwise-instead-of-logical)  # both sides on purpose: a branch costs more than a comparison
   endif()
 endif()
 # A law says in which line it is written: from the top of the project, however the compiler was given the file's name.

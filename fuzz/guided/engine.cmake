@@ -85,7 +85,6 @@ if(DEFINED mutated)
   target_compile_definitions(fuzz_core_mutants_plain_libfuzzer PRIVATE DAYLIGHT_FUZZ_PLAIN)
   foreach(part fuzz_mutated_tested fuzz_mutated_checking fuzz_core_mutants_libfuzzer fuzz_core_mutants_plain_libfuzzer)
     target_include_directories(${part} BEFORE PRIVATE ${copies})
-    target_compile_options(${part} PRIVATE -Wno-bitwise-instead-of-logical)  # a switch is a call to clang
   endforeach()
   foreach(program fuzz_core_mutants_libfuzzer fuzz_core_mutants_plain_libfuzzer)
     set_target_properties(${program} PROPERTIES EXCLUDE_FROM_ALL TRUE)

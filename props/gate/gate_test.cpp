@@ -106,7 +106,7 @@ TEST(Gate, ACutGateStillFailsForWhatItFound) {
 TEST(Gate, AllIsAskedWithinAWideCap) {
   GateReport report = gate_on(honest, 1, std::chrono::hours(24));
   EXPECT_TRUE(report.not_asked.empty()) << report.not_asked.front();
-  for (const std::size_t drawing : {2, 3, 4, 5}) EXPECT_EQ(report.phases.at(drawing).rounds, 1u);
+  for (const std::size_t drawing : {2u, 3u, 4u, 5u}) EXPECT_EQ(report.phases.at(drawing).rounds, 1u);
   EXPECT_EQ(exit_code(report), 0);
   report.not_asked.push_back("a method of the base");
   EXPECT_EQ(exit_code(report), 3);

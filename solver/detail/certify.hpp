@@ -28,7 +28,7 @@ inline constexpr double room_tol = 0x1p-46;
 // it.
 inline Hull hull_of(double r, double h, double reach) noexcept {
   const bool thin = r <= room_tol * reach, low = h <= room_tol * reach;
-  return thin & low ? Hull::center : thin ? Hull::line : low ? Hull::plane : Hull::space;
+  return thin && low ? Hull::center : thin ? Hull::line : low ? Hull::plane : Hull::space;
 }
 
 // f(D) < 0 beyond rounding.
@@ -71,7 +71,7 @@ inline bool in_both(const Scaled& p, const Vector3& x, Hull hull0, Hull hull1) n
   } else if ((hull0 != Hull::space) | (hull1 != Hull::space)) {
     move = at0.off(hull0) + at1.off(hull1) + error;
   }
-  return at0.inside(p.r0, p.h0, hull0, error + move) & at1.inside(p.r1, p.h1, hull1, error + move);
+  return at0.inside(p.r0, p.h0, hull0, error + move) && at1.inside(p.r1, p.h1, hull1, error + move);
 }
 
 inline bool try_direction(const Scaled& p, Vector3 direction, Answer& answer) noexcept {
