@@ -256,7 +256,10 @@ Distance distance(const Prepared& a, const Prepared& b) noexcept {
       return larger(-most, smaller(most, y));
     };
     out.value = scaled(out.value);
-    out.error = scaled(out.error);
+    // Where they are subnormal, value, error and points are rounded once or twice more: the points' nine
+    // numbers by less than this together.
+    constexpr double subnormal_error = 8 * std::numeric_limits<double>::denorm_min();
+    out.error = scaled(out.error) + subnormal_error;
     for (int i = 0; i < 3; ++i) {
       out.on_a[i] = scaled(out.on_a[i]);
       out.on_b[i] = scaled(out.on_b[i]);

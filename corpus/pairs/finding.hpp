@@ -21,15 +21,16 @@ enum class FindingKind : unsigned char {
   exception,
   crash,
   hang,
-  malformed,       ///< no answer at all: a value that means nothing
-  nondeterminism,  ///< two answers to one question
-  undecided_truth  ///< nobody's fault: the referee could not prove a verdict
+  malformed,        ///< no answer at all: a value that means nothing
+  nondeterminism,   ///< two answers to one question
+  undecided_truth,  ///< nobody's fault: the referee could not prove a verdict
+  left_undecided    ///< undecided of a pair that it promises to decide
 };
 constexpr auto words_of(FindingKind) noexcept {
   return std::array{
-      "wrong_disjoint",   "wrong_intersecting", "wrong_touching", "wrong_invalid", "bad_witness",
-      "distance_outside", "non_finite",         "exception",      "crash",         "hang",
-      "malformed",        "nondeterminism",     "undecided_truth"};
+      "wrong_disjoint",   "wrong_intersecting", "wrong_touching",  "wrong_invalid", "bad_witness",
+      "distance_outside", "non_finite",         "exception",       "crash",         "hang",
+      "malformed",        "nondeterminism",     "undecided_truth", "left_undecided"};
 }
 
 enum class Severity : unsigned char {

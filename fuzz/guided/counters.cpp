@@ -26,7 +26,8 @@ struct Counters {
   std::uint8_t strata[features_count][angle_count][decade_count];
   std::uint8_t margins[2][features_count][exponent_count];
   std::uint8_t sines[sine_decade_count], cosines[sine_decade_count];
-  std::uint8_t stages[4], iterations[iteration_count];
+  std::uint8_t stages[4], iterations[iteration_count], distance_steps[iteration_count];
+  std::uint8_t undecided[exponent_count], over_told[exponent_count], told_over_claim[exponent_count];
   std::uint8_t differences[method_count * (method_count - 1) / 2];
 };
 
@@ -44,6 +45,12 @@ enum Face : unsigned char { side, rim, cap };
 Face face_along(const Cylinder& c, const Vector3& w, const Vector3& d) {
   if (length_of(d.cross(w)) < face_tol) return c.radius > 0 ? cap : rim;
   return std::fabs(inner_product(d, w)) < face_tol && c.height > 0 ? side : rim;
+}
+
+/// By the binary exponent of x, from 2^0 down; 0 and NaN count as the least.
+void count_exponent(std::uint8_t (&counters)[exponent_count], double x) {
+  const int exponent = x > 0 ? -std::ilogb(x) : static_cast<int>(exponent_count) - 1;
+  counters[std::clamp(exponent, 0, static_cast<int>(exponent_count) - 1)] = 1;
 }
 
 std::size_t decade(double x) { return static_cast<std::size_t>(margin_decade(x)); }
@@ -125,9 +132,7 @@ Stratum count_geometry(const Pair& pair, const Distance& measured) {
     extra_counters.strata[s.features][s.angle][s.decade] = 1;
     visited().strata[index_of(s)] = 1;
   }
-  const int exponent = margin > 0 ? -std::ilogb(margin) : static_cast<int>(exponent_count) - 1;
-  extra_counters.margins[measured.value > 0][s.features][static_cast<std::size_t>(
-      std::clamp(exponent, 0, static_cast<int>(exponent_count) - 1))] = 1;
+  count_exponent(extra_counters.margins[measured.value > 0][s.features], margin);
   extra_counters.sines[axes.sine == 0 ? sine_decade_count - 1 : decade(axes.sine)] = 1;
   extra_counters.cosines[axes.cosine == 0 ? sine_decade_count - 1 : decade(axes.cosine)] = 1;
   return s;
@@ -139,6 +144,19 @@ void count_stage(const Truth& truth) {
 
 void count_iterations(int iterations) {
   extra_counters.iterations[std::clamp(iterations, 0, static_cast<int>(iteration_count) - 1)] = 1;
+}
+
+void count_undecided(double margin) { count_exponent(extra_counters.undecided, margin); }
+
+void count_errors(double over_told, double told_over_claim) {
+  count_exponent(extra_counters.over_told, over_told);
+  count_exponent(extra_counters.told_over_claim, told_over_claim);
+}
+
+// Nine steps to a counter: distance_step_cap in all.
+void count_distance_steps(int steps) {
+  constexpr int part = distance_step_cap / static_cast<int>(iteration_count) + 1;
+  extra_counters.distance_steps[std::clamp(steps / part, 0, static_cast<int>(iteration_count) - 1)] = 1;
 }
 
 void count_difference(std::size_t i, std::size_t j) {

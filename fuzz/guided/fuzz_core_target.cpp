@@ -50,6 +50,7 @@ class Core {
     for (std::size_t m = 0; m < methods_.size(); ++m) fuzz_judge.record(*methods_[m], answers_[m]);
     if (fuzz_judge.truth().verdict == Verdict::invalid) return;
     count_iterations(answers_[decide_].steps);
+    count_distance_steps(measured.iterations);
     if (fuzz_judge.drawn(unaided_share)) judge_unaided(fuzz_judge);
     if (fuzz_judge.drawn(law_share)) check_law(fuzz_judge, cheap_laws_);
     if (fuzz_judge.drawn(proved_law_share)) check_law(fuzz_judge, proved_laws_);

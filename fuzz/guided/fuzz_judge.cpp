@@ -3,6 +3,8 @@
 
 #include "fuzz/guided/counters.hpp"
 #include "fuzz/guided/visited.hpp"
+#include "oracles/trial/room.hpp"
+#include "oracles/trial/shown_distance.hpp"
 
 namespace cyl {
 namespace {
@@ -39,6 +41,9 @@ void FuzzJudge::record(const Method& method, MethodAnswer answer) {
     return;
   }
   if (trial_.truth.verdict == Verdict::invalid) return;
+  const bool promised = method.claim().decides != Decides::not_promised;
+  if (promised && answer.verdict == Verdict::undecided) return check_undecided(method, answer);
+  if (answer.told_error > 0) check_told_error(method, answer);
   if (!enclose_) {
     answer.has_distance = false;
     if (std::fabs(measured_.value) < reach(method.claim(), size_of(trial_.pair))) return;
@@ -47,6 +52,27 @@ void FuzzJudge::record(const Method& method, MethodAnswer answer) {
   const auto finding = compare(trial_, method.claim(), answer);
   if (finding && finding->severity == Severity::contract)
     sink_.add_finding(trial_.pair, method.name(), to_string(finding->kind), "beyond its claim");
+}
+
+void FuzzJudge::check_undecided(const Method& method, const MethodAnswer& answer) {
+  const double room = likely_room(trial_.pair);
+  count_undecided(room);
+  if (room < resolved_margin) return;
+  if (trial_.truth.verdict == Verdict::undecided) trial_.truth = judge(trial_.pair, {}, wide_bits_cap);
+  if (const auto finding = compare(trial_, method.claim(), answer))
+    sink_.add_finding(trial_.pair, method.name(), to_string(finding->kind), "beyond its claim");
+}
+
+void FuzzJudge::check_told_error(const Method& method, const MethodAnswer& answer) {
+  const Enclosure shown = shown_distance(trial_.pair, measured_);
+  if (!std::isfinite(shown.lo)) return;
+  const Enclosure off = told_error_of(shown, answer);
+  const double length = size_of(trial_.pair) + length_of(trial_.pair.b.center - trial_.pair.a.center);
+  count_errors(off.hi / answer.told_error,
+               measured_.value > 0 ? answer.told_error / (method.claim().relative * length) : 0);
+  if (off.hi > answer.told_error)
+    sink_.add_finding(trial_.pair, method.name(), to_string(FindingKind::distance_outside),
+                      "points and direction do not show the distance within the error told");
 }
 
 }  // namespace cyl

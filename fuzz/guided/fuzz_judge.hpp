@@ -39,12 +39,16 @@ class FuzzJudge {
   /// Returns whether this record has a share of one in so many; each call draws again.
   bool drawn(std::size_t share) { return draws_.below(share) == 0; }
   RandomStream& draws() { return draws_; }
-  /// Records what is wrong with the answer beyond the method's claim. Offered distances and
-  /// witnesses are looked at on a share only, wrong verdicts that the measured distance puts within the claim
-  /// on that of the distances.
+  /// Records what is wrong with the answer beyond the method's claim: undecided where it promises to decide,
+  /// or off by more than it tells, too, which the solver's own arithmetic guesses first. Offered distances
+  /// and witnesses are looked at on a share only, wrong verdicts that the measured distance puts within the
+  /// claim on that of the distances.
   void record(const Method& method, MethodAnswer answer);
 
  private:
+  void check_undecided(const Method& method, const MethodAnswer& answer);
+  void check_told_error(const Method& method, const MethodAnswer& answer);
+
   Trial trial_;
   RandomStream draws_;
   FindingSink& sink_;

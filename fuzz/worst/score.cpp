@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "fuzz/worst/score.hpp"
 
-#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 
 #include "corpus/pairs/pair_numbers.hpp"
 #include "oracles/referee/referee.hpp"
 #include "oracles/trial/room.hpp"
+#include "oracles/trial/shown_distance.hpp"
 #include "oracles/trial/trial.hpp"
 #include "solver/distance.hpp"
 
@@ -16,41 +16,6 @@ namespace {
 
 /// Relative width at which depths are enclosed for `error`, a part of what is claimed of them.
 constexpr double error_width = 1e-14;
-
-/// Of some forty operations in long double, relative to the lengths in them.
-constexpr long double wide_error = 0x1p-57L;
-using Wide = Eigen::Matrix<long double, 3, 1>;
-
-/// One solid in long double: its unit axis, its support, how far an offset from its centre is outside.
-struct WideSolid {
-  explicit WideSolid(const Cylinder& c)
-      : axis((c.axis / c.axis.cwiseAbs().maxCoeff()).cast<long double>().normalized()),
-        radius(c.radius),
-        half(static_cast<long double>(c.height) / 2) {}
-  long double support(const Wide& d) const {
-    return radius * d.cross(axis).norm() + half * std::abs(d.dot(axis));
-  }
-  long double outside(const Wide& x) const {
-    const long double along = std::abs(x.dot(axis)), across = x.cross(axis).norm();
-    return std::hypot(std::max(0.0L, along - half), std::max(0.0L, across - radius));
-  }
-  Wide axis;
-  long double radius, half;
-};
-
-// The direction of the solver shows that the solids are apart by no less or deep by no more, the points that
-// they are no farther apart: whatever it thinks of them.
-Enclosure shown_by_solver(const Pair& pair) {
-  const Distance d = distance(pair.a, pair.b);
-  const WideSolid a(pair.a), b(pair.b);
-  const Wide delta = pair.b.center.cast<long double>() - pair.a.center.cast<long double>(),
-             u = d.direction.cast<long double>(), x = d.on_a.cast<long double>(),
-             y = d.on_b.cast<long double>();
-  const long double slack = wide_error * (a.radius + a.half + b.radius + b.half + delta.norm());
-  const long double least = (u.dot(delta) - a.support(u) - b.support(u)) / u.norm();
-  const long double most = d.value > 0 ? (delta + y - x).norm() + a.outside(x) + b.outside(y) : 0;
-  return {static_cast<double>(least - slack), static_cast<double>(most + slack)};
-}
 
 /// The length that `claim` allows the error of the distance: of |Delta| as well, as solver/distance.hpp does.
 double allowed(const Claim& claim, const Pair& pair) {
@@ -65,19 +30,18 @@ double allowed(const Claim& claim, const Pair& pair) {
 Enclosure error_over_bound(Trial& trial, const Claim& claim, const MethodAnswer& answer, bool by_referee) {
   if (!trial.decided() || answer.verdict == Verdict::invalid) return {0, 0};
   const double said = answer.distance, most = allowed(claim, trial.pair);
-  Enclosure real = shown_by_solver(trial.pair);
+  Enclosure real = shown_distance(trial.pair, distance(trial.pair.a, trial.pair.b));
   if (trial.truth.verdict == Verdict::touching)
     real = {0, 0};
   else if (trial.meets() || by_referee) {
     const Enclosure proved = trial.distance_at(error_width);
     real = {std::max(real.lo, proved.lo), std::min(real.hi, proved.hi)};
   }
-  trial.distance = real;
   if (answer.told_error == 0)
     return {std::max({0.0, real.lo - said, said - real.hi}) / most,
             std::max(real.hi - said, said - real.lo) / most};
   const double deeper_told = said > 0 ? 0 : std::max(0.0, real.lo - said) / most;
-  const Enclosure told = told_error_of(trial, answer);
+  const Enclosure told = told_error_of(real, answer);
   return {std::max(deeper_told, told.lo / answer.told_error),
           std::max(deeper_told, told.hi / answer.told_error)};
 }

@@ -9,7 +9,6 @@
 #include "corpus/pairs/pair_numbers.hpp"
 #include "oracles/methods/fake_method_test.hpp"
 #include "oracles/methods/own_answers.hpp"
-#include "oracles/trial/room.hpp"
 #include "solver/distance.hpp"
 
 namespace cyl {
@@ -124,23 +123,6 @@ TEST(Score, OursKeepWhatTheyPromise) {
 TEST(Score, TheSameSeedGivesTheSamePair) {
   const auto found = [] { return format_pair(climb(own("decide"), Search::undecided, 150).scored->pair); };
   EXPECT_EQ(found(), found());
-}
-
-TEST(Room, IsTheGapOrTheLargestBallInCommon) {
-  Pair p{{{0, 0, 0}, {0, 0, 1}, 1, 2}, {{2.5, 0, 0}, {0, 0, 1}, 1, 2}};
-  Trial apart(p);
-  EXPECT_DOUBLE_EQ(likely_room(p), 0.5 / 6);
-  EXPECT_NEAR(proved_room(apart), 0.5 / 6, 1e-9);
-  p.b.center.x() = 1;  // a lens 1 wide
-  Trial into(p);
-  for (const double room : {likely_room(p), proved_room(into)}) {
-    EXPECT_LE(room, 0.5 / 6);
-    EXPECT_GT(room, 0.5 / 6 / 1.34);  // 8 a decade
-  }
-  p.a.radius = p.b.radius = 0;  // nothing is promised of two segments
-  EXPECT_EQ(likely_room(p), 1 / size_of(p));
-  p.b.center.x() = 0;
-  EXPECT_EQ(likely_room(p), 0);
 }
 
 TEST(PairChart, WhereItIsFineLengthsBecomeZeroAndMarginsChangeByDecades) {

@@ -10,6 +10,7 @@
 #include <limits>
 
 #include "corpus/pairs/pair_io.hpp"
+#include "oracles/trial/room.hpp"
 #include "oracles/trial/trial.hpp"
 
 namespace cyl {
@@ -54,7 +55,8 @@ std::optional<Finding> compare_verdict(Trial& trial, const Claim& claim, Verdict
   const bool disjoint = truth == Verdict::disjoint;
   switch (said) {
     case Verdict::undecided:
-      return {};
+      if (!owes_verdict(claim.decides, trial)) return {};
+      return Finding{FindingKind::left_undecided, Severity::contract, margin_of(trial)};
     case Verdict::invalid:
       return Finding{FindingKind::wrong_invalid, Severity::contract, margin_of(trial)};
     case Verdict::disjoint:
@@ -95,7 +97,8 @@ std::optional<Finding> compare_distance(Trial& trial, const Claim& claim, const 
     const bool as_narrow_as_it_gets = real.hi - real.lo > 4 * width * size;
     if (off.hi <= most || as_narrow_as_it_gets) break;
   }
-  const Enclosure off = told_error_of(trial, answer);
+  const bool touching = trial.truth.verdict == Verdict::touching;
+  const Enclosure off = told_error_of(touching ? Enclosure{0, 0} : trial.distance, answer);
   if (answer.told_error > 0 && off.lo > answer.told_error)
     return Finding{FindingKind::distance_outside, Severity::contract, relative_to(size, off)};
   return {};
@@ -166,8 +169,7 @@ Enclosure magnitude_against(double length, Trial& trial) {
   return gap;
 }
 
-Enclosure told_error_of(const Trial& trial, const MethodAnswer& answer) {
-  const Enclosure real = trial.truth.verdict == Verdict::touching ? Enclosure{0, 0} : trial.distance;
+Enclosure told_error_of(const Enclosure& real, const MethodAnswer& answer) {
   if (answer.distance > 0) return error_of(answer.distance, real);
   return {std::max(0.0, answer.distance - real.hi), std::max(0.0, answer.distance - real.lo)};
 }

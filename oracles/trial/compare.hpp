@@ -14,9 +14,9 @@ namespace cyl {
 
 struct Trial;
 
-/// Returns what is wrong with `answer`, the worst first; nothing where it is right, declined or undecided, or
-/// where nothing is proved. The distance is enclosed only where the finding's severity or an offered distance
-/// depends on it, and is most of the cost. Throws nothing of its own.
+/// Returns what is wrong with `answer`, the worst first; nothing where it is right, declined or may be
+/// undecided, or where nothing is proved. The distance is enclosed only where the finding's severity or an
+/// offered distance depends on it, and is most of the cost. Throws nothing of its own.
 std::optional<Finding> compare(Trial& trial, const Claim& claim, const MethodAnswer& answer);
 
 /// Returns the length below which the claim promises nothing of a pair of this size, rounded up; exactly 0
@@ -27,9 +27,8 @@ double reach(const Claim& claim, double size);
 /// whether it reaches `length` (or as narrowly as is ever asked).
 Enclosure magnitude_against(double length, Trial& trial);
 
-/// Returns the error of the distance said that the answer's `told_error` bounds, in the pair's unit, by the
-/// narrowest enclosure that the trial has.
-Enclosure told_error_of(const Trial& trial, const MethodAnswer& answer);
+/// Returns the error of the distance said that the answer's `told_error` bounds; `real` holds the distance.
+Enclosure told_error_of(const Enclosure& real, const MethodAnswer& answer);
 
 /// Returns whether two answers to one question say the same, bit for bit, reasons and kind `hang` excepted.
 bool same_answer(const MethodAnswer& x, const MethodAnswer& y);

@@ -232,6 +232,21 @@ TEST(Compare, WhoTellsAnErrorIsHeldToIt) {
   }
 }
 
+TEST(Compare, UndecidedIsAFaultWhereAVerdictIsPromised) {
+  const auto of = [](Decides promised, double gap) {
+    Claim claim;
+    claim.decides = promised;
+    return judged(Verdict::disjoint, gap, claim, said(Verdict::undecided));
+  };
+  EXPECT_FALSE(of(Decides::not_promised, 0.5));
+  EXPECT_FALSE(of(Decides::beyond_rounding, 1e-14));
+  for (const auto& finding : {of(Decides::beyond_rounding, 1e-11), of(Decides::all, 1e-14)}) {
+    ASSERT_TRUE(finding);
+    EXPECT_EQ(finding->kind, FindingKind::left_undecided);
+    EXPECT_EQ(finding->severity, Severity::contract);
+  }
+}
+
 TEST(Compare, TheVerdictComesBeforeTheDistance) {
   EXPECT_EQ(judged(Verdict::disjoint, 0.5, none, said_distance(Verdict::intersecting, -3))->kind,
             FindingKind::wrong_intersecting);

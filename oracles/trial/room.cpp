@@ -27,6 +27,11 @@ double greatest_room(const Pair& pair, Meet meet) {
   return least < 0 ? 0 : radius(least);
 }
 
+bool certainly_meet(const Pair& pair) {
+  const Verdict truth = judge_verdict(pair).verdict;
+  return truth == Verdict::intersecting || truth == Verdict::touching;
+}
+
 }  // namespace
 
 std::optional<Cylinder> core(Cylinder c, double least) {
@@ -44,9 +49,13 @@ std::optional<Pair> cores(const Pair& pair, double least) {
   return Pair{*a, *b};
 }
 
-bool hold_room(Proofs& proofs, const Pair& pair, double least) {
-  const auto inner = cores(pair, least);
-  return inner && proofs.of(*inner).decided() && proofs.of(*inner).meets();
+bool owes_verdict(Decides promised, Trial& proved) {
+  if (promised == Decides::not_promised || !proved.decided()) return false;
+  if (promised == Decides::all) return true;
+  const double least = reach({.relative = resolved_margin, .source = {}}, size_of(proved.pair));
+  if (!proved.meets()) return magnitude_against(least, proved).lo >= least;
+  const auto inner = cores(proved.pair, least);
+  return inner && certainly_meet(*inner);
 }
 
 double likely_room(const Pair& pair) {
@@ -58,10 +67,7 @@ double likely_room(const Pair& pair) {
 double proved_room(Trial& proved) {
   if (!proved.decided()) return 0;
   if (!proved.meets()) return magnitude_against(size_of(proved.pair), proved).lo / size_of(proved.pair);
-  return greatest_room(proved.pair, [](const Pair& inner) {
-    const Verdict truth = judge_verdict(inner).verdict;
-    return truth == Verdict::intersecting || truth == Verdict::touching;
-  });
+  return greatest_room(proved.pair, certainly_meet);
 }
 
 }  // namespace cyl

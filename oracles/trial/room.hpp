@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Where a method that decides `beyond_rounding` promises not to be undecided: where the solids are apart by
-// 1e-13 of the size, or hold a ball of that radius in common.
+// 1e-13 of the size, or hold a ball of that radius in common, or a disk or segment where one of them is flat.
 #pragma once
 
 #include <optional>
@@ -22,8 +22,9 @@ std::optional<Cylinder> core(Cylinder c, double least);
 /// sum overflows, as an offset to a common point may.
 std::optional<Pair> cores(const Pair& pair, double least);
 
-/// Returns whether both certainly hold a ball of that radius, or a disk or segment where one of them is flat.
-bool hold_room(Proofs& proofs, const Pair& pair, double least);
+/// Returns whether a method that promises this owes a verdict of the pair: where more than its rounding is
+/// proved to be in between or in common. Costs an enclosure, or a verdict on the cores.
+bool owes_verdict(Decides promised, Trial& proved);
 
 /// Returns how far beyond rounding an undecided pair is, relative to its size: apart the distance, else the
 /// radius of the largest ball in common, as the solver has it. 0 where nothing is promised.

@@ -133,18 +133,13 @@ std::optional<Broken> break_resolution(const LawCase& c) {
       c.first.verdict != Verdict::undecided)
     return {};
   Trial& proved = c.proofs.of(c.pair);
-  if (!proved.decided()) return {};
-  const Verdict truth = proved.truth.verdict;
+  if (!owes_verdict(promised, proved)) return {};
   if (promised == Decides::all)
-    return Broken{fmt::format("undecided, and proved to be {}", to_string(truth))};
-  const double least = reach({.relative = resolved_margin}, size_of(c.pair));
-  if (proved.meets()) {
-    if (!hold_room(c.proofs, c.pair, least)) return {};
-    return Broken{fmt::format("undecided, and {:.3g} all around a point are in both", least)};
-  }
-  const double gap = magnitude_against(least, proved).lo;
-  if (gap < least) return {};
-  return Broken{fmt::format("undecided, and apart by {:.3g}", gap)};
+    return Broken{fmt::format("undecided, and proved to be {}", to_string(proved.truth.verdict))};
+  const double least = resolved_margin * size_of(c.pair);
+  return Broken{proved.meets()
+                    ? fmt::format("undecided, and {:.3g} all around a point are in both", least)
+                    : fmt::format("undecided, and apart by {:.3g}", magnitude_against(least, proved).lo)};
 }
 
 // Where the referee's proof is a direction, its own or one that a method offered.

@@ -242,7 +242,8 @@ std::string kind_in_words(const std::string& kind) {
       "does not come to an end",
       "gives no answer that means anything",
       "answers one question in two ways",
-      "the truth is undecided"};
+      "the truth is undecided",
+      "leaves pairs undecided that it promises to decide"};
   const auto known = from_word<FindingKind>(kind);
   return known ? words[static_cast<std::size_t>(*known)] : kind;
 }

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: MIT
+#include "oracles/trial/shown_distance.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "corpus/pairs/families.hpp"
+#include "corpus/pairs/pair_io.hpp"
+#include "oracles/methods/own_answers.hpp"
+#include "oracles/trial/compare.hpp"
+
+namespace cyl {
+namespace {
+
+// What solver/distance.hpp promises always, and on every machine: of the smallest solids too, where all that
+// is told is a few of the smallest doubles.
+TEST(ShownDistance, IsThatOfTheSolverWithinTheErrorItTells) {
+  for (const Family& family : families()) {
+    for (std::uint64_t i = 0; i < 200; ++i) {
+      const Pair pair = family.generate(11, i);
+      const Distance d = distance(pair.a, pair.b);
+      const Enclosure shown = shown_distance(pair, d);
+      if (!std::isfinite(shown.lo)) continue;
+      const MethodAnswer answer = answer_of(pair, d);
+      EXPECT_LE(told_error_of(shown, answer).hi, answer.told_error) << family.name << format_pair(pair);
+    }
+  }
+}
+
+TEST(ShownDistance, IsWideWhereDirectionOrPointsAreNoGood) {
+  const Pair pair{{{0, 0, 0}, {0, 0, 1}, 1, 2}, {{3, 0, 0}, {0, 0, 1}, 1, 2}};
+  Distance d = distance(pair.a, pair.b);
+  EXPECT_NEAR(shown_distance(pair, d).lo, 1, 1e-15);
+  EXPECT_NEAR(shown_distance(pair, d).hi, 1, 1e-15);
+  d.direction = {0.6, 0.8, 0};
+  EXPECT_NEAR(shown_distance(pair, d).lo, 3 * 0.6 - 2, 1e-15);
+  d.on_a = {0, 2, 0};  // outside by 1
+  EXPECT_GT(shown_distance(pair, d).hi, 2);
+  d.direction.setZero();
+  EXPECT_EQ(shown_distance(pair, d).lo, -INFINITY);
+}
+
+}  // namespace
+}  // namespace cyl
