@@ -24,10 +24,11 @@ struct Distance {
   /// double.
   double value = 0;
   /// Apart: |value - exact| <= error, always; the width between the plane square to `direction` that
-  /// separates and the two points, and the rounding. Within 1e-13 of size + |Delta| and 2^-1071 on all pairs tried
-  /// (distance.md, section 4); where it is more, tell it to whoever asked. Overlapping: the exact depth is at
-  /// most -value + error, always. That no direction is shallower is not proved, and not always so: 6 of
-  /// 10 million penetrations of a small rim into a large one were told deeper, by 1e-6 of the size or so.
+  /// separates and the two points, and the rounding. Within 1e-13 of size + |Delta|, and 2^-1071 where that
+  /// is subnormal, on all pairs tried (distance.md, section 4); where it is more, tell it to whoever asked.
+  /// Overlapping: the exact depth is at most -value + error, always. That no direction is shallower is not
+  /// proved, and not always so: 6 of 10 million penetrations of a small rim into a large one were told
+  /// deeper, by 1e-6 of the size or so.
   double error = 0;
   /// A unit vector, direction.(b.center - a.center) >= 0: b moved along it by -value + error or more has no
   /// inner point of a in it.
