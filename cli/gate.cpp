@@ -26,6 +26,7 @@
 #include "cli/progress.hpp"
 #include "corpus/pairs/pair_io.hpp"
 #include "corpus/store/case_files.hpp"
+#include "props/checks/checks.hpp"
 #include "props/gate/law_search.hpp"
 #include "reports/gate/failure_text.hpp"
 #include "reports/gate/gate_json.hpp"
@@ -39,7 +40,7 @@ struct GateArguments {
   std::string cap, methods, junit, sarif, json, against, keep, reproduce;
   std::optional<std::string> cases, suppressions;
   std::optional<std::uint64_t> seed, pairs;
-  bool github = false, laws = false;
+  bool github = false, laws = false, first_failure = false;
   GuestOptions guests;
 };
 
@@ -142,6 +143,36 @@ GateReport run_with_progress(std::span<const std::unique_ptr<Method>> methods, s
   });
 }
 
+/// Draws of a seed are counted from so many pairs on: it takes as long as a few tens of thousands.
+constexpr std::uint64_t counting_pairs = 50'000;
+
+/// Prints what the checks beside the laws found: of the referee, and of the solver where it is to pass.
+/// Returns whether all was right.
+bool check_beside(std::span<const std::unique_ptr<Method>> methods, std::span<const Case> cases,
+                  const GateOptions& options) {
+  Checked referee, solver;
+  const std::uint64_t seed = options.seed;
+  const bool ours = std::any_of(methods.begin(), methods.end(), [](const auto& m) { return !m->foreign(); });
+  const bool counts = options.pairs >= counting_pairs;
+  check_known(referee, cases);
+  check_arithmetic(referee, seed);
+  check_certificates(referee, seed);
+  if (counts) check_searches(referee, seed);
+  if (ours) check_batches(solver, seed);
+  if (ours && counts) check_promises(solver, seed);
+  bool right = true;
+  const auto show = [&](const char* whose, const Checked& checked) {
+    if (checked.asked() == 0) return;
+    fmt::print("{}, {} questions beside the laws: {}\n", whose, checked.asked(),
+               checked.wrong().empty() ? "all right" : "WRONG");
+    for (const std::string& line : checked.wrong()) fmt::print("  FAILED {}\n", line);
+    right = right && checked.wrong().empty();
+  };
+  show("the referee", referee);
+  show("the solver", solver);
+  return right;
+}
+
 int gate(const GateArguments& arguments) {
   if (arguments.laws) {
     print_laws();
@@ -169,6 +200,10 @@ int gate(const GateArguments& arguments) {
   fmt::print("seed {}\n", options.seed);
   std::fflush(stdout);
 
+  options.first_failure = arguments.first_failure;
+  const bool right = check_beside(methods, cases, options);
+  if (!right && options.first_failure) return exit_findings;
+
   GateReport report = run_with_progress(methods, cases, options);
   complete(report, known, methods, guests, cases);
   const SelfTest test = self_test(
@@ -183,7 +218,7 @@ int gate(const GateArguments& arguments) {
     fmt::print("next: {} replay {}{}\n", own_command(), shell_quoted(arguments.keep),
                replay_options(report, methods, guests));
   if (!test.passed) throw std::runtime_error("the gate is blind: a planted fault was not caught");
-  return known.stale > 0 ? exit_findings : exit_code(report);
+  return known.stale > 0 || !right ? exit_findings : exit_code(report);
 }
 
 }  // namespace
@@ -221,13 +256,16 @@ void add_gate(Program& program) {
       .excludes("--seed");
   command.option("--suppressions", arguments->suppressions, "file of known causes that do not fail")
       .default_text("suppressions.jsonl");
+  command.flag("--first-failure", arguments->first_failure,
+               "end at the first failure, as it was found: where only the exit code is wanted");
   command.option("--keep", arguments->keep, "write the simplified failing pairs as a file of cases");
   command.option("--reproduce", arguments->reproduce, "run one drawn case again, by the name it was given");
   command.flag("--laws", arguments->laws, "only list the laws");
   command.examples(
       "  daylight gate --method fcl --junit gate.xml",
-      "Here 2: broken laws, refuted verdicts, crashes, hangs, or a suppression that matches no stored "
-      "case, 3 also: a method\nabstains on more than half of its pairs.");
+      "Here 2: broken laws, refuted verdicts, crashes, hangs, a referee or solver that fails a check beside "
+      "the laws, or\na suppression that matches no stored case, 3 also: a method abstains on more than half "
+      "of its pairs.");
   command.run([arguments] { return gate(*arguments); });
 }
 

@@ -30,9 +30,6 @@ using Vec = Vec3<double>;
 /// sines and cosines.
 constexpr double bound_error = 64 * 0x1p-53;
 
-/// Cells looked at before the enclosure is returned as wide as it is. One cell costs about 0.3 us.
-constexpr std::size_t cell_cap = 40000;
-
 double length(const Vec& v) { return std::sqrt(dot(v, v)); }
 
 struct Solid {
@@ -200,6 +197,7 @@ Cap cap_of(const Cell& c) {
 struct Range {
   double lo, hi;  // of min f
   Vec direction;  // where f is hi
+  std::size_t cells = 0;
 };
 
 Range minimise(const Search& search, double width) {
@@ -230,7 +228,7 @@ Range minimise(const Search& search, double width) {
     for (const double i : {-h, h})
       for (const double j : {-h, h}) add({c.face, c.s + i, c.t + j, h, c.below});
   }
-  return {queue.empty() ? best : std::min(best, std::max(floor, queue.top().below)), best, direction};
+  return {queue.empty() ? best : std::min(best, std::max(floor, queue.top().below)), best, direction, cells};
 }
 
 // Axes exactly parallel: how far the solids are apart along the axis and across it says everything.
@@ -311,13 +309,13 @@ AttainedDistance attain_distance(const Pair& pair, const Truth& truth, double re
   }
   const Vec& d = f.direction;
   const std::array<double, 3> direction{d.x, d.y, d.z};
-  if (truth.verdict == Verdict::touching) return {{0, 0}, direction};
+  if (truth.verdict == Verdict::touching) return {{0, 0}, direction, f.cells};
   // Back to the scene's unit, outward; then what the verdict alone tells.
   using interval_detail::next_down, interval_detail::next_up;
   Enclosure e{next_down(std::ldexp(-f.hi - slack, exponent)), next_up(std::ldexp(-f.lo + slack, exponent))};
   if (truth.verdict == Verdict::disjoint) e.lo = std::max(e.lo, 0.0);
   if (truth.verdict == Verdict::intersecting) e.hi = std::min(e.hi, 0.0);
-  return {e, direction};
+  return {e, direction, f.cells};
 }
 
 Enclosure enclose_distance(const Pair& pair, const Truth& truth, double relative_width) {

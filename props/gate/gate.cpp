@@ -116,7 +116,7 @@ class Gate {
     std::set<std::tuple<std::string, int, std::string>> seen;
     std::vector<GateFailure*> like_others;
     for (GateFailure& failure : report_.failures) {
-      if (!is_error(failure)) continue;
+      if (!is_error(failure) || options_.first_failure) continue;
       if (seen.emplace(failure.method, failure.law->number, failure.kind).second)
         rerun_and_simplify(failure);
       else
@@ -143,12 +143,18 @@ class Gate {
     report_.phases.back().time = std::chrono::duration_cast<milliseconds>(Clock::now() - from);
   }
 
+  /// Whether nothing more is wanted.
+  bool has_failed() const {
+    return options_.first_failure && std::any_of(report_.failures.begin(), report_.failures.end(),
+                                                 [](const auto& f) { return is_error(f); });
+  }
+
   bool out_of_time() const { return options_.cap && Clock::now() - start_ >= *options_.cap; }
 
   /// Returns whether a phase that has `done` of its rounds or cases goes on; where the time is over, what is
   /// left of it is not asked, and that is said.
   bool goes_on(std::uint64_t done, std::uint64_t due, const char* things) {
-    if (done >= due) return false;
+    if (done >= due || has_failed()) return false;
     if (!out_of_time()) return true;
     report_.not_asked.push_back(fmt::format("{}: {} of {} {}, for the time was over",
                                             to_string(report_.phases.back().phase), due - done, due, things));
@@ -244,7 +250,7 @@ class Gate {
   void search_laws(PairSource source, std::uint64_t due) {
     const Wanted all = [&](std::size_t m, const Law&) { return !given_up(m); };
     const IsNews is_news = [&](const LawFailure& c) {  // shrinking a hang would take an hour
-      return c.broken.kind != FindingKind::hang &&
+      return !options_.first_failure && c.broken.kind != FindingKind::hang &&
              !broken_.contains(std::tuple(c.method, c.law->number, kind_of_break(*c.law, c.broken)));
     };
     for (std::uint64_t& round = report_.phases.back().rounds; goes_on(round, due, "rounds");) {

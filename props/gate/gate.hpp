@@ -42,6 +42,8 @@ struct GateOptions {
   /// What an earlier gate drew, instead: so that both see the same pairs.
   std::optional<GateAmount> amount;
   std::optional<std::chrono::milliseconds> cap;  ///< wall time, after which nothing more is asked
+  /// Ends with the round that shows the first contract broken, which is neither run again nor made simpler.
+  bool first_failure = false;
   /// The caps on one call and on the hangs in one batch are shorter than a campaign's, for a gate is to end.
   Caps caps{
       .call_cpu = std::chrono::milliseconds(500), .call_wall = std::chrono::milliseconds(2000), .hangs = 4};

@@ -1,0 +1,245 @@
+// SPDX-License-Identifier: MIT
+#include <gmpxx.h>
+
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "corpus/pairs/random_stream.hpp"
+#include "oracles/referee/interval.hpp"
+#include "oracles/referee/multiprecision.hpp"
+#include "oracles/referee/root_sum.hpp"
+#include "props/checks/checks.hpp"
+
+namespace cyl {
+namespace {
+
+constexpr std::uint64_t interval_count = 6000, number_count = 1500, sum_count = 150;
+
+/// Exactly. Of a long double: its leading 53 bits and the rest.
+mpq_class exactly(double x) { return mpq_class(x); }
+mpq_class exactly(long double x) {
+  const double head = static_cast<double>(x);
+  return mpq_class(mpq_class(head) + mpq_class(static_cast<double>(x - static_cast<long double>(head))));
+}
+
+/// A unit of the last place of 1.
+template <class R>
+const R last_place = std::ldexp(R(1), 1 - std::numeric_limits<R>::digits);
+
+/// A number of either sign, or 0, near 1 or some decades away; with all digits, or a small integer.
+template <class R>
+R draw_number(RandomStream& stream) {
+  const std::size_t kind = stream.below(8);
+  if (kind == 0) return 0;
+  const double small = stream.integer(-3, 3);
+  if (kind == 1) return small;
+  const double sign = stream.sign(), unit = stream.between(0.5, 2), rest = stream.unit();
+  const int exponent = kind == 2 ? stream.integer(-200, 200) : stream.integer(-2, 2);
+  return std::ldexp(R(sign) * (R(unit) + R(rest) * last_place<R>), exponent);
+}
+
+template <class R>
+BasicInterval<R> draw_interval(RandomStream& stream) {
+  R lo = draw_number<R>(stream), hi = draw_number<R>(stream);
+  if (stream.below(3) == 0) hi = lo + std::fabs(lo) * R(stream.below(5)) * last_place<R>;
+  if (hi < lo) std::swap(lo, hi);
+  return {lo, hi};
+}
+
+/// Whether the end is at the exact value or outside of it, by no more than two units of the last place.
+template <class R>
+bool is_outward(R end, const mpq_class& exact, int side) {
+  const mpq_class beyond = side * (exactly(end) - exact),
+                  unit = abs(exact) * exactly(last_place<R>);
+  return beyond >= 0 && beyond <= 2 * unit + exactly(std::numeric_limits<double>::denorm_min());
+}
+
+template <class R>
+bool holds(const BasicInterval<R>& x, const mpq_class& lo, const mpq_class& hi) {
+  return std::isfinite(x.lo) && std::isfinite(x.hi) && is_outward(x.lo, lo, -1) && is_outward(x.hi, hi, 1);
+}
+
+/// The same of the square root: squared, so that it stays rational.
+template <class R>
+bool holds_root(const BasicInterval<R>& x, const mpq_class& lo, const mpq_class& hi) {
+  const auto square = [](R end) { return mpq_class(exactly(end) * exactly(end)); };
+  const mpq_class slack = 1 + 6 * exactly(last_place<R>),
+                  least = 4 * exactly(std::numeric_limits<double>::denorm_min());
+  return x.lo >= 0 && square(x.lo) <= lo && square(x.lo) * slack + least >= lo && square(x.hi) >= hi &&
+         square(x.hi) <= hi * slack + least;
+}
+
+struct Ends {
+  mpq_class lo, hi;
+};
+Ends ends_of(const mpq_class& p, const mpq_class& q, const mpq_class& r, const mpq_class& s) {
+  return {std::min({p, q, r, s}), std::max({p, q, r, s})};
+}
+
+template <class R>
+void check_intervals(Checked& checked, RandomStream& stream, const char* kind) {
+  using I = BasicInterval<R>;
+  const I a = draw_interval<R>(stream), b = draw_interval<R>(stream);
+  const mpq_class al = exactly(a.lo), ah = exactly(a.hi), bl = exactly(b.lo), bh = exactly(b.hi);
+  const auto expect = [&](bool right, const char* operation) {
+    checked.expect(right, operation, kind, static_cast<double>(a.lo), static_cast<double>(a.hi),
+                   static_cast<double>(b.lo), static_cast<double>(b.hi));
+  };
+  expect(holds(a + b, al + bl, ah + bh), "intervals: sum");
+  expect(holds(a - b, al - bh, ah - bl), "intervals: difference");
+  const Ends product = ends_of(al * bl, al * bh, ah * bl, ah * bh);
+  expect(holds(a * b, product.lo, product.hi), "intervals: product");
+  const I minus = -a, quotient = a / b, magnitude = abs(a);
+  expect(minus.lo == -a.hi && minus.hi == -a.lo, "intervals: negative");
+  if (bl <= 0 && bh >= 0) {
+    expect(std::isinf(quotient.lo) && std::isinf(quotient.hi) && quotient.lo < 0 && quotient.hi > 0,
+           "intervals: quotient by 0");
+  } else {
+    const Ends q = ends_of(al / bl, al / bh, ah / bl, ah / bh);
+    expect(holds(quotient, q.lo, q.hi), "intervals: quotient");
+  }
+  const mpq_class least =
+      sgn(al) * sgn(ah) <= 0 ? mpq_class(0) : std::min(mpq_class(abs(al)), mpq_class(abs(ah)));
+  const mpq_class most = std::max(mpq_class(abs(al)), mpq_class(abs(ah)));
+  expect(exactly(magnitude.lo) == least && exactly(magnitude.hi) == most, "intervals: magnitude");
+  expect(holds(square(a), least * least, most * most) && square(a).lo >= 0, "intervals: square");
+  if (a.hi >= 0) expect(holds_root(sqrt(a), std::max(mpq_class(0), al), ah), "intervals: root");
+}
+
+/// What no number comes of proves nothing.
+template <class R>
+void check_overflow(Checked& checked) {
+  using I = BasicInterval<R>;
+  const R most = std::numeric_limits<R>::max(), infinity = std::numeric_limits<R>::infinity();
+  const auto is_everything = [&](const I& x) { return x.lo == -infinity && x.hi == infinity; };
+  const I far(most, infinity), zero(0), all = I::everything();
+  checked.expect((I(most) + I(most)).hi == infinity && (I(-most) + I(-most)).lo == -infinity,
+                 "intervals: overflow");
+  checked.expect(is_everything(far * zero) && is_everything(zero * far), "intervals: 0 times infinity");
+  checked.expect(is_everything(I(infinity) / I(infinity)), "intervals: infinity by infinity");
+  checked.expect(is_everything(all + far - far) && is_everything(all), "intervals: everything");
+}
+
+/// Of `bits`, to nearest: within half a unit of the last place.
+bool is_rounded(const mpq_class& x, const mpq_class& exact, int bits) {
+  mpq_class unit = abs(exact);
+  mpq_div_2exp(unit.get_mpq_t(), unit.get_mpq_t(), static_cast<mp_bitcnt_t>(bits));
+  return abs(x - exact) <= unit;
+}
+
+void check_numbers(Checked& checked, RandomStream& stream) {
+  constexpr int widths[] = {64, 128, 256, 512};
+  const int bits = widths[stream.below(4)];
+  const PrecisionScope precision(bits);
+  const double x = draw_number<double>(stream), y = draw_number<double>(stream);
+  const MpFloat one(1), third = one / MpFloat(3), a = MpFloat(x) + third, b = MpFloat(y) * third;
+  const mpq_class p = a.to_rational(), q = b.to_rational();
+  const auto expect = [&](bool right, const char* operation) {
+    checked.expect(right, operation, bits, x, y);
+  };
+  expect(is_rounded(p, x + third.to_rational(), bits) && is_rounded(q, y * third.to_rational(), bits),
+         "numbers: mixed");
+  expect(is_rounded((a + b).to_rational(), p + q, bits), "numbers: sum");
+  expect(is_rounded((a - b).to_rational(), p - q, bits), "numbers: difference");
+  expect(is_rounded((a * b).to_rational(), p * q, bits), "numbers: product");
+  if (q != 0) expect(is_rounded((a / b).to_rational(), p / q, bits), "numbers: quotient");
+  const mpq_class root = sqrt(abs(a)).to_rational();
+  expect(is_rounded(root * root, abs(p), bits - 2) && root >= 0, "numbers: root");
+  expect((-a).to_rational() == -p && abs(a).to_rational() == abs(p), "numbers: sign");
+  expect((a < b) == (p < q) && (a > b) == (p > q) && (a <= b) == (p <= q) && (a >= b) == (p >= q) &&
+             (a == b) == (p == q) && a == MpFloat(a) && a <= a && a >= a && !(a < a) && !(a > a),
+         "numbers: order");
+  // Copied, moved and assigned, within one precision and from one to another.
+  MpFloat copy = a, other = std::move(copy);
+  copy = b;
+  std::swap(copy, other);
+  expect(copy.to_rational() == p && other.to_rational() == q && a.to_rational() == p, "numbers: copies");
+  const PrecisionScope finer(2 * bits);
+  MpFloat wide = one / MpFloat(7);
+  const mpq_class seventh = wide.to_rational();
+  expect(is_rounded(seventh, mpq_class(1, 7), 2 * bits) && !is_rounded(seventh, mpq_class(1, 7), 3 * bits),
+         "numbers: precision");
+  MpFloat narrow = a;
+  std::swap(wide, narrow);
+  expect(wide.to_rational() == p && narrow.to_rational() == seventh, "numbers: copies of two precisions");
+  narrow = wide;
+  expect(narrow.to_rational() == p, "numbers: assigned across precisions");
+}
+
+/// MPFI shows a sign to about as many bits as it has.
+void check_mp_intervals(Checked& checked, RandomStream& stream) {
+  constexpr int bits = 128;
+  const PrecisionScope precision(bits);
+  const double x = draw_number<double>(stream), y = draw_number<double>(stream);
+  const MpInterval a = MpInterval(x) / MpInterval(3.0);
+  const mpq_class p = mpq_class(x) / 3, q(y);
+  const auto is = [&](MpInterval value, const mpq_class& exact) {
+    mpq_class least = abs(exact) + (exact == 0 ? abs(p) + abs(q) : mpq_class(0));
+    mpq_div_2exp(least.get_mpq_t(), least.get_mpq_t(), bits - 6);
+    const MpInterval beyond = value - MpInterval(mpq_class(exact + least)),
+                     within = value - MpInterval(mpq_class(exact - least));
+    return least == 0 ? !value.negative() && !value.positive() : beyond.negative() && within.positive();
+  };
+  const auto expect = [&](bool right, const char* operation) { checked.expect(right, operation, x, y); };
+  expect(is(MpInterval(p) + MpInterval(0.0), p), "intervals of MPFI: of a rational");
+  if (abs(p + q) * 8 > abs(p)) expect(is(MpInterval(p) + MpInterval(y), p + q), "intervals of MPFI: sum");
+  if (abs(p - q) * 8 > abs(p))
+    expect(is(MpInterval(p) - MpInterval(y), p - q), "intervals of MPFI: difference");
+  expect(is(MpInterval(p) * MpInterval(y), p * q), "intervals of MPFI: product");
+  if (q != 0) expect(is(MpInterval(p) / MpInterval(y), p / q), "intervals of MPFI: quotient");
+  expect(is(abs(MpInterval(p)), abs(p)), "intervals of MPFI: magnitude");
+  expect(is(square(MpInterval(p)), p * p), "intervals of MPFI: square");
+  expect(is(sqrt(square(MpInterval(p))), abs(p)), "intervals of MPFI: root");
+  expect(a.negative() == (x < 0) && a.positive() == (x > 0), "intervals of MPFI: sign");
+}
+
+/// (x + y)^2 = x^2 + 2 x y + y^2 for sums of three square roots, and the sign of what is a little beside.
+void check_root_sums(Checked& checked, RandomStream& stream) {
+  const auto draw = [&] {
+    RootSum sum;
+    for (int i = 0; i < 3; ++i) {
+      const mpq_class c(stream.integer(-6, 6), stream.integer(1, 4)),
+          q(stream.integer(1, 12), stream.integer(1, 3));
+      mpq_class simple = c, root = q;
+      simple.canonicalize();
+      root.canonicalize();
+      sum = sum + RootSum::root(simple, root);
+    }
+    return sum;
+  };
+  const RootSum x = draw(), y = draw(), both = x + y;
+  checked.expect((both * both - x * x - RootSum(2) * x * y - y * y).sign() == 0, "sums of roots: binomial");
+  checked.expect((x - x).sign() == 0 && (x + y - y - x).sign() == 0, "sums of roots: nothing is left");
+  checked.expect((x * x).sign() == (x.sign() != 0 ? 1 : 0) && (x - y).sign() == -(y - x).sign(),
+                 "sums of roots: sign of a square");
+  // sqrt(n + 1) - sqrt(n) = 1/(sqrt(n + 1) + sqrt(n)) lies between 1/(2 sqrt(n + 1)) and 1/(2 sqrt(n)).
+  const mpq_class n(stream.integer(1, 1 << 30));
+  const RootSum step = RootSum::root(1, n + 1) - RootSum::root(1, n);
+  checked.expect((step - RootSum::root(mpq_class(1, 2), 1 / (n + 1))).sign() == 1 &&
+                     (step - RootSum::root(mpq_class(1, 2), 1 / n)).sign() == -1,
+                 "sums of roots: sign of a difference");
+}
+
+}  // namespace
+
+void check_arithmetic(Checked& checked, std::uint64_t seed) {
+  check_overflow<double>(checked);
+  check_overflow<long double>(checked);
+  for (std::uint64_t i = 0; i < interval_count; ++i) {
+    RandomStream stream("intervals", seed, i);
+    check_intervals<double>(checked, stream, "of doubles");
+    if (i % 4 == 0) check_intervals<long double>(checked, stream, "of long doubles");
+  }
+  for (std::uint64_t i = 0; i < number_count; ++i) {
+    RandomStream stream("numbers", seed, i);
+    check_numbers(checked, stream);
+    check_mp_intervals(checked, stream);
+  }
+  for (std::uint64_t i = 0; i < sum_count; ++i) {
+    RandomStream stream("sums of roots", seed, i);
+    check_root_sums(checked, stream);
+  }
+}
+
+}  // namespace cyl

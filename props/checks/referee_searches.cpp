@@ -1,0 +1,216 @@
+// SPDX-License-Identifier: MIT
+// How far the referee's own search and enclosure get, and in how many steps: a search that goes astray still
+// proves nothing wrong, and only the count shows it. Bounds are what was measured over the seeds 1 to 20, and
+// some hundredths more for others.
+#include <cmath>
+#include <limits>
+#include <span>
+
+#include "corpus/pairs/close_contact.hpp"
+#include "corpus/pairs/exact_pairs.hpp"
+#include "corpus/pairs/families.hpp"
+#include "corpus/pairs/pair_io.hpp"
+#include "corpus/pairs/pair_numbers.hpp"
+#include "corpus/pairs/random_stream.hpp"
+#include "oracles/referee/certificate_check.hpp"
+#include "oracles/referee/multiprecision.hpp"
+#include "oracles/referee/referee.hpp"
+#include "oracles/referee/search.hpp"
+#include "props/checks/checks.hpp"
+#include "props/checks/drawn_pairs.hpp"
+#include "solver/distance.hpp"
+
+namespace cyl {
+namespace {
+
+/// Of the pairs drawn one in so many is searched in 128 bits, and one in so many enclosed.
+constexpr std::size_t fine_share = 20, enclosing_share = 10;
+constexpr std::uint64_t parallel_count = 1000;
+
+/// What one kind of pairs takes at most.
+struct Bounds {
+  double slices, fine_slices;                // in the mean, in double and in 128 bits
+  double beyond_double, beyond_long_double;  // shares
+  double doublings;                          // mean of log2(bits/53)
+  double cells;                              // mean of log2(1 + cells)
+  double no_guess;                           // share
+};
+/// Families, strata, close contacts.
+constexpr Bounds bounds[] = {{1.735, 1.34, 0.0670, 0.0340, 0.0860, 5.25, 0.155},
+                             {4.345, 3.26, 0.0985, 0.0010, 0.0280, 4.72, 0.355},
+                             {2.260, 1.95, 0.0360, 0.0060, 0.0152, 6.05, 0.235}};
+constexpr double most_capped = 0.002;
+
+/// Sums of what one kind of pairs takes.
+struct Effort {
+  double pairs = 0, slices = 0, in_double = 0, in_long_double = 0, bits = 0, undecided = 0;
+  double fine_pairs = 0, fine_slices = 0;
+};
+
+void search_one(Checked& checked, const Pair& pair, Effort& effort) {
+  if (!is_legal(pair)) return;
+  int exponent = 0;
+  const SearchPair<double> p = double_pair(pair, exponent);
+  const double most = std::max({std::fabs(p.delta.x), std::fabs(p.delta.y), std::fabs(p.delta.z), p.radius0,
+                                2 * p.half0, p.radius1, 2 * p.half1});
+  checked.expect(most == 0 || (most >= 0.5 && most < 2.5), "searches: a pair out of its unit",
+                 format_pair(pair));
+  const Found<double> found = search(p, 53);
+  const Truth alone = judge_verdict(pair);
+  ++effort.pairs;
+  effort.slices += found.slices;
+  effort.in_double += alone.bits <= 53;
+  effort.in_long_double += alone.bits <= std::numeric_limits<long double>::digits;
+  effort.bits += std::log2(std::max(alone.bits, 53) / 53.0);
+  effort.undecided += alone.verdict == Verdict::undecided;
+}
+
+void search_finely(const Pair& pair, Effort& effort) {
+  constexpr int bits = 128;
+  const PrecisionScope precision(bits);
+  int exponent = 0;
+  const SearchPair<double> p = double_pair(pair, exponent);
+  const auto lift = [](const Vec3<double>& v) {
+    return Vec3<MpFloat>{MpFloat(v.x), MpFloat(v.y), MpFloat(v.z)};
+  };
+  const SearchPair<MpFloat> fine{lift(p.axis0),    lift(p.axis1),      lift(p.delta),   MpFloat(p.radius0),
+                                 MpFloat(p.half0), MpFloat(p.radius1), MpFloat(p.half1)};
+  ++effort.fine_pairs;
+  effort.fine_slices += search(fine, bits).slices;
+}
+
+/// Sums of what enclosures of one kind of pairs take.
+struct EnclosingEffort {
+  double pairs = 0, cells = 0, near = 0, capped = 0;
+};
+
+/// What the distance is certainly within, by the solver's two bounds: apart the nearest points and the plane
+/// between them, overlapping what is shown to separate.
+Enclosure bounds_of(const Distance& d) { return {d.value - d.error, d.value + d.error}; }
+
+/// f(d) of a unit direction, in long double.
+long double gap_of(const Pair& pair, const std::array<double, 3>& d) {
+  const auto dot = [](const long double(&u)[3], const long double(&v)[3]) {
+    return u[0] * v[0] + u[1] * v[1] + u[2] * v[2];
+  };
+  const long double u[3] = {d[0], d[1], d[2]};
+  long double delta[3], f = 0;
+  for (int i = 0; i < 3; ++i) delta[i] = static_cast<long double>(pair.b.center[i]) - pair.a.center[i];
+  for (const Cylinder* c : {&pair.a, &pair.b}) {
+    long double w[3] = {c->axis[0], c->axis[1], c->axis[2]}, across[3];
+    const long double length = std::sqrt(dot(w, w));
+    for (long double& x : w) x /= length;
+    const long double along = dot(u, w);
+    for (int i = 0; i < 3; ++i) across[i] = u[i] - along * w[i];
+    f += c->height / 2.0L * std::fabs(along) + c->radius * std::sqrt(dot(across, across));
+  }
+  return f - std::fabs(dot(u, delta));
+}
+
+void enclose_one(Checked& checked, const Pair& pair, double width, EnclosingEffort& effort) {
+  const double size = size_of(pair), reach = size + (pair.b.center - pair.a.center).lpNorm<1>();
+  if (!(reach > 0x1p-200 && reach < 0x1p200)) return;
+  const Truth truth = judge_verdict(pair);
+  const AttainedDistance attained = attain_distance(pair, truth, width);
+  const Enclosure& e = attained.distance;
+  const auto expect = [&](bool right, const char* what) {
+    checked.expect(right, what, format_pair(pair), width);
+  };
+  const double rounding = 256 * 0x1p-53 * reach;  // twice the slack that the enclosure adds on either side
+  const std::array<double, 3>& u = attained.direction;
+  expect(std::fabs(std::hypot(u[0], u[1], u[2]) - 1) <= 0x1p-50, "enclosures: a direction of another length");
+  ++effort.pairs;
+  effort.cells += std::log2(1.0 + static_cast<double>(attained.cells));
+  if (truth.verdict == Verdict::touching) {
+    expect(e.lo == 0 && e.hi == 0, "enclosures: of touching solids");
+    return;
+  }
+  const bool capped = attained.cells >= cell_cap;
+  effort.capped += capped;
+  expect(e.lo <= e.hi && (e.hi - e.lo <= width * size + rounding || capped), "enclosures: too wide");
+  expect(std::fabs(static_cast<double>(gap_of(pair, u)) + e.lo) <= 16 * rounding || e.lo == 0,
+         "enclosures: attained nowhere");
+  const Distance measured = distance(pair.a, pair.b);
+  const Enclosure real = bounds_of(measured);
+  expect(real.hi >= e.lo - rounding && real.lo <= e.hi + rounding, "enclosures: beside the distance");
+  const Enclosure quick = enclose_distance(pair, truth, width);
+  expect(quick.lo <= real.hi && quick.hi >= real.lo && quick.lo <= quick.hi, "enclosures: a guess beside");
+  expect(quick.hi - quick.lo <= width * size + rounding || capped, "enclosures: a guess too wide");
+  const bool is_near = std::fabs(measured.value) < width / 16 * size;
+  if (is_near)
+    effort.near += quick.lo == 0 || quick.hi == 0;
+  else
+    ++effort.near;
+}
+
+/// Solids of small integers along the coordinates: their distance is a formula of square roots.
+void enclose_parallel(Checked& checked, std::uint64_t seed, std::uint64_t index) {
+  RandomStream stream("parallel solids", seed, index);
+  Pair pair;
+  pair.a.axis = stream.coordinate_axis();
+  pair.b.axis = stream.sign() * pair.a.axis;
+  for (Cylinder* c : {&pair.a, &pair.b}) {
+    for (double& x : c->center) x = stream.integer(-8, 8);
+    c->radius = stream.integer(0, 5);
+    c->height = 2 * stream.integer(0, 4);
+  }
+  const Vector3 delta = pair.b.center - pair.a.center;
+  const double along = std::fabs(delta.dot(pair.a.axis)) - (pair.a.height + pair.b.height) / 2;
+  const double across = delta.cross(pair.a.axis).norm() - pair.a.radius - pair.b.radius;
+  const double value = along > 0 && across > 0 ? std::hypot(along, across) : std::fmax(along, across);
+  const Truth truth = judge(pair);
+  const double error = 0x1p-40;  // of a reach of a few dozen
+  const Enclosure e = attain_distance(pair, truth, 1e-12).distance,
+                  quick = enclose_distance(pair, truth, 1e-12);
+  checked.expect(e.lo - error <= value && value <= e.hi + error && e.hi - e.lo < 2 * error,
+                 "enclosures: of parallel solids", format_pair(pair));
+  checked.expect(quick.lo - error <= value && value <= quick.hi + error,
+                 "enclosures: a guess of parallel solids", format_pair(pair));
+  const bool flat = (pair.a.radius == 0 || pair.a.height == 0) && (pair.b.radius == 0 || pair.b.height == 0);
+  const Verdict verdict = value > 0   ? Verdict::disjoint
+                          : value < 0 ? Verdict::intersecting
+                                      : Verdict::touching;
+  checked.expect(truth.verdict == verdict, "touching: of parallel solids", format_pair(pair),
+                 to_string(truth.verdict), flat);
+}
+
+}  // namespace
+
+void check_searches(Checked& checked, std::uint64_t seed) {
+  const std::vector<PairsOfKind> drawn = draw_pairs(seed);
+  for (std::size_t k = 0; k < drawn.size(); ++k) {
+    const PairsOfKind& kind = drawn[k];
+    const Bounds& most = bounds[k];
+    Effort e;
+    for (const Pair& pair : kind.pairs) search_one(checked, pair, e);
+    for (std::size_t i = 0; i < kind.pairs.size(); i += fine_share) search_finely(kind.pairs[i], e);
+    EnclosingEffort n;
+    for (std::size_t i = 0; i < kind.pairs.size(); i += enclosing_share)
+      enclose_one(checked, kind.pairs[i], i / enclosing_share % 2 == 0 ? 1e-3 : 1e-6, n);
+    const auto expect = [&](double is, double may_be, const char* what) {
+      checked.expect(is <= may_be, what, "of", kind.name, is, "that may be", may_be);
+    };
+    expect(e.slices / e.pairs, most.slices, "searches: mean slices");
+    expect(e.fine_slices / e.fine_pairs, most.fine_slices, "searches: mean slices in 128 bits");
+    expect(1 - e.in_double / e.pairs, most.beyond_double, "searches: share that double leaves open");
+    expect(1 - e.in_long_double / e.pairs, most.beyond_long_double,
+           "searches: share that long double leaves open");
+    expect(e.bits / e.pairs, most.doublings, "searches: mean doublings of 53 bits");
+    expect(e.undecided, 0, "searches: undecided");
+    expect(n.cells / n.pairs, most.cells, "enclosures: mean logarithm of cells");
+    expect(1 - n.near / n.pairs, most.no_guess, "enclosures: share near touching that no guess encloses");
+    expect(n.capped / n.pairs, most_capped, "enclosures: share at the cap on cells");
+  }
+  for (std::uint64_t i = 0; i < parallel_count; ++i) enclose_parallel(checked, seed, i);
+}
+
+void check_known(Checked& checked, std::span<const Case> cases) {
+  for (const Case& c : cases) {
+    if (!c.truth) continue;
+    const Verdict proved = judge(c.pair).verdict, alone = judge_verdict(c.pair).verdict;
+    checked.expect(proved == *c.truth && alone == *c.truth, "known truths:", c.id, to_string(proved),
+                   to_string(alone));
+  }
+}
+
+}  // namespace cyl

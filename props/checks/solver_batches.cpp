@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+
+#include "corpus/pairs/pair_numbers.hpp"
+#include "corpus/pairs/random_stream.hpp"
+#include "props/checks/checks.hpp"
+#include "props/checks/drawn_pairs.hpp"
+#include "solver/intersect_batch.hpp"
+
+namespace cyl {
+namespace {
+
+/// About the widths of the kernels and the number of pairs that they are given at once.
+constexpr std::size_t sizes[] = {0, 1, 2, 3, 4, 5, 7, 8, 9, 15, 16, 17, 40, 1023, 1024, 1025, 3000};
+constexpr std::size_t times_of_a_size = 12;
+
+/// Solids, and pairs of them whose verdicts are known; those drawn together, or any two.
+struct Batch {
+  std::vector<Prepared> a, b;
+  std::vector<IndexPair> pairs;
+  std::vector<Verdict> single;
+};
+
+Batch draw_batch(const std::vector<Pair>& drawn, std::size_t size, RandomStream& stream) {
+  Batch batch;
+  // Out of the ordinary all, none or some of them.
+  const std::size_t odd = stream.below(3);
+  const std::size_t solids = std::max<std::size_t>(1, size * 2 / 3);
+  for (std::size_t i = 0; i < solids; ++i) {
+    Pair pair = drawn[stream.below(drawn.size())];
+    if (stream.below(8) < odd * odd) pair = scaled(pair, stream.coin() ? 300 : -300);
+    if (stream.below(64) < odd) pair.a.radius = -1;
+    batch.a.push_back(prepare(pair.a));
+    batch.b.push_back(prepare(pair.b));
+  }
+  const bool alike = stream.coin();
+  for (std::size_t i = 0; i < size; ++i) {
+    const std::size_t at = stream.below(solids), other = stream.below(8) == 0 ? stream.below(solids) : at;
+    const std::size_t first = alike ? i % solids : at, second = alike ? i % solids : other;
+    batch.pairs.push_back({static_cast<std::uint32_t>(first), static_cast<std::uint32_t>(second)});
+    batch.single.push_back(intersect(batch.a[first], batch.b[second]));
+  }
+  return batch;
+}
+
+/// What is behind the last verdict stays as it is.
+constexpr std::size_t room = 64;
+constexpr Verdict untouched{0xaa};
+
+void ask_in_batch(Checked& checked, const Batch& batch, Instructions wanted) {
+  const std::size_t size = batch.pairs.size();
+  std::vector<Verdict> verdicts(size + 2 * room, untouched);
+  intersect_batch(batch.a, batch.b, batch.pairs, verdicts.data() + room, wanted);
+  const auto start = verdicts.begin() + room, end = start + static_cast<std::ptrdiff_t>(size);
+  checked.expect(std::equal(start, end, batch.single.begin()), "batches: a verdict of another pair, of", size,
+                 "on instructions", static_cast<int>(wanted));
+  const auto is_untouched = [](Verdict v) { return v == untouched; };
+  checked.expect(
+      std::all_of(verdicts.begin(), start, is_untouched) && std::all_of(end, verdicts.end(), is_untouched),
+      "batches: written beside, of", size);
+}
+
+void ask_all_of_two_sets(Checked& checked, const Batch& batch, std::size_t rows, std::size_t columns,
+                         Instructions wanted) {
+  const auto a = std::span(batch.a).first(std::min(rows, batch.a.size()));
+  const auto b = std::span(batch.b).first(std::min(columns, batch.b.size()));
+  std::vector<Verdict> verdicts(a.size() * b.size() + room, untouched);
+  intersect_all(a, b, verdicts.data(), wanted);
+  bool right = verdicts[a.size() * b.size()] == untouched;
+  for (std::size_t i = 0; i < a.size(); ++i)
+    for (std::size_t j = 0; j < b.size(); ++j)
+      right = right && verdicts[i * b.size() + j] == intersect(a[i], b[j]);
+  checked.expect(right, "batches: all of two sets,", rows, columns);
+}
+
+}  // namespace
+
+void check_batches(Checked& checked, std::uint64_t seed) {
+  std::vector<Pair> drawn;
+  for (const PairsOfKind& kind : draw_pairs(seed))
+    drawn.insert(drawn.end(), kind.pairs.begin(), kind.pairs.end());
+  for (std::uint64_t i = 0; i < std::size(sizes) * times_of_a_size; ++i) {
+    RandomStream stream("batches", seed, i);
+    const std::size_t size = sizes[i % std::size(sizes)];
+    const Batch batch = draw_batch(drawn, size, stream);
+    for (const Instructions wanted : {Instructions::baseline, Instructions::v3, Instructions::v4}) {
+      if (wanted > best_instructions()) continue;
+      ask_in_batch(checked, batch, wanted);
+      if (i < std::size(sizes)) ask_all_of_two_sets(checked, batch, 33, 1 + size / 50, wanted);
+    }
+  }
+}
+
+}  // namespace cyl

@@ -1,0 +1,215 @@
+// SPDX-License-Identifier: MIT
+// Of the solver: what comes with its verdicts. A shortcut that is never taken and a bad start are right all
+// the same, and only the count of steps shows them; bounds are what was measured over the seeds 1 to 20, and
+// some hundredths more for others.
+#include <array>
+#include <cmath>
+
+#include "corpus/pairs/pair_io.hpp"
+#include "corpus/pairs/pair_numbers.hpp"
+#include "corpus/pairs/random_stream.hpp"
+#include "props/checks/checks.hpp"
+#include "props/checks/drawn_pairs.hpp"
+#include "solver/capsule.hpp"
+#include "solver/detail/frame.hpp"
+#include "solver/detail/sections.hpp"
+#include "solver/distance.hpp"
+
+namespace cyl {
+namespace {
+
+/// Sums over one kind of pairs.
+struct Work {
+  double pairs = 0, decide_steps = 0, undecided = 0, distance_steps = 0;
+  double apart = 0, error = 0, beside = 0;  // mean error of gaps, in units of the rounding
+  double open = 0, searched = 0, intersect_steps = 0, capped = 0;  // of intersect()
+};
+
+/// Of one kind of pairs, what Work holds in the mean, at most.
+struct Bounds {
+  double decide_steps, undecided, distance_steps, error, beside, open, searched, intersect_steps;
+};
+/// Families, strata, close contacts.
+constexpr Bounds bounds[] = {{0.365, 0.0555, 17.4, 1.0115, 0.0355, 0.1630, 0.0408, 1.84},
+                             {0.935, 0.0705, 14.05, 1.0095, 0.0460, 0.3960, 0.1335, 1.875},
+                             {0.590, 0.0258, 22.0, 1.0195, 0.0790, 0.2910, 0.0580, 2.58}};
+
+bool is_ordinary_range(double reach) { return reach > 0x1p-200 && reach < 0x1p200; }
+
+double reach_of(const Pair& pair) {
+  return pair.a.radius + pair.a.height / 2 + pair.b.radius + pair.b.height / 2 +
+         (pair.b.center - pair.a.center).norm();
+}
+
+/// How far the point, from the solid's centre, is outside of it.
+double outside(const Cylinder& c, const Vector3& x) {
+  const Vector3 w = c.axis.stableNormalized();
+  const double along = x.dot(w);
+  return std::max(std::fabs(along) - c.height / 2, (x - along * w).norm() - c.radius);
+}
+
+double gap_along(const Pair& pair, const Vector3& d) {
+  double f = -std::fabs(d.dot(pair.b.center - pair.a.center));
+  for (const Cylinder* c : {&pair.a, &pair.b}) {
+    const Vector3 w = c->axis.stableNormalized();
+    f += c->radius * d.cross(w).norm() + c->height / 2 * std::fabs(d.dot(w));
+  }
+  return f;
+}
+
+/// Everything that solver/distance.hpp says of value, error, direction and points.
+void measure(Checked& checked, const Pair& pair, Work& work) {
+  const Distance d = distance(pair.a, pair.b);
+  const auto expect = [&](bool right, const char* what) { checked.expect(right, what, format_pair(pair)); };
+  work.distance_steps += d.iterations;
+  const double reach = reach_of(pair), rounding = distance_error * reach, slack = d.error + rounding;
+  if (!is_ordinary_range(reach)) return;
+  const Vector3 delta = pair.b.center - pair.a.center;
+  expect((d.value > 0) == (d.verdict == Verdict::disjoint), "distances: the sign is not the verdict");
+  expect(d.error >= rounding * (1 - 0x1p-40), "distances: an error below rounding");
+  expect(d.error <= (d.value > 0 ? 1e-13 * (size_of(pair) + delta.norm()) : 1.01 * rounding),
+         "distances: a great error");
+  expect(std::fabs(d.direction.norm() - 1) <= 0x1p-50, "distances: a direction of another length");
+  expect(d.direction.dot(delta) >= -rounding, "distances: a direction from b to a");
+  expect(d.value == 0 || std::fabs(gap_along(pair, d.direction) + d.value) <= 2 * rounding,
+         "distances: not along the direction");
+  const bool inside = outside(pair.a, d.on_a) <= slack && outside(pair.b, d.on_b) <= slack;
+  const Vector3 way = delta + d.on_b - d.on_a;
+  if (d.value > 0) {
+    expect(inside, "distances: a nearest point outside its solid");
+    expect(std::fabs(way.norm() - d.value) <= slack, "distances: points at another distance");
+    ++work.apart;
+    work.error += d.error / rounding;
+  } else {
+    work.beside += !inside;
+    expect((way - d.value * d.direction).norm() <= 2 * slack, "distances: points not along the direction");
+    // Each deepest in the other: at the end of its solid along the direction.
+    const auto lacks = [&](const Cylinder& c, const Vector3& x, const Vector3& u) {
+      const Vector3 w = c.axis.stableNormalized();
+      return c.radius * u.cross(w).norm() + c.height / 2 * std::fabs(u.dot(w)) - u.dot(x);
+    };
+    const double both = lacks(pair.a, d.on_a, d.direction) + lacks(pair.b, d.on_b, -d.direction);
+    expect(both <= 4 * slack, "distances: points that are not deepest");
+  }
+}
+
+/// The steps of intersect(), which says nothing of them, taken one by one.
+void count_steps(const Pair& pair, Work& work) {
+  const Prepared a = prepare(pair.a), b = prepare(pair.b);
+  if (!(a.ordinary & b.ordinary)) return;
+  const Couple<double> couple = as_it_is(a, b).couple();
+  const Sections<double> f = shallow_sections(couple);
+  if (f.s2 < parallel_square) return;
+  const auto filter = separating_axis_filter(f);
+  if (filter.apart || filter.met) return;
+  ++work.open;
+  const auto at = corner(in_order(f));
+  if (at.met || at.in_vain || !(at.rises2 || at.rises3)) return;
+  const Edge<double> e = edge(at);
+  if (top(e).here) return;
+  ++work.searched;
+  const auto [low, first] = start(e);
+  double t = first;
+  for (int i = 0; i < iteration_cap; ++i) {
+    ++work.intersect_steps;
+    const auto now = step(e, low, t);
+    if (now.apart || now.met) return;
+    t = now.t;
+  }
+  ++work.capped;
+}
+
+void work_on(Checked& checked, const Pair& pair, Work& work) {
+  if (!is_legal(pair)) return;
+  ++work.pairs;
+  const Answer decided = decide(pair.a, pair.b);
+  work.decide_steps += decided.iterations;
+  work.undecided += decided.verdict == Verdict::undecided;
+  measure(checked, pair, work);
+  count_steps(pair, work);
+}
+
+/// Solids of parallel axes along a coordinate, whose numbers are small integers: nothing is rounded, and
+/// touching is meeting.
+void touch_exactly(Checked& checked, std::uint64_t seed, std::uint64_t index) {
+  RandomStream stream("touching solids", seed, index);
+  Pair pair;
+  pair.a.axis = stream.coordinate_axis();
+  pair.b.axis = stream.sign() * pair.a.axis;
+  for (Cylinder* c : {&pair.a, &pair.b}) {
+    for (double& x : c->center) x = stream.integer(-5, 5);
+    c->radius = stream.integer(0, 4);
+    c->height = 2 * stream.integer(0, 3);
+  }
+  const Vector3 delta = pair.b.center - pair.a.center;
+  const double along = std::fabs(delta.dot(pair.a.axis)), radii = pair.a.radius + pair.b.radius;
+  const double square = delta.squaredNorm() - along * along;
+  const bool meet = 2 * along <= pair.a.height + pair.b.height && square <= radii * radii;
+  checked.expect((intersect(pair.a, pair.b) == Verdict::intersecting) == meet, "verdicts: of parallel solids",
+                 format_pair(pair));
+}
+
+/// The capsules about and in a solid, and distances of segments beside those of cylinders without radius.
+void check_proxies(Checked& checked, const Pair& pair) {
+  const double reach = reach_of(pair) + pair.a.center.norm() + pair.b.center.norm();
+  if (!is_legal(pair) || !is_ordinary_range(reach)) return;
+  const auto expect = [&](bool right, const char* what) { checked.expect(right, what, format_pair(pair)); };
+  for (const Cylinder* c : {&pair.a, &pair.b}) {
+    const double unit = proxy_error * (c->center.norm() + c->height + c->radius),
+                 width = std::min(c->radius, c->height / 2);
+    const Capsule outer = outer_proxy(*c), inner = inner_proxy(*c);
+    expect(std::fabs(outer.radius - c->radius - unit) <= unit / 2, "proxies: the outer radius");
+    expect(std::fabs(width - inner.radius - unit) <= unit / 2, "proxies: the inner radius");
+    const Vector3 w = c->axis.stableNormalized();
+    const auto is_at = [&](const Vector3& end, double along) {
+      const Vector3 x = end - c->center;
+      return std::fabs(std::fabs(x.dot(w)) - along) <= 2 * unit && x.cross(w).norm() <= 2 * unit;
+    };
+    const auto are_ends = [&](const Capsule& k, double along) {
+      return is_at(k.from, along) && is_at(k.to, along) && ((k.to - k.from).norm() >= 2 * along - 4 * unit);
+    };
+    expect(are_ends(outer, c->height / 2), "proxies: the outer ends");
+    expect(are_ends(inner, c->height / 2 - width), "proxies: the inner ends");
+  }
+  Pair thin = pair;
+  thin.a.radius = thin.b.radius = 0;
+  const Distance apart = distance(thin.a, thin.b);
+  const Capsule p = outer_proxy(thin.a), q = outer_proxy(thin.b);
+  const double value = segment_distance(p.from, p.to, q.from, q.to),
+               error = proxy_distance_error * reach + apart.error;
+  expect(std::fabs(value - std::fmax(0, apart.value)) <= error, "proxies: the distance of segments");
+  const double capsules = capsule_distance(outer_proxy(pair.a), outer_proxy(pair.b));
+  expect(std::fabs(capsules - value + pair.a.radius + pair.b.radius) <= error,
+         "proxies: the distance of capsules");
+}
+
+constexpr std::uint64_t touching_count = 4000;
+
+}  // namespace
+
+void check_promises(Checked& checked, std::uint64_t seed) {
+  const std::vector<PairsOfKind> drawn = draw_pairs(seed);
+  for (std::size_t k = 0; k < drawn.size(); ++k) {
+    const PairsOfKind& kind = drawn[k];
+    Work w;
+    for (const Pair& pair : kind.pairs) work_on(checked, pair, w);
+    for (const Pair& pair : kind.pairs) check_proxies(checked, pair);
+    const Bounds& most = bounds[k];
+    const auto expect = [&](double is, double may_be, const char* what) {
+      checked.expect(is <= may_be, what, "of", kind.name, is, "that may be", may_be);
+    };
+    expect(w.decide_steps / w.pairs, most.decide_steps, "decide: mean steps");
+    expect(w.undecided / w.pairs, most.undecided, "decide: share undecided");
+    expect(w.distance_steps / w.pairs, most.distance_steps, "distance: mean steps");
+    expect(w.error / w.apart, most.error, "distance: mean error of gaps in units of the rounding");
+    expect(w.beside / (w.pairs - w.apart), most.beside,
+           "distance: share of overlaps with a point outside its solid");
+    expect(w.open / w.pairs, most.open, "intersect: share that the filter leaves open");
+    expect(w.searched / w.pairs, most.searched, "intersect: share that the corner leaves open");
+    expect(w.intersect_steps / w.searched, most.intersect_steps, "intersect: mean steps of these");
+    expect(w.capped, 0, "intersect: undecided");
+  }
+  for (std::uint64_t i = 0; i < touching_count; ++i) touch_exactly(checked, seed, i);
+}
+
+}  // namespace cyl
