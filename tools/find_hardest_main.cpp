@@ -69,6 +69,18 @@ std::optional<Margin> margin_of(const Pair& pair, const std::optional<Direction>
   return Margin{value.to_double(), d, {d.x.to_double(), d.y.to_double(), d.z.to_double()}};
 }
 
+/// The unit in the last place; 0 of 0, which stays.
+double last_place(double x) {
+  return x == 0 ? 0 : std::nextafter(std::abs(x), std::numeric_limits<double>::infinity()) - std::abs(x);
+}
+
+/// Whether no number is as small as dust: a margin made of that is no feat.
+bool is_plain(const Pair& pair) {
+  constexpr double dust = 0x1p-80;
+  const auto numbers = numbers_of(pair);
+  return std::all_of(numbers.begin(), numbers.end(), [](double x) { return x == 0 || std::abs(x) >= dust; });
+}
+
 struct Place {
   long double margin;
   std::array<int, 3> steps;
@@ -78,10 +90,8 @@ struct Place {
 std::vector<Place> least_places(const Pair& pair, const Margin& from) {
   std::array<long double, 3> change;
   for (int i = 0; i < 3; ++i) {
-    const double x = std::abs(pair.b.center[i]);
     change[static_cast<std::size_t>(i)] =
-        static_cast<long double>(from.rounded[static_cast<std::size_t>(i)]) *
-        (std::nextafter(x, std::numeric_limits<double>::infinity()) - x);
+        static_cast<long double>(from.rounded[static_cast<std::size_t>(i)]) * last_place(pair.b.center[i]);
   }
   std::size_t solved = 0;  // the coordinate that changes it most
   for (std::size_t i = 1; i < 3; ++i)
@@ -117,7 +127,7 @@ using Both = std::array<std::optional<Hardest>, 2>;
 
 void keep(Both& both, const Pair& pair, const Direction& near) {
   const auto margin = margin_of(pair, near);
-  if (!margin || margin->value == 0) return;
+  if (!is_plain(pair) || !margin || margin->value == 0) return;
   auto& hardest = both[margin->value < 0];
   const double relative = std::abs(margin->value) / size_of(pair);
   if (hardest && relative >= hardest->margin) return;
@@ -141,11 +151,8 @@ void try_around(Both& both, Pair pair) {
   if (!margin) return;
   for (const Place& place : least_places(pair, *margin)) {
     Pair moved = pair;
-    for (int i = 0; i < 3; ++i) {
-      const double x = std::abs(pair.b.center[i]),
-                   unit = std::nextafter(x, std::numeric_limits<double>::infinity()) - x;
-      moved.b.center[i] += place.steps[static_cast<std::size_t>(i)] * unit;
-    }
+    for (int i = 0; i < 3; ++i)
+      moved.b.center[i] += place.steps[static_cast<std::size_t>(i)] * last_place(pair.b.center[i]);
     keep(both, moved, margin->normal);
   }
 }
