@@ -157,6 +157,7 @@ bool check_beside(std::span<const std::unique_ptr<Method>> methods, std::span<co
   check_known(referee, cases);
   check_arithmetic(referee, seed);
   check_certificates(referee, seed);
+  check_touching(referee, seed);
   if (counts) check_searches(referee, seed);
   if (ours) check_batches(solver, seed);
   if (ours && counts) check_promises(solver, seed);

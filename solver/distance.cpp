@@ -128,7 +128,7 @@ class Search {
       return true;
     // A pole whose point is just on the rim of its face is a stationary point of section 3, too.
     constexpr double tie_tol = 0x1p-20;  // of the squared radius
-    const double i0 = 1 / std::sqrt(larger(far0, 0x1p-1000)), i1 = 1 / std::sqrt(larger(far1, 0x1p-1000));
+    const double i0 = 1 / std::sqrt(far0), i1 = 1 / std::sqrt(far1);  // of 0: not looked at
     const Rims pole0{s0, sc * s0, f.z * i0, q0 * i0, 0, s0}, pole1{sc * s1, s1, 0, s1, f.z * i1, q1 * i1};
     if (far0 > (1 - tie_tol) * p.r0 * p.r0 && look_at_rims(pole0)) return true;
     if (far1 > (1 - tie_tol) * p.r1 * p.r1 && look_at_rims(pole1)) return true;

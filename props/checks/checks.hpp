@@ -57,6 +57,8 @@ void check_certificates(Checked& checked, std::uint64_t seed);
 /// as their headers say in the mean.
 void check_searches(Checked& checked, std::uint64_t seed);
 
+/// Solids that touch exactly, or only a plane between them, are proved to.
+void check_touching(Checked& checked, std::uint64_t seed);
 /// The referee proves of each case what its line says is true.
 void check_known(Checked& checked, std::span<const Case> cases);
 

@@ -12,8 +12,8 @@ namespace {
 constexpr std::uint64_t seed = 2;
 
 TEST(Checks, HoldForTheRefereeAndTheSolver) {
-  for (const auto check :
-       {check_arithmetic, check_certificates, check_searches, check_batches, check_promises}) {
+  for (const auto check : {check_arithmetic, check_certificates, check_touching, check_searches,
+                           check_batches, check_promises}) {
     Checked checked;
     check(checked, seed);
     EXPECT_GT(checked.asked(), 1000u);

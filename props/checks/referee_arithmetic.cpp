@@ -50,8 +50,7 @@ BasicInterval<R> draw_interval(RandomStream& stream) {
 /// Whether the end is at the exact value or outside of it, by no more than two units of the last place.
 template <class R>
 bool is_outward(R end, const mpq_class& exact, int side) {
-  const mpq_class beyond = side * (exactly(end) - exact),
-                  unit = abs(exact) * exactly(last_place<R>);
+  const mpq_class beyond = side * (exactly(end) - exact), unit = abs(exact) * exactly(last_place<R>);
   return beyond >= 0 && beyond <= 2 * unit + exactly(std::numeric_limits<double>::denorm_min());
 }
 

@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: MIT
+// Solids built of integers so that a plane has one on each closed side and both reach it: they touch where
+// the parts that lie in the plane do, and are apart by nothing else.
+#include <algorithm>
+#include <cmath>
+
+#include "corpus/pairs/pair_io.hpp"
+#include "corpus/pairs/random_stream.hpp"
+#include "oracles/referee/referee.hpp"
+#include "oracles/referee/tangency.hpp"
+#include "props/checks/checks.hpp"
+
+namespace cyl {
+namespace {
+
+constexpr std::uint64_t touching_count = 3000;
+
+/// Three vectors of integers, square to each other and 3 long.
+struct Lattice {
+  Vector3 up{2, -1, 2}, right{2, 2, -1}, front{-1, 2, 2};
+};
+
+/// What of a solid lies in the plane, about `middle` from the solid's centre: a disk, a segment along the
+/// unit vector (x, y) on right and front, or a point.
+struct Part {
+  Cylinder solid;
+  Vector3 middle;
+  double disk = 0, half = 0, x = 0, y = 0;
+};
+
+Part draw_part(RandomStream& stream, const Lattice& l) {
+  Part part;
+  const double wide = stream.integer(1, 4), high = stream.integer(1, 4);
+  const std::size_t kind = stream.below(3);
+  const int turn = stream.integer(0, 3);
+  const double xs[] = {1, 0, 0.6, -0.8}, ys[] = {0, 1, 0.8, 0.6};
+  part.x = xs[turn];
+  part.y = ys[turn];
+  const Vector3 flat = turn < 2
+                           ? Vector3(part.x * l.right + part.y * l.front)
+                           : Vector3(std::round(5 * part.x) * l.right + std::round(5 * part.y) * l.front);
+  const double length = turn < 2 ? 3 : 15;
+  if (kind == 0) {  // a cap
+    part.solid.axis = l.up;
+    part.solid.radius = part.disk = 3 * wide;
+    part.solid.height = 6 * high;
+    part.middle = high * l.up;
+  } else if (kind == 1) {  // a wall
+    part.solid.axis = flat;
+    part.solid.radius = 3 * wide;
+    part.half = length * high;
+    part.solid.height = 2 * part.half;
+    part.middle = wide * l.up;
+  } else {  // a rim: the axis has 3 up for 4 across, or a segment's end
+    const Vector3 across = turn < 2 ? flat : (turn == 2 ? l.right : l.front);
+    const bool thin = stream.coin();
+    part.solid.axis = 3 * l.up + 4 * across;
+    part.solid.radius = thin ? 0 : 15 * wide;
+    part.solid.height = 30 * high;
+    part.middle = high * part.solid.axis + (thin ? 0 : wide) * (4 * l.up - 3 * across);
+  }
+  part.solid.axis *= stream.sign();
+  return part;
+}
+
+/// How far two parts are from sharing a point, b's middle at (x, y) from a's: below 0 where they do.
+double apart(const Part& a, const Part& b, double x, double y) {
+  const double radii = a.disk + b.disk;
+  double least = std::hypot(x, y);
+  const auto from_segment = [](const Part& s, double px, double py) {
+    const double along = std::clamp(px * s.x + py * s.y, -s.half, s.half);
+    return std::hypot(px - along * s.x, py - along * s.y);
+  };
+  for (const double end : {-1.0, 1.0}) {
+    least = std::min(least, from_segment(a, x + end * b.half * b.x, y + end * b.half * b.y));
+    least = std::min(least, from_segment(b, end * a.half * a.x - x, end * a.half * a.y - y));
+  }
+  const double normal = a.x * b.y - a.y * b.x;
+  if (a.half > 0 && b.half > 0 && std::fabs(normal) > 0.01) {
+    const double s = (x * b.y - y * b.x) / normal, t = (x * a.y - y * a.x) / normal;
+    if (std::fabs(s) <= a.half && std::fabs(t) <= b.half) least = 0;
+  }
+  return least - radii;
+}
+
+void touch(Checked& checked, std::uint64_t seed, std::uint64_t index) {
+  RandomStream stream("solids on a plane", seed, index);
+  const Lattice l;
+  Part a = draw_part(stream, l), b = draw_part(stream, l);
+  const bool square = a.disk + a.half == 0 || b.disk + b.half == 0;  // else points hardly ever meet
+  const int reach = square && a.disk + b.disk + a.half + b.half == 0 ? 1 : 4;
+  const double right = stream.integer(-reach, reach),
+               front = stream.coin() ? 0 : stream.integer(-reach, reach);
+  const double beyond = apart(a, b, 3 * right, 3 * front);
+  for (int i = 0; i < 3; ++i) a.solid.center[i] = stream.integer(-9, 9);
+  b.solid.center = a.solid.center + a.middle + right * l.right + front * l.front + b.middle;
+  // b hangs from the plane: its parts are those of the same solid turned round.
+  const Pair pair{a.solid, b.solid};
+  if (beyond > 0 && beyond < 1e-9) return;
+  const Verdict truth = judge(pair).verdict;
+  const Verdict wanted = beyond <= 1e-9 ? Verdict::touching : Verdict::disjoint;
+  checked.expect(truth == wanted, "touching: on a plane, wanted", to_string(wanted), "got", to_string(truth),
+                 format_pair(pair));
+}
+
+/// The simplest rational near a number is that number, where it is simple, and near it in any case.
+void simplify(Checked& checked, std::uint64_t seed, std::uint64_t index) {
+  RandomStream stream("simple rationals", seed, index);
+  mpq_class simple(stream.integer(-300, 300), stream.integer(1, 30));
+  simple.canonicalize();
+  const mpq_class near = simple + mpq_class(stream.between(-1, 1)) / mpq_class(0x1p30),
+                  any(stream.between(-5, 5));
+  checked.expect(simplest_within(near, mpq_class(0x1p-29)) == simple, "touching: the simplest rational");
+  checked.expect(
+      simplest_within(any, 0) == any && abs(simplest_within(any, mpq_class(0x1p-9)) - any) <= 0x1p-9,
+      "touching: a rational far off");
+}
+
+}  // namespace
+
+void check_touching(Checked& checked, std::uint64_t seed) {
+  for (std::uint64_t i = 0; i < touching_count; ++i) {
+    touch(checked, seed, i);
+    simplify(checked, seed, i);
+  }
+}
+
+}  // namespace cyl
