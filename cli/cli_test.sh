@@ -112,6 +112,14 @@ expect 'the worst again' 2 "$worst" worst --method ode-contacts-8 --feature side
 cmp -s first out || fail 'the same seed, another worst'
 expect 'the worst replayed' 2 '.*1 replayed, 1 beyond a claim.*' replay worst.jsonl --methods ode-contacts-8
 expect 'the worst from a file' 2 "$worst" worst --method ode-contacts-8 --feature side-rim --evaluations 20 --from worst.jsonl
+expect 'the worst of nothing' 64 '' worst --method decide --search luck
+expect 'the worst error' 0 'distance rim-rim error 0\.[0-9]+ \(within its claim\) \{.*\}' \
+  worst --method distance --search error --feature rim-rim --evaluations 60
+mv out first
+"$daylight" worst --method distance --search error --feature rim-rim --evaluations 60 >out
+cmp -s first out || fail 'the same seed, another error'
+expect 'the most bits of the referee' 0 'judge cap-rim steps [0-9]+ \(within its claim\) \{.*\}' \
+  worst --method judge --search steps --feature cap-rim --evaluations 20
 
 # An answer comes before the next question is asked.
 coproc "$daylight" check
