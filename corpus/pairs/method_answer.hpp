@@ -28,7 +28,7 @@ struct MethodAnswer {
   Verdict verdict = Verdict::undecided;  ///< meaningful where status == answered
   bool has_distance = false;
   CertificateKind witness = CertificateKind::none;  ///< never `near`
-  double distance = 0;         ///< signed: > 0 apart, in the scene's unit; meaningful where has_distance
+  double distance = 0;  ///< signed: > 0 apart, in the scene's unit; meaningful where has_distance
   /// Its own bound of the distance's error, 0 where it tells none: apart both ways; where it says that they
   /// overlap, of how much deeper they are than it says.
   double told_error = 0;
