@@ -15,6 +15,7 @@ static_assert(offsetof(Prepared, center) == 0 && offsetof(Prepared, unit_axis) =
 static_assert(offsetof(Prepared, radius) == 48 && offsetof(Prepared, height) == 56);
 static_assert(offsetof(Prepared, ordinary) == record_ordinary);
 static_assert(sizeof(IndexPair) == 2 * sizeof(unsigned) && sizeof(Verdict) == 1);
+static_assert(static_cast<unsigned>(Verdict::undecided) == batch_undecided);
 
 using Kernel = unsigned (*)(const BatchJob&, unsigned*);
 

@@ -15,11 +15,12 @@ struct BatchJob {
   const unsigned char *a, *b;  ///< the sets' first records
   const unsigned* pairs;       ///< two indices each
   unsigned count;              ///< <= batch_chunk
-  unsigned char* verdicts;     ///< 0 disjoint, 1 intersecting
+  unsigned char* verdicts;     ///< 0 disjoint, 1 intersecting, or:
 };
+inline constexpr unsigned batch_undecided = 3;  ///< at the work cap
 
-/// Each answers what it can and returns how many it cannot (solids out of the ordinary, pairs at the work
-/// cap), their places in `rest`, which has room for all.
+/// Each answers what it can and returns how many it cannot (solids out of the ordinary), their places in
+/// `rest`, which has room for all.
 unsigned batch_baseline(const BatchJob& job, unsigned* rest);
 #if defined(__x86_64__)
 unsigned batch_v3(const BatchJob& job, unsigned* rest);

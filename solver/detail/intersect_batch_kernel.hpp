@@ -172,8 +172,7 @@ Records find(const BatchJob& job, const unsigned* indices, unsigned count) {
 
 /// Pairs that the separating-axis filter has left open, at their indices.
 template <bool steep>
-unsigned finish(const BatchJob& job, const unsigned* indices, unsigned count, unsigned* rest) {
-  unsigned left = 0;
+void finish(const BatchJob& job, const unsigned* indices, unsigned count) {
   for (unsigned start = 0; start < count; start += static_cast<unsigned>(lanes)) {
     // untaken: the gate asks batches of one pair; intersect_batch_test asks all sizes
     const unsigned n =
@@ -197,13 +196,10 @@ unsigned finish(const BatchJob& job, const unsigned* indices, unsigned count, un
       }
     }
     const unsigned met_bits = bits(met), open_bits = bits(open);
-    for (unsigned i = 0; i < n; ++i) {
-      job.verdicts[indices[start + i]] = static_cast<unsigned char>((met_bits >> i) & 1);
-      rest[left] = indices[start + i];
-      left += (open_bits >> i) & 1;
-    }
+    for (unsigned i = 0; i < n; ++i)
+      job.verdicts[indices[start + i]] =
+          static_cast<unsigned char>((open_bits >> i & 1) != 0 ? batch_undecided : met_bits >> i & 1);
   }
-  return left;
 }
 
 }  // namespace
@@ -240,8 +236,8 @@ unsigned CYL_KERNEL(const BatchJob& job, unsigned* rest) {
         flat[flat_count++] = start + i;
     }
   }
-  left += finish<true>(job, steep, steep_count, rest + left);
-  left += finish<false>(job, flat, flat_count, rest + left);
+  finish<true>(job, steep, steep_count);
+  finish<false>(job, flat, flat_count);
   return left;
 }
 
