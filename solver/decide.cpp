@@ -76,16 +76,17 @@ void prove_parallel(const Question& q, const Parallel& found) noexcept {
   const double gx = xx * along + xy * across, gy = xy * along + yy * across;
   const double mx = xx + along0, my = yy + across0, solve = 1 / (mx * my - xy * xy);
   const double error = point_error * (reach * unit), room0 = r0 - error, room1 = r1 - error;
-  const auto inside = [&](const PlanePoint& at) {
+  const auto inside = [&](const PlanePoint<double>& at) {
     const double dx = at.x - along, dy = at.y - across;
     const double x1 = dx * q.cosine + dy * f.s, y1 = dy * q.cosine - dx * f.s;
     return (std::fabs(at.x) < h0 - error) & (std::fabs(x1) < h1 - error) & (room0 > 0) & (room1 > 0) &
            (at.y * at.y + u * u < room0 * room0) & (y1 * y1 + v * v < room1 * room1);
   };
-  PlanePoint at{(my * gx - xy * gy) * solve, (mx * gy - xy * gx) * solve};
+  PlanePoint<double> at{(my * gx - xy * gy) * solve, (mx * gy - xy * gx) * solve};
   if (!inside(at)) {
     const double b = std::sqrt(positive(q2));
-    const Rectangle rectangle0{0, 0, 1, 0, h0, b * r0}, rectangle1{along, across, q.cosine, f.s, h1, b * r1};
+    const Rectangle<double> rectangle0{0, 0, 1, 0, h0, b * r0},
+        rectangle1{along, across, q.cosine, f.s, h1, b * r1};
     at = on_long_side(rectangle0, rectangle1);
     if (!inside(at)) at = on_long_side(rectangle1, rectangle0);
     if (!inside(at)) return false;

@@ -269,6 +269,33 @@ TEST(Decide, UndecidedOnlyWithinItsWord) {
   EXPECT_GT(balls, 15000);
 }
 
+// A thin solid just inside the side of a large one: near the thin one's outermost line its width grows by
+// 1e-10 over the rounding of a double.
+TEST(Decide, ProvesThatThinSolidsMeetJustInsideASide) {
+  const Pair pairs[] = {{{{0, 0, 0}, {1, -1, 1.5}, 1.1861443422987863e-06, 2.1512072844500797e-05},
+                         {{0.15929014607854455, 0.26209215184990375, 0.068561717361532978},
+                          {0.76527961450485327, -0.55175774882646111, 0.33152752258788276},
+                          0.31426996328444928,
+                          2.1512072844500797e-05}},
+                        {{{0, 0, 0},
+                          {0.37604961273151361, 0.69551759239754818, 0.61224338904556308},
+                          9.7382360682857586e-07,
+                          0.00010120123349317763},
+                         {{0.123838762845924, 0.020284123993049085, -0.099024807585726668},
+                          {2, 0, 2.5},
+                          0.15985331878994027,
+                          1.8745585459273174e-10}},
+                        {{{0, 0, 0},
+                          {-0.40409461917815731, 0.76429234778295707, 0.50255820147687902},
+                          0.76211461466304309,
+                          1.0000000000003701},
+                         {{0.34329963489366522, 0.080023107464933588, -0.84057629381856347},
+                          {0.45162670461976895, -0.75265583004309411, -0.48203568593232221},
+                          3.3852608385904964e-06,
+                          6.0023581454897202e-06}}};
+  for (const Pair& p : pairs) EXPECT_EQ(decide(p.a, p.b).proof, Proof::point);
+}
+
 // Solids without inner points: what they share is known by the lines and planes they lie in.
 TEST(Decide, ProvesThatFlatSolidsMeet) {
   const Vector3 oblique(0.3, -0.5, 0.7), other(0.9, 0.1, -0.2);

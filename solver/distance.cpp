@@ -19,6 +19,9 @@ constexpr double tie_error = 2 * distance_error;
 constexpr double shallow_tol = 0x1p-20;
 
 constexpr int projection_cap = 60;  // of the points, where nothing else brought the bounds together
+constexpr int touch_cap = 6;        // of them from each start, where solids overlap
+// By how much two solids that touch are made to overlap for decide() to find a common point, of the reach.
+constexpr double touch_tols[] = {0x1p-44, 0x1p-38, 0x1p-32, 0x1p-26};
 
 class Search {
  public:
@@ -43,20 +46,16 @@ class Search {
       anchor_ = on0_;
       on_b_ = false;
     }
+    if (!(low_ < 0)) touch();
   }
 
   void report(Distance& out) const noexcept {
     out.value = 0 - low_;  // never -0
     out.error = distance_error * reach_;
     out.direction = direction_;
-    if (low_ < 0) {
-      out.error += larger(0, high_ + low_);
-      out.on_a = on0_;
-      out.on_b = on1_ - p_.delta;
-    } else {
-      out.on_a = on_b_ ? Vector3(anchor_ + low_ * direction_) : anchor_;
-      out.on_b = (on_b_ ? anchor_ : Vector3(anchor_ - low_ * direction_)) - p_.delta;
-    }
+    if (low_ < 0) out.error += larger(0, high_ + low_);
+    out.on_a = on0_;
+    out.on_b = on1_ - p_.delta;
     out.iterations = steps_;
   }
 
@@ -127,7 +126,7 @@ class Search {
         look_at_rims({1, -std::copysign(1.0, at1), cx1, cy1, k1.x, k1.y}))
       return true;
     // A pole whose point is just on the rim of its face is a stationary point of section 3, too.
-    constexpr double tie_tol = 0x1p-20;  // of the squared radius
+    constexpr double tie_tol = 0x1p-20;                               // of the squared radius
     const double i0 = 1 / std::sqrt(far0), i1 = 1 / std::sqrt(far1);  // of 0: not looked at
     const Rims pole0{s0, sc * s0, f.z * i0, q0 * i0, 0, s0}, pole1{sc * s1, s1, 0, s1, f.z * i1, q1 * i1};
     if (far0 > (1 - tie_tol) * p.r0 * p.r0 && look_at_rims(pole0)) return true;
@@ -169,6 +168,48 @@ class Search {
     return false;
   }
 
+  // Moved along the direction by the depth, b touches a in the plane square to it: a point of both is a's
+  // deepest. The anchor is one, unless it goes with another direction that is as good within rounding, or is
+  // the end of a side that lies in the plane as a whole. Then from what is farthest along the direction, from
+  // each solid to the other and back; and where that takes long, moved a little less, by decide().
+  void touch() noexcept {
+    const Vector3 moved = p_.delta + low_ * direction_;
+    const double error = tie_error * reach_;
+    const Vector3 starts[] = {on_b_ ? Vector3(anchor_ + low_ * direction_) : anchor_,
+                              farthest(direction_, p_.w0, p_.r0, p_.h0, error),
+                              moved - farthest(direction_, p_.w1, p_.r1, p_.h1, error)};
+    high_ = std::numeric_limits<double>::infinity();  // of two points, one in a and one in b moved
+    for (const Vector3& start : starts)
+      if (come_together(start, moved, error)) return;
+    Prepared a{Vector3(0, 0, 0), p_.w0, p_.r0, 2 * p_.h0, Defect::none, false}, b = a;
+    b = {moved, p_.w1, p_.r1, 2 * p_.h1, Defect::none, false};
+    for (const double overlap : touch_tols) {
+      b.center = moved - overlap * reach_ * direction_;
+      const Answer answer = decide(a, b);
+      if (answer.proof == Proof::point) {
+        come_together(answer.point_head + answer.point_tail, moved, error);
+        return;
+      }
+    }
+  }
+
+  // From a point to one solid and to the other and back, keeping what is nearest.
+  bool come_together(Vector3 x, const Vector3& moved, double error) noexcept {
+    for (int i = 0; i < touch_cap; ++i) {
+      ++steps_;
+      const Vector3 on0 = nearest(x, p_.w0, p_.r0, p_.h0);
+      x = nearest(on0 - moved, p_.w1, p_.r1, p_.h1) + moved;
+      const double off = length(on0 - x);
+      if (off < high_) {
+        high_ = off;
+        on0_ = on0;
+        on1_ = on0 - low_ * direction_;
+      }
+      if (high_ <= error) return true;
+    }
+    return false;
+  }
+
   const Scaled& p_;
   const TurnedFrame& f_;
   double reach_;
@@ -191,7 +232,8 @@ void measure_parallel(const Scaled& p, const Vector3& axis_sum, Distance& out) n
   // Any direction square to w where there is none.
   Vector3 u;
   if (across > 0) {
-    u = off / across;
+    u = off * power_of_two(-exponent_of(max_abs(off)));  // its square may have no digits left
+    u /= length(u);
   } else {
     int least = 0;
     for (int i = 1; i < 3; ++i)

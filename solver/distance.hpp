@@ -30,11 +30,13 @@ struct Distance {
   /// proved, and not always so: 6 of 10 million penetrations of a small rim into a large one were told
   /// deeper, by 1e-6 of the size or so.
   double error = 0;
-  /// A unit vector, direction.(b.center - a.center) >= 0: b moved along it by -value + error or more has no
-  /// inner point of a in it.
+  /// A unit vector, direction.(b.center - a.center) >= 0 but for rounding: b moved along it by -value + error
+  /// or more has no inner point of a in it.
   Vector3 direction{0, 0, 0};
   /// Offsets from a.center and from b.center. Apart: points of a and of b, |distance - value| <= error.
-  /// Overlapping: the point of a deepest in b and the reverse, b's from a's by value * direction.
+  /// Overlapping: the point of a deepest in b and the reverse, b's from a's by value * direction; a's is
+  /// within rounding in a, b's within 1e-9 of size + |Delta| in b on all pairs tried (within 1e-12 on all but
+  /// one in 100,000).
   Vector3 on_a{0, 0, 0};
   Vector3 on_b{0, 0, 0};
   int iterations = 0;  ///< at most distance_step_cap

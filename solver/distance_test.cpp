@@ -143,6 +143,8 @@ TEST(Distance, ShowsItsOwnProof) {
       ASSERT_LE(y.norm() - d.value, d.error) << "pair " << i;
     } else {
       ASSERT_LE((y - d.value * d.direction).norm(), rounding) << "pair " << i;
+      ASSERT_LE(outside(p.a, d.on_a), rounding) << "pair " << i;
+      ASSERT_LE(outside(p.b, d.on_b), 1e-12 * reach_of(p)) << "pair " << i;
     }
     uncertain += d.error > 1e-13 * reach_of(p);
   }
@@ -269,6 +271,67 @@ TEST(Distance, CoaxialSolidsKeepTheirDirectionSquare) {
     EXPECT_GE(d.direction.dot(b.center - a.center), -1e-15);
     EXPECT_LE(std::fabs(d.direction.dot(w)), 1e-15);
     EXPECT_NEAR(d.value, -1.5 * radius, 1e-15);
+  }
+}
+
+// What is deepest lies in its solid also where a whole side is, where caps all but lie on each other, and
+// where a rim is all but square to the direction.
+TEST(Distance, DeepestPointsLieInTheirSolids) {
+  const Pair pairs[] = {
+      {upright(0, 0, 0, 0.1, 2), lying(0, 0, 1.9, 1, 100)},
+      {upright(0, 0, 0, 0.1, 2), lying(3, 0.01, 1.9, 1, 100)},
+      {lying(0, 0, 0, 1, 5), upright(-0.75, -1.5, 1.75, 2, 4)},
+      {{{0, 0, 0},
+        {-0.28016788322002556, -0.053950688065066199, -0.95843376426069182},
+        0.94995584336315919,
+        0.62320225877173696},
+       {{0.17033391726727803, -1.2832298608460666, -1.8565673456552638},
+        {-0.28016711218074852, -0.053950105939432245, -0.95843402241490983},
+        0.79277972168858202,
+        2.9986094824252532}},
+      {lying(0, 0, 0, 1.8213673951383307, 2.1940805778713246),
+       {{0.79957459116879093, -0.5, -1.3249708591326761}, {0, 1, 0}, 2.0970072773141153, 3.1940145546282301}},
+      {{{0, 0, 0}, {0, 0, 1}, 0.50869604375587918, 0.00067755723201702947},
+       {{-0.0042646740975587766, -0.50903482237177844, -0.0099298839687209494},
+        {0, 1, 0},
+        0.010496511183431555,
+        0.00067755723201702947}}};
+  for (const Pair& p : pairs) {
+    const Distance d = distance(p.a, p.b);
+    ASSERT_LT(d.value, 0);
+    EXPECT_LE(outside(p.a, d.on_a), 1e-13 * reach_of(p));
+    EXPECT_LE(outside(p.b, d.on_b), 1e-12 * reach_of(p));
+    const Vector3 y = p.b.center - p.a.center + d.on_b - d.on_a;
+    EXPECT_LE((y - d.value * d.direction).norm(), 1e-14 * reach_of(p));
+  }
+}
+
+TEST(Distance, DirectionIsOfUnitLengthWhereSquaresVanish) {
+  for (const Vector3& off : {Vector3(3e-162, 1e-162, 0), Vector3(1e-160, 3.3e-161, 0)})
+    for (const double radius : {0.0, 0.5}) {
+      const Cylinder a{Vector3(0, 0, 0), Vector3(0, 0, 1), radius, 1}, b{off, a.axis, radius, 1};
+      EXPECT_NEAR(distance(a, b).direction.norm(), 1, 4e-16);
+    }
+}
+
+// A circle whose lowest point is where two others meet: its search ended where the tangent of an angle was
+// subnormal, and what a number is then depends on the unit.
+TEST(Distance, UnitsDoNotShowWhereALowestPointIsAtAnEnd) {
+  const Pair pair{{{-0.69492695114483305, -0.63410625349428928, 0.34496909509936036},
+                   {-0.68766948294923613, 0.4423907275606298, -0.57567449692083594},
+                   0.0010027025120531836,
+                   0.0024651598547548712},
+                  {{0, 0, 0}, {-1, 3, 3.5}, 1, 0}};
+  const Distance here = distance(pair.a, pair.b);
+  EXPECT_LE(here.iterations, 12);
+  for (const double unit : {0x1p-3, 0x1p-1, 0x1p5, 0x1p-20}) {
+    Pair p = pair;
+    for (Cylinder* c : {&p.a, &p.b}) {
+      c->center *= unit;
+      c->radius *= unit;
+      c->height *= unit;
+    }
+    EXPECT_EQ(distance(p.a, p.b).on_a, Vector3(here.on_a * unit));
   }
 }
 

@@ -25,6 +25,16 @@ inline Vector3 nearest(const Vector3& x, const Vector3& w, double r, double h) n
   return larger(-h, smaller(h, along)) * w + shrink * radial;
 }
 
+// The point of a centred solid farthest along the unit vector d; where that is a face or a line within
+// `error`, its middle.
+inline Vector3 farthest(const Vector3& d, const Vector3& w, double r, double h, double error) noexcept {
+  const double along = dot(d, w);
+  const Vector3 radial = d - along * w;
+  const double across = length(radial);
+  return (std::fabs(along) * h > error ? std::copysign(h, along) : 0) * w +
+         (across * r > error ? r / across : 0) * radial;
+}
+
 // Axes that are not parallel. Both are turned, and m0, m1 chosen perpendicular to them in their plane, so
 // that
 //   w0.w1 = c,  m0.w1 = m1.w0 = s,  m0.m1 = -c,  z = Delta.n >= 0,  e0 = Delta.m0 >= 0,  e1 = Delta.m1 >= 0.
@@ -80,7 +90,7 @@ inline Turn lowest_on_circle(double z, double e, double r, double s, double c, i
       const double step = (z * t - e - bend * t * q) / slope;
       t -= step;
       if (!(t > 0)) return {1, 0};
-      if (std::fabs(step) <= 0x1p-27 * t) break;
+      if (std::fabs(step) <= 0x1p-27 * t || t <= 0x1p-60) break;  // below that, D is n
     }
     const double x = 1 / std::sqrt(1 + t * t);
     return {x, t * x};

@@ -68,7 +68,6 @@ inline bool operator<=(const DoubleDouble& a, const DoubleDouble& b) noexcept {
 }
 inline bool operator>=(const DoubleDouble& a, const DoubleDouble& b) noexcept { return b <= a; }
 
-inline double to_double(const DoubleDouble& x) noexcept { return x.hi; }
 inline DoubleDouble magnitude(const DoubleDouble& x) noexcept { return x.hi < 0 ? -x : x; }
 inline DoubleDouble larger(const DoubleDouble& a, const DoubleDouble& b) noexcept { return a < b ? b : a; }
 inline DoubleDouble smaller(const DoubleDouble& a, const DoubleDouble& b) noexcept { return b < a ? b : a; }

@@ -37,8 +37,9 @@ inline double dot(const Vector3& a, const Vector3& b) noexcept {
 inline double length(const Vector3& a) noexcept { return std::sqrt(dot(a, a)); }
 
 // The middle of what [-reach0, reach0] and [center1 - reach1, center1 + reach1] have in common.
-inline double middle_of_both(double reach0, double center1, double reach1) noexcept {
-  return (larger(-reach0, center1 - reach1) + smaller(reach0, center1 + reach1)) / 2;
+template <class T>
+T middle_of_both(T reach0, T center1, T reach1) noexcept {
+  return (larger(-reach0, center1 - reach1) + smaller(reach0, center1 + reach1)) * T(0.5);
 }
 
 // The fixed order of the roles that makes the swap law hold bit for bit: it looks at nothing that scaling by
@@ -126,6 +127,14 @@ struct Axes {
   double square;                   // |cross|^2
 };
 
+// The slices parallel to both axes, in the first solid's coordinates: along w0, along m0, and along n, by
+// which a slice is named.
+template <class T>
+struct Slices {
+  T along, beside, z;  // Delta
+  T cosine, sine;      // w1, along w0 and along m0
+};
+
 // A pair at work: its vectors, the common normal n with n.Delta >= 0, m_i = w_i x n, and what the slices
 // need. The axes are not parallel.
 struct Frame {
@@ -161,7 +170,11 @@ struct Frame {
   Vector3 direction(int i, double a, int j, double b, double c) const noexcept {
     return a * e(i) + b * e(j) + c * n;
   }
-  const Frame& slices() const noexcept { return *this; }
+  Slices<double> slices() const noexcept { return {d[0], d[2], z, dot(w1, w0), dot(w1, m0)}; }
+  // From C0: what has these coordinates.
+  Vector3 at(double along, double beside, double u) const noexcept {
+    return along * w0 + beside * m0 + u * n;
+  }
 
   Vector3 w0, w1, delta, n, m0, m1;
   double d[4];  // Delta along w0, w1, m0, m1

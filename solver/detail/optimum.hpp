@@ -2,8 +2,8 @@
 // Certificates where H is greatest: there is the deepest slice, and the multipliers of the demands that hold
 // it there are the weights of a direction (derivation.md, section 7). For decide() alone.
 //
-// F is a frame in numbers of one kind, F::Scalar: its sections `f`, its slices(), and direction(i, a, j, b,
-// c), which is a e_i + b e_j + c n.
+// F is a frame in numbers of one kind, F::Scalar: its sections `f`, its slices(), a point at(x, y, u) of
+// them, and direction(i, a, j, b, c), which is a e_i + b e_j + c n.
 #pragma once
 
 #include <utility>
@@ -12,8 +12,6 @@
 #include "solver/detail/slice_point.hpp"
 
 namespace cyl {
-
-inline double to_double(double x) noexcept { return x; }
 
 // The five directions and the slice that decide most pairs; true where they leave nothing to search.
 template <class F>
@@ -33,12 +31,13 @@ bool prove_by_filter(const Question& q, const Scaled& p, const F& frame) noexcep
     return false;
   }
   const double radii = p.r0 + p.r1;
-  return filter.met && try_slice(q, p, frame.slices(), radii > 0 ? frame.slices().z * (p.r0 / radii) : 0);
+  return filter.met && try_slice(q, p, frame, radii > 0 ? frame.slices().z * T(p.r0 / radii) : T(0));
 }
 
 // The middle of the slices where both widths suffice: those at most u from C0 and v from C1.
-inline bool try_middle(const Question& q, const Scaled& p, const Frame& frame, double u, double v) noexcept {
-  return try_slice(q, p, frame, middle_of_both(u, frame.z, v));
+template <class F, class T>
+bool try_middle(const Question& q, const Scaled& p, const F& frame, T u, T v) noexcept {
+  return try_slice(q, p, frame, middle_of_both(u, frame.slices().z, v));
 }
 
 // Widths x, y and half lengths u, v of two disks.
@@ -112,7 +111,7 @@ void prove_on_edge(const Question& q, const Scaled& p, const F& frame, const At&
   // u and v as the edge has them: of solid a, of solid b.
   const auto try_edge_point = [&](T u, T v) {
     if (!at.rises2) std::swap(u, v);
-    return try_middle(q, p, frame.slices(), to_double(u), to_double(v));
+    return try_middle(q, p, frame, u, v);
   };
   const auto end = top(e);
   if (end.here) {
@@ -148,7 +147,7 @@ void prove_on_edge(const Question& q, const Scaled& p, const F& frame, const At&
 template <class F>
 void prove_at_optimum(const Question& q, const Scaled& p, const F& frame) noexcept {
   const auto at = corner(frame.f);
-  if (at.met && try_middle(q, p, frame.slices(), to_double(at.u), to_double(at.v))) return;
+  if (at.met && try_middle(q, p, frame, at.u, at.v)) return;
   if (at.rises2 | at.rises3) prove_on_edge(q, p, frame, at);
   // Also where the edge gave no proof: with axes all but square its first steps are shorter than a rounding
   // of the widths, and H at the corner is as great as anywhere.

@@ -24,6 +24,7 @@ DeepVector cross(const DeepVector& a, const DeepVector& b) noexcept {
   return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
 DeepVector deep(const Vector3& a) noexcept { return {a.x(), a.y(), a.z()}; }
+Vector3 rounded(const DeepVector& a) noexcept { return {a.x.hi, a.y.hi, a.z.hi}; }
 DeepVector unit(const DeepVector& a) noexcept { return (DoubleDouble(1) / root(dot(a, a))) * a; }
 DeepVector towards(const DeepVector& a, const DeepVector& delta) noexcept {
   return dot(a, delta) < DoubleDouble(0) ? DoubleDouble(-1) * a : a;
@@ -35,29 +36,33 @@ class DeepFrame {
  public:
   using Scalar = DoubleDouble;
 
-  DeepFrame(const Scaled& p, const Axes& axes) noexcept : slices_(p, axes) {
-    const DeepVector w0 = unit(deep(p.w0)), w1 = unit(deep(p.w1)), delta = deep(p.delta);
-    f = shallow_sections(Couple<DoubleDouble>{w0.x, w0.y, w0.z, w1.x, w1.y, w1.z, delta.x, delta.y, delta.z,
-                                              p.r0, p.h0, p.r1, p.h1});
+  DeepFrame(const Scaled& p, const Axes& axes) noexcept : w0_(unit(deep(p.w0))) {
+    const DeepVector w1 = unit(deep(p.w1)), delta = deep(p.delta);
+    f = shallow_sections(Couple<DoubleDouble>{w0_.x, w0_.y, w0_.z, w1.x, w1.y, w1.z, delta.x, delta.y,
+                                              delta.z, p.r0, p.h0, p.r1, p.h1});
     const DeepVector aligned = DoubleDouble(axes.cosine < 0 ? -1 : 1) * w1;
-    n_ = towards(unit(cross(w0 + DoubleDouble(-1) * aligned, w0 + aligned)), delta);
-    e_[0] = towards(w0, delta);
+    n_ = towards(unit(cross(w0_ + DoubleDouble(-1) * aligned, w0_ + aligned)), delta);
+    m0_ = cross(w0_, n_);
+    slices_ = {dot(delta, w0_), dot(delta, m0_), dot(delta, n_), dot(w1, w0_), dot(w1, m0_)};
+    e_[0] = towards(w0_, delta);
     e_[1] = towards(w1, delta);
-    e_[2] = towards(cross(w0, n_), delta);
+    e_[2] = towards(m0_, delta);
     e_[3] = towards(cross(w1, n_), delta);
   }
 
   Vector3 direction(int i, DoubleDouble a, int j, DoubleDouble b, DoubleDouble c) const noexcept {
-    const DeepVector d = a * e_[i] + b * e_[j] + c * n_;
-    return {to_double(d.x), to_double(d.y), to_double(d.z)};
+    return rounded(a * e_[i] + b * e_[j] + c * n_);
   }
-  const Frame& slices() const noexcept { return slices_; }
+  const Slices<DoubleDouble>& slices() const noexcept { return slices_; }
+  Vector3 at(DoubleDouble along, DoubleDouble beside, DoubleDouble u) const noexcept {
+    return rounded(along * w0_ + beside * m0_ + u * n_);
+  }
 
   Sections<DoubleDouble> f;
 
  private:
-  Frame slices_;
-  DeepVector n_, e_[4];
+  DeepVector w0_, m0_, n_, e_[4];
+  Slices<DoubleDouble> slices_;
 };
 
 // Every length moved by `by`; to 0 at least.
