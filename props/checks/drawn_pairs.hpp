@@ -14,7 +14,7 @@ namespace cyl {
 /// hundredths, which would hide what costs less than that. The counts are whole numbers and the same on every
 /// machine; the room is for the logarithms in their means.
 inline constexpr std::uint64_t counting_seed = 1;
-inline constexpr double count_room = 1.0005;
+inline constexpr double count_room = 1.00005;
 
 struct PairsOfKind {
   std::string_view name;

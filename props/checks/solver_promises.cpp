@@ -28,10 +28,11 @@ struct Work {
 struct Bounds {
   double decide_steps, undecided, distance_steps, error, beside, open, searched, intersect_steps;
 };
-/// Families, strata, close contacts.
-constexpr Bounds bounds[] = {{0.298949, 0.053938, 16.9198, 1.0091, 0.031124, 0.156535, 0.038752, 1.7683},
-                             {0.910144, 0.069519, 13.7937, 1.0078, 0.040164, 0.392356, 0.131683, 1.8398},
-                             {0.496806, 0.022546, 21.6035, 1.0169, 0.070094, 0.279259, 0.054815, 2.1850}};
+/// Families, strata, close contacts, pairs within rounding.
+constexpr Bounds bounds[] = {{0.298949, 0.053938, 16.9198, 1.009040, 0.031124, 0.156535, 0.038752, 1.768220},
+                             {0.910144, 0.069519, 13.7937, 1.007701, 0.040164, 0.392356, 0.131683, 1.839723},
+                             {0.496806, 0.022546, 21.6035, 1.016830, 0.070094, 0.279259, 0.054815, 2.184966},
+                             {17.9942, 0.993703, 23.4448, 1.038303, 0.067469, 0.528937, 0.161879, 5.6250}};
 
 bool is_ordinary_range(double reach) { return reach > 0x1p-200 && reach < 0x1p200; }
 
@@ -182,12 +183,25 @@ void check_proxies(Checked& checked, const Pair& pair) {
          "proxies: the distance of capsules");
 }
 
+/// The pair with b moved along the direction of its distance until hardly anything is between them.
+Pair brought_together(Pair pair) {
+  const Distance d = distance(pair.a, pair.b);
+  pair.b.center -= d.value * (1 - 0x1p-50) * d.direction;
+  return pair;
+}
+
+/// One in so many of the strata and of the close contacts is brought together: decide() takes its time there.
+constexpr std::size_t within_rounding_share = 3;
 constexpr std::uint64_t touching_count = 4000;
 
 }  // namespace
 
 void check_promises(Checked& checked, std::uint64_t seed) {
-  const std::vector<PairsOfKind> drawn = draw_pairs(counting_seed);
+  std::vector<PairsOfKind> drawn = draw_pairs(counting_seed);
+  drawn.push_back({"pairs within rounding", {}});
+  for (std::size_t k = 1; k < 3; ++k)
+    for (std::size_t i = 0; i < drawn[k].pairs.size(); i += within_rounding_share)
+      drawn.back().pairs.push_back(brought_together(drawn[k].pairs[i]));
   for (std::size_t k = 0; k < drawn.size(); ++k) {
     const PairsOfKind& kind = drawn[k];
     Work w;

@@ -20,9 +20,9 @@
 namespace cyl {
 
 /// The number of pairs that a gate draws where nothing else is said: with them our own methods take about 40
-/// s on two cores, as long as people wait for a merge. Each stratum gets 2,520, which bounds its error rate
-/// by 1.2e-3, and each cell of close contacts 736 or more, half of them gaps.
-inline constexpr std::uint64_t gate_pairs = 540'000;
+/// s on two cores, as long as people wait for a merge. Each stratum gets 2,336, which bounds its error rate
+/// by 1.3e-3, and each cell of close contacts 681 or more, half of them gaps.
+inline constexpr std::uint64_t gate_pairs = 500'000;
 
 /// How much is drawn, in rounds: up to 64 pairs under all laws, 4 pairs of each stratum, or one round of
 /// close contacts.
