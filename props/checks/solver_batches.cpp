@@ -5,6 +5,7 @@
 #include "corpus/pairs/random_stream.hpp"
 #include "props/checks/checks.hpp"
 #include "props/checks/drawn_pairs.hpp"
+#include "solver/detail/intersect_batch_job.hpp"
 #include "solver/intersect_batch.hpp"
 
 namespace cyl {
@@ -60,6 +61,26 @@ void ask_in_batch(Checked& checked, const Batch& batch, Instructions wanted) {
       "batches: written beside, of", size);
 }
 
+/// A kernel leaves to intersect() what is out of the ordinary, and nothing else.
+void count_left(Checked& checked, const Batch& batch, Instructions wanted) {
+  const unsigned count = static_cast<unsigned>(std::min<std::size_t>(batch.pairs.size(), batch_chunk));
+  std::vector<Verdict> verdicts(count + 1);
+  unsigned rest[batch_chunk], odd = 0;
+  for (const IndexPair& pair : std::span(batch.pairs).first(count))
+    odd += !(batch.a[pair.a].ordinary && batch.b[pair.b].ordinary);
+  const BatchJob job{reinterpret_cast<const unsigned char*>(batch.a.data()),
+                     reinterpret_cast<const unsigned char*>(batch.b.data()),
+                     reinterpret_cast<const unsigned*>(batch.pairs.data()), count,
+                     reinterpret_cast<unsigned char*>(verdicts.data())};
+  unsigned left = 0;
+#if defined(__x86_64__)
+  if (wanted == Instructions::v4) left = batch_v4(job, rest);
+  if (wanted == Instructions::v3) left = batch_v3(job, rest);
+#endif
+  if (wanted == Instructions::baseline) left = batch_baseline(job, rest);
+  checked.expect(left == odd, "batches: left to single questions:", left, "that should be", odd, "of", count);
+}
+
 void ask_all_of_two_sets(Checked& checked, const Batch& batch, std::size_t rows, std::size_t columns,
                          Instructions wanted) {
   const auto a = std::span(batch.a).first(std::min(rows, batch.a.size()));
@@ -86,6 +107,7 @@ void check_batches(Checked& checked, std::uint64_t seed) {
     for (const Instructions wanted : {Instructions::baseline, Instructions::v3, Instructions::v4}) {
       if (wanted > best_instructions()) continue;
       ask_in_batch(checked, batch, wanted);
+      count_left(checked, batch, wanted);
       if (i < std::size(sizes)) ask_all_of_two_sets(checked, batch, 33, 1 + size / 50, wanted);
     }
   }
