@@ -34,9 +34,9 @@ struct Distance {
   /// or more has no inner point of a in it.
   Vector3 direction{0, 0, 0};
   /// Offsets from a.center and from b.center. Apart: points of a and of b, |distance - value| <= error.
-  /// Overlapping: the point of a deepest in b and the reverse, b's from a's by value * direction; a's is
-  /// within rounding in a, b's within 1e-9 of size + |Delta| in b on all pairs tried (within 1e-12 on all but
-  /// one in 100,000).
+  /// Overlapping: the point of a deepest in b and the reverse, b's from a's by value * direction; one of them
+  /// lies in its solid within rounding, the other within 1e-9 of size + |Delta| on all pairs tried (within
+  /// 1e-12 on all but one in 100,000).
   Vector3 on_a{0, 0, 0};
   Vector3 on_b{0, 0, 0};
   int iterations = 0;  ///< at most distance_step_cap

@@ -143,7 +143,7 @@ TEST(Distance, ShowsItsOwnProof) {
       ASSERT_LE(y.norm() - d.value, d.error) << "pair " << i;
     } else {
       ASSERT_LE((y - d.value * d.direction).norm(), rounding) << "pair " << i;
-      ASSERT_LE(outside(p.a, d.on_a), rounding) << "pair " << i;
+      ASSERT_LE(outside(p.a, d.on_a), 1e-12 * reach_of(p)) << "pair " << i;
       ASSERT_LE(outside(p.b, d.on_b), 1e-12 * reach_of(p)) << "pair " << i;
     }
     uncertain += d.error > 1e-13 * reach_of(p);

@@ -82,6 +82,8 @@ void measure(Checked& checked, const Pair& pair, Work& work) {
     work.error += d.error / rounding;
   } else {
     work.beside += !inside;
+    const bool near = outside(pair.a, d.on_a) <= 1e-9 * reach && outside(pair.b, d.on_b) <= 1e-9 * reach;
+    expect(near, "distances: a deepest point outside its solid");
     expect((way - d.value * d.direction).norm() <= 2 * slack, "distances: points not along the direction");
     // Each deepest in the other: at the end of its solid along the direction.
     const auto lacks = [&](const Cylinder& c, const Vector3& x, const Vector3& u) {
