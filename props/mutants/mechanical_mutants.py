@@ -210,7 +210,7 @@ def attempt(build, mutation, scratch, gate_only):
     with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
         complaints = list(filter(None, pool.map(lambda name: build.compile(scratch, name, path), names)))
     if complaints:
-        return 'no code', '', reason(complaints[0])
+        return 'no code', '', reason(complaints[0].replace(f'{scratch}/over/', ''))
     if build.same_code(scratch, names):
         return 'same code', '', ''
     unresolved = ''
