@@ -30,7 +30,7 @@ Pair two_points(RandomStream& s) {
   constexpr std::array<double, 6> units{0x1p-1074, 0x1p-1040, 0x1p-600, 0x1p300, 0x1p600, 0x1p1016};
   Pair p;
   const double unit = s.pick(units);
-  for (int i = 0; i < 3; ++i) p.a.center[i] = s.integer(-255, 255) * unit;
+  for (int i = 0; i < 3; ++i) p.a.center[i] = s.integer(-254, 254) * unit;  // 256 units may be too many
   p.a.axis = s.unit_vector();
   p.b = p.a;
   if (s.coin()) p.b.center += unit * s.coordinate_axis();
