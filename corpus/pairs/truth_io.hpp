@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Truths, certificates and answers as JSON. Numbers are written as format_double() has them; what is no number
-// of JSON is a string.
+// Truths, certificates and answers as JSON. Numbers are written as format_double() has them; what is no
+// number of JSON is a string.
 #pragma once
 
 #include <string>

@@ -18,9 +18,9 @@ enum class Fault : unsigned char {
   kink_taken_for_convex,      ///< F is said to be convex, its last term is not; no verdict depends on it
   first_quarter_ends_all,     ///< the test of one quarter circle returns for both
   division_by_vanished_root,  ///< F' at t = 1 of perpendicular axes, the gradient of G at an axis
-  one_octant,          ///< the other directions are searched for s, t >= 0 alone
-  cancelling_sine,     ///< sqrt(1 - c^2) for the sine of the axes' angle, and W0 x W1 as it comes
-  coincident_centers,  ///< Delta = 0 is excluded in the text and not tested; NaN, but no
+  one_octant,                 ///< the other directions are searched for s, t >= 0 alone
+  cancelling_sine,            ///< sqrt(1 - c^2) for the sine of the axes' angle, and W0 x W1 as it comes
+  coincident_centers,         ///< Delta = 0 is excluded in the text and not tested; NaN, but no
   ///< verdict
   touching_is_separated,   ///< <= 0 in some tests, < 0 in others
   stays_on_the_boundary,   ///< once a line search ends on the triangle's boundary, only that is searched
