@@ -21,15 +21,6 @@
 namespace cyl {
 namespace {
 
-void write_all(int descriptor, const std::string& bytes) {
-  for (std::size_t done = 0; done < bytes.size();) {
-    const ssize_t written = write(descriptor, bytes.data() + done, bytes.size() - done);
-    if (written < 0 && errno == EINTR) continue;
-    if (written < 0) throw_errno("cannot hand over a result");
-    done += static_cast<std::size_t>(written);
-  }
-}
-
 void put_on_standard_input(const std::string& text) {
   const int file = memfd_create("standard input", MFD_CLOEXEC);
   if (file < 0) throw_errno("memfd_create");
@@ -67,6 +58,11 @@ std::chrono::nanoseconds nanoseconds_of(const timeval& time) {
 Child::Child(const std::function<std::string()>& work, const ChildOptions& options)
     : own_group_(options.own_group) {
   start([&](int output) { write_all(output, work()); }, options);
+}
+
+Child::Child(const std::function<void(int output)>& work, const ChildOptions& options)
+    : own_group_(options.own_group) {
+  start(work, options);
 }
 
 Child::Child(const std::vector<std::string>& command, const ChildOptions& options)

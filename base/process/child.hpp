@@ -30,6 +30,8 @@ class Child {
   /// Runs a program with its arguments, looked for in PATH, likewise; what it prints on standard output are
   /// the bytes.
   explicit Child(const std::vector<std::string>& command, const ChildOptions& options = {});
+  /// Likewise, for work that hands over its bytes itself, as they come.
+  explicit Child(const std::function<void(int output)>& work, const ChildOptions& options = {});
   Child(const Child&) = delete;
   Child& operator=(const Child&) = delete;
   ~Child();  ///< kills what still runs
@@ -43,6 +45,7 @@ class Child {
   /// Returns the status that waitpid() gives, once it has ended.
   int status() const { return status_; }
   const std::string& bytes() const { return bytes_; }
+  void forget_bytes(std::size_t count) { bytes_.erase(0, count); }  ///< the first of them
   /// Returns the CPU time of the process; once it has ended, with that of the children that it waited for.
   std::chrono::nanoseconds cpu_time() const;
   bool ended() const { return ended_; }

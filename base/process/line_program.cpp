@@ -5,7 +5,6 @@
 #include <poll.h>
 #include <pthread.h>
 #include <sys/mman.h>
-#include <sys/syscall.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -13,6 +12,7 @@
 #include <csignal>
 #include <cstring>
 #include <ctime>
+#include <optional>
 #include <system_error>
 #include <utility>
 
@@ -59,148 +59,93 @@ class NoPipeSignal {
   sigset_t pipe_, before_;
 };
 
-// From here to the end of watch(): between fork and exec, maybe of a process with threads. Nothing but system
-// calls.
-
 /// As far as it can be.
 void write_text(int fd, const char* text) {
   if (write(fd, text, std::strlen(text)) < 0) return;
 }
 
-[[noreturn]] void become_shell(const char* command, const char* folder, int in, int out, int error) {
-  setpgid(0, 0);
-  dup2(in, STDIN_FILENO);
-  dup2(out, STDOUT_FILENO);
-  dup2(error, STDERR_FILENO);
-  for (int s = 1; s < NSIG; ++s) std::signal(s, SIG_DFL);
-  sigset_t none;
-  sigemptyset(&none);
-  sigprocmask(SIG_SETMASK, &none, nullptr);
-  limit(RLIMIT_CORE, 0);
+[[noreturn]] void become_shell(const char* command, const char* folder) {
   limit(RLIMIT_FSIZE, output_cap);
-  limit(RLIMIT_AS, RLIM_INFINITY);  // a worker's cap is not for engines that reserve what they never touch
   write_text(open("/proc/self/oom_score_adj", O_WRONLY | O_CLOEXEC), "1000");
   if (chdir(folder) == 0) execl("/bin/sh", "sh", "-c", command, static_cast<char*>(nullptr));
   write_text(STDERR_FILENO, "its folder or /bin/sh is gone");
   _exit(127);
 }
 
-/// Starts the program, reports its number, and waits until it ends or until nobody holds the other end of
-/// `life` any more; then ends what is left of its group and reports how it ended.
-[[noreturn]] void watch(const char* command, const char* folder, int in, int out, int error, int life,
-                        int report) {
-  sigset_t all;
-  sigfillset(&all);
-  sigprocmask(SIG_SETMASK, &all, nullptr);
-  const pid_t program = fork_with_retry();
-  if (program == 0) become_shell(command, folder, in, out, error);
-  if (program < 0 || write(report, &program, sizeof program) < 0) _exit(1);
-  setpgid(program, program);
-  const int ended = static_cast<int>(syscall(SYS_pidfd_open, program, 0));
-  if (ended < 0) kill(program, SIGKILL);
-  // Ends that belong to others must close when those close them.
-  dup2(life, 0);
-  dup2(report, 1);
-  dup2(ended, 2);
-  close_range(3, ~0u, 0);
-  pollfd either[] = {{0, POLLIN, 0}, {2, POLLIN, 0}};
-  while (poll(either, 2, -1) < 0 && errno == EINTR) {
-  }
-  if (either[1].revents == 0) kill(program, SIGKILL);
-  const int status = reap(program);
-  kill(-program, SIGKILL);
-  _exit(write(1, &status, sizeof status) < 0);
-}
-
-bool read_whole(int fd, void* to, std::size_t size) {
-  ssize_t got = 0;
-  while ((got = read(fd, to, size)) < 0 && errno == EINTR) {
-  }
-  return got == static_cast<ssize_t>(size);
-}
-
 }  // namespace
 
-LineProgram::LineProgram(const std::string& command, const std::string& folder) : owner_(getpid()) {
-  int in[2] = {-1, -1}, out[2] = {-1, -1}, life[2] = {-1, -1}, report[2] = {-1, -1};
-  answers_ = memfd_create("guest's standard error", MFD_CLOEXEC);
-  const bool made = answers_ >= 0 && pipe2(in, O_CLOEXEC) == 0 && pipe2(out, O_CLOEXEC) == 0 &&
-                    pipe2(life, O_CLOEXEC) == 0 && pipe2(report, O_CLOEXEC) == 0;
-  if (made) {
-    fcntl(answers_, F_SETFL, O_APPEND);
-    fcntl(in[1], F_SETFL, O_NONBLOCK);
-    fcntl(out[0], F_SETFL, O_NONBLOCK);
-    watchdog_ = fork_with_retry();
-    if (watchdog_ == 0) {
-      close_all({in[1], out[0], life[1], report[0]});
-      watch(command.c_str(), folder.c_str(), in[0], out[1], answers_, life[0], report[1]);
-    }
+LineProgram::LineProgram(const std::string& command, const std::string& folder) {
+  int in[2] = {-1, -1}, out[2] = {-1, -1};
+  printed_ = memfd_create("guest's standard error", MFD_CLOEXEC);
+  try {
+    if (printed_ < 0 || pipe2(in, O_CLOEXEC) != 0 || pipe2(out, O_CLOEXEC) != 0)
+      throw_errno("starting a program");
+    fcntl(printed_, F_SETFL, O_APPEND);
+    process_ = std::make_unique<KeptProcess>([&] { become_shell(command.c_str(), folder.c_str()); },
+                                             KeptDescriptors{in[0], out[1], printed_, {}});
+  } catch (...) {
+    close_all({in[0], in[1], out[0], out[1], printed_});
+    throw;
   }
-  const int error = errno;
-  to_ = in[1], from_ = out[0], pipe_ = life[1], report_ = report[0];
-  close_all({in[0], out[1], life[0], report[1]});
-  if (watchdog_ >= 0 && read_whole(report_, &program_, sizeof program_)) return;
-  close_all({to_, from_, pipe_, report_, answers_});
-  if (watchdog_ >= 0) reap(watchdog_);
-  errno = made && watchdog_ >= 0 ? EAGAIN : error;
-  throw_errno("starting a program");
+  close_all({in[0], out[1]});
+  to_ = in[1], from_ = out[0];
+  fcntl(to_, F_SETFL, O_NONBLOCK);
+  fcntl(from_, F_SETFL, O_NONBLOCK);
 }
 
-LineProgram::~LineProgram() {
-  close_all({to_, from_, pipe_, report_, answers_});
-  if (ours()) reap(watchdog_);
-}
-
-bool LineProgram::ours() const { return getpid() == owner_; }
+LineProgram::~LineProgram() { close_all({to_, from_, printed_}); }
 
 bool LineProgram::take_input() {
-  char chunk[4096];
+  char chunk[65536];
   const ssize_t got = read(from_, chunk, sizeof chunk);
-  if (got > 0) buffer_.append(chunk, static_cast<std::size_t>(got));
+  if (got > 0) incoming_.append(chunk, static_cast<std::size_t>(got));
   return got > 0 || (got < 0 && (errno == EAGAIN || errno == EINTR));
 }
 
 bool LineProgram::has_answered_more() {
   take_input();
-  return !buffer_.empty();
+  return incoming_.size() > taken_;
 }
 
-LineProgram::Read LineProgram::exchange(std::string_view text, std::string& line, const Cap& cap) {
+void LineProgram::send(std::string_view text) { outgoing_ += text; }
+
+LineProgram::Read LineProgram::receive(std::string& line, const Cap& cap) {
   const NoPipeSignal quiet;
-  const nanoseconds cpu_start = cpu_time_of(program_), wall_start = read_clock(CLOCK_MONOTONIC);
+  // Where the answer is there already, no clock is read.
+  std::optional<nanoseconds> cpu_start, wall_start;
   bool open = true;
   while (true) {
-    if (const std::size_t end = buffer_.find('\n'); end != buffer_.npos) {
-      line.assign(buffer_, 0, end);
-      buffer_.erase(0, end + 1);
+    if (const std::size_t end = incoming_.find('\n', taken_); end != incoming_.npos) {
+      line.assign(incoming_, taken_, end - taken_);
+      taken_ = end + 1;
       return line.size() > program_line_cap ? Read::too_long : Read::line;
     }
-    if (buffer_.size() > program_line_cap) return Read::too_long;
+    incoming_.erase(0, std::exchange(taken_, 0));
+    if (incoming_.size() > program_line_cap) return Read::too_long;
     if (!open) return Read::ended;
+    if (!cpu_start) cpu_start = cpu_time(), wall_start = read_clock(CLOCK_MONOTONIC);
     pollfd ends[] = {{from_, POLLIN, 0}, {to_, POLLOUT, 0}};
-    poll(ends, text.empty() ? 1 : 2, static_cast<int>(look_interval.count()));
+    poll(ends, outgoing_.empty() ? 1 : 2, static_cast<int>(look_interval.count()));
     if (ends[0].revents != 0) open = take_input();
-    if (ends[1].revents != 0 && !text.empty()) {
-      const ssize_t sent = write(to_, text.data(), text.size());
-      if (sent > 0) text.remove_prefix(static_cast<std::size_t>(sent));
-      if (sent < 0 && errno == EPIPE) text = {};  // what it has said already is read to its end
+    if (ends[1].revents != 0 && !outgoing_.empty()) {
+      const ssize_t sent = write(to_, outgoing_.data(), outgoing_.size());
+      if (sent > 0) outgoing_.erase(0, static_cast<std::size_t>(sent));
+      if (sent < 0 && errno == EPIPE) outgoing_.clear();  // what it has said already is read to its end
     }
-    if (cpu_time_of(program_) - cpu_start > cap.cpu || read_clock(CLOCK_MONOTONIC) - wall_start > cap.wall)
+    if (cpu_time() - *cpu_start > cap.cpu || read_clock(CLOCK_MONOTONIC) - *wall_start > cap.wall)
       return Read::late;
   }
 }
 
 std::string LineProgram::death() {
   // Its output ends a little before it does, or without it: then it is ended.
-  pollfd reported{report_, POLLIN, 0};
-  poll(&reported, 1, static_cast<int>(ending_cap.count()));
-  close_all({std::exchange(to_, -1), std::exchange(pipe_, -1)});
-  int status = 0;
-  std::string how = "ended";
-  if (read_whole(report_, &status, sizeof status))
-    how = WIFSIGNALED(status) ? signal_name(WTERMSIG(status))
-                              : "ended with status " + std::to_string(WEXITSTATUS(status));
-  const std::string printed = last_line(answers_, shown_cap);
+  pollfd ended{process_->end(), POLLIN, 0};
+  if (poll(&ended, 1, static_cast<int>(ending_cap.count())) <= 0) process_->kill_now();
+  std::string how = "was ended";
+  if (const auto& ending = process_->wait())
+    how = WIFSIGNALED(ending->status) ? signal_name(WTERMSIG(ending->status))
+                                      : "ended with status " + std::to_string(WEXITSTATUS(ending->status));
+  const std::string printed = last_line(printed_, shown_cap);
   return printed.empty() ? how : how + ", after printing: " + printed;
 }
 

@@ -2,11 +2,12 @@
 // A program of somebody else's that answers lines on its standard input with lines on its standard output.
 #pragma once
 
-#include <sys/types.h>
-
 #include <chrono>
+#include <memory>
 #include <string>
 #include <string_view>
+
+#include "base/process/kept_process.hpp"
 
 namespace cyl {
 
@@ -24,16 +25,19 @@ class LineProgram {
   LineProgram(const LineProgram&) = delete;
   LineProgram& operator=(const LineProgram&) = delete;
 
-  bool ours() const;  ///< this process started it
+  bool ours() const { return process_->ours(); }                              ///< this process started it
+  std::chrono::nanoseconds cpu_time() const { return process_->cpu_time(); }  ///< of the program itself
 
-  /// Limits of a call: processor time of the program itself, and time in all.
+  /// Limits of the wait for a line: processor time of the program itself, and time in all.
   struct Cap {
     std::chrono::milliseconds cpu, wall;
   };
   enum class Read : unsigned char { line, ended, late, too_long };
-  /// Sends `text` as it is and waits for a line, which is left in `line` without its newline.
-  Read exchange(std::string_view text, std::string& line, const Cap& cap);
-  /// Returns whether it has answered more than was asked for.
+  /// Says that `text` is to be sent as it is, while lines are waited for.
+  void send(std::string_view text);
+  /// Waits for a line, which is left in `line` without its newline.
+  Read receive(std::string& line, const Cap& cap);
+  /// Returns whether it has answered more than was received.
   bool has_answered_more();
   /// Returns how it ended: "ended with status 1, after printing: ..." (on standard error). Only after
   /// Read::ended.
@@ -42,13 +46,11 @@ class LineProgram {
  private:
   bool take_input();  ///< false at its end
 
-  pid_t owner_;
-  pid_t program_ = -1, watchdog_ = -1;
+  std::unique_ptr<KeptProcess> process_;
   int to_ = -1, from_ = -1;
-  int pipe_ = -1;     ///< whose other end the watchdog holds: where it closes, the program is ended
-  int report_ = -1;   ///< what the watchdog says: the program's number, then its status
-  int answers_ = -1;  ///< what the program printed on standard error
-  std::string buffer_;
+  int printed_ = -1;  ///< what the program printed on standard error
+  std::string incoming_, outgoing_;
+  std::size_t taken_ = 0;  ///< bytes of `incoming_` that were received
 };
 
 }  // namespace cyl

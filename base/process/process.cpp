@@ -66,6 +66,15 @@ void close_all(std::initializer_list<int> descriptors) noexcept {
     if (descriptor >= 0) close(descriptor);
 }
 
+void write_all(int descriptor, std::string_view bytes) {
+  for (std::size_t done = 0; done < bytes.size();) {
+    const ssize_t written = write(descriptor, bytes.data() + done, bytes.size() - done);
+    if (written < 0 && errno == EINTR) continue;
+    if (written < 0) throw_errno("cannot hand over a result");
+    done += static_cast<std::size_t>(written);
+  }
+}
+
 void throw_errno(const std::string& what) { throw std::system_error(errno, std::generic_category(), what); }
 
 void redirect_streams(const std::string& input, const std::string& output) {

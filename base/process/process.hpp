@@ -10,6 +10,7 @@
 #include <ctime>
 #include <initializer_list>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace cyl {
@@ -31,6 +32,9 @@ int reap(pid_t child) noexcept;
 
 /// Closes those that are open: the rest are negative.
 void close_all(std::initializer_list<int> descriptors) noexcept;
+
+/// Throws std::system_error where nobody reads any more.
+void write_all(int descriptor, std::string_view bytes);
 
 /// Throws std::system_error with errno and `what` failed.
 [[noreturn]] void throw_errno(const std::string& what);

@@ -24,13 +24,16 @@ enum class FindingKind : unsigned char {
   malformed,        ///< no answer at all: a value that means nothing
   nondeterminism,   ///< two answers to one question
   undecided_truth,  ///< nobody's fault: the referee could not prove a verdict
-  left_undecided    ///< undecided of a pair that it promises to decide
+  left_undecided,   ///< undecided of a pair that it promises to decide
+  side_effect,      ///< the answer is right, but the call did what it may not, or left something behind
+  state_dependent   ///< wrong where much was asked before, and not of a worker that is new
 };
 constexpr auto words_of(FindingKind) noexcept {
   return std::array{
-      "wrong_disjoint",   "wrong_intersecting", "wrong_touching",  "wrong_invalid", "bad_witness",
-      "distance_outside", "non_finite",         "exception",       "crash",         "hang",
-      "malformed",        "nondeterminism",     "undecided_truth", "left_undecided"};
+      "wrong_disjoint",   "wrong_intersecting", "wrong_touching",  "wrong_invalid",  "bad_witness",
+      "distance_outside", "non_finite",         "exception",       "crash",          "hang",
+      "malformed",        "nondeterminism",     "undecided_truth", "left_undecided", "side_effect",
+      "state_dependent"};
 }
 
 enum class Severity : unsigned char {

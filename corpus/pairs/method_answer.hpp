@@ -21,6 +21,18 @@ constexpr auto words_of(Failure) noexcept {
   return std::array{"none", "exception", "crash", "hang", "non_finite", "malformed"};
 }
 
+/// What a call did besides answering, as the worker noticed.
+enum class SideEffect : unsigned char {
+  none,
+  rounding_mode,  ///< left the processor rounding, or treating small numbers, in another way
+  memory,         ///< wrote behind what it was given to write to
+  thread,         ///< left a thread running
+  slow            ///< slept or waited for long
+};
+constexpr auto words_of(SideEffect) noexcept {
+  return std::array{"none", "rounding_mode", "memory", "thread", "slow"};
+}
+
 /// What a method said. Plain bytes, so that a contained worker can leave it in shared memory.
 struct MethodAnswer {
   Status status = Status::declined;
@@ -37,7 +49,8 @@ struct MethodAnswer {
   Hull hulls[2] = {Hull::space,
                    Hull::space};  ///< of a and b: the point is the nearest to head + tail in both
   int steps = 0, step_cap = 0;    ///< that its searches took, and the most they may; 0: not told
-  char reason[120] = {};          ///< why it declined or failed; zero-terminated
+  SideEffect side_effect = SideEffect::none;
+  char reason[120] = {};  ///< why it declined or failed, else what the side effect was; zero-terminated
 
   void set_reason(std::string_view text) noexcept;  ///< truncates
   void set_direction(const Vector3& d) noexcept;    ///< as the witness

@@ -58,9 +58,10 @@ constexpr std::uint64_t stretch_size = batch_size;
 /// The work on a batch, stretch by stretch: each step fills one of the members at the end.
 class Batch {
  public:
-  Batch(const Workload& workload, std::uint64_t seed)
+  Batch(const Workload& workload, std::uint64_t seed, Asker& asker)
       : workload_(workload),
         seed_(seed),
+        asker_(asker),
         schedule_(schedule_of(workload)),
         every_cell_(any_foreign(workload)),
         by_family_(workload.families.size() + 1) {
@@ -81,6 +82,7 @@ class Batch {
       compare_all(p);
     }
     repeat_own_methods();
+    ask_findings_again();
     for (std::size_t p = 0; p < pairs_.size(); ++p) count_all(p);
     for (std::size_t p = 0; p < pairs_.size(); ++p) count_cells(p);
   }
@@ -170,14 +172,15 @@ class Batch {
     std::vector<Question> questions;
     for (std::size_t m = 0; m < methods(); ++m) {
       if (!workload_.methods[m]->foreign()) continue;
-      for (std::size_t p = 0; p < pairs_.size(); ++p) {
-        if (wanted(m, p)) questions.push_back({m, p});
+      for (std::size_t family = 0; family < by_family_.size(); ++family) {
+        for (const std::size_t p : by_family_[family])
+          if (wanted(m, p)) questions.push_back({m, p, CallMode::usual, static_cast<unsigned>(family)});
       }
     }
     if (questions.empty()) return;
-    const std::vector<ContainedAnswer> said = ask_contained(workload_.methods, pairs_, questions);
+    const std::vector<ContainedAnswer> said = asker_.ask(pairs_, questions);
     for (std::size_t q = 0; q < questions.size(); ++q) {
-      const auto [m, p, mode] = questions[q];
+      const auto [m, p, mode, run] = questions[q];
       answers_[at(m, p)] = said[q].answer;
       asked_[at(m, p)] = true;
       counts(m, family_index_of(index_of(p)).family).nanoseconds +=
@@ -274,6 +277,30 @@ class Batch {
     }
   }
 
+  // A worker outlives the stretch, and what a library keeps of earlier questions may be what is wrong: then
+  // the pair alone shows nothing.
+  void ask_findings_again() {
+    std::vector<Question> questions;
+    for (std::size_t p = 0; p < pairs_.size(); ++p) {
+      for (std::size_t m = 0; m < methods(); ++m) {
+        const auto& wrong = wrong_[at(m, p)];
+        if (wrong && wrong->severity == Severity::contract && workload_.methods[m]->foreign())
+          questions.push_back({m, p});
+      }
+    }
+    if (questions.empty()) return;
+    const std::vector<ContainedAnswer> said = ask_contained(workload_.methods, pairs_, questions);
+    for (std::size_t q = 0; q < questions.size(); ++q) {
+      const std::size_t m = questions[q].method, p = questions[q].pair;
+      std::optional<Finding>& wrong = wrong_[at(m, p)];
+      const auto again = compare(trials_[p], workload_.methods[m]->claim(), said[q].answer);
+      if (again && again->kind == wrong->kind) continue;
+      answers_[at(m, p)].set_reason(fmt::format("{} when it had been asked about indices {} to {}; not alone",
+                                                to_string(wrong->kind), first_, index_of(p)));
+      wrong = Finding{FindingKind::state_dependent, Severity::contract, wrong->margin};
+    }
+  }
+
   void note(std::size_t p, std::size_t row, const Finding& finding) {
     const FamilyIndex drawn = family_index_of(index_of(p));
     Counts& tally = counts(row, drawn.family);
@@ -299,7 +326,9 @@ class Batch {
     const Truth& truth = certified_->second;
     record.truth = format_truth(truth);
     record.stage = to_string(truth.stage);
-    if (row < methods() && is_failure(finding.kind)) record.reason = answers_of(p)[row].reason;
+    const bool has_reason = is_failure(finding.kind) || finding.kind == FindingKind::side_effect ||
+                            finding.kind == FindingKind::state_dependent;
+    if (row < methods() && has_reason) record.reason = answers_of(p)[row].reason;
     findings_.push_back(std::move(record));
   }
 
@@ -328,6 +357,7 @@ class Batch {
 
   const Workload& workload_;
   const std::uint64_t seed_;
+  Asker& asker_;
   const Schedule schedule_;
   const bool every_cell_;  ///< not only a share of the pairs is counted in the cells
 
@@ -377,14 +407,32 @@ std::uint64_t batch_size_for(const Workload& workload) {
   return any_foreign(workload) ? batch_size : own_batch_size;
 }
 
-BatchRecord run_batch(const Workload& workload, std::uint64_t seed, std::uint64_t first, std::uint64_t next) {
-  Batch batch(workload, seed);
+namespace {
+
+BatchRecord make_batch(const Workload& workload, std::uint64_t seed, Asker& asker, std::uint64_t first,
+                       std::uint64_t next) {
+  Batch batch(workload, seed, asker);
   for (std::uint64_t at = first; at < next; at += stretch_size)
     batch.work_on(at, std::min(next, at + stretch_size));
   BatchRecord record = batch.finish();
   record.first = first;
   record.next = next;
   return record;
+}
+
+}  // namespace
+
+BatchRecord run_batch(const Workload& workload, std::uint64_t seed, std::uint64_t first, std::uint64_t next) {
+  Asker asker(workload.methods);
+  return make_batch(workload, seed, asker, first, next);
+}
+
+std::function<BatchRecord(std::uint64_t, std::uint64_t)> batch_maker(const Workload& workload,
+                                                                     std::uint64_t seed) {
+  return [&workload, seed, asker = std::make_shared<Asker>(workload.methods)](std::uint64_t first,
+                                                                              std::uint64_t next) {
+    return make_batch(workload, seed, *asker, first, next);
+  };
 }
 
 }  // namespace cyl

@@ -6,6 +6,7 @@
 
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <span>
 #include <string>
@@ -68,5 +69,10 @@ std::uint64_t batch_size_for(const Workload& workload);
 /// no news, and the costly ones would take nearly all of the time.) In the cells of the failure maps they are
 /// counted on their share alone: disputes are where somebody is wrong, and no sample.
 BatchRecord run_batch(const Workload& workload, std::uint64_t seed, std::uint64_t first, std::uint64_t next);
+
+/// Returns what makes one batch after the other, [first, next) each, with the workers of foreign methods alive
+/// between them.
+std::function<BatchRecord(std::uint64_t first, std::uint64_t next)> batch_maker(const Workload& workload,
+                                                                                std::uint64_t seed);
 
 }  // namespace cyl

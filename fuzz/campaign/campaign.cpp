@@ -9,12 +9,16 @@
 #include <cstdio>
 #include <ctime>
 #include <deque>
+#include <memory>
+#include <optional>
+#include <span>
 #include <stdexcept>
 #include <utility>
 
 #include "base/fnv.hpp"
 #include "base/process/stop_signals.hpp"
 #include "fuzz/campaign/batch_process.hpp"
+#include "fuzz/campaign/job_process.hpp"
 
 namespace cyl {
 namespace {
@@ -111,11 +115,9 @@ RunStore open_run(const CampaignOptions& options, const Workload& workload) {
   return store;
 }
 
-void wait_for_news(const std::deque<BatchProcess>& batches) {
+void wait_for_news(std::span<const int> of) {
   std::vector<pollfd> descriptors;
-  for (const BatchProcess& batch : batches) {
-    if (!batch.ended()) descriptors.push_back({batch.descriptor(), POLLIN, 0});
-  }
+  for (const int descriptor : of) descriptors.push_back({descriptor, POLLIN, 0});
   poll(descriptors.data(), descriptors.size(), static_cast<int>(poll_time.count()));
 }
 
@@ -146,16 +148,16 @@ class Search {
  private:
   /// Returns how [first, next) died, or nothing.
   std::string death(std::uint64_t first, std::uint64_t next) {
-    std::deque<BatchProcess> part;
-    part.emplace_back(
+    BatchProcess part(
         first, next, [&] { return run_batch(workload_, seed_, first, next); }, search_cpu_cap);
-    while (!part.front().advance()) {
+    while (!part.advance()) {
       if (StopSignals::asked()) return {};
-      wait_for_news(part);
+      const int descriptor = part.descriptor();
+      wait_for_news({&descriptor, 1});
       report_();
     }
     try {
-      part.front().take();
+      part.take();
       return {};
     } catch (const std::exception& e) {
       return e.what();
@@ -191,8 +193,7 @@ class Session {
     while (true) {
       while (may_launch()) launch();
       if (batches_.empty()) break;
-      wait_for_news(batches_);
-      for (BatchProcess& batch : batches_) batch.advance();
+      wait_for_jobs();
       while (!batches_.empty() && batches_.front().ended())
         if (!store_first()) return summary_;
       if (StopSignals::asked()) break;  // the batches still under way are lost; --resume does them again
@@ -213,9 +214,35 @@ class Session {
     return options_.budget.count() != 0 && Clock::now() - start_ >= options_.budget;
   }
 
+  /// A batch that was begun and is not stored yet.
+  struct Batch {
+    std::uint64_t first, next;
+    JobProcess* job;  ///< while it is under way
+    std::optional<BatchRecord> made = {};
+    std::string death = {};  ///< how its process died
+    bool ended() const { return !job; }
+  };
+
+  void wait_for_jobs() {
+    std::vector<int> descriptors;
+    for (const Batch& batch : batches_)
+      if (batch.job) descriptors.push_back(batch.job->descriptor());
+    wait_for_news(descriptors);
+    for (Batch& batch : batches_) {
+      if (!batch.job || !batch.job->advance()) continue;
+      JobProcess* const job = std::exchange(batch.job, nullptr);
+      try {
+        batch.made = job->take();
+      } catch (const std::exception& e) {
+        batch.death = e.what();
+        std::erase_if(jobs_, [&](const auto& each) { return each.get() == job; });
+      }
+    }
+  }
+
   bool may_launch() const {
-    const auto running = std::count_if(batches_.begin(), batches_.end(),
-                                       [](const BatchProcess& batch) { return !batch.ended(); });
+    const auto running =
+        std::count_if(batches_.begin(), batches_.end(), [](const Batch& batch) { return !batch.ended(); });
     return running < options_.jobs && batches_.size() < options_.jobs * window_per_job &&
            !StopSignals::asked() && (options_.pairs == 0 || next_ < options_.pairs) && !budget_is_spent();
   }
@@ -224,19 +251,23 @@ class Session {
     const std::uint64_t first = next_;
     std::uint64_t end = shard_.batch_end(first);
     if (options_.pairs != 0) end = std::min(end, options_.pairs);
-    batches_.emplace_back(first, end, [&] { return run_batch(workload_, options_.seed, first, end); });
+    auto job = std::find_if(jobs_.begin(), jobs_.end(), [](const auto& each) { return !each->busy(); });
+    if (job == jobs_.end()) {
+      jobs_.push_back(std::make_unique<JobProcess>([&] { return batch_maker(workload_, options_.seed); }));
+      job = jobs_.end() - 1;
+    }
+    (*job)->begin(first, end);
+    batches_.push_back({first, end, job->get()});
     next_ = shard_.first_from(end);
   }
 
   /// Stores what the first of the batches gave, and returns whether it lived to give it.
   bool store_first() {
-    BatchRecord batch;
-    try {
-      batch = batches_.front().take();
-    } catch (const std::exception& e) {
-      name_death(e.what());
+    if (!batches_.front().made) {
+      name_death(batches_.front().death);
       return false;
     }
+    BatchRecord batch = std::move(*batches_.front().made);
     batches_.pop_front();
     const auto passed = duration_cast<milliseconds>(Clock::now() - last_commit_);
     batch.first = stored_to_;  // what lies between is other shards'
@@ -253,8 +284,9 @@ class Session {
   }
 
   void name_death(const std::string& how) {
-    const std::uint64_t first = batches_.front().first(), end = batches_.front().next();
+    const std::uint64_t first = batches_.front().first, end = batches_.front().next;
     batches_.clear();
+    jobs_.clear();
     const std::string blame = Search(workload_, options_.seed, [this] { report(); }).blame(first, end);
     fail(
         fmt::format("the batch of indices {} to {} died: {}; {}. What came before it is stored; "
@@ -290,8 +322,9 @@ class Session {
   Clock::time_point last_commit_ = start_;
   const Shard shard_;
   CampaignSummary summary_;
-  std::uint64_t stored_to_, next_;    ///< all below is stored; the next index to launch
-  std::deque<BatchProcess> batches_;  ///< in the order of their indices
+  std::uint64_t stored_to_, next_;  ///< all below is stored; the next index to launch
+  std::vector<std::unique_ptr<JobProcess>> jobs_;
+  std::deque<Batch> batches_;  ///< in the order of their indices
   SelfChecks self_checks_;
 };
 

@@ -11,6 +11,7 @@
 #include "oracles/methods/contained.hpp"
 #include "oracles/methods/guest.hpp"
 #include "oracles/methods/guest_protocol.hpp"
+#include "oracles/methods/worker.hpp"
 
 namespace cyl {
 namespace {
@@ -27,16 +28,8 @@ constexpr LineProgram::Cap first_start_cap{milliseconds(30'000), milliseconds(60
 /// One apart, the plainest there is.
 const Pair easy{{Vector3(0, 0, 0), Vector3(0, 0, 1), 1, 2}, {Vector3(3, 0, 0), Vector3(0, 0, 1), 1, 2}};
 
-MethodAnswer failed(Failure failure, const std::string& reason) {
-  MethodAnswer answer;
-  answer.status = Status::failed;
-  answer.failure = failure;
-  answer.set_reason(reason);
-  return answer;
-}
-
 MethodAnswer answer_of(const GuestAnswer& said) {
-  if (!said.verdict && !said.declined) return failed(Failure::exception, said.reason);
+  if (!said.verdict && !said.declined) return failed_answer(Failure::exception, said.reason);
   MethodAnswer answer;
   if (said.declined) {
     answer.set_reason(said.reason);
@@ -90,7 +83,6 @@ class CommandMethod final : public Method {
     if (answer.status == Status::failed)
       throw std::runtime_error(std::string("asked about an easy pair, it failed: ") + answer.reason);
     introduced_ = true;
-    program_.reset();  // workers start their own
     if (guest_.name.empty()) guest_.name = hello_.name.empty() ? name_after(guest.what) : hello_.name;
     if (hello_.version.empty()) hello_.version = "unversioned";
     if (const auto files = files_of(guest); !files.empty())
@@ -108,6 +100,44 @@ class CommandMethod final : public Method {
     return exchange(pair, start_cap);
   }
 
+  bool runs_apart() const override { return true; }
+  std::chrono::nanoseconds cpu_time() const override {
+    return earlier_ + (program_ ? program_->cpu_time() : std::chrono::nanoseconds(0));
+  }
+
+  // Many lines are under way, so where one is not answered it is not known for sure whose fault that is: the
+  // next pair is asked alone, of a program that is new, and what it says then is believed.
+  std::size_t ask_many(std::span<const Pair> pairs, std::span<MethodAnswer> answers) override {
+    if (pairs.size() == 1 || !program_ || !program_->ours() || program_->has_answered_more()) {
+      answers[0] = ask(pairs[0]);
+      return 1;
+    }
+    std::size_t done = 0;
+    std::vector<std::size_t> sent;
+    for (std::size_t i = 0; i < pairs.size(); ++i) {
+      if (const auto invalid = decline_invalid(pairs[i])) {
+        answers[i] = *invalid;
+        continue;
+      }
+      program_->send(format_pair(pairs[i]) + '\n');
+      sent.push_back(i);
+    }
+    for (; done < sent.size(); ++done) {
+      MethodAnswer& answer = answers[sent[done]];
+      answer = read_answer(answer_cap);
+      if (broke(answer)) break;
+    }
+    const bool more = done == sent.size() && program_->has_answered_more();
+    if (done == sent.size() && !more) return pairs.size();
+    end_program();
+    const std::size_t at = sent[more ? 0 : done];
+    const MethodAnswer failed =
+        more ? failed_answer(Failure::malformed, "said more than one line to a question") : answers[at];
+    const MethodAnswer alone = exchange(pairs[at], start_cap);
+    answers[at] = broke(alone) ? alone : failed;  // where it is not the pair's fault, somebody asks again
+    return at + 1;
+  }
+
   /// Its time holds the way there and back through the pipe.
   Call prepare_all(std::span<const Pair> pairs) override {
     return [this, pairs = std::vector(pairs.begin(), pairs.end())](std::size_t i) {
@@ -117,49 +147,62 @@ class CommandMethod final : public Method {
   }
 
  private:
+  /// Whether the program cannot be talked to any more.
+  static bool broke(const MethodAnswer& answer) {
+    return answer.failure == Failure::crash || answer.failure == Failure::hang ||
+           answer.failure == Failure::malformed;
+  }
+
+  void end_program() {
+    if (program_) earlier_ += program_->cpu_time();
+    program_.reset();
+  }
+
   MethodAnswer exchange(const Pair& pair, const LineProgram::Cap& cap_to_start) {
     if (program_ && !program_->ours()) program_.reset();
     const bool starts = !program_;
     if (starts) program_ = std::make_unique<LineProgram>(guest_.what, guest_.folder);
-    const MethodAnswer answer = read_answer(format_pair(pair) + '\n', starts ? &cap_to_start : nullptr);
-    if (answer.status == Status::failed && answer.failure != Failure::exception) program_.reset();
+    const bool more = program_->has_answered_more() && !starts;
+    program_->send(format_pair(pair) + '\n');
+    const MethodAnswer answer =
+        more ? failed_answer(Failure::malformed, "said more than one line to a question")
+             : read_answer(starts ? cap_to_start : answer_cap, starts);
+    if (broke(answer)) end_program();
     return answer;
   }
 
-  MethodAnswer read_answer(const std::string& question, const LineProgram::Cap* start) {
-    if (!start && program_->has_answered_more())
-      return failed(Failure::malformed, "said more than one line to a question");
-    const LineProgram::Cap& cap = start ? *start : answer_cap;
+  MethodAnswer read_answer(const LineProgram::Cap& cap, bool may_greet = false) {
     std::string line;
-    LineProgram::Read read = program_->exchange(question, line, cap);
+    LineProgram::Read read = program_->receive(line, cap);
     GuestLine said;
     if (read == LineProgram::Read::line) said = parse_guest_line(line);
-    if (start && said.hello) {
+    if (may_greet && said.hello) {
       if (!introduced_) hello_ = *said.hello;
-      read = program_->exchange({}, line, cap);
+      read = program_->receive(line, cap);
       if (read == LineProgram::Read::line) said = parse_guest_line(line);
     }
     switch (read) {
       case LineProgram::Read::ended:
-        return failed(Failure::crash, program_->death());
+        return failed_answer(Failure::crash, program_->death());
       case LineProgram::Read::late:
-        return failed(Failure::hang, "no answer within " + std::to_string(cap.cpu.count()) +
-                                         " ms of CPU time or " + std::to_string(cap.wall.count()) +
-                                         " ms in all");
+        return failed_answer(Failure::hang, "no answer within " + std::to_string(cap.cpu.count()) +
+                                                " ms of CPU time or " + std::to_string(cap.wall.count()) +
+                                                " ms in all");
       case LineProgram::Read::too_long:
-        return failed(Failure::malformed,
-                      "a line of more than " + std::to_string(program_line_cap) + " bytes");
+        return failed_answer(Failure::malformed,
+                             "a line of more than " + std::to_string(program_line_cap) + " bytes");
       case LineProgram::Read::line:
         break;
     }
-    if (said.hello) return failed(Failure::malformed, "a second hello");
-    return said.answer ? answer_of(*said.answer) : failed(Failure::malformed, said.error);
+    if (said.hello) return failed_answer(Failure::malformed, "a second hello");
+    return said.answer ? answer_of(*said.answer) : failed_answer(Failure::malformed, said.error);
   }
 
   Guest guest_;
   GuestHello hello_;
   bool introduced_ = false;  ///< what it says of itself when started again changes nothing
   std::unique_ptr<LineProgram> program_;
+  std::chrono::nanoseconds earlier_{0};  ///< of programs that have ended
 };
 
 }  // namespace

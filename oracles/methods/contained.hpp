@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
-// Foreign code is run in a forked worker, a batch at a time, so that an abort, a signal, a hang or an
-// exception becomes an answer with a reason and the rest of the batch is still answered.
+// Foreign code is run in workers, processes that are kept apart, so that an abort, a signal, a hang or an
+// exception becomes an answer with a reason and the rest is still answered.
 #pragma once
 
 #include <chrono>
 #include <cstddef>
 #include <limits>
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -26,6 +27,7 @@ struct Question {
   std::size_t method;
   std::size_t pair;
   CallMode mode = CallMode::usual;
+  unsigned run = 0;  ///< questions of one method and run in a row are timed together
 };
 
 /// Asks in this process: throws what the method throws.
@@ -33,7 +35,9 @@ MethodAnswer call(Method& method, const Pair& pair, CallMode mode);
 
 struct ContainedAnswer {
   MethodAnswer answer;
-  double nanoseconds = 0;  ///< wall time of the call, 0 where it crashed
+  /// CPU time of its run over the calls in it; of a run of one, the wall time of the call. 0 where the run was
+  /// cut by a crash.
+  double nanoseconds = 0;
 };
 
 /// CPU time one call may take before the worker is killed and the answer becomes failed(hang).
@@ -44,14 +48,35 @@ struct Caps {
   std::chrono::milliseconds call_cpu = call_cpu_cap;
   /// Wall time of one call: who sleeps uses no CPU. Far beyond what a loaded machine makes of the above.
   std::chrono::milliseconds call_wall = 20 * call_cpu;
-  /// Hangs of one method in one batch, after which it is not asked any more: declined, with that reason.
+  /// Time that one call may sleep or wait, from where on that is told as a side effect.
+  std::chrono::milliseconds call_wait = 2 * call_cpu;
+  /// Hangs of one method in one call of ask(), after which it is not asked any more: declined, with that reason.
   unsigned hangs = std::numeric_limits<unsigned>::max();
 };
 
-/// Asks every question in order inside forked workers. Answers come back in the order of the questions, one
-/// each, whatever the methods do. Never throws on a method's behaviour; throws std::system_error only where
-/// the system refuses a process or memory. What a worker prints is kept off the terminal; the tail of it
-/// becomes the reason of a crash. Cost: a fork a batch, and one more each time a worker is lost.
+/// Asks methods in workers that live on: the methods of this build share one, each guest's library has its
+/// own, which may start no process and signal none but itself; a guest that is a program runs beside, and is
+/// talked to from here. A worker that is lost is started again.
+class Asker {
+ public:
+  /// `methods` must outlive it. Starts nothing yet.
+  explicit Asker(std::span<const std::unique_ptr<Method>> methods, const Caps& caps = {});
+  ~Asker();
+  Asker(Asker&&) noexcept;
+  Asker& operator=(Asker&&) noexcept;
+
+  /// Asks every question, those of one worker in order. Answers come back in the order of the questions, one
+  /// each, whatever the methods do. Never throws on a method's behaviour; throws std::system_error only where
+  /// the system refuses a process or memory. What a worker prints is kept off the terminal; the tail of it
+  /// becomes the reason of a crash.
+  std::vector<ContainedAnswer> ask(std::span<const Pair> pairs, std::span<const Question> questions);
+
+ private:
+  class Parts;
+  std::unique_ptr<Parts> parts_;
+};
+
+/// Asks likewise, in workers that were started for it.
 std::vector<ContainedAnswer> ask_contained(std::span<const std::unique_ptr<Method>> methods,
                                            std::span<const Pair> pairs, std::span<const Question> questions,
                                            const Caps& caps = {});

@@ -3,11 +3,14 @@
 
 #include <gtest/gtest.h>
 #include <poll.h>
+#include <sys/mman.h>
 #include <sys/resource.h>
 #include <sys/stat.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <atomic>
+#include <cfenv>
 #include <csignal>
 #include <cstdio>
 #include <cstdlib>
@@ -16,6 +19,8 @@
 #include <limits>
 #include <stdexcept>
 #include <string>
+#include <thread>
+#include <utility>
 
 #include "oracles/methods/fake_method_test.hpp"
 
@@ -263,28 +268,153 @@ TEST(Contained, WorksInsideAForkedProcess) {
   EXPECT_TRUE(WIFEXITED(status) && WEXITSTATUS(status) == 0);
 }
 
+/// A page that this process, its children and their workers see.
+std::atomic<int>& shared_counter() {
+  void* const page =
+      mmap(nullptr, sizeof(std::atomic<int>), PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
+  return *new (page) std::atomic<int>{0};
+}
+
 TEST(Contained, AWorkerDiesWithItsParent) {
-  int channel[2];
-  ASSERT_EQ(pipe(channel), 0);
+  std::atomic<int>& beats = shared_counter();
   const pid_t child = fork();
   ASSERT_GE(child, 0);
   if (child == 0) {
-    close(channel[0]);
-    const auto methods = fakes({[=] {
-      kill(getppid(), SIGKILL);
-      sleep(300);
+    std::thread([&] {
+      while (beats.load() == 0) usleep(1000);
+      kill(getpid(), SIGKILL);
+    }).detach();
+    const auto methods = fakes({[&] {
+      for (;; ++beats) usleep(1000);
     }});
-    ask_contained(methods, numbered_pairs(1), std::vector<Question>{{0, 0}});
+    ask_contained(methods, numbered_pairs(1), std::vector<Question>{{0, 0}},
+                  {.call_cpu = no_cap, .call_wall = no_cap});
     _exit(0);
   }
-  close(channel[1]);
   int status = 0;
   waitpid(child, &status, 0);
   EXPECT_TRUE(WIFSIGNALED(status));
-  // The end of the pipe shows that no worker holds it open.
-  pollfd closed{.fd = channel[0], .events = POLLIN, .revents = 0};
-  EXPECT_EQ(poll(&closed, 1, 100'000), 1) << "the worker lives on";
-  close(channel[0]);
+  int before = -1;
+  for (int i = 0; i < 1000 && before != beats.load(); ++i) {
+    before = beats.load();
+    usleep(100'000);
+  }
+  EXPECT_EQ(before, beats.load()) << "the worker lives on";
+}
+
+TEST(Contained, WhatItStartedEndsWithIt) {
+  std::atomic<int>& beats = shared_counter();
+  const MethodAnswer answer = ask_between_good_ones([&] {
+    if (fork() == 0) {
+      setsid();
+      for (;; ++beats) usleep(1000);
+    }
+    while (beats.load() == 0) usleep(1000);
+  });
+  EXPECT_EQ(answer.status, Status::answered) << answer.reason;
+  const int before = beats.load();  // ask_contained() has returned, and with it the keeper
+  usleep(100'000);
+  EXPECT_EQ(before, beats.load()) << "an orphan lives on";
+}
+
+TEST(Contained, AWorkerLivesOnAndKnowsWhatCameBefore) {
+  const auto methods = fakes({[] {}});
+  std::vector<std::unique_ptr<Method>> counting;
+  counting.push_back(fake_method("counting", [n = 0](const Pair&) mutable {
+    MethodAnswer answer = answered(Verdict::disjoint);
+    answer.has_distance = true;
+    answer.distance = ++n;
+    return answer;
+  }));
+  Asker asker(counting);
+  const std::vector<Question> one{{0, 0}};
+  for (int i = 1; i <= 3; ++i) EXPECT_EQ(asker.ask(numbered_pairs(1), one)[0].answer.distance, i);
+  EXPECT_EQ(ask_contained(counting, numbered_pairs(1), one)[0].answer.distance, 1);
+}
+
+/// A method of a guest's library, which is confined.
+MethodAnswer ask_guest(std::function<void()> act, const Caps& caps = {}) {
+  std::vector<std::unique_ptr<Method>> methods;
+  methods.push_back(fake_method("guest",
+                                [act = std::move(act)](const Pair&) {
+                                  act();
+                                  return answered(Verdict::disjoint);
+                                },
+                                {.guest = true}));
+  return ask_contained(methods, numbered_pairs(1), std::vector<Question>{{0, 0}}, caps)[0].answer;
+}
+
+TEST(Contained, AGuestReachesNoOtherProcess) {
+  const std::pair<std::function<void()>, const char*> attempts[] = {
+      {[] { kill(getppid(), SIGKILL); }, "called kill(), which a method may not"},
+      {[] { kill(-1, SIGKILL); }, "called kill(), which a method may not"},
+      {[] { kill(0, SIGKILL); }, "called kill(), which a method may not"},
+      {[] { fork(); }, "called clone(), which a method may not"},
+      {[] { execl("/bin/true", "true", nullptr); }, "called execve(), which a method may not"},
+      {[] { std::raise(SIGSEGV); }, "SIGSEGV"},
+      {[] { std::abort(); }, "SIGABRT"},
+  };
+  for (const auto& [act, reason] : attempts) {
+    const MethodAnswer answer = ask_guest(act);
+    EXPECT_EQ(answer.failure, Failure::crash) << reason;
+    EXPECT_STREQ(answer.reason, reason);
+  }
+}
+
+TEST(Contained, AGuestMayStartThreads) {
+  const MethodAnswer answer = ask_guest([] { std::thread([] {}).join(); });
+  EXPECT_EQ(answer.status, Status::answered) << answer.reason;
+  EXPECT_EQ(answer.side_effect, SideEffect::none) << answer.reason;
+}
+
+TEST(Contained, AThreadThatIsLeftIsTold) {
+  const MethodAnswer answer = ask_guest([] { std::thread([] { pause(); }).detach(); });
+  EXPECT_EQ(answer.status, Status::answered) << answer.reason;
+  EXPECT_EQ(answer.side_effect, SideEffect::thread);
+}
+
+TEST(Contained, GarbageInItsDescriptorsHurtsNobody) {
+  const MethodAnswer answer = ask_between_good_ones([] {
+    for (int fd = 0; fd < 1000; ++fd) {
+      [[maybe_unused]] const ssize_t ignored = write(fd, "garbage garbage garbage", 23);
+    }
+  });
+  EXPECT_EQ(answer.status, Status::answered) << answer.reason;
+  const MethodAnswer closed = ask_between_good_ones([] { close_range(0, ~0u, 0); });
+  EXPECT_EQ(closed.status, Status::answered) << closed.reason;
+}
+
+TEST(Contained, AChangedRoundingModeIsToldAndPutBack) {
+  const MethodAnswer answer = ask_between_good_ones([] { std::fesetround(FE_UPWARD); });
+  EXPECT_EQ(answer.status, Status::answered);
+  EXPECT_EQ(answer.side_effect, SideEffect::rounding_mode);
+  EXPECT_STREQ(answer.reason, "left the rounding mode changed, the x87 control word changed");
+  const auto methods = fakes({[] { std::fesetround(FE_UPWARD); },
+                              [] {
+                                if (std::fegetround() != FE_TONEAREST)
+                                  throw std::runtime_error("rounds upward");
+                              }});
+  const auto answers = ask_contained(methods, numbered_pairs(1), std::vector<Question>{{0, 0}, {1, 0}});
+  EXPECT_STREQ(answers[1].answer.reason, "");
+}
+
+TEST(Contained, ALongSleepIsTold) {
+  const MethodAnswer answer = ask_between_good_ones(
+      [] { usleep(1'000'000); }, {.call_cpu = no_cap, .call_wall = no_cap, .call_wait = milliseconds(300)});
+  EXPECT_EQ(answer.status, Status::answered) << answer.reason;
+  EXPECT_EQ(answer.side_effect, SideEffect::slow);
+}
+
+TEST(Contained, WhichLimitBrokeIsTold) {
+  const Caps caps{.call_cpu = short_cap, .call_wall = milliseconds(2000)};
+  const auto endless = [] {
+    volatile bool forever = true;
+    while (forever) {
+    }
+  };
+  EXPECT_STREQ(ask_between_good_ones(endless, {.call_cpu = short_cap, .call_wall = no_cap}).reason,
+               "no answer within 60 ms of CPU time");
+  EXPECT_STREQ(ask_between_good_ones([] { std::raise(SIGSTOP); }, caps).reason, "no answer within 2000 ms");
 }
 
 }  // namespace

@@ -22,7 +22,7 @@ inline MethodAnswer answered(Verdict verdict) {
 
 struct FakeTraits {
   Claim claim = {};
-  bool foreign = true, guest = false;
+  bool foreign = true, guest = false, runs_apart = false;
   unsigned share = 1;
 };
 
@@ -36,6 +36,7 @@ class FakeMethod : public Method {
   Claim claim() const override { return traits_.claim; }
   bool foreign() const override { return traits_.foreign; }
   bool guest() const override { return traits_.guest; }
+  bool runs_apart() const override { return traits_.runs_apart; }
   unsigned share() const override { return traits_.share; }
   MethodAnswer ask(const Pair& pair) override { return ask_(pair); }
 

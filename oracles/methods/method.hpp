@@ -2,6 +2,7 @@
 // A method: anything that answers a pair. It may decline or fail; it is never trusted.
 #pragma once
 
+#include <chrono>
 #include <cstddef>
 #include <functional>
 #include <memory>
@@ -50,6 +51,16 @@ class Method {
   /// Asked on every index divisible by this (and wherever others disagree): > 1 for costly methods.
   virtual unsigned share() const { return 1; }
   virtual MethodAnswer ask(const Pair& pair) = 0;
+  /// Whether it runs what is foreign in processes of its own, so that it may be asked in this one.
+  virtual bool runs_apart() const { return false; }
+  /// Of one that does: asks about as many pairs, all of them or those up to the first failure, and returns how
+  /// many these are.
+  virtual std::size_t ask_many(std::span<const Pair> pairs, std::span<MethodAnswer> answers) {
+    for (std::size_t i = 0; i < pairs.size(); ++i) answers[i] = ask(pairs[i]);
+    return pairs.size();
+  }
+  /// Likewise: CPU time that those processes have taken.
+  virtual std::chrono::nanoseconds cpu_time() const { return {}; }
 
   using Call = std::function<Verdict(std::size_t)>;
   /// For timing alone: does for all pairs what a user does once a solid (shapes built, axes normalised). The

@@ -1,17 +1,23 @@
 // SPDX-License-Identifier: MIT
 #include <dlfcn.h>
+#include <fcntl.h>
+#include <poll.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
-#include <csignal>
 #include <cstring>
+#include <functional>
+#include <iterator>
 #include <limits>
+#include <optional>
 #include <stdexcept>
 
 #include "base/json.hpp"
-#include "base/process/child.hpp"
+#include "base/process/confine.hpp"
+#include "base/process/kept_process.hpp"
 #include "base/process/process.hpp"
 #include "corpus/pairs/pair_numbers.hpp"
 #include "oracles/methods/adapter.hpp"
@@ -21,8 +27,10 @@
 namespace cyl {
 namespace {
 
-/// Seconds in which a library must have loaded.
-constexpr unsigned load_cap = 20;
+/// Time in which a library must have loaded.
+constexpr int load_cap_milliseconds = 20'000;
+/// Bytes of what it says of itself; a pipe holds as many.
+constexpr std::size_t label_cap = 4096;
 
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
 constexpr int own_symbols_first = 0;  // sanitizers replace functions, and forbid it
@@ -35,6 +43,10 @@ constexpr int own_symbols_first = RTLD_DEEPBIND;
 #else
 constexpr int own_symbols_first = RTLD_DEEPBIND;  // a plug-in's Bullet is not ours
 #endif
+
+/// Doubles behind those that a plug-in may write, and what stands in them.
+constexpr std::size_t guard_size = 16;
+constexpr double guard = -0x1.5a5a5a5a5a5a5p+77;
 
 /// What a library says of itself.
 struct Label {
@@ -80,18 +92,48 @@ nlohmann::json describe(const std::string& file) try {
   return text_of(error.what(), source_cap);
 }
 
+/// Runs `work` in a process of its own, confined where the kernel does that, and returns the bytes it gives.
+/// Throws std::runtime_error that says how it ended without.
+std::string run_apart(const std::function<std::string()>& work) {
+  int ends[2];
+  if (pipe2(ends, O_CLOEXEC) != 0) throw_errno("pipe");
+  std::optional<KeptProcess> loading;
+  try {
+    loading.emplace(
+        [&] {
+          std::atomic<int> denied{0};
+          confine(denied);
+          const std::string bytes = work();
+          if (write(ends[1], bytes.data(), bytes.size()) < 0) _exit(1);
+        },
+        KeptDescriptors{-1, -1, -1, {ends[1]}});
+  } catch (...) {
+    close_all({ends[0], ends[1]});
+    throw;
+  }
+  close(ends[1]);
+  pollfd ended{loading->end(), POLLIN, 0};
+  const bool late = poll(&ended, 1, load_cap_milliseconds) == 0;
+  if (late) loading->kill_now();
+  const auto ending = loading->wait();
+  std::string bytes(label_cap, '\0');
+  const ssize_t got = read(ends[0], bytes.data(), bytes.size());
+  close(ends[0]);
+  bytes.resize(got > 0 ? static_cast<std::size_t>(got) : 0);
+  if (late)
+    throw std::runtime_error("it did not load within " + std::to_string(load_cap_milliseconds / 1000) + " s");
+  if (!ending) throw std::runtime_error("loading it was ended from outside");
+  if (WIFSIGNALED(ending->status))
+    throw std::runtime_error("loading it ended with " + signal_name(WTERMSIG(ending->status)));
+  if (WEXITSTATUS(ending->status) == denied_code)
+    throw std::runtime_error("loading it starts a process or signals another, which a method may not");
+  if (bytes.empty()) throw std::runtime_error("loading it ended the process");
+  return bytes;
+}
+
 /// Reads it in a process of its own: the constructors of a library may do anything.
 Label read_label(const std::string& file) {
-  Child loading([&] {
-    alarm(load_cap);
-    return format_cbor(describe(file));
-  });
-  const int status = loading.wait();
-  if (WIFSIGNALED(status) && WTERMSIG(status) == SIGALRM)
-    throw std::runtime_error("it did not load within " + std::to_string(load_cap) + " s");
-  if (WIFSIGNALED(status)) throw std::runtime_error("loading it ended with " + signal_name(WTERMSIG(status)));
-  if (loading.bytes().empty()) throw std::runtime_error("loading it ended the process");
-  const nlohmann::json read = parse_cbor(loading.bytes());
+  const nlohmann::json read = parse_cbor(run_apart([&] { return format_cbor(describe(file)); }));
   if (read.is_string()) throw std::runtime_error(read.get<std::string>());
   return {read.at(0), read.at(1), read.at(2), read.at(3), read.at(4), read.at(5)};
 }
@@ -121,25 +163,15 @@ class Plugin final : public Method {
   MethodAnswer ask(const Pair& pair) override {
     if (const auto invalid = decline_invalid(pair)) return *invalid;
     const auto a = numbers_of(pair.a), b = numbers_of(pair.b);
-    double more[7];
+    // What it may write, and behind that what it may not.
+    double more[7 + guard_size];
     std::fill_n(more, 7, std::numeric_limits<double>::quiet_NaN());
+    std::fill_n(more + 7, guard_size, guard);
     const int word = loaded().ask(a.data(), b.data(), more);
-    MethodAnswer answer;
-    if (word == DAYLIGHT_DECLINED) {
-      answer.set_reason("declined");
-      return answer;
-    }
-    if (word == DAYLIGHT_FAILED) throw std::runtime_error("it says that it failed");
-    answer.status = Status::answered;
-    answer.verdict = verdict_of(word);
-    answer.has_distance = !std::isnan(more[0]);
-    if (answer.has_distance) answer.distance = more[0];
-    const bool meet = word == DAYLIGHT_INTERSECTING || word == DAYLIGHT_TOUCHING;
-    if (any_given(more + 4) && (meet || !any_given(more + 1))) {
-      answer.witness = CertificateKind::point;
-      std::copy_n(more + 4, 3, answer.head);
-    } else if (any_given(more + 1)) {
-      answer.set_direction(Vector3(more[1], more[2], more[3]));
+    MethodAnswer answer = answer_of(word, more);
+    if (!std::all_of(more + 7, std::end(more), [](double x) { return x == guard; })) {
+      answer.side_effect = SideEffect::memory;
+      if (answer.status == Status::answered) answer.set_reason("wrote behind more[6]");
     }
     return answer;
   }
@@ -164,6 +196,27 @@ class Plugin final : public Method {
   }
 
  private:
+  static MethodAnswer answer_of(int word, const double* more) {
+    MethodAnswer answer;
+    if (word == DAYLIGHT_DECLINED) {
+      answer.set_reason("declined");
+      return answer;
+    }
+    if (word == DAYLIGHT_FAILED) throw std::runtime_error("it says that it failed");
+    answer.status = Status::answered;
+    answer.verdict = verdict_of(word);
+    answer.has_distance = !std::isnan(more[0]);
+    if (answer.has_distance) answer.distance = more[0];
+    const bool meet = word == DAYLIGHT_INTERSECTING || word == DAYLIGHT_TOUCHING;
+    if (any_given(more + 4) && (meet || !any_given(more + 1))) {
+      answer.witness = CertificateKind::point;
+      std::copy_n(more + 4, 3, answer.head);
+    } else if (any_given(more + 1)) {
+      answer.set_direction(Vector3(more[1], more[2], more[3]));
+    }
+    return answer;
+  }
+
   /// Loads once a process, and only where it is asked: in a worker.
   const DaylightMethod& loaded() {
     if (!method_) method_ = &load(guest_.what);

@@ -79,7 +79,7 @@ std::vector<std::size_t> algorithm_groups(std::span<const std::unique_ptr<Method
   for (const Pair& pair : pairs) truths.push_back(judge(pair).verdict);
   std::vector<Said> said(methods.size() * pairs.size(), Said::nothing);
   for (std::size_t q = 0; q < questions.size(); ++q) {
-    const auto& [m, p, way] = questions[q];
+    const auto& [m, p, way, run] = questions[q];
     if (truths[p] != Verdict::undecided) said[m * pairs.size() + p] = classify(answers[q].answer, truths[p]);
   }
 

@@ -174,7 +174,9 @@ Enclosure told_error_of(const Enclosure& real, const MethodAnswer& answer) {
   return {std::max(0.0, answer.distance - real.hi), std::max(0.0, answer.distance - real.lo)};
 }
 
-std::optional<Finding> compare(Trial& trial, const Claim& claim, const MethodAnswer& answer) {
+namespace {
+
+std::optional<Finding> compare_said(Trial& trial, const Claim& claim, const MethodAnswer& answer) {
   if (answer.status == Status::declined) return {};
   if (answer.status == Status::failed)
     return Finding{kind_of(answer.failure), Severity::contract, margin_of(trial)};
@@ -189,6 +191,20 @@ std::optional<Finding> compare(Trial& trial, const Claim& claim, const MethodAns
   Finding wrong = refuted(FindingKind::bad_witness, trial, claim);
   if (claim.relative > 0 || claim.absolute > 0) wrong.severity = Severity::resolution;
   return wrong;
+}
+
+/// To sleep, and to leave threads to wait for the next call, is allowed; it is told.
+Severity severity_of(SideEffect effect) {
+  return effect == SideEffect::slow || effect == SideEffect::thread ? Severity::resolution
+                                                                    : Severity::contract;
+}
+
+}  // namespace
+
+std::optional<Finding> compare(Trial& trial, const Claim& claim, const MethodAnswer& answer) {
+  if (auto wrong = compare_said(trial, claim, answer)) return wrong;
+  if (answer.side_effect == SideEffect::none) return {};
+  return Finding{FindingKind::side_effect, severity_of(answer.side_effect), margin_of(trial)};
 }
 
 bool same_answer(const MethodAnswer& x, const MethodAnswer& y) {

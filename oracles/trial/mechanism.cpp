@@ -227,7 +227,8 @@ std::string cause_key(const GroupedMethods& of, std::size_t method, FindingKind 
   const std::string first(of.methods[of.groups[method]]->name());
   if (severity == Severity::resolution) return library + "/within-claim";
   if (kind == FindingKind::hang) return first + '/' + to_string(kind);
-  if (kind == FindingKind::nondeterminism) return library + '/' + to_string(kind);
+  if (kind == FindingKind::nondeterminism || kind == FindingKind::state_dependent)
+    return library + '/' + to_string(kind);
   if (is_failure(kind) && kind != FindingKind::non_finite)
     return library + '/' + to_string(kind) + '/' + slug(reason);
   switch (mechanism) {

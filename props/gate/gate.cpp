@@ -80,7 +80,12 @@ class Gate {
  public:
   Gate(std::span<const std::unique_ptr<Method>> methods, std::span<const Case> cases,
        const GateOptions& options, const std::function<void(const GateProgress&)>& on_progress)
-      : methods_(methods), cases_(cases), options_(options), on_progress_(on_progress), start_(Clock::now()) {
+      : methods_(methods),
+        cases_(cases),
+        options_(options),
+        on_progress_(on_progress),
+        asker_(methods, options.caps),
+        start_(Clock::now()) {
     amount_ = options.amount.value_or(amount_of(options.pairs));
     questions_left_ = least_questions + options.pairs / pairs_per_question;
     skipped_.resize(methods.size());
@@ -217,10 +222,10 @@ class Gate {
 
   /// A method that hangs again and again is not asked any more: the gate is to end.
   bool given_up(std::size_t m) const { return report_.methods[m].counts.hangs >= hang_cap; }
-  Examined examine_all(std::span<const Pair> pairs, const Wanted& wanted) const {
+  Examined examine_all(std::span<const Pair> pairs, const Wanted& wanted) {
     return examine(
         methods_, pairs, [&](std::size_t m, const Law& law) { return !given_up(m) && wanted(m, law); },
-        options_.caps);
+        asker_);
   }
 
   void replay_cases(const Wanted& wanted, std::size_t due) {
@@ -256,7 +261,7 @@ class Gate {
     for (std::uint64_t& round = report_.phases.back().rounds; goes_on(round, due, "rounds");) {
       // Each round has a seed of its own; neighbouring ones of RapidCheck's generator are unrelated.
       const SearchRound found =
-          find_breaks(methods_, all, is_news, source, options_.seed + round, draws_per_round, options_.caps);
+          find_breaks(methods_, all, is_news, source, options_.seed + round, draws_per_round, asker_);
       count(found.counts);
       for (const auto& [kind, n] : found.drawn) report_.drawn[kind] += n;
       for (const LawFailure& c : found.failures) {
@@ -337,6 +342,7 @@ class Gate {
   std::span<const Case> cases_;
   const GateOptions& options_;
   const std::function<void(const GateProgress&)>& on_progress_;
+  Asker asker_;  ///< a failure is run again without it, in a worker that knows of nothing else
   const Clock::time_point start_;
   GateAmount amount_;
   std::uint64_t questions_left_ = 0;

@@ -30,8 +30,8 @@ class Silent : public rc::detail::TestListener {
 class LawSearch {
  public:
   LawSearch(std::span<const std::unique_ptr<Method>> methods, const Wanted& wanted, const IsNews& is_news,
-            PairSource source, const Caps& caps)
-      : methods_(methods), wanted_(wanted), is_news_(is_news), source_(source), caps_(caps) {
+            PairSource source, Asker& asker)
+      : methods_(methods), wanted_(wanted), is_news_(is_news), source_(source), asker_(asker) {
     round_.counts.resize(methods.size());
   }
 
@@ -65,7 +65,7 @@ class LawSearch {
 
  private:
   void examine_drawn(const PairsDrawn& drawn) {
-    const Examined examined = examine(methods_, drawn.pairs, wanted_, caps_);
+    const Examined examined = examine(methods_, drawn.pairs, wanted_, asker_);
     round_.drawn[drawn.from] += drawn.pairs.size();
     round_.pairs.insert(round_.pairs.end(), drawn.pairs.begin(), drawn.pairs.end());
     for (std::size_t m = 0; m < methods_.size(); ++m) round_.counts[m] += examined.counts[m];
@@ -84,7 +84,7 @@ class LawSearch {
     const auto same = [&](std::size_t method, const Law& law) {
       return method == last.method && law.number == last.law->number;
     };
-    for (const BrokenLaw& b : examine(methods_, drawn.pairs, same, caps_).broken) {
+    for (const BrokenLaw& b : examine(methods_, drawn.pairs, same, asker_).broken) {
       if (b.broken.severity != Severity::contract) continue;
       last.broken = b.broken;
       last.shrunk = drawn.pairs[b.pair];
@@ -96,7 +96,7 @@ class LawSearch {
   const Wanted& wanted_;
   const IsNews& is_news_;
   const PairSource source_;
-  const Caps& caps_;
+  Asker& asker_;
   SearchRound round_;
   bool stopped_ = false;
   int shrinks_ = 0;
@@ -106,12 +106,12 @@ class LawSearch {
 
 SearchRound find_breaks(std::span<const std::unique_ptr<Method>> methods, const Wanted& wanted,
                         const IsNews& is_news, PairSource source, std::uint64_t seed, int draws,
-                        const Caps& caps) {
+                        Asker& asker) {
   rc::detail::TestParams params;
   params.seed = seed;
   params.maxSuccess = draws;
   const IsNews nothing = [](const LawFailure&) { return false; };
-  SearchRound round = LawSearch(methods, wanted, nothing, source, caps).run(params);
+  SearchRound round = LawSearch(methods, wanted, nothing, source, asker).run(params);
   const auto news = std::find_if(round.failures.begin(), round.failures.end(), [&](const LawFailure& c) {
     return c.broken.severity == Severity::contract && is_news(c);
   });
@@ -120,15 +120,23 @@ SearchRound find_breaks(std::span<const std::unique_ptr<Method>> methods, const 
   const Wanted same = [&](std::size_t method, const Law& law) {
     return method == news->method && law.number == news->law->number;
   };
-  const SearchRound again = LawSearch(methods, same, is_news, source, caps).run(params);
+  const SearchRound again = LawSearch(methods, same, is_news, source, asker).run(params);
   if (again.failures.empty() || again.failures.back().reproduce.empty()) return round;  // it comes and goes
   news->shrunk = again.failures.back().shrunk;
   news->reproduce = again.failures.back().reproduce;
   return round;
 }
 
+SearchRound find_breaks(std::span<const std::unique_ptr<Method>> methods, const Wanted& wanted,
+                        const IsNews& is_news, PairSource source, std::uint64_t seed, int draws,
+                        const Caps& caps) {
+  Asker asker(methods, caps);
+  return find_breaks(methods, wanted, is_news, source, seed, draws, asker);
+}
+
 SearchRound find_break_again(std::span<const std::unique_ptr<Method>> methods, const Wanted& wanted,
                              const std::string& reproduce, const Caps& caps) {
+  Asker asker(methods, caps);
   rc::detail::Configuration named;
   try {
     named = rc::detail::configFromString(reproduce);
@@ -138,7 +146,7 @@ SearchRound find_break_again(std::span<const std::unique_ptr<Method>> methods, c
   const IsNews any = [](const LawFailure&) { return true; };
   for (const PairSource source : {PairSource::kinds, PairSource::close_contacts})
     if (named.reproduce.contains(property_id(source)))
-      return LawSearch(methods, wanted, any, source, caps).run({}, named.reproduce);
+      return LawSearch(methods, wanted, any, source, asker).run({}, named.reproduce);
   throw UsageError("'" + reproduce + "' names no case");
 }
 

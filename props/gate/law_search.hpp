@@ -52,6 +52,11 @@ enum class PairSource : unsigned char {
 /// function of its arguments but for hangs.
 SearchRound find_breaks(std::span<const std::unique_ptr<Method>> methods, const Wanted& wanted,
                         const IsNews& is_news, PairSource source, std::uint64_t seed, int draws,
+                        Asker& asker);
+
+/// Likewise, in workers that are started for it.
+SearchRound find_breaks(std::span<const std::unique_ptr<Method>> methods, const Wanted& wanted,
+                        const IsNews& is_news, PairSource source, std::uint64_t seed, int draws,
                         const Caps& caps);
 
 /// Runs the case again that `reproduce` names (what it was drawn from must not have changed since). Throws

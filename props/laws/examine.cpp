@@ -34,8 +34,8 @@ void count_hang(AnswerCounts& counts, const ContainedAnswer& said) {
 class Examination {
  public:
   Examination(std::span<const std::unique_ptr<Method>> methods, std::span<const Pair> pairs,
-              const Wanted& wanted, const Caps& caps)
-      : methods_(methods), pairs_(pairs), wanted_(wanted), caps_(caps) {
+              const Wanted& wanted, Asker& asker)
+      : methods_(methods), pairs_(pairs), wanted_(wanted), asker_(asker) {
     result_.counts.resize(methods.size());
     result_.truths.resize(pairs.size());
     result_.answers.resize(methods.size() * pairs.size());
@@ -63,7 +63,7 @@ class Examination {
       if (std::none_of(all_laws().begin(), all_laws().end(), wanted_of_it)) continue;
       for (std::size_t p = 0; p < pairs_.size(); ++p) questions.push_back({m, p});
     }
-    const std::vector<ContainedAnswer> said = ask_contained(methods_, pairs_, questions, caps_);
+    const std::vector<ContainedAnswer> said = asker_.ask(pairs_, questions);
     for (std::size_t q = 0; q < questions.size(); ++q) {
       answer(questions[q].method, questions[q].pair) = said[q].answer;
       count(result_.counts[questions[q].method], said[q].answer);
@@ -94,7 +94,7 @@ class Examination {
   }
 
   void ask_further() {
-    const std::vector<ContainedAnswer> said = ask_contained(methods_, changed_, further_, caps_);
+    const std::vector<ContainedAnswer> said = asker_.ask(changed_, further_);
     for (std::size_t q = 0; q < further_.size(); ++q) {
       further_answers_.push_back(said[q].answer);
       count_hang(result_.counts[further_[q].method], said[q]);
@@ -124,7 +124,7 @@ class Examination {
   std::span<const std::unique_ptr<Method>> methods_;
   std::span<const Pair> pairs_;
   const Wanted& wanted_;
-  const Caps& caps_;
+  Asker& asker_;
   std::vector<Job> jobs_;
   // The second round: what laws made of the pairs.
   std::vector<Pair> changed_;
@@ -146,8 +146,14 @@ AnswerCounts& AnswerCounts::operator+=(const AnswerCounts& other) {
 }
 
 Examined examine(std::span<const std::unique_ptr<Method>> methods, std::span<const Pair> pairs,
+                 const Wanted& wanted, Asker& asker) {
+  return Examination(methods, pairs, wanted, asker).run();
+}
+
+Examined examine(std::span<const std::unique_ptr<Method>> methods, std::span<const Pair> pairs,
                  const Wanted& wanted, const Caps& caps) {
-  return Examination(methods, pairs, wanted, caps).run();
+  Asker asker(methods, caps);
+  return examine(methods, pairs, wanted, asker);
 }
 
 std::optional<Broken> broken_by(Method& method, const Law& law, const Pair& pair) {

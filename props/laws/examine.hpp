@@ -49,6 +49,10 @@ using Wanted = std::function<bool(std::size_t method, const Law& law)>;
 /// Asks every method contained that any law is wanted of: each pair once, then all that the laws want.
 /// Deterministic but for hangs.
 Examined examine(std::span<const std::unique_ptr<Method>> methods, std::span<const Pair> pairs,
+                 const Wanted& wanted, Asker& asker);
+
+/// Likewise, in workers that are started for it.
+Examined examine(std::span<const std::unique_ptr<Method>> methods, std::span<const Pair> pairs,
                  const Wanted& wanted, const Caps& caps = {});
 
 }  // namespace cyl

@@ -121,7 +121,8 @@ bool ends_itself(FindingKind kind) { return kind == FindingKind::crash || kind =
 }  // namespace
 
 bool guest_program_shows(FindingKind kind) {
-  return kind != FindingKind::nondeterminism && kind != FindingKind::undecided_truth;
+  return kind != FindingKind::nondeterminism && kind != FindingKind::state_dependent &&
+         kind != FindingKind::undecided_truth;
 }
 
 std::string guest_program_name(const Guest& guest) {

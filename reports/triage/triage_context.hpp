@@ -36,10 +36,9 @@ struct Subject {
   Pair pair;
 
   /// What hangs or comes and goes tells nothing when it is asked again.
-  bool can_be_classified() const {
-    return method && kind && kind != FindingKind::hang && kind != FindingKind::nondeterminism;
-  }
-  bool can_be_simplified() const { return method && kind && kind != FindingKind::nondeterminism; }
+  bool can_be_classified() const { return method && kind && kind != FindingKind::hang && recurs(); }
+  bool can_be_simplified() const { return method && kind && recurs(); }
+  bool recurs() const { return kind != FindingKind::nondeterminism && kind != FindingKind::state_dependent; }
   /// Of a crash or a hang there is no margin; of touching, no search.
   bool can_be_searched() const {
     return method && severity == Severity::contract &&

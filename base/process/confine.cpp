@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: MIT
+#include "base/process/confine.hpp"
+
+#include <asm/ioctls.h>
+#include <fcntl.h>
+#include <linux/sched.h>
+#include <linux/sockios.h>
+#include <seccomp.h>
+#include <sys/prctl.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <csignal>
+#include <cstdlib>
+
+namespace cyl {
+namespace {
+
+std::atomic<int>* denied_call = nullptr;
+
+void on_denied(int, siginfo_t* info, void*) {
+  denied_call->store(info->si_syscall);
+  _exit(denied_code);
+}
+
+struct Rule {
+  int call;
+  scmp_arg_cmp when;
+};
+
+/// Adds what is denied wherever its argument is so; `trap` runs on_denied().
+bool add_rules(scmp_filter_ctx filter) {
+  const auto self = static_cast<scmp_datum_t>(getpid());
+  bool added = true;
+  const auto deny = [&](int call) { added = added && seccomp_rule_add(filter, SCMP_ACT_TRAP, call, 0) == 0; };
+  const auto deny_where = [&](const Rule& rule) {
+    added = added && seccomp_rule_add_array(filter, SCMP_ACT_TRAP, rule.call, 1, &rule.when) == 0;
+  };
+  for (const int call :
+       {SCMP_SYS(fork), SCMP_SYS(vfork), SCMP_SYS(execve), SCMP_SYS(execveat), SCMP_SYS(ptrace),
+        SCMP_SYS(tkill), SCMP_SYS(pidfd_send_signal), SCMP_SYS(pidfd_getfd), SCMP_SYS(process_vm_writev)})
+    deny(call);
+  for (const Rule& rule : {
+           Rule{SCMP_SYS(clone), SCMP_A0(SCMP_CMP_MASKED_EQ, CLONE_THREAD, 0)},
+           Rule{SCMP_SYS(kill), SCMP_A0(SCMP_CMP_NE, self)},
+           Rule{SCMP_SYS(tgkill), SCMP_A0(SCMP_CMP_NE, self)},
+           Rule{SCMP_SYS(rt_sigqueueinfo), SCMP_A0(SCMP_CMP_NE, self)},
+           Rule{SCMP_SYS(rt_tgsigqueueinfo), SCMP_A0(SCMP_CMP_NE, self)},
+           Rule{SCMP_SYS(prlimit64), SCMP_A0(SCMP_CMP_NE, 0)},
+           Rule{SCMP_SYS(prctl), SCMP_A0(SCMP_CMP_EQ, PR_SET_PDEATHSIG)},
+           // Whose signal an input that is ready sends, and which.
+           Rule{SCMP_SYS(fcntl), SCMP_A1(SCMP_CMP_EQ, F_SETOWN)},
+           Rule{SCMP_SYS(fcntl), SCMP_A1(SCMP_CMP_EQ, F_SETOWN_EX)},
+           Rule{SCMP_SYS(fcntl), SCMP_A1(SCMP_CMP_EQ, F_SETSIG)},
+           Rule{SCMP_SYS(ioctl), SCMP_A1(SCMP_CMP_EQ, FIOSETOWN)},
+           Rule{SCMP_SYS(ioctl), SCMP_A1(SCMP_CMP_EQ, SIOCSPGRP)},
+       })
+    deny_where(rule);
+  // Its flags stand in memory, which a filter cannot read; the C library then calls clone.
+  return added && seccomp_rule_add(filter, SCMP_ACT_ERRNO(ENOSYS), SCMP_SYS(clone3), 0) == 0 &&
+         seccomp_rule_add(filter, SCMP_ACT_ERRNO(ENOSYS), SCMP_SYS(io_uring_setup), 0) == 0;
+}
+
+}  // namespace
+
+bool confine(std::atomic<int>& denied) {
+  denied_call = &denied;
+  struct sigaction handler {};
+  handler.sa_sigaction = on_denied;
+  handler.sa_flags = SA_SIGINFO;
+  const scmp_filter_ctx filter = seccomp_init(SCMP_ACT_ALLOW);
+  const bool held =
+      filter && sigaction(SIGSYS, &handler, nullptr) == 0 && add_rules(filter) && seccomp_load(filter) == 0;
+  if (filter) seccomp_release(filter);
+  return held;
+}
+
+std::string system_call_name(int number) {
+  char* name = seccomp_syscall_resolve_num_arch(SCMP_ARCH_NATIVE, number);
+  const std::string text = name ? name : "call " + std::to_string(number);
+  std::free(name);
+  return text;
+}
+
+}  // namespace cyl

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: MIT
+// A process that makes batches, one after the other, so that what it has started lives on: workers with
+// libraries that are loaded, programs that answer.
+#pragma once
+
+#include <chrono>
+#include <cstdint>
+#include <functional>
+
+#include "base/process/child.hpp"
+#include "corpus/store/run_store.hpp"
+#include "fuzz/campaign/batch_process.hpp"
+
+namespace cyl {
+
+class JobProcess {
+ public:
+  using MakeBatch = std::function<BatchRecord(std::uint64_t first, std::uint64_t next)>;
+  /// Forks; `prepare` is called there. The process has a process group of its own, so a Ctrl-C meant for the
+  /// parent does not reach it, and it dies with the parent. Throws std::system_error where the system has no
+  /// process or pipe left.
+  explicit JobProcess(const std::function<MakeBatch()>& prepare, std::chrono::seconds cpu_cap = batch_cpu_cap);
+  ~JobProcess();
+
+  /// Starts a batch; only where none is under way.
+  void begin(std::uint64_t first, std::uint64_t next);
+  bool busy() const { return busy_; }
+  int descriptor() const { return child_.output(); }  ///< to poll for reading
+  /// Takes in what has arrived, without waiting, and returns whether the batch under way is made or lost.
+  bool advance();
+  /// Returns the batch, once advance() says so. Throws std::runtime_error that says how the process died;
+  /// then nothing more can be asked of it.
+  BatchRecord take();
+
+ private:
+  int ranges_[2];  ///< the pipe through which it is told what to make
+  const std::chrono::seconds cpu_cap_;
+  Child child_;
+  bool busy_ = false, over_cap_ = false;
+  std::uint64_t first_ = 0, next_ = 0;
+  std::chrono::nanoseconds cpu_at_start_{0};
+};
+
+}  // namespace cyl
