@@ -4,6 +4,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
+#include <cstdlib>
 #include <filesystem>
 #include <stdexcept>
 
@@ -20,14 +22,32 @@ const Method* find(const MethodSet& set, std::string_view name) {
   return found == set.methods.end() ? nullptr : found->get();
 }
 
-void add(MethodSet& set, Guest guest) {
-  auto method = open_guest(guest);
-  if (find(set, guest.name)) {
-    throw std::runtime_error("there is a method " + guest.name + " already; give '" + guest.what +
-                             "' another name: NAME=...");
+void add(MethodSet& set, const Guest& guest) {
+  for (OpenedGuest& opened : open_guest(guest)) {
+    if (find(set, opened.guest.name)) {
+      throw std::runtime_error("there is a method " + opened.guest.name + " already; give '" + guest.what +
+                               "' another name: NAME=...");
+    }
+    set.methods.push_back(std::move(opened.method));
+    set.guests.push_back(std::move(opened.guest));
   }
-  set.methods.push_back(std::move(method));
-  set.guests.push_back(std::move(guest));
+}
+
+double read_claim(const std::string& text) {
+  char* end = nullptr;
+  const double claim = std::strtod(text.c_str(), &end);
+  if (text.empty() || *end != 0 || !(claim >= 0) || std::isinf(claim))
+    throw UsageError("--claim '" + text + "' is no margin: it takes a number like 1e-9");
+  return claim;
+}
+
+/// "NAME=1e-9", or "1e-9" for all.
+void set_claim(Guest& guest, const std::vector<std::string>& claims) {
+  for (const std::string& text : claims) {
+    const std::size_t equals = text.find('=');
+    if (equals != text.npos && text.substr(0, equals) != guest.name) continue;
+    guest.claim = read_claim(text.substr(equals == text.npos ? 0 : equals + 1));
+  }
 }
 
 }  // namespace
@@ -42,6 +62,12 @@ void add_guest_options(Command& command, GuestOptions& options) {
               "ask this program too, by lines of JSON, like 'python3 mine.py'; NAME=COMMAND gives it another "
               "name")
       .one_each();
+  command
+      .option("--claim", options.claims,
+              "hold guests to this margin, relative to the size, in the place of their own claim; NAME=1e-9 "
+              "the one "
+              "that was given this name")
+      .one_each();
 }
 
 std::vector<std::unique_ptr<Method>> MethodSet::select(std::string_view spec, std::string_view unnamed) && {
@@ -54,8 +80,13 @@ std::vector<std::unique_ptr<Method>> MethodSet::select(std::string_view spec, st
 MethodSet with_guests(const GuestOptions& options) {
   MethodSet set{all_methods(), {}};
   try {
-    for (const std::string& text : options.plugins) add(set, read_guest(GuestKind::plugin, text));
-    for (const std::string& text : options.commands) add(set, read_guest(GuestKind::command, text));
+    std::vector<Guest> guests;
+    for (const std::string& text : options.plugins) guests.push_back(read_guest(GuestKind::plugin, text));
+    for (const std::string& text : options.commands) guests.push_back(read_guest(GuestKind::command, text));
+    for (Guest& guest : guests) {
+      set_claim(guest, options.claims);
+      add(set, guest);
+    }
   } catch (const std::runtime_error& error) {
     throw UsageError(error.what());
   }

@@ -14,7 +14,7 @@ namespace cyl {
 class Command;
 
 struct GuestOptions {
-  std::vector<std::string> plugins, commands;
+  std::vector<std::string> plugins, commands, claims;
   bool any() const { return !plugins.empty() || !commands.empty(); }
 };
 

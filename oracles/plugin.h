@@ -4,13 +4,17 @@
  *
  * A cylinder is eight doubles: centre x y z, axis x y z (any length but 0), radius, full height. Solid,
  * closed, finite.
+ *
+ * A method runs in a process of its own, in which it may crash, hang, throw, sleep, print, read files and
+ * start threads; the process lives on from question to question. It may not start processes, signal others,
+ * or leave the rounding mode changed.
  */
 #ifndef DAYLIGHT_PLUGIN_H
 #define DAYLIGHT_PLUGIN_H
 
 #include <stddef.h>
 
-#define DAYLIGHT_PLUGIN_ABI 1
+#define DAYLIGHT_PLUGIN_ABI 2 /* what was built for 1, which ends with ask_all, is asked as ever */
 
 enum DaylightVerdict {
   DAYLIGHT_DISJOINT = 0,
@@ -33,12 +37,22 @@ struct DaylightMethod {
 
   /* Answers whether a and b meet, one of the words above. `more` is all NaN before: where you have them,
    * leave the signed distance in more[0] (negative: how deep), a direction square to a separating plane in
-   * more[1..3], a common point in more[4..6]; with no part of a direction or point it is none. May throw,
-   * crash or hang: it is called in a process of its own. Called from one thread at a time. */
+   * more[1..3], a common point in more[4..6]; with no part of a direction or point it is none. Called from
+   * one thread at a time. */
   int (*ask)(const double a[8], const double b[8], double more[7]);
 
   /* For timing, may be 0: `count` pairs of 16 doubles each, a word for each. */
   void (*ask_all)(size_t count, const double* pairs, signed char* verdicts);
+
+  /* All that follows is of interface 2, and may be 0. */
+
+  /* Why the last call of `ask` declined or failed, in a few words. */
+  const char* (*reason)(void);
+  /* As `ask` about `count` pairs of 16 doubles each, in one call: a word and seven doubles of `more` for each.
+   * Must say what `ask` says. */
+  void (*ask_many)(size_t count, const double* pairs, int* words, double* more);
+  /* Another method of this library. */
+  const struct DaylightMethod* next;
 };
 
 #ifdef __cplusplus

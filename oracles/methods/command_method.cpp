@@ -92,7 +92,10 @@ class CommandMethod final : public Method {
 
   std::string_view name() const override { return guest_.name; }
   std::string_view version() const override { return hello_.version; }
-  Claim claim() const override { return {hello_.relative, hello_.absolute, hello_.claim_source}; }
+  Claim claim() const override {
+    if (guest_.claim) return {*guest_.claim, 0, "--claim"};
+    return {hello_.relative, hello_.absolute, hello_.claim_source};
+  }
   bool guest() const override { return true; }
 
   MethodAnswer ask(const Pair& pair) override {
@@ -207,6 +210,11 @@ class CommandMethod final : public Method {
 
 }  // namespace
 
-std::unique_ptr<Method> open_command(const Guest& guest) { return std::make_unique<CommandMethod>(guest); }
+OpenedGuest open_command(const Guest& guest) {
+  auto method = std::make_unique<CommandMethod>(guest);
+  Guest named = guest;
+  named.name = method->name();
+  return {std::move(named), std::move(method)};
+}
 
 }  // namespace cyl

@@ -35,8 +35,8 @@ MethodAnswer call(Method& method, const Pair& pair, CallMode mode);
 
 struct ContainedAnswer {
   MethodAnswer answer;
-  /// CPU time of its run over the calls in it; of a run of one, the wall time of the call. 0 where the run was
-  /// cut by a crash.
+  /// CPU time of its run over the calls in it; of a run of one, the wall time of the call. 0 where the run
+  /// was cut by a crash.
   double nanoseconds = 0;
 };
 
@@ -50,7 +50,8 @@ struct Caps {
   std::chrono::milliseconds call_wall = 20 * call_cpu;
   /// Time that one call may sleep or wait, from where on that is told as a side effect.
   std::chrono::milliseconds call_wait = 2 * call_cpu;
-  /// Hangs of one method in one call of ask(), after which it is not asked any more: declined, with that reason.
+  /// Hangs of one method in one call of ask(), after which it is not asked any more: declined, with that
+  /// reason.
   unsigned hangs = std::numeric_limits<unsigned>::max();
 };
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cctype>
 #include <cstdio>
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <sstream>
@@ -12,6 +13,7 @@
 #include "base/fnv.hpp"
 #include "base/safe_text.hpp"
 #include "base/usage_error.hpp"
+#include "corpus/pairs/pair_io.hpp"
 
 namespace cyl {
 namespace {
@@ -40,12 +42,16 @@ void check_name(const std::string& name) {
                    " letters, digits, - _ and dots");
 }
 
-/// Returns how long the name is where `text` begins with one and '=', else 0. FOO=1 is a variable of the
+/// Returns how long the name is where `text` begins with one, perhaps ':' and one of its library's, and '=',
+/// else 0. FOO=1 is a variable of the
 /// shell's.
 std::size_t given_name(std::string_view text) {
   const std::size_t equals = text.find('=');
   if (equals == text.npos || text.empty() || text[0] < 'a' || text[0] > 'z') return 0;
-  return will_do(text.substr(0, equals)) ? equals : 0;
+  const std::string_view name = text.substr(0, equals);
+  const std::size_t colon = std::min(name.find(':'), name.size());
+  if (colon < name.size() && !will_do(name.substr(colon + 1))) return 0;
+  return will_do(name.substr(0, colon)) ? equals : 0;
 }
 
 const char* option_of(GuestKind kind) { return kind == GuestKind::plugin ? "--plugin" : "--command"; }
@@ -59,6 +65,10 @@ Guest read_guest(GuestKind kind, const std::string& text) {
   }
   const std::size_t name = given_name(text);
   Guest guest{kind, text.substr(0, name), text.substr(name == 0 ? 0 : name + 1), {}};
+  if (const std::size_t colon = guest.name.find(':'); colon != guest.name.npos) {
+    guest.method = guest.name.substr(colon + 1);
+    guest.name.resize(colon);
+  }
   if (guest.what.find_first_not_of(' ') == guest.what.npos)
     throw UsageError(std::string(option_of(kind)) + " names nothing");
   if (kind == GuestKind::plugin) {
@@ -70,14 +80,19 @@ Guest read_guest(GuestKind kind, const std::string& text) {
 }
 
 std::string options_for(const Guest& guest) {
-  return option_of(guest.kind) + (' ' + shell_quoted(guest.name + '=' + guest.what));
+  const std::string of = guest.method.empty() ? "" : ':' + guest.method;
+  const std::string claim = guest.claim ? " --claim " + guest.name + '=' + format_double(*guest.claim) : "";
+  return option_of(guest.kind) + (' ' + shell_quoted(guest.name + of + '=' + guest.what)) + claim;
 }
 
 std::string format_guests(const std::vector<Guest>& guests) {
   std::string text;
   for (const Guest& guest : guests) {
-    text += guest.kind == GuestKind::plugin ? "plugin" : "command";
-    for (const std::string* part : {&guest.name, &guest.folder, &guest.what}) (text += separator) += *part;
+    const bool plugin = guest.kind == GuestKind::plugin;
+    text += plugin ? "plugin" : "command";
+    if (guest.claim) text += ' ' + format_double(*guest.claim);
+    for (const std::string* part : {&guest.name, plugin ? &guest.method : &guest.folder, &guest.what})
+      (text += separator) += *part;
     text += '\n';
   }
   return text;
@@ -93,10 +108,14 @@ std::vector<Guest> parse_guests(std::string_view text) {
       parts.emplace_back(line.substr(0, line.find(separator)));
       line.remove_prefix(parts.back().size() + 1);
     }
-    if (parts.size() != 3 || (parts[0] != "plugin" && parts[0] != "command"))
+    const std::string kind = parts.empty() ? "" : parts[0].substr(0, parts[0].find(' '));
+    if (parts.size() != 3 || (kind != "plugin" && kind != "command"))
       throw std::runtime_error("'" + std::string(line) + "' names no guest");
-    guests.push_back({parts[0] == "plugin" ? GuestKind::plugin : GuestKind::command, parts[1],
-                      std::string(line), parts[2]});
+    const bool plugin = kind == "plugin";
+    Guest guest{plugin ? GuestKind::plugin : GuestKind::command, parts[1], std::string(line),
+                plugin ? "" : parts[2], plugin ? parts[2] : ""};
+    if (kind.size() < parts[0].size()) guest.claim = std::strtod(parts[0].c_str() + kind.size(), nullptr);
+    guests.push_back(std::move(guest));
   }
   return guests;
 }
@@ -114,12 +133,15 @@ std::string fingerprint(std::span<const std::string> files) {
   return digits;
 }
 
-std::unique_ptr<Method> open_guest(Guest& guest) {
+std::vector<OpenedGuest> open_guest(const Guest& guest) {
   try {
-    auto method = guest.kind == GuestKind::plugin ? open_plugin(guest) : open_command(guest);
-    guest.name = method->name();
-    check_name(guest.name);
-    return method;
+    std::vector<OpenedGuest> opened;
+    if (guest.kind == GuestKind::plugin)
+      opened = open_plugins(guest);
+    else
+      opened.push_back(open_command(guest));
+    for (const OpenedGuest& each : opened) check_name(each.guest.name);
+    return opened;
   } catch (const std::exception& error) {
     throw std::runtime_error(std::string(option_of(guest.kind)) + " '" + guest.what + "': " + error.what());
   }

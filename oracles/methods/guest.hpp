@@ -5,6 +5,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -19,13 +20,16 @@ enum class GuestKind : unsigned char { plugin, command };
 /// Names a guest well enough to ask it again.
 struct Guest {
   GuestKind kind;
-  std::string name;    ///< empty: as it says itself, else after its file
-  std::string what;    ///< the file, absolute; or the command, for /bin/sh
-  std::string folder;  ///< where the command runs; of a plug-in empty
+  std::string name;                  ///< empty: as it says itself, else after its file
+  std::string what;                  ///< the file, absolute; or the command, for /bin/sh
+  std::string folder;                ///< where the command runs; of a plug-in empty
+  std::string method = {};           ///< which of the methods of a plug-in's library; empty: all
+  std::optional<double> claim = {};  ///< relative, in the place of its own
 };
 
 /// "NAME=WHAT" or "WHAT", as a command line has it, seen from the working directory; a name begins with a
-/// small letter. Throws UsageError on a name no method can have, and on control characters.
+/// small letter. NAME:METHOD=WHAT is one method of a plug-in's library. Throws UsageError on a name no method
+/// can have, and on control characters.
 Guest read_guest(GuestKind kind, const std::string& text);
 
 /// Returns the option that names it, as a shell takes it: --plugin mine=./libmine.so.
@@ -35,16 +39,21 @@ std::string options_for(const Guest& guest);
 std::string format_guests(const std::vector<Guest>& guests);
 std::vector<Guest> parse_guests(std::string_view text);
 
-/// Loads the library, or asks the program about one easy pair, in a process of its own; guest.name becomes
-/// what the method is called. Throws std::runtime_error, which tells the user what is wrong, where it does
-/// not load, does not answer, or has no name that will do.
-std::unique_ptr<Method> open_guest(Guest& guest);
+struct OpenedGuest {
+  Guest guest;  ///< one of the library's methods, with the name that it is called by
+  std::unique_ptr<Method> method;
+};
+
+/// Loads the library, or asks the program about one easy pair, in a process of its own. Throws
+/// std::runtime_error, which tells the user what is wrong, where it does not load, does not answer, or has no
+/// name that will do.
+std::vector<OpenedGuest> open_guest(const Guest& guest);
 
 /// Returns a hash of the bytes of these files, eight digits. A guest that was changed is another version,
 /// whatever it says.
 std::string fingerprint(std::span<const std::string> files);
 
-std::unique_ptr<Method> open_plugin(const Guest& guest);   ///< as open_guest, but for the name
-std::unique_ptr<Method> open_command(const Guest& guest);  ///< likewise
+std::vector<OpenedGuest> open_plugins(const Guest& guest);  ///< as open_guest, with any name
+OpenedGuest open_command(const Guest& guest);               ///< likewise
 
 }  // namespace cyl

@@ -38,8 +38,7 @@ std::vector<Pair> numbered_pairs(std::size_t count) {
 }
 
 std::unique_ptr<Method> command(const std::string& text) {
-  Guest guest = read_guest(GuestKind::command, "test=" + text);
-  return open_guest(guest);
+  return std::move(open_guest(read_guest(GuestKind::command, "test=" + text)).front().method);
 }
 
 /// What it says of so many pairs, numbered from 1 by their first radius.
@@ -81,9 +80,9 @@ TEST(GuestCommand, AnswersWithAllItSays) {
 
 TEST(GuestCommand, TheHelloGivesNameVersionAndClaim) {
   const std::string hello = R"({"name":"polite","version":"3","claim":{"relative":1e-6,"source":"p. 7"}})";
-  Guest guest = read_guest(GuestKind::command, say(hello) + "; " + each_line(say(apart)));
-  const auto method = open_guest(guest);
-  EXPECT_EQ(guest.name, "polite");
+  const auto opened = open_guest(read_guest(GuestKind::command, say(hello) + "; " + each_line(say(apart))));
+  const auto& method = opened.front().method;
+  EXPECT_EQ(opened.front().guest.name, "polite");
   EXPECT_EQ(method->name(), "polite");
   EXPECT_EQ(method->version(), "3");
   EXPECT_EQ(method->claim().relative, 1e-6);
@@ -97,7 +96,7 @@ TEST(GuestCommand, AProgramThatWasChangedIsAnotherVersion) {
     std::ofstream(file) << program << '\n';
     Guest guest = read_guest(GuestKind::command, "test=sh -e " + file.string());
     guest.folder = "/";
-    return std::string(open_guest(guest)->version());
+    return std::string(open_guest(guest).front().method->version());
   };
   const std::string before = version_of(each_line(say(apart)));
   EXPECT_TRUE(before.starts_with("unversioned (")) << before;
@@ -228,7 +227,7 @@ TEST(GuestCommand, WhatCannotBeAskedIsRefusedAtOnce) {
 TEST(GuestNames, GivenOrDerived) {
   const auto name = [](const std::string& text) {
     Guest guest = read_guest(GuestKind::command, text);
-    return std::string(open_guest(guest)->name());
+    return std::string(open_guest(guest).front().method->name());
   };
   EXPECT_EQ(read_guest(GuestKind::command, "mine=FOO=1 x").name, "mine");
   EXPECT_EQ(read_guest(GuestKind::command, "FOO=1 x").name, "");
@@ -243,15 +242,19 @@ TEST(GuestNames, GivenOrDerived) {
 }
 
 TEST(GuestNames, AreWrittenAndReadBack) {
-  const std::vector<Guest> guests{read_guest(GuestKind::plugin, "mine=lib x.so"),
-                                  read_guest(GuestKind::command, "other=python3  'a b.py' =")};
+  std::vector<Guest> guests{read_guest(GuestKind::plugin, "mine=lib x.so"),
+                            read_guest(GuestKind::command, "other=python3  'a b.py' ="),
+                            read_guest(GuestKind::plugin, "mine:fast=lib.so")};
+  guests[2].claim = 1e-9;
   const auto again = parse_guests(format_guests(guests));
-  ASSERT_EQ(again.size(), 2u);
+  ASSERT_EQ(again.size(), guests.size());
   for (std::size_t i = 0; i < 2; ++i) {
     EXPECT_EQ(again[i].kind, guests[i].kind);
     EXPECT_EQ(again[i].name, guests[i].name);
     EXPECT_EQ(again[i].what, guests[i].what);
     EXPECT_EQ(again[i].folder, guests[i].folder);
+    EXPECT_EQ(again[i].method, guests[i].method);
+    EXPECT_EQ(again[i].claim, guests[i].claim);
   }
   EXPECT_TRUE(fs::path(again[0].what).is_absolute());
   EXPECT_TRUE(parse_guests("").empty());

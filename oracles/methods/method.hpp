@@ -53,13 +53,14 @@ class Method {
   virtual MethodAnswer ask(const Pair& pair) = 0;
   /// Whether it runs what is foreign in processes of its own, so that it may be asked in this one.
   virtual bool runs_apart() const { return false; }
-  /// Of one that does: asks about as many pairs, all of them or those up to the first failure, and returns how
-  /// many these are.
+  /// Whether it does better on many pairs than ask() does on each.
+  virtual bool asks_many() const { return runs_apart(); }
+  /// Asks about as many pairs, all of them or those up to the first failure, and returns how many these are.
   virtual std::size_t ask_many(std::span<const Pair> pairs, std::span<MethodAnswer> answers) {
     for (std::size_t i = 0; i < pairs.size(); ++i) answers[i] = ask(pairs[i]);
     return pairs.size();
   }
-  /// Likewise: CPU time that those processes have taken.
+  /// Of one that runs apart: CPU time that its processes have taken.
   virtual std::chrono::nanoseconds cpu_time() const { return {}; }
 
   using Call = std::function<Verdict(std::size_t)>;

@@ -30,7 +30,9 @@ namespace {
 /// Time in which a library must have loaded.
 constexpr int load_cap_milliseconds = 20'000;
 /// Bytes of what it says of itself; a pipe holds as many.
-constexpr std::size_t label_cap = 4096;
+constexpr std::size_t label_cap = 32768;
+/// Methods of one library.
+constexpr std::size_t methods_cap = 32;
 
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
 constexpr int own_symbols_first = 0;  // sanitizers replace functions, and forbid it
@@ -47,12 +49,19 @@ constexpr int own_symbols_first = RTLD_DEEPBIND;  // a plug-in's Bullet is not o
 /// Doubles behind those that a plug-in may write, and what stands in them.
 constexpr std::size_t guard_size = 16;
 constexpr double guard = -0x1.5a5a5a5a5a5a5p+77;
+/// Doubles that it may write.
+constexpr std::size_t more_size = 7;
+
+bool is_untouched(const double* guards) {
+  return std::all_of(guards, guards + guard_size, [](double x) { return x == guard; });
+}
 
 /// What a library says of itself.
 struct Label {
   std::string name, version, source;
   double relative = 0, absolute = 0;
-  bool batch = false;
+  bool batch = false;  ///< `ask_all` is there
+  bool many = false;   ///< `ask_many` is
 };
 
 /// Bytes that are read of a text of a library's.
@@ -62,32 +71,49 @@ std::string text_of(const char* text, std::size_t cap) {
   return text ? std::string(text, strnlen(text, cap)) : "";
 }
 
-const DaylightMethod& load(const std::string& file) {
-  void* library = dlopen(file.c_str(), RTLD_NOW | RTLD_LOCAL | own_symbols_first);
-  if (!library) throw std::runtime_error(dlerror());
-  const auto function = reinterpret_cast<const DaylightMethod* (*)()>(dlsym(library, "daylight_method"));
-  if (!function) throw std::runtime_error("it has no function daylight_method");
-  const DaylightMethod* method = function();
-  if (!method || method->abi != DAYLIGHT_PLUGIN_ABI) {
+/// The interface that ends with `ask_all`, which is still asked.
+constexpr int first_interface = 1;
+
+bool has_second_part(const DaylightMethod& method) { return method.abi > first_interface; }
+
+void check(const DaylightMethod* method) {
+  if (!method || method->abi < first_interface || method->abi > DAYLIGHT_PLUGIN_ABI) {
     throw std::runtime_error("it is of interface " + std::to_string(method ? method->abi : 0) +
                              ", this build's is " + std::to_string(DAYLIGHT_PLUGIN_ABI) +
                              ": build it with this oracles/plugin.h");
   }
   if (!method->name || !method->ask) throw std::runtime_error("it has no name or no `ask`");
-  return *method;
+  if (!(method->claim_relative >= 0) || !(method->claim_absolute >= 0))
+    throw std::runtime_error("its claim is negative");
 }
 
-/// The label as CBOR, or a text that says why there is none.
+/// Returns all methods of a library.
+std::vector<const DaylightMethod*> load(const std::string& file) {
+  void* library = dlopen(file.c_str(), RTLD_NOW | RTLD_LOCAL | own_symbols_first);
+  if (!library) throw std::runtime_error(dlerror());
+  const auto function = reinterpret_cast<const DaylightMethod* (*)()>(dlsym(library, "daylight_method"));
+  if (!function) throw std::runtime_error("it has no function daylight_method");
+  std::vector<const DaylightMethod*> methods{function()};
+  check(methods[0]);
+  while (has_second_part(*methods.back()) && methods.back()->next) {
+    if (methods.size() == methods_cap)
+      throw std::runtime_error("it has more than " + std::to_string(methods_cap) + " methods");
+    methods.push_back(methods.back()->next);
+    check(methods.back());
+  }
+  return methods;
+}
+
+/// The labels of its methods as CBOR, or a text that says why there are none.
 nlohmann::json describe(const std::string& file) try {
-  const DaylightMethod& method = load(file);
-  if (!(method.claim_relative >= 0) || !(method.claim_absolute >= 0))
-    throw std::runtime_error("its claim is negative");
-  return {text_of(method.name, name_cap),
-          text_of(method.version, name_cap),
-          text_of(method.claim_source, source_cap),
-          method.claim_relative,
-          method.claim_absolute,
-          method.ask_all != nullptr};
+  nlohmann::json labels = nlohmann::json::array();
+  for (const DaylightMethod* method : load(file)) {
+    labels.push_back({text_of(method->name, name_cap), text_of(method->version, name_cap),
+                      text_of(method->claim_source, source_cap), method->claim_relative,
+                      method->claim_absolute, method->ask_all != nullptr,
+                      has_second_part(*method) && method->ask_many});
+  }
+  return labels;
 } catch (const std::exception& error) {
   return text_of(error.what(), source_cap);
 }
@@ -131,11 +157,14 @@ std::string run_apart(const std::function<std::string()>& work) {
   return bytes;
 }
 
-/// Reads it in a process of its own: the constructors of a library may do anything.
-Label read_label(const std::string& file) {
+/// Reads them in a process of its own: the constructors of a library may do anything.
+std::vector<Label> read_labels(const std::string& file) {
   const nlohmann::json read = parse_cbor(run_apart([&] { return format_cbor(describe(file)); }));
   if (read.is_string()) throw std::runtime_error(read.get<std::string>());
-  return {read.at(0), read.at(1), read.at(2), read.at(3), read.at(4), read.at(5)};
+  std::vector<Label> labels;
+  for (const nlohmann::json& of : read)
+    labels.push_back({of.at(0), of.at(1), of.at(2), of.at(3), of.at(4), of.at(5), of.at(6)});
+  return labels;
 }
 
 bool any_given(const double* three) {
@@ -149,37 +178,62 @@ Verdict verdict_of(int word) {
 
 class Plugin final : public Method {
  public:
-  explicit Plugin(const Guest& guest) : guest_(guest), label_(read_label(guest.what)) {
-    if (guest_.name.empty()) guest_.name = label_.name;
+  Plugin(const Guest& guest, std::size_t place, Label label)
+      : guest_(guest), place_(place), label_(std::move(label)) {
     version_ = label_.version + (label_.version.empty() ? "(" : " (") + fingerprint({&guest.what, 1}) + ')';
     if (label_.source.empty()) label_.source = "oracles/plugin.h's claim fields";
   }
 
   std::string_view name() const override { return guest_.name; }
   std::string_view version() const override { return version_; }
-  Claim claim() const override { return {label_.relative, label_.absolute, label_.source}; }
+  Claim claim() const override {
+    if (guest_.claim) return {*guest_.claim, 0, "--claim"};
+    return {label_.relative, label_.absolute, label_.source};
+  }
   bool guest() const override { return true; }
 
   MethodAnswer ask(const Pair& pair) override {
     if (const auto invalid = decline_invalid(pair)) return *invalid;
     const auto a = numbers_of(pair.a), b = numbers_of(pair.b);
     // What it may write, and behind that what it may not.
-    double more[7 + guard_size];
-    std::fill_n(more, 7, std::numeric_limits<double>::quiet_NaN());
-    std::fill_n(more + 7, guard_size, guard);
+    double more[more_size + guard_size];
+    std::fill_n(more, more_size, std::numeric_limits<double>::quiet_NaN());
+    std::fill_n(more + more_size, guard_size, guard);
     const int word = loaded().ask(a.data(), b.data(), more);
     MethodAnswer answer = answer_of(word, more);
-    if (!std::all_of(more + 7, std::end(more), [](double x) { return x == guard; })) {
+    if (!is_untouched(more + more_size)) {
       answer.side_effect = SideEffect::memory;
       if (answer.status == Status::answered) answer.set_reason("wrote behind more[6]");
     }
     return answer;
   }
 
+  bool asks_many() const override { return label_.many; }
+  std::size_t ask_many(std::span<const Pair> pairs, std::span<MethodAnswer> answers) override {
+    std::vector<std::size_t> legal;
+    for (std::size_t i = 0; i < pairs.size(); ++i) {
+      if (const auto invalid = decline_invalid(pairs[i]))
+        answers[i] = *invalid;
+      else
+        legal.push_back(i);
+    }
+    flat_.clear();
+    for (const std::size_t i : legal) std::ranges::copy(numbers_of(pairs[i]), std::back_inserter(flat_));
+    words_.assign(legal.size(), DAYLIGHT_FAILED);
+    more_.assign(more_size * legal.size(), std::numeric_limits<double>::quiet_NaN());
+    more_.insert(more_.end(), guard_size, guard);
+    loaded().ask_many(legal.size(), flat_.data(), words_.data(), more_.data());
+    for (std::size_t i = 0; i < legal.size(); ++i)
+      answers[legal[i]] = answer_of(words_[i], &more_[more_size * i]);
+    if (!legal.empty() && !is_untouched(&more_[more_size * legal.size()]))
+      answers[legal[0]].side_effect = SideEffect::memory;
+    return pairs.size();
+  }
+
   Call prepare_all(std::span<const Pair> pairs) override {
     return [flat = flatten_all(pairs), method = loaded(pairs)](std::size_t i) {
-      double more[7];
-      std::fill_n(more, 7, std::numeric_limits<double>::quiet_NaN());
+      double more[more_size];
+      std::fill_n(more, more_size, std::numeric_limits<double>::quiet_NaN());
       const int word = method->ask(&flat[16 * i], &flat[16 * i + 8], more);
       return word < 0 ? Verdict::undecided : verdict_of(word);
     };
@@ -196,13 +250,20 @@ class Plugin final : public Method {
   }
 
  private:
-  static MethodAnswer answer_of(int word, const double* more) {
+  /// Returns why it declined or failed, in its words where it has some.
+  std::string reason(const char* otherwise) {
+    const DaylightMethod& method = loaded();
+    const char* told = has_second_part(method) && method.reason ? method.reason() : nullptr;
+    return told && *told ? text_of(told, sizeof MethodAnswer::reason) : otherwise;
+  }
+
+  MethodAnswer answer_of(int word, const double* more) {
     MethodAnswer answer;
     if (word == DAYLIGHT_DECLINED) {
-      answer.set_reason("declined");
+      answer.set_reason(reason("declined"));
       return answer;
     }
-    if (word == DAYLIGHT_FAILED) throw std::runtime_error("it says that it failed");
+    if (word == DAYLIGHT_FAILED) throw std::runtime_error(reason("it says that it failed"));
     answer.status = Status::answered;
     answer.verdict = verdict_of(word);
     answer.has_distance = !std::isnan(more[0]);
@@ -219,7 +280,7 @@ class Plugin final : public Method {
 
   /// Loads once a process, and only where it is asked: in a worker.
   const DaylightMethod& loaded() {
-    if (!method_) method_ = &load(guest_.what);
+    if (!method_) method_ = load(guest_.what).at(place_);
     return *method_;
   }
 
@@ -234,13 +295,33 @@ class Plugin final : public Method {
   }
 
   Guest guest_;
+  std::size_t place_;  ///< among the methods of its library
   Label label_;
   std::string version_;
   const DaylightMethod* method_ = nullptr;
+  // Of ask_many().
+  std::vector<double> flat_, more_;
+  std::vector<int> words_;
 };
 
 }  // namespace
 
-std::unique_ptr<Method> open_plugin(const Guest& guest) { return std::make_unique<Plugin>(guest); }
+std::vector<OpenedGuest> open_plugins(const Guest& guest) {
+  const std::vector<Label> labels = read_labels(guest.what);
+  std::vector<OpenedGuest> opened;
+  for (std::size_t i = 0; i < labels.size(); ++i) {
+    Guest each = guest;
+    if (!guest.method.empty() && guest.method != labels[i].name) continue;
+    if (each.name.empty())
+      each.name = labels[i].name;
+    else if (labels.size() > 1 && guest.method.empty())
+      each.name += '-' + labels[i].name;
+    if (labels.size() > 1) each.method = labels[i].name;
+    auto method = std::make_unique<Plugin>(each, i, labels[i]);
+    opened.push_back({std::move(each), std::move(method)});
+  }
+  if (opened.empty()) throw std::runtime_error("it has no method " + guest.method + " any more");
+  return opened;
+}
 
 }  // namespace cyl

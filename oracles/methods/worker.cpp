@@ -57,6 +57,7 @@ constexpr bool sanitized = false;
 struct Asked {
   std::atomic<std::uint64_t> number{0};  ///< of the block
   std::size_t count = 0;
+  bool one_by_one = false;        ///< also where a method takes many
   Question questions[block_cap];  ///< the pair is the place in `pairs`
   Pair pairs[block_cap];
 };
@@ -158,7 +159,9 @@ class Service {
       // To read the CPU clock is a system call, to read the other none.
       const clockid_t clock = end - first > 1 ? CLOCK_PROCESS_CPUTIME_ID : CLOCK_MONOTONIC;
       const nanoseconds start = read_clock(clock);
-      for (std::size_t i = first; i < end; said_.cursor.store(++i)) answer(i);
+      if (!answer_many(first, end))
+        for (std::size_t i = first; i < end; said_.cursor.store(++i)) answer(i);
+      said_.cursor.store(end);
       const double each =
           static_cast<double>((read_clock(clock) - start).count()) / static_cast<double>(end - first);
       for (std::size_t i = first; i < end; ++i) said_.answers[i].nanoseconds = each;
@@ -168,6 +171,26 @@ class Service {
       threads_ = threads;
       note(said_.answers[asked_.count - 1].answer, SideEffect::thread, "left a thread running");
     }
+  }
+
+  /// Asks in one call, and returns whether that was possible and without side effects, of which it would not
+  /// be known where they come from.
+  bool answer_many(std::size_t first, std::size_t end) {
+    const Question& q = asked_.questions[first];
+    Method& method = *methods_[q.method];
+    if (asked_.one_by_one || q.mode != CallMode::usual || !method.asks_many()) return false;
+    const auto pairs = std::span(asked_.pairs).subspan(first, end - first);
+    answers_.assign(pairs.size(), {});
+    try {
+      if (method.ask_many(pairs, answers_) != pairs.size()) return false;
+    } catch (...) {
+      return false;
+    }
+    bool quiet = read_control_words() == words_;
+    write_control_words(words_);
+    for (const MethodAnswer& answer : answers_) quiet = quiet && answer.side_effect == SideEffect::none;
+    for (std::size_t i = first; i < end && quiet; ++i) said_.answers[i].answer = checked(answers_[i - first]);
+    return quiet;
   }
 
   void answer(std::size_t i) {
@@ -185,6 +208,7 @@ class Service {
   Said& said_;
   const ControlWords words_;
   nlink_t threads_;
+  std::vector<MethodAnswer> answers_;
 };
 
 /// Memory that two processes map, and no child of this one by the fork alone.
@@ -349,6 +373,7 @@ void Worker::post(std::span<const Pair> pairs, std::span<const Question> questio
   if (!memory_) memory_ = std::make_unique<Memory>();
   auto& asked = memory_->asked;
   asked->count = questions.size();
+  asked->one_by_one = one_by_one_;
   for (std::size_t i = 0; i < questions.size(); ++i) {
     asked->questions[i] = questions[i];
     asked->questions[i].pair = i;
@@ -459,7 +484,12 @@ std::vector<ContainedAnswer> Worker::ask(std::span<const Pair> pairs, std::span<
       note(said[i].answer, SideEffect::slow,
            "waited for " + std::to_string(std::chrono::duration_cast<milliseconds>(waited).count()) + " ms");
   }
-  if (watched.lost) {
+  // Where many were asked in one call it is not known whose fault that is: the next block goes one by one.
+  const bool in_one_call = watched.lost && said.size() < questions.size() && !one_by_one_ &&
+                           methods_[questions[said.size()].method]->asks_many();
+  one_by_one_ = in_one_call;
+  if (in_one_call) process_.reset();
+  if (watched.lost && !in_one_call) {
     // A call may end just before the kill meant for it: then no one is to blame.
     const bool blamed = watched.limit.empty() || watched.at == said.size() || said.empty();
     if (said.size() < questions.size() && blamed) said.push_back(describe_loss(watched));
