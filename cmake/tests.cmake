@@ -66,6 +66,8 @@ daylight_script(fixtures_test corpus 2400 ${Python3_EXECUTABLE} ${PROJECT_SOURCE
 foreach(part data browser build scene)
   daylight_script(page_${part} reports 2400 ${PROJECT_SOURCE_DIR}/reports/web/run_test.sh ${part} ${program})
 endforeach()
+daylight_script(hostile_test oracles 2400 ${Python3_EXECUTABLE} ${PROJECT_SOURCE_DIR}/oracles/methods/hostile_test.py
+                ${program})
 daylight_script(engines_test oracles 2400 ${PROJECT_SOURCE_DIR}/oracles/guests/engines_test.sh ${program})
 
 # Planted faults: not selected they change nothing; the program as it is survives every detector, a plain fault does not.

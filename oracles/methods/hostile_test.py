@@ -1,0 +1,259 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
+"""hostile_test.py DAYLIGHT: guests that do what they can to hurt. Each is named, the run goes to its end, what is told of
+all others is what is told without the guest, no process is left, and the run resumes.
+
+All of it happens in a PID namespace of its own, so that what got through would reach nobody else.
+"""
+import os
+import shutil
+import sqlite3
+import subprocess
+import sys
+import tempfile
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parent.parent.parent
+INSIDE = 'HOSTILE_TEST_INSIDE'  # set where the namespace is
+OTHERS = 'decide,libccd'
+PAIRS = 600  # more than a batch
+
+# Right as far as it goes; every seventh pair of a kind of size makes it do its worst.
+PLUGIN = r'''
+#include <fenv.h>
+#include <math.h>
+#include <pthread.h>
+#include <signal.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/resource.h>
+#include <sys/time.h>
+#include <unistd.h>
+#include "plugin.h"
+#define IS(word) (strcmp(mode, word) == 0)
+static volatile int spin = 1;
+static void* spinning(void* x) { while (spin) { } return x; }
+static void deep(volatile char* from) { volatile char here[4096]; here[0] = *from; deep(here); }
+static void with_all(void (*act)(int)) { int fd; for (fd = 0; fd < 1024; ++fd) act(fd); }
+static void scribble(int fd) { ssize_t ignored = write(fd, "garbage garbage garbage garbage", 31); (void)ignored; }
+static void shut(int fd) { close(fd); }
+static int misbehave(const char* mode, double* a, double* more) {
+  int i;
+  if (IS("segv")) raise(SIGSEGV);
+  if (IS("stack")) { char start = 0; deep(&start); }
+  if (IS("exit")) exit(0);
+  if (IS("_exit")) _exit(0);
+  if (IS("loop")) while (spin) { }
+  if (IS("blocked-loop")) { sigset_t all; sigfillset(&all); sigprocmask(SIG_BLOCK, &all, 0); while (spin) { } }
+  if (IS("session-loop")) { setsid(); while (spin) { } }
+  if (IS("print")) for (i = 0; i < 100; ++i) { puts("garbage"); fputs("garbage\n", stderr); }
+  if (IS("close")) with_all(shut);
+  if (IS("scribble")) with_all(scribble);
+  if (IS("fork") && fork() == 0) while (1) pause();
+  if (IS("fork-session") && fork() == 0) { setsid(); while (1) pause(); }
+  if (IS("fork-bomb")) while (1) fork();
+  if (IS("rounding")) fesetround(FE_UPWARD);
+  if (IS("far-more")) for (i = 0; i < 20000; ++i) more[i] = 1;
+  if (IS("near-more")) for (i = 7; i < 12; ++i) more[i] = 1;
+  if (IS("inputs")) memset(a, 0, 64);
+  if (IS("77")) return 77;
+  if (IS("kill-group")) kill(0, SIGKILL);
+  if (IS("kill-all")) kill(-1, SIGKILL);
+  if (IS("kill-parent")) kill(getppid(), SIGKILL);
+  if (IS("thread")) { pthread_t t; pthread_create(&t, 0, spinning, 0); }
+  if (IS("limits")) {
+    struct rlimit none = {0, 0};
+    struct itimerval soon = {{0, 1000}, {0, 1000}};
+    setrlimit(RLIMIT_NOFILE, &none);
+    setrlimit(RLIMIT_FSIZE, &none);
+    signal(SIGALRM, SIG_IGN);
+    setitimer(ITIMER_REAL, &soon, 0);
+  }
+  if (IS("bomb")) for (i = 0; i < 1 << 20; ++i) memset(malloc(1 << 20), 1, 1 << 20);
+  if (IS("infinite")) more[0] = INFINITY;
+  if (IS("stop")) raise(SIGSTOP);
+  return DAYLIGHT_DECLINED;
+}
+static int ask(const double* a, const double* b, double* more) {
+  const char* mode = getenv("HOSTILE");
+  const double reach = hypot(a[6], a[7] / 2) + hypot(b[6], b[7] / 2);
+  const double apart = hypot(hypot(b[0] - a[0], b[1] - a[1]), b[2] - a[2]);
+  if (mode && (unsigned)(a[7] * 1e6) % 150 == 0) {
+    const int word = misbehave(mode, (double*)a, more);
+    if (word != DAYLIGHT_DECLINED) return word;
+  }
+  return apart > reach * (1 + 1e-9) ? DAYLIGHT_DISJOINT : DAYLIGHT_UNDECIDED;
+}
+__attribute__((constructor)) static void at_load(void) {
+  const char* mode = getenv("HOSTILE");
+  if (!mode) return;
+  if (IS("load-exit")) exit(0);
+  if (IS("load-segv")) raise(SIGSEGV);
+  if (IS("load-stop")) raise(SIGSTOP);
+  if (IS("load-fork")) fork();
+  if (IS("load-print")) puts("GARBAGE at load");
+}
+static const struct DaylightMethod hostile = {DAYLIGHT_PLUGIN_ABI, "hostile", "1", 0, 0, 0, ask, 0, 0, 0, 0};
+const struct DaylightMethod* daylight_method(void) { return &hostile; }
+'''
+
+COMMAND = r'''
+import json, math, os, signal, subprocess, sys
+mode = os.environ.get('HOSTILE', '')
+for line in sys.stdin:
+    pair = json.loads(line)
+    a, b = pair['a'], pair['b']
+    if int(a['height'] * 1e6) % 150 == 0:
+        if mode == 'kill-all':
+            os.kill(-1, signal.SIGKILL)
+        elif mode == 'kill-group':
+            os.kill(0, signal.SIGKILL)
+        elif mode == 'kill-parent':
+            os.kill(os.getppid(), signal.SIGKILL)
+        elif mode == 'orphan':
+            subprocess.Popen(['setsid', 'sleep', '1000'])
+        elif mode == 'fork-bomb':
+            while True:
+                os.fork()
+        elif mode == 'stop':
+            os.kill(os.getpid(), signal.SIGSTOP)
+        elif mode == 'close':
+            os.closerange(0, 100)
+    print(json.dumps({'verdict': 'undecided'}), flush=True)
+'''
+
+# What it does, and how the finding of it reads; nothing where it does no harm.
+NAMED = {
+    'segv': ('crash', 'SIGSEGV'),
+    'stack': ('crash', 'SIGSEGV'),
+    'exit': ('crash', 'called exit()'),
+    '_exit': ('crash', 'ended its process with status 0'),
+    'loop': ('hang', 'ms of CPU time'),
+    'blocked-loop': ('hang', 'ms of CPU time'),
+    'session-loop': ('hang', 'ms of CPU time'),
+    'print': None,
+    'close': None,
+    'scribble': None,
+    'fork': ('crash', 'called clone(), which a method may not'),
+    'fork-session': ('crash', 'called clone(), which a method may not'),
+    'fork-bomb': ('crash', 'called clone(), which a method may not'),
+    'rounding': ('side_effect', 'the rounding mode changed'),
+    'far-more': ('crash', 'SIG'),
+    'near-more': ('side_effect', 'wrote behind'),
+    'inputs': None,
+    '77': ('malformed', '77'),
+    'kill-group': ('crash', 'called kill(), which a method may not'),
+    'kill-all': ('crash', 'called kill(), which a method may not'),
+    'kill-parent': ('crash', 'called kill(), which a method may not'),
+    'thread': ('side_effect', 'thread'),
+    'limits': None,
+    'bomb': ('crash', 'SIG'),
+    'infinite': None,  # of a pair that it declares undecided
+}
+COMMAND_NAMED = {
+    'kill-all': ('crash', ''),  # itself alone is there to be killed
+    'kill-group': ('crash', 'SIGKILL'),
+    'kill-parent': None,
+    'orphan': None,
+    'close': ('crash', ''),
+}
+AT_LOAD = {'load-exit': 'ended', 'load-segv': 'SIGSEGV', 'load-stop': 'did not load within', 'load-fork': 'may not'}
+
+
+def run(daylight, *words, status=None, mode=None):
+    env = dict(os.environ)
+    env.pop('HOSTILE', None)
+    if mode:
+        env['HOSTILE'] = mode
+    done = subprocess.run([daylight, *words], env=env, capture_output=True, text=True, timeout=1200)
+    if status is not None and done.returncode not in status:
+        sys.exit(f'{mode}: exit status {done.returncode}, not {status}: {words}\n{done.stdout[-2000:]}{done.stderr[-2000:]}')
+    return done
+
+
+def told(folder, of_guest):
+    """What a run holds of the guest, or of all others."""
+    with sqlite3.connect(folder / 'run.sqlite') as store:
+        sign = '=' if of_guest else '<>'
+        tallies = store.execute('SELECT method, family, asked, declined, failed, contract, resolution, undecided FROM tally '
+                                f"WHERE method {sign} 'hostile' AND method NOT LIKE 'referee%' ORDER BY 1, 2").fetchall()
+        findings = store.execute('SELECT pair_index, method, kind, severity, reason FROM finding '
+                                 f"WHERE method {sign} 'hostile' AND method NOT LIKE 'referee%' ORDER BY 1, 2").fetchall()
+    return tallies, findings
+
+
+def processes():
+    """All of this namespace but this one and the one that ps would be."""
+    return {int(p.name) for p in Path('/proc').iterdir() if p.name.isdigit()} - {os.getpid()}
+
+
+def check(daylight, guest, mode, named, alone):
+    out = Path('runs') / f'{guest[0][2:]}-{mode}'
+    campaign = ('campaign', '--pairs', str(PAIRS), '--seed', '3', '--cases', '', '--methods', f'{OTHERS},hostile', *guest)
+    run(daylight, *campaign, '--out', str(out), status=(0, 2), mode=mode)
+    faults = []
+    if told(out, False) != alone:
+        faults.append('the answers of others changed')
+    tallies, findings = told(out, True)
+    asked = sum(t[2] for t in tallies)
+    if asked != PAIRS:
+        faults.append(f'{asked} of {PAIRS} pairs were asked')
+    if named and not any(kind == named[0] and named[1] in reason for *_, kind, _, reason in findings):
+        faults.append(f'not named as {named}: {findings[:3]}')
+    if not named and findings:
+        faults.append(f'named: {findings[:3]}')
+    run(daylight, 'campaign', '--resume', str(out), '--pairs', str(PAIRS + 100), status=(0, 2), mode=mode)
+    left = processes()
+    if left:
+        faults.append('left processes: ' + str([Path(f'/proc/{p}/cmdline').read_bytes() for p in left]))
+    print(f'{guest[0][2:]} {mode}: ' + ('; '.join(faults) or 'ok'), flush=True)
+    return not faults
+
+
+def inside(daylight):
+    Path('hostile.c').write_text(PLUGIN)
+    Path('hostile.py').write_text(COMMAND)
+    subprocess.run(['cc', '-shared', '-fPIC', '-O1', '-I', ROOT / 'oracles', 'hostile.c', '-o', 'hostile.so', '-lm',
+                    '-lpthread'], check=True)
+    plugin, command = ('--plugin', './hostile.so'), ('--command', 'hostile=python3 hostile.py')
+    run(daylight, 'campaign', '--pairs', str(PAIRS), '--seed', '3', '--cases', '', '--methods', OTHERS, '--out', 'runs/alone',
+        status=(0, 2))
+    alone = told(Path('runs/alone'), False)
+    good = True
+    for mode, named in NAMED.items():
+        good = check(daylight, plugin, mode, named, alone) and good
+    for mode, named in COMMAND_NAMED.items():
+        good = check(daylight, command, mode, named, alone) and good
+    for mode, message in AT_LOAD.items():
+        done = run(daylight, 'campaign', '--pairs', '5', *plugin, '--out', 'runs/never', status=(64,), mode=mode)
+        if message not in done.stderr or processes():
+            print(f'{mode}: {done.stderr} {processes()}')
+            good = False
+    pair = '{"a":{"center":[0,0,0],"axis":[0,0,1],"radius":1,"height":2},"b":{"center":[9,0,0],"axis":[0,0,1],"radius":1,"height":2}}'
+    Path('pair.jsonl').write_text(pair + '\n')
+    if 'GARBAGE' in run(daylight, 'check', *plugin, '--method', 'hostile', 'pair.jsonl', mode='load-print').stdout:
+        print('what a library prints reaches standard output')
+        good = False
+    for mode in ('kill-all', 'scribble', 'rounding'):
+        run(daylight, 'gate', '--pairs', '2000', *plugin, status=(0, 2, 3), mode=mode)
+    return 0 if good else 1
+
+
+def main():
+    daylight = os.path.abspath(sys.argv[1])
+    if os.environ.get(INSIDE):
+        return inside(daylight)
+    apart = ['unshare', '--pid', '--fork', '--mount-proc', '--kill-child']
+    for more in ([], ['--user', '--map-root-user']):
+        if subprocess.run([*apart, *more, 'true'], stderr=subprocess.DEVNULL).returncode == 0:
+            scratch = tempfile.mkdtemp()
+            try:
+                return subprocess.run([*apart, *more, sys.executable, __file__, daylight], cwd=scratch,
+                                      env={**os.environ, INSIDE: '1'}).returncode
+            finally:
+                shutil.rmtree(scratch)
+    return subprocess.run([ROOT / '.ci/skip', 'this system allows no PID namespace']).returncode
+
+
+sys.exit(main())
