@@ -140,9 +140,12 @@ void ShapeEvaluator::ask(std::vector<Probe>& probes) {
     for (Probe& probe : probes) probe.answer = asked->ask(probe.pair);
     return;
   }
-  Caps caps;
-  caps.hangs = 1;
-  const auto said = ask_contained({&asked, 1}, pairs, questions, caps);
+  if (!asker_) {
+    Caps caps;
+    caps.hangs = 1;
+    asker_.emplace(std::span(&asked, 1), caps);
+  }
+  const auto said = asker_->ask(pairs, questions);
   for (std::size_t i = 0; i < said.size(); ++i) {
     probes[i].answer = said[i].answer;
     if (said[i].answer.status == Status::failed) note_failure(probes[i]);

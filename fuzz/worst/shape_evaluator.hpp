@@ -85,6 +85,7 @@ class ShapeEvaluator {
   const WorstOptions& options_;
   const Claim claim_;
   std::unique_ptr<Method> timed_;
+  std::optional<Asker> asker_;  ///< of whichever of the two is asked
   Evaluation best_;
   double proved_ = nothing_wrong;
   unsigned breaks_ = 0;
