@@ -36,6 +36,12 @@ constexpr auto words_of(GatePhase) noexcept {
                     "sample of close contacts"};
 }
 
+/// A place in a text.
+struct SourceLine {
+  std::string file;
+  unsigned line = 1;  ///< from 1
+};
+
 /// One way in which one method fails: all pairs of one bucket, that is of one method, kind of failure,
 /// contact feature and extreme coordinate, and of one law; in the order found.
 struct GateFailure {
@@ -53,11 +59,12 @@ struct GateFailure {
       bucket;  ///< of the pairs as found, oracles/trial/bucket.hpp; that of the simplest may be another
   std::uint64_t count = 0;  ///< pairs seen to fail like this
   unsigned reruns = 0,
-           failed_again = 0;  ///< of the first pair; fewer failures than reruns: it depends on luck
-  std::string reproduce;      ///< RapidCheck's string, where it came from there; else empty
-  std::string options;        ///< that bring the method where it is of no build; else empty
-  bool known = false;         ///< excused: the base has it on as many pairs, or it is suppressed
-  std::uint64_t in_base = 0;  ///< pairs of the base that failed like this
+           failed_again = 0;     ///< of the first pair; fewer failures than reruns: it depends on luck
+  std::string reproduce;         ///< RapidCheck's string, where it came from there; else empty
+  std::string options;           ///< that bring the method where it is of no build; else empty
+  std::optional<SourceLine> at;  ///< of a method of no build: what it was built from, where that was said
+  bool known = false;            ///< excused: the base has it on as many pairs, or it is suppressed
+  std::uint64_t in_base = 0;     ///< pairs of the base that failed like this, be it within the claim
 };
 
 /// Independent random pairs of one contact feature and one decade of margin, and how many were wrong.

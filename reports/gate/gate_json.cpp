@@ -165,9 +165,8 @@ GateBase read_base(const std::string& file) {
     }
     if (all.contains("pairs")) base.pairs = natural(all, "pairs");
     for (const json& f : all.at("failures")) {
-      // What the base breaks within its claims excuses nothing.
-      if (f.at("severity") == to_string(Severity::resolution)) continue;
-      base.buckets[f.at("bucket").get<std::string>()] += natural(f, "count");
+      auto& buckets = f.at("severity") == to_string(Severity::resolution) ? base.within : base.buckets;
+      buckets[f.at("bucket").get<std::string>()] += natural(f, "count");
     }
   } catch (const json::exception&) {
     refuse("is no report of this version's gate");
@@ -177,8 +176,11 @@ GateBase read_base(const std::string& file) {
 
 void mark_known(GateReport& report, const GateBase& base) {
   for (GateFailure& f : report.failures) {
+    if (f.bucket.empty()) continue;
+    if (const auto before = base.within.find(f.bucket); !is_error(f) && before != base.within.end())
+      f.in_base = before->second;
     const auto found = base.buckets.find(f.bucket);
-    if (f.bucket.empty() || found == base.buckets.end()) continue;
+    if (found == base.buckets.end()) continue;
     f.in_base = found->second;
     f.known = f.count <= f.in_base || f.failed_again < f.reruns || f.kind == to_string(FindingKind::hang);
   }
