@@ -63,7 +63,7 @@ expect 2 "$daylight" replay runs/bad --methods bad
 holds out 'finding of bad, crash \(contract\): stands$'
 holds out '"failed":"crash","reason":"SIGABRT"'
 holds out '"failed":"exception","reason":"no luck"'
-holds out '"failed":"malformed","reason":"no answer: status 0, verdict 255'
+holds out '"failed":"malformed","reason":"no answer: 77 is no word of plugin.h"'
 expect 2 "$daylight" replay runs/bad --methods worse # the store of a run tells where its guests are, seen from anywhere
 cd elsewhere
 expect 2 "$daylight" replay ../runs/bad --methods bad,worse

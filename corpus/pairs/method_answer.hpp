@@ -16,9 +16,10 @@ enum class Status : unsigned char {
   failed     ///< tried and broke; `failure` says how
 };
 
-enum class Failure : unsigned char { none, exception, crash, hang, non_finite, malformed };
+/// `reported`: the method itself says that it failed. Numbers of these are stored: new ones stand at the end.
+enum class Failure : unsigned char { none, exception, crash, hang, non_finite, malformed, reported };
 constexpr auto words_of(Failure) noexcept {
-  return std::array{"none", "exception", "crash", "hang", "non_finite", "malformed"};
+  return std::array{"none", "exception", "crash", "hang", "non_finite", "malformed", "reported"};
 }
 
 /// What a method said. Plain bytes, so that a contained worker can leave it in shared memory.

@@ -36,7 +36,7 @@ MethodAnswer failed(Failure failure, const std::string& reason) {
 }
 
 MethodAnswer answer_of(const GuestAnswer& said) {
-  if (!said.verdict && !said.declined) return failed(Failure::exception, said.reason);
+  if (!said.verdict && !said.declined) return failed(Failure::reported, said.reason);
   MethodAnswer answer;
   if (said.declined) {
     answer.set_reason(said.reason);
@@ -122,7 +122,7 @@ class CommandMethod final : public Method {
     const bool starts = !program_;
     if (starts) program_ = std::make_unique<LineProgram>(guest_.what, guest_.folder);
     const MethodAnswer answer = read_answer(format_pair(pair) + '\n', starts ? &cap_to_start : nullptr);
-    if (answer.status == Status::failed && answer.failure != Failure::exception) program_.reset();
+    if (answer.status == Status::failed && answer.failure != Failure::reported) program_.reset();
     return answer;
   }
 

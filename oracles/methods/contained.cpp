@@ -161,7 +161,7 @@ MethodAnswer gave_up(const Caps& caps) {
 }
 
 bool well_formed(const MethodAnswer& a) {
-  return a.status <= Status::failed && a.failure <= Failure::malformed && a.verdict <= Verdict::invalid &&
+  return a.status <= Status::failed && a.failure <= Failure::reported && a.verdict <= Verdict::invalid &&
          a.witness <= CertificateKind::point;
 }
 

@@ -14,7 +14,7 @@ MethodAnswer failed_answer(Failure failure, std::string_view reason) {
 }
 
 MethodAnswer method_answer(const GuestAnswer& said) {
-  if (!said.verdict && !said.declined) return failed_answer(Failure::exception, said.reason);
+  if (!said.verdict && !said.declined) return failed_answer(Failure::reported, said.reason);
   MethodAnswer answer;
   if (said.declined) {
     answer.set_reason(said.reason);

@@ -16,6 +16,7 @@
 #include "corpus/pairs/pair_numbers.hpp"
 #include "oracles/methods/adapter.hpp"
 #include "oracles/methods/guest.hpp"
+#include "oracles/methods/guest_answer.hpp"
 #include "oracles/plugin.h"
 
 namespace cyl {
@@ -129,7 +130,8 @@ class Plugin final : public Method {
       answer.set_reason("declined");
       return answer;
     }
-    if (word == DAYLIGHT_FAILED) throw std::runtime_error("it says that it failed");
+    if (word == DAYLIGHT_FAILED) return failed_answer(Failure::reported, "no reason given");
+    if (word < DAYLIGHT_FAILED || word > DAYLIGHT_UNDECIDED) return failed_answer(Failure::malformed, "no answer: " + std::to_string(word) + " is no word of plugin.h");
     answer.status = Status::answered;
     answer.verdict = verdict_of(word);
     answer.has_distance = !std::isnan(more[0]);

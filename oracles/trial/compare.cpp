@@ -143,6 +143,8 @@ FindingKind kind_of(Failure failure) {
       return FindingKind::malformed;
     case Failure::exception:
       return FindingKind::exception;
+    case Failure::reported:
+      return FindingKind::reported;
     case Failure::crash:
     case Failure::none:
       return FindingKind::crash;

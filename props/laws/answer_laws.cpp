@@ -33,9 +33,10 @@ std::optional<Broken> break_answers(const LawCase& c) {
   if (c.first.status != Status::failed) return {};
   auto broken = refuted(c, c.first,
                         {FindingKind::exception, FindingKind::crash, FindingKind::hang,
-                         FindingKind::non_finite, FindingKind::malformed});
+                         FindingKind::non_finite, FindingKind::malformed, FindingKind::reported});
   if (broken) {
-    broken->what = fmt::format("{}: {}", broken->what, c.first.reason);
+    const bool reported = broken->kind == FindingKind::reported;
+    broken->what = fmt::format("{}: {}", reported ? "failed" : broken->what, c.first.reason);
     broken->reason = c.first.reason;
   }
   return broken;

@@ -202,7 +202,7 @@ std::optional<Bucket::Share> share_of(const Pair& simplest, double margin, Conta
   for (const Trial& trial : try_method(method, pairs, share_caps)) {
     if (trial.answer().status == Status::declined || trial.truth.verdict == Verdict::undecided) continue;
     ++share.asked;
-    share.wrong += trial.finding() && to_string(trial.finding()->kind) == kind;
+    share.wrong += trial.fails(from_word<FindingKind>(kind).value_or(FindingKind::undecided_truth));
   }
   return share;
 }
@@ -243,7 +243,8 @@ std::string kind_in_words(const std::string& kind) {
       "gives no answer that means anything",
       "answers one question in two ways",
       "the truth is undecided",
-      "leaves pairs undecided that it promises to decide"};
+      "leaves pairs undecided that it promises to decide",
+      "failed"};
   const auto known = from_word<FindingKind>(kind);
   return known ? words[static_cast<std::size_t>(*known)] : kind;
 }
@@ -257,7 +258,8 @@ std::string cause_in_words(const std::string& key, Mechanism mechanism, const st
     said = "within what it claims of itself: " + said;
   else if (mechanism != Mechanism::unclassified)
     said = fmt::format("{} ({})", in_words(mechanism), said);
-  if (!reason.empty()) said += ", in its words: " + escaped_controls(reason);
+  const bool reported = kinds == std::set<std::string>{to_string(FindingKind::reported)};
+  if (!reason.empty()) said += (reported ? ": " : ", in its words: ") + escaped_controls(reason);
   return said;
 }
 
