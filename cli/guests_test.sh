@@ -122,6 +122,13 @@ holds out '^bad says: 0, disjoint$'
 holds out '^WRONG$'
 expect 0 sh sent/build.sh good.so
 holds out '^right$'
+! grep -rIF -- "$PWD" sent || { echo 'what is sent knows this machine'; exit 1; }
+expect 0 "$daylight" triage runs/three --export bad/absolute-length --source bad.cpp --out source
+[[ -e source/bad.cpp && ! -e source/libbad.so ]] || { echo 'the source is not sent, or the library is'; exit 1; }
+grep -q '`bad.cpp`' source/issue.md || { echo 'the text does not name the source'; exit 1; }
+expect 1 sh source/build.sh
+holds out '^WRONG$'
+expect 64 "$daylight" triage runs/three --export bad/absolute-length --method decide --out source
 expect 0 "$daylight" triage runs/three --export bad/crash/sigabrt --out sent
 expect 134 sh sent/build.sh
 expect 0 "$daylight" triage runs/three --export plain/wrong_disjoint --out sent

@@ -29,10 +29,9 @@ enum class FindingKind : unsigned char {
 };
 constexpr auto words_of(FindingKind) noexcept {
   return std::array{
-      "wrong_disjoint",   "wrong_intersecting", "wrong_touching",  "wrong_invalid", "bad_witness",
-      "distance_outside", "non_finite",         "exception",       "crash",         "hang",
-      "malformed",        "nondeterminism",     "undecided_truth", "left_undecided",
-      "reported"};
+      "wrong_disjoint",   "wrong_intersecting", "wrong_touching",  "wrong_invalid",  "bad_witness",
+      "distance_outside", "non_finite",         "exception",       "crash",          "hang",
+      "malformed",        "nondeterminism",     "undecided_truth", "left_undecided", "reported"};
 }
 
 enum class Severity : unsigned char {

@@ -131,7 +131,9 @@ class Plugin final : public Method {
       return answer;
     }
     if (word == DAYLIGHT_FAILED) return failed_answer(Failure::reported, "no reason given");
-    if (word < DAYLIGHT_FAILED || word > DAYLIGHT_UNDECIDED) return failed_answer(Failure::malformed, "no answer: " + std::to_string(word) + " is no word of plugin.h");
+    if (word < DAYLIGHT_FAILED || word > DAYLIGHT_UNDECIDED)
+      return failed_answer(Failure::malformed,
+                           "no answer: " + std::to_string(word) + " is no word of plugin.h");
     answer.status = Status::answered;
     answer.verdict = verdict_of(word);
     answer.has_distance = !std::isnan(more[0]);
