@@ -70,7 +70,7 @@ std::string case_lines(const GateReport& report) {
     c.id = failure.bucket;
     c.source = fmt::format("daylight gate, simplified from {}", failure.origin);
     c.note = fmt::format("{} breaks law {}, {}: {}", failure.method, failure.law->number, failure.law->name,
-                         failure.what);
+                         failure.what_of_simplest.empty() ? failure.what : failure.what_of_simplest);
     lines += format_case(c) + '\n';
   }
   return lines;

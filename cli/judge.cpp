@@ -57,8 +57,7 @@ bool fails(const JudgedFinding& f) { return f.finding.severity == Severity::cont
 
 std::string in_words(const Finding& finding) {
   std::string text = fmt::format("{} ({}", to_string(finding.kind), to_string(finding.severity));
-  if (finding.margin)
-    text += fmt::format(", margin {:.3g} to {:.3g}", finding.margin->lo, finding.margin->hi);
+  if (finding.margin) text += ", " + margin_in_words(*finding.margin);
   return text + ")";
 }
 
@@ -94,7 +93,11 @@ void print_findings(const OfflineJudge& judged, const JudgeOptions& options) {
                cyl::in_words(f->truth.certificate));
     if (f->truth.verdict != Verdict::undecided)
       fmt::print("  distance: {} to {}\n", format_end(f->distance.lo), format_end(f->distance.hi));
-    fmt::print("  {}: {}\n", one_line(judged.name()), format_method_answer(f->answer));
+    const std::string miss = f->finding.kind == FindingKind::bad_witness
+                                 ? miss_in_words(f->question.pair, f->answer)
+                                 : std::string();
+    fmt::print("  {}: {}{}\n", one_line(judged.name()), format_method_answer(f->answer),
+               miss.empty() ? "" : "; " + miss);
   }
 }
 

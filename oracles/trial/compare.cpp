@@ -133,7 +133,9 @@ bool witness_holds(const Pair& pair, const Truth& truth, const MethodAnswer& ans
   return (said == truth.verdict && is_certificate(truth, answer)) || check_witness(pair, answer) == said;
 }
 
-FindingKind kind_of(Failure failure) {
+}  // namespace
+
+FindingKind finding_of(Failure failure) {
   switch (failure) {
     case Failure::hang:
       return FindingKind::hang;
@@ -151,8 +153,6 @@ FindingKind kind_of(Failure failure) {
   }
   return FindingKind::crash;
 }
-
-}  // namespace
 
 double reach(const Claim& claim, double size) {
   if (claim.relative == 0 || size == 0) return claim.absolute;
@@ -179,7 +179,7 @@ Enclosure told_error_of(const Enclosure& real, const MethodAnswer& answer) {
 std::optional<Finding> compare(Trial& trial, const Claim& claim, const MethodAnswer& answer) {
   if (answer.status == Status::declined) return {};
   if (answer.status == Status::failed)
-    return Finding{kind_of(answer.failure), Severity::contract, margin_of(trial)};
+    return Finding{finding_of(answer.failure), Severity::contract, margin_of(trial)};
   if (!finite(answer)) return Finding{FindingKind::non_finite, Severity::contract, margin_of(trial)};
   if (!trial.decided()) return {};
   if (auto wrong = compare_verdict(trial, claim, answer.verdict)) return wrong;

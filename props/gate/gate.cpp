@@ -111,6 +111,7 @@ class Gate {
              [&] { search_laws(PairSource::close_contacts, amount_.close_law_rounds); });
     in_phase(GatePhase::close_sample,
              [&] { sample(draw_close_contacts, amount_.close_rounds, close_distance_share); });
+    join_failures();
     // Failures wait for all, so that what is found does not depend on how they are shrunk. The first of each
     // law and kind first: the others are like it.
     std::set<std::tuple<std::string, int, std::string>> seen;
@@ -193,6 +194,7 @@ class Gate {
     failure.bucket = std::move(bucket);
     failure.what = broken.what;
     failure.reason = broken.reason;
+    if (broken.kind && is_failure(*broken.kind)) failure.failed = broken.kind;
     failure.severity = broken.severity;
     failure.phase = report_.phases.back().phase;
     failure.origin = origin;
@@ -313,6 +315,37 @@ class Gate {
     return broken;
   }
 
+  /// One crash is one way to fail: what failed on a pair that some law changed is counted with where the
+  /// method fails alike, of the same kind and in the same words, first of all on a pair as it was drawn.
+  void join_failures() {
+    auto& all = report_.failures;
+    const auto changed = [](const GateFailure& f) { return f.failed && !shows_in_answer(*f.law); };
+    std::vector<bool> joined(all.size(), false);
+    for (std::size_t i = 0; i < all.size(); ++i) {
+      if (!changed(all[i])) continue;
+      std::size_t with = all.size();
+      for (std::size_t j = 0; j < all.size() && with == all.size(); ++j) {
+        const bool alike = all[j].method == all[i].method && all[j].failed == all[i].failed &&
+                           all[j].reason == all[i].reason && all[j].severity == all[i].severity;
+        if (alike && !joined[j] && j != i && (!changed(all[j]) || j < i)) with = j;
+      }
+      if (with == all.size()) continue;
+      all[with].count += all[i].count;
+      joined[i] = true;
+    }
+    std::size_t i = 0;
+    std::erase_if(all, [&](const GateFailure&) { return joined[i++]; });
+  }
+
+  /// Returns what breaks on the simplest pair, in words.
+  std::string what_breaks(const GateFailure& failure) const {
+    const auto method = std::find_if(methods_.begin(), methods_.end(),
+                                     [&](const auto& m) { return m->name() == failure.method; });
+    const Wanted this_law = [&](std::size_t, const Law& law) { return law.number == failure.law->number; };
+    const Examined examined = examine({&*method, 1}, {&failure.simplest, 1}, this_law, options_.caps);
+    return examined.broken.empty() ? "" : examined.broken.front().broken.what;
+  }
+
   /// Runs a failure again, however many questions are left, and simplifies it while there are some.
   void rerun_and_simplify(GateFailure& failure) {
     for (; !out_of_time() && failure.reruns < rerun_count; ++failure.reruns)
@@ -331,6 +364,8 @@ class Gate {
     };
     if (!still_fails({&failure.simplest, 1})[0]) failure.simplest = failure.found;
     failure.simplest = simplify(failure.simplest, still_fails, simplify_cap).pair;
+    if (failure.failed != FindingKind::hang && !out_of_time())
+      failure.what_of_simplest = what_breaks(failure);
   }
 
   std::span<const std::unique_ptr<Method>> methods_;

@@ -50,11 +50,15 @@ struct GateFailure {
   std::string kind;    ///< "wrong_disjoint" of a refuted verdict, "crash" of a failure, else the law's name
   std::string what;    ///< what broke, on the first pair
   std::string reason;  ///< of a failure: the method's own words, on the first pair
+  /// How the method failed, on the pair itself or on a changed one that the law asks of; nothing where it
+  /// answered.
+  std::optional<FindingKind> failed;
   Severity severity = Severity::contract;
   GatePhase phase = GatePhase::corpus;
   std::string origin;  ///< of the first pair: a case's "FILE:LINE id", or "side-rim 1e-09, seed 1, index 17"
   Pair found;          ///< the first pair
   Pair simplest;       ///< a simple one that breaks the same law in the same way
+  std::string what_of_simplest;  ///< what breaks on it; empty: the same as on the first
   std::string
       bucket;  ///< of the pairs as found, oracles/trial/bucket.hpp; that of the simplest may be another
   std::uint64_t count = 0;  ///< pairs seen to fail like this

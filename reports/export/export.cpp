@@ -87,6 +87,7 @@ std::string title(const Recipient& to, const Trial& p) {
 
 std::string returned_text(const Trial& p) {
   const MethodAnswer& a = p.answer();
+  const std::string miss = miss_in_words(p.pair, a);
   switch (p.finding()->kind) {
     case FindingKind::exception:
       return fmt::format("An exception: `{}`.", one_line(a.reason));
@@ -103,10 +104,11 @@ std::string returned_text(const Trial& p) {
       return fmt::format("Numbers that are not finite: {}.", one_line(a.reason));
     case FindingKind::bad_witness:
       return fmt::format(
-          "{}{}, which is not {}.",
+          "{}{}, which is not {}{}.",
           a.has_distance ? fmt::format("A distance of {}, and ", format_double(a.distance)) : "",
           triple({a.head[0], a.head[1], a.head[2]}),
-          a.witness == CertificateKind::point ? "in both" : "square to a plane between them");
+          a.witness == CertificateKind::point ? "in both" : "square to a plane between them",
+          miss.empty() ? "" : ": " + miss);
     case FindingKind::malformed:
       return fmt::format("No answer that means anything: `{}`.", one_line(a.reason));
     case FindingKind::wrong_invalid:

@@ -20,6 +20,7 @@
 #include "corpus/pairs/truth_io.hpp"
 #include "oracles/trial/bucket.hpp"
 #include "oracles/trial/contact.hpp"
+#include "oracles/trial/finding_text.hpp"
 #include "oracles/trial/trial.hpp"
 #include "props/shrink/simplify.hpp"
 #include "reports/triage/case_distance.hpp"
@@ -219,6 +220,9 @@ void show_simplest(Bucket& b, const Group& group, const Trial& now,
   b.feature = feature ? to_string(*feature) : "unknown";
   b.coordinate = to_string(coordinate_of(group.simplest, margin.value_or(0)));
   const std::size_t m = index_of(methods, b.method);
+  if (m < methods.size() && b.kind == to_string(FindingKind::bad_witness))
+    if (const std::string miss = miss_in_words(group.simplest, now.answers[m]); !miss.empty())
+      b.cause += "; on the simplest pair " + miss;
   // Of what hangs each question would cost a second, or two.
   const bool answers = m < methods.size() && now.answers[m].failure != Failure::hang &&
                        now.answers[m].status != Status::declined;
