@@ -115,7 +115,7 @@ sed 's/int ask(.*/&\n  return DAYLIGHT_INTERSECTING;/' bad.cpp >good.cpp
 sed 's/int ask(.*/&\n  if (a[7] >= 0) for (volatile int i = 0;;) i = i + 1;/' bad.cpp >endless.cpp
 for name in good endless; do c++ -std=c++17 -shared -fPIC -I "$source_tree/oracles" $name.cpp -o $name.so; done
 expect 0 "$daylight" triage runs/three --export bad/absolute-length --out sent
-holds out 'sent/issue.md, build.sh, reproduce.c, exact.py$'
+holds out 'sent/issue.md, build.sh, reproduce.c, exact.py, libbad.so$'
 expect 0 python3 sent/exact.py
 expect 1 sh sent/build.sh
 holds out '^bad says: 0, disjoint$'
