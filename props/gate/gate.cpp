@@ -111,14 +111,18 @@ class Gate {
              [&] { search_laws(PairSource::close_contacts, amount_.close_law_rounds); });
     in_phase(GatePhase::close_sample,
              [&] { sample(draw_close_contacts, amount_.close_rounds, close_distance_share); });
-    join_failures();
     // Failures wait for all, so that what is found does not depend on how they are shrunk. The first of each
     // law and kind first: the others are like it.
     std::set<std::tuple<std::string, int, std::string>> seen;
     std::vector<GateFailure*> like_others;
     for (GateFailure& failure : report_.failures) {
       if (!is_error(failure) || options_.first_failure) continue;
-      if (seen.emplace(failure.method, failure.law->number, failure.kind).second)
+      // One crash is one way to fail, whatever law meets it.
+      const bool is_new =
+          failure.failed
+              ? seen.emplace(failure.method, 0, to_string(*failure.failed) + (": " + failure.reason)).second
+              : seen.emplace(failure.method, failure.law->number, failure.kind).second;
+      if (is_new)
         rerun_and_simplify(failure);
       else
         like_others.push_back(&failure);
@@ -313,28 +317,6 @@ class Gate {
       broken[b.pair] =
           b.broken.severity == failure.severity && kind_of_break(*b.law, b.broken) == failure.kind;
     return broken;
-  }
-
-  /// One crash is one way to fail: what failed on a pair that some law changed is counted with where the
-  /// method fails alike, of the same kind and in the same words, first of all on a pair as it was drawn.
-  void join_failures() {
-    auto& all = report_.failures;
-    const auto changed = [](const GateFailure& f) { return f.failed && !shows_in_answer(*f.law); };
-    std::vector<bool> joined(all.size(), false);
-    for (std::size_t i = 0; i < all.size(); ++i) {
-      if (!changed(all[i])) continue;
-      std::size_t with = all.size();
-      for (std::size_t j = 0; j < all.size() && with == all.size(); ++j) {
-        const bool alike = all[j].method == all[i].method && all[j].failed == all[i].failed &&
-                           all[j].reason == all[i].reason && all[j].severity == all[i].severity;
-        if (alike && !joined[j] && j != i && (!changed(all[j]) || j < i)) with = j;
-      }
-      if (with == all.size()) continue;
-      all[with].count += all[i].count;
-      joined[i] = true;
-    }
-    std::size_t i = 0;
-    std::erase_if(all, [&](const GateFailure&) { return joined[i++]; });
   }
 
   /// Returns what breaks on the simplest pair, in words.

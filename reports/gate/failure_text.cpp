@@ -85,10 +85,15 @@ std::vector<Alike> alike_failures(const GateReport& report, bool failing) {
     if (fails_gate(f) != failing) continue;
     const auto at = std::find_if(all.begin(), all.end(), [&](const Alike& alike) {
       const GateFailure& g = *alike.front();
-      return g.method == f.method && g.law == f.law && g.kind == f.kind && g.known == f.known;
+      if (g.method != f.method || g.known != f.known) return false;
+      if (g.failed || f.failed)
+        return g.failed == f.failed && g.reason == f.reason && g.severity == f.severity;
+      return g.law == f.law && g.kind == f.kind;
     });
     if (at == all.end())
       all.push_back({&f});
+    else if (f.failed && shows_in_answer(*f.law) && !shows_in_answer(*at->front()->law))
+      at->insert(at->begin(), &f);
     else
       at->push_back(&f);
   }

@@ -15,7 +15,9 @@ namespace cyl {
 /// Whether it was found while a kept case was held to some law: `origin` is "FILE:LINE id".
 bool is_from_case(const GateFailure& failure);
 
-/// Failures of one method, law and kind, in different buckets: shown together.
+/// Failures of one method, law and kind, in different buckets: shown together. So are those in which the
+/// method itself failed in one way, of one kind and in the same words, whatever law had it asked; the first
+/// of them is on a pair that no law had changed, where there is one.
 using Alike = std::vector<const GateFailure*>;
 /// Returns those that fail the gate, or all others (known ones apart), in the order of the first of each.
 std::vector<Alike> alike_failures(const GateReport& report, bool failing);
