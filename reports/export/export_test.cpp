@@ -329,6 +329,13 @@ TEST(Export, NothingThatIsSentKnowsThisMachine) {
   }
 }
 
+TEST(Export, WordsOfAGuestLoseTheFoldersOfThisMachine) {
+  const Guest guest{GuestKind::plugin, "mine", "/home/me/lib/libmine.so", ""};
+  EXPECT_EQ(without_folders("/home/me/lib/gjk.cpp:30: Assertion `x' failed", guest),
+            "gjk.cpp:30: Assertion `x' failed");
+  EXPECT_EQ(without_folders("at " + fs::current_path().string() + "/x.c:1", guest), "at x.c:1");
+}
+
 TEST(Export, WhatAMethodReportsIsNotSaidToBeThrown) {
   const Guests guests;
   for (Guest guest : {guests.plugin(), guests.command()}) {
