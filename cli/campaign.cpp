@@ -25,6 +25,7 @@
 #include "base/usage_error.hpp"
 #include "cli/build_info.hpp"
 #include "cli/commands.hpp"
+#include "cli/families.hpp"
 #include "cli/guests.hpp"
 #include "cli/mutants.hpp"
 #include "cli/options.hpp"
@@ -66,14 +67,6 @@ struct Selection {
   Workload workload() const { return {methods, families, cases, weights}; }
 };
 
-std::vector<Family> select_families(std::string_view spec) {
-  std::vector<std::string> names;
-  for (const Family& family : campaign_families()) names.emplace_back(family.name);
-  std::vector<Family> kept;
-  for (const std::size_t i : select_names(names, spec)) kept.push_back(campaign_families()[i]);
-  return kept;
-}
-
 void print_list(const GuestOptions& guests) {
   fmt::print("methods:\n");
   for (const auto& method : with_guests(guests).methods) {
@@ -112,8 +105,7 @@ CampaignOptions plan_new(const CampaignArguments& arguments, Selection& selectio
   selection.methods = std::move(set.methods);
   if (!arguments.methods.empty())
     selection.methods = select_methods(std::move(selection.methods), arguments.methods);
-  selection.families.assign(campaign_families().begin(), campaign_families().end());
-  if (!arguments.families.empty()) selection.families = select_families(arguments.families);
+  selection.families = families_named(arguments.families);
   if (!arguments.weights_from.empty())
     selection.weights = weights_from(arguments.weights_from, selection.families);
   if (!arguments.shard.empty()) set_shard(arguments.shard, options);

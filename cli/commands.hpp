@@ -15,6 +15,7 @@ inline constexpr int exit_undecided = 3;
 inline constexpr int exit_usage = 64;
 inline constexpr int exit_invalid_input = 65;
 
+void add_ask(Program& program);
 void add_bench(Program& program);
 void add_campaign(Program& program);
 void add_chart(Program& program);
@@ -24,6 +25,7 @@ void add_export(Program& program);
 void add_families(Program& program);
 void add_fuzz(Program& program);
 void add_gate(Program& program);
+void add_judge(Program& program);
 void add_merge(Program& program);
 void add_mutants(Program& program);
 void add_replay(Program& program);

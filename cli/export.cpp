@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "cli/commands.hpp"
 #include "cli/guests.hpp"
@@ -13,11 +14,12 @@ namespace {
 struct ExportArguments {
   FailureOptions failure;
   std::string out;
+  std::vector<std::string> sources;
 };
 
 int export_case(const ExportArguments& arguments) {
   const MethodSet set = methods_for_targets(arguments.failure.guests, {arguments.failure.target});
-  export_failure(set, failure_of(arguments.failure, set.methods), arguments.out);
+  export_failure(set, failure_of(arguments.failure, set.methods), arguments.sources, arguments.out);
   return exit_pass;
 }
 
@@ -29,6 +31,7 @@ void add_export(Program& program) {
   auto arguments = std::make_shared<ExportArguments>();
   add_failure_options(command, arguments->failure);
   command.option("--out", arguments->out, "folder for the files").required();
+  add_source_option(command, arguments->sources);
   command.examples("  daylight export runs/latest:12 --out upstream",
                    "Here 64 also: the method is not wrong on that pair.");
   command.run([arguments] { return export_case(*arguments); });

@@ -1,17 +1,19 @@
 // SPDX-License-Identifier: MIT
-#include "corpus/pairs/families.hpp"
+#include "cli/families.hpp"
 
 #include <fmt/format.h>
 
 #include <cstdint>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "base/usage_error.hpp"
 #include "cli/commands.hpp"
 #include "cli/options.hpp"
 #include "corpus/pairs/pair_io.hpp"
 #include "fuzz/campaign/climbed.hpp"
+#include "oracles/methods/method.hpp"
 
 namespace cyl {
 
@@ -46,6 +48,16 @@ void print_pairs(const FamiliesOptions& options) {
 }
 
 }  // namespace
+
+std::vector<Family> families_named(std::string_view spec) {
+  const auto all = campaign_families();
+  if (spec.empty()) return {all.begin(), all.end()};
+  std::vector<std::string> names;
+  for (const Family& family : all) names.emplace_back(family.name);
+  std::vector<Family> kept;
+  for (const std::size_t i : select_names(names, spec)) kept.push_back(all[i]);
+  return kept;
+}
 
 void add_families(Program& program) {
   Command command =

@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <filesystem>
+#include <map>
 #include <memory>
 #include <optional>
 #include <set>
@@ -18,6 +20,7 @@
 #include "base/safe_text.hpp"
 #include "base/source_tree.hpp"
 #include "base/times.hpp"
+#include "base/usage_error.hpp"
 #include "cli/build_info.hpp"
 #include "cli/commands.hpp"
 #include "cli/guests.hpp"
@@ -42,6 +45,7 @@ struct GateArguments {
   std::optional<std::uint64_t> seed, pairs;
   bool github = false, laws = false, first_failure = false;
   GuestOptions guests;
+  std::vector<std::string> annotate;
 };
 
 constexpr const char* our_methods = "intersect,decide,distance,exact";
@@ -66,7 +70,7 @@ std::string case_lines(const GateReport& report) {
     c.id = failure.bucket;
     c.source = fmt::format("daylight gate, simplified from {}", failure.origin);
     c.note = fmt::format("{} breaks law {}, {}: {}", failure.method, failure.law->number, failure.law->name,
-                         failure.what);
+                         failure.what_of_simplest.empty() ? failure.what : failure.what_of_simplest);
     lines += format_case(c) + '\n';
   }
   return lines;
@@ -109,15 +113,43 @@ struct Known {
   std::size_t stale = 0;             ///< suppressions that no stored case shows any more
 };
 
+/// Where a guest's failures are shown: "FILE:LINE", for all, or "NAME=FILE:LINE". Throws UsageError where
+/// that is of no guest, or no file.
+std::map<std::string, SourceLine> places_of(std::span<const std::string> options,
+                                            std::span<const Guest> guests) {
+  std::map<std::string, SourceLine> places;
+  for (const std::string& option : options) {
+    bool used = false;
+    const auto place = [&](const Guest& guest, std::string_view text) {
+      places[guest.name] = source_line(text);
+      used = true;
+    };
+    for (const Guest& guest : guests)
+      if (option.starts_with(guest.name + '='))
+        place(guest, std::string_view(option).substr(guest.name.size() + 1));
+    if (!used)
+      for (const Guest& guest : guests) place(guest, option);
+    if (!used) throw UsageError("--annotate: there is no guest, of --plugin or --command");
+  }
+  for (const auto& [name, place] : places)
+    if (!std::filesystem::is_regular_file(place.file))
+      throw UsageError("--annotate: '" + place.file + "' is no file");
+  return places;
+}
+
 /// Completes the report: what is known, what is missing against the base, how the guests are brought.
 void complete(GateReport& report, Known& known, std::span<const std::unique_ptr<Method>> methods,
-              std::span<const Guest> guests, std::span<const Case> cases) {
+              std::span<const Guest> guests, std::span<const Case> cases,
+              const std::map<std::string, SourceLine>& places) {
   mark_known(report, known.base);
   note_gaps(report, known.base);
   mark_suppressed(report, methods, known.suppressions, today());
   for (const Guest& guest : guests)
-    for (GateFailure& failure : report.failures)
-      if (failure.method == guest.name) failure.options = options_for(guest);
+    for (GateFailure& failure : report.failures) {
+      if (failure.method != guest.name) continue;
+      failure.options = options_for(guest);
+      if (const auto place = places.find(guest.name); place != places.end()) failure.at = place->second;
+    }
   if (known.suppressions.empty()) return;
   std::set<std::string> stored = causes_of(all_methods(), cases);
   for (const GateFailure& f : report.failures)
@@ -182,6 +214,7 @@ int gate(const GateArguments& arguments) {
   MethodSet set = with_guests(arguments.guests);
   const std::vector<Guest> guests = set.guests;
   const auto methods = std::move(set).select(arguments.methods, our_methods);
+  const auto places = places_of(arguments.annotate, guests);
   if (!arguments.reproduce.empty()) return reproduce(arguments, methods);
   GateOptions options;
   options.seed = arguments.seed.value_or(options.seed);
@@ -206,7 +239,7 @@ int gate(const GateArguments& arguments) {
   if (!right && options.first_failure) return exit_findings;
 
   GateReport report = run_with_progress(methods, cases, options);
-  complete(report, known, methods, guests, cases);
+  complete(report, known, methods, guests, cases, places);
   const SelfTest test = self_test(
       static_cast<unsigned>(std::clamp<std::uint64_t>(options.pairs / self_test_interval, 1, self_test_cap)));
   write_files(arguments, report);
@@ -248,6 +281,11 @@ void add_gate(Program& program) {
   command.option("--sarif", arguments->sarif, "write a SARIF 2.1.0 file");
   command.option("--json", arguments->json, "write everything as JSON: what --against reads");
   command.flag("--github", arguments->github, "print annotations for GitHub's log");
+  command
+      .option("--annotate", arguments->annotate,
+              "src/mine.cpp:10: file and line at which SARIF, JUnit and GitHub show a guest's failures; "
+              "NAME=FILE:LINE for one of several")
+      .one_each();
   command
       .option("--against", arguments->against,
               "JSON of an earlier gate: asks all its pairs, and only what it does not have fails, or had on "

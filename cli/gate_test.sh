@@ -4,6 +4,7 @@
 set -euo pipefail
 
 daylight=$1
+source_tree=$(dirname -- "$(dirname -- "$(readlink -f -- "${BASH_SOURCE[0]}")")")
 scratch=$(mktemp -d)
 trap 'rm -rf -- "$scratch"' EXIT
 cd -- "$scratch"
@@ -68,8 +69,25 @@ grep -q '<error type="not asked"' cut.xml || fail 'JUnit does not say what was n
 grep -q '"executionSuccessful": false' cut.sarif || fail 'SARIF does not say what was not asked'
 gate 2 --command 'liar=while read -r q; do echo "{\"verdict\":\"disjoint\"}"; done' --for 1s --pairs 4000000000
 
+# What fails of a guest is shown in the guest's tree, or nowhere.
+liar='liar=while read -r q; do echo "{\"verdict\":\"disjoint\"}"; done'
+mkdir -p src && : >src/liar.sh
+gate 2 --command "$liar" --pairs 500 --sarif liar.sarif --junit liar.xml --github
+grep -q '^::error title=liar breaks law ' out || fail 'no annotation of a guest'
+! grep -qE '"uri"|"(message|name)".*/corpus/cases' liar.sarif || fail 'SARIF points at a file that is not the guest'"'"'s'
+! grep -qF -- "$source_tree" liar.sarif liar.xml || fail 'a path of ours is in what is sent'
+gate 2 --command "$liar" --pairs 500 --sarif liar.sarif --junit liar.xml --github --annotate "$PWD/src/liar.sh:3"
+grep -q '^::error file=src/liar.sh,line=3,title=liar breaks law ' out || fail 'no annotation in the guest'"'"'s tree'
+[[ $(grep -c '"uri": "src/liar.sh"' liar.sarif) == "$(grep -c '"ruleId"' liar.sarif)" ]] || fail 'SARIF does not point at the guest'
+grep -q '<testcase .*file="src/liar.sh" line="3"' liar.xml || fail 'JUnit does not name the file'
+gate 64 --command "$liar" --annotate src/none.sh:3
+gate 64 --command "$liar" --annotate other=src/liar.sh:3
+gate 64 --annotate src/liar.sh:3
+
 # Against a base all of its pairs are asked, and what has grown is told, or it is said what was not.
-gate 0 --method fcl-libccd --against fcl.json
+gate 0 --method fcl-libccd --against fcl.json --sarif same.sarif
+grep -q '"level": "note"' same.sarif || fail 'no note'
+! grep -q '"baselineState": "new"' same.sarif || fail 'a note of the base is told as new'
 python3 - <<'END'
 import json
 base = json.load(open('fcl.json'))

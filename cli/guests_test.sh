@@ -63,7 +63,7 @@ expect 2 "$daylight" replay runs/bad --methods bad
 holds out 'finding of bad, crash \(contract\): stands$'
 holds out '"failed":"crash","reason":"SIGABRT"'
 holds out '"failed":"exception","reason":"no luck"'
-holds out '"failed":"malformed","reason":"no answer: status 0, verdict 255'
+holds out '"failed":"malformed","reason":"no answer: 77 is no word of plugin.h"'
 expect 2 "$daylight" replay runs/bad --methods worse # the store of a run tells where its guests are, seen from anywhere
 cd elsewhere
 expect 2 "$daylight" replay ../runs/bad --methods bad,worse
@@ -115,13 +115,20 @@ sed 's/int ask(.*/&\n  return DAYLIGHT_INTERSECTING;/' bad.cpp >good.cpp
 sed 's/int ask(.*/&\n  if (a[7] >= 0) for (volatile int i = 0;;) i = i + 1;/' bad.cpp >endless.cpp
 for name in good endless; do c++ -std=c++17 -shared -fPIC -I "$source_tree/oracles" $name.cpp -o $name.so; done
 expect 0 "$daylight" triage runs/three --export bad/absolute-length --out sent
-holds out 'sent/issue.md, build.sh, reproduce.c, exact.py$'
+holds out 'sent/issue.md, build.sh, reproduce.c, exact.py, libbad.so$'
 expect 0 python3 sent/exact.py
 expect 1 sh sent/build.sh
 holds out '^bad says: 0, disjoint$'
 holds out '^WRONG$'
 expect 0 sh sent/build.sh good.so
 holds out '^right$'
+! grep -rIF -- "$PWD" sent || { echo 'what is sent knows this machine'; exit 1; }
+expect 0 "$daylight" triage runs/three --export bad/absolute-length --source bad.cpp --out source
+[[ -e source/bad.cpp && ! -e source/libbad.so ]] || { echo 'the source is not sent, or the library is'; exit 1; }
+grep -q '`bad.cpp`' source/issue.md || { echo 'the text does not name the source'; exit 1; }
+expect 1 sh source/build.sh
+holds out '^WRONG$'
+expect 64 "$daylight" triage runs/three --export bad/absolute-length --method decide --out source
 expect 0 "$daylight" triage runs/three --export bad/crash/sigabrt --out sent
 expect 134 sh sent/build.sh
 expect 0 "$daylight" triage runs/three --export plain/wrong_disjoint --out sent

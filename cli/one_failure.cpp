@@ -44,11 +44,23 @@ OneFailure failure_of(const FailureOptions& options, std::span<const std::unique
   return {name, now.finding()->kind, target.pair};
 }
 
-void export_failure(const MethodSet& set, const OneFailure& failure, const std::string& folder) {
-  const Export files = make_export(set.methods, failure.method, failure.kind, failure.pair, set.guests);
+void add_source_option(Command& command, std::vector<std::string>& sources) {
+  command
+      .option("--source", sources,
+              "a guest's source, sent with it and named; the first one is what a plug-in is compiled of")
+      .one_each()
+      .existing_file();
+}
+
+void export_failure(const MethodSet& set, const OneFailure& failure, const std::vector<std::string>& sources,
+                    const std::string& folder) {
+  const Export files = make_export(set.methods, failure.method, failure.kind, failure.pair, set.guests,
+                                   {sources, failure.worst});
   write_export(files, folder);
-  fmt::print("{}, {}: {}/issue.md, build.sh, {}, exact.py\n", failure.method, to_string(failure.kind), folder,
-             files.program_name);
+  std::string more;
+  for (const SentFile& sent : files.files) more += ", " + sent.name;
+  fmt::print("{}, {}: {}/issue.md, build.sh, {}, exact.py{}\n", failure.method, to_string(failure.kind),
+             folder, files.program_name, more);
 }
 
 }  // namespace cyl

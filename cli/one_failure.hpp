@@ -3,8 +3,10 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
+#include <vector>
 
 #include "cli/guests.hpp"
 #include "oracles/trial/compare.hpp"
@@ -15,6 +17,7 @@ struct OneFailure {
   std::string method;
   FindingKind kind;
   Pair pair;
+  std::optional<Pair> worst{};  ///< of the same cause
 };
 
 /// Throws UsageError where the word is no kind of finding.
@@ -31,7 +34,11 @@ void add_failure_options(Command& command, FailureOptions& options);
 /// asking. Throws UsageError where that is no one pair, or the method is not wrong on it.
 OneFailure failure_of(const FailureOptions& options, std::span<const std::unique_ptr<Method>> methods);
 
+/// Adds the option of commands that export a failure: the sources of a guest, which are sent with it.
+void add_source_option(Command& command, std::vector<std::string>& sources);
+
 /// Writes what make_export() gives into the folder, and says on standard output what it wrote.
-void export_failure(const MethodSet& set, const OneFailure& failure, const std::string& folder);
+void export_failure(const MethodSet& set, const OneFailure& failure, const std::vector<std::string>& sources,
+                    const std::string& folder);
 
 }  // namespace cyl

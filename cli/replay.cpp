@@ -34,8 +34,7 @@ struct ReplayArguments {
 
 std::string describe_finding(const Finding& finding) {
   std::string text = fmt::format("{} ({}", to_string(finding.kind), to_string(finding.severity));
-  if (finding.margin)
-    text += fmt::format(", margin {:.3g} to {:.3g}", finding.margin->lo, finding.margin->hi);
+  if (finding.margin) text += ", " + margin_in_words(*finding.margin);
   return text + ")";
 }
 
@@ -114,6 +113,9 @@ class Replayer {
       const bool wrong = now.findings[m].has_value();
       fmt::print("  {:<26} {}{}\n", methods_[m]->name(), format_method_answer(now.answers[m]),
                  wrong ? "  <- " + describe_finding(*now.findings[m]) : "");
+      if (!wrong || now.findings[m]->kind != FindingKind::bad_witness) continue;
+      if (const std::string miss = miss_in_words(target.pair, now.answers[m]); !miss.empty())
+        fmt::print("  {:<26} {}\n", "", miss);
     }
     if (target.finding) {
       const std::string what = outcome(*target.finding, methods_, now);

@@ -2,6 +2,7 @@
 #include "reports/triage/triage.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cstdio>
@@ -30,7 +31,8 @@ namespace cyl {
 namespace {
 
 struct TriageArguments {
-  std::string run, budget, json, explained, exported, out;
+  std::string run, budget, json, explained, exported, out, method;
+  std::vector<std::string> sources;
   std::optional<std::string> suppressions;
   std::vector<std::string> against;
   unsigned jobs = 2;
@@ -102,8 +104,21 @@ int explain_bucket(const TriageArguments& arguments) {
 }
 
 int export_bucket(const TriageArguments& arguments) {
-  const OneFailure failure = failure_in(bucket_of(arguments, arguments.exported));
-  export_failure(methods_for_targets(arguments.guests, {arguments.run}), failure, arguments.out);
+  const nlohmann::json bucket = bucket_of(arguments, arguments.exported);
+  OneFailure failure = failure_in(bucket);
+  const auto names = bucket.at("methods").get<std::vector<std::string>>();
+  if (!arguments.method.empty()) {
+    if (std::find(names.begin(), names.end(), arguments.method) == names.end())
+      throw UsageError(fmt::format("bucket '{}' is of {}", arguments.exported, fmt::join(names, ", ")));
+    failure.method = arguments.method;
+  } else if (names.size() > 1) {
+    fmt::print("of {} with this cause this is {}; --method exports another\n", fmt::join(names, ", "),
+               failure.method);
+  }
+  if (const auto worst = bucket.find("worst"); worst != bucket.end() && worst->is_object())
+    failure.worst = parse_case(worst->at("pair").dump(), 1).value.value().pair;
+  export_failure(methods_for_targets(arguments.guests, {arguments.run}), failure, arguments.sources,
+                 arguments.out);
   return exit_pass;
 }
 
@@ -131,6 +146,9 @@ void add_triage(Program& program) {
               "issue for the library's maintainers")
       .needs("--out")
       .excludes("--explain");
+  command.option("--method", arguments->method, "whose failure --export writes, where a cause has several")
+      .needs("--export");
+  add_source_option(command, arguments->sources);
   command.examples(
       "  daylight triage runs/latest --for 2m",
       "What is found out is kept in RUN/triage.sqlite: run again, it goes on. RUN/buckets/ has the simplest "

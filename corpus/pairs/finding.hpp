@@ -26,14 +26,19 @@ enum class FindingKind : unsigned char {
   undecided_truth,  ///< nobody's fault: the referee could not prove a verdict
   left_undecided,   ///< undecided of a pair that it promises to decide
   side_effect,      ///< the answer is right, but the call did what it may not, or left something behind
-  state_dependent   ///< wrong where much was asked before, and not of a worker that is new
+  state_dependent,  ///< wrong where much was asked before, and not of a worker that is new
+  reported          ///< the method itself says that it failed
 };
 constexpr auto words_of(FindingKind) noexcept {
-  return std::array{
-      "wrong_disjoint",   "wrong_intersecting", "wrong_touching",  "wrong_invalid",  "bad_witness",
-      "distance_outside", "non_finite",         "exception",       "crash",          "hang",
-      "malformed",        "nondeterminism",     "undecided_truth", "left_undecided", "side_effect",
-      "state_dependent"};
+  return std::array{"wrong_disjoint",  "wrong_intersecting",
+                    "wrong_touching",  "wrong_invalid",
+                    "bad_witness",     "distance_outside",
+                    "non_finite",      "exception",
+                    "crash",           "hang",
+                    "malformed",       "nondeterminism",
+                    "undecided_truth", "left_undecided",
+                    "side_effect",     "state_dependent",
+                    "reported"};
 }
 
 enum class Severity : unsigned char {
@@ -43,10 +48,15 @@ enum class Severity : unsigned char {
 };
 constexpr auto words_of(Severity) noexcept { return std::array{"contract", "resolution", "unresolved"}; }
 
-/// Whether the method broke: exception, crash, hang, non-finite number or malformed answer.
+/// Whether the method broke: exception, crash, hang, non-finite number or malformed answer, or it says so.
 constexpr bool is_failure(FindingKind kind) noexcept {
   return kind == FindingKind::exception || kind == FindingKind::crash || kind == FindingKind::hang ||
-         kind == FindingKind::non_finite || kind == FindingKind::malformed;
+         kind == FindingKind::non_finite || kind == FindingKind::malformed || kind == FindingKind::reported;
+}
+
+/// Whether `now` is what was told as `stored`: until version 0.1.0 what a method reported was an exception.
+constexpr bool is_same_kind(FindingKind now, FindingKind stored) noexcept {
+  return now == stored || (now == FindingKind::reported && stored == FindingKind::exception);
 }
 
 /// Whether it said a verdict that the proved one refutes, which is all that a margin is sought of.

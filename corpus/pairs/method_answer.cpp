@@ -30,4 +30,12 @@ Certificate MethodAnswer::certificate() const {
   return {witness, {{head[0], head[1], head[2]}, {tail[0], tail[1], tail[2]}, {}}, {}, {hulls[0], hulls[1]}};
 }
 
+MethodAnswer failed_answer(Failure failure, std::string_view reason) noexcept {
+  MethodAnswer answer;
+  answer.status = Status::failed;
+  answer.failure = failure;
+  answer.set_reason(reason);
+  return answer;
+}
+
 }  // namespace cyl

@@ -16,9 +16,10 @@ enum class Status : unsigned char {
   failed     ///< tried and broke; `failure` says how
 };
 
-enum class Failure : unsigned char { none, exception, crash, hang, non_finite, malformed };
+/// `reported`: the method itself says that it failed. Numbers of these are stored: new ones stand at the end.
+enum class Failure : unsigned char { none, exception, crash, hang, non_finite, malformed, reported };
 constexpr auto words_of(Failure) noexcept {
-  return std::array{"none", "exception", "crash", "hang", "non_finite", "malformed"};
+  return std::array{"none", "exception", "crash", "hang", "non_finite", "malformed", "reported"};
 }
 
 /// What a call did besides answering, as the worker noticed.
@@ -58,5 +59,8 @@ struct MethodAnswer {
   void set_witness(const Certificate& certificate) noexcept;
   Certificate certificate() const;  ///< the witness, as it was offered
 };
+
+/// Returns an answer of a method that failed.
+MethodAnswer failed_answer(Failure failure, std::string_view reason) noexcept;
 
 }  // namespace cyl

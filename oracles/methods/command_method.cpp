@@ -10,8 +10,8 @@
 #include "oracles/methods/adapter.hpp"
 #include "oracles/methods/contained.hpp"
 #include "oracles/methods/guest.hpp"
+#include "oracles/methods/guest_answer.hpp"
 #include "oracles/methods/guest_protocol.hpp"
-#include "oracles/methods/worker.hpp"
 
 namespace cyl {
 namespace {
@@ -27,28 +27,6 @@ constexpr LineProgram::Cap first_start_cap{milliseconds(30'000), milliseconds(60
 
 /// One apart, the plainest there is.
 const Pair easy{{Vector3(0, 0, 0), Vector3(0, 0, 1), 1, 2}, {Vector3(3, 0, 0), Vector3(0, 0, 1), 1, 2}};
-
-MethodAnswer answer_of(const GuestAnswer& said) {
-  if (!said.verdict && !said.declined) return failed_answer(Failure::exception, said.reason);
-  MethodAnswer answer;
-  if (said.declined) {
-    answer.set_reason(said.reason);
-    return answer;
-  }
-  answer.status = Status::answered;
-  answer.verdict = *said.verdict;
-  answer.has_distance = said.distance.has_value();
-  answer.distance = said.distance.value_or(0);
-  const bool meet = answer.verdict == Verdict::intersecting || answer.verdict == Verdict::touching;
-  if (said.point && (meet || !said.direction)) {
-    answer.witness = CertificateKind::point;
-    for (std::size_t i = 0; i < 3; ++i)
-      answer.head[i] = (*said.point)[i], answer.tail[i] = (*said.point)[i + 3];
-  } else if (said.direction) {
-    answer.set_direction(Vector3((*said.direction)[0], (*said.direction)[1], (*said.direction)[2]));
-  }
-  return answer;
-}
 
 /// Returns those of its words that are files: `mine.py` of "python3 -u mine.py --fast".
 std::vector<std::string> files_of(const Guest& guest) {
@@ -198,7 +176,7 @@ class CommandMethod final : public Method {
         break;
     }
     if (said.hello) return failed_answer(Failure::malformed, "a second hello");
-    return said.answer ? answer_of(*said.answer) : failed_answer(Failure::malformed, said.error);
+    return said.answer ? method_answer(*said.answer) : failed_answer(Failure::malformed, said.error);
   }
 
   Guest guest_;

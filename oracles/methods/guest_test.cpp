@@ -188,7 +188,7 @@ TEST(GuestCommand, ADeathInTheStreamIsThatOfThePairThatKills) {
 TEST(GuestCommand, DecliningAndErrorsAreToldApart) {
   EXPECT_EQ(ask_with_trouble(say(R"({"declined":"no disks"})"))[1].status, Status::declined);
   const MethodAnswer error = ask_with_trouble(say(R"({"error":"no convergence"})"))[1];
-  EXPECT_EQ(error.failure, Failure::exception);
+  EXPECT_EQ(error.failure, Failure::reported);
   EXPECT_STREQ(error.reason, "no convergence");
 }
 

@@ -263,7 +263,10 @@ class Plugin final : public Method {
       answer.set_reason(reason("declined"));
       return answer;
     }
-    if (word == DAYLIGHT_FAILED) throw std::runtime_error(reason("it says that it failed"));
+    if (word == DAYLIGHT_FAILED) return failed_answer(Failure::reported, reason("no reason given"));
+    if (word < DAYLIGHT_FAILED || word > DAYLIGHT_UNDECIDED)
+      return failed_answer(Failure::malformed,
+                           "no answer: " + std::to_string(word) + " is no word of plugin.h");
     answer.status = Status::answered;
     answer.verdict = verdict_of(word);
     answer.has_distance = !std::isnan(more[0]);

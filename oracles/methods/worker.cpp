@@ -254,20 +254,12 @@ bool all_finite(const MethodAnswer& a) {
 }
 
 bool well_formed(const MethodAnswer& a) {
-  return a.status <= Status::failed && a.failure <= enum_values<Failure>.back() &&
-         a.verdict <= Verdict::invalid && a.witness <= CertificateKind::point && a.hulls[0] <= Hull::center &&
-         a.hulls[1] <= Hull::center && a.side_effect <= SideEffect::slow;
+  return a.status <= Status::failed && a.failure <= Failure::reported && a.verdict <= Verdict::invalid &&
+         a.witness <= CertificateKind::point && a.hulls[0] <= Hull::center && a.hulls[1] <= Hull::center &&
+         a.side_effect <= SideEffect::slow;
 }
 
 }  // namespace
-
-MethodAnswer failed_answer(Failure failure, std::string_view reason) {
-  MethodAnswer answer;
-  answer.status = Status::failed;
-  answer.failure = failure;
-  answer.set_reason(reason);
-  return answer;
-}
 
 MethodAnswer checked(MethodAnswer answer) {
   answer.reason[sizeof answer.reason - 1] = 0;

@@ -48,9 +48,6 @@ class Worker {
 /// Asks in this process, and turns what a method throws, and numbers that are none, into failures.
 MethodAnswer ask_caught(Method& method, const Pair& pair, CallMode mode);
 
-/// Returns an answer of a method that failed.
-MethodAnswer failed_answer(Failure failure, std::string_view reason);
-
 /// Returns the answer, as a failure where it is not one of a method's: of no known kind, or not finite.
 MethodAnswer checked(MethodAnswer answer);
 

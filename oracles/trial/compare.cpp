@@ -133,7 +133,9 @@ bool witness_holds(const Pair& pair, const Truth& truth, const MethodAnswer& ans
   return (said == truth.verdict && is_certificate(truth, answer)) || check_witness(pair, answer) == said;
 }
 
-FindingKind kind_of(Failure failure) {
+}  // namespace
+
+FindingKind finding_of(Failure failure) {
   switch (failure) {
     case Failure::hang:
       return FindingKind::hang;
@@ -143,14 +145,14 @@ FindingKind kind_of(Failure failure) {
       return FindingKind::malformed;
     case Failure::exception:
       return FindingKind::exception;
+    case Failure::reported:
+      return FindingKind::reported;
     case Failure::crash:
     case Failure::none:
       return FindingKind::crash;
   }
   return FindingKind::crash;
 }
-
-}  // namespace
 
 double reach(const Claim& claim, double size) {
   if (claim.relative == 0 || size == 0) return claim.absolute;
@@ -179,7 +181,7 @@ namespace {
 std::optional<Finding> compare_said(Trial& trial, const Claim& claim, const MethodAnswer& answer) {
   if (answer.status == Status::declined) return {};
   if (answer.status == Status::failed)
-    return Finding{kind_of(answer.failure), Severity::contract, margin_of(trial)};
+    return Finding{finding_of(answer.failure), Severity::contract, margin_of(trial)};
   if (!finite(answer)) return Finding{FindingKind::non_finite, Severity::contract, margin_of(trial)};
   if (!trial.decided()) return {};
   if (auto wrong = compare_verdict(trial, claim, answer.verdict)) return wrong;

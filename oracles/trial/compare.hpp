@@ -19,6 +19,9 @@ struct Trial;
 /// offered distance depends on it, and is most of the cost. Throws nothing of its own.
 std::optional<Finding> compare(Trial& trial, const Claim& claim, const MethodAnswer& answer);
 
+/// Returns the finding that a failure is.
+FindingKind finding_of(Failure failure);
+
 /// Returns the length below which the claim promises nothing of a pair of this size, rounded up; exactly 0
 /// for a claim of 0/0.
 double reach(const Claim& claim, double size);

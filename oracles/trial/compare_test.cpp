@@ -153,6 +153,7 @@ TEST(Compare, AFailureIsAContractFindingWhateverTheTruthAndADeclinedPairIsNone) 
   EXPECT_FALSE(judged(Verdict::disjoint, 1, none, answer));
   answer.status = Status::failed;
   for (const auto& [failure, kind] : {std::pair{Failure::exception, FindingKind::exception},
+                                      std::pair{Failure::reported, FindingKind::reported},
                                       {Failure::crash, FindingKind::crash},
                                       {Failure::hang, FindingKind::hang},
                                       {Failure::non_finite, FindingKind::non_finite}}) {

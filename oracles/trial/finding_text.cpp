@@ -4,8 +4,10 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <optional>
 
 #include "corpus/pairs/pair_io.hpp"
+#include "oracles/referee/witness_miss.hpp"
 
 namespace cyl {
 namespace {
@@ -15,7 +17,10 @@ std::string number(double x) { return format_double(x == 0 ? 0 : x); }
 
 std::string coordinate(const ExactVector& v, std::size_t i) {
   if (!v.exact[i].empty()) return v.exact[i];
-  if (v.tail[i] == 0) return number(v.head[i]);
+  // Two doubles whose sum is one, by the exact error of the sum, are shown as that one.
+  const double sum = v.head[i] + v.tail[i], of_tail = sum - v.head[i];
+  const double error = (v.head[i] - (sum - of_tail)) + (v.tail[i] - of_tail);
+  if (v.tail[i] == 0 || error == 0) return number(sum);
   return number(v.head[i]) + (v.tail[i] < 0 ? " - " : " + ") + number(std::abs(v.tail[i]));
 }
 
@@ -23,7 +28,27 @@ std::string in_words(const ExactVector& v) {
   return fmt::format("({}, {}, {})", coordinate(v, 0), coordinate(v, 1), coordinate(v, 2));
 }
 
+/// In sizes.
+constexpr double shown_margin = 1000;
+
 }  // namespace
+
+std::string margin_in_words(const Enclosure& margin) {
+  if (margin.lo > shown_margin) return fmt::format("margin of more than {} sizes", shown_margin);
+  if (margin.lo == margin.hi) return fmt::format("margin {:.3g}", margin.lo);
+  return fmt::format("margin {:.3g} to {:.3g}", margin.lo, margin.hi);
+}
+
+std::string miss_in_words(const Pair& pair, const MethodAnswer& answer) {
+  const std::optional<double> miss = witness_miss(pair, answer);
+  if (!miss) return {};
+  const bool point = answer.witness == CertificateKind::point;
+  if (point && *miss > 0) return fmt::format("the point lies {:.3g} of the size outside", *miss);
+  if (!point && *miss == 0) return "the direction gives f(D) = 0 exactly, which separates nothing";
+  if (!point && *miss > 0)
+    return fmt::format("the direction gives f(D) = {:.3g} of the size, not below 0", *miss);
+  return {};
+}
 
 std::string in_words(const Certificate& certificate) {
   switch (certificate.kind) {

@@ -122,7 +122,12 @@ class Gate {
     std::vector<GateFailure*> like_others;
     for (GateFailure& failure : report_.failures) {
       if (!is_error(failure) || options_.first_failure) continue;
-      if (seen.emplace(failure.method, failure.law->number, failure.kind).second)
+      // One crash is one way to fail, whatever law meets it.
+      const bool is_new =
+          failure.failed
+              ? seen.emplace(failure.method, 0, to_string(*failure.failed) + (": " + failure.reason)).second
+              : seen.emplace(failure.method, failure.law->number, failure.kind).second;
+      if (is_new)
         rerun_and_simplify(failure);
       else
         like_others.push_back(&failure);
@@ -198,6 +203,7 @@ class Gate {
     failure.bucket = std::move(bucket);
     failure.what = broken.what;
     failure.reason = broken.reason;
+    if (broken.kind && is_failure(*broken.kind)) failure.failed = broken.kind;
     failure.severity = broken.severity;
     failure.phase = report_.phases.back().phase;
     failure.origin = origin;
@@ -318,6 +324,15 @@ class Gate {
     return broken;
   }
 
+  /// Returns what breaks on the simplest pair, in words.
+  std::string what_breaks(const GateFailure& failure) const {
+    const auto method = std::find_if(methods_.begin(), methods_.end(),
+                                     [&](const auto& m) { return m->name() == failure.method; });
+    const Wanted this_law = [&](std::size_t, const Law& law) { return law.number == failure.law->number; };
+    const Examined examined = examine({&*method, 1}, {&failure.simplest, 1}, this_law, options_.caps);
+    return examined.broken.empty() ? "" : examined.broken.front().broken.what;
+  }
+
   /// Runs a failure again, however many questions are left, and simplifies it while there are some.
   void rerun_and_simplify(GateFailure& failure) {
     for (; !out_of_time() && failure.reruns < rerun_count; ++failure.reruns)
@@ -336,6 +351,8 @@ class Gate {
     };
     if (!still_fails({&failure.simplest, 1})[0]) failure.simplest = failure.found;
     failure.simplest = simplify(failure.simplest, still_fails, simplify_cap).pair;
+    if (failure.failed != FindingKind::hang && !out_of_time())
+      failure.what_of_simplest = what_breaks(failure);
   }
 
   std::span<const std::unique_ptr<Method>> methods_;

@@ -36,6 +36,12 @@ constexpr auto words_of(GatePhase) noexcept {
                     "sample of close contacts"};
 }
 
+/// A place in a text.
+struct SourceLine {
+  std::string file;
+  unsigned line = 1;  ///< from 1
+};
+
 /// One way in which one method fails: all pairs of one bucket, that is of one method, kind of failure,
 /// contact feature and extreme coordinate, and of one law; in the order found.
 struct GateFailure {
@@ -44,20 +50,25 @@ struct GateFailure {
   std::string kind;    ///< "wrong_disjoint" of a refuted verdict, "crash" of a failure, else the law's name
   std::string what;    ///< what broke, on the first pair
   std::string reason;  ///< of a failure: the method's own words, on the first pair
+  /// How the method failed, on the pair itself or on a changed one that the law asks of; nothing where it
+  /// answered.
+  std::optional<FindingKind> failed;
   Severity severity = Severity::contract;
   GatePhase phase = GatePhase::corpus;
   std::string origin;  ///< of the first pair: a case's "FILE:LINE id", or "side-rim 1e-09, seed 1, index 17"
   Pair found;          ///< the first pair
   Pair simplest;       ///< a simple one that breaks the same law in the same way
+  std::string what_of_simplest;  ///< what breaks on it; empty: the same as on the first
   std::string
       bucket;  ///< of the pairs as found, oracles/trial/bucket.hpp; that of the simplest may be another
   std::uint64_t count = 0;  ///< pairs seen to fail like this
   unsigned reruns = 0,
-           failed_again = 0;  ///< of the first pair; fewer failures than reruns: it depends on luck
-  std::string reproduce;      ///< RapidCheck's string, where it came from there; else empty
-  std::string options;        ///< that bring the method where it is of no build; else empty
-  bool known = false;         ///< excused: the base has it on as many pairs, or it is suppressed
-  std::uint64_t in_base = 0;  ///< pairs of the base that failed like this
+           failed_again = 0;     ///< of the first pair; fewer failures than reruns: it depends on luck
+  std::string reproduce;         ///< RapidCheck's string, where it came from there; else empty
+  std::string options;           ///< that bring the method where it is of no build; else empty
+  std::optional<SourceLine> at;  ///< of a method of no build: what it was built from, where that was said
+  bool known = false;            ///< excused: the base has it on as many pairs, or it is suppressed
+  std::uint64_t in_base = 0;     ///< pairs of the base that failed like this, be it within the claim
 };
 
 /// Independent random pairs of one contact feature and one decade of margin, and how many were wrong.

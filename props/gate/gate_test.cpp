@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "props/gate/gate.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -15,6 +16,7 @@
 #include <utility>
 #include <vector>
 
+#include "oracles/trial/trial.hpp"
 #include "props/laws/laws_test.hpp"
 #include "solver/decide.hpp"
 
@@ -201,6 +203,26 @@ TEST(Gate, ReportsWhoThrows) {
   EXPECT_EQ(exit_code(report), 2);
 }
 
+TEST(Gate, KeepsHowTheMethodFailedWhateverLawMeetsIt) {
+  const GateReport report = gate_on([](const Pair& pair) {
+    if (pair.a.radius <= pair.b.radius) return honest(pair);
+    MethodAnswer answer;
+    answer.status = Status::failed;
+    answer.failure = Failure::reported;
+    answer.set_reason("no convergence");
+    return answer;
+  });
+  EXPECT_TRUE(reported(report, 30, "failed: no convergence"));
+  std::set<int> laws;
+  for (const GateFailure& f : report.failures) {
+    if (!f.failed) continue;
+    laws.insert(f.law->number);
+    EXPECT_EQ(*f.failed, FindingKind::reported) << f.what;
+    EXPECT_EQ(f.reason, "no convergence") << f.what;
+  }
+  EXPECT_GT(laws.size(), 3u) << "that change the pair";
+}
+
 TEST(Gate, ReportsWhoWritesGarbage) {
   const GateReport verdict = gate_on([](const Pair&) { return say(static_cast<Verdict>(77)); });
   EXPECT_TRUE(reported(verdict, 30, "malformed"));
@@ -222,6 +244,9 @@ TEST(Gate, SimplifiesAndRunsAgain) {
   ASSERT_NE(wrong, report.failures.end());
   EXPECT_GT(wrong->simplest.a.radius, wrong->simplest.b.radius);
   EXPECT_EQ(wrong->simplest.a.center, Vector3(0, 0, 0)) << wrong->origin;
+  const Trial simplest(wrong->simplest);
+  const double depth = -Trial(simplest).distance_at(1e-12).hi / size_of(wrong->simplest);
+  EXPECT_EQ(wrong->what_of_simplest, fmt::format("wrong_disjoint, margin {:.3g}", depth)) << wrong->what;
   EXPECT_EQ(wrong->reruns, 10u);
   EXPECT_EQ(wrong->failed_again, 10u);
   EXPECT_TRUE(reported(report, 1)) << "swap";

@@ -11,6 +11,7 @@
 
 #include "corpus/pairs/pair_io.hpp"
 #include "corpus/pairs/truth_io.hpp"
+#include "oracles/trial/finding_text.hpp"
 #include "oracles/trial/room.hpp"
 #include "props/laws/law_groups.hpp"
 #include "solver/decide.hpp"
@@ -25,7 +26,12 @@ std::optional<Broken> refuted(const LawCase& c, const MethodAnswer& answer,
   const auto finding = compare(proved, c.method.claim(), answer);
   if (!finding || std::find(kinds.begin(), kinds.end(), finding->kind) == kinds.end()) return {};
   std::string what = to_string(finding->kind);
-  if (finding->margin) what += fmt::format(", margin {:.3g}", finding->margin->lo);
+  const std::string miss =
+      finding->kind == FindingKind::bad_witness ? miss_in_words(c.pair, answer) : std::string();
+  if (!miss.empty())
+    what += ": " + miss;
+  else if (finding->margin)
+    what += ", " + margin_in_words({finding->margin->lo, finding->margin->lo});
   return Broken{std::move(what), finding->severity, finding->kind};
 }
 
@@ -33,9 +39,10 @@ std::optional<Broken> break_answers(const LawCase& c) {
   if (c.first.status != Status::failed) return {};
   auto broken = refuted(c, c.first,
                         {FindingKind::exception, FindingKind::crash, FindingKind::hang,
-                         FindingKind::non_finite, FindingKind::malformed});
+                         FindingKind::non_finite, FindingKind::malformed, FindingKind::reported});
   if (broken) {
-    broken->what = fmt::format("{}: {}", broken->what, c.first.reason);
+    const bool reported = broken->kind == FindingKind::reported;
+    broken->what = fmt::format("{}: {}", reported ? "failed" : broken->what, c.first.reason);
     broken->reason = c.first.reason;
   }
   return broken;

@@ -118,7 +118,8 @@ class Examination {
     const auto failed = std::find_if(c.answers.begin(), c.answers.end(),
                                      [](const MethodAnswer& a) { return a.status == Status::failed; });
     if (failed == c.answers.end()) return law.broken(c);
-    return Broken{fmt::format("fails on a changed pair: {}", failed->reason), Severity::contract};
+    return Broken{fmt::format("fails on a changed pair: {}", failed->reason), Severity::contract,
+                  finding_of(failed->failure), failed->reason};
   }
 
   std::span<const std::unique_ptr<Method>> methods_;

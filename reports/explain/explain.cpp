@@ -60,6 +60,8 @@ std::string failure_in_words(const Explanation& e) {
                          distance_in_words(e.asked));
     case FindingKind::bad_witness:
       return fmt::format("offers a witness that proves nothing, of solids {}", distance_in_words(e.asked));
+    case FindingKind::reported:
+      return fmt::format("failed on solids {}: {}", distance_in_words(e.asked), e.asked.answer().reason);
     default:
       return fmt::format("ends in {} on solids {}", to_string(e.asked.finding()->kind),
                          distance_in_words(e.asked));

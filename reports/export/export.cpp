@@ -17,6 +17,7 @@
 #include "reports/export/export_check.hpp"
 #include "reports/export/export_guest.hpp"
 #include "reports/export/export_program.hpp"
+#include "reports/export/program_text.hpp"
 
 namespace cyl {
 namespace {
@@ -32,6 +33,8 @@ std::string row(const char* name, const Cylinder& c) {
                      format_double(c.radius), format_double(c.height));
 }
 
+bool within_claim(const Trial& p) { return p.finding()->severity == Severity::resolution; }
+
 /// Who was asked, and how to ask again.
 struct Recipient {
   std::string what;     ///< for titles: `fcl::collide`, or the guest's name
@@ -41,9 +44,10 @@ struct Recipient {
   std::string closing;  ///< of the issue
   AxesGiven axes = AxesGiven::of_unit_length;
   std::string program_name, program, build;
+  std::vector<SentFile> files;
 };
 
-std::string title(const Recipient& to, const Trial& p) {
+std::string what_happened(const Recipient& to, const Trial& p) {
   const std::string_view what = to.what;
   switch (p.finding()->kind) {
     case FindingKind::wrong_disjoint:
@@ -67,6 +71,9 @@ std::string title(const Recipient& to, const Trial& p) {
       return fmt::format("{} gives no answer that means anything for two cylinders", what);
     case FindingKind::exception:
       return fmt::format("{} throws on two cylinders", what);
+    case FindingKind::reported:
+      return fmt::format("{} says that it failed on two cylinders that {}", what,
+                         p.meets() ? "meet" : fmt::format("are {}", distance_in_words(p)));
     case FindingKind::hang:
       return fmt::format("{} does not come back from two cylinders", what);
     default:
@@ -74,11 +81,18 @@ std::string title(const Recipient& to, const Trial& p) {
   }
 }
 
+std::string title(const Recipient& to, const Trial& p) {
+  return what_happened(to, p) + (within_claim(p) ? ", within its tolerance" : "");
+}
+
 std::string returned_text(const Trial& p) {
   const MethodAnswer& a = p.answer();
+  const std::string miss = miss_in_words(p.pair, a);
   switch (p.finding()->kind) {
     case FindingKind::exception:
       return fmt::format("An exception: `{}`.", one_line(a.reason));
+    case FindingKind::reported:
+      return fmt::format("No verdict: it says that it failed. Its reason: `{}`.", one_line(a.reason));
     case FindingKind::crash:
       return fmt::format("The process ended: `{}`.", one_line(a.reason));
     case FindingKind::hang:
@@ -90,10 +104,11 @@ std::string returned_text(const Trial& p) {
       return fmt::format("Numbers that are not finite: {}.", one_line(a.reason));
     case FindingKind::bad_witness:
       return fmt::format(
-          "{}{}, which is not {}.",
+          "{}{}, which is not {}{}.",
           a.has_distance ? fmt::format("A distance of {}, and ", format_double(a.distance)) : "",
           triple({a.head[0], a.head[1], a.head[2]}),
-          a.witness == CertificateKind::point ? "in both" : "square to a plane between them");
+          a.witness == CertificateKind::point ? "in both" : "square to a plane between them",
+          miss.empty() ? "" : ": " + miss);
     case FindingKind::malformed:
       return fmt::format("No answer that means anything: `{}`.", one_line(a.reason));
     case FindingKind::wrong_invalid:
@@ -129,7 +144,7 @@ std::string hull_in_words(const LibraryCall& call, const Trial& p) {
 /// What a reader might think of first: is this not within the tolerance?
 std::string tolerance_in_words(const Trial& p, const Claim& claim) {
   if (p.answer().status != Status::answered || (claim.absolute == 0 && claim.relative == 0)) return {};
-  const bool within = p.finding()->severity == Severity::resolution;
+  const bool within = within_claim(p);
   if (claim.relative > 0)
     return fmt::format(
         "\nThe claim is to be right from {} of the sizes together and a length of {} on ({}); "
@@ -148,15 +163,32 @@ std::string depth_note(const Trial& p, const Claim& claim) {
   return {};
 }
 
-std::string issue(const Recipient& to, const Trial& p, const Method& method) {
+std::string table_of(const Pair& pair) {
+  return "| | centre | axis | radius | height |\n|---|---|---|---|---|\n" + row("a", pair.a) +
+         row("b", pair.b);
+}
+
+std::string other_in_words(const Trial& p, const Trial& other) {
+  const auto margin = [](const Trial& t) { return t.finding()->margin ? t.finding()->margin->lo : 0; };
+  return fmt::format("\n**Another pair of the same cause,** {}, on which it fails likewise; they are {}.\n\n",
+                     margin(other) > margin(p) ? "the worst known" : "the simplest known",
+                     distance_in_words(other)) +
+         table_of(other.pair);
+}
+
+std::string issue(const Recipient& to, const Trial& p, const Method& method, const Trial* other) {
   std::string text = fmt::format("# {}\n\n{}.\n\n", title(to, p), to.whom);
+  if (within_claim(p))
+    text +=
+        "By the claim quoted below this is no fault: the two are nearer to touching than it promises "
+        "anything. It may still be of interest.\n\n";
   text +=
       "**What was asked.** Do these two solid cylinders meet? Heights are full heights; all numbers are "
       "exact doubles.\n\n";
-  text += "| | centre | axis | radius | height |\n|---|---|---|---|---|\n";
-  text += row("a", p.pair.a) + row("b", p.pair.b);
+  text += table_of(p.pair);
   text += fmt::format("\n**What came back.** {}\n", returned_text(p));
   text += fmt::format("\n**What is true, and why.** {}\n", truth_in_words(p));
+  if (other) text += other_in_words(p, *other);
   text += to.hulls + tolerance_in_words(p, method.claim());
   text += fmt::format(
       "\nNobody needs to be trusted with this: `python3 exact.py` (standard library only) proves the verdict "
@@ -171,7 +203,17 @@ std::string issue(const Recipient& to, const Trial& p, const Method& method) {
 
 constexpr std::string_view as_told = "it ends as told above.";
 constexpr std::string_view by_its_exit =
-    "it prints the answer and exits with 1 while the answer is wrong, 0 once it is right.";
+    "it prints the answer and exits with 1 while the answer is not what is proved, 0 once it is.";
+
+/// The margin from which a pair is shown alone, in claims: nearer to the claim's edge another is better.
+constexpr double edge_margin = 10;
+
+/// Whether what is proved of the failure is hardly more than the claim allows, or within it.
+bool at_edge(const Trial& p, const Claim& claim) {
+  if (within_claim(p)) return true;
+  const double size = size_of(p.pair);
+  return p.finding()->margin && p.finding()->margin->lo * size < edge_margin * reach(claim, size);
+}
 
 bool ends(const Trial& p) {
   return p.finding()->kind == FindingKind::crash || p.finding()->kind == FindingKind::exception ||
@@ -205,17 +247,26 @@ Recipient ask_library(const LibraryCall& call, const Trial& p, const Method& met
   return to;
 }
 
-Recipient ask_guest(const Guest& guest, const Trial& p, const Method& method) {
+/// "how it asks stands in `mine.cpp`"
+std::string sources_in_words(std::span<const SentFile> files) {
+  std::string names;
+  for (const SentFile& file : files) names += (names.empty() ? "`" : ", `") + file.name + '`';
+  return names.empty() ? "" : fmt::format("; in this folder, as it was asked: {}", names);
+}
+
+Recipient ask_guest(const Guest& guest, const Trial& p, const Method& method, const SentBeside& beside) {
   Recipient to;
   to.what = guest.name;
-  to.whom = fmt::format("`{}` {}: {}", guest.name, one_line(method.version()), guest_in_words(guest));
+  to.files = guest_files(guest, beside.sources);
+  to.whom = fmt::format("`{}` {}: {}{}", guest.name, one_line(method.version()), guest_in_words(guest),
+                        sources_in_words(to.files));
   to.axes = AxesGiven::as_they_are;
   to.program_name = guest_program_name(guest);
   const bool as_it_does = guest.kind == GuestKind::plugin && ends(p);
   to.how = fmt::format("`sh build.sh` runs `{}`, which asks it without daylight; {}", to.program_name,
                        as_it_does ? as_told : by_its_exit);
   to.program = guest_program(guest, p, method.claim());
-  to.build = guest_build(guest, p.finding()->kind);
+  to.build = guest_build(guest, p.finding()->kind, beside.sources);
   return to;
 }
 
@@ -229,7 +280,7 @@ void write_file(const fs::path& file, const std::string& text) {
 }  // namespace
 
 Export make_export(std::span<const std::unique_ptr<Method>> methods, std::string_view name, FindingKind kind,
-                   const Pair& pair, std::span<const Guest> guests) {
+                   const Pair& pair, std::span<const Guest> guests, const SentBeside& beside) {
   const auto& method = find_method(methods, name);
   const auto guest =
       std::find_if(guests.begin(), guests.end(), [&](const Guest& g) { return g.name == name; });
@@ -242,15 +293,31 @@ Export make_export(std::span<const std::unique_ptr<Method>> methods, std::string
         name));
   if (!(is_guest ? guest_program_shows(kind) : program_shows(kind)))
     throw UsageError(fmt::format("no program can show a finding of kind {}", to_string(kind)));
-  const Trial asked = try_method(method, pair);
+  Trial asked = try_method(method, pair);
   if (!asked.fails(kind))
     throw UsageError(fmt::format("{} has no {} on this pair today: it says {}", name, to_string(kind),
                                  format_method_answer(asked.answer())));
   if (!asked.decided())
     throw UsageError("what is true of this pair could not be proved: there is nothing to send");
-  Recipient how = is_guest ? ask_guest(*guest, asked, *method) : ask_library(*call, asked, *method);
-  return {std::move(how.program_name), std::move(how.program), std::move(how.build),
-          exact_check(asked, method->claim(), how.axes), issue(how, asked, *method)};
+  std::optional<Trial> other;
+  if (beside.worst && format_pair(*beside.worst) != format_pair(pair)) {
+    other = try_method(method, *beside.worst);
+    if (!other->fails(kind) || !other->decided() || !other->finding()->margin)
+      other.reset();
+    else if (at_edge(asked, method->claim()) && !at_edge(*other, method->claim()))
+      std::swap(asked, *other);
+  }
+  if (is_guest)
+    for (Trial* t : {&asked, other ? &*other : nullptr})
+      if (t) t->answers[0].set_reason(without_folders(t->answers[0].reason, *guest));
+  Recipient how = is_guest ? ask_guest(*guest, asked, *method, beside) : ask_library(*call, asked, *method);
+  std::string text = issue(how, asked, *method, other ? &*other : nullptr);
+  return {std::move(how.program_name),
+          std::move(how.program),
+          std::move(how.build),
+          exact_check(asked, method->claim(), how.axes),
+          std::move(text),
+          std::move(how.files)};
 }
 
 void write_export(const Export& files, const std::string& folder) {
@@ -262,6 +329,13 @@ void write_export(const Export& files, const std::string& folder) {
   write_file(into / "build.sh", files.build);
   write_file(into / "exact.py", files.check);
   write_file(into / "issue.md", files.issue);
+  if (files.program_name == "reproduce.c")
+    write_file(into / "plugin.h", std::string(template_text("plugin.h")));
+  for (const SentFile& sent : files.files) {
+    fs::create_directories((into / sent.name).parent_path(), fault);
+    fs::copy_file(sent.file, into / sent.name, fs::copy_options::overwrite_existing, fault);
+    if (fault) throw std::runtime_error(sent.file + ", to be sent: " + fault.message());
+  }
   for (const char* script : {"build.sh", "exact.py"})
     fs::permissions(into / script, fs::perms::owner_exec | fs::perms::group_exec | fs::perms::others_exec,
                     fs::perm_options::add, fault);

@@ -4,12 +4,15 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "oracles/methods/guest.hpp"
 #include "oracles/trial/trial.hpp"
+#include "reports/export/export_guest.hpp"
 
 namespace cyl {
 
@@ -17,16 +20,26 @@ namespace cyl {
 struct Export {
   std::string program_name;  ///< reproduce.cpp; of guests see guest_program_name()
   std::string program;
-  std::string build;  ///< build.sh: builds the program beside itself and runs it
-  std::string check;  ///< exact.py
-  std::string issue;  ///< issue.md
+  std::string build;              ///< build.sh: builds the program beside itself and runs it
+  std::string check;              ///< exact.py
+  std::string issue;              ///< issue.md
+  std::vector<SentFile> files{};  ///< copied beside them: what a guest is made of
+};
+
+/// What is known besides.
+struct SentBeside {
+  std::vector<std::string> sources;  ///< of a guest; the first is what a plug-in is compiled of
+  std::optional<Pair> worst;         ///< on which it fails of the same cause by the greatest margin known
 };
 
 /// Asks the method again, contained. Throws UsageError where no method has that name, where it is
 /// no guest and of no library that a program can be written for, or where it does not fail in this way on
-/// this pair today; std::runtime_error where only the rounding of the axes makes it fail.
+/// this pair today; std::runtime_error where only the rounding of the axes makes it fail. Where the pair is
+/// at the edge of the claim and the worst is not, it is about the worst; the other of them is told beside it.
+/// No path of this machine is in what is made.
 Export make_export(std::span<const std::unique_ptr<Method>> methods, std::string_view method,
-                   FindingKind kind, const Pair& pair, std::span<const Guest> guests = {});
+                   FindingKind kind, const Pair& pair, std::span<const Guest> guests = {},
+                   const SentBeside& beside = {});
 
 /// Creates the folder where it is not there; writes over what an earlier export left in it. Throws
 /// std::runtime_error that names what cannot be written.

@@ -4,18 +4,23 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstdlib>
 #include <filesystem>
+#include <sstream>
+#include <system_error>
 
 #include "base/json.hpp"
 #include "base/safe_text.hpp"
 #include "corpus/pairs/pair_io.hpp"
 #include "corpus/pairs/pair_numbers.hpp"
 #include "oracles/methods/adapter.hpp"
-#include "oracles/plugin.h"
+#include "reports/export/export_program.hpp"
 #include "reports/export/program_text.hpp"
 
 namespace cyl {
 namespace {
+
+namespace fs = std::filesystem;
 
 /// Seconds after which a program that does not come back is ended.
 constexpr int patience = 20;
@@ -65,8 +70,9 @@ std::string wrong_in_c(const Trial& asked, const Claim& claim) {
     }
     case FindingKind::non_finite:
       return "isinf(more[0]) || some_of(more + 1) || some_of(more + 4)";
-    case FindingKind::exception:
+    case FindingKind::reported:
       return "said == DAYLIGHT_FAILED";
+    case FindingKind::exception:
     case FindingKind::malformed:
     case FindingKind::crash:
     case FindingKind::hang:
@@ -95,8 +101,9 @@ std::string wrong_in_python(const Trial& asked, const Claim& claim) {
         text += fmt::format("{}[{}, {}]", i == 0 ? "" : ", ", literal(a.head[i]), literal(a.tail[i]));
       return text + "]";
     }
-    case FindingKind::exception:
+    case FindingKind::reported:
       return "'error' in said";
+    case FindingKind::exception:
     case FindingKind::crash:
     case FindingKind::hang:
     case FindingKind::malformed:
@@ -116,6 +123,48 @@ std::string python_literal(const std::string& text) {
   return nlohmann::json(text).dump(-1, ' ', true, nlohmann::json::error_handler_t::replace);
 }
 
+std::string file_name(const std::string& path) { return fs::path(path).filename().string(); }
+
+std::vector<std::string> words_in(const std::string& command) {
+  std::vector<std::string> words;
+  std::istringstream in(command);
+  for (std::string word; in >> word;) words.push_back(word);
+  return words;
+}
+
+/// Whether a folder is one of those in which programs are found by their name.
+bool on_path(const fs::path& folder) {
+  const char* path = std::getenv("PATH");
+  std::istringstream folders(path ? path : "");
+  for (std::string each; std::getline(folders, each, ':');)
+    if (fs::path(each).lexically_normal() == folder.lexically_normal()) return true;
+  return false;
+}
+
+/// Returns what a word of a command that names a file is sent as: a program of the system by its name alone,
+/// without a file; nothing of any other word.
+std::optional<SentFile> file_of_word(const Guest& guest, const std::string& word) {
+  const fs::path path = fs::path(guest.folder) / word;
+  std::error_code fault;
+  if (!fs::is_regular_file(path, fault)) return {};
+  if (fs::path(word).is_absolute() && on_path(path.parent_path())) return SentFile{"", file_name(word)};
+  const bool below =
+      fs::path(word).is_relative() && !fs::path(word).lexically_normal().string().starts_with("..");
+  return SentFile{path.string(), below ? fs::path(word).lexically_normal().string() : file_name(word)};
+}
+
+/// Returns the command as it is run in the folder that is sent. One whose words are not told apart by blanks
+/// alone is left as it is, but for the folder where it ran.
+std::string sent_command(const Guest& guest) {
+  std::string sent = guest.what;
+  for (const std::string& word : words_in(guest.what)) {
+    const auto file = file_of_word(guest, word);
+    if (!file || file->name == word) continue;
+    if (const auto at = sent.find(word); at != sent.npos) sent.replace(at, word.size(), file->name);
+  }
+  return without_folders(sent, guest);
+}
+
 bool ends_itself(FindingKind kind) { return kind == FindingKind::crash || kind == FindingKind::hang; }
 
 }  // namespace
@@ -130,16 +179,16 @@ std::string guest_program_name(const Guest& guest) {
 }
 
 std::string guest_program(const Guest& guest, const Trial& asked, const Claim& claim) {
-  Words words{{"truth", truth_for_guest(asked)}};
+  Words words{{"truth", truth_for_guest(asked)}, {"WRONG", std::string(judgement(*asked.finding()))}};
   if (guest.kind == GuestKind::command) {
     words["pair"] = python_literal(format_pair(asked.pair));
     words["patience"] = std::to_string(patience);
     words["wrong"] = wrong_in_python(asked, claim);
     return filled(template_text("command.py.in"), words);
   }
+  words["method"] = guest.method;
   words["a"] = eight_numbers(asked.pair.a);
   words["b"] = eight_numbers(asked.pair.b);
-  words["abi"] = std::to_string(DAYLIGHT_PLUGIN_ABI);
   words["before"] = ends_itself(asked.finding()->kind) || asked.finding()->kind == FindingKind::exception
                         ? fmt::format("  puts(\"asking; it had this: {}\");\n  fflush(stdout);\n",
                                       to_string(asked.finding()->kind))
@@ -149,28 +198,62 @@ std::string guest_program(const Guest& guest, const Trial& asked, const Claim& c
   return filled(template_text("plugin.c.in"), words);
 }
 
-std::string guest_build(const Guest& guest, FindingKind kind) {
+// A plug-in is looked for where it is named, else beside the program, else built of its source: the folder is
+// sent to others, whose paths are not ours.
+std::string guest_build(const Guest& guest, FindingKind kind, std::span<const std::string> sources) {
   std::string text = "#!/bin/sh\nset -e\nhere=$(cd -- \"$(dirname -- \"$0\")\" && pwd)\n";
   if (guest.kind == GuestKind::command)
     return text + fmt::format(
-                      "# sh build.sh [COMMAND]: asks the program; another that is given, from where one "
-                      "stands.\n[ $# -gt 0 ] || cd -- {}\n[ $# -gt 0 ] || set -- {}\n"
+                      "# sh build.sh [COMMAND]: asks the program, which is run in this folder; another, or "
+                      "that of $DAYLIGHT_COMMAND, from where one stands.\n"
+                      "[ $# -gt 0 ] || set -- \"${{DAYLIGHT_COMMAND:-}}\"\n"
+                      "[ -n \"$1\" ] || {{ cd -- \"$here\"; set -- {}; }}\n"
                       "exec python3 \"$here/reproduce.py\" \"$1\"\n",
-                      shell_quoted(guest.folder), shell_quoted(guest.what));
+                      shell_quoted(sent_command(guest)));
+  const std::string library = shell_quoted(file_name(guest.what));
+  text += fmt::format(
+      "# sh build.sh [FILE]: builds reproduce.c and asks the plug-in FILE, else $DAYLIGHT_PLUGIN, else {}.\n"
+      "file=${{1:-${{DAYLIGHT_PLUGIN:-$here/{}}}}}\n",
+      library, library);
+  if (!sources.empty())
+    text += fmt::format(
+        "# Where that is not here it is built; CXXFLAGS and LIBS say what it needs besides.\n"
+        "[ -e \"$file\" ] || ${{CXX:-c++}} -O2 -shared -fPIC -I \"$here\" ${{CXXFLAGS:-}} \"$here/\"{} -o "
+        "\"$file\" ${{LIBS:-}}\n",
+        shell_quoted(file_name(sources.front())));
   return text + fmt::format(
-                    "# sh build.sh [FILE]: builds reproduce.c and asks the plug-in, or another that is "
-                    "given.\nfile={}\n[ $# = 0 ] || file=$(cd -- \"$(dirname -- \"$1\")\" && pwd)/$(basename "
-                    "-- \"$1\")\n"
+                    "case $file in /*) ;; *) file=$PWD/$file ;; esac\n"
                     "${{CC:-cc}} -O2 \"$here/reproduce.c\" -o \"$here/reproduce\" -ldl -lm\n"
                     "exec {}\"$here/reproduce\" \"$file\"\n",
-                    shell_quoted(guest.what),
                     kind == FindingKind::hang ? fmt::format("timeout {} ", patience) : "");
 }
 
+std::vector<SentFile> guest_files(const Guest& guest, std::span<const std::string> sources) {
+  std::vector<SentFile> files;
+  for (const std::string& source : sources) files.push_back({source, file_name(source)});
+  if (guest.kind == GuestKind::plugin) {
+    if (sources.empty()) files.push_back({guest.what, file_name(guest.what)});
+    return files;
+  }
+  for (const std::string& word : words_in(guest.what))
+    if (const auto sent = file_of_word(guest, word); sent && !sent->file.empty()) files.push_back(*sent);
+  return files;
+}
+
 std::string guest_in_words(const Guest& guest) {
-  return guest.kind == GuestKind::plugin
-             ? "a plug-in, " + std::filesystem::path(guest.what).filename().string()
-             : "a program, " + guest.what;
+  return guest.kind == GuestKind::plugin ? "a plug-in, " + file_name(guest.what)
+                                         : "a program, " + sent_command(guest);
+}
+
+std::string without_folders(std::string text, const Guest& guest) {
+  std::error_code none;
+  for (const fs::path& folder :
+       {fs::path(guest.what).parent_path(), fs::path(guest.folder), fs::current_path(none)}) {
+    const std::string prefix = folder.string() + '/';
+    if (!folder.is_absolute() || prefix == "//") continue;
+    for (std::size_t at = 0; (at = text.find(prefix, at)) != text.npos;) text.erase(at, prefix.size());
+  }
+  return text;
 }
 
 }  // namespace cyl

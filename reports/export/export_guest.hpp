@@ -2,7 +2,9 @@
 // A program that asks a guest about one pair without daylight: in C of a plug-in, in Python of a command.
 #pragma once
 
+#include <span>
 #include <string>
+#include <vector>
 
 #include "oracles/methods/guest.hpp"
 #include "oracles/trial/trial.hpp"
@@ -20,10 +22,23 @@ std::string guest_program_name(const Guest& guest);
 /// must hold a finding of a kind that guest_program_shows().
 std::string guest_program(const Guest& guest, const Trial& asked, const Claim& claim);
 
-/// Returns build.sh, which asks the guest where it was, or another file or command that is given.
-std::string guest_build(const Guest& guest, FindingKind kind);
+/// Returns build.sh, which asks what lies beside it (a plug-in's library, or one built of its source; a
+/// command's files), or another file or command that is given.
+std::string guest_build(const Guest& guest, FindingKind kind, std::span<const std::string> sources);
 
-/// Returns the plug-in's file, or the command.
+/// A file that is sent.
+struct SentFile {
+  std::string file;  ///< where it is
+  std::string name;  ///< in the folder that is sent
+};
+
+/// Returns the sources; without any the plug-in's library; the files that a command names.
+std::vector<SentFile> guest_files(const Guest& guest, std::span<const std::string> sources);
+
+/// Returns the plug-in's file, or the command, without a path of this machine.
 std::string guest_in_words(const Guest& guest);
+
+/// Returns a text, as the guest's own words, without the folders of this machine in front of files.
+std::string without_folders(std::string text, const Guest& guest);
 
 }  // namespace cyl

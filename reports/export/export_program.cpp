@@ -93,7 +93,8 @@ std::string verdict_on(const LibraryCall& call, const Words& words, const Trial&
   const auto is_true = [&] { text += fmt::format("  std::puts(\"true is: {}\");\n", truth_line(asked)); };
   const auto judge_by = [&](const std::string& wrong) {
     text += fmt::format("  const bool wrong = {};\n", wrong);
-    text += "  std::puts(wrong ? \"WRONG\" : \"right\");\n  return wrong ? 1 : 0;\n";
+    text += fmt::format("  std::puts(wrong ? \"{}\" : \"right\");\n  return wrong ? 1 : 0;\n",
+                        judgement(*asked.finding()));
   };
   if (call.call == "fcl::distance" && (kind == FindingKind::non_finite || kind == FindingKind::bad_witness))
     text += "  const fcl::Vector3d between = result.nearest_points[1] - result.nearest_points[0];\n";
@@ -157,6 +158,10 @@ std::string announcement(FindingKind kind) {
 const LibraryCall* find_library_call(std::string_view method) {
   const Program* program = find_program(method);
   return program == nullptr ? nullptr : &program->call;
+}
+
+std::string_view judgement(const Finding& finding) {
+  return finding.severity == Severity::resolution ? "not as proved, within the claim" : "WRONG";
 }
 
 bool program_shows(FindingKind kind) {

@@ -30,6 +30,9 @@ const LibraryCall* find_library_call(std::string_view method);
 /// Returns whether a program can show a finding of this kind.
 bool program_shows(FindingKind kind);
 
+/// Returns what a program prints where the answer is not right: within the claim that is no fault.
+std::string_view judgement(const Finding& finding);
+
 /// Returns the pair as the libraries get it: axes of unit length, rounded.
 Pair as_given(const Pair& pair);
 

@@ -85,7 +85,11 @@ void expect_shown(std::string_view method, FindingKind kind, const std::string& 
     const Folder folder(files);
     const Ran program = folder.run("sh build.sh");
     EXPECT_EQ(program.status, 1) << program.printed;
-    EXPECT_TRUE(has(program.printed, "\nWRONG\n")) << program.printed;
+    const bool within = has(files.issue, "within its tolerance\n");
+    EXPECT_EQ(within, has(files.issue, "this is no fault")) << files.issue;
+    EXPECT_EQ(within, has(files.issue, "; this is below it") || has(files.issue, "; this is within it"));
+    EXPECT_TRUE(has(program.printed, within ? "\nnot as proved, within the claim\n" : "\nWRONG\n"))
+        << program.printed;
     const Ran proof = folder.run("python3 exact.py");
     EXPECT_EQ(proof.status, 0) << proof.printed;
     EXPECT_TRUE(has(proof.printed, ": proved\n")) << proof.printed;
@@ -238,7 +242,7 @@ const Fault faults[] = {
     {FindingKind::bad_witness, true, "more[4] = more[5] = 0; more[6] = 0.1 + 50; return 1;",
      R"(echo '{"verdict":"intersecting","point":[0,0,[50,0.1]]}')"},
     {FindingKind::non_finite, false, "more[1] = 1; return 0;", nullptr},
-    {FindingKind::exception, false, "return -2;", R"(echo '{"error":"no luck"}')"},
+    {FindingKind::reported, false, "return -2;", R"(echo '{"error":"no luck"}')"},
     {FindingKind::malformed, false, "return 9;", "echo loading"},
     {FindingKind::crash, false, "std::abort();", "exit 3", 134},
 };
@@ -302,6 +306,99 @@ void expect_every_fault_shown(Guest guest) {
     EXPECT_FALSE(has(files.check, "that the library gets")) << "a guest gets the axes as they are";
     EXPECT_TRUE(has(files.issue, "# faulty")) << files.issue;
   }
+}
+
+/// Whether a text holds a path of this machine, but for that of the shell.
+bool has_path(const std::string& text) {
+  return has(text, fs::temp_directory_path().string() + '/') ||
+         has(text, fs::current_path().string() + '/') || has(text, DAYLIGHT_SOURCE_DIR);
+}
+
+TEST(Export, NothingThatIsSentKnowsThisMachine) {
+  const Guests guests;
+  for (Guest guest : {guests.plugin(), guests.command()}) {
+    if (guest.kind == GuestKind::command) guest.what = "/bin/sh " + guest.folder + "/faulty.sh";
+    std::vector<std::unique_ptr<Method>> methods;
+    methods.push_back(open_guest(guest));
+    const Export files = make_export(methods, "faulty", FindingKind::reported, asked_of(7), {&guest, 1});
+    for (const std::string* text : {&files.program, &files.build, &files.check, &files.issue})
+      EXPECT_FALSE(has_path(*text)) << *text;
+    ASSERT_EQ(files.files.size(), 1u);
+    EXPECT_EQ(files.files[0].name, guest.kind == GuestKind::plugin ? "faulty.so" : "faulty.sh");
+    EXPECT_TRUE(has(files.issue, "`" + files.files[0].name + "`")) << files.issue;
+  }
+}
+
+TEST(Export, WordsOfAGuestLoseTheFoldersOfThisMachine) {
+  const Guest guest{GuestKind::plugin, "mine", "/home/me/lib/libmine.so", ""};
+  EXPECT_EQ(without_folders("/home/me/lib/gjk.cpp:30: Assertion `x' failed", guest),
+            "gjk.cpp:30: Assertion `x' failed");
+  EXPECT_EQ(without_folders("at " + fs::current_path().string() + "/x.c:1", guest), "at x.c:1");
+}
+
+TEST(Export, WhatAMethodReportsIsNotSaidToBeThrown) {
+  const Guests guests;
+  for (Guest guest : {guests.plugin(), guests.command()}) {
+    std::vector<std::unique_ptr<Method>> methods;
+    methods.push_back(open_guest(guest));
+    const Export files = make_export(methods, "faulty", FindingKind::exception, asked_of(7), {&guest, 1});
+    EXPECT_TRUE(files.issue.starts_with("# faulty says that it failed on two cylinders that are "))
+        << files.issue;
+    const bool command = guest.kind == GuestKind::command;
+    EXPECT_TRUE(has(files.issue, command ? "Its reason: `no luck`." : "Its reason: `no reason given`."));
+    for (const std::string* text : {&files.program, &files.issue}) {
+      EXPECT_FALSE(has(*text, "throw")) << *text;
+      EXPECT_FALSE(has(*text, "xception")) << *text;
+    }
+  }
+}
+
+TEST(Export, ItsSourceIsSentAndBuilt) {
+  const Guests guests;
+  Guest guest = guests.plugin();
+  std::vector<std::unique_ptr<Method>> methods;
+  methods.push_back(open_guest(guest));
+  const std::string source = fs::path(guest.what).replace_extension(".cpp").string();
+  const Export files =
+      make_export(methods, "faulty", FindingKind::wrong_disjoint, asked_of(0), {&guest, 1}, {{source}, {}});
+  EXPECT_TRUE(has(files.issue, "`faulty.cpp`")) << files.issue;
+  const Folder folder(files);
+  EXPECT_NE(folder.run("test -e faulty.so").status, 0) << "the library is built, not sent";
+  const Ran program = folder.run("CXXFLAGS=-w sh build.sh");
+  EXPECT_EQ(program.status, 1) << program.printed;
+  EXPECT_TRUE(has(program.printed, "\nWRONG\n")) << program.printed;
+  EXPECT_EQ(
+      folder.run("mv faulty.so other.so; sed -i 's/ask(.*/& return 1;/' faulty.cpp; sh build.sh").status, 0);
+  EXPECT_EQ(folder.run("sh build.sh ./other.so").status, 1) << "one that is named";
+  EXPECT_EQ(folder.run("DAYLIGHT_PLUGIN=other.so sh build.sh").status, 1) << "likewise";
+}
+
+TEST(Export, AtTheEdgeOfTheClaimTheWorstIsShown) {
+  std::string name = (fs::temp_directory_path() / "daylight-edge-XXXXXX").string();
+  ASSERT_NE(mkdtemp(name.data()), nullptr);
+  Guest guest{GuestKind::command, "", "while read -r q; do echo '{\"verdict\":\"disjoint\"}'; done", name};
+  guest.what = "h='{\"claim\":{\"relative\":1e-3}}'; echo \"$h\"; " + guest.what;
+  guest.name = "edge";
+  std::vector<std::unique_ptr<Method>> methods;
+  methods.push_back(open_guest(guest));
+  const auto overlap = [](double depth) {
+    return Pair{{{0, 0, 0}, {0, 0, 1}, 1, 2}, {{2 - depth, 0, 0}, {0, 0, 1}, 1, 2}};
+  };
+  const auto centre = [&](double simplest, std::optional<double> worst) {
+    SentBeside beside;
+    if (worst) beside.worst = overlap(*worst);
+    return make_export(methods, "edge", FindingKind::wrong_disjoint, overlap(simplest), {&guest, 1}, beside)
+        .issue;
+  };
+  const std::string at_edge = centre(0.0078125, 1.0);
+  EXPECT_LT(at_edge.find("| b | (1, 0, 0)"), at_edge.find("| b | (1.9921875, 0, 0)")) << at_edge;
+  EXPECT_TRUE(has(at_edge, "the simplest known")) << at_edge;
+  const std::string plain = centre(0.5, 1.0);
+  EXPECT_LT(plain.find("| b | (1.5, 0, 0)"), plain.find("| b | (1, 0, 0)")) << plain;
+  EXPECT_TRUE(has(plain, "the worst known")) << plain;
+  EXPECT_FALSE(has(centre(0.0078125, {}), "Another pair"));
+  EXPECT_TRUE(has(centre(0.001953125, {}), "within its tolerance")) << "within the claim";
+  fs::remove_all(name);
 }
 
 TEST(Export, APluginShowsIt) {

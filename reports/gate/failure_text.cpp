@@ -10,6 +10,7 @@
 
 #include "base/own_command.hpp"
 #include "base/safe_text.hpp"
+#include "base/source_tree.hpp"
 #include "corpus/pairs/pair_io.hpp"
 
 namespace cyl {
@@ -40,13 +41,23 @@ std::string from_here(const std::string& file) {
   return below.empty() || *below.begin() == ".." ? path.string() : below.string();
 }
 
-/// The line of the case, else that of the law.
-SourceLine place_of(const GateFailure& failure) {
-  SourceLine place{failure.law->file, static_cast<unsigned>(failure.law->line)};
-  if (is_from_case(failure)) {
-    if (auto of_case = place_in(failure.origin)) place = std::move(*of_case);
+/// Returns the origin; a case of ours that somebody else's method fails on by its path from our folder.
+std::string origin_of(const GateFailure& failure) {
+  const fs::path ours = fs::path(in_source_tree("corpus")).parent_path();
+  if (failure.options.empty() || ours.empty() || !is_from_case(failure)) return one_line(failure.origin);
+  const std::string prefix = ours.string() + '/';
+  return one_line(failure.origin.starts_with(prefix) ? "daylight's " + failure.origin.substr(prefix.size())
+                                                     : failure.origin);
+}
+
+std::optional<SourceLine> place_of(const GateFailure& failure) {
+  std::optional<SourceLine> place = failure.at;
+  if (failure.options.empty()) {
+    place = {failure.law->file, static_cast<unsigned>(failure.law->line)};
+    if (is_from_case(failure))
+      if (auto of_case = place_in(failure.origin)) place = std::move(of_case);
   }
-  place.file = from_here(valid_utf8(place.file));
+  if (place) place->file = from_here(valid_utf8(place->file));
   return place;
 }
 
@@ -60,6 +71,10 @@ std::string again_in_words(const GateFailure& failure) {
 
 }  // namespace
 
+SourceLine source_line(std::string_view text) {
+  return place_in(text).value_or(SourceLine{std::string(text)});
+}
+
 bool is_from_case(const GateFailure& failure) {
   return failure.phase == GatePhase::corpus || failure.phase == GatePhase::corpus_laws;
 }
@@ -70,10 +85,15 @@ std::vector<Alike> alike_failures(const GateReport& report, bool failing) {
     if (fails_gate(f) != failing) continue;
     const auto at = std::find_if(all.begin(), all.end(), [&](const Alike& alike) {
       const GateFailure& g = *alike.front();
-      return g.method == f.method && g.law == f.law && g.kind == f.kind && g.known == f.known;
+      if (g.method != f.method || g.known != f.known) return false;
+      if (g.failed || f.failed)
+        return g.failed == f.failed && g.reason == f.reason && g.severity == f.severity;
+      return g.law == f.law && g.kind == f.kind;
     });
     if (at == all.end())
       all.push_back({&f});
+    else if (f.failed && shows_in_answer(*f.law) && !shows_in_answer(*at->front()->law))
+      at->insert(at->begin(), &f);
     else
       at->push_back(&f);
   }
@@ -87,7 +107,7 @@ FailureView view_of(const GateFailure& f) {
                    .law = law_title(*f.law),
                    .what = one_line(f.what),
                    .pairs = pairs_in_words(f.count),
-                   .origin = one_line(f.origin),
+                   .origin = origin_of(f),
                    .bucket = one_line(f.bucket),
                    .again = again_in_words(f),
                    .found = format_pair(f.found),

@@ -3,7 +3,9 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "props/gate/gate_report.hpp"
@@ -13,15 +15,15 @@ namespace cyl {
 /// Whether it was found while a kept case was held to some law: `origin` is "FILE:LINE id".
 bool is_from_case(const GateFailure& failure);
 
-/// Failures of one method, law and kind, in different buckets: shown together.
+/// Failures of one method, law and kind, in different buckets: shown together. So are those in which the
+/// method itself failed in one way, of one kind and in the same words, whatever law had it asked; the first
+/// of them is on a pair that no law had changed, where there is one.
 using Alike = std::vector<const GateFailure*>;
 /// Returns those that fail the gate, or all others (known ones apart), in the order of the first of each.
 std::vector<Alike> alike_failures(const GateReport& report, bool failing);
 
-struct SourceLine {
-  std::string file;   ///< from the current folder where it lies below it, else as it was given
-  unsigned line = 1;  ///< from 1
-};
+/// Returns the place that "FILE:LINE", or FILE alone, names.
+SourceLine source_line(std::string_view text);
 
 /// A failure in words: each is one line of valid UTF-8 that steers no terminal.
 struct FailureView {
@@ -34,7 +36,9 @@ struct FailureView {
   std::string found, simplest;  ///< pairs as JSON
   std::string reproduce;        ///< empty where RapidCheck has no name for it
   std::string replay;           ///< for a shell: asks the method the simplest pair, and holds it to the law
-  SourceLine place;             ///< of the case, else of the law; the file as valid UTF-8
+  /// Of the case, else of the law; of a method of no build what it was built from, or none, for our files
+  /// are not in its tree. The file is valid UTF-8, from the current folder where it lies below it.
+  std::optional<SourceLine> place;
 };
 FailureView view_of(const GateFailure& failure);
 FailureView view_of(const Alike& alike);  ///< the first of them, with the pairs of all

@@ -32,6 +32,16 @@ TEST(GateGithub, EscapesWhatCommandsReserve) {
   EXPECT_NE(text.find("::error file=props/laws/exact_laws.cpp,line="), std::string::npos) << text;
 }
 
+TEST(GateGithub, OfAGuestWhatItWasBuiltFromElseNoFile) {
+  GateReport report = example_report();
+  report.failures = {report.failures[3]};
+  report.failures[0].options = "--plugin mine=./libmine.so";
+  EXPECT_TRUE(gate_github(report).starts_with("::error title=")) << gate_github(report);
+  report.failures[0].at = SourceLine{"src/mine.cpp", 10};
+  EXPECT_TRUE(gate_github(report).starts_with("::error file=src/mine.cpp,line=10,title="))
+      << gate_github(report);
+}
+
 TEST(GateGithub, AtMostTenThenHowManyMore) {
   GateReport report = example_report();
   report.failures.assign(annotations_cap + 4, example_failure("intersect", 1, Severity::contract));

@@ -24,6 +24,13 @@ using json = nlohmann::ordered_json;
 /// 16 hexadecimal digits: not every reader of JSON keeps 64 bits of a number.
 std::string hex(std::uint64_t digest) { return fmt::format("{:016x}", digest); }
 
+/// The key that the bucket of what a method reports had in version 0.1.0.
+std::string as_exception(const std::string& bucket) {
+  constexpr std::string_view now = "/reported/", then = "/exception/";
+  const auto at = bucket.find(now);
+  return at == bucket.npos ? bucket : std::string(bucket).replace(at, now.size(), then);
+}
+
 json counts(const AnswerCounts& c) {
   json said;
   for (const Verdict v : enum_values<Verdict>) said[to_string(v)] = c.said[static_cast<std::size_t>(v)];
@@ -165,9 +172,8 @@ GateBase read_base(const std::string& file) {
     }
     if (all.contains("pairs")) base.pairs = natural(all, "pairs");
     for (const json& f : all.at("failures")) {
-      // What the base breaks within its claims excuses nothing.
-      if (f.at("severity") == to_string(Severity::resolution)) continue;
-      base.buckets[f.at("bucket").get<std::string>()] += natural(f, "count");
+      auto& buckets = f.at("severity") == to_string(Severity::resolution) ? base.within : base.buckets;
+      buckets[f.at("bucket").get<std::string>()] += natural(f, "count");
     }
   } catch (const json::exception&) {
     refuse("is no report of this version's gate");
@@ -177,8 +183,13 @@ GateBase read_base(const std::string& file) {
 
 void mark_known(GateReport& report, const GateBase& base) {
   for (GateFailure& f : report.failures) {
-    const auto found = base.buckets.find(f.bucket);
-    if (f.bucket.empty() || found == base.buckets.end()) continue;
+    if (f.bucket.empty()) continue;
+    if (const auto before = base.within.find(f.bucket); !is_error(f) && before != base.within.end())
+      f.in_base = before->second;
+    auto found = base.buckets.find(f.bucket);
+    if (f.kind == to_string(FindingKind::reported) && found == base.buckets.end())  // as 0.1.0 had it
+      found = base.buckets.find(as_exception(f.bucket));
+    if (found == base.buckets.end()) continue;
     f.in_base = found->second;
     f.known = f.count <= f.in_base || f.failed_again < f.reruns || f.kind == to_string(FindingKind::hang);
   }

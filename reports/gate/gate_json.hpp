@@ -26,6 +26,7 @@ struct GateBase {
   std::uint64_t case_count = 0;
   std::map<GatePhase, std::string> digests;      ///< of the pairs of each phase that draws; likewise
   std::map<std::string, std::uint64_t> buckets;  ///< of failures beyond claims, and on how many pairs
+  std::map<std::string, std::uint64_t> within;   ///< likewise within claims, which excuse nothing
 };
 
 /// Reads what gate_json() wrote to `file`. Throws std::runtime_error naming the file, what is wrong with it
@@ -37,7 +38,8 @@ GateBase read_base(const std::string& file);
 void note_gaps(GateReport& report, const GateBase& base);
 
 /// Marks as known the failures whose bucket is in the base, but not those that are seen on more pairs now,
-/// where that cannot be luck or a slower machine: a hang, or what does not fail each time.
+/// where that cannot be luck or a slower machine: a hang, or what does not fail each time. Of what stays
+/// within a claim it is only said whether it was there before.
 void mark_known(GateReport& report, const GateBase& base);
 
 }  // namespace cyl

@@ -98,6 +98,21 @@ TEST(GateJson, KnownIsWhatTheBaseHasOnAsManyPairs) {
   EXPECT_FALSE(known(f, base)) << "without a bucket nothing is known";
 }
 
+TEST(GateJson, WithinAClaimNothingIsExcusedButSaidToBeOld) {
+  const ScratchFile file(gate_json(example_report()));
+  const GateBase base = read_base(file.path);
+  EXPECT_EQ(base.within.size(), 1u);
+  GateReport report = example_report();
+  mark_known(report, base);
+  EXPECT_EQ(report.failures[2].in_base, 1234u);
+  EXPECT_FALSE(report.failures[2].known);
+  report.failures[2].severity = Severity::contract;
+  report.failures[2].in_base = 0;
+  mark_known(report, base);
+  EXPECT_FALSE(report.failures[2].known) << "beyond the claim now";
+  EXPECT_EQ(report.failures[2].in_base, 0u);
+}
+
 TEST(GateJson, WhatTheBaseAskedAndThisGateDidNotIsSaid) {
   const GateReport report = example_report();
   const ScratchFile file(gate_json(report));

@@ -77,7 +77,7 @@ std::vector<TestCase> tests_of(const GateMethod& method, const GateReport& repor
   for (const GateFailure& f : report.failures) {
     if (f.method != method.name || !fails_gate(f)) continue;
     fail(law_title(*f.law), f);
-    if (is_from_case(f)) fail("case " + f.origin, f);
+    if (is_from_case(f)) fail("case " + view_of(f).origin, f);
   }
   return tests;
 }
@@ -93,6 +93,11 @@ Counts add_method(pugi::xml_node suites, const GateMethod& method, const GateRep
   add(add_properties(suite, report), "property", {{"name", "version"}, {"value", one_line(method.version)}});
   for (const TestCase& test : tests) {
     pugi::xml_node node = add(suite, "testcase", {{"classname", name}, {"name", one_line(test.name)}});
+    if (!test.failures.empty() && test.failures.front()->at) {
+      const SourceLine place = *view_of(*test.failures.front()).place;
+      node.append_attribute("file") = xml(one_line(place.file)).c_str();
+      node.append_attribute("line") = place.line;
+    }
     for (const GateFailure* f : test.failures) {
       const FailureView view = view_of(*f);
       add(node, "failure",

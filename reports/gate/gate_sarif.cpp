@@ -56,11 +56,11 @@ json result(const GateFailure& f, bool compared) {
   json r = {{"ruleId", rule_id(*f.law)},
             {"level", is_error(f) ? "error" : "note"},
             {"message", text(message)},
-            {"locations", json::array({location(view.place)})}};
+            {"locations", view.place ? json::array({location(*view.place)}) : json::array()}};
   if (!f.bucket.empty()) r["partialFingerprints"] = {{"bucket/v1", f.bucket}};
-  if (compared) r["baselineState"] = f.known ? "unchanged" : "new";
+  if (compared) r["baselineState"] = f.known || (!is_error(f) && f.in_base > 0) ? "unchanged" : "new";
   r["properties"] = {
-      {"method", f.method},  {"severity", to_string(f.severity)}, {"origin", f.origin},   {"count", f.count},
+      {"method", f.method},  {"severity", to_string(f.severity)}, {"origin", view.origin}, {"count", f.count},
       {"found", view.found}, {"simplest", view.simplest},         {"replay", view.replay}};
   if (!f.reproduce.empty()) r["properties"]["reproduce"] = f.reproduce;
   return r;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "base/json.hpp"
+#include "reports/gate/failure_text.hpp"
 #include "reports/gate/gate_example_test.hpp"
 #include "reports/gate/gate_writers.hpp"
 
@@ -19,8 +20,7 @@ TEST(GateSarif, KeepsToItsSchema) {
   const json good = parse_json(document);
   for (
       const char* planted :
-      {R"([{"op":"remove","path":"/runs/0/results/0/locations/0"}])",
-       R"([{"op":"remove","path":"/runs/0/results/0/locations"}])",
+      {R"([{"op":"remove","path":"/runs/0/results/0/locations"}])",
        R"([{"op":"add","path":"/runs/0/results/0/colour","value":"red"}])",
        R"([{"op":"replace","path":"/runs/0/results/0/level","value":"bad"}])",
        R"([{"op":"replace","path":"/runs/0/results/0/locations/0/physicalLocation/region/startLine","value":0}])",
@@ -67,6 +67,26 @@ TEST(GateSarif, PlacesAreTheCaseElseTheLawFromTheTopOfTheSources) {
   EXPECT_EQ(kept["region"]["startLine"], 2);
 }
 
+TEST(GateSarif, PlacesOfAGuestAreItsOwnOrNone) {
+  if (schema_python().empty()) SKIP_WITHOUT("python3-jsonschema");
+  GateReport report = example_report();
+  for (GateFailure& f : report.failures) f.options = "--plugin mine=./libmine.so";
+  const auto locations = [&](std::size_t i) {
+    const std::string document = gate_sarif(report, "0.1.0", false);
+    EXPECT_TRUE(valid(document));
+    return parse_json(document)["runs"][0]["results"][i]["locations"];
+  };
+  EXPECT_EQ(locations(0), json::array()) << "of a law";
+  EXPECT_EQ(locations(3), json::array()) << "of a case";
+  const std::string here = std::filesystem::current_path().string();
+  for (GateFailure& f : report.failures) f.at = source_line(here + "/src/mine.cpp:10");
+  for (const std::size_t i : {0, 3}) {
+    const json place = locations(i)[0]["physicalLocation"];
+    EXPECT_EQ(place["artifactLocation"]["uri"], "src/mine.cpp");
+    EXPECT_EQ(place["region"]["startLine"], 10);
+  }
+}
+
 TEST(GateSarif, OddFileNames) {
   GateReport report = example_report();
   const auto uri = [&](const std::string& origin) {
@@ -89,6 +109,10 @@ TEST(GateSarif, SaysWhatIsNewWhereThereIsABase) {
   const json results = parse_json(gate_sarif(report, "0.1.0", true))["runs"][0]["results"];
   EXPECT_EQ(results[0]["baselineState"], "unchanged");
   EXPECT_EQ(results[1]["baselineState"], "new");
+  EXPECT_EQ(results[2]["baselineState"], "new") << "a note";
+  report.failures[2].in_base = 1;
+  EXPECT_EQ(parse_json(gate_sarif(report, "0.1.0", true))["runs"][0]["results"][2]["baselineState"],
+            "unchanged");
 }
 
 }  // namespace

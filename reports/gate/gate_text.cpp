@@ -183,7 +183,9 @@ std::string close_table(const GateMethod& m) {
     if (c.decade == first_close_decade)
       text += fmt::format("\n{:<13} {:<12}", to_string(c.lie), to_string(c.band));
     const std::uint64_t wrong = c.wrong_gaps + c.wrong_overlaps, all = c.gaps + c.overlaps;
-    text += fmt::format("{:>6}", wrong > 0 ? fmt::format("{}!{}", wrong, all) : fmt::format("{}", all));
+    // What is wrong by more than the cell's margin counts for no cell: it may be more than all.
+    text += fmt::format(
+        "{:>6}", wrong > 0 ? fmt::format("{}!{}", wrong, std::max(all, wrong)) : fmt::format("{}", all));
   }
   return text + '\n';
 }

@@ -46,6 +46,22 @@ TEST(GateText, TellsOneKindOfFailureOnce) {
   EXPECT_TRUE(has(text, "also       intersect/law-1/rim-rim, 740 pairs, 1 in the base"));
 }
 
+TEST(GateText, OneCrashIsOneWayToFail) {
+  GateReport report = example_report();
+  const auto crash = [](int law, const char* reason) {
+    GateFailure f = example_failure("intersect", law, Severity::contract);
+    f.failed = FindingKind::crash;
+    f.reason = reason;
+    return f;
+  };
+  report.failures = {crash(1, "SIGSEGV"), crash(30, "SIGSEGV"), crash(10, "SIGSEGV"), crash(22, "SIGABRT"),
+                     example_failure("intersect", 10, Severity::contract)};
+  const std::string text = gate_text(report);
+  EXPECT_NE(text.find("\nFails the gate (3):\n1. intersect breaks law 30 "), std::string::npos) << text;
+  EXPECT_NE(text.find("3,702 pairs"), std::string::npos) << text;
+  EXPECT_EQ(occurrences(gate_github(report), "::error "), 3u);
+}
+
 TEST(GateText, FurtherBucketsAreCapped) {
   GateReport report = example_report();
   report.failures.assign(also_cap + 4, report.failures[0]);

@@ -33,16 +33,18 @@ std::string gate_junit(const GateReport& report);
 /// Returns SARIF 2.1.0, the form in which code hosts take findings: a rule a law, a result a failure.
 /// `version` is that of daylight; `compared`: there was a base (--against), so each result is new or
 /// unchanged. Failures beyond a claim have the level error, all others note. An invocation that did not ask
-/// all has a notification a line of it, and is no success.
+/// all has a notification a line of it, and is no success. A result of a method of no build is at the place
+/// that it was said to be built from, else at none.
 std::string gate_sarif(const GateReport& report, std::string_view version, bool compared);
 
 /// Annotations of one kind that gate_github() writes; the service itself drops those of a step beyond ten.
 inline constexpr std::size_t annotations_cap = 10;
 
 /// Returns workflow commands of GitHub Actions, lines of standard output that become annotations of the case
-/// or the law: one ::error for each method, law and kind of failure that fails the gate, in the order of the
-/// report; then a ::notice saying how many more there are, and a ::warning for each line of what was not
-/// asked. Empty where nothing fails the gate and all was asked.
+/// or the law, of a method of no build of what it was built from: one ::error for each method, law and kind
+/// of failure that fails the gate, in the order of the report; then a ::notice saying how many more there
+/// are, and a ::warning for each line of what was not asked. Empty where nothing fails the gate and all was
+/// asked.
 std::string gate_github(const GateReport& report);
 
 }  // namespace cyl

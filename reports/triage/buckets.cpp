@@ -20,6 +20,7 @@
 #include "corpus/pairs/truth_io.hpp"
 #include "oracles/trial/bucket.hpp"
 #include "oracles/trial/contact.hpp"
+#include "oracles/trial/finding_text.hpp"
 #include "oracles/trial/trial.hpp"
 #include "props/shrink/simplify.hpp"
 #include "reports/triage/case_distance.hpp"
@@ -202,7 +203,7 @@ std::optional<Bucket::Share> share_of(const Pair& simplest, double margin, Conta
   for (const Trial& trial : try_method(method, pairs, share_caps)) {
     if (trial.answer().status == Status::declined || trial.truth.verdict == Verdict::undecided) continue;
     ++share.asked;
-    share.wrong += trial.finding() && to_string(trial.finding()->kind) == kind;
+    share.wrong += trial.fails(from_word<FindingKind>(kind).value_or(FindingKind::undecided_truth));
   }
   return share;
 }
@@ -219,6 +220,9 @@ void show_simplest(Bucket& b, const Group& group, const Trial& now,
   b.feature = feature ? to_string(*feature) : "unknown";
   b.coordinate = to_string(coordinate_of(group.simplest, margin.value_or(0)));
   const std::size_t m = index_of(methods, b.method);
+  if (m < methods.size() && b.kind == to_string(FindingKind::bad_witness))
+    if (const std::string miss = miss_in_words(group.simplest, now.answers[m]); !miss.empty())
+      b.cause += "; on the simplest pair " + miss;
   // Of what hangs each question would cost a second, or two.
   const bool answers = m < methods.size() && now.answers[m].failure != Failure::hang &&
                        now.answers[m].status != Status::declined;
@@ -243,7 +247,8 @@ std::string kind_in_words(const std::string& kind) {
       "gives no answer that means anything",
       "answers one question in two ways",
       "the truth is undecided",
-      "leaves pairs undecided that it promises to decide"};
+      "leaves pairs undecided that it promises to decide",
+      "failed"};
   const auto known = from_word<FindingKind>(kind);
   return known ? words[static_cast<std::size_t>(*known)] : kind;
 }
@@ -257,7 +262,8 @@ std::string cause_in_words(const std::string& key, Mechanism mechanism, const st
     said = "within what it claims of itself: " + said;
   else if (mechanism != Mechanism::unclassified)
     said = fmt::format("{} ({})", in_words(mechanism), said);
-  if (!reason.empty()) said += ", in its words: " + escaped_controls(reason);
+  const bool reported = kinds == std::set<std::string>{to_string(FindingKind::reported)};
+  if (!reason.empty()) said += (reported ? ": " : ", in its words: ") + escaped_controls(reason);
   return said;
 }
 

@@ -67,7 +67,7 @@ std::vector<const Subject*> in_turns(const TriageContext& context, const std::ve
 bool fails_alike(const GroupedMethods& methods, const Subject& s, const std::string& cause,
                  std::optional<ContactFeature> feature, Trial trial, const MethodAnswer& said) {
   const auto found = compare(trial, methods.methods[*s.method]->claim(), said);
-  if (!found || found->kind != *s.kind || found->severity != s.severity) return false;
+  if (!found || !is_same_kind(found->kind, *s.kind) || found->severity != s.severity) return false;
   if (contact_feature(trial.pair, trial.truth) != feature) return false;
   if (s.severity != Severity::contract || !s.can_be_classified()) return true;
   return find_cause(methods, {*s.method, *s.kind, trial.pair}, s.severity, said.reason, triage_caps) == cause;

@@ -1,0 +1,180 @@
+// SPDX-License-Identifier: MIT
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <iostream>
+#include <map>
+#include <memory>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <tuple>
+#include <utility>
+
+#include "base/files.hpp"
+#include "base/own_command.hpp"
+#include "base/safe_text.hpp"
+#include "base/usage_error.hpp"
+#include "cli/commands.hpp"
+#include "cli/options.hpp"
+#include "cli/progress.hpp"
+#include "corpus/pairs/pair_io.hpp"
+#include "corpus/pairs/truth_io.hpp"
+#include "fuzz/campaign/offline.hpp"
+#include "oracles/trial/finding_text.hpp"
+#include "reports/run/tally_table.hpp"
+
+namespace cyl {
+namespace {
+
+struct JudgeOptions {
+  std::string answers, pairs, name, keep;
+  double claim = -1;  ///< negative: as the answers say, else 0
+};
+
+/// Lines told one by one; of more it is said how many.
+constexpr std::uint64_t told_cap = 20;
+
+/// Tells of lines, so many of them and no more.
+class Told {
+ public:
+  void operator()(const std::string& file, std::size_t line, const std::string& what) {
+    if (++count_ <= told_cap) fmt::print(stderr, "{}:{}: {}\n", one_line(file), line, one_line(what));
+  }
+  ~Told() {
+    if (count_ > told_cap) fmt::print(stderr, "and {} more lines with something wrong\n", count_ - told_cap);
+  }
+
+ private:
+  std::uint64_t count_ = 0;
+};
+
+bool fails(const JudgedFinding& f) { return f.finding.severity == Severity::contract; }
+
+std::string in_words(const Finding& finding) {
+  std::string text = fmt::format("{} ({}", to_string(finding.kind), to_string(finding.severity));
+  if (finding.margin) text += ", " + margin_in_words(*finding.margin);
+  return text + ")";
+}
+
+std::string failing_lines(const OfflineJudge& judged) {
+  std::string lines;
+  for (const JudgedFinding& f : judged.findings()) {
+    if (!fails(f)) continue;
+    Case kept = f.question;
+    if (f.truth.verdict != Verdict::undecided) kept.truth = f.truth.verdict;
+    kept.source = fmt::format("daylight judge, {}", kept.source.empty() ? kept.id : kept.source);
+    kept.note = fmt::format("{}: {}; it said {}; proof {}", judged.name(), in_words(f.finding),
+                            format_method_answer(f.answer), format_certificate(f.truth.certificate));
+    lines += format_case(kept) + '\n';
+  }
+  return lines;
+}
+
+/// The worst of each kind, wrong by more before wrong by less, with its proof.
+void print_findings(const OfflineJudge& judged, const JudgeOptions& options) {
+  std::map<std::tuple<Severity, FindingKind>, std::pair<const JudgedFinding*, std::uint64_t>> worst;
+  for (const JudgedFinding& f : judged.findings()) {
+    auto& [most, count] = worst[{f.finding.severity, f.finding.kind}];
+    const auto margin = [](const JudgedFinding& x) { return x.finding.margin ? x.finding.margin->lo : -1; };
+    if (!most || margin(f) > margin(*most)) most = &f;
+  }
+  for (const GroupRecord& g : judged.groups())
+    worst[{*from_word<Severity>(g.severity), *from_word<FindingKind>(g.kind)}].second += g.count;
+  for (const auto& [key, value] : worst) {
+    const auto& [f, count] = value;
+    fmt::print("\n{}, {} of them; the worst, id {}", in_words(f->finding), count, one_line(f->question.id));
+    fmt::print("{}:\n", f->line == 0 ? "" : fmt::format(", {}:{}", one_line(options.answers), f->line));
+    fmt::print("  {}\n  truth: {}. {}\n", format_pair(f->question.pair), to_string(f->truth.verdict),
+               cyl::in_words(f->truth.certificate));
+    if (f->truth.verdict != Verdict::undecided)
+      fmt::print("  distance: {} to {}\n", format_end(f->distance.lo), format_end(f->distance.hi));
+    const std::string miss = f->finding.kind == FindingKind::bad_witness
+                                 ? miss_in_words(f->question.pair, f->answer)
+                                 : std::string();
+    fmt::print("  {}: {}{}\n", one_line(judged.name()), format_method_answer(f->answer),
+               miss.empty() ? "" : "; " + miss);
+  }
+}
+
+int judge_answers(const JudgeOptions& options) {
+  Told told;
+  const Complain complain = std::ref(told);
+  std::optional<Questions> questions;
+  if (!options.pairs.empty()) questions.emplace(options.pairs, complain);
+  std::ifstream file;
+  double bytes = 0;
+  if (options.answers != "-") {
+    if (std::filesystem::is_directory(options.answers))
+      throw std::runtime_error(options.answers + ": is a folder");
+    file.open(options.answers);
+    if (!file) throw std::runtime_error(options.answers + ": cannot be read");
+    std::error_code none;
+    bytes = static_cast<double>(std::filesystem::file_size(options.answers, none));
+  }
+  std::istream& in = options.answers == "-" ? std::cin : file;
+  OfflineJudge judged({options.name, options.claim < 0 ? std::optional<double>() : options.claim},
+                      questions ? &*questions : nullptr, complain);
+  {
+    ProgressLine line;
+    const auto start = std::chrono::steady_clock::now();
+    judged.judge_all(in, options.answers, [&](std::uint64_t lines) {
+      const auto elapsed =
+          std::chrono::duration_cast<std::chrono::milliseconds>(std::chrono::steady_clock::now() - start);
+      if (!line.due(elapsed)) return;
+      const double share = &in == &file && bytes > 0 ? static_cast<double>(in.tellg()) / bytes : 0;
+      line.show(elapsed, share, fmt::format("{} answers", lines));
+    });
+  }
+  fmt::print("{}", format_tallies(tally_methods(judged.tallies())));
+  const Claim& claim = judged.claim();
+  fmt::print("claim: right from {} size + {} on\n", format_double(claim.relative),
+             format_double(claim.absolute));
+  print_findings(judged, options);
+  if (judged.lines_passed_over() > 0) fmt::print("{} lines answer no pair\n", judged.lines_passed_over());
+  if (!options.keep.empty()) {
+    write_file(options.keep, failing_lines(judged));
+    if (std::any_of(judged.findings().begin(), judged.findings().end(), fails))
+      fmt::print("next: {} replay {}\n", own_command(), shell_quoted(options.keep));
+  }
+  return judged.exit_code();
+}
+
+}  // namespace
+
+void add_judge(Program& program) {
+  Command command =
+      program.command("Find", "judge", "Judges answers that another machine gave to the pairs of `ask`");
+  auto options = std::make_shared<JudgeOptions>();
+  command
+      .option("ANSWERS", options->answers,
+              "file of answers, a line each with the id of its pair, in any "
+              "order; '-': standard input")
+      .required();
+  command.option("--pairs", options->pairs,
+                 "the file that was answered; none: each answer has its own a and b");
+  command.option("--name", options->name, "whose answers they are").default_text("as a hello in them says");
+  command
+      .option("--claim", options->claim,
+              "from which distance on they promise to be right, relative to r0 + h0 + r1 + h1")
+      .within(0, 1)
+      .default_text("as a hello in them says, else 0");
+  command.option("--keep", options->keep,
+                 "write pairs on which they fail as a file of cases, with the proofs");
+  command.examples(
+      "  daylight judge answers.jsonl --pairs pairs.jsonl --name mine --claim 1e-6 --keep failing.jsonl",
+      "An answer is {\"id\":\"17\",\"verdict\":\"disjoint\"}, with a distance, direction or point where "
+      "there "
+      "is one, or\n{\"id\":\"17\",\"declined\":\"why\"}, {\"id\":\"17\",\"error\":\"why\"}. Here 2: wrong "
+      "beyond "
+      "the claim, failed, missing, given\ntwice, or no answer at all; such lines are told by number and cost "
+      "only "
+      "themselves.");
+  command.run([options] { return judge_answers(*options); });
+}
+
+}  // namespace cyl

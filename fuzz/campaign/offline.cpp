@@ -1,0 +1,272 @@
+// SPDX-License-Identifier: MIT
+#include "fuzz/campaign/offline.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <fstream>
+#include <limits>
+#include <stdexcept>
+#include <utility>
+
+#include "base/json.hpp"
+#include "oracles/methods/guest_answer.hpp"
+#include "oracles/trial/trial.hpp"
+
+namespace cyl {
+namespace {
+
+constexpr std::string_view byte_order_mark = "\xef\xbb\xbf";
+
+/// What the source of a question begins with; a seed, a colon, a blank and FAMILY/INDEX follow.
+constexpr std::string_view asked_by = "daylight ask --seed ";
+/// The family of pairs that no campaign drew.
+constexpr const char* given_family = "given";
+
+/// Lines between two calls of on_progress: some tens of milliseconds.
+constexpr std::uint64_t progress_lines = 512;
+
+std::string family_in(const Case& question) {
+  const std::string_view source = question.source;
+  if (!source.starts_with(asked_by)) return given_family;
+  const auto colon = source.find(": "), slash = source.find('/');
+  if (colon == source.npos || slash == source.npos || slash < colon + 2) return given_family;
+  return std::string(source.substr(colon + 2, slash - colon - 2));
+}
+
+std::uint32_t index_in(std::vector<std::string>& names, const std::string& name) {
+  const auto at = std::find(names.begin(), names.end(), name) - names.begin();
+  if (static_cast<std::size_t>(at) == names.size()) names.push_back(name);
+  return static_cast<std::uint32_t>(at);
+}
+
+/// Returns the id that a line of an answer has: a string or a whole number; nothing where it has none.
+std::optional<std::string> id_of(const nlohmann::json& line) {
+  const auto found = line.find("id");
+  if (found == line.end()) return {};
+  if (found->is_string()) return found->get<std::string>();
+  if (found->is_number_integer()) return found->dump();
+  return {};
+}
+
+/// Without "line 3, " where it stands: the line is told beside it.
+std::string without_line(const std::string& error) {
+  const auto comma = error.find(", ");
+  return error.starts_with("line ") && comma != error.npos ? error.substr(comma + 2) : error;
+}
+
+}  // namespace
+
+Case question_at(const Workload& workload, const Schedule& schedule, std::uint64_t seed,
+                 std::uint64_t index) {
+  const FamilyIndex drawn = family_index_of(workload, schedule, index);
+  Case question;
+  question.id = std::to_string(index + 1);
+  question.source =
+      fmt::format("{}{}: {}/{}", asked_by, seed, family_name(workload, drawn.family), drawn.index);
+  question.pair = drawn.family == 0 ? workload.cases[drawn.index].pair
+                                    : workload.families[drawn.family - 1].generate(seed, drawn.index);
+  return question;
+}
+
+bool LineReader::read() {
+  place_ = next_;
+  in_.getline(buffer_.data(), static_cast<std::streamsize>(buffer_.size()));
+  const auto got = static_cast<std::size_t>(in_.gcount());
+  if (in_.bad() || got == 0) return false;
+  next_ += got;
+  ++line_;
+  if (in_.fail()) {  // the buffer was full before the end of the line
+    in_.clear();
+    in_.ignore(std::numeric_limits<std::streamsize>::max(), '\n');
+    next_ += static_cast<std::uint64_t>(in_.gcount());
+    text_ = {buffer_.data(), got};
+    return true;
+  }
+  text_ = {buffer_.data(), in_.eof() ? got : got - 1};
+  if (line_ == 1 && text_.starts_with(byte_order_mark)) text_.remove_prefix(byte_order_mark.size());
+  if (text_.ends_with('\r')) text_.remove_suffix(1);
+  return true;
+}
+
+bool LineReader::next() {
+  while (read())
+    if (text_.find_first_not_of(" \t\r") != text_.npos) return true;
+  if (in_.bad()) throw std::runtime_error("reading failed");
+  return false;
+}
+
+// Seeking throws away what was read ahead: where answers come in the order of their questions it is not
+// needed.
+bool LineReader::go_to(std::uint64_t place, std::size_t line) {
+  if (place != next_ || !in_.good()) {
+    in_.clear();
+    in_.seekg(static_cast<std::streamoff>(place));
+    next_ = place;
+  }
+  line_ = line - 1;
+  return read();
+}
+
+Questions::Questions(const std::string& file, const Complain& complain)
+    : file_(file), in_(std::make_unique<std::ifstream>(file)), reader_(*in_) {
+  if (!*in_ || in_->peek() == std::istream::traits_type::eof())
+    throw std::runtime_error(file + ": cannot be read, or is empty");
+  while (reader_.next()) {
+    const CaseLine c = parse_case(reader_.text(), reader_.line());
+    if (!c.value) {
+      complain(file, c.line, without_line(c.error));
+      continue;
+    }
+    const std::string id = c.value->id.empty() ? std::to_string(c.line) : c.value->id;
+    if (const auto [at, is_new] = by_id_.try_emplace(id, all_.size()); !is_new) {
+      complain(file, c.line,
+               fmt::format("id {} stands on line {} already", quote_json(id), all_[at->second].line));
+      continue;
+    }
+    all_.push_back({reader_.place(), c.line, index_in(families_, family_in(*c.value))});
+  }
+}
+
+Questions::Question* Questions::find(const std::string& id) {
+  const auto found = by_id_.find(id);
+  return found == by_id_.end() ? nullptr : &all_[found->second];
+}
+
+Case Questions::read(const Question& question) {
+  if (reader_.go_to(question.place, question.line)) {
+    CaseLine c = parse_case(reader_.text(), question.line);
+    if (c.value) {
+      if (c.value->id.empty()) c.value->id = std::to_string(question.line);
+      return std::move(*c.value);
+    }
+  }
+  throw std::runtime_error(file_ + " has changed while it was read");
+}
+
+OfflineJudge::OfflineJudge(Answerer who, Questions* questions, Complain complain)
+    : who_(std::move(who)),
+      questions_(questions),
+      complain_(std::move(complain)),
+      name_(who_.name),
+      certifying_(certifying_method()) {
+  if (questions_) families_ = questions_->families();
+  claim_.relative = who_.relative.value_or(0);
+}
+
+Counts& OfflineJudge::counts(std::uint32_t family) {
+  counts_.resize(std::max(counts_.size(), families_.size()));
+  judged_.resize(counts_.size());
+  return counts_[family];
+}
+
+void OfflineJudge::pass_over(const std::string& file, std::size_t line, const std::string& what) {
+  ++passed_over_;
+  complain_(file, line, what);
+}
+
+void OfflineJudge::judge_all(std::istream& in, const std::string& file,
+                             const std::function<void(std::uint64_t)>& on_progress) {
+  LineReader reader(in);
+  for (std::uint64_t n = 0; reader.next(); ++n) {
+    if (on_progress && n % progress_lines == 0) on_progress(n);
+    take(file, reader.line(), reader.text());
+  }
+  if (name_.empty()) throw std::runtime_error("the answers do not say whose they are; --name does");
+  if (!questions_) return;
+  for (const Questions::Question& question : questions_->all()) {
+    if (question.answered != 0) continue;
+    complain_(questions_->file(), question.line, "no answer");
+    judge_answer(questions_->read(question), 0, question.family,
+                 failed_answer(Failure::malformed, "no answer"));
+  }
+}
+
+void OfflineJudge::take(const std::string& file, std::size_t line, std::string_view text) {
+  const bool first = !std::exchange(begun_, true);
+  GuestLine said = parse_guest_line(text.size() > line_cap ? std::string_view() : text);
+  if (text.size() > line_cap) said.error = "longer than a line may be";
+  if (first && said.hello) {
+    if (name_.empty()) name_ = said.hello->name;
+    if (who_.relative) return;
+    claim_source_ = said.hello->claim_source;
+    claim_ = {said.hello->relative, said.hello->absolute, claim_source_};
+    return;
+  }
+  if (said.hello) said.error = "a second hello, or one that is not the first line";
+  nlohmann::json object = nlohmann::json::parse(text, nullptr, false);
+  if (!object.is_object()) return pass_over(file, line, said.error.empty() ? "no object" : said.error);
+  const std::optional<std::string> id = id_of(object);
+  const MethodAnswer answer =
+      said.answer ? method_answer(*said.answer) : failed_answer(Failure::malformed, said.error);
+  if (!questions_) {  // a whole number for an id is no fault here
+    if (id) object["id"] = *id;
+    const CaseLine own = parse_case(id ? object.dump() : std::string(text), line);
+    if (!own.value) return pass_over(file, line, without_line(own.error));
+    if (!said.answer) complain_(file, line, said.error);
+    return judge_answer(*own.value, line, family_of(*own.value), answer);
+  }
+  if (!id) return pass_over(file, line, "no id, a string or a whole number, of a question");
+  Questions::Question* question = questions_->find(*id);
+  if (!question) return pass_over(file, line, fmt::format("id {} is of no question", quote_json(*id)));
+  if (question->answered != 0) {
+    const std::string twice = fmt::format("answered on line {} already", question->answered);
+    complain_(file, line, fmt::format("id {} was {}", quote_json(*id), twice));
+    const Case again = questions_->read(*question);
+    return judge_answer(again, line, question->family, failed_answer(Failure::malformed, twice), true);
+  }
+  question->answered = line;
+  if (!said.answer) complain_(file, line, said.error);
+  judge_answer(questions_->read(*question), line, question->family, answer);
+}
+
+std::uint32_t OfflineJudge::family_of(const Case& question) {
+  return index_in(families_, family_in(question));
+}
+
+// As a batch does: verdicts first, and only a pair of a finding that is kept again, with its certificate.
+void OfflineJudge::judge_answer(const Case& question, std::size_t line, std::uint32_t family,
+                                const MethodAnswer& answer, bool again) {
+  const MethodAnswer offered[] = {answer, certifying_->ask(question.pair)};
+  Trial trial(question.pair, judge_verdict(question.pair, offered));
+  Counts& tally = counts(family);
+  tally.asked += !again;
+  judged_[family].asked += !again;
+  tally.declined += answer.status == Status::declined;
+  tally.undecided += answer.status == Status::answered && answer.verdict == Verdict::undecided;
+  judged_[family].undecided += !again && trial.truth.verdict == Verdict::undecided;
+  const std::optional<Finding> wrong = compare(trial, claim_, answer);
+  if (!wrong) return;
+  tally.failed += is_failure(wrong->kind);
+  tally.contract += !is_failure(wrong->kind) && wrong->severity == Severity::contract;
+  tally.resolution += !is_failure(wrong->kind) && wrong->severity == Severity::resolution;
+  FindingRecord record;
+  record.method = name_;
+  record.family = families_[family];
+  record.kind = to_string(wrong->kind);
+  record.severity = to_string(wrong->severity);
+  record.margin = wrong->margin;
+  if (!kept_.admit(record)) return;
+  trial.truth = judge(question.pair, offered);
+  if (trial.decided()) trial.distance_at(gap_width_tol);
+  trial.narrow_distance();
+  findings_.push_back({*wrong, families_[family], question, line, answer, trial.truth, trial.distance});
+}
+
+int OfflineJudge::exit_code() const {
+  Counts all;
+  for (const Counts& c : counts_) all += c;
+  if (all.contract + all.failed + passed_over_ > 0) return 2;
+  return std::any_of(judged_.begin(), judged_.end(), [](const Counts& c) { return c.undecided > 0; }) ? 3 : 0;
+}
+
+std::vector<TallyRecord> OfflineJudge::tallies() const {
+  std::vector<TallyRecord> rows;
+  for (std::size_t f = 0; f < counts_.size(); ++f)
+    if (counts_[f].asked > 0) rows.push_back({name_, families_[f], counts_[f]});
+  for (std::size_t f = 0; f < judged_.size(); ++f)
+    if (judged_[f].asked > 0) rows.push_back({referee_row, families_[f], judged_[f]});
+  return rows;
+}
+
+}  // namespace cyl

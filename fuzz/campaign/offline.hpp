@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: MIT
+// A campaign of two halves: its pairs are written down, answered elsewhere (another machine, another system,
+// a GPU), and the answers judged here as a campaign judges them. Questions are lines of pair_io, answers
+// lines of guest_protocol.hpp with the `id` of their question, in any order.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <istream>
+#include <memory>
+#include <optional>
+#include <string>
+#include <unordered_map>
+#include <vector>
+
+#include "corpus/pairs/finding.hpp"
+#include "corpus/pairs/pair_io.hpp"
+#include "corpus/store/representatives.hpp"
+#include "fuzz/campaign/batch.hpp"
+#include "oracles/methods/guest_protocol.hpp"
+
+namespace cyl {
+
+/// Pair `index` of a campaign with this seed and workload, to be asked elsewhere. Its id is index + 1; it
+/// does not tell what is known of it.
+Case question_at(const Workload& workload, const Schedule& schedule, std::uint64_t seed, std::uint64_t index);
+
+/// Reads the non-blank lines of a stream, none longer than a line of pairs may be, with their places.
+class LineReader {
+ public:
+  explicit LineReader(std::istream& in) : in_(in), buffer_(line_cap + 2, '\0') {}
+  /// Reads the next non-blank line. Returns whether there is one.
+  bool next();
+  /// Reads the line at a place where text() was: to be called on files alone.
+  bool go_to(std::uint64_t place, std::size_t line);
+  std::string_view text() const { return text_; }  ///< cut after line_cap + 1 bytes
+  std::size_t line() const { return line_; }       ///< from 1
+  std::uint64_t place() const { return place_; }   ///< in bytes
+
+ private:
+  bool read();
+  std::istream& in_;
+  std::string buffer_;
+  std::string_view text_;
+  std::size_t line_ = 0;
+  std::uint64_t place_ = 0, next_ = 0;
+};
+
+/// A line that costs itself: what is wrong with it.
+using Complain = std::function<void(const std::string& file, std::size_t line, const std::string& what)>;
+
+/// The pairs of a file by their ids: where they are, not what they are. About 100 bytes a pair.
+class Questions {
+ public:
+  /// Reads all of the file once. A line that is no pair, or whose id was there before, is told and passed
+  /// over. A line without an id has the number of its line. Throws std::runtime_error where it cannot be
+  /// read.
+  Questions(const std::string& file, const Complain& complain);
+
+  struct Question {
+    std::uint64_t place;
+    std::size_t line;
+    std::uint32_t family;      ///< index into families()
+    std::size_t answered = 0;  ///< by this line; 0: not yet
+  };
+  /// Returns the question of that id, or nullptr.
+  Question* find(const std::string& id);
+  /// Reads the pair again.
+  Case read(const Question& question);
+  std::vector<Question>& all() { return all_; }
+  const std::vector<std::string>& families() const { return families_; }
+  const std::string& file() const { return file_; }
+
+ private:
+  std::string file_;
+  std::unique_ptr<std::istream> in_;
+  LineReader reader_;
+  std::vector<Question> all_;
+  std::unordered_map<std::string, std::size_t> by_id_;
+  std::vector<std::string> families_;
+};
+
+/// A finding that is kept: the first ones of each kind, and whoever is wrong by more than those before.
+struct JudgedFinding {
+  Finding finding;
+  std::string family;
+  Case question;
+  std::size_t line;  ///< of the answer; 0: none came
+  MethodAnswer answer;
+  Truth truth;  ///< with its certificate
+  Enclosure distance;
+};
+
+/// Whose answers are judged. What is empty here is taken from a hello in the answers.
+struct Answerer {
+  std::string name;
+  std::optional<double> relative;  ///< the claim
+};
+
+class OfflineJudge {
+ public:
+  /// `questions`: none where each answer has its own a and b.
+  OfflineJudge(Answerer who, Questions* questions, Complain complain);
+
+  /// Judges all answers of a stream, called `file` in what is told; then what has none. Calls `on_progress`
+  /// with the number of lines read, often.
+  void judge_all(std::istream& in, const std::string& file,
+                 const std::function<void(std::uint64_t lines)>& on_progress = {});
+
+  const std::string& name() const { return name_; }
+  const Claim& claim() const { return claim_; }
+  std::vector<TallyRecord> tallies() const;  ///< of the method and the referee, by family
+  std::vector<GroupRecord> groups() const { return kept_.groups(); }
+  const std::vector<JudgedFinding>& findings() const { return findings_; }
+  std::uint64_t lines_passed_over() const { return passed_over_; }  ///< told, and of no pair's account
+  /// As a campaign's: 2 contract findings or failures, or lines of no pair; 3 undecided truth; else 0.
+  int exit_code() const;
+
+ private:
+  void take(const std::string& file, std::size_t line, std::string_view text);
+  void judge_answer(const Case& question, std::size_t line, std::uint32_t family, const MethodAnswer& answer,
+                    bool again = false);
+  void pass_over(const std::string& file, std::size_t line, const std::string& what);
+  std::uint32_t family_of(const Case& question);
+  Counts& counts(std::uint32_t family);
+
+  Answerer who_;
+  Questions* questions_;
+  Complain complain_;
+  std::string name_, claim_source_;
+  Claim claim_;
+  bool begun_ = false;
+  std::unique_ptr<Method> certifying_;
+  std::vector<std::string> families_;
+  std::vector<Counts> counts_, judged_;  // a family each
+  Representatives kept_;
+  std::vector<JudgedFinding> findings_;
+  std::uint64_t passed_over_ = 0;
+};
+
+}  // namespace cyl

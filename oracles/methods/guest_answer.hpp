@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: MIT
+// What a guest's line says, as the answer of a method.
+#pragma once
+
+#include "corpus/pairs/method_answer.hpp"
+#include "oracles/methods/guest_protocol.hpp"
+
+namespace cyl {
+
+/// Returns the answer; of a point and a direction, the one that goes with the verdict.
+MethodAnswer method_answer(const GuestAnswer& said);
+
+}  // namespace cyl
