@@ -57,7 +57,8 @@ class Method {
   virtual bool asks_many() const { return runs_apart(); }
   /// Asks about as many pairs, all of them or those up to the first failure, and returns how many these are.
   virtual std::size_t ask_many(std::span<const Pair> pairs, std::span<MethodAnswer> answers) {
-    for (std::size_t i = 0; i < pairs.size(); ++i) answers[i] = ask(pairs[i]);
+    for (std::size_t i = 0; i < pairs.size(); ++i)
+      if ((answers[i] = ask(pairs[i])).status == Status::failed) return i + 1;
     return pairs.size();
   }
   /// Of one that runs apart: CPU time that its processes have taken.
