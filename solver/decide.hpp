@@ -66,7 +66,7 @@ Verdict intersect(const Cylinder& a, const Cylinder& b) noexcept;
 /// than 1e-13 of r0 + h0 + r1 + h1; common points only where no ball of 1e-13 of that lies in both, and of
 /// flat solids (of which one is no thicker than that) only where no such disk or segment does, or where both
 /// are: two segments, a point, planes or a plane and a line that cross at a small angle. Cost: three times
-/// that of intersect(); within 1e-11 of touching and beside flat solids up to 50 us.
+/// that of intersect(); within 1e-11 of touching and beside flat solids up to 0.2 ms.
 Answer decide(const Prepared& a, const Prepared& b) noexcept;
 Answer decide(const Cylinder& a, const Cylinder& b) noexcept;
 

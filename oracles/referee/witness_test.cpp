@@ -70,7 +70,9 @@ TEST(HullWitness, StandsForARationalPoint) {
       EXPECT_EQ(check_witness(pair, witness), named ? Verdict::intersecting : Verdict::undecided);
       const Truth truth = judge(pair, {&witness, 1});
       EXPECT_EQ(truth.witnessed, named);
-      if (named) EXPECT_EQ(truth.stage, Stage::filter);
+      if (named) {
+        EXPECT_EQ(truth.stage, Stage::filter);
+      }
       EXPECT_EQ(truth.verdict, Verdict::intersecting);
       const Rational3 common = exact(truth.certificate.vector);
       EXPECT_TRUE(in_both_exact(pair, common));
