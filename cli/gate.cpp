@@ -4,8 +4,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <chrono>
 #include <cstdio>
 #include <filesystem>
+#include <functional>
 #include <map>
 #include <memory>
 #include <optional>
@@ -178,32 +180,59 @@ GateReport run_with_progress(std::span<const std::unique_ptr<Method>> methods, s
 /// Draws of a seed are counted from so many pairs on: it takes as long as a few tens of thousands.
 constexpr std::uint64_t counting_pairs = 50'000;
 
-/// Prints what the checks beside the laws found: of the referee, and of the solver where it is to pass.
-/// Returns whether all was right.
+/// Prints what the checks beside the laws found: of the referee, and of the solver where it is to pass; those
+/// for which there is no time are `not_asked`. Returns whether all was right.
 bool check_beside(std::span<const std::unique_ptr<Method>> methods, std::span<const Case> cases,
-                  const GateOptions& options) {
-  Checked referee, solver;
+                  const GateOptions& options, std::vector<std::string>& not_asked) {
   const std::uint64_t seed = options.seed;
   const bool ours = std::any_of(methods.begin(), methods.end(), [](const auto& m) { return !m->foreign(); });
   const bool counts = options.pairs >= counting_pairs;
-  check_known(referee, cases);
-  check_arithmetic(referee, seed);
-  check_certificates(referee, seed);
-  check_touching(referee, seed);
-  if (counts) check_searches(referee, seed);
-  if (ours) check_batches(solver, seed);
-  if (ours && counts) check_promises(solver, seed);
+  using Check = std::function<void(Checked&)>;
+  const Check of_referee[] = {
+      [&](Checked& c) { check_known(c, cases); }, [&](Checked& c) { check_arithmetic(c, seed); },
+      [&](Checked& c) { check_certificates(c, seed); }, [&](Checked& c) { check_touching(c, seed); },
+      [&](Checked& c) {
+        if (counts) check_searches(c, seed);
+      }};
+  const Check of_solver[] = {[&](Checked& c) {
+                               if (ours) check_batches(c, seed);
+                             },
+                             [&](Checked& c) {
+                               if (ours && counts) check_promises(c, seed);
+                             }};
   bool right = true;
-  const auto show = [&](const char* whose, const Checked& checked) {
+  const auto check = [&](const char* whose, std::span<const Check> checks) {
+    Checked checked;
+    for (std::size_t i = 0; i < checks.size(); ++i) {
+      if (out_of_time(options)) {
+        not_asked.push_back(fmt::format("{} of {} checks of {} beside the laws, for the time was over",
+                                        checks.size() - i, checks.size(), whose));
+        break;
+      }
+      checks[i](checked);
+    }
     if (checked.asked() == 0) return;
     fmt::print("{}, {} questions beside the laws: {}\n", whose, checked.asked(),
                checked.wrong().empty() ? "all right" : "WRONG");
     for (const std::string& line : checked.wrong()) fmt::print("  FAILED {}\n", line);
     right = right && checked.wrong().empty();
   };
-  show("the referee", referee);
-  show("the solver", solver);
+  check("the referee", of_referee);
+  check("the solver", of_solver);
   return right;
+}
+
+/// Tries the gate on planted faults while there is time.
+SelfTest test_itself(const GateOptions& options, std::vector<std::string>& not_asked) {
+  const auto count =
+      static_cast<unsigned>(std::clamp<std::uint64_t>(options.pairs / self_test_interval, 1, self_test_cap));
+  std::optional<std::chrono::milliseconds> left;
+  if (options.cap)
+    left = *options.cap - std::chrono::duration_cast<std::chrono::milliseconds>(
+                              std::chrono::steady_clock::now() - options.start);
+  SelfTest test = self_test(count, left);
+  if (test.cut) not_asked.push_back("methods with known faults, for the time was over");
+  return test;
 }
 
 int gate(const GateArguments& arguments) {
@@ -211,12 +240,12 @@ int gate(const GateArguments& arguments) {
     print_laws();
     return exit_pass;
   }
+  GateOptions options;
   MethodSet set = with_guests(arguments.guests);
   const std::vector<Guest> guests = set.guests;
   const auto methods = std::move(set).select(arguments.methods, our_methods);
   const auto places = places_of(arguments.annotate, guests);
   if (!arguments.reproduce.empty()) return reproduce(arguments, methods);
-  GateOptions options;
   options.seed = arguments.seed.value_or(options.seed);
   options.pairs = arguments.pairs.value_or(options.pairs);
   if (!arguments.cap.empty()) options.cap = parse_duration(arguments.cap);
@@ -235,17 +264,21 @@ int gate(const GateArguments& arguments) {
   std::fflush(stdout);
 
   options.first_failure = arguments.first_failure;
-  const bool right = check_beside(methods, cases, options);
+  std::vector<std::string> not_asked;
+  // Where time is short, the methods come first.
+  bool right = options.cap.has_value() || check_beside(methods, cases, options, not_asked);
   if (!right && options.first_failure) return exit_findings;
-
   GateReport report = run_with_progress(methods, cases, options);
+  if (options.cap) right = check_beside(methods, cases, options, not_asked);
+  const SelfTest test = test_itself(options, not_asked);
+  report.not_asked.insert(report.not_asked.end(), not_asked.begin(), not_asked.end());
   complete(report, known, methods, guests, cases, places);
-  const SelfTest test = self_test(
-      static_cast<unsigned>(std::clamp<std::uint64_t>(options.pairs / self_test_interval, 1, self_test_cap)));
   write_files(arguments, report);
   if (arguments.github) fmt::print("{}", gate_github(report));
   fmt::print("the gate itself, tried on methods with known faults: {}",
-             test.ran ? test.text : "not run, daylight-mutants is not beside this executable\n");
+             test.cut   ? "not run, for the time was over\n"
+             : test.ran ? test.text
+                        : "not run, daylight-mutants is not beside this executable\n");
   fmt::print("{}", gate_text(report));
   for (const std::string& remark : known.remarks) fmt::print("{}\n", remark);
   if (!arguments.keep.empty() && std::any_of(report.failures.begin(), report.failures.end(), fails_gate))

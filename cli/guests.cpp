@@ -9,6 +9,7 @@
 #include <filesystem>
 #include <stdexcept>
 
+#include "base/process/confine.hpp"
 #include "base/usage_error.hpp"
 #include "cli/options.hpp"
 #include "corpus/store/run_store.hpp"
@@ -79,6 +80,12 @@ std::vector<std::unique_ptr<Method>> MethodSet::select(std::string_view spec, st
 
 MethodSet with_guests(const GuestOptions& options) {
   MethodSet set{all_methods(), {}};
+  if (!options.plugins.empty() && !can_confine()) {
+    fmt::print(stderr,
+               "daylight: this kernel refuses a filter of system calls (seccomp): plug-ins are asked in "
+               "processes of "
+               "their own all the same, but nothing keeps them from starting others and sending signals\n");
+  }
   try {
     std::vector<Guest> guests;
     for (const std::string& text : options.plugins) guests.push_back(read_guest(GuestKind::plugin, text));

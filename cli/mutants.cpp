@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "cli/mutants.hpp"
 
+#include <poll.h>
+
+#include <chrono>
 #include <filesystem>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -29,12 +33,20 @@ void become_mutants(const std::vector<std::string>& arguments) {
   become_program(command);
 }
 
-SelfTest self_test(unsigned count) {
+SelfTest self_test(unsigned count, std::optional<std::chrono::milliseconds> time) {
+  using Clock = std::chrono::steady_clock;
   const std::string program = mutants_executable();
   if (program.empty()) return {};
-  Child child(std::vector<std::string>{program, "smoke", "--count", std::to_string(count)});
-  const bool passed = child.wait() == 0;
-  return {true, passed, child.bytes()};
+  const auto start = Clock::now();
+  Child child(std::vector<std::string>{program, "smoke", "--count", std::to_string(count)},
+              {.own_group = true});
+  constexpr int look_interval = 20;  // milliseconds
+  while (!child.advance()) {
+    if (time && Clock::now() - start >= *time) return {.ran = true, .cut = true, .passed = true, .text = {}};
+    pollfd end{child.end(), POLLIN, 0};
+    poll(&end, 1, look_interval);
+  }
+  return {.ran = true, .cut = false, .passed = child.status() == 0, .text = child.bytes()};
 }
 
 void add_mutants(Program& program) {

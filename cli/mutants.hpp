@@ -2,6 +2,8 @@
 // The executable that holds the mutants, beside this one: never linked into it.
 #pragma once
 
+#include <chrono>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -15,10 +17,12 @@ std::string mutants_executable();
 
 struct SelfTest {
   bool ran = false;    ///< false: there is no such executable
-  bool passed = true;  ///< every planted fault was caught
+  bool cut = false;    ///< the time was over before the last fault
+  bool passed = true;  ///< every planted fault that was tried was caught
   std::string text;    ///< what it said, e.g. "5 of 5 mutants caught"
 };
-/// Plants this many faults, one after the other, and sees whether laws, corpus and referee catch each.
-SelfTest self_test(unsigned count);
+/// Plants this many faults, one after the other, and sees whether laws, corpus and referee catch each; all
+/// within `time`, where it is given.
+SelfTest self_test(unsigned count, std::optional<std::chrono::milliseconds> time = {});
 
 }  // namespace cyl

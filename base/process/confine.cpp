@@ -13,6 +13,8 @@
 #include <csignal>
 #include <cstdlib>
 
+#include "base/process/child.hpp"
+
 namespace cyl {
 namespace {
 
@@ -73,6 +75,13 @@ bool confine(std::atomic<int>& denied) {
       filter && sigaction(SIGSYS, &handler, nullptr) == 0 && add_rules(filter) && seccomp_load(filter) == 0;
   if (filter) seccomp_release(filter);
   return held;
+}
+
+bool can_confine() {
+  static std::atomic<int> denied{-1};
+  Child child([]() -> std::string { return confine(denied) ? "yes" : ""; });
+  child.wait();
+  return child.bytes() == "yes";
 }
 
 std::string system_call_name(int number) {

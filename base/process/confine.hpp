@@ -16,6 +16,9 @@ inline constexpr int denied_code = 97;
 /// ends with denied_code. Returns false, and nothing is held back, where the kernel refuses the filter.
 bool confine(std::atomic<int>& denied);
 
+/// Whether this kernel lets processes be confined.
+bool can_confine();
+
 /// "kill", or the number where that has no name.
 std::string system_call_name(int number);
 

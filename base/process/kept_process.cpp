@@ -23,19 +23,6 @@
 namespace cyl {
 namespace {
 
-/// Does what fork() does, but the child is the first process of a PID namespace of its own where the system
-/// allows that, and `apart` says so. Later children of this process are born beside it again.
-pid_t fork_apart(bool& apart) {
-  const int home = open("/proc/self/ns/pid", O_RDONLY | O_CLOEXEC);
-  apart = home >= 0 && unshare(CLONE_NEWPID) == 0;
-  const pid_t process = fork_with_retry();
-  const int error = errno;
-  if (process != 0 && apart && setns(home, CLONE_NEWPID) != 0) std::abort();  // or all others would be kept
-  close_all({home});
-  errno = error;
-  return process;
-}
-
 void close_all_but(std::vector<int> kept) {
   std::sort(kept.begin(), kept.end());
   unsigned from = STDERR_FILENO + 1;
@@ -52,6 +39,44 @@ void set_streams(int input, int output, int error) {
   const int nothing = open("/dev/null", O_RDWR | O_CLOEXEC);
   const int wanted[] = {input, output, error};
   for (int stream = 0; stream < 3; ++stream) dup2(wanted[stream] < 0 ? nothing : wanted[stream], stream);
+}
+
+void write_file_once(const char* file, const char* text) {
+  const int at = open(file, O_WRONLY | O_CLOEXEC);
+  if (at >= 0 && write(at, text, std::strlen(text)) < 0) errno = 0;  // it makes do with what it may
+  close_all({at});
+}
+
+/// Goes on as the first process of a PID namespace, as a user namespace lets everybody do where the system
+/// allows one; this process is left to wait for it. Returns whether that was so.
+bool go_apart_as_user() {
+  char user[40], group[40];
+  std::snprintf(user, sizeof user, "%u %u 1", getuid(), getuid());
+  std::snprintf(group, sizeof group, "%u %u 1", getgid(), getgid());
+  if (unshare(CLONE_NEWUSER | CLONE_NEWPID) != 0) return false;
+  write_file_once("/proc/self/uid_map", user);
+  write_file_once("/proc/self/setgroups", "deny");
+  write_file_once("/proc/self/gid_map", group);
+  const pid_t first = fork_with_retry();
+  if (first == 0) return true;
+  setsid();
+  set_streams(-1, -1, -1);
+  close_all_but({});
+  _exit(first < 0 || reap(first) != 0);
+}
+
+/// Does what fork() does, but the child is the first process of a PID namespace of its own where the system
+/// allows that, and `apart` says so. Later children of this process are born beside it again.
+pid_t fork_apart(bool& apart) {
+  const int home = open("/proc/self/ns/pid", O_RDONLY | O_CLOEXEC);
+  apart = home >= 0 && unshare(CLONE_NEWPID) == 0;
+  const pid_t process = fork_with_retry();
+  const int error = errno;
+  if (process != 0 && apart && setns(home, CLONE_NEWPID) != 0) std::abort();  // or all others would be kept
+  if (process == 0 && !apart) apart = go_apart_as_user();
+  close_all({home});
+  errno = error;
+  return process;
 }
 
 /// Tells who it is: the number that the other side knows this process by comes with the byte.
@@ -205,7 +230,8 @@ const std::optional<KeptProcess::Ending>& KeptProcess::wait() {
   if (waited_) return ending_;
   Ending told{};
   ssize_t got = 0;
-  while ((got = recv(socket_, &told, sizeof told, 0)) < 0 && errno == EINTR) {
+  // The socket says once that a keeper which is gone did not read all; what it sent comes after that.
+  while ((got = recv(socket_, &told, sizeof told, 0)) < 0 && (errno == EINTR || errno == ECONNRESET)) {
   }
   if (got == sizeof told) ending_ = told;
   reap(keeper_);

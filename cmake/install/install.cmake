@@ -55,8 +55,8 @@ daylight_library(exact LINKS installed_solver mpfi mpfr gmpxx gmp fmt::fmt OBJEC
   HEADERS oracles/referee/decide_exactly.hpp oracles/referee/referee.hpp corpus/pairs/method_answer.hpp
           corpus/pairs/certificate.hpp corpus/pairs/pair_numbers.hpp base/enum_words.hpp)
 daylight_library(oracles OBJECTS ${oracles_objects} LINKS installed_exact NLopt::nlopt ${FCL_LIBRARY} ${BULLET_LIBRARY}
-                 ${CCD_LIBRARY} ${ODE_LIBRARY} SQLiteCpp fmt::fmt mujoco
-  PC_REQUIRES "daylight-exact nlopt fcl bullet-float64 ccd ode fmt" PC_LIBS "-lSQLiteCpp -lsqlite3 -lmujoco"
+                 ${CCD_LIBRARY} ${ODE_LIBRARY} SQLiteCpp fmt::fmt seccomp mujoco
+  PC_REQUIRES "daylight-exact nlopt fcl bullet-float64 ccd ode fmt libseccomp" PC_LIBS "-lSQLiteCpp -lsqlite3 -lmujoco"
   HEADERS oracles/methods/method.hpp oracles/methods/contained.hpp oracles/methods/adapter.hpp oracles/methods/guest.hpp
           oracles/trial/compare.hpp oracles/trial/trial.hpp oracles/plugin.h base/json.hpp corpus/pairs/pair_io.hpp
           corpus/pairs/truth_io.hpp corpus/pairs/finding.hpp corpus/pairs/families.hpp)

@@ -65,7 +65,7 @@ daylight_package(oracles libdaylight-oracles-dev libdevel "compare collision lib
 answers with the proved truth, and the readers behind them, as a static\n\
 library with its headers."
   DEPENDS "libdaylight-exact-dev ${same_version}" libnlopt-dev libfcl-dev libbullet-dev libccd-dev libode-dev libmujoco-dev
-          libsqlitecpp-dev libsqlite3-dev libfmt-dev pkg-config
+          libsqlitecpp-dev libsqlite3-dev libfmt-dev libseccomp-dev pkg-config
   BUILT_IN libeigen3-dev libsqlitecpp-dev nlohmann-json3-dev)
 if(TARGET daylight_python)
   math(EXPR next "${Python_VERSION_MINOR} + 1")

@@ -12,6 +12,12 @@ void MethodAnswer::set_reason(std::string_view text) noexcept {
   std::memset(reason + length, 0, sizeof reason - length);
 }
 
+void MethodAnswer::note(SideEffect effect, std::string_view what) noexcept {
+  if (side_effect != SideEffect::none) return;
+  side_effect = effect;
+  if (status == Status::answered) set_reason(what);
+}
+
 void MethodAnswer::set_direction(const Vector3& d) noexcept {
   witness = CertificateKind::direction;
   std::copy_n(d.data(), 3, head);

@@ -54,7 +54,9 @@ struct MethodAnswer {
   char reason[120] = {};  ///< why it declined or failed, else what the side effect was; zero-terminated
 
   void set_reason(std::string_view text) noexcept;  ///< truncates
-  void set_direction(const Vector3& d) noexcept;    ///< as the witness
+  /// The first one counts; it is the reason, where there is no other.
+  void note(SideEffect effect, std::string_view what) noexcept;
+  void set_direction(const Vector3& d) noexcept;  ///< as the witness
   /// As the witness, where it is one vector that doubles hold; else none.
   void set_witness(const Certificate& certificate) noexcept;
   Certificate certificate() const;  ///< the witness, as it was offered

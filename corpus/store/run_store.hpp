@@ -32,7 +32,7 @@ struct Counts {
   std::uint64_t contract = 0;    ///< wrong beyond its own claim
   std::uint64_t resolution = 0;  ///< wrong within its own claim
   std::uint64_t undecided = 0;
-  std::uint64_t nanoseconds = 0;  ///< wall time of the calls
+  std::uint64_t nanoseconds = 0;  ///< time of the calls: of foreign ones, CPU time
 
   Counts& operator+=(const Counts& other);
   static auto columns(auto& c) {

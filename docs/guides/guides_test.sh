@@ -37,10 +37,11 @@ done
 
 # What the first of them promises: the fault of its example is found, each way of asking it.
 cd -- "$scratch/library"
-grep -q '^1\. mine breaks law ' 01.out
-grep -q '"bucket\|mine/wrong_intersecting/' failing.jsonl
-grep -q '^\* mine/wrong_intersecting' 02.out
-grep -q '^as asked: .*: proved' 02.out
-grep -q '^WRONG$' 02.out
-grep -q '^1\. balls breaks law ' 03.out
+holds() { grep -q -- "$2" "$1" || { echo "no line of $1 matches $2"; tail -n 40 "$1" | cut -c1-200; exit 1; }; }
+holds 01.out '^1\. mine breaks law '
+holds failing.jsonl '"bucket\|mine/wrong_intersecting/'
+holds 02.out '^\* mine/wrong_intersecting'
+holds 02.out '^as asked: .*: proved'
+holds 02.out '^WRONG$'
+holds 03.out '^1\. balls breaks law '
 echo passed

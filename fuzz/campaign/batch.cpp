@@ -5,15 +5,18 @@
 
 #include <algorithm>
 #include <chrono>
-#include <exception>
+#include <map>
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "corpus/pairs/random_stream.hpp"
 #include "corpus/pairs/truth_io.hpp"
 #include "corpus/store/representatives.hpp"
+#include "fuzz/campaign/not_alone.hpp"
+#include "oracles/methods/ask_caught.hpp"
 #include "oracles/methods/contained.hpp"
 #include "oracles/referee/referee.hpp"
 #include "oracles/trial/cells.hpp"
@@ -29,26 +32,17 @@ std::uint64_t nanoseconds_since(Clock::time_point start) {
       std::chrono::duration_cast<std::chrono::nanoseconds>(Clock::now() - start).count());
 }
 
-MethodAnswer ask_here(Method& method, const Pair& pair) {
-  const auto broke = [](std::string_view reason) {
-    MethodAnswer answer;
-    answer.status = Status::failed;
-    answer.failure = Failure::exception;
-    answer.set_reason(reason);
-    return answer;
-  };
-  try {
-    return method.ask(pair);
-  } catch (const std::exception& e) {
-    return broke(e.what());
-  } catch (...) {
-    return broke("an exception that is no std::exception");
+/// The answers of those that were asked, as JSON by name.
+template <class Asked>
+std::string answers_text(std::span<const std::unique_ptr<Method>> methods,
+                         std::span<const MethodAnswer> answers, Asked asked) {
+  std::string text;
+  for (std::size_t m = 0; m < methods.size(); ++m) {
+    if (!asked(m)) continue;
+    text +=
+        (text.empty() ? "" : ",") + quote_json(methods[m]->name()) + ':' + format_method_answer(answers[m]);
   }
-}
-
-bool any_foreign(const Workload& workload) {
-  return std::any_of(workload.methods.begin(), workload.methods.end(),
-                     [](const auto& method) { return method->foreign(); });
+  return '{' + text + '}';
 }
 
 /// Indices that are worked on together: as many as a batch with foreign methods has, so that those are asked
@@ -159,7 +153,7 @@ class Batch {
         const auto start = Clock::now();
         for (const std::size_t p : by_family_[family]) {
           if (!on_share(m, p)) continue;
-          answers_[at(m, p)] = ask_here(method, pairs_[p]);
+          answers_[at(m, p)] = ask_caught(method, pairs_[p], CallMode::usual);
           asked_[at(m, p)] = true;
         }
         counts(m, family).nanoseconds += nanoseconds_since(start);
@@ -179,13 +173,26 @@ class Batch {
     }
     if (questions.empty()) return;
     const std::vector<ContainedAnswer> said = asker_.ask(pairs_, questions);
+    // Those of a block that were not answered are taken to need what the others did.
+    struct Block {
+      double time = 0;
+      std::size_t answered = 0, all = 0;
+    };
+    std::map<std::pair<std::size_t, std::size_t>, Block> blocks;  // by method and family
     for (std::size_t q = 0; q < questions.size(); ++q) {
-      const auto [m, p, mode, run] = questions[q];
+      const auto [m, p, mode, family] = questions[q];
       answers_[at(m, p)] = said[q].answer;
       asked_[at(m, p)] = true;
-      counts(m, family_index_of(index_of(p)).family).nanoseconds +=
-          static_cast<std::uint64_t>(said[q].nanoseconds);
+      Block& block = blocks[{m, family}];
+      ++block.all;
+      if (said[q].answer.status == Status::failed) continue;
+      ++block.answered;
+      block.time += said[q].nanoseconds;
     }
+    for (const auto& [of, block] : blocks)
+      if (block.answered > 0)
+        counts(of.first, of.second).nanoseconds += static_cast<std::uint64_t>(
+            block.time / static_cast<double>(block.answered) * static_cast<double>(block.all));
   }
 
   /// Adds to the time of the pair, which count_all() gives to the row of the stage that had the last word.
@@ -270,33 +277,27 @@ class Batch {
       for (std::size_t m = 0; m < methods(); ++m) {
         Method& method = *workload_.methods[m];
         if (method.foreign() || !asked(m, p) || wrong_[at(m, p)]) continue;
-        if (!same_answer(ask_here(method, pairs_[p]), answers_of(p)[m])) {
+        if (!same_answer(ask_caught(method, pairs_[p], CallMode::usual), answers_of(p)[m])) {
           wrong_[at(m, p)] = Finding{FindingKind::nondeterminism, Severity::contract, {}};
         }
       }
     }
   }
 
-  // A worker outlives the stretch, and what a library keeps of earlier questions may be what is wrong: then
-  // the pair alone shows nothing.
   void ask_findings_again() {
-    std::vector<Question> questions;
+    std::vector<Doubt> doubts;
     for (std::size_t p = 0; p < pairs_.size(); ++p) {
       for (std::size_t m = 0; m < methods(); ++m) {
         const auto& wrong = wrong_[at(m, p)];
         if (wrong && wrong->severity == Severity::contract && workload_.methods[m]->foreign())
-          questions.push_back({m, p});
+          doubts.push_back({m, p, wrong->kind});
       }
     }
-    if (questions.empty()) return;
-    const std::vector<ContainedAnswer> said = ask_contained(workload_.methods, pairs_, questions);
-    for (std::size_t q = 0; q < questions.size(); ++q) {
-      const std::size_t m = questions[q].method, p = questions[q].pair;
-      std::optional<Finding>& wrong = wrong_[at(m, p)];
-      const auto again = compare(trials_[p], workload_.methods[m]->claim(), said[q].answer);
-      if (again && again->kind == wrong->kind) continue;
-      answers_[at(m, p)].set_reason(fmt::format("{} when it had been asked about indices {} to {}; not alone",
-                                                to_string(wrong->kind), first_, index_of(p)));
+    for (const Doubt& doubt : not_alone(workload_.methods, trials_, doubts)) {
+      std::optional<Finding>& wrong = wrong_[at(doubt.method, doubt.pair)];
+      answers_[at(doubt.method, doubt.pair)].set_reason(
+          fmt::format("{} when it had been asked about indices {} to {}; not alone", to_string(doubt.kind),
+                      first_, index_of(doubt.pair)));
       wrong = Finding{FindingKind::state_dependent, Severity::contract, wrong->margin};
     }
   }
@@ -321,7 +322,8 @@ class Batch {
     record.margin = finding.margin;
     if (!kept_.admit(record)) return;
     record.pair = case_line(p, drawn);
-    record.answers = answers_text(p);
+    record.answers =
+        answers_text(workload_.methods, answers_of(p), [&](std::size_t m) { return asked(m, p); });
     if (!certified_ || certified_->first != p) certified_.emplace(p, judge(pairs_[p], answers_of(p)));
     const Truth& truth = certified_->second;
     record.truth = format_truth(truth);
@@ -340,19 +342,6 @@ class Batch {
     line.source = fmt::format("daylight campaign --seed {}, index {}", seed_, index_of(p));
     if (trials_[p].truth.verdict != Verdict::undecided) line.truth = trials_[p].truth.verdict;
     return format_case(line);
-  }
-
-  std::string answers_text(std::size_t p) const {
-    std::string text = "{";
-    for (std::size_t m = 0; m < methods(); ++m) {
-      if (!asked(m, p)) continue;
-      if (text.size() > 1) text += ',';
-      text += quote_json(workload_.methods[m]->name());
-      text += ':';
-      text += format_method_answer(answers_of(p)[m]);
-    }
-    text += '}';
-    return text;
   }
 
   const Workload& workload_;
@@ -384,23 +373,6 @@ class Batch {
 bool is_method_row(std::string_view name) {
   return name != corpus_row && name != referee_row &&
          std::find(stage_rows.begin(), stage_rows.end(), name) == stage_rows.end();
-}
-
-Schedule schedule_of(const Workload& workload) {
-  std::vector<unsigned> weights(workload.weights.begin(), workload.weights.end());
-  if (weights.empty()) weights.assign(workload.families.size(), 1);
-  return Schedule(std::move(weights));
-}
-
-FamilyIndex family_index_of(const Workload& workload, const Schedule& schedule, std::uint64_t index) {
-  const std::uint64_t cases = workload.cases.size();
-  if (index < cases) return {0, index};
-  const auto [family, own] = schedule.at(index - cases);
-  return {1 + family, own};
-}
-
-std::string family_name(const Workload& workload, std::size_t family) {
-  return family == 0 ? cases_family : std::string(workload.families[family - 1].name);
 }
 
 std::uint64_t batch_size_for(const Workload& workload) {

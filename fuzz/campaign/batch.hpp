@@ -7,36 +7,12 @@
 #include <array>
 #include <cstdint>
 #include <functional>
-#include <memory>
-#include <span>
-#include <string>
 #include <string_view>
 
-#include "corpus/pairs/families.hpp"
-#include "corpus/pairs/pair_io.hpp"
 #include "corpus/store/run_store.hpp"
-#include "fuzz/campaign/schedule.hpp"
-#include "oracles/methods/method.hpp"
+#include "fuzz/campaign/workload.hpp"
 
 namespace cyl {
-
-/// Who is asked, and about what. Index i of a run is case i while there are cases; then the families take
-/// turns (fuzz/campaign/schedule.hpp).
-struct Workload {
-  std::span<const std::unique_ptr<Method>> methods;
-  std::span<const Family> families;
-  std::span<const Case> cases;
-  std::span<const unsigned> weights = {};  ///< of the families; none: all alike
-};
-
-/// Says what an index of a run stands for.
-struct FamilyIndex {
-  std::size_t family;   ///< 0: the cases; f: families[f - 1]
-  std::uint64_t index;  ///< of the case, or of the family's own pairs
-};
-Schedule schedule_of(const Workload& workload);
-FamilyIndex family_index_of(const Workload& workload, const Schedule& schedule, std::uint64_t index);
-std::string family_name(const Workload& workload, std::size_t family);
 
 /// Rows of the tally and the findings that are no method's: the cases' own statements of truth, the judge.
 inline constexpr const char* corpus_row = "corpus";
@@ -46,9 +22,6 @@ inline constexpr const char* referee_row = "referee";
 inline constexpr std::array<const char*, 3> stage_rows{"referee-filter", "referee-wide", "referee-exact"};
 /// Returns whether a row is a method's own and none of those above.
 bool is_method_row(std::string_view name);
-/// The family name of the cases.
-inline constexpr const char* cases_family = "cases";
-
 /// Our methods are asked twice on every index divisible by this: often enough to catch a method that keeps
 /// state, at 2 % of the cost.
 inline constexpr std::uint64_t repeat_share = 64;
@@ -70,8 +43,8 @@ std::uint64_t batch_size_for(const Workload& workload);
 /// counted on their share alone: disputes are where somebody is wrong, and no sample.
 BatchRecord run_batch(const Workload& workload, std::uint64_t seed, std::uint64_t first, std::uint64_t next);
 
-/// Returns what makes one batch after the other, [first, next) each, with the workers of foreign methods alive
-/// between them.
+/// Returns what makes one batch after the other, [first, next) each, with the workers of foreign methods
+/// alive between them.
 std::function<BatchRecord(std::uint64_t first, std::uint64_t next)> batch_maker(const Workload& workload,
                                                                                 std::uint64_t seed);
 

@@ -17,12 +17,6 @@ namespace {
 
 using Range = std::array<std::uint64_t, 2>;
 
-/// The pipe, made before the member that forks.
-bool open_pipe(int (&ends)[2]) {
-  if (pipe2(ends, O_CLOEXEC) != 0) throw_errno("pipe");
-  return true;
-}
-
 // Each batch follows its size.
 void serve(int ranges, int output, const JobProcess::MakeBatch& make) {
   for (Range range; read(ranges, &range, sizeof range) == sizeof range;) {
@@ -35,15 +29,18 @@ void serve(int ranges, int output, const JobProcess::MakeBatch& make) {
 
 }  // namespace
 
+JobProcess::Pipe::Pipe() {
+  if (pipe2(ends, O_CLOEXEC) != 0) throw_errno("pipe");
+}
+JobProcess::Pipe::~Pipe() { close_all({ends[0], ends[1]}); }
+
 JobProcess::JobProcess(const std::function<MakeBatch()>& prepare, std::chrono::seconds cpu_cap)
-    : cpu_cap_(open_pipe(ranges_) ? cpu_cap : cpu_cap),
+    : cpu_cap_(cpu_cap),
       child_(std::function<void(int)>([&](int output) {
-               close(ranges_[1]);
-               serve(ranges_[0], output, prepare());
+               close(ranges_.ends[1]);
+               serve(ranges_.ends[0], output, prepare());
              }),
              {.failure = "a batch failed", .own_group = true}) {}
-
-JobProcess::~JobProcess() { close_all({ranges_[0], ranges_[1]}); }
 
 void JobProcess::begin(std::uint64_t first, std::uint64_t next) {
   first_ = first;
@@ -51,7 +48,7 @@ void JobProcess::begin(std::uint64_t first, std::uint64_t next) {
   busy_ = true;
   cpu_at_start_ = child_.cpu_time();
   const Range range{first, next};
-  write_all(ranges_[1], {reinterpret_cast<const char*>(&range), sizeof range});
+  write_all(ranges_.ends[1], {reinterpret_cast<const char*>(&range), sizeof range});
 }
 
 // A limit of the process itself would be inherited by the contained workers and blamed on whom they happen to

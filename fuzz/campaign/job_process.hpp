@@ -19,8 +19,8 @@ class JobProcess {
   /// Forks; `prepare` is called there. The process has a process group of its own, so a Ctrl-C meant for the
   /// parent does not reach it, and it dies with the parent. Throws std::system_error where the system has no
   /// process or pipe left.
-  explicit JobProcess(const std::function<MakeBatch()>& prepare, std::chrono::seconds cpu_cap = batch_cpu_cap);
-  ~JobProcess();
+  explicit JobProcess(const std::function<MakeBatch()>& prepare,
+                      std::chrono::seconds cpu_cap = batch_cpu_cap);
 
   /// Starts a batch; only where none is under way.
   void begin(std::uint64_t first, std::uint64_t next);
@@ -33,7 +33,13 @@ class JobProcess {
   BatchRecord take();
 
  private:
-  int ranges_[2];  ///< the pipe through which it is told what to make
+  struct Pipe {
+    Pipe();
+    ~Pipe();
+    int ends[2];
+  };
+
+  Pipe ranges_;  ///< through which it is told what to make
   const std::chrono::seconds cpu_cap_;
   Child child_;
   bool busy_ = false, over_cap_ = false;

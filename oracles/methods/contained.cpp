@@ -7,6 +7,7 @@
 #include <string>
 #include <thread>
 
+#include "oracles/methods/ask_caught.hpp"
 #include "oracles/methods/worker.hpp"
 
 namespace cyl {

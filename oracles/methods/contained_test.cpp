@@ -22,52 +22,12 @@
 #include <thread>
 #include <utility>
 
-#include "oracles/methods/fake_method_test.hpp"
+#include "oracles/methods/acting_method_test.hpp"
 
 namespace cyl {
 namespace {
 
 using std::chrono::milliseconds;
-
-constexpr milliseconds short_cap{60};
-constexpr std::chrono::hours no_cap{1};
-
-/// Runs what the test hands it, then answers with the radius of a as the distance.
-std::vector<std::unique_ptr<Method>> fakes(std::vector<std::function<void()>> acts) {
-  std::vector<std::unique_ptr<Method>> methods;
-  for (auto& act : acts) {
-    methods.push_back(fake_method("fake", [act = std::move(act)](const Pair& pair) {
-      act();
-      MethodAnswer answer = answered(Verdict::disjoint);
-      answer.has_distance = true;
-      answer.distance = pair.a.radius;
-      return answer;
-    }));
-  }
-  return methods;
-}
-
-std::vector<Pair> numbered_pairs(std::size_t count) {
-  std::vector<Pair> pairs(count);
-  for (std::size_t i = 0; i < count; ++i) pairs[i].a.radius = static_cast<double>(i);
-  return pairs;
-}
-
-/// Asks a good method, then one that does `act`, then the good one again; the middle answer. The others are
-/// checked.
-MethodAnswer ask_between_good_ones(std::function<void()> act, const Caps& caps = {}) {
-  const auto methods = fakes({[] {}, std::move(act)});
-  const auto pairs = numbered_pairs(3);
-  const std::vector<Question> questions{{0, 0}, {1, 1}, {0, 2}};
-  const auto answers = ask_contained(methods, pairs, questions, caps);
-  EXPECT_EQ(answers.size(), 3u);
-  for (std::size_t i : {0u, 2u}) {
-    EXPECT_EQ(answers[i].answer.status, Status::answered) << answers[i].answer.reason;
-    EXPECT_EQ(answers[i].answer.distance, static_cast<double>(i));
-    EXPECT_GT(answers[i].nanoseconds, 0);
-  }
-  return answers[1].answer;
-}
 
 double cpu_seconds_of_dead_children() {
   rusage r;
@@ -107,6 +67,19 @@ TEST(Contained, TheEndOfALongMessageIsKept) {
   const std::string reason = answer.reason;
   EXPECT_TRUE(reason.starts_with("SIGABRT, after printing: xxx")) << reason;
   EXPECT_TRUE(reason.ends_with("xxx the end")) << reason;
+}
+
+TEST(Contained, TheFileAndLineOfALongMessageAreKept) {
+  const MethodAnswer answer = ask_between_good_ones([] {
+    std::fputs(
+        ("solver: /somewhere/else/gjk.h:177: " + std::string(300, 'x') + ": Assertion `a > 0' failed.\n")
+            .c_str(),
+        stderr);
+    std::abort();
+  });
+  const std::string reason = answer.reason;
+  EXPECT_TRUE(reason.starts_with("SIGABRT, after printing: gjk.h:177 .. x")) << reason;
+  EXPECT_TRUE(reason.ends_with("x: Assertion `a > 0' failed.")) << reason;
 }
 
 TEST(Contained, WhatAFreshWorkerPrintsDoesNotBelongToTheNext) {
@@ -315,106 +288,6 @@ TEST(Contained, WhatItStartedEndsWithIt) {
   const int before = beats.load();  // ask_contained() has returned, and with it the keeper
   usleep(100'000);
   EXPECT_EQ(before, beats.load()) << "an orphan lives on";
-}
-
-TEST(Contained, AWorkerLivesOnAndKnowsWhatCameBefore) {
-  const auto methods = fakes({[] {}});
-  std::vector<std::unique_ptr<Method>> counting;
-  counting.push_back(fake_method("counting", [n = 0](const Pair&) mutable {
-    MethodAnswer answer = answered(Verdict::disjoint);
-    answer.has_distance = true;
-    answer.distance = ++n;
-    return answer;
-  }));
-  Asker asker(counting);
-  const std::vector<Question> one{{0, 0}};
-  for (int i = 1; i <= 3; ++i) EXPECT_EQ(asker.ask(numbered_pairs(1), one)[0].answer.distance, i);
-  EXPECT_EQ(ask_contained(counting, numbered_pairs(1), one)[0].answer.distance, 1);
-}
-
-/// A method of a guest's library, which is confined.
-MethodAnswer ask_guest(std::function<void()> act, const Caps& caps = {}) {
-  std::vector<std::unique_ptr<Method>> methods;
-  methods.push_back(fake_method("guest",
-                                [act = std::move(act)](const Pair&) {
-                                  act();
-                                  return answered(Verdict::disjoint);
-                                },
-                                {.guest = true}));
-  return ask_contained(methods, numbered_pairs(1), std::vector<Question>{{0, 0}}, caps)[0].answer;
-}
-
-TEST(Contained, AGuestReachesNoOtherProcess) {
-  const std::pair<std::function<void()>, const char*> attempts[] = {
-      {[] { kill(getppid(), SIGKILL); }, "called kill(), which a method may not"},
-      {[] { kill(-1, SIGKILL); }, "called kill(), which a method may not"},
-      {[] { kill(0, SIGKILL); }, "called kill(), which a method may not"},
-      {[] { fork(); }, "called clone(), which a method may not"},
-      {[] { execl("/bin/true", "true", nullptr); }, "called execve(), which a method may not"},
-      {[] { std::raise(SIGSEGV); }, "SIGSEGV"},
-      {[] { std::abort(); }, "SIGABRT"},
-  };
-  for (const auto& [act, reason] : attempts) {
-    const MethodAnswer answer = ask_guest(act);
-    EXPECT_EQ(answer.failure, Failure::crash) << reason;
-    EXPECT_STREQ(answer.reason, reason);
-  }
-}
-
-TEST(Contained, AGuestMayStartThreads) {
-  const MethodAnswer answer = ask_guest([] { std::thread([] {}).join(); });
-  EXPECT_EQ(answer.status, Status::answered) << answer.reason;
-  EXPECT_EQ(answer.side_effect, SideEffect::none) << answer.reason;
-}
-
-TEST(Contained, AThreadThatIsLeftIsTold) {
-  const MethodAnswer answer = ask_guest([] { std::thread([] { pause(); }).detach(); });
-  EXPECT_EQ(answer.status, Status::answered) << answer.reason;
-  EXPECT_EQ(answer.side_effect, SideEffect::thread);
-}
-
-TEST(Contained, GarbageInItsDescriptorsHurtsNobody) {
-  const MethodAnswer answer = ask_between_good_ones([] {
-    for (int fd = 0; fd < 1000; ++fd) {
-      [[maybe_unused]] const ssize_t ignored = write(fd, "garbage garbage garbage", 23);
-    }
-  });
-  EXPECT_EQ(answer.status, Status::answered) << answer.reason;
-  const MethodAnswer closed = ask_between_good_ones([] { close_range(0, ~0u, 0); });
-  EXPECT_EQ(closed.status, Status::answered) << closed.reason;
-}
-
-TEST(Contained, AChangedRoundingModeIsToldAndPutBack) {
-  const MethodAnswer answer = ask_between_good_ones([] { std::fesetround(FE_UPWARD); });
-  EXPECT_EQ(answer.status, Status::answered);
-  EXPECT_EQ(answer.side_effect, SideEffect::rounding_mode);
-  EXPECT_STREQ(answer.reason, "left the rounding mode changed, the x87 control word changed");
-  const auto methods = fakes({[] { std::fesetround(FE_UPWARD); },
-                              [] {
-                                if (std::fegetround() != FE_TONEAREST)
-                                  throw std::runtime_error("rounds upward");
-                              }});
-  const auto answers = ask_contained(methods, numbered_pairs(1), std::vector<Question>{{0, 0}, {1, 0}});
-  EXPECT_STREQ(answers[1].answer.reason, "");
-}
-
-TEST(Contained, ALongSleepIsTold) {
-  const MethodAnswer answer = ask_between_good_ones(
-      [] { usleep(1'000'000); }, {.call_cpu = no_cap, .call_wall = no_cap, .call_wait = milliseconds(300)});
-  EXPECT_EQ(answer.status, Status::answered) << answer.reason;
-  EXPECT_EQ(answer.side_effect, SideEffect::slow);
-}
-
-TEST(Contained, WhichLimitBrokeIsTold) {
-  const Caps caps{.call_cpu = short_cap, .call_wall = milliseconds(2000)};
-  const auto endless = [] {
-    volatile bool forever = true;
-    while (forever) {
-    }
-  };
-  EXPECT_STREQ(ask_between_good_ones(endless, {.call_cpu = short_cap, .call_wall = no_cap}).reason,
-               "no answer within 60 ms of CPU time");
-  EXPECT_STREQ(ask_between_good_ones([] { std::raise(SIGSTOP); }, caps).reason, "no answer within 2000 ms");
 }
 
 }  // namespace

@@ -18,7 +18,7 @@ INSIDE = 'HOSTILE_TEST_INSIDE'  # set where the namespace is
 OTHERS = 'decide,libccd'
 PAIRS = 600  # more than a batch
 
-# Right as far as it goes; every seventh pair of a kind of size makes it do its worst.
+# Right as far as it goes; some of the heights, by their bits, make it do its worst.
 PLUGIN = r'''
 #include <fenv.h>
 #include <math.h>
@@ -71,15 +71,21 @@ static int misbehave(const char* mode, double* a, double* more) {
     setitimer(ITIMER_REAL, &soon, 0);
   }
   if (IS("bomb")) for (i = 0; i < 1 << 20; ++i) memset(malloc(1 << 20), 1, 1 << 20);
+  if (IS("claims-memory")) while (1) *(volatile char*)malloc(1 << 28) = 1;
   if (IS("infinite")) more[0] = INFINITY;
   if (IS("stop")) raise(SIGSTOP);
   return DAYLIGHT_DECLINED;
+}
+static int is_time(double height) {
+  unsigned long long bits;
+  memcpy(&bits, &height, sizeof bits);
+  return height != 0 && (bits * 0x9e3779b97f4a7c15ull >> 40) % 200 == 0;
 }
 static int ask(const double* a, const double* b, double* more) {
   const char* mode = getenv("HOSTILE");
   const double reach = hypot(a[6], a[7] / 2) + hypot(b[6], b[7] / 2);
   const double apart = hypot(hypot(b[0] - a[0], b[1] - a[1]), b[2] - a[2]);
-  if (mode && (unsigned)(a[7] * 1e6) % 150 == 0) {
+  if (mode && is_time(a[7])) {
     const int word = misbehave(mode, (double*)a, more);
     if (word != DAYLIGHT_DECLINED) return word;
   }
@@ -99,12 +105,13 @@ const struct DaylightMethod* daylight_method(void) { return &hostile; }
 '''
 
 COMMAND = r'''
-import json, math, os, signal, subprocess, sys
+import json, os, signal, struct, subprocess, sys
 mode = os.environ.get('HOSTILE', '')
 for line in sys.stdin:
     pair = json.loads(line)
-    a, b = pair['a'], pair['b']
-    if int(a['height'] * 1e6) % 150 == 0:
+    a = pair['a']
+    bits = struct.unpack('<Q', struct.pack('<d', a['height']))[0]
+    if ((bits * 0x9e3779b97f4a7c15) % 2**64 >> 40) % 200 == 0 and a['height']:
         if mode == 'kill-all':
             os.kill(-1, signal.SIGKILL)
         elif mode == 'kill-group':
@@ -122,6 +129,8 @@ for line in sys.stdin:
             os.closerange(0, 100)
     print(json.dumps({'verdict': 'undecided'}), flush=True)
 '''
+
+WHATEVER = object()  # whether it is named hangs on the system's shell
 
 # What it does, and how the finding of it reads; nothing where it does no harm.
 NAMED = {
@@ -148,13 +157,14 @@ NAMED = {
     'kill-parent': ('crash', 'called kill(), which a method may not'),
     'thread': ('side_effect', 'thread'),
     'limits': None,
-    'bomb': ('crash', 'SIG'),
-    'infinite': None,  # of a pair that it declares undecided
+    'bomb': ('', ''),  # a crash where the cap on memory is met first, a hang where that on time is
+    'claims-memory': ('crash', 'SIGSEGV'),
+    'infinite': ('non_finite', 'inf'),
 }
 COMMAND_NAMED = {
-    'kill-all': ('crash', ''),  # itself alone is there to be killed
+    'kill-all': WHATEVER,  # beside it there is the shell that started it, or none
     'kill-group': ('crash', 'SIGKILL'),
-    'kill-parent': None,
+    'kill-parent': WHATEVER,
     'orphan': None,
     'close': ('crash', ''),
 }
@@ -184,7 +194,12 @@ def told(folder, of_guest):
 
 
 def processes():
-    """All of this namespace but this one and the one that ps would be."""
+    """All of this namespace but this one, to which those come whose parent is gone."""
+    try:
+        while os.waitpid(-1, os.WNOHANG)[0]:
+            pass
+    except ChildProcessError:
+        pass
     return {int(p.name) for p in Path('/proc').iterdir() if p.name.isdigit()} - {os.getpid()}
 
 
@@ -199,9 +214,11 @@ def check(daylight, guest, mode, named, alone):
     asked = sum(t[2] for t in tallies)
     if asked != PAIRS:
         faults.append(f'{asked} of {PAIRS} pairs were asked')
-    if named and not any(kind == named[0] and named[1] in reason for *_, kind, _, reason in findings):
+    if named is WHATEVER:
+        pass
+    elif named and not any(named[0] in kind and named[1] in reason for *_, kind, _, reason in findings):
         faults.append(f'not named as {named}: {findings[:3]}')
-    if not named and findings:
+    elif not named and findings:
         faults.append(f'named: {findings[:3]}')
     run(daylight, 'campaign', '--resume', str(out), '--pairs', str(PAIRS + 100), status=(0, 2), mode=mode)
     left = processes()

@@ -5,25 +5,20 @@
 #include <poll.h>
 #include <sys/eventfd.h>
 #include <sys/mman.h>
-#include <sys/resource.h>
-#include <sys/stat.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 #include <algorithm>
-#include <atomic>
-#include <cmath>
-#include <csignal>
 #include <cstdio>
-#include <cstdlib>
-#include <new>
+#include <regex>
 #include <string>
-#include <type_traits>
+#include <utility>
 
 #include "base/process/confine.hpp"
-#include "base/process/control_words.hpp"
 #include "base/process/kept_process.hpp"
 #include "base/process/process.hpp"
+#include "oracles/methods/ask_caught.hpp"
+#include "oracles/methods/worker_service.hpp"
 
 namespace cyl {
 namespace {
@@ -34,58 +29,8 @@ using std::chrono::nanoseconds;
 /// How often a running worker is looked at: a hang is noticed at most this late.
 constexpr milliseconds longest_look_interval{50};
 
-/// Bytes that a worker may have beyond what it has at the fork: a leak in foreign code ends as std::bad_alloc
-/// or a crash in the worker, not as the machine's out-of-memory killer.
-constexpr rlim_t memory_cap = rlim_t{2} << 30;
-
-/// Bytes that a worker may print, kept in memory; what comes after is lost.
-constexpr off_t output_cap = off_t{16} << 20;
-
-/// Exit code of a worker in which a method called exit().
-constexpr int exit_called_code = 98;
-
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-constexpr bool sanitized = true;
-#elif defined(__has_feature)
-constexpr bool sanitized =
-    __has_feature(address_sanitizer) || __has_feature(thread_sanitizer) || __has_feature(memory_sanitizer);
-#else
-constexpr bool sanitized = false;
-#endif
-
-/// Of the parent; the worker maps it read-only.
-struct Asked {
-  std::atomic<std::uint64_t> number{0};  ///< of the block
-  std::size_t count = 0;
-  bool one_by_one = false;        ///< also where a method takes many
-  Question questions[block_cap];  ///< the pair is the place in `pairs`
-  Pair pairs[block_cap];
-};
-
-/// Of the worker.
-struct Said {
-  std::atomic<std::uint64_t> number{0};  ///< of the last block that was answered to its end
-  std::atomic<std::size_t> cursor{0};    ///< the question being asked; the number of questions when all are
-  std::atomic<int> denied{-1};           ///< the system call that confine() refused
-  ContainedAnswer answers[block_cap];
-};
-static_assert(std::is_trivially_copyable_v<ContainedAnswer>);
-static_assert(std::atomic<std::size_t>::is_always_lock_free);
-
-rlim_t address_space_now() {
-  unsigned long pages = 0;
-  if (std::FILE* f = std::fopen("/proc/self/statm", "re")) {
-    if (std::fscanf(f, "%lu", &pages) != 1) pages = 0;
-    std::fclose(f);
-  }
-  return rlim_t{pages} * static_cast<rlim_t>(sysconf(_SC_PAGESIZE));
-}
-
-/// Threads of this process.
-nlink_t count_threads() {
-  struct stat s {};
-  return stat("/proc/self/task", &s) == 0 ? s.st_nlink : 0;
-}
+/// How often a worker is started for one block that none takes up.
+constexpr int start_cap = 3;
 
 /// Time that the first thread of a process ran or could have run; 0 where the system does not tell.
 nanoseconds busy_time_of(pid_t process) {
@@ -104,190 +49,7 @@ bool has_ended(const KeptProcess& kept) {
   return poll(&end, 1, 0) > 0;
 }
 
-// Signals that a terminal or a batch system sends to all are the parent's to handle, or the method that
-// happens to be asked would be blamed for them.
-void become_worker() {
-  for (int s : {SIGINT, SIGTERM, SIGHUP, SIGQUIT, SIGXFSZ}) std::signal(s, SIG_IGN);
-  limit(RLIMIT_FSIZE, output_cap);
-  if (!sanitized) limit(RLIMIT_AS, address_space_now() + memory_cap);
-  std::setvbuf(stdout, nullptr, _IONBF, 0);
-  // Handlers run last in, first out: exit() in foreign code must not run those of the parent (which may
-  // remove its files).
-  std::atexit([] { _exit(exit_called_code); });
-}
-
-void note(MethodAnswer& answer, SideEffect effect, std::string_view what) {
-  if (answer.side_effect != SideEffect::none) return;
-  answer.side_effect = effect;
-  if (answer.status == Status::answered) answer.set_reason(what);
-}
-
-/// The inside of a worker.
-class Service {
- public:
-  Service(std::span<const std::unique_ptr<Method>> methods, const Asked& asked, Said& said)
-      : methods_(methods),
-        asked_(asked),
-        said_(said),
-        words_(read_control_words()),
-        threads_(count_threads()) {}
-
-  /// Ends where the guest closed the descriptors, which is no fault.
-  void run(int go, int done) {
-    pollfd news{go, POLLIN, 0};
-    while (poll(&news, 1, -1) >= 0 || errno == EINTR) {
-      if ((news.revents & ~POLLIN) != 0) return;
-      std::uint64_t wakes;
-      if (read(go, &wakes, sizeof wakes) < 0 && errno != EAGAIN) return;
-      const std::uint64_t number = asked_.number.load();
-      if (number == said_.number.load()) continue;
-      answer_block();
-      said_.number.store(number);
-      const std::uint64_t one = 1;
-      if (write(done, &one, sizeof one) < 0 && errno != EAGAIN) return;
-    }
-  }
-
- private:
-  void answer_block() {
-    for (std::size_t first = said_.cursor.load(); first < asked_.count;) {
-      const Question& q = asked_.questions[first];
-      std::size_t end = first + 1;
-      while (end < asked_.count && asked_.questions[end].method == q.method &&
-             asked_.questions[end].run == q.run)
-        ++end;
-      // To read the CPU clock is a system call, to read the other none.
-      const clockid_t clock = end - first > 1 ? CLOCK_PROCESS_CPUTIME_ID : CLOCK_MONOTONIC;
-      const nanoseconds start = read_clock(clock);
-      if (!answer_many(first, end))
-        for (std::size_t i = first; i < end; said_.cursor.store(++i)) answer(i);
-      said_.cursor.store(end);
-      const double each =
-          static_cast<double>((read_clock(clock) - start).count()) / static_cast<double>(end - first);
-      for (std::size_t i = first; i < end; ++i) said_.answers[i].nanoseconds = each;
-      first = end;
-    }
-    if (const nlink_t threads = count_threads(); threads > threads_) {
-      threads_ = threads;
-      note(said_.answers[asked_.count - 1].answer, SideEffect::thread, "left a thread running");
-    }
-  }
-
-  /// Asks in one call, and returns whether that was possible and without side effects, of which it would not
-  /// be known where they come from.
-  bool answer_many(std::size_t first, std::size_t end) {
-    const Question& q = asked_.questions[first];
-    Method& method = *methods_[q.method];
-    if (asked_.one_by_one || q.mode != CallMode::usual || !method.asks_many()) return false;
-    const auto pairs = std::span(asked_.pairs).subspan(first, end - first);
-    answers_.assign(pairs.size(), {});
-    try {
-      if (method.ask_many(pairs, answers_) != pairs.size()) return false;
-    } catch (...) {
-      return false;
-    }
-    bool quiet = read_control_words() == words_;
-    write_control_words(words_);
-    for (const MethodAnswer& answer : answers_) quiet = quiet && answer.side_effect == SideEffect::none;
-    for (std::size_t i = first; i < end && quiet; ++i) said_.answers[i].answer = checked(answers_[i - first]);
-    return quiet;
-  }
-
-  void answer(std::size_t i) {
-    const Question& q = asked_.questions[i];
-    MethodAnswer answer = ask_caught(*methods_[q.method], asked_.pairs[q.pair], q.mode);
-    if (const ControlWords left = read_control_words(); left != words_) {
-      note(answer, SideEffect::rounding_mode, describe_change(words_, left));
-      write_control_words(words_);
-    }
-    said_.answers[i].answer = answer;
-  }
-
-  std::span<const std::unique_ptr<Method>> methods_;
-  const Asked& asked_;
-  Said& said_;
-  const ControlWords words_;
-  nlink_t threads_;
-  std::vector<MethodAnswer> answers_;
-};
-
-/// Memory that two processes map, and no child of this one by the fork alone.
-template <class Content>
-class Shared {
- public:
-  explicit Shared(bool parent_writes_alone) : file_(memfd_create("block", MFD_CLOEXEC | MFD_ALLOW_SEALING)) {
-    if (file_ < 0 || ftruncate(file_, sizeof(Content)) != 0) throw_errno("memfd_create");
-    content_ = new (map(PROT_READ | PROT_WRITE)) Content;
-    madvise(content_, sizeof(Content), MADV_DONTFORK);
-    if (parent_writes_alone &&
-        fcntl(file_, F_ADD_SEALS, F_SEAL_FUTURE_WRITE | F_SEAL_SHRINK | F_SEAL_GROW) != 0)
-      throw_errno("sealing a block");
-  }
-  ~Shared() {
-    munmap(content_, sizeof(Content));
-    close(file_);
-  }
-  Shared(const Shared&) = delete;
-  Shared& operator=(const Shared&) = delete;
-
-  Content* operator->() const { return content_; }
-  int file() const { return file_; }
-  /// In the worker.
-  Content& map_there(int protection) const { return *static_cast<Content*>(map(protection)); }
-
- private:
-  void* map(int protection) const {
-    void* const at = mmap(nullptr, sizeof(Content), protection, MAP_SHARED, file_, 0);
-    if (at == MAP_FAILED) throw_errno("mmap");
-    return at;
-  }
-
-  int file_;
-  Content* content_;
-};
-
-bool all_finite(const MethodAnswer& a) {
-  const auto finite = [](double x) { return std::isfinite(x); };
-  return (!a.has_distance || finite(a.distance)) &&
-         (a.witness == CertificateKind::none ||
-          (std::all_of(a.head, a.head + 3, finite) && std::all_of(a.tail, a.tail + 3, finite)));
-}
-
-bool well_formed(const MethodAnswer& a) {
-  return a.status <= Status::failed && a.failure <= Failure::reported && a.verdict <= Verdict::invalid &&
-         a.witness <= CertificateKind::point && a.hulls[0] <= Hull::center && a.hulls[1] <= Hull::center &&
-         a.side_effect <= SideEffect::slow;
-}
-
 }  // namespace
-
-MethodAnswer checked(MethodAnswer answer) {
-  answer.reason[sizeof answer.reason - 1] = 0;
-  if (!well_formed(answer)) {
-    return failed_answer(Failure::malformed,
-                         "no answer: status " + std::to_string(static_cast<int>(answer.status)) +
-                             ", verdict " + std::to_string(static_cast<int>(answer.verdict)) + ", witness " +
-                             std::to_string(static_cast<int>(answer.witness)));
-  }
-  if (answer.status == Status::answered && !all_finite(answer)) {
-    answer.status = Status::failed;
-    answer.failure = Failure::non_finite;
-    answer.set_reason(answer.has_distance && !std::isfinite(answer.distance)
-                          ? "distance is " + std::to_string(answer.distance)
-                          : "the witness is not finite");
-  }
-  return answer;
-}
-
-MethodAnswer ask_caught(Method& method, const Pair& pair, CallMode mode) {
-  try {
-    return checked(call(method, pair, mode));
-  } catch (const std::exception& e) {
-    return failed_answer(Failure::exception, e.what());
-  } catch (...) {
-    return failed_answer(Failure::exception, "thrown: not a std::exception");
-  }
-}
 
 class Worker::Memory {
  public:
@@ -300,7 +62,7 @@ class Worker::Process {
  public:
   Process(std::span<const std::unique_ptr<Method>> methods, bool confined, const Memory& memory)
       : output_(memfd_create("worker output", MFD_CLOEXEC)),
-        go_(eventfd(0, EFD_CLOEXEC | EFD_NONBLOCK)),
+        go_(eventfd(0, EFD_CLOEXEC)),
         done_(eventfd(0, EFD_CLOEXEC | EFD_NONBLOCK)) {
     try {
       if (output_ < 0 || go_ < 0 || done_ < 0) throw_errno("starting a worker");
@@ -322,7 +84,7 @@ class Worker::Process {
   int done() const { return done_; }
   void wake() const {
     const std::uint64_t one = 1;
-    [[maybe_unused]] const ssize_t ignored = write(go_, &one, sizeof one);  // it is awake where this fails
+    [[maybe_unused]] const ssize_t ignored = write(go_, &one, sizeof one);
   }
   void quiet() const {
     std::uint64_t wakes;
@@ -334,9 +96,7 @@ class Worker::Process {
     const Asked& asked = memory.asked.map_there(PROT_READ);
     Said& said = memory.said.map_there(PROT_READ | PROT_WRITE);
     close_all({memory.asked.file(), memory.said.file()});
-    become_worker();
-    if (confined) confine(said.denied);
-    Service(methods, asked, said).run(go_, done_);
+    answer_blocks(methods, confined, asked, said, go_, done_);
   }
 
   int output_, go_, done_;
@@ -428,7 +188,21 @@ Worker::Watched Worker::watch() {
   }
 }
 
-/// "SIGABRT, after printing: ...", cut at the front of the printed text so that its end is kept.
+/// Bytes at the end of what a worker printed among which a file and line are looked for.
+constexpr std::size_t last_words_cap = 2000;
+
+/// As much of what was printed as has room: its end, after the file and line in it, as assert() prints them.
+std::string fitting(const std::string& printed, std::size_t room) {
+  if (printed.size() <= room) return printed;
+  static const std::regex file_and_line(R"([^\s/:]+:\d+)");
+  std::smatch found;
+  std::string place;
+  if (std::regex_search(printed, found, file_and_line) && found.length() < static_cast<long>(room / 2))
+    place = found.str() + " .. ";
+  return place + printed.substr(printed.size() - (room - place.size()));
+}
+
+/// "SIGABRT, after printing: ..."
 std::string describe_death(const std::optional<KeptProcess::Ending>& ending, int denied, int output) {
   std::string how = "its process was ended from outside";
   if (ending && WIFSIGNALED(ending->status)) {
@@ -442,11 +216,10 @@ std::string describe_death(const std::optional<KeptProcess::Ending>& ending, int
   }
   // Where it printed too much, the end is not known.
   const bool whole = lseek(output, 0, SEEK_END) < output_cap;
-  const std::string printed = whole ? last_line(output, sizeof MethodAnswer::reason) : std::string();
+  const std::string printed = whole ? last_line(output, last_words_cap) : std::string();
   if (printed.empty()) return how;
   how += ", after printing: ";
-  const std::size_t room = sizeof MethodAnswer::reason - 1 - how.size();
-  return how + (printed.size() > room ? printed.substr(printed.size() - room) : printed);
+  return how + fitting(printed, sizeof MethodAnswer::reason - 1 - how.size());
 }
 
 ContainedAnswer Worker::describe_loss(const Watched& watched) {
@@ -460,11 +233,15 @@ ContainedAnswer Worker::describe_loss(const Watched& watched) {
 }
 
 std::vector<ContainedAnswer> Worker::ask(std::span<const Pair> pairs, std::span<const Question> questions) {
-  post(pairs, questions);
-  const Watched watched = watch();
-  if (watched.lost) {
+  Watched watched;
+  // One that ended on what earlier questions left, before it took this block up, is no answer to it.
+  for (int attempt = 0; attempt < start_cap; ++attempt) {
+    post(pairs, questions);
+    watched = watch();
+    if (!watched.lost) break;
     process_->kept().kill_now();
     process_->kept().wait();
+    if (memory_->said->begun.load() == memory_->asked->number.load()) break;
   }
   const ContainedAnswer* const answers = memory_->said->answers;
   const bool whole = memory_->said->number.load() == memory_->asked->number.load();
@@ -473,8 +250,9 @@ std::vector<ContainedAnswer> Worker::ask(std::span<const Pair> pairs, std::span<
   for (ContainedAnswer& each : said) each.answer = checked(each.answer);
   for (const auto& [i, waited] : watched.waits) {
     if (i < said.size())
-      note(said[i].answer, SideEffect::slow,
-           "waited for " + std::to_string(std::chrono::duration_cast<milliseconds>(waited).count()) + " ms");
+      said[i].answer.note(
+          SideEffect::slow,
+          "waited for " + std::to_string(std::chrono::duration_cast<milliseconds>(waited).count()) + " ms");
   }
   // Where many were asked in one call it is not known whose fault that is: the next block goes one by one.
   const bool in_one_call = watched.lost && said.size() < questions.size() && !one_by_one_ &&

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // A process in which foreign methods are asked, block after block, until it is lost; then the next block
-// starts another. Questions and answers lie in memory that both sides map: the questions cannot be written
-// there, and nothing that is read of the answers is believed unseen.
+// starts another.
 #pragma once
 
 #include <cstddef>
@@ -10,13 +9,9 @@
 #include <span>
 #include <vector>
 
-#include "oracles/methods/contained.hpp"
+#include "oracles/methods/worker_block.hpp"
 
 namespace cyl {
-
-/// Questions that go to a worker at once: many, so that waking it costs little beside them; few enough that
-/// both sides of the block stay in the cache.
-inline constexpr std::size_t block_cap = 256;
 
 class Worker {
  public:
@@ -44,11 +39,5 @@ class Worker {
   std::unique_ptr<Memory> memory_;
   std::unique_ptr<Process> process_;
 };
-
-/// Asks in this process, and turns what a method throws, and numbers that are none, into failures.
-MethodAnswer ask_caught(Method& method, const Pair& pair, CallMode mode);
-
-/// Returns the answer, as a failure where it is not one of a method's: of no known kind, or not finite.
-MethodAnswer checked(MethodAnswer answer);
 
 }  // namespace cyl

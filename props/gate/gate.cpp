@@ -84,8 +84,7 @@ class Gate {
         cases_(cases),
         options_(options),
         on_progress_(on_progress),
-        asker_(methods, options.caps),
-        start_(Clock::now()) {
+        asker_(methods, options.caps) {
     amount_ = options.amount.value_or(amount_of(options.pairs));
     questions_left_ = least_questions + options.pairs / pairs_per_question;
     skipped_.resize(methods.size());
@@ -143,7 +142,9 @@ class Gate {
   }
 
  private:
-  milliseconds elapsed() const { return std::chrono::duration_cast<milliseconds>(Clock::now() - start_); }
+  milliseconds elapsed() const {
+    return std::chrono::duration_cast<milliseconds>(Clock::now() - options_.start);
+  }
 
   template <class Work>
   void in_phase(GatePhase phase, Work work) {
@@ -159,13 +160,15 @@ class Gate {
                                                  [](const auto& f) { return is_error(f); });
   }
 
-  bool out_of_time() const { return options_.cap && Clock::now() - start_ >= *options_.cap; }
+  bool out_of_time() const { return cyl::out_of_time(options_); }
 
   /// Returns whether a phase that has `done` of its rounds or cases goes on; where the time is over, what is
   /// left of it is not asked, and that is said.
   bool goes_on(std::uint64_t done, std::uint64_t due, const char* things) {
     if (done >= due || has_failed()) return false;
-    if (!out_of_time()) return true;
+    const bool is_first =
+        done == 0 && report_.phases.size() == 1;  // some are asked, however little time there is
+    if (is_first || !out_of_time()) return true;
     report_.not_asked.push_back(fmt::format("{}: {} of {} {}, for the time was over",
                                             to_string(report_.phases.back().phase), due - done, due, things));
     return false;
@@ -261,7 +264,7 @@ class Gate {
   void search_laws(PairSource source, std::uint64_t due) {
     const Wanted all = [&](std::size_t m, const Law&) { return !given_up(m); };
     const IsNews is_news = [&](const LawFailure& c) {  // shrinking a hang would take an hour
-      return !options_.first_failure && c.broken.kind != FindingKind::hang &&
+      return !options_.first_failure && !out_of_time() && c.broken.kind != FindingKind::hang &&
              !broken_.contains(std::tuple(c.method, c.law->number, kind_of_break(*c.law, c.broken)));
     };
     for (std::uint64_t& round = report_.phases.back().rounds; goes_on(round, due, "rounds");) {
@@ -360,7 +363,6 @@ class Gate {
   const GateOptions& options_;
   const std::function<void(const GateProgress&)>& on_progress_;
   Asker asker_;  ///< a failure is run again without it, in a worker that knows of nothing else
-  const Clock::time_point start_;
   GateAmount amount_;
   std::uint64_t questions_left_ = 0;
   GateReport report_;
@@ -370,6 +372,10 @@ class Gate {
 };
 
 }  // namespace
+
+bool out_of_time(const GateOptions& options) {
+  return options.cap && Clock::now() - options.start >= *options.cap;
+}
 
 GateReport run_gate(std::span<const std::unique_ptr<Method>> methods, std::span<const Case> cases,
                     const GateOptions& options, const std::function<void(const GateProgress&)>& on_progress) {

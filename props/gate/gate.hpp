@@ -42,6 +42,7 @@ struct GateOptions {
   /// What an earlier gate drew, instead: so that both see the same pairs.
   std::optional<GateAmount> amount;
   std::optional<std::chrono::milliseconds> cap;  ///< wall time, after which nothing more is asked
+  std::chrono::steady_clock::time_point start = std::chrono::steady_clock::now();  ///< of that time
   /// Ends with the round that shows the first contract broken, which is neither run again nor made simpler.
   bool first_failure = false;
   /// The caps on one call and on the hangs in one batch are shorter than a campaign's, for a gate is to end.
@@ -56,6 +57,9 @@ struct GateProgress {
   double share = 0;          ///< of the phase that is done
   std::chrono::milliseconds elapsed{0};
 };
+
+/// Whether the cap on time, if there is one, is over.
+bool out_of_time(const GateOptions& options);
 
 /// Runs the gate on methods. What is asked is decided by counts; only the cap, if any, by a clock. Throws
 /// std::system_error only where the system refuses a process or memory.

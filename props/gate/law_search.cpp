@@ -79,8 +79,8 @@ class LawSearch {
 
   // While RapidCheck shrinks: only what stopped the round counts.
   void shrink(const PairsDrawn& drawn) {
-    if (++shrinks_ > shrink_cap) return;
     LawFailure& last = round_.failures.back();
+    if (++shrinks_ > shrink_cap || !is_news_(last)) return;
     const auto same = [&](std::size_t method, const Law& law) {
       return method == last.method && law.number == last.law->number;
     };

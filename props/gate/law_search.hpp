@@ -34,7 +34,8 @@ struct SearchRound {
   std::vector<Pair> pairs;                     ///< all that were drawn, in their order
 };
 
-/// Whether a contract break of this law by this method is news, so that it is worth shrinking.
+/// Whether a contract break of this law by this method is news, so that it is worth shrinking; asked again
+/// while it is shrunk.
 using IsNews = std::function<bool(const LawFailure&)>;
 
 /// The number of pairs of one draw, at most.

@@ -233,7 +233,7 @@ void show_simplest(Bucket& b, const Group& group, const Trial& now,
 
 /// What is said of a kind of finding.
 std::string kind_in_words(const std::string& kind) {
-  constexpr std::array<const char*, enum_values<FindingKind>.size()> words{
+  constexpr std::array words{
       "says disjoint of pairs that meet",
       "says intersecting of pairs with daylight between",
       "says touching of pairs that do not",
@@ -248,7 +248,10 @@ std::string kind_in_words(const std::string& kind) {
       "answers one question in two ways",
       "the truth is undecided",
       "leaves pairs undecided that it promises to decide",
+      "answers, and does what a method may not",
+      "fails where much was asked before, and not alone",
       "failed"};
+  static_assert(words.size() == enum_values<FindingKind>.size());
   const auto known = from_word<FindingKind>(kind);
   return known ? words[static_cast<std::size_t>(*known)] : kind;
 }
@@ -262,8 +265,9 @@ std::string cause_in_words(const std::string& key, Mechanism mechanism, const st
     said = "within what it claims of itself: " + said;
   else if (mechanism != Mechanism::unclassified)
     said = fmt::format("{} ({})", in_words(mechanism), said);
-  const bool reported = kinds == std::set<std::string>{to_string(FindingKind::reported)};
-  if (!reason.empty()) said += (reported ? ": " : ", in its words: ") + escaped_controls(reason);
+  const auto is_thrown = [](const std::string& kind) { return kind == to_string(FindingKind::exception); };
+  const bool thrown = std::any_of(kinds.begin(), kinds.end(), is_thrown);
+  if (!reason.empty()) said += (thrown ? ", in its words: " : ": ") + escaped_controls(reason);
   return said;
 }
 

@@ -1,0 +1,165 @@
+// SPDX-License-Identifier: MIT
+#include "oracles/methods/worker_service.hpp"
+
+#include <sys/resource.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <chrono>
+#include <csignal>
+#include <cstdio>
+#include <cstdlib>
+#include <ctime>
+#include <vector>
+
+#include "base/process/confine.hpp"
+#include "base/process/control_words.hpp"
+#include "base/process/process.hpp"
+#include "oracles/methods/ask_caught.hpp"
+
+namespace cyl {
+namespace {
+
+using std::chrono::nanoseconds;
+
+/// Bytes that a worker may have beyond what it has at the fork: a leak in foreign code ends as std::bad_alloc
+/// or a crash in the worker, not as the machine's out-of-memory killer.
+constexpr rlim_t memory_cap = rlim_t{2} << 30;
+
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+constexpr bool sanitized = true;
+#elif defined(__has_feature)
+constexpr bool sanitized =
+    __has_feature(address_sanitizer) || __has_feature(thread_sanitizer) || __has_feature(memory_sanitizer);
+#else
+constexpr bool sanitized = false;
+#endif
+
+rlim_t address_space_now() {
+  unsigned long pages = 0;
+  if (std::FILE* f = std::fopen("/proc/self/statm", "re")) {
+    if (std::fscanf(f, "%lu", &pages) != 1) pages = 0;
+    std::fclose(f);
+  }
+  return rlim_t{pages} * static_cast<rlim_t>(sysconf(_SC_PAGESIZE));
+}
+
+/// Threads of this process.
+nlink_t count_threads() {
+  struct stat s {};
+  return stat("/proc/self/task", &s) == 0 ? s.st_nlink : 0;
+}
+
+// Signals that a terminal or a batch system sends to all are the parent's to handle, or the method that
+// happens to be asked would be blamed for them.
+void become_worker() {
+  for (int s : {SIGINT, SIGTERM, SIGHUP, SIGQUIT, SIGXFSZ}) std::signal(s, SIG_IGN);
+  limit(RLIMIT_FSIZE, output_cap);
+  if (!sanitized) limit(RLIMIT_AS, address_space_now() + memory_cap);
+  std::setvbuf(stdout, nullptr, _IONBF, 0);
+  // Handlers run last in, first out: exit() in foreign code must not run those of the parent (which may
+  // remove its files).
+  std::atexit([] { _exit(exit_called_code); });
+}
+
+/// The inside of a worker.
+class Service {
+ public:
+  Service(std::span<const std::unique_ptr<Method>> methods, const Asked& asked, Said& said)
+      : methods_(methods),
+        asked_(asked),
+        said_(said),
+        words_(read_control_words()),
+        threads_(count_threads()) {}
+
+  void run(int go, int done) {
+    while (true) {
+      std::uint64_t wakes;
+      if (read(go, &wakes, sizeof wakes) < 0) {
+        if (errno == EINTR) continue;
+        return;
+      }
+      const std::uint64_t number = asked_.number.load();
+      if (number == said_.number.load()) continue;
+      said_.begun.store(number);
+      answer_block();
+      said_.number.store(number);
+      const std::uint64_t one = 1;
+      if (write(done, &one, sizeof one) < 0 && errno != EAGAIN) return;
+    }
+  }
+
+ private:
+  void answer_block() {
+    for (std::size_t first = said_.cursor.load(); first < asked_.count;) {
+      const Question& q = asked_.questions[first];
+      std::size_t end = first + 1;
+      while (end < asked_.count && asked_.questions[end].method == q.method &&
+             asked_.questions[end].run == q.run)
+        ++end;
+      // To read the CPU clock is a system call, to read the other none.
+      const clockid_t clock = end - first > 1 ? CLOCK_PROCESS_CPUTIME_ID : CLOCK_MONOTONIC;
+      const nanoseconds start = read_clock(clock);
+      if (!answer_many(first, end))
+        for (std::size_t i = first; i < end; said_.cursor.store(++i)) answer(i);
+      said_.cursor.store(end);
+      const double each =
+          static_cast<double>((read_clock(clock) - start).count()) / static_cast<double>(end - first);
+      for (std::size_t i = first; i < end; ++i) said_.answers[i].nanoseconds = each;
+      first = end;
+    }
+    if (const nlink_t threads = count_threads(); threads > threads_) {
+      threads_ = threads;
+      said_.answers[asked_.count - 1].answer.note(SideEffect::thread, "left a thread running");
+    }
+  }
+
+  /// Asks in one call, and returns whether that was possible and without side effects, of which it would not
+  /// be known where they come from.
+  bool answer_many(std::size_t first, std::size_t end) {
+    const Question& q = asked_.questions[first];
+    Method& method = *methods_[q.method];
+    if (asked_.one_by_one || q.mode != CallMode::usual || !method.asks_many()) return false;
+    const auto pairs = std::span(asked_.pairs).subspan(first, end - first);
+    answers_.assign(pairs.size(), {});
+    try {
+      if (method.ask_many(pairs, answers_) != pairs.size()) return false;
+    } catch (...) {
+      return false;
+    }
+    bool quiet = read_control_words() == words_;
+    write_control_words(words_);
+    for (const MethodAnswer& answer : answers_) quiet = quiet && answer.side_effect == SideEffect::none;
+    for (std::size_t i = first; i < end && quiet; ++i) said_.answers[i].answer = checked(answers_[i - first]);
+    return quiet;
+  }
+
+  void answer(std::size_t i) {
+    const Question& q = asked_.questions[i];
+    MethodAnswer answer = ask_caught(*methods_[q.method], asked_.pairs[q.pair], q.mode);
+    if (const ControlWords left = read_control_words(); left != words_) {
+      answer.note(SideEffect::rounding_mode, describe_change(words_, left));
+      write_control_words(words_);
+    }
+    said_.answers[i].answer = answer;
+  }
+
+  std::span<const std::unique_ptr<Method>> methods_;
+  const Asked& asked_;
+  Said& said_;
+  const ControlWords words_;
+  nlink_t threads_;
+  std::vector<MethodAnswer> answers_;
+};
+
+}  // namespace
+
+void answer_blocks(std::span<const std::unique_ptr<Method>> methods, bool confined, const Asked& asked,
+                   Said& said, int go, int done) {
+  become_worker();
+  if (confined) confine(said.denied);
+  Service(methods, asked, said).run(go, done);
+}
+
+}  // namespace cyl

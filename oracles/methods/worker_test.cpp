@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: MIT
+// Workers as those who ask see them: what lives on, what a guest may, and what is told of it.
+#include "oracles/methods/worker.hpp"
+
+#include <gtest/gtest.h>
+#include <sys/mman.h>
+#include <unistd.h>
+
+#include <cfenv>
+#include <csignal>
+#include <functional>
+#include <string>
+#include <thread>
+#include <utility>
+
+#include "oracles/methods/acting_method_test.hpp"
+
+namespace cyl {
+namespace {
+
+using std::chrono::milliseconds;
+
+TEST(Worker, AWorkerLivesOnAndKnowsWhatCameBefore) {
+  const auto methods = fakes({[] {}});
+  std::vector<std::unique_ptr<Method>> counting;
+  counting.push_back(fake_method("counting", [n = 0](const Pair&) mutable {
+    MethodAnswer answer = answered(Verdict::disjoint);
+    answer.has_distance = true;
+    answer.distance = ++n;
+    return answer;
+  }));
+  Asker asker(counting);
+  const std::vector<Question> one{{0, 0}};
+  for (int i = 1; i <= 3; ++i) EXPECT_EQ(asker.ask(numbered_pairs(1), one)[0].answer.distance, i);
+  EXPECT_EQ(ask_contained(counting, numbered_pairs(1), one)[0].answer.distance, 1);
+}
+
+/// A method of a guest's library, which is confined.
+MethodAnswer ask_guest(std::function<void()> act, const Caps& caps = {}) {
+  std::vector<std::unique_ptr<Method>> methods;
+  methods.push_back(fake_method("guest",
+                                [act = std::move(act)](const Pair&) {
+                                  act();
+                                  return answered(Verdict::disjoint);
+                                },
+                                {.guest = true}));
+  return ask_contained(methods, numbered_pairs(1), std::vector<Question>{{0, 0}}, caps)[0].answer;
+}
+
+TEST(Worker, AGuestReachesNoOtherProcess) {
+  const std::pair<std::function<void()>, const char*> attempts[] = {
+      {[] { kill(getppid(), SIGKILL); }, "called kill(), which a method may not"},
+      {[] { kill(-1, SIGKILL); }, "called kill(), which a method may not"},
+      {[] { kill(0, SIGKILL); }, "called kill(), which a method may not"},
+      {[] { fork(); }, "called clone(), which a method may not"},
+      {[] { execl("/bin/true", "true", nullptr); }, "called execve(), which a method may not"},
+      {[] { std::raise(SIGSEGV); }, "SIGSEGV"},
+      {[] { std::abort(); }, "SIGABRT"},
+  };
+  for (const auto& [act, reason] : attempts) {
+    const MethodAnswer answer = ask_guest(act);
+    EXPECT_EQ(answer.failure, Failure::crash) << reason;
+    EXPECT_STREQ(answer.reason, reason);
+  }
+}
+
+TEST(Worker, AGuestMayStartThreads) {
+  const MethodAnswer answer = ask_guest([] { std::thread([] {}).join(); });
+  EXPECT_EQ(answer.status, Status::answered) << answer.reason;
+  EXPECT_EQ(answer.side_effect, SideEffect::none) << answer.reason;
+}
+
+TEST(Worker, AThreadThatIsLeftIsTold) {
+  const MethodAnswer answer = ask_guest([] { std::thread([] { pause(); }).detach(); });
+  EXPECT_EQ(answer.status, Status::answered) << answer.reason;
+  EXPECT_EQ(answer.side_effect, SideEffect::thread);
+}
+
+TEST(Worker, GarbageInItsDescriptorsHurtsNobody) {
+  const MethodAnswer answer = ask_between_good_ones([] {
+    for (int fd = 0; fd < 1000; ++fd) {
+      [[maybe_unused]] const ssize_t ignored = write(fd, "garbage garbage garbage", 23);
+    }
+  });
+  EXPECT_EQ(answer.status, Status::answered) << answer.reason;
+  const MethodAnswer closed = ask_between_good_ones([] { close_range(0, ~0u, 0); });
+  EXPECT_EQ(closed.status, Status::answered) << closed.reason;
+}
+
+TEST(Worker, AChangedRoundingModeIsToldAndPutBack) {
+  const MethodAnswer answer = ask_between_good_ones([] { std::fesetround(FE_UPWARD); });
+  EXPECT_EQ(answer.status, Status::answered);
+  EXPECT_EQ(answer.side_effect, SideEffect::rounding_mode);
+  EXPECT_STREQ(answer.reason, "left the rounding mode changed, the x87 control word changed");
+  const auto methods = fakes({[] { std::fesetround(FE_UPWARD); },
+                              [] {
+                                if (std::fegetround() != FE_TONEAREST)
+                                  throw std::runtime_error("rounds upward");
+                              }});
+  const auto answers = ask_contained(methods, numbered_pairs(1), std::vector<Question>{{0, 0}, {1, 0}});
+  EXPECT_STREQ(answers[1].answer.reason, "");
+}
+
+TEST(Worker, ALongSleepIsTold) {
+  const MethodAnswer answer = ask_between_good_ones(
+      [] { usleep(1'000'000); }, {.call_cpu = no_cap, .call_wall = no_cap, .call_wait = milliseconds(300)});
+  EXPECT_EQ(answer.status, Status::answered) << answer.reason;
+  EXPECT_EQ(answer.side_effect, SideEffect::slow);
+}
+
+TEST(Worker, WhichLimitBrokeIsTold) {
+  const Caps caps{.call_cpu = short_cap, .call_wall = milliseconds(2000)};
+  const auto endless = [] {
+    volatile bool forever = true;
+    while (forever) {
+    }
+  };
+  EXPECT_STREQ(ask_between_good_ones(endless, {.call_cpu = short_cap, .call_wall = no_cap}).reason,
+               "no answer within 60 ms of CPU time");
+  EXPECT_STREQ(ask_between_good_ones([] { std::raise(SIGSTOP); }, caps).reason, "no answer within 2000 ms");
+}
+
+}  // namespace
+}  // namespace cyl
