@@ -132,8 +132,8 @@ LineProgram::Read LineProgram::receive(std::string& line, const Cap& cap) {
       if (sent > 0) outgoing_.erase(0, static_cast<std::size_t>(sent));
       if (sent < 0 && errno == EPIPE) outgoing_.clear();  // what it has said already is read to its end
     }
-    if (cpu_time() - *cpu_start > cap.cpu || read_clock(CLOCK_MONOTONIC) - *wall_start > cap.wall)
-      return Read::late;
+    if (cpu_time() - *cpu_start > cap.cpu) return Read::over_cpu_cap;
+    if (read_clock(CLOCK_MONOTONIC) - *wall_start > cap.wall) return Read::over_wall_cap;
   }
 }
 

@@ -8,6 +8,7 @@
 #include <string_view>
 
 #include "base/process/kept_process.hpp"
+#include "base/process/process.hpp"
 
 namespace cyl {
 
@@ -25,14 +26,15 @@ class LineProgram {
   LineProgram(const LineProgram&) = delete;
   LineProgram& operator=(const LineProgram&) = delete;
 
-  bool ours() const { return process_->ours(); }                              ///< this process started it
-  std::chrono::nanoseconds cpu_time() const { return process_->cpu_time(); }  ///< of the program itself
+  bool ours() const { return process_->ours(); }  ///< this process started it
+  /// Of the program, and of all that it started and that still runs.
+  std::chrono::nanoseconds cpu_time() const { return cpu_time_of_tree(process_->id()); }
 
-  /// Limits of the wait for a line: processor time of the program itself, and time in all.
+  /// Limits of the wait for a line: processor time, and time in all.
   struct Cap {
     std::chrono::milliseconds cpu, wall;
   };
-  enum class Read : unsigned char { line, ended, late, too_long };
+  enum class Read : unsigned char { line, ended, over_cpu_cap, over_wall_cap, too_long };
   /// Says that `text` is to be sent as it is, while lines are waited for.
   void send(std::string_view text);
   /// Waits for a line, which is left in `line` without its newline.

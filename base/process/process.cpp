@@ -10,6 +10,7 @@
 #include <cctype>
 #include <cerrno>
 #include <cstring>
+#include <fstream>
 #include <system_error>
 
 namespace cyl {
@@ -52,6 +53,14 @@ std::chrono::nanoseconds read_clock(clockid_t clock) noexcept {
 std::chrono::nanoseconds cpu_time_of(pid_t process) noexcept {
   clockid_t clock;
   return clock_getcpuclockid(process, &clock) == 0 ? read_clock(clock) : std::chrono::nanoseconds(0);
+}
+
+std::chrono::nanoseconds cpu_time_of_tree(pid_t process) {
+  std::chrono::nanoseconds sum = cpu_time_of(process);
+  const std::string id = std::to_string(process);
+  std::ifstream children("/proc/" + id + "/task/" + id + "/children");
+  for (pid_t child; children >> child;) sum += cpu_time_of_tree(child);
+  return sum;
 }
 
 int reap(pid_t child) noexcept {

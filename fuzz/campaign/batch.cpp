@@ -20,6 +20,7 @@
 #include "oracles/methods/contained.hpp"
 #include "oracles/referee/referee.hpp"
 #include "oracles/trial/cells.hpp"
+#include "oracles/trial/offers.hpp"
 #include "oracles/trial/trial.hpp"
 
 namespace cyl {
@@ -56,8 +57,9 @@ class Batch {
       : workload_(workload),
         seed_(seed),
         asker_(asker),
+        offers_(workload.methods),
         schedule_(schedule_of(workload)),
-        every_cell_(any_foreign(workload)),
+        foreign_(any_foreign(workload)),
         by_family_(workload.families.size() + 1) {
     counts_.resize(rows() * by_family_.size());
   }
@@ -103,6 +105,9 @@ class Batch {
   std::size_t rows() const { return methods() + 2 + stage_rows.size(); }
   std::uint64_t index_of(std::size_t p) const { return first_ + p; }
   unsigned share_of(std::size_t m) const { return std::max(1u, workload_.methods[m]->share()); }
+  std::size_t share_of_cells(std::size_t p) const {
+    return !foreign_ ? own_cell_share : index_of(p) < every_cell_until ? 1 : cell_share;
+  }
   /// Asked whatever others say of the pair.
   bool on_share(std::size_t m, std::size_t p) const { return index_of(p) % share_of(m) == 0; }
 
@@ -197,8 +202,9 @@ class Batch {
 
   /// Adds to the time of the pair, which count_all() gives to the row of the stage that had the last word.
   void judge_once(std::size_t p) {
+    const auto offered = offers_.with_ours(pairs_[p], answers_of(p));
     const auto start = Clock::now();
-    trials_[p].truth = judge_verdict(pairs_[p], answers_of(p));
+    trials_[p].truth = judge_verdict(pairs_[p], offered);
     judging_[p] += nanoseconds_since(start);
   }
 
@@ -255,7 +261,8 @@ class Batch {
   void count_cells(std::size_t p) {
     const Verdict truth = trials_[p].truth.verdict;
     if (!trials_[p].decided()) return;
-    if (!every_cell_ && RandomStream("cells", seed_, index_of(p)).below(own_cell_share) != 0) return;
+    if (share_of_cells(p) > 1 && RandomStream("cells", seed_, index_of(p)).below(share_of_cells(p)) != 0)
+      return;
     const auto cells = cells_of(pairs_[p], truth);
     for (std::size_t plane = 0; plane < planes.size(); ++plane) {
       auto& counts = cells_.at(to_string(planes[plane]), cells[plane].x, cells[plane].y, methods());
@@ -284,13 +291,19 @@ class Batch {
     }
   }
 
+  // A hang of a library of this build, which keeps nothing, would cost its second once more.
+  bool is_worth_asking_again(std::size_t m, const Finding& wrong) const {
+    const Method& method = *workload_.methods[m];
+    return wrong.severity == Severity::contract && method.foreign() &&
+           (method.guest() || wrong.kind != FindingKind::hang);
+  }
+
   void ask_findings_again() {
     std::vector<Doubt> doubts;
     for (std::size_t p = 0; p < pairs_.size(); ++p) {
       for (std::size_t m = 0; m < methods(); ++m) {
         const auto& wrong = wrong_[at(m, p)];
-        if (wrong && wrong->severity == Severity::contract && workload_.methods[m]->foreign())
-          doubts.push_back({m, p, wrong->kind});
+        if (wrong && is_worth_asking_again(m, *wrong)) doubts.push_back({m, p, wrong->kind});
       }
     }
     for (const Doubt& doubt : not_alone(workload_.methods, trials_, doubts)) {
@@ -324,7 +337,8 @@ class Batch {
     record.pair = case_line(p, drawn);
     record.answers =
         answers_text(workload_.methods, answers_of(p), [&](std::size_t m) { return asked(m, p); });
-    if (!certified_ || certified_->first != p) certified_.emplace(p, judge(pairs_[p], answers_of(p)));
+    if (!certified_ || certified_->first != p)
+      certified_.emplace(p, judge(pairs_[p], offers_.with_ours(pairs_[p], answers_of(p))));
     const Truth& truth = certified_->second;
     record.truth = format_truth(truth);
     record.stage = to_string(truth.stage);
@@ -347,8 +361,9 @@ class Batch {
   const Workload& workload_;
   const std::uint64_t seed_;
   Asker& asker_;
+  Offers offers_;
   const Schedule schedule_;
-  const bool every_cell_;  ///< not only a share of the pairs is counted in the cells
+  const bool foreign_;  ///< some of the methods are
 
   // Of the stretch; the answers of one pair lie together, as the referee takes them.
   std::uint64_t first_ = 0;

@@ -26,10 +26,11 @@ bool is_method_row(std::string_view name);
 /// state, at 2 % of the cost.
 inline constexpr std::uint64_t repeat_share = 64;
 
-/// Where ours alone are asked, a pair is counted in the cells of the failure maps (oracles/trial/cells.hpp)
-/// with a chance of one in this many, drawn from seed and index: finding the place of a pair takes longer
-/// than asking about it. Beside foreign methods it is a thousandth of the work, and every pair is counted.
-inline constexpr std::size_t own_cell_share = 256;
+/// A pair is counted in the cells of the failure maps (oracles/trial/cells.hpp) with a chance of one in this
+/// many, drawn from seed and index: finding the place of a pair takes longer than asking about it. Beside
+/// foreign methods every pair is, up to an index, for such runs are short.
+inline constexpr std::size_t own_cell_share = 256, cell_share = 16;
+inline constexpr std::uint64_t every_cell_until = 65536;
 
 /// Indices per batch process, about a second's work of the packaged methods; of ours alone a fork's time
 /// would show, and that of the findings which every batch hands over for the run to pick from.

@@ -57,7 +57,7 @@ std::string name_after(const std::string& command) {
 class CommandMethod final : public Method {
  public:
   explicit CommandMethod(const Guest& guest) : guest_(guest) {
-    const MethodAnswer answer = exchange(easy, first_start_cap);
+    const MethodAnswer answer = start(first_start_cap);
     if (answer.status == Status::failed)
       throw std::runtime_error(std::string("asked about an easy pair, it failed: ") + answer.reason);
     introduced_ = true;
@@ -78,7 +78,7 @@ class CommandMethod final : public Method {
 
   MethodAnswer ask(const Pair& pair) override {
     if (const auto invalid = decline_invalid(pair)) return *invalid;
-    return exchange(pair, start_cap);
+    return exchange(pair);
   }
 
   bool runs_apart() const override { return true; }
@@ -114,7 +114,7 @@ class CommandMethod final : public Method {
     const std::size_t at = sent[more ? 0 : done];
     const MethodAnswer failed =
         more ? failed_answer(Failure::malformed, "said more than one line to a question") : answers[at];
-    const MethodAnswer alone = exchange(pairs[at], start_cap);
+    const MethodAnswer alone = exchange(pairs[at]);
     answers[at] = broke(alone) ? alone : failed;  // where it is not the pair's fault, somebody asks again
     return at + 1;
   }
@@ -139,15 +139,28 @@ class CommandMethod final : public Method {
     program_.reset();
   }
 
-  MethodAnswer exchange(const Pair& pair, const LineProgram::Cap& cap_to_start) {
+  /// Starts the program and asks about an easy pair: what it needs to get ready is no pair's fault.
+  MethodAnswer start(const LineProgram::Cap& cap) {
+    program_ = std::make_unique<LineProgram>(guest_.what, guest_.folder);
+    program_->send(format_pair(easy) + '\n');
+    const MethodAnswer answer = read_answer(cap, true);
+    if (broke(answer)) end_program();
+    return answer;
+  }
+
+  MethodAnswer exchange(const Pair& pair) {
     if (program_ && !program_->ours()) program_.reset();
-    const bool starts = !program_;
-    if (starts) program_ = std::make_unique<LineProgram>(guest_.what, guest_.folder);
-    const bool more = program_->has_answered_more() && !starts;
+    if (!program_) {
+      const MethodAnswer ready = start(start_cap);
+      if (broke(ready))
+        return failed_answer(ready.failure,
+                             std::string("started, asked about an easy pair: ") + ready.reason);
+    }
+    const bool more = program_->has_answered_more();
     program_->send(format_pair(pair) + '\n');
     const MethodAnswer answer =
         more ? failed_answer(Failure::malformed, "said more than one line to a question")
-             : read_answer(starts ? cap_to_start : answer_cap, starts);
+             : read_answer(answer_cap);
     if (broke(answer)) end_program();
     return answer;
   }
@@ -165,10 +178,11 @@ class CommandMethod final : public Method {
     switch (read) {
       case LineProgram::Read::ended:
         return failed_answer(Failure::crash, program_->death());
-      case LineProgram::Read::late:
-        return failed_answer(Failure::hang, "no answer within " + std::to_string(cap.cpu.count()) +
-                                                " ms of CPU time or " + std::to_string(cap.wall.count()) +
-                                                " ms in all");
+      case LineProgram::Read::over_cpu_cap:
+        return failed_answer(Failure::hang,
+                             "no answer within " + std::to_string(cap.cpu.count()) + " ms of CPU time");
+      case LineProgram::Read::over_wall_cap:
+        return failed_answer(Failure::hang, "no answer within " + std::to_string(cap.wall.count()) + " ms");
       case LineProgram::Read::too_long:
         return failed_answer(Failure::malformed,
                              "a line of more than " + std::to_string(program_line_cap) + " bytes");

@@ -123,6 +123,12 @@ TEST(GuestCommand, ADeathIsACrashAndItIsStartedAgain) {
 TEST(GuestCommand, AHangIsEnded) {
   const auto answers = ask_with_trouble("while :; do :; done");
   EXPECT_EQ(answers[1].failure, Failure::hang);
+  EXPECT_STREQ(answers[1].reason, "no answer within 1000 ms of CPU time");
+}
+
+TEST(GuestCommand, TheTimeOfWhatItStartedCountsAsItsOwn) {
+  const auto answers = ask_with_trouble("yes >/dev/null");
+  EXPECT_STREQ(answers[1].reason, "no answer within 1000 ms of CPU time");
 }
 
 /// Says that a program of its own hung.
@@ -164,7 +170,7 @@ TEST(GuestCommand, WhoSaysTwoLinesToOneQuestionIsNotBelieved) {
     ++malformed;
     EXPECT_STREQ(answer.reason, "said more than one line to a question");
   }
-  EXPECT_EQ(malformed, 2);
+  EXPECT_EQ(malformed, 4);
 }
 
 TEST(GuestCommand, ManyLinesAreUnderWay) {

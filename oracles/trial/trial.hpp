@@ -37,9 +37,9 @@ struct Trial {
   explicit Trial(const Pair& about, std::span<const MethodAnswer> offered = {})
       : Trial(about, judge(about, offered)) {}
 
-  /// Whether a verdict is proved.
-  /// True unless the solids are proved apart.
+  /// Whether the solids are not proved apart.
   bool meets() const { return truth.verdict != Verdict::disjoint; }
+  /// Whether a verdict is proved.
   bool decided() const { return truth.verdict != Verdict::undecided && truth.verdict != Verdict::invalid; }
   /// Where one method was asked: its answer, and what is wrong with that.
   const MethodAnswer& answer() const { return answers.front(); }

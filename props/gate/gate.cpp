@@ -166,8 +166,7 @@ class Gate {
   /// left of it is not asked, and that is said.
   bool goes_on(std::uint64_t done, std::uint64_t due, const char* things) {
     if (done >= due || has_failed()) return false;
-    const bool is_first =
-        done == 0 && report_.phases.size() == 1;  // some are asked, however little time there is
+    const bool is_first = done == 0 && report_.phases.size() == 1;  // some are always asked
     if (is_first || !out_of_time()) return true;
     report_.not_asked.push_back(fmt::format("{}: {} of {} {}, for the time was over",
                                             to_string(report_.phases.back().phase), due - done, due, things));

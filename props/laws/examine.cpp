@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "oracles/trial/offers.hpp"
+
 namespace cyl {
 namespace {
 
@@ -35,7 +37,7 @@ class Examination {
  public:
   Examination(std::span<const std::unique_ptr<Method>> methods, std::span<const Pair> pairs,
               const Wanted& wanted, Asker& asker)
-      : methods_(methods), pairs_(pairs), wanted_(wanted), asker_(asker) {
+      : methods_(methods), pairs_(pairs), wanted_(wanted), asker_(asker), offers_(methods) {
     result_.counts.resize(methods.size());
     result_.truths.resize(pairs.size());
     result_.answers.resize(methods.size() * pairs.size());
@@ -102,7 +104,8 @@ class Examination {
   }
 
   void hold_to_laws(std::size_t p, const std::vector<const Job*>& jobs) {
-    Proofs proofs(pairs_[p], std::span(result_.answers).subspan(p * methods_.size(), methods_.size()));
+    const auto said = std::span(result_.answers).subspan(p * methods_.size(), methods_.size());
+    Proofs proofs(pairs_[p], offers_.with_ours(pairs_[p], said));
     for (const Job* job : jobs) {
       const auto answers = std::span(further_answers_).subspan(job->first_question, job->asked.size());
       const LawCase c{*methods_[job->method], pairs_[p], answer(job->method, p), job->asked, answers, proofs};
@@ -126,6 +129,7 @@ class Examination {
   std::span<const Pair> pairs_;
   const Wanted& wanted_;
   Asker& asker_;
+  Offers offers_;
   std::vector<Job> jobs_;
   // The second round: what laws made of the pairs.
   std::vector<Pair> changed_;
