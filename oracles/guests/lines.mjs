@@ -28,7 +28,13 @@ function fits({ halfHeight, radius, position }) {
 
 /** `answer` takes two solids and gives an answer line as an object. */
 export function serve(hello, answer) {
-  const say = (object) => process.stdout.write(JSON.stringify(object) + '\n');
+  // What comes in together goes out together: a write for each line would take longer than the answer.
+  let said = '';
+  const flush = () => { process.stdout.write(said); said = ''; };
+  const say = (object) => {
+    if (said === '') setImmediate(flush);
+    said += JSON.stringify(object) + '\n';
+  };
   say(hello);
   createInterface({ input: process.stdin }).on('line', (line) => {
     const { a, b } = JSON.parse(line);
@@ -37,6 +43,7 @@ export function serve(hello, answer) {
       say(solids.every(fits) ? answer(...solids) : { declined: 'beyond single precision' });
     } catch (error) {
       say({ error: String(error) });
+      flush();
       process.exit(1); // an engine that threw is in no known state
     }
   });
