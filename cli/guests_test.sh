@@ -87,8 +87,8 @@ expect 2 "$daylight" worst --plugin ./libbad.so --method bad --evaluations 20 --
 expect 0 "$daylight" campaign --list "${guests[@]}"
 holds out '^  worse +unversioned'
 
-expect 2 "$daylight" worst "${guests[@]}" --method worse --time --evaluations 2 --feature side-side --from pair.jsonl
-holds out '^worse side-side [0-9]+ ns '
+expect 0 "$daylight" worst --command 'sh plain.sh' --method plain --time --evaluations 2 --feature side-side --from pair.jsonl
+holds out '^plain side-side [0-9]+ ns '
 
 # Triage: causes, simple pairs, proofs and programs as of any method's findings.
 expect 2 "$daylight" campaign --pairs 150 --seed 7 --cases '' --methods decide,bad,worse,plain "${guests[@]}" --command 'sh plain.sh' --out runs/three
