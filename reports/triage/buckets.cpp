@@ -233,24 +233,23 @@ void show_simplest(Bucket& b, const Group& group, const Trial& now,
 
 /// What is said of a kind of finding.
 std::string kind_in_words(const std::string& kind) {
-  constexpr std::array words{
-      "says disjoint of pairs that meet",
-      "says intersecting of pairs with daylight between",
-      "says touching of pairs that do not",
-      "says invalid of legal pairs",
-      "offers a witness that proves nothing",
-      "says a distance that is not",
-      "answers a number that is not finite",
-      "throws",
-      "crashes",
-      "does not come to an end",
-      "gives no answer that means anything",
-      "answers one question in two ways",
-      "the truth is undecided",
-      "leaves pairs undecided that it promises to decide",
-      "answers, and does what a method may not",
-      "fails where much was asked before, and not alone",
-      "failed"};
+  constexpr std::array words{"says disjoint of pairs that meet",
+                             "says intersecting of pairs with daylight between",
+                             "says touching of pairs that do not",
+                             "says invalid of legal pairs",
+                             "offers a witness that proves nothing",
+                             "says a distance that is not",
+                             "answers a number that is not finite",
+                             "throws",
+                             "crashes",
+                             "does not come to an end",
+                             "gives no answer that means anything",
+                             "answers one question in two ways",
+                             "the truth is undecided",
+                             "leaves pairs undecided that it promises to decide",
+                             "answers, and does what a method may not",
+                             "fails where much was asked before, and not alone",
+                             "failed"};
   static_assert(words.size() == enum_values<FindingKind>.size());
   const auto known = from_word<FindingKind>(kind);
   return known ? words[static_cast<std::size_t>(*known)] : kind;
