@@ -14,7 +14,7 @@ find_library(MPFI mpfi REQUIRED)
 find_library(MPFR mpfr REQUIRED)
 find_library(GMP gmp REQUIRED)
 find_library(GMPXX gmpxx REQUIRED)
-pkg_check_modules(SECCOMP REQUIRED IMPORTED_TARGET libseccomp)
+find_library(SECCOMP seccomp REQUIRED)
 
 find_package(fcl 0.7 QUIET CONFIG)
 pkg_check_modules(BULLETD QUIET IMPORTED_TARGET bullet-float64)

@@ -8,6 +8,7 @@
 #include <sched.h>
 #include <seccomp.h>
 #include <sys/mman.h>
+#include <sys/prctl.h>
 #include <unistd.h>
 
 #include <atomic>
@@ -178,6 +179,18 @@ TEST(Confine, NamesWhatIsDenied) {
   EXPECT_EQ(named([] { std::thread([] {}).join(); }), "exit code 0, 0 left") << "threads are fine";
   EXPECT_EQ(named([] { std::raise(SIGUSR1); }), "killed by signal 10 (User defined signal 1), 0 left");
   munmap(denied, sizeof *denied);
+}
+
+TEST(Confine, IsNotPossibleWhereTheKernelRefuses) {
+  Child child([]() -> std::string {
+    const scmp_filter_ctx filter = seccomp_init(SCMP_ACT_ALLOW);
+    seccomp_rule_add(filter, SCMP_ACT_ERRNO(EPERM), SCMP_SYS(seccomp), 0);
+    seccomp_rule_add(filter, SCMP_ACT_ERRNO(EPERM), SCMP_SYS(prctl), 1, SCMP_A0(SCMP_CMP_EQ, PR_SET_SECCOMP));
+    if (seccomp_load(filter) != 0) return "no filter";
+    return can_confine() ? "yes" : "no";
+  });
+  EXPECT_EQ(child.wait(), 0);
+  EXPECT_EQ(child.bytes(), "no");
 }
 
 }  // namespace

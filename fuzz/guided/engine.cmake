@@ -16,7 +16,8 @@ if(sources_without)
   list(TRANSFORM sources_without PREPEND ${top}/ OUTPUT_VARIABLE absent)
   list(REMOVE_ITEM adapters ${absent})
 endif()
-foreach(part base/json base/process/child base/process/process corpus/pairs/method_answer corpus/pairs/pair_io corpus/pairs/truth_io
+foreach(part base/json base/process/child base/process/confine base/process/kept_process base/process/process
+             corpus/pairs/method_answer corpus/pairs/pair_io corpus/pairs/truth_io
              fuzz/guided/record fuzz/guided/finding_sink fuzz/guided/fuzz_judge fuzz/guided/mutator fuzz/guided/visited)
   list(APPEND checking ${top}/${part}.cpp)
 endforeach()
@@ -45,7 +46,7 @@ endfunction()
 function(fuzz_program program target)
   add_executable(${program} ${top}/fuzz/guided/fuzz_${target}_target.cpp ${ARGN})
   fuzz_part(${program})
-  target_link_libraries(${program} PRIVATE ${MPFI} ${MPFR} ${GMP})
+  target_link_libraries(${program} PRIVATE ${MPFI} ${MPFR} ${GMP} ${SECCOMP})
   if(DEFINED ENV{LIB_FUZZING_ENGINE})
     separate_arguments(engine NATIVE_COMMAND $ENV{LIB_FUZZING_ENGINE})
     target_link_libraries(${program} PRIVATE ${engine})

@@ -48,6 +48,8 @@ struct Caps {
   std::chrono::milliseconds call_cpu = call_cpu_cap;
   /// Wall time of one call: who sleeps uses no CPU. Far beyond what a loaded machine makes of the above.
   std::chrono::milliseconds call_wall = 20 * call_cpu;
+  /// Time, of the processor and in all, that a library may take to load.
+  std::chrono::milliseconds load = 20 * call_cpu_cap;
   /// Time that one call may sleep or wait, from where on that is told as a side effect.
   std::chrono::milliseconds call_wait = 2 * call_cpu;
   /// Hangs of one method in one call of ask(), after which it is not asked any more: declined, with that

@@ -50,6 +50,9 @@ class Method {
   virtual bool guest() const { return false; }  ///< no part of this build: guest.hpp
   /// Asked on every index divisible by this (and wherever others disagree): > 1 for costly methods.
   virtual unsigned share() const { return 1; }
+  /// Does what must be done once in the process that asks, such as to load a library; ask() does it where it
+  /// was not done. May do what ask() may.
+  virtual void get_ready() {}
   virtual MethodAnswer ask(const Pair& pair) = 0;
   /// Whether it runs what is foreign in processes of its own, so that it may be asked in this one.
   virtual bool runs_apart() const { return false; }

@@ -77,10 +77,10 @@ constexpr int first_interface = 1;
 bool has_second_part(const DaylightMethod& method) { return method.abi > first_interface; }
 
 void check(const DaylightMethod* method) {
-  if (!method || method->abi < first_interface || method->abi > DAYLIGHT_PLUGIN_ABI) {
-    throw std::runtime_error("it is of interface " + std::to_string(method ? method->abi : 0) +
-                             ", this build's is " + std::to_string(DAYLIGHT_PLUGIN_ABI) +
-                             ": build it with this oracles/plugin.h");
+  if (!method) throw std::runtime_error("its daylight_method() returns none");
+  if (method->abi < first_interface || method->abi > DAYLIGHT_PLUGIN_ABI) {
+    throw std::runtime_error("it is of interface " + std::to_string(method->abi) + ", this build's is " +
+                             std::to_string(DAYLIGHT_PLUGIN_ABI) + ": build it with this oracles/plugin.h");
   }
   if (!method->name || !method->ask) throw std::runtime_error("it has no name or no `ask`");
   if (!(method->claim_relative >= 0) || !(method->claim_absolute >= 0))
@@ -176,6 +176,10 @@ Verdict verdict_of(int word) {
   return word >= 0 && word <= DAYLIGHT_UNDECIDED ? static_cast<Verdict>(word) : static_cast<Verdict>(255);
 }
 
+std::string words_or(const char* told, const char* otherwise) {
+  return told && *told ? text_of(told, sizeof MethodAnswer::reason) : otherwise;
+}
+
 class Plugin final : public Method {
  public:
   Plugin(const Guest& guest, std::size_t place, Label label)
@@ -192,6 +196,7 @@ class Plugin final : public Method {
   }
   bool guest() const override { return true; }
 
+  void get_ready() override { loaded(); }
   MethodAnswer ask(const Pair& pair) override {
     if (const auto invalid = decline_invalid(pair)) return *invalid;
     const auto a = numbers_of(pair.a), b = numbers_of(pair.b);
@@ -200,7 +205,7 @@ class Plugin final : public Method {
     std::fill_n(more, more_size, std::numeric_limits<double>::quiet_NaN());
     std::fill_n(more + more_size, guard_size, guard);
     const int word = loaded().ask(a.data(), b.data(), more);
-    MethodAnswer answer = answer_of(word, more);
+    MethodAnswer answer = answer_of(word, more, word < 0 ? reason() : nullptr);
     if (!is_untouched(more + more_size)) {
       answer.side_effect = SideEffect::memory;
       if (answer.status == Status::answered) answer.set_reason("wrote behind more[6]");
@@ -224,7 +229,7 @@ class Plugin final : public Method {
     more_.insert(more_.end(), guard_size, guard);
     loaded().ask_many(legal.size(), flat_.data(), words_.data(), more_.data());
     for (std::size_t i = 0; i < legal.size(); ++i)
-      answers[legal[i]] = answer_of(words_[i], &more_[more_size * i]);
+      answers[legal[i]] = answer_of(words_[i], &more_[more_size * i], nullptr);
     if (!legal.empty() && !is_untouched(&more_[more_size * legal.size()]))
       answers[legal[0]].side_effect = SideEffect::memory;
     return pairs.size();
@@ -250,20 +255,19 @@ class Plugin final : public Method {
   }
 
  private:
-  /// Returns why it declined or failed, in its words where it has some.
-  std::string reason(const char* otherwise) {
+  /// Returns why the last call declined or failed, in its words; null where it has none.
+  const char* reason() {
     const DaylightMethod& method = loaded();
-    const char* told = has_second_part(method) && method.reason ? method.reason() : nullptr;
-    return told && *told ? text_of(told, sizeof MethodAnswer::reason) : otherwise;
+    return has_second_part(method) && method.reason ? method.reason() : nullptr;
   }
 
-  MethodAnswer answer_of(int word, const double* more) {
+  static MethodAnswer answer_of(int word, const double* more, const char* reason) {
     MethodAnswer answer;
     if (word == DAYLIGHT_DECLINED) {
-      answer.set_reason(reason("declined"));
+      answer.set_reason(words_or(reason, "declined"));
       return answer;
     }
-    if (word == DAYLIGHT_FAILED) return failed_answer(Failure::reported, reason("no reason given"));
+    if (word == DAYLIGHT_FAILED) return failed_answer(Failure::reported, words_or(reason, "no reason given"));
     if (word < DAYLIGHT_FAILED || word > DAYLIGHT_UNDECIDED)
       return failed_answer(Failure::malformed,
                            "no answer: " + std::to_string(word) + " is no word of plugin.h");

@@ -139,6 +139,8 @@ void Worker::post(std::span<const Pair> pairs, std::span<const Question> questio
   process_->wake();
 }
 
+bool Worker::has_begun() const { return memory_->said->begun.load() == memory_->asked->number.load(); }
+
 // The times of a question start where the move of the cursor to it is noticed, so they never count what an
 // earlier call used.
 Worker::Watched Worker::watch() {
@@ -154,6 +156,7 @@ Worker::Watched Worker::watch() {
   };
   std::size_t seen = said.cursor.load();
   std::optional<Times> start;
+  bool loaded = false;
   pollfd news[] = {{process_->done(), POLLIN, 0}, {kept.end(), POLLIN, 0}};
   while (true) {
     const int changes = poll(news, 2, static_cast<int>(interval.count()));
@@ -165,21 +168,25 @@ Worker::Watched Worker::watch() {
     }
     const Times looked = now();
     const std::size_t cursor = said.cursor.load();
-    if (!start || cursor != seen) {
+    const bool was_loaded = std::exchange(loaded, has_begun());
+    if (!start || cursor != seen || loaded != was_loaded) {
       seen = cursor;
       start = looked;
       continue;
     }
     const nanoseconds wall = looked.wall - start->wall, cpu = looked.cpu - start->cpu;
     const nanoseconds waited = wall - (looked.busy - start->busy);
-    if (looked.busy.count() > 0 && waited > caps_.call_wait) {
+    if (loaded && looked.busy.count() > 0 && waited > caps_.call_wait) {
       if (watched.waits.empty() || watched.waits.back().first != seen)
         watched.waits.push_back({seen, waited});
       watched.waits.back().second = waited;
     }
-    if (cpu <= caps_.call_cpu && wall <= caps_.call_wall) continue;
-    watched.limit = cpu > caps_.call_cpu ? std::to_string(caps_.call_cpu.count()) + " ms of CPU time"
-                                         : std::to_string(caps_.call_wall.count()) + " ms";
+    const auto cpu_cap = loaded ? caps_.call_cpu : caps_.load,
+               wall_cap = loaded ? caps_.call_wall : caps_.load;
+    if (cpu <= cpu_cap && wall <= wall_cap) continue;
+    watched.limit = cpu > cpu_cap ? std::to_string(cpu_cap.count()) + " ms of CPU time"
+                                  : std::to_string(wall_cap.count()) + " ms";
+    if (!loaded) watched.limit += " to load";
     watched.lost = true;
     watched.at = seen;
     watched.wall = wall;
@@ -228,8 +235,8 @@ ContainedAnswer Worker::describe_loss(const Watched& watched) {
             static_cast<double>(watched.wall.count())};
   }
   const auto& ending = process_->kept().wait();
-  return {failed_answer(Failure::crash,
-                        describe_death(ending, memory_->said->denied.load(), process_->output()))};
+  const std::string death = describe_death(ending, memory_->said->denied.load(), process_->output());
+  return {failed_answer(Failure::crash, (has_begun() ? "" : "while it was loaded: ") + death)};
 }
 
 std::vector<ContainedAnswer> Worker::ask(std::span<const Pair> pairs, std::span<const Question> questions) {
@@ -241,7 +248,7 @@ std::vector<ContainedAnswer> Worker::ask(std::span<const Pair> pairs, std::span<
     if (!watched.lost) break;
     process_->kept().kill_now();
     process_->kept().wait();
-    if (memory_->said->begun.load() == memory_->asked->number.load()) break;
+    if (has_begun() || !watched.limit.empty()) break;
   }
   const ContainedAnswer* const answers = memory_->said->answers;
   const bool whole = memory_->said->number.load() == memory_->asked->number.load();

@@ -29,6 +29,7 @@ class Worker {
   struct Watched;
 
   void post(std::span<const Pair> pairs, std::span<const Question> questions);
+  bool has_begun() const;  ///< the block that was posted last
   Watched watch();
   ContainedAnswer describe_loss(const Watched& watched);
 

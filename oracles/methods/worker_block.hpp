@@ -50,9 +50,10 @@ class Shared {
     if (file_ < 0 || ftruncate(file_, sizeof(Content)) != 0) throw_errno("memfd_create");
     content_ = new (map(PROT_READ | PROT_WRITE)) Content;
     madvise(content_, sizeof(Content), MADV_DONTFORK);
-    if (parent_writes_alone &&
-        fcntl(file_, F_ADD_SEALS, F_SEAL_FUTURE_WRITE | F_SEAL_SHRINK | F_SEAL_GROW) != 0)
-      throw_errno("sealing a block");
+    // Whoever shortened it would have the other side end where it reads.
+    const int seals =
+        F_SEAL_SHRINK | F_SEAL_GROW | F_SEAL_SEAL | (parent_writes_alone ? F_SEAL_FUTURE_WRITE : 0);
+    if (fcntl(file_, F_ADD_SEALS, seals) != 0) throw_errno("sealing a block");
   }
   ~Shared() {
     munmap(content_, sizeof(Content));

@@ -82,6 +82,7 @@ class Service {
       }
       const std::uint64_t number = asked_.number.load();
       if (number == said_.number.load()) continue;
+      get_ready();
       said_.begun.store(number);
       answer_block();
       said_.number.store(number);
@@ -91,6 +92,22 @@ class Service {
   }
 
  private:
+  /// Threads that are there from then on are nobody's fault.
+  void get_ready() {
+    for (std::size_t i = 0; i < asked_.count; ++i) {
+      const std::size_t m = asked_.questions[i].method;
+      if (ready_.size() <= m) ready_.resize(methods_.size(), false);
+      if (ready_[m]) continue;
+      ready_[m] = true;
+      try {
+        methods_[m]->get_ready();
+      } catch (...) {  // ask() will say it
+      }
+      write_control_words(words_);
+      threads_ = count_threads();
+    }
+  }
+
   void answer_block() {
     for (std::size_t first = said_.cursor.load(); first < asked_.count;) {
       const Question& q = asked_.questions[first];
@@ -150,6 +167,7 @@ class Service {
   Said& said_;
   const ControlWords words_;
   nlink_t threads_;
+  std::vector<bool> ready_;  ///< by method
   std::vector<MethodAnswer> answers_;
 };
 

@@ -9,9 +9,11 @@
 #include <cfenv>
 #include <csignal>
 #include <functional>
+#include <memory>
 #include <string>
 #include <thread>
 #include <utility>
+#include <vector>
 
 #include "oracles/methods/acting_method_test.hpp"
 
@@ -118,6 +120,35 @@ TEST(Worker, WhichLimitBrokeIsTold) {
   EXPECT_STREQ(ask_between_good_ones(endless, {.call_cpu = short_cap, .call_wall = no_cap}).reason,
                "no answer within 60 ms of CPU time");
   EXPECT_STREQ(ask_between_good_ones([] { std::raise(SIGSTOP); }, caps).reason, "no answer within 2000 ms");
+}
+
+/// Does something when it is loaded, and is always right.
+class Loading final : public FakeMethod {
+ public:
+  explicit Loading(std::function<void()> load)
+      : FakeMethod("loading", [](const Pair&) { return answered(Verdict::disjoint); }),
+        load_(std::move(load)) {}
+  void get_ready() override { load_(); }
+
+ private:
+  std::function<void()> load_;
+};
+
+MethodAnswer ask_one_that_loads(std::function<void()> load, const Caps& caps) {
+  std::vector<std::unique_ptr<Method>> methods;
+  methods.push_back(std::make_unique<Loading>(std::move(load)));
+  return ask_contained(methods, numbered_pairs(1), std::vector<Question>{{0, 0}}, caps).front().answer;
+}
+
+TEST(Worker, LoadingIsNoCall) {
+  const Caps caps{.call_cpu = short_cap, .call_wall = 2 * short_cap};
+  EXPECT_EQ(ask_one_that_loads([] { usleep(500'000); }, caps).status, Status::answered);
+  EXPECT_STREQ(ask_one_that_loads([] { std::raise(SIGSEGV); }, caps).reason, "while it was loaded: SIGSEGV");
+  EXPECT_STREQ(ask_one_that_loads([] { std::raise(SIGSTOP); }, {.load = milliseconds(300)}).reason,
+               "no answer within 300 ms to load");
+  const auto start_thread = [] { std::thread([] { pause(); }).detach(); };
+  EXPECT_EQ(ask_one_that_loads(start_thread, {}).side_effect, SideEffect::none)
+      << "a pool of threads is no fault";
 }
 
 }  // namespace

@@ -17,6 +17,7 @@
 #include "reports/export/export_check.hpp"
 #include "reports/export/export_guest.hpp"
 #include "reports/export/export_program.hpp"
+#include "reports/export/linked_libraries.hpp"
 #include "reports/export/program_text.hpp"
 
 namespace cyl {
@@ -247,11 +248,13 @@ Recipient ask_library(const LibraryCall& call, const Trial& p, const Method& met
   return to;
 }
 
-/// "how it asks stands in `mine.cpp`"
-std::string sources_in_words(std::span<const SentFile> files) {
+/// "; in this folder, as it was asked: `mine.cpp`, to be linked with `-lmine`"
+std::string sources_in_words(std::span<const SentFile> files, const std::string& flags) {
   std::string names;
   for (const SentFile& file : files) names += (names.empty() ? "`" : ", `") + file.name + '`';
-  return names.empty() ? "" : fmt::format("; in this folder, as it was asked: {}", names);
+  if (names.empty()) return "";
+  return fmt::format("; in this folder, as it was asked: {}{}", names,
+                     flags.empty() ? "" : ", to be linked with `" + flags + '`');
 }
 
 Recipient ask_guest(const Guest& guest, const Trial& p, const Method& method, const SentBeside& beside) {
@@ -259,7 +262,7 @@ Recipient ask_guest(const Guest& guest, const Trial& p, const Method& method, co
   to.what = guest.name;
   to.files = guest_files(guest, beside.sources);
   to.whom = fmt::format("`{}` {}: {}{}", guest.name, one_line(method.version()), guest_in_words(guest),
-                        sources_in_words(to.files));
+                        sources_in_words(to.files, linked_libraries_of(guest.what)));
   to.axes = AxesGiven::as_they_are;
   to.program_name = guest_program_name(guest);
   const bool as_it_does = guest.kind == GuestKind::plugin && ends(p);

@@ -15,6 +15,7 @@
 #include "corpus/pairs/pair_numbers.hpp"
 #include "oracles/methods/adapter.hpp"
 #include "reports/export/export_program.hpp"
+#include "reports/export/linked_libraries.hpp"
 #include "reports/export/program_text.hpp"
 
 namespace cyl {
@@ -219,8 +220,8 @@ std::string guest_build(const Guest& guest, FindingKind kind, std::span<const st
     text += fmt::format(
         "# Where that is not here it is built; CXXFLAGS and LIBS say what it needs besides.\n"
         "[ -e \"$file\" ] || ${{CXX:-c++}} -O2 -shared -fPIC -I \"$here\" ${{CXXFLAGS:-}} \"$here/\"{} -o "
-        "\"$file\" ${{LIBS:-}}\n",
-        shell_quoted(file_name(sources.front())));
+        "\"$file\" ${{LIBS:-{}}}\n",
+        shell_quoted(file_name(sources.front())), linked_libraries_of(guest.what));
   return text + fmt::format(
                     "case $file in /*) ;; *) file=$PWD/$file ;; esac\n"
                     "${{CC:-cc}} -O2 \"$here/reproduce.c\" -o \"$here/reproduce\" -ldl -lm\n"
