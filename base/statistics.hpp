@@ -20,6 +20,10 @@ RateBounds rate_bounds(std::uint64_t trials, std::uint64_t failures);
 /// one-sided: 3/n where none was seen. 1 where there were no trials.
 double error_rate_bound(std::uint64_t pairs, std::uint64_t wrong);
 
+/// Returns the probability that `count` events, each in one of `all` places alike, all fall among the same
+/// `part` of them: what it is worth that none fell elsewhere. 1 where `all` is 0.
+double chance_of_all_in(std::uint64_t count, std::uint64_t part, std::uint64_t all);
+
 /// Returns the value of rank q (count - 1), rounded; NaN where there are none.
 double quantile(std::vector<double> values, double q);
 

@@ -53,7 +53,7 @@ struct CampaignArguments {
   std::optional<std::uint64_t> pairs;
   std::optional<std::uint64_t> seed;
   unsigned jobs = std::max(1u, std::thread::hardware_concurrency());
-  bool list = false, create_only = false;
+  bool list = false, create_only = false, table = false;
   bool self_check = false, no_self_check = false;
   GuestOptions guests;
 };
@@ -190,8 +190,9 @@ double share_done(const CampaignOptions& options, const CampaignProgress& p) {
 
 std::string numbers(const CampaignProgress& p) {
   const double seconds = std::max(1e-3, static_cast<double>(p.session_time.count()) / 1000);
-  return fmt::format("{} pairs, {:.0f}/s; beyond claim {}, failed {}, within claim {}", p.done,
-                     static_cast<double>(p.session_done) / seconds, p.contract, p.failed, p.resolution);
+  return fmt::format("{:.0f} s, {} pairs, {:.0f}/s; beyond claim {}, failed {}, within claim {}", seconds,
+                     p.done, static_cast<double>(p.session_done) / seconds, p.contract, p.failed,
+                     p.resolution);
 }
 
 /// What the command line says of limits replaces what the run had, each for itself; one of time ends the
@@ -265,7 +266,7 @@ int campaign(const CampaignArguments& arguments) {
     });
   }
   if (options.create_only) return exit_pass;
-  show_run(options.out, summary.progress.done);
+  show_run(options.out, arguments.table);
   if (!summary.harness_failure.empty()) fmt::print(stderr, "daylight: {}\n", summary.harness_failure);
   if (summary.interrupted)
     fmt::print(stderr, "stopped; go on with: {} campaign --resume {}\n", own_command(),
@@ -318,6 +319,7 @@ void add_campaign(Program& program) {
       "3,000,000 pairs on");
   command.flag("--no-alarm", arguments->no_self_check, "plant no faults, however long the run")
       .excludes("--alarm");
+  command.flag("--table", arguments->table, "print every method's counts too, not only the summary");
   command.flag("--list", arguments->list, "only list the methods, with their claims, and the families");
   command.examples(
       "  daylight campaign --for 1m --methods=-nlopt",

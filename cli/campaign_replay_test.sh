@@ -13,13 +13,18 @@ mkdir -p runs
 
 run=(campaign --pairs 600 --seed 7 --cases '')
 
-expect 0 'our methods' "$daylight" "${run[@]}" --methods intersect,decide --families random --out runs/ours
+expect 0 'our methods' "$daylight" "${run[@]}" --methods intersect,decide --families random --table --out runs/ours
 [[ $(head -n 1 out) == 'seed 7, run runs/ours' ]] || holds 'the seed comes first' out '^seed 7 FIRST$'
 holds 'a row for the referee' out '^referee +600 '
+holds 'what was judged' out '^600 pairs judged by proof, 0 left undecided; 2 methods asked$'
+holds 'ours' out '^ours: 0 of 2 wrong$'
 holds 'the page is named' out 'runs/ours/report.html'
 [[ -s runs/ours/report.html && $(readlink runs/latest) == ours ]] || holds 'page and latest' out '^report.html and runs/latest$'
 
 expect 2 'a library beyond its claim' "$daylight" "${run[@]}" --methods fcl-libccd --families tiny_and_huge --out runs/fcl
+[[ $(sed -n 2p out) == '600 pairs judged by proof, '* ]] || holds 'no table where none is asked for' out '^NO TABLE$'
+[[ $(wc -l <out) -le 10 ]] || holds 'ten lines' out '^TEN LINES$'
+holds 'who is wrong' out '^wrong beyond their claims [1-9][0-9]* times \(within them [0-9]+\): fcl-libccd[a-z0-9-]* [1-9]'
 holds 'the worst is named' out '^the worst, fcl-libccd wrong_[a-z]+ \(contract\): daylight replay runs/fcl:[0-9]+$'
 worst=$(sed -n 's/^the worst.* //p' out)
 
@@ -41,7 +46,7 @@ expect 64 'a resume that names no run' "$daylight" campaign --resume '' --pairs 
 expect 64 'no such run' "$daylight" replay nowhere
 
 expect 0 'going on' "$daylight" campaign --resume runs/ours --pairs 900
-holds 'to the new end' out '^referee +900 '
+holds 'to the new end' out '^900 pairs judged'
 expect 0 'with time and pairs' "$daylight" "${run[@]}" --for 1h --methods intersect --families random --out runs/limits
 expect 0 'a limit that is not given stays' "$daylight" campaign --resume runs/limits --for 1h
 holds 'so nothing is left to do' out '^600 pairs'
@@ -52,7 +57,7 @@ holds 'the reason is said' err '^daylight: --cases cannot be given with --resume
 expect 0 'until a time' "$daylight" campaign --stop-at "$(date -d '+2 sec' +%FT%T)" --seed 1 --cases '' --methods intersect --families random --out runs/until
 expect 64 'no time of day' "$daylight" campaign --stop-at 25:00
 expect 0 'weights of what is there' "$daylight" "${run[@]}" --methods intersect --families random,tiny_and_huge --weights-from runs --out runs/weighted
-holds 'earlier runs are counted' out '^against [0-9]+ earlier runs beside it: [0-9]+ new, '
+holds 'earlier runs are counted' out '^against [0-9]+ earlier runs beside it, by method, kind and family: [0-9]+ new, '
 for i in 0 1; do
   expect 0 "shard $i" "$daylight" "${run[@]}" --methods intersect --families random --shard "$i/2" --out "parts/$i"
 done

@@ -55,7 +55,7 @@ guests=(--plugin ./libbad.so --command 'sh worse.sh')
 pair='{"a":{"center":[0,0,0],"axis":[0,0,1],"radius":1,"height":2.00000512},"b":{"center":[9,0,0],"axis":[0,0,1],"radius":1,"height":2}}'
 printf '%s\n' "$pair" >pair.jsonl
 
-expect 2 "$daylight" campaign --pairs 400 --seed 7 --cases '' --methods decide,bad,worse "${guests[@]}" --out runs/bad
+expect 2 "$daylight" campaign --pairs 400 --seed 7 --cases '' --methods decide,bad,worse "${guests[@]}" --table --out runs/bad
 holds out '^bad +400 +- +[1-9]'
 holds out '^worse +400 +- +[1-9]'
 holds out '^decide +400 +- +- '
@@ -67,7 +67,7 @@ holds out '"failed":"malformed","reason":"no answer: 77 is no word of plugin.h"'
 expect 2 "$daylight" replay runs/bad --methods worse # the store of a run tells where its guests are, seen from anywhere
 cd elsewhere
 expect 2 "$daylight" replay ../runs/bad --methods bad,worse
-expect 2 "$daylight" campaign --resume ../runs/bad --pairs 500
+expect 2 "$daylight" campaign --resume ../runs/bad --pairs 500 --table
 holds out '^worse +500 '
 cd ..
 

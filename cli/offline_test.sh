@@ -39,7 +39,7 @@ python3 balls.py <pairs.jsonl >answers.jsonl
 
 # counts FILE: what the table says of the method and its families, but for the time.
 counts() { awk '/^(balls|  [a-z_]+) / { NF = 7; print }' "$1" | sed '/^referee/,$d'; }
-expect 2 'a campaign of the same' "$daylight" campaign --pairs 1500 --seed 7 --command 'python3 balls.py' --methods balls --out run
+expect 2 'a campaign of the same' "$daylight" campaign --pairs 1500 --seed 7 --command 'python3 balls.py' --methods balls --table --out run
 counts out >campaign
 expect 2 'answers in' "$daylight" judge answers.jsonl --pairs pairs.jsonl --keep failing.jsonl
 counts out >judged

@@ -2,7 +2,6 @@
 // What a person is shown at the end of a run, of one machine or merged.
 #pragma once
 
-#include <cstdint>
 #include <filesystem>
 #include <string>
 
@@ -11,8 +10,8 @@ namespace cyl {
 /// Points runs/latest at a run in runs/; a run elsewhere has no such link.
 void point_latest_at(const std::filesystem::path& run);
 
-/// Writes the page; prints the tallies, what is new against earlier runs, how its self-checks went, and the
-/// finding to look at first.
-void show_run(const std::string& folder, std::uint64_t pairs);
+/// Writes the page; prints the summary and the finding to look at first; before them, if asked for, the table
+/// of all methods.
+void show_run(const std::string& folder, bool table);
 
 }  // namespace cyl

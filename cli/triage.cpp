@@ -26,12 +26,14 @@
 #include "corpus/store/suppressions.hpp"
 #include "reports/explain/explain.hpp"
 #include "reports/run/report_data.hpp"
+#include "reports/triage/cause_notes.hpp"
 
 namespace cyl {
 namespace {
 
 struct TriageArguments {
-  std::string run, budget, json, explained, exported, out, method;
+  std::string run, budget, json, explained, exported, out, method, annotated;
+  CauseNote note;
   std::vector<std::string> sources;
   std::optional<std::string> suppressions;
   std::vector<std::string> against;
@@ -64,7 +66,7 @@ int triage(const TriageArguments& arguments) {
                       p.findings, p.simplified, p.searched));
     });
   }
-  fmt::print("{}", format_buckets(result.buckets));
+  fmt::print("{}\n\n{}", what_changed(result.buckets), format_buckets(result.buckets));
   fmt::print(
       "{} causes of {} kept findings; {} simplified, {} causes searched for a worse pair, --for gives "
       "them more time\n",
@@ -122,6 +124,15 @@ int export_bucket(const TriageArguments& arguments) {
   return exit_pass;
 }
 
+int annotate_bucket(const TriageArguments& arguments) {
+  bucket_of(arguments, arguments.annotated);
+  const std::string file = notes_file_of(arguments.run);
+  write_note(file, arguments.annotated, arguments.note);
+  fmt::print("kept in {}\n", file);
+  write_page(read_run(arguments.run), in_source_tree("props/mutants/kill_matrix.jsonl"));
+  return exit_pass;
+}
+
 }  // namespace
 
 void add_triage(Program& program) {
@@ -149,6 +160,15 @@ void add_triage(Program& program) {
   command.option("--method", arguments->method, "whose failure --export writes, where a cause has several")
       .needs("--export");
   add_source_option(command, arguments->sources);
+  command
+      .option("--annotate", arguments->annotated,
+              "KEY of a bucket of the last triage: only keep an owner and a note of it, beside the runs")
+      .excludes("--explain")
+      .excludes("--export");
+  command.option("--owner", arguments->note.owner, "who looks after the cause").needs("--annotate");
+  command
+      .option("--note", arguments->note.note, "what is known of it; neither owner nor note: both are dropped")
+      .needs("--annotate");
   command.examples(
       "  daylight triage runs/latest --for 2m",
       "What is found out is kept in RUN/triage.sqlite: run again, it goes on. RUN/buckets/ has the simplest "
@@ -156,9 +176,10 @@ void add_triage(Program& program) {
       "The guests of the run are found again, or taken from --plugin and --command.\n"
       "Here 2: a cause beyond a claim that is not suppressed, 3 also: findings not looked at yet.");
   command.run([arguments] {
-    return !arguments->explained.empty()  ? explain_bucket(*arguments)
-           : !arguments->exported.empty() ? export_bucket(*arguments)
-                                          : triage(*arguments);
+    return !arguments->explained.empty()   ? explain_bucket(*arguments)
+           : !arguments->exported.empty()  ? export_bucket(*arguments)
+           : !arguments->annotated.empty() ? annotate_bucket(*arguments)
+                                           : triage(*arguments);
   });
 }
 

@@ -36,10 +36,12 @@ cp -r night killed
 
 triage night --json causes.json
 grep -q '^\* seedbook/wrong_intersecting' out || fail 'the printed page of the book is no cause'
-grep -q '^\* overflow' out || fail 'overflow is no cause'
-grep -q '"key": "overflow"' causes.json || fail 'the causes are not written'
+grep -Eq '^[0-9]+ causes?$' out || fail 'the first line does not count the causes'
+grep -q '^\* fcl-libccd/overflow' out || fail 'overflow is no cause'
+grep -q '"key": "fcl-libccd/overflow"' causes.json || fail 'the causes are not written'
 [[ -s night/report.html ]] || fail 'no page'
 [[ $(find night/buckets -name '*.jsonl' ! -name '*.worst.jsonl' -exec cat {} + | wc -l) == $(grep -c '"key"' causes.json) ]] || fail 'not one simple pair a cause'
+[[ -s night/buckets/fcl-libccd.overflow.jsonl ]] || fail 'the file of a cause is not called as it is'
 cat night/buckets/*.jsonl | "$daylight" check >/dev/null || fail 'the simple pairs are no pairs'
 keys=$(grep '"key"' causes.json | sort)
 
@@ -57,8 +59,36 @@ grep -q 'overflow.*suppressed' out || fail 'what is suppressed is not shown'
 grep -q 'nobody/hang (line [0-9]*) matches no stored case' out || fail 'a stale suppression is not told'
 sed s/2999/2020/ known.jsonl >expired.jsonl
 run 2 triage night --for 1s --suppressions expired.jsonl
-grep -q 'overflow (line [0-9]*) expired on 2020-12-31' out || fail 'an expired suppression is not told'
+grep -q 'fcl-libccd/overflow (line [0-9]*) expired on 2020-12-31' out || fail 'an expired suppression is not told'
 printf '{"bucket":"overflow","owner":7}\n' >bad.jsonl
 run 64 triage night --suppressions bad.jsonl
 grep -q 'bad.jsonl: line 1, column 30: owner is no text' err || fail 'the error names no place'
+
+# A suppression by a key of 0.1.0 still holds, and what replaces it is told.
+sed 's|fcl-libccd/overflow|overflow|' known.jsonl >former.jsonl
+run 0 triage night --for 1s --suppressions former.jsonl
+grep -q 'overflow (line [0-9]*) is by a key of 0.1.0; write instead' out || fail 'an old key is not told'
+grep -q '^{"bucket":"fcl-libccd/overflow","reason":"known","link":"-","owner":"ada"' out || fail 'no line replaces it'
+
+# The second morning: nothing is new; what is noted stays.
+rm -r killed
+run 0 triage night --annotate fcl-libccd/overflow --owner ada --note 'told "them"'
+grep -q '"owner":"ada"' notes.jsonl || fail 'nothing is noted'
+run 64 triage night --annotate no/such --owner ada
+run 2 campaign --pairs 1500 --seed 4 --methods fcl-libccd,seedbook-printed --families lattice,tiny_and_huge --cases '' --out night2
+triage night2
+grep -q '^0 new causes, ' out || fail 'the same program has new causes'
+! grep -q ', gone' out || fail 'what fails today is called gone'
+python3 - night2/report.html <<'END' || fail 'the page lacks what was noted, or the nights'
+import json, re, sys
+page = open(sys.argv[1], encoding='utf-8').read()
+data = json.loads(re.search(r'<script type="application/json" id="report-data">(.*?)</script>', page, re.S)[1])
+cause = next(b for b in data['buckets'] if b['key'] == 'fcl-libccd/overflow')
+assert cause['note'] == {'owner': 'ada', 'note': 'told "them"'}, cause['note']
+assert [night['run'] for night in cause['nights']] == ['night', 'night2'] and cause['standing'] == 'known'
+assert data['changes']['new'] == 0 and data['changes']['against'] == ['night'] and data['changes']['known'] > 0
+assert all(f['margin'] is None or f['margin'][0] <= f['margin'][1] for f in data['findings'])
+claims = {m['name']: m['claim']['stated'] for m in data['methods']}
+assert claims['fcl-libccd'] and not claims['seedbook-printed'], claims
+END
 echo passed

@@ -107,6 +107,12 @@ std::vector<Suppression> read_suppressions(const std::string& file) {
   }
 }
 
+std::string line_of(const Suppression& s) {
+  nlohmann::ordered_json line;
+  for (const auto& [key, member] : fields) line[key] = s.*member;
+  return line.dump();
+}
+
 // Days of this form are in order as texts are.
 bool is_expired(const Suppression& suppression, std::string_view today) {
   return std::string_view(suppression.expires) < today;

@@ -25,6 +25,9 @@ std::vector<Suppression> read_suppressions(std::istream& in);
 /// Reads a file; one that is not there has none. Throws UsageError, with the file's name before that text.
 std::vector<Suppression> read_suppressions(const std::string& file);
 
+/// Returns the line that it is read from.
+std::string line_of(const Suppression& suppression);
+
 /// Whether it holds no more on a day, YYYY-MM-DD.
 bool is_expired(const Suppression& suppression, std::string_view today);
 

@@ -80,6 +80,14 @@ Config limits(const CampaignOptions& options, milliseconds spent) {
           {"stop_at", options.stop_at}};
 }
 
+/// The methods whose claim is our assumption, a line each.
+std::string assumed_claims(const Workload& workload) {
+  std::string names;
+  for (const auto& method : workload.methods)
+    if (method->claim().assumed) names.append(method->name()).append("\n");
+  return names;
+}
+
 RunStore open_run(const CampaignOptions& options, const Workload& workload) {
   Config config = identity(options, workload);
   const std::vector<MethodRecord> methods = record_methods(workload);
@@ -87,6 +95,7 @@ RunStore open_run(const CampaignOptions& options, const Workload& workload) {
     config["cases"] = options.cases;
     config["build"] = options.build;
     config["guests"] = options.guests;
+    config["assumed_claims"] = assumed_claims(workload);
     config["alarm"] = options.self_check.program.empty() ? "" : "on";
     config["status"] = status_planned;
     config["started"] = fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::time(nullptr)));

@@ -9,6 +9,7 @@
 #include "corpus/pairs/close_contact.hpp"
 #include "corpus/pairs/pair_numbers.hpp"
 #include "corpus/pairs/random_stream.hpp"
+#include "fuzz/campaign/derived.hpp"
 #include "oracles/methods/adapter.hpp"
 #include "oracles/referee/referee.hpp"
 #include "solver/distance.hpp"
@@ -172,6 +173,7 @@ std::span<const Family> campaign_families() {
   static const std::vector<Family> all = [] {
     std::vector<Family> both(families().begin(), families().end());
     both.push_back(climbed_family());
+    both.push_back(derived_family());
     return both;
   }();
   return all;

@@ -39,7 +39,7 @@ ClimbGoal goal_of_climb(std::uint64_t climb);
 /// The family `climbed`.
 const Family& climbed_family();
 
-/// families() and `climbed`: what a campaign draws from.
+/// families(), `climbed` and `derived`: what a campaign draws from.
 std::span<const Family> campaign_families();
 
 }  // namespace cyl

@@ -65,8 +65,8 @@ TEST(Climbed, OursStayWithinWhatTheyPromise) {
 }
 
 TEST(Climbed, ACampaignDrawsFromItInItsTurn) {
-  EXPECT_EQ(campaign_families().size(), families().size() + 1);
-  EXPECT_EQ(campaign_families().back().name, "climbed");
+  EXPECT_EQ(campaign_families().size(), families().size() + 2);
+  EXPECT_EQ(campaign_families().back().name, "derived");
   const auto methods = own_methods();
   const std::uint64_t turns = 3;
   const BatchRecord batch =

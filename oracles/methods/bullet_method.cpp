@@ -104,7 +104,7 @@ class Bullet : public Method {
   explicit Bullet(std::string name) : name_(std::move(name)) {}
   std::string_view name() const override { return name_; }
   std::string_view version() const override { return version_; }
-  Claim claim() const override { return {.absolute = vertex_tol, .source = vertex_source}; }
+  Claim claim() const override { return {.absolute = vertex_tol, .source = vertex_source, .assumed = true}; }
 
  private:
   const std::string name_;
@@ -148,7 +148,8 @@ class GjkEpa2 final : public Bullet {
   using Bullet::Bullet;
   Claim claim() const override {
     return {.absolute = vertex_tol,
-            .source = "btGjkEpa2.cpp: GJK_DUPLICATED_EPS 1e-12, a squared length; btGjkEpa2.h says nothing"};
+            .source = "btGjkEpa2.cpp: GJK_DUPLICATED_EPS 1e-12, a squared length; btGjkEpa2.h says nothing",
+            .assumed = true};
   }
 
   // EPA comes after GJK has found the origin inside, so where EPA fails the yes stands and only the depth is

@@ -121,7 +121,7 @@ ccd_t default_settings() {
 std::unique_ptr<Method> gjk(std::string_view name, ccd_first_dir_fn first_direction) {
   ccd_t settings = default_settings();
   settings.first_dir = first_direction;
-  const Claim claim{.absolute = zero_tol, .source = gjk_source};
+  const Claim claim{.absolute = zero_tol, .source = gjk_source, .assumed = true};
   return std::make_unique<Ccd>(name, ccdGJKIntersect, settings, claim);
 }
 

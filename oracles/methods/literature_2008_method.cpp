@@ -68,7 +68,8 @@ class Literature2008 final : public Method {
     return {.relative = setting_.relative,
             .source =
                 "solver/literature/separation_2008.hpp: The text itself names no error. The relative part is "
-                "ours, above the largest error seen."};
+                "ours, above the largest error seen.",
+            .assumed = true};
   }
   bool foreign() const override { return false; }
   // Where section 7 does not decide, up to eight polynomials of degree 8 cost 30 to 100 us.

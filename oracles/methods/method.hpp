@@ -28,6 +28,7 @@ struct Claim {
   double relative = 0;
   double absolute = 0;      ///< a length in the scene's unit
   std::string_view source;  ///< the line of its documentation or source that says so
+  bool assumed = false;     ///< by us: `source` is no promise, but the best that its sources tell
   // No library documents any of these.
   bool every_bit = false;       ///< A change that alters no digit of the question alters none of its answer.
   bool keeps_mirrored = false;  ///< Its verdict stays, wherever, when signs of coordinates are flipped.

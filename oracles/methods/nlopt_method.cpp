@@ -189,7 +189,8 @@ class Nlopt final : public Method {
         .relative = setting_.relative,
         .source =
             "nlopt(3): Some of the algorithms attempt to find a global optimum. No error is promised: the "
-            "relative part is ours, above the largest error seen with this budget."};
+            "relative part is ours, above the largest error seen with this budget.",
+        .assumed = true};
   }
   unsigned share() const override { return setting_.share; }
 

@@ -59,7 +59,7 @@ class Ode final : public Method {
   }
   std::string_view name() const override { return name_; }
   std::string_view version() const override { return dODE_VERSION; }
-  Claim claim() const override { return {.absolute = mpr_tol, .source = mpr_source}; }
+  Claim claim() const override { return {.absolute = mpr_tol, .source = mpr_source, .assumed = true}; }
 
   MethodAnswer ask(const Pair& pair) override {
     if (const auto declined = decline_invalid(pair)) return *declined;

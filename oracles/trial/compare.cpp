@@ -154,10 +154,13 @@ FindingKind finding_of(Failure failure) {
   return FindingKind::crash;
 }
 
+// An absolute length asked of solids so large that their coordinates' own rounding exceeds it is no promise
+// anybody can keep.
 double reach(const Claim& claim, double size) {
-  if (claim.relative == 0 || size == 0) return claim.absolute;
+  const double relative = claim.absolute > 0 ? std::max(claim.relative, claim_floor) : claim.relative;
+  if (relative == 0 || size == 0) return claim.absolute;
   // Of subnormal solids the product may vanish.
-  const double relative_part = std::max(claim.relative * size, std::numeric_limits<double>::denorm_min());
+  const double relative_part = std::max(relative * size, std::numeric_limits<double>::denorm_min());
   return (relative_part + claim.absolute) * (1 + rounding_error);
 }
 

@@ -22,6 +22,10 @@ std::optional<Finding> compare(Trial& trial, const Claim& claim, const MethodAns
 /// Returns the finding that a failure is.
 FindingKind finding_of(Failure failure);
 
+/// Relative to the size: what a claim with an absolute length is allowed at least, since `intersect` claims
+/// no less of itself.
+inline constexpr double claim_floor = 1e-13;
+
 /// Returns the length below which the claim promises nothing of a pair of this size, rounded up; exactly 0
 /// for a claim of 0/0.
 double reach(const Claim& claim, double size);

@@ -113,8 +113,16 @@ TEST(Compare, AtTheClaimItselfTheMethodPromises) {
   const auto severity = [&](double absolute) {
     return compare(trial, {0, absolute, ""}, said(Verdict::intersecting))->severity;
   };
-  EXPECT_EQ(severity(0.5 * (1 - 0x1p-40)), Severity::contract);
+  EXPECT_EQ(severity(0.5 * (1 - 0x1p-30)), Severity::contract);
   EXPECT_EQ(severity(0.5 * (1 + 0x1p-40)), Severity::resolution);
+}
+
+TEST(Compare, NoLengthIsAskedBelowTheRoundingOfWhatIsMeasured) {
+  const double size = 0x1p70;
+  EXPECT_EQ(reach({0, 1e-6, ""}, size), reach({claim_floor, 1e-6, ""}, size));
+  EXPECT_GT(reach({0, 1e-6, ""}, size), 0x1p26) << "one in ten million million of it";
+  EXPECT_EQ(reach({0, 0, ""}, size), 0) << "always right is always right";
+  EXPECT_NEAR(reach({0, 1e-6, ""}, 5), 1e-6, 1e-12);
 }
 
 TEST(Compare, DisjointOfATouchingPairHasMarginZero) {

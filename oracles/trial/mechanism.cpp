@@ -184,6 +184,14 @@ void take_changed(Candidate& c, const Round& round) {
     c.end(c.found.right_sibling ? Mechanism::setting : Mechanism::unclassified);
 }
 
+/// Returns the first method of the same library that shares the method's algorithm.
+std::size_t first_of(const GroupedMethods& of, std::size_t method) {
+  std::size_t m = of.groups[method];
+  const std::string_view library = library_of(of.methods[method]->name());
+  while (of.groups[m] != of.groups[method] || library_of(of.methods[m]->name()) != library) ++m;
+  return m;
+}
+
 }  // namespace
 
 std::string_view in_words(Mechanism m) noexcept {
@@ -220,11 +228,21 @@ std::vector<Classification> classify(const GroupedMethods& of, std::span<const F
   return found;
 }
 
+std::vector<std::size_t> sharers_elsewhere(const GroupedMethods& of, std::size_t method) {
+  std::vector<std::size_t> sharers;
+  for (std::size_t m = 0; m < of.methods.size(); ++m)
+    if (of.groups[m] == of.groups[method] &&
+        library_of(of.methods[m]->name()) != library_of(of.methods[method]->name()))
+      sharers.push_back(m);
+  return sharers;
+}
+
 std::string cause_key(const GroupedMethods& of, std::size_t method, FindingKind kind, Severity severity,
-                      Mechanism mechanism, std::string_view reason) {
+                      Mechanism mechanism, std::string_view reason, KeyForm form) {
   const Method& m = *of.methods[method];
   const std::string library(m.foreign() ? library_of(m.name()) : "own");
-  const std::string first(of.methods[of.groups[method]]->name());
+  const std::size_t stands_for_it = form == KeyForm::version_0_1 ? of.groups[method] : first_of(of, method);
+  const std::string first(of.methods[stands_for_it]->name());
   if (severity == Severity::resolution) return library + "/within-claim";
   if (kind == FindingKind::hang) return first + '/' + to_string(kind);
   if (kind == FindingKind::nondeterminism || kind == FindingKind::state_dependent)
@@ -236,7 +254,7 @@ std::string cause_key(const GroupedMethods& of, std::size_t method, FindingKind 
       return first + "/not-again";
     case Mechanism::underflow:
     case Mechanism::overflow:
-      return to_string(mechanism);
+      return form == KeyForm::version_0_1 ? to_string(mechanism) : first + '/' + to_string(mechanism);
     case Mechanism::setting:
     case Mechanism::unclassified:
       return first + '/' + to_string(kind);

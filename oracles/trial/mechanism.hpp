@@ -70,17 +70,26 @@ struct GroupedMethods {
 std::vector<Classification> classify(const GroupedMethods& of, std::span<const Failing> failing,
                                      const Caps& caps);
 
+/// Returns the methods of other libraries that share the method's algorithm, as far as their errors tell.
+std::vector<std::size_t> sharers_elsewhere(const GroupedMethods& of, std::size_t method);
+
+enum class KeyForm : unsigned char {
+  of_library,  ///< A key names a method of the library that is wrong.
+  version_0_1  ///< In 0.1.0 a method stood for all that share its algorithm, and for overflow nobody did.
+};
+
 /// Returns the key of the cause: the same for every finding that has it, whatever the pair or the run.
-///   "fcl-libccd/absolute-length"   the mechanism; the first of the method's group stands for all of them
+///   "fcl-libccd/absolute-length"   the mechanism; the first of the library's that share the algorithm
+///                                  stands for all of them
+///   "fcl-libccd/overflow"          products of lengths leave the doubles
 ///   "fcl-libccd/wrong_disjoint"    no more is known than the kind, or that another setting is right
-///   "overflow", "underflow"        whose products of lengths leave the doubles: wrong on the same pairs
 ///   "fcl-libccd/hang"              it does not come to an end
 ///   "ode/crash/..."                a failure of a library, by its own words without numbers
 ///   "fcl/within-claim"             a library's answers that its claims allow; "own" of those not foreign
 ///   "fcl-libccd/not-again"         not wrong when asked again
 /// `reason`: the method's own words on a failure.
 std::string cause_key(const GroupedMethods& of, std::size_t method, FindingKind kind, Severity severity,
-                      Mechanism mechanism, std::string_view reason);
+                      Mechanism mechanism, std::string_view reason, KeyForm form = KeyForm::of_library);
 
 /// Returns the key of the cause of one failure, classified beforehand.
 std::string find_cause(const GroupedMethods& of, const Failing& failing, Severity severity,

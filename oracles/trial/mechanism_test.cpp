@@ -106,7 +106,8 @@ TEST(Mechanism, GivesOneKeyToOneCause) {
   Methods methods;
   methods.push_back(erring("lib-way", [](const Pair&) { return true; }));
   methods.push_back(erring("lib-way-fine", [](const Pair&) { return true; }));
-  const std::vector<std::size_t> groups{0, 0};
+  methods.push_back(erring("other-way", [](const Pair&) { return true; }));
+  const std::vector<std::size_t> groups{0, 0, 0};
   const auto key = [&](std::size_t m, FindingKind kind, Severity severity, Mechanism mechanism,
                        std::string_view reason = {}) {
     return cause_key({methods, groups}, m, kind, severity, mechanism, reason);
@@ -116,7 +117,18 @@ TEST(Mechanism, GivesOneKeyToOneCause) {
             "lib-way/absolute-length");
   EXPECT_EQ(key(1, FindingKind::bad_witness, contract, Mechanism::unclassified), "lib-way/bad_witness");
   EXPECT_EQ(key(1, FindingKind::bad_witness, contract, Mechanism::setting), "lib-way/bad_witness");
-  EXPECT_EQ(key(0, FindingKind::wrong_disjoint, contract, Mechanism::overflow), "overflow");
+  EXPECT_EQ(key(0, FindingKind::wrong_disjoint, contract, Mechanism::overflow), "lib-way/overflow");
+  EXPECT_EQ(key(2, FindingKind::wrong_disjoint, contract, Mechanism::unclassified),
+            "other-way/wrong_disjoint")
+      << "shares its algorithm with another library, and is called by its own name";
+  EXPECT_EQ(sharers_elsewhere({methods, groups}, 2), (std::vector<std::size_t>{0, 1}));
+  for (const auto mechanism : {Mechanism::overflow, Mechanism::unclassified})
+    EXPECT_EQ(
+        cause_key({methods, groups}, 2, FindingKind::hang, contract, mechanism, {}, KeyForm::version_0_1),
+        "lib-way/hang");
+  EXPECT_EQ(cause_key({methods, groups}, 2, FindingKind::wrong_disjoint, contract, Mechanism::overflow, {},
+                      KeyForm::version_0_1),
+            "overflow");
   EXPECT_EQ(key(0, FindingKind::wrong_disjoint, Severity::resolution, Mechanism::unclassified),
             "lib/within-claim");
   EXPECT_EQ(key(0, FindingKind::crash, contract, Mechanism::unclassified,

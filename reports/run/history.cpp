@@ -26,14 +26,14 @@ using Key = std::tuple<std::string, std::string, std::string, std::string>;  // 
 struct Past {
   std::string began, folder;
   bool shard = false;  ///< a part of a run
-  std::set<MethodFamily> asked;
+  std::map<MethodFamily, std::uint64_t> asked;
   std::map<Key, GroupRecord> found;
 };
 
 Past past_of(const std::string& folder, const Config& config, const std::vector<TallyRecord>& tallies,
              const std::vector<GroupRecord>& groups) {
   Past past{value_of(config, "started"), folder, shard_of(config).count > 1, {}, {}};
-  for (const TallyRecord& t : tallies) past.asked.emplace(t.method, t.family);
+  for (const TallyRecord& t : tallies) past.asked[{t.method, t.family}] += t.counts.asked;
   for (const GroupRecord& g : groups) past.found[{g.method, g.kind, g.severity, g.family}] = g;
   return past;
 }
@@ -42,13 +42,11 @@ bool before(const Past& x, const Past& y) {
   return std::pair(x.began, x.folder) < std::pair(y.began, y.folder);
 }
 
-/// Nothing where the group is neither here nor was in the last run that could have found it.
-std::optional<Recurrence> status_of(const Key& key, const Past& here, const std::vector<Past>& earlier) {
-  const MethodFamily asked{std::get<0>(key), std::get<3>(key)};
-  std::vector<bool> found;
-  for (const Past& past : earlier)
-    if (past.asked.contains(asked)) found.push_back(past.found.contains(key));
-  return recurrence(here.found.contains(key), here.asked.contains(asked), found);
+Sight sight_of(const Key& key, const Past& run) {
+  const auto asked = run.asked.find({std::get<0>(key), std::get<3>(key)});
+  if (asked == run.asked.end()) return {};
+  const auto found = run.found.find(key);
+  return {found == run.found.end() ? 0 : found->second.count, asked->second};
 }
 
 }  // namespace
@@ -80,7 +78,10 @@ History compare_with_earlier(const RunData& data) {
   std::map<Key, GroupRecord> all = here.found;
   for (const Past& past : earlier) all.insert(past.found.begin(), past.found.end());
   for (const auto& [key, group] : all) {
-    if (const auto status = status_of(key, here, earlier)) history.groups.emplace_back(group, *status);
+    std::vector<Sight> before;
+    for (const Past& past : earlier) before.push_back(sight_of(key, past));
+    if (const Standing now = standing_of(sight_of(key, here), before, all.size()); now.status)
+      history.groups.emplace_back(group, *now.status);
   }
   std::stable_sort(history.groups.begin(), history.groups.end(),
                    [](const auto& x, const auto& y) { return x.second < y.second; });
@@ -91,10 +92,10 @@ std::string format_history(const History& history) {
   const auto number = [&](Recurrence status) {
     return fmt::format("{} {}", history.count(status), to_string(status));
   };
-  std::string text =
-      fmt::format("against {} earlier run{} beside it: {}, {}, {}, {}", history.runs,
-                  history.runs == 1 ? "" : "s", number(Recurrence::fresh), number(Recurrence::known),
-                  number(Recurrence::gone), number(Recurrence::back));
+  std::string text = fmt::format(
+      "against {} earlier run{} beside it, by method, kind and family: {}, {}, {}, {}, {}", history.runs,
+      history.runs == 1 ? "" : "s", number(Recurrence::fresh), number(Recurrence::back),
+      number(Recurrence::gone), number(Recurrence::known), number(Recurrence::rare));
   if (history.unreadable > 0) text += fmt::format("; {} that cannot be read passed over", history.unreadable);
   return text;
 }

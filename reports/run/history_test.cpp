@@ -31,8 +31,9 @@ class HistoryTest : public testing::Test {
     BatchRecord batch;
     batch.next = 1;
     for (const auto& [method, kinds] : methods) {
-      batch.tallies.push_back({method, "flat", Counts{1, 0, 0, 0, 0, 0, 0}});
-      for (const std::string& kind : kinds) batch.groups.push_back({method, kind, "contract", "flat", 3, 0});
+      batch.tallies.push_back({method, "flat", Counts{100, 0, 0, 0, 0, 0, 0}});
+      for (const std::string& kind : kinds)
+        batch.groups.push_back({method, kind, "contract", "flat", kind == "seldom" ? 2u : 30u, 0});
     }
     store.commit(batch, 1);
   }
@@ -49,18 +50,21 @@ class HistoryTest : public testing::Test {
 TEST_F(HistoryTest, TellsNewKnownBackAndGone) {
   run("c", "2026-11-01", {{"x", {"lost", "held", "old"}}});
   run("b", "2026-11-02", {{"x", {"held", "late"}}});
-  run("a", "2026-11-03", {{"x", {"held", "lost", "first"}}, {"y", {"other"}}});
+  run("a", "2026-11-03", {{"x", {"held", "lost", "first", "seldom"}}, {"y", {"other"}}});
   run("later", "2026-11-04", {{"x", {"first"}}});
   EXPECT_EQ(standing("a", "x", "first"), "new");
   EXPECT_EQ(standing("a", "y", "other"), "new");
+  EXPECT_EQ(standing("a", "x", "seldom"), "rare") << "two may be chance";
   EXPECT_EQ(standing("a", "x", "held"), "known");
   EXPECT_EQ(standing("a", "x", "lost"), "back");
   EXPECT_EQ(standing("a", "x", "late"), "gone");
   EXPECT_EQ(standing("a", "x", "old"), "") << "gone before";
-  EXPECT_EQ(format_history(read_run(folder / "a").history),
-            "against 2 earlier runs beside it: 2 new, 1 known, 1 gone, 1 back");
-  EXPECT_EQ(format_history(read_run(folder / "c").history),
-            "against 0 earlier runs beside it: 3 new, 0 known, 0 gone, 0 back");
+  EXPECT_EQ(
+      format_history(read_run(folder / "a").history),
+      "against 2 earlier runs beside it, by method, kind and family: 2 new, 1 back, 1 gone, 1 known, 1 rare");
+  EXPECT_EQ(
+      format_history(read_run(folder / "c").history),
+      "against 0 earlier runs beside it, by method, kind and family: 3 new, 0 back, 0 gone, 0 known, 0 rare");
 }
 
 TEST_F(HistoryTest, ARunThatDidNotAskDoesNotCount) {
@@ -88,7 +92,8 @@ TEST_F(HistoryTest, PassesOverWhatCannotBeRead) {
   std::ofstream(folder / "broken" / "run.sqlite") << std::string(4096, '?');
   EXPECT_EQ(
       format_history(read_run(folder / "2").history),
-      "against 1 earlier run beside it: 0 new, 1 known, 0 gone, 0 back; 1 that cannot be read passed over");
+      "against 1 earlier run beside it, by method, kind and family: 0 new, 0 back, 0 gone, 1 known, 0 rare; "
+      "1 that cannot be read passed over");
 }
 
 }  // namespace

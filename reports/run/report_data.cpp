@@ -24,7 +24,9 @@
 #include "oracles/methods/guest.hpp"
 #include "props/mutants/kill_data.hpp"
 #include "reports/run/tally_table.hpp"
+#include "reports/triage/buckets.hpp"
 #include "reports/triage/case_distance.hpp"
+#include "reports/triage/cause_notes.hpp"
 #include "reports/triage/triage.hpp"
 #include "reports/web/page_template.hpp"
 
@@ -93,18 +95,21 @@ json run_json(const RunData& run, const std::vector<MethodTally>& tallies) {
           {"folder", run.folder}};
 }
 
-json methods_json(const std::vector<MethodRecord>& methods) {
+json methods_json(const RunData& run) {
   std::set<std::string, std::less<>> own;
   for (const auto& m : own_methods()) own.emplace(m->name());
+  const auto assumed = run.config.find("assumed_claims");  // not in runs of 0.1.0
+  const std::vector<std::string> assumed_of = lines_of(value_of(run.config, "assumed_claims"));
   json all = json::array();
-  for (const MethodRecord& m : methods) {
-    all.push_back(
-        {{"name", m.name},
-         {"version", m.version},
-         {"claim",
-          {{"relative", finite(m.relative)}, {"absolute", finite(m.absolute)}, {"source", m.source}}},
-         {"own", own.contains(m.name)},
-         {"share", m.share}});
+  for (const MethodRecord& m : run.methods) {
+    json claim{{"relative", finite(m.relative)}, {"absolute", finite(m.absolute)}, {"source", m.source}};
+    if (assumed != run.config.end())
+      claim["stated"] = std::find(assumed_of.begin(), assumed_of.end(), m.name) == assumed_of.end();
+    all.push_back({{"name", m.name},
+                   {"version", m.version},
+                   {"claim", std::move(claim)},
+                   {"own", own.contains(m.name)},
+                   {"share", m.share}});
   }
   return all;
 }
@@ -163,8 +168,12 @@ struct Shared {
   const FindingRecord* first = nullptr;
   const FoundPair* pair = nullptr;             ///< that of `first`
   std::set<std::string, std::less<>> methods;  ///< that have a finding on it
-  std::optional<Enclosure> margin;
+  std::optional<Enclosure> margin;  ///< the signed distance's over the size, where a finding has that
 };
+
+json margin_json(const std::optional<Enclosure>& margin) {
+  return margin ? json{finite(margin->lo), finite(margin->hi)} : json();
+}
 
 /// Every name once, in the order of their first use.
 class Names {
@@ -204,9 +213,9 @@ json said_on(const Shared& shared, Names& names) {
 json case_of(const Shared& shared, Names& names) {
   const std::optional<Case>& line = shared.pair->line;
   if (!line) return nullptr;
-  json reported = {
-      {"pair", pair_json(line->pair)}, {"truth", parsed(shared.first->truth)}, {"margin", nullptr}};
-  if (shared.margin) reported["margin"] = {finite(shared.margin->lo), finite(shared.margin->hi)};
+  json reported = {{"pair", pair_json(line->pair)},
+                   {"truth", parsed(shared.first->truth)},
+                   {"margin", margin_json(shared.margin)}};
   if (!reported["truth"].is_object()) reported["truth"] = {{"verdict", "undecided"}};
   reported["truth"]["stage"] = shared.first->stage;
   if (const auto verdict = shared.pair->truth)
@@ -235,7 +244,8 @@ void add_findings(json& report, const RunData& run) {
     if (added) shared.push_back({&f, &run.pairs[i], {}, {}});
     Shared& s = shared[at->second];
     s.methods.insert(f.method);
-    if (!s.margin) s.margin = f.margin;
+    // Of a wrong distance the margin is its error.
+    if (!s.margin && f.kind != to_string(FindingKind::distance_outside)) s.margin = f.margin;
     case_at.push_back(at->second);
   }
 
@@ -258,6 +268,7 @@ void add_findings(json& report, const RunData& run) {
                         {"severity", f.severity},
                         {"family", f.family},
                         {"bucket", bucket == bucket_of.end() ? json() : json(bucket->second)},
+                        {"margin", margin_json(f.margin)},
                         {"case", *told_at[case_at[i]]}});
     if (!f.reason.empty()) findings.back()["reason"] = f.reason;
   }
@@ -268,6 +279,35 @@ void add_findings(json& report, const RunData& run) {
   report["findings_total"] = total;
   report["cases"] = std::move(cases);
   report["names"] = names.list();
+}
+
+// Causes
+// -----------------------------------------------------------------------------------------------------------
+
+/// The buckets of the last triage, with what people noted of them and where their pairs are.
+void add_causes(json& report, const RunData& run) {
+  const std::map<std::string, CauseNote> notes = read_notes(notes_file_of(run.folder));
+  std::map<std::string, std::size_t> by_standing;
+  std::set<std::string> against;
+  json buckets = buckets_json(run.folder);
+  for (json& bucket : buckets) {
+    const std::string key = bucket.at("key");
+    bucket["file"] = fmt::format("{}/buckets/{}.jsonl", run.folder, file_name_of(key));
+    if (const auto note = notes.find(key); note != notes.end())
+      bucket["note"] = {{"owner", note->second.owner}, {"note", note->second.note}};
+    if (const json standing = bucket.value("standing", json()); standing.is_string())
+      ++by_standing[standing.get<std::string>()];
+    for (const json& night : bucket.value("nights", json::array())) against.insert(night.at("run"));
+  }
+  against.erase(report.at("run").at("id").get<std::string>());
+  report["buckets"] = std::move(buckets);
+  report["notes_file"] = notes_file_of(run.folder);
+  report["changes"] = nullptr;
+  if (by_standing.empty()) return;
+  json changes{{"against", against}};
+  for (const Recurrence status : enum_values<Recurrence>)
+    changes[to_string(status)] = by_standing[to_string(status)];
+  report["changes"] = std::move(changes);
 }
 
 // Beside the store
@@ -293,13 +333,13 @@ std::string report_json(const RunData& run, const std::string& kill_matrix) {
   const std::vector<MethodTally> tallies = tally_methods(run.tallies);
   json report = {{"schema", 1},
                  {"run", run_json(run, tallies)},
-                 {"methods", methods_json(run.methods)},
+                 {"methods", methods_json(run)},
                  {"families", families_json(tallies)},
                  {"tallies", tallies_json(tallies)},
                  {"history", history_json(run.history)},
                  {"alarm", self_check_json(run.self_checks)},
-                 {"kill_matrix", kill_matrix.empty() ? json() : kill_data(kill_matrix)},
-                 {"buckets", json(buckets_json(run.folder))}};
+                 {"kill_matrix", kill_matrix.empty() ? json() : kill_data(kill_matrix)}};
+  add_causes(report, run);
   add_findings(report, run);
   add_charts(report, run);
   return report.dump(-1, ' ', false, json::error_handler_t::replace);

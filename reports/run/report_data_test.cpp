@@ -139,7 +139,7 @@ TEST_F(ReportData, TellsAPairOfManyFindingsOnceAndToTheLastBit) {
   ASSERT_EQ(report["cases"].size(), 2u);
   EXPECT_EQ(report["findings_total"], 3);
   EXPECT_EQ(report["findings"][0], parse_ordered_json(R"({"id":1,"method":"fake","kind":"wrong_disjoint",
-    "severity":"contract","family":"cases","bucket":null,"case":0})"));
+    "severity":"contract","family":"cases","bucket":null,"margin":[0.25,0.25],"case":0})"));
   EXPECT_EQ(report["findings"][1]["case"], 0);
   EXPECT_EQ(report["findings"][1]["reason"], "SIGABRT");
   EXPECT_EQ(report["findings"][2]["case"], 1);
@@ -155,6 +155,21 @@ TEST_F(ReportData, TellsAPairOfManyFindingsOnceAndToTheLastBit) {
   EXPECT_EQ(reported["said"][0][0]["direction"][2], 0.1);
   EXPECT_EQ(reported["said"][2], parse_ordered_json(R"([{"verdict":"disjoint"},[2]])"));
   EXPECT_EQ(report["names"], json({"fake", "other", "third"}));
+}
+
+TEST_F(ReportData, EachFindingHasItsOwnMargin) {
+  RunStore store = RunStore::create(folder, {});
+  std::vector<FindingRecord> findings{finding(0, "far_off", 0.25), finding(0, "fake", 1e-7),
+                                      finding(0, "other", 1e-7)};
+  findings[0].kind = "distance_outside";
+  findings[2].margin.reset();
+  commit(store, findings);
+  const json report = data();
+  ASSERT_EQ(report["cases"].size(), 1u);
+  EXPECT_EQ(report["findings"][0]["margin"], json({0.25, 0.25})) << "the error of a distance";
+  EXPECT_EQ(report["findings"][1]["margin"], json({1e-7, 1e-7}));
+  EXPECT_EQ(report["findings"][2]["margin"], nullptr);
+  EXPECT_EQ(report["cases"][0]["margin"], json({1e-7, 1e-7})) << "the pair's is no error";
 }
 
 TEST_F(ReportData, EnclosesTheDistanceAndShowsWhere) {

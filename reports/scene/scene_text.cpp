@@ -119,13 +119,17 @@ const char* plural_of(Level level) {
       "spheres", "capsules", "inner capsules", "cylinders", "distances", "proofs"}[index_of(level)];
 }
 
-std::string recommended_words(const SceneStudy& s) {
+/// A robot's spheres and boxes touch things too: what was not looked at stands where somebody acts on it.
+std::string recommended_words(const Scene& scene, const SceneStudy& s) {
   std::map<Level, std::size_t> last;
   for (const PairStudy& pair : s.pairs) ++last[pair.cascade.last];
   std::vector<std::string> parts;
   for (const auto& [level, count] : last)
     parts.push_back(fmt::format("{} for {}", plural_of(level), plural(count, "pair")));
-  return fmt::format("{}", fmt::join(parts, ", "));
+  const std::string all = fmt::format("{}", fmt::join(parts, ", "));
+  if (scene.left_out.empty()) return all;
+  return fmt::format("{}; of the cylinders alone: NOT LOOKED AT: {}", all,
+                     fmt::join(left_out_words(scene), ", "));
 }
 
 std::string cost_words(const SceneQuestion& q, const SceneStudy& s) {
@@ -185,7 +189,7 @@ StudyWords words_of(const Scene& scene, const SceneQuestion& q, const SceneStudy
   if (s.pairs.empty()) return w;
   w.configurations = configurations_words(q, s);
   w.enough = enough_words(q, s);
-  w.recommended = recommended_words(s);
+  w.recommended = recommended_words(scene, s);
   w.cost = cost_words(q, s);
   w.forgiven = forgiven_words(q, s);
   w.capsules = capsules_words(q, s);

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/statistics.hpp"
 #include "reports/triage/buckets.hpp"
 
 namespace cyl {
@@ -22,10 +23,13 @@ void visit_plain(B& b, Visit visit) {
   visit("methods", b.methods);
   visit("kind", b.kind);
   visit("count", b.count);
+  visit("pairs", b.pairs);
   visit("families", b.families);
   visit("findings", b.findings);
   visit("merged", b.merged);
   visit("simplest", b.simplest);
+  visit("simplified", b.simplified);
+  visit("seen_again", b.seen_again);
   visit("worst", b.worst);
   visit("feature", b.feature);
   visit("coordinate", b.coordinate);
@@ -33,6 +37,9 @@ void visit_plain(B& b, Visit visit) {
   visit("labels", b.labels);
   visit("first_seen", b.first_seen);
   visit("last_seen", b.last_seen);
+  visit("first_version", b.first_version);
+  visit("last_version", b.last_version);
+  visit("former_keys", b.former_keys);
 }
 
 Json margin_json(const std::optional<Enclosure>& margin) {
@@ -43,6 +50,19 @@ Json margin_json(const std::optional<Enclosure>& margin) {
 
 Json share_json(const std::optional<Bucket::Share>& share) {
   return share ? Json{{"wrong", share->wrong}, {"asked", share->asked}} : Json(nullptr);
+}
+
+/// A rate a million pairs, with bounds at 95 %.
+Json night_json(const Bucket::Night& night) {
+  constexpr double million = 1e6;
+  const Sight& s = night.sight;
+  const RateBounds bounds = rate_bounds(s.asked, s.count);
+  const double rate = s.asked == 0 ? 0 : static_cast<double>(s.count) / static_cast<double>(s.asked);
+  return {{"run", night.run},
+          {"started", night.started},
+          {"count", s.count},
+          {"asked", s.asked},
+          {"per_million", {million * rate, million * bounds.lower, million * bounds.upper}}};
 }
 
 Json suppression_json(const std::optional<Suppression>& s) {
@@ -66,8 +86,9 @@ std::string short_number(const Json& x) { return x.is_null() ? "-" : fmt::format
 
 std::string format_bucket(const Bucket& b) {
   const Json margin = b.margin ? margin_json(b.margin) : Json{nullptr, nullptr};
-  std::string text = fmt::format("{} {}{}{}\n    {}\n", b.severity == Severity::contract ? "*" : " ", b.key,
+  std::string text = fmt::format("{} {}{}{}{}\n    {}\n", b.severity == Severity::contract ? "*" : " ", b.key,
                                  b.status ? std::string(", ") + to_string(*b.status) : "",
+                                 b.chance ? fmt::format(" (chance {:.1g})", *b.chance) : "",
                                  b.suppressed ? ", suppressed" : "", b.cause);
   text += fmt::format("    {} findings of {} methods in {} families; margins {} to {}", b.count,
                       b.methods.size(), b.families.size(), short_number(margin[0]), short_number(margin[1]));
@@ -86,8 +107,12 @@ Json to_json(const Bucket& b) {
          {"mechanism", to_string(b.mechanism)},
          {"share", share_json(b.share)},
          {"standing", nullptr},
+         {"chance", nullptr},
+         {"nights", Json::array()},
          {"suppressed", suppression_json(b.suppressed)}};
   if (b.status) j["standing"] = to_string(*b.status);
+  if (b.chance) j["chance"] = *b.chance;
+  for (const Bucket::Night& night : b.nights) j["nights"].push_back(night_json(night));
   visit_plain(b, [&](const char* key, const auto& value) { j[key] = value; });
   return j;
 }
@@ -100,7 +125,11 @@ Json to_json(const std::vector<Bucket>& buckets) {
 
 Bucket bucket_from_json(const Json& j) {
   Bucket b;
-  visit_plain(b, [&](const char* key, auto& value) { j.at(key).get_to(value); });
+  // What 0.1.0 stored lacks some.
+  visit_plain(b, [&](const char* key, auto& value) {
+    if (const auto at = j.find(key); at != j.end()) at->get_to(value);
+  });
+  b.seen_again = j.value("seen_again", true);
   b.worst_was_searched = b.worst.contains("note");
   b.severity = from_word<Severity>(j.at("severity").get<std::string>()).value_or(Severity::resolution);
   b.mechanism = from_word<Mechanism>(j.at("mechanism").get<std::string>()).value_or(Mechanism::unclassified);
@@ -110,6 +139,10 @@ Bucket bucket_from_json(const Json& j) {
     b.share = Bucket::Share{share.at("wrong").get<std::uint64_t>(), share.at("asked").get<std::uint64_t>()};
   if (const Json& status = j.at("standing"); !status.is_null())
     b.status = from_word<Recurrence>(status.get<std::string>());
+  if (const auto chance = j.find("chance"); chance != j.end() && !chance->is_null())
+    b.chance = chance->get<double>();
+  for (const Json& night : j.value("nights", Json::array()))
+    b.nights.push_back({night.at("run"), night.at("started"), {night.at("count"), night.at("asked")}});
   return b;
 }
 

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <map>
 #include <optional>
@@ -24,21 +25,28 @@
 #include "oracles/trial/trial.hpp"
 #include "props/shrink/simplify.hpp"
 #include "reports/triage/case_distance.hpp"
+#include "reports/triage/shown_pair.hpp"
 
 namespace cyl {
 namespace {
 
 using Json = nlohmann::json;
 
-/// As the triage has them; enough hangs that a method which is known to hang is seen to, on the pairs of one
-/// bucket.
-constexpr Caps shown_caps{
-    .call_cpu = std::chrono::milliseconds(500), .call_wall = std::chrono::milliseconds(2000), .hangs = 6};
 constexpr Caps share_caps{.call_cpu = shown_caps.call_cpu, .call_wall = shown_caps.call_wall, .hangs = 2};
 /// Seed of the sample of a stratum.
 constexpr std::uint64_t share_seed = 1;
+/// Pairs tried as the simplest of a bucket, until its method fails on one.
+constexpr std::size_t tried_cap = 4;
 /// Keys and labels listed with a bucket.
 constexpr std::size_t merged_cap = 200, labels_cap = 6;
+
+/// A pair that may be shown as a bucket's simplest.
+struct Candidate {
+  bool as_found;  ///< not simplified
+  Complexity complexity;
+  const FindingRecord* of;
+  Pair pair;
+};
 
 /// What one bucket is made of.
 struct Group {
@@ -46,18 +54,24 @@ struct Group {
   std::set<Mechanism> mechanisms;
   std::map<std::string, std::size_t> labels;
   std::set<std::string> merged;
-  const FindingRecord* simplest_of = nullptr;  ///< the finding that the simplest pair comes from
-  Pair simplest;
-  std::optional<Complexity> complexity;  ///< of the simplest
+  std::vector<Candidate> candidates;
+  std::optional<Candidate> simplest;
+  bool seen_again = false;  ///< on the simplest
   const FindingRecord* worst = nullptr;
   const WorstRecord* found = nullptr;  ///< a pair that is said to be worse
 
   /// The finding that stands for the others.
-  const FindingRecord& first() const { return simplest_of != nullptr ? *simplest_of : *worst; }
+  const FindingRecord& first() const { return simplest ? *simplest->of : *worst; }
   Mechanism mechanism() const {
     return mechanisms.size() == 1 ? *mechanisms.begin() : Mechanism::unclassified;
   }
 };
+
+std::size_t index_of(std::span<const std::unique_ptr<Method>> methods, const std::string& name) {
+  std::size_t m = 0;
+  while (m < methods.size() && methods[m]->name() != name) ++m;
+  return m;
+}
 
 std::optional<Pair> pair_of(const std::string& line) {
   auto parsed = parse_case(line, 1);
@@ -76,15 +90,41 @@ void add(Group& group, const FindingRecord& finding, const CauseRecord& cause) {
   if (group.worst == nullptr || is_worse(finding, *group.worst)) group.worst = &finding;
 }
 
-/// Takes the pair as the simplest if it is.
-void offer(Group& group, const FindingRecord* of, const std::string& line) {
+void offer(Group& group, const FindingRecord* of, const std::string& line, bool as_found) {
   const auto pair = pair_of(line);
-  if (!pair || find_defect(pair->a) != Defect::none || find_defect(pair->b) != Defect::none) return;
-  const Complexity now = complexity(*pair);
-  if (group.complexity && !(now < *group.complexity)) return;
-  group.complexity = now;
-  group.simplest = *pair;
-  group.simplest_of = of;
+  if (!pair) return;
+  if (!as_found && (find_defect(pair->a) != Defect::none || find_defect(pair->b) != Defect::none)) return;
+  group.candidates.push_back({as_found, complexity(*pair), of, *pair});
+}
+
+/// Simplified ones before those as they were found, then the simplest.
+bool is_shown_before(const Candidate& x, const Candidate& y) {
+  return x.as_found != y.as_found ? y.as_found : x.complexity < y.complexity;
+}
+
+std::optional<Blamed> blamed_by(const FindingRecord& f, std::span<const std::unique_ptr<Method>> methods) {
+  const auto kind = from_word<FindingKind>(f.kind);
+  const std::size_t m = index_of(methods, f.method);
+  return kind && m < methods.size() ? std::optional(Blamed{m, *kind}) : std::nullopt;
+}
+
+/// Takes the first of the candidates on which its method fails when it is asked alone; where there is none,
+/// the first finding, as it was found.
+void choose_simplest(Group& group, std::span<const std::unique_ptr<Method>> methods,
+                     const std::function<bool()>& out_of_time) {
+  std::stable_sort(group.candidates.begin(), group.candidates.end(), is_shown_before);
+  const auto fallback = std::find_if(group.candidates.begin(), group.candidates.end(),
+                                     [](const Candidate& c) { return c.as_found; });
+  if (fallback != group.candidates.end()) group.simplest = *fallback;
+  std::size_t tried = 0;
+  for (const Candidate& c : group.candidates) {
+    if (tried++ == tried_cap || (tried > 1 && out_of_time())) return;
+    const auto blamed = blamed_by(*c.of, methods);
+    if (!blamed || !fails_alone(methods, *blamed, c.pair)) continue;
+    group.simplest = c;
+    group.seen_again = true;
+    return;
+  }
 }
 
 // Severity goes with a bucket (its key is the severity's, or no finding within a claim has it).
@@ -102,36 +142,13 @@ std::map<std::string, Group> groups_of(const TriageRecords& records) {
   for (const SimpleRecord& s : records.simples) {
     if (!group_of.contains(s.finding)) continue;
     group_of[s.finding]->merged.insert(s.key);
-    offer(*group_of[s.finding], by_id[s.finding], s.pair);
+    offer(*group_of[s.finding], by_id[s.finding], s.pair, false);
   }
   for (const WorstRecord& w : records.worsts)
     if (groups.contains(w.bucket) && !w.pair.empty()) groups[w.bucket].found = &w;
-  // As they were found, where none is simplified yet.
   for (auto& [key, group] : groups)
-    if (group.simplest_of == nullptr)
-      for (const FindingRecord* f : group.findings) offer(group, f, f->pair);
+    for (const FindingRecord* f : group.findings) offer(group, f, f->pair, true);
   return groups;
-}
-
-// The pairs of a group that every method is asked about, in this order.
-enum Shown : std::size_t { simplest, worst, found, shown_count };
-
-std::vector<Trial> try_groups(const std::map<std::string, Group>& groups,
-                              std::span<const std::unique_ptr<Method>> methods) {
-  std::vector<Pair> pairs;
-  for (const auto& [key, group] : groups) {
-    pairs.push_back(group.simplest);
-    pairs.push_back(pair_of(group.worst->pair).value_or(group.simplest));
-    pairs.push_back(group.found != nullptr ? pair_of(group.found->pair).value_or(pairs.back())
-                                           : pairs.back());
-  }
-  return try_methods(methods, pairs, shown_caps, 2);
-}
-
-std::size_t index_of(std::span<const std::unique_ptr<Method>> methods, const std::string& name) {
-  std::size_t m = 0;
-  while (m < methods.size() && methods[m]->name() != name) ++m;
-  return m;
 }
 
 /// Whether what was searched for is wrong today in the way it was found, beyond the claim, and worse than the
@@ -154,9 +171,12 @@ std::optional<CaseDistance> distance_of(const Trial& trial) {
   return case_distance(trial.pair, trial.truth.verdict, margin);
 }
 
-/// In the form of the page's Case.
-Json case_json(const Trial& trial, const std::optional<CaseDistance>& distance,
-               std::span<const std::unique_ptr<Method>> methods, const std::string& replayed) {
+/// In the form of the page's Case. `finding`: that the pair is of, or nullptr; what its method said then
+/// stands where it is right today.
+Json case_json(const ShownPair& shown, const std::optional<CaseDistance>& distance,
+               const FindingRecord* finding, std::span<const std::unique_ptr<Method>> methods,
+               const std::string& replayed) {
+  const Trial& trial = shown.trial;
   Json c;
   c["pair"] = pair_to_json(trial.pair);
   c["truth"] = truth_to_json(trial.truth);
@@ -164,18 +184,33 @@ Json case_json(const Trial& trial, const std::optional<CaseDistance>& distance,
   if (distance) add_distance(c, *distance);
   c["answers"] = Json::object();
   for (std::size_t m = 0; m < methods.size(); ++m)
-    c["answers"][std::string(methods[m]->name())] = answer_to_json(trial.answers[m]);
+    if (shown.asked[m]) c["answers"][std::string(methods[m]->name())] = answer_to_json(trial.answers[m]);
+  if (finding != nullptr) {
+    const std::size_t m = index_of(methods, finding->method);
+    const Json said = Json::parse(finding->answers, nullptr, false);
+    const bool right_today = m == methods.size() || !trial.findings[m];
+    if (right_today && said.is_object() && said.contains(finding->method)) {
+      c["answers"][finding->method] = said[finding->method];
+      c["note"] = fmt::format("{} said this in the run; asked again, alone, it does not", finding->method);
+    }
+  }
   c["replay"] = own_command() + " replay " + shell_quoted(replayed);
   return c;
 }
 
-void show_worst(Bucket& b, const Group& group, std::span<const Trial> now,
+void show_worst(Bucket& b, const Group& group, PairShower& shower,
                 std::span<const std::unique_ptr<Method>> methods, const std::string& folder) {
-  b.worst_was_searched = surpasses(group, now[found], methods);
   const std::string stored = fmt::format("{}:{}", folder, group.worst->id);
-  const std::string file = fmt::format("{}/buckets/{}.worst.jsonl", folder, letters_only(b.key));
-  const Trial& trial = now[b.worst_was_searched ? found : worst];
-  b.worst = case_json(trial, distance_of(trial), methods, b.worst_was_searched ? file : stored);
+  const std::string file = fmt::format("{}/buckets/{}.worst.jsonl", folder, file_name_of(b.key));
+  const auto pair = pair_of(group.worst->pair),
+             found = group.found ? pair_of(group.found->pair) : std::nullopt;
+  const auto blamed = blamed_by(*group.worst, methods);
+  const std::vector<Blamed> accused(blamed ? 1 : 0, blamed.value_or(Blamed{}));
+  ShownPair shown = shower.show(found ? *found : pair.value_or(group.simplest->pair), accused);
+  b.worst_was_searched = found && surpasses(group, shown.trial, methods);
+  if (found && !b.worst_was_searched) shown = shower.show(pair.value_or(group.simplest->pair), accused);
+  b.worst = case_json(shown, distance_of(shown.trial), b.worst_was_searched ? nullptr : group.worst, methods,
+                      b.worst_was_searched ? file : stored);
   if (b.worst_was_searched)
     b.worst["note"] = fmt::format("searched for, with {}; the worst of the findings is {}, margin {:.3g}",
                                   group.found->method, stored, least_margin(*group.worst));
@@ -209,26 +244,31 @@ std::optional<Bucket::Share> share_of(const Pair& simplest, double margin, Conta
 }
 
 /// What of the simplest pair and its stratum is seen.
-void show_simplest(Bucket& b, const Group& group, const Trial& now,
-                   std::span<const std::unique_ptr<Method>> methods, const std::string& folder) {
+void show_simplest(Bucket& b, const Group& group, const ShownPair& shown,
+                   std::span<const std::unique_ptr<Method>> methods, const std::string& folder, bool drawn) {
+  const Trial& now = shown.trial;
+  const Pair& pair = group.simplest->pair;
   const auto distance = distance_of(now);
-  const std::string file = fmt::format("{}/buckets/{}.jsonl", folder, letters_only(b.key));
-  b.simplest = case_json(now, distance, methods, file);
+  const std::string file = fmt::format("{}/buckets/{}.jsonl", folder, file_name_of(b.key));
+  b.simplest =
+      case_json(shown, distance, group.simplest->as_found ? group.simplest->of : nullptr, methods, file);
+  b.simplified = !group.simplest->as_found;
+  b.seen_again = group.seen_again;
   std::optional<double> margin;
   if (distance && distance->margin) margin = finite(distance->margin->hi);
-  const auto feature = contact_feature(group.simplest, now.truth);
+  const auto feature = contact_feature(pair, now.truth);
   b.feature = feature ? to_string(*feature) : "unknown";
-  b.coordinate = to_string(coordinate_of(group.simplest, margin.value_or(0)));
+  b.coordinate = to_string(coordinate_of(pair, margin.value_or(0)));
   const std::size_t m = index_of(methods, b.method);
   if (m < methods.size() && b.kind == to_string(FindingKind::bad_witness))
-    if (const std::string miss = miss_in_words(group.simplest, now.answers[m]); !miss.empty())
+    if (const std::string miss = miss_in_words(pair, now.answers[m]); !miss.empty())
       b.cause += "; on the simplest pair " + miss;
   // Of what hangs each question would cost a second, or two.
   const bool answers = m < methods.size() && now.answers[m].failure != Failure::hang &&
                        now.answers[m].status != Status::declined;
   const bool moved = b.mechanism == Mechanism::offset;
-  if (answers && margin && feature)
-    b.share = share_of(group.simplest, *margin, *feature, moved, methods[m], b.kind);
+  if (drawn && answers && margin && feature)
+    b.share = share_of(pair, *margin, *feature, moved, methods[m], b.kind);
 }
 
 /// What is said of a kind of finding.
@@ -274,13 +314,28 @@ int rank_of(Severity severity) {
   return severity == Severity::contract ? 0 : severity == Severity::unresolved ? 1 : 2;
 }
 
+/// The keys that version 0.1.0 gave the findings.
+std::set<std::string> former_keys_of(const std::string& key, const Group& group, const GroupedMethods& of) {
+  std::set<std::string> keys;
+  for (const FindingRecord* f : group.findings) {
+    const auto blamed = blamed_by(*f, of.methods);
+    const auto severity = from_word<Severity>(f->severity);
+    if (!blamed || !severity) continue;
+    keys.insert(cause_key(of, blamed->method, blamed->kind, *severity, group.mechanism(), f->reason,
+                          KeyForm::version_0_1));
+  }
+  keys.erase(key);
+  return keys;
+}
+
 /// Puts together what the findings say.
-Bucket sum_up(const std::string& key, const Group& group, std::uint64_t count) {
+Bucket sum_up(const std::string& key, const Group& group, const BucketCount& count) {
   Bucket b;
   b.key = key;
   b.method = group.first().method;
   b.kind = group.first().kind;
-  b.count = count;
+  b.count = count.findings;
+  b.pairs = count.most();
   b.mechanism = group.mechanism();
   std::set<std::string> kinds;
   std::string reason;
@@ -304,8 +359,17 @@ Bucket sum_up(const std::string& key, const Group& group, std::uint64_t count) {
 
 /// The cause, what else was told of how many, and who else is wrong.
 std::vector<std::string> labels_of(const Bucket& b, const Group& group, const Trial& simplest_now,
-                                   std::span<const std::unique_ptr<Method>> methods) {
+                                   const GroupedMethods& of) {
+  const std::span<const std::unique_ptr<Method>> methods = of.methods;
   std::vector<std::string> labels{b.cause};
+  if (!b.seen_again)
+    labels.push_back(
+        fmt::format("not seen again: {}, asked alone, does not fail so on what was tried", b.method));
+  std::string elsewhere;
+  if (const std::size_t m = index_of(methods, b.method); m < methods.size())
+    for (const std::size_t sharer : sharers_elsewhere(of, m))
+      elsewhere += (elsewhere.empty() ? "" : ", ") + std::string(methods[sharer]->name());
+  if (!elsewhere.empty()) labels.push_back("shared code, as the errors tell: " + elsewhere);
   std::vector<std::pair<std::size_t, std::string>> often;
   for (const auto& [label, n] : group.labels) often.emplace_back(group.findings.size() - n, label);
   std::sort(often.begin(), often.end());
@@ -335,14 +399,24 @@ bool is_worse(const FindingRecord& x, const FindingRecord& y) {
   return std::pair(refutes_verdict(x), least_margin(x)) > std::pair(refutes_verdict(y), least_margin(y));
 }
 
-std::map<std::string, std::uint64_t> count_by_bucket(const TriageRecords& records) {
+std::uint64_t BucketCount::most() const {
+  std::uint64_t most = 0;
+  for (const auto& [method, n] : by_method) most = std::max(most, n);
+  return most;
+}
+
+std::map<std::string, BucketCount> count_by_bucket(const TriageRecords& records) {
   using Counted = std::tuple<std::string, std::string, std::string, std::string>;
   std::map<std::int64_t, std::string> bucket_of;
   for (const CauseRecord& c : records.causes) bucket_of[c.finding] = c.bucket;
   std::map<Counted, std::map<std::string, std::uint64_t>> kept;
   for (const FindingRecord& f : records.findings)
     if (bucket_of.contains(f.id)) ++kept[{f.method, f.kind, f.severity, f.family}][bucket_of[f.id]];
-  std::map<std::string, std::uint64_t> counts;
+  std::map<std::string, BucketCount> counts;
+  const auto add = [&](const std::string& bucket, const std::string& method, std::uint64_t n) {
+    counts[bucket].findings += n;
+    counts[bucket].by_method[method] += n;
+  };
   for (const GroupRecord& g : records.groups) {
     const auto found = kept.find({g.method, g.kind, g.severity, g.family});
     if (found == kept.end()) continue;
@@ -351,29 +425,47 @@ std::map<std::string, std::uint64_t> count_by_bucket(const TriageRecords& record
     std::vector<std::pair<std::uint64_t, std::string>> parts;
     for (const auto& [bucket, n] : found->second) {
       const std::uint64_t part = g.count / all * n + g.count % all * n / all;
-      counts[bucket] += part;
+      add(bucket, g.method, part);
       given += part;
       parts.emplace_back(n, bucket);
     }
     std::sort(parts.rbegin(), parts.rend());
-    for (std::size_t i = 0; given < g.count; ++given, ++i) ++counts[parts[i % parts.size()].second];
+    for (std::size_t i = 0; given < g.count; ++given, ++i) add(parts[i % parts.size()].second, g.method, 1);
   }
   return counts;
 }
 
-std::vector<Bucket> make_buckets(const TriageRecords& records,
-                                 std::span<const std::unique_ptr<Method>> methods) {
-  const std::map<std::string, Group> groups = groups_of(records);
-  const std::map<std::string, std::uint64_t> counts = count_by_bucket(records);
-  const std::vector<Trial> trials = try_groups(groups, methods);
+std::string file_name_of(std::string_view key) {
+  constexpr std::size_t length_cap = 100;  // of a file's name, whose own cap is 255
+  std::string name;
+  bool replaced = key.size() > length_cap;
+  for (const char c : key.substr(0, length_cap)) {
+    const bool fit = std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '-' || c == '_';
+    name += fit ? c : '.';
+    replaced = replaced || (!fit && c != '/');
+  }
+  return replaced ? name + '.' + letters_only(key) : name;
+}
+
+std::vector<Bucket> make_buckets(const TriageRecords& records, const GroupedMethods& of,
+                                 const std::function<bool()>& out_of_time) {
+  std::map<std::string, Group> groups = groups_of(records);
+  const std::map<std::string, BucketCount> counts = count_by_bucket(records);
+  PairShower shower(of.methods, out_of_time);
   std::vector<Bucket> buckets;
-  for (const auto& [key, group] : groups) {
-    const auto now = std::span(trials).subspan(shown_count * buckets.size(), shown_count);
+  for (auto& [key, group] : groups) {
+    choose_simplest(group, of.methods, out_of_time);
+    if (!group.simplest) continue;  // no pair of it can be read
     const auto counted = counts.find(key);
-    Bucket b = sum_up(key, group, counted != counts.end() ? counted->second : group.findings.size());
-    show_simplest(b, group, now[simplest], methods, records.folder);
-    show_worst(b, group, now, methods, records.folder);
-    b.labels = labels_of(b, group, now[simplest], methods);
+    const BucketCount kept{group.findings.size(), {{group.first().method, group.findings.size()}}};
+    Bucket b = sum_up(key, group, counted != counts.end() ? counted->second : kept);
+    b.former_keys = former_keys_of(key, group, of);
+    const auto blamed = blamed_by(group.first(), of.methods);
+    const std::vector<Blamed> accused(blamed ? 1 : 0, blamed.value_or(Blamed{}));
+    const ShownPair shown = shower.show(group.simplest->pair, accused);
+    show_simplest(b, group, shown, of.methods, records.folder, !out_of_time());
+    show_worst(b, group, shower, of.methods, records.folder);
+    b.labels = labels_of(b, group, shown.trial, of);
     buckets.push_back(std::move(b));
   }
   std::stable_sort(buckets.begin(), buckets.end(), [](const Bucket& x, const Bucket& y) {

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <map>
 #include <memory>
 #include <optional>
@@ -30,25 +31,45 @@ struct Bucket {
   struct Share {
     std::uint64_t wrong = 0, asked = 0;
   };
+  /// What a run saw of the cause: pairs that one method is wrong on, of those it was asked in its families.
+  struct Night {
+    std::string run, started;
+    Sight sight;
+  };
 
   std::string key;
   std::string method, kind;  ///< of the finding that the simplest pair comes from
   std::set<std::string> methods, families;
   Severity severity = Severity::resolution;  ///< the gravest
   std::uint64_t count = 0;                   ///< findings, kept or not
-  std::vector<std::int64_t> findings;        ///< ids of those that are kept
-  std::optional<Enclosure> margin;           ///< from the least to the greatest proved one
-  std::vector<std::string> merged;           ///< keys of the simplified pairs
-  nlohmann::json simplest, worst;            ///< in the form of the page's Case
-  bool worst_was_searched = false;           ///< it is no finding
-  std::string feature, coordinate;           ///< of the simplest pair, in words
+  std::uint64_t pairs = 0;             ///< that one method of it is wrong on, at most: what may be compared
+  std::vector<std::int64_t> findings;  ///< ids of those that are kept
+  std::optional<Enclosure> margin;     ///< from the least to the greatest proved one
+  std::vector<std::string> merged;     ///< keys of the simplified pairs
+  nlohmann::json simplest, worst;      ///< in the form of the page's Case
+  bool simplified = false;             ///< the simplest is; else it is as it was found
+  bool seen_again = false;             ///< its method, asked alone, failed on the simplest
+  bool worst_was_searched = false;     ///< it is no finding
+  std::string feature, coordinate;     ///< of the simplest pair, in words
   Mechanism mechanism = Mechanism::unclassified;
   std::string cause;                ///< in words
   std::vector<std::string> labels;  ///< likewise, this and what else may be said
   std::optional<Share> share;
-  std::optional<Recurrence> status;  ///< nothing where there is no earlier run
+  std::set<std::string> former_keys;  ///< by which version 0.1.0 called it, where others
+  std::optional<Recurrence> status;   ///< nothing where there is no earlier run
+  std::optional<double> chance;       ///< that the status is due to chance, where that was asked
   std::string first_seen, last_seen;
+  std::string first_version, last_version;  ///< of its method, then
+  std::vector<Night> nights;                ///< the runs that looked for it, the earliest first
   std::optional<Suppression> suppressed;
+};
+
+/// What earlier triaged runs, and this one, tell of causes.
+struct TriagedRun {
+  std::string id, started;
+  std::vector<MethodRecord> methods;  ///< those that are here
+  std::vector<TallyRecord> tallies;
+  std::vector<Bucket> buckets;
 };
 
 /// In the form of the page's Bucket, in which it is stored too.
@@ -76,24 +97,47 @@ double least_margin(const FindingRecord& finding);
 /// Returns how many findings a bucket stands for. Those that are not kept are counted by group (method, kind,
 /// severity, family) only: a group's are given to buckets as its kept ones are, the rest of a division to the
 /// larger parts first.
-std::map<std::string, std::uint64_t> count_by_bucket(const TriageRecords& records);
+struct BucketCount {
+  std::uint64_t findings = 0;
+  std::map<std::string, std::uint64_t> by_method;
+
+  std::uint64_t most() const;  ///< of a method: pairs, since it has one finding a pair
+};
+std::map<std::string, BucketCount> count_by_bucket(const TriageRecords& records);
 
 /// Makes the buckets, those beyond claims first, then by count; status, first and last seen not yet set. The
 /// worst is that of the findings, or what was searched for where it is wrong today, in the same way and by a
-/// larger margin. Asks every method about the simplest and the worst pair of each bucket, and the bucket's
-/// own about a sample of the stratum.
-std::vector<Bucket> make_buckets(const TriageRecords& records,
-                                 std::span<const std::unique_ptr<Method>> methods);
+/// larger margin. The simplest is one on which its method, asked alone, fails today; where there is none, the
+/// first that was found, with what was said then. Asks every method about the simplest and the worst pair of
+/// each bucket, and the bucket's own about a sample of the stratum; once `out_of_time()`, the bucket's own
+/// about the simplest alone.
+std::vector<Bucket> make_buckets(const TriageRecords& records, const GroupedMethods& methods,
+                                 const std::function<bool()>& out_of_time);
 
-/// Sets status, first_seen and last_seen of the buckets of run `id`, and adds what is gone, by what earlier
-/// triaged runs had, the earliest first. `asked`: the methods of the run, without which nothing is gone.
-void compare_with_earlier(std::vector<Bucket>& buckets, const std::string& id,
-                          const std::vector<std::string>& asked,
-                          const std::vector<std::vector<Bucket>>& earlier);
+/// Says of an earlier run's bucket whether what it stored fails today as it did then: nothing where that
+/// cannot be told.
+using FailsToday = std::function<std::optional<bool>(const Bucket&)>;
 
-/// Marks what is suppressed.
+/// Sets what the run's buckets are since `earlier` triaged runs, the earliest first: status, chance, nights,
+/// first and last seen; and adds the last one's that the run does not have: known where a stored pair fails
+/// today, gone where all are right. Who was not asked in the run loses nothing. New ones come first, then
+/// what is back, then the others in their order; what is gone comes last.
+void compare_with_earlier(TriagedRun& run, const std::vector<TriagedRun>& earlier,
+                          const FailsToday& fails_today);
+
+/// Marks what is suppressed, by its key or by one of 0.1.0.
 void suppress(std::vector<Bucket>& buckets, const std::vector<Suppression>& suppressions,
               std::string_view today);
+/// Returns a remark for each suppression by a key of 0.1.0, with the lines that replace it.
+std::vector<std::string> former_keys_in(const std::vector<Suppression>& suppressions,
+                                        const std::vector<Bucket>& buckets);
+
+/// Returns "libccd-mpr.wrong_disjoint" of that key with '/': the name of the files of a bucket's pairs,
+/// without ending. What a file's name should not hold is replaced, and told apart by letters.
+std::string file_name_of(std::string_view key);
+
+/// "1 new cause, 34 known, 1 gone", those that there are; "35 causes" where there is nothing to compare with.
+std::string what_changed(const std::vector<Bucket>& buckets);
 
 /// A line a bucket: findings, margins, what is wrong and the simplest pair.
 std::string format_buckets(const std::vector<Bucket>& buckets);

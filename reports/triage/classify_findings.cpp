@@ -62,7 +62,7 @@ std::vector<CauseRecord> causes_together(std::span<const Subject* const> subject
 
 }  // namespace
 
-void classify_findings(const TriageContext& context) {
+void classify_findings(const TriageContext& context, double part) {
   forget_changed_guests(context);
   std::set<std::int64_t> known;
   for (const CauseRecord& c : context.causes()) known.insert(c.finding);
@@ -73,7 +73,7 @@ void classify_findings(const TriageContext& context) {
   const std::size_t jobs = context.options.jobs;
   context.in_processes([&](unsigned job) {
     TriageStore store = context.store();
-    for (std::size_t first = job * together_cap; first < open.size() && !context.out_of_time();
+    for (std::size_t first = job * together_cap; first < open.size() && !context.out_of_time(part);
          first += jobs * together_cap) {
       const std::size_t count = std::min(together_cap, open.size() - first);
       store.add(causes_together(std::span(open).subspan(first, count), context.grouped()));

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: MIT
-// What has become of something that runs find, since earlier runs.
+// What has become of something that runs find, since earlier runs: said only where it is unlikely to be
+// chance.
 #pragma once
 
-#include <algorithm>
 #include <array>
+#include <cstddef>
+#include <cstdint>
 #include <optional>
-#include <vector>
+#include <span>
 
 #include "base/enum_words.hpp"
 
@@ -13,21 +15,30 @@ namespace cyl {
 
 enum class Recurrence : unsigned char {
   fresh,  ///< found here, in no earlier run; the word is "new"
-  known,  ///< found here and in the last
-  back,   ///< found here and in an earlier run, not in the last
-  gone    ///< not found here though looked for, but in the last
+  known,  ///< found here and before
+  back,   ///< found here and before, and not in between
+  gone,   ///< not found here though looked for, but before
+  rare    ///< found in so few of the pairs that it may be chance which run met it
 };
-constexpr auto words_of(Recurrence) noexcept { return std::array{"new", "known", "back", "gone"}; }
+constexpr auto words_of(Recurrence) noexcept { return std::array{"new", "known", "back", "gone", "rare"}; }
 
-/// `earlier`: of the runs that looked for it, the earliest first, whether each found it. Returns nothing
-/// where it is neither here nor was in the last of them.
-inline std::optional<Recurrence> recurrence(bool found_here, bool looked_for_here,
-                                            const std::vector<bool>& earlier) {
-  const bool last = !earlier.empty() && earlier.back();
-  if (!found_here) return last && looked_for_here ? std::optional(Recurrence::gone) : std::nullopt;
-  if (last) return Recurrence::known;
-  return std::find(earlier.begin(), earlier.end(), true) == earlier.end() ? Recurrence::fresh
-                                                                          : Recurrence::back;
-}
+/// How often a run met something, and how many pairs it looked at.
+struct Sight {
+  std::uint64_t count = 0, asked = 0;
+};
+
+struct Standing {
+  std::optional<Recurrence> status;  ///< none: neither here nor in the last, or not looked for here
+  /// The probability, at most, that it is chance where it was met and where not, times the number of things
+  /// that are compared; none where nothing is said on the strength of it.
+  std::optional<double> chance;
+};
+
+/// Chances below this, corrected for the number of things compared, are no chance.
+inline constexpr double chance_margin = 0.01;
+
+/// Says what has become of one of `compared` things. `earlier`: the runs before, the earliest first; those
+/// that asked nothing say nothing. Takes each meeting as independent of the others.
+Standing standing_of(const Sight& here, std::span<const Sight> earlier, std::size_t compared);
 
 }  // namespace cyl

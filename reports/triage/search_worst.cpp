@@ -87,19 +87,20 @@ WorstRecord searched(const TriageContext& context, CauseSought cause, const Wors
 
 }  // namespace
 
-void search_worst(const TriageContext& context) {
+void search_worst(const TriageContext& context, double part) {
   std::map<std::string, WorstRecord> earlier;
   for (const WorstRecord& w : context.store().worsts()) earlier[w.bucket] = w;
   std::vector<CauseSought> open;
   for (CauseSought& cause : causes_sought(context))
     if (!earlier[cause.key].ended) open.push_back(std::move(cause));
-  if (open.empty() || context.out_of_time()) return;
+  if (open.empty() || context.out_of_time(part)) return;
   const unsigned jobs = context.options.jobs;
   context.in_processes([&](unsigned job) {
     TriageStore store = context.store();
-    for (std::size_t i = job; i < open.size() && !context.out_of_time(); i += jobs) {
+    for (std::size_t i = job; i < open.size() && !context.out_of_time(part); i += jobs) {
       const auto left = static_cast<milliseconds::rep>((open.size() - i - 1) / jobs + 1);
-      const milliseconds budget = (context.options.budget - context.elapsed()) / left;
+      const auto until = std::chrono::duration_cast<milliseconds>(part * context.options.budget);
+      const milliseconds budget = (until - context.elapsed()) / left;
       store.add(searched(context, open[i], earlier[open[i].key], budget));
     }
   });

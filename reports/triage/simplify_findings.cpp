@@ -90,11 +90,11 @@ std::vector<bool> fail_alike(const GroupedMethods& methods, const Subject& s, co
 }
 
 SimpleRecord simplified(const TriageContext& context, const Subject& s, const std::string& cause,
-                        const SimpleRecord& earlier) {
+                        const SimpleRecord& earlier, double part) {
   const auto feature = contact_feature(s.pair, judge(s.pair));
   bool cut = false;
   const StillFails still_fails = [&](std::span<const Pair> pairs) {
-    cut = cut || context.out_of_time();
+    cut = cut || context.out_of_time(part);
     return cut ? std::vector<bool>(pairs.size()) : fail_alike(context.grouped(), s, cause, feature, pairs);
   };
   const CaseLine begun = parse_case(earlier.pair, 1);
@@ -120,7 +120,7 @@ void simplify_findings(const TriageContext& context, double part) {
     TriageStore store = context.store();
     for (std::size_t i = job; i < open.size() && !context.out_of_time(part); i += context.options.jobs) {
       const std::int64_t id = open[i]->record->id;
-      store.add(simplified(context, *open[i], cause_of.at(id), known.at(id)));
+      store.add(simplified(context, *open[i], cause_of.at(id), known.at(id), part));
     }
   });
 }

@@ -16,6 +16,8 @@ namespace cyl {
 namespace {
 
 constexpr std::size_t cases_at_once = 32;
+/// A suppression may be by either.
+constexpr KeyForm key_forms[] = {KeyForm::of_library, KeyForm::version_0_1};
 constexpr Caps caps{
     .call_cpu = std::chrono::milliseconds(500), .call_wall = std::chrono::milliseconds(2000), .hangs = 1};
 
@@ -42,8 +44,9 @@ std::set<std::string> causes_of(std::span<const std::unique_ptr<Method>> methods
       }
     const std::vector<Classification> classified = classify(grouped, failing, caps);
     for (std::size_t i = 0; i < failing.size(); ++i)
-      causes.insert(cause_key(grouped, failing[i].method, failing[i].kind, found[i].first,
-                              classified[i].mechanism, found[i].second));
+      for (const KeyForm form : key_forms)
+        causes.insert(cause_key(grouped, failing[i].method, failing[i].kind, found[i].first,
+                                classified[i].mechanism, found[i].second, form));
   }
   return causes;
 }
@@ -59,8 +62,13 @@ void mark_suppressed(GateReport& report, std::span<const std::unique_ptr<Method>
         std::find_if(methods.begin(), methods.end(), [&](const auto& m) { return m->name() == f.method; });
     if (f.known || !kind || method == methods.end()) continue;
     const Failing failing{static_cast<std::size_t>(method - methods.begin()), *kind, f.simplest};
-    const std::string cause = find_cause({methods, groups}, failing, f.severity, f.reason, caps);
-    f.known = find_suppression(suppressions, cause, today) != nullptr;
+    const GroupedMethods grouped{methods, groups};
+    const Mechanism mechanism = classify(grouped, {&failing, 1}, caps).front().mechanism;
+    for (const KeyForm form : key_forms) {
+      const std::string cause =
+          cause_key(grouped, failing.method, failing.kind, f.severity, mechanism, f.reason, form);
+      f.known = f.known || find_suppression(suppressions, cause, today) != nullptr;
+    }
   }
 }
 

@@ -8,9 +8,10 @@
 #include <tuple>
 #include <utility>
 
+#include "corpus/pairs/pair_io.hpp"
 #include "fuzz/campaign/campaign.hpp"
-#include "oracles/trial/bucket.hpp"
 #include "reports/triage/buckets.hpp"
+#include "reports/triage/shown_pair.hpp"
 #include "reports/triage/suppressed.hpp"
 #include "reports/triage/triage_context.hpp"
 
@@ -20,17 +21,23 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::json;
 
-/// Part of the budget after which the simplifying makes way for the search for worse pairs.
-constexpr double simplify_part = 0.7;
+/// Parts of the budget after which the simplifying makes way for the search for worse pairs, and this for
+/// asking about what is shown.
+constexpr double simplify_part = 0.55, search_part = 0.75;
 
-std::vector<Bucket> read_buckets(const std::string& folder) {
-  std::vector<Bucket> buckets;
-  for (const Json& stored : buckets_json(folder)) buckets.push_back(bucket_from_json(stored));
-  return buckets;
+TriagedRun read_triaged(const std::string& folder) {
+  const RunStore store = RunStore::open(folder);
+  TriagedRun run{fs::canonical(folder).filename().string(),
+                 value_of(store.config(), "started"),
+                 store.methods(),
+                 store.tallies(),
+                 {}};
+  for (const Json& stored : buckets_json(folder)) run.buckets.push_back(bucket_from_json(stored));
+  return run;
 }
 
-/// The buckets of the triaged runs that the run is held against, the earliest first.
-std::vector<std::vector<Bucket>> earlier_buckets(const TriageContext& context) {
+/// The triaged runs that the run is held against, the earliest first.
+std::vector<TriagedRun> earlier_runs(const TriageContext& context) {
   const std::vector<std::string>& against = context.options.against;
   std::vector<std::pair<std::string, std::string>> runs;  // when it began, folder
   const fs::path here = fs::canonical(context.options.folder);
@@ -41,9 +48,21 @@ std::vector<std::vector<Bucket>> earlier_buckets(const TriageContext& context) {
       runs.emplace_back(began, folder);
   }
   std::sort(runs.begin(), runs.end());
-  std::vector<std::vector<Bucket>> earlier;
-  for (const auto& [began, folder] : runs) earlier.push_back(read_buckets(folder));
+  std::vector<TriagedRun> earlier;
+  for (const auto& [began, folder] : runs) earlier.push_back(read_triaged(folder));
   return earlier;
+}
+
+/// Asks a method of the bucket about the pairs it stored. What comes and goes, and who is not here, tells
+/// nothing.
+std::optional<bool> fails_today(const Bucket& bucket, std::span<const std::unique_ptr<Method>> methods) {
+  const auto kind = from_word<FindingKind>(bucket.kind);
+  if (!kind || kind == FindingKind::nondeterminism || kind == FindingKind::state_dependent) return {};
+  const auto method =
+      std::find_if(methods.begin(), methods.end(), [&](const auto& m) { return m->name() == bucket.method; });
+  if (method == methods.end() || !bucket.seen_again) return {};
+  const Blamed blamed{static_cast<std::size_t>(method - methods.begin()), *kind};
+  return fails_alone(methods, blamed, parse_case(bucket.simplest.at("pair").dump(), 1).value.value().pair);
 }
 
 void write_pair(const fs::path& file, const Bucket& bucket, const Json& shown) {
@@ -63,7 +82,7 @@ void write_pairs(const std::string& run_folder, const std::vector<Bucket>& bucke
   fs::create_directories(folder);
   for (const Bucket& b : buckets) {
     if (b.status == Recurrence::gone) continue;
-    const std::string name = letters_only(b.key);
+    const std::string name = file_name_of(b.key);
     write_pair(folder / (name + ".jsonl"), b, b.simplest);
     if (b.worst_was_searched) write_pair(folder / (name + ".worst.jsonl"), b, b.worst);
   }
@@ -74,17 +93,21 @@ void write_pairs(const std::string& run_folder, const std::vector<Bucket>& bucke
 Triage run_triage(const TriageOptions& options, std::span<const std::unique_ptr<Method>> methods,
                   const std::function<void(const TriageProgress&)>& on_progress) {
   const TriageContext context(options, methods, on_progress);
-  classify_findings(context);
+  classify_findings(context, search_part);
   simplify_findings(context, simplify_part);
-  search_worst(context);
-  simplify_findings(context, 1);
+  search_worst(context, search_part);
+  simplify_findings(context, search_part);
   Triage triage;
   triage.progress = context.progress();
-  triage.buckets = make_buckets({options.folder, context.findings, context.finding_groups, context.causes(),
-                                 context.simples(), context.store().worsts()},
-                                methods);
-  compare_with_earlier(triage.buckets, fs::canonical(options.folder).filename().string(), context.asked,
-                       earlier_buckets(context));
+  TriagedRun run = read_triaged(options.folder);
+  std::erase_if(run.methods, [&](const MethodRecord& m) {
+    return std::find(context.asked.begin(), context.asked.end(), m.name) == context.asked.end();
+  });
+  run.buckets = make_buckets({options.folder, context.findings, context.finding_groups, context.causes(),
+                              context.simples(), context.store().worsts()},
+                             context.grouped(), [&] { return context.out_of_time(); });
+  compare_with_earlier(run, earlier_runs(context), [&](const Bucket& b) { return fails_today(b, methods); });
+  triage.buckets = std::move(run.buckets);
   write_pairs(options.folder, triage.buckets);
   suppress(triage.buckets, options.suppressions, options.today);
   context.store().set_buckets(to_json(triage.buckets).dump());
@@ -92,6 +115,8 @@ Triage run_triage(const TriageOptions& options, std::span<const std::unique_ptr<
     std::size_t stale = 0;
     triage.remarks =
         remarks_on(options.suppressions, options.today, causes_of(methods, options.cases), stale);
+    for (std::string& remark : former_keys_in(options.suppressions, triage.buckets))
+      triage.remarks.push_back(std::move(remark));
   }
   return triage;
 }

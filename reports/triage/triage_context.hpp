@@ -95,11 +95,12 @@ struct TriageContext {
 
 // The steps. Each goes on where an earlier triage was, and ends where the time does.
 
-/// Finds the cause of each finding that has none yet; what another version of a guest told is told anew.
-void classify_findings(const TriageContext& context);
-/// Simplifies findings until that part of the budget is used up. What is cut goes on from what it came to.
+/// Finds the cause of each finding that has none yet, until that part of the budget is used up; what another
+/// version of a guest told is told anew.
+void classify_findings(const TriageContext& context, double part);
+/// Simplifies findings, likewise. What is cut goes on from what it came to.
 void simplify_findings(const TriageContext& context, double part);
-/// Searches a worse pair for each cause.
-void search_worst(const TriageContext& context);
+/// Searches a worse pair for each cause, likewise.
+void search_worst(const TriageContext& context, double part);
 
 }  // namespace cyl

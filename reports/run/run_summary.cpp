@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: MIT
+#include "reports/run/run_summary.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+#include <set>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+#include "corpus/pairs/finding.hpp"
+#include "fuzz/campaign/batch.hpp"
+#include "fuzz/campaign/self_check.hpp"
+#include "oracles/methods/method.hpp"
+#include "reports/run/tally_table.hpp"
+
+namespace cyl {
+namespace {
+
+/// Names listed in a line.
+constexpr std::size_t named_cap = 4;
+
+using Ranked = std::vector<std::pair<std::string, std::uint64_t>>;
+
+/// "ode 1804, mujoco 900 and 3 more", the most first; "none".
+std::string most_of(Ranked counts) {
+  std::stable_sort(counts.begin(), counts.end(),
+                   [](const auto& x, const auto& y) { return x.second > y.second; });
+  std::string text;
+  for (std::size_t i = 0; i < std::min(counts.size(), named_cap); ++i)
+    text += fmt::format("{}{} {}", i == 0 ? "" : ", ", counts[i].first, counts[i].second);
+  if (counts.size() > named_cap) text += fmt::format(" and {} more", counts.size() - named_cap);
+  return text.empty() ? "none" : text;
+}
+
+/// Failures by method and kind: "ode crash 12".
+Ranked failures_of(const RunData& run) {
+  std::map<std::string, std::uint64_t> counts;
+  for (const GroupRecord& g : run.groups) {
+    const auto kind = from_word<FindingKind>(g.kind);
+    if (kind && is_failure(*kind)) counts[g.method + ' ' + g.kind] += g.count;
+  }
+  return {counts.begin(), counts.end()};
+}
+
+}  // namespace
+
+const FindingRecord* worst_finding(const RunData& run) {
+  const FindingRecord* worst = nullptr;
+  const auto key = [](const FindingRecord& f) {
+    const auto kind = from_word<FindingKind>(f.kind);
+    return std::tuple(f.severity == to_string(Severity::contract),
+                      f.severity == to_string(Severity::resolution), kind && is_refuted_verdict(*kind),
+                      f.margin ? f.margin->lo : 0.0);
+  };
+  for (const FindingRecord& f : run.findings)
+    if (worst == nullptr || key(f) > key(*worst)) worst = &f;
+  return worst;
+}
+
+std::string format_summary(const RunData& run) {
+  std::set<std::string, std::less<>> own_names;
+  for (const auto& m : own_methods()) own_names.emplace(m->name());
+  Ranked beyond;
+  std::uint64_t judged = 0, undecided = 0, misstated = 0, all_beyond = 0, all_within = 0;
+  std::size_t asked = 0, own = 0, own_wrong = 0;
+  for (const MethodTally& m : tally_methods(run.tallies)) {
+    const Counts& c = m.total;
+    if (m.method == referee_row) judged = c.asked, undecided = c.undecided;
+    if (m.method == corpus_row) misstated = c.contract;
+    if (!is_method_row(m.method)) continue;
+    ++asked;
+    all_beyond += c.contract;
+    all_within += c.resolution;
+    if (c.contract > 0) beyond.emplace_back(m.method, c.contract);
+    if (!own_names.contains(m.method)) continue;
+    ++own;
+    own_wrong += c.contract + c.failed > 0;
+  }
+  std::string text = fmt::format("{} pairs judged by proof, {} left undecided; {} methods asked\n", judged,
+                                 undecided, asked);
+  if (run.history.runs + run.history.unreadable > 0) text += format_history(run.history) + '\n';
+  text += fmt::format("wrong beyond their claims {} times (within them {}): {}\n", all_beyond, all_within,
+                      most_of(beyond));
+  text += fmt::format("broke: {}\n", most_of(failures_of(run)));
+  if (misstated > 0) text += fmt::format("{} cases state what is refuted\n", misstated);
+  if (own > 0) text += fmt::format("ours: {} of {} wrong\n", own_wrong, own);
+  if (const std::string checks = format_self_checks(run.self_checks); !checks.empty()) text += checks + '\n';
+  return text;
+}
+
+}  // namespace cyl

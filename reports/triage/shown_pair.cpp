@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: MIT
+#include "reports/triage/shown_pair.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace cyl {
+namespace {
+
+/// Hangs of a method that is not blamed, on all pairs together, after which it is left out.
+constexpr unsigned hangs_cap = 3;
+/// Every question is asked so often in a row: a method that answers in two ways is seen to.
+constexpr std::size_t times = 2;
+/// Of the distance, relative to the size.
+constexpr double shown_width = 1e-6;
+
+}  // namespace
+
+bool fails_alone(std::span<const std::unique_ptr<Method>> methods, const Blamed& blamed, const Pair& pair) {
+  return try_methods(methods.subspan(blamed.method, 1), {&pair, 1}, shown_caps, times)
+      .front()
+      .fails(blamed.kind);
+}
+
+PairShower::PairShower(std::span<const std::unique_ptr<Method>> methods, std::function<bool()> out_of_time)
+    : methods_(methods),
+      out_of_time_(std::move(out_of_time)),
+      asker_(methods, shown_caps),
+      hangs_(methods.size(), 0) {}
+
+ShownPair PairShower::show(const Pair& pair, std::span<const Blamed> blamed) {
+  ShownPair shown;
+  shown.asked.assign(methods_.size(), false);
+  std::vector<Question> of_others, of_blamed;
+  for (std::size_t m = 0; m < methods_.size(); ++m) {
+    const bool accused =
+        std::any_of(blamed.begin(), blamed.end(), [m](const Blamed& b) { return b.method == m; });
+    if (!accused && (hangs_[m] >= hangs_cap || out_of_time_())) continue;
+    shown.asked[m] = true;
+    auto& questions = accused ? of_blamed : of_others;
+    questions.insert(questions.end(), times, Question{m, 0});
+  }
+  std::vector<MethodAnswer> first(methods_.size()), last(methods_.size());
+  const auto take = [&](std::span<const Question> questions, std::span<const ContainedAnswer> said) {
+    for (std::size_t q = questions.size(); q-- > 0;) {  // so that the first has the last word in `first`
+      const std::size_t m = questions[q].method;
+      if (q + 1 == questions.size() || questions[q + 1].method != m) last[m] = said[q].answer;
+      first[m] = said[q].answer;
+      hangs_[m] += said[q].answer.failure == Failure::hang;
+    }
+  };
+  take(of_others, asker_.ask({&pair, 1}, of_others));
+  for (std::size_t q = 0; q < of_blamed.size(); q += times) {
+    const auto one = std::span<const Question>(of_blamed).subspan(q, times);
+    take(one, ask_contained(methods_, {&pair, 1}, one, shown_caps));
+  }
+  shown.trial = Trial(pair, first);
+  for (std::size_t m = 0; m < methods_.size(); ++m) {
+    auto& wrong = shown.trial.findings.emplace_back();
+    if (!shown.asked[m]) continue;
+    wrong = compare(shown.trial, methods_[m]->claim(), first[m]);
+    if (!wrong && !same_answer(first[m], last[m]))
+      wrong = Finding{FindingKind::nondeterminism, Severity::contract, {}};
+  }
+  shown.trial.answers = std::move(first);
+  if (shown.trial.decided()) shown.trial.distance_at(shown_width);
+  return shown;
+}
+
+}  // namespace cyl
