@@ -2,7 +2,7 @@
 // One finding, or one cause with its simplest and its worst case.
 import { useMemo, useState } from "preact/hooks";
 import type { Answer, Bucket, Case, Finding, Truth } from "./data.ts";
-import { bucket_address } from "./findings.tsx";
+import { bucket_address } from "./causes.tsx";
 import { PairView } from "./pair_view.tsx";
 import { Copy } from "./parts.tsx";
 import { prove, type Proof } from "./prove.ts";

@@ -56,6 +56,95 @@ async function shots(to) {
   await page.pdf({ path: `${to}/print.pdf` }).catch(() => {});
 }
 
+const go = (page, hash) =>
+  page.evaluate((hash) => {
+    location.hash = hash;
+  }, hash);
+const hash_of = (page) => page.evaluate(() => location.hash);
+const causes_shown = async (page) => (await settled(page), page.locator(".buckets tbody tr a").allInnerTexts());
+const bucket_column = (page, n) => page.locator(`.buckets tbody td:nth-child(${n})`).allInnerTexts();
+
+/** The first line says what changed, each word shows those causes; the new ones stand on top. */
+async function leads_to_what_is_new(page, report) {
+  const { changes, buckets } = report;
+  const line = page.locator("main.overview > *").first();
+  assert.match(
+    await line.innerText(),
+    new RegExp(`^1 new cause, ${changes.back} back, ${changes.known} known, ${changes.rare} rare, 1 gone, `),
+  );
+  const rank = ["new", "back", "known", "rare", "gone"];
+  const order = (await bucket_column(page, 7)).map((word) => rank.indexOf(word));
+  assert.equal(order.length, buckets.length);
+  assert.deepEqual(order, [...order].sort());
+  assert.equal(order[0], 0);
+  for (const word of rank) {
+    await line.locator("a", { hasText: word }).click();
+    assert.deepEqual(
+      (await causes_shown(page)).sort(),
+      buckets.filter((b) => b.standing === word).map((b) => b.key).sort(),
+    );
+  }
+  assert.equal(await rows_told(page), 0, "a gone cause has no findings");
+  await page.getByRole("button", { name: "Clear" }).click();
+  assert.equal((await causes_shown(page)).length, buckets.length);
+  await settled(page);
+  assert.equal(await hash_of(page), "#/findings");
+
+  const head = page.locator(".buckets th", { hasText: "findings" });
+  await head.getByRole("button").click();
+  await settled(page);
+  assert.equal(await head.getAttribute("aria-sort"), "descending");
+  const counts = (await bucket_column(page, 4)).map((text) => Number(text.replaceAll(",", "")));
+  assert.deepEqual(counts, [...counts].sort((x, y) => y - x));
+  assert.equal(await page.locator(".buckets th[aria-sort=none]").count(), 7);
+  await go(page, "#/findings?method=ode");
+  await settled(page);
+  await page.getByRole("button", { name: "Clear" }).click();
+}
+
+/** Chips and search reach both tables, and what they show stands in the address. */
+async function keeps_what_is_shown(page, report) {
+  const kind = page.locator(".chips[aria-label=Kind] .chip", { hasText: "distance outside" });
+  const steps = await page.evaluate(() => history.length);
+  await kind.click();
+  const causes = await causes_shown(page);
+  assert.ok(causes.length > 0 && causes.length < report.buckets.length);
+  assert.ok(causes.every((key) => key.includes("distance_outside")));
+  const search = page.getByLabel("Search causes and findings");
+  await search.pressSequentially("ode");
+  const found = await rows_told(page);
+  await page.locator(".findings th", { hasText: "margin" }).getByRole("button").click();
+  await settled(page);
+  assert.equal(await page.evaluate(() => history.length), steps, "nothing for the Back button");
+  const [top] = await page.locator(".findings tbody td.c-id").allInnerTexts();
+  await page.reload();
+  assert.equal(await rows_told(page), found);
+  assert.equal((await page.locator(".findings tbody td.c-id").allInnerTexts())[0], top);
+  assert.equal(await search.inputValue(), "ode");
+  assert.equal(await kind.getAttribute("aria-pressed"), "true");
+  await page.locator(".findings tbody tr[tabindex='0']").click();
+  await page.waitForSelector(".detail h2");
+  await page.goBack();
+  assert.equal(await rows_told(page), found, "Back finds it as it was");
+  await page.getByRole("button", { name: "Clear" }).click();
+
+  const rows_of_text = async (text) => (await search.fill(text), rows_told(page));
+  const of = (passes) => report.findings.filter(passes).length;
+  const disjoint = of((f) => f.kind === "wrong_disjoint");
+  assert.equal(await rows_of_text("wrong disjoint"), disjoint);
+  assert.equal(await rows_of_text("wrong_disjoint"), disjoint);
+  const family = of((f) => f.family === "touching_side_rim");
+  assert.equal(await rows_of_text("touching_side_rim"), family);
+  assert.ok((await rows_of_text("touching side rim")) >= family);
+  assert.equal(await rows_of_text("beyond its claim"), of((f) => f.severity === "contract"));
+  const both = of((f) => f.severity === "contract" && f.family === "touching_side_rim");
+  assert.equal(await rows_of_text("touching_side_rim  Beyond its claim"), both);
+  assert.ok(await rows_of_text("asked upstream"), "the note of a cause");
+  assert.equal((await causes_shown(page)).length, 1);
+  await search.fill("");
+  await settled(page);
+}
+
 /** The rows on the screen, as the texts of one column. */
 const column = async (page, name) => (
   await settled(page),
@@ -285,6 +374,8 @@ async function test() {
   write(report);
   const page = await open_page();
   for (const step of [
+    (p) => leads_to_what_is_new(p, report),
+    (p) => keeps_what_is_shown(p, report),
     reads_the_findings,
     reads_a_cause,
     (p) => reads_a_narrow_gap(p, report),

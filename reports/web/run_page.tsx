@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The page of a run: an overview in sections, and a view of one bucket or finding by the part of the address after '#'.
-import { useEffect, useMemo, useRef, useState } from "preact/hooks";
+import { useEffect, useMemo, useRef } from "preact/hooks";
+import { useAddress } from "./address.ts";
 import { Calibration } from "./calibration.tsx";
 import { BucketView, FindingView } from "./detail.tsx";
 import { Findings } from "./findings.tsx";
@@ -9,7 +10,7 @@ import { Maps } from "./maps.tsx";
 import type { FullReport } from "./report.ts";
 import { Speed } from "./speed.tsx";
 import { Stability } from "./stability.tsx";
-import { Methods, Summary } from "./summary.tsx";
+import { Changes, Methods, Summary } from "./summary.tsx";
 import { grouped, safe, seconds } from "./words.ts";
 
 const sections = [
@@ -22,29 +23,6 @@ const sections = [
   ["methods", "Methods"],
   ["faults", "Planted faults"],
 ] as const;
-
-/** "#/findings?method=fcl" as ["findings"] and its parameters. */
-function read_address() {
-  const [path = "", query = ""] = location.hash.replace(/^#\/?/, "").split("?");
-  const parts = path.split("/").map((part) => {
-    try {
-      return decodeURIComponent(part);
-    } catch {
-      return part;
-    }
-  });
-  return { parts, query: new URLSearchParams(query), whole: location.hash };
-}
-
-function useAddress() {
-  const [address, set] = useState(read_address);
-  useEffect(() => {
-    const changed = () => set(read_address());
-    addEventListener("hashchange", changed);
-    return () => removeEventListener("hashchange", changed);
-  }, []);
-  return address;
-}
 
 function Header({ report }: { report: FullReport }) {
   const { run } = report;
@@ -73,7 +51,7 @@ export function RunPage({ report }: { report: FullReport }) {
   const address = useAddress();
   const [asked = ""] = address.parts;
   const view = asked === "honesty" ? "calibration" : asked; // the name that links of version 0.1.0 have
-  const detail = view === "bucket" || view === "finding";
+  const { detail } = address;
   const scrolled = useRef(0);
   const was_detail = useRef(detail);
   const finding = useMemo(() => new Map(report.findings.map((f) => [f.id, f])), [report]);
@@ -108,8 +86,9 @@ export function RunPage({ report }: { report: FullReport }) {
         </main>
       )}
       <main class="overview" hidden={detail}>
+        <Changes report={report} />
         <Summary report={report} />
-        <Findings report={report} query={view === "findings" ? address.query : null} />
+        <Findings report={report} address={address} />
         <Speed report={report} />
         <Maps report={report} />
         <Calibration report={report} />
