@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The part of the address after '#': the section or view, and what the tables of findings show.
 import { useEffect, useState } from "preact/hooks";
+import { leave } from "./focus.ts";
 
 /** "#/findings?method=fcl" has the parts ["findings"]. */
 export interface Address {
@@ -26,7 +27,10 @@ function read_address(): Address {
 export function useAddress() {
   const [address, set] = useState(read_address);
   useEffect(() => {
-    const changed = () => set(read_address());
+    const changed = (event: HashChangeEvent) => {
+      leave(event.oldURL, event.newURL);
+      set(read_address());
+    };
     addEventListener("hashchange", changed);
     return () => removeEventListener("hashchange", changed);
   }, []);

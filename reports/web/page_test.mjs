@@ -5,7 +5,7 @@
 //     node page_test.mjs --shots FOLDER [PAGE]    only pictures of every section, light and dark
 //     node page_test.mjs --times FINDINGS         how long such a run takes to open and to filter
 import assert from "node:assert/strict";
-import { mkdirSync, writeFileSync } from "node:fs";
+import { mkdirSync, readFileSync, writeFileSync } from "node:fs";
 import { join, resolve } from "node:path";
 import { pathToFileURL } from "node:url";
 import { asked, browser, colours, errors, folder, open, settled, without_webgl } from "./browser.mjs";
@@ -311,6 +311,257 @@ async function fits_a_laptop(page) {
   );
 }
 
+const copied = (page, label) =>
+  page.locator(".copy", { has: page.locator(".copy-head", { hasText: label }) }).locator("code").innerText();
+
+/** The commands and lines of a cause, its note, its nights and its claim. */
+async function handles_a_cause(page, report) {
+  const noted = report.buckets.find((b) => b.note),
+    found = report.buckets.find((b) => b.simplified === false);
+  await go(page, "#/findings");
+  const row = page.locator(".buckets tr", { hasText: "asked upstream" });
+  assert.equal(await row.locator("a").innerText(), noted.key);
+  await row.locator("a").click();
+  await page.waitForSelector(".handling");
+  assert.match(await page.locator(".handling .note").innerText(), /ada: asked upstream/);
+  assert.equal(
+    await copied(page, "A program"),
+    `./daylight triage runs/sample --export ${noted.key} --out upstream`,
+  );
+  assert.deepEqual(JSON.parse(await copied(page, "suppressions.jsonl")), {
+    bucket: noted.key,
+    reason: "",
+    link: "",
+    owner: "",
+    expires: "2027-02-20",
+  });
+  assert.deepEqual(JSON.parse(await copied(page, "a line for daylight check")), noted.simplest.pair);
+  await page.getByLabel("Owner", { exact: true }).fill("o'hara");
+  await page.getByLabel("Note", { exact: true }).fill("two words");
+  assert.equal(
+    await copied(page, "Note it in runs/notes.jsonl"),
+    `./daylight triage runs/sample --annotate ${noted.key} --owner 'o'\\''hara' --note 'two words'`,
+  );
+  assert.equal(await page.getByRole("tab", { name: "Simplest" }).count(), 1);
+
+  assert.equal(await page.locator(".nights .night").count(), noted.nights.length);
+  assert.match(await page.locator(".nights .night title").last().textContent(), /20261122-220000-4[^]*of 280,000 pairs/);
+  const [before, p] = [page.locator(".against tbody tr").first(), page.locator(".same-rate")];
+  assert.match(await before.innerText(), /20261121/);
+  const first = await p.innerText();
+  await page.getByLabel("Held against").selectOption("0");
+  await settled(page);
+  assert.match(await before.innerText(), /20261119[^]*250,000/);
+  assert.notEqual(await p.innerText(), first);
+  assert.match(await page.locator(".detail").innerText(), /1\.1[^]*(stated|assumed by us)/);
+
+  await go(page, `#/bucket/${found.key}`);
+  await page.waitForFunction((key) => document.querySelector(".detail h2")?.textContent === key, found.key);
+  assert.equal(await page.getByRole("tab", { name: "As found" }).count(), 1);
+  assert.equal(await page.getByRole("tab", { name: "Simplest" }).count(), 0);
+}
+
+async function download_of(page, name) {
+  const [file] = await Promise.all([
+    page.waitForEvent("download"),
+    page.locator(".saving").getByRole("button", { name }).click(),
+  ]);
+  return { name: file.suggestedFilename(), text: readFileSync(await file.path(), "utf8") };
+}
+
+/** What is filtered, and nothing else, is saved. */
+async function saves_what_is_shown(page, report) {
+  await go(page, "#/findings?kind=crash");
+  const shown = report.findings.filter((f) => f.kind === "crash");
+  assert.equal(await rows_told(page), shown.length);
+  const csv = await download_of(page, "CSV");
+  assert.equal(csv.name, "sample-findings.csv");
+  const lines = csv.text.trimEnd().split("\r\n");
+  assert.equal(lines.length, shown.length + 1);
+  assert.ok(lines.every((line) => line.split(",").length === 32));
+  const some = lines.find((line) => line.startsWith(`${shown[0].id},`)).split(",");
+  const { a, b } = report.cases[shown[0].case].pair;
+  assert.deepEqual(
+    some.slice(16).map(Number),
+    [a, b].flatMap((c) => [...c.center, ...c.axis, c.radius, c.height]),
+  );
+  const json = JSON.parse((await download_of(page, "JSON")).text);
+  assert.deepEqual(json.map((f) => f.id).sort(), shown.map((f) => f.id).sort());
+  assert.ok(json.every((f) => f.pair.a.radius > 0 && f.kind === "crash"));
+  await page.getByRole("button", { name: "Clear" }).click();
+}
+
+/** A wrong distance is shown with all its digits, and who else is outside. */
+async function measures_a_wrong_distance(page, report) {
+  const f = report.findings.find((f) => f.kind === "distance_outside" && f.method !== "mujoco-tol1e-10"),
+    { truth, pair } = report.cases[f.case];
+  await go(page, `#/finding/${f.id}`);
+  await page.waitForSelector(".wrong-distance");
+  const told = await page.locator(".wrong-distance").innerText();
+  for (const end of truth.distance) assert.ok(told.includes(end.toExponential(16).replace("e+0", "")), told);
+  const error = 1e-5 * f.id,
+    size = pair.a.radius + pair.a.height + pair.b.radius + pair.b.height;
+  const facts = await page.locator(".wrong-distance dd").allInnerTexts();
+  const value = (text) => parseFloat(text.replace(",", ""));
+  assert.ok(Math.abs(value(facts[2]) / error - 1) < 1e-3);
+  assert.ok(Math.abs(value(facts[3]) / (error / size) - 1) < 1e-3);
+  assert.ok(Math.abs(value(facts[4]) / (error / 1e-6) - 1) < 1e-3);
+  const red = await page.locator(".answers td:last-child span.bad").allInnerTexts();
+  assert.ok(red.includes(f.method) && red.includes("bullet-cylinder"), red.join());
+  assert.ok(!red.includes("fcl-indep"), "within its claim");
+  const numbers = (await page.locator(".detail :is(.answers, .solids)").allInnerTexts()).join(" ");
+  assert.doesNotMatch(numbers, /\b(0|\d{2,})\.\d{12,}/, "long numbers have exponents");
+  assert.match(numbers, /\d\.\d{13,}e/);
+  await go(page, "#/findings");
+  await page.waitForSelector("main.overview:not([hidden])");
+  assert.match(await page.locator("#findings .lead").innerText(), /error over the size[^]*signed distance/);
+  await page.getByLabel("Search causes and findings").fill(`#${f.id}`);
+  await settled(page);
+  const shown = await page.locator(".findings tbody tr[tabindex]").allInnerTexts();
+  const own = shown.find((text) => text.startsWith(`${f.id}\t`));
+  assert.ok(Math.abs(Number(own.split("\t")[5]) / f.margin[0] - 1) < 1e-2, own);
+  await page.getByRole("button", { name: "Clear" }).click();
+}
+
+/** Every head, fact and group of chips says what it means, and the page ends with all words. */
+async function explains_its_words(page) {
+  const silent = () =>
+    page.evaluate(() =>
+      [...document.querySelectorAll("main:not([hidden]) :is(thead th, dl.facts dt, .chips-title, .prover h3 span)")]
+        .filter((e) => e.textContent.trim() !== "" && !e.title)
+        .map((e) => e.textContent),
+    );
+  assert.deepEqual(await silent(), []);
+  const text = await page.locator("main.overview").textContent();
+  assert.ok((await page.locator("#words dt").count()) > 60);
+  for (const title of await page.locator(".buckets th").evaluateAll((all) => all.map((e) => e.title)))
+    assert.ok((await page.locator("#words").textContent()).includes(title));
+  for (const old of [/\bcontract\b/, /\bresolution\b/, /\bstratum\b/i, /misstated/, /kept with their pair/, /planted faults/i])
+    assert.doesNotMatch(text, old);
+  assert.match(await page.locator("#methods").textContent(), /stated[^]*assumed by us/);
+  for (const hash of ["#/finding/15", "#/finding/1"]) {
+    await go(page, hash);
+    await page.waitForSelector(".detail .case");
+    await settled(page);
+    assert.deepEqual(await silent(), []);
+    assert.match(await page.locator(".detail > .soft").first().innerText(), /\((stated|assumed by us): /);
+  }
+  await page.locator(".crumbs a").nth(1).click();
+  await page.waitForSelector(".handling");
+  assert.deepEqual(await silent(), []);
+  await go(page, "#/summary");
+}
+
+/** On a telephone nothing but tables in boxes of their own is wider than the screen. */
+async function fits_a_telephone(report) {
+  const page = await open_page({ width: 400 });
+  const wide = () => page.evaluate(() => document.documentElement.scrollWidth);
+  await settled(page);
+  for (const id of ["summary", "findings", "speed", "maps", "calibration", "stability", "methods", "faults", "words"])
+    await page.locator(`section#${id}`).scrollIntoViewIfNeeded();
+  await page.evaluate(() => {
+    for (const details of document.querySelectorAll("details")) details.open = true;
+  });
+  await settled(page);
+  assert.ok((await wide()) <= 400, `${await wide()} wide`);
+  const card = page.locator(".buckets tbody tr").first();
+  assert.ok((await card.boundingBox()).height > 100, "a cause is a card");
+  assert.match(
+    await card
+      .locator("td")
+      .nth(3)
+      .evaluate((e) => getComputedStyle(e, "::before").content),
+    /findings/,
+  );
+  for (const hash of ["#/finding/15", `#/bucket/${report.buckets[2].key}`]) {
+    await go(page, hash);
+    await page.waitForSelector(".detail .case");
+    await settled(page);
+    assert.ok((await wide()) <= 400, `${hash} is ${await wide()} wide`);
+  }
+  await page.context().close();
+}
+
+/** Paper has every plot and nothing folded. */
+async function prints_all() {
+  const page = await open_page();
+  await settled(page);
+  assert.ok((await page.locator(".plot:not(:has(svg))").count()) > 0, "far plots are not drawn on the screen");
+  const [empty, folded] = await page.evaluate(() => {
+    dispatchEvent(new Event("beforeprint"));
+    return [".plot:not(:has(svg))", "details.print:not([open])"].map((s) => document.querySelectorAll(s).length);
+  });
+  assert.deepEqual([empty, folded], [0, 0]);
+  await page.evaluate(() => dispatchEvent(new Event("afterprint")));
+  assert.ok((await page.locator("details.print:not([open])").count()) > 0);
+  await page.context().close();
+}
+
+const focused = (page) =>
+  page.evaluate(() => {
+    const e = document.activeElement;
+    return { tag: e.tagName, text: e.textContent, leads: e.dataset.leads ?? e.getAttribute("href"), class: e.className };
+  });
+
+/** By keyboard alone from the top to a proved finding, and back to where one was. */
+async function goes_by_keyboard() {
+  const page = await open_page();
+  await page.waitForSelector(".findings tbody tr[tabindex='0']");
+  await settled(page);
+  let presses = 0;
+  const press = async (key) => (++presses, await page.keyboard.press(key), settled(page));
+  await press("Tab");
+  assert.match((await focused(page)).text, /^Skip to the findings/);
+  await press("Enter");
+  await press("ArrowDown");
+  const { leads } = await focused(page);
+  assert.match(leads, /^#\/finding\/\d+$/);
+  await press("Enter");
+  await page.waitForSelector(".detail h2");
+  await settled(page);
+  assert.equal((await focused(page)).tag, "H2");
+  while ((await focused(page)).class !== "prove" && presses < 15) await press("Tab");
+  await press("Enter");
+  assert.equal(await page.locator(".proof").getAttribute("data-holds"), "true");
+  assert.ok(presses <= 15, `${presses} keys`);
+  const canvas = page.locator(".stage canvas");
+  assert.equal(await canvas.getAttribute("role"), "img");
+  assert.match(await canvas.getAttribute("aria-label"), /^Cylinder a and cylinder b, (disjoint|intersecting), /);
+  await page.goBack();
+  await settled(page);
+  assert.equal((await focused(page)).leads, leads, "back on its row");
+
+  for (const table of [".heat-table", ".buckets", ".findings"])
+    assert.equal(await page.locator(`${table} [tabindex='0']`).count(), 1, `${table} is one stop`);
+  await page.locator(".buckets [tabindex='0']").focus();
+  const first = await focused(page);
+  await page.keyboard.press("ArrowDown");
+  const second = await focused(page);
+  assert.notEqual(second.leads, first.leads);
+  assert.equal(await page.locator(".buckets [tabindex='0']").getAttribute("href"), second.leads);
+  await page.keyboard.press("Enter");
+  await page.waitForSelector(".detail h2");
+  await settled(page);
+  assert.equal((await focused(page)).tag, "H2");
+  await page.goBack();
+  await settled(page);
+  assert.equal((await focused(page)).leads, second.leads);
+  await page.keyboard.press("Home");
+  await page.keyboard.press("ArrowRight");
+  assert.equal((await focused(page)).text, "methods", "the heads are in it");
+
+  await page.locator(".heat-table [tabindex='0']").focus();
+  for (let i = 0; i < 4 && (await focused(page)).leads === null; ++i) {
+    await page.keyboard.press("ArrowDown");
+    await page.keyboard.press("ArrowRight");
+  }
+  assert.match((await focused(page)).leads, /^#\/findings\?/);
+  await page.keyboard.press("Enter");
+  await settled(page);
+  assert.equal(await page.locator(".chips[aria-label=Family] .chip[aria-pressed=true]").count(), 1);
+  await page.context().close();
+}
+
 /** What a run without triage and bench has: each gap names the command that fills it. */
 async function says_what_is_missing() {
   write({
@@ -383,9 +634,16 @@ async function test() {
     draws_every_plot,
     follows_the_plots,
     fits_a_laptop,
+    (p) => handles_a_cause(p, report),
+    (p) => saves_what_is_shown(p, report),
+    (p) => measures_a_wrong_distance(p, report),
+    explains_its_words,
   ])
     await step(page);
   await page.context().close();
+  await fits_a_telephone(report);
+  await prints_all();
+  await goes_by_keyboard();
   assert.deepEqual(errors, []);
   await says_what_is_missing();
   await shows_hostile_text_as_text();
@@ -399,6 +657,26 @@ async function times(findings) {
   const page = await open_page();
   await page.waitForSelector(".findings tbody tr");
   const loaded = await page.evaluate(() => performance.now());
+  const other = await page.evaluate(async () => {
+    const drawn = () => new Promise((done) => requestAnimationFrame(() => setTimeout(done)));
+    const timed = async (act) => {
+      const start = performance.now();
+      act();
+      await drawn();
+      return performance.now() - start;
+    };
+    const took = { search: [], sort: [] },
+      field = document.querySelector("input[type=search]");
+    for (const text of ["w", "wrong", "wrong disjoint", "wrong disjoint side", ""])
+      took.search.push(
+        await timed(() => {
+          field.value = text;
+          field.dispatchEvent(new Event("input", { bubbles: true }));
+        }),
+      );
+    for (const head of document.querySelectorAll(".findings thead button")) took.sort.push(await timed(() => head.click()));
+    return took;
+  });
   const filter = await page.evaluate(async () => {
     const chips = [...document.querySelectorAll(".chips[aria-label=Kind] .chip")],
       took = [];
@@ -410,9 +688,10 @@ async function times(findings) {
     }
     return took;
   });
+  const span = (took) => `${Math.round(Math.min(...took))} to ${Math.round(Math.max(...took))} ms`;
   console.log(
-    `${findings} findings: ${Math.round(loaded)} ms until the table stands; a filter ` +
-      `${Math.round(Math.min(...filter))} to ${Math.round(Math.max(...filter))} ms until it is drawn`,
+    `${findings} findings: ${Math.round(loaded)} ms until the table stands; until it is drawn again a filter takes ` +
+      `${span(filter)}, a letter of a search ${span(other.search)}, sorting ${span(other.sort)}`,
   );
 }
 

@@ -40,15 +40,15 @@ export function Fact({ label, kind = "", children }: { label: string; kind?: str
   );
 }
 
-/** The heads of a table; "n:count" of a column of numbers. */
-export function Heads({ of }: { of: readonly string[] }) {
+/** The heads of a table; "n:count" of a column of numbers. `told`: what heads mean that are no words of ours. */
+export function Heads({ of, told = "" }: { of: readonly string[]; told?: string }) {
   return (
     <thead>
       <tr>
         {of.map((head) => {
           const label = head.replace(/^n:/, "");
           return (
-            <th scope="col" class={label === head ? "" : "n"} title={about(label)} key={label}>
+            <th scope="col" class={label === head ? "" : "n"} title={about(label) ?? told} key={label}>
               {label}
             </th>
           );

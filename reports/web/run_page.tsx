@@ -5,6 +5,8 @@ import { useAddress } from "./address.ts";
 import { Calibration } from "./calibration.tsx";
 import { BucketView, FindingView } from "./detail.tsx";
 import { Findings } from "./findings.tsx";
+import { arrive, skip } from "./focus.ts";
+import { Words } from "./glossary.tsx";
 import { Kills } from "./kills.tsx";
 import { Maps } from "./maps.tsx";
 import type { FullReport } from "./report.ts";
@@ -21,7 +23,8 @@ const sections = [
   ["calibration", "Calibration"],
   ["stability", "Stability"],
   ["methods", "Methods"],
-  ["faults", "Planted faults"],
+  ["faults", "Faults put in"],
+  ["words", "Words"],
 ] as const;
 
 function Header({ report }: { report: FullReport }) {
@@ -49,8 +52,7 @@ function Header({ report }: { report: FullReport }) {
 
 export function RunPage({ report }: { report: FullReport }) {
   const address = useAddress();
-  const [asked = ""] = address.parts;
-  const view = asked === "honesty" ? "calibration" : asked; // the name that links of version 0.1.0 have
+  const [view = ""] = address.parts;
   const { detail } = address;
   const scrolled = useRef(0);
   const was_detail = useRef(detail);
@@ -65,15 +67,17 @@ export function RunPage({ report }: { report: FullReport }) {
     return () => removeEventListener("scroll", remember);
   }, []);
   useEffect(() => {
-    if (detail) scrollTo(0, 0);
-    else if (was_detail.current && view === "") scrollTo(0, scrolled.current);
-    else document.getElementById(view)?.scrollIntoView();
+    if (detail && !address.again) history.replaceState({ known: true }, "");
+    arrive(address, was_detail.current, scrolled.current);
     was_detail.current = detail;
   }, [address]);
 
   const named = address.parts.slice(1).join("/");
   return (
     <>
+      <a class="skip" href="#/findings" onClick={skip}>
+        Skip to {detail ? "the case" : "the findings"}
+      </a>
       <Header report={report} />
       {detail && (
         <main class="detail">
@@ -95,6 +99,7 @@ export function RunPage({ report }: { report: FullReport }) {
         <Stability report={report} />
         <Methods report={report} />
         <Kills report={report} />
+        <Words />
         <footer class="soft">
           <p>{safe(report.run.build)}</p>
           {report.run.command && (
@@ -104,7 +109,7 @@ export function RunPage({ report }: { report: FullReport }) {
           )}
           <p>
             One file; it asks nothing from the network.{" "}
-            <button type="button" class="link" onClick={print_all}>
+            <button type="button" class="link" onClick={() => print()}>
               Print
             </button>
           </p>
@@ -112,9 +117,4 @@ export function RunPage({ report }: { report: FullReport }) {
       </main>
     </>
   );
-}
-
-function print_all() {
-  for (const details of document.querySelectorAll<HTMLDetailsElement>("details.print")) details.open = true;
-  print();
 }

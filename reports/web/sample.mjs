@@ -172,14 +172,20 @@ export function sample(findings_total = 400) {
   const standing_of = (i) =>
     i === 7 ? "new" : i % 9 === 4 ? "back" : i % 11 === 6 ? "rare" : "known";
   const keys = [...new Set(findings.map((f) => f.bucket).filter((b) => b !== null))];
-  const whole = (gap) => ({
-    ...made_case(next, gap),
-    answers: {
-      intersect: { verdict: gap > 0 ? "disjoint" : "intersecting" },
-      "fcl-libccd": { verdict: gap > 0 ? "intersecting" : "disjoint" },
-    },
-    replay: "./daylight replay runs/sample:1",
-  });
+  const whole = (gap, method, kind) => {
+    const made = made_case(next, gap),
+      right = { verdict: made.truth.verdict };
+    const off = { ...right, distance: gap + 0.01 };
+    return {
+      ...made,
+      answers: {
+        intersect: right,
+        ...(kind === "distance_outside" ? { "libccd-gjk": off } : {}),
+        [method]: kind === "distance_outside" ? off : { verdict: gap > 0 ? "intersecting" : "disjoint" },
+      },
+      replay: "./daylight replay runs/sample:1",
+    };
+  };
   const runs = [19, 20, 21, 22].map((day) => ({ run: `202611${day}-220000-4`, started: `2026-11-${day}T22:00:00Z` }));
   const nights_of = (standing, count) =>
     runs.map((run, n) => {
@@ -193,10 +199,12 @@ export function sample(findings_total = 400) {
   const gone = "panda/wrong_intersecting/cap-rim/scale";
   const buckets = [...keys, gone].map((key, i) => {
     const [library, kind] = key.split("/"),
-      ids = findings.filter((f) => f.bucket === key).map((f) => f.id);
+      of = findings.filter((f) => f.bucket === key),
+      ids = of.map((f) => f.id),
+      method = of[0]?.method ?? `${library}-gjk`;
     return {
       key,
-      method: library,
+      method,
       kind,
       severity: i % 3 === 0 ? "contract" : "resolution",
       feature: "side-rim",
@@ -224,8 +232,8 @@ export function sample(findings_total = 400) {
           }),
       margin: [10 ** -(3 + (i % 9)), 0.01],
       share: { wrong: 3 + i, asked: 5000 },
-      simplest: whole(i % 2 ? 1e-9 : -0.02),
-      worst: whole(i % 2 ? 0.4 : -0.3),
+      simplest: whole(i % 2 ? 1e-9 : -0.02, method, kind),
+      worst: whole(i % 2 ? 0.4 : -0.3, method, kind),
       suppressed: i === 5 ? { reason: "known upstream", link: "issue 1", owner: "me", expires: "2027-01-01" } : null,
       findings: ids,
     };

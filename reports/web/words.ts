@@ -90,14 +90,15 @@ export function claim_words(claim: Claim): string {
   return parts.length === 0 ? "always right" : `right from ${parts.join(" plus ")} on`;
 }
 
+const exponent = (text: string) => text.replace("e+0", "").replace("e+", "e");
 /** The shortest decimal that is this double, in exponent form where it has more than 12 digits. */
 export function full(x: number): string {
   if (Object.is(x, -0)) return "-0";
   const text = String(x);
-  return text.replace(/[^0-9]/g, "").length > 12 && !text.includes("e") ? x.toExponential() : text;
+  return text.replace(/[^0-9]/g, "").length > 12 && !text.includes("e") ? exponent(x.toExponential()) : text;
 }
 /** All 17 digits. */
-export const digits17 = (x: number) => (x === 0 ? "0" : x.toExponential(16));
+export const digits17 = (x: number) => (x === 0 ? "0" : exponent(x.toExponential(16)));
 
 export function coordinate_words(x: Coordinate): string {
   if (typeof x === "number") return full(x);
@@ -122,7 +123,7 @@ export const shell_quoted = (text: string) =>
 
 /** What each word of the page means, one sentence each. */
 export const glossary: Record<string, string> = {
-  "#": "The number of a finding in its run.",
+  "#": "The number of a finding in its run, or of a fault.",
   "a pair": "The mean time that one pair took.",
   against: "The build that the answers are held against.",
   answer: "What a method said of the pair.",
@@ -195,6 +196,7 @@ export const glossary: Record<string, string> = {
   "point near both": "A certificate for touching: a point as good as in both, and no gap wider than nothing.",
   "probability of one rate": "How likely counts so different are if the rate were the same in both runs.",
   "proved distance": "The signed distance lies between these two numbers; this is proved.",
+  "put into": "The part of our own code that the faults were put into.",
   radius: "Half the width of a cylinder.",
   rare: "A cause seen in one of the runs only, which may well be chance.",
   rationals: "The truth needed exact fractions.",
@@ -225,6 +227,8 @@ export const glossary: Record<string, string> = {
   "wrong by": "How far the distance said is from the proved one, at least.",
 };
 export const about = (label: string): string | undefined => glossary[label.toLowerCase()];
+/** Terms by the alphabet. */
+export const glossary_entries = () => Object.entries(glossary).sort(([x], [y]) => (x < y ? -1 : 1));
 
 /** Where the share lies with 95 % confidence after k hits in n trials (Wilson); the upper end is 3/n for none. */
 export function share_bounds(k: number, n: number): [number, number] {
