@@ -94,9 +94,18 @@ test("a search finds words as they are displayed, all of them", () => {
   const disjoint = by_hand((f) => f.kind === "wrong_disjoint");
   assert.deepEqual(found("wrong disjoint"), disjoint);
   assert.deepEqual(found("wrong_disjoint"), disjoint);
-  assert.deepEqual(found("Beyond its claim"), by_hand((f) => f.severity === "contract"));
-  assert.deepEqual(found("#17"), by_hand((f) => String(f.id).startsWith("17")));
-  assert.deepEqual(found("crash ode"), by_hand((f) => f.kind === "crash" && f.method === "ode"));
+  assert.deepEqual(
+    found("Beyond its claim"),
+    by_hand((f) => f.severity === "contract"),
+  );
+  assert.deepEqual(
+    found("#17"),
+    by_hand((f) => String(f.id).startsWith("17")),
+  );
+  assert.deepEqual(
+    found("crash ode"),
+    by_hand((f) => f.kind === "crash" && f.method === "ode"),
+  );
 });
 
 test("a cause is shown with its findings, one without them by what it says of itself", () => {
@@ -108,7 +117,10 @@ test("a cause is shown with its findings, one without them by what it says of it
     return filtered_causes(causes, filtered(rows, filter), filter).map(({ b }) => b);
   };
   assert.equal(shown("").length, causes.length);
-  assert.deepEqual(shown("standing=gone").map((b) => b.key), ["panda/wrong_intersecting/cap-rim/scale"]);
+  assert.deepEqual(
+    shown("standing=gone").map((b) => b.key),
+    ["panda/wrong_intersecting/cap-rim/scale"],
+  );
   assert.equal(shown("standing=gone&kind=crash").length, 0);
   assert.equal(shown("library=panda&kind=wrong_intersecting&text=scale").length, 1);
   const crashes = shown("kind=crash");

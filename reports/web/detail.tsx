@@ -232,33 +232,53 @@ function Wrong({ of: { said, proved, error, relative, claims, size }, claim }: {
   );
 }
 
-const vector = (v: readonly number[]) => `(${v.map(full).join(", ")})`;
+/** Breaks between its numbers, not in them. */
+const Vector = ({ of }: { of: readonly number[] }) => (
+  <>
+    {of.map((x, i) => (
+      <>
+        {i > 0 && " "}
+        <span class="whole">
+          {i === 0 && "("}
+          {full(x)}
+          {i < of.length - 1 ? "," : ")"}
+        </span>
+      </>
+    ))}
+  </>
+);
 
 function Solids({ shown }: { shown: Case }) {
   const { a, b } = shown.pair;
   return (
-    <div class="scroll"><table class="plain solids">
-      <Heads of={["", "centre", "axis", "n:radius", "n:height"]} />
-      <tbody>
-        {(
-          [
-            ["a", a],
-            ["b", b],
-          ] as const
-        ).map(([name, c]) => (
-          <tr key={name}>
-            <th scope="row">
-              <i class={`swatch ${name}`} />
-              {name}
-            </th>
-            <td class="wrap num">{vector(c.center)}</td>
-            <td class="wrap num">{vector(c.axis)}</td>
-            <td class="n">{full(c.radius)}</td>
-            <td class="n">{full(c.height)}</td>
-          </tr>
-        ))}
-      </tbody>
-    </table></div>
+    <div class="scroll">
+      <table class="plain solids">
+        <Heads of={["", "centre", "axis", "n:radius", "n:height"]} />
+        <tbody>
+          {(
+            [
+              ["a", a],
+              ["b", b],
+            ] as const
+          ).map(([name, c]) => (
+            <tr key={name}>
+              <th scope="row">
+                <i class={`swatch ${name}`} />
+                {name}
+              </th>
+              <td class="wrap num">
+                <Vector of={c.center} />
+              </td>
+              <td class="wrap num">
+                <Vector of={c.axis} />
+              </td>
+              <td class="n">{full(c.radius)}</td>
+              <td class="n">{full(c.height)}</td>
+            </tr>
+          ))}
+        </tbody>
+      </table>
+    </div>
   );
 }
 
@@ -269,17 +289,7 @@ const stage_words: Record<string, string> = {
 };
 
 /** `method`: the one that is wrong; `kind`: how. */
-function CaseView({
-  shown,
-  method,
-  kind,
-  report,
-}: {
-  shown: Case;
-  method: string;
-  kind: string;
-  report: FullReport;
-}) {
+function CaseView({ shown, method, kind, report }: { shown: Case; method: string; kind: string; report: FullReport }) {
   const { truth } = shown,
     distances = kind === "distance_outside",
     claim = report.methods.find((m) => m.name === method)?.claim,
@@ -471,13 +481,7 @@ export function BucketView({
           Worst
         </button>
       </div>
-      <CaseView
-        shown={shown}
-        method={b.method}
-        kind={b.kind}
-        report={report}
-        key={worst ? "worst" : "simplest"}
-      />
+      <CaseView shown={shown} method={b.method} kind={b.kind} report={report} key={worst ? "worst" : "simplest"} />
       {b.nights && b.nights.length > 0 && <Nights nights={b.nights} />}
       <Handling report={report} b={b} />
       {b.merged.length > 0 && (

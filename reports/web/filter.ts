@@ -43,7 +43,11 @@ const spoken = (parts: (string | number | null | undefined)[]) =>
     .toLowerCase()
     .replaceAll("_", " ");
 /** Each of them must occur; "wrong_disjoint" is one. */
-const terms_of = (text: string) => text.split(/\s+/).map((term) => spoken([term])).filter((term) => term !== "");
+const terms_of = (text: string) =>
+  text
+    .split(/\s+/)
+    .map((term) => spoken([term]))
+    .filter((term) => term !== "");
 
 const cause_words = (b: Bucket) =>
   spoken([b.key, b.cause, ...b.labels, ...(b.methods ?? []), b.note?.owner, b.note?.note, b.suppressed?.reason]);
@@ -110,8 +114,7 @@ export function filtered_causes(causes: Cause[], shown: Row[], filter: Filter) {
 }
 
 type Counts = Record<Facet, Map<string, number>>;
-const by_facet = (): Counts =>
-  Object.fromEntries(facets.map((facet) => [facet, new Map<string, number>()])) as Counts;
+const by_facet = (): Counts => Object.fromEntries(facets.map((facet) => [facet, new Map<string, number>()])) as Counts;
 
 /** How many rows each chip would give beside what the other facets leave; chips that are pressed stay. */
 export function chip_counts(rows: Row[], filter: Filter): Counts {

@@ -264,7 +264,9 @@ export function Findings({ report, address }: { report: FullReport; address: Add
         <>
           <p class="tools saving">
             <span class="soft">Save the findings shown</span>
-            <button type="button" onClick={() => save(`${report.run.id}-findings.csv`, "text/csv", csv_of(shown, report))}>
+            <button
+              type="button"
+              onClick={() => save(`${report.run.id}-findings.csv`, "text/csv", csv_of(shown, report))}>
               CSV
             </button>
             <button
@@ -274,7 +276,7 @@ export function Findings({ report, address }: { report: FullReport; address: Add
             </button>
           </p>
           <Table rows={shown} order={order} set_order={(o) => set({ ...view, order: o })} />
-          <p class="only-print soft">Printed are the rows on the screen; CSV has all.</p>
+          <p class="only-print soft">Of {said}, printed are the rows that were on the screen.</p>
         </>
       )}
     </Section>

@@ -43,32 +43,34 @@ export function Kills({ report }: { report: FullReport }) {
           {grouped(missed)}
         </Fact>
       </dl>
-      <div class="scroll"><table class="plain">
-        <Heads
-          of={["put into", "n:faults", "n:caught", "n:changes nothing", "n:missed", ...tests.map((d) => `n:by ${d}`)]}
-          told={told}
-        />
-        <tbody>
-          {[...group_by(matrix.rows, (r) => r.file.split("/")[0]!)].map(([folder, of]) => {
-            const caught = of.filter((r) => r.caught_by.length > 0).length,
-              equivalent = of.filter((r) => r.caught_by.length === 0 && r.equivalent).length;
-            return (
-              <tr key={folder}>
-                <td>{safe(folder)}/</td>
-                <td class="n">{of.length}</td>
-                <td class="n">{caught}</td>
-                <td class="n">{equivalent}</td>
-                <td class="n">{of.length - caught - equivalent}</td>
-                {detectors.map(([d]) => (
-                  <td class="n" key={d}>
-                    {of.filter((r) => r.caught_by.includes(d)).length}
-                  </td>
-                ))}
-              </tr>
-            );
-          })}
-        </tbody>
-      </table></div>
+      <div class="scroll">
+        <table class="plain">
+          <Heads
+            of={["put into", "n:faults", "n:caught", "n:changes nothing", "n:missed", ...tests.map((d) => `n:by ${d}`)]}
+            told={told}
+          />
+          <tbody>
+            {[...group_by(matrix.rows, (r) => r.file.split("/")[0]!)].map(([folder, of]) => {
+              const caught = of.filter((r) => r.caught_by.length > 0).length,
+                equivalent = of.filter((r) => r.caught_by.length === 0 && r.equivalent).length;
+              return (
+                <tr key={folder}>
+                  <td>{safe(folder)}/</td>
+                  <td class="n">{of.length}</td>
+                  <td class="n">{caught}</td>
+                  <td class="n">{equivalent}</td>
+                  <td class="n">{of.length - caught - equivalent}</td>
+                  {detectors.map(([d]) => (
+                    <td class="n" key={d}>
+                      {of.filter((r) => r.caught_by.includes(d)).length}
+                    </td>
+                  ))}
+                </tr>
+              );
+            })}
+          </tbody>
+        </table>
+      </div>
       <details class="print">
         <summary>Every fault</summary>
         <p>
@@ -78,24 +80,26 @@ export function Kills({ report }: { report: FullReport }) {
           </label>{" "}
           <span class="soft">{plural(rows.length, "fault")}</span>
         </p>
-        <div class="scroll"><table class="plain">
-          <Heads of={["#", "file", "fault", ...tests]} told={told} />
-          <tbody>
-            {rows.map((r) => (
-              <tr key={r.mutant}>
-                <td class="n">{r.mutant}</td>
-                <td>{safe(r.file)}</td>
-                <td class="wrap">
-                  {safe(r.what)}
-                  {r.equivalent && <span class="soft"> Changes nothing: {safe(r.equivalent)}</span>}
-                </td>
-                {detectors.map(([d]) => (
-                  <td key={d}>{r.caught_by.includes(d) ? "\u2713" : ""}</td>
-                ))}
-              </tr>
-            ))}
-          </tbody>
-        </table></div>
+        <div class="scroll">
+          <table class="plain">
+            <Heads of={["#", "file", "fault", ...tests]} told={told} />
+            <tbody>
+              {rows.map((r) => (
+                <tr key={r.mutant}>
+                  <td class="n">{r.mutant}</td>
+                  <td>{safe(r.file)}</td>
+                  <td class="wrap">
+                    {safe(r.what)}
+                    {r.equivalent && <span class="soft"> Changes nothing: {safe(r.equivalent)}</span>}
+                  </td>
+                  {detectors.map(([d]) => (
+                    <td key={d}>{r.caught_by.includes(d) ? "\u2713" : ""}</td>
+                  ))}
+                </tr>
+              ))}
+            </tbody>
+          </table>
+        </div>
       </details>
     </Section>
   );

@@ -8,8 +8,8 @@ import { about, grouped, safe, short } from "./words.ts";
 
 const high = 96,
   left = 46,
-  step = 26,
-  floor = high + 8;
+  floor = high + 8,
+  narrowest = 14;
 
 const rate_words = ({ per_million: [rate, low, up] }: Night) => `${short(rate)} (${short(low)} to ${short(up)})`;
 const night_words = (n: Night) =>
@@ -18,9 +18,10 @@ const night_words = (n: Night) =>
 /** One mark a night: the rate, and a line from its lower to its upper bound. */
 function Chart({ nights }: { nights: Night[] }) {
   const most = Math.max(...nights.map((n) => n.per_million[2])) || 1;
+  const step = Math.min(80, Math.max(narrowest, 320 / nights.length));
   const y = (rate: number) => floor - (rate / most) * high,
     x = (i: number) => left + step * (i + 0.5),
-    width = left + step * nights.length + 6;
+    width = Math.max(200, left + step * nights.length + 6);
   return (
     <div class="scroll">
       <svg
@@ -49,14 +50,14 @@ function Chart({ nights }: { nights: Night[] }) {
             </g>
           );
         })}
-        <text x={x(0)} y={floor + 15} text-anchor="start">
-          {safe(nights[0]!.started.slice(0, 10))}
-        </text>
-        {nights.length > 5 && (
-          <text x={width} y={floor + 15} text-anchor="end">
-            {safe(nights.at(-1)!.started.slice(0, 10))}
+        {nights.length > 1 && (
+          <text x={left} y={floor + 15} text-anchor="start">
+            {safe(nights[0]!.started.slice(0, 10))}
           </text>
         )}
+        <text x={width} y={floor + 15} text-anchor="end">
+          {safe(nights.at(-1)!.started.slice(0, 10))}
+        </text>
       </svg>
     </div>
   );
@@ -76,8 +77,7 @@ function Against({ earlier, now }: { earlier: Night[]; now: Night }) {
           options={earlier.map((n, i) => [String(i), `${n.started.slice(0, 10)}, ${safe(n.run)}`] as const).reverse()}
         />
         <span title={about("probability of one rate")}>
-          probability of counts so different under one rate:{" "}
-          <b class="same-rate">{p === null ? "\u2013" : short(p)}</b>
+          probability of counts so different under one rate: <b class="same-rate">{p === null ? "\u2013" : short(p)}</b>
         </span>
       </p>
       <div class="scroll">

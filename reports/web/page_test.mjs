@@ -37,6 +37,7 @@ async function shots(to) {
     }
     for (const [name, link] of [
       ["finding", ".findings tbody a"],
+      ["distance", ".findings tr:has-text('distance outside') a"],
       ["bucket", ".buckets a"],
     ]) {
       await page.evaluate(() => {
@@ -51,8 +52,28 @@ async function shots(to) {
     }
     await page.context().close();
   }
+  const narrow = await open_page({ width: 400 });
+  await settled(narrow);
+  await narrow.screenshot({ path: `${to}/narrow.png`, fullPage: true });
+  for (const [name, link] of [
+    ["finding", ".findings tbody a"],
+    ["bucket", ".buckets a"],
+  ]) {
+    await go(narrow, "#/findings");
+    if ((await narrow.locator(link).count()) === 0) continue;
+    await narrow.locator(link).first().click();
+    await narrow.waitForSelector(".case");
+    await narrow.screenshot({ path: `${to}/narrow-${name}.png`, fullPage: true });
+  }
   const page = await open_page();
+  await settled(page);
+  await page.screenshot({ path: `${to}/top.png` });
+  await page.evaluate(() => dispatchEvent(new Event("beforeprint")));
   await page.emulateMedia({ media: "print" });
+  await page.setViewportSize({ width: 717, height: 1000 }); // paper
+  await settled(page);
+  await page.screenshot({ path: `${to}/print.png`, fullPage: true });
+  await page.evaluate(() => dispatchEvent(new Event("afterprint")));
   await page.pdf({ path: `${to}/print.pdf` }).catch(() => {});
 }
 
@@ -81,7 +102,10 @@ async function leads_to_what_is_new(page, report) {
     await line.locator("a", { hasText: word }).click();
     assert.deepEqual(
       (await causes_shown(page)).sort(),
-      buckets.filter((b) => b.standing === word).map((b) => b.key).sort(),
+      buckets
+        .filter((b) => b.standing === word)
+        .map((b) => b.key)
+        .sort(),
     );
   }
   assert.equal(await rows_told(page), 0, "a gone cause has no findings");
@@ -95,7 +119,10 @@ async function leads_to_what_is_new(page, report) {
   await settled(page);
   assert.equal(await head.getAttribute("aria-sort"), "descending");
   const counts = (await bucket_column(page, 4)).map((text) => Number(text.replaceAll(",", "")));
-  assert.deepEqual(counts, [...counts].sort((x, y) => y - x));
+  assert.deepEqual(
+    counts,
+    [...counts].sort((x, y) => y - x),
+  );
   assert.equal(await page.locator(".buckets th[aria-sort=none]").count(), 7);
   await go(page, "#/findings?method=ode");
   await settled(page);
@@ -136,7 +163,10 @@ async function keeps_what_is_shown(page, report) {
   const family = of((f) => f.family === "touching_side_rim");
   assert.equal(await rows_of_text("touching_side_rim"), family);
   assert.ok((await rows_of_text("touching side rim")) >= family);
-  assert.equal(await rows_of_text("beyond its claim"), of((f) => f.severity === "contract"));
+  assert.equal(
+    await rows_of_text("beyond its claim"),
+    of((f) => f.severity === "contract"),
+  );
   const both = of((f) => f.severity === "contract" && f.family === "touching_side_rim");
   assert.equal(await rows_of_text("touching_side_rim  Beyond its claim"), both);
   assert.ok(await rows_of_text("asked upstream"), "the note of a cause");
@@ -312,7 +342,10 @@ async function fits_a_laptop(page) {
 }
 
 const copied = (page, label) =>
-  page.locator(".copy", { has: page.locator(".copy-head", { hasText: label }) }).locator("code").innerText();
+  page
+    .locator(".copy", { has: page.locator(".copy-head", { hasText: label }) })
+    .locator("code")
+    .innerText();
 
 /** The commands and lines of a cause, its note, its nights and its claim. */
 async function handles_a_cause(page, report) {
@@ -324,10 +357,7 @@ async function handles_a_cause(page, report) {
   await row.locator("a").click();
   await page.waitForSelector(".handling");
   assert.match(await page.locator(".handling .note").innerText(), /ada: asked upstream/);
-  assert.equal(
-    await copied(page, "A program"),
-    `./daylight triage runs/sample --export ${noted.key} --out upstream`,
-  );
+  assert.equal(await copied(page, "A program"), `./daylight triage runs/sample --export ${noted.key} --out upstream`);
   assert.deepEqual(JSON.parse(await copied(page, "suppressions.jsonl")), {
     bucket: noted.key,
     reason: "",
@@ -345,7 +375,10 @@ async function handles_a_cause(page, report) {
   assert.equal(await page.getByRole("tab", { name: "Simplest" }).count(), 1);
 
   assert.equal(await page.locator(".nights .night").count(), noted.nights.length);
-  assert.match(await page.locator(".nights .night title").last().textContent(), /20261122-220000-4[^]*of 280,000 pairs/);
+  assert.match(
+    await page.locator(".nights .night title").last().textContent(),
+    /20261122-220000-4[^]*of 280,000 pairs/,
+  );
   const [before, p] = [page.locator(".against tbody tr").first(), page.locator(".same-rate")];
   assert.match(await before.innerText(), /20261121/);
   const first = await p.innerText();
@@ -436,7 +469,14 @@ async function explains_its_words(page) {
   assert.ok((await page.locator("#words dt").count()) > 60);
   for (const title of await page.locator(".buckets th").evaluateAll((all) => all.map((e) => e.title)))
     assert.ok((await page.locator("#words").textContent()).includes(title));
-  for (const old of [/\bcontract\b/, /\bresolution\b/, /\bstratum\b/i, /misstated/, /kept with their pair/, /planted faults/i])
+  for (const old of [
+    /\bcontract\b/,
+    /\bresolution\b/,
+    /\bstratum\b/i,
+    /misstated/,
+    /kept with their pair/,
+    /planted faults/i,
+  ])
     assert.doesNotMatch(text, old);
   assert.match(await page.locator("#methods").textContent(), /stated[^]*assumed by us/);
   for (const hash of ["#/finding/15", "#/finding/1"]) {
@@ -492,6 +532,11 @@ async function prints_all() {
     return [".plot:not(:has(svg))", "details.print:not([open])"].map((s) => document.querySelectorAll(s).length);
   });
   assert.deepEqual([empty, folded], [0, 0]);
+  await page.emulateMedia({ media: "print" });
+  await page.setViewportSize({ width: 717, height: 1000 });
+  await settled(page);
+  const wide = await page.evaluate(() => document.documentElement.scrollWidth);
+  assert.ok(wide <= 717, `${wide} wide on paper`);
   await page.evaluate(() => dispatchEvent(new Event("afterprint")));
   assert.ok((await page.locator("details.print:not([open])").count()) > 0);
   await page.context().close();
@@ -500,7 +545,12 @@ async function prints_all() {
 const focused = (page) =>
   page.evaluate(() => {
     const e = document.activeElement;
-    return { tag: e.tagName, text: e.textContent, leads: e.dataset.leads ?? e.getAttribute("href"), class: e.className };
+    return {
+      tag: e.tagName,
+      text: e.textContent,
+      leads: e.dataset.leads ?? e.getAttribute("href"),
+      class: e.className,
+    };
   });
 
 /** By keyboard alone from the top to a proved finding, and back to where one was. */
@@ -674,7 +724,8 @@ async function times(findings) {
           field.dispatchEvent(new Event("input", { bubbles: true }));
         }),
       );
-    for (const head of document.querySelectorAll(".findings thead button")) took.sort.push(await timed(() => head.click()));
+    for (const head of document.querySelectorAll(".findings thead button"))
+      took.sort.push(await timed(() => head.click()));
     return took;
   });
   const filter = await page.evaluate(async () => {

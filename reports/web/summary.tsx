@@ -328,7 +328,12 @@ function Headline({ report }: { report: FullReport }) {
       </dl>
       {report.alarm && (
         <p class={`alarm ${report.alarm.green ? "ok" : "bad"}`} role={report.alarm.green ? undefined : "alert"}>
-          <b>{report.alarm.green ? "The search finds faults put in on purpose." : "The search misses faults put in on purpose."}</b> {safe(report.alarm.text)}
+          <b>
+            {report.alarm.green
+              ? "The search finds faults put in on purpose."
+              : "The search misses faults put in on purpose."}
+          </b>{" "}
+          {safe(report.alarm.text)}
         </p>
       )}
       {unexplained > 0 && (
@@ -370,21 +375,21 @@ export function Methods({ report }: { report: FullReport }) {
           {plural(report.methods.length, "method")}, {plural(judges.length, "row")} of the referee and the cases
         </summary>
         <div class="scroll">
-        <table class="plain">
-          <Heads of={["method", "version", "claims to be", "claim", "because", "n:asked on"]} />
-          <tbody>
-            {report.methods.map((m) => (
-              <tr key={m.name}>
-                <td>{safe(m.name)}</td>
-                <td>{safe(m.version)}</td>
-                <td>{claim_words(m.claim)}</td>
-                <td title={about(origin_words(m.claim))}>{origin_words(m.claim) || "\u2013"}</td>
-                <td class="wrap soft">{safe(m.claim.source)}</td>
-                <td class="n">{m.share === 1 ? "all" : `1 in ${m.share}`}</td>
-              </tr>
-            ))}
-          </tbody>
-        </table>
+          <table class="plain">
+            <Heads of={["method", "version", "claims to be", "claim", "because", "n:asked on"]} />
+            <tbody>
+              {report.methods.map((m) => (
+                <tr key={m.name}>
+                  <td>{safe(m.name)}</td>
+                  <td>{safe(m.version)}</td>
+                  <td>{claim_words(m.claim)}</td>
+                  <td title={about(origin_words(m.claim))}>{origin_words(m.claim) || "\u2013"}</td>
+                  <td class="wrap soft">{safe(m.claim.source)}</td>
+                  <td class="n">{m.share === 1 ? "all" : `1 in ${m.share}`}</td>
+                </tr>
+              ))}
+            </tbody>
+          </table>
         </div>
         <table class="plain">
           <Heads of={["judge", "n:asked", "n:undecided", "n:wrong", "n:a pair"]} />

@@ -80,8 +80,7 @@ export const severity_words: Record<string, string> = {
 
 export const standing_words = (standing: string | null) => standing ?? "\u2013";
 
-export const origin_words = ({ stated }: Claim) =>
-  stated === undefined ? "" : stated ? "stated" : "assumed by us";
+export const origin_words = ({ stated }: Claim) => (stated === undefined ? "" : stated ? "stated" : "assumed by us");
 
 export function claim_words(claim: Claim): string {
   const parts = [];
@@ -179,7 +178,8 @@ export const glossary: Record<string, string> = {
   "known cases now failing": "Pairs stored with their truth of which the referee now says something else.",
   "largest change": "The largest difference of a distance between the two builds.",
   library: "The program that a method belongs to; ours is one.",
-  margin: "For a wrong distance its error over the size, for other findings the distance between the solids over the size.",
+  margin:
+    "For a wrong distance its error over the size, for other findings the distance between the solids over the size.",
   margins: "The least and the largest margin of the findings of the cause.",
   method: "One way to answer, of some library, with its settings.",
   methods: "The methods that are wrong for this reason.",
