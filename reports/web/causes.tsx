@@ -4,7 +4,7 @@ import { useRef } from "preact/hooks";
 import type { Bucket } from "./data.ts";
 import { cause_columns, type Cause, type CauseColumn, type CauseOrder } from "./filter.ts";
 import { useRoving } from "./roving.ts";
-import { about, grouped, percent, range, safe, severity_words, standing_words } from "./words.ts";
+import { about, grouped, percent, range, safe, severity_words, short, standing_words } from "./words.ts";
 
 const titles: Record<CauseColumn, string> = {
   key: "cause",
@@ -51,6 +51,9 @@ function Name({ b }: { b: Bucket }) {
   );
 }
 
+const standing_hint = ({ standing, chance }: Bucket) =>
+  [standing ? about(standing) : "", typeof chance === "number" ? `By chance: ${short(chance)}` : ""].join("\n").trim();
+
 function CauseRow({ b }: { b: Bucket }) {
   const share = b.share && `${grouped(b.share.wrong)} of ${grouped(b.share.asked)}`;
   return (
@@ -73,7 +76,7 @@ function CauseRow({ b }: { b: Bucket }) {
       <td class="n" data-label={titles.share} title={share ?? ""}>
         {b.share ? percent(b.share.wrong, b.share.asked) : "\u2013"}
       </td>
-      <td data-label={titles.standing} title={b.standing ? about(b.standing) : ""}>
+      <td data-label={titles.standing} title={standing_hint(b)}>
         {standing_words(b.standing)}
       </td>
       <td data-label={titles.seen}>{safe(b.first_seen)}</td>

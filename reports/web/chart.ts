@@ -26,7 +26,7 @@ export { sorted, sorted_causes, view_of } from "./filter.ts";
 export { wrong_distance } from "./distance.ts";
 export { log_gamma, same_rate_probability } from "./rates.ts";
 export { csv_cell, csv_of } from "./save.ts";
-export { full, glossary } from "./words.ts";
+export { full, glossary, shell_quoted } from "./words.ts";
 export { frame_of, stand_in } from "./study.ts";
 export { expand, pareto, plain_document };
 

@@ -2,6 +2,7 @@
 // What the page does with its data before it draws, and the charts, as built into the page.
 //     node --test data_test.mjs
 import assert from "node:assert/strict";
+import { spawnSync } from "node:child_process";
 import { readFileSync } from "node:fs";
 import { test } from "node:test";
 import {
@@ -23,6 +24,7 @@ import {
   query_of,
   rows_of,
   same_rate_probability,
+  shell_quoted,
   sorted,
   sorted_causes,
   view_of,
@@ -209,6 +211,14 @@ test("long numbers have exponents, and every digit", () => {
   for (const x of [1 / 3, -1e5 / 3, 1e-9 / 7, Math.PI]) assert.equal(Number(full(x)), x);
   assert.equal(full(100 / 3), "3.3333333333333336e1");
   assert.equal(full(Math.PI), "3.141592653589793");
+});
+
+test("a shell reads a word as it is, and a reader sees all of it", () => {
+  for (const text of ["plain/word", "", "two words", "o'hara", "$HOME `x` \\", "a\u202eb\u00017", "\u00e9 \u200b'\\"]) {
+    const quoted = shell_quoted(text);
+    assert.doesNotMatch(quoted, /[\u0000-\u001f\u200b-\u202e]/);
+    assert.equal(spawnSync("bash", ["-c", `printf %s ${quoted}`], { encoding: "utf8" }).stdout, text);
+  }
 });
 
 test("each word has one sentence", () => {

@@ -4,7 +4,7 @@ import { useState } from "preact/hooks";
 import { note_words } from "./causes.tsx";
 import type { Bucket, Report } from "./data.ts";
 import { Copy } from "./parts.tsx";
-import { safe, shell_quoted } from "./words.ts";
+import { json_line, safe, shell_quoted } from "./words.ts";
 
 const day = 86_400_000,
   suppressed_days = 90;
@@ -14,7 +14,7 @@ export function suppression_line(key: string, started: string): string {
   const begun = Date.parse(started);
   const end = new Date((Number.isNaN(begun) ? Date.now() : begun) + suppressed_days * day);
   const expires = end.toISOString().slice(0, 10);
-  return JSON.stringify({ bucket: key, reason: "", link: "", owner: "", expires });
+  return json_line({ bucket: key, reason: "", link: "", owner: "", expires });
 }
 
 function Annotate({ report, b, triage }: { report: Report; b: Bucket; triage: string }) {

@@ -638,6 +638,32 @@ async function says_what_is_missing() {
   await page.context().close();
 }
 
+/** A run of an earlier version has no notes, nights, standings or margins of findings. */
+async function opens_old_data() {
+  const old = sample(40);
+  for (const name of ["changes", "notes_file"]) delete old[name];
+  for (const f of old.findings) delete f.margin;
+  for (const m of old.methods) delete m.claim.stated;
+  old.buckets = old.buckets.filter((b) => b.standing !== "gone");
+  for (const b of old.buckets) {
+    for (const name of ["chance", "asked", "nights", "versions", "simplified", "file", "note"]) delete b[name];
+    b.standing = null;
+  }
+  write(old);
+  const page = await open_page();
+  assert.equal(await rows_told(page), 40);
+  assert.match(await page.locator("#summary").innerText(), /Against 3 earlier runs/);
+  await page.locator(".buckets a").first().click();
+  await page.waitForSelector(".handling");
+  assert.equal(await page.getByRole("tab", { name: "Simplest" }).count(), 1);
+  assert.equal(await page.locator(".nights").count(), 0);
+  assert.doesNotMatch(await page.locator("body").innerText(), /undefined|NaN|\[object/);
+  await go(page, "#/finding/1");
+  await page.waitForFunction(() => /^#1 /.test(document.querySelector(".detail h2")?.textContent));
+  assert.doesNotMatch(await page.locator("body").innerText(), /undefined|NaN|\[object/);
+  await page.context().close();
+}
+
 /** Text of a store may be anything. */
 async function shows_hostile_text_as_text() {
   const hostile = "</script><img src=x onerror=alert(1)>\u202e\u0001",
@@ -645,15 +671,33 @@ async function shows_hostile_text_as_text() {
   Object.assign(report.run, { id: hostile, seed: hostile, status: hostile, build: hostile, command: hostile });
   report.findings.forEach((f) => Object.assign(f, { method: hostile, family: hostile, reason: hostile }));
   report.methods[0].name = report.methods[0].claim.source = hostile;
-  report.cases[0].note = hostile;
+  report.cases[0].note = report.notes_file = hostile;
+  report.changes.against = [hostile];
+  for (const b of report.buckets) {
+    Object.assign(b, { key: `${b.key}${hostile}`, method: hostile, cause: hostile, labels: [hostile], file: hostile });
+    Object.assign(b, { methods: [hostile], versions: { first: hostile, last: "" }, feature: hostile });
+    b.note = { owner: hostile, note: hostile };
+    for (const night of b.nights) night.run = night.started = hostile;
+  }
+  report.findings.forEach((f) => Object.assign(f, { bucket: f.bucket && `${f.bucket}${hostile}` }));
   write(report);
   const page = await open_page();
   await page.evaluate(() => {
     location.hash = "#/finding/1";
   });
   await page.waitForSelector(".case");
-  assert.equal(await page.locator("img").count(), 0);
-  assert.ok(!(await page.locator("body").innerText()).includes("\u202e"));
+  const harmless = async () => {
+    assert.equal(await page.locator("img").count(), 0);
+    assert.ok(!(await page.locator("body").innerText()).includes("\u202e"));
+  };
+  await harmless();
+  await page.locator(".crumbs a").nth(1).click();
+  await page.waitForSelector(".handling");
+  await harmless();
+  await page.goBack();
+  await go(page, "#/findings");
+  await page.waitForSelector("main.overview:not([hidden])");
+  await harmless();
   await page.context().close();
 }
 
@@ -695,6 +739,7 @@ async function test() {
   await prints_all();
   await goes_by_keyboard();
   assert.deepEqual(errors, []);
+  await opens_old_data();
   await says_what_is_missing();
   await shows_hostile_text_as_text();
   assert.deepEqual(errors, []);

@@ -60,7 +60,7 @@ export function Heads({ of, told = "" }: { of: readonly string[]; told?: string 
 
 /** Which command gives a run the data of a section. */
 const makes = {
-  buckets: ["causes: its findings have not been folded into buckets", (run: string) => `./daylight triage ${run}`],
+  buckets: ["causes: nobody has looked for the reasons of its findings", (run: string) => `./daylight triage ${run}`],
   maps: ["failure maps", (run: string) => `./daylight chart ${run}`],
   honesty: ["curves of wrongness against margin", (run: string) => `./daylight chart ${run}`],
   speed: [
@@ -74,7 +74,7 @@ const makes = {
   paths: ["walks along paths", (run: string) => `./daylight chart ${run} --stability`],
   backward: ["backward errors", (run: string) => `./daylight chart ${run} --stability`],
   builds: ["comparison of builds", (run: string) => `./daylight chart ${run} --stability`],
-  kill_matrix: ["kill matrix", () => "./daylight mutants matrix"],
+  kill_matrix: ["measure of our own tests", () => "./daylight mutants matrix"],
 } as const;
 
 /** What stands where a run has no data of a kind. */

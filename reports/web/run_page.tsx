@@ -32,7 +32,7 @@ function Header({ report }: { report: FullReport }) {
   return (
     <header>
       <h1>
-        <a href="#/summary">daylight</a> <span class="soft">who was wrong about two cylinders</span>
+        <a href="#/summary">daylight</a> <span class="soft">answers about two cylinders, checked against proofs</span>
       </h1>
       <nav aria-label="Sections">
         {sections.map(([key, title]) => (

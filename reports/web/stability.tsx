@@ -136,13 +136,13 @@ function Builds({ report }: { report: FullReport }) {
 export function Stability({ report }: { report: FullReport }) {
   return (
     <Section id="stability" title="Stability">
-      <h3>Of cost</h3>
+      <h3>Cost near touching</h3>
       <Cost report={report} />
-      <h3>Of answers along a path</h3>
+      <h3>Answers along a path</h3>
       <Paths report={report} />
-      <h3>How wrong are wrong answers</h3>
+      <h3>How far a wrong answer is from a right one</h3>
       <Backward report={report} />
-      <h3>Between builds</h3>
+      <h3>Answers of another build</h3>
       <Builds report={report} />
     </Section>
   );

@@ -305,6 +305,7 @@ function Headline({ report }: { report: FullReport }) {
     "corpus",
     report.tallies.filter((t) => t.method === "corpus"),
   ).total;
+  const causes = report.buckets.filter((b) => b.count > 0); // others are of earlier runs
   const unexplained = report.unreadable ?? 0;
   return (
     <>
@@ -315,7 +316,7 @@ function Headline({ report }: { report: FullReport }) {
         </Fact>
         <Fact label="findings">{grouped(report.findings_total)}</Fact>
         <Fact label="kept as examples">{grouped(report.findings.length)}</Fact>
-        <Fact label="causes">{report.buckets.length > 0 ? grouped(report.buckets.length) : "\u2013"}</Fact>
+        <Fact label="causes">{report.buckets.length > 0 ? grouped(causes.length) : "\u2013"}</Fact>
         <Fact label="methods beyond their claim" kind={bad.length > 0 ? "bad" : ""}>
           {bad.length} of {rows.length}
         </Fact>

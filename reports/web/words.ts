@@ -56,6 +56,9 @@ export function safe(text: string): string {
   );
 }
 
+/** One line of JSON that hides nothing: the escapes of safe() are those of JSON. */
+export const json_line = (data: unknown) => safe(JSON.stringify(data));
+
 /** The same data with every text in them made safe. */
 export function safe_texts<T>(data: T): T {
   const made_safe = (x: unknown): unknown => {
@@ -116,9 +119,15 @@ export function coordinate_value(x: Coordinate): number {
   return value(n!) / value(d);
 }
 
-/** One word of a POSIX shell. */
-export const shell_quoted = (text: string) =>
-  /^[A-Za-z0-9_./:-]+$/.test(text) ? text : `'${text.replaceAll("'", "'\\''")}'`;
+/** One word of a POSIX shell; what cannot be seen in it is written as bytes. */
+export function shell_quoted(text: string): string {
+  if (/^[A-Za-z0-9_./:-]+$/.test(text)) return text;
+  if (safe(text) === text) return `'${text.replaceAll("'", "'\\''")}'`;
+  const octal = (byte: number) => `\\${byte.toString(8).padStart(3, "0")}`;
+  const seen = (byte: number) => byte > 31 && byte < 127 && byte !== 39 && byte !== 92;
+  const bytes = [...new TextEncoder().encode(text)];
+  return `$'${bytes.map((byte) => (seen(byte) ? String.fromCharCode(byte) : octal(byte))).join("")}'`;
+}
 
 /** What each word of the page means, one sentence each. */
 export const glossary: Record<string, string> = {
