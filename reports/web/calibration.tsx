@@ -5,7 +5,7 @@ import { useCallback, useMemo, useState } from "preact/hooks";
 import { Figure, Missing, Section, Select } from "./parts.tsx";
 import { cost_plot, first_of_each, calibration_plot, screen, series_key, shown_cap } from "./plots.ts";
 import { in_run_order, type FullReport } from "./report.ts";
-import { claim_words, grouped, kind_words, safe } from "./words.ts";
+import { claim_words, grouped, kind_words, origin_words, safe } from "./words.ts";
 
 export function Chooser({
   methods,
@@ -111,7 +111,8 @@ export function Calibration({ report }: { report: FullReport }) {
                     const claim = report.methods.find((r) => r.name === m)?.claim;
                     return claim ? (
                       <span key={m}>
-                        {safe(m)}: {claim_words(claim)}.{" "}
+                        {safe(m)}: {claim_words(claim)}
+                        {origin_words(claim) && `, ${origin_words(claim)}`}.{" "}
                       </span>
                     ) : null;
                   })}

@@ -13,7 +13,10 @@ runInThisContext(template.slice(begin, template.indexOf("</script>", begin)), { 
 
 export const { charts, expand, pareto, plain_document } = globalThis.daylight;
 export const { exact, floor_sqrt, prove } = globalThis.daylight;
-export const { chip_counts, filter_of, filtered, rows_of, sorted } = globalThis.daylight;
+export const { causes_of, chip_counts, filter_of, filtered, filtered_causes, query_of, rows_of } = globalThis.daylight;
+export const { sorted, sorted_causes, view_of } = globalThis.daylight;
+export const { csv_cell, csv_of, full, glossary, shell_quoted, wrong_distance } = globalThis.daylight;
+export const { log_gamma, same_rate_probability } = globalThis.daylight;
 export const { frame_of, stand_in } = globalThis.daylight;
 
 if (argv[1] !== undefined && import.meta.url === pathToFileURL(argv[1]).href) {

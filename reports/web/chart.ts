@@ -21,7 +21,12 @@ import { expand, in_run_order, type FullReport } from "./report.ts";
 import { grouped, library } from "./words.ts";
 
 export { exact, floor_sqrt, prove } from "./prove.ts";
-export { chip_counts, filter_of, filtered, rows_of, sorted } from "./filter.ts";
+export { causes_of, chip_counts, filter_of, filtered, filtered_causes, query_of, rows_of } from "./filter.ts";
+export { sorted, sorted_causes, view_of } from "./filter.ts";
+export { wrong_distance } from "./distance.ts";
+export { log_gamma, same_rate_probability } from "./rates.ts";
+export { csv_cell, csv_of } from "./save.ts";
+export { full, glossary, shell_quoted } from "./words.ts";
 export { frame_of, stand_in } from "./study.ts";
 export { expand, pareto, plain_document };
 

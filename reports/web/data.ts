@@ -44,6 +44,7 @@ export interface Claim {
   relative: number;
   absolute: number;
   source: string;
+  stated?: boolean; // by the library, source being its line; else assumed by us
 }
 export interface Method {
   name: string;
@@ -63,7 +64,8 @@ export interface Tally {
   undecided: number;
   nanoseconds: number;
 }
-export type Standing = "new" | "known" | "gone" | "back";
+/** "rare": seen in one of the runs only, by chance likely. */
+export type Standing = "new" | "known" | "gone" | "back" | "rare";
 export interface HistoryGroup {
   method: string;
   kind: string;
@@ -77,7 +79,7 @@ export interface HistoryGroup {
 export interface Case {
   pair: Pair;
   truth: Truth;
-  margin: [number, number] | null; // |signed distance| / size, enclosed
+  margin: [number, number] | null; // |signed distance| / size, enclosed; a finding's own, see below
   direction?: Vec; // unit, from a to b, where the signed distance is attained
   nearest?: { a: Vec; b: Vec }; // nearest points (apart) or deepest (overlapping), where known
   answers: Record<string, Answer>;
@@ -86,8 +88,10 @@ export interface Case {
 }
 
 export type Severity = "contract" | "resolution" | "unresolved";
+/** Its margin is its own: of "distance_outside" |error| / size, of others the pair's. */
 export interface Finding extends Case {
   id: number;
+  pair_margin: [number, number] | null;
   method: string;
   kind: string;
   severity: Severity;
@@ -97,9 +101,10 @@ export interface Finding extends Case {
 }
 
 /** What is written of a finding: the fields of Case are those of cases[case], its replay is of the run's folder and
- * its id. */
+ * its id. Without a margin of its own it has its case's. */
 export interface PackedFinding {
   id: number;
+  margin?: [number, number] | null;
   method: string;
   kind: string;
   severity: Severity;
@@ -118,6 +123,15 @@ export interface PackedCase {
   nearest?: { a: Vec; b: Vec };
   note?: string;
   said: [Answer, number[]][];
+}
+
+/** How often a cause was seen in one run; the rate is of a million pairs, with its bounds. */
+export interface Night {
+  run: string;
+  started: string;
+  count: number;
+  asked: number;
+  per_million: [number, number, number]; // rate, low, high
 }
 
 export interface Bucket {
@@ -143,6 +157,13 @@ export interface Bucket {
   cause?: string; // in words
   mechanism?: string; // what probes showed: "absolute-length", "offset", ...
   methods?: string[]; // all that it makes wrong; `method` is one of them
+  chance?: number | null; // probability that it is new or gone by chance, corrected for the number of causes
+  asked?: number; // pairs that its methods were asked in this run
+  nights?: Night[]; // oldest first, this run last
+  versions?: { first: string; last: string }; // of its method's library, at first and last sight
+  simplified?: boolean; // whether `simplest` is; else it is as found
+  file?: string; // JSON Lines, with its pair
+  note?: { owner: string; note: string };
 }
 
 /** How often a method was asked and wrong, by cell of a plane. Cells not listed were not visited. */
@@ -248,6 +269,9 @@ export interface Report {
   families: { name: string; summary: string }[];
   tallies: Tally[];
   history: { runs: number; groups: HistoryGroup[] } | null;
+  /** Causes by how they stand against the runs named. */
+  changes?: ({ [standing in Standing]: number } & { against: string[] }) | null;
+  notes_file?: string; // beside the runs: notes and owners of causes
   /** Whether the campaign found the faults planted to test it: green where each was found in its usual time. */
   alarm: { green: boolean; text: string } | null;
   kill_matrix: {
@@ -257,7 +281,7 @@ export interface Report {
     rows: { mutant: number; file: string; what: string; caught_by: string[]; equivalent?: string }[];
   } | null;
   buckets: Bucket[];
-  findings: (Finding | PackedFinding)[];
+  findings: (Omit<Finding, "pair_margin"> | PackedFinding)[];
   findings_total: number;
   cases?: PackedCase[];
   names?: string[];

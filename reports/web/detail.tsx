@@ -1,25 +1,32 @@
 // SPDX-License-Identifier: MIT
 // One finding, or one cause with its simplest and its worst case.
 import { useMemo, useState } from "preact/hooks";
-import type { Answer, Bucket, Case, Finding, Truth } from "./data.ts";
-import { bucket_address } from "./findings.tsx";
+import { bucket_address } from "./causes.tsx";
+import type { Answer, Bucket, Case, Claim, Finding, Truth } from "./data.ts";
+import { wrong_distance, type WrongDistance } from "./distance.ts";
+import { Handling } from "./handling.tsx";
+import { Nights } from "./nights.tsx";
 import { PairView } from "./pair_view.tsx";
-import { Copy } from "./parts.tsx";
+import { Copy, Fact, Heads } from "./parts.tsx";
 import { prove, type Proof } from "./prove.ts";
 import type { FullReport } from "./report.ts";
 import {
+  about,
   claim_words,
   coordinate_words,
+  digits17,
+  full,
   group_by,
   grouped,
   kind_words,
+  origin_words,
   percent,
   plural,
   range,
   safe,
   severity_words,
-  shell_quoted,
   short,
+  standing_words,
 } from "./words.ts";
 
 /** The part of a truth that is a certificate, as one may edit it. */
@@ -27,17 +34,20 @@ function certificate_of({ verdict, direction, point, near }: Truth) {
   return JSON.stringify({ verdict, ...(direction && { direction }), ...(point && { point }), ...(near && { near }) });
 }
 
-const certificate_words = (t: Truth) =>
+/** What proves a truth, and why it does. */
+const certificate_words = (t: Truth): [string, string] =>
   t.direction
-    ? "A plane square to this direction has one solid on each side."
+    ? ["separating direction", "A plane square to this direction has one solid on each side."]
     : t.point
-      ? "This point lies in both solids."
-      : t.near
-        ? "No rational common point is known: this one is within 2^-200 of the size of both, and along the direction " +
-          "neither a gap nor an overlap is wider."
-        : "";
+      ? ["common point", "This point lies in both solids."]
+      : [
+          "point near both",
+          "No rational common point is known: this one is within 2^-200 of the size of both, and along the direction " +
+            "neither a gap nor an overlap is wider.",
+        ];
 
 function Prover({ shown }: { shown: Case }) {
+  const [kind, why] = certificate_words(shown.truth);
   const given = useMemo(() => certificate_of(shown.truth), [shown]);
   const [text, edit] = useState(given);
   const [proof, tell] = useState<Proof | null>(null);
@@ -50,8 +60,10 @@ function Prover({ shown }: { shown: Case }) {
   };
   return (
     <section class="prover">
-      <h3>Certificate</h3>
-      <p>{certificate_words(shown.truth)}</p>
+      <h3>
+        Certificate: <span title={about(kind)}>{kind}</span>
+      </h3>
+      <p>{why}</p>
       <textarea
         spellcheck={false}
         rows={Math.min(6, Math.ceil(text.length / 62))}
@@ -102,8 +114,8 @@ function answer_words(a: Answer): string {
   if (a.declined !== undefined) return `declined${a.declined ? `: ${a.declined}` : ""}`;
   return [
     a.verdict ?? "no verdict",
-    ...(a.distance === undefined ? [] : [`distance ${a.distance}`]),
-    ...(a.direction ? [`direction (${a.direction.join(", ")})`] : []),
+    ...(a.distance === undefined ? [] : [`distance ${full(a.distance)}`]),
+    ...(a.direction ? [`direction (${a.direction.map(full).join(", ")})`] : []),
     ...(a.point ? [`point (${a.point.map(coordinate_words).join(", ")})`] : []),
   ].join(", ");
 }
@@ -117,126 +129,201 @@ function wrong_verdict(a: Answer, truth: Truth) {
   );
 }
 
-function Answers({ shown, method }: { shown: Case; method: string }) {
-  const said = group_by(Object.entries(shown.answers), ([name, a]) => (name === method ? "\0" : "") + answer_words(a));
-  const order = [...said].sort(
-    (x, y) =>
-      Number(y[0].startsWith("\0")) - Number(x[0].startsWith("\0")) ||
-      Number(wrong_verdict(y[1][0]![1], shown.truth)) - Number(wrong_verdict(x[1][0]![1], shown.truth)) ||
-      y[1].length - x[1].length,
+interface Said {
+  answer: Answer;
+  who: { name: string; off: WrongDistance | null; wrong: boolean }[];
+  its: boolean; // of the method that is looked at
+  wrong: boolean;
+}
+
+/** The answers, each once: that of `method` first, then the wrong ones, then what most say. `distances`: those outside
+ *  their claim are wrong too. */
+function said_of(shown: Case, method: string, claims: Map<string, Claim>, distances: boolean): Said[] {
+  const same = group_by(Object.entries(shown.answers), ([name, a]) => `${name === method} ${answer_words(a)}`);
+  const all = [...same.values()].map((given): Said => {
+    const answer = given[0]![1];
+    const who = given.map(([name]) => {
+      const off = distances ? wrong_distance(shown, answer, claims.get(name)) : null;
+      const outside = off !== null && (off.claims === null ? off.error > 0 : off.claims > 1);
+      return { name, off, wrong: outside || wrong_verdict(answer, shown.truth) };
+    });
+    return { answer, who, its: given.some(([name]) => name === method), wrong: who.some((w) => w.wrong) };
+  });
+  return all.sort(
+    (x, y) => Number(y.its) - Number(x.its) || Number(y.wrong) - Number(x.wrong) || y.who.length - x.who.length,
   );
-  if (order.length === 0) return null;
+}
+
+function Answers({
+  shown,
+  method,
+  report,
+  distances,
+}: {
+  shown: Case;
+  method: string;
+  report: FullReport;
+  distances: boolean;
+}) {
+  const claims = new Map(report.methods.map((m) => [m.name, m.claim]));
+  const said = said_of(shown, method, claims, distances);
+  if (said.length === 0) return null;
   return (
     <section>
       <h3>What each method said</h3>
-      <table class="plain answers">
-        <thead>
-          <tr>
-            <th>answer</th>
-            <th>from</th>
-          </tr>
-        </thead>
-        <tbody>
-          {order.map(([key, who]) => (
-            <tr key={key} class={key.startsWith("\0") ? "its" : ""}>
-              <td class={`wrap ${wrong_verdict(who[0]![1], shown.truth) ? "bad" : ""}`}>
-                {safe(answer_words(who[0]![1]))}
-              </td>
-              <td class="wrap">
-                {who.map(([name], i) => (
-                  <>
-                    {i > 0 && ", "}
-                    {name === method ? <b>{safe(name)}</b> : safe(name)}
-                  </>
-                ))}
-              </td>
-            </tr>
-          ))}
-        </tbody>
-      </table>
+      <div class="scroll">
+        <table class="plain answers">
+          <Heads of={distances ? ["answer", "n:wrong by", "from"] : ["answer", "from"]} />
+          <tbody>
+            {said.map(({ answer, who, its, wrong }, row) => (
+              <tr key={row} class={its ? "its" : ""}>
+                <td class={`wrap ${wrong ? "bad" : ""}`}>{safe(answer_words(answer))}</td>
+                {distances && <td class="n">{who[0]!.off ? short(who[0]!.off.error) : "\u2013"}</td>}
+                <td class="wrap">
+                  {who.map(({ name, off, wrong }, i) => (
+                    <>
+                      {i > 0 && ", "}
+                      <span
+                        class={`${wrong ? "bad" : ""} ${name === method ? "strong" : ""}`}
+                        title={off?.claims ? `${short(off.claims)} times its claim` : undefined}>
+                        {safe(name)}
+                      </span>
+                    </>
+                  ))}
+                </td>
+              </tr>
+            ))}
+          </tbody>
+        </table>
+      </div>
     </section>
   );
 }
 
-const vector = (v: readonly number[]) => `(${v.join(", ")})`;
+/** A wrong distance beside the proved one. */
+function Wrong({ of: { said, proved, error, relative, claims, size }, claim }: { of: WrongDistance; claim?: Claim }) {
+  return (
+    <section class="wrong-distance">
+      <h3>The distance</h3>
+      <dl class="facts long">
+        <Fact label="proved distance">
+          {digits17(proved[0])} to {digits17(proved[1])}
+        </Fact>
+        <Fact label="answer" kind="bad">
+          {digits17(said)}
+        </Fact>
+      </dl>
+      <dl class="facts">
+        <Fact label="error">{short(error, 4)}</Fact>
+        <Fact label="error over size">
+          {short(relative, 4)} <span class="soft">of {short(size, 4)}</span>
+        </Fact>
+        <Fact label="error over claim" kind={claims !== null && claims > 1 ? "bad" : ""}>
+          {claims === null ? "\u2013" : `${short(claims, 4)} times`}
+        </Fact>
+      </dl>
+      {claim && (
+        <p class="soft">
+          Its claim: {claim_words(claim)}
+          {origin_words(claim) && <span title={about(origin_words(claim))}>, {origin_words(claim)}</span>}.
+        </p>
+      )}
+    </section>
+  );
+}
+
+/** Breaks between its numbers, not in them. */
+const Vector = ({ of }: { of: readonly number[] }) => (
+  <>
+    {of.map((x, i) => (
+      <>
+        {i > 0 && " "}
+        <span class="whole">
+          {i === 0 && "("}
+          {full(x)}
+          {i < of.length - 1 ? "," : ")"}
+        </span>
+      </>
+    ))}
+  </>
+);
 
 function Solids({ shown }: { shown: Case }) {
   const { a, b } = shown.pair;
   return (
-    <table class="plain solids">
-      <thead>
-        <tr>
-          <th />
-          <th>centre</th>
-          <th>axis</th>
-          <th class="n">radius</th>
-          <th class="n">height</th>
-        </tr>
-      </thead>
-      <tbody>
-        {(
-          [
-            ["a", a],
-            ["b", b],
-          ] as const
-        ).map(([name, c]) => (
-          <tr key={name}>
-            <th scope="row">
-              <i class={`swatch ${name}`} />
-              {name}
-            </th>
-            <td class="wrap num">{vector(c.center)}</td>
-            <td class="wrap num">{vector(c.axis)}</td>
-            <td class="n">{String(c.radius)}</td>
-            <td class="n">{String(c.height)}</td>
-          </tr>
-        ))}
-      </tbody>
-    </table>
+    <div class="scroll">
+      <table class="plain solids">
+        <Heads of={["", "centre", "axis", "n:radius", "n:height"]} />
+        <tbody>
+          {(
+            [
+              ["a", a],
+              ["b", b],
+            ] as const
+          ).map(([name, c]) => (
+            <tr key={name}>
+              <th scope="row">
+                <i class={`swatch ${name}`} />
+                {name}
+              </th>
+              <td class="wrap num">
+                <Vector of={c.center} />
+              </td>
+              <td class="wrap num">
+                <Vector of={c.axis} />
+              </td>
+              <td class="n">{full(c.radius)}</td>
+              <td class="n">{full(c.height)}</td>
+            </tr>
+          ))}
+        </tbody>
+      </table>
+    </div>
   );
 }
 
-function CaseView({ shown, method }: { shown: Case; method: string }) {
-  const { truth } = shown;
+const stage_words: Record<string, string> = {
+  filter: "double intervals",
+  wide: "multiple precision",
+  exact: "rationals",
+};
+
+/** `method`: the one that is wrong; `kind`: how. */
+function CaseView({ shown, method, kind, report }: { shown: Case; method: string; kind: string; report: FullReport }) {
+  const { truth } = shown,
+    distances = kind === "distance_outside",
+    claim = report.methods.find((m) => m.name === method)?.claim,
+    off = distances ? wrong_distance(shown, shown.answers[method], claim) : null,
+    stage = truth.stage && (stage_words[truth.stage] ?? safe(truth.stage));
   return (
     <div class="case">
       <div class="left">
         <PairView shown={shown} />
         <Solids shown={shown} />
         <Copy label="Ask again" text={shown.replay} />
-        <Copy label="The pair" text={JSON.stringify(shown.pair)} />
+        <Copy label="The pair, a line for daylight check" text={JSON.stringify(shown.pair)} />
         {shown.note && <p class="soft">From: {safe(shown.note)}</p>}
       </div>
       <div class="right">
         <dl class="facts">
-          <div>
-            <dt>truth</dt>
-            <dd>{truth.verdict}</dd>
-          </div>
-          <div>
-            <dt>signed distance</dt>
-            <dd>{range(truth.distance)}</dd>
-          </div>
-          <div>
-            <dt>margin</dt>
-            <dd>{range(shown.margin)}</dd>
-          </div>
-          {truth.stage && (
-            <div>
-              <dt>settled in</dt>
-              <dd>
-                {{ filter: "double intervals", wide: "multiple precision", exact: "rationals" }[truth.stage] ??
-                  safe(truth.stage)}
-              </dd>
-            </div>
+          <Fact label="truth">
+            <span title={about(truth.verdict)}>{truth.verdict}</span>
+          </Fact>
+          <Fact label="signed distance">{range(truth.distance)}</Fact>
+          <Fact label="margin">{range(shown.margin)}</Fact>
+          {stage && (
+            <Fact label="settled in">
+              <span title={about(stage)}>{stage}</span>
+            </Fact>
           )}
         </dl>
+        {off && <Wrong of={off} {...(claim ? { claim } : {})} />}
         {truth.direction || truth.point || truth.near ? (
           <Prover shown={shown} />
         ) : (
           <p class="warn">Nobody could prove what is true of this pair.</p>
         )}
-        <Answers shown={shown} method={method} />
+        <Answers shown={shown} method={method} report={report} distances={distances} />
       </div>
     </div>
   );
@@ -283,15 +370,25 @@ export function FindingView({
           {beside(1) && <a href={`#/finding/${beside(1)!.id}`}>next</a>}
         </span>
       </p>
-      <h2>
+      <h2 tabIndex={-1}>
         #{f.id} <b>{safe(f.method)}</b> {safe(kind_words(f.kind))}{" "}
-        <span class={f.severity === "contract" ? "bad" : "soft"}>{severity_words[f.severity] ?? safe(f.severity)}</span>
+        <span class={f.severity === "contract" ? "bad" : "soft"} title={about(severity_words[f.severity] ?? "")}>
+          {severity_words[f.severity] ?? safe(f.severity)}
+        </span>
       </h2>
       <p class="soft">
-        Family {safe(f.family)}.{claim && ` It claims to be ${claim_words(claim)} (${safe(claim.source)}).`}
+        Family {safe(kind_words(f.family))}.
+        {claim && (
+          <>
+            {" "}
+            It claims to be {claim_words(claim)} (
+            {origin_words(claim) && <b title={about(origin_words(claim))}>{origin_words(claim)}: </b>}
+            {safe(claim.source)}).
+          </>
+        )}
         {f.reason && ` In its own words: ${safe(f.reason)}`}
       </p>
-      <CaseView shown={f} method={f.method} />
+      <CaseView shown={f} method={f.method} kind={f.kind} report={report} />
     </>
   );
 }
@@ -311,54 +408,51 @@ export function BucketView({
   if (!b) return <Gone what="cause" named={named} />;
   const shown = worst && b.worst ? b.worst : b.simplest;
   const kept = b.findings.map((id) => finding.get(id)).filter((f) => f !== undefined);
-  const folder = report.run.folder ?? report.run.id;
+  const claim = report.methods.find((m) => m.name === b.method)?.claim;
+  const severity = severity_words[b.severity] ?? safe(b.severity);
   return (
     <>
       <p class="crumbs">
         <a href="#/findings">Findings</a>
       </p>
-      <h2>{safe(b.key)}</h2>
+      <h2 tabIndex={-1}>{safe(b.key)}</h2>
       <dl class="facts">
-        <div>
-          <dt>severity</dt>
-          <dd class={b.severity === "contract" ? "bad" : ""}>{severity_words[b.severity] ?? safe(b.severity)}</dd>
-        </div>
-        <div>
-          <dt>findings</dt>
-          <dd>{grouped(b.count)}</dd>
-        </div>
-        <div>
-          <dt>margins</dt>
-          <dd>{range(b.margin)}</dd>
-        </div>
+        <Fact label="severity" kind={b.severity === "contract" ? "bad" : ""}>
+          <span title={about(severity)}>{severity}</span>
+        </Fact>
+        <Fact label="findings">
+          {grouped(b.count)}
+          {b.asked !== undefined && <span class="soft"> of {grouped(b.asked)} asked</span>}
+        </Fact>
+        <Fact label="margins">{range(b.margin)}</Fact>
         {b.share && (
-          <div>
-            <dt>of its stratum</dt>
-            <dd>
-              {percent(b.share.wrong, b.share.asked)} <span class="soft">of {grouped(b.share.asked)}</span>
-            </dd>
-          </div>
+          <Fact label="share of pairs like it">
+            {percent(b.share.wrong, b.share.asked)} <span class="soft">of {grouped(b.share.asked)}</span>
+          </Fact>
         )}
-        <div>
-          <dt>feature</dt>
-          <dd>{safe(b.feature)}</dd>
-        </div>
-        <div>
-          <dt>what still matters</dt>
-          <dd>{safe(b.coordinate)}</dd>
-        </div>
-        <div>
-          <dt>standing</dt>
-          <dd>{b.standing ?? "\u2013"}</dd>
-        </div>
-        <div>
-          <dt>seen</dt>
-          <dd>
-            {safe(b.first_seen)}
-            {b.last_seen !== b.first_seen && ` to ${safe(b.last_seen)}`}
-          </dd>
-        </div>
+        <Fact label="feature">{safe(b.feature)}</Fact>
+        <Fact label="what still matters">{safe(b.coordinate)}</Fact>
+        <Fact label="since earlier runs">
+          <span title={about(b.standing ?? "")}>{standing_words(b.standing)}</span>
+        </Fact>
+        {typeof b.chance === "number" && <Fact label="chance">{short(b.chance)}</Fact>}
+        <Fact label="seen">
+          {safe(b.first_seen)}
+          {b.last_seen !== b.first_seen && ` to ${safe(b.last_seen)}`}
+        </Fact>
+        {b.versions && (
+          <Fact label="versions">
+            {safe(b.versions.first)}
+            {b.versions.last !== b.versions.first && ` to ${safe(b.versions.last)}`}
+          </Fact>
+        )}
       </dl>
+      {claim && (
+        <p class="soft">
+          {safe(b.method)} claims to be {claim_words(claim)}
+          {origin_words(claim) && <span title={about(origin_words(claim))}>, {origin_words(claim)}</span>}.
+        </p>
+      )}
       {b.cause && (
         <p>
           {safe(b.cause)}.{b.methods && <span class="soft"> Wrong by it: {safe(b.methods.join(", "))}.</span>}
@@ -381,14 +475,15 @@ export function BucketView({
       )}
       <div class="tabs" role="tablist">
         <button type="button" role="tab" aria-selected={!worst} onClick={() => choose(false)}>
-          Simplest
+          {b.simplified === false ? "As found" : "Simplest"}
         </button>
         <button type="button" role="tab" aria-selected={worst} disabled={!b.worst} onClick={() => choose(true)}>
           Worst
         </button>
       </div>
-      <CaseView shown={shown} method={b.method} key={worst ? "worst" : "simplest"} />
-      <Copy label="Explain it" text={`./daylight triage ${shell_quoted(folder)} --explain ${shell_quoted(b.key)}`} />
+      <CaseView shown={shown} method={b.method} kind={b.kind} report={report} key={worst ? "worst" : "simplest"} />
+      {b.nights && b.nights.length > 0 && <Nights nights={b.nights} />}
+      <Handling report={report} b={b} />
       {b.merged.length > 0 && (
         <details class="print">
           <summary>{plural(b.merged.length, "key")} that led to this cause</summary>
@@ -402,17 +497,10 @@ export function BucketView({
       {kept.length > 0 && (
         <details class="print" open={kept.length <= 30}>
           <summary>
-            {plural(kept.length, "finding")} kept, of {plural(b.families.length, "family", "families")}
+            {plural(kept.length, "finding")} kept as examples, of {plural(b.families.length, "family", "families")}
           </summary>
           <table class="plain">
-            <thead>
-              <tr>
-                <th class="n">#</th>
-                <th>method</th>
-                <th>family</th>
-                <th class="n">margin</th>
-              </tr>
-            </thead>
+            <Heads of={["n:#", "method", "family", "n:margin"]} />
             <tbody>
               {kept.slice(0, 300).map((f) => (
                 <tr key={f.id}>
@@ -420,7 +508,7 @@ export function BucketView({
                     <a href={`#/finding/${f.id}`}>{f.id}</a>
                   </td>
                   <td>{safe(f.method)}</td>
-                  <td>{safe(f.family)}</td>
+                  <td>{safe(kind_words(f.family))}</td>
                   <td class="n">{short(f.margin?.[0])}</td>
                 </tr>
               ))}

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: MIT
-// What the harness is worth: faults planted one at a time, and which part of it caught each.
+// What our own tests are worth: faults put in on purpose, one at a time, and which test caught each.
 import { useMemo, useState } from "preact/hooks";
-import { Missing, Section } from "./parts.tsx";
+import { Fact, Heads, Missing, Section } from "./parts.tsx";
 import type { FullReport } from "./report.ts";
 import { group_by, grouped, percent, plural, safe } from "./words.ts";
+
+const title = "Faults put in on purpose",
+  told = "The test that noticed the fault.";
 
 export function Kills({ report }: { report: FullReport }) {
   const matrix = report.kill_matrix;
@@ -12,10 +15,11 @@ export function Kills({ report }: { report: FullReport }) {
     for (const row of matrix?.rows ?? []) for (const d of row.caught_by) counts.set(d, (counts.get(d) ?? 0) + 1);
     return [...counts].sort((x, y) => y[1] - x[1]);
   }, [report]);
+  const tests = detectors.map(([d]) => safe(d));
   const [missed_only, set] = useState(false);
   if (!matrix)
     return (
-      <Section id="faults" title="Planted faults">
+      <Section id="faults" title={title}>
         <Missing of="kill_matrix" report={report} />
       </Section>
     );
@@ -24,67 +28,49 @@ export function Kills({ report }: { report: FullReport }) {
   return (
     <Section
       id="faults"
-      title="Planted faults"
+      title={title}
       lead={
-        "Faults planted one at a time into the solver, the referee and the harness, and what caught each; as last " +
-        "measured with daylight mutants matrix, not in this run."
+        "How good our own tests are: faults were put into the solver, the referee and the comparison, one at a time, " +
+        "and what caught each was noted; as last measured with daylight mutants matrix, not in this run."
       }>
       <dl class="facts">
-        <div>
-          <dt>faults</dt>
-          <dd>{grouped(matrix.mutants)}</dd>
-        </div>
-        <div>
-          <dt>caught</dt>
-          <dd>
-            {grouped(matrix.caught)} <span class="soft">{percent(matrix.caught, matrix.mutants)}</span>
-          </dd>
-        </div>
-        <div>
-          <dt>argued equivalent</dt>
-          <dd>{grouped(matrix.equivalent)}</dd>
-        </div>
-        <div>
-          <dt>missed</dt>
-          <dd class={missed > 0 ? "warn" : ""}>{grouped(missed)}</dd>
-        </div>
+        <Fact label="faults">{grouped(matrix.mutants)}</Fact>
+        <Fact label="caught">
+          {grouped(matrix.caught)} <span class="soft">{percent(matrix.caught, matrix.mutants)}</span>
+        </Fact>
+        <Fact label="changes nothing">{grouped(matrix.equivalent)}</Fact>
+        <Fact label="missed" kind={missed > 0 ? "warn" : ""}>
+          {grouped(missed)}
+        </Fact>
       </dl>
-      <table class="plain">
-        <thead>
-          <tr>
-            <th>fault planted in</th>
-            <th class="n">faults</th>
-            <th class="n">caught</th>
-            <th class="n">equivalent</th>
-            <th class="n">missed</th>
-            {detectors.map(([d]) => (
-              <th class="n" key={d}>
-                by {safe(d)}
-              </th>
-            ))}
-          </tr>
-        </thead>
-        <tbody>
-          {[...group_by(matrix.rows, (r) => r.file.split("/")[0]!)].map(([folder, of]) => {
-            const caught = of.filter((r) => r.caught_by.length > 0).length,
-              equivalent = of.filter((r) => r.caught_by.length === 0 && r.equivalent).length;
-            return (
-              <tr key={folder}>
-                <td>{safe(folder)}/</td>
-                <td class="n">{of.length}</td>
-                <td class="n">{caught}</td>
-                <td class="n">{equivalent}</td>
-                <td class="n">{of.length - caught - equivalent}</td>
-                {detectors.map(([d]) => (
-                  <td class="n" key={d}>
-                    {of.filter((r) => r.caught_by.includes(d)).length}
-                  </td>
-                ))}
-              </tr>
-            );
-          })}
-        </tbody>
-      </table>
+      <div class="scroll">
+        <table class="plain">
+          <Heads
+            of={["put into", "n:faults", "n:caught", "n:changes nothing", "n:missed", ...tests.map((d) => `n:by ${d}`)]}
+            told={told}
+          />
+          <tbody>
+            {[...group_by(matrix.rows, (r) => r.file.split("/")[0]!)].map(([folder, of]) => {
+              const caught = of.filter((r) => r.caught_by.length > 0).length,
+                equivalent = of.filter((r) => r.caught_by.length === 0 && r.equivalent).length;
+              return (
+                <tr key={folder}>
+                  <td>{safe(folder)}/</td>
+                  <td class="n">{of.length}</td>
+                  <td class="n">{caught}</td>
+                  <td class="n">{equivalent}</td>
+                  <td class="n">{of.length - caught - equivalent}</td>
+                  {detectors.map(([d]) => (
+                    <td class="n" key={d}>
+                      {of.filter((r) => r.caught_by.includes(d)).length}
+                    </td>
+                  ))}
+                </tr>
+              );
+            })}
+          </tbody>
+        </table>
+      </div>
       <details class="print">
         <summary>Every fault</summary>
         <p>
@@ -94,33 +80,26 @@ export function Kills({ report }: { report: FullReport }) {
           </label>{" "}
           <span class="soft">{plural(rows.length, "fault")}</span>
         </p>
-        <table class="plain">
-          <thead>
-            <tr>
-              <th class="n">#</th>
-              <th>file</th>
-              <th>fault</th>
-              {detectors.map(([d]) => (
-                <th key={d}>{safe(d)}</th>
+        <div class="scroll">
+          <table class="plain">
+            <Heads of={["#", "file", "fault", ...tests]} told={told} />
+            <tbody>
+              {rows.map((r) => (
+                <tr key={r.mutant}>
+                  <td class="n">{r.mutant}</td>
+                  <td>{safe(r.file)}</td>
+                  <td class="wrap">
+                    {safe(r.what)}
+                    {r.equivalent && <span class="soft"> Changes nothing: {safe(r.equivalent)}</span>}
+                  </td>
+                  {detectors.map(([d]) => (
+                    <td key={d}>{r.caught_by.includes(d) ? "\u2713" : ""}</td>
+                  ))}
+                </tr>
               ))}
-            </tr>
-          </thead>
-          <tbody>
-            {rows.map((r) => (
-              <tr key={r.mutant}>
-                <td class="n">{r.mutant}</td>
-                <td>{safe(r.file)}</td>
-                <td class="wrap">
-                  {safe(r.what)}
-                  {r.equivalent && <span class="soft"> Equivalent: {safe(r.equivalent)}</span>}
-                </td>
-                {detectors.map(([d]) => (
-                  <td key={d}>{r.caught_by.includes(d) ? "\u2713" : ""}</td>
-                ))}
-              </tr>
-            ))}
-          </tbody>
-        </table>
+            </tbody>
+          </table>
+        </div>
       </details>
     </Section>
   );

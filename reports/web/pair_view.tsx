@@ -67,7 +67,9 @@ export function PairView({ shown }: { shown: Case }) {
 
   const gap = true_drawing.gap,
     words = gap === null ? "" : gap < 0 ? "overlap" : "gap";
-  const label = `Cylinder a and cylinder b, ${shown.truth.verdict}`;
+  const gap_words = gap === null ? "" : `, ${words} ${short(Math.abs(gap) * true_drawing.unit)}`;
+  const label = `Cylinder a and cylinder b, ${shown.truth.verdict}${gap_words}`;
+  useLayoutEffect(() => stage?.tell(label), [label]);
   return (
     <figure class="pair-view">
       <div class="stage-tools" role="group" aria-label="View">

@@ -3,7 +3,7 @@
 import type { ComponentChildren } from "preact";
 import { useEffect, useRef, useState } from "preact/hooks";
 import type { Report } from "./data.ts";
-import { shell_quoted } from "./words.ts";
+import { about, shell_quoted } from "./words.ts";
 
 /** A colour of style.css, for what is no element. */
 export const colour = (name: string) => getComputedStyle(document.documentElement).getPropertyValue(name).trim();
@@ -21,16 +21,46 @@ export function Section({
 }) {
   return (
     <section id={id} aria-labelledby={`${id}-title`}>
-      <h2 id={`${id}-title`}>{title}</h2>
+      <h2 id={`${id}-title`} tabIndex={-1}>
+        {title}
+      </h2>
       {lead && <p class="lead">{lead}</p>}
       {children}
     </section>
   );
 }
 
+/** A number of the run or of a case under its name. */
+export function Fact({ label, kind = "", children }: { label: string; kind?: string; children: ComponentChildren }) {
+  return (
+    <div>
+      <dt title={about(label)}>{label}</dt>
+      <dd class={kind}>{children}</dd>
+    </div>
+  );
+}
+
+/** The heads of a table; "n:count" of a column of numbers. `told`: what heads mean that are no words of ours. */
+export function Heads({ of, told = "" }: { of: readonly string[]; told?: string }) {
+  return (
+    <thead>
+      <tr>
+        {of.map((head) => {
+          const label = head.replace(/^n:/, "");
+          return (
+            <th scope="col" class={label === head ? "" : "n"} title={about(label) ?? told} key={label}>
+              {label}
+            </th>
+          );
+        })}
+      </tr>
+    </thead>
+  );
+}
+
 /** Which command gives a run the data of a section. */
 const makes = {
-  buckets: ["causes: its findings have not been folded into buckets", (run: string) => `./daylight triage ${run}`],
+  buckets: ["causes: nobody has looked for the reasons of its findings", (run: string) => `./daylight triage ${run}`],
   maps: ["failure maps", (run: string) => `./daylight chart ${run}`],
   honesty: ["curves of wrongness against margin", (run: string) => `./daylight chart ${run}`],
   speed: [
@@ -44,7 +74,7 @@ const makes = {
   paths: ["walks along paths", (run: string) => `./daylight chart ${run} --stability`],
   backward: ["backward errors", (run: string) => `./daylight chart ${run} --stability`],
   builds: ["comparison of builds", (run: string) => `./daylight chart ${run} --stability`],
-  kill_matrix: ["kill matrix", () => "./daylight mutants matrix"],
+  kill_matrix: ["measure of our own tests", () => "./daylight mutants matrix"],
 } as const;
 
 /** What stands where a run has no data of a kind. */
@@ -81,7 +111,7 @@ export function Copy({ text, label }: { text: string; label: string }) {
           </button>
         </span>
       </div>
-      <code tabIndex={0}>{text}</code>
+      <code>{text}</code>
     </div>
   );
 }
@@ -144,25 +174,27 @@ export function Figure({
   const [ref, width] = useWidth<HTMLDivElement>();
   const [near, come] = useState(false);
   useEffect(() => {
-    const element = ref.current;
-    if (!element) return;
     const observer = new IntersectionObserver(
       (entries) => {
         if (entries.some((e) => e.isIntersecting)) come(true);
       },
       { rootMargin: "600px" },
     );
-    observer.observe(element);
-    const now = () => come(true);
-    addEventListener("beforeprint", now);
-    return () => {
-      observer.disconnect();
-      removeEventListener("beforeprint", now);
-    };
+    observer.observe(ref.current!);
+    return () => observer.disconnect();
   }, []);
   useEffect(() => {
     if (near && width > 0) ref.current!.replaceChildren(draw(width));
   }, [near, width, draw]);
+  useEffect(() => {
+    // Paper waits for nobody: what is not drawn when the event ends is not printed.
+    const now = () => {
+      const place = ref.current!;
+      if (place.childElementCount === 0 && place.clientWidth > 0) place.replaceChildren(draw(place.clientWidth));
+    };
+    addEventListener("beforeprint", now);
+    return () => removeEventListener("beforeprint", now);
+  }, [draw]);
   return (
     <figure>
       <div ref={ref} class="plot" role="img" aria-label={label} style={{ minHeight: `${height}px` }} />

@@ -19,9 +19,16 @@ export function expand(report: Report): FullReport {
   const cases = (report.cases ?? []).map((packed) => unpack(packed, names));
   const folder = report.run.folder ?? report.run.id;
   const findings = report.findings.map((f) => {
-    if (!("case" in f)) return f;
-    const { case: at, ...rest } = f;
-    return { ...rest, ...cases[at]!, replay: `./daylight replay ${shell_quoted(`${folder}:${f.id}`)}` };
+    if (!("case" in f)) return { ...f, pair_margin: f.margin };
+    const { case: at, ...rest } = f,
+      of = cases[at]!;
+    return {
+      ...of,
+      ...rest,
+      margin: f.margin === undefined ? of.margin : f.margin,
+      pair_margin: of.margin,
+      replay: `./daylight replay ${shell_quoted(`${folder}:${f.id}`)}`,
+    };
   });
   return { ...report, findings, cases: [] };
 }
@@ -39,6 +46,18 @@ export function standings(report: FullReport): (f: Finding) => Standing | null {
     [g.method, g.kind, g.severity, g.family].join("\n");
   const of_group = new Map(report.history?.groups.map((g) => [key(g), g.standing]));
   return (f) => (f.bucket !== null ? of_bucket.get(f.bucket) : null) ?? of_group.get(key(f)) ?? null;
+}
+
+/** Causes by standing: as counted, else from the causes themselves; null where there is no earlier run. */
+export function changes_of(report: FullReport): { counts: Map<Standing, number>; against: string[] } | null {
+  const order: Standing[] = ["new", "back", "known", "rare", "gone"];
+  const { changes, buckets } = report;
+  if (changes) {
+    if (changes.against.length === 0) return null;
+    return { counts: new Map(order.map((s) => [s, changes[s] ?? 0])), against: changes.against };
+  }
+  if (!buckets.some((b) => b.standing)) return null;
+  return { counts: new Map(order.map((s) => [s, buckets.filter((b) => b.standing === s).length])), against: [] };
 }
 
 /** The methods, each once, in the order of the run; those it did not ask last. */

@@ -1,15 +1,18 @@
 // SPDX-License-Identifier: MIT
 // The page of a run: an overview in sections, and a view of one bucket or finding by the part of the address after '#'.
-import { useEffect, useMemo, useRef, useState } from "preact/hooks";
+import { useEffect, useMemo, useRef } from "preact/hooks";
+import { useAddress } from "./address.ts";
 import { Calibration } from "./calibration.tsx";
 import { BucketView, FindingView } from "./detail.tsx";
 import { Findings } from "./findings.tsx";
+import { arrive, skip } from "./focus.ts";
+import { Words } from "./glossary.tsx";
 import { Kills } from "./kills.tsx";
 import { Maps } from "./maps.tsx";
 import type { FullReport } from "./report.ts";
 import { Speed } from "./speed.tsx";
 import { Stability } from "./stability.tsx";
-import { Methods, Summary } from "./summary.tsx";
+import { Changes, Methods, Summary } from "./summary.tsx";
 import { grouped, safe, seconds } from "./words.ts";
 
 const sections = [
@@ -20,38 +23,16 @@ const sections = [
   ["calibration", "Calibration"],
   ["stability", "Stability"],
   ["methods", "Methods"],
-  ["faults", "Planted faults"],
+  ["faults", "Faults put in"],
+  ["words", "Words"],
 ] as const;
-
-/** "#/findings?method=fcl" as ["findings"] and its parameters. */
-function read_address() {
-  const [path = "", query = ""] = location.hash.replace(/^#\/?/, "").split("?");
-  const parts = path.split("/").map((part) => {
-    try {
-      return decodeURIComponent(part);
-    } catch {
-      return part;
-    }
-  });
-  return { parts, query: new URLSearchParams(query), whole: location.hash };
-}
-
-function useAddress() {
-  const [address, set] = useState(read_address);
-  useEffect(() => {
-    const changed = () => set(read_address());
-    addEventListener("hashchange", changed);
-    return () => removeEventListener("hashchange", changed);
-  }, []);
-  return address;
-}
 
 function Header({ report }: { report: FullReport }) {
   const { run } = report;
   return (
     <header>
       <h1>
-        <a href="#/summary">daylight</a> <span class="soft">who was wrong about two cylinders</span>
+        <a href="#/summary">daylight</a> <span class="soft">answers about two cylinders, checked against proofs</span>
       </h1>
       <nav aria-label="Sections">
         {sections.map(([key, title]) => (
@@ -71,9 +52,8 @@ function Header({ report }: { report: FullReport }) {
 
 export function RunPage({ report }: { report: FullReport }) {
   const address = useAddress();
-  const [asked = ""] = address.parts;
-  const view = asked === "honesty" ? "calibration" : asked; // the name that links of version 0.1.0 have
-  const detail = view === "bucket" || view === "finding";
+  const [view = ""] = address.parts;
+  const { detail } = address;
   const scrolled = useRef(0);
   const was_detail = useRef(detail);
   const finding = useMemo(() => new Map(report.findings.map((f) => [f.id, f])), [report]);
@@ -87,15 +67,17 @@ export function RunPage({ report }: { report: FullReport }) {
     return () => removeEventListener("scroll", remember);
   }, []);
   useEffect(() => {
-    if (detail) scrollTo(0, 0);
-    else if (was_detail.current && view === "") scrollTo(0, scrolled.current);
-    else document.getElementById(view)?.scrollIntoView();
+    if (detail && !address.again) history.replaceState({ known: true }, "");
+    arrive(address, was_detail.current, scrolled.current);
     was_detail.current = detail;
   }, [address]);
 
   const named = address.parts.slice(1).join("/");
   return (
     <>
+      <a class="skip" href="#/findings" onClick={skip}>
+        Skip to {detail ? "the case" : "the findings"}
+      </a>
       <Header report={report} />
       {detail && (
         <main class="detail">
@@ -108,14 +90,16 @@ export function RunPage({ report }: { report: FullReport }) {
         </main>
       )}
       <main class="overview" hidden={detail}>
+        <Changes report={report} />
         <Summary report={report} />
-        <Findings report={report} query={view === "findings" ? address.query : null} />
+        <Findings report={report} address={address} />
         <Speed report={report} />
         <Maps report={report} />
         <Calibration report={report} />
         <Stability report={report} />
         <Methods report={report} />
         <Kills report={report} />
+        <Words />
         <footer class="soft">
           <p>{safe(report.run.build)}</p>
           {report.run.command && (
@@ -125,7 +109,7 @@ export function RunPage({ report }: { report: FullReport }) {
           )}
           <p>
             One file; it asks nothing from the network.{" "}
-            <button type="button" class="link" onClick={print_all}>
+            <button type="button" class="link" onClick={() => print()}>
               Print
             </button>
           </p>
@@ -133,9 +117,4 @@ export function RunPage({ report }: { report: FullReport }) {
       </main>
     </>
   );
-}
-
-function print_all() {
-  for (const details of document.querySelectorAll<HTMLDetailsElement>("details.print")) details.open = true;
-  print();
 }

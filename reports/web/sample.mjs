@@ -74,9 +74,24 @@ function made_case(next, gap) {
   };
 }
 
+/** Adds the answer of a method, and one of another, that are off; the margin of such a finding. */
+function tell_wrong_distance({ pair, truth, said }, m, error) {
+  const size = pair.a.radius + pair.a.height + pair.b.radius + pair.b.height;
+  const answer = { verdict: truth.verdict, distance: truth.distance[1] + error };
+  said.push([answer, [m]], [{ ...answer, distance: truth.distance[1] + 1e-15 }, [10]]);
+  if (m !== 11) said.push([{ ...answer, distance: truth.distance[0] - 2 * error }, [11]]);
+  return [error / size, (error / size) * (1 + 1e-9)];
+}
+
 function claim_of(name) {
-  if (methods.indexOf(name) < own) return { relative: 1e-13, absolute: 0, source: "derivation" };
-  return { relative: 0, absolute: name.includes("1e-10") ? 1e-10 : 1e-6, source: "its manual" };
+  if (methods.indexOf(name) < own) return { relative: 1e-13, absolute: 0, source: "derivation", stated: true };
+  const stated = !name.startsWith("ode");
+  return {
+    relative: 0,
+    absolute: name.includes("1e-10") ? 1e-10 : 1e-6,
+    source: stated ? "its manual, line 12" : "it says nothing; as its likes",
+    stated,
+  };
 }
 
 const decades = Array.from({ length: 16 }, (_, i) => i);
@@ -140,7 +155,9 @@ export function sample(findings_total = 400) {
     const m = own + ((i * 7) % (methods.length - own)),
       severity = i % 3 === 0 ? "contract" : "resolution";
     const kind = kinds[Math.floor(i / 7) % kinds.length];
+    const off = kind === "distance_outside" && tell_wrong_distance(cases.at(-1), m, 1e-5 * (1 + i));
     findings.push({
+      ...(off ? { margin: off } : {}),
       id: i + 1,
       method: methods[m],
       kind,
@@ -152,21 +169,42 @@ export function sample(findings_total = 400) {
     });
   }
   const standings = ["new", "known", "back"];
+  const standing_of = (i) =>
+    i === 7 ? "new" : i % 9 === 4 ? "back" : i % 11 === 6 ? "rare" : "known";
   const keys = [...new Set(findings.map((f) => f.bucket).filter((b) => b !== null))];
-  const whole = (gap) => ({
-    ...made_case(next, gap),
-    answers: {
-      intersect: { verdict: gap > 0 ? "disjoint" : "intersecting" },
-      "fcl-libccd": { verdict: gap > 0 ? "intersecting" : "disjoint" },
-    },
-    replay: "./daylight replay runs/sample:1",
-  });
-  const buckets = keys.map((key, i) => {
+  const whole = (gap, method, kind) => {
+    const made = made_case(next, gap),
+      right = { verdict: made.truth.verdict };
+    const off = { ...right, distance: gap + 0.01 };
+    return {
+      ...made,
+      answers: {
+        intersect: right,
+        ...(kind === "distance_outside" ? { "libccd-gjk": off } : {}),
+        [method]: kind === "distance_outside" ? off : { verdict: gap > 0 ? "intersecting" : "disjoint" },
+      },
+      replay: "./daylight replay runs/sample:1",
+    };
+  };
+  const runs = [19, 20, 21, 22].map((day) => ({ run: `202611${day}-220000-4`, started: `2026-11-${day}T22:00:00Z` }));
+  const nights_of = (standing, count) =>
+    runs.map((run, n) => {
+      const asked = 250000 + 10000 * n,
+        seen = { new: n === 3, gone: n < 3, back: n !== 2, rare: n === 1 }[standing] ?? true;
+      const found = seen ? Math.max(1, Math.round(count * (0.7 + 0.1 * n))) : 0,
+        rate = (found / asked) * 1e6,
+        spread = (2 * Math.sqrt(found + 1) * 1e6) / asked;
+      return { ...run, count: found, asked, per_million: [rate, Math.max(0, rate - spread), rate + spread] };
+    });
+  const gone = "panda/wrong_intersecting/cap-rim/scale";
+  const buckets = [...keys, gone].map((key, i) => {
     const [library, kind] = key.split("/"),
-      ids = findings.filter((f) => f.bucket === key).map((f) => f.id);
+      of = findings.filter((f) => f.bucket === key),
+      ids = of.map((f) => f.id),
+      method = of[0]?.method ?? `${library}-gjk`;
     return {
       key,
-      method: library,
+      method,
       kind,
       severity: i % 3 === 0 ? "contract" : "resolution",
       feature: "side-rim",
@@ -177,7 +215,14 @@ export function sample(findings_total = 400) {
       families: families.slice(0, 1 + (i % 5)),
       first_seen: "20261119-220000-4",
       last_seen: "20261122-060000-7",
-      standing: standings[i % 3],
+      standing: key === gone ? "gone" : standing_of(i),
+      chance: i % 2 ? 0.0004 : null,
+      asked: 280000,
+      nights: nights_of(key === gone ? "gone" : standing_of(i), key === gone ? 40 : ids.length * 31),
+      versions: { first: "1.1", last: i % 2 ? "1.2" : "1.1" },
+      simplified: i % 5 !== 3,
+      file: `runs/sample/buckets/${key.replaceAll("/", "_")}.jsonl`,
+      ...(i === 2 ? { note: { owner: "ada", note: "asked upstream" } } : {}),
       ...(i % 2
         ? {}
         : {
@@ -187,8 +232,8 @@ export function sample(findings_total = 400) {
           }),
       margin: [10 ** -(3 + (i % 9)), 0.01],
       share: { wrong: 3 + i, asked: 5000 },
-      simplest: whole(i % 2 ? 1e-9 : -0.02),
-      worst: whole(i % 2 ? 0.4 : -0.3),
+      simplest: whole(i % 2 ? 1e-9 : -0.02, method, kind),
+      worst: whole(i % 2 ? 0.4 : -0.3, method, kind),
       suppressed: i === 5 ? { reason: "known upstream", link: "issue 1", owner: "me", expires: "2027-01-01" } : null,
       findings: ids,
     };
@@ -348,6 +393,13 @@ export function sample(findings_total = 400) {
     })),
     families: families.map((name) => ({ name, summary: `pairs of ${name}` })),
     tallies,
+    changes: {
+      ...Object.fromEntries(
+        ["new", "back", "gone", "known", "rare"].map((s) => [s, buckets.filter((b) => b.standing === s).length]),
+      ),
+      against: runs.slice(0, 3).map(({ run }) => run),
+    },
+    notes_file: "runs/notes.jsonl",
     history: {
       runs: 3,
       groups: findings
@@ -356,7 +408,7 @@ export function sample(findings_total = 400) {
           method: f.method,
           kind: f.kind,
           severity: f.severity,
-          family: f.family,
+          family: i % 4 === 3 ? "retired" : f.family,
           count: 3 + i,
           standing: [...standings, "gone"][i % 4],
         })),

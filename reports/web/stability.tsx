@@ -3,7 +3,7 @@
 // build of the same source.
 import { useCallback, useMemo, useState } from "preact/hooks";
 import { Cost } from "./calibration.tsx";
-import { Figure, Missing, Section } from "./parts.tsx";
+import { Figure, Heads, Missing, Section } from "./parts.tsx";
 import { backward_plot, screen, trace_plot } from "./plots.ts";
 import type { FullReport } from "./report.ts";
 import { grouped, in_order, percent, safe, short } from "./words.ts";
@@ -40,16 +40,7 @@ function Paths({ report }: { report: FullReport }) {
       <div class="case">
         <div class="scroll tall">
           <table class="plain choose">
-            <thead>
-              <tr>
-                <th>path</th>
-                <th>method</th>
-                <th class="n">steps</th>
-                <th class="n">flips</th>
-                <th class="n">distance jumps by</th>
-                <th class="n">direction by</th>
-              </tr>
-            </thead>
+            <Heads of={["path", "method", "n:steps", "n:flips", "n:distance jumps by", "n:direction by"]} />
             <tbody>
               {paths.map((p, i) => (
                 <tr key={`${p.path} ${p.method}`} class={i === at ? "at" : ""} onClick={() => choose(i)}>
@@ -103,6 +94,11 @@ function Backward({ report }: { report: FullReport }) {
   );
 }
 
+const build_heads = [
+  ...["method", "build", "against", "n:pairs", "n:verdicts changed", "n:beyond the claim", "n:distances changed"],
+  "n:largest change",
+];
+
 function Builds({ report }: { report: FullReport }) {
   if (report.builds.length === 0) return <Missing of="builds" report={report} />;
   const changed = report.builds.filter((b) => b.verdicts_changed > 0 || b.distances_changed > 0);
@@ -114,18 +110,7 @@ function Builds({ report }: { report: FullReport }) {
       </p>
       <div class="scroll tall">
         <table class="plain">
-          <thead>
-            <tr>
-              <th>method</th>
-              <th>build</th>
-              <th>against</th>
-              <th class="n">pairs</th>
-              <th class="n">verdicts changed</th>
-              <th class="n">beyond the claim</th>
-              <th class="n">distances changed</th>
-              <th class="n">largest change</th>
-            </tr>
-          </thead>
+          <Heads of={build_heads} />
           <tbody>
             {changed.map((b) => (
               <tr key={`${b.method} ${b.build} ${b.against}`}>
@@ -151,13 +136,13 @@ function Builds({ report }: { report: FullReport }) {
 export function Stability({ report }: { report: FullReport }) {
   return (
     <Section id="stability" title="Stability">
-      <h3>Of cost</h3>
+      <h3>Cost near touching</h3>
       <Cost report={report} />
-      <h3>Of answers along a path</h3>
+      <h3>Answers along a path</h3>
       <Paths report={report} />
-      <h3>How wrong are wrong answers</h3>
+      <h3>How far a wrong answer is from a right one</h3>
       <Backward report={report} />
-      <h3>Between builds</h3>
+      <h3>Answers of another build</h3>
       <Builds report={report} />
     </Section>
   );

@@ -177,6 +177,12 @@ class Stage {
     this.controls.listenToKeyEvents(this.canvas);
   }
 
+  /** For those who do not see it. */
+  tell(what: string) {
+    this.canvas.setAttribute("role", "img");
+    this.canvas.setAttribute("aria-label", what);
+  }
+
   /** These and nothing else, from the next draw() on. */
   show(objects: Object3D[]) {
     this.scene.traverse((o) => {

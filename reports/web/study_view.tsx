@@ -200,6 +200,7 @@ export function StudyView({
 
   const pair = picked === null ? null : study.pairs[picked]!;
   const label = `${study.cylinders} cylinders${pair === null ? "" : `, ${pair.a} and ${pair.b} picked`}`;
+  useLayoutEffect(() => stage?.tell(label), [label]);
   const painted = solids.map((s, i) => ({
     solid: s,
     colour:

@@ -1,16 +1,19 @@
 // SPDX-License-Identifier: MIT
 // The run at a glance: what was found, methods against families, how it stands against earlier runs.
-import { useMemo, useState } from "preact/hooks";
+import { useMemo, useRef, useState } from "preact/hooks";
 import type { Report, Standing, Tally } from "./data.ts";
-import { Section } from "./parts.tsx";
+import { Fact, Heads, Section } from "./parts.tsx";
 import { heat_step, type Heat } from "./plots.ts";
-import type { FullReport } from "./report.ts";
+import { changes_of, type FullReport } from "./report.ts";
+import { useRoving } from "./roving.ts";
 import {
+  about,
   claim_words,
   group_by,
   grouped,
   kind_words,
   library,
+  origin_words,
   percent,
   plural,
   safe,
@@ -143,6 +146,8 @@ function HeatTable({ report }: { report: FullReport }) {
       if (!now.delete(name)) now.add(name);
       return now;
     });
+  const table = useRef<HTMLTableElement>(null);
+  const roving = useRoving(table);
   const families = report.families.map((f) => f.name);
   const all_open = groups.every((g) => open.has(g.name) || g.members.length < 2);
   return (
@@ -158,18 +163,21 @@ function HeatTable({ report }: { report: FullReport }) {
         </span>
       </p>
       <div class="scroll">
-        <table class="heat-table">
+        <table
+          class="heat-table"
+          ref={table}
+          aria-label="Methods against families; arrow keys move, Enter opens"
+          {...roving}>
           <thead>
             <tr>
-              <th scope="col">method</th>
-              {counts.map((k) => (
-                <th scope="col" class="n" key={k}>
-                  {count_words[k] ?? k}
+              <th scope="col" title={about("method")}>
+                method
+              </th>
+              {[...counts.map((k) => count_words[k] ?? k), "ns/pair"].map((words) => (
+                <th scope="col" class="n" title={about(words)} key={words}>
+                  {words}
                 </th>
               ))}
-              <th scope="col" class="n">
-                ns/pair
-              </th>
               {report.families.map((f) => (
                 <th scope="col" class="turned" title={f.summary} key={f.name}>
                   <span>{f.name.replaceAll("_", " ")}</span>
@@ -204,54 +212,80 @@ function HeatTable({ report }: { report: FullReport }) {
   );
 }
 
+/** "1 new cause, 34 known, 1 gone", each a link to them. */
+export function Changes({ report }: { report: FullReport }) {
+  const changes = changes_of(report);
+  if (!changes)
+    return report.history ? null : (
+      <p class="changes soft">No earlier run stands beside this one: nothing to compare with.</p>
+    );
+  const { against } = changes,
+    told = [...changes.counts].filter(([, count]) => count > 0);
+  return (
+    <p class="changes">
+      {told.length === 0 && "No causes, neither here nor in earlier runs"}
+      {told.map(([standing, count], i) => (
+        <>
+          {i > 0 && ", "}
+          <a href={`#/findings?standing=${standing}`} title={about(standing)}>
+            <b>{grouped(count)}</b> {standing}
+            {i === 0 && (count === 1 ? " cause" : " causes")}
+          </a>
+        </>
+      ))}
+      {against.length > 0 && (
+        <span class="soft" title={safe(against.join(", "))}>
+          , held against {plural(against.length, "earlier run")}
+        </span>
+      )}
+    </p>
+  );
+}
+
 function History({ report }: { report: FullReport }) {
   const { history } = report;
-  if (!history) return <p class="soft">No earlier run stands beside this one: nothing to compare with.</p>;
-  const order: Standing[] = ["new", "back", "gone", "known"];
+  if (!history) return null;
+  const order: Standing[] = ["new", "back", "gone"];
   const by = group_by(history.groups, (g) => g.standing);
+  const all: Standing[] = [...order, "known"];
   return (
     <>
-      <p>
-        Against {plural(history.runs, "earlier run")}:{" "}
-        {order.map((s, i) => (
-          <>
-            {i > 0 && ", "}
-            <a href={s === "gone" ? "#/summary" : `#/findings?standing=${s}`}>
-              <b>{grouped(by.get(s)?.length ?? 0)}</b> {s}
-            </a>
-          </>
-        ))}{" "}
-        (groups of method, kind and family).
-      </p>
-      {order.slice(0, 3).some((s) => by.has(s)) && (
+      {!changes_of(report) && (
+        <p>
+          Against {plural(history.runs, "earlier run")}:{" "}
+          {all.map((s, i) => (
+            <>
+              {i > 0 && ", "}
+              <a href={s === "gone" ? "#/summary" : `#/findings?standing=${s}`} title={about(s)}>
+                <b>{grouped(by.get(s)?.length ?? 0)}</b> {s}
+              </a>
+            </>
+          ))}{" "}
+          (groups of method, kind and family).
+        </p>
+      )}
+      {order.some((s) => by.has(s)) && (
         <details class="print">
-          <summary>What is not as it was</summary>
-          <table class="plain">
-            <thead>
-              <tr>
-                <th>standing</th>
-                <th>method</th>
-                <th>kind</th>
-                <th>severity</th>
-                <th>family</th>
-                <th class="n">count</th>
-              </tr>
-            </thead>
-            <tbody>
-              {order.slice(0, 3).flatMap((s) =>
-                (by.get(s) ?? []).slice(0, 200).map((g) => (
-                  <tr key={[g.method, g.kind, g.severity, g.family].join()}>
-                    <td>{g.standing}</td>
-                    <td>{safe(g.method)}</td>
-                    <td>{safe(kind_words(g.kind))}</td>
-                    <td>{safe(severity_words[g.severity] ?? g.severity)}</td>
-                    <td>{safe(g.family)}</td>
-                    <td class="n">{grouped(g.count)}</td>
-                  </tr>
-                )),
-              )}
-            </tbody>
-          </table>
+          <summary>Methods, kinds and families that are not as they were</summary>
+          <div class="scroll">
+            <table class="plain">
+              <Heads of={["since earlier runs", "method", "kind", "severity", "family", "n:count"]} />
+              <tbody>
+                {order.flatMap((s) =>
+                  (by.get(s) ?? []).slice(0, 200).map((g) => (
+                    <tr key={[g.method, g.kind, g.severity, g.family].join()}>
+                      <td>{g.standing}</td>
+                      <td>{safe(g.method)}</td>
+                      <td>{safe(kind_words(g.kind))}</td>
+                      <td>{safe(severity_words[g.severity] ?? g.severity)}</td>
+                      <td>{safe(kind_words(g.family))}</td>
+                      <td class="n">{grouped(g.count)}</td>
+                    </tr>
+                  )),
+                )}
+              </tbody>
+            </table>
+          </div>
         </details>
       )}
     </>
@@ -271,50 +305,36 @@ function Headline({ report }: { report: FullReport }) {
     "corpus",
     report.tallies.filter((t) => t.method === "corpus"),
   ).total;
+  const causes = report.buckets.filter((b) => b.count > 0); // others are of earlier runs
   const unexplained = report.unreadable ?? 0;
   return (
     <>
       <dl class="facts">
-        <div>
-          <dt>pairs judged</dt>
-          <dd>{grouped(report.run.pairs)}</dd>
-        </div>
-        <div>
-          <dt>truth undecided</dt>
-          <dd class={referee.undecided > 0 ? "warn" : ""}>{grouped(referee.undecided)}</dd>
-        </div>
-        <div>
-          <dt>findings</dt>
-          <dd>{grouped(report.findings_total)}</dd>
-        </div>
-        <div>
-          <dt>kept with their pair</dt>
-          <dd>{grouped(report.findings.length)}</dd>
-        </div>
-        <div>
-          <dt>causes</dt>
-          <dd>{report.buckets.length > 0 ? grouped(report.buckets.length) : "\u2013"}</dd>
-        </div>
-        <div>
-          <dt>methods beyond their claim</dt>
-          <dd class={bad.length > 0 ? "bad" : ""}>
-            {bad.length} of {rows.length}
-          </dd>
-        </div>
-        <div>
-          <dt>of ours</dt>
-          <dd class={own_bad.length > 0 ? "bad" : "ok"}>
-            {own_bad.length} of {own.size}
-          </dd>
-        </div>
-        <div>
-          <dt>cases misstated</dt>
-          <dd class={cases.contract > 0 ? "bad" : ""}>{grouped(cases.contract)}</dd>
-        </div>
+        <Fact label="pairs judged">{grouped(report.run.pairs)}</Fact>
+        <Fact label="truth undecided" kind={referee.undecided > 0 ? "warn" : ""}>
+          {grouped(referee.undecided)}
+        </Fact>
+        <Fact label="findings">{grouped(report.findings_total)}</Fact>
+        <Fact label="kept as examples">{grouped(report.findings.length)}</Fact>
+        <Fact label="causes">{report.buckets.length > 0 ? grouped(causes.length) : "\u2013"}</Fact>
+        <Fact label="methods beyond their claim" kind={bad.length > 0 ? "bad" : ""}>
+          {bad.length} of {rows.length}
+        </Fact>
+        <Fact label="of ours" kind={own_bad.length > 0 ? "bad" : "ok"}>
+          {own_bad.length} of {own.size}
+        </Fact>
+        <Fact label="known cases now failing" kind={cases.contract > 0 ? "bad" : ""}>
+          {grouped(cases.contract)}
+        </Fact>
       </dl>
       {report.alarm && (
         <p class={`alarm ${report.alarm.green ? "ok" : "bad"}`} role={report.alarm.green ? undefined : "alert"}>
-          <b>{report.alarm.green ? "The self-check passed." : "The self-check failed."}</b> {safe(report.alarm.text)}
+          <b>
+            {report.alarm.green
+              ? "The search finds faults put in on purpose."
+              : "The search misses faults put in on purpose."}
+          </b>{" "}
+          {safe(report.alarm.text)}
         </p>
       )}
       {unexplained > 0 && (
@@ -355,38 +375,25 @@ export function Methods({ report }: { report: FullReport }) {
         <summary>
           {plural(report.methods.length, "method")}, {plural(judges.length, "row")} of the referee and the cases
         </summary>
+        <div class="scroll">
+          <table class="plain">
+            <Heads of={["method", "version", "claims to be", "claim", "because", "n:asked on"]} />
+            <tbody>
+              {report.methods.map((m) => (
+                <tr key={m.name}>
+                  <td>{safe(m.name)}</td>
+                  <td>{safe(m.version)}</td>
+                  <td>{claim_words(m.claim)}</td>
+                  <td title={about(origin_words(m.claim))}>{origin_words(m.claim) || "\u2013"}</td>
+                  <td class="wrap soft">{safe(m.claim.source)}</td>
+                  <td class="n">{m.share === 1 ? "all" : `1 in ${m.share}`}</td>
+                </tr>
+              ))}
+            </tbody>
+          </table>
+        </div>
         <table class="plain">
-          <thead>
-            <tr>
-              <th>method</th>
-              <th>version</th>
-              <th>claims to be</th>
-              <th>because</th>
-              <th class="n">asked on</th>
-            </tr>
-          </thead>
-          <tbody>
-            {report.methods.map((m) => (
-              <tr key={m.name}>
-                <td>{safe(m.name)}</td>
-                <td>{safe(m.version)}</td>
-                <td>{claim_words(m.claim)}</td>
-                <td class="wrap soft">{safe(m.claim.source)}</td>
-                <td class="n">{m.share === 1 ? "all" : `1 in ${m.share}`}</td>
-              </tr>
-            ))}
-          </tbody>
-        </table>
-        <table class="plain">
-          <thead>
-            <tr>
-              <th>judge</th>
-              <th class="n">asked</th>
-              <th class="n">undecided</th>
-              <th class="n">wrong</th>
-              <th class="n">a pair</th>
-            </tr>
-          </thead>
+          <Heads of={["judge", "n:asked", "n:undecided", "n:wrong", "n:a pair"]} />
           <tbody>
             {judges.map((j) => (
               <tr key={j.name}>

@@ -24,6 +24,7 @@ export interface TableOf<Row> {
   at: number;
   move: (at: number) => void; // the row that the keys are on; -1: none
   open: (row: Row) => void;
+  address_of?: (row: Row) => string; // where that leads, if to a view of its own
   row_height: number;
   rows_shown: number;
 }
@@ -38,17 +39,20 @@ export function VirtualTable<Row>({
   at,
   move,
   open,
+  address_of,
   row_height,
   rows_shown,
 }: TableOf<Row>) {
   const box = useRef<HTMLDivElement>(null);
   const [top, scrolled] = useState(0);
+  const wanted = useRef(-1); // the row that is to have the focus once it is an element
   useEffect(() => {
     if (box.current) box.current.scrollTop = 0;
     scrolled(0);
   }, [rows]);
   const first = Math.max(0, Math.floor(top / row_height) - spare_rows),
     last = Math.min(rows.length, first + rows_shown + 2 * spare_rows);
+  const stop = at >= first && at < last ? at : Math.min(rows.length - 1, Math.ceil(top / row_height));
 
   useLayoutEffect(() => {
     const element = box.current;
@@ -58,8 +62,33 @@ export function VirtualTable<Row>({
     if (y < element.scrollTop) element.scrollTop = y;
     else if (y + head + row_height > element.scrollTop + element.clientHeight - head)
       element.scrollTop = y + 2 * head + row_height - element.clientHeight;
+    scrolled(element.scrollTop);
   }, [at, rows]);
+  useLayoutEffect(() => {
+    const row = box.current?.querySelector<HTMLElement>(`tr[aria-rowindex="${wanted.current + 2}"]`);
+    if (wanted.current < 0 || !row) return;
+    row.focus({ preventScroll: true });
+    wanted.current = -1;
+  }, [at, top]);
+
+  /** Among the heads; from the last row of heads down into the rows. */
+  const press_head = (event: KeyboardEvent, head: HTMLElement) => {
+    const beside = event.key === "ArrowLeft" ? "previousElementSibling" : "nextElementSibling";
+    const to =
+      event.key === "ArrowDown"
+        ? box.current!.querySelector<HTMLElement>("tbody tr[tabindex='0']")
+        : event.key === "ArrowLeft" || event.key === "ArrowRight"
+          ? head.closest("th")![beside]?.querySelector("button")
+          : null;
+    if (!to) return;
+    event.preventDefault();
+    to.focus();
+  };
   const press = (event: KeyboardEvent) => {
+    const target = event.target as HTMLElement,
+      row = target.closest("tbody tr");
+    if (target.closest("thead")) return press_head(event, target);
+    const now = row ? Number(row.getAttribute("aria-rowindex")) - 2 : at;
     const page = rows_shown - 2;
     const step = {
       ArrowDown: 1,
@@ -71,18 +100,23 @@ export function VirtualTable<Row>({
       j: 1,
       k: -1,
     }[event.key];
-    if (step !== undefined && rows.length > 0) {
-      move(Math.min(rows.length - 1, Math.max(0, at + step)));
+    if (event.key === "ArrowUp" && now === 0) {
+      box.current!.querySelector<HTMLElement>("thead button")!.focus();
       event.preventDefault();
-    } else if (event.key === "Enter" && at >= 0 && event.target === box.current) {
-      open(rows[at]!);
+    } else if (step !== undefined && rows.length > 0) {
+      const to = Math.min(rows.length - 1, Math.max(0, now + step));
+      wanted.current = to;
+      move(to);
+      event.preventDefault();
+    } else if (event.key === "Enter" && now >= 0 && (target === row || target === box.current)) {
+      open(rows[now]!);
     }
   };
   return (
     <div
       class="virtual"
       ref={box}
-      tabIndex={0}
+      tabIndex={-1}
       role="region"
       aria-label={label}
       onKeyDown={press}
@@ -98,7 +132,7 @@ export function VirtualTable<Row>({
                 title={c.about}
                 aria-sort={order.column === c.key ? (order.down ? "descending" : "ascending") : "none"}
                 key={c.key}>
-                <button type="button" onClick={() => turn(c.key)}>
+                <button type="button" tabIndex={-1} onClick={() => turn(c.key)}>
                   {c.title}
                 </button>
               </th>
@@ -114,6 +148,8 @@ export function VirtualTable<Row>({
               key={key_of(row)}
               aria-rowindex={first + i + 2}
               class={first + i === at ? "at" : ""}
+              tabIndex={first + i === stop ? 0 : -1}
+              data-leads={address_of?.(row)}
               aria-selected={first + i === at}
               onClick={() => open(row)}>
               {columns.map((c) => (
