@@ -23,7 +23,7 @@ using Json = nlohmann::json;
 
 /// Parts of the budget after which the simplifying makes way for the search for worse pairs, and this for
 /// asking about what is shown.
-constexpr double simplify_part = 0.55, search_part = 0.75;
+constexpr double simplify_part = 0.5, search_part = 0.7;
 
 TriagedRun read_triaged(const std::string& folder) {
   const RunStore store = RunStore::open(folder);
