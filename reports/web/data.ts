@@ -125,7 +125,7 @@ export interface PackedCase {
   said: [Answer, number[]][];
 }
 
-/** How often a cause was seen in one run; the rate is of a million pairs, with its bounds. */
+/** On how many pairs a cause was seen in one run; the rate is of a million pairs, with its bounds. */
 export interface Night {
   run: string;
   started: string;
@@ -160,7 +160,10 @@ export interface Bucket {
   chance?: number | null; // probability that it is new or gone by chance, corrected for the number of causes
   asked?: number; // pairs that its methods were asked in this run
   nights?: Night[]; // oldest first, this run last
-  versions?: { first: string; last: string }; // of its method's library, at first and last sight
+  pairs?: number; // on which one of its methods was wrong in this run
+  versions?: { first: string; last: string }; // of its method's library, at first and last sight; or as
+  first_version?: string;
+  last_version?: string;
   simplified?: boolean; // whether `simplest` is; else it is as found
   file?: string; // JSON Lines, with its pair
   note?: { owner: string; note: string };

@@ -52,6 +52,12 @@ test("findings get back the pair, the answers and the command", () => {
   assert.equal(expand(quoted).findings[0].replay, "./daylight replay 'a b'\\''c:1'");
 });
 
+test("a cause has the versions that saw it first and last", () => {
+  const versions = expand(sample(40)).buckets.map((b) => b.versions);
+  assert.deepEqual(versions[0], { first: "1.1", last: "1.1" });
+  assert.deepEqual(versions[1], { first: "1.1", last: "1.2" });
+});
+
 test("every certificate of the sample holds", () => {
   for (const f of expand(sample(200)).findings) assert.equal(prove(f.pair, f.truth).holds, true);
 });

@@ -409,6 +409,7 @@ export function BucketView({
   const shown = worst && b.worst ? b.worst : b.simplest;
   const kept = b.findings.map((id) => finding.get(id)).filter((f) => f !== undefined);
   const claim = report.methods.find((m) => m.name === b.method)?.claim;
+  const asked = b.asked ?? b.nights?.at(-1)?.asked;
   const severity = severity_words[b.severity] ?? safe(b.severity);
   return (
     <>
@@ -422,7 +423,12 @@ export function BucketView({
         </Fact>
         <Fact label="findings">
           {grouped(b.count)}
-          {b.asked !== undefined && <span class="soft"> of {grouped(b.asked)} asked</span>}
+          {b.pairs !== undefined && asked !== undefined && (
+            <span class="soft">
+              {" "}
+              on {grouped(b.pairs)} of {plural(asked, "pair")}
+            </span>
+          )}
         </Fact>
         <Fact label="margins">{range(b.margin)}</Fact>
         {b.share && (

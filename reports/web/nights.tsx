@@ -13,7 +13,7 @@ const high = 96,
 
 const rate_words = ({ per_million: [rate, low, up] }: Night) => `${short(rate)} (${short(low)} to ${short(up)})`;
 const night_words = (n: Night) =>
-  `${safe(n.run)}\n${grouped(n.count)} of ${grouped(n.asked)} pairs\n${rate_words(n)} per million`;
+  `${safe(n.run)}\n${grouped(n.count)} of ${grouped(n.asked)} pairs wrong\n${rate_words(n)} per million`;
 
 /** One mark a night: the rate, and a line from its lower to its upper bound. */
 function Chart({ nights }: { nights: Night[] }) {
@@ -30,7 +30,7 @@ function Chart({ nights }: { nights: Night[] }) {
         height={floor + 18}
         viewBox={`0 0 ${width} ${floor + 18}`}
         role="img"
-        aria-label="Findings per million pairs, night by night">
+        aria-label="Wrong pairs per million, night by night">
         {[0, most].map((rate) => (
           <g key={rate}>
             <line class="rule" x1={left} x2={width} y1={y(rate)} y2={y(rate)} />
@@ -82,7 +82,7 @@ function Against({ earlier, now }: { earlier: Night[]; now: Night }) {
       </p>
       <div class="scroll">
         <table class="plain against">
-          <Heads of={["run", "begun", "n:findings", "n:asked", "n:per million"]} />
+          <Heads of={["run", "begun", "n:wrong pairs", "n:asked", "n:per million"]} />
           <tbody>
             {[then, now].map((n, i) => (
               <tr key={i}>
@@ -108,7 +108,7 @@ export function Nights({ nights }: { nights: Night[] }) {
     <section class="history">
       <h3>Night by night</h3>
       <p class="soft">
-        Findings in a million pairs asked; the line is where the rate lies with 95 % confidence. This run is the last.
+        Wrong pairs in a million asked; the line is where the rate lies with 95 % confidence. This run is the last.
       </p>
       <Chart nights={nights} />
       {nights.length > 1 && <Against earlier={nights.slice(0, -1)} now={nights.at(-1)!} />}

@@ -386,7 +386,7 @@ async function handles_a_cause(page, report) {
   await settled(page);
   assert.match(await before.innerText(), /20261119[^]*250,000/);
   assert.notEqual(await p.innerText(), first);
-  assert.match(await page.locator(".detail").innerText(), /1\.1[^]*(stated|assumed by us)/);
+  assert.match(await page.locator(".detail").innerText(), /of 280,000 pairs[^]*versions\s+1\.1\s[^]*(stated|assumed)/);
 
   await go(page, `#/bucket/${found.key}`);
   await page.waitForFunction((key) => document.querySelector(".detail h2")?.textContent === key, found.key);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The data of the page, put back to the form of data.ts: every finding with its case.
-import type { Answer, Case, Finding, PackedCase, Report, Standing } from "./data.ts";
+import type { Answer, Bucket, Case, Finding, PackedCase, Report, Standing } from "./data.ts";
 import { shell_quoted } from "./words.ts";
 
 export interface FullReport extends Report {
@@ -30,7 +30,11 @@ export function expand(report: Report): FullReport {
       replay: `./daylight replay ${shell_quoted(`${folder}:${f.id}`)}`,
     };
   });
-  return { ...report, findings, cases: [] };
+  const buckets = report.buckets.map((b): Bucket => {
+    const { first_version: first, last_version: last } = b;
+    return first && !b.versions ? { ...b, versions: { first, last: last || first } } : b;
+  });
+  return { ...report, buckets, findings, cases: [] };
 }
 
 /** From the element that the C++ side fills; a template that nobody filled has none. */

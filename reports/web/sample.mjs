@@ -40,6 +40,10 @@ const families = [
   "tiny_and_huge",
   "lattice",
   "coins_edge_to_edge",
+  ...["touching_cap_rim", "touching_cap_side", "touching_cap_cap", "touching_parallel_sides", "touching_needles"],
+  ...["touching_disks", "axes_perpendicular", "axes_crossing", "needle_and_disk", "flat_disks", "points", "contained"],
+  ...["coaxial", "equal", "mixed_scale", "lattice_dust", "raw_axes", "close_contacts", "close_contacts_by_angle"],
+  ...["close_rods", "close_rims", "range_ends", "whiskers", "climbed", "derived"],
 ];
 const own = 4;
 
@@ -218,8 +222,9 @@ export function sample(findings_total = 400) {
       standing: key === gone ? "gone" : standing_of(i),
       chance: i % 2 ? 0.0004 : null,
       asked: 280000,
+      pairs: key === gone ? 0 : ids.length * 31,
       nights: nights_of(key === gone ? "gone" : standing_of(i), key === gone ? 40 : ids.length * 31),
-      versions: { first: "1.1", last: i % 2 ? "1.2" : "1.1" },
+      ...(i % 2 ? { versions: { first: "1.1", last: "1.2" } } : { first_version: "1.1", last_version: "1.1" }),
       simplified: i % 5 !== 3,
       file: `runs/sample/buckets/${key.replaceAll("/", "_")}.jsonl`,
       ...(i === 2 ? { note: { owner: "ada", note: "asked upstream" } } : {}),

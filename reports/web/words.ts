@@ -4,10 +4,12 @@ import type { Claim, Coordinate } from "./data.ts";
 
 export const grouped = (n: number) => Math.round(n).toLocaleString("en-US");
 
+/** From here on a number stands for one beyond all. */
+const infinite = 1e308;
 /** "1.2e-7", "0.013", "42": `digits` significant ones. */
 export function short(x: number | null | undefined, digits = 3): string {
   if (x === null || x === undefined || Number.isNaN(x)) return "\u2013";
-  if (Math.abs(x) > 1.7e308) return x > 0 ? "\u221e" : "\u2212\u221e";
+  if (Math.abs(x) >= infinite) return x > 0 ? "\u221e" : "\u2212\u221e";
   if (x === 0) return "0";
   const size = Math.abs(x);
   const text =
@@ -201,7 +203,7 @@ export const glossary: Record<string, string> = {
   "pairs judged": "How many pairs of cylinders were put to the methods.",
   pairs: "How many pairs were compared.",
   path: "A row of pairs, each a little different from the last.",
-  "per million": "Findings in a million pairs asked, and where the rate lies with 95 % confidence.",
+  "per million": "Wrong pairs in a million asked, and where the rate lies with 95 % confidence.",
   "point near both": "A certificate for touching: a point as good as in both, and no gap wider than nothing.",
   "probability of one rate": "How likely counts so different are if the rate were the same in both runs.",
   "proved distance": "The signed distance lies between these two numbers; this is proved.",
@@ -233,6 +235,7 @@ export const glossary: Record<string, string> = {
   "within claim": "Wrong answers that the method's own tolerance allows.",
   "within its claim": "Wrong, but by no more than the method's own tolerance allows.",
   wrong: "Answers of the judge that others have refuted.",
+  "wrong pairs": "Pairs on which a method of the cause is wrong.",
   "wrong by": "How far the distance said is from the proved one, at least.",
 };
 export const about = (label: string): string | undefined => glossary[label.toLowerCase()];
