@@ -117,12 +117,13 @@ export function drawing_of(c: Case): Drawing {
 
   // A plane square to the direction of the certificate itself, in the middle of what it leaves free.
   let plane: Vec | null = null;
-  if (c.truth.verdict === "disjoint" && certificate) {
-    let n = unit(certificate.map(coordinate_value) as Vec);
-    if (dot(n, delta) < 0) n = scale(n, -1);
+  const normal = certificate && unit(certificate.map(coordinate_value) as Vec); // none beyond the range of doubles
+  if (c.truth.verdict === "disjoint" && normal?.every(Number.isFinite)) {
+    const n = dot(normal, delta) < 0 ? scale(normal, -1) : normal;
     const low = dot(n, drawn_a.center) + reach(drawn_a, n),
       high = dot(n, drawn_b.center) - reach(drawn_b, n);
-    const from = near ? scale(add(near.a, near.b), 0.5) : ([0, 0, 0] as Vec);
+    const middle = near ? scale(add(near.a, near.b), 0.5) : ([0, 0, 0] as Vec),
+      from = middle.every(Number.isFinite) ? middle : ([0, 0, 0] as Vec);
     plane = add(from, scale(n, (low + high) / 2 - dot(n, from)));
     direction ??= n;
   }
@@ -138,7 +139,7 @@ export function drawing_of(c: Case): Drawing {
     contact: contact.every(Number.isFinite) ? contact : [0, 0, 0],
     near: near && [...near.a, ...near.b].every(Number.isFinite) ? near : null,
     direction,
-    plane,
+    plane: plane?.every(Number.isFinite) ? plane : null,
     point: point?.every(Number.isFinite) ? point : null,
     gap: gap !== null && Number.isFinite(gap) ? gap : null,
   };
@@ -151,7 +152,7 @@ const visible_share = 0.06;
 export function exaggeration(d: Drawing): number {
   if (d.gap === null || d.gap === 0 || !d.direction) return 1;
   const k = (visible_share * d.extent) / Math.abs(d.gap);
-  return k > 1 ? k : 1;
+  return k > 1 && Number.isFinite(k) ? k : 1;
 }
 
 /** The solids moved apart (or into each other) along the direction until the gap is k times as wide: about the

@@ -701,6 +701,25 @@ async function shows_hostile_text_as_text() {
   await page.context().close();
 }
 
+/** The drawing of two points next to each other, and of a certificate beyond doubles, is no error. */
+async function draws_the_extreme() {
+  const report = sample(8),
+    far = `1${"0".repeat(400)}`;
+  const dot = (z) => ({ center: [0, 0, z], axis: [0, 0, 1], radius: 0, height: 0 });
+  const nearest = { a: [0, 0, 0], b: [0, 0, 5e-324] };
+  const truth = { verdict: "disjoint", direction: [0, 0, 1], distance: [0, 1e-323] };
+  Object.assign(report.cases[0], { pair: { a: dot(0), b: dot(5e-324) }, truth, nearest, direction: [0, 0, 1] });
+  Object.assign(report.cases[1], { truth: { ...truth, direction: [far, far, "0"] }, direction: undefined });
+  write(report);
+  const page = await open_page();
+  for (const id of [1, 5]) {
+    await go(page, `#/finding/${id}`);
+    await page.waitForFunction((id) => document.querySelector(".detail h2")?.textContent.startsWith(`#${id} `), id);
+    await settled(page);
+  }
+  await page.context().close();
+}
+
 async function draws_lines_without_webgl() {
   write(sample(8));
   const page = await open_page({ first: without_webgl });
@@ -742,6 +761,7 @@ async function test() {
   await opens_old_data();
   await says_what_is_missing();
   await shows_hostile_text_as_text();
+  await draws_the_extreme();
   assert.deepEqual(errors, []);
   await draws_lines_without_webgl();
   assert.deepEqual(asked, [], "nothing is asked from the network");

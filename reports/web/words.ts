@@ -95,11 +95,14 @@ export function claim_words(claim: Claim): string {
 }
 
 const exponent = (text: string) => text.replace("e+0", "").replace("e+", "e");
-/** The shortest decimal that is this double, in exponent form where it has more than 12 digits. */
+/** The shortest decimal that is this double, in exponent form where it has more than 12 digits and is no size that
+ *  people read as it is. */
 export function full(x: number): string {
   if (Object.is(x, -0)) return "-0";
   const text = String(x);
-  return text.replace(/[^0-9]/g, "").length > 12 && !text.includes("e") ? exponent(x.toExponential()) : text;
+  const readable = Math.abs(x) >= 1e-3 && Math.abs(x) < 1e5;
+  const long = text.replace(/[^0-9]/g, "").length > 12 && !text.includes("e");
+  return long && !readable ? exponent(x.toExponential()) : text;
 }
 /** All 17 digits. */
 export const digits17 = (x: number) => (x === 0 ? "0" : exponent(x.toExponential(16)));
