@@ -3,10 +3,12 @@
 #include <cstdio>
 #include <exception>
 #include <iostream>
+#include <string_view>
 
 #include "base/usage_error.hpp"
 #include "cli/build_info.hpp"
 #include "cli/commands.hpp"
+#include "cli/manual.hpp"
 #include "cli/options.hpp"
 
 namespace {
@@ -21,6 +23,14 @@ int run(int argc, char** argv) {
         cyl::add_worst, cyl::add_replay, cyl::add_triage, cyl::add_explain, cyl::add_export, cyl::add_chart,
         cyl::add_gate, cyl::add_mutants, cyl::add_bench, cyl::add_scene, cyl::add_families})
     add(program);
+  // For those who build packages: not in --help.
+  const std::string_view asked = argc == 2 ? argv[1] : "";
+  if (asked == "--man-page" || asked == "--bash-completion") {
+    const std::string text =
+        asked == "--man-page" ? cyl::man_page(program.text()) : cyl::bash_completion(program.text());
+    std::fputs(text.c_str(), stdout);
+    return cyl::exit_pass;
+  }
   try {
     return program.run(argc, argv);
   } catch (const cyl::UsageError& error) {

@@ -12,6 +12,8 @@
 #include <variant>
 #include <vector>
 
+#include "cli/manual.hpp"
+
 namespace CLI {
 class App;
 class Option;
@@ -89,6 +91,9 @@ class Program {
   /// Runs the command that the command line gives, and returns its exit code: exit_usage, with the reason on
   /// standard error, where it cannot be parsed. Lets through what the command throws.
   int run(int argc, char** argv);
+
+  /// What --help says, for those who set it otherwise.
+  ProgramText text() const;
 
  private:
   std::unique_ptr<CLI::App> app_;

@@ -38,6 +38,13 @@ std::string note(const SqliteFile& file, const std::string& key) {
   return found.empty() ? std::string() : found.front().value;
 }
 
+std::string stored_note(const std::string& folder, const std::string& key) {
+  const std::string name = file_of(folder);
+  if (!std::filesystem::exists(name)) return {};
+  const SqliteFile file(name, SQLite::OPEN_READWRITE);
+  return file.has(Note::table) ? note(file, key) : std::string();
+}
+
 }  // namespace
 
 TriageStore::TriageStore(const std::string& folder, const std::string& asked)
@@ -83,13 +90,18 @@ void TriageStore::add(const SimpleRecord& simple) { file_->replace(simple); }
 void TriageStore::add(const WorstRecord& worst) { file_->replace(worst); }
 
 std::string TriageStore::buckets() const { return note(*file_, "buckets"); }
-void TriageStore::set_buckets(const std::string& json) { file_->replace(Note{"buckets", json}); }
+void TriageStore::set_buckets(const std::string& json, double part) {
+  file_->transaction([&] {
+    file_->replace(Note{"buckets", json});
+    file_->replace(Note{"part", std::to_string(part)});
+  });
+}
 
-std::string stored_buckets(const std::string& folder) {
-  const std::string name = file_of(folder);
-  if (!std::filesystem::exists(name)) return {};
-  const SqliteFile file(name, SQLite::OPEN_READWRITE);
-  return file.has(Note::table) ? note(file, "buckets") : std::string();
+std::string stored_buckets(const std::string& folder) { return stored_note(folder, "buckets"); }
+
+double stored_part(const std::string& folder) {
+  const std::string text = stored_note(folder, "part");
+  return text.empty() ? 1 : std::stod(text);
 }
 
 }  // namespace cyl

@@ -70,7 +70,8 @@ class TriageStore {
   void add(const WorstRecord& worst);
   /// The buckets as JSON; empty: none yet.
   std::string buckets() const;
-  void set_buckets(const std::string& json);
+  /// `part`: of the findings, looked at so far.
+  void set_buckets(const std::string& json, double part);
 
  private:
   std::unique_ptr<SqliteFile> file_;
@@ -78,5 +79,7 @@ class TriageStore {
 
 /// The buckets that a triage of the run in `folder` left, as JSON; empty where there was none.
 std::string stored_buckets(const std::string& folder);
+/// The part of the findings that it had looked at; 1 where it did not say.
+double stored_part(const std::string& folder);
 
 }  // namespace cyl

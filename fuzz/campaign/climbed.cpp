@@ -169,6 +169,10 @@ const Family& climbed_family() {
   return family;
 }
 
+std::uint64_t independent_draws(std::string_view family, std::uint64_t pairs) {
+  return family == climbed_family().name ? (pairs + climb_size - 1) / climb_size : pairs;
+}
+
 std::span<const Family> campaign_families() {
   static const std::vector<Family> all = [] {
     std::vector<Family> both(families().begin(), families().end());

@@ -7,6 +7,7 @@
 #include <array>
 #include <cstdint>
 #include <span>
+#include <string_view>
 
 #include "base/enum_words.hpp"
 #include "corpus/pairs/families.hpp"
@@ -41,5 +42,9 @@ const Family& climbed_family();
 
 /// families(), `climbed` and `derived`: what a campaign draws from.
 std::span<const Family> campaign_families();
+
+/// Returns how many of `pairs` pairs of a family were drawn independently of each other, at least: the pairs
+/// of one climb are not.
+std::uint64_t independent_draws(std::string_view family, std::uint64_t pairs);
 
 }  // namespace cyl

@@ -64,6 +64,13 @@ TEST(Climbed, OursStayWithinWhatTheyPromise) {
   }
 }
 
+TEST(Climbed, ThePairsOfOneClimbCountAsOne) {
+  EXPECT_EQ(independent_draws("climbed", 74), 1u);
+  EXPECT_EQ(independent_draws("climbed", climb_size + 1), 2u);
+  EXPECT_EQ(independent_draws("climbed", 0), 0u);
+  EXPECT_EQ(independent_draws("random", 74), 74u);
+}
+
 TEST(Climbed, ACampaignDrawsFromItInItsTurn) {
   EXPECT_EQ(campaign_families().size(), families().size() + 2);
   EXPECT_EQ(campaign_families().back().name, "derived");

@@ -35,7 +35,7 @@ for engine in rapier jolt; do
   sed 's/.*"verdict":"\([a-z]*\)".*/\1/' said | diff wanted - || { echo "$engine is wrong where that is easy"; exit 1; }
 done
 code=0
-"$daylight" campaign --pairs 60 --seed 3 --cases '' --methods rapier,jolt --out runs/engines --command "node '$guests/rapier.mjs'" \
+"$daylight" campaign --pairs 60 --seed 3 --cases '' --methods rapier,jolt --table --out runs/engines --command "node '$guests/rapier.mjs'" \
   --command "node '$guests/jolt.mjs'" >out || code=$?
 [[ $code == 0 || $code == 2 ]] || { echo "campaign: exit code $code"; cat out; exit 1; }
 grep -qE '^rapier +60 ' out && grep -qE '^jolt +60 ' out || { cat out; exit 1; }

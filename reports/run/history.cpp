@@ -12,6 +12,7 @@
 #include <tuple>
 
 #include "fuzz/campaign/campaign.hpp"
+#include "fuzz/campaign/climbed.hpp"
 #include "reports/run/run_data.hpp"
 
 namespace cyl {
@@ -46,7 +47,9 @@ Sight sight_of(const Key& key, const Past& run) {
   const auto asked = run.asked.find({std::get<0>(key), std::get<3>(key)});
   if (asked == run.asked.end()) return {};
   const auto found = run.found.find(key);
-  return {found == run.found.end() ? 0 : found->second.count, asked->second};
+  const std::string& family = std::get<3>(key);
+  return {found == run.found.end() ? 0 : independent_draws(family, found->second.count),
+          independent_draws(family, asked->second)};
 }
 
 }  // namespace

@@ -20,11 +20,11 @@ namespace cyl {
 namespace {
 
 /// Names listed in a line.
-constexpr std::size_t named_cap = 4;
+constexpr std::size_t named_cap = 3;
 
 using Ranked = std::vector<std::pair<std::string, std::uint64_t>>;
 
-/// "ode 1804, mujoco 900 and 3 more", the most first; "none".
+/// "ode 1804, mujoco 900 and 3 more", the most first; "none". The lines stay below 120 columns.
 std::string most_of(Ranked counts) {
   std::stable_sort(counts.begin(), counts.end(),
                    [](const auto& x, const auto& y) { return x.second > y.second; });
@@ -82,8 +82,8 @@ std::string format_summary(const RunData& run) {
   std::string text = fmt::format("{} pairs judged by proof, {} left undecided; {} methods asked\n", judged,
                                  undecided, asked);
   if (run.history.runs + run.history.unreadable > 0) text += format_history(run.history) + '\n';
-  text += fmt::format("wrong beyond their claims {} times (within them {}): {}\n", all_beyond, all_within,
-                      most_of(beyond));
+  text += fmt::format("wrong beyond their claims: {} methods, {} times (within them {} times)\n  most: {}\n",
+                      beyond.size(), all_beyond, all_within, most_of(beyond));
   text += fmt::format("broke: {}\n", most_of(failures_of(run)));
   if (misstated > 0) text += fmt::format("{} cases state what is refuted\n", misstated);
   if (own > 0) text += fmt::format("ours: {} of {} wrong\n", own_wrong, own);

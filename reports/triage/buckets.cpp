@@ -19,6 +19,7 @@
 #include "corpus/pairs/pair_numbers.hpp"
 #include "corpus/pairs/strata.hpp"
 #include "corpus/pairs/truth_io.hpp"
+#include "fuzz/campaign/climbed.hpp"
 #include "oracles/trial/bucket.hpp"
 #include "oracles/trial/contact.hpp"
 #include "oracles/trial/finding_text.hpp"
@@ -413,9 +414,11 @@ std::map<std::string, BucketCount> count_by_bucket(const TriageRecords& records)
   for (const FindingRecord& f : records.findings)
     if (bucket_of.contains(f.id)) ++kept[{f.method, f.kind, f.severity, f.family}][bucket_of[f.id]];
   std::map<std::string, BucketCount> counts;
-  const auto add = [&](const std::string& bucket, const std::string& method, std::uint64_t n) {
+  // Given out family by family, so that the pairs of one climb count as one.
+  std::map<std::pair<std::string, std::string>, std::map<std::string, std::uint64_t>> in_family;
+  const auto add = [&](const std::string& bucket, const GroupRecord& of, std::uint64_t n) {
     counts[bucket].findings += n;
-    counts[bucket].by_method[method] += n;
+    in_family[{bucket, of.method}][of.family] += n;
   };
   for (const GroupRecord& g : records.groups) {
     const auto found = kept.find({g.method, g.kind, g.severity, g.family});
@@ -425,13 +428,16 @@ std::map<std::string, BucketCount> count_by_bucket(const TriageRecords& records)
     std::vector<std::pair<std::uint64_t, std::string>> parts;
     for (const auto& [bucket, n] : found->second) {
       const std::uint64_t part = g.count / all * n + g.count % all * n / all;
-      add(bucket, g.method, part);
+      add(bucket, g, part);
       given += part;
       parts.emplace_back(n, bucket);
     }
     std::sort(parts.rbegin(), parts.rend());
-    for (std::size_t i = 0; given < g.count; ++given, ++i) add(parts[i % parts.size()].second, g.method, 1);
+    for (std::size_t i = 0; given < g.count; ++given, ++i) add(parts[i % parts.size()].second, g, 1);
   }
+  for (const auto& [of, families] : in_family)
+    for (const auto& [family, n] : families)
+      counts[of.first].by_method[of.second] += independent_draws(family, n);
   return counts;
 }
 

@@ -70,6 +70,7 @@ struct TriagedRun {
   std::vector<MethodRecord> methods;  ///< those that are here
   std::vector<TallyRecord> tallies;
   std::vector<Bucket> buckets;
+  double part = 1;  ///< of its findings that were looked at: what it did not meet weighs that much
 };
 
 /// In the form of the page's Bucket, in which it is stored too.

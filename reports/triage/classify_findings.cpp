@@ -2,7 +2,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
 #include <set>
+#include <string>
+#include <tuple>
+#include <utility>
 
 #include "fuzz/campaign/batch.hpp"
 #include "reports/triage/triage_context.hpp"
@@ -24,6 +28,19 @@ void forget_changed_guests(const TriageContext& context) {
       if (s.method == m) findings.push_back(s.record->id);
     store.expect(std::string(method.name()), std::string(method.version()), findings);
   }
+}
+
+/// The first of each method, kind, severity and family before the second of any: where time ends, few causes
+/// are missing.
+void put_in_turns(std::vector<const Subject*>& subjects) {
+  std::map<std::tuple<std::string, std::string, std::string, std::string>, std::size_t> seen;
+  std::vector<std::pair<std::size_t, const Subject*>> turns;
+  for (const Subject* s : subjects)
+    turns.emplace_back(seen[{s->record->method, s->record->kind, s->record->severity, s->record->family}]++,
+                       s);
+  std::stable_sort(turns.begin(), turns.end(),
+                   [](const auto& x, const auto& y) { return x.first < y.first; });
+  for (std::size_t i = 0; i < turns.size(); ++i) subjects[i] = turns[i].second;
 }
 
 std::string key_of(const Subject& s, const GroupedMethods& methods, Mechanism mechanism) {
@@ -70,6 +87,7 @@ void classify_findings(const TriageContext& context, double part) {
   for (const Subject& s : context.subjects)
     if (!s.absent && !known.contains(s.record->id)) open.push_back(&s);
   if (open.empty()) return;
+  put_in_turns(open);
   const std::size_t jobs = context.options.jobs;
   context.in_processes([&](unsigned job) {
     TriageStore store = context.store();

@@ -5,6 +5,7 @@
 #include <array>
 
 #include "base/json.hpp"
+#include "fuzz/campaign/climbed.hpp"
 #include "reports/triage/buckets.hpp"
 
 namespace cyl {
@@ -27,7 +28,8 @@ std::uint64_t asked_in(const TriagedRun& run, const Bucket& of) {
   std::map<std::string, std::uint64_t> asked;
   for (const TallyRecord& t : run.tallies)
     if (of.methods.contains(t.method) && of.families.contains(t.family))
-      asked[t.method] += t.counts.asked - std::min(t.counts.asked, t.counts.declined);
+      asked[t.method] +=
+          independent_draws(t.family, t.counts.asked - std::min(t.counts.asked, t.counts.declined));
   std::uint64_t most = 0;
   for (const auto& [method, n] : asked) most = std::max(most, n);
   return most;
@@ -41,7 +43,8 @@ std::uint64_t pairs_of(const Bucket& b) {
 Sight sight_of(const TriagedRun& run, const Bucket& of) {
   const Bucket* const found = find(run, of);
   const std::uint64_t pairs = found != nullptr ? pairs_of(*found) : 0;
-  return {pairs, std::max(pairs, asked_in(run, of))};
+  const double looked_at = run.part * static_cast<double>(asked_in(run, of));
+  return {pairs, std::max(pairs, static_cast<std::uint64_t>(looked_at))};
 }
 
 std::string version_in(const TriagedRun& run, const std::string& method) {

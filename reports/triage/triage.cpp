@@ -31,7 +31,8 @@ TriagedRun read_triaged(const std::string& folder) {
                  value_of(store.config(), "started"),
                  store.methods(),
                  store.tallies(),
-                 {}};
+                 {},
+                 stored_part(folder)};
   for (const Json& stored : buckets_json(folder)) run.buckets.push_back(bucket_from_json(stored));
   return run;
 }
@@ -103,6 +104,8 @@ Triage run_triage(const TriageOptions& options, std::span<const std::unique_ptr<
   std::erase_if(run.methods, [&](const MethodRecord& m) {
     return std::find(context.asked.begin(), context.asked.end(), m.name) == context.asked.end();
   });
+  const std::size_t here = triage.progress.findings - triage.progress.absent;
+  run.part = here == 0 ? 1 : static_cast<double>(triage.progress.classified) / static_cast<double>(here);
   run.buckets = make_buckets({options.folder, context.findings, context.finding_groups, context.causes(),
                               context.simples(), context.store().worsts()},
                              context.grouped(), [&] { return context.out_of_time(); });
@@ -110,7 +113,7 @@ Triage run_triage(const TriageOptions& options, std::span<const std::unique_ptr<
   triage.buckets = std::move(run.buckets);
   write_pairs(options.folder, triage.buckets);
   suppress(triage.buckets, options.suppressions, options.today);
-  context.store().set_buckets(to_json(triage.buckets).dump());
+  context.store().set_buckets(to_json(triage.buckets).dump(), run.part);
   if (!options.suppressions.empty()) {
     std::size_t stale = 0;
     triage.remarks =

@@ -166,6 +166,16 @@ TEST(Buckets, GoneIsWhatAnswersRightToday) {
   EXPECT_EQ(run.buckets[0].status, Recurrence::rare) << "nobody knows, and it may be chance";
 }
 
+TEST(Buckets, WhatWasNotLookedAtIsNotMissed) {
+  TriagedRun run = triaged("2", 5), earlier = triaged("1", 0);
+  compare_with_earlier(run, {earlier}, [](const Bucket&) { return std::nullopt; });
+  EXPECT_NEAR(*run.buckets[0].chance, 1 / 32.0, 1e-9);
+  run = triaged("2", 5);
+  earlier.part = 0.1;
+  compare_with_earlier(run, {earlier}, [](const Bucket&) { return std::nullopt; });
+  EXPECT_GT(*run.buckets[0].chance, 0.5);
+}
+
 TEST(Buckets, NewComesFirstAndIsNoChance) {
   TriagedRun run = triaged("2", 30);
   run.buckets.push_back(triaged("2", 40, "x/crash").buckets[0]);

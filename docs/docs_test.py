@@ -1,0 +1,143 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
+"""README.md, CONTRIBUTING.md and docs/*.md: links lead somewhere, pages are short and narrow, and every command line
+of the program given as the first argument is run, with less time and fewer pairs. What others run is named below."""
+import pathlib
+import re
+import shlex
+import subprocess
+import sys
+import tempfile
+
+ROOT = pathlib.Path(__file__).resolve().parents[1]
+PROGRAM = pathlib.Path(sys.argv[1]).resolve()
+TOP = [ROOT / name for name in ('README.md', 'CONTRIBUTING.md', 'CHANGELOG.md', 'SECURITY.md')]
+PAGES = TOP + sorted((ROOT / 'docs').glob('*.md')) + sorted((ROOT / 'docs/guides').glob('*.md'))
+
+README_LINES, PAGE_LINES, COLUMNS = 150, 110, 120
+LONGER = {'architecture.md': 'tables of rooms, which .ci/includes writes', 'CHANGELOG.md': 'grows',
+          'library.md': 'a guide with a whole plug-in in it'}
+
+# Command lines that other tests run, by what is in them.
+ELSEWHERE = {
+    'daylight test': 'the test command itself',
+    'daylight fuzz': 'fuzz_test',
+    'oracles/guests/': 'engines_test',
+    'mutants matrix': 'mutants_smoke',
+    'bench --curves': 'chart_test',
+    '--bench bench.json': 'chart_test',
+    '--shard': 'campaign_replay_test',
+    'merge runs/night': 'campaign_replay_test',
+    '--pairs 1000000000': 'docs/results/billion.md',
+    'replay runs/readme': 'a run of another day',
+    '--generate rods': 'scene_command_test',
+    '--stop-at': 'campaign_replay_test',
+    'daylight COMMAND': 'no command but a pattern',
+}
+
+
+def fail(what):
+    sys.exit(f'FAILED: {what}')
+
+
+def check_links(page, text):
+    anchors = {re.sub(r'[^a-z0-9 -]', '', head.lower()).strip().replace(' ', '-')
+               for head in re.findall(r'^#+ (.*)$', text, re.M)}
+    for target in re.findall(r'\]\(([^)\s]+)\)', text):
+        if re.match(r'[a-z]+:', target):
+            continue
+        path, _, anchor = target.partition('#')
+        if path and not (page.parent / path).exists():
+            fail(f'{page.name} links to {target}, which is not there')
+        if not path and anchor not in anchors:
+            fail(f'{page.name} links to #{anchor}, which is no head of it')
+
+
+def check_size(page, text):
+    count = text.count('\n')
+    if page.name == 'README.md' and page.parent == ROOT and count > README_LINES:
+        fail(f'README.md has {count} lines')
+    if page.name != 'README.md' and page.name not in LONGER and count > PAGE_LINES:
+        fail(f'{page.name} has {count} lines')
+    fenced = False
+    for number, line in enumerate(text.splitlines(), 1):
+        fenced ^= line.startswith('```')
+        is_prose = not fenced and not line.startswith(('    ', '|', '```'))
+        if len(line) > COLUMNS and (is_prose or page == ROOT / 'README.md'):
+            fail(f'{page.name}:{number} is {len(line)} columns wide')
+
+
+def commands_of(text):
+    """Command lines in code: blocks and what stands between backticks."""
+    fenced, block = False, []
+    for line in text.splitlines():
+        if line.startswith('```'):
+            fenced = not fenced
+        elif fenced or line.startswith('    '):
+            block.append(line)
+    found = re.findall(r'^ *(?:\$ )?((?:\./)?daylight [^\n]*)', '\n'.join(block), re.M)
+    prose = re.sub(r'^```.*?^```$', '', text, flags=re.M | re.S)
+    found += [re.sub(r'\s+', ' ', command) for command in re.findall(r'`((?:\./)?daylight [a-z]+ [^`]*)`', prose)]
+    return [re.sub(r'\s{2,}#.*$', '', command).strip() for command in found]
+
+
+def shortened(words):
+    """The same with less to do."""
+    least = {'--for': '2s', '--pairs': '300', '--evaluations': '300', '--configurations': '10', '--budget': '2s'}
+    words = [least.get(before, word) if before in least else word for before, word in zip([''] + words, words)]
+    words = [{'KEY': 'fcl-libccd/overflow', 'CASE': 'one.jsonl', 'FOLDER': 'sent', 'METHOD': 'ode'}.get(w, w) for w in words]
+    if words[0] == 'gate' and '--pairs' not in words and '--for' not in words and '--against' not in words:
+        words += ['--pairs', '300']
+    if words[0] == 'worst' and '--for' not in words and '--evaluations' not in words:
+        words += ['--evaluations', '300']
+    if words[0] == 'bench':
+        words += ['--pairs', '50', '--min-time', '0', '--passes', '1']
+    return words
+
+
+def prepare(folder):
+    """What the command lines speak of."""
+    pair = '{"a":{"center":[0,0,0],"axis":[0,0,1],"radius":1,"height":2},"b":{"center":[%s,0,0],"axis":[0,1,0],"radius":1,"height":2}}\n'
+    (folder / 'pairs.jsonl').write_text(pair % '2.5' + pair % '1')
+    (folder / 'one.jsonl').write_text(
+        (ROOT / 'corpus/cases/hand_made.jsonl').read_text().splitlines()[75] + '\n')
+    (folder / 'corpus').symlink_to(ROOT / 'corpus')
+    (folder / 'robot.urdf').write_text((ROOT / 'corpus/scenes/twenty.urdf').read_text())
+    (folder / 'mine.py').write_text("import sys\nfor line in sys.stdin: print('{\"verdict\":\"disjoint\"}', flush=True)\n")
+    (folder / 'answers.jsonl').write_text('{"verdict":"disjoint"}\n' * 2)
+    run(['campaign', '--pairs', '900', '--seed', '3', '--methods', 'fcl-libccd,ode', '--families', 'lattice,tiny_and_huge',
+         '--cases', '', '--out', 'runs/latest'], folder)
+    run(['triage', 'runs/latest', '--for', '20s'], folder)
+    run(['gate', '--pairs', '300', '--json', 'base.json'], folder)
+
+
+def run(words, folder):
+    done = subprocess.run([PROGRAM, *words], cwd=folder, capture_output=True, encoding='utf-8', timeout=1200)
+    if done.returncode not in (0, 2, 3):
+        fail(f'{shlex.join(words)}: exit code {done.returncode}\n{done.stdout[-1500:]}{done.stderr[-1500:]}')
+
+
+def main():
+    commands = set()
+    for page in PAGES:
+        text = page.read_text()
+        check_links(page, text)
+        check_size(page, text)
+        if page.parent.name != 'guides':  # guides_test runs those
+            commands |= set(commands_of(text))
+    here = [c for c in sorted(commands) if not any(part in c for part in ELSEWHERE)]
+    if len(here) < 15:
+        fail(f'only {len(here)} command lines were found')
+    with tempfile.TemporaryDirectory() as scratch:
+        folder = pathlib.Path(scratch)
+        prepare(folder)
+        for command in here:
+            words = shlex.split(command, comments=True)[1:]
+            if '|' in words or '..' in words or any('libmine.so' in w or '<' in w for w in words):
+                words = [words[0], '--help']  # a plug-in has to be built first: guests_test
+            run(shortened(words), folder)
+            print(f'ran {command[:100]}')
+    print('passed')
+
+
+main()

@@ -1,0 +1,103 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
+"""What the program given as the first argument writes as JSON, held against the schemas of this folder. Each schema
+also has to refuse what was changed: a field more, a field less, a word that is none."""
+import copy
+import json
+import pathlib
+import re
+import subprocess
+import sys
+import tempfile
+
+try:
+    import jsonschema
+except ImportError:
+    root = pathlib.Path(__file__).resolve().parents[2]
+    sys.exit(subprocess.run([root / '.ci/skip', 'no jsonschema here: apt-get install python3-jsonschema']).returncode)
+
+HERE = pathlib.Path(__file__).resolve().parent
+ROOT = HERE.parents[1]
+PROGRAM = pathlib.Path(sys.argv[1]).resolve()
+PAIR = ('{"a":{"center":[0,0,0],"axis":[0,0,1],"radius":1,"height":2},'
+        '"b":{"center":[%s,0,0],"axis":[0,1,0],"radius":1,"height":2}}')
+PAGE = re.compile(r'<script type="application/json" id="report-data">(.*?)</script>', re.S)
+
+
+def run(*arguments, given='', codes=(0, 2, 3)):
+    done = subprocess.run([PROGRAM, *map(str, arguments)], input=given, capture_output=True, encoding='utf-8')
+    if done.returncode not in codes:
+        sys.exit(f'{arguments}: exit code {done.returncode}\n{done.stdout[-2000:]}{done.stderr[-2000:]}')
+    return done.stdout
+
+
+def changed(document):
+    """The document with one thing wrong, in three ways; of a list its first object is changed."""
+    target = document[0] if isinstance(document, list) else document
+    for change in ('more', 'less', 'kind'):
+        copied = copy.deepcopy(document)
+        it = copied[0] if isinstance(copied, list) else copied
+        first = next(iter(target))
+        if change == 'more':
+            it['nobody knows this'] = 1
+        elif change == 'less':
+            del it[first]
+        else:
+            it[first] = {'nobody': 'knows'} if not isinstance(it[first], dict) else 7
+        yield change, copied
+
+
+def hold(name, documents, refused=('more', 'less', 'kind')):
+    schema = json.loads((HERE / name).read_text())
+    jsonschema.Draft7Validator.check_schema(schema)
+    validator = jsonschema.Draft7Validator(schema)
+    documents = list(documents)
+    if not documents:
+        sys.exit(f'{name}: nothing was written')
+    for document in documents:
+        for error in validator.iter_errors(document):
+            sys.exit(f'{name}: {"/".join(map(str, error.absolute_path))}: {error.message[:400]}')
+    for change, wrong in changed(documents[0]):
+        if change in refused and validator.is_valid(wrong):
+            sys.exit(f'{name} takes what has a field {change}')
+
+
+def lines(text):
+    return [json.loads(line) for line in text.splitlines() if line.strip()]
+
+
+def main():
+    with tempfile.TemporaryDirectory() as scratch:
+        folder = pathlib.Path(scratch)
+        methods = 'intersect,decide,distance,fcl-libccd,ode,seedbook-printed,bullet-gjkepa2'
+        asked = '\n'.join(PAIR % x for x in ('2.5', '1', '2', '1e-300', '1e300', '"no"')) + '\n{"a":1}\n'
+        cases = [line for file in sorted((ROOT / 'corpus/cases').glob('*.jsonl')) for line in lines(file.read_text())]
+        hold('case.json', cases, ('more', 'kind'))
+        pairs = '\n'.join(json.dumps({'a': case['a'], 'b': case['b']}) for case in cases)
+        said = [run('check', '--distance', given=asked, codes=(65,)), run('check', '--distance', given=pairs)]
+        said += [run('check', '--method', name, given=pairs, codes=(0, 2, 3, 65)) for name in methods.split(',')]
+        hold('answer.json', [answer for text in said for answer in lines(text)], ('more', 'kind'))
+        for night in ('one', 'two'):
+            run('campaign', '--pairs', 1500, '--seed', ord(night[0]), '--methods', methods,
+                '--out', folder / 'runs' / night)
+            run('triage', folder / 'runs' / night, '--for', '20s', '--json', folder / f'{night}.json')
+        key = json.loads((folder / 'two.json').read_text())[0]['key']
+        run('triage', folder / 'runs/two', '--annotate', key, '--owner', 'ada', '--note', 'asked upstream')
+        hold('buckets.json', [json.loads((folder / f'{night}.json').read_text()) for night in ('one', 'two')])
+        hold('note.json', lines((folder / 'runs/notes.jsonl').read_text()))
+        pages = [PAGE.search((folder / 'runs' / night / 'report.html').read_text())[1] for night in ('one', 'two')]
+        hold('report.json', map(json.loads, pages))
+        hold('suppression.json', lines((ROOT / 'corpus/store/fixtures/0.1.0/suppressions.jsonl').read_text()))
+        run('gate', '--method', 'ode', '--pairs', 400, '--json', folder / 'base.json')
+        run('gate', '--method', 'ode', '--against', folder / 'base.json', '--json', folder / 'gate.json')
+        hold('gate.json', [json.loads((folder / f'{name}.json').read_text()) for name in ('base', 'gate')])
+        for name, families in (('few', 'random'), ('some', 'random,margin_1e-06')):
+            run('bench', '--methods', 'intersect,decide,distance,fcl-libccd', '--families', families, '--pairs', 100,
+                '--min-time', 0, '--passes', 1, '--json', folder / f'{name}.json')
+        hold('bench.json', [json.loads((folder / f'{name}.json').read_text()) for name in ('few', 'some')])
+        run('scene', ROOT / 'corpus/scenes/crane.urdf', '--configurations', 5, '--json', folder / 'scene.json')
+        hold('scene.json', [json.loads((folder / 'scene.json').read_text())])
+    print('passed')
+
+
+main()
