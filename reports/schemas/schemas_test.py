@@ -81,12 +81,21 @@ def main():
             run('campaign', '--pairs', 1500, '--seed', ord(night[0]), '--methods', methods,
                 '--out', folder / 'runs' / night)
             run('triage', folder / 'runs' / night, '--for', '20s', '--json', folder / f'{night}.json')
+        given = [{'id': json.loads(line)['id'], **said} for line, said in zip(
+            run('ask', '--pairs', 4, '--seed', 1).splitlines(),
+            ({'verdict': 'disjoint', 'distance': 0.25, 'direction': [0, 0, 1]}, {'declined': 'no disks'},
+             {'verdict': 'intersecting', 'point': [0, [1, 1e-17], 2]}, {'error': 'no convergence'}))]
+        (folder / 'said.jsonl').write_text(''.join(json.dumps(line) + '\n' for line in given))
+        (folder / 'asked.jsonl').write_text(run('ask', '--pairs', 4, '--seed', 1))
+        if 'unreadable' in run('judge', folder / 'said.jsonl', '--pairs', folder / 'asked.jsonl', '--name', 'mine'):
+            sys.exit('judge does not read what guest_answer.json describes')
+        hold('guest_answer.json', [given[1], *given], ('kind',))
         key = json.loads((folder / 'two.json').read_text())[0]['key']
         run('triage', folder / 'runs/two', '--annotate', key, '--owner', 'ada', '--note', 'asked upstream')
         hold('buckets.json', [json.loads((folder / f'{night}.json').read_text()) for night in ('one', 'two')])
         hold('note.json', lines((folder / 'runs/notes.jsonl').read_text()))
         pages = [PAGE.search((folder / 'runs' / night / 'report.html').read_text())[1] for night in ('one', 'two')]
-        hold('report.json', map(json.loads, pages))
+        hold('report_data.json', map(json.loads, pages))
         hold('suppression.json', lines((ROOT / 'corpus/store/fixtures/0.1.0/suppressions.jsonl').read_text()))
         run('gate', '--method', 'ode', '--pairs', 400, '--json', folder / 'base.json')
         run('gate', '--method', 'ode', '--against', folder / 'base.json', '--json', folder / 'gate.json')
