@@ -60,6 +60,7 @@ foreach(script ${scripts})
   daylight_script(${name} cli 2400 ${PROJECT_SOURCE_DIR}/${script} ${program})
 endforeach()
 daylight_script(guides_test cli 2400 ${PROJECT_SOURCE_DIR}/docs/guides/guides_test.sh ${program})
+daylight_script(docs_test cli 2400 ${Python3_EXECUTABLE} ${PROJECT_SOURCE_DIR}/docs/docs_test.py ${program})
 # What earlier versions wrote opens today.
 daylight_script(fixtures_test corpus 2400 ${Python3_EXECUTABLE} ${PROJECT_SOURCE_DIR}/corpus/store/fixtures/fixtures_test.py
                 ${program} $<TARGET_FILE:fuzz_xcheck>)
