@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""The Python module: shapes, verdicts, errors, campaigns, and the example of README.md as it is printed."""
+"""The Python module: shapes, verdicts, errors, campaigns, and the example of docs/library-use.md as it is printed."""
 import ast
 import contextlib
 import io
@@ -14,7 +14,7 @@ import numpy as np
 import daylight
 from daylight import Hull, Verdict
 
-README = pathlib.Path(__file__).resolve().parents[1] / 'README.md'
+PAGE = pathlib.Path(__file__).resolve().parents[1] / 'docs' / 'library-use.md'
 FUNCTIONS = ['campaign', 'decide', 'decide_exactly', 'distance', 'intersect']
 ROD = np.array([0, 0, 0, 0, 0, 1, 1, 4.0])
 
@@ -205,7 +205,7 @@ class Documentation(unittest.TestCase):
 
 class Readme(unittest.TestCase):
     def test_example(self):
-        text = README.read_text()
+        text = PAGE.read_text()
         example, = re.findall(r'^```python file=example\.py\n(.*?)^```', text, re.M | re.S)
         expected, = re.findall(r'^```text file=example\.out\n(.*?)^```', text, re.M | re.S)
         printed = io.StringIO()

@@ -97,5 +97,23 @@ foreach(file ${data})
   get_filename_component(folder ${file} DIRECTORY)
   install(FILES ${file} DESTINATION ${CMAKE_INSTALL_DATADIR}/daylight/${folder} COMPONENT program)
 endforeach()
-install(FILES README.md DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT program)
-install(DIRECTORY docs/guides DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT program FILES_MATCHING PATTERN *.md)
+install(FILES README.md CHANGELOG.md DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT program)
+install(DIRECTORY docs DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT program
+        FILES_MATCHING PATTERN *.md PATTERN *.png PATTERN *.svg PATTERN docs/examples/*.jsonl PATTERN docs/pictures/*.jsonl)
+
+# The manual page and the completion of shells are what the program's own --help says; made when they are installed. Of a
+# program for another processor nothing can be asked here.
+if(NOT CMAKE_CROSSCOMPILING)
+  set(manual ${CMAKE_BINARY_DIR}/generated/manual)
+  install(CODE "
+    file(MAKE_DIRECTORY ${manual})
+    foreach(made page=daylight.1 bash=daylight)
+      string(REPLACE = \";\" made \${made})
+      list(GET made 0 what)
+      list(GET made 1 file)
+      execute_process(COMMAND ${Python3_EXECUTABLE} ${PROJECT_SOURCE_DIR}/tools/manual.py $<TARGET_FILE:daylight> \${what}
+                      OUTPUT_FILE ${manual}/\${file} COMMAND_ERROR_IS_FATAL ANY)
+    endforeach()" COMPONENT program)
+  install(FILES ${manual}/daylight.1 DESTINATION ${CMAKE_INSTALL_MANDIR}/man1 COMPONENT program)
+  install(FILES ${manual}/daylight DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions COMPONENT program)
+endif()

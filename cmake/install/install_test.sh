@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
-# Installs the libraries of the build folder $1 into a clean prefix, moves it, and builds the example of README.md against
-# it with compiler $2: by find_package and by pkg-config, a component at a time, each header alone.
+# Installs the libraries of the build folder $1 into a clean prefix, moves it, and builds the example of
+# docs/library-use.md against it with compiler $2: by find_package and by pkg-config, a component at a time, each header
+# alone.
 set -euo pipefail
 
 build=$1
@@ -16,10 +17,10 @@ fail() {
   exit 1
 }
 
-# What README.md prints, in files of the names it states.
+# What the page prints, in files of the names it states.
 awk '/^```/ && open { close(name); open = 0; next } /^```[a-z]+ file=/ { name = $0; sub(/.*file=/, "", name); open = 1 }
-     open == 2 { print > name } open == 1 { open = 2 }' "$source/README.md"
-[[ -s CMakeLists.txt && -s consumer.cpp && -s consumer.out ]] || fail "README.md lacks an example"
+     open == 2 { print > name } open == 1 { open = 2 }' "$source/docs/library-use.md"
+[[ -s CMakeLists.txt && -s consumer.cpp && -s consumer.out ]] || fail "docs/library-use.md lacks an example"
 
 cat >some_oracles.cpp <<'END'
 #include <daylight/oracles/compare.hpp>
@@ -79,7 +80,7 @@ mkdir example
 cp CMakeLists.txt consumer.cpp example
 built_by_cmake "$PWD/moved" example
 example/build/consumer >printed
-diff -u consumer.out printed || fail "README.md prints something else"
+diff -u consumer.out printed || fail "docs/library-use.md prints something else"
 built_by_pkg_config "$PWD/moved" daylight-exact consumer.cpp consumer
 ./consumer | diff -u consumer.out - || fail "built by pkg-config it prints something else"
 
@@ -108,6 +109,12 @@ try_program() { # prefix
   rm -r "$1/run"
 }
 install_into first program
+grep -q '^\.SH "daylight campaign"' first/share/man/man1/daylight.1 || fail "no manual page"
+# shellcheck disable=SC1091 # made
+(source first/share/bash-completion/completions/daylight
+ COMP_WORDS=(daylight gate --jun) COMP_CWORD=2
+ _daylight
+ [[ ${COMPREPLY[*]} == --junit ]]) || fail "no completion of options"
 cp -r first/. moved
 rm -r first
 try_program "$PWD/moved"

@@ -77,8 +77,8 @@ on NumPy arrays, and campaigns against a Python callable."
 endif()
 include(CPack)
 
-# Installs into a clean prefix and builds the example of README.md against it, by both ways. Not of libraries with
-# sanitizers in them, which want a program that has them too.
+# Installs into a clean prefix and builds the example of docs/library-use.md against it, by both ways. Not of libraries
+# with sanitizers in them, which want a program that has them too.
 if(NOT CMAKE_CXX_FLAGS MATCHES "-fsanitize")
   add_test(NAME install_test COMMAND ${PROJECT_SOURCE_DIR}/cmake/install/install_test.sh ${CMAKE_BINARY_DIR} ${CMAKE_CXX_COMPILER})
   set_tests_properties(install_test PROPERTIES LABELS library TIMEOUT 2400)
