@@ -95,7 +95,7 @@ built_by_pkg_config "$PWD/moved" daylight-oracles oracles/consumer.cpp some_orac
 # The program finds its files beside it, wherever it is moved, and tells what an installation lacks.
 try_program() { # prefix
   local daylight=$1/bin/daylight fault
-  "$daylight" campaign --methods decide --pairs 1000 --seed 1 --out "$1/run" >printed || fail "the installed program: $(cat printed)"
+  "$daylight" campaign --methods decide --pairs 1000 --seed 1 --table --out "$1/run" >printed || fail "the installed program: $(cat printed)"
   grep -qE "^corpus +$(cat "$source"/corpus/cases/*.jsonl | grep -c .) " printed || fail "not every case was played: $(cat printed)"
   grep -q '"command":"daylight campaign ' "$1/run/report.html" || fail "the page tells to run something else"
   fault=$(head -n 1 "$source/props/mutants/kill_matrix.jsonl" | sed 's/"like".*//; s/.*"what": "//; s/".*//')
