@@ -64,9 +64,8 @@ void add_ask(Program& program) {
       program.command("Find", "ask", "Writes a campaign's pairs down, to be answered on another machine");
   auto options = std::make_shared<AskOptions>();
   command.option("--out", options->out, "file of pairs, a line each; '-': standard output");
-  command.number("--pairs", options->pairs, "exactly this many pairs: the cases first, then of the families",
-                 1);
-  command.number("--seed", options->seed, "same seed, same pairs: those of a campaign with it");
+  command.number("--pairs", options->pairs, "exactly this many pairs: the cases first, then drawn ones", 1);
+  command.number("--seed", options->seed, "same seed, same pairs; a campaign with it draws the same");
   command
       .option("--families", options->families,
               "a,b: pairs of these families; --families=-a,b: of all but these; a name stands for all that "

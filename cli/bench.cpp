@@ -124,12 +124,12 @@ void add_bench(Program& program) {
   Command command =
       program.command("Measure", "bench", "Nanoseconds a pair by method and family, faults beside them");
   auto options = std::make_shared<BenchArguments>();
-  command.option("--methods", options->methods, "a,b or (--methods=-a,b) all but these");
+  command.option("--methods", options->methods, "a,b: time these; --methods=-a,b: all but these");
   add_guest_options(command, options->guests);
   command.option(
       "--families", options->families,
-      "a,b or (--families=-a,b) all but these, or all; margin_1e-01 to margin_1e-15 are near-touching "
-      "pairs at that margin");
+      "a,b: pairs of these families; --families=-a,b: of all but these; all: of all. margin_1e-01 to "
+      "margin_1e-15 are near-touching pairs at that margin");
   command
       .option("--min-time", options->bench.min_time,
               "seconds of timing a row (method, family and query), all passes together")
@@ -137,10 +137,11 @@ void add_bench(Program& program) {
   command.number("--pairs", options->bench.pairs, "pairs to draw from each family", 1);
   command.number("--passes", options->bench.passes,
                  "how often each row is timed, in rotation with the others", 1);
-  command.number("--seed", options->bench.seed, "of the random pairs: same seed, same pairs");
+  command.number("--seed", options->bench.seed, "same seed, same pairs");
   command.flag(
       "--growth", options->growth,
-      "how time grows as margins shrink from 1e-1 to 1e-15, batches grow to 10^6 pairs and sets to 10^7");
+      "time instead how cost grows as margins shrink from 1e-1 to 1e-15, batches grow to 10^6 pairs and "
+      "sets to 10^7");
   command.flag(
       "--curves", options->curves,
       "speed against accuracy, for `daylight chart`: every method at more settings than campaigns ask, on "

@@ -280,7 +280,8 @@ void add_campaign(Program& program) {
   Command command = program.command(
       "Find", "campaign", "Draws pairs, asks every method, proves who is wrong, and keeps the proofs");
   auto arguments = std::make_shared<CampaignArguments>();
-  command.option("--for", arguments->budget, "wall time, like 90s, 1m or 8h; 1m where no limit is given");
+  command.option("--for", arguments->budget, "wall time, like 90s, 1m or 8h")
+      .default_text("1m where there is no other limit");
   command.number("--pairs", arguments->pairs, "exactly this many pairs; 0: no such limit");
   command
       .option("--stop-at", arguments->stop_at,
@@ -315,9 +316,9 @@ void add_campaign(Program& program) {
                "only make the run folder, for --resume to go on with");
   command.flag(
       "--alarm", arguments->self_check,
-      "self-test: plant faults on the way and fail unless each is found; as a rule from 5 minutes or "
+      "self-test: plant faults on the way and fail unless each is found; done unasked from 5 minutes or "
       "3,000,000 pairs on");
-  command.flag("--no-alarm", arguments->no_self_check, "plant no faults, however long the run")
+  command.flag("--no-alarm", arguments->no_self_check, "no self-test, however long the run")
       .excludes("--alarm");
   command.flag("--table", arguments->table, "print every method's counts too, not only the summary");
   command.flag("--list", arguments->list, "only list the methods, with their claims, and the families");

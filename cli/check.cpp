@@ -189,7 +189,7 @@ void add_check(Program& program) {
   Command command = program.command("Ask", "check", "Pairs in, certified answers out, a line each");
   auto options = std::make_shared<CheckOptions>();
   command.option("FILE", options->files, "JSON Lines of pairs; '-' or none: standard input");
-  command.flag("--text", options->text, "write sentences, not JSON");
+  command.flag("--text", options->text, "write a sentence a line instead of JSON");
   command.flag("--distance", options->distance, "add a certified enclosure of the signed distance");
   command.option("--method", options->method, "ask this method instead; its answer is reported, not proved")
       .excludes("--distance");

@@ -39,7 +39,7 @@ void add_explain(Program& program) {
   Command command = program.command("Understand", "explain", "Says why a method is wrong on one pair");
   auto arguments = std::make_shared<ExplainArguments>();
   add_failure_options(command, arguments->failure);
-  command.number("--seed", arguments->seed, "of the pairs drawn from the pair's stratum");
+  command.number("--seed", arguments->seed, "same seed, same pairs drawn from the pair's stratum");
   command.option("--json", arguments->json, "write everything as JSON, each end with its pair and proof");
   command.examples("  daylight explain runs/latest:12",
                    "Here 64 also: the method is not wrong on that pair.");

@@ -66,7 +66,7 @@ void add_families(Program& program) {
   command.option("NAME", options->name, "the family to print pairs of; none: list them");
   command.number("--seed", options->seed, "same seed, same pairs, on every machine");
   command.number("--count", options->count, "pairs to print");
-  command.number("--from", options->from, "index of the first");
+  command.number("--from", options->from, "index of the first pair to print");
   command.examples("  daylight families random --count 1000 | daylight check");
   command.run([options] {
     if (options->name.empty()) {

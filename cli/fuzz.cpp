@@ -112,8 +112,9 @@ void add_fuzz(Program& program) {
   command.number("--jobs", arguments->jobs, "workers, each a process of its own", 1, 1024);
   command.option("--out", arguments->out, "run folder; one that is there goes on with its corpus")
       .default_text("runs/fuzz-<date-time>");
-  command.number("--seed", arguments->seed, "from which each worker draws its own").default_text("random");
-  command.option("--program", arguments->program, "another build of the target, as libFuzzer drives it");
+  command.number("--seed", arguments->seed, "seed from which the workers' seeds are drawn")
+      .default_text("random");
+  command.option("--program", arguments->program, "another executable of the target, built with libFuzzer");
   command.examples(
       "  daylight fuzz --for 10m --target core --out runs/fuzz-core",
       "Findings are in findings.jsonl of the run folder, which daylight replay takes. Ctrl-C ends it "

@@ -300,10 +300,11 @@ void add_gate(Program& program) {
       .default_text(std::to_string(gate_pairs));
   command.option(
       "--for", arguments->cap,
-      "a cap on wall time, like 40s or 5m; what is not asked for it is said, and fails the gate with "
+      "a cap on wall time, like 40s or 5m; pairs that it cuts off are named, and the gate ends with "
       "exit code 3");
   command
-      .option("--method", arguments->methods, "a,b: who is to pass; a name stands for all that begin with it")
+      .option("--method", arguments->methods,
+              "a,b: the methods that have to pass; a name stands for all that begin with it")
       .default_text("the guests or, without any, ours");
   add_guest_options(command, arguments->guests);
   command.number("--seed", arguments->seed, "same seed and number of pairs, same pairs in the same order")

@@ -157,12 +157,13 @@ void add_judge(Program& program) {
       .required();
   command.option("--pairs", options->pairs,
                  "the file that was answered; none: each answer has its own a and b");
-  command.option("--name", options->name, "whose answers they are").default_text("as a hello in them says");
+  command.option("--name", options->name, "name of the method that answered")
+      .default_text("as a hello in the answers says");
   command
       .option("--claim", options->claim,
-              "from which distance on they promise to be right, relative to r0 + h0 + r1 + h1")
+              "distance from which on the answers have to be right, relative to r0 + h0 + r1 + h1")
       .within(0, 1)
-      .default_text("as a hello in them says, else 0");
+      .default_text("as a hello in the answers says, else 0");
   command.option("--keep", options->keep,
                  "write pairs on which they fail as a file of cases, with the proofs");
   command.examples(

@@ -20,9 +20,10 @@ FindingKind kind_of_word(const std::string& word) {
 
 void add_failure_options(Command& command, FailureOptions& options) {
   command.option("CASE", options.target, "RUN:ID, FILE:LINE, or a FILE of one case").required();
-  command.option("--method", options.method, "who is wrong").default_text("of a stored finding: its own");
-  command.option("--kind", options.kind, "how, like wrong_disjoint")
-      .default_text("of a stored finding: its own; else found by asking");
+  command.option("--method", options.method, "the method that is wrong")
+      .default_text("that of the stored finding");
+  command.option("--kind", options.kind, "the kind of failure, like wrong_disjoint")
+      .default_text("that of the stored finding; else found by asking");
   add_guest_options(command, options.guests);
 }
 

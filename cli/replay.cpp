@@ -163,7 +163,8 @@ void add_replay(Program& program) {
               "RUN: all its findings; RUN:ID: one; FILE: a file of cases; FILE:LINE: one; -: cases of "
               "standard input")
       .required();
-  command.option("--methods", arguments->methods, "a,b: ask these; --methods=-a,b: all but these");
+  command.option("--methods", arguments->methods, "a,b: ask these; --methods=-a,b: all but these")
+      .default_text("all");
   command
       .option("--laws", arguments->laws,
               "1,10: hold the methods to these laws too, by numbers as `gate --laws` lists them")

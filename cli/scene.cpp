@@ -128,17 +128,19 @@ void add_scene(Program& program) {
   Command command = program.command(
       "Measure", "scene", "Says which model of its cylinders a scene or robot needs, and at what cost");
   command.option("FILE", question.file, "a scene: .urdf, .xml (MJCF), .jsonl or .csv of cylinders");
-  command.option("--clearance", question.clearance, "are two this near or nearer? In the scene's unit");
+  command.option("--clearance", question.clearance,
+                 "cylinders at this distance or nearer are too near; in the scene's unit");
   command.option("--tolerate", question.tolerated,
-                 "false alarms that do no harm: this far beyond the clearance");
-  command.number("--configurations", question.configurations, "to draw, within the joints' limits", 1,
-                 1'000'000);
-  command.number("--seed", question.seed, "of the random configurations: same seed, same configurations");
+                 "distance beyond the clearance up to which a false alarm does no harm");
+  command.number("--configurations", question.configurations,
+                 "configurations to draw within the joints' limits", 1, 1'000'000);
+  command.number("--seed", question.seed, "same seed, same configurations");
   command.option("--at", arguments->at, "JOINT=VALUE..: one configuration, the other joints at 0");
   command.flag("--all-pairs", question.all_pairs,
                "also adjacent links and those that the description disables");
   command.flag("--verify", question.verify, "put every recommended answer before the referee");
-  command.option("--generate", arguments->generate, "in place of a FILE: rods or pipes, and all close pairs");
+  command.option("--generate", arguments->generate,
+                 "generate rods or pipes instead of reading a FILE, and ask about all close pairs");
   command.number("--count", arguments->count, "cylinders to generate", 1, 10'000'000);
   command.option("--json", arguments->json, "write everything as JSON, a line of results for each pair");
   command.option("--page", arguments->page,

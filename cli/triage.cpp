@@ -140,7 +140,7 @@ void add_triage(Program& program) {
                                     "From the findings of a run to their causes, each with a simple pair");
   auto arguments = std::make_shared<TriageArguments>();
   command.option("RUN", arguments->run, "folder of the run").required();
-  command.option("--against", arguments->against, "triaged runs to hold it against")
+  command.option("--against", arguments->against, "triaged runs to compare it with")
       .default_text("those beside it");
   command.option("--for", arguments->budget, "wall time, like 5m").default_text("5m");
   add_guest_options(command, arguments->guests);

@@ -238,16 +238,17 @@ void add_worst(Program& program) {
   auto arguments = std::make_shared<WorstArguments>();
   command
       .option("--method", arguments->methods,
-              "a,b: a name stands for all that begin with it; judge: the referee")
+              "a,b: search for these; a name stands for all that begin with it; judge: the referee")
       .required();
   add_guest_options(command, arguments->guests);
-  command.option("--feature", arguments->feature, "what meets, like side-rim").default_text("each in turn");
+  command.option("--feature", arguments->feature, "contact feature, like side-rim")
+      .default_text("each in turn");
   command.option("--for", arguments->budget, "wall time in all, like 60s").default_text("60s");
   command
-      .option("--search", arguments->search,
-              "the most of what: margin by which a verdict is wrong, time or steps of a call, error of the "
-              "distance "
-              "over the bound told with it (bound: that over the claim), margin of a pair left undecided")
+      .option(
+          "--search", arguments->search,
+          "what to make largest: margin by which a verdict is wrong; time or steps of a call; error of the "
+          "distance over the bound told with it; bound over the claim; margin of a pair left undecided")
       .one_of({enum_words<Search>.begin(), enum_words<Search>.end()});
   command.flag("--time", arguments->time, "the same as --search time");
   command.option("--from", arguments->from, "start from the findings of a run or a file of cases")
@@ -256,9 +257,10 @@ void add_worst(Program& program) {
   command.number("--evaluations", arguments->evaluations,
                  "shapes looked at for each method and feature; no limit of time then but --for", 1);
   command.option("--out", arguments->out, "write the pairs as a file of cases");
-  command.flag("--extremes", arguments->extremes,
-               "sizes from 1e-12 to 1e12 and as far from the origin, not only from 1e-3 to 1e3 within 100 "
-               "sizes of it");
+  command.flag(
+      "--extremes", arguments->extremes,
+      "also sizes from 1e-12 to 1e12, as far from the origin; else from 1e-3 to 1e3, within 100 sizes "
+      "of it");
   command.examples("  daylight worst --method fcl-libccd --feature side-rim --for 60s --out worst.jsonl",
                    "Each line: method, feature, the proved margin relative to the size (or what else "
                    "is sought), what it is, and the pair.");
