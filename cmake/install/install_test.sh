@@ -100,7 +100,7 @@ try_program() { # prefix
   grep -q '"command":"daylight campaign ' "$1/run/report.html" || fail "the page tells to run something else"
   fault=$(head -n 1 "$source/props/mutants/kill_matrix.jsonl" | sed 's/"like".*//; s/.*"what": "//; s/".*//')
   grep -qF -- "${fault:?}" "$1/run/report.html" || fail "the page lacks the kill matrix"
-  "$daylight" scene "$1/share/daylight/corpus/scenes/crane.urdf" >printed || fail "$(cat printed)"
+  "$daylight" scene "$1/share/daylight/corpus/scenes/twenty.urdf" >printed || fail "$(cat printed)"
   ! "$daylight" mutants list 2>err || fail "mutants were installed"
   grep -q 'never installed' err || fail "$(cat err)"
   ! "$daylight" fuzz --for 1s >/dev/null 2>err || fail "a fuzzer was installed"
