@@ -11,12 +11,14 @@ import sqlite3
 import subprocess
 import sys
 import tempfile
+import time
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parent.parent.parent
 INSIDE = 'HOSTILE_TEST_INSIDE'  # set where the namespace is
 OTHERS = 'decide,libccd'
 PAIRS = 600  # more than a batch
+PATIENCE = 3000  # looks, 0.1 s apart, before a process counts as left: far beyond what ending takes anywhere
 
 # Right as far as it goes; some of the heights, by their bits, make it do its worst.
 PLUGIN = r'''
@@ -194,13 +196,26 @@ def told(folder, of_guest):
 
 
 def processes():
-    """All of this namespace but this one, to which those come whose parent is gone."""
-    try:
-        while os.waitpid(-1, os.WNOHANG)[0]:
+    """All of this namespace but this one, to which those come whose parent is gone; once those that are about to end
+    have ended: a keeper ends its guest when it sees that its own parent is gone, which may be after the program."""
+    for _ in range(PATIENCE):
+        try:
+            while os.waitpid(-1, os.WNOHANG)[0]:
+                pass
+        except ChildProcessError:
             pass
-    except ChildProcessError:
-        pass
-    return {int(p.name) for p in Path('/proc').iterdir() if p.name.isdigit()} - {os.getpid()}
+        left = {int(p.name) for p in Path('/proc').iterdir() if p.name.isdigit()} - {os.getpid()}
+        if not left:
+            break
+        time.sleep(0.1)
+    return left
+
+
+def command_of(process):
+    try:
+        return Path(f'/proc/{process}/cmdline').read_bytes().replace(b'\0', b' ').decode(errors='replace')
+    except OSError:
+        return 'one that has ended since'
 
 
 def check(daylight, guest, mode, named, alone):
@@ -223,7 +238,7 @@ def check(daylight, guest, mode, named, alone):
     run(daylight, 'campaign', '--resume', str(out), '--pairs', str(PAIRS + 100), status=(0, 2), mode=mode)
     left = processes()
     if left:
-        faults.append('left processes: ' + str([Path(f'/proc/{p}/cmdline').read_bytes() for p in left]))
+        faults.append('left processes: ' + str([command_of(p) for p in left]))
     print(f'{guest[0][2:]} {mode}: ' + ('; '.join(faults) or 'ok'), flush=True)
     return not faults
 
