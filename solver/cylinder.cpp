@@ -27,6 +27,8 @@ Defect find_defect(const Cylinder& c) noexcept {
   if (c.radius < 0) return Defect::radius_negative;
   if (!std::isfinite(c.height)) return Defect::height_not_finite;
   if (c.height < 0) return Defect::height_negative;
+  if (!std::isfinite(c.rounding)) return Defect::rounding_not_finite;
+  if (c.rounding < 0) return Defect::rounding_negative;
   return Defect::none;
 }
 

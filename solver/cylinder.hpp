@@ -10,13 +10,15 @@ namespace cyl {
 
 using Vector3 = Eigen::Vector3d;
 
-/// A solid, closed, finite cylinder. The solid is defined by axis/|axis| taken exactly, so the axis may have
-/// any finite non-zero length. Radius 0 is a segment, height 0 a disk, both a point: all legal.
+/// A solid, closed, finite cylinder, grown by a ball: all points within `rounding` of it. The solid is defined
+/// by axis/|axis| taken exactly, so the axis may have any finite non-zero length. Radius 0 is a segment, height
+/// 0 a disk, both a point: all legal. With rounding a segment is a capsule, a point a sphere.
 struct Cylinder {
   Vector3 center{0, 0, 0};  ///< the middle of the axis segment, in the scene's length unit
   Vector3 axis{0, 0, 1};    ///< any finite non-zero vector
   double radius = 0;        ///< >= 0, same unit
   double height = 0;        ///< full height, >= 0, same unit
+  double rounding = 0;      ///< of all edges and faces, outward, >= 0, same unit
 };
 
 /// Directions point from a to b.
@@ -57,16 +59,19 @@ enum class Defect : unsigned char {
   radius_not_finite,
   radius_negative,
   height_not_finite,
-  height_negative
+  height_negative,
+  rounding_not_finite,
+  rounding_negative
 };
 /// Phrases for people.
 constexpr auto words_of(Defect) noexcept {
-  return std::array{"nothing is wrong",     "center is not finite", "axis is not finite",
-                    "axis is zero",         "radius is not finite", "radius is negative",
-                    "height is not finite", "height is negative"};
+  return std::array{"nothing is wrong",       "center is not finite", "axis is not finite",
+                    "axis is zero",           "radius is not finite", "radius is negative",
+                    "height is not finite",   "height is negative",   "rounding is not finite",
+                    "rounding is negative"};
 }
 
-/// Cost: eight comparisons. Never throws.
+/// Cost: nine comparisons. Never throws.
 Defect find_defect(const Cylinder& c) noexcept;
 
 const char* to_string(Verdict v) noexcept;

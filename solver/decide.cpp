@@ -10,6 +10,7 @@
 
 #include "solver/detail/optimum.hpp"
 #include "solver/detail/prove_with_room.hpp"
+#include "solver/detail/rounded.hpp"
 
 namespace cyl {
 namespace {
@@ -136,6 +137,9 @@ void prove_parallel(const Question& q, const Parallel& found) noexcept {
 }  // namespace
 
 Answer decide(const Prepared& a, const Prepared& b) noexcept {
+  if (!(a.ordinary & b.ordinary) && a.rounding + b.rounding > 0 && a.defect == Defect::none &&
+      b.defect == Defect::none)
+    return decide_rounded(a, b, room_of(a, b, 0));
   Answer answer;
   bool swapped = a.radius > b.radius;
   if (a.radius == b.radius) swapped = out_of_order(a, b);

@@ -15,7 +15,9 @@ struct Prepared {
   double radius;      ///< as given
   double height;      ///< as given
   Defect defect;      ///< not none: every call answers `invalid`
-  bool ordinary;      ///< all numbers 0 or so near 1 that no product in a decision over- or underflows
+  bool ordinary;      ///< not rounded, and `moderate`
+  bool moderate;      ///< all numbers 0 or so near 1 that no product in a decision over- or underflows
+  double rounding;    ///< as given
 };
 
 /// Bounds of rounding, as multiples of lengths; derived in derivation.md, section 8.
@@ -37,7 +39,7 @@ inline constexpr double underflow_error =
 Prepared prepare(const Cylinder& c) noexcept;
 
 /// Which certificate an answer carries.
-enum class Proof : unsigned char { none, direction, point };
+enum class Proof : unsigned char { none, direction, point, points };
 
 /// A verdict with its certificate, in the frame and unit of the cylinders. What no proof fills is 0.
 struct Answer {
@@ -45,10 +47,15 @@ struct Answer {
   Proof proof = Proof::none;
   /// proof == direction: D with f(D) < 0 and D.(b.center - a.center) > 0, of any length.
   /// proof == point: the common point is exactly point_head + point_tail, or, where a hull is not `space`,
-  /// the point of both hulls that is nearest to it; head is the centre of a or of b.
+  /// the point of both hulls that is nearest to it; head is the centre of a or of b. It lies in both solids
+  /// without their rounding.
+  /// proof == points: a.center + point_tail lies in a and b.center + other_tail in b, both without their
+  /// rounding, and they are no farther apart than a.rounding + b.rounding; where a hull is not `space`, the point
+  /// of that solid's hull nearest to it.
   Vector3 direction{0, 0, 0};
   Vector3 point_head{0, 0, 0};
   Vector3 point_tail{0, 0, 0};
+  Vector3 other_tail{0, 0, 0};
   Hull hull_a = Hull::space, hull_b = Hull::space;
   int iterations = 0;  ///< steps inside an edge, at most decide_iteration_cap
 };
@@ -69,5 +76,10 @@ Verdict intersect(const Cylinder& a, const Cylinder& b) noexcept;
 /// that of intersect(); within 1e-11 of touching and beside flat solids up to 0.2 ms.
 Answer decide(const Prepared& a, const Prepared& b) noexcept;
 Answer decide(const Cylinder& a, const Cylinder& b) noexcept;
+
+/// Whether the solids come within a clearance of each other: what intersect() and decide() say of them where
+/// one is rounded by so much more. A clearance that is negative or not finite is `invalid`. Cost: as theirs.
+Verdict within(const Prepared& a, const Prepared& b, double clearance) noexcept;
+Answer decide_within(const Prepared& a, const Prepared& b, double clearance) noexcept;
 
 }  // namespace cyl

@@ -8,6 +8,7 @@
 
 #include "solver/detail/distance_frame.hpp"
 #include "solver/detail/distance_rims.hpp"
+#include "solver/detail/rounded.hpp"
 
 namespace cyl {
 namespace {
@@ -181,8 +182,8 @@ class Search {
     high_ = std::numeric_limits<double>::infinity();  // of two points, one in a and one in b moved
     for (const Vector3& start : starts)
       if (come_together(start, moved, error)) return;
-    Prepared a{Vector3(0, 0, 0), p_.w0, p_.r0, 2 * p_.h0, Defect::none, false}, b = a;
-    b = {moved, p_.w1, p_.r1, 2 * p_.h1, Defect::none, false};
+    Prepared a{Vector3(0, 0, 0), p_.w0, p_.r0, 2 * p_.h0, Defect::none, false, false, 0}, b = a;
+    b = {moved, p_.w1, p_.r1, 2 * p_.h1, Defect::none, false, false, 0};
     for (const double overlap : touch_tols) {
       b.center = moved - overlap * reach_ * direction_;
       const Answer answer = decide(a, b);
@@ -265,14 +266,37 @@ void measure_parallel(const Scaled& p, const Vector3& axis_sum, Distance& out) n
   out.error = distance_error * (p.r0 + p.h0 + p.r1 + p.h1 + length(p.delta));
 }
 
+// Each solid grows by a ball: what lies between them shrinks by both radii, whether it is a gap or a depth.
+void grow(Distance& d, double rounding_a, double rounding_b) noexcept {
+  constexpr double most = std::numeric_limits<double>::max();
+  const double room = rounding_a + rounding_b, grown = d.value - room;
+  d.error += 4 * unit_roundoff_error * larger(room, std::fabs(d.value));
+  d.value = larger(-most, grown);
+  d.on_a += rounding_a * d.direction;
+  d.on_b -= rounding_b * d.direction;
+  d.verdict = d.value > 0 ? Verdict::disjoint : Verdict::intersecting;
+}
+
 }  // namespace
 
 Distance distance(const Prepared& a, const Prepared& b) noexcept {
-  Distance out;
   if ((a.defect != Defect::none) | (b.defect != Defect::none)) {
+    Distance out;
     out.verdict = Verdict::invalid;
     return out;
   }
+  if (a.rounding + b.rounding == 0) return distance_of_cores(a, b);
+  Prepared core_a = a, core_b = b;
+  core_a.rounding = core_b.rounding = 0;
+  core_a.ordinary = a.moderate;
+  core_b.ordinary = b.moderate;
+  Distance out = distance_of_cores(core_a, core_b);
+  grow(out, a.rounding, b.rounding);
+  return out;
+}
+
+Distance distance_of_cores(const Prepared& a, const Prepared& b) noexcept {
+  Distance out;
   const bool swapped = out_of_order(a, b);
   const Prepared& first = swapped ? b : a;
   const Prepared& second = swapped ? a : b;

@@ -3,6 +3,7 @@
 #include "solver/decide.hpp"
 #include "solver/detail/frame.hpp"
 #include "solver/detail/iteration_cap.hpp"
+#include "solver/detail/rounded.hpp"
 #include "solver/detail/sections.hpp"
 
 namespace cyl {
@@ -57,6 +58,7 @@ Verdict intersect_shallow(const Couple<double>& p) noexcept {
 Verdict intersect(const Prepared& a, const Prepared& b) noexcept {
   if (a.ordinary & b.ordinary) return intersect_couple(as_it_is(a, b).couple());
   if ((a.defect != Defect::none) | (b.defect != Defect::none)) return Verdict::invalid;
+  if (a.rounding + b.rounding > 0) return intersect_rounded(a, b, room_of(a, b, 0));
   return intersect_couple(scale(a, b).couple());
 }
 

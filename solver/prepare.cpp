@@ -7,7 +7,7 @@
 namespace cyl {
 
 Prepared prepare(const Cylinder& c) noexcept {
-  Prepared p{c.center, {0, 0, 1}, c.radius, c.height, find_defect(c), false};
+  Prepared p{c.center, {0, 0, 1}, c.radius, c.height, find_defect(c), false, false, c.rounding};
   if (p.defect != Defect::none) return p;
   // By powers of two until the largest coordinate is in [1, 2), of the largest doubles in [2, 4), of
   // subnormal ones in [2^-51, 1]: squares neither overflow nor vanish.
@@ -24,8 +24,10 @@ Prepared prepare(const Cylinder& c) noexcept {
     const double size = std::fabs(x);
     return (size == 0) | ((size >= 1 / limit) & (size <= limit));
   };
-  p.ordinary = within(c.center.x(), 0x1p250) & within(c.center.y(), 0x1p250) & within(c.center.z(), 0x1p250) &
-               within(c.radius, 0x1p200) & within(c.height, 0x1p200);
+  p.moderate = within(c.center.x(), 0x1p250) & within(c.center.y(), 0x1p250) & within(c.center.z(), 0x1p250) &
+               within(c.radius, 0x1p200) & within(c.height, 0x1p200) &
+               within(c.rounding, 0x1p200);
+  p.ordinary = p.moderate & (c.rounding == 0);
   return p;
 }
 

@@ -8,7 +8,7 @@ namespace cyl {
 inline constexpr unsigned batch_chunk = 1024;
 
 /// A record is a Prepared: eight doubles, then flags (intersect_batch.cpp checks it).
-inline constexpr unsigned long long record_bytes = 72;
+inline constexpr unsigned long long record_bytes = 80;
 inline constexpr unsigned long long record_ordinary = 65;  ///< where the flag `ordinary` is
 
 struct BatchJob {

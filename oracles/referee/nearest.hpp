@@ -1,0 +1,205 @@
+// SPDX-License-Identifier: MIT
+// The referee's own search for the nearest points of two cylinders without rounding that lie apart. What it finds is
+// a guess until it is checked; so one text serves double and every precision of MPFR.
+//
+// From any point of one solid to the nearest of the other and back never leads farther apart, but may take long. So
+// between such steps the pair of faces, sides and rims that the points lie on is taken for the right one, and Newton's
+// method goes to where their distance is stationary: twice the digits each step.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+#include "oracles/referee/search.hpp"
+#include "oracles/referee/vec3.hpp"
+
+namespace cyl {
+
+/// Two points, relative to a's centre; how far apart they are.
+template <class R>
+struct Nearest {
+  Vec3<R> on_a, on_b;
+  R apart;
+};
+
+namespace nearest_detail {
+
+using std::abs;
+using std::sqrt;
+
+template <class R>
+R length(const Vec3<R>& v) {
+  return R(sqrt(dot(v, v)));
+}
+
+template <class R>
+struct Solid {
+  Vec3<R> center, axis;  // unit
+  R radius, half;
+
+  Vec3<R> nearest(const Vec3<R>& x) const {
+    const Vec3<R> d = x - center;
+    R along = dot(d, axis);
+    Vec3<R> across = d - along * axis;
+    const R beside = length(across);
+    if (along > half) along = half;
+    if (along < -half) along = -half;
+    if (beside > radius) across = R(radius / beside) * across;
+    return center + along * axis + across;
+  }
+};
+
+/// Which part of a solid's surface a point lies on: within its side, its cap, or where both end.
+enum class Part : unsigned char { side, cap, rim };
+
+/// A point of a part, and how it moves: up to two tangents, and what the second derivative along each adds.
+template <class R>
+struct Place {
+  Vec3<R> at{};
+  std::array<Vec3<R>, 2> tangent{}, bend{};
+  int count = 0;
+};
+
+/// `u`: the unit vector from the axis to the point; `end`: +1 or -1.
+template <class R>
+Place<R> place_on(const Solid<R>& s, Part part, const Vec3<R>& x) {
+  const Vec3<R> d = x - s.center;
+  const R along = dot(d, s.axis), zero(0.0);
+  Vec3<R> u = d - along * s.axis;
+  const R beside = length(u);
+  const R end = along < zero ? R(-s.half) : s.half;
+  Place<R> p;
+  if (part == Part::cap) {
+    p.at = s.center + end * s.axis + u;
+    // Any two vectors that span the cap's plane.
+    const bool x_least = abs(s.axis.x) < abs(s.axis.y) && abs(s.axis.x) < abs(s.axis.z);
+    const bool y_least = abs(s.axis.y) < abs(s.axis.z);
+    const Vec3<R> other{R(x_least ? 1.0 : 0.0), R(!x_least && y_least ? 1.0 : 0.0),
+                        R(!x_least && !y_least ? 1.0 : 0.0)};
+    Vec3<R> first = cross(s.axis, other);
+    first = first / length(first);
+    p.tangent = {first, cross(s.axis, first)};
+    p.count = 2;
+    return p;
+  }
+  const bool turns = s.radius > zero && beside > zero;
+  if (turns) u = u / beside;
+  const Vec3<R> out = turns ? s.radius * u : Vec3<R>{zero, zero, zero};
+  p.at = s.center + (part == Part::rim ? end : along) * s.axis + out;
+  if (turns) {
+    p.tangent[0] = s.radius * cross(s.axis, u);
+    p.bend[0] = R(-1.0) * out;
+    p.count = 1;
+  }
+  if (part == Part::side) p.tangent[static_cast<std::size_t>(p.count++)] = s.axis;
+  return p;
+}
+
+/// Solves the symmetric system of up to four unknowns by elimination with pivots; what cannot be told is 0.
+template <class R>
+std::array<R, 4> solve(std::array<std::array<R, 5>, 4> m, int n) {
+  std::array<int, 4> pivot_of{-1, -1, -1, -1};
+  std::array<bool, 4> used{};
+  R largest(0.0);
+  for (int i = 0; i < n; ++i)
+    for (int j = 0; j < n; ++j) largest = std::max(largest, R(abs(m[i][j])));
+  const R least = largest * R(0x1p-40);
+  for (int column = 0; column < n; ++column) {
+    int best = -1;
+    for (int row = 0; row < n; ++row)
+      if (!used[row] && (best < 0 || abs(m[row][column]) > abs(m[best][column]))) best = row;
+    if (best < 0 || !(abs(m[best][column]) > least)) continue;
+    used[best] = true;
+    pivot_of[column] = best;
+    for (int row = 0; row < n; ++row) {
+      if (row == best) continue;
+      const R share = m[row][column] / m[best][column];
+      for (int k = column; k <= n; ++k) m[row][k] = m[row][k] - share * m[best][k];
+    }
+  }
+  std::array<R, 4> x{R(0.0), R(0.0), R(0.0), R(0.0)};
+  for (int column = 0; column < n; ++column)
+    if (pivot_of[column] >= 0) x[column] = m[pivot_of[column]][n] / m[pivot_of[column]][column];
+  return x;
+}
+
+template <class R>
+class Search {
+ public:
+  Search(const SearchPair<R>& p, int bits) : bits_(bits) {
+    const auto unit = [](const Vec3<R>& w) { return w / length(w); };
+    const R zero(0.0);
+    a_ = {{zero, zero, zero}, unit(p.axis0), p.radius0, p.half0};
+    b_ = {p.delta, unit(p.axis1), p.radius1, p.half1};
+  }
+
+  Nearest<R> run(const Vec3<R>& start) {
+    take(start);
+    for (int round = 0; round < 12; ++round) {
+      const R before = best_.apart;
+      for (int i = 0; i < 8; ++i) take(best_.on_b);
+      for (const Part pa : {Part::side, Part::cap, Part::rim})
+        for (const Part pb : {Part::side, Part::cap, Part::rim}) follow(pa, pb);
+      if (!(best_.apart < before * (R(1.0) - R(std::ldexp(1.0, -std::min(bits_ - 4, 1000)))))) break;
+    }
+    return best_;
+  }
+
+ private:
+  // x on a or near it: the nearest of a, and of b to that.
+  void take(const Vec3<R>& x) {
+    const Vec3<R> on_a = a_.nearest(x), on_b = b_.nearest(on_a);
+    const R apart = length(on_b - on_a);
+    if (!started_ || apart < best_.apart) best_ = {on_a, on_b, apart};
+    started_ = true;
+  }
+
+  // Newton's method with the points on these parts; kept where it has brought them nearer.
+  void follow(Part part_a, Part part_b) {
+    Vec3<R> x = best_.on_a, y = best_.on_b;
+    for (int step = 0; step < 10 + bits_ / 64; ++step) {
+      const Place<R> p = place_on(a_, part_a, x), q = place_on(b_, part_b, y);
+      const Vec3<R> e = q.at - p.at;
+      const int n = p.count + q.count;
+      if (n == 0) break;
+      std::array<std::array<R, 5>, 4> m{};
+      for (auto& row : m) row.fill(R(0.0));
+      const auto tangent = [&](int i) {
+        return i < p.count ? R(-1.0) * p.tangent[static_cast<std::size_t>(i)]
+                           : q.tangent[static_cast<std::size_t>(i - p.count)];
+      };
+      for (int i = 0; i < n; ++i) {
+        for (int j = 0; j < n; ++j) m[i][j] = dot(tangent(i), tangent(j));
+        const bool of_a = i < p.count;
+        const Vec3<R>& bend = of_a ? p.bend[static_cast<std::size_t>(i)] : q.bend[static_cast<std::size_t>(i - p.count)];
+        m[i][i] = m[i][i] + (of_a ? R(-dot(e, bend)) : dot(e, bend));
+        m[i][n] = -dot(e, tangent(i));
+      }
+      const std::array<R, 4> by = solve(m, n);
+      x = p.at;
+      y = q.at;
+      for (int i = 0; i < p.count; ++i) x = x + by[i] * p.tangent[static_cast<std::size_t>(i)];
+      for (int i = 0; i < q.count; ++i) y = y + by[p.count + i] * q.tangent[static_cast<std::size_t>(i)];
+    }
+    take(x);
+    take(a_.nearest(y));
+  }
+
+  Solid<R> a_, b_;
+  int bits_;
+  bool started_ = false;
+  Nearest<R> best_{};
+};
+
+}  // namespace nearest_detail
+
+/// `start`: any point, relative to a's centre. Cost in double: some 10 us.
+template <class R>
+Nearest<R> find_nearest(const SearchPair<R>& p, int bits, const Vec3<R>& start) {
+  return nearest_detail::Search<R>(p, bits).run(start);
+}
+
+}  // namespace cyl
