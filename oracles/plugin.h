@@ -3,7 +3,8 @@
  * file to any command: daylight gate --plugin ./libmine.so. C and C++ alike; docs/guides/library.md has one whole.
  *
  * A cylinder is eight doubles: centre x y z, axis x y z (any length but 0), radius, full height. Solid,
- * closed, finite.
+ * closed, finite. For a method that takes rounding it is nine: the last is the radius of a ball by which the
+ * solid is grown (radius 0 and height 0: a sphere; radius 0: a capsule). Others are not asked about such pairs.
  *
  * A method runs in a process of its own, in which it may crash, hang, throw, sleep, print, read files and
  * start threads; the process lives on from question to question. It may not start processes, signal others,
@@ -37,22 +38,24 @@ struct DaylightMethod {
 
   /* Answers whether a and b meet, one of the words above. `more` is all NaN before: where you have them,
    * leave the signed distance in more[0] (negative: how deep), a direction square to a separating plane in
-   * more[1..3], a common point in more[4..6]; with no part of a direction or point it is none. Called from
-   * one thread at a time. */
-  int (*ask)(const double a[8], const double b[8], double more[7]);
+   * more[1..3], a common point in more[4..6] (not looked at where a solid is rounded); with no part of a direction
+   * or point it is none. Called from one thread at a time. */
+  int (*ask)(const double* a, const double* b, double more[7]);
 
-  /* For timing, may be 0: `count` pairs of 16 doubles each, a word for each. */
+  /* For timing, may be 0: `count` pairs of 16 doubles each (18 with rounding), a word for each. */
   void (*ask_all)(size_t count, const double* pairs, signed char* verdicts);
 
   /* All that follows is of interface 2, and may be 0. */
 
   /* Why the last call of `ask` declined or failed, in a few words. */
   const char* (*reason)(void);
-  /* As `ask` about `count` pairs of 16 doubles each, in one call: a word and seven doubles of `more` for each.
-   * Must say what `ask` says. */
+  /* As `ask` about `count` pairs of 16 doubles each (18 with rounding), in one call: a word and seven doubles of
+   * `more` for each. Must say what `ask` says. */
   void (*ask_many)(size_t count, const double* pairs, int* words, double* more);
   /* Another method of this library. */
   const struct DaylightMethod* next;
+  /* 1: it takes rounding, and a cylinder is nine doubles wherever one is handed over. */
+  int takes_rounding;
 };
 
 #ifdef __cplusplus

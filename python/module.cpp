@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The Python module `daylight`: the solver on NumPy arrays, and campaigns over a Python callable. A solid is
-// eight float64: center (3), axis (3), radius, height. Arithmetic runs without the interpreter's lock;
-// C-contiguous float64 is read where it lies.
+// eight float64: center (3), axis (3), radius, height, or nine with its rounding. Arithmetic runs without the
+// interpreter's lock; C-contiguous float64 is read where it lies.
 #include <pybind11/numpy.h>
 #include <pybind11/pybind11.h>
 
@@ -31,13 +31,15 @@ namespace {
 using namespace cyl;
 using Doubles = py::array_t<double, py::array::c_style>;
 
-constexpr py::ssize_t solid_numbers = 8;
-
 Doubles array_of(const Cylinder& c) {
-  Doubles array(solid_numbers);
-  std::ranges::copy(numbers_of(c), array.mutable_data());
+  const auto numbers = numbers_of(c);
+  const std::size_t count = c.rounding == 0 ? core_number_count : cylinder_number_count;
+  Doubles array(static_cast<py::ssize_t>(count));
+  std::copy_n(numbers.begin(), count, array.mutable_data());
   return array;
 }
+
+py::ssize_t width_of(const Doubles& solids) { return solids.shape(solids.ndim() - 1); }
 
 Doubles solids(const std::string& name, const py::object& given) {
   Doubles array = Doubles::ensure(given);
@@ -50,9 +52,10 @@ Doubles solids(const std::string& name, const py::object& given) {
         (found ? " has dtype " + py::str(found.dtype()).cast<std::string>() : std::string(" is no array")) +
         ", not float64 or what NumPy casts to it safely");
   }
-  if (array.ndim() == 0 || array.shape(array.ndim() - 1) != solid_numbers)
+  if (array.ndim() == 0 || width_of(array) < py::ssize_t{core_number_count} ||
+      width_of(array) > py::ssize_t{cylinder_number_count})
     throw py::value_error(name + " has shape " + py::str(array.attr("shape")).cast<std::string>() +
-                          ", not (8,) or (.., 8): center (3), axis (3), radius, height");
+                          ", not (.., 8) or (.., 9): center (3), axis (3), radius, height, rounding");
   return array;
 }
 
@@ -64,18 +67,20 @@ class Pairs {
     const Doubles& longer = one_a ? b_ : a_;
     shape_.assign(longer.shape(), longer.shape() + longer.ndim() - 1);
     if (!one_a && !one_b &&
-        !(a_.ndim() == b_.ndim() && std::equal(a_.shape(), a_.shape() + a_.ndim(), b_.shape())))
+        !(a_.ndim() == b_.ndim() && std::equal(a_.shape(), a_.shape() + a_.ndim() - 1, b_.shape())))
       throw py::value_error("a has shape " + py::str(a_.attr("shape")).cast<std::string>() + " and b " +
                             py::str(b_.attr("shape")).cast<std::string>() +
-                            ": they must be the same, or one of them (8,)");
-    size = longer.size() / solid_numbers;
+                            ": they must be as many, or one of them (8,) or (9,)");
+    size = longer.size() / width_of(longer);
     a_data_ = a_.data();
     b_data_ = b_.data();
-    a_step_ = one_a ? 0 : solid_numbers;
-    b_step_ = one_b ? 0 : solid_numbers;
+    a_width_ = static_cast<std::size_t>(width_of(a_));
+    b_width_ = static_cast<std::size_t>(width_of(b_));
+    a_step_ = one_a ? 0 : width_of(a_);
+    b_step_ = one_b ? 0 : width_of(b_);
   }
-  Cylinder a(py::ssize_t i) const { return cylinder_of(a_data_ + i * a_step_); }
-  Cylinder b(py::ssize_t i) const { return cylinder_of(b_data_ + i * b_step_); }
+  Cylinder a(py::ssize_t i) const { return cylinder_of(a_data_ + i * a_step_, a_width_); }
+  Cylinder b(py::ssize_t i) const { return cylinder_of(b_data_ + i * b_step_, b_width_); }
   bool single() const { return shape_.empty(); }
   /// An array of a number a pair, or of `width` numbers a pair.
   template <class Number>
@@ -92,6 +97,7 @@ class Pairs {
   std::vector<py::ssize_t> shape_;
   const double *a_data_ = nullptr, *b_data_ = nullptr;
   py::ssize_t a_step_ = 0, b_step_ = 0;
+  std::size_t a_width_ = 0, b_width_ = 0;
 };
 
 using Codes = py::array_t<std::int8_t>;
@@ -156,11 +162,12 @@ py::object decide_arrays(const py::object& a, const py::object& b) {
   const Pairs pairs(a, b);
   auto codes = pairs.results<std::int8_t>(), hull_a = pairs.results<std::int8_t>(),
        hull_b = pairs.results<std::int8_t>();
-  auto direction = pairs.results<double>(3), head = pairs.results<double>(3), tail = pairs.results<double>(3);
+  auto direction = pairs.results<double>(3), head = pairs.results<double>(3), tail = pairs.results<double>(3),
+       other_tail = pairs.results<double>(3);
   std::int8_t *out = codes.mutable_data(), *hull_a_out = hull_a.mutable_data(),
               *hull_b_out = hull_b.mutable_data();
   double *direction_out = direction.mutable_data(), *head_out = head.mutable_data(),
-         *tail_out = tail.mutable_data();
+         *tail_out = tail.mutable_data(), *other_tail_out = other_tail.mutable_data();
   {
     const py::gil_scoped_release unlocked;
     for (py::ssize_t i = 0; i < pairs.size; ++i) {
@@ -169,13 +176,14 @@ py::object decide_arrays(const py::object& a, const py::object& b) {
       put(direction_out, i, answer.direction);
       put(head_out, i, answer.point_head);
       put(tail_out, i, answer.point_tail);
+      put(other_tail_out, i, answer.other_tail);
       hull_a_out[i] = static_cast<std::int8_t>(answer.hull_a);
       hull_b_out[i] = static_cast<std::int8_t>(answer.hull_b);
     }
   }
   return py::module_::import("daylight")
       .attr("Decision")(verdicts_of(pairs, codes), direction, head, tail, enum_of("Hull", pairs, hull_a),
-                        enum_of("Hull", pairs, hull_b));
+                        enum_of("Hull", pairs, hull_b), other_tail);
 }
 
 py::object distance_arrays(const py::object& a, const py::object& b) {
@@ -320,13 +328,15 @@ of the processor, with the same verdicts.)";
 
 constexpr const char* decide_text = R"(The verdict with a proof, never wrong.
 
-Returns Decision(verdict, direction, point_head, point_tail, hull_a, hull_b);
-direction and the points float64 of shape (.., 3), the hulls each a Hull, or int8
+Returns Decision(verdict, direction, point_head, point_tail, hull_a, hull_b,
+other_tail); direction and the points float64 of shape (.., 3), the hulls each a Hull, or int8
 of shape (..). disjoint: `direction`, not of unit length, points from a to b and
 is square to a plane that separates them. intersecting: a point is in both, which
 is exactly point_head + point_tail where both hulls are `space`; else the nearest
 to that in both hulls: `plane`, through the solid's centre, square to its axis;
-`line`, its axis; `center`. undecided: within 1e-13 of the size of touching, or
+`line`, its axis; `center`. Of rounded solids the point is in both without their
+rounding, or else point_head is 0 and two points, a's center + point_tail and b's
+center + other_tail, are no farther apart than both roundings together. undecided: within 1e-13 of the size of touching, or
 flat solids with little in common; ask decide_exactly. What does not belong to a
 verdict is 0.)";
 
@@ -381,7 +391,7 @@ PYBIND11_MODULE(daylight, m) {
     m.attr(name) =
         py::module_::import("collections").attr("namedtuple")(name, fields, py::arg("module") = "daylight");
   };
-  record("Decision", "verdict direction point_head point_tail hull_a hull_b");
+  record("Decision", "verdict direction point_head point_tail hull_a hull_b other_tail");
   record("Distance", "value error direction on_a on_b verdict");
 
   m.def("intersect", &intersect_arrays, py::arg("a"), py::arg("b"), intersect_text);

@@ -29,6 +29,7 @@ Defect find_defect(const Cylinder& c) noexcept {
   if (c.height < 0) return Defect::height_negative;
   if (!std::isfinite(c.rounding)) return Defect::rounding_not_finite;
   if (c.rounding < 0) return Defect::rounding_negative;
+  if (c.rounding > 0 && !std::isfinite(c.radius + c.height + c.rounding)) return Defect::rounding_overflows;
   return Defect::none;
 }
 

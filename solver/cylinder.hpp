@@ -10,9 +10,9 @@ namespace cyl {
 
 using Vector3 = Eigen::Vector3d;
 
-/// A solid, closed, finite cylinder, grown by a ball: all points within `rounding` of it. The solid is defined
-/// by axis/|axis| taken exactly, so the axis may have any finite non-zero length. Radius 0 is a segment, height
-/// 0 a disk, both a point: all legal. With rounding a segment is a capsule, a point a sphere.
+/// A solid, closed, finite cylinder, grown by a ball: all points within `rounding` of it. The solid is
+/// defined by axis/|axis| taken exactly, so the axis may have any finite non-zero length. Radius 0 is a
+/// segment, height 0 a disk, both a point: all legal. With rounding a segment is a capsule, a point a sphere.
 struct Cylinder {
   Vector3 center{0, 0, 0};  ///< the middle of the axis segment, in the scene's length unit
   Vector3 axis{0, 0, 1};    ///< any finite non-zero vector
@@ -61,14 +61,22 @@ enum class Defect : unsigned char {
   height_not_finite,
   height_negative,
   rounding_not_finite,
-  rounding_negative
+  rounding_negative,
+  rounding_overflows
 };
 /// Phrases for people.
 constexpr auto words_of(Defect) noexcept {
-  return std::array{"nothing is wrong",       "center is not finite", "axis is not finite",
-                    "axis is zero",           "radius is not finite", "radius is negative",
-                    "height is not finite",   "height is negative",   "rounding is not finite",
-                    "rounding is negative"};
+  return std::array{"nothing is wrong",
+                    "center is not finite",
+                    "axis is not finite",
+                    "axis is zero",
+                    "radius is not finite",
+                    "radius is negative",
+                    "height is not finite",
+                    "height is negative",
+                    "rounding is not finite",
+                    "rounding is negative",
+                    "rounding overflows with radius and height"};
 }
 
 /// Cost: nine comparisons. Never throws.

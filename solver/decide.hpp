@@ -50,8 +50,8 @@ struct Answer {
   /// the point of both hulls that is nearest to it; head is the centre of a or of b. It lies in both solids
   /// without their rounding.
   /// proof == points: a.center + point_tail lies in a and b.center + other_tail in b, both without their
-  /// rounding, and they are no farther apart than a.rounding + b.rounding; where a hull is not `space`, the point
-  /// of that solid's hull nearest to it.
+  /// rounding, and they are no farther apart than a.rounding + b.rounding; where a hull is not `space`, the
+  /// point of that solid's hull nearest to it.
   Vector3 direction{0, 0, 0};
   Vector3 point_head{0, 0, 0};
   Vector3 point_tail{0, 0, 0};
@@ -78,7 +78,8 @@ Answer decide(const Prepared& a, const Prepared& b) noexcept;
 Answer decide(const Cylinder& a, const Cylinder& b) noexcept;
 
 /// Whether the solids come within a clearance of each other: what intersect() and decide() say of them where
-/// one is rounded by so much more. A clearance that is negative or not finite is `invalid`. Cost: as theirs.
+/// one is rounded by so much more. A clearance that is negative or not finite, alone or with the roundings,
+/// is `invalid`. Cost: as theirs.
 Verdict within(const Prepared& a, const Prepared& b, double clearance) noexcept;
 Answer decide_within(const Prepared& a, const Prepared& b, double clearance) noexcept;
 

@@ -1,27 +1,65 @@
 // SPDX-License-Identifier: MIT
-// Solids grown by balls: they meet where the solids without their rounding come within the sum of the roundings,
-// the room. Derivation: rounded.md.
+// Solids grown by balls: they meet where the solids without their rounding come within the sum of the
+// roundings, the room. Derivation: rounded.md.
+#include "solver/detail/rounded.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "solver/detail/certify.hpp"
 #include "solver/detail/distance_frame.hpp"
-#include "solver/detail/rounded.hpp"
 #include "solver/distance.hpp"
 
 namespace cyl {
 namespace {
 
-bool is_clearance(double x) noexcept { return x >= 0 && x <= std::numeric_limits<double>::max(); }
+bool is_room(double x) noexcept { return x >= 0 && x <= std::numeric_limits<double>::max(); }
 
 // What a quick look at a pair tells: 0 disjoint, 1 intersecting, as Verdict has them.
 enum class Glance : unsigned char { disjoint, intersecting, neither };
 
 double square(double x) noexcept { return x * x; }
 
-// Two segments, either of which may be a point. Any two points of them show that they are no farther apart, and the
-// direction between these how far they are apart at least (rounded.md, section 2).
+Verdict verdict_of(bool met) noexcept { return met ? Verdict::intersecting : Verdict::disjoint; }
+
+// A ball about the end of `to` from the middle of the core (rounded.md, section 2).
+Verdict meets_point(const Prepared& core, const Vector3& to, double room) noexcept {
+  const double along = dot(to, core.unit_axis);
+  const Vector3 across = to - along * core.unit_axis;
+  const double out = larger(0, std::fabs(along) - 0.5 * core.height);
+  const double beside = larger(0, std::sqrt(dot(across, across)) - core.radius);
+  return verdict_of(out * out + beside * beside <= room * room);
+}
+
+// Below that the sine's square says too little of two segments where they are nearest.
+constexpr double level_square = 0x1p-10;
+
+// Two segments whose nearest points are inside both, or on an end that lies towards the others' nearest
+// point: both such ends are looked at, in terms that the roles of the solids do not change. No division
+// (rounded.md, section 3).
+[[gnu::always_inline]] inline bool segments_meet(const Vector3& delta, const Vector3& w0, const Vector3& w1,
+                                                 double h0, double h1, double c, double room) noexcept {
+  const double square = 1 - c * c, room2 = room * room;
+  const double d0 = dot(delta, w0), d1 = dot(delta, w1);
+  const double s_square = d0 - c * d1, t_square = c * d0 - d1;
+  const bool inside = (std::fabs(s_square) <= h0 * square) & (std::fabs(t_square) <= h1 * square);
+  const double across = dot(delta, w0.cross(w1));
+  const bool inner = across * across <= room2 * square;
+  const auto near = [&](double s, double t) {
+    const Vector3 e = delta + (t * w1 - s * w0);
+    return dot(e, e) <= room2;
+  };
+  const double end0 = std::copysign(h0, s_square), end1 = std::copysign(h1, t_square);
+  const double beside0 = larger(-h1, smaller(h1, c * end0 - d1)),
+               beside1 = larger(-h0, smaller(h0, c * end1 + d0));
+  const bool outer = near(end0, beside0) | near(beside1, end1);
+  return (inside & inner) | (!inside & outer);
+}
+
+// Two segments, either of which may be a point, in any position. Any two points of them show that they are no
+// farther apart, and the direction between these how far they are apart at least.
 Glance look_at_segments(const Scaled& p, double room) noexcept {
   const double c = dot(p.w0, p.w1), d0 = dot(p.delta, p.w0), d1 = dot(p.delta, p.w1);
   const double determinant = 1 - c * c;
@@ -58,49 +96,46 @@ Prepared core_of(const Prepared& c) noexcept {
   return core;
 }
 
-// A point of a centred solid near x: without need of room in the hull where the solid is flat, and so far inside
-// elsewhere that rounding does not carry it out.
-struct Inner {
-  Vector3 at;
-  Hull hull;
-  double off;  // of the hull, at most
-  bool inside;
-};
-
-Inner inner_point(const Vector3& x, const Vector3& w, double r, double h, double reach) noexcept {
-  // Twice what in_both allows for, of a point no farther than `reach` from either centre.
-  const double error = 4 * membership_error * reach + underflow_error;
-  const Hull hull = hull_of(r, h, reach);
+// A point of a centred solid near x: without need of room in the hull where the solid is flat, and so far
+// inside elsewhere that rounding does not carry it out.
+Vector3 inner_point(const Vector3& x, const Vector3& w, double r, double h, Hull hull,
+                    double error) noexcept {
   const double along = dot(x, w);
   const Vector3 across = x - along * w;
   const double beside = length(across), most = larger(0, r - 2 * error);
   const bool on_line = (hull == Hull::line) | (hull == Hull::center);
   const bool in_plane = (hull == Hull::plane) | (hull == Hull::center);
-  const double kept_along = in_plane ? 0 : std::clamp(along, 2 * error - h, h - 2 * error);
+  const double kept_along = in_plane ? 0 : larger(2 * error - h, smaller(h - 2 * error, along));
   const double part = on_line ? 0 : beside > most ? most / beside : 1;
-  const Vector3 at = kept_along * w + part * across;
-  const Place place(at, w);
-  return {at, hull, place.off(hull) + error, place.inside(r, h, hull, error)};
+  return kept_along * w + part * across;
 }
 
-// Two points, one of each solid, no farther apart than the room beyond rounding. `on0`, `on1` from the first centre.
+// Two points, one of each solid, no farther apart than the room beyond rounding. `on0`, `on1` from the first
+// centre.
 bool try_points(const Scaled& p, Vector3 on0, Vector3 on1, double room, Answer& answer) noexcept {
   const double reach = reach_of(p) + room;
+  // Twice what in_both allows for, of a point no farther than `reach` from either centre.
+  const double error = 4 * membership_error * reach + underflow_error;
   // Where the solids themselves meet the two may be far apart: what is nearest to the one serves.
   const Vector3 nearer = nearest(on0 - p.delta, p.w1, p.r1, p.h1) + p.delta;
   if (length(nearer - on0) < length(on1 - on0)) on1 = nearer;
-  const Inner in0 = inner_point(on0, p.w0, p.r0, p.h0, reach);
-  const Inner in1 = inner_point(on1 - p.delta, p.w1, p.r1, p.h1, reach);
-  const double apart = length(p.delta + in1.at - in0.at) + in0.off + in1.off;
-  if (!in0.inside || !in1.inside || !(apart + separation_error * reach <= room)) return false;
-  const Vector3 tail0 = times_power(in0.at, p.exponent), tail1 = times_power(in1.at, p.exponent);
-  if (p.exponent < -900 || !tail0.allFinite() || !tail1.allFinite()) return false;  // bits may be lost on the way
+  const Hull hull0 = hull_of(p.r0, p.h0, reach), hull1 = hull_of(p.r1, p.h1, reach);
+  // The certificate is what is handed out, so that is what gets checked: in the scene's unit, where a
+  // subnormal coordinate may have lost bits.
+  const Vector3 tail0 = times_power(inner_point(on0, p.w0, p.r0, p.h0, hull0, error), p.exponent);
+  const Vector3 tail1 = times_power(inner_point(on1 - p.delta, p.w1, p.r1, p.h1, hull1, error), p.exponent);
+  const Vector3 at0 = times_power(tail0, -p.exponent), at1 = times_power(tail1, -p.exponent);
+  const Place place0(at0, p.w0), place1(at1, p.w1);
+  const double apart = length(p.delta + at1 - at0) + place0.off(hull0) + place1.off(hull1) + 2 * error;
+  if (!(place0.inside(p.r0, p.h0, hull0, error) & place1.inside(p.r1, p.h1, hull1, error)) ||
+      !(apart + separation_error * reach <= room))
+    return false;
   answer.verdict = Verdict::intersecting;
   answer.proof = Proof::points;
   answer.point_tail = tail0;
   answer.other_tail = tail1;
-  answer.hull_a = in0.hull;
-  answer.hull_b = in1.hull;
+  answer.hull_a = hull0;
+  answer.hull_b = hull1;
   return true;
 }
 
@@ -125,10 +160,22 @@ double room_of(const Prepared& a, const Prepared& b, double clearance) noexcept 
 
 Verdict intersect_rounded(const Prepared& a, const Prepared& b, double room) noexcept {
   if (a.moderate & b.moderate & (room <= 0x1p202)) {
-    const Scaled p{a.unit_axis,    b.unit_axis, b.center - a.center, a.radius,
-                   a.height * 0.5, b.radius,    b.height * 0.5,      0};
-    const Glance seen = a.radius + b.radius == 0 ? look_at_segments(p, room) : look_at_filter(p, room);
-    if (seen != Glance::neither) return seen == Glance::disjoint ? Verdict::disjoint : Verdict::intersecting;
+    const Vector3 delta = b.center - a.center;
+    const bool point_a = a.radius + a.height == 0, point_b = b.radius + b.height == 0;
+    if (point_a & point_b) return verdict_of(dot(delta, delta) <= room * room);
+    if (point_a) return meets_point(b, delta, room);
+    if (point_b) return meets_point(a, delta, room);
+    const bool segments = a.radius + b.radius == 0;
+    if (segments) {
+      const double c = dot(a.unit_axis, b.unit_axis);
+      if (1 - c * c >= level_square)
+        return verdict_of(
+            segments_meet(delta, a.unit_axis, b.unit_axis, 0.5 * a.height, 0.5 * b.height, c, room));
+    }
+    const bool swapped = out_of_order(a, b);
+    const Scaled p = swapped ? as_it_is(b, a) : as_it_is(a, b);
+    const Glance seen = segments ? look_at_segments(p, room) : look_at_filter(p, room);
+    if (seen != Glance::neither) return verdict_of(seen == Glance::intersecting);
   }
   const double gap = distance_of_cores(core_of(a), core_of(b)).value;
   constexpr double most = std::numeric_limits<double>::max();
@@ -136,7 +183,16 @@ Verdict intersect_rounded(const Prepared& a, const Prepared& b, double room) noe
   return gap > room ? Verdict::disjoint : Verdict::intersecting;
 }
 
+// The answer of two solids in one order, told in the other.
+Answer turned(Answer answer) noexcept {
+  if (answer.proof == Proof::direction) answer.direction = -answer.direction;
+  if (answer.proof == Proof::points) std::swap(answer.point_tail, answer.other_tail);
+  std::swap(answer.hull_a, answer.hull_b);
+  return answer;
+}
+
 Answer decide_rounded(const Prepared& a, const Prepared& b, double room) noexcept {
+  if (out_of_order(a, b)) return turned(decide_rounded(b, a, room));
   const Prepared first = core_of(a), second = core_of(b);
   Answer answer = decide(first, second);
   if (answer.proof == Proof::point) return answer;
@@ -152,14 +208,15 @@ Answer decide_rounded(const Prepared& a, const Prepared& b, double room) noexcep
 }
 
 Verdict within(const Prepared& a, const Prepared& b, double clearance) noexcept {
-  if ((a.defect != Defect::none) | (b.defect != Defect::none) | !is_clearance(clearance)) return Verdict::invalid;
   const double room = room_of(a, b, clearance);
+  if ((a.defect != Defect::none) | (b.defect != Defect::none) | !(clearance >= 0) | !is_room(room))
+    return Verdict::invalid;
   return room > 0 ? intersect_rounded(a, b, room) : intersect(a, b);
 }
 
 Answer decide_within(const Prepared& a, const Prepared& b, double clearance) noexcept {
-  if ((a.defect == Defect::none) & (b.defect == Defect::none) & is_clearance(clearance)) {
-    const double room = room_of(a, b, clearance);
+  const double room = room_of(a, b, clearance);
+  if ((a.defect == Defect::none) & (b.defect == Defect::none) & (clearance >= 0) & is_room(room)) {
     return room > 0 ? decide_rounded(a, b, room) : decide(a, b);
   }
   Answer answer;

@@ -85,7 +85,7 @@ void check_by_referee(const Pair& pair, const Answers& of, Counts& counts) {
   MethodAnswer witness;
   witness.status = Status::answered;
   witness.verdict = of.proved.verdict;
-  witness.set_witness(certificate_of(of.proved));
+  witness.set_witness(certificate_of(of.proved, pair.a, pair.b));
   const Truth truth = judge_verdict(pair);
   const bool apart = truth.verdict == Verdict::disjoint;
   counts.note("judged");

@@ -6,7 +6,9 @@
 
 PAIRS holds a pair a line, ANSWERS what `daylight check` said of each. Coordinates of a certificate are doubles, lists of
 doubles (their exact sum) or strings "n/d". Solids are closed; a direction proves that they are apart where its support gap
-f(D) is below 0, a point that they meet where it lies in both. `hulls` names with a point the subspaces that it is to be
+f(D) is below 0, a point that they meet where it lies in both. A solid with `rounding` is its core grown by a ball: then f
+has the roundings times |D|, a point lies in both cores, and `points` show that they meet where one lies in each core and
+they are no farther apart than both roundings. `hulls` names with a point the subspaces that it is to be
 taken to: the point of the first solid's hull and the second's that is nearest to it, exactly. Of an enclosure of the
 distance only its order and its sign are checked. Prints each certificate that fails; exit status 2 where one does.
 """
@@ -47,6 +49,10 @@ def root_above(square, bits):
     return Fraction(isqrt((square.numerator << shift) // square.denominator) + 1, 1 << (shift // 2))
 
 
+def room(pair):
+    return exact(pair['a'].get('rounding', 0)) + exact(pair['b'].get('rounding', 0))
+
+
 def separates(pair, direction):
     d = vector(direction)
     between = [q - p for p, q in zip(vector(pair['a']['center']), vector(pair['b']['center']))]
@@ -57,6 +63,7 @@ def separates(pair, direction):
             across = cross(d, w)
             reach += exact(solid['radius']) * root_above(dot(across, across) / dot(w, w), bits)
             reach += exact(solid['height']) / 2 * root_above(dot(d, w) ** 2 / dot(w, w), bits)
+        reach += room(pair) * root_above(dot(d, d), bits)
         if any(d) and reach < abs(dot(d, between)):
             return True
     return False
@@ -93,27 +100,43 @@ def nearest(point, rows):
 
 def in_both(pair, point, hulls):
     x = nearest(vector(point), equations(pair['a'], hulls[0]) + equations(pair['b'], hulls[1]))
-    if x is None:
-        return False
-    for solid in (pair['a'], pair['b']):
-        w = vector(solid['axis'])
-        from_center = [p - q for p, q in zip(x, vector(solid['center']))]
-        across = cross(from_center, w)
-        if dot(from_center, w) ** 2 > (exact(solid['height']) / 2) ** 2 * dot(w, w):
-            return False
-        if dot(across, across) > exact(solid['radius']) ** 2 * dot(w, w):
-            return False
-    return True
+    return x is not None and in_core(pair['a'], x) and in_core(pair['b'], x)
+
+
+def in_core(solid, x):
+    w = vector(solid['axis'])
+    from_center = [p - q for p, q in zip(x, vector(solid['center']))]
+    across = cross(from_center, w)
+    return (dot(from_center, w) ** 2 <= (exact(solid['height']) / 2) ** 2 * dot(w, w)
+            and dot(across, across) <= exact(solid['radius']) ** 2 * dot(w, w))
+
+
+def come_near(pair, points, hulls, slack=0):
+    """Whether a point of each core, grown by the slack already, is as near to the other as both roundings and the slack."""
+    x, y = (nearest(vector(p), equations(pair[k], hull)) for k, p, hull in zip('ab', points, hulls))
+    between = [p - q for p, q in zip(x, y)]
+    return (in_core(pair['a'], x) and in_core(pair['b'], y)
+            and dot(between, between) <= (room(pair) + slack) ** 2)
 
 
 def nearly_touch(pair, near):
     """Whether they do within 2^-200 of their size, which is all that a certificate of an irrational point says."""
-    slack = sum(exact(pair[k][length]) for k in 'ab' for length in ('radius', 'height')) / 2**200
+    slack = (sum(exact(pair[k][length]) for k in 'ab' for length in ('radius', 'height')) + room(pair)) / 2**200
 
     def resized(by):
         return {k: dict(pair[k], radius=max(Fraction(0), exact(pair[k]['radius']) + by),
                         height=max(Fraction(0), exact(pair[k]['height']) + 2 * by)) for k in 'ab'}
-    return in_both(resized(slack), near['point'], ('space', 'space')) and separates(resized(-slack), near['direction'])
+    space = ('space', 'space')
+    met = (come_near(resized(slack), near['points'], space, slack) if 'points' in near
+           else in_both(resized(slack), near['point'], space))
+    if not met:
+        return False
+    shrunk = resized(-slack)
+    if room(pair) == 0:
+        return separates(shrunk, near['direction'])
+    side = 'a' if exact(pair['a'].get('rounding', 0)) > 0 else 'b'
+    shrunk[side] = dict(shrunk[side], rounding=exact(pair[side]['rounding']) - slack)
+    return separates(shrunk, near['direction'])
 
 
 def fault(pair, answer):
@@ -128,6 +151,9 @@ def fault(pair, answer):
     if verdict == 'touching' and 'near' in answer:
         if not nearly_touch(pair, answer['near']):
             return 'not within 2^-200 of touching'
+    elif 'points' in answer and verdict in ('intersecting', 'touching'):
+        if not come_near(pair, answer['points'], answer.get('hulls', ('space', 'space'))):
+            return 'the points are not in the cores, or farther apart than the roundings'
     elif verdict in ('intersecting', 'touching') and not in_both(pair, answer['point'], answer.get('hulls', ('space', 'space'))):
         return 'the point is not in both solids'
     if 'distance' in answer:

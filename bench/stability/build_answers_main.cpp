@@ -41,7 +41,7 @@ int main(int count, char** arguments) {
   const auto methods = built_methods();
   double numbers[doubles_per_pair];
   for (std::size_t i = 0; std::fread(numbers, sizeof numbers, 1, in) == 1; ++i) {
-    const Pair pair = pair_of(numbers);
+    const Pair pair = pair_of(numbers, cylinder_number_count);
     for (const auto& method : methods) {
       const MethodAnswer answer = i % method->share() == 0 ? method->ask(pair) : MethodAnswer{};
       if (std::fwrite(&answer, sizeof answer, 1, out) != 1) return 65;

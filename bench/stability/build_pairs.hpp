@@ -17,7 +17,7 @@ namespace cyl {
 
 static_assert(std::is_trivially_copyable_v<MethodAnswer>);
 
-inline constexpr std::size_t doubles_per_pair = 16;
+inline constexpr std::size_t doubles_per_pair = 2 * cylinder_number_count;
 
 inline void numbers_of(const Pair& pair, double (&x)[doubles_per_pair]) {
   std::ranges::copy(numbers_of(pair), x);

@@ -40,7 +40,8 @@ void write_pairs(const char* file) {
 
 void compare_files(const char* pairs_file, std::span<char*> builds) {
   std::vector<Pair> pairs;
-  for (const Numbers& numbers : read_all<Numbers>(pairs_file)) pairs.push_back(pair_of(numbers.of));
+  for (const Numbers& numbers : read_all<Numbers>(pairs_file))
+    pairs.push_back(pair_of(numbers.of, cylinder_number_count));
   const auto methods = built_methods();
   BuildComparison comparison(methods, pairs);
   const auto reference = read_all<MethodAnswer>(builds[1]);

@@ -88,7 +88,7 @@ TEST(Builds, ThePairsAreReadAsTheyWereWritten) {
   for (const Pair& pair : build_pairs()) {
     double numbers[doubles_per_pair];
     numbers_of(pair, numbers);
-    ASSERT_EQ(format_pair(pair_of(numbers)), format_pair(pair));
+    ASSERT_EQ(format_pair(pair_of(numbers, cylinder_number_count)), format_pair(pair));
   }
 }
 

@@ -13,8 +13,10 @@
 namespace cyl {
 
 /// What kind of vector proves a verdict, or is offered as a witness of it.
-enum class CertificateKind : unsigned char { none, direction, point, near };
-constexpr auto words_of(CertificateKind) noexcept { return std::array{"none", "direction", "point", "near"}; }
+enum class CertificateKind : unsigned char { none, direction, point, near, points, near_points };
+constexpr auto words_of(CertificateKind) noexcept {
+  return std::array{"none", "direction", "point", "near", "points", "near_points"};
+}
 
 /// One vector of a certificate, exactly head + tail, or, where `exact` is not empty, the rationals written
 /// there as "n/d" (or "n").
@@ -25,14 +27,20 @@ struct ExactVector {
   bool in_doubles() const { return exact[0].empty() && exact[1].empty() && exact[2].empty(); }
 };
 
-/// direction: D with f(D) < 0. point: in both solids. near: `vector` a point within 2^-200 size of both
-/// solids, `second` a direction with |f| <= 2^-200 size |direction| (touching without a rational point).
+/// The core of a solid is the solid without its rounding. direction: D with f(D) < 0, where f has both
+/// roundings times |D|. point: in both cores. near: `vector` a point within 2^-200 size of both solids,
+/// `second` a direction with |f| <= 2^-200 size |direction| (touching without a rational point). points:
+/// `vector` in a's core and `second` in b's, no farther apart than both roundings together. near_points: as
+/// near, of rounded solids, by `vector` and `third`, points within 2^-200 size of a's core and of b's and
+/// no farther apart than both roundings and that.
 struct Certificate {
   CertificateKind kind = CertificateKind::none;
   ExactVector vector;
   ExactVector second;
-  /// Of a point: it is the point nearest to `vector` in these hulls of a and of b. Of what is proved: space.
+  /// Of a point: it is the point nearest to `vector` in these hulls of a and of b. Of points: each is the
+  /// nearest in its own solid's hull. Of what is proved: space.
   std::array<Hull, 2> hulls{Hull::space, Hull::space};
+  ExactVector third{};
 };
 
 /// The arithmetic that settled a question.

@@ -10,6 +10,7 @@
 #include "corpus/pairs/exact_pairs.hpp"
 #include "corpus/pairs/near_touching.hpp"
 #include "corpus/pairs/random_stream.hpp"
+#include "corpus/pairs/rounded_pairs.hpp"
 
 namespace cyl {
 namespace {
@@ -346,25 +347,49 @@ constexpr std::array entries{
     Entry{"whiskers", "exactly touching but for 2^-300 to 2^-900, flat solids' ends and rims", draw_whisker},
 };
 
-template <std::size_t i>
+template <SolidKind a, SolidKind b>
+Pair rounded_pair(RandomStream& s, std::uint64_t index) {
+  return draw_rounded(a, b, s, index);
+}
+
+constexpr std::array rounded_entries{
+    Entry{"sphere_sphere", "two balls", rounded_pair<SolidKind::sphere, SolidKind::sphere>},
+    Entry{"sphere_capsule", "a ball and a capsule", rounded_pair<SolidKind::sphere, SolidKind::capsule>},
+    Entry{"sphere_cylinder", "a ball and a cylinder", rounded_pair<SolidKind::sphere, SolidKind::cylinder>},
+    Entry{"sphere_rounded", "a ball and a rounded cylinder",
+          rounded_pair<SolidKind::sphere, SolidKind::rounded>},
+    Entry{"capsule_capsule", "two capsules", rounded_pair<SolidKind::capsule, SolidKind::capsule>},
+    Entry{"capsule_cylinder", "a capsule and a cylinder",
+          rounded_pair<SolidKind::capsule, SolidKind::cylinder>},
+    Entry{"capsule_rounded", "a capsule and a rounded cylinder",
+          rounded_pair<SolidKind::capsule, SolidKind::rounded>},
+    Entry{"cylinder_rounded", "a cylinder and a rounded one",
+          rounded_pair<SolidKind::cylinder, SolidKind::rounded>},
+    Entry{"rounded_rounded", "two rounded cylinders", rounded_pair<SolidKind::rounded, SolidKind::rounded>},
+};
+
+template <const auto& some, std::size_t i>
 Pair generate(std::uint64_t seed, std::uint64_t index) {
-  RandomStream stream(entries[i].name, seed, index);
-  return entries[i].draw(stream, index);
+  RandomStream stream(some[i].name, seed, index);
+  return some[i].draw(stream, index);
 }
 
-template <std::size_t... i>
-constexpr std::array<Family, entries.size()> make_families(std::index_sequence<i...>) {
-  return {Family{entries[i].name, entries[i].summary, generate<i>}...};
+template <const auto& some, std::size_t... i>
+constexpr std::array<Family, some.size()> make_families(std::index_sequence<i...>) {
+  return {Family{some[i].name, some[i].summary, generate<some, i>}...};
 }
 
-constexpr auto all_families = make_families(std::make_index_sequence<entries.size()>());
+constexpr auto all_families = make_families<entries>(std::make_index_sequence<entries.size()>());
+constexpr auto all_rounded =
+    make_families<rounded_entries>(std::make_index_sequence<rounded_entries.size()>());
 
 }  // namespace
 
 std::span<const Family> families() { return all_families; }
+std::span<const Family> rounded_families() { return all_rounded; }
 
 const Family* find_family(std::string_view name) {
-  for (const std::span<const Family> some : {families(), margin_families()}) {
+  for (const std::span<const Family> some : {families(), rounded_families(), margin_families()}) {
     const auto found =
         std::find_if(some.begin(), some.end(), [&](const Family& f) { return f.name == name; });
     if (found != some.end()) return &*found;

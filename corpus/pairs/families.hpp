@@ -19,13 +19,15 @@ struct Family {
   Pair (*generate)(std::uint64_t seed, std::uint64_t index);
 };
 
-/// All families in a fixed order.
+/// All families of cylinders without rounding in a fixed order.
 std::span<const Family> families();
+/// The pairs of a sphere, a capsule, a cylinder and a rounded cylinder, but for two cylinders.
+std::span<const Family> rounded_families();
 /// Families for timing, not for campaigns: "margin_1e-01" to "margin_1e-15", pairs at that margin, gap (even
 /// index) and penetration (odd; at 1e-01 gaps alone), by the features that solids in general position meet
 /// with: side-side, side-rim, rim-rim, cap-rim.
 std::span<const Family> margin_families();
-/// The family of that name, of either kind, or nullptr.
+/// The family of that name, of any kind, or nullptr.
 const Family* find_family(std::string_view name);
 
 }  // namespace cyl

@@ -25,15 +25,22 @@ void MethodAnswer::set_direction(const Vector3& d) noexcept {
 
 void MethodAnswer::set_witness(const Certificate& certificate) noexcept {
   const ExactVector& v = certificate.vector;
-  if (certificate.kind == CertificateKind::near || !v.in_doubles()) return;
+  if (certificate.kind == CertificateKind::near || certificate.kind == CertificateKind::near_points ||
+      !v.in_doubles() || !certificate.second.in_doubles())
+    return;
   witness = certificate.kind;
   std::copy_n(v.head.data(), 3, head);
   std::copy_n(v.tail.data(), 3, tail);
+  std::copy_n(certificate.second.head.data(), 3, other_head);
+  std::copy_n(certificate.second.tail.data(), 3, other_tail);
   std::copy_n(certificate.hulls.data(), 2, hulls);
 }
 
 Certificate MethodAnswer::certificate() const {
-  return {witness, {{head[0], head[1], head[2]}, {tail[0], tail[1], tail[2]}, {}}, {}, {hulls[0], hulls[1]}};
+  const auto vector = [](const double(&x)[3], const double(&y)[3]) {
+    return ExactVector{{x[0], x[1], x[2]}, {y[0], y[1], y[2]}, {}};
+  };
+  return {witness, vector(head, tail), vector(other_head, other_tail), {hulls[0], hulls[1]}};
 }
 
 MethodAnswer failed_answer(Failure failure, std::string_view reason) noexcept {

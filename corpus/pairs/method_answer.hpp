@@ -40,16 +40,19 @@ struct MethodAnswer {
   Failure failure = Failure::none;
   Verdict verdict = Verdict::undecided;  ///< meaningful where status == answered
   bool has_distance = false;
-  CertificateKind witness = CertificateKind::none;  ///< never `near`
+  CertificateKind witness = CertificateKind::none;  ///< never `near` or `near_points`
   double distance = 0;  ///< signed: > 0 apart, in the scene's unit; meaningful where has_distance
   /// Its own bound of the distance's error, 0 where it tells none: apart both ways; where it says that they
   /// overlap, of how much deeper they are than it says.
   double told_error = 0;
   double head[3] = {0, 0, 0};  ///< direction, or point = head + tail exactly, in the scene's frame
   double tail[3] = {0, 0, 0};
-  Hull hulls[2] = {Hull::space,
-                   Hull::space};  ///< of a and b: the point is the nearest to head + tail in both
-  int steps = 0, step_cap = 0;    ///< that its searches took, and the most they may; 0: not told
+  double other_head[3] = {0, 0, 0};  ///< of points: that of b; head + tail is that of a
+  double other_tail[3] = {0, 0, 0};
+  Hull hulls[2] = {
+      Hull::space,
+      Hull::space};             ///< of a and b: the point is the nearest in both; of points: each in its own
+  int steps = 0, step_cap = 0;  ///< that its searches took, and the most they may; 0: not told
   SideEffect side_effect = SideEffect::none;
   char reason[120] = {};  ///< why it declined or failed, else what the side effect was; zero-terminated
 
@@ -57,7 +60,7 @@ struct MethodAnswer {
   /// The first one counts; it is the reason, where there is no other.
   void note(SideEffect effect, std::string_view what) noexcept;
   void set_direction(const Vector3& d) noexcept;  ///< as the witness
-  /// As the witness, where it is one vector that doubles hold; else none.
+  /// As the witness, where doubles hold it; else none.
   void set_witness(const Certificate& certificate) noexcept;
   Certificate certificate() const;  ///< the witness, as it was offered
 };

@@ -24,8 +24,9 @@ struct Field {
   std::string_view name;
   std::size_t first, count;
 };
-constexpr std::array<Field, 4> cylinder_fields{
-    {{"center", 0, 3}, {"axis", 3, 3}, {"radius", 6, 1}, {"height", 7, 1}}};
+constexpr std::array<Field, 5> cylinder_fields{
+    {{"center", 0, 3}, {"axis", 3, 3}, {"radius", 6, 1}, {"height", 7, 1}, {"rounding", 8, 1}}};
+constexpr std::size_t needed_field_count = 4;  // rounding may be left out
 constexpr std::array<std::string_view, 3> guarded_keys{"source", "truth", "note"};
 
 /// The most bytes of a file's own words that an error text repeats.
@@ -128,7 +129,7 @@ class CaseBuilder final : public nlohmann::json_sax<nlohmann::json> {
     begin_token();
     if (skipped_ > 0) return close();
     if (depth_-- == in_cylinder) {
-      for (std::size_t i = 0; i < cylinder_fields.size(); ++i)
+      for (std::size_t i = 0; i < needed_field_count; ++i)
         if (!fields_seen_[i]) return fail(key_ + "." + std::string(cylinder_fields[i].name) + " is missing");
       return true;
     }
@@ -236,7 +237,7 @@ class CaseBuilder final : public nlohmann::json_sax<nlohmann::json> {
     const auto found = std::ranges::find(cylinder_fields, x, &Field::name);
     if (found == cylinder_fields.end())
       return fail(key_ + "." + shorten(x) +
-                  " is not a field of a cylinder; expected center, axis, radius, height");
+                  " is not a field of a cylinder; expected center, axis, radius, height, rounding");
     field_ = static_cast<std::size_t>(found - cylinder_fields.begin());
     return !std::exchange(fields_seen_[field_], true) || fail(subject() + " is given twice");
   }
@@ -276,7 +277,7 @@ class CaseBuilder final : public nlohmann::json_sax<nlohmann::json> {
   std::string key_;          // the last key of the line itself
   std::set<std::string, std::less<>> keys_seen_;
   std::size_t field_ = 0;  // index into cylinder_fields
-  std::array<bool, 4> fields_seen_{};
+  std::array<bool, cylinder_fields.size()> fields_seen_{};
   std::size_t coordinates_ = 0;
   std::size_t list_start_ = 0;
 };
@@ -294,7 +295,9 @@ void append(std::string& out, const Cylinder& c) {
   out += ',';
   append(out, "axis", c.axis);
   out.append(",\"radius\":").append(format_double(c.radius));
-  out.append(",\"height\":").append(format_double(c.height)).append("}");
+  out.append(",\"height\":").append(format_double(c.height));
+  if (c.rounding != 0) out.append(",\"rounding\":").append(format_double(c.rounding));
+  out += '}';
 }
 
 }  // namespace

@@ -4,11 +4,11 @@
 //
 //   {"a":{"center":[0,0,0],"axis":[0,0,1],"radius":1,"height":2},"b":{...},"id":"...","truth":"disjoint"}
 //
-// A cylinder has exactly these four fields. Beside a and b a line may have the strings id, source, truth (a
-// verdict) and note. Other keys of any type are skipped, but one within one edit of source, truth or note is
-// an error. Every number is read as the nearest double, the sign of zero kept; integers beyond 2^53 are
-// rounded like any other number. A number that overflows is an error wherever it stands, and so is one of a
-// cylinder that is not 0 and whose nearest double is (1e-999).
+// A cylinder has these four fields, and may have "rounding" (0 where it has not). Beside a and b a line may
+// have the strings id, source, truth (a verdict) and note. Other keys of any type are skipped, but one within
+// one edit of source, truth or note is an error. Every number is read as the nearest double, the sign of zero
+// kept; integers beyond 2^53 are rounded like any other number. A number that overflows is an error wherever
+// it stands, and so is one of a cylinder that is not 0 and whose nearest double is (1e-999).
 #pragma once
 
 #include <cstddef>

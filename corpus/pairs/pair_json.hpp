@@ -19,10 +19,12 @@ inline nlohmann::ordered_json vector_json(const Vector3& v) {
 }
 
 inline nlohmann::ordered_json cylinder_json(const Cylinder& c) {
-  return {{"center", vector_json(c.center)},
-          {"axis", vector_json(c.axis)},
-          {"radius", number_json(c.radius)},
-          {"height", number_json(c.height)}};
+  nlohmann::ordered_json cylinder = {{"center", vector_json(c.center)},
+                                     {"axis", vector_json(c.axis)},
+                                     {"radius", number_json(c.radius)},
+                                     {"height", number_json(c.height)}};
+  if (c.rounding != 0) cylinder["rounding"] = number_json(c.rounding);
+  return cylinder;
 }
 
 inline nlohmann::ordered_json pair_json(const Pair& p) {

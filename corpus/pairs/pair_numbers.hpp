@@ -13,49 +13,69 @@
 
 namespace cyl {
 
-/// Center x y z, axis x y z, radius, height: as in every file and interface that has them in a row.
-inline constexpr std::size_t cylinder_number_count = 8;
+/// Center x y z, axis x y z, radius, height: of a cylinder without rounding; what knows of no rounding has
+/// these.
+inline constexpr std::size_t core_number_count = 8;
+/// The same, and the rounding.
+inline constexpr std::size_t cylinder_number_count = core_number_count + 1;
 
 inline std::array<double*, cylinder_number_count> numbers_of(Cylinder& c) noexcept {
-  return {&c.center[0], &c.center[1], &c.center[2], &c.axis[0], &c.axis[1], &c.axis[2], &c.radius, &c.height};
+  return {&c.center[0], &c.center[1], &c.center[2], &c.axis[0], &c.axis[1],
+          &c.axis[2],   &c.radius,    &c.height,    &c.rounding};
 }
 
 inline std::array<double, cylinder_number_count> numbers_of(const Cylinder& c) noexcept {
-  return {c.center[0], c.center[1], c.center[2], c.axis[0], c.axis[1], c.axis[2], c.radius, c.height};
+  return {c.center[0], c.center[1], c.center[2], c.axis[0], c.axis[1],
+          c.axis[2],   c.radius,    c.height,    c.rounding};
 }
 
-/// The 16 of a pair, those of a first.
+/// The 18 of a pair, those of a first.
 inline std::array<double, 2 * cylinder_number_count> numbers_of(const Pair& p) noexcept {
   std::array<double, 2 * cylinder_number_count> all;
   std::ranges::copy(numbers_of(p.b), std::ranges::copy(numbers_of(p.a), all.begin()).out);
   return all;
 }
 
-/// The cylinder of 8 numbers, the pair of 16.
-inline Cylinder cylinder_of(const double* x) noexcept {
-  return {{x[0], x[1], x[2]}, {x[3], x[4], x[5]}, x[6], x[7]};
+inline std::array<double, core_number_count> core_numbers_of(const Cylinder& c) noexcept {
+  return {c.center[0], c.center[1], c.center[2], c.axis[0], c.axis[1], c.axis[2], c.radius, c.height};
 }
 
-inline Pair pair_of(const double* x) noexcept {
-  return {cylinder_of(x), cylinder_of(x + cylinder_number_count)};
+/// The 16 of a pair, those of a first.
+inline std::array<double, 2 * core_number_count> core_numbers_of(const Pair& p) noexcept {
+  std::array<double, 2 * core_number_count> all;
+  std::ranges::copy(core_numbers_of(p.b), std::ranges::copy(core_numbers_of(p.a), all.begin()).out);
+  return all;
 }
+
+/// The cylinder of 8 or 9 numbers, the pair of twice as many.
+inline Cylinder cylinder_of(const double* x, std::size_t count) noexcept {
+  return {{x[0], x[1], x[2]}, {x[3], x[4], x[5]}, x[6], x[7], count > core_number_count ? x[8] : 0};
+}
+
+inline Pair pair_of(const double* x, std::size_t count) noexcept {
+  return {cylinder_of(x, count), cylinder_of(x + count, count)};
+}
+
+inline bool is_rounded(const Pair& p) noexcept { return p.a.rounding != 0 || p.b.rounding != 0; }
 
 inline bool is_legal(const Pair& p) noexcept {
   return find_defect(p.a) == Defect::none && find_defect(p.b) == Defect::none;
 }
 
-/// radius a + height a + radius b + height b, rounded, at most the largest double (the unit of margins).
+/// The sum of both radii, heights and roundings, rounded, at most the largest double (the unit of margins).
 inline double size_of(const Pair& p) noexcept {
-  return std::min(p.a.radius + p.a.height + p.b.radius + p.b.height, std::numeric_limits<double>::max());
+  return std::min(p.a.radius + p.a.height + p.b.radius + p.b.height + (p.a.rounding + p.b.rounding),
+                  std::numeric_limits<double>::max());
 }
 
-/// Calls `change` with each length of the pair: the coordinates of the centres, the radii, the heights.
+/// Calls `change` with each length of the pair: the coordinates of the centres, radii, heights, roundings.
 template <class Change>
 void for_each_length(Pair& pair, Change change) {
   for (Cylinder* c : {&pair.a, &pair.b}) {
     for (double& x : c->center) change(x);
     change(c->radius);
     change(c->height);
+    if (c->rounding != 0) change(c->rounding);
   }
 }
 

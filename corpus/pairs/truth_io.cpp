@@ -29,16 +29,25 @@ void append(std::string& s, const ExactVector& v) {
 /// The members of the certificate's object, without braces, each after a comma; nothing where there is none.
 void append(std::string& s, const Certificate& c) {
   if (c.kind == CertificateKind::none) return;
-  s.append(",\"").append(to_string(c.kind)).append("\":");
-  if (c.kind == CertificateKind::near) s += "{\"point\":";
+  const bool is_near = c.kind == CertificateKind::near || c.kind == CertificateKind::near_points;
+  s.append(",\"").append(is_near ? "near" : to_string(c.kind)).append("\":");
+  const bool near_points = c.kind == CertificateKind::near_points;
+  const bool two = c.kind == CertificateKind::points || near_points;
+  if (is_near) s += near_points ? "{\"points\":" : "{\"point\":";
+  if (two) s += '[';
   append(s, c.vector);
+  if (two) {
+    s += ',';
+    append(s, near_points ? c.third : c.second);
+    s += ']';
+  }
   if (c.hulls != Certificate{}.hulls)
     s.append(",\"hulls\":[\"")
         .append(to_string(c.hulls[0]))
         .append("\",\"")
         .append(to_string(c.hulls[1]))
         .append("\"]");
-  if (c.kind != CertificateKind::near) return;
+  if (!is_near) return;
   s += ",\"direction\":";
   append(s, c.second);
   s += '}';

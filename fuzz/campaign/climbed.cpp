@@ -60,7 +60,7 @@ void slide(Pair& p, RandomStream& s) {
 }
 
 void step_number(Pair& p, RandomStream& s) {
-  double& x = *numbers_of(either(p, s))[s.below(cylinder_number_count)];
+  double& x = *numbers_of(either(p, s))[s.below(core_number_count)];
   x = std::nextafter(x, s.sign() * std::numeric_limits<double>::infinity());
 }
 
@@ -176,6 +176,7 @@ std::uint64_t independent_draws(std::string_view family, std::uint64_t pairs) {
 std::span<const Family> campaign_families() {
   static const std::vector<Family> all = [] {
     std::vector<Family> both(families().begin(), families().end());
+    both.insert(both.end(), rounded_families().begin(), rounded_families().end());
     both.push_back(climbed_family());
     both.push_back(derived_family());
     return both;

@@ -72,7 +72,7 @@ TEST(Climbed, ThePairsOfOneClimbCountAsOne) {
 }
 
 TEST(Climbed, ACampaignDrawsFromItInItsTurn) {
-  EXPECT_EQ(campaign_families().size(), families().size() + 2);
+  EXPECT_EQ(campaign_families().size(), families().size() + rounded_families().size() + 2);
   EXPECT_EQ(campaign_families().back().name, "derived");
   const auto methods = own_methods();
   const std::uint64_t turns = 3;

@@ -93,12 +93,12 @@ void swap(Pair& p, RandomStream&) { std::swap(p.a, p.b); }
 void scale_all(Pair& p, RandomStream& s) { p = scaled(p, s.integer(-40, 40)); }
 
 void scale_field(Pair& p, RandomStream& s) {
-  double& x = *numbers_of(either(p, s))[s.below(8)];
+  double& x = *numbers_of(either(p, s))[s.below(core_number_count)];
   x = std::ldexp(x, s.integer(-20, 20));
 }
 
 void change_field(Pair& p, RandomStream& s) {
-  double& x = *numbers_of(either(p, s))[s.below(8)];
+  double& x = *numbers_of(either(p, s))[s.below(core_number_count)];
   x += tenth(s) * (x == 0 ? 1 : x);
 }
 
@@ -158,12 +158,12 @@ void move_to_origin(Pair& p, RandomStream&) {
 
 void copy_field(Pair& p, RandomStream& s) {
   Cylinder& c = either(p, s);
-  const std::size_t i = s.below(8);
+  const std::size_t i = s.below(core_number_count);
   *numbers_of(c)[i] = *numbers_of(other(p, c))[i];
 }
 
 void step_field(Pair& p, RandomStream& s) {
-  double& x = *numbers_of(either(p, s))[s.below(8)];
+  double& x = *numbers_of(either(p, s))[s.below(core_number_count)];
   x = step(x, s);
 }
 

@@ -9,15 +9,15 @@
 
 namespace cyl {
 
-using Numbers = std::array<double, 2 * cylinder_number_count>;
+using Numbers = std::array<double, 2 * core_number_count>;
 static_assert(sizeof(Numbers) == record_size);
 
-Record encode_record(const Pair& pair) { return std::bit_cast<Record>(numbers_of(pair)); }
+Record encode_record(const Pair& pair) { return std::bit_cast<Record>(core_numbers_of(pair)); }
 
 Pair decode_record(std::span<const std::uint8_t, record_size> bytes) {
   Numbers n;
   std::memcpy(n.data(), bytes.data(), record_size);
-  return pair_of(n.data());
+  return pair_of(n.data(), core_number_count);
 }
 
 }  // namespace cyl

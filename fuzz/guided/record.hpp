@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A pair as fuzzers see it: 16 doubles of this machine's byte order, no header. Any 128 bytes are a pair,
-// perhaps an invalid one.
+// A pair as fuzzers see it: 16 doubles of this machine's byte order, no header, no rounding. Any 128 bytes
+// are a pair, perhaps an invalid one.
 #pragma once
 
 #include <array>

@@ -13,13 +13,15 @@ bool all_finite(const MethodAnswer& a) {
   const auto finite = [](double x) { return std::isfinite(x); };
   return (!a.has_distance || finite(a.distance)) &&
          (a.witness == CertificateKind::none ||
-          (std::all_of(a.head, a.head + 3, finite) && std::all_of(a.tail, a.tail + 3, finite)));
+          (std::all_of(a.head, a.head + 3, finite) && std::all_of(a.tail, a.tail + 3, finite) &&
+           std::all_of(a.other_head, a.other_head + 3, finite) &&
+           std::all_of(a.other_tail, a.other_tail + 3, finite)));
 }
 
 bool well_formed(const MethodAnswer& a) {
   return a.status <= Status::failed && a.failure <= Failure::reported && a.verdict <= Verdict::invalid &&
-         a.witness <= CertificateKind::point && a.hulls[0] <= Hull::center && a.hulls[1] <= Hull::center &&
-         a.side_effect <= SideEffect::slow;
+         a.witness <= CertificateKind::points && a.witness != CertificateKind::near &&
+         a.hulls[0] <= Hull::center && a.hulls[1] <= Hull::center && a.side_effect <= SideEffect::slow;
 }
 
 }  // namespace

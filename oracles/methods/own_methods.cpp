@@ -78,7 +78,7 @@ class Decide final : public Method {
     answer.verdict = decided.verdict;
     answer.steps = decided.iterations;
     answer.step_cap = decide_iteration_cap;
-    answer.set_witness(certificate_of(decided));
+    answer.set_witness(certificate_of(decided, pair.a, pair.b));
     return answer;
   }
   Call prepare_all(std::span<const Pair> pairs) override {

@@ -60,8 +60,9 @@ bool is_untouched(const double* guards) {
 struct Label {
   std::string name, version, source;
   double relative = 0, absolute = 0;
-  bool batch = false;  ///< `ask_all` is there
-  bool many = false;   ///< `ask_many` is
+  bool batch = false;     ///< `ask_all` is there
+  bool many = false;      ///< `ask_many` is
+  bool rounding = false;  ///< it is asked about rounded solids
 };
 
 /// Bytes that are read of a text of a library's.
@@ -111,7 +112,8 @@ nlohmann::json describe(const std::string& file) try {
     labels.push_back({text_of(method->name, name_cap), text_of(method->version, name_cap),
                       text_of(method->claim_source, source_cap), method->claim_relative,
                       method->claim_absolute, method->ask_all != nullptr,
-                      has_second_part(*method) && method->ask_many});
+                      has_second_part(*method) && method->ask_many,
+                      has_second_part(*method) && method->takes_rounding == 1});
   }
   return labels;
 } catch (const std::exception& error) {
@@ -163,7 +165,7 @@ std::vector<Label> read_labels(const std::string& file) {
   if (read.is_string()) throw std::runtime_error(read.get<std::string>());
   std::vector<Label> labels;
   for (const nlohmann::json& of : read)
-    labels.push_back({of.at(0), of.at(1), of.at(2), of.at(3), of.at(4), of.at(5), of.at(6)});
+    labels.push_back({of.at(0), of.at(1), of.at(2), of.at(3), of.at(4), of.at(5), of.at(6), of.at(7)});
   return labels;
 }
 
@@ -198,14 +200,14 @@ class Plugin final : public Method {
 
   void get_ready() override { loaded(); }
   MethodAnswer ask(const Pair& pair) override {
-    if (const auto invalid = decline_invalid(pair)) return *invalid;
+    if (const auto declined = decline(pair)) return *declined;
     const auto a = numbers_of(pair.a), b = numbers_of(pair.b);
     // What it may write, and behind that what it may not.
     double more[more_size + guard_size];
     std::fill_n(more, more_size, std::numeric_limits<double>::quiet_NaN());
     std::fill_n(more + more_size, guard_size, guard);
     const int word = loaded().ask(a.data(), b.data(), more);
-    MethodAnswer answer = answer_of(word, more, word < 0 ? reason() : nullptr);
+    MethodAnswer answer = answer_of(pair, word, more, word < 0 ? reason() : nullptr);
     if (!is_untouched(more + more_size)) {
       answer.side_effect = SideEffect::memory;
       if (answer.status == Status::answered) answer.set_reason("wrote behind more[6]");
@@ -217,29 +219,29 @@ class Plugin final : public Method {
   std::size_t ask_many(std::span<const Pair> pairs, std::span<MethodAnswer> answers) override {
     std::vector<std::size_t> legal;
     for (std::size_t i = 0; i < pairs.size(); ++i) {
-      if (const auto invalid = decline_invalid(pairs[i]))
-        answers[i] = *invalid;
+      if (const auto declined = decline(pairs[i]))
+        answers[i] = *declined;
       else
         legal.push_back(i);
     }
     flat_.clear();
-    for (const std::size_t i : legal) std::ranges::copy(numbers_of(pairs[i]), std::back_inserter(flat_));
+    for (const std::size_t i : legal) append(pairs[i], flat_);
     words_.assign(legal.size(), DAYLIGHT_FAILED);
     more_.assign(more_size * legal.size(), std::numeric_limits<double>::quiet_NaN());
     more_.insert(more_.end(), guard_size, guard);
     loaded().ask_many(legal.size(), flat_.data(), words_.data(), more_.data());
     for (std::size_t i = 0; i < legal.size(); ++i)
-      answers[legal[i]] = answer_of(words_[i], &more_[more_size * i], nullptr);
+      answers[legal[i]] = answer_of(pairs[legal[i]], words_[i], &more_[more_size * i], nullptr);
     if (!legal.empty() && !is_untouched(&more_[more_size * legal.size()]))
       answers[legal[0]].side_effect = SideEffect::memory;
     return pairs.size();
   }
 
   Call prepare_all(std::span<const Pair> pairs) override {
-    return [flat = flatten_all(pairs), method = loaded(pairs)](std::size_t i) {
+    return [flat = flatten_all(pairs), method = loaded(pairs), count = number_count()](std::size_t i) {
       double more[more_size];
       std::fill_n(more, more_size, std::numeric_limits<double>::quiet_NaN());
-      const int word = method->ask(&flat[16 * i], &flat[16 * i + 8], more);
+      const int word = method->ask(&flat[2 * count * i], &flat[2 * count * i + count], more);
       return word < 0 ? Verdict::undecided : verdict_of(word);
     };
   }
@@ -261,7 +263,7 @@ class Plugin final : public Method {
     return has_second_part(method) && method.reason ? method.reason() : nullptr;
   }
 
-  static MethodAnswer answer_of(int word, const double* more, const char* reason) {
+  static MethodAnswer answer_of(const Pair& pair, int word, const double* more, const char* reason) {
     MethodAnswer answer;
     if (word == DAYLIGHT_DECLINED) {
       answer.set_reason(words_or(reason, "declined"));
@@ -276,7 +278,7 @@ class Plugin final : public Method {
     answer.has_distance = !std::isnan(more[0]);
     if (answer.has_distance) answer.distance = more[0];
     const bool meet = word == DAYLIGHT_INTERSECTING || word == DAYLIGHT_TOUCHING;
-    if (any_given(more + 4) && (meet || !any_given(more + 1))) {
+    if (any_given(more + 4) && !is_rounded(pair) && (meet || !any_given(more + 1))) {
       answer.witness = CertificateKind::point;
       std::copy_n(more + 4, 3, answer.head);
     } else if (any_given(more + 1)) {
@@ -294,10 +296,27 @@ class Plugin final : public Method {
   /// The bench asks whether there is such a way at all by no pairs, in its own process.
   const DaylightMethod* loaded(std::span<const Pair> pairs) { return pairs.empty() ? nullptr : &loaded(); }
 
-  static std::vector<double> flatten_all(std::span<const Pair> pairs) {
+  std::optional<MethodAnswer> decline(const Pair& pair) const {
+    if (const auto invalid = decline_invalid(pair)) return invalid;
+    if (label_.rounding || !is_rounded(pair)) return {};
+    MethodAnswer answer;
+    answer.set_reason("it takes no rounding");
+    return answer;
+  }
+
+  std::size_t number_count() const { return label_.rounding ? cylinder_number_count : core_number_count; }
+
+  void append(const Pair& pair, std::vector<double>& flat) const {
+    for (const Cylinder* c : {&pair.a, &pair.b}) {
+      const auto numbers = numbers_of(*c);
+      flat.insert(flat.end(), numbers.begin(), numbers.begin() + static_cast<std::ptrdiff_t>(number_count()));
+    }
+  }
+
+  std::vector<double> flatten_all(std::span<const Pair> pairs) const {
     std::vector<double> flat;
-    flat.reserve(16 * pairs.size());
-    for (const Pair& pair : pairs) std::ranges::copy(numbers_of(pair), std::back_inserter(flat));
+    flat.reserve(2 * number_count() * pairs.size());
+    for (const Pair& pair : pairs) append(pair, flat);
     return flat;
   }
 

@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "corpus/pairs/pair_numbers.hpp"
 #include "oracles/referee/multiprecision.hpp"
 
 namespace cyl {
@@ -60,7 +61,7 @@ I length(const Vec3<I>& v) {
   return sqrt(square(v.x) + square(v.y) + square(v.z));
 }
 
-// f for a direction: radius |D x w| + height/2 |D.w| of both solids less |D.delta|.
+// f of the cores for a direction: radius |D x w| + height/2 |D.w| of both solids less |D.delta|.
 template <class I>
 I support_gap_of(const Vec3<I>& d, const Vec3<I>& w0, const I& radius0, const I& half0, const Vec3<I>& w1,
                  const I& radius1, const I& half1, const Vec3<I>& delta) {
@@ -75,6 +76,7 @@ BasicFilter<R>::BasicFilter(const Pair& pair) {
   const Cylinder &a = pair.a, &b = pair.b;
   double most = std::fmax(std::fmax(a.radius, a.height), std::fmax(b.radius, b.height));
   for (int i = 0; i < 3; ++i) most = std::fmax(most, std::fabs(b.center[i] - a.center[i]));
+  most = std::fmax(most, std::fmax(a.rounding, b.rounding));
   if (!std::isfinite(most)) return;
   exponent_ = most > 0 ? std::ilogb(most) : 0;
   bool exact = true;
@@ -93,6 +95,8 @@ BasicFilter<R>::BasicFilter(const Pair& pair) {
   a_ = solid(a);
   b_ = solid(b);
   delta_ = lift<I>(b_.center) - lift<I>(a_.center);
+  if (is_rounded(pair))
+    room_ = I(scaled(a.rounding, -exponent_, exact)) + I(scaled(b.rounding, -exponent_, exact));
   usable_ = exact;
 }
 
@@ -110,9 +114,11 @@ bool BasicFilter<R>::separates(const double direction[3]) const {
 
 template <class R>
 bool BasicFilter<R>::separates(const Vec3<R>& direction) const {
-  return usable_ && support_gap_of(lift<I>(direction), a_.unit_axis, I(a_.radius), I(a_.height / 2),
-                                   b_.unit_axis, I(b_.radius), I(b_.height / 2), delta_)
-                            .hi < 0;
+  if (!usable_) return false;
+  const Vec3<I> d = lift<I>(direction);
+  const I f = support_gap_of(d, a_.unit_axis, I(a_.radius), I(a_.height / 2), b_.unit_axis, I(b_.radius),
+                             I(b_.height / 2), delta_);
+  return (room_.hi > 0 ? f + room_ * length(d) : f).hi < 0;
 }
 
 template <class R>
@@ -144,6 +150,32 @@ bool BasicFilter<R>::overlap_at(const double head[3], const double tail[3], cons
   return exact && overlap_near((lift<I>(h) - lift<I>(a_.center)) + lift<I>(t), hulls);
 }
 
+template <class R>
+auto BasicFilter<R>::moved(const Solid& s, Hull hull, const Vec3<I>& from) -> Vec3<I> {
+  if (hull == Hull::space) return from;
+  if (hull == Hull::center) return Vec3<I>{};
+  const Vec3<I> along = dot(from, s.unit_axis) * s.unit_axis;
+  return hull == Hull::line ? along : from - along;
+}
+
+template <class R>
+bool BasicFilter<R>::come_near(const ExactVector& on_a, const ExactVector& on_b, const Hulls& hulls) const {
+  if (!usable_) return false;
+  bool exact = true;
+  const auto place = [&](const Solid& s, const ExactVector& v, Hull hull) {
+    const Vec3<double> h = scaled({v.head[0], v.head[1], v.head[2]}, -exponent_, exact);
+    const Vec3<double> t = scaled({v.tail[0], v.tail[1], v.tail[2]}, -exponent_, exact);
+    return moved(s, hull, (lift<I>(h) - lift<I>(s.center)) + lift<I>(t));
+  };
+  const auto inside = [](const Solid& s, Hull hull, const Vec3<I>& at) {
+    return (level(hull) || abs(dot(at, s.unit_axis)).hi <= s.height / 2) &&
+           (thin(hull) || length(cross(at, s.unit_axis)).hi <= s.radius);
+  };
+  const Hull hull_a = both(a_.hull, hulls[0]), hull_b = both(b_.hull, hulls[1]);
+  const Vec3<I> x = place(a_, on_a, hull_a), y = place(b_, on_b, hull_b);
+  return exact && inside(a_, hull_a, x) && inside(b_, hull_b, y) && length(delta_ + y - x).hi <= room_.lo;
+}
+
 // Moves are by vectors of which only an interval is known: the point meant is the one that the exact unit
 // axes give, which lies in the hulls exactly, so that what is 0 there need not be shown to be.
 //
@@ -152,11 +184,6 @@ bool BasicFilter<R>::overlap_at(const double head[3], const double tail[3], cons
 template <class R>
 bool BasicFilter<R>::overlap_near(Vec3<I> x, const Hulls& hulls) const {
   const Hull hull_a = both(a_.hull, hulls[0]), hull_b = both(b_.hull, hulls[1]);
-  const auto moved = [](const Solid& s, Hull hull, const Vec3<I>& from) {
-    if (hull == Hull::center) return Vec3<I>{};
-    const Vec3<I> along = dot(from, s.unit_axis) * s.unit_axis;
-    return hull == Hull::line ? along : from - along;
-  };
   const auto strictly_inside = [](const Solid& s, Hull hull, const Vec3<I>& at) {
     return (level(hull) || abs(dot(at, s.unit_axis)).hi < s.height / 2) &&
            (thin(hull) || length(cross(at, s.unit_axis)).hi < s.radius);
@@ -206,6 +233,10 @@ int support_gap_sign(const Pair& pair, const Rational3& direction, int bits) {
       support_gap_of(interval(direction), unit(pair.a), MpInterval(pair.a.radius),
                      MpInterval(pair.a.height) / two, unit(pair.b), MpInterval(pair.b.radius),
                      MpInterval(pair.b.height) / two, interval(exact(pair.b.center) - exact(pair.a.center)));
+  if (is_rounded(pair)) {
+    const MpInterval grown = f + MpInterval(room_of(pair)) * length(interval(direction));
+    return grown.negative() ? -1 : grown.positive() ? 1 : 0;
+  }
   return f.negative() ? -1 : f.positive() ? 1 : 0;
 }
 
@@ -253,7 +284,23 @@ bool in_both_exact(const Pair& pair, const Rational3& point) {
   return is_in(pair.a, point) && is_in(pair.b, point);
 }
 
+bool in_each_exact(const Pair& pair, const Rational3& on_a, const Rational3& on_b) {
+  return is_in(pair.a, on_a) && is_in(pair.b, on_b);
+}
+
+mpq_class room_of(const Pair& pair) { return mpq_class(pair.a.rounding) + mpq_class(pair.b.rounding); }
+
+Rational3 project_to_hull(const Cylinder& c, const Rational3& point, Hull hull) {
+  const Hull in = both(own_hull(c), hull);
+  const Rational3 center = exact(c.center), w = exact(c.axis), x = point - center;
+  if (in == Hull::space) return point;
+  if (in == Hull::center) return center;
+  const Rational3 along = mpq_class(dot(x, w) / dot(w, w)) * w;
+  return center + (in == Hull::line ? along : x - along);
+}
+
 bool overlap_at(const Pair& pair, const Rational3& point) {
+  if (is_rounded(pair)) return true;
   const Hull hull_a = own_hull(pair.a), hull_b = own_hull(pair.b);
   if (hull_a == Hull::space || hull_b == Hull::space)
     return strictly_inside(pair.a, point, Hull::space) || strictly_inside(pair.b, point, Hull::space);

@@ -34,7 +34,7 @@ class BasicFilter {
   /// f(direction) < 0 for certain.
   bool separates(const double direction[3]) const;
   bool separates(const Vec3<R>& direction) const;
-  /// head + tail, exactly, is in both solids for certain.
+  /// head + tail, exactly, is in both cores for certain.
   bool in_both(const double head[3], const double tail[3]) const;
   /// Whether the solids meet for certain, and more than touch, at the point of the hulls nearest to the guess
   /// (relative to a's centre, in the filter's unit): strictly inside one with inner points, or where two flat
@@ -42,6 +42,9 @@ class BasicFilter {
   bool overlap_at(const Vec3<R>& guess, const Hulls& hulls = {}) const;
   /// The same near head + tail, in the scene's frame and unit.
   bool overlap_at(const double head[3], const double tail[3], const Hulls& hulls) const;
+  /// For certain the point of a's hull nearest to the first vector is in a's core, that of b's hull nearest
+  /// to the second in b's, and they are no farther apart than both roundings together.
+  bool come_near(const ExactVector& on_a, const ExactVector& on_b, const Hulls& hulls) const;
 
  private:
   using I = BasicInterval<R>;
@@ -52,10 +55,12 @@ class BasicFilter {
     Hull hull;
   };
   bool overlap_near(Vec3<I> guess, const Hulls& hulls) const;
+  static Vec3<I> moved(const Solid& s, Hull hull, const Vec3<I>& from);
   bool usable_ = false;
   int exponent_ = 0;
   Solid a_, b_;
   Vec3<I> delta_;
+  I room_;  // both roundings together
 };
 
 using Filter = BasicFilter<double>;
@@ -67,15 +72,24 @@ int support_gap_sign(const Pair& pair, const Rational3& direction, int bits);
 /// f(direction) < 0 for certain, in MPFI at the given precision.
 bool separates_in_multiprecision(const Pair& pair, const Rational3& direction, int bits);
 
-/// Whether the point is in both solids, decided exactly.
+/// Whether the point is in both cores, decided exactly.
 bool in_both_exact(const Pair& pair, const Rational3& point);
 
-/// Whether the point, one of both solids, shows that they overlap and do not only touch: strictly inside one
-/// of them, or two flat ones cross there strictly inside both. Decided exactly.
+/// Whether the point, one of both cores, shows that the solids overlap and do not only touch: one is rounded,
+/// or it is strictly inside one of them, or two flat ones cross there strictly inside both. Decided exactly.
 bool overlap_at(const Pair& pair, const Rational3& point);
 
 /// The point of the hulls nearest to the one given, exactly; nothing where the hulls do not meet.
 std::optional<Rational3> project_to_hulls(const Pair& pair, const Rational3& point, const Hulls& hulls = {});
+
+/// The point of the solid's own hull and of the one given that is nearest to the point given, exactly.
+Rational3 project_to_hull(const Cylinder& c, const Rational3& point, Hull hull = Hull::space);
+
+/// Whether the first point is in a's core, the second in b's; decided exactly.
+bool in_each_exact(const Pair& pair, const Rational3& on_a, const Rational3& on_b);
+
+/// a.rounding + b.rounding.
+mpq_class room_of(const Pair& pair);
 
 Rational3 exact(const Vector3& v);
 Rational3 exact(const ExactVector& v);

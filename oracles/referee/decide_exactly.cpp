@@ -10,7 +10,7 @@ bool flat(const Cylinder& c) { return c.radius == 0 || c.height == 0; }
 
 }  // namespace
 
-Certificate certificate_of(const Answer& answer) {
+Certificate certificate_of(const Answer& answer, const Cylinder& a, const Cylinder& b) {
   const auto doubles = [](const Vector3& v) { return std::array<double, 3>{v[0], v[1], v[2]}; };
   switch (answer.proof) {
     case Proof::none:
@@ -22,6 +22,11 @@ Certificate certificate_of(const Answer& answer) {
               {doubles(answer.point_head), doubles(answer.point_tail), {}},
               {},
               {answer.hull_a, answer.hull_b}};
+    case Proof::points:
+      return {CertificateKind::points,
+              {doubles(a.center), doubles(answer.point_tail), {}},
+              {doubles(b.center), doubles(answer.other_tail), {}},
+              {answer.hull_a, answer.hull_b}};
   }
   return {};
 }
@@ -30,8 +35,10 @@ Certificate certificate_of(const Answer& answer) {
 Truth decide_exactly(const Cylinder& a, const Cylinder& b) {
   const Answer answer = decide(a, b);
   if (answer.proof == Proof::none) return judge({a, b});
-  const Certificate certificate = certificate_of(answer);
-  if (answer.proof == Proof::point && (certificate.hulls != Certificate{}.hulls || (flat(a) && flat(b)))) {
+  const Certificate certificate = certificate_of(answer, a, b);
+  const bool in_hulls = certificate.hulls != Certificate{}.hulls;
+  const bool rounded = a.rounding > 0 || b.rounding > 0;
+  if (in_hulls || (answer.proof == Proof::point && !rounded && flat(a) && flat(b))) {
     MethodAnswer witness;
     witness.status = Status::answered;
     witness.set_witness(certificate);

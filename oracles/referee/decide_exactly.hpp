@@ -8,7 +8,7 @@
 namespace cyl {
 
 /// Returns the certificate that the solver's answer carries.
-Certificate certificate_of(const Answer& answer);
+Certificate certificate_of(const Answer& answer, const Cylinder& a, const Cylinder& b);
 
 /// Do the two meet? Lengths of both in one unit, any; doubles are taken exactly. Proved, with certificate;
 /// `touching` where the distance is exactly 0 and that could be proved; `undecided` as judge() is. Typical

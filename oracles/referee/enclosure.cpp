@@ -16,6 +16,7 @@
 #include <optional>
 #include <queue>
 
+#include "corpus/pairs/pair_numbers.hpp"
 #include "oracles/referee/interval.hpp"
 #include "oracles/referee/referee.hpp"
 #include "oracles/referee/search.hpp"
@@ -286,11 +287,30 @@ std::optional<Enclosure> enclose_near_touching(const Pair& pair, Verdict verdict
   return verdict == Verdict::disjoint ? Enclosure{0, most} : Enclosure{-most, 0};
 }
 
+// The distance of rounded solids is that of their cores less the roundings, at the same direction: the
+// difference of the solids is that of the cores grown by a ball, which moves its whole boundary outward by
+// the radius.
+AttainedDistance shrunk_by_roundings(const Pair& pair, const Truth& truth, double relative_width) {
+  Pair cores = pair;
+  cores.a.rounding = cores.b.rounding = 0;
+  const double core_size = size_of(cores);
+  const double core_width = core_size > 0 ? relative_width * (size_of(pair) / core_size) : relative_width;
+  AttainedDistance found = attain_distance(cores, judge_verdict(cores), std::min(core_width, 1.0));
+  if (truth.verdict == Verdict::touching) return {{0, 0}, found.direction, found.cells};
+  const Interval shrunk =
+      Interval(found.distance.lo, found.distance.hi) - Interval(pair.a.rounding) - Interval(pair.b.rounding);
+  found.distance = {shrunk.lo, shrunk.hi};
+  if (truth.verdict == Verdict::disjoint) found.distance.lo = std::max(found.distance.lo, 0.0);
+  if (truth.verdict == Verdict::intersecting) found.distance.hi = std::min(found.distance.hi, 0.0);
+  return found;
+}
+
 }  // namespace
 
 AttainedDistance attain_distance(const Pair& pair, const Truth& truth, double relative_width) {
   // untaken: a family's pairs are valid
   if (truth.verdict == Verdict::invalid) return {};
+  if (is_rounded(pair)) return shrunk_by_roundings(pair, truth, relative_width);
   int exponent = 0;
   const SearchPair<double> p = double_pair(pair, exponent);
   const double size = p.radius0 + p.radius1 + 2 * (p.half0 + p.half1);
@@ -321,6 +341,7 @@ AttainedDistance attain_distance(const Pair& pair, const Truth& truth, double re
 Enclosure enclose_distance(const Pair& pair, const Truth& truth, double relative_width) {
   // untaken: that the distance is 0 the gate takes from the verdict
   if (truth.verdict == Verdict::touching) return {0, 0};
+  if (is_rounded(pair)) return attain_distance(pair, truth, relative_width).distance;
   if (const auto near = enclose_near_touching(pair, truth.verdict, relative_width)) return *near;
   return attain_distance(pair, truth, relative_width).distance;
 }

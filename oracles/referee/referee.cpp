@@ -9,60 +9,13 @@
 
 #include "oracles/referee/certificate_check.hpp"
 #include "oracles/referee/multiprecision.hpp"
+#include "oracles/referee/proofs.hpp"
+#include "oracles/referee/rounded.hpp"
 #include "oracles/referee/search.hpp"
 #include "oracles/referee/tangency.hpp"
 
 namespace cyl {
 namespace {
-
-std::string text(const mpq_class& q) { return q.get_str(); }
-
-// As doubles where they hold it exactly, else as "n/d".
-ExactVector exact_vector(const Rational3& v) {
-  ExactVector r;
-  const mpq_class* c[3] = {&v.x, &v.y, &v.z};
-  for (std::size_t i = 0; i < 3; ++i) {
-    const double head = c[i]->get_d();
-    if (std::isfinite(head) && mpq_class(head) == *c[i])
-      r.head[i] = head;
-    else
-      r.exact[i] = text(*c[i]);
-  }
-  return r;
-}
-
-ExactVector exact_vector(const double head[3], const double tail[3]) {
-  ExactVector r;
-  for (std::size_t i = 0; i < 3; ++i) {
-    r.head[i] = head[i] == 0 ? tail[i] : head[i];
-    r.tail[i] = head[i] == 0 ? 0 : tail[i];
-  }
-  return r;
-}
-
-Truth proved(Verdict verdict, ExactVector certificate, Stage stage, int bits) {
-  Truth t;
-  t.verdict = verdict;
-  t.certificate.kind = verdict == Verdict::disjoint ? CertificateKind::direction : CertificateKind::point;
-  t.certificate.vector = std::move(certificate);
-  t.stage = stage;
-  t.bits = bits;
-  return t;
-}
-
-constexpr double no_tail[3] = {0, 0, 0};
-constexpr int first_multiprecision_bits = 128;
-constexpr int tangency_bits = 256;  // contacts at simple rationals show themselves up to this precision
-constexpr int near_bits = 512;      // enough for a point within 2^-200 size of both solids
-
-bool finite(const double v[3]) {
-  return std::all_of(v, v + 3, [](double x) { return std::isfinite(x); });
-}
-
-Rational3 sum(const double head[3], const double tail[3]) {
-  auto c = [&](int i) { return mpq_class(mpq_class(head[i]) + mpq_class(tail[i])); };
-  return {c(0), c(1), c(2)};
-}
 
 Hulls hulls_of(const MethodAnswer& answer) { return {answer.hulls[0], answer.hulls[1]}; }
 
@@ -89,6 +42,7 @@ std::optional<Truth> check_by_filter(const Pair& pair, const Filter& filter, con
   if (answer.status != Status::answered || !finite(answer.head) || !finite(answer.tail)) return std::nullopt;
   if (answer.witness == CertificateKind::direction && filter.separates(answer.head))
     return proved(Verdict::disjoint, exact_vector(answer.head, no_tail), Stage::filter, 53);
+  if (answer.witness == CertificateKind::points) return check_points_by_filter(filter, answer);
   if (answer.witness != CertificateKind::point) return std::nullopt;
   if (in_space(answer)) {
     if (!filter.in_both(answer.head, answer.tail)) return std::nullopt;
@@ -109,6 +63,7 @@ std::optional<Truth> check_exactly(const Pair& pair, const MethodAnswer& answer)
       separates_in_multiprecision(pair, sum(answer.head, no_tail), first_multiprecision_bits))
     return proved(Verdict::disjoint, exact_vector(answer.head, no_tail), Stage::multiprecision,
                   first_multiprecision_bits);
+  if (answer.witness == CertificateKind::points) return check_points_exactly(pair, answer);
   if (answer.witness != CertificateKind::point) return std::nullopt;
   const auto point = offered_point(pair, answer);
   // untaken: our answers are finite, and points of both solids; others' may be anything
@@ -116,41 +71,6 @@ std::optional<Truth> check_exactly(const Pair& pair, const MethodAnswer& answer)
   return proved(Verdict::intersecting,
                 in_space(answer) ? exact_vector(answer.head, answer.tail) : exact_vector(*point),
                 Stage::exact, first_multiprecision_bits);
-}
-
-SearchPair<MpFloat> multiprecision_pair(const Pair& pair) {
-  auto lift = [](const Vector3& v) { return Vec3<MpFloat>{MpFloat(v.x()), MpFloat(v.y()), MpFloat(v.z())}; };
-  const MpFloat half(0.5);
-  return {lift(pair.a.axis),
-          lift(pair.b.axis),
-          lift(pair.b.center) - lift(pair.a.center),
-          MpFloat(pair.a.radius),
-          MpFloat(pair.a.height) * half,
-          MpFloat(pair.b.radius),
-          MpFloat(pair.b.height) * half};
-}
-
-Rational3 rational(const Vec3<MpFloat>& v) {
-  return {v.x.to_rational(), v.y.to_rational(), v.z.to_rational()};
-}
-
-// The direction brought to coordinates of at most 1 by a power of two, then rounded to double.
-std::optional<std::array<double, 3>> rounded_direction(const Rational3& d) {
-  const mpq_class most = std::max({mpq_class(abs(d.x)), mpq_class(abs(d.y)), mpq_class(abs(d.z))});
-  if (most == 0) return std::nullopt;
-  const mpq_class x = d.x / most, y = d.y / most, z = d.z / most;
-  return std::array<double, 3>{x.get_d(), y.get_d(), z.get_d()};
-}
-
-std::optional<Truth> prove_disjoint(const Pair& pair, const Rational3& direction, int bits) {
-  const auto rounded = rounded_direction(direction);
-  if (!rounded) return std::nullopt;
-  const Rational3 simple = sum(rounded->data(), no_tail);
-  if (separates_in_multiprecision(pair, simple, bits))
-    return proved(Verdict::disjoint, exact_vector(simple), Stage::multiprecision, bits);
-  if (separates_in_multiprecision(pair, direction, 2 * bits))
-    return proved(Verdict::disjoint, exact_vector(direction), Stage::multiprecision, 2 * bits);
-  return std::nullopt;
 }
 
 // A common point found from a guess: the guess rounded to a's centre plus a double (short, and good enough
@@ -174,19 +94,6 @@ std::optional<CommonPoint> common_point(const Pair& pair, const Rational3& guess
   return std::nullopt;
 }
 
-mpq_class exact_size(const Pair& pair) {
-  return mpq_class(pair.a.radius) + mpq_class(pair.a.height) + mpq_class(pair.b.radius) +
-         mpq_class(pair.b.height);
-}
-
-mpq_class times_power(mpq_class x, int exponent) {
-  if (exponent < 0)
-    mpq_div_2exp(x.get_mpq_t(), x.get_mpq_t(), static_cast<mp_bitcnt_t>(-exponent));
-  else
-    mpq_mul_2exp(x.get_mpq_t(), x.get_mpq_t(), static_cast<mp_bitcnt_t>(exponent));
-  return x;
-}
-
 Found<MpFloat> search_in_multiprecision(const Pair& pair, int bits, Rational3& point, Rational3& direction) {
   const PrecisionScope precision(bits);
   const Found<MpFloat> found = search(multiprecision_pair(pair), bits);
@@ -199,15 +106,8 @@ Found<MpFloat> search_in_multiprecision(const Pair& pair, int bits, Rational3& p
 // near the search's result, then proved by algebra.
 std::optional<Truth> prove_touching(const Pair& pair, const Rational3& point, const Rational3& direction,
                                     int bits) {
-  // Simple in a unit near the size, so that a scene of another scale has the same guess.
-  const mpq_class size = exact_size(pair);
-  const int unit = size > 0 ? std::ilogb(size_of(pair)) : 0;
-  const mpq_class tolerance = times_power(size, -unit - bits / 4);
-  const auto simple = [&](const mpq_class& x) {
-    return times_power(simplest_within(times_power(x, -unit), tolerance), unit);
-  };
-  const Rational3 guess{simple(point.x), simple(point.y), simple(point.z)};
-  const auto tangency = prove_tangency(pair, guess, direction);
+  const Rational3 guess = simplest_near(pair, point, bits);
+  const auto tangency = prove_tangency(pair, guess, guess, direction);
   if (!tangency || !tangency->meet) return std::nullopt;
   Truth t = proved(Verdict::touching, {}, Stage::exact, bits);
   for (const Rational3& x : {guess, point})
@@ -244,6 +144,7 @@ std::optional<Truth> prove_in_double(const Pair& pair, const Filter& filter,
       t->witnessed = true;
       return t;
     }
+  if (is_rounded(pair)) return prove_rounded_in_double(pair, filter);
   guess.found = search(double_pair(pair, guess.exponent), 53);
   if (guess.found.has_direction) {
     const double d[3] = {guess.found.direction.x, guess.found.direction.y, guess.found.direction.z};
@@ -295,6 +196,8 @@ Truth judge_in_full(const Pair& pair, std::span<const MethodAnswer> offered, int
   Rational3 point, direction;
   for (int bits = first_multiprecision_bits; bits <= bits_cap; bits *= 2) {
     undecided.bits = bits;
+    if (is_rounded(pair))
+      if (auto t = prove_rounded(pair, bits)) return *t;
     const Found<MpFloat> found = search_in_multiprecision(pair, bits, point, direction);
     if (found.has_direction)
       if (auto t = prove_disjoint(pair, direction, bits)) return *t;
@@ -303,7 +206,7 @@ Truth judge_in_full(const Pair& pair, std::span<const MethodAnswer> offered, int
     // Where the point does not rule touching out, the algebra has the word.
     if (common && overlap_at(pair, common->point))
       return proved(Verdict::intersecting, common->written, Stage::exact, bits);
-    if (common || bits <= tangency_bits)
+    if (!is_rounded(pair) && (common || bits <= tangency_bits))
       if (auto t = prove_touching(pair, common ? common->point : point, direction, bits)) return *t;
     if (common) return proved(Verdict::intersecting, common->written, Stage::exact, bits);
   }
@@ -327,7 +230,8 @@ Truth judge_verdict(const Pair& pair, std::span<const MethodAnswer> offered) {
   if (auto t = prove_in_double(pair, filter, offered, Certificates::left_out, guess)) return std::move(*t);
   if (guess.found.has_point && filter.overlap_at(guess.point_in(filter.exponent())))
     return verdict_alone(Verdict::intersecting);
-  if (auto t = prove_in_long_double(pair)) return std::move(*t);
+  if (!is_rounded(pair))
+    if (auto t = prove_in_long_double(pair)) return std::move(*t);
   return judge_in_full(pair, offered, precision_cap);
 }
 

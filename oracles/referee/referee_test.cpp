@@ -349,8 +349,8 @@ TEST(Tangency, FacesOfOnePlaneNeedNotMeet) {
   const Vector3 x(1, 0, 0), y(0, 1, 0), z(0, 0, 1);
   const Cylinder disk = flat(0, 0, z, 1, 0), along_x = flat(0, 0, x, 0, 2);
   const auto meet = [&](const Cylinder& a, const Cylinder& b) {
-    const auto there = prove_tangency({a, b}, {0, 0, 0}, {0, 0, 1});
-    const auto back = prove_tangency({b, a}, {0, 0, 0}, {0, 0, 1});
+    const auto there = prove_tangency({a, b}, {0, 0, 0}, {0, 0, 0}, {0, 0, 1});
+    const auto back = prove_tangency({b, a}, {0, 0, 0}, {0, 0, 0}, {0, 0, 1});
     EXPECT_TRUE(there && back);
     if (!there || !back) return false;
     EXPECT_EQ(there->meet, back->meet);

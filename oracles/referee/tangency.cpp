@@ -87,7 +87,7 @@ bool faces_meet(const Face& f, const Face& g, const Root3& delta) {
   return is_zero(delta);
 }
 
-// f(D) as a sum of roots, D.delta >= 0.
+// f(D) as a sum of roots, D.delta >= 0. The faces of rounded solids are those of their cores, moved along D.
 RootSum support_gap(const Pair& pair, const Rational3& d, const Rational3& delta) {
   RootSum sum = RootSum(0) - RootSum(dot(d, delta));
   for (const Cylinder* c : {&pair.a, &pair.b}) {
@@ -96,7 +96,8 @@ RootSum support_gap(const Pair& pair, const Rational3& d, const Rational3& delta
     sum = sum + RootSum::root(c->radius, dot(side, side) / ww) +
           RootSum::root(mpq_class(c->height) / 2, dw * dw / ww);
   }
-  return sum;
+  const mpq_class room = room_of(pair);
+  return room == 0 ? sum : sum + RootSum::root(room, dot(d, d));
 }
 
 }  // namespace
@@ -118,10 +119,10 @@ mpq_class simplest_within(const mpq_class& x, const mpq_class& tolerance) {
 }
 
 std::optional<Tangency> prove_tangency(const Pair& pair, const Rational3& near_point,
-                                       const Rational3& near_direction) {
+                                       const Rational3& near_other, const Rational3& near_direction) {
   const Rational3 w0 = exact(pair.a.axis), w1 = exact(pair.b.axis);
   const Rational3 c0 = exact(pair.a.center), delta = exact(pair.b.center) - c0;
-  const Rational3 x0 = near_point - c0, x1 = near_point - exact(pair.b.center);
+  const Rational3 x0 = near_point - c0, x1 = near_other - exact(pair.b.center);
 
   // A cap's normal; that of two crossing walls; that of two parallel walls, or of a wall and the point it
   // meets; that of the two rims through the point (square to both rims' tangents), of a rim and a wall or a
@@ -148,7 +149,9 @@ std::optional<Tangency> prove_tangency(const Pair& pair, const Rational3& near_p
     if (support_gap_sign(pair, d, screening_bits) != 0 || support_gap(pair, d, delta).sign() != 0) continue;
     const Rational3 back = mpq_class(-1) * d;
     const Face f = face(pair.a, d), g = face(pair.b, back);
-    return Tangency{d, faces_meet(f, g, lift(delta) + g.center - f.center)};
+    const mpq_class room = room_of(pair);
+    const Root3 between = lift(delta) + g.center - f.center;
+    return Tangency{d, faces_meet(f, g, room == 0 ? between : between - along(room, d))};
   }
   return std::nullopt;
 }

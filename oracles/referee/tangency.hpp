@@ -14,10 +14,11 @@ struct Tangency {
   bool meet;  ///< the solids share a point of that plane: touching; else they are disjoint
 };
 
-/// Looks for D among the rational directions that the pair and the guessed point suggest. Nothing found
-/// proves nothing: D may be irrational (a rim against a wall or a rim, in general position).
+/// Looks for D among the rational directions that the pair and the guessed points of a's and of b's core
+/// suggest. Nothing found proves nothing: D may be irrational (a rim against a wall or a rim, in general
+/// position).
 std::optional<Tangency> prove_tangency(const Pair& pair, const Rational3& near_point,
-                                       const Rational3& near_direction);
+                                       const Rational3& near_other, const Rational3& near_direction);
 
 /// A simple rational within `tolerance` of x: the first convergent of its continued fraction that is.
 mpq_class simplest_within(const mpq_class& x, const mpq_class& tolerance);

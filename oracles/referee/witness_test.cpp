@@ -28,11 +28,11 @@ MethodAnswer point_in(Hull hull_a, Hull hull_b, const Vector3& at) {
   return answer;
 }
 
-MethodAnswer witness_of(const Answer& answer) {
+MethodAnswer witness_of(const Answer& answer, const Pair& pair) {
   MethodAnswer witness;
   witness.status = Status::answered;
   witness.verdict = answer.verdict;
-  witness.set_witness(certificate_of(answer));
+  witness.set_witness(certificate_of(answer, pair.a, pair.b));
   return witness;
 }
 
@@ -139,7 +139,7 @@ TEST(Witness, OfOurSolverIsNotNeeded) {
       if (answer.proof == Proof::none) continue;
       ++witnesses;
       in_hulls += answer.hull_a != Hull::space || answer.hull_b != Hull::space;
-      const MethodAnswer witness = witness_of(answer);
+      const MethodAnswer witness = witness_of(answer, pair);
       const std::string what = std::string(family.name) + " " + format_pair(pair);
       EXPECT_EQ(check_witness(pair, witness), answer.verdict) << what;
       const Truth alone = judge(pair), with = judge(pair, {&witness, 1}),

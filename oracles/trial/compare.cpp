@@ -110,7 +110,8 @@ bool finite(const double (&v)[3]) {
 
 bool finite(const MethodAnswer& answer) {
   if (answer.has_distance && !std::isfinite(answer.distance)) return false;
-  return answer.witness == CertificateKind::none || (finite(answer.head) && finite(answer.tail));
+  return answer.witness == CertificateKind::none || (finite(answer.head) && finite(answer.tail) &&
+                                                     finite(answer.other_head) && finite(answer.other_tail));
 }
 
 bool same_bits(const double* x, const double* y) { return std::memcmp(x, y, 3 * sizeof *x) == 0; }
@@ -119,9 +120,11 @@ bool same_hulls(const Hull* x, const Hull* y) { return x[0] == y[0] && x[1] == y
 
 /// Whether the truth's certificate is this answer's own witness, so that it need not be checked again.
 bool is_certificate(const Truth& truth, const MethodAnswer& answer) {
-  const ExactVector& v = truth.certificate.vector;
+  const ExactVector &v = truth.certificate.vector, &other = truth.certificate.second;
   return truth.certificate.kind == answer.witness && v.in_doubles() &&
          same_bits(v.head.data(), answer.head) && same_bits(v.tail.data(), answer.tail) &&
+         other.in_doubles() && same_bits(other.head.data(), answer.other_head) &&
+         same_bits(other.tail.data(), answer.other_tail) &&
          same_hulls(truth.certificate.hulls.data(), answer.hulls);
 }
 
@@ -219,7 +222,8 @@ bool same_answer(const MethodAnswer& x, const MethodAnswer& y) {
   if (x.verdict != y.verdict || x.has_distance != y.has_distance || x.witness != y.witness) return false;
   if (x.has_distance && std::memcmp(&x.distance, &y.distance, sizeof x.distance) != 0) return false;
   return x.witness == CertificateKind::none ||
-         (same_bits(x.head, y.head) && same_bits(x.tail, y.tail) && same_hulls(x.hulls, y.hulls));
+         (same_bits(x.head, y.head) && same_bits(x.tail, y.tail) && same_bits(x.other_head, y.other_head) &&
+          same_bits(x.other_tail, y.other_tail) && same_hulls(x.hulls, y.hulls));
 }
 
 }  // namespace cyl

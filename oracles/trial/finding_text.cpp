@@ -58,12 +58,24 @@ std::string in_words(const Certificate& certificate) {
           in_words(certificate.vector));
     case CertificateKind::point:
       return fmt::format("The point {} lies in both.", in_words(certificate.vector));
+    case CertificateKind::points:
+      return fmt::format(
+          "The point {} lies in a without its rounding, the point {} in b without its own, and they are no "
+          "farther "
+          "apart than both roundings together.",
+          in_words(certificate.vector), in_words(certificate.second));
     case CertificateKind::near:
       return fmt::format(
           "They touch to within 2^-200 of their size: the point {} is that near to both, and along {} "
           "neither "
           "a gap nor an overlap is wider.",
           in_words(certificate.vector), in_words(certificate.second));
+    case CertificateKind::near_points:
+      return fmt::format(
+          "They touch to within 2^-200 of their size: the points {} and {} are that near to a and to b "
+          "without their "
+          "roundings and as far apart as those, and along {} neither a gap nor an overlap is wider.",
+          in_words(certificate.vector), in_words(certificate.third), in_words(certificate.second));
     case CertificateKind::none:
       break;
   }

@@ -40,8 +40,8 @@ double rounded(double x, int digits) {
   return std::from_chars(text, end, y).ec == std::errc() ? y : x;
 }
 
-std::array<double*, 16> numbers(Pair& p) {
-  std::array<double*, 16> all;
+std::array<double*, 2 * cylinder_number_count> numbers(Pair& p) {
+  std::array<double*, 2 * cylinder_number_count> all;
   std::ranges::copy(numbers_of(p.b), std::ranges::copy(numbers_of(p.a), all.begin()).out);
   return all;
 }

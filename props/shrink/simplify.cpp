@@ -20,7 +20,7 @@ using namespace moves;
 /// Pairs a call: enough that a fork costs little beside them, few enough that little is asked in vain.
 constexpr std::size_t batch_cap = 32;
 
-using Bits = std::array<std::uint64_t, 16>;
+using Bits = std::array<std::uint64_t, 2 * cylinder_number_count>;
 
 /// Bits of the numbers: equal for the same pair alone.
 Bits bits_of(const Pair& p) { return std::bit_cast<Bits>(numbers_of(p)); }
@@ -96,7 +96,7 @@ class Search {
   const StillFails& still_fails_;
   std::size_t cap_, questions_ = 0;
   bool at_cap_ = false;
-  std::set<std::array<std::uint64_t, 16>> asked_;
+  std::set<std::array<std::uint64_t, 2 * cylinder_number_count>> asked_;
 };
 
 }  // namespace

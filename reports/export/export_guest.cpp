@@ -43,7 +43,7 @@ std::string truth_for_guest(const Trial& asked) {
   return text;
 }
 
-std::string eight_numbers(const Cylinder& c) { return listed(numbers_of(c).data(), cylinder_number_count); }
+std::string eight_numbers(const Cylinder& c) { return listed(core_numbers_of(c).data(), core_number_count); }
 
 bool apart(const Trial& asked) { return asked.truth.verdict == Verdict::disjoint; }
 

@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: MIT
+#include "corpus/pairs/rounded_pairs.hpp"
+
+#include <array>
+#include <cmath>
+#include <utility>
+
+#include "corpus/pairs/pair_numbers.hpp"
+
+namespace cyl {
+namespace {
+
+constexpr std::array<double, 2> lengths{0.1, 1};  // 0.1 to 10
+constexpr std::array<double, 15> margins{1e-1, 1e-2,  1e-3,  1e-4,  1e-5,  1e-6,  1e-7, 1e-8,
+                                         1e-9, 1e-10, 1e-11, 1e-12, 1e-13, 1e-14, 1e-15};
+constexpr std::array<double, 5> dusts{1e-15, 1e-12, 1e-9, 1e-6, 1e-3};
+constexpr std::array<double, 8> scales{1e-300, 1e-150, 1e-50, 1e-10, 1e10, 1e50, 1e100, 1e150};
+
+bool has_height(SolidKind kind) { return kind != SolidKind::sphere; }
+bool has_radius(SolidKind kind) { return kind == SolidKind::cylinder || kind == SolidKind::rounded; }
+bool has_rounding(SolidKind kind) { return kind != SolidKind::cylinder; }
+
+/// With lengths as `length` draws them.
+template <class Length>
+Cylinder draw_kind(SolidKind kind, RandomStream& s, Length length) {
+  Cylinder c;
+  c.axis = s.unit_vector();
+  if (has_radius(kind)) c.radius = length();
+  if (has_height(kind)) c.height = length();
+  if (has_rounding(kind)) c.rounding = length();
+  return c;
+}
+
+Cylinder draw_any(SolidKind kind, RandomStream& s) {
+  return draw_kind(kind, s, [&] { return s.within_decades(lengths); });
+}
+
+double reach(const Cylinder& c) {
+  return std::sqrt(c.radius * c.radius + c.height * c.height / 4) + c.rounding;
+}
+
+void scatter(RandomStream& s, Pair& p) {
+  for (int i = 0; i < 3; ++i) p.a.center[i] = s.between(-1, 1);
+  const double distance = s.between(0, 0.9) * (reach(p.a) + reach(p.b));
+  p.b.center = p.a.center + distance * s.unit_vector();
+}
+
+Pair draw_anywhere(SolidKind a, SolidKind b, RandomStream& s) {
+  Pair p{draw_any(a, s), draw_any(b, s)};
+  scatter(s, p);
+  return p;
+}
+
+// How far from the middle of a side, cap or segment a contact may lie, as a part of the way to its end.
+constexpr double inside_part = 0.6;
+
+/// Turns the core so that the plane square to `n` touches it from outside, in its wall, cap or rim or, of a
+/// segment, inside it or at its end; returns the contact from the centre.
+Vector3 touch_plane(Cylinder& c, const Vector3& n, RandomStream& s) {
+  const Vector3 v = s.perpendicular(n), third = n.cross(v);
+  const double half = c.height / 2;
+  const std::size_t feature = s.below(c.radius > 0 ? 3 : 2);
+  if (feature == 0) {
+    c.axis = third;
+    return c.radius * n + s.between(-inside_part, inside_part) * half * third;
+  }
+  if (feature == 2) {
+    c.axis = s.sign() * n;
+    return half * n + s.between(0, inside_part) * c.radius * v;
+  }
+  const double along = s.between(0.3, 1), across = s.between(0.3, 1);
+  const Vector3 towards = normalise(along * n + across * third),
+                radial = normalise(across * n - along * third);
+  c.axis = s.sign() * towards;
+  return half * towards + c.radius * radial;
+}
+
+// The cores are on either side of two parallel planes, as far apart as both roundings and the margin
+// together: then so are the cores, at the two contacts.
+Pair draw_near(SolidKind a, SolidKind b, RandomStream& s, std::uint64_t index) {
+  const auto length = [&] { return s.between(0.5, 2); };
+  Pair p{draw_kind(a, s, length), draw_kind(b, s, length)};
+  const double margin = margins[(index / 2) % margins.size()] * (index % 2 == 0 ? 1 : -1);
+  const Vector3 n = s.unit_vector();
+  const Vector3 on_a = touch_plane(p.a, n, s), on_b = touch_plane(p.b, -n, s);
+  for (int i = 0; i < 3; ++i) p.a.center[i] = s.between(-1, 1);
+  // No room for the overlap would leave the cores overlapping.
+  const double apart = std::fmax(0, p.a.rounding + p.b.rounding + margin * size_of(p));
+  p.b.center = p.a.center + (on_a + apart * n - on_b);
+  return p;
+}
+
+Pair draw_integers(SolidKind a, SolidKind b, RandomStream& s) {
+  const auto length = [&] { return static_cast<double>(s.integer(1, 4)); };
+  Pair p{draw_kind(a, s, length), draw_kind(b, s, length)};
+  constexpr std::array<std::array<int, 3>, 6> rational{
+      {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {3, 4, 0}, {0, 3, -4}, {1, 2, 2}}};  // of whole lengths
+  for (Cylinder* c : {&p.a, &p.b}) {
+    const auto& w = rational[s.below(rational.size())];
+    c->axis = Vector3(w[0], w[1], w[2]);
+    for (int i = 0; i < 3; ++i) c->center[i] = s.integer(-4, 4);
+  }
+  return p;
+}
+
+Pair draw_awkward(SolidKind a, SolidKind b, RandomStream& s) {
+  Pair p = draw_anywhere(a, b, s);
+  switch (s.below(6)) {
+    case 0:  // in line
+      p.b.axis = s.sign() * p.a.axis;
+      p.b.center = p.a.center + s.between(-1, 1) * (reach(p.a) + reach(p.b)) * p.a.axis;
+      break;
+    case 1:  // side by side
+      p.b.axis = s.sign() * p.a.axis;
+      break;
+    case 2:
+      p.b.center = p.a.center;
+      break;
+    case 3: {
+      const double scale = s.pick(scales);
+      for_each_length(p, [&](double& x) { x *= scale; });
+      break;
+    }
+    case 4:  // thinner, shorter
+      p.a.radius *= s.pick(dusts);
+      p.b.height *= s.pick(dusts);
+      break;
+    default:
+      p.a.rounding *= s.pick(dusts);
+      p.b.rounding *= s.pick(dusts);
+  }
+  return p;
+}
+
+}  // namespace
+
+SolidKind kind_of(const Cylinder& c) noexcept {
+  if (c.rounding == 0) return SolidKind::cylinder;
+  if (c.radius > 0) return SolidKind::rounded;
+  return c.height > 0 ? SolidKind::capsule : SolidKind::sphere;
+}
+
+Pair draw_rounded(SolidKind a, SolidKind b, RandomStream& s, std::uint64_t index) {
+  if (s.coin()) std::swap(a, b);
+  switch (index % 4) {
+    case 0:
+      return draw_anywhere(a, b, s);
+    case 1:
+    case 2:
+      return draw_near(a, b, s, index / 4 * 2 + index % 4 - 1);
+    default:
+      return index % 8 == 3 ? draw_integers(a, b, s) : draw_awkward(a, b, s);
+  }
+}
+
+}  // namespace cyl

@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: MIT
+#include "oracles/referee/rounded.hpp"
+
+#include "corpus/pairs/pair_numbers.hpp"
+#include "oracles/referee/nearest.hpp"
+#include "oracles/referee/proofs.hpp"
+#include "oracles/referee/tangency.hpp"
+
+namespace cyl {
+namespace {
+
+Truth met_at(ExactVector on_a, ExactVector on_b, Stage stage, int bits) {
+  Truth t = proved(Verdict::intersecting, std::move(on_a), stage, bits);
+  t.certificate.kind = CertificateKind::points;
+  t.certificate.second = std::move(on_b);
+  return t;
+}
+
+/// How the length between a point of each core compares with the room.
+int compare_with_room(const Pair& pair, const Rational3& on_a, const Rational3& on_b) {
+  const Rational3 between = on_b - on_a;
+  const mpq_class room = room_of(pair);
+  return cmp(mpq_class(dot(between, between)), mpq_class(room * room));
+}
+
+/// What was found, moved into the core: into the hull exactly, then towards the centre by 2^-digits.
+Rational3 pulled_in(const Cylinder& c, const Rational3& found, int digits) {
+  const Rational3 center = exact(c.center), from_center = project_to_hull(c, found) - center;
+  const mpq_class share = 1 - times_power(1, -digits);
+  return center + share * from_center;
+}
+
+/// The centre and a double, as far as those are enough to be in the core.
+std::optional<ExactVector> written_short(const Cylinder& c, const Rational3& point) {
+  const double head[3] = {c.center.x(), c.center.y(), c.center.z()};
+  const Rational3 from_center = point - exact(c.center);
+  const double tail[3] = {from_center.x.get_d(), from_center.y.get_d(), from_center.z.get_d()};
+  if (!finite(tail)) return {};
+  return exact_vector(head, tail);
+}
+
+std::optional<Truth> meet_at(const Pair& pair, const Rational3& on_a, const Rational3& on_b, int bits) {
+  const auto shown = [&](const Rational3& x, const Rational3& y) {
+    return in_each_exact(pair, x, y) && compare_with_room(pair, x, y) < 0;
+  };
+  constexpr int double_digits = 50;  // what moves a point farther than rounding to double does
+  const auto short_a = written_short(pair.a, pulled_in(pair.a, on_a, double_digits));
+  const auto short_b = written_short(pair.b, pulled_in(pair.b, on_b, double_digits));
+  if (short_a && short_b && shown(exact(*short_a), exact(*short_b)))
+    return met_at(*short_a, *short_b, Stage::exact, bits);
+  const int digits = bits - bits / 8;
+  const Rational3 x = pulled_in(pair.a, on_a, digits), y = pulled_in(pair.b, on_b, digits);
+  if (shown(x, y)) return met_at(exact_vector(x), exact_vector(y), Stage::exact, bits);
+  return {};
+}
+
+Nearest<MpFloat> nearest_in_multiprecision(const Pair& pair, int bits) {
+  const PrecisionScope precision(bits);
+  const SearchPair<MpFloat> p = multiprecision_pair(pair);
+  return find_nearest(p, bits, MpFloat(0.5) * p.delta);
+}
+
+// Where the two points are rational they are the certificate; else those of a wider search will do.
+std::optional<Truth> prove_rounded_touching(const Pair& pair, const Rational3& on_a, const Rational3& on_b,
+                                            int bits) {
+  const Rational3 simple_a = simplest_near(pair, on_a, bits), simple_b = simplest_near(pair, on_b, bits);
+  const auto tangency = prove_tangency(pair, simple_a, simple_b, simple_b - simple_a);
+  if (!tangency || !tangency->meet) return {};
+  Truth t = proved(Verdict::touching, {}, Stage::exact, bits);
+  if (in_each_exact(pair, simple_a, simple_b) && compare_with_room(pair, simple_a, simple_b) == 0) {
+    t.certificate.kind = CertificateKind::points;
+    t.certificate.vector = exact_vector(simple_a);
+    t.certificate.second = exact_vector(simple_b);
+    return t;
+  }
+  const Nearest<MpFloat> found = nearest_in_multiprecision(pair, near_bits);
+  const Rational3 center = exact(pair.a.center);
+  t.certificate.kind = CertificateKind::near_points;
+  t.certificate.vector = exact_vector(center + rational(found.on_a));
+  t.certificate.second = exact_vector(tangency->direction);
+  t.certificate.third = exact_vector(center + rational(found.on_b));
+  return t;
+}
+
+}  // namespace
+
+std::optional<Truth> check_points_by_filter(const Filter& filter, const MethodAnswer& answer) {
+  const Certificate said = answer.certificate();
+  if (said.hulls != Certificate{}.hulls || !filter.come_near(said.vector, said.second, said.hulls)) return {};
+  return met_at(exact_vector(answer.head, answer.tail), exact_vector(answer.other_head, answer.other_tail),
+                Stage::filter, 53);
+}
+
+std::optional<Truth> check_points_exactly(const Pair& pair, const MethodAnswer& answer) {
+  const Rational3 on_a = project_to_hull(pair.a, sum(answer.head, answer.tail), answer.hulls[0]);
+  const Rational3 on_b = project_to_hull(pair.b, sum(answer.other_head, answer.other_tail), answer.hulls[1]);
+  if (!in_each_exact(pair, on_a, on_b) || compare_with_room(pair, on_a, on_b) >= 0) return {};
+  return met_at(exact_vector(on_a), exact_vector(on_b), Stage::exact, first_multiprecision_bits);
+}
+
+std::optional<Truth> prove_rounded_in_double(const Pair& pair, const Filter& filter) {
+  int exponent = 0;
+  const SearchPair<double> p = double_pair(pair, exponent);
+  // Most pairs are told by a direction that separates the cores, or by their common point.
+  const Found<double> of_cores = search(p, 53);
+  const double apart[3] = {of_cores.direction.x, of_cores.direction.y, of_cores.direction.z};
+  if (of_cores.has_direction && filter.separates(apart))
+    return proved(Verdict::disjoint, exact_vector(apart, no_tail), Stage::filter, 53);
+  if (of_cores.has_point) {
+    const double head[3] = {pair.a.center.x(), pair.a.center.y(), pair.a.center.z()};
+    const auto in_scene = [&](double x) { return std::ldexp(x, exponent); };
+    const double tail[3] = {in_scene(of_cores.point.x), in_scene(of_cores.point.y),
+                            in_scene(of_cores.point.z)};
+    if (filter.in_both(head, tail))
+      return proved(Verdict::intersecting, exact_vector(head, tail), Stage::filter, 53);
+  }
+  const Nearest<double> found = find_nearest(p, 53, 0.5 * p.delta);
+  const Vec3<double> between = found.on_b - found.on_a;
+  const double direction[3] = {between.x, between.y, between.z};
+  if (filter.separates(direction))
+    return proved(Verdict::disjoint, exact_vector(direction, no_tail), Stage::filter, 53);
+  constexpr double inward = 1 - 0x1p-45;  // farther than rounding carries a point out
+  const auto point = [&](const Cylinder& c, const Vec3<double>& from_center) {
+    const auto in_scene = [&](double x) { return std::ldexp(inward * x, exponent); };
+    return ExactVector{{c.center.x(), c.center.y(), c.center.z()},
+                       {in_scene(from_center.x), in_scene(from_center.y), in_scene(from_center.z)},
+                       {}};
+  };
+  const ExactVector on_a = point(pair.a, found.on_a), on_b = point(pair.b, found.on_b - p.delta);
+  if (!filter.come_near(on_a, on_b, {})) return {};
+  // Of flat solids the points meant are those of their planes and lines nearest to these.
+  const auto written = [](const Cylinder& c, const ExactVector& v) {
+    if (c.radius > 0 && c.height > 0) return exact_vector(v.head.data(), v.tail.data());
+    return exact_vector(project_to_hull(c, exact(v)));
+  };
+  return met_at(written(pair.a, on_a), written(pair.b, on_b), Stage::filter, 53);
+}
+
+std::optional<Truth> prove_rounded(const Pair& pair, int bits) {
+  const Nearest<MpFloat> found = nearest_in_multiprecision(pair, bits);
+  const Rational3 center = exact(pair.a.center);
+  const Rational3 from_a = rational(found.on_a), from_b = rational(found.on_b);
+  const Rational3 on_a = center + from_a, on_b = center + from_b, between = from_b - from_a;
+  if (between.x != 0 || between.y != 0 || between.z != 0)
+    if (auto t = prove_disjoint(pair, between, bits)) return t;
+  if (auto t = meet_at(pair, on_a, on_b, bits)) return t;
+  return bits <= tangency_bits ? prove_rounded_touching(pair, on_a, on_b, bits) : std::nullopt;
+}
+
+}  // namespace cyl
