@@ -7,6 +7,7 @@
 #include <fstream>
 #include <functional>
 #include <iostream>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <stdexcept>
@@ -37,6 +38,7 @@ struct CheckOptions {
   std::string method;
   bool text = false;
   bool distance = false;
+  double clearance = 0;  ///< in the unit of the pairs
   GuestOptions guests;
   bool asks_somebody() const { return !method.empty() || guests.any(); }
 };
@@ -63,6 +65,13 @@ std::string describe(Verdict verdict, const Enclosure& d) {
                      apart ? "apart" : "deep");
 }
 
+/// The answer to the question that was asked.
+std::string with_clearance(std::string line, const CheckOptions& options) {
+  if (options.clearance == 0) return line;
+  line.back() = ',';
+  return line + "\"clearance\":" + format_double(options.clearance) + '}';
+}
+
 /// Returns the verdict as proved by the referee, to whom the solver's own certificate is offered first.
 Reply certified(const CaseLine& c, Method& solver, const CheckOptions& options) {
   const Pair& pair = c.value->pair;
@@ -70,19 +79,23 @@ Reply certified(const CaseLine& c, Method& solver, const CheckOptions& options) 
   const Truth truth = judge(pair, offered);
   std::optional<Enclosure> distance;
   if (options.distance) distance = enclose_distance(pair, truth);
-  if (!options.text) return {truth.verdict, format_truth(truth, distance ? &*distance : nullptr)};
+  if (!options.text)
+    return {truth.verdict, with_clearance(format_truth(truth, distance ? &*distance : nullptr), options)};
   return {truth.verdict, fmt::format("{}: {}{}; proof {}", label(c), to_string(truth.verdict),
                                      distance ? describe(truth.verdict, *distance) : "",
                                      format_certificate(truth.certificate))};
 }
 
 /// Returns what the method itself said, proved by nobody.
-Reply reported(const CaseLine& c, const Method& method, const MethodAnswer& answer, bool text) {
+Reply reported(const CaseLine& c, const Method& method, const MethodAnswer& answer,
+               const CheckOptions& options) {
+  const bool text = options.text;
   if (answer.status == Status::answered) {
     std::string said = format_method_answer(answer);
     if (text) return {answer.verdict, fmt::format("{}: {} says {}", label(c), method.name(), said)};
     said.back() = ',';
-    return {answer.verdict, fmt::format(R"({}"method":{}}})", said, quote_json(method.name()))};
+    return {answer.verdict,
+            with_clearance(fmt::format(R"({}"method":{}}})", said, quote_json(method.name())), options)};
   }
   const std::string error = fmt::format(
       "{} {}: {}", method.name(), answer.status == Status::declined ? "declined" : "failed", answer.reason);
@@ -118,7 +131,7 @@ class Checker {
       do {
         std::optional<CaseLine> line = reader.next();
         more = line.has_value();
-        if (more) batch.push_back(std::move(*line));
+        if (more) batch.push_back(widened(std::move(*line)));
       } while (more && batch.size() < batch_cap && in.rdbuf()->in_avail() > 0);
       answer(batch, file);
       if (std::fflush(stdout) != 0) throw std::runtime_error("standard output could not be written");
@@ -129,6 +142,16 @@ class Checker {
   int exit_code() const { return invalid_ ? exit_invalid_input : undecided_ ? exit_undecided : exit_pass; }
 
  private:
+  /// With the clearance in the rounding of a, where it counts like any other.
+  CaseLine widened(CaseLine line) const {
+    if (!line.value || options_.clearance == 0) return line;
+    Cylinder& a = line.value->pair.a;
+    a.rounding += options_.clearance;
+    if (find_defect(a) == Defect::none) return line;
+    return {line.line, std::nullopt,
+            fmt::format("line {}: the clearance: {}", line.line, to_string(find_defect(a)))};
+  }
+
   void answer(const std::vector<CaseLine>& batch, const std::string& file) {
     std::vector<ContainedAnswer> said;
     if (options_.asks_somebody()) {
@@ -145,7 +168,7 @@ class Checker {
     for (const CaseLine& c : batch) {
       print(!c.value                    ? malformed(c, file, options_.text)
             : !options_.asks_somebody() ? certified(c, *methods_[0], options_)
-                                        : reported(c, *methods_[0], (next++)->answer, options_.text));
+                                        : reported(c, *methods_[0], (next++)->answer, options_));
     }
   }
 
@@ -163,6 +186,8 @@ class Checker {
 };
 
 int check(const CheckOptions& options) {
+  if (!(options.clearance >= 0 && options.clearance <= std::numeric_limits<double>::max()))
+    throw UsageError(fmt::format("--clearance {}: a length, 0 or more", options.clearance));
   Checker checker(options);
   std::vector<std::string> files = options.files;
   if (files.empty()) files.push_back("-");
@@ -191,6 +216,9 @@ void add_check(Program& program) {
   command.option("FILE", options->files, "JSON Lines of pairs; '-' or none: standard input");
   command.flag("--text", options->text, "write a sentence a line instead of JSON");
   command.flag("--distance", options->distance, "add a certified enclosure of the signed distance");
+  command.option(
+      "--clearance", options->clearance,
+      "ask whether they come that near: it is added to the rounding of a, and in all that is said of it");
   command.option("--method", options->method, "ask this method instead; its answer is reported, not proved")
       .excludes("--distance");
   add_guest_options(command, options->guests);

@@ -22,7 +22,9 @@ Capsule along(const Prepared& c, double half_length, double radius) noexcept {
   return {c.center - reach, c.center + reach, radius};
 }
 
-double slack(const Prepared& c) noexcept { return proxy_error * (length(c.center) + c.height + c.radius); }
+double slack(const Prepared& c) noexcept {
+  return proxy_error * (length(c.center) + c.height + c.radius + c.rounding);
+}
 
 }  // namespace
 
@@ -76,13 +78,15 @@ double capsule_distance(const Capsule& a, const Capsule& b) noexcept {
   return segment_distance(a.from, a.to, b.from, b.to) - (a.radius + b.radius);
 }
 
-Capsule outer_proxy(const Prepared& c) noexcept { return along(c, c.height / 2, c.radius + slack(c)); }
+Capsule outer_proxy(const Prepared& c) noexcept {
+  return along(c, c.height / 2, c.radius + c.rounding + slack(c));
+}
 Capsule outer_proxy(const Cylinder& c) noexcept { return outer_proxy(prepare(c)); }
 
 Capsule inner_proxy(const Cylinder& c) noexcept { return inner_proxy(prepare(c)); }
 Capsule inner_proxy(const Prepared& c) noexcept {
   const double radius = std::min(c.radius, c.height / 2);
-  return along(c, c.height / 2 - radius, radius - slack(c));
+  return along(c, c.height / 2 - radius, radius + c.rounding - slack(c));
 }
 
 }  // namespace cyl

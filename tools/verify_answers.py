@@ -8,7 +8,7 @@ PAIRS holds a pair a line, ANSWERS what `daylight check` said of each. Coordinat
 doubles (their exact sum) or strings "n/d". Solids are closed; a direction proves that they are apart where its support gap
 f(D) is below 0, a point that they meet where it lies in both. A solid with `rounding` is its core grown by a ball: then f
 has the roundings times |D|, a point lies in both cores, and `points` show that they meet where one lies in each core and
-they are no farther apart than both roundings. `hulls` names with a point the subspaces that it is to be
+they are no farther apart than both roundings. An answer with a `clearance` has it in the rounding of a. `hulls` names with a point the subspaces that it is to be
 taken to: the point of the first solid's hull and the second's that is nearest to it, exactly. Of an enclosure of the
 distance only its order and its sign are checked. Prints each certificate that fails; exit status 2 where one does.
 """
@@ -139,8 +139,14 @@ def nearly_touch(pair, near):
     return separates(shrunk, near['direction'])
 
 
+def widened(pair, clearance):
+    """The pair that an answer with a clearance speaks of: with that in the rounding of a, rounded to a double."""
+    return dict(pair, a=dict(pair['a'], rounding=float(pair['a'].get('rounding', 0)) + float(clearance)))
+
+
 def fault(pair, answer):
     """What is wrong with an answer's certificate, in words; None where nothing is."""
+    pair = widened(pair, answer.get('clearance', 0))
     verdict = answer.get('verdict')
     if verdict == 'invalid':
         return None if answer.get('error') else 'invalid without an error'

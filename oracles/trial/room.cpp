@@ -35,6 +35,12 @@ bool certainly_meet(const Pair& pair) {
 }  // namespace
 
 std::optional<Cylinder> core(Cylinder c, double least) {
+  if (c.rounding >= least) {
+    c.rounding -= least;
+    return c;
+  }
+  least -= c.rounding;
+  c.rounding = 0;
   c.radius = 2 * c.radius <= least ? 0 : c.radius - least;
   c.height = c.height <= least ? 0 : c.height - 2 * least;
   if (c.radius < 0 || c.height < 0 || (c.radius == 0 && c.height == 0)) return {};
@@ -42,7 +48,9 @@ std::optional<Cylinder> core(Cylinder c, double least) {
 }
 
 std::optional<Pair> cores(const Pair& pair, double least) {
-  const auto flat = [&](const Cylinder& solid) { return std::min(2 * solid.radius, solid.height) <= least; };
+  const auto flat = [&](const Cylinder& solid) {
+    return solid.rounding + std::min(2 * solid.radius, solid.height) / 2 <= least / 2;
+  };
   const auto a = core(pair.a, least), b = core(pair.b, least);
   if (!a || !b || (flat(pair.a) && flat(pair.b)) || !(size_of(pair) < std::numeric_limits<double>::max()))
     return {};

@@ -18,16 +18,18 @@ struct WideSolid {
   explicit WideSolid(const Cylinder& c)
       : axis(c.axis.cast<long double>().normalized()),
         radius(c.radius),
-        half(static_cast<long double>(c.height) / 2) {}
+        half(static_cast<long double>(c.height) / 2),
+        rounding(c.rounding) {}
   long double support(const Wide& d) const {
-    return radius * d.cross(axis).norm() + half * std::abs(d.dot(axis));
+    return radius * d.cross(axis).norm() + half * std::abs(d.dot(axis)) + rounding * d.norm();
   }
   long double outside(const Wide& x) const {
     const long double along = std::abs(x.dot(axis)), across = x.cross(axis).norm();
-    return std::hypot(std::max(0.0L, along - half), std::max(0.0L, across - radius));
+    return std::max(0.0L,
+                    std::hypot(std::max(0.0L, along - half), std::max(0.0L, across - radius)) - rounding);
   }
   Wide axis;
-  long double radius, half;
+  long double radius, half, rounding;
 };
 
 }  // namespace
@@ -37,7 +39,8 @@ Enclosure shown_distance(const Pair& pair, const Distance& measured) {
   const Wide delta = pair.b.center.cast<long double>() - pair.a.center.cast<long double>(),
              u = measured.direction.cast<long double>(), x = measured.on_a.cast<long double>(),
              y = measured.on_b.cast<long double>();
-  const long double slack = wide_error * (a.radius + a.half + b.radius + b.half + delta.norm());
+  const long double slack =
+      wide_error * (a.radius + a.half + a.rounding + b.radius + b.half + b.rounding + delta.norm());
   const long double least = (u.dot(delta) - a.support(u) - b.support(u)) / u.norm() - slack;
   const long double most =
       measured.value > 0 ? (delta + y - x).norm() + a.outside(x) + b.outside(y) + slack : 0;

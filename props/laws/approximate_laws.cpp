@@ -11,6 +11,7 @@
 #include <string>
 
 #include "corpus/pairs/pair_io.hpp"
+#include "corpus/pairs/pair_numbers.hpp"
 #include "props/laws/law_groups.hpp"
 #include "solver/decide.hpp"
 
@@ -56,6 +57,7 @@ double change_between(const Pair& x, const Pair& y) {
   for (const auto& [p, q] : {std::pair{&x.a, &y.a}, std::pair{&x.b, &y.b}}) {
     const double extent = p->radius + p->height / 2;
     change += std::fabs(q->radius - p->radius) + std::fabs(q->height - p->height) / 2 +
+              std::fabs(q->rounding - p->rounding) +
               extent * (prepare(*q).unit_axis - prepare(*p).unit_axis).norm();
     if (q->axis != p->axis) lost += 2 * unit_axis_error * extent;
   }
@@ -91,7 +93,8 @@ constexpr double rotation_error = 16 * unit_roundoff_error;
 
 double rotation_change(const Pair& pair) {
   double lengths = 0;
-  for (const Cylinder* c : {&pair.a, &pair.b}) lengths += c->center.norm() + c->radius + c->height / 2;
+  for (const Cylinder* c : {&pair.a, &pair.b})
+    lengths += c->center.norm() + c->radius + c->height / 2 + c->rounding;
   return rotation_error * lengths;
 }
 
@@ -196,7 +199,9 @@ std::vector<LawQuery> with_a_third(const Method&, const Pair& pair, const Method
   return asked;
 }
 
-double diameter(const Cylinder& c) { return std::hypot(2 * c.radius, c.height) * (1 + sum_error); }
+double diameter(const Cylinder& c) {
+  return (std::hypot(2 * c.radius, c.height) + 2 * c.rounding) * (1 + sum_error);
+}
 
 // From the nearest point of one solid to that of another, through the middle one, whose two points are at
 // most its diameter apart: no side of the triangle is longer than the others with the diameter between them.
@@ -219,6 +224,40 @@ std::optional<Broken> break_triangle(const LawCase& c) {
     }
   }
   return {};
+}
+
+/// How much wider the roundings get, in units of the size.
+constexpr double widths[] = {0x1p-20, 0x1p-3};
+
+std::vector<LawQuery> widened(const Method&, const Pair& pair, const MethodAnswer& first) {
+  if (!is_rounded(pair) || !first.has_distance || !is_usable(pair)) return {};
+  std::vector<LawQuery> asked;
+  for (const double width : widths)
+    for (const bool of_b : {false, true}) {
+      Pair wider = pair;
+      Cylinder& c = of_b ? wider.b : wider.a;
+      if (c.rounding > 0) c.rounding += width * size_of(pair);
+      if (c.rounding > 0) asked.push_back({wider});
+    }
+  return asked;
+}
+
+std::optional<Broken> break_widening(const LawCase& c) {
+  return worst_of(c, [&](std::size_t i) -> std::optional<Broken> {
+    const MethodAnswer& second = c.answers[i];
+    const Pair& wider = c.asked[i].pair;
+    if (!is_decided(c.first) || !is_decided(second) || !second.has_distance) return {};
+    const double by = (wider.a.rounding - c.pair.a.rounding) + (wider.b.rounding - c.pair.b.rounding);
+    // Overlaps have more than one depth where a method tells none that is least.
+    const bool told = c.first.distance > 0 && second.distance > 0;
+    const double off =
+        told ? std::fabs(c.first.distance - by - second.distance) : second.distance - c.first.distance;
+    const double allowed = distance_allowance(c, c.pair, c.first.distance) +
+                           distance_allowance(c, wider, second.distance) + sum_error * size_of(wider);
+    if (!(off > allowed)) return {};
+    return Broken{"the distance goes from " + format_double(c.first.distance) + " to " +
+                  format_double(second.distance) + " where a rounding grows by " + format_double(by)};
+  });
 }
 
 }  // namespace
@@ -245,6 +284,9 @@ std::vector<Law> approximate_laws() {
        "so "
        "that no depth exceeds the way back to touching",
        "of methods with distances; lengths from 2^-200 to 2^200", slid, break_changes},
+      {25, LawKind::approximate, "rounding",
+       "a rounding grown: a gap falls by as much, and no distance grows",
+       "of rounded solids and methods with distances; lengths from 2^-200 to 2^200", widened, break_widening},
   };
 }
 

@@ -80,7 +80,8 @@ double shown_by(const Pair& pair, const Vector3& u) {
   for (const Cylinder* c : {&pair.a, &pair.b}) {
     const Vector3 w = prepare(*c).unit_axis;
     supports += c->radius * u.cross(w).norm() + c->height / 2 * std::fabs(u.dot(w));
-    lengths += c->radius + c->height / 2;
+    lengths += c->radius + c->height / 2 + c->rounding;
+    supports += c->rounding;
   }
   // |u| is 1 within 4 roundings, which half of the second bound covers.
   return std::fabs(u.dot(delta)) - supports - 2 * separation_error * lengths;
@@ -89,7 +90,7 @@ double shown_by(const Pair& pair, const Vector3& u) {
 bool is_in_range(const Pair& pair) {
   double largest = 0;
   for (const Cylinder* c : {&pair.a, &pair.b})
-    largest = std::max({largest, c->center.lpNorm<Eigen::Infinity>(), c->radius, c->height});
+    largest = std::max({largest, c->center.lpNorm<Eigen::Infinity>(), c->radius, c->height, c->rounding});
   return largest >= 0x1p-200 && largest <= 0x1p200;
 }
 

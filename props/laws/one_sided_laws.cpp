@@ -7,6 +7,7 @@
 #include <string>
 
 #include "corpus/pairs/pair_io.hpp"
+#include "corpus/pairs/pair_numbers.hpp"
 #include "props/laws/law_groups.hpp"
 #include "solver/capsule.hpp"
 #include "solver/decide.hpp"
@@ -23,15 +24,16 @@ std::string said(const MethodAnswer& answer) { return std::string("says ") + to_
 /// By how much solids grow, in units of the size, beside what the claim asks for.
 constexpr double growth = 0x1p-20;
 
-// Radii and heights all grown by g and 2 g: each support function rises by g (sin + cos) >= g of the angle
-// between direction and axis, so the signed distance falls by 2 g. An answer `intersecting` within the claim
-// means a distance below the reach, so with 2 g more than the reach before and after, the solids then overlap
-// by more than the reach. One field alone promises less: a cap on a cap does not see the radius.
+// A rounding grown by g lets the signed distance fall by g. Radii and heights all grown by g and 2 g: each
+// support function rises by g (sin + cos) >= g of the angle between direction and axis, so the signed
+// distance falls by 2 g. An answer `intersecting` within the claim means a distance below the reach, so with
+// 2 g more than the reach before and after, the solids then overlap by more than the reach. One field alone
+// promises less: a cap on a cap does not see the radius.
 std::vector<LawQuery> grown(const Method& method, const Pair& pair, const MethodAnswer& first) {
   if (!says_meet(first)) return {};
   const double size = size_of(pair);
   const double g = 2 * reach(method.claim(), size) + growth * size;
-  std::vector<LawQuery> asked(5, LawQuery{pair});
+  std::vector<LawQuery> asked(is_rounded(pair) ? 6 : 5, LawQuery{pair});
   asked[0].pair.a.radius += g;
   asked[1].pair.a.height += 2 * g;
   asked[2].pair.b.radius += g;
@@ -39,6 +41,8 @@ std::vector<LawQuery> grown(const Method& method, const Pair& pair, const Method
   asked[4].pair = {asked[0].pair.a, asked[2].pair.b};
   asked[4].pair.a.height += 2 * g;
   asked[4].pair.b.height += 2 * g;
+  // Twice as much of a: where only one is rounded, no other grows in all directions.
+  if (asked.size() > 5) (pair.a.rounding > 0 ? asked[5].pair.a : asked[5].pair.b).rounding += 2 * g;
   std::erase_if(asked, [](const LawQuery& x) { return !std::isfinite(size_of(x.pair)); });
   return asked;
 }
@@ -56,9 +60,9 @@ constexpr double thinnest_proxy = 0x1p-40;
 /// b scaled to half of the width of a's inner proxy and put around `point` on its axis: nothing of it is
 /// outside a.
 Cylinder shrunk_into(const Capsule& proxy, const Vector3& point, const Cylinder& b) {
-  const double extent = b.radius + b.height / 2;
+  const double extent = b.radius + b.height / 2 + b.rounding;
   const double factor = extent > 0 ? proxy.radius / 2 / extent : 0;
-  return {point, b.axis, b.radius * factor, b.height * factor};
+  return {point, b.axis, b.radius * factor, b.height * factor, b.rounding * factor};
 }
 
 std::vector<LawQuery> inside(const Method&, const Pair& pair, const MethodAnswer&) {
@@ -66,7 +70,7 @@ std::vector<LawQuery> inside(const Method&, const Pair& pair, const MethodAnswer
     return {};
   const Cylinder& a = pair.a;
   const Capsule proxy = inner_proxy(a);
-  const double most = std::max({a.center.lpNorm<Eigen::Infinity>(), a.radius, a.height});
+  const double most = std::max({a.center.lpNorm<Eigen::Infinity>(), a.radius, a.height, a.rounding});
   if (!(proxy.radius > thinnest_proxy * most)) return {};
   return {{{a, shrunk_into(proxy, proxy.from, pair.b)}}, {{shrunk_into(proxy, proxy.to, pair.b), a}}};
 }
@@ -78,7 +82,7 @@ std::optional<Broken> break_inside(const LawCase& c) {
   });
 }
 
-double bounding_radius(const Cylinder& c) { return std::hypot(c.radius, c.height / 2); }
+double bounding_radius(const Cylinder& c) { return std::hypot(c.radius, c.height / 2) + c.rounding; }
 
 std::optional<Broken> break_proxies(const LawCase& c) {
   if (!is_decided(c.first) || !is_in_range(c.pair)) return {};
@@ -133,6 +137,37 @@ std::optional<Broken> break_moving_apart(const LawCase& c) {
   });
 }
 
+/// So far inside the ends of the axis that the rounding of a slice's centre does not carry it out.
+constexpr double inward = 1 - 0x1p-30;
+
+// A rounded solid is swept by the slice across its middle, along its axis: a capsule by its sphere.
+std::vector<LawQuery> swept(const Method&, const Pair& pair, const MethodAnswer&) {
+  if (!is_rounded(pair) || !is_in_range(pair) || find_defect(pair.a) != Defect::none ||
+      find_defect(pair.b) != Defect::none)
+    return {};
+  std::vector<LawQuery> asked;
+  for (const bool of_b : {false, true}) {
+    const Cylinder& whole = of_b ? pair.b : pair.a;
+    const Vector3 to_end = inward * whole.height / 2 * prepare(whole).unit_axis;
+    if (!(to_end.norm() * 0x1p-40 > whole.center.norm() * unit_roundoff_error)) continue;
+    for (const double end : {-1.0, 0.0, 1.0}) {
+      asked.push_back({pair});
+      Cylinder& slice = of_b ? asked.back().pair.b : asked.back().pair.a;
+      slice.center += end * to_end;
+      slice.height = 0;
+    }
+  }
+  return asked;
+}
+
+std::optional<Broken> break_sweep(const LawCase& c) {
+  return worst_of(c, [&](std::size_t i) -> std::optional<Broken> {
+    if (!is_decided(c.first) || says_meet(c.first) || !is_decided(c.answers[i]) || !says_meet(c.answers[i]))
+      return {};
+    return Broken{said(c.first) + ", but a slice of one of them meets the other", severity_of(c, i)};
+  });
+}
+
 }  // namespace
 
 std::vector<Law> one_sided_laws() {
@@ -151,6 +186,10 @@ std::vector<Law> one_sided_laws() {
        "and t more",
        "where the answer is disjoint with a direction; lengths from 2^-200 to 2^200", moved_apart,
        break_moving_apart},
+      {14, LawKind::one_sided, "sweep",
+       "a slice across the axis, such as a sphere of a capsule, meets no more than the whole solid does",
+       "of rounded solids that are longer than the rounding of their centres; lengths from 2^-200 to 2^200",
+       swept, break_sweep},
   };
 }
 
