@@ -17,6 +17,8 @@ struct Prepared {
   Defect defect;      ///< not none: every call answers `invalid`
   bool ordinary;      ///< not rounded, and `moderate`
   bool moderate;      ///< all numbers 0 or so near 1 that no product in a decision over- or underflows
+  bool thin;          ///< `moderate`, and a segment, a point, a capsule or a sphere
+  bool ball;          ///< `moderate`, and a point or a sphere
   double rounding;    ///< as given
 };
 

@@ -182,8 +182,8 @@ class Search {
     high_ = std::numeric_limits<double>::infinity();  // of two points, one in a and one in b moved
     for (const Vector3& start : starts)
       if (come_together(start, moved, error)) return;
-    Prepared a{Vector3(0, 0, 0), p_.w0, p_.r0, 2 * p_.h0, Defect::none, false, false, 0}, b = a;
-    b = {moved, p_.w1, p_.r1, 2 * p_.h1, Defect::none, false, false, 0};
+    Prepared a{Vector3(0, 0, 0), p_.w0, p_.r0, 2 * p_.h0, Defect::none, false, false, false, false, 0}, b = a;
+    b = {moved, p_.w1, p_.r1, 2 * p_.h1, Defect::none, false, false, false, false, 0};
     for (const double overlap : touch_tols) {
       b.center = moved - overlap * reach_ * direction_;
       const Answer answer = decide(a, b);

@@ -57,6 +57,11 @@ Verdict intersect_shallow(const Couple<double>& p) noexcept {
 
 Verdict intersect(const Prepared& a, const Prepared& b) noexcept {
   if (a.ordinary & b.ordinary) return intersect_couple(as_it_is(a, b).couple());
+  if (a.ball & b.ball) {
+    const Vector3 delta = b.center - a.center;
+    const double room = a.rounding + b.rounding;
+    return verdict_of(dot(delta, delta) <= room * room);
+  }
   if ((a.defect != Defect::none) | (b.defect != Defect::none)) return Verdict::invalid;
   if (a.rounding + b.rounding > 0) return intersect_rounded(a, b, room_of(a, b, 0));
   return intersect_couple(scale(a, b).couple());

@@ -7,7 +7,7 @@
 namespace cyl {
 
 Prepared prepare(const Cylinder& c) noexcept {
-  Prepared p{c.center, {0, 0, 1}, c.radius, c.height, find_defect(c), false, false, c.rounding};
+  Prepared p{c.center, {0, 0, 1}, c.radius, c.height, find_defect(c), false, false, false, false, c.rounding};
   if (p.defect != Defect::none) return p;
   // By powers of two until the largest coordinate is in [1, 2), of the largest doubles in [2, 4), of
   // subnormal ones in [2^-51, 1]: squares neither overflow nor vanish.
@@ -25,9 +25,10 @@ Prepared prepare(const Cylinder& c) noexcept {
     return (size == 0) | ((size >= 1 / limit) & (size <= limit));
   };
   p.moderate = within(c.center.x(), 0x1p250) & within(c.center.y(), 0x1p250) & within(c.center.z(), 0x1p250) &
-               within(c.radius, 0x1p200) & within(c.height, 0x1p200) &
-               within(c.rounding, 0x1p200);
+               within(c.radius, 0x1p200) & within(c.height, 0x1p200) & within(c.rounding, 0x1p200);
   p.ordinary = p.moderate & (c.rounding == 0);
+  p.thin = p.moderate & (c.radius == 0);
+  p.ball = p.thin & (c.height == 0);
   return p;
 }
 

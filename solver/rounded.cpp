@@ -22,40 +22,45 @@ enum class Glance : unsigned char { disjoint, intersecting, neither };
 
 double square(double x) noexcept { return x * x; }
 
-Verdict verdict_of(bool met) noexcept { return met ? Verdict::intersecting : Verdict::disjoint; }
+// Without a branch: which of the two it is cannot be predicted.
+Verdict verdict_of(bool met) noexcept {
+  static_assert(static_cast<int>(Verdict::disjoint) == 0 && static_cast<int>(Verdict::intersecting) == 1);
+  return static_cast<Verdict>(met);
+}
+
+double clamped(double x, double most) noexcept { return larger(-most, smaller(most, x)); }
 
 // A ball about the end of `to` from the middle of the core (rounded.md, section 2).
 Verdict meets_point(const Prepared& core, const Vector3& to, double room) noexcept {
   const double along = dot(to, core.unit_axis);
   const Vector3 across = to - along * core.unit_axis;
-  const double out = larger(0, std::fabs(along) - 0.5 * core.height);
-  const double beside = larger(0, std::sqrt(dot(across, across)) - core.radius);
+  const double out = positive(std::fabs(along) - 0.5 * core.height);
+  const double beside = positive(std::sqrt(dot(across, across)) - core.radius);
   return verdict_of(out * out + beside * beside <= room * room);
 }
 
-// Below that the sine's square says too little of two segments where they are nearest.
+// Below that the sine's square says too little of where two segments are nearest.
 constexpr double level_square = 0x1p-10;
 
-// Two segments whose nearest points are inside both, or on an end that lies towards the others' nearest
-// point: both such ends are looked at, in terms that the roles of the solids do not change. No division
-// (rounded.md, section 3).
-[[gnu::always_inline]] inline bool segments_meet(const Vector3& delta, const Vector3& w0, const Vector3& w1,
-                                                 double h0, double h1, double c, double room) noexcept {
-  const double square = 1 - c * c, room2 = room * room;
-  const double d0 = dot(delta, w0), d1 = dot(delta, w1);
-  const double s_square = d0 - c * d1, t_square = c * d0 - d1;
-  const bool inside = (std::fabs(s_square) <= h0 * square) & (std::fabs(t_square) <= h1 * square);
-  const double across = dot(delta, w0.cross(w1));
-  const bool inner = across * across <= room2 * square;
-  const auto near = [&](double s, double t) {
-    const Vector3 e = delta + (t * w1 - s * w0);
-    return dot(e, e) <= room2;
-  };
-  const double end0 = std::copysign(h0, s_square), end1 = std::copysign(h1, t_square);
-  const double beside0 = larger(-h1, smaller(h1, c * end0 - d1)),
-               beside1 = larger(-h0, smaller(h0, c * end1 + d0));
-  const bool outer = near(end0, beside0) | near(beside1, end1);
-  return (inside & inner) | (!inside & outer);
+struct Lead {
+  double s, t;  // of the points c0 + s w0 and c1 + t w1
+  bool told;
+};
+
+// The nearest points of two segments, either of which may be a point (rounded.md, section 3). The longer one
+// leads, of equal ones that whose free optimum lies farther; where even that is equal, or the axes are too
+// near to parallel, nothing is told. So the solids' order is not seen.
+[[gnu::always_inline]] inline Lead nearest_of_segments(double h0, double h1, double u0, double u1,
+                                                       double c) noexcept {
+  const double square = 1 - c * c;
+  const bool first = (h0 > h1) | ((h0 == h1) & (u0 > u1));
+  const double hp = larger(h0, h1), hq = smaller(h0, h1);
+  const double up = pick(first, u0, u1), uq = pick(first, u1, u0);
+  const double free = clamped((up + c * uq) / square, hp);
+  const double q = clamped(uq + c * free, hq), p = clamped(up + c * q, hp);
+  const bool even = (h0 == h1) & (u0 == u1);
+  const bool told = (square >= level_square) | (hq == 0);
+  return {pick(first, p, q), pick(first, q, p), told && !even};
 }
 
 // Two segments, either of which may be a point, in any position. Any two points of them show that they are no
@@ -84,9 +89,11 @@ Glance look_at_filter(const Scaled& p, double room) noexcept {
   const bool apart = (f.z_s - f.s * (f.r0 + f.r1) > room_s) | (f.k0 - f.s * f.r1 > room) |
                      (f.k1 - f.s * f.r0 > room) | (f.k2_s - f.s * (f.r0 + f.c * f.r1) > room_s) |
                      (f.k3_s - f.s * (f.c * f.r0 + f.r1) > room_s);
-  if (apart) return Glance::disjoint;
   const auto filter = separating_axis_filter(f);
-  return filter.met & !filter.apart ? Glance::intersecting : Glance::neither;
+  const bool met = filter.met & !filter.apart & !apart;
+  // Without a branch: Glance has its words in this order.
+  static_assert(static_cast<int>(Glance::intersecting) == 1 && static_cast<int>(Glance::neither) == 2);
+  return static_cast<Glance>(2 - 2 * static_cast<int>(apart) - static_cast<int>(met));
 }
 
 Prepared core_of(const Prepared& c) noexcept {
@@ -158,30 +165,64 @@ double room_of(const Prepared& a, const Prepared& b, double clearance) noexcept 
   return (a.rounding + b.rounding) + clearance;
 }
 
+namespace {
+
+// From a point of the first core to the nearest of the other and back, so often. Each step shows two points,
+// and a direction with what it separates. `on0` is where it ends.
+Glance look_between(const Scaled& p, double room, Vector3& on0, int steps) noexcept {
+  for (int i = 0; i < steps; ++i) {
+    const Vector3 on1 = p.delta + nearest(on0 - p.delta, p.w1, p.r1, p.h1), e = on1 - on0;
+    const double most2 = dot(e, e);
+    if (most2 <= square(room)) return Glance::intersecting;
+    const double least = dot(e, p.delta) - p.r0 * length(e.cross(p.w0)) - p.h0 * std::fabs(dot(e, p.w0)) -
+                         p.r1 * length(e.cross(p.w1)) - p.h1 * std::fabs(dot(e, p.w1));
+    if (least > 0 && square(least) > square(room) * most2) return Glance::disjoint;
+    on0 = nearest(on1, p.w0, p.r0, p.h0);
+  }
+  return Glance::neither;
+}
+
+constexpr int first_steps = 2;  // with much room they mostly do
+constexpr int more_steps = 6;   // more of them cost more than distance_of_cores() does
+
+// Of solids in their order (frame.hpp).
+Glance look_closer(const Prepared& a, const Prepared& b, double room) noexcept {
+  const Scaled p = as_it_is(a, b);
+  if (a.thin & b.thin) return look_at_segments(p, room);
+  Vector3 on0 = nearest(p.delta, p.w0, p.r0, p.h0);
+  const Glance seen = look_between(p, room, on0, first_steps);
+  if (seen != Glance::neither) return seen;
+  if (intersect(core_of(a), core_of(b)) == Verdict::intersecting) return Glance::intersecting;
+  return look_between(p, room, on0, more_steps);
+}
+
+}  // namespace
+
 Verdict intersect_rounded(const Prepared& a, const Prepared& b, double room) noexcept {
   if (a.moderate & b.moderate & (room <= 0x1p202)) {
     const Vector3 delta = b.center - a.center;
-    const bool point_a = a.radius + a.height == 0, point_b = b.radius + b.height == 0;
-    if (point_a & point_b) return verdict_of(dot(delta, delta) <= room * room);
-    if (point_a) return meets_point(b, delta, room);
-    if (point_b) return meets_point(a, delta, room);
-    const bool segments = a.radius + b.radius == 0;
-    if (segments) {
+    if (a.thin & b.thin) {
       const double c = dot(a.unit_axis, b.unit_axis);
-      if (1 - c * c >= level_square)
-        return verdict_of(
-            segments_meet(delta, a.unit_axis, b.unit_axis, 0.5 * a.height, 0.5 * b.height, c, room));
+      const Lead lead = nearest_of_segments(0.5 * a.height, 0.5 * b.height, dot(delta, a.unit_axis),
+                                            -dot(delta, b.unit_axis), c);
+      const Vector3 e = delta + (lead.t * b.unit_axis - lead.s * a.unit_axis);
+      if (lead.told) return verdict_of(dot(e, e) <= room * room);
+    } else if (a.ball | b.ball) {
+      const Prepared* const solids[] = {&a, &b};
+      return meets_point(*solids[a.ball], delta, room);
     }
-    const bool swapped = out_of_order(a, b);
-    const Scaled p = swapped ? as_it_is(b, a) : as_it_is(a, b);
-    const Glance seen = segments ? look_at_segments(p, room) : look_at_filter(p, room);
+    Glance seen = a.thin & b.thin ? Glance::neither : look_at_filter(as_it_is(a, b), room);
+    if (seen == Glance::neither)
+      seen = out_of_order(a, b) ? look_closer(b, a, room) : look_closer(a, b, room);
     if (seen != Glance::neither) return verdict_of(seen == Glance::intersecting);
   }
   const double gap = distance_of_cores(core_of(a), core_of(b)).value;
   constexpr double most = std::numeric_limits<double>::max();
   if (gap == most && room >= most) return Verdict::undecided;  // neither is known
-  return gap > room ? Verdict::disjoint : Verdict::intersecting;
+  return verdict_of(gap <= room);
 }
+
+namespace {
 
 // The answer of two solids in one order, told in the other.
 Answer turned(Answer answer) noexcept {
@@ -191,15 +232,36 @@ Answer turned(Answer answer) noexcept {
   return answer;
 }
 
+// By the points and directions of look_between(), most pairs.
+bool prove_between(const Scaled& p, double room, Answer& answer) noexcept {
+  constexpr int step_cap = first_steps + more_steps;
+  Vector3 on0 = nearest(p.delta, p.w0, p.r0, p.h0);
+  if (p.r0 + p.r1 == 0) {
+    const double c = dot(p.w0, p.w1);
+    const Lead lead = nearest_of_segments(p.h0, p.h1, dot(p.delta, p.w0), -dot(p.delta, p.w1), c);
+    if (lead.told) on0 = lead.s * p.w0;
+  }
+  for (int i = 0; i < step_cap; ++i) {
+    const Vector3 on1 = p.delta + nearest(on0 - p.delta, p.w1, p.r1, p.h1), e = on1 - on0;
+    if (dot(e, e) <= square(room)) return try_points(p, on0, on1, room, answer);
+    if (try_rounded_direction(p, e, room, answer)) return true;
+    on0 = nearest(on1, p.w0, p.r0, p.h0);
+  }
+  return false;
+}
+
+}  // namespace
+
 Answer decide_rounded(const Prepared& a, const Prepared& b, double room) noexcept {
   if (out_of_order(a, b)) return turned(decide_rounded(b, a, room));
   const Prepared first = core_of(a), second = core_of(b);
-  Answer answer = decide(first, second);
-  if (answer.proof == Proof::point) return answer;
-  answer = Answer{};
+  Answer answer;
   const Scaled p = scale(first, second);
   const double scaled_room = scaled_length(room, p.exponent);
   if (!std::isfinite(scaled_room)) return answer;
+  if (prove_between(p, scaled_room, answer)) return answer;
+  const Answer of_cores = decide(first, second);
+  if (of_cores.proof == Proof::point) return of_cores;
   const Distance d = distance_of_cores(first, second);
   const auto in_unit = [&](const Vector3& x) { return times_power(x, -p.exponent); };
   if (try_rounded_direction(p, d.direction, scaled_room, answer)) return answer;
