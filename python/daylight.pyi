@@ -27,7 +27,6 @@ class Decision(NamedTuple):
     point_tail: NDArray[float64]
     hull_a: Hull | NDArray[int8]
     hull_b: Hull | NDArray[int8]
-    other_tail: NDArray[float64]
 
 class Distance(NamedTuple):
     value: float | NDArray[float64]

@@ -162,12 +162,11 @@ py::object decide_arrays(const py::object& a, const py::object& b) {
   const Pairs pairs(a, b);
   auto codes = pairs.results<std::int8_t>(), hull_a = pairs.results<std::int8_t>(),
        hull_b = pairs.results<std::int8_t>();
-  auto direction = pairs.results<double>(3), head = pairs.results<double>(3), tail = pairs.results<double>(3),
-       other_tail = pairs.results<double>(3);
+  auto direction = pairs.results<double>(3), head = pairs.results<double>(3), tail = pairs.results<double>(3);
   std::int8_t *out = codes.mutable_data(), *hull_a_out = hull_a.mutable_data(),
               *hull_b_out = hull_b.mutable_data();
   double *direction_out = direction.mutable_data(), *head_out = head.mutable_data(),
-         *tail_out = tail.mutable_data(), *other_tail_out = other_tail.mutable_data();
+         *tail_out = tail.mutable_data();
   {
     const py::gil_scoped_release unlocked;
     for (py::ssize_t i = 0; i < pairs.size; ++i) {
@@ -176,14 +175,13 @@ py::object decide_arrays(const py::object& a, const py::object& b) {
       put(direction_out, i, answer.direction);
       put(head_out, i, answer.point_head);
       put(tail_out, i, answer.point_tail);
-      put(other_tail_out, i, answer.other_tail);
       hull_a_out[i] = static_cast<std::int8_t>(answer.hull_a);
       hull_b_out[i] = static_cast<std::int8_t>(answer.hull_b);
     }
   }
   return py::module_::import("daylight")
       .attr("Decision")(verdicts_of(pairs, codes), direction, head, tail, enum_of("Hull", pairs, hull_a),
-                        enum_of("Hull", pairs, hull_b), other_tail);
+                        enum_of("Hull", pairs, hull_b));
 }
 
 py::object distance_arrays(const py::object& a, const py::object& b) {
@@ -328,15 +326,15 @@ of the processor, with the same verdicts.)";
 
 constexpr const char* decide_text = R"(The verdict with a proof, never wrong.
 
-Returns Decision(verdict, direction, point_head, point_tail, hull_a, hull_b,
-other_tail); direction and the points float64 of shape (.., 3), the hulls each a Hull, or int8
+Returns Decision(verdict, direction, point_head, point_tail, hull_a, hull_b); direction and the points float64 of shape (.., 3), the hulls each a Hull, or int8
 of shape (..). disjoint: `direction`, not of unit length, points from a to b and
 is square to a plane that separates them. intersecting: a point is in both, which
 is exactly point_head + point_tail where both hulls are `space`; else the nearest
 to that in both hulls: `plane`, through the solid's centre, square to its axis;
 `line`, its axis; `center`. Of rounded solids the point is in both without their
-rounding, or else point_head is 0 and two points, a's center + point_tail and b's
-center + other_tail, are no farther apart than both roundings together. undecided: within 1e-13 of the size of touching, or
+rounding; or, where one rounding is not 0 and point_head is no center, a.center +
+point_head and b.center + point_tail are in a and b without their roundings and no
+farther apart than both together. undecided: within 1e-13 of the size of touching, or
 flat solids with little in common; ask decide_exactly. What does not belong to a
 verdict is 0.)";
 
@@ -391,7 +389,7 @@ PYBIND11_MODULE(daylight, m) {
     m.attr(name) =
         py::module_::import("collections").attr("namedtuple")(name, fields, py::arg("module") = "daylight");
   };
-  record("Decision", "verdict direction point_head point_tail hull_a hull_b other_tail");
+  record("Decision", "verdict direction point_head point_tail hull_a hull_b");
   record("Distance", "value error direction on_a on_b verdict");
 
   m.def("intersect", &intersect_arrays, py::arg("a"), py::arg("b"), intersect_text);

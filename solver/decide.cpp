@@ -134,25 +134,33 @@ void prove_parallel(const Question& q, const Parallel& found) noexcept {
   }
 }
 
-}  // namespace
-
-Answer decide(const Prepared& a, const Prepared& b) noexcept {
-  if (!(a.ordinary & b.ordinary) && a.rounding + b.rounding > 0 && a.defect == Defect::none &&
-      b.defect == Defect::none)
-    return decide_rounded(a, b, room_of(a, b, 0));
+template <bool ordinary>
+[[gnu::always_inline]] inline Answer decide_cores(const Prepared& a, const Prepared& b) noexcept {
   Answer answer;
   bool swapped = a.radius > b.radius;
   if (a.radius == b.radius) swapped = out_of_order(a, b);
   // Looked up, since nobody can predict it.
   const Prepared* const roles[] = {&a, &b};
   const Prepared &first = *roles[swapped], &second = *roles[!swapped];
-  if (!(a.ordinary & b.ordinary) ||
-      !prove_on_fast_path(as_it_is(first, second).couple(), {first.center, 0}, answer)) {
+  if (!ordinary || !prove_on_fast_path(as_it_is(first, second).couple(), {first.center, 0}, answer)) {
     prove_in_full(first, second, answer);
     if (swapped) std::swap(answer.hull_a, answer.hull_b);
   }
   answer.direction *= 1 - 2 * static_cast<double>(swapped);
   return answer;
+}
+
+// Apart, so that solids that are not ordinary cost others nothing.
+[[gnu::noinline]] Answer decide_other(const Prepared& a, const Prepared& b) noexcept {
+  if (a.rounding + b.rounding > 0 && a.defect == Defect::none && b.defect == Defect::none)
+    return decide_rounded(a, b, room_of(a, b, 0));
+  return decide_cores<false>(a, b);
+}
+
+}  // namespace
+
+Answer decide(const Prepared& a, const Prepared& b) noexcept {
+  return a.ordinary & b.ordinary ? decide_cores<true>(a, b) : decide_other(a, b);
 }
 
 Answer decide(const Cylinder& a, const Cylinder& b) noexcept { return decide(prepare(a), prepare(b)); }

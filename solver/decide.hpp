@@ -51,13 +51,12 @@ struct Answer {
   /// proof == point: the common point is exactly point_head + point_tail, or, where a hull is not `space`,
   /// the point of both hulls that is nearest to it; head is the centre of a or of b. It lies in both solids
   /// without their rounding.
-  /// proof == points: a.center + point_tail lies in a and b.center + other_tail in b, both without their
+  /// proof == points: a.center + point_head lies in a and b.center + point_tail in b, both without their
   /// rounding, and they are no farther apart than a.rounding + b.rounding; where a hull is not `space`, the
   /// point of that solid's hull nearest to it.
   Vector3 direction{0, 0, 0};
   Vector3 point_head{0, 0, 0};
   Vector3 point_tail{0, 0, 0};
-  Vector3 other_tail{0, 0, 0};
   Hull hull_a = Hull::space, hull_b = Hull::space;
   int iterations = 0;  ///< steps inside an edge, at most decide_iteration_cap
 };

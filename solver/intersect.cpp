@@ -53,10 +53,8 @@ Verdict intersect_shallow(const Couple<double>& p) noexcept {
   return magnitude(cosine) <= steep_cosine ? intersect_sections(sections(p)) : intersect_shallow(p);
 }
 
-}  // namespace
-
-Verdict intersect(const Prepared& a, const Prepared& b) noexcept {
-  if (a.ordinary & b.ordinary) return intersect_couple(as_it_is(a, b).couple());
+// Apart, so that solids that are not ordinary cost others nothing.
+[[gnu::noinline]] Verdict intersect_other(const Prepared& a, const Prepared& b) noexcept {
   if (a.ball & b.ball) {
     const Vector3 delta = b.center - a.center;
     const double room = a.rounding + b.rounding;
@@ -65,6 +63,12 @@ Verdict intersect(const Prepared& a, const Prepared& b) noexcept {
   if ((a.defect != Defect::none) | (b.defect != Defect::none)) return Verdict::invalid;
   if (a.rounding + b.rounding > 0) return intersect_rounded(a, b, room_of(a, b, 0));
   return intersect_couple(scale(a, b).couple());
+}
+
+}  // namespace
+
+Verdict intersect(const Prepared& a, const Prepared& b) noexcept {
+  return a.ordinary & b.ordinary ? intersect_couple(as_it_is(a, b).couple()) : intersect_other(a, b);
 }
 
 Verdict intersect(const Cylinder& a, const Cylinder& b) noexcept { return intersect(prepare(a), prepare(b)); }

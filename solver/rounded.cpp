@@ -129,9 +129,9 @@ bool try_points(const Scaled& p, Vector3 on0, Vector3 on1, double room, Answer& 
   const Hull hull0 = hull_of(p.r0, p.h0, reach), hull1 = hull_of(p.r1, p.h1, reach);
   // The certificate is what is handed out, so that is what gets checked: in the scene's unit, where a
   // subnormal coordinate may have lost bits.
-  const Vector3 tail0 = times_power(inner_point(on0, p.w0, p.r0, p.h0, hull0, error), p.exponent);
-  const Vector3 tail1 = times_power(inner_point(on1 - p.delta, p.w1, p.r1, p.h1, hull1, error), p.exponent);
-  const Vector3 at0 = times_power(tail0, -p.exponent), at1 = times_power(tail1, -p.exponent);
+  const Vector3 point0 = times_power(inner_point(on0, p.w0, p.r0, p.h0, hull0, error), p.exponent);
+  const Vector3 point1 = times_power(inner_point(on1 - p.delta, p.w1, p.r1, p.h1, hull1, error), p.exponent);
+  const Vector3 at0 = times_power(point0, -p.exponent), at1 = times_power(point1, -p.exponent);
   const Place place0(at0, p.w0), place1(at1, p.w1);
   const double apart = length(p.delta + at1 - at0) + place0.off(hull0) + place1.off(hull1) + 2 * error;
   if (!(place0.inside(p.r0, p.h0, hull0, error) & place1.inside(p.r1, p.h1, hull1, error)) ||
@@ -139,8 +139,8 @@ bool try_points(const Scaled& p, Vector3 on0, Vector3 on1, double room, Answer& 
     return false;
   answer.verdict = Verdict::intersecting;
   answer.proof = Proof::points;
-  answer.point_tail = tail0;
-  answer.other_tail = tail1;
+  answer.point_head = point0;
+  answer.point_tail = point1;
   answer.hull_a = hull0;
   answer.hull_b = hull1;
   return true;
@@ -227,7 +227,7 @@ namespace {
 // The answer of two solids in one order, told in the other.
 Answer turned(Answer answer) noexcept {
   if (answer.proof == Proof::direction) answer.direction = -answer.direction;
-  if (answer.proof == Proof::points) std::swap(answer.point_tail, answer.other_tail);
+  if (answer.proof == Proof::points) std::swap(answer.point_head, answer.point_tail);
   std::swap(answer.hull_a, answer.hull_b);
   return answer;
 }

@@ -24,8 +24,8 @@ Certificate certificate_of(const Answer& answer, const Cylinder& a, const Cylind
               {answer.hull_a, answer.hull_b}};
     case Proof::points:
       return {CertificateKind::points,
-              {doubles(a.center), doubles(answer.point_tail), {}},
-              {doubles(b.center), doubles(answer.other_tail), {}},
+              {doubles(a.center), doubles(answer.point_head), {}},
+              {doubles(b.center), doubles(answer.point_tail), {}},
               {answer.hull_a, answer.hull_b}};
   }
   return {};
