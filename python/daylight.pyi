@@ -20,6 +20,12 @@ class Hull(IntEnum):
     line = 2
     center = 3
 
+class Proof(IntEnum):
+    none = 0
+    direction = 1
+    point = 2
+    points = 3
+
 class Decision(NamedTuple):
     verdict: Verdict | NDArray[int8]
     direction: NDArray[float64]
@@ -27,6 +33,7 @@ class Decision(NamedTuple):
     point_tail: NDArray[float64]
     hull_a: Hull | NDArray[int8]
     hull_b: Hull | NDArray[int8]
+    proof: Proof | NDArray[int8]
 
 class Distance(NamedTuple):
     value: float | NDArray[float64]
@@ -37,6 +44,7 @@ class Distance(NamedTuple):
     verdict: Verdict | NDArray[int8]
 
 def intersect(a: ArrayLike, b: ArrayLike) -> Verdict | NDArray[int8]: ...
+def within(a: ArrayLike, b: ArrayLike, clearance: float) -> Verdict | NDArray[int8]: ...
 def decide(a: ArrayLike, b: ArrayLike) -> Decision: ...
 def decide_exactly(a: ArrayLike, b: ArrayLike) -> Verdict | NDArray[int8]: ...
 def distance(a: ArrayLike, b: ArrayLike) -> Distance: ...

@@ -26,6 +26,13 @@
 
 namespace py = pybind11;
 
+namespace cyl {
+
+/// The names in Python.
+constexpr auto words_of(Proof) noexcept { return std::array{"none", "direction", "point", "points"}; }
+
+}  // namespace cyl
+
 namespace {
 
 using namespace cyl;
@@ -146,6 +153,18 @@ py::object intersect_arrays(const py::object& a, const py::object& b) {
   return verdicts_of(pairs, codes);
 }
 
+py::object within_arrays(const py::object& a, const py::object& b, double clearance) {
+  const Pairs pairs(a, b);
+  auto codes = pairs.results<std::int8_t>();
+  std::int8_t* out = codes.mutable_data();
+  {
+    const py::gil_scoped_release unlocked;
+    for (py::ssize_t i = 0; i < pairs.size; ++i)
+      out[i] = static_cast<std::int8_t>(within(prepare(pairs.a(i)), prepare(pairs.b(i)), clearance));
+  }
+  return verdicts_of(pairs, codes);
+}
+
 py::object decide_exactly_arrays(const py::object& a, const py::object& b) {
   const Pairs pairs(a, b);
   auto codes = pairs.results<std::int8_t>();
@@ -161,10 +180,10 @@ py::object decide_exactly_arrays(const py::object& a, const py::object& b) {
 py::object decide_arrays(const py::object& a, const py::object& b) {
   const Pairs pairs(a, b);
   auto codes = pairs.results<std::int8_t>(), hull_a = pairs.results<std::int8_t>(),
-       hull_b = pairs.results<std::int8_t>();
+       hull_b = pairs.results<std::int8_t>(), proof = pairs.results<std::int8_t>();
   auto direction = pairs.results<double>(3), head = pairs.results<double>(3), tail = pairs.results<double>(3);
   std::int8_t *out = codes.mutable_data(), *hull_a_out = hull_a.mutable_data(),
-              *hull_b_out = hull_b.mutable_data();
+              *hull_b_out = hull_b.mutable_data(), *proof_out = proof.mutable_data();
   double *direction_out = direction.mutable_data(), *head_out = head.mutable_data(),
          *tail_out = tail.mutable_data();
   {
@@ -177,11 +196,12 @@ py::object decide_arrays(const py::object& a, const py::object& b) {
       put(tail_out, i, answer.point_tail);
       hull_a_out[i] = static_cast<std::int8_t>(answer.hull_a);
       hull_b_out[i] = static_cast<std::int8_t>(answer.hull_b);
+      proof_out[i] = static_cast<std::int8_t>(answer.proof);
     }
   }
   return py::module_::import("daylight")
       .attr("Decision")(verdicts_of(pairs, codes), direction, head, tail, enum_of("Hull", pairs, hull_a),
-                        enum_of("Hull", pairs, hull_b));
+                        enum_of("Hull", pairs, hull_b), enum_of("Proof", pairs, proof));
 }
 
 py::object distance_arrays(const py::object& a, const py::object& b) {
@@ -304,11 +324,13 @@ py::list campaign(const py::function& callable, std::uint64_t pairs, std::uint64
 constexpr const char* module_text = R"(Do two cylinders intersect? With proofs.
 
 A solid is eight float64: center (3), axis (3, any finite length but 0), radius,
-height (full, not half), lengths in one unit. It is closed: solids that touch
-intersect. Radius 0 is a segment, height 0 a disk.
+height (full, not half), lengths in one unit; or nine, the last its rounding: all
+points within that of the cylinder. It is closed: solids that touch intersect.
+Radius 0 is a segment, height 0 a disk; with rounding a segment is a capsule, a
+point a sphere.
 
-a and b have one shape (.., 8), or one of them is a single solid (8,). Two
-single solids give a Verdict and floats; arrays of shape (.., 8) give, for each
+a and b have shapes (.., 8) or (.., 9) of as many solids, or one of them is a single
+solid. Two single solids give a Verdict and floats; arrays give, for each
 pair, int8 (the values of Verdict) and float64. C-contiguous float64 is read
 where it lies, without the interpreter's lock: write nothing to it meanwhile.
 Lists, float32 and what else NumPy casts safely are copied.
@@ -324,18 +346,24 @@ solids are 1e-13 of their size (the sum of radii and heights) or more from
 touching; nearer than that either answer may come. Arrays go through the vectors
 of the processor, with the same verdicts.)";
 
+constexpr const char* within_text = R"(Whether the solids come as near as a clearance.
+
+Returns what intersect does: `intersecting` where their distance is no more than the
+clearance, a length that is finite and not negative (else `invalid`).)";
+
 constexpr const char* decide_text = R"(The verdict with a proof, never wrong.
 
-Returns Decision(verdict, direction, point_head, point_tail, hull_a, hull_b); direction and the points float64 of shape (.., 3), the hulls each a Hull, or int8
-of shape (..). disjoint: `direction`, not of unit length, points from a to b and
-is square to a plane that separates them. intersecting: a point is in both, which
-is exactly point_head + point_tail where both hulls are `space`; else the nearest
+Returns Decision(verdict, direction, point_head, point_tail, hull_a, hull_b, proof);
+direction and the points float64 of shape (.., 3), the hulls each a Hull and proof a
+Proof, or int8 of shape (..). disjoint: `direction`, not of unit length, points from
+a to b and is square to a plane that separates them. intersecting: a point is in
+both, which is exactly point_head + point_tail where both hulls are `space`; else the nearest
 to that in both hulls: `plane`, through the solid's centre, square to its axis;
-`line`, its axis; `center`. Of rounded solids the point is in both without their
-rounding; or, where one rounding is not 0 and point_head is no center, a.center +
-point_head and b.center + point_tail are in a and b without their roundings and no
-farther apart than both together. undecided: within 1e-13 of the size of touching, or
-flat solids with little in common; ask decide_exactly. What does not belong to a
+`line`, its axis; `center`. Of rounded solids that is so of both without their
+rounding, or proof is `points`: a's center + point_head and b's center + point_tail
+are in a and in b without their roundings (the nearest in its own hull), and no
+farther apart than both roundings together. undecided: within 1e-13 of the size of
+touching, or flat solids with little in common; ask decide_exactly. What does not belong to a
 verdict is 0.)";
 
 constexpr const char* decide_exactly_text = R"(The proved verdict, touching told apart.
@@ -385,14 +413,16 @@ PYBIND11_MODULE(daylight, m) {
   };
   enumeration("Verdict", Verdict{});
   enumeration("Hull", Hull{});
+  enumeration("Proof", Proof{});
   const auto record = [&m](const char* name, const char* fields) {
     m.attr(name) =
         py::module_::import("collections").attr("namedtuple")(name, fields, py::arg("module") = "daylight");
   };
-  record("Decision", "verdict direction point_head point_tail hull_a hull_b");
+  record("Decision", "verdict direction point_head point_tail hull_a hull_b proof");
   record("Distance", "value error direction on_a on_b verdict");
 
   m.def("intersect", &intersect_arrays, py::arg("a"), py::arg("b"), intersect_text);
+  m.def("within", &within_arrays, py::arg("a"), py::arg("b"), py::arg("clearance"), within_text);
   m.def("decide", &decide_arrays, py::arg("a"), py::arg("b"), decide_text);
   m.def("decide_exactly", &decide_exactly_arrays, py::arg("a"), py::arg("b"), decide_exactly_text);
   m.def("distance", &distance_arrays, py::arg("a"), py::arg("b"), distance_text);

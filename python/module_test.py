@@ -12,10 +12,10 @@ import unittest
 import numpy as np
 
 import daylight
-from daylight import Hull, Verdict
+from daylight import Hull, Proof, Verdict
 
 PAGE = pathlib.Path(__file__).resolve().parents[1] / 'docs' / 'library-use.md'
-FUNCTIONS = ['campaign', 'decide', 'decide_exactly', 'distance', 'intersect']
+FUNCTIONS = ['campaign', 'decide', 'decide_exactly', 'distance', 'intersect', 'within']
 ROD = np.array([0, 0, 0, 0, 0, 1, 1, 4.0])
 
 
@@ -41,13 +41,28 @@ class Module(unittest.TestCase):
         self.assertTrue(np.hypot(x[0], x[1]) <= 1 and np.hypot(x[0] - 1, x[1]) <= 1 and abs(x[2]) <= 0.5)
 
     def test_hulls(self):
-        self.assertEqual(daylight.decide(ROD, beside(1))[4:], (Hull.space, Hull.space))
+        self.assertEqual(daylight.decide(ROD, beside(1))[4:], (Hull.space, Hull.space, Proof.point))
         axis = np.array([0.1, 0.2, 0, 0.3, 0.4, 1, 0, 4])
         meet = daylight.decide(axis, ROD)
         self.assertEqual((meet.verdict, meet.hull_a, meet.hull_b), (Verdict.intersecting, Hull.line, Hull.space))
         self.assertIs(type(meet.hull_a), Hull)
         many = daylight.decide(np.array([axis, ROD]), ROD)
         self.assertEqual((many.hull_a.tolist(), many.hull_a.dtype), ([Hull.line, Hull.space], np.int8))
+
+    def test_rounding(self):
+        ball = np.array([3, 0, 0, 0, 0, 1, 0, 0, 1.5])
+        self.assertIs(daylight.intersect(ROD, ball), Verdict.disjoint)
+        self.assertIs(daylight.within(ROD, ball, 0.5), Verdict.intersecting)
+        self.assertIs(daylight.within(ROD, ball, 0.4), Verdict.disjoint)
+        self.assertIs(daylight.within(ROD, ball, -1), Verdict.invalid)
+        self.assertAlmostEqual(daylight.distance(ROD, ball).value, 0.5)
+        wide = ball.copy()
+        wide[8] = 2.5
+        meet = daylight.decide(ROD, wide)
+        self.assertIs(meet.proof, Proof.points)
+        self.assertLessEqual(np.linalg.norm(ball[:3] + meet.point_tail - ROD[:3] - meet.point_head), 2.5)
+        self.assertEqual(daylight.intersect(ROD, np.array([ball, wide])).tolist(), [0, 1])
+        self.assertIs(daylight.decide_exactly(ROD, np.array([3, 0, 0, 0, 0, 1, 0, 0, 2.0])), Verdict.touching)
 
     def test_distance(self):
         gap = daylight.distance(ROD, beside(3))
@@ -85,11 +100,11 @@ class Module(unittest.TestCase):
         self.assertEqual(daylight.intersect([0, 0, 0, 0, 0, 1, 1, 4], beside(1).astype(np.float32)), Verdict.intersecting)
 
     def test_errors(self):
-        with self.assertRaisesRegex(ValueError, r'^b has shape \(3, 7\), not \(8,\) or'):
+        with self.assertRaisesRegex(ValueError, r'^b has shape \(3, 7\), not \(.., 8\) or'):
             daylight.intersect(ROD, np.zeros((3, 7)))
         with self.assertRaisesRegex(ValueError, r'^a has shape \(\), not'):
             daylight.distance(np.float64(1), ROD)
-        with self.assertRaisesRegex(ValueError, r'^a has shape \(2, 8\) and b \(3, 8\): they must be the same'):
+        with self.assertRaisesRegex(ValueError, r'^a has shape \(2, 8\) and b \(3, 8\): they must be as many'):
             daylight.decide(np.zeros((2, 8)), np.zeros((3, 8)))
         for wrong, dtype in (('rod', '<U3'), (ROD + 1j, 'complex128'), (object(), 'object'), ([ROD, None], None)):
             found = 'a has dtype ' + dtype if dtype else 'a is no array'
@@ -195,7 +210,7 @@ class Documentation(unittest.TestCase):
         for x in stub:
             if isinstance(x, ast.ClassDef):
                 known = getattr(daylight, x.name)
-                if known in (Verdict, Hull):
+                if known in (Verdict, Hull, Proof):
                     self.assertEqual({y.targets[0].id: y.value.value for y in x.body}, {v.name: v for v in known})
                 else:
                     self.assertEqual([y.target.id for y in x.body], list(known._fields))

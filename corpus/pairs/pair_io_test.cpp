@@ -168,7 +168,7 @@ struct Refusal {
 
 TEST(PairIo, NamesTheFaultAndItsPlace) {
   const std::string start = R"({"center":[0,0,0],"axis":[0,0,1],"radius":)";
-  const std::string only = "; expected center, axis, radius, height";
+  const std::string only = "; expected center, axis, radius, height, rounding";
   const std::vector<Refusal> refusals = {
       // Values of a cylinder.
       {with_a(start + R"(@-1,"height":2})"), "a.radius is negative (-1)"},

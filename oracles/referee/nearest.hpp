@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-// The referee's own search for the nearest points of two cylinders without rounding that lie apart. What it finds is
-// a guess until it is checked; so one text serves double and every precision of MPFR.
+// The referee's own search for the nearest points of two cylinders without rounding that lie apart. What it
+// finds is a guess until it is checked; so one text serves double and every precision of MPFR.
 //
-// From any point of one solid to the nearest of the other and back never leads farther apart, but may take long. So
-// between such steps the pair of faces, sides and rims that the points lie on is taken for the right one, and Newton's
-// method goes to where their distance is stationary: twice the digits each step.
+// From any point of one solid to the nearest of the other and back never leads farther apart, but may take
+// long. So between such steps the pair of faces, sides and rims that the points lie on is taken for the right
+// one, and Newton's method goes to where their distance is stationary: twice the digits each step.
 #pragma once
 
 #include <algorithm>
@@ -174,7 +174,8 @@ class Search {
       for (int i = 0; i < n; ++i) {
         for (int j = 0; j < n; ++j) m[i][j] = dot(tangent(i), tangent(j));
         const bool of_a = i < p.count;
-        const Vec3<R>& bend = of_a ? p.bend[static_cast<std::size_t>(i)] : q.bend[static_cast<std::size_t>(i - p.count)];
+        const auto own = static_cast<std::size_t>(of_a ? i : i - p.count);
+        const Vec3<R>& bend = of_a ? p.bend[own] : q.bend[own];
         m[i][i] = m[i][i] + (of_a ? R(-dot(e, bend)) : dot(e, bend));
         m[i][n] = -dot(e, tangent(i));
       }

@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: MIT
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <string>
+#include <vector>
+
+#include "corpus/pairs/families.hpp"
+#include "corpus/pairs/pair_io.hpp"
+#include "corpus/pairs/pair_numbers.hpp"
+#include "solver/distance.hpp"
+#include "solver/intersect_batch.hpp"
+
+namespace cyl {
+namespace {
+
+Cylinder ball(Vector3 center, double rounding) { return {center, {0, 0, 1}, 0, 0, rounding}; }
+Cylinder capsule(Vector3 center, Vector3 axis, double length, double rounding) {
+  return {center, axis, 0, length, rounding};
+}
+
+TEST(Rounded, BallsMeetWhereTheirRadiiReach) {
+  EXPECT_EQ(intersect(ball({0, 0, 0}, 1), ball({3, 0, 0}, 2)), Verdict::intersecting);
+  EXPECT_EQ(intersect(ball({0, 0, 0}, 1), ball({3, 0, 0}, 1.999)), Verdict::disjoint);
+  EXPECT_EQ(distance(ball({0, 0, 0}, 1), ball({3, 4, 0}, 1)).value, 3);
+  EXPECT_EQ(distance(ball({0, 0, 0}, 1), ball({0, 0, 0}, 2)).value, -3);
+}
+
+TEST(Rounded, CapsulesMeetAtSidesAndEnds) {
+  const Cylinder lying = capsule({0, 0, 0}, {1, 0, 0}, 4, 0.5);
+  EXPECT_EQ(intersect(lying, capsule({0, 0, 0.99}, {0, 1, 0}, 4, 0.5)), Verdict::intersecting);
+  EXPECT_EQ(intersect(lying, capsule({0, 0, 1.01}, {0, 1, 0}, 4, 0.5)), Verdict::disjoint);
+  EXPECT_EQ(intersect(lying, capsule({0, 3.99, 0}, {1, 1, 0}, 2, 3.2)), Verdict::intersecting);
+  EXPECT_NEAR(distance(lying, capsule({6, 0, 0}, {1, 0, 0}, 2, 0.25)).value, 2.25, 1e-15);
+  EXPECT_NEAR(distance(lying, capsule({0, 2, 0}, {1, 0, 0}, 9, 0.5)).value, 1, 1e-15);
+}
+
+// The distance from a rim is not the distance from a wall or a cap.
+TEST(Rounded, EdgesOfRoundedCylindersAreRound) {
+  const Cylinder standing{{0, 0, 0}, {0, 0, 1}, 1, 2, 0.5};
+  const double diagonal = 1 + 0.5 * std::numbers::sqrt2 / 2 + 0.5 * std::numbers::sqrt2 / 2;
+  EXPECT_EQ(intersect(standing, ball({diagonal - 1e-9, 0, diagonal - 1e-9}, 0.5)), Verdict::intersecting);
+  EXPECT_EQ(intersect(standing, ball({diagonal + 1e-9, 0, diagonal + 1e-9}, 0.5)), Verdict::disjoint);
+}
+
+TEST(Rounded, AClearanceCountsAsARounding) {
+  const Prepared a = prepare({{0, 0, 0}, {0, 0, 1}, 1, 2}), b = prepare({{2.02, 0, 0}, {0, 0, 1}, 1, 2});
+  EXPECT_EQ(within(a, b, 0.019), Verdict::disjoint);
+  EXPECT_EQ(within(a, b, 0.021), Verdict::intersecting);
+  EXPECT_EQ(within(a, b, 0), intersect(a, b));
+  const Answer near = decide_within(a, b, 0.021);
+  ASSERT_EQ(near.proof, Proof::points);
+  EXPECT_LE((b.center + near.point_tail - a.center - near.point_head).norm(), 0.021);
+  EXPECT_EQ(decide_within(a, b, 0.019).proof, Proof::direction);
+}
+
+TEST(Rounded, WhatIsNoRoundingIsInvalid) {
+  constexpr double infinity = std::numeric_limits<double>::infinity(), nan = std::nan(""),
+                   most = std::numeric_limits<double>::max();
+  const Cylinder unit{{0, 0, 0}, {0, 0, 1}, 1, 2};
+  const auto defect = [&](double rounding, double radius = 1) {
+    return find_defect({{0, 0, 0}, {0, 0, 1}, radius, 2, rounding});
+  };
+  EXPECT_EQ(defect(-1), Defect::rounding_negative);
+  EXPECT_EQ(defect(nan), Defect::rounding_not_finite);
+  EXPECT_EQ(defect(infinity), Defect::rounding_not_finite);
+  EXPECT_EQ(defect(most, most), Defect::rounding_overflows);
+  EXPECT_EQ(defect(0, most), Defect::none);
+  EXPECT_EQ(intersect(unit, {{0, 0, 0}, {0, 0, 1}, 1, 2, -1}), Verdict::invalid);
+  const Prepared a = prepare(unit), wide = prepare({{0, 0, 0}, {0, 0, 1}, 0, 0, most});
+  for (const double clearance : {-1.0, nan, infinity}) {
+    EXPECT_EQ(within(a, a, clearance), Verdict::invalid) << clearance;
+    EXPECT_EQ(decide_within(a, a, clearance).verdict, Verdict::invalid) << clearance;
+  }
+  EXPECT_EQ(within(wide, a, most), Verdict::invalid);
+}
+
+class RoundedFamilies : public testing::TestWithParam<std::size_t> {
+ protected:
+  static constexpr std::uint64_t count = 3000, seed = 20261123;
+  const Family& family() const { return rounded_families()[GetParam()]; }
+  Pair pair(std::uint64_t i) const { return family().generate(seed, i); }
+};
+
+TEST_P(RoundedFamilies, AllWaysSayTheSameAwayFromTouching) {
+  std::size_t told = 0;
+  for (std::uint64_t i = 0; i < count; ++i) {
+    const Pair p = pair(i);
+    const Distance d = distance(p.a, p.b);
+    const Answer proved = decide(p.a, p.b);
+    if (!(std::fabs(d.value) > 1e-13 * size_of(p) + d.error)) continue;
+    ++told;
+    ASSERT_EQ(intersect(p.a, p.b), d.verdict) << format_pair(p);
+    ASSERT_EQ(proved.verdict, d.verdict) << format_pair(p);
+  }
+  EXPECT_GT(told, count * 8 / 10);
+}
+
+TEST_P(RoundedFamilies, AnswersDoNotSeeTheSolidsOrder) {
+  for (std::uint64_t i = 0; i < count; ++i) {
+    const Pair p = pair(i);
+    const Answer answer = decide(p.a, p.b), back = decide(p.b, p.a);
+    const bool points = answer.proof == Proof::points;
+    ASSERT_EQ(intersect(p.a, p.b), intersect(p.b, p.a)) << format_pair(p);
+    ASSERT_EQ(distance(p.a, p.b).value, distance(p.b, p.a).value) << format_pair(p);
+    ASSERT_EQ(answer.verdict, back.verdict) << format_pair(p);
+    ASSERT_EQ(answer.direction, -back.direction) << format_pair(p);
+    ASSERT_EQ(answer.point_head, points ? back.point_tail : back.point_head) << format_pair(p);
+  }
+}
+
+TEST_P(RoundedFamilies, BatchesSayWhatSinglePairsDo) {
+  std::vector<Prepared> a, b;
+  std::vector<IndexPair> pairs;
+  for (std::uint32_t i = 0; i < count; ++i) {
+    a.push_back(prepare(pair(i).a));
+    b.push_back(prepare(pair(i).b));
+    pairs.push_back({i, i});
+  }
+  std::vector<Verdict> verdicts(count);
+  intersect_batch(a, b, pairs, verdicts.data());
+  for (std::uint32_t i = 0; i < count; ++i)
+    ASSERT_EQ(verdicts[i], intersect(a[i], b[i])) << format_pair(pair(i));
+}
+
+INSTANTIATE_TEST_SUITE_P(Each, RoundedFamilies, testing::Range<std::size_t>(0, rounded_families().size()),
+                         [](const auto& info) { return std::string(rounded_families()[info.param].name); });
+
+}  // namespace
+}  // namespace cyl
