@@ -128,6 +128,7 @@ std::optional<Run> verify(const Candidate& candidate, const Family& family, std:
   std::vector<std::size_t> asked;
   const std::size_t share = std::max<std::size_t>(1, proved.size() / candidate.method->share());
   for (std::size_t i = 0; i < std::min(proved.size(), std::max(share, least)); ++i) {
+    if (!candidate.method->takes(proved[i].pair)) continue;
     const bool disjoint = proved[i].truth.verdict == Verdict::disjoint;
     if (!asks_distance(candidate) || (candidate.query == "distance") == disjoint) asked.push_back(i);
   }
@@ -253,7 +254,7 @@ std::vector<BenchRow> bench_sets(const Family& family, std::size_t largest, cons
 std::vector<Family> select_families(std::string_view spec) {
   std::vector<Family> all;
   std::vector<std::string> names;
-  for (const std::span<const Family> some : {families(), margin_families()}) {
+  for (const std::span<const Family> some : {families(), rounded_families(), margin_families()}) {
     for (const Family& family : some) {
       all.push_back(family);
       names.emplace_back(family.name);

@@ -36,7 +36,7 @@ struct Fake : Method {
   Claim claim() const override { return claim_; }
   bool foreign() const override { return foreign_; }
   unsigned share() const override { return share_; }
-  MethodAnswer ask(const Pair& pair) override {
+  MethodAnswer answer(const Pair& pair) override {
     MethodAnswer answer;
     answer.status = Status::answered;
     answer.verdict = say(pair);
@@ -366,7 +366,7 @@ TEST(Families, AMarginIsWhatItsNameSays) {
 }
 
 TEST(Families, AreChosenByName) {
-  EXPECT_EQ(select_families("all").size(), families().size() + margin_families().size());
+  EXPECT_EQ(select_families("all").size(), families().size() + rounded_families().size() + margin_families().size());
   EXPECT_EQ(select_families("margin_1e").size(), margin_families().size());
   const auto two = select_families("margin_1e-06,random");
   ASSERT_EQ(two.size(), 2u);

@@ -16,8 +16,9 @@ Box box_around(const Prepared& c, double clearance) noexcept {
   Vector3 reach;
   for (int i = 0; i < 3; ++i) {
     const double w = std::fabs(c.unit_axis[i]);
-    reach[i] = c.height / 2 * w + c.radius * std::sqrt(std::max(0.0, 1 - w * w)) + clearance / 2 +
-               box_error * (std::fabs(c.center[i]) + c.height + c.radius + clearance);
+    reach[i] = c.height / 2 * w + c.radius * std::sqrt(std::max(0.0, 1 - w * w)) + c.rounding +
+               clearance / 2 +
+               box_error * (std::fabs(c.center[i]) + c.height + c.radius + c.rounding + clearance);
   }
   return {c.center - reach, c.center + reach};
 }

@@ -17,7 +17,7 @@ ClosePairs find_close_pairs(std::span<const Cylinder> cylinders, double clearanc
   models.reserve(cylinders.size());
   boxes.reserve(cylinders.size());
   for (const Cylinder& c : cylinders) {
-    models.push_back(make_models(c, clearance));
+    models.push_back(make_models(c));
     boxes.push_back(box_around(models.back().solid, clearance));
   }
   s.prepare_ms = 1e-6 * (processor_ns() - began);

@@ -109,12 +109,25 @@ class MjcfBuilder {
     ++link.shapes;
     const mjtNum* size = m_.geom_size + 3 * geom;
     const Pose pose = mjcf_pose(m_.geom_pos + 3 * geom, m_.geom_quat + 4 * geom);
-    if (m_.geom_type[geom] == mjGEOM_CYLINDER)
-      scene_.bodies.push_back({link.name + "/" + name(mjOBJ_GEOM, geom, "geom"), link_of_[to_size(body)],
-                               Cylinder{pose.translation(), pose.linear().col(2), size[0], 2 * size[1]}, type,
-                               affinity});
-    else
-      scene_.left_out.push_back({shape_name(m_.geom_type[geom]), link.name});
+    Cylinder solid{pose.translation(), pose.linear().col(2), 0, 0, 0};
+    switch (m_.geom_type[geom]) {
+      case mjGEOM_SPHERE:
+        solid.rounding = size[0];
+        break;
+      case mjGEOM_CAPSULE:
+        solid.rounding = size[0];
+        solid.height = 2 * size[1];
+        break;
+      case mjGEOM_CYLINDER:
+        solid.radius = size[0];
+        solid.height = 2 * size[1];
+        break;
+      default:
+        scene_.left_out.push_back({shape_name(m_.geom_type[geom]), link.name});
+        return;
+    }
+    scene_.bodies.push_back(
+        {link.name + "/" + name(mjOBJ_GEOM, geom, "geom"), link_of_[to_size(body)], solid, type, affinity});
   }
 
   /// q1 - q1 at rest = c0 + c1 (q2 - q2 at rest) + higher powers, which we do not follow.

@@ -20,15 +20,10 @@ bool balls_apart(const ProxyModels& a, const ProxyModels& b, double reach) noexc
   return length_squared(b.solid.center - a.solid.center) > far * far;
 }
 
-Proximity compare_cylinders(const ProxyModels& a, const ProxyModels& b, double clearance) noexcept {
-  if (clearance == 0) {
-    const Verdict verdict = intersect(a.solid, b.solid);
-    return verdict == Verdict::disjoint       ? Proximity::apart
-           : verdict == Verdict::intersecting ? Proximity::within
-                                              : Proximity::unclear;
-  }
-  if (intersect(a.grown, b.grown) == Verdict::disjoint) return Proximity::apart;
-  return intersect(a.solid, b.solid) == Verdict::intersecting ? Proximity::within : Proximity::unclear;
+Proximity proximity_of(Verdict verdict) noexcept {
+  return verdict == Verdict::disjoint       ? Proximity::apart
+         : verdict == Verdict::intersecting ? Proximity::within
+                                            : Proximity::unclear;
 }
 
 Proximity compare_distance(const ProxyModels& a, const ProxyModels& b, double clearance) noexcept {
@@ -38,35 +33,22 @@ Proximity compare_distance(const ProxyModels& a, const ProxyModels& b, double cl
   return d.value + d.error <= clearance ? Proximity::within : Proximity::unclear;
 }
 
-Proximity compare_certified(const ProxyModels& a, const ProxyModels& b, double clearance) noexcept {
-  const Verdict verdict = decide(a.solid, b.solid).verdict;
-  if (verdict == Verdict::intersecting) return Proximity::within;
-  if (clearance == 0) return verdict == Verdict::disjoint ? Proximity::apart : Proximity::unclear;
-  // Apart, the error of the distance is a proved bound.
-  return verdict == Verdict::disjoint ? compare_distance(a, b, clearance) : Proximity::unclear;
-}
-
 }  // namespace
 
-ProxyModels make_models(const Cylinder& c, double clearance) noexcept {
+ProxyModels make_models(const Cylinder& c) noexcept {
   ProxyModels m;
   m.solid = prepare(c);
-  m.slack = proxy_distance_error * (std::sqrt(length_squared(c.center)) + c.height + c.radius);
-  m.grown = m.solid;
-  if (clearance > 0) {
-    m.grown =
-        prepare({c.center, c.axis, c.radius + clearance / 2 + m.slack, c.height + clearance + 2 * m.slack});
-  }
+  m.slack = proxy_distance_error * (std::sqrt(length_squared(c.center)) + c.height + c.radius + c.rounding);
   m.outer = outer_proxy(m.solid);
   m.inner = inner_proxy(m.solid);
-  m.ball = std::sqrt(c.radius * c.radius + c.height * c.height / 4);
+  m.ball = std::sqrt(c.radius * c.radius + c.height * c.height / 4) + c.rounding;
   return m;
 }
 
-std::vector<ProxyModels> models_of(std::span<const Cylinder> placed, double clearance) {
+std::vector<ProxyModels> models_of(std::span<const Cylinder> placed) {
   std::vector<ProxyModels> models;
   models.reserve(placed.size());
-  for (const Cylinder& c : placed) models.push_back(make_models(c, clearance));
+  for (const Cylinder& c : placed) models.push_back(make_models(c));
   return models;
 }
 
@@ -82,13 +64,13 @@ Proximity proximity(Level level, const ProxyModels& a, const ProxyModels& b, dou
       return capsule_distance(a.inner, b.inner) <= clearance - slack(a, b, clearance) ? Proximity::within
                                                                                       : Proximity::unclear;
     case Level::cylinder:
-      return compare_cylinders(a, b, clearance);
+      return proximity_of(cyl::within(a.solid, b.solid, clearance));
     case Level::distance:
       return compare_distance(a, b, clearance);
     case Level::certified:
       break;
   }
-  return compare_certified(a, b, clearance);
+  return proximity_of(decide_within(a.solid, b.solid, clearance).verdict);
 }
 
 bool accepted(Level level, const ProxyModels& a, const ProxyModels& b, double clearance) noexcept {
@@ -96,7 +78,7 @@ bool accepted(Level level, const ProxyModels& a, const ProxyModels& b, double cl
     case Level::inner:
       return proximity(level, a, b, clearance) == Proximity::within;
     case Level::cylinder:
-      return intersect(a.grown, b.grown) != Verdict::disjoint;
+      return cyl::within(a.solid, b.solid, clearance) != Verdict::disjoint;
     case Level::distance:
       return !(distance(a.solid, b.solid).value > clearance);
     default:

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A hierarchy of models that stand in for a cylinder, cheapest first. Each level says whether two cylinders
-// are within a clearance of each other, or that a later level has to be asked.
+// A hierarchy of models that stand in for a cylinder, rounded or not, cheapest first. Each level says whether
+// two solids are within a clearance of each other, or that a later level has to be asked.
 #pragma once
 
 #include <array>
@@ -18,8 +18,7 @@ enum class Level : unsigned char {
   sphere,    ///< the ball around the cylinder: says apart
   outer,     ///< the capsule around it: says apart
   inner,     ///< the capsule inside it: says within
-  cylinder,  ///< yes or no, of cylinders grown by half the clearance: says apart, and within where there is
-             ///< none
+  cylinder,  ///< yes or no, of the solids themselves
   distance,  ///< the distance with its error bound
   certified  ///< a proof
 };
@@ -35,15 +34,15 @@ enum class Proximity : unsigned char {
   unclear  ///< this level cannot tell
 };
 
-/// A cylinder with its models, for one clearance.
+/// A solid with its models.
 struct ProxyModels {
-  Prepared solid, grown;  ///< grown by half the clearance in all directions, and more at the rims
+  Prepared solid;
   Capsule outer, inner;
   double ball;   ///< radius of the sphere around it
   double slack;  ///< its share in proxy_distance_error
 };
-ProxyModels make_models(const Cylinder& c, double clearance) noexcept;
-std::vector<ProxyModels> models_of(std::span<const Cylinder> placed, double clearance);
+ProxyModels make_models(const Cylinder& c) noexcept;
+std::vector<ProxyModels> models_of(std::span<const Cylinder> placed);
 
 /// Returns what one level says; `apart` and `within` are never wrong beyond 1e-13 of the size (`cylinder`),
 /// within its own error bound (`distance`), or at all (the others).

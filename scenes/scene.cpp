@@ -124,7 +124,7 @@ void place(const Scene& scene, std::span<const Pose> poses, std::vector<Cylinder
   for (std::size_t i = 0; i < placed.size(); ++i) {
     const Cylinder& c = scene.bodies[i].solid;
     const Pose& pose = poses[scene.bodies[i].link];
-    placed[i] = {pose * c.center, pose.linear() * c.axis, c.radius, c.height};
+    placed[i] = {pose * c.center, pose.linear() * c.axis, c.radius, c.height, c.rounding};
   }
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A scene: cylinders that move with the links of a mechanism, or stand still. What is read from a file of any
-// format becomes one.
+// A scene: cylinders, capsules and spheres that move with the links of a mechanism, or stand still. What is
+// read from a file of any format becomes one.
 #pragma once
 
 #include <Eigen/Geometry>
@@ -47,7 +47,7 @@ struct Body {
   unsigned type = 1, affinity = 1;
 };
 
-/// A collision shape that is no cylinder.
+/// A collision shape that is neither a cylinder, a capsule nor a sphere.
 struct LeftOut {
   std::string shape, link;  ///< "box", "base_link"
   bool operator==(const LeftOut&) const = default;
@@ -57,6 +57,7 @@ struct Scene {
   std::vector<Link> links;
   std::vector<Body> bodies;
   std::vector<LeftOut> left_out;
+  std::size_t folded = 0;          ///< capsules that the file writes as a cylinder and two spheres
   std::vector<std::string> notes;  ///< what else was not taken as written, a sentence each
   std::vector<std::pair<std::size_t, std::size_t>> disabled;  ///< links not to be checked, as the file says
 };

@@ -52,7 +52,8 @@ class Study {
 
   void observe(std::size_t configuration) {
     placed_ = place(scene_, joints(configuration));
-    models_ = models_of(placed_, q_.clearance);
+    models_ = models_of(placed_);
+    result_.least.push_back(std::numeric_limits<double>::infinity());
     for (PairStudy& pair : result_.pairs) observe(pair, configuration);
   }
 
@@ -79,6 +80,7 @@ class Study {
     for (const Level level : enum_values<Level>)
       score(pair.alone[index_of(level)], accepted(level, a, b, q_.clearance), is_within, d, configuration);
     pair.least = pair.samples == 0 ? d : std::min(pair.least, d);
+    result_.least.back() = std::min(result_.least.back(), d);
     pair.greatest = pair.samples == 0 ? d : std::max(pair.greatest, d);
     ++pair.samples;
     pair.within += is_within;
@@ -98,7 +100,7 @@ class Study {
   }
 
   void check_cascades(std::size_t configuration) {
-    models_ = models_of(place(scene_, joints(configuration)), q_.clearance);
+    models_ = models_of(place(scene_, joints(configuration)));
     for (std::size_t i = 0; i < result_.pairs.size(); ++i) {
       PairStudy& pair = result_.pairs[i];
       const bool said = within(pair.cascade, models_[pair.a], models_[pair.b], q_.clearance);
@@ -118,8 +120,7 @@ class Study {
         const PairStudy& pair = result_.pairs[i];
         const Pair solids{placed_[pair.a], placed_[pair.b]};
         v.add(solids, q_.clearance, q_.tolerated,
-              within(pair.cascade, make_models(solids.a, q_.clearance), make_models(solids.b, q_.clearance),
-                     q_.clearance));
+              within(pair.cascade, make_models(solids.a), make_models(solids.b), q_.clearance));
       }
     }
   }
@@ -134,7 +135,7 @@ class Study {
     for (std::size_t k = 0; k < count; ++k) {
       drawn.push_back(joints(k));
       placed.push_back(place(scene_, drawn.back()));
-      models.push_back(models_of(placed.back(), q_.clearance));
+      models.push_back(models_of(placed.back()));
     }
     const auto time = [&](const auto& once) {
       return series_cost(
@@ -153,7 +154,7 @@ class Study {
     });
     std::vector<ProxyModels> made(scene_.bodies.size());
     result_.models_ns = time([&](std::size_t k) {
-      for (std::size_t i = 0; i < made.size(); ++i) made[i] = make_models(placed[k][i], q_.clearance);
+      for (std::size_t i = 0; i < made.size(); ++i) made[i] = make_models(placed[k][i]);
       return made.empty() ? 0 : made.back().ball;
     });
     const auto ask_all = [&](const auto& ask) {
@@ -220,11 +221,25 @@ Total total_of(const SceneStudy& study, Level level, double tolerated) {
   return t;
 }
 
+std::size_t alarms_of_rounding(const SceneStudy& study, double clearance, double rounding) {
+  return static_cast<std::size_t>(std::count_if(study.least.begin(), study.least.end(), [&](double least) {
+    return least > clearance && least <= clearance + 2 * rounding;
+  }));
+}
+
 std::optional<bool> referee_within(const Pair& pair, double clearance) {
   if (clearance == 0) {
     const Verdict verdict = judge_verdict(pair).verdict;
     if (verdict == Verdict::undecided || verdict == Verdict::invalid) return std::nullopt;
     return verdict != Verdict::disjoint;
+  }
+  // With the clearance as a rounding, where that is exact, a verdict is enough.
+  for (const bool of_b : {false, true}) {
+    Pair wider = pair;
+    double& rounding = of_b ? wider.b.rounding : wider.a.rounding;
+    if (rounding != 0) continue;
+    rounding = clearance;
+    if (is_legal(wider)) return referee_within(wider, 0);
   }
   const Enclosure distance = enclose_distance(pair, judge(pair));
   if (distance.lo > clearance) return false;

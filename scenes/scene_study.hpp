@@ -75,6 +75,7 @@ struct SceneStudy {
   std::size_t asked_referee = 0;  ///< samples that no level decides
   std::size_t undecided = 0;      ///< of those, what the referee does not prove either: taken for within
   std::optional<ClosestCall> closest;
+  std::vector<double> least;  ///< by configuration: the least distance of all pairs
   // Of one configuration, in ns.
   double kinematics_ns = 0, models_ns = 0, cascade_ns = 0;
   std::array<double, level_count> alone_ns{};
@@ -92,6 +93,10 @@ struct Total {
   double alarm = 0, missed = 0;
 };
 Total total_of(const SceneStudy& study, Level level, double tolerated);
+
+/// In how many configurations rounded solids, grown by so much in all directions, would be within the
+/// clearance where the solids are not.
+std::size_t alarms_of_rounding(const SceneStudy& study, double clearance, double rounding);
 
 /// Returns the joints of one of the study's configurations.
 std::vector<double> joints_of(const Scene& scene, const SceneQuestion& question, std::size_t configuration);

@@ -81,7 +81,7 @@ std::vector<Shown> shown_configurations(const Scene& scene, const SceneQuestion&
   for (Shown& shown : all) {
     shown.joints = joints_of(scene, question, shown.configuration);
     shown.placed = place(scene, shown.joints);
-    const std::vector<ProxyModels> models = models_of(shown.placed, question.clearance);
+    const std::vector<ProxyModels> models = models_of(shown.placed);
     for (const PairStudy& pair : study.pairs)
       shown.pairs.push_back(sample_of(models[pair.a], models[pair.b],
                                       {shown.placed[pair.a], shown.placed[pair.b]}, question.clearance));

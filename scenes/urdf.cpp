@@ -3,13 +3,17 @@
 #include <tinyxml.h>
 #include <urdf_parser/urdf_parser.h>
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstring>
 #include <filesystem>
 #include <map>
 #include <numbers>
 #include <stdexcept>
+#include <vector>
 
+#include "corpus/pairs/solid_kind.hpp"
 #include "scenes/scene_files.hpp"
 
 namespace cyl {
@@ -44,9 +48,14 @@ void remove_all(TiXmlElement& parent, const char* name) {
   while (TiXmlElement* child = parent.FirstChildElement(name)) parent.RemoveChild(child);
 }
 
+/// Of a link, its collision shapes that are kept: whether each is a capsule.
+using Capsules = std::map<std::string, std::vector<bool>>;
+
 /// urdfdom refuses a whole robot for a material named twice or a shape that it does not know. Neither is any
-/// matter of cylinders: what is not needed is taken out, and shapes that are no cylinders are noted.
-void keep_cylinders(TiXmlElement& robot, Scene& scene, std::map<std::string, std::size_t>& shapes) {
+/// matter of ours: what is not needed is taken out, capsules go through it as cylinders, and what is neither
+/// a cylinder, a sphere nor a capsule is noted.
+Capsules keep_solids(TiXmlElement& robot, Scene& scene, std::map<std::string, std::size_t>& shapes) {
+  Capsules capsules;
   for (const char* name : {"material", "transmission", "gazebo", "mujoco", "sensor"}) remove_all(robot, name);
   for (TiXmlElement* link = robot.FirstChildElement("link"); link; link = link->NextSiblingElement("link")) {
     remove_all(*link, "visual");
@@ -54,13 +63,19 @@ void keep_cylinders(TiXmlElement& robot, Scene& scene, std::map<std::string, std
     for (TiXmlElement *next, *collision = link->FirstChildElement("collision"); collision; collision = next) {
       next = collision->NextSiblingElement("collision");
       ++shapes[name];
-      const TiXmlElement* geometry = collision->FirstChildElement("geometry");
-      const TiXmlElement* shape = geometry ? geometry->FirstChildElement() : nullptr;
-      if (shape && std::strcmp(shape->Value(), "cylinder") == 0) continue;
+      TiXmlElement* geometry = collision->FirstChildElement("geometry");
+      TiXmlElement* shape = geometry ? geometry->FirstChildElement() : nullptr;
+      const auto is = [&](const char* word) { return shape && std::strcmp(shape->Value(), word) == 0; };
+      if (is("cylinder") || is("sphere") || is("capsule")) {
+        capsules[name].push_back(is("capsule"));
+        if (is("capsule")) shape->SetValue("cylinder");
+        continue;
+      }
       scene.left_out.push_back({shape ? shape->Value() : "nothing", name});
       link->RemoveChild(collision);
     }
   }
+  return capsules;
 }
 
 Vector3 urdf_vector(const urdf::Vector3& v) { return {v.x, v.y, v.z}; }
@@ -100,27 +115,73 @@ void set_motion(Link& link, const urdf::Joint& joint, Scene& scene) {
   link.axis = urdf_vector(joint.axis) / length;
 }
 
-void add_bodies(Scene& scene, std::size_t index, const urdf::Link& link) {
-  for (const auto& collision : link.collision_array) {
-    const auto* shape = dynamic_cast<const urdf::Cylinder*>(collision->geometry.get());
-    if (!shape) continue;
-    const Pose pose = urdf_pose(collision->origin);
-    const Cylinder solid{pose.translation(), pose.linear().col(2), shape->radius, shape->length};
+/// The solid of a cylinder, a sphere or a capsule, whose length is that of its cylindrical part.
+Cylinder solid_of(const urdf::Geometry& geometry, const Pose& pose, bool capsule) {
+  Cylinder solid{pose.translation(), pose.linear().col(2), 0, 0, 0};
+  if (const auto* sphere = dynamic_cast<const urdf::Sphere*>(&geometry)) solid.rounding = sphere->radius;
+  if (const auto* cylinder = dynamic_cast<const urdf::Cylinder*>(&geometry)) {
+    solid.height = cylinder->length;
+    (capsule ? solid.rounding : solid.radius) = cylinder->radius;
+  }
+  return solid;
+}
+
+/// Relative to the radius: what decimals of a file leave between a cylinder's end and its sphere.
+constexpr double fold_tol = 1e-6;
+
+/// Capsules are written in URDF as a cylinder and a sphere at each end: folded into one body each.
+void fold_capsules(Scene& scene, std::size_t first) {
+  auto& bodies = scene.bodies;
+  for (std::size_t i = first; i < bodies.size(); ++i) {
+    const Cylinder wall = bodies[i].solid;
+    if (kind_of(wall) != SolidKind::cylinder || wall.radius == 0) continue;
+    std::vector<std::size_t> ends;
+    for (const double side : {-0.5, 0.5}) {
+      const Vector3 end = wall.center + side * wall.height * wall.axis;
+      for (std::size_t k = first; k < bodies.size(); ++k) {
+        const Cylinder& s = bodies[k].solid;
+        if (kind_of(s) != SolidKind::sphere || (s.center - end).norm() > fold_tol * wall.radius ||
+            std::fabs(s.rounding - wall.radius) > fold_tol * wall.radius)
+          continue;
+        ends.push_back(k);
+        break;
+      }
+    }
+    if (ends.size() < 2 || ends[0] == ends[1]) continue;
+    bodies[i].solid.radius = 0;
+    bodies[i].solid.rounding = wall.radius;
+    ++scene.folded;
+    std::sort(ends.rbegin(), ends.rend());
+    for (const std::size_t k : ends) {
+      bodies.erase(bodies.begin() + static_cast<std::ptrdiff_t>(k));
+      if (k < i) --i;
+    }
+  }
+}
+
+void add_bodies(Scene& scene, std::size_t index, const urdf::Link& link, const Capsules& capsules) {
+  const std::size_t first = scene.bodies.size();
+  const auto kept = capsules.find(link.name);
+  for (std::size_t i = 0; i < link.collision_array.size(); ++i) {
+    const auto& collision = link.collision_array[i];
+    const bool capsule = kept != capsules.end() && i < kept->second.size() && kept->second[i];
+    const Cylinder solid = solid_of(*collision->geometry, urdf_pose(collision->origin), capsule);
     std::string name = link.name;
     if (!collision->name.empty())
       name += "/" + collision->name;
     else if (link.collision_array.size() > 1)
-      name += "/" + std::to_string(&collision - link.collision_array.data() + 1);
+      name += "/" + std::to_string(i + 1);
     if (const Defect defect = find_defect(solid); defect != Defect::none)
-      throw std::runtime_error("cylinder " + name + ": " + to_string(defect));
+      throw std::runtime_error("shape " + name + ": " + to_string(defect));
     scene.bodies.push_back({name, index, solid, 1, 1});
   }
+  fold_capsules(scene, first);
 }
 
 class UrdfBuilder {
  public:
-  explicit UrdfBuilder(Scene& scene, const std::map<std::string, std::size_t>& shapes)
-      : scene_(scene), shapes_(shapes) {}
+  UrdfBuilder(Scene& scene, const std::map<std::string, std::size_t>& shapes, const Capsules& capsules)
+      : scene_(scene), shapes_(shapes), capsules_(capsules) {}
 
   void add(const urdf::Link& link, std::optional<std::size_t> parent) {
     const std::size_t index = scene_.links.size();
@@ -137,7 +198,7 @@ class UrdfBuilder {
       if (joint->mimic && own.motion != Motion::fixed) mimics_.emplace_back(index, joint->mimic);
     }
     scene_.links.push_back(std::move(own));
-    add_bodies(scene_, index, link);
+    add_bodies(scene_, index, link, capsules_);
     for (const auto& child : link.child_links) add(*child, index);
   }
 
@@ -175,6 +236,7 @@ class UrdfBuilder {
  private:
   Scene& scene_;
   const std::map<std::string, std::size_t>& shapes_;
+  const Capsules& capsules_;
   std::map<std::string, std::size_t> index_of_, joint_index_;
   std::vector<std::pair<std::size_t, urdf::JointMimicSharedPtr>> mimics_;
 };
@@ -188,7 +250,7 @@ Scene read_urdf(const std::string& file) {
   if (!robot) throw std::runtime_error(file + ": no <robot>");
   Scene scene;
   std::map<std::string, std::size_t> shapes;
-  keep_cylinders(*robot, scene, shapes);
+  const Capsules capsules = keep_solids(*robot, scene, shapes);
   TiXmlPrinter text;
   document.Accept(&text);
 
@@ -196,7 +258,7 @@ Scene read_urdf(const std::string& file) {
   const urdf::ModelInterfaceSharedPtr model = urdf::parseURDF(text.Str());
   if (!model) throw std::runtime_error(file + ": " + messages.all());
   if (!messages.all().empty()) scene.notes.push_back("urdfdom: " + messages.all() + ".");
-  UrdfBuilder builder(scene, shapes);
+  UrdfBuilder builder(scene, shapes, capsules);
   try {
     builder.add(*model->getRoot(), std::nullopt);
     builder.follow();

@@ -43,6 +43,14 @@ Certificate MethodAnswer::certificate() const {
   return {witness, vector(head, tail), vector(other_head, other_tail), {hulls[0], hulls[1]}};
 }
 
+MethodAnswer declined_shape(SolidKind kind) noexcept {
+  static constexpr std::array reasons{"it has no sphere", "it has no capsule", "it has no cylinder",
+                                      "it has no rounded cylinder"};
+  MethodAnswer answer;
+  answer.set_reason(reasons[static_cast<std::size_t>(kind)]);
+  return answer;
+}
+
 MethodAnswer failed_answer(Failure failure, std::string_view reason) noexcept {
   MethodAnswer answer;
   answer.status = Status::failed;

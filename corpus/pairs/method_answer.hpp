@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "corpus/pairs/certificate.hpp"
+#include "corpus/pairs/solid_kind.hpp"
 #include "solver/cylinder.hpp"
 
 namespace cyl {
@@ -64,6 +65,9 @@ struct MethodAnswer {
   void set_witness(const Certificate& certificate) noexcept;
   Certificate certificate() const;  ///< the witness, as it was offered
 };
+
+/// Returns the answer of a method that has no shape for such a solid.
+MethodAnswer declined_shape(SolidKind kind) noexcept;
 
 /// Returns an answer of a method that failed.
 MethodAnswer failed_answer(Failure failure, std::string_view reason) noexcept;

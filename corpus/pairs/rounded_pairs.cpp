@@ -134,12 +134,6 @@ Pair draw_awkward(SolidKind a, SolidKind b, RandomStream& s) {
 
 }  // namespace
 
-SolidKind kind_of(const Cylinder& c) noexcept {
-  if (c.rounding == 0) return SolidKind::cylinder;
-  if (c.radius > 0) return SolidKind::rounded;
-  return c.height > 0 ? SolidKind::capsule : SolidKind::sphere;
-}
-
 Pair draw_rounded(SolidKind a, SolidKind b, RandomStream& s, std::uint64_t index) {
   if (s.coin()) std::swap(a, b);
   switch (index % 4) {

@@ -5,18 +5,10 @@
 #include <cstdint>
 
 #include "corpus/pairs/random_stream.hpp"
+#include "corpus/pairs/solid_kind.hpp"
 #include "solver/cylinder.hpp"
 
 namespace cyl {
-
-enum class SolidKind : unsigned char {
-  sphere,    ///< a point with rounding
-  capsule,   ///< a segment with rounding
-  cylinder,  ///< without rounding, whatever its lengths
-  rounded    ///< any other with rounding
-};
-
-SolidKind kind_of(const Cylinder& c) noexcept;
 
 /// By index, four in turn: two that lie anywhere, about half of such pairs intersecting; two at a margin of
 /// 1e-1 to 1e-15 by construction, a gap and then an overlap (rounding moves it by up to 5e-16 of the size);

@@ -58,7 +58,8 @@ class Judge final : public Method {
   std::string_view version() const override { return ""; }
   Claim claim() const override { return {.source = "oracles/referee/referee.hpp: Proves the verdict."}; }
   bool foreign() const override { return false; }
-  MethodAnswer ask(const Pair& pair) override {
+  bool takes(SolidKind) const override { return true; }
+  MethodAnswer answer(const Pair& pair) override {
     const Truth truth = judge(pair);
     MethodAnswer answer;
     answer.status = Status::answered;

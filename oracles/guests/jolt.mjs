@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Jolt's CollideShape of two cylinders, without rounded edges.
+// Jolt's CollideShape of two solids. `jolt.mjs --default`: cylinders as its default makes them, whose edges it rounds.
 import { readFileSync } from 'node:fs';
 import initJolt from 'jolt-physics';
-import { serve } from './lines.mjs';
+import { all_kinds, serve } from './lines.mjs';
 
 const Jolt = await initJolt();
 const engine = new Jolt.JoltInterface(engineSettings()); // registers the shapes
@@ -21,8 +21,19 @@ function engineSettings() {
   return settings;
 }
 
-function placed({ halfHeight, radius, position, turn }) {
-  const shape = new Jolt.CylinderShape(halfHeight, radius, 0);
+// PhysicsSettings.h: cDefaultConvexRadius; the lengths of a CylinderShape count it in.
+const rounds = process.argv.includes('--default'), rounded_rims = rounds ? 0.05 : 0;
+const rims_of = (s) => (Math.min(s.halfHeight, s.radius) >= rounded_rims ? rounded_rims : 0);
+const shapes = {
+  sphere: (s) => new Jolt.SphereShape(s.rounding),
+  capsule: (s) => new Jolt.CapsuleShape(s.halfHeight, s.rounding),
+  cylinder: (s) => new Jolt.CylinderShape(s.halfHeight, s.radius, rims_of(s)),
+  rounded: (s) => new Jolt.CylinderShape(s.halfHeight + s.rounding, s.radius + s.rounding, s.rounding),
+};
+
+function placed(s) {
+  const { position, turn } = s;
+  const shape = shapes[s.kind](s);
   shape.AddRef();
   const at = new Jolt.RVec3(position.x, position.y, position.z), rotation = new Jolt.Quat(turn.x, turn.y, turn.z, turn.w);
   const solid = new Jolt.TransformedShape();
@@ -32,7 +43,8 @@ function placed({ halfHeight, radius, position, turn }) {
 }
 
 const claim = { relative: 1e-6, absolute: 1e-4, source: 'PhysicsSettings.h: closer than 1e-4 m is considered to be colliding' };
-serve({ name: 'jolt', version, claim }, (a, b) => {
+const name = rounds ? 'jolt-default' : 'jolt';
+serve({ name, version, claim, takes: all_kinds, rounded_rims }, (a, b) => {
   const one = placed(a), other = placed(b), hit = new Jolt.CollideShapeAnyHitCollisionCollector();
   one.solid.CollideShape(other.shape, scale, other.solid.GetCenterOfMassTransform(), settings, origin, hit, filter);
   const meet = hit.HadHit();

@@ -13,18 +13,21 @@ function turnFromY(axis) {
 
 function solidOf(cylinder, origin) {
   const [x, y, z] = cylinder.center.map((c, i) => c - origin[i]);
-  return {
-    halfHeight: cylinder.height / 2, radius: cylinder.radius, position: { x, y, z }, turn: turnFromY(cylinder.axis),
-  };
+  const { height, radius, rounding = 0 } = cylinder;
+  const kind = rounding === 0 ? 'cylinder' : radius > 0 ? 'rounded' : height > 0 ? 'capsule' : 'sphere';
+  return { kind, halfHeight: height / 2, radius, rounding, position: { x, y, z }, turn: turnFromY(cylinder.axis) };
 }
 
 /** Lengths whose fourth powers single precision holds. */
 const least = 1e-9, most = 1e9;
 
-function fits({ halfHeight, radius, position }) {
-  return [halfHeight, radius].every((x) => x === 0 || (x >= least && x <= most)) &&
+function fits({ halfHeight, radius, rounding, position }) {
+  return [halfHeight, radius, rounding].every((x) => x === 0 || (x >= least && x <= most)) &&
     Object.values(position).every((x) => Math.abs(x) <= most);
 }
+
+/** All kinds of solids that daylight asks about. */
+export const all_kinds = ['sphere', 'capsule', 'cylinder', 'rounded'];
 
 /** `answer` takes two solids and gives an answer line as an object. */
 export function serve(hello, answer) {

@@ -2,6 +2,7 @@
 // What the adapters of methods share. Nothing of the solver's arithmetic is in it.
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <span>
 #include <utility>
@@ -25,6 +26,16 @@ std::vector<std::pair<Solid, Solid>> solids_of(
   for (const Pair& pair : pairs) solids.emplace_back(make(pair.a), make(pair.b));
   return solids;
 }
+
+/// The same, of solids that cannot be copied, for calls that are.
+template <class Solid>
+std::shared_ptr<const std::vector<std::pair<Solid, Solid>>> shared_solids_of(std::span<const Pair> pairs) {
+  return std::make_shared<const std::vector<std::pair<Solid, Solid>>>(solids_of<Solid>(pairs));
+}
+
+/// The cylinder with its rims rounded inwards by so much; as it is where that leaves nothing, and if it is
+/// rounded.
+Cylinder with_rounded_rims(Cylinder c, double rounding) noexcept;
 
 /// axis/|axis|, each coordinate within 2^-51 of it, for any finite non-zero axis.
 Vector3 unit_axis(const Vector3& axis) noexcept;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
+#include <BulletCollision/CollisionShapes/btCapsuleShape.h>
 #include <BulletCollision/CollisionShapes/btConvexHullShape.h>
 #include <BulletCollision/CollisionShapes/btCylinderShape.h>
+#include <BulletCollision/CollisionShapes/btSphereShape.h>
 #include <BulletCollision/NarrowPhaseCollision/btGjkEpa2.h>
 #include <BulletCollision/NarrowPhaseCollision/btGjkEpaPenetrationDepthSolver.h>
 #include <BulletCollision/NarrowPhaseCollision/btGjkPairDetector.h>
@@ -8,10 +10,10 @@
 
 #include <cmath>
 #include <limits>
+#include <memory>
 #include <numbers>
 #include <optional>
 #include <string>
-#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -46,22 +48,35 @@ btTransform pose_of(const Cylinder& c) {
                      to_bullet(c.center));
 }
 
-btVector3 half_extents(const Cylinder& c) { return {c.radius, c.radius, c.height / 2}; }
-
-/// btCylinderShapeZ as its constructor leaves it: shrunk by a margin, which rounds the rims.
-struct RoundedCylinder : btCylinderShapeZ {
-  explicit RoundedCylinder(const Cylinder& c) : btCylinderShapeZ(half_extents(c)) {}
+/// What becomes of the rims of a cylinder without rounding.
+enum class Rims : unsigned char {
+  by_margin,  ///< as the constructor of btCylinderShapeZ leaves them: shrunk by a margin, which rounds them
+  sharp
 };
 
-struct SharpCylinder : btCylinderShapeZ {
-  explicit SharpCylinder(const Cylinder& c) : btCylinderShapeZ(half_extents(c)) { setMargin(0); }
-};
+/// A margin is what Bullet has for a rounding: spheres and capsules are a point and a segment with one.
+std::unique_ptr<btConvexShape> shape_of(const Cylinder& c, Rims rims) {
+  const double rounding = c.rounding;
+  switch (kind_of(c)) {
+    case SolidKind::sphere:
+      return std::make_unique<btSphereShape>(rounding);
+    case SolidKind::capsule:
+      return std::make_unique<btCapsuleShapeZ>(rounding, c.height);
+    case SolidKind::cylinder:
+    case SolidKind::rounded:
+      break;
+  }
+  auto shape = std::make_unique<btCylinderShapeZ>(
+      btVector3{c.radius + rounding, c.radius + rounding, c.height / 2 + rounding});
+  if (rounding > 0 || rims == Rims::sharp) shape->setMargin(rounding);
+  return shape;
+}
 
-template <class Shape>
+template <Rims rims>
 struct Solid {
-  explicit Solid(const Cylinder& c) : shape(c), pose(pose_of(c)) {}
+  explicit Solid(const Cylinder& c) : shape(shape_of(c, rims)), pose(pose_of(c)) {}
 
-  Shape shape;
+  std::unique_ptr<btConvexShape> shape;
   btTransform pose;
 };
 
@@ -104,6 +119,7 @@ class Bullet : public Method {
   explicit Bullet(std::string name) : name_(std::move(name)) {}
   std::string_view name() const override { return name_; }
   std::string_view version() const override { return version_; }
+  bool takes(SolidKind) const override { return true; }
   Claim claim() const override { return {.absolute = vertex_tol, .source = vertex_source, .assumed = true}; }
 
  private:
@@ -111,34 +127,38 @@ class Bullet : public Method {
   const std::string version_ = version_of_bullet();
 };
 
-/// The detector on cylinders of one kind.
-template <class Shape>
+/// The detector on shapes of one kind.
+template <Rims rims>
 class Detector final : public Bullet {
  public:
   using Bullet::Bullet;
   Claim claim() const override {
-    if (std::is_same_v<Shape, SharpCylinder>) return Bullet::claim();
+    if (rims == Rims::sharp) return Bullet::claim();
     return {.absolute = 2 * CONVEX_DISTANCE_MARGIN,
             .source = "btCollisionMargin.h: CONVEX_DISTANCE_MARGIN btScalar(0.04), of each shape"};
   }
-  MethodAnswer ask(const Pair& pair) override {
+  Pair modelled(const Pair& pair) const override {
+    const auto model = [](const Cylinder& c) { return with_rounded_rims(c, shape_of(c, rims)->getMargin()); };
+    return {model(pair.a), model(pair.b)};
+  }
+  MethodAnswer answer(const Pair& pair) override {
     if (const auto declined = decline_invalid(pair)) return *declined;
-    return answer_of(measure(Solid<Shape>(pair.a), Solid<Shape>(pair.b)));
+    return answer_of(measure(Solid<rims>(pair.a), Solid<rims>(pair.b)));
   }
   Call prepare_all(std::span<const Pair> pairs) override {
-    return [solids = solids_of<Solid<Shape>>(pairs)](std::size_t i) {
-      return verdict_of(measure(solids[i].first, solids[i].second));
+    return [solids = shared_solids_of<Solid<rims>>(pairs)](std::size_t i) {
+      return verdict_of(measure((*solids)[i].first, (*solids)[i].second));
     };
   }
   DistanceCall prepare_distances(std::span<const Pair> pairs) override {
-    return [solids = solids_of<Solid<Shape>>(pairs)](std::size_t i) {
-      return measure(solids[i].first, solids[i].second).value_or(no_distance);
+    return [solids = shared_solids_of<Solid<rims>>(pairs)](std::size_t i) {
+      return measure((*solids)[i].first, (*solids)[i].second).value_or(no_distance);
     };
   }
 
  private:
-  static std::optional<double> measure(const Solid<Shape>& a, const Solid<Shape>& b) {
-    return detect(a.shape, a.pose, b.shape, b.pose);
+  static std::optional<double> measure(const Solid<rims>& a, const Solid<rims>& b) {
+    return detect(*a.shape, a.pose, *b.shape, b.pose);
   }
 };
 
@@ -154,10 +174,10 @@ class GjkEpa2 final : public Bullet {
 
   // EPA comes after GJK has found the origin inside, so where EPA fails the yes stands and only the depth is
   // lost.
-  MethodAnswer ask(const Pair& pair) override {
+  MethodAnswer answer(const Pair& pair) override {
     if (const auto declined = decline_invalid(pair)) return *declined;
     btGjkEpaSolver2::sResults result;
-    if (measure(Solid<SharpCylinder>(pair.a), Solid<SharpCylinder>(pair.b), result))
+    if (measure(Solid<Rims::sharp>(pair.a), Solid<Rims::sharp>(pair.b), result))
       return answer_of(result.distance);
     MethodAnswer answer;
     if (result.status == btGjkEpaSolver2::sResults::EPA_Failed) {
@@ -169,25 +189,25 @@ class GjkEpa2 final : public Bullet {
     return answer;
   }
   Call prepare_all(std::span<const Pair> pairs) override {
-    return [solids = solids_of<Solid<SharpCylinder>>(pairs)](std::size_t i) {
+    return [solids = shared_solids_of<Solid<Rims::sharp>>(pairs)](std::size_t i) {
       btGjkEpaSolver2::sResults result;
-      if (measure(solids[i].first, solids[i].second, result)) return verdict_of(result.distance);
+      if (measure((*solids)[i].first, (*solids)[i].second, result)) return verdict_of(result.distance);
       return result.status == result.EPA_Failed ? Verdict::intersecting : Verdict::undecided;
     };
   }
   DistanceCall prepare_distances(std::span<const Pair> pairs) override {
-    return [solids = solids_of<Solid<SharpCylinder>>(pairs)](std::size_t i) {
+    return [solids = shared_solids_of<Solid<Rims::sharp>>(pairs)](std::size_t i) {
       btGjkEpaSolver2::sResults result;
-      const bool found = measure(solids[i].first, solids[i].second, result);
+      const bool found = measure((*solids)[i].first, (*solids)[i].second, result);
       return found ? result.distance : no_distance;
     };
   }
 
  private:
-  static bool measure(const Solid<SharpCylinder>& a, const Solid<SharpCylinder>& b,
+  static bool measure(const Solid<Rims::sharp>& a, const Solid<Rims::sharp>& b,
                       btGjkEpaSolver2::sResults& result) {
     const btVector3 guess = a.pose.getOrigin() - b.pose.getOrigin();
-    return btGjkEpaSolver2::SignedDistance(&a.shape, a.pose, &b.shape, b.pose, guess, result);
+    return btGjkEpaSolver2::SignedDistance(a.shape.get(), a.pose, b.shape.get(), b.pose, guess, result);
   }
 };
 
@@ -198,8 +218,9 @@ class HullShape final : public Bullet {
   HullShape(int sides, unsigned share)
       : Bullet("bullet-hull-" + std::to_string(sides)), sides_(sides), share_(share) {}
   unsigned share() const override { return share_; }
+  bool takes(SolidKind kind) const override { return kind == SolidKind::cylinder; }
 
-  MethodAnswer ask(const Pair& pair) override {
+  MethodAnswer answer(const Pair& pair) override {
     if (const auto declined = decline_invalid(pair)) return *declined;
     MethodAnswer answer;
     answer.status = Status::answered;
@@ -244,8 +265,8 @@ class HullShape final : public Bullet {
 
 std::vector<std::unique_ptr<Method>> bullet_methods() {
   std::vector<std::unique_ptr<Method>> methods;
-  methods.push_back(std::make_unique<Detector<RoundedCylinder>>("bullet-cylinder"));
-  methods.push_back(std::make_unique<Detector<SharpCylinder>>("bullet-cylinder-margin0"));
+  methods.push_back(std::make_unique<Detector<Rims::by_margin>>("bullet-cylinder"));
+  methods.push_back(std::make_unique<Detector<Rims::sharp>>("bullet-cylinder-margin0"));
   methods.push_back(std::make_unique<GjkEpa2>("bullet-gjkepa2"));
   methods.push_back(std::make_unique<HullShape>(16, 1));
   methods.push_back(std::make_unique<HullShape>(64, 8));  // 40 us a pair, ten times the others

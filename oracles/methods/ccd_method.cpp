@@ -30,10 +30,14 @@ constexpr std::string_view gjk_source =
 
 struct Solid {
   explicit Solid(const Cylinder& c)
-      : center(c.center), axis(unit_axis(c.axis)), radius(c.radius), half_height(c.height / 2) {}
+      : center(c.center),
+        axis(unit_axis(c.axis)),
+        radius(c.radius),
+        half_height(c.height / 2),
+        rounding(c.rounding) {}
 
   Vector3 center, axis;
-  double radius, half_height;
+  double radius, half_height, rounding;
 };
 
 const Solid& solid_of(const void* object) { return *static_cast<const Solid*>(object); }
@@ -66,6 +70,7 @@ void support(const void* object, const ccd_vec3_t* direction, ccd_vec3_t* point)
   Vector3 farthest = s.center + std::copysign(s.half_height, along) * s.axis;
   if (across_squared > parallel_tol * parallel_tol * squared)
     farthest += s.radius / std::sqrt(across_squared) * across;
+  if (s.rounding > 0 && squared > 0) farthest += s.rounding / std::sqrt(squared) * d;
   copy_to(point, farthest);
 }
 
@@ -83,9 +88,10 @@ class Ccd final : public Method {
       : name_(name), intersect_(intersect), settings_(settings), claim_(claim) {}
   std::string_view name() const override { return name_; }
   std::string_view version() const override { return DAYLIGHT_CCD_VERSION; }
+  bool takes(SolidKind) const override { return true; }
   Claim claim() const override { return claim_; }
 
-  MethodAnswer ask(const Pair& pair) override {
+  MethodAnswer answer(const Pair& pair) override {
     if (const auto declined = decline_invalid(pair)) return *declined;
     MethodAnswer answer;
     answer.status = Status::answered;

@@ -7,6 +7,7 @@
 
 #include "base/process/line_program.hpp"
 #include "corpus/pairs/pair_io.hpp"
+#include "corpus/pairs/pair_numbers.hpp"
 #include "oracles/methods/adapter.hpp"
 #include "oracles/methods/contained.hpp"
 #include "oracles/methods/guest.hpp"
@@ -75,8 +76,13 @@ class CommandMethod final : public Method {
     return {hello_.relative, hello_.absolute, hello_.claim_source};
   }
   bool guest() const override { return true; }
+  bool takes(SolidKind kind) const override { return hello_.takes[static_cast<std::size_t>(kind)]; }
 
-  MethodAnswer ask(const Pair& pair) override {
+  Pair modelled(const Pair& pair) const override {
+    return {with_rounded_rims(pair.a, hello_.rounded_rims), with_rounded_rims(pair.b, hello_.rounded_rims)};
+  }
+
+  MethodAnswer answer(const Pair& pair) override {
     if (const auto invalid = decline_invalid(pair)) return *invalid;
     return exchange(pair);
   }
@@ -96,8 +102,8 @@ class CommandMethod final : public Method {
     std::size_t done = 0;
     std::vector<std::size_t> sent;
     for (std::size_t i = 0; i < pairs.size(); ++i) {
-      if (const auto invalid = decline_invalid(pairs[i])) {
-        answers[i] = *invalid;
+      if (const auto declined = decline(pairs[i])) {
+        answers[i] = *declined;
         continue;
       }
       program_->send(format_pair(pairs[i]) + '\n');
@@ -105,7 +111,7 @@ class CommandMethod final : public Method {
     }
     for (; done < sent.size(); ++done) {
       MethodAnswer& answer = answers[sent[done]];
-      answer = read_answer(answer_cap);
+      answer = of_pair(pairs[sent[done]], read_answer(answer_cap));
       if (broke(answer)) break;
     }
     const bool more = done == sent.size() && program_->has_answered_more();
@@ -128,6 +134,18 @@ class CommandMethod final : public Method {
   }
 
  private:
+  /// Of rounded solids a common point is not looked at: it need not be one of their cores.
+  static MethodAnswer of_pair(const Pair& pair, MethodAnswer answer) {
+    if (is_rounded(pair) && answer.witness == CertificateKind::point) answer.witness = CertificateKind::none;
+    return answer;
+  }
+
+  std::optional<MethodAnswer> decline(const Pair& pair) const {
+    for (const Cylinder* solid : {&pair.a, &pair.b})
+      if (!takes(kind_of(*solid))) return declined_shape(kind_of(*solid));
+    return decline_invalid(pair);
+  }
+
   /// Whether the program cannot be talked to any more.
   static bool broke(const MethodAnswer& answer) {
     return answer.failure == Failure::crash || answer.failure == Failure::hang ||
@@ -162,7 +180,7 @@ class CommandMethod final : public Method {
         more ? failed_answer(Failure::malformed, "said more than one line to a question")
              : read_answer(answer_cap);
     if (broke(answer)) end_program();
-    return answer;
+    return of_pair(pair, answer);
   }
 
   MethodAnswer read_answer(const LineProgram::Cap& cap, bool may_greet = false) {

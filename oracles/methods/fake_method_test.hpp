@@ -38,7 +38,7 @@ class FakeMethod : public Method {
   bool guest() const override { return traits_.guest; }
   bool runs_apart() const override { return traits_.runs_apart; }
   unsigned share() const override { return traits_.share; }
-  MethodAnswer ask(const Pair& pair) override { return ask_(pair); }
+  MethodAnswer answer(const Pair& pair) override { return ask_(pair); }
 
  private:
   std::string name_;

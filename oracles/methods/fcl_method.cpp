@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include <fcl/config.h>
+#include <fcl/geometry/shape/capsule.h>
 #include <fcl/geometry/shape/cylinder.h>
+#include <fcl/geometry/shape/sphere.h>
 #include <fcl/narrowphase/collision.h>
 #include <fcl/narrowphase/distance.h>
 
 #include <algorithm>
 #include <limits>
+#include <memory>
 #include <utility>
 #include <vector>
 
@@ -27,14 +30,27 @@ constexpr std::string_view distance_source =
 constexpr double default_tol = 1e-6;
 constexpr double fine_tol = 1e-10;
 
-/// A cylinder as FCL keeps it.
+std::unique_ptr<fcl::CollisionGeometryd> shape_of(const Cylinder& c) {
+  switch (kind_of(c)) {
+    case SolidKind::sphere:
+      return std::make_unique<fcl::Sphered>(c.rounding);
+    case SolidKind::capsule:
+      return std::make_unique<fcl::Capsuled>(c.rounding, c.height);
+    case SolidKind::cylinder:
+    case SolidKind::rounded:
+      break;
+  }
+  return std::make_unique<fcl::Cylinderd>(c.radius, c.height);
+}
+
+/// A solid as FCL keeps it. Whether a formula or GJK is asked FCL chooses by the kinds of both.
 struct Solid {
-  explicit Solid(const Cylinder& c) : shape(c.radius, c.height) {
+  explicit Solid(const Cylinder& c) : shape(shape_of(c)) {
     pose.linear() = rotation_to(unit_axis(c.axis));
     pose.translation() = c.center;
   }
 
-  fcl::Cylinderd shape;
+  std::unique_ptr<fcl::CollisionGeometryd> shape;
   fcl::Transform3d pose = fcl::Transform3d::Identity();
 };
 
@@ -47,9 +63,10 @@ class Collide final : public Method {
   }
   std::string_view name() const override { return name_; }
   std::string_view version() const override { return FCL_VERSION; }
+  bool takes(SolidKind kind) const override { return kind != SolidKind::rounded; }
   Claim claim() const override { return {.absolute = request_.gjk_tolerance, .source = collide_source}; }
 
-  MethodAnswer ask(const Pair& pair) override {
+  MethodAnswer answer(const Pair& pair) override {
     if (const auto declined = decline_invalid(pair)) return *declined;
     MethodAnswer answer;
     answer.status = Status::answered;
@@ -57,15 +74,15 @@ class Collide final : public Method {
     return answer;
   }
   Call prepare_all(std::span<const Pair> pairs) override {
-    return [this, solids = solids_of<Solid>(pairs)](std::size_t i) {
-      return collide(solids[i].first, solids[i].second);
+    return [this, solids = shared_solids_of<Solid>(pairs)](std::size_t i) {
+      return collide((*solids)[i].first, (*solids)[i].second);
     };
   }
 
  private:
   Verdict collide(const Solid& a, const Solid& b) const {
     fcl::CollisionResultd result;
-    const bool hit = fcl::collide(&a.shape, a.pose, &b.shape, b.pose, request_, result) > 0;
+    const bool hit = fcl::collide(a.shape.get(), a.pose, b.shape.get(), b.pose, request_, result) > 0;
     return hit ? Verdict::intersecting : Verdict::disjoint;
   }
 
@@ -84,12 +101,13 @@ class Distance final : public Method {
   }
   std::string_view name() const override { return name_; }
   std::string_view version() const override { return FCL_VERSION; }
+  bool takes(SolidKind kind) const override { return kind != SolidKind::rounded; }
   Claim claim() const override {
     return {.absolute = request_.distance_tolerance, .source = distance_source};
   }
 
   // The nearest points are its witness: they are the ends of a separating direction.
-  MethodAnswer ask(const Pair& pair) override {
+  MethodAnswer answer(const Pair& pair) override {
     if (const auto declined = decline_invalid(pair)) return *declined;
     fcl::DistanceResultd result;
     const double distance = measure(Solid(pair.a), Solid(pair.b), result);
@@ -104,9 +122,9 @@ class Distance final : public Method {
     return answer;
   }
   DistanceCall prepare_distances(std::span<const Pair> pairs) override {
-    return [this, solids = solids_of<Solid>(pairs)](std::size_t i) {
+    return [this, solids = shared_solids_of<Solid>(pairs)](std::size_t i) {
       fcl::DistanceResultd result;
-      const double distance = measure(solids[i].first, solids[i].second, result);
+      const double distance = measure((*solids)[i].first, (*solids)[i].second, result);
       return distance > 0 ? distance : std::numeric_limits<double>::quiet_NaN();
     };
   }
@@ -116,7 +134,7 @@ class Distance final : public Method {
   // nearest points as they were: uninitialised memory, another answer each time.
   double measure(const Solid& a, const Solid& b, fcl::DistanceResultd& result) const {
     for (Vector3& point : result.nearest_points) point.setZero();
-    return fcl::distance(&a.shape, a.pose, &b.shape, b.pose, request_, result);
+    return fcl::distance(a.shape.get(), a.pose, b.shape.get(), b.pose, request_, result);
   }
 
   std::string_view name_;

@@ -69,6 +69,17 @@ GuestHello hello_of(const json& line) {
   GuestHello hello;
   hello.name = text_of(line, "name");
   hello.version = text_of(line, "version");
+  if (const auto takes = line.find("takes"); takes != line.end()) {
+    if (!takes->is_array()) throw std::invalid_argument("takes is no list");
+    hello.takes.fill(false);
+    for (const json& word : *takes) {
+      const auto kind = from_word<SolidKind>(word.is_string() ? word.get<std::string>() : "");
+      if (!kind) throw std::invalid_argument("takes has what is none of sphere, capsule, cylinder, rounded");
+      hello.takes[static_cast<std::size_t>(*kind)] = true;
+    }
+  }
+  if (const auto rims = line.find("rounded_rims"); rims != line.end())
+    hello.rounded_rims = number(*rims, "rounded_rims");
   const auto claim = line.find("claim");
   if (claim == line.end()) return hello;
   if (!claim->is_object()) throw std::invalid_argument("claim is no object");
@@ -91,7 +102,8 @@ GuestLine read(std::string_view text) {
     out.answer.emplace();
     out.answer->declined = line.contains("declined");
     out.answer->reason = text_of(line, out.answer->declined ? "declined" : "error");
-  } else if (line.contains("name") || line.contains("version") || line.contains("claim")) {
+  } else if (line.contains("name") || line.contains("version") || line.contains("claim") ||
+             line.contains("takes")) {
     out.hello = hello_of(line);
   } else {
     throw std::invalid_argument("neither a verdict nor declined, error or a hello");

@@ -17,6 +17,7 @@
 #include <string>
 #include <string_view>
 
+#include "corpus/pairs/solid_kind.hpp"
 #include "solver/cylinder.hpp"
 
 namespace cyl {
@@ -25,6 +26,9 @@ struct GuestHello {
   std::string name, version;  ///< empty where not said
   double relative = 0, absolute = 0;
   std::string claim_source;
+  double rounded_rims = 0;  ///< by how much it rounds the edges of cylinders, inwards
+  /// Which kinds of solids it is asked about, by SolidKind.
+  std::array<bool, words_of(SolidKind{}).size()> takes{false, false, true, false};
 };
 
 struct GuestAnswer {

@@ -75,7 +75,7 @@ class Literature2008 final : public Method {
   // Where section 7 does not decide, up to eight polynomials of degree 8 cost 30 to 100 us.
   unsigned share() const override { return setting_.circle == CircleWay::polynomial ? 16 : 1; }
 
-  MethodAnswer ask(const Pair& pair) override {
+  MethodAnswer answer(const Pair& pair) override {
     const literature::Separation found =
         literature::separation_2008(pair.a, pair.b, setting_.circle, setting_.critical, setting_.options);
     MethodAnswer answer;

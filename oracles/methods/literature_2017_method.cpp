@@ -49,7 +49,7 @@ class Literature2017 final : public Method {
   Claim claim() const override { return claim_; }
   bool foreign() const override { return false; }
   unsigned share() const override { return share_; }
-  MethodAnswer ask(const Pair& pair) override {
+  MethodAnswer answer(const Pair& pair) override {
     const literature::Separation found = separate(prepare(pair.a), prepare(pair.b));
     MethodAnswer answer;
     answer.status = Status::answered;

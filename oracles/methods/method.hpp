@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "corpus/pairs/method_answer.hpp"
+#include "corpus/pairs/solid_kind.hpp"
 #include "solver/cylinder.hpp"
 
 namespace cyl {
@@ -54,7 +55,16 @@ class Method {
   /// Does what must be done once in the process that asks, such as to load a library; ask() does it where it
   /// was not done. May do what ask() may.
   virtual void get_ready() {}
-  virtual MethodAnswer ask(const Pair& pair) = 0;
+  /// Whether it has a shape for such solids.
+  virtual bool takes(SolidKind kind) const { return kind == SolidKind::cylinder; }
+  bool takes(const Pair& pair) const { return takes(kind_of(pair.a)) && takes(kind_of(pair.b)); }
+  /// The solids that it really asks about, where it rounds the edges of cylinders on purpose.
+  virtual Pair modelled(const Pair& pair) const { return pair; }
+  /// Its answer, or that it declines a solid that it does not take.
+  MethodAnswer ask(const Pair& pair) {
+    if (takes(pair)) return answer(pair);
+    return declined_shape(kind_of(takes(kind_of(pair.a)) ? pair.b : pair.a));
+  }
   /// Whether it runs what is foreign in processes of its own, so that it may be asked in this one.
   virtual bool runs_apart() const { return false; }
   /// Whether it does better on many pairs than ask() does on each.
@@ -89,6 +99,10 @@ class Method {
     static_cast<void>(pairs);
     return {};
   }
+
+ protected:
+  /// Asked about no solid that it does not take.
+  virtual MethodAnswer answer(const Pair& pair) = 0;
 };
 
 /// Every method of this build, in a fixed order: ours first.

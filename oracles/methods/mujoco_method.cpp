@@ -56,24 +56,42 @@ std::unique_ptr<mjModel, DeleteModel> make_model() {
   return model;
 }
 
-/// A cylinder as MuJoCo keeps it.
+/// A solid as MuJoCo keeps it.
 class Solid {
  public:
-  explicit Solid(const Cylinder& c)
-      : size_(c.radius, c.height / 2, 0), position_(c.center), rotation_(rotation_to(unit_axis(c.axis))) {}
+  explicit Solid(const Cylinder& c) : position_(c.center), rotation_(rotation_to(unit_axis(c.axis))) {
+    switch (kind_of(c)) {
+      case SolidKind::sphere:
+        type_ = mjGEOM_SPHERE;
+        size_ = {c.rounding, 0, 0};
+        return;
+      case SolidKind::capsule:
+        type_ = mjGEOM_CAPSULE;
+        size_ = {c.rounding, c.height / 2, 0};
+        return;
+      case SolidKind::cylinder:
+      case SolidKind::rounded:
+        type_ = mjGEOM_CYLINDER;
+        size_ = {c.radius, c.height / 2, 0};
+    }
+  }
+
+  int type() const { return type_; }
 
   void write_to(mjModel& model, mjData& data, int geom) const {
+    model.geom_type[geom] = type_;
     std::copy_n(size_.data(), 3, model.geom_size + 3 * geom);
     std::copy_n(position_.data(), 3, data.geom_xpos + 3 * geom);
     std::copy_n(rotation_.data(), 9, data.geom_xmat + 9 * geom);
   }
 
  private:
+  int type_;
   Vector3 size_, position_;
   Eigen::Matrix<double, 3, 3, Eigen::RowMajor> rotation_;
 };
 
-/// MuJoCo's collider of two cylinders, without what surrounds it in mj_collision: the search for near pairs
+/// MuJoCo's collider of two kinds, without what surrounds it in mj_collision: the search for near pairs
 /// and what the solver of contacts wants to know.
 class Collider {
  public:
@@ -87,10 +105,11 @@ class Collider {
   }
 
   Verdict collide(const Solid& a, const Solid& b) {
+    if (a.type() > b.type()) return collide(b, a);  // its table has the lesser type first
     a.write_to(*model_, *data_, 0);
     b.write_to(*model_, *data_, 1);
     mjContact contacts[mjMAXCONPAIR];
-    const mjfCollision collider = mjCOLLISIONFUNC[mjGEOM_CYLINDER][mjGEOM_CYLINDER];
+    const mjfCollision collider = mjCOLLISIONFUNC[a.type()][b.type()];
     const int count = collider(model_.get(), data_.get(), contacts, 0, 1, /*margin*/ 0);
     return count > 0 ? Verdict::intersecting : Verdict::disjoint;
   }
@@ -108,15 +127,16 @@ class Mujoco final : public Method {
       : name_(name), tolerance_(tolerance), collider_(tolerance, iterations) {}
   std::string_view name() const override { return name_; }
   std::string_view version() const override { return mj_versionString(); }
+  bool takes(SolidKind kind) const override { return kind != SolidKind::rounded; }
   Claim claim() const override {
     return {.absolute = tolerance_, .source = "mujoco/mjmodel.h: mpr_tolerance, MPR solver tolerance"};
   }
 
-  MethodAnswer ask(const Pair& pair) override {
+  MethodAnswer answer(const Pair& pair) override {
     if (const auto declined = decline_invalid(pair)) return *declined;
     MethodAnswer answer;
     for (const Cylinder* c : {&pair.a, &pair.b}) {
-      if (c->radius > 0 && c->height / 2 > 0) continue;
+      if (c->rounding > 0 || (c->radius > 0 && c->height / 2 > 0)) continue;
       answer.set_reason("radius or height 0: MuJoCo's model compiler says that sizes must be positive");
       return answer;
     }

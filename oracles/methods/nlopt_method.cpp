@@ -194,7 +194,7 @@ class Nlopt final : public Method {
   }
   unsigned share() const override { return setting_.share; }
 
-  MethodAnswer ask(const Pair& pair) override {
+  MethodAnswer answer(const Pair& pair) override {
     if (const auto declined = decline_invalid(pair)) return *declined;
     Problem p = scale(pair);
     minimise(p, setting_);

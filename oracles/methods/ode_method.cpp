@@ -28,10 +28,23 @@ void initialise_once() {
   if (!ready) throw std::runtime_error("ODE does not initialise");
 }
 
-/// A cylinder as ODE keeps it, in no space and on no body.
+dGeomID geom_of(const Cylinder& c) {
+  switch (kind_of(c)) {
+    case SolidKind::sphere:
+      return dCreateSphere(nullptr, c.rounding);
+    case SolidKind::capsule:
+      return dCreateCapsule(nullptr, c.rounding, c.height);
+    case SolidKind::cylinder:
+    case SolidKind::rounded:
+      break;
+  }
+  return dCreateCylinder(nullptr, c.radius, c.height);
+}
+
+/// A solid as ODE keeps it, in no space and on no body. dCollide() has a function for each two kinds.
 class Solid {
  public:
-  explicit Solid(const Cylinder& c) : geom_(dCreateCylinder(nullptr, c.radius, c.height)) {
+  explicit Solid(const Cylinder& c) : geom_(geom_of(c)) {
     const Eigen::Matrix3d m = rotation_to(unit_axis(c.axis));
     const dMatrix3 rotation = {m(0, 0), m(0, 1), m(0, 2), 0,       m(1, 0), m(1, 1),
                                m(1, 2), 0,       m(2, 0), m(2, 1), m(2, 2), 0};
@@ -59,12 +72,14 @@ class Ode final : public Method {
   }
   std::string_view name() const override { return name_; }
   std::string_view version() const override { return dODE_VERSION; }
+  bool takes(SolidKind kind) const override { return kind != SolidKind::rounded; }
   Claim claim() const override { return {.absolute = mpr_tol, .source = mpr_source, .assumed = true}; }
 
-  MethodAnswer ask(const Pair& pair) override {
+  MethodAnswer answer(const Pair& pair) override {
     if (const auto declined = decline_invalid(pair)) return *declined;
     MethodAnswer answer;
-    if (pair.a.height == 0 || pair.b.height == 0) {
+    const auto flat = [](const Cylinder& c) { return c.rounding == 0 && c.height == 0; };
+    if (flat(pair.a) || flat(pair.b)) {
       answer.set_reason("height 0: ODE calls it an invalid cylinder and aborts");
       return answer;
     }
@@ -73,9 +88,9 @@ class Ode final : public Method {
     return answer;
   }
   Call prepare_all(std::span<const Pair> pairs) override {
-    auto solids = std::make_shared<std::vector<std::pair<Solid, Solid>>>();  // a Call is copied, a Solid not
-    for (const Pair& pair : pairs) solids->emplace_back(Solid(pair.a), Solid(pair.b));
-    return [this, solids](std::size_t i) { return collide((*solids)[i].first, (*solids)[i].second); };
+    return [this, solids = shared_solids_of<Solid>(pairs)](std::size_t i) {
+      return collide((*solids)[i].first, (*solids)[i].second);
+    };
   }
 
  private:

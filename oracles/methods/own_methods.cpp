@@ -35,7 +35,8 @@ class Intersect final : public Method {
             .decides = Decides::beyond_rounding};
   }
   bool foreign() const override { return false; }
-  MethodAnswer ask(const Pair& pair) override {
+  bool takes(SolidKind) const override { return true; }
+  MethodAnswer answer(const Pair& pair) override {
     MethodAnswer answer;
     answer.status = Status::answered;
     answer.verdict = intersect(pair.a, pair.b);
@@ -71,7 +72,8 @@ class Decide final : public Method {
             .decides = Decides::beyond_rounding};
   }
   bool foreign() const override { return false; }
-  MethodAnswer ask(const Pair& pair) override {
+  bool takes(SolidKind) const override { return true; }
+  MethodAnswer answer(const Pair& pair) override {
     const Answer decided = decide(pair.a, pair.b);
     MethodAnswer answer;
     answer.status = Status::answered;
@@ -102,7 +104,8 @@ class MeasureDistance final : public Method {
             .decides = Decides::beyond_rounding};
   }
   bool foreign() const override { return false; }
-  MethodAnswer ask(const Pair& pair) override { return answer_of(pair, distance(pair.a, pair.b)); }
+  bool takes(SolidKind) const override { return true; }
+  MethodAnswer answer(const Pair& pair) override { return answer_of(pair, distance(pair.a, pair.b)); }
   Call prepare_all(std::span<const Pair> pairs) override {
     return prepare_solids(pairs, [](const Prepared& a, const Prepared& b) { return distance(a, b).verdict; });
   }
@@ -122,7 +125,8 @@ class Exact final : public Method {
             .decides = Decides::all};
   }
   bool foreign() const override { return false; }
-  MethodAnswer ask(const Pair& pair) override {
+  bool takes(SolidKind) const override { return true; }
+  MethodAnswer answer(const Pair& pair) override {
     const Truth truth = decide_exactly(pair.a, pair.b);
     MethodAnswer answer;
     answer.status = Status::answered;

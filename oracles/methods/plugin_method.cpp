@@ -197,10 +197,11 @@ class Plugin final : public Method {
     return {label_.relative, label_.absolute, label_.source};
   }
   bool guest() const override { return true; }
+  bool takes(SolidKind kind) const override { return label_.rounding || kind == SolidKind::cylinder; }
 
   void get_ready() override { loaded(); }
-  MethodAnswer ask(const Pair& pair) override {
-    if (const auto declined = decline(pair)) return *declined;
+  MethodAnswer answer(const Pair& pair) override {
+    if (const auto invalid = decline_invalid(pair)) return *invalid;
     const auto a = numbers_of(pair.a), b = numbers_of(pair.b);
     // What it may write, and behind that what it may not.
     double more[more_size + guard_size];
@@ -299,9 +300,7 @@ class Plugin final : public Method {
   std::optional<MethodAnswer> decline(const Pair& pair) const {
     if (const auto invalid = decline_invalid(pair)) return invalid;
     if (label_.rounding || !is_rounded(pair)) return {};
-    MethodAnswer answer;
-    answer.set_reason("it takes no rounding");
-    return answer;
+    return declined_shape(kind_of(pair.a.rounding != 0 ? pair.a : pair.b));
   }
 
   std::size_t number_count() const { return label_.rounding ? cylinder_number_count : core_number_count; }

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "corpus/pairs/pair_numbers.hpp"
+#include "oracles/referee/referee.hpp"
 #include "oracles/trial/algorithm_groups.hpp"
 #include "oracles/trial/bucket.hpp"
 #include "oracles/trial/trial.hpp"
@@ -87,6 +88,7 @@ class Round {
       trial.findings = {compare(trial, claims_[q], said.answer)};
     }
   }
+  const Method& method(std::size_t at) const { return *methods_[at]; }
   const Trial& operator[](std::size_t question) const { return trials_[question]; }
   bool fails(std::size_t question, FindingKind kind) const { return trials_[question].fails(kind); }
   bool is_right(std::size_t question) const {
@@ -124,6 +126,17 @@ struct Candidate {
   bool fails(const Round& round, std::size_t question) const { return round.fails(question, now.kind); }
 };
 
+/// Whether its verdict, which is wrong, is right about other solids that it says it models.
+bool is_right_about_its_model(const Method& method, const Trial& wrong) {
+  const Pair model = method.modelled(wrong.pair);
+  if (!is_rounded(model) || is_rounded(wrong.pair) || !is_refuted_verdict(wrong.findings[0]->kind))
+    return false;
+  const bool said = wrong.answers[0].verdict != Verdict::disjoint;
+  const Verdict truth = judge_verdict(model).verdict;
+  return truth == Verdict::undecided || truth == Verdict::touching ||
+         said == (truth == Verdict::intersecting);
+}
+
 /// As it is, and moved to the origin.
 void ask_as_it_is(Candidate& c, Round& round) {
   c.asked = round.ask(c.now.method, c.now.pair, c.claim);
@@ -134,6 +147,7 @@ void take_as_it_is(Candidate& c, const Round& round) {
   const Trial& seen = round[c.asked];
   c.found.capped = seen.answers[0].step_cap > 0 && seen.answers[0].steps >= seen.answers[0].step_cap;
   if (!c.fails(round, c.asked)) return c.end(Mechanism::gone);
+  if (is_right_about_its_model(round.method(c.now.method), seen)) return c.end(Mechanism::model);
   if (seen.findings[0]->margin) c.margin = *seen.findings[0]->margin;
   // A claim has an absolute part: of a distance the error itself is followed instead.
   if (c.now.kind == FindingKind::distance_outside) c.claim = {.relative = c.margin.lo / 2, .source = {}};
@@ -195,7 +209,7 @@ std::size_t first_of(const GroupedMethods& of, std::size_t method) {
 }  // namespace
 
 std::string_view in_words(Mechanism m) noexcept {
-  constexpr std::array<std::string_view, 9> words{
+  constexpr std::array<std::string_view, words_of(Mechanism{}).size()> words{
       "right when asked again",
       "coordinates of the scene, not of the pair: right where both solids are moved to the origin",
       "its search ends at its own cap on steps",
@@ -204,7 +218,8 @@ std::string_view in_words(Mechanism m) noexcept {
       "a fixed length in it, such as an absolute tolerance: right at another scale",
       "rounding of its double computation",
       "its setting: right with another",
-      "no probe told"};
+      "no probe told",
+      "its model: right about cylinders with the rounded edges that it gives them"};
   return words[static_cast<std::size_t>(m)];
 }
 

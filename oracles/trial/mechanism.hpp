@@ -28,11 +28,12 @@ enum class Mechanism : unsigned char {
   absolute_length,  ///< right where both solids are made larger or smaller, by up to 2^200
   rounding,         ///< wrong below rounding_margin, at any size
   setting,          ///< another setting of the same algorithm is right
-  unclassified      ///< none of these
+  unclassified,     ///< none of these
+  model  ///< right about the solids that it models, whose edges it rounds on purpose; before all others
 };
 constexpr auto words_of(Mechanism) noexcept {
   return std::array{"gone",     "offset",  "iteration-cap", "underflow", "overflow", "absolute-length",
-                    "rounding", "setting", "untold"};
+                    "rounding", "setting", "untold",        "model"};
 }
 
 /// Relative to the size: errors no larger are what double computations of some steps leave.

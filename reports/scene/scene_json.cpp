@@ -73,8 +73,8 @@ json words_json(const StudyWords& w) {
           {"pairs", w.pairs},       {"configurations", w.configurations},
           {"enough", w.enough},     {"recommended", w.recommended},
           {"cost", w.cost},         {"forgiven", w.forgiven},
-          {"capsules", w.capsules}, {"closest", w.closest},
-          {"verified", w.verified}};
+          {"capsules", w.capsules}, {"rounding", w.rounding},
+          {"closest", w.closest},   {"verified", w.verified}};
 }
 
 json highlight_json(const Highlight& highlight) {

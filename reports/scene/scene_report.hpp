@@ -15,7 +15,7 @@ std::string study_text(const Scene& scene, const SceneQuestion& question, const 
 
 /// What `study_text` says in sentences, for others to say the same; empty where there is nothing to say.
 struct StudyWords {
-  std::string counts;                 ///< "20 cylinders on 20 links, 18 free joints"
+  std::string counts;                 ///< "2 capsules, 20 cylinders, 1 box (not looked at) on 20 links, .."
   std::vector<std::string> left_out;  ///< "17 box (base, ...)"
   std::string pairs;                  ///< how many are checked, and why others are not
   std::string configurations;
@@ -24,6 +24,7 @@ struct StudyWords {
   std::string cost;         ///< "0.54 us a configuration, against ..."
   std::string forgiven;     ///< false alarms that are tolerated
   std::string capsules;     ///< whether they may stand in for every cylinder
+  std::string rounding;     ///< what solids grown by some lengths would cost
   std::string closest;      ///< the closest call, and how exact an answer must be
   std::string verified;
 };

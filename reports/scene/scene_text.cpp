@@ -4,6 +4,7 @@
 #include <array>
 #include <map>
 
+#include "corpus/pairs/solid_kind.hpp"
 #include "reports/scene/scene_report.hpp"
 
 namespace cyl {
@@ -23,13 +24,32 @@ std::vector<std::string> left_out_words(const Scene& scene) {
   return words;
 }
 
-std::string counts_words(const Scene& scene, const SceneStudy& s) {
+/// "2 capsules (1 written as a cylinder and two spheres), 3 cylinders, 1 box (not looked at)".
+std::string shapes_words(const Scene& scene) {
+  std::array<std::size_t, 4> counts{};
+  for (const Body& body : scene.bodies) ++counts[static_cast<std::size_t>(kind_of(body.solid))];
+  std::vector<std::string> words;
+  for (const SolidKind kind : enum_values<SolidKind>) {
+    const std::size_t count = counts[static_cast<std::size_t>(kind)];
+    if (count == 0) continue;
+    words.push_back(plural(count, kind == SolidKind::rounded ? "rounded cylinder" : to_string(kind)));
+    if (kind == SolidKind::capsule && scene.folded > 0)
+      words.back() += fmt::format(" ({} written as a cylinder and two spheres)", scene.folded);
+  }
+  std::map<std::string, std::size_t> others;
+  for (const auto& [shape, link] : scene.left_out) ++others[shape];
+  for (const auto& [shape, count] : others)
+    words.push_back(fmt::format("{} {} (not looked at)", count, shape));
+  return words.empty() ? "no shapes" : fmt::format("{}", fmt::join(words, ", "));
+}
+
+std::string counts_words(const Scene& scene) {
   std::size_t turning = 0, mimics = 0;
   for (const Link& link : scene.links) {
     turning += link.motion != Motion::fixed && !link.follow && link.low < link.high;
     mimics += link.follow.has_value();
   }
-  return fmt::format("{} on {}, {}{}", plural(s.bodies, "cylinder"), plural(scene.links.size(), "link"),
+  return fmt::format("{} on {}, {}{}", shapes_words(scene), plural(scene.links.size(), "link"),
                      plural(turning, "free joint"), mimics ? fmt::format(", {} that mimic", mimics) : "");
 }
 
@@ -128,7 +148,7 @@ std::string recommended_words(const Scene& scene, const SceneStudy& s) {
     parts.push_back(fmt::format("{} for {}", plural_of(level), plural(count, "pair")));
   const std::string all = fmt::format("{}", fmt::join(parts, ", "));
   if (scene.left_out.empty()) return all;
-  return fmt::format("{}; of the cylinders alone: NOT LOOKED AT: {}", all,
+  return fmt::format("{}; of these shapes alone: NOT LOOKED AT: {}", all,
                      fmt::join(left_out_words(scene), ", "));
 }
 
@@ -157,6 +177,15 @@ std::string capsules_words(const SceneQuestion& q, const SceneStudy& s) {
       plural(t.wrong, "false alarm"), plural(t.wrong_pairs, "pair"), t.alarm);
 }
 
+std::string rounding_words(const SceneQuestion& q, const SceneStudy& s) {
+  std::vector<std::string> words;
+  for (const double rounding : {0.001, 0.002, 0.005, 0.01, 0.02})
+    words.push_back(fmt::format("{} for {}", alarms_of_rounding(s, q.clearance, rounding), rounding));
+  return fmt::format(
+      "rounded by so much, all solids would raise false alarms in this many configurations: {}",
+      fmt::join(words, ", "));
+}
+
 std::string closest_words(const Scene& scene, const SceneQuestion& q, const SceneStudy& s) {
   if (!s.closest) return "";
   const ClosestCall& c = *s.closest;
@@ -183,7 +212,7 @@ std::string line(const std::string& words, const char* before = "") {
 
 StudyWords words_of(const Scene& scene, const SceneQuestion& q, const SceneStudy& s) {
   StudyWords w;
-  w.counts = counts_words(scene, s);
+  w.counts = counts_words(scene);
   w.left_out = left_out_words(scene);
   w.pairs = pairs_words(s);
   if (s.pairs.empty()) return w;
@@ -193,6 +222,7 @@ StudyWords words_of(const Scene& scene, const SceneQuestion& q, const SceneStudy
   w.cost = cost_words(q, s);
   w.forgiven = forgiven_words(q, s);
   w.capsules = capsules_words(q, s);
+  w.rounding = rounding_words(q, s);
   w.closest = closest_words(scene, q, s);
   w.verified = verified_words(s);
   return w;
@@ -201,7 +231,7 @@ StudyWords words_of(const Scene& scene, const SceneQuestion& q, const SceneStudy
 std::string study_text(const Scene& scene, const SceneQuestion& q, const SceneStudy& s) {
   const StudyWords w = words_of(scene, q, s);
   std::string text = fmt::format("seed {}\n", q.seed) + line(w.counts);
-  for (const std::string& shapes : w.left_out) text += line(shapes, "  not a cylinder: ");
+  for (const std::string& shapes : w.left_out) text += line(shapes, "  not looked at: ");
   for (const std::string& note : scene.notes) text += line(note, "  ");
   text += line(w.pairs);
   if (s.pairs.empty()) return text + "nothing to check\n";
@@ -209,7 +239,7 @@ std::string study_text(const Scene& scene, const SceneQuestion& q, const SceneSt
   const std::string more = needs_more(scene, q, s);
   text += "\n" + w.enough + (more.empty() ? "\n" : ":\n" + more);
   return text + line(w.recommended, "recommended: ") + line(w.cost, "  ") + line(w.forgiven, "  ") +
-         line(w.capsules) + line(w.closest) + line(w.verified);
+         line(w.capsules) + line(w.rounding) + line(w.closest) + line(w.verified);
 }
 
 std::string close_pairs_head() {

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: MIT
+// The kinds of solids that engines have shapes for.
+#pragma once
+
+#include <array>
+
+#include "base/enum_words.hpp"
+#include "solver/cylinder.hpp"
+
+namespace cyl {
+
+enum class SolidKind : unsigned char {
+  sphere,    ///< a point with rounding
+  capsule,   ///< a segment with rounding
+  cylinder,  ///< without rounding, whatever its lengths
+  rounded    ///< any other with rounding
+};
+constexpr auto words_of(SolidKind) noexcept { return std::array{"sphere", "capsule", "cylinder", "rounded"}; }
+
+inline SolidKind kind_of(const Cylinder& c) noexcept {
+  if (c.rounding == 0) return SolidKind::cylinder;
+  if (c.radius > 0) return SolidKind::rounded;
+  return c.height > 0 ? SolidKind::capsule : SolidKind::sphere;
+}
+
+}  // namespace cyl
