@@ -32,7 +32,7 @@ constexpr std::uint64_t shown_pairs = 1024;
 int write_questions(const AskOptions& options) {
   const std::string folder = options.cases ? *options.cases : in_source_tree("corpus/cases");
   const std::vector<Case> cases = folder.empty() ? std::vector<Case>{} : read_case_folder(folder);
-  const std::vector<Family> families = families_named(options.families);
+  const std::vector<Family> families = families_named(options.families, false);
   const Workload workload{{}, families, cases, {}};
   const Schedule schedule = schedule_of(workload);
   const auto closed = [](std::FILE* file) {

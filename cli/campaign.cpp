@@ -105,7 +105,13 @@ CampaignOptions plan_new(const CampaignArguments& arguments, Selection& selectio
   selection.methods = std::move(set.methods);
   if (!arguments.methods.empty())
     selection.methods = select_methods(std::move(selection.methods), arguments.methods);
-  selection.families = families_named(arguments.families);
+  // Guests that know of no roundings are not asked about pairs that all of them decline.
+  const auto knows_roundings = [](const auto& method) {
+    return method->guest() && (method->takes(SolidKind::sphere) || method->takes(SolidKind::capsule) ||
+                               method->takes(SolidKind::rounded));
+  };
+  const bool rounded = set.guests.empty() || std::ranges::any_of(selection.methods, knows_roundings);
+  selection.families = families_named(arguments.families, rounded);
   if (!arguments.weights_from.empty())
     selection.weights = weights_from(arguments.weights_from, selection.families);
   if (!arguments.shard.empty()) set_shard(arguments.shard, options);

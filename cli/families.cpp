@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cstdint>
 #include <memory>
 #include <string>
@@ -49,9 +50,16 @@ void print_pairs(const FamiliesOptions& options) {
 
 }  // namespace
 
-std::vector<Family> families_named(std::string_view spec) {
+std::vector<Family> families_named(std::string_view spec, bool rounded) {
   const auto all = campaign_families();
-  if (spec.empty()) return {all.begin(), all.end()};
+  if (spec.empty()) {
+    std::vector<Family> kept(all.begin(), all.end());
+    const auto is_rounded_family = [](const Family& family) {
+      return std::ranges::find(rounded_families(), family.name, &Family::name) != rounded_families().end();
+    };
+    if (!rounded) std::erase_if(kept, is_rounded_family);
+    return kept;
+  }
   std::vector<std::string> names;
   for (const Family& family : all) names.emplace_back(family.name);
   std::vector<Family> kept;

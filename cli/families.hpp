@@ -9,7 +9,8 @@
 
 namespace cyl {
 
-/// Returns the families of a campaign that `spec` names by the rule of select_names(); "": all.
-std::vector<Family> families_named(std::string_view spec);
+/// Returns the families of a campaign that `spec` names by the rule of select_names(); "": all, but those of
+/// rounded solids only if asked for.
+std::vector<Family> families_named(std::string_view spec, bool rounded);
 
 }  // namespace cyl

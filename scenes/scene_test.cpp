@@ -12,6 +12,7 @@
 #include <fstream>
 #include <memory>
 
+#include "corpus/pairs/solid_kind.hpp"
 #include "scenes/scene_files.hpp"
 
 namespace cyl {
@@ -43,12 +44,15 @@ std::size_t count_in_xml(const std::string& file, const std::string& what) {
 TEST(Urdf, NothingIsDroppedInSilence) {
   for (const char* name : {"crane.urdf", "twenty.urdf"}) {
     const Scene scene = read_scene(folder + name);
-    EXPECT_EQ(scene.bodies.size(), count_in_xml(folder + name, "./link/collision/geometry/cylinder")) << name;
-    EXPECT_EQ(scene.bodies.size() + scene.left_out.size(), count_in_xml(folder + name, "./link/collision"));
+    std::size_t solids = 0;
+    for (const char* shape : {"cylinder", "sphere", "capsule"})
+      solids += count_in_xml(folder + name, std::string("./link/collision/geometry/") + shape);
+    EXPECT_EQ(scene.bodies.size() + 2 * scene.folded, solids) << name;
+    EXPECT_EQ(solids + scene.left_out.size(), count_in_xml(folder + name, "./link/collision"));
     EXPECT_EQ(scene.links.size(), count_in_xml(folder + name, "./link"));
   }
   const Scene crane = read_scene(folder + "crane.urdf");
-  EXPECT_EQ(crane.left_out, (std::vector<LeftOut>{{"box", "ground"}, {"sphere", "boom"}}));
+  EXPECT_EQ(crane.left_out, (std::vector<LeftOut>{{"box", "ground"}}));
   EXPECT_EQ(body(crane, "boom/beam").solid.radius, 0.06);
   EXPECT_EQ(body(crane, "counterweight/weight").solid.height, 0.3);
 }
@@ -86,14 +90,17 @@ void expect_like_mujoco(const std::string& file, bool geom_names) {
     const std::vector<Cylinder> placed = place(scene, joints);
     std::size_t met = 0;
     for (int g = 0; g < model->ngeom; ++g) {
-      if (model->geom_type[g] != mjGEOM_CYLINDER || model->geom_contype[g] == 0) continue;
+      const int type = model->geom_type[g];
+      const bool known = type == mjGEOM_CYLINDER || type == mjGEOM_CAPSULE || type == mjGEOM_SPHERE;
+      if (!known || model->geom_contype[g] == 0) continue;
       const Vector3 center(data->geom_xpos[3 * g], data->geom_xpos[3 * g + 1], data->geom_xpos[3 * g + 2]);
       const Vector3 axis(data->geom_xmat[9 * g + 2], data->geom_xmat[9 * g + 5], data->geom_xmat[9 * g + 8]);
       // The same one: by name, or where the file names no shapes by size and place.
       const auto same = [&](std::size_t i) {
         const Cylinder& c = placed[i];
         return (!geom_names || scene.bodies[i].name.ends_with(mj_id2name(model.get(), mjOBJ_GEOM, g))) &&
-               c.radius == model->geom_size[3 * g] && c.height == 2 * model->geom_size[3 * g + 1] &&
+               (type == mjGEOM_CYLINDER ? c.radius : c.rounding) == model->geom_size[3 * g] &&
+               c.height == (type == mjGEOM_SPHERE ? 0 : 2 * model->geom_size[3 * g + 1]) &&
                (c.center - center).norm() < 1e-12 && (c.axis - axis).norm() < 1e-12;
       };
       bool found = false;
@@ -220,8 +227,40 @@ TEST(Urdf, UnknownShapesAreNamedNotFatal) {
          "</geometry></collision></link></robot>";
   const Scene scene = read_scene(file.string());
   std::filesystem::remove(file);
-  EXPECT_EQ(scene.bodies.size(), 1u);
-  EXPECT_EQ(scene.left_out, (std::vector<LeftOut>{{"capsule", "a"}, {"nothing", "a"}}));
+  ASSERT_EQ(scene.bodies.size(), 2u);
+  EXPECT_EQ(kind_of(scene.bodies[0].solid), SolidKind::capsule);
+  EXPECT_EQ(scene.bodies[0].solid.height, 2);
+  EXPECT_EQ(kind_of(scene.bodies[1].solid), SolidKind::cylinder);
+  EXPECT_EQ(scene.left_out, (std::vector<LeftOut>{{"nothing", "a"}}));
+}
+
+// As Panda's collision model has it; the second cylinder has one sphere only, the third no match at an end.
+TEST(Urdf, ACylinderWithASphereAtEachEndIsACapsule) {
+  const auto file =
+      std::filesystem::path(testing::TempDir()) / ("capsules_" + std::to_string(getpid()) + ".urdf");
+  const auto shape = [](const std::string& z, const std::string& geometry) {
+    return "<collision><origin xyz='0 0 " + z + "' rpy='0 0 0'/><geometry>" + geometry +
+           "</geometry></collision>";
+  };
+  const std::string cylinder = "<cylinder radius='0.06' length='0.3'/>", ball = "<sphere radius='0.06'/>";
+  std::ofstream(file) << "<robot name='r'><link name='a'>" << shape("0.35", ball) << shape("0.2", cylinder)
+                      << shape("0.05", ball) << shape("2", cylinder) << shape("2.15", ball)
+                      << shape("4", cylinder) << shape("4.15", "<sphere radius='0.07'/>")
+                      << shape("3.85", ball) << "</link></robot>";
+  const Scene scene = read_scene(file.string());
+  std::filesystem::remove(file);
+  EXPECT_EQ(scene.folded, 1u);
+  std::size_t capsules = 0, cylinders = 0, spheres = 0;
+  for (const Body& b : scene.bodies) {
+    capsules += kind_of(b.solid) == SolidKind::capsule;
+    cylinders += kind_of(b.solid) == SolidKind::cylinder;
+    spheres += kind_of(b.solid) == SolidKind::sphere;
+  }
+  EXPECT_EQ(capsules, 1u);
+  EXPECT_EQ(cylinders, 2u);
+  EXPECT_EQ(spheres, 3u);
+  EXPECT_EQ(scene.bodies[0].solid.rounding, 0.06);
+  EXPECT_NEAR(scene.bodies[0].solid.height, 0.3, 1e-15);
 }
 
 }  // namespace

@@ -162,10 +162,12 @@ class Detector final : public Bullet {
   }
 };
 
-/// The solver under the detector, asked directly.
+/// The solver under the detector, asked directly. It leaves margins out, which are what Bullet has for
+/// roundings.
 class GjkEpa2 final : public Bullet {
  public:
   using Bullet::Bullet;
+  bool takes(SolidKind kind) const override { return kind == SolidKind::cylinder; }
   Claim claim() const override {
     return {.absolute = vertex_tol,
             .source = "btGjkEpa2.cpp: GJK_DUPLICATED_EPS 1e-12, a squared length; btGjkEpa2.h says nothing",

@@ -40,6 +40,8 @@ std::optional<Truth> check_by_filter(const Pair& pair, const Filter& filter, con
                                      Certificates certificates) {
   // untaken: our answers are finite; others' may be anything
   if (answer.status != Status::answered || !finite(answer.head) || !finite(answer.tail)) return std::nullopt;
+  if (answer.witness == CertificateKind::points && (!finite(answer.other_head) || !finite(answer.other_tail)))
+    return std::nullopt;
   if (answer.witness == CertificateKind::direction && filter.separates(answer.head))
     return proved(Verdict::disjoint, exact_vector(answer.head, no_tail), Stage::filter, 53);
   if (answer.witness == CertificateKind::points) return check_points_by_filter(filter, answer);
@@ -239,6 +241,9 @@ Verdict check_witness(const Pair& pair, const MethodAnswer& answer) {
   if (!is_legal(pair)) return Verdict::undecided;  // untaken: a family's pairs are valid
   if (auto t = check_by_filter(pair, Filter(pair), answer, Certificates::left_out)) return t->verdict;
   if (auto t = check_exactly(pair, answer)) return t->verdict;
+  if (answer.status == Status::answered && answer.witness == CertificateKind::points && finite(answer.head) &&
+      finite(answer.tail) && finite(answer.other_head) && finite(answer.other_tail))
+    return points_show_contact(pair, answer) ? Verdict::intersecting : Verdict::undecided;
   // untaken: our answers are finite, and points of both solids; others' may be anything
   if (answer.status == Status::answered && answer.witness == CertificateKind::point && finite(answer.head) &&
       finite(answer.tail)) {

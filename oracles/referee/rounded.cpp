@@ -82,6 +82,12 @@ std::optional<Truth> prove_rounded_touching(const Pair& pair, const Rational3& o
   return t;
 }
 
+/// Of a and of b, in their hulls.
+std::pair<Rational3, Rational3> points_of(const Pair& pair, const MethodAnswer& answer) {
+  return {project_to_hull(pair.a, sum(answer.head, answer.tail), answer.hulls[0]),
+          project_to_hull(pair.b, sum(answer.other_head, answer.other_tail), answer.hulls[1])};
+}
+
 }  // namespace
 
 std::optional<Truth> check_points_by_filter(const Filter& filter, const MethodAnswer& answer) {
@@ -91,9 +97,13 @@ std::optional<Truth> check_points_by_filter(const Filter& filter, const MethodAn
                 Stage::filter, 53);
 }
 
+bool points_show_contact(const Pair& pair, const MethodAnswer& answer) {
+  const auto [on_a, on_b] = points_of(pair, answer);
+  return in_each_exact(pair, on_a, on_b) && compare_with_room(pair, on_a, on_b) <= 0;
+}
+
 std::optional<Truth> check_points_exactly(const Pair& pair, const MethodAnswer& answer) {
-  const Rational3 on_a = project_to_hull(pair.a, sum(answer.head, answer.tail), answer.hulls[0]);
-  const Rational3 on_b = project_to_hull(pair.b, sum(answer.other_head, answer.other_tail), answer.hulls[1]);
+  const auto [on_a, on_b] = points_of(pair, answer);
   if (!in_each_exact(pair, on_a, on_b) || compare_with_room(pair, on_a, on_b) >= 0) return {};
   return met_at(exact_vector(on_a), exact_vector(on_b), Stage::exact, first_multiprecision_bits);
 }

@@ -14,6 +14,8 @@ namespace cyl {
 /// Whether the points offered show that the solids meet, and more than touch. The numbers are finite.
 std::optional<Truth> check_points_by_filter(const Filter& filter, const MethodAnswer& answer);
 std::optional<Truth> check_points_exactly(const Pair& pair, const MethodAnswer& answer);
+/// The same where they may only touch.
+bool points_show_contact(const Pair& pair, const MethodAnswer& answer);
 
 std::optional<Truth> prove_rounded_in_double(const Pair& pair, const Filter& filter);
 
