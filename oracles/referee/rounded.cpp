@@ -60,25 +60,50 @@ Nearest<MpFloat> nearest_in_multiprecision(const Pair& pair, int bits) {
   return find_nearest(p, bits, MpFloat(0.5) * p.delta);
 }
 
-// Where the two points are rational they are the certificate; else those of a wider search will do.
+/// Whether the point is in the core grown by the slack all round.
+bool is_nearly_in(const Cylinder& c, const Rational3& point, const mpq_class& slack) {
+  const Rational3 x = point - exact(c.center), w = exact(c.axis), across = cross(x, w);
+  const mpq_class ww = dot(w, w), along = dot(x, w), half = mpq_class(c.height) / 2 + slack,
+                  radius = mpq_class(c.radius) + slack;
+  return along * along <= half * half * ww && dot(across, across) <= radius * radius * ww;
+}
+
+/// The points of a search wide enough for 2^-200 of the size, if it came that near.
+std::optional<Certificate> near_points(const Pair& pair, const Rational3& direction) {
+  const Nearest<MpFloat> found = nearest_in_multiprecision(pair, near_bits);
+  const Rational3 center = exact(pair.a.center), on_a = center + rational(found.on_a),
+                  on_b = center + rational(found.on_b), between = on_b - on_a;
+  const mpq_class slack = times_power(exact_size(pair), -200), room = room_of(pair) + slack;
+  if (!is_nearly_in(pair.a, on_a, slack) || !is_nearly_in(pair.b, on_b, slack) ||
+      dot(between, between) > room * room)
+    return {};
+  Certificate near{CertificateKind::near_points, exact_vector(on_a), exact_vector(direction)};
+  near.third = exact_vector(on_b);
+  return near;
+}
+
+// Beside a contact of faces the search comes near only slowly: simpler rationals are tried too.
 std::optional<Truth> prove_rounded_touching(const Pair& pair, const Rational3& on_a, const Rational3& on_b,
                                             int bits) {
-  const Rational3 simple_a = simplest_near(pair, on_a, bits), simple_b = simplest_near(pair, on_b, bits);
-  const auto tangency = prove_tangency(pair, simple_a, simple_b, simple_b - simple_a);
-  if (!tangency || !tangency->meet) return {};
-  Truth t = proved(Verdict::touching, {}, Stage::exact, bits);
-  if (in_each_exact(pair, simple_a, simple_b) && compare_with_room(pair, simple_a, simple_b) == 0) {
+  std::optional<Tangency> tangency;
+  for (const int guessed : {bits, bits / 4, bits / 8}) {
+    const Rational3 simple_a = simplest_near(pair, on_a, guessed),
+                    simple_b = simplest_near(pair, on_b, guessed);
+    if (!tangency) tangency = prove_tangency(pair, simple_a, simple_b, simple_b - simple_a);
+    if (!tangency) continue;
+    if (!tangency->meet) return {};
+    if (!in_each_exact(pair, simple_a, simple_b) || compare_with_room(pair, simple_a, simple_b) != 0)
+      continue;
+    Truth t = proved(Verdict::touching, exact_vector(simple_a), Stage::exact, bits);
     t.certificate.kind = CertificateKind::points;
-    t.certificate.vector = exact_vector(simple_a);
     t.certificate.second = exact_vector(simple_b);
     return t;
   }
-  const Nearest<MpFloat> found = nearest_in_multiprecision(pair, near_bits);
-  const Rational3 center = exact(pair.a.center);
-  t.certificate.kind = CertificateKind::near_points;
-  t.certificate.vector = exact_vector(center + rational(found.on_a));
-  t.certificate.second = exact_vector(tangency->direction);
-  t.certificate.third = exact_vector(center + rational(found.on_b));
+  if (!tangency) return {};
+  auto near = near_points(pair, tangency->direction);
+  if (!near) return {};
+  Truth t = proved(Verdict::touching, {}, Stage::exact, bits);
+  t.certificate = std::move(*near);
   return t;
 }
 

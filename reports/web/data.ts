@@ -13,6 +13,7 @@ export interface Cylinder {
   axis: Vec;
   radius: number;
   height: number;
+  rounding?: number; // all points within this of the cylinder, which is its core
 }
 export interface Pair {
   a: Cylinder;
@@ -24,7 +25,8 @@ export interface Truth {
   verdict: Verdict;
   direction?: Coordinate[];
   point?: Coordinate[];
-  near?: { point: Coordinate[]; direction: Coordinate[] };
+  points?: [Coordinate[], Coordinate[]]; // one of a's core, one of b's
+  near?: { point?: Coordinate[]; points?: [Coordinate[], Coordinate[]]; direction: Coordinate[] };
   distance?: [number, number];
   stage?: "filter" | "wide" | "exact";
 }
@@ -35,6 +37,7 @@ export interface Answer {
   distance?: number;
   direction?: number[];
   point?: Coordinate[];
+  points?: [Coordinate[], Coordinate[]];
   declined?: string;
   failed?: string;
   reason?: string;

@@ -30,8 +30,14 @@ import {
 } from "./words.ts";
 
 /** The part of a truth that is a certificate, as one may edit it. */
-function certificate_of({ verdict, direction, point, near }: Truth) {
-  return JSON.stringify({ verdict, ...(direction && { direction }), ...(point && { point }), ...(near && { near }) });
+function certificate_of({ verdict, direction, point, points, near }: Truth) {
+  return JSON.stringify({
+    verdict,
+    ...(direction && { direction }),
+    ...(point && { point }),
+    ...(points && { points }),
+    ...(near && { near }),
+  });
 }
 
 /** What proves a truth, and why it does. */
@@ -40,6 +46,11 @@ const certificate_words = (t: Truth): [string, string] =>
     ? ["separating direction", "A plane square to this direction has one solid on each side."]
     : t.point
       ? ["common point", "This point lies in both solids."]
+      : t.points
+        ? [
+            "near points",
+            "One lies in a, one in b, both without their roundings, and they are no farther apart than both roundings.",
+          ]
       : [
           "point near both",
           "No rational common point is known: this one is within 2^-200 of the size of both, and along the direction " +
@@ -249,11 +260,12 @@ const Vector = ({ of }: { of: readonly number[] }) => (
 );
 
 function Solids({ shown }: { shown: Case }) {
-  const { a, b } = shown.pair;
+  const { a, b } = shown.pair,
+    rounded = a.rounding || b.rounding;
   return (
     <div class="scroll">
       <table class="plain solids">
-        <Heads of={["", "centre", "axis", "n:radius", "n:height"]} />
+        <Heads of={["", "centre", "axis", "n:radius", "n:height", ...(rounded ? ["n:rounding"] : [])]} />
         <tbody>
           {(
             [
@@ -274,6 +286,7 @@ function Solids({ shown }: { shown: Case }) {
               </td>
               <td class="n">{full(c.radius)}</td>
               <td class="n">{full(c.height)}</td>
+              {rounded && <td class="n">{full(c.rounding ?? 0)}</td>}
             </tr>
           ))}
         </tbody>
@@ -318,7 +331,7 @@ function CaseView({ shown, method, kind, report }: { shown: Case; method: string
           )}
         </dl>
         {off && <Wrong of={off} {...(claim ? { claim } : {})} />}
-        {truth.direction || truth.point || truth.near ? (
+        {truth.direction || truth.point || truth.points || truth.near ? (
           <Prover shown={shown} />
         ) : (
           <p class="warn">Nobody could prove what is true of this pair.</p>

@@ -5,7 +5,7 @@ import type { Answer, Case, Claim, Pair } from "./data.ts";
 /** Of half a unit in the last place. */
 const rounding = 2 ** -53;
 
-export const size_of = ({ a, b }: Pair) => a.radius + a.height + b.radius + b.height;
+export const size_of = ({ a, b }: Pair) => a.radius + a.height + b.radius + b.height + ((a.rounding ?? 0) + (b.rounding ?? 0));
 
 /** What a claim allows a distance to be off by; never less than its last place. */
 export const allowed_by = ({ relative, absolute }: Claim, size: number, said: number) =>

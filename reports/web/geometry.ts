@@ -43,6 +43,7 @@ export interface Solid {
   axis: Vec;
   radius: number;
   half: number;
+  rounding: number;
 }
 /** All points within a radius of a segment; of half 0: a ball. */
 export interface Capsule {
@@ -67,12 +68,12 @@ export interface Drawing {
 /** The extent of a solid along n. */
 export const reach = (s: Solid, n: Vec) => {
   const along = Math.min(1, Math.abs(dot(s.axis, n)));
-  return s.radius * Math.sqrt(Math.max(0, 1 - along * along)) + s.half * along;
+  return s.radius * Math.sqrt(Math.max(0, 1 - along * along)) + s.half * along + s.rounding;
 };
 
 function unit_of(pair: Pair): number {
   const apart = sub(scale(pair.b.center, 0.5), scale(pair.a.center, 0.5));
-  const longest = Math.max(pair.a.radius, pair.a.height / 2, pair.b.radius, pair.b.height / 2, ...apart.map(Math.abs));
+  const longest = Math.max(pair.a.radius, pair.a.height / 2, pair.b.radius, pair.b.height / 2, pair.a.rounding ?? 0, pair.b.rounding ?? 0, ...apart.map(Math.abs));
   return longest > 0 && Number.isFinite(longest) ? longest : 1;
 }
 
@@ -82,7 +83,8 @@ function support(s: Solid, n: Vec): Vec {
   const radial = sub(n, scale(s.axis, along)),
     length = Math.sqrt(dot(radial, radial));
   const rim = length > 1e-9 ? scale(radial, s.radius / length) : ([0, 0, 0] as Vec);
-  return add(add(s.center, scale(s.axis, Math.abs(along) > 1e-9 ? Math.sign(along) * s.half : 0)), rim);
+  const core = add(add(s.center, scale(s.axis, Math.abs(along) > 1e-9 ? Math.sign(along) * s.half : 0)), rim);
+  return add(core, scale(n, s.rounding));
 }
 
 export function drawing_of(c: Case): Drawing {
@@ -97,6 +99,7 @@ export function drawing_of(c: Case): Drawing {
     axis: unit(s.axis),
     radius: s.radius / u,
     half: s.height / 2 / u,
+    rounding: (s.rounding ?? 0) / u,
   });
   const drawn_a = solid(a, scale(way, -1)),
     drawn_b = solid(b, way);
@@ -107,8 +110,14 @@ export function drawing_of(c: Case): Drawing {
   let direction = told && told.every(Number.isFinite) ? unit(told) : null;
   const delta = sub(drawn_b.center, drawn_a.center);
   if (direction && dot(direction, delta) < 0) direction = scale(direction, -1);
-  const certified = c.truth.point ?? c.truth.near?.point;
-  const point = certified ? local(certified.map(coordinate_value) as Vec) : null;
+  const certified = c.truth.point ?? c.truth.near?.point,
+    two = (c.truth.points ?? c.truth.near?.points)?.map((x) => local(x.map(coordinate_value) as Vec)),
+    share = drawn_a.rounding / (drawn_a.rounding + drawn_b.rounding);
+  const point = certified
+    ? local(certified.map(coordinate_value) as Vec)
+    : two
+      ? add(two[0]!, scale(sub(two[1]!, two[0]!), share)) // of the way from core to core, that much lies in a
+      : null;
   const near = c.nearest
     ? { a: local(c.nearest.a), b: local(c.nearest.b) }
     : direction
@@ -130,7 +139,7 @@ export function drawing_of(c: Case): Drawing {
   const contact = near ? scale(add(near.a, near.b), 0.5) : (point ?? ([0, 0, 0] as Vec));
   const distance = c.truth.distance;
   const gap = distance ? (distance[0] + (distance[1] - distance[0]) / 2) / u : null;
-  const ball = (s: Solid) => Math.sqrt(dot(s.center, s.center)) + Math.hypot(s.radius, s.half);
+  const ball = (s: Solid) => Math.sqrt(dot(s.center, s.center)) + Math.hypot(s.radius, s.half) + s.rounding;
   return {
     a: drawn_a,
     b: drawn_b,

@@ -49,21 +49,34 @@ function flatten(view: View): Flatten {
 const path = (points: Flat[]) =>
   points.map(([x, y], i) => `${i === 0 ? "M" : "L"}${x.toFixed(4)} ${y.toFixed(4)}`).join("") + "Z";
 
+/** Points around each, as far away as the outline of a ball. */
+const swollen = (points: Flat[], by: number): Flat[] =>
+  by === 0
+    ? points
+    : points.flatMap(([x, y]) =>
+        Array.from({ length: 24 }, (_, i): Flat => {
+          const t = (i * Math.PI) / 12;
+          return [x + by * Math.cos(t), y + by * Math.sin(t)];
+        }),
+      );
+
 function Outline({
   of,
   flat,
+  view,
   ...how
 }: {
   of: Solid;
   flat: Flatten;
+  view: View;
   class?: string;
   style?: Record<string, string | number>;
 }) {
   const ends = [rim(of, 1), rim(of, -1)].map((points) => points.map(flat));
   return (
     <g {...how}>
-      <path class="body" d={path(hull(ends.flat()))} />
-      {ends.map((points, i) => (
+      <path class="body" d={path(hull(swollen(ends.flat(), of.rounding / view.radius)))} />
+      {(of.rounding > 0 ? [] : ends).map((points, i) => (
         <path class="rim" d={path(points)} key={i} />
       ))}
     </g>
@@ -92,6 +105,7 @@ export function SolidsProjection({
         <Outline
           of={solid}
           flat={flat}
+          view={view}
           style={{ fill: `var(${colour})`, stroke: `var(${colour})`, opacity: faint ? 0.2 : 1 }}
           key={i}
         />
@@ -123,8 +137,8 @@ export function Projection({ drawing: d, view, label }: { drawing: Drawing; view
   return (
     <svg class="projection" viewBox="-1.3 -1 2.6 2" role="img" aria-label={label} preserveAspectRatio="xMidYMid meet">
       {trace}
-      <Outline of={d.a} flat={flat} class="solid-a" />
-      <Outline of={d.b} flat={flat} class="solid-b" />
+      <Outline of={d.a} flat={flat} view={view} class="solid-a" />
+      <Outline of={d.b} flat={flat} view={view} class="solid-b" />
       {d.near && (
         <>
           <Way from={flat(d.near.a)} to={flat(d.near.b)} />

@@ -4,7 +4,11 @@
 //
 //   direction D   f(D) = sum over both of  r |w x D|/|w| + h/2 |w.D|/|w|  -  |D.(c_b - c_a)|  < 0
 //   point X       |(X - c).w| <= h/2 |w|  and  |(X - c) x w| <= r |w|  of both, squared
+//   points P, Q   P in a, Q in b, |P - Q| <= R, squared
 //   near X, D     X in both after each was grown by 2^-200 of the size, D apart after each was shrunk by as much
+//
+// A solid with a rounding is its core grown by a ball: the tests above are of the cores, R is both roundings together, and
+// f has R |D| more.
 //
 // f is a rational minus four square roots of rationals. Each root is enclosed between whole multiples of 2^-k; k
 // doubles
@@ -22,6 +26,7 @@ interface Solid {
   axis: Vector;
   radius: Rational;
   height: Rational;
+  rounding: Rational;
 }
 
 export interface Proof {
@@ -92,6 +97,7 @@ const solid = (c: Cylinder): Solid => ({
   axis: vector(c.axis, "an axis"),
   radius: exact(c.radius),
   height: exact(c.height),
+  rounding: exact(c.rounding ?? 0),
 });
 
 /** The largest whole number whose square is at most n. */
@@ -152,6 +158,8 @@ function sign_of_f(a: Solid, b: Solid, d: Vector): Side {
       { what: `height ${name}: h/2 |D.w|`, q: mul(square(div(s.height, rational(2n))), div(square(along), ww)) },
     ];
   });
+  const room = add(a.rounding, b.rounding);
+  if (room.n !== 0n) terms.push({ what: "roundings: R |D|", q: mul(square(room), dot(d, d)) });
   const apart = abs(dot(d, minus(b.center, a.center)));
   // Roots far below 1 need their own digits: count from the size of the projection.
   const length = (x: bigint) => x.toString(16).length * 4;
@@ -197,6 +205,22 @@ function reach(name: string, s: Solid, x: Vector): { inside: boolean; steps: str
   };
 }
 
+/** A point of each core, no farther apart than both roundings and the slack. */
+function come_near(a: Solid, b: Solid, x: Vector, y: Vector, slack = zero): { inside: boolean; steps: string[] } {
+  const parts = [reach("a", a, x), reach("b", b, y)],
+    between = minus(y, x),
+    way = dot(between, between),
+    most = square(add(add(a.rounding, b.rounding), slack)),
+    sign = less(most, way) ? ">" : less(way, most) ? "<" : "=";
+  return {
+    inside: parts.every((p) => p.inside) && sign !== ">",
+    steps: [
+      ...parts.flatMap((p) => p.steps),
+      `between them, |q\u2212p|\u00b2 against R\u00b2: ${decimal(way)} ${sign} ${decimal(most)}${sign === "=" ? " exactly" : ""}`,
+    ],
+  };
+}
+
 function in_both(a: Solid, b: Solid, x: Vector): { inside: boolean; steps: string[] } {
   const parts = [reach("a", a, x), reach("b", b, x)];
   return { inside: parts.every((p) => p.inside), steps: parts.flatMap((p) => p.steps) };
@@ -234,16 +258,38 @@ function prove_point(a: Solid, b: Solid, x: Vector, touching: boolean): Proof {
   };
 }
 
+function two(points: Truth["points"], what: string): [Vector, Vector] {
+  if (!Array.isArray(points) || points.length !== 2) throw new Error(`${what} are not two`);
+  return [vector(points[0], "the point of a"), vector(points[1], "the point of b")];
+}
+
+function prove_points(a: Solid, b: Solid, points: Truth["points"], touching: boolean): Proof {
+  const { inside, steps } = come_near(a, b, ...two(points, "the points"));
+  if (!inside)
+    return { holds: false, steps, text: "Refuted: a point is not in its core, or they are too far apart." };
+  return {
+    holds: true,
+    steps,
+    text:
+      "Proved: the points lie in the solids without their roundings, no farther apart than both roundings together." +
+      (touching ? " (That the solids share no inner point is not what this shows.)" : ""),
+  };
+}
+
 function prove_near(a: Solid, b: Solid, near: NonNullable<Truth["near"]>): Proof {
-  const x = vector(near.point, "the point"),
-    d = vector(near.direction, "the direction");
-  const size = [a.radius, a.height, b.radius, b.height].reduce(add);
-  const slack = div(size, rational(1n << near_bits));
-  const met = in_both(grown(a, slack), grown(b, slack), x);
+  const d = vector(near.direction, "the direction");
+  const size = [a.radius, a.height, a.rounding, b.radius, b.height, b.rounding].reduce(add);
+  const slack = div(size, rational(1n << near_bits)),
+    wide_a = grown(a, slack),
+    wide_b = grown(b, slack);
+  const met = near.points
+    ? come_near(wide_a, wide_b, ...two(near.points, "the points"), slack)
+    : in_both(wide_a, wide_b, vector(near.point, "the point"));
   if (!met.inside)
     return { holds: false, text: "Refuted: the point is not within 2^-200 of the size of both.", steps: met.steps };
   if (is_zero(d)) return { holds: false, text: "Refuted: the direction is zero.", steps: [] };
-  const apart = sign_of_f(grown(a, neg(slack)), grown(b, neg(slack)), d);
+  const less_rounded = (s: Solid): Solid => (s.rounding.n === 0n ? s : { ...s, rounding: sub(s.rounding, slack) });
+  const apart = sign_of_f(less_rounded(grown(a, neg(slack))), less_rounded(grown(b, neg(slack))), d);
   const steps = [...met.steps, ...apart.steps];
   if (apart.sign < 0) return { holds: true, text: "Proved: within 2^-200 of their size they touch.", steps };
   if (apart.sign > 0)
@@ -264,8 +310,11 @@ export function prove(pair: Pair, truth: Truth): Proof {
       case "disjoint":
         return prove_direction(a, b, vector(truth.direction, "the direction"));
       case "intersecting":
-        return prove_point(a, b, vector(truth.point, "the point"), false);
+        return truth.points
+          ? prove_points(a, b, truth.points, false)
+          : prove_point(a, b, vector(truth.point, "the point"), false);
       case "touching":
+        if (truth.points) return prove_points(a, b, truth.points, true);
         return truth.near ? prove_near(a, b, truth.near) : prove_point(a, b, vector(truth.point, "the point"), true);
       default:
         return { holds: null, text: "Nothing was proved of this pair.", steps: [] };

@@ -41,6 +41,35 @@ test("a sign that hides in the sixtieth digit shows with more of them", () => {
   assert.match(prove(touching, direction(1, tinier, 0)).text, /16384/);
 });
 
+const ball = (center, rounding) => ({ ...cylinder(center, [1, 2, 0], 0, 0), rounding });
+const capsule = (center, axis, height, rounding) => ({ ...cylinder(center, axis, 0, height), rounding });
+const points = (verdict, p, q) => ({ verdict, points: [p, q] });
+
+test("balls and capsules: a direction counts the roundings, points are of the cores", () => {
+  const balls = (rounding) => ({ a: ball([0, 0, 0], 1), b: ball([3, 4, 0], rounding) });
+  assert.equal(holds(balls(3.5), direction(3, 4, 0)), true);
+  assert.equal(holds(balls(4), direction(3, 4, 0)), null, "touching");
+  assert.equal(holds(balls(4.5), direction(3, 4, 0)), false);
+  assert.equal(holds(balls(4), points("touching", [0, 0, 0], [3, 4, 0])), true);
+  assert.equal(holds(balls(3.9999999999999996), points("intersecting", [0, 0, 0], [3, 4, 0])), false, "one bit less");
+  assert.equal(holds(balls(9), points("intersecting", [0, 0, 0], [3, 4, "1/1000000000000000000"])), false, "no centre");
+  assert.equal(holds(balls(9), { verdict: "intersecting", points: [[0, 0, 0]] }), false, "one is missing");
+  const crossed = { a: capsule([0, 0, 0], [1, 0, 0], 4, 0.5), b: capsule([1, 0, 0.9], [0, 1, 0], 4, 0.5) };
+  assert.equal(holds(crossed, points("intersecting", [1, 0, 0], [1, 0, 0.9])), true);
+  assert.equal(holds(crossed, points("intersecting", [1, 0, 0], [1, 0.5, 0.9])), false, "too far apart");
+  assert.equal(holds(crossed, points("intersecting", [2.5, 0, 0], [1, 0, 0.9])), false, "beyond the end");
+});
+
+test("near touching by two points", () => {
+  const root = (n) => `${floor_sqrt(BigInt(n) << 1024n)}/${1n << 512n}`;
+  const pair = { a: capsule([0, 0, 0], [1, 1, 0], 2, 1), b: ball([0, 0, 2], 1) },
+    near = (x, z) => ({ verdict: "touching", near: { points: [[x, x, 0], [0, 0, z]], direction: [0, 0, 1] } });
+  assert.equal(holds(pair, near(0, 2)), true);
+  assert.equal(holds(pair, near(root(2), 2)), false, "beyond the end of the capsule");
+  assert.equal(holds(pair, near("1/1000000000", 2)), false, "farther apart than 2^-200 of the size allows");
+  assert.equal(holds({ ...pair, b: ball([0, 0, 2], 0.999) }, near(0, 2)), false);
+});
+
 test("lengths hundreds of decades apart", () => {
   const far = {
     a: cylinder([-1e300, 0, 0], [0, 0, 5e-324], 5e-324, 1e-300),

@@ -10,6 +10,7 @@ import {
   EdgesGeometry,
   Float32BufferAttribute,
   Group,
+  LatheGeometry,
   Line,
   LineBasicMaterial,
   LineSegments,
@@ -47,11 +48,22 @@ const thinnest = 2e-3;
 /** A face a little behind the lines on it. */
 const behind_edges = { polygonOffset: true, polygonOffsetFactor: 1, polygonOffsetUnits: 1 };
 
+/** A cylinder grown by a ball: its outline from pole to pole, turned about the axis. */
+function rounded(radius: number, half: number, rounding: number) {
+  const steps = 24,
+    arc = (end: 1 | -1) =>
+      Array.from({ length: steps + 1 }, (_, i) => {
+        const t = ((end > 0 ? i : i - steps) * Math.PI) / (2 * steps);
+        return new Vector2(radius + rounding * Math.cos(t), end * half + rounding * Math.sin(t));
+      });
+  return new LatheGeometry([new Vector2(0, -half - rounding), ...arc(-1), ...arc(1), new Vector2(0, half + rounding)], 96);
+}
+
 /** See-through, so that what lies behind or inside is seen; of opacity 1 not. */
 export function solid(s: Solid, colour: string, extent: number, opacity = 0.62): Group {
-  const radius = Math.max(s.radius, thinnest * extent),
-    height = Math.max(2 * s.half, thinnest * extent);
-  const geometry = new CylinderGeometry(radius, radius, height, 96, 1),
+  const radius = Math.max(s.radius, s.rounding > 0 ? 0 : thinnest * extent),
+    height = Math.max(2 * s.half, s.rounding > 0 ? 0 : thinnest * extent);
+  const geometry = s.rounding > 0 ? rounded(radius, height / 2, s.rounding) : new CylinderGeometry(radius, radius, height, 96, 1),
     clear = opacity < 1;
   const group = new Group();
   group.add(

@@ -83,6 +83,7 @@ export interface Study {
     | "cost"
     | "forgiven"
     | "capsules"
+    | "rounding"
     | "closest"
     | "verified",
     string
@@ -143,6 +144,7 @@ export function frame_of(study: Study): Frame {
       axis: unit(c.axis),
       radius: c.radius / unit_length,
       half: c.height / 2 / unit_length,
+      rounding: (c.rounding ?? 0) / unit_length,
     }),
   };
 }
@@ -152,12 +154,12 @@ export function stand_in(s: Solid, model: Model): Capsule | null {
   const { center, axis } = s;
   switch (model) {
     case "sphere":
-      return { center, axis, half: 0, radius: Math.hypot(s.radius, s.half) };
+      return { center, axis, half: 0, radius: Math.hypot(s.radius, s.half) + s.rounding };
     case "outer capsule":
-      return { center, axis, half: s.half, radius: s.radius };
+      return { center, axis, half: s.half, radius: s.radius + s.rounding };
     case "inner capsule": {
       const radius = Math.min(s.radius, s.half);
-      return { center, axis, half: s.half - radius, radius };
+      return { center, axis, half: s.half - radius, radius: radius + s.rounding };
     }
     default:
       return null;

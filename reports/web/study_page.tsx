@@ -84,6 +84,7 @@ function Recommendation({ study }: { study: Study }) {
         {words.forgiven && <li>{said(words.forgiven)}</li>}
         {checked && <li>{said(words.enough)}</li>}
         {words.capsules && <li class={study.models[1]!.wrong > 0 ? "bad" : "ok"}>{said(words.capsules)}</li>}
+        {words.rounding && <li>{said(words.rounding)}</li>}
         {words.closest && <li>{said(words.closest)}</li>}
         {words.verified && <li class={/ 0 wrong/.test(words.verified) ? "ok" : "bad"}>{said(words.verified)}</li>}
         {study.asked_referee > 0 && (
