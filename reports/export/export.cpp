@@ -30,8 +30,9 @@ std::string triple(const Vector3& v) {
 }
 
 std::string row(const char* name, const Cylinder& c) {
-  return fmt::format("| {} | {} | {} | {} | {} |\n", name, triple(c.center), triple(c.axis),
-                     format_double(c.radius), format_double(c.height));
+  return fmt::format("| {} | {} | {} | {} | {}{} |\n", name, triple(c.center), triple(c.axis),
+                     format_double(c.radius), format_double(c.height),
+                     c.rounding == 0 ? "" : fmt::format(", rounded by {}", format_double(c.rounding)));
 }
 
 bool within_claim(const Trial& p) { return p.finding()->severity == Severity::resolution; }
@@ -296,6 +297,9 @@ Export make_export(std::span<const std::unique_ptr<Method>> methods, std::string
         name));
   if (!(is_guest ? guest_program_shows(kind) : program_shows(kind)))
     throw UsageError(fmt::format("no program can show a finding of kind {}", to_string(kind)));
+  if (!is_guest && is_rounded(pair))
+    throw UsageError("programs for packaged libraries know no roundings: daylight check --method " +
+                     std::string(name) + " asks about the pair");
   Trial asked = try_method(method, pair);
   if (!asked.fails(kind))
     throw UsageError(fmt::format("{} has no {} on this pair today: it says {}", name, to_string(kind),

@@ -22,7 +22,8 @@ constexpr double pull_margin = 0x1p-40;
 constexpr std::string_view head = R"(#!/usr/bin/env python3
 """Proves, in rational arithmetic, what is true of the two cylinders of issue.md. Standard library only.
 
-A cylinder is solid and closed: centre, axis (of any length), radius, full height. Floats are taken exactly.
+A cylinder is solid and closed: centre, axis (of any length), radius, full height, rounding: all points within the
+rounding of the cylinder proper, its core. Floats are taken exactly.
 """
 import sys
 from fractions import Fraction as F
@@ -44,9 +45,9 @@ def root(q, above):
 
 def reach(cylinder, d):
     """At least how far the cylinder reaches from its centre along d, times |d|."""
-    _, axis, radius, height = cylinder
+    _, axis, radius, height, rounding = cylinder
     across, along, ww = cross(d, axis), dot(d, axis), dot(axis, axis)
-    return F(radius) * root(dot(across, across) / ww, True) + F(height) / 2 * root(along * along / ww, True)
+    return F(rounding) * root(dot(d, d), True) + F(radius) * root(dot(across, across) / ww, True) + F(height) / 2 * root(along * along / ww, True)
 
 
 def daylight(a, b, d):
@@ -57,8 +58,8 @@ def daylight(a, b, d):
 constexpr std::string_view inside = R"(
 
 def holds(cylinder, point):
-    """Whether the point is in the solid, decided exactly: squares instead of square roots."""
-    centre, axis, radius, height = cylinder
+    """Whether the point is in the core, decided exactly: squares instead of square roots."""
+    centre, axis, radius, height, _ = cylinder
     x = minus(point, centre)
     across, along, ww = cross(x, axis), dot(x, axis), dot(axis, axis)
     return along ** 2 <= (F(height) / 2) ** 2 * ww and dot(across, across) <= F(radius) ** 2 * ww
@@ -67,7 +68,8 @@ def holds(cylinder, point):
 constexpr std::string_view near_touching = R"(
 
 def grown(cylinder, by):
-    return cylinder[:2] + (max(F(0), F(cylinder[2]) + by), max(F(0), F(cylinder[3]) + 2 * by))
+    rounding = F(cylinder[4]) + min(by, 0) if cylinder[4] else F(0)
+    return cylinder[:2] + (max(F(0), F(cylinder[2]) + by), max(F(0), F(cylinder[3]) + 2 * by), rounding)
 )";
 
 constexpr std::string_view claims = R"(
@@ -94,6 +96,23 @@ for name, a, b, point in CASES:  # a point of both
     claim(f'{name}: they meet', holds(a, point) and holds(b, point))
 )";
 
+constexpr std::string_view points_loop = R"(
+for name, a, b, (p, q) in CASES:  # a point of each core
+    between = minus(q, p)
+    claim(f'{name}: they meet',
+          holds(a, p) and holds(b, q) and dot(between, between) <= (F(a[4]) + F(b[4])) ** 2)
+)";
+
+constexpr std::string_view near_points_loop = R"(
+for name, a, b, (p, q, d) in CASES:
+    slack = sum(F(x) for x in a[2:] + b[2:]) / 2 ** 200
+    between = minus(q, p)
+    claim(f'{name}: they touch, to within 2^-200 of their size',
+          holds(grown(a, slack), p) and holds(grown(b, slack), q)
+          and dot(between, between) <= (F(a[4]) + F(b[4]) + slack) ** 2
+          and daylight(grown(a, -slack), grown(b, -slack), d) > 0)
+)";
+
 constexpr std::string_view near_loop = R"(
 for name, a, b, (point, d) in CASES:
     slack = sum(F(x) for x in a[2:] + b[2:]) / 2 ** 200
@@ -107,8 +126,8 @@ std::string tuple(const Vector3& v) {
 }
 
 std::string solid(const Cylinder& c) {
-  return fmt::format("({}, {}, {}, {})", tuple(c.center), tuple(c.axis), format_double(c.radius),
-                     format_double(c.height));
+  return fmt::format("({}, {}, {}, {}, {})", tuple(c.center), tuple(c.axis), format_double(c.radius),
+                     format_double(c.height), format_double(c.rounding));
 }
 
 std::string tuple(const ExactVector& v) {
@@ -141,8 +160,11 @@ bool meet(const Truth& truth) {
 std::string certificate(const Pair& pair, const Truth& truth) {
   if (truth.verdict == Verdict::disjoint)
     if (const auto direction = widest_direction(pair, truth)) return tuple(*direction);
-  if (truth.certificate.kind == CertificateKind::near)
-    return fmt::format("({}, {})", tuple(truth.certificate.vector), tuple(truth.certificate.second));
+  const Certificate& proof = truth.certificate;
+  if (proof.kind == CertificateKind::near || proof.kind == CertificateKind::points)
+    return fmt::format("({}, {})", tuple(proof.vector), tuple(proof.second));
+  if (proof.kind == CertificateKind::near_points)
+    return fmt::format("({}, {}, {})", tuple(proof.vector), tuple(proof.third), tuple(proof.second));
   return tuple(truth.certificate.vector);
 }
 
@@ -199,6 +221,7 @@ std::string distance_lines(const Trial& asked, const Claim& claim) {
   }
   if (asked.truth.verdict == Verdict::disjoint) {
     const Distance nearest = distance(asked.pair.a, asked.pair.b);
+    if (is_rounded(asked.pair)) return {};  // nearest points are looked for in cores alone
     const auto p = point_in(asked.pair.a, asked.pair.a.center + nearest.on_a);
     const auto q = point_in(asked.pair.b, asked.pair.b.center + nearest.on_b);
     if (!p || !q || !(said > tolerance)) return {};
@@ -249,16 +272,19 @@ std::string exact_check(const Trial& asked, const Claim& claim, AxesGiven axes) 
   const std::string data = cases(asked, kind, axes);
   const std::string more = distance_lines(asked, claim) + witness_lines(asked);
   const bool uses_points = kind != CertificateKind::direction || more.find("holds(") != std::string::npos;
-  const bool uses_roots = kind != CertificateKind::point || more.find("daylight(") != std::string::npos;
+  const bool uses_roots = (kind != CertificateKind::point && kind != CertificateKind::points) ||
+                          more.find("daylight(") != std::string::npos;
   std::string text(head);
   if (uses_roots) text += roots;
   if (uses_points) text += inside;
-  if (kind == CertificateKind::near) text += near_touching;
+  if (kind == CertificateKind::near || kind == CertificateKind::near_points) text += near_touching;
   text += claims;
   text += data;
-  text += kind == CertificateKind::direction ? disjoint_loop
-          : kind == CertificateKind::near    ? near_loop
-                                             : meeting_loop;
+  text += kind == CertificateKind::direction     ? disjoint_loop
+          : kind == CertificateKind::near        ? near_loop
+          : kind == CertificateKind::points      ? points_loop
+          : kind == CertificateKind::near_points ? near_points_loop
+                                                 : meeting_loop;
   return text + more + "sys.exit(0 if ok else 1)\n";
 }
 

@@ -43,7 +43,10 @@ std::string truth_for_guest(const Trial& asked) {
   return text;
 }
 
-std::string eight_numbers(const Cylinder& c) { return listed(core_numbers_of(c).data(), core_number_count); }
+/// Eight, or nine where one of the two is rounded.
+std::string numbers_in_c(const Cylinder& c, const Pair& of) {
+  return listed(numbers_of(c).data(), is_rounded(of) ? cylinder_number_count : core_number_count);
+}
 
 bool apart(const Trial& asked) { return asked.truth.verdict == Verdict::disjoint; }
 
@@ -188,8 +191,8 @@ std::string guest_program(const Guest& guest, const Trial& asked, const Claim& c
     return filled(template_text("command.py.in"), words);
   }
   words["method"] = guest.method;
-  words["a"] = eight_numbers(asked.pair.a);
-  words["b"] = eight_numbers(asked.pair.b);
+  words["a"] = numbers_in_c(asked.pair.a, asked.pair);
+  words["b"] = numbers_in_c(asked.pair.b, asked.pair);
   words["before"] = ends_itself(asked.finding()->kind) || asked.finding()->kind == FindingKind::exception
                         ? fmt::format("  puts(\"asking; it had this: {}\");\n  fflush(stdout);\n",
                                       to_string(asked.finding()->kind))
