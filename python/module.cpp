@@ -353,18 +353,18 @@ clearance, a length that is finite and not negative (else `invalid`).)";
 
 constexpr const char* decide_text = R"(The verdict with a proof, never wrong.
 
-Returns Decision(verdict, direction, point_head, point_tail, hull_a, hull_b, proof);
-direction and the points float64 of shape (.., 3), the hulls each a Hull and proof a
-Proof, or int8 of shape (..). disjoint: `direction`, not of unit length, points from
-a to b and is square to a plane that separates them. intersecting: a point is in
-both, which is exactly point_head + point_tail where both hulls are `space`; else the
-nearest to that in both hulls: `plane`, through the solid's centre, square to its
-axis; `line`, its axis; `center`. Of rounded solids that is so of both without their
-rounding, or proof is `points`: a's center + point_head and b's center + point_tail
-are in a and in b without their roundings (the nearest in its own hull), and no
-farther apart than both roundings together. undecided: within 1e-13 of the size of
-touching, or flat solids with little in common; ask decide_exactly. What does not
-belong to a verdict is 0.)";
+Returns Decision(verdict, direction, point_head, point_tail, hull_a, hull_b,
+proof); direction and the points float64 of shape (.., 3), the hulls each a Hull
+and proof a Proof, or int8 of shape (..). disjoint: `direction`, not of unit
+length, points from a to b and is square to a plane that separates them.
+intersecting: a point is in both, which is exactly point_head + point_tail where
+both hulls are `space`; else the nearest to that in both hulls: `plane`, through
+the solid's centre, square to its axis; `line`, its axis; `center`. Of rounded
+solids that is so of both without their rounding, or proof is `points`: a's center
++ point_head and b's center + point_tail are in a and in b without their roundings
+(the nearest in its own hull), and no farther apart than both roundings together.
+undecided: within 1e-13 of the size of touching, or flat solids with little in
+common; ask decide_exactly. What does not belong to a verdict is 0.)";
 
 constexpr const char* decide_exactly_text = R"(The proved verdict, touching told apart.
 

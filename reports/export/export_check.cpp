@@ -47,7 +47,8 @@ def reach(cylinder, d):
     """At least how far the cylinder reaches from its centre along d, times |d|."""
     _, axis, radius, height, rounding = cylinder
     across, along, ww = cross(d, axis), dot(d, axis), dot(axis, axis)
-    return F(rounding) * root(dot(d, d), True) + F(radius) * root(dot(across, across) / ww, True) + F(height) / 2 * root(along * along / ww, True)
+    core = F(radius) * root(dot(across, across) / ww, True) + F(height) / 2 * root(along * along / ww, True)
+    return core + F(rounding) * root(dot(d, d), True)
 
 
 def daylight(a, b, d):

@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: MIT
+// Each packaged library about the spheres, capsules and rounded cylinders that it has shapes for.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <map>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "corpus/pairs/families.hpp"
+#include "corpus/pairs/pair_io.hpp"
+#include "corpus/pairs/pair_numbers.hpp"
+#include "oracles/methods/method.hpp"
+#include "solver/distance.hpp"
+
+namespace cyl {
+namespace {
+
+using Kinds = std::set<SolidKind>;
+const Kinds cylinders_alone{SolidKind::cylinder},
+    without_rounded{SolidKind::sphere, SolidKind::capsule, SolidKind::cylinder},
+    all{SolidKind::sphere, SolidKind::capsule, SolidKind::cylinder, SolidKind::rounded};
+
+Kinds kinds_of(const Method& method) {
+  Kinds kinds;
+  for (const SolidKind kind : enum_values<SolidKind>)
+    if (method.takes(kind)) kinds.insert(kind);
+  return kinds;
+}
+
+TEST(RoundedMethods, HaveTheShapesOfTheirLibraries) {
+  std::map<std::string, Kinds> expected{{"intersect", all},
+                                        {"exact", all},
+                                        {"fcl-libccd", without_rounded},
+                                        {"fcl-distance-libccd", without_rounded},
+                                        {"bullet-cylinder", all},
+                                        {"bullet-gjkepa2", cylinders_alone},
+                                        {"bullet-hull-16", cylinders_alone},
+                                        {"libccd-gjk", all},
+                                        {"ode", without_rounded},
+                                        {"mujoco", without_rounded},
+                                        {"seedbook", cylinders_alone}};
+  for (const auto& method : all_methods()) {
+    const auto found = expected.find(std::string(method->name()));
+    if (found == expected.end()) continue;
+    EXPECT_EQ(kinds_of(*method), found->second) << method->name();
+    expected.erase(found);
+  }
+  EXPECT_TRUE(expected.empty()) << expected.begin()->first << " is no method";
+}
+
+/// Two solids that lie anywhere, clearly apart or deep in each other.
+std::vector<Pair> clear_pairs(const Family& family, std::size_t count) {
+  std::vector<Pair> pairs;
+  for (std::uint64_t i = 0; pairs.size() < count; i += 4) {
+    const Pair pair = family.generate(20261123, i);
+    if (std::fabs(distance(pair.a, pair.b).value) > 0.02 * size_of(pair)) pairs.push_back(pair);
+  }
+  return pairs;
+}
+
+TEST(RoundedMethods, AreRightWhereThatIsEasy) {
+  const auto methods = all_methods();
+  std::map<std::string, std::size_t> answers;
+  for (const Family& family : rounded_families()) {
+    for (const Pair& pair : clear_pairs(family, 100)) {
+      const bool meet = distance(pair.a, pair.b).value < 0;
+      for (const auto& method : methods) {
+        if (method->share() > 1) continue;
+        const MethodAnswer answer = method->ask(pair);
+        if (!method->takes(pair)) {
+          ASSERT_EQ(answer.status, Status::declined) << method->name();
+          ASSERT_TRUE(std::string(answer.reason).starts_with("it has no ")) << answer.reason;
+          continue;
+        }
+        ASSERT_EQ(answer.status, Status::answered) << method->name() << ' ' << format_pair(pair);
+        ASSERT_EQ(answer.verdict != Verdict::disjoint, meet) << method->name() << ' ' << format_pair(pair);
+        ++answers[std::string(method->name())];
+      }
+    }
+  }
+  EXPECT_EQ(answers["libccd-gjk"], 900u);
+  EXPECT_EQ(answers["mujoco"], 500u);  // no pair with a rounded cylinder
+  EXPECT_EQ(answers["ode"], 500u);
+  EXPECT_EQ(answers["fcl-libccd"], 500u);
+}
+
+// What Bullet's constructor makes of a cylinder is another solid, and it says so.
+TEST(RoundedMethods, ThatRoundEdgesNameTheirModel) {
+  const Pair pair{{{0, 0, 0}, {0, 0, 1}, 1, 2}, {{3, 0, 0}, {0, 0, 1}, 1, 2}};
+  for (const auto& method : all_methods()) {
+    const Pair model = method->modelled(pair);
+    EXPECT_EQ(is_rounded(model), method->name() == "bullet-cylinder") << method->name();
+    EXPECT_EQ(model.a.radius + model.a.rounding, 1) << method->name();
+    EXPECT_EQ(model.a.height + 2 * model.a.rounding, 2) << method->name();
+  }
+}
+
+}  // namespace
+}  // namespace cyl
