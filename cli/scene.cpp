@@ -43,9 +43,9 @@ std::pair<std::string, double> parse_joint(const std::string& text) {
   throw UsageError("--at: '" + text + "' is not JOINT=VALUE");
 }
 
-void check_lengths(const SceneQuestion& question) {
-  if (!(question.clearance >= 0 && std::isfinite(question.clearance)) || !(question.tolerated >= 0))
-    throw UsageError("--clearance and --tolerate are lengths, 0 or more");
+void check_length(const char* option, double length) {
+  if (length >= 0 && std::isfinite(length)) return;
+  throw UsageError(fmt::format("{}: {} is no length; give a finite number, 0 or more", option, length));
 }
 
 /// Throws UsageError, before any work, where there are too many cylinders for a page, which shows every pair.
@@ -89,7 +89,8 @@ void write_results(const SceneArguments& arguments, const Scene& scene, const Sc
 
 int study(SceneArguments& arguments) {
   SceneQuestion& question = arguments.question;
-  check_lengths(question);
+  check_length("--clearance", question.clearance);
+  check_length("--tolerate", question.tolerated);
   if (question.file.empty() == arguments.generate.empty())
     throw UsageError("which scene? Give a FILE or --generate");
   if (!arguments.generate.empty()) {
@@ -126,10 +127,11 @@ void add_scene(Program& program) {
   auto arguments = std::make_shared<SceneArguments>();
   SceneQuestion& question = arguments->question;
   Command command = program.command(
-      "Measure", "scene", "Says which model of its cylinders a scene or robot needs, and at what cost");
+      "Measure", "scene",
+      "Says which model of its cylinders, capsules and spheres a scene or robot needs, and at what cost");
   command.option("FILE", question.file, "a scene: .urdf, .xml (MJCF), .jsonl or .csv of cylinders");
   command.option("--clearance", question.clearance,
-                 "cylinders at this distance or nearer are too near; in the scene's unit");
+                 "solids at this distance or nearer are too near; in the scene's unit (URDF, MJCF: metres)");
   command.option("--tolerate", question.tolerated,
                  "distance beyond the clearance up to which a false alarm does no harm");
   command.number("--configurations", question.configurations,
@@ -138,6 +140,8 @@ void add_scene(Program& program) {
   command.option("--at", arguments->at, "JOINT=VALUE..: one configuration, the other joints at 0");
   command.flag("--all-pairs", question.all_pairs,
                "also adjacent links and those that the description disables");
+  command.flag("--each-link", question.each_link,
+               "take links that fixed joints join for bodies of their own, and check them too");
   command.flag("--verify", question.verify, "put every recommended answer before the referee");
   command.option("--generate", arguments->generate,
                  "generate rods or pipes instead of reading a FILE, and ask about all close pairs");
@@ -147,8 +151,8 @@ void add_scene(Program& program) {
                  "write it as one HTML file: the robot in 3D, its pairs, cost against wrong answers");
   command.examples(
       "  daylight scene robot.urdf --clearance 0.01 --verify --page robot.html",
-      "Here 2: the referee found a recommended answer wrong, 3 also: shapes that are no cylinders "
-      "were not looked at, 65: the file cannot be read.");
+      "Here 2: the referee found a recommended answer wrong, 3 also: shapes that are no cylinders, capsules "
+      "or spheres were not looked at, 65: the file cannot be read.");
   command.run([arguments] { return study(*arguments); });
 }
 

@@ -60,8 +60,9 @@ class MjcfBuilder {
   void add(int body) {
     Link link;
     link.name = name(mjOBJ_BODY, body, "body");
-    // What stands on the world is not adjacent to it: a floor is there to be hit.
-    if (body > 0 && m_.body_parentid[body] > 0) link.parent = link_of_[to_size(m_.body_parentid[body])];
+    if (body > 0) link.parent = link_of_[to_size(m_.body_parentid[body])];
+    // What moves on the world, or on what is welded to it, is not adjacent to it: a floor is there to be hit.
+    link.stands = m_.body_weldid[body] != 0 && m_.body_weldid[m_.body_parentid[body]] == 0;
     Pose origin = mjcf_pose(m_.body_pos + 3 * body, m_.body_quat + 4 * body);
     for (int k = 0; k < m_.body_jntnum[body]; ++k) {
       const int joint = m_.body_jntadr[body] + k;
@@ -71,6 +72,7 @@ class MjcfBuilder {
       if (type != mjJNT_HINGE && type != mjJNT_SLIDE) {
         scene_.notes.push_back("Joint " + link.joint +
                                " is a ball or free: it is held where the file puts it.");
+        link.held = true;
         continue;
       }
       const bool turns = type == mjJNT_HINGE, limited = m_.jnt_limited[joint] != 0;

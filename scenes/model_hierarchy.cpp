@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "scenes/model_hierarchy.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "solver/distance.hpp"
@@ -8,22 +9,15 @@
 namespace cyl {
 namespace {
 
-double length_squared(const Vector3& v) noexcept { return v.x() * v.x() + v.y() * v.y() + v.z() * v.z(); }
-
-double slack(const ProxyModels& a, const ProxyModels& b, double clearance) noexcept {
-  return proxy_distance_error * clearance + a.slack + b.slack;
-}
-
-/// Whether the balls are farther from each other than the clearance and `more`.
-bool balls_apart(const ProxyModels& a, const ProxyModels& b, double reach) noexcept {
-  const double far = a.ball + b.ball + reach;
-  return length_squared(b.solid.center - a.solid.center) > far * far;
-}
-
 Proximity proximity_of(Verdict verdict) noexcept {
   return verdict == Verdict::disjoint       ? Proximity::apart
          : verdict == Verdict::intersecting ? Proximity::within
                                             : Proximity::unclear;
+}
+
+/// A model around solids says nothing where it is met, one inside them nothing where it is not.
+Proximity only(Proximity said, Verdict verdict) noexcept {
+  return proximity_of(verdict) == said ? said : Proximity::unclear;
 }
 
 Proximity compare_distance(const ProxyModels& a, const ProxyModels& b, double clearance) noexcept {
@@ -36,13 +30,14 @@ Proximity compare_distance(const ProxyModels& a, const ProxyModels& b, double cl
 }  // namespace
 
 ProxyModels make_models(const Cylinder& c) noexcept {
-  ProxyModels m;
-  m.solid = prepare(c);
-  m.slack = proxy_distance_error * (std::sqrt(length_squared(c.center)) + c.height + c.radius + c.rounding);
-  m.outer = outer_proxy(m.solid);
-  m.inner = inner_proxy(m.solid);
-  m.ball = std::sqrt(c.radius * c.radius + c.height * c.height / 4) + c.rounding;
-  return m;
+  const double margin = model_margin * (c.radius + c.height + c.rounding);
+  const double inside = std::min(c.radius, c.height / 2);
+  const auto model = [&](double height, double rounding) {
+    return prepare({c.center, c.axis, 0, height, rounding});
+  };
+  return {prepare(c), model(0, std::sqrt(c.radius * c.radius + c.height * c.height / 4) + c.rounding + margin),
+          model(c.height, c.radius + c.rounding + margin),
+          model(c.height - 2 * inside, inside + c.rounding - margin)};
 }
 
 std::vector<ProxyModels> models_of(std::span<const Cylinder> placed) {
@@ -53,16 +48,15 @@ std::vector<ProxyModels> models_of(std::span<const Cylinder> placed) {
 }
 
 Proximity proximity(Level level, const ProxyModels& a, const ProxyModels& b, double clearance) noexcept {
+  // The clearance is a rounding too.
+  const double wide = clearance * (1 + model_margin), narrow = clearance * (1 - model_margin);
   switch (level) {
     case Level::sphere:
-      return balls_apart(a, b, clearance + slack(a, b, clearance)) ? Proximity::apart : Proximity::unclear;
+      return only(Proximity::apart, cyl::within(a.ball, b.ball, wide));
     case Level::outer:
-      return capsule_distance(a.outer, b.outer) > clearance + slack(a, b, clearance) ? Proximity::apart
-                                                                                     : Proximity::unclear;
+      return only(Proximity::apart, cyl::within(a.outer, b.outer, wide));
     case Level::inner:
-      if (a.inner.radius < 0 || b.inner.radius < 0) return Proximity::unclear;
-      return capsule_distance(a.inner, b.inner) <= clearance - slack(a, b, clearance) ? Proximity::within
-                                                                                      : Proximity::unclear;
+      return only(Proximity::within, cyl::within(a.inner, b.inner, narrow));
     case Level::cylinder:
       return proximity_of(cyl::within(a.solid, b.solid, clearance));
     case Level::distance:

@@ -21,21 +21,35 @@ std::vector<LinkPair> sorted(std::vector<LinkPair> pairs) {
   return pairs;
 }
 
-// A link without shapes and what it carries are one: every link with shapes is adjacent to the nearest such
-// above it, and those that meet in a link without shapes are adjacent to each other.
-std::vector<LinkPair> adjacent_links(const Scene& scene) {
-  std::vector<std::size_t> hub(scene.links.size());  // of a link without shapes: where its group begins
-  std::vector<std::vector<std::size_t>> members(scene.links.size());
+std::vector<std::size_t> rigid_bodies(const Scene& scene, bool each_link) {
+  std::vector<std::size_t> first(scene.links.size());
+  for (std::size_t i = 0; i < first.size(); ++i) {
+    const Link& link = scene.links[i];
+    const bool joined = !each_link && link.parent && link.motion == Motion::fixed && !link.held;
+    first[i] = joined ? first[*link.parent] : i;
+  }
+  return first;
+}
+
+// A rigid body without shapes and what it carries are one: every body with shapes is adjacent to the nearest
+// such above it, and those that meet in one without shapes are adjacent to each other.
+std::vector<LinkPair> adjacent_bodies(const Scene& scene, const std::vector<std::size_t>& rigid) {
+  const std::size_t count = scene.links.size();
+  std::vector<bool> solid(count);
+  for (std::size_t i = 0; i < count; ++i)
+    if (scene.links[i].shapes > 0) solid[rigid[i]] = true;
+  std::vector<std::size_t> hub(count);  // of a body without shapes: where its group begins
+  std::vector<std::vector<std::size_t>> members(count);
   std::vector<LinkPair> pairs;
-  for (std::size_t i = 0; i < scene.links.size(); ++i) {
+  for (std::size_t i = 0; i < count; ++i) {
     hub[i] = i;
     const Link& link = scene.links[i];
-    if (!link.parent) continue;
-    const bool solid = link.shapes > 0, solid_parent = scene.links[*link.parent].shapes > 0;
-    if (solid && solid_parent) pairs.emplace_back(*link.parent, i);
-    if (!solid && !solid_parent) hub[i] = hub[*link.parent];
-    if (solid && !solid_parent) members[hub[*link.parent]].push_back(i);
-    if (!solid && solid_parent) members[i].push_back(*link.parent);
+    if (rigid[i] != i || !link.parent || link.stands) continue;
+    const std::size_t parent = rigid[*link.parent];
+    if (solid[i] && solid[parent]) pairs.emplace_back(parent, i);
+    if (!solid[i] && !solid[parent]) hub[i] = hub[parent];
+    if (solid[i] && !solid[parent]) members[hub[parent]].push_back(i);
+    if (!solid[i] && solid[parent]) members[i].push_back(parent);
   }
   for (const auto& group : members)
     for (std::size_t i = 0; i < group.size(); ++i)
@@ -70,16 +84,20 @@ Pose motion_of(const Link& link, double value) {
 
 }  // namespace
 
-PairRule::PairRule(const Scene& scene, bool all)
-    : all_(all), adjacent_(adjacent_links(scene)), disabled_(sorted(scene.disabled)) {}
+PairRule::PairRule(const Scene& scene, bool all, bool each_link)
+    : all_(all),
+      rigid_(rigid_bodies(scene, each_link)),
+      adjacent_(adjacent_bodies(scene, rigid_)),
+      disabled_(sorted(scene.disabled)) {}
 
 PairRule::Reason PairRule::reason(const Body& a, const Body& b) const {
-  if (a.link == b.link) return Reason::same_link;
+  const LinkPair bodies = ordered(rigid_[a.link], rigid_[b.link]);
+  if (bodies.first == bodies.second) return Reason::same_body;
   if (all_) return Reason::checked;
   if ((a.type & b.affinity) == 0 && (b.type & a.affinity) == 0) return Reason::disabled;
-  const LinkPair links = ordered(a.link, b.link);
-  if (std::binary_search(adjacent_.begin(), adjacent_.end(), links)) return Reason::adjacent;
-  if (std::binary_search(disabled_.begin(), disabled_.end(), links)) return Reason::disabled;
+  if (std::binary_search(adjacent_.begin(), adjacent_.end(), bodies)) return Reason::adjacent;
+  if (std::binary_search(disabled_.begin(), disabled_.end(), ordered(a.link, b.link)))
+    return Reason::disabled;
   return Reason::checked;
 }
 

@@ -33,6 +33,8 @@ struct Link {
   std::optional<std::size_t> parent;  ///< comes before this link
   Pose origin = Pose::Identity();     ///< of the joint, in the parent's frame
   Motion motion = Motion::fixed;
+  bool held = false;    ///< fixed only here: its joint moves in a way that nothing draws
+  bool stands = false;  ///< on a parent that is there to be hit, and so not adjacent to it
   Vector3 axis{0, 0, 1};     ///< unit, in the joint's frame
   double low = 0, high = 0;  ///< what may be drawn: rad of a turn, the scene's length unit of a slide
   std::optional<Follow> follow;
@@ -62,17 +64,19 @@ struct Scene {
   std::vector<std::pair<std::size_t, std::size_t>> disabled;  ///< links not to be checked, as the file says
 };
 
-/// Which pairs of bodies are checked, as MoveIt has it: not those of one link, not those of adjacent links
-/// (joined by a joint, also through links without shapes), not those that the description disables.
+/// Which pairs of bodies are checked, as MoveIt has it: not those of one rigid body (a link and what fixed
+/// joints join to it), not those of adjacent ones (joined by a joint, also through some without shapes), not
+/// those of links that the description disables.
 class PairRule {
  public:
-  enum class Reason : unsigned char { checked, same_link, adjacent, disabled };
-  /// With `all` only the bodies of one link are left out.
-  PairRule(const Scene& scene, bool all);
+  enum class Reason : unsigned char { checked, same_body, adjacent, disabled };
+  /// With `all` only the bodies of one rigid body are left out; with `each_link` every link is one by itself.
+  PairRule(const Scene& scene, bool all, bool each_link = false);
   Reason reason(const Body& a, const Body& b) const;
 
  private:
   bool all_;
+  std::vector<std::size_t> rigid_;  ///< by link: the first link of its rigid body
   std::vector<std::pair<std::size_t, std::size_t>> adjacent_, disabled_;  ///< lower first, sorted
 };
 

@@ -16,7 +16,9 @@ namespace {
 
 using Named = std::pair<std::string, Cylinder>;
 
-constexpr std::array<std::string_view, 8> columns{"x", "y", "z", "ax", "ay", "az", "radius", "height"};
+/// The last may be missing.
+constexpr std::array<std::string_view, 9> columns{"x",  "y",  "z",      "ax",     "ay",
+                                                  "az", "radius", "height", "rounding"};
 
 Vector3 vector_of(const nlohmann::json& list) {
   if (!list.is_array() || list.size() != 3) throw std::runtime_error("a vector has 3 numbers");
@@ -41,11 +43,12 @@ Named parse_json_line(const std::string& text) {
   for (const auto& [key, value] : object.items()) {
     if (key == "name")
       named.first = value.get<std::string>();
-    else if (key != "center" && key != "axis" && key != "radius" && key != "height")
-      throw std::runtime_error("'" + key + "' is none of center, axis, radius, height, name");
+    else if (key != "center" && key != "axis" && key != "radius" && key != "height" && key != "rounding")
+      throw std::runtime_error("'" + key + "' is none of center, axis, radius, height, rounding, name");
   }
   named.second = {vector_of(object.at("center")), vector_of(object.at("axis")),
-                  object.at("radius").get<double>(), object.at("height").get<double>()};
+                  object.at("radius").get<double>(), object.at("height").get<double>(),
+                  object.value("rounding", 0.0)};
   return named;
 }
 
@@ -72,13 +75,14 @@ class CsvLines {
       throw std::runtime_error(std::to_string(fields.size()) + " fields, not " + std::to_string(width_));
     std::array<double, columns.size()> x{};
     for (std::size_t i = 0; i < x.size(); ++i) {
+      if (at_[i] == width_) continue;
       const std::string& field = fields[at_[i]];
       const char* end = field.data() + field.size();
       const auto [rest, error] = std::from_chars(field.data(), end, x[i]);
       if (error != std::errc() || rest != end)
         throw std::runtime_error(std::string(columns[i]) + " is '" + field + "', no number");
     }
-    return {name_ < width_ ? fields[name_] : "", {{x[0], x[1], x[2]}, {x[3], x[4], x[5]}, x[6], x[7]}};
+    return {name_ < width_ ? fields[name_] : "", {{x[0], x[1], x[2]}, {x[3], x[4], x[5]}, x[6], x[7], x[8]}};
   }
   void head(const std::string& text) {
     const std::vector<std::string> fields = fields_of(text);
@@ -88,7 +92,7 @@ class CsvLines {
     };
     name_ = find("name");
     for (std::size_t i = 0; i < columns.size(); ++i)
-      if ((at_[i] = find(columns[i])) == width_)
+      if ((at_[i] = find(columns[i])) == width_ && i + 1 < columns.size())
         throw std::runtime_error("no column '" + std::string(columns[i]) + "'");
   }
 

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "scenes/scene_study.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <limits>
+#include <cstdlib>
 
 #include "base/stopwatch.hpp"
 #include "base/usage_error.hpp"
@@ -24,7 +26,8 @@ class Study {
   Study(const Scene& scene, const SceneQuestion& question) : scene_(scene), q_(question) {
     result_.bodies = scene.bodies.size();
     result_.configurations = moves(scene) && q_.at.empty() ? q_.configurations : 1;
-    const PairRule rule(scene, q_.all_pairs);
+    for (const double rounding : tried_roundings(scene)) result_.roundings.emplace_back().rounding = rounding;
+    const PairRule rule(scene, q_.all_pairs, q_.each_link);
     for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
       for (std::size_t j = 0; j < i; ++j) {
         const PairRule::Reason reason = rule.reason(scene.bodies[j], scene.bodies[i]);
@@ -41,6 +44,7 @@ class Study {
   SceneStudy run() {
     for (std::size_t k = 0; k < result_.configurations; ++k) observe(k);
     for (PairStudy& pair : result_.pairs) pair.cascade = recommend(pair, q_.tolerated);
+    for (RoundingCost& r : result_.roundings) allow(r);
     for (std::size_t k = 0; k < result_.configurations; ++k) check_cascades(k);
     if (q_.verify) verify();
     measure();
@@ -53,7 +57,6 @@ class Study {
   void observe(std::size_t configuration) {
     placed_ = place(scene_, joints(configuration));
     models_ = models_of(placed_);
-    result_.least.push_back(std::numeric_limits<double>::infinity());
     for (PairStudy& pair : result_.pairs) observe(pair, configuration);
   }
 
@@ -77,10 +80,11 @@ class Study {
     }
     const bool is_within = truth.value_or(true);
     const double d = distance(a.solid, b.solid).value;
+    for (RoundingCost& r : result_.roundings)
+      r.all_rounded += !is_within && d <= q_.clearance + 2 * r.rounding;
     for (const Level level : enum_values<Level>)
       score(pair.alone[index_of(level)], accepted(level, a, b, q_.clearance), is_within, d, configuration);
     pair.least = pair.samples == 0 ? d : std::min(pair.least, d);
-    result_.least.back() = std::min(result_.least.back(), d);
     pair.greatest = pair.samples == 0 ? d : std::max(pair.greatest, d);
     ++pair.samples;
     pair.within += is_within;
@@ -104,7 +108,21 @@ class Study {
     for (std::size_t i = 0; i < result_.pairs.size(); ++i) {
       PairStudy& pair = result_.pairs[i];
       const bool said = within(pair.cascade, models_[pair.a], models_[pair.b], q_.clearance);
-      pair.cascade_wrong += said != truths_[configuration * result_.pairs.size() + i];
+      const bool is_within = truths_[configuration * result_.pairs.size() + i];
+      pair.cascade_wrong += said != is_within;
+      for (std::size_t k = 0; k < allowed_.size(); ++k)
+        result_.roundings[k].alarms +=
+            is_within != (allowed_[k][i] == pair.cascade
+                              ? said
+                              : within(allowed_[k][i], models_[pair.a], models_[pair.b], q_.clearance));
+    }
+  }
+
+  void allow(RoundingCost& r) {
+    auto& cascades = allowed_.emplace_back();
+    for (const PairStudy& pair : result_.pairs) {
+      cascades.push_back(recommend(pair, std::max(q_.tolerated, 2 * r.rounding)));
+      r.cheaper += cascades.back() != pair.cascade;
     }
   }
 
@@ -155,22 +173,30 @@ class Study {
     std::vector<ProxyModels> made(scene_.bodies.size());
     result_.models_ns = time([&](std::size_t k) {
       for (std::size_t i = 0; i < made.size(); ++i) made[i] = make_models(placed[k][i]);
-      return made.empty() ? 0 : made.back().ball;
+      return made.empty() ? 0 : made.back().ball.rounding;
     });
     const auto ask_all = [&](const auto& ask) {
       if (result_.pairs.empty()) return 0.0;
       return time([&](std::size_t k) {
         int hits = 0;
-        for (const PairStudy& pair : result_.pairs) hits += ask(pair, models[k][pair.a], models[k][pair.b]);
+        for (std::size_t i = 0; i < result_.pairs.size(); ++i)
+          hits += ask(i, models[k][result_.pairs[i].a], models[k][result_.pairs[i].b]);
         return hits;
       });
     };
-    result_.cascade_ns = ask_all([&](const PairStudy& pair, const ProxyModels& a, const ProxyModels& b) {
-      return within(pair.cascade, a, b, q_.clearance);
+    result_.cascade_ns = ask_all([&](std::size_t pair, const ProxyModels& a, const ProxyModels& b) {
+      return within(result_.pairs[pair].cascade, a, b, q_.clearance);
     });
+    for (std::size_t k = 0; k < allowed_.size(); ++k)
+      result_.roundings[k].ns =
+          result_.roundings[k].cheaper == 0
+              ? result_.cascade_ns
+              : ask_all([&](std::size_t pair, const ProxyModels& a, const ProxyModels& b) {
+                  return within(allowed_[k][pair], a, b, q_.clearance);
+                });
     for (const Level level : enum_values<Level>)
       result_.alone_ns[index_of(level)] =
-          ask_all([&, level](const PairStudy&, const ProxyModels& a, const ProxyModels& b) {
+          ask_all([&, level](std::size_t, const ProxyModels& a, const ProxyModels& b) {
             return accepted(level, a, b, q_.clearance);
           });
   }
@@ -181,6 +207,7 @@ class Study {
   std::vector<Cylinder> placed_;
   std::vector<ProxyModels> models_;
   std::vector<bool> truths_;  ///< by configuration, then pair
+  std::vector<std::vector<Cascade>> allowed_;  ///< by rounding, then pair
 };
 
 /// What a cascade costs on the samples, by weights.
@@ -221,10 +248,23 @@ Total total_of(const SceneStudy& study, Level level, double tolerated) {
   return t;
 }
 
-std::size_t alarms_of_rounding(const SceneStudy& study, double clearance, double rounding) {
-  return static_cast<std::size_t>(std::count_if(study.least.begin(), study.least.end(), [&](double least) {
-    return least > clearance && least <= clearance + 2 * rounding;
-  }));
+std::vector<double> tried_roundings(const Scene& scene) {
+  constexpr std::size_t count = 5;
+  std::vector<double> thickness, tried;
+  for (const auto& [name, link, c, type, affinity] : scene.bodies)
+    thickness.push_back(std::min(c.radius, c.height / 2) + c.rounding);
+  if (thickness.empty()) return tried;
+  const auto median = thickness.begin() + static_cast<std::ptrdiff_t>(thickness.size() / 2);
+  std::nth_element(thickness.begin(), median, thickness.end());
+  if (!(*median > 0)) return tried;
+  // Read as decimals, so that 0.002 is what everybody writes so.
+  for (int power = static_cast<int>(std::floor(std::log10(*median))); tried.size() < count; --power)
+    for (const int digit : {5, 2, 1})
+      if (const double x = std::strtod(fmt::format("{}e{}", digit, power).c_str(), nullptr);
+          x <= *median / 2 && tried.size() < count)
+        tried.push_back(x);
+  std::reverse(tried.begin(), tried.end());
+  return tried;
 }
 
 std::optional<bool> referee_within(const Pair& pair, double clearance) {

@@ -23,6 +23,7 @@ struct SceneQuestion {
   std::size_t configurations = 1000;  ///< drawn; one where nothing moves or `at` is not empty
   std::uint64_t seed = 1;
   bool all_pairs = false;
+  bool each_link = false;  ///< a rigid body of its own, also where fixed joints join links
   bool verify = false;  ///< puts every recommended answer before the referee, up to verified_cap
   std::vector<std::pair<std::string, double>> at;  ///< joints of the one configuration
 };
@@ -68,6 +69,17 @@ struct Verification {
   void add(const Pair& pair, double clearance, double tolerance, bool said);
 };
 
+/// What it costs and saves to let every solid be rounded by so much: whatever model answers as if each solid
+/// were somewhere between itself and itself so grown will do, and false alarms come up to two roundings beyond
+/// the clearance.
+struct RoundingCost {
+  double rounding = 0;
+  std::size_t cheaper = 0;      ///< pairs that another cascade then answers
+  std::size_t alarms = 0;       ///< samples of all pairs that those cascades take for within, and are not
+  std::size_t all_rounded = 0;  ///< samples that the solids would be, every one grown by so much
+  double ns = 0;                ///< of one configuration
+};
+
 struct SceneStudy {
   std::size_t bodies = 0, configurations = 0;
   std::array<std::size_t, 4> pairs_by_reason{};  ///< by PairRule::Reason
@@ -75,7 +87,7 @@ struct SceneStudy {
   std::size_t asked_referee = 0;  ///< samples that no level decides
   std::size_t undecided = 0;      ///< of those, what the referee does not prove either: taken for within
   std::optional<ClosestCall> closest;
-  std::vector<double> least;  ///< by configuration: the least distance of all pairs
+  std::vector<RoundingCost> roundings;  ///< ascending
   // Of one configuration, in ns.
   double kinematics_ns = 0, models_ns = 0, cascade_ns = 0;
   std::array<double, level_count> alone_ns{};
@@ -94,9 +106,9 @@ struct Total {
 };
 Total total_of(const SceneStudy& study, Level level, double tolerated);
 
-/// In how many configurations rounded solids, grown by so much in all directions, would be within the
-/// clearance where the solids are not.
-std::size_t alarms_of_rounding(const SceneStudy& study, double clearance, double rounding);
+/// Returns the lengths that are tried as roundings: the five greatest of 1, 2, 5, 10, .. of any power of ten
+/// that are not more than half of what half of the solids are thick (radius or half the height, and rounding).
+std::vector<double> tried_roundings(const Scene& scene);
 
 /// Returns the joints of one of the study's configurations.
 std::vector<double> joints_of(const Scene& scene, const SceneQuestion& question, std::size_t configuration);

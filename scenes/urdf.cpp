@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <console_bridge/console.h>
+#include <fmt/format.h>
 #include <tinyxml.h>
 #include <urdf_parser/urdf_parser.h>
 
@@ -10,6 +11,8 @@
 #include <filesystem>
 #include <map>
 #include <numbers>
+#include <optional>
+#include <span>
 #include <stdexcept>
 #include <vector>
 
@@ -106,6 +109,7 @@ void set_motion(Link& link, const urdf::Joint& joint, Scene& scene) {
     case urdf::Joint::PLANAR:
       scene.notes.push_back("Joint " + joint.name +
                             " is floating or planar: it is held where the file puts it.");
+      link.held = true;
       return;
     default:
       return;
@@ -126,35 +130,54 @@ Cylinder solid_of(const urdf::Geometry& geometry, const Pose& pose, bool capsule
   return solid;
 }
 
-/// Relative to the radius: what decimals of a file leave between a cylinder's end and its sphere.
-constexpr double fold_tol = 1e-6;
+/// Relative to the radius of the cylinder: how far its spheres may be from its ends, and differ from it in
+/// radius. Panda's hand, turned by 1.57 for a right angle, has 0.0012.
+constexpr double fold_tol = 0.01;
+/// Relative to the same: what a file's decimals leave between equals, and nobody is told.
+constexpr double decimals_tol = 1e-9;
 
-/// Capsules are written in URDF as a cylinder and a sphere at each end: folded into one body each.
+/// How far a sphere sticks out of the ball that is as wide as the wall, around a point.
+double excess(const Cylinder& sphere, const Cylinder& wall, const Vector3& end) {
+  return (sphere.center - end).norm() + sphere.rounding - wall.radius;
+}
+
+/// The sphere that ends a cylinder there: of those that nearly do the nearest.
+std::optional<std::size_t> sphere_at(std::span<const Body> bodies, const Cylinder& wall, const Vector3& end) {
+  std::optional<std::size_t> best;
+  for (std::size_t k = 0; k < bodies.size(); ++k) {
+    const Cylinder& s = bodies[k].solid;
+    const auto off = [&](std::size_t i) { return (bodies[i].solid.center - end).norm(); };
+    if (kind_of(s) == SolidKind::sphere && off(k) <= fold_tol * wall.radius &&
+        std::fabs(s.rounding - wall.radius) <= fold_tol * wall.radius && (!best || off(k) < off(*best)))
+      best = k;
+  }
+  return best;
+}
+
+/// URDF writes a capsule as a cylinder and a sphere at each end. Where they fit within the file's decimals,
+/// they are one body; where they do not quite, the capsule is made so wide that it holds all three.
 void fold_capsules(Scene& scene, std::size_t first) {
   auto& bodies = scene.bodies;
   for (std::size_t i = first; i < bodies.size(); ++i) {
     const Cylinder wall = bodies[i].solid;
     if (kind_of(wall) != SolidKind::cylinder || wall.radius == 0) continue;
-    std::vector<std::size_t> ends;
-    for (const double side : {-0.5, 0.5}) {
-      const Vector3 end = wall.center + side * wall.height * wall.axis;
-      for (std::size_t k = first; k < bodies.size(); ++k) {
-        const Cylinder& s = bodies[k].solid;
-        if (kind_of(s) != SolidKind::sphere || (s.center - end).norm() > fold_tol * wall.radius ||
-            std::fabs(s.rounding - wall.radius) > fold_tol * wall.radius)
-          continue;
-        ends.push_back(k);
-        break;
-      }
-    }
-    if (ends.size() < 2 || ends[0] == ends[1]) continue;
+    const Vector3 reach = 0.5 * wall.height * wall.axis, low = wall.center - reach, high = wall.center + reach;
+    const std::span<const Body> own = std::span(bodies).subspan(first);
+    const auto at_low = sphere_at(own, wall, low), at_high = sphere_at(own, wall, high);
+    if (!at_low || !at_high || at_low == at_high) continue;
+    const double wider =
+        std::max({0.0, excess(own[*at_low].solid, wall, low), excess(own[*at_high].solid, wall, high)});
+    const bool exact = wider <= decimals_tol * wall.radius;
     bodies[i].solid.radius = 0;
-    bodies[i].solid.rounding = wall.radius;
+    bodies[i].solid.rounding = wall.radius + (exact ? 0 : wider);
     ++scene.folded;
-    std::sort(ends.rbegin(), ends.rend());
-    for (const std::size_t k : ends) {
-      bodies.erase(bodies.begin() + static_cast<std::ptrdiff_t>(k));
-      if (k < i) --i;
+    if (!exact)
+      scene.notes.push_back(fmt::format(
+          "A capsule of {} is {:.2g} wider than its cylinder, to hold the spheres that do not quite end it.",
+          scene.links[bodies[i].link].name, wider));
+    for (const std::size_t k : {std::max(*at_low, *at_high), std::min(*at_low, *at_high)}) {
+      bodies.erase(bodies.begin() + static_cast<std::ptrdiff_t>(first + k));
+      if (first + k < i) --i;
     }
   }
 }
@@ -176,6 +199,10 @@ void add_bodies(Scene& scene, std::size_t index, const urdf::Link& link, const C
     scene.bodies.push_back({name, index, solid, 1, 1});
   }
   fold_capsules(scene, first);
+  const bool alone = scene.bodies.size() == first + 1;
+  if (alone &&
+      std::ranges::all_of(link.collision_array, [](const auto& c) { return c->name.empty(); }))
+    scene.bodies[first].name = link.name;
 }
 
 class UrdfBuilder {

@@ -123,9 +123,16 @@ json shown_json(const Scene& scene, const Shown& shown) {
 
 std::string study_json(const Scene& scene, const SceneQuestion& q, const SceneStudy& s) {
   json left_out = json::array(), pairs = json::array(), alone = json::object(), models = json::array(),
-       bodies = json::array(), kept = json::array();
+       bodies = json::array(), kept = json::array(), roundings = json::array(), rounded = json::array();
   for (const auto& [shape, link] : scene.left_out) left_out.push_back(shape + " of " + link);
   for (const PairStudy& pair : s.pairs) pairs.push_back(pair_json(scene, q, pair));
+  for (const RoundingCost& r : s.roundings) {
+    roundings.push_back({{"rounding", r.rounding},
+                         {"pairs", r.cheaper},
+                         {"false_alarms", r.alarms},
+                         {"all_rounded", r.all_rounded}});
+    rounded.push_back(r.ns);
+  }
   for (const Level level : enum_values<Level>) {
     alone[to_string(level)] = s.alone_ns[index_of(level)];
     models.push_back(model_json(q, s, level));
@@ -143,7 +150,7 @@ std::string study_json(const Scene& scene, const SceneQuestion& q, const SceneSt
            {"left_out", std::move(left_out)},
            {"notes", scene.notes},
            {"pairs_checked", s.pairs_by_reason[0]},
-           {"pairs_same_link", s.pairs_by_reason[1]},
+           {"pairs_same_body", s.pairs_by_reason[1]},
            {"pairs_adjacent", s.pairs_by_reason[2]},
            {"pairs_disabled", s.pairs_by_reason[3]},
            {"asked_referee", s.asked_referee},
@@ -152,9 +159,11 @@ std::string study_json(const Scene& scene, const SceneQuestion& q, const SceneSt
             {{"kinematics", s.kinematics_ns},
              {"models", s.models_ns},
              {"recommended", s.cascade_ns},
+             {"rounded", std::move(rounded)},
              {"alone", std::move(alone)}}},
            {"words", words_json(words_of(scene, q, s))},
            {"models", std::move(models)},
+           {"roundings", std::move(roundings)},
            {"bodies", std::move(bodies)},
            {"pairs", std::move(pairs)},
            {"kept", std::move(kept)}};

@@ -24,7 +24,7 @@ struct StudyWords {
   std::string cost;         ///< "0.54 us a configuration, against ..."
   std::string forgiven;     ///< false alarms that are tolerated
   std::string capsules;     ///< whether they may stand in for every cylinder
-  std::string rounding;     ///< what solids grown by some lengths would cost
+  std::vector<std::string> rounding;  ///< what some roundings would cost and save
   std::string closest;      ///< the closest call, and how exact an answer must be
   std::string verified;
 };

@@ -56,7 +56,7 @@ std::string counts_words(const Scene& scene) {
 std::string pairs_words(const SceneStudy& s) {
   std::size_t all = 0;
   for (const std::size_t n : s.pairs_by_reason) all += n;
-  return fmt::format("{}: {} checked; not checked: {} of one link, {} of adjacent links, {} disabled",
+  return fmt::format("{}: {} checked; not checked: {} of one rigid body, {} of adjacent ones, {} disabled",
                      plural(all, "pair"), s.pairs_by_reason[0], s.pairs_by_reason[1], s.pairs_by_reason[2],
                      s.pairs_by_reason[3]);
 }
@@ -177,13 +177,20 @@ std::string capsules_words(const SceneQuestion& q, const SceneStudy& s) {
       plural(t.wrong, "false alarm"), plural(t.wrong_pairs, "pair"), t.alarm);
 }
 
-std::string rounding_words(const SceneQuestion& q, const SceneStudy& s) {
+/// A line a rounding that changes something: "rounding 0.002 costs 3 false alarms in 1000 configurations, ..".
+std::vector<std::string> rounding_words(const SceneStudy& s) {
   std::vector<std::string> words;
-  for (const double rounding : {0.001, 0.002, 0.005, 0.01, 0.02})
-    words.push_back(fmt::format("{} for {}", alarms_of_rounding(s, q.clearance, rounding), rounding));
-  return fmt::format(
-      "rounded by so much, all solids would raise false alarms in this many configurations: {}",
-      fmt::join(words, ", "));
+  for (const RoundingCost& r : s.roundings) {
+    const double saved = 100 * (1 - r.ns / s.cascade_ns);
+    if (r.cheaper == 0) continue;
+    words.push_back(fmt::format(
+        "rounding {} costs {} in {} and saves {} (all solids rounded so: {})", r.rounding,
+        plural(r.alarms, "false alarm"), plural(s.configurations, "configuration"),
+        saved >= 0.5 ? fmt::format("{:.0f} % of the time", saved) : "no time", r.all_rounded));
+  }
+  if (words.empty() && !s.roundings.empty())
+    words.push_back(fmt::format("no rounding up to {} would make it cheaper", s.roundings.back().rounding));
+  return words;
 }
 
 std::string closest_words(const Scene& scene, const SceneQuestion& q, const SceneStudy& s) {
@@ -222,7 +229,7 @@ StudyWords words_of(const Scene& scene, const SceneQuestion& q, const SceneStudy
   w.cost = cost_words(q, s);
   w.forgiven = forgiven_words(q, s);
   w.capsules = capsules_words(q, s);
-  w.rounding = rounding_words(q, s);
+  w.rounding = rounding_words(s);
   w.closest = closest_words(scene, q, s);
   w.verified = verified_words(s);
   return w;
@@ -238,8 +245,9 @@ std::string study_text(const Scene& scene, const SceneQuestion& q, const SceneSt
   text += line(w.configurations) + models_table(q, s);
   const std::string more = needs_more(scene, q, s);
   text += "\n" + w.enough + (more.empty() ? "\n" : ":\n" + more);
-  return text + line(w.recommended, "recommended: ") + line(w.cost, "  ") + line(w.forgiven, "  ") +
-         line(w.capsules) + line(w.rounding) + line(w.closest) + line(w.verified);
+  text += line(w.recommended, "recommended: ") + line(w.cost, "  ") + line(w.forgiven, "  ");
+  for (const std::string& rounding : w.rounding) text += line(rounding, "  ");
+  return text + line(w.capsules) + line(w.closest) + line(w.verified);
 }
 
 std::string close_pairs_head() {
