@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <map>
 
@@ -10,17 +11,25 @@
 namespace cyl {
 namespace {
 
-std::string plural(std::size_t n, const char* what) {
-  return fmt::format("{} {}{}", n, what, n == 1 ? "" : "s");
+std::string plural(std::size_t n, std::string_view what) {
+  const bool hisses = what.ends_with("x") || what.ends_with("sh");
+  return fmt::format("{} {}{}", n, what, n == 1 ? "" : hisses ? "es" : "s");
 }
 
 /// Names each kind of shape with the links that have it: "3 boxes, ..." would hide which.
 std::vector<std::string> left_out_words(const Scene& scene) {
-  std::map<std::string, std::vector<std::string>> by_kind;
-  for (const auto& [shape, link] : scene.left_out) by_kind[shape].push_back(link);
+  std::map<std::string, std::map<std::string, std::size_t>> by_kind;
+  for (const auto& [shape, link] : scene.left_out) ++by_kind[shape][link];
   std::vector<std::string> words;
-  for (const auto& [kind, links] : by_kind)
-    words.push_back(fmt::format("{} {} ({})", links.size(), kind, fmt::join(links, ", ")));
+  for (const auto& [kind, links] : by_kind) {
+    std::size_t count = 0;
+    std::vector<std::string> names;
+    for (const auto& [link, times] : links) {
+      count += times;
+      names.push_back(times == 1 ? link : fmt::format("{} of {}", times, link));
+    }
+    words.push_back(fmt::format("{} ({})", plural(count, kind), fmt::join(names, ", ")));
+  }
   return words;
 }
 
@@ -39,7 +48,7 @@ std::string shapes_words(const Scene& scene) {
   std::map<std::string, std::size_t> others;
   for (const auto& [shape, link] : scene.left_out) ++others[shape];
   for (const auto& [shape, count] : others)
-    words.push_back(fmt::format("{} {} (not looked at)", count, shape));
+    words.push_back(plural(count, shape) + " (not looked at)");
   return words.empty() ? "no shapes" : fmt::format("{}", fmt::join(words, ", "));
 }
 
@@ -134,7 +143,10 @@ std::string enough_words(const SceneQuestion& q, const SceneStudy& s) {
                                      : fmt::format("; these {} need more", all - capsules));
 }
 
-const char* plural_of(Level level) {
+/// The level of the cylinders is that of what the file has.
+std::string plural_of(Level level, const Scene& scene) {
+  const auto is_rounded = [](const Body& body) { return body.solid.rounding > 0; };
+  if (level == Level::cylinder && std::ranges::any_of(scene.bodies, is_rounded)) return "shapes as they are";
   return std::array{
       "spheres", "capsules", "inner capsules", "cylinders", "distances", "proofs"}[index_of(level)];
 }
@@ -145,19 +157,18 @@ std::string recommended_words(const Scene& scene, const SceneStudy& s) {
   for (const PairStudy& pair : s.pairs) ++last[pair.cascade.last];
   std::vector<std::string> parts;
   for (const auto& [level, count] : last)
-    parts.push_back(fmt::format("{} for {}", plural_of(level), plural(count, "pair")));
+    parts.push_back(fmt::format("{} for {}", plural_of(level, scene), plural(count, "pair")));
   const std::string all = fmt::format("{}", fmt::join(parts, ", "));
   if (scene.left_out.empty()) return all;
   return fmt::format("{}; of these shapes alone: NOT LOOKED AT: {}", all,
                      fmt::join(left_out_words(scene), ", "));
 }
 
-std::string cost_words(const SceneQuestion& q, const SceneStudy& s) {
-  const Level exact = q.clearance > 0 ? Level::distance : Level::cylinder;
+std::string cost_words(const SceneStudy& s) {
   return fmt::format(
       "{:.2f} us a configuration, against {:.2f} us with the {} test for every pair; {:.2f} us more to move "
       "the bodies",
-      s.cascade_ns / 1000, s.alone_ns[index_of(exact)] / 1000, to_string(exact),
+      s.cascade_ns / 1000, s.alone_ns[index_of(Level::cylinder)] / 1000, to_string(Level::cylinder),
       (s.kinematics_ns + s.models_ns) / 1000);
 }
 
@@ -226,7 +237,7 @@ StudyWords words_of(const Scene& scene, const SceneQuestion& q, const SceneStudy
   w.configurations = configurations_words(q, s);
   w.enough = enough_words(q, s);
   w.recommended = recommended_words(scene, s);
-  w.cost = cost_words(q, s);
+  w.cost = cost_words(s);
   w.forgiven = forgiven_words(q, s);
   w.capsules = capsules_words(q, s);
   w.rounding = rounding_words(s);
