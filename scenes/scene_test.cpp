@@ -114,7 +114,10 @@ void expect_like_mujoco(const std::string& file, bool geom_names) {
 }
 
 TEST(Kinematics, OfUrdfAsMujocoHasThem) { expect_like_mujoco(folder + "crane.urdf", false); }
-TEST(Kinematics, OfMjcfAsMujocoHasThem) { expect_like_mujoco(folder + "crane.xml", true); }
+TEST(Kinematics, OfMjcfAsMujocoHasThem) {
+  expect_like_mujoco(folder + "crane.xml", true);
+  expect_like_mujoco(folder + "walker.xml", true);
+}
 
 TEST(Joints, StayWithinLimitsAndMimic) {
   const Scene scene = read_scene(folder + "crane.urdf");
@@ -153,20 +156,40 @@ TEST(Pairs, ThoseThatMoveItLeavesOut) {
     EXPECT_EQ(r.reason(body(scene, a), body(scene, b)), r.reason(body(scene, b), body(scene, a)));
     return r.reason(body(scene, a), body(scene, b));
   };
-  EXPECT_EQ(why(rule, "counterweight/weight", "counterweight/shackle"), Reason::same_link);
+  EXPECT_EQ(why(rule, "counterweight/weight", "counterweight/shackle"), Reason::same_body);
   EXPECT_EQ(why(rule, "ground/post", "tower"), Reason::adjacent);
   EXPECT_EQ(why(rule, "tower", "boom/beam"), Reason::adjacent);  // through the hinge, which has no shape
   EXPECT_EQ(why(rule, "trolley", "counterweight/weight"), Reason::checked);
   EXPECT_EQ(why(rule, "hook", "counterweight/shackle"), Reason::disabled);
   EXPECT_EQ(why(rule, "ground/post", "boom/beam"), Reason::checked);
+  // The hook is fixed to the trolley: one body, also beside the boom.
+  const PairRule each(scene, false, true);
+  EXPECT_EQ(why(rule, "trolley", "hook"), Reason::same_body);
+  EXPECT_EQ(why(all, "trolley", "hook"), Reason::same_body);
+  EXPECT_EQ(why(each, "trolley", "hook"), Reason::adjacent);
+  EXPECT_EQ(why(rule, "boom/beam", "hook"), Reason::adjacent);
+  EXPECT_EQ(why(each, "boom/beam", "hook"), Reason::checked);
   EXPECT_EQ(why(all, "tower", "boom/beam"), Reason::checked);
-  EXPECT_EQ(why(all, "counterweight/weight", "counterweight/shackle"), Reason::same_link);
+  EXPECT_EQ(why(all, "counterweight/weight", "counterweight/shackle"), Reason::same_body);
   const Scene mjcf = read_scene(folder + "crane.xml");
   const PairRule mujoco(mjcf, false);
   EXPECT_EQ(mujoco.reason(body(mjcf, "tower/mast"), body(mjcf, "trolley/rope")), Reason::disabled);
   EXPECT_EQ(mujoco.reason(body(mjcf, "tower/mast"), body(mjcf, "boom/beam")), Reason::adjacent);
   EXPECT_EQ(mujoco.reason(body(mjcf, "tower/mast"), body(mjcf, "world/post")), Reason::checked);
-  EXPECT_EQ(mjcf.left_out, (std::vector<LeftOut>{{"plane", "world"}, {"sphere", "boom"}}));
+  EXPECT_EQ(mjcf.left_out, (std::vector<LeftOut>{{"plane", "world"}}));
+}
+
+// What is welded to the world is the world, what floats on it is no part of it.
+TEST(Pairs, OfWeldedAndFloatingBodies) {
+  const Scene scene = read_scene(folder + "walker.xml");
+  const PairRule rule(scene, false);
+  using Reason = PairRule::Reason;
+  const auto why = [&](const char* a, const char* b) { return rule.reason(body(scene, a), body(scene, b)); };
+  EXPECT_EQ(why("shin/tibia", "foot/sole"), Reason::same_body);
+  EXPECT_EQ(why("thigh/femur", "foot/sole"), Reason::adjacent);
+  EXPECT_EQ(why("trunk/chest", "foot/sole"), Reason::checked);
+  EXPECT_EQ(why("rail/bar", "trunk/chest"), Reason::checked);
+  EXPECT_EQ(why("rail/bar", "thigh/femur"), Reason::checked);
 }
 
 TEST(Files, JsonLinesAndCsvSayTheSame) {
@@ -261,6 +284,42 @@ TEST(Urdf, ACylinderWithASphereAtEachEndIsACapsule) {
   EXPECT_EQ(spheres, 3u);
   EXPECT_EQ(scene.bodies[0].solid.rounding, 0.06);
   EXPECT_NEAR(scene.bodies[0].solid.height, 0.3, 1e-15);
+}
+
+// Turned by 1.57 for a right angle, the ends of the cylinder are 6e-5 beside the spheres: nothing is lost.
+TEST(Urdf, ACapsuleHoldsWhatNearlyFits) {
+  const auto file =
+      std::filesystem::path(testing::TempDir()) / ("nearly_" + std::to_string(getpid()) + ".urdf");
+  std::ofstream(file) << "<robot name='r'><link name='hand'><collision><origin rpy='1.57 0 0'/><geometry>"
+                         "<cylinder radius='0.05' length='0.15'/></geometry></collision>"
+                         "<collision><origin xyz='0 -0.075 0'/><geometry><sphere radius='0.05'/></geometry>"
+                         "</collision><collision><origin xyz='0 0.075 0'/><geometry><sphere radius='0.0501'/>"
+                         "</geometry></collision></link></robot>";
+  const Scene scene = read_scene(file.string());
+  std::filesystem::remove(file);
+  ASSERT_EQ(scene.bodies.size(), 1u);
+  const auto& [name, link, capsule, type, affinity] = scene.bodies[0];
+  EXPECT_EQ(name, "hand");
+  ASSERT_EQ(kind_of(capsule), SolidKind::capsule);
+  for (const auto& [y, radius] : {std::pair(-0.075, 0.05), std::pair(0.075, 0.0501)}) {
+    const Vector3 end = capsule.center + (y < 0 ? 0.5 : -0.5) * capsule.height * capsule.axis;
+    EXPECT_LE((end - Vector3(0, y, 0)).norm() + radius, capsule.rounding + 1e-15);
+  }
+  EXPECT_LT(capsule.rounding, 0.0502);
+  ASSERT_EQ(scene.notes.size(), 1u);
+  EXPECT_NE(scene.notes[0].find("hand is 0.00016 wider"), std::string::npos) << scene.notes[0];
+}
+
+TEST(Files, SolidsMayBeRounded) {
+  const auto file =
+      std::filesystem::path(testing::TempDir()) / ("rounded_" + std::to_string(getpid()) + ".csv");
+  std::ofstream(file) << "rounding,x,y,z,ax,ay,az,radius,height\n0.25,0,0,0,0,0,1,0,2\n";
+  const Scene csv = read_scene(file.string());
+  std::filesystem::remove(file);
+  EXPECT_EQ(csv.bodies.at(0).solid.rounding, 0.25);
+  EXPECT_NE(error_of(".jsonl", R"({"center":[0,0,0],"axis":[0,0,1],"radius":1,"height":2,"rounding":-1})")
+                .find("rounding is negative"),
+            std::string::npos);
 }
 
 }  // namespace

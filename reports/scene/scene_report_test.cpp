@@ -79,13 +79,14 @@ TEST(Study, TheSameTwiceButForTimes) {
     auto object = parse_json(study_json(scene, q, study_scene(scene, q)));
     EXPECT_EQ(object.erase("ns_per_configuration"), 1u);
     EXPECT_EQ(object["words"].erase("cost"), 1u);
+    EXPECT_EQ(object["words"].erase("rounding"), 1u);
     return object;
   };
   const auto first = reported();
   EXPECT_EQ(first, reported());
-  EXPECT_EQ(first["cylinders"], 7);
+  EXPECT_EQ(first["cylinders"], 8);
   EXPECT_EQ(first["pairs"].size(), first["pairs_checked"]);
-  EXPECT_EQ(first["left_out"].size(), 2u);
+  EXPECT_EQ(first["left_out"].size(), 1u);
 }
 
 TEST(Study, NeedsTheSimplestThatSuffices) {
@@ -126,12 +127,45 @@ TEST(Study, TellsWhereAModelIsWrongByMost) {
   EXPECT_GT(least(&Score::missed), 5u);
 }
 
+// Two capsules whose balls overlap, 0.9 apart: balls do where each may be rounded by 0.5.
+TEST(Study, TellsWhatARoundingCostsAndSaves) {
+  const Scene scene = still_scene(
+      {{"left", {{0, 0, 0}, {0, 0, 1}, 0, 4, 1}}, {"right", {{2.9, 0, 0}, {0, 0, 1}, 0, 4, 1}}});
+  const SceneStudy s = study_scene(scene, question(0, 0, 1));
+  ASSERT_EQ(tried_roundings(scene), (std::vector{0.02, 0.05, 0.1, 0.2, 0.5}));
+  ASSERT_EQ(s.roundings.size(), 5u);
+  for (const RoundingCost& r : s.roundings) {
+    const bool allowed = r.rounding == 0.5;
+    EXPECT_EQ(r.cheaper, allowed) << r.rounding;
+    EXPECT_EQ(r.alarms, allowed);
+    EXPECT_EQ(r.all_rounded, allowed);
+    EXPECT_GT(r.ns, 0);
+  }
+  const std::string text = study_text(scene, question(0, 0, 1), s);
+  EXPECT_NE(text.find("rounding 0.5 costs 1 false alarm in 1 configuration and saves "), text.npos) << text;
+  EXPECT_NE(text.find("2 capsules on 2 links"), text.npos);
+}
+
+TEST(Study, RoundingsAreFalseAlarmsOfCheaperModels) {
+  const Scene scene = read_scene(folder + "twenty.urdf");
+  const SceneStudy s = study_scene(scene, question(0, 0, 100));
+  std::size_t before = 0;
+  for (const RoundingCost& r : s.roundings) {
+    EXPECT_LE(r.alarms, r.all_rounded) << r.rounding;
+    EXPECT_GE(r.all_rounded, before);
+    before = r.all_rounded;
+  }
+  EXPECT_GT(s.roundings.back().alarms, 0u);
+  EXPECT_EQ(s.roundings.back().rounding, 0.02);
+}
+
 TEST(Study, SaysItInWords) {
   const Scene scene = read_scene(folder + "crane.urdf");
   const SceneQuestion q = question(0, 0, 30);
   const std::string text = study_text(scene, q, study_scene(scene, q));
   for (const char* words :
-       {"seed 1\n", "7 cylinders on 7 links, 3 free joints, 1 that mimic", "not a cylinder: 1 box (ground)",
+       {"seed 1\n", "1 sphere, 7 cylinders, 1 box (not looked at) on 7 links, 3 free joints, 1 that mimic",
+        "not looked at: 1 box (ground)",
         "recommended: ", " suffice for ", "closest call: ", "referee: ", " 0 wrong"})
     EXPECT_NE(text.find(words), std::string::npos) << words << "\n" << text;
 }

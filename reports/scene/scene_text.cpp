@@ -86,8 +86,9 @@ std::string count_text(std::size_t n) { return n == 0 ? "-" : std::to_string(n);
 
 std::string models_table(const SceneQuestion& q, const SceneStudy& s) {
   constexpr const char* row = "{:<15} {:>10} {:>9} {:>10} {:>9} {:>9} {:>12} {:>9}\n";
-  std::string text = fmt::format(fmt::runtime("\n" + std::string(row)), "model", "decides", "alone ns",
-                                 "suffices", "wrong", "in pairs", "false alarm", "missed");
+  std::string text = "\n";
+  text += fmt::format(fmt::runtime(row), "model", "decides", "alone ns", "suffices", "wrong", "in pairs",
+                      "false alarm", "missed");
   for (const Level level : enum_values<Level>) {
     const Total t = total_of(s, level, q.tolerated);
     text += fmt::format(fmt::runtime(row), to_string(level), count_text(t.decided),

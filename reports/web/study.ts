@@ -68,12 +68,18 @@ export interface Study {
   left_out: string[];
   notes: string[];
   pairs_checked: number;
-  pairs_same_link: number;
+  pairs_same_body: number;
   pairs_adjacent: number;
   pairs_disabled: number;
   asked_referee: number;
   undecided: number;
-  ns_per_configuration: { kinematics: number; models: number; recommended: number; alone: Record<Model, number> };
+  ns_per_configuration: {
+    kinematics: number;
+    models: number;
+    recommended: number;
+    rounded: number[];
+    alone: Record<Model, number>;
+  };
   words: Record<
     | "counts"
     | "pairs"
@@ -83,11 +89,10 @@ export interface Study {
     | "cost"
     | "forgiven"
     | "capsules"
-    | "rounding"
     | "closest"
     | "verified",
     string
-  > & { left_out: string[] };
+  > & { left_out: string[]; rounding: string[] };
   models: {
     model: Model;
     decides: number;
@@ -126,7 +131,7 @@ export function frame_of(study: Study): Frame {
     high: Vec = [-Infinity, -Infinity, -Infinity];
   for (const { cylinders } of study.kept)
     for (const c of cylinders) {
-      const reach = Math.hypot(c.radius, c.height / 2);
+      const reach = Math.hypot(c.radius, c.height / 2) + (c.rounding ?? 0);
       for (const i of [0, 1, 2] as const) {
         low[i] = Math.min(low[i], c.center[i] - reach);
         high[i] = Math.max(high[i], c.center[i] + reach);
@@ -169,8 +174,8 @@ export const has_stand_in = (model: Model) => rank(model) < 3;
 
 /** The middle of a box around the balls around all. */
 export function middle_of(solids: Solid[]): Vec {
-  const ends = (i: 0 | 1 | 2) =>
-    solids.flatMap((s) => [s.center[i] - Math.hypot(s.radius, s.half), s.center[i] + Math.hypot(s.radius, s.half)]);
+  const ball = (s: Solid) => Math.hypot(s.radius, s.half) + s.rounding;
+  const ends = (i: 0 | 1 | 2) => solids.flatMap((s) => [s.center[i] - ball(s), s.center[i] + ball(s)]);
   return ([0, 1, 2] as const).map((i) => (Math.min(...ends(i)) + Math.max(...ends(i))) / 2) as Vec;
 }
 
@@ -180,7 +185,7 @@ export const extent_of = (solids: Solid[], from: Vec = [0, 0, 0]) =>
     1e-3,
     ...solids.map((s) => {
       const way = sub(s.center, from);
-      return Math.sqrt(dot(way, way)) + Math.hypot(s.radius, s.half);
+      return Math.sqrt(dot(way, way)) + Math.hypot(s.radius, s.half) + s.rounding;
     }),
   );
 

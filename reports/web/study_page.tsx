@@ -84,7 +84,7 @@ function Recommendation({ study }: { study: Study }) {
         {words.forgiven && <li>{said(words.forgiven)}</li>}
         {checked && <li>{said(words.enough)}</li>}
         {words.capsules && <li class={study.models[1]!.wrong > 0 ? "bad" : "ok"}>{said(words.capsules)}</li>}
-        {words.rounding && <li>{said(words.rounding)}</li>}
+        <Lines lines={words.rounding.map(said)} shown={2} />
         {words.closest && <li>{said(words.closest)}</li>}
         {words.verified && <li class={/ 0 wrong/.test(words.verified) ? "ok" : "bad"}>{said(words.verified)}</li>}
         {study.asked_referee > 0 && (
@@ -101,7 +101,7 @@ function Recommendation({ study }: { study: Study }) {
         {words.configurations && <li>{said(words.configurations)}</li>}
         {words.left_out.map((text) => (
           <li class="warn" key={text}>
-            Not a cylinder, not looked at: <LongList text={text} />
+            Not looked at: <LongList text={text} />
           </li>
         ))}
         <Lines lines={study.notes} />

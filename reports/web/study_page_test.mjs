@@ -78,7 +78,7 @@ async function reads_what_is_recommended(page) {
     words.pairs,
     words.enough,
     words.capsules,
-    words.rounding,
+    words.rounding[0],
     words.closest.replace(" - ", " \u2013 "),
     words.verified,
     words.configurations,
