@@ -129,7 +129,7 @@ struct Candidate {
 /// Whether its verdict, which is wrong, is right about other solids that it says it models.
 bool is_right_about_its_model(const Method& method, const Trial& wrong) {
   const Pair model = method.modelled(wrong.pair);
-  if (!is_rounded(model) || is_rounded(wrong.pair) || !is_refuted_verdict(wrong.findings[0]->kind))
+  if (numbers_of(model) == numbers_of(wrong.pair) || !is_refuted_verdict(wrong.findings[0]->kind))
     return false;
   const bool said = wrong.answers[0].verdict != Verdict::disjoint;
   const Verdict truth = judge_verdict(model).verdict;
