@@ -61,8 +61,7 @@ TEST(Approaches, AsManyAsAScriptFinds) {
     for (const bool each_link : {false, true}) {
       question.each_link = each_link;
       const SceneStudy study = study_scene(scene, question);
-      const auto expected =
-          counted("--configurations 100 '" + file + (each_link ? "' --each-link" : "'"));
+      const auto expected = counted("--configurations 100 '" + file + (each_link ? "' --each-link" : "'"));
       EXPECT_EQ(scene.folded, expected["folded"]) << name;
       Counts within;
       std::size_t all = 0;

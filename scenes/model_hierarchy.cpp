@@ -42,7 +42,8 @@ ProxyModels make_models(const Cylinder& c) noexcept {
   const auto model = [&](double height, double rounding) {
     return prepare({c.center, c.axis, 0, height, rounding});
   };
-  return {prepare(c), model(0, std::sqrt(c.radius * c.radius + c.height * c.height / 4) + c.rounding + margin),
+  return {prepare(c),
+          model(0, std::sqrt(c.radius * c.radius + c.height * c.height / 4) + c.rounding + margin),
           model(c.height, c.radius + c.rounding + margin),
           model(c.height - 2 * inside, inside + c.rounding - margin)};
 }

@@ -33,8 +33,8 @@ struct Link {
   std::optional<std::size_t> parent;  ///< comes before this link
   Pose origin = Pose::Identity();     ///< of the joint, in the parent's frame
   Motion motion = Motion::fixed;
-  bool held = false;    ///< fixed only here: its joint moves in a way that nothing draws
-  bool stands = false;  ///< on a parent that is there to be hit, and so not adjacent to it
+  bool held = false;         ///< fixed only here: its joint moves in a way that nothing draws
+  bool stands = false;       ///< on a parent that is there to be hit, and so not adjacent to it
   Vector3 axis{0, 0, 1};     ///< unit, in the joint's frame
   double low = 0, high = 0;  ///< what may be drawn: rad of a turn, the scene's length unit of a slide
   std::optional<Follow> follow;

@@ -17,7 +17,7 @@ namespace {
 using Named = std::pair<std::string, Cylinder>;
 
 /// The last may be missing.
-constexpr std::array<std::string_view, 9> columns{"x",  "y",  "z",      "ax",     "ay",
+constexpr std::array<std::string_view, 9> columns{"x",  "y",      "z",      "ax",      "ay",
                                                   "az", "radius", "height", "rounding"};
 
 Vector3 vector_of(const nlohmann::json& list) {

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Scenes from files. The ending of the name tells the format. A .jsonl file holds a solid a line,
-// {"center":[0,0,0],"axis":[0,0,1],"radius":1,"height":2,"rounding":0.1,"name":"..."}, rounding and name where
-// there are any. The first line of a .csv file names its columns x y z ax ay az radius height, in any order,
-// and rounding and name likewise. A .urdf file holds a robot; a .srdf file beside it names the pairs of links
-// that are not to be checked. An .xml file is MuJoCo's MJCF, which MuJoCo's own loader reads.
+// {"center":[0,0,0],"axis":[0,0,1],"radius":1,"height":2,"rounding":0.1,"name":"..."}, rounding and name
+// where there are any. The first line of a .csv file names its columns x y z ax ay az radius height, in any
+// order, and rounding and name likewise. A .urdf file holds a robot; a .srdf file beside it names the pairs
+// of links that are not to be checked. An .xml file is MuJoCo's MJCF, which MuJoCo's own loader reads.
 #pragma once
 
 #include <string>

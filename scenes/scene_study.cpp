@@ -206,7 +206,7 @@ class Study {
   SceneStudy result_;
   std::vector<Cylinder> placed_;
   std::vector<ProxyModels> models_;
-  std::vector<bool> truths_;  ///< by configuration, then pair
+  std::vector<bool> truths_;                   ///< by configuration, then pair
   std::vector<std::vector<Cascade>> allowed_;  ///< by rounding, then pair
 };
 

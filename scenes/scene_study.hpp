@@ -24,7 +24,7 @@ struct SceneQuestion {
   std::uint64_t seed = 1;
   bool all_pairs = false;
   bool each_link = false;  ///< a rigid body of its own, also where fixed joints join links
-  bool verify = false;  ///< puts every recommended answer before the referee, up to verified_cap
+  bool verify = false;     ///< puts every recommended answer before the referee, up to verified_cap
   std::vector<std::pair<std::string, double>> at;  ///< joints of the one configuration
 };
 
@@ -70,8 +70,8 @@ struct Verification {
 };
 
 /// What it costs and saves to let every solid be rounded by so much: whatever model answers as if each solid
-/// were somewhere between itself and itself so grown will do, and false alarms come up to two roundings beyond
-/// the clearance.
+/// were somewhere between itself and itself so grown will do, and false alarms come up to two roundings
+/// beyond the clearance.
 struct RoundingCost {
   double rounding = 0;
   std::size_t cheaper = 0;      ///< pairs that another cascade then answers
@@ -107,7 +107,8 @@ struct Total {
 Total total_of(const SceneStudy& study, Level level, double tolerated);
 
 /// Returns the lengths that are tried as roundings: the five greatest of 1, 2, 5, 10, .. of any power of ten
-/// that are not more than half of what half of the solids are thick (radius or half the height, and rounding).
+/// that are not more than half of what half of the solids are thick (radius or half the height, and
+/// rounding).
 std::vector<double> tried_roundings(const Scene& scene);
 
 /// Returns the joints of one of the study's configurations.
@@ -127,9 +128,9 @@ Level needed(const PairStudy& pair, double tolerated);
 /// it those that save more than they cost, by `level_weight`.
 Cascade recommend(const PairStudy& pair, double tolerated);
 
-/// ns of each level, measured on random pairs of rods, half of them capsules, whose balls overlap, at touch and
-/// at a clearance. Only the ratios matter, and that they are the same for everybody, so that a seed gives the
-/// same cascade.
+/// ns of each level, measured on random pairs of rods, half of them capsules, whose balls overlap, at touch
+/// and at a clearance. Only the ratios matter, and that they are the same for everybody, so that a seed gives
+/// the same cascade.
 inline constexpr std::array<double, level_count> level_weight{2.8, 14, 14, 24, 270, 87};
 
 }  // namespace cyl

@@ -161,7 +161,8 @@ void fold_capsules(Scene& scene, std::size_t first) {
   for (std::size_t i = first; i < bodies.size(); ++i) {
     const Cylinder wall = bodies[i].solid;
     if (kind_of(wall) != SolidKind::cylinder || wall.radius == 0) continue;
-    const Vector3 reach = 0.5 * wall.height * wall.axis, low = wall.center - reach, high = wall.center + reach;
+    const Vector3 reach = 0.5 * wall.height * wall.axis, low = wall.center - reach,
+                  high = wall.center + reach;
     const std::span<const Body> own = std::span(bodies).subspan(first);
     const auto at_low = sphere_at(own, wall, low), at_high = sphere_at(own, wall, high);
     if (!at_low || !at_high || at_low == at_high) continue;
@@ -200,8 +201,7 @@ void add_bodies(Scene& scene, std::size_t index, const urdf::Link& link, const C
   }
   fold_capsules(scene, first);
   const bool alone = scene.bodies.size() == first + 1;
-  if (alone &&
-      std::ranges::all_of(link.collision_array, [](const auto& c) { return c->name.empty(); }))
+  if (alone && std::ranges::all_of(link.collision_array, [](const auto& c) { return c->name.empty(); }))
     scene.bodies[first].name = link.name;
 }
 

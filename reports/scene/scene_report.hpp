@@ -25,7 +25,7 @@ struct StudyWords {
   std::string forgiven;     ///< false alarms that are tolerated
   std::string capsules;     ///< whether they may stand in for every cylinder
   std::vector<std::string> rounding;  ///< what some roundings would cost and save
-  std::string closest;      ///< the closest call, and how exact an answer must be
+  std::string closest;                ///< the closest call, and how exact an answer must be
   std::string verified;
 };
 StudyWords words_of(const Scene& scene, const SceneQuestion& question, const SceneStudy& study);

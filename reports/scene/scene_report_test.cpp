@@ -129,8 +129,8 @@ TEST(Study, TellsWhereAModelIsWrongByMost) {
 
 // Two capsules whose balls overlap, 0.9 apart: balls do where each may be rounded by 0.5.
 TEST(Study, TellsWhatARoundingCostsAndSaves) {
-  const Scene scene = still_scene(
-      {{"left", {{0, 0, 0}, {0, 0, 1}, 0, 4, 1}}, {"right", {{2.9, 0, 0}, {0, 0, 1}, 0, 4, 1}}});
+  const Scene scene =
+      still_scene({{"left", {{0, 0, 0}, {0, 0, 1}, 0, 4, 1}}, {"right", {{2.9, 0, 0}, {0, 0, 1}, 0, 4, 1}}});
   const SceneStudy s = study_scene(scene, question(0, 0, 1));
   ASSERT_EQ(tried_roundings(scene), (std::vector{0.02, 0.05, 0.1, 0.2, 0.5}));
   ASSERT_EQ(s.roundings.size(), 5u);
@@ -165,8 +165,8 @@ TEST(Study, SaysItInWords) {
   const std::string text = study_text(scene, q, study_scene(scene, q));
   for (const char* words :
        {"seed 1\n", "1 sphere, 7 cylinders, 1 box (not looked at) on 7 links, 3 free joints, 1 that mimic",
-        "not looked at: 1 box (ground)",
-        "recommended: ", " suffice for ", "closest call: ", "referee: ", " 0 wrong"})
+        "not looked at: 1 box (ground)", "recommended: ", " suffice for ",
+        "closest call: ", "referee: ", " 0 wrong"})
     EXPECT_NE(text.find(words), std::string::npos) << words << "\n" << text;
 }
 

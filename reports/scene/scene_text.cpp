@@ -47,8 +47,7 @@ std::string shapes_words(const Scene& scene) {
   }
   std::map<std::string, std::size_t> others;
   for (const auto& [shape, link] : scene.left_out) ++others[shape];
-  for (const auto& [shape, count] : others)
-    words.push_back(plural(count, shape) + " (not looked at)");
+  for (const auto& [shape, count] : others) words.push_back(plural(count, shape) + " (not looked at)");
   return words.empty() ? "no shapes" : fmt::format("{}", fmt::join(words, ", "));
 }
 
@@ -189,16 +188,17 @@ std::string capsules_words(const SceneQuestion& q, const SceneStudy& s) {
       plural(t.wrong, "false alarm"), plural(t.wrong_pairs, "pair"), t.alarm);
 }
 
-/// A line a rounding that changes something: "rounding 0.002 costs 3 false alarms in 1000 configurations, ..".
+/// A line a rounding that changes something: "rounding 0.002 costs 3 false alarms in 1000 configurations,
+/// ..".
 std::vector<std::string> rounding_words(const SceneStudy& s) {
   std::vector<std::string> words;
   for (const RoundingCost& r : s.roundings) {
     const double saved = 100 * (1 - r.ns / s.cascade_ns);
     if (r.cheaper == 0) continue;
-    words.push_back(fmt::format(
-        "rounding {} costs {} in {} and saves {} (all solids rounded so: {})", r.rounding,
-        plural(r.alarms, "false alarm"), plural(s.configurations, "configuration"),
-        saved >= 0.5 ? fmt::format("{:.0f} % of the time", saved) : "no time", r.all_rounded));
+    words.push_back(
+        fmt::format("rounding {} costs {} in {} and saves {} (all solids rounded so: {})", r.rounding,
+                    plural(r.alarms, "false alarm"), plural(s.configurations, "configuration"),
+                    saved >= 0.5 ? fmt::format("{:.0f} % of the time", saved) : "no time", r.all_rounded));
   }
   if (words.empty() && !s.roundings.empty())
     words.push_back(fmt::format("no rounding up to {} would make it cheaper", s.roundings.back().rounding));

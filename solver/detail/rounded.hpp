@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Solids grown by balls, as intersect(), decide() and distance() hand them on: the room is how near the solids
-// without their rounding may come. Room > 0, both solids valid.
+// Solids grown by balls, as intersect(), decide() and distance() hand them on: the room is how near the
+// solids without their rounding may come. Room > 0, both solids valid.
 #pragma once
 
 #include "solver/distance.hpp"
