@@ -185,4 +185,33 @@ holds out '^[1-9][0-9]* are of guests that are not here$'
 holds out '^\* plain/wrong_disjoint'
 grep -q 'bad/' out && { echo 'something is told of what is not here'; exit 1; }
 expect 2 "$daylight" campaign --resume runs/bad --pairs 600 --plugin ./moved.so
+# Two that know balls, by nine numbers and by a field, and one that says it is asked about no rounding.
+cat >balls.cpp <<'END'
+#include <cmath>
+#include "plugin.h"
+static int ask(const double* a, const double* b, double* more) {
+  more[0] = std::sqrt((a[0] - b[0]) * (a[0] - b[0]) + (a[1] - b[1]) * (a[1] - b[1]) + (a[2] - b[2]) * (a[2] - b[2])) -
+            (a[8] + b[8]);
+  return more[0] > 0 ? DAYLIGHT_DISJOINT : DAYLIGHT_INTERSECTING;
+}
+static const DaylightMethod balls{DAYLIGHT_PLUGIN_ABI, "balls", "1", 1e-12, 0, 0, ask, 0, 0, 0, 0, 1};
+const DaylightMethod* daylight_method() { return &balls; }
+END
+c++ -std=c++17 -shared -fPIC -I "$source_tree/oracles" balls.cpp -o libballs.so
+cat >spheres.py <<'END'
+import json, math, sys
+print(json.dumps({'name': 'spheres', 'takes': ['sphere'], 'claim': {'relative': 1e-12}}), flush=True)
+for line in sys.stdin:
+    a, b = (json.loads(line)[k] for k in 'ab')
+    apart = math.dist(a['center'], b['center']) > a.get('rounding', 0) + b.get('rounding', 0)
+    print(json.dumps({'verdict': 'disjoint' if apart else 'intersecting'}), flush=True)
+END
+expect 0 "$daylight" campaign --pairs 400 --seed 7 --cases '' --methods balls,spheres,bad --families sphere_sphere --table \
+  --plugin ./libballs.so --plugin ./moved.so --command 'python3 spheres.py' --out runs/balls
+holds out '^balls +400 +- +- +- '
+holds out '^spheres +400 +- +- +- '
+holds out '^bad +400 +400 '
+expect 0 "$daylight" campaign --pairs 400 --seed 7 --cases '' --methods bad,spheres --families capsule_capsule --table \
+  --plugin ./moved.so --command 'python3 spheres.py' --out runs/capsules
+holds out '^spheres +400 +400 '
 echo passed
