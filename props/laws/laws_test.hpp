@@ -47,6 +47,7 @@ struct Planted final : FakeMethod {
 
   explicit Planted(Ask ask, std::string_view name = "planted", Claim claim = of_verdicts)
       : FakeMethod(std::string(name), std::move(ask), {.claim = claim}) {}
+  bool takes(SolidKind) const override { return true; }
   Call prepare_all(std::span<const Pair> pairs) override {
     if (!prepared) return {};
     return [this, copy = std::vector<Pair>(pairs.begin(), pairs.end())](std::size_t i) {

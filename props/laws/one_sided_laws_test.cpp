@@ -2,6 +2,7 @@
 // Each one-sided law catches a method with a fault planted, and what else catches it has a reason.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <bit>
 #include <cstdint>
 
@@ -55,6 +56,14 @@ TEST(OneSidedLaws, CatchSolidsSaidToMeetWhereTheyWereMovedApart) {
                                    answer.witness = CertificateKind::none;
                                  })),
             Numbers{13});
+}
+
+TEST(OneSidedLaws, CatchACapsuleThatMissesWhatItsSphereMeets) {
+  const auto misses_long_ones = [](const Pair& pair, MethodAnswer& answer) {
+    if (pair.a.height > pair.a.rounding) answer.verdict = Verdict::disjoint;
+  };
+  const Numbers broken = laws_broken_by(plant("intersect", misses_long_ones), "capsule_capsule");
+  EXPECT_NE(std::find(broken.begin(), broken.end(), 14), broken.end());
 }
 
 TEST(OneSidedLaws, CatchADistanceThatStopsGrowing) {
