@@ -48,8 +48,8 @@ std::unique_ptr<Method> method_of(std::string_view name, Minimiser minimiser,
 constexpr Claim claim_of_text{
     .relative = 1e-13,
     .source =
-        "Intersection of Cylinders, 2017, sections 3.1 and 8: true whenever the cylinders are separated, "
-        "what only touches among them. The relative part, for rounding, is ours.",
+        "Intersection of Cylinders, 2017, sections 3.1 and 8: yes where they are separated, "
+        "and what only touches counts as that. The relative part, for rounding, is ours.",
     .assumed = true};
 
 constexpr literature::Options printed{
