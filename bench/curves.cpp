@@ -93,6 +93,7 @@ Digits digits_of(std::span<const BenchRow> rows) {
   for (const BenchRow& row : rows)
     if (const auto decade = margin_of_family(row.family)) by_margin[*decade] = &row;
   Digits digits;
+  if (by_margin.contains(1)) digits.right = 0;
   for (int d = 1; by_margin.contains(d) && all_right(*by_margin[d]); ++d) digits.right = d;
   if (!digits.right) return digits;
   const double needed = std::log(1 - low_confidence) / std::log1p(-low_share_tol);

@@ -84,7 +84,7 @@ TEST(Curves, TheMarginOfAFamilyIsInItsName) {
 TEST(Digits, EndAtTheFirstMarginThatIsNotRight) {
   EXPECT_EQ(digits_of(rows_of(6)).right, 6);
   EXPECT_EQ(digits_of(rows_of(15)).right, 15);
-  EXPECT_FALSE(digits_of(rows_of(0)).right);
+  EXPECT_EQ(digits_of(rows_of(0)).right, 0);
   EXPECT_FALSE(digits_of({}).right);
   for (const auto fault : {&BenchRow::wrong_intersecting, &BenchRow::undecided, &BenchRow::failed})
     EXPECT_EQ(digits_of(rows_of(9, 600, fault)).right, 9);
@@ -94,7 +94,7 @@ TEST(Digits, EndAtTheFirstMarginThatIsNotRight) {
   again.erase(again.begin() + 1);  // not measured
   EXPECT_EQ(digits_of(again).right, 1);
   again[0].pairs = 0;
-  EXPECT_FALSE(digits_of(again).right);
+  EXPECT_EQ(digits_of(again).right, 0);
   const BenchRow random = row_of("m", "random");
   EXPECT_FALSE(digits_of({&random, 1}).right);
 }

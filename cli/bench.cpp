@@ -74,7 +74,7 @@ std::string through_pipes(const std::vector<Guest>& guests) {
 }
 
 void run(const BenchArguments& options) {
-  MethodSet set = with_guests(options.guests);
+  MethodSet set = with_guests(options.guests, options.methods);
   const std::string pipes = through_pipes(set.guests);
   const auto methods = methods_for(options, std::move(set));
   const auto progress = [](std::string_view what) { std::cerr << what << std::endl; };

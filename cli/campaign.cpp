@@ -100,7 +100,7 @@ CampaignOptions plan_new(const CampaignArguments& arguments, Selection& selectio
   options.cases = arguments.cases ? *arguments.cases : in_source_tree("corpus/cases");
   // Absolute: who resumes the run may stand elsewhere.
   if (!options.cases.empty()) options.cases = fs::absolute(options.cases).lexically_normal().string();
-  MethodSet set = with_guests(arguments.guests);
+  MethodSet set = with_guests(arguments.guests, arguments.methods);
   options.guests = format_guests(set.guests);
   selection.methods = std::move(set.methods);
   if (!arguments.methods.empty())

@@ -111,7 +111,7 @@ class Checker {
       methods_.push_back(certifying_method());
       return;
     }
-    methods_ = with_guests(options.guests).select(options.method, options.method);
+    methods_ = with_guests(options.guests, options.method).select(options.method, options.method);
     const auto named = [&](const auto& method) { return method->name() == options.method; };
     if (std::any_of(methods_.begin(), methods_.end(), named)) std::erase_if(methods_, std::not_fn(named));
     if (methods_.size() == 1) return;

@@ -241,7 +241,7 @@ int gate(const GateArguments& arguments) {
     return exit_pass;
   }
   GateOptions options;
-  MethodSet set = with_guests(arguments.guests);
+  MethodSet set = with_guests(arguments.guests, arguments.methods);
   const std::vector<Guest> guests = set.guests;
   const auto methods = std::move(set).select(arguments.methods, our_methods);
   const auto places = places_of(arguments.annotate, guests);

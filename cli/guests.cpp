@@ -7,12 +7,14 @@
 #include <cmath>
 #include <cstdlib>
 #include <filesystem>
+#include <iterator>
 #include <stdexcept>
 
 #include "base/process/confine.hpp"
 #include "base/usage_error.hpp"
 #include "cli/options.hpp"
 #include "corpus/store/run_store.hpp"
+#include "oracles/methods/errata.hpp"
 
 namespace cyl {
 namespace {
@@ -32,6 +34,13 @@ void add(MethodSet& set, const Guest& guest) {
     set.methods.push_back(std::move(opened.method));
     set.guests.push_back(std::move(opened.guest));
   }
+}
+
+/// Those that `spec` names, before the guests.
+void add_documents(MethodSet& set, std::string_view spec) {
+  auto named = named_errata(set.methods, spec);
+  set.methods.insert(set.methods.end() - static_cast<std::ptrdiff_t>(set.guests.size()),
+                     std::make_move_iterator(named.begin()), std::make_move_iterator(named.end()));
 }
 
 double read_claim(const std::string& text) {
@@ -78,8 +87,9 @@ std::vector<std::unique_ptr<Method>> MethodSet::select(std::string_view spec, st
   return std::move(methods);
 }
 
-MethodSet with_guests(const GuestOptions& options) {
+MethodSet with_guests(const GuestOptions& options, std::string_view spec) {
   MethodSet set{all_methods(), {}};
+  add_documents(set, spec);
   if (!options.plugins.empty() && !can_confine()) {
     fmt::print(stderr,
                "daylight: this kernel refuses a filter of system calls (seccomp): plug-ins are asked in "
@@ -101,7 +111,9 @@ MethodSet with_guests(const GuestOptions& options) {
 }
 
 void add_guests_of_run(MethodSet& set, const std::string& run, std::string& missing) {
-  const Config config = RunStore::open(run).config();
+  const RunStore store = RunStore::open(run);
+  for (const MethodRecord& method : store.methods()) add_documents(set, method.name);
+  const Config config = store.config();
   const auto stored = config.find("guests");
   if (stored == config.end()) return;
   for (const Guest& guest : parse_guests(stored->second)) {
@@ -114,8 +126,9 @@ void add_guests_of_run(MethodSet& set, const std::string& run, std::string& miss
   }
 }
 
-MethodSet methods_for_targets(const GuestOptions& options, const std::vector<std::string>& targets) {
-  MethodSet set = with_guests(options);
+MethodSet methods_for_targets(const GuestOptions& options, const std::vector<std::string>& targets,
+                              std::string_view spec) {
+  MethodSet set = with_guests(options, spec);
   std::string missing;
   for (const std::string& target : targets) {
     std::error_code none;  // of no name at all

@@ -30,16 +30,17 @@ struct MethodSet {
   std::vector<std::unique_ptr<Method>> select(std::string_view spec, std::string_view unnamed) &&;
 };
 
-/// Returns every method of this build and the guests. Throws UsageError where a guest cannot be had or has a
-/// name that is taken.
-MethodSet with_guests(const GuestOptions& options);
+/// Returns every method of this build, what errata_methods() has that `spec` names, and the guests. Throws
+/// UsageError where a guest cannot be had or has a name that is taken.
+MethodSet with_guests(const GuestOptions& options, std::string_view spec = {});
 
-/// Adds the guests that the run in this folder asked, but those that are here by that name. Where one cannot
-/// be had, the reason is added to `missing`.
+/// Adds the guests and errata_methods() that the run in this folder asked, but those that are here by that
+/// name. Where one cannot be had, the reason is added to `missing`.
 void add_guests_of_run(MethodSet& set, const std::string& run, std::string& missing);
 
 /// Returns what with_guests() does, and the guests of the runs that `targets` (of targets.hpp) name, be it by
 /// a file of one. A guest of a run that cannot be had is left out, with a line on standard error.
-MethodSet methods_for_targets(const GuestOptions& options, const std::vector<std::string>& targets);
+MethodSet methods_for_targets(const GuestOptions& options, const std::vector<std::string>& targets,
+                              std::string_view spec = {});
 
 }  // namespace cyl

@@ -72,7 +72,7 @@ class Replayer {
     for (const std::string& name : arguments.targets) {
       for (Target& target : targets_of(name)) targets_.push_back(std::move(target));
     }
-    methods_ = methods_for_targets(arguments.guests, arguments.targets).methods;
+    methods_ = methods_for_targets(arguments.guests, arguments.targets, arguments.methods).methods;
     if (!arguments.methods.empty()) methods_ = select_methods(std::move(methods_), arguments.methods);
   }
 

@@ -95,8 +95,9 @@ class Searcher {
  public:
   explicit Searcher(const WorstArguments& arguments)
       : arguments_(arguments),
-        methods_(select_methods(with_judge(methods_for_targets(arguments.guests, arguments.from).methods),
-                                arguments.methods)),
+        methods_(select_methods(
+            with_judge(methods_for_targets(arguments.guests, arguments.from, arguments.methods).methods),
+            arguments.methods)),
         known_(known_pairs(arguments)) {
     options_.seed = arguments.seed;
     options_.search = arguments.time ? Search::time : *from_word<Search>(arguments.search);

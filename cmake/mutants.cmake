@@ -16,6 +16,7 @@ endforeach()
 set(test_candidates
     oracles/trial/compare_test.cpp oracles/methods/contained_test.cpp oracles/referee/referee_test.cpp
     oracles/trial/proofs_test.cpp oracles/referee/enclosed_distance_test.cpp oracles/methods/literature_2017_test.cpp
+    oracles/methods/errata_test.cpp
     corpus/store/run_store_test.cpp corpus/pairs/pair_io_test.cpp
     props/laws/laws_test.cpp props/laws/exact_laws_test.cpp props/laws/one_sided_laws_test.cpp
     props/laws/approximate_laws_test.cpp props/laws/answer_laws_test.cpp props/laws/examine_test.cpp

@@ -5,8 +5,7 @@
 #include <string>
 
 #include "corpus/pairs/families.hpp"
-#include "corpus/store/case_files.hpp"
-#include "oracles/methods/literature_2008_errata_test.hpp"
+#include "oracles/methods/method.hpp"
 #include "oracles/referee/referee.hpp"
 #include "oracles/trial/trial.hpp"
 #include "solver/decide.hpp"
@@ -16,40 +15,6 @@ namespace {
 
 constexpr std::uint64_t pairs_per_family = 100;
 constexpr std::uint64_t family_seed = 20080302;
-
-const Erratum* find_erratum(std::string_view id) {
-  for (const Erratum& erratum : errata_2008())
-    if (erratum.id == id) return &erratum;
-  return nullptr;
-}
-
-TEST(Errata2008, AreWrongWithTheFaultAndRightWithout) {
-  int replayed = 0;
-  for (const Case& c : read_case_folder(DAYLIGHT_SOURCE_DIR "/corpus/cases")) {
-    const Erratum* erratum = find_erratum(c.id);
-    if (!erratum) continue;
-    ++replayed;
-    EXPECT_EQ(judge(c.pair).verdict, c.truth) << c.id;
-    EXPECT_EQ(without_fault(*erratum, c.pair), c.truth) << c.id;
-    const Verdict wrong = with_fault(*erratum, c.pair);
-    EXPECT_NE(wrong, c.truth) << c.id;
-    EXPECT_TRUE(wrong == Verdict::disjoint || wrong == Verdict::intersecting) << c.id;
-  }
-  EXPECT_EQ(replayed, 6);
-}
-
-// Those of which no pair shows anything: a campaign on the families changes no verdict.
-TEST(Errata2008, HarmlessOnesChangeNoVerdict) {
-  for (const std::string_view id : {"errata-2008-vanished-derivative-term", "errata-2008-equal-eigenvalues",
-                                    "errata-book-equal-eigenvalues"}) {
-    const Erratum& erratum = *find_erratum(id);
-    for (const Family& family : families())
-      for (std::uint64_t index = 0; index < pairs_per_family; ++index) {
-        const Pair pair = family.generate(family_seed, index);
-        ASSERT_EQ(with_fault(erratum, pair), without_fault(erratum, pair)) << id << family.name << index;
-      }
-  }
-}
 
 class Literature2008 : public testing::TestWithParam<std::size_t> {};
 

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: MIT
-// The text of 2017, put right by both of its minimisers at several caps, and as printed.
-#include <algorithm>
+// The text of 2017: put right by both of its minimisers at several caps, as printed, and with single faults.
 #include <string>
 #include <utility>
 
-#include "oracles/methods/adapter.hpp"
-#include "oracles/methods/method.hpp"
+#include "oracles/methods/errata.hpp"
+#include "oracles/methods/literature_method.hpp"
 #include "solver/literature/separation_2017.hpp"
 
 namespace cyl {
@@ -24,7 +23,7 @@ struct Setting {
 
 // Shares: 64 steps take 25 us where nothing separates, 32 steps 12 us, and twice to five times that next to
 // touching. Claims: above the largest margin at which a setting was wrong, table in
-// solver/literature/errata.md.
+// solver/literature/readings.md.
 constexpr Setting settings[] = {
     {"seed2017-cg-steps-4", Minimiser::conjugate_gradients, 4, 2e-2, 1},
     {"seed2017-cg-steps-8", Minimiser::conjugate_gradients, 8, 1e-4, 1},
@@ -38,42 +37,30 @@ constexpr Setting settings[] = {
     {"seed2017-powell-steps-64", Minimiser::powell, 64, 1e-12, 8},
 };
 
-class Literature2017 final : public Method {
- public:
-  Literature2017(std::string_view name, Minimiser minimiser, const literature::Options& options,
-                 const Claim& claim, unsigned share)
-      : name_(name), minimiser_(minimiser), options_(options), claim_(claim), share_(share) {}
+std::unique_ptr<Method> method_of(std::string_view name, Minimiser minimiser,
+                                  const literature::Options& options, const Claim& claim, unsigned share) {
+  return std::make_unique<LiteratureMethod>(
+      name, "2017-04-16", claim, share, options.literal,
+      [=](const Prepared& a, const Prepared& b) { return separated_cylinders(a, b, minimiser, options); });
+}
 
-  std::string_view name() const override { return name_; }
-  std::string_view version() const override { return DAYLIGHT_VERSION; }
-  Claim claim() const override { return claim_; }
-  bool foreign() const override { return false; }
-  unsigned share() const override { return share_; }
-  MethodAnswer answer(const Pair& pair) override {
-    const literature::Separation found = separate(prepare(pair.a), prepare(pair.b));
-    MethodAnswer answer;
-    answer.status = Status::answered;
-    answer.verdict = found.verdict;
-    if (found.verdict == Verdict::disjoint) answer.set_direction(found.direction);
-    return answer;
-  }
-  Call prepare_all(std::span<const Pair> pairs) override {
-    return [this, solids = solids_of<Prepared>(pairs, prepare)](std::size_t i) {
-      return separate(solids[i].first, solids[i].second).verdict;
-    };
-  }
+/// The text says that what only touches is apart, so that much is no fault of it.
+constexpr Claim claim_of_text{
+    .relative = 1e-13,
+    .source =
+        "Intersection of Cylinders, 2017, sections 3.1 and 8: yes where they are separated, "
+        "and what only touches counts as that. The relative part, for rounding, is ours.",
+    .assumed = true};
 
- private:
-  literature::Separation separate(const Prepared& a, const Prepared& b) const {
-    return literature::separated_cylinders(a, b, minimiser_, options_);
-  }
+constexpr literature::Options printed{
+    .faults = literature::printed_2017, .literal = true, .touching_apart = true};
 
-  const std::string_view name_;
-  const Minimiser minimiser_;
-  const literature::Options options_;
-  const Claim claim_;
-  const unsigned share_;
-};
+std::unique_ptr<Method> printed_method(std::string_view name, Minimiser minimiser,
+                                       literature::Faults faults) {
+  literature::Options options = printed;
+  options.faults = faults;
+  return method_of(name, minimiser, options, claim_of_text, 1);
+}
 
 }  // namespace
 
@@ -82,23 +69,36 @@ std::vector<std::unique_ptr<Method>> literature_2017_methods() {
   for (const Setting& s : settings) {
     literature::Options options;
     options.step_cap = options.line_cap = s.cap;
-    methods.push_back(std::make_unique<Literature2017>(
-        s.name, s.minimiser, options,
-        Claim{.relative = s.relative,
-              .source = "solver/literature/errata.md: above the largest margin at which it was wrong.",
-              .assumed = true,
-              .every_bit = true},
-        s.share));
+    methods.push_back(
+        method_of(s.name, s.minimiser, options,
+                  {.relative = s.relative,
+                   .source = "solver/literature/readings.md: above the largest margin at which it was wrong.",
+                   .assumed = true,
+                   .every_bit = true},
+                  s.share));
   }
-  literature::Options printed;
-  printed.faults = literature::faults_2017;
-  methods.push_back(std::make_unique<Literature2017>(
-      "seed2017-printed", Minimiser::conjugate_gradients, printed,
-      Claim{.source =
-                "Intersection of Cylinders, 2017, section 8: It returns true whenever the cylinders are "
-                "separated.",
-            .every_bit = true},
-      1));
+  methods.push_back(printed_method("seed2017-printed", Minimiser::conjugate_gradients, printed.faults));
+  return methods;
+}
+
+std::vector<std::unique_ptr<Method>> errata_2017_methods() {
+  using literature::Fault;
+  constexpr auto cg = Minimiser::conjugate_gradients;
+  constexpr literature::Options right{.step_cap = 64, .line_cap = 64};
+  constexpr literature::Options apart{.step_cap = 64, .line_cap = 64, .touching_apart = true};
+  std::vector<std::unique_ptr<Method>> methods;
+  methods.push_back(printed_method("seed2017-printed-powell", Minimiser::powell, printed.faults));
+  methods.push_back(
+      printed_method("seed2017-printed-octants", cg, printed.faults.without(Fault::one_octant)));
+  methods.push_back(method_of("seed2017-touching-apart", cg, apart, claim_of_text, 8));
+  for (const Erratum& e : errata()) {
+    if (e.document != Document::text_2017 || !e.fault) continue;
+    const std::string name(e.id.substr(e.id.find('-') + 1));
+    const bool of_touching = *e.fault == Fault::mixed_strictness;
+    methods.push_back(method_of("seed2017-only-" + name, cg, with(of_touching ? apart : right, *e.fault),
+                                claim_of_text, 8));
+    methods.push_back(printed_method("seed2017-without-" + name, cg, printed.faults.without(*e.fault)));
+  }
   return methods;
 }
 

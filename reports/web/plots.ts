@@ -135,7 +135,7 @@ const symbol_of = (libraries: string[]) => new Map(libraries.map((name, i) => [n
 export function pareto(points: SpeedPoint[]): SpeedPoint[] {
   const front: SpeedPoint[] = [];
   for (const p of in_order(
-    points.filter((p) => p.digits !== null),
+    points.filter((p) => p.digits !== null && p.digits > 0),
     (x, y) => x.ns - y.ns || y.digits! - x.digits!,
   ))
     if (front.length === 0 || p.digits! > front[front.length - 1]!.digits!) front.push(p);
@@ -152,23 +152,45 @@ const curves_of = (points: SpeedPoint[]) =>
   });
 /** Room that a name takes in the plot: digits high, and as a part of its width for each letter. */
 const name_height = 0.5,
-  name_width = 0.0055;
+  point_height = 0.38,
+  name_width = 0.0083;
 
-/** The points whose name has room beside the names before it. */
-function with_room(points: SpeedPoint[]): SpeedPoint[] {
-  const logs = points.map((p) => Math.log10(p.ns)),
-    span = Math.max(1, Math.max(...logs) - Math.min(...logs));
-  const placed: SpeedPoint[] = [];
-  const apart = (p: SpeedPoint, q: SpeedPoint) => {
-    const [left, right] = p.ns < q.ns ? [p, q] : [q, p];
-    return (
-      Math.abs(p.digits! - q.digits!) > name_height ||
-      Math.log10(right.ns / left.ns) > name_width * span * (left.curve.length + 2) * 1.4
+/** A name of a curve and where it begins, a place near its point where neither a point nor another name is. */
+interface Name {
+  p: SpeedPoint;
+  ns: number;
+  digits: number;
+}
+function named(points: SpeedPoint[], all: SpeedPoint[], highest: number): Name[] {
+  const logs = all.map((p) => Math.log10(p.ns)),
+    [low, high] = [Math.floor(Math.min(...logs)), Math.ceil(Math.max(...logs))], // as the axis has it
+    span = Math.max(1, high - low);
+  const wide = (p: SpeedPoint) => name_width * span * p.curve.length;
+  const names: Name[] = [];
+  const free = (at: Name) =>
+    at.digits <= highest &&
+    all.every(
+      (q) =>
+        Math.abs(q.digits! - at.digits) >= point_height ||
+        Math.log10(q.ns) > Math.log10(at.ns) + wide(at.p) + 0.01 * span ||
+        Math.log10(at.ns) > Math.log10(q.ns) + 0.01 * span,
+    ) &&
+    names.every(
+      (q) =>
+        Math.abs(q.digits - at.digits) >= name_height ||
+        Math.log10(q.ns) > Math.log10(at.ns) + wide(at.p) ||
+        Math.log10(at.ns) > Math.log10(q.ns) + wide(q.p),
     );
-  };
-  for (const p of in_order(points, (x, y) => y.digits! - x.digits! || x.ns - y.ns))
-    if (placed.every((q) => apart(p, q))) placed.push(p);
-  return placed;
+  for (const p of in_order(points, (x, y) => x.ns - y.ns)) {
+    // Right of the point or left of it, a little above it; else ever farther up and down.
+    const x = Math.log10(p.ns);
+    const places = Array.from({ length: 40 }, (_, i) => 0.4 + (i % 2 === 0 ? -1 : 1) * Math.ceil(i / 2) * name_height)
+      .flatMap((up) => [x + 0.006 * span, x - wide(p) - 0.006 * span].map((start) => [start, up] as const))
+      .filter(([start, up]) => start >= low && start + wide(p) <= high && p.digits! + up >= 0.2)
+      .map(([start, up]) => ({ p, ns: 10 ** start, digits: p.digits! + up }));
+    names.push(places.find(free) ?? { p, ns: p.ns, digits: p.digits! });
+  }
+  return names;
 }
 const point_words = (p: SpeedPoint) =>
   [
@@ -177,8 +199,8 @@ const point_words = (p: SpeedPoint) =>
       `pair${p.p99 === null ? "" : `, p99 ${time(p.p99)}`}${p.max === null ? "" : `, most ${time(p.max)}`}`,
     p.digits === null
       ? "no digits known"
-      : `right from 1e\u2212${short(p.digits)} ` +
-        `on${p.digits_low === null ? "" : `; with 95 % confidence from 1e\u2212${short(p.digits_low)}`}`,
+      : `${p.digits === 0 ? "not always right even at 1e\u22121" : `right from 1e\u2212${short(p.digits)} on`}` +
+        `${p.digits_low === null ? "" : `; with 95 % confidence from 1e\u2212${short(p.digits_low)}`}`,
     `said disjoint wrongly ${grouped(p.wrong_disjoint)}, intersecting wrongly ${grouped(p.wrong_intersecting)} of ` +
       `${grouped(p.asked)}`,
   ].join("\n");
@@ -197,6 +219,8 @@ export function speed_plot(points: SpeedPoint[], o: Options): Element {
   const times = known.flatMap((p) => [p.ns, p.p99 ?? p.ns]);
   const fill = (p: SpeedPoint) => colour.get(library(p.method))!;
   const ends = curves_of(known).map((c) => c.reduce((best, p) => (p.digits! > best.digits! ? p : best)));
+  const highest = Math.max(4, ...known.map((p) => p.digits!)) + 3;
+  const names = named(ends, known, highest - 0.3);
   const stairs = front.flatMap((p, i) =>
     (i === 0 ? [] : [{ ns: p.ns, digits: front[i - 1]!.digits! }]).concat({ ns: p.ns, digits: p.digits! }),
   );
@@ -213,7 +237,7 @@ export function speed_plot(points: SpeedPoint[], o: Options): Element {
       y: {
         label: "\u2191 correct digits d: right at every margin from 1e\u2212d on (whisker: down to the 95 % bound)",
         grid: true,
-        domain: [0, Math.max(4, ...known.map((p) => p.digits!)) + 1],
+        domain: [0, highest],
       },
       color: { type: "identity" },
       symbol: { type: "identity" },
@@ -241,14 +265,23 @@ export function speed_plot(points: SpeedPoint[], o: Options): Element {
           ...(o.link ? { href: (p: SpeedPoint) => o.link!(p.method, p.family), target: "_self" } : {}),
           ariaLabel: point_words,
         }),
-        Plot.text(with_room(ends), {
+        Plot.link(
+          names.filter((n) => Math.abs(n.digits - n.p.digits!) > name_height),
+          {
+            x1: (n: Name) => n.p.ns,
+            y1: (n: Name) => n.p.digits,
+            x2: "ns",
+            y2: "digits",
+            stroke: (n: Name) => fill(n.p),
+            strokeWidth: 0.5,
+          },
+        ),
+        Plot.text(names, {
           x: "ns",
           y: "digits",
-          text: "curve",
-          dy: -9,
+          text: (n: Name) => n.p.curve,
           textAnchor: "start",
-          dx: 4,
-          fill,
+          fill: (n: Name) => fill(n.p),
           fontSize: 10,
           stroke: o.theme.bg,
           strokeWidth: 3,

@@ -7,6 +7,11 @@
 
 namespace cyl::literature {
 
+/// Whether a gap of this size separates.
+inline bool below_zero(double gap, const Options& options) noexcept {
+  return options.touching_apart ? gap <= 0 : gap < 0;
+}
+
 /// Between low and high, `unit` long in each; true as soon as `found(r)` is.
 template <class Found, class Slope>
 bool bisect(double low, double high, double unit, const Options& options, Found&& found,

@@ -7,23 +7,22 @@
 
 #include <cstdint>
 
-#include "solver/cylinder.hpp"
+#include "solver/decide.hpp"
 
 namespace cyl::literature {
 
-/// What the documents get wrong, numbered as in errata.md. Each is a switch of the mended method, so that it
-/// can be shown alone; `printed` has all that its document has.
+/// What the documents get wrong and a program can do. Each is a switch of the mended method, so that it can
+/// be shown alone or be taken out of the printed text: errata.md, which oracles/methods/errata.cpp writes.
 enum class Fault : unsigned char {
   // 2017
   kink_taken_for_convex,      ///< F is said to be convex, its last term is not; no verdict depends on it
   first_quarter_ends_all,     ///< the test of one quarter circle returns for both
   division_by_vanished_root,  ///< F' at t = 1 of perpendicular axes, the gradient of G at an axis
-  one_octant,                 ///< the other directions are searched for s, t >= 0 alone
+  one_octant,                 ///< the other directions are searched for s, t >= 0 alone, as section 8 has it
   cancelling_sine,            ///< sqrt(1 - c^2) for the sine of the axes' angle, and W0 x W1 as it comes
-  coincident_centers,         ///< Delta = 0 is excluded in the text and not tested; NaN, but no
-  ///< verdict
-  touching_is_separated,   ///< <= 0 in some tests, < 0 in others
-  stays_on_the_boundary,   ///< once a line search ends on the triangle's boundary, only that is searched
+  coincident_centers,         ///< Delta = 0 is excluded and not tested; NaN, but no verdict
+  mixed_strictness,           ///< touching is apart, but not for the axes and for parallel solids
+  stays_on_the_boundary,      ///< once a line search ends on the triangle's boundary, only that is searched
   cancelling_root,         ///< |D|^2 - (D.W)^2 for |P D|^2: next to an axis only half of the digits are left
   kinks_taken_for_smooth,  ///< G is minimised as if it were smooth where D is perpendicular to an axis
   // 2008, and the page of the book where it says the same
@@ -33,7 +32,7 @@ enum class Fault : unsigned char {
   equal_eigenvalues,             ///< section 11: e0 = e1 divides by zero
   tangent_line_misses_u0,        ///< section 8: x U0 + V0 never is U0
   negated_pair_ignored,          ///< section 10: half of the critical points are thrown away
-  vanished_derivative_term,      ///< section 8: |A0 x + B0| = 0 is said to be W0 x W1, and is not looked at
+  sign_of_p0,                    ///< section 11: P_0 = r0 det(B0) eta0 points against eta0 where det(B0) < 0
   cancelling_distance            ///< section 7: |Delta|^2 - (W0.Delta)^2, parallel axes' distance squared
 };
 
@@ -46,19 +45,43 @@ class Faults {
     x.bits_ |= y.bits_;
     return x;
   }
+  constexpr Faults without(Fault f) const {
+    Faults rest = *this;
+    rest.bits_ &= ~Faults(f).bits_;
+    return rest;
+  }
   constexpr bool has(Fault f) const { return (bits_ >> static_cast<unsigned>(f)) & 1; }
 
  private:
   std::uint32_t bits_ = 0;
 };
 
-/// How much work the searches may do, and which faults are in.
+/// How much work the searches may do, which faults are in, and how the text is read.
 struct Options {
-  Faults faults;
+  Faults faults{};
   int step_cap = 60;     ///< of every search along a line; of Newton's steps where something is polished
   double tolerance = 0;  ///< of a search's parameter, at which it ends; of a real root's imaginary part
   int line_cap = 60;     ///< of lines, or rounds of lines, in a search of two dimensions
+  /// Nothing is added to the text that it does not say: roles and axes stay as given (prepare_as_given), no
+  /// direction found is asked again, no search ends because it is shown to be in vain, and a critical point
+  /// has to have the signs that were assumed.
+  bool literal = false;
+  bool touching_apart = false;  ///< f(D) <= 0 separates, as the text of 2017 has it; else f(D) < 0
 };
+
+/// Returns the options with one fault more.
+constexpr Options with(Options options, Fault fault) noexcept {
+  options.faults = options.faults | fault;
+  return options;
+}
+
+/// Returns what prepare() does, but for the axis, which points as given.
+inline Prepared prepare_as_given(const Cylinder& c) noexcept {
+  Prepared p = prepare(c);
+  const double first = c.axis.x() != 0 ? c.axis.x() : c.axis.y() != 0 ? c.axis.y() : c.axis.z();
+  if (first < 0) p.unit_axis = -p.unit_axis;
+  return p;
+}
 
 /// `disjoint` with a direction D for which the method found f(D) < 0; else `intersecting`: the method found
 /// none.

@@ -82,10 +82,10 @@ class CellSearch {
       lowest_ = value;
       best_ = x;
     }
-    if (!(options_.faults.has(Fault::touching_is_separated) ? value <= 0 : value < 0)) return false;
+    if (!below_zero(value, options_)) return false;
     const Vector3 d = Octant::at(x);
     const Vector3 direction = sign_u_ * d.x() * base_.u + sign_v_ * d.y() * base_.v + d.z() * base_.w;
-    if (!options_.faults.has(Fault::touching_is_separated) && !(f(p_, direction) < 0)) return false;
+    if (!options_.literal && !below_zero(f(p_, direction), options_)) return false;
     found_ = direction;
     return true;
   }
@@ -94,6 +94,7 @@ class CellSearch {
 
   /// G > 0 in the whole cell, by its tangent plane in x.
   bool in_vain(const Point& x) const noexcept {
+    if (options_.literal) return false;
     const Point g = gradient(x);
     const double value = octant_.value(x, cell_.signs);
     for (int k = 0; k < cell_.count; ++k)
@@ -201,7 +202,7 @@ class CellSearch {
 Direction separated_by_other_directions(const Couple<double>& p, Minimiser minimiser,
                                         const Options& options) noexcept {
   const Faults faults = options.faults;
-  const Base base(p, faults.has(Fault::one_octant));
+  const Base base(p, options.literal || faults.has(Fault::one_octant));
   const Vector3 w0(p.w0x, p.w0y, p.w0z), w1(p.w1x, p.w1y, p.w1z);
   for (int i = 0; i < (faults.has(Fault::one_octant) ? 1 : 4); ++i) {
     const double sign_u = i == 0 || i == 3 ? 1 : -1, sign_v = i < 2 ? 1 : -1;

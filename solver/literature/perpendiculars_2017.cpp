@@ -56,8 +56,8 @@ class Circle {
   bool separates(double t) noexcept {
     t_ = t;
     const double value = quarter_.value(t);
-    if (options_.faults.has(Fault::touching_is_separated)) return value <= 0;
-    return value < 0 && f(p_, direction()) < 0;
+    if (!below_zero(value, options_)) return false;
+    return options_.literal || below_zero(f(p_, direction()), options_);
   }
 
   double slope(double t) const noexcept {

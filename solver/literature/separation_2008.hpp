@@ -12,7 +12,7 @@ namespace cyl::literature {
 enum class CircleWay : unsigned char {
   polynomial,  ///< along the tangent line, roots of a polynomial of degree 8
   projection,  ///< distance of a point to the other solid's projection, by a polynomial of degree 4
-  minimise     ///< bisection of the half circle where D.Delta > 0, on which F has one valley
+  minimise     ///< ours, in no document: bisection of the half circle where D.Delta > 0, F's one valley
 };
 
 /// How section 11 solves for the critical points.
@@ -21,13 +21,13 @@ enum class CriticalWay : unsigned char {
   adjugate     ///< P_0 = r0 det(B0) eta_0, P_1 = r1 eta_1, without a division: the page of the book
 };
 
-/// What the text has wrong, and the page of the book. equal_eigenvalues and vanished_derivative_term change
-/// no verdict: errata.md.
+/// What the text has wrong, and the page of the book. equal_eigenvalues changes no verdict: errata.md.
 inline constexpr Faults printed_2008 =
     Faults(Fault::radius_not_squared) | Fault::derivative_of_the_wrong_term | Fault::wrong_b_squared |
     Fault::equal_eigenvalues | Fault::tangent_line_misses_u0 | Fault::negated_pair_ignored |
-    Fault::vanished_derivative_term | Fault::cancelling_distance;
-inline constexpr Faults printed_book = Faults(Fault::wrong_b_squared) | Fault::equal_eigenvalues;
+    Fault::sign_of_p0 | Fault::cancelling_distance;
+inline constexpr Faults printed_book =
+    Faults(Fault::wrong_b_squared) | Fault::equal_eigenvalues | Fault::sign_of_p0;
 
 /// `disjoint` with a direction of negative f, `intersecting` where none was found, `invalid`. Without faults
 /// `disjoint` is as sure as the rounding of f (some 1e-15 of the lengths); `intersecting` as sure as the

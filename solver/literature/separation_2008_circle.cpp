@@ -27,25 +27,39 @@ double polish(const TangentLine& line, double x, double k, int steps) noexcept {
   return x;
 }
 
+// The text says that any U0 and V0 will do; with U along W0 x W1 the line would miss the likeliest direction.
+TangentLine any_line(const Circle& q) noexcept {
+  const Vector3 v = q.u0.cross(q.v0).unitOrthogonal();
+  return {q, dot(v, q.u0), dot(v, q.v0)};
+}
+
+bool has_signs(const TangentLine& line, double x, double sigma1, double sigma2) noexcept {
+  return sigma1 * (line.a1 * x + line.b1) >= 0 && sigma2 * (line.a2 * x + line.b2) >= 0;
+}
+
 // (a) D = x U + V never is U, where f may be negative or, worse, 0 with F falling all the way to it. With V
-// along Delta that cannot be: f(U) >= 0, and F grows at both ends. That a critical point has the signs
-// assumed need not be tested: f itself is asked there.
+// along Delta that cannot be: f(U) >= 0, and F grows at both ends. Then a2 = 0, so both choices of sigma1
+// give k of one size, and one polynomial serves all four cases. That a critical point has the signs assumed
+// need not be tested, where f itself is asked; literally, it is.
 bool separated_by_roots(const Circle& q, const Options& options, Finder& finder) noexcept {
   const double reach = std::hypot(q.a2, q.b2);
   if (!(reach > 0)) return false;
-  const TangentLine line = options.faults.has(Fault::tangent_line_misses_u0)
-                               ? TangentLine(q, 0, 1)
-                               : TangentLine(q, q.a2 / reach, q.b2 / reach);
-  if (finder.separates(line.v)) return true;  // x = 0, often a root
+  const bool any = options.faults.has(Fault::tangent_line_misses_u0);
+  const bool wrong = options.faults.has(Fault::derivative_of_the_wrong_term);
+  const TangentLine line = any ? any_line(q) : TangentLine(q, q.a2 / reach, q.b2 / reach);
+  if (!options.literal && finder.separates(line.v)) return true;  // x = 0, often a root
   for (const double sigma1 : {1.0, -1.0}) {
-    double k = line.k(sigma1, 1);
-    if (options.faults.has(Fault::derivative_of_the_wrong_term)) k += line.b2 - line.a2;
+    const double k = (wrong ? line.b2 : any ? line.a2 : 0) - sigma1 * line.side * line.a1;
     const auto roots = real_roots(line.critical_polynomial(k), options.tolerance);
     for (int i = 0; i < roots.count; ++i) {
       const double root = roots.x[static_cast<std::size_t>(i)];
-      for (const double sign : {1.0, -1.0})
-        if (finder.separates(line.direction(polish(line, root, sign * k, options.step_cap)))) return true;
+      for (const double sign : {1.0, -1.0}) {
+        const double x = polish(line, root, sign * k, options.step_cap);
+        if (options.literal && !has_signs(line, x, sign * sigma1, sign)) continue;
+        if (finder.separates(line.direction(x))) return true;
+      }
     }
+    if (!any && !wrong) break;
   }
   return false;
 }

@@ -15,6 +15,15 @@ bool negative_by_squares(const SmoothGap& g, const Vector3& d) noexcept {
   return below_by_squares(dot(x0, x0), dot(x1, x1), dot(g.phi, g.phi));
 }
 
+CriticalPairs critical_pairs(const CriticalSystem& s, CriticalWay way, Faults faults) noexcept {
+  if (s.det0 == 0 || s.det1 == 0) return solve_singular(s, way == CriticalWay::normalised);
+  // These faults are printed in this form.
+  if (way == CriticalWay::adjugate || faults.has(Fault::wrong_b_squared) || faults.has(Fault::sign_of_p0))
+    return solve_adjugate(s, faults);
+  if (s.r0 > 0 && s.r1 > 0) return solve_normalised(s, faults);
+  return {};
+}
+
 // Newton's steps on the convex g0 as long as it falls: the etas of nearly singular systems are blurred.
 bool separated_near(const SmoothGap& g, Vector3 d, int steps, Finder& finder) noexcept {
   if (!(dot(d, g.w) > 0)) return false;
@@ -34,8 +43,8 @@ bool separated_near(const SmoothGap& g, Vector3 d, int steps, Finder& finder) no
 
 }  // namespace
 
-SmoothGap::SmoothGap(const Solids& p, double sign0, double sign1) noexcept
-    : solids(p), phi(p.delta - sign0 * p.h[0] * p.w[0] - sign1 * p.h[1] * p.w[1]) {
+SmoothGap::SmoothGap(const Solids& p, double s0, double s1) noexcept
+    : solids(p), sign0(s0), sign1(s1), phi(p.delta - s0 * p.h[0] * p.w[0] - s1 * p.h[1] * p.w[1]) {
   const double size = length(phi);
   no_phi = !(size > 0);
   if (no_phi) return;
@@ -55,6 +64,25 @@ SmoothGap::SmoothGap(const Solids& p, double sign0, double sign1) noexcept
 Vector3 SmoothGap::direction(const Vector2& eta0, const Vector2& eta1) const noexcept {
   const Vector2 p0 = perpendicular(eta0), p1 = perpendicular(eta1);
   return (p0.x() * solids.u[0] + p0.y() * solids.n).cross(p1.x() * solids.u[1] + p1.y() * solids.n);
+}
+
+// Row i is (A_i eta_i^perp) . (x U + y V + W) = 0; 0 where C is not invertible.
+Vector3 SmoothGap::direction_by_equations(const Vector2& eta0, const Vector2& eta1) const noexcept {
+  const Vector2 eta[2] = {eta0, eta1};
+  Matrix2 c;
+  Vector2 d;
+  for (int i = 0; i < 2; ++i) {
+    const double a = eta[i].x(), b = eta[i].y();
+    const auto row = [&](const Vector3& axis) {
+      return b * dot(axis, solids.u[i]) - a * dot(axis, solids.n);
+    };
+    c(i, 0) = row(u);
+    c(i, 1) = row(v);
+    d[i] = -row(w);
+  }
+  const double det = c.determinant();
+  if (det == 0) return {0, 0, 0};
+  return (d[0] * c(1, 1) - c(0, 1) * d[1]) / det * u + (c(0, 0) * d[1] - d[0] * c(1, 0)) / det * v + w;
 }
 
 double SmoothGap::value(const Vector3& d) const noexcept {
@@ -113,22 +141,16 @@ bool separated_inside(const Solids& p, CriticalWay way, const Options& options, 
       const SmoothGap g(p, sign0, sign1);
       if (g.no_phi) return false;  // two rims' centres coincide
       const CriticalSystem& s = g.system;
-      if (s.det0 == 0 && s.det1 == 0) {
-        if (finder.separates(g.w)) return true;
-        continue;
-      }
-      CriticalPairs pairs;
-      if (s.det0 == 0 || s.det1 == 0)
-        pairs = solve_singular(s);
-      else if (way == CriticalWay::adjugate || options.faults.has(Fault::wrong_b_squared))
-        pairs = solve_adjugate(s, options.faults);  // the wrong formula is printed in this form
-      else if (s.r0 > 0 && s.r1 > 0)
-        pairs = solve_normalised(s, options.faults);
-
+      // The segment between two rims' centres is square to both axes, so the end disks reach along all of it:
+      // separated if and only if |phi|^2 > (r0 + r1)^2, and no other case of signs can say otherwise.
+      if (s.det0 == 0 && s.det1 == 0) return finder.separates(g.w);
+      const CriticalPairs pairs = critical_pairs(s, way, options.faults);
       if (pairs.equal && finder.separates(g.w)) return true;
       for (int i = 0; i < pairs.count; ++i) {
-        Vector3 d = g.direction(pairs.eta0[i], pairs.eta1[i]);
+        Vector3 d = options.literal ? g.direction_by_equations(pairs.eta0[i], pairs.eta1[i])
+                                    : g.direction(pairs.eta0[i], pairs.eta1[i]);
         if (dot(d, g.w) < 0) d = -d;
+        if (options.literal && !(sign0 * dot(d, p.w[0]) >= 0 && sign1 * dot(d, p.w[1]) >= 0)) continue;
         // The signs of eta_i . A_i^T D: both positive, or both negative, which is the negated pair.
         const auto along = [&](const Vector2& eta, int k) {
           return eta.x() * dot(p.u[k], d) + eta.y() * dot(p.n, d);
@@ -137,7 +159,7 @@ bool separated_inside(const Solids& p, CriticalWay way, const Options& options, 
         if (options.faults.has(Fault::negated_pair_ignored) ? !(along0 > 0 && along1 > 0)
                                                             : !(along0 * along1 > 0))
           continue;
-        if (separated_near(g, d, options.step_cap, finder)) return true;
+        if (separated_near(g, d, options.literal ? 0 : options.step_cap, finder)) return true;
       }
     }
   }

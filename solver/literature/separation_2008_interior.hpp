@@ -15,11 +15,15 @@ struct SmoothGap {
 
   /// Section 12: D = x U + y V + W times det(C), where (x, y) are the etas': 0 where C is not invertible.
   Vector3 direction(const Vector2& eta0, const Vector2& eta1) const noexcept;
+  /// The same by the text's own two equations in x and y, with C, d and the dot products G_i = R^T R_i; D.W
+  /// = 1.
+  Vector3 direction_by_equations(const Vector2& eta0, const Vector2& eta1) const noexcept;
   double value(const Vector3& d) const noexcept;
   /// The Newton step of g0 on the plane W.D = const, perpendicular to W.
   Vector3 newton_step(const Vector3& d) const noexcept;
 
   const Solids& solids;
+  double sign0, sign1;
   Vector3 phi;
   bool no_phi;
   Vector3 u, v, w;  ///< U, V, W = phi/|phi|
@@ -33,7 +37,7 @@ CriticalPairs solve_normalised(const CriticalSystem& system, Faults faults) noex
 bool below_by_squares(double a_squared, double b_squared, double c_squared) noexcept;
 
 /// Whether a direction in the inside of one of the eight sign cases separates. Critical points outside the
-/// case's own signs need not be rejected: f itself is asked there.
+/// case's own signs need not be rejected, as f itself is asked there; literally they are.
 bool separated_inside(const Solids& solids, CriticalWay way, const Options& options, Finder& finder) noexcept;
 
 }  // namespace cyl::literature

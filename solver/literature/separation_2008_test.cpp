@@ -80,12 +80,16 @@ TEST(Separation2008, OneDeterminantZero) {
   CriticalSystem s = g.system;
   s.det0 = 0;
   for (int swap = 0; swap < 2; ++swap) {
-    const CriticalPairs pairs = solve_singular(s);
-    ASSERT_EQ(pairs.count, 2);
-    for (int i = 0; i < 2; ++i)
-      EXPECT_LT(
-          (s.r0 * (s.b0 * pairs.eta0[i].normalized()) + s.r1 * (s.b1 * pairs.eta1[i].normalized())).norm(),
-          1e-14);
+    for (const bool unit : {true, false}) {
+      const CriticalPairs pairs = solve_singular(s, unit);
+      ASSERT_EQ(pairs.count, 2);
+      for (int i = 0; i < 2; ++i) {
+        const Vector2 p0 = pairs.eta0[i], p1 = pairs.eta1[i];
+        EXPECT_LT((s.r0 * (s.b0 * p0) + s.r1 * (s.b1 * p1)).norm(), 1e-14);
+        EXPECT_NEAR(p0.norm(), p1.norm(), 1e-14);
+        EXPECT_EQ(unit, std::fabs(p0.norm() - 1) < 1e-14) << "|B0^T zeta| is not 1 here";
+      }
+    }
     std::swap(s.b0, s.b1);
     std::swap(s.r0, s.r1);
     std::swap(s.det0, s.det1);
@@ -98,6 +102,18 @@ TEST(Separation2008, BothDeterminantsZero) {
   const Vector3 w(0, 1, 0);
   expect(Verdict::disjoint, upright, {Vector3(2.1, 0, 1) + w, w, 1, 2});
   expect(Verdict::intersecting, upright, {Vector3(1.9, 0, 1) + w, w, 1, 2});
+}
+
+// Separated if and only if |phi|^2 > (r0 + r1)^2, both ways: at any angle the end disks reach along phi.
+TEST(Separation2008, BothDeterminantsZeroDecides) {
+  for (const Vector3& axis : {Vector3(0, 1, 0), Vector3(0, 3, 4), Vector3(0, -4, 3)})
+    for (const double distance : {0.5, 2.999, 3.0, 3.001, 7.0}) {
+      const Vector3 w = axis.normalized();
+      const Cylinder b{Vector3(distance, 0, 1) + 1.5 * w, w, 2, 3};
+      const SmoothGap g(solids_of(upright, b), 1, dot(prepare(b).unit_axis, w) > 0 ? 1 : -1);
+      EXPECT_NEAR(g.phi.norm(), distance, 1e-15);
+      expect(distance > 3 ? Verdict::disjoint : Verdict::intersecting, upright, b);
+    }
 }
 
 // phi along the bisector of the axes and equal radii: g0 is least on the whole arc from W0 to W1.
@@ -247,6 +263,24 @@ TEST(Separation2008, CriticalPointsComeWithEitherSign) {
     count(solids_of({{0, 0, 0}, {-0.7, 0.64, -0.4}, 3.2, 0.1}, {{2.5, -0.8, z}, {1, 0.05, 0.03}, 2, 0.1}));
   EXPECT_GT(positive, 0);
   EXPECT_GT(negative, 0);
+}
+
+// Section 12: the two equations in x and y have the solution that the cross product has.
+TEST(Separation2008, EquationsForXAndYAreTheCrossProduct) {
+  int compared = 0;
+  for (double z = -5; z < 5; z += 0.25) {
+    const Solids p =
+        solids_of({{0, 0, 0}, {-0.7, 0.64, -0.4}, 3.2, 0.1}, {{2.5, -0.8, z}, {1, 0.05, 0.03}, 2, 0.1});
+    const SmoothGap g(p, 1, 1);
+    const CriticalPairs pairs = solve_normalised(g.system, {});
+    for (int i = 0; i < pairs.count; ++i, ++compared) {
+      const Vector3 d = g.direction(pairs.eta0[i], pairs.eta1[i]);
+      const Vector3 xi = g.direction_by_equations(pairs.eta0[i], pairs.eta1[i]);
+      EXPECT_NEAR(dot(xi, g.w), 1, 1e-14);
+      EXPECT_LT((d / dot(d, g.w) - xi).norm(), 1e-11 * xi.norm());
+    }
+  }
+  EXPECT_GT(compared, 10);
 }
 
 TEST(Separation2008, SquareRootFreeTestIsTheTest) {

@@ -17,11 +17,16 @@ Couple<double> exchanged(const Couple<double>& p) noexcept {
   return {p.w1x, p.w1y, p.w1z, p.w0x, p.w0y, p.w0z, p.dx, p.dy, p.dz, p.r1, p.h1, p.r0, p.h0};
 }
 
+/// Whether f(D) = 0 separates in sections 5 and 8: the text has "<" there, and "<=" elsewhere.
+bool touching_by_axes(const Options& options) noexcept {
+  return options.touching_apart && !options.faults.has(Fault::mixed_strictness);
+}
+
 Direction search(const Couple<double>& p, Minimiser minimiser, const Options& options) noexcept {
   const Vector3 w0 = axis0(p), w1 = axis1(p);
   if (delta_of(p) == Vector3::Zero() && !options.faults.has(Fault::coincident_centers)) return {};
   if (options.faults.has(Fault::cancelling_sine) ? w0.cross(w1) == Vector3::Zero() : Axes(w0, w1).parallel())
-    return separated_in_parallel(p);
+    return separated_in_parallel(p, options);
   if (const Direction d = separated_by_axes(p, options)) return d;
   if (const Direction d = separated_by_cylinder_perpendiculars(p, options)) return d;
   if (const Direction d = separated_by_cylinder_perpendiculars(exchanged(p), options)) return d;
@@ -43,16 +48,18 @@ double f(const Couple<double>& p, const Vector3& d) noexcept {
 
 Direction separated_by_axes(const Couple<double>& p, const Options& options) noexcept {
   const Vector3 w0 = axis0(p), w1 = axis1(p);
-  const bool plain = options.faults.has(Fault::cancelling_sine);
+  const bool plain = options.faults.has(Fault::cancelling_sine), equal = touching_by_axes(options);
   for (const Vector3& d : {w0, w1, plain ? Vector3(w0.cross(w1)) : Axes(w0, w1).cross})
-    if (f(p, d) < 0) return d;
+    if (const double gap = f(p, d); equal ? gap <= 0 : gap < 0) return d;
   return {};
 }
 
-Direction separated_in_parallel(const Couple<double>& p) noexcept {
-  const Parallel axes(delta_of(p), p.h0 + p.h1, p.r0 + p.r1, Axes(axis0(p), axis1(p)).sum);
-  if (axes.stacked) return axes.w;
-  if (axes.beside) return axes.across();
+Direction separated_in_parallel(const Couple<double>& p, const Options& options) noexcept {
+  const double heights = p.h0 + p.h1, radii = p.r0 + p.r1;
+  const Parallel axes(delta_of(p), heights, radii, Axes(axis0(p), axis1(p)).sum);
+  const bool equal = touching_by_axes(options);
+  if (axes.stacked || (equal && std::fabs(axes.along) == heights)) return axes.w;
+  if (axes.beside || (equal && axes.distance == radii && radii > 0)) return axes.across();
   return {};
 }
 
@@ -60,19 +67,11 @@ Separation separated_cylinders(const Prepared& a, const Prepared& b, Minimiser m
                                const Options& options) noexcept {
   if (a.defect != Defect::none || b.defect != Defect::none) return {Verdict::invalid};
   // A fixed order of the roles, so that swapping them changes nothing but the direction's sign.
-  const bool swapped = out_of_order(a, b);
+  const bool swapped = !options.literal && out_of_order(a, b);
   const Couple<double> p = swapped ? scale(b, a).couple() : scale(a, b).couple();
   Separation found = from_a_to_b(search(p, minimiser, options), p);
   if (swapped) found.direction = -found.direction;
   return found;
-}
-
-Separation separated_by_perpendiculars_of_a(const Prepared& a, const Prepared& b,
-                                            const Options& options) noexcept {
-  if (a.defect != Defect::none || b.defect != Defect::none) return {Verdict::invalid};
-  if (Axes(a.unit_axis, b.unit_axis).parallel()) return {};
-  const Couple<double> p = scale(a, b).couple();
-  return from_a_to_b(separated_by_cylinder_perpendiculars(p, options), p);
 }
 
 }  // namespace cyl::literature

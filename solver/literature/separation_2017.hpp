@@ -11,32 +11,27 @@
 namespace cyl::literature {
 
 /// Everything the text gets wrong.
-inline constexpr Faults faults_2017 =
+inline constexpr Faults printed_2017 =
     Faults(Fault::kink_taken_for_convex) | Fault::first_quarter_ends_all | Fault::division_by_vanished_root |
-    Fault::one_octant | Fault::cancelling_sine | Fault::coincident_centers | Fault::touching_is_separated |
+    Fault::one_octant | Fault::cancelling_sine | Fault::coincident_centers | Fault::mixed_strictness |
     Fault::stays_on_the_boundary | Fault::cancelling_root | Fault::kinks_taken_for_smooth;
 
 /// The two minimisers of two dimensions that the text names.
 enum class Minimiser : unsigned char { conjugate_gradients, powell };
 
 /// The whole test (section 8). `disjoint` with D, f(D) < 0 as computed and D.Delta >= 0; else `intersecting`,
-/// or `invalid`. Without faults: the same bits for swapped roles, reversed axes and lengths times 2^k, and
-/// wrong only below the margins of errata.md. Cost: 0.1 us where a closed form separates, at the default
-/// caps some 20 us where nothing does.
+/// or `invalid`. Without faults and not literal: the same bits for swapped roles, reversed axes and lengths
+/// times 2^k, and wrong only below the margins of readings.md. Cost: 0.1 us where a closed form separates, at
+/// the default caps some 20 us where nothing does.
 Separation separated_cylinders(const Prepared& a, const Prepared& b, Minimiser minimiser,
                                const Options& options) noexcept;
-
-/// Section 6 alone: directions perpendicular to a's axis. `undecided` for parallel axes, which it leaves to
-/// others.
-Separation separated_by_perpendiculars_of_a(const Prepared& a, const Prepared& b,
-                                            const Options& options) noexcept;
 
 // The parts. A Couple has unit axes and half heights; Delta points from the first centre to the second.
 
 /// Equation (6), for D of any length.
 double f(const Couple<double>& p, const Vector3& d) noexcept;
 
-/// A direction D with f(D) < 0 as computed (with touching_is_separated: unchecked), or none.
+/// A direction D with f(D) < 0 as computed (literal: by the function that was searched), or none.
 struct Direction {
   Direction() = default;
   Direction(const Vector3& d) noexcept : vector(d), found(true) {}
@@ -49,7 +44,7 @@ struct Direction {
 /// Sections 5 and 8: W0, W1 and W0 x W1.
 Direction separated_by_axes(const Couple<double>& p, const Options& options) noexcept;
 /// Sections 5 and 8: axes exactly parallel, or nearly (a sine below 2^-49).
-Direction separated_in_parallel(const Couple<double>& p) noexcept;
+Direction separated_in_parallel(const Couple<double>& p, const Options& options) noexcept;
 /// Section 6: D perpendicular to W0. The axes are not parallel.
 Direction separated_by_cylinder_perpendiculars(const Couple<double>& p, const Options& options) noexcept;
 /// Section 7: any D; Delta is not 0. To be asked after the others, which see to the kinks of f.

@@ -259,13 +259,31 @@ TEST_P(Degenerate2017, NoCylinder) {
   EXPECT_EQ(ask({{0, 0, 0}, {0, 0, 0}, 1, 2}, {}).verdict, Verdict::invalid);
 }
 
+// Section 3.1: whoever wants what only touches to be apart, or not, can have it; the text's code mixes both.
+TEST_P(Degenerate2017, TouchingIsApartWhereAsked) {
+  const Cylinder a{{0, 0, 0}, {0, 0, 1}, 1, 2};
+  const Cylinder above{{0, 0, 2}, {0, 0, 1}, 1, 2}, beside{{2, 0, 0}, {0, 0, 1}, 1, 2},
+      on_top{{0, 0, 2}, {1, 0, 0}, 1, 2}, disk{{3, 0, 0}, {0, 1, 0}, 2, 0};
+  const Options apart{.touching_apart = true},
+      mixed{.faults = Fault::mixed_strictness, .touching_apart = true};
+  const auto ask = [&](const Cylinder& b, const Options& options) {
+    return separated_cylinders(prepare(a), prepare(b), GetParam(), options).verdict;
+  };
+  for (const Cylinder& b : {above, beside, on_top, disk}) {
+    expect_meeting(a, b);
+    EXPECT_EQ(ask(b, apart), Verdict::disjoint);
+  }
+  for (const Cylinder& b : {above, beside}) EXPECT_EQ(ask(b, mixed), Verdict::intersecting);
+  EXPECT_EQ(ask(disk, mixed), Verdict::disjoint);
+}
+
 INSTANTIATE_TEST_SUITE_P(Both, Degenerate2017,
                          testing::Values(Minimiser::conjugate_gradients, Minimiser::powell));
 
 // 0/0 and NaN are what the text has there; nothing worse.
 TEST(Printed2017, EndsOnDegenerateInput) {
-  Options printed;
-  printed.faults = faults_2017;
+  Options printed{.faults = printed_2017};
+  printed.literal = printed.touching_apart = true;
   const Cylinder solids[] = {{{0, 0, 0}, {0, 0, 1}, 1, 2},    {{0, 0, 0}, {1, 0, 0}, 1, 2},
                              {{0, 3, 0}, {0, 0, 1}, 0, 2},    {{0, 3, 0}, {1, 0, 0}, 1, 0},
                              {{0, 3, 0}, {1e-9, 0, 1}, 1, 2}, {{0, 3, 0}, {0, 1, 0}, 0, 0}};

@@ -8,7 +8,7 @@
 
 namespace cyl::literature {
 
-CriticalPairs solve_singular(const CriticalSystem& system) noexcept {
+CriticalPairs solve_singular(const CriticalSystem& system, bool unit) noexcept {
   CriticalPairs pairs;
   CriticalSystem s = system;
   const bool swapped = s.det1 != 0;
@@ -19,11 +19,12 @@ CriticalPairs solve_singular(const CriticalSystem& system) noexcept {
   // Now det(B1) = 0: psi spans its columns, zeta^T B1 = 0.
   const Vector2 psi = s.b1.col(s.b1.col(0).squaredNorm() < s.b1.col(1).squaredNorm() ? 1 : 0);
   const Vector2 zeta = perpendicular(psi);
-  const Vector2 eta0 = perpendicular(s.b0.transpose() * zeta).normalized();
-  // A line and the unit circle: normal . eta1 = offset.
+  Vector2 eta0 = perpendicular(s.b0.transpose() * zeta);
+  if (unit) eta0.normalize();
+  // A line and a circle: normal . eta1 = offset, |eta1| = |eta0|.
   const Vector2 normal = s.r1 * (s.b1.transpose() * psi);
   const double offset = -s.r0 * (s.b0.transpose() * psi).dot(eta0), square = normal.squaredNorm();
-  const double rest = square - offset * offset;
+  const double rest = square * eta0.squaredNorm() - offset * offset;
   if (!(square > 0) || !(rest >= 0)) return pairs;
   for (const double sign : {1.0, -1.0}) {
     const Vector2 eta1 = (offset * normal + sign * std::sqrt(rest) * perpendicular(normal)) / square;
@@ -54,7 +55,8 @@ CriticalPairs solve_adjugate(const CriticalSystem& s, Faults faults) noexcept {
   if (!(a2 >= 0) || !(b2 >= 0)) return pairs;
   for (const double sign : {1.0, -1.0}) {
     const Vector2 eta1 = eigen.eigenvectors() * Vector2(sign * std::sqrt(a2), std::sqrt(b2));
-    pairs.add(-c * eta1 * std::copysign(1.0, s.det0), eta1);  // P_0 has the sign of det(B0)
+    const double turned = faults.has(Fault::sign_of_p0) ? 1 : std::copysign(1.0, s.det0);
+    pairs.add(-c * eta1 * turned, eta1);
   }
   return pairs;
 }
