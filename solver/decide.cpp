@@ -160,7 +160,7 @@ template <bool ordinary>
 }  // namespace
 
 Answer decide(const Prepared& a, const Prepared& b) noexcept {
-  return a.ordinary & b.ordinary ? decide_cores<true>(a, b) : decide_other(a, b);
+  return (a.ordinary & b.ordinary) ? decide_cores<true>(a, b) : decide_other(a, b);
 }
 
 Answer decide(const Cylinder& a, const Cylinder& b) noexcept { return decide(prepare(a), prepare(b)); }

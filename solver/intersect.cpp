@@ -68,7 +68,7 @@ Verdict intersect_shallow(const Couple<double>& p) noexcept {
 }  // namespace
 
 Verdict intersect(const Prepared& a, const Prepared& b) noexcept {
-  return a.ordinary & b.ordinary ? intersect_couple(as_it_is(a, b).couple()) : intersect_other(a, b);
+  return (a.ordinary & b.ordinary) ? intersect_couple(as_it_is(a, b).couple()) : intersect_other(a, b);
 }
 
 Verdict intersect(const Cylinder& a, const Cylinder& b) noexcept { return intersect(prepare(a), prepare(b)); }

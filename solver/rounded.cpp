@@ -134,7 +134,7 @@ bool try_points(const Scaled& p, Vector3 on0, Vector3 on1, double room, Answer& 
   const Vector3 at0 = times_power(point0, -p.exponent), at1 = times_power(point1, -p.exponent);
   const Place place0(at0, p.w0), place1(at1, p.w1);
   const double apart = length(p.delta + at1 - at0) + place0.off(hull0) + place1.off(hull1) + 2 * error;
-  if (!(place0.inside(p.r0, p.h0, hull0, error) & place1.inside(p.r1, p.h1, hull1, error)) ||
+  if (!place0.inside(p.r0, p.h0, hull0, error) || !place1.inside(p.r1, p.h1, hull1, error) ||
       !(apart + separation_error * reach <= room))
     return false;
   answer.verdict = Verdict::intersecting;
@@ -211,7 +211,7 @@ Verdict intersect_rounded(const Prepared& a, const Prepared& b, double room) noe
       const Prepared* const solids[] = {&a, &b};
       return meets_point(*solids[a.ball], delta, room);
     }
-    Glance seen = a.thin & b.thin ? Glance::neither : look_at_filter(as_it_is(a, b), room);
+    Glance seen = (a.thin & b.thin) ? Glance::neither : look_at_filter(as_it_is(a, b), room);
     if (seen == Glance::neither)
       seen = out_of_order(a, b) ? look_closer(b, a, room) : look_closer(a, b, room);
     if (seen != Glance::neither) return verdict_of(seen == Glance::intersecting);

@@ -60,7 +60,7 @@ template <class R>
 struct Place {
   Vec3<R> at{};
   std::array<Vec3<R>, 2> tangent{}, bend{};
-  int count = 0;
+  std::size_t count = 0;
 };
 
 /// `u`: the unit vector from the axis to the point; `end`: +1 or -1.
@@ -94,35 +94,36 @@ Place<R> place_on(const Solid<R>& s, Part part, const Vec3<R>& x) {
     p.bend[0] = R(-1.0) * out;
     p.count = 1;
   }
-  if (part == Part::side) p.tangent[static_cast<std::size_t>(p.count++)] = s.axis;
+  if (part == Part::side) p.tangent[p.count++] = s.axis;
   return p;
 }
 
 /// Solves the symmetric system of up to four unknowns by elimination with pivots; what cannot be told is 0.
 template <class R>
-std::array<R, 4> solve(std::array<std::array<R, 5>, 4> m, int n) {
-  std::array<int, 4> pivot_of{-1, -1, -1, -1};
+std::array<R, 4> solve(std::array<std::array<R, 5>, 4> m, std::size_t n) {
+  constexpr std::size_t none = 4;
+  std::array<std::size_t, 4> pivot_of{none, none, none, none};
   std::array<bool, 4> used{};
   R largest(0.0);
-  for (int i = 0; i < n; ++i)
-    for (int j = 0; j < n; ++j) largest = std::max(largest, R(abs(m[i][j])));
+  for (std::size_t i = 0; i < n; ++i)
+    for (std::size_t j = 0; j < n; ++j) largest = std::max(largest, R(abs(m[i][j])));
   const R least = largest * R(0x1p-40);
-  for (int column = 0; column < n; ++column) {
-    int best = -1;
-    for (int row = 0; row < n; ++row)
-      if (!used[row] && (best < 0 || abs(m[row][column]) > abs(m[best][column]))) best = row;
-    if (best < 0 || !(abs(m[best][column]) > least)) continue;
+  for (std::size_t column = 0; column < n; ++column) {
+    std::size_t best = none;
+    for (std::size_t row = 0; row < n; ++row)
+      if (!used[row] && (best == none || abs(m[row][column]) > abs(m[best][column]))) best = row;
+    if (best == none || !(abs(m[best][column]) > least)) continue;
     used[best] = true;
     pivot_of[column] = best;
-    for (int row = 0; row < n; ++row) {
+    for (std::size_t row = 0; row < n; ++row) {
       if (row == best) continue;
       const R share = m[row][column] / m[best][column];
-      for (int k = column; k <= n; ++k) m[row][k] = m[row][k] - share * m[best][k];
+      for (std::size_t k = column; k <= n; ++k) m[row][k] = m[row][k] - share * m[best][k];
     }
   }
   std::array<R, 4> x{R(0.0), R(0.0), R(0.0), R(0.0)};
-  for (int column = 0; column < n; ++column)
-    if (pivot_of[column] >= 0) x[column] = m[pivot_of[column]][n] / m[pivot_of[column]][column];
+  for (std::size_t column = 0; column < n; ++column)
+    if (const std::size_t row = pivot_of[column]; row != none) x[column] = m[row][n] / m[row][column];
   return x;
 }
 
@@ -163,27 +164,25 @@ class Search {
     for (int step = 0; step < 10 + bits_ / 64; ++step) {
       const Place<R> p = place_on(a_, part_a, x), q = place_on(b_, part_b, y);
       const Vec3<R> e = q.at - p.at;
-      const int n = p.count + q.count;
+      const std::size_t n = p.count + q.count;
       if (n == 0) break;
       std::array<std::array<R, 5>, 4> m{};
       for (auto& row : m) row.fill(R(0.0));
-      const auto tangent = [&](int i) {
-        return i < p.count ? R(-1.0) * p.tangent[static_cast<std::size_t>(i)]
-                           : q.tangent[static_cast<std::size_t>(i - p.count)];
+      const auto tangent = [&](std::size_t i) {
+        return i < p.count ? R(-1.0) * p.tangent[i] : q.tangent[i - p.count];
       };
-      for (int i = 0; i < n; ++i) {
-        for (int j = 0; j < n; ++j) m[i][j] = dot(tangent(i), tangent(j));
+      for (std::size_t i = 0; i < n; ++i) {
+        for (std::size_t j = 0; j < n; ++j) m[i][j] = dot(tangent(i), tangent(j));
         const bool of_a = i < p.count;
-        const auto own = static_cast<std::size_t>(of_a ? i : i - p.count);
-        const Vec3<R>& bend = of_a ? p.bend[own] : q.bend[own];
+        const Vec3<R>& bend = of_a ? p.bend[i] : q.bend[i - p.count];
         m[i][i] = m[i][i] + (of_a ? R(-dot(e, bend)) : dot(e, bend));
         m[i][n] = -dot(e, tangent(i));
       }
       const std::array<R, 4> by = solve(m, n);
       x = p.at;
       y = q.at;
-      for (int i = 0; i < p.count; ++i) x = x + by[i] * p.tangent[static_cast<std::size_t>(i)];
-      for (int i = 0; i < q.count; ++i) y = y + by[p.count + i] * q.tangent[static_cast<std::size_t>(i)];
+      for (std::size_t i = 0; i < p.count; ++i) x = x + by[i] * p.tangent[i];
+      for (std::size_t i = 0; i < q.count; ++i) y = y + by[p.count + i] * q.tangent[i];
     }
     take(x);
     take(a_.nearest(y));
