@@ -54,10 +54,18 @@ std::optional<Truth> meet_at(const Pair& pair, const Rational3& on_a, const Rati
   return {};
 }
 
-Nearest<MpFloat> nearest_in_multiprecision(const Pair& pair, int bits) {
+/// From the middle of both centres, and where that leads astray, which it does beside axes that are nearly
+/// parallel, from the ends of the axes.
+constexpr int start_count = 5;
+Nearest<MpFloat> nearest_in_multiprecision(const Pair& pair, int bits, int start = 0) {
   const PrecisionScope precision(bits);
   const SearchPair<MpFloat> p = multiprecision_pair(pair);
-  return find_nearest(p, bits, MpFloat(0.5) * p.delta);
+  if (start == 0) return find_nearest(p, bits, MpFloat(0.5) * p.delta);
+  const bool of_b = start > 2;
+  const Vec3<MpFloat>& axis = of_b ? p.axis1 : p.axis0;
+  const MpFloat along = (of_b ? p.half1 : p.half0) * MpFloat(start % 2 == 0 ? 1 : -1) / sqrt(dot(axis, axis));
+  const Vec3<MpFloat> end = along * axis;
+  return find_nearest(p, bits, of_b ? p.delta + end : end);
 }
 
 /// Whether the point is in the core grown by the slack all round.
@@ -172,14 +180,18 @@ std::optional<Truth> prove_rounded_in_double(const Pair& pair, const Filter& fil
 }
 
 std::optional<Truth> prove_rounded(const Pair& pair, int bits) {
-  const Nearest<MpFloat> found = nearest_in_multiprecision(pair, bits);
   const Rational3 center = exact(pair.a.center);
-  const Rational3 from_a = rational(found.on_a), from_b = rational(found.on_b);
-  const Rational3 on_a = center + from_a, on_b = center + from_b, between = from_b - from_a;
-  if (between.x != 0 || between.y != 0 || between.z != 0)
-    if (auto t = prove_disjoint(pair, between, bits)) return t;
-  if (auto t = meet_at(pair, on_a, on_b, bits)) return t;
-  return bits <= tangency_bits ? prove_rounded_touching(pair, on_a, on_b, bits) : std::nullopt;
+  for (int start = 0; start < start_count; ++start) {
+    const Nearest<MpFloat> found = nearest_in_multiprecision(pair, bits, start);
+    const Rational3 from_a = rational(found.on_a), from_b = rational(found.on_b);
+    const Rational3 on_a = center + from_a, on_b = center + from_b, between = from_b - from_a;
+    if (between.x != 0 || between.y != 0 || between.z != 0)
+      if (auto t = prove_disjoint(pair, between, bits)) return t;
+    if (auto t = meet_at(pair, on_a, on_b, bits)) return t;
+    if (bits > tangency_bits) continue;
+    if (auto t = prove_rounded_touching(pair, on_a, on_b, bits)) return t;
+  }
+  return {};
 }
 
 }  // namespace cyl
