@@ -14,7 +14,6 @@
 #include "cli/families.hpp"
 #include "cli/options.hpp"
 #include "cli/progress.hpp"
-#include "corpus/store/case_files.hpp"
 #include "fuzz/campaign/offline.hpp"
 
 namespace cyl {
@@ -31,7 +30,7 @@ constexpr std::uint64_t shown_pairs = 1024;
 
 int write_questions(const AskOptions& options) {
   const std::string folder = options.cases ? *options.cases : in_source_tree("corpus/cases");
-  const std::vector<Case> cases = folder.empty() ? std::vector<Case>{} : read_case_folder(folder);
+  const std::vector<Case> cases = cases_in(folder, false);
   const std::vector<Family> families = families_named(options.families, false);
   const Workload workload{{}, families, cases, {}};
   const Schedule schedule = schedule_of(workload);

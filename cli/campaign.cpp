@@ -31,7 +31,6 @@
 #include "cli/options.hpp"
 #include "cli/progress.hpp"
 #include "cli/show_run.hpp"
-#include "corpus/store/case_files.hpp"
 #include "fuzz/campaign/climbed.hpp"
 #include "props/mutants/kill_data.hpp"
 
@@ -89,6 +88,16 @@ void set_shard(const std::string& text, CampaignOptions& options) {
     throw UsageError("--shard: '" + text + "' is not i/n with i from 0 to n - 1");
 }
 
+/// Tells whether pairs of rounded solids are asked: guests that know of none are spared those that all of them
+/// decline.
+bool asks_rounded(const std::vector<std::unique_ptr<Method>>& methods, const CampaignOptions& options) {
+  const auto knows_roundings = [](const auto& method) {
+    return method->guest() && (method->takes(SolidKind::sphere) || method->takes(SolidKind::capsule) ||
+                               method->takes(SolidKind::rounded));
+  };
+  return options.guests.empty() || std::ranges::any_of(methods, knows_roundings);
+}
+
 /// Plans a new run: everything from the command line.
 CampaignOptions plan_new(const CampaignArguments& arguments, Selection& selection) {
   CampaignOptions options;
@@ -105,13 +114,7 @@ CampaignOptions plan_new(const CampaignArguments& arguments, Selection& selectio
   selection.methods = std::move(set.methods);
   if (!arguments.methods.empty())
     selection.methods = select_methods(std::move(selection.methods), arguments.methods);
-  // Guests that know of no roundings are not asked about pairs that all of them decline.
-  const auto knows_roundings = [](const auto& method) {
-    return method->guest() && (method->takes(SolidKind::sphere) || method->takes(SolidKind::capsule) ||
-                               method->takes(SolidKind::rounded));
-  };
-  const bool rounded = set.guests.empty() || std::ranges::any_of(selection.methods, knows_roundings);
-  selection.families = families_named(arguments.families, rounded);
+  selection.families = families_named(arguments.families, asks_rounded(selection.methods, options));
   if (!arguments.weights_from.empty())
     selection.weights = weights_from(arguments.weights_from, selection.families);
   if (!arguments.shard.empty()) set_shard(arguments.shard, options);
@@ -258,7 +261,7 @@ int campaign(const CampaignArguments& arguments) {
   options.build = build_info().text();
   options.create_only = arguments.create_only;
   options.self_check = plan_self_check(arguments, options, selection);
-  if (!options.cases.empty()) selection.cases = read_case_folder(options.cases);
+  selection.cases = cases_in(options.cases, asks_rounded(selection.methods, options));
 
   CampaignSummary summary;
   {

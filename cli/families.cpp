@@ -13,6 +13,7 @@
 #include "cli/commands.hpp"
 #include "cli/options.hpp"
 #include "corpus/pairs/pair_io.hpp"
+#include "corpus/store/case_files.hpp"
 #include "fuzz/campaign/climbed.hpp"
 #include "oracles/methods/method.hpp"
 
@@ -65,6 +66,13 @@ std::vector<Family> families_named(std::string_view spec, bool rounded) {
   std::vector<Family> kept;
   for (const std::size_t i : select_names(names, spec)) kept.push_back(all[i]);
   return kept;
+}
+
+std::vector<Case> cases_in(const std::string& folder, bool rounded) {
+  std::vector<Case> cases = folder.empty() ? std::vector<Case>{} : read_case_folder(folder);
+  const auto is_rounded = [](const Case& c) { return c.pair.a.rounding > 0 || c.pair.b.rounding > 0; };
+  if (!rounded) std::erase_if(cases, is_rounded);
+  return cases;
 }
 
 void add_families(Program& program) {

@@ -45,7 +45,8 @@ def about(axis, angle):
     x, y, z = (a / norm(axis) for a in axis)
     c, s = math.cos(angle), math.sin(angle)
     d = 1 - c
-    return [[c + x * x * d, x * y * d - z * s, x * z * d + y * s], [y * x * d + z * s, c + y * y * d, y * z * d - x * s],
+    return [[c + x * x * d, x * y * d - z * s, x * z * d + y * s],
+            [y * x * d + z * s, c + y * y * d, y * z * d - x * s],
             [z * x * d - y * s, z * y * d + x * s, c + z * z * d]]
 
 

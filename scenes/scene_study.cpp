@@ -120,8 +120,12 @@ class Study {
 
   void allow(RoundingCost& r) {
     auto& cascades = allowed_.emplace_back();
+    const double tolerated = std::max(q_.tolerated, 2 * r.rounding);
     for (const PairStudy& pair : result_.pairs) {
-      cascades.push_back(recommend(pair, std::max(q_.tolerated, 2 * r.rounding)));
+      const bool same = std::ranges::all_of(enum_values<Level>, [&](Level level) {
+        return suffices(pair, level, tolerated) == suffices(pair, level, q_.tolerated);
+      });
+      cascades.push_back(same ? pair.cascade : recommend(pair, tolerated));
       r.cheaper += cascades.back() != pair.cascade;
     }
   }
@@ -184,21 +188,33 @@ class Study {
         return hits;
       });
     };
-    result_.cascade_ns = ask_all([&](std::size_t pair, const ProxyModels& a, const ProxyModels& b) {
-      return within(result_.pairs[pair].cascade, a, b, q_.clearance);
-    });
-    for (std::size_t k = 0; k < allowed_.size(); ++k)
-      result_.roundings[k].ns =
-          result_.roundings[k].cheaper == 0
-              ? result_.cascade_ns
-              : ask_all([&](std::size_t pair, const ProxyModels& a, const ProxyModels& b) {
-                  return within(allowed_[k][pair], a, b, q_.clearance);
-                });
+    const auto ask_cascades = [&](const std::vector<Cascade>& cascades) {
+      return ask_all([&](std::size_t pair, const ProxyModels& a, const ProxyModels& b) {
+        return within(cascades[pair], a, b, q_.clearance);
+      });
+    };
+    measure_cascades(ask_cascades);
     for (const Level level : enum_values<Level>)
       result_.alone_ns[index_of(level)] =
           ask_all([&, level](std::size_t, const ProxyModels& a, const ProxyModels& b) {
             return accepted(level, a, b, q_.clearance);
           });
+  }
+
+  // The recommended ones from a list like the others', because beside other data they cost more; and by turns
+  // with each, because a machine is not as fast at every time.
+  void measure_cascades(const auto& time_of) {
+    std::vector<Cascade> recommended;
+    for (const PairStudy& pair : result_.pairs) recommended.push_back(pair.cascade);
+    result_.cascade_ns = time_of(recommended);
+    for (std::size_t k = 0; k < allowed_.size(); ++k) {
+      result_.roundings[k].ns = result_.cascade_ns;
+      if (result_.roundings[k].cheaper == 0) continue;
+      std::array<double, 5> ratios{};
+      for (double& ratio : ratios) ratio = time_of(allowed_[k]) / time_of(recommended);
+      std::sort(ratios.begin(), ratios.end());
+      result_.roundings[k].ns *= ratios[ratios.size() / 2];
+    }
   }
 
   const Scene& scene_;

@@ -147,7 +147,11 @@ bool try_points(const Scaled& p, Vector3 on0, Vector3 on1, double room, Answer& 
 }
 
 // f(D) + room |D| < 0 beyond rounding.
-bool try_rounded_direction(const Scaled& p, const Vector3& d, double room, Answer& answer) noexcept {
+bool try_rounded_direction(const Scaled& p, Vector3 d, double room, Answer& answer) noexcept {
+  // A direction has no unit: a way between points has.
+  const double most = max_abs(d);
+  if (!(most >= 0x1p-900)) return false;
+  d *= power_of_two(-exponent_of(most));
   const double f = p.r0 * length(d.cross(p.w0)) + p.h0 * std::fabs(dot(d, p.w0)) +
                    p.r1 * length(d.cross(p.w1)) + p.h1 * std::fabs(dot(d, p.w1)) - std::fabs(dot(d, p.delta));
   if (!(f + room * length(d) < -separation_error * length(d) * (reach_of(p) + room))) return false;

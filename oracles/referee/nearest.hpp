@@ -100,14 +100,14 @@ Place<R> place_on(const Solid<R>& s, Part part, const Vec3<R>& x) {
 
 /// Solves the symmetric system of up to four unknowns by elimination with pivots; what cannot be told is 0.
 template <class R>
-std::array<R, 4> solve(std::array<std::array<R, 5>, 4> m, std::size_t n) {
+std::array<R, 4> solve(std::array<std::array<R, 5>, 4> m, std::size_t n, int bits) {
   constexpr std::size_t none = 4;
   std::array<std::size_t, 4> pivot_of{none, none, none, none};
   std::array<bool, 4> used{};
   R largest(0.0);
   for (std::size_t i = 0; i < n; ++i)
     for (std::size_t j = 0; j < n; ++j) largest = std::max(largest, R(abs(m[i][j])));
-  const R least = largest * R(0x1p-40);
+  const R least = largest * R(std::ldexp(1.0, -std::min(bits * 3 / 4, 1000)));
   for (std::size_t column = 0; column < n; ++column) {
     std::size_t best = none;
     for (std::size_t row = 0; row < n; ++row)
@@ -178,7 +178,7 @@ class Search {
         m[i][i] = m[i][i] + (of_a ? R(-dot(e, bend)) : dot(e, bend));
         m[i][n] = -dot(e, tangent(i));
       }
-      const std::array<R, 4> by = solve(m, n);
+      const std::array<R, 4> by = solve(m, n, bits_);
       x = p.at;
       y = q.at;
       for (std::size_t i = 0; i < p.count; ++i) x = x + by[i] * p.tangent[i];

@@ -29,7 +29,13 @@ void expect_proved(const Pair& pair, const Truth& truth, const std::string& what
       EXPECT_TRUE(separates_in_multiprecision(pair, exact(c.vector), 2048)) << what;
       break;
     case Verdict::intersecting:
-      EXPECT_TRUE(in_both_exact(pair, exact(c.vector))) << what;
+      if (c.kind == CertificateKind::points) {
+        const Rational3 x = exact(c.vector), y = exact(c.second), between = y - x;
+        const mpq_class room = room_of(pair);
+        EXPECT_TRUE(in_each_exact(pair, x, y) && dot(between, between) <= room * room) << what;
+      } else {
+        EXPECT_TRUE(in_both_exact(pair, exact(c.vector))) << what;
+      }
       break;
     case Verdict::touching:
       if (c.kind == CertificateKind::point) {

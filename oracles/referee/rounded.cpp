@@ -4,6 +4,7 @@
 #include "corpus/pairs/pair_numbers.hpp"
 #include "oracles/referee/nearest.hpp"
 #include "oracles/referee/proofs.hpp"
+#include "oracles/referee/referee.hpp"
 #include "oracles/referee/tangency.hpp"
 
 namespace cyl {
@@ -54,10 +55,48 @@ std::optional<Truth> meet_at(const Pair& pair, const Rational3& on_a, const Rati
   return {};
 }
 
-Nearest<MpFloat> nearest_in_multiprecision(const Pair& pair, int bits) {
+/// The point of a's core that lies farthest along the direction, in multiprecision, from a's centre.
+Vec3<MpFloat> farthest(const SearchPair<MpFloat>& p, const std::array<double, 3>& direction) {
+  const Vec3<MpFloat> d{MpFloat(direction[0]), MpFloat(direction[1]), MpFloat(direction[2])};
+  const Vec3<MpFloat> w = p.axis0 / sqrt(dot(p.axis0, p.axis0));
+  const MpFloat along = dot(d, w);
+  const Vec3<MpFloat> across = d - along * w;
+  const MpFloat beside = sqrt(dot(across, across));
+  const Vec3<MpFloat> end = (along < MpFloat(0) ? MpFloat(0) - p.half0 : p.half0) * w;
+  return beside > MpFloat(0) ? end + (p.radius0 / beside) * across : end;
+}
+
+/// Where the nearest points are looked for first; where that leads astray, which it does beside axes that are
+/// nearly parallel, next.
+enum class Start : unsigned char { middle, first_end, other_end, first_end_of_b, other_end_of_b, by_cells };
+
+Nearest<MpFloat> nearest_in_multiprecision(const Pair& pair, int bits, Start start = Start::middle) {
   const PrecisionScope precision(bits);
   const SearchPair<MpFloat> p = multiprecision_pair(pair);
-  return find_nearest(p, bits, MpFloat(0.5) * p.delta);
+  const auto end = [](const Vec3<MpFloat>& axis, const MpFloat& half) {
+    return (half / sqrt(dot(axis, axis))) * axis;
+  };
+  switch (start) {
+    case Start::middle:
+      return find_nearest(p, bits, MpFloat(0.5) * p.delta);
+    case Start::first_end:
+      return find_nearest(p, bits, end(p.axis0, p.half0));
+    case Start::other_end:
+      return find_nearest(p, bits, end(p.axis0, MpFloat(0) - p.half0));
+    case Start::first_end_of_b:
+      return find_nearest(p, bits, p.delta + end(p.axis1, p.half1));
+    case Start::other_end_of_b:
+      return find_nearest(p, bits, p.delta + end(p.axis1, MpFloat(0) - p.half1));
+    case Start::by_cells:
+      break;
+  }
+  // The direction in which the cells of the enclosure find the cores apart.
+  constexpr double cells_tol = 1e-9;  // of the size
+  Pair cores = pair;
+  cores.a.rounding = cores.b.rounding = 0;
+  Truth apart;
+  apart.verdict = Verdict::disjoint;
+  return find_nearest(p, bits, farthest(p, attain_distance(cores, apart, cells_tol).direction));
 }
 
 /// Whether the point is in the core grown by the slack all round.
@@ -172,14 +211,19 @@ std::optional<Truth> prove_rounded_in_double(const Pair& pair, const Filter& fil
 }
 
 std::optional<Truth> prove_rounded(const Pair& pair, int bits) {
-  const Nearest<MpFloat> found = nearest_in_multiprecision(pair, bits);
   const Rational3 center = exact(pair.a.center);
-  const Rational3 from_a = rational(found.on_a), from_b = rational(found.on_b);
-  const Rational3 on_a = center + from_a, on_b = center + from_b, between = from_b - from_a;
-  if (between.x != 0 || between.y != 0 || between.z != 0)
-    if (auto t = prove_disjoint(pair, between, bits)) return t;
-  if (auto t = meet_at(pair, on_a, on_b, bits)) return t;
-  return bits <= tangency_bits ? prove_rounded_touching(pair, on_a, on_b, bits) : std::nullopt;
+  for (const Start start : {Start::middle, Start::first_end, Start::other_end, Start::first_end_of_b,
+                            Start::other_end_of_b, Start::by_cells}) {
+    const Nearest<MpFloat> found = nearest_in_multiprecision(pair, bits, start);
+    const Rational3 from_a = rational(found.on_a), from_b = rational(found.on_b);
+    const Rational3 on_a = center + from_a, on_b = center + from_b, between = from_b - from_a;
+    if (between.x != 0 || between.y != 0 || between.z != 0)
+      if (auto t = prove_disjoint(pair, between, bits)) return t;
+    if (auto t = meet_at(pair, on_a, on_b, bits)) return t;
+    if (bits > tangency_bits) continue;
+    if (auto t = prove_rounded_touching(pair, on_a, on_b, bits)) return t;
+  }
+  return {};
 }
 
 }  // namespace cyl

@@ -2,6 +2,7 @@
 // Laws 1 to 9: changes that alter no digit of the problem, so that an answer may alter none either. A method
 // that computes promises that bit for bit; of one that searches the verdict alone is held to it.
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <iterator>
 #include <limits>
@@ -45,11 +46,14 @@ std::string difference_in_bits(const MethodAnswer& first, const MethodAnswer& se
     if (second.hulls[i] != first.hulls[expected.swapped ? 1 - i : i]) return "the point is in other hulls";
   const bool is_direction = first.witness == CertificateKind::direction;
   const double factor = is_direction ? expected.direction : expected.length;
+  const bool exchanged = first.witness == CertificateKind::points && expected.swapped;
   for (int i = 0; i < 3; ++i) {
-    for (const auto& [x, y] :
-         {std::pair{first.head[i], second.head[i]}, std::pair{first.tail[i], second.tail[i]}}) {
-      if (!same(x, y, factor)) return differ("a coordinate of the witness", factor * x, y);
-    }
+    const std::array<double, 4> one{first.head[i], first.tail[i], first.other_head[i], first.other_tail[i]};
+    std::array<double, 4> other{second.head[i], second.tail[i], second.other_head[i], second.other_tail[i]};
+    if (exchanged) std::rotate(other.begin(), other.begin() + 2, other.end());
+    for (std::size_t k = 0; k < one.size(); ++k)
+      if (!same(one[k], other[k], factor))
+        return differ("a coordinate of the witness", factor * one[k], other[k]);
   }
   return {};
 }

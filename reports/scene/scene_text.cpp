@@ -195,10 +195,11 @@ std::vector<std::string> rounding_words(const SceneStudy& s) {
   for (const RoundingCost& r : s.roundings) {
     const double saved = 100 * (1 - r.ns / s.cascade_ns);
     if (r.cheaper == 0) continue;
-    words.push_back(
-        fmt::format("rounding {} costs {} in {} and saves {} (all solids rounded so: {})", r.rounding,
-                    plural(r.alarms, "false alarm"), plural(s.configurations, "configuration"),
-                    saved >= 0.5 ? fmt::format("{:.0f} % of the time", saved) : "no time", r.all_rounded));
+    words.push_back(fmt::format("rounding {} costs {} in {} and saves {}, on {} (all solids rounded so: {})",
+                                r.rounding, plural(r.alarms, "false alarm"),
+                                plural(s.configurations, "configuration"),
+                                saved >= 0.5 ? fmt::format("{:.0f} % of the time", saved) : "no time",
+                                plural(r.cheaper, "pair"), r.all_rounded));
   }
   if (words.empty() && !s.roundings.empty())
     words.push_back(fmt::format("no rounding up to {} would make it cheaper", s.roundings.back().rounding));

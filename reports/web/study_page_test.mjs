@@ -328,7 +328,7 @@ async function says_that_there_is_nothing() {
   const alone = {
     ...structuredClone(study),
     pairs: [],
-    words: { ...Object.fromEntries(Object.keys(study.words).map((key) => [key, ""])), left_out: [] },
+    words: { ...Object.fromEntries(Object.keys(study.words).map((key) => [key, ""])), left_out: [], rounding: [] },
   };
   for (const kept of alone.kept) Object.assign(kept, { pairs: [], reasons: [{ why: "drawn first" }] });
   writeFileSync(join(folder, "alone.html"), filled(alone));
