@@ -32,8 +32,8 @@ inline constexpr double low_share_tol = 1e-3, low_confidence = 0.95;
 /// How far down a method is right. A row is right where every answer is: none wrong, undecided, declined or
 /// failed.
 struct Digits {
-  /// d where all rows of margins 1e-1 to 1e-d are right, the next is not or was not measured; 0 where not even
-  /// the first is right, nothing where that was not measured.
+  /// d where all rows of margins 1e-1 to 1e-d are right, the next is not or was not measured; 0 where not
+  /// even the first is right, nothing where that was not measured.
   std::optional<int> right;
   /// d <= right from which on at most low_share_tol of the answers are not right, with low_confidence:
   /// provided that a method is not worse farther from touching, each right answer at margins 1e-d to 1e-right

@@ -88,8 +88,8 @@ void set_shard(const std::string& text, CampaignOptions& options) {
     throw UsageError("--shard: '" + text + "' is not i/n with i from 0 to n - 1");
 }
 
-/// Tells whether pairs of rounded solids are asked: guests that know of none are spared those that all of them
-/// decline.
+/// Tells whether pairs of rounded solids are asked: guests that know of none are spared those that all of
+/// them decline.
 bool asks_rounded(const std::vector<std::unique_ptr<Method>>& methods, const CampaignOptions& options) {
   const auto knows_roundings = [](const auto& method) {
     return method->guest() && (method->takes(SolidKind::sphere) || method->takes(SolidKind::capsule) ||
