@@ -6,8 +6,10 @@
 #include <Eigen/Geometry>
 #include <bit>
 #include <cmath>
+#include <limits>
 #include <utility>
 
+#include "solver/detail/both_solids.hpp"
 #include "solver/detail/optimum.hpp"
 #include "solver/detail/prove_with_room.hpp"
 #include "solver/detail/rounded.hpp"
@@ -25,80 +27,149 @@ void prove_parallel(const Question& q, const Parallel& found) noexcept {
   try_point(p, q.base, x, q.answer);
 }
 
-// The filter's own numbers as proof that the solids are apart, where they show it by more than rounding.
-[[gnu::always_inline]] inline bool prove_apart_by_filter(const Couple<double>& p, const Products<double>& q,
-                                                         const Sections<double>& f, double reach,
-                                                         Answer& answer) noexcept {
-  const double error = filter_error * reach;
-  const unsigned beyond = (f.z_s - f.s * (p.r0 + p.r1) > error ? 1u : 0u) |
-                          (f.k0 - f.s * p.r1 > error ? 2u : 0u) | (f.k1 - f.s * p.r0 > error ? 4u : 0u) |
-                          (f.k2_s - f.s * (p.r0 + f.c * p.r1) > error ? 8u : 0u) |
-                          (f.k3_s - f.s * (f.c * p.r0 + p.r1) > error ? 16u : 0u);
-  if (beyond == 0) return false;
-  // n, w0, w1, m0 and m1 as sums of w0, w1 and n. A table, since which of them it is nobody can predict.
-  const double weights[5][3] = {{0, 0, 1}, {1, 0, 0}, {0, 1, 0}, {q.cosine, -1, 0}, {-1, q.cosine, 0}};
-  const double along[5] = {q.dn, q.d0, q.d1, q.cosine * q.d0 - q.d1, q.cosine * q.d1 - q.d0};
-  const int j = std::countr_zero(beyond);
-  const double sign = std::copysign(1.0, along[j]);
-  const double a = sign * weights[j][0], b = sign * weights[j][1], n = sign * weights[j][2];
-  answer.verdict = Verdict::disjoint;
-  answer.proof = Proof::direction;
-  answer.direction = {a * p.w0x + b * p.w1x + n * q.nx, a * p.w0y + b * p.w1y + n * q.ny,
-                      a * p.w0z + b * p.w1z + n * q.nz};
-  return true;
+// The directions w0, w1, C w0 - w1, C w1 - w0 and w0 x w1 as sums: the weights of w0, w1 and w0 x w1, and what C is
+// multiplied with in the first two. A table, since which of them it is nobody can predict.
+struct Weights {
+  double w0, w1, n, cosine_w0, cosine_w1;
+};
+constexpr Weights direction_weights[] = {
+    {1, 0, 0, 0, 0}, {0, 1, 0, 0, 0}, {0, -1, 0, 1, 0}, {-1, 0, 0, 0, 1}, {0, 0, 1, 0, 0}};
+
+// The filter's own numbers as proof that the solids are apart, where they show it by more than `error`: a bit for each
+// of the five directions.
+[[gnu::always_inline]] inline unsigned shown_apart(const SectionsOfBoth& f, double error) noexcept {
+  const Both most = f.most(), k = f.k - error, k_s = f.k_s - error;
+  const double z_s = f.z_s - error, radii = f.radii();
+  return bits(k * magnitude(k) > f.s2 * crosswise(f.r * f.r)) |
+         bits(k_s * magnitude(k_s) > f.s2 * (most * most)) << 2 |
+         (z_s * magnitude(z_s) > f.s2 * (radii * radii) ? 16u : 0u);
+}
+
+[[gnu::always_inline]] inline Vector3 direction_of(unsigned j, const SectionsOfBoth& f, const Vector3& w0,
+                                                   const Vector3& w1) noexcept {
+  const Weights& w = direction_weights[j];
+  double a = w.w0 + w.cosine_w0 * f.cosine, b = w.w1 + w.cosine_w1 * f.cosine;
+  const double sign = std::copysign(1.0, a * f.d[0] + b * f.d[1] + w.n * f.dn), n = sign * w.n;
+  a *= sign;
+  b *= sign;
+  return {a * w0.x() + b * w1.x() + n * f.nx, a * w0.y() + b * w1.y() + n * f.ny,
+          a * w0.z() + b * w1.z() + n * f.nz};
+}
+
+// A point from C0 that the solids may share, as ab[0] w0 + ab[1] w1 + c (w0 x w1).
+struct PlaneWeights {
+  Both ab;
+  double c;
+};
+
+// Whether it is in both, by more than `error`; inverse = 1/s^2.
+[[gnu::always_inline]] inline bool in_both(const SectionsOfBoth& f, double inverse, double error,
+                                           const PlaneWeights& x) noexcept {
+  const Both room = f.r - error, along = x.ab + f.cosine * crosswise(x.ab) - Both{0, f.d[1]};
+  const Both across{x.ab[1], x.ab[0] - (f.d[0] - f.cosine * f.d[1]) * inverse};
+  const Both beside{x.c, x.c - f.dn * inverse};
+  return (bits(magnitude(along) < f.h - error) & bits(room > both(0)) &
+          bits(f.s2 * (across * across + beside * beside) < room * room)) == 3;
+}
+
+// A point that the solids share, in the slice at u = z r0/(r0 + r1), where the filter has them meet; false where no
+// candidate is inside both by more than rounding (section 8). Tried first, since no case has to be told from
+// another and no root is needed: where the squares of its four coordinates, along and across both axes, in units
+// of their half lengths, sum up to least. With A = x.w0, B = x.w1 and g_i = r_i^2 (s^2 - (dn/(r0 + r1))^2) that is
+//   A^2/h0^2 + (B - d1)^2/h1^2 + (B - C A)^2/g0 + (A - d0 - C (B - d1))^2/g1,
+// here times all denominators.
+[[gnu::always_inline]] inline bool find_point(const SectionsOfBoth& f, double error, PlaneWeights& x) noexcept {
+  const double radii = f.radii(), cosine = f.cosine;
+  // In a unit of a power of two in which the radii are near 1, for the sake of products of so many lengths.
+  const double unit = power_of_two(-exponent_of(radii)), sum = radii * unit, square = sum * sum;
+  const Both h = f.h * unit, r = f.r * unit, hh = h * h, rr = r * r, d = f.d * unit;
+  const double dn = f.dn * unit, s2 = f.s2 * square;
+  const double g = rr[0] * rr[1] * (s2 - dn * dn);
+  const Both along = crosswise(hh) * g, across = hh[0] * hh[1] * square * crosswise(rr);
+  const Both m = along + crosswise(across) + cosine * cosine * across;
+  const double turned = cosine * (across[0] + across[1]);  // the other element of the matrix, times -1
+  const double g0 = across[1] * (d[0] - cosine * d[1]), g1 = along[1] * d[1] - cosine * g0;
+  const double det = m[0] * m[1] - turned * turned;
+  const Both right{g0, g1};
+  const Both at = crosswise(m) * right + turned * crosswise(right);  // {A, B} det
+  const double inverse = 1 / (det * (f.s2 * sum));                   // the one division
+  // Whether it is in both: before the division, times det, and squares times (det s (r0 + r1))^2.
+  const Both from1 = at - d * det, room_h = h - error * unit, room_r = r - error * unit;
+  const Both axial = __builtin_shufflevector(at, from1, 0, 3), other = __builtin_shufflevector(at, from1, 1, 2);
+  const Both beside = other - cosine * axial;
+  const double depth = det * dn;
+  const unsigned inside = bits(magnitude(axial) < room_h * det) &
+                          bits(beside * beside * square + depth * depth * rr <
+                               room_r * magnitude(room_r) * (s2 * (det * det)));
+  const Both scaled = at * (inverse * radii);
+  x = {scaled - cosine * crosswise(scaled), f.dn * r[0] * (inverse * det)};
+  return inside == 3;
+}
+
+// Where the sum of squares of find_point() has no common point: along the longer sides, then the whole overlap.
+bool find_point_otherwise(const SectionsOfBoth& f, double error, PlaneWeights& x) noexcept {
+  const double s = root(f.s2), inverse = 1 / s, z = f.dn * inverse, u = x.c * s, v = z - u;
+  const double r0 = f.r[0], r1 = f.r[1], d0 = f.d[0], d1 = f.d[1];
+  const Rectangle<double> rectangle0{0, 0, 1, 0, f.h[0], root(positive((r0 - u) * (r0 + u)))};
+  const Rectangle<double> rectangle1{
+      d0, (d1 - f.cosine * d0) * inverse, f.cosine, s, f.h[1], root(positive((r1 - v) * (r1 + v)))};
+  const auto attempt = [&](const PlanePoint<double>& at) {
+    const double b = at.y * inverse;
+    x.ab = Both{at.x - f.cosine * b, b};
+    return in_both(f, inverse * inverse, error, x);
+  };
+  PlanePoint<double> at;
+  return attempt(on_long_side(rectangle0, rectangle1)) || attempt(on_long_side(rectangle1, rectangle0)) ||
+         (middle_of_overlap(rectangle0, rectangle1, 0.0, at) && attempt(at));
+}
+
+[[gnu::always_inline]] inline void hand_out(const Prepared& a, const Prepared& b, const SectionsOfBoth& f,
+                                            const PlaneWeights& x, Answer& answer) noexcept {
+  answer.verdict = Verdict::intersecting;
+  answer.proof = Proof::point;
+  answer.point_head = a.center;
+  const Vector3 &v = a.unit_axis, &w = b.unit_axis;
+  answer.point_tail = {x.ab[0] * v.x() + x.ab[1] * w.x() + x.c * f.nx,
+                       x.ab[0] * v.y() + x.ab[1] * w.y() + x.c * f.ny,
+                       x.ab[0] * v.z() + x.ab[1] * w.z() + x.c * f.nz};
+}
+
+// After the five directions and the first point have shown nothing. By value, so that nobody else has to keep the
+// sections in memory.
+[[gnu::noinline]] bool prove_steep(const Prepared& a, const Prepared& b, SectionsOfBoth f, double error,
+                                   PlaneWeights x, Answer& answer) noexcept {
+  const auto filter = separating_axis_filter(f);
+  if (filter.apart) return false;
+  if (filter.met) {
+    if (!find_point_otherwise(f, error, x)) return false;
+    hand_out(a, b, f, x, answer);
+    return true;
+  }
+  const Scaled p = as_it_is(a, b);
+  const Frame frame(p, f.d[0], f.d[1], {f.nx, f.ny, f.nz}, f.of_each());
+  prove_at_optimum(Question{p, Base{a.center, 0}, answer}, p, frame);
+  return answer.proof != Proof::none;
 }
 
 // The common case, where the separating-axis filter decides by more than rounding and the numbers it compared
 // are proof enough (section 8): ordinary solids, axes at an angle.
-[[gnu::always_inline]] inline bool prove_on_fast_path(const Couple<double>& p, const Base& base,
+[[gnu::always_inline]] inline bool prove_on_fast_path(const Prepared& a, const Prepared& b,
                                                       Answer& answer) noexcept {
-  const Products<double> q = products(p);
-  if (!(magnitude(q.cosine) <= steep_cosine)) return false;
-  const Sections<double> f = sections(p, q);
-  const auto filter = separating_axis_filter(f);
-  const double radii = p.r0 + p.r1;
-  const double reach = radii + p.h0 + p.h1 + std::fabs(p.dx) + std::fabs(p.dy) + std::fabs(p.dz);
-  if (filter.apart) return prove_apart_by_filter(p, q, f, reach, answer);
-  if (!filter.met) return false;
-  // The slice at u, in coordinates along w0 and along (w1 - C w0)/s, in units of r0 + r1.
-  const double inverse = 1 / f.s, unit = 1 / radii;
-  const double h0 = p.h0 * unit, r0 = p.r0 * unit, h1 = p.h1 * unit, r1 = p.r1 * unit;
-  const double z = f.z_s * inverse * unit, u = z * r0, v = z - u;
-  const double along = q.d0 * unit, across = (q.d1 - q.cosine * q.d0) * inverse * unit;
-  // The point where the squares of its coordinates in both rectangles, in units of their half lengths, sum up
-  // to least: of the candidates tried the best that needs no case distinction. Weights times all squares, so
-  // that there is one division.
-  const double q2 = (1 - z) * (1 + z);
-  const double hh0 = h0 * h0, bb0 = q2 * r0 * r0, hh1 = h1 * h1, bb1 = q2 * r1 * r1;
-  const double first = hh0 * bb0, second = hh1 * bb1;
-  const double along0 = bb0 * second, across0 = hh0 * second, along1 = bb1 * first, across1 = hh1 * first;
-  const double c2 = f.c * f.c, xx = along1 * c2 + across1 * f.s2, yy = along1 * f.s2 + across1 * c2;
-  const double xy = (along1 - across1) * (q.cosine * f.s);
-  const double gx = xx * along + xy * across, gy = xy * along + yy * across;
-  const double mx = xx + along0, my = yy + across0, solve = 1 / (mx * my - xy * xy);
-  const double error = point_error * (reach * unit), room0 = r0 - error, room1 = r1 - error;
-  const auto inside = [&](const PlanePoint<double>& at) {
-    const double dx = at.x - along, dy = at.y - across;
-    const double x1 = dx * q.cosine + dy * f.s, y1 = dy * q.cosine - dx * f.s;
-    return (std::fabs(at.x) < h0 - error) & (std::fabs(x1) < h1 - error) & (room0 > 0) & (room1 > 0) &
-           (at.y * at.y + u * u < room0 * room0) & (y1 * y1 + v * v < room1 * room1);
-  };
-  PlanePoint<double> at{(my * gx - xy * gy) * solve, (mx * gy - xy * gx) * solve};
-  if (!inside(at)) {
-    const double b = std::sqrt(positive(q2));
-    const Rectangle<double> rectangle0{0, 0, 1, 0, h0, b * r0},
-        rectangle1{along, across, q.cosine, f.s, h1, b * r1};
-    at = on_long_side(rectangle0, rectangle1);
-    if (!inside(at)) at = on_long_side(rectangle1, rectangle0);
-    if (!inside(at)) return false;
+  const double cosine = cosine_of(a, b);
+  if (!(magnitude(cosine) <= steep_cosine)) return false;
+  const SectionsOfBoth f = sections_of_both(a, b, cosine);
+  const double reach = f.r[0] + f.r[1] + f.h[0] + f.h[1] + magnitude(f.dx) + magnitude(f.dy) + magnitude(f.dz);
+  const unsigned apart = shown_apart(f, filter_error * reach);
+  if (apart != 0) {
+    answer.verdict = Verdict::disjoint;
+    answer.proof = Proof::direction;
+    answer.direction =
+        direction_of(static_cast<unsigned>(std::countr_zero(apart)), f, a.unit_axis, b.unit_axis);
+  } else {
+    PlaneWeights x;
+    if (!find_point(f, point_error * reach, x)) return prove_steep(a, b, f, point_error * reach, x, answer);
+    hand_out(a, b, f, x, answer);
   }
-  const double w1 = at.y * inverse * radii, w0 = at.x * radii - w1 * q.cosine;
-  const double n = u * radii * std::copysign(inverse, q.dn);
-  answer.verdict = Verdict::intersecting;
-  answer.proof = Proof::point;
-  answer.point_head = base.center;
-  answer.point_tail = {w0 * p.w0x + w1 * p.w1x + n * q.nx, w0 * p.w0y + w1 * p.w1y + n * q.ny,
-                       w0 * p.w0z + w1 * p.w1z + n * q.nz};
   return true;
 }
 
@@ -112,11 +183,16 @@ void prove_parallel(const Question& q, const Parallel& found) noexcept {
   const Base base{first.center, p.exponent};
   // As decide() does with ordinary solids, so that the scene's unit cannot be seen in the answer; but where
   // it is so small that a point may lose bits when it goes back into it.
-  if (!(first.ordinary & second.ordinary) && p.exponent > -900 &&
-      prove_on_fast_path(p.couple(), base, answer)) {
-    answer.point_tail = times_power(answer.point_tail, p.exponent);
-    if (answer.point_tail.allFinite()) return;
-    answer = Answer{};  // the largest double is near: other points may be nearer
+  if (!(first.ordinary & second.ordinary) && p.exponent > -900) {
+    Prepared a = first, b = second;
+    a.center = {0, 0, 0}, b.center = p.delta;
+    a.radius = p.r0, a.height = 2 * p.h0, b.radius = p.r1, b.height = 2 * p.h1;
+    if (prove_on_fast_path(a, b, answer)) {
+      answer.point_head = first.center;
+      answer.point_tail = times_power(answer.point_tail, p.exponent);
+      if (answer.point_tail.allFinite()) return;
+      answer = Answer{};  // the largest double is near: other points may be nearer
+    }
   }
   const Question question{p, base, answer};
   const Axes axes(first.unit_axis, second.unit_axis);
@@ -137,16 +213,20 @@ void prove_parallel(const Question& q, const Parallel& found) noexcept {
 template <bool ordinary>
 [[gnu::always_inline]] inline Answer decide_cores(const Prepared& a, const Prepared& b) noexcept {
   Answer answer;
-  bool swapped = a.radius > b.radius;
-  if (a.radius == b.radius) swapped = out_of_order(a, b);
+  // As whole numbers, which are in the same order and known sooner.
+  const auto radius0 = std::bit_cast<std::int64_t>(a.radius), radius1 = std::bit_cast<std::int64_t>(b.radius);
+  bool swapped = radius0 > radius1;
+  if (radius0 == radius1) swapped = out_of_order(a, b);
   // Looked up, since nobody can predict it.
-  const Prepared* const roles[] = {&a, &b};
-  const Prepared &first = *roles[swapped], &second = *roles[!swapped];
-  if (!ordinary || !prove_on_fast_path(as_it_is(first, second).couple(), {first.center, 0}, answer)) {
+  constexpr double turns[] = {1, -1};
+  const std::uintptr_t other = (reinterpret_cast<std::uintptr_t>(&a) ^ reinterpret_cast<std::uintptr_t>(&b)) & (std::uintptr_t{0} - swapped);
+  const Prepared& first = *reinterpret_cast<const Prepared*>(reinterpret_cast<std::uintptr_t>(&a) ^ other);
+  const Prepared& second = *reinterpret_cast<const Prepared*>(reinterpret_cast<std::uintptr_t>(&b) ^ other);
+  if (!ordinary || !prove_on_fast_path(first, second, answer)) {
     prove_in_full(first, second, answer);
     if (swapped) std::swap(answer.hull_a, answer.hull_b);
   }
-  answer.direction *= 1 - 2 * static_cast<double>(swapped);
+  answer.direction = turns[swapped] * answer.direction;
   return answer;
 }
 

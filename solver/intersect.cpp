@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Yes or no.
 #include "solver/decide.hpp"
-#include "solver/detail/frame.hpp"
+#include "solver/detail/both_solids.hpp"
 #include "solver/detail/iteration_cap.hpp"
 #include "solver/detail/rounded.hpp"
 #include "solver/detail/sections.hpp"
@@ -33,7 +33,7 @@ Verdict verdict_of(bool met) noexcept {
   return Verdict::undecided;
 }
 
-[[gnu::always_inline]] inline Verdict intersect_sections(const Sections<double>& f) noexcept {
+Verdict intersect_sections(const Sections<double>& f) noexcept {
   const auto filter = separating_axis_filter(f);
   // One branch for both.
   if (static_cast<unsigned>(filter.apart) + static_cast<unsigned>(filter.met) != 0)
@@ -41,14 +41,23 @@ Verdict verdict_of(bool met) noexcept {
   return settle(f);
 }
 
-Verdict intersect_shallow(const Couple<double>& p) noexcept {
+[[gnu::noinline]] Verdict intersect_shallow(const Couple<double>& p) noexcept {
   if ((p.w0x == p.w1x) & (p.w0y == p.w1y) & (p.w0z == p.w1z)) return verdict_of(!apart_in_parallel(p));
   const Sections<double> f = shallow_sections(p);
   if (f.s2 >= parallel_square) return intersect_sections(f);
   return verdict_of(!apart_in_parallel(p));
 }
 
-[[gnu::always_inline]] inline Verdict intersect_couple(const Couple<double>& p) noexcept {
+[[gnu::always_inline]] inline Verdict intersect_steep(const Prepared& a, const Prepared& b,
+                                                      double cosine) noexcept {
+  const SectionsOfBoth f = sections_of_both(a, b, cosine);
+  const auto filter = separating_axis_filter(f);
+  // One branch for both.
+  if (filter.apart | filter.met) return verdict_of(!filter.apart);
+  return settle(f.of_each());
+}
+
+Verdict intersect_couple(const Couple<double>& p) noexcept {
   const double cosine = p.w0x * p.w1x + p.w0y * p.w1y + p.w0z * p.w1z;
   return magnitude(cosine) <= steep_cosine ? intersect_sections(sections(p)) : intersect_shallow(p);
 }
@@ -68,7 +77,9 @@ Verdict intersect_shallow(const Couple<double>& p) noexcept {
 }  // namespace
 
 Verdict intersect(const Prepared& a, const Prepared& b) noexcept {
-  return (a.ordinary & b.ordinary) ? intersect_couple(as_it_is(a, b).couple()) : intersect_other(a, b);
+  if (!(a.ordinary & b.ordinary)) return intersect_other(a, b);
+  const double cosine = cosine_of(a, b);
+  return magnitude(cosine) <= steep_cosine ? intersect_steep(a, b, cosine) : intersect_shallow(as_it_is(a, b).couple());
 }
 
 Verdict intersect(const Cylinder& a, const Cylinder& b) noexcept { return intersect(prepare(a), prepare(b)); }

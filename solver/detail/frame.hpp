@@ -160,6 +160,19 @@ struct Frame {
          s * (std::fabs(d[2]) - p.h1 * s),
          s * (std::fabs(d[3]) - p.h0 * s)};
   }
+  // From what is known already, of axes at an angle: Delta along w0 and w1, w0 x w1, and the sections.
+  Frame(const Scaled& p, double d0, double d1, const Vector3& cross, const Sections<double>& sections) noexcept
+      : w0(p.w0), w1(p.w1), delta(p.delta), f(sections) {
+    const double inverse = 1 / f.s;
+    n = cross * std::copysign(inverse, dot(delta, cross));
+    m0 = w0.cross(n);
+    m1 = w1.cross(n);
+    d[0] = d0;
+    d[1] = d1;
+    d[2] = dot(delta, m0);
+    d[3] = dot(delta, m1);
+    z = f.z_s * inverse;
+  }
   // e_j, pointing from a to b.
   Vector3 e(int j) const noexcept {
     const Vector3& axis = j == 0 ? w0 : j == 1 ? w1 : j == 2 ? m0 : m1;
