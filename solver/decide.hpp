@@ -31,6 +31,8 @@ inline constexpr double filter_error =
     64 * unit_roundoff_error;  ///< of s f at the five first directions, times the reach above
 inline constexpr double point_error =
     512 * unit_roundoff_error;  ///< of a point built in the first slice, times the same
+inline constexpr double parallel_error =
+    64 * unit_roundoff_error;  ///< of what is compared where both axes are one, times the same
 inline constexpr double membership_error =
     16 * unit_roundoff_error;  ///< of a point's distances to axis and middle plane, times |x| + |Delta|
 inline constexpr double underflow_error =

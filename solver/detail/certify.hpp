@@ -3,6 +3,8 @@
 // alone.
 #pragma once
 
+#include <limits>
+
 #include "solver/detail/frame.hpp"
 
 namespace cyl {
@@ -31,12 +33,23 @@ inline Hull hull_of(double r, double h, double reach) noexcept {
   return thin && low ? Hull::center : thin ? Hull::line : low ? Hull::plane : Hull::space;
 }
 
-// f(D) < 0 beyond rounding.
-inline bool separates(const Scaled& p, const Vector3& d) noexcept {
-  const double f = p.r0 * length(d.cross(p.w0)) + p.h0 * std::fabs(dot(d, p.w0)) +
-                   p.r1 * length(d.cross(p.w1)) + p.h1 * std::fabs(dot(d, p.w1)) - std::fabs(dot(d, p.delta));
-  return f < -separation_error * length(d) * reach_of(p);
-}
+// What is to be decided, and where its certificate goes: each is checked against these solids.
+struct Question {
+  Question(const Scaled& of, const Base& from, Answer& to) noexcept
+      : solids(of), base(from), answer(to), reach(reach_of(of)) {}
+  // Something was found that leaves no gap, or no ball in both, that a double shows.
+  bool no_gap() const noexcept { return outside <= separation_error * reach; }
+  bool no_room() const noexcept { return overlap <= separation_error * reach; }
+
+  const Scaled& solids;
+  const Base& base;
+  Answer& answer;
+  double reach;
+  // Of what was tried in vain: the least f(D)/|D| of a direction, and how far the best point is outside the farther of
+  // the two solids.
+  double overlap = std::numeric_limits<double>::infinity();
+  double outside = std::numeric_limits<double>::infinity();
+};
 
 // A point looked at from one solid: how far along its axis and across it.
 struct Place {
@@ -45,6 +58,7 @@ struct Place {
   double off(Hull hull) const noexcept {
     return hull == Hull::space ? 0 : hull == Hull::plane ? along : hull == Hull::line ? across : away;
   }
+  double outside(double r, double h) const noexcept { return larger(along - h, across - r); }
   // With so much room left; within its hull a solid needs none across it.
   bool inside(double r, double h, Hull hull, double room) const noexcept {
     const bool in_plane = (hull == Hull::plane) | (hull == Hull::center);
@@ -54,11 +68,10 @@ struct Place {
   double along, across, away;
 };
 
-// Whether the point of both hulls nearest to x, from C0, lies inside both solids beyond rounding. It is no
+// Whether the point of both hulls nearest to x, which is looked at from both solids, lies inside both solids beyond rounding. It is no
 // farther from x than x is off the one hull, or, where planes cross, or a plane and a line, off both over the
 // sine of their angle (and twice that for the line, which x goes along).
-inline bool in_both(const Scaled& p, const Vector3& x, Hull hull0, Hull hull1) noexcept {
-  const Place at0(x, p.w0), at1(x - p.delta, p.w1);
+inline bool in_both(const Scaled& p, const Place& at0, const Place& at1, Hull hull0, Hull hull1) noexcept {
   const double error = membership_error * (at0.away + length(p.delta)) + underflow_error;
   double move = 0;
   if ((hull0 != Hull::space) & (hull1 != Hull::space)) {
@@ -74,35 +87,46 @@ inline bool in_both(const Scaled& p, const Vector3& x, Hull hull0, Hull hull1) n
   return at0.inside(p.r0, p.h0, hull0, error + move) && at1.inside(p.r1, p.h1, hull1, error + move);
 }
 
-inline bool try_direction(const Scaled& p, Vector3 direction, Answer& answer) noexcept {
+// f(D) < 0 beyond rounding.
+inline bool try_direction(Question& q, Vector3 d) noexcept {
+  const Scaled& p = q.solids;
   // Weights are products of lengths; a direction has no unit.
-  const double most = max_abs(direction);
+  const double most = max_abs(d);
   if (!(most >= 0x1p-900)) return false;
-  direction *= power_of_two(-exponent_of(most));
-  if (!separates(p, direction)) return false;
-  answer.verdict = Verdict::disjoint;
-  answer.proof = Proof::direction;
-  answer.direction = dot(direction, p.delta) < 0 ? Vector3(-direction) : direction;
+  d *= power_of_two(-exponent_of(most));
+  const double f = p.r0 * length(d.cross(p.w0)) + p.h0 * std::fabs(dot(d, p.w0)) +
+                   p.r1 * length(d.cross(p.w1)) + p.h1 * std::fabs(dot(d, p.w1)) - std::fabs(dot(d, p.delta));
+  const double size = length(d);
+  if (!(f < -separation_error * size * q.reach)) {
+    q.overlap = smaller(q.overlap, f / size);
+    return false;
+  }
+  q.answer.verdict = Verdict::disjoint;
+  q.answer.proof = Proof::direction;
+  q.answer.direction = dot(d, p.delta) < 0 ? Vector3(-d) : d;
   return true;
 }
 
-inline bool try_point(const Scaled& p, const Base& base, const Vector3& x, Answer& answer) noexcept {
+inline bool try_point(Question& q, const Vector3& x) noexcept {
   // The certificate is what is handed out, so that is what gets checked: back in the scene's unit, where a
   // subnormal coordinate may have lost bits.
-  const Vector3 tail = times_power(x, base.exponent), given = times_power(tail, -base.exponent);
-  const double reach = reach_of(p);
+  const Scaled& p = q.solids;
+  const int exponent = q.base.exponent;
+  const Vector3 tail = times_power(x, exponent), given = times_power(tail, -exponent);
+  const Place at0(given, p.w0), at1(given - p.delta, p.w1);
   Hull hull0 = Hull::space, hull1 = Hull::space;
-  if (!in_both(p, given, hull0, hull1)) {
-    hull0 = hull_of(p.r0, p.h0, reach);
-    hull1 = hull_of(p.r1, p.h1, reach);
-    if (((hull0 == Hull::space) & (hull1 == Hull::space)) || !in_both(p, given, hull0, hull1)) return false;
+  if (!in_both(p, at0, at1, hull0, hull1)) {
+    q.outside = smaller(q.outside, larger(at0.outside(p.r0, p.h0), at1.outside(p.r1, p.h1)));
+    hull0 = hull_of(p.r0, p.h0, q.reach);
+    hull1 = hull_of(p.r1, p.h1, q.reach);
+    if (((hull0 == Hull::space) & (hull1 == Hull::space)) || !in_both(p, at0, at1, hull0, hull1)) return false;
   }
-  answer.verdict = Verdict::intersecting;
-  answer.proof = Proof::point;
-  answer.point_head = base.center;
-  answer.point_tail = tail;
-  answer.hull_a = hull0;
-  answer.hull_b = hull1;
+  q.answer.verdict = Verdict::intersecting;
+  q.answer.proof = Proof::point;
+  q.answer.point_head = q.base.center;
+  q.answer.point_tail = tail;
+  q.answer.hull_a = hull0;
+  q.answer.hull_b = hull1;
   return true;
 }
 

@@ -170,7 +170,22 @@ Records find(const BatchJob& job, const unsigned* indices, unsigned count) {
   return r;
 }
 
-/// Pairs that the separating-axis filter has left open, at their indices.
+/// Axes nearly parallel; `open` gets those that reach the cap.
+Mask meet_shallow(const Couple<Lanes>& p, Mask& open) {
+  const Sections<Lanes> f = shallow_sections(p);
+  const auto filter = separating_axis_filter(f);
+  const Mask parallel = f.s2 < parallel_square;
+  Mask met = (filter.met & negate(filter.apart) & negate(parallel)) | (parallel & negate(apart_in_parallel(p)));
+  open = negate(parallel | filter.apart | filter.met);
+  if (bits(open) != 0) {
+    const Mask asked = open;
+    met = met | (settle(f, open) & asked);
+  }
+  return met;
+}
+
+/// Pairs at indices[0 .. count): axes at an angle, which the separating-axis filter has left open, or nearly
+/// parallel ones.
 template <bool steep>
 void finish(const BatchJob& job, const unsigned* indices, unsigned count) {
   for (unsigned start = 0; start < count; start += static_cast<unsigned>(lanes)) {
@@ -179,21 +194,12 @@ void finish(const BatchJob& job, const unsigned* indices, unsigned count) {
         count - start < static_cast<unsigned>(lanes) ? count - start : static_cast<unsigned>(lanes);
     const Records r = find(job, indices + start, n);
     const Couple<Lanes> p = load(r.first, r.second);
-    const Sections<Lanes> f = steep ? sections(p) : shallow_sections(p);
     Mask met, open;
     if constexpr (steep) {
-      open = f.c <= steep_cosine;  // all
-      met = settle(f, open);
+      open = p.r0 >= Lanes(0.0);  // all
+      met = settle(sections(p), open);
     } else {
-      const auto filter = separating_axis_filter(f);
-      const Mask parallel = f.s2 < parallel_square;
-      met =
-          (filter.met & negate(filter.apart) & negate(parallel)) | (parallel & negate(apart_in_parallel(p)));
-      open = negate(parallel | filter.apart | filter.met);
-      if (bits(open) != 0) {
-        const Mask asked = open;
-        met = met | (settle(f, open) & asked);
-      }
+      met = meet_shallow(p, open);
     }
     const unsigned met_bits = bits(met), open_bits = bits(open);
     for (unsigned i = 0; i < n; ++i)
@@ -219,12 +225,21 @@ unsigned CYL_KERNEL(const BatchJob& job, unsigned* rest) {
       ordinary |= (is_ordinary(r.first[i]) & is_ordinary(r.second[i])) << i;
     }
     const Couple<Lanes> p = load(r.first, r.second);
-    const Sections<Lanes> f = sections(p);
-    const auto filter = separating_axis_filter(f);
-    const unsigned apart = bits(filter.apart), seen = apart | bits(filter.met);
-    const unsigned at_angle = bits(f.c <= steep_cosine);
-    const unsigned decided = ordinary & at_angle & seen;
-    for (unsigned i = 0; i < n; ++i) job.verdicts[start + i] = static_cast<unsigned char>(~apart >> i & 1);
+    const Products<Lanes> q = products(p);
+    const unsigned at_angle = bits(magnitude(q.cosine) <= steep_cosine);
+    unsigned met, seen;
+    if (at_angle == 0) {  // in batches of parallel pairs all are
+      const Mask one_axis = (p.w0x == p.w1x) & (p.w0y == p.w1y) & (p.w0z == p.w1z);
+      Mask open{};
+      met = bits(bits(one_axis) == all ? negate(apart_in_parallel(p)) : meet_shallow(p, open));
+      seen = all & ~bits(open);
+    } else {
+      const auto filter = separating_axis_filter(sections(p, q));
+      met = all & ~bits(filter.apart);
+      seen = at_angle & (~met | bits(filter.met));
+    }
+    const unsigned decided = ordinary & seen;
+    for (unsigned i = 0; i < n; ++i) job.verdicts[start + i] = static_cast<unsigned char>(met >> i & 1);
     if (decided == all) continue;  // untaken: the same
     for (unsigned i = 0; i < n; ++i) {
       if (decided >> i & 1) continue;

@@ -15,7 +15,7 @@ namespace cyl {
 
 // The five directions and the slice that decide most pairs; true where they leave nothing to search.
 template <class F>
-bool prove_by_filter(const Question& q, const Scaled& p, const F& frame) noexcept {
+bool prove_by_filter(Question& q, const Scaled& p, const F& frame) noexcept {
   using T = typename F::Scalar;
   const Sections<T>& f = frame.f;
   const auto filter = separating_axis_filter(f);
@@ -23,7 +23,7 @@ bool prove_by_filter(const Question& q, const Scaled& p, const F& frame) noexcep
     const T most[] = {f.s * f.r1, f.s * f.r0, f.s * (f.r0 + f.c * f.r1), f.s * (f.c * f.r0 + f.r1)};
     const T k[] = {f.k0, f.k1, f.k2_s, f.k3_s};
     const auto attempt = [&](int j, double weight, double along_n) {
-      return try_direction(q.solids, frame.direction(j, T(weight), 0, T(0), T(along_n)), q.answer);
+      return try_direction(q, frame.direction(j, T(weight), 0, T(0), T(along_n)));
     };
     if (f.z_s > f.s * (f.r0 + f.r1) && attempt(0, 0, 1)) return true;
     for (int j = 0; j < 4; ++j)
@@ -36,7 +36,7 @@ bool prove_by_filter(const Question& q, const Scaled& p, const F& frame) noexcep
 
 // The middle of the slices where both widths suffice: those at most u from C0 and v from C1.
 template <class F, class T>
-bool try_middle(const Question& q, const Scaled& p, const F& frame, T u, T v) noexcept {
+bool try_middle(Question& q, const Scaled& p, const F& frame, T u, T v) noexcept {
   return try_slice(q, p, frame, middle_of_both(u, frame.slices().z, v));
 }
 
@@ -60,7 +60,7 @@ Widths<T> beside_tips(T r0, T u, T r1, T v, T z) noexcept {
 
 // The direction whose weights are the multipliers of the demands that hold the corner, which has no slice.
 template <class F, class At>
-void separate_at_corner(const Question& q, const F& frame, const At& at) noexcept {
+void separate_at_corner(Question& q, const F& frame, const At& at) noexcept {
   using T = typename F::Scalar;
   const Sections<T>& f = frame.f;
   const auto try_widths = [&](T x, T u, T y, T v) {
@@ -68,13 +68,12 @@ void separate_at_corner(const Question& q, const F& frame, const At& at) noexcep
     if (!(y > T(0) || v > T(0))) v = 1;
     const T fall0 = x * v, fall1 = y * u, uv = u * v;
     return try_direction(
-        q.solids,
+        q,
         at.on2 & at.on3
             ? frame.direction(2, positive(fall0 - f.c * fall1), 3, positive(fall1 - f.c * fall0), f.s2 * uv)
         : at.on2 ? frame.direction(2, f.s * fall0, 0, positive(fall1 - f.c * fall0), f.s * uv)
         : at.on3 ? frame.direction(3, f.s * fall1, 1, positive(fall0 - f.c * fall1), f.s * uv)
-                 : frame.direction(1, fall0, 0, fall1, f.s * uv),
-        q.answer);
+                 : frame.direction(1, fall0, 0, fall1, f.s * uv));
   };
   const auto [x, u, y, v] = beside_tips(f.r0, at.u, f.r1, at.v, at.z);
   if (try_widths(x, u, y, v)) return;
@@ -90,19 +89,18 @@ void separate_at_corner(const Question& q, const F& frame, const At& at) noexcep
 
 // At the far end of the edge.
 template <class F, class T>
-void separate_at_top(const Question& q, const F& frame, int line, const Edge<T>& e, T u, T cv) noexcept {
+void separate_at_top(Question& q, const F& frame, int line, const Edge<T>& e, T u, T cv) noexcept {
   const auto [x, u_now, y, v] = beside_tips(e.ra, u, e.rb, cv / e.c, e.z);
   // untaken: x is 0 where the radius is, and u with it; a tip, of width 0, is no top, since k > 0
   const T slope = x > T(0) || u_now > T(0) ? u_now : T(1), cb = e.c * y, c_v = e.c * v;
-  try_direction(q.solids,
+  try_direction(q,
                 frame.direction(line, frame.f.s * (cb * slope), line == 2 ? 1 : 0,
-                                positive(e.c * (x * c_v) - cb * slope), e.c * frame.f.s * (slope * c_v)),
-                q.answer);
+                                positive(e.c * (x * c_v) - cb * slope), e.c * frame.f.s * (slope * c_v)));
 }
 
 // Up the line along which H rises from the corner, of the pair `p`.
 template <class F, class At>
-void prove_on_edge(const Question& q, const Scaled& p, const F& frame, const At& at) noexcept {
+void prove_on_edge(Question& q, const Scaled& p, const F& frame, const At& at) noexcept {
   using T = typename F::Scalar;
   constexpr int miss_cap = 12;        // verdicts whose certificate does not hold: at most so many are usual
   constexpr double far_tol = 0x1p60;  // a tilt beyond which e + t n is n
@@ -131,7 +129,7 @@ void prove_on_edge(const Question& q, const Scaled& p, const F& frame, const At&
     if (now.apart) {
       // Far out F hardly falls any more; a smaller t weighs its depth against a shorter direction.
       const T tilt = smaller(t, (e.ra + e.rb) / -now.min_gap);
-      if (try_direction(q.solids, frame.direction(line, T(1), 0, T(0), tilt), q.answer)) return;
+      if (try_direction(q, frame.direction(line, T(1), 0, T(0), tilt))) return;
     }
     if (now.met) {
       const T next = now.t;  // F is flat at its minimum, the slice is not: one step more
@@ -139,19 +137,30 @@ void prove_on_edge(const Question& q, const Scaled& p, const F& frame, const At&
       if (try_edge_point(u, v)) return;
     }
     misses += now.found | now.apart;
+    if (now.found) {  // what is left is rounding: how near are both?
+      if (!q.no_room()) try_direction(q, frame.direction(line, T(1), 0, T(0), now.t));
+      if (!q.no_gap()) try_edge_point(e.ra * t / root(T(1) + t * t), e.rb * t / root(e.c * e.c + t * t));
+      if (q.no_gap() & q.no_room()) return;
+    }
     t = now.t;
   }
 }
 
 // What is searched is `p`: the pair itself, or one a little larger or smaller.
 template <class F>
-void prove_at_optimum(const Question& q, const Scaled& p, const F& frame) noexcept {
+void prove_at_optimum(Question& q, const Scaled& p, const F& frame) noexcept {
   const auto at = corner(frame.f);
   if (at.met && try_middle(q, p, frame, at.u, at.v)) return;
   if (at.rises2 | at.rises3) prove_on_edge(q, p, frame, at);
   // Also where the edge gave no proof: with axes all but square its first steps are shorter than a rounding
   // of the widths, and H at the corner is as great as anywhere.
   if (q.answer.proof == Proof::none && !at.met) separate_at_corner(q, frame, at);
+  if (q.answer.proof != Proof::none) return;
+  // So that q knows how near both are.
+  if (at.met)
+    separate_at_corner(q, frame, at);
+  else
+    try_middle(q, p, frame, at.u, at.v);
 }
 
 }  // namespace cyl

@@ -79,14 +79,17 @@ Scaled resized(const Scaled& p, double by) noexcept {
 
 }  // namespace
 
-[[gnu::noinline]] void prove_with_room(const Question& question, const Axes& axes) noexcept {
-  const double room = room_tol * reach_of(question.solids);
-  for (const double by : {room, -room}) {
-    const Scaled p = resized(question.solids, by);
+[[gnu::noinline]] void prove_with_room(Question& q, const Axes& axes) noexcept {
+  const double room = room_tol * q.reach;
+  const auto search = [&](double by) {
+    const Scaled p = resized(q.solids, by);
     const DeepFrame frame(p, axes);
-    if (!prove_by_filter(question, p, frame)) prove_at_optimum(question, p, frame);
-    if (question.answer.proof != Proof::none) return;
-  }
+    if (!prove_by_filter(q, p, frame)) prove_at_optimum(q, p, frame);
+    return q.answer.proof != Proof::none;
+  };
+  // A point this near to both leaves no gap worth the search, a direction of so small an overlap no ball.
+  if (!q.no_gap() && search(room)) return;
+  if (!q.no_room()) search(-room);
 }
 
 }  // namespace cyl

@@ -88,16 +88,9 @@ bool middle_of_overlap(const Rectangle<T>& r0, const Rectangle<T>& r1, T slack,
   return true;
 }
 
-// What is to be decided, and where its certificate goes: each is checked against these solids.
-struct Question {
-  const Scaled& solids;
-  const Base& base;
-  Answer& answer;
-};
-
 // Common points of the slice of `p` at height u above C0.
 template <class F>
-bool try_slice(const Question& q, const Scaled& p, const F& frame, typename F::Scalar u) noexcept {
+bool try_slice(Question& q, const Scaled& p, const F& frame, typename F::Scalar u) noexcept {
   using T = typename F::Scalar;
   const Slices<T> slices = frame.slices();
   const T v = slices.z - u;
@@ -105,13 +98,13 @@ bool try_slice(const Question& q, const Scaled& p, const F& frame, typename F::S
   const Rectangle<T> r0{0, 0, 1, 0, p.h0, b0};
   const Rectangle<T> r1{slices.along, slices.beside, slices.cosine, slices.sine, p.h1, b1};
   auto attempt = [&](const PlanePoint<T>& at) {
-    return try_point(q.solids, q.base, frame.at(at.x, at.y, u), q.answer);
+    return try_point(q, frame.at(at.x, at.y, u));
   };
   constexpr double slack_tol = room_tol / 8;  // of the reach: much of a rounding, little of the room
   PlanePoint<T> at;
   return attempt(on_long_side(r0, r1)) || attempt(on_long_side(r1, r0)) ||
          (middle_of_overlap(r0, r1, T(0), at) && attempt(at)) ||
-         (middle_of_overlap(r0, r1, T(slack_tol * reach_of(p)), at) && attempt(at));
+         (middle_of_overlap(r0, r1, T(slack_tol * q.reach), at) && attempt(at));
 }
 
 }  // namespace cyl
