@@ -27,16 +27,16 @@ void prove_parallel(Question& q, const Parallel& found) noexcept {
   try_point(q, x);
 }
 
-// The directions w0, w1, C w0 - w1, C w1 - w0 and w0 x w1 as sums: the weights of w0, w1 and w0 x w1, and what C is
-// multiplied with in the first two. A table, since which of them it is nobody can predict.
+// The directions w0, w1, C w0 - w1, C w1 - w0 and w0 x w1 as sums: the weights of w0, w1 and w0 x w1, and
+// what C is multiplied with in the first two. A table, since which of them it is nobody can predict.
 struct Weights {
   double w0, w1, n, cosine_w0, cosine_w1;
 };
 constexpr Weights direction_weights[] = {
     {1, 0, 0, 0, 0}, {0, 1, 0, 0, 0}, {0, -1, 0, 1, 0}, {-1, 0, 0, 0, 1}, {0, 0, 1, 0, 0}};
 
-// The filter's own numbers as proof that the solids are apart, where they show it by more than `error`: a bit for each
-// of the five directions.
+// The filter's own numbers as proof that the solids are apart, where they show it by more than `error`: a bit
+// for each of the five directions.
 [[gnu::always_inline]] inline unsigned shown_apart(const SectionsOfBoth& f, double error) noexcept {
   const Both most = f.most(), k = f.k - error, k_s = f.k_s - error;
   const double z_s = f.z_s - error, radii = f.radii();
@@ -72,13 +72,19 @@ struct PlaneWeights {
           bits(f.s2 * (across * across + beside * beside) < room * room)) == 3;
 }
 
-// A point that the solids share, in the slice at u = z r0/(r0 + r1), where the filter has them meet; false where no
-// candidate is inside both by more than rounding (section 8). Tried first, since no case has to be told from
-// another and no root is needed: where the squares of its four coordinates, along and across both axes, in units
-// of their half lengths, sum up to least. With A = x.w0, B = x.w1 and g_i = r_i^2 (s^2 - (dn/(r0 + r1))^2) that is
+// Of find_point(): below this its square might lose digits to underflow. Solids that are not flat have 2^-200
+// and more.
+constexpr double least_det = 0x1p-300;
+
+// A point that the solids share, in the slice at u = z r0/(r0 + r1), where the filter has them meet; false
+// where no candidate is inside both by more than rounding (section 8). Tried first, since no case has to be
+// told from another and no root is needed: where the squares of its four coordinates, along and across both
+// axes, in units of their half lengths, sum up to least. With A = x.w0, B = x.w1 and g_i = r_i^2 (s^2 -
+// (dn/(r0 + r1))^2) that is
 //   A^2/h0^2 + (B - d1)^2/h1^2 + (B - C A)^2/g0 + (A - d0 - C (B - d1))^2/g1,
 // here times all denominators.
-[[gnu::always_inline]] inline bool find_point(const SectionsOfBoth& f, double error, PlaneWeights& x) noexcept {
+[[gnu::always_inline]] inline bool find_point(const SectionsOfBoth& f, double error,
+                                              PlaneWeights& x) noexcept {
   const double radii = f.radii(), cosine = f.cosine;
   // In a unit of a power of two in which the radii are near 1, for the sake of products of so many lengths.
   const double unit = power_of_two(-exponent_of(radii)), sum = radii * unit, square = sum * sum;
@@ -95,24 +101,26 @@ struct PlaneWeights {
   const double inverse = 1 / (det * (f.s2 * sum));                   // the one division
   // Whether it is in both: before the division, times det, and squares times (det s (r0 + r1))^2.
   const Both from1 = at - d * det, room_h = h - error * unit, room_r = r - error * unit;
-  const Both axial = __builtin_shufflevector(at, from1, 0, 3), other = __builtin_shufflevector(at, from1, 1, 2);
+  const Both axial = __builtin_shufflevector(at, from1, 0, 3),
+             other = __builtin_shufflevector(at, from1, 1, 2);
   const Both beside = other - cosine * axial;
   const double depth = det * dn;
-  const unsigned inside = bits(magnitude(axial) < room_h * det) &
-                          bits(beside * beside * square + depth * depth * rr <
-                               room_r * magnitude(room_r) * (s2 * (det * det)));
+  const unsigned inside =
+      (det > least_det ? 3u : 0u) & bits(magnitude(axial) < room_h * det) &
+      bits(beside * beside * square + depth * depth * rr < room_r * magnitude(room_r) * (s2 * (det * det)));
   const Both scaled = at * (inverse * radii);
   x = {scaled - cosine * crosswise(scaled), f.dn * r[0] * (inverse * det)};
   return inside == 3;
 }
 
-// Where the sum of squares of find_point() has no common point: along the longer sides, then the whole overlap.
+// Where the sum of squares of find_point() has no common point: along the longer sides, then the whole
+// overlap.
 bool find_point_otherwise(const SectionsOfBoth& f, double error, PlaneWeights& x) noexcept {
   const double s = root(f.s2), inverse = 1 / s, z = f.dn * inverse, u = x.c * s, v = z - u;
   const double r0 = f.r[0], r1 = f.r[1], d0 = f.d[0], d1 = f.d[1];
   const Rectangle<double> rectangle0{0, 0, 1, 0, f.h[0], root(positive((r0 - u) * (r0 + u)))};
-  const Rectangle<double> rectangle1{
-      d0, (d1 - f.cosine * d0) * inverse, f.cosine, s, f.h[1], root(positive((r1 - v) * (r1 + v)))};
+  const Rectangle<double> rectangle1{d0,     (d1 - f.cosine * d0) * inverse,     f.cosine, s,
+                                     f.h[1], root(positive((r1 - v) * (r1 + v)))};
   const auto attempt = [&](const PlanePoint<double>& at) {
     const double b = at.y * inverse;
     x.ab = Both{at.x - f.cosine * b, b};
@@ -134,27 +142,8 @@ bool find_point_otherwise(const SectionsOfBoth& f, double error, PlaneWeights& x
                        x.ab[0] * v.z() + x.ab[1] * w.z() + x.c * f.nz};
 }
 
-// After the five directions and the first point have shown nothing. By value, so that nobody else has to keep the
-// sections in memory.
-[[gnu::noinline]] bool prove_steep(const Prepared& a, const Prepared& b, SectionsOfBoth f, double error,
-                                   PlaneWeights x, Answer& answer) noexcept {
-  const auto filter = separating_axis_filter(f);
-  if (filter.apart) return false;
-  if (filter.met) {
-    if (!find_point_otherwise(f, error, x)) return false;
-    hand_out(a, b, f, x, answer);
-    return true;
-  }
-  const Scaled p = as_it_is(a, b);
-  const Frame frame(p, f.d[0], f.d[1], {f.nx, f.ny, f.nz}, f.of_each());
-  const Base base{a.center, 0};
-  Question q(p, base, answer);
-  prove_at_optimum(q, p, frame);
-  return answer.proof != Proof::none;
-}
-
-// Axes that are one: along it, across it, or a point that shares out the way across in the ratio of the radii; each
-// beyond what rounding can do (section 8). Nobody is told where one of them only just holds.
+// Axes that are one: along it, across it, or a point that shares out the way across in the ratio of the
+// radii; each beyond what rounding can do (section 8). Nobody is told where one of them only just holds.
 [[gnu::noinline]] bool prove_with_one_axis(const Prepared& a, const Prepared& b, Answer& answer) noexcept {
   const Vector3 &w = a.unit_axis, delta = b.center - a.center;
   const double r0 = a.radius, r1 = b.radius, h0 = a.height * 0.5, h1 = b.height * 0.5, radii = r0 + r1;
@@ -181,26 +170,55 @@ bool find_point_otherwise(const SectionsOfBoth& f, double error, PlaneWeights& x
   return true;
 }
 
+// What the five directions and the first point leave open: axes at an angle, with what is known of them, or
+// not.
+struct Open {
+  bool steep;
+  SectionsOfBoth f;
+  double error;
+  PlaneWeights x;
+};
+
 // The common case, where the separating-axis filter decides by more than rounding and the numbers it compared
-// are proof enough (section 8): ordinary solids, axes at an angle or one.
-[[gnu::always_inline]] inline bool prove_on_fast_path(const Prepared& a, const Prepared& b,
-                                                      Answer& answer) noexcept {
+// are proof enough (section 8): ordinary solids, axes at an angle or one. False: `open` says what is known.
+[[gnu::always_inline]] inline bool prove_at_first_sight(const Prepared& a, const Prepared& b, Open& open,
+                                                        Answer& answer) noexcept {
   const double cosine = cosine_of(a, b);
-  if (!(magnitude(cosine) <= steep_cosine)) return a.unit_axis == b.unit_axis && prove_with_one_axis(a, b, answer);
-  const SectionsOfBoth f = sections_of_both(a, b, cosine);
-  const double reach = f.r[0] + f.r[1] + f.h[0] + f.h[1] + magnitude(f.dx) + magnitude(f.dy) + magnitude(f.dz);
+  open.steep = magnitude(cosine) <= steep_cosine;
+  if (!open.steep) return a.unit_axis == b.unit_axis && prove_with_one_axis(a, b, answer);
+  open.f = sections_of_both(a, b, cosine);
+  const SectionsOfBoth& f = open.f;
+  const double reach =
+      f.r[0] + f.r[1] + f.h[0] + f.h[1] + magnitude(f.dx) + magnitude(f.dy) + magnitude(f.dz);
   const unsigned apart = shown_apart(f, filter_error * reach);
   if (apart != 0) {
     answer.verdict = Verdict::disjoint;
     answer.proof = Proof::direction;
     answer.direction =
         direction_of(static_cast<unsigned>(std::countr_zero(apart)), f, a.unit_axis, b.unit_axis);
-  } else {
-    PlaneWeights x;
-    if (!find_point(f, point_error * reach, x)) return prove_steep(a, b, f, point_error * reach, x, answer);
-    hand_out(a, b, f, x, answer);
+    return true;
   }
+  open.error = point_error * reach;
+  if (!find_point(f, open.error, open.x)) return false;
+  hand_out(a, b, f, open.x, answer);
   return true;
+}
+
+bool prove_steep(const Prepared& a, const Prepared& b, Open& open, Answer& answer) noexcept {
+  const SectionsOfBoth& f = open.f;
+  const auto filter = separating_axis_filter(f);
+  if (filter.apart) return false;
+  if (filter.met) {
+    if (!find_point_otherwise(f, open.error, open.x)) return false;
+    hand_out(a, b, f, open.x, answer);
+    return true;
+  }
+  const Scaled p = as_it_is(a, b);
+  const Frame frame(p, f.d[0], f.d[1], {f.nx, f.ny, f.nz}, f.of_each());
+  const Base base{a.center, 0};
+  Question q(p, base, answer);
+  prove_at_optimum(q, p, frame);
+  return answer.proof != Proof::none;
 }
 
 // Everything else.
@@ -213,11 +231,12 @@ bool find_point_otherwise(const SectionsOfBoth& f, double error, PlaneWeights& x
   const Base base{first.center, p.exponent};
   // As decide() does with ordinary solids, so that the scene's unit cannot be seen in the answer; but where
   // it is so small that a point may lose bits when it goes back into it.
-  if (!(first.ordinary & second.ordinary) && p.exponent > -900) {
+  if (!(first.ordinary & second.ordinary) && p.exponent > coarse_exponent) {
     Prepared a = first, b = second;
     a.center = {0, 0, 0}, b.center = p.delta;
     a.radius = p.r0, a.height = 2 * p.h0, b.radius = p.r1, b.height = 2 * p.h1;
-    if (prove_on_fast_path(a, b, answer)) {
+    if (Open open;
+        prove_at_first_sight(a, b, open, answer) || (open.steep && prove_steep(a, b, open, answer))) {
       answer.point_head = first.center;
       answer.point_tail = times_power(answer.point_tail, p.exponent);
       if (answer.point_tail.allFinite()) return;
@@ -240,20 +259,27 @@ bool find_point_otherwise(const SectionsOfBoth& f, double error, PlaneWeights& x
   }
 }
 
+// By value, so that nobody else has to keep `open` in memory.
+[[gnu::noinline]] void prove_open(const Prepared& first, const Prepared& second, Open open,
+                                  Answer& answer) noexcept {
+  if (!open.steep || !prove_steep(first, second, open, answer)) prove_in_full(first, second, answer);
+}
+
 template <bool ordinary>
 [[gnu::always_inline]] inline Answer decide_cores(const Prepared& a, const Prepared& b) noexcept {
   Answer answer;
-  // As whole numbers, which are in the same order and known sooner.
-  const auto radius0 = std::bit_cast<std::int64_t>(a.radius), radius1 = std::bit_cast<std::int64_t>(b.radius);
-  bool swapped = radius0 > radius1;
-  if (radius0 == radius1) swapped = out_of_order(a, b);
+  bool swapped = a.radius > b.radius;
+  if (a.radius == b.radius) swapped = out_of_order(a, b);
   // Looked up, since nobody can predict it.
   constexpr double turns[] = {1, -1};
-  const std::uintptr_t other = (reinterpret_cast<std::uintptr_t>(&a) ^ reinterpret_cast<std::uintptr_t>(&b)) & (std::uintptr_t{0} - swapped);
-  const Prepared& first = *reinterpret_cast<const Prepared*>(reinterpret_cast<std::uintptr_t>(&a) ^ other);
-  const Prepared& second = *reinterpret_cast<const Prepared*>(reinterpret_cast<std::uintptr_t>(&b) ^ other);
-  if (!ordinary || !prove_on_fast_path(first, second, answer)) {
-    prove_in_full(first, second, answer);
+  const Prepared* const roles[] = {&a, &b};
+  const Prepared &first = *roles[swapped], &second = *roles[!swapped];
+  Open open;
+  if (!ordinary || !prove_at_first_sight(first, second, open, answer)) {
+    if (ordinary)
+      prove_open(first, second, open, answer);
+    else
+      prove_in_full(first, second, answer);
     if (swapped) std::swap(answer.hull_a, answer.hull_b);
   }
   answer.direction = turns[swapped] * answer.direction;

@@ -30,7 +30,7 @@ inline constexpr double separation_error =
 inline constexpr double filter_error =
     64 * unit_roundoff_error;  ///< of s f at the five first directions, times the reach above
 inline constexpr double point_error =
-    512 * unit_roundoff_error;  ///< of a point built in the first slice, times the same
+    2048 * unit_roundoff_error;  ///< of a point built in the first slice, times the same
 inline constexpr double parallel_error =
     64 * unit_roundoff_error;  ///< of what is compared where both axes are one, times the same
 inline constexpr double membership_error =
@@ -65,9 +65,8 @@ struct Answer {
 
 /// Yes or no by the sign of the double computation: `disjoint`, `intersecting` (touching included),
 /// `invalid`, or `undecided` at the work cap. Right wherever the margin is >= 1e-13. Symmetric in its
-/// arguments bit for bit. Cost: about 75 operations and two roots; where that does not decide, two roots and
-/// two divisions more; in the contact of a wall and a rim two steps of two roots and three divisions in the
-/// mean.
+/// arguments bit for bit. Cost: about 90 operations; where that does not decide, three roots and two
+/// divisions more; in the contact of a wall and a rim two steps of two roots and three divisions in the mean.
 Verdict intersect(const Prepared& a, const Prepared& b) noexcept;
 Verdict intersect(const Cylinder& a, const Cylinder& b) noexcept;
 
@@ -76,7 +75,8 @@ Verdict intersect(const Cylinder& a, const Cylinder& b) noexcept;
 /// than 1e-13 of r0 + h0 + r1 + h1; common points only where no ball of 1e-13 of that lies in both, and of
 /// flat solids (of which one is no thicker than that) only where no such disk or segment does, or where both
 /// are: two segments, a point, planes or a plane and a line that cross at a small angle. Cost: three times
-/// that of intersect(); within 1e-11 of touching and beside flat solids up to 0.2 ms.
+/// that of intersect(), twice where the axes are parallel; within 1e-11 of touching and beside flat solids up
+/// to 0.2 ms.
 Answer decide(const Prepared& a, const Prepared& b) noexcept;
 Answer decide(const Cylinder& a, const Cylinder& b) noexcept;
 

@@ -79,7 +79,8 @@ Verdict intersect_couple(const Couple<double>& p) noexcept {
 Verdict intersect(const Prepared& a, const Prepared& b) noexcept {
   if (!(a.ordinary & b.ordinary)) return intersect_other(a, b);
   const double cosine = cosine_of(a, b);
-  return magnitude(cosine) <= steep_cosine ? intersect_steep(a, b, cosine) : intersect_shallow(as_it_is(a, b).couple());
+  return magnitude(cosine) <= steep_cosine ? intersect_steep(a, b, cosine)
+                                           : intersect_shallow(as_it_is(a, b).couple());
 }
 
 Verdict intersect(const Cylinder& a, const Cylinder& b) noexcept { return intersect(prepare(a), prepare(b)); }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The first slice and the five directions of one pair, both solids at a time: what sections.hpp says of one solid and of
-// the other is one operation on two numbers here. The same roundings in the same order, so the same verdicts.
+// The first slice and the five directions of one pair, both solids at a time: what sections.hpp says of one
+// solid and of the other is one operation on two numbers here. The same roundings in the same order, so the
+// same verdicts.
 #pragma once
 
 #if defined(__SSE2__)
@@ -31,8 +32,8 @@ inline unsigned bits(BothBits mask) noexcept {
 #endif
 }
 
-/// Products and Sections of sections.hpp, by their names there: d holds d0 and d1, k holds k0 and k1, k_s holds k2_s
-/// and k3_s. For ordinary solids.
+/// Products and Sections of sections.hpp, by their names there: d holds d0 and d1, k holds k0 and k1, k_s
+/// holds k2_s and k3_s. For ordinary solids.
 struct SectionsOfBoth {
   Both r, h, d, k, k_s;
   double dx, dy, dz, cosine, nx, ny, nz, dn;

@@ -9,6 +9,10 @@
 
 namespace cyl {
 
+// In a unit of 2^that or less the scene's own numbers may be subnormal: points lose bits when they go back
+// into it.
+inline constexpr int coarse_exponent = -900;
+
 // The centre of the solid whose frame is used; answers are given from it.
 struct Base {
   const Vector3& center;
@@ -37,16 +41,21 @@ inline Hull hull_of(double r, double h, double reach) noexcept {
 struct Question {
   Question(const Scaled& of, const Base& from, Answer& to) noexcept
       : solids(of), base(from), answer(to), reach(reach_of(of)) {}
-  // Something was found that leaves no gap, or no ball in both, that a double shows.
-  bool no_gap() const noexcept { return outside <= separation_error * reach; }
-  bool no_room() const noexcept { return overlap <= separation_error * reach; }
+  // Something was found that leaves no gap, or no ball in both, that a double shows; in the scene's unit,
+  // where that is not so small that rounding is coarser there.
+  bool no_gap() const noexcept {
+    return base.exponent > coarse_exponent && outside <= separation_error * reach;
+  }
+  bool no_room() const noexcept {
+    return base.exponent > coarse_exponent && overlap <= separation_error * reach;
+  }
 
   const Scaled& solids;
   const Base& base;
   Answer& answer;
   double reach;
-  // Of what was tried in vain: the least f(D)/|D| of a direction, and how far the best point is outside the farther of
-  // the two solids.
+  // Of what was tried in vain: the least f(D)/|D| of a direction, and how far the best point is outside the
+  // farther of the two solids.
   double overlap = std::numeric_limits<double>::infinity();
   double outside = std::numeric_limits<double>::infinity();
 };
@@ -68,9 +77,9 @@ struct Place {
   double along, across, away;
 };
 
-// Whether the point of both hulls nearest to x, which is looked at from both solids, lies inside both solids beyond rounding. It is no
-// farther from x than x is off the one hull, or, where planes cross, or a plane and a line, off both over the
-// sine of their angle (and twice that for the line, which x goes along).
+// Whether the point of both hulls nearest to x, which is looked at from both solids, lies inside both solids
+// beyond rounding. It is no farther from x than x is off the one hull, or, where planes cross, or a plane and
+// a line, off both over the sine of their angle (and twice that for the line, which x goes along).
 inline bool in_both(const Scaled& p, const Place& at0, const Place& at1, Hull hull0, Hull hull1) noexcept {
   const double error = membership_error * (at0.away + length(p.delta)) + underflow_error;
   double move = 0;
@@ -119,7 +128,8 @@ inline bool try_point(Question& q, const Vector3& x) noexcept {
     q.outside = smaller(q.outside, larger(at0.outside(p.r0, p.h0), at1.outside(p.r1, p.h1)));
     hull0 = hull_of(p.r0, p.h0, q.reach);
     hull1 = hull_of(p.r1, p.h1, q.reach);
-    if (((hull0 == Hull::space) & (hull1 == Hull::space)) || !in_both(p, at0, at1, hull0, hull1)) return false;
+    if (((hull0 == Hull::space) & (hull1 == Hull::space)) || !in_both(p, at0, at1, hull0, hull1))
+      return false;
   }
   q.answer.verdict = Verdict::intersecting;
   q.answer.proof = Proof::point;

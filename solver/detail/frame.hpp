@@ -161,7 +161,8 @@ struct Frame {
          s * (std::fabs(d[3]) - p.h0 * s)};
   }
   // From what is known already, of axes at an angle: Delta along w0 and w1, w0 x w1, and the sections.
-  Frame(const Scaled& p, double d0, double d1, const Vector3& cross, const Sections<double>& sections) noexcept
+  Frame(const Scaled& p, double d0, double d1, const Vector3& cross,
+        const Sections<double>& sections) noexcept
       : w0(p.w0), w1(p.w1), delta(p.delta), f(sections) {
     const double inverse = 1 / f.s;
     n = cross * std::copysign(inverse, dot(delta, cross));

@@ -175,7 +175,8 @@ Mask meet_shallow(const Couple<Lanes>& p, Mask& open) {
   const Sections<Lanes> f = shallow_sections(p);
   const auto filter = separating_axis_filter(f);
   const Mask parallel = f.s2 < parallel_square;
-  Mask met = (filter.met & negate(filter.apart) & negate(parallel)) | (parallel & negate(apart_in_parallel(p)));
+  Mask met =
+      (filter.met & negate(filter.apart) & negate(parallel)) | (parallel & negate(apart_in_parallel(p)));
   open = negate(parallel | filter.apart | filter.met);
   if (bits(open) != 0) {
     const Mask asked = open;

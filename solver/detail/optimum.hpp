@@ -68,12 +68,11 @@ void separate_at_corner(Question& q, const F& frame, const At& at) noexcept {
     if (!(y > T(0) || v > T(0))) v = 1;
     const T fall0 = x * v, fall1 = y * u, uv = u * v;
     return try_direction(
-        q,
-        at.on2 & at.on3
-            ? frame.direction(2, positive(fall0 - f.c * fall1), 3, positive(fall1 - f.c * fall0), f.s2 * uv)
-        : at.on2 ? frame.direction(2, f.s * fall0, 0, positive(fall1 - f.c * fall0), f.s * uv)
-        : at.on3 ? frame.direction(3, f.s * fall1, 1, positive(fall0 - f.c * fall1), f.s * uv)
-                 : frame.direction(1, fall0, 0, fall1, f.s * uv));
+        q, at.on2 & at.on3 ? frame.direction(2, positive(fall0 - f.c * fall1), 3,
+                                             positive(fall1 - f.c * fall0), f.s2 * uv)
+           : at.on2        ? frame.direction(2, f.s * fall0, 0, positive(fall1 - f.c * fall0), f.s * uv)
+           : at.on3        ? frame.direction(3, f.s * fall1, 1, positive(fall0 - f.c * fall1), f.s * uv)
+                           : frame.direction(1, fall0, 0, fall1, f.s * uv));
   };
   const auto [x, u, y, v] = beside_tips(f.r0, at.u, f.r1, at.v, at.z);
   if (try_widths(x, u, y, v)) return;
@@ -93,9 +92,8 @@ void separate_at_top(Question& q, const F& frame, int line, const Edge<T>& e, T 
   const auto [x, u_now, y, v] = beside_tips(e.ra, u, e.rb, cv / e.c, e.z);
   // untaken: x is 0 where the radius is, and u with it; a tip, of width 0, is no top, since k > 0
   const T slope = x > T(0) || u_now > T(0) ? u_now : T(1), cb = e.c * y, c_v = e.c * v;
-  try_direction(q,
-                frame.direction(line, frame.f.s * (cb * slope), line == 2 ? 1 : 0,
-                                positive(e.c * (x * c_v) - cb * slope), e.c * frame.f.s * (slope * c_v)));
+  try_direction(q, frame.direction(line, frame.f.s * (cb * slope), line == 2 ? 1 : 0,
+                                   positive(e.c * (x * c_v) - cb * slope), e.c * frame.f.s * (slope * c_v)));
 }
 
 // Up the line along which H rises from the corner, of the pair `p`.

@@ -163,8 +163,8 @@ T signed_square(T x) noexcept {
   return x * magnitude(x);
 }
 
-/// Five rejections and one slice, in squares, without a division or a root: they decide most pairs (section 2).
-/// Symmetric in the roles bit for bit. Where both are true, apart counts.
+/// Five rejections and one slice, in squares, without a division or a root: they decide most pairs (section
+/// 2). Symmetric in the roles bit for bit. Where both are true, apart counts.
 template <class T>
 [[gnu::always_inline]] inline auto separating_axis_filter(const Sections<T>& f) noexcept {
   const T radii = f.r0 + f.r1, most2 = f.r0 + f.c * f.r1, most3 = f.c * f.r0 + f.r1;
