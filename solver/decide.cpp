@@ -155,7 +155,9 @@ bool find_point_otherwise(const SectionsOfBoth& f, double error, PlaneWeights& x
   if (stacked | ((rest > 0) & (rest * rest > radii * radii * square))) {
     answer.verdict = Verdict::disjoint;
     answer.proof = Proof::direction;
-    answer.direction = stacked ? Vector3(std::copysign(1.0, along) * w) : off;
+    // A direction has no unit.
+    answer.direction =
+        stacked ? Vector3(std::copysign(1.0, along) * w) : power_of_two(-exponent_of(max_abs(off))) * off;
     return true;
   }
   const double share = r0 / radii, room0 = r0 - error, room1 = r1 - error, other = 1 - share;
