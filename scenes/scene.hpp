@@ -87,6 +87,8 @@ std::vector<double> draw_joints(const Scene& scene, std::uint64_t seed, std::uin
 /// on a name that no free joint has.
 std::vector<double> joints_at(const Scene& scene,
                               std::span<const std::pair<std::string, double>> values = {});
+/// Lets the joints that mimic others follow them. Throws std::runtime_error where they go in a circle.
+void let_follow(const Scene& scene, std::vector<double>& joints);
 /// Returns whether anything moves.
 bool moves(const Scene& scene);
 

@@ -1,0 +1,196 @@
+// SPDX-License-Identifier: MIT
+#include "scenes/joint_path.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+// How far the bodies can come towards each other, derived. Of the joints between them, in their order from a
+// to b, let those before any place s of the path move a, the others b: seen from the link at s. Let x be a
+// point of b, M1 .. Mn the motions of b's joints from s outward, q their values in the middle of the box, q'
+// others in it. One joint after the other goes from q to q', the outermost first; what the i-th adds to the
+// place of x is
+//
+//   M1(q') .. M[i-1](q') (Mi(q') - Mi(q)) M[i+1](q) .. Mn(q) x,
+//
+// whose last factors put x where it is in the middle of the box. There let the i-th joint turn about the
+// axis w, by d at most; let y be the part of x square to w, seen from the axis: |y| <= the reach of b.
+// (R(d) - I) y = 2 sin(d/2) w x R(d/2) y, no longer than min(d, 2) reach. Along a direction n it is
+// 2 sin(d/2) (n x w).R(d/2) y <= min(d, 2) (|(n x w).y| + d/2 reach); and since the joints further in, which
+// have turned by f together, turn it too, by f reach more. The first term is greatest in b where a cylinder
+// is: |(n x w).(c - o)| + the half width of b along n x w. A joint that slides by d adds d min(1, |n.w| + f).
+// Sums over a's joints bound what a moves towards b alike, and n.(x - y) over the points x of b and y of a is
+// at least their gap along n in the middle, less both. Any s is right; the one that gives least is taken.
+//
+// Rounding. A joint's matrix is within 32 u of a rotation, u = 2^-53, with the product that it goes into: k
+// links put a point of the path, whose parts are L long together, within 32 k u L of where it is. Two bodies:
+// 64 k u L. Reach and moment of each of m joints add as much twice, times min(d, 2) and 2: 256 k m u L; their
+// own rounding is less than 64 u of sums that are no more than 2 m L. Together less than 512 (k + 1) (m + 1)
+// u L.
+
+namespace cyl {
+namespace {
+
+double length_of_solid(const Cylinder& c) { return c.center.norm() + c.height / 2 + c.radius + c.rounding; }
+
+/// The distance from an axis is a convex function: greatest at an end.
+double reach_of(const Cylinder& c, const Vector3& at, const Vector3& axis) {
+  const double length = c.axis.norm();
+  const Vector3 half = length > 0 ? Vector3(c.height / 2 / length * c.axis) : Vector3(0, 0, 0);
+  const auto from_axis = [&](const Vector3& x) { return (x - at).cross(axis).norm(); };
+  return std::max(from_axis(c.center - half), from_axis(c.center + half)) + c.radius + c.rounding;
+}
+
+/// Half the width along a vector.
+double half_width(const Cylinder& c, const Vector3& along) {
+  const Vector3 unit = c.axis.normalized();
+  const double straight = along.dot(unit);
+  return std::fabs(straight) * c.height / 2 + c.radius * (along - straight * unit).norm() +
+         c.rounding * along.norm();
+}
+
+bool moves_itself(const Link& link) { return link.motion != Motion::fixed && !link.follow; }
+
+/// The links from the one given to the root.
+std::vector<std::size_t> ancestors(const Scene& scene, std::size_t link) {
+  std::vector<std::size_t> chain{link};
+  while (scene.links[chain.back()].parent) chain.push_back(*scene.links[chain.back()].parent);
+  return chain;
+}
+
+}  // namespace
+
+JointPath::JointPath(const Scene& scene, std::size_t a, std::size_t b) : scene_(scene) {
+  std::vector<std::size_t> of_a = ancestors(scene, scene.bodies[a].link),
+                           of_b = ancestors(scene, scene.bodies[b].link);
+  while (!of_a.empty() && !of_b.empty() && of_a.back() == of_b.back()) {
+    of_a.pop_back();
+    of_b.pop_back();
+  }
+  own_.links.emplace_back();
+  of_.push_back(scene.links.size());
+  add_chain(of_b);
+  own_.bodies = {scene.bodies[a], scene.bodies[b]};
+  own_.bodies[1].link = own_.links.size() - 1;
+  std::vector<Move> of_b_moves = std::move(moves_);
+  moves_.clear();
+  add_chain(of_a);
+  own_.bodies[0].link = of_a.empty() ? 0 : own_.links.size() - 1;
+  std::reverse(moves_.begin(), moves_.end());
+  moves_.insert(moves_.end(), of_b_moves.begin(), of_b_moves.end());
+
+  double length = length_of_solid(scene.bodies[a].solid) + length_of_solid(scene.bodies[b].solid);
+  const JointBox all = limits();
+  for (std::size_t i = 1; i < own_.links.size(); ++i) {
+    length += own_.links[i].origin.translation().norm();
+    if (own_.links[i].motion != Motion::slide) continue;
+    const Value value = value_of(of_[i], all);
+    length += std::fabs(value.middle) + value.half;
+  }
+  const auto count = [](std::size_t n) { return static_cast<double>(n + 1); };
+  slack_ = motion_error * count(own_.links.size()) * count(moves_.size()) * length;
+  values_.assign(own_.links.size(), 0);
+}
+
+/// Appends links, the last of them on link 0.
+void JointPath::add_chain(const std::vector<std::size_t>& links) {
+  for (std::size_t i = links.size(); i-- > 0;) {
+    Link link = scene_.links[links[i]];
+    link.parent = i + 1 == links.size() ? 0 : own_.links.size() - 1;
+    held_ |= link.held;
+    if (link.motion != Motion::fixed) {
+      std::size_t leader = links[i];
+      while (scene_.links[leader].follow) leader = scene_.links[leader].follow->link;
+      const Link& free = scene_.links[leader];
+      if (moves_itself(free) && free.low < free.high && std::ranges::find(free_, leader) == free_.end())
+        free_.push_back(leader);
+      Move& move = moves_.emplace_back();
+      move.link = own_.links.size();
+      move.turns = link.motion == Motion::turn;
+    }
+    own_.links.push_back(std::move(link));
+    of_.push_back(links[i]);
+  }
+}
+
+JointBox JointPath::limits() const {
+  JointBox box;
+  for (const std::size_t link : free_) box.push_back({scene_.links[link].low, scene_.links[link].high});
+  return box;
+}
+
+JointPath::Value JointPath::value_of(std::size_t link, const JointBox& box) const {
+  const Link& l = scene_.links[link];
+  if (l.motion == Motion::fixed) return {};
+  Value value;
+  double greatest = 0;
+  if (l.follow) {
+    value = value_of(l.follow->link, box);
+    value.middle = l.follow->multiplier * value.middle + l.follow->offset;
+    value.half *= std::fabs(l.follow->multiplier);
+    greatest = std::fabs(value.middle) + 2 * std::fabs(l.follow->offset) + value.half;
+  } else if (const auto found = std::ranges::find(free_, link); found != free_.end()) {
+    value.variable = static_cast<std::size_t>(found - free_.begin());
+    const Range& range = box[value.variable];
+    value.middle = range.low + (range.high - range.low) / 2;
+    value.half = std::max(range.high - value.middle, value.middle - range.low);
+    greatest = std::max(std::fabs(range.low), std::fabs(range.high));
+  } else {
+    value.middle = l.low;
+  }
+  value.half += range_error * greatest;
+  return value;
+}
+
+const Pair& JointPath::place_middle(const JointBox& box) {
+  for (Move& move : moves_) {
+    const Value value = value_of(of_[move.link], box);
+    values_[move.link] = value.middle;
+    move.half = value.half;
+    move.variable = value.variable;
+  }
+  const std::vector<Pose> poses = pose_links(own_, values_);
+  place(own_, poses, solids_);
+  placed_ = {solids_[0], solids_[1]};
+  for (Move& move : moves_) {
+    move.at = poses[move.link].translation();
+    move.axis = poses[move.link].linear() * own_.links[move.link].axis;
+    move.reach_a = reach_of(placed_.a, move.at, move.axis);
+    move.reach_b = reach_of(placed_.b, move.at, move.axis);
+  }
+  return placed_;
+}
+
+double JointPath::travel_of(const Move& move, const Cylinder& c, double reach, const Vector3& direction,
+                            double turned) {
+  if (!move.turns) return move.half * std::min(1.0, std::fabs(direction.dot(move.axis)) + turned);
+  const Vector3 across = direction.cross(move.axis);
+  const double moment = std::fabs(across.dot(c.center - move.at)) + half_width(c, across);
+  return std::min(move.half, 2.0) * std::min(reach, moment + (move.half / 2 + turned) * reach);
+}
+
+Travel JointPath::travel(const Vector3& direction) const {
+  const std::size_t count = moves_.size();
+  std::vector<double> best(count), tried(count);
+  double least = 0;
+  for (std::size_t s = 0; s <= count; ++s) {
+    double sum = 0, turned = 0;
+    for (std::size_t i = s; i-- > 0;) {
+      sum += tried[i] = travel_of(moves_[i], placed_.a, moves_[i].reach_a, direction, turned);
+      if (moves_[i].turns) turned += moves_[i].half;
+    }
+    turned = 0;
+    for (std::size_t i = s; i < count; ++i) {
+      sum += tried[i] = travel_of(moves_[i], placed_.b, moves_[i].reach_b, direction, turned);
+      if (moves_[i].turns) turned += moves_[i].half;
+    }
+    if (s > 0 && !(sum < least)) continue;
+    least = sum;
+    best = tried;
+  }
+  Travel travel{least + slack_, std::vector<double>(free_.size(), 0.0)};
+  for (std::size_t i = 0; i < count; ++i)
+    if (!free_.empty()) travel.shares[moves_[i].variable] += best[i];
+  return travel;
+}
+
+}  // namespace cyl

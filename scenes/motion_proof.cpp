@@ -1,0 +1,213 @@
+// SPDX-License-Identifier: MIT
+#include "scenes/motion_proof.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <queue>
+
+#include "oracles/referee/referee.hpp"
+#include "scenes/joint_path.hpp"
+#include "scenes/scene_study.hpp"
+#include "solver/distance.hpp"
+
+namespace cyl {
+namespace {
+
+/// Configurations drawn to find the bodies near each other before any proof is tried, those of them from
+/// which a search goes on, and its rounds: a few ms a pair.
+constexpr std::size_t drawn_cap = 200, descents_cap = 4, descent_rounds_cap = 24;
+/// Of the distance seen beyond the clearance: how much a bound should reach, where it comes cheap.
+constexpr double wanted_share = 0.5;
+/// Boxes spent on a better bound, where a pair is proved with fewer.
+constexpr std::size_t better_boxes_cap = 500;
+
+struct Cell {
+  JointBox box;
+  double bound = -std::numeric_limits<double>::infinity();  ///< proved: they are farther apart all over it
+  double share = 1;                                         ///< of the joints' space
+  std::size_t widest = 0;                                   ///< the joint along which to cut it
+  std::size_t number = 0;
+};
+
+struct LaterOf {
+  bool operator()(const Cell& x, const Cell& y) const {
+    return x.bound != y.bound ? x.bound > y.bound : x.number > y.number;
+  }
+};
+
+class Prover {
+ public:
+  Prover(const Scene& scene, std::size_t a, std::size_t b, const MotionQuestion& question)
+      : scene_(scene), q_(question), path_(scene, a, b), limits_(path_.limits()) {
+    proof_.a = a;
+    proof_.b = b;
+    proof_.between = path_.free_joints().size();
+    proof_.held = path_.held();
+    proof_.least = std::numeric_limits<double>::infinity();
+  }
+
+  MotionProof run() {
+    if (!search()) divide();
+    if (proof_.verdict == MotionVerdict::open && proof_.open_share == 0) proof_.open_share = 1;
+    return std::move(proof_);
+  }
+
+ private:
+  using Point = std::vector<double>;  ///< a value for each free joint of the path
+
+  // Looks at one configuration; true once it refutes the pair.
+  bool look(const Pair& placed, const Distance& d, const JointBox& middle) {
+    if (d.value < proof_.least) {
+      proof_.least = d.value;
+      proof_.joints = joints_in_middle(middle);
+    }
+    if (d.value - d.error > q_.clearance || referee_within(placed, q_.clearance) != true) return false;
+    proof_.least = d.value;
+    proof_.joints = joints_in_middle(middle);
+    proof_.verdict = MotionVerdict::refuted;
+    return true;
+  }
+
+  std::vector<double> joints_in_middle(const JointBox& box) const {
+    std::vector<double> joints = joints_at(scene_);
+    for (std::size_t i = 0; i < box.size(); ++i)
+      joints[path_.free_joints()[i]] = box[i].low + (box[i].high - box[i].low) / 2;
+    let_follow(scene_, joints);
+    return joints;
+  }
+
+  double distance_at(const Point& point) {
+    JointBox box;
+    for (const double x : point) box.push_back({x, x});
+    const Pair& placed = path_.place_middle(box);
+    const Distance d = distance(placed.a, placed.b);
+    refuted_ |= look(placed, d, box);
+    return d.value;
+  }
+
+  // Draws, then goes downhill joint by joint from the nearest of what was drawn.
+  bool search() {
+    std::vector<std::pair<double, Point>> drawn;
+    for (std::size_t k = 0; k < (limits_.empty() ? 1 : drawn_cap) && !refuted_; ++k) {
+      const std::vector<double> joints = draw_joints(scene_, q_.seed, k);
+      Point point;
+      for (const std::size_t link : path_.free_joints()) point.push_back(joints[link]);
+      const double d = distance_at(point);
+      drawn.emplace_back(d, std::move(point));
+    }
+    std::ranges::stable_sort(drawn, {}, &std::pair<double, Point>::first);
+    for (std::size_t k = 0; k < std::min(descents_cap, drawn.size()) && !refuted_; ++k) descend(drawn[k]);
+    return refuted_;
+  }
+
+  void descend(std::pair<double, Point>& from) {
+    auto& [least, point] = from;
+    double part = 0.25;
+    for (std::size_t round = 0; round < descent_rounds_cap && !refuted_; ++round) {
+      bool better = false;
+      for (std::size_t i = 0; i < point.size(); ++i) {
+        for (const double sign : {-1.0, 1.0}) {
+          const double before = point[i], step = sign * part * (limits_[i].high - limits_[i].low);
+          point[i] = std::clamp(before + step, limits_[i].low, limits_[i].high);
+          const double d = distance_at(point);
+          if (refuted_) return;
+          if (d < least) {
+            least = d;
+            better = true;
+          } else {
+            point[i] = before;
+          }
+        }
+      }
+      if (!better) part /= 2;
+    }
+  }
+
+  // The bound of a cell: the referee proves the direction of the distance in the middle to separate the
+  // bodies, one of them grown by all of that distance; what of it no travel uses up is left everywhere.
+  bool examine(Cell& cell) {
+    ++proof_.boxes;
+    cell.number = proof_.boxes;
+    const Pair& placed = path_.place_middle(cell.box);
+    const Distance d = distance(placed.a, placed.b);
+    if (look(placed, d, cell.box)) return true;
+    const Travel travel = path_.travel(d.direction);
+    cell.widest = static_cast<std::size_t>(std::ranges::max_element(travel.shares) - travel.shares.begin());
+    const double gap = d.value - 2 * d.error, bound = gap - travel.length;
+    if (!(bound > cell.bound) || !(bound > q_.clearance)) return false;
+    Pair wider = placed;
+    wider.b.rounding += gap;
+    MethodAnswer witness;
+    witness.status = Status::answered;
+    witness.verdict = Verdict::disjoint;
+    witness.set_direction(d.direction);
+    if (check_witness(wider, witness) == Verdict::disjoint) cell.bound = bound;
+    return false;
+  }
+
+  void divide() {
+    Cell all;
+    all.box = limits_;
+    if (examine(all)) return;
+    cells_.push(std::move(all));
+    std::size_t enough = q_.box_cap;
+    for (;;) {
+      const bool proved = cells_.top().bound > q_.clearance;
+      if (proved && proof_.verdict == MotionVerdict::open) {
+        proof_.verdict = MotionVerdict::never;
+        enough = std::min(q_.box_cap, std::max(2 * proof_.boxes, better_boxes_cap));
+      }
+      if (proved && cells_.top().bound >= q_.clearance + wanted_share * (proof_.least - q_.clearance)) break;
+      if (proof_.boxes + 2 > enough || !cut()) break;
+      if (refuted_) return;
+    }
+    if (proof_.verdict == MotionVerdict::never)
+      proof_.bound = cells_.top().bound;
+    else
+      add_open();
+    if (path_.held()) proof_.verdict = MotionVerdict::open;
+  }
+
+  // Cuts the cell of which least is proved along the joint that adds most to its travel; false where no
+  // joint moves.
+  bool cut() {
+    const Cell cell = cells_.top();
+    if (cell.box.empty()) return false;
+    const Range& range = cell.box[cell.widest];
+    const double middle = range.low + (range.high - range.low) / 2;
+    if (!(range.low < middle && middle < range.high)) return false;
+    cells_.pop();
+    for (const bool upper : {false, true}) {
+      Cell part = cell;
+      part.share /= 2;
+      (upper ? part.box[cell.widest].low : part.box[cell.widest].high) = middle;
+      refuted_ |= examine(part);
+      if (refuted_) return true;
+      cells_.push(std::move(part));
+    }
+    return true;
+  }
+
+  void add_open() {
+    proof_.open_share = 0;
+    for (; !cells_.empty() && !(cells_.top().bound > q_.clearance); cells_.pop())
+      proof_.open_share += cells_.top().share;
+  }
+
+  const Scene& scene_;
+  const MotionQuestion& q_;
+  JointPath path_;
+  JointBox limits_;
+  MotionProof proof_;
+  bool refuted_ = false;
+  std::priority_queue<Cell, std::vector<Cell>, LaterOf> cells_;
+};
+
+}  // namespace
+
+MotionProof prove_motion(const Scene& scene, std::size_t a, std::size_t b, const MotionQuestion& question) {
+  return Prover(scene, a, b, question).run();
+}
+
+}  // namespace cyl

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: MIT
+// Proofs over motions: are two bodies of a scene farther from each other than a clearance whatever their
+// joints do? By branch and bound over the box of the joints between them. A box is closed by a direction that
+// the referee finds to separate the bodies in the middle of the box by more than any motion within the box
+// can bring them nearer; else it is cut in two.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "base/enum_words.hpp"
+#include "scenes/scene.hpp"
+
+namespace cyl {
+
+enum class MotionVerdict : unsigned char {
+  never,    ///< proved: farther than the clearance in all configurations
+  refuted,  ///< the referee confirms a configuration within it
+  open      ///< neither, within the cap on boxes
+};
+constexpr auto words_of(MotionVerdict) noexcept { return std::array{"never", "refuted", "open"}; }
+
+/// Boxes looked at for one pair, some 3 us each.
+inline constexpr std::size_t motion_box_cap = 20'000;
+
+struct MotionQuestion {
+  double clearance = 0;
+  std::size_t box_cap = motion_box_cap;
+  std::uint64_t seed = 1;  ///< of the configurations from which a refutation is looked for
+};
+
+/// What is known of two bodies over all configurations.
+struct MotionProof {
+  std::size_t a = 0, b = 0;
+  MotionVerdict verdict = MotionVerdict::open;
+  double bound = 0;            ///< `never`: proved, their distance is greater in every configuration
+  double least = 0;            ///< the least distance seen; negative: a depth
+  std::vector<double> joints;  ///< where that was, by link; `refuted`: within the clearance
+  std::size_t between = 0;     ///< free joints that move the bodies against each other
+  std::size_t boxes = 0;       ///< that were looked at
+  double open_share = 0;       ///< of the joints' space, nothing is proved of so much
+  bool held =
+      false;  ///< a joint between them is held here and moves in truth: nothing but a refutation holds
+};
+
+/// Proves or refutes that two bodies stay farther from each other than the clearance. The configurations are
+/// all values of the joints within their limits, every angle of a continuous joint; mimics follow. The robot
+/// is the scene's, each joint's origin taken for the rotation nearest to its matrix.
+MotionProof prove_motion(const Scene& scene, std::size_t a, std::size_t b, const MotionQuestion& question);
+
+}  // namespace cyl

@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: MIT
+#include "scenes/motion_proof.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "corpus/pairs/random_stream.hpp"
+#include "scenes/joint_path.hpp"
+#include "scenes/scene_files.hpp"
+#include "scenes/scene_study.hpp"
+#include "solver/distance.hpp"
+
+namespace cyl {
+namespace {
+
+const std::string folder = DAYLIGHT_SOURCE_DIR "/corpus/scenes/";
+
+std::vector<std::pair<std::size_t, std::size_t>> checked_pairs(const Scene& scene) {
+  std::vector<std::pair<std::size_t, std::size_t>> pairs;
+  const PairRule rule(scene, false);
+  for (std::size_t i = 0; i < scene.bodies.size(); ++i)
+    for (std::size_t j = 0; j < i; ++j)
+      if (rule.reason(scene.bodies[j], scene.bodies[i]) == PairRule::Reason::checked)
+        pairs.emplace_back(j, i);
+  return pairs;
+}
+
+/// The gap along a direction, as the referee's f has it but for rounding.
+double gap_along(const Pair& pair, const Vector3& n) {
+  const auto reach = [&](const Cylinder& c) {
+    const Vector3 axis = c.axis.normalized();
+    const double straight = n.dot(axis);
+    return std::fabs(straight) * c.height / 2 + c.radius * (n - straight * axis).norm() + c.rounding;
+  };
+  return n.dot(pair.b.center - pair.a.center) - reach(pair.a) - reach(pair.b);
+}
+
+// An arm of 1 that turns at the height of a post, whose wall it passes at 0.2 where it points to it.
+Scene sweeper(double low, double high) {
+  Scene scene =
+      still_scene({{"post", {{1.6, 0, 0}, {0, 0, 1}, 0.3, 2}}, {"arm", {{0.5, 0, 0}, {1, 0, 0}, 0, 1, 0.1}}});
+  Link& arm = scene.links[1];
+  arm.joint = "turn";
+  arm.motion = Motion::turn;
+  arm.low = low;
+  arm.high = high;
+  return scene;
+}
+
+TEST(MotionProof, ProvesWhatAnArmMayNotReach) {
+  MotionQuestion q;
+  const MotionProof free = prove_motion(sweeper(-std::numbers::pi, std::numbers::pi), 0, 1, q);
+  EXPECT_EQ(free.verdict, MotionVerdict::never);
+  EXPECT_NEAR(free.least, 0.2, 1e-3);
+  EXPECT_LT(free.bound, 0.2);
+  EXPECT_GE(free.bound, 0.09);
+  EXPECT_EQ(free.between, 1u);
+  q.clearance = 0.199;
+  const MotionProof near = prove_motion(sweeper(-std::numbers::pi, std::numbers::pi), 0, 1, q);
+  EXPECT_EQ(near.verdict, MotionVerdict::never);
+  EXPECT_GT(near.bound, 0.199);
+  q.clearance = 0.201;
+  const MotionProof met = prove_motion(sweeper(-std::numbers::pi, std::numbers::pi), 0, 1, q);
+  EXPECT_EQ(met.verdict, MotionVerdict::refuted);
+  EXPECT_LE(met.least, 0.201);
+  EXPECT_EQ(prove_motion(sweeper(0.3, 6), 0, 1, q).verdict, MotionVerdict::never) << "it never points there";
+}
+
+// What is found where the proof is not: the whole of what is not proved has a share.
+TEST(MotionProof, TellsWhatIsLeftOpen) {
+  MotionQuestion q;
+  q.clearance = 0.2 * (1 - 1e-12);
+  q.box_cap = 40;
+  const MotionProof open = prove_motion(sweeper(-1, 2), 0, 1, q);
+  EXPECT_EQ(open.verdict, MotionVerdict::open);
+  EXPECT_GT(open.open_share, 0);
+  EXPECT_LT(open.open_share, 0.1);
+  EXPECT_LE(open.boxes, 40u);
+  Scene held = sweeper(0.3, 6);
+  held.links[0].held = true;
+  EXPECT_EQ(prove_motion(held, 0, 1, q).verdict, MotionVerdict::open);
+}
+
+// The bound itself, in boxes of all sizes: nowhere in a box are the bodies nearer than it says, and they come
+// almost as near. A signed distance is the greatest gap along any direction.
+TEST(JointPath, NothingComesNearerThanItsTravel) {
+  for (const char* file : {"twenty.urdf", "crane.urdf", "arm.urdf", "walker.xml"}) {
+    const Scene scene = read_scene(folder + file);
+    const auto pairs = checked_pairs(scene);
+    double most_used = 0;
+    for (std::uint64_t k = 0; k < 3000; ++k) {
+      RandomStream stream("travel", 1, k);
+      const auto& [a, b] = pairs[stream.below(pairs.size())];
+      JointPath path(scene, a, b);
+      if (path.free_joints().empty()) continue;
+      JointBox box = path.limits();
+      const double part = std::ldexp(1, -stream.integer(0, 12));
+      for (Range& range : box) {
+        const double width = part * stream.unit() * (range.high - range.low);
+        range.low += stream.unit() * (range.high - range.low - width);
+        range.high = range.low + width;
+      }
+      const Pair middle = path.place_middle(box);
+      Vector3 n = distance(middle.a, middle.b).direction;
+      if (stream.coin()) n = stream.unit_vector();
+      const double travel = path.travel(n).length, before = gap_along(middle, n);
+      for (int i = 0; i < 10; ++i) {
+        JointBox other = box;
+        for (Range& range : other) {
+          const double at = stream.unit();
+          range.low = range.high = at < 0.2   ? range.low
+                                   : at > 0.8 ? range.high
+                                              : stream.between(range.low, range.high);
+        }
+        const Pair moved = path.place_middle(other);
+        const Distance d = distance(moved.a, moved.b);
+        if (d.value <= 0) continue;
+        const double used = before - (d.value + d.error);
+        ASSERT_LE(used, travel) << file << ": " << scene.bodies[a].name << " - " << scene.bodies[b].name;
+        most_used = std::max(most_used, used / travel);
+      }
+    }
+    EXPECT_GT(most_used, 0.8) << file;
+  }
+}
+
+TEST(MotionProof, NoConfigurationGainsaysIt) {
+  for (const char* file : {"twenty.urdf", "crane.urdf", "arm.urdf", "walker.xml"}) {
+    const Scene scene = read_scene(folder + file);
+    MotionQuestion q;
+    q.clearance = 0.01;
+    q.box_cap = 300;
+    std::size_t count[3] = {};
+    std::vector<MotionProof> never;
+    for (const auto& [a, b] : checked_pairs(scene)) {
+      MotionProof proof = prove_motion(scene, a, b, q);
+      ++count[static_cast<int>(proof.verdict)];
+      const std::vector<Cylinder> placed = place(scene, proof.joints);
+      EXPECT_NEAR(distance(placed[a], placed[b]).value, proof.least, 1e-12);
+      EXPECT_EQ(proof.verdict == MotionVerdict::refuted,
+                referee_within({placed[a], placed[b]}, q.clearance) == true);
+      EXPECT_EQ(proof.verdict == MotionVerdict::open, proof.open_share > 0);
+      if (proof.verdict != MotionVerdict::never) continue;
+      EXPECT_GT(proof.bound, q.clearance);
+      EXPECT_LE(proof.bound, proof.least);
+      never.push_back(std::move(proof));
+    }
+    EXPECT_GT(never.size(), 0u) << file;
+    for (std::uint64_t k = 0; k < 2000; ++k) {
+      const std::vector<Cylinder> placed = place(scene, draw_joints(scene, 7, k));
+      for (const MotionProof& proof : never)
+        ASSERT_GT(distance(placed[proof.a], placed[proof.b]).value, proof.bound)
+            << file << ", configuration " << k;
+    }
+    std::printf("%s: never %zu refuted %zu open %zu\n", file, count[0], count[1], count[2]);
+  }
+}
+
+}  // namespace
+}  // namespace cyl
