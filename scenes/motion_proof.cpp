@@ -6,6 +6,7 @@
 #include <limits>
 #include <queue>
 
+#include "base/stopwatch.hpp"
 #include "oracles/referee/referee.hpp"
 #include "scenes/joint_path.hpp"
 #include "scenes/scene_study.hpp"
@@ -42,14 +43,12 @@ class Prover {
       : scene_(scene), q_(question), path_(scene, a, b), limits_(path_.limits()) {
     proof_.a = a;
     proof_.b = b;
-    proof_.between = path_.free_joints().size();
-    proof_.held = path_.held();
+    proof_.between = path_.free_joints();
     proof_.least = std::numeric_limits<double>::infinity();
   }
 
   MotionProof run() {
     if (!search()) divide();
-    if (proof_.verdict == MotionVerdict::open && proof_.open_share == 0) proof_.open_share = 1;
     return std::move(proof_);
   }
 
@@ -162,11 +161,12 @@ class Prover {
       if (proof_.boxes + 2 > enough || !cut()) break;
       if (refuted_) return;
     }
+    proof_.held = path_.held();
+    if (proof_.held) proof_.verdict = MotionVerdict::open;
     if (proof_.verdict == MotionVerdict::never)
       proof_.bound = cells_.top().bound;
     else
-      add_open();
-    if (path_.held()) proof_.verdict = MotionVerdict::open;
+      proof_.open_share = proof_.held ? 1 : share_left();
   }
 
   // Cuts the cell of which least is proved along the joint that adds most to its travel; false where no
@@ -189,10 +189,10 @@ class Prover {
     return true;
   }
 
-  void add_open() {
-    proof_.open_share = 0;
-    for (; !cells_.empty() && !(cells_.top().bound > q_.clearance); cells_.pop())
-      proof_.open_share += cells_.top().share;
+  double share_left() {
+    double share = 0;
+    for (; !cells_.empty() && !(cells_.top().bound > q_.clearance); cells_.pop()) share += cells_.top().share;
+    return share;
   }
 
   const Scene& scene_;
@@ -204,10 +204,45 @@ class Prover {
   std::priority_queue<Cell, std::vector<Cell>, LaterOf> cells_;
 };
 
+ExemptionProof prove_exemption(const Scene& scene, std::size_t exemption, const MotionQuestion& question) {
+  const auto& [one, other, reason] = scene.exemptions[exemption];
+  ExemptionProof proof;
+  proof.exemption = exemption;
+  proof.not_looked_at = has_unknown_shapes(scene, one) || has_unknown_shapes(scene, other);
+  for (std::size_t a = 0; a < scene.bodies.size(); ++a)
+    for (std::size_t b = 0; b < scene.bodies.size(); ++b)
+      if (scene.bodies[a].link == one && scene.bodies[b].link == other && a != b)
+        proof.bodies.push_back(prove_motion(scene, std::min(a, b), std::max(a, b), question));
+  const auto is = [](MotionVerdict verdict) {
+    return [verdict](const MotionProof& pair) { return pair.verdict == verdict; };
+  };
+  if (std::ranges::any_of(proof.bodies, is(MotionVerdict::refuted)))
+    proof.verdict = MotionVerdict::refuted;
+  else if (!proof.not_looked_at && std::ranges::all_of(proof.bodies, is(MotionVerdict::never)))
+    proof.verdict = MotionVerdict::never;
+  return proof;
+}
+
 }  // namespace
 
 MotionProof prove_motion(const Scene& scene, std::size_t a, std::size_t b, const MotionQuestion& question) {
   return Prover(scene, a, b, question).run();
+}
+
+bool has_unknown_shapes(const Scene& scene, std::size_t link) {
+  return std::ranges::find(scene.left_out, scene.links[link].name, &LeftOut::link) != scene.left_out.end();
+}
+
+MotionStudy prove_motions(const Scene& scene, std::span<const std::pair<std::size_t, std::size_t>> pairs,
+                          const MotionQuestion& question) {
+  const double began = processor_ns();
+  MotionStudy study;
+  for (const auto& [a, b] : pairs) study.pairs.push_back(prove_motion(scene, a, b, question));
+  for (std::size_t i = 0; i < scene.exemptions.size(); ++i)
+    if (scene.exemptions[i].reason == "Never")
+      study.exemptions.push_back(prove_exemption(scene, i, question));
+  study.ms = 1e-6 * (processor_ns() - began);
+  return study;
 }
 
 }  // namespace cyl

@@ -8,6 +8,8 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <span>
+#include <utility>
 #include <vector>
 
 #include "base/enum_words.hpp"
@@ -35,12 +37,12 @@ struct MotionQuestion {
 struct MotionProof {
   std::size_t a = 0, b = 0;
   MotionVerdict verdict = MotionVerdict::open;
-  double bound = 0;            ///< `never`: proved, their distance is greater in every configuration
-  double least = 0;            ///< the least distance seen; negative: a depth
-  std::vector<double> joints;  ///< where that was, by link; `refuted`: within the clearance
-  std::size_t between = 0;     ///< free joints that move the bodies against each other
-  std::size_t boxes = 0;       ///< that were looked at
-  double open_share = 0;       ///< of the joints' space, nothing is proved of so much
+  double bound = 0;                  ///< `never`: proved, their distance is greater in every configuration
+  double least = 0;                  ///< the least distance seen; negative: a depth
+  std::vector<double> joints;        ///< where that was, by link; `refuted`: within the clearance
+  std::vector<std::size_t> between;  ///< links whose free joints move the bodies against each other
+  std::size_t boxes = 0;             ///< that were looked at
+  double open_share = 0;             ///< of the joints' space, nothing is proved of so much
   bool held =
       false;  ///< a joint between them is held here and moves in truth: nothing but a refutation holds
 };
@@ -49,5 +51,26 @@ struct MotionProof {
 /// all values of the joints within their limits, every angle of a continuous joint; mimics follow. The robot
 /// is the scene's, each joint's origin taken for the rotation nearest to its matrix.
 MotionProof prove_motion(const Scene& scene, std::size_t a, std::size_t b, const MotionQuestion& question);
+
+/// What is known of a pair of links that an SRDF says never come near each other.
+struct ExemptionProof {
+  std::size_t exemption = 0;  ///< of the scene's
+  MotionVerdict verdict = MotionVerdict::open;
+  bool not_looked_at = false;       ///< a link has shapes of which nothing is known: `open` or refuted
+  std::vector<MotionProof> bodies;  ///< of each body of the one with each of the other
+};
+
+struct MotionStudy {
+  std::vector<MotionProof> pairs;
+  std::vector<ExemptionProof> exemptions;  ///< those whose reason is "Never"
+  double ms = 0;                           ///< of CPU time
+};
+
+/// Does it for all these pairs of bodies, and for what the scene's SRDF says.
+MotionStudy prove_motions(const Scene& scene, std::span<const std::pair<std::size_t, std::size_t>> pairs,
+                          const MotionQuestion& question);
+
+/// Returns whether a link has shapes that were not looked at.
+bool has_unknown_shapes(const Scene& scene, std::size_t link);
 
 }  // namespace cyl

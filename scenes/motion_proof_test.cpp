@@ -56,7 +56,7 @@ TEST(MotionProof, ProvesWhatAnArmMayNotReach) {
   EXPECT_NEAR(free.least, 0.2, 1e-3);
   EXPECT_LT(free.bound, 0.2);
   EXPECT_GE(free.bound, 0.09);
-  EXPECT_EQ(free.between, 1u);
+  EXPECT_EQ(free.between, (std::vector<std::size_t>{1}));
   q.clearance = 0.199;
   const MotionProof near = prove_motion(sweeper(-std::numbers::pi, std::numbers::pi), 0, 1, q);
   EXPECT_EQ(near.verdict, MotionVerdict::never);
@@ -132,11 +132,9 @@ TEST(MotionProof, NoConfigurationGainsaysIt) {
     MotionQuestion q;
     q.clearance = 0.01;
     q.box_cap = 300;
-    std::size_t count[3] = {};
     std::vector<MotionProof> never;
     for (const auto& [a, b] : checked_pairs(scene)) {
       MotionProof proof = prove_motion(scene, a, b, q);
-      ++count[static_cast<int>(proof.verdict)];
       const std::vector<Cylinder> placed = place(scene, proof.joints);
       EXPECT_NEAR(distance(placed[a], placed[b]).value, proof.least, 1e-12);
       EXPECT_EQ(proof.verdict == MotionVerdict::refuted,
@@ -154,7 +152,6 @@ TEST(MotionProof, NoConfigurationGainsaysIt) {
         ASSERT_GT(distance(placed[proof.a], placed[proof.b]).value, proof.bound)
             << file << ", configuration " << k;
     }
-    std::printf("%s: never %zu refuted %zu open %zu\n", file, count[0], count[1], count[2]);
   }
 }
 

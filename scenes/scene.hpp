@@ -55,13 +55,22 @@ struct LeftOut {
   bool operator==(const LeftOut&) const = default;
 };
 
+/// Two links that an SRDF says are not to be checked, and why: "Never", "Adjacent", "Always", "Default",
+/// "User".
+struct Exemption {
+  std::size_t a, b;
+  std::string reason;
+};
+
 struct Scene {
   std::vector<Link> links;
   std::vector<Body> bodies;
   std::vector<LeftOut> left_out;
   std::size_t folded = 0;          ///< capsules that the file writes as a cylinder and two spheres
   std::vector<std::string> notes;  ///< what else was not taken as written, a sentence each
-  std::vector<std::pair<std::size_t, std::size_t>> disabled;  ///< links not to be checked, as the file says
+  std::vector<std::pair<std::size_t, std::size_t>> disabled;  ///< links not to be checked, as the files say
+  std::string srdf;                   ///< the file of these; empty where none was read
+  std::vector<Exemption> exemptions;  ///< what it says
 };
 
 /// Which pairs of bodies are checked, as MoveIt has it: not those of one rigid body (a link and what fixed

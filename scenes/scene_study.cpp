@@ -47,6 +47,7 @@ class Study {
     for (RoundingCost& r : result_.roundings) allow(r);
     for (std::size_t k = 0; k < result_.configurations; ++k) check_cascades(k);
     if (q_.verify) verify();
+    if (q_.prove) prove();
     measure();
     return std::move(result_);
   }
@@ -145,6 +146,12 @@ class Study {
               within(pair.cascade, make_models(solids.a), make_models(solids.b), q_.clearance));
       }
     }
+  }
+
+  void prove() {
+    std::vector<std::pair<std::size_t, std::size_t>> pairs;
+    for (const PairStudy& pair : result_.pairs) pairs.emplace_back(pair.a, pair.b);
+    result_.motions = prove_motions(scene_, pairs, {q_.clearance, q_.motion_boxes, q_.seed});
   }
 
   void measure() {

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "scenes/model_hierarchy.hpp"
+#include "scenes/motion_proof.hpp"
 #include "scenes/scene.hpp"
 
 namespace cyl {
@@ -25,6 +26,8 @@ struct SceneQuestion {
   bool all_pairs = false;
   bool each_link = false;  ///< a rigid body of its own, also where fixed joints join links
   bool verify = false;     ///< puts every recommended answer before the referee, up to verified_cap
+  bool prove = false;      ///< over all motions, whether the pairs come within the clearance
+  std::size_t motion_boxes = motion_box_cap;       ///< for one pair of these
   std::vector<std::pair<std::string, double>> at;  ///< joints of the one configuration
 };
 
@@ -92,6 +95,7 @@ struct SceneStudy {
   double kinematics_ns = 0, models_ns = 0, cascade_ns = 0;
   std::array<double, level_count> alone_ns{};
   std::optional<Verification> verification;
+  std::optional<MotionStudy> motions;  ///< its pairs are those above
 };
 
 /// Throws UsageError if `at` names no joint, or if the scene has more than study_cap bodies.

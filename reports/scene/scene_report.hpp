@@ -27,8 +27,14 @@ struct StudyWords {
   std::vector<std::string> rounding;  ///< what some roundings would cost and save
   std::string closest;                ///< the closest call, and how exact an answer must be
   std::string verified;
+  std::string motions;  ///< how many pairs are proved never to be within the clearance
 };
 StudyWords words_of(const Scene& scene, const SceneQuestion& question, const SceneStudy& study);
+
+/// What `words_of` says of the proof over motions; empty where none was asked for.
+std::string motions_words(const SceneQuestion& question, const SceneStudy& study);
+/// Returns a line a pair and exemption: refuted ones first, then open ones, then those that are proved.
+std::string motions_text(const Scene& scene, const SceneQuestion& question, const SceneStudy& study);
 
 /// Returns the study with its words and the shown configurations (scenes/shown_pairs.hpp), as
 /// reports/schemas/scene.json describes it; a page is drawn from it alone.

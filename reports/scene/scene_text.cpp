@@ -61,12 +61,15 @@ std::string counts_words(const Scene& scene) {
                      plural(turning, "free joint"), mimics ? fmt::format(", {} that mimic", mimics) : "");
 }
 
-std::string pairs_words(const SceneStudy& s) {
+std::string pairs_words(const Scene& scene, const SceneStudy& s) {
   std::size_t all = 0;
   for (const std::size_t n : s.pairs_by_reason) all += n;
-  return fmt::format("{}: {} checked; not checked: {} of one rigid body, {} of adjacent ones, {} disabled",
+  return fmt::format("{}: {} checked; not checked: {} of one rigid body, {} of adjacent ones, {} disabled{}",
                      plural(all, "pair"), s.pairs_by_reason[0], s.pairs_by_reason[1], s.pairs_by_reason[2],
-                     s.pairs_by_reason[3]);
+                     s.pairs_by_reason[3],
+                     scene.srdf.empty() ? ""
+                                        : fmt::format(" ({} disables {})", scene.srdf,
+                                                      plural(scene.exemptions.size(), "link pair")));
 }
 
 std::string configurations_words(const SceneQuestion& q, const SceneStudy& s) {
@@ -234,7 +237,7 @@ StudyWords words_of(const Scene& scene, const SceneQuestion& q, const SceneStudy
   StudyWords w;
   w.counts = counts_words(scene);
   w.left_out = left_out_words(scene);
-  w.pairs = pairs_words(s);
+  w.pairs = pairs_words(scene, s);
   if (s.pairs.empty()) return w;
   w.configurations = configurations_words(q, s);
   w.enough = enough_words(q, s);
@@ -245,6 +248,7 @@ StudyWords words_of(const Scene& scene, const SceneQuestion& q, const SceneStudy
   w.rounding = rounding_words(s);
   w.closest = closest_words(scene, q, s);
   w.verified = verified_words(s);
+  w.motions = motions_words(q, s);
   return w;
 }
 
@@ -260,7 +264,8 @@ std::string study_text(const Scene& scene, const SceneQuestion& q, const SceneSt
   text += "\n" + w.enough + (more.empty() ? "\n" : ":\n" + more);
   text += line(w.recommended, "recommended: ") + line(w.cost, "  ") + line(w.forgiven, "  ");
   for (const std::string& rounding : w.rounding) text += line(rounding, "  ");
-  return text + line(w.capsules) + line(w.closest) + line(w.verified);
+  return text + line(w.capsules) + line(w.closest) + line(w.verified) + line(w.motions) +
+         motions_text(scene, q, s);
 }
 
 std::string close_pairs_head() {

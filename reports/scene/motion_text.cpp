@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: MIT
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <tuple>
+
+#include "reports/scene/scene_report.hpp"
+
+namespace cyl {
+namespace {
+
+using Counts = std::array<std::size_t, enum_words<MotionVerdict>.size()>;
+
+template <class Proofs>
+Counts count_verdicts(const Proofs& proofs) {
+  Counts counts{};
+  for (const auto& proof : proofs) ++counts[static_cast<std::size_t>(proof.verdict)];
+  return counts;
+}
+
+/// Down to a billionth of the clearance or the bound, away from what is not proved.
+std::string rounded_down(double x) {
+  for (int digits = 3; digits < 17; ++digits)
+    if (const std::string text = fmt::format("{:.{}g}", x, digits); std::stod(text) <= x) return text;
+  return fmt::format("{}", x);
+}
+
+/// "shoulder=0.5 elbow=1", as --at takes it.
+std::string joints_text(const Scene& scene, const MotionProof& proof) {
+  std::vector<std::string> values;
+  for (const std::size_t link : proof.between)
+    values.push_back(fmt::format("{}={}", scene.links[link].joint, proof.joints[link]));
+  return values.empty() ? "as it stands" : fmt::format("{}", fmt::join(values, " "));
+}
+
+/// What is said after the names.
+std::string proof_text(const Scene& scene, const MotionProof& proof) {
+  switch (proof.verdict) {
+    case MotionVerdict::never:
+      return fmt::format("at least {} over all configurations, {:.3g} seen", rounded_down(proof.bound),
+                         proof.least);
+    case MotionVerdict::refuted:
+      return fmt::format("distance {:.3g} at {}", proof.least, joints_text(scene, proof));
+    case MotionVerdict::open:
+      break;
+  }
+  if (proof.held) return fmt::format("a joint between them is held here; {:.3g} seen", proof.least);
+  return fmt::format("nothing proved of {:.2g} % of what their {} joints may do; {:.3g} seen",
+                     100 * proof.open_share, proof.between.size(), proof.least);
+}
+
+/// What is worst comes first.
+auto risk_of(const MotionProof& proof) {
+  const auto rank = proof.verdict == MotionVerdict::refuted ? 0
+                    : proof.verdict == MotionVerdict::open  ? 1
+                                                            : 2;
+  return std::tuple(rank, rank == 0 ? proof.least : rank == 1 ? -proof.open_share : proof.bound);
+}
+
+const MotionProof& worst_of(const ExemptionProof& exemption) {
+  return *std::ranges::min_element(exemption.bodies, {}, risk_of);
+}
+
+std::string exemption_text(const Scene& scene, const ExemptionProof& exemption) {
+  std::string text;
+  if (!exemption.bodies.empty())
+    text = proof_text(scene, worst_of(exemption));
+  else if (!exemption.not_looked_at)
+    text = "a link has no shape";
+  if (exemption.not_looked_at) text += std::string(text.empty() ? "" : "; ") + "shapes were not looked at";
+  return text;
+}
+
+}  // namespace
+
+std::string motions_words(const SceneQuestion& q, const SceneStudy& s) {
+  if (!s.motions) return "";
+  const Counts pairs = count_verdicts(s.motions->pairs), exempt = count_verdicts(s.motions->exemptions);
+  std::string text = fmt::format(
+      "over all motions: of {} pairs {} are never within {}, proved; {} are in a configuration that is "
+      "shown; "
+      "{} are open, at {} boxes each",
+      s.pairs.size(), pairs[0], q.clearance, pairs[1], pairs[2], q.motion_boxes);
+  if (!s.motions->exemptions.empty())
+    text += fmt::format("; of {} link pairs that the SRDF says never meet {} are proved, {} REFUTED, {} open",
+                        s.motions->exemptions.size(), exempt[0], exempt[1], exempt[2]);
+  return text + fmt::format("; {:.1f} s", s.motions->ms / 1000);
+}
+
+std::string motions_text(const Scene& scene, const SceneQuestion&, const SceneStudy& s) {
+  if (!s.motions) return "";
+  std::string text;
+  for (const ExemptionProof& e : s.motions->exemptions) {
+    const Exemption& said = scene.exemptions[e.exemption];
+    text += fmt::format("  {:<8} {} - {}, \"Never\" in the SRDF: {}\n", to_string(e.verdict),
+                        scene.links[said.a].name, scene.links[said.b].name, exemption_text(scene, e));
+  }
+  std::vector<const MotionProof*> sorted;
+  for (const MotionProof& proof : s.motions->pairs) sorted.push_back(&proof);
+  std::ranges::stable_sort(sorted, {}, [](const MotionProof* proof) { return risk_of(*proof); });
+  for (const MotionProof* proof : sorted)
+    text += fmt::format("  {:<8} {} - {}: {}\n", to_string(proof->verdict), scene.bodies[proof->a].name,
+                        scene.bodies[proof->b].name, proof_text(scene, *proof));
+  return text;
+}
+
+}  // namespace cyl
