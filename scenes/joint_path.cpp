@@ -12,41 +12,32 @@
 //
 //   M1(q') .. M[i-1](q') (Mi(q') - Mi(q)) M[i+1](q) .. Mn(q) x,
 //
-// whose last factors put x where it is in the middle of the box. There let the i-th joint turn about the
-// axis w, by d at most; let y be the part of x square to w, seen from the axis: |y| <= the reach of b.
-// (R(d) - I) y = 2 sin(d/2) w x R(d/2) y, no longer than min(d, 2) reach. Along a direction n it is
-// 2 sin(d/2) (n x w).R(d/2) y <= min(d, 2) (|(n x w).y| + d/2 reach); and since the joints further in, which
-// have turned by f together, turn it too, by f reach more. The first term is greatest in b where a cylinder
-// is: |(n x w).(c - o)| + the half width of b along n x w. A joint that slides by d adds d min(1, |n.w| + f).
-// Sums over a's joints bound what a moves towards b alike, and n.(x - y) over the points x of b and y of a is
-// at least their gap along n in the middle, less both. Any s is right; the one that gives least is taken.
+// whose last factors put x where it is in the middle of the box. There let the i-th joint turn about the unit
+// axis w, by d at most; let y be x seen from the axis, square to it. (R(d) - I) y = 2 sin(d/2) w x R(d/2) y,
+// no longer than min(d, 2) |y|. Along a direction n it is 2 sin(d/2) (n x w).R(d/2) y, no more than min(d, 2)
+// (|(n x w).y| + d/2 |y|); and since the joints further in, which have turned by f together, turn it too,
+// f |y| more. A joint that slides by d adds d min(1, |n.w| + f).
+//
+// A solid is its axis' segment, grown by a disk square to it and by a ball. How far it reaches along n, its
+// support, is the sum of theirs. The ball's never changes. The segment's changes as one of its ends does,
+// whose y are the largest. The disk's is r |n - (n.u) u|, u the solid's axis, and changes by r |u' - u| at
+// most, min(d, 2) r |u x w|; or segment and disk are taken together, whose points have a y longer by r at
+// most, and an (n x w).y greater by r |v - (v.u) u|, v = n x w. The less of both is taken.
+//
+// Sums over a's joints bound what a's support grows towards b alike; so anywhere in the box the bodies' gap
+// along n, turned with the link at s, is at least that in the middle, less both sums. Any s is right; the one
+// that gives least is taken.
 //
 // Rounding. A joint's matrix is within 32 u of a rotation, u = 2^-53, with the product that it goes into: k
 // links put a point of the path, whose parts are L long together, within 32 k u L of where it is. Two bodies:
 // 64 k u L. Reach and moment of each of m joints add as much twice, times min(d, 2) and 2: 256 k m u L; their
-// own rounding is less than 64 u of sums that are no more than 2 m L. Together less than 512 (k + 1) (m + 1)
-// u L.
+// own rounding is less than 64 u of sums that are no more than 2 m L; the gap that was proved in the middle
+// was added to a rounding, u L. Together less than 512 (k + 1) (m + 1) u L.
 
 namespace cyl {
 namespace {
 
 double length_of_solid(const Cylinder& c) { return c.center.norm() + c.height / 2 + c.radius + c.rounding; }
-
-/// The distance from an axis is a convex function: greatest at an end.
-double reach_of(const Cylinder& c, const Vector3& at, const Vector3& axis) {
-  const double length = c.axis.norm();
-  const Vector3 half = length > 0 ? Vector3(c.height / 2 / length * c.axis) : Vector3(0, 0, 0);
-  const auto from_axis = [&](const Vector3& x) { return (x - at).cross(axis).norm(); };
-  return std::max(from_axis(c.center - half), from_axis(c.center + half)) + c.radius + c.rounding;
-}
-
-/// Half the width along a vector.
-double half_width(const Cylinder& c, const Vector3& along) {
-  const Vector3 unit = c.axis.normalized();
-  const double straight = along.dot(unit);
-  return std::fabs(straight) * c.height / 2 + c.radius * (along - straight * unit).norm() +
-         c.rounding * along.norm();
-}
 
 bool moves_itself(const Link& link) { return link.motion != Motion::fixed && !link.follow; }
 
@@ -154,18 +145,29 @@ const Pair& JointPath::place_middle(const JointBox& box) {
   for (Move& move : moves_) {
     move.at = poses[move.link].translation();
     move.axis = poses[move.link].linear() * own_.links[move.link].axis;
-    move.reach_a = reach_of(placed_.a, move.at, move.axis);
-    move.reach_b = reach_of(placed_.b, move.at, move.axis);
+    see(move.a, move, placed_.a);
+    see(move.b, move, placed_.b);
   }
   return placed_;
 }
 
-double JointPath::travel_of(const Move& move, const Cylinder& c, double reach, const Vector3& direction,
+void JointPath::see(Seen& seen, const Move& move, const Cylinder& c) {
+  const Vector3 unit = c.axis.normalized(), half = c.height / 2 * unit;
+  const auto from_axis = [&](const Vector3& x) { return (x - move.at).cross(move.axis).norm(); };
+  seen.reach = std::max(from_axis(c.center - half), from_axis(c.center + half));
+  seen.tilt = c.radius * unit.cross(move.axis).norm();
+}
+
+double JointPath::travel_of(const Move& move, const Cylinder& c, const Seen& seen, const Vector3& n,
                             double turned) {
-  if (!move.turns) return move.half * std::min(1.0, std::fabs(direction.dot(move.axis)) + turned);
-  const Vector3 across = direction.cross(move.axis);
-  const double moment = std::fabs(across.dot(c.center - move.at)) + half_width(c, across);
-  return std::min(move.half, 2.0) * std::min(reach, moment + (move.half / 2 + turned) * reach);
+  if (!move.turns) return move.half * std::min(1.0, std::fabs(n.dot(move.axis)) + turned);
+  const Vector3 v = n.cross(move.axis), unit = c.axis.normalized();
+  const double straight = v.dot(unit), bend = move.half / 2 + turned;
+  const double moment = std::fabs(v.dot(c.center - move.at)) + std::fabs(straight) * c.height / 2;
+  const double apart = std::min(seen.reach, moment + bend * seen.reach) + seen.tilt;
+  const double wide = seen.reach + c.radius;
+  const double together = std::min(wide, moment + c.radius * (v - straight * unit).norm() + bend * wide);
+  return std::min(move.half, 2.0) * std::min(apart, together);
 }
 
 Travel JointPath::travel(const Vector3& direction) const {
@@ -175,12 +177,12 @@ Travel JointPath::travel(const Vector3& direction) const {
   for (std::size_t s = 0; s <= count; ++s) {
     double sum = 0, turned = 0;
     for (std::size_t i = s; i-- > 0;) {
-      sum += tried[i] = travel_of(moves_[i], placed_.a, moves_[i].reach_a, direction, turned);
+      sum += tried[i] = travel_of(moves_[i], placed_.a, moves_[i].a, direction, turned);
       if (moves_[i].turns) turned += moves_[i].half;
     }
     turned = 0;
     for (std::size_t i = s; i < count; ++i) {
-      sum += tried[i] = travel_of(moves_[i], placed_.b, moves_[i].reach_b, direction, turned);
+      sum += tried[i] = travel_of(moves_[i], placed_.b, moves_[i].b, direction, turned);
       if (moves_[i].turns) turned += moves_[i].half;
     }
     if (s > 0 && !(sum < least)) continue;

@@ -49,6 +49,11 @@ class JointPath {
   Travel travel(const Vector3& direction) const;
 
  private:
+  /// A body as a turning joint has it.
+  struct Seen {
+    double reach = 0;  ///< farthest of the points of the solid's axis from the joint's
+    double tilt = 0;   ///< of its disk, at most, when it turns by 1
+  };
   /// A joint that moves, as it stands in the middle of the box.
   struct Move {
     std::size_t link = 0;  ///< of `own_`
@@ -56,13 +61,14 @@ class JointPath {
     std::size_t variable = 0;
     double half = 0;  ///< of its range: rad, or a length
     Vector3 at{0, 0, 0}, axis{0, 0, 1};
-    double reach_a = 0, reach_b = 0;  ///< farthest of a body's points from the axis
+    Seen a, b;
   };
   struct Value {
     double middle = 0, half = 0;
     std::size_t variable = 0;
   };
-  static double travel_of(const Move& move, const Cylinder& c, double reach, const Vector3& direction,
+  static void see(Seen& seen, const Move& move, const Cylinder& c);
+  static double travel_of(const Move& move, const Cylinder& c, const Seen& seen, const Vector3& n,
                           double turned);
   void add_chain(const std::vector<std::size_t>& links);
   Value value_of(std::size_t link, const JointBox& box) const;

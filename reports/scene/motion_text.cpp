@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <tuple>
 
 #include "reports/scene/scene_report.hpp"
@@ -19,11 +20,11 @@ Counts count_verdicts(const Proofs& proofs) {
   return counts;
 }
 
-/// Down to a billionth of the clearance or the bound, away from what is not proved.
+/// Three digits, rounded down: what is proved is not said to be more.
 std::string rounded_down(double x) {
-  for (int digits = 3; digits < 17; ++digits)
-    if (const std::string text = fmt::format("{:.{}g}", x, digits); std::stod(text) <= x) return text;
-  return fmt::format("{}", x);
+  if (!(x > 0)) return fmt::format("{:.3g}", x);
+  const double unit = std::pow(10, std::floor(std::log10(x)) - 2);
+  return fmt::format("{:.3g}", std::floor(x / unit) * unit);
 }
 
 /// "shoulder=0.5 elbow=1", as --at takes it.
