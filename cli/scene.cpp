@@ -25,7 +25,7 @@ namespace {
 constexpr std::size_t page_cap = 200;
 
 struct SceneArguments {
-  std::string json, page, srdf;
+  std::string json, page, srdf, srdf_out;
   std::vector<std::string> at;
   std::string generate;
   std::size_t count = 1000;
@@ -82,6 +82,7 @@ int list_close_pairs(const SceneArguments& arguments, std::span<const Cylinder> 
 }
 
 void write_results(const SceneArguments& arguments, const Scene& scene, const SceneStudy& s) {
+  if (!arguments.srdf_out.empty()) write_file(arguments.srdf_out, srdf_text(scene, arguments.question, s));
   if (arguments.json.empty() && arguments.page.empty()) return;
   const std::string json = study_json(scene, arguments.question, s);
   if (!arguments.json.empty()) write_file(arguments.json, json);
@@ -154,6 +155,9 @@ void add_scene(Program& program) {
                  100'000'000);
   command.option("--srdf", arguments->srdf,
                  "the pairs of links not to be checked; without it, FILE.srdf beside FILE.urdf");
+  command.option(
+      "--srdf-out", arguments->srdf_out,
+      "write an SRDF of the pairs that need no check, and what is known of each; best with --prove");
   command.option("--generate", arguments->generate,
                  "generate rods or pipes instead of reading a FILE, and ask about all close pairs");
   command.number("--count", arguments->count, "cylinders to generate", 1, 10'000'000);

@@ -17,15 +17,16 @@
 
 namespace cyl {
 
+/// Worst first.
 enum class MotionVerdict : unsigned char {
-  never,    ///< proved: farther than the clearance in all configurations
-  refuted,  ///< the referee confirms a configuration within it
-  open      ///< neither, within the cap on boxes
+  refuted,  ///< the referee confirms a configuration within the clearance
+  open,     ///< nothing is known, within the cap on boxes
+  never     ///< proved: farther from each other than the clearance in all configurations
 };
-constexpr auto words_of(MotionVerdict) noexcept { return std::array{"never", "refuted", "open"}; }
+constexpr auto words_of(MotionVerdict) noexcept { return std::array{"refuted", "open", "never"}; }
 
-/// Boxes looked at for one pair, some 3 us each.
-inline constexpr std::size_t motion_box_cap = 20'000;
+/// Boxes looked at for one pair, about 2 us each.
+inline constexpr std::size_t motion_box_cap = 100'000;
 
 struct MotionQuestion {
   double clearance = 0;

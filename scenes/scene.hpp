@@ -63,6 +63,7 @@ struct Exemption {
 };
 
 struct Scene {
+  std::string name;  ///< of the robot, where it has one
   std::vector<Link> links;
   std::vector<Body> bodies;
   std::vector<LeftOut> left_out;

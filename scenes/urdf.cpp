@@ -253,6 +253,7 @@ Scene read_urdf(const std::string& file) {
   TiXmlElement* robot = document.FirstChildElement("robot");
   if (!robot) throw std::runtime_error(file + ": no <robot>");
   Scene scene;
+  scene.name = attribute(*robot, "name");
   std::map<std::string, std::size_t> shapes;
   const Capsules capsules = keep_solids(*robot, scene, shapes);
   TiXmlPrinter text;

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: MIT
+#include "reports/scene/motion_text.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <tuple>
 
-#include "reports/scene/scene_report.hpp"
+#include "base/statistics.hpp"
 
 namespace cyl {
 namespace {
@@ -35,7 +36,8 @@ std::string joints_text(const Scene& scene, const MotionProof& proof) {
   return values.empty() ? "as it stands" : fmt::format("{}", fmt::join(values, " "));
 }
 
-/// What is said after the names.
+}  // namespace
+
 std::string proof_text(const Scene& scene, const MotionProof& proof) {
   switch (proof.verdict) {
     case MotionVerdict::never:
@@ -51,45 +53,54 @@ std::string proof_text(const Scene& scene, const MotionProof& proof) {
                      100 * proof.open_share, proof.between.size(), proof.least);
 }
 
-/// What is worst comes first.
-auto risk_of(const MotionProof& proof) {
-  const auto rank = proof.verdict == MotionVerdict::refuted ? 0
-                    : proof.verdict == MotionVerdict::open  ? 1
-                                                            : 2;
-  return std::tuple(rank, rank == 0 ? proof.least : rank == 1 ? -proof.open_share : proof.bound);
-}
-
-const MotionProof& worst_of(const ExemptionProof& exemption) {
-  return *std::ranges::min_element(exemption.bodies, {}, risk_of);
+std::pair<MotionVerdict, double> risk_of(const MotionProof& proof) {
+  switch (proof.verdict) {
+    case MotionVerdict::refuted:
+      return {proof.verdict, proof.least};
+    case MotionVerdict::open:
+      return {proof.verdict, -proof.open_share};
+    case MotionVerdict::never:
+      break;
+  }
+  return {proof.verdict, proof.bound};
 }
 
 std::string exemption_text(const Scene& scene, const ExemptionProof& exemption) {
   std::string text;
   if (!exemption.bodies.empty())
-    text = proof_text(scene, worst_of(exemption));
+    text = proof_text(scene, *std::ranges::min_element(exemption.bodies, {}, risk_of));
   else if (!exemption.not_looked_at)
     text = "a link has no shape";
   if (exemption.not_looked_at) text += std::string(text.empty() ? "" : "; ") + "shapes were not looked at";
   return text;
 }
 
-}  // namespace
+std::string rate_text(std::size_t draws) {
+  const double percent = 100 * error_rate_bound(draws, 0);
+  const double unit = std::pow(10, std::floor(std::log10(percent)) - 1);
+  return fmt::format("below {:.3g} %", std::ceil(percent / unit) * unit);
+}
 
 std::string motions_words(const SceneQuestion& q, const SceneStudy& s) {
   if (!s.motions) return "";
+  const auto of = [](const Counts& counts, MotionVerdict verdict) {
+    return counts[static_cast<std::size_t>(verdict)];
+  };
   const Counts pairs = count_verdicts(s.motions->pairs), exempt = count_verdicts(s.motions->exemptions);
   std::string text = fmt::format(
       "over all motions: of {} pairs {} are never within {}, proved; {} are in a configuration that is "
       "shown; "
       "{} are open, at {} boxes each",
-      s.pairs.size(), pairs[0], q.clearance, pairs[1], pairs[2], q.motion_boxes);
+      s.pairs.size(), of(pairs, MotionVerdict::never), q.clearance, of(pairs, MotionVerdict::refuted),
+      of(pairs, MotionVerdict::open), q.motion_boxes);
   if (!s.motions->exemptions.empty())
     text += fmt::format("; of {} link pairs that the SRDF says never meet {} are proved, {} REFUTED, {} open",
-                        s.motions->exemptions.size(), exempt[0], exempt[1], exempt[2]);
+                        s.motions->exemptions.size(), of(exempt, MotionVerdict::never),
+                        of(exempt, MotionVerdict::refuted), of(exempt, MotionVerdict::open));
   return text + fmt::format("; {:.1f} s", s.motions->ms / 1000);
 }
 
-std::string motions_text(const Scene& scene, const SceneQuestion&, const SceneStudy& s) {
+std::string motions_text(const Scene& scene, const SceneStudy& s) {
   if (!s.motions) return "";
   std::string text;
   for (const ExemptionProof& e : s.motions->exemptions) {

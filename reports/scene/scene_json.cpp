@@ -74,7 +74,8 @@ json words_json(const StudyWords& w) {
           {"enough", w.enough},     {"recommended", w.recommended},
           {"cost", w.cost},         {"forgiven", w.forgiven},
           {"capsules", w.capsules}, {"rounding", w.rounding},
-          {"closest", w.closest},   {"verified", w.verified}};
+          {"closest", w.closest},   {"verified", w.verified},
+          {"motions", w.motions}};
 }
 
 json highlight_json(const Highlight& highlight) {
@@ -117,6 +118,32 @@ json shown_json(const Scene& scene, const Shown& shown) {
           {"joints", joints_json(scene, shown.joints)},
           {"cylinders", std::move(cylinders)},
           {"pairs", std::move(pairs)}};
+}
+
+/// Of a refuted pair its joints; of a proved one the bound.
+json proof_json(const Scene& scene, const MotionProof& proof) {
+  json joints = json::object();
+  for (const std::size_t link : proof.between) joints[scene.links[link].joint] = proof.joints[link];
+  return {{"a", scene.bodies[proof.a].name},
+          {"b", scene.bodies[proof.b].name},
+          {"bodies", {proof.a, proof.b}},
+          {"verdict", to_string(proof.verdict)},
+          {"bound", proof.bound},
+          {"least_seen", proof.least},
+          {"joints", std::move(joints)},
+          {"boxes", proof.boxes},
+          {"open_share", proof.open_share}};
+}
+
+json exemption_json(const Scene& scene, const ExemptionProof& proof) {
+  const Exemption& said = scene.exemptions[proof.exemption];
+  json bodies = json::array();
+  for (const MotionProof& pair : proof.bodies) bodies.push_back(proof_json(scene, pair));
+  return {{"link1", scene.links[said.a].name},
+          {"link2", scene.links[said.b].name},
+          {"verdict", to_string(proof.verdict)},
+          {"not_looked_at", proof.not_looked_at},
+          {"pairs", std::move(bodies)}};
 }
 
 }  // namespace
@@ -176,6 +203,15 @@ std::string study_json(const Scene& scene, const SceneQuestion& q, const SceneSt
   if (const auto& v = s.verification)
     all["verification"] = {
         {"asked", v->asked}, {"wrong", v->wrong}, {"tolerated", v->tolerated}, {"undecided", v->undecided}};
+  if (s.motions) {
+    json& motions = all["motions"] = json::array();
+    json& exemptions = all["exemptions"] = json::array();
+    for (const MotionProof& proof : s.motions->pairs) motions.push_back(proof_json(scene, proof));
+    for (const ExemptionProof& proof : s.motions->exemptions)
+      exemptions.push_back(exemption_json(scene, proof));
+    all["motions_cpu_ms"] = s.motions->ms;
+  }
+  if (!scene.srdf.empty()) all["srdf"] = scene.srdf;
   return layout(all);
 }
 

@@ -2,6 +2,7 @@
 // A study of a scene as people read it and as a page is drawn from it.
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -31,10 +32,11 @@ struct StudyWords {
 };
 StudyWords words_of(const Scene& scene, const SceneQuestion& question, const SceneStudy& study);
 
-/// What `words_of` says of the proof over motions; empty where none was asked for.
-std::string motions_words(const SceneQuestion& question, const SceneStudy& study);
-/// Returns a line a pair and exemption: refuted ones first, then open ones, then those that are proved.
-std::string motions_text(const Scene& scene, const SceneQuestion& question, const SceneStudy& study);
+/// Returns an SRDF that disables the pairs of links that are adjacent, always or by default within the
+/// clearance, or never, as far as is known; behind each, in a comment, what that rests on. What the scene's
+/// own SRDF disables is kept, but for what is refuted. Pairs of which shapes were not looked at are not
+/// "Never".
+std::string srdf_text(const Scene& scene, const SceneQuestion& question, const SceneStudy& study);
 
 /// Returns the study with its words and the shown configurations (scenes/shown_pairs.hpp), as
 /// reports/schemas/scene.json describes it; a page is drawn from it alone.

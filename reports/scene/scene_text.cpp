@@ -6,6 +6,7 @@
 #include <map>
 
 #include "corpus/pairs/solid_kind.hpp"
+#include "reports/scene/motion_text.hpp"
 #include "reports/scene/scene_report.hpp"
 
 namespace cyl {
@@ -265,7 +266,7 @@ std::string study_text(const Scene& scene, const SceneQuestion& q, const SceneSt
   text += line(w.recommended, "recommended: ") + line(w.cost, "  ") + line(w.forgiven, "  ");
   for (const std::string& rounding : w.rounding) text += line(rounding, "  ");
   return text + line(w.capsules) + line(w.closest) + line(w.verified) + line(w.motions) +
-         motions_text(scene, q, s);
+         motions_text(scene, s);
 }
 
 std::string close_pairs_head() {
