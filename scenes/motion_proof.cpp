@@ -242,7 +242,28 @@ MotionStudy prove_motions(const Scene& scene, std::span<const std::pair<std::siz
     if (scene.exemptions[i].reason == "Never")
       study.exemptions.push_back(prove_exemption(scene, i, question));
   study.ms = 1e-6 * (processor_ns() - began);
+  study.against = question.against;
+  std::vector<MotionProof> all = study.pairs;
+  for (const ExemptionProof& e : study.exemptions) all.insert(all.end(), e.bodies.begin(), e.bodies.end());
+  study.gainsaid = count_gainsaid(scene, all, question.seed + 1, question.against);
   return study;
+}
+
+std::size_t count_gainsaid(const Scene& scene, std::span<const MotionProof> proofs, std::uint64_t seed,
+                           std::size_t configurations) {
+  std::size_t count = 0;
+  std::vector<Cylinder> placed;
+  std::vector<Prepared> prepared(scene.bodies.size());
+  for (std::size_t k = 0; k < configurations; ++k) {
+    place(scene, pose_links(scene, draw_joints(scene, seed, k)), placed);
+    std::ranges::transform(placed, prepared.begin(), prepare);
+    for (const MotionProof& proof : proofs) {
+      if (proof.verdict != MotionVerdict::never) continue;
+      const Distance d = distance(prepared[proof.a], prepared[proof.b]);
+      count += d.value + d.error <= proof.bound;
+    }
+  }
+  return count;
 }
 
 }  // namespace cyl

@@ -68,6 +68,33 @@ TEST(MotionProof, ProvesWhatAnArmMayNotReach) {
   EXPECT_EQ(prove_motion(sweeper(0.3, 6), 0, 1, q).verdict, MotionVerdict::never) << "it never points there";
 }
 
+// The arm of above goes three times as far as its leader, which is on no path between the two, and back.
+Scene geared(double low, double high) {
+  Scene scene = sweeper(0, 0);
+  Link leader;
+  leader.joint = "lead";
+  leader.motion = Motion::turn;
+  leader.low = low;
+  leader.high = high;
+  scene.links.push_back(leader);
+  scene.links[1].follow = Follow{2, -3, 0.3};
+  return scene;
+}
+
+TEST(MotionProof, WhatMimicsIsMovedByItsLeader) {
+  MotionQuestion q;
+  q.clearance = 0.21;
+  const MotionProof past = prove_motion(geared(-1, 0.05), 0, 1, q), met = prove_motion(geared(0, 1), 0, 1, q);
+  EXPECT_EQ(past.verdict, MotionVerdict::never) << "from 0.15 on";
+  ASSERT_EQ(met.verdict, MotionVerdict::refuted);
+  EXPECT_NEAR(met.joints[1], 0.3 - 3 * met.joints[2], 1e-15);
+  EXPECT_EQ(met.between, (std::vector<std::size_t>{2}));
+  const Scene scene = geared(-1, 1);
+  JointPath path(scene, 0, 1);
+  path.place_middle({{0.25, 0.35}});
+  EXPECT_GT(path.travel({0, 1, 0}).length, std::sin(0.75) - std::sin(0.6)) << "0.15 rad on, at a length of 1";
+}
+
 // What is found where the proof is not: the whole of what is not proved has a share.
 TEST(MotionProof, TellsWhatIsLeftOpen) {
   MotionQuestion q;
@@ -146,12 +173,9 @@ TEST(MotionProof, NoConfigurationGainsaysIt) {
       never.push_back(std::move(proof));
     }
     EXPECT_GT(never.size(), 0u) << file;
-    for (std::uint64_t k = 0; k < 2000; ++k) {
-      const std::vector<Cylinder> placed = place(scene, draw_joints(scene, 7, k));
-      for (const MotionProof& proof : never)
-        ASSERT_GT(distance(placed[proof.a], placed[proof.b]).value, proof.bound)
-            << file << ", configuration " << k;
-    }
+    EXPECT_EQ(count_gainsaid(scene, never, 7, 2000), 0u) << file;
+    never[0].bound = never[0].least * 1.5 + 0.01;
+    EXPECT_GT(count_gainsaid(scene, never, 7, 2000), 0u) << file << ": a false bound is seen";
   }
 }
 

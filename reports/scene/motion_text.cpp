@@ -49,7 +49,7 @@ std::string proof_text(const Scene& scene, const MotionProof& proof) {
       break;
   }
   if (proof.held) return fmt::format("a joint between them is held here; {:.3g} seen", proof.least);
-  return fmt::format("nothing proved of {:.2g} % of what their {} joints may do; {:.3g} seen",
+  return fmt::format("nothing proved of {:.3g} % of what their {} joints may do; {:.3g} seen",
                      100 * proof.open_share, proof.between.size(), proof.least);
 }
 
@@ -78,7 +78,7 @@ std::string exemption_text(const Scene& scene, const ExemptionProof& exemption) 
 std::string rate_text(std::size_t draws) {
   const double percent = 100 * error_rate_bound(draws, 0);
   const double unit = std::pow(10, std::floor(std::log10(percent)) - 1);
-  return fmt::format("below {:.3g} %", std::ceil(percent / unit) * unit);
+  return fmt::format("{:.3g} %", std::ceil(percent / unit * (1 - 1e-12)) * unit);
 }
 
 std::string motions_words(const SceneQuestion& q, const SceneStudy& s) {
@@ -97,7 +97,12 @@ std::string motions_words(const SceneQuestion& q, const SceneStudy& s) {
     text += fmt::format("; of {} link pairs that the SRDF says never meet {} are proved, {} REFUTED, {} open",
                         s.motions->exemptions.size(), of(exempt, MotionVerdict::never),
                         of(exempt, MotionVerdict::refuted), of(exempt, MotionVerdict::open));
-  return text + fmt::format("; {:.1f} s", s.motions->ms / 1000);
+  text += fmt::format("; {:.1f} s", s.motions->ms / 1000);
+  if (s.motions->against > 0)
+    text += fmt::format(
+        "; in {} other configurations {} nearer than proved", s.motions->against,
+        s.motions->gainsaid == 0 ? "none are" : std::to_string(s.motions->gainsaid) + " times WRONG,");
+  return text;
 }
 
 std::string motions_text(const Scene& scene, const SceneStudy& s) {

@@ -17,7 +17,7 @@ std::string exemption_text(const Scene& scene, const ExemptionProof& exemption);
 /// Sorts what is worst first: refuted, by distance; open, by share; proved, by bound.
 std::pair<MotionVerdict, double> risk_of(const MotionProof& proof);
 
-/// "below 0.75 %": what so many draws of which none failed leave possible at 95 %, rounded up.
+/// "0.75 %": the rate that so many draws of which none failed leave possible at 95 %, rounded up.
 std::string rate_text(std::size_t draws);
 
 /// Returns how many pairs are proved, and how many pairs of links that an SRDF says never meet; empty where

@@ -2,6 +2,7 @@
 #include <utility>
 
 #include "base/json.hpp"
+#include "base/statistics.hpp"
 #include "corpus/pairs/pair_json.hpp"
 #include "reports/scene/scene_report.hpp"
 #include "scenes/shown_pairs.hpp"
@@ -38,6 +39,7 @@ json cascade_json(const Cascade& cascade) {
 }
 
 json pair_json(const Scene& scene, const SceneQuestion& q, const PairStudy& pair) {
+  const RateBounds rate = rate_bounds(pair.samples, pair.within);
   json models = json::array();
   for (const Level level : enum_values<Level>) {
     const auto i = index_of(level);
@@ -53,6 +55,7 @@ json pair_json(const Scene& scene, const SceneQuestion& q, const PairStudy& pair
           {"bodies", {pair.a, pair.b}},
           {"samples", pair.samples},
           {"within", pair.within},
+          {"within_rate", {rate.lower, rate.upper}},
           {"least_distance", pair.least},
           {"greatest_distance", pair.greatest},
           {"models", std::move(models)},
@@ -210,6 +213,7 @@ std::string study_json(const Scene& scene, const SceneQuestion& q, const SceneSt
     for (const ExemptionProof& proof : s.motions->exemptions)
       exemptions.push_back(exemption_json(scene, proof));
     all["motions_cpu_ms"] = s.motions->ms;
+    all["motions_checked"] = {{"configurations", s.motions->against}, {"wrong", s.motions->gainsaid}};
   }
   if (!scene.srdf.empty()) all["srdf"] = scene.srdf;
   return layout(all);

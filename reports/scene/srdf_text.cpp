@@ -112,8 +112,8 @@ class SrdfWriter {
     for (const std::size_t i : found->second) {
       const PairStudy& pair = s_.pairs[i];
       if (pair.within == pair.samples)
-        return {"Always",
-                fmt::format("all of {} draws: apart in {} at 95 %", pair.samples, rate_text(pair.samples))};
+        return {"Always", fmt::format("all of {} draws: apart in below {} at 95 %", pair.samples,
+                                      rate_text(pair.samples))};
       never &= pair.within == 0;
     }
     for (const std::size_t i : found->second)
@@ -129,7 +129,7 @@ class SrdfWriter {
     for (const std::size_t i : pairs) draws = std::min(draws, s_.pairs[i].samples);
     const std::string drawn =
         !moves(scene_) ? "nothing moves"
-                       : fmt::format("{} draws without a hit: {} at 95 %", draws, rate_text(draws));
+                       : fmt::format("{} draws without a hit: below {} at 95 %", draws, rate_text(draws));
     if (!s_.motions) return {"Never", drawn};
     const auto worst =
         std::ranges::min_element(pairs, {}, [&](std::size_t i) { return risk_of(s_.motions->pairs[i]); });
