@@ -19,20 +19,22 @@
 // f |y| more. A joint that slides by d adds d min(1, |n.w| + f).
 //
 // A solid is its axis' segment, grown by a disk square to it and by a ball. How far it reaches along n, its
-// support, is the sum of theirs. The ball's never changes. The segment's changes as one of its ends does,
-// whose y are the largest. The disk's is r |n - (n.u) u|, u the solid's axis, and changes by r |u' - u| at
-// most, min(d, 2) r |u x w|; or segment and disk are taken together, whose points have a y longer by r at
-// most, and an (n x w).y greater by r |v - (v.u) u|, v = n x w. The less of both is taken.
+// support, is that of the end of the segment that is foremost, and of disk and ball. The ball's never
+// changes. The disk's is r |n - (n.u) u|, u the solid's axis, and changes by r |u' - u| at most, min(d, 2) r
+// |u x w|; or its points are looked at, whose y are r longer at most than that of the end, and whose (n x
+// w).y greater by r |v - (v.u) u| at most, v = n x w. Where an end lies behind the foremost by h, h of what
+// it comes forward does not count.
 //
-// Sums over a's joints bound what a's support grows towards b alike; so anywhere in the box the bodies' gap
-// along n, turned with the link at s, is at least that in the middle, less both sums. Any s is right; the one
-// that gives least is taken.
+// So sums over a's joints, for both ends, bound how much farther a reaches towards b, and b towards a alike;
+// anywhere in the box the bodies' gap along n, turned with the link at s, is at least that in the middle,
+// less both. Any s is right; the one that gives least is taken.
 //
 // Rounding. A joint's matrix is within 32 u of a rotation, u = 2^-53, with the product that it goes into: k
 // links put a point of the path, whose parts are L long together, within 32 k u L of where it is. Two bodies:
-// 64 k u L. Reach and moment of each of m joints add as much twice, times min(d, 2) and 2: 256 k m u L; their
-// own rounding is less than 64 u of sums that are no more than 2 m L; the gap that was proved in the middle
-// was added to a rounding, u L. Together less than 512 (k + 1) (m + 1) u L.
+// 64 k u L; how far an end lies behind, as much twice. Reach and moment of each of m joints add as much
+// twice, times min(d, 2) and 2: 256 k m u L; their own rounding is less than 64 u of sums that are no more
+// than 2 m L; the gap that was proved in the middle was added to a rounding, u L. Together less than 512 (k +
+// 1) (m + 1) u L.
 
 namespace cyl {
 namespace {
@@ -142,52 +144,73 @@ const Pair& JointPath::place_middle(const JointBox& box) {
   const std::vector<Pose> poses = pose_links(own_, values_);
   place(own_, poses, solids_);
   placed_ = {solids_[0], solids_[1]};
+  a_ = side_of(placed_.a);
+  b_ = side_of(placed_.b);
   for (Move& move : moves_) {
     move.at = poses[move.link].translation();
     move.axis = poses[move.link].linear() * own_.links[move.link].axis;
-    see(move.a, move, placed_.a);
-    see(move.b, move, placed_.b);
+    move.a = see(move, a_);
+    move.b = see(move, b_);
   }
   return placed_;
 }
 
-void JointPath::see(Seen& seen, const Move& move, const Cylinder& c) {
-  const Vector3 unit = c.axis.normalized(), half = c.height / 2 * unit;
+JointPath::Side JointPath::side_of(const Cylinder& solid) {
+  const Vector3 unit = solid.axis.normalized(), half = solid.height / 2 * unit;
+  return {unit, {solid.center - half, solid.center + half}, solid.radius};
+}
+
+JointPath::Seen JointPath::see(const Move& move, const Side& side) {
   const auto from_axis = [&](const Vector3& x) { return (x - move.at).cross(move.axis).norm(); };
-  seen.reach = std::max(from_axis(c.center - half), from_axis(c.center + half));
-  seen.tilt = c.radius * unit.cross(move.axis).norm();
+  return {{from_axis(side.ends[0]), from_axis(side.ends[1])},
+          side.radius * side.unit.cross(move.axis).norm()};
 }
 
-double JointPath::travel_of(const Move& move, const Cylinder& c, const Seen& seen, const Vector3& n,
-                            double turned) {
-  if (!move.turns) return move.half * std::min(1.0, std::fabs(n.dot(move.axis)) + turned);
-  const Vector3 v = n.cross(move.axis), unit = c.axis.normalized();
-  const double straight = v.dot(unit), bend = move.half / 2 + turned;
-  const double moment = std::fabs(v.dot(c.center - move.at)) + std::fabs(straight) * c.height / 2;
-  const double apart = std::min(seen.reach, moment + bend * seen.reach) + seen.tilt;
-  const double wide = seen.reach + c.radius;
-  const double together = std::min(wide, moment + c.radius * (v - straight * unit).norm() + bend * wide);
-  return std::min(move.half, 2.0) * std::min(apart, together);
+JointPath::Step JointPath::step_of(const Move& move, const Side& side, const Seen& seen, const Vector3& n,
+                                   double turned) {
+  if (!move.turns) {
+    const double by = move.half * std::min(1.0, std::fabs(n.dot(move.axis)) + turned);
+    return {{by, by}, 0};
+  }
+  const Vector3 v = n.cross(move.axis);
+  const double chord = std::min(move.half, 2.0), bend = move.half / 2 + turned, r = side.radius;
+  const auto end = [&](std::size_t i) {
+    const double moment = std::fabs(v.dot(side.ends[i] - move.at));
+    return chord * std::min(seen.reach[i], moment + bend * seen.reach[i]);
+  };
+  const double beside = (v - v.dot(side.unit) * side.unit).norm();
+  return {{end(0), end(1)}, chord * std::min({seen.tilt, r, r * (beside + bend)})};
 }
 
-Travel JointPath::travel(const Vector3& direction) const {
+double JointPath::advance(bool of_b, std::size_t s, const Vector3& n, std::vector<double>& parts) {
+  const Side& side = of_b ? b_ : a_;
+  const double ahead = (of_b ? -1 : 1) * n.dot(side.ends[0] - side.ends[1]);
+  std::array<double, 2> sums{std::min(0.0, ahead), std::min(0.0, -ahead)};
+  double disks = 0, turned = 0;
+  const std::size_t count = of_b ? moves_.size() - s : s;
+  for (std::size_t k = 0; k < count; ++k) {
+    const Move& move = moves_[of_b ? s + k : s - 1 - k];
+    steps_[k] = step_of(move, side, of_b ? move.b : move.a, n, turned);
+    for (std::size_t i = 0; i < sums.size(); ++i) sums[i] += steps_[k].ends[i];
+    disks += steps_[k].disk;
+    if (move.turns) turned += move.half;
+  }
+  const std::size_t most = sums[1] > sums[0];
+  for (std::size_t k = 0; k < count; ++k)
+    parts[of_b ? s + k : s - 1 - k] = steps_[k].ends[most] + steps_[k].disk;
+  return sums[most] + disks;
+}
+
+Travel JointPath::travel(const Vector3& direction) {
   const std::size_t count = moves_.size();
-  std::vector<double> best(count), tried(count);
+  std::vector<double> best(count), parts(count);
+  steps_.resize(count);
   double least = 0;
   for (std::size_t s = 0; s <= count; ++s) {
-    double sum = 0, turned = 0;
-    for (std::size_t i = s; i-- > 0;) {
-      sum += tried[i] = travel_of(moves_[i], placed_.a, moves_[i].a, direction, turned);
-      if (moves_[i].turns) turned += moves_[i].half;
-    }
-    turned = 0;
-    for (std::size_t i = s; i < count; ++i) {
-      sum += tried[i] = travel_of(moves_[i], placed_.b, moves_[i].b, direction, turned);
-      if (moves_[i].turns) turned += moves_[i].half;
-    }
+    const double sum = advance(false, s, direction, parts) + advance(true, s, direction, parts);
     if (s > 0 && !(sum < least)) continue;
     least = sum;
-    best = tried;
+    best = parts;
   }
   Travel travel{least + slack_, std::vector<double>(free_.size(), 0.0)};
   for (std::size_t i = 0; i < count; ++i)

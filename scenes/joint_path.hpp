@@ -3,6 +3,7 @@
 // stay within a box.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <vector>
 
@@ -46,13 +47,24 @@ class JointPath {
   const Pair& place_middle(const JointBox& box);
   /// Returns how much less than there the bodies' gap along a unit direction from a to b can be anywhere in
   /// the box, all rounding included.
-  Travel travel(const Vector3& direction) const;
+  Travel travel(const Vector3& direction);
 
  private:
-  /// A body as a turning joint has it.
+  /// A solid's axis and disk.
+  struct Side {
+    Vector3 unit{0, 0, 1};
+    std::array<Vector3, 2> ends;
+    double radius = 0;
+  };
+  /// A solid as a turning joint has it.
   struct Seen {
-    double reach = 0;  ///< farthest of the points of the solid's axis from the joint's
-    double tilt = 0;   ///< of its disk, at most, when it turns by 1
+    std::array<double, 2> reach{};  ///< of the ends of its axis from that of the joint
+    double tilt = 0;                ///< of its disk, at most, when it turns by 1
+  };
+  /// What a joint adds, at most, to how far a solid reaches.
+  struct Step {
+    std::array<double, 2> ends{};
+    double disk = 0;
   };
   /// A joint that moves, as it stands in the middle of the box.
   struct Move {
@@ -67,9 +79,11 @@ class JointPath {
     double middle = 0, half = 0;
     std::size_t variable = 0;
   };
-  static void see(Seen& seen, const Move& move, const Cylinder& c);
-  static double travel_of(const Move& move, const Cylinder& c, const Seen& seen, const Vector3& n,
-                          double turned);
+  static Side side_of(const Cylinder& solid);
+  static Seen see(const Move& move, const Side& side);
+  static Step step_of(const Move& move, const Side& side, const Seen& seen, const Vector3& n, double turned);
+  /// How much farther a body may reach along n, towards the other; of a the joints before s, of b the others.
+  double advance(bool of_b, std::size_t s, const Vector3& n, std::vector<double>& parts);
   void add_chain(const std::vector<std::size_t>& links);
   Value value_of(std::size_t link, const JointBox& box) const;
 
@@ -83,6 +97,8 @@ class JointPath {
   std::vector<double> values_;
   std::vector<Cylinder> solids_;
   Pair placed_;
+  Side a_, b_;
+  std::vector<Step> steps_;
 };
 
 }  // namespace cyl
