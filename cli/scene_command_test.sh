@@ -76,6 +76,10 @@ holds 'an SRDF' out.srdf '<disable_collisions link1="tower" link2="hook" reason=
 printf '<robot><disable_collisions link1="trolley" link2="tower" reason="Never"/></robot>' >false.srdf
 expect 2 'a Never that is none' "$daylight" scene "$scenes/crane.urdf" --configurations 20 --prove --srdf false.srdf
 holds 'where' out '^  refuted  trolley - tower, "Never" in the SRDF: distance -0\.[0-9]+ at luff=0\.[0-9]+ travel=0'
+at=$(sed -n 's/^  refuted  trolley - tower, .* at \(.*\)$/\1/p' out)
+# shellcheck disable=SC2086
+expect 3 'the same there' "$daylight" scene "$scenes/crane.urdf" --srdf "$scenes/crane.srdf" --at $at
+holds 'they meet' out '^closest call: tower - trolley in configuration 0, [0-9.e-]+ below the clearance'
 expect 3 'few boxes' "$daylight" scene "$scenes/twenty.urdf" --configurations 20 --prove --boxes 20
 holds 'what is left' out '^  open     base - left_6: nothing proved of [0-9.]+ % of what their 6 joints may do'
 expect 65 'no such SRDF' "$daylight" scene "$scenes/crane.urdf" --srdf none.srdf

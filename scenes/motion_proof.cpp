@@ -55,15 +55,18 @@ class Prover {
  private:
   using Point = std::vector<double>;  ///< a value for each free joint of the path
 
-  // Looks at one configuration; true once it refutes the pair.
-  bool look(const Pair& placed, const Distance& d, const JointBox& middle) {
+  // Looks at one configuration; true once it refutes the pair, placed as everybody places it.
+  bool look(const Distance& d, const JointBox& box) {
     if (d.value < proof_.least) {
       proof_.least = d.value;
-      proof_.joints = joints_in_middle(middle);
+      proof_.joints = joints_in_middle(box);
     }
-    if (d.value - d.error > q_.clearance || referee_within(placed, q_.clearance) != true) return false;
+    if (d.value - d.error > q_.clearance) return false;
+    std::vector<double> joints = joints_in_middle(box);
+    const std::vector<Cylinder> placed = place(scene_, joints);
+    if (referee_within({placed[proof_.a], placed[proof_.b]}, q_.clearance) != true) return false;
     proof_.least = d.value;
-    proof_.joints = joints_in_middle(middle);
+    proof_.joints = std::move(joints);
     proof_.verdict = MotionVerdict::refuted;
     return true;
   }
@@ -81,7 +84,7 @@ class Prover {
     for (const double x : point) box.push_back({x, x});
     const Pair& placed = path_.place_middle(box);
     const Distance d = distance(placed.a, placed.b);
-    refuted_ |= look(placed, d, box);
+    refuted_ |= look(d, box);
     return d.value;
   }
 
@@ -130,7 +133,7 @@ class Prover {
     cell.number = proof_.boxes;
     const Pair& placed = path_.place_middle(cell.box);
     const Distance d = distance(placed.a, placed.b);
-    if (look(placed, d, cell.box)) return true;
+    if (look(d, cell.box)) return true;
     const Travel travel = path_.travel(d.direction);
     cell.widest = static_cast<std::size_t>(std::ranges::max_element(travel.shares) - travel.shares.begin());
     const double gap = d.value - 2 * d.error, bound = gap - travel.length;

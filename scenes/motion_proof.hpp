@@ -50,7 +50,7 @@ struct MotionProof {
 };
 
 /// Proves or refutes that two bodies stay farther from each other than the clearance. The configurations are
-/// all values of the joints within their limits, every angle of a continuous joint; mimics follow. The robot
+/// all values of the joints within their limits, once round of a continuous joint; mimics follow. The robot
 /// is the scene's, each joint's origin taken for the rotation nearest to its matrix.
 MotionProof prove_motion(const Scene& scene, std::size_t a, std::size_t b, const MotionQuestion& question);
 
