@@ -149,6 +149,15 @@ json exemption_json(const Scene& scene, const ExemptionProof& proof) {
           {"pairs", std::move(bodies)}};
 }
 
+void add_motions(json& all, const Scene& scene, const MotionStudy& study) {
+  json& motions = all["motions"] = json::array();
+  json& exemptions = all["exemptions"] = json::array();
+  for (const MotionProof& proof : study.pairs) motions.push_back(proof_json(scene, proof));
+  for (const ExemptionProof& proof : study.exemptions) exemptions.push_back(exemption_json(scene, proof));
+  all["motions_cpu_ms"] = study.ms;
+  all["motions_checked"] = {{"configurations", study.against}, {"wrong", study.gainsaid}};
+}
+
 }  // namespace
 
 std::string study_json(const Scene& scene, const SceneQuestion& q, const SceneStudy& s) {
@@ -206,15 +215,7 @@ std::string study_json(const Scene& scene, const SceneQuestion& q, const SceneSt
   if (const auto& v = s.verification)
     all["verification"] = {
         {"asked", v->asked}, {"wrong", v->wrong}, {"tolerated", v->tolerated}, {"undecided", v->undecided}};
-  if (s.motions) {
-    json& motions = all["motions"] = json::array();
-    json& exemptions = all["exemptions"] = json::array();
-    for (const MotionProof& proof : s.motions->pairs) motions.push_back(proof_json(scene, proof));
-    for (const ExemptionProof& proof : s.motions->exemptions)
-      exemptions.push_back(exemption_json(scene, proof));
-    all["motions_cpu_ms"] = s.motions->ms;
-    all["motions_checked"] = {{"configurations", s.motions->against}, {"wrong", s.motions->gainsaid}};
-  }
+  if (s.motions) add_motions(all, scene, *s.motions);
   if (!scene.srdf.empty()) all["srdf"] = scene.srdf;
   return layout(all);
 }
