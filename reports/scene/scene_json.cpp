@@ -150,10 +150,11 @@ json exemption_json(const Scene& scene, const ExemptionProof& proof) {
 }
 
 void add_motions(json& all, const Scene& scene, const MotionStudy& study) {
-  json& motions = all["motions"] = json::array();
-  json& exemptions = all["exemptions"] = json::array();
+  json motions = json::array(), exemptions = json::array();
   for (const MotionProof& proof : study.pairs) motions.push_back(proof_json(scene, proof));
   for (const ExemptionProof& proof : study.exemptions) exemptions.push_back(exemption_json(scene, proof));
+  all["motions"] = std::move(motions);
+  all["exemptions"] = std::move(exemptions);
   all["motions_cpu_ms"] = study.ms;
   all["motions_checked"] = {{"configurations", study.against}, {"wrong", study.gainsaid}};
 }

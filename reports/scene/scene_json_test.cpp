@@ -37,7 +37,10 @@ TEST(SceneJson, KeepsToItsSchema) {
   EXPECT_TRUE(keeps_to("scene.json", written(still_scene({{"alone", {}}}), question("alone.csv"))));
   SceneQuestion proving = question("crane.urdf");
   proving.prove = true;
-  EXPECT_TRUE(keeps_to("scene.json", written(crane(), proving)));
+  const std::string proofs = written(crane(), proving);
+  EXPECT_TRUE(keeps_to("scene.json", proofs));
+  EXPECT_EQ(parse_json(proofs)["motions"].size(), parse_json(proofs)["pairs"].size());
+  EXPECT_EQ(parse_json(proofs)["exemptions"].size(), 1u);
   const json good = parse_json(document);
   for (const char* planted :
        {R"([{"op":"remove","path":"/kept/0/cylinders/0/axis"}])",
