@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <memory>
@@ -24,7 +25,7 @@ namespace {
 constexpr std::size_t page_cap = 200;
 
 struct SceneArguments {
-  std::string json, page;
+  std::string json, page, srdf, srdf_out;
   std::vector<std::string> at;
   std::string generate;
   std::size_t count = 1000;
@@ -81,6 +82,7 @@ int list_close_pairs(const SceneArguments& arguments, std::span<const Cylinder> 
 }
 
 void write_results(const SceneArguments& arguments, const Scene& scene, const SceneStudy& s) {
+  if (!arguments.srdf_out.empty()) write_file(arguments.srdf_out, srdf_text(scene, arguments.question, s));
   if (arguments.json.empty() && arguments.page.empty()) return;
   const std::string json = study_json(scene, arguments.question, s);
   if (!arguments.json.empty()) write_file(arguments.json, json);
@@ -91,6 +93,7 @@ int study(SceneArguments& arguments) {
   SceneQuestion& question = arguments.question;
   check_length("--clearance", question.clearance);
   check_length("--tolerate", question.tolerated);
+  if (!(question.rate > 0 && question.rate <= 1)) throw UsageError("--rate is a share: above 0, 1 at most");
   if (question.file.empty() == arguments.generate.empty())
     throw UsageError("which scene? Give a FILE or --generate");
   if (!arguments.generate.empty()) {
@@ -102,7 +105,7 @@ int study(SceneArguments& arguments) {
   for (const std::string& text : arguments.at) question.at.push_back(parse_joint(text));
   Scene scene;
   try {
-    scene = read_scene(question.file);
+    scene = read_scene(question.file, arguments.srdf);
   } catch (const std::runtime_error& error) {
     fmt::print(stderr, "daylight: {}\n", error.what());
     return exit_invalid_input;
@@ -117,7 +120,13 @@ int study(SceneArguments& arguments) {
   fmt::print("{}", study_text(scene, question, s));
   write_results(arguments, scene, s);
   if (s.verification && s.verification->wrong > 0) return exit_findings;
-  const bool not_proved = s.undecided > 0 || (s.verification && s.verification->undecided > 0);
+  const auto is_refuted = [](const ExemptionProof& e) { return e.verdict == MotionVerdict::refuted; };
+  const auto is_open = [](const auto& proof) { return proof.verdict == MotionVerdict::open; };
+  if (s.motions && (s.motions->gainsaid > 0 || std::ranges::any_of(s.motions->exemptions, is_refuted)))
+    return exit_findings;
+  const bool left_open = s.motions && (std::ranges::any_of(s.motions->pairs, is_open) ||
+                                       std::ranges::any_of(s.motions->exemptions, is_open));
+  const bool not_proved = left_open || s.undecided > 0 || (s.verification && s.verification->undecided > 0);
   return not_proved || !scene.left_out.empty() ? exit_undecided : exit_pass;
 }
 
@@ -126,6 +135,7 @@ int study(SceneArguments& arguments) {
 void add_scene(Program& program) {
   auto arguments = std::make_shared<SceneArguments>();
   SceneQuestion& question = arguments->question;
+  question.rate = 0.003;  // the rule of three on 1000 draws
   Command command = program.command(
       "Measure", "scene",
       "Says which model of its cylinders, capsules and spheres a scene or robot needs, and at what cost");
@@ -136,6 +146,11 @@ void add_scene(Program& program) {
                  "distance beyond the clearance up to which a false alarm does no harm");
   command.number("--configurations", question.configurations,
                  "configurations to draw within the joints' limits", 1, 1'000'000);
+  command.option(
+      "--rate", question.rate,
+      "draw more for a pair whose model was never wrong, until at 95 % it is wrong in no more than this "
+      "share");
+  command.number("--most", question.most, "--rate: configurations to draw, at most", 1, 100'000'000);
   command.number("--seed", question.seed, "same seed, same configurations");
   command.option("--at", arguments->at, "JOINT=VALUE..: one configuration, the other joints at 0");
   command.flag("--all-pairs", question.all_pairs,
@@ -143,16 +158,28 @@ void add_scene(Program& program) {
   command.flag("--each-link", question.each_link,
                "take links that fixed joints join for bodies of their own, and check them too");
   command.flag("--verify", question.verify, "put every recommended answer before the referee");
+  command.flag("--prove", question.prove,
+               "prove over all motions that pairs stay clear, or show where not; also what the SRDF says");
+  command.number("--boxes", question.motion_boxes, "--prove: boxes of joint values to look at for a pair", 1,
+                 100'000'000);
+  command.number("--against", question.against,
+                 "--prove: other configurations to draw, to look for bodies nearer than was proved", 0,
+                 1'000'000'000);
+  command.option("--srdf", arguments->srdf,
+                 "the pairs of links not to be checked; without it, FILE.srdf beside FILE.urdf");
+  command.option(
+      "--srdf-out", arguments->srdf_out,
+      "write an SRDF of the pairs that need no check, and what is known of each; best with --prove");
   command.option("--generate", arguments->generate,
                  "generate rods or pipes instead of reading a FILE, and ask about all close pairs");
   command.number("--count", arguments->count, "cylinders to generate", 1, 10'000'000);
   command.option("--json", arguments->json, "write everything as JSON, a line of results for each pair");
   command.option("--page", arguments->page,
                  "write it as one HTML file: the robot in 3D, its pairs, cost against wrong answers");
-  command.examples(
-      "  daylight scene robot.urdf --clearance 0.01 --verify --page robot.html",
-      "Here 2: the referee found a recommended answer wrong, 3 also: shapes that are no cylinders, capsules "
-      "or spheres were not looked at, 65: the file cannot be read.");
+  command.examples("  daylight scene robot.urdf --clearance 0.01 --verify --page robot.html",
+                   "Here 2: the referee found a recommended answer wrong, or --prove a \"Never\" of the "
+                   "SRDF; 3 also: --prove left a pair open, shapes that are no cylinders, capsules "
+                   "or spheres were not looked at, 65: the file cannot be read.");
   command.run([arguments] { return study(*arguments); });
 }
 

@@ -57,22 +57,6 @@ std::vector<LinkPair> adjacent_bodies(const Scene& scene, const std::vector<std:
   return sorted(std::move(pairs));
 }
 
-void follow(const Scene& scene, std::vector<double>& joints) {
-  // As often as one may mimic another that mimics: each round settles at least the next of a chain.
-  for (std::size_t round = 0; round <= scene.links.size(); ++round) {
-    bool changed = false;
-    for (std::size_t i = 0; i < scene.links.size(); ++i) {
-      if (!scene.links[i].follow) continue;
-      const Follow& f = *scene.links[i].follow;
-      const double value = f.multiplier * joints[f.link] + f.offset;
-      changed |= value != joints[i];
-      joints[i] = value;
-    }
-    if (!changed) return;
-  }
-  throw std::runtime_error("joints mimic each other in a circle");
-}
-
 bool is_free(const Link& link) { return link.motion != Motion::fixed && !link.follow; }
 
 Pose motion_of(const Link& link, double value) {
@@ -101,12 +85,28 @@ PairRule::Reason PairRule::reason(const Body& a, const Body& b) const {
   return Reason::checked;
 }
 
+void let_follow(const Scene& scene, std::vector<double>& joints) {
+  // As often as one may mimic another that mimics: each round settles at least the next of a chain.
+  for (std::size_t round = 0; round <= scene.links.size(); ++round) {
+    bool changed = false;
+    for (std::size_t i = 0; i < scene.links.size(); ++i) {
+      if (!scene.links[i].follow) continue;
+      const Follow& f = *scene.links[i].follow;
+      const double value = f.multiplier * joints[f.link] + f.offset;
+      changed |= value != joints[i];
+      joints[i] = value;
+    }
+    if (!changed) return;
+  }
+  throw std::runtime_error("joints mimic each other in a circle");
+}
+
 std::vector<double> draw_joints(const Scene& scene, std::uint64_t seed, std::uint64_t index) {
   RandomStream stream("scene", seed, index);
   std::vector<double> joints(scene.links.size(), 0.0);
   for (std::size_t i = 0; i < joints.size(); ++i)
     if (is_free(scene.links[i])) joints[i] = stream.between(scene.links[i].low, scene.links[i].high);
-  follow(scene, joints);
+  let_follow(scene, joints);
   return joints;
 }
 
@@ -121,7 +121,7 @@ std::vector<double> joints_at(const Scene& scene, std::span<const std::pair<std:
     if (found == scene.links.end()) throw UsageError("'" + name + "' is no joint that moves by itself");
     joints[static_cast<std::size_t>(found - scene.links.begin())] = value;
   }
-  follow(scene, joints);
+  let_follow(scene, joints);
   return joints;
 }
 

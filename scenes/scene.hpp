@@ -55,13 +55,23 @@ struct LeftOut {
   bool operator==(const LeftOut&) const = default;
 };
 
+/// Two links that an SRDF says are not to be checked, and why: "Never", "Adjacent", "Always", "Default",
+/// "User".
+struct Exemption {
+  std::size_t a, b;
+  std::string reason;
+};
+
 struct Scene {
+  std::string name;  ///< of the robot, where it has one
   std::vector<Link> links;
   std::vector<Body> bodies;
   std::vector<LeftOut> left_out;
   std::size_t folded = 0;          ///< capsules that the file writes as a cylinder and two spheres
   std::vector<std::string> notes;  ///< what else was not taken as written, a sentence each
-  std::vector<std::pair<std::size_t, std::size_t>> disabled;  ///< links not to be checked, as the file says
+  std::vector<std::pair<std::size_t, std::size_t>> disabled;  ///< links not to be checked, as the files say
+  std::string srdf;                   ///< the file of these; empty where none was read
+  std::vector<Exemption> exemptions;  ///< what it says
 };
 
 /// Which pairs of bodies are checked, as MoveIt has it: not those of one rigid body (a link and what fixed
@@ -87,6 +97,8 @@ std::vector<double> draw_joints(const Scene& scene, std::uint64_t seed, std::uin
 /// on a name that no free joint has.
 std::vector<double> joints_at(const Scene& scene,
                               std::span<const std::pair<std::string, double>> values = {});
+/// Lets the joints that mimic others follow them. Throws std::runtime_error where they go in a circle.
+void let_follow(const Scene& scene, std::vector<double>& joints);
 /// Returns whether anything moves.
 bool moves(const Scene& scene);
 

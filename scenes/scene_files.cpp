@@ -140,13 +140,23 @@ Scene still_scene(std::vector<std::pair<std::string, Cylinder>> cylinders) {
   return scene;
 }
 
-Scene read_scene(const std::string& file) {
-  const std::string ending = std::filesystem::path(file).extension().string();
-  if (ending == ".jsonl") return read_lines(file, false);
-  if (ending == ".csv") return read_lines(file, true);
-  if (ending == ".urdf") return read_urdf(file);
-  if (ending == ".xml") return read_mjcf(file);
-  throw std::runtime_error(file + ": no scene; expected .jsonl, .csv, .urdf or .xml");
+Scene read_scene(const std::string& file, const std::string& srdf) {
+  const std::filesystem::path path(file);
+  const std::string ending = path.extension().string();
+  const auto read = [&] {
+    if (ending == ".jsonl") return read_lines(file, false);
+    if (ending == ".csv") return read_lines(file, true);
+    if (ending == ".urdf") return read_urdf(file);
+    if (ending == ".xml") return read_mjcf(file);
+    throw std::runtime_error(file + ": no scene; expected .jsonl, .csv, .urdf or .xml");
+  };
+  Scene scene = read();
+  if (!srdf.empty())
+    read_srdf(srdf, scene);
+  else if (const auto beside = std::filesystem::path(path).replace_extension(".srdf");
+           ending == ".urdf" && std::filesystem::exists(beside))
+    read_srdf(beside.string(), scene);
+  return scene;
 }
 
 }  // namespace cyl

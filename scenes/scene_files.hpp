@@ -2,8 +2,8 @@
 // Scenes from files. The ending of the name tells the format. A .jsonl file holds a solid a line,
 // {"center":[0,0,0],"axis":[0,0,1],"radius":1,"height":2,"rounding":0.1,"name":"..."}, rounding and name
 // where there are any. The first line of a .csv file names its columns x y z ax ay az radius height, in any
-// order, and rounding and name likewise. A .urdf file holds a robot; a .srdf file beside it names the pairs
-// of links that are not to be checked. An .xml file is MuJoCo's MJCF, which MuJoCo's own loader reads.
+// order, and rounding and name likewise. A .urdf file holds a robot; an .srdf file names the pairs of its
+// links that are not to be checked. An .xml file is MuJoCo's MJCF, which MuJoCo's own loader reads.
 #pragma once
 
 #include <string>
@@ -12,11 +12,14 @@
 
 namespace cyl {
 
-/// Throws std::runtime_error "FILE: ..." on what cannot be read.
-Scene read_scene(const std::string& file);
+/// Without an SRDF named, that beside a .urdf file is read, of the same name. Throws std::runtime_error
+/// "FILE: ..." on what cannot be read.
+Scene read_scene(const std::string& file, const std::string& srdf = "");
 
 Scene read_urdf(const std::string& file);
 Scene read_mjcf(const std::string& file);
+/// Adds the pairs of links that an SRDF disables; links that the scene has not are noted.
+void read_srdf(const std::string& file, Scene& scene);
 /// Solids that stand still, each on a link of its own.
 Scene still_scene(std::vector<std::pair<std::string, Cylinder>> cylinders);
 

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <cstdlib>
 
+#include "base/statistics.hpp"
 #include "base/stopwatch.hpp"
 #include "base/usage_error.hpp"
 #include "oracles/referee/referee.hpp"
@@ -25,7 +26,8 @@ class Study {
  public:
   Study(const Scene& scene, const SceneQuestion& question) : scene_(scene), q_(question) {
     result_.bodies = scene.bodies.size();
-    result_.configurations = moves(scene) && q_.at.empty() ? q_.configurations : 1;
+    result_.drawn = moves(scene) && q_.at.empty();
+    result_.configurations = result_.drawn ? q_.configurations : 1;
     for (const double rounding : tried_roundings(scene)) result_.roundings.emplace_back().rounding = rounding;
     const PairRule rule(scene, q_.all_pairs, q_.each_link);
     for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
@@ -44,9 +46,11 @@ class Study {
   SceneStudy run() {
     for (std::size_t k = 0; k < result_.configurations; ++k) observe(k);
     for (PairStudy& pair : result_.pairs) pair.cascade = recommend(pair, q_.tolerated);
+    if (result_.drawn) go_on();
     for (RoundingCost& r : result_.roundings) allow(r);
     for (std::size_t k = 0; k < result_.configurations; ++k) check_cascades(k);
     if (q_.verify) verify();
+    if (q_.prove) prove();
     measure();
     return std::move(result_);
   }
@@ -58,6 +62,23 @@ class Study {
     placed_ = place(scene_, joints(configuration));
     models_ = models_of(placed_);
     for (PairStudy& pair : result_.pairs) observe(pair, configuration);
+  }
+
+  // A model that fails after all loses the pair to the next, which is asked again.
+  void go_on() {
+    const auto unsure = [&](const PairStudy& pair) {
+      return rests_on_samples(pair) && error_rate_bound(pair.samples, 0) > q_.rate;
+    };
+    for (std::size_t k = result_.configurations; k < q_.most; ++k) {
+      if (std::ranges::none_of(result_.pairs, unsure)) return;
+      placed_ = place(scene_, joints(k));
+      models_ = models_of(placed_);
+      for (PairStudy& pair : result_.pairs) {
+        if (!unsure(pair)) continue;
+        observe(pair, k);
+        if (!suffices(pair, pair.cascade.last, q_.tolerated)) pair.cascade = recommend(pair, q_.tolerated);
+      }
+    }
   }
 
   void observe(PairStudy& pair, std::size_t configuration) {
@@ -80,8 +101,9 @@ class Study {
     }
     const bool is_within = truth.value_or(true);
     const double d = distance(a.solid, b.solid).value;
+    const bool counted = configuration < result_.configurations;
     for (RoundingCost& r : result_.roundings)
-      r.all_rounded += !is_within && d <= q_.clearance + 2 * r.rounding;
+      r.all_rounded += counted && !is_within && d <= q_.clearance + 2 * r.rounding;
     for (const Level level : enum_values<Level>)
       score(pair.alone[index_of(level)], accepted(level, a, b, q_.clearance), is_within, d, configuration);
     pair.least = pair.samples == 0 ? d : std::min(pair.least, d);
@@ -92,7 +114,7 @@ class Study {
     if (!result_.closest || miss(d) < miss(result_.closest->distance))
       result_.closest =
           ClosestCall{pair.a, pair.b, configuration, d, size_of({placed_[pair.a], placed_[pair.b]})};
-    truths_.push_back(is_within);
+    if (counted) truths_.push_back(is_within);
   }
 
   void score(Score& s, bool said, bool is_within, double d, std::size_t configuration) const {
@@ -145,6 +167,12 @@ class Study {
               within(pair.cascade, make_models(solids.a), make_models(solids.b), q_.clearance));
       }
     }
+  }
+
+  void prove() {
+    std::vector<std::pair<std::size_t, std::size_t>> pairs;
+    for (const PairStudy& pair : result_.pairs) pairs.emplace_back(pair.a, pair.b);
+    result_.motions = prove_motions(scene_, pairs, {q_.clearance, q_.motion_boxes, q_.seed, q_.against});
   }
 
   void measure() {
@@ -314,6 +342,10 @@ void Verification::add(const Pair& pair, double clearance, double tolerance, boo
 bool suffices(const PairStudy& pair, Level level, double tolerated) {
   const Score& s = pair.alone[index_of(level)];
   return s.wrong == 0 || (s.missed.length == 0 && s.alarm.length > 0 && s.alarm.length <= tolerated);
+}
+
+bool rests_on_samples(const PairStudy& pair) {
+  return pair.cascade.last == Level::sphere || pair.cascade.last == Level::outer;
 }
 
 Level needed(const PairStudy& pair, double tolerated) {

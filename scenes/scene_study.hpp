@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "scenes/model_hierarchy.hpp"
+#include "scenes/motion_proof.hpp"
 #include "scenes/scene.hpp"
 
 namespace cyl {
@@ -21,10 +22,17 @@ struct SceneQuestion {
   double clearance = 0;  ///< is any pair this near or nearer? In the scene's unit
   double tolerated = 0;  ///< false alarms of pairs farther than the clearance by up to this are no harm
   std::size_t configurations = 1000;  ///< drawn; one where nothing moves or `at` is not empty
+  /// Where the cheapest model is taken because it was never wrong, more are drawn for the pair until at 95 %
+  /// it is wrong in no more than this share of all configurations, or so many are drawn.
+  double rate = 1;
+  std::size_t most = 100'000;
   std::uint64_t seed = 1;
   bool all_pairs = false;
   bool each_link = false;  ///< a rigid body of its own, also where fixed joints join links
   bool verify = false;     ///< puts every recommended answer before the referee, up to verified_cap
+  bool prove = false;      ///< over all motions, whether the pairs come within the clearance
+  std::size_t motion_boxes = motion_box_cap;       ///< for one pair of these
+  std::size_t against = 0;                         ///< configurations in which the proofs are checked
   std::vector<std::pair<std::string, double>> at;  ///< joints of the one configuration
 };
 
@@ -45,8 +53,8 @@ struct Score {
 
 /// One pair over all configurations.
 struct PairStudy {
-  std::size_t a = 0, b = 0;  ///< bodies
-  std::size_t samples = 0;
+  std::size_t a = 0, b = 0;        ///< bodies
+  std::size_t samples = 0;         ///< the study's configurations, and what was drawn beyond them
   std::size_t within = 0;          ///< samples that are within the clearance
   double least = 0, greatest = 0;  ///< distance
   std::array<Score, level_count> alone{};
@@ -82,6 +90,7 @@ struct RoundingCost {
 
 struct SceneStudy {
   std::size_t bodies = 0, configurations = 0;
+  bool drawn = false;                            ///< from many: what they show has a bound, and else is so
   std::array<std::size_t, 4> pairs_by_reason{};  ///< by PairRule::Reason
   std::vector<PairStudy> pairs;
   std::size_t asked_referee = 0;  ///< samples that no level decides
@@ -92,6 +101,7 @@ struct SceneStudy {
   double kinematics_ns = 0, models_ns = 0, cascade_ns = 0;
   std::array<double, level_count> alone_ns{};
   std::optional<Verification> verification;
+  std::optional<MotionStudy> motions;  ///< its pairs are those above
 };
 
 /// Throws UsageError if `at` names no joint, or if the scene has more than study_cap bodies.
@@ -119,6 +129,10 @@ std::optional<bool> referee_within(const Pair& pair, double clearance);
 
 /// Returns whether an accepted model answers all samples right, but for false alarms that are tolerated.
 bool suffices(const PairStudy& pair, Level level, double tolerated);
+
+/// Returns whether what is recommended is known from samples alone, not from what the model is: of a ball or
+/// a capsule that it raises no false alarm.
+bool rests_on_samples(const PairStudy& pair);
 
 /// Returns the simplest model that answers all samples of a pair right where it is accepted: sphere, capsule,
 /// cylinder, distance, proof. What is cheapest is another question: `recommend`.

@@ -5,10 +5,8 @@
 #include <urdf_parser/urdf_parser.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstring>
-#include <filesystem>
 #include <map>
 #include <numbers>
 #include <optional>
@@ -212,7 +210,6 @@ class UrdfBuilder {
 
   void add(const urdf::Link& link, std::optional<std::size_t> parent) {
     const std::size_t index = scene_.links.size();
-    index_of_[link.name] = index;
     Link own;
     own.name = link.name;
     own.parent = parent;
@@ -240,31 +237,11 @@ class UrdfBuilder {
     joints_at(scene_);  // throws where they go in a circle
   }
 
-  void disable(const std::string& file) {
-    TiXmlDocument document;
-    load(document, file);
-    const TiXmlElement* robot = document.FirstChildElement("robot");
-    if (!robot) throw std::runtime_error(file + ": no <robot>");
-    for (const TiXmlElement* e = robot->FirstChildElement("disable_collisions"); e;
-         e = e->NextSiblingElement("disable_collisions")) {
-      std::array<std::size_t, 2> links{};
-      for (std::size_t i = 0; i < 2; ++i) {
-        const std::string name = attribute(*e, i == 0 ? "link1" : "link2");
-        const auto found = index_of_.find(name);
-        if (found == index_of_.end())
-          throw std::runtime_error(file + ": line " + std::to_string(e->Row()) + ": '" + name +
-                                   "' is no link of the robot");
-        links[i] = found->second;
-      }
-      scene_.disabled.emplace_back(links[0], links[1]);
-    }
-  }
-
  private:
   Scene& scene_;
   const std::map<std::string, std::size_t>& shapes_;
   const Capsules& capsules_;
-  std::map<std::string, std::size_t> index_of_, joint_index_;
+  std::map<std::string, std::size_t> joint_index_;
   std::vector<std::pair<std::size_t, urdf::JointMimicSharedPtr>> mimics_;
 };
 
@@ -276,6 +253,7 @@ Scene read_urdf(const std::string& file) {
   TiXmlElement* robot = document.FirstChildElement("robot");
   if (!robot) throw std::runtime_error(file + ": no <robot>");
   Scene scene;
+  scene.name = attribute(*robot, "name");
   std::map<std::string, std::size_t> shapes;
   const Capsules capsules = keep_solids(*robot, scene, shapes);
   TiXmlPrinter text;
@@ -292,9 +270,6 @@ Scene read_urdf(const std::string& file) {
   } catch (const std::exception& error) {
     throw std::runtime_error(file + ": " + error.what());
   }
-  if (const std::string srdf = std::filesystem::path(file).replace_extension(".srdf").string();
-      std::filesystem::exists(srdf))
-    builder.disable(srdf);
   return scene;
 }
 

@@ -2,6 +2,7 @@
 #include <utility>
 
 #include "base/json.hpp"
+#include "base/statistics.hpp"
 #include "corpus/pairs/pair_json.hpp"
 #include "reports/scene/scene_report.hpp"
 #include "scenes/shown_pairs.hpp"
@@ -38,6 +39,7 @@ json cascade_json(const Cascade& cascade) {
 }
 
 json pair_json(const Scene& scene, const SceneQuestion& q, const PairStudy& pair) {
+  const RateBounds rate = rate_bounds(pair.samples, pair.within);
   json models = json::array();
   for (const Level level : enum_values<Level>) {
     const auto i = index_of(level);
@@ -53,6 +55,7 @@ json pair_json(const Scene& scene, const SceneQuestion& q, const PairStudy& pair
           {"bodies", {pair.a, pair.b}},
           {"samples", pair.samples},
           {"within", pair.within},
+          {"within_rate", {rate.lower, rate.upper}},
           {"least_distance", pair.least},
           {"greatest_distance", pair.greatest},
           {"models", std::move(models)},
@@ -74,7 +77,8 @@ json words_json(const StudyWords& w) {
           {"enough", w.enough},     {"recommended", w.recommended},
           {"cost", w.cost},         {"forgiven", w.forgiven},
           {"capsules", w.capsules}, {"rounding", w.rounding},
-          {"closest", w.closest},   {"verified", w.verified}};
+          {"closest", w.closest},   {"verified", w.verified},
+          {"motions", w.motions}};
 }
 
 json highlight_json(const Highlight& highlight) {
@@ -117,6 +121,42 @@ json shown_json(const Scene& scene, const Shown& shown) {
           {"joints", joints_json(scene, shown.joints)},
           {"cylinders", std::move(cylinders)},
           {"pairs", std::move(pairs)}};
+}
+
+/// Of a refuted pair its joints; of a proved one the bound.
+json proof_json(const Scene& scene, const MotionProof& proof) {
+  json joints = json::object();
+  for (const std::size_t link : proof.between) joints[scene.links[link].joint] = proof.joints[link];
+  return {{"a", scene.bodies[proof.a].name},
+          {"b", scene.bodies[proof.b].name},
+          {"bodies", {proof.a, proof.b}},
+          {"verdict", to_string(proof.verdict)},
+          {"bound", proof.bound},
+          {"least_seen", proof.least},
+          {"joints", std::move(joints)},
+          {"boxes", proof.boxes},
+          {"open_share", proof.open_share}};
+}
+
+json exemption_json(const Scene& scene, const ExemptionProof& proof) {
+  const Exemption& said = scene.exemptions[proof.exemption];
+  json bodies = json::array();
+  for (const MotionProof& pair : proof.bodies) bodies.push_back(proof_json(scene, pair));
+  return {{"link1", scene.links[said.a].name},
+          {"link2", scene.links[said.b].name},
+          {"verdict", to_string(proof.verdict)},
+          {"not_looked_at", proof.not_looked_at},
+          {"pairs", std::move(bodies)}};
+}
+
+void add_motions(json& all, const Scene& scene, const MotionStudy& study) {
+  json motions = json::array(), exemptions = json::array();
+  for (const MotionProof& proof : study.pairs) motions.push_back(proof_json(scene, proof));
+  for (const ExemptionProof& proof : study.exemptions) exemptions.push_back(exemption_json(scene, proof));
+  all["motions"] = std::move(motions);
+  all["exemptions"] = std::move(exemptions);
+  all["motions_cpu_ms"] = study.ms;
+  all["motions_checked"] = {{"configurations", study.against}, {"wrong", study.gainsaid}};
 }
 
 }  // namespace
@@ -176,6 +216,8 @@ std::string study_json(const Scene& scene, const SceneQuestion& q, const SceneSt
   if (const auto& v = s.verification)
     all["verification"] = {
         {"asked", v->asked}, {"wrong", v->wrong}, {"tolerated", v->tolerated}, {"undecided", v->undecided}};
+  if (s.motions) add_motions(all, scene, *s.motions);
+  if (!scene.srdf.empty()) all["srdf"] = scene.srdf;
   return layout(all);
 }
 

@@ -2,6 +2,7 @@
 // A study of a scene as people read it and as a page is drawn from it.
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -27,8 +28,15 @@ struct StudyWords {
   std::vector<std::string> rounding;  ///< what some roundings would cost and save
   std::string closest;                ///< the closest call, and how exact an answer must be
   std::string verified;
+  std::string motions;  ///< how many pairs are proved never to be within the clearance
 };
 StudyWords words_of(const Scene& scene, const SceneQuestion& question, const SceneStudy& study);
+
+/// Returns an SRDF that disables the pairs of links that are adjacent, always or by default within the
+/// clearance, or never, as far as is known; behind each, in a comment, what that rests on. What the scene's
+/// own SRDF disables is kept, but for what is refuted. Pairs of which shapes were not looked at are not
+/// "Never".
+std::string srdf_text(const Scene& scene, const SceneQuestion& question, const SceneStudy& study);
 
 /// Returns the study with its words and the shown configurations (scenes/shown_pairs.hpp), as
 /// reports/schemas/scene.json describes it; a page is drawn from it alone.

@@ -3,9 +3,13 @@
 
 #include <algorithm>
 #include <array>
+#include <functional>
 #include <map>
+#include <tuple>
 
+#include "base/statistics.hpp"
 #include "corpus/pairs/solid_kind.hpp"
+#include "reports/scene/motion_text.hpp"
 #include "reports/scene/scene_report.hpp"
 
 namespace cyl {
@@ -61,23 +65,37 @@ std::string counts_words(const Scene& scene) {
                      plural(turning, "free joint"), mimics ? fmt::format(", {} that mimic", mimics) : "");
 }
 
-std::string pairs_words(const SceneStudy& s) {
+std::string pairs_words(const Scene& scene, const SceneStudy& s) {
   std::size_t all = 0;
   for (const std::size_t n : s.pairs_by_reason) all += n;
-  return fmt::format("{}: {} checked; not checked: {} of one rigid body, {} of adjacent ones, {} disabled",
+  return fmt::format("{}: {} checked; not checked: {} of one rigid body, {} of adjacent ones, {} disabled{}",
                      plural(all, "pair"), s.pairs_by_reason[0], s.pairs_by_reason[1], s.pairs_by_reason[2],
-                     s.pairs_by_reason[3]);
+                     s.pairs_by_reason[3],
+                     scene.srdf.empty() ? ""
+                                        : fmt::format(" ({} disables {})", scene.srdf,
+                                                      plural(scene.exemptions.size(), "link pair")));
 }
 
 std::string configurations_words(const SceneQuestion& q, const SceneStudy& s) {
-  std::size_t never = 0, always = 0;
+  std::size_t never = 0, always = 0, least = 0, most = 0, further = 0;
   for (const PairStudy& pair : s.pairs) {
     never += pair.within == 0;
     always += pair.within == pair.samples;
+    if ((pair.within == 0 || pair.within == pair.samples) && (least == 0 || pair.samples < least))
+      least = pair.samples;
+    most = std::max(most, pair.samples);
+    further += pair.samples > s.configurations;
   }
-  return fmt::format("{}, clearance {}: {} never within it, {} always, {} at times",
-                     plural(s.configurations, "configuration"), q.clearance, plural(never, "pair"), always,
-                     s.pairs.size() - never - always);
+  std::string text = fmt::format("{}, clearance {}: {} never within it, {} always, {} at times",
+                                 plural(s.configurations, "configuration"), q.clearance,
+                                 plural(never, "pair"), always, s.pairs.size() - never - always);
+  if (s.drawn && least > 0)
+    text += fmt::format(
+        "; what never and always leave possible: less than {} of all configurations, at 95 % for each pair",
+        rate_text(least));
+  if (further > 0)
+    text += fmt::format("; up to {} drawn for {} whose model was never wrong", most, plural(further, "pair"));
+  return text;
 }
 
 std::string length_text(double x) { return x == 0 ? "-" : fmt::format("{:.3g}", x); }
@@ -109,24 +127,36 @@ std::string cascade_words(const Cascade& cascade) {
 
 const char* body(const Scene& scene, std::size_t i) { return scene.bodies[i].name.c_str(); }
 
-/// Pairs that a line each would name are cut off here; --json has them all.
-constexpr std::size_t named_cap = 12;
-
+/// Worst first: what needs the most exact model, then by the false alarms of capsules.
 std::string needs_more(const Scene& scene, const SceneQuestion& q, const SceneStudy& s) {
+  std::vector<const PairStudy*> pairs;
+  for (const PairStudy& pair : s.pairs)
+    if (!suffices(pair, Level::sphere, q.tolerated) && !suffices(pair, Level::outer, q.tolerated))
+      pairs.push_back(&pair);
+  const auto alarms = [](const PairStudy& pair) -> const Score& {
+    return pair.alone[index_of(Level::outer)];
+  };
+  std::ranges::stable_sort(pairs, std::greater(), [&](const PairStudy* pair) {
+    return std::tuple(pair->cascade.last, alarms(*pair).wrong, alarms(*pair).alarm.length);
+  });
   std::string text;
-  std::size_t named = 0, more = 0;
-  for (const PairStudy& pair : s.pairs) {
-    if (suffices(pair, Level::sphere, q.tolerated) || suffices(pair, Level::outer, q.tolerated)) continue;
-    if (++named > named_cap) {
-      ++more;
-      continue;
-    }
-    const Score& capsules = pair.alone[index_of(Level::outer)];
-    text += fmt::format("  {} - {}: {} (capsules: {} false alarm{}, up to {:.3g})\n", body(scene, pair.a),
-                        body(scene, pair.b), cascade_words(pair.cascade), capsules.wrong,
-                        capsules.wrong == 1 ? "" : "s", capsules.alarm.length);
-  }
-  return more ? text + fmt::format("  and {} more\n", more) : text;
+  for (const PairStudy* pair : pairs)
+    text += fmt::format("  {} - {}: {} (capsules: {}, up to {:.3g})\n", body(scene, pair->a),
+                        body(scene, pair->b), cascade_words(pair->cascade),
+                        plural(alarms(*pair).wrong, "false alarm"), alarms(*pair).alarm.length);
+  return text;
+}
+
+/// How surely what was never wrong is not: what the fewest samples of such a pair leave possible.
+std::string surely(const SceneQuestion& q, const SceneStudy& s) {
+  std::size_t least = 0;
+  for (const PairStudy& pair : s.pairs)
+    if (rests_on_samples(pair) && (least == 0 || pair.samples < least)) least = pair.samples;
+  if (least == 0) return "";
+  const bool wide = error_rate_bound(least, 0) > q.rate;
+  return fmt::format(
+      " (each wrong in less than {} of all configurations, at 95 %{})", rate_text(least),
+      wide ? fmt::format("; {} were asked for, --most ends it", fmt::format("{:.3g} %", 100 * q.rate)) : "");
 }
 
 std::string enough_words(const SceneQuestion& q, const SceneStudy& s) {
@@ -138,6 +168,7 @@ std::string enough_words(const SceneQuestion& q, const SceneStudy& s) {
   }
   std::string text = fmt::format("spheres suffice for {} of {}, spheres or capsules for {}", balls,
                                  plural(all, "pair"), capsules);
+  if (s.drawn && capsules > 0) text += surely(q, s);
   if (capsules == all) return text;
   return text + (all - capsules == 1 ? "; this one needs more"
                                      : fmt::format("; these {} need more", all - capsules));
@@ -181,7 +212,11 @@ std::string forgiven_words(const SceneQuestion& q, const SceneStudy& s) {
 
 std::string capsules_words(const SceneQuestion& q, const SceneStudy& s) {
   const Total t = total_of(s, Level::outer, q.tolerated);
-  if (t.wrong == 0) return "capsules in every cylinder's place: the same answer in every sample";
+  if (t.wrong == 0)
+    return "capsules in every cylinder's place: the same answer in every sample" +
+           (s.drawn ? fmt::format(", another in less than {} of all configurations at 95 %",
+                                  rate_text(s.configurations))
+                    : "");
   return fmt::format(
       "capsules in every cylinder's place: not the same: {} in {}, of cylinders up to {:.3g} beyond the "
       "clearance",
@@ -234,7 +269,7 @@ StudyWords words_of(const Scene& scene, const SceneQuestion& q, const SceneStudy
   StudyWords w;
   w.counts = counts_words(scene);
   w.left_out = left_out_words(scene);
-  w.pairs = pairs_words(s);
+  w.pairs = pairs_words(scene, s);
   if (s.pairs.empty()) return w;
   w.configurations = configurations_words(q, s);
   w.enough = enough_words(q, s);
@@ -245,6 +280,7 @@ StudyWords words_of(const Scene& scene, const SceneQuestion& q, const SceneStudy
   w.rounding = rounding_words(s);
   w.closest = closest_words(scene, q, s);
   w.verified = verified_words(s);
+  w.motions = motions_words(q, s);
   return w;
 }
 
@@ -260,7 +296,8 @@ std::string study_text(const Scene& scene, const SceneQuestion& q, const SceneSt
   text += "\n" + w.enough + (more.empty() ? "\n" : ":\n" + more);
   text += line(w.recommended, "recommended: ") + line(w.cost, "  ") + line(w.forgiven, "  ");
   for (const std::string& rounding : w.rounding) text += line(rounding, "  ");
-  return text + line(w.capsules) + line(w.closest) + line(w.verified);
+  return text + line(w.capsules) + line(w.closest) + line(w.verified) + line(w.motions) +
+         motions_text(scene, s);
 }
 
 std::string close_pairs_head() {

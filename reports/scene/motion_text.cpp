@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: MIT
+#include "reports/scene/motion_text.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "base/statistics.hpp"
+
+namespace cyl {
+namespace {
+
+using Counts = std::array<std::size_t, enum_words<MotionVerdict>.size()>;
+
+template <class Proofs>
+Counts count_verdicts(const Proofs& proofs) {
+  Counts counts{};
+  for (const auto& proof : proofs) ++counts[static_cast<std::size_t>(proof.verdict)];
+  return counts;
+}
+
+/// Three digits, rounded down: what is proved is not said to be more.
+std::string rounded_down(double x) {
+  if (!(x > 0)) return fmt::format("{:.3g}", x);
+  const double unit = std::pow(10, std::floor(std::log10(x)) - 2);
+  return fmt::format("{:.3g}", std::floor(x / unit) * unit);
+}
+
+/// "shoulder=0.5 elbow=1", as --at takes it.
+std::string joints_text(const Scene& scene, const MotionProof& proof) {
+  std::vector<std::string> values;
+  for (const std::size_t link : proof.between)
+    values.push_back(fmt::format("{}={}", scene.links[link].joint, proof.joints[link]));
+  return values.empty() ? "as it stands" : fmt::format("{}", fmt::join(values, " "));
+}
+
+}  // namespace
+
+std::string proof_text(const Scene& scene, const MotionProof& proof) {
+  switch (proof.verdict) {
+    case MotionVerdict::never:
+      return fmt::format("at least {} over all configurations, {:.3g} seen", rounded_down(proof.bound),
+                         proof.least);
+    case MotionVerdict::refuted:
+      return fmt::format("distance {:.3g} at {}", proof.least, joints_text(scene, proof));
+    case MotionVerdict::open:
+      break;
+  }
+  if (proof.held) return fmt::format("a joint between them is held here; {:.3g} seen", proof.least);
+  return fmt::format("nothing proved of {:.3g} % of what their {} joints may do; {:.3g} seen",
+                     100 * proof.open_share, proof.between.size(), proof.least);
+}
+
+std::pair<MotionVerdict, double> risk_of(const MotionProof& proof) {
+  switch (proof.verdict) {
+    case MotionVerdict::refuted:
+      return {proof.verdict, proof.least};
+    case MotionVerdict::open:
+      return {proof.verdict, -proof.open_share};
+    case MotionVerdict::never:
+      break;
+  }
+  return {proof.verdict, proof.bound};
+}
+
+std::string exemption_text(const Scene& scene, const ExemptionProof& exemption) {
+  std::string text;
+  if (!exemption.bodies.empty())
+    text = proof_text(scene, *std::ranges::min_element(exemption.bodies, {}, risk_of));
+  else if (!exemption.not_looked_at)
+    text = "a link has no shape";
+  if (exemption.not_looked_at) text += std::string(text.empty() ? "" : "; ") + "shapes were not looked at";
+  return text;
+}
+
+std::string rate_text(std::size_t draws) {
+  const double percent = 100 * error_rate_bound(draws, 0);
+  const double unit = std::pow(10, std::floor(std::log10(percent)) - 1);
+  return fmt::format("{:.3g} %", std::ceil(percent / unit * (1 - 1e-12)) * unit);
+}
+
+std::string motions_words(const SceneQuestion& q, const SceneStudy& s) {
+  if (!s.motions) return "";
+  const auto of = [](const Counts& counts, MotionVerdict verdict) {
+    return counts[static_cast<std::size_t>(verdict)];
+  };
+  const Counts pairs = count_verdicts(s.motions->pairs), exempt = count_verdicts(s.motions->exemptions);
+  std::string text = fmt::format(
+      "over all motions: of {} pairs {} are never within {}, proved; {} are in a configuration that is "
+      "shown; "
+      "{} are open, at {} boxes each",
+      s.pairs.size(), of(pairs, MotionVerdict::never), q.clearance, of(pairs, MotionVerdict::refuted),
+      of(pairs, MotionVerdict::open), q.motion_boxes);
+  if (!s.motions->exemptions.empty())
+    text += fmt::format("; of {} link pairs that the SRDF says never meet {} are proved, {} REFUTED, {} open",
+                        s.motions->exemptions.size(), of(exempt, MotionVerdict::never),
+                        of(exempt, MotionVerdict::refuted), of(exempt, MotionVerdict::open));
+  text += fmt::format("; {:.1f} s", s.motions->ms / 1000);
+  if (s.motions->against > 0)
+    text += fmt::format(
+        "; in {} other configurations {} nearer than proved", s.motions->against,
+        s.motions->gainsaid == 0 ? "none are" : std::to_string(s.motions->gainsaid) + " times WRONG,");
+  return text;
+}
+
+std::string motions_text(const Scene& scene, const SceneStudy& s) {
+  if (!s.motions) return "";
+  std::string text;
+  for (const ExemptionProof& e : s.motions->exemptions) {
+    const Exemption& said = scene.exemptions[e.exemption];
+    text += fmt::format("  {:<8} {} - {}, \"Never\" in the SRDF: {}\n", to_string(e.verdict),
+                        scene.links[said.a].name, scene.links[said.b].name, exemption_text(scene, e));
+  }
+  std::vector<const MotionProof*> sorted;
+  for (const MotionProof& proof : s.motions->pairs) sorted.push_back(&proof);
+  std::ranges::stable_sort(sorted, {}, [](const MotionProof* proof) { return risk_of(*proof); });
+  for (const MotionProof* proof : sorted)
+    text += fmt::format("  {:<8} {} - {}: {}\n", to_string(proof->verdict), scene.bodies[proof->a].name,
+                        scene.bodies[proof->b].name, proof_text(scene, *proof));
+  return text;
+}
+
+}  // namespace cyl

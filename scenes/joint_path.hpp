@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: MIT
+// The joints between two bodies of a scene, and how far the bodies can move against each other while these
+// stay within a box.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <vector>
+
+#include "scenes/scene.hpp"
+#include "solver/decide.hpp"
+
+namespace cyl {
+
+/// Bound of rounding in the places of two bodies and in what is told of their travel, times (links + 1)
+/// (moving joints + 1) and the length of everything between them; derived in joint_path.cpp.
+inline constexpr double motion_error = 512 * unit_roundoff_error;
+/// Bound of rounding in half of a joint's range, relative to the values in it.
+inline constexpr double range_error = 8 * unit_roundoff_error;
+
+/// What a joint may take: [low, high].
+struct Range {
+  double low = 0, high = 0;
+};
+/// By the free joints of a path.
+using JointBox = std::vector<Range>;
+
+/// How much the bodies may come nearer to each other.
+struct Travel {
+  double length = 0;
+  std::vector<double> shares;  ///< of each free joint
+};
+
+class JointPath {
+ public:
+  /// The scene must outlive it.
+  JointPath(const Scene& scene, std::size_t a, std::size_t b);
+
+  /// The links of the joints that are free and move the bodies against each other, by mimics too.
+  const std::vector<std::size_t>& free_joints() const { return free_; }
+  /// All that the free joints may take.
+  JointBox limits() const;
+  /// Whether a joint between the bodies is held here and moves in truth.
+  bool held() const { return held_; }
+
+  /// Puts the free joints in the middle of a box and returns the bodies there.
+  const Pair& place_middle(const JointBox& box);
+  /// Returns how much less than there the bodies' gap along a unit direction from a to b can be anywhere in
+  /// the box, all rounding included.
+  Travel travel(const Vector3& direction);
+
+ private:
+  /// A solid's axis and disk.
+  struct Side {
+    Vector3 unit{0, 0, 1};
+    std::array<Vector3, 2> ends;
+    double radius = 0;
+  };
+  /// A solid as a turning joint has it.
+  struct Seen {
+    std::array<double, 2> reach{};  ///< of the ends of its axis from that of the joint
+    double tilt = 0;                ///< of its disk, at most, when it turns by 1
+  };
+  /// What a joint adds, at most, to how far a solid reaches.
+  struct Step {
+    std::array<double, 2> ends{};
+    double disk = 0;
+  };
+  /// A joint that moves, as it stands in the middle of the box.
+  struct Move {
+    std::size_t link = 0;  ///< of `own_`
+    bool turns = false;
+    std::size_t variable = 0;
+    double half = 0;  ///< of its range: rad, or a length
+    Vector3 at{0, 0, 0}, axis{0, 0, 1};
+    Seen a, b;
+  };
+  struct Value {
+    double middle = 0, half = 0;
+    std::size_t variable = 0;
+  };
+  static Side side_of(const Cylinder& solid);
+  static Seen see(const Move& move, const Side& side);
+  static Step step_of(const Move& move, const Side& side, const Seen& seen, const Vector3& n, double turned);
+  /// How much farther a body may reach along n, towards the other; of a the joints before s, of b the others.
+  double advance(bool of_b, std::size_t s, const Vector3& n, std::vector<double>& parts);
+  void add_chain(const std::vector<std::size_t>& links);
+  Value value_of(std::size_t link, const JointBox& box) const;
+
+  const Scene& scene_;
+  Scene own_;                      ///< the path alone; link 0 is where the chains of both bodies meet
+  std::vector<std::size_t> of_;    ///< by link of `own_`: the scene's
+  std::vector<std::size_t> free_;  ///< the scene's links
+  std::vector<Move> moves_;        ///< from a to b
+  bool held_ = false;
+  double slack_ = 0;  ///< all rounding
+  std::vector<double> values_;
+  std::vector<Cylinder> solids_;
+  Pair placed_;
+  Side a_, b_;
+  std::vector<Step> steps_;
+};
+
+}  // namespace cyl

@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: MIT
+// Proofs over motions: are two bodies of a scene farther from each other than a clearance whatever their
+// joints do? By branch and bound over the box of the joints between them. A box is closed by a direction that
+// the referee finds to separate the bodies in the middle of the box by more than any motion within the box
+// can bring them nearer; else it is cut in two.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "base/enum_words.hpp"
+#include "scenes/scene.hpp"
+
+namespace cyl {
+
+/// Worst first.
+enum class MotionVerdict : unsigned char {
+  refuted,  ///< the referee confirms a configuration within the clearance
+  open,     ///< nothing is known, within the cap on boxes
+  never     ///< proved: farther from each other than the clearance in all configurations
+};
+constexpr auto words_of(MotionVerdict) noexcept { return std::array{"refuted", "open", "never"}; }
+
+/// Boxes looked at for one pair, about 2 us each.
+inline constexpr std::size_t motion_box_cap = 100'000;
+
+struct MotionQuestion {
+  double clearance = 0;
+  std::size_t box_cap = motion_box_cap;
+  std::uint64_t seed = 1;   ///< of the configurations from which a refutation is looked for
+  std::size_t against = 0;  ///< configurations drawn to check what is proved; from the next seed
+};
+
+/// What is known of two bodies over all configurations.
+struct MotionProof {
+  std::size_t a = 0, b = 0;
+  MotionVerdict verdict = MotionVerdict::open;
+  double bound = 0;                  ///< `never`: proved, their distance is greater in every configuration
+  double least = 0;                  ///< the least distance seen; negative: a depth
+  std::vector<double> joints;        ///< where that was, by link; `refuted`: within the clearance
+  std::vector<std::size_t> between;  ///< links whose free joints move the bodies against each other
+  std::size_t boxes = 0;             ///< that were looked at
+  double open_share = 0;             ///< of the joints' space, nothing is proved of so much
+  bool held =
+      false;  ///< a joint between them is held here and moves in truth: nothing but a refutation holds
+};
+
+/// Proves or refutes that two bodies stay farther from each other than the clearance. The configurations are
+/// all values of the joints within their limits, once round of a continuous joint; mimics follow. The robot
+/// is the scene's, each joint's origin taken for the rotation nearest to its matrix.
+MotionProof prove_motion(const Scene& scene, std::size_t a, std::size_t b, const MotionQuestion& question);
+
+/// What is known of a pair of links that an SRDF says never come near each other.
+struct ExemptionProof {
+  std::size_t exemption = 0;  ///< of the scene's
+  MotionVerdict verdict = MotionVerdict::open;
+  bool not_looked_at = false;       ///< a link has shapes of which nothing is known: `open` or refuted
+  std::vector<MotionProof> bodies;  ///< of each body of the one with each of the other
+};
+
+struct MotionStudy {
+  std::vector<MotionProof> pairs;
+  std::vector<ExemptionProof> exemptions;  ///< those whose reason is "Never"
+  double ms = 0;                           ///< of CPU time, without the check
+  std::size_t against = 0;                 ///< configurations drawn for it
+  std::size_t gainsaid = 0;                ///< in which a pair was nearer than its bound: a fault of ours
+};
+
+/// Does it for all these pairs of bodies, and for what the scene's SRDF says.
+MotionStudy prove_motions(const Scene& scene, std::span<const std::pair<std::size_t, std::size_t>> pairs,
+                          const MotionQuestion& question);
+
+/// Returns how often, in so many configurations drawn, bodies are nearer than was proved of them.
+std::size_t count_gainsaid(const Scene& scene, std::span<const MotionProof> proofs, std::uint64_t seed,
+                           std::size_t configurations);
+
+/// Returns whether a link has shapes that were not looked at.
+bool has_unknown_shapes(const Scene& scene, std::size_t link);
+
+}  // namespace cyl
