@@ -72,10 +72,6 @@ struct PlaneWeights {
           bits(f.s2 * (across * across + beside * beside) < room * room)) == 3;
 }
 
-// Of find_point(): below this its square might lose digits to underflow. Solids that are not flat have 2^-200
-// and more.
-constexpr double least_det = 0x1p-300;
-
 // A point that the solids share, in the slice at u = z r0/(r0 + r1), where the filter has them meet; false
 // where no candidate is inside both by more than rounding (section 8). Tried first, since no case has to be
 // told from another and no root is needed: where the squares of its four coordinates, along and across both

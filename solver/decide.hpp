@@ -30,7 +30,9 @@ inline constexpr double separation_error =
 inline constexpr double filter_error =
     64 * unit_roundoff_error;  ///< of s f at the five first directions, times the reach above
 inline constexpr double point_error =
-    2048 * unit_roundoff_error;  ///< of a point built in the first slice, times the same
+    2048 * unit_roundoff_error;                ///< of a point built in the first slice, times the same
+inline constexpr double least_det = 0x1p-300;  ///< of the system for such a point: below, its square might
+                                               ///< lose digits; solids not flat have 2^-200
 inline constexpr double parallel_error =
     64 * unit_roundoff_error;  ///< of what is compared where both axes are one, times the same
 inline constexpr double membership_error =

@@ -4,10 +4,6 @@
 // same verdicts.
 #pragma once
 
-#if defined(__SSE2__)
-#include <emmintrin.h>
-#endif
-
 #include "solver/detail/frame.hpp"
 
 namespace cyl {
@@ -26,7 +22,7 @@ inline Both magnitude(Both x) noexcept {
 /// Bit i is lane i.
 inline unsigned bits(BothBits mask) noexcept {
 #if defined(__SSE2__)
-  return static_cast<unsigned>(_mm_movemask_pd(__m128d(mask)));
+  return static_cast<unsigned>(__builtin_ia32_movmskpd(Both(mask)));
 #else
   return (mask[0] != 0 ? 1u : 0u) | (mask[1] != 0 ? 2u : 0u);
 #endif

@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: MIT
+// decide() in lanes, where the first sight proves it (decide.cpp): the same operations in the same order, so
+// the same certificates. Included by one translation unit for each instruction set, as
+// intersect_batch_kernel.hpp; CYL_DECIDE_KERNEL is the name of its entry.
+#pragma once
+
+#include "solver/detail/intersect_batch_kernel.hpp"
+
+namespace cyl {
+namespace {
+
+/// The order of the roles, as out_of_order() has it.
+[[gnu::always_inline]] inline bool swapped(const double* a, const double* b) {
+  constexpr int places[] = {6, 7, 3, 4, 5, 0, 1, 2};  // radius, height, axis, centre
+  for (const int i : places)
+    if (a[i] != b[i]) return a[i] > b[i];
+  return false;
+}
+
+/// 2^-k of a positive number in [2^k, 2^(k+1)).
+Lanes unit_of(Lanes x) {
+  constexpr long long exponent = 0x7ff0000000000000, turned = 2046ll << 52;
+  return Vector(turned - (Bits(x.v) & exponent));
+}
+
+struct Proofs {
+  Mask apart, met;  ///< which are proved
+  Lanes direction[3], tail[3];
+};
+
+struct Pieces {
+  const Couple<Lanes>& p;
+  const Products<Lanes>& q;
+  const Sections<Lanes>& f;
+};
+
+/// shown_apart() and direction_of().
+[[gnu::always_inline]] inline Mask prove_apart(const Pieces& of, Lanes error, Lanes turn,
+                                               Lanes (&direction)[3]) {
+  const auto& [p, q, f] = of;
+  const Lanes most2 = p.r0 + f.c * p.r1, most3 = p.r1 + f.c * p.r0, radii = p.r0 + p.r1;
+  const Lanes s2 = f.s2;
+  const auto beyond = [&](Lanes k, Lanes square) { return signed_square(k - error) > s2 * square; };
+  const Mask in0 = beyond(f.k0, p.r1 * p.r1), in1 = beyond(f.k1, p.r0 * p.r0),
+             in2 = beyond(f.k2_s, most2 * most2), in3 = beyond(f.k3_s, most3 * most3),
+             in_n = beyond(f.z_s, radii * radii);
+  // The first that shows it.
+  const auto first = [&](Lanes x0, Lanes x1, Lanes x2, Lanes x3, Lanes xn) {
+    return pick(in0, x0, pick(in1, x1, pick(in2, x2, pick(in3, x3, xn))));
+  };
+  Lanes a = first(1.0, 0.0, q.cosine, -1.0, 0.0), b = first(0.0, 1.0, -1.0, q.cosine, 0.0),
+        n = first(0.0, 0.0, 0.0, 0.0, 1.0);
+  const Lanes towards = a * q.d0 + b * q.d1 + n * q.dn, sign = pick(towards < Lanes(0.0), -1.0, 1.0);
+  a = sign * a;
+  b = sign * b;
+  n = sign * n;
+  direction[0] = turn * (a * p.w0x + b * p.w1x + n * q.nx);
+  direction[1] = turn * (a * p.w0y + b * p.w1y + n * q.ny);
+  direction[2] = turn * (a * p.w0z + b * p.w1z + n * q.nz);
+  return in0 | in1 | in2 | in3 | in_n;
+}
+
+/// find_point() and hand_out().
+[[gnu::always_inline]] inline Mask prove_met(const Pieces& of, Lanes error, Lanes least_det,
+                                             Lanes (&tail)[3]) {
+  const auto& [p, q, f] = of;
+  const Lanes radii = p.r0 + p.r1, unit = unit_of(radii), sum = radii * unit, square = sum * sum;
+  const Lanes h0 = p.h0 * unit, h1 = p.h1 * unit, r0 = p.r0 * unit, r1 = p.r1 * unit;
+  const Lanes hh0 = h0 * h0, hh1 = h1 * h1, rr0 = r0 * r0, rr1 = r1 * r1;
+  const Lanes d0 = q.d0 * unit, d1 = q.d1 * unit, dn = q.dn * unit, s2 = f.s2 * square;
+  const Lanes g = rr0 * rr1 * (s2 - dn * dn), hh = hh0 * hh1 * square;
+  const Lanes along0 = hh1 * g, along1 = hh0 * g, across0 = hh * rr1, across1 = hh * rr0,
+              c2 = q.cosine * q.cosine;
+  const Lanes m0 = along0 + across1 + c2 * across0, m1 = along1 + across0 + c2 * across1;
+  const Lanes turned = q.cosine * (across0 + across1);
+  const Lanes g0 = across1 * (d0 - q.cosine * d1), g1 = along1 * d1 - q.cosine * g0;
+  const Lanes det = m0 * m1 - turned * turned;
+  const Lanes at0 = m1 * g0 + turned * g1, at1 = m0 * g1 + turned * g0;
+  const Lanes inverse = Lanes(1.0) / (det * (f.s2 * sum)), room = error * unit;
+  const Lanes from0 = at0 - d0 * det, from1 = at1 - d1 * det;
+  const Lanes beside0 = at1 - q.cosine * at0, beside1 = from0 - q.cosine * from1, depth = det * dn;
+  const Lanes across_square = s2 * (det * det);
+  const auto is_across = [&](Lanes beside, Lanes rr, Lanes r) {
+    return beside * beside * square + depth * depth * rr < signed_square(r - room) * across_square;
+  };
+  const Mask met = (det > least_det) & (magnitude(at0) < (h0 - room) * det) &
+                   (magnitude(from1) < (h1 - room) * det) & is_across(beside0, rr0, r0) &
+                   is_across(beside1, rr1, r1);
+  const Lanes scale = inverse * radii, scaled0 = at0 * scale, scaled1 = at1 * scale;
+  const Lanes a = scaled0 - q.cosine * scaled1, b = scaled1 - q.cosine * scaled0,
+              c = q.dn * r0 * (inverse * det);
+  tail[0] = a * p.w0x + b * p.w1x + c * q.nx;
+  tail[1] = a * p.w0y + b * p.w1y + c * q.ny;
+  tail[2] = a * p.w0z + b * p.w1z + c * q.nz;
+  return met;
+}
+
+[[gnu::always_inline]] inline Proofs prove(const Couple<Lanes>& p, Lanes turn, const DecideJob& job) {
+  const Products<Lanes> q = products(p);
+  Proofs found;
+  found.apart = found.met = Mask{};
+  if (bits(magnitude(q.cosine) <= Lanes(steep_cosine)) == 0) return found;
+  const Sections<Lanes> f = sections(p, q);
+  const Lanes reach = p.r0 + p.r1 + p.h0 + p.h1 + magnitude(p.dx) + magnitude(p.dy) + magnitude(p.dz);
+  const Mask steep = f.c <= Lanes(steep_cosine);
+  const Pieces of{p, q, f};
+  found.apart = steep & prove_apart(of, job.filter_error * reach, turn, found.direction);
+  found.met = steep & negate(found.apart) & prove_met(of, job.point_error * reach, job.least_det, found.tail);
+  return found;
+}
+
+}  // namespace
+
+unsigned CYL_DECIDE_KERNEL(const DecideJob& job, unsigned* rest) {
+  constexpr unsigned width = lanes;
+  unsigned left = 0;
+  for (unsigned start = 0; start < job.count; start += width) {
+    const unsigned n = job.count - start < width ? job.count - start : width;
+    Records r;
+    unsigned ordinary = 0;
+    Vector turn{};
+    for (unsigned i = 0; i < width; ++i) {
+      const unsigned k = start + (i < n ? i : n - 1);
+      const double *a = record(job.a, job.pairs[2 * k]), *b = record(job.b, job.pairs[2 * k + 1]);
+      const bool turned = swapped(a, b);
+      const double* const roles[] = {a, b};
+      r.first[i] = roles[turned];
+      r.second[i] = roles[!turned];
+      turn[i] = turned ? -1.0 : 1.0;
+      ordinary |= (is_ordinary(a) & is_ordinary(b)) << i;
+    }
+    const Proofs found = prove(load(r.first, r.second), Lanes(turn), job);
+    const unsigned apart = ordinary & bits(found.apart), met = ordinary & bits(found.met);
+    for (unsigned i = 0; i < n; ++i) {
+      AnswerRecord& answer = job.answers[start + i];
+      const auto put = [i](double(&to)[3], const Lanes(&from)[3]) {
+        for (int k = 0; k < 3; ++k) to[k] = from[k].v[i];
+      };
+      if ((apart >> i & 1) != 0) {
+        answer = AnswerRecord{};
+        answer.proof = proof_direction;
+        put(answer.direction, found.direction);
+      } else if ((met >> i & 1) != 0) {
+        answer = AnswerRecord{};
+        answer.verdict = 1;
+        answer.proof = proof_point;
+        for (int k = 0; k < 3; ++k) answer.point_head[k] = r.first[i][k];
+        put(answer.point_tail, found.tail);
+      } else {
+        rest[left++] = start + i;
+      }
+    }
+  }
+  return left;
+}
+
+}  // namespace cyl
