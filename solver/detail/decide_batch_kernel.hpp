@@ -133,19 +133,13 @@ unsigned CYL_DECIDE_KERNEL(const DecideJob& job, unsigned* rest) {
     const unsigned apart = ordinary & bits(found.apart), met = ordinary & bits(found.met);
     for (unsigned i = 0; i < n; ++i) {
       AnswerRecord& answer = job.answers[start + i];
-      const auto put = [i](double(&to)[3], const Lanes(&from)[3]) {
-        for (int k = 0; k < 3; ++k) to[k] = from[k].v[i];
-      };
       if ((apart >> i & 1) != 0) {
-        answer = AnswerRecord{};
-        answer.proof = proof_direction;
-        put(answer.direction, found.direction);
+        const Lanes* d = found.direction;
+        answer = {0, proof_direction, {d[0].v[i], d[1].v[i], d[2].v[i]}, {0, 0, 0}, {0, 0, 0}, 0, 0, 0};
       } else if ((met >> i & 1) != 0) {
-        answer = AnswerRecord{};
-        answer.verdict = 1;
-        answer.proof = proof_point;
-        for (int k = 0; k < 3; ++k) answer.point_head[k] = r.first[i][k];
-        put(answer.point_tail, found.tail);
+        const double* c = r.first[i];
+        const Lanes* t = found.tail;
+        answer = {1, proof_point, {0, 0, 0}, {c[0], c[1], c[2]}, {t[0].v[i], t[1].v[i], t[2].v[i]}, 0, 0, 0};
       } else {
         rest[left++] = start + i;
       }
