@@ -298,8 +298,8 @@ TEST(Urdf, ACapsuleHoldsWhatNearlyFits) {
   const Scene scene = read_scene(file.string());
   std::filesystem::remove(file);
   ASSERT_EQ(scene.bodies.size(), 1u);
-  const auto& [name, link, capsule, type, affinity] = scene.bodies[0];
-  EXPECT_EQ(name, "hand");
+  const Cylinder& capsule = scene.bodies[0].solid;
+  EXPECT_EQ(scene.bodies[0].name, "hand");
   ASSERT_EQ(kind_of(capsule), SolidKind::capsule);
   for (const auto& [y, radius] : {std::pair(-0.075, 0.05), std::pair(0.075, 0.0501)}) {
     const Vector3 end = capsule.center + (y < 0 ? 0.5 : -0.5) * capsule.height * capsule.axis;

@@ -17,6 +17,8 @@
 #include <vector>
 
 #include "corpus/pairs/solid_kind.hpp"
+#include "scenes/bounding_solid.hpp"
+#include "scenes/mesh_files.hpp"
 #include "scenes/scene_files.hpp"
 
 namespace cyl {
@@ -54,10 +56,20 @@ void remove_all(TiXmlElement& parent, const char* name) {
 /// Of a link, its collision shapes that are kept: whether each is a capsule.
 using Capsules = std::map<std::string, std::vector<bool>>;
 
+/// urdfdom knows no joint of three turns and refuses the robot for it, or for a type of joint that somebody
+/// made up: they pass as floating ones, which are held too.
+void pass_joints(TiXmlElement& robot) {
+  constexpr std::array known{"fixed", "floating", "planar", "revolute", "continuous", "prismatic"};
+  for (TiXmlElement* joint = robot.FirstChildElement("joint"); joint;
+       joint = joint->NextSiblingElement("joint"))
+    if (std::ranges::find(known, attribute(*joint, "type")) == known.end())
+      joint->SetAttribute("type", "floating");
+}
+
 /// urdfdom refuses a whole robot for a material named twice or a shape that it does not know. Neither is any
-/// matter of ours: what is not needed is taken out, capsules go through it as cylinders, and what is neither
-/// a cylinder, a sphere nor a capsule is noted.
-Capsules keep_solids(TiXmlElement& robot, Scene& scene, std::map<std::string, std::size_t>& shapes) {
+/// matter of ours: what is not needed is taken out, capsules go through it as cylinders, and a shape that
+/// nobody here knows is noted.
+Capsules keep_shapes(TiXmlElement& robot, Scene& scene, std::map<std::string, std::size_t>& shapes) {
   Capsules capsules;
   for (const char* name : {"material", "transmission", "gazebo", "mujoco", "sensor"}) remove_all(robot, name);
   for (TiXmlElement* link = robot.FirstChildElement("link"); link; link = link->NextSiblingElement("link")) {
@@ -69,7 +81,7 @@ Capsules keep_solids(TiXmlElement& robot, Scene& scene, std::map<std::string, st
       TiXmlElement* geometry = collision->FirstChildElement("geometry");
       TiXmlElement* shape = geometry ? geometry->FirstChildElement() : nullptr;
       const auto is = [&](const char* word) { return shape && std::strcmp(shape->Value(), word) == 0; };
-      if (is("cylinder") || is("sphere") || is("capsule")) {
+      if (is("cylinder") || is("sphere") || is("capsule") || is("box") || is("mesh")) {
         capsules[name].push_back(is("capsule"));
         if (is("capsule")) shape->SetValue("cylinder");
         continue;
@@ -108,7 +120,7 @@ void set_motion(Link& link, const urdf::Joint& joint, Scene& scene) {
     case urdf::Joint::FLOATING:
     case urdf::Joint::PLANAR:
       scene.notes.push_back("Joint " + joint.name +
-                            " is floating or planar: it is held where the file puts it.");
+                            " is neither a hinge nor a slide: it is held where the file puts it.");
       link.held = true;
       return;
     default:
@@ -147,7 +159,7 @@ std::optional<std::size_t> sphere_at(std::span<const Body> bodies, const Cylinde
   for (std::size_t k = 0; k < bodies.size(); ++k) {
     const Cylinder& s = bodies[k].solid;
     const auto off = [&](std::size_t i) { return (bodies[i].solid.center - end).norm(); };
-    if (kind_of(s) == SolidKind::sphere && off(k) <= fold_tol * wall.radius &&
+    if (!bodies[k].box && kind_of(s) == SolidKind::sphere && off(k) <= fold_tol * wall.radius &&
         std::fabs(s.rounding - wall.radius) <= fold_tol * wall.radius && (!best || off(k) < off(*best)))
       best = k;
   }
@@ -160,7 +172,7 @@ void fold_capsules(Scene& scene, std::size_t first) {
   auto& bodies = scene.bodies;
   for (std::size_t i = first; i < bodies.size(); ++i) {
     const Cylinder wall = bodies[i].solid;
-    if (kind_of(wall) != SolidKind::cylinder || wall.radius == 0) continue;
+    if (bodies[i].box || kind_of(wall) != SolidKind::cylinder || wall.radius == 0) continue;
     const Vector3 reach = 0.5 * wall.height * wall.axis, low = wall.center - reach,
                   high = wall.center + reach;
     const std::span<const Body> own = std::span(bodies).subspan(first);
@@ -183,21 +195,51 @@ void fold_capsules(Scene& scene, std::size_t first) {
   }
 }
 
-void add_bodies(Scene& scene, std::size_t index, const urdf::Link& link, const Capsules& capsules) {
+/// A body that holds a mesh; nothing, and a note why, where the mesh cannot be read.
+std::optional<Body> mesh_body(Scene& scene, const urdf::Mesh& mesh, const std::string& file, Body body,
+                              const Pose& pose) {
+  const std::string& link = scene.links[body.link].name;
+  try {
+    const std::string found = find_mesh(mesh.filename, file);
+    if (found.empty()) throw std::runtime_error("there is no such file");
+    std::vector<Vector3> points = read_mesh(found);
+    for (Vector3& p : points) p = p.cwiseProduct(urdf_vector(mesh.scale));
+    return bounded_body(body.name, body.link, "mesh", points, pose);
+  } catch (const std::runtime_error& error) {
+    scene.left_out.push_back({"mesh", link});
+    scene.notes.push_back(fmt::format("Mesh {} of {}: {}.", mesh.filename, link, error.what()));
+    return std::nullopt;
+  }
+}
+
+std::optional<Body> body_of(Scene& scene, const urdf::Collision& collision, const std::string& file,
+                            Body body, bool capsule) {
+  const Pose pose = urdf_pose(collision.origin);
+  if (const auto* box = dynamic_cast<const urdf::Box*>(collision.geometry.get()))
+    return bounded_body(body.name, body.link, "box", corners_of(urdf_vector(box->dim)), pose);
+  if (const auto* mesh = dynamic_cast<const urdf::Mesh*>(collision.geometry.get()))
+    return mesh_body(scene, *mesh, file, std::move(body), pose);
+  body.solid = solid_of(*collision.geometry, pose, capsule);
+  return body;
+}
+
+void add_bodies(Scene& scene, std::size_t index, const urdf::Link& link, const Capsules& capsules,
+                const std::string& file) {
   const std::size_t first = scene.bodies.size();
   const auto kept = capsules.find(link.name);
   for (std::size_t i = 0; i < link.collision_array.size(); ++i) {
     const auto& collision = link.collision_array[i];
     const bool capsule = kept != capsules.end() && i < kept->second.size() && kept->second[i];
-    const Cylinder solid = solid_of(*collision->geometry, urdf_pose(collision->origin), capsule);
     std::string name = link.name;
     if (!collision->name.empty())
       name += "/" + collision->name;
     else if (link.collision_array.size() > 1)
       name += "/" + std::to_string(i + 1);
-    if (const Defect defect = find_defect(solid); defect != Defect::none)
+    const std::optional<Body> body = body_of(scene, *collision, file, {name, index, {}, 1, 1}, capsule);
+    if (!body) continue;
+    if (const Defect defect = find_defect(body->solid); defect != Defect::none)
       throw std::runtime_error("shape " + name + ": " + to_string(defect));
-    scene.bodies.push_back({name, index, solid, 1, 1});
+    scene.bodies.push_back(*body);
   }
   fold_capsules(scene, first);
   const bool alone = scene.bodies.size() == first + 1;
@@ -207,8 +249,9 @@ void add_bodies(Scene& scene, std::size_t index, const urdf::Link& link, const C
 
 class UrdfBuilder {
  public:
-  UrdfBuilder(Scene& scene, const std::map<std::string, std::size_t>& shapes, const Capsules& capsules)
-      : scene_(scene), shapes_(shapes), capsules_(capsules) {}
+  UrdfBuilder(Scene& scene, const std::map<std::string, std::size_t>& shapes, const Capsules& capsules,
+              const std::string& file)
+      : scene_(scene), shapes_(shapes), capsules_(capsules), file_(file) {}
 
   void add(const urdf::Link& link, std::optional<std::size_t> parent) {
     const std::size_t index = scene_.links.size();
@@ -225,7 +268,7 @@ class UrdfBuilder {
       if (joint->mimic && own.motion != Motion::fixed) mimics_.emplace_back(index, joint->mimic);
     }
     scene_.links.push_back(std::move(own));
-    add_bodies(scene_, index, link, capsules_);
+    add_bodies(scene_, index, link, capsules_, file_);
     for (const auto& child : link.child_links) add(*child, index);
   }
 
@@ -264,6 +307,7 @@ class UrdfBuilder {
   Scene& scene_;
   const std::map<std::string, std::size_t>& shapes_;
   const Capsules& capsules_;
+  const std::string& file_;
   std::map<std::string, std::size_t> index_of_, joint_index_;
   std::vector<std::pair<std::size_t, urdf::JointMimicSharedPtr>> mimics_;
 };
@@ -277,7 +321,8 @@ Scene read_urdf(const std::string& file) {
   if (!robot) throw std::runtime_error(file + ": no <robot>");
   Scene scene;
   std::map<std::string, std::size_t> shapes;
-  const Capsules capsules = keep_solids(*robot, scene, shapes);
+  pass_joints(*robot);
+  const Capsules capsules = keep_shapes(*robot, scene, shapes);
   TiXmlPrinter text;
   document.Accept(&text);
 
@@ -285,7 +330,7 @@ Scene read_urdf(const std::string& file) {
   const urdf::ModelInterfaceSharedPtr model = urdf::parseURDF(text.Str());
   if (!model) throw std::runtime_error(file + ": " + messages.all());
   if (!messages.all().empty()) scene.notes.push_back("urdfdom: " + messages.all() + ".");
-  UrdfBuilder builder(scene, shapes, capsules);
+  UrdfBuilder builder(scene, shapes, capsules, file);
   try {
     builder.add(*model->getRoot(), std::nullopt);
     builder.follow();

@@ -33,10 +33,12 @@ std::vector<std::string> left_out_words(const Scene& scene) {
   return words;
 }
 
-/// "2 capsules (1 written as a cylinder and two spheres), 3 cylinders, 1 box (not looked at)".
+/// "2 capsules (1 written as a cylinder and two spheres), 3 cylinders, 1 box (bounded), 0 not looked at".
 std::string shapes_words(const Scene& scene) {
   std::array<std::size_t, 4> counts{};
-  for (const Body& body : scene.bodies) ++counts[static_cast<std::size_t>(kind_of(body.solid))];
+  std::map<std::string, std::size_t> bounded;
+  for (const Body& body : scene.bodies)
+    ++(body.box ? bounded[body.box->shape] : counts[static_cast<std::size_t>(kind_of(body.solid))]);
   std::vector<std::string> words;
   for (const SolidKind kind : enum_values<SolidKind>) {
     const std::size_t count = counts[static_cast<std::size_t>(kind)];
@@ -45,10 +47,12 @@ std::string shapes_words(const Scene& scene) {
     if (kind == SolidKind::capsule && scene.folded > 0)
       words.back() += fmt::format(" ({} written as a cylinder and two spheres)", scene.folded);
   }
+  for (const auto& [shape, count] : bounded) words.push_back(plural(count, shape) + " (bounded)");
   std::map<std::string, std::size_t> others;
   for (const auto& [shape, link] : scene.left_out) ++others[shape];
   for (const auto& [shape, count] : others) words.push_back(plural(count, shape) + " (not looked at)");
-  return words.empty() ? "no shapes" : fmt::format("{}", fmt::join(words, ", "));
+  if (others.empty()) words.push_back(words.empty() ? "no shapes" : "0 not looked at");
+  return fmt::format("{}", fmt::join(words, ", "));
 }
 
 std::string counts_words(const Scene& scene) {
@@ -69,15 +73,18 @@ std::string pairs_words(const SceneStudy& s) {
                      s.pairs_by_reason[3]);
 }
 
-std::string configurations_words(const SceneQuestion& q, const SceneStudy& s) {
-  std::size_t never = 0, always = 0;
+std::string configurations_words(const Scene& scene, const SceneQuestion& q, const SceneStudy& s) {
+  std::size_t never = 0, always = 0, unknown = 0;
   for (const PairStudy& pair : s.pairs) {
     never += pair.within == 0;
-    always += pair.within == pair.samples;
+    const bool known = is_known(scene, pair);
+    unknown += !known;
+    always += known && pair.within == pair.samples;
   }
-  return fmt::format("{}, clearance {}: {} never within it, {} always, {} at times",
+  return fmt::format("{}, clearance {}: {} never within it, {} always, {} at times{}",
                      plural(s.configurations, "configuration"), q.clearance, plural(never, "pair"), always,
-                     s.pairs.size() - never - always);
+                     s.pairs.size() - never - always - unknown,
+                     unknown ? fmt::format(", {} not known", unknown) : "");
 }
 
 std::string length_text(double x) { return x == 0 ? "-" : fmt::format("{:.3g}", x); }
@@ -116,7 +123,9 @@ std::string needs_more(const Scene& scene, const SceneQuestion& q, const SceneSt
   std::string text;
   std::size_t named = 0, more = 0;
   for (const PairStudy& pair : s.pairs) {
-    if (suffices(pair, Level::sphere, q.tolerated) || suffices(pair, Level::outer, q.tolerated)) continue;
+    if (!is_known(scene, pair) || suffices(pair, Level::sphere, q.tolerated) ||
+        suffices(pair, Level::outer, q.tolerated))
+      continue;
     if (++named > named_cap) {
       ++more;
       continue;
@@ -129,9 +138,11 @@ std::string needs_more(const Scene& scene, const SceneQuestion& q, const SceneSt
   return more ? text + fmt::format("  and {} more\n", more) : text;
 }
 
-std::string enough_words(const SceneQuestion& q, const SceneStudy& s) {
-  std::size_t balls = 0, capsules = 0, all = s.pairs.size();
+std::string enough_words(const Scene& scene, const SceneQuestion& q, const SceneStudy& s) {
+  std::size_t balls = 0, capsules = 0, all = 0;
   for (const PairStudy& pair : s.pairs) {
+    if (!is_known(scene, pair)) continue;
+    ++all;
     const bool ball = suffices(pair, Level::sphere, q.tolerated);
     balls += ball;
     capsules += ball || suffices(pair, Level::outer, q.tolerated);
@@ -151,14 +162,32 @@ std::string plural_of(Level level, const Scene& scene) {
       "spheres", "capsules", "inner capsules", "cylinders", "distances", "proofs"}[index_of(level)];
 }
 
-/// A robot's spheres and boxes touch things too: what was not looked at stands where somebody acts on it.
+/// "2 pairs with a box or mesh come near its bound (table - hand, table - arm): NOT KNOWN".
+std::string not_known_words(const Scene& scene, const SceneStudy& s) {
+  std::vector<std::string> named;
+  std::size_t count = 0;
+  for (const PairStudy& pair : s.pairs) {
+    if (is_known(scene, pair) || ++count > named_cap) continue;
+    named.push_back(fmt::format("{} - {}", body(scene, pair.a), body(scene, pair.b)));
+  }
+  if (count == 0) return "";
+  if (count > named_cap) named.push_back(fmt::format("and {} more", count - named_cap));
+  return fmt::format("; NOT KNOWN: {} that come{} near the bound of a box or mesh ({})",
+                     plural(count, "pair"), count == 1 ? "s" : "", fmt::join(named, ", "));
+}
+
+/// What was not looked at stands where somebody acts on it: boxes touch things too.
 std::string recommended_words(const Scene& scene, const SceneStudy& s) {
   std::map<Level, std::size_t> last;
-  for (const PairStudy& pair : s.pairs) ++last[pair.cascade.last];
+  for (const PairStudy& pair : s.pairs)
+    if (is_known(scene, pair)) ++last[pair.cascade.last];
   std::vector<std::string> parts;
   for (const auto& [level, count] : last)
     parts.push_back(fmt::format("{} for {}", plural_of(level, scene), plural(count, "pair")));
-  const std::string all = fmt::format("{}", fmt::join(parts, ", "));
+  std::string all = parts.empty() ? "nothing" : fmt::format("{}", fmt::join(parts, ", "));
+  all += not_known_words(scene, s);
+  if (const std::vector<std::string> held = held_between(scene, s); !held.empty())
+    all += fmt::format("; NOT MOVED: {}", fmt::join(held, ", "));
   if (scene.left_out.empty()) return all;
   return fmt::format("{}; of these shapes alone: NOT LOOKED AT: {}", all,
                      fmt::join(left_out_words(scene), ", "));
@@ -236,8 +265,8 @@ StudyWords words_of(const Scene& scene, const SceneQuestion& q, const SceneStudy
   w.left_out = left_out_words(scene);
   w.pairs = pairs_words(s);
   if (s.pairs.empty()) return w;
-  w.configurations = configurations_words(q, s);
-  w.enough = enough_words(q, s);
+  w.configurations = configurations_words(scene, q, s);
+  w.enough = enough_words(scene, q, s);
   w.recommended = recommended_words(scene, s);
   w.cost = cost_words(s);
   w.forgiven = forgiven_words(q, s);

@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: MIT
+#include "scenes/mesh_files.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <charconv>
+#include <cstdint>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <sstream>
+#include <stdexcept>
+#include <string_view>
+
+namespace cyl {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// A binary STL: 80 bytes that say nothing, the number of triangles, and of each a normal, three vertices and
+/// two bytes more; all numbers little-endian.
+constexpr std::size_t stl_head = 84, stl_triangle = 50, stl_normal = 12;
+
+std::uint32_t little_endian(const char* bytes) {
+  std::uint32_t value = 0;
+  for (unsigned i = 0; i < 4; ++i)
+    value |= static_cast<std::uint32_t>(static_cast<unsigned char>(bytes[i])) << 8 * i;
+  return value;
+}
+
+std::vector<Vector3> read_binary_stl(const std::string& bytes) {
+  std::vector<Vector3> vertices;
+  for (std::size_t at = stl_head; at < bytes.size(); at += stl_triangle) {
+    for (std::size_t corner = 0; corner < 3; ++corner) {
+      Vector3 v;
+      for (std::size_t i = 0; i < 3; ++i)
+        v[static_cast<Eigen::Index>(i)] = static_cast<double>(
+            std::bit_cast<float>(little_endian(bytes.data() + at + stl_normal + 12 * corner + 4 * i)));
+      vertices.push_back(v);
+    }
+  }
+  return vertices;
+}
+
+/// The three numbers after `word` on each line that begins with it.
+std::vector<Vector3> read_vertices(const std::string& text, const std::string& word) {
+  std::vector<Vector3> vertices;
+  std::istringstream in(text);
+  std::size_t number = 0;
+  for (std::string line, first; std::getline(in, line);) {
+    ++number;
+    std::istringstream fields(line);
+    if (!(fields >> first) || first != word) continue;
+    Vector3 v;
+    for (double& x : v) {
+      std::string field;
+      fields >> field;
+      const char* const end = field.data() + field.size();
+      const char* const begin = field.data() + (field.starts_with('+') ? 1 : 0);
+      const auto [rest, error] = std::from_chars(begin, end, x);
+      if (error != std::errc() || rest != end)
+        throw std::runtime_error("line " + std::to_string(number) + ": '" + field + "' is no number");
+    }
+    vertices.push_back(v);
+  }
+  return vertices;
+}
+
+// Some binary files begin with "solid" too: their length tells.
+std::vector<Vector3> read_stl(const std::string& bytes) {
+  if (bytes.size() >= stl_head &&
+      bytes.size() == stl_head + stl_triangle * std::size_t{little_endian(bytes.data() + 80)})
+    return read_binary_stl(bytes);
+  if (!bytes.starts_with("solid")) throw std::runtime_error("an STL that is cut short, or none");
+  if (bytes.find("endsolid") == bytes.npos) throw std::runtime_error("an STL that is cut short");
+  return read_vertices(bytes, "vertex");
+}
+
+}  // namespace
+
+std::vector<Vector3> read_mesh(const std::string& file) {
+  std::string ending = fs::path(file).extension().string();
+  std::ranges::transform(ending, ending.begin(),
+                         [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
+  if (ending != ".stl" && ending != ".obj")
+    throw std::runtime_error("'" + ending + "' is neither .stl nor .obj");
+  std::ifstream in(file, std::ios::binary);
+  const std::string bytes{std::istreambuf_iterator<char>(in), {}};
+  if (!in || bytes.empty()) throw std::runtime_error("it cannot be read");
+  std::vector<Vector3> vertices = ending == ".stl" ? read_stl(bytes) : read_vertices(bytes, "v");
+  if (vertices.empty()) throw std::runtime_error("it has no vertices");
+  if (!std::ranges::all_of(vertices, [](const Vector3& v) { return v.allFinite(); }))
+    throw std::runtime_error("a vertex is not finite");
+  return vertices;
+}
+
+std::string find_mesh(const std::string& name, const std::string& robot) {
+  constexpr std::string_view package = "package://", url = "file://";
+  const auto kept = [](const fs::path& path) {
+    std::error_code none;
+    return fs::is_regular_file(path, none) ? path.string() : std::string();
+  };
+  const fs::path beside = fs::absolute(robot).parent_path();
+  if (name.starts_with(url)) return kept(name.substr(url.size()));
+  if (!name.starts_with(package)) return kept(beside / name);
+  const std::string path = name.substr(package.size()), owner = path.substr(0, path.find('/')),
+                    rest = path.substr(std::min(path.size(), owner.size() + 1));
+  for (fs::path folder = beside;; folder = folder.parent_path()) {
+    if (folder.filename() == owner && !kept(folder / rest).empty()) return kept(folder / rest);
+    if (!kept(folder / path).empty()) return kept(folder / path);
+    if (folder == folder.root_path()) return "";
+  }
+}
+
+}  // namespace cyl
