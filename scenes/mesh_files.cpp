@@ -3,15 +3,15 @@
 
 #include <algorithm>
 #include <bit>
-#include <charconv>
 #include <cstdint>
-#include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <sstream>
 #include <stdexcept>
 #include <string_view>
+
+#include "scenes/number_list.hpp"
 
 namespace cyl {
 namespace {
@@ -52,17 +52,12 @@ std::vector<Vector3> read_vertices(const std::string& text, const std::string& w
     ++number;
     std::istringstream fields(line);
     if (!(fields >> first) || first != word) continue;
-    Vector3 v;
-    for (double& x : v) {
-      std::string field;
-      fields >> field;
-      const char* const end = field.data() + field.size();
-      const char* const begin = field.data() + (field.starts_with('+') ? 1 : 0);
-      const auto [rest, error] = std::from_chars(begin, end, x);
-      if (error != std::errc() || rest != end)
-        throw std::runtime_error("line " + std::to_string(number) + ": '" + field + "' is no number");
-    }
-    vertices.push_back(v);
+    std::string rest;
+    std::getline(fields >> std::ws, rest);
+    while (rest.ends_with('\r')) rest.pop_back();
+    const std::vector<double> x = parse_numbers(rest, "line " + std::to_string(number));
+    if (x.size() < 3) throw std::runtime_error("line " + std::to_string(number) + ": fewer than 3 numbers");
+    vertices.emplace_back(x[0], x[1], x[2]);
   }
   return vertices;
 }

@@ -74,7 +74,8 @@ TEST_F(Meshes, Obj) {
 TEST_F(Meshes, WhyOneCannotBeRead) {
   EXPECT_EQ(why("a.dae", "<COLLADA/>"), "'.dae' is neither .stl nor .obj");
   EXPECT_EQ(why("a.obj", "vn 0 0 1\n"), "it has no vertices");
-  EXPECT_EQ(why("a.obj", "\nv 1 2\n"), "line 2: '' is no number");
+  EXPECT_EQ(why("a.obj", "\nv 1 2\n"), "line 2: fewer than 3 numbers");
+  EXPECT_EQ(why("a.obj", "v 1 2 x\r\n"), "line 1 is '1 2 x', no numbers");
   EXPECT_EQ(why("a.obj", "v 1 2 inf\n"), "a vertex is not finite");
   EXPECT_EQ(why("a.stl", triangle({}).substr(0, 100)), "an STL that is cut short");
   EXPECT_EQ(why("b.stl", "P6"), "an STL that is cut short, or none");

@@ -246,8 +246,8 @@ class MjcfBuilder {
       const std::vector<Vector3> points = mesh_points(name);
       return with_bits(bounded_body(body.name, body.link, "mesh", points, pose), body);
     } catch (const std::runtime_error& error) {
-      scene_.notes.push_back(
-          fmt::format("Mesh {} of {}: {}.", name, scene_.links[body.link].name, error.what()));
+      scene_.notes.push_back(fmt::format("A mesh of {} cannot be read: {}: {}.", scene_.links[body.link].name,
+                                         name, error.what()));
       return std::nullopt;
     }
   }

@@ -2,15 +2,15 @@
 #include "scenes/mjcf_document.hpp"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <numbers>
-#include <sstream>
 #include <stdexcept>
+
+#include "scenes/number_list.hpp"
 
 namespace cyl {
 namespace {
@@ -27,21 +27,6 @@ void load_xml(pugi::xml_document& document, const std::filesystem::path& file) {
   if (result) return;
   const auto line = 1 + std::count(text.begin(), text.begin() + result.offset, '\n');
   throw std::runtime_error("line " + std::to_string(line) + ": " + result.description());
-}
-
-std::vector<double> parse_numbers(const std::string& text, const std::string& what) {
-  std::vector<double> numbers;
-  std::istringstream in(text);
-  for (std::string field; in >> field;) {
-    const char* const end = field.data() + field.size();
-    const char* const begin = field.data() + (field.starts_with('+') ? 1 : 0);
-    double x = 0;
-    const auto [rest, error] = std::from_chars(begin, end, x);
-    if (error != std::errc() || rest != end)
-      throw std::runtime_error(what + " is '" + text + "', no numbers");
-    numbers.push_back(x);
-  }
-  return numbers;
 }
 
 }  // namespace

@@ -141,13 +141,17 @@ TEST(Kinematics, OfEveryWayToTurnAsMujocoHasThem) {
                          R"(<compiler angle="radian"/><compiler eulerseq="ZXY"/>)"};
   for (const char* compiler : kinds) {
     const Written written(std::string("<mujoco>") + compiler + R"(<default><default class="b">
-      <geom size="0.1 0.2 0.3" type="box"/><default class="e"><geom euler="0.3 0.2 0.1"/></default></default></default>
+      <geom size="0.1 0.2 0.3" type="box"/><default class="e"><geom euler="0.3 0.2 0.1"/>
+      </default></default></default>
       <worldbody><body childclass="b"><geom quat="1 2 3 4"/><geom axisangle="1 1 0 0.7"/><geom xyaxes="1 1 0 0 1 1"/>
       <geom zaxis="0 0 -1"/><geom zaxis="1 -2 0.5"/><geom class="e"/><geom fromto="1 2 3 0 0 1" type="box"/>
-      <geom type="ellipsoid" fromto="1 2 3 3 2 1"/><geom class="main" type="capsule" fromto="0 0 0 0 0 -1" size="0.1"/>
+      <geom type="ellipsoid" fromto="1 2 3 3 2 1"/><geom class="main" type="capsule" size="0.1"
+      fromto="0 0 0 0 0 -1"/>
       <body euler="0.4 0.5 -0.6"><joint name="s" type="slide" axis="1 1 1" range="0 1" limited="true" ref="0.2"/>
-      <joint name="j" axis="0 3 1" pos="0.1 0.2 0.3" ref="0.1"/><joint name="h" axis="1 0 0" pos="0 0 1"/><geom class="e" pos="0 1 0"/>
-      <body pos="0 0 1" zaxis="1 0 0"><geom/><geom type="capsule" size="0.1 0.2"/></body></body></body></worldbody></mujoco>)");
+      <joint name="j" axis="0 3 1" pos="0.1 0.2 0.3" ref="0.1"/><joint name="h" axis="1 0 0" pos="0 0 1"/>
+      <geom class="e" pos="0 1 0"/>
+      <body pos="0 0 1" zaxis="1 0 0"><geom/><geom type="capsule" size="0.1 0.2"/></body></body></body></worldbody>
+      </mujoco>)");
     expect_like_mujoco(written.file(), true);
   }
 }

@@ -194,6 +194,32 @@ TEST(Urdf, UnknownShapesAreNamedNotFatal) {
   EXPECT_EQ(scene.left_out, (std::vector<LeftOut>{{"nothing", "a"}}));
 }
 
+// urdfdom drops a shape that it cannot parse, and says so at most: here it counts as not looked at.
+TEST(Urdf, WhatCannotBeReadIsNotLookedAt) {
+  const auto file =
+      std::filesystem::path(testing::TempDir()) / ("unread_" + std::to_string(getpid()) + ".urdf");
+  const auto shape = [](const std::string& geometry, const std::string& place = "0 0 0") {
+    return "<collision><origin xyz='" + place + "'/><geometry>" + geometry + "</geometry></collision>";
+  };
+  std::ofstream(file)
+      << "<robot name='r'><link name='a'>" << shape("<mesh filename='a.stl' scale='1 1 1 1'/>")
+      << shape("<box size='1 2'/>") << shape("<box size='1 2 x'/>") << shape("<mesh/>")
+      << shape("<box size='1 2 3'/>") << shape("<sphere radius='1'/>") << "</link><link name='b'>"
+      << shape("<sphere radius='1'/>") << shape("<sphere radius='1'/>", "0 0")
+      << "</link><joint name='j' type='ball'><parent link='a'/><child link='b'/></joint></robot>";
+  const Scene scene = read_scene(file.string());
+  std::filesystem::remove(file);
+  ASSERT_EQ(scene.bodies.size(), 2u);
+  EXPECT_EQ(scene.bodies[0].name, "a/5");
+  ASSERT_TRUE(scene.bodies[0].box);
+  EXPECT_EQ(scene.bodies[0].box->size, Vector3(1, 2, 3));
+  EXPECT_FALSE(scene.bodies[1].box);
+  EXPECT_EQ(scene.left_out,
+            (std::vector<LeftOut>{
+                {"mesh", "a"}, {"box", "a"}, {"box", "a"}, {"mesh", "a"}, {"sphere", "b"}, {"sphere", "b"}}));
+  EXPECT_TRUE(scene.links.at(1).held);
+}
+
 // As Panda's collision model has it; the second cylinder has one sphere only, the third no match at an end.
 TEST(Urdf, ACylinderWithASphereAtEachEndIsACapsule) {
   const auto file =

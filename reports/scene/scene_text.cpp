@@ -61,7 +61,7 @@ std::string counts_words(const Scene& scene) {
     turning += link.motion != Motion::fixed && !link.follow && link.low < link.high;
     mimics += link.follow.has_value();
   }
-  return fmt::format("{} on {}, {}{}", shapes_words(scene), plural(scene.links.size(), "link"),
+  return fmt::format("{}; {}, {}{}", shapes_words(scene), plural(scene.links.size(), "link"),
                      plural(turning, "free joint"), mimics ? fmt::format(", {} that mimic", mimics) : "");
 }
 
