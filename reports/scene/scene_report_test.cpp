@@ -181,7 +181,7 @@ TEST(Study, NearABoundNothingIsKnown) {
   Scene scene = still_scene({{"pole", {{1.6, 0, 0}, {0, 0, 1}, 0.1, 4}}, {"crate", {}}});
   scene.bodies[1] = bounded_body("crate", 1, "box", corners_of({2, 2, 2}), Pose::Identity());
   EXPECT_NEAR(scene.bodies[1].solid.radius, std::sqrt(2), 1e-12);
-  EXPECT_EQ(recommended(scene, question(0, 0, 1)), "spheres for 1 pair");
+  EXPECT_EQ(recommended(scene, question(0, 0, 1)), "capsules for 1 pair");
   const SceneStudy near = study_scene(scene, question(0.2, 0, 1));
   ASSERT_EQ(near.pairs.size(), 1u);
   EXPECT_FALSE(is_known(scene, near.pairs[0]));
