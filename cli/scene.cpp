@@ -131,9 +131,8 @@ void add_scene(Program& program) {
   auto arguments = std::make_shared<SceneArguments>();
   SceneQuestion& question = arguments->question;
   Command command = program.command(
-      "Measure", "scene",
-      "Says which model of its cylinders, capsules and spheres a scene or robot needs, and at what cost");
-  command.option("FILE", question.file, "a scene: .urdf, .xml (MJCF), .jsonl or .csv of cylinders");
+      "Measure", "scene", "Says which model of its shapes a scene or robot needs, and at what cost");
+  command.option("FILE", question.file, "a scene: .urdf, .xml (MJCF), .jsonl or .csv of solids");
   command.option("--clearance", question.clearance,
                  "solids at this distance or nearer are too near; in the scene's unit (URDF, MJCF: metres)");
   command.option("--tolerate", question.tolerated,

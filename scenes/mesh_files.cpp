@@ -29,14 +29,16 @@ std::uint32_t little_endian(const char* bytes) {
   return value;
 }
 
-std::vector<Vector3> read_binary_stl(const std::string& bytes) {
+std::vector<Vector3> read_binary_stl(const std::string& bytes, std::size_t triangles) {
   std::vector<Vector3> vertices;
-  for (std::size_t at = stl_head; at < bytes.size(); at += stl_triangle) {
-    for (std::size_t corner = 0; corner < 3; ++corner) {
+  for (std::size_t t = 0; t < triangles; ++t) {
+    const char* number = bytes.data() + stl_head + stl_triangle * t + stl_normal;
+    for (int corner = 0; corner < 3; ++corner) {
       Vector3 v;
-      for (std::size_t i = 0; i < 3; ++i)
-        v[static_cast<Eigen::Index>(i)] = static_cast<double>(
-            std::bit_cast<float>(little_endian(bytes.data() + at + stl_normal + 12 * corner + 4 * i)));
+      for (double& x : v) {
+        x = static_cast<double>(std::bit_cast<float>(little_endian(number)));
+        number += sizeof(float);
+      }
       vertices.push_back(v);
     }
   }
@@ -62,12 +64,15 @@ std::vector<Vector3> read_vertices(const std::string& text, const std::string& w
   return vertices;
 }
 
-// Some binary files begin with "solid" too: their length tells.
+// Some binary files begin with "solid" too: their length tells. Others go on after their triangles.
 std::vector<Vector3> read_stl(const std::string& bytes) {
-  if (bytes.size() >= stl_head &&
-      bytes.size() == stl_head + stl_triangle * std::size_t{little_endian(bytes.data() + 80)})
-    return read_binary_stl(bytes);
-  if (!bytes.starts_with("solid")) throw std::runtime_error("an STL that is cut short, or none");
+  const bool text = bytes.starts_with("solid");
+  if (bytes.size() >= stl_head) {
+    const std::size_t triangles = little_endian(bytes.data() + 80);
+    const std::size_t size = stl_head + stl_triangle * triangles;
+    if (text ? bytes.size() == size : bytes.size() >= size) return read_binary_stl(bytes, triangles);
+  }
+  if (!text) throw std::runtime_error("an STL that is cut short, or none");
   if (bytes.find("endsolid") == bytes.npos) throw std::runtime_error("an STL that is cut short");
   return read_vertices(bytes, "vertex");
 }

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include <cmath>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
@@ -50,7 +51,9 @@ std::string triangle(const std::array<float, 9>& corners) {
 const std::vector<Vector3> expected{{1, 2.5, -3}, {0, 0, 1e-3f}, {4, 5, 6}};
 
 TEST_F(Meshes, BinaryStl) {
-  EXPECT_EQ(read_mesh(write("a.STL", triangle({1, 2.5, -3, 0, 0, 1e-3f, 4, 5, 6}))), expected);
+  const std::string bytes = triangle({1, 2.5, -3, 0, 0, 1e-3f, 4, 5, 6});
+  EXPECT_EQ(read_mesh(write("a.STL", bytes)), expected);
+  EXPECT_EQ(read_mesh(write("a.stl", "other" + bytes.substr(5) + "and a note")), expected);
 }
 
 TEST_F(Meshes, AsciiStl) {
@@ -76,7 +79,8 @@ TEST_F(Meshes, WhyOneCannotBeRead) {
   EXPECT_EQ(why("a.obj", "vn 0 0 1\n"), "it has no vertices");
   EXPECT_EQ(why("a.obj", "\nv 1 2\n"), "line 2: fewer than 3 numbers");
   EXPECT_EQ(why("a.obj", "v 1 2 x\r\n"), "line 1 is '1 2 x', no numbers");
-  EXPECT_EQ(why("a.obj", "v 1 2 inf\n"), "a vertex is not finite");
+  EXPECT_EQ(why("a.obj", "v 1 2 inf\n"), "line 1 is '1 2 inf', no numbers");
+  EXPECT_EQ(why("a.stl", triangle({0, 0, 0, 1, 0, 0, 0, INFINITY, 0})), "a vertex is not finite");
   EXPECT_EQ(why("a.stl", triangle({}).substr(0, 100)), "an STL that is cut short");
   EXPECT_EQ(why("b.stl", "P6"), "an STL that is cut short, or none");
   EXPECT_EQ(why("c.stl", "solid a\nvertex 1 2 3\n"), "an STL that is cut short");

@@ -268,14 +268,12 @@ class MjcfBuilder {
   }
 
   void exclude(const pugi::xml_node& node) {
-    std::array<std::size_t, 2> links{};
-    for (std::size_t i = 0; i < 2; ++i) {
-      const std::string name = node.attribute(i == 0 ? "body1" : "body2").as_string();
-      const auto found = link_of_.find(name);
-      if (found == link_of_.end()) throw std::runtime_error("exclude: '" + name + "' is no body");
-      links[i] = found->second;
-    }
-    scene_.disabled.emplace_back(links[0], links[1]);
+    const std::string one = node.attribute("body1").as_string(), other = node.attribute("body2").as_string();
+    const auto a = link_of_.find(one), b = link_of_.find(other);
+    if (a == link_of_.end() || b == link_of_.end())
+      scene_.notes.push_back("Exclude " + one + ", " + other + ": no such bodies.");
+    else
+      scene_.disabled.emplace_back(a->second, b->second);
   }
 
   /// q1 - q1 at rest = c0 + c1 (q2 - q2 at rest) + higher powers, which we do not follow.

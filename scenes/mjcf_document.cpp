@@ -16,14 +16,22 @@ namespace cyl {
 namespace {
 
 /// Files may include files that include files; more than this go in a circle.
-constexpr int include_cap = 20;
+constexpr int include_cap = 200;
+/// Elements in elements in elements: whoever walks through them needs room on the stack.
+constexpr int depth_cap = 1000;
 constexpr const char* main_class = "main";
+
+struct DepthCheck : pugi::xml_tree_walker {
+  bool for_each(pugi::xml_node&) override { return depth() < depth_cap; }
+};
 
 void load_xml(pugi::xml_document& document, const std::filesystem::path& file) {
   std::ifstream in(file, std::ios::binary);
   const std::string text{std::istreambuf_iterator<char>(in), {}};
   if (!in) throw std::runtime_error(file.string() + " cannot be opened");
   const pugi::xml_parse_result result = document.load_buffer(text.data(), text.size());
+  if (DepthCheck check; result && !document.traverse(check))
+    throw std::runtime_error("elements are nested more than " + std::to_string(depth_cap) + " deep");
   if (result) return;
   const auto line = 1 + std::count(text.begin(), text.begin() + result.offset, '\n');
   throw std::runtime_error("line " + std::to_string(line) + ": " + result.description());
@@ -43,7 +51,7 @@ MjcfDocument::MjcfDocument(const std::string& file)
   load_xml(document_, file);
   root_ = document_.child("mujoco");
   if (!root_) throw std::runtime_error("no <mujoco>");
-  include(root_, folder_, 0);
+  include(root_, folder_);
   set_compiler();
   classes_[main_class];
   for (const pugi::xml_node& node : sections("default")) {
@@ -52,20 +60,20 @@ MjcfDocument::MjcfDocument(const std::string& file)
   }
 }
 
-void MjcfDocument::include(pugi::xml_node parent, const std::string& folder, int depth) {
-  if (depth > include_cap) throw std::runtime_error("files include each other in a circle");
+void MjcfDocument::include(pugi::xml_node parent, const std::string& folder) {
   for (pugi::xml_node next, child = parent.first_child(); child; child = next) {
     next = child.next_sibling();
     if (std::strcmp(child.name(), "include") != 0) {
-      include(child, folder, depth);
+      include(child, folder);
       continue;
     }
+    if (++included_ > include_cap) throw std::runtime_error("files include each other in a circle");
     const std::string name = child.attribute("file").as_string();
     std::filesystem::path path = std::filesystem::path(folder_) / name;  // of the first file, says MuJoCo
     if (!std::filesystem::exists(path)) path = std::filesystem::path(folder) / name;
     pugi::xml_document other;
     load_xml(other, path);
-    include(other.document_element(), path.parent_path().string(), depth + 1);
+    include(other.document_element(), path.parent_path().string());
     for (const pugi::xml_node& node : other.document_element().children())
       parent.insert_copy_before(node, child);
     parent.remove_child(child);

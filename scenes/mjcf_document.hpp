@@ -61,7 +61,7 @@ class MjcfDocument {
 
  private:
   using Given = std::map<std::string, std::map<std::string, std::string>>;  // element, attribute: value
-  void include(pugi::xml_node parent, const std::string& folder, int depth);
+  void include(pugi::xml_node parent, const std::string& folder);
   void read_class(pugi::xml_node node, const std::string& name, Given given);
   void set_compiler();
 
@@ -69,6 +69,7 @@ class MjcfDocument {
   pugi::xml_node root_;
   std::string folder_, meshdir_, eulerseq_ = "xyz";
   bool degrees_ = true, autolimits_ = true;
+  int included_ = 0;
   std::map<std::string, Given> classes_;
 };
 

@@ -2,6 +2,7 @@
 #include "scenes/number_list.hpp"
 
 #include <charconv>
+#include <cmath>
 #include <sstream>
 #include <stdexcept>
 
@@ -15,7 +16,7 @@ std::vector<double> parse_numbers(const std::string& text, const std::string& wh
     const char* const begin = field.data() + (field.starts_with('+') ? 1 : 0);
     double x = 0;
     const auto [rest, error] = std::from_chars(begin, end, x);
-    if (error != std::errc() || rest != end)
+    if (error != std::errc() || rest != end || !std::isfinite(x))
       throw std::runtime_error(what + " is '" + text + "', no numbers");
     numbers.push_back(x);
   }

@@ -235,6 +235,10 @@ std::vector<std::string> rounding_words(const SceneStudy& s) {
   return words;
 }
 
+std::string bound_or_body(const Scene& scene, std::size_t i) {
+  return (scene.bodies[i].box ? "the bound of " : "") + scene.bodies[i].name;
+}
+
 std::string closest_words(const Scene& scene, const SceneQuestion& q, const SceneStudy& s) {
   if (!s.closest) return "";
   const ClosestCall& c = *s.closest;
@@ -242,7 +246,7 @@ std::string closest_words(const Scene& scene, const SceneQuestion& q, const Scen
   return fmt::format(
       "closest call: {} - {} in configuration {}, {:.3g} {} the clearance; an error of {:.1e} of their size "
       "({:.3g}) would change it",
-      body(scene, c.a), body(scene, c.b), c.configuration, miss,
+      bound_or_body(scene, c.a), bound_or_body(scene, c.b), c.configuration, miss,
       c.distance > q.clearance ? "beyond" : "below", miss / c.size, c.size);
 }
 
