@@ -30,7 +30,16 @@ Vector3 middle_of(const Support& points) {
 }
 
 const Vector3& farthest(Points points, const Vector3& from) {
-  return *std::ranges::max_element(points, {}, [&](const Vector3& p) { return (p - from).squaredNorm(); });
+  const Vector3* best = points.data();
+  double most = -1;
+  for (const Vector3& p : points) {
+    const double square = (p - from).squaredNorm();
+    if (square > most) {
+      most = square;
+      best = &p;
+    }
+  }
+  return *best;
 }
 
 /// The smallest ball around at most five points, with those that it rests on. Of the balls through some of
@@ -130,11 +139,22 @@ constexpr std::size_t shell_cap = 400;
 std::vector<Vector3> shell_of(Points points) {
   if (points.size() <= shell_cap) return {points.begin(), points.end()};
   std::vector<Vector3> shell;
-  for (int x = -3; x <= 3; ++x)
-    for (int y = -3; y <= 3; ++y)
-      for (int z = -3; z <= 3; ++z)
-        shell.push_back(
-            *std::ranges::max_element(points, {}, [&](const Vector3& p) { return p.dot(Vector3(x, y, z)); }));
+  for (int x = -3; x <= 3; ++x) {
+    for (int y = -3; y <= 3; ++y) {
+      for (int z = 0; z <= 3; ++z) {
+        const Vector3 *first = points.data(), *last = first;
+        const Vector3 direction(x, y, z);
+        double low = first->dot(direction), high = low;
+        for (const Vector3& p : points) {
+          const double at = p.dot(direction);
+          if (at < low) low = at, first = &p;
+          if (at > high) high = at, last = &p;
+        }
+        shell.push_back(*first);
+        shell.push_back(*last);
+      }
+    }
+  }
   const auto before = [](const Vector3& a, const Vector3& b) {
     return std::ranges::lexicographical_compare(a, b);
   };
