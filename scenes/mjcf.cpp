@@ -115,40 +115,61 @@ class MjcfBuilder {
     scene_.notes.push_back("Joint " + joint + " " + why + ": it is held where the file puts it.");
   }
 
-  /// The joint moves `link`, whose frame is at `origin`; where it is drawn, it gets a link of its own.
+  /// Puts down `link` as one that carries no shapes, and begins the one that it carries, at `origin` from it.
+  void carry(Link& link, Pose& origin, const Pose& next) {
+    const std::size_t carrier = scene_.links.size();
+    scene_.links.push_back(link);
+    link = Link{};
+    link.name = scene_.links[carrier].name;
+    link.parent = carrier;
+    origin = next;
+  }
+
+  /// A joint moves all that comes after it: it gets a link of its own, whose frame is at `origin`.
   void add_joint(const Part& part, Link& link, Pose& origin) {
     const MjcfElement& joint = part.element;
     const std::string name = name_of(joint.node(), "joint", joints_++);
-    const std::string type =
-        joint.node().name() == std::string("freejoint") ? "free" : joint.text("type", "hinge");
-    if (type != "hinge" && type != "slide") return hold(link, name, "is a ball or free");
+    const bool is_free = joint.node().name() == std::string("freejoint");
+    const std::string type = is_free ? "free" : joint.text("type", "hinge");
+    if (type != "hinge" && type != "slide") {
+      hold(link, name, "is a ball or free");
+      link.origin = origin;
+      return carry(link, origin, Pose::Identity());
+    }
     const bool turns = type == "hinge";
-    const auto measure = [&](double x) { return turns ? d_.angle(x) : x; };
-    const std::vector<double> range = joint.numbers("range"), ref = joint.numbers("ref");
-    const std::string told = joint.text("limited", "auto");
-    const bool ranged = range.size() == 2 && !(range[0] == 0 && range[1] == 0);
-    const bool limited = ranged && (told == "true" || (told == "auto" && d_.autolimits()));
-    if (limited && range[0] > range[1]) throw std::runtime_error("joint " + name + ": its range is none");
-    const double reference = ref.empty() ? 0 : measure(ref[0]);
+    const std::vector<double> ref = joint.numbers("ref");
+    const double reference = ref.empty() ? 0 : turns ? d_.angle(ref[0]) : ref[0];
     const Vector3 anchor = part.frame * joint.vector("pos", Vector3::Zero());
     link.axis = part.frame.linear() * joint.vector("axis", Vector3::UnitZ()).normalized();
+    if (!(link.axis.norm() > 0)) throw std::runtime_error("joint " + name + ": its axis is zero");
     link.joint = name;
     link.motion = turns ? Motion::turn : Motion::slide;
-    link.low = limited ? measure(range[0]) : turns ? -std::numbers::pi : reference;
-    link.high = limited ? measure(range[1]) : turns ? std::numbers::pi : reference;
-    if (!limited && !turns) hold(link, name, "slides without limits");
+    set_limits(joint, link, reference);
     link.origin = origin * Eigen::Translation3d(anchor);
     if (turns)
       link.origin.rotate(Eigen::AngleAxisd(-reference, link.axis));
     else
       link.origin.translate(-reference * link.axis);
-    const std::size_t carrier = scene_.links.size();
-    moved_[name] = {carrier, reference};
-    scene_.links.push_back(link);
-    link = Link{};
-    link.name = scene_.links[carrier].name;
-    link.parent = carrier;
-    origin = Eigen::Translation3d(-anchor) * Pose::Identity();
+    moved_[name] = {scene_.links.size(), reference};
+    carry(link, origin, Pose(Eigen::Translation3d(-anchor)));
+  }
+
+  void set_limits(const MjcfElement& joint, Link& link, double reference) {
+    const bool turns = link.motion == Motion::turn;
+    const std::vector<double> range = joint.numbers("range");
+    const std::string told = joint.text("limited", "auto");
+    const bool ranged = range.size() == 2 && !(range[0] == 0 && range[1] == 0);
+    if (ranged && (told == "true" || (told == "auto" && d_.autolimits()))) {
+      if (range[0] > range[1]) throw std::runtime_error("joint " + link.joint + ": its range is none");
+      link.low = turns ? d_.angle(range[0]) : range[0];
+      link.high = turns ? d_.angle(range[1]) : range[1];
+    } else if (turns) {
+      link.low = -std::numbers::pi;
+      link.high = std::numbers::pi;
+    } else {
+      link.low = link.high = reference;
+      hold(link, link.joint, "slides without limits");
+    }
   }
 
   void add_geom(const Part& part, std::size_t index) {

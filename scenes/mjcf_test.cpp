@@ -3,9 +3,11 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <stdexcept>
+#include <tuple>
 
 #include "corpus/pairs/solid_kind.hpp"
 #include "scenes/scene_files.hpp"
@@ -98,6 +100,19 @@ TEST_F(Mjcf, ClassesInClasses) {
   EXPECT_NEAR(scene.links.at(3).high, 2 * std::acos(0.0), 1e-15);
 }
 
+// Of joints in one body each is moved or held by itself.
+TEST_F(Mjcf, HoldsWhatItDoesNotMove) {
+  const Scene scene = read(R"(<worldbody><geom size="1"/><body name="b"><joint name="x" type="slide"/>
+    <joint name="s" type="ball"/><joint name="h"/><geom size="1"/></body></worldbody>)");
+  ASSERT_EQ(scene.links.size(), 5u);
+  for (const auto& [link, joint, held] : {std::tuple(1, "x", true), {2, "s", true}, {3, "h", false}}) {
+    EXPECT_EQ(scene.links[static_cast<std::size_t>(link)].joint, joint);
+    EXPECT_EQ(scene.links[static_cast<std::size_t>(link)].held, held);
+  }
+  EXPECT_EQ(scene.bodies.back().link, 4u);
+  EXPECT_EQ(PairRule(scene, false).reason(scene.bodies[0], scene.bodies[1]), PairRule::Reason::checked);
+}
+
 TEST_F(Mjcf, FaultsAreNamed) {
   EXPECT_EQ(why("<worldbody><geom name='g' type='capsule' size='1'/></worldbody>"),
             ": geom g of world: sizes must be positive");
@@ -107,6 +122,8 @@ TEST_F(Mjcf, FaultsAreNamed) {
   EXPECT_EQ(why("<worldbody><body pos='1 2'/></worldbody>"), ": pos is '1 2', not 3 numbers");
   EXPECT_EQ(why("<worldbody><body><joint name='j' range='2 1'/></body></worldbody>"),
             ": joint j: its range is none");
+  EXPECT_EQ(why("<worldbody><body><joint name='j' axis='0 0 0'/></body></worldbody>"),
+            ": joint j: its axis is zero");
   EXPECT_EQ(why("<worldbody>\n<body></worldbody>").substr(0, 9), ": line 2:");
   EXPECT_EQ(why("<compiler eulerseq='xya'/>"), ": eulerseq is 'xya'");
   EXPECT_EQ(why("<compiler coordinate='global'/>"), ": global coordinates, which MuJoCo gave up too");
