@@ -207,7 +207,8 @@ Cylinder bounding_solid(Points points, const Pose& pose) {
                                            : std::max(across - solid.radius, beyond));
     reach = std::max(reach, p.norm());
   }
-  grow(solid, out + bound_error * (pose.translation().norm() + solid.center.norm() + reach));
+  const double lengths = pose.translation().norm() + solid.center.norm() + reach;
+  grow(solid, out + bound_error * lengths + bound_underflow_error);
   solid.center = pose * solid.center;
   solid.axis = pose.linear() * solid.axis;
   if (const Defect defect = find_defect(solid); defect != Defect::none)

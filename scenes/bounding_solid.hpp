@@ -15,6 +15,8 @@ namespace cyl {
 /// lengths that go into it: 128 half units in the last place, where scaling, turning, moving and measuring a
 /// point take fewer than 64.
 inline constexpr double bound_error = 0x1p-46;
+/// A length: what is lost of lengths whose squares underflow, below 2^-511.
+inline constexpr double bound_underflow_error = 0x1p-500;
 
 /// Returns the least in volume that is found of a ball, a capsule and a cylinder around points, moved by a
 /// pose: every point, so moved, is in it. Axes are sought from the 13 of a cube on, so that a better one may

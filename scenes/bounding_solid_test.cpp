@@ -108,6 +108,8 @@ TEST(BoundingSolid, OfFewPoints) {
   EXPECT_TRUE(holds(point, {1, 2, 3}));
   const std::vector<Vector3> same(5, Vector3(1, 2, 3));
   EXPECT_TRUE(holds(bounding_solid(same, Pose::Identity()), {1, 2, 3}));
+  const std::vector<Vector3> tiny{{1e-170, 0, 0}, {0, 1e-160, 0}, {0, 0, -1e-300}};
+  for (const Vector3& p : tiny) EXPECT_TRUE(holds(bounding_solid(tiny, Pose::Identity()), p));
   EXPECT_THROW(bounding_solid({}, Pose::Identity()), std::runtime_error);
   EXPECT_THROW(bounding_solid(std::vector<Vector3>{{1e308, 0, 0}, {-1e308, 0, 0}}, Pose::Identity()),
                std::runtime_error);
