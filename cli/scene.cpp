@@ -127,7 +127,10 @@ int study(SceneArguments& arguments) {
   const bool left_open = s.motions && (std::ranges::any_of(s.motions->pairs, is_open) ||
                                        std::ranges::any_of(s.motions->exemptions, is_open));
   const bool not_proved = left_open || s.undecided > 0 || (s.verification && s.verification->undecided > 0);
-  return not_proved || !scene.left_out.empty() ? exit_undecided : exit_pass;
+  const bool not_known =
+      !std::ranges::all_of(s.pairs, [&](const PairStudy& p) { return is_known(scene, p); });
+  const bool not_seen = !scene.left_out.empty() || !held_between(scene, s).empty();
+  return not_proved || not_known || not_seen ? exit_undecided : exit_pass;
 }
 
 }  // namespace
@@ -137,9 +140,8 @@ void add_scene(Program& program) {
   SceneQuestion& question = arguments->question;
   question.rate = 0.003;  // the rule of three on 1000 draws
   Command command = program.command(
-      "Measure", "scene",
-      "Says which model of its cylinders, capsules and spheres a scene or robot needs, and at what cost");
-  command.option("FILE", question.file, "a scene: .urdf, .xml (MJCF), .jsonl or .csv of cylinders");
+      "Measure", "scene", "Says which model of its shapes a scene or robot needs, and at what cost");
+  command.option("FILE", question.file, "a scene: .urdf, .xml (MJCF), .jsonl or .csv of solids");
   command.option("--clearance", question.clearance,
                  "solids at this distance or nearer are too near; in the scene's unit (URDF, MJCF: metres)");
   command.option("--tolerate", question.tolerated,
@@ -178,8 +180,9 @@ void add_scene(Program& program) {
                  "write it as one HTML file: the robot in 3D, its pairs, cost against wrong answers");
   command.examples("  daylight scene robot.urdf --clearance 0.01 --verify --page robot.html",
                    "Here 2: the referee found a recommended answer wrong, or --prove a \"Never\" of the "
-                   "SRDF; 3 also: --prove left a pair open, shapes that are no cylinders, capsules "
-                   "or spheres were not looked at, 65: the file cannot be read.");
+                   "SRDF; 3 also: --prove left a pair open, shapes that were not looked at, pairs of which "
+                   "only a bound around a box or mesh comes near, joints that were not moved, 65: the file "
+                   "cannot be read.");
   command.run([arguments] { return study(*arguments); });
 }
 

@@ -42,7 +42,7 @@ daylight_optional(FCL "${fcl_FOUND}" fcl oracles/methods/fcl_method.cpp scenes/f
 daylight_optional(BULLET "${BULLETD_FOUND}" PkgConfig::BULLETD oracles/methods/bullet_method.cpp)
 daylight_optional(CCD "${ccd_FOUND}" ccd oracles/methods/ccd_method.cpp)
 daylight_optional(ODE "${ODE_FOUND}" PkgConfig::ODE oracles/methods/ode_method.cpp)
-daylight_optional(MUJOCO "${MUJOCO}" "${MUJOCO}" oracles/methods/mujoco_method.cpp scenes/mjcf.cpp)
+daylight_optional(MUJOCO "${MUJOCO}" "${MUJOCO}" oracles/methods/mujoco_method.cpp)
 daylight_optional(URDFDOM "${URDF_FOUND}" PkgConfig::URDF scenes/urdf.cpp)
 set(sources_without ${FCL_SOURCES} ${BULLET_SOURCES} ${CCD_SOURCES} ${ODE_SOURCES} ${MUJOCO_SOURCES} ${URDFDOM_SOURCES})
 set(exact_libraries ${MPFI} ${MPFR} ${GMPXX} ${GMP})

@@ -40,6 +40,7 @@ daylight_tests(oracles oracles/trial props/laws)
 daylight_tests(props props/laws props/checks props/gate props/shrink props/mutants)
 daylight_tests(bench bench bench/stability reports/run)
 daylight_tests(scenes scenes)
+target_link_libraries(scenes_tests PRIVATE ${MUJOCO_LIBRARY})
 daylight_tests(fuzz fuzz/campaign fuzz/guided fuzz/worst)
 daylight_tests(reports reports/gate reports/triage reports/explain reports/export reports/run reports/scene)
 

@@ -1,53 +1,20 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""What `daylight scene` should count in a robot, found without a line of its code: shapes by kind, pairs to check, and
-for each pair in how many configurations its solids come within a clearance. Reads URDF (with an SRDF beside it) as XML;
-of MJCF it counts the shapes. Prints JSON."""
+"""What `daylight scene` should count in a robot, found without a line of its code: shapes by kind, places of solids,
+pairs to check, and for each pair in how many configurations its solids come within a clearance. Reads URDF (with an
+SRDF beside it) and MJCF as XML. Boxes and meshes are asked about by the solids of --bounds, and as they are. Prints
+JSON."""
 import argparse
 import collections
-import itertools
 import json
 import math
 import pathlib
 import xml.etree.ElementTree
 
-WORD = (1 << 64) - 1
-FOLD = 0.01  # of the radius: how far a sphere may be off the end of the cylinder that it closes
-STEPS = 20000  # projections from solid to solid
-
-
-def numbers(text):
-    return [float(x) for x in text.split()]
-
-
-def dot(u, v):
-    return sum(x * y for x, y in zip(u, v))
-
-
-def plus(u, v, times=1):
-    return [x + times * y for x, y in zip(u, v)]
-
-
-def norm(v):
-    return math.sqrt(dot(v, v))
-
-
-def turned(rotation, v):
-    return [dot(row, v) for row in rotation]
-
-
-def product(m, n):
-    return [[sum(m[i][k] * n[k][j] for k in range(3)) for j in range(3)] for i in range(3)]
-
-
-def about(axis, angle):
-    """Rodrigues' rotation."""
-    x, y, z = (a / norm(axis) for a in axis)
-    c, s = math.cos(angle), math.sin(angle)
-    d = 1 - c
-    return [[c + x * x * d, x * y * d - z * s, x * z * d + y * s],
-            [y * x * d + z * s, c + y * y * d, y * z * d - x * s],
-            [z * x * d - y * s, z * y * d + x * s, c + z * z * d]]
+from approaches_mjcf import Hand
+from approaches_shapes import (FOLD, Draw, Solid, about, are_within, block_of, corners, held, kind, moved, norm,
+                               numbers, outside, plus, product, really_within, turned, vertices)
+from approaches_tree import Tree
 
 
 def origin_of(element):
@@ -58,29 +25,6 @@ def origin_of(element):
     return product(about([0, 0, 1], yaw), product(about([0, 1, 0], pitch), about([1, 0, 0], roll))), numbers(xyz)
 
 
-class Draw:
-    """The numbers of corpus/pairs/random_stream.hpp."""
-
-    def __init__(self, name, seed, index):
-        state = 0xcbf29ce484222325
-        for byte in name.encode():
-            state = ((state ^ byte) * 0x100000001b3) & WORD
-        self.state = self.mix(self.mix(state ^ self.mix(seed)) ^ index)
-
-    @staticmethod
-    def mix(x):
-        x = ((x ^ (x >> 30)) * 0xbf58476d1ce4e5b9) & WORD
-        x = ((x ^ (x >> 27)) * 0x94d049bb133111eb) & WORD
-        return x ^ (x >> 31)
-
-    def between(self, low, high):
-        self.state = (self.state + 0x9e3779b97f4a7c15) & WORD
-        return low + (high - low) * ((self.mix(self.state) >> 11) * 2.0**-53)
-
-
-Solid = collections.namedtuple('Solid', 'name link center axis radius height rounding')
-
-
 def fold(solids):
     """Each cylinder with a sphere at both ends becomes the capsule that holds all three. -> solids, how many"""
     left, folded = list(solids), 0
@@ -88,7 +32,7 @@ def fold(solids):
         ends = []
         for side in (-0.5, 0.5):
             end = plus(c.center, c.axis, side * c.height)
-            near = [(norm(plus(s.center, end, -1)), s) for s in left if s.radius == 0 and s.height == 0]
+            near = [(norm(plus(s.center, end, -1)), s) for s in left if not s.block and s.radius == 0 and s.height == 0]
             near = [(off, s) for off, s in near
                     if off <= FOLD * c.radius and abs(s.rounding - c.radius) <= FOLD * c.radius]
             ends += [min(near, key=lambda pair: pair[0])] if near else []
@@ -100,15 +44,17 @@ def fold(solids):
     return left, folded
 
 
-class Robot:
+class Robot(Tree):
 
     def __init__(self, file):
         root = xml.etree.ElementTree.parse(file).getroot()
         self.solids, self.folded, self.others = [], 0, collections.Counter()
         self.shapes = collections.Counter()
+        self.folder = pathlib.Path(file).parent
         for link in root.findall('link'):
             self.read_link(link)
         self.joints = {j.find('child').get('link'): j for j in root.findall('joint')}
+        self.parent = {link: j.find('parent').get('link') for link, j in self.joints.items()}
         children = collections.defaultdict(list)
         for joint in sorted(self.joints.values(), key=lambda j: j.get('name')):
             children[joint.find('parent').get('link')].append(joint.find('child').get('link'))
@@ -124,16 +70,34 @@ class Robot:
             for e in xml.etree.ElementTree.parse(srdf).getroot().findall('disable_collisions'):
                 self.disabled.add(frozenset((e.get('link1'), e.get('link2'))))
 
+    def block(self, shape, rotation, place):
+        """A box or a mesh; nothing of what cannot be read."""
+        if shape.tag == 'box':
+            return block_of('box', corners([x / 2 for x in numbers(shape.get('size'))]), rotation, place)
+        name, scale = shape.get('filename'), numbers(shape.get('scale', '1 1 1'))
+        package = name.removeprefix('package://')
+        sought = [self.folder / name] if package == name else [up / package for up in self.folder.resolve().parents]
+        for file in sought:
+            if points := vertices(file):
+                return block_of('mesh', [[x * s for x, s in zip(p, scale)] for p in points], rotation, place)
+        return None
+
     def read_link(self, link):
         name, solids = link.get('name'), []
         kept = [c for c in link.findall('collision') if c.find('geometry/*') is not None]
-        kept = [c for c in kept if c.find('geometry/*').tag in ('cylinder', 'sphere', 'capsule')]
+        kept = [c for c in kept if c.find('geometry/*').tag in ('cylinder', 'sphere', 'capsule', 'box', 'mesh')]
         for number, collision in enumerate(kept, 1):
             shape = collision.find('geometry/*')
             rotation, place = origin_of(collision)
-            wide, long = float(shape.get('radius')), float(shape.get('length', 0))
             own = collision.get('name') or (str(number) if len(kept) > 1 else '')
-            solids.append(Solid(f'{name}/{own}' if own else name, name, place, [row[2] for row in rotation],
+            whole = f'{name}/{own}' if own else name
+            if shape.tag in ('box', 'mesh'):
+                block = self.block(shape, rotation, place)
+                solids += [held(whole, name, block)] if block else []
+                self.others['mesh'] += not block
+                continue
+            wide, long = float(shape.get('radius')), float(shape.get('length', 0))
+            solids.append(Solid(whole, name, place, [row[2] for row in rotation],
                                 *((wide, long, 0) if shape.tag == 'cylinder' else (0, long, wide))))
         for collision in link.findall('collision'):
             shape = collision.find('geometry/*')
@@ -187,77 +151,10 @@ class Robot:
                 rotation = product(rotation, about(axis, values[link]))
             above, there = poses[joint.find('parent').get('link')]
             poses[link] = product(above, rotation), plus(there, turned(above, place))
-        return [s._replace(center=plus(poses[s.link][1], turned(poses[s.link][0], s.center)),
-                           axis=turned(poses[s.link][0], s.axis)) for s in self.solids]
+        return [moved(s, *poses[s.link]) for s in self.solids]
 
-    def rigid(self, each_link):
-        """By link the first link of its rigid body."""
-        first = {}
-        for link in self.order:
-            joined = not each_link and link in self.joints and self.joints[link].get('type') == 'fixed'
-            first[link] = first[self.joints[link].find('parent').get('link')] if joined else link
-        return first
-
-    def pairs(self, each_link):
-        first = self.rigid(each_link)
-        solid = {first[link] for link, count in self.shapes.items() if count}
-        near = collections.defaultdict(set)  # graph of rigid bodies that joints join
-        for link in self.order:
-            if link in self.joints and first[link] == link:
-                parent = first[self.joints[link].find('parent').get('link')]
-                near[link].add(parent)
-                near[parent].add(link)
-
-        def adjacent(a, b):
-            seen, left = {a}, [a]
-            while left:
-                for c in near[left.pop()] - seen:
-                    if c == b:
-                        return True
-                    seen.add(c)
-                    left += [c] * (c not in solid)
-            return False
-
-        for i, j in itertools.combinations(range(len(self.solids)), 2):
-            a, b = self.solids[i].link, self.solids[j].link
-            if first[a] != first[b] and frozenset((a, b)) not in self.disabled and not adjacent(first[a], first[b]):
-                yield i, j
-
-
-def nearest(s, x):
-    """The point of a solid without its rounding that is nearest to x."""
-    way = plus(x, s.center, -1)
-    along = dot(way, s.axis)
-    across = plus(way, s.axis, -along)
-    far = norm(across)
-    at = plus(s.center, s.axis, max(-s.height / 2, min(s.height / 2, along)))
-    return plus(at, across, min(1, s.radius / far) if far > 0 else 0)
-
-
-def reach(s, n):
-    along = abs(dot(s.axis, n))
-    return s.height / 2 * along + s.radius * math.sqrt(max(0, 1 - along * along))
-
-
-def are_within(a, b, clearance):
-    """From the one to the nearest point of the other and back: two points prove that they are, a plane that not."""
-    room = clearance + a.rounding + b.rounding
-    x = a.center
-    for _ in range(STEPS):
-        y = nearest(b, x)
-        way = plus(x, y, -1)
-        far = norm(way)
-        if far <= room:
-            return True
-        n = [c / far for c in way]
-        if dot(n, plus(a.center, b.center, -1)) - reach(a, n) - reach(b, n) > room:
-            return False
-        x = nearest(a, y)
-    raise SystemExit(f'{a.name} - {b.name}: too near to {clearance} to be told')
-
-
-def kind(s):
-    return 'cylinder' if s.rounding == 0 else 'capsule' if s.height > 0 else 'sphere'
+    def joined(self, link):
+        return link in self.joints and self.joints[link].get('type') == 'fixed'
 
 
 def main():
@@ -267,24 +164,32 @@ def main():
     parser.add_argument('--configurations', type=int, default=400)
     parser.add_argument('--seed', type=int, default=1)
     parser.add_argument('--each-link', action='store_true')
+    parser.add_argument('--bounds', help='JSON: by name of a box or mesh [center, axis, radius, height, rounding]')
+    parser.add_argument('--places', type=int, default=0, help='configurations of which all places are printed')
     told = parser.parse_args()
-    if told.file.endswith('.xml'):
-        geoms = xml.etree.ElementTree.parse(told.file).getroot().findall('.//worldbody//geom')
-        seen = [g for g in geoms if g.get('contype') != '0' or g.get('conaffinity') != '0']
-        print(json.dumps({'shapes': collections.Counter(g.get('type', 'sphere') for g in seen)}))
-        return
-    robot = Robot(told.file)
+    robot = (Hand if told.file.endswith('.xml') else Robot)(told.file)
+    if told.bounds:
+        bounds = json.loads(pathlib.Path(told.bounds).read_text())
+        robot.solids = [s._replace(**dict(zip(('center', 'axis', 'radius', 'height', 'rounding'), bounds[s.name])))
+                        if s.block else s for s in robot.solids]
     pairs = list(robot.pairs(told.each_link))
-    within = collections.Counter()
+    within, really, places = collections.Counter(), collections.Counter(), []
     for k in range(told.configurations):
         placed = robot.place(robot.draw(told.seed, k))
+        if k < told.places:
+            places.append({s.name: [s.block.center, [row[2] for row in s.block.rotation]] if s.block
+                           else [s.center, s.axis] for s in placed})
         for i, j in pairs:
             within[i, j] += are_within(placed[i], placed[j], told.clearance)
+            if told.bounds and (placed[i].block or placed[j].block):
+                really[i, j] += really_within(placed[i], placed[j], told.clearance)
     names = [s.name for s in robot.solids]
+    by_name = lambda counts: {' - '.join(sorted((names[i], names[j]))): n for (i, j), n in counts.items()}
     print(json.dumps({'shapes': dict(collections.Counter(map(kind, robot.solids)) + robot.others),
-                      'folded': robot.folded, 'pairs': len(pairs), 'asked': len(pairs) * told.configurations,
-                      'within': sum(within.values()),
-                      'by_pair': {' - '.join(sorted((names[i], names[j]))): within[i, j] for i, j in pairs}}))
+                      'not_looked_at': sum(robot.others.values()), 'folded': robot.folded, 'pairs': len(pairs),
+                      'asked': len(pairs) * told.configurations, 'within': sum(within.values()),
+                      'by_pair': by_name(within), 'really': by_name(really), 'places': places,
+                      'outside': sum(outside(s) for s in robot.solids if s.block) if told.bounds else 0}))
 
 
 if __name__ == '__main__':

@@ -229,7 +229,13 @@ ExemptionProof prove_exemption(const Scene& scene, std::size_t exemption, const 
 }  // namespace
 
 MotionProof prove_motion(const Scene& scene, std::size_t a, std::size_t b, const MotionQuestion& question) {
-  return Prover(scene, a, b, question).run();
+  MotionProof proof = Prover(scene, a, b, question).run();
+  proof.bounded = proof.verdict == MotionVerdict::refuted && (scene.bodies[a].box || scene.bodies[b].box);
+  if (proof.bounded) {
+    proof.verdict = MotionVerdict::open;
+    proof.open_share = 1;
+  }
+  return proof;
 }
 
 bool has_unknown_shapes(const Scene& scene, std::size_t link) {

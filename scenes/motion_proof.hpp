@@ -45,6 +45,7 @@ struct MotionProof {
   std::vector<std::size_t> between;  ///< links whose free joints move the bodies against each other
   std::size_t boxes = 0;             ///< that were looked at
   double open_share = 0;             ///< of the joints' space, nothing is proved of so much
+  bool bounded = false;  ///< `open`: within the clearance, but of a solid that only holds a box or mesh
   bool held =
       false;  ///< a joint between them is held here and moves in truth: nothing but a refutation holds
 };

@@ -179,5 +179,25 @@ TEST(MotionProof, NoConfigurationGainsaysIt) {
   }
 }
 
+// What comes near is only the bound around a box or mesh: that refutes nothing.
+TEST(MotionProof, ABoundOfABoxRefutesNothing) {
+  const Scene scene = read_scene(DAYLIGHT_SOURCE_DIR "/corpus/scenes/porter.urdf");
+  std::size_t bounded = 0, refuted = 0;
+  for (std::size_t a = 0; a < scene.bodies.size(); ++a) {
+    for (std::size_t b = a + 1; b < scene.bodies.size(); ++b) {
+      MotionQuestion question;
+      question.box_cap = 50;
+      const MotionProof proof = prove_motion(scene, a, b, question);
+      const bool holds = scene.bodies[a].box || scene.bodies[b].box;
+      EXPECT_FALSE(holds && proof.verdict == MotionVerdict::refuted) << a << " " << b;
+      EXPECT_TRUE(!proof.bounded || (holds && proof.verdict == MotionVerdict::open)) << a << " " << b;
+      bounded += proof.bounded;
+      refuted += proof.verdict == MotionVerdict::refuted;
+    }
+  }
+  EXPECT_GT(bounded, 3u);
+  EXPECT_GT(refuted, 0u);
+}
+
 }  // namespace
 }  // namespace cyl

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A scene: cylinders, capsules and spheres that move with the links of a mechanism, or stand still. What is
-// read from a file of any format becomes one.
+// A scene: cylinders, capsules and spheres, and such as hold a box or mesh, that move with the links of a
+// mechanism, or stand still. What is read from a file of any format becomes one.
 #pragma once
 
 #include <Eigen/Geometry>
@@ -41,15 +41,24 @@ struct Link {
   std::size_t shapes = 0;  ///< collision shapes, cylinders or not
 };
 
+/// A box, or the box of a mesh.
+struct BoxShape {
+  std::string shape;  ///< "box", "mesh"
+  Pose pose;          ///< in the link's frame
+  Vector3 size;
+};
+
 struct Body {
   std::string name;
   std::size_t link;
   Cylinder solid;  ///< in the link's frame
   /// MJCF checks two bodies where the type of one and the affinity of the other share a bit.
   unsigned type = 1, affinity = 1;
+  /// What the solid only holds, as an outer model: clear of the solid is clear of it, near is not known.
+  std::optional<BoxShape> box = std::nullopt;
 };
 
-/// A collision shape that is neither a cylinder, a capsule nor a sphere.
+/// A collision shape that nobody looked at: not a solid of ours, and without a bound.
 struct LeftOut {
   std::string shape, link;  ///< "box", "base_link"
   bool operator==(const LeftOut&) const = default;

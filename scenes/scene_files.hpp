@@ -3,7 +3,8 @@
 // {"center":[0,0,0],"axis":[0,0,1],"radius":1,"height":2,"rounding":0.1,"name":"..."}, rounding and name
 // where there are any. The first line of a .csv file names its columns x y z ax ay az radius height, in any
 // order, and rounding and name likewise. A .urdf file holds a robot; an .srdf file names the pairs of its
-// links that are not to be checked. An .xml file is MuJoCo's MJCF, which MuJoCo's own loader reads.
+// links that are not to be checked. An .xml file is MuJoCo's MJCF, of which bodies, joints, geoms and their
+// defaults are read, and what is not is named.
 #pragma once
 
 #include <string>

@@ -295,8 +295,10 @@ Total total_of(const SceneStudy& study, Level level, double tolerated) {
 std::vector<double> tried_roundings(const Scene& scene) {
   constexpr std::size_t count = 5;
   std::vector<double> thickness, tried;
-  for (const auto& [name, link, c, type, affinity] : scene.bodies)
+  for (const Body& body : scene.bodies) {
+    const Cylinder& c = body.solid;
     thickness.push_back(std::min(c.radius, c.height / 2) + c.rounding);
+  }
   if (thickness.empty()) return tried;
   const auto median = thickness.begin() + static_cast<std::ptrdiff_t>(thickness.size() / 2);
   std::nth_element(thickness.begin(), median, thickness.end());

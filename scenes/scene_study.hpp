@@ -109,6 +109,14 @@ SceneStudy study_scene(const Scene& scene, const SceneQuestion& question);
 /// All pairs of so many bodies are asked about one by one.
 inline constexpr std::size_t study_cap = 1000;
 
+/// Returns whether the samples tell of the pair itself: not where one of the bodies only holds a box or mesh
+/// and comes within the clearance.
+bool is_known(const Scene& scene, const PairStudy& pair);
+
+/// Returns the joints that are held and stand between the bodies of a checked pair: of how such a pair moves
+/// nothing is known.
+std::vector<std::string> held_between(const Scene& scene, const SceneStudy& study);
+
 /// A model over all pairs.
 struct Total {
   std::size_t decided = 0, suffices = 0, wrong = 0, wrong_pairs = 0;

@@ -13,12 +13,6 @@ Scene read_urdf(const std::string& file) {
 }
 #endif
 
-#ifndef DAYLIGHT_WITH_MUJOCO
-Scene read_mjcf(const std::string& file) {
-  throw std::runtime_error(file + ": this build reads no MJCF, for MuJoCo was not there (libmujoco-dev)");
-}
-#endif
-
 #ifndef DAYLIGHT_WITH_FCL
 std::vector<std::pair<std::uint32_t, std::uint32_t>> near_pairs(std::span<const Box> boxes) {
   std::vector<std::pair<std::uint32_t, std::uint32_t>> pairs;

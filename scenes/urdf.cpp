@@ -6,7 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
+#include <filesystem>
 #include <map>
 #include <numbers>
 #include <optional>
@@ -15,6 +15,9 @@
 #include <vector>
 
 #include "corpus/pairs/solid_kind.hpp"
+#include "scenes/bounding_solid.hpp"
+#include "scenes/mesh_files.hpp"
+#include "scenes/number_list.hpp"
 #include "scenes/scene_files.hpp"
 
 namespace cyl {
@@ -49,14 +52,28 @@ void remove_all(TiXmlElement& parent, const char* name) {
   while (TiXmlElement* child = parent.FirstChildElement(name)) parent.RemoveChild(child);
 }
 
-/// Of a link, its collision shapes that are kept: whether each is a capsule.
-using Capsules = std::map<std::string, std::vector<bool>>;
+/// A collision shape that is kept: what urdfdom does not know, or drops where it cannot read it, passes as a
+/// sphere or cylinder.
+struct KeptShape {
+  std::string kind, numbers, file;  ///< numbers: the size of a box, the scale of a mesh
+};
+using KeptShapes = std::map<std::string, std::vector<KeptShape>>;  // by link
+
+/// urdfdom knows no joint of three turns and refuses the robot for it, or for a type of joint that somebody
+/// made up: they pass as floating ones, which are held too.
+void pass_joints(TiXmlElement& robot) {
+  constexpr std::array known{"fixed", "floating", "planar", "revolute", "continuous", "prismatic"};
+  for (TiXmlElement* joint = robot.FirstChildElement("joint"); joint;
+       joint = joint->NextSiblingElement("joint"))
+    if (std::ranges::find(known, attribute(*joint, "type")) == known.end())
+      joint->SetAttribute("type", "floating");
+}
 
 /// urdfdom refuses a whole robot for a material named twice or a shape that it does not know. Neither is any
-/// matter of ours: what is not needed is taken out, capsules go through it as cylinders, and what is neither
-/// a cylinder, a sphere nor a capsule is noted.
-Capsules keep_solids(TiXmlElement& robot, Scene& scene, std::map<std::string, std::size_t>& shapes) {
-  Capsules capsules;
+/// matter of ours: what is not needed is taken out, and a shape that nobody here knows is noted.
+KeptShapes keep_shapes(TiXmlElement& robot, Scene& scene, std::map<std::string, std::size_t>& shapes) {
+  constexpr std::array known{"cylinder", "sphere", "capsule", "box", "mesh"};
+  KeptShapes kept;
   for (const char* name : {"material", "transmission", "gazebo", "mujoco", "sensor"}) remove_all(robot, name);
   for (TiXmlElement* link = robot.FirstChildElement("link"); link; link = link->NextSiblingElement("link")) {
     remove_all(*link, "visual");
@@ -66,17 +83,21 @@ Capsules keep_solids(TiXmlElement& robot, Scene& scene, std::map<std::string, st
       ++shapes[name];
       TiXmlElement* geometry = collision->FirstChildElement("geometry");
       TiXmlElement* shape = geometry ? geometry->FirstChildElement() : nullptr;
-      const auto is = [&](const char* word) { return shape && std::strcmp(shape->Value(), word) == 0; };
-      if (is("cylinder") || is("sphere") || is("capsule")) {
-        capsules[name].push_back(is("capsule"));
-        if (is("capsule")) shape->SetValue("cylinder");
+      const std::string kind = shape ? shape->Value() : "nothing";
+      if (std::ranges::find(known, kind) == known.end()) {
+        scene.left_out.push_back({kind, name});
+        link->RemoveChild(collision);
         continue;
       }
-      scene.left_out.push_back({shape ? shape->Value() : "nothing", name});
-      link->RemoveChild(collision);
+      kept[name].push_back(
+          {kind, attribute(*shape, kind == "box" ? "size" : "scale"), attribute(*shape, "filename")});
+      if (kind == "capsule") shape->SetValue("cylinder");
+      if (kind != "box" && kind != "mesh") continue;
+      shape->SetValue("sphere");
+      shape->SetAttribute("radius", "1");
     }
   }
-  return capsules;
+  return kept;
 }
 
 Vector3 urdf_vector(const urdf::Vector3& v) { return {v.x, v.y, v.z}; }
@@ -106,7 +127,7 @@ void set_motion(Link& link, const urdf::Joint& joint, Scene& scene) {
     case urdf::Joint::FLOATING:
     case urdf::Joint::PLANAR:
       scene.notes.push_back("Joint " + joint.name +
-                            " is floating or planar: it is held where the file puts it.");
+                            " is neither a hinge nor a slide: it is held where the file puts it.");
       link.held = true;
       return;
     default:
@@ -145,7 +166,7 @@ std::optional<std::size_t> sphere_at(std::span<const Body> bodies, const Cylinde
   for (std::size_t k = 0; k < bodies.size(); ++k) {
     const Cylinder& s = bodies[k].solid;
     const auto off = [&](std::size_t i) { return (bodies[i].solid.center - end).norm(); };
-    if (kind_of(s) == SolidKind::sphere && off(k) <= fold_tol * wall.radius &&
+    if (!bodies[k].box && kind_of(s) == SolidKind::sphere && off(k) <= fold_tol * wall.radius &&
         std::fabs(s.rounding - wall.radius) <= fold_tol * wall.radius && (!best || off(k) < off(*best)))
       best = k;
   }
@@ -158,7 +179,7 @@ void fold_capsules(Scene& scene, std::size_t first) {
   auto& bodies = scene.bodies;
   for (std::size_t i = first; i < bodies.size(); ++i) {
     const Cylinder wall = bodies[i].solid;
-    if (kind_of(wall) != SolidKind::cylinder || wall.radius == 0) continue;
+    if (bodies[i].box || kind_of(wall) != SolidKind::cylinder || wall.radius == 0) continue;
     const Vector3 reach = 0.5 * wall.height * wall.axis, low = wall.center - reach,
                   high = wall.center + reach;
     const std::span<const Body> own = std::span(bodies).subspan(first);
@@ -181,21 +202,65 @@ void fold_capsules(Scene& scene, std::size_t first) {
   }
 }
 
-void add_bodies(Scene& scene, std::size_t index, const urdf::Link& link, const Capsules& capsules) {
+/// The corners of a box, the vertices of a mesh. Throws std::runtime_error why there are none.
+std::vector<Vector3> points_of(const KeptShape& shape, const std::string& file) {
+  std::vector<double> x = parse_numbers(shape.numbers, shape.kind == "box" ? "its size" : "its scale");
+  if (x.empty() && shape.kind == "mesh") x = {1, 1, 1};
+  if (x.size() != 3) throw std::runtime_error("'" + shape.numbers + "' is not 3 numbers");
+  const Vector3 by(x[0], x[1], x[2]);
+  if (shape.kind == "box") {
+    const auto corners = corners_of(by);
+    return {corners.begin(), corners.end()};
+  }
+  const std::string found = find_mesh(shape.file, file);
+  if (found.empty()) throw std::runtime_error(shape.file + " is not there");
+  std::vector<Vector3> points;
+  try {
+    points = read_mesh(found);
+  } catch (const std::runtime_error& error) {
+    throw std::runtime_error(shape.file + ": " + error.what());
+  }
+  for (Vector3& p : points) p = p.cwiseProduct(by);
+  return points;
+}
+
+/// A shape as a body, with its bound where it is a box or mesh; nothing, and a note why, where there is none.
+std::optional<Body> body_of(Scene& scene, const urdf::Collision& collision, const KeptShape& shape,
+                            const std::string& file, Body body) {
+  const Pose pose = urdf_pose(collision.origin);
+  if (shape.kind != "box" && shape.kind != "mesh") {
+    body.solid = solid_of(*collision.geometry, pose, shape.kind == "capsule");
+    return body;
+  }
+  try {
+    return bounded_body(body.name, body.link, shape.kind, points_of(shape, file), pose);
+  } catch (const std::runtime_error& error) {
+    const std::string& link = scene.links[body.link].name;
+    scene.left_out.push_back({shape.kind, link});
+    scene.notes.push_back(fmt::format("A {} of {} cannot be read: {}.", shape.kind, link, error.what()));
+    return std::nullopt;
+  }
+}
+
+void add_bodies(Scene& scene, std::size_t index, const urdf::Link& link, const std::vector<KeptShape>& shapes,
+                const std::string& file) {
   const std::size_t first = scene.bodies.size();
-  const auto kept = capsules.find(link.name);
-  for (std::size_t i = 0; i < link.collision_array.size(); ++i) {
+  if (link.collision_array.size() != shapes.size()) {  // urdfdom dropped one and we cannot tell which
+    for (const KeptShape& shape : shapes) scene.left_out.push_back({shape.kind, link.name});
+    return;
+  }
+  for (std::size_t i = 0; i < shapes.size(); ++i) {
     const auto& collision = link.collision_array[i];
-    const bool capsule = kept != capsules.end() && i < kept->second.size() && kept->second[i];
-    const Cylinder solid = solid_of(*collision->geometry, urdf_pose(collision->origin), capsule);
     std::string name = link.name;
     if (!collision->name.empty())
       name += "/" + collision->name;
-    else if (link.collision_array.size() > 1)
+    else if (shapes.size() > 1)
       name += "/" + std::to_string(i + 1);
-    if (const Defect defect = find_defect(solid); defect != Defect::none)
+    const std::optional<Body> body = body_of(scene, *collision, shapes[i], file, {name, index, {}, 1, 1});
+    if (!body) continue;
+    if (const Defect defect = find_defect(body->solid); defect != Defect::none)
       throw std::runtime_error("shape " + name + ": " + to_string(defect));
-    scene.bodies.push_back({name, index, solid, 1, 1});
+    scene.bodies.push_back(*body);
   }
   fold_capsules(scene, first);
   const bool alone = scene.bodies.size() == first + 1;
@@ -205,8 +270,9 @@ void add_bodies(Scene& scene, std::size_t index, const urdf::Link& link, const C
 
 class UrdfBuilder {
  public:
-  UrdfBuilder(Scene& scene, const std::map<std::string, std::size_t>& shapes, const Capsules& capsules)
-      : scene_(scene), shapes_(shapes), capsules_(capsules) {}
+  UrdfBuilder(Scene& scene, const std::map<std::string, std::size_t>& shapes, const KeptShapes& kept,
+              const std::string& file)
+      : scene_(scene), shapes_(shapes), kept_(kept), file_(file) {}
 
   void add(const urdf::Link& link, std::optional<std::size_t> parent) {
     const std::size_t index = scene_.links.size();
@@ -222,7 +288,8 @@ class UrdfBuilder {
       if (joint->mimic && own.motion != Motion::fixed) mimics_.emplace_back(index, joint->mimic);
     }
     scene_.links.push_back(std::move(own));
-    add_bodies(scene_, index, link, capsules_);
+    const auto kept = kept_.find(link.name);
+    add_bodies(scene_, index, link, kept == kept_.end() ? std::vector<KeptShape>() : kept->second, file_);
     for (const auto& child : link.child_links) add(*child, index);
   }
 
@@ -240,7 +307,8 @@ class UrdfBuilder {
  private:
   Scene& scene_;
   const std::map<std::string, std::size_t>& shapes_;
-  const Capsules& capsules_;
+  const KeptShapes& kept_;
+  const std::string& file_;
   std::map<std::string, std::size_t> joint_index_;
   std::vector<std::pair<std::size_t, urdf::JointMimicSharedPtr>> mimics_;
 };
@@ -255,7 +323,8 @@ Scene read_urdf(const std::string& file) {
   Scene scene;
   scene.name = attribute(*robot, "name");
   std::map<std::string, std::size_t> shapes;
-  const Capsules capsules = keep_solids(*robot, scene, shapes);
+  pass_joints(*robot);
+  const KeptShapes kept = keep_shapes(*robot, scene, shapes);
   TiXmlPrinter text;
   document.Accept(&text);
 
@@ -263,7 +332,7 @@ Scene read_urdf(const std::string& file) {
   const urdf::ModelInterfaceSharedPtr model = urdf::parseURDF(text.Str());
   if (!model) throw std::runtime_error(file + ": " + messages.all());
   if (!messages.all().empty()) scene.notes.push_back("urdfdom: " + messages.all() + ".");
-  UrdfBuilder builder(scene, shapes, capsules);
+  UrdfBuilder builder(scene, shapes, kept, file);
   try {
     builder.add(*model->getRoot(), std::nullopt);
     builder.follow();

@@ -48,6 +48,9 @@ std::string proof_text(const Scene& scene, const MotionProof& proof) {
     case MotionVerdict::open:
       break;
   }
+  if (proof.bounded)
+    return fmt::format("near only by the bound of a box or mesh: {:.3g} at {}", proof.least,
+                       joints_text(scene, proof));
   if (proof.held) return fmt::format("a joint between them is held here; {:.3g} seen", proof.least);
   return fmt::format("nothing proved of {:.3g} % of what their {} joints may do; {:.3g} seen",
                      100 * proof.open_share, proof.between.size(), proof.least);

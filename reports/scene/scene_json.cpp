@@ -54,6 +54,7 @@ json pair_json(const Scene& scene, const SceneQuestion& q, const PairStudy& pair
           {"b", scene.bodies[pair.b].name},
           {"bodies", {pair.a, pair.b}},
           {"samples", pair.samples},
+          {"known", is_known(scene, pair)},
           {"within", pair.within},
           {"within_rate", {rate.lower, rate.upper}},
           {"least_distance", pair.least},
@@ -111,16 +112,35 @@ json joints_json(const Scene& scene, const std::vector<double>& values) {
   return joints;
 }
 
+/// What solids only hold, where it then is: boxes, and the boxes of meshes.
+json boxes_json(const Scene& scene, const Shown& shown) {
+  json boxes = json::array();
+  const std::vector<Pose> poses = pose_links(scene, shown.joints);
+  for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
+    const Body& body = scene.bodies[i];
+    if (!body.box) continue;
+    const Pose box = poses[body.link] * body.box->pose;
+    json axes = json::array();
+    for (int k = 0; k < 3; ++k) axes.push_back(vector_json(box.linear().col(k)));
+    boxes.push_back({{"body", i}, {"center", vector_json(box.translation())}, {"axes", std::move(axes)}});
+  }
+  return boxes;
+}
+
+json body_json(const Scene& scene, const Body& body) {
+  json all{{"name", body.name}, {"link", scene.links[body.link].name}};
+  if (body.box) all["holds"] = {{"shape", body.box->shape}, {"size", vector_json(body.box->size)}};
+  return all;
+}
+
 json shown_json(const Scene& scene, const Shown& shown) {
   json reasons = json::array(), cylinders = json::array(), pairs = json::array();
   for (const Highlight& highlight : shown.highlights) reasons.push_back(highlight_json(highlight));
   for (const Cylinder& c : shown.placed) cylinders.push_back(cylinder_json(c));
   for (const Sample& sample : shown.pairs) pairs.push_back(sample_json(sample));
-  return {{"configuration", shown.configuration},
-          {"reasons", std::move(reasons)},
-          {"joints", joints_json(scene, shown.joints)},
-          {"cylinders", std::move(cylinders)},
-          {"pairs", std::move(pairs)}};
+  return {{"configuration", shown.configuration},       {"reasons", std::move(reasons)},
+          {"joints", joints_json(scene, shown.joints)}, {"cylinders", std::move(cylinders)},
+          {"boxes", boxes_json(scene, shown)},          {"pairs", std::move(pairs)}};
 }
 
 /// Of a refuted pair its joints; of a proved one the bound.
@@ -177,8 +197,7 @@ std::string study_json(const Scene& scene, const SceneQuestion& q, const SceneSt
     alone[to_string(level)] = s.alone_ns[index_of(level)];
     models.push_back(model_json(q, s, level));
   }
-  for (const Body& body : scene.bodies)
-    bodies.push_back({{"name", body.name}, {"link", scene.links[body.link].name}});
+  for (const Body& body : scene.bodies) bodies.push_back(body_json(scene, body));
   for (const Shown& configuration : shown_configurations(scene, q, s))
     kept.push_back(shown_json(scene, configuration));
   json all{{"file", q.file},
@@ -188,6 +207,7 @@ std::string study_json(const Scene& scene, const SceneQuestion& q, const SceneSt
            {"configurations", s.configurations},
            {"cylinders", s.bodies},
            {"left_out", std::move(left_out)},
+           {"not_moved", held_between(scene, s)},
            {"notes", scene.notes},
            {"pairs_checked", s.pairs_by_reason[0]},
            {"pairs_same_body", s.pairs_by_reason[1]},

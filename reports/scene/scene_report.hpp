@@ -16,12 +16,12 @@ std::string study_text(const Scene& scene, const SceneQuestion& question, const 
 
 /// What `study_text` says in sentences, for others to say the same; empty where there is nothing to say.
 struct StudyWords {
-  std::string counts;                 ///< "2 capsules, 20 cylinders, 1 box (not looked at) on 20 links, .."
+  std::string counts;                 ///< "2 capsules, 1 box (bounded), 0 not looked at; 20 links, .."
   std::vector<std::string> left_out;  ///< "17 box (base, ...)"
   std::string pairs;                  ///< how many are checked, and why others are not
   std::string configurations;
   std::string enough;       ///< for how many pairs spheres and capsules suffice
-  std::string recommended;  ///< "spheres for 112 pairs, cylinders for 59 pairs", and what was not looked at
+  std::string recommended;  ///< "spheres for 112 pairs, ..", and what is not known, not moved, not seen
   std::string cost;         ///< "0.54 us a configuration, against ..."
   std::string forgiven;     ///< false alarms that are tolerated
   std::string capsules;     ///< whether they may stand in for every cylinder

@@ -37,10 +37,12 @@ std::vector<std::string> left_out_words(const Scene& scene) {
   return words;
 }
 
-/// "2 capsules (1 written as a cylinder and two spheres), 3 cylinders, 1 box (not looked at)".
+/// "2 capsules (1 written as a cylinder and two spheres), 3 cylinders, 1 box (bounded), 0 not looked at".
 std::string shapes_words(const Scene& scene) {
   std::array<std::size_t, 4> counts{};
-  for (const Body& body : scene.bodies) ++counts[static_cast<std::size_t>(kind_of(body.solid))];
+  std::map<std::string, std::size_t> bounded;
+  for (const Body& body : scene.bodies)
+    ++(body.box ? bounded[body.box->shape] : counts[static_cast<std::size_t>(kind_of(body.solid))]);
   std::vector<std::string> words;
   for (const SolidKind kind : enum_values<SolidKind>) {
     const std::size_t count = counts[static_cast<std::size_t>(kind)];
@@ -49,10 +51,12 @@ std::string shapes_words(const Scene& scene) {
     if (kind == SolidKind::capsule && scene.folded > 0)
       words.back() += fmt::format(" ({} written as a cylinder and two spheres)", scene.folded);
   }
+  for (const auto& [shape, count] : bounded) words.push_back(plural(count, shape) + " (bounded)");
   std::map<std::string, std::size_t> others;
   for (const auto& [shape, link] : scene.left_out) ++others[shape];
   for (const auto& [shape, count] : others) words.push_back(plural(count, shape) + " (not looked at)");
-  return words.empty() ? "no shapes" : fmt::format("{}", fmt::join(words, ", "));
+  if (others.empty()) words.push_back(words.empty() ? "no shapes" : "0 not looked at");
+  return fmt::format("{}", fmt::join(words, ", "));
 }
 
 std::string counts_words(const Scene& scene) {
@@ -61,7 +65,7 @@ std::string counts_words(const Scene& scene) {
     turning += link.motion != Motion::fixed && !link.follow && link.low < link.high;
     mimics += link.follow.has_value();
   }
-  return fmt::format("{} on {}, {}{}", shapes_words(scene), plural(scene.links.size(), "link"),
+  return fmt::format("{}; {}, {}{}", shapes_words(scene), plural(scene.links.size(), "link"),
                      plural(turning, "free joint"), mimics ? fmt::format(", {} that mimic", mimics) : "");
 }
 
@@ -76,19 +80,22 @@ std::string pairs_words(const Scene& scene, const SceneStudy& s) {
                                                       plural(scene.exemptions.size(), "link pair")));
 }
 
-std::string configurations_words(const SceneQuestion& q, const SceneStudy& s) {
-  std::size_t never = 0, always = 0, least = 0, most = 0, further = 0;
+std::string configurations_words(const Scene& scene, const SceneQuestion& q, const SceneStudy& s) {
+  std::size_t never = 0, always = 0, unknown = 0, least = 0, most = 0, further = 0;
   for (const PairStudy& pair : s.pairs) {
     never += pair.within == 0;
-    always += pair.within == pair.samples;
-    if ((pair.within == 0 || pair.within == pair.samples) && (least == 0 || pair.samples < least))
+    const bool known = is_known(scene, pair);
+    unknown += !known;
+    always += known && pair.within == pair.samples;
+    if (known && (pair.within == 0 || pair.within == pair.samples) && (least == 0 || pair.samples < least))
       least = pair.samples;
     most = std::max(most, pair.samples);
     further += pair.samples > s.configurations;
   }
-  std::string text = fmt::format("{}, clearance {}: {} never within it, {} always, {} at times",
+  std::string text = fmt::format("{}, clearance {}: {} never within it, {} always, {} at times{}",
                                  plural(s.configurations, "configuration"), q.clearance,
-                                 plural(never, "pair"), always, s.pairs.size() - never - always);
+                                 plural(never, "pair"), always, s.pairs.size() - never - always - unknown,
+                                 unknown ? fmt::format(", {} not known", unknown) : "");
   if (s.drawn && least > 0)
     text += fmt::format(
         "; what never and always leave possible: less than {} of all configurations, at 95 % for each pair",
@@ -127,11 +134,15 @@ std::string cascade_words(const Cascade& cascade) {
 
 const char* body(const Scene& scene, std::size_t i) { return scene.bodies[i].name.c_str(); }
 
+/// Pairs of which nothing is known that are named here; --json has them all.
+constexpr std::size_t named_cap = 12;
+
 /// Worst first: what needs the most exact model, then by the false alarms of capsules.
 std::string needs_more(const Scene& scene, const SceneQuestion& q, const SceneStudy& s) {
   std::vector<const PairStudy*> pairs;
   for (const PairStudy& pair : s.pairs)
-    if (!suffices(pair, Level::sphere, q.tolerated) && !suffices(pair, Level::outer, q.tolerated))
+    if (is_known(scene, pair) && !suffices(pair, Level::sphere, q.tolerated) &&
+        !suffices(pair, Level::outer, q.tolerated))
       pairs.push_back(&pair);
   const auto alarms = [](const PairStudy& pair) -> const Score& {
     return pair.alone[index_of(Level::outer)];
@@ -148,10 +159,11 @@ std::string needs_more(const Scene& scene, const SceneQuestion& q, const SceneSt
 }
 
 /// How surely what was never wrong is not: what the fewest samples of such a pair leave possible.
-std::string surely(const SceneQuestion& q, const SceneStudy& s) {
+std::string surely(const Scene& scene, const SceneQuestion& q, const SceneStudy& s) {
   std::size_t least = 0;
   for (const PairStudy& pair : s.pairs)
-    if (rests_on_samples(pair) && (least == 0 || pair.samples < least)) least = pair.samples;
+    if (is_known(scene, pair) && rests_on_samples(pair) && (least == 0 || pair.samples < least))
+      least = pair.samples;
   if (least == 0) return "";
   const bool wide = error_rate_bound(least, 0) > q.rate;
   return fmt::format(
@@ -159,16 +171,18 @@ std::string surely(const SceneQuestion& q, const SceneStudy& s) {
       wide ? fmt::format("; {} were asked for, --most ends it", fmt::format("{:.3g} %", 100 * q.rate)) : "");
 }
 
-std::string enough_words(const SceneQuestion& q, const SceneStudy& s) {
-  std::size_t balls = 0, capsules = 0, all = s.pairs.size();
+std::string enough_words(const Scene& scene, const SceneQuestion& q, const SceneStudy& s) {
+  std::size_t balls = 0, capsules = 0, all = 0;
   for (const PairStudy& pair : s.pairs) {
+    if (!is_known(scene, pair)) continue;
+    ++all;
     const bool ball = suffices(pair, Level::sphere, q.tolerated);
     balls += ball;
     capsules += ball || suffices(pair, Level::outer, q.tolerated);
   }
   std::string text = fmt::format("spheres suffice for {} of {}, spheres or capsules for {}", balls,
                                  plural(all, "pair"), capsules);
-  if (s.drawn && capsules > 0) text += surely(q, s);
+  if (s.drawn && capsules > 0) text += surely(scene, q, s);
   if (capsules == all) return text;
   return text + (all - capsules == 1 ? "; this one needs more"
                                      : fmt::format("; these {} need more", all - capsules));
@@ -182,14 +196,32 @@ std::string plural_of(Level level, const Scene& scene) {
       "spheres", "capsules", "inner capsules", "cylinders", "distances", "proofs"}[index_of(level)];
 }
 
-/// A robot's spheres and boxes touch things too: what was not looked at stands where somebody acts on it.
+/// "2 pairs with a box or mesh come near its bound (table - hand, table - arm): NOT KNOWN".
+std::string not_known_words(const Scene& scene, const SceneStudy& s) {
+  std::vector<std::string> named;
+  std::size_t count = 0;
+  for (const PairStudy& pair : s.pairs) {
+    if (is_known(scene, pair) || ++count > named_cap) continue;
+    named.push_back(fmt::format("{} - {}", body(scene, pair.a), body(scene, pair.b)));
+  }
+  if (count == 0) return "";
+  if (count > named_cap) named.push_back(fmt::format("and {} more", count - named_cap));
+  return fmt::format("; NOT KNOWN: {} that come{} near the bound of a box or mesh ({})",
+                     plural(count, "pair"), count == 1 ? "s" : "", fmt::join(named, ", "));
+}
+
+/// What was not looked at stands where somebody acts on it: boxes touch things too.
 std::string recommended_words(const Scene& scene, const SceneStudy& s) {
   std::map<Level, std::size_t> last;
-  for (const PairStudy& pair : s.pairs) ++last[pair.cascade.last];
+  for (const PairStudy& pair : s.pairs)
+    if (is_known(scene, pair)) ++last[pair.cascade.last];
   std::vector<std::string> parts;
   for (const auto& [level, count] : last)
     parts.push_back(fmt::format("{} for {}", plural_of(level, scene), plural(count, "pair")));
-  const std::string all = fmt::format("{}", fmt::join(parts, ", "));
+  std::string all = parts.empty() ? "nothing" : fmt::format("{}", fmt::join(parts, ", "));
+  all += not_known_words(scene, s);
+  if (const std::vector<std::string> held = held_between(scene, s); !held.empty())
+    all += fmt::format("; NOT MOVED: {}", fmt::join(held, ", "));
   if (scene.left_out.empty()) return all;
   return fmt::format("{}; of these shapes alone: NOT LOOKED AT: {}", all,
                      fmt::join(left_out_words(scene), ", "));
@@ -241,6 +273,10 @@ std::vector<std::string> rounding_words(const SceneStudy& s) {
   return words;
 }
 
+std::string bound_or_body(const Scene& scene, std::size_t i) {
+  return (scene.bodies[i].box ? "the bound of " : "") + scene.bodies[i].name;
+}
+
 std::string closest_words(const Scene& scene, const SceneQuestion& q, const SceneStudy& s) {
   if (!s.closest) return "";
   const ClosestCall& c = *s.closest;
@@ -248,7 +284,7 @@ std::string closest_words(const Scene& scene, const SceneQuestion& q, const Scen
   return fmt::format(
       "closest call: {} - {} in configuration {}, {:.3g} {} the clearance; an error of {:.1e} of their size "
       "({:.3g}) would change it",
-      body(scene, c.a), body(scene, c.b), c.configuration, miss,
+      bound_or_body(scene, c.a), bound_or_body(scene, c.b), c.configuration, miss,
       c.distance > q.clearance ? "beyond" : "below", miss / c.size, c.size);
 }
 
@@ -271,8 +307,8 @@ StudyWords words_of(const Scene& scene, const SceneQuestion& q, const SceneStudy
   w.left_out = left_out_words(scene);
   w.pairs = pairs_words(scene, s);
   if (s.pairs.empty()) return w;
-  w.configurations = configurations_words(q, s);
-  w.enough = enough_words(q, s);
+  w.configurations = configurations_words(scene, q, s);
+  w.enough = enough_words(scene, q, s);
   w.recommended = recommended_words(scene, s);
   w.cost = cost_words(s);
   w.forgiven = forgiven_words(q, s);

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: MIT
+// An MJCF file as XML: with what it includes, what its compiler is told, and its classes of defaults. It
+// reads leniently: what is not asked for may be of any version of MuJoCo.
+#pragma once
+
+#include <map>
+#include <optional>
+#include <pugixml.hpp>
+#include <string>
+#include <vector>
+
+#include "scenes/scene.hpp"
+
+namespace cyl {
+
+class MjcfDocument;
+
+/// An element with what its class gives it.
+class MjcfElement {
+ public:
+  /// `childclass` is that of the body around it.
+  MjcfElement(const MjcfDocument& document, pugi::xml_node node, const std::string& childclass);
+  /// Returns an attribute, its own or else that of its class; `otherwise` where there is none.
+  std::string text(const char* name, const std::string& otherwise = "") const;
+  /// Returns the numbers of an attribute; none where it is missing. Throws std::runtime_error on what is
+  /// none.
+  std::vector<double> numbers(const char* name) const;
+  Vector3 vector(const char* name, const Vector3& otherwise) const;
+  /// Returns pos and whatever turns it: quat, axisangle, xyaxes, zaxis or euler.
+  Pose pose() const;
+  const pugi::xml_node& node() const { return node_; }
+
+ private:
+  bool has(const char* name, bool own) const;
+  Eigen::Quaterniond turn(bool own) const;
+
+  const MjcfDocument& document_;
+  pugi::xml_node node_;
+  const std::map<std::string, std::string>* given_ = nullptr;  ///< by its class
+};
+
+class MjcfDocument {
+ public:
+  /// Throws std::runtime_error without the file's name.
+  explicit MjcfDocument(const std::string& file);
+
+  /// The elements of a name below <mujoco>, and below those of a section.
+  std::vector<pugi::xml_node> sections(const std::string& name) const;
+  std::vector<pugi::xml_node> entries(const std::string& section, const std::string& name) const;
+  /// Returns a path of a mesh as it is meant: below the folder that the compiler names.
+  std::string mesh_path(const std::string& file) const;
+  /// Returns what a number in the file is in rad.
+  double angle(double value) const;
+
+  pugi::xml_node root() const { return root_; }
+  bool autolimits() const { return autolimits_; }
+  const std::string& eulerseq() const { return eulerseq_; }
+  /// Returns what a class gives elements of a name; nothing where it gives nothing.
+  const std::map<std::string, std::string>* defaults(const std::string& of_class,
+                                                     const std::string& element) const;
+
+ private:
+  using Given = std::map<std::string, std::map<std::string, std::string>>;  // element, attribute: value
+  void include(pugi::xml_node parent, const std::string& folder);
+  void read_class(pugi::xml_node node, const std::string& name, Given given);
+  void set_compiler();
+
+  pugi::xml_document document_;
+  pugi::xml_node root_;
+  std::string folder_, meshdir_, eulerseq_ = "xyz";
+  bool degrees_ = true, autolimits_ = true;
+  int included_ = 0;
+  std::map<std::string, Given> classes_;
+};
+
+/// Returns the quaternion that turns z to a direction the shortest way.
+Eigen::Quaterniond turn_from_z(const Vector3& to);
+
+}  // namespace cyl
