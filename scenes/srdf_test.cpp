@@ -65,10 +65,19 @@ TEST(Srdf, AFalseNeverIsRefutedWithAConfiguration) {
   const ExemptionProof& proved = study.exemptions[1];
   EXPECT_EQ(proved.verdict, MotionVerdict::never);
   EXPECT_EQ(proved.bodies.size(), 2u) << "both of the counterweight";
-  const ExemptionProof& unknown = study.exemptions[2];
-  EXPECT_TRUE(unknown.not_looked_at) << "a box of the ground";
-  for (const MotionProof& pair : unknown.bodies) EXPECT_EQ(pair.verdict, MotionVerdict::never);
-  EXPECT_EQ(unknown.verdict, MotionVerdict::open);
+  const ExemptionProof& bounded = study.exemptions[2];
+  EXPECT_FALSE(bounded.not_looked_at) << "the ground's box has a bound";
+  EXPECT_EQ(bounded.verdict, MotionVerdict::never);
+}
+
+TEST(Srdf, ANeverOfWhatWasNotLookedAtIsNotProved) {
+  const Srdf planted(
+      "<robot name='arm'><disable_collisions link1='camera' link2='base' reason='Never'/></robot>");
+  const Scene scene = read_scene(DAYLIGHT_SOURCE_DIR "/corpus/scenes/arm.urdf", planted.name);
+  const MotionStudy study = prove_motions(scene, {}, {});
+  ASSERT_EQ(study.exemptions.size(), 1u);
+  EXPECT_TRUE(study.exemptions[0].not_looked_at) << "a mesh of the camera";
+  EXPECT_NE(study.exemptions[0].verdict, MotionVerdict::never);
 }
 
 }  // namespace
