@@ -113,6 +113,9 @@ inline constexpr std::size_t study_cap = 1000;
 /// and comes within the clearance.
 bool is_known(const Scene& scene, const PairStudy& pair);
 
+/// Returns the links whose joints are held here, move in truth and lie between the two.
+std::vector<std::size_t> held_between(const Scene& scene, const PairStudy& pair);
+
 /// Returns the joints that are held and stand between the bodies of a checked pair: of how such a pair moves
 /// nothing is known.
 std::vector<std::string> held_between(const Scene& scene, const SceneStudy& study);

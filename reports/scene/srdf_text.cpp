@@ -108,19 +108,29 @@ class SrdfWriter {
     const bool unknown = has_unknown_shapes(scene_, links.first) || has_unknown_shapes(scene_, links.second);
     const auto found = checked_.find(links);
     if (found == checked_.end()) return {"", unknown ? "shapes were not looked at" : ""};
-    bool never = true;
+    // What comes near of a solid that only holds a box or mesh shows nothing of these.
+    const auto holds = [&](const PairStudy& pair) {
+      return scene_.bodies[pair.a].box || scene_.bodies[pair.b].box;
+    };
+    bool never = true, known = true;
     for (const std::size_t i : found->second) {
       const PairStudy& pair = s_.pairs[i];
-      if (pair.within == pair.samples)
+      known &= is_known(scene_, pair);
+      if (pair.within == pair.samples && !holds(pair))
         return {"Always", fmt::format("all of {} draws: apart in below {} at 95 %", pair.samples,
                                       rate_text(pair.samples))};
       never &= pair.within == 0;
     }
     for (const std::size_t i : found->second)
-      if (referee_within({default_[s_.pairs[i].a], default_[s_.pairs[i].b]}, q_.clearance) == true)
+      if (!holds(s_.pairs[i]) &&
+          referee_within({default_[s_.pairs[i].a], default_[s_.pairs[i].b]}, q_.clearance) == true)
         return {"Default", "with the joints at 0, or at the limit nearest to it"};
+    if (!known) return {"", "not disabled: they come near the bound of a box or mesh, so nothing is known"};
     if (!never) return {};
     if (unknown) return {"", "not disabled: shapes were not looked at"};
+    for (const std::size_t i : found->second)
+      if (!held_between(scene_, s_.pairs[i]).empty())
+        return {"", "not disabled: a joint between them was not moved"};
     return say_never(found->second);
   }
 
