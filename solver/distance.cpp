@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "solver/detail/distance_frame.hpp"
+#include "solver/detail/distance_patches.hpp"
 #include "solver/detail/distance_rims.hpp"
 #include "solver/detail/rounded.hpp"
 
@@ -19,6 +20,9 @@ constexpr double tie_error = 2 * distance_error;
 // Overlapping less than this times the reach may be not overlapping at all, with a direction badly known.
 constexpr double shallow_tol = 0x1p-20;
 
+// What the bounds of section 6 may be off by, times the reach.
+constexpr double patch_error = 4 * distance_error;
+
 constexpr int projection_cap = 60;  // of the points, where nothing else brought the bounds together
 constexpr int touch_cap = 6;        // of them from each start, where solids overlap
 // By how much two solids that touch are made to overlap for decide() to find a common point, of the reach.
@@ -29,17 +33,25 @@ class Search {
   Search(const Scaled& p, const TurnedFrame& f) noexcept
       : p_(p), f_(f), reach_(p.r0 + p.h0 + p.r1 + p.h1 + length(p.delta)) {}
 
-  // `decided`: what decide() says of the pair, asked where the features show no gap beyond rounding.
+  // `decided`: what decide() says of the pair, asked where faces and circles show no gap beyond rounding.
   template <class Decide>
   void run(Decide&& decided) noexcept {
-    bool proved = look_at_features();
+    measure_faces();
+    bool proved = look_at_faces(true) || look_at_circles() || look_at_faces(false);
     Proof proof = Proof::none;
+    Vector3 shown_along(0, 0, 0);
     if (low_ > -distance_error * reach_) {
       const Answer answer = decided();
       proof = answer.proof;
-      if (proof == Proof::direction) proved = look_along(answer.direction);
+      shown_along = answer.direction;
     }
-    if (low_ < 0 && !proved) proved = look_along(Vector3(direction_)) || project();
+    if (proof == Proof::point) {
+      look_at_patches();
+    } else if (!proved) {
+      proved = look_at_starts();
+      if (!proved && proof == Proof::direction) proved = look_along(shown_along);
+      if (!proved && low_ < 0) proved = look_along(Vector3(direction_)) || project();
+    }
     // A gap within rounding that neither decide() nor the points prove is none.
     const bool shown = proof == Proof::direction || (proof == Proof::none && proved);
     if (low_ < 0 && low_ > -distance_error * reach_ && !shown) {
@@ -55,6 +67,7 @@ class Search {
     out.error = distance_error * reach_;
     out.direction = direction_;
     if (low_ < 0) out.error += larger(0, high_ + low_);
+    out.least = is_least_;
     out.on_a = on0_;
     out.on_b = on1_ - p_.delta;
     out.iterations = steps_;
@@ -66,7 +79,11 @@ class Search {
   bool consider(const Vector3& along, const Vector3& anchor, bool on_b) noexcept {
     const double size = length(along);
     if (!(size > 0)) return false;
-    const Vector3 d = along * ((dot(along, p_.delta) < 0 ? -1 : 1) / size);
+    return consider_unit(along * ((dot(along, p_.delta) < 0 ? -1 : 1) / size), anchor, on_b);
+  }
+
+  // Of a unit vector towards b.
+  bool consider_unit(const Vector3& d, const Vector3& anchor, bool on_b) noexcept {
     const double f = support_gap(p_, d);
     if (f < low_) {
       low_ = f;
@@ -91,55 +108,120 @@ class Search {
     return high_ + low_ <= tie_error * reach_;
   }
 
-  bool look_at_features() noexcept {
+  // The normals of the three flat faces of K, where f is known in closed form.
+  void measure_faces() noexcept {
     const Scaled& p = p_;
     const TurnedFrame& f = f_;
-    // Sides: the direction n.
-    const bool crossing = f.e0 <= p.h1 * f.s && f.e1 <= p.h0 * f.s;
-    const double t1 = smaller(1, f.e0 / (p.h1 * f.s));
-    if (crossing && consider(f.n, p.delta - t1 * p.h1 * f.w1 - p.r1 * f.n, true)) return true;
-    // Caps.
-    const double s0 = std::copysign(1.0, f.d0), s1 = std::copysign(1.0, f.d1), sc = std::copysign(1.0, f.c);
-    const double c = std::fabs(f.c);
+    const double c = std::fabs(f.c), s0 = std::copysign(1.0, f.d0), s1 = std::copysign(1.0, f.d1);
+    const double sc = std::copysign(1.0, f.c);
+    // The middle of the disk's lowest point, from the face's.
     const double q0 = f.e0 - sc * s0 * p.h1 * f.s + p.r1 * s0 * f.c;
     const double q1 = f.e1 - sc * s1 * p.h0 * f.s + p.r0 * s1 * f.c;
-    const double far0 = f.z * f.z + q0 * q0, far1 = f.z * f.z + q1 * q1;
-    if (consider(s0 * f.w0, p.delta - sc * s0 * p.h1 * f.w1 - s0 * p.r1 * f.m1, true)) return true;
-    if (consider(s1 * f.w1, sc * s1 * p.h0 * f.w0 + s1 * p.r0 * f.m0, false)) return true;
-    // Circles.
-    const Turn k0 = lowest_on_circle(f.z, f.e0 - p.h1 * f.s, p.r1, f.s, c, steps_);
-    const double rho0 = std::sqrt(k0.x * k0.x + f.c * f.c * k0.y * k0.y);
-    const double at0 = f.d0 - f.c * (p.h1 - p.r1 * f.s * k0.y / rho0);
-    const double cx0 = k0.x / rho0, cy0 = -f.c * k0.y / rho0;  // rim point of 1 on (n, m1)
-    if (k0.y > 0 &&
-        consider(k0.x * f.n + k0.y * f.m0, p.delta - p.h1 * f.w1 - p.r1 * (cx0 * f.n + cy0 * f.m1), true))
-      return true;
-    const Turn k1 = lowest_on_circle(f.z, f.e1 - p.h0 * f.s, p.r0, f.s, c, steps_);
-    const double rho1 = std::sqrt(k1.x * k1.x + f.c * f.c * k1.y * k1.y);
-    const double at1 = -f.d1 + f.c * (p.h0 - p.r0 * f.s * k1.y / rho1);
-    const double cx1 = k1.x / rho1, cy1 = -f.c * k1.y / rho1;
-    if (k1.y > 0 && consider(k1.x * f.n + k1.y * f.m1, p.h0 * f.w0 + p.r0 * (cx1 * f.n + cy1 * f.m0), false))
-      return true;
-    // Rims.
-    if (k0.y > 0 && std::fabs(at0) > p.h0 && look_at_rims({std::copysign(1.0, at0), 1, k0.x, k0.y, cx0, cy0}))
-      return true;
-    if (k1.y > 0 && std::fabs(at1) > p.h1 &&
-        look_at_rims({1, -std::copysign(1.0, at1), cx1, cy1, k1.x, k1.y}))
-      return true;
+    const double far0 = f.z * f.z + q0 * q0, far1 = f.z * f.z + q1 * q1, rr0 = p.r0 * p.r0, rr1 = p.r1 * p.r1;
+    at_n_ = {p.r0 + p.r1 - f.z, f.e0 <= p.h1 * f.s && f.e1 <= p.h0 * f.s};
+    at_w0_ = {p.h0 + p.h1 * c + p.r1 * f.s - std::fabs(f.d0), far0 <= rr0};
+    at_w1_ = {p.h1 + p.h0 * c + p.r0 * f.s - std::fabs(f.d1), far1 <= rr1};
+    least_face_ = smaller(at_n_.value, smaller(at_w0_.value, at_w1_.value));
     // A pole whose point is just on the rim of its face is a stationary point of section 3, too.
-    constexpr double tie_tol = 0x1p-20;                               // of the squared radius
-    const double i0 = 1 / std::sqrt(far0), i1 = 1 / std::sqrt(far1);  // of 0: not looked at
-    const Rims pole0{s0, sc * s0, f.z * i0, q0 * i0, 0, s0}, pole1{sc * s1, s1, 0, s1, f.z * i1, q1 * i1};
-    if (far0 > (1 - tie_tol) * p.r0 * p.r0 && look_at_rims(pole0)) return true;
-    if (far1 > (1 - tie_tol) * p.r1 * p.r1 && look_at_rims(pole1)) return true;
+    constexpr double tie_tol = 0x1p-20;  // of the squared radius
+    if (far0 > (1 - tie_tol) * rr0) {
+      const double inverse = 1 / std::sqrt(far0);  // of 0: not looked at
+      add_start(at_w0_.value, {s0, sc * s0, f.z * inverse, q0 * inverse, 0, s0});
+    }
+    if (far1 > (1 - tie_tol) * rr1) {
+      const double inverse = 1 / std::sqrt(far1);
+      add_start(at_w1_.value, {sc * s1, s1, 0, s1, f.z * inverse, q1 * inverse});
+    }
+  }
+
+  // Those of the least value that hold the point nearest to them, or that do not.
+  bool look_at_faces(bool inside) noexcept {
+    const Scaled& p = p_;
+    const TurnedFrame& f = f_;
+    const double s0 = std::copysign(1.0, f.d0), s1 = std::copysign(1.0, f.d1), sc = std::copysign(1.0, f.c);
+    const double most = smaller(least_face_, low_) + tie_error * reach_;
+    if (at_n_.value <= most && at_n_.inside == inside) {
+      const double t1 = smaller(1, f.e0 / (p.h1 * f.s));
+      if (consider_unit(f.n, p.delta - t1 * p.h1 * f.w1 - p.r1 * f.n, true)) return true;
+    }
+    if (at_w0_.value <= most && at_w0_.inside == inside &&
+        consider_unit(s0 * f.w0, p.delta - sc * s0 * p.h1 * f.w1 - s0 * p.r1 * f.m1, true))
+      return true;
+    return at_w1_.value <= most && at_w1_.inside == inside &&
+           consider_unit(s1 * f.w1, sc * s1 * p.h0 * f.w0 + s1 * p.r0 * f.m0, false);
+  }
+
+  // The circles square to one axis, but where they cannot be lower.
+  bool look_at_circles() noexcept {
+    const Scaled& p = p_;
+    const TurnedFrame& f = f_;
+    const double c = std::fabs(f.c), e0 = f.e0 - p.h1 * f.s, e1 = f.e1 - p.h0 * f.s;
+    double most = smaller(least_face_, low_) + tie_error * reach_;
+    if (!circle_is_above(f.z, e0, p.r0, p.r1, c, most)) {
+      const Turn k = lowest_on_circle(f.z, e0, p.r1, f.s, c, steps_);
+      const double rho = std::sqrt(k.x * k.x + f.c * f.c * k.y * k.y),
+                   value = p.r0 + p.r1 * rho - f.z * k.x - e0 * k.y;
+      const double x1 = k.x / rho, y1 = -f.c * k.y / rho;  // rim point of 1 on (n, m1)
+      if (k.y > 0 && value <= most &&
+          consider(k.x * f.n + k.y * f.m0, p.delta - p.h1 * f.w1 - p.r1 * (x1 * f.n + y1 * f.m1), true))
+        return true;
+      const double at = f.d0 - f.c * (p.h1 - p.r1 * f.s * k.y / rho);
+      if (k.y > 0 && std::fabs(at) > p.h0) add_start(value, {std::copysign(1.0, at), 1, k.x, k.y, x1, y1});
+    }
+    most = smaller(most, low_ + tie_error * reach_);
+    if (!circle_is_above(f.z, e1, p.r1, p.r0, c, most)) {
+      const Turn k = lowest_on_circle(f.z, e1, p.r0, f.s, c, steps_);
+      const double rho = std::sqrt(k.x * k.x + f.c * f.c * k.y * k.y),
+                   value = p.r1 + p.r0 * rho - f.z * k.x - e1 * k.y;
+      const double x0 = k.x / rho, y0 = -f.c * k.y / rho;
+      if (k.y > 0 && value <= most &&
+          consider(k.x * f.n + k.y * f.m1, p.h0 * f.w0 + p.r0 * (x0 * f.n + y0 * f.m0), false))
+        return true;
+      const double at = -f.d1 + f.c * (p.h0 - p.r0 * f.s * k.y / rho);
+      if (k.y > 0 && std::fabs(at) > p.h1) add_start(value, {1, -std::copysign(1.0, at), x0, y0, k.x, k.y});
+    }
     return false;
+  }
+
+  // The starts are kept by their f, the lowest first.
+  void add_start(double value, const Rims& rims) noexcept {
+    int at = starts_++;
+    for (; at > 0 && start_[at - 1].value > value; --at) start_[at] = start_[at - 1];
+    start_[at] = {value, rims};
+  }
+
+  bool look_at_starts() noexcept {
+    for (int i = 0; i < starts_; ++i)
+      if (look_at_rims(start_[i].rims)) return true;
+    return false;
+  }
+
+  // Of solids that overlap: the rims that may be lower than what is known.
+  void look_at_patches() noexcept {
+    overlap_ = true;
+    PatchSearch patches(p_, f_, low_, patch_error * reach_);
+    is_least_ = true;
+    for (const double side0 : {1.0, -1.0})
+      for (const double side1 : {1.0, -1.0}) {
+        Rims left;
+        if (patches.is_above(side0, side1, left)) continue;
+        is_least_ = false;
+        bool started = false;
+        for (int i = 0; i < starts_; ++i)
+          if (const Rims& rims = start_[i].rims; rims.side0 == side0 && rims.side1 == side1) {
+            look_at_rims(rims);
+            started = true;
+          }
+        if (!started) look_at_rims(left);
+      }
   }
 
   // Section 3. D is square to both tangents, and along y. Near contact y is mostly rounding, and where the
   // tangents are nearly parallel their product is.
   bool look_at_rims(const Rims& start) noexcept {
     RimPoints rims(p_, f_, start);
-    rims.come_near(steps_);
+    // Of solids that overlap, f at a minimum is the length of y there.
+    if (!rims.come_near(steps_, overlap_ ? low_ : std::numeric_limits<double>::infinity())) return false;
     const Vector3 on0 = rims.on0(), on1 = rims.on1(), y = rims.y();
     if (consider(rims.near() ? rims.product() : y, on0, false)) return true;
     if (low_ > shallow_tol * reach_) return false;
@@ -176,12 +258,11 @@ class Search {
   void touch() noexcept {
     const Vector3 moved = p_.delta + low_ * direction_;
     const double error = tie_error * reach_;
-    const Vector3 starts[] = {on_b_ ? Vector3(anchor_ + low_ * direction_) : anchor_,
-                              farthest(direction_, p_.w0, p_.r0, p_.h0, error),
-                              moved - farthest(direction_, p_.w1, p_.r1, p_.h1, error)};
     high_ = std::numeric_limits<double>::infinity();  // of two points, one in a and one in b moved
-    for (const Vector3& start : starts)
-      if (come_together(start, moved, error)) return;
+    if (come_together(on_b_ ? Vector3(anchor_ + low_ * direction_) : anchor_, moved, error) ||
+        come_together(farthest(direction_, p_.w0, p_.r0, p_.h0, error), moved, error) ||
+        come_together(moved - farthest(direction_, p_.w1, p_.r1, p_.h1, error), moved, error))
+      return;
     Prepared a{Vector3(0, 0, 0), p_.w0, p_.r0, 2 * p_.h0, Defect::none, false, false, false, false, 0}, b = a;
     b = {moved, p_.w1, p_.r1, 2 * p_.h1, Defect::none, false, false, false, false, 0};
     for (const double overlap : touch_tols) {
@@ -217,8 +298,17 @@ class Search {
   double low_ = std::numeric_limits<double>::infinity();   // least f seen
   double high_ = std::numeric_limits<double>::infinity();  // least distance of two points seen
   Vector3 direction_{0, 0, 0}, anchor_{0, 0, 0}, on0_{0, 0, 0}, on1_{0, 0, 0};
-  bool on_b_ = false;
-  int steps_ = 0;
+  bool on_b_ = false, overlap_ = false, is_least_ = false;
+  struct {
+    double value;
+    bool inside;
+  } at_n_, at_w0_, at_w1_;  // of the faces: f, and whether the solids are nearest there if they are apart
+  double least_face_ = 0;
+  struct {
+    double value;
+    Rims rims;
+  } start_[4];
+  int starts_ = 0, steps_ = 0;
 };
 
 // Parallel axes: apart along w, across it, or both.
@@ -264,16 +354,20 @@ void measure_parallel(const Scaled& p, const Vector3& axis_sum, Distance& out) n
     out.direction = by_caps ? Vector3(sign * w) : u;
   }
   out.error = distance_error * (p.r0 + p.h0 + p.r1 + p.h1 + length(p.delta));
+  out.least = !(out.value > 0);
 }
 
 // Each solid grows by a ball: what lies between them shrinks by both radii, whether it is a gap or a depth.
 void grow(Distance& d, double rounding_a, double rounding_b) noexcept {
   constexpr double most = std::numeric_limits<double>::max();
   const double room = rounding_a + rounding_b, grown = d.value - room;
+  const bool apart = d.value > 0;
   d.error += 4 * unit_roundoff_error * larger(room, std::fabs(d.value));
   d.value = larger(-most, grown);
   d.on_a += rounding_a * d.direction;
   d.on_b -= rounding_b * d.direction;
+  // Every direction's f grows by as much: where the cores are apart, `error` says that there is no lower one.
+  d.least = d.value <= 0 && (d.least || apart);
   d.verdict = d.value > 0 ? Verdict::disjoint : Verdict::intersecting;
 }
 
@@ -305,7 +399,10 @@ Distance distance_of_cores(const Prepared& a, const Prepared& b) noexcept {
   if (axes.parallel()) {
     measure_parallel(p, axes.sum, out);
     // untaken: where decide() proves a point the depth is beyond rounding, or the centres are one
-    if (out.value > 0 && out.value <= out.error && decide(first, second).proof == Proof::point) out.value = 0;
+    if (out.value > 0 && out.value <= out.error && decide(first, second).proof == Proof::point) {
+      out.value = 0;
+      out.least = true;
+    }
   } else {
     const TurnedFrame frame(p, axes);
     Search search(p, frame);

@@ -26,9 +26,7 @@ struct Distance {
   /// Apart: |value - exact| <= error, always; the width between the plane square to `direction` that
   /// separates and the two points, and the rounding. Within 1e-13 of size + |Delta|, and 2^-1071 where that
   /// is subnormal, on all pairs tried (distance.md, section 4); where it is more, tell it to whoever asked.
-  /// Overlapping: the exact depth is at most -value + error, always. That no direction is shallower is not
-  /// proved, and not always so: 6 of 10 million penetrations of a small rim into a large one were told
-  /// deeper, by 1e-6 of the size or so.
+  /// Overlapping: the exact depth is at most -value + error, always; see `least`.
   double error = 0;
   /// A unit vector, direction.(b.center - a.center) >= 0 but for rounding: b moved along it by -value + error
   /// or more has no inner point of a in it.
@@ -39,6 +37,10 @@ struct Distance {
   /// 1e-12 on all but one in 100,000).
   Vector3 on_a{0, 0, 0};
   Vector3 on_b{0, 0, 0};
+  /// Overlapping: no direction is shallower by more than 4 error; proved (distance.md, section 6). Where it
+  /// is false, one may be: 6 of 10 million penetrations of a small rim into a large one were told deeper, by
+  /// 1e-6 of the size or so. Apart: false, since `error` says all.
+  bool least = false;
   int iterations = 0;  ///< at most distance_step_cap
 };
 

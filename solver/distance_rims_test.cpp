@@ -200,10 +200,14 @@ TEST(Distance, SaddleIsLeft) {
   EXPECT_NEAR(d.value, -3.2336479117, 1e-9);
 }
 
-// The distance is known because the rims are put together by it: at a point of each with the normal n, by the
-// offset along n. Apart it is the gap, and overlapping no less deep than the pair.
-TEST(Distance, SmallRimsPutTogether) {
-  Numbers random(20261122);
+struct Together {
+  Pair pair;
+  double offset;  // apart the distance; overlapping at least minus the depth
+};
+
+// Two rims put together at a point of each with the normal n, by an offset along n. `most`: of the second
+// radius and of the offset over it, in powers of two.
+Together put_together(Numbers& random, int i, int most) {
   auto unit = [&] {
     Vector3 v(0, 0, 0);
     while (!(v.norm() > 0.1))
@@ -214,20 +218,25 @@ TEST(Distance, SmallRimsPutTogether) {
     const double mantissa = random.between(0.5, 1);
     return std::ldexp(mantissa, -static_cast<int>(random.between(from, to)));
   };
+  const Vector3 first = unit(), second = unit(), third = unit();
+  const double slant = random.between(0.035, 0.577), near = small(0, 12);
+  Vector3 w0 = first, w1 = (w0 + slant * w0.cross(second).normalized()).normalized();
+  const Vector3 n = i % 3 ? third : Vector3((w0 + near * third).normalized());
+  if (n.dot(w0) < 0) w0 = -w0;
+  if (n.dot(w1) > 0) w1 = -w1;
+  const double r0 = 1, r1 = small(-most, 10 - most), h0 = small(-3, 6);
+  const double h1 = r1 * small(-4, 6), offset = (i % 2 ? 1 : -1) * r1 * small(-2, 5);
+  // By way of the tangents, so as to be square to the axes to the last digit.
+  const Vector3 u0 = w0.cross(n.cross(w0).normalized()), u1 = w1.cross((-n).cross(w1).normalized());
+  const Vector3 off0 = h0 / 2 * w0 + r0 * u0, off1 = h1 / 2 * w1 + r1 * u1;
+  return {{{Vector3(0, 0, 0), w0, r0, h0}, {off0 + offset * n - off1, w1, r1, h1}}, offset};
+}
+
+TEST(Distance, SmallRimsPutTogether) {
+  Numbers random(20261122);
   int wrong = 0, wide = 0, deep = 0;
   for (int i = 0; i < 40000; ++i) {
-    const Vector3 first = unit(), second = unit(), third = unit();
-    const double slant = random.between(0.035, 0.577), near = small(0, 12);
-    Vector3 w0 = first, w1 = (w0 + slant * w0.cross(second).normalized()).normalized();
-    const Vector3 n = i % 3 ? third : Vector3((w0 + near * third).normalized());
-    if (n.dot(w0) < 0) w0 = -w0;
-    if (n.dot(w1) > 0) w1 = -w1;
-    const double r0 = 1, r1 = small(3, 13), h0 = small(-3, 6);
-    const double h1 = r1 * small(-4, 6), offset = (i % 2 ? 1 : -1) * r1 * small(-2, 5);
-    // By way of the tangents, so as to be square to the axes to the last digit.
-    const Vector3 u0 = w0.cross(n.cross(w0).normalized()), u1 = w1.cross((-n).cross(w1).normalized());
-    const Vector3 off0 = h0 / 2 * w0 + r0 * u0, off1 = h1 / 2 * w1 + r1 * u1;
-    const Pair p{{Vector3(0, 0, 0), w0, r0, h0}, {off0 + offset * n - off1, w1, r1, h1}};
+    const auto [p, offset] = put_together(random, i, -3);
     const Distance d = distance(p.a, p.b);
     const double rounding = 1e-14 * reach_of(p);
     if (offset > 0) {
@@ -240,6 +249,33 @@ TEST(Distance, SmallRimsPutTogether) {
   EXPECT_EQ(wrong, 0);
   EXPECT_EQ(wide, 0);
   EXPECT_EQ(deep, 0);
+}
+
+// A depth that is told to be least is no deeper than the one that the pair was put together by, nor than what
+// other directions show.
+TEST(Distance, LeastDepthIsNoDeeperThanAnyKnown) {
+  Numbers random(20261123);
+  int least = 0, deep = 0;
+  for (int i = 0; i < 80000; i += 2) {
+    const auto [p, offset] = put_together(random, i, 1);
+    const Distance d = distance(p.a, p.b);
+    if (!d.least) continue;
+    ++least;
+    deep += d.value < offset - 4 * d.error - 1e-14 * reach_of(p);
+  }
+  EXPECT_GT(least, 4000);
+  EXPECT_EQ(deep, 0);
+}
+
+// By caps, by sides, of parallel solids; of two capsules whose segments are apart.
+TEST(Distance, SaysWhetherADepthIsLeast) {
+  const Cylinder a{{0, 0, 0}, {0, 0, 1}, 1, 2};
+  EXPECT_TRUE(distance(a, Cylinder{{0, 0, 1.9}, {0, 0.1, 1}, 1, 2}).least);
+  EXPECT_TRUE(distance(a, Cylinder{{1.5, 0, 0}, {0, 1, 0}, 1, 2}).least);
+  EXPECT_TRUE(distance(a, Cylinder{{1, 0, 0.5}, {0, 0, 1}, 1, 2}).least);
+  EXPECT_FALSE(distance(a, Cylinder{{5, 0, 0}, {0, 1, 0}, 1, 2}).least);
+  EXPECT_TRUE(
+      distance(Cylinder{{0, 0, 0}, {0, 0, 1}, 0, 2, 1}, Cylinder{{1, 0, 0}, {0, 1, 0}, 0, 2, 1}).least);
 }
 
 }  // namespace

@@ -111,4 +111,13 @@ inline Turn lowest_on_circle(double z, double e, double r, double s, double c, i
   return {t * y, y};
 }
 
+// Whether f is nowhere below `low` on the circle square to an axis of radius `own`, z and e as above, both
+// >= 0 but for e: sqrt(x^2 + c^2 y^2) is at least x, and at least 1 - (1 - c) y.
+inline bool circle_is_above(double z, double e, double own, double other, double c, double low) noexcept {
+  const double room = own - low, from_z = larger(0, z - other), from_e = larger(0, e);
+  const double both = room + other, from_chord = larger(0, e + other * (1 - c));
+  return (room >= 0 && from_z * from_z + from_e * from_e <= room * room) ||
+         (both >= 0 && z * z + from_chord * from_chord <= both * both);
+}
+
 }  // namespace cyl

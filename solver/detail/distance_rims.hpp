@@ -30,8 +30,9 @@ class RimPoints {
         e1_(f.e1 - start.side0 * p.h0 * f.s),
         l0_(f.d0 - start.side0 * p.h0 - start.side1 * p.h1 * f.c) {}
 
-  // Newton on |y|^2 over the two angles, from where it is, to a local minimum. Inlined for 7 % of the time.
-  [[gnu::always_inline]] void come_near(int& steps) noexcept {
+  // Newton on |y|^2 over the two angles, from where it is, to a local minimum; false where that will be more
+  // than `low`, short of it. Inlined for 7 % of the time.
+  [[gnu::always_inline]] bool come_near(int& steps, double low) noexcept {
     double last = std::numeric_limits<double>::infinity();
     Rims kept = k;
     Step step;
@@ -39,7 +40,7 @@ class RimPoints {
     for (int i = 0;; ++i) {
       ++steps;
       look();
-      if (fine || i == rim_step_cap) return;
+      if (fine || i == rim_step_cap) return true;
       const double now = square_of_y();
       if (now > last * (1 + 0x1p-40)) {
         step.turn0 /= 4;
@@ -50,6 +51,7 @@ class RimPoints {
         kept = k;
         step = newton();
         fine = step.is_small();
+        if (is_vain(step, now, low)) return false;
         // Stationary, but no minimum: once it is left along the direction in which |y| is bent down most.
         if (fine && !step.bowl && !left) {
           step = downwards();
@@ -84,6 +86,14 @@ class RimPoints {
       return most * own <= 0x1p-40 * det || most <= 0x1p-90;
     }
   };
+
+  // The model of |y|^2 here, and four times the fall it promises.
+  bool is_vain(const Step& step, double now, double low) const noexcept {
+    constexpr double settled_turn = 0.125;
+    const double fall = p_.r0 * slope0() * step.turn0 + p_.r1 * slope1() * step.turn1;
+    return step.bowl && larger(std::fabs(step.turn0), std::fabs(step.turn1)) < settled_turn &&
+           now - 4 * fall > low * low;
+  }
 
   void look() noexcept {
     yn_ = f_.z - p_.r0 * k.x0 - p_.r1 * k.x1;

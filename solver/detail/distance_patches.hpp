@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: MIT
+// Whether no direction that points to two rims is lower than one that is known. For distance.cpp alone.
+// Symbols as in distance.md, section 6.
+#pragma once
+
+#include <cmath>
+
+#include "solver/detail/distance_rims.hpp"
+
+namespace cyl {
+
+inline constexpr int patch_box_cap = 5;  // boxes looked at of one pair of rims; one is usual
+
+// What a number may be.
+struct Range {
+  double low, high;
+
+  bool is_empty() const noexcept { return !(low <= high); }
+  double middle() const noexcept { return 0.5 * (low + high); }
+  double width() const noexcept { return high - low; }
+  double least_size() const noexcept { return larger(0, larger(low, -high)); }
+  double most_size() const noexcept { return larger(-low, high); }
+};
+inline Range operator+(Range a, Range b) noexcept { return {a.low + b.low, a.high + b.high}; }
+inline Range operator*(double a, Range b) noexcept {
+  return a < 0 ? Range{a * b.high, a * b.low} : Range{a * b.low, a * b.high};
+}
+inline Range both_of(Range a, Range b) noexcept { return {larger(a.low, b.low), smaller(a.high, b.high)}; }
+
+// Of solids that overlap. Where f is least, inside the patch of a rim of each solid, y = -f D with 0 <= f <=
+// most: that leaves a box of the rims' coordinates along m0 and m1, often none.
+class PatchSearch {
+ public:
+  // `error`: of every length compared here.
+  PatchSearch(const Scaled& p, const TurnedFrame& f, double most, double error) noexcept
+      : p_(p), f_(f), most_(most), error_(error), inverse_(1 / f.s) {
+    const double room = p.r0 + p.r1 - most;  // D.n <= z/(r0 + r1 - f)
+    most_n_ = f.z < room ? most * (f.z / room) : most;
+  }
+
+  // Whether no D with D.w0 of the sign side0 and D.w1 of the sign side1 has f <= most; if not, `left` is
+  // where one may be.
+  bool is_above(double side0, double side1, Rims& left_open) noexcept {
+    e0_ = f_.e0 - side1 * p_.h1 * f_.s;
+    e1_ = f_.e1 - side0 * p_.h0 * f_.s;
+    l0_ = f_.d0 - side0 * p_.h0 - side1 * p_.h1 * f_.c;
+    l1_ = f_.d1 - side1 * p_.h1 - side0 * p_.h0 * f_.c;
+    const Range depth = {-error_, most_ + error_};
+    Box boxes[patch_box_cap + 1];
+    boxes[0] = {both_of({-p_.r0, p_.r0}, inverse_ * (Range{l1_, l1_} + side1 * depth)),
+                both_of({-p_.r1, p_.r1}, inverse_ * (Range{l0_, l0_} + side0 * depth))};
+    if (boxes[0].q0.is_empty() || boxes[0].q1.is_empty()) return true;
+    int left = 1;
+    for (int i = 0; i < patch_box_cap; ++i) {
+      const Box box = boxes[--left];
+      if (!is_above(box)) {
+        Box half = box, other = box;
+        if (box.q0.width() > box.q1.width())
+          half.q0.high = other.q0.low = box.q0.middle();
+        else
+          half.q1.high = other.q1.low = box.q1.middle();
+        boxes[left++] = half;
+        boxes[left++] = other;
+      }
+      if (left == 0) return true;
+    }
+    const auto turned = [](double r, Range q, double& x, double& y) {
+      y = r > 0 ? q.middle() / r : 0;
+      x = std::sqrt(larger(0, (1 - y) * (1 + y)));
+    };
+    left_open = {side0, side1, 1, 0, 1, 0};
+    turned(p_.r0, boxes[left - 1].q0, left_open.x0, left_open.y0);
+    turned(p_.r1, boxes[left - 1].q1, left_open.x1, left_open.y1);
+    return false;
+  }
+
+ private:
+  // Of the two points, along m0 and along m1.
+  struct Box {
+    Range q0, q1;
+  };
+
+  static Range along_n(double r, Range q) noexcept {
+    const double most = smaller(r, q.most_size()), least = smaller(r, q.least_size());
+    return {std::sqrt((r - most) * (r + most)), std::sqrt((r - least) * (r + least))};
+  }
+
+  // All of it at once, since nobody can predict which part tells.
+  bool is_above(const Box& box) const noexcept {
+    const auto& [q0, q1] = box;
+    const double most = most_ + error_;
+    const Range m0 = Range{e0_, e0_} + (-1 * q0) + f_.c * q1, m1 = Range{e1_, e1_} + f_.c * q0 + (-1 * q1);
+    const Range w0 = Range{l0_, l0_} + (-f_.s) * q1, w1 = Range{l1_, l1_} + (-f_.s) * q0;
+    const Range p0 = along_n(p_.r0, q0), p1 = along_n(p_.r1, q1),
+                n = p0 + p1 + Range{-f_.z, -f_.z};  // -y.n = f D.n
+    const double square = larger(square_of(m0) + square_of(w0), square_of(m1) + square_of(w1)) + square_of(n);
+    return (n.high < -error_) | (n.low > most_n_ + error_) | (square > most * most) |
+           is_askew(p_.r0, p0, q0, n, m0) | is_askew(p_.r1, p1, q1, n, m1);
+  }
+
+  static double square_of(Range x) noexcept { return x.least_size() * x.least_size(); }
+
+  // Whether y is nowhere opposite to what of D is square to the axis: p and q along n and m, where -y has n
+  // and y has m. A point, of radius 0, has all directions.
+  bool is_askew(double r, Range p, Range q, Range n, Range m) const noexcept {
+    const bool turned = q.low < 0;
+    const double near = turned ? -q.high : q.low, far = turned ? -q.low : q.high, slack = 2 * error_ * r;
+    const double low = turned ? m.low : -m.high, high = turned ? m.high : -m.low;  // of -m towards q
+    const bool known = (r > 0) & ((q.low >= 0) | (q.high <= 0));
+    return known & ((high < -error_) | (p.low * larger(0, low) > far * larger(0, n.high) + slack) |
+                    (p.high * larger(0, high) < near * larger(0, n.low) - slack));
+  }
+
+  const Scaled& p_;
+  const TurnedFrame& f_;
+  double most_, most_n_, error_, inverse_;  // inverse_: 1/s
+  double e0_ = 0, e1_ = 0, l0_ = 0, l1_ = 0;  // between the centres of the caps, along m0, m1, w0, w1
+};
+
+}  // namespace cyl
