@@ -72,44 +72,75 @@ struct PlaneWeights {
           bits(f.s2 * (across * across + beside * beside) < room * room)) == 3;
 }
 
-// A point that the solids share, in the slice at u = z r0/(r0 + r1), where the filter has them meet; false
-// where no candidate is inside both by more than rounding (section 8). Tried first, since no case has to be
-// told from another and no root is needed: where the squares of its four coordinates, along and across both
-// axes, in units of their half lengths, sum up to least. With A = x.w0, B = x.w1 and g_i = r_i^2 (s^2 -
-// (dn/(r0 + r1))^2) that is
+// The slice at u = z r0/(r0 + r1), in a unit of a power of two in which the radii are near 1, for the sake of
+// products of so many lengths. With A = x.w0, B = x.w1 and g_i = r_i^2 (s^2 - (dn/(r0 + r1))^2), the squares
+// of the four coordinates, along and across both axes, in units of their half lengths, sum up to
 //   A^2/h0^2 + (B - d1)^2/h1^2 + (B - C A)^2/g0 + (A - d0 - C (B - d1))^2/g1,
-// here times all denominators.
-[[gnu::always_inline]] inline bool find_point(const SectionsOfBoth& f, double error,
+// with the weights 1/h_i^2 and 1/g_i times all denominators.
+struct FirstSlice {
+  [[gnu::always_inline]] explicit FirstSlice(const SectionsOfBoth& f) noexcept
+      : radii(f.radii()), unit(power_of_two(-exponent_of(radii))), sum(radii * unit), square(sum * sum) {
+    h = f.h * unit;
+    r = f.r * unit;
+    d = f.d * unit;
+    dn = f.dn * unit;
+    s2 = f.s2 * square;
+    const Both hh = h * h;
+    rr = r * r;
+    along = crosswise(hh) * (rr[0] * rr[1] * (s2 - dn * dn));
+    across = hh[0] * hh[1] * square * crosswise(rr);
+  }
+  double radii, unit, sum, square, dn, s2;
+  Both h, r, rr, d;
+  Both along, across;      // the weights
+  Both at, axial, beside;  // A and B, and what is along and across the axes, times det
+  double det;
+};
+
+// Where the sum of squares is least; false where that is not inside both by more than `error` (section 8). No
+// case has to be told from another, and no root is needed.
+[[gnu::always_inline]] inline bool find_least(const SectionsOfBoth& f, double error, FirstSlice& s,
                                               PlaneWeights& x) noexcept {
-  const double radii = f.radii(), cosine = f.cosine;
-  // In a unit of a power of two in which the radii are near 1, for the sake of products of so many lengths.
-  const double unit = power_of_two(-exponent_of(radii)), sum = radii * unit, square = sum * sum;
-  const Both h = f.h * unit, r = f.r * unit, hh = h * h, rr = r * r, d = f.d * unit;
-  const double dn = f.dn * unit, s2 = f.s2 * square;
-  const double g = rr[0] * rr[1] * (s2 - dn * dn);
-  const Both along = crosswise(hh) * g, across = hh[0] * hh[1] * square * crosswise(rr);
-  const Both m = along + crosswise(across) + cosine * cosine * across;
-  const double turned = cosine * (across[0] + across[1]);  // the other element of the matrix, times -1
-  const double g0 = across[1] * (d[0] - cosine * d[1]), g1 = along[1] * d[1] - cosine * g0;
-  const double det = m[0] * m[1] - turned * turned;
+  const double cosine = f.cosine;
+  const Both m = s.along + crosswise(s.across) + cosine * cosine * s.across;
+  const double turned = cosine * (s.across[0] + s.across[1]);  // the other element of the matrix, times -1
+  const double g0 = s.across[1] * (s.d[0] - cosine * s.d[1]), g1 = s.along[1] * s.d[1] - cosine * g0;
+  s.det = m[0] * m[1] - turned * turned;
   const Both right{g0, g1};
-  const Both at = crosswise(m) * right + turned * crosswise(right);  // {A, B} det
-  const double inverse = 1 / (det * (f.s2 * sum));                   // the one division
+  s.at = crosswise(m) * right + turned * crosswise(right);  // {A, B} det
+  const double inverse = 1 / (s.det * (f.s2 * s.sum));      // the one division
   // Whether it is in both: before the division, times det, and squares times (det s (r0 + r1))^2.
-  const Both from1 = at - d * det, room_h = h - error * unit, room_r = r - error * unit;
-  const Both axial = __builtin_shufflevector(at, from1, 0, 3),
-             other = __builtin_shufflevector(at, from1, 1, 2);
-  const Both beside = other - cosine * axial;
-  const double depth = det * dn;
-  const unsigned inside =
-      (det > least_det ? 3u : 0u) & bits(magnitude(axial) < room_h * det) &
-      bits(beside * beside * square + depth * depth * rr < room_r * magnitude(room_r) * (s2 * (det * det)));
-  const Both scaled = at * (inverse * radii);
-  x = {scaled - cosine * crosswise(scaled), f.dn * r[0] * (inverse * det)};
+  const Both from1 = s.at - s.d * s.det, room_h = s.h - error * s.unit, room_r = s.r - error * s.unit;
+  s.axial = __builtin_shufflevector(s.at, from1, 0, 3);
+  s.beside = __builtin_shufflevector(s.at, from1, 1, 2) - cosine * s.axial;
+  const double depth = s.det * s.dn;
+  const unsigned inside = (s.det > least_det ? 3u : 0u) & bits(magnitude(s.axial) < room_h * s.det) &
+                          bits(s.beside * s.beside * s.square + depth * depth * s.rr <
+                               room_r * magnitude(room_r) * (s.s2 * (s.det * s.det)));
+  const Both scaled = s.at * (inverse * s.radii);
+  x = {scaled - cosine * crosswise(scaled), f.dn * s.r[0] * (inverse * s.det)};
   return inside == 3;
 }
 
-// Where the sum of squares of find_point() has no common point: along the longer sides, then the whole
+// A point that the solids share, where the separating-axis filter has them meet.
+[[gnu::always_inline]] inline bool find_point(const SectionsOfBoth& f, double error,
+                                              PlaneWeights& x) noexcept {
+  FirstSlice slice(f);
+  return find_least(f, error, slice, x);
+}
+
+// The same once more, with each weight times the share of its half length that the first point used: what is
+// outside counts for more, and the largest of the four becomes less (Lawson's way to the least maximum).
+bool find_point_again(const SectionsOfBoth& f, double error, PlaneWeights& x) noexcept {
+  FirstSlice s(f);
+  find_least(f, error, s, x);
+  const double inverse = 1 / s.det, width = root(s.s2 - s.dn * s.dn) / s.sum;
+  s.along = s.along * (magnitude(s.axial) * inverse / s.h);
+  s.across = s.across * (magnitude(s.beside) * inverse / (s.r * width));
+  return find_least(f, error, s, x);
+}
+
+// Where neither sum of squares has a common point: along the longer sides, then the whole
 // overlap.
 bool find_point_otherwise(const SectionsOfBoth& f, double error, PlaneWeights& x) noexcept {
   const double s = root(f.s2), inverse = 1 / s, z = f.dn * inverse, u = x.c * s, v = z - u;
@@ -207,7 +238,8 @@ bool prove_steep(const Prepared& a, const Prepared& b, Open& open, Answer& answe
   const auto filter = separating_axis_filter(f);
   if (filter.apart) return false;
   if (filter.met) {
-    if (!find_point_otherwise(f, open.error, open.x)) return false;
+    if (!find_point_again(f, open.error, open.x) && !find_point_otherwise(f, open.error, open.x))
+      return false;
     hand_out(a, b, f, open.x, answer);
     return true;
   }

@@ -21,6 +21,19 @@ auto prepare_solids(std::span<const Pair> pairs, Query query) {
   };
 }
 
+/// Prepared solids of both sides, and which of them make a pair.
+struct PreparedPairs {
+  explicit PreparedPairs(std::span<const Pair> pairs) {
+    for (const Pair& pair : pairs) {
+      indices.push_back({static_cast<std::uint32_t>(a.size()), static_cast<std::uint32_t>(b.size())});
+      a.push_back(prepare(pair.a));
+      b.push_back(prepare(pair.b));
+    }
+  }
+  std::vector<Prepared> a, b;
+  std::vector<IndexPair> indices;
+};
+
 class Intersect final : public Method {
  public:
   std::string_view name() const override { return "intersect"; }
@@ -46,15 +59,8 @@ class Intersect final : public Method {
     return prepare_solids(pairs, [](const Prepared& a, const Prepared& b) { return intersect(a, b); });
   }
   BatchCall prepare_batch(std::span<const Pair> pairs) override {
-    std::vector<Prepared> a, b;
-    std::vector<IndexPair> indices;
-    for (const Pair& pair : pairs) {
-      indices.push_back({static_cast<std::uint32_t>(a.size()), static_cast<std::uint32_t>(b.size())});
-      a.push_back(prepare(pair.a));
-      b.push_back(prepare(pair.b));
-    }
-    return [a = std::move(a), b = std::move(b), indices = std::move(indices)](std::span<Verdict> verdicts) {
-      intersect_batch(a, b, indices, verdicts.data());
+    return [of = PreparedPairs(pairs)](std::span<Verdict> verdicts) {
+      intersect_batch(of.a, of.b, of.indices, verdicts.data());
     };
   }
 };
@@ -85,6 +91,13 @@ class Decide final : public Method {
   }
   Call prepare_all(std::span<const Pair> pairs) override {
     return prepare_solids(pairs, [](const Prepared& a, const Prepared& b) { return decide(a, b).verdict; });
+  }
+  BatchCall prepare_batch(std::span<const Pair> pairs) override {
+    return [of = PreparedPairs(pairs),
+            answers = std::vector<Answer>(pairs.size())](std::span<Verdict> verdicts) mutable {
+      decide_batch(of.a, of.b, of.indices, answers.data());
+      for (std::size_t i = 0; i < answers.size(); ++i) verdicts[i] = answers[i].verdict;
+    };
   }
 };
 

@@ -60,39 +60,89 @@ struct Pieces {
   return in0 | in1 | in2 | in3 | in_n;
 }
 
-/// find_point() and hand_out().
-[[gnu::always_inline]] inline Mask prove_met(const Pieces& of, Lanes error, Lanes least_det,
-                                             Lanes (&tail)[3]) {
+/// FirstSlice.
+struct SumOfSquares {
+  Lanes unit, sum, square, h0, h1, r0, r1, rr0, rr1, d0, d1, dn, s2;
+  Lanes along0, along1, across0, across1;         ///< the weights
+  Lanes at0, at1, axial1, beside0, beside1, det;  ///< axial0 is at0
+};
+
+[[gnu::always_inline]] inline SumOfSquares sum_of_squares(const Pieces& of) {
   const auto& [p, q, f] = of;
-  const Lanes radii = p.r0 + p.r1, unit = unit_of(radii), sum = radii * unit, square = sum * sum;
-  const Lanes h0 = p.h0 * unit, h1 = p.h1 * unit, r0 = p.r0 * unit, r1 = p.r1 * unit;
-  const Lanes hh0 = h0 * h0, hh1 = h1 * h1, rr0 = r0 * r0, rr1 = r1 * r1;
-  const Lanes d0 = q.d0 * unit, d1 = q.d1 * unit, dn = q.dn * unit, s2 = f.s2 * square;
-  const Lanes g = rr0 * rr1 * (s2 - dn * dn), hh = hh0 * hh1 * square;
-  const Lanes along0 = hh1 * g, along1 = hh0 * g, across0 = hh * rr1, across1 = hh * rr0,
-              c2 = q.cosine * q.cosine;
-  const Lanes m0 = along0 + across1 + c2 * across0, m1 = along1 + across0 + c2 * across1;
-  const Lanes turned = q.cosine * (across0 + across1);
-  const Lanes g0 = across1 * (d0 - q.cosine * d1), g1 = along1 * d1 - q.cosine * g0;
-  const Lanes det = m0 * m1 - turned * turned;
-  const Lanes at0 = m1 * g0 + turned * g1, at1 = m0 * g1 + turned * g0;
-  const Lanes inverse = Lanes(1.0) / (det * (f.s2 * sum)), room = error * unit;
-  const Lanes from0 = at0 - d0 * det, from1 = at1 - d1 * det;
-  const Lanes beside0 = at1 - q.cosine * at0, beside1 = from0 - q.cosine * from1, depth = det * dn;
-  const Lanes across_square = s2 * (det * det);
+  const Lanes radii = p.r0 + p.r1;
+  SumOfSquares s;
+  s.unit = unit_of(radii);
+  s.sum = radii * s.unit;
+  s.square = s.sum * s.sum;
+  s.h0 = p.h0 * s.unit;
+  s.h1 = p.h1 * s.unit;
+  s.r0 = p.r0 * s.unit;
+  s.r1 = p.r1 * s.unit;
+  s.rr0 = s.r0 * s.r0;
+  s.rr1 = s.r1 * s.r1;
+  s.d0 = q.d0 * s.unit;
+  s.d1 = q.d1 * s.unit;
+  s.dn = q.dn * s.unit;
+  s.s2 = f.s2 * s.square;
+  const Lanes hh0 = s.h0 * s.h0, hh1 = s.h1 * s.h1, hh = hh0 * hh1 * s.square;
+  const Lanes g = s.rr0 * s.rr1 * (s.s2 - s.dn * s.dn);
+  s.along0 = hh1 * g;
+  s.along1 = hh0 * g;
+  s.across0 = hh * s.rr1;
+  s.across1 = hh * s.rr0;
+  return s;
+}
+
+/// find_least() and hand_out().
+[[gnu::always_inline]] inline Mask find_least(const Pieces& of, Lanes error, Lanes least_det, SumOfSquares& s,
+                                              Lanes (&tail)[3]) {
+  const auto& [p, q, f] = of;
+  const Lanes c2 = q.cosine * q.cosine;
+  const Lanes m0 = s.along0 + s.across1 + c2 * s.across0, m1 = s.along1 + s.across0 + c2 * s.across1;
+  const Lanes turned = q.cosine * (s.across0 + s.across1);
+  const Lanes g0 = s.across1 * (s.d0 - q.cosine * s.d1), g1 = s.along1 * s.d1 - q.cosine * g0;
+  s.det = m0 * m1 - turned * turned;
+  s.at0 = m1 * g0 + turned * g1;
+  s.at1 = m0 * g1 + turned * g0;
+  const Lanes inverse = Lanes(1.0) / (s.det * (f.s2 * s.sum)), room = error * s.unit;
+  const Lanes from0 = s.at0 - s.d0 * s.det, depth = s.det * s.dn, across_square = s.s2 * (s.det * s.det);
+  s.axial1 = s.at1 - s.d1 * s.det;
+  s.beside0 = s.at1 - q.cosine * s.at0;
+  s.beside1 = from0 - q.cosine * s.axial1;
   const auto is_across = [&](Lanes beside, Lanes rr, Lanes r) {
-    return beside * beside * square + depth * depth * rr < signed_square(r - room) * across_square;
+    return beside * beside * s.square + depth * depth * rr < signed_square(r - room) * across_square;
   };
-  const Mask met = (det > least_det) & (magnitude(at0) < (h0 - room) * det) &
-                   (magnitude(from1) < (h1 - room) * det) & is_across(beside0, rr0, r0) &
-                   is_across(beside1, rr1, r1);
-  const Lanes scale = inverse * radii, scaled0 = at0 * scale, scaled1 = at1 * scale;
+  const Mask met = (s.det > least_det) & (magnitude(s.at0) < (s.h0 - room) * s.det) &
+                   (magnitude(s.axial1) < (s.h1 - room) * s.det) & is_across(s.beside0, s.rr0, s.r0) &
+                   is_across(s.beside1, s.rr1, s.r1);
+  const Lanes scale = inverse * (p.r0 + p.r1), scaled0 = s.at0 * scale, scaled1 = s.at1 * scale;
   const Lanes a = scaled0 - q.cosine * scaled1, b = scaled1 - q.cosine * scaled0,
-              c = q.dn * r0 * (inverse * det);
+              c = q.dn * s.r0 * (inverse * s.det);
   tail[0] = a * p.w0x + b * p.w1x + c * q.nx;
   tail[1] = a * p.w0y + b * p.w1y + c * q.ny;
   tail[2] = a * p.w0z + b * p.w1z + c * q.nz;
   return met;
+}
+
+/// find_point(), and for lanes of `asked` where that fails but the filter has them meet find_point_again().
+[[gnu::always_inline]] inline Mask prove_met(const Pieces& of, Mask asked, Lanes error, Lanes least_det,
+                                             Lanes (&tail)[3]) {
+  SumOfSquares s = sum_of_squares(of);
+  const Mask met = asked & find_least(of, error, least_det, s, tail);
+  const Mask open = asked & negate(met);
+  if (bits(open) == 0) return met;
+  const auto filter = separating_axis_filter(of.f);
+  const Mask hopeful = open & filter.met & negate(filter.apart);
+  if (bits(hopeful) == 0) return met;
+  const Lanes inverse = Lanes(1.0) / s.det, width = root(s.s2 - s.dn * s.dn) / s.sum;
+  s.along0 = s.along0 * (magnitude(s.at0) * inverse / s.h0);
+  s.along1 = s.along1 * (magnitude(s.axial1) * inverse / s.h1);
+  s.across0 = s.across0 * (magnitude(s.beside0) * inverse / (s.r0 * width));
+  s.across1 = s.across1 * (magnitude(s.beside1) * inverse / (s.r1 * width));
+  Lanes again[3];
+  const Mask met_again = hopeful & find_least(of, error, least_det, s, again);
+  for (int i = 0; i < 3; ++i) tail[i] = pick(met_again, again[i], tail[i]);
+  return met | met_again;
 }
 
 [[gnu::always_inline]] inline Proofs prove(const Couple<Lanes>& p, Lanes turn, const DecideJob& job) {
@@ -105,7 +155,7 @@ struct Pieces {
   const Mask steep = f.c <= Lanes(steep_cosine);
   const Pieces of{p, q, f};
   found.apart = steep & prove_apart(of, job.filter_error * reach, turn, found.direction);
-  found.met = steep & negate(found.apart) & prove_met(of, job.point_error * reach, job.least_det, found.tail);
+  found.met = prove_met(of, steep & negate(found.apart), job.point_error * reach, job.least_det, found.tail);
   return found;
 }
 

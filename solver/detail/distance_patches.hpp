@@ -113,7 +113,7 @@ class PatchSearch {
 
   const Scaled& p_;
   const TurnedFrame& f_;
-  double most_, most_n_, error_, inverse_;  // inverse_: 1/s
+  double most_, most_n_, error_, inverse_;    // inverse_: 1/s
   double e0_ = 0, e1_ = 0, l0_ = 0, l1_ = 0;  // between the centres of the caps, along m0, m1, w0, w1
 };
 
