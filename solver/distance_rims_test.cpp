@@ -270,7 +270,7 @@ TEST(Distance, LeastDepthIsNoDeeperThanAnyKnown) {
 // By caps, by sides, of parallel solids; of two capsules whose segments are apart.
 TEST(Distance, SaysWhetherADepthIsLeast) {
   const Cylinder a{{0, 0, 0}, {0, 0, 1}, 1, 2};
-  EXPECT_TRUE(distance(a, Cylinder{{0, 0, 1.9}, {0, 0.1, 1}, 1, 2}).least);
+  EXPECT_TRUE(distance(a, Cylinder{{0.3, 0.1, 1.9}, {0, 0.1, 1}, 0.2, 2}).least);
   EXPECT_TRUE(distance(a, Cylinder{{1.5, 0, 0}, {0, 1, 0}, 1, 2}).least);
   EXPECT_TRUE(distance(a, Cylinder{{1, 0, 0.5}, {0, 0, 1}, 1, 2}).least);
   EXPECT_FALSE(distance(a, Cylinder{{5, 0, 0}, {0, 1, 0}, 1, 2}).least);
