@@ -129,15 +129,21 @@ struct FirstSlice {
   return find_least(f, error, slice, x);
 }
 
+constexpr int reweight_cap = 3;  // more save next to nothing
+
 // The same once more, with each weight times the share of its half length that the first point used: what is
 // outside counts for more, and the largest of the four becomes less (Lawson's way to the least maximum).
 bool find_point_again(const SectionsOfBoth& f, double error, PlaneWeights& x) noexcept {
   FirstSlice s(f);
   find_least(f, error, s, x);
-  const double inverse = 1 / s.det, width = root(s.s2 - s.dn * s.dn) / s.sum;
-  s.along = s.along * (magnitude(s.axial) * inverse / s.h);
-  s.across = s.across * (magnitude(s.beside) * inverse / (s.r * width));
-  return find_least(f, error, s, x);
+  const Both widths = s.r * (root(s.s2 - s.dn * s.dn) / s.sum);
+  for (int i = 0; i < reweight_cap; ++i) {
+    const double inverse = 1 / s.det;
+    s.along = s.along * (magnitude(s.axial) * inverse / s.h);
+    s.across = s.across * (magnitude(s.beside) * inverse / widths);
+    if (find_least(f, error, s, x)) return true;
+  }
+  return false;
 }
 
 // Where neither sum of squares has a common point: along the longer sides, then the whole

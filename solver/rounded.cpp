@@ -236,6 +236,88 @@ Answer turned(Answer answer) noexcept {
   return answer;
 }
 
+// Which hull a core of half height h that is a segment is held for (certify.hpp).
+Hull hull_of_segment(double h, double reach) noexcept {
+  return h <= room_tol * reach ? Hull::center : Hull::line;
+}
+
+// Two cores of which each is a segment or a point, in the scene's own unit: their nearest points in closed
+// form (rounded.md, section 3), as certificate or by the way between them.
+bool prove_segments(const Prepared& a, const Prepared& b, double room, Answer& answer) noexcept {
+  const Vector3 delta = b.center - a.center;
+  const Vector3 &v = a.unit_axis, &w = b.unit_axis;
+  const double h0 = 0.5 * a.height, h1 = 0.5 * b.height;
+  const Lead lead = nearest_of_segments(h0, h1, dot(delta, v), -dot(delta, w), dot(v, w));
+  if (!lead.told) return false;
+  const double reach = h0 + h1 + length(delta) + room;
+  const double error = 4 * membership_error * reach + underflow_error;
+  const Vector3 e = delta + (lead.t * w - lead.s * v);
+  const double square_of_way = dot(e, e), beyond = room + 2 * separation_error * reach;
+  const double least = dot(e, delta) - h0 * std::fabs(dot(e, v)) - h1 * std::fabs(dot(e, w));
+  if ((least > 0) & (least * least > beyond * beyond * square_of_way)) {
+    answer.verdict = Verdict::disjoint;
+    answer.proof = Proof::direction;
+    answer.direction = power_of_two(-exponent_of(max_abs(e))) * e;
+    return true;
+  }
+  // Moved in from its end, and off its line, each is off by `error` at most; in a centre it is that.
+  const Hull hull0 = hull_of_segment(h0, reach), hull1 = hull_of_segment(h1, reach);
+  const double s = hull0 == Hull::center ? 0 : clamped(lead.s, h0 - 2 * error);
+  const double t = hull1 == Hull::center ? 0 : clamped(lead.t, h1 - 2 * error);
+  const Vector3 on0 = s * v, on1 = t * w, between = delta + (on1 - on0);
+  const double within = room - 5 * error;
+  if (!((within > 0) & (dot(between, between) <= within * within))) return false;
+  answer.verdict = Verdict::intersecting;
+  answer.proof = Proof::points;
+  answer.point_head = on0;
+  answer.point_tail = on1;
+  answer.hull_a = hull0;
+  answer.hull_b = hull1;
+  return true;
+}
+
+// A core that is neither flat nor thin and a point at `to` from its centre, likewise (rounded.md, section 2).
+// What is found: the core's point, or the direction from it.
+struct NearPoint {
+  Proof proof = Proof::none;
+  Vector3 found{0, 0, 0};
+};
+
+NearPoint prove_ball(const Prepared& core, const Vector3& to, double room) noexcept {
+  const Vector3& w = core.unit_axis;
+  const double r = core.radius, h = 0.5 * core.height, reach = r + h + length(to) + room;
+  if (hull_of(r, h, reach) != Hull::space) return {};
+  const double error = 4 * membership_error * reach + underflow_error;
+  const double along = dot(to, w), kept = clamped(along, h - 2 * error), most = r - 2 * error;
+  const Vector3 across = to - along * w;
+  const double square_across = dot(across, across);
+  const double part = square_across > most * most ? most / std::sqrt(square_across) : 1;
+  // From the point just inside: nearest enough for the direction, too.
+  const Vector3 on = kept * w + part * across, e = to - on;
+  const double square_of_way = dot(e, e), within = room - 5 * error;
+  if ((within > 0) & (square_of_way <= within * within)) return {Proof::points, on};
+  const double beyond = room + 2 * separation_error * reach;
+  const double least = dot(e, to) - h * std::fabs(dot(e, w)) - r * length(e.cross(w));
+  if (!((least > 0) & (least * least > beyond * beyond * square_of_way))) return {};
+  return {Proof::direction, power_of_two(-exponent_of(max_abs(e))) * e};
+}
+
+bool prove_ball(const Prepared& a, const Prepared& b, double room, Answer& answer) noexcept {
+  const Vector3 delta = b.center - a.center;
+  const NearPoint near = b.ball ? prove_ball(a, delta, room) : prove_ball(b, -delta, room);
+  if (near.proof == Proof::none) return false;
+  answer.proof = near.proof;
+  if (near.proof == Proof::direction) {
+    answer.verdict = Verdict::disjoint;
+    answer.direction = b.ball ? near.found : Vector3(-near.found);
+  } else {
+    answer.verdict = Verdict::intersecting;
+    (b.ball ? answer.point_head : answer.point_tail) = near.found;
+    (b.ball ? answer.hull_b : answer.hull_a) = Hull::center;
+  }
+  return true;
+}
+
 // By the points and directions of look_between(), most pairs.
 bool prove_between(const Scaled& p, double room, Answer& answer) noexcept {
   constexpr int step_cap = first_steps + more_steps;
@@ -258,8 +340,12 @@ bool prove_between(const Scaled& p, double room, Answer& answer) noexcept {
 
 Answer decide_rounded(const Prepared& a, const Prepared& b, double room) noexcept {
   if (out_of_order(a, b)) return turned(decide_rounded(b, a, room));
-  const Prepared first = core_of(a), second = core_of(b);
   Answer answer;
+  if (a.moderate & b.moderate & (room <= 0x1p202) &&
+      ((a.thin & b.thin) ? prove_segments(a, b, room, answer)
+                         : (a.ball | b.ball) && prove_ball(a, b, room, answer)))
+    return answer;
+  const Prepared first = core_of(a), second = core_of(b);
   const Scaled p = scale(first, second);
   const double scaled_room = scaled_length(room, p.exponent);
   if (!std::isfinite(scaled_room)) return answer;
