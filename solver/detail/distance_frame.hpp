@@ -75,6 +75,7 @@ struct Turn {
 // derivative over x, t = y/x, is convex, and the minimum is at the larger root. {1, 0} where there is none.
 inline Turn lowest_on_circle(double z, double e, double r, double s, double c, int& steps) noexcept {
   const double bend = r * s * s, cc = c * c;
+  if (!(e > 0) && z >= bend) return {1, 0};  // E >= 0 everywhere
   const double q1 = 1 / std::sqrt(1 + cc), g1 = z - e - bend * q1, slope1 = z - bend * (q1 * q1 * q1);
   if (g1 >= 0 && slope1 > 0) {
     double t = e > 0 ? e / (e + g1) : 1;

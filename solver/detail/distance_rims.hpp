@@ -87,12 +87,16 @@ class RimPoints {
     }
   };
 
-  // The model of |y|^2 here, and four times the fall it promises.
+  // Four times what the model promises, at steps that are small, neither brings |y| down to `low` nor y to
+  // the inner side of both rims, where it is at a minimum of f.
   bool is_vain(const Step& step, double now, double low) const noexcept {
-    constexpr double settled_turn = 0.125;
+    constexpr double settled_turn = 0.125, most = std::numeric_limits<double>::infinity();
+    const double turn0 = std::fabs(step.turn0), turn1 = std::fabs(step.turn1);
+    if (!(low < most) || !step.bowl || larger(turn0, turn1) >= settled_turn) return false;
     const double fall = p_.r0 * slope0() * step.turn0 + p_.r1 * slope1() * step.turn1;
-    return step.bowl && larger(std::fabs(step.turn0), std::fabs(step.turn1)) < settled_turn &&
-           now - 4 * fall > low * low;
+    if (now - 4 * fall > low * low) return true;
+    const double move = p_.r0 * turn0 + p_.r1 * turn1, size = std::sqrt(now);
+    return bend0() > 4 * (move + turn0 * size) || bend1() > 4 * (move + turn1 * size);
   }
 
   void look() noexcept {
