@@ -161,6 +161,22 @@ TEST(Distance, PointsAreBroughtNearer) {
   EXPECT_LE(d.error, 1e-13 * reach_of(p));
 }
 
+// The plane that separates and the points are twice the rounding apart: the error says so.
+TEST(Distance, ErrorHoldsTheWidthBetweenPlaneAndPoints) {
+  const Pair p{upright(0, 0, 0, 1.4376847625826106, 0.67450831044606685),
+               {{-1.4599086940320833, 0.67152285153773139, 2.8674881306595212},
+                {0, 5.5445032830773847e-13, 1},
+                0.51508226793627943,
+                0.74792293011110422}};
+  const Distance d = distance(p.a, p.b);
+  const Wide way =
+      (p.b.center - p.a.center).cast<long double>() + d.on_b.cast<long double>() - d.on_a.cast<long double>();
+  EXPECT_LE(std::fabs(way.norm() - static_cast<long double>(d.value)), static_cast<long double>(d.error));
+  EXPECT_GT(d.error,
+            2 * distance_error *
+                (p.a.radius + p.b.radius + (p.a.height + p.b.height) / 2 + (p.b.center - p.a.center).norm()));
+}
+
 // Where nothing but the heights differs they alone say which is first.
 TEST(Distance, SwapOfSolidsAboutOneCentre) {
   const Cylinder a = upright(1, 2, 3, 1, 2), b = upright(1, 2, 3, 1, 4);

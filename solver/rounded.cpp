@@ -236,57 +236,52 @@ Answer turned(Answer answer) noexcept {
   return answer;
 }
 
-// Which hull a core of half height h that is a segment is held for (certify.hpp).
-Hull hull_of_segment(double h, double reach) noexcept {
-  return h <= room_tol * reach ? Hull::center : Hull::line;
+void hand_out_direction(const Vector3& d, Answer& answer) noexcept {
+  answer.verdict = Verdict::disjoint;
+  answer.proof = Proof::direction;
+  answer.direction = power_of_two(-exponent_of(max_abs(d))) * d;
 }
 
-// Two cores of which each is a segment or a point, in the scene's own unit: their nearest points in closed
-// form (rounded.md, section 3), as certificate or by the way between them.
-bool prove_segments(const Prepared& a, const Prepared& b, double room, Answer& answer) noexcept {
-  const Vector3 delta = b.center - a.center;
-  const Vector3 &v = a.unit_axis, &w = b.unit_axis;
-  const double h0 = 0.5 * a.height, h1 = 0.5 * b.height;
-  const Lead lead = nearest_of_segments(h0, h1, dot(delta, v), -dot(delta, w), dot(v, w));
+void hand_out_points(const Scaled& p, const Vector3& on0, const Vector3& on1, Hull hull0, Hull hull1,
+                     Answer& answer) noexcept {
+  answer.verdict = Verdict::intersecting;
+  answer.proof = Proof::points;
+  answer.point_head = times_power(on0, p.exponent);
+  answer.point_tail = times_power(on1, p.exponent);
+  answer.hull_a = hull0;
+  answer.hull_b = hull1;
+}
+
+// Two cores of which each is a segment or a point: their nearest points in closed form (rounded.md, section
+// 3), as certificate or by the way between them.
+bool prove_segments(const Scaled& p, double room, Answer& answer) noexcept {
+  const Lead lead = nearest_of_segments(p.h0, p.h1, dot(p.delta, p.w0), -dot(p.delta, p.w1), dot(p.w0, p.w1));
   if (!lead.told) return false;
-  const double reach = h0 + h1 + length(delta) + room;
-  const double error = 4 * membership_error * reach + underflow_error;
-  const Vector3 e = delta + (lead.t * w - lead.s * v);
+  const double reach = reach_of(p) + room, error = 4 * membership_error * reach + underflow_error;
+  const Vector3 e = p.delta + (lead.t * p.w1 - lead.s * p.w0);
   const double square_of_way = dot(e, e), beyond = room + 2 * separation_error * reach;
-  const double least = dot(e, delta) - h0 * std::fabs(dot(e, v)) - h1 * std::fabs(dot(e, w));
+  const double least = dot(e, p.delta) - p.h0 * std::fabs(dot(e, p.w0)) - p.h1 * std::fabs(dot(e, p.w1));
   if ((least > 0) & (least * least > beyond * beyond * square_of_way)) {
-    answer.verdict = Verdict::disjoint;
-    answer.proof = Proof::direction;
-    answer.direction = power_of_two(-exponent_of(max_abs(e))) * e;
+    hand_out_direction(e, answer);
     return true;
   }
   // Moved in from its end, and off its line, each is off by `error` at most; in a centre it is that.
-  const Hull hull0 = hull_of_segment(h0, reach), hull1 = hull_of_segment(h1, reach);
-  const double s = hull0 == Hull::center ? 0 : clamped(lead.s, h0 - 2 * error);
-  const double t = hull1 == Hull::center ? 0 : clamped(lead.t, h1 - 2 * error);
-  const Vector3 on0 = s * v, on1 = t * w, between = delta + (on1 - on0);
+  const Hull hull0 = hull_of(0, p.h0, reach), hull1 = hull_of(0, p.h1, reach);
+  const double s = hull0 == Hull::center ? 0 : clamped(lead.s, p.h0 - 2 * error);
+  const double t = hull1 == Hull::center ? 0 : clamped(lead.t, p.h1 - 2 * error);
+  const Vector3 on0 = s * p.w0, on1 = t * p.w1, between = p.delta + (on1 - on0);
   const double within = room - 5 * error;
   if (!((within > 0) & (dot(between, between) <= within * within))) return false;
-  answer.verdict = Verdict::intersecting;
-  answer.proof = Proof::points;
-  answer.point_head = on0;
-  answer.point_tail = on1;
-  answer.hull_a = hull0;
-  answer.hull_b = hull1;
+  hand_out_points(p, on0, on1, hull0, hull1, answer);
   return true;
 }
 
-// A core that is neither flat nor thin and a point at `to` from its centre, likewise (rounded.md, section 2).
-// What is found: the core's point, or the direction from it.
-struct NearPoint {
-  Proof proof = Proof::none;
-  Vector3 found{0, 0, 0};
-};
-
-NearPoint prove_ball(const Prepared& core, const Vector3& to, double room) noexcept {
-  const Vector3& w = core.unit_axis;
-  const double r = core.radius, h = 0.5 * core.height, reach = r + h + length(to) + room;
-  if (hull_of(r, h, reach) != Hull::space) return {};
+// A point, and a core that is neither flat nor thin, likewise (rounded.md, section 2).
+bool prove_ball(const Scaled& p, double room, Answer& answer) noexcept {
+  const bool second = p.r1 + p.h1 == 0;  // the ball
+  const Vector3 &w = second ? p.w0 : p.w1, to = second ? p.delta : Vector3(-p.delta);
+  const double r = second ? p.r0 : p.r1, h = second ? p.h0 : p.h1, reach = r + h + length(to) + room;
+  if (hull_of(r, h, reach) != Hull::space) return false;
   const double error = 4 * membership_error * reach + underflow_error;
   const double along = dot(to, w), kept = clamped(along, h - 2 * error), most = r - 2 * error;
   const Vector3 across = to - along * w;
@@ -295,27 +290,25 @@ NearPoint prove_ball(const Prepared& core, const Vector3& to, double room) noexc
   // From the point just inside: nearest enough for the direction, too.
   const Vector3 on = kept * w + part * across, e = to - on;
   const double square_of_way = dot(e, e), within = room - 5 * error;
-  if ((within > 0) & (square_of_way <= within * within)) return {Proof::points, on};
+  if ((within > 0) & (square_of_way <= within * within)) {
+    const Vector3 center(0, 0, 0);
+    if (second)
+      hand_out_points(p, on, center, Hull::space, Hull::center, answer);
+    else
+      hand_out_points(p, center, on, Hull::center, Hull::space, answer);
+    return true;
+  }
   const double beyond = room + 2 * separation_error * reach;
   const double least = dot(e, to) - h * std::fabs(dot(e, w)) - r * length(e.cross(w));
-  if (!((least > 0) & (least * least > beyond * beyond * square_of_way))) return {};
-  return {Proof::direction, power_of_two(-exponent_of(max_abs(e))) * e};
+  if (!((least > 0) & (least * least > beyond * beyond * square_of_way))) return false;
+  hand_out_direction(second ? e : Vector3(-e), answer);
+  return true;
 }
 
-bool prove_ball(const Prepared& a, const Prepared& b, double room, Answer& answer) noexcept {
-  const Vector3 delta = b.center - a.center;
-  const NearPoint near = b.ball ? prove_ball(a, delta, room) : prove_ball(b, -delta, room);
-  if (near.proof == Proof::none) return false;
-  answer.proof = near.proof;
-  if (near.proof == Proof::direction) {
-    answer.verdict = Verdict::disjoint;
-    answer.direction = b.ball ? near.found : Vector3(-near.found);
-  } else {
-    answer.verdict = Verdict::intersecting;
-    (b.ball ? answer.point_head : answer.point_tail) = near.found;
-    (b.ball ? answer.hull_b : answer.hull_a) = Hull::center;
-  }
-  return true;
+bool prove_in_closed_form(const Scaled& p, double room, Answer& answer) noexcept {
+  if (p.exponent <= coarse_exponent) return false;  // points may lose bits on their way back
+  if (p.r0 + p.r1 == 0) return prove_segments(p, room, answer);
+  return (p.r0 + p.h0 == 0 || p.r1 + p.h1 == 0) && prove_ball(p, room, answer);
 }
 
 // By the points and directions of look_between(), most pairs.
@@ -341,15 +334,11 @@ bool prove_between(const Scaled& p, double room, Answer& answer) noexcept {
 Answer decide_rounded(const Prepared& a, const Prepared& b, double room) noexcept {
   if (out_of_order(a, b)) return turned(decide_rounded(b, a, room));
   Answer answer;
-  if (a.moderate & b.moderate & (room <= 0x1p202) &&
-      ((a.thin & b.thin) ? prove_segments(a, b, room, answer)
-                         : (a.ball | b.ball) && prove_ball(a, b, room, answer)))
-    return answer;
   const Prepared first = core_of(a), second = core_of(b);
   const Scaled p = scale(first, second);
   const double scaled_room = scaled_length(room, p.exponent);
   if (!std::isfinite(scaled_room)) return answer;
-  if (prove_between(p, scaled_room, answer)) return answer;
+  if (prove_in_closed_form(p, scaled_room, answer) || prove_between(p, scaled_room, answer)) return answer;
   const Answer of_cores = decide(first, second);
   if (of_cores.proof == Proof::point) return of_cores;
   const Distance d = distance_of_cores(first, second);
