@@ -36,7 +36,7 @@ void intersect_batch(std::span<const Prepared> a, std::span<const Prepared> b,
                      Instructions instructions = best_instructions()) noexcept;
 
 /// answers[i] = decide(a[pairs[i].a], b[pairs[i].b]), to the last bit; otherwise as above. Cost: with AVX-512
-/// a third of decide() a pair, where the axes are at an angle.
+/// two thirds of decide() a pair, where the axes are at an angle.
 void decide_batch(std::span<const Prepared> a, std::span<const Prepared> b, std::span<const IndexPair> pairs,
                   Answer* answers, Instructions instructions = best_instructions()) noexcept;
 

@@ -80,22 +80,27 @@ class PatchSearch {
     Range q0, q1;
   };
 
-  static Range along_n(double r, Range q) noexcept {
-    const double most = smaller(r, q.most_size()), least = smaller(r, q.least_size());
-    return {std::sqrt((r - most) * (r + most)), std::sqrt((r - least) * (r + least))};
+  static double along_n(double r, double q) noexcept {
+    const double size = smaller(r, q);
+    return std::sqrt((r - size) * (r + size));
   }
 
-  // All of it at once, since nobody can predict which part tells.
+  // First what shows half of the boxes, then the rest at once, since nobody can predict which part of it
+  // tells.
   bool is_above(const Box& box) const noexcept {
     const auto& [q0, q1] = box;
+    Range p0{along_n(p_.r0, q0.most_size()), 0}, p1{along_n(p_.r1, q1.most_size()), 0};
+    Range n{p0.low + p1.low - f_.z, 0};  // -y.n = f D.n
+    if (n.low > most_n_ + error_) return true;
+    p0.high = along_n(p_.r0, q0.least_size());
+    p1.high = along_n(p_.r1, q1.least_size());
+    n.high = p0.high + p1.high - f_.z;
     const double most = most_ + error_;
     const Range m0 = Range{e0_, e0_} + (-1 * q0) + f_.c * q1, m1 = Range{e1_, e1_} + f_.c * q0 + (-1 * q1);
     const Range w0 = Range{l0_, l0_} + (-f_.s) * q1, w1 = Range{l1_, l1_} + (-f_.s) * q0;
-    const Range p0 = along_n(p_.r0, q0), p1 = along_n(p_.r1, q1),
-                n = p0 + p1 + Range{-f_.z, -f_.z};  // -y.n = f D.n
     const double square = larger(square_of(m0) + square_of(w0), square_of(m1) + square_of(w1)) + square_of(n);
-    return (n.high < -error_) | (n.low > most_n_ + error_) | (square > most * most) |
-           is_askew(p_.r0, p0, q0, n, m0) | is_askew(p_.r1, p1, q1, n, m1);
+    return (n.high < -error_) | (square > most * most) | is_askew(p_.r0, p0, q0, n, m0) |
+           is_askew(p_.r1, p1, q1, n, m1);
   }
 
   static double square_of(Range x) noexcept { return x.least_size() * x.least_size(); }
