@@ -12,7 +12,7 @@ export interface Gap {
 
 const length = (v: Vec) => Math.sqrt(dot(v, v));
 
-/** A vector without its part along an axis. A second step takes away what rounding left, which is much of a short one. */
+/** A vector without its part along an axis. A second step takes away what rounding left: much, of a short one. */
 function square_part(v: Vec, axis: Vec): Vec {
   const once = sub(v, scale(axis, dot(v, axis)));
   return sub(once, scale(axis, dot(once, axis)));
@@ -123,7 +123,9 @@ function way_out(a: Cylinder, b: Cylinder, u: Vec, v: Vec): { n: Vec; depth: num
   };
   const depth = (n: Vec) => reach(a, u, n) + reach(b, v, n) - dot(n, apart);
   const best_of = (all: Vec[], count: number) => [...all].sort((m, n) => depth(m) - depth(n)).slice(0, count);
-  const found: Vec[] = [u, v, cross(u, v), apart].filter((n) => dot(n, n) > 1e-20).flatMap((n) => [unit(n), scale(unit(n), -1)]);
+  const found: Vec[] = [u, v, cross(u, v), apart]
+    .filter((n) => dot(n, n) > 1e-20)
+    .flatMap((n) => [unit(n), scale(unit(n), -1)]);
   const ball = Array.from({ length: 200 }, (_, i): Vec => {
     const z = (2 * i + 1) / 200 - 1,
       wide = Math.sqrt(1 - z * z),
@@ -137,8 +139,8 @@ function way_out(a: Cylinder, b: Cylinder, u: Vec, v: Vec): { n: Vec; depth: num
         depth,
         (n, step) => {
           const [p, q] = square_to(n);
-          return Array.from({ length: 8 }, (_, i) =>
-            unit(add(n, scale(add(scale(p, Math.cos((i * Math.PI) / 4)), scale(q, Math.sin((i * Math.PI) / 4))), step))),
+          return Array.from({ length: 8 }, (_, i) => (i * Math.PI) / 4).map((t) =>
+            unit(add(n, add(scale(p, step * Math.cos(t)), scale(q, step * Math.sin(t))))),
           );
         },
         0.1,
@@ -147,9 +149,9 @@ function way_out(a: Cylinder, b: Cylinder, u: Vec, v: Vec): { n: Vec; depth: num
   for (const axis of [u, v]) {
     const [p, q] = square_to(axis),
       at = (t: number) => add(scale(p, Math.cos(t)), scale(q, Math.sin(t)));
-    const turns = Array.from({ length: 48 }, (_, i) => (i * Math.PI) / 24).sort((s, t) => depth(at(s)) - depth(at(t)));
-    for (const t of turns.slice(0, 4))
-      found.push(at(descended(t, (s) => depth(at(s)), (s, step) => [s - step, s + step], 0.1)));
+    const of = (t: number) => depth(at(t)),
+      turns = Array.from({ length: 48 }, (_, i) => (i * Math.PI) / 24).sort((s, t) => of(s) - of(t));
+    for (const t of turns.slice(0, 4)) found.push(at(descended(t, of, (s, step) => [s - step, s + step], 0.1)));
   }
   const [n] = best_of(found, 1) as [Vec];
   return { n, depth: depth(n) };

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Forward kinematics: where every solid and box of a robot is at given values of its joints, as scenes/scene.cpp has it.
+// Forward kinematics: where every solid and box of a robot is at given values of its joints, as in scenes/scene.cpp.
 import type { Cylinder, Vec } from "./data.ts";
 import { add, cross, dot, scale } from "./geometry.ts";
 

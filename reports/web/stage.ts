@@ -191,9 +191,10 @@ export function box(center: Vec, sides: [Vec, Vec, Vec], colour: string, opacity
 export function grid(at: Vec, cell: number, count: number, colour: string): LineSegments {
   const ends = Array.from({ length: 2 * count + 1 }, (_, i) => (i - count) * cell),
     reach = count * cell;
-  const points = ends.flatMap((t) => [at[0] + t, at[1] - reach, at[2], at[0] + t, at[1] + reach, at[2]].concat([
+  const points = ends.flatMap((t) => [
+    ...[at[0] + t, at[1] - reach, at[2], at[0] + t, at[1] + reach, at[2]],
     ...[at[0] - reach, at[1] + t, at[2], at[0] + reach, at[1] + t, at[2]],
-  ]));
+  ]);
   return new LineSegments(
     new BufferGeometry().setAttribute("position", new Float32BufferAttribute(points, 3)),
     new LineBasicMaterial({ color: colour, transparent: true, opacity: 0.28 }),
@@ -215,11 +216,18 @@ function letter(at: Vec, text: string, colour: string, height: number): Sprite {
   return sprite;
 }
 
-/** A line with its name at its end. */
+/** A thin rod with its name beyond its end, in front of all else. */
 export function arrow(from: Vec, to: Vec, colour: string, name: string): Group {
-  const group = new Group(),
-    end = add(to, scale(add(to, scale(from, -1)), 0.15));
-  group.add(line([from, to], colour, { on_top: true }), letter(end, name, colour, 0.07));
+  const way = three(to).sub(three(from)),
+    rod = new Mesh(
+      new CylinderGeometry(0.005, 0.005, way.length(), 8),
+      new MeshBasicMaterial({ color: colour, depthTest: false, transparent: true }),
+    );
+  rod.position.copy(three(from)).addScaledVector(way, 0.5);
+  rod.quaternion.setFromUnitVectors(new Vector3(0, 1, 0), way.clone().normalize());
+  rod.renderOrder = 1;
+  const group = new Group();
+  group.add(rod, letter(add(from, scale(add(to, scale(from, -1)), 1.15)), name, colour, 0.07));
   return group;
 }
 

@@ -161,7 +161,8 @@ export interface Frame {
 function lowest({ cylinders, boxes }: Shown, { bodies }: Study): number {
   const of_solid = (c: Cylinder) => {
     const up = unit(c.axis)[2];
-    return c.center[2] - c.radius * Math.sqrt(Math.max(0, 1 - up * up)) - (c.height / 2) * Math.abs(up) - (c.rounding ?? 0);
+    const half = c.radius * Math.sqrt(Math.max(0, 1 - up * up)) + (c.height / 2) * Math.abs(up);
+    return c.center[2] - half - (c.rounding ?? 0);
   };
   const of_box = ({ body, center, axes }: PlacedBox) =>
     center[2] - axes.reduce((sum, axis, k) => sum + (Math.abs(axis[2]) * bodies[body]!.holds!.size[k]!) / 2, 0);
@@ -257,6 +258,10 @@ export function gap_words(distance: number, clearance: number, unit = ""): strin
     ? "touch"
     : `are ${long(distance, unit)} apart${clearance > 0 ? ` (clearance ${long(clearance, unit)})` : ""}`;
 }
+
+/** Whether a pair is measured from a solid that only holds a box or mesh. */
+export const stands_in = (study: Study, pair: number) =>
+  study.pairs[pair]!.bodies.some((body) => study.bodies[body]!.holds !== undefined);
 
 const pair_name = (study: Study, pair: number) => `${study.pairs[pair]!.a} \u2013 ${study.pairs[pair]!.b}`;
 

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: MIT
-// The table of pairs as a file for spreadsheets (RFC 4180): all that is known of each pair, lengths in the scene's unit.
+// The table of pairs as a file for spreadsheets (RFC 4180): all that is known of each pair, with units in the head.
 import { csv_cell } from "./save.ts";
 import { models, unit_of, type Study } from "./study.ts";
 import { least_of, proof_of, risk_of } from "./study_risk.ts";
+
+/** After the scene's own file. */
+export const csv_name = ({ file }: Study) => `${file.replace(/^.*\//, "")}-pairs.csv`;
 
 /** `rows`: of study.pairs, in this order; `here`: their gaps in the configuration shown. */
 export function csv_of_study(study: Study, rows: readonly number[], here: readonly (number | null)[]): string {

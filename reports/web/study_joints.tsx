@@ -2,7 +2,7 @@
 // A slider for each joint that moves by itself, and which pairs are near each other where the sliders stand.
 import { useMemo } from "preact/hooks";
 import { free_joints, type StudiedLink } from "./kinematics.ts";
-import { gap_words, long, unit_of, type Study } from "./study.ts";
+import { gap_words, long, stands_in, unit_of, type Study } from "./study.ts";
 import { nearest_first, type Posed } from "./study_pose.ts";
 import { plural, short } from "./words.ts";
 
@@ -26,13 +26,14 @@ function Joint({
   return (
     <label class="joint">
       <span class="name">{link.joint}</span>
-      <output>{words(value)}</output>
+      <span class="value">{words(value)}</span>
       <input
         type="range"
         min={Math.min(low, value)}
         max={Math.max(high, value)}
         step="any"
         value={value}
+        aria-label={link.joint}
         aria-valuetext={words(value)}
         title={`${words(low)} to ${words(high)}`}
         onInput={(event) => set(Number(event.currentTarget.value))}
@@ -57,6 +58,9 @@ function Near({ study, posed, pick }: { study: Study; posed: Posed; pick: (pair:
         {study.pairs[i]!.a} {"\u2013"} {study.pairs[i]!.b}
       </button>{" "}
       {gap_words(posed.gaps[i]!.distance, 0, unit)}
+      {posed.within[i] && stands_in(study, i) && (
+        <span class="soft"> (of the solid around a box or mesh: not known)</span>
+      )}
     </li>
   );
   return (

@@ -35,7 +35,9 @@ function Header({ study }: { study: Study }) {
       <p class="run">
         <b>{study.file}</b> · seed {study.seed} · {plural(study.configurations, "configuration")} · clearance{" "}
         {long(study.clearance, unit_of(study))}
-        {study.tolerated > 0 && <> · false alarms up to {long(study.tolerated, unit_of(study))} beyond it are allowed</>}
+        {study.tolerated > 0 && (
+          <> · false alarms up to {long(study.tolerated, unit_of(study))} beyond it are tolerated</>
+        )}
       </p>
     </header>
   );
@@ -126,8 +128,9 @@ function Cost({ study }: { study: Study }) {
       id="cost"
       title="Cost and wrong answers"
       lead={
-        "Each model by itself for every pair, in every configuration drawn. To the left is cheaper, on the lowest line " +
-        "nothing is wrong. A sphere or an outer capsule by itself only raises false alarms, an inner capsule only misses."
+        "Each model by itself for every pair, in every configuration drawn. To the left is cheaper, on the lowest " +
+        "line nothing is wrong. A sphere or an outer capsule by itself only raises false alarms, an inner capsule " +
+        "only misses."
       }>
       <div class="cost">
         <Figure draw={draw} height={340} label="Wrong answers against time a configuration, a point a model" />

@@ -12,6 +12,8 @@ import {
   models,
   passes,
   rows_of,
+  said,
+  stands_in,
   worst_of,
   wrong_of,
   type Column,
@@ -23,9 +25,9 @@ import {
   unit_of,
 } from "./study.ts";
 import { save } from "./save.ts";
-import { csv_of_study } from "./study_csv.ts";
+import { csv_name, csv_of_study } from "./study_csv.ts";
 import type { Posed } from "./study_pose.ts";
-import { proof_words, ShowProof } from "./study_proofs.tsx";
+import { proof_words, short_proof_words, ShowProof, verdict_class } from "./study_proofs.tsx";
 import { least_of, proof_of, risk_of, type Risk } from "./study_risk.ts";
 import { about_study } from "./study_words.tsx";
 import { grouped, percent, plural, short } from "./words.ts";
@@ -179,13 +181,16 @@ export function Pairs({
             {proof && (
               <>
                 <br />
-                <span class="soft">{proof_words(study, proof)}</span>
+                <span class="soft">{short_proof_words(study, proof)}</span>
               </>
             )}
           </>
         );
       },
-      hint: (i) => about_study(risk_of(study, i)) ?? "",
+      hint: (i) => {
+        const proof = proof_of(study, i);
+        return `${about_study(risk_of(study, i))}${proof ? ` ${said(proof_words(study, proof))}.` : ""}`;
+      },
     },
     least: { numeric: true, cell: (i) => short(least_of(study, i)) },
     here: { numeric: true, cell: (i) => short(here[i]), bad: (i) => posed.within[i] === true },
@@ -226,7 +231,7 @@ export function Pairs({
         <button
           type="button"
           class="saving"
-          onClick={() => save(`${study.file.replace(/^.*\//, "")}-pairs.csv`, "text/csv", csv_of_study(study, rows, here))}>
+          onClick={() => save(csv_name(study), "text/csv", csv_of_study(study, rows, here))}>
           Save as CSV
         </button>
       </div>
@@ -277,7 +282,8 @@ export function Picked({
     seen = posed.set ? null : study.kept[at]!.pairs[picked]!; // what models say is known of kept ones
   const wrong_models = seen?.wrong.filter(has_stand_in) ?? [];
   const heads = ["show", "model", ...(seen ? ["says here"] : []), "n:wrong in all"];
-  const told = [...heads, ...["n:false alarm up to", "n:missed up to"].map((head) => (unit ? `${head} [${unit}]` : head))];
+  const in_unit = (head: string) => (unit ? `${head} [${unit}]` : head);
+  const told = [...heads, in_unit("n:false alarm up to"), in_unit("n:missed up to")];
   return (
     <div class="picked">
       <h3>
@@ -290,6 +296,9 @@ export function Picked({
         <span class={posed.within[picked] ? "bad" : ""}>
           Here they {gap_words(posed.gaps[picked]!.distance, study.clearance, unit)}.
         </span>
+        {stands_in(study, picked) && (
+          <span class="soft"> Measured from the solid around a box or mesh, which itself may be farther away.</span>
+        )}
         {seen && wrong_models.length > 0 && (
           <span class="bad">
             {" "}
@@ -300,7 +309,7 @@ export function Picked({
         )}
       </p>
       {proof && (
-        <p class={{ refuted: "bad", open: "warn", never: "ok" }[proof.verdict]}>
+        <p class={verdict_class[proof.verdict]}>
           Over all motions {proof_words(study, proof)}. <ShowProof proof={proof} show={show_proof} />
         </p>
       )}

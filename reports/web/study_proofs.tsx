@@ -19,6 +19,14 @@ export function proof_words(study: Study, proof: Proof): string {
   }
 }
 
+export const verdict_class = { refuted: "bad", open: "warn", never: "ok" } as const;
+
+/** The same for a narrow column. */
+export function short_proof_words(study: Study, proof: Proof): string {
+  if (proof.verdict === "never") return `proved: more than ${long(proof.bound, unit_of(study))}`;
+  return proof.verdict === "open" ? `${percent(proof.open_share, 1)} of all motions open` : proof_words(study, proof);
+}
+
 /** Puts the sliders where a proof saw the two bodies nearest. */
 export function ShowProof({ proof, show }: { proof: Proof; show: (proof: Proof) => void }) {
   if (Object.keys(proof.joints).length === 0) return null;
@@ -65,7 +73,7 @@ export function Proofs({ study, show }: { study: Study; show: (proof: Proof) => 
                   <tr key={i}>
                     <td>{exemption.link1}</td>
                     <td>{exemption.link2}</td>
-                    <td class={{ refuted: "bad", open: "warn", never: "ok" }[exemption.verdict]}>{exemption.verdict}</td>
+                    <td class={verdict_class[exemption.verdict]}>{exemption.verdict}</td>
                     <td class="wrap">
                       {[
                         ...(proof ? [proof_words(study, proof)] : []),

@@ -188,8 +188,8 @@ export function SceneSection({
           <p class="soft">
             {pose.set
               ? "Red are the bodies and lines of pairs within the clearance where the sliders stand. "
-              : "Bodies have the colour of the most exact model that one of their pairs needs; lines join the nearest " +
-                "points of a pair. "}
+              : "Bodies have the colour of the most exact model that one of their pairs needs; lines join the " +
+                "nearest points of a pair. "}
             {study.bodies.some(({ holds }) => holds) &&
               "Grey are boxes and the boxes of meshes, clear grey the solids that stand in for them. "}
             The squares of the floor are {long(floor_cell(frame), unit)} wide; x is red, y green, z blue.{" "}

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The robot where it stands, to be turned, on a floor with the axes of the world: pairs as lines, a picked pair with its
-// models.
+// The robot where it stands, to be turned, on a floor with the axes of the world: pairs as lines, a picked pair with
+// its models.
 import { useEffect, useLayoutEffect, useMemo, useRef, useState } from "preact/hooks";
 import type { Object3D } from "three";
 import type { Vec } from "./data.ts";
@@ -255,7 +255,8 @@ export function StudyView({
   }, [study, pick_pair, pick_body]);
 
   const pair = picked === null ? null : study.pairs[picked]!;
-  const label = `The robot: ${plural(study.bodies.length, "solid")}${pair === null ? "" : `, ${pair.a} and ${pair.b} picked`}`;
+  const who = pair === null ? "" : `, ${pair.a} and ${pair.b} picked`,
+    label = `The robot: ${plural(study.bodies.length, "solid")}${who}`;
   useLayoutEffect(() => stage?.tell(label), [label]);
   const paint = paint_of(shown, of_body);
   const painted = solids.map((s, i) => ({

@@ -30,7 +30,7 @@ const meanings: Record<string, string> = {
   "other link": "The second link of the two.",
   "outer capsule": "The capsule around the solid: it misses nothing, but may raise a false alarm.",
   pair: "Two solids of different parts of the robot.",
-  recommended: "For each pair the models that cost least and are right: asked one after the other, the last is trusted.",
+  recommended: "The models that cost least and are right: asked one after the other, the last is trusted.",
   referee: "Slow exact arithmetic that settles what doubles cannot.",
   refuted: "A configuration is known, and confirmed, in which the pair is within the clearance.",
   rounding: "The radius of a ball by which a solid is grown.",
