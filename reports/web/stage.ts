@@ -220,7 +220,7 @@ function letter(at: Vec, text: string, colour: string, height: number): Sprite {
 export function arrow(from: Vec, to: Vec, colour: string, name: string): Group {
   const way = three(to).sub(three(from)),
     rod = new Mesh(
-      new CylinderGeometry(0.005, 0.005, way.length(), 8),
+      new CylinderGeometry(0.0035, 0.0035, way.length(), 8),
       new MeshBasicMaterial({ color: colour, depthTest: false, transparent: true }),
     );
   rod.position.copy(three(from)).addScaledVector(way, 0.5);

@@ -214,7 +214,7 @@ export function Pairs({
       down: order.column === column ? !order.down : !["pair", "risk", "least", "here"].includes(column),
     });
   return (
-    <div class="pairs">
+    <div class={`pairs ${study.motions ? "proved" : ""}`}>
       <div class="tools">
         <input
           type="search"
