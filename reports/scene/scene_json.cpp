@@ -112,6 +112,12 @@ json joints_json(const Scene& scene, const std::vector<double>& values) {
   return joints;
 }
 
+json pose_json(const Pose& pose) {
+  json axes = json::array();
+  for (int k = 0; k < 3; ++k) axes.push_back(vector_json(pose.linear().col(k)));
+  return {{"center", vector_json(pose.translation())}, {"axes", std::move(axes)}};
+}
+
 /// What solids only hold, where it then is: boxes, and the boxes of meshes.
 json boxes_json(const Scene& scene, const Shown& shown) {
   json boxes = json::array();
@@ -119,17 +125,39 @@ json boxes_json(const Scene& scene, const Shown& shown) {
   for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
     const Body& body = scene.bodies[i];
     if (!body.box) continue;
-    const Pose box = poses[body.link] * body.box->pose;
-    json axes = json::array();
-    for (int k = 0; k < 3; ++k) axes.push_back(vector_json(box.linear().col(k)));
-    boxes.push_back({{"body", i}, {"center", vector_json(box.translation())}, {"axes", std::move(axes)}});
+    boxes.push_back({{"body", i}});
+    boxes.back().update(pose_json(poses[body.link] * body.box->pose));
   }
   return boxes;
 }
 
+const char* motion_word(const Link& link) {
+  if (link.held) return "held";
+  return link.motion == Motion::turn ? "turn" : link.motion == Motion::slide ? "slide" : "fixed";
+}
+
+/// What forward kinematics needs of a link and of the joint that carries it.
+json link_json(const Link& link) {
+  json all{{"name", link.name}, {"motion", motion_word(link)}, {"origin", pose_json(link.origin)}};
+  if (link.parent) all["parent"] = *link.parent;
+  if (!link.joint.empty()) all["joint"] = link.joint;
+  if (link.motion == Motion::fixed) return all;
+  all["axis"] = vector_json(link.axis);
+  if (!link.follow) all["limits"] = {link.low, link.high};
+  if (const auto& f = link.follow)
+    all["follows"] = {{"link", f->link}, {"multiplier", f->multiplier}, {"offset", f->offset}};
+  return all;
+}
+
 json body_json(const Scene& scene, const Body& body) {
-  json all{{"name", body.name}, {"link", scene.links[body.link].name}};
-  if (body.box) all["holds"] = {{"shape", body.box->shape}, {"size", vector_json(body.box->size)}};
+  json all{{"name", body.name},
+           {"link", scene.links[body.link].name},
+           {"on", body.link},
+           {"solid", cylinder_json(body.solid)}};
+  if (body.box)
+    all["holds"] = {{"shape", body.box->shape},
+                    {"size", vector_json(body.box->size)},
+                    {"pose", pose_json(body.box->pose)}};
   return all;
 }
 
@@ -183,7 +211,8 @@ void add_motions(json& all, const Scene& scene, const MotionStudy& study) {
 
 std::string study_json(const Scene& scene, const SceneQuestion& q, const SceneStudy& s) {
   json left_out = json::array(), pairs = json::array(), alone = json::object(), models = json::array(),
-       bodies = json::array(), kept = json::array(), roundings = json::array(), rounded = json::array();
+       links = json::array(), bodies = json::array(), kept = json::array(), roundings = json::array(),
+       rounded = json::array();
   for (const auto& [shape, link] : scene.left_out) left_out.push_back(shape + " of " + link);
   for (const PairStudy& pair : s.pairs) pairs.push_back(pair_json(scene, q, pair));
   for (const RoundingCost& r : s.roundings) {
@@ -197,6 +226,7 @@ std::string study_json(const Scene& scene, const SceneQuestion& q, const SceneSt
     alone[to_string(level)] = s.alone_ns[index_of(level)];
     models.push_back(model_json(q, s, level));
   }
+  for (const Link& link : scene.links) links.push_back(link_json(link));
   for (const Body& body : scene.bodies) bodies.push_back(body_json(scene, body));
   for (const Shown& configuration : shown_configurations(scene, q, s))
     kept.push_back(shown_json(scene, configuration));
@@ -224,6 +254,7 @@ std::string study_json(const Scene& scene, const SceneQuestion& q, const SceneSt
            {"words", words_json(words_of(scene, q, s))},
            {"models", std::move(models)},
            {"roundings", std::move(roundings)},
+           {"links", std::move(links)},
            {"bodies", std::move(bodies)},
            {"pairs", std::move(pairs)},
            {"kept", std::move(kept)}};

@@ -52,7 +52,11 @@ TEST(SceneJson, KeepsToItsSchema) {
         R"([{"op":"replace","path":"/pairs/0/needs","value":"inner capsule"}])",
         R"([{"op":"remove","path":"/pairs/0/models/5"}])", R"([{"op":"remove","path":"/words/capsules"}])",
         R"([{"op":"remove","path":"/kept/0/boxes/0/axes/2"}])",
-        R"([{"op":"remove","path":"/pairs/0/known"}])", R"([{"op":"add","path":"/colour","value":"red"}])"})
+        R"([{"op":"remove","path":"/links/1/limits"}])",
+        R"([{"op":"remove","path":"/links/1/origin/center"}])",
+        R"([{"op":"replace","path":"/links/1/motion","value":"wave"}])",
+        R"([{"op":"remove","path":"/bodies/0/solid"}])", R"([{"op":"remove","path":"/pairs/0/known"}])",
+        R"([{"op":"add","path":"/colour","value":"red"}])"})
     EXPECT_FALSE(keeps_to("scene.json", good.patch(parse_json(planted)).dump())) << planted;
 }
 
@@ -89,13 +93,58 @@ TEST(SceneJson, HoldsTheBoxes) {
   const json all = parse_json(written(crane(), question("crane.urdf")));
   std::size_t ground = 0;
   while (!all["bodies"].at(ground).contains("holds")) ++ground;
-  EXPECT_EQ(all["bodies"][ground]["holds"], parse_json(R"({"shape":"box","size":[4.0,4.0,0.1]})"));
+  EXPECT_EQ(all["bodies"][ground]["holds"],
+            parse_json(R"({"shape":"box","size":[4.0,4.0,0.1],"pose":{"center":[0.0,0.0,-0.05],
+                           "axes":[[1.0,0.0,0.0],[0.0,1.0,0.0],[0.0,0.0,1.0]]}})"));
   for (const json& kept : all["kept"]) {
     ASSERT_EQ(kept["boxes"].size(), 1u);
     EXPECT_EQ(kept["boxes"][0]["body"], ground);
     EXPECT_EQ(kept["boxes"][0]["center"], json({0.0, 0.0, -0.05}));
     EXPECT_EQ(kept["boxes"][0]["axes"], parse_json("[[1.0,0.0,0.0],[0.0,1.0,0.0],[0.0,0.0,1.0]]"));
   }
+}
+
+// Others can move the robot: the tree of its joints, to the bit, with what each joint follows.
+TEST(SceneJson, HoldsTheJointTree) {
+  std::size_t turns = 0, slides = 0, follow = 0;
+  for (const char* file : {"crane.urdf", "porter.urdf", "hand.xml", "walker.xml"}) {
+    const Scene scene = read_scene(std::string(DAYLIGHT_SOURCE_DIR "/corpus/scenes/") + file);
+    const json all = parse_json(written(scene, question(file)));
+    ASSERT_EQ(all["links"].size(), scene.links.size());
+    for (std::size_t i = 0; i < scene.links.size(); ++i) {
+      const Link& link = scene.links[i];
+      const json& told = all["links"][i];
+      EXPECT_EQ(told["name"], link.name);
+      EXPECT_EQ(told.value("joint", ""), link.joint);
+      EXPECT_EQ(told.contains("parent"), link.parent.has_value());
+      if (link.parent) EXPECT_EQ(told["parent"], *link.parent);
+      for (int k = 0; k < 3; ++k) {
+        EXPECT_EQ(told["origin"]["center"][k], link.origin.translation()[k]);
+        for (int m = 0; m < 3; ++m) EXPECT_EQ(told["origin"]["axes"][m][k], link.origin.linear()(k, m));
+      }
+      EXPECT_EQ(told.contains("axis"), link.motion != Motion::fixed);
+      if (link.motion == Motion::fixed) continue;
+      (link.motion == Motion::turn ? turns : slides) += 1;
+      EXPECT_EQ(told["motion"], link.motion == Motion::turn ? "turn" : "slide");
+      EXPECT_EQ(told["axis"], json({link.axis.x(), link.axis.y(), link.axis.z()}));
+      EXPECT_EQ(told.contains("follows"), link.follow.has_value());
+      if (!link.follow) {
+        EXPECT_EQ(told["limits"], json({link.low, link.high}));
+        continue;
+      }
+      follow += 1;
+      EXPECT_EQ(told["follows"]["link"], link.follow->link);
+      EXPECT_EQ(told["follows"]["multiplier"], link.follow->multiplier);
+      EXPECT_EQ(told["follows"]["offset"], link.follow->offset);
+    }
+    for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
+      EXPECT_EQ(all["bodies"][i]["on"], scene.bodies[i].link);
+      EXPECT_EQ(all["bodies"][i]["solid"]["radius"], scene.bodies[i].solid.radius);
+    }
+  }
+  EXPECT_GT(turns, 0u);
+  EXPECT_GT(slides, 0u);
+  EXPECT_GT(follow, 0u);
 }
 
 // The same sentences as the text, so that no two tell different numbers.

@@ -4,6 +4,7 @@
 #     run_test.sh data       the prover, the filters, the charts, and that what is built was built from these sources
 #     run_test.sh browser    a reader of the page; needs chromium, and npm ci in this folder
 #     run_test.sh scene DAYLIGHT    the same of the page of a scene, written by the executable DAYLIGHT
+#     run_test.sh robot DAYLIGHT    the robots on such pages: joints, gaps, proofs, words, and the CSV
 #     run_test.sh build      the types are right, and a build gives the committed bytes; needs npm ci in this folder
 set -euo pipefail
 cd -- "$(dirname -- "$(readlink -f -- "${BASH_SOURCE[0]}")")"
@@ -13,6 +14,19 @@ scene() {
   trap 'rm -rf -- "$scratch"' EXIT
   "$1" scene ../../corpus/scenes/twenty.urdf --configurations 300 --verify --page "$scratch/scene.html"
   node study_page_test.mjs "$scratch/scene.html"
+}
+
+robot() {
+  scratch=$(mktemp -d)
+  trap 'rm -rf -- "$scratch"' EXIT
+  for file in crane.urdf arm.urdf porter.urdf twenty.urdf hand.xml walker.xml crane.xml; do
+    proving=()
+    [[ $file != crane.urdf && $file != arm.urdf ]] || proving=(--prove --boxes 20000)
+    # 3 where something is not known, as of boxes
+    "$1" scene "../../corpus/scenes/$file" --configurations 200 "${proving[@]}" --page "$scratch/$file.html" ||
+      [[ $? == 3 ]]
+  done
+  node study_robot_test.mjs "$scratch"/*.html
 }
 
 build() {
@@ -27,5 +41,6 @@ case $1 in
   data) node --test data_test.mjs prove_test.mjs ;;
   browser) node page_test.mjs ;;
   scene) scene "$2" ;;
+  robot) robot "$2" ;;
   build) build ;;
 esac

@@ -2,7 +2,9 @@
 // The one WebGL renderer of a page and what stands on it. It draws when something changed, never by itself.
 import {
   AmbientLight,
+  BoxGeometry,
   BufferGeometry,
+  CanvasTexture,
   CapsuleGeometry,
   CylinderGeometry,
   DirectionalLight,
@@ -14,6 +16,7 @@ import {
   Line,
   LineBasicMaterial,
   LineSegments,
+  Matrix4,
   Mesh,
   MeshBasicMaterial,
   MeshLambertMaterial,
@@ -23,6 +26,8 @@ import {
   Raycaster,
   Scene,
   SphereGeometry,
+  Sprite,
+  SpriteMaterial,
   Vector2,
   Vector3,
   WebGLRenderer,
@@ -163,6 +168,69 @@ export function plane(at: Vec, normal: Vec, side: number, colour: string): Group
   return group;
 }
 
+/** A box around a point, its three sides as vectors. */
+export function box(center: Vec, sides: [Vec, Vec, Vec], colour: string, opacity: number): Group {
+  const geometry = new BoxGeometry(1, 1, 1).applyMatrix4(
+    new Matrix4().makeBasis(three(sides[0]), three(sides[1]), three(sides[2])).setPosition(three(center)),
+  );
+  const group = new Group();
+  group.add(
+    new Mesh(
+      geometry,
+      new MeshLambertMaterial({ color: colour, transparent: true, opacity, side: DoubleSide, depthWrite: false }),
+    ),
+    new LineSegments(
+      new EdgesGeometry(geometry, 30),
+      new LineBasicMaterial({ color: colour, transparent: true, opacity: Math.min(1, 2 * opacity) }),
+    ),
+  );
+  return group;
+}
+
+/** Squares of a floor around a point, so many to each side. */
+export function grid(at: Vec, cell: number, count: number, colour: string): LineSegments {
+  const ends = Array.from({ length: 2 * count + 1 }, (_, i) => (i - count) * cell),
+    reach = count * cell;
+  const points = ends.flatMap((t) => [
+    ...[at[0] + t, at[1] - reach, at[2], at[0] + t, at[1] + reach, at[2]],
+    ...[at[0] - reach, at[1] + t, at[2], at[0] + reach, at[1] + t, at[2]],
+  ]);
+  return new LineSegments(
+    new BufferGeometry().setAttribute("position", new Float32BufferAttribute(points, 3)),
+    new LineBasicMaterial({ color: colour, transparent: true, opacity: 0.28 }),
+  );
+}
+
+/** A letter that faces the reader, of one height in the scene. */
+function letter(at: Vec, text: string, colour: string, height: number): Sprite {
+  const side = 64,
+    canvas = Object.assign(document.createElement("canvas"), { width: side, height: side }),
+    pen = canvas.getContext("2d")!;
+  Object.assign(pen, { font: `bold ${side * 0.8}px sans-serif`, textAlign: "center", textBaseline: "middle" });
+  pen.fillStyle = colour;
+  pen.fillText(text, side / 2, side / 2);
+  const sprite = new Sprite(new SpriteMaterial({ map: new CanvasTexture(canvas), depthTest: false }));
+  sprite.position.copy(three(at));
+  sprite.scale.setScalar(height);
+  sprite.renderOrder = 1;
+  return sprite;
+}
+
+/** A thin rod with its name beyond its end, in front of all else. */
+export function arrow(from: Vec, to: Vec, colour: string, name: string): Group {
+  const way = three(to).sub(three(from)),
+    rod = new Mesh(
+      new CylinderGeometry(0.0035, 0.0035, way.length(), 8),
+      new MeshBasicMaterial({ color: colour, depthTest: false, transparent: true }),
+    );
+  rod.position.copy(three(from)).addScaledVector(way, 0.5);
+  rod.quaternion.setFromUnitVectors(new Vector3(0, 1, 0), way.clone().normalize());
+  rod.renderOrder = 1;
+  const group = new Group();
+  group.add(rod, letter(add(from, scale(add(to, scale(from, -1)), 1.15)), name, colour, 0.07));
+  return group;
+}
+
 /** How near to a line a click must be, in pixels. */
 const line_reach = 4;
 
@@ -201,6 +269,9 @@ class Stage {
       if (o instanceof Mesh || o instanceof LineSegments || o instanceof Line) {
         o.geometry.dispose();
         (o.material as { dispose(): void }).dispose();
+      } else if (o instanceof Sprite) {
+        o.material.map?.dispose();
+        o.material.dispose();
       }
     });
     this.scene = new Scene();

@@ -3,6 +3,8 @@
 // reports/schemas/scene.json), and which of its pairs are shown.
 import type { Cylinder, Vec } from "./data.ts";
 import { add, dot, scale, sub, unit, type Capsule, type Solid } from "./geometry.ts";
+import type { PlacedBox, StudiedBody, StudiedLink } from "./kinematics.ts";
+import { least_of, risk_of, risks } from "./study_risk.ts";
 import { in_order, short } from "./words.ts";
 
 /** Cheapest first; each but "inner capsule" may be the one that a pair needs. */
@@ -29,7 +31,9 @@ export interface StudiedPair {
   b: string;
   bodies: [number, number];
   samples: number;
+  known: boolean; // not, where a solid that only holds a box or mesh came within the clearance
   within: number;
+  within_rate: [number, number];
   least_distance: number;
   greatest_distance: number;
   models: ModelOfPair[];
@@ -55,7 +59,28 @@ export interface Shown {
   reasons: Reason[];
   joints: Record<string, number>;
   cylinders: Cylinder[];
+  boxes: PlacedBox[];
   pairs: SampledPair[];
+}
+/** What is proved of two bodies over all motions. */
+export interface Proof {
+  a: string;
+  b: string;
+  bodies: [number, number];
+  verdict: "refuted" | "open" | "never";
+  bound: number; // never: they stay farther apart than this
+  least_seen: number;
+  joints: Record<string, number>; // where that was; refuted: within the clearance
+  boxes: number;
+  open_share: number;
+}
+/** What the SRDF says of two links, and whether it is so. */
+export interface ProvedExemption {
+  link1: string;
+  link2: string;
+  verdict: Proof["verdict"];
+  not_looked_at: boolean;
+  pairs: Proof[];
 }
 
 export interface Study {
@@ -90,7 +115,8 @@ export interface Study {
     | "forgiven"
     | "capsules"
     | "closest"
-    | "verified",
+    | "verified"
+    | "motions",
     string
   > & { left_out: string[]; rounding: string[] };
   models: {
@@ -102,9 +128,13 @@ export interface Study {
     false_alarm: number;
     missed: number;
   }[];
-  bodies: { name: string; link: string }[];
+  links: StudiedLink[];
+  bodies: StudiedBody[];
   pairs: StudiedPair[];
   kept: Shown[];
+  motions?: Proof[]; // with --prove
+  exemptions?: ProvedExemption[];
+  srdf?: string;
 }
 
 const rank = (model: Model) => models.indexOf(model);
@@ -122,8 +152,22 @@ export function most_exact(study: Study): (Model | null)[] {
 
 export interface Frame {
   unit: number;
+  floor: number; // the lowest point of all, as drawn
   to: (x: Vec) => Vec;
   solid: (c: Cylinder) => Solid;
+}
+
+/** How low a configuration reaches: of a solid that stands in for a box, the box. */
+function lowest({ cylinders, boxes }: Shown, { bodies }: Study): number {
+  const of_solid = (c: Cylinder) => {
+    const up = unit(c.axis)[2];
+    const half = c.radius * Math.sqrt(Math.max(0, 1 - up * up)) + (c.height / 2) * Math.abs(up);
+    return c.center[2] - half - (c.rounding ?? 0);
+  };
+  const of_box = ({ body, center, axes }: PlacedBox) =>
+    center[2] - axes.reduce((sum, axis, k) => sum + (Math.abs(axis[2]) * bodies[body]!.holds!.size[k]!) / 2, 0);
+  const own = cylinders.flatMap((c, i) => (bodies[i]!.holds ? [] : [of_solid(c)]));
+  return Math.min(...own, ...boxes.map(of_box));
 }
 
 export function frame_of(study: Study): Frame {
@@ -143,6 +187,7 @@ export function frame_of(study: Study): Frame {
   const to = (x: Vec) => scale(sub(x, middle), 1 / unit_length);
   return {
     unit: unit_length,
+    floor: (Math.min(...study.kept.map((kept) => lowest(kept, study))) - middle[2]) / unit_length,
     to,
     solid: (c) => ({
       center: to(c.center),
@@ -202,12 +247,21 @@ const capital = (text: string) => text.charAt(0).toUpperCase() + text.slice(1);
 /** As `daylight scene` says it, in a page's letters. */
 export const said = (text: string) => capital(text.replace(/(\d) us\b/g, "$1 \u00b5s").replaceAll(" - ", " \u2013 "));
 
-export function gap_words(distance: number, clearance: number): string {
-  if (distance < 0) return `overlap by ${short(-distance)}`;
+/** Formats that are in metres; of others nobody says. */
+export const unit_of = (study: Study) => (/\.(urdf|xacro|xml|mjcf)$/i.test(study.file) ? "m" : "");
+/** A length with its unit, where that is known. */
+export const long = (x: number, unit: string) => (unit && Number.isFinite(x) ? `${short(x)} ${unit}` : short(x));
+
+export function gap_words(distance: number, clearance: number, unit = ""): string {
+  if (distance < 0) return `overlap by ${long(-distance, unit)}`;
   return distance === 0
     ? "touch"
-    : `are ${short(distance)} apart${clearance > 0 ? ` (clearance ${short(clearance)})` : ""}`;
+    : `are ${long(distance, unit)} apart${clearance > 0 ? ` (clearance ${long(clearance, unit)})` : ""}`;
 }
+
+/** Whether a pair is measured from a solid that only holds a box or mesh. */
+export const stands_in = (study: Study, pair: number) =>
+  study.pairs[pair]!.bodies.some((body) => study.bodies[body]!.holds !== undefined);
 
 const pair_name = (study: Study, pair: number) => `${study.pairs[pair]!.a} \u2013 ${study.pairs[pair]!.b}`;
 
@@ -242,7 +296,7 @@ export const passes = (pair: StudiedPair, filter: Filter) =>
     .split(/\s+/)
     .every((word) => pair.a.toLowerCase().includes(word) || pair.b.toLowerCase().includes(word));
 
-export const columns = ["pair", "needs", "least", "within", "sphere", "outer", "inner"] as const;
+export const columns = ["pair", "risk", "least", "here", "within", "needs", "sphere", "outer", "inner"] as const;
 export type Column = (typeof columns)[number];
 export interface Order {
   column: Column;
@@ -255,28 +309,42 @@ export const worst_of = (pair: StudiedPair, model: Model) =>
   Math.max(of_model(pair, model).false_alarm, of_model(pair, model).missed);
 export const wrong_of = (pair: StudiedPair, model: Model) => of_model(pair, model).wrong;
 
-const value: Record<Column, (pair: StudiedPair) => number | string> = {
-  pair: (p) => `${p.a} ${p.b}`,
-  needs: (p) => rank(p.needs),
-  least: (p) => p.least_distance,
-  within: (p) => p.within / Math.max(1, p.samples),
-  sphere: (p) => worst_of(p, "sphere"),
-  outer: (p) => worst_of(p, "outer capsule"),
-  inner: (p) => worst_of(p, "inner capsule"),
-};
+/** What a column is sorted by; `here` are the gaps in the configuration shown. */
+function value_of(study: Study, column: Column, here: readonly (number | null)[]): (i: number) => number | string {
+  const pair = (i: number) => study.pairs[i]!;
+  switch (column) {
+    case "pair":
+      return (i) => `${pair(i).a} ${pair(i).b}`;
+    case "risk":
+      return (i) => risks.indexOf(risk_of(study, i));
+    case "least":
+      return (i) => least_of(study, i);
+    case "here":
+      return (i) => here[i] ?? Infinity;
+    case "within":
+      return (i) => pair(i).within / Math.max(1, pair(i).samples);
+    case "needs":
+      return (i) => rank(pair(i).needs);
+    case "sphere":
+      return (i) => worst_of(pair(i), "sphere");
+    case "outer":
+      return (i) => worst_of(pair(i), "outer capsule");
+    case "inner":
+      return (i) => worst_of(pair(i), "inner capsule");
+  }
+}
 
-/** Indices of study.pairs; among equal ones, first the pair on which a capsule is wrong by most. */
-export function rows_of(study: Study, filter: Filter, order: Order): number[] {
+/** Indices of study.pairs; among equal ones, first the pair that came nearest. */
+export function rows_of(study: Study, filter: Filter, order: Order, here: readonly (number | null)[] = []): number[] {
   const passing = study.pairs.flatMap((pair, i) => (passes(pair, filter) ? [i] : []));
-  const shown = in_order(
-    passing,
-    (i, j) => (value.outer(study.pairs[j]!) as number) - (value.outer(study.pairs[i]!) as number),
-  );
-  const of = value[order.column],
-    sign = order.down ? -1 : 1;
-  return in_order(shown, (i, j) => {
-    const x = of(study.pairs[i]!),
-      y = of(study.pairs[j]!);
-    return x < y ? -sign : x > y ? sign : 0;
-  });
+  const sorted = (rows: number[], column: Column, sign: number) => {
+    const value = value_of(study, column, here),
+      values = new Map(rows.map((i) => [i, value(i)]));
+    return in_order(rows, (i, j) => {
+      const x = values.get(i)!,
+        y = values.get(j)!;
+      return x < y ? -sign : x > y ? sign : 0;
+    });
+  };
+  return sorted(sorted(passing, "least", 1), order.column, order.down ? -1 : 1);
 }

@@ -1,19 +1,22 @@
 // SPDX-License-Identifier: MIT
-// The page of a scene: what is recommended, the robot with its pairs, cost against wrong answers. What is looked at
-// stands in the address after '#', so that it can be passed on.
-import { useCallback, useEffect, useMemo, useState } from "preact/hooks";
-import { Copy, Figure, Section, Select } from "./parts.tsx";
+// The page of a scene: what is recommended, the robot with its pairs, what is proved, cost against wrong answers.
+import { useCallback, useState } from "preact/hooks";
+import { Figure, Section } from "./parts.tsx";
 import { screen } from "./plots.ts";
-import { has_stand_in, models, no_filter, passes, reason_words, said, type Model, type Study } from "./study.ts";
-import { Legend, Pairs, Picked, Swatch } from "./study_pairs.tsx";
+import { long, said, unit_of, type Proof, type Study } from "./study.ts";
+import { Swatch } from "./study_pairs.tsx";
 import { cost_plot_of_study } from "./study_plot.ts";
-import { StudyView } from "./study_view.tsx";
-import { grouped, plural, safe, shell_quoted, short, time } from "./words.ts";
+import { Proofs } from "./study_proofs.tsx";
+import { SceneSection } from "./study_scene.tsx";
+import { about_study, StudyWords } from "./study_words.tsx";
+import { grouped, plural, shell_quoted, short, time } from "./words.ts";
 
 const sections = [
   ["recommendation", "Recommendation"],
   ["scene", "Scene and pairs"],
+  ["proofs", "Over all motions"],
   ["cost", "Cost and wrong answers"],
+  ["words", "Words"],
 ] as const;
 
 function Header({ study }: { study: Study }) {
@@ -23,7 +26,7 @@ function Header({ study }: { study: Study }) {
         <a href="#recommendation">daylight</a> <span class="soft">what a scene needs</span>
       </h1>
       <nav aria-label="Sections">
-        {sections.map(([key, title]) => (
+        {sections.filter(([key]) => key !== "proofs" || study.motions).map(([key, title]) => (
           <a href={`#${key}`} key={key}>
             {title}
           </a>
@@ -31,8 +34,10 @@ function Header({ study }: { study: Study }) {
       </nav>
       <p class="run">
         <b>{study.file}</b> · seed {study.seed} · {plural(study.configurations, "configuration")} · clearance{" "}
-        {short(study.clearance)}
-        {study.tolerated > 0 && <> · tolerated {short(study.tolerated)}</>}
+        {long(study.clearance, unit_of(study))}
+        {study.tolerated > 0 && (
+          <> · false alarms up to {long(study.tolerated, unit_of(study))} beyond it are tolerated</>
+        )}
       </p>
     </header>
   );
@@ -110,164 +115,10 @@ function Recommendation({ study }: { study: Study }) {
   );
 }
 
-/** "#at=3&pair=12&ghosts=sphere" */
-interface Looked {
-  at: number;
-  picked: number | null;
-  ghosts: ReadonlySet<Model>;
-  close: boolean;
-}
-function read_address(study: Study): Looked {
-  const told = new URLSearchParams(location.hash.slice(1));
-  const index = (name: string, of: unknown[]) => {
-    const i = Number(told.get(name) ?? NaN);
-    return Number.isInteger(i) && i >= 0 && i < of.length ? i : null;
-  };
-  return {
-    at: index("at", study.kept) ?? 0,
-    picked: index("pair", study.pairs),
-    ghosts: new Set(models.filter((m) => has_stand_in(m) && told.get("ghosts")?.split(",").includes(m))),
-    close: told.get("close") === "1",
-  };
-}
-function address_of({ at, picked, ghosts, close }: Looked) {
-  if (at === 0 && picked === null) return "#";
-  const told = new URLSearchParams({
-    at: String(at),
-    ...(picked === null ? {} : { pair: String(picked) }),
-    ...(ghosts.size > 0 ? { ghosts: [...ghosts].join(",") } : {}),
-    ...(close ? { close: "1" } : {}),
-  });
-  return `#${told}`;
-}
-
-function Scene({ study }: { study: Study }) {
-  const [looked, look] = useState(() => read_address(study));
-  const [filter, set_filter] = useState(no_filter);
-  const [touched, touch] = useState<number | null>(null); // the body clicked last
-  const { at, picked, ghosts, close } = looked,
-    kept = study.kept[at]!;
-  const passing = useMemo(
-    () => new Set(study.pairs.flatMap((pair, i) => (passes(pair, filter) ? [i] : []))),
-    [study, filter],
-  );
-  const options = useMemo(
-    () =>
-      study.kept.flatMap((k, i) =>
-        k.reasons.map((reason, j) => ({ key: `${i} ${j}`, at: i, reason, words: reason_words(study, k, reason) })),
-      ),
-    [study],
-  );
-  const [chosen, choose] = useState(() => options.find((o) => o.at === at)?.key ?? "0 0");
-
-  useEffect(() => {
-    const now = address_of(looked);
-    if (now === "#" ? /^#at=/.test(location.hash) : now !== location.hash) history.replaceState(null, "", now);
-  }, [looked]);
-  useEffect(() => {
-    const changed = () => {
-      if (/^#at=/.test(location.hash)) look(read_address(study));
-    };
-    addEventListener("hashchange", changed);
-    return () => removeEventListener("hashchange", changed);
-  }, [study]);
-  const pick_pair = useCallback((pair: number | null) => {
-    look((was) => ({ ...was, picked: pair, close: pair === null ? false : was.close }));
-    touch(null);
-  }, []);
-  // The pair of the two bodies clicked last; of one that has none with the other, its nearest pair.
-  const pick_body = useCallback(
-    (body: number) => {
-      const of_both =
-        touched === null
-          ? -1
-          : study.pairs.findIndex(
-              ({ bodies }) => bodies.includes(body) && bodies.includes(touched) && body !== touched,
-            );
-      const own = study.pairs.flatMap(({ bodies }, i) => (bodies.includes(body) && passing.has(i) ? [i] : []));
-      const nearest = own.reduce(
-        (best, i) => (best < 0 || kept.pairs[i]!.distance < kept.pairs[best]!.distance ? i : best),
-        -1,
-      );
-      const pair = of_both >= 0 ? of_both : nearest;
-      look((was) => ({ ...was, picked: pair >= 0 ? pair : null }));
-      touch(body);
-    },
-    [study, touched, passing, kept],
-  );
-  const switch_ghost = (model: Model) =>
-    look((was) => {
-      const now = new Set(was.ghosts);
-      if (!now.delete(model)) now.add(model);
-      return { ...was, ghosts: now };
-    });
-  const choose_option = (key: string) => {
-    const option = options.find((o) => o.key === key)!;
-    choose(key);
-    look((was) => ({
-      ...was,
-      at: option.at,
-      ...(option.reason.pair === undefined ? {} : { picked: option.reason.pair }),
-      ...(option.reason.model ? { ghosts: new Set([option.reason.model].filter(has_stand_in)) } : {}),
-    }));
-  };
-  const clearance = study.clearance > 0 ? ` --clearance ${study.clearance}` : "";
-  const joints = Object.entries(kept.joints).map(([name, value]) => `${shell_quoted(safe(name))}=${value}`);
-  const command = `./daylight scene ${shell_quoted(study.file)}${clearance} --at ${joints.join(" ")}`;
-  return (
-    <Section id="scene" title="Scene and pairs">
-      <div class="study">
-        <div class="seen">
-          <div class="stage-tools" role="group" aria-label="View">
-            <Select
-              label="Look at"
-              value={chosen}
-              onChange={choose_option}
-              options={options.map((o) => [o.key, o.words] as const)}
-            />
-            <button
-              type="button"
-              aria-pressed={close}
-              disabled={picked === null}
-              onClick={() => look({ ...looked, close: !close })}>
-              Close up
-            </button>
-            <button type="button" disabled={picked === null} onClick={() => pick_pair(null)}>
-              Show all
-            </button>
-          </div>
-          <StudyView
-            shown={{ study, at, picked, ghosts, close, passing }}
-            pick_pair={pick_pair}
-            pick_body={pick_body}
-          />
-          {study.pairs.length > 0 && <Legend study={study} filter={filter} set={set_filter} />}
-          {picked === null ? (
-            <p class="soft">
-              Bodies have the colour of the most exact model that one of their pairs needs; lines join the nearest
-              points of a pair. Drag to turn, wheel to zoom; click a body, then another one, a line, or a row to pick a
-              pair.
-            </p>
-          ) : (
-            <Picked study={study} at={at} picked={picked} ghosts={ghosts} switch_ghost={switch_ghost} />
-          )}
-          {Object.keys(kept.joints).length > 0 && (
-            <details>
-              <summary>Joints of this configuration</summary>
-              <Copy label="This configuration alone" text={command} />
-            </details>
-          )}
-        </div>
-        {study.pairs.length > 0 && (
-          <Pairs study={study} filter={filter} set={set_filter} picked={picked} pick={pick_pair} />
-        )}
-      </div>
-    </Section>
-  );
-}
-
 function Cost({ study }: { study: Study }) {
   const draw = useCallback((width: number) => cost_plot_of_study(study, { width, theme: screen }), [study]);
+  const unit = unit_of(study),
+    heads = ["model", "settles", "time alone", "suffices", "wrong", "in pairs", "false alarm", "missed"];
   const ns = study.ns_per_configuration,
     wrong = study.pairs.reduce((n, pair) => n + pair.recommended_wrong, 0),
     length = (x: number) => (x > 0 ? short(x) : "\u2013"),
@@ -277,9 +128,9 @@ function Cost({ study }: { study: Study }) {
       id="cost"
       title="Cost and wrong answers"
       lead={
-        "Each model alone for every pair, in every configuration drawn. To the left is cheaper, on the " +
-        "lowest line nothing is wrong. A sphere or an outer capsule alone only raises false alarms, an inner capsule " +
-        "alone only misses."
+        "Each model by itself for every pair, in every configuration drawn. To the left is cheaper, on the lowest " +
+        "line nothing is wrong. A sphere or an outer capsule by itself only raises false alarms, an inner capsule " +
+        "only misses."
       }>
       <div class="cost">
         <Figure draw={draw} height={340} label="Wrong answers against time a configuration, a point a model" />
@@ -287,18 +138,15 @@ function Cost({ study }: { study: Study }) {
           <table class="plain">
             <thead>
               <tr>
-                <th>model</th>
-                <th class="n" title="samples of which it is the first that can tell">
-                  decides
-                </th>
-                <th class="n">alone</th>
-                <th class="n" title="pairs for which it is enough">
-                  suffices
-                </th>
-                <th class="n">wrong</th>
-                <th class="n">in pairs</th>
-                <th class="n">false alarm</th>
-                <th class="n">missed</th>
+                {heads.map((head) => (
+                  <th
+                    scope="col"
+                    class={head === "model" ? "" : "n"}
+                    title={about_study(head)}
+                    key={head}>
+                    {unit && ["false alarm", "missed"].includes(head) ? `${head} [${unit}]` : head}
+                  </th>
+                ))}
               </tr>
             </thead>
             <tbody>
@@ -342,13 +190,22 @@ function Cost({ study }: { study: Study }) {
 }
 
 export function StudyPage({ study }: { study: Study }) {
+  const [asked, ask] = useState<Proof | null>(null); // whose configuration is to be shown
+  const show = useCallback((proof: Proof) => {
+    ask({ ...proof }); // another one each time, so that a second press counts
+    document.getElementById("scene")?.scrollIntoView();
+  }, []);
   return (
     <>
       <Header study={study} />
       <main class="overview">
         <Recommendation study={study} />
-        {study.kept.length > 0 && study.bodies.length > 0 && <Scene study={study} />}
+        {study.kept.length > 0 && study.bodies.length > 0 && (
+          <SceneSection study={study} asked={asked} show_proof={show} />
+        )}
+        <Proofs study={study} show={show} />
         {study.pairs.length > 0 && <Cost study={study} />}
+        <StudyWords />
         <footer class="soft">
           <p>
             One file; it asks nothing from the network. All of its data:{" "}

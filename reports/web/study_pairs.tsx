@@ -12,14 +12,24 @@ import {
   models,
   passes,
   rows_of,
+  said,
+  stands_in,
   worst_of,
   wrong_of,
   type Column,
   type Filter,
   type Model,
   type Order,
+  type Proof,
   type Study,
+  unit_of,
 } from "./study.ts";
+import { save } from "./save.ts";
+import { csv_name, csv_of_study } from "./study_csv.ts";
+import type { Posed } from "./study_pose.ts";
+import { proof_words, short_proof_words, ShowProof, verdict_class } from "./study_proofs.tsx";
+import { least_of, proof_of, risk_of, type Risk } from "./study_risk.ts";
+import { about_study } from "./study_words.tsx";
 import { grouped, percent, plural, short } from "./words.ts";
 
 export const Swatch = ({ model }: { model: Model }) => (
@@ -66,35 +76,55 @@ export function Legend({ study, filter, set }: { study: Study; filter: Filter; s
 
 const row_height = 36,
   rows_shown = 15;
-const titles: Record<Column, [string, string]> = {
-  pair: ["pair", ""],
-  needs: [
-    "needs",
-    "the simplest model that alone answers every sample right; below it what is cheapest, where that is something " +
-      "else: asked one after the other, the last is accepted",
-  ],
-  least: ["least distance", "over all configurations; negative: the depth of an overlap"],
-  within: ["within", "share of the configurations in which the two are within the clearance"],
-  sphere: ["sphere", "false alarms of the spheres around both, alone: up to how far beyond the clearance"],
-  outer: ["capsule", "false alarms of the capsules around both, alone: up to how far beyond the clearance"],
-  inner: ["inner", "what the capsules inside both, alone, miss: down to how far below the clearance"],
+const titles: Record<Column, string> = {
+  pair: "pair",
+  risk: "state",
+  least: "least gap",
+  here: "gap here",
+  within: "within",
+  needs: "needs",
+  sphere: "sphere",
+  outer: "outer capsule",
+  inner: "inner capsule",
+};
+/** What the columns of models hold, as the heads stand for them. */
+const of_models: Partial<Record<Column, string>> = {
+  sphere: "False alarms of the spheres around both, by themselves: up to how far beyond the clearance, and how often.",
+  outer: "False alarms of the capsules around both, by themselves: up to how far beyond the clearance, and how often.",
+  inner: "What the capsules inside both miss, by themselves: down to how far below the clearance, and how often.",
+};
+const lengths: ReadonlySet<Column> = new Set(["least", "here", "sphere", "outer", "inner"]);
+const risk_class: Record<Risk, string> = {
+  "comes within": "bad",
+  open: "warn",
+  "not known": "warn",
+  "not seen within": "",
+  "never within": "ok",
 };
 
 export function Pairs({
   study,
+  posed,
   filter,
   set,
   picked,
   pick,
 }: {
   study: Study;
+  posed: Posed;
   filter: Filter;
   set: (filter: Filter) => void;
   picked: number | null;
   pick: (pair: number) => void;
 }) {
-  const [order, set_order] = useState<Order>({ column: "needs", down: true });
-  const rows = useMemo(() => rows_of(study, filter, order), [study, filter, order]);
+  const [order, set_order] = useState<Order>({ column: "risk", down: false });
+  const here = useMemo(() => posed.gaps.map((gap) => gap?.distance ?? null), [posed]);
+  // A slider that moves leaves the rows where they are, unless they are sorted by the gap here.
+  const rows = useMemo(
+    () => rows_of(study, filter, order, here),
+    [study, filter, order, order.column === "here" ? here : null],
+  );
+  const unit = unit_of(study);
   const wrong = (model: Model): Partial<ColumnOf<number>> => ({
     numeric: true,
     cell: (i) =>
@@ -141,7 +171,29 @@ export function Pairs({
         );
       },
     },
-    least: { numeric: true, cell: (i) => short(study.pairs[i]!.least_distance) },
+    risk: {
+      cell: (i) => {
+        const risk = risk_of(study, i),
+          proof = proof_of(study, i);
+        return (
+          <>
+            <span class={risk_class[risk]}>{risk}</span>
+            {proof && (
+              <>
+                <br />
+                <span class="soft">{short_proof_words(study, proof)}</span>
+              </>
+            )}
+          </>
+        );
+      },
+      hint: (i) => {
+        const proof = proof_of(study, i);
+        return `${about_study(risk_of(study, i))}${proof ? ` ${said(proof_words(study, proof))}.` : ""}`;
+      },
+    },
+    least: { numeric: true, cell: (i) => short(least_of(study, i)) },
+    here: { numeric: true, cell: (i) => short(here[i]), bad: (i) => posed.within[i] === true },
     within: { numeric: true, cell: (i) => percent(study.pairs[i]!.within, study.pairs[i]!.samples) },
     sphere: wrong("sphere"),
     outer: wrong("outer capsule"),
@@ -151,18 +203,18 @@ export function Pairs({
     (key) =>
       ({
         key,
-        title: titles[key][0],
-        ...(titles[key][1] ? { about: titles[key][1] } : {}),
+        title: `${titles[key]}${unit && lengths.has(key) ? ` [${unit}]` : ""}`,
+        about: of_models[key] ?? about_study(titles[key]),
         ...cells[key],
       }) as ColumnOf<number>,
   );
   const turn = (column: string) =>
     set_order({
       column: column as Column,
-      down: order.column === column ? !order.down : column !== "pair" && column !== "least",
+      down: order.column === column ? !order.down : !["pair", "risk", "least", "here"].includes(column),
     });
   return (
-    <div class="pairs">
+    <div class={`pairs ${study.motions ? "proved" : ""}`}>
       <div class="tools">
         <input
           type="search"
@@ -176,6 +228,12 @@ export function Pairs({
             ? plural(rows.length, "pair")
             : `${grouped(rows.length)} of ${plural(study.pairs.length, "pair")}`}
         </span>
+        <button
+          type="button"
+          class="saving"
+          onClick={() => save(csv_name(study), "text/csv", csv_of_study(study, rows, here))}>
+          Save as CSV
+        </button>
       </div>
       <VirtualTable
         rows={rows}
@@ -190,6 +248,7 @@ export function Pairs({
         row_height={row_height}
         rows_shown={rows_shown}
       />
+      <p class="only-print">Only the rows that were on the screen are printed; all of them are in the CSV.</p>
     </div>
   );
 }
@@ -203,19 +262,28 @@ function here_words(within: boolean, wrong: boolean) {
 export function Picked({
   study,
   at,
+  posed,
   picked,
   ghosts,
   switch_ghost,
+  show_proof,
 }: {
   study: Study;
   at: number;
+  posed: Posed;
   picked: number;
   ghosts: ReadonlySet<Model>;
   switch_ghost: (model: Model) => void;
+  show_proof: (proof: Proof) => void;
 }) {
   const pair = study.pairs[picked]!,
-    seen = study.kept[at]!.pairs[picked]!;
-  const wrong_models = seen.wrong.filter(has_stand_in);
+    proof = proof_of(study, picked),
+    unit = unit_of(study),
+    seen = posed.set ? null : study.kept[at]!.pairs[picked]!; // what models say is known of kept ones
+  const wrong_models = seen?.wrong.filter(has_stand_in) ?? [];
+  const heads = ["show", "model", ...(seen ? ["says here"] : []), "n:wrong in all"];
+  const in_unit = (head: string) => (unit ? `${head} [${unit}]` : head);
+  const told = [...heads, in_unit("n:false alarm up to"), in_unit("n:missed up to")];
   return (
     <div class="picked">
       <h3>
@@ -225,8 +293,13 @@ export function Picked({
         </span>
       </h3>
       <p>
-        Here they {gap_words(seen.distance, study.clearance)}.
-        {wrong_models.length > 0 && (
+        <span class={posed.within[picked] ? "bad" : ""}>
+          Here they {gap_words(posed.gaps[picked]!.distance, study.clearance, unit)}.
+        </span>
+        {stands_in(study, picked) && (
+          <span class="soft"> Measured from the solid around a box or mesh, which itself may be farther away.</span>
+        )}
+        {seen && wrong_models.length > 0 && (
           <span class="bad">
             {" "}
             {seen.within
@@ -235,20 +308,29 @@ export function Picked({
           </span>
         )}
       </p>
+      {proof && (
+        <p class={verdict_class[proof.verdict]}>
+          Over all motions {proof_words(study, proof)}. <ShowProof proof={proof} show={show_proof} />
+        </p>
+      )}
+      <div class="scroll">
       <table class="plain">
         <thead>
           <tr>
-            <th>show</th>
-            <th>model</th>
-            <th>says here</th>
-            <th class="n">wrong in all</th>
-            <th class="n">false alarm up to</th>
-            <th class="n">missed up to</th>
+            {told.map((head) => (
+              <th
+                scope="col"
+                class={head.startsWith("n:") ? "n" : ""}
+                title={about_study(head.replace("n:", ""))}
+                key={head}>
+                {head.replace("n:", "")}
+              </th>
+            ))}
           </tr>
         </thead>
         <tbody>
           {pair.models.map((m) => {
-            const wrong = seen.wrong.includes(m.model);
+            const wrong = seen?.wrong.includes(m.model) ?? false;
             return (
               <tr key={m.model}>
                 <td>
@@ -265,7 +347,7 @@ export function Picked({
                   <Swatch model={m.model} />
                   {m.model}
                 </td>
-                <td class={wrong ? "bad" : ""}>{here_words(seen.within, wrong)}</td>
+                {seen && <td class={wrong ? "bad" : ""}>{here_words(seen.within, wrong)}</td>}
                 <td class={`n ${m.wrong > 0 ? "bad" : ""}`}>
                   {m.wrong === 0 ? "\u2013" : `${grouped(m.wrong)} of ${grouped(pair.samples)}`}
                 </td>
@@ -276,6 +358,7 @@ export function Picked({
           })}
         </tbody>
       </table>
+      </div>
     </div>
   );
 }

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: MIT
-// The robot in one of the kept configurations, to be turned: pairs as lines, a picked pair with its models.
+// The robot where it stands, to be turned, on a floor with the axes of the world: pairs as lines, a picked pair with
+// its models.
 import { useEffect, useLayoutEffect, useMemo, useRef, useState } from "preact/hooks";
+import type { Object3D } from "three";
 import type { Vec } from "./data.ts";
 import { add, cross, dot, scale, sub, unit, type Solid } from "./geometry.ts";
 import { colour } from "./parts.tsx";
 import { SolidsProjection } from "./projection.tsx";
-import { ghost, line, mark, solid, the_stage, type View } from "./stage.ts";
+import { arrow, box, ghost, grid, line, mark, solid, the_stage, type View } from "./stage.ts";
 import {
   extent_of,
   frame_of,
@@ -17,11 +19,13 @@ import {
   type Model,
   type Study,
 } from "./study.ts";
-import { in_order } from "./words.ts";
+import type { Posed } from "./study_pose.ts";
+import { in_order, plural } from "./words.ts";
 
 export interface Shown {
   study: Study;
   at: number; // of study.kept
+  posed: Posed;
   picked: number | null; // of study.pairs
   ghosts: ReadonlySet<Model>;
   close: boolean;
@@ -61,35 +65,86 @@ function view_of(solids: Solid[], pair: [Solid, Solid] | null, near: [Vec, Vec] 
   return { eye: eye_beside(along), up, target: middle, radius: 1.15 * extent_of(pair, middle) };
 }
 
-function near_of(frame: Frame, { study, at, picked }: Shown): [Vec, Vec] | null {
+function near_of(frame: Frame, { posed, picked }: Shown): [Vec, Vec] | null {
   if (picked === null) return null;
-  const seen = study.kept[at]!.pairs[picked]!;
+  const seen = posed.gaps[picked]!;
   return [frame.to(seen.on_a), frame.to(seen.on_b)];
 }
 
+/** A round length: the floor has about ten squares across the scene. */
+export function floor_cell({ unit: u }: Frame): number {
+  const about = u / 5,
+    decade = 10 ** Math.floor(Math.log10(about));
+  return decade * ([5, 2].find((k) => k * decade <= about) ?? 1);
+}
+
+/** The floor lies under the lowest point of all configurations kept, its lines on round numbers of the world. */
+function surroundings(frame: Frame) {
+  const cell = floor_cell(frame) / frame.unit,
+    origin = frame.to([0, 0, 0]),
+    from = ([0, 1] as const).map((i) => origin[i] + Math.round(-origin[i] / cell) * cell) as [number, number];
+  const size = 0.22,
+    axis = (along: Vec, paint: string, name: string) => arrow(origin, add(origin, scale(along, size)), paint, name);
+  return [
+    grid([from[0], from[1], frame.floor], cell, 6, colour("--grey")),
+    axis([1, 0, 0], colour("--axis-x"), "x"),
+    axis([0, 1, 0], colour("--axis-y"), "y"),
+    axis([0, 0, 1], colour("--axis-z"), "z"),
+  ];
+}
+
+/** Which colour a body has, of those of style.css. */
+function paint_of({ study, posed, picked }: Shown, of_body: (Model | null)[]): (body: number) => string {
+  const two = picked === null ? null : study.pairs[picked]!.bodies;
+  const near = new Set(posed.set ? study.pairs.flatMap(({ bodies }, i) => (posed.within[i] ? bodies : [])) : []);
+  return (body) => {
+    if (two?.includes(body)) return two[0] === body ? "--solid-a" : "--solid-b";
+    if (near.has(body)) return "--within-reach";
+    if (study.bodies[body]!.holds) return "--grey";
+    const model = of_body[body];
+    return model ? model_colour[model] : "--grey";
+  };
+}
+
+/** How clear a solid is that stands in for a box or mesh. */
+const stand_in_opacity = 0.16;
+
 function objects_of(shown: Shown, frame: Frame, solids: Solid[], of_body: (Model | null)[]) {
-  const { study, at, picked, ghosts, passing } = shown,
+  const { study, posed, picked, ghosts, passing } = shown,
     extent = extent_of(solids);
   const two = picked === null ? null : study.pairs[picked]!.bodies;
-  const objects = solids.map((s, i) => {
+  const paint = paint_of(shown, of_body);
+  const objects: Object3D[] = solids.map((s, i) => {
     const side = two === null ? -1 : two.indexOf(i),
-      model = of_body[i];
-    const paint =
-      side >= 0 ? colour(side === 0 ? "--solid-a" : "--solid-b") : colour(model ? model_colour[model] : "--grey");
-    const drawn = solid(s, paint, extent, two === null ? 1 : side < 0 ? faded : ghosts.has("inner capsule") ? 0.4 : 1);
+      held = study.bodies[i]!.holds !== undefined;
+    const opacity =
+      two !== null && side < 0 ? faded : held ? stand_in_opacity : side >= 0 && ghosts.has("inner capsule") ? 0.4 : 1;
+    const drawn = solid(s, colour(paint(i)), extent, opacity);
     drawn.userData.is = { body: i };
     return drawn;
   });
+  for (const { body, center, axes } of posed.boxes) {
+    const { size } = study.bodies[body]!.holds!;
+    const sides = axes.map((axis, k) => scale(axis, size[k]! / frame.unit)) as [Vec, Vec, Vec];
+    const drawn = box(frame.to(center), sides, colour("--grey"), two === null || two.includes(body) ? 0.45 : faded);
+    drawn.userData.is = { body };
+    objects.push(drawn);
+  }
+  objects.push(...surroundings(frame));
   if (two === null) {
-    const { pairs } = study.kept[at]!;
-    for (const i of in_order([...passing], (x, y) => pairs[x]!.distance - pairs[y]!.distance).slice(0, line_cap)) {
-      const seen = pairs[i]!,
-        { needs: model } = study.pairs[i]!;
-      const drawn = line([frame.to(seen.on_a), frame.to(seen.on_b)], colour(model_colour[model]), {
-        opacity: line_opacity(model, seen.distance / frame.unit),
-      });
+    const to = (i: number) => posed.gaps[i]!.distance;
+    const known = [...passing].filter((i) => posed.gaps[i] !== null);
+    for (const i of in_order(known, (x, y) => to(x) - to(y)).slice(0, line_cap)) {
+      const seen = posed.gaps[i]!,
+        { needs: model } = study.pairs[i]!,
+        red = posed.set && posed.within[i];
+      const drawn = line(
+        [frame.to(seen.on_a), frame.to(seen.on_b)],
+        colour(red ? "--within-reach" : model_colour[model]),
+        red ? { on_top: true } : { opacity: line_opacity(model, seen.distance / frame.unit) },
+      );
       drawn.userData.is = { pair: i };
-      objects.push(drawn as never);
+      objects.push(drawn);
     }
     return objects;
   }
@@ -129,17 +184,18 @@ export function StudyView({
   pick_pair: (pair: number | null) => void;
   pick_body: (body: number) => void;
 }) {
-  const { study, at, picked, close } = shown;
+  const { study, at, posed, picked, close } = shown;
   const place = useRef<HTMLDivElement>(null);
   const [under, point] = useState("");
   const frame = useMemo(() => frame_of(study), [study]);
   const of_body = useMemo(() => most_exact(study), [study]);
-  const solids = useMemo(() => study.kept[at]!.cylinders.map(frame.solid), [frame, at]);
+  const solids = useMemo(() => posed.cylinders.map(frame.solid), [frame, posed]);
   const two = picked === null ? null : study.pairs[picked]!.bodies;
   const near = near_of(frame, shown);
   const view = useMemo(
     () => view_of(solids, close && two ? [solids[two[0]]!, solids[two[1]]!] : null, near),
-    [solids, close, picked],
+    // Sliders move the robot, not the reader.
+    [frame, at, close, picked],
   );
   const stage = the_stage();
 
@@ -159,7 +215,7 @@ export function StudyView({
       observer.disconnect();
       scheme.removeEventListener("change", paint);
     };
-  }, [study, at, picked, shown.ghosts, shown.passing]);
+  }, [study, posed, picked, shown.ghosts, shown.passing]);
   // A whole scene is looked at from where the reader has turned to, whichever configuration.
   useLayoutEffect(() => stage?.look(view), [close, close ? view : null]);
 
@@ -199,13 +255,14 @@ export function StudyView({
   }, [study, pick_pair, pick_body]);
 
   const pair = picked === null ? null : study.pairs[picked]!;
-  const label = `${study.cylinders} cylinders${pair === null ? "" : `, ${pair.a} and ${pair.b} picked`}`;
+  const who = pair === null ? "" : `, ${pair.a} and ${pair.b} picked`,
+    label = `The robot: ${plural(study.bodies.length, "solid")}${who}`;
   useLayoutEffect(() => stage?.tell(label), [label]);
+  const paint = paint_of(shown, of_body);
   const painted = solids.map((s, i) => ({
     solid: s,
-    colour:
-      two?.[0] === i ? "--solid-a" : two?.[1] === i ? "--solid-b" : of_body[i] ? model_colour[of_body[i]!] : "--grey",
-    faint: two !== null && !two.includes(i),
+    colour: paint(i),
+    faint: (two !== null && !two.includes(i)) || study.bodies[i]!.holds !== undefined,
   }));
   return (
     <div class={`stage ${stage ? "" : "flat"}`} ref={place}>
