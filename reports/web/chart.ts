@@ -27,7 +27,9 @@ export { wrong_distance } from "./distance.ts";
 export { log_gamma, same_rate_probability } from "./rates.ts";
 export { csv_cell, csv_of } from "./save.ts";
 export { full, glossary, shell_quoted } from "./words.ts";
-export { frame_of, stand_in } from "./study.ts";
+export { csv_of_pairs, power_law } from "./crowd.ts";
+export { first_hit } from "./geometry.ts";
+export { frame_around, frame_of, stand_in } from "./study.ts";
 export { expand, pareto, plain_document };
 
 /** Points of a file's width; text is 11 of them high. */

@@ -4,6 +4,7 @@
 #     run_test.sh data       the prover, the filters, the charts, and that what is built was built from these sources
 #     run_test.sh browser    a reader of the page; needs chromium, and npm ci in this folder
 #     run_test.sh scene DAYLIGHT    the same of the page of a scene, written by the executable DAYLIGHT
+#     run_test.sh crowd DAYLIGHT    the same of the page of many cylinders
 #     run_test.sh build      the types are right, and a build gives the committed bytes; needs npm ci in this folder
 set -euo pipefail
 cd -- "$(dirname -- "$(readlink -f -- "${BASH_SOURCE[0]}")")"
@@ -13,6 +14,15 @@ scene() {
   trap 'rm -rf -- "$scratch"' EXIT
   "$1" scene ../../corpus/scenes/twenty.urdf --configurations 300 --verify --page "$scratch/scene.html"
   node study_page_test.mjs "$scratch/scene.html"
+}
+
+crowd() {
+  scratch=$(mktemp -d)
+  trap 'rm -rf -- "$scratch"' EXIT
+  for count in 5000 100000; do
+    "$1" scene --generate rods --count "$count" --verify --page "$scratch/$count.html"
+  done
+  node crowd_page_test.mjs "$scratch/5000.html" "$scratch/100000.html"
 }
 
 build() {
@@ -27,5 +37,6 @@ case $1 in
   data) node --test data_test.mjs prove_test.mjs ;;
   browser) node page_test.mjs ;;
   scene) scene "$2" ;;
+  crowd) crowd "$2" ;;
   build) build ;;
 esac

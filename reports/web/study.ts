@@ -126,17 +126,18 @@ export interface Frame {
   solid: (c: Cylinder) => Solid;
 }
 
-export function frame_of(study: Study): Frame {
+export const frame_of = (study: Study): Frame => frame_around(study.kept.flatMap(({ cylinders }) => cylinders));
+
+export function frame_around(cylinders: readonly Cylinder[]): Frame {
   const low: Vec = [Infinity, Infinity, Infinity],
     high: Vec = [-Infinity, -Infinity, -Infinity];
-  for (const { cylinders } of study.kept)
-    for (const c of cylinders) {
-      const reach = Math.hypot(c.radius, c.height / 2) + (c.rounding ?? 0);
-      for (const i of [0, 1, 2] as const) {
-        low[i] = Math.min(low[i], c.center[i] - reach);
-        high[i] = Math.max(high[i], c.center[i] + reach);
-      }
+  for (const c of cylinders) {
+    const reach = Math.hypot(c.radius, c.height / 2) + (c.rounding ?? 0);
+    for (const i of [0, 1, 2] as const) {
+      low[i] = Math.min(low[i], c.center[i] - reach);
+      high[i] = Math.max(high[i], c.center[i] + reach);
     }
+  }
   const middle = scale(add(low, high), 0.5),
     wide = Math.hypot(...sub(high, low)) / 2,
     unit_length = wide > 0 && Number.isFinite(wide) ? wide : 1;
