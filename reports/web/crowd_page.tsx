@@ -211,7 +211,14 @@ function Nearest({ crowd, picked, pick }: { crowd: Crowd; picked: Picked; pick: 
 /** So many partners of a solid are named; one that has more is in the JSON. */
 const partner_cap = 30;
 
-function Solid({ crowd, solid, partners, pick }: { crowd: Crowd; solid: number; partners: number[]; pick: (picked: Picked) => void }) {
+interface SolidOf {
+  crowd: Crowd;
+  solid: number;
+  partners: number[];
+  pick: (picked: Picked) => void;
+}
+
+function Solid({ crowd, solid, partners, pick }: SolidOf) {
   const [x, y, z, u, v, w, radius, length, rounding = 0] = crowd.solids[solid]!;
   const vector = (...of: (number | undefined)[]) => of.map((c) => full(c!)).join(", ");
   return (
@@ -227,7 +234,9 @@ function Solid({ crowd, solid, partners, pick }: { crowd: Crowd; solid: number; 
         <Fact label="axis">{vector(u, v, w)}</Fact>
       </dl>
       <p>
-        {partners.length === 0 ? `No other is ${said_within(crowd)}.` : `${plural(partners.length, "pair")} ${said_within(crowd)}, with `}
+        {partners.length === 0
+          ? `It is in no pair ${said_within(crowd)}.`
+          : `${plural(partners.length, "pair")} ${said_within(crowd)}, with `}
         {partners.slice(0, partner_cap).map((other, i) => (
           <span key={other}>
             {i > 0 && ", "}
@@ -249,7 +258,14 @@ const certificate_words: Record<NearPair["certificate"], string> = {
   none: "none",
 };
 
-function Pair({ crowd, pair, pick }: { crowd: Crowd; pair: readonly [number, number]; pick: (picked: Picked) => void }) {
+interface PairOf {
+  crowd: Crowd;
+  pair: readonly [number, number];
+  close: boolean;
+  pick: (picked: Picked) => void;
+}
+
+function Pair({ crowd, pair, close, pick }: PairOf) {
   const near = near_pair(crowd, pair);
   const name = (solid: number, side: string) => (
     <>
@@ -272,7 +288,10 @@ function Pair({ crowd, pair, pick }: { crowd: Crowd; pair: readonly [number, num
           Certificate of the answer: {certificate_words[near.certificate]}.
         </p>
       ) : (
-        <p>They are {said_within(crowd)}; the distance is known of the nearest {grouped(crowd.nearest.length)} pairs.</p>
+        <p>
+          They are {close ? said_within(crowd) : `not ${said_within(crowd)}`}; the distance is known of the{" "}
+          {grouped(crowd.nearest.length)} nearest pairs.
+        </p>
       )}
     </div>
   );
@@ -349,12 +368,18 @@ function Cylinders({ crowd }: { crowd: Crowd }) {
           <CrowdView shown={{ crowd, partners, showing, picked, fitted }} pick={pick_solid} />
           {picked === null ? (
             <p class="soft">
-              <i class="swatch close" /> {grouped(partners.size)} in a close pair ({percent(partners.size, crowd.cylinders)}),{" "}
-              <i class="swatch apart" /> {grouped(crowd.cylinders - partners.size)} in none. Drag to turn, wheel to zoom;
-              click a cylinder or a row to see it close up.
+              <i class="swatch close" /> {grouped(partners.size)} in a close pair (
+              {percent(partners.size, crowd.cylinders)}), <i class="swatch apart" />{" "}
+              {grouped(crowd.cylinders - partners.size)} in none. Drag to turn, wheel to zoom; click a cylinder or a row
+              to see it close up.
             </p>
           ) : "pair" in picked ? (
-            <Pair crowd={crowd} pair={picked.pair} pick={pick} />
+            <Pair
+              crowd={crowd}
+              pair={picked.pair}
+              close={partners.get(picked.pair[0])?.includes(picked.pair[1]) ?? false}
+              pick={pick}
+            />
           ) : (
             <Solid crowd={crowd} solid={picked.solid} partners={partners.get(picked.solid) ?? []} pick={pick} />
           )}
@@ -378,9 +403,10 @@ function Growth({ growth }: { growth: GrowthRow[] }) {
       title="Growth"
       lead={
         growth.length > 1
-          ? `From ${grouped(first.cylinders)} to ${grouped(last.cylinders)} cylinders the time grows as their number to ` +
-            `the power ${exponent((row) => total_ms(row.cpu_ms))}, the pairs whose boxes meet to the power ` +
-            `${exponent((row) => row.candidates)}: least squares through the logarithms, dashed. CPU time of one thread.`
+          ? `From ${grouped(first.cylinders)} to ${grouped(last.cylinders)} cylinders the time grows as their number ` +
+            `to the power ${exponent((row) => total_ms(row.cpu_ms))}, the pairs whose boxes meet to the power ` +
+            `${exponent((row) => row.candidates)}: least squares through the logarithms, dashed. CPU time of one ` +
+            "thread."
           : "Of fewer than 2,000 cylinders no parts are timed. CPU time of one thread."
       }>
       {growth.length > 1 && (

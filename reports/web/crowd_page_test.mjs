@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A reader of the page of many cylinders: opens it from disk in a browser without network, reads the counts, picks pairs
-// in the table and cylinders in the picture, saves the table, reads the charts.
+// A reader of the page of many cylinders: opens it from disk in a browser without network, reads the counts, picks
+// pairs in the table and cylinders in the picture, saves the table, reads the charts.
 //     node crowd_page_test.mjs PAGE.html LARGE.html     of --generate rods --count 5000 --verify, and of 100,000
 import assert from "node:assert/strict";
 import { readFileSync, writeFileSync } from "node:fs";
@@ -71,7 +71,8 @@ async function reads_the_answer(page) {
   assert.ok(text.includes(`Certificates: ${grouped(c.checked)} checked, 0 failed, 0 pairs without one`), text);
   assert.ok(text.includes(grouped((crowd.cylinders * (crowd.cylinders - 1)) / 2)), "all pairs");
   assert.equal(await page.locator("#answer .ok").count(), 2);
-  assert.match(await page.locator("header .run").innerText(), /generated rods .* 5,000 cylinders .* seed 1 .* clearance 0/);
+  const asked_for = await page.locator("header .run").innerText();
+  assert.match(asked_for, /generated rods .* 5,000 cylinders .* seed 1 .* clearance 0/);
 }
 
 async function sorts_and_searches(page) {
@@ -96,7 +97,8 @@ async function sorts_and_searches(page) {
 
 /** Every double comes back. */
 async function saves_the_table(page) {
-  const [download] = await Promise.all([page.waitForEvent("download"), page.getByRole("button", { name: "CSV" }).click()]);
+  const button = page.getByRole("button", { name: "CSV" });
+  const [download] = await Promise.all([page.waitForEvent("download"), button.click()]);
   const text = readFileSync(await download.path(), "utf8"),
     lines = text.trimEnd().split("\r\n");
   assert.equal(lines.length, crowd.nearest.length + 1);
@@ -123,9 +125,10 @@ async function picks_a_pair(page) {
   await page.locator(".crowd-pairs .virtual").focus();
   await page.keyboard.press("ArrowDown");
   assert.equal(await hash(page), `#pair=${crowd.nearest[3].a},${crowd.nearest[3].b}`);
-  await page.locator(".picked button.link").first().click();
-  assert.equal(await hash(page), `#solid=${crowd.nearest[3].a}`);
-  const partners = crowd.within.filter((pair) => pair.includes(crowd.nearest[3].a));
+  await page.locator(".picked button.link").nth(1).click();
+  const solid = crowd.nearest[3].b;
+  assert.equal(await hash(page), `#solid=${solid}`);
+  const partners = crowd.within.filter((pair) => pair.includes(solid));
   const told = await page.locator(".picked p").innerText();
   assert.ok(told.startsWith(`${partners.length} pair`), told);
   assert.equal(await page.locator(".picked p button.link").count(), partners.length);
@@ -136,18 +139,60 @@ async function picks_a_pair(page) {
   assert.equal((await colours(page)).hash, whole.hash);
 }
 
+/** How many pixels are orange, and how many are not. */
+const orange = async (page) => (
+  await settled(page),
+  page.evaluate(() => {
+    const canvas = document.querySelector(".stage canvas"),
+      { width, height } = canvas,
+      flat = Object.assign(document.createElement("canvas"), { width, height }).getContext("2d");
+    flat.drawImage(canvas, 0, 0);
+    const { data } = flat.getImageData(0, 0, width, height);
+    const counts = { orange: 0, grey: 0 };
+    for (let i = 0; i < data.length; i += 4)
+      if (data[i + 3] > 200) ++counts[data[i] > data[i + 2] + 30 ? "orange" : "grey"];
+    return counts;
+  })
+);
+
 /** Those in no close pair are left out, and then those far from the nearest pairs. */
 async function shows_less(page) {
   const whole = await colours(page);
-  const opaque = [whole.opaque];
+  const opaque = [whole.opaque],
+    all = await orange(page),
+    share = crowd.within.length / crowd.cylinders; // of solids in a close pair about twice that
+  assert.ok(all.orange > share * all.grey && all.grey > all.orange, JSON.stringify(all));
   for (const showing of ["close", "nearest"]) {
     await page.locator(".stage-tools select").selectOption(showing);
     assert.equal(await hash(page), `#show=${showing}`);
     opaque.push((await colours(page)).opaque);
+    const some = await orange(page);
+    assert.ok(showing !== "close" || some.orange > 50 * some.grey, JSON.stringify(some));
   }
   assert.ok(opaque[0] > 1.2 * opaque[1] && opaque[2] > 1000, opaque.join());
   await page.locator(".stage-tools select").selectOption("all");
   assert.equal((await colours(page)).hash, whole.hash);
+}
+
+/** The first cylinder under the middle of the picture of all, by where one looks from. */
+function in_the_middle() {
+  const cylinders = crowd.solids.map(cylinder),
+    frame = frame_around(cylinders),
+    solids = cylinders.map(frame.solid);
+  const dot = (u, v) => u[0] * v[0] + u[1] * v[1] + u[2] * v[2],
+    unit = (u) => u.map((x) => x / Math.hypot(...u));
+  const eye = unit([1, -1.3, 0.75]),
+    right = unit([-eye[1], eye[0], 0]),
+    above = unit([-eye[0] * eye[2], -eye[1] * eye[2], eye[0] ** 2 + eye[1] ** 2]);
+  let from = eye.map((x) => 4 * x);
+  for (const axis of [right, above]) {
+    const ends = solids.flatMap((s) => {
+      const reach = Math.hypot(s.radius, s.half) + s.rounding;
+      return [dot(s.center, axis) - reach, dot(s.center, axis) + reach];
+    });
+    from = from.map((x, i) => x + (axis[i] * (Math.min(...ends) + Math.max(...ends))) / 2);
+  }
+  return first_hit(from, eye.map((x) => -x), solids, 1e-3);
 }
 
 async function picks_in_the_picture(page) {
@@ -156,7 +201,7 @@ async function picks_in_the_picture(page) {
   await page.mouse.move(...(await in_picture(page, 0.5, 0.5)));
   await settled(page);
   const name = await page.locator(".under").innerText();
-  assert.match(name, /^cylinder \d+$/);
+  assert.equal(name, `cylinder ${in_the_middle()}`);
   await page.mouse.click(...(await in_picture(page, 0.5, 0.5)));
   assert.equal(await hash(page), `#solid=${name.split(" ")[1]}`, "the one under the pointer");
   assert.ok((await page.locator(".picked h3").innerText()).includes(name));
@@ -184,7 +229,8 @@ async function reads_the_charts(page) {
   );
   assert.equal(labels.length, 6 * crowd.growth.length, "four lines of times, two of pairs");
   const last = crowd.growth.at(-1);
-  assert.ok(labels.includes(`boxes meet, ${grouped(last.cylinders)} cylinders: ${grouped(last.candidates)}`), labels.join("\n"));
+  const boxes_meet = `boxes meet, ${grouped(last.cylinders)} cylinders: ${grouped(last.candidates)}`;
+  assert.ok(labels.includes(boxes_meet), labels.join("\n"));
   const law = power_law(crowd.growth.map((row) => [row.cylinders, Object.values(row.cpu_ms).reduce((x, y) => x + y)]));
   assert.ok((await page.locator("#growth .lead").innerText()).includes(`to the power ${law.exponent.toFixed(2)},`));
   const rows = await page.locator("#growth tbody tr").allInnerTexts();
@@ -207,6 +253,15 @@ async function opens_a_view_by_its_address() {
   await reads_the_charts(page);
   await fits(page);
   await page.context().close();
+  const close = new Set(crowd.within.map((pair) => pair.join())),
+    known = new Set(crowd.nearest.map((pair) => `${pair.a},${pair.b}`));
+  const others = [crowd.within.find((pair) => !known.has(pair.join())), [0, 1]].filter(Boolean);
+  for (const pair of others) {
+    const far = await open(`${address}#pair=${pair}`);
+    const told = (await settled(far), await far.locator(".picked p").innerText());
+    assert.ok(told.startsWith(`They are ${close.has(pair.join()) ? "" : "not "}intersecting; the distance`), told);
+    await far.context().close();
+  }
   for (const lost of ["#pair=3,3", "#pair=0,99999999", "#solid=-1", "#solid=x&show=none"]) {
     const none = await open(`${address}${lost}`);
     assert.equal((await settled(none), await none.locator(".picked").count()), 0, lost);

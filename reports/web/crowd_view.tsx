@@ -112,7 +112,9 @@ function painted_of(shown: Shown, scene: Scene, view: View) {
   const { partners, picked } = shown,
     chosen = chosen_of(shown);
   if (picked === null)
-    return visible(shown).map((i) => ({ i, colour: partners.has(i) ? "--crowd-close" : "--crowd-apart", faint: false }));
+    return visible(shown).map((i) => {
+      return { i, colour: partners.has(i) ? "--crowd-close" : "--crowd-apart", faint: false };
+    });
   return [
     ...chosen.map((i, k) => ({ i, colour: k === 0 ? "--solid-a" : "--solid-b", faint: false })),
     ...neighbours(chosen, view.target, scene).map((i) => ({ i, colour: "--grey", faint: true })),
@@ -145,7 +147,11 @@ export function CrowdView({ shown, pick }: { shown: Shown; pick: (solid: number 
         return some.length === 0 ? [] : [many(solids, colours, view.radius, opacity)];
       };
       const marks = near
-        ? [line(near, colour("--fg"), { on_top: true }), mark(near[0], colour("--solid-a")), mark(near[1], colour("--solid-b"))]
+        ? [
+            line(near, colour("--fg"), { on_top: true }),
+            mark(near[0], colour("--solid-a")),
+            mark(near[1], colour("--solid-b")),
+          ]
         : [];
       const haze = { colour: colour("--panel"), near: view.radius, far: haze_depth * view.radius };
       stage.show([...of(false, 1), ...of(true, faint), ...marks], picked === null ? haze : null);
