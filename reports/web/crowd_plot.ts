@@ -25,7 +25,7 @@ export const pair_lines = (o: Pick<Options, "theme">): Line[] => [
 
 export const height = 300;
 const left = 72,
-  right = 96, // for the names at the ends of the lines
+  right = 124, // for the names at the ends of the lines
   top = 22,
   bottom = 42;
 /** Names at the ends are so far apart at least, in pixels. */
@@ -53,6 +53,7 @@ export function growth_plot(
   const numbers = rows.map((row) => row.cylinders),
     values = points.map((p) => p.value);
   const domain = { x: [Math.min(...numbers) / 1.3, Math.max(...numbers) * 1.3] as const };
+  const powers = decades(numbers).filter((t) => t >= domain.x[0] && t <= domain.x[1]);
   const ends = decades(values),
     low = ends[0]!,
     high = Math.max(ends[ends.length - 1]!, 10 * low);
@@ -61,8 +62,12 @@ export function growth_plot(
     const law = line.strong ? power_law(rows.map((row) => [row.cylinders, line.of(row)])) : null;
     return law === null
       ? []
-      : [numbers[0]!, numbers[numbers.length - 1]!].map((n) => ({ line, n, value: law.factor * n ** law.exponent }));
+      : [domain.x[0], numbers[numbers.length - 1]!].map((n) => ({ line, n, value: law.factor * n ** law.exponent, exponent: law.exponent }));
   });
+  const exponent_of = (line: Line) => {
+    const fit = fits.find((p) => p.line === line);
+    return fit && `: n^${fit.exponent.toFixed(2)}`;
+  };
   return Plot.plot(
     common(o, height, {
       marginLeft: left,
@@ -73,7 +78,8 @@ export function growth_plot(
         type: "log",
         domain: domain.x,
         label: "cylinders \u2192",
-        ticks: decades(numbers).filter((t) => t >= domain.x[0] && t <= domain.x[1]),
+        labelAnchor: "center",
+        ticks: powers.length > 1 ? powers : numbers,
         tickFormat: grouped,
         grid: true,
       },
@@ -87,20 +93,20 @@ export function growth_plot(
       },
       color: { type: "identity" },
       marks: [
-        Plot.line(fits, {
-          x: "n",
-          y: "value",
-          z: (p: { line: Line }) => p.line.name,
-          stroke: o.theme.soft,
-          strokeDasharray: "5 4",
-          strokeWidth: 1.2,
-        }),
         Plot.line(points, {
           x: "n",
           y: "value",
           z: (p: { line: Line }) => p.line.name,
           stroke: (p: { line: Line }) => p.line.colour,
           strokeWidth: (p: { line: Line }) => (p.line.strong ? 2.2 : 1.3),
+        }),
+        Plot.line(fits, {
+          x: "n",
+          y: "value",
+          z: (p: { line: Line }) => p.line.name,
+          stroke: o.theme.fg,
+          strokeDasharray: "5 4",
+          strokeWidth: 1,
         }),
         Plot.dot(points, {
           x: "n",
@@ -116,7 +122,7 @@ export function growth_plot(
           Plot.text([{ n: numbers[numbers.length - 1]!, value }], {
             x: "n",
             y: "value",
-            text: () => line.name,
+            text: () => line.name + (exponent_of(line) ?? ""),
             dx: 9,
             dy,
             textAnchor: "start",
