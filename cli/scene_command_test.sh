@@ -37,13 +37,32 @@ holds 'for nobody on the network' crane.html "default-src 'none'"
 expect 1 'no place for a page' "$daylight" scene "$scenes/crane.urdf" --configurations 1 --page none/crane.html
 holds 'which' err 'none/crane.html cannot be written'
 for i in {1..201}; do printf '{"center":[%s,0,0],"axis":[0,0,1],"radius":0.4,"height":2}\n' "$i"; done >many.jsonl
-expect 64 'too many for a page' "$daylight" scene many.jsonl --page many.html
-holds 'what to do' err 'up to 200 cylinders, not 201; give a file with fewer, or take --json'
-expect 64 'a page of nothing kept' "$daylight" scene --generate rods --page rods.html
-holds 'what else' err 'of --generate there is --json'
-expect 0 'generated' "$daylight" scene --generate rods --count 2000 --json rods.json
+expect 0 'more than a study shows' "$daylight" scene many.jsonl --clearance 0.3 --page many.html --verify
+holds 'close pairs alone' out '^ +201 +200 '
+holds 'as data' many.html '"file":"many.jsonl",'
+holds 'its names' many.html '"names":\["1","2",'
+expect 64 'a study of a crowd' "$daylight" scene many.jsonl --page many.html --prove
+holds 'why' err 'are about a mechanism, not about many cylinders'
+{
+  printf '<robot name="many"><link name="l0"/>'
+  for i in {1..201}; do
+    printf '<link name="l%s"><collision><geometry><cylinder radius="1" length="2"/></geometry></collision></link>' "$i"
+    printf '<joint name="j%s" type="continuous"><parent link="l%s"/><child link="l%s"/></joint>' "$i" $((i - 1)) "$i"
+  done
+  printf '</robot>'
+} >many.urdf
+expect 64 'a mechanism too large for a page' "$daylight" scene many.urdf --page many.html
+holds 'what to do' err 'a mechanism of up to 200 cylinders, not 201; give a file with fewer, or take --json'
+expect 64 'too many for a page' "$daylight" scene --generate rods --count 200001 --page rods.html
+holds 'how many are not' err 'up to 200000 cylinders, not 200001; ask about fewer, or take --json'
+expect 0 'generated' "$daylight" scene --generate rods --count 2000 --verify --json rods.json --page rods.html
 holds 'counted' out '^ +2000 '
+holds 'and less' out '^ +1000 '
+holds 'the referee' out '^referee: 2425 pairs asked, 0 wrong, 0 not proved; [0-9]+ ms$'
+holds 'the certificates' out '^certificates: 2425 checked, 0 failed, 0 pairs without one; [0-9]+ ms$'
 holds 'the pairs' rods.json '"within":\[\['
+holds 'how it grows' rods.json '"cylinders":1000,"candidates":1189,'
+holds 'the same on the page' rods.html '"certificates":\{"checked":2425,"failed":0,'
 : >empty.jsonl
 expect 0 'nothing in it' "$daylight" scene empty.jsonl --page empty.html
 holds 'nothing to do' out '^nothing to check$'

@@ -69,7 +69,7 @@ daylight_script(schemas_test reports 2400 ${Python3_EXECUTABLE} ${PROJECT_SOURCE
 # What earlier versions wrote opens today.
 daylight_script(fixtures_test corpus 2400 ${Python3_EXECUTABLE} ${PROJECT_SOURCE_DIR}/corpus/store/fixtures/fixtures_test.py
                 ${program} $<TARGET_FILE:fuzz_xcheck>)
-foreach(part data browser build scene robot)
+foreach(part data browser build scene robot crowd)
   daylight_script(page_${part} reports 2400 ${PROJECT_SOURCE_DIR}/reports/web/run_test.sh ${part} ${program})
 endforeach()
 daylight_script(hostile_test oracles 2400 ${Python3_EXECUTABLE} ${PROJECT_SOURCE_DIR}/oracles/methods/hostile_test.py

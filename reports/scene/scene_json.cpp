@@ -272,17 +272,4 @@ std::string study_json(const Scene& scene, const SceneQuestion& q, const SceneSt
   return layout(all);
 }
 
-std::string close_pairs_json(const ClosePairs& s) {
-  json decided;
-  for (const Level level : crowd_levels) decided[to_string(level)] = s.decided[index_of(level)];
-  return json{{"cylinders", s.bodies},
-              {"candidates", s.candidates},
-              {"decided", std::move(decided)},
-              {"undecided", s.undecided},
-              {"cpu_ms", {{"prepare", s.prepare_ms}, {"tree", s.tree_ms}, {"ladder", s.cascade_ms}}},
-              {"within", s.within}}
-             .dump() +
-         '\n';
-}
-
 }  // namespace cyl

@@ -6,7 +6,6 @@
 #include <string>
 #include <vector>
 
-#include "scenes/close_pairs.hpp"
 #include "scenes/scene_study.hpp"
 
 namespace cyl {
@@ -41,10 +40,5 @@ std::string srdf_text(const Scene& scene, const SceneQuestion& question, const S
 /// Returns the study with its words and the shown configurations (scenes/shown_pairs.hpp), as
 /// reports/schemas/scene.json describes it; a page is drawn from it alone.
 std::string study_json(const Scene& scene, const SceneQuestion& question, const SceneStudy& study);
-
-/// Returns a line for people; `close_pairs_head` names its columns.
-std::string close_pairs_head();
-std::string close_pairs_line(const ClosePairs& pairs);
-std::string close_pairs_json(const ClosePairs& pairs);
 
 }  // namespace cyl

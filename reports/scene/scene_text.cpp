@@ -336,16 +336,4 @@ std::string study_text(const Scene& scene, const SceneQuestion& q, const SceneSt
          motions_text(scene, s);
 }
 
-std::string close_pairs_head() {
-  return fmt::format("{:>10} {:>12} {:>10} {:>10} {:>10} {:>10} {:>10} {:>11} {:>10} {:>11}\n", "cylinders",
-                     "boxes meet", "sphere", "cylinder", "distance", "undecided", "within", "prepare ms",
-                     "tree ms", "ladder ms");
-}
-
-std::string close_pairs_line(const ClosePairs& s) {
-  return fmt::format("{:>10} {:>12} {:>10} {:>10} {:>10} {:>10} {:>10} {:>11.2f} {:>10.2f} {:>11.2f}\n",
-                     s.bodies, s.candidates, s.decided[0], s.decided[3], s.decided[4] + s.decided[5],
-                     s.undecided, s.within.size(), s.prepare_ms, s.tree_ms, s.cascade_ms);
-}
-
 }  // namespace cyl

@@ -27,11 +27,13 @@ export { wrong_distance } from "./distance.ts";
 export { log_gamma, same_rate_probability } from "./rates.ts";
 export { csv_cell, csv_of } from "./save.ts";
 export { full, glossary, shell_quoted } from "./words.ts";
-export { frame_of, rows_of as study_rows_of, stand_in } from "./study.ts";
+export { frame_around, frame_of, rows_of as study_rows_of, stand_in } from "./study.ts";
 export { gap, gaps_of } from "./gap.ts";
 export { free_joints, joint_values, placed } from "./kinematics.ts";
 export { csv_of_study } from "./study_csv.ts";
 export { risk_of } from "./study_risk.ts";
+export { csv_of_pairs, power_law } from "./crowd.ts";
+export { first_hit } from "./geometry.ts";
 export { expand, pareto, plain_document };
 
 /** Points of a file's width; text is 11 of them high. */

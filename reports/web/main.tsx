@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
-// The page: it shows the run or the scene that its data describe.
+// The page: it shows the run, the scene or the many cylinders that its data describe.
 import { render } from "preact";
 import * as for_node from "./chart.ts";
+import { safe_crowd, source_of, type Crowd } from "./crowd.ts";
+import { CrowdPage } from "./crowd_page.tsx";
 import { data_of, expand } from "./report.ts";
 import { RunPage } from "./run_page.tsx";
 import { StudyPage } from "./study_page.tsx";
@@ -10,16 +12,20 @@ import type { Study } from "./study.ts";
 import { safe, safe_texts } from "./words.ts";
 
 const no_data =
-  "This is the page without its data. daylight campaign writes it with those of a run, daylight scene FILE --page " +
-  "with those of a scene.";
+  "This is the page without its data. daylight campaign writes it with those of a run, daylight scene --page with " +
+  "those of a scene.";
 
 /** The title of the page and what it shows; nothing in the template without data. */
 function shown() {
-  const data = data_of(document) as Report | Study | null;
+  const data = data_of(document) as Report | Study | Crowd | null;
   if (data === null) return null;
   if ("kept" in data) {
     const study = safe_texts(data);
     return { title: study.file, view: <StudyPage study={study} /> };
+  }
+  if ("solids" in data) {
+    const crowd = safe_crowd(data);
+    return { title: source_of(crowd), view: <CrowdPage crowd={crowd} /> };
   }
   return { title: safe(data.run.id), view: <RunPage report={expand(data)} /> };
 }

@@ -6,12 +6,17 @@ import {
   BufferGeometry,
   CanvasTexture,
   CapsuleGeometry,
+  Color,
   CylinderGeometry,
   DirectionalLight,
   DoubleSide,
   EdgesGeometry,
   Float32BufferAttribute,
+  Fog,
+  FrontSide,
   Group,
+  InstancedBufferAttribute,
+  InstancedMesh,
   LatheGeometry,
   Line,
   LineBasicMaterial,
@@ -42,6 +47,7 @@ export interface View {
   up: Vec;
   target: Vec;
   radius: number;
+  half?: [number, number]; // what has to be seen, in width and height; else the radius both ways
 }
 
 const three = (v: Vec) => new Vector3(v[0], v[1], v[2]);
@@ -97,6 +103,72 @@ export function solid(s: Solid, colour: string, extent: number, opacity = 0.62):
   group.quaternion.copy(turned([0, 1, 0], s.axis));
   group.position.copy(three(s.center));
   return group;
+}
+
+/** A solid to be stretched: positions are those of a core of radius and half height 1, from which the rounding leads
+ *  along the normal. Where nothing is rounded, an edge is an arc of no width, and has both normals. */
+function stretchable(segments: number, arc_steps: number): BufferGeometry {
+  const pole = Math.PI / 2;
+  const arc = (end: -1 | 1) =>
+    Array.from({ length: arc_steps + 1 }, (_, i) => {
+      const up = (end < 0 ? i - arc_steps : i) * (pole / arc_steps);
+      return { radius: 1, end, up };
+    });
+  const rings = [{ radius: 0, end: -1, up: -pole }, ...arc(-1), ...arc(1), { radius: 0, end: 1, up: pole }];
+  const core: number[] = [],
+    normal: number[] = [],
+    faces: number[] = [];
+  for (const [i, { radius, end, up }] of rings.entries())
+    for (let j = 0; j <= segments; ++j) {
+      const t = (2 * Math.PI * j) / segments;
+      core.push(radius * Math.cos(t), end, radius * Math.sin(t));
+      normal.push(Math.cos(up) * Math.cos(t), Math.sin(up), Math.cos(up) * Math.sin(t));
+      if (i === 0 || j === segments) continue;
+      const q = i * (segments + 1) + j,
+        p = q - (segments + 1);
+      // None of no area: on the ring at the first pole, at the last one, or where an arc has no width.
+      if (arc_steps === 1 && (i === 2 || i === 4)) continue;
+      if (i > 1) faces.push(p, q, p + 1);
+      if (i + 1 < rings.length) faces.push(q, q + 1, p + 1);
+    }
+  return new BufferGeometry()
+    .setAttribute("position", new Float32BufferAttribute(core, 3))
+    .setAttribute("normal", new Float32BufferAttribute(normal, 3))
+    .setIndex(faces);
+}
+
+/** Fewer faces the more solids there are: of many each is small. */
+const segments_of = (count: number) => (count <= 300 ? 64 : count <= 2_000 ? 32 : count <= 20_000 ? 12 : 6);
+
+/** Many solids as one object, each of its colour: what `solid` draws, without its edges. */
+export function many(solids: readonly Solid[], colours: readonly string[], extent: number, opacity = 1): InstancedMesh {
+  const geometry = stretchable(segments_of(solids.length), solids.some((s) => s.rounding > 0) ? 6 : 1);
+  const shapes = new Float32Array(3 * solids.length);
+  const material = new MeshLambertMaterial({
+    transparent: opacity < 1,
+    opacity,
+    depthWrite: opacity === 1,
+    side: opacity < 1 ? DoubleSide : FrontSide,
+  });
+  material.onBeforeCompile = (shader) => {
+    shader.vertexShader = `attribute vec3 shape;\n${shader.vertexShader}`.replace(
+      "#include <begin_vertex>",
+      "vec3 transformed = position * shape.xyx + shape.z * normal;",
+    );
+  };
+  const mesh = new InstancedMesh(geometry, material, solids.length);
+  const place = new Matrix4(),
+    one = new Vector3(1, 1, 1),
+    paint = new Map([...new Set(colours)].map((name) => [name, new Color(name)]));
+  for (const [i, s] of solids.entries()) {
+    const least = s.rounding > 0 ? 0 : (thinnest * extent) / Math.sqrt(Math.max(1, solids.length / 100));
+    shapes.set([Math.max(s.radius, least), Math.max(s.half, least / 2), s.rounding], 3 * i);
+    mesh.setMatrixAt(i, place.compose(three(s.center), turned([0, 1, 0], s.axis), one));
+    mesh.setColorAt(i, paint.get(colours[i]!)!);
+  }
+  geometry.setAttribute("shape", new InstancedBufferAttribute(shapes, 3));
+  mesh.frustumCulled = false; // its ball would be that of the solid of size 1
+  return mesh;
 }
 
 /** All points within a radius of a segment, as a breath of colour with outlines. */
@@ -234,13 +306,23 @@ export function arrow(from: Vec, to: Vec, colour: string, name: string): Group {
 /** How near to a line a click must be, in pixels. */
 const line_reach = 4;
 
+/** How far the eye is from what it looks at; with parallel rays that changes nothing but what is hazy. */
+const eye_way = 4;
+/** What lies behind fades into a colour: from so near before the target on, and is gone so far behind it. */
+export interface Haze {
+  colour: string;
+  near: number;
+  far: number;
+}
+
 class Stage {
   readonly canvas: HTMLCanvasElement;
   private readonly renderer: WebGLRenderer;
   private readonly camera = new OrthographicCamera(-1, 1, 1, -1, -100, 100);
   private readonly controls: OrbitControls;
   private scene = new Scene();
-  private radius = 1;
+  private view: Pick<View, "radius" | "half"> = { radius: 1 };
+  private waiting = false;
   private marks: Object3D[] = [];
 
   constructor() {
@@ -264,7 +346,7 @@ class Stage {
   }
 
   /** These and nothing else, from the next draw() on. */
-  show(objects: Object3D[]) {
+  show(objects: Object3D[], haze: Haze | null = null) {
     this.scene.traverse((o) => {
       if (o instanceof Mesh || o instanceof LineSegments || o instanceof Line) {
         o.geometry.dispose();
@@ -273,32 +355,57 @@ class Stage {
         o.material.map?.dispose();
         o.material.dispose();
       }
+      if (o instanceof InstancedMesh) o.dispose();
     });
     this.scene = new Scene();
+    this.scene.fog = haze === null ? null : new Fog(haze.colour, eye_way - haze.near, eye_way + haze.far);
     this.scene.add(this.camera, new AmbientLight("#ffffff", 1.5), ...objects);
     this.marks = objects.filter((o) => o.userData.mark);
   }
 
   look(view: View) {
-    this.radius = view.radius;
+    this.view = view;
     this.camera.zoom = 1;
     this.camera.up.copy(three(view.up));
-    this.camera.position.copy(three(add(view.target, scale(view.eye, 4))));
+    this.camera.position.copy(three(add(view.target, scale(view.eye, eye_way))));
     this.controls.target.copy(three(view.target));
     this.controls.update();
     this.draw();
   }
 
+  /** With the next frame of the screen, once for all that asked for it. */
   draw() {
+    if (this.waiting) return;
+    this.waiting = true;
+    requestAnimationFrame(() => {
+      this.waiting = false;
+      this.draw_now();
+    });
+  }
+
+  private draw_now() {
     const { clientWidth: width, clientHeight: height } = this.canvas.parentElement ?? this.canvas;
     if (width === 0 || height === 0) return;
     this.renderer.setSize(width, height, false);
     const aspect = width / height,
-      half = this.radius / Math.min(1, aspect);
+      [across, upwards] = this.view.half ?? [this.view.radius, this.view.radius],
+      half = Math.max(upwards, across / aspect);
     Object.assign(this.camera, { left: -half * aspect, right: half * aspect, top: half, bottom: -half });
     this.camera.updateProjectionMatrix();
     for (const ball of this.marks) ball.scale.setScalar((0.012 * half * 2) / this.camera.zoom);
     this.renderer.render(this.scene, this.camera);
+  }
+
+  /** The ray under a point of the canvas, from before all that is shown; and how long a pixel is there. */
+  ray(x: number, y: number): { from: Vec; along: Vec; pixel: number } {
+    const { clientWidth: width, clientHeight: height } = this.canvas;
+    const caster = new Raycaster();
+    caster.setFromCamera(new Vector2((2 * x) / width - 1, 1 - (2 * y) / height), this.camera);
+    return {
+      from: caster.ray.origin.toArray(),
+      along: caster.ray.direction.toArray(),
+      pixel: (this.camera.top - this.camera.bottom) / this.camera.zoom / height,
+    };
   }
 
   /** What `userData.is` of the objects shown says of the nearest one under a point of the canvas. */

@@ -152,9 +152,12 @@ export function most_exact(study: Study): (Model | null)[] {
 
 export interface Frame {
   unit: number;
-  floor: number; // the lowest point of all, as drawn
   to: (x: Vec) => Vec;
   solid: (c: Cylinder) => Solid;
+}
+
+export interface SceneFrame extends Frame {
+  floor: number; // the lowest point of all, as drawn
 }
 
 /** How low a configuration reaches: of a solid that stands in for a box, the box. */
@@ -170,24 +173,28 @@ function lowest({ cylinders, boxes }: Shown, { bodies }: Study): number {
   return Math.min(...own, ...boxes.map(of_box));
 }
 
-export function frame_of(study: Study): Frame {
+export function frame_of(study: Study): SceneFrame {
+  const frame = frame_around(study.kept.flatMap(({ cylinders }) => cylinders));
+  const floor = Math.min(...study.kept.map((kept) => lowest(kept, study)));
+  return { ...frame, floor: frame.to([0, 0, floor])[2] };
+}
+
+export function frame_around(cylinders: readonly Cylinder[]): Frame {
   const low: Vec = [Infinity, Infinity, Infinity],
     high: Vec = [-Infinity, -Infinity, -Infinity];
-  for (const { cylinders } of study.kept)
-    for (const c of cylinders) {
-      const reach = Math.hypot(c.radius, c.height / 2) + (c.rounding ?? 0);
-      for (const i of [0, 1, 2] as const) {
-        low[i] = Math.min(low[i], c.center[i] - reach);
-        high[i] = Math.max(high[i], c.center[i] + reach);
-      }
+  for (const c of cylinders) {
+    const reach = Math.hypot(c.radius, c.height / 2) + (c.rounding ?? 0);
+    for (const i of [0, 1, 2] as const) {
+      low[i] = Math.min(low[i], c.center[i] - reach);
+      high[i] = Math.max(high[i], c.center[i] + reach);
     }
+  }
   const middle = scale(add(low, high), 0.5),
     wide = Math.hypot(...sub(high, low)) / 2,
     unit_length = wide > 0 && Number.isFinite(wide) ? wide : 1;
   const to = (x: Vec) => scale(sub(x, middle), 1 / unit_length);
   return {
     unit: unit_length,
-    floor: (Math.min(...study.kept.map((kept) => lowest(kept, study))) - middle[2]) / unit_length,
     to,
     solid: (c) => ({
       center: to(c.center),

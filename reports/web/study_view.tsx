@@ -15,7 +15,7 @@ import {
   model_colour,
   most_exact,
   stand_in,
-  type Frame,
+  type SceneFrame,
   type Model,
   type Study,
 } from "./study.ts";
@@ -65,21 +65,21 @@ function view_of(solids: Solid[], pair: [Solid, Solid] | null, near: [Vec, Vec] 
   return { eye: eye_beside(along), up, target: middle, radius: 1.15 * extent_of(pair, middle) };
 }
 
-function near_of(frame: Frame, { posed, picked }: Shown): [Vec, Vec] | null {
+function near_of(frame: SceneFrame, { posed, picked }: Shown): [Vec, Vec] | null {
   if (picked === null) return null;
   const seen = posed.gaps[picked]!;
   return [frame.to(seen.on_a), frame.to(seen.on_b)];
 }
 
 /** A round length: the floor has about ten squares across the scene. */
-export function floor_cell({ unit: u }: Frame): number {
+export function floor_cell({ unit: u }: SceneFrame): number {
   const about = u / 5,
     decade = 10 ** Math.floor(Math.log10(about));
   return decade * ([5, 2].find((k) => k * decade <= about) ?? 1);
 }
 
 /** The floor lies under the lowest point of all configurations kept, its lines on round numbers of the world. */
-function surroundings(frame: Frame) {
+function surroundings(frame: SceneFrame) {
   const cell = floor_cell(frame) / frame.unit,
     origin = frame.to([0, 0, 0]),
     from = ([0, 1] as const).map((i) => origin[i] + Math.round(-origin[i] / cell) * cell) as [number, number];
@@ -109,7 +109,7 @@ function paint_of({ study, posed, picked }: Shown, of_body: (Model | null)[]): (
 /** How clear a solid is that stands in for a box or mesh. */
 const stand_in_opacity = 0.16;
 
-function objects_of(shown: Shown, frame: Frame, solids: Solid[], of_body: (Model | null)[]) {
+function objects_of(shown: Shown, frame: SceneFrame, solids: Solid[], of_body: (Model | null)[]) {
   const { study, posed, picked, ghosts, passing } = shown,
     extent = extent_of(solids);
   const two = picked === null ? null : study.pairs[picked]!.bodies;
