@@ -37,6 +37,7 @@ Crowd of_a_file() {
   crowd.check.reset();
   crowd.file = hostile;
   crowd.cylinders.front().rounding = 0.1 + 0.2;
+  crowd.cylinders.front().height = 2.0 / 3;
   crowd.names.assign(crowd.cylinders.size(), hostile);
   return crowd;
 }
