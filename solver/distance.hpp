@@ -45,8 +45,8 @@ struct Distance {
 };
 
 /// Symmetric in its arguments (value bit for bit, direction and points exchanged; of two equal solids any
-/// direction), exact under scaling by powers of two. Cost: 13 times intersect() apart; overlapping 50 times, decide()
-/// among it.
+/// direction), exact under scaling by powers of two. Cost: 13 times intersect() apart; overlapping 50 times,
+/// decide() among it.
 Distance distance(const Prepared& a, const Prepared& b) noexcept;
 Distance distance(const Cylinder& a, const Cylinder& b) noexcept;
 
