@@ -252,6 +252,13 @@ void hand_out_points(const Scaled& p, const Vector3& on0, const Vector3& on1, Hu
   answer.hull_b = hull1;
 }
 
+// Whether a way between the cores separates them by more than the room: `least` is -f along it, times its
+// length.
+bool is_beyond(double least, double square_of_way, double room, double reach) noexcept {
+  const double beyond = room + 2 * separation_error * reach;
+  return (least > 0) & (least * least > beyond * beyond * square_of_way);
+}
+
 // Two cores of which each is a segment or a point: their nearest points in closed form (rounded.md, section
 // 3), as certificate or by the way between them.
 bool prove_segments(const Scaled& p, double room, Answer& answer) noexcept {
@@ -259,9 +266,8 @@ bool prove_segments(const Scaled& p, double room, Answer& answer) noexcept {
   if (!lead.told) return false;
   const double reach = reach_of(p) + room, error = 4 * membership_error * reach + underflow_error;
   const Vector3 e = p.delta + (lead.t * p.w1 - lead.s * p.w0);
-  const double square_of_way = dot(e, e), beyond = room + 2 * separation_error * reach;
   const double least = dot(e, p.delta) - p.h0 * std::fabs(dot(e, p.w0)) - p.h1 * std::fabs(dot(e, p.w1));
-  if ((least > 0) & (least * least > beyond * beyond * square_of_way)) {
+  if (is_beyond(least, dot(e, e), room, reach)) {
     hand_out_direction(e, answer);
     return true;
   }
@@ -298,9 +304,8 @@ bool prove_ball(const Scaled& p, double room, Answer& answer) noexcept {
       hand_out_points(p, center, on, Hull::center, Hull::space, answer);
     return true;
   }
-  const double beyond = room + 2 * separation_error * reach;
   const double least = dot(e, to) - h * std::fabs(dot(e, w)) - r * length(e.cross(w));
-  if (!((least > 0) & (least * least > beyond * beyond * square_of_way))) return false;
+  if (!is_beyond(least, square_of_way, room, reach)) return false;
   hand_out_direction(second ? e : Vector3(-e), answer);
   return true;
 }

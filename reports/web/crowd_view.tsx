@@ -7,7 +7,7 @@ import type { Vec } from "./data.ts";
 import { add, cross, dot, first_hit, scale, sub, unit, type Solid } from "./geometry.ts";
 import { colour } from "./parts.tsx";
 import { SolidsProjection } from "./projection.tsx";
-import { line, many, mark, the_stage, type View } from "./stage.ts";
+import { hear_pointer, keep_painted, line, many, mark, the_stage, type View } from "./stage.ts";
 import { extent_of, frame_around, middle_of, type Frame } from "./study.ts";
 import { in_order, plural } from "./words.ts";
 
@@ -137,8 +137,7 @@ export function CrowdView({ shown, pick }: { shown: Shown; pick: (solid: number 
 
   useLayoutEffect(() => {
     if (!stage || !place.current) return;
-    place.current.append(stage.canvas);
-    const paint = () => {
+    const show = () => {
       const paints = new Map([...new Set(painted.map((p) => p.colour))].map((name) => [name, colour(name)]));
       const of = (is_faint: boolean, opacity: number) => {
         const some = painted.filter((p) => p.faint === is_faint);
@@ -155,53 +154,24 @@ export function CrowdView({ shown, pick }: { shown: Shown; pick: (solid: number 
         : [];
       const haze = { colour: colour("--panel"), near: view.radius, far: haze_depth * view.radius };
       stage.show([...of(false, 1), ...of(true, faint), ...marks], picked === null ? haze : null);
-      stage.draw();
     };
-    paint();
-    const observer = new ResizeObserver(() => stage.draw());
-    observer.observe(place.current);
-    const scheme = matchMedia("(prefers-color-scheme: dark)");
-    scheme.addEventListener("change", paint);
-    return () => {
-      observer.disconnect();
-      scheme.removeEventListener("change", paint);
-    };
+    return keep_painted(stage, place.current, show);
   }, [painted]);
   useLayoutEffect(() => stage?.look(view), [view, shown.fitted]);
 
   useEffect(() => {
     if (!stage) return;
-    let from: [number, number] | null = null;
     const solids = painted.map(({ i }) => scene.solids[i]!);
-    const under_pointer = (event: PointerEvent): number | null => {
-      const { from: origin, along, pixel } = stage.ray(event.offsetX, event.offsetY);
-      const found = first_hit(origin, along, solids, hit_slack * pixel);
-      return found < 0 ? null : painted[found]!.i;
-    };
-    const down = (event: PointerEvent) => {
-      from = [event.offsetX, event.offsetY];
-    };
-    const up = (event: PointerEvent) => {
-      if (from && Math.hypot(event.offsetX - from[0], event.offsetY - from[1]) <= 4) pick(under_pointer(event));
-    };
-    const move = (event: PointerEvent) => {
-      if (event.buttons !== 0) return;
-      const found = under_pointer(event);
-      point(found === null ? "" : name_of(crowd, found));
-      stage.canvas.style.cursor = found === null ? "grab" : "pointer";
-    };
-    const leave = () => point("");
-    const { canvas } = stage;
-    canvas.addEventListener("pointerdown", down);
-    canvas.addEventListener("pointerup", up);
-    canvas.addEventListener("pointermove", move);
-    canvas.addEventListener("pointerleave", leave);
-    return () => {
-      canvas.removeEventListener("pointerdown", down);
-      canvas.removeEventListener("pointerup", up);
-      canvas.removeEventListener("pointermove", move);
-      canvas.removeEventListener("pointerleave", leave);
-    };
+    return hear_pointer(
+      stage,
+      (x, y) => {
+        const { from, along, pixel } = stage.ray(x, y);
+        const found = first_hit(from, along, solids, hit_slack * pixel);
+        return found < 0 ? null : painted[found]!.i;
+      },
+      pick,
+      (found) => point(found === null ? "" : name_of(crowd, found)),
+    );
   }, [painted, pick]);
 
   const chosen = chosen_of(shown).map((i) => name_of(crowd, i));

@@ -5,7 +5,7 @@ import type { Case, Vec } from "./data.ts";
 import { add, drawing_of, exaggerated, exaggeration, scale, square_to, type Drawing } from "./geometry.ts";
 import { colour } from "./parts.tsx";
 import { Projection } from "./projection.tsx";
-import { line, mark, plane, solid, the_stage, type View } from "./stage.ts";
+import { keep_painted, line, mark, plane, solid, the_stage, type View } from "./stage.ts";
 import { short } from "./words.ts";
 
 /** Gaps narrower than this part of what can be seen are widened before anybody asks. */
@@ -48,20 +48,7 @@ export function PairView({ shown }: { shown: Case }) {
 
   useLayoutEffect(() => {
     if (!stage || !place.current) return;
-    place.current.append(stage.canvas);
-    const paint = () => {
-      stage.show(objects_of(drawing));
-      stage.draw();
-    };
-    paint();
-    const observer = new ResizeObserver(() => stage.draw());
-    observer.observe(place.current);
-    const scheme = matchMedia("(prefers-color-scheme: dark)");
-    scheme.addEventListener("change", paint);
-    return () => {
-      observer.disconnect();
-      scheme.removeEventListener("change", paint);
-    };
+    return keep_painted(stage, place.current, () => stage.show(objects_of(drawing)));
   }, [drawing]);
   useLayoutEffect(() => stage?.look(view), [view.radius, shown]);
 

@@ -13,7 +13,7 @@ import type { FullReport } from "./report.ts";
 import { Speed } from "./speed.tsx";
 import { Stability } from "./stability.tsx";
 import { Changes, Methods, Summary } from "./summary.tsx";
-import { grouped, safe, seconds } from "./words.ts";
+import { glossary_entries, grouped, safe, seconds } from "./words.ts";
 
 const sections = [
   ["summary", "Summary"],
@@ -99,7 +99,7 @@ export function RunPage({ report }: { report: FullReport }) {
         <Stability report={report} />
         <Methods report={report} />
         <Kills report={report} />
-        <Words />
+        <Words entries={glossary_entries()} />
         <footer class="soft">
           <p>{safe(report.run.build)}</p>
           {report.run.command && (

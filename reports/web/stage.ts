@@ -421,6 +421,60 @@ class Stage {
   }
 }
 
+/** Shows the stage in a place, in whatever width and colour scheme it has; what it returns ends that. */
+export function keep_painted(stage: Stage, place: HTMLElement, show: () => void): () => void {
+  place.append(stage.canvas);
+  const paint = () => {
+    show();
+    stage.draw();
+  };
+  paint();
+  const observer = new ResizeObserver(() => stage.draw());
+  observer.observe(place);
+  const scheme = matchMedia("(prefers-color-scheme: dark)");
+  scheme.addEventListener("change", paint);
+  return () => {
+    observer.disconnect();
+    scheme.removeEventListener("change", paint);
+  };
+}
+
+/** How far, in pixels, a pointer may move and still click instead of turning the scene. */
+const click_slack = 4;
+
+/** Tells what a pointer clicks, and what it rests on; `at` finds it. What is returned ends that. */
+export function hear_pointer<Found>(
+  { canvas }: Stage,
+  at: (x: number, y: number) => Found | null,
+  clicked: (found: Found | null) => void,
+  rests: (found: Found | null) => void,
+): () => void {
+  let from: [number, number] | null = null;
+  const down = ({ offsetX: x, offsetY: y }: PointerEvent) => {
+    from = [x, y];
+  };
+  const up = ({ offsetX: x, offsetY: y }: PointerEvent) => {
+    if (from && Math.hypot(x - from[0], y - from[1]) <= click_slack) clicked(at(x, y));
+  };
+  const move = (event: PointerEvent) => {
+    if (event.buttons !== 0) return;
+    const found = at(event.offsetX, event.offsetY);
+    rests(found);
+    canvas.style.cursor = found === null ? "grab" : "pointer";
+  };
+  const leave = () => rests(null);
+  canvas.addEventListener("pointerdown", down);
+  canvas.addEventListener("pointerup", up);
+  canvas.addEventListener("pointermove", move);
+  canvas.addEventListener("pointerleave", leave);
+  return () => {
+    canvas.removeEventListener("pointerdown", down);
+    canvas.removeEventListener("pointerup", up);
+    canvas.removeEventListener("pointermove", move);
+    canvas.removeEventListener("pointerleave", leave);
+  };
+}
+
 let stage: Stage | null | undefined;
 /** null where this browser has no WebGL. */
 export function the_stage(): Stage | null {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The page of a scene: what is recommended, the robot with its pairs, what is proved, cost against wrong answers.
 import { useCallback, useState } from "preact/hooks";
+import { Words } from "./glossary.tsx";
 import { Figure, Section } from "./parts.tsx";
 import { screen } from "./plots.ts";
 import { long, said, unit_of, type Proof, type Study } from "./study.ts";
@@ -8,7 +9,7 @@ import { Swatch } from "./study_pairs.tsx";
 import { cost_plot_of_study } from "./study_plot.ts";
 import { Proofs } from "./study_proofs.tsx";
 import { SceneSection } from "./study_scene.tsx";
-import { about_study, StudyWords } from "./study_words.tsx";
+import { about_study, study_entries } from "./study_words.ts";
 import { grouped, plural, shell_quoted, short, time } from "./words.ts";
 
 const sections = [
@@ -205,7 +206,7 @@ export function StudyPage({ study }: { study: Study }) {
         )}
         <Proofs study={study} show={show} />
         {study.pairs.length > 0 && <Cost study={study} />}
-        <StudyWords />
+        <Words entries={study_entries()} />
         <footer class="soft">
           <p>
             One file; it asks nothing from the network. All of its data:{" "}

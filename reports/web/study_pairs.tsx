@@ -29,7 +29,7 @@ import { csv_name, csv_of_study } from "./study_csv.ts";
 import type { Posed } from "./study_pose.ts";
 import { proof_words, short_proof_words, ShowProof, verdict_class } from "./study_proofs.tsx";
 import { least_of, proof_of, risk_of, type Risk } from "./study_risk.ts";
-import { about_study } from "./study_words.tsx";
+import { about_study } from "./study_words.ts";
 import { grouped, percent, plural, short } from "./words.ts";
 
 export const Swatch = ({ model }: { model: Model }) => (

@@ -3,7 +3,7 @@
 import { unit_of, long, said, type Proof, type ProvedExemption, type Study } from "./study.ts";
 import { Section } from "./parts.tsx";
 import { percent } from "./words.ts";
-import { about_study } from "./study_words.tsx";
+import { about_study } from "./study_words.ts";
 
 export function proof_words(study: Study, proof: Proof): string {
   const unit = unit_of(study);

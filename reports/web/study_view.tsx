@@ -7,7 +7,19 @@ import type { Vec } from "./data.ts";
 import { add, cross, dot, scale, sub, unit, type Solid } from "./geometry.ts";
 import { colour } from "./parts.tsx";
 import { SolidsProjection } from "./projection.tsx";
-import { arrow, box, ghost, grid, line, mark, solid, the_stage, type View } from "./stage.ts";
+import {
+  arrow,
+  box,
+  ghost,
+  grid,
+  hear_pointer,
+  keep_painted,
+  line,
+  mark,
+  solid,
+  the_stage,
+  type View,
+} from "./stage.ts";
 import {
   extent_of,
   frame_of,
@@ -173,7 +185,7 @@ function objects_of(shown: Shown, frame: SceneFrame, solids: Solid[], of_body: (
   ];
 }
 
-type Hit = { body?: number; pair?: number } | undefined;
+type Hit = { body?: number; pair?: number };
 
 export function StudyView({
   shown,
@@ -201,57 +213,26 @@ export function StudyView({
 
   useLayoutEffect(() => {
     if (!stage || !place.current) return;
-    place.current.append(stage.canvas);
-    const paint = () => {
-      stage.show(objects_of(shown, frame, solids, of_body));
-      stage.draw();
-    };
-    paint();
-    const observer = new ResizeObserver(() => stage.draw());
-    observer.observe(place.current);
-    const scheme = matchMedia("(prefers-color-scheme: dark)");
-    scheme.addEventListener("change", paint);
-    return () => {
-      observer.disconnect();
-      scheme.removeEventListener("change", paint);
-    };
+    return keep_painted(stage, place.current, () => stage.show(objects_of(shown, frame, solids, of_body)));
   }, [study, posed, picked, shown.ghosts, shown.passing]);
   // A whole scene is looked at from where the reader has turned to, whichever configuration.
   useLayoutEffect(() => stage?.look(view), [close, close ? view : null]);
 
   useEffect(() => {
     if (!stage) return;
-    let from: [number, number] | null = null;
-    const hit = (event: PointerEvent) => stage.hit(event.offsetX, event.offsetY) as Hit;
-    const down = (event: PointerEvent) => {
-      from = [event.offsetX, event.offsetY];
-    };
-    const up = (event: PointerEvent) => {
-      if (!from || Math.hypot(event.offsetX - from[0], event.offsetY - from[1]) > 4) return; // it was turned
-      const found = hit(event);
-      if (found?.pair !== undefined) pick_pair(found.pair);
-      else if (found?.body !== undefined) pick_body(found.body);
-      else pick_pair(null);
-    };
-    const move = (event: PointerEvent) => {
-      if (event.buttons !== 0) return;
-      const found = hit(event);
-      const pair = found?.pair === undefined ? null : study.pairs[found.pair]!;
-      point(pair ? `${pair.a} \u2013 ${pair.b}` : found?.body === undefined ? "" : study.bodies[found.body]!.name);
-      stage.canvas.style.cursor = found ? "pointer" : "grab";
-    };
-    const leave = () => point("");
-    const { canvas } = stage;
-    canvas.addEventListener("pointerdown", down);
-    canvas.addEventListener("pointerup", up);
-    canvas.addEventListener("pointermove", move);
-    canvas.addEventListener("pointerleave", leave);
-    return () => {
-      canvas.removeEventListener("pointerdown", down);
-      canvas.removeEventListener("pointerup", up);
-      canvas.removeEventListener("pointermove", move);
-      canvas.removeEventListener("pointerleave", leave);
-    };
+    return hear_pointer(
+      stage,
+      (x, y) => (stage.hit(x, y) as Hit | undefined) ?? null,
+      (found) => {
+        if (found?.pair !== undefined) pick_pair(found.pair);
+        else if (found?.body !== undefined) pick_body(found.body);
+        else pick_pair(null);
+      },
+      (found) => {
+        const pair = found?.pair === undefined ? null : study.pairs[found.pair]!;
+        point(pair ? `${pair.a} \u2013 ${pair.b}` : found?.body === undefined ? "" : study.bodies[found.body]!.name);
+      },
+    );
   }, [study, pick_pair, pick_body]);
 
   const pair = picked === null ? null : study.pairs[picked]!;

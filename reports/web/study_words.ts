@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
 // What the words of the page of a scene mean, a sentence each.
-import { Section } from "./parts.tsx";
 
 const meanings: Record<string, string> = {
   "box, mesh":
@@ -55,19 +54,5 @@ meanings["missed up to"] = meanings.missed!;
 
 export const about_study = (word: string): string | undefined => meanings[word.toLowerCase().replace(/ \[.*\]$/, "")];
 
-export function StudyWords() {
-  return (
-    <Section id="words" title="Words" lead="What the words of this page mean.">
-      <dl class="words">
-        {Object.entries(meanings)
-          .sort(([x], [y]) => (x < y ? -1 : 1))
-          .map(([word, meaning]) => (
-            <div key={word}>
-              <dt>{word}</dt>
-              <dd>{meaning}</dd>
-            </div>
-          ))}
-      </dl>
-    </Section>
-  );
-}
+/** All of them, in the order of the alphabet. */
+export const study_entries = (): [string, string][] => Object.entries(meanings).sort(([x], [y]) => (x < y ? -1 : 1));
