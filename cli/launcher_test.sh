@@ -103,6 +103,33 @@ launch "$home/daylight"
 expect 'nothing to build: standard error' '' "$err"
 expect 'nothing to build: exit code' 0 "$code"
 
+# What is built starts without the build tool; a file that came, went or changed calls it.
+mkdir "$scratch/no ninja"
+printf '#!/bin/sh\necho called >&2\nexit 1\n' >"$scratch/no ninja/ninja"
+chmod +x "$scratch/no ninja/ninja"
+launch env PATH="$scratch/no ninja:$PATH" "$home/daylight"
+expect 'nothing to build: no build tool is called' 'hello' "$out$err"
+mkdir "$home/runs"
+launch env PATH="$scratch/no ninja:$PATH" "$home/daylight"
+expect 'a run is not a source' 'hello' "$out$err"
+mkdir "$home/room"
+touch "$home/room/new.cpp"
+launch env PATH="$scratch/no ninja:$PATH" "$home/daylight"
+expect 'a new file calls the build tool' 1 "$code"
+launch "$home/daylight"
+rm "$home/room/new.cpp"
+launch env PATH="$scratch/no ninja:$PATH" "$home/daylight"
+expect 'a removed file calls the build tool' 1 "$code"
+
+# Who has to wait for another build is told so.
+exec {held}>"$home/build/lock"
+flock "$held"
+(cd "$scratch/elsewhere" && exec {held}>&- && exec "$home/daylight") >"$scratch/out2" 2>"$scratch/err2" </dev/null &
+until grep -qs 'waiting for another' "$scratch/err2"; do sleep 0.05; done
+exec {held}>&-
+wait $!
+expect 'after the wait' hello "$(<"$scratch/out2")"
+
 sed -i 's/hello/goodbye/' "$home/main.cpp"
 launch "$home/daylight"
 expect 'a change is built' goodbye "$out"

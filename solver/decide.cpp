@@ -17,7 +17,7 @@
 namespace cyl {
 namespace {
 
-void prove_parallel(Question& q, const Parallel& found) noexcept {
+void prove_parallel(ProofTask& q, const Parallel& found) noexcept {
   const Scaled& p = q.solids;
   if (found.stacked && try_direction(q, found.w)) return;
   if (found.beside && try_direction(q, found.across())) return;
@@ -252,7 +252,7 @@ bool prove_steep(const Prepared& a, const Prepared& b, Open& open, Answer& answe
   const Scaled p = as_it_is(a, b);
   const Frame frame(p, f.d[0], f.d[1], {f.nx, f.ny, f.nz}, f.of_each());
   const Base base{a.center, 0};
-  Question q(p, base, answer);
+  ProofTask q(p, base, answer);
   prove_at_optimum(q, p, frame);
   return answer.proof != Proof::none;
 }
@@ -279,7 +279,7 @@ bool prove_steep(const Prepared& a, const Prepared& b, Open& open, Answer& answe
       answer = Answer{};  // the largest double is near: other points may be nearer
     }
   }
-  Question question(p, base, answer);
+  ProofTask question(p, base, answer);
   const Axes axes(first.unit_axis, second.unit_axis);
   if (axes.parallel()) {
     prove_parallel(question, Parallel(p.delta, p.h0 + p.h1, p.r0 + p.r1, axes.sum));

@@ -101,8 +101,9 @@ Child::~Child() {
 
 bool Child::advance() {
   if (ended_) return true;
-  rusage used{};
-  const bool gone = wait4(process_, &status_, WNOHANG, &used) == process_;
+  siginfo_t end{};
+  const bool gone = waitid(P_PID, static_cast<id_t>(process_), &end, WEXITED | WNOHANG | WNOWAIT) == 0 &&
+                    end.si_pid == process_;
   char part[65536];
   for (ssize_t got = 1; got > 0 || (got < 0 && errno == EINTR);) {
     got = read(output_, part, sizeof part);
@@ -110,7 +111,10 @@ bool Child::advance() {
     output_ended_ = got == 0;
   }
   if (!gone) return false;
-  if (own_group_) kill(-process_, SIGKILL);  // what it started and left
+  // What it started and left. Until the process is reaped, no other group can have its number.
+  if (own_group_) kill(-process_, SIGKILL);
+  rusage used{};
+  wait4(process_, &status_, 0, &used);
   cpu_time_ = nanoseconds_of(used.ru_utime) + nanoseconds_of(used.ru_stime);
   return ended_ = true;
 }

@@ -47,36 +47,42 @@ void write_file_once(const char* file, const char* text) {
   close_all({at});
 }
 
-/// Goes on as the first process of a PID namespace, as a user namespace lets everybody do where the system
-/// allows one; this process is left to wait for it. Returns whether that was so.
-bool go_apart_as_user() {
+/// Goes on as the first process of a PID namespace, as a user namespace lets everybody do if the system
+/// allows one; this process is left to wait for it.
+void go_apart_as_user() {
   char user[40], group[40];
   std::snprintf(user, sizeof user, "%u %u 1", getuid(), getuid());
   std::snprintf(group, sizeof group, "%u %u 1", getgid(), getgid());
-  if (unshare(CLONE_NEWUSER | CLONE_NEWPID) != 0) return false;
+  if (unshare(CLONE_NEWUSER | CLONE_NEWPID) != 0) return;
   write_file_once("/proc/self/uid_map", user);
   write_file_once("/proc/self/setgroups", "deny");
   write_file_once("/proc/self/gid_map", group);
   const pid_t first = fork_with_retry();
-  if (first == 0) return true;
+  if (first == 0) return;
   setsid();
   set_streams(-1, -1, -1);
   close_all_but({});
   _exit(first < 0 || reap(first) != 0);
 }
 
-/// Does what fork() does, but the child is the first process of a PID namespace of its own where the system
-/// allows that, and `apart` says so. Later children of this process are born beside it again.
-pid_t fork_apart(bool& apart) {
+/// Does what fork() does, but if the system allows it the child is the first process of a PID namespace of
+/// its own. Later children of this process are born beside it again.
+pid_t fork_apart() {
   const int home = open("/proc/self/ns/pid", O_RDONLY | O_CLOEXEC);
-  apart = home >= 0 && unshare(CLONE_NEWPID) == 0;
+  const bool apart = home >= 0 && unshare(CLONE_NEWPID) == 0;
   const pid_t process = fork_with_retry();
   const int error = errno;
   if (process != 0 && apart && setns(home, CLONE_NEWPID) != 0) std::abort();  // or all others would be kept
-  if (process == 0 && !apart) apart = go_apart_as_user();
+  if (process == 0 && !apart) go_apart_as_user();
   close_all({home});
   errno = error;
   return process;
+}
+
+/// Returns whether a signal to all processes reaches only this process and those that it started: it is the
+/// first process of a PID namespace, and this is not the namespace `home` of the process that started it.
+bool is_alone(ino_t home) {
+  return getpid() == 1 && home != 0 && pid_namespace() != 0 && pid_namespace() != home;
 }
 
 /// Tells who it is: the number that the other side knows this process by comes with the byte.
@@ -146,21 +152,22 @@ void kill_children() {
 }
 
 /// Ends what is left: orphans become children of the keeper. Returns how many there were.
-int end_the_rest(bool apart) {
+int end_the_rest(ino_t home) {
+  const bool alone = is_alone(home);
   int left = 0;
   while (true) {
-    if (apart)
+    if (alone)
       kill(-1, SIGKILL);  // all of the namespace but this
     else
       kill_children();
-    const pid_t ended = waitpid(-1, nullptr, apart ? 0 : WNOHANG);
+    const pid_t ended = waitpid(-1, nullptr, alone ? 0 : WNOHANG);
     if (ended < 0 && errno == ECHILD) return left;
     left += ended > 0;
     if (ended == 0) usleep(1000);
   }
 }
 
-[[noreturn]] void keep(int socket, int parent, bool apart, const std::function<void()>& run,
+[[noreturn]] void keep(int socket, int parent, ino_t home, const std::function<void()>& run,
                        const KeptDescriptors& descriptors) {
   sigset_t all;
   sigfillset(&all);
@@ -179,7 +186,7 @@ int end_the_rest(bool apart) {
   }
   if (any[0].revents == 0) kill(process, SIGKILL);
   KeptProcess::Ending ending{reap(process)};
-  ending.left = end_the_rest(apart);
+  ending.left = end_the_rest(home);
   _exit(send(socket, &ending, sizeof ending, MSG_NOSIGNAL) < 0);
 }
 
@@ -189,15 +196,15 @@ KeptProcess::KeptProcess(const std::function<void()>& run, const KeptDescriptors
     : owner_(getpid()) {
   int ends[2] = {-1, -1};
   const int self = static_cast<int>(syscall(SYS_pidfd_open, owner_, 0));
-  bool apart = false;
+  const ino_t home = pid_namespace();
   const int yes = 1;
   const bool made = self >= 0 && socketpair(AF_UNIX, SOCK_SEQPACKET | SOCK_CLOEXEC, 0, ends) == 0 &&
                     setsockopt(ends[0], SOL_SOCKET, SO_PASSCRED, &yes, sizeof yes) == 0;
   std::fflush(nullptr);  // or the child might print it once more
-  if (made) keeper_ = fork_apart(apart);
+  if (made) keeper_ = fork_apart();
   if (made && keeper_ == 0) {
     close(ends[0]);
-    keep(ends[1], self, apart, run, descriptors);
+    keep(ends[1], self, home, run, descriptors);
   }
   const int error = errno;
   close_all({self, ends[1]});

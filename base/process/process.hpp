@@ -30,6 +30,9 @@ std::chrono::nanoseconds cpu_time_of(pid_t process) noexcept;
 /// Returns that of a process and of all under it that still run, as far as first threads started them.
 std::chrono::nanoseconds cpu_time_of_tree(pid_t process);
 
+/// Returns a number that identifies the PID namespace of this process; 0 if the system does not say.
+ino_t pid_namespace() noexcept;
+
 /// Waits for the end of a child of this process and returns its status.
 int reap(pid_t child) noexcept;
 

@@ -15,7 +15,7 @@ import time
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parent.parent.parent
-INSIDE = 'HOSTILE_TEST_INSIDE'  # set where the namespace is
+OUTSIDE = 'HOSTILE_TEST_OUTSIDE'  # set inside the namespace: the number of the one outside
 OTHERS = 'decide,libccd'
 PAIRS = 600  # more than a batch
 FAMILIES = '-sphere_sphere,sphere_capsule,sphere_cylinder,sphere_rounded,capsule_capsule,capsule_cylinder,capsule_rounded,' \
@@ -245,7 +245,13 @@ def check(daylight, guest, mode, named, alone):
     return not faults
 
 
+def pid_namespace():
+    return str(os.stat('/proc/self/ns/pid').st_ino)
+
+
 def inside(daylight):
+    if os.getpid() != 1 or os.environ[OUTSIDE] == pid_namespace():
+        sys.exit('not the first process of a PID namespace: what guests signal here would reach others')
     Path('hostile.c').write_text(PLUGIN)
     Path('hostile.py').write_text(COMMAND)
     subprocess.run(['cc', '-shared', '-fPIC', '-O1', '-I', ROOT / 'oracles', 'hostile.c', '-o', 'hostile.so', '-lm',
@@ -276,7 +282,7 @@ def inside(daylight):
 
 def main():
     daylight = os.path.abspath(sys.argv[1])
-    if os.environ.get(INSIDE):
+    if os.environ.get(OUTSIDE):
         return inside(daylight)
     apart = ['unshare', '--pid', '--fork', '--mount-proc', '--kill-child']
     for more in ([], ['--user', '--map-root-user']):
@@ -284,7 +290,7 @@ def main():
             scratch = tempfile.mkdtemp()
             try:
                 return subprocess.run([*apart, *more, sys.executable, __file__, daylight], cwd=scratch,
-                                      env={**os.environ, INSIDE: '1'}).returncode
+                                      env={**os.environ, OUTSIDE: pid_namespace()}).returncode
             finally:
                 shutil.rmtree(scratch)
     return subprocess.run([ROOT / '.ci/skip', 'this system allows no PID namespace']).returncode

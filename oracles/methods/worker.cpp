@@ -53,8 +53,8 @@ bool has_ended(const KeptProcess& kept) {
 
 class Worker::Memory {
  public:
-  Shared<Asked> asked{true};
-  Shared<Said> said{false};
+  Shared<RequestBlock> asked{true};
+  Shared<ResponseBlock> said{false};
 };
 
 /// A process, and what it alone has.
@@ -93,8 +93,8 @@ class Worker::Process {
 
  private:
   void serve(std::span<const std::unique_ptr<Method>> methods, bool confined, const Memory& memory) const {
-    const Asked& asked = memory.asked.map_there(PROT_READ);
-    Said& said = memory.said.map_there(PROT_READ | PROT_WRITE);
+    const RequestBlock& asked = memory.asked.map_there(PROT_READ);
+    ResponseBlock& said = memory.said.map_there(PROT_READ | PROT_WRITE);
     close_all({memory.asked.file(), memory.said.file()});
     answer_blocks(methods, confined, asked, said, go_, done_);
   }

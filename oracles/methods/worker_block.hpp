@@ -23,7 +23,7 @@ namespace cyl {
 inline constexpr std::size_t block_cap = 256;
 
 /// Of the parent; the worker maps it read-only.
-struct Asked {
+struct RequestBlock {
   std::atomic<std::uint64_t> number{0};  ///< of the block
   std::size_t count = 0;
   bool one_by_one = false;        ///< also where a method takes many
@@ -32,7 +32,7 @@ struct Asked {
 };
 
 /// Of the worker.
-struct Said {
+struct ResponseBlock {
   std::atomic<std::uint64_t> begun{0};   ///< the number of the last block that it took up
   std::atomic<std::uint64_t> number{0};  ///< of the last block that was answered to its end
   std::atomic<std::size_t> cursor{0};    ///< the question being asked; the number of questions when all are

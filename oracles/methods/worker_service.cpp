@@ -66,7 +66,7 @@ void become_worker() {
 /// The inside of a worker.
 class Service {
  public:
-  Service(std::span<const std::unique_ptr<Method>> methods, const Asked& asked, Said& said)
+  Service(std::span<const std::unique_ptr<Method>> methods, const RequestBlock& asked, ResponseBlock& said)
       : methods_(methods),
         asked_(asked),
         said_(said),
@@ -163,8 +163,8 @@ class Service {
   }
 
   std::span<const std::unique_ptr<Method>> methods_;
-  const Asked& asked_;
-  Said& said_;
+  const RequestBlock& asked_;
+  ResponseBlock& said_;
   const ControlWords words_;
   nlink_t threads_;
   std::vector<bool> ready_;  ///< by method
@@ -173,8 +173,8 @@ class Service {
 
 }  // namespace
 
-void answer_blocks(std::span<const std::unique_ptr<Method>> methods, bool confined, const Asked& asked,
-                   Said& said, int go, int done) {
+void answer_blocks(std::span<const std::unique_ptr<Method>> methods, bool confined, const RequestBlock& asked,
+                   ResponseBlock& said, int go, int done) {
   become_worker();
   if (confined) confine(said.denied);
   Service(methods, asked, said).run(go, done);

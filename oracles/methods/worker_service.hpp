@@ -19,7 +19,7 @@ inline constexpr int exit_called_code = 98;
 
 /// Answers the blocks that `asked` holds, one whenever `go` (an eventfd) says so, and says on `done` that one
 /// is answered. Returns where the guest closed the descriptors, which is no fault. `confined` as of Worker.
-void answer_blocks(std::span<const std::unique_ptr<Method>> methods, bool confined, const Asked& asked,
-                   Said& said, int go, int done);
+void answer_blocks(std::span<const std::unique_ptr<Method>> methods, bool confined, const RequestBlock& asked,
+                   ResponseBlock& said, int go, int done);
 
 }  // namespace cyl

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 #include <map>
 #include <set>
 #include <tuple>
@@ -13,6 +12,7 @@
 
 #include "base/fnv.hpp"
 #include "corpus/pairs/close_contact.hpp"
+#include "corpus/pairs/pair_numbers.hpp"
 #include "corpus/pairs/strata.hpp"
 #include "oracles/trial/bucket.hpp"
 #include "oracles/trial/contact.hpp"
@@ -59,22 +59,6 @@ std::string kind_of_break(const Law& law, const Broken& broken) {
 }
 
 std::optional<ContactFeature> feature_of(const Pair& pair) { return contact_feature(pair, judge(pair)); }
-
-/// Digests a pair's numbers to the bit, after what went before.
-std::uint64_t digest_of(const Pair& pair, std::uint64_t so_far) {
-  const auto add = [&](double x) {
-    char bytes[sizeof x];
-    std::memcpy(bytes, &x, sizeof x);
-    so_far = fnv1a({bytes, sizeof x}, so_far);
-  };
-  for (const Cylinder* c : {&pair.a, &pair.b}) {
-    for (const Vector3* v : {&c->center, &c->axis})
-      for (int i = 0; i < 3; ++i) add((*v)[i]);
-    add(c->radius);
-    add(c->height);
-  }
-  return so_far;
-}
 
 class Gate {
  public:
@@ -184,7 +168,7 @@ class Gate {
 
   /// Adds a break to those of the same law and bucket. Returns the failure that it is the first of, if it is.
   GateFailure* record(std::size_t method, const Law& law, const Broken& broken, const Pair& pair,
-                      const std::string& origin, const std::optional<Stratum>& stratum = {}) {
+                      const std::string& origin, const std::optional<FeatureDecade>& stratum = {}) {
     std::string kind = kind_of_break(law, broken);
     const std::string& name = report_.methods[method].name;
     const bool contract = broken.severity == Severity::contract;
@@ -295,7 +279,7 @@ class Gate {
       const Examined examined = examine_all(drawn.pairs, wanted);
       count(examined.counts);
       const std::vector<bool> none(drawn.pairs.size(), false);
-      std::vector<Said> said(methods_.size(), Said{{}, examined.truths, none, none});
+      std::vector<RoundAnswers> said(methods_.size(), RoundAnswers{{}, examined.truths, none, none});
       for (std::size_t i = 0; i < examined.answers.size(); ++i)
         said[i % methods_.size()].answers.push_back(examined.answers[i]);
       for (const BrokenLaw& b : examined.broken) {

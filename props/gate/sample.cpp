@@ -20,7 +20,7 @@ bool claims(const Claim& claim, double size, int decade) {
 
 /// Counts pair `p` as undecided where it is. Returns whether it is a trial: there is an answer to it, and a
 /// truth.
-bool is_trial(const Said& said, std::size_t p, std::uint64_t& undecided) {
+bool is_trial(const RoundAnswers& said, std::size_t p, std::uint64_t& undecided) {
   const MethodAnswer& answer = said.answers[p];
   if (answer.status == Status::declined) return false;
   const bool silent = answer.status == Status::answered && answer.verdict == Verdict::undecided;
@@ -28,7 +28,7 @@ bool is_trial(const Said& said, std::size_t p, std::uint64_t& undecided) {
   return !silent && said.truths[p] != Verdict::undecided;
 }
 
-std::size_t number_of(const Stratum& stratum) {
+std::size_t number_of(const FeatureDecade& stratum) {
   constexpr std::size_t decades = last_decade - first_decade + 1;
   return static_cast<std::size_t>(stratum.feature) * decades +
          static_cast<std::size_t>(stratum.decade - first_decade);
@@ -83,7 +83,7 @@ SampleRound draw_close_contacts(std::uint64_t seed, std::uint64_t round) {
   return drawn;
 }
 
-void count_cells(GateMethod& method, const SampleRound& round, const Said& said) {
+void count_cells(GateMethod& method, const SampleRound& round, const RoundAnswers& said) {
   for (std::size_t p = 0; p < round.pairs.size(); ++p) {
     const double size = size_of(round.pairs[p]);
     if (round.contacts.empty()) {

@@ -14,7 +14,7 @@
 namespace cyl {
 
 /// Where a pair stands, by its construction.
-struct Stratum {
+struct FeatureDecade {
   ContactFeature feature;
   int decade;
 };
@@ -28,7 +28,7 @@ inline constexpr std::uint64_t pairs_per_stratum = 4;
 /// The pairs of one round, with where each stands and came from; of close contacts also how they were built.
 struct SampleRound {
   std::vector<Pair> pairs;
-  std::vector<Stratum> strata;
+  std::vector<FeatureDecade> strata;
   std::vector<std::string> origins;
   std::vector<CloseContact> contacts;  ///< empty of strata
 };
@@ -37,13 +37,13 @@ SampleRound draw_strata(std::uint64_t seed, std::uint64_t round);
 SampleRound draw_close_contacts(std::uint64_t seed, std::uint64_t round);
 
 /// What one method said to the pairs of a round, and whether it was wrong: refuted, or no answer.
-struct Said {
+struct RoundAnswers {
   std::vector<MethodAnswer> answers;
   std::span<const std::optional<Verdict>> truths;
   std::vector<bool> wrong, wrong_beyond;  ///< at all; beyond its claim
 };
 
 /// Counts a round into the method's cells.
-void count_cells(GateMethod& method, const SampleRound& round, const Said& said);
+void count_cells(GateMethod& method, const SampleRound& round, const RoundAnswers& said);
 
 }  // namespace cyl

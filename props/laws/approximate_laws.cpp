@@ -18,9 +18,7 @@
 namespace cyl {
 namespace {
 
-bool is_usable(const Pair& pair) {
-  return find_defect(pair.a) == Defect::none && find_defect(pair.b) == Defect::none && is_in_range(pair);
-}
+bool is_usable(const Pair& pair) { return is_legal(pair) && is_in_range(pair); }
 
 /// What is wrong where the signed distance of asked[i] is within `change` of the pair's. Distances said are
 /// held to the allowance of each; verdicts to the proof.

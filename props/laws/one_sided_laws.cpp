@@ -66,8 +66,7 @@ Cylinder shrunk_into(const Capsule& proxy, const Vector3& point, const Cylinder&
 }
 
 std::vector<LawQuery> inside(const Method&, const Pair& pair, const MethodAnswer&) {
-  if (!is_in_range(pair) || find_defect(pair.a) != Defect::none || find_defect(pair.b) != Defect::none)
-    return {};
+  if (!is_in_range(pair) || !is_legal(pair)) return {};
   const Cylinder& a = pair.a;
   const Capsule proxy = inner_proxy(a);
   const double most = std::max({a.center.lpNorm<Eigen::Infinity>(), a.radius, a.height, a.rounding});
@@ -142,9 +141,7 @@ constexpr double inward = 1 - 0x1p-30;
 
 // A rounded solid is swept by the slice across its middle, along its axis: a capsule by its sphere.
 std::vector<LawQuery> swept(const Method&, const Pair& pair, const MethodAnswer&) {
-  if (!is_rounded(pair) || !is_in_range(pair) || find_defect(pair.a) != Defect::none ||
-      find_defect(pair.b) != Defect::none)
-    return {};
+  if (!is_rounded(pair) || !is_in_range(pair) || !is_legal(pair)) return {};
   std::vector<LawQuery> asked;
   for (const bool of_b : {false, true}) {
     const Cylinder& whole = of_b ? pair.b : pair.a;

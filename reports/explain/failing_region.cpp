@@ -65,10 +65,6 @@ std::optional<Pair> at_distance(Pair pair, double wanted) {
   return {};
 }
 
-bool all_finite(const Pair& p) {
-  return find_defect(p.a) == Defect::none && find_defect(p.b) == Defect::none;
-}
-
 /// The line of pairs that one parameter draws through the pair.
 class SearchPath {
  public:
@@ -131,7 +127,7 @@ class SearchPath {
   /// The pair at that value, if it can be built.
   std::optional<Pair> at(double value) const {
     auto moved = moved_to(value);
-    if (!moved || !all_finite(*moved)) return {};
+    if (!moved || !is_legal(*moved)) return {};
     return moved;
   }
 

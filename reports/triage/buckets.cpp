@@ -94,7 +94,7 @@ void add(Group& group, const FindingRecord& finding, const CauseRecord& cause) {
 void offer(Group& group, const FindingRecord* of, const std::string& line, bool as_found) {
   const auto pair = pair_of(line);
   if (!pair) return;
-  if (!as_found && (find_defect(pair->a) != Defect::none || find_defect(pair->b) != Defect::none)) return;
+  if (!as_found && !is_legal(*pair)) return;
   group.candidates.push_back({as_found, complexity(*pair), of, *pair});
 }
 

@@ -38,8 +38,8 @@ inline Hull hull_of(double r, double h, double reach) noexcept {
 }
 
 // What is to be decided, and where its certificate goes: each is checked against these solids.
-struct Question {
-  Question(const Scaled& of, const Base& from, Answer& to) noexcept
+struct ProofTask {
+  ProofTask(const Scaled& of, const Base& from, Answer& to) noexcept
       : solids(of), base(from), answer(to), reach(reach_of(of)) {}
   // Something was found that leaves no gap, or no ball in both, that a double shows; in the scene's unit,
   // where that is not so small that rounding is coarser there.
@@ -97,7 +97,7 @@ inline bool in_both(const Scaled& p, const Place& at0, const Place& at1, Hull hu
 }
 
 // f(D) < 0 beyond rounding.
-inline bool try_direction(Question& q, Vector3 d) noexcept {
+inline bool try_direction(ProofTask& q, Vector3 d) noexcept {
   const Scaled& p = q.solids;
   // Weights are products of lengths; a direction has no unit.
   const double most = max_abs(d);
@@ -116,7 +116,7 @@ inline bool try_direction(Question& q, Vector3 d) noexcept {
   return true;
 }
 
-inline bool try_point(Question& q, const Vector3& x) noexcept {
+inline bool try_point(ProofTask& q, const Vector3& x) noexcept {
   // The certificate is what is handed out, so that is what gets checked: back in the scene's unit, where a
   // subnormal coordinate may have lost bits.
   const Scaled& p = q.solids;

@@ -23,7 +23,7 @@ Lanes unit_of(Lanes x) {
   return Vector(turned - (Bits(x.v) & exponent));
 }
 
-struct Proofs {
+struct LaneProofs {
   Mask apart, met;  ///< which are proved
   Lanes direction[3], tail[3];
 };
@@ -145,9 +145,9 @@ struct SumOfSquares {
   return met | met_again;
 }
 
-[[gnu::always_inline]] inline Proofs prove(const Couple<Lanes>& p, Lanes turn, const DecideJob& job) {
+[[gnu::always_inline]] inline LaneProofs prove(const Couple<Lanes>& p, Lanes turn, const DecideJob& job) {
   const Products<Lanes> q = products(p);
-  Proofs found;
+  LaneProofs found;
   found.apart = found.met = Mask{};
   if (bits(magnitude(q.cosine) <= Lanes(steep_cosine)) == 0) return found;
   const Sections<Lanes> f = sections(p, q);
@@ -179,7 +179,7 @@ unsigned CYL_DECIDE_KERNEL(const DecideJob& job, unsigned* rest) {
       turn[i] = turned ? -1.0 : 1.0;
       ordinary |= (is_ordinary(a) & is_ordinary(b)) << i;
     }
-    const Proofs found = prove(load(r.first, r.second), Lanes(turn), job);
+    const LaneProofs found = prove(load(r.first, r.second), Lanes(turn), job);
     const unsigned apart = ordinary & bits(found.apart), met = ordinary & bits(found.met);
     for (unsigned i = 0; i < n; ++i) {
       AnswerRecord& answer = job.answers[start + i];

@@ -12,7 +12,7 @@ namespace cyl {
 inline constexpr int patch_box_cap = 5;  // boxes looked at of one pair of rims; one is usual
 
 // What a number may be.
-struct Range {
+struct ValueRange {
   double low, high;
 
   bool is_empty() const noexcept { return !(low <= high); }
@@ -21,11 +21,13 @@ struct Range {
   double least_size() const noexcept { return larger(0, larger(low, -high)); }
   double most_size() const noexcept { return larger(-low, high); }
 };
-inline Range operator+(Range a, Range b) noexcept { return {a.low + b.low, a.high + b.high}; }
-inline Range operator*(double a, Range b) noexcept {
-  return a < 0 ? Range{a * b.high, a * b.low} : Range{a * b.low, a * b.high};
+inline ValueRange operator+(ValueRange a, ValueRange b) noexcept { return {a.low + b.low, a.high + b.high}; }
+inline ValueRange operator*(double a, ValueRange b) noexcept {
+  return a < 0 ? ValueRange{a * b.high, a * b.low} : ValueRange{a * b.low, a * b.high};
 }
-inline Range both_of(Range a, Range b) noexcept { return {larger(a.low, b.low), smaller(a.high, b.high)}; }
+inline ValueRange both_of(ValueRange a, ValueRange b) noexcept {
+  return {larger(a.low, b.low), smaller(a.high, b.high)};
+}
 
 // Of solids that overlap. Where f is least, inside the patch of a rim of each solid, y = -f D with 0 <= f <=
 // most: that leaves a box of the rims' coordinates along m0 and m1, often none.
@@ -45,10 +47,10 @@ class PatchSearch {
     e1_ = f_.e1 - side0 * p_.h0 * f_.s;
     l0_ = f_.d0 - side0 * p_.h0 - side1 * p_.h1 * f_.c;
     l1_ = f_.d1 - side1 * p_.h1 - side0 * p_.h0 * f_.c;
-    const Range depth = {-error_, most_ + error_};
+    const ValueRange depth = {-error_, most_ + error_};
     Box boxes[patch_box_cap + 1];
-    boxes[0] = {both_of({-p_.r0, p_.r0}, inverse_ * (Range{l1_, l1_} + side1 * depth)),
-                both_of({-p_.r1, p_.r1}, inverse_ * (Range{l0_, l0_} + side0 * depth))};
+    boxes[0] = {both_of({-p_.r0, p_.r0}, inverse_ * (ValueRange{l1_, l1_} + side1 * depth)),
+                both_of({-p_.r1, p_.r1}, inverse_ * (ValueRange{l0_, l0_} + side0 * depth))};
     if (boxes[0].q0.is_empty() || boxes[0].q1.is_empty()) return true;
     int left = 1;
     for (int i = 0; i < patch_box_cap; ++i) {
@@ -64,7 +66,7 @@ class PatchSearch {
       }
       if (left == 0) return true;
     }
-    const auto turned = [](double r, Range q, double& x, double& y) {
+    const auto turned = [](double r, ValueRange q, double& x, double& y) {
       y = r > 0 ? q.middle() / r : 0;
       x = std::sqrt(larger(0, (1 - y) * (1 + y)));
     };
@@ -77,7 +79,7 @@ class PatchSearch {
  private:
   // Of the two points, along m0 and along m1.
   struct Box {
-    Range q0, q1;
+    ValueRange q0, q1;
   };
 
   static double along_n(double r, double q) noexcept {
@@ -89,25 +91,26 @@ class PatchSearch {
   // tells.
   bool is_above(const Box& box) const noexcept {
     const auto& [q0, q1] = box;
-    Range p0{along_n(p_.r0, q0.most_size()), 0}, p1{along_n(p_.r1, q1.most_size()), 0};
-    Range n{p0.low + p1.low - f_.z, 0};  // -y.n = f D.n
+    ValueRange p0{along_n(p_.r0, q0.most_size()), 0}, p1{along_n(p_.r1, q1.most_size()), 0};
+    ValueRange n{p0.low + p1.low - f_.z, 0};  // -y.n = f D.n
     if (n.low > most_n_ + error_) return true;
     p0.high = along_n(p_.r0, q0.least_size());
     p1.high = along_n(p_.r1, q1.least_size());
     n.high = p0.high + p1.high - f_.z;
     const double most = most_ + error_;
-    const Range m0 = Range{e0_, e0_} + (-1 * q0) + f_.c * q1, m1 = Range{e1_, e1_} + f_.c * q0 + (-1 * q1);
-    const Range w0 = Range{l0_, l0_} + (-f_.s) * q1, w1 = Range{l1_, l1_} + (-f_.s) * q0;
+    const ValueRange m0 = ValueRange{e0_, e0_} + (-1 * q0) + f_.c * q1,
+                     m1 = ValueRange{e1_, e1_} + f_.c * q0 + (-1 * q1);
+    const ValueRange w0 = ValueRange{l0_, l0_} + (-f_.s) * q1, w1 = ValueRange{l1_, l1_} + (-f_.s) * q0;
     const double square = larger(square_of(m0) + square_of(w0), square_of(m1) + square_of(w1)) + square_of(n);
     return (n.high < -error_) | (square > most * most) | is_askew(p_.r0, p0, q0, n, m0) |
            is_askew(p_.r1, p1, q1, n, m1);
   }
 
-  static double square_of(Range x) noexcept { return x.least_size() * x.least_size(); }
+  static double square_of(ValueRange x) noexcept { return x.least_size() * x.least_size(); }
 
   // Whether y is nowhere opposite to what of D is square to the axis: p and q along n and m, where -y has n
   // and y has m. A point, of radius 0, has all directions.
-  bool is_askew(double r, Range p, Range q, Range n, Range m) const noexcept {
+  bool is_askew(double r, ValueRange p, ValueRange q, ValueRange n, ValueRange m) const noexcept {
     const bool turned = q.low < 0;
     const double near = turned ? -q.high : q.low, far = turned ? -q.low : q.high, slack = 2 * error_ * r;
     const double low = turned ? m.low : -m.high, high = turned ? m.high : -m.low;  // of -m towards q

@@ -15,7 +15,7 @@ namespace cyl {
 
 // The five directions and the slice that decide most pairs; true where they leave nothing to search.
 template <class F>
-bool prove_by_filter(Question& q, const Scaled& p, const F& frame) noexcept {
+bool prove_by_filter(ProofTask& q, const Scaled& p, const F& frame) noexcept {
   using T = typename F::Scalar;
   const Sections<T>& f = frame.f;
   const auto filter = separating_axis_filter(f);
@@ -36,7 +36,7 @@ bool prove_by_filter(Question& q, const Scaled& p, const F& frame) noexcept {
 
 // The middle of the slices where both widths suffice: those at most u from C0 and v from C1.
 template <class F, class T>
-bool try_middle(Question& q, const Scaled& p, const F& frame, T u, T v) noexcept {
+bool try_middle(ProofTask& q, const Scaled& p, const F& frame, T u, T v) noexcept {
   return try_slice(q, p, frame, middle_of_both(u, frame.slices().z, v));
 }
 
@@ -60,7 +60,7 @@ Widths<T> beside_tips(T r0, T u, T r1, T v, T z) noexcept {
 
 // The direction whose weights are the multipliers of the demands that hold the corner, which has no slice.
 template <class F, class At>
-void separate_at_corner(Question& q, const F& frame, const At& at) noexcept {
+void separate_at_corner(ProofTask& q, const F& frame, const At& at) noexcept {
   using T = typename F::Scalar;
   const Sections<T>& f = frame.f;
   const auto try_widths = [&](T x, T u, T y, T v) {
@@ -88,7 +88,7 @@ void separate_at_corner(Question& q, const F& frame, const At& at) noexcept {
 
 // At the far end of the edge.
 template <class F, class T>
-void separate_at_top(Question& q, const F& frame, int line, const Edge<T>& e, T u, T cv) noexcept {
+void separate_at_top(ProofTask& q, const F& frame, int line, const Edge<T>& e, T u, T cv) noexcept {
   const auto [x, u_now, y, v] = beside_tips(e.ra, u, e.rb, cv / e.c, e.z);
   // untaken: x is 0 where the radius is, and u with it; a tip, of width 0, is no top, since k > 0
   const T slope = x > T(0) || u_now > T(0) ? u_now : T(1), cb = e.c * y, c_v = e.c * v;
@@ -98,7 +98,7 @@ void separate_at_top(Question& q, const F& frame, int line, const Edge<T>& e, T 
 
 // Up the line along which H rises from the corner, of the pair `p`.
 template <class F, class At>
-void prove_on_edge(Question& q, const Scaled& p, const F& frame, const At& at) noexcept {
+void prove_on_edge(ProofTask& q, const Scaled& p, const F& frame, const At& at) noexcept {
   using T = typename F::Scalar;
   constexpr int miss_cap = 12;        // verdicts whose certificate does not hold: at most so many are usual
   constexpr double far_tol = 0x1p60;  // a tilt beyond which e + t n is n
@@ -146,7 +146,7 @@ void prove_on_edge(Question& q, const Scaled& p, const F& frame, const At& at) n
 
 // What is searched is `p`: the pair itself, or one a little larger or smaller.
 template <class F>
-void prove_at_optimum(Question& q, const Scaled& p, const F& frame) noexcept {
+void prove_at_optimum(ProofTask& q, const Scaled& p, const F& frame) noexcept {
   const auto at = corner(frame.f);
   if (at.met && try_middle(q, p, frame, at.u, at.v)) return;
   if (at.rises2 | at.rises3) prove_on_edge(q, p, frame, at);

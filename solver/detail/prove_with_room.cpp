@@ -79,7 +79,7 @@ Scaled resized(const Scaled& p, double by) noexcept {
 
 }  // namespace
 
-[[gnu::noinline]] void prove_with_room(Question& q, const Axes& axes) noexcept {
+[[gnu::noinline]] void prove_with_room(ProofTask& q, const Axes& axes) noexcept {
   const double room = room_tol * q.reach;
   const auto search = [&](double by) {
     const Scaled p = resized(q.solids, by);

@@ -10,6 +10,6 @@ namespace cyl {
 // pair itself with as much room; then for the pair shrunk by as much, whose points lie that far inside
 // (derivation.md, section 8). What is undecided after that has no gap and no common ball beyond that length.
 // Axes not parallel. Cost: some 20 us.
-void prove_with_room(Question& question, const Axes& axes) noexcept;
+void prove_with_room(ProofTask& question, const Axes& axes) noexcept;
 
 }  // namespace cyl

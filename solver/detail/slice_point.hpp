@@ -90,7 +90,7 @@ bool middle_of_overlap(const Rectangle<T>& r0, const Rectangle<T>& r1, T slack,
 
 // Common points of the slice of `p` at height u above C0.
 template <class F>
-bool try_slice(Question& q, const Scaled& p, const F& frame, typename F::Scalar u) noexcept {
+bool try_slice(ProofTask& q, const Scaled& p, const F& frame, typename F::Scalar u) noexcept {
   using T = typename F::Scalar;
   const Slices<T> slices = frame.slices();
   const T v = slices.z - u;

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: MIT
+#include "corpus/pairs/pair_numbers.hpp"
+
+#include <gtest/gtest.h>
+
+#include <set>
+
+namespace cyl {
+namespace {
+
+TEST(PairNumbers, EveryNumberChangesTheDigest) {
+  const Cylinder unit{{1, 2, 3}, {4, 5, 6}, 7, 8, 9};
+  Pair pair{unit, unit};
+  std::set<std::uint64_t> digests{digest_of(pair, 0)};
+  for (Cylinder* c : {&pair.a, &pair.b}) {
+    for (double* x : numbers_of(*c)) {
+      const double before = *x;
+      *x += 1;
+      EXPECT_TRUE(digests.insert(digest_of(pair, 0)).second) << before;
+      *x = before;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace cyl
