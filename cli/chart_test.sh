@@ -2,33 +2,24 @@
 # SPDX-License-Identifier: MIT
 # daylight chart on a small run: what it draws, and what it says where Node.js is missing.
 set -euo pipefail
-daylight=$1
-skip=$(dirname -- "$(dirname -- "$(readlink -f -- "${BASH_SOURCE[0]}")")")/.ci/skip
-work=$(mktemp -d)
-trap 'rm -rf -- "$work"' EXIT
-cd -- "$work"
+# shellcheck source=SCRIPTDIR/expect.sh
+source "$(dirname -- "${BASH_SOURCE[0]}")/expect.sh"
+skip=$source_tree/.ci/skip
 
-fail() {
-  echo "FAILED: $*"
-  exit 1
-}
-
-"$daylight" campaign --pairs 300 --seed 3 --methods intersect,fcl-libccd --cases '' --out 'runs/a b' --jobs 1 >/dev/null || [[ $? == 2 ]]
-
+expect 2 'a run' "$daylight" campaign --pairs 300 --seed 3 --methods intersect,fcl-libccd --cases '' --out 'runs/a b' --jobs 1
 mkdir empty
-if PATH=$work/empty /bin/bash -c '"$0" chart "runs/a b" --out charts' "$daylight" 2>said; then fail 'it draws without Node.js'; fi
-grep -q 'apt-get install nodejs' said || fail "without Node.js it says: $(cat said)"
-[[ ! -e charts ]] || fail 'without Node.js it leaves a folder'
-if "$daylight" chart nowhere --out charts 2>/dev/null; then fail 'a run that is not there is drawn'; fi
+expect 1 'without Node.js' env PATH="$scratch/empty" "$daylight" chart 'runs/a b' --out charts
+holds 'without Node.js' err 'apt-get install nodejs'
+[[ ! -e charts ]] || failed 'without Node.js it leaves a folder'
+expect 64 'a run that is not there' "$daylight" chart nowhere --out charts
 
 command -v node >/dev/null || { "$skip" 'the drawing, no Node.js here: apt-get install nodejs' || exit; }
-"$daylight" chart 'runs/a b' --out 'my charts' >files
-grep -qx 'my charts/families.svg' files || fail "it names $(cat files)"
-grep -q 'fcl-libccd' 'my charts/families.svg' || fail 'the method is not on the plot'
-xmllint --noout 'my charts/families.svg' || fail 'no XML'
+expect 0 'a drawing' "$daylight" chart 'runs/a b' --out 'my charts'
+holds 'it names the file' out '^my charts/families.svg$'
+holds 'the method is on the plot' 'my charts/families.svg' fcl-libccd
+expect 0 'XML' xmllint --noout 'my charts/families.svg'
 if command -v rsvg-convert >/dev/null; then
-  [[ $(head -c 4 'my charts/families.png' | tail -c 3) == PNG ]] || fail 'no PNG'
+  equal 'a PNG' PNG "$(head -c 4 'my charts/families.png' | tail -c 3)"
 else
   "$skip" 'PNG: apt-get install librsvg2-bin' || [[ $? == 77 ]]
 fi
-echo 'chart_test: all well'
