@@ -20,6 +20,15 @@ function(daylight_test_program name)
   target_precompile_headers(${name} REUSE_FROM daylight_precompiled_tests)
 endfunction()
 
+# Suites with a test that starts processes, of any folder. The label of all others ends in _quick: ctest -L quick runs
+# them, ctest -L FOLDER both.
+set(process_suites Approaches Backward Batch Bench CalibrationCurve Campaign Child Confine Contained CrowdReport Cures
+    Derived Examine Explain Export FailingRegion Fuzzing Gate GateJunit GateSarif Guest* *KeptProcess* KillMatrix Kin
+    LawSearch Mechanism Methods Misbehaving Mujoco Ode SceneJson SelfCheck Shards Stability Store Suppressed Triage Urdf
+    Worker Worst WorstOfCause WriteStability)
+list(TRANSFORM process_suites APPEND ".*")
+list(JOIN process_suites ":" process_suites)
+
 # daylight_tests(FOLDER ROOM..): tests in FOLDER and below, linked with the rooms. Fixed seeds in tests, fresh ones in
 # campaigns.
 function(daylight_tests folder)
@@ -29,8 +38,11 @@ function(daylight_tests folder)
     daylight_target_of(${room} library)
     target_link_libraries(${folder}_tests PRIVATE ${library})
   endforeach()
-  gtest_discover_tests(${folder}_tests DISCOVERY_TIMEOUT 240
-    PROPERTIES LABELS ${folder} ENVIRONMENT "RC_PARAMS=seed=20261121 max_success=500" TIMEOUT 1200)
+  set(always ENVIRONMENT "RC_PARAMS=seed=20261121 max_success=500" TIMEOUT 1200)
+  gtest_discover_tests(${folder}_tests DISCOVERY_TIMEOUT 240 TEST_FILTER "-${process_suites}"
+                       PROPERTIES LABELS ${folder}_quick ${always})
+  gtest_discover_tests(${folder}_tests DISCOVERY_TIMEOUT 240 TEST_FILTER "${process_suites}"
+                       TEST_LIST ${folder}_tests_of_processes PROPERTIES LABELS ${folder} ${always})
 endfunction()
 
 daylight_tests(base base base/process)
@@ -43,6 +55,15 @@ daylight_tests(scenes scenes)
 target_link_libraries(scenes_tests PRIVATE ${MUJOCO_LIBRARY})
 daylight_tests(fuzz fuzz/campaign fuzz/guided fuzz/worst)
 daylight_tests(reports reports/gate reports/triage reports/explain reports/export reports/run reports/scene)
+
+# daylight_deep(FOLDER FILTER AMOUNT..): the same tests with more of what they draw: ctest -L deep.
+function(daylight_deep folder filter)
+  add_test(NAME ${folder}_deep COMMAND ${folder}_tests --gtest_filter=${filter})
+  set_tests_properties(${folder}_deep PROPERTIES LABELS deep ENVIRONMENT "${ARGN}" TIMEOUT 2400)
+endfunction()
+daylight_deep(fuzz *.KilledAtAnyMoment* DAYLIGHT_KILLED_BATCHES=400)
+daylight_deep(oracles EnclosedDistance.*:CloseContact.*:Proofs.* DAYLIGHT_DISTANCE_PAIRS=300 DAYLIGHT_CLOSE_ROUNDS=12
+              DAYLIGHT_PROOF_PAIRS=20000)
 
 # The unit tests that may detect a mutant, as one program.
 daylight_test_program(mutant_tests ${test_candidates} $<TARGET_OBJECTS:daylight_mutants>)

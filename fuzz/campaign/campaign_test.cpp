@@ -9,6 +9,7 @@
 #include <map>
 #include <stdexcept>
 
+#include "base/from_environment_test.hpp"
 #include "base/json.hpp"
 #include "fuzz/campaign/campaign_test.hpp"
 #include "oracles/trial/compare.hpp"
@@ -106,7 +107,8 @@ TEST_F(Campaign, ABudgetEndsARunThatHasNoOtherLimit) {
 }
 
 TEST_F(Campaign, KilledAtAnyMomentAndResumedIsAsIfNothingHappened) {
-  const std::uint64_t batches = 400, pairs = batches * batch_size, most = 30;
+  const std::uint64_t batches = from_environment("DAYLIGHT_KILLED_BATCHES", 40), most = batches / 10;
+  const std::uint64_t pairs = batches * batch_size;
   run_campaign(options("whole", pairs), workload());
   CampaignOptions o = options("killed", pairs);
   const int kills = kill_until_done(1, most, [&](const auto& on_progress) {

@@ -212,7 +212,7 @@ TEST(Methods, ExtremeScalesStayInTheWorker) {
   std::vector<Question> questions;
   for (std::size_t m = 0; m < methods.size(); ++m)
     for (std::size_t p = 0; p<pairs.size(); p += methods[m]->share()> 1 ? 7 : 1) questions.push_back({m, p});
-  const auto answers = ask_contained(methods, pairs, questions, {.call_cpu = std::chrono::milliseconds(200)});
+  const auto answers = ask_contained(methods, pairs, questions, {.call_cpu = std::chrono::milliseconds(50)});
   ASSERT_EQ(answers.size(), questions.size());
   for (const ContainedAnswer& a : answers)
     EXPECT_TRUE(a.answer.status != Status::failed || a.answer.reason[0] != 0);

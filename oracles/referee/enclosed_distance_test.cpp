@@ -7,8 +7,8 @@
 #include <cmath>
 #include <cstdint>
 #include <cstdio>
-#include <cstdlib>
 
+#include "base/from_environment_test.hpp"
 #include "corpus/pairs/families.hpp"
 #include "corpus/pairs/pair_io.hpp"
 #include "oracles/referee/referee.hpp"
@@ -17,14 +17,9 @@
 namespace cyl {
 namespace {
 
-std::uint64_t from_environment(const char* name, std::uint64_t otherwise) {
-  const char* text = std::getenv(name);
-  return text ? std::strtoull(text, nullptr, 10) : otherwise;
-}
-
 TEST(EnclosedDistance, OnEveryFamily) {
   const std::uint64_t seed = from_environment("DAYLIGHT_SEED", 20261121);
-  const std::uint64_t many = from_environment("DAYLIGHT_DISTANCE_PAIRS", 300);
+  const std::uint64_t many = from_environment("DAYLIGHT_DISTANCE_PAIRS", 60);
   for (const Family& family : families()) {
     int apart = 0, overlapping = 0, at_odds = 0;
     double worst = 0;  // how far outside its enclosure, in units of the size

@@ -80,8 +80,8 @@ class Round {
     claims_.push_back(claim);
     return questions_.size() - 1;
   }
-  void run(const Caps& caps) {
-    for (const ContainedAnswer& said : ask_contained(methods_, pairs_, questions_, caps)) {
+  void run(Asker& asker) {
+    for (const ContainedAnswer& said : asker.ask(pairs_, questions_)) {
       const std::size_t q = trials_.size();
       Trial& trial = trials_.emplace_back(pairs_[q], std::span(&said.answer, 1));
       trial.answers = {said.answer};
@@ -225,13 +225,19 @@ std::string_view in_words(Mechanism m) noexcept {
 
 std::vector<Classification> classify(const GroupedMethods& of, std::span<const Failing> failing,
                                      const Caps& caps) {
+  Asker asker(of.methods, caps);
+  return classify(of, failing, asker);
+}
+
+std::vector<Classification> classify(const GroupedMethods& of, std::span<const Failing> failing,
+                                     Asker& asker) {
   std::vector<Candidate> candidates;
   for (const Failing& f : failing) candidates.push_back({f, of.methods[f.method]->claim()});
   const auto round = [&](auto ask, auto take) {
     Round asked(of.methods);
     for (Candidate& c : candidates)
       if (!c.done) ask(c, asked);
-    asked.run(caps);
+    asked.run(asker);
     for (Candidate& c : candidates)
       if (!c.done) take(c, asked);
   };
@@ -279,8 +285,8 @@ std::string cause_key(const GroupedMethods& of, std::size_t method, FindingKind 
 }
 
 std::string find_cause(const GroupedMethods& of, const Failing& failing, Severity severity,
-                       std::string_view reason, const Caps& caps) {
-  const Mechanism mechanism = classify(of, {&failing, 1}, caps)[0].mechanism;
+                       std::string_view reason, Asker& asker) {
+  const Mechanism mechanism = classify(of, {&failing, 1}, asker)[0].mechanism;
   return cause_key(of, failing.method, failing.kind, severity, mechanism, reason);
 }
 

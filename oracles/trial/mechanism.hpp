@@ -67,9 +67,11 @@ struct GroupedMethods {
 };
 
 /// Returns the classification of each failure, a pure function of it, hangs excepted. Cost: four rounds of
-/// questions for all together.
+/// questions for all together, in one worker, or in those of an asker of all methods.
 std::vector<Classification> classify(const GroupedMethods& of, std::span<const Failing> failing,
                                      const Caps& caps);
+std::vector<Classification> classify(const GroupedMethods& of, std::span<const Failing> failing,
+                                     Asker& asker);
 
 /// Returns the methods of other libraries that share the method's algorithm, as far as their errors tell.
 std::vector<std::size_t> sharers_elsewhere(const GroupedMethods& of, std::size_t method);
@@ -92,8 +94,9 @@ enum class KeyForm : unsigned char {
 std::string cause_key(const GroupedMethods& of, std::size_t method, FindingKind kind, Severity severity,
                       Mechanism mechanism, std::string_view reason, KeyForm form = KeyForm::of_library);
 
-/// Returns the key of the cause of one failure, classified beforehand.
+/// Returns the key of the cause of one failure, classified beforehand. Whoever has many to find keeps the
+/// asker: to start a worker takes longer than the questions.
 std::string find_cause(const GroupedMethods& of, const Failing& failing, Severity severity,
-                       std::string_view reason, const Caps& caps);
+                       std::string_view reason, Asker& asker);
 
 }  // namespace cyl

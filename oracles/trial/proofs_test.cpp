@@ -5,9 +5,9 @@
 #include <gtest/gtest.h>
 
 #include <cstdio>
-#include <cstdlib>
 #include <string>
 
+#include "base/from_environment_test.hpp"
 #include "corpus/pairs/families.hpp"
 #include "corpus/pairs/pair_io.hpp"
 #include "corpus/pairs/truth_io.hpp"
@@ -19,11 +19,6 @@
 
 namespace cyl {
 namespace {
-
-std::uint64_t from_environment(const char* name, std::uint64_t otherwise) {
-  const char* text = std::getenv(name);
-  return text ? std::strtoull(text, nullptr, 10) : otherwise;
-}
 
 bool holds(const Pair& pair, const Truth& truth) {
   if (truth.verdict == Verdict::undecided) return true;

@@ -104,7 +104,7 @@ class Gate {
     std::set<std::tuple<std::string, int, std::string>> seen;
     std::vector<GateFailure*> like_others;
     for (GateFailure& failure : report_.failures) {
-      if (!is_error(failure) || options_.first_failure) continue;
+      if (!is_error(failure) || options_.first_failure || options_.as_found) continue;
       // One crash is one way to fail, whatever law meets it.
       const bool is_new =
           failure.failed
@@ -296,13 +296,20 @@ class Gate {
     }
   }
 
-  /// Returns which of the pairs break the law of `failure` in its way.
-  std::vector<bool> still_broken(const GateFailure& failure, std::span<const Pair> pairs) {
+  /// An asker of the method of `failure` alone, in a worker that knows of nothing else.
+  Asker new_asker(const GateFailure& failure) const { return Asker(method_of(failure), options_.caps); }
+
+  std::span<const std::unique_ptr<Method>> method_of(const GateFailure& failure) const {
     const auto method = std::find_if(methods_.begin(), methods_.end(),
                                      [&](const auto& m) { return m->name() == failure.method; });
+    return {&*method, 1};
+  }
+
+  /// Returns which of the pairs break the law of `failure` in its way.
+  std::vector<bool> still_broken(const GateFailure& failure, std::span<const Pair> pairs, Asker& asker) {
     const Wanted this_law = [&](std::size_t, const Law& law) { return law.number == failure.law->number; };
     std::vector<bool> broken(pairs.size(), false);
-    const Examined examined = examine({&*method, 1}, pairs, this_law, options_.caps);
+    const Examined examined = examine(method_of(failure), pairs, this_law, asker);
     questions_left_ -= std::min(questions_left_, pairs.size() + hang_price * examined.counts[0].hangs);
     for (const BrokenLaw& b : examined.broken)
       broken[b.pair] =
@@ -312,33 +319,35 @@ class Gate {
 
   /// Returns what breaks on the simplest pair, in words.
   std::string what_breaks(const GateFailure& failure) const {
-    const auto method = std::find_if(methods_.begin(), methods_.end(),
-                                     [&](const auto& m) { return m->name() == failure.method; });
     const Wanted this_law = [&](std::size_t, const Law& law) { return law.number == failure.law->number; };
-    const Examined examined = examine({&*method, 1}, {&failure.simplest, 1}, this_law, options_.caps);
+    const Examined examined = examine(method_of(failure), {&failure.simplest, 1}, this_law, options_.caps);
     return examined.broken.empty() ? "" : examined.broken.front().broken.what;
   }
 
   /// Runs a failure again, however many questions are left, and simplifies it while there are some.
   void rerun_and_simplify(GateFailure& failure) {
-    for (; !out_of_time() && failure.reruns < rerun_count; ++failure.reruns)
-      failure.failed_again += still_broken(failure, {&failure.found, 1})[0];
+    for (; !out_of_time() && failure.reruns < rerun_count; ++failure.reruns) {
+      Asker asker = new_asker(failure);
+      failure.failed_again += still_broken(failure, {&failure.found, 1}, asker)[0];
+    }
     if (failure.failed_again < rerun_count) {  // what comes and goes cannot be shrunk
       failure.simplest = failure.found;
       return;
     }
     // What meets stays: else all becomes a matter of points.
     const auto feature = feature_of(failure.found);
+    Asker asker = new_asker(failure);  // for all questions: to start a worker costs more than to ask 32 pairs
     const StillFails still_fails = [&](std::span<const Pair> pairs) {
       if (questions_left_ == 0 || out_of_time()) return std::vector<bool>(pairs.size(), false);
-      std::vector<bool> broken = still_broken(failure, pairs);
+      std::vector<bool> broken = still_broken(failure, pairs, asker);
       for (std::size_t i = 0; i < pairs.size(); ++i) broken[i] = broken[i] && feature_of(pairs[i]) == feature;
       return broken;
     };
     if (!still_fails({&failure.simplest, 1})[0]) failure.simplest = failure.found;
     failure.simplest = simplify(failure.simplest, still_fails, simplify_cap).pair;
-    if (failure.failed != FindingKind::hang && !out_of_time())
-      failure.what_of_simplest = what_breaks(failure);
+    if (failure.failed == FindingKind::hang || out_of_time()) return;
+    failure.what_of_simplest = what_breaks(failure);
+    if (failure.what_of_simplest.empty()) failure.simplest = failure.found;  // it fails only after others
   }
 
   std::span<const std::unique_ptr<Method>> methods_;

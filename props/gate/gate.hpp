@@ -45,6 +45,7 @@ struct GateOptions {
   std::chrono::steady_clock::time_point start = std::chrono::steady_clock::now();  ///< of that time
   /// Ends with the round that shows the first contract broken, which is neither run again nor made simpler.
   bool first_failure = false;
+  bool as_found = false;  ///< failures are neither run again nor made simpler once all is asked
   /// The caps on one call and on the hangs in one batch are shorter than a campaign's, for a gate is to end.
   Caps caps{
       .call_cpu = std::chrono::milliseconds(500), .call_wall = std::chrono::milliseconds(2000), .hangs = 4};

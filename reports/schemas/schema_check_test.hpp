@@ -5,10 +5,13 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include <chrono>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <string>
+
+#include "base/process/line_program.hpp"
 
 namespace cyl {
 
@@ -47,15 +50,26 @@ inline std::string schema_python() {  // the system's own has the Debian package
   return {};
 }
 
-/// Whether a JSON document keeps to a schema (of draft 7, in reports/schemas/), which is one itself.
+/// Whether a JSON document keeps to a schema (of draft 7, in reports/schemas/), which is one itself. One
+/// Python answers all questions of a process.
 inline bool keeps_to(const std::string& schema, const std::string& document) {
+  static LineProgram checker(schema_python() + R"( -u -c '
+import json, sys, jsonschema
+for line in sys.stdin:
+    try:
+        s, d = (json.load(open(f, encoding="utf-8")) for f in line.rstrip().split("\t"))
+        jsonschema.Draft7Validator.check_schema(s)
+        jsonschema.Draft7Validator(s).validate(d)
+        print("it does")
+    except (ValueError, jsonschema.ValidationError) as error:
+        print("it does not")')",
+                             DAYLIGHT_SOURCE_DIR "/reports/schemas");
   const ScratchFile file(document);
-  return succeeds(
-      schema_python() +
-      " -c 'import json, sys, jsonschema; s, d = (json.load(open(f, encoding=\"utf-8\")) for f in "
-      "sys.argv[1:]); jsonschema.Draft7Validator.check_schema(s); "
-      "jsonschema.Draft7Validator(s).validate(d)' '" DAYLIGHT_SOURCE_DIR "/reports/schemas/" +
-      schema + "' '" + file.path.string() + "'");
+  checker.send(schema + '\t' + file.path.string() + '\n');
+  std::string said;
+  const LineProgram::Cap cap{std::chrono::minutes(1), std::chrono::minutes(5)};
+  EXPECT_EQ(checker.receive(said, cap), LineProgram::Read::line);
+  return said == "it does";
 }
 
 }  // namespace cyl

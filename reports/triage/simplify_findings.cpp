@@ -65,25 +65,25 @@ std::vector<const Subject*> in_turns(const TriageContext& context, const std::ve
 
 /// Whether the trial fails as the finding does: in the same way, of the same cause and feature.
 bool fails_alike(const GroupedMethods& methods, const Subject& s, const std::string& cause,
-                 std::optional<ContactFeature> feature, Trial trial, const MethodAnswer& said) {
+                 std::optional<ContactFeature> feature, Trial trial, const MethodAnswer& said, Asker& asker) {
   const auto found = compare(trial, methods.methods[*s.method]->claim(), said);
   if (!found || !is_same_kind(found->kind, *s.kind) || found->severity != s.severity) return false;
   if (contact_feature(trial.pair, trial.truth) != feature) return false;
   if (s.severity != Severity::contract || !s.can_be_classified()) return true;
-  return find_cause(methods, {*s.method, *s.kind, trial.pair}, s.severity, said.reason, triage_caps) == cause;
+  return find_cause(methods, {*s.method, *s.kind, trial.pair}, s.severity, said.reason, asker) == cause;
 }
 
 /// Which of the pairs fail alike: no more than the first of them, since no others are looked at.
 std::vector<bool> fail_alike(const GroupedMethods& methods, const Subject& s, const std::string& cause,
-                             std::optional<ContactFeature> feature, std::span<const Pair> pairs) {
+                             std::optional<ContactFeature> feature, std::span<const Pair> pairs,
+                             Asker& asker) {
   std::vector<Question> questions;
   for (std::size_t p = 0; p < pairs.size(); ++p) questions.push_back({*s.method, p});
-  const Caps& caps = s.kind == FindingKind::hang ? hang_caps : triage_caps;
-  const auto said = ask_contained(methods.methods, pairs, questions, caps);
+  const auto said = asker.ask(pairs, questions);
   std::vector<bool> fails(pairs.size(), false);
   for (std::size_t p = 0; p < pairs.size(); ++p) {
     const MethodAnswer& answer = said[p].answer;
-    fails[p] = fails_alike(methods, s, cause, feature, Trial(pairs[p], {&answer, 1}), answer);
+    fails[p] = fails_alike(methods, s, cause, feature, Trial(pairs[p], {&answer, 1}), answer, asker);
     if (fails[p]) break;
   }
   return fails;
@@ -92,10 +92,12 @@ std::vector<bool> fail_alike(const GroupedMethods& methods, const Subject& s, co
 SimpleRecord simplified(const TriageContext& context, const Subject& s, const std::string& cause,
                         const SimpleRecord& earlier, double part) {
   const auto feature = contact_feature(s.pair, judge(s.pair));
+  Asker asker(context.methods, s.kind == FindingKind::hang ? hang_caps : triage_caps);
   bool cut = false;
   const StillFails still_fails = [&](std::span<const Pair> pairs) {
     cut = cut || context.out_of_time(part);
-    return cut ? std::vector<bool>(pairs.size()) : fail_alike(context.grouped(), s, cause, feature, pairs);
+    return cut ? std::vector<bool>(pairs.size())
+               : fail_alike(context.grouped(), s, cause, feature, pairs, asker);
   };
   const CaseLine begun = parse_case(earlier.pair, 1);
   const std::size_t cap = s.kind == FindingKind::hang ? simplify_hang_cap : simplify_cap;

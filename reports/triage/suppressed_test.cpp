@@ -16,7 +16,10 @@ namespace {
 
 TEST(Suppressed, AFailureIsKnownByItsCauseWhateverItsSentenceSays) {
   std::vector<std::unique_ptr<Method>> methods;
-  methods.push_back(std::make_unique<Planted>([](const Pair&) -> MethodAnswer { std::abort(); }));
+  methods.push_back(std::make_unique<Planted>([](const Pair& pair) {
+    if (pair.b.center.x() == 5 * pair.a.radius) std::abort();
+    return answered(Verdict::disjoint);
+  }));
   GateReport report;
   GateFailure& crash = report.failures.emplace_back();
   crash.method = "planted";

@@ -42,9 +42,10 @@ Domain domain_of(Mechanism mechanism, std::span<const Pair> starts) {
 std::optional<WrongPair> worst_of_cause(const GroupedMethods& methods, const CauseSought& cause,
                                         WorstOptions options, const Caps& caps) {
   options.domain = domain_of(cause.mechanism, cause.starts);
+  Asker asker(methods.methods, caps);
   const auto of_the_cause = [&](const Pair& pair) {
     if ((cause.kind == FindingKind::wrong_intersecting) != (distance(pair.a, pair.b).value > 0)) return false;
-    return find_cause(methods, {cause.method, cause.kind, pair}, Severity::contract, {}, caps) == cause.key;
+    return find_cause(methods, {cause.method, cause.kind, pair}, Severity::contract, {}, asker) == cause.key;
   };
   const Worst worst = worst_of(methods.methods[cause.method], cause.starts,
                                {.also = of_the_cause, .kind = cause.kind}, options);
