@@ -73,6 +73,8 @@ std::string failing_test(const std::string& program, const Mutant& mutant) {
   if (mutant.tests.empty()) return {};
   setenv("DAYLIGHT_MUTANT", std::to_string(mutant.number).c_str(), 1);
   setenv("RC_PARAMS", "seed=20261121 max_success=500", 1);
+  setenv("DAYLIGHT_LAW_PAIRS", "200", 1);
+  setenv("DAYLIGHT_DISTANCE_PAIRS", "300", 1);
   become_program({program, "--gtest_filter=" + std::string(mutant.tests), "--gtest_fail_fast"});
 }
 

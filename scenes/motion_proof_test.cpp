@@ -117,7 +117,7 @@ TEST(JointPath, NothingComesNearerThanItsTravel) {
     const Scene scene = read_scene(folder + file);
     const auto pairs = checked_pairs(scene);
     double most_used = 0;
-    for (std::uint64_t k = 0; k < 3000; ++k) {
+    for (std::uint64_t k = 0; k < 1000; ++k) {
       RandomStream stream("travel", 1, k);
       const auto& [a, b] = pairs[stream.below(pairs.size())];
       JointPath path(scene, a, b);

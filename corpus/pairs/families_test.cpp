@@ -134,7 +134,7 @@ TEST(Families, KeepTheirPairsForEver) {
 
 TEST(Families, RandomIntersectsAboutHalfTheTime) {
   int near = 0;
-  constexpr int n = 1000;
+  constexpr int n = 300;
   for (std::uint64_t i = 0; i < n; ++i) {
     const Pair p = draw("random", i);
     for (const Cylinder& c : {p.a, p.b})
@@ -165,7 +165,7 @@ constexpr Wide construction_tol = 5e-16L;
 TEST(Families, TouchAtTheMarginTheyName) {
   for (const Touching& t : touching) {
     std::set<double> margins;
-    for (std::uint64_t i = 0; i < 2000; ++i) {
+    for (std::uint64_t i = 0; i < 600; ++i) {
       RandomStream stream(t.name, seed, i);
       const Contact c = draw_contact(t.kind, stream, i);
       ASSERT_EQ(format_pair(draw(t.name, i)), format_pair(c.pair));

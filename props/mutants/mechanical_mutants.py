@@ -136,7 +136,8 @@ def ask(words, root):
     def limit():
         resource.setrlimit(resource.RLIMIT_CPU, (CPU_CAP, CPU_CAP))
         resource.setrlimit(resource.RLIMIT_CORE, (0, 0))
-    environment = {**os.environ, 'RC_PARAMS': 'seed=20261121 max_success=500'}
+    environment = {**os.environ, 'RC_PARAMS': 'seed=20261121 max_success=500', 'DAYLIGHT_LAW_PAIRS': '200',
+                   'DAYLIGHT_DISTANCE_PAIRS': '300'}
     with tempfile.TemporaryFile('w+', encoding='utf-8', errors='replace') as out:
         try:
             status = subprocess.run(words, cwd=root, stdin=subprocess.DEVNULL, stdout=out, stderr=subprocess.STDOUT,
