@@ -2,6 +2,7 @@
 #include "fuzz/campaign/batch.hpp"
 
 #include <gtest/gtest.h>
+#include <malloc.h>
 
 #include <map>
 #include <string>
@@ -49,6 +50,20 @@ const Family apart[] = {{"apart", "", [](std::uint64_t, std::uint64_t index) {
                            const double far = 3 + static_cast<double>(index);
                            return Pair{{{0, 0, 0}, {0, 0, 1}, 1, 2}, {{far, 0, 0}, {0, 0, 1}, 1, 2}};
                          }}};
+
+TEST(Batch, AJobHoldsNoMoreMemoryAfterManyBatches) {
+  std::vector<std::unique_ptr<Method>> methods;
+  methods.push_back(wrong(false));
+  const Workload workload{methods, apart, {}};
+  const auto make = batch_maker(workload, 1);
+  constexpr std::uint64_t filled = 20, batches = 200;
+  const auto in_use_after = [&](std::uint64_t first, std::uint64_t next) {
+    for (std::uint64_t i = first; i < next; ++i) make(1 + i * batch_size, 1 + (i + 1) * batch_size);
+    return mallinfo2().uordblks;
+  };
+  const std::size_t then = in_use_after(0, filled);
+  EXPECT_LT(in_use_after(filled, batches), then + (1u << 16));
+}
 
 TEST(Batch, AWrongVerdictIsNotedAndTheCostlyAreAsked) {
   std::vector<std::unique_ptr<Method>> methods;

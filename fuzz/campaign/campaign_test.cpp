@@ -2,6 +2,7 @@
 #include "fuzz/campaign/campaign.hpp"
 
 #include <gtest/gtest.h>
+#include <malloc.h>
 #include <sys/wait.h>
 
 #include <csignal>
@@ -104,6 +105,22 @@ TEST_F(Campaign, ABudgetEndsARunThatHasNoOtherLimit) {
   EXPECT_GT(summary.progress.done, 0u);
   EXPECT_EQ(summary.progress.done % batch_size, 0u);
   EXPECT_EQ(total(store("run"), "good").asked, summary.progress.done);
+}
+
+TEST_F(Campaign, HoldsNoMoreMemoryAsItGoesOn) {
+  // Wrong on pairs of ever larger margins, so that there are findings to keep to the end.
+  methods.clear();
+  methods.push_back(fake("wrong", [](const Pair&) { return answered(Verdict::intersecting); }));
+  const Family growing[] = {{"growing", "", [](std::uint64_t, std::uint64_t index) {
+                               return beside(static_cast<double>(index + 1) * 1e-3);
+                             }}};
+  constexpr std::uint64_t filled = 50, batches = 200;  // the cache of SQLite is full after `filled`
+  std::size_t then = 0, now = 0;                       // bytes in use
+  run_campaign(options("run", batches * batch_size), {methods, growing, {}}, [&](const CampaignProgress& p) {
+    (p.done <= filled * batch_size ? then : now) = mallinfo2().uordblks;
+  });
+  EXPECT_GT(store("run").findings().size(), 10u);
+  EXPECT_LT(now, then + (1u << 20));
 }
 
 TEST_F(Campaign, KilledAtAnyMomentAndResumedIsAsIfNothingHappened) {

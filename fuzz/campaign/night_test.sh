@@ -89,9 +89,10 @@ killed_and_resumed() {
 killed_and_resumed 2>/dev/null & # bash tells each kill
 killed=$!
 
-# Seconds, KiB of the whole tree (what is shared counted once), KiB of the campaign's own process; 600 times or less.
+# Seconds, KiB of the whole tree (what is shared counted once), KiB of the campaign's own process; 600 times or less. The
+# page, which is written at the end, takes memory of its own, once: those samples do not count.
 step=$((seconds / 600 + 1))
-while kill -0 "$alone" 2>/dev/null; do
+while kill -0 "$alone" 2>/dev/null && [[ $(done_of alone 2>/dev/null) != "$pairs "* ]]; do
   own=$(awk '/^VmRSS:/ { print $2 }' "/proc/$alone/status" 2>/dev/null) || own=
   all=$(for pid in $(tree "$alone"); do cat "/proc/$pid/smaps_rollup" 2>/dev/null || true; done | awk '/^Pss:/ { sum += $2 } END { print sum + 0 }')
   [[ $own ]] && echo "$SECONDS $all $own" >>memory

@@ -40,8 +40,8 @@ struct GateOptions {
   std::uint64_t seed = 1;
   std::uint64_t pairs = gate_pairs;  ///< to be drawn; the corpus is run in full beside them
   /// What an earlier gate drew, instead: so that both see the same pairs.
-  std::optional<GateAmount> amount;
-  std::optional<std::chrono::milliseconds> cap;  ///< wall time, after which nothing more is asked
+  std::optional<GateAmount> amount = {};
+  std::optional<std::chrono::milliseconds> cap = {};  ///< wall time, after which nothing more is asked
   std::chrono::steady_clock::time_point start = std::chrono::steady_clock::now();  ///< of that time
   /// Ends with the round that shows the first contract broken, which is neither run again nor made simpler.
   bool first_failure = false;
