@@ -27,6 +27,7 @@
 #include "cli/commands.hpp"
 #include "cli/families.hpp"
 #include "cli/guests.hpp"
+#include "cli/known_guests.hpp"
 #include "cli/mutants.hpp"
 #include "cli/options.hpp"
 #include "cli/progress.hpp"
@@ -149,7 +150,7 @@ MethodSet methods_of_run(const CampaignArguments& arguments, const std::vector<s
                        ": a run goes on with what it began with");
   }
   std::string missing;
-  add_guests_of_run(set, arguments.resume, missing);
+  add_guests_of_run(set, arguments.resume, arguments.guests, missing);
   if (!missing.empty()) throw std::runtime_error(arguments.resume + " cannot be resumed: " + missing);
   return set;
 }
@@ -255,6 +256,11 @@ int campaign(const CampaignArguments& arguments) {
       arguments.resume.empty() ? plan_new(arguments, selection) : plan_resumed(arguments, selection);
   fmt::print("seed {}, run {}\n", options.seed, options.out);
   std::fflush(stdout);
+  if (const std::string error = record_guests(parse_guests(options.guests)); !error.empty())
+    fmt::print(stderr,
+               "daylight: the guests of this run are not recorded: {}; commands that read the run need "
+               "--run-guests\n",
+               error);
 
   set_limits(arguments, options);
   options.jobs = arguments.jobs;
@@ -303,6 +309,7 @@ void add_campaign(Program& program) {
               "a,b: these; --methods=-a,b: all but these; a name stands for all that begin with it")
       .default_text("all");
   add_guest_options(command, arguments->guests);
+  add_run_guests_option(command, arguments->guests);
   command
       .option("--families", arguments->families,
               "a,b: pairs of these families; --families=-a,b: of all but these; a name stands for all that "

@@ -12,6 +12,7 @@
 
 #include "base/process/confine.hpp"
 #include "base/usage_error.hpp"
+#include "cli/known_guests.hpp"
 #include "cli/options.hpp"
 #include "corpus/store/run_store.hpp"
 #include "oracles/methods/errata.hpp"
@@ -80,6 +81,12 @@ void add_guest_options(Command& command, GuestOptions& options) {
       .one_each();
 }
 
+void add_run_guests_option(Command& command, GuestOptions& options) {
+  command.flag(
+      "--run-guests", options.of_runs,
+      "start the guests that the run names, even if you have not started them on this machine before");
+}
+
 std::vector<std::unique_ptr<Method>> MethodSet::select(std::string_view spec, std::string_view unnamed) && {
   if (!spec.empty()) return select_methods(std::move(methods), spec);
   if (guests.empty()) return select_methods(std::move(methods), unnamed);
@@ -110,7 +117,8 @@ MethodSet with_guests(const GuestOptions& options, std::string_view spec) {
   return set;
 }
 
-void add_guests_of_run(MethodSet& set, const std::string& run, std::string& missing) {
+void add_guests_of_run(MethodSet& set, const std::string& run, const GuestOptions& options,
+                       std::string& missing) {
   const RunStore store = RunStore::open(run);
   for (const MethodRecord& method : store.methods()) add_documents(set, method.name);
   const Config config = store.config();
@@ -118,6 +126,13 @@ void add_guests_of_run(MethodSet& set, const std::string& run, std::string& miss
   if (stored == config.end()) return;
   for (const Guest& guest : parse_guests(stored->second)) {
     if (find(set, guest.name)) continue;
+    if (!options.of_runs && !is_recorded(guest)) {
+      missing += fmt::format(
+          "{} of {} is not started: you have not started {} on this machine, and a run may "
+          "come from a stranger. Its stored answers are used. To start it, add --run-guests\n",
+          guest.name, run, options_for(guest));
+      continue;
+    }
     try {
       add(set, guest);
     } catch (const std::runtime_error& error) {
@@ -136,7 +151,7 @@ MethodSet methods_for_targets(const GuestOptions& options, const std::vector<std
         std::filesystem::absolute(target, none).parent_path().parent_path();  // RUN/buckets/FILE
     for (const std::string& run : {target, target.substr(0, target.rfind(':')), of_buckets.string()}) {
       if (!holds_run(run)) continue;
-      add_guests_of_run(set, run, missing);
+      add_guests_of_run(set, run, options, missing);
       break;
     }
   }

@@ -15,6 +15,7 @@ class Command;
 
 struct GuestOptions {
   std::vector<std::string> plugins, commands, claims;
+  bool of_runs = false;  ///< start the guests of a run even if this user has not started them before
   bool any() const { return !plugins.empty() || !commands.empty(); }
 };
 
@@ -34,9 +35,14 @@ struct MethodSet {
 /// UsageError where a guest cannot be had or has a name that is taken.
 MethodSet with_guests(const GuestOptions& options, std::string_view spec = {});
 
-/// Adds the guests and errata_methods() that the run in this folder asked, but those that are here by that
-/// name. Where one cannot be had, the reason is added to `missing`.
-void add_guests_of_run(MethodSet& set, const std::string& run, std::string& missing);
+/// Adds the guests and errata_methods() that the run in this folder asked, except those that are here by that
+/// name. A guest that this user has not started before (known_guests.hpp) starts only if the options say so.
+/// If a guest does not start, the reason is added to `missing`.
+void add_guests_of_run(MethodSet& set, const std::string& run, const GuestOptions& options,
+                       std::string& missing);
+
+/// Adds --run-guests, for commands that read runs.
+void add_run_guests_option(Command& command, GuestOptions& options);
 
 /// Returns what with_guests() does, and the guests of the runs that `targets` (of targets.hpp) name, be it by
 /// a file of one. A guest of a run that cannot be had is left out, with a line on standard error.

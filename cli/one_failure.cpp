@@ -25,6 +25,7 @@ void add_failure_options(Command& command, FailureOptions& options) {
   command.option("--kind", options.kind, "the kind of failure, like wrong_disjoint")
       .default_text("that of the stored finding; else found by asking");
   add_guest_options(command, options.guests);
+  add_run_guests_option(command, options.guests);
 }
 
 OneFailure failure_of(const FailureOptions& options, std::span<const std::unique_ptr<Method>> methods) {

@@ -171,6 +171,7 @@ void add_replay(Program& program) {
       .separated_by(',')
       .one_each();
   add_guest_options(command, arguments->guests);
+  add_run_guests_option(command, arguments->guests);
   command.examples("  daylight replay runs/latest:12",
                    "Here 2: something is still wrong beyond its method's claim.");
   command.run([arguments] { return Replayer(*arguments).run(); });

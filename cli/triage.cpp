@@ -144,6 +144,7 @@ void add_triage(Program& program) {
       .default_text("those beside it");
   command.option("--for", arguments->budget, "wall time, like 5m").default_text("5m");
   add_guest_options(command, arguments->guests);
+  add_run_guests_option(command, arguments->guests);
   command.number("--jobs", arguments->jobs, "processes; do not change the causes", 1, 1024);
   command.option("--suppressions", arguments->suppressions, "file of known causes that do not fail")
       .default_text("suppressions.jsonl");

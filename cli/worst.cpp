@@ -242,6 +242,7 @@ void add_worst(Program& program) {
               "a,b: search for these; a name stands for all that begin with it; judge: the referee")
       .required();
   add_guest_options(command, arguments->guests);
+  add_run_guests_option(command, arguments->guests);
   command.option("--feature", arguments->feature, "contact feature, like side-rim")
       .default_text("each in turn");
   command.option("--for", arguments->budget, "wall time in all, like 60s").default_text("60s");

@@ -74,7 +74,9 @@ target_link_libraries(mutant_tests PRIVATE daylight_fuzz_campaign daylight_props
 # daylight_script(NAME LABEL SECONDS COMMAND..): a test that is a script. Status 77 says what was missing; CI takes none.
 function(daylight_script name label seconds)
   add_test(NAME ${name} COMMAND ${ARGN})
-  set_tests_properties(${name} PROPERTIES LABELS "${label}" TIMEOUT ${seconds} SKIP_RETURN_CODE 77)
+  # What is recorded of guests outside of runs is the test's own.
+  set_tests_properties(${name} PROPERTIES LABELS "${label}" TIMEOUT ${seconds} SKIP_RETURN_CODE 77
+                       ENVIRONMENT "XDG_STATE_HOME=${CMAKE_BINARY_DIR}/state/${name}")
 endfunction()
 set(program $<TARGET_FILE:daylight>)
 file(GLOB scripts RELATIVE ${PROJECT_SOURCE_DIR} CONFIGURE_DEPENDS cli/*_test.sh)
@@ -120,7 +122,9 @@ set_tests_properties(fuzz_seed_methods_seeds PROPERTIES ENVIRONMENT "DAYLIGHT_FU
 set_tests_properties(fuzz_xcheck_seeds PROPERTIES ENVIRONMENT "DAYLIGHT_FUZZ_ABORT="
                      PASS_REGULAR_EXPRESSION "fcl-distance-libccd/crash/.*[0-9]+ inputs")
 if(CMAKE_CXX_COMPILER_ID STREQUAL Clang)
-  daylight_script(oss_fuzz_build "fuzz;long" 2400 ${PROJECT_SOURCE_DIR}/fuzz/oss-fuzz/build_test.sh)
+  daylight_script(oss_fuzz_build "fuzz;deep" 2400 ${PROJECT_SOURCE_DIR}/fuzz/oss-fuzz/build_test.sh)
+  daylight_script(fuzz_engine_test "fuzz;deep" 2400 ${PROJECT_SOURCE_DIR}/fuzz/guided/engine_test.sh ${program}
+                  $<TARGET_FILE:fuzz_core_libfuzzer>)
 endif()
 
 # Schedulers as they are in the field.

@@ -6,11 +6,9 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <cstdint>
 #include <limits>
 #include <optional>
 
-#include "base/fnv.hpp"
 #include "solver/cylinder.hpp"
 
 namespace cyl {
@@ -62,17 +60,6 @@ inline bool is_rounded(const Pair& p) noexcept { return p.a.rounding != 0 || p.b
 
 inline bool is_legal(const Pair& p) noexcept {
   return find_defect(p.a) == Defect::none && find_defect(p.b) == Defect::none;
-}
-
-/// Returns a digest of the pair's numbers to the bit, after what went before. Roundings count if there is
-/// one.
-inline std::uint64_t digest_of(const Pair& p, std::uint64_t so_far) noexcept {
-  const auto add = [&](const auto& numbers) {
-    so_far = fnv1a({reinterpret_cast<const char*>(numbers.data()), sizeof numbers}, so_far);
-  };
-  add(core_numbers_of(p));
-  if (is_rounded(p)) add(std::array{p.a.rounding, p.b.rounding});
-  return so_far;
 }
 
 /// The sum of both radii, heights and roundings, rounded, at most the largest double (the unit of margins).

@@ -24,6 +24,7 @@ struct FakeTraits {
   Claim claim = {};
   bool foreign = true, guest = false, runs_apart = false;
   unsigned share = 1;
+  bool recovers = false;
 };
 
 class FakeMethod : public Method {
@@ -38,6 +39,7 @@ class FakeMethod : public Method {
   bool guest() const override { return traits_.guest; }
   bool runs_apart() const override { return traits_.runs_apart; }
   unsigned share() const override { return traits_.share; }
+  bool recovers() const override { return traits_.recovers; }
   MethodAnswer answer(const Pair& pair) override { return ask_(pair); }
 
  private:

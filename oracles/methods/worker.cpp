@@ -10,13 +10,13 @@
 
 #include <algorithm>
 #include <cstdio>
-#include <regex>
 #include <string>
 #include <utility>
 
 #include "base/process/confine.hpp"
 #include "base/process/kept_process.hpp"
 #include "base/process/process.hpp"
+#include "oracles/methods/abort_recovery.hpp"
 #include "oracles/methods/ask_caught.hpp"
 #include "oracles/methods/worker_service.hpp"
 
@@ -195,20 +195,6 @@ Worker::Watched Worker::watch() {
   }
 }
 
-/// Bytes at the end of what a worker printed among which a file and line are looked for.
-constexpr std::size_t last_words_cap = 2000;
-
-/// As much of what was printed as has room: its end, after the file and line in it, as assert() prints them.
-std::string fitting(const std::string& printed, std::size_t room) {
-  if (printed.size() <= room) return printed;
-  static const std::regex file_and_line(R"([^\s/:]+:\d+)");
-  std::smatch found;
-  std::string place;
-  if (std::regex_search(printed, found, file_and_line) && found.length() < static_cast<long>(room / 2))
-    place = found.str() + " .. ";
-  return place + printed.substr(printed.size() - (room - place.size()));
-}
-
 /// "SIGABRT, after printing: ..."
 std::string describe_death(const std::optional<KeptProcess::Ending>& ending, int denied, int output) {
   std::string how = "its process was ended from outside";
@@ -221,12 +207,7 @@ std::string describe_death(const std::optional<KeptProcess::Ending>& ending, int
   } else if (ending) {
     how = "ended its process with status " + std::to_string(WEXITSTATUS(ending->status));
   }
-  // Where it printed too much, the end is not known.
-  const bool whole = lseek(output, 0, SEEK_END) < output_cap;
-  const std::string printed = whole ? last_line(output, last_words_cap) : std::string();
-  if (printed.empty()) return how;
-  how += ", after printing: ";
-  return how + fitting(printed, sizeof MethodAnswer::reason - 1 - how.size());
+  return with_last_words(how, output);
 }
 
 ContainedAnswer Worker::describe_loss(const Watched& watched) {

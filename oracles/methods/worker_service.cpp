@@ -16,6 +16,7 @@
 #include "base/process/confine.hpp"
 #include "base/process/control_words.hpp"
 #include "base/process/process.hpp"
+#include "oracles/methods/abort_recovery.hpp"
 #include "oracles/methods/ask_caught.hpp"
 
 namespace cyl {
@@ -154,9 +155,10 @@ class Service {
 
   void answer(std::size_t i) {
     const Question& q = asked_.questions[i];
-    MethodAnswer answer = ask_caught(*methods_[q.method], asked_.pairs[q.pair], q.mode);
+    MethodAnswer answer = ask_recovering(*methods_[q.method], asked_.pairs[q.pair], q.mode);
     if (const ControlWords left = read_control_words(); left != words_) {
-      answer.note(SideEffect::rounding_mode, describe_change(words_, left));
+      if (answer.failure != Failure::crash)
+        answer.note(SideEffect::rounding_mode, describe_change(words_, left));
       write_control_words(words_);
     }
     said_.answers[i].answer = answer;

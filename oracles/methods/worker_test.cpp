@@ -8,6 +8,8 @@
 
 #include <cfenv>
 #include <csignal>
+#include <cstdio>
+#include <cstdlib>
 #include <functional>
 #include <memory>
 #include <string>
@@ -15,6 +17,7 @@
 #include <utility>
 #include <vector>
 
+#include "oracles/methods/abort_recovery.hpp"
 #include "oracles/methods/acting_method_test.hpp"
 
 namespace cyl {
@@ -65,6 +68,59 @@ TEST(Worker, AGuestReachesNoOtherProcess) {
     EXPECT_EQ(answer.failure, Failure::crash) << reason;
     EXPECT_STREQ(answer.reason, reason);
   }
+}
+
+/// Calls itself distance `n` at its n-th call in one process; every other call fails by `fail`.
+std::vector<std::unique_ptr<Method>> failing_every_other_time(std::function<void()> fail) {
+  std::vector<std::unique_ptr<Method>> methods;
+  methods.push_back(fake_method("fails",
+                                [fail = std::move(fail), n = 0](const Pair&) mutable {
+                                  if (++n % 2 == 0) fail();
+                                  MethodAnswer answer = answered(Verdict::disjoint);
+                                  answer.has_distance = true;
+                                  answer.distance = n;
+                                  return answer;
+                                },
+                                {.recovers = true}));
+  return methods;
+}
+
+void fail_an_assertion() {
+  std::fputs("lib: gjk.h:177: Assertion `index != -1' failed.\n", stderr);
+  std::abort();
+}
+
+TEST(Worker, AnAssertionOfALibraryWithoutStateCostsNoProcess) {
+  const auto methods = failing_every_other_time(fail_an_assertion);
+  std::vector<Question> questions(2 * recovery_cap + 4, {0, 0});
+  const auto answers = ask_contained(methods, numbered_pairs(1), questions);
+  for (std::size_t i = 0; i < answers.size(); ++i) {
+    const MethodAnswer& answer = answers[i].answer;
+    if (i % 2 == 0) {
+      // After so many, and the one that ends the process, it counts anew.
+      EXPECT_EQ(answer.distance, i < 2 * recovery_cap + 2 ? i + 1 : i - (2 * recovery_cap + 1)) << i;
+    } else {
+      EXPECT_EQ(answer.failure, Failure::crash) << i;
+      EXPECT_STREQ(answer.reason, "SIGABRT, after printing: lib: gjk.h:177: Assertion `index != -1' failed.")
+          << i;
+    }
+  }
+}
+
+TEST(Worker, AnyOtherAbortEndsTheProcess) {
+  const auto counts_on = [](std::function<void()> fail) {
+    const auto methods = failing_every_other_time(std::move(fail));
+    return ask_contained(methods, numbered_pairs(1), std::vector<Question>(3, {0, 0}))[2].answer.distance ==
+           3;
+  };
+  EXPECT_TRUE(counts_on(fail_an_assertion));
+  EXPECT_FALSE(counts_on([] { std::abort(); }));
+  EXPECT_FALSE(counts_on([] {
+    std::fputs("malloc(): unaligned tcache chunk detected\n", stderr);
+    std::abort();
+  })) << "the heap may be locked";
+  EXPECT_FALSE(counts_on([] { std::thread(fail_an_assertion).join(); })) << "another thread";
+  EXPECT_FALSE(counts_on([] { std::raise(SIGSEGV); }));
 }
 
 TEST(Worker, AGuestMayStartThreads) {

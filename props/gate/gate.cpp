@@ -12,7 +12,7 @@
 
 #include "base/fnv.hpp"
 #include "corpus/pairs/close_contact.hpp"
-#include "corpus/pairs/pair_numbers.hpp"
+#include "corpus/pairs/pair_digest.hpp"
 #include "corpus/pairs/strata.hpp"
 #include "oracles/trial/bucket.hpp"
 #include "oracles/trial/contact.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "corpus/pairs/pair_numbers.hpp"
+#include "corpus/pairs/pair_digest.hpp"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +8,7 @@
 namespace cyl {
 namespace {
 
-TEST(PairNumbers, EveryNumberChangesTheDigest) {
+TEST(PairDigest, EveryNumberChangesTheDigest) {
   const Cylinder unit{{1, 2, 3}, {4, 5, 6}, 7, 8, 9};
   Pair pair{unit, unit};
   std::set<std::uint64_t> digests{digest_of(pair, 0)};

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: MIT
+// A short name for the numbers of a pair.
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include "base/fnv.hpp"
+#include "corpus/pairs/pair_numbers.hpp"
+
+namespace cyl {
+
+/// Returns a digest of the pair's numbers to the bit, after what went before. Roundings count if there is
+/// one.
+inline std::uint64_t digest_of(const Pair& p, std::uint64_t so_far) noexcept {
+  const auto add = [&](const auto& numbers) {
+    so_far = fnv1a({reinterpret_cast<const char*>(numbers.data()), sizeof numbers}, so_far);
+  };
+  add(core_numbers_of(p));
+  if (is_rounded(p)) add(std::array{p.a.rounding, p.b.rounding});
+  return so_far;
+}
+
+}  // namespace cyl
