@@ -46,7 +46,8 @@ without_times mpr.json >first
 without_times again.json >second
 expect 0 'the same on a busy machine' cmp first second
 gate 2 --method libccd-mpr --pairs 500 --seed 2 --json other.json
-! cmp -s first <(without_times other.json) || failed 'another seed is the same gate'
+without_times other.json >other
+! cmp -s first other || failed 'another seed is the same gate'
 
 # A cap on time cuts it: more pairs than any machine asks in a second.
 gate 3 --for 1s --pairs 4000000000 --json cut.json --junit cut.xml --sarif cut.sarif --github
