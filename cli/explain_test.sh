@@ -2,13 +2,8 @@
 # SPDX-License-Identifier: MIT
 # explain and export as a person calls them: a case of a file, a stored finding, exit codes, what is written.
 set -euo pipefail
-
-daylight=$1
 # shellcheck source=SCRIPTDIR/expect.sh
-source "$(dirname -- "$(readlink -f -- "${BASH_SOURCE[0]}")")/expect.sh"
-scratch=$(mktemp -d)
-trap 'rm -rf -- "$scratch"' EXIT
-cd -- "$scratch"
+source "$(dirname -- "${BASH_SOURCE[0]}")/expect.sh"
 
 unit='{"center":[0,0,0],"axis":[0,0,1],"radius":1,"height":2}'
 {
@@ -25,7 +20,7 @@ holds 'the mechanism' out '^fcl-indep calls solids up to .* apart intersecting: 
 holds 'as JSON' why.json '"mechanism": "fcl-indep calls'
 cp out first
 expect 0 'again' "$daylight" explain cases.jsonl:3 --method fcl-indep
-cmp -s first out || holds 'the same twice' out '^THE SAME$'
+cmp -s first out || failed 'the same twice'
 
 expect 0 'export' "$daylight" export cases.jsonl:3 --method fcl-indep --out sent
 for file in issue.md build.sh reproduce.cpp exact.py; do
@@ -49,5 +44,3 @@ expect 2 'a run with findings' "$daylight" campaign --pairs 3000 --seed 3 --case
 id=$(grep -oE 'runs/one:[0-9]+' out | tail -n 1)
 expect 0 'a stored finding names its method' "$daylight" explain "$id"
 holds 'the method' out '^libccd-mpr-tol1e-10 '
-
-exit "$((failures > 0))"

@@ -2,13 +2,8 @@
 # SPDX-License-Identifier: MIT
 # Pairs out, answers in: judged as a campaign of the same pairs would, in any order; a line that is wrong costs itself.
 set -euo pipefail
-
-daylight=$(readlink -f -- "$1")
-source_tree=$(dirname -- "$(dirname -- "$(readlink -f -- "${BASH_SOURCE[0]}")")")
-scratch=$(mktemp -d)
-trap 'rm -rf -- "$scratch"' EXIT
-cd -- "$scratch"
-. "$source_tree/cli/expect.sh"
+# shellcheck source=SCRIPTDIR/expect.sh
+source "$(dirname -- "${BASH_SOURCE[0]}")/expect.sh"
 
 # Balls around the two: wrong of many, declines some, breaks on some.
 cat >balls.py <<'END_OF_PROGRAM'
@@ -31,9 +26,9 @@ for line in sys.stdin:
 END_OF_PROGRAM
 
 expect 0 'pairs out' "$daylight" ask --pairs 1500 --seed 7 --out pairs.jsonl
-[[ $(wc -l <pairs.jsonl) == 1500 ]] || { echo 'not 1500 pairs'; failures=$((failures + 1)); }
+[[ $(wc -l <pairs.jsonl) == 1500 ]] || failed 'not 1500 pairs'
 expect 0 'pairs to standard output' "$daylight" ask --pairs 1500 --seed 7
-cmp -s out pairs.jsonl || { echo 'standard output has other pairs'; failures=$((failures + 1)); }
+cmp -s out pairs.jsonl || failed 'standard output has other pairs'
 expect 0 'they are pairs' "$daylight" check pairs.jsonl
 python3 balls.py <pairs.jsonl >answers.jsonl
 
@@ -43,13 +38,13 @@ expect 2 'a campaign of the same' "$daylight" campaign --pairs 1500 --seed 7 --c
 counts out >campaign
 expect 2 'answers in' "$daylight" judge answers.jsonl --pairs pairs.jsonl --keep failing.jsonl
 counts out >judged
-if ! diff campaign judged; then echo 'judged otherwise than a campaign'; failures=$((failures + 1)); fi
-[[ $(wc -l <judged) -gt 5 ]] || { echo 'no table'; failures=$((failures + 1)); }
+diff campaign judged || failed 'judged otherwise than a campaign'
+[[ $(wc -l <judged) -gt 5 ]] || failed 'no table'
 holds 'the worst' out '^wrong_intersecting \(contract, margin .*, [0-9]+ of them; the worst, id [0-9]+, answers.jsonl:[0-9]+:$'
 holds 'its proof' out '^  truth: disjoint\. A plane with normal'
 holds 'what it said' out '^  balls: \{"verdict":"intersecting"\}$'
 holds 'its claim' out '^claim: right from 0\.001 size'
-[[ ! -s err ]] || { echo 'complains of nothing'; cat err; failures=$((failures + 1)); }
+[[ ! -s err ]] || failed 'complains of nothing'
 expect 2 'what is kept' "$daylight" replay failing.jsonl --command 'python3 balls.py' --methods balls
 holds 'all of it fails' out "^$(wc -l <failing.jsonl) replayed, $(wc -l <failing.jsonl) beyond a claim"
 holds 'with the proof' failing.jsonl '"truth":"disjoint","note":"balls: wrong_intersecting .*; proof \{.*direction'
@@ -57,9 +52,9 @@ holds 'with the proof' failing.jsonl '"truth":"disjoint","note":"balls: wrong_in
 (head -n 1 answers.jsonl; tail -n +2 answers.jsonl | shuf --random-source=pairs.jsonl) >shuffled.jsonl
 expect 2 'in any order' "$daylight" judge shuffled.jsonl --pairs pairs.jsonl
 counts out | sort >judged_shuffled
-sort judged | diff - judged_shuffled || { echo 'the order of the answers counts'; failures=$((failures + 1)); }
+sort judged | diff - judged_shuffled || failed 'the order of the answers counts'
 expect 2 'from a pipe' bash -c '"$1" judge - --pairs pairs.jsonl <answers.jsonl' - "$daylight"
-counts out | diff judged - || { echo 'a pipe is judged otherwise'; failures=$((failures + 1)); }
+counts out | diff judged - || failed 'a pipe is judged otherwise'
 
 # A claim of the command line is the one that counts; whoever claims less is less at fault.
 expect 2 'another claim' "$daylight" judge answers.jsonl --pairs pairs.jsonl --claim 0.9 --name other
@@ -83,7 +78,7 @@ holds 'no id' err '^wrong.jsonl:60: no id'
 holds 'a missing one' err '^pairs.jsonl:11: no answer$'
 holds 'what it costs' err '^pairs.jsonl:40: no answer$'
 holds 'passed over' out '^3 lines answer no pair$'
-[[ $(wc -l <err) == 9 ]] || { echo 'not 9 lines told'; cat err; failures=$((failures + 1)); }
+[[ $(wc -l <err) == 9 ]] || failed 'not 9 lines told'
 sed 's/.*/&\n/; 5s/"radius":[^,]*/"radius":-1/; 6s/"id":"6"/"id":"7"/' pairs.jsonl >bad_pairs.jsonl
 expect 2 'wrong pairs' "$daylight" judge right.jsonl --pairs bad_pairs.jsonl --name right
 holds 'no pair' err '^bad_pairs.jsonl:9: column [0-9]+: a.radius is negative'
@@ -97,5 +92,3 @@ expect 0 'pairs within' "$daylight" judge both.jsonl --name right
 holds 'all of them' out '^right +1500 +- +- +- +- +- '
 expect 1 'no such file' "$daylight" judge nothing.jsonl --name right
 expect 1 'no such pairs' "$daylight" judge right.jsonl --pairs nothing.jsonl --name right
-
-exit $((failures > 0))

@@ -78,9 +78,9 @@ def main():
         said += [run('check', '--method', name, given=pairs, codes=(0, 2, 3, 65)) for name in methods.split(',')]
         hold('answer.json', [answer for text in said for answer in lines(text)], ('more', 'kind'))
         for night in ('one', 'two'):
-            run('campaign', '--pairs', 1500, '--seed', ord(night[0]), '--methods', methods,
+            run('campaign', '--pairs', 400, '--seed', ord(night[0]), '--methods', methods, '--cases', '',
                 '--out', folder / 'runs' / night)
-            run('triage', folder / 'runs' / night, '--for', '20s', '--json', folder / f'{night}.json')
+            run('triage', folder / 'runs' / night, '--for', '3s', '--json', folder / f'{night}.json')
         given = [{'id': json.loads(line)['id'], **said} for line, said in zip(
             run('ask', '--pairs', 4, '--seed', 1).splitlines(),
             ({'verdict': 'disjoint', 'distance': 0.25, 'direction': [0, 0, 1]}, {'declined': 'no disks'},
@@ -97,8 +97,9 @@ def main():
         pages = [PAGE.search((folder / 'runs' / night / 'report.html').read_text())[1] for night in ('one', 'two')]
         hold('report_data.json', map(json.loads, pages))
         hold('suppression.json', lines((ROOT / 'corpus/store/fixtures/0.1.0/suppressions.jsonl').read_text()))
-        run('gate', '--method', 'ode', '--pairs', 400, '--json', folder / 'base.json')
-        run('gate', '--method', 'ode', '--against', folder / 'base.json', '--json', folder / 'gate.json')
+        gate = ('gate', '--method', 'libccd-mpr', '--cases', '')
+        run(*gate, '--pairs', 100, '--json', folder / 'base.json')
+        run(*gate, '--against', folder / 'base.json', '--json', folder / 'gate.json')
         hold('gate.json', [json.loads((folder / f'{name}.json').read_text()) for name in ('base', 'gate')])
         for name, families in (('few', 'random'), ('some', 'random,margin_1e-06')):
             run('bench', '--methods', 'intersect,decide,distance,fcl-libccd', '--families', families, '--pairs', 100,
