@@ -205,6 +205,14 @@ std::string numbers(const CampaignProgress& p) {
                      p.resolution);
 }
 
+std::string in_words(const CampaignCost& cost) {
+  const auto seconds = [](std::chrono::nanoseconds time) { return static_cast<double>(time.count()) / 1e9; };
+  return fmt::format(
+      "CPU time: {:.1f} s; calls of methods {:.1f} s, verdicts of the referee {:.1f} s, all else {:.1f} s",
+      seconds(cost.all), seconds(cost.asking), seconds(cost.judging),
+      seconds(std::max(cost.all - cost.asking - cost.judging, std::chrono::nanoseconds(0))));
+}
+
 /// What the command line says of limits replaces what the run had, each for itself; one of time ends the
 /// other.
 void set_limits(const CampaignArguments& arguments, CampaignOptions& options) {
@@ -282,6 +290,7 @@ int campaign(const CampaignArguments& arguments) {
   }
   if (options.create_only) return exit_pass;
   show_run(options.out, arguments.table);
+  fmt::print("{}\n", in_words(summary.cost));
   if (!summary.harness_failure.empty()) fmt::print(stderr, "daylight: {}\n", summary.harness_failure);
   if (summary.interrupted)
     fmt::print(stderr, "stopped; go on with: {} campaign --resume {}\n", own_command(),

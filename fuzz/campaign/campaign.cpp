@@ -4,6 +4,7 @@
 #include <fmt/chrono.h>
 #include <fmt/format.h>
 #include <poll.h>
+#include <sys/resource.h>
 
 #include <algorithm>
 #include <cstdio>
@@ -26,6 +27,7 @@ namespace {
 using Clock = std::chrono::steady_clock;
 using std::chrono::duration_cast;
 using std::chrono::milliseconds;
+using std::chrono::nanoseconds;
 
 /// How long to sleep where no batch has anything to say: progress stays lively, the processor free.
 constexpr milliseconds poll_time{100};
@@ -122,6 +124,29 @@ RunStore open_run(const CampaignOptions& options, const Workload& workload) {
   for (const auto& [key, value] : limits(options, spent)) store.set(key, value);
   store.set("guests", options.guests);
   return store;
+}
+
+/// CPU time of this process and of the children that have ended, with theirs.
+nanoseconds cpu_time_so_far() {
+  nanoseconds sum{0};
+  for (const auto who : {RUSAGE_SELF, RUSAGE_CHILDREN}) {
+    rusage used{};
+    getrusage(who, &used);
+    for (const timeval& t : {used.ru_utime, used.ru_stime})
+      sum += std::chrono::seconds(t.tv_sec) + std::chrono::microseconds(t.tv_usec);
+  }
+  return sum;
+}
+
+/// What the calls took that a store counts; the rest of a session's time is known at its end alone.
+CampaignCost cost_of_calls(const std::vector<TallyRecord>& tallies) {
+  CampaignCost cost;
+  for (const TallyRecord& tally : tallies) {
+    const nanoseconds time(tally.counts.nanoseconds);
+    if (is_method_row(tally.method)) cost.asking += time;
+    if (tally.method == referee_row) cost.judging += time;
+  }
+  return cost;
 }
 
 void wait_for_news(std::span<const int> of) {
@@ -373,7 +398,12 @@ CampaignSummary run_campaign(const CampaignOptions& options, const Workload& wor
     throw std::runtime_error("a campaign needs a weight for each family");
   RunStore store = open_run(options, workload);
   if (options.create_only) return {};
-  return Session(options, workload, store, on_progress).run();
+  const nanoseconds start = cpu_time_so_far();
+  const CampaignCost before = cost_of_calls(store.tallies());
+  CampaignSummary summary = Session(options, workload, store, on_progress).run();
+  const CampaignCost after = cost_of_calls(store.tallies());
+  summary.cost = {cpu_time_so_far() - start, after.asking - before.asking, after.judging - before.judging};
+  return summary;
 }
 
 int exit_code(const CampaignSummary& summary) {

@@ -43,8 +43,15 @@ struct CampaignProgress {
   std::chrono::milliseconds session_time{0};  ///< wall time of this session
 };
 
+/// CPU time of a session, of the campaign and of all processes that it started.
+struct CampaignCost {
+  std::chrono::nanoseconds all{0};
+  std::chrono::nanoseconds asking{0}, judging{0};  ///< in calls of methods; in the referee's verdicts
+};
+
 struct CampaignSummary {
   CampaignProgress progress;
+  CampaignCost cost;
   bool interrupted = false;  ///< by SIGINT or SIGTERM before a limit: what was complete is stored
   std::string
       harness_failure;  ///< empty, or which pair broke the harness and how, or which self-check failed

@@ -7,6 +7,7 @@
 
 #include <csignal>
 #include <cstdlib>
+#include <ctime>
 #include <map>
 #include <stdexcept>
 
@@ -105,6 +106,19 @@ TEST_F(Campaign, ABudgetEndsARunThatHasNoOtherLimit) {
   EXPECT_GT(summary.progress.done, 0u);
   EXPECT_EQ(summary.progress.done % batch_size, 0u);
   EXPECT_EQ(total(store("run"), "good").asked, summary.progress.done);
+}
+
+TEST_F(Campaign, CountsTheTimeOfItsWorkers) {
+  methods.clear();
+  methods.push_back(fake("slow", [](const Pair& p) {
+    const auto start = std::clock();
+    while (std::clock() - start < CLOCKS_PER_SEC / 10000) {
+    }
+    return answered(right(p));
+  }));
+  const CampaignCost cost = run_campaign(options("run", 2 * batch_size), workload()).cost;
+  EXPECT_GT(cost.asking, std::chrono::milliseconds(90));
+  EXPECT_GT(cost.all, cost.asking + cost.judging);
 }
 
 TEST_F(Campaign, HoldsNoMoreMemoryAsItGoesOn) {

@@ -17,9 +17,12 @@ namespace {
 
 using Range = std::array<std::uint64_t, 2>;
 
+/// Empty: no more batches. (The end of the pipe does not say so: later jobs hold it open.)
+constexpr Range no_more{0, 0};
+
 // Each batch follows its size.
 void serve(int ranges, int output, const JobProcess::MakeBatch& make) {
-  for (Range range; read(ranges, &range, sizeof range) == sizeof range;) {
+  for (Range range; read(ranges, &range, sizeof range) == sizeof range && range != no_more;) {
     const std::string batch = format_batch(make(range[0], range[1]));
     const std::uint64_t size = batch.size();
     write_all(output, {reinterpret_cast<const char*>(&size), sizeof size});
@@ -41,6 +44,12 @@ JobProcess::JobProcess(const std::function<MakeBatch()>& prepare, std::chrono::s
                serve(ranges_.ends[0], output, prepare());
              }),
              {.failure = "a batch failed", .own_group = true}) {}
+
+JobProcess::~JobProcess() {
+  if (busy_ || child_.advance()) return;
+  write_all(ranges_.ends[1], {reinterpret_cast<const char*>(&no_more), sizeof no_more});
+  child_.wait();
+}
 
 void JobProcess::begin(std::uint64_t first, std::uint64_t next) {
   first_ = first;

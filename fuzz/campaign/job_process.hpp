@@ -21,6 +21,9 @@ class JobProcess {
   /// process or pipe left.
   explicit JobProcess(const std::function<MakeBatch()>& prepare,
                       std::chrono::seconds cpu_cap = batch_cpu_cap);
+  /// If no batch is under way, lets the process end by itself, so that its time and that of its workers count
+  /// as this process's; else kills it.
+  ~JobProcess();
 
   /// Starts a batch; only where none is under way.
   void begin(std::uint64_t first, std::uint64_t next);
