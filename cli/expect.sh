@@ -8,7 +8,7 @@ scratch=$(mktemp -d)
 failures=0
 trap 'code=$?; rm -rf -- "$scratch"; exit $((failures ? 1 : code))' EXIT
 cd -- "$scratch"
-: >out >err
+touch out err
 
 # failed NAME: shows what the last command wrote.
 failed() {
