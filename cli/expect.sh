@@ -8,19 +8,19 @@ scratch=$(mktemp -d)
 failures=0
 trap 'code=$?; rm -rf -- "$scratch"; exit $((failures ? 1 : code))' EXIT
 cd -- "$scratch"
-: >out >err
+touch out err
 
 # failed NAME: shows what the last command wrote.
 failed() {
   printf 'FAILED: %s\n' "$1"
-  head -c 4000 "$scratch/out" "$scratch/err"
+  head -c 4000 out err
   failures=$((failures + 1))
 }
 # expect CODE NAME COMMAND..: runs it into out and err.
 expect() {
   local code=$1 name=$2 got=0
   shift 2
-  timeout 800 "$@" >"$scratch/out" 2>"$scratch/err" || got=$?
+  timeout 800 "$@" >out 2>err || got=$?
   [[ $got == "$code" ]] || failed "$name: exit code $got, not $code"
 }
 # holds NAME FILE PATTERN, lacks NAME FILE PATTERN: some line matches, or none does.

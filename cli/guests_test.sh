@@ -2,22 +2,9 @@
 # SPDX-License-Identifier: MIT
 # Every command that asks methods takes guests; what they do costs the guest, never the run; a run finds its own again.
 set -euo pipefail
-
-daylight=$(readlink -f -- "$1")
-source_tree=$(dirname -- "$(dirname -- "$(readlink -f -- "${BASH_SOURCE[0]}")")")
-scratch=$(mktemp -d)
-trap 'rm -rf -- "$scratch"' EXIT
-cd -- "$scratch"
+# shellcheck source=SCRIPTDIR/expect.sh
+source "$(dirname -- "${BASH_SOURCE[0]}")/expect.sh"
 mkdir -p runs elsewhere
-
-# expect CODE COMMAND.. : runs it into out and err.
-expect() {
-  local code=$1 got=0
-  shift
-  timeout 800 "$@" >out 2>err || got=$?
-  [[ $got == "$code" ]] || { echo "exit code $got, not $code: $*"; head -c 3000 out err; exit 1; }
-}
-holds() { grep -qE -- "$2" "$1" || { echo "no line of $1 matches $2"; head -c 3000 -- "$1"; exit 1; }; }
 
 # Always apart, but for a third of the pairs, by their height: then a crash, an exception or a strange word.
 cat >bad.cpp <<'END'
@@ -55,136 +42,134 @@ guests=(--plugin ./libbad.so --command 'sh worse.sh')
 pair='{"a":{"center":[0,0,0],"axis":[0,0,1],"radius":1,"height":2.00000512},"b":{"center":[9,0,0],"axis":[0,0,1],"radius":1,"height":2}}'
 printf '%s\n' "$pair" >pair.jsonl
 
-expect 2 "$daylight" campaign --pairs 400 --seed 7 --cases '' --methods decide,bad,worse "${guests[@]}" --table --out runs/bad
-holds out '^bad +400 +- +[1-9]'
-holds out '^worse +400 +- +[1-9]'
-holds out '^decide +400 +- +- '
-expect 2 "$daylight" replay runs/bad --methods bad
-holds out 'finding of bad, crash \(contract\): stands$'
-holds out '"failed":"crash","reason":"SIGABRT"'
-holds out '"failed":"exception","reason":"no luck"'
-holds out '"failed":"malformed","reason":"no answer: 77 is no word of plugin.h"'
-expect 2 "$daylight" replay runs/bad --methods worse # the store of a run tells where its guests are, seen from anywhere
+expect 2 'campaign' "$daylight" campaign --pairs 400 --seed 7 --cases '' --methods decide,bad,worse "${guests[@]}" --table --out runs/bad
+holds 'campaign' out '^bad +400 +- +[1-9]'
+holds 'campaign' out '^worse +400 +- +[1-9]'
+holds 'campaign' out '^decide +400 +- +- '
+expect 2 'replay' "$daylight" replay runs/bad --methods bad
+holds 'replay' out 'finding of bad, crash \(contract\): stands$'
+holds 'replay' out '"failed":"crash","reason":"SIGABRT"'
+holds 'replay' out '"failed":"exception","reason":"no luck"'
+holds 'replay' out '"failed":"malformed","reason":"no answer: 77 is no word of plugin.h"'
+expect 2 'replay' "$daylight" replay runs/bad --methods worse # the store of a run tells where its guests are, seen from anywhere
 cd elsewhere
-expect 2 "$daylight" replay ../runs/bad --methods bad,worse
-expect 2 "$daylight" campaign --resume ../runs/bad --pairs 500 --table
-holds out '^worse +500 '
+expect 2 'replay' "$daylight" replay ../runs/bad --methods bad,worse
+expect 2 'campaign' "$daylight" campaign --resume ../runs/bad --pairs 500 --table
+holds 'campaign' out '^worse +500 '
 cd ..
 
-expect 0 "$daylight" check "${guests[@]}" --method bad pair.jsonl
-holds out '^\{"verdict":"disjoint","method":"bad"\}$'
-expect 0 "$daylight" check --command 'sh worse.sh' pair.jsonl
-holds out '^\{"verdict":"disjoint","method":"worse"\}$'
-expect 64 "$daylight" check "${guests[@]}" pair.jsonl
-expect 0 "$daylight" check --command 'us=sh worse.sh' --method us pair.jsonl
-expect 2 "$daylight" gate --plugin ./libbad.so --pairs 1000
-holds out '^bad +1 \([0-9a-f]{8}\) '
-holds out "\| .*replay - --methods bad --plugin '?bad="
-expect 0 "$daylight" bench "${guests[@]}" --methods bad,worse,decide --families random --pairs 20 --min-time 0.001 --passes 1
-holds out '^bad +verdict'
-holds out '^worse: times of a line there and a line back through a pipe'
-expect 2 "$daylight" worst --plugin ./libbad.so --method bad --evaluations 20 --feature side-side --from pair.jsonl
-expect 0 "$daylight" campaign --list "${guests[@]}"
-holds out '^  worse +unversioned'
+expect 0 'check' "$daylight" check "${guests[@]}" --method bad pair.jsonl
+holds 'check' out '^\{"verdict":"disjoint","method":"bad"\}$'
+expect 0 'check' "$daylight" check --command 'sh worse.sh' pair.jsonl
+holds 'check' out '^\{"verdict":"disjoint","method":"worse"\}$'
+expect 64 'check' "$daylight" check "${guests[@]}" pair.jsonl
+expect 0 'check' "$daylight" check --command 'us=sh worse.sh' --method us pair.jsonl
+expect 2 'gate' "$daylight" gate --plugin ./libbad.so --pairs 100 --cases ''
+holds 'gate' out '^bad +1 \([0-9a-f]{8}\) '
+holds 'gate' out "\| .*replay - --methods bad --plugin '?bad="
+expect 0 'bench' "$daylight" bench "${guests[@]}" --methods bad,worse,decide --families random --pairs 20 --min-time 0.001 --passes 1
+holds 'bench' out '^bad +verdict'
+holds 'bench' out '^worse: times of a line there and a line back through a pipe'
+expect 2 'worst' "$daylight" worst --plugin ./libbad.so --method bad --evaluations 20 --feature side-side --from pair.jsonl
+expect 0 'campaign' "$daylight" campaign --list "${guests[@]}"
+holds 'campaign' out '^  worse +unversioned'
 
-expect 0 "$daylight" worst --command 'sh plain.sh' --method plain --time --evaluations 2 --feature side-side --from pair.jsonl
-holds out '^plain side-side [0-9]+ ns '
+expect 0 'worst' "$daylight" worst --command 'sh plain.sh' --method plain --time --evaluations 2 --feature side-side --from pair.jsonl
+holds 'worst' out '^plain side-side [0-9]+ ns '
 
 # Triage: causes, simple pairs, proofs and programs as of any method's findings.
-expect 2 "$daylight" campaign --pairs 150 --seed 7 --cases '' --methods decide,bad,worse,plain "${guests[@]}" --command 'sh plain.sh' --out runs/three
+expect 2 'campaign' "$daylight" campaign --pairs 150 --seed 7 --cases '' --methods decide,bad,worse,plain "${guests[@]}" --command 'sh plain.sh' --out runs/three
 # triage RUN OPTION..: with more time until every finding of a guest that is here was looked at.
 triage() {
-  local seconds got
-  for seconds in 3 12 48 192; do
-    got=0
-    timeout 800 "$daylight" triage "$@" --for "${seconds}s" >out 2>err || got=$?
+  local seconds
+  for seconds in 2 8 32 128; do
+    expect 2 'triage' "$daylight" triage "$@" --for "${seconds}s"
     grep -q 'not looked at yet' out || break
   done
-  [[ $got == 2 ]] || { echo "exit code $got, not 2: triage $*"; head -c 3000 out err; exit 1; }
 }
 causes() { triage runs/three "$@"; }
 causes
 for key in bad/absolute-length bad/crash/sigabrt bad/exception/no-luck bad/malformed/ worse/crash/ plain/wrong_disjoint; do
-  holds out "^\* $key"
+  holds 'triage' out "^\* $key"
 done
-grep -qF -- "--plugin 'bad=" runs/three/report.html || { echo 'the page does not say how to bring the guests'; exit 1; }
-expect 2 "$daylight" replay "$(grep -l bad/absolute-length runs/three/buckets/*.jsonl | head -n 1)" --methods bad
-expect 0 "$daylight" triage runs/three --explain bad/absolute-length
-holds out '^bad '
+grep -qF -- "--plugin 'bad=" runs/three/report.html || failed 'the page does not say how to bring the guests'
+expect 2 'replay' "$daylight" replay "$(grep -l bad/absolute-length runs/three/buckets/*.jsonl | head -n 1)" --methods bad
+expect 0 'triage' "$daylight" triage runs/three --explain bad/absolute-length
+holds 'triage' out '^bad '
 sed 's/int ask(.*/&\n  return DAYLIGHT_INTERSECTING;/' bad.cpp >good.cpp
 sed 's/int ask(.*/&\n  if (a[7] >= 0) for (volatile int i = 0;;) i = i + 1;/' bad.cpp >endless.cpp
 for name in good endless; do c++ -std=c++17 -shared -fPIC -I "$source_tree/oracles" $name.cpp -o $name.so; done
-expect 0 "$daylight" triage runs/three --export bad/absolute-length --out sent
-holds out 'sent/issue.md, build.sh, reproduce.c, exact.py, libbad.so$'
-expect 0 python3 sent/exact.py
-expect 1 sh sent/build.sh
-holds out '^bad says: 0, disjoint$'
-holds out '^WRONG$'
-expect 0 sh sent/build.sh good.so
-holds out '^right$'
-! grep -rIF -- "$PWD" sent || { echo 'what is sent knows this machine'; exit 1; }
-expect 0 "$daylight" triage runs/three --export bad/absolute-length --source bad.cpp --out source
-[[ -e source/bad.cpp && ! -e source/libbad.so ]] || { echo 'the source is not sent, or the library is'; exit 1; }
-grep -q '`bad.cpp`' source/issue.md || { echo 'the text does not name the source'; exit 1; }
-expect 1 sh source/build.sh
-holds out '^WRONG$'
-expect 64 "$daylight" triage runs/three --export bad/absolute-length --method decide --out source
-expect 0 "$daylight" triage runs/three --export bad/crash/sigabrt --out sent
-expect 134 sh sent/build.sh
-expect 0 "$daylight" triage runs/three --export plain/wrong_disjoint --out sent
-expect 0 python3 sent/exact.py
+expect 0 'triage' "$daylight" triage runs/three --export bad/absolute-length --out sent
+holds 'triage' out 'sent/issue.md, build.sh, reproduce.c, exact.py, libbad.so$'
+expect 0 'sent/exact.py' python3 sent/exact.py
+expect 1 'sent/build.sh' sh sent/build.sh
+holds 'sent/build.sh' out '^bad says: 0, disjoint$'
+holds 'sent/build.sh' out '^WRONG$'
+expect 0 'sent/build.sh' sh sent/build.sh good.so
+holds 'sent/build.sh' out '^right$'
+! grep -rIF -- "$PWD" sent || failed 'what is sent knows this machine'
+expect 0 'triage' "$daylight" triage runs/three --export bad/absolute-length --source bad.cpp --out source
+[[ -e source/bad.cpp && ! -e source/libbad.so ]] || failed 'the source is not sent, or the library is'
+grep -q '`bad.cpp`' source/issue.md || failed 'the text does not name the source'
+expect 1 'source/build.sh' sh source/build.sh
+holds 'source/build.sh' out '^WRONG$'
+expect 64 'triage' "$daylight" triage runs/three --export bad/absolute-length --method decide --out source
+expect 0 'triage' "$daylight" triage runs/three --export bad/crash/sigabrt --out sent
+expect 134 'sent/build.sh' sh sent/build.sh
+expect 0 'triage' "$daylight" triage runs/three --export plain/wrong_disjoint --out sent
+expect 0 'sent/exact.py' python3 sent/exact.py
 cd elsewhere
-expect 1 sh ../sent/build.sh
-holds out '^it says: \{"verdict":"disjoint"\}$'
-expect 0 sh ../sent/build.sh "echo '{\"verdict\":\"intersecting\"}'"
-expect 1 sh ../sent/build.sh 'exit 3'
+expect 1 '../sent/build.sh' sh ../sent/build.sh
+holds '../sent/build.sh' out '^it says: \{"verdict":"disjoint"\}$'
+expect 0 '../sent/build.sh' sh ../sent/build.sh "echo '{\"verdict\":\"intersecting\"}'"
+expect 1 '../sent/build.sh' sh ../sent/build.sh 'exit 3'
 cd ..
 
 # One that was built anew is told anew; one that hangs ends with the rest, one that is gone leaves its findings untold.
 causes --plugin good.so
-holds out '^\* bad/not-again'
-grep -q bad/absolute-length out && { echo 'the cause of another build is kept'; exit 1; }
-expect 2 "$daylight" campaign --pairs 12 --seed 7 --cases '' --methods bad --plugin ./libbad.so --out runs/few
+holds 'triage' out '^\* bad/not-again'
+lacks 'the cause of another build is kept' out bad/absolute-length
+expect 2 'campaign' "$daylight" campaign --pairs 12 --seed 7 --cases '' --methods bad --plugin ./libbad.so --out runs/few
 triage runs/few --plugin ./endless.so
-holds out '^\* bad/'
+holds 'triage' out '^\* bad/'
 
 # Shards, charts, and the alarm beside guests.
 for shard in 0 1; do
-  expect 2 "$daylight" campaign --shard $shard/2 --pairs 1200 --seed 7 --cases '' --methods decide,bad,worse "${guests[@]}" --out shards/$shard
+  expect 2 'campaign' "$daylight" campaign --shard $shard/2 --pairs 1200 --seed 7 --cases '' --methods decide,bad,worse "${guests[@]}" --out shards/$shard
 done
-expect 2 "$daylight" merge shards/0 shards/1 --out shards/all
+expect 2 'merge' "$daylight" merge shards/0 shards/1 --out shards/all
 cd elsewhere
-expect 2 "$daylight" replay ../shards/all --methods bad
-expect 0 "$daylight" chart ../shards/all
+expect 2 'replay' "$daylight" replay ../shards/all --methods bad
+expect 0 'chart' "$daylight" chart ../shards/all
 cd ..
 if [[ -x $(dirname -- "$daylight")/daylight-mutants ]]; then
-  expect 2 "$daylight" campaign --alarm --pairs 1500 --seed 4 --cases '' --methods intersect,decide,distance,exact,bad "${guests[@]}" --out runs/alarm
-  holds out '^alarm: [1-9][0-9]* planted faults? found'
+  expect 2 'campaign' "$daylight" campaign --alarm --pairs 1500 --seed 4 --cases '' --methods intersect,decide,distance,exact,bad "${guests[@]}" --out runs/alarm
+  holds 'campaign' out '^alarm: [1-9][0-9]* planted faults? found'
 else
   "$source_tree/.ci/skip" 'the alarm: ninja -C build/release daylight-mutants' || [[ $? == 77 ]]
 fi
 
 # What is missing or strange is said.
-expect 64 "$daylight" check --plugin ./nothing.so pair.jsonl
-holds err 'nothing.so.*cannot open shared object'
-expect 64 "$daylight" check --command ./nothing pair.jsonl
-holds err "'./nothing': asked about an easy pair, it failed: ended with status 127"
-expect 64 "$daylight" check --command 'decide=sh worse.sh' pair.jsonl
-holds err 'there is a method decide already'
-expect 64 "$daylight" campaign --resume runs/bad --command 'sh worse.sh' --command 'new=sh worse.sh'
-holds err 'has not asked new'
+expect 64 'check' "$daylight" check --plugin ./nothing.so pair.jsonl
+holds 'check' err 'nothing.so.*cannot open shared object'
+expect 64 'check' "$daylight" check --command ./nothing pair.jsonl
+holds 'check' err "'./nothing': asked about an easy pair, it failed: ended with status 127"
+expect 64 'check' "$daylight" check --command 'decide=sh worse.sh' pair.jsonl
+holds 'check' err 'there is a method decide already'
+expect 64 'campaign' "$daylight" campaign --resume runs/bad --command 'sh worse.sh' --command 'new=sh worse.sh'
+holds 'campaign' err 'has not asked new'
 mv libbad.so moved.so
-expect 1 "$daylight" campaign --resume runs/bad --pairs 600
-holds err 'runs/bad cannot be resumed: bad of runs/bad is not here: --plugin .*/libbad.so'
-expect 0 "$daylight" replay runs/bad:1 --methods decide
-holds err 'bad of runs/bad is not here'
+expect 1 'campaign' "$daylight" campaign --resume runs/bad --pairs 600
+holds 'campaign' err 'runs/bad cannot be resumed: bad of runs/bad is not here: --plugin .*/libbad.so'
+expect 0 'replay' "$daylight" replay runs/bad:1 --methods decide
+holds 'replay' err 'bad of runs/bad is not here'
 causes
-holds err '^daylight: bad of runs/three is not here'
-[[ $(grep -c 'is not here' err) == 1 ]] || { echo 'told more than once'; exit 1; }
-holds out '^[1-9][0-9]* are of guests that are not here$'
-holds out '^\* plain/wrong_disjoint'
-grep -q 'bad/' out && { echo 'something is told of what is not here'; exit 1; }
-expect 2 "$daylight" campaign --resume runs/bad --pairs 600 --plugin ./moved.so
+holds 'triage' err '^daylight: bad of runs/three is not here'
+[[ $(grep -c 'is not here' err) == 1 ]] || failed 'told more than once'
+holds 'triage' out '^[1-9][0-9]* are of guests that are not here$'
+holds 'triage' out '^\* plain/wrong_disjoint'
+lacks 'something is told of what is not here' out 'bad/'
+expect 2 'campaign' "$daylight" campaign --resume runs/bad --pairs 600 --plugin ./moved.so
 # Two that know balls, by nine numbers and by a field, and one that says it is asked about no rounding.
 cat >balls.cpp <<'END'
 #include <cmath>
@@ -205,12 +190,11 @@ for line in sys.stdin:
     apart = math.dist(a['center'], b['center']) > a.get('rounding', 0) + b.get('rounding', 0)
     print(json.dumps({'verdict': 'disjoint' if apart else 'intersecting'}), flush=True)
 END
-expect 0 "$daylight" campaign --pairs 400 --seed 7 --cases '' --methods balls,spheres,bad --families sphere_sphere --table \
+expect 0 'campaign' "$daylight" campaign --pairs 400 --seed 7 --cases '' --methods balls,spheres,bad --families sphere_sphere --table \
   --plugin ./libballs.so --plugin ./moved.so --command 'python3 spheres.py' --out runs/balls
-holds out '^balls +400 +- +- +- '
-holds out '^spheres +400 +- +- +- '
-holds out '^bad +400 +400 '
-expect 0 "$daylight" campaign --pairs 400 --seed 7 --cases '' --methods bad,spheres --families capsule_capsule --table \
+holds 'campaign' out '^balls +400 +- +- +- '
+holds 'campaign' out '^spheres +400 +- +- +- '
+holds 'campaign' out '^bad +400 +400 '
+expect 0 'campaign' "$daylight" campaign --pairs 400 --seed 7 --cases '' --methods bad,spheres --families capsule_capsule --table \
   --plugin ./moved.so --command 'python3 spheres.py' --out runs/capsules
-holds out '^spheres +400 +400 '
-echo passed
+holds 'campaign' out '^spheres +400 +400 '

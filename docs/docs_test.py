@@ -140,7 +140,8 @@ def main():
         if page.parent.name != 'guides':  # guides_test runs those
             commands |= set(commands_of(text))
     here = [c for c in commands if not any(part in c for part in ELSEWHERE)]
-    here.sort(key=lambda command: ('--against' in command or '--annotate' in command, command))  # needs another's output
+    # These need what another writes.
+    here.sort(key=lambda command: ('--against' in command or '--annotate' in command, command))
     if len(here) < 15:
         fail(f'only {len(here)} command lines were found')
     with tempfile.TemporaryDirectory() as scratch:

@@ -52,7 +52,7 @@ for guide in "$guides"/*.md; do
   for block in [0-9]*.sh; do
     expect "$(<"${block%.sh}.code")" "$guide, block $block" \
       bash -Ec 'trap "code=\$?; ((code == 2)) || exit \$code" ERR; source "./$1"' guide "$block"
-    cp "$scratch/out" "${block%.sh}.out"
+    cp out "${block%.sh}.out"
   done
 done
 
