@@ -205,7 +205,7 @@ std::string numbers(const CampaignProgress& p) {
                      p.resolution);
 }
 
-std::string in_words(const CampaignCost& cost) {
+std::string cost_in_words(const CampaignCost& cost) {
   const auto seconds = [](std::chrono::nanoseconds time) { return static_cast<double>(time.count()) / 1e9; };
   return fmt::format(
       "CPU time: {:.1f} s; calls of methods {:.1f} s, verdicts of the referee {:.1f} s, all else {:.1f} s",
@@ -290,7 +290,7 @@ int campaign(const CampaignArguments& arguments) {
   }
   if (options.create_only) return exit_pass;
   show_run(options.out, arguments.table);
-  fmt::print("{}\n", in_words(summary.cost));
+  fmt::print("{}\n", cost_in_words(summary.cost));
   if (!summary.harness_failure.empty()) fmt::print(stderr, "daylight: {}\n", summary.harness_failure);
   if (summary.interrupted)
     fmt::print(stderr, "stopped; go on with: {} campaign --resume {}\n", own_command(),
