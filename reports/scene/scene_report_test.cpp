@@ -189,7 +189,8 @@ TEST(Study, NearABoundNothingIsKnown) {
             "nothing; NOT KNOWN: 1 pair that comes near the bound of a box or mesh (pole - crate)");
   const std::string text = study_text(scene, question(0.2, 0, 1), near);
   EXPECT_NE(text.find("1 cylinder, 1 box (bounded), 0 not looked at; 2 links"), text.npos) << text;
-  EXPECT_NE(text.find("0 pairs not seen within it, 0 seen in all of them, 0 at times, 1 not known"), text.npos)
+  EXPECT_NE(text.find("0 pairs not seen within it, 0 seen in all of them, 0 at times, 1 not known"),
+            text.npos)
       << text;
 }
 
