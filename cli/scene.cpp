@@ -157,6 +157,12 @@ int study(SceneArguments& arguments) {
     throw UsageError("which scene? Give a FILE or --generate");
   if (!arguments.generate.empty()) return list_generated(arguments);
   for (const std::string& text : arguments.at) question.at.push_back(parse_joint(text));
+  if (!arguments.srdf_out.empty()) {
+    if (!question.at.empty())
+      throw UsageError(
+          "--srdf-out is about all motions, --at about one configuration; leave one of them out");
+    question.prove = question.prove_others = true;
+  }
   Scene scene;
   try {
     scene = read_scene(question.file, arguments.srdf);
@@ -204,7 +210,7 @@ void add_scene(Program& program) {
                  "configurations to draw within the joints' limits", 1, 1'000'000);
   command.option(
       "--rate", question.rate,
-      "draw more for a pair whose model was never wrong, until at 95 % it is wrong in no more than this "
+      "draw more for a pair whose model was not seen wrong, until at 95 % it is wrong in no more than this "
       "share");
   command.number("--most", question.most, "--rate: configurations to draw, at most", 1, 100'000'000);
   command.number("--seed", question.seed, "same seed, same configurations");
@@ -225,7 +231,7 @@ void add_scene(Program& program) {
                  "the pairs of links not to be checked; without it, FILE.srdf beside FILE.urdf");
   command.option(
       "--srdf-out", arguments->srdf_out,
-      "write an SRDF of the pairs that need no check, and what is known of each; best with --prove");
+      "write an SRDF of the pairs that one joint joins or that are proved never to touch; implies --prove");
   command.option("--generate", arguments->generate,
                  "generate rods or pipes instead of reading a FILE, and ask about all close pairs");
   command.number("--count", arguments->count, "cylinders to generate", 1, 10'000'000);
@@ -234,11 +240,13 @@ void add_scene(Program& program) {
       "--page", arguments->page,
       "write it as one HTML file: the robot in 3D, its pairs, cost against wrong answers; or of many "
       "cylinders that stand still the close pairs, and how the time grows");
-  command.examples("  daylight scene robot.urdf --clearance 0.01 --verify --page robot.html",
-                   "Here 2: the referee found a recommended answer wrong, or --prove a \"Never\" of the "
-                   "SRDF; 3 also: --prove left a pair open, shapes that were not looked at, pairs of which "
-                   "only a bound around a box or mesh comes near, joints that were not moved, 65: the file "
-                   "cannot be read.");
+  command.examples(
+      "  daylight scene robot.urdf --clearance 0.01 --verify --page robot.html",
+      "Here 2: the referee found a recommended answer wrong, or --prove shows that links meet of "
+      "which the SRDF says \"Never\"; 3 also: --prove left a pair open, shapes that were not looked at, "
+      "pairs of which "
+      "only a bound around a box or mesh comes near, joints that were not moved, 65: the file "
+      "cannot be read.");
   command.run([arguments] { return study(*arguments); });
 }
 

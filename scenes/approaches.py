@@ -39,7 +39,7 @@ def fold(solids):
         if len(ends) == 2 and ends[0][1] is not ends[1][1]:
             wider = max(0, *(off + s.rounding - c.radius for off, s in ends))
             left = [s for s in left if s is not ends[0][1] and s is not ends[1][1]]
-            left[left.index(c)] = c._replace(radius=0, rounding=c.radius + (wider if wider > 1e-9 * c.radius else 0))
+            left[left.index(c)] = c._replace(radius=0, rounding=c.radius + wider)
             folded += 1
     return left, folded
 
@@ -155,6 +155,12 @@ class Robot(Tree):
 
     def joined(self, link):
         return link in self.joints and self.joints[link].get('type') == 'fixed'
+
+    def stands(self, link):
+        world = self.parent[link]
+        while self.joined(world):
+            world = self.parent[world]
+        return world not in self.parent and self.joints[link].get('type') not in ('fixed', 'revolute', 'continuous')
 
 
 def main():

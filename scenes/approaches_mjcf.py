@@ -45,6 +45,7 @@ class Joint:
 
 
 class Hand(Tree):
+    welds = True
 
     def __init__(self, file):
         self.root = xml.etree.ElementTree.parse(file).getroot()

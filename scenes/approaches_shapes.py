@@ -7,7 +7,7 @@ import pathlib
 import struct
 
 WORD = (1 << 64) - 1
-FOLD = 0.01  # of the radius: how far a sphere may be off the end of the cylinder that it closes
+FOLD = 1e-9  # of the radius: how far a sphere may be off the end of the cylinder that it closes
 STEPS = 20000  # projections from solid to solid
 
 

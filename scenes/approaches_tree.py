@@ -1,12 +1,13 @@
 # SPDX-License-Identifier: MIT
 """What robots of scenes/approaches.py have in common: links on links, and which pairs of their solids are checked."""
-import collections
 import itertools
 
 
 class Tree:
     """Who is one sets order (links, parents first), parent (by link), solids, shapes (their number by link), disabled
     (of links, each a frozenset)."""
+
+    welds = False  # as in MuJoCo, links that fixed joints join have the same neighbours
 
     def joined(self, link):
         """Whether it is fixed to its parent."""
@@ -25,22 +26,15 @@ class Tree:
 
     def pairs(self, each_link):
         first = self.rigid(each_link)
-        solid = {first[link] for link, count in self.shapes.items() if count}
-        near = collections.defaultdict(set)  # graph of rigid bodies that joints join
-        for link in self.order:
-            if link in self.parent and first[link] == link and not self.stands(link):
-                parent = first[self.parent[link]]
-                near[link].add(parent)
-                near[parent].add(link)
+        group = self.rigid(each_link or not self.welds)  # by link the first of those with the same neighbours
+        solid = {group[link] for link, count in self.shapes.items() if count}
 
-        def adjacent(a, b):
-            seen, left = {a}, [a]
-            while left:
-                for c in near[left.pop()] - seen:
-                    if c == b:
-                        return True
-                    seen.add(c)
-                    left += [c] * (c not in solid)
+        def carries(a, b):
+            """Whether a is the next with shapes below b."""
+            while b in self.parent and not self.stands(b):
+                before, b = b, self.parent[b]
+                if group[b] != group[before] and group[b] in solid:
+                    return group[b] == a
             return False
 
         for i, j in itertools.combinations(range(len(self.solids)), 2):
@@ -48,5 +42,6 @@ class Tree:
             a, b = one.link, other.link
             if not (one.bits[0] & other.bits[1] or other.bits[0] & one.bits[1]):
                 continue
-            if first[a] != first[b] and frozenset((a, b)) not in self.disabled and not adjacent(first[a], first[b]):
+            if first[a] != first[b] and frozenset((a, b)) not in self.disabled and not (
+                    carries(group[a], b) or carries(group[b], a)):
                 yield i, j

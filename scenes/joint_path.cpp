@@ -89,7 +89,7 @@ void JointPath::add_chain(const std::vector<std::size_t>& links) {
   for (std::size_t i = links.size(); i-- > 0;) {
     Link link = scene_.links[links[i]];
     link.parent = i + 1 == links.size() ? 0 : own_.links.size() - 1;
-    held_ |= link.held;
+    held_ |= !drawn_in_full(scene_, links[i]);
     if (link.motion != Motion::fixed) {
       std::size_t leader = links[i];
       while (scene_.links[leader].follow) leader = scene_.links[leader].follow->link;

@@ -40,7 +40,7 @@ class JointPath {
   const std::vector<std::size_t>& free_joints() const { return free_; }
   /// All that the free joints may take.
   JointBox limits() const;
-  /// Whether a joint between the bodies is held here and moves in truth.
+  /// Whether a joint between the bodies is held here, or drawn only in part, and moves farther in truth.
   bool held() const { return held_; }
 
   /// Puts the free joints in the middle of a box and returns the bodies there.

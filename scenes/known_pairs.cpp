@@ -16,7 +16,7 @@ std::vector<std::size_t> held_between(const Scene& scene, const PairStudy& pair)
   std::size_t a = scene.bodies[pair.a].link, b = scene.bodies[pair.b].link;
   while (a != b) {
     std::size_t& later = a > b ? a : b;
-    if (scene.links[later].held) links.push_back(later);
+    if (!drawn_in_full(scene, later)) links.push_back(later);
     if (!scene.links[later].parent) break;
     later = *scene.links[later].parent;
   }

@@ -38,6 +38,7 @@ class MjcfBuilder {
   }
 
   Scene build() {
+    scene_.welds = true;
     Link world;
     world.name = "world";
     scene_.links.push_back(world);
@@ -49,12 +50,16 @@ class MjcfBuilder {
     for (const Part& geom : parts.geoms) add_geom(geom, 0);
     for (const Part& body : parts.bodies) add(body, 0, true);
     for (const pugi::xml_node& node : d_.entries("contact", "exclude")) exclude(node);
+    for (const pugi::xml_node& node : d_.entries("contact", "pair")) check_pair(node);
+    if (scene_.bodies.empty() && seen_only_ > 0)
+      scene_.notes.push_back(
+          fmt::format("contype and conaffinity are 0 for all {} geoms: nothing collides.", seen_only_));
     for (const pugi::xml_node& node : d_.sections("equality"))
       for (const pugi::xml_node& one : node.children()) couple(one);
     for (const pugi::xml_node& flex : d_.entries("deformable", "flex"))
       scene_.left_out.push_back({flex.name(), "world"});
     name_what_is_skipped();
-    joints_at(scene_);  // throws where they go in a circle
+    turn_leaders_round(scene_);
     return std::move(scene_);
   }
 
@@ -164,6 +169,7 @@ class MjcfBuilder {
       link.low = turns ? d_.angle(range[0]) : range[0];
       link.high = turns ? d_.angle(range[1]) : range[1];
     } else if (turns) {
+      link.endless = true;
       link.low = -std::numbers::pi;
       link.high = std::numbers::pi;
     } else {
@@ -182,22 +188,32 @@ class MjcfBuilder {
     const unsigned type = bits("contype"), affinity = bits("conaffinity");
     const std::string shape = geom.text("type", "sphere");
     Link& link = scene_.links[index];
-    if (type == 0 && affinity == 0 && !paired_.contains(name)) return;  // to be seen only
-    ++link.shapes;
-    if (type == 0 && affinity == 0) {
-      scene_.left_out.push_back({shape + " in a contact pair", link.name});
+    if (type == 0 && affinity == 0 && !paired_.contains(name)) {
+      ++seen_only_;
       return;
     }
+    ++link.shapes;
     std::optional<Body> body;
     try {
       body = body_of_geom(geom, shape, part.frame, {link.name + "/" + name, index, {}, type, affinity});
     } catch (const std::runtime_error& error) {
       throw std::runtime_error(fmt::format("geom {} of {}: {}", name, link.name, error.what()));
     }
-    if (body)
+    if (body) {
+      body_of_[name] = scene_.bodies.size();
       scene_.bodies.push_back(*body);
-    else
+    } else {
       scene_.left_out.push_back({shape, link.name});
+    }
+  }
+
+  /// What a file pairs is checked whatever its geoms or bodies are otherwise.
+  void check_pair(const pugi::xml_node& pair) {
+    const auto a = body_of_.find(pair.attribute("geom1").as_string()),
+               b = body_of_.find(pair.attribute("geom2").as_string());
+    if (a == body_of_.end() || b == body_of_.end()) return;
+    scene_.bodies[a->second].paired.push_back(scene_.bodies[b->second].name);
+    scene_.bodies[b->second].paired.push_back(scene_.bodies[a->second].name);
   }
 
   /// Half lengths, of which MuJoCo asks as many as the shape has.
@@ -339,7 +355,9 @@ class MjcfBuilder {
   const MjcfDocument& d_;
   Scene scene_;
   std::size_t bodies_ = 0, joints_ = 0, geoms_ = 0;  ///< as MuJoCo counts them
+  std::size_t seen_only_ = 0;                        ///< geoms that collide with nothing
   std::set<std::string> paired_;
+  std::map<std::string, std::size_t> body_of_;  ///< by geom
   std::map<std::string, std::size_t> link_of_;
   std::map<std::string, Moved> moved_;
 };

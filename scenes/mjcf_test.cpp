@@ -62,10 +62,9 @@ TEST_F(Mjcf, WhatIsNotReadIsNamed) {
                                                   {"sdf", "world"},
                                                   {"sphere", "world"},
                                                   {"mesh", "world"},
-                                                  {"sphere in a contact pair", "world"},
                                                   {"composite", "b"},
                                                   {"replicate", "b"}}));
-  EXPECT_EQ(scene.bodies.size(), 2u);
+  EXPECT_EQ(scene.bodies.size(), 3u);
   EXPECT_TRUE(scene.links.at(2).held);
   EXPECT_EQ(scene.notes, (std::vector<std::string>{
                              "A mesh of world cannot be read: m: no such asset.",

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 #include <queue>
+#include <set>
 
 #include "base/stopwatch.hpp"
 #include "oracles/referee/referee.hpp"
@@ -48,7 +49,8 @@ class Prover {
   }
 
   MotionProof run() {
-    if (!search()) divide();
+    search();
+    if (proof_.verdict == MotionVerdict::open) divide();
     return std::move(proof_);
   }
 
@@ -57,16 +59,26 @@ class Prover {
 
   // Looks at one configuration; true once it refutes the pair, placed as everybody places it.
   bool look(const Distance& d, const JointBox& box) {
-    if (d.value < proof_.least) {
+    const bool nearer = d.value < proof_.least;
+    if (!nearer && (d.value - d.error > q_.clearance || proof_.verdict == MotionVerdict::within))
+      return false;
+    std::vector<double> joints = joints_in_middle(box);
+    if (nearer) {
       proof_.least = d.value;
-      proof_.joints = joints_in_middle(box);
+      proof_.joints = joints;
     }
     if (d.value - d.error > q_.clearance) return false;
-    std::vector<double> joints = joints_in_middle(box);
     const std::vector<Cylinder> placed = place(scene_, joints);
-    if (referee_within({placed[proof_.a], placed[proof_.b]}, q_.clearance) != true) return false;
+    Pair pair{placed[proof_.a], placed[proof_.b]};
+    if (referee_within(pair, q_.clearance) != true) return false;
     proof_.least = d.value;
     proof_.joints = std::move(joints);
+    proof_.verdict = MotionVerdict::within;
+    if (d.value - d.error > 0) return false;
+    // Of a solid that reaches beyond the shapes that it stands for, only what it holds of them counts.
+    pair.a.rounding -= scene_.bodies[proof_.a].excess;
+    pair.b.rounding -= scene_.bodies[proof_.b].excess;
+    if (referee_within(pair, 0) != true) return false;
     proof_.verdict = MotionVerdict::refuted;
     return true;
   }
@@ -89,7 +101,7 @@ class Prover {
   }
 
   // Draws, then goes downhill joint by joint from the nearest of what was drawn.
-  bool search() {
+  void search() {
     std::vector<std::pair<double, Point>> drawn;
     for (std::size_t k = 0; k < (limits_.empty() ? 1 : drawn_cap) && !refuted_; ++k) {
       const std::vector<double> joints = draw_joints(scene_, q_.seed, k);
@@ -100,7 +112,6 @@ class Prover {
     }
     std::ranges::stable_sort(drawn, {}, &std::pair<double, Point>::first);
     for (std::size_t k = 0; k < std::min(descents_cap, drawn.size()) && !refuted_; ++k) descend(drawn[k]);
-    return refuted_;
   }
 
   void descend(std::pair<double, Point>& from) {
@@ -127,16 +138,20 @@ class Prover {
   }
 
   // The bound of a cell: the referee proves the direction of the distance in the middle to separate the
-  // bodies, one of them grown by all of that distance; what of it no travel uses up is left everywhere.
+  // bodies, one of them grown by all of that distance; what of it no travel uses up is left everywhere. True
+  // if the bodies come within the clearance.
   bool examine(Cell& cell) {
     ++proof_.boxes;
     cell.number = proof_.boxes;
     const Pair& placed = path_.place_middle(cell.box);
     const Distance d = distance(placed.a, placed.b);
-    if (look(d, cell.box)) return true;
+    refuted_ = look(d, cell.box);
+    if (proof_.verdict <= MotionVerdict::within) return true;
     const Travel travel = path_.travel(d.direction);
     cell.widest = static_cast<std::size_t>(std::ranges::max_element(travel.shares) - travel.shares.begin());
-    const double gap = d.value - 2 * d.error, bound = gap - travel.length;
+    const double gap = d.value - 2 * d.error,
+                 excess = scene_.bodies[proof_.a].excess + scene_.bodies[proof_.b].excess,
+                 bound = gap - travel.length - excess;
     if (!(bound > cell.bound) || !(bound > q_.clearance)) return false;
     Pair wider = placed;
     wider.b.rounding += gap;
@@ -151,7 +166,7 @@ class Prover {
   void divide() {
     Cell all;
     all.box = limits_;
-    if (examine(all)) return;
+    if (examine(all)) return go_nearer();
     cells_.push(std::move(all));
     std::size_t enough = q_.box_cap;
     for (;;) {
@@ -162,7 +177,7 @@ class Prover {
       }
       if (proved && cells_.top().bound >= q_.clearance + wanted_share * (proof_.least - q_.clearance)) break;
       if (proof_.boxes + 2 > enough || !cut()) break;
-      if (refuted_) return;
+      if (proof_.verdict <= MotionVerdict::within) return go_nearer();
     }
     proof_.held = path_.held();
     if (proof_.held) proof_.verdict = MotionVerdict::open;
@@ -170,6 +185,13 @@ class Prover {
       proof_.bound = cells_.top().bound;
     else
       proof_.open_share = proof_.held ? 1 : share_left();
+  }
+
+  // From where the bodies come within the clearance: they may overlap beside it.
+  void go_nearer() {
+    std::pair<double, Point> from{proof_.least, {}};
+    for (const std::size_t link : path_.free_joints()) from.second.push_back(proof_.joints[link]);
+    descend(from);
   }
 
   // Cuts the cell of which least is proved along the joint that adds most to its travel; false where no
@@ -185,8 +207,7 @@ class Prover {
       Cell part = cell;
       part.share /= 2;
       (upper ? part.box[cell.widest].low : part.box[cell.widest].high) = middle;
-      refuted_ |= examine(part);
-      if (refuted_) return true;
+      if (examine(part)) return true;
       cells_.push(std::move(part));
     }
     return true;
@@ -207,6 +228,20 @@ class Prover {
   std::priority_queue<Cell, std::vector<Cell>, LaterOf> cells_;
 };
 
+/// An SRDF speaks of contact: of bodies that come within the clearance it is asked whether they ever touch.
+MotionProof prove_contact(const Scene& scene, std::size_t a, std::size_t b, MotionQuestion question) {
+  MotionProof proof = prove_motion(scene, a, b, question);
+  if (proof.verdict != MotionVerdict::within && !proof.bounded) return proof;
+  question.clearance = 0;
+  MotionProof contact = prove_motion(scene, a, b, question);
+  if (contact.verdict != MotionVerdict::never) return contact;
+  proof.verdict = MotionVerdict::within;
+  proof.bounded = false;
+  proof.open_share = 0;
+  proof.bound = contact.bound;
+  return proof;
+}
+
 ExemptionProof prove_exemption(const Scene& scene, std::size_t exemption, const MotionQuestion& question) {
   const auto& [one, other, reason] = scene.exemptions[exemption];
   ExemptionProof proof;
@@ -215,14 +250,14 @@ ExemptionProof prove_exemption(const Scene& scene, std::size_t exemption, const 
   for (std::size_t a = 0; a < scene.bodies.size(); ++a)
     for (std::size_t b = 0; b < scene.bodies.size(); ++b)
       if (scene.bodies[a].link == one && scene.bodies[b].link == other && a != b)
-        proof.bodies.push_back(prove_motion(scene, std::min(a, b), std::max(a, b), question));
-  const auto is = [](MotionVerdict verdict) {
-    return [verdict](const MotionProof& pair) { return pair.verdict == verdict; };
+        proof.bodies.push_back(prove_contact(scene, std::min(a, b), std::max(a, b), question));
+  const auto any = [&](MotionVerdict verdict) {
+    return std::ranges::find(proof.bodies, verdict, &MotionProof::verdict) != proof.bodies.end();
   };
-  if (std::ranges::any_of(proof.bodies, is(MotionVerdict::refuted)))
+  if (any(MotionVerdict::refuted))
     proof.verdict = MotionVerdict::refuted;
-  else if (!proof.not_looked_at && std::ranges::all_of(proof.bodies, is(MotionVerdict::never)))
-    proof.verdict = MotionVerdict::never;
+  else if (!proof.not_looked_at && !any(MotionVerdict::open))
+    proof.verdict = any(MotionVerdict::within) ? MotionVerdict::within : MotionVerdict::never;
   return proof;
 }
 
@@ -230,7 +265,7 @@ ExemptionProof prove_exemption(const Scene& scene, std::size_t exemption, const 
 
 MotionProof prove_motion(const Scene& scene, std::size_t a, std::size_t b, const MotionQuestion& question) {
   MotionProof proof = Prover(scene, a, b, question).run();
-  proof.bounded = proof.verdict == MotionVerdict::refuted && (scene.bodies[a].box || scene.bodies[b].box);
+  proof.bounded = proof.verdict <= MotionVerdict::within && (scene.bodies[a].box || scene.bodies[b].box);
   if (proof.bounded) {
     proof.verdict = MotionVerdict::open;
     proof.open_share = 1;
@@ -242,17 +277,23 @@ bool has_unknown_shapes(const Scene& scene, std::size_t link) {
   return std::ranges::find(scene.left_out, scene.links[link].name, &LeftOut::link) != scene.left_out.end();
 }
 
-MotionStudy prove_motions(const Scene& scene, std::span<const std::pair<std::size_t, std::size_t>> pairs,
-                          const MotionQuestion& question) {
+MotionStudy prove_motions(const Scene& scene, const BodyPairs& pairs, const MotionQuestion& question,
+                          const BodyPairs& others) {
   const double began = processor_ns();
   MotionStudy study;
   for (const auto& [a, b] : pairs) study.pairs.push_back(prove_motion(scene, a, b, question));
-  for (std::size_t i = 0; i < scene.exemptions.size(); ++i)
-    if (scene.exemptions[i].reason == "Never")
-      study.exemptions.push_back(prove_exemption(scene, i, question));
+  std::set<std::pair<std::size_t, std::size_t>> exempt;
+  for (std::size_t i = 0; i < scene.exemptions.size(); ++i) {
+    if (scene.exemptions[i].reason != "Never") continue;
+    study.exemptions.push_back(prove_exemption(scene, i, question));
+    for (const MotionProof& proof : study.exemptions.back().bodies) exempt.emplace(proof.a, proof.b);
+  }
+  for (const auto& [a, b] : others)
+    if (!exempt.contains({a, b})) study.others.push_back(prove_motion(scene, a, b, question));
   study.ms = 1e-6 * (processor_ns() - began);
   study.against = question.against;
   std::vector<MotionProof> all = study.pairs;
+  all.insert(all.end(), study.others.begin(), study.others.end());
   for (const ExemptionProof& e : study.exemptions) all.insert(all.end(), e.bodies.begin(), e.bodies.end());
   study.gainsaid = count_gainsaid(scene, all, question.seed + 1, question.against);
   return study;
@@ -267,7 +308,7 @@ std::size_t count_gainsaid(const Scene& scene, std::span<const MotionProof> proo
     place(scene, pose_links(scene, draw_joints(scene, seed, k)), placed);
     std::ranges::transform(placed, prepared.begin(), prepare);
     for (const MotionProof& proof : proofs) {
-      if (proof.verdict != MotionVerdict::never) continue;
+      if (!(proof.bound > 0)) continue;
       const Distance d = distance(prepared[proof.a], prepared[proof.b]);
       count += d.value + d.error <= proof.bound;
     }

@@ -19,11 +19,12 @@ namespace cyl {
 
 /// Worst first.
 enum class MotionVerdict : unsigned char {
-  refuted,  ///< the referee confirms a configuration within the clearance
+  refuted,  ///< the referee confirms a configuration in which they overlap or touch
+  within,   ///< it confirms one within the clearance; none was found in which they overlap
   open,     ///< nothing is known, within the cap on boxes
   never     ///< proved: farther from each other than the clearance in all configurations
 };
-constexpr auto words_of(MotionVerdict) noexcept { return std::array{"refuted", "open", "never"}; }
+constexpr auto words_of(MotionVerdict) noexcept { return std::array{"refuted", "within", "open", "never"}; }
 
 /// Boxes looked at for one pair, about 2 us each.
 inline constexpr std::size_t motion_box_cap = 100'000;
@@ -31,7 +32,7 @@ inline constexpr std::size_t motion_box_cap = 100'000;
 struct MotionQuestion {
   double clearance = 0;
   std::size_t box_cap = motion_box_cap;
-  std::uint64_t seed = 1;   ///< of the configurations from which a refutation is looked for
+  std::uint64_t seed = 1;   ///< of the configurations from which a near one is looked for
   std::size_t against = 0;  ///< configurations drawn to check what is proved; from the next seed
 };
 
@@ -39,23 +40,24 @@ struct MotionQuestion {
 struct MotionProof {
   std::size_t a = 0, b = 0;
   MotionVerdict verdict = MotionVerdict::open;
-  double bound = 0;                  ///< `never`: proved, their distance is greater in every configuration
+  double bound = 0;                  ///< proved, if above 0: their distance is greater in every configuration
   double least = 0;                  ///< the least distance seen; negative: a depth
-  std::vector<double> joints;        ///< where that was, by link; `refuted`: within the clearance
+  std::vector<double> joints;        ///< where that was, by link; `refuted`, `within`: confirmed there
   std::vector<std::size_t> between;  ///< links whose free joints move the bodies against each other
   std::size_t boxes = 0;             ///< that were looked at
   double open_share = 0;             ///< of the joints' space, nothing is proved of so much
   bool bounded = false;  ///< `open`: within the clearance, but of a solid that only holds a box or mesh
-  bool held =
-      false;  ///< a joint between them is held here and moves in truth: nothing but a refutation holds
+  bool held = false;     ///< a joint between them moves farther in truth than here: it is never `never`
 };
 
 /// Proves or refutes that two bodies stay farther from each other than the clearance. The configurations are
-/// all values of the joints within their limits, once round of a continuous joint; mimics follow. The robot
-/// is the scene's, each joint's origin taken for the rotation nearest to its matrix.
+/// all values of the joints within their limits; mimics follow. A continuous joint turns as often as it and
+/// its followers need to repeat. The robot is the scene's, each joint's origin taken for the rotation nearest
+/// to its matrix.
 MotionProof prove_motion(const Scene& scene, std::size_t a, std::size_t b, const MotionQuestion& question);
 
-/// What is known of a pair of links that an SRDF says never come near each other.
+/// What is known of a pair of links that an SRDF says never meet. `within`: they come within the clearance,
+/// and are proved never to touch.
 struct ExemptionProof {
   std::size_t exemption = 0;  ///< of the scene's
   MotionVerdict verdict = MotionVerdict::open;
@@ -66,14 +68,16 @@ struct ExemptionProof {
 struct MotionStudy {
   std::vector<MotionProof> pairs;
   std::vector<ExemptionProof> exemptions;  ///< those whose reason is "Never"
+  std::vector<MotionProof> others;         ///< of pairs that are not checked
   double ms = 0;                           ///< of CPU time, without the check
   std::size_t against = 0;                 ///< configurations drawn for it
   std::size_t gainsaid = 0;                ///< in which a pair was nearer than its bound: a fault of ours
 };
 
-/// Does it for all these pairs of bodies, and for what the scene's SRDF says.
-MotionStudy prove_motions(const Scene& scene, std::span<const std::pair<std::size_t, std::size_t>> pairs,
-                          const MotionQuestion& question);
+using BodyPairs = std::vector<std::pair<std::size_t, std::size_t>>;
+/// Does it for all these pairs of bodies, for what the scene's SRDF says, and for others.
+MotionStudy prove_motions(const Scene& scene, const BodyPairs& pairs, const MotionQuestion& question,
+                          const BodyPairs& others = {});
 
 /// Returns how often, in so many configurations drawn, bodies are nearer than was proved of them.
 std::size_t count_gainsaid(const Scene& scene, std::span<const MotionProof> proofs, std::uint64_t seed,

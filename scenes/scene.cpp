@@ -2,6 +2,9 @@
 #include "scenes/scene.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <numeric>
 #include <stdexcept>
 
 #include "base/usage_error.hpp"
@@ -31,29 +34,19 @@ std::vector<std::size_t> rigid_bodies(const Scene& scene, bool each_link) {
   return first;
 }
 
-// A rigid body without shapes and what it carries are one: every body with shapes is adjacent to the nearest
-// such above it, and those that meet in one without shapes are adjacent to each other.
-std::vector<LinkPair> adjacent_bodies(const Scene& scene, const std::vector<std::size_t>& rigid) {
-  const std::size_t count = scene.links.size();
-  std::vector<bool> solid(count);
-  for (std::size_t i = 0; i < count; ++i)
-    if (scene.links[i].shapes > 0) solid[rigid[i]] = true;
-  std::vector<std::size_t> hub(count);  // of a body without shapes: where its group begins
-  std::vector<std::vector<std::size_t>> members(count);
+std::vector<LinkPair> adjacent_links(const Scene& scene, const std::vector<std::size_t>& group) {
+  std::vector<bool> solid(scene.links.size());
+  for (std::size_t i = 0; i < solid.size(); ++i)
+    if (scene.links[i].shapes > 0) solid[group[i]] = true;
   std::vector<LinkPair> pairs;
-  for (std::size_t i = 0; i < count; ++i) {
-    hub[i] = i;
-    const Link& link = scene.links[i];
-    if (rigid[i] != i || !link.parent || link.stands) continue;
-    const std::size_t parent = rigid[*link.parent];
-    if (solid[i] && solid[parent]) pairs.emplace_back(parent, i);
-    if (!solid[i] && !solid[parent]) hub[i] = hub[parent];
-    if (solid[i] && !solid[parent]) members[hub[parent]].push_back(i);
-    if (!solid[i] && solid[parent]) members[i].push_back(parent);
+  for (std::size_t i = 0; i < solid.size(); ++i) {
+    for (std::size_t at = i; scene.links[at].parent && !scene.links[at].stands;) {
+      at = *scene.links[at].parent;
+      if (group[at] == group[i] || !solid[group[at]]) continue;
+      pairs.emplace_back(group[at], group[i]);
+      break;
+    }
   }
-  for (const auto& group : members)
-    for (std::size_t i = 0; i < group.size(); ++i)
-      for (std::size_t j = 0; j < i; ++j) pairs.emplace_back(group[j], group[i]);
   return sorted(std::move(pairs));
 }
 
@@ -71,18 +64,85 @@ Pose motion_of(const Link& link, double value) {
 PairRule::PairRule(const Scene& scene, bool all, bool each_link)
     : all_(all),
       rigid_(rigid_bodies(scene, each_link)),
-      adjacent_(adjacent_bodies(scene, rigid_)),
+      group_(rigid_bodies(scene, each_link || !scene.welds)),
+      adjacent_(adjacent_links(scene, group_)),
       disabled_(sorted(scene.disabled)) {}
 
 PairRule::Reason PairRule::reason(const Body& a, const Body& b) const {
-  const LinkPair bodies = ordered(rigid_[a.link], rigid_[b.link]);
-  if (bodies.first == bodies.second) return Reason::same_body;
+  if (std::ranges::find(a.paired, b.name) != a.paired.end()) return Reason::checked;
+  if (rigid_[a.link] == rigid_[b.link]) return Reason::same_body;
   if (all_) return Reason::checked;
-  if ((a.type & b.affinity) == 0 && (b.type & a.affinity) == 0) return Reason::disabled;
-  if (std::binary_search(adjacent_.begin(), adjacent_.end(), bodies)) return Reason::adjacent;
+  if (!may_collide(a, b)) return Reason::disabled;
+  if (std::binary_search(adjacent_.begin(), adjacent_.end(), ordered(group_[a.link], group_[b.link])))
+    return Reason::adjacent;
   if (std::binary_search(disabled_.begin(), disabled_.end(), ordered(a.link, b.link)))
     return Reason::disabled;
   return Reason::checked;
+}
+
+bool may_collide(const Body& a, const Body& b) {
+  return (a.type & b.affinity) != 0 || (b.type & a.affinity) != 0;
+}
+
+bool joined_by_one(const Scene& scene, std::size_t a, std::size_t b) {
+  // A body of MJCF with joints is as many links of the same name.
+  const auto is_carried_by = [&](std::size_t link, std::size_t by) {
+    std::size_t at = link;
+    while (scene.links[at].parent && !scene.links[at].stands) {
+      at = *scene.links[at].parent;
+      if (at == by) return true;
+      if (scene.links[at].name != scene.links[link].name) return false;
+    }
+    return false;
+  };
+  return is_carried_by(a, b) || is_carried_by(b, a);
+}
+
+void turn_leaders_round(Scene& scene) {
+  constexpr std::size_t turns_cap = 64;
+  std::vector<std::size_t> turns(scene.links.size(), 1);
+  for (Link& link : scene.links) {
+    if (!link.follow || link.motion == Motion::fixed) continue;
+    double multiplier = 1, offset = 0;
+    std::size_t leader = 0, steps = 0;
+    for (const Link* at = &link; at->follow; at = &scene.links[leader]) {
+      if (++steps > scene.links.size()) throw std::runtime_error("joints mimic each other in a circle");
+      offset += multiplier * at->follow->offset;
+      multiplier *= at->follow->multiplier;
+      leader = at->follow->link;
+    }
+    Link& leading = scene.links[leader];
+    if (!leading.endless || multiplier == 0) continue;
+    std::size_t round = 1;  // turns of the leader after which this one has turned a whole number of times
+    const auto repeats = [&] {
+      const double turned = multiplier * static_cast<double>(round);
+      return turned == std::round(turned);
+    };
+    while (round <= turns_cap && !repeats()) ++round;
+    const std::size_t common = std::lcm(turns[leader], round);
+    link.in_part = link.motion == Motion::slide || common > turns_cap;
+    if (!link.in_part) {
+      turns[leader] = common;
+      continue;
+    }
+    // What is drawn should at least show all that its own limits, or once round, allow.
+    const double low = link.motion == Motion::slide ? link.low - offset : -std::numbers::pi,
+                 high = link.motion == Motion::slide ? link.high - offset : std::numbers::pi;
+    leading.low = std::min({leading.low, low / multiplier, high / multiplier});
+    leading.high = std::max({leading.high, low / multiplier, high / multiplier});
+  }
+  for (std::size_t i = 0; i < turns.size(); ++i) {
+    if (!scene.links[i].endless) continue;
+    const double half = static_cast<double>(turns[i]) * std::numbers::pi;
+    scene.links[i].low = std::min(scene.links[i].low, -half);
+    scene.links[i].high = std::max(scene.links[i].high, half);
+  }
+}
+
+bool drawn_in_full(const Scene& scene, std::size_t link) {
+  while (!scene.links[link].held && !scene.links[link].in_part && scene.links[link].follow)
+    link = scene.links[link].follow->link;
+  return !scene.links[link].held && !scene.links[link].in_part;
 }
 
 void let_follow(const Scene& scene, std::vector<double>& joints) {

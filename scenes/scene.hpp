@@ -33,9 +33,11 @@ struct Link {
   std::optional<std::size_t> parent;  ///< comes before this link
   Pose origin = Pose::Identity();     ///< of the joint, in the parent's frame
   Motion motion = Motion::fixed;
-  bool held = false;         ///< fixed only here: its joint moves in a way that nothing draws
-  bool stands = false;       ///< on a parent that is there to be hit, and so not adjacent to it
-  Vector3 axis{0, 0, 1};     ///< unit, in the joint's frame
+  bool held = false;      ///< fixed only here: its joint moves in a way that nothing draws
+  bool stands = false;    ///< on a parent that is there to be hit, and so not adjacent to it
+  bool endless = false;   ///< it turns without limits: [low, high] is as far as it and its followers repeat
+  bool in_part = false;   ///< it follows an endless joint and does not repeat: only a part of it is drawn
+  Vector3 axis{0, 0, 1};  ///< unit, in the joint's frame
   double low = 0, high = 0;  ///< what may be drawn: rad of a turn, the scene's length unit of a slide
   std::optional<Follow> follow;
   std::size_t shapes = 0;  ///< collision shapes, cylinders or not
@@ -56,6 +58,8 @@ struct Body {
   unsigned type = 1, affinity = 1;
   /// What the solid only holds, as an outer model: clear of the solid is clear of it, near is not known.
   std::optional<BoxShape> box = std::nullopt;
+  double excess = 0;                ///< how far the solid may reach beyond the shapes that it stands for
+  std::vector<std::string> paired;  ///< bodies with which the file asks to check it, whatever else it says
 };
 
 /// A collision shape that nobody looked at: not a solid of ours, and without a bound.
@@ -72,7 +76,8 @@ struct Exemption {
 };
 
 struct Scene {
-  std::string name;  ///< of the robot, where it has one
+  std::string name;    ///< of the robot, where it has one
+  bool welds = false;  ///< as in MuJoCo, links that fixed joints join have the same neighbours
   std::vector<Link> links;
   std::vector<Body> bodies;
   std::vector<LeftOut> left_out;
@@ -83,9 +88,10 @@ struct Scene {
   std::vector<Exemption> exemptions;  ///< what it says
 };
 
-/// Which pairs of bodies are checked, as MoveIt has it: not those of one rigid body (a link and what fixed
-/// joints join to it), not those of adjacent ones (joined by a joint, also through some without shapes), not
-/// those of links that the description disables.
+/// Which pairs of bodies are checked: not those of one rigid body (a link and what fixed joints join to it),
+/// not those of adjacent links, not those of links that the description disables. The link that carries
+/// another is adjacent to it, also through links without shapes; as in MoveIt, a link is not adjacent to what
+/// is merely fixed to its neighbour, unless the scene welds.
 class PairRule {
  public:
   enum class Reason : unsigned char { checked, same_body, adjacent, disabled };
@@ -96,8 +102,21 @@ class PairRule {
  private:
   bool all_;
   std::vector<std::size_t> rigid_;  ///< by link: the first link of its rigid body
+  std::vector<std::size_t> group_;  ///< by link: the first of those that have the same neighbours
   std::vector<std::pair<std::size_t, std::size_t>> adjacent_, disabled_;  ///< lower first, sorted
 };
+
+/// Returns whether the types and affinities of two bodies let them collide.
+bool may_collide(const Body& a, const Body& b);
+/// Returns whether one joint of the file joins two links; false if one of them is there to be hit.
+bool joined_by_one(const Scene& scene, std::size_t a, std::size_t b);
+
+/// Lets endless joints turn as often as their followers need to repeat; marks those that never do. Throws
+/// std::runtime_error if joints mimic each other in a circle.
+void turn_leaders_round(Scene& scene);
+/// Returns whether the values drawn for a link's joint are all that it may take: not if it is held, or
+/// follows one that is.
+bool drawn_in_full(const Scene& scene, std::size_t link);
 
 /// Draws a value for the joint of every link, within its limits, as a pure function of (seed, index); mimics
 /// follow.

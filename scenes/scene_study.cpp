@@ -170,9 +170,18 @@ class Study {
   }
 
   void prove() {
-    std::vector<std::pair<std::size_t, std::size_t>> pairs;
+    BodyPairs pairs, others;
     for (const PairStudy& pair : result_.pairs) pairs.emplace_back(pair.a, pair.b);
-    result_.motions = prove_motions(scene_, pairs, {q_.clearance, q_.motion_boxes, q_.seed, q_.against});
+    for (std::size_t b = 0; b < scene_.bodies.size() && q_.prove_others; ++b) {
+      for (std::size_t a = 0; a < b; ++a) {
+        const std::size_t one = scene_.bodies[a].link, other = scene_.bodies[b].link;
+        if (one != other && !joined_by_one(scene_, one, other) &&
+            std::ranges::find(pairs, std::pair(a, b)) == pairs.end())
+          others.emplace_back(a, b);
+      }
+    }
+    result_.motions =
+        prove_motions(scene_, pairs, {q_.clearance, q_.motion_boxes, q_.seed, q_.against}, others);
   }
 
   void measure() {

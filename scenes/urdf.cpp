@@ -111,6 +111,7 @@ void set_motion(Link& link, const urdf::Joint& joint, Scene& scene) {
   switch (joint.type) {
     case urdf::Joint::CONTINUOUS:
       link.motion = Motion::turn;
+      link.endless = true;
       link.low = -std::numbers::pi;
       link.high = std::numbers::pi;
       break;
@@ -150,15 +151,8 @@ Cylinder solid_of(const urdf::Geometry& geometry, const Pose& pose, bool capsule
 }
 
 /// Relative to the radius of the cylinder: how far its spheres may be from its ends, and differ from it in
-/// radius. Panda's hand, turned by 1.57 for a right angle, has 0.0012.
-constexpr double fold_tol = 0.01;
-/// Relative to the same: what a file's decimals leave between equals, and nobody is told.
+/// radius. It is what a file's decimals leave between equals.
 constexpr double decimals_tol = 1e-9;
-
-/// How far a sphere sticks out of the ball that is as wide as the wall, around a point.
-double excess(const Cylinder& sphere, const Cylinder& wall, const Vector3& end) {
-  return (sphere.center - end).norm() + sphere.rounding - wall.radius;
-}
 
 /// The sphere that ends a cylinder there: of those that nearly do the nearest.
 std::optional<std::size_t> sphere_at(std::span<const Body> bodies, const Cylinder& wall, const Vector3& end) {
@@ -166,15 +160,15 @@ std::optional<std::size_t> sphere_at(std::span<const Body> bodies, const Cylinde
   for (std::size_t k = 0; k < bodies.size(); ++k) {
     const Cylinder& s = bodies[k].solid;
     const auto off = [&](std::size_t i) { return (bodies[i].solid.center - end).norm(); };
-    if (!bodies[k].box && kind_of(s) == SolidKind::sphere && off(k) <= fold_tol * wall.radius &&
-        std::fabs(s.rounding - wall.radius) <= fold_tol * wall.radius && (!best || off(k) < off(*best)))
+    if (!bodies[k].box && kind_of(s) == SolidKind::sphere && off(k) <= decimals_tol * wall.radius &&
+        std::fabs(s.rounding - wall.radius) <= decimals_tol * wall.radius && (!best || off(k) < off(*best)))
       best = k;
   }
   return best;
 }
 
-/// URDF writes a capsule as a cylinder and a sphere at each end. Where they fit within the file's decimals,
-/// they are one body; where they do not quite, the capsule is made so wide that it holds all three.
+/// URDF writes a capsule as a cylinder and a sphere at each end. If they fit within the file's decimals, they
+/// are one body: a capsule so wide that it holds all three.
 void fold_capsules(Scene& scene, std::size_t first) {
   auto& bodies = scene.bodies;
   for (std::size_t i = first; i < bodies.size(); ++i) {
@@ -185,16 +179,17 @@ void fold_capsules(Scene& scene, std::size_t first) {
     const std::span<const Body> own = std::span(bodies).subspan(first);
     const auto at_low = sphere_at(own, wall, low), at_high = sphere_at(own, wall, high);
     if (!at_low || !at_high || at_low == at_high) continue;
-    const double wider =
-        std::max({0.0, excess(own[*at_low].solid, wall, low), excess(own[*at_high].solid, wall, high)});
-    const bool exact = wider <= decimals_tol * wall.radius;
+    double wide = wall.radius, least = wall.radius;  // how far the shapes reach at most, and at least
+    for (const auto& [k, end] : {std::pair(*at_low, low), std::pair(*at_high, high)}) {
+      const Cylinder& sphere = own[k].solid;
+      const double off = (sphere.center - end).norm();
+      wide = std::max(wide, sphere.rounding + off);
+      least = std::min(least, sphere.rounding - off);
+    }
     bodies[i].solid.radius = 0;
-    bodies[i].solid.rounding = wall.radius + (exact ? 0 : wider);
+    bodies[i].solid.rounding = wide;
+    bodies[i].excess = wide - least;
     ++scene.folded;
-    if (!exact)
-      scene.notes.push_back(fmt::format(
-          "A capsule of {} is {:.2g} wider than its cylinder, to hold the spheres that do not quite end it.",
-          scene.links[bodies[i].link].name, wider));
     for (const std::size_t k : {std::max(*at_low, *at_high), std::min(*at_low, *at_high)}) {
       bodies.erase(bodies.begin() + static_cast<std::ptrdiff_t>(first + k));
       if (first + k < i) --i;
@@ -286,6 +281,8 @@ class UrdfBuilder {
       own.origin = urdf_pose(joint->parent_to_joint_origin_transform);
       set_motion(own, *joint, scene_);
       if (joint->mimic && own.motion != Motion::fixed) mimics_.emplace_back(index, joint->mimic);
+      // What slides or floats on the world is no part of it: all that stands there may be hit.
+      own.stands = (own.held || own.motion == Motion::slide) && is_world(*parent);
     }
     scene_.links.push_back(std::move(own));
     const auto kept = kept_.find(link.name);
@@ -301,10 +298,16 @@ class UrdfBuilder {
                                  "', which is none");
       scene_.links[index].follow = Follow{leader->second, mimic->multiplier, mimic->offset};
     }
-    joints_at(scene_);  // throws where they go in a circle
+    turn_leaders_round(scene_);
   }
 
  private:
+  /// Whether a link is the root, or fixed to it.
+  bool is_world(std::size_t link) const {
+    const Link& l = scene_.links[link];
+    return !l.parent || (l.motion == Motion::fixed && !l.held && is_world(*l.parent));
+  }
+
   Scene& scene_;
   const std::map<std::string, std::size_t>& shapes_;
   const KeptShapes& kept_;

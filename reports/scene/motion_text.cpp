@@ -28,12 +28,12 @@ std::string rounded_down(double x) {
   return fmt::format("{:.3g}", std::floor(x / unit) * unit);
 }
 
-/// "shoulder=0.5 elbow=1", as --at takes it.
+/// " at shoulder=0.5 elbow=1", as --at takes it.
 std::string joints_text(const Scene& scene, const MotionProof& proof) {
   std::vector<std::string> values;
   for (const std::size_t link : proof.between)
     values.push_back(fmt::format("{}={}", scene.links[link].joint, proof.joints[link]));
-  return values.empty() ? "as it stands" : fmt::format("{}", fmt::join(values, " "));
+  return values.empty() ? " as it stands" : fmt::format(" at {}", fmt::join(values, " "));
 }
 
 }  // namespace
@@ -44,14 +44,20 @@ std::string proof_text(const Scene& scene, const MotionProof& proof) {
       return fmt::format("at least {} over all configurations, {:.3g} seen", rounded_down(proof.bound),
                          proof.least);
     case MotionVerdict::refuted:
-      return fmt::format("distance {:.3g} at {}", proof.least, joints_text(scene, proof));
+      return fmt::format("distance {:.3g}{}", proof.least, joints_text(scene, proof));
+    case MotionVerdict::within:
+      return fmt::format(
+          "comes within the clearance: distance {:.3g}{}{}", proof.least, joints_text(scene, proof),
+          proof.bound > 0 ? fmt::format("; never touches: at least {}, proved", rounded_down(proof.bound))
+                          : "");
     case MotionVerdict::open:
       break;
   }
   if (proof.bounded)
-    return fmt::format("near only by the bound of a box or mesh: {:.3g} at {}", proof.least,
+    return fmt::format("near only by the bound of a box or mesh: {:.3g}{}", proof.least,
                        joints_text(scene, proof));
-  if (proof.held) return fmt::format("a joint between them is held here; {:.3g} seen", proof.least);
+  if (proof.held)
+    return fmt::format("a joint between them moves farther in truth than here; {:.3g} seen", proof.least);
   return fmt::format("nothing proved of {:.3g} % of what their {} joints may do; {:.3g} seen",
                      100 * proof.open_share, proof.between.size(), proof.least);
 }
@@ -59,6 +65,7 @@ std::string proof_text(const Scene& scene, const MotionProof& proof) {
 std::pair<MotionVerdict, double> risk_of(const MotionProof& proof) {
   switch (proof.verdict) {
     case MotionVerdict::refuted:
+    case MotionVerdict::within:
       return {proof.verdict, proof.least};
     case MotionVerdict::open:
       return {proof.verdict, -proof.open_share};
@@ -91,15 +98,22 @@ std::string motions_words(const SceneQuestion& q, const SceneStudy& s) {
   };
   const Counts pairs = count_verdicts(s.motions->pairs), exempt = count_verdicts(s.motions->exemptions);
   std::string text = fmt::format(
-      "over all motions: of {} pairs {} are never within {}, proved; {} are in a configuration that is "
+      "over all motions: of {} pairs {} are never within {}, proved; {} meet in a configuration that is "
       "shown; "
-      "{} are open, at {} boxes each",
+      "{}{} are open, at {} boxes each",
       s.pairs.size(), of(pairs, MotionVerdict::never), q.clearance, of(pairs, MotionVerdict::refuted),
+      q.clearance > 0 ? fmt::format("{} come within the clearance in one, and no contact was found; ",
+                                    of(pairs, MotionVerdict::within))
+                      : "",
       of(pairs, MotionVerdict::open), q.motion_boxes);
   if (!s.motions->exemptions.empty())
     text += fmt::format("; of {} link pairs that the SRDF says never meet {} are proved, {} REFUTED, {} open",
-                        s.motions->exemptions.size(), of(exempt, MotionVerdict::never),
+                        s.motions->exemptions.size(),
+                        of(exempt, MotionVerdict::never) + of(exempt, MotionVerdict::within),
                         of(exempt, MotionVerdict::refuted), of(exempt, MotionVerdict::open));
+  if (of(exempt, MotionVerdict::within) > 0)
+    text += fmt::format(" ({} of the proved come within the clearance, but never touch)",
+                        of(exempt, MotionVerdict::within));
   text += fmt::format("; {:.1f} s", s.motions->ms / 1000);
   if (s.motions->against > 0)
     text += fmt::format(

@@ -31,10 +31,10 @@ struct StudyWords {
 };
 StudyWords words_of(const Scene& scene, const SceneQuestion& question, const SceneStudy& study);
 
-/// Returns an SRDF that disables the pairs of links that are adjacent, always or by default within the
-/// clearance, or never, as far as is known; behind each, in a comment, what that rests on. What the scene's
-/// own SRDF disables is kept, but for what is refuted. Pairs of which shapes were not looked at are not
-/// "Never".
+/// Returns an SRDF that disables the pairs of links that one joint of the file joins ("Adjacent"), and those
+/// that are proved never to touch ("Never"), with the proof behind each in a comment. Of other pairs that are
+/// not checked, that the scene's own SRDF disables or of which nothing is known, a comment says why they are
+/// not disabled. The study has `prove` and `prove_others`.
 std::string srdf_text(const Scene& scene, const SceneQuestion& question, const SceneStudy& study);
 
 /// Returns the study with its words and the shown configurations (scenes/shown_pairs.hpp), as

@@ -72,18 +72,26 @@ std::string counts_words(const Scene& scene) {
 std::string pairs_words(const Scene& scene, const SceneStudy& s) {
   std::size_t all = 0;
   for (const std::size_t n : s.pairs_by_reason) all += n;
-  return fmt::format("{}: {} checked; not checked: {} of one rigid body, {} of adjacent ones, {} disabled{}",
-                     plural(all, "pair"), s.pairs_by_reason[0], s.pairs_by_reason[1], s.pairs_by_reason[2],
-                     s.pairs_by_reason[3],
-                     scene.srdf.empty() ? ""
-                                        : fmt::format(" ({} disables {})", scene.srdf,
-                                                      plural(scene.exemptions.size(), "link pair")));
+  std::size_t by_bits = 0;
+  for (std::size_t i = 0; i < scene.bodies.size(); ++i)
+    for (std::size_t j = 0; j < i; ++j) by_bits += !may_collide(scene.bodies[i], scene.bodies[j]);
+  std::string text = fmt::format(
+      "{}: {} checked; not checked: {} of one rigid body, {} of adjacent ones, {} disabled{}",
+      plural(all, "pair"), s.pairs_by_reason[0], s.pairs_by_reason[1], s.pairs_by_reason[2],
+      s.pairs_by_reason[3],
+      scene.srdf.empty()
+          ? ""
+          : fmt::format(" ({} disables {})", scene.srdf, plural(scene.exemptions.size(), "link pair")));
+  if (s.pairs.empty() && by_bits > 0)
+    text += fmt::format("; contype and conaffinity let {} collide: --all-pairs checks them",
+                        by_bits == all ? "no two shapes" : fmt::format("{} not", plural(by_bits, "pair")));
+  return text;
 }
 
 std::string configurations_words(const Scene& scene, const SceneQuestion& q, const SceneStudy& s) {
-  std::size_t never = 0, always = 0, unknown = 0, least = 0, most = 0, further = 0;
+  std::size_t unseen = 0, always = 0, unknown = 0, least = 0, most = 0, further = 0;
   for (const PairStudy& pair : s.pairs) {
-    never += pair.within == 0;
+    unseen += pair.within == 0;
     const bool known = is_known(scene, pair);
     unknown += !known;
     always += known && pair.within == pair.samples;
@@ -92,16 +100,17 @@ std::string configurations_words(const Scene& scene, const SceneQuestion& q, con
     most = std::max(most, pair.samples);
     further += pair.samples > s.configurations;
   }
-  std::string text = fmt::format("{}, clearance {}: {} never within it, {} always, {} at times{}",
-                                 plural(s.configurations, "configuration"), q.clearance,
-                                 plural(never, "pair"), always, s.pairs.size() - never - always - unknown,
-                                 unknown ? fmt::format(", {} not known", unknown) : "");
+  std::string text = fmt::format(
+      "{}, clearance {}: {} not seen within it, {} seen in all of them, {} at times{}",
+      plural(s.configurations, "configuration"), q.clearance, plural(unseen, "pair"), always,
+      s.pairs.size() - unseen - always - unknown, unknown ? fmt::format(", {} not known", unknown) : "");
   if (s.drawn && least > 0)
-    text += fmt::format(
-        "; what never and always leave possible: less than {} of all configurations, at 95 % for each pair",
-        rate_text(least));
+    text +=
+        fmt::format("; each of the first two may be otherwise in less than {} of all configurations, at 95 %",
+                    rate_text(least));
   if (further > 0)
-    text += fmt::format("; up to {} drawn for {} whose model was never wrong", most, plural(further, "pair"));
+    text +=
+        fmt::format("; up to {} drawn for {} whose model was not seen wrong", most, plural(further, "pair"));
   return text;
 }
 
@@ -158,7 +167,7 @@ std::string needs_more(const Scene& scene, const SceneQuestion& q, const SceneSt
   return text;
 }
 
-/// How surely what was never wrong is not: what the fewest samples of such a pair leave possible.
+/// How surely what was not seen wrong is not: what the fewest samples of such a pair leave possible.
 std::string surely(const Scene& scene, const SceneQuestion& q, const SceneStudy& s) {
   std::size_t least = 0;
   for (const PairStudy& pair : s.pairs)

@@ -67,10 +67,10 @@ export interface Proof {
   a: string;
   b: string;
   bodies: [number, number];
-  verdict: "refuted" | "open" | "never";
-  bound: number; // never: they stay farther apart than this
+  verdict: "refuted" | "within" | "open" | "never";
+  bound: number; // above 0: they stay farther apart than this
   least_seen: number;
-  joints: Record<string, number>; // where that was; refuted: within the clearance
+  joints: Record<string, number>; // where that was
   boxes: number;
   open_share: number;
 }

@@ -67,7 +67,10 @@ function Near({ study, posed, pick }: { study: Study; posed: Posed; pick: (pair:
     <div class="near">
       <p role="status">
         <b class={within.length > 0 ? "bad" : "ok"}>
-          {within.length === 0 ? "No pair is" : plural(within.length, "pair is", "pairs are")} within the clearance here
+          {within.length === 0
+            ? `None of the ${plural(study.pairs.length, "checked pair")} is`
+            : `${within.length} of ${plural(study.pairs.length, "checked pair")} ${within.length === 1 ? "is" : "are"}`}{" "}
+          within the clearance here
         </b>
         {posed.set && <span class="soft"> (computed by this page, without proof)</span>}
       </p>

@@ -14,12 +14,17 @@ export function proof_words(study: Study, proof: Proof): string {
       return proof.least_seen < 0
         ? `refuted: overlap by ${long(-proof.least_seen, unit)}`
         : `refuted: ${long(proof.least_seen, unit)} apart`;
+    case "within":
+      return (
+        `within the clearance: ${long(proof.least_seen, unit)} apart` +
+        (proof.bound > 0 ? `, and proved: always more than ${long(proof.bound, unit)}` : "")
+      );
     case "open":
       return `open: nothing proved of ${percent(proof.open_share, 1)} of the joints\u2019 space`;
   }
 }
 
-export const verdict_class = { refuted: "bad", open: "warn", never: "ok" } as const;
+export const verdict_class = { refuted: "bad", within: "warn", open: "warn", never: "ok" } as const;
 
 /** The same for a narrow column. */
 export function short_proof_words(study: Study, proof: Proof): string {
@@ -32,7 +37,7 @@ export function ShowProof({ proof, show }: { proof: Proof; show: (proof: Proof) 
   if (Object.keys(proof.joints).length === 0) return null;
   return (
     <button type="button" onClick={() => show(proof)}>
-      {proof.verdict === "refuted" ? "Show where" : "Show the nearest"}
+      {["refuted", "within"].includes(proof.verdict) ? "Show where" : "Show the nearest"}
       <span class="sr"> {`${proof.a} \u2013 ${proof.b}`}</span>
     </button>
   );
@@ -42,7 +47,7 @@ const worst = (exemption: ProvedExemption) =>
   exemption.pairs.reduce<Proof | undefined>((p, q) => (p && p.least_seen <= q.least_seen ? p : q), undefined);
 
 /** The worst first. */
-const rank = { refuted: 0, open: 1, never: 2 } as const;
+const rank = { refuted: 0, open: 1, within: 2, never: 3 } as const;
 
 export function Proofs({ study, show }: { study: Study; show: (proof: Proof) => void }) {
   if (!study.motions) return null;

@@ -21,7 +21,7 @@ export function proof_of(study: Study, pair: number): Proof | undefined {
 export function risk_of(study: Study, pair: number): Risk {
   const { known, within } = study.pairs[pair]!,
     verdict = proof_of(study, pair)?.verdict;
-  if (verdict === "refuted" || (known && within > 0)) return "comes within";
+  if (verdict === "refuted" || verdict === "within" || (known && within > 0)) return "comes within";
   if (verdict === "open") return "open";
   if (verdict === "never") return "never within";
   return known ? "not seen within" : "not known";

@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: MIT
 // The robot, its joints and its pairs. What is looked at stands in the address after '#', so that it can be passed on.
 import { useCallback, useEffect, useMemo, useState } from "preact/hooks";
+import { gap } from "./gap.ts";
 import { free_joints, joint_values } from "./kinematics.ts";
+import type { Cylinder } from "./data.ts";
 import { Copy, Section, Select } from "./parts.tsx";
 import { the_stage } from "./stage.ts";
 import {
   frame_of,
+  gap_words,
   has_stand_in,
   long,
   models,
@@ -19,9 +22,9 @@ import {
 } from "./study.ts";
 import { Joints } from "./study_joints.tsx";
 import { Legend, Pairs, Picked } from "./study_pairs.tsx";
-import { posed } from "./study_pose.ts";
+import { posed, type Posed } from "./study_pose.ts";
 import { floor_cell, StudyView } from "./study_view.tsx";
-import { safe, shell_quoted } from "./words.ts";
+import { plural, safe, shell_quoted } from "./words.ts";
 
 /** "#at=3&pair=12&ghosts=sphere&joints=0.5,-1" */
 interface Looked {
@@ -59,6 +62,21 @@ function address_of({ at, picked, ghosts, close, joints }: Looked) {
   return `#${told}`;
 }
 
+/** A pair that the SRDF exempts, where the sliders stand: it is no row of the table. */
+function Exempt({ study, posed, proof }: { study: Study; posed: Posed; proof: Proof }) {
+  const [a, b] = proof.bodies.map((body) => posed.cylinders[body]!) as [Cylinder, Cylinder],
+    { distance } = gap(a, b);
+  return (
+    <p class="exempt" role="status">
+      <i class="swatch a" /> {proof.a} {"\u2013"} <i class="swatch b" /> {proof.b}, not among the{" "}
+      {plural(study.pairs.length, "checked pair")}:{" "}
+      <b class={distance <= study.clearance ? "bad" : "ok"}>
+        here they {gap_words(distance, study.clearance, unit_of(study))}
+      </b>
+    </p>
+  );
+}
+
 export function SceneSection({
   study,
   asked,
@@ -71,6 +89,7 @@ export function SceneSection({
   const [looked, look] = useState(() => read_address(study));
   const [filter, set_filter] = useState(no_filter);
   const [touched, touch] = useState<number | null>(null); // the body clicked last
+  const [exempt, set_exempt] = useState<Proof | null>(null); // asked for, and not among the checked pairs
   const { at, picked, ghosts, close, joints } = looked;
   const pose = useMemo(() => posed(study, at, joints, picked), [study, at, joints, joints ? picked : null]);
   const unit = unit_of(study),
@@ -100,6 +119,7 @@ export function SceneSection({
     return () => removeEventListener("hashchange", changed);
   }, [study]);
   const pick_pair = useCallback((pair: number | null) => {
+    set_exempt(null);
     look((was) => ({ ...was, picked: pair, close: pair === null ? false : was.close }));
     touch(null);
   }, []);
@@ -148,10 +168,11 @@ export function SceneSection({
     if (!asked) return;
     const values = joint_values(study.links, asked.joints);
     const pair = study.pairs.findIndex(({ bodies }) => bodies.join() === asked.bodies.join());
+    set_exempt(pair >= 0 ? null : asked);
     look((was) => ({
       ...was,
       joints: free_joints(study.links).map((link) => values[link]!),
-      picked: pair >= 0 ? pair : was.picked,
+      picked: pair >= 0 ? pair : null,
     }));
   }, [asked]);
   const clearance = study.clearance > 0 ? ` --clearance ${study.clearance}` : "";
@@ -180,7 +201,7 @@ export function SceneSection({
             </button>
           </div>
           <StudyView
-            shown={{ study, at, posed: pose, picked, ghosts, close, passing }}
+            shown={{ study, at, posed: pose, picked, exempt, ghosts, close, passing }}
             pick_pair={pick_pair}
             pick_body={pick_body}
           />
@@ -212,6 +233,7 @@ export function SceneSection({
             reset={() => look({ ...looked, joints: null })}
             pick={pick_pair}
           />
+          {exempt && <Exempt study={study} posed={pose} proof={exempt} />}
           {picked !== null && (
             <Picked
               study={study}

@@ -29,6 +29,7 @@ import {
   stand_in,
   type SceneFrame,
   type Model,
+  type Proof,
   type Study,
 } from "./study.ts";
 import type { Posed } from "./study_pose.ts";
@@ -39,6 +40,7 @@ export interface Shown {
   at: number; // of study.kept
   posed: Posed;
   picked: number | null; // of study.pairs
+  exempt: Proof | null; // a pair that is none of them, and was asked for
   ghosts: ReadonlySet<Model>;
   close: boolean;
   passing: ReadonlySet<number>; // pairs that are drawn as lines
@@ -106,8 +108,8 @@ function surroundings(frame: SceneFrame) {
 }
 
 /** Which colour a body has, of those of style.css. */
-function paint_of({ study, posed, picked }: Shown, of_body: (Model | null)[]): (body: number) => string {
-  const two = picked === null ? null : study.pairs[picked]!.bodies;
+function paint_of({ study, posed, picked, exempt }: Shown, of_body: (Model | null)[]): (body: number) => string {
+  const two = picked === null ? exempt?.bodies : study.pairs[picked]!.bodies;
   const near = new Set(posed.set ? study.pairs.flatMap(({ bodies }, i) => (posed.within[i] ? bodies : [])) : []);
   return (body) => {
     if (two?.includes(body)) return two[0] === body ? "--solid-a" : "--solid-b";
@@ -214,7 +216,7 @@ export function StudyView({
   useLayoutEffect(() => {
     if (!stage || !place.current) return;
     return keep_painted(stage, place.current, () => stage.show(objects_of(shown, frame, solids, of_body)));
-  }, [study, posed, picked, shown.ghosts, shown.passing]);
+  }, [study, posed, picked, shown.exempt, shown.ghosts, shown.passing]);
   // A whole scene is looked at from where the reader has turned to, whichever configuration.
   useLayoutEffect(() => stage?.look(view), [close, close ? view : null]);
 
