@@ -325,7 +325,7 @@ template <bool ordinary>
 // Apart, so that solids that are not ordinary cost others nothing.
 [[gnu::noinline]] Answer decide_other(const Prepared& a, const Prepared& b) noexcept {
   if (a.rounding + b.rounding > 0 && a.defect == Defect::none && b.defect == Defect::none)
-    return decide_rounded(a, b, room_of(a, b, 0));
+    return decide_rounded(a, b, 0);
   return decide_cores<false>(a, b);
 }
 

@@ -74,11 +74,11 @@ Verdict intersect(const Cylinder& a, const Cylinder& b) noexcept;
 
 /// The same decision with its proof: `disjoint` with a direction or `intersecting` with a point, each beyond
 /// the rounding bound, else `undecided` (or `invalid`). Never wrong. A gap is undecided only where it is less
-/// than 1e-13 of r0 + h0 + r1 + h1; common points only where no ball of 1e-13 of that lies in both, and of
-/// flat solids (of which one is no thicker than that) only where no such disk or segment does, or where both
-/// are: two segments, a point, planes or a plane and a line that cross at a small angle. Cost: three times
-/// that of intersect(), twice where the axes are parallel; within 1e-11 of touching and beside flat solids up
-/// to 0.2 ms.
+/// than 1e-13 of r0 + h0 + r1 + h1 and the roundings; common points only where no ball of 1e-13 of that lies
+/// in both, and of flat solids (of which one is no thicker than that) only where no such disk or segment
+/// does, or where both are: two segments, a point, planes or a plane and a line that cross at a small angle.
+/// Cost: three times that of intersect(), twice where the axes are parallel; within 1e-11 of touching and
+/// beside flat solids up to 0.2 ms.
 Answer decide(const Prepared& a, const Prepared& b) noexcept;
 Answer decide(const Cylinder& a, const Cylinder& b) noexcept;
 

@@ -25,6 +25,7 @@ constexpr double patch_error = 4 * distance_error;
 
 constexpr int projection_cap = 60;  // of the points, where nothing else brought the bounds together
 constexpr int touch_cap = 6;        // of them from each start, where solids overlap
+constexpr int settle_cap = 12;      // of them where direction and points do not belong together
 // By how much two solids that touch are made to overlap for decide() to find a common point, of the reach.
 constexpr double touch_tols[] = {0x1p-44, 0x1p-38, 0x1p-32, 0x1p-26};
 
@@ -62,6 +63,26 @@ class Search {
     if (!(low_ < 0)) touch();
   }
 
+  // Of cores apart that are to grow: both points will move along the direction, however far. Where many are
+  // as near within rounding, direction and points may belong to different ones: then all that is offered once
+  // more is looked at for a direction and two points that belong together, and so are steps from each core to
+  // the other.
+  void settle() noexcept {
+    if (!(low_ < 0) || settle(direction_, on0_, on1_)) return;
+    settling_ = true;
+    if (look_at_circles() || look_at_faces(true) || look_at_faces(false) || look_at_starts() ||
+        look_along(on1_ - on0_) || look_along(Vector3(direction_)))
+      return;
+    Vector3 on0 = on0_, on1 = on1_;
+    for (int i = 0; i < settle_cap; ++i) {
+      ++steps_;
+      on0 = nearest(on1, p_.w0, p_.r0, p_.h0);
+      if (settle(direction_, on0, on1)) return;
+      on1 = nearest(on0 - p_.delta, p_.w1, p_.r1, p_.h1) + p_.delta;
+      if (settle(direction_, on0, on1)) return;
+    }
+  }
+
   void report(Distance& out) const noexcept {
     out.value = 0 - low_;  // never -0
     out.error = distance_error * reach_;
@@ -74,6 +95,24 @@ class Search {
   }
 
  private:
+  // Takes points whose way from each other is along the direction within rounding, or along which f is as
+  // low.
+  bool settle(const Vector3& d, const Vector3& on0, const Vector3& on1) noexcept {
+    const Vector3 way = on1 - on0;
+    const double apart = length(way);
+    if (!(apart <= tie_error * reach_ - low_)) return false;
+    Vector3 along = d;
+    if (length(way - dot(way, d) * d) > distance_error * reach_) {
+      along = way / apart;
+      if (!(support_gap(p_, along) <= low_ + 0.5 * distance_error * reach_)) return false;
+    }
+    high_ = apart;
+    direction_ = along;
+    on0_ = on0;
+    on1_ = on1;
+    return true;
+  }
+
   // Takes a direction and a point, from C0, of one of the solids that goes with it, if they are better; true
   // where they prove the gap.
   bool consider(const Vector3& along, const Vector3& anchor, bool on_b) noexcept {
@@ -91,14 +130,24 @@ class Search {
       anchor_ = anchor;
       on_b_ = on_b;
     }
+    if (settling_) [[unlikely]] {
+      if (!(f <= low_ + 0.5 * distance_error * reach_)) return false;
+      const Vector3 other = opposite(anchor, on_b);
+      return on_b ? settle(d, other, anchor) : settle(d, anchor, other);
+    }
     // As low within rounding: the direction is the same, its point may be the better one.
     return f < 0 && f <= low_ + tie_error * reach_ && meet(anchor, on_b);
   }
 
+  // The point of the other solid that is nearest.
+  Vector3 opposite(const Vector3& anchor, bool on_b) const noexcept {
+    return on_b ? nearest(anchor, p_.w0, p_.r0, p_.h0)
+                : Vector3(nearest(anchor - p_.delta, p_.w1, p_.r1, p_.h1) + p_.delta);
+  }
+
   // Takes a point and its nearest one in the other solid, if they are nearer; true where they prove the gap.
   bool meet(const Vector3& anchor, bool on_b) noexcept {
-    const Vector3 other = on_b ? nearest(anchor, p_.w0, p_.r0, p_.h0)
-                               : Vector3(nearest(anchor - p_.delta, p_.w1, p_.r1, p_.h1) + p_.delta);
+    const Vector3 other = opposite(anchor, on_b);
     const double distance = length(other - anchor);
     if (distance < high_) {
       high_ = distance;
@@ -196,6 +245,14 @@ class Search {
     return false;
   }
 
+  bool next_start(int& next, double side0, double side1, Rims& rims) const noexcept {
+    while (next < starts_) {
+      rims = start_[next++].rims;
+      if (rims.side0 == side0 && rims.side1 == side1) return true;
+    }
+    return false;
+  }
+
   // Of solids that overlap: the rims that may be lower than what is known.
   void look_at_patches() noexcept {
     overlap_ = true;
@@ -203,25 +260,24 @@ class Search {
     is_least_ = true;
     for (const double side0 : {1.0, -1.0})
       for (const double side1 : {1.0, -1.0}) {
-        Rims left;
-        if (patches.is_above(side0, side1, left)) continue;
+        if (patches.is_above(side0, side1)) continue;
         is_least_ = false;
-        bool started = false;
-        for (int i = 0; i < starts_; ++i)
-          if (const Rims& rims = start_[i].rims; rims.side0 == side0 && rims.side1 == side1) {
-            look_at_rims(rims);
-            started = true;
-          }
-        if (!started) look_at_rims(left);
+        int next = 0;
+        for (Rims rims; next_start(next, side0, side1, rims) || patches.next_open(rims);) {
+          look_at_rims(rims, &rims);
+          patches.close_around(rims, low_);
+        }
       }
   }
 
   // Section 3. D is square to both tangents, and along y. Near contact y is mostly rounding, and where the
   // tangents are nearly parallel their product is.
-  bool look_at_rims(const Rims& start) noexcept {
+  bool look_at_rims(const Rims& start, Rims* found = nullptr) noexcept {
     RimPoints rims(p_, f_, start);
     // Of solids that overlap, f at a minimum is the length of y there.
-    if (!rims.come_near(steps_, overlap_ ? low_ : std::numeric_limits<double>::infinity())) return false;
+    const bool came = rims.come_near(steps_, overlap_ ? low_ : std::numeric_limits<double>::infinity());
+    if (found) *found = rims.at();
+    if (!came) return false;
     const Vector3 on0 = rims.on0(), on1 = rims.on1(), y = rims.y();
     if (consider(rims.near() ? rims.product() : y, on0, false)) return true;
     if (low_ > shallow_tol * reach_) return false;
@@ -298,7 +354,7 @@ class Search {
   double low_ = std::numeric_limits<double>::infinity();   // least f seen
   double high_ = std::numeric_limits<double>::infinity();  // least distance of two points seen
   Vector3 direction_{0, 0, 0}, anchor_{0, 0, 0}, on0_{0, 0, 0}, on1_{0, 0, 0};
-  bool on_b_ = false, overlap_ = false, is_least_ = false;
+  bool on_b_ = false, overlap_ = false, is_least_ = false, settling_ = false;
   struct {
     double value;
     bool inside;
@@ -307,7 +363,7 @@ class Search {
   struct {
     double value;
     Rims rims;
-  } start_[4];
+  } start_[6];  // two poles, and two of each look at the circles
   int starts_ = 0, steps_ = 0;
 };
 
@@ -358,11 +414,14 @@ void measure_parallel(const Scaled& p, const Vector3& axis_sum, Distance& out) n
 }
 
 // Each solid grows by a ball: what lies between them shrinks by both radii, whether it is a gap or a depth.
+// In halves, since the sum of the radii may overflow.
 void grow(Distance& d, double rounding_a, double rounding_b) noexcept {
   constexpr double most = std::numeric_limits<double>::max();
-  const double room = rounding_a + rounding_b, grown = d.value - room;
+  const double half_room = 0.5 * rounding_a + 0.5 * rounding_b;
+  const double room = smaller(most, rounding_a + rounding_b);
+  const double grown = room < most ? d.value - room : 2 * (0.5 * d.value - half_room);
   const bool apart = d.value > 0;
-  d.error += 4 * unit_roundoff_error * larger(room, std::fabs(d.value));
+  d.error = smaller(most, d.error + 4 * unit_roundoff_error * larger(room, std::fabs(d.value)));
   d.value = larger(-most, grown);
   d.on_a += rounding_a * d.direction;
   d.on_b -= rounding_b * d.direction;
@@ -370,6 +429,9 @@ void grow(Distance& d, double rounding_a, double rounding_b) noexcept {
   d.least = d.value <= 0 && (d.least || apart);
   d.verdict = d.value > 0 ? Verdict::disjoint : Verdict::intersecting;
 }
+
+// `grows`: the cores are about to.
+Distance measure(const Prepared& a, const Prepared& b, bool grows) noexcept;
 
 }  // namespace
 
@@ -384,12 +446,16 @@ Distance distance(const Prepared& a, const Prepared& b) noexcept {
   core_a.rounding = core_b.rounding = 0;
   core_a.ordinary = a.moderate;
   core_b.ordinary = b.moderate;
-  Distance out = distance_of_cores(core_a, core_b);
+  Distance out = measure(core_a, core_b, true);
   grow(out, a.rounding, b.rounding);
   return out;
 }
 
-Distance distance_of_cores(const Prepared& a, const Prepared& b) noexcept {
+Distance distance_of_cores(const Prepared& a, const Prepared& b) noexcept { return measure(a, b, false); }
+
+namespace {
+
+Distance measure(const Prepared& a, const Prepared& b, bool grows) noexcept {
   Distance out;
   const bool swapped = out_of_order(a, b);
   const Prepared& first = swapped ? b : a;
@@ -407,6 +473,7 @@ Distance distance_of_cores(const Prepared& a, const Prepared& b) noexcept {
     const TurnedFrame frame(p, axes);
     Search search(p, frame);
     search.run([&] { return decide(first, second); });
+    if (grows) search.settle();
     search.report(out);
   }
   out.verdict = out.value > 0 ? Verdict::disjoint : Verdict::intersecting;
@@ -436,6 +503,8 @@ Distance distance_of_cores(const Prepared& a, const Prepared& b) noexcept {
   }
   return out;
 }
+
+}  // namespace
 
 Distance distance(const Cylinder& a, const Cylinder& b) noexcept { return distance(prepare(a), prepare(b)); }
 

@@ -200,6 +200,21 @@ TEST(Distance, SaddleIsLeft) {
   EXPECT_NEAR(d.value, -3.2336479117, 1e-9);
 }
 
+// Two minima in one patch: a search from its lowest point known ends at the other one. A direction of f as
+// low is known in rationals.
+TEST(Distance, SquareAxesHaveTwoMinimaInOnePatch) {
+  const struct {
+    Pair pair;
+    double depth;
+  } all[] = {{{{{0, 0, 0}, {0, 0, 1}, 7, 8}, {{-7, -10, 10}, {-10, -1, 0}, 11, 11}}, 4.32811},
+             {{{{0, 0, 0}, {14, 14, -1}, 15, 4}, {{-13, 6, -7}, {11, -13, -11}, 9, 0}}, 6.24063}};
+  for (const auto& [pair, depth] : all) {
+    const Distance d = distance(pair.a, pair.b);
+    EXPECT_LE(-d.value, depth);
+    EXPECT_GE(-d.value, depth - 3e-5);
+  }
+}
+
 struct Together {
   Pair pair;
   double offset;  // apart the distance; overlapping at least minus the depth

@@ -70,7 +70,7 @@ Verdict intersect_couple(const Couple<double>& p) noexcept {
     return verdict_of(dot(delta, delta) <= room * room);
   }
   if ((a.defect != Defect::none) | (b.defect != Defect::none)) return Verdict::invalid;
-  if (a.rounding + b.rounding > 0) return intersect_rounded(a, b, room_of(a, b, 0));
+  if (a.rounding + b.rounding > 0) return intersect_rounded(a, b, 0);
   return intersect_couple(scale(a, b).couple());
 }
 

@@ -163,6 +163,19 @@ bool try_rounded_direction(const Scaled& p, Vector3 d, double room, Answer& answ
 
 double scaled_length(double x, int exponent) noexcept { return std::ldexp(x, -exponent); }
 
+// From there on a room or a gap may overflow: the solids are made smaller first. What vanishes beside the
+// room does not matter.
+constexpr double huge_room = 0x1p1000, huge_shrink = 0x1p-100;
+
+Prepared shrunk(Prepared c) noexcept {
+  c.center *= huge_shrink;
+  c.radius *= huge_shrink;
+  c.height *= huge_shrink;
+  c.rounding *= huge_shrink;
+  c.ordinary = c.moderate = c.thin = c.ball = false;
+  return c;
+}
+
 }  // namespace
 
 double room_of(const Prepared& a, const Prepared& b, double clearance) noexcept {
@@ -202,7 +215,8 @@ Glance look_closer(const Prepared& a, const Prepared& b, double room) noexcept {
 
 }  // namespace
 
-Verdict intersect_rounded(const Prepared& a, const Prepared& b, double room) noexcept {
+Verdict intersect_rounded(const Prepared& a, const Prepared& b, double clearance) noexcept {
+  const double room = room_of(a, b, clearance);
   if (a.moderate & b.moderate & (room <= 0x1p202)) {
     const Vector3 delta = b.center - a.center;
     if (a.thin & b.thin) {
@@ -220,10 +234,8 @@ Verdict intersect_rounded(const Prepared& a, const Prepared& b, double room) noe
       seen = out_of_order(a, b) ? look_closer(b, a, room) : look_closer(a, b, room);
     if (seen != Glance::neither) return verdict_of(seen == Glance::intersecting);
   }
-  const double gap = distance_of_cores(core_of(a), core_of(b)).value;
-  constexpr double most = std::numeric_limits<double>::max();
-  if (gap == most && room >= most) return Verdict::undecided;  // neither is known
-  return verdict_of(gap <= room);
+  if (room >= huge_room) return intersect_rounded(shrunk(a), shrunk(b), huge_shrink * clearance);
+  return verdict_of(distance_of_cores(core_of(a), core_of(b)).value <= room);
 }
 
 namespace {
@@ -336,13 +348,19 @@ bool prove_between(const Scaled& p, double room, Answer& answer) noexcept {
 
 }  // namespace
 
-Answer decide_rounded(const Prepared& a, const Prepared& b, double room) noexcept {
-  if (out_of_order(a, b)) return turned(decide_rounded(b, a, room));
+Answer decide_rounded(const Prepared& a, const Prepared& b, double clearance) noexcept {
+  if (out_of_order(a, b)) return turned(decide_rounded(b, a, clearance));
   Answer answer;
+  const double room = room_of(a, b, clearance);
+  if (room >= huge_room) {
+    answer = decide_rounded(shrunk(a), shrunk(b), huge_shrink * clearance);
+    answer.point_head /= huge_shrink;
+    answer.point_tail /= huge_shrink;
+    return answer;
+  }
   const Prepared first = core_of(a), second = core_of(b);
-  const Scaled p = scale(first, second);
+  const Scaled p = scale(first, second, room);
   const double scaled_room = scaled_length(room, p.exponent);
-  if (!std::isfinite(scaled_room)) return answer;
   if (prove_in_closed_form(p, scaled_room, answer) || prove_between(p, scaled_room, answer)) return answer;
   const Answer of_cores = decide(first, second);
   if (of_cores.proof == Proof::point) return of_cores;
@@ -357,13 +375,13 @@ Verdict within(const Prepared& a, const Prepared& b, double clearance) noexcept 
   const double room = room_of(a, b, clearance);
   if ((a.defect != Defect::none) | (b.defect != Defect::none) | !(clearance >= 0) | !is_room(room))
     return Verdict::invalid;
-  return room > 0 ? intersect_rounded(a, b, room) : intersect(a, b);
+  return room > 0 ? intersect_rounded(a, b, clearance) : intersect(a, b);
 }
 
 Answer decide_within(const Prepared& a, const Prepared& b, double clearance) noexcept {
   const double room = room_of(a, b, clearance);
   if ((a.defect == Defect::none) & (b.defect == Defect::none) & (clearance >= 0) & is_room(room)) {
-    return room > 0 ? decide_rounded(a, b, room) : decide(a, b);
+    return room > 0 ? decide_rounded(a, b, clearance) : decide(a, b);
   }
   Answer answer;
   answer.verdict = Verdict::invalid;

@@ -77,6 +77,63 @@ TEST(Rounded, WhatIsNoRoundingIsInvalid) {
   EXPECT_EQ(within(wide, a, most), Verdict::invalid);
 }
 
+// The points are as far apart as the value says, along the direction, where many directions are as good
+// within rounding and the roundings are large.
+TEST(Rounded, PointsOfTheDistanceFitItsValue) {
+  const Pair pairs[] = {
+      {{{0, 0, 0}, {0, 0, 1}, 0, 0, 99999999}, {{100000000, 1, 1}, {0, 1, 0}, 0, 0}},
+      {{{0, 0, 0}, {0, 0, 1}, 0, 0, 100000001}, {{100000000, 1, 1}, {0, 1, 0}, 0, 0}},
+      {{{0, 0, 0}, {3, 3, 2}, 4.2547939131117767, 0.25368488664576033, 0.0011371981062272736},
+       {{2.9994966326204211, -0.78372490445227405, -3.6211294900788218},
+        {0.31715316075193256, -0.84041974415710419, 0.43944115221035729},
+        0.24677324390349123,
+        0,
+        0.2625547725034687}},
+      {{{0, 0, 0}, {0, 0, 3}, 0.1603916955447609, 0, 14.331529423782474},
+       {{-0.046790150053641739, -0.24147571546249474, 14.46730076100215},
+        {-2, -2, 0},
+        0.13577133721964341,
+        0.24305716445424441}}};
+  for (const Pair& p : pairs) {
+    const Distance d = distance(p.a, p.b);
+    const Vector3 way = p.b.center - p.a.center + d.on_b - d.on_a;
+    EXPECT_LE((way - d.value * d.direction).norm(), d.error) << format_pair(p);
+    EXPECT_LE(d.error, 1e-13 * size_of(p)) << format_pair(p);
+  }
+}
+
+// Lengths beside which the cores vanish, or which overflow in sum.
+TEST(Rounded, NoRoundingIsTooLarge) {
+  constexpr double tiny = std::numeric_limits<double>::denorm_min();
+  const Cylinder dust{{0, 0, 0}, {1, 0, 0}, 0, tiny, 1}, needle{{0, 0, 0}, {1, 0, 0}, 1e-100, 1e-100, 0};
+  const Pair overlapping[] = {{dust, dust},
+                              {ball({0, 0, 0}, 1), ball({1e-320, 0, 0}, 1)},
+                              {ball({0, 0, 0}, 1e300), needle},
+                              {ball({0, 0, 0}, 1.7e308), ball({1, 0, 0}, 1.7e308)},
+                              {ball({-1.6e308, 0, 0}, 1.7e308), ball({1.6e308, 0, 0}, 1.7e308)}};
+  for (const Pair& p : overlapping) {
+    EXPECT_EQ(decide(p.a, p.b).verdict, Verdict::intersecting) << format_pair(p);
+    EXPECT_EQ(intersect(p.a, p.b), Verdict::intersecting) << format_pair(p);
+    const Distance d = distance(p.a, p.b);
+    EXPECT_EQ(d.verdict, Verdict::intersecting) << format_pair(p);
+    EXPECT_TRUE(std::isfinite(d.value) && std::isfinite(d.error)) << format_pair(p);
+  }
+  // The sum of the roundings and the distance of the cores overflow, both.
+  const Cylinder far{{-1.7e308, 1.7e308, 1.7e308}, {0, 0, 1}, 0, 0, 1.2e308},
+      beyond{{1.7e308, -1.7e308, -1.7e308}, {0, 0, 1}, 0, 0, 1.2e308};
+  EXPECT_EQ(decide(far, beyond).verdict, Verdict::disjoint);
+  EXPECT_EQ(intersect(far, beyond), Verdict::disjoint);
+  const Prepared a = prepare({{0, 0, 0}, {0, 0, 1}, 1e-80, 1e-80}),
+                 b = prepare({{1, 0, 0}, {0, 1, 0}, 1e-80, 1e-80});
+  EXPECT_EQ(decide_within(a, b, 1e230).verdict, Verdict::intersecting);
+  // Without a rounding, with a clearance beside a distance of cores beyond the largest double.
+  const Prepared left = prepare({{-1.7e308, 0, 0}, {0, 0, 1}, 0, 0}),
+                 right = prepare({{1.7e308, 0, 0}, {0, 0, 1}, 0, 0});
+  constexpr double most = std::numeric_limits<double>::max();
+  EXPECT_EQ(within(left, right, most), Verdict::disjoint);
+  EXPECT_EQ(decide_within(left, right, most).verdict, Verdict::disjoint);
+}
+
 class RoundedFamilies : public testing::TestWithParam<std::size_t> {
  protected:
   static constexpr std::uint64_t count = 3000, seed = 20261123;

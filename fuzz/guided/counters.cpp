@@ -153,7 +153,7 @@ void count_errors(double over_told, double told_over_claim) {
   count_exponent(extra_counters.told_over_claim, told_over_claim);
 }
 
-// Nine steps to a counter: distance_step_cap in all.
+// As many steps to a counter as make distance_step_cap in all.
 void count_distance_steps(int steps) {
   constexpr int part = distance_step_cap / static_cast<int>(iteration_count) + 1;
   extra_counters.distance_steps[std::clamp(steps / part, 0, static_cast<int>(iteration_count) - 1)] = 1;

@@ -184,6 +184,31 @@ std::optional<Truth> prove_in_long_double(const Pair& pair) {
   return std::nullopt;
 }
 
+// Cores that meet have the first word: any common point will do. Then algebra, which settles ties; then the
+// nearest points. Where the cores are as near to touching as a small room, the search for those takes long
+// and shows nothing that this one does not show with more bits.
+Truth judge_rounded(const Pair& pair, int bits_cap) {
+  Truth undecided;
+  undecided.stage = Stage::exact;
+  Rational3 point, direction;
+  for (int bits = first_multiprecision_bits; bits <= bits_cap; bits *= 2) {
+    undecided.bits = bits;
+    const Found<MpFloat> found = search_in_multiprecision(pair, bits, point, direction);
+    if (found.has_direction)
+      if (auto t = prove_disjoint(pair, direction, bits)) return *t;
+    if (found.has_point) {
+      if (const auto common = common_point(pair, point))
+        return proved(Verdict::intersecting, common->written, Stage::exact, bits);
+      if (auto t = prove_cores_meet(pair, point, bits)) return *t;
+    }
+    if (bits == first_multiprecision_bits)
+      if (auto t = prove_rounded_at_once(pair)) return *t;
+    if (found.has_point && room_of(pair) < times_power(exact_size(pair), -bits / 4)) continue;
+    if (auto t = prove_rounded(pair, bits)) return *t;
+  }
+  return undecided;
+}
+
 Truth judge_in_full(const Pair& pair, std::span<const MethodAnswer> offered, int bits_cap) {
   Truth undecided;
   undecided.stage = Stage::exact;
@@ -195,11 +220,10 @@ Truth judge_in_full(const Pair& pair, std::span<const MethodAnswer> offered, int
       return *t;
     }
 
+  if (is_rounded(pair)) return judge_rounded(pair, bits_cap);
   Rational3 point, direction;
   for (int bits = first_multiprecision_bits; bits <= bits_cap; bits *= 2) {
     undecided.bits = bits;
-    if (is_rounded(pair))
-      if (auto t = prove_rounded(pair, bits)) return *t;
     const Found<MpFloat> found = search_in_multiprecision(pair, bits, point, direction);
     if (found.has_direction)
       if (auto t = prove_disjoint(pair, direction, bits)) return *t;
@@ -208,7 +232,7 @@ Truth judge_in_full(const Pair& pair, std::span<const MethodAnswer> offered, int
     // Where the point does not rule touching out, the algebra has the word.
     if (common && overlap_at(pair, common->point))
       return proved(Verdict::intersecting, common->written, Stage::exact, bits);
-    if (!is_rounded(pair) && (common || bits <= tangency_bits))
+    if (common || bits <= tangency_bits)
       if (auto t = prove_touching(pair, common ? common->point : point, direction, bits)) return *t;
     if (common) return proved(Verdict::intersecting, common->written, Stage::exact, bits);
   }

@@ -22,9 +22,10 @@ inline constexpr int precision_cap = 4096;
 /// point (of a witness in hulls: the rational point that it stands for) or `near`. `undecided` only at the
 /// cap on precision: a tangency for which algebra was offered no rational direction, or a gap or depth too
 /// small for that many bits to show. Cost: below 1 us with a witness and about that without, 20 us with one
-/// in hulls, 0.1 ms where double does not reach, below 1 ms for exact ties; of axes or lengths with
-/// components hundreds of decades apart 0.4 ms in the mean, 11 ms at most among 200,000 pairs. A cap below
-/// 128 bits: in double alone, witnesses too.
+/// in hulls, 0.1 ms where double does not reach, below 1 ms for exact ties, rounded or not, 1 to 2 ms for
+/// rounded solids within rounding of touching; of axes or lengths with components hundreds of decades apart
+/// 0.4 ms in the mean, 11 ms at most among 200,000 pairs. A cap below 128 bits: in double alone, witnesses
+/// too.
 Truth judge(const Pair& pair, std::span<const MethodAnswer> offered = {}, int bits_cap = precision_cap);
 
 /// The verdict of judge(), proved as well, without the certificate where a cheaper proof leaves none to write

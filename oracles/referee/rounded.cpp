@@ -24,11 +24,29 @@ int compare_with_room(const Pair& pair, const Rational3& on_a, const Rational3& 
   return cmp(mpq_class(dot(between, between)), mpq_class(room * room));
 }
 
-/// What was found, moved into the core: into the hull exactly, then towards the centre by 2^-digits.
+/// A rational above the root of a positive one, by less than 2^-digits of it.
+mpq_class root_above(const mpq_class& square, int digits) {
+  const auto size = [](const mpz_class& n) { return static_cast<int>(mpz_sizeinbase(n.get_mpz_t(), 2)); };
+  const int half = digits + 1 + (size(square.get_den()) - size(square.get_num())) / 2;
+  const mpq_class scaled = times_power(square, 2 * half);
+  const mpz_class root = sqrt(mpz_class(scaled.get_num() / scaled.get_den())) + 1;
+  return times_power(mpq_class(root), -half);
+}
+
+/// What was found, moved into the core: into the hull exactly, then as far along the axis and across it as it
+/// is nearer to the surface than 2^-digits of what the core has there, be that ever so little.
 Rational3 pulled_in(const Cylinder& c, const Rational3& found, int digits) {
-  const Rational3 center = exact(c.center), from_center = project_to_hull(c, found) - center;
-  const mpq_class share = 1 - times_power(1, -digits);
-  return center + share * from_center;
+  const Rational3 center = exact(c.center), w = exact(c.axis), x = project_to_hull(c, found) - center;
+  const mpq_class share = 1 - times_power(1, -digits), ww = dot(w, w);
+  mpq_class along = dot(x, w) / ww;
+  Rational3 across = x - along * w;
+  const auto part = [&](const mpq_class& square, const mpq_class& most) {
+    const mpq_class kept = share * most;
+    return square > kept * kept ? mpq_class(kept / root_above(square, digits)) : mpq_class(1);
+  };
+  along *= part(along * along * ww, mpq_class(c.height) / 2);
+  across = part(dot(across, across), mpq_class(c.radius)) * across;
+  return center + along * w + across;
 }
 
 /// The centre and a double, as far as those are enough to be in the core.
@@ -66,17 +84,52 @@ Vec3<MpFloat> farthest(const SearchPair<MpFloat>& p, const std::array<double, 3>
   return beside > MpFloat(0) ? end + (p.radius0 / beside) * across : end;
 }
 
+/// The nearest points that double finds, in a unit of 2^exponent.
+struct DoublePoints {
+  Nearest<double> found;
+  int exponent = 0;
+
+  Vec3<MpFloat> lifted(const Vec3<double>& v) const {
+    const int half = exponent / 2;  // the whole may be no power of a double
+    const MpFloat unit = MpFloat(std::ldexp(1.0, half)) * MpFloat(std::ldexp(1.0, exponent - half));
+    return unit * Vec3<MpFloat>{MpFloat(v.x), MpFloat(v.y), MpFloat(v.z)};
+  }
+  Rational3 exactly(const Vec3<double>& v) const {
+    const auto c = [&](double x) { return times_power(mpq_class(x), exponent); };
+    return {c(v.x), c(v.y), c(v.z)};
+  }
+};
+
+DoublePoints nearest_in_double(const Pair& pair) {
+  DoublePoints r;
+  const SearchPair<double> p = double_pair(pair, r.exponent);
+  r.found = find_nearest(p, 53, 0.5 * p.delta);
+  return r;
+}
+
 /// Where the nearest points are looked for first; where that leads astray, which it does beside axes that are
 /// nearly parallel, next.
-enum class Start : unsigned char { middle, first_end, other_end, first_end_of_b, other_end_of_b, by_cells };
+enum class Start : unsigned char {
+  double_points,
+  middle,
+  first_end,
+  other_end,
+  first_end_of_b,
+  other_end_of_b,
+  by_cells
+};
 
-Nearest<MpFloat> nearest_in_multiprecision(const Pair& pair, int bits, Start start = Start::middle) {
+Nearest<MpFloat> nearest_in_multiprecision(const Pair& pair, int bits, Start start) {
   const PrecisionScope precision(bits);
   const SearchPair<MpFloat> p = multiprecision_pair(pair);
   const auto end = [](const Vec3<MpFloat>& axis, const MpFloat& half) {
     return (half / sqrt(dot(axis, axis))) * axis;
   };
   switch (start) {
+    case Start::double_points: {
+      const DoublePoints guess = nearest_in_double(pair);
+      return refine_nearest(p, bits, guess.lifted(guess.found.on_a), guess.lifted(guess.found.on_b));
+    }
     case Start::middle:
       return find_nearest(p, bits, MpFloat(0.5) * p.delta);
     case Start::first_end:
@@ -109,21 +162,28 @@ bool is_nearly_in(const Cylinder& c, const Rational3& point, const mpq_class& sl
 
 /// The points of a search wide enough for 2^-200 of the size, if it came that near.
 std::optional<Certificate> near_points(const Pair& pair, const Rational3& direction) {
-  const Nearest<MpFloat> found = nearest_in_multiprecision(pair, near_bits);
-  const Rational3 center = exact(pair.a.center), on_a = center + rational(found.on_a),
-                  on_b = center + rational(found.on_b), between = on_b - on_a;
   const mpq_class slack = times_power(exact_size(pair), -200), room = room_of(pair) + slack;
-  if (!is_nearly_in(pair.a, on_a, slack) || !is_nearly_in(pair.b, on_b, slack) ||
-      dot(between, between) > room * room)
-    return {};
-  Certificate near{CertificateKind::near_points, exact_vector(on_a), exact_vector(direction)};
-  near.third = exact_vector(on_b);
-  return near;
+  for (const Start start : {Start::double_points, Start::middle}) {
+    const Nearest<MpFloat> found = nearest_in_multiprecision(pair, near_bits, start);
+    const Rational3 center = exact(pair.a.center), on_a = center + rational(found.on_a),
+                    on_b = center + rational(found.on_b), between = on_b - on_a;
+    if (!is_nearly_in(pair.a, on_a, slack) || !is_nearly_in(pair.b, on_b, slack) ||
+        dot(between, between) > room * room)
+      continue;
+    Certificate near{CertificateKind::near_points, exact_vector(on_a), exact_vector(direction)};
+    near.third = exact_vector(on_b);
+    return near;
+  }
+  return {};
 }
 
 // Beside a contact of faces the search comes near only slowly: simpler rationals are tried too.
 std::optional<Truth> prove_rounded_touching(const Pair& pair, const Rational3& on_a, const Rational3& on_b,
                                             int bits) {
+  // Far from touching it is not worth trying.
+  const Rational3 between = on_b - on_a;
+  const mpq_class size = exact_size(pair), room = room_of(pair);
+  if (abs(mpq_class(dot(between, between) - room * room)) > times_power(size * size, -12)) return {};
   std::optional<Tangency> tangency;
   for (const int guessed : {bits, bits / 4, bits / 8}) {
     const Rational3 simple_a = simplest_near(pair, on_a, guessed),
@@ -210,17 +270,33 @@ std::optional<Truth> prove_rounded_in_double(const Pair& pair, const Filter& fil
   return met_at(written(pair.a, on_a), written(pair.b, on_b), Stage::filter, 53);
 }
 
+std::optional<Truth> prove_rounded_at_once(const Pair& pair) {
+  const DoublePoints guess = nearest_in_double(pair);
+  const Rational3 center = exact(pair.a.center);
+  return prove_rounded_touching(pair, center + guess.exactly(guess.found.on_a),
+                                center + guess.exactly(guess.found.on_b), first_multiprecision_bits);
+}
+
+std::optional<Truth> prove_cores_meet(const Pair& pair, const Rational3& point, int bits) {
+  for (const int guessed : {bits, bits / 4, bits / 8})
+    if (const Rational3 simple = simplest_near(pair, point, guessed); in_both_exact(pair, simple))
+      return proved(Verdict::intersecting, exact_vector(simple), Stage::exact, bits);
+  return meet_at(pair, point, point, bits);
+}
+
 std::optional<Truth> prove_rounded(const Pair& pair, int bits) {
   const Rational3 center = exact(pair.a.center);
-  for (const Start start : {Start::middle, Start::first_end, Start::other_end, Start::first_end_of_b,
-                            Start::other_end_of_b, Start::by_cells}) {
+  for (const Start start : {Start::double_points, Start::middle, Start::first_end, Start::other_end,
+                            Start::first_end_of_b, Start::other_end_of_b, Start::by_cells}) {
     const Nearest<MpFloat> found = nearest_in_multiprecision(pair, bits, start);
     const Rational3 from_a = rational(found.on_a), from_b = rational(found.on_b);
     const Rational3 on_a = center + from_a, on_b = center + from_b, between = from_b - from_a;
     if (between.x != 0 || between.y != 0 || between.z != 0)
       if (auto t = prove_disjoint(pair, between, bits)) return t;
     if (auto t = meet_at(pair, on_a, on_b, bits)) return t;
-    if (bits > tangency_bits) continue;
+    // What double found algebra has seen.
+    const bool seen = start == Start::double_points && bits == first_multiprecision_bits;
+    if (seen || bits > tangency_bits) continue;
     if (auto t = prove_rounded_touching(pair, on_a, on_b, bits)) return t;
   }
   return {};

@@ -19,6 +19,13 @@ bool points_show_contact(const Pair& pair, const MethodAnswer& answer);
 
 std::optional<Truth> prove_rounded_in_double(const Pair& pair, const Filter& filter);
 
+/// Touching, by algebra near the nearest points that double finds. Cost: 0.2 ms.
+std::optional<Truth> prove_rounded_at_once(const Pair& pair);
+
+/// Overlapping, by a point near the one given that lies in both cores, or by one in each, nearer than the
+/// room.
+std::optional<Truth> prove_cores_meet(const Pair& pair, const Rational3& point, int bits);
+
 /// Apart, overlapping or touching, by the nearest points found with so many bits. Of cores that meet it finds
 /// their common point only where both roundings make up for what the search lacks.
 std::optional<Truth> prove_rounded(const Pair& pair, int bits);

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <ctime>
 #include <limits>
 #include <string>
 #include <utility>
@@ -53,6 +54,68 @@ TEST(RefereeOfRounded, TouchingAtIrrationalPointsIsProvedToo) {
   const Pair tilted = pair_from(R"("center":[0,0,0],"axis":[1,1,0],"radius":0,"height":2,"rounding":1)",
                                 R"("center":[0,0,0],"axis":[1,1,0],"radius":1,"height":2,"rounding":0)");
   EXPECT_EQ(judge(tilted).verdict, Verdict::intersecting);
+}
+
+// At rational points, and one at irrational ones: any point of both cores will do.
+TEST(RefereeOfRounded, CoresThatTouchMeetHoweverSmallTheRounding) {
+  const char* const touching[][2] = {{R"("center":[12,4,3],"axis":[-25,48,36],"radius":13,"height":0)",
+                                      R"("center":[-3,0,1],"axis":[0,0,1],"radius":3,"height":8)"},
+                                     {R"("center":[0,0,0],"axis":[0,0,1],"radius":1,"height":4)",
+                                      R"("center":[5,-3,0],"axis":[3,4,0],"radius":5,"height":0)"},
+                                     {R"("center":[0,0,0],"axis":[1,1,0],"radius":1,"height":6)",
+                                      R"("center":[0,0,2],"axis":[1,-1,0],"radius":1,"height":4)"}};
+  for (const auto& [a, b] : touching) {
+    EXPECT_EQ(judge(pair_from(a, b)).verdict, Verdict::touching) << a;
+    for (const char* rounding : {"1e-300", "1e-200", "1e-30", "5e-324"}) {
+      const Pair pair = pair_from(a, std::string(b) + ",\"rounding\":" + rounding);
+      const Truth truth = judge(pair);
+      EXPECT_EQ(truth.verdict, Verdict::intersecting) << a << rounding;
+      EXPECT_EQ(truth.bits, 128) << a << rounding;
+    }
+  }
+}
+
+// Half the size deep: each core has a part that no double of the point resolves.
+TEST(RefereeOfRounded, CoresWithATinyPartAreNoHarderThanFlatOnes) {
+  for (const char* height : {"1e-154", "5e-324", "1e-60", "1e-17", "0"}) {
+    const Truth truth = judge(pair_from(
+        std::string(R"("center":[-1.0783926993080015,1,3],"axis":[-2,0.025874133134828003,-2],"radius":1,)"
+                    R"("rounding":4.173455697349122,"height":)") +
+            height,
+        std::string(
+            R"("center":[-2.3386298142220014,2,1.7340593800649353],"axis":[2,-0.25164527112050017,2],)"
+            R"("radius":0.293479715029382,"rounding":0.1169080273822276,"height":)") +
+            height));
+    EXPECT_EQ(truth.verdict, Verdict::intersecting) << height;
+    EXPECT_LE(truth.bits, 128) << height;
+  }
+}
+
+// A rim on a wall, a disk on a rim, in rational places: algebra settles them at once, so that they
+// cost little more than a tie of the same kind without rounding.
+TEST(RefereeOfRounded, TiesCostWhatTheyDoWithoutRounding) {
+  const char* const tied[][2] = {
+      {R"("center":[-7168,-7168,-4096],"axis":[-2,11,-10],"radius":3840000,"height":23040000)",
+       R"("center":[20984832,-9735168,-695296],"axis":[14,-2,-5],"radius":1920000,"height":15360000,)"
+       R"("rounding":9600000)"},
+      {R"("center":[0,0,0],"axis":[-2,0,0],"radius":3,"height":0,"rounding":2)",
+       R"("center":[-5,4,-1],"axis":[1,0,0],"radius":2,"height":2,"rounding":2)"}};
+  const auto least_cost = [](const Pair& pair) {
+    std::clock_t least = std::numeric_limits<std::clock_t>::max();
+    for (int i = 0; i < 5; ++i) {
+      const std::clock_t start = std::clock();
+      for (int k = 0; k < 4; ++k) EXPECT_EQ(judge(pair).verdict, Verdict::touching) << format_pair(pair);
+      least = std::min(least, std::clock() - start);
+    }
+    return static_cast<double>(least);
+  };
+  const double plain = least_cost(pair_from(R"("center":[12,4,3],"axis":[-25,48,36],"radius":13,"height":0)",
+                                            R"("center":[-3,0,1],"axis":[0,0,1],"radius":3,"height":8)"));
+  for (const auto& [a, b] : tied) {
+    const Pair pair = pair_from(a, b);
+    const double cost = least_cost(pair) / plain;
+    EXPECT_LT(cost, 3) << format_pair(pair);
+  }
 }
 
 class RefereeOfFamilies : public testing::TestWithParam<std::size_t> {};

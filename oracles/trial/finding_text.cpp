@@ -2,6 +2,7 @@
 #include "oracles/trial/finding_text.hpp"
 
 #include <fmt/format.h>
+#include <gmpxx.h>
 
 #include <cmath>
 #include <optional>
@@ -16,7 +17,12 @@ namespace {
 std::string number(double x) { return format_double(x == 0 ? 0 : x); }
 
 std::string coordinate(const ExactVector& v, std::size_t i) {
-  if (!v.exact[i].empty()) return v.exact[i];
+  constexpr std::size_t shown_cap = 60;  // characters of a fraction
+  if (const std::string& exact = v.exact[i]; exact.size() > shown_cap)
+    return fmt::format("about {}, a fraction of {} characters", number(mpq_class(exact).get_d()),
+                       exact.size());
+  else if (!exact.empty())
+    return exact;
   // Two doubles whose sum is one, by the exact error of the sum, are shown as that one.
   const double sum = v.head[i] + v.tail[i], of_tail = sum - v.head[i];
   const double error = (v.head[i] - (sum - of_tail)) + (v.tail[i] - of_tail);

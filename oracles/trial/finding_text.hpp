@@ -10,7 +10,8 @@
 
 namespace cyl {
 
-/// "A plane with normal (1, 0, 0) separates them ...", "No verdict could be proved."
+/// "A plane with normal (1, 0, 0) separates them ...", "No verdict could be proved." A fraction that is too
+/// long to read is rounded: format_certificate() has all of it.
 std::string in_words(const Certificate& certificate);
 
 /// "margin 0.2 to 0.25", "margin 0.25", "margin of more than 1000 sizes": beyond that the two are so small or

@@ -11,6 +11,9 @@ namespace cyl {
 
 inline constexpr int patch_box_cap = 5;  // boxes looked at of one pair of rims; one is usual
 
+// Up to there axes count as square.
+inline constexpr double square_cosine = 0.125;
+
 // What a number may be.
 struct ValueRange {
   double low, high;
@@ -32,55 +35,87 @@ inline ValueRange both_of(ValueRange a, ValueRange b) noexcept {
 // Of solids that overlap. Where f is least, inside the patch of a rim of each solid, y = -f D with 0 <= f <=
 // most: that leaves a box of the rims' coordinates along m0 and m1, often none.
 class PatchSearch {
+  // Of the two points, along m0 and along m1.
+  struct Box {
+    ValueRange q0, q1;
+  };
+
  public:
   // `error`: of every length compared here.
   PatchSearch(const Scaled& p, const TurnedFrame& f, double most, double error) noexcept
-      : p_(p), f_(f), most_(most), error_(error), inverse_(1 / f.s) {
-    const double room = p.r0 + p.r1 - most;  // D.n <= z/(r0 + r1 - f)
-    most_n_ = f.z < room ? most * (f.z / room) : most;
+      : p_(p), f_(f), error_(error), inverse_(1 / f.s) {
+    lower(most);
   }
 
-  // Whether no D with D.w0 of the sign side0 and D.w1 of the sign side1 has f <= most; if not, `left` is
-  // where one may be.
-  bool is_above(double side0, double side1, Rims& left_open) noexcept {
+  // To a depth less than before.
+  void lower(double most) noexcept {
+    most_ = most;
+    const double room = p_.r0 + p_.r1 - most;  // D.n <= z/(r0 + r1 - f)
+    most_n_ = f_.z < room ? most * (f_.z / room) : most;
+  }
+
+  // Whether no D with D.w0 of the sign side0 and D.w1 of the sign side1 has f <= most; if not, it may be in
+  // the boxes left.
+  bool is_above(double side0, double side1) noexcept {
+    side0_ = side0;
+    side1_ = side1;
     e0_ = f_.e0 - side1 * p_.h1 * f_.s;
     e1_ = f_.e1 - side0 * p_.h0 * f_.s;
     l0_ = f_.d0 - side0 * p_.h0 - side1 * p_.h1 * f_.c;
     l1_ = f_.d1 - side1 * p_.h1 - side0 * p_.h0 * f_.c;
     const ValueRange depth = {-error_, most_ + error_};
-    Box boxes[patch_box_cap + 1];
-    boxes[0] = {both_of({-p_.r0, p_.r0}, inverse_ * (ValueRange{l1_, l1_} + side1 * depth)),
-                both_of({-p_.r1, p_.r1}, inverse_ * (ValueRange{l0_, l0_} + side0 * depth))};
-    if (boxes[0].q0.is_empty() || boxes[0].q1.is_empty()) return true;
-    int left = 1;
-    for (int i = 0; i < patch_box_cap; ++i) {
-      const Box box = boxes[--left];
-      if (!is_above(box)) {
-        Box half = box, other = box;
-        if (box.q0.width() > box.q1.width())
-          half.q0.high = other.q0.low = box.q0.middle();
-        else
-          half.q1.high = other.q1.low = box.q1.middle();
-        boxes[left++] = half;
-        boxes[left++] = other;
-      }
-      if (left == 0) return true;
+    boxes_[0] = {both_of({-p_.r0, p_.r0}, inverse_ * (ValueRange{l1_, l1_} + side1 * depth)),
+                 both_of({-p_.r1, p_.r1}, inverse_ * (ValueRange{l0_, l0_} + side0 * depth))};
+    left_ = 0;
+    if (boxes_[0].q0.is_empty() || boxes_[0].q1.is_empty()) return true;
+    left_ = 1;
+    for (int i = 0; i < patch_box_cap && left_ > 0; ++i) {
+      const Box box = boxes_[--left_];
+      if (is_above(box)) continue;
+      Box half = box, other = box;
+      if (box.q0.width() > box.q1.width())
+        half.q0.high = other.q0.low = box.q0.middle();
+      else
+        half.q1.high = other.q1.low = box.q1.middle();
+      boxes_[left_++] = half;
+      boxes_[left_++] = other;
     }
-    const auto turned = [](double r, ValueRange q, double& x, double& y) {
-      y = r > 0 ? q.middle() / r : 0;
-      x = std::sqrt(larger(0, (1 - y) * (1 + y)));
-    };
-    left_open = {side0, side1, 1, 0, 1, 0};
-    turned(p_.r0, boxes[left - 1].q0, left_open.x0, left_open.y0);
-    turned(p_.r1, boxes[left - 1].q1, left_open.x1, left_open.y1);
+    return left_ == 0;
+  }
+
+  // Takes the middle of the next box left that is not above the depth known by now; false where there is
+  // none.
+  bool next_open(Rims& open) noexcept {
+    while (left_ > 0) {
+      const Box& box = boxes_[--left_];
+      if (is_above(box)) continue;
+      open = {side0_, side1_, 1, 0, 1, 0};
+      turn_to(p_.r0, box.q0, open.x0, open.y0);
+      turn_to(p_.r1, box.q1, open.x1, open.y1);
+      return true;
+    }
     return false;
   }
 
+  // A search ended there, and so much is known now: what its box and those beside it may hold lower was
+  // found. Away from square axes a second minimum in one patch is too rare to be worth another search.
+  void close_around(const Rims& found, double low) noexcept {
+    if (!(std::fabs(f_.c) <= square_cosine)) left_ = 0;
+    if (left_ == 0) return;
+    lower(low);
+    const auto is_near = [](ValueRange q, double at) { return std::fabs(at - q.middle()) <= q.width(); };
+    int kept = 0;
+    for (int i = 0; i < left_; ++i)
+      if (!is_near(boxes_[i].q0, p_.r0 * found.y0) || !is_near(boxes_[i].q1, p_.r1 * found.y1))
+        boxes_[kept++] = boxes_[i];
+    left_ = kept;
+  }
+
  private:
-  // Of the two points, along m0 and along m1.
-  struct Box {
-    ValueRange q0, q1;
-  };
+  static void turn_to(double r, ValueRange q, double& x, double& y) noexcept {
+    y = r > 0 ? q.middle() / r : 0;
+    x = std::sqrt(larger(0, (1 - y) * (1 + y)));
+  }
 
   static double along_n(double r, double q) noexcept {
     const double size = smaller(r, q);
@@ -121,7 +156,10 @@ class PatchSearch {
 
   const Scaled& p_;
   const TurnedFrame& f_;
-  double most_, most_n_, error_, inverse_;    // inverse_: 1/s
+  double most_ = 0, most_n_ = 0, error_, inverse_;  // inverse_: 1/s
+  double side0_ = 1, side1_ = 1;
+  Box boxes_[patch_box_cap + 1];
+  int left_ = 0;
   double e0_ = 0, e1_ = 0, l0_ = 0, l1_ = 0;  // between the centres of the caps, along m0, m1, w0, w1
 };
 

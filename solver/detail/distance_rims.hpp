@@ -64,6 +64,7 @@ class RimPoints {
     }
   }
 
+  const Rims& at() const noexcept { return k; }
   Vector3 on0() const noexcept { return k.side0 * p_.h0 * f_.w0 + p_.r0 * (k.x0 * f_.n + k.y0 * f_.m0); }
   Vector3 on1() const noexcept {
     return p_.delta - k.side1 * p_.h1 * f_.w1 - p_.r1 * (k.x1 * f_.n + k.y1 * f_.m1);

@@ -74,9 +74,10 @@ inline Scaled as_it_is(const Prepared& a, const Prepared& b) noexcept {
           a.height * 0.5, b.radius,    b.height * 0.5,      0};
 }
 
-inline Scaled scale(const Prepared& a, const Prepared& b) noexcept {
+// `room`: a length that must not overflow in the unit either.
+inline Scaled scale(const Prepared& a, const Prepared& b, double room = 0) noexcept {
   if (a.ordinary & b.ordinary) return as_it_is(a, b);
-  const double widest = larger(larger(a.radius, b.radius), larger(a.height, b.height));
+  const double widest = larger(larger(larger(a.radius, b.radius), larger(a.height, b.height)), room);
   Vector3 delta = b.center - a.center;
   double most = larger(widest, max_abs(delta));
   // `before` brings back a Delta that overflowed (what vanishes beside it does not matter), brings the

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Solids grown by balls, as intersect(), decide() and distance() hand them on: the room is how near the
-// solids without their rounding may come. Room > 0, both solids valid.
+// solids without their rounding may come: both roundings and the clearance. Room > 0, both solids valid;
+// where the sum of the roundings overflows, as infinity, too.
 #pragma once
 
 #include "solver/distance.hpp"
@@ -8,8 +9,8 @@
 namespace cyl {
 
 double room_of(const Prepared& a, const Prepared& b, double clearance) noexcept;
-Verdict intersect_rounded(const Prepared& a, const Prepared& b, double room) noexcept;
-Answer decide_rounded(const Prepared& a, const Prepared& b, double room) noexcept;
+Verdict intersect_rounded(const Prepared& a, const Prepared& b, double clearance) noexcept;
+Answer decide_rounded(const Prepared& a, const Prepared& b, double clearance) noexcept;
 /// Of the solids without their rounding, which must be 0 in both.
 Distance distance_of_cores(const Prepared& a, const Prepared& b) noexcept;
 
