@@ -25,6 +25,7 @@ constexpr double patch_error = 4 * distance_error;
 
 constexpr int projection_cap = 60;  // of the points, where nothing else brought the bounds together
 constexpr int touch_cap = 6;        // of them from each start, where solids overlap
+constexpr int open_box_cap = 2;     // boxes of a pair of rims from which a search starts
 constexpr int settle_cap = 12;      // of them where direction and points do not belong together
 // By how much two solids that touch are made to overlap for decide() to find a common point, of the reach.
 constexpr double touch_tols[] = {0x1p-44, 0x1p-38, 0x1p-32, 0x1p-26};
@@ -68,7 +69,10 @@ class Search {
   // more is looked at for a direction and two points that belong together, and so are steps from each core to
   // the other.
   void settle() noexcept {
-    if (!(low_ < 0) || settle(direction_, on0_, on1_)) return;
+    if (!(low_ < 0)) return;
+    const Vector3 way = on1_ - on0_, off = way - dot(way, direction_) * direction_;
+    const double rounding = distance_error * reach_;
+    if (dot(off, off) <= rounding * rounding || settle(direction_, on0_, on1_)) return;
     settling_ = true;
     if (look_at_circles() || look_at_faces(true) || look_at_faces(false) || look_at_starts() ||
         look_along(on1_ - on0_) || look_along(Vector3(direction_)))
@@ -262,8 +266,9 @@ class Search {
       for (const double side1 : {1.0, -1.0}) {
         if (patches.is_above(side0, side1)) continue;
         is_least_ = false;
-        int next = 0;
-        for (Rims rims; next_start(next, side0, side1, rims) || patches.next_open(rims);) {
+        int next = 0, boxes = 0;
+        for (Rims rims;
+             next_start(next, side0, side1, rims) || (boxes++ < open_box_cap && patches.next_open(rims));) {
           look_at_rims(rims, &rims);
           patches.close_around(rims, low_);
         }
@@ -385,8 +390,7 @@ void measure_parallel(const Scaled& p, const Vector3& axis_sum, Distance& out) n
     int least = 0;
     for (int i = 1; i < 3; ++i)
       if (std::fabs(w[i]) < std::fabs(w[least])) least = i;
-    Vector3 unit(0, 0, 0);
-    unit[least] = 1;
+    const Vector3 unit(least == 0 ? 1 : 0, least == 1 ? 1 : 0, least == 2 ? 1 : 0);
     u = w.cross(unit);
     u /= length(u);
   }
