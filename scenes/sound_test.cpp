@@ -147,7 +147,7 @@ Scene ended(const std::string& radius, const std::string& above) {
 
 TEST(Sound, OnlyWhatFitsWithinTheDecimalsIsACapsule) {
   const Scene apart = ended("0.991", "3.497");  // 0.006 above the poles
-  EXPECT_EQ(apart.folded, 0u);
+  ASSERT_EQ(apart.folded, 0u);
   for (std::size_t i = 0; i < 3; ++i)
     EXPECT_EQ(prove_motion(apart, i, 3, {}).verdict, MotionVerdict::never) << apart.bodies[i].name;
   const Scene wider = ended("1.0000000009", "3.5000000008");  // overlap by 1e-10
