@@ -39,10 +39,15 @@ expect 0 'the simple pairs are pairs' "$daylight" check simple.jsonl
 keys=$(grep '"key"' causes.json | sort)
 
 # Killed once something is stored, then run again: the same causes.
+stored_causes() { # RUN : whether its triage has stored a cause
+  python3 -c 'import sqlite3, sys
+sys.exit(not sqlite3.connect(f"file:{sys.argv[1]}/triage.sqlite?mode=ro", uri=True).execute("SELECT 1 FROM cause").fetchone())' \
+    "$1" 2>/dev/null
+}
 setsid "$daylight" triage killed --for 8s >out 2>err &
 triaging=$!
 for _ in {1..6000}; do
-  [[ -s killed/triage.sqlite ]] && break
+  stored_causes killed && break
   sleep 0.01
 done
 kill -KILL -- "-$triaging" || failed 'it ended before it was killed'
