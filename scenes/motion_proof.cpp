@@ -265,7 +265,11 @@ ExemptionProof prove_exemption(const Scene& scene, std::size_t exemption, const 
 
 MotionProof prove_motion(const Scene& scene, std::size_t a, std::size_t b, const MotionQuestion& question) {
   MotionProof proof = Prover(scene, a, b, question).run();
-  proof.bounded = proof.verdict <= MotionVerdict::within && (scene.bodies[a].box || scene.bodies[b].box);
+  // At touch, what is not confirmed of the shapes themselves is only of a solid that holds them.
+  const bool holds = scene.bodies[a].box || scene.bodies[b].box;
+  proof.bounded = proof.verdict == MotionVerdict::refuted
+                      ? holds
+                      : proof.verdict == MotionVerdict::within && (holds || question.clearance == 0);
   if (proof.bounded) {
     proof.verdict = MotionVerdict::open;
     proof.open_share = 1;
