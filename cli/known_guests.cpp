@@ -49,6 +49,7 @@ std::string record_guests(const std::vector<Guest>& guests) {
 }
 
 bool is_recorded(const Guest& guest) {
+  if (has_control_character(guest.what + guest.folder)) return false;
   std::ifstream file(record_file());
   const std::string wanted = line_of(guest);
   for (std::string line; std::getline(file, line);)

@@ -60,8 +60,49 @@ with sqlite3.connect('renamed/run.sqlite') as run:
 END
 try 'a run that was changed' replay "renamed:$id"
 
-# Other files: a field that names a program is refused or means nothing.
 pair='"a":{"center":[0,0,0],"axis":[0,0,1],"radius":1,"height":2},"b":{"center":[9,0,0],"axis":[0,0,1],"radius":1,"height":2}'
+printf '{%s}\n' "$pair" >pair.jsonl
+
+# A folder whose name has a line in it forges no record.
+folder=$'p\tx\ncommand\t\t/tmp\tsh evil.sh #'
+mkdir -p "$folder"
+(cd "$folder" && "$daylight" check --command 'mine=sh evil.sh' --method mine "$scratch/pair.jsonl") >out 2>err || true
+holds 'a folder with a line in its name' err 'control character'
+
+# What a run holds in the place of its files is not followed, and nothing outside is deleted.
+echo thesis >victim
+planted() { # NAME COMMAND.. : in a copy of the run
+  "$daylight" "${@:2}" >out 2>err || true
+  equal "$1: what is outside stays" thesis "$(cat victim)"
+  starts "$1" no
+}
+for file in run triage; do
+  rm -rf copy && cp -r renamed copy
+  cat >plant.py <<'END'
+import os, struct, sys
+name, victim = sys.argv[1], sys.argv[2].encode()
+magic = bytes.fromhex('d9d505f920a163d7')
+pages = os.path.getsize(name) // 4096
+with open(name + '-journal', 'wb') as journal:
+    journal.write((magic + struct.pack('>IIIII', 0, 0, pages, 512, 4096)).ljust(512, b'\0'))
+    journal.write(struct.pack('>I', 0x40000000 // 4096 + 1) + victim + struct.pack('>II', len(victim), sum(victim)) + magic)
+END
+  for words in 'replay copy' 'triage copy --for 1s' 'chart copy' 'merge copy --out joined'; do
+    python3 plant.py "copy/$file.sqlite" "$scratch/victim"
+    # shellcheck disable=SC2086
+    planted "a journal of $file: $words" $words
+  done
+done
+for link in charts.json.new charts.json report.html triage.sqlite run.sqlite buckets/fcl-libccd.overflow.jsonl; do
+  rm -rf copy && cp -r renamed copy && mkdir -p copy/buckets && ln -sfn "$scratch/victim" "copy/$link"
+  # shellcheck disable=SC2086
+  for words in 'triage copy --for 1s' 'chart copy'; do planted "a link $link: $words" $words; done
+done
+rm -rf copy && cp -r renamed copy && rm -rf copy/buckets && mkdir outside && ln -s "$scratch/outside" copy/buckets
+planted 'a link buckets' triage copy --for 1s
+equal 'nothing is written through it' '' "$(ls outside)"
+
+# Other files: a field that names a program is refused or means nothing.
 guest='"command":"sh evil.sh","plugin":"./evil.so","guests":"command\tevil\t.\tsh evil.sh"'
 mkdir cases
 printf '{%s,%s}\n' "$pair" "$guest" >cases/case.jsonl

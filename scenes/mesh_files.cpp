@@ -45,7 +45,7 @@ std::vector<Vector3> read_binary_stl(const std::string& bytes, std::size_t trian
   return vertices;
 }
 
-/// The three numbers after `word` on each line that begins with it.
+/// The three numbers after `word` on each line that begins with it, as OBJ has them.
 std::vector<Vector3> read_vertices(const std::string& text, const std::string& word) {
   std::vector<Vector3> vertices;
   std::istringstream in(text);
@@ -59,8 +59,28 @@ std::vector<Vector3> read_vertices(const std::string& text, const std::string& w
     while (rest.ends_with('\r')) rest.pop_back();
     const std::vector<double> x = parse_numbers(rest, "line " + std::to_string(number));
     if (x.size() < 3) throw std::runtime_error("line " + std::to_string(number) + ": fewer than 3 numbers");
+    if (x.size() == 4 && x[3] != 1) throw std::runtime_error("line " + std::to_string(number) + ": a weight");
     vertices.emplace_back(x[0], x[1], x[2]);
   }
+  return vertices;
+}
+
+/// Words, in whatever lines: after the first line each facet has three vertices.
+std::vector<Vector3> read_text_stl(const std::string& text) {
+  std::istringstream words(text.substr(std::min(text.size(), text.find('\n'))));
+  std::vector<Vector3> vertices;
+  std::size_t facets = 0;
+  for (std::string word; words >> word;) {
+    facets += word == "facet";
+    if (word != "vertex") continue;
+    std::string x, y, z;
+    words >> x >> y >> z;
+    const std::vector<double> at =
+        parse_numbers(x + ' ' + y + ' ' + z, "vertex " + std::to_string(vertices.size() + 1));
+    if (at.size() != 3) throw std::runtime_error("an STL that is cut short");
+    vertices.emplace_back(at[0], at[1], at[2]);
+  }
+  if (vertices.size() != 3 * facets) throw std::runtime_error("an STL of facets without three vertices each");
   return vertices;
 }
 
@@ -74,7 +94,7 @@ std::vector<Vector3> read_stl(const std::string& bytes) {
   }
   if (!text) throw std::runtime_error("an STL that is cut short, or none");
   if (bytes.find("endsolid") == bytes.npos) throw std::runtime_error("an STL that is cut short");
-  return read_vertices(bytes, "vertex");
+  return read_text_stl(bytes);
 }
 
 }  // namespace

@@ -164,8 +164,10 @@ class MjcfBuilder {
     const std::vector<double> range = joint.numbers("range");
     const std::string told = joint.text("limited", "auto");
     const bool ranged = range.size() == 2 && !(range[0] == 0 && range[1] == 0);
-    if (ranged && (told == "true" || (told == "auto" && d_.autolimits()))) {
-      if (range[0] > range[1]) throw std::runtime_error("joint " + link.joint + ": its range is none");
+    if (ranged && range[0] > range[1])
+      throw std::runtime_error("joint " + link.joint + ": its range is none");
+    const bool by_range = told == "auto" && d_.autolimits() && ranged && range[0] < range[1];
+    if (d_.limits() && ranged && (told == "true" || by_range)) {
       link.low = turns ? d_.angle(range[0]) : range[0];
       link.high = turns ? d_.angle(range[1]) : range[1];
     } else if (turns) {
@@ -317,7 +319,10 @@ class MjcfBuilder {
   void couple(const pugi::xml_node& node) {
     const MjcfElement element(d_, node, "");
     const std::string kind = node.name();
-    if (node.type() != pugi::node_element || element.text("active", "true") == "false") return;
+    if (node.type() != pugi::node_element || !d_.equalities()) return;
+    const auto* given = d_.defaults(node.attribute("class").as_string(), "equality");
+    const bool off = given && given->contains("active") && given->at("active") == "false";
+    if (std::string(node.attribute("active").as_string(off ? "false" : "true")) == "false") return;
     if (kind != "joint") {
       scene_.notes.push_back("Equality " + kind + " is not kept: what it holds together is drawn apart.");
       return;
@@ -325,9 +330,9 @@ class MjcfBuilder {
     const std::string one = node.attribute("joint1").as_string(),
                       other = node.attribute("joint2").as_string();
     const auto moved = moved_.find(one), leader = moved_.find(other);
-    std::vector<double> c = element.numbers("polycoef");
-    if (c.empty()) c = {0, 1};
-    c.resize(5);
+    std::vector<double> c{0, 1, 0, 0, 0};
+    const std::vector<double> told = element.numbers("polycoef");
+    std::copy_n(told.begin(), std::min(told.size(), c.size()), c.begin());
     if (moved == moved_.end() || leader == moved_.end() || c[2] != 0 || c[3] != 0 || c[4] != 0) {
       scene_.notes.push_back("Joint " + one + " follows none, or not in proportion: drawn by itself.");
       return;

@@ -85,16 +85,26 @@ void MjcfDocument::set_compiler() {
     const auto set = [&](const char* name, std::string& value) {
       if (const pugi::xml_attribute given = node.attribute(name)) value = given.value();
     };
-    std::string angle = degrees_ ? "degree" : "radian", limits = autolimits_ ? "true" : "false", coordinate;
+    std::string angle = degrees_ ? "degree" : "radian", limits = autolimits_ ? "true" : "false", coordinate,
+                strip = strippath_ ? "true" : "false";
     set("angle", angle);
     set("autolimits", limits);
     set("eulerseq", eulerseq_);
     set("assetdir", meshdir_);
     set("meshdir", meshdir_);
     set("coordinate", coordinate);
+    set("strippath", strip);
+    strippath_ = strip == "true";
     degrees_ = angle != "radian";
     autolimits_ = limits != "false";
     if (coordinate == "global") throw std::runtime_error("global coordinates, which MuJoCo gave up too");
+  }
+  for (const pugi::xml_node& flag : entries("option", "flag")) {
+    const auto is_off = [&](const char* name, bool before) {
+      return std::string(flag.attribute(name).as_string(before ? "enable" : "disable")) == "disable";
+    };
+    limits_ = !is_off("limit", limits_);
+    equalities_ = !is_off("equality", equalities_);
   }
   if (eulerseq_.size() != 3 || eulerseq_.find_first_not_of("xyzXYZ") != eulerseq_.npos)
     throw std::runtime_error("eulerseq is '" + eulerseq_ + "'");
@@ -124,7 +134,9 @@ std::vector<pugi::xml_node> MjcfDocument::entries(const std::string& section, co
 }
 
 std::string MjcfDocument::mesh_path(const std::string& file) const {
-  return (std::filesystem::path(folder_) / meshdir_ / file).string();
+  const std::filesystem::path path =
+      strippath_ ? std::filesystem::path(file).filename() : std::filesystem::path(file);
+  return (std::filesystem::path(folder_) / meshdir_ / path).string();
 }
 
 double MjcfDocument::angle(double value) const { return degrees_ ? value * std::numbers::pi / 180 : value; }
@@ -204,6 +216,12 @@ Eigen::Quaterniond MjcfElement::turn(bool own) const {
 Pose MjcfElement::pose() const {
   bool own = false;
   for (const char* name : {"quat", "axisangle", "xyaxes", "zaxis", "euler"}) own |= has(name, true);
+  // Versions of MuJoCo differ in which of two kinds has the last word.
+  for (const char* name : {"axisangle", "xyaxes", "zaxis", "euler"})
+    if (own && given_ && given_->contains(name) && !has(name, true))
+      throw std::runtime_error(std::string(node_.name()) + " " + node_.attribute("name").as_string() +
+                               " is turned in one way, and by its class in another (" + name +
+                               "): give it one of them");
   return Pose(Eigen::Translation3d(vector("pos", Vector3::Zero())) * turn(own));
 }
 

@@ -58,8 +58,9 @@ struct Body {
   unsigned type = 1, affinity = 1;
   /// What the solid only holds, as an outer model: clear of the solid is clear of it, near is not known.
   std::optional<BoxShape> box = std::nullopt;
-  double excess = 0;                ///< how far the solid may reach beyond the shapes that it stands for
-  std::vector<std::string> paired;  ///< bodies with which the file asks to check it, whatever else it says
+  double excess = 0;  ///< how far the solid may reach beyond the shapes that it stands for
+  /// Bodies with which the file asks to check it, whatever else it says.
+  std::vector<std::string> paired = {};
 };
 
 /// A collision shape that nobody looked at: not a solid of ours, and without a bound.

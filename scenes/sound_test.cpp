@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <fstream>
 #include <numbers>
+#include <stdexcept>
 #include <string>
 
 #include "corpus/pairs/solid_kind.hpp"
@@ -179,6 +180,58 @@ TEST(Sound, AnExemptionIsAboutContact) {
   EXPECT_EQ(study.exemptions[0].verdict, MotionVerdict::within);
   EXPECT_GT(study.exemptions[0].bodies.at(0).bound, 0) << "and never touches";
   EXPECT_LT(study.exemptions[0].bodies.at(0).bound, 0.1001);
+}
+
+/// Two hinges, the second of which follows the first.
+Scene followed(const std::string& before, const std::string& equality = "") {
+  return read_text(".xml", "<mujoco>" + before + R"(<worldbody>
+    <body name="a"><joint name="one" range="-90 90"/><geom size="1"/></body>
+    <body name="b" pos="3 0 0"><joint name="two" range="-90 90"/><geom size="1"/></body></worldbody>
+    <equality><joint joint1="two" joint2="one" )" +
+                               equality + "/></equality></mujoco>");
+}
+Link link_of(const Scene& scene, const std::string& joint) {
+  for (const Link& link : scene.links)
+    if (link.joint == joint) return link;
+  throw std::runtime_error("no joint " + joint);
+}
+
+TEST(Sound, WhatSwitchesEqualitiesAndLimitsOffIsRead) {
+  const Scene plain = followed("");
+  ASSERT_TRUE(link_of(plain, "two").follow);
+  EXPECT_EQ(link_of(plain, "two").follow->multiplier, 1) << "the default of polycoef";
+  EXPECT_FALSE(link_of(plain, "one").endless);
+  EXPECT_EQ(link_of(followed("", "polycoef='0.2'"), "two").follow->multiplier, 1)
+      << "what is not given stays";
+  EXPECT_FALSE(link_of(followed("<default><equality active='false'/></default>"), "two").follow);
+  EXPECT_TRUE(link_of(followed("<default><joint active='false'/></default>"), "two").follow);
+  EXPECT_FALSE(link_of(followed("<option><flag equality='disable'/></option>"), "two").follow);
+  EXPECT_TRUE(link_of(followed("<option><flag limit='disable'/></option>"), "one").endless);
+}
+
+TEST(Sound, AnEmptyRangeIsNoLimit) {
+  const Scene scene = read_text(".xml", R"(<mujoco><worldbody><body name="a"><joint name="one" range="30 30"/>
+    <geom size="1"/></body></worldbody></mujoco>)");
+  EXPECT_TRUE(link_of(scene, "one").endless);
+}
+
+TEST(Sound, AnOrientationOfTwoKindsIsRefused) {
+  const auto turned = [](const std::string& own) {
+    return read_text(
+        ".xml", "<mujoco><default><geom euler='0 90 0'/></default><worldbody><body name='a'><geom size='1' " +
+                    own + "/></body></worldbody></mujoco>");
+  };
+  EXPECT_THROW(turned("quat='1 0 0 0'"), std::runtime_error);
+  EXPECT_NO_THROW(turned("euler='0 0 0'"));
+  EXPECT_NO_THROW(turned(""));
+}
+
+TEST(Sound, AnAxisOfAnyLengthTurns) {
+  const Scene scene =
+      robot(ball("a", "0 0 0") + ball("b", "1 0 0") +
+            "<joint name='j' type='revolute'><parent link='a'/><child link='b'/><axis xyz='0 0 1e200'/>"
+            "<limit lower='-1' upper='1' effort='1' velocity='1'/></joint>");
+  EXPECT_EQ(link_of(scene, "j").axis, Vector3(0, 0, 1));
 }
 
 TEST(Sound, PairsThatAFileNamesAreChecked) {

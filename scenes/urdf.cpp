@@ -134,8 +134,8 @@ void set_motion(Link& link, const urdf::Joint& joint, Scene& scene) {
     default:
       return;
   }
-  const double length = urdf_vector(joint.axis).norm();
-  if (!(length > 0)) throw std::runtime_error("joint " + joint.name + " has no axis");
+  const double length = urdf_vector(joint.axis).stableNorm();
+  if (!(length > 0) || std::isinf(length)) throw std::runtime_error("joint " + joint.name + " has no axis");
   link.axis = urdf_vector(joint.axis) / length;
 }
 

@@ -14,9 +14,13 @@
 
 #include <charconv>
 #include <cstdint>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
 #include <optional>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 #include <tuple>
 #include <type_traits>
 #include <utility>
@@ -153,10 +157,29 @@ class Query {
   SQLite::Statement statement_;
 };
 
+/// Returns the name. A rollback journal may end in the name of a super-journal, which SQLite deletes once it
+/// has played the journal back; ours name none, since no database is ever attached.
+inline std::string own_file(const std::string& name) {
+  namespace fs = std::filesystem;
+  const std::string journal = name + "-journal";
+  for (const std::string& file : {name, journal})
+    if (fs::is_symlink(fs::symlink_status(file)))
+      throw std::runtime_error(file + " is a symbolic link; a run holds its own files");
+  constexpr std::string_view magic("\xd9\xd5\x05\xf9\x20\xa1\x63\xd7", 8);
+  std::ifstream in(journal, std::ios::binary);
+  const std::string bytes{std::istreambuf_iterator<char>(in), {}};
+  if (bytes.size() > magic.size() && bytes.ends_with(magic))
+    throw std::runtime_error(journal + " names another file, which SQLite would delete; remove the journal");
+  return name;
+}
+
 class SqliteFile {
  public:
+  /// Throws std::runtime_error if the file is a symbolic link, or if a journal beside it would have SQLite
+  /// delete another file: a stranger may have made the folder.
   SqliteFile(const std::string& name, int flags)
-      : name_(name), database_(naming(name, [&] { return SQLite::Database(name, flags, busy_cap); })) {}
+      : name_(own_file(name)),
+        database_(naming(name, [&] { return SQLite::Database(name, flags, busy_cap); })) {}
 
   const std::string& name() const { return name_; }
   bool has(const char* table) const {

@@ -58,11 +58,13 @@ const char* option_of(GuestKind kind) { return kind == GuestKind::plugin ? "--pl
 
 }  // namespace
 
+bool has_control_character(std::string_view text) {
+  return std::ranges::any_of(text, [](char c) { return std::iscntrl(static_cast<unsigned char>(c)) != 0; });
+}
+
 Guest read_guest(GuestKind kind, const std::string& text) {
-  for (const char c : text) {
-    if (std::iscntrl(static_cast<unsigned char>(c)))
-      throw UsageError(std::string(option_of(kind)) + " has a control character in it");
-  }
+  if (has_control_character(text))
+    throw UsageError(std::string(option_of(kind)) + " has a control character in it");
   const std::size_t name = given_name(text);
   Guest guest{kind, text.substr(0, name), text.substr(name == 0 ? 0 : name + 1), {}};
   if (const std::size_t colon = guest.name.find(':'); colon != guest.name.npos) {
@@ -76,6 +78,9 @@ Guest read_guest(GuestKind kind, const std::string& text) {
   } else {
     guest.folder = fs::current_path().string();
   }
+  if (has_control_character(guest.what + guest.folder))
+    throw UsageError(std::string(option_of(kind)) +
+                     ": the name of this folder has a control character in it");
   return guest;
 }
 

@@ -32,6 +32,9 @@ struct Guest {
 /// can have, and on control characters.
 Guest read_guest(GuestKind kind, const std::string& text);
 
+/// One in a command or a path would forge a line of format_guests().
+bool has_control_character(std::string_view text);
+
 /// Returns the option that names it, as a shell takes it: --plugin mine=./libmine.so.
 std::string options_for(const Guest& guest);
 

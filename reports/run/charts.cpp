@@ -201,9 +201,7 @@ void set_charts(RunData& run, const nlohmann::json& fields) {
   run.charts.update(fields);
   for (const char* other : {"speed", "cost"})
     if (!run.charts.contains(other)) run.charts[other] = nlohmann::json::array();
-  const fs::path file = fs::path(run.folder) / "charts.json", unfinished = file.string() + ".new";
-  write_file(unfinished, run.charts.dump() + '\n');
-  fs::rename(unfinished, file);
+  replace_file(fs::path(run.folder) / "charts.json", run.charts.dump() + '\n');
 }
 
 void write_charts(RunData& run, const std::vector<BenchRow>& bench) {

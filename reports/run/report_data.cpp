@@ -346,9 +346,7 @@ std::string report_json(const RunData& run, const std::string& kill_matrix) {
 }
 
 void write_page(const RunData& run, const std::string& kill_matrix) {
-  const std::string page = run.folder + "/report.html", unfinished = fmt::format("{}.{}", page, getpid());
-  write_file(unfinished, fill_template(report_json(run, kill_matrix)));
-  std::filesystem::rename(unfinished, page);
+  replace_file(run.folder + "/report.html", fill_template(report_json(run, kill_matrix)));
 }
 
 }  // namespace cyl

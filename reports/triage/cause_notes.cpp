@@ -51,9 +51,7 @@ void write_note(const std::string& file, const std::string& cause, const CauseNo
     const nlohmann::ordered_json line{{"cause", key}, {"owner", of.owner}, {"note", of.note}};
     text += line.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + '\n';
   }
-  const std::string unfinished = fmt::format("{}.{}", file, getpid());
-  write_file(unfinished, text);
-  fs::rename(unfinished, file);
+  replace_file(file, text);
 }
 
 }  // namespace cyl

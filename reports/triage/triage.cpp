@@ -8,6 +8,7 @@
 #include <tuple>
 #include <utility>
 
+#include "base/files.hpp"
 #include "corpus/pairs/pair_io.hpp"
 #include "fuzz/campaign/campaign.hpp"
 #include "reports/triage/buckets.hpp"
@@ -70,16 +71,15 @@ void write_pair(const fs::path& file, const Bucket& bucket, const Json& shown) {
   Json line = shown.at("pair");
   line["id"] = bucket.key;
   line["note"] = bucket.cause;
-  std::ofstream out(file);
-  out << line.dump() << '\n';
-  out.close();
-  if (!out) throw std::runtime_error(file.string() + " cannot be written");
+  replace_file(file, line.dump() + '\n');
 }
 
 /// FOLDER/buckets/: the simplest pair of each bucket, and the worst where it was searched for, each as a file
 /// of one case.
 void write_pairs(const std::string& run_folder, const std::vector<Bucket>& buckets) {
   const fs::path folder = fs::path(run_folder) / "buckets";
+  if (fs::is_symlink(fs::symlink_status(folder)))
+    throw std::runtime_error(folder.string() + " is a symbolic link; a run holds its own files");
   fs::create_directories(folder);
   for (const Bucket& b : buckets) {
     if (b.status == Recurrence::gone) continue;
