@@ -229,9 +229,9 @@ void add_scene(Program& program) {
                  1'000'000'000);
   command.option("--srdf", arguments->srdf,
                  "the pairs of links not to be checked; without it, FILE.srdf beside FILE.urdf");
-  command.option(
-      "--srdf-out", arguments->srdf_out,
-      "write an SRDF of the pairs that one joint joins or that are proved never to touch; implies --prove");
+  command.option("--srdf-out", arguments->srdf_out,
+                 "write an SRDF of the pairs of which one link carries the other or that are proved never to "
+                 "touch; implies --prove");
   command.option("--generate", arguments->generate,
                  "generate rods or pipes instead of reading a FILE, and ask about all close pairs");
   command.number("--count", arguments->count, "cylinders to generate", 1, 10'000'000);

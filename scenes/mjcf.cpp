@@ -43,6 +43,7 @@ class MjcfBuilder {
     world.name = "world";
     scene_.links.push_back(world);
     link_of_["world"] = 0;
+    names_.emplace("body", "world");
     bodies_ = 1;
     Parts parts;
     for (const pugi::xml_node& node : d_.sections("worldbody"))
@@ -86,9 +87,12 @@ class MjcfBuilder {
   }
 
   /// A name, or what MuJoCo would count it as.
-  static std::string name_of(const pugi::xml_node& node, const char* what, std::size_t id) {
-    const std::string given = node.attribute("name").as_string();
-    return given.empty() ? fmt::format("{} {}", what, id) : given;
+  std::string name_of(const pugi::xml_node& node, const char* what, std::size_t id) {
+    std::string name = node.attribute("name").as_string();
+    if (name.empty()) name = fmt::format("{} {}", what, id);
+    if (!names_.emplace(what, name).second)
+      throw std::runtime_error(fmt::format("{} '{}' is there twice: rename one", what, name));
+    return name;
   }
 
   void add(const Part& body, std::size_t parent, bool parent_stands) {
@@ -123,6 +127,7 @@ class MjcfBuilder {
   /// Puts down `link` as one that carries no shapes, and begins the one that it carries, at `origin` from it.
   void carry(Link& link, Pose& origin, const Pose& next) {
     const std::size_t carrier = scene_.links.size();
+    link.split = true;
     scene_.links.push_back(link);
     link = Link{};
     link.name = scene_.links[carrier].name;
@@ -362,7 +367,8 @@ class MjcfBuilder {
   std::size_t bodies_ = 0, joints_ = 0, geoms_ = 0;  ///< as MuJoCo counts them
   std::size_t seen_only_ = 0;                        ///< geoms that collide with nothing
   std::set<std::string> paired_;
-  std::map<std::string, std::size_t> body_of_;  ///< by geom
+  std::map<std::string, std::size_t> body_of_;           ///< by geom
+  std::set<std::pair<std::string, std::string>> names_;  ///< that are taken: of a body, joint or geom
   std::map<std::string, std::size_t> link_of_;
   std::map<std::string, Moved> moved_;
 };

@@ -112,7 +112,21 @@ TEST_F(Mjcf, HoldsWhatItDoesNotMove) {
   EXPECT_EQ(PairRule(scene, false).reason(scene.bodies[0], scene.bodies[1]), PairRule::Reason::checked);
 }
 
+// Of a body with two joints, both belong to it; of three bodies in a row, the first does not carry the last.
+TEST_F(Mjcf, NeighboursAreBodiesOfWhichOneCarriesTheOther) {
+  const Scene scene = read(R"(<worldbody><body><joint/><geom size="1"/><body><joint/><joint/><geom size="1"/>
+    <body><joint/><geom size="1"/></body></body></body></worldbody>)");
+  const auto neighbours = [&](std::size_t a, std::size_t b) {
+    return carries_directly(scene, scene.bodies[a].link, scene.bodies[b].link);
+  };
+  EXPECT_TRUE(neighbours(0, 1));
+  EXPECT_TRUE(neighbours(2, 1));
+  EXPECT_FALSE(neighbours(0, 2));
+}
+
 TEST_F(Mjcf, FaultsAreNamed) {
+  EXPECT_EQ(why("<worldbody><body name='body 2'><body/></body></worldbody>"),
+            ": body 'body 2' is there twice: rename one");
   EXPECT_EQ(why("<worldbody><geom name='g' type='capsule' size='1'/></worldbody>"),
             ": geom g of world: sizes must be positive");
   EXPECT_EQ(why("<worldbody><geom name='g' size='nan'/></worldbody>"),

@@ -181,6 +181,9 @@ class Prover {
     }
     proof_.held = path_.held();
     if (proof_.held) proof_.verdict = MotionVerdict::open;
+    // A bound above a distance that was seen shows a fault of ours: nothing is proved then.
+    if (proof_.verdict == MotionVerdict::never && cells_.top().bound > proof_.least)
+      proof_.verdict = MotionVerdict::open;
     if (proof_.verdict == MotionVerdict::never)
       proof_.bound = cells_.top().bound;
     else

@@ -84,14 +84,13 @@ bool may_collide(const Body& a, const Body& b) {
   return (a.type & b.affinity) != 0 || (b.type & a.affinity) != 0;
 }
 
-bool joined_by_one(const Scene& scene, std::size_t a, std::size_t b) {
-  // A body of MJCF with joints is as many links of the same name.
+bool carries_directly(const Scene& scene, std::size_t a, std::size_t b) {
   const auto is_carried_by = [&](std::size_t link, std::size_t by) {
     std::size_t at = link;
     while (scene.links[at].parent && !scene.links[at].stands) {
       at = *scene.links[at].parent;
       if (at == by) return true;
-      if (scene.links[at].name != scene.links[link].name) return false;
+      if (!scene.links[at].split) return false;
     }
     return false;
   };

@@ -34,6 +34,7 @@ struct Link {
   Pose origin = Pose::Identity();     ///< of the joint, in the parent's frame
   Motion motion = Motion::fixed;
   bool held = false;      ///< fixed only here: its joint moves in a way that nothing draws
+  bool split = false;     ///< of a body of MJCF with joints: the next link is the rest of the same body
   bool stands = false;    ///< on a parent that is there to be hit, and so not adjacent to it
   bool endless = false;   ///< it turns without limits: [low, high] is as far as it and its followers repeat
   bool in_part = false;   ///< it follows an endless joint and does not repeat: only a part of it is drawn
@@ -109,8 +110,9 @@ class PairRule {
 
 /// Returns whether the types and affinities of two bodies let them collide.
 bool may_collide(const Body& a, const Body& b);
-/// Returns whether one joint of the file joins two links; false if one of them is there to be hit.
-bool joined_by_one(const Scene& scene, std::size_t a, std::size_t b);
+/// Returns whether one of two links carries the other, with no third between them, by joints or fixed; false
+/// if one of them is there to be hit.
+bool carries_directly(const Scene& scene, std::size_t a, std::size_t b);
 
 /// Lets endless joints turn as often as their followers need to repeat; marks those that never do. Throws
 /// std::runtime_error if joints mimic each other in a circle.

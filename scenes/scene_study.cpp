@@ -175,7 +175,7 @@ class Study {
     for (std::size_t b = 0; b < scene_.bodies.size() && q_.prove_others; ++b) {
       for (std::size_t a = 0; a < b; ++a) {
         const std::size_t one = scene_.bodies[a].link, other = scene_.bodies[b].link;
-        if (one != other && !joined_by_one(scene_, one, other) &&
+        if (one != other && !carries_directly(scene_, one, other) &&
             std::ranges::find(pairs, std::pair(a, b)) == pairs.end())
           others.emplace_back(a, b);
       }

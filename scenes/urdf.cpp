@@ -297,6 +297,11 @@ class UrdfBuilder {
         throw std::runtime_error("joint " + scene_.links[index].joint + " mimics '" + mimic->joint_name +
                                  "', which is none");
       scene_.links[index].follow = Follow{leader->second, mimic->multiplier, mimic->offset};
+      if (scene_.links[leader->second].motion == Motion::fixed && !scene_.links[leader->second].held) {
+        scene_.links[index].held = true;  // programs disagree on what it does
+        scene_.notes.push_back("Joint " + scene_.links[index].joint + " mimics the fixed joint " +
+                               mimic->joint_name + ": it is held.");
+      }
     }
     turn_leaders_round(scene_);
   }

@@ -40,12 +40,13 @@ class SrdfWriter {
   }
 
   std::string text() const {
-    std::string out = fmt::format(
-        "<?xml version=\"1.0\"?>\n{}\n<robot name=\"{}\">\n",
-        comment_text(fmt::format("Pairs of links of {} that need no check: one joint joins them, or they are "
-                                 "proved never to touch, over all motions; clearance {}.",
-                                 q_.file, q_.clearance)),
-        attribute_text(scene_.name.empty() ? "robot" : scene_.name));
+    std::string out =
+        fmt::format("<?xml version=\"1.0\"?>\n{}\n<robot name=\"{}\">\n",
+                    comment_text(fmt::format(
+                        "Pairs of links of {} that need no check: one carries the other, or they are "
+                        "proved never to touch, over all motions; clearance {}.",
+                        q_.file, q_.clearance)),
+                    attribute_text(scene_.name.empty() ? "robot" : scene_.name));
     for (std::size_t b = 0; b < scene_.links.size(); ++b)
       for (std::size_t a = 0; a < b; ++a)
         if (scene_.links[a].shapes > 0 && scene_.links[b].shapes > 0) out += line({a, b});
@@ -59,8 +60,8 @@ class SrdfWriter {
 
   /// The line that disables two links, or a comment why not; nothing of a checked pair that meets.
   std::string line(const LinkPair& links) const {
-    if (joined_by_one(scene_, links.first, links.second))
-      return disabled(links, "Adjacent", "one joint joins them");
+    if (carries_directly(scene_, links.first, links.second))
+      return disabled(links, "Adjacent", "one carries the other");
     if (has_unknown_shapes(scene_, links.first) || has_unknown_shapes(scene_, links.second))
       return enabled(links, "shapes were not looked at");
     const auto found = proofs_.find(links);
