@@ -11,6 +11,7 @@
 
 #include "corpus/pairs/families.hpp"
 #include "corpus/pairs/pair_io.hpp"
+#include "corpus/pairs/random_stream.hpp"
 #include "corpus/store/case_files.hpp"
 #include "oracles/referee/certificate_check.hpp"
 #include "oracles/referee/decide_exactly.hpp"
@@ -329,6 +330,57 @@ TEST(Enclosure, NearTouchingFamiliesKeepTheirMargin) {
       EXPECT_LE(e.lo, e.hi);
       EXPECT_LE(e.hi - e.lo, 2e-9 * size_of(pair)) << name << " " << i;
       EXPECT_LE(std::fabs(e.lo), 0.02 * size_of(pair)) << name << " " << i;
+    }
+  }
+}
+
+// The support point of a direction within 1e-9 of an axis lies on the rim, though the direction hardly says
+// where. The distance, to 16 digits: mpmath.
+TEST(Enclosure, KeepsToTheRimNearAnAxis) {
+  const Pair p{{{0.07799465032728059, -0.6491270501948554, 0.18302059596377318},
+                {0.36144175990345634, -0.8814801938102229, -0.3038955776548649},
+                9.66695294305895,
+                0},
+               {{6.185082114466994, 6.914833155770789, -14.493483402312991},
+                {0.36144176053822225, -0.8814801933388567, -0.3038955782671444},
+                7.954923558490437,
+                0}};
+  const Enclosure e = enclose_distance(p, judge(p), 1e-14);
+  EXPECT_LE(e.lo, 3.7935233225620569e-10);
+  EXPECT_GE(e.hi, 3.7935233225620569e-10);
+}
+
+// f, whose least value over directions is the depth, goes below no bound on it, from wherever it goes down.
+TEST(Enclosure, NoDirectionLeadsOutSooner) {
+  const auto f = [](const Pair& p, const Vector3& d) {
+    double sum = -d.dot(p.b.center - p.a.center);
+    for (const Cylinder* c : {&p.a, &p.b}) {
+      const Vector3 w = c->axis.normalized();
+      sum += c->height / 2 * std::fabs(d.dot(w)) + c->radius * d.cross(w).norm();
+    }
+    return sum;
+  };
+  for (const char* name :
+       {"random", "axes_nearly_parallel", "axes_crossing", "contained", "flat_disks", "needles"}) {
+    for (std::uint64_t i = 0; i < 24; ++i) {
+      const Pair pair = find_family(name)->generate(11, i);
+      const Truth truth = judge(pair);
+      if (truth.verdict != Verdict::intersecting) continue;
+      const double least = -enclose_distance(pair, truth, 1e-14).hi;
+      RandomStream s("ways out", 11, i);
+      const auto random = [&] { return s.unit_vector(); };
+      for (int start = 0; start < 12; ++start) {
+        Vector3 at = random().normalized();
+        double lowest = f(pair, at), step = 0.5;
+        for (int k = 0; k < 120; ++k) {
+          const Vector3 next = (at + step * random()).normalized();
+          const double there = f(pair, next);
+          step *= there < lowest ? 1.5 : 0.85;
+          if (there < lowest) at = next;
+          lowest = std::min(lowest, there);
+        }
+        ASSERT_GE(lowest, least - 1e-13 * size_of(pair)) << name << " " << i;
+      }
     }
   }
 }

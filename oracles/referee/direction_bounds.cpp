@@ -1,0 +1,278 @@
+// SPDX-License-Identifier: MIT
+// Every y = x - delta with x in K bounds f from below by the plane D.y, and on a cap of angle rho about D0
+//     min D.y = |y| cos(theta + rho),   theta the angle between y and D0.
+// With y the support point of D0 that is second order in rho where f is smooth. f has kinks on the great
+// circles square to either axis (the support point jumps along the solid's length) and at the axes (it jumps
+// across the cap); near one, the cap is widened until its middle lies on the kink, where every point of that
+// edge or disk is as good a support point, and the one that makes y most nearly parallel to D0 is taken. That
+// bound is second order again.
+//
+// Near a local minimum D0 of f more is true, and the search need not go to the end of the digits. Let
+// D = D0 cos a + x, x square to D0, |x| = sin a, a <= rho. For the disk of solid i, let n_i be the unit
+// vector from its axis to D0, t_i the one square to both. The part of D square to the axis is A n_i + (t_i.x)
+// t_i with A = D.n_i, and its length L is A + (t_i.x)^2 / (L + A) >= D.n_i + (t_i.x)^2 / (2 L). With y the
+// support point of D0, g its part square to D0 and L_i the greatest L on the cap,
+//     f(D) >= D.y + sum r_i (t_i.x)^2 / (2 L_i) >= f(D0) + g.x + x.Qx/2,
+//     Q = q I + sum r_i/L_i t_i t_i^T,   q = -f(D0) if f(D0) < 0, else -2 f(D0) / (1 + cos rho),
+// since sin^2 a / 2 <= 1 - cos a <= sin^2 a / (1 + cos rho). A kink at D0 adds room. On the circle of solid i
+// the support point may slide by p w_i, |p| <= h_i; p is chosen so that g loses its part along w_i, and what
+// is left of h_i, b = h_i - |p|, adds b |w_i.x|. On both circles that is at least min(b_0, b_1) |x| times the
+// sine between the axes. At the axis of solid i a vector c of its disk takes g away, and r_i - |c| is left,
+// times |x|.
+//   No kink: with m > 0 the least eigenvalue of Q, f >= f(D0) - |g|^2 / (2 m).
+//   One circle, e_0 = w_i, e_1 along it: if b - |g_0| - sin rho (|Q_01| + max(0, -Q_00)/2) >= 0 and Q_11 > 0,
+//   then f >= f(D0) - g_1^2 / (2 Q_11).
+//   Room b on all sides: if b - |g| - sin rho max(0, -m)/2 >= 0, then f >= f(D0).
+// Newton's method along what is smooth makes g vanish first.
+#include "oracles/referee/direction_bounds.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+
+namespace cyl {
+namespace {
+
+/// Rounding of Q and g, relative to the largest of their terms, with room.
+constexpr double curvature_error = 0x1p-40;
+constexpr int newton_cap = 8;
+
+Vec normalized(const Vec& v) { return (1 / length(v)) * v; }
+Vec across(const Vec& v, const Vec& d) { return v - dot(v, d) * d; }
+
+// The cap about `middle` that holds `cap`; false where it is no help any more (near a right angle).
+bool widen(const Cap& cap, const Vec& middle, Cap& out) {
+  const double c = std::min(1.0, dot(cap.center, middle)), s = length(cross(cap.center, middle));
+  out = {middle, cap.cosine * c - cap.sine * s, cap.sine * c + cap.cosine * s};
+  return out.cosine > 0.1;
+}
+
+}  // namespace
+
+DirectionBounds::DirectionBounds(const SearchPair<double>& p)
+    : solids_{Solid{normalized(p.axis0), p.radius0, p.half0}, Solid{normalized(p.axis1), p.radius1, p.half1}},
+      delta_(p.delta) {
+  const Vec n = cross(solids_[0].axis, solids_[1].axis);
+  tilt_ = length(n);
+  normal_ = (1 / tilt_) * n;
+  reach_ = p.radius0 + p.half0 + p.radius1 + p.half1 + length(p.delta);
+}
+
+std::array<Vec, 3> DirectionBounds::likely() const {
+  std::array<Vec, 3> all{solids_[0].axis, solids_[1].axis, normal_};
+  for (Vec& d : all)
+    if (dot(d, delta_) < 0) d = -1.0 * d;
+  return all;
+}
+
+double DirectionBounds::value(const Vec& d) const {
+  double f = -dot(d, delta_);
+  for (const Solid& s : solids_) {
+    const double t = dot(d, s.axis);
+    f += s.half * std::fabs(t) + s.radius * length(d - t * s.axis);
+  }
+  return f;
+}
+
+Bounds DirectionBounds::bounds(const Cap& cap, double enough) const {
+  Bounds best = plane(cap, {});
+  auto consider = [&](const Vec& middle, const Kinks& kinks) {
+    Cap moved;
+    // untaken: a cap of the first cells has 36 degrees and holds its middle; twice 36 is less than 84
+    if (best.below >= enough || !widen(cap, middle, moved)) return;
+    const Bounds b = plane(moved, kinks);
+    best.below = std::max(best.below, b.below);
+    if (b.value < best.value) {
+      best.value = b.value;
+      best.direction = b.direction;
+    }
+    best.nearest = std::min(best.nearest, b.nearest);
+  };
+  for (std::size_t i = 0; i < 2; ++i) {
+    const Vec& w = solids_[i].axis;
+    const double t = dot(cap.center, w);
+    if (std::fabs(t) <= cap.sine) consider(normalized(across(cap.center, w)), {{i == 0, i == 1}, {}});
+    const Vec pole = t < 0 ? -1.0 * w : w;
+    if (length(cross(cap.center, pole)) <= cap.sine) {
+      consider(pole, {{}, {i == 0, i == 1}});
+      // Axes nearly parallel: both poles lie in the cap.
+      if (length(cross(pole, solids_[1 - i].axis)) <= cap.sine) consider(pole, {{}, {true, true}});
+    }
+  }
+  return best;
+}
+
+/// A direction D0, as above; of all points y that support it, the one most nearly along it.
+struct DirectionBounds::Model {
+  Vec direction, y, g;
+  double f;                               ///< f(D0)
+  double value;                           ///< D0.y: f(D0), but for what is lost at an axis
+  double room = 0;                        ///< b
+  double unsure = 0;                      ///< that the room is worth less, since D0 lies beside the circle
+  std::array<double, 2> t{}, s{};         ///< cosine and sine of the angles to the axes
+  std::array<std::optional<Vec>, 2> out;  ///< n_i; none at the axis
+};
+
+/// Two directions square to D0 and each other; on one circle the second is along it.
+struct DirectionBounds::Frame {
+  Vec e0, e1;
+};
+
+DirectionBounds::Model DirectionBounds::model(const Vec& d, const Kinks& kinks) const {
+  Model m;
+  m.direction = d;
+  m.y = -1.0 * delta_;
+  m.f = -dot(d, delta_);
+  for (std::size_t i = 0; i < 2; ++i) {
+    const Solid& solid = solids_[i];
+    m.t[i] = dot(d, solid.axis);
+    const Vec radial = d - m.t[i] * solid.axis;
+    m.s[i] = length(radial);
+    m.f += solid.half * std::fabs(m.t[i]) + solid.radius * m.s[i];
+    if (!kinks.on_circle[i]) m.y = m.y + (m.t[i] < 0 ? -solid.half : solid.half) * solid.axis;
+    if (kinks.at_axis[i] || m.s[i] == 0) continue;
+    // Near the axis the difference has lost digits: square to the axis again, or the point would leave the
+    // rim; where nearly all was lost the middle of the cap serves.
+    const Vec flat = across((1 / m.s[i]) * radial, solid.axis);
+    const double kept = length(flat);
+    if (!(kept > 0.5)) continue;
+    m.out[i] = (1 / kept) * flat;
+    m.y = m.y + solid.radius * *m.out[i];
+  }
+  m.g = across(m.y, d);
+  const auto& [on_circle, at_axis] = kinks;
+  std::array<double, 2> along{dot(m.g, solids_[0].axis), dot(m.g, solids_[1].axis)}, left{};
+  if (on_circle[0] && on_circle[1]) {
+    const double c = dot(solids_[0].axis, solids_[1].axis), square = tilt_ * tilt_;
+    along = {(along[0] - c * along[1]) / square, (along[1] - c * along[0]) / square};
+  }
+  for (std::size_t i = 0; i < 2; ++i) {
+    const Solid& solid = solids_[i];
+    if (on_circle[i]) {
+      const double slid = std::clamp(along[i], -solid.half, solid.half);
+      left[i] = solid.half - std::fabs(slid);
+      m.y = m.y - slid * solid.axis;
+      m.unsure += left[i] * std::fabs(m.t[i]);
+    } else if (at_axis[i]) {
+      const Vec off = across(m.g, solid.axis);
+      const double size = length(off), part = size > solid.radius ? solid.radius / size : 1;
+      m.y = m.y - part * off;
+      m.g = m.g - part * off;
+      left[i] = solid.radius - part * size;
+    }
+  }
+  m.room = on_circle[0] && on_circle[1] ? std::min(left[0], left[1]) * tilt_ : left[0] + left[1];
+  m.value = dot(m.y, d);
+  m.g = m.y - m.value * d;
+  return m;
+}
+
+Bounds DirectionBounds::plane(const Cap& cap, const Kinks& kinks) const {
+  const Model m = model(cap.center, kinks);
+  const double beside = length(m.g), size = length(m.y);
+  // theta + rho beyond a half turn: the plane's least value is -|y|.
+  const bool past = beside * cap.cosine + m.value * cap.sine < 0;
+  return {past ? -size : m.value * cap.cosine - beside * cap.sine, m.f, size, cap.center};
+}
+
+// Q as above with q; `longest`: L_i. By rows Q_00, Q_01, Q_11.
+std::array<double, 3> DirectionBounds::curvature(const Model& m, const Frame& frame, double q,
+                                                 const std::array<double, 2>& longest) const {
+  std::array<double, 3> sum{q, 0, q};
+  for (std::size_t i = 0; i < 2; ++i) {
+    if (!m.out[i]) continue;
+    const Vec turn = cross(*m.out[i], solids_[i].axis);
+    const double x = dot(turn, frame.e0), y = dot(turn, frame.e1);
+    const double weight = solids_[i].radius / longest[i];
+    sum[0] += weight * x * x;
+    sum[1] += weight * x * y;
+    sum[2] += weight * y * y;
+  }
+  return sum;
+}
+
+DirectionBounds::Frame DirectionBounds::frame(const Vec& d, const Kinks& kinks) const {
+  Vec e0 = across(solids_[kinks.on_circle[1] ? 1 : 0].axis, d);
+  // Any two directions serve off the circles.
+  if (!(length(e0) > 0.1)) e0 = cross(d, std::fabs(d.x) < 0.5 ? Vec{1, 0, 0} : Vec{0, 1, 0});
+  e0 = normalized(e0);
+  return {e0, cross(d, e0)};
+}
+
+// Newton's method on the sphere, or along one circle; no farther than `most` from where it begins.
+DirectionBounds::Model DirectionBounds::settle(const Vec& start, const Kinks& kinks, double most) const {
+  const bool one_circle = kinks.on_circle[0] != kinks.on_circle[1];
+  const bool fixed = (kinks.on_circle[0] && kinks.on_circle[1]) || kinks.at_axis[0] || kinks.at_axis[1];
+  Model m = model(start, kinks);
+  for (int step = 0; step < newton_cap && !fixed; ++step) {
+    const auto [e0, e1] = frame(m.direction, kinks);
+    const auto [q00, q01, q11] = curvature(m, {e0, e1}, -m.value, m.s);
+    const double g0 = dot(m.g, e0), g1 = dot(m.g, e1), det = q00 * q11 - q01 * q01;
+    if (!(q11 > 0) || (!one_circle && !(det > 0))) return m;
+    const double x0 = one_circle ? 0 : (q01 * g1 - q11 * g0) / det;
+    const double x1 = one_circle ? -g1 / q11 : (q01 * g0 - q00 * g1) / det;
+    const double far = std::hypot(x0, x1);
+    most -= far;
+    if (!(far > 0x1p-52) || most < 0) return m;
+    Vec d = normalized(m.direction + x0 * e0 + x1 * e1);
+    for (std::size_t i = 0; i < 2; ++i)
+      if (kinks.on_circle[i]) d = normalized(across(d, solids_[i].axis));
+    m = model(d, kinks);
+    if (far < 0x1p-27) return m;  // the next step would be its square
+  }
+  return m;
+}
+
+double DirectionBounds::bound_near(const Model& m, const Kinks& kinks, const Cap& cap) const {
+  constexpr double none = -std::numeric_limits<double>::infinity();
+  std::array<double, 2> longest{1, 1};
+  for (std::size_t i = 0; i < 2; ++i)
+    if (const double t = std::fabs(m.t[i]); t > cap.sine) longest[i] = m.s[i] * cap.cosine + t * cap.sine;
+  const auto [e0, e1] = frame(m.direction, kinks);
+  const auto [q00, q01, q11] =
+      curvature(m, {e0, e1}, m.value < 0 ? -m.value : -2 * m.value / (1 + cap.cosine), longest);
+  const double rounding = bound_error * reach_,
+               error = curvature_error * (reach_ + std::fabs(q00) + std::fabs(q11));
+  const double least = (q00 + q11) / 2 - std::hypot((q00 - q11) / 2, q01) - error;
+  const double g0 = std::fabs(dot(m.g, e0)) + rounding, g1 = std::fabs(dot(m.g, e1)) + rounding;
+  const double value = m.value - m.unsure;
+  if (kinks.on_circle[0] != kinks.on_circle[1]) {
+    const double room = m.room - g0 - cap.sine * (std::fabs(q01) + std::max(0.0, -q00) / 2);
+    return q11 > error && room > error ? value - g1 * g1 / (2 * (q11 - error)) : none;
+  }
+  const double total = g0 + g1, room = m.room - total - cap.sine / 2 * std::max(0.0, -least);
+  if (kinks.on_circle[0] || kinks.at_axis[0] || kinks.at_axis[1]) return room > error ? value : none;
+  return least > 0 ? value - total * total / (2 * least) : none;
+}
+
+Bounds DirectionBounds::bounds_by_minimum(const Cap& cap, const Vec& start) const {
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  Bounds best{-infinity, infinity, infinity, start};
+  const auto consider = [&](const Vec& from, const Kinks& kinks) {
+    const Model m = settle(from, kinks, 2 * cap.sine);
+    if (m.f < best.value) {
+      best.value = m.f;
+      best.direction = m.direction;
+    }
+    best.nearest = std::min(best.nearest, length(m.y));
+    Cap moved;
+    if (widen(cap, m.direction, moved)) best.below = std::max(best.below, bound_near(m, kinks, moved));
+    return best.below > -infinity;
+  };
+  const auto is_near = [&](const Vec& d) { return length(cross(start, d)) <= cap.sine; };
+  const auto towards = [&](const Vec& d) { return dot(start, d) < 0 ? -1.0 * d : d; };
+  for (std::size_t i = 0; i < 2; ++i)
+    if (const Vec pole = towards(solids_[i].axis); is_near(pole) && consider(pole, {{}, {i == 0, i == 1}}))
+      return best;
+  if (const Vec normal = towards(normal_); is_near(normal) && consider(normal, {{true, true}, {}}))
+    return best;
+  for (std::size_t i = 0; i < 2; ++i)
+    if (std::fabs(dot(start, solids_[i].axis)) <= cap.sine &&
+        consider(normalized(across(start, solids_[i].axis)), {{i == 0, i == 1}, {}}))
+      return best;
+  consider(start, {});
+  return best;
+}
+
+}  // namespace cyl

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: MIT
+// Lower bounds on f(D) = max over x in K of D.x - D.delta over unit directions D near a given one, for
+// K = (solid a) - (solid b), both centred: what branch and bound over the sphere asks of a pair.
+#pragma once
+
+#include <array>
+#include <cmath>
+
+#include "oracles/referee/search.hpp"
+#include "oracles/referee/vec3.hpp"
+
+namespace cyl {
+
+using Vec = Vec3<double>;
+
+inline double length(const Vec& v) { return std::sqrt(dot(v, v)); }
+
+/// Rounding in one bound or one value of f, as a multiple of the pair's reach r0 + h0 + r1 + h1 + |delta|: 4
+/// units for the axes, fewer than 30 operations on terms no larger than the reach, doubled for the angles'
+/// sines and cosines.
+inline constexpr double bound_error = 64 * 0x1p-53;
+
+/// All directions within an angle below a right one of the middle.
+struct Cap {
+  Vec center;
+  double cosine, sine;  ///< of the angle
+};
+
+struct Bounds {
+  double below;    ///< of f on the cap
+  double value;    ///< of f at `direction`
+  double nearest;  ///< length of some y of K - delta: the solids, if disjoint, are no farther apart
+  Vec direction;
+};
+
+/// The axes of both solids must not be parallel. Every bound and value is right within bound_error * reach().
+class DirectionBounds {
+ public:
+  explicit DirectionBounds(const SearchPair<double>& p);
+
+  double reach() const { return reach_; }
+  /// Both axes and their common normal, towards b: where f often is least.
+  std::array<Vec, 3> likely() const;
+  /// f of a unit direction.
+  double value(const Vec& d) const;
+  /// A bound that falls short of the least value by the square of the cap's angle. Cost: 0.1 us, 0.6 beside
+  /// kinks. No better one is
+  /// sought than `enough`.
+  Bounds bounds(const Cap& cap, double enough) const;
+  /// A bound that reaches the least value itself where f has a local minimum near `start` that all of the cap
+  /// is close enough to; the best of what is found elsewhere, with a bound of minus infinity. Cost: 1 us.
+  Bounds bounds_by_minimum(const Cap& cap, const Vec& start) const;
+
+ private:
+  struct Solid {
+    Vec axis;
+    double radius, half;
+  };
+  /// Which kinks of f a direction lies on, by solid: the circle square to its axis, or the axis.
+  struct Kinks {
+    std::array<bool, 2> on_circle{}, at_axis{};
+  };
+  struct Model;
+  struct Frame;
+
+  Bounds plane(const Cap& cap, const Kinks& kinks) const;
+  Model model(const Vec& d, const Kinks& kinks) const;
+  Frame frame(const Vec& d, const Kinks& kinks) const;
+  std::array<double, 3> curvature(const Model& m, const Frame& frame, double q,
+                                  const std::array<double, 2>& longest) const;
+  Model settle(const Vec& start, const Kinks& kinks, double most) const;
+  double bound_near(const Model& m, const Kinks& kinks, const Cap& cap) const;
+
+  std::array<Solid, 2> solids_;
+  Vec delta_, normal_;
+  double reach_, tilt_;  ///< tilt: the sine of the angle between the axes
+};
+
+}  // namespace cyl
