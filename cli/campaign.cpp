@@ -205,12 +205,19 @@ std::string numbers(const CampaignProgress& p) {
                      p.resolution);
 }
 
-std::string cost_in_words(const CampaignCost& cost) {
+std::string cost_in_words(const CampaignSummary& summary) {
+  const CampaignCost& cost = summary.cost;
   const auto seconds = [](std::chrono::nanoseconds time) { return static_cast<double>(time.count()) / 1e9; };
-  return fmt::format(
+  const auto rest = std::max(cost.all - cost.asking - cost.judging, std::chrono::nanoseconds(0));
+  std::string text = fmt::format(
       "CPU time: {:.1f} s; calls of methods {:.1f} s, verdicts of the referee {:.1f} s, all else {:.1f} s",
-      seconds(cost.all), seconds(cost.asking), seconds(cost.judging),
-      seconds(std::max(cost.all - cost.asking - cost.judging, std::chrono::nanoseconds(0))));
+      seconds(cost.all), seconds(cost.asking), seconds(cost.judging), seconds(rest));
+  if (rest <= 2 * (cost.asking + cost.judging)) return text;
+  return text + fmt::format(
+                    "\n  \"All else\" is more than twice the rest. It is the start, {} broken calls, and the "
+                    "proof and "
+                    "storage of each finding\n  that is kept. Its share falls as the run goes on.",
+                    summary.progress.failed);
 }
 
 /// What the command line says of limits replaces what the run had, each for itself; one of time ends the
@@ -290,7 +297,7 @@ int campaign(const CampaignArguments& arguments) {
   }
   if (options.create_only) return exit_pass;
   show_run(options.out, arguments.table);
-  fmt::print("{}\n", cost_in_words(summary.cost));
+  fmt::print("{}\n", cost_in_words(summary));
   if (!summary.harness_failure.empty()) fmt::print(stderr, "daylight: {}\n", summary.harness_failure);
   if (summary.interrupted)
     fmt::print(stderr, "stopped; go on with: {} campaign --resume {}\n", own_command(),

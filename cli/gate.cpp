@@ -19,6 +19,7 @@
 
 #include "base/files.hpp"
 #include "base/own_command.hpp"
+#include "base/process/stop_signals.hpp"
 #include "base/safe_text.hpp"
 #include "base/source_tree.hpp"
 #include "base/times.hpp"
@@ -180,12 +181,12 @@ GateReport run_with_progress(std::span<const std::unique_ptr<Method>> methods, s
 /// Draws of a seed are counted from so many pairs on: it takes as long as a few tens of thousands.
 constexpr std::uint64_t counting_pairs = 50'000;
 
-/// Prints what the checks beside the laws found: of the referee, and of the solver where it is to pass; those
-/// for which there is no time are `not_asked`. Returns whether all was right.
+/// Prints what the checks beside the laws found, of the referee and of the solver; those for which there is
+/// no time are `not_asked`. Returns whether all was right. Only a method of ours is a reason to check them.
 bool check_beside(std::span<const std::unique_ptr<Method>> methods, std::span<const Case> cases,
                   const GateOptions& options, std::vector<std::string>& not_asked) {
+  if (std::none_of(methods.begin(), methods.end(), [](const auto& m) { return !m->foreign(); })) return true;
   const std::uint64_t seed = options.seed;
-  const bool ours = std::any_of(methods.begin(), methods.end(), [](const auto& m) { return !m->foreign(); });
   const bool counts = options.pairs >= counting_pairs;
   using Check = std::function<void(Checked&)>;
   const Check of_referee[] = {
@@ -194,19 +195,17 @@ bool check_beside(std::span<const std::unique_ptr<Method>> methods, std::span<co
       [&](Checked& c) {
         if (counts) check_searches(c, seed);
       }};
-  const Check of_solver[] = {[&](Checked& c) {
-                               if (ours) check_batches(c, seed);
-                             },
+  const Check of_solver[] = {[&](Checked& c) { check_batches(c, seed); },
                              [&](Checked& c) {
-                               if (ours && counts) check_promises(c, seed);
+                               if (counts) check_promises(c, seed);
                              }};
   bool right = true;
   const auto check = [&](const char* whose, std::span<const Check> checks) {
     Checked checked;
     for (std::size_t i = 0; i < checks.size(); ++i) {
       if (out_of_time(options)) {
-        not_asked.push_back(fmt::format("{} of {} checks of {} beside the laws, for the time was over",
-                                        checks.size() - i, checks.size(), whose));
+        not_asked.push_back(fmt::format("{} of {} checks of {} beside the laws, {}", checks.size() - i,
+                                        checks.size(), whose, why_not(options)));
         break;
       }
       checks[i](checked);
@@ -224,6 +223,10 @@ bool check_beside(std::span<const std::unique_ptr<Method>> methods, std::span<co
 
 /// Tries the gate on planted faults while there is time.
 SelfTest test_itself(const GateOptions& options, std::vector<std::string>& not_asked) {
+  if (options.stopped()) {
+    not_asked.push_back(fmt::format("methods with known faults, {}", why_not(options)));
+    return {.cut = true};
+  }
   const auto count =
       static_cast<unsigned>(std::clamp<std::uint64_t>(options.pairs / self_test_interval, 1, self_test_cap));
   std::optional<std::chrono::milliseconds> left;
@@ -231,7 +234,7 @@ SelfTest test_itself(const GateOptions& options, std::vector<std::string>& not_a
     left = *options.cap - std::chrono::duration_cast<std::chrono::milliseconds>(
                               std::chrono::steady_clock::now() - options.start);
   SelfTest test = self_test(count, left);
-  if (test.cut) not_asked.push_back("methods with known faults, for the time was over");
+  if (test.cut) not_asked.push_back(fmt::format("methods with known faults, {}", why_not(options)));
   return test;
 }
 
@@ -264,6 +267,8 @@ int gate(const GateArguments& arguments) {
   std::fflush(stdout);
 
   options.first_failure = arguments.first_failure;
+  const StopSignals signals;
+  options.stopped = StopSignals::asked;
   std::vector<std::string> not_asked;
   // Where time is short, the methods come first.
   bool right = options.cap.has_value() || check_beside(methods, cases, options, not_asked);
@@ -276,7 +281,7 @@ int gate(const GateArguments& arguments) {
   write_files(arguments, report);
   if (arguments.github) fmt::print("{}", gate_github(report));
   fmt::print("the gate itself, tried on methods with known faults: {}",
-             test.cut   ? "not run, for the time was over\n"
+             test.cut   ? "not run\n"
              : test.ran ? test.text
                         : "not run, daylight-mutants is not beside this executable\n");
   fmt::print("{}", gate_text(report));

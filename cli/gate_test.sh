@@ -51,12 +51,27 @@ without_times other.json >other
 
 # A cap on time cuts it: more pairs than any machine asks in a second.
 gate 3 --for 1s --pairs 4000000000 --json cut.json --junit cut.xml --sarif cut.sarif --github
-holds 'the cut' out '^NOT ASKED: sample of all strata: [0-9]+ of [0-9]+ rounds, for the time was over$'
+holds 'the cut' out '^NOT ASKED: sample of all strata: [0-9]+ of [0-9]+ rounds, since the time was over$'
 holds 'a cut gate says that nothing fails' out '^Nothing that was asked fails the gate'
 holds 'an annotation of it' out '^::warning .*not asked::sample of all strata'
 holds 'JSON has it' cut.json '"not_asked": \[$'
 holds 'JUnit has it' cut.xml '<error type="not asked"'
 holds 'SARIF has it' cut.sarif '"executionSuccessful": false'
+
+# So does whoever stops it.
+"$daylight" gate --for 1h --pairs 4000000000 --json stopped.json --junit stopped.xml --sarif stopped.sarif >out 2>err &
+stopped=$!
+for _ in {1..6000}; do
+  [[ -s err ]] && break
+  sleep 0.1
+done
+kill -TERM "$stopped"
+code=0
+wait "$stopped" || code=$?
+equal 'a stopped gate' 3 "$code"
+holds 'what it did not ask' stopped.json 'rounds, since the gate was stopped"'
+holds 'JUnit has it' stopped.xml '<error type="not asked"'
+holds 'SARIF has it' stopped.sarif '"executionSuccessful": false'
 
 # What fails of a guest is shown in the guest's tree, or nowhere.
 liar='liar=while read -r q; do echo "{\"verdict\":\"disjoint\"}"; done'

@@ -91,9 +91,6 @@ daylight_script(algorithms_test cli 2400 ${Python3_EXECUTABLE} ${PROJECT_SOURCE_
 daylight_script(compare_test bench 600 ${Python3_EXECUTABLE} ${PROJECT_SOURCE_DIR}/bench/compare_test.py)
 daylight_script(family_table_test bench 60 ${Python3_EXECUTABLE} ${PROJECT_SOURCE_DIR}/bench/family_table_test.py)
 daylight_script(schemas_test reports 2400 ${Python3_EXECUTABLE} ${PROJECT_SOURCE_DIR}/reports/schemas/schemas_test.py ${program})
-# What earlier versions wrote opens today.
-daylight_script(fixtures_test corpus 2400 ${Python3_EXECUTABLE} ${PROJECT_SOURCE_DIR}/corpus/store/fixtures/fixtures_test.py
-                ${program} $<TARGET_FILE:fuzz_xcheck>)
 foreach(part data browser build scene robot crowd)
   daylight_script(page_${part} reports 2400 ${PROJECT_SOURCE_DIR}/reports/web/run_test.sh ${part} ${program})
 endforeach()

@@ -4,6 +4,7 @@
 #include <array>
 #include <bit>
 #include <stdexcept>
+#include <tuple>
 
 #include "base/json.hpp"
 
@@ -48,8 +49,16 @@ static void from_json(const json& from, CellRecord& c) {
 
 std::string format_batch(const BatchRecord& batch) {
   std::vector<FindingRecord> findings = batch.findings;
-  for (FindingRecord& f : findings)
-    for (std::string* text : {&f.pair, &f.answers, &f.reason}) *text = as_utf8(*text);
+  const FindingRecord* first = nullptr;  // of the pair
+  for (FindingRecord& f : findings) {
+    f.reason = as_utf8(f.reason);
+    if (first && first->index == f.index) {
+      for (std::string* text : {&f.pair, &f.answers, &f.truth, &f.stage}) text->clear();
+      continue;
+    }
+    for (std::string* text : {&f.pair, &f.answers}) *text = as_utf8(*text);
+    first = &f;
+  }
   return format_cbor({batch.tallies, batch.groups, findings, batch.cells});
 }
 
@@ -59,6 +68,12 @@ BatchRecord parse_batch(std::string_view bytes) try {
   all.at(0).get_to(batch.tallies);
   all.at(1).get_to(batch.groups);
   all.at(2).get_to(batch.findings);
+  for (std::size_t i = 1; i < batch.findings.size(); ++i) {
+    FindingRecord& f = batch.findings[i];
+    if (const FindingRecord& before = batch.findings[i - 1]; f.index == before.index)
+      std::tie(f.pair, f.answers, f.truth, f.stage) =
+          std::tie(before.pair, before.answers, before.truth, before.stage);
+  }
   all.at(3).get_to(batch.cells);
   return batch;
 } catch (const json::exception& error) {

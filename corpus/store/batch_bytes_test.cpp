@@ -50,10 +50,22 @@ TEST(BatchBytes, ComesBackAsItWent) {
   EXPECT_FALSE(back.findings[1].margin);
   EXPECT_EQ(std::bit_cast<std::uint64_t>(back.findings[2].margin->lo), nan_with_payload);
   EXPECT_TRUE(std::signbit(back.findings[2].margin->hi));
-  EXPECT_EQ(back.findings[0].pair, f.pair);
-  EXPECT_EQ(back.findings[0].answers, f.answers);
-  EXPECT_EQ(back.findings[0].stage, "wide");
-  EXPECT_EQ(back.findings[0].reason, "not UTF-8: \xef\xbf\xbd");
+  for (const FindingRecord& found : back.findings) {
+    EXPECT_EQ(found.pair, f.pair);
+    EXPECT_EQ(found.answers, f.answers);
+    EXPECT_EQ(found.truth, "t");
+    EXPECT_EQ(found.stage, "wide");
+    EXPECT_EQ(found.reason, "not UTF-8: \xef\xbf\xbd");
+  }
+}
+
+TEST(BatchBytes, AFindingMoreOfOnePairCostsNoMoreAnswers) {
+  BatchRecord one;
+  one.findings.resize(1);
+  one.findings[0].answers = std::string(100'000, 'x');
+  BatchRecord many = one;
+  many.findings.resize(50, one.findings[0]);
+  EXPECT_LT(format_batch(many).size(), format_batch(one).size() + 50 * 300);
 }
 
 TEST(BatchBytes, OneThatIsCutIsRefused) {

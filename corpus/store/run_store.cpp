@@ -14,7 +14,7 @@
 namespace cyl {
 namespace {
 
-constexpr int store_version = 1;  ///< of the tables below, in PRAGMA user_version
+constexpr int store_version = 2;  ///< of the tables below, in PRAGMA user_version
 
 constexpr const char* tables = R"(
 CREATE TABLE run(key TEXT PRIMARY KEY, value TEXT NOT NULL);
@@ -26,16 +26,17 @@ CREATE TABLE tally(method TEXT NOT NULL, family TEXT NOT NULL, asked INTEGER NOT
   nanoseconds INTEGER NOT NULL, PRIMARY KEY(method, family));
 CREATE TABLE finding_group(method TEXT NOT NULL, kind TEXT NOT NULL, severity TEXT NOT NULL, family TEXT NOT NULL,
   count INTEGER NOT NULL, binade INTEGER NOT NULL, PRIMARY KEY(method, kind, severity, family));
-CREATE TABLE finding(id INTEGER PRIMARY KEY, pair_index INTEGER NOT NULL, family TEXT NOT NULL,
+CREATE TABLE judged_pair(pair_index INTEGER PRIMARY KEY, pair TEXT NOT NULL, answers TEXT NOT NULL,
+  truth TEXT NOT NULL, stage TEXT NOT NULL);
+CREATE TABLE wrong_answer(id INTEGER PRIMARY KEY, pair_index INTEGER NOT NULL, family TEXT NOT NULL,
   family_index INTEGER NOT NULL, method TEXT NOT NULL, kind TEXT NOT NULL, severity TEXT NOT NULL,
-  margin_lo TEXT, margin_hi TEXT, pair TEXT NOT NULL, answers TEXT NOT NULL, truth TEXT NOT NULL,
-  stage TEXT NOT NULL, reason TEXT NOT NULL);
+  margin_lo TEXT, margin_hi TEXT, reason TEXT NOT NULL);
+CREATE VIEW finding AS SELECT id, pair_index, family, family_index, method, kind, severity, margin_lo, margin_hi,
+  pair, answers, truth, stage, reason FROM wrong_answer JOIN judged_pair USING(pair_index);
+CREATE TABLE cell(plane TEXT NOT NULL, x INTEGER NOT NULL, y INTEGER NOT NULL, methods TEXT NOT NULL,
+  PRIMARY KEY(plane, x, y)) WITHOUT ROWID;
 INSERT INTO progress VALUES(0, 0);
 )";
-/// Not in stores of before there were maps: made where one of them is opened.
-constexpr const char* cell_table =
-    "CREATE TABLE IF NOT EXISTS cell(plane TEXT NOT NULL, x INTEGER NOT NULL, y INTEGER NOT NULL, "
-    "methods TEXT NOT NULL, PRIMARY KEY(plane, x, y)) WITHOUT ROWID";
 
 /// Made with the first self-check: runs without any are what they always were.
 constexpr const char* self_check_table = R"(
@@ -94,7 +95,6 @@ RunStore RunStore::create(const std::string& folder, const Config& config,
     SqliteFile file(unfinished, SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE);
     file.transaction([&] {
       file.script(tables);
-      file.script(cell_table);
       Query set = file.insertion<ConfigEntry>();
       for (const auto& [key, value] : config) set.run(key, value);
       Query add = file.insertion<MethodRecord>();
@@ -111,10 +111,10 @@ RunStore RunStore::open(const std::string& folder) {
   auto file = std::make_unique<SqliteFile>(file_of(folder), SQLite::OPEN_READWRITE);
   file->write_ahead();
   if (const int version = file->rows<int>("PRAGMA user_version").front(); version != store_version) {
-    throw std::runtime_error(fmt::format("{} was written in store version {}, this build reads {}",
-                                         file->name(), version, store_version));
+    throw std::runtime_error(fmt::format(
+        "{} was written in store version {}; this build reads version {}: use the build that wrote it",
+        file->name(), version, store_version));
   }
-  file->script(cell_table);
   return RunStore(std::move(file));
 }
 
@@ -143,9 +143,12 @@ void RunStore::commit(const BatchRecord& batch, std::uint64_t milliseconds) {
     for (const GroupRecord& group : groups()) kept.add(group);
 
     constexpr std::optional<std::int64_t> next_id;  // NULL: SQLite gives it
-    Query keep = file_->insertion<FindingRecord>();
-    for (const FindingRecord& finding : batch.findings) {
-      if (kept.admit(finding)) keep.run(next_id, FindingRecord::data(finding));
+    Query keep = file_->query("INSERT INTO wrong_answer VALUES(?,?,?,?,?,?,?,?,?,?)");
+    Query keep_pair = file_->query("INSERT OR IGNORE INTO judged_pair VALUES(?,?,?,?,?)");
+    for (const FindingRecord& f : batch.findings) {
+      if (!kept.admit(f)) continue;
+      keep_pair.run(f.index, f.pair, f.answers, f.truth, f.stage);
+      keep.run(next_id, f.index, f.family, f.family_index, f.method, f.kind, f.severity, f.margin, f.reason);
     }
 
     Query count = file_->insertion<GroupRecord>(

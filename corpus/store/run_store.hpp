@@ -70,16 +70,16 @@ struct FindingRecord {
   std::uint64_t family_index = 0;
   std::string method, kind, severity;
   std::optional<Enclosure> margin;  ///< stored as text, infinite allowed
-  std::string pair;                 ///< one JSON line of corpus/pair_io
-  std::string answers;              ///< JSON object, method to what it said
-  std::string truth;                ///< JSON object: verdict and certificate
-  std::string stage;                ///< which arithmetic settled the truth
-  std::string reason;               ///< the method's own words on a failure
+  // The same of all findings of one pair, and stored once.
+  std::string pair;     ///< one JSON line of corpus/pair_io
+  std::string answers;  ///< JSON object, method to what it said
+  std::string truth;    ///< JSON object: verdict and certificate
+  std::string stage;    ///< which arithmetic settled the truth
+  std::string reason;   ///< the method's own words on a failure
 
   static constexpr const char* table = "finding";
-  static auto columns(auto& f) { return std::tuple_cat(std::tie(f.id), data(f)); }
-  static auto data(auto& f) {
-    return std::tie(f.index, f.family, f.family_index, f.method, f.kind, f.severity, f.margin, f.pair,
+  static auto columns(auto& f) {
+    return std::tie(f.id, f.index, f.family, f.family_index, f.method, f.kind, f.severity, f.margin, f.pair,
                     f.answers, f.truth, f.stage, f.reason);
   }
 };
@@ -155,7 +155,7 @@ class RunStore {
   std::vector<TallyRecord> tallies() const;     ///< by first appearance
   std::vector<GroupRecord> groups() const;      ///< by method, kind, severity and family
   std::vector<FindingRecord> findings() const;  ///< by id
-  /// By plane, x and y. Empty in runs of before there were maps.
+  /// By plane, x and y.
   std::vector<CellRecord> cells() const;
   std::optional<FindingRecord> finding(std::int64_t id) const;
 

@@ -109,6 +109,21 @@ TEST_F(Store, GivesBackWhatWasCommitted) {
   EXPECT_EQ(store.groups()[0].count, 2u);
 }
 
+TEST_F(Store, StoresTheAnswersOfAPairOnce) {
+  RunStore store = RunStore::create(folder, {});
+  BatchRecord batch;
+  batch.next = 7;
+  batch.findings.assign(50, finding_at(3, 0.25));
+  for (std::size_t i = 0; i < batch.findings.size(); ++i) {
+    batch.findings[i].method = std::to_string(i);
+    batch.findings[i].answers = std::string(100'000, 'x');
+  }
+  store.commit(batch, 0);
+  ASSERT_EQ(store.findings().size(), 50u);
+  EXPECT_EQ(store.findings().back().answers, batch.findings[0].answers);
+  EXPECT_LT(fs::file_size(folder / "run.sqlite-wal"), 250'000u);
+}
+
 TEST_F(Store, AddsTheCellsOfBatches) {
   RunStore store = RunStore::create(folder, {});
   BatchRecord batch;
@@ -125,16 +140,10 @@ TEST_F(Store, AddsTheCellsOfBatches) {
   EXPECT_EQ(RunStore::open(folder).cells(), wanted);
 }
 
-TEST_F(Store, OfBeforeThereWereMapsHasNoneAndGoesOn) {
+TEST_F(Store, OfAnotherVersionIsRefused) {
   RunStore::create(folder, {});
-  SQLite::Database((folder / "run.sqlite").string(), SQLite::OPEN_READWRITE).exec("DROP TABLE cell");
-  RunStore store = RunStore::open(folder);
-  EXPECT_TRUE(store.cells().empty());
-  BatchRecord batch;
-  batch.next = 1;
-  batch.cells = {{"a", 3, 4, {{1}}}};
-  store.commit(batch, 0);
-  EXPECT_EQ(store.cells(), batch.cells);
+  SQLite::Database((folder / "run.sqlite").string(), SQLite::OPEN_READWRITE).exec("PRAGMA user_version=1");
+  EXPECT_THROW(RunStore::open(folder), std::runtime_error);
 }
 
 TEST_F(Store, RefusesAFolderThatHoldsARunAndOneThatHoldsNone) {

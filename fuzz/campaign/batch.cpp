@@ -9,6 +9,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -45,6 +46,10 @@ std::string answers_text(std::span<const std::unique_ptr<Method>> methods,
   }
   return '{' + text + '}';
 }
+
+/// A method that hangs on three pairs of a stretch, a second and more each, is not asked about the rest of
+/// it: counted as declined.
+constexpr Caps batch_caps{.hangs = 3};
 
 /// Indices that are worked on together: as many as a batch with foreign methods has, so that those are asked
 /// in one go, and so few that the answers of ours stay in the cache.
@@ -147,7 +152,6 @@ class Batch {
     wrong_.assign(pairs_.size() * methods(), {});
     trials_.resize(pairs_.size());
     for (std::size_t p = 0; p < pairs_.size(); ++p) trials_[p].pair = pairs_[p];
-    certified_.reset();
     judging_.assign(pairs_.size(), 0);
   }
 
@@ -339,14 +343,18 @@ class Batch {
     // (representatives.cpp has the proof).
     const bool of_batch = kept_.admit(record), of_job = kept_before_.admit(record);
     if (!of_batch || !of_job) return;
-    record.pair = case_line(p, drawn);
-    record.answers =
-        answers_text(workload_.methods, answers_of(p), [&](std::size_t m) { return asked(m, p); });
-    if (!certified_ || certified_->first != p)
-      certified_.emplace(p, judge(pairs_[p], offers_.with_ours(pairs_[p], answers_of(p))));
-    const Truth& truth = certified_->second;
-    record.truth = format_truth(truth);
-    record.stage = to_string(truth.stage);
+    if (findings_.empty() || findings_.back().index != record.index) {
+      const Truth truth = judge(pairs_[p], offers_.with_ours(pairs_[p], answers_of(p)));
+      record.pair = case_line(p, drawn);
+      record.answers =
+          answers_text(workload_.methods, answers_of(p), [&](std::size_t m) { return asked(m, p); });
+      record.truth = format_truth(truth);
+      record.stage = to_string(truth.stage);
+    } else {
+      const FindingRecord& same = findings_.back();
+      std::tie(record.pair, record.answers, record.truth, record.stage) =
+          std::tie(same.pair, same.answers, same.truth, same.stage);
+    }
     const bool has_reason = is_failure(finding.kind) || finding.kind == FindingKind::side_effect ||
                             finding.kind == FindingKind::state_dependent;
     if (row < methods() && has_reason) record.reason = answers_of(p)[row].reason;
@@ -378,9 +386,8 @@ class Batch {
   std::vector<MethodAnswer> answers_;
   std::vector<bool> asked_;
   std::vector<std::optional<Finding>> wrong_;
-  std::vector<Trial> trials_;                               ///< whose answers and findings are those above
-  std::optional<std::pair<std::size_t, Truth>> certified_;  ///< the pair that was last judged so
-  std::vector<std::uint64_t> judging_;                      ///< nanoseconds
+  std::vector<Trial> trials_;           ///< whose answers and findings are those above
+  std::vector<std::uint64_t> judging_;  ///< nanoseconds
 
   // Of the batch. Counts: a row for each method, the corpus and the referee; a column for each family.
   std::vector<Counts> counts_;
@@ -416,7 +423,7 @@ BatchRecord make_batch(const Workload& workload, std::uint64_t seed, Asker& aske
 }  // namespace
 
 BatchRecord run_batch(const Workload& workload, std::uint64_t seed, std::uint64_t first, std::uint64_t next) {
-  Asker asker(workload.methods);
+  Asker asker(workload.methods, batch_caps);
   Representatives kept;
   return make_batch(workload, seed, asker, kept, first, next);
 }
@@ -427,7 +434,7 @@ std::function<BatchRecord(std::uint64_t, std::uint64_t)> batch_maker(const Workl
     Asker asker;
     Representatives findings;
   };
-  return [&workload, seed, kept = std::make_shared<Kept>(Kept{Asker(workload.methods), {}})](
+  return [&workload, seed, kept = std::make_shared<Kept>(Kept{Asker(workload.methods, batch_caps), {}})](
              std::uint64_t first, std::uint64_t next) {
     return make_batch(workload, seed, kept->asker, kept->findings, first, next);
   };

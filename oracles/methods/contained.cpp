@@ -108,8 +108,11 @@ class Asker::Parts {
     said.answer.set_reason("not asked any more after " + std::to_string(caps_.hangs) + " hangs");
     return said;
   }
-  void count_hang(std::size_t m, const ContainedAnswer& said) {
-    hangs_[m] += said.answer.failure == Failure::hang;
+  void count_hang(std::size_t m, ContainedAnswer& said) {
+    if (said.answer.failure != Failure::hang || ++hangs_[m] != caps_.hangs) return;
+    said.answer.set_reason(std::string(said.answer.reason) +
+                           "; not asked about the pairs after it, for it was hang " +
+                           std::to_string(hangs_[m]));
   }
 
   void ask_worker(Worker& worker, std::span<const std::size_t> queue, std::span<const Pair> pairs,
@@ -132,7 +135,7 @@ class Asker::Parts {
       const std::vector<ContainedAnswer> said = worker.ask(pairs, posted);
       for (std::size_t i = 0; i < said.size(); ++i) {
         answers[queue[block[i]]] = said[i];
-        count_hang(posted[i].method, said[i]);
+        count_hang(posted[i].method, answers[queue[block[i]]]);
       }
       if (said.size() < block.size()) next = block[said.size()];
     }
@@ -157,7 +160,7 @@ class Asker::Parts {
       bool broke = false;
       for (std::size_t i = 0; i < said.size(); ++i) {
         answers[queue[at + i]] = said[i];
-        count_hang(q.method, said[i]);
+        count_hang(q.method, answers[queue[at + i]]);
         broke = broke || said[i].answer.status == Status::failed;
       }
       at += said.size();

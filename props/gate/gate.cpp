@@ -99,24 +99,9 @@ class Gate {
              [&] { search_laws(PairSource::close_contacts, amount_.close_law_rounds); });
     in_phase(GatePhase::close_sample,
              [&] { sample(draw_close_contacts, amount_.close_rounds, close_distance_share); });
-    // Failures wait for all, so that what is found does not depend on how they are shrunk. The first of each
-    // law and kind first: the others are like it.
-    std::set<std::tuple<std::string, int, std::string>> seen;
-    std::vector<GateFailure*> like_others;
-    for (GateFailure& failure : report_.failures) {
-      if (!is_error(failure) || options_.first_failure || options_.as_found) continue;
-      // One crash is one way to fail, whatever law meets it.
-      const bool is_new =
-          failure.failed
-              ? seen.emplace(failure.method, 0, to_string(*failure.failed) + (": " + failure.reason)).second
-              : seen.emplace(failure.method, failure.law->number, failure.kind).second;
-      if (is_new)
-        rerun_and_simplify(failure);
-      else
-        like_others.push_back(&failure);
-    }
-    for (GateFailure* failure : like_others)
-      if (questions_left_ > 0) rerun_and_simplify(*failure);
+    if (!options_.first_failure && !options_.as_found &&
+        std::any_of(report_.failures.begin(), report_.failures.end(), is_error))
+      in_phase(GatePhase::simplify, [&] { simplify_failures(); });
     for (std::size_t m = 0; m < methods_.size(); ++m) {
       GateMethod& method = report_.methods[m];
       method.remark = given_up(m) ? "hangs, and was not asked to the end" : remark_on(method.counts);
@@ -152,8 +137,8 @@ class Gate {
     if (done >= due || has_failed()) return false;
     const bool is_first = done == 0 && report_.phases.size() == 1;  // some are always asked
     if (is_first || !out_of_time()) return true;
-    report_.not_asked.push_back(fmt::format("{}: {} of {} {}, for the time was over",
-                                            to_string(report_.phases.back().phase), due - done, due, things));
+    report_.not_asked.push_back(fmt::format("{}: {} of {} {}, {}", to_string(report_.phases.back().phase),
+                                            due - done, due, things, why_not(options_)));
     return false;
   }
 
@@ -324,6 +309,35 @@ class Gate {
     return examined.broken.empty() ? "" : examined.broken.front().broken.what;
   }
 
+  // Failures wait for all, so that what is found does not depend on how they are shrunk. The first of each
+  // law and kind first: the others are like it.
+  void simplify_failures() {
+    std::set<std::tuple<std::string, int, std::string>> seen;
+    std::vector<GateFailure*> in_order, like_others;
+    for (GateFailure& failure : report_.failures) {
+      if (!is_error(failure)) continue;
+      // One crash is one way to fail, whatever law meets it.
+      const bool is_new =
+          failure.failed
+              ? seen.emplace(failure.method, 0, to_string(*failure.failed) + (": " + failure.reason)).second
+              : seen.emplace(failure.method, failure.law->number, failure.kind).second;
+      (is_new ? in_order : like_others).push_back(&failure);
+    }
+    const std::size_t first_of_kind = in_order.size();
+    in_order.insert(in_order.end(), like_others.begin(), like_others.end());
+    std::uint64_t done = 0;
+    for (GateFailure* failure : in_order) {
+      if (done >= first_of_kind && questions_left_ == 0) break;
+      if (out_of_time()) {
+        report_.not_asked.push_back(fmt::format("simplification: {} of {} ways to fail, {}",
+                                                in_order.size() - done, in_order.size(), why_not(options_)));
+        break;
+      }
+      rerun_and_simplify(*failure);
+      show_progress({&failure->simplest, 1}, part(++done, in_order.size()));
+    }
+  }
+
   /// Runs a failure again, however many questions are left, and simplifies it while there are some.
   void rerun_and_simplify(GateFailure& failure) {
     for (; !out_of_time() && failure.reruns < rerun_count; ++failure.reruns) {
@@ -366,7 +380,11 @@ class Gate {
 }  // namespace
 
 bool out_of_time(const GateOptions& options) {
-  return options.cap && Clock::now() - options.start >= *options.cap;
+  return options.stopped() || (options.cap && Clock::now() - options.start >= *options.cap);
+}
+
+const char* why_not(const GateOptions& options) {
+  return options.stopped() ? "since the gate was stopped" : "since the time was over";
 }
 
 GateReport run_gate(std::span<const std::unique_ptr<Method>> methods, std::span<const Case> cases,

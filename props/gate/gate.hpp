@@ -43,6 +43,8 @@ struct GateOptions {
   std::optional<GateAmount> amount = {};
   std::optional<std::chrono::milliseconds> cap = {};  ///< wall time, after which nothing more is asked
   std::chrono::steady_clock::time_point start = std::chrono::steady_clock::now();  ///< of that time
+  /// Returns whether somebody has stopped the gate: then, too, nothing more is asked.
+  std::function<bool()> stopped = [] { return false; };
   /// Ends with the round that shows the first contract broken, which is neither run again nor made simpler.
   bool first_failure = false;
   bool as_found = false;  ///< failures are neither run again nor made simpler once all is asked
@@ -59,8 +61,10 @@ struct GateProgress {
   std::chrono::milliseconds elapsed{0};
 };
 
-/// Whether the cap on time, if there is one, is over.
+/// Returns whether the gate was stopped or the cap on time, if there is one, is over.
 bool out_of_time(const GateOptions& options);
+/// Returns why: "since the time was over".
+const char* why_not(const GateOptions& options);
 
 /// Runs the gate on methods. What is asked is decided by counts; only the cap, if any, by a clock. Throws
 /// std::system_error only where the system refuses a process or memory.

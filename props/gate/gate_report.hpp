@@ -20,12 +20,13 @@ namespace cyl {
 
 /// In the order they are run.
 enum class GatePhase : unsigned char {
-  corpus,       ///< every case, in full, by law 30 and on
-  corpus_laws,  ///< all other laws on every case
-  laws,         ///< all laws on generated pairs
-  sample,       ///< the differential sample: independent pairs of every stratum against the referee
-  close_laws,   ///< all laws on generated close contacts
-  close_sample  ///< independent close contacts of every cell against the referee
+  corpus,        ///< every case, in full, by law 30 and on
+  corpus_laws,   ///< all other laws on every case
+  laws,          ///< all laws on generated pairs
+  sample,        ///< the differential sample: independent pairs of every stratum against the referee
+  close_laws,    ///< all laws on generated close contacts
+  close_sample,  ///< independent close contacts of every cell against the referee
+  simplify       ///< failures are run again and made simpler; its pairs are the failures'
 };
 constexpr auto words_of(GatePhase) noexcept {
   return std::array{"corpus",
@@ -33,7 +34,8 @@ constexpr auto words_of(GatePhase) noexcept {
                     "laws on drawn pairs",
                     "sample of all strata",
                     "laws on close contacts",
-                    "sample of close contacts"};
+                    "sample of close contacts",
+                    "simplification"};
 }
 
 /// A place in a text.

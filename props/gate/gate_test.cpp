@@ -96,12 +96,12 @@ TEST(Gate, LetsAnHonestMethodPass) {
 
 TEST(Gate, ACapOnTimeSaysWhatItDidNotAsk) {
   const GateReport report = gate_on(honest, few_pairs, std::chrono::milliseconds(0));
-  const std::vector<std::string> all = {"corpus: 8 of 40 cases, for the time was over",
-                                        "laws on the corpus: 40 of 40 cases, for the time was over",
-                                        "laws on drawn pairs: 1 of 1 rounds, for the time was over",
-                                        "sample of all strata: 3 of 3 rounds, for the time was over",
-                                        "laws on close contacts: 1 of 1 rounds, for the time was over",
-                                        "sample of close contacts: 4 of 4 rounds, for the time was over"};
+  const std::vector<std::string> all = {"corpus: 8 of 40 cases, since the time was over",
+                                        "laws on the corpus: 40 of 40 cases, since the time was over",
+                                        "laws on drawn pairs: 1 of 1 rounds, since the time was over",
+                                        "sample of all strata: 3 of 3 rounds, since the time was over",
+                                        "laws on close contacts: 1 of 1 rounds, since the time was over",
+                                        "sample of close contacts: 4 of 4 rounds, since the time was over"};
   EXPECT_EQ(report.not_asked, all);
   EXPECT_EQ(exit_code(report), 3);
 }

@@ -107,7 +107,7 @@ inline GateReport example_report() {
 inline GateReport cut_report() {
   GateReport report = example_report();
   report.failures.clear();
-  report.not_asked = {"sample of all strata: 9 of 840 rounds, for the time was over", "fake" + hostile};
+  report.not_asked = {"sample of all strata: 9 of 840 rounds, since the time was over", "fake" + hostile};
   return report;
 }
 
