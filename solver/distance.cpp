@@ -452,6 +452,12 @@ Distance distance(const Prepared& a, const Prepared& b) noexcept {
   core_b.ordinary = b.moderate;
   Distance out = measure(core_a, core_b, true);
   grow(out, a.rounding, b.rounding);
+  // Within rounding decide() has the last word; half of the error is within it of any gap there.
+  if (out.value <= 0 && -out.value <= out.error && decide(a, b).verdict == Verdict::disjoint) {
+    out.verdict = Verdict::disjoint;
+    out.value = 0.5 * out.error;
+    out.least = false;
+  }
   return out;
 }
 
