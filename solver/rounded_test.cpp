@@ -151,6 +151,13 @@ TEST(Rounded, NoRoundingIsTooLarge) {
   EXPECT_EQ(decide_within(left, right, most).verdict, Verdict::disjoint);
 }
 
+// Where the points of a certificate lose bits on their way back into the scene's unit.
+TEST(Rounded, SubnormalSolidsThatOverlapAreProvedTo) {
+  const Cylinder grain{{0, 0, 0}, {1, 2, 3}, 1e-319, 1e-319},
+      ground{{4e-315, 0, 5e-315}, {0, 1, 1}, 4e-315, 5e-315, 2.7e-315};
+  EXPECT_EQ(decide(grain, ground).verdict, Verdict::intersecting);
+}
+
 class RoundedFamilies : public testing::TestWithParam<std::size_t> {
  protected:
   static constexpr std::uint64_t count = 3000, seed = 20261123;
