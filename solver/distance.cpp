@@ -496,6 +496,9 @@ Distance measure(const Prepared& a, const Prepared& b, bool grows) noexcept {
       return larger(-most, smaller(most, y));
     };
     out.value = scaled(out.value);
+    // A gap that is no double in the scene's unit is still none of 0.
+    if (out.verdict == Verdict::disjoint)
+      out.value = larger(out.value, std::numeric_limits<double>::denorm_min());
     // Where they are subnormal, value, error and points are rounded once or twice more: the points' nine
     // numbers by less than this together.
     constexpr double subnormal_error = 8 * std::numeric_limits<double>::denorm_min();
