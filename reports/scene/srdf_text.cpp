@@ -20,12 +20,22 @@ std::string replaced(std::string text, std::string_view what, std::string_view w
   return text;
 }
 
-std::string attribute_text(const std::string& name) {
-  return replaced(replaced(replaced(name, "&", "&amp;"), "<", "&lt;"), "\"", "&quot;");
+/// What reads an attribute takes a line's end or a tab in it for a space: that would be another name.
+std::string attribute_text(std::string name) {
+  for (const auto& [what, with] : {std::pair{"&", "&amp;"},
+                                   {"<", "&lt;"},
+                                   {"\"", "&quot;"},
+                                   {"\n", "&#10;"},
+                                   {"\r", "&#13;"},
+                                   {"\t", "&#9;"}})
+    name = replaced(name, what, with);
+  return name;
 }
 
-/// No comment holds two hyphens in a row.
-std::string comment_text(const std::string& words) { return "<!-- " + replaced(words, "--", "- -") + " -->"; }
+/// No comment holds two hyphens in a row; of three the first round leaves two.
+std::string comment_text(const std::string& words) {
+  return "<!-- " + replaced(replaced(words, "--", "- -"), "--", "- -") + " -->";
+}
 
 class SrdfWriter {
  public:
