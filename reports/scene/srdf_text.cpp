@@ -69,7 +69,7 @@ class SrdfWriter {
 
   /// The line that disables two links, or a comment why not; nothing of a checked pair that meets.
   std::string line(const LinkPair& links) const {
-    if (joined_by_one(scene_, links.first, links.second))
+    if (joined_by_one(scene_, links.first, links.second) && !are_paired(links))
       return disabled(links, "Adjacent", "one joint joins them");
     if (has_unknown_shapes(scene_, links.first) || has_unknown_shapes(scene_, links.second))
       return enabled(links, "shapes were not looked at");
@@ -84,6 +84,15 @@ class SrdfWriter {
       return disabled(links, "Never", "proved: " + words);
     if (worst.verdict <= MotionVerdict::within && checked_.contains(links)) return "";
     return enabled(links, fmt::format("{}: {}", to_string(worst.verdict), words));
+  }
+
+  /// Whether the file asks to check shapes of theirs, neighbours or not.
+  bool are_paired(const LinkPair& links) const {
+    return std::ranges::any_of(scene_.bodies, [&](const Body& a) {
+      return a.link == links.first && std::ranges::any_of(scene_.bodies, [&](const Body& b) {
+               return b.link == links.second && std::ranges::find(a.paired, b.name) != a.paired.end();
+             });
+    });
   }
 
   std::size_t bodies_on(std::size_t link) const {
