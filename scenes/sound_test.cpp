@@ -241,6 +241,18 @@ TEST(Sound, AnOrientationOfTwoKindsIsRefused) {
   EXPECT_NO_THROW(turned(""));
 }
 
+TEST(Sound, AnOriginByAQuaternionIsRefused) {
+  const auto turned = [](const std::string& joint, const std::string& inertia) {
+    return robot(ball("a", "0 0 0") + "<link name='b'><inertial><origin " + inertia +
+                 "/><mass value='1'/><inertia ixx='1' ixy='0' ixz='0' iyy='1' iyz='0' "
+                 "izz='1'/></inertial></link><joint name='j' type='fixed'><parent link='a'/><child "
+                 "link='b'/><origin " +
+                 joint + "/></joint>");
+  };
+  EXPECT_THROW(turned("quat_xyzw='1 0 0 0'", ""), std::runtime_error);
+  EXPECT_NO_THROW(turned("rpy='0 0 1'", "quat_xyzw='1 0 0 0'"));
+}
+
 TEST(Sound, AnAxisOfAnyLengthTurns) {
   const Scene scene =
       robot(ball("a", "0 0 0") + ball("b", "1 0 0") +
