@@ -106,7 +106,7 @@ class MjcfBuilder {
     const bool carried = node.attribute("mocap").as_bool();
     const bool stands = parent_stands && parts.joints.empty() && !carried;
     // What moves on the world, or on what is welded to it, is not adjacent to it: a floor is there to be hit.
-    link.stands = parent_stands && !stands;
+    link.stands = (parent_stands && !stands) || (!d_.filters_parents() && !parts.joints.empty());
     if (carried) hold(link, name, "is carried from outside (mocap)");
     Pose origin = body.frame * body.element.pose();
     for (const Part& joint : parts.joints) add_joint(joint, link, origin);

@@ -103,8 +103,10 @@ void MjcfDocument::set_compiler() {
     const auto is_off = [&](const char* name, bool before) {
       return std::string(flag.attribute(name).as_string(before ? "enable" : "disable")) == "disable";
     };
-    limits_ = !is_off("limit", limits_);
-    equalities_ = !is_off("equality", equalities_);
+    const bool none = is_off("constraint", true);
+    limits_ = !none && !is_off("limit", limits_);
+    equalities_ = !none && !is_off("equality", equalities_);
+    filters_parents_ = !is_off("filterparent", filters_parents_);
   }
   if (eulerseq_.size() != 3 || eulerseq_.find_first_not_of("xyzXYZ") != eulerseq_.npos)
     throw std::runtime_error("eulerseq is '" + eulerseq_ + "'");

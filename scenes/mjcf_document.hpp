@@ -54,8 +54,9 @@ class MjcfDocument {
 
   pugi::xml_node root() const { return root_; }
   bool autolimits() const { return autolimits_; }
-  bool limits() const { return limits_; }          ///< whether joints keep within their ranges
-  bool equalities() const { return equalities_; }  ///< whether equalities hold
+  bool limits() const { return limits_; }                    ///< whether joints keep within their ranges
+  bool equalities() const { return equalities_; }            ///< whether equalities hold
+  bool filters_parents() const { return filters_parents_; }  ///< whether a body and what it carries pass
   const std::string& eulerseq() const { return eulerseq_; }
   /// Returns what a class gives elements of a name; nothing where it gives nothing.
   const std::map<std::string, std::string>* defaults(const std::string& of_class,
@@ -70,7 +71,8 @@ class MjcfDocument {
   pugi::xml_document document_;
   pugi::xml_node root_;
   std::string folder_, meshdir_, eulerseq_ = "xyz";
-  bool degrees_ = true, autolimits_ = true, strippath_ = false, limits_ = true, equalities_ = true;
+  bool degrees_ = true, autolimits_ = true, strippath_ = false, limits_ = true, equalities_ = true,
+       filters_parents_ = true;
   int included_ = 0;
   std::map<std::string, Given> classes_;
 };

@@ -207,6 +207,21 @@ TEST(Sound, WhatSwitchesEqualitiesAndLimitsOffIsRead) {
   EXPECT_TRUE(link_of(followed("<default><joint active='false'/></default>"), "two").follow);
   EXPECT_FALSE(link_of(followed("<option><flag equality='disable'/></option>"), "two").follow);
   EXPECT_TRUE(link_of(followed("<option><flag limit='disable'/></option>"), "one").endless);
+  const Scene free = followed("<option><flag constraint='disable'/></option>");
+  EXPECT_FALSE(link_of(free, "two").follow);
+  EXPECT_TRUE(link_of(free, "one").endless);
+}
+
+TEST(Sound, WhatSwitchesTheFilterOfParentsOffIsRead) {
+  const auto carried = [](const std::string& before) {
+    return read_text(".xml", "<mujoco>" + before + R"(<worldbody><body name="a"><freejoint/>
+      <geom name="one" size="1"/><body name="b"><joint name="x"/><joint name="y" axis="0 1 0"/>
+      <geom name="two" size="1"/></body></body></worldbody></mujoco>)");
+  };
+  const Scene plain = carried(""), off = carried("<option><flag filterparent='disable'/></option>");
+  EXPECT_EQ(reason_of(plain, "a/one", "b/two"), PairRule::Reason::adjacent);
+  EXPECT_EQ(reason_of(off, "a/one", "b/two"), PairRule::Reason::checked);
+  EXPECT_FALSE(joined_by_one(off, off.bodies[0].link, off.bodies[1].link));
 }
 
 TEST(Sound, AnEmptyRangeIsNoLimit) {
@@ -224,6 +239,18 @@ TEST(Sound, AnOrientationOfTwoKindsIsRefused) {
   EXPECT_THROW(turned("quat='1 0 0 0'"), std::runtime_error);
   EXPECT_NO_THROW(turned("euler='0 0 0'"));
   EXPECT_NO_THROW(turned(""));
+}
+
+TEST(Sound, AnOriginByAQuaternionIsRefused) {
+  const auto turned = [](const std::string& joint, const std::string& inertia) {
+    return robot(ball("a", "0 0 0") + "<link name='b'><inertial><origin " + inertia +
+                 "/><mass value='1'/><inertia ixx='1' ixy='0' ixz='0' iyy='1' iyz='0' "
+                 "izz='1'/></inertial></link><joint name='j' type='fixed'><parent link='a'/><child "
+                 "link='b'/><origin " +
+                 joint + "/></joint>");
+  };
+  EXPECT_THROW(turned("quat_xyzw='1 0 0 0'", ""), std::runtime_error);
+  EXPECT_NO_THROW(turned("rpy='0 0 1'", "quat_xyzw='1 0 0 0'"));
 }
 
 TEST(Sound, AnAxisOfAnyLengthTurns) {

@@ -12,6 +12,7 @@
 #include <optional>
 #include <span>
 #include <stdexcept>
+#include <string_view>
 #include <vector>
 
 #include "corpus/pairs/solid_kind.hpp"
@@ -67,6 +68,15 @@ void pass_joints(TiXmlElement& robot) {
        joint = joint->NextSiblingElement("joint"))
     if (std::ranges::find(known, attribute(*joint, "type")) == known.end())
       joint->SetAttribute("type", "floating");
+}
+
+/// Newer readers turn an origin by a quaternion; ours would leave it unturned.
+void refuse_quaternions(const TiXmlElement& element, const std::string& file) {
+  if (element.Attribute("quat_xyzw"))
+    throw std::runtime_error(
+        fmt::format("{}: line {}: an origin by quat_xyzw is not read; give it as rpy", file, element.Row()));
+  for (const TiXmlElement* child = element.FirstChildElement(); child; child = child->NextSiblingElement())
+    if (std::string_view(child->Value()) != "inertial") refuse_quaternions(*child, file);
 }
 
 /// urdfdom refuses a whole robot for a material named twice or a shape that it does not know. Neither is any
@@ -333,6 +343,7 @@ Scene read_urdf(const std::string& file) {
   std::map<std::string, std::size_t> shapes;
   pass_joints(*robot);
   const KeptShapes kept = keep_shapes(*robot, scene, shapes);
+  refuse_quaternions(*robot, file);
   TiXmlPrinter text;
   document.Accept(&text);
 

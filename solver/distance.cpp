@@ -452,6 +452,12 @@ Distance distance(const Prepared& a, const Prepared& b) noexcept {
   core_b.ordinary = b.moderate;
   Distance out = measure(core_a, core_b, true);
   grow(out, a.rounding, b.rounding);
+  // Within rounding decide() has the last word; half of the error is within it of any gap there.
+  if (out.value <= 0 && -out.value <= out.error && decide(a, b).verdict == Verdict::disjoint) {
+    out.verdict = Verdict::disjoint;
+    out.value = 0.5 * out.error;
+    out.least = false;
+  }
   return out;
 }
 
@@ -490,6 +496,9 @@ Distance measure(const Prepared& a, const Prepared& b, bool grows) noexcept {
       return larger(-most, smaller(most, y));
     };
     out.value = scaled(out.value);
+    // A gap that is no double in the scene's unit is still none of 0.
+    if (out.verdict == Verdict::disjoint)
+      out.value = larger(out.value, std::numeric_limits<double>::denorm_min());
     // Where they are subnormal, value, error and points are rounded once or twice more: the points' nine
     // numbers by less than this together.
     constexpr double subnormal_error = 8 * std::numeric_limits<double>::denorm_min();

@@ -279,6 +279,15 @@ TEST(Distance, AllocatesNothing) {
 }
 
 // Coaxial but for a rounding: any direction square to the axis will do, but square it must be.
+// Half of the least double between two disks.
+TEST(Distance, AGapBelowAllDoublesIsNotZero) {
+  const Cylinder disk{{0, 0, 0}, {3, -4, 12}, 0.9, 0};
+  const Cylinder beside{{0, -2 * std::numeric_limits<double>::denorm_min(), 0}, {3, -4, 12}, 0.8, 0};
+  const Distance d = distance(disk, beside);
+  EXPECT_EQ(d.verdict, d.value > 0 ? Verdict::disjoint : Verdict::intersecting);
+  EXPECT_LE(std::fabs(d.value), d.error);
+}
+
 TEST(Distance, CoaxialSolidsKeepTheirDirectionSquare) {
   const Vector3 w(1, 1, 2);
   for (const double radius : {0.0, 0.25}) {

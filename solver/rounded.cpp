@@ -22,6 +22,8 @@ enum class Glance : unsigned char { disjoint, intersecting, neither };
 
 double square(double x) noexcept { return x * x; }
 
+double scaled_length(double x, int exponent) noexcept { return std::ldexp(x, -exponent); }
+
 // Without a branch: which of the two it is cannot be predicted.
 Verdict verdict_of(bool met) noexcept {
   static_assert(static_cast<int>(Verdict::disjoint) == 0 && static_cast<int>(Verdict::intersecting) == 1);
@@ -121,8 +123,12 @@ Vector3 inner_point(const Vector3& x, const Vector3& w, double r, double h, Hull
 // centre.
 bool try_points(const Scaled& p, Vector3 on0, Vector3 on1, double room, Answer& answer) noexcept {
   const double reach = reach_of(p) + room;
-  // Twice what in_both allows for, of a point no farther than `reach` from either centre.
-  const double error = 4 * membership_error * reach + underflow_error;
+  // Twice what in_both allows for, of a point no farther than `reach` from either centre; and what a
+  // coordinate loses that is subnormal in the scene's unit.
+  const double lost = p.exponent > coarse_exponent
+                          ? 0
+                          : 2 * scaled_length(std::numeric_limits<double>::denorm_min(), p.exponent);
+  const double error = 4 * membership_error * reach + underflow_error + lost;
   // Where the solids themselves meet the two may be far apart: what is nearest to the one serves.
   const Vector3 nearer = nearest(on0 - p.delta, p.w1, p.r1, p.h1) + p.delta;
   if (length(nearer - on0) < length(on1 - on0)) on1 = nearer;
@@ -160,8 +166,6 @@ bool try_rounded_direction(const Scaled& p, Vector3 d, double room, Answer& answ
   answer.direction = dot(d, p.delta) < 0 ? Vector3(-d) : d;
   return true;
 }
-
-double scaled_length(double x, int exponent) noexcept { return std::ldexp(x, -exponent); }
 
 // From there on a room or a gap may overflow: the solids are made smaller first. What vanishes beside the
 // room does not matter.

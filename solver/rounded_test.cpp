@@ -102,6 +102,23 @@ TEST(Rounded, PointsOfTheDistanceFitItsValue) {
   }
 }
 
+// A gap within rounding that decide() proves.
+TEST(Rounded, IntersectingIsNotSaidOfWhatIsProvedApart) {
+  const Cylinder needle{
+      {0, 0, 0}, {0.63829364458279914, 0.43000605652707169, 0.63849511715849805}, 0, 8.6828981611252587},
+      pill{{-2.7731874026589098, -1.8647780275510879, -2.7726289548422853},
+           {0.6382936445827998, 0.43000605652708579, 0.63849511715848795},
+           0,
+           1.7966469509409612e-08,
+           0.0029950787388571911};
+  ASSERT_EQ(decide(needle, pill).verdict, Verdict::disjoint);
+  for (const Distance& d : {distance(needle, pill), distance(pill, needle)}) {
+    EXPECT_EQ(d.verdict, Verdict::disjoint);
+    EXPECT_NEAR(d.value, 4.8569554296335306e-14, d.error);
+    EXPECT_FALSE(d.least);
+  }
+}
+
 // Lengths beside which the cores vanish, or which overflow in sum.
 TEST(Rounded, NoRoundingIsTooLarge) {
   constexpr double tiny = std::numeric_limits<double>::denorm_min();
@@ -132,6 +149,13 @@ TEST(Rounded, NoRoundingIsTooLarge) {
   constexpr double most = std::numeric_limits<double>::max();
   EXPECT_EQ(within(left, right, most), Verdict::disjoint);
   EXPECT_EQ(decide_within(left, right, most).verdict, Verdict::disjoint);
+}
+
+// Where the points of a certificate lose bits on their way back into the scene's unit.
+TEST(Rounded, SubnormalSolidsThatOverlapAreProvedTo) {
+  const Cylinder grain{{0, 0, 0}, {1, 2, 3}, 1e-319, 1e-319},
+      ground{{4e-315, 0, 5e-315}, {0, 1, 1}, 4e-315, 5e-315, 2.7e-315};
+  EXPECT_EQ(decide(grain, ground).verdict, Verdict::intersecting);
 }
 
 class RoundedFamilies : public testing::TestWithParam<std::size_t> {

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "oracles/referee/rounded.hpp"
 
+#include <cmath>
+#include <numbers>
+
 #include "corpus/pairs/pair_numbers.hpp"
 #include "oracles/referee/nearest.hpp"
 #include "oracles/referee/proofs.hpp"
@@ -107,10 +110,36 @@ DoublePoints nearest_in_double(const Pair& pair) {
   return r;
 }
 
+/// The best from starts all round the four rims. Two faces at a tiny angle are nearest at a corner of what
+/// one hides of the other, which is on a rim; other starts need not lead there.
+DoublePoints nearest_from_rims(const Pair& pair) {
+  DoublePoints r = nearest_in_double(pair);
+  const SearchPair<double> p = double_pair(pair, r.exponent);
+  const auto look_round = [&](const Vec3<double>& center, const Vec3<double>& axis, double radius,
+                              double half) {
+    constexpr int starts = 16;
+    const Vec3<double> w = axis / std::sqrt(dot(axis, axis));
+    const Vec3<double> other{std::abs(w.x) < 0.6 ? 1.0 : 0.0, std::abs(w.x) < 0.6 ? 0.0 : 1.0, 0.0};
+    Vec3<double> u = cross(w, other);
+    u = u / std::sqrt(dot(u, u));
+    const Vec3<double> v = cross(w, u);
+    for (int i = 0; i < 2 * starts; ++i) {
+      const double turn = i * std::numbers::pi / (starts / 2), end = i < starts ? half : -half;
+      const Nearest<double> found = find_nearest(
+          p, 53, center + end * w + (radius * std::cos(turn)) * u + (radius * std::sin(turn)) * v);
+      if (found.apart < r.found.apart) r.found = found;
+    }
+  };
+  look_round({0, 0, 0}, p.axis0, p.radius0, p.half0);
+  look_round(p.delta, p.axis1, p.radius1, p.half1);
+  return r;
+}
+
 /// Where the nearest points are looked for first; where that leads astray, which it does beside axes that are
 /// nearly parallel, next.
 enum class Start : unsigned char {
   double_points,
+  rims,
   middle,
   first_end,
   other_end,
@@ -129,6 +158,10 @@ Nearest<MpFloat> nearest_in_multiprecision(const Pair& pair, int bits, Start sta
     case Start::double_points: {
       const DoublePoints guess = nearest_in_double(pair);
       return refine_nearest(p, bits, guess.lifted(guess.found.on_a), guess.lifted(guess.found.on_b));
+    }
+    case Start::rims: {
+      const DoublePoints guess = nearest_from_rims(pair);
+      return find_nearest(p, bits, guess.lifted(guess.found.on_b));
     }
     case Start::middle:
       return find_nearest(p, bits, MpFloat(0.5) * p.delta);
@@ -286,8 +319,9 @@ std::optional<Truth> prove_cores_meet(const Pair& pair, const Rational3& point, 
 
 std::optional<Truth> prove_rounded(const Pair& pair, int bits) {
   const Rational3 center = exact(pair.a.center);
-  for (const Start start : {Start::double_points, Start::middle, Start::first_end, Start::other_end,
-                            Start::first_end_of_b, Start::other_end_of_b, Start::by_cells}) {
+  for (const Start start :
+       {Start::double_points, Start::rims, Start::middle, Start::first_end, Start::other_end,
+        Start::first_end_of_b, Start::other_end_of_b, Start::by_cells}) {
     const Nearest<MpFloat> found = nearest_in_multiprecision(pair, bits, start);
     const Rational3 from_a = rational(found.on_a), from_b = rational(found.on_b);
     const Rational3 on_a = center + from_a, on_b = center + from_b, between = from_b - from_a;

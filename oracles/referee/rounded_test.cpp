@@ -118,6 +118,30 @@ TEST(RefereeOfRounded, TiesCostWhatTheyDoWithoutRounding) {
   }
 }
 
+// Their nearest points are at a corner of what one face hides of the other.
+TEST(RefereeOfRounded, FacesAtATinyAngleAreTold) {
+  const std::pair<const char*, const char*> faces[] = {
+      {R"("center":[0,0,0],"axis":[-0.3919077812736112,0.90993462739085651,0.13574706203914061],
+          "radius":1.9710960281861707,"height":1.8650528874609782,"rounding":0.29999999999999999)",
+       R"("center":[-1.4424609547597274,-3.9554105221322033,-0.058624562499192998],
+          "axis":[-0.39190822269765518,0.90993435730578465,0.1357475980525216],
+          "radius":1.5587898099174935,"height":1.6185677436838586,"rounding":1)"},
+      {R"("center":[0,0,0],"axis":[0,0,-1],
+          "radius":0.59966418261768639,"height":1.8512604394490242,"rounding":0.039929094685480448)",
+       R"("center":[1.7107191655477878,-1.3487541138819197,-1.4886753379161906],
+          "axis":[-4.0068457457414986e-08,-2.3428479377716995e-08,-1],
+          "radius":1.5788013684849296,"height":1.0462319932926591)"},
+      {R"("center":[0,0,0],"axis":[-2,1,0],
+          "radius":1.966856381965179,"height":1.6547690797032126,"rounding":0.17859033639117317)",
+       R"("center":[-2.0235867631328599,-1.6049178958974919,-2.3258883372353858],
+          "axis":[-0.89442719414628047,0.4472135892072287,3.7081381958283481e-09],
+          "radius":1.3329453862382308,"height":0.17247009631001908)"}};
+  for (const auto& [a, b] : faces) {
+    const Pair pair = pair_from(a, b);
+    EXPECT_EQ(judge(pair).verdict, distance(pair.a, pair.b).verdict) << format_pair(pair);
+  }
+}
+
 class RefereeOfFamilies : public testing::TestWithParam<std::size_t> {};
 
 TEST_P(RefereeOfFamilies, EveryPairIsJudgedAndEveryAnswerOfOursHolds) {

@@ -20,12 +20,22 @@ std::string replaced(std::string text, std::string_view what, std::string_view w
   return text;
 }
 
-std::string attribute_text(const std::string& name) {
-  return replaced(replaced(replaced(name, "&", "&amp;"), "<", "&lt;"), "\"", "&quot;");
+/// What reads an attribute takes a line's end or a tab in it for a space: that would be another name.
+std::string attribute_text(std::string name) {
+  for (const auto& [what, with] : {std::pair{"&", "&amp;"},
+                                   {"<", "&lt;"},
+                                   {"\"", "&quot;"},
+                                   {"\n", "&#10;"},
+                                   {"\r", "&#13;"},
+                                   {"\t", "&#9;"}})
+    name = replaced(name, what, with);
+  return name;
 }
 
-/// No comment holds two hyphens in a row.
-std::string comment_text(const std::string& words) { return "<!-- " + replaced(words, "--", "- -") + " -->"; }
+/// No comment holds two hyphens in a row; of three the first round leaves two.
+std::string comment_text(const std::string& words) {
+  return "<!-- " + replaced(replaced(words, "--", "- -"), "--", "- -") + " -->";
+}
 
 class SrdfWriter {
  public:
@@ -60,7 +70,7 @@ class SrdfWriter {
 
   /// The line that disables two links, or a comment why not; nothing of a checked pair that meets.
   std::string line(const LinkPair& links) const {
-    if (carries_directly(scene_, links.first, links.second))
+    if (carries_directly(scene_, links.first, links.second) && !are_paired(links))
       return disabled(links, "Adjacent", "one carries the other");
     if (has_unknown_shapes(scene_, links.first) || has_unknown_shapes(scene_, links.second))
       return enabled(links, "shapes were not looked at");
@@ -75,6 +85,15 @@ class SrdfWriter {
       return disabled(links, "Never", "proved: " + words);
     if (worst.verdict <= MotionVerdict::within && checked_.contains(links)) return "";
     return enabled(links, fmt::format("{}: {}", to_string(worst.verdict), words));
+  }
+
+  /// Whether the file asks to check shapes of theirs, neighbours or not.
+  bool are_paired(const LinkPair& links) const {
+    return std::ranges::any_of(scene_.bodies, [&](const Body& a) {
+      return a.link == links.first && std::ranges::any_of(scene_.bodies, [&](const Body& b) {
+               return b.link == links.second && std::ranges::find(a.paired, b.name) != a.paired.end();
+             });
+    });
   }
 
   std::size_t bodies_on(std::size_t link) const {

@@ -122,14 +122,29 @@ TEST(SrdfText, KeepsOfAnSrdfWhatIsProved) {
 }
 
 TEST(SrdfText, NamesMayHoldAnything) {
+  const std::string one = "one--\"&<\t", other = "other-->\r\n", third = "third--->";
   Scene scene = still_scene({{"a", {}}, {"b", {{3, 0, 0}, {0, 0, 1}, 1, 1}}, {"c", {}}});
-  scene.links[0].name = "one--\"&<";
-  scene.links[1].name = "other-->";
-  scene.links[2].name = "third";
-  scene.left_out.push_back({"box", "third"});
-  const auto reasons = read_back(scene, text_of(scene));
+  scene.links[0].name = one;
+  scene.links[1].name = other;
+  scene.links[2].name = third;
+  scene.left_out.push_back({"box", third});
+  const std::string text = text_of(scene);
+  const auto reasons = read_back(scene, text);
   EXPECT_EQ(reasons.size(), 1u);
-  EXPECT_EQ(reasons.at({"one--\"&<", "other-->"}), "Never");
+  EXPECT_EQ(reasons.at({one, other}), "Never");
+  EXPECT_NE(text.find("third- - ->: not disabled"), text.npos) << text;
+}
+
+TEST(SrdfText, NeighboursThatTheFilePairsAreNotDisabled) {
+  Scene scene = read_scene(folder + "arm.urdf");
+  const auto body_on = [&](const std::string& link) -> Body& {
+    return *std::ranges::find_if(scene.bodies,
+                                 [&](const Body& b) { return scene.links[b.link].name == link; });
+  };
+  Body &upper = body_on("upper"), &elbow = body_on("elbow");
+  upper.paired = {elbow.name};
+  elbow.paired = {upper.name};
+  EXPECT_FALSE(read_back(scene, text_of(scene)).contains({"elbow", "upper"}));
 }
 
 TEST(SrdfText, RatesAreRoundedUp) {
