@@ -45,7 +45,13 @@ std::optional<Truth> check_by_filter(const Pair& pair, const Filter& filter, con
     return std::nullopt;
   if (answer.witness == CertificateKind::direction && filter.separates(answer.head))
     return proved(Verdict::disjoint, exact_vector(answer.head, no_tail), Stage::filter, 53);
-  if (answer.witness == CertificateKind::points) return check_points_by_filter(filter, answer);
+  if (answer.witness == CertificateKind::points && certificates == Certificates::written)
+    return check_points_by_filter(filter, answer);
+  if (answer.witness == CertificateKind::points) {
+    const Certificate said = answer.certificate();
+    if (!filter.come_near(said.vector, said.second, said.hulls)) return std::nullopt;
+    return verdict_alone(Verdict::intersecting);
+  }
   if (answer.witness != CertificateKind::point) return std::nullopt;
   if (in_space(answer)) {
     if (!filter.in_both(answer.head, answer.tail)) return std::nullopt;
@@ -74,6 +80,15 @@ std::optional<Truth> check_exactly(const Pair& pair, const MethodAnswer& answer)
   return proved(Verdict::intersecting,
                 in_space(answer) ? exact_vector(answer.head, answer.tail) : exact_vector(*point),
                 Stage::exact, first_multiprecision_bits);
+}
+
+std::optional<Truth> check_offers(const Pair& pair, std::span<const MethodAnswer> offered) {
+  for (const MethodAnswer& answer : offered)
+    if (auto t = check_exactly(pair, answer)) {
+      t->witnessed = true;
+      return t;
+    }
+  return std::nullopt;
 }
 
 // A common point found from a guess: the guess rounded to a's centre plus a double (short, and good enough
@@ -190,20 +205,38 @@ std::optional<Truth> prove_in_long_double(const Pair& pair, const Guess& guess) 
   return std::nullopt;
 }
 
-// Solids with a plane between them touch or are disjoint: no point is needed to tell.
-std::optional<Truth> prove_plane_between(const Pair& pair, const Guess& guess) {
+// The first convergent of the continued fraction of x, near 1 or less, that double does not tell from it by
+// more than the tolerance.
+mpq_class simple_near(double x) {
+  constexpr double tolerance = 0x1p-32;  // so that numerator and denominator are small
+  double p0 = 0, q0 = 1, p1 = 1, q1 = 0, rest = x;
+  do {
+    const double whole = std::floor(rest);
+    p0 = std::exchange(p1, whole * p1 + p0);
+    q0 = std::exchange(q1, whole * q1 + q0);
+    rest = 1 / (rest - whole);
+  } while (std::fabs(x - p1 / q1) > tolerance);
+  return mpq_class(mpz_class(p1), mpz_class(q1));
+}
+
+// By algebra at simple points near those that double found. Solids with a plane between them touch or are
+// disjoint: no point is needed to tell.
+std::optional<Truth> prove_near(const Pair& pair, const Guess& guess) {
   const Rational3 center = exact(pair.a.center);
   const auto simple = [&](const Vec3<double>& v) {
-    const Rational3 found{v.x, v.y, v.z};
-    return simplest_near(pair, center + times_power(1, guess.exponent) * found, first_multiprecision_bits);
+    return center + times_power(1, guess.exponent) * Rational3{simple_near(v.x), simple_near(v.y), simple_near(v.z)};
+  };
+  const auto settled = [](Verdict verdict) {
+    Truth t = verdict_alone(verdict);
+    t.stage = Stage::exact;
+    return t;
   };
   const Rational3 on_a = simple(guess.on_a), on_b = simple(guess.on_b);
   const Vec3<double>& d = guess.found.direction;
   const auto plane = prove_tangency(pair, on_a, on_b, is_rounded(pair) ? on_b - on_a : Rational3{d.x, d.y, d.z});
-  if (!plane) return std::nullopt;
-  Truth t = verdict_alone(plane->meet ? Verdict::touching : Verdict::disjoint);
-  t.stage = Stage::exact;
-  return t;
+  if (plane) return settled(plane->meet ? Verdict::touching : Verdict::disjoint);
+  if (!is_rounded(pair) && in_both_exact(pair, on_a) && overlap_at(pair, on_a)) return settled(Verdict::intersecting);
+  return std::nullopt;
 }
 
 // Cores that meet have the first word: any common point will do. Then algebra, which settles ties; then the
@@ -231,17 +264,9 @@ Truth judge_rounded(const Pair& pair, int bits_cap) {
   return undecided;
 }
 
-Truth judge_in_full(const Pair& pair, std::span<const MethodAnswer> offered, int bits_cap) {
+Truth judge_in_full(const Pair& pair, int bits_cap) {
   Truth undecided;
   undecided.stage = Stage::exact;
-  // untaken: tests ask with that cap
-  if (bits_cap < first_multiprecision_bits) return undecided;
-  for (const MethodAnswer& answer : offered)
-    if (auto t = check_exactly(pair, answer)) {
-      t->witnessed = true;
-      return *t;
-    }
-
   if (is_rounded(pair)) return judge_rounded(pair, bits_cap);
   Rational3 point, direction;
   for (int bits = first_multiprecision_bits; bits <= bits_cap; bits *= 2) {
@@ -268,7 +293,10 @@ Truth judge(const Pair& pair, std::span<const MethodAnswer> offered, int bits_ca
   Guess guess;
   if (auto t = prove_in_double(pair, Filter(pair), offered, Certificates::written, guess))
     return std::move(*t);
-  return judge_in_full(pair, offered, bits_cap);
+  // untaken: tests ask with that cap
+  if (bits_cap >= first_multiprecision_bits)
+    if (auto t = check_offers(pair, offered)) return std::move(*t);
+  return judge_in_full(pair, bits_cap);
 }
 
 Truth judge_verdict(const Pair& pair, std::span<const MethodAnswer> offered) {
@@ -279,8 +307,9 @@ Truth judge_verdict(const Pair& pair, std::span<const MethodAnswer> offered) {
   if (guess.found.has_point && filter.overlap_at(shifted(guess.found.point, guess.exponent - filter.exponent())))
     return verdict_alone(Verdict::intersecting);
   if (auto t = prove_in_long_double(pair, guess)) return std::move(*t);
-  if (auto t = prove_plane_between(pair, guess)) return std::move(*t);
-  return judge_in_full(pair, offered, precision_cap);
+  if (auto t = check_offers(pair, offered)) return std::move(*t);
+  if (auto t = prove_near(pair, guess)) return std::move(*t);
+  return judge_in_full(pair, precision_cap);
 }
 
 Verdict check_witness(const Pair& pair, const MethodAnswer& answer) {
