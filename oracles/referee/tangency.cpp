@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "oracles/referee/tangency.hpp"
 
+#include <algorithm>
+#include <vector>
+
 #include "oracles/referee/root_sum.hpp"
 
 namespace cyl {
@@ -149,7 +152,6 @@ struct Guess {
   }
 };
 constexpr int candidate_count = 15;
-constexpr int screening_bits = 128;
 
 }  // namespace
 
@@ -158,18 +160,23 @@ std::optional<Tangency> prove_tangency(const Pair& pair, const Rational3& near_p
   const Rational3 c0 = exact(pair.a.center), delta = exact(pair.b.center) - c0;
   const Guess<mpq_class> guess{exact(pair.a.axis),  exact(pair.b.axis), delta, near_point - c0,
                                near_other - exact(pair.b.center), near_direction};
-  // Most candidates are far from f(D) = 0, and intervals of doubles show it cheaply; of most others MPFI does.
+  // Most candidates are far from f(D) = 0, and intervals of doubles show it cheaply.
   const Filter filter(pair);
   const Guess<Interval> roughly{filter.axis_of_a(), filter.axis_of_b(), filter.delta(), enclosed(guess.x0), enclosed(guess.x1),
                                 enclosed(near_direction)};
+  std::vector<Rational3> seen;  // f > 0 there
   for (int i = 0; i < candidate_count; ++i) {
     if (filter.support_gap(roughly.candidate(i)).lo > 0) continue;
     Rational3 d = guess.candidate(i);
     if (is_zero(d)) continue;
     if (dot(d, delta) < 0) d = mpq_class(-1) * d;
-    int sign = support_gap_sign(pair, d, screening_bits);
-    if (sign == 0) sign = support_gap(pair, d, delta).sign();
-    if (sign > 0) continue;
+    const auto parallel = [&](const Rational3& other) { return is_zero(cross(d, other)); };
+    if (std::any_of(seen.begin(), seen.end(), parallel)) continue;
+    const int sign = support_gap(pair, d, delta).sign();
+    if (sign > 0) {
+      seen.push_back(d);
+      continue;
+    }
     if (sign < 0) return Tangency{d, false};
     const Rational3 back = mpq_class(-1) * d;
     const Face f = face(pair.a, d), g = face(pair.b, back);
