@@ -170,7 +170,9 @@ std::optional<Tangency> prove_tangency(const Pair& pair, const Rational3& near_p
     Rational3 d = guess.candidate(i);
     if (is_zero(d)) continue;
     if (dot(d, delta) < 0) d = mpq_class(-1) * d;
-    const auto parallel = [&](const Rational3& other) { return is_zero(cross(d, other)); };
+    const auto parallel = [&](const Rational3& o) {
+      return d.x * o.y == d.y * o.x && d.y * o.z == d.z * o.y && d.z * o.x == d.x * o.z;
+    };
     if (std::any_of(seen.begin(), seen.end(), parallel)) continue;
     const int sign = support_gap(pair, d, delta).sign();
     if (sign > 0) {
