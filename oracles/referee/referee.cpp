@@ -200,8 +200,11 @@ std::optional<Truth> prove_in_long_double(const Pair& pair, const Guess& guess) 
   const Nearest<Long> nearest = refine_nearest(p, digits, guessed(guess.on_a), guessed(guess.on_b));
   if (filter.separates(nearest.on_b - nearest.on_a)) return settled(Verdict::disjoint);
   const Long inward = 1 - std::ldexp(Long(1), 8 - digits);  // farther than rounding carries a point out
-  const auto inside = [&](const Vec3<Long>& from_center) { return times(inward * from_center, -filter.exponent()); };
-  if (filter.come_near(inside(nearest.on_a), inside(nearest.on_b - p.delta))) return settled(Verdict::intersecting);
+  const auto inside = [&](const Vec3<Long>& from_center) {
+    return times(inward * from_center, -filter.exponent());
+  };
+  if (filter.come_near(inside(nearest.on_a), inside(nearest.on_b - p.delta)))
+    return settled(Verdict::intersecting);
   return std::nullopt;
 }
 
@@ -224,18 +227,22 @@ mpq_class simple_near(double x) {
 std::optional<Truth> prove_near(const Pair& pair, const Guess& guess) {
   const Rational3 center = exact(pair.a.center);
   const auto simple = [&](const Vec3<double>& v) {
-    return center + times_power(1, guess.exponent) * Rational3{simple_near(v.x), simple_near(v.y), simple_near(v.z)};
+    return center +
+           times_power(1, guess.exponent) * Rational3{simple_near(v.x), simple_near(v.y), simple_near(v.z)};
   };
   const auto settled = [](Verdict verdict) {
     Truth t = verdict_alone(verdict);
     t.stage = Stage::exact;
+    t.bits = first_multiprecision_bits;
     return t;
   };
   const Rational3 on_a = simple(guess.on_a), on_b = simple(guess.on_b);
   const Vec3<double>& d = guess.found.direction;
-  const auto plane = prove_tangency(pair, on_a, on_b, is_rounded(pair) ? on_b - on_a : Rational3{d.x, d.y, d.z});
+  const auto plane =
+      prove_tangency(pair, on_a, on_b, is_rounded(pair) ? on_b - on_a : Rational3{d.x, d.y, d.z});
   if (plane) return settled(plane->meet ? Verdict::touching : Verdict::disjoint);
-  if (!is_rounded(pair) && in_both_exact(pair, on_a) && overlap_at(pair, on_a)) return settled(Verdict::intersecting);
+  if (!is_rounded(pair) && in_both_exact(pair, on_a) && overlap_at(pair, on_a))
+    return settled(Verdict::intersecting);
   return std::nullopt;
 }
 
@@ -304,7 +311,8 @@ Truth judge_verdict(const Pair& pair, std::span<const MethodAnswer> offered) {
   const Filter filter(pair);
   Guess guess;
   if (auto t = prove_in_double(pair, filter, offered, Certificates::left_out, guess)) return std::move(*t);
-  if (guess.found.has_point && filter.overlap_at(shifted(guess.found.point, guess.exponent - filter.exponent())))
+  if (guess.found.has_point &&
+      filter.overlap_at(shifted(guess.found.point, guess.exponent - filter.exponent())))
     return verdict_alone(Verdict::intersecting);
   if (auto t = prove_in_long_double(pair, guess)) return std::move(*t);
   if (auto t = check_offers(pair, offered)) return std::move(*t);

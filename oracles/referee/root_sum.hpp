@@ -10,12 +10,12 @@
 namespace cyl {
 
 /// A number of that form. + - * stay exact; sign() is exact: whether it is 0 is decided by algebra, which
-/// side of 0 it lies on by intervals.
+/// side of 0 it lies on by intervals, which are tried first.
 class RootSum {
  public:
   RootSum() = default;
   RootSum(const mpq_class& c) : RootSum(root(c, 1)) {}  // NOLINT: a rational is such a sum
-  RootSum(int c) : RootSum(mpq_class(c)) {}   // NOLINT
+  RootSum(int c) : RootSum(mpq_class(c)) {}             // NOLINT
   /// c sqrt(q), q >= 0.
   static RootSum root(const mpq_class& c, const mpq_class& q) {
     RootSum r;

@@ -124,7 +124,9 @@ template <class R>
 struct Guess {
   Vec3<R> w0, w1, delta, x0, x1, near_direction;
 
-  Vec3<R> off(const Vec3<R>& v, const Vec3<R>& axis) const { return v - R(dot(v, axis) / dot(axis, axis)) * axis; }
+  Vec3<R> off(const Vec3<R>& v, const Vec3<R>& axis) const {
+    return v - R(dot(v, axis) / dot(axis, axis)) * axis;
+  }
 
   // A cap's normal; that of two crossing walls; that of two parallel walls, or of a wall and the point it
   // meets; that of the two rims through the point (square to both rims' tangents), of a rim and a wall or a
@@ -133,21 +135,36 @@ struct Guess {
   Vec3<R> candidate(int i) const {
     const R one(1), none(0);
     switch (i) {
-      case 0: return w0;
-      case 1: return w1;
-      case 2: return cross(w0, w1);
-      case 3: return off(delta, w0);
-      case 4: return off(delta, w1);
-      case 5: return off(x0, w0);
-      case 6: return off(x1, w1);
-      case 7: return cross(cross(w0, x0), cross(w1, x1));
-      case 8: return cross(w1, cross(w0, x0));
-      case 9: return cross(w0, cross(w1, x1));
-      case 10: return delta;
-      case 11: return near_direction;
-      case 12: return cross(w0, {one, none, none});
-      case 13: return cross(w0, {none, one, none});
-      default: return {one, none, none};
+      case 0:
+        return w0;
+      case 1:
+        return w1;
+      case 2:
+        return cross(w0, w1);
+      case 3:
+        return off(delta, w0);
+      case 4:
+        return off(delta, w1);
+      case 5:
+        return off(x0, w0);
+      case 6:
+        return off(x1, w1);
+      case 7:
+        return cross(cross(w0, x0), cross(w1, x1));
+      case 8:
+        return cross(w1, cross(w0, x0));
+      case 9:
+        return cross(w0, cross(w1, x1));
+      case 10:
+        return delta;
+      case 11:
+        return near_direction;
+      case 12:
+        return cross(w0, {one, none, none});
+      case 13:
+        return cross(w0, {none, one, none});
+      default:
+        return {one, none, none};
     }
   }
 };
@@ -158,12 +175,13 @@ constexpr int candidate_count = 15;
 std::optional<Tangency> prove_tangency(const Pair& pair, const Rational3& near_point,
                                        const Rational3& near_other, const Rational3& near_direction) {
   const Rational3 c0 = exact(pair.a.center), delta = exact(pair.b.center) - c0;
-  const Guess<mpq_class> guess{exact(pair.a.axis),  exact(pair.b.axis), delta, near_point - c0,
-                               near_other - exact(pair.b.center), near_direction};
+  const Guess<mpq_class> guess{
+      exact(pair.a.axis), exact(pair.b.axis), delta, near_point - c0, near_other - exact(pair.b.center),
+      near_direction};
   // Most candidates are far from f(D) = 0, and intervals of doubles show it cheaply.
   const Filter filter(pair);
-  const Guess<Interval> roughly{filter.axis_of_a(), filter.axis_of_b(), filter.delta(), enclosed(guess.x0), enclosed(guess.x1),
-                                enclosed(near_direction)};
+  const Guess<Interval> roughly{filter.axis_of_a(), filter.axis_of_b(), filter.delta(),
+                                enclosed(guess.x0), enclosed(guess.x1), enclosed(near_direction)};
   std::vector<Rational3> seen;  // f > 0 there
   for (int i = 0; i < candidate_count; ++i) {
     if (filter.support_gap(roughly.candidate(i)).lo > 0) continue;
