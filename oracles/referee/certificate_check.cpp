@@ -113,12 +113,16 @@ bool BasicFilter<R>::separates(const double direction[3]) const {
 }
 
 template <class R>
-bool BasicFilter<R>::separates(const Vec3<R>& direction) const {
-  if (!usable_) return false;
-  const Vec3<I> d = lift<I>(direction);
+auto BasicFilter<R>::support_gap(const Vec3<I>& d) const -> I {
+  if (!usable_) return I::everything();
   const I f = support_gap_of(d, a_.unit_axis, I(a_.radius), I(a_.height / 2), b_.unit_axis, I(b_.radius),
                              I(b_.height / 2), delta_);
-  return (room_.hi > 0 ? f + room_ * length(d) : f).hi < 0;
+  return room_.hi > 0 ? f + room_ * length(d) : f;
+}
+
+template <class R>
+bool BasicFilter<R>::separates(const Vec3<R>& direction) const {
+  return support_gap(lift<I>(direction)).hi < 0;
 }
 
 template <class R>
@@ -160,20 +164,30 @@ auto BasicFilter<R>::moved(const Solid& s, Hull hull, const Vec3<I>& from) -> Ve
 
 template <class R>
 bool BasicFilter<R>::come_near(const ExactVector& on_a, const ExactVector& on_b, const Hulls& hulls) const {
-  if (!usable_) return false;
   bool exact = true;
-  const auto place = [&](const Solid& s, const ExactVector& v, Hull hull) {
+  const auto from_center = [&](const Solid& s, const ExactVector& v) {
     const Vec3<double> h = scaled({v.head[0], v.head[1], v.head[2]}, -exponent_, exact);
     const Vec3<double> t = scaled({v.tail[0], v.tail[1], v.tail[2]}, -exponent_, exact);
-    return moved(s, hull, (lift<I>(h) - lift<I>(s.center)) + lift<I>(t));
+    return (lift<I>(h) - lift<I>(s.center)) + lift<I>(t);
   };
+  const Vec3<I> x = from_center(a_, on_a), y = from_center(b_, on_b);
+  return exact && close_at(x, y, hulls);
+}
+
+template <class R>
+bool BasicFilter<R>::come_near(const Vec3<R>& on_a, const Vec3<R>& on_b) const {
+  return close_at(lift<I>(on_a), lift<I>(on_b), {});
+}
+
+template <class R>
+bool BasicFilter<R>::close_at(const Vec3<I>& from_a, const Vec3<I>& from_b, const Hulls& hulls) const {
   const auto inside = [](const Solid& s, Hull hull, const Vec3<I>& at) {
     return (level(hull) || abs(dot(at, s.unit_axis)).hi <= s.height / 2) &&
            (thin(hull) || length(cross(at, s.unit_axis)).hi <= s.radius);
   };
   const Hull hull_a = both(a_.hull, hulls[0]), hull_b = both(b_.hull, hulls[1]);
-  const Vec3<I> x = place(a_, on_a, hull_a), y = place(b_, on_b, hull_b);
-  return exact && inside(a_, hull_a, x) && inside(b_, hull_b, y) && length(delta_ + y - x).hi <= room_.lo;
+  const Vec3<I> x = moved(a_, hull_a, from_a), y = moved(b_, hull_b, from_b);
+  return usable_ && inside(a_, hull_a, x) && inside(b_, hull_b, y) && length(delta_ + y - x).hi <= room_.lo;
 }
 
 // Moves are by vectors of which only an interval is known: the point meant is the one that the exact unit
@@ -207,6 +221,12 @@ bool BasicFilter<R>::overlap_near(Vec3<I> x, const Hulls& hulls) const {
 
 template class BasicFilter<double>;
 template class BasicFilter<long double>;
+
+// GMP rounds to double towards 0, to infinity where that is too large.
+Vec3<Interval> enclosed(const Rational3& v) {
+  const auto c = [](const mpq_class& x) { return Interval::outward(x.get_d(), x.get_d()); };
+  return {c(v.x), c(v.y), c(v.z)};
+}
 
 Rational3 exact(const Vector3& v) { return {mpq_class(v.x()), mpq_class(v.y()), mpq_class(v.z())}; }
 

@@ -31,6 +31,13 @@ class BasicFilter {
   explicit BasicFilter(const Pair& pair);
   /// The scene's unit is 2^exponent of the filter's.
   int exponent() const { return exponent_; }
+  using I = BasicInterval<R>;
+  /// Unit axes, and b's centre relative to a's in the filter's unit.
+  const Vec3<I>& axis_of_a() const { return a_.unit_axis; }
+  const Vec3<I>& axis_of_b() const { return b_.unit_axis; }
+  const Vec3<I>& delta() const { return delta_; }
+  /// Encloses f(direction) of the solids in the filter's unit; everything where the filter is not usable.
+  I support_gap(const Vec3<I>& direction) const;
   /// f(direction) < 0 for certain.
   bool separates(const double direction[3]) const;
   bool separates(const Vec3<R>& direction) const;
@@ -45,15 +52,17 @@ class BasicFilter {
   /// For certain the point of a's hull nearest to the first vector is in a's core, that of b's hull nearest
   /// to the second in b's, and they are no farther apart than both roundings together.
   bool come_near(const ExactVector& on_a, const ExactVector& on_b, const Hulls& hulls) const;
+  /// The same near points relative to either's centre, in the filter's unit.
+  bool come_near(const Vec3<R>& on_a, const Vec3<R>& on_b) const;
 
  private:
-  using I = BasicInterval<R>;
   struct Solid {
     Vec3<R> center;  // in the filter's unit
     Vec3<I> unit_axis;
     R radius, height;
     Hull hull;
   };
+  bool close_at(const Vec3<I>& from_a, const Vec3<I>& from_b, const Hulls& hulls) const;
   bool overlap_near(Vec3<I> guess, const Hulls& hulls) const;
   static Vec3<I> moved(const Solid& s, Hull hull, const Vec3<I>& from);
   bool usable_ = false;
@@ -92,6 +101,8 @@ bool in_each_exact(const Pair& pair, const Rational3& on_a, const Rational3& on_
 mpq_class room_of(const Pair& pair);
 
 Rational3 exact(const Vector3& v);
+/// Each coordinate between two neighbouring doubles, or so.
+Vec3<Interval> enclosed(const Rational3& v);
 Rational3 exact(const ExactVector& v);
 
 }  // namespace cyl

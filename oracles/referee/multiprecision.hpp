@@ -27,6 +27,19 @@ class PrecisionScope {
 /// Bits up to which a MpFloat allocates nothing: most pairs are settled at 128, nearly all others at 256.
 inline constexpr mpfr_prec_t inline_bits_cap = 256;
 
+namespace multiprecision_detail {
+using Limbs = mp_limb_t[inline_bits_cap / GMP_NUMB_BITS];  // where is_inline()
+inline bool is_inline(mpfr_srcptr v) { return mpfr_get_prec(v) <= inline_bits_cap; }
+inline void make_zero(mpfr_ptr v, Limbs& limbs, mpfr_prec_t bits) {
+  if (bits > inline_bits_cap) {
+    mpfr_init2(v, bits);
+    mpfr_set_zero(v, 1);
+  } else {
+    mpfr_custom_init_set(v, MPFR_ZERO_KIND, 0, bits, limbs);
+  }
+}
+}  // namespace multiprecision_detail
+
 /// A floating-point number of MPFR, rounded to nearest, its exponent as good as unbounded.
 class MpFloat {
  public:
@@ -103,15 +116,8 @@ class MpFloat {
     operation(r.v_, a.v_, b.v_, MPFR_RNDN);
     return r;
   }
-  bool is_inline() const { return mpfr_get_prec(v_) <= inline_bits_cap; }
-  void make_zero(mpfr_prec_t bits) {
-    if (bits > inline_bits_cap) {
-      mpfr_init2(v_, bits);
-      mpfr_set_zero(v_, 1);
-    } else {
-      mpfr_custom_init_set(v_, MPFR_ZERO_KIND, 0, bits, limbs_);
-    }
-  }
+  bool is_inline() const { return multiprecision_detail::is_inline(v_); }
+  void make_zero(mpfr_prec_t bits) { multiprecision_detail::make_zero(v_, limbs_, bits); }
   void clear() {
     if (!is_inline()) mpfr_clear(v_);
   }
@@ -126,28 +132,30 @@ class MpFloat {
     mpfr_custom_move(v_, limbs_);
   }
   mpfr_t v_;
-  mp_limb_t limbs_[inline_bits_cap / GMP_NUMB_BITS] = {};  // where is_inline()
+  multiprecision_detail::Limbs limbs_ = {};
 };
 
 /// A closed interval of MPFI.
 class MpInterval {
  public:
-  MpInterval() : MpInterval(0.0) {}
-  MpInterval(double x) {  // NOLINT: a double is an interval
-    mpfi_init(v_);
+  MpInterval() {
+    multiprecision_detail::make_zero(&v_->left, limbs_[0], mpfr_get_default_prec());
+    multiprecision_detail::make_zero(&v_->right, limbs_[1], mpfr_get_default_prec());
+  }
+  MpInterval(double x) : MpInterval() {  // NOLINT: a double is an interval
     mpfi_set_d(v_, x);
   }
-  explicit MpInterval(const mpq_class& x) {
-    mpfi_init(v_);
-    mpfi_set_q(v_, x.get_mpq_t());
-  }
+  explicit MpInterval(const mpq_class& x) : MpInterval() { mpfi_set_q(v_, x.get_mpq_t()); }
   // untaken: results are built in place; the language wants it all the same
-  MpInterval(MpInterval&& o) noexcept : MpInterval() { mpfi_swap(v_, o.v_); }
+  MpInterval(MpInterval&& o) noexcept : MpInterval() { mpfi_set(v_, o.v_); }
   MpInterval& operator=(MpInterval&& o) noexcept {
-    mpfi_swap(v_, o.v_);
+    mpfi_set(v_, o.v_);
     return *this;
   }
-  ~MpInterval() { mpfi_clear(v_); }
+  ~MpInterval() {
+    for (mpfr_ptr end : {&v_->left, &v_->right})
+      if (!multiprecision_detail::is_inline(end)) mpfr_clear(end);
+  }
 
   friend MpInterval operator+(const MpInterval& a, const MpInterval& b) { return make(mpfi_add, a, b); }
   friend MpInterval operator-(const MpInterval& a, const MpInterval& b) { return make(mpfi_sub, a, b); }
@@ -179,6 +187,7 @@ class MpInterval {
     return r;
   }
   mpfi_t v_;
+  multiprecision_detail::Limbs limbs_[2];
 };
 
 }  // namespace cyl

@@ -30,6 +30,14 @@ ExactVector exact_vector(const double head[3], const double tail[3]);
 /// By a direction where disjoint, else by a point.
 Truth proved(Verdict verdict, ExactVector certificate, Stage stage, int bits);
 
+/// What the searches in double found, in a unit of 2^exponent, relative to a's centre: of the cores, and the
+/// points of either by which they are nearest.
+struct Guess {
+  Found<double> found;
+  Vec3<double> on_a{}, on_b{};
+  int exponent = 0;
+};
+
 SearchPair<MpFloat> multiprecision_pair(const Pair& pair);
 Rational3 rational(const Vec3<MpFloat>& v);
 

@@ -9,6 +9,7 @@
 
 #include "oracles/referee/certificate_check.hpp"
 #include "oracles/referee/multiprecision.hpp"
+#include "oracles/referee/nearest.hpp"
 #include "oracles/referee/proofs.hpp"
 #include "oracles/referee/rounded.hpp"
 #include "oracles/referee/search.hpp"
@@ -44,7 +45,13 @@ std::optional<Truth> check_by_filter(const Pair& pair, const Filter& filter, con
     return std::nullopt;
   if (answer.witness == CertificateKind::direction && filter.separates(answer.head))
     return proved(Verdict::disjoint, exact_vector(answer.head, no_tail), Stage::filter, 53);
-  if (answer.witness == CertificateKind::points) return check_points_by_filter(filter, answer);
+  if (answer.witness == CertificateKind::points && certificates == Certificates::written)
+    return check_points_by_filter(filter, answer);
+  if (answer.witness == CertificateKind::points) {
+    const Certificate said = answer.certificate();
+    if (!filter.come_near(said.vector, said.second, said.hulls)) return std::nullopt;
+    return verdict_alone(Verdict::intersecting);
+  }
   if (answer.witness != CertificateKind::point) return std::nullopt;
   if (in_space(answer)) {
     if (!filter.in_both(answer.head, answer.tail)) return std::nullopt;
@@ -73,6 +80,15 @@ std::optional<Truth> check_exactly(const Pair& pair, const MethodAnswer& answer)
   return proved(Verdict::intersecting,
                 in_space(answer) ? exact_vector(answer.head, answer.tail) : exact_vector(*point),
                 Stage::exact, first_multiprecision_bits);
+}
+
+std::optional<Truth> check_offers(const Pair& pair, std::span<const MethodAnswer> offered) {
+  for (const MethodAnswer& answer : offered)
+    if (auto t = check_exactly(pair, answer)) {
+      t->witnessed = true;
+      return t;
+    }
+  return std::nullopt;
 }
 
 // A common point found from a guess: the guess rounded to a's centre plus a double (short, and good enough
@@ -128,15 +144,9 @@ std::optional<Truth> prove_touching(const Pair& pair, const Rational3& point, co
   return t;
 }
 
-// What the search in double found, in a unit of 2^exponent.
-struct Guess {
-  Found<double> found;
-  int exponent = 0;
-  Vec3<double> point_in(int unit) const {
-    const auto c = [&](double x) { return std::ldexp(x, exponent - unit); };
-    return {c(found.point.x), c(found.point.y), c(found.point.z)};
-  }
-};
+Vec3<double> shifted(const Vec3<double>& v, int exponent) {
+  return {std::ldexp(v.x, exponent), std::ldexp(v.y, exponent), std::ldexp(v.z, exponent)};
+}
 
 std::optional<Truth> prove_in_double(const Pair& pair, const Filter& filter,
                                      std::span<const MethodAnswer> offered, Certificates certificates,
@@ -146,15 +156,16 @@ std::optional<Truth> prove_in_double(const Pair& pair, const Filter& filter,
       t->witnessed = true;
       return t;
     }
-  if (is_rounded(pair)) return prove_rounded_in_double(pair, filter);
+  if (is_rounded(pair)) return prove_rounded_in_double(pair, filter, guess);
   guess.found = search(double_pair(pair, guess.exponent), 53);
+  guess.on_a = guess.on_b = guess.found.point;
   if (guess.found.has_direction) {
     const double d[3] = {guess.found.direction.x, guess.found.direction.y, guess.found.direction.z};
     if (filter.separates(d)) return proved(Verdict::disjoint, exact_vector(d, no_tail), Stage::filter, 53);
   }
   if (guess.found.has_point) {
     const double head[3] = {pair.a.center.x(), pair.a.center.y(), pair.a.center.z()};
-    const Vec3<double> x = guess.point_in(0);
+    const Vec3<double> x = shifted(guess.found.point, guess.exponent);
     const double tail[3] = {x.x, x.y, x.z};
     if (filter.in_both(head, tail))
       return proved(Verdict::intersecting, exact_vector(head, tail), Stage::filter, 53);
@@ -163,23 +174,74 @@ std::optional<Truth> prove_in_double(const Pair& pair, const Filter& filter,
 }
 
 // A few digits more are enough for most pairs that rounding in double leaves open.
-std::optional<Truth> prove_in_long_double(const Pair& pair) {
+std::optional<Truth> prove_in_long_double(const Pair& pair, const Guess& guess) {
   using Long = long double;
   const auto lift = [](const Vector3& v) { return Vec3<Long>{v.x(), v.y(), v.z()}; };
   const SearchPair<Long> p{
       lift(pair.a.axis),      lift(pair.b.axis),       lift(pair.b.center) - lift(pair.a.center),
       pair.a.radius,          Long(pair.a.height) / 2, pair.b.radius,
       Long(pair.b.height) / 2};
-  const Found<Long> found = search(p, std::numeric_limits<Long>::digits);
+  constexpr int digits = std::numeric_limits<Long>::digits;
+  const Found<Long> found = search(p, digits);
   const LongFilter filter(pair);
   const auto settled = [](Verdict verdict) {
     Truth t = verdict_alone(verdict);
-    t.bits = std::numeric_limits<Long>::digits;
+    t.bits = digits;
     return t;
   };
   if (found.has_direction && filter.separates(found.direction)) return settled(Verdict::disjoint);
-  const auto c = [&](Long x) { return std::ldexp(x, -filter.exponent()); };
-  if (found.has_point && filter.overlap_at({c(found.point.x), c(found.point.y), c(found.point.z)}))
+  const auto times = [](const Vec3<Long>& v, int exponent) {
+    return Vec3<Long>{std::ldexp(v.x, exponent), std::ldexp(v.y, exponent), std::ldexp(v.z, exponent)};
+  };
+  if (found.has_point && filter.overlap_at(times(found.point, -filter.exponent())))
+    return settled(Verdict::intersecting);
+  if (!is_rounded(pair)) return std::nullopt;
+  const auto guessed = [&](const Vec3<double>& v) { return times({v.x, v.y, v.z}, guess.exponent); };
+  const Nearest<Long> nearest = refine_nearest(p, digits, guessed(guess.on_a), guessed(guess.on_b));
+  if (filter.separates(nearest.on_b - nearest.on_a)) return settled(Verdict::disjoint);
+  const Long inward = 1 - std::ldexp(Long(1), 8 - digits);  // farther than rounding carries a point out
+  const auto inside = [&](const Vec3<Long>& from_center) {
+    return times(inward * from_center, -filter.exponent());
+  };
+  if (filter.come_near(inside(nearest.on_a), inside(nearest.on_b - p.delta)))
+    return settled(Verdict::intersecting);
+  return std::nullopt;
+}
+
+// The first convergent of the continued fraction of x, near 1 or less, that double does not tell from it by
+// more than the tolerance.
+mpq_class simple_near(double x) {
+  constexpr double tolerance = 0x1p-32;  // so that numerator and denominator are small
+  double p0 = 0, q0 = 1, p1 = 1, q1 = 0, rest = x;
+  do {
+    const double whole = std::floor(rest);
+    p0 = std::exchange(p1, whole * p1 + p0);
+    q0 = std::exchange(q1, whole * q1 + q0);
+    rest = 1 / (rest - whole);
+  } while (std::fabs(x - p1 / q1) > tolerance);
+  return mpq_class(mpz_class(p1), mpz_class(q1));
+}
+
+// By algebra at simple points near those that double found. Solids with a plane between them touch or are
+// disjoint: no point is needed to tell.
+std::optional<Truth> prove_near(const Pair& pair, const Guess& guess) {
+  const Rational3 center = exact(pair.a.center);
+  const auto simple = [&](const Vec3<double>& v) {
+    return center +
+           times_power(1, guess.exponent) * Rational3{simple_near(v.x), simple_near(v.y), simple_near(v.z)};
+  };
+  const auto settled = [](Verdict verdict) {
+    Truth t = verdict_alone(verdict);
+    t.stage = Stage::exact;
+    t.bits = first_multiprecision_bits;
+    return t;
+  };
+  const Rational3 on_a = simple(guess.on_a), on_b = simple(guess.on_b);
+  const Vec3<double>& d = guess.found.direction;
+  const auto plane =
+      prove_tangency(pair, on_a, on_b, is_rounded(pair) ? on_b - on_a : Rational3{d.x, d.y, d.z});
+  if (plane) return settled(plane->meet ? Verdict::touching : Verdict::disjoint);
+  if (!is_rounded(pair) && in_both_exact(pair, on_a) && overlap_at(pair, on_a))
     return settled(Verdict::intersecting);
   return std::nullopt;
 }
@@ -209,17 +271,9 @@ Truth judge_rounded(const Pair& pair, int bits_cap) {
   return undecided;
 }
 
-Truth judge_in_full(const Pair& pair, std::span<const MethodAnswer> offered, int bits_cap) {
+Truth judge_in_full(const Pair& pair, int bits_cap) {
   Truth undecided;
   undecided.stage = Stage::exact;
-  // untaken: tests ask with that cap
-  if (bits_cap < first_multiprecision_bits) return undecided;
-  for (const MethodAnswer& answer : offered)
-    if (auto t = check_exactly(pair, answer)) {
-      t->witnessed = true;
-      return *t;
-    }
-
   if (is_rounded(pair)) return judge_rounded(pair, bits_cap);
   Rational3 point, direction;
   for (int bits = first_multiprecision_bits; bits <= bits_cap; bits *= 2) {
@@ -246,7 +300,10 @@ Truth judge(const Pair& pair, std::span<const MethodAnswer> offered, int bits_ca
   Guess guess;
   if (auto t = prove_in_double(pair, Filter(pair), offered, Certificates::written, guess))
     return std::move(*t);
-  return judge_in_full(pair, offered, bits_cap);
+  // untaken: tests ask with that cap
+  if (bits_cap >= first_multiprecision_bits)
+    if (auto t = check_offers(pair, offered)) return std::move(*t);
+  return judge_in_full(pair, bits_cap);
 }
 
 Truth judge_verdict(const Pair& pair, std::span<const MethodAnswer> offered) {
@@ -254,11 +311,13 @@ Truth judge_verdict(const Pair& pair, std::span<const MethodAnswer> offered) {
   const Filter filter(pair);
   Guess guess;
   if (auto t = prove_in_double(pair, filter, offered, Certificates::left_out, guess)) return std::move(*t);
-  if (guess.found.has_point && filter.overlap_at(guess.point_in(filter.exponent())))
+  if (guess.found.has_point &&
+      filter.overlap_at(shifted(guess.found.point, guess.exponent - filter.exponent())))
     return verdict_alone(Verdict::intersecting);
-  if (!is_rounded(pair))
-    if (auto t = prove_in_long_double(pair)) return std::move(*t);
-  return judge_in_full(pair, offered, precision_cap);
+  if (auto t = prove_in_long_double(pair, guess)) return std::move(*t);
+  if (auto t = check_offers(pair, offered)) return std::move(*t);
+  if (auto t = prove_near(pair, guess)) return std::move(*t);
+  return judge_in_full(pair, precision_cap);
 }
 
 Verdict check_witness(const Pair& pair, const MethodAnswer& answer) {

@@ -29,9 +29,10 @@ inline constexpr int precision_cap = 4096;
 Truth judge(const Pair& pair, std::span<const MethodAnswer> offered = {}, int bits_cap = precision_cap);
 
 /// The verdict of judge(), proved as well, without the certificate where a cheaper proof leaves none to write
-/// down (in long double, or of flat solids, whose common points are rarely doubles). Cost: that of judge()
-/// with 1 us for flat solids and for witnesses in hulls, 5 us where double does not reach; exact ties as
-/// before.
+/// down: in long double, by a witness in hulls, of flat solids, whose common points are rarely doubles, or,
+/// at a simple point or in a simple direction, by algebra before the wide search. Cost: that of judge() with
+/// 1 us for flat solids and for witnesses in hulls, 5 us where double does not reach (15 us for rounded
+/// solids), 50 us for most exact ties and for gaps too small for long double.
 Truth judge_verdict(const Pair& pair, std::span<const MethodAnswer> offered = {});
 
 /// Widths asked of an enclosure, relative to the pair's size: apart the problem is convex, penetrating it is

@@ -35,13 +35,13 @@ void RootSum::add(const mpq_class& c, const mpq_class& q) {
 
 RootSum operator+(const RootSum& a, const RootSum& b) {
   RootSum r = a;
-  for (const auto& t : b.terms_) r.add(t.c, t.q);
+  r.terms_.insert(r.terms_.end(), b.terms_.begin(), b.terms_.end());
   return r;
 }
 
 RootSum operator-(const RootSum& a, const RootSum& b) {
   RootSum r = a;
-  for (const auto& t : b.terms_) r.add(-t.c, t.q);
+  for (const auto& t : b.terms_) r.terms_.push_back({-t.c, t.q});
   return r;
 }
 
@@ -52,16 +52,22 @@ RootSum operator*(const RootSum& a, const RootSum& b) {
   return r;
 }
 
+int RootSum::sign_within(int bits) const {
+  const PrecisionScope precision(bits);
+  MpInterval sum;
+  for (const Term& t : terms_) sum = sum + MpInterval(t.c) * sqrt(MpInterval(t.q));
+  return sum.positive() ? 1 : sum.negative() ? -1 : 0;
+}
+
 int RootSum::sign() const {
-  if (terms_.empty()) return 0;
+  constexpr int first_bits = 128;
+  if (const int sign = sign_within(first_bits)) return sign;
+  RootSum joined;
+  for (const Term& t : terms_) joined.add(t.c, t.q);
+  if (joined.terms_.empty()) return 0;
   // Not 0, so some precision shows the sign.
-  for (int bits = 128;; bits *= 2) {
-    const PrecisionScope precision(bits);
-    MpInterval sum;
-    for (const Term& t : terms_) sum = sum + MpInterval(t.c) * sqrt(MpInterval(t.q));
-    if (sum.positive()) return 1;
-    if (sum.negative()) return -1;
-  }
+  for (int bits = first_bits;; bits *= 2)
+    if (const int sign = joined.sign_within(bits)) return sign;
 }
 
 }  // namespace cyl

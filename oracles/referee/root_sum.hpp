@@ -10,16 +10,16 @@
 namespace cyl {
 
 /// A number of that form. + - * stay exact; sign() is exact: whether it is 0 is decided by algebra, which
-/// side of 0 it lies on by intervals.
+/// side of 0 it lies on by intervals, which are tried first.
 class RootSum {
  public:
   RootSum() = default;
-  RootSum(const mpq_class& c) { add(c, 1); }  // NOLINT: a rational is such a sum
-  RootSum(int c) : RootSum(mpq_class(c)) {}   // NOLINT
+  RootSum(const mpq_class& c) : RootSum(root(c, 1)) {}  // NOLINT: a rational is such a sum
+  RootSum(int c) : RootSum(mpq_class(c)) {}             // NOLINT
   /// c sqrt(q), q >= 0.
   static RootSum root(const mpq_class& c, const mpq_class& q) {
     RootSum r;
-    r.add(c, q);
+    if (c != 0 && q != 0) r.terms_.push_back({c, q});
     return r;
   }
 
@@ -34,8 +34,10 @@ class RootSum {
   struct Term {
     mpq_class c, q;
   };
+  // Joins the term with one whose q makes a rational square with its own. The joined ones stay so.
   void add(const mpq_class& c, const mpq_class& q);
-  std::vector<Term> terms_;  // c != 0; no two q whose product is a rational square
+  int sign_within(int bits) const;  // 0 where intervals of that many bits do not tell
+  std::vector<Term> terms_;         // q >= 0
 };
 
 }  // namespace cyl

@@ -265,11 +265,11 @@ std::optional<Truth> check_points_exactly(const Pair& pair, const MethodAnswer& 
   return met_at(exact_vector(on_a), exact_vector(on_b), Stage::exact, first_multiprecision_bits);
 }
 
-std::optional<Truth> prove_rounded_in_double(const Pair& pair, const Filter& filter) {
-  int exponent = 0;
+std::optional<Truth> prove_rounded_in_double(const Pair& pair, const Filter& filter, Guess& guess) {
+  int& exponent = guess.exponent;
   const SearchPair<double> p = double_pair(pair, exponent);
   // Most pairs are told by a direction that separates the cores, or by their common point.
-  const Found<double> of_cores = search(p, 53);
+  const Found<double>& of_cores = guess.found = search(p, 53);
   const double apart[3] = {of_cores.direction.x, of_cores.direction.y, of_cores.direction.z};
   if (of_cores.has_direction && filter.separates(apart))
     return proved(Verdict::disjoint, exact_vector(apart, no_tail), Stage::filter, 53);
@@ -282,6 +282,8 @@ std::optional<Truth> prove_rounded_in_double(const Pair& pair, const Filter& fil
       return proved(Verdict::intersecting, exact_vector(head, tail), Stage::filter, 53);
   }
   const Nearest<double> found = find_nearest(p, 53, 0.5 * p.delta);
+  guess.on_a = found.on_a;
+  guess.on_b = found.on_b;
   const Vec3<double> between = found.on_b - found.on_a;
   const double direction[3] = {between.x, between.y, between.z};
   if (filter.separates(direction))

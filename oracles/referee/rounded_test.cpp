@@ -183,6 +183,19 @@ TEST(RefereeOfRounded, SmallIntegersTouchAndAreProvedTo) {
   EXPECT_GT(touching, 20u);
 }
 
+TEST_P(RefereeOfFamilies, LongDoubleSettlesNearlyAllVerdicts) {
+  const Family& family = rounded_families()[GetParam()];
+  int beyond = 0;
+  for (std::uint64_t i = 0; i < 1000; ++i) {
+    const Pair pair = family.generate(3, i);
+    const Truth alone = judge_verdict(pair);
+    if (alone.bits <= 53) continue;
+    beyond += alone.bits > std::numeric_limits<long double>::digits;
+    ASSERT_EQ(alone.verdict, judge(pair).verdict) << format_pair(pair);
+  }
+  EXPECT_LE(beyond, 25);
+}
+
 TEST_P(RefereeOfFamilies, TheDistanceIsEnclosed) {
   const Family& family = rounded_families()[GetParam()];
   for (std::uint64_t i = 0; i < 200; ++i) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "oracles/referee/tangency.hpp"
 
+#include <algorithm>
 #include <vector>
 
 #include "oracles/referee/root_sum.hpp"
@@ -9,8 +10,6 @@ namespace cyl {
 namespace {
 
 using Root3 = Vec3<RootSum>;
-
-constexpr int screening_bits = 128;  // most candidates are far from f(D) = 0, and MPFI shows it cheaply
 
 bool is_zero(const Rational3& v) { return v.x == 0 && v.y == 0 && v.z == 0; }
 
@@ -118,35 +117,87 @@ mpq_class simplest_within(const mpq_class& x, const mpq_class& tolerance) {
   }
 }
 
-std::optional<Tangency> prove_tangency(const Pair& pair, const Rational3& near_point,
-                                       const Rational3& near_other, const Rational3& near_direction) {
-  const Rational3 w0 = exact(pair.a.axis), w1 = exact(pair.b.axis);
-  const Rational3 c0 = exact(pair.a.center), delta = exact(pair.b.center) - c0;
-  const Rational3 x0 = near_point - c0, x1 = near_other - exact(pair.b.center);
+namespace {
+
+// What the candidates are made of: a line's length and its sense do not matter.
+template <class R>
+struct Guess {
+  Vec3<R> w0, w1, delta, x0, x1, near_direction;
+
+  Vec3<R> off(const Vec3<R>& v, const Vec3<R>& axis) const {
+    return v - R(dot(v, axis) / dot(axis, axis)) * axis;
+  }
 
   // A cap's normal; that of two crossing walls; that of two parallel walls, or of a wall and the point it
   // meets; that of the two rims through the point (square to both rims' tangents), of a rim and a wall or a
   // segment (square to tangent and axis); of segments on one line, any square to it; of two points in one
   // place, any.
-  std::vector<Rational3> candidates = {w0,
-                                       w1,
-                                       cross(w0, w1),
-                                       off(delta, w0),
-                                       off(delta, w1),
-                                       off(x0, w0),
-                                       off(x1, w1),
-                                       cross(cross(w0, x0), cross(w1, x1)),
-                                       cross(w1, cross(w0, x0)),
-                                       cross(w0, cross(w1, x1)),
-                                       delta,
-                                       near_direction};
-  for (const Rational3& unit : {Rational3{1, 0, 0}, Rational3{0, 1, 0}})
-    candidates.push_back(cross(w0, unit));
-  if (is_zero(delta)) candidates.push_back({1, 0, 0});
-  for (Rational3& d : candidates) {
+  Vec3<R> candidate(int i) const {
+    const R one(1), none(0);
+    switch (i) {
+      case 0:
+        return w0;
+      case 1:
+        return w1;
+      case 2:
+        return cross(w0, w1);
+      case 3:
+        return off(delta, w0);
+      case 4:
+        return off(delta, w1);
+      case 5:
+        return off(x0, w0);
+      case 6:
+        return off(x1, w1);
+      case 7:
+        return cross(cross(w0, x0), cross(w1, x1));
+      case 8:
+        return cross(w1, cross(w0, x0));
+      case 9:
+        return cross(w0, cross(w1, x1));
+      case 10:
+        return delta;
+      case 11:
+        return near_direction;
+      case 12:
+        return cross(w0, {one, none, none});
+      case 13:
+        return cross(w0, {none, one, none});
+      default:
+        return {one, none, none};
+    }
+  }
+};
+constexpr int candidate_count = 15;
+
+}  // namespace
+
+std::optional<Tangency> prove_tangency(const Pair& pair, const Rational3& near_point,
+                                       const Rational3& near_other, const Rational3& near_direction) {
+  const Rational3 c0 = exact(pair.a.center), delta = exact(pair.b.center) - c0;
+  const Guess<mpq_class> guess{
+      exact(pair.a.axis), exact(pair.b.axis), delta, near_point - c0, near_other - exact(pair.b.center),
+      near_direction};
+  // Most candidates are far from f(D) = 0, and intervals of doubles show it cheaply.
+  const Filter filter(pair);
+  const Guess<Interval> roughly{filter.axis_of_a(), filter.axis_of_b(), filter.delta(),
+                                enclosed(guess.x0), enclosed(guess.x1), enclosed(near_direction)};
+  std::vector<Rational3> seen;  // f > 0 there
+  for (int i = 0; i < candidate_count; ++i) {
+    if (filter.support_gap(roughly.candidate(i)).lo > 0) continue;
+    Rational3 d = guess.candidate(i);
     if (is_zero(d)) continue;
     if (dot(d, delta) < 0) d = mpq_class(-1) * d;
-    if (support_gap_sign(pair, d, screening_bits) != 0 || support_gap(pair, d, delta).sign() != 0) continue;
+    const auto parallel = [&](const Rational3& o) {
+      return d.x * o.y == d.y * o.x && d.y * o.z == d.z * o.y && d.z * o.x == d.x * o.z;
+    };
+    if (std::any_of(seen.begin(), seen.end(), parallel)) continue;
+    const int sign = support_gap(pair, d, delta).sign();
+    if (sign > 0) {
+      seen.push_back(d);
+      continue;
+    }
+    if (sign < 0) return Tangency{d, false};
     const Rational3 back = mpq_class(-1) * d;
     const Face f = face(pair.a, d), g = face(pair.b, back);
     const mpq_class room = room_of(pair);
