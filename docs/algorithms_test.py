@@ -87,9 +87,9 @@ class Algorithms(unittest.TestCase):
     def test_obtuse_axes(self):
         """rho as the document has it, with its c: with the cosine itself these would be apart."""
         text = ' '.join((HERE / 'algorithms.md').read_text().split())
-        self.assertIn('s = |W_0 x W_1| and c = |W_0.W_1|', text)
-        self.assertIn('r_1^2 s^2 < rho^2, rho = |W_0.Delta| - h_0/2 - (h_1/2) c.', text)
-        self.assertIn('the radius r_i and the height h_i.', text)
+        for said in ('the radius r_i and the height h_i.', 's = |W_0 x W_1| and c = |W_0.W_1|',
+                     'r_1^2 s^2 < rho^2, rho = |W_0.Delta| - h_0/2 - (h_1/2) c.'):
+            self.assertTrue(said in text, said)
         line = ('{"a":{"center":[0,0,0],"axis":[0,0,1],"radius":1,"height":2},'
                 '"b":{"center":[0,0,1.2],"axis":[0,7,-4],"radius":0.1,"height":2}}')
         self.assertEqual(self.ask([line], '--method', 'intersect')[0]['verdict'], 'intersecting')
@@ -107,6 +107,12 @@ def directions():
         for numbers in itertools.permutations(quadruple[:3]):
             for signs in itertools.product((1, -1), repeat=3):
                 yield tuple(fractions.Fraction(s * x, quadruple[3]) for s, x in zip(signs, numbers))
+
+
+class Section13(unittest.TestCase):
+    def test_below_by_squares(self):
+        for x, y in itertools.product([fractions.Fraction(k, 7) for k in range(9)], repeat=2):
+            self.assertEqual(text_2008.below_by_squares(x * x, y * y, 1), x + y < 1)
 
 
 class Convexity(unittest.TestCase):
