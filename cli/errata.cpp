@@ -87,11 +87,13 @@ void print_rate(const Erratum& e, const Exhibits& exhibits, std::uint64_t pairs)
 
 bool print_erratum(const Erratum& e, const Exhibits& exhibits, std::uint64_t pairs) {
   fmt::print("{}: {}, {}\n", e.id, title_of(e.document), e.place);
+  print_line("kind", to_string(e.kind));
   print_line("says", e.says);
   print_line("should", e.should);
   print_line("why", e.why);
   if (!e.test.empty()) print_line("test", e.test);
   if (!e.rate.empty()) print_line("how often", e.rate);
+  if (!e.numbers.empty()) print_line("numbers", e.numbers);
   const bool shown = e.shown_by == ShownBy::none || print_pair(e, exhibits);
   if (!shown) fmt::print("  THIS IS NOT SO TODAY\n");
   if (pairs > 0 && e.fault) print_rate(e, exhibits, pairs);
@@ -124,7 +126,7 @@ void print_item(std::string_view what, std::string_view text) {
 /// An item of the list in solver/literature/errata.md.
 void print_markdown(const Erratum& e, const Exhibits& exhibits) {
   fmt::print("### {}\n\n", e.id);
-  print_wrapped(fmt::format("In {}.", e.place), 0);
+  print_wrapped(fmt::format("In {}. Kind: {}.", e.place, to_string(e.kind)), 0);
   fmt::print("\n");
   print_item("It says:", e.says);
   print_item("It should say:", e.should);
@@ -136,8 +138,8 @@ void print_markdown(const Erratum& e, const Exhibits& exhibits) {
     const auto said = [&](const std::string& name) {
       return fmt::format("`{}` says {}", name, to_string(exhibits.method(name).ask(pair).verdict));
     };
-    print_item("A pair:", fmt::format("{}, by proof. {}, {}.", to_string(judge(pair).verdict),
-                                      said(wrong_method(e)), said(right_method(e))));
+    print_item("A pair:", fmt::format("{}, by proof. {}, {}. {}", to_string(judge(pair).verdict),
+                                      said(wrong_method(e)), said(right_method(e)), e.numbers));
     fmt::print("\n  ```json\n");
     const std::string text = format_pair(pair);
     const std::size_t second = text.find("\"b\":");
@@ -148,15 +150,25 @@ void print_markdown(const Erratum& e, const Exhibits& exhibits) {
 
 constexpr const char* list_head = R"(# Errata
 
-What is wrong in the documents that this project starts from, in our own words and notation: W_i, r_i and h_i are the
-unit axis, the radius and the height of solid i; Delta points from the first centre to the second; the line along D
-separates the solids where f(D) < 0 (or = 0, where what only touches counts as separated); P_i D is the part of D square
-to W_i. Other symbols are those of the section that is named. The list claims to be complete in nothing.
+What a reader of the documents that this project starts from may want to know, in our own words and notation: W_i, r_i
+and h_i are the unit axis, the radius and the height of solid i; Delta points from the first centre to the second; the
+line along D separates the solids if f(D) < 0 (or = 0, if what only touches counts as separated); P_i D is the part of D
+square to W_i. Other symbols are those of the section that is named. The list claims to be complete in nothing.
 
-Each fault that a program can have is a method here. `seed2017-only-FAULT` is the text put right with that one fault;
-`seed2017-printed` is the text as it stands, and `seed2017-without-FAULT` that without the one fault; `seed2008-` and
-`seedbook-` likewise. `daylight errata ID` shows one, `daylight errata` all, with the proofs. [How the documents are
-read](readings.md) says what was open in them. `daylight errata --markdown` writes this file.
+Each row has a kind:
+
+* error: a program that does what is written gives wrong verdicts;
+* gap in the argument: a reason does not hold as written, or a case is left out;
+* rounding: right in exact arithmetic, but digits are lost in doubles;
+* trap: right as written, and easily carried on wrongly;
+* remark: a slip of the pen, or advice.
+
+Each fault that a program can have is a method here. `seed2017-printed` is the text as it stands, `seed2017-mended` the
+text put right, both to the letter: nothing of ours repairs or polishes what they compute. `seed2017-only-FAULT` is the
+mended text with one fault, `seed2017-without-FAULT` the printed text without it; `seed2008-` and `seedbook-` likewise.
+How often a fault is wrong is counted with these. `daylight errata ID` shows one row, `daylight errata` all, with the
+proofs. [How the documents are read](readings.md) says what was open in them. `daylight errata --markdown` writes this
+file.
 
 )";
 
@@ -188,9 +200,9 @@ int show_errata(const ErrataOptions& options) {
 }  // namespace
 
 void add_errata(Program& program) {
-  Command command =
-      program.command("Understand", "errata",
-                      "Shows what is wrong in the documents of this project, each with a pair and a proof");
+  Command command = program.command(
+      "Understand", "errata",
+      "Shows the errata of the documents of this project, each with its kind, a pair and a proof");
   auto options = std::make_shared<ErrataOptions>();
   command.option("ID", options->id, "the erratum to show; none: all");
   command.number(
@@ -201,8 +213,8 @@ void add_errata(Program& program) {
   command.examples(
       "  daylight errata 2017-one-octant\n"
       "  daylight check --method seed2017-only-one-octant pairs.jsonl",
-      "Every fault is a method: seed2017-only-FAULT is the text put right with this one alone, and\n"
-      "seed2017-without-FAULT the printed text without it (seed2008-, seedbook- likewise). Campaigns and "
+      "Every fault is a method: seed2017-only-FAULT is seed2017-mended with this one alone, and\n"
+      "seed2017-without-FAULT is seed2017-printed without it (seed2008-, seedbook- likewise). Campaigns and "
       "check\n"
       "ask them where they are named.");
   command.run([options] { return show_errata(*options); });

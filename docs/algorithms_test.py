@@ -53,22 +53,23 @@ class Algorithms(unittest.TestCase):
         file.write_text('\n'.join(lines) + '\n')
         return [json.loads(line) for line in run('check', str(file), *arguments)]
 
-    def check(self, disjoint, method):
+    def check(self, disjoint, method, step=1):
+        """Of every step-th pair."""
         self.assertEqual(len(self.pairs), 10000)
-        said = ['disjoint' if disjoint(a, b) else 'intersecting' for a, b in self.solids]
-        answers = [answer['verdict'] for answer in self.ask(self.lines, '--method', method)]
+        said = ['disjoint' if disjoint(a, b) else 'intersecting' for a, b in self.solids[::step]]
+        answers = [answer['verdict'] for answer in self.ask(self.lines[::step], '--method', method)]
         self.assertEqual(len(answers), len(said))
-        self.assertGreater(said.count('disjoint'), 2000)
-        self.assertGreater(said.count('intersecting'), 2000)
+        self.assertGreater(said.count('disjoint'), 2000 // step)
+        self.assertGreater(said.count('intersecting'), 2000 // step)
         differ = [i for i, (x, y) in enumerate(zip(said, answers)) if x != y]
         if not differ:
             return
-        margins = self.ask([self.lines[i] for i in differ], '--distance')
+        margins = self.ask([self.lines[i * step] for i in differ], '--distance')
         for i, truth in zip(differ, margins):
             low, high = (float(x) for x in truth.get('distance', [0, 0]))
             margin = max(low, -high)  # what is proved of it
-            self.assertLess(margin, MARGIN * size(self.pairs[i]),
-                            f'{method} {answers[i]}, {truth["verdict"]}: {self.lines[i]}')
+            self.assertLess(margin, MARGIN * size(self.pairs[i * step]),
+                            f'{method} {answers[i]}, {truth["verdict"]}: {self.lines[i * step]}')
         self.assertLess(len(differ), 300)
 
     def test_slices(self):
@@ -80,6 +81,25 @@ class Algorithms(unittest.TestCase):
     def test_text_2008(self):
         self.check(text_2008.disjoint, 'seed2008-projection-polish16')
 
+    def test_text_2008_by_the_polynomial(self):
+        self.check(lambda a, b: text_2008.disjoint(a, b, text_2008.by_polynomial), 'seed2008-polynomial-polish16', 10)
+
+    def test_obtuse_axes(self):
+        """rho as the document has it, with its c: with the cosine itself these would be apart."""
+        text = ' '.join((HERE / 'algorithms.md').read_text().split())
+        for said in ('the radius r_i and the height h_i.', 's = |W_0 x W_1| and c = |W_0.W_1|',
+                     'r_1^2 s^2 < rho^2, rho = |W_0.Delta| - h_0/2 - (h_1/2) c.'):
+            self.assertTrue(said in text, said)
+        line = ('{"a":{"center":[0,0,0],"axis":[0,0,1],"radius":1,"height":2},'
+                '"b":{"center":[0,0,1.2],"axis":[0,7,-4],"radius":0.1,"height":2}}')
+        self.assertEqual(self.ask([line], '--method', 'intersect')[0]['verdict'], 'intersecting')
+        a, b = (solids.solid(*json.loads(line)[k].values()) for k in 'ab')
+        cosine = solids.dot(a.w, b.w)
+        self.assertLess(cosine, 0)
+        for c, apart in ((abs(cosine), False), (cosine, True)):
+            rho = abs(solids.dot(a.w, solids.sub(b.c, a.c))) - a.half - b.half * c
+            self.assertEqual(rho > 0 and b.r ** 2 * (1 - c * c) < rho ** 2, apart)
+
 
 def directions():
     """Unit vectors in fractions, from Pythagorean quadruples."""
@@ -87,6 +107,12 @@ def directions():
         for numbers in itertools.permutations(quadruple[:3]):
             for signs in itertools.product((1, -1), repeat=3):
                 yield tuple(fractions.Fraction(s * x, quadruple[3]) for s, x in zip(signs, numbers))
+
+
+class Section13(unittest.TestCase):
+    def test_below_by_squares(self):
+        for x, y in itertools.product([fractions.Fraction(k, 7) for k in range(9)], repeat=2):
+            self.assertEqual(text_2008.below_by_squares(x * x, y * y, 1), x + y < 1)
 
 
 class Convexity(unittest.TestCase):

@@ -23,10 +23,10 @@ def disjoint(a, b):
         return True
     # A slice cuts a in the half widths h_0 along W_0 and x across, b in h_1 and y. What the four normals of the two
     # rectangles demand: x >= x0, y >= y0, x + c y >= k2, c x + y >= k3.
-    x0 = max(0.0, (abs(dot(delta, b.w)) - b.h - a.h * c) / s)
-    y0 = max(0.0, (abs(dot(delta, a.w)) - a.h - b.h * c) / s)
-    k2 = abs(dot(delta, cross(a.w, n))) - b.h * s
-    k3 = abs(dot(delta, cross(b.w, n))) - a.h * s
+    x0 = max(0.0, (abs(dot(delta, b.w)) - b.half - a.half * c) / s)
+    y0 = max(0.0, (abs(dot(delta, a.w)) - a.half - b.half * c) / s)
+    k2 = abs(dot(delta, cross(a.w, n))) - b.half * s
+    k3 = abs(dot(delta, cross(b.w, n))) - a.half * s
     if x0 > a.r or y0 > b.r or k2 > a.r + c * b.r or k3 > c * a.r + b.r:
         return True
 

@@ -1,14 +1,14 @@
 # SPDX-License-Identifier: MIT
 """What the three algorithms share: vectors as tuples, a pair in one notation, the support gap f.
 
-    Solid i: centre C_i, unit axis W_i, radius r_i, half height h_i. Delta = C_1 - C_0. P_i D = D - (D.W_i) W_i.
-    f(D) = r_0 |P_0 D| + h_0 |D.W_0| + r_1 |P_1 D| + h_1 |D.W_1| - |D.Delta|
+    Solid i: centre C_i, unit axis W_i, radius r_i, height h_i (`half`: h_i/2). Delta = C_1 - C_0.
+    f(D) = r_0 |P_0 D| + (h_0/2) |D.W_0| + r_1 |P_1 D| + (h_1/2) |D.W_1| - |D.Delta|, P_i D = D - (D.W_i) W_i.
 
 The solids are apart if and only if f(D) < 0 for some D."""
 import collections
 import math
 
-Solid = collections.namedtuple('Solid', 'c w r h')
+Solid = collections.namedtuple('Solid', 'c w r half')
 
 
 def add(a, b):
@@ -46,7 +46,7 @@ def solid(center, axis, radius, height):
 
 def f(a, b, d):
     """The support gap; |P D| as |D x W|, which loses no digits next to W."""
-    return sum(s.r * length(cross(d, s.w)) + s.h * abs(dot(d, s.w)) for s in (a, b)) - abs(dot(d, sub(b.c, a.c)))
+    return sum(s.r * length(cross(d, s.w)) + s.half * abs(dot(d, s.w)) for s in (a, b)) - abs(dot(d, sub(b.c, a.c)))
 
 
 def common_normal(a, b):
@@ -63,4 +63,4 @@ def separates_in_parallel(a, b):
     """Whether solids with parallel axes are apart: along the axis, or across it."""
     w = unit(add(a.w, b.w if dot(a.w, b.w) >= 0 else scale(-1, b.w)))
     delta = sub(b.c, a.c)
-    return abs(dot(delta, w)) > a.h + b.h or length(cross(delta, w)) > a.r + b.r
+    return abs(dot(delta, w)) > a.half + b.half or length(cross(delta, w)) > a.r + b.r

@@ -58,7 +58,7 @@ def perpendiculars(a, b):
             s = 1 - t
             q = math.hypot(s, c1 * t)
             fall = (c1 * c1 * t - s) / q if q > 0 else -1
-            return (a.r * (2 * t - 1) / math.hypot(s, t) + b.r * fall + b.h * b1 - (b2 - a2) * sign(s * a2 + t * b2))
+            return (a.r * (2 * t - 1) / math.hypot(s, t) + b.r * fall + b.half * b1 - (b2 - a2) * sign(s * a2 + t * b2))
 
         if bisect(0, 1, lambda t, u=u: f(a, b, add(scale(1 - t, u), scale(t, v))) < 0, slope):
             return True
@@ -74,7 +74,7 @@ def other_directions(a, b, delta):
     u = cross(v, w)
     for u, v in ((u, v), (scale(-1, u), v), (scale(-1, u), scale(-1, v)), (u, scale(-1, v))):
         frame = [tuple(dot(x, axis) for axis in (u, v, w)) for x in (a.w, b.w)]
-        octant = [Solid((0, 0, 0), frame[0], a.r, a.h), Solid((0, 0, length(delta)), frame[1], b.r, b.h)]
+        octant = [Solid((0, 0, 0), frame[0], a.r, a.half), Solid((0, 0, length(delta)), frame[1], b.r, b.half)]
         for sign0 in (1, -1):
             for sign1 in (1, -1):
                 corners = [(0, 0), (1, 0), (0, 1)]
@@ -125,7 +125,7 @@ class Cell:
             size = length(across)
             if size > 0 and solid is not but:  # at the tip of a cone 0 is a subgradient
                 g = add(g, scale(solid.r / size, cross(solid.w, across)))
-            g = add(g, scale(solid.h * side, solid.w))
+            g = add(g, scale(solid.half * side, solid.w))
         return (g[0] - g[2], g[1] - g[2])
 
     def line(self, x, d, low, high):

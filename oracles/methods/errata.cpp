@@ -8,7 +8,6 @@
 namespace cyl {
 namespace {
 
-using literature::Fault;
 using enum Document;
 
 /// "seed2017", "seed2008", "seedbook".
@@ -42,6 +41,22 @@ std::string_view title_of(Document document) {
   return "";
 }
 
+std::string_view to_string(ErratumKind kind) {
+  switch (kind) {
+    case ErratumKind::error:
+      return "error";
+    case ErratumKind::gap:
+      return "gap in the argument";
+    case ErratumKind::rounding:
+      return "rounding";
+    case ErratumKind::trap:
+      return "trap";
+    case ErratumKind::remark:
+      return "remark";
+  }
+  return "";
+}
+
 std::string case_of(const Erratum& erratum) { return "erratum-" + std::string(erratum.id); }
 
 std::string wrong_method(const Erratum& erratum) {
@@ -50,16 +65,7 @@ std::string wrong_method(const Erratum& erratum) {
 
 std::string right_method(const Erratum& erratum) {
   if (erratum.shown_by == ShownBy::taken_out) return name_of(erratum, "-without-");
-  if (erratum.fault == Fault::mixed_strictness) return "seed2017-touching-apart";
-  switch (erratum.document) {
-    case text_2017:
-      return "seed2017-cg-steps-64";
-    case text_2008:
-      return "seed2008-polynomial-polish16";
-    case book:
-      return "seedbook";
-  }
-  return "";
+  return stem_of(erratum) + "-mended";
 }
 
 std::vector<std::unique_ptr<Method>> errata_methods() {

@@ -15,7 +15,14 @@ namespace cyl {
 /// The two methods that differ by one fault alone.
 struct ShownErratum {
   explicit ShownErratum(const Erratum& e)
-      : erratum(e), wrong(one(wrong_method(e))), right(one(right_method(e))) {}
+      : erratum(e), wrong(method_named(wrong_method(e))), right(method_named(right_method(e))) {}
+
+  static std::unique_ptr<Method> method_named(const std::string& name) {
+    for (auto methods : {literature_2008_methods, literature_2017_methods, errata_methods})
+      for (auto& method : methods())
+        if (method->name() == name) return std::move(method);
+    return nullptr;
+  }
 
   /// Whether the pair is at least `margin` sizes from touching, the right method says what is proved of it
   /// and the wrong one the contrary. Of what touches, the convention of section 3.1 is the truth.
@@ -34,14 +41,6 @@ struct ShownErratum {
 
   const Erratum& erratum;
   std::unique_ptr<Method> wrong, right;
-
- private:
-  static std::unique_ptr<Method> one(const std::string& name) {
-    for (auto methods : {literature_2008_methods, literature_2017_methods, errata_methods})
-      for (auto& method : methods())
-        if (method->name() == name) return std::move(method);
-    return nullptr;
-  }
 };
 
 }  // namespace cyl

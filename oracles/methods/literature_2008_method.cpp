@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The text of 2008 and the page of the book: put right by each way of the circle, as printed, and with single
-// faults.
+// The text of 2008 and the page of the book: put right by each way of the circle; and literally, as printed,
+// mended, and with single faults.
 #include <string>
 
 #include "oracles/methods/errata.hpp"
@@ -26,8 +26,8 @@ struct Setting {
 // of each family. polynomial-polish: 1.6e-7, lattice_dust; real1e-6 and real1e-12: 0.065, needle_and_disk,
 // where roots are nearly double and come as complex pairs; projection, arc0 and seedbook: none, but for exact
 // touching; arc1e-8: 5e-12, close_contacts_by_angle; arc1e-1, 1e-2: 4.5e-3 and 5.8e-5, needle_and_disk;
-// arc1e-3, 1e-5: 1e-9 and 1e-12, touching_side_rim. The printed ones are held to what they would be without
-// their faults.
+// arc1e-3, 1e-5: 1e-9 and 1e-12, touching_side_rim. The literal ones are held to what exact arithmetic would
+// make of them.
 constexpr Setting settings[] = {
     {"seed2008-polynomial-polish0", CircleWay::polynomial, CriticalWay::normalised, {{}, 0, 1e-3}, 1e-5},
     {"seed2008-polynomial-polish1", CircleWay::polynomial, CriticalWay::normalised, {{}, 1, 1e-3}, 1e-5},
@@ -74,18 +74,14 @@ std::unique_ptr<Method> method_of(std::string_view name, const Setting& s) {
       });
 }
 
-/// Of the document: put right with the most work, the smallest tolerance at which roots are still recognised;
-/// and as printed.
-Setting put_right(Document document) {
-  if (document == Document::book) return {"", CircleWay::minimise, CriticalWay::adjugate, {{}, 60, 0}, 1e-13};
-  return {"", CircleWay::polynomial, CriticalWay::normalised, {{}, 16, 1e-3}, 1e-5};
-}
-Setting printed(Document document) {
-  Setting setting = put_right(document);
-  setting.options.faults = document == Document::book ? literature::printed_book : literature::printed_2008;
-  setting.options.literal = true;
-  setting.relative = 1e-13;
-  return setting;
+/// The document to the letter, with these faults.
+std::unique_ptr<Method> literal_method(Document document, const std::string& name,
+                                       literature::Faults faults) {
+  const bool book = document == Document::book;
+  const Options options{.faults = faults, .step_cap = 60, .tolerance = book ? 0 : 1e-3, .literal = true};
+  return method_of((book ? "seedbook-" : "seed2008-") + name,
+                   {"", book ? CircleWay::minimise : CircleWay::polynomial,
+                    book ? CriticalWay::adjugate : CriticalWay::normalised, options, 1e-13});
 }
 
 }  // namespace
@@ -93,22 +89,22 @@ Setting printed(Document document) {
 std::vector<std::unique_ptr<Method>> literature_2008_methods() {
   std::vector<std::unique_ptr<Method>> methods;
   for (const Setting& s : settings) methods.push_back(method_of(s.name, s));
-  methods.push_back(method_of("seed2008-printed", printed(Document::text_2008)));
-  methods.push_back(method_of("seedbook-printed", printed(Document::book)));
+  methods.push_back(literal_method(Document::text_2008, "printed", literature::printed_2008));
+  methods.push_back(literal_method(Document::book, "printed", literature::printed_book));
   return methods;
 }
 
 std::vector<std::unique_ptr<Method>> errata_2008_methods() {
   std::vector<std::unique_ptr<Method>> methods;
+  for (const Document document : {Document::text_2008, Document::book})
+    methods.push_back(literal_method(document, "mended", {}));
   for (const Erratum& e : errata()) {
     if (e.document == Document::text_2017 || !e.fault) continue;
-    const std::string stem = e.document == Document::book ? "seedbook" : "seed2008";
     const std::string name(e.id.substr(e.id.find('-') + 1));
-    Setting only = put_right(e.document), without = printed(e.document);
-    only.options = with(only.options, *e.fault);
-    without.options.faults = without.options.faults.without(*e.fault);
-    methods.push_back(method_of(stem + "-only-" + name, only));
-    methods.push_back(method_of(stem + "-without-" + name, without));
+    methods.push_back(literal_method(e.document, "only-" + name, *e.fault));
+    const auto printed = e.document == Document::book ? literature::printed_book : literature::printed_2008;
+    if (printed.has(*e.fault))
+      methods.push_back(literal_method(e.document, "without-" + name, printed.without(*e.fault)));
   }
   return methods;
 }

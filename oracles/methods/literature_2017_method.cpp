@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The text of 2017: put right by both of its minimisers at several caps, as printed, and with single faults.
+// The text of 2017: put right by both of its minimisers at several caps; and literally, as printed, mended,
+// and with single faults.
 #include <string>
 #include <utility>
 
@@ -52,14 +53,11 @@ constexpr Claim claim_of_text{
         "and what only touches counts as that. The relative part, for rounding, is ours.",
     .assumed = true};
 
-constexpr literature::Options printed{
-    .faults = literature::printed_2017, .literal = true, .touching_apart = true};
-
-std::unique_ptr<Method> printed_method(std::string_view name, Minimiser minimiser,
+/// The document to the letter, with these faults.
+std::unique_ptr<Method> literal_method(std::string_view name, Minimiser minimiser,
                                        literature::Faults faults) {
-  literature::Options options = printed;
-  options.faults = faults;
-  return method_of(name, minimiser, options, claim_of_text, 1);
+  return method_of(name, minimiser, {.faults = faults, .literal = true, .touching_apart = true},
+                   claim_of_text, faults.has(literature::Fault::one_octant) ? 1 : 8);
 }
 
 }  // namespace
@@ -77,27 +75,24 @@ std::vector<std::unique_ptr<Method>> literature_2017_methods() {
                    .every_bit = true},
                   s.share));
   }
-  methods.push_back(printed_method("seed2017-printed", Minimiser::conjugate_gradients, printed.faults));
+  methods.push_back(
+      literal_method("seed2017-printed", Minimiser::conjugate_gradients, literature::printed_2017));
   return methods;
 }
 
 std::vector<std::unique_ptr<Method>> errata_2017_methods() {
-  using literature::Fault;
+  using literature::printed_2017;
   constexpr auto cg = Minimiser::conjugate_gradients;
-  constexpr literature::Options right{.step_cap = 64, .line_cap = 64};
-  constexpr literature::Options apart{.step_cap = 64, .line_cap = 64, .touching_apart = true};
   std::vector<std::unique_ptr<Method>> methods;
-  methods.push_back(printed_method("seed2017-printed-powell", Minimiser::powell, printed.faults));
+  methods.push_back(literal_method("seed2017-printed-powell", Minimiser::powell, printed_2017));
   methods.push_back(
-      printed_method("seed2017-printed-octants", cg, printed.faults.without(Fault::one_octant)));
-  methods.push_back(method_of("seed2017-touching-apart", cg, apart, claim_of_text, 8));
+      literal_method("seed2017-printed-octants", cg, printed_2017.without(literature::Fault::one_octant)));
+  methods.push_back(literal_method("seed2017-mended", cg, {}));
   for (const Erratum& e : errata()) {
     if (e.document != Document::text_2017 || !e.fault) continue;
     const std::string name(e.id.substr(e.id.find('-') + 1));
-    const bool of_touching = *e.fault == Fault::mixed_strictness;
-    methods.push_back(method_of("seed2017-only-" + name, cg, with(of_touching ? apart : right, *e.fault),
-                                claim_of_text, 8));
-    methods.push_back(printed_method("seed2017-without-" + name, cg, printed.faults.without(*e.fault)));
+    methods.push_back(literal_method("seed2017-only-" + name, cg, *e.fault));
+    methods.push_back(literal_method("seed2017-without-" + name, cg, printed_2017.without(*e.fault)));
   }
   return methods;
 }

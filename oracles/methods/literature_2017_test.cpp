@@ -62,5 +62,19 @@ TEST_P(Literature2017, AgreesWithTheSolverAboveItsClaim) {
 INSTANTIATE_TEST_SUITE_P(Families, Literature2017, testing::Range<std::size_t>(0, families().size()),
                          [](const auto& info) { return std::string(families()[info.param].name); });
 
+/// Section 5 tests W0 x W1 by (r0 + r1) |W0 x W1| - |(W0 x W1).Delta|, which rounds as f() does not.
+TEST(Printed2017, TestsTheAxesByTheFormulasOfTheText) {
+  const literature::Options printed{
+      .faults = literature::printed_2017, .literal = true, .touching_apart = true};
+  for (const std::uint64_t index : {34, 169}) {
+    const Pair pair = find_family("close_contacts_by_angle")->generate(1, index);
+    EXPECT_EQ(separated_cylinders(literature::prepare_as_given(pair.a), literature::prepare_as_given(pair.b),
+                                  Minimiser::conjugate_gradients, printed)
+                  .verdict,
+              judge(pair).verdict);
+    EXPECT_EQ(judge(pair).verdict, Verdict::disjoint);
+  }
+}
+
 }  // namespace
 }  // namespace cyl

@@ -26,8 +26,8 @@ std::map<std::string, std::set<std::string>> broken_laws(const Family& family) {
   return broken;
 }
 
-// Random pairs are far from touching: what breaks a law there is no rounding. The printed r1 |W0 x W1|^2 and
-// b^2 mix powers of lengths, and a reversed axis has another tangent line, which misses another U0.
+// Random pairs are far from touching: what breaks a law there is no rounding. The printed r1 |W0 x W1|^2
+// mixes powers of lengths, and a reversed axis has another tangent line, which misses another U0.
 TEST(SeedLaws2008, OnlyThePrintedTextBreaksThemOnRandomPairs) {
   const std::map<std::string, std::set<std::string>> expected{{"seed2008-printed", {"reversal", "scaling"}}};
   EXPECT_EQ(broken_laws(*find_family("random")), expected);

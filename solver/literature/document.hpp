@@ -11,8 +11,9 @@
 
 namespace cyl::literature {
 
-/// What the documents get wrong and a program can do. Each is a switch of the mended method, so that it can
-/// be shown alone or be taken out of the printed text: errata.md, which oracles/methods/errata.cpp writes.
+/// What a program can do wrong that follows the documents. Each is a switch of the mended method, so that it
+/// can be shown alone or be taken out of the printed text: errata.md, which oracles/methods/errata.cpp
+/// writes.
 enum class Fault : unsigned char {
   // 2017
   kink_taken_for_convex,      ///< F is said to be convex, its last term is not; no verdict depends on it
@@ -20,7 +21,7 @@ enum class Fault : unsigned char {
   division_by_vanished_root,  ///< F' at t = 1 of perpendicular axes, the gradient of G at an axis
   one_octant,                 ///< the other directions are searched for s, t >= 0 alone, as section 8 has it
   cancelling_sine,            ///< sqrt(1 - c^2) for the sine of the axes' angle, and W0 x W1 as it comes
-  coincident_centers,         ///< Delta = 0 is excluded and not tested; NaN, but no verdict
+  coincident_centers,         ///< section 7 is asked where Delta = 0; NaN, but no verdict
   mixed_strictness,           ///< touching is apart, but not for the axes and for parallel solids
   stays_on_the_boundary,      ///< once a line search ends on the triangle's boundary, only that is searched
   cancelling_root,         ///< |D|^2 - (D.W)^2 for |P D|^2: next to an axis only half of the digits are left
@@ -63,8 +64,8 @@ struct Options {
   double tolerance = 0;  ///< of a search's parameter, at which it ends; of a real root's imaginary part
   int line_cap = 60;     ///< of lines, or rounds of lines, in a search of two dimensions
   /// Nothing is added to the text that it does not say: roles and axes stay as given (prepare_as_given), no
-  /// direction found is asked again, no search ends because it is shown to be in vain, and a critical point
-  /// has to have the signs that were assumed.
+  /// direction found is asked again, no search ends because it is shown to be in vain, no root and no
+  /// critical point is polished, and either has to have the signs that were assumed.
   bool literal = false;
   bool touching_apart = false;  ///< f(D) <= 0 separates, as the text of 2017 has it; else f(D) < 0
 };

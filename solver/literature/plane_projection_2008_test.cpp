@@ -42,6 +42,32 @@ TEST(PlaneProjection2008, HasThreeKinds) {
   EXPECT_NEAR(capped.cap, 2 * 0.8, 1e-15);
 }
 
+// Section 3 says that the wall alone decides: of a line, not of a plane.
+TEST(PlaneProjection2008, TheWallAloneLeavesAHole) {
+  const Cylinder coin{{0, 0, 0}, {0, 0, 1}, 2, 0.1};
+  for (const Vector3& n : {Vector3(0, 0, 1), Vector3(0, 0.6, 0.8)}) {
+    double nearest = std::numeric_limits<double>::infinity();
+    for (double angle = 0; angle < 2 * M_PI; angle += 0.01)
+      for (double t = -0.05; t <= 0.05; t += 0.01)
+        nearest = std::min(nearest, onto({2 * std::cos(angle), 2 * std::sin(angle), t}, n).norm());
+    EXPECT_GT(nearest, 1.5);
+    const Region region(prepare(coin), n);
+    EXPECT_GT(region.cap + region.side, 1.5);
+    EXPECT_LT(onto({0, 0, 0.05}, n).norm(), 0.1) << "the centre of an end disk";
+  }
+}
+
+// Section 8 compares |P Delta| with r0: these would be apart, if section 7 had not settled parallel axes.
+TEST(PlaneProjection2008, ADiskIsNearerThanItsCentre) {
+  const Cylinder a{{0, 0, 0}, {0, 0, 1}, 1, 2}, b{{1.5, 0, 0}, {0, 0, 1}, 1, 2};
+  const Region disk(prepare(b), {0, 0, 1});
+  ASSERT_EQ(disk.kind, Region::Kind::disk);
+  EXPECT_GT(disk.middle.norm(), a.radius);
+  EXPECT_EQ(disk.middle.norm() - disk.r, 0.5);
+  EXPECT_EQ(separation_2008(a, b, CircleWay::projection, CriticalWay::normalised, {}).verdict,
+            Verdict::intersecting);
+}
+
 // The rims' projections lie on the two ellipses, four points of the surface on the corners, and nothing is
 // farther along any line than farthest().
 TEST(PlaneProjection2008, IsTheProjection) {

@@ -14,6 +14,7 @@ RealRoots real_roots(std::span<const double> c, double tolerance) noexcept {
   int low = 0, high = static_cast<int>(c.size()) - 1;
   while (low < high && c[static_cast<std::size_t>(low)] == 0) ++low;
   while (low < high && c[static_cast<std::size_t>(high)] == 0) --high;
+  if (low > 0 && c[static_cast<std::size_t>(low)] != 0) roots.x[static_cast<std::size_t>(roots.count++)] = 0;
   const int n = high - low;
   if (n == 0) return roots;
 

@@ -42,7 +42,8 @@ Separation separation_2008(const Prepared& a, const Prepared& b, CircleWay circl
   const Couple<double> couple = scale(a, b).couple();
   const Vector3 w0(couple.w0x, couple.w0y, couple.w0z), w1(couple.w1x, couple.w1y, couple.w1z);
   const Axes axes(w0, w1);
-  if (axes.parallel()) return separation_parallel(couple, axes.sum, options.faults);
+  if (options.literal ? axes.cross == Vector3::Zero() : axes.parallel())
+    return separation_parallel(couple, axes.sum, options.faults);
 
   const Solids solids(couple, axes);
   const auto disjoint = [&](const Vector3& d) {

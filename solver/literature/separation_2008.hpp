@@ -21,13 +21,13 @@ enum class CriticalWay : unsigned char {
   adjugate     ///< P_0 = r0 det(B0) eta_0, P_1 = r1 eta_1, without a division: the page of the book
 };
 
-/// What the text has wrong, and the page of the book. equal_eigenvalues changes no verdict: errata.md.
-inline constexpr Faults printed_2008 =
-    Faults(Fault::radius_not_squared) | Fault::derivative_of_the_wrong_term | Fault::wrong_b_squared |
-    Fault::equal_eigenvalues | Fault::tangent_line_misses_u0 | Fault::negated_pair_ignored |
-    Fault::sign_of_p0 | Fault::cancelling_distance;
-inline constexpr Faults printed_book =
-    Faults(Fault::wrong_b_squared) | Fault::equal_eigenvalues | Fault::sign_of_p0;
+/// Of the text as it stands, and of the page of the book. equal_eigenvalues changes no verdict, and
+/// sign_of_p0 is how a reader may go on, no step of either: errata.md.
+inline constexpr Faults printed_2008 = Faults(Fault::radius_not_squared) |
+                                       Fault::derivative_of_the_wrong_term | Fault::wrong_b_squared |
+                                       Fault::equal_eigenvalues | Fault::tangent_line_misses_u0 |
+                                       Fault::negated_pair_ignored | Fault::cancelling_distance;
+inline constexpr Faults printed_book = Faults(Fault::wrong_b_squared) | Fault::equal_eigenvalues;
 
 /// `disjoint` with a direction of negative f, `intersecting` where none was found, `invalid`. Without faults
 /// `disjoint` is as sure as the rounding of f (some 1e-15 of the lengths); `intersecting` as sure as the

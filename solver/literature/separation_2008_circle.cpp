@@ -47,19 +47,19 @@ bool separated_by_roots(const Circle& q, const Options& options, Finder& finder)
   const bool any = options.faults.has(Fault::tangent_line_misses_u0);
   const bool wrong = options.faults.has(Fault::derivative_of_the_wrong_term);
   const TangentLine line = any ? any_line(q) : TangentLine(q, q.a2 / reach, q.b2 / reach);
-  if (!options.literal && finder.separates(line.v)) return true;  // x = 0, often a root
+  if (!any && finder.separates(line.v)) return true;  // x = 0: of two segments the polynomial is 0
   for (const double sigma1 : {1.0, -1.0}) {
     const double k = (wrong ? line.b2 : any ? line.a2 : 0) - sigma1 * line.side * line.a1;
     const auto roots = real_roots(line.critical_polynomial(k), options.tolerance);
     for (int i = 0; i < roots.count; ++i) {
       const double root = roots.x[static_cast<std::size_t>(i)];
       for (const double sign : {1.0, -1.0}) {
-        const double x = polish(line, root, sign * k, options.step_cap);
+        const double x = polish(line, root, sign * k, options.literal ? 0 : options.step_cap);
         if (options.literal && !has_signs(line, x, sign * sigma1, sign)) continue;
         if (finder.separates(line.direction(x))) return true;
       }
     }
-    if (!any && !wrong) break;
+    if (!any && !wrong && !options.literal) break;
   }
   return false;
 }

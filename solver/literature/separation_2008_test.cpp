@@ -71,6 +71,33 @@ TEST(Separation2008, GapThatVanishesAtU0) {
   expect(Verdict::disjoint, {{-1, 1, 3}, {0, 0, -1}, 3, 3}, {{3, -3, 3}, {0, 1, 0}, 1, 2});
 }
 
+Verdict literally(const Cylinder& a, const Cylinder& b, Faults faults) {
+  return separation_2008(a, b, CircleWay::polynomial, CriticalWay::normalised,
+                         {.faults = faults, .tolerance = 1e-3, .literal = true})
+      .verdict;
+}
+
+// Of two segments in one plane G' is 0 all along the line, and its polynomial has no roots: V0 is to be
+// tested.
+TEST(Literal2008, VIsTested) {
+  const Cylinder point{{0, 0, 0}, {0, 0, 1}, 0, 0}, segment{{0, 0, 1}, {0, 1, 1}, 0, 4};
+  EXPECT_EQ(literally(point, segment, {}), Verdict::disjoint);
+}
+
+// As printed, but for the derivative: x = 0 is a root of this pair's polynomial.
+TEST(Literal2008, ARootAtZeroIsARoot) {
+  const Cylinder a{{0, 0, 0}, {0, 0, 1}, 2, 1}, b{{0, 6, -2}, {0, 1, 1}, 2, 7};
+  EXPECT_EQ(literally(a, b, printed_2008.without(Fault::derivative_of_the_wrong_term)), Verdict::disjoint);
+}
+
+// A fault in the distance of parallel axes says nothing of axes at an angle, small as it may be.
+TEST(Literal2008, AxesAreParallelIfTheirProductIsZero) {
+  const Cylinder a{{0, 0, 0}, {0, 0, 1}, 1, 2e9};
+  for (const double angle : {0.0, 1e-16})
+    EXPECT_EQ(literally(a, {{3, 0, 1e9}, {angle, 0, 1}, 1, 2e9}, Fault::cancelling_distance),
+              angle > 0 ? Verdict::disjoint : Verdict::intersecting);
+}
+
 TEST(Separation2008, OneDeterminantZero) {
   // phi = (2, 0, 0) is perpendicular to W0 alone.
   const Cylinder b{Vector3(2, 0, 1) + Vector3(1, 1, 1).normalized(), {1, 1, 1}, 0.5, 2};
@@ -116,8 +143,17 @@ TEST(Separation2008, BothDeterminantsZeroDecides) {
     }
 }
 
-// phi along the bisector of the axes and equal radii: g0 is least on the whole arc from W0 to W1.
+// phi along the bisector of the axes and equal radii: g0 is least on the whole arc from W0 to W1. Of unequal
+// radii it is not least at W.
 TEST(Separation2008, EqualEigenvalues) {
+  const Vector3 axis0(std::sin(0.6), 0, std::cos(0.6)), axis1(std::sin(0.6), 0, -std::cos(0.6));
+  const Solids unequal = solids_of({{0, 0, 0}, axis0, 1, 2}, {axis0 + axis1 + Vector3(0, 0, 3), axis1, 3, 2});
+  const SmoothGap h(unequal, 1, 1);
+  EXPECT_TRUE(solve_adjugate(h.system, {}).equal);
+  const double size = h.phi.norm() / 3;  // a solid's unit is not ours
+  EXPECT_NEAR((h.value(h.w) + h.phi.norm()) / size, 2.2585698935801415, 1e-9);
+  EXPECT_NEAR((h.value(unequal.w[1] / dot(unequal.w[1], h.w)) + h.phi.norm()) / size, 1.1292849467900705,
+              1e-9);
   const Vector3 w0 = Vector3(1, 0, 2).normalized(), w1 = Vector3(1, 0, -2).normalized();
   for (const double distance : {0.3, 3.0}) {
     const Cylinder a{{0, 0, 0}, w0, 1, 2}, b{w0 + w1 + Vector3(0, 0, distance), w1, 1, 2};
@@ -254,6 +290,10 @@ TEST(Separation2008, CriticalPointsComeWithEitherSign) {
         if (along0 * along1 < 0) continue;
         EXPECT_LT(g.newton_step(d).norm(), 1e-9 * d.norm());
         ++(along0 > 0 ? positive : negative);
+        SmoothGap companion = g;  // with xi = (x, y, -1) the same pair has -D, and the other signs
+        companion.w = -g.w;
+        EXPECT_LT((companion.direction_by_equations(pairs.eta0[i], pairs.eta1[i]) + d).norm(),
+                  1e-9 * d.norm());
       }
     }
   };
@@ -299,11 +339,12 @@ TEST(Separation2008, PrintedDistanceOfParallelAxesCancels) {
 }
 
 TEST(RealRoots, OfAProductOfLinearFactors) {
-  // (x - 1)(x + 2)(x^2 + 1), with a vanished leading coefficient and a root 0.
+  // x (x - 1)(x + 2)(x^2 + 1), with a vanished leading coefficient.
   const auto roots = real_roots(std::array<double, 7>{0, -2, 1, -1, 1, 1, 0}, 1e-6);
-  ASSERT_EQ(roots.count, 2);
-  EXPECT_NEAR(std::min(roots.x[0], roots.x[1]), -2, 1e-14);
-  EXPECT_NEAR(std::max(roots.x[0], roots.x[1]), 1, 1e-14);
+  ASSERT_EQ(roots.count, 3);
+  EXPECT_EQ(roots.x[0], 0);
+  EXPECT_NEAR(std::min(roots.x[1], roots.x[2]), -2, 1e-14);
+  EXPECT_NEAR(std::max(roots.x[1], roots.x[2]), 1, 1e-14);
 }
 
 TEST(RealRoots, NoneOfWhatIsNotFiniteOrConstant) {

@@ -24,12 +24,14 @@ bool touching_by_axes(const Options& options) noexcept {
 
 Direction search(const Couple<double>& p, Minimiser minimiser, const Options& options) noexcept {
   const Vector3 w0 = axis0(p), w1 = axis1(p);
-  if (delta_of(p) == Vector3::Zero() && !options.faults.has(Fault::coincident_centers)) return {};
   if (options.faults.has(Fault::cancelling_sine) ? w0.cross(w1) == Vector3::Zero() : Axes(w0, w1).parallel())
     return separated_in_parallel(p, options);
   if (const Direction d = separated_by_axes(p, options)) return d;
   if (const Direction d = separated_by_cylinder_perpendiculars(p, options)) return d;
   if (const Direction d = separated_by_cylinder_perpendiculars(exchanged(p), options)) return d;
+  // Of solids with one centre f(D) = 0 is the least: two in one plane only touch, and sections 5 and 6 say
+  // so.
+  if (delta_of(p) == Vector3::Zero() && !options.faults.has(Fault::coincident_centers)) return {};
   return separated_by_other_directions(p, minimiser, options);
 }
 
@@ -48,9 +50,17 @@ double f(const Couple<double>& p, const Vector3& d) noexcept {
 
 Direction separated_by_axes(const Couple<double>& p, const Options& options) noexcept {
   const Vector3 w0 = axis0(p), w1 = axis1(p);
-  const bool plain = options.faults.has(Fault::cancelling_sine), equal = touching_by_axes(options);
-  for (const Vector3& d : {w0, w1, plain ? Vector3(w0.cross(w1)) : Axes(w0, w1).cross})
-    if (const double gap = f(p, d); equal ? gap <= 0 : gap < 0) return d;
+  const Axes axes(w0, w1);
+  const Vector3 directions[] = {
+      w0, w1, options.faults.has(Fault::cancelling_sine) ? Vector3(w0.cross(w1)) : axes.cross};
+  const auto reach = [&](int i) { return std::fabs(dot(directions[i], delta_of(p))); };
+  const double sine = length(directions[2]), cosine = std::fabs(axes.cosine);
+  const double printed[] = {p.r1 * sine + p.h0 + p.h1 * cosine - reach(0),
+                            p.r0 * sine + p.h0 * cosine + p.h1 - reach(1), (p.r0 + p.r1) * sine - reach(2)};
+  for (int i = 0; i < 3; ++i) {
+    const double gap = options.literal ? printed[i] : f(p, directions[i]);
+    if (touching_by_axes(options) ? gap <= 0 : gap < 0) return directions[i];
+  }
   return {};
 }
 
@@ -59,7 +69,8 @@ Direction separated_in_parallel(const Couple<double>& p, const Options& options)
   const Parallel axes(delta_of(p), heights, radii, Axes(axis0(p), axis1(p)).sum);
   const bool equal = touching_by_axes(options);
   if (axes.stacked || (equal && std::fabs(axes.along) == heights)) return axes.w;
-  if (axes.beside || (equal && axes.distance == radii && radii > 0)) return axes.across();
+  if (axes.beside || (equal && axes.distance == radii))
+    return axes.distance > 0 ? axes.across() : Vector3(axes.w.unitOrthogonal());
   return {};
 }
 

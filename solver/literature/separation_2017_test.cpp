@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 #include "solver/detail/frame.hpp"
@@ -85,13 +86,20 @@ TEST(Quarter2017, TheKinkIsWhereDeltaIsSquareToD) {
   EXPECT_EQ(q.slope(0.7), -1.5);
 }
 
-// Not convex there, but not below 0 either, unless at an end.
+// Not convex there, but not below 0 either, unless at an end. With the kink at t = 0 Equation (9) is no
+// slope: it is 1, of a function that falls.
 TEST(Quarter2017, AKinkHidesNoSeparation) {
+  const Quarter at_end{.r0 = 1, .r1 = 1, .h1b1 = 3, .c1_square = 0.25, .a2 = 0, .b2 = 4};
+  EXPECT_EQ(at_end.slope(0), 1);
+  EXPECT_NEAR((at_end.value(0x1p-20) - at_end.value(0)) * 0x1p20, -3, 1e-5);
+  EXPECT_EQ(at_end.value(0), 2);
+  EXPECT_EQ(at_end.value(1), half);
+  EXPECT_LT(at_end.value(0.85), 0.47);
   Draw n;
   int kinks = 0;
   for (int i = 0; i < 20000; ++i) {
     Quarter q = some_quarter(n);
-    q.a2 *= 4;
+    q.a2 *= i % 2 * 4;
     q.b2 *= 4;
     if (q.sign(0) == q.sign(1) || q.value(0) < 0 || q.value(1) < 0) continue;
     ++kinks;
@@ -264,6 +272,9 @@ TEST_P(Degenerate2017, TouchingIsApartWhereAsked) {
   const Cylinder a{{0, 0, 0}, {0, 0, 1}, 1, 2};
   const Cylinder above{{0, 0, 2}, {0, 0, 1}, 1, 2}, beside{{2, 0, 0}, {0, 0, 1}, 1, 2},
       on_top{{0, 0, 2}, {1, 0, 0}, 1, 2}, disk{{3, 0, 0}, {0, 1, 0}, 2, 0};
+  // In one plane: f(D) = 0 for the D square to it, though D.Delta = 0, and though Delta = 0.
+  const Cylinder flat{{0, 0, 0}, {0, 0, 1}, 1, 0}, flat_beside{{1, 0, 0}, {0, 0, 1}, 2, 0},
+      rod{{0, 0, 0}, {0, 0, 1}, 0, 2}, cross{{0, 0, 0}, {1, 0, 0}, 0, 2}, in_it{{0, 0, 0}, {1, 0, 0}, 0, 1};
   const Options apart{.touching_apart = true},
       mixed{.faults = Fault::mixed_strictness, .touching_apart = true};
   const auto ask = [&](const Cylinder& b, const Options& options) {
@@ -272,6 +283,11 @@ TEST_P(Degenerate2017, TouchingIsApartWhereAsked) {
   for (const Cylinder& b : {above, beside, on_top, disk}) {
     expect_meeting(a, b);
     EXPECT_EQ(ask(b, apart), Verdict::disjoint);
+  }
+  for (const auto& [x, y] :
+       {std::pair(flat, flat), {flat, flat_beside}, {flat, in_it}, {rod, cross}, {rod, rod}}) {
+    expect_meeting(x, y);
+    EXPECT_EQ(separated_cylinders(prepare(x), prepare(y), GetParam(), apart).verdict, Verdict::disjoint);
   }
   for (const Cylinder& b : {above, beside}) EXPECT_EQ(ask(b, mixed), Verdict::intersecting);
   EXPECT_EQ(ask(disk, mixed), Verdict::disjoint);
