@@ -28,10 +28,11 @@ struct SceneQuestion {
   std::size_t most = 100'000;
   std::uint64_t seed = 1;
   bool all_pairs = false;
-  bool each_link = false;     ///< a rigid body of its own, also where fixed joints join links
-  bool verify = false;        ///< puts every recommended answer before the referee, up to verified_cap
-  bool prove = false;         ///< over all motions, whether the pairs come within the clearance
-  bool prove_others = false;  ///< also those that are not checked and that no joint joins, for an SRDF
+  bool each_link = false;  ///< a rigid body of its own, also where fixed joints join links
+  bool verify = false;     ///< puts every recommended answer before the referee, up to verified_cap
+  bool prove = false;      ///< over all motions, whether the pairs come within the clearance
+  bool prove_others =
+      false;  ///< also those that are not checked and of which neither carries the other, for an SRDF
   std::size_t motion_boxes = motion_box_cap;       ///< for one pair of these
   std::size_t against = 0;                         ///< configurations in which the proofs are checked
   std::vector<std::pair<std::string, double>> at;  ///< joints of the one configuration

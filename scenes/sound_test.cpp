@@ -221,7 +221,7 @@ TEST(Sound, WhatSwitchesTheFilterOfParentsOffIsRead) {
   const Scene plain = carried(""), off = carried("<option><flag filterparent='disable'/></option>");
   EXPECT_EQ(reason_of(plain, "a/one", "b/two"), PairRule::Reason::adjacent);
   EXPECT_EQ(reason_of(off, "a/one", "b/two"), PairRule::Reason::checked);
-  EXPECT_FALSE(joined_by_one(off, off.bodies[0].link, off.bodies[1].link));
+  EXPECT_FALSE(carries_directly(off, off.bodies[0].link, off.bodies[1].link));
 }
 
 TEST(Sound, AnEmptyRangeIsNoLimit) {

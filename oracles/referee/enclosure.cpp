@@ -207,8 +207,8 @@ AttainedDistance attain_distance(const Pair& pair, const Truth& truth, double re
   const SearchPair<double> p = double_pair(pair, exponent);
   const double size = p.radius0 + p.radius1 + 2 * (p.half0 + p.half1);
   const Vec c = cross(p.axis0, p.axis1);
-  const DirectionBounds sphere(p);
-  const double slack = bound_error * sphere.reach();
+  const DirectionBounds bounds(p);
+  const double slack = bound_error * bounds.reach();
   Range f;
   if (size == 0) {
     const double apart = length(p.delta);
@@ -217,11 +217,11 @@ AttainedDistance attain_distance(const Pair& pair, const Truth& truth, double re
   } else if (c.x == 0 && c.y == 0 && c.z == 0) {
     f = parallel(p);
   } else {
-    Minimum minimum(sphere, std::max(relative_width * size, slack));
+    Minimum minimum(bounds, std::max(relative_width * size, slack));
     if (truth.verdict == Verdict::disjoint)
       minimum.guess(direction_between(p));
     else
-      for (const Vec& d : sphere.likely()) minimum.guess(d);
+      for (const Vec& d : bounds.likely()) minimum.guess(d);
     f = minimum.find();
   }
   const Vec& d = f.direction;
