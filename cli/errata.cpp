@@ -26,7 +26,7 @@ namespace cyl {
 namespace {
 
 constexpr std::uint64_t family_seed = 1;
-constexpr std::size_t columns_cap = 110;
+constexpr std::size_t columns_cap = 120;
 
 struct ErrataOptions {
   std::string id;
