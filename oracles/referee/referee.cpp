@@ -324,6 +324,12 @@ Verdict check_witness(const Pair& pair, const MethodAnswer& answer) {
   if (!is_legal(pair)) return Verdict::undecided;  // untaken: a family's pairs are valid
   if (auto t = check_by_filter(pair, Filter(pair), answer, Certificates::left_out)) return t->verdict;
   if (auto t = check_exactly(pair, answer)) return t->verdict;
+  // Of a gap too small for the bits of that.
+  if (answer.status == Status::answered && answer.witness == CertificateKind::direction &&
+      finite(answer.head)) {
+    const Rational3 d = sum(answer.head, no_tail);
+    return dot(d, d) != 0 && support_gap_sign(pair, d) < 0 ? Verdict::disjoint : Verdict::undecided;
+  }
   if (answer.status == Status::answered && answer.witness == CertificateKind::points && finite(answer.head) &&
       finite(answer.tail) && finite(answer.other_head) && finite(answer.other_tail))
     return points_show_contact(pair, answer) ? Verdict::intersecting : Verdict::undecided;

@@ -86,9 +86,9 @@ bool faces_meet(const Face& f, const Face& g, const Root3& delta) {
   return is_zero(delta);
 }
 
-// f(D) as a sum of roots, D.delta >= 0. The faces of rounded solids are those of their cores, moved along D.
-RootSum support_gap(const Pair& pair, const Rational3& d, const Rational3& delta) {
-  RootSum sum = RootSum(0) - RootSum(dot(d, delta));
+// f(D) as a sum of roots. The faces of rounded solids are those of their cores, moved along D.
+RootSum support_gap(const Pair& pair, const Rational3& d) {
+  RootSum sum = RootSum(0) - RootSum(abs(dot(d, exact(pair.b.center) - exact(pair.a.center))));
   for (const Cylinder* c : {&pair.a, &pair.b}) {
     const Rational3 w = exact(c->axis), side = cross(d, w);
     const mpq_class ww = dot(w, w), dw = dot(d, w);
@@ -100,6 +100,10 @@ RootSum support_gap(const Pair& pair, const Rational3& d, const Rational3& delta
 }
 
 }  // namespace
+
+int support_gap_sign(const Pair& pair, const Rational3& direction) {
+  return support_gap(pair, direction).sign();
+}
 
 mpq_class simplest_within(const mpq_class& x, const mpq_class& tolerance) {
   // Convergents of the continued fraction of x, until one is near enough.
@@ -192,7 +196,7 @@ std::optional<Tangency> prove_tangency(const Pair& pair, const Rational3& near_p
       return d.x * o.y == d.y * o.x && d.y * o.z == d.z * o.y && d.z * o.x == d.x * o.z;
     };
     if (std::any_of(seen.begin(), seen.end(), parallel)) continue;
-    const int sign = support_gap(pair, d, delta).sign();
+    const int sign = support_gap_sign(pair, d);
     if (sign > 0) {
       seen.push_back(d);
       continue;

@@ -20,6 +20,9 @@ struct Tangency {
 std::optional<Tangency> prove_tangency(const Pair& pair, const Rational3& near_point,
                                        const Rational3& near_other, const Rational3& near_direction);
 
+/// The sign of f(direction), direction not 0, exactly.
+int support_gap_sign(const Pair& pair, const Rational3& direction);
+
 /// A simple rational within `tolerance` of x: the first convergent of its continued fraction that is.
 mpq_class simplest_within(const mpq_class& x, const mpq_class& tolerance);
 

@@ -130,6 +130,19 @@ TEST(HullWitness, OfTouchingLeavesItTouching) {
 }
 
 // Every witness that decide() offers holds, and the referee says the same with it and without.
+TEST(Witness, OfAGapFarBelowTheLastPlaceHolds) {
+  const Cylinder disk{{0, 0, 0}, {1, 2, 3}, 1, 0};
+  Cylinder above = disk;
+  MethodAnswer witness;
+  witness.status = Status::answered;
+  witness.set_direction({1, 2, 3});
+  EXPECT_EQ(check_witness({disk, above}, witness), Verdict::undecided);
+  above.center = {0, 0, 0x1p-900};
+  EXPECT_EQ(check_witness({disk, above}, witness), Verdict::disjoint);
+  above.axis = {1, 2, 4};
+  EXPECT_EQ(check_witness({disk, above}, witness), Verdict::undecided);
+}
+
 TEST(Witness, OfOurSolverIsNotNeeded) {
   int witnesses = 0, in_hulls = 0;
   for (const Family& family : families())
