@@ -240,7 +240,11 @@ std::optional<Truth> prove_near(const Pair& pair, const Guess& guess) {
   const Vec3<double>& d = guess.found.direction;
   const auto plane =
       prove_tangency(pair, on_a, on_b, is_rounded(pair) ? on_b - on_a : Rational3{d.x, d.y, d.z});
-  if (plane) return settled(plane->meet ? Verdict::touching : Verdict::disjoint);
+  if (plane && plane->meet) return settled(Verdict::touching);
+  // As undecided as for the wide search is a gap that its cap does not show.
+  for (int bits = 4 * first_multiprecision_bits; plane && bits <= precision_cap; bits *= 2)
+    if (support_gap_sign(pair, plane->direction, bits) < 0) return settled(Verdict::disjoint);
+  if (plane) return std::nullopt;
   if (!is_rounded(pair) && in_both_exact(pair, on_a) && overlap_at(pair, on_a))
     return settled(Verdict::intersecting);
   return std::nullopt;
