@@ -212,7 +212,8 @@ std::string cost_in_words(const CampaignSummary& summary) {
   std::string text = fmt::format(
       "CPU time: {:.1f} s; calls of methods {:.1f} s, verdicts of the referee {:.1f} s, all else {:.1f} s",
       seconds(cost.all), seconds(cost.asking), seconds(cost.judging), seconds(rest));
-  if (rest <= 2 * (cost.asking + cost.judging)) return text;
+  constexpr std::chrono::seconds explained_from{5};
+  if (rest < explained_from || rest <= 2 * (cost.asking + cost.judging)) return text;
   return text + fmt::format(
                     "\n  \"All else\" is more than twice the rest. It is the start, {} broken calls, and the "
                     "proof and "

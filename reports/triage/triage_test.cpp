@@ -83,6 +83,7 @@ struct Folder {
     batch.next = 1;
     for (const FindingRecord& f : findings)
       batch.groups.push_back({f.method, f.kind, f.severity, f.family, 1 + uncounted});
+    for (std::size_t i = 0; i < findings.size(); ++i) findings[i].index = i;  // a pair each
     batch.findings = std::move(findings);
     store.commit(batch, 1);
     return folder;
