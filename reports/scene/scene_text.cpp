@@ -242,7 +242,8 @@ constexpr double least_saving = 0.1;
 std::string cost_words(const SceneStudy& s) {
   const double alone = s.alone_ns[index_of(Level::cylinder)];
   return fmt::format(
-      "{:.2f} us a configuration, against {:.2f} us with the {} test for every pair{}; {:.2f} us more to move "
+      "{:.2f} us a configuration, against {:.2f} us with the {} test for every pair{}; {:.2f} us more to "
+      "move "
       "the bodies",
       s.cascade_ns / 1000, alone / 1000, to_string(Level::cylinder),
       s.cascade_ns > (1 - least_saving) * alone ? ": IT SAVES NOTHING" : "",
