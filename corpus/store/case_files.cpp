@@ -12,11 +12,7 @@
 
 namespace cyl {
 
-std::vector<Case> read_case_folder(const std::string& given) {
-  // Version 0.1.0 kept the cases in corpus/ itself, and its runs and scripts name that folder.
-  const bool moved =
-      std::filesystem::path(given).filename() == "corpus" && std::filesystem::is_directory(given + "/cases");
-  const std::string folder = moved ? given + "/cases" : given;
+std::vector<Case> read_case_folder(const std::string& folder) {
   std::vector<std::filesystem::path> files;
   std::error_code fault;
   for (auto entry = std::filesystem::directory_iterator(folder, fault);

@@ -24,13 +24,6 @@ using json = nlohmann::ordered_json;
 /// 16 hexadecimal digits: not every reader of JSON keeps 64 bits of a number.
 std::string hex(std::uint64_t digest) { return fmt::format("{:016x}", digest); }
 
-/// The key that the bucket of what a method reports had in version 0.1.0.
-std::string as_exception(const std::string& bucket) {
-  constexpr std::string_view now = "/reported/", then = "/exception/";
-  const auto at = bucket.find(now);
-  return at == bucket.npos ? bucket : std::string(bucket).replace(at, now.size(), then);
-}
-
 json counts(const AnswerCounts& c) {
   json said;
   for (const Verdict v : enum_values<Verdict>) said[to_string(v)] = c.said[static_cast<std::size_t>(v)];
@@ -153,24 +146,21 @@ GateBase read_base(const std::string& file) {
   try {
     base.seed = natural(all, "seed");
     for (const json& method : all.at("methods")) base.methods.push_back(method.at("name").get<std::string>());
-    // Version 0.1.0 wrote of laws and cases no more than how many pairs they were.
-    for (const json& law : all.value("laws", json::array())) base.laws.push_back(law.get<int>());
-    for (const json& digest : all.value("cases", json::array()))
-      base.cases.push_back(digest.get<std::string>());
+    all.at("laws").get_to(base.laws);
+    all.at("cases").get_to(base.cases);
+    std::uint64_t replayed = 0;  // cases, in full
     for (const json& phase : all.at("phases")) {
       const auto is = [&](GatePhase p) { return phase.at("phase") == to_string(p); };
       const std::uint64_t pairs = natural(phase, "pairs");
-      if (is(GatePhase::corpus)) base.case_count = pairs;
-      if (is(GatePhase::corpus_laws) && pairs < base.case_count) base.amount.cases_under_laws = pairs;
-      // Gates that did not know close contacts have no such phase, and drew none.
+      if (is(GatePhase::corpus)) replayed = pairs;
+      if (is(GatePhase::corpus_laws) && pairs < replayed) base.amount.cases_under_laws = pairs;
       for (const GatePhase p : drawing_phases) {
         if (!is(p)) continue;
         rounds_of(base.amount, p) = natural(phase, "rounds");
-        base.pairs += pairs;
-        base.digests[p] = phase.value("digest", "");
+        phase.at("digest").get_to(base.digests[p]);
       }
     }
-    if (all.contains("pairs")) base.pairs = natural(all, "pairs");
+    base.pairs = natural(all, "pairs");
     for (const json& f : all.at("failures")) {
       auto& buckets = f.at("severity") == to_string(Severity::resolution) ? base.within : base.buckets;
       buckets[f.at("bucket").get<std::string>()] += natural(f, "count");
@@ -186,9 +176,7 @@ void mark_known(GateReport& report, const GateBase& base) {
     if (f.bucket.empty()) continue;
     if (const auto before = base.within.find(f.bucket); !is_error(f) && before != base.within.end())
       f.in_base = before->second;
-    auto found = base.buckets.find(f.bucket);
-    if (f.kind == to_string(FindingKind::reported) && found == base.buckets.end())  // as 0.1.0 had it
-      found = base.buckets.find(as_exception(f.bucket));
+    const auto found = base.buckets.find(f.bucket);
     if (found == base.buckets.end()) continue;
     f.in_base = found->second;
     f.known = f.count <= f.in_base || f.failed_again < f.reruns || f.kind == to_string(FindingKind::hang);
@@ -207,19 +195,15 @@ void note_gaps(GateReport& report, const GateBase& base) {
     if (std::none_of(all_laws().begin(), all_laws().end(),
                      [&](const Law& law) { return law.number == number; }))
       miss(fmt::format("law {}", number));
-  std::uint64_t missing = base.case_count - std::min<std::uint64_t>(base.case_count, report.cases.size());
-  if (!base.cases.empty()) {
-    std::set<std::string> asked;
-    for (const std::uint64_t digest : report.cases) asked.insert(hex(digest));
-    missing = static_cast<std::uint64_t>(
-        std::count_if(base.cases.begin(), base.cases.end(),
-                      [&](const std::string& digest) { return !asked.contains(digest); }));
-  }
-  if (missing > 0) miss(fmt::format("{} of {} cases", missing, base.case_count));
+  std::set<std::string> asked;
+  for (const std::uint64_t digest : report.cases) asked.insert(hex(digest));
+  const auto missing = std::count_if(base.cases.begin(), base.cases.end(),
+                                     [&](const std::string& digest) { return !asked.contains(digest); });
+  if (missing > 0) miss(fmt::format("{} of {} cases", missing, base.cases.size()));
   GateAmount amount = base.amount;
   for (const GatePhaseReport& phase : report.phases) {
     const auto found = base.digests.find(phase.phase);
-    if (found == base.digests.end() || found->second.empty()) continue;
+    if (found == base.digests.end()) continue;
     // Where the time was over before, that was said.
     if (phase.rounds == rounds_of(amount, phase.phase) && found->second != hex(phase.digest))
       miss(fmt::format("{}: the pairs", to_string(phase.phase)));

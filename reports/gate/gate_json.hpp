@@ -21,10 +21,9 @@ struct GateBase {
   std::uint64_t pairs = 0;  ///< that were to be drawn
   GateAmount amount;        ///< what was drawn
   std::vector<std::string> methods;
-  std::vector<int> laws;           ///< empty where it does not say: version 0.1.0 did not
-  std::vector<std::string> cases;  ///< digests; likewise
-  std::uint64_t case_count = 0;
-  std::map<GatePhase, std::string> digests;      ///< of the pairs of each phase that draws; likewise
+  std::vector<int> laws;
+  std::vector<std::string> cases;                ///< digests
+  std::map<GatePhase, std::string> digests;      ///< of the pairs of each phase that draws
   std::map<std::string, std::uint64_t> buckets;  ///< of failures beyond claims, and on how many pairs
   std::map<std::string, std::uint64_t> within;   ///< likewise within claims, which excuse nothing
 };

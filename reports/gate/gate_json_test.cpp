@@ -134,23 +134,9 @@ TEST(GateJson, WhatTheBaseAskedAndThisGateDidNotIsSaid) {
   const ScratchFile lawless(replaced(gate_json(report), "\"laws\": [\n", "\"laws\": [\n  999,\n"));
   EXPECT_EQ(gaps(other, lawless.path),
             (std::vector<std::string>{"method intersect, which the base has", "law 999, which the base has",
-                                      "1 of 12 cases, which the base has",
+                                      "1 of 2 cases, which the base has",
                                       "sample of all strata: the pairs, which the base has",
                                       "sample of close contacts: the pairs, which the base has"}));
-  // A base of version 0.1.0 says how many cases there were.
-  const json whole = parse_json(gate_json(report));
-  const ScratchFile old(
-      whole
-          .patch(parse_json(
-              R"([{"op":"remove","path":"/cases"},{"op":"remove","path":"/laws"},{"op":"remove","path":"/pairs"},
-                  {"op":"remove","path":"/phases/5"},{"op":"remove","path":"/phases/4"},
-                  {"op":"remove","path":"/phases/2/digest"},{"op":"remove","path":"/phases/3/digest"}])"))
-          .dump());
-  EXPECT_EQ(read_base(old.path).amount.close_law_rounds + read_base(old.path).amount.close_rounds, 0u)
-      << "it drew no close contacts";
-  EXPECT_EQ(gaps(now, old.path), std::vector<std::string>{"9 of 12 cases, which the base has"});
-  now.cases.resize(12);
-  EXPECT_EQ(gaps(now, old.path), std::vector<std::string>{});
 }
 
 TEST(GateJson, BadBasesAreRefusedByName) {

@@ -98,13 +98,13 @@ json run_json(const RunData& run, const std::vector<MethodTally>& tallies) {
 json methods_json(const RunData& run) {
   std::set<std::string, std::less<>> own;
   for (const auto& m : own_methods()) own.emplace(m->name());
-  const auto assumed = run.config.find("assumed_claims");  // not in runs of 0.1.0
   const std::vector<std::string> assumed_of = lines_of(value_of(run.config, "assumed_claims"));
   json all = json::array();
   for (const MethodRecord& m : run.methods) {
-    json claim{{"relative", finite(m.relative)}, {"absolute", finite(m.absolute)}, {"source", m.source}};
-    if (assumed != run.config.end())
-      claim["stated"] = std::find(assumed_of.begin(), assumed_of.end(), m.name) == assumed_of.end();
+    json claim{{"relative", finite(m.relative)},
+               {"absolute", finite(m.absolute)},
+               {"source", m.source},
+               {"stated", std::find(assumed_of.begin(), assumed_of.end(), m.name) == assumed_of.end()}};
     all.push_back({{"name", m.name},
                    {"version", m.version},
                    {"claim", std::move(claim)},
