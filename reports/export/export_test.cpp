@@ -88,13 +88,18 @@ const std::string ball_and_capsule =
     R"({"a":{"center":[0,0,0],"axis":[0,0,1],"radius":0,"height":0,"rounding":1},)"
     R"("b":{"center":[3,0,0],"axis":[0,0,1],"radius":0,"height":2,"rounding":1}})";
 
+const std::string coins = R"({"a":{"center":[0,0,0],"axis":[1,2,2],"radius":3,"height":1},)"
+                          R"("b":{"center":[-4,-2,2],"axis":[1,2,2],"radius":3,"height":1}})";
+
 TEST(Export, FclShowsIt) { expect_shown("fcl-indep", FindingKind::wrong_intersecting, stacked, "(1, 0, 0)"); }
 
 TEST(Export, BulletShowsIt) {
   expect_shown("bullet-cylinder-margin0", FindingKind::wrong_disjoint, flat_on_long, "(0, 0, 0.51)");
 }
 
+// GJK says intersecting of the coins if the sums of the support function go from the left, as ours do.
 TEST(Export, LibccdShowsIt) {
+  expect_shown("libccd-gjk", FindingKind::wrong_intersecting, coins, "(0, 1, 0)");
   expect_shown("libccd-gjk", FindingKind::wrong_intersecting, tiny, "(0, 1, 0)");
 }
 
