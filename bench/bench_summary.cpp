@@ -26,6 +26,11 @@ const BenchRow* own_row(std::span<const BenchRow> rows, std::string_view family,
   });
 }
 
+/// A pair that is declined takes no time.
+bool answers(const BenchRow& row) {
+  return static_cast<double>(row.undecided + row.failed) <= right_tol * static_cast<double>(row.pairs);
+}
+
 Competitor competitor_of(const BenchRow* row, double our_ns) {
   return row ? Competitor{row->method, row->median_ns, row->median_ns / our_ns, row->max_error}
              : Competitor{};
@@ -51,7 +56,8 @@ Comparison comparison_of(std::span<const BenchRow> rows, const BenchRow& ours) {
   };
   c.right =
       competitor_of(fastest_row(rows, [&](const BenchRow& r) { return competitor(r) && is_right(r); }), c.ns);
-  c.fastest = competitor_of(fastest_row(rows, competitor), c.ns);
+  c.fastest =
+      competitor_of(fastest_row(rows, [&](const BenchRow& r) { return competitor(r) && answers(r); }), c.ns);
   return c;
 }
 

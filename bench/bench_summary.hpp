@@ -38,7 +38,7 @@ struct Comparison {
   std::size_t wrong = 0;
   std::size_t wrong_at_margin = 0;
   Competitor right;    ///< the fastest that is_right
-  Competitor fastest;  ///< right or wrong
+  Competitor fastest;  ///< right or wrong, of those that answer nearly all pairs
 };
 
 /// Ratios over the families where there is such a competitor; NaN where there is none.

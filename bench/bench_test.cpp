@@ -256,6 +256,8 @@ BenchRow row_of(const char* method, const char* family, const char* query, doubl
 TEST(Summary, TakesTheFastestThatIsRight) {
   BenchRow share = row_of("costly", "y", "verdict", 15);
   share.pairs = 31;
+  BenchRow declining = row_of("declining", "random", "verdict", 1);
+  declining.undecided = 400;
   const BenchRow rows[] = {row_of("intersect", "random", "verdict", 10),
                            row_of("exact", "random", "verdict", 5),
                            row_of("decide", "random", "certificate", 14),
@@ -264,6 +266,7 @@ TEST(Summary, TakesTheFastestThatIsRight) {
                            row_of("good", "random", "verdict", 90, 2),
                            row_of("slow", "random", "verdict", 900),
                            row_of("broken", "random", "verdict", not_measured),
+                           declining,
                            row_of("raw", "random", "raw", 1),
                            row_of("intersect", "x", "verdict", 30, 1),
                            row_of("good", "x", "verdict", 120),

@@ -146,7 +146,7 @@ void add_bench(Program& program) {
       "--curves", options->curves,
       "speed against accuracy, for `daylight chart`: every method at more settings than campaigns ask, on "
       "random pairs and\nmargins 1e-1 to 1e-15, 600 of each, in 3 passes of 0.01 s together");
-  command.option("--json", options->json, "also write the results to this file");
+  command.option("--json", options->json, "also write the results to this file").writable();
   command.examples(
       "  daylight bench --methods intersect,decide,fcl --families random --json bench.json\n"
       "  daylight bench --growth --methods intersect,fcl-libccd\n"

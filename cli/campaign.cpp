@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "fuzz/campaign/campaign.hpp"
 
+#include <fcntl.h>
 #include <fmt/chrono.h>
 #include <fmt/format.h>
+#include <sys/file.h>
 
 #include <algorithm>
+#include <cerrno>
 #include <charconv>
 #include <cstdio>
 #include <ctime>
@@ -32,6 +35,7 @@
 #include "cli/options.hpp"
 #include "cli/progress.hpp"
 #include "cli/show_run.hpp"
+#include "cli/targets.hpp"
 #include "fuzz/campaign/climbed.hpp"
 #include "props/mutants/kill_data.hpp"
 
@@ -172,8 +176,7 @@ CampaignOptions plan_resumed(const CampaignArguments& arguments, Selection& sele
   const Config config = store.config();
   CampaignOptions options;
   options.resume = true;
-  const fs::path run = arguments.resume;  // where it is runs/latest, findings are named by what that is now
-  options.out = fs::is_symlink(run) ? run.parent_path() / fs::read_symlink(run) : run;
+  options.out = lasting_name(arguments.resume);
   options.seed = std::stoull(config.at("seed"));
   options.cases = config.at("cases");
   std::vector<std::string> method_names, family_names;
@@ -273,6 +276,15 @@ SelfCheckOptions plan_self_check(const CampaignArguments& arguments, const Campa
   return {};
 }
 
+/// Keeps others from writing to the run as long as this process lives. Throws UsageError if one does already.
+void hold(const std::string& run) {
+  const int folder = open(run.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);  // closed with the process
+  for (int tries = 0; folder >= 0 && flock(folder, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK; ++tries) {
+    if (tries == 20) throw UsageError(run + " is written by another process");
+    std::this_thread::sleep_for(std::chrono::milliseconds(100));  // one that was killed is still ending
+  }
+}
+
 int campaign(const CampaignArguments& arguments) {
   if (arguments.list) {
     print_list(arguments.guests);
@@ -281,6 +293,9 @@ int campaign(const CampaignArguments& arguments) {
   Selection selection;
   CampaignOptions options =
       arguments.resume.empty() ? plan_new(arguments, selection) : plan_resumed(arguments, selection);
+  if (options.resume) hold(options.out);
+  set_limits(arguments, options);
+  selection.cases = cases_in(options.cases, asks_rounded(selection.methods, options));
   fmt::print("seed {}, run {}\n", options.seed, options.out);
   std::fflush(stdout);
   if (const std::string error = record_guests(parse_guests(options.guests)); !error.empty())
@@ -289,19 +304,22 @@ int campaign(const CampaignArguments& arguments) {
                "--run-guests\n",
                error);
 
-  set_limits(arguments, options);
   options.jobs = arguments.jobs;
   options.build = build_info().text();
   options.create_only = arguments.create_only;
   options.self_check = plan_self_check(arguments, options, selection);
-  selection.cases = cases_in(options.cases, asks_rounded(selection.methods, options));
 
   CampaignSummary summary;
   {
     ProgressLine line;
     bool linked = false;
     summary = run_campaign(options, selection.workload(), [&](const CampaignProgress& progress) {
-      if (!linked) point_latest_at(options.out);
+      if (!holds_run(options.out))
+        throw std::runtime_error(options.out + " was removed while it was written");
+      if (!linked) {
+        point_latest_at(options.out);
+        if (!options.resume) hold(options.out);
+      }
       linked = true;
       if (line.due(progress.session_time))
         line.show(progress.session_time, share_done(options, progress), numbers(progress));

@@ -10,6 +10,7 @@
 #include "cli/commands.hpp"
 #include "cli/guests.hpp"
 #include "cli/options.hpp"
+#include "cli/targets.hpp"
 #include "reports/run/charts.hpp"
 #include "reports/run/draw_charts.hpp"
 #include "reports/run/report_data.hpp"
@@ -63,6 +64,7 @@ void add_chart(Program& program) {
       "  daylight bench --curves --json bench.json\n"
       "  daylight chart runs/latest --bench bench.json --stability --out charts");
   command.run([arguments] {
+    arguments->run = lasting_name(arguments->run);
     chart(*arguments);
     return exit_pass;
   });

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cstdio>
-#include <filesystem>
 #include <fstream>
 #include <functional>
 #include <iostream>
@@ -61,8 +60,8 @@ Reply malformed(const CaseLine& c, const std::string& file, bool text) {
 std::string describe(Verdict verdict, const Enclosure& d) {
   if (verdict == Verdict::touching) return "";
   const bool apart = verdict == Verdict::disjoint;
-  return fmt::format(", {} to {} {}", format_end(apart ? d.lo : -d.hi), format_end(apart ? d.hi : -d.lo),
-                     apart ? "apart" : "deep");
+  return fmt::format(", {} to {} {}", format_end(apart ? d.lo : 0 - d.hi),
+                     format_end(apart ? d.hi : 0 - d.lo), apart ? "apart" : "deep");
 }
 
 /// The answer to the question that was asked.
@@ -191,21 +190,11 @@ int check(const CheckOptions& options) {
   Checker checker(options);
   std::vector<std::string> files = options.files;
   if (files.empty()) files.push_back("-");
-  bool unreadable = false;
   for (const std::string& file : files) {
-    try {
-      std::ifstream in;
-      if (file != "-") {
-        in.open(file);
-        if (!in || std::filesystem::is_directory(file)) throw std::runtime_error("cannot be read");
-      }
-      checker.answer_all(file == "-" ? std::cin : in, files.size() > 1 ? file : "");
-    } catch (const std::runtime_error& error) {
-      std::cerr << "daylight: " << file << ": " << error.what() << '\n';
-      unreadable = true;
-    }
+    std::ifstream in(file);
+    checker.answer_all(file == "-" ? std::cin : in, files.size() > 1 ? file : "");
   }
-  return unreadable ? exit_harness_failed : checker.exit_code();
+  return checker.exit_code();
 }
 
 }  // namespace
@@ -213,7 +202,7 @@ int check(const CheckOptions& options) {
 void add_check(Program& program) {
   Command command = program.command("Ask", "check", "Pairs in, certified answers out, a line each");
   auto options = std::make_shared<CheckOptions>();
-  command.option("FILE", options->files, "JSON Lines of pairs; '-' or none: standard input");
+  command.option("FILE", options->files, "JSON Lines of pairs; '-' or none: standard input").readable();
   command.flag("--text", options->text, "write a sentence a line instead of JSON");
   command.flag("--distance", options->distance, "add a certified enclosure of the signed distance");
   command.option(
@@ -225,7 +214,7 @@ void add_check(Program& program) {
   command.examples(
       "  echo '{\"a\":{\"center\":[0,0,0],\"axis\":[0,0,1],\"radius\":1,\"height\":2},"
       "\"b\":{\"center\":[3,0,0],\"axis\":[0,1,0],\"radius\":1,\"height\":2}}' | daylight check",
-      "Here 0: all answered, 3: some undecided, 65: some invalid, 1: a file could not be read.");
+      "Here 0: all answered, 3: some undecided, 65: some invalid.");
   command.run([options] { return check(*options); });
 }
 

@@ -70,8 +70,28 @@ cp in one
 printf '%s\nnonsense\n' "$overlapping" >two
 expect 'files' 65 "$disjoint"$'\n'"$intersecting"$'\n''.*"error":"two: line 2.*' check one two
 expect 'a file and standard input' 0 "$disjoint"$'\n'"$disjoint" check one -
-expect 'no such file' 1 "$disjoint" check missing one
-expect 'a folder' 1 '' check .
+# A file that is named and not there, or is a folder, is wrong usage, of every command.
+for command in check judge replay scene 'explain --method ode' 'export --method ode --out sent' 'worst --method ode --from'; do
+  read -ra words <<<"$command"
+  expect "$command: no such file" 64 '' "${words[@]}" missing
+done
+expect 'a folder' 64 '' check .
+expect 'judge: no such pairs' 64 '' judge one --pairs missing
+expect 'no such cases' 64 '' campaign --pairs 1 --cases missing
+# What is in a file is bad input.
+expect 'replay: a line that is no pair' 65 '' replay two
+expect 'worst: a line that is no pair' 65 '' worst --method ode --from two
+printf '{}\n' >results
+mkdir empty
+expect 'no results of a bench' 65 '' chart empty --bench results
+[[ $(<err) == 'daylight: results is no result of `daylight bench --json`' ]] || fail 'no results of a bench: the error'
+# Files are opened before the work begins.
+for command in 'bench --json' 'gate --json' 'gate --junit' 'gate --sarif' 'gate --keep' 'triage empty --json' 'judge one --keep' \
+    'explain one --method ode --json' 'worst --method ode --out' 'scene one --page' 'scene one --json' 'scene one --srdf-out'; do
+  read -ra words <<<"$command"
+  expect "$command: no such folder" 1 '' "${words[@]}" none/file
+  [[ $(<err) == 'daylight: none/file cannot be written' ]] || fail "$command: the error"
+done
 printf '%s\n' "${apart%\}},\"id\":\"x\\nline 2: touching\\u001b[2J\"}" >in
 expect 'an id that forges a line' 0 'x\\nline 2: touching\\u001b\[2J: disjoint[^'$'\n''[:cntrl:]]*' check --text
 cp one in
@@ -173,7 +193,6 @@ done
 expect 'no pairs' 64 '' bench --pairs 0
 expect 'help of chart' 0 '.*Example:.*' chart --help
 expect 'no run to chart' 64 '' chart nowhere
-mkdir empty
 expect 'a folder that holds no run' 64 '' chart empty
 expect 'no jobs' 64 '' campaign --jobs 0
 expect 'too many jobs' 64 '' campaign --jobs 1025

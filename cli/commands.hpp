@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The commands of the one executable, a file each: add_<command> describes the command to the program. A
-// wrong argument throws UsageError, what the harness cannot do any other std::exception: daylight_main.cpp
-// prints the text and turns the first into exit code 64, the others into 1.
+// wrong argument throws UsageError, a file of something else InputError, what the harness cannot do any other
+// std::exception: daylight_main.cpp prints the text and turns these into exit codes 64, 65 and 1.
 #pragma once
 
 namespace cyl {

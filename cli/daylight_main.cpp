@@ -36,6 +36,9 @@ int run(int argc, char** argv) {
   } catch (const cyl::UsageError& error) {
     std::cerr << "daylight: " << error.what() << '\n';
     return cyl::exit_usage;
+  } catch (const cyl::InputError& error) {
+    std::cerr << "daylight: " << error.what() << '\n';
+    return cyl::exit_invalid_input;
   }
 }
 

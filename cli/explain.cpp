@@ -40,7 +40,8 @@ void add_explain(Program& program) {
   auto arguments = std::make_shared<ExplainArguments>();
   add_failure_options(command, arguments->failure);
   command.number("--seed", arguments->seed, "same seed, same pairs drawn from the pair's stratum");
-  command.option("--json", arguments->json, "write everything as JSON, each end with its pair and proof");
+  command.option("--json", arguments->json, "write everything as JSON, each end with its pair and proof")
+      .writable();
   command.examples("  daylight explain runs/latest:12",
                    "Here 64 also: the method is not wrong on that pair.");
   command.run([arguments] { return explain_case(*arguments); });

@@ -23,10 +23,18 @@ expect 0 'again' "$daylight" explain cases.jsonl:3 --method fcl-indep
 cmp -s first out || failed 'the same twice'
 
 expect 0 'export' "$daylight" export cases.jsonl:3 --method fcl-indep --out sent
+holds 'it was tried' out '^built and run here: it shows the failure$'
 for file in issue.md build.sh reproduce.cpp exact.py; do
   [[ -s sent/$file ]] || holds "sent/$file" out '^WRITTEN$'
 done
 expect 0 'the proof' python3 sent/exact.py
+# One that shows nothing is not offered; one that cannot be built is said not to be tried.
+printf '#!/bin/sh\nprintf "#!/bin/sh\\necho right\\n" >reproduce && chmod +x reproduce\n' >tame && chmod +x tame
+expect 1 'a program that says "right"' env CXX="$PWD/tame" "$daylight" export cases.jsonl:3 --method fcl-indep --out tame_sent
+holds 'what it printed' err '^right$'
+[[ ! -e tame_sent ]] || failed 'a program that says "right" is offered'
+expect 3 'no compiler' env CXX=false "$daylight" export cases.jsonl:3 --method fcl-indep --out untried
+holds 'no compiler' out '^not tried: '
 
 expect 64 'a pair on which it is right' "$daylight" export cases.jsonl:1 --method fcl-indep --out sent
 holds 'what it says there' err 'is not wrong on .*disjoint'

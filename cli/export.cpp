@@ -19,8 +19,7 @@ struct ExportArguments {
 
 int export_case(const ExportArguments& arguments) {
   const MethodSet set = methods_for_targets(arguments.failure.guests, {arguments.failure.target});
-  export_failure(set, failure_of(arguments.failure, set.methods), arguments.sources, arguments.out);
-  return exit_pass;
+  return export_failure(set, failure_of(arguments.failure, set.methods), arguments.sources, arguments.out);
 }
 
 }  // namespace
@@ -32,8 +31,10 @@ void add_export(Program& program) {
   add_failure_options(command, arguments->failure);
   command.option("--out", arguments->out, "folder for the files").required();
   add_source_option(command, arguments->sources);
-  command.examples("  daylight export runs/latest:12 --out upstream",
-                   "Here 64 also: the method is not wrong on that pair.");
+  command.examples(
+      "  daylight export runs/latest:12 --out upstream",
+      "The program is built and run first; one that does not show the failure is not written.\n"
+      "Here 64 also: the method is not wrong on that pair, 3: the program could not be built here.");
   command.run([arguments] { return export_case(*arguments); });
 }
 

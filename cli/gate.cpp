@@ -278,7 +278,6 @@ int gate(const GateArguments& arguments) {
   const SelfTest test = test_itself(options, not_asked);
   report.not_asked.insert(report.not_asked.end(), not_asked.begin(), not_asked.end());
   complete(report, known, methods, guests, cases, places);
-  write_files(arguments, report);
   if (arguments.github) fmt::print("{}", gate_github(report));
   fmt::print("the gate itself, tried on methods with known faults: {}",
              test.cut   ? "not run\n"
@@ -286,6 +285,7 @@ int gate(const GateArguments& arguments) {
                         : "not run, daylight-mutants is not beside this executable\n");
   fmt::print("{}", gate_text(report));
   for (const std::string& remark : known.remarks) fmt::print("{}\n", remark);
+  write_files(arguments, report);
   if (!arguments.keep.empty() && std::any_of(report.failures.begin(), report.failures.end(), fails_gate))
     fmt::print("next: {} replay {}{}\n", own_command(), shell_quoted(arguments.keep),
                replay_options(report, methods, guests));
@@ -316,9 +316,9 @@ void add_gate(Program& program) {
       .default_text(std::to_string(GateOptions{}.seed));
   command.option("--cases", arguments->cases, "folder of case files; '' for none")
       .default_text("corpus/cases/");
-  command.option("--junit", arguments->junit, "write a JUnit file");
-  command.option("--sarif", arguments->sarif, "write a SARIF 2.1.0 file");
-  command.option("--json", arguments->json, "write everything as JSON: what --against reads");
+  command.option("--junit", arguments->junit, "write a JUnit file").writable();
+  command.option("--sarif", arguments->sarif, "write a SARIF 2.1.0 file").writable();
+  command.option("--json", arguments->json, "write everything as JSON: what --against reads").writable();
   command.flag("--github", arguments->github, "print annotations for GitHub's log");
   command
       .option("--annotate", arguments->annotate,
@@ -336,7 +336,8 @@ void add_gate(Program& program) {
       .default_text("suppressions.jsonl");
   command.flag("--first-failure", arguments->first_failure,
                "end at the first failure, as it was found: where only the exit code is wanted");
-  command.option("--keep", arguments->keep, "write the simplified failing pairs as a file of cases");
+  command.option("--keep", arguments->keep, "write the simplified failing pairs as a file of cases")
+      .writable();
   command.option("--reproduce", arguments->reproduce, "run one drawn case again, by the name it was given");
   command.flag("--laws", arguments->laws, "only list the laws");
   command.examples(

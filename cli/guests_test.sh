@@ -125,11 +125,22 @@ expect 0 'triage' "$daylight" triage runs/three --export bad/crash/sigabrt --out
 expect 134 'sent/build.sh' sh sent/build.sh
 expect 0 'triage' "$daylight" triage runs/three --export plain/wrong_disjoint --out sent
 expect 0 'sent/exact.py' python3 sent/exact.py
+printf '%s' '{"a":{"center":[0,0,0],"axis":[0,0,1],"radius":0,"height":0,"rounding":1},' \
+  '"b":{"center":[3,0,0],"axis":[0,0,1],"radius":0,"height":2,"rounding":1}}' >round.jsonl
+printf '%s\n' 'echo "{\"name\":\"round\",\"claim\":{\"relative\":1e-18,\"source\":\"none\"},\"takes\":[\"sphere\",\"capsule\"]}"' \
+  'while read -r _; do echo "{\"verdict\":\"disjoint\",\"distance\":1.0000000000001}"; done' >round.sh
+expect 0 'of a sphere and a capsule' "$daylight" export round.jsonl --command 'sh round.sh' --method round --out round
+holds 'with the digits that matter' round/issue.md '^# round gives a distance of 1.0000000000001 for a sphere and a capsule that are (1|0.9999[0-9]*) apart$'
+expect 0 'what it said is refuted' python3 round/exact.py
+holds 'what it said is refuted' out '^the distance said, 1.0000000000001, is too large by more than [0-9.e-]+: proved$'
+
 cd elsewhere
 expect 1 '../sent/build.sh' sh ../sent/build.sh
 holds '../sent/build.sh' out '^it says: \{"verdict":"disjoint"\}$'
 expect 0 '../sent/build.sh' sh ../sent/build.sh "echo '{\"verdict\":\"intersecting\"}'"
-expect 1 '../sent/build.sh' sh ../sent/build.sh 'exit 3'
+expect 64 'a program that does not start' sh ../sent/build.sh 'exit 3'
+holds 'a program that does not start' err '^could not be asked: .* status 3$'
+lacks 'a program that does not start' out WRONG
 cd ..
 
 # One that was built anew is told anew; one that hangs ends with the rest, one that is gone leaves its findings untold.

@@ -109,10 +109,7 @@ int judge_answers(const JudgeOptions& options) {
   std::ifstream file;
   double bytes = 0;
   if (options.answers != "-") {
-    if (std::filesystem::is_directory(options.answers))
-      throw std::runtime_error(options.answers + ": is a folder");
     file.open(options.answers);
-    if (!file) throw std::runtime_error(options.answers + ": cannot be read");
     std::error_code none;
     bytes = static_cast<double>(std::filesystem::file_size(options.answers, none));
   }
@@ -154,9 +151,11 @@ void add_judge(Program& program) {
       .option("ANSWERS", options->answers,
               "file of answers, a line each with the id of its pair, in any "
               "order; '-': standard input")
-      .required();
-  command.option("--pairs", options->pairs,
-                 "the file that was answered; none: each answer has its own a and b");
+      .required()
+      .readable();
+  command
+      .option("--pairs", options->pairs, "the file that was answered; none: each answer has its own a and b")
+      .readable();
   command.option("--name", options->name, "name of the method that answered")
       .default_text("as a hello in the answers says");
   command
@@ -164,8 +163,9 @@ void add_judge(Program& program) {
               "distance from which on the answers have to be right, relative to r0 + h0 + r1 + h1")
       .within(0, 1)
       .default_text("as a hello in the answers says, else 0");
-  command.option("--keep", options->keep,
-                 "write pairs on which they fail as a file of cases, with the proofs");
+  command
+      .option("--keep", options->keep, "write pairs on which they fail as a file of cases, with the proofs")
+      .writable();
   command.examples(
       "  daylight judge answers.jsonl --pairs pairs.jsonl --name mine --claim 1e-6 --keep failing.jsonl",
       "An answer is {\"id\":\"17\",\"verdict\":\"disjoint\"}, with a distance, direction or point where "

@@ -54,8 +54,9 @@ void add_mutants(Program& program) {
                                     "The kill matrix: one fault planted after the other, and who catches it");
   command.examples(
       "  daylight mutants matrix --only 101,102 --json kills.jsonl",
-      "Hands its arguments to daylight-mutants; `daylight mutants --help` as seen there: list, matrix, "
-      "smoke.");
+      "list: the planted faults. matrix: who notices each of them. smoke: a few at random. Each has its own "
+      "--help,\nas `daylight mutants matrix --help`: daylight-mutants, beside this program, reads what "
+      "follows.");
   command.run_unparsed([](const std::vector<std::string>& arguments) -> int { become_mutants(arguments); });
 }
 

@@ -64,7 +64,7 @@ holds 'all within it' out '^other +1500 +[0-9]+ +[0-9]+ +- +[0-9]+ '
 "$daylight" check --method exact pairs.jsonl | awk '{ sub(/}$/, ",\"id\":" NR "}"); print }' >right.jsonl
 expect 0 'right answers' "$daylight" judge right.jsonl --pairs pairs.jsonl --name right
 holds 'no fault' out '^right +1500 +- +- +- +- +- '
-expect 1 'nobody is named' "$daylight" judge right.jsonl --pairs pairs.jsonl
+expect 64 'nobody is named' "$daylight" judge right.jsonl --pairs pairs.jsonl
 holds 'says so' err 'do not say whose they are'
 sed -e '11d' -e '20s/.*/&\n&/' -e '30s/.*/{"id":30,"verdict":"perhaps"}/' -e '40s/^./(/' -e '50s/"id":50/"id":"x50"/' \
   -e '60s/,"id":60//' right.jsonl >wrong.jsonl
@@ -90,5 +90,3 @@ holds 'the rest counts' out '^right +1498 '
 paste -d, <(sed 's/,"id".*//' pairs.jsonl) <(sed 's/^{//' right.jsonl) >both.jsonl
 expect 0 'pairs within' "$daylight" judge both.jsonl --name right
 holds 'all of them' out '^right +1500 +- +- +- +- +- '
-expect 1 'no such file' "$daylight" judge nothing.jsonl --name right
-expect 1 'no such pairs' "$daylight" judge right.jsonl --pairs nothing.jsonl --name right

@@ -2,8 +2,18 @@
 #include "cli/one_failure.hpp"
 
 #include <fmt/format.h>
+#include <stdlib.h>
+#include <sys/wait.h>
 
+#include <chrono>
+#include <filesystem>
+#include <memory>
+#include <stdexcept>
+#include <thread>
+
+#include "base/process/child.hpp"
 #include "base/usage_error.hpp"
+#include "cli/commands.hpp"
 #include "cli/options.hpp"
 #include "cli/targets.hpp"
 #include "corpus/pairs/truth_io.hpp"
@@ -12,6 +22,50 @@
 #include "reports/export/export.hpp"
 
 namespace cyl {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// What building, and a program that does not end, may take.
+constexpr std::chrono::minutes build_cap{5};
+
+/// What a folder's build.sh prints and how it ends.
+struct Ran {
+  std::string printed;
+  int status = 0;
+};
+
+Ran run_build(const fs::path& folder) {
+  const auto deadline = std::chrono::steady_clock::now() + build_cap;
+  Child child({"sh", "-c", "exec sh \"$0\" 2>&1", (folder / "build.sh").string()}, {.own_group = true});
+  while (!child.advance()) {
+    if (std::chrono::steady_clock::now() > deadline) child.kill_now();
+    std::this_thread::sleep_for(std::chrono::milliseconds(10));
+  }
+  return {child.bytes(), child.status()};
+}
+
+/// Returns whether the program, built and run in a folder of its own, shows the failure; false if it could
+/// not be built or asked. Throws std::runtime_error if it shows none.
+bool shows_failure(const Export& files) {
+  std::string name = (fs::temp_directory_path() / "daylight-export-XXXXXX").string();
+  if (mkdtemp(name.data()) == nullptr) throw std::runtime_error(name + " cannot be made");
+  const std::shared_ptr<void> removed(nullptr, [&](void*) {
+    std::error_code none;
+    fs::remove_all(name, none);
+  });
+  write_export(files, name);
+  const Ran ran = run_build(name);
+  const bool script = files.program_name == "reproduce.py";
+  if (!script && !fs::exists(fs::path(name) / "reproduce")) return false;
+  if (WIFEXITED(ran.status) && WEXITSTATUS(ran.status) == exit_usage) return false;
+  if (!WIFEXITED(ran.status) || WEXITSTATUS(ran.status) != 0) return true;
+  throw std::runtime_error(
+      "the program that would be sent does not show the failure, so nothing is written. It printed:\n" +
+      ran.printed);
+}
+
+}  // namespace
 
 FindingKind kind_of_word(const std::string& word) {
   if (const auto kind = from_word<FindingKind>(word)) return *kind;
@@ -54,15 +108,19 @@ void add_source_option(Command& command, std::vector<std::string>& sources) {
       .existing_file();
 }
 
-void export_failure(const MethodSet& set, const OneFailure& failure, const std::vector<std::string>& sources,
-                    const std::string& folder) {
+int export_failure(const MethodSet& set, const OneFailure& failure, const std::vector<std::string>& sources,
+                   const std::string& folder) {
   const Export files = make_export(set.methods, failure.method, failure.kind, failure.pair, set.guests,
                                    {sources, failure.worst});
+  const bool tried = shows_failure(files);
   write_export(files, folder);
   std::string more;
   for (const SentFile& sent : files.files) more += ", " + sent.name;
   fmt::print("{}, {}: {}/issue.md, build.sh, {}, exact.py{}\n", failure.method, to_string(failure.kind),
              folder, files.program_name, more);
+  fmt::print("{}\n", tried ? "built and run here: it shows the failure"
+                           : "not tried: it could not be built or asked here; sh build.sh there says why");
+  return tried ? exit_pass : exit_undecided;
 }
 
 }  // namespace cyl

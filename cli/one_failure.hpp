@@ -37,8 +37,10 @@ OneFailure failure_of(const FailureOptions& options, std::span<const std::unique
 /// Adds the option of commands that export a failure: the sources of a guest, which are sent with it.
 void add_source_option(Command& command, std::vector<std::string>& sources);
 
-/// Writes what make_export() gives into the folder, and says on standard output what it wrote.
-void export_failure(const MethodSet& set, const OneFailure& failure, const std::vector<std::string>& sources,
-                    const std::string& folder);
+/// Builds and runs what make_export() gives, writes it into the folder, and says on standard output what it
+/// wrote. Returns the exit code: exit_undecided if the program could not be built or asked here. Throws
+/// std::runtime_error, and writes nothing, if it does not show the failure.
+int export_failure(const MethodSet& set, const OneFailure& failure, const std::vector<std::string>& sources,
+                   const std::string& folder);
 
 }  // namespace cyl

@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include "cli/options.hpp"
 
+#include <unistd.h>
+
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <charconv>
 #include <concepts>
+#include <filesystem>
+#include <fstream>
 #include <iostream>
 #include <system_error>
 #include <type_traits>
@@ -49,6 +53,21 @@ Option Option::not_empty(const std::string& error) const {
   return Option(*option_->check([error](const std::string& text) { return text.empty() ? error : ""; }));
 }
 Option Option::existing_file() const { return Option(*option_->check(CLI::ExistingFile)); }
+Option Option::readable() const {
+  return Option(*option_->check([](const std::string& file) {
+    const bool is_file = std::filesystem::exists(file) && !std::filesystem::is_directory(file);
+    if (file == "-" || (is_file && access(file.c_str(), R_OK) == 0)) return std::string();
+    return "'" + file + "' is no file that can be read";
+  }));
+}
+Option Option::writable() const {
+  return Option(*option_->check([](const std::string& file) {
+    const bool was_there = std::filesystem::exists(std::filesystem::symlink_status(file));
+    if (!std::ofstream(file, std::ios::app)) throw std::runtime_error(file + " cannot be written");
+    if (!was_there) std::filesystem::remove(file);
+    return std::string();
+  }));
+}
 Option Option::existing_folder() const { return Option(*option_->check(CLI::ExistingDirectory)); }
 Option Option::default_text(const std::string& text) const { return Option(*option_->default_str(text)); }
 
@@ -134,7 +153,9 @@ int Program::run(int argc, char** argv) {
                 << app_->help();
       return exit_usage;
     }
-    return app_->exit(error) == 0 ? exit_pass : exit_usage;  // 0: --help, --version
+    if (error.get_exit_code() == 0) return app_->exit(error);  // --help, --version
+    std::cerr << app_->get_name() << ": " << error.what() << "\n--help says more\n";
+    return exit_usage;
   }
 }
 

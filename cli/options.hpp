@@ -36,6 +36,8 @@ class Option {
   Option not_empty(const std::string& error) const;
   Option existing_file() const;
   Option existing_folder() const;
+  Option readable() const;  ///< a file that can be read, or "-"
+  Option writable() const;  ///< a file that can be written: asked before the work, which may be long
   Option default_text(const std::string& text) const;  ///< shown by --help, where the value bound has none
 
  private:

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <memory>
+#include <numeric>
 #include <optional>
 #include <string>
 #include <vector>
@@ -109,7 +110,10 @@ class Replayer {
     fmt::print("  truth: {}. {}\n", to_string(now.truth.verdict), in_words(now.truth.certificate));
     if (now.decided())
       fmt::print("  distance: {} to {}\n", format_double(now.distance.lo), format_double(now.distance.hi));
-    for (std::size_t m = 0; m < methods_.size(); ++m) {
+    std::vector<std::size_t> wrong_first(methods_.size());
+    std::iota(wrong_first.begin(), wrong_first.end(), std::size_t{0});
+    std::ranges::stable_partition(wrong_first, [&](std::size_t m) { return now.findings[m].has_value(); });
+    for (const std::size_t m : wrong_first) {
       const bool wrong = now.findings[m].has_value();
       fmt::print("  {:<26} {}{}\n", methods_[m]->name(), format_method_answer(now.answers[m]),
                  wrong ? "  <- " + describe_finding(*now.findings[m]) : "");

@@ -201,7 +201,7 @@ void add_scene(Program& program) {
   question.rate = 0.003;  // the rule of three on 1000 draws
   Command command = program.command(
       "Measure", "scene", "Says which model of its shapes a scene or robot needs, and at what cost");
-  command.option("FILE", question.file, "a scene: .urdf, .xml (MJCF), .jsonl or .csv of solids");
+  command.option("FILE", question.file, "a scene: .urdf, .xml (MJCF), .jsonl or .csv of solids").readable();
   command.option("--clearance", question.clearance,
                  "solids at this distance or nearer are too near; in the scene's unit (URDF, MJCF: metres)");
   command.option("--tolerate", question.tolerated,
@@ -227,26 +227,32 @@ void add_scene(Program& program) {
   command.number("--against", question.against,
                  "--prove: other configurations to draw, to look for bodies nearer than was proved", 0,
                  1'000'000'000);
-  command.option("--srdf", arguments->srdf,
-                 "the pairs of links not to be checked; without it, FILE.srdf beside FILE.urdf");
-  command.option("--srdf-out", arguments->srdf_out,
-                 "write an SRDF of the pairs of which one link carries the other or that are proved never to "
-                 "touch; implies --prove");
+  command
+      .option("--srdf", arguments->srdf,
+              "the pairs of links not to be checked; without it, FILE.srdf beside FILE.urdf")
+      .readable();
+  command
+      .option("--srdf-out", arguments->srdf_out,
+              "write an SRDF of the pairs of which one link carries the other or that are proved never to "
+              "touch; implies --prove")
+      .writable();
   command.option("--generate", arguments->generate,
                  "generate rods or pipes instead of reading a FILE, and ask about all close pairs");
   command.number("--count", arguments->count, "cylinders to generate", 1, 10'000'000);
-  command.option("--json", arguments->json, "write everything as JSON, a line of results for each pair");
-  command.option(
-      "--page", arguments->page,
-      "write it as one HTML file: the robot in 3D, its pairs, cost against wrong answers; or of many "
-      "cylinders that stand still the close pairs, and how the time grows");
+  command.option("--json", arguments->json, "write everything as JSON, a line of results for each pair")
+      .writable();
+  command
+      .option("--page", arguments->page,
+              "write it as one HTML file: the robot in 3D, its pairs, cost against wrong answers; or of many "
+              "cylinders that stand still the close pairs, and how the time grows")
+      .writable();
   command.examples(
       "  daylight scene robot.urdf --clearance 0.01 --verify --page robot.html",
       "Here 2: the referee found a recommended answer wrong, or --prove shows that links meet of "
       "which the SRDF says \"Never\"; 3 also: --prove left a pair open, shapes that were not looked at, "
       "pairs of which "
       "only a bound around a box or mesh comes near, joints that were not moved, 65: the file "
-      "cannot be read.");
+      "is no scene.");
   command.run([arguments] { return study(*arguments); });
 }
 

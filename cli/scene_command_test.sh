@@ -61,7 +61,7 @@ holds 'the same on the page' rods.html '"certificates":\{"checked":2425,"failed"
 : >empty.jsonl
 expect 0 'nothing in it' "$daylight" scene empty.jsonl --page empty.html
 holds 'nothing to do' out '^nothing to check$'
-expect 65 'no such file' "$daylight" scene none.urdf
+expect 64 'no such file' "$daylight" scene none.urdf
 expect 65 'a bad line' "$daylight" scene <(:) # no ending that is known
 printf '{"center":[0,0,0],"axis":[0,0,0],"radius":1,"height":2}\n' >bad.jsonl
 expect 65 'no axis' "$daylight" scene bad.jsonl
@@ -104,7 +104,7 @@ expect 0 'near, but never touching' "$daylight" scene "$scenes/crane.urdf" --con
 holds 'how near' out '^  within   hook - tower, "Never" in the SRDF: comes within the clearance: distance 0\.[0-9]+ at .*; never touches: at least 0\.[0-9]+, proved$'
 expect 3 'few boxes' "$daylight" scene "$scenes/twenty.urdf" --configurations 20 --prove --boxes 20
 holds 'what is left' out '^  open     base - left_6: nothing proved of [0-9.]+ % of what their 6 joints may do'
-expect 65 'no such SRDF' "$daylight" scene "$scenes/crane.urdf" --srdf none.srdf
+expect 64 'no such SRDF' "$daylight" scene "$scenes/crane.urdf" --srdf none.srdf
 expect 3 'MJCF of today' "$daylight" scene "$scenes/hand.xml" --configurations 20
 holds 'bounds' out ' 2 boxes \(bounded\), 1 ellipsoid \(bounded\), 1 mesh \(bounded\), 1 mesh \(not looked at\); 27 links'
 holds 'what was skipped' out '  Not needed and not read: actuator, option, sensor, tendon.$'

@@ -36,7 +36,7 @@ std::vector<Target> of_file(const std::string& name, std::optional<std::size_t> 
   CaseReader reader(in);
   while (const auto line = reader.next()) {
     if (wanted && line->line != *wanted) continue;
-    if (!line->value) throw std::runtime_error(name + ": " + line->error);
+    if (!line->value) throw InputError(name + ": " + line->error);
     const std::string& id = line->value->id;
     targets.push_back({id.empty() ? fmt::format("{}:{}", name, line->line) : id, line->value->pair, {}});
   }
@@ -58,11 +58,17 @@ std::optional<std::pair<std::string, std::int64_t>> numbered(const std::string& 
 
 }  // namespace
 
+std::string lasting_name(const std::string& folder) {
+  fs::path run = folder;
+  if (!run.has_filename()) run = run.parent_path();
+  return fs::is_symlink(run) ? (run.parent_path() / fs::read_symlink(run)).string() : folder;
+}
+
 std::vector<Target> targets_of(const std::string& name) {
   std::vector<Target> targets;
   if (fs::is_directory(name)) {
     for (FindingRecord& f : RunStore::open(name).findings())
-      targets.push_back(of_finding(name, std::move(f)));
+      targets.push_back(of_finding(lasting_name(name), std::move(f)));
     return targets;
   }
   if (name == "-" || fs::exists(name)) return of_file(name, {});
@@ -71,7 +77,7 @@ std::vector<Target> targets_of(const std::string& name) {
     if (fs::is_directory(place)) {
       auto finding = RunStore::open(place).finding(number);
       if (!finding) throw UsageError(fmt::format("{} has no finding {}", place, number));
-      targets.push_back(of_finding(place, std::move(*finding)));
+      targets.push_back(of_finding(lasting_name(place), std::move(*finding)));
       return targets;
     }
     if (fs::exists(place)) return of_file(place, static_cast<std::size_t>(number));

@@ -18,9 +18,13 @@ struct Target {
   std::optional<FindingRecord> finding;
 };
 
+/// Returns the folder that a link like runs/latest leads to, which is named the same tomorrow; any other as
+/// it is.
+std::string lasting_name(const std::string& folder);
+
 /// Returns what `name` stands for. RUN: all its findings; RUN:ID: one; FILE: all its cases; FILE:LINE: one;
-/// "-": the cases of standard input. Throws UsageError on a name that is none of these, std::runtime_error on
-/// what cannot be read.
+/// "-": the cases of standard input. Throws UsageError on a name that is none of these, InputError on a line
+/// that is no case.
 std::vector<Target> targets_of(const std::string& name);
 
 }  // namespace cyl

@@ -21,6 +21,7 @@
 #include "cli/one_failure.hpp"
 #include "cli/options.hpp"
 #include "cli/progress.hpp"
+#include "cli/targets.hpp"
 #include "corpus/pairs/pair_io.hpp"
 #include "corpus/store/case_files.hpp"
 #include "corpus/store/suppressions.hpp"
@@ -119,9 +120,8 @@ int export_bucket(const TriageArguments& arguments) {
   }
   if (const auto worst = bucket.find("worst"); worst != bucket.end() && worst->is_object())
     failure.worst = parse_case(worst->at("pair").dump(), 1).value.value().pair;
-  export_failure(methods_for_targets(arguments.guests, {arguments.run}), failure, arguments.sources,
-                 arguments.out);
-  return exit_pass;
+  return export_failure(methods_for_targets(arguments.guests, {arguments.run}), failure, arguments.sources,
+                        arguments.out);
 }
 
 int annotate_bucket(const TriageArguments& arguments) {
@@ -148,7 +148,7 @@ void add_triage(Program& program) {
   command.number("--jobs", arguments->jobs, "processes; do not change the causes", 1, 1024);
   command.option("--suppressions", arguments->suppressions, "file of known causes that do not fail")
       .default_text("suppressions.jsonl");
-  command.option("--json", arguments->json, "write the causes as JSON");
+  command.option("--json", arguments->json, "write the causes as JSON").writable();
   command.option("--explain", arguments->explained,
                  "KEY of a bucket of the last triage: only say why its method fails");
   command.option("--out", arguments->out, "folder for what --export writes");
@@ -177,6 +177,7 @@ void add_triage(Program& program) {
       "The guests of the run are found again, or taken from --plugin and --command.\n"
       "Here 2: a cause beyond a claim that is not suppressed, 3 also: findings not looked at yet.");
   command.run([arguments] {
+    arguments->run = lasting_name(arguments->run);
     return !arguments->explained.empty()   ? explain_bucket(*arguments)
            : !arguments->exported.empty()  ? export_bucket(*arguments)
            : !arguments->annotated.empty() ? annotate_bucket(*arguments)

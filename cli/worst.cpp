@@ -48,7 +48,7 @@ struct WorstArguments {
 std::vector<Pair> pairs_of(const std::string& name) {
   std::vector<Pair> pairs;
   const auto add = [&](const CaseLine& line) {
-    if (!line.value) throw std::runtime_error(name + ": " + line.error);
+    if (!line.value) throw InputError(name + ": " + line.error);
     pairs.push_back(line.value->pair);
   };
   if (fs::is_directory(name)) {
@@ -116,10 +116,7 @@ class Searcher {
       throw UsageError("--feature: '" + arguments.feature + "' is none of side-side, side-rim, " +
                        "rim-rim, cap-side, cap-rim, cap-cap, containment");
     }
-    if (!arguments.out.empty()) {
-      out_.open(arguments.out);
-      if (!out_) throw std::runtime_error(arguments.out + " cannot be written");
-    }
+    if (!arguments.out.empty()) out_.open(arguments.out);
   }
 
   int run() {
@@ -153,8 +150,9 @@ class Searcher {
       ProgressLine line;
       worst = worst_of(method, starts, {feature, {}}, options_, [&](const Worst& w, milliseconds) {
         if (line.due(elapsed()))
-          line.show(elapsed(), share_done(w, left),
-                    fmt::format("{}: {} shapes{}", name, w.evaluations, so_far(w)));
+          line.show(
+              elapsed(), share_done(w, left),
+              fmt::format("{}: {} shape{}{}", name, w.evaluations, w.evaluations == 1 ? "" : "s", so_far(w)));
       });
     }
     print(method, name, worst);
@@ -258,7 +256,7 @@ void add_worst(Program& program) {
   command.number("--seed", arguments->seed, "same seed, and --evaluations: same result");
   command.number("--evaluations", arguments->evaluations,
                  "shapes looked at for each method and feature; no limit of time then but --for", 1);
-  command.option("--out", arguments->out, "write the pairs as a file of cases");
+  command.option("--out", arguments->out, "write the pairs as a file of cases").writable();
   command.flag(
       "--extremes", arguments->extremes,
       "also sizes from 1e-12 to 1e12, as far from the origin; else from 1e-3 to 1e3, within 100 sizes "

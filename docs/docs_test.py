@@ -1,8 +1,14 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
 """README.md, CONTRIBUTING.md and docs/*.md: links lead somewhere, pages are short and narrow, and every command line
-of the program given as the first argument is run, with less time and fewer pairs. What others run is named below."""
+of the program given as the first argument is run, with less time and fewer pairs. What others run is named below.
+README.md's first pair is as wrong where it is moved, and its numbers are those that the command beside them prints;
+"docs_test.py PROGRAM write" writes them."""
+import json
+import math
+import os
 import pathlib
+import random
 import re
 import shlex
 import subprocess
@@ -29,7 +35,7 @@ ELSEWHERE = {
     '--shard': 'campaign_replay_test',
     'merge runs/night': 'campaign_replay_test',
     '--pairs 1000000000': 'docs/results/billion.md',
-    'replay runs/readme': 'a run of another day',
+    'runs/readme/run': 'compared, see check_numbers',
     '--generate rods': 'scene_command_test',
     '--stop-at': 'campaign_replay_test',
     'daylight COMMAND': 'no command but a pattern',
@@ -125,10 +131,61 @@ def prepare(folder):
 
 
 def run(words, folder):
-    done = subprocess.run([PROGRAM, *words], cwd=folder, capture_output=True, encoding='utf-8', timeout=1200)
+    done = subprocess.run([PROGRAM, *words], cwd=folder, capture_output=True, encoding='utf-8', timeout=1200,
+                          env={**os.environ, 'DAYLIGHT_COMMAND': './daylight'})
     invalid = 65 if words[0] == 'check' else 0  # an example shows what is said of a line that is no pair
     if done.returncode not in (0, 2, 3, invalid):
         fail(f'{shlex.join(words)}: exit code {done.returncode}\n{done.stdout[-1500:]}{done.stderr[-1500:]}')
+    return done.stdout
+
+
+def turned(solid, matrix, by):
+    """The solid turned and moved."""
+    of = lambda v: [math.fsum(m * x for m, x in zip(row, v)) for row in matrix]
+    return {**solid, 'center': [x + d for x, d in zip(of(solid['center']), by)], 'axis': of(solid['axis'])}
+
+
+def check_first_pair(folder):
+    """ODE is wrong about README's first pair exchanged, turned, moved and changed by a millionth."""
+    pair = json.loads((ROOT / 'docs/pictures/wrong.jsonl').read_text())
+    draw, count = random.Random(1), 40
+    changed = lambda x: [changed(y) for y in x] if isinstance(x, list) else x * (1 + draw.uniform(-1e-6, 1e-6))
+    with open(folder / 'first.jsonl', 'w') as out:
+        for i in range(count):
+            w, x, y, z = (draw.gauss(0, 1) for _ in range(4))
+            n = w * w + x * x + y * y + z * z
+            matrix = [[(w * w + x * x - y * y - z * z) / n, 2 * (x * y - w * z) / n, 2 * (x * z + w * y) / n],
+                      [2 * (x * y + w * z) / n, (w * w - x * x + y * y - z * z) / n, 2 * (y * z - w * x) / n],
+                      [2 * (x * z - w * y) / n, 2 * (y * z + w * x) / n, (w * w - x * x - y * y + z * z) / n]]
+            by = [draw.uniform(-9, 9) for _ in range(3)]
+            a, b = (turned({k: changed(v) for k, v in pair[s].items()}, matrix, by) for s in 'ab')
+            out.write(json.dumps({'a': b, 'b': a} if i % 2 else {'a': a, 'b': b}) + '\n')
+    said = run(['replay', 'first.jsonl', '--methods', 'ode'], folder)
+    if (wrong := len(re.findall(r'^  ode  .*wrong_disjoint \(contract', said, re.M))) != count:
+        fail(f'README.md shows a pair on which ODE is wrong {wrong} times of {count} where it is moved')
+
+
+def as_shown(text, block, counts):
+    """README.md with this block of the summary, and the counts of each method in its table."""
+    text = re.sub(r'(```text\n)\d+ pairs judged.*?(```)', lambda m: m[1] + block + m[2], text, flags=re.S)
+    text = re.sub(r'(?<=Some of its )\d+', re.search(r'(\d+) methods asked', block)[1], text)
+    return re.sub(r'^(\| `([\w-]+)` \([^)]*\) \|).*$',
+                  lambda m: ' '.join([m[1], *(f'{n} |' for n in counts[m[2]])]), text, flags=re.M)
+
+
+def check_numbers(folder, write):
+    """README.md shows what the command beside it prints, times excepted."""
+    text = (ROOT / 'README.md').read_text()
+    command = re.search(r'`\./daylight (campaign --pairs \d+ --seed 1 [^`]*)`', text)[1]
+    said = run(command.split(), folder)
+    block = said[re.search(r'^\d+ pairs judged', said, re.M).start():]
+    block = ''.join(line + '\n' for line in block.split('\nCPU time')[0].splitlines())
+    counts = {row[0]: row[1:7] for row in map(str.split, said.splitlines()) if len(row) == 8}
+    shown = as_shown(text, block, counts)
+    if write:
+        (ROOT / 'README.md').write_text(shown)
+    elif shown != text:
+        fail(f'README.md does not show what its command prints; docs_test.py PROGRAM write mends it:\n{block}')
 
 
 def main():
@@ -146,6 +203,10 @@ def main():
         fail(f'only {len(here)} command lines were found')
     with tempfile.TemporaryDirectory() as scratch:
         folder = pathlib.Path(scratch)
+        check_numbers(folder, sys.argv[2:] == ['write'])
+        if sys.argv[2:]:
+            return
+        check_first_pair(folder)
         prepare(folder)
         for number, command in enumerate(here):
             words = shlex.split(command, comments=True)[1:]

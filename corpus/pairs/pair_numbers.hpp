@@ -68,6 +68,13 @@ inline double size_of(const Pair& p) noexcept {
                   std::numeric_limits<double>::max());
 }
 
+/// Whether a scene in its own unit may hold the pair: such pairs are shown before those at the ends of the
+/// range.
+inline bool is_ordinary(const Pair& p) noexcept {
+  const double size = size_of(p), reach = std::max(p.a.center.stableNorm(), p.b.center.stableNorm());
+  return size >= 1e-3 && size <= 1e3 && reach <= 100 * size;
+}
+
 /// Calls `change` with each length of the pair: the coordinates of the centres, radii, heights, roundings.
 template <class Change>
 void for_each_length(Pair& pair, Change change) {

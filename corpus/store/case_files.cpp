@@ -8,6 +8,8 @@
 #include <system_error>
 #include <utility>
 
+#include "base/usage_error.hpp"
+
 namespace cyl {
 
 std::vector<Case> read_case_folder(const std::string& folder) {
@@ -16,7 +18,7 @@ std::vector<Case> read_case_folder(const std::string& folder) {
   for (auto entry = std::filesystem::directory_iterator(folder, fault);
        !fault && entry != std::filesystem::directory_iterator(); entry.increment(fault))
     if (entry->path().extension() == ".jsonl") files.push_back(entry->path());
-  if (fault) throw std::runtime_error(folder + ": " + fault.message());
+  if (fault) throw UsageError(folder + ": " + fault.message());
   std::sort(files.begin(), files.end());
 
   std::vector<Case> cases;
@@ -25,7 +27,7 @@ std::vector<Case> read_case_folder(const std::string& folder) {
     if (!in) throw std::runtime_error(file.string() + ": cannot be opened");
     CaseReader reader(in);
     while (auto line = reader.next()) {
-      if (!line->value) throw std::runtime_error(file.string() + ": " + line->error);
+      if (!line->value) throw InputError(file.string() + ": " + line->error);
       line->value->file = file.string();
       line->value->line = line->line;
       cases.push_back(std::move(*line->value));

@@ -10,7 +10,7 @@
 namespace cyl {
 
 /// Every case of the *.jsonl files of a folder (not of its folders), in the order of the file names, then of
-/// the lines. Throws std::runtime_error "FILE: line 3, column 17: a.radius is negative (-1)" at the first bad
+/// the lines. Throws InputError "FILE: line 3, column 17: a.radius is negative (-1)" at the first bad
 /// line, and naming what cannot be read.
 std::vector<Case> read_case_folder(const std::string& folder);
 

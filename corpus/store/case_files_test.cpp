@@ -31,7 +31,7 @@ class CaseFiles : public testing::Test {
     try {
       read_case_folder(folder_.string());
       return "";
-    } catch (const std::runtime_error& fault) {
+    } catch (const std::exception& fault) {
       return fault.what();
     }
   }

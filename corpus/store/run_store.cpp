@@ -88,7 +88,7 @@ RunStore RunStore::create(const std::string& folder, const Config& config,
                           const std::vector<MethodRecord>& methods) {
   namespace fs = std::filesystem;
   fs::create_directories(folder);
-  if (holds_run(folder)) throw std::runtime_error(folder + " already holds a run");
+  if (holds_run(folder)) throw UsageError(folder + " already holds a run");
   const std::string unfinished = file_of(folder) + ".new";
   fs::remove(unfinished);
   {

@@ -13,6 +13,7 @@
 #include <limits>
 #include <stdexcept>
 
+#include "base/usage_error.hpp"
 #include "corpus/store/representatives.hpp"
 
 namespace cyl {
@@ -149,7 +150,7 @@ TEST_F(Store, OfAnotherVersionIsRefused) {
 TEST_F(Store, RefusesAFolderThatHoldsARunAndOneThatHoldsNone) {
   EXPECT_THROW(RunStore::open(folder), std::invalid_argument);
   RunStore::create(folder, {});
-  EXPECT_THROW(RunStore::create(folder, {}), std::runtime_error);
+  EXPECT_THROW(RunStore::create(folder, {}), UsageError);
 }
 
 TEST_F(Store, NamesTheFileThatCannotBeRead) {

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "base/json.hpp"
+#include "base/usage_error.hpp"
 #include "oracles/methods/guest_answer.hpp"
 #include "oracles/trial/trial.hpp"
 
@@ -110,8 +111,7 @@ bool LineReader::go_to(std::uint64_t place, std::size_t line) {
 
 Questions::Questions(const std::string& file, const Complain& complain)
     : file_(file), in_(std::make_unique<std::ifstream>(file)), reader_(*in_) {
-  if (!*in_ || in_->peek() == std::istream::traits_type::eof())
-    throw std::runtime_error(file + ": cannot be read, or is empty");
+  if (!*in_ || in_->peek() == std::istream::traits_type::eof()) throw InputError(file + " is empty");
   while (reader_.next()) {
     const CaseLine c = parse_case(reader_.text(), reader_.line());
     if (!c.value) {
@@ -172,7 +172,7 @@ void OfflineJudge::judge_all(std::istream& in, const std::string& file,
     if (on_progress && n % progress_lines == 0) on_progress(n);
     take(file, reader.line(), reader.text());
   }
-  if (name_.empty()) throw std::runtime_error("the answers do not say whose they are; --name does");
+  if (name_.empty()) throw UsageError("the answers do not say whose they are; --name does");
   if (!questions_) return;
   for (const Questions::Question& question : questions_->all()) {
     if (question.answered != 0) continue;

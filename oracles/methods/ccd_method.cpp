@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include <ccd/ccd.h>
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 #include <vector>
 
 #include "oracles/methods/adapter.hpp"
 #include "oracles/methods/method.hpp"
+#include "oracles/methods/other_sums.hpp"
 
 namespace cyl {
 namespace {
@@ -19,8 +21,6 @@ constexpr double default_tol = 1e-4;
 constexpr double fine_tol = 1e-10;
 /// Two points nearer than this, a length, are one to libccd: the square root of what it takes for zero.
 constexpr double zero_tol = 0x1p-26;
-/// Sine of an angle: a direction and an axis closer than this are parallel but for their rounding.
-constexpr double parallel_tol = 0x1p-50;
 /// Steps of GJK, which may go in circles: what FCL and ODE give it. CCD_INIT leaves them without bound.
 constexpr unsigned long gjk_cap = 500;
 
@@ -28,55 +28,36 @@ constexpr std::string_view mpr_source = "ccd/ccd.h: mpr_tolerance, Boundary tole
 constexpr std::string_view gjk_source =
     "ccd/vec3.h: ccdIsZero, below CCD_EPS 2.2e-16, asked of squared lengths; GJK reads no tolerance";
 
-struct Solid {
-  explicit Solid(const Cylinder& c)
-      : center(c.center),
-        axis(unit_axis(c.axis)),
-        radius(c.radius),
-        half_height(c.height / 2),
-        rounding(c.rounding) {}
+// The text is part of the programs that `daylight export` writes: both give libccd the same bits.
+#include "oracles/methods/ccd_support.inc"
 
-  Vector3 center, axis;
-  double radius, half_height, rounding;
-};
-
-const Solid& solid_of(const void* object) { return *static_cast<const Solid*>(object); }
-
-void copy_to(ccd_vec3_t* to, const Vector3& v) { ccdVec3Set(to, v.x(), v.y(), v.z()); }
-
-void center_of(const void* object, ccd_vec3_t* center) { copy_to(center, solid_of(object).center); }
-
-/// d without common factors of its coordinates that make their squares vanish or overflow.
-Vector3 rescaled(Vector3 d) {
-  const double largest = d.cwiseAbs().maxCoeff();
-  if (!(largest > 0) || !std::isfinite(largest)) return d;
-  for (double& x : d) x = std::scalbn(x, -std::ilogb(largest));
-  return d;
+/// The same point, summed in another order: y, z and x in the place of x, y and z.
+void support_of_other_sums(const void* object, const ccd_vec3_t* direction, ccd_vec3_t* point) {
+  Solid turned = *static_cast<const Solid*>(object);
+  std::rotate(turned.center, turned.center + 1, turned.center + 3);
+  std::rotate(turned.axis, turned.axis + 1, turned.axis + 3);
+  ccd_vec3_t d = *direction;
+  std::rotate(d.v, d.v + 1, d.v + 3);
+  support(&turned, &d, point);
+  std::rotate(point->v, point->v + 2, point->v + 3);
 }
 
-/// The point of the solid farthest along a direction of any length. Along the axis the middle of a cap, as in
-/// libccd's own examples: MPR misses coaxial overlaps where it gets a point of the rim.
-void support(const void* object, const ccd_vec3_t* direction, ccd_vec3_t* point) {
-  const Solid& s = solid_of(object);
-  Vector3 d(direction->v);
-  double squared = d.squaredNorm();
-  if (!(squared > 0x1p-900 && squared < 0x1p900)) {
-    d = rescaled(d);
-    squared = d.squaredNorm();
-  }
-  const double along = d.dot(s.axis);
-  const Vector3 across = d - along * s.axis;
-  const double across_squared = across.squaredNorm();
-  Vector3 farthest = s.center + std::copysign(s.half_height, along) * s.axis;
-  if (across_squared > parallel_tol * parallel_tol * squared)
-    farthest += s.radius / std::sqrt(across_squared) * across;
-  if (s.rounding > 0 && squared > 0) farthest += s.rounding / std::sqrt(squared) * d;
-  copy_to(point, farthest);
+Solid solid_of(const Cylinder& c) {
+  const Vector3 axis = unit_axis(c.axis);
+  return {{c.center.x(), c.center.y(), c.center.z()},
+          {axis.x(), axis.y(), axis.z()},
+          c.radius,
+          c.height / 2,
+          c.rounding};
 }
 
 void direction_of_centers(const void* a, const void* b, ccd_vec3_t* direction) {
-  const Vector3 offset = solid_of(b).center - solid_of(a).center;
-  copy_to(direction, offset.isZero(0) ? Vector3::UnitX() : offset);
+  ccd_vec3_t center_a, center_b;
+  center_of(a, &center_a);
+  center_of(b, &center_b);
+  ccdVec3Sub2(direction, &center_b, &center_a);
+  const double* d = direction->v;
+  if (d[0] == 0 && d[1] == 0 && d[2] == 0) ccdVec3Set(direction, 1, 0, 0);
 }
 
 using Intersect = int(const void*, const void*, const ccd_t*);
@@ -95,11 +76,11 @@ class Ccd final : public Method {
     if (const auto declined = decline_invalid(pair)) return *declined;
     MethodAnswer answer;
     answer.status = Status::answered;
-    answer.verdict = collide(Solid(pair.a), Solid(pair.b));
+    answer.verdict = collide(solid_of(pair.a), solid_of(pair.b));
     return answer;
   }
   Call prepare_all(std::span<const Pair> pairs) override {
-    return [this, solids = solids_of<Solid>(pairs)](std::size_t i) {
+    return [this, solids = solids_of<Solid>(pairs, solid_of)](std::size_t i) {
       return collide(solids[i].first, solids[i].second);
     };
   }
@@ -115,38 +96,45 @@ class Ccd final : public Method {
   const Claim claim_;
 };
 
-ccd_t default_settings() {
+ccd_t default_settings(ccd_support_fn supported) {
   ccd_t settings;
   CCD_INIT(&settings);
-  settings.support1 = settings.support2 = support;
+  settings.support1 = settings.support2 = supported;
   settings.center1 = settings.center2 = center_of;
   settings.max_iterations = gjk_cap;
   return settings;
 }
 
-std::unique_ptr<Method> gjk(std::string_view name, ccd_first_dir_fn first_direction) {
-  ccd_t settings = default_settings();
+std::unique_ptr<Method> gjk(std::string_view name, ccd_first_dir_fn first_direction,
+                            ccd_support_fn supported) {
+  ccd_t settings = default_settings(supported);
   settings.first_dir = first_direction;
   const Claim claim{.absolute = zero_tol, .source = gjk_source, .assumed = true};
   return std::make_unique<Ccd>(name, ccdGJKIntersect, settings, claim);
 }
 
-std::unique_ptr<Method> mpr(std::string_view name, double tolerance) {
-  ccd_t settings = default_settings();
+std::unique_ptr<Method> mpr(std::string_view name, double tolerance, ccd_support_fn supported = support) {
+  ccd_t settings = default_settings(supported);
   settings.mpr_tolerance = tolerance;
   const Claim claim{.absolute = tolerance, .source = mpr_source};
   return std::make_unique<Ccd>(name, ccdMPRIntersect, settings, claim);
 }
 
+std::vector<std::unique_ptr<Method>> methods_with(ccd_support_fn supported) {
+  std::vector<std::unique_ptr<Method>> methods;
+  methods.push_back(gjk("libccd-gjk", ccdFirstDirDefault, supported));
+  methods.push_back(gjk("libccd-gjk-centers", direction_of_centers, supported));
+  methods.push_back(mpr("libccd-mpr", default_tol, supported));
+  methods.push_back(mpr("libccd-mpr-tol1e-10", fine_tol, supported));
+  return methods;
+}
+
 }  // namespace
 
-std::vector<std::unique_ptr<Method>> ccd_methods() {
-  std::vector<std::unique_ptr<Method>> methods;
-  methods.push_back(gjk("libccd-gjk", ccdFirstDirDefault));
-  methods.push_back(gjk("libccd-gjk-centers", direction_of_centers));
-  methods.push_back(mpr("libccd-mpr", default_tol));
-  methods.push_back(mpr("libccd-mpr-tol1e-10", fine_tol));
-  return methods;
+std::vector<std::unique_ptr<Method>> ccd_methods() { return methods_with(support); }
+
+std::vector<std::unique_ptr<Method>> ccd_methods_of_other_sums() {
+  return methods_with(support_of_other_sums);
 }
 
 std::vector<std::unique_ptr<Method>> ccd_settings() {

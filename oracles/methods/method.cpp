@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "oracles/methods/method.hpp"
 
+#include <set>
 #include <utility>
 
 #include "base/usage_error.hpp"
@@ -19,12 +20,11 @@ std::vector<std::size_t> select_names(const std::vector<std::string>& names, std
       if (names[i] == item || (!item.empty() && names[i].starts_with(item + '-'))) named[i] = known = true;
     if (!known) {
       // Settings of one method have its name before the first dash.
-      std::string message = "unknown name '" + item + "'; known are", last;
-      for (const std::string& name : names) {
-        const std::string stem = name.substr(0, name.find('-'));
-        if (stem != last) message += ' ' + stem;
-        last = stem;
-      }
+      std::string message = "unknown name '" + item + "'; known are";
+      std::set<std::string> listed;
+      for (const std::string& name : names)
+        if (const std::string stem = name.substr(0, name.find('-')); listed.insert(stem).second)
+          message += ' ' + stem;
       throw UsageError(message);
     }
     if (item.size() == spec.size()) break;

@@ -22,6 +22,16 @@ bool same(const Pair& x, const Pair& y) {
   return std::memcmp(p.data(), q.data(), sizeof p) == 0;
 }
 
+/// x to three digits, or to as many more as tell it from y.
+std::string told_from(double x, double y) {
+  int digits = 3;
+  while (digits < 17 && fmt::format("{:.{}g}", x, digits) == fmt::format("{:.{}g}", y, digits)) ++digits;
+  return fmt::format("{:.{}g}", x, digits);
+}
+
+/// The end of the enclosure that is nearer to touching.
+double nearer_end(const Trial& trial) { return trial.meets() ? trial.distance.hi : trial.distance.lo; }
+
 }  // namespace
 
 bool Trial::right() const {
@@ -92,8 +102,14 @@ const std::unique_ptr<Method>& find_method(std::span<const std::unique_ptr<Metho
 std::string distance_in_words(const Trial& trial) {
   if (!trial.decided()) return "of unproved distance";
   if (trial.truth.verdict == Verdict::touching) return "touching";
-  if (trial.truth.verdict == Verdict::disjoint) return fmt::format("{:.3g} apart", trial.distance.lo);
-  return fmt::format("overlapping by {:.3g}", -trial.distance.hi);
+  const bool said = trial.finding() && trial.finding()->kind == FindingKind::distance_outside;
+  const double true_one = nearer_end(trial), other = said ? trial.answer().distance : 0;
+  return trial.meets() ? "overlapping by " + told_from(-true_one, -other)
+                       : told_from(true_one, other) + " apart";
+}
+
+std::string said_distance(const Trial& trial) {
+  return told_from(trial.answer().distance, nearer_end(trial));
 }
 
 Trial& Proofs::of(const Pair& pair) {

@@ -79,8 +79,12 @@ Trial try_method(const std::unique_ptr<Method>& method, const Pair& pair);
 const std::unique_ptr<Method>& find_method(std::span<const std::unique_ptr<Method>> methods,
                                            std::string_view name);
 
-/// "3.1e-07 apart", "overlapping by 0.05", "touching".
+/// "3.1e-07 apart", "overlapping by 0.05", "touching"; if the distance said is wrong, to the digits that tell
+/// the two apart.
 std::string distance_in_words(const Trial& trial);
+
+/// The distance said, to the digits that tell it from the true one.
+std::string said_distance(const Trial& trial);
 
 /// Judges the pairs of one question when first asked for them, and keeps what is proved.
 class Proofs {

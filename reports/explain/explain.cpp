@@ -52,7 +52,7 @@ std::string failure_in_words(const Explanation& e) {
       return fmt::format("calls solids that overlap by up to {:.3g} disjoint",
                          std::max(0.0, -region_of(e, Parameter::distance).low.fails_at));
     case FindingKind::distance_outside:
-      return fmt::format("tells a distance of {:.6g} of solids {}", e.asked.answer().distance,
+      return fmt::format("tells a distance of {} of solids {}", said_distance(e.asked),
                          distance_in_words(e.asked));
     case FindingKind::bad_witness:
       return fmt::format("offers a witness that proves nothing, of solids {}", distance_in_words(e.asked));

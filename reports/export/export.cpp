@@ -12,8 +12,11 @@
 #include "base/safe_text.hpp"
 #include "base/usage_error.hpp"
 #include "corpus/pairs/pair_io.hpp"
+#include "corpus/pairs/pair_numbers.hpp"
+#include "corpus/pairs/solid_kind.hpp"
 #include "corpus/pairs/truth_io.hpp"
 #include "oracles/trial/finding_text.hpp"
+#include "oracles/trial/hangs_on_sums.hpp"
 #include "reports/export/export_check.hpp"
 #include "reports/export/export_guest.hpp"
 #include "reports/export/export_program.hpp"
@@ -29,10 +32,19 @@ std::string triple(const Vector3& v) {
   return fmt::format("({}, {}, {})", format_double(v[0]), format_double(v[1]), format_double(v[2]));
 }
 
-std::string row(const char* name, const Cylinder& c) {
-  return fmt::format("| {} | {} | {} | {} | {}{} |\n", name, triple(c.center), triple(c.axis),
+std::string row(const char* name, const Cylinder& c, bool rounded) {
+  return fmt::format("| {} | {} | {} | {} | {} |{}\n", name, triple(c.center), triple(c.axis),
                      format_double(c.radius), format_double(c.height),
-                     c.rounding == 0 ? "" : fmt::format(", rounded by {}", format_double(c.rounding)));
+                     rounded ? fmt::format(" {} |", format_double(c.rounding)) : "");
+}
+
+/// "two spheres", "a capsule and a rounded cylinder".
+std::string solids_in_words(const Pair& pair) {
+  const auto word = [](const Cylinder& c) {
+    return std::string(to_string(kind_of(c))) + (kind_of(c) == SolidKind::rounded ? " cylinder" : "");
+  };
+  const std::string a = word(pair.a), b = word(pair.b);
+  return a == b ? "two " + a + 's' : "a " + a + " and a " + b;
 }
 
 bool within_claim(const Trial& p) { return p.finding()->severity == Severity::resolution; }
@@ -51,35 +63,36 @@ struct Recipient {
 
 std::string what_happened(const Recipient& to, const Trial& p) {
   const std::string_view what = to.what;
+  const std::string solids = solids_in_words(p.pair);
   switch (p.finding()->kind) {
     case FindingKind::wrong_disjoint:
       return fmt::format(
-          "{} misses two cylinders that {}", what,
+          "{} misses {} that {}", what, solids,
           p.truth.verdict == Verdict::touching ? "touch" : fmt::format("overlap by {:.3g}", -p.distance.hi));
     case FindingKind::wrong_intersecting:
-      return fmt::format("{} reports two cylinders that are {} as colliding", what, distance_in_words(p));
+      return fmt::format("{} reports {} that are {} as colliding", what, solids, distance_in_words(p));
     case FindingKind::distance_outside:
-      return fmt::format("{} gives a distance of {:.6g} for two cylinders that are {}", what,
-                         p.answer().distance, distance_in_words(p));
+      return fmt::format("{} gives a distance of {} for {} that are {}", what, said_distance(p), solids,
+                         distance_in_words(p));
     case FindingKind::non_finite:
-      return fmt::format("{} returns numbers that are not finite for two cylinders", what);
+      return fmt::format("{} returns numbers that are not finite for {}", what, solids);
     case FindingKind::bad_witness:
-      return fmt::format("{}: what it tells of two cylinders is no proof of its answer", what);
+      return fmt::format("{}: what it tells of {} is no proof of its answer", what, solids);
     case FindingKind::wrong_touching:
-      return fmt::format("{} says touching of two cylinders that overlap by {:.3g}", what, -p.distance.hi);
+      return fmt::format("{} says touching of {} that overlap by {:.3g}", what, solids, -p.distance.hi);
     case FindingKind::wrong_invalid:
-      return fmt::format("{} refuses two cylinders that are legal", what);
+      return fmt::format("{} refuses {} that are legal", what, solids);
     case FindingKind::malformed:
-      return fmt::format("{} gives no answer that means anything for two cylinders", what);
+      return fmt::format("{} gives no answer that means anything for {}", what, solids);
     case FindingKind::exception:
-      return fmt::format("{} throws on two cylinders", what);
+      return fmt::format("{} throws on {}", what, solids);
     case FindingKind::reported:
-      return fmt::format("{} says that it failed on two cylinders that {}", what,
+      return fmt::format("{} says that it failed on {} that {}", what, solids,
                          p.meets() ? "meet" : fmt::format("are {}", distance_in_words(p)));
     case FindingKind::hang:
-      return fmt::format("{} does not come back from two cylinders", what);
+      return fmt::format("{} does not come back from {}", what, solids);
     default:
-      return fmt::format("{} aborts on two cylinders", what);
+      return fmt::format("{} aborts on {}", what, solids);
   }
 }
 
@@ -157,17 +170,31 @@ std::string tolerance_in_words(const Trial& p, const Claim& claim) {
                      format_double(claim.absolute), one_line(claim.source), within ? "within" : "beyond");
 }
 
+/// Of a library that asks our support function.
+std::string sums_in_words(const Method& method, const Trial& p) {
+  const auto hangs = hangs_on_our_sums(method.name(), p.finding()->kind, p.pair);
+  if (!hangs) return {};
+  return *hangs ? "\nThe answer hangs on the last bit: with the sums of the support function in another "
+                  "order it is "
+                  "right.\n"
+                : "\nThe answer is as wrong with the sums of the support function in another order.\n";
+}
+
 std::string depth_note(const Trial& p, const Claim& claim) {
   if (p.finding()->kind == FindingKind::distance_outside && shows_distance(p, claim))
     return " and that the distance told is impossible";
+  if (p.finding()->kind == FindingKind::distance_outside)
+    return ", and no more: that the distance told is wrong comes from a search with interval arithmetic";
   if (p.truth.verdict == Verdict::intersecting)
     return " (the depth comes from a search with interval arithmetic, which it does not repeat)";
   return {};
 }
 
 std::string table_of(const Pair& pair) {
-  return "| | centre | axis | radius | height |\n|---|---|---|---|---|\n" + row("a", pair.a) +
-         row("b", pair.b);
+  const bool rounded = is_rounded(pair);
+  return std::string("| | centre | axis | radius | height |") +
+         (rounded ? " rounding |\n|---|---|---|---|---|---|\n" : "\n|---|---|---|---|---|\n") +
+         row("a", pair.a, rounded) + row("b", pair.b, rounded);
 }
 
 std::string other_in_words(const Trial& p, const Trial& other) {
@@ -184,22 +211,25 @@ std::string issue(const Recipient& to, const Trial& p, const Method& method, con
     text +=
         "By the claim quoted below this is no fault: the two are nearer to touching than it promises "
         "anything. It may still be of interest.\n\n";
-  text +=
-      "**What was asked.** Do these two solid cylinders meet? Heights are full heights; all numbers are "
-      "exact doubles.\n\n";
+  text += fmt::format(
+      "**What was asked.** Do these solids, {}, meet? Heights are full heights; {}all numbers are exact "
+      "doubles.\n\n",
+      solids_in_words(p.pair),
+      is_rounded(p.pair) ? "a solid is all points within its rounding of the cylinder proper; " : "");
   text += table_of(p.pair);
   text += fmt::format("\n**What came back.** {}\n", returned_text(p));
   text += fmt::format("\n**What is true, and why.** {}\n", truth_in_words(p));
   if (other) text += other_in_words(p, *other);
-  text += to.hulls + tolerance_in_words(p, method.claim());
+  text += to.hulls + tolerance_in_words(p, method.claim()) + sums_in_words(method, p);
+  const bool repeats =
+      p.finding()->kind != FindingKind::distance_outside || shows_distance(p, method.claim());
   text += fmt::format(
-      "\nNobody needs to be trusted with this: `python3 exact.py` (standard library only) proves the verdict "
-      "in rational arithmetic{}.{}\n",
-      depth_note(p, method.claim()),
-      to.axes == AxesGiven::of_unit_length ? " It does so for the axes above and, where they are not of "
-                                             "unit length, for the rounded ones that "
-                                             "the library gets."
-                                           : "");
+      "\n{}`python3 exact.py` (standard library only) proves the verdict in rational arithmetic{}.{}\n",
+      repeats ? "Nobody needs to be trusted with this: " : "", depth_note(p, method.claim()),
+      to.axes == AxesGiven::of_unit_length
+          ? " It does so for the axes above and, where they are not of unit length, for the "
+            "rounded ones that the library gets."
+          : "");
   return text + fmt::format("\n**How to see it.** {}\n", to.how) + to.closing;
 }
 

@@ -20,7 +20,7 @@ constexpr double direction_width = 1e-9;
 constexpr double pull_margin = 0x1p-40;
 
 constexpr std::string_view head = R"(#!/usr/bin/env python3
-"""Proves, in rational arithmetic, what is true of the two cylinders of issue.md. Standard library only.
+"""Proves, in rational arithmetic, what is true of the two solids of issue.md. Standard library only.
 
 A cylinder is solid and closed: centre, axis (of any length), radius, full height, rounding: all points within the
 rounding of the cylinder proper, its core. Floats are taken exactly.
@@ -221,18 +221,20 @@ std::string distance_lines(const Trial& asked, const Claim& claim) {
            "F(TOLERANCE))\n";
   }
   if (asked.truth.verdict == Verdict::disjoint) {
-    const Distance nearest = distance(asked.pair.a, asked.pair.b);
-    if (is_rounded(asked.pair)) return {};  // nearest points are looked for in cores alone
-    const auto p = point_in(asked.pair.a, asked.pair.a.center + nearest.on_a);
-    const auto q = point_in(asked.pair.b, asked.pair.b.center + nearest.on_b);
+    Cylinder a = asked.pair.a, b = asked.pair.b;
+    a.rounding = b.rounding = 0;
+    const Distance nearest = distance(a, b);
+    const auto p = point_in(a, a.center + nearest.on_a), q = point_in(b, b.center + nearest.on_b);
     if (!p || !q || !(said > tolerance)) return {};
     const Rational3 between = *p - *q;
-    const mpq_class allowed = mpq_class(said) - mpq_class(tolerance);
+    const mpq_class allowed = mpq_class(said) - mpq_class(tolerance) + mpq_class(asked.pair.a.rounding) +
+                              mpq_class(asked.pair.b.rounding);
     if (dot(between, between) >= allowed * allowed) return {};
     return numbers + fmt::format("of_a, of_b = {}, {}\nbetween = minus(of_a, of_b)\n", tuple(*p), tuple(*q)) +
            "claim(f'the distance said, {SAID}, is too large by more than {TOLERANCE}', holds(a, of_a) and "
-           "holds(b, of_b)\n      and dot(between, between) < (F(SAID) - F(TOLERANCE)) ** 2 and SAID > "
-           "TOLERANCE)\n";
+           "holds(b, of_b)\n      and dot(between, between) < (F(SAID) - F(TOLERANCE) + F(a[4]) + F(b[4])) "
+           "** 2 "
+           "and SAID > TOLERANCE)\n";
   }
   if (!short_of) return {};
   const AttainedDistance attained = attain_distance(asked.pair, asked.truth, direction_width);

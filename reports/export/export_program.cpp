@@ -195,6 +195,7 @@ std::string reproducing_program(const LibraryCall& call, const Trial& asked, con
   words["stretch"] = misses ? outward : inward;
   words["around"] = misses ? "around" : "within";
   words["prisms"] = misses ? "are apart" : "meet";
+  words["support"] = template_text("ccd_support.inc");
   const Program& program = *find_program(call.method);
   words.insert(program.words.begin(), program.words.end());
   words["before"] = announcement(asked.finding()->kind);

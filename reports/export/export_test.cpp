@@ -84,13 +84,22 @@ const std::string tiny = R"({"a":{"center":[0,0,0],"axis":[0,0,1],"radius":1e-9,
 const std::string least_rod = R"({"a":{"center":[0,0,0],"axis":[0,0,1],"radius":0,"height":1e-16},)"
                               R"("b":{"center":[0,0,0],"axis":[0,0,1],"radius":0,"height":1}})";
 
+const std::string ball_and_capsule =
+    R"({"a":{"center":[0,0,0],"axis":[0,0,1],"radius":0,"height":0,"rounding":1},)"
+    R"("b":{"center":[3,0,0],"axis":[0,0,1],"radius":0,"height":2,"rounding":1}})";
+
+const std::string coins = R"({"a":{"center":[0,0,0],"axis":[1,2,2],"radius":3,"height":1},)"
+                          R"("b":{"center":[-4,-2,2],"axis":[1,2,2],"radius":3,"height":1}})";
+
 TEST(Export, FclShowsIt) { expect_shown("fcl-indep", FindingKind::wrong_intersecting, stacked, "(1, 0, 0)"); }
 
 TEST(Export, BulletShowsIt) {
   expect_shown("bullet-cylinder-margin0", FindingKind::wrong_disjoint, flat_on_long, "(0, 0, 0.51)");
 }
 
+// GJK says intersecting of the coins if the sums of the support function go from the left, as ours do.
 TEST(Export, LibccdShowsIt) {
+  expect_shown("libccd-gjk", FindingKind::wrong_intersecting, coins, "(0, 1, 0)");
   expect_shown("libccd-gjk", FindingKind::wrong_intersecting, tiny, "(0, 1, 0)");
 }
 
@@ -169,11 +178,12 @@ TEST(Export, TheLibraryIsNotBlamedForRoundedAxes) {
 // Each way in which a distance can be shown to be impossible.
 TEST(Export, AnImpossibleDistanceIsProvedImpossible) {
   const auto methods = select_methods(own_methods(), "distance");
-  const auto expect_proof = [&](const Pair& pair, double said, std::string_view words) {
+  const auto expect_proof = [&](const Pair& pair, double said, std::string_view words,
+                                double tolerance = 1e-6) {
     Trial asked = try_method(methods[0], pair);
     asked.answers[0].distance = said;
     asked.findings = {Finding{FindingKind::distance_outside, Severity::contract, {}}};
-    const Claim claim{.absolute = 1e-6, .source = "this test"};
+    const Claim claim{.absolute = tolerance, .source = "this test"};
     ASSERT_TRUE(shows_distance(asked, claim));
     Export files;
     files.program_name = "reproduce.cpp";
@@ -192,6 +202,9 @@ TEST(Export, AnImpossibleDistanceIsProvedImpossible) {
   expect_proof(apart, 1, "too small");
   expect_proof(apart, 9, "too large");
   expect_proof(pair_of(flat_on_long), -500, "too deep");
+  const Pair round = pair_of(ball_and_capsule);
+  expect_proof(round, 1.0000000000001, "too large", 1e-15);
+  expect_proof(round, 0.9999999999999, "too small", 1e-15);
 }
 
 }  // namespace

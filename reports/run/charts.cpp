@@ -13,6 +13,7 @@
 
 #include "base/files.hpp"
 #include "base/json.hpp"
+#include "base/usage_error.hpp"
 #include "bench/curves.hpp"
 
 namespace cyl {
@@ -126,7 +127,7 @@ nlohmann::json read_json(const fs::path& file) try {
   std::ifstream in(file);
   return nlohmann::json::parse(in);
 } catch (const nlohmann::json::exception& e) {
-  throw std::runtime_error(file.string() + " cannot be read: " + e.what());
+  throw InputError(file.string() + " cannot be read: " + e.what());
 }
 
 double measured(const nlohmann::json& x) { return x.is_null() ? not_measured : x.get<double>(); }
@@ -164,9 +165,9 @@ std::vector<Calibration> calibration_of(const std::vector<FailureMap>& maps) {
 }
 
 std::vector<BenchRow> read_bench(const fs::path& file) {
-  const nlohmann::json bench = read_json(file);
   std::vector<BenchRow> rows;
   try {
+    const nlohmann::json bench = read_json(file);
     for (const nlohmann::json& r : bench.at("results")) {
       BenchRow row;
       row.method = r.at("method");
@@ -184,8 +185,8 @@ std::vector<BenchRow> read_bench(const fs::path& file) {
       row.failed = r.at("failed");
       rows.push_back(std::move(row));
     }
-  } catch (const nlohmann::json::exception& e) {
-    throw std::runtime_error(file.string() + " is no result of a bench: " + e.what());
+  } catch (const nlohmann::json::exception&) {
+    throw InputError(file.string() + " is no result of `daylight bench --json`");
   }
   return rows;
 }

@@ -40,7 +40,7 @@ struct Calibration {
 };
 std::vector<Calibration> calibration_of(const std::vector<FailureMap>& maps);
 
-/// The rows in a file that `daylight bench --json` wrote. Throws std::runtime_error that names the file.
+/// The rows in a file that `daylight bench --json` wrote. Throws InputError that names the file.
 std::vector<BenchRow> read_bench(const std::filesystem::path& file);
 
 /// What RUN/charts.json holds; {} where there is no such file. Throws std::runtime_error that names the file.

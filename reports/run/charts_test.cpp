@@ -8,6 +8,7 @@
 #include <stdexcept>
 
 #include "base/json.hpp"
+#include "base/usage_error.hpp"
 #include "corpus/pairs/pair_io.hpp"
 #include "reports/run/bench_table.hpp"
 
@@ -177,7 +178,7 @@ TEST_F(Charts, ReadWhatABenchWrote) {
             4321u);
   for (const char* bad : {"", "[]", "{}", R"({"results":[{}]})"}) {
     std::ofstream(file) << bad;
-    EXPECT_THROW(read_bench(file), std::runtime_error) << bad;
+    EXPECT_THROW(read_bench(file), InputError) << bad;
   }
 }
 

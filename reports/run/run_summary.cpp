@@ -11,6 +11,8 @@
 #include <vector>
 
 #include "corpus/pairs/finding.hpp"
+#include "corpus/pairs/pair_io.hpp"
+#include "corpus/pairs/pair_numbers.hpp"
 #include "fuzz/campaign/batch.hpp"
 #include "fuzz/campaign/self_check.hpp"
 #include "oracles/methods/method.hpp"
@@ -51,12 +53,15 @@ const FindingRecord* worst_finding(const RunData& run) {
   const FindingRecord* worst = nullptr;
   const auto key = [](const FindingRecord& f) {
     const auto kind = from_word<FindingKind>(f.kind);
+    const CaseLine line = parse_case(f.pair, 1);
     return std::tuple(f.severity == to_string(Severity::contract),
-                      f.severity == to_string(Severity::resolution), kind && is_refuted_verdict(*kind),
+                      f.severity == to_string(Severity::resolution),
+                      line.value && is_ordinary(line.value->pair), kind && is_refuted_verdict(*kind),
                       f.margin ? f.margin->lo : 0.0);
   };
+  decltype(key(*worst)) most;
   for (const FindingRecord& f : run.findings)
-    if (worst == nullptr || key(f) > key(*worst)) worst = &f;
+    if (const auto now = key(f); worst == nullptr || now > most) worst = &f, most = now;
   return worst;
 }
 

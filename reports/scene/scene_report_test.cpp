@@ -171,6 +171,17 @@ TEST(Study, SaysItInWords) {
     EXPECT_NE(text.find(words), std::string::npos) << words << "\n" << text;
 }
 
+TEST(Study, SaysWhatSavesNothing) {
+  const Scene scene = read_scene(folder + "crane.urdf");
+  const SceneQuestion q = question(0, 0, 30);
+  SceneStudy s = study_scene(scene, q);
+  for (const auto& [ns, saves] : {std::pair(130.0, false), {95.0, false}, {50.0, true}}) {
+    s.cascade_ns = ns;
+    s.alone_ns[static_cast<std::size_t>(Level::cylinder)] = 100;
+    EXPECT_EQ(words_of(scene, q, s).cost.find("SAVES NOTHING") == std::string::npos, saves) << ns;
+  }
+}
+
 /// What the text says from "recommended: " to the end of its line.
 std::string recommended(const Scene& scene, const SceneQuestion& q) {
   return words_of(scene, q, study_scene(scene, q)).recommended;

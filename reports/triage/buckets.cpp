@@ -23,6 +23,7 @@
 #include "oracles/trial/bucket.hpp"
 #include "oracles/trial/contact.hpp"
 #include "oracles/trial/finding_text.hpp"
+#include "oracles/trial/hangs_on_sums.hpp"
 #include "oracles/trial/trial.hpp"
 #include "props/shrink/simplify.hpp"
 #include "reports/triage/case_distance.hpp"
@@ -375,6 +376,11 @@ std::vector<std::string> labels_of(const Bucket& b, const Group& group, const Tr
   if (!b.seen_again)
     labels.push_back(
         fmt::format("not seen again: {}, asked alone, does not fail so on what was tried", b.method));
+  const auto kind = from_word<FindingKind>(b.kind);
+  if (kind && hangs_on_our_sums(b.method, *kind, group.simplest->pair).value_or(false))
+    labels.push_back(
+        "the simplest pair hangs on the last bit of our support function: right with its sums in another "
+        "order");
   std::string elsewhere;
   if (const std::size_t m = index_of(methods, b.method); m < methods.size())
     for (const std::size_t sharer : sharers_elsewhere(of, m))
@@ -480,12 +486,13 @@ std::vector<Bucket> make_buckets(const TriageRecords& records, const GroupedMeth
     const ShownPair shown = shower.show(group.simplest->pair, accused);
     show_simplest(b, group, shown, of.methods, records.folder, !out_of_time());
     show_worst(b, group, shower, of.methods, records.folder);
+    b.ordinary = is_ordinary(group.simplest->pair);
     b.labels = labels_of(b, group, shown.trial, of);
     buckets.push_back(std::move(b));
   }
   std::stable_sort(buckets.begin(), buckets.end(), [](const Bucket& x, const Bucket& y) {
-    return rank_of(x.severity) != rank_of(y.severity) ? rank_of(x.severity) < rank_of(y.severity)
-                                                      : x.count > y.count;
+    return std::tuple(rank_of(x.severity), !x.ordinary, y.count) <
+           std::tuple(rank_of(y.severity), !y.ordinary, x.count);
   });
   return buckets;
 }

@@ -49,6 +49,7 @@ struct Bucket {
   std::optional<Enclosure> margin;     ///< from the least to the greatest proved one
   std::vector<std::string> merged;     ///< keys of the simplified pairs
   nlohmann::json simplest, worst;      ///< in the form of the page's Case
+  bool ordinary = true;                ///< the simplest is: is_ordinary()
   bool simplified = false;             ///< the simplest is; else it is as it was found
   bool seen_again = false;             ///< its method, asked alone, failed on the simplest
   bool worst_was_searched = false;     ///< it is no finding

@@ -14,7 +14,7 @@ runInThisContext(template.slice(begin, template.indexOf("</script>", begin)), { 
 export const { charts, expand, pareto, plain_document } = globalThis.daylight;
 export const { exact, floor_sqrt, prove } = globalThis.daylight;
 export const { causes_of, chip_counts, filter_of, filtered, filtered_causes, query_of, rows_of } = globalThis.daylight;
-export const { sorted, sorted_causes, view_of } = globalThis.daylight;
+export const { is_ordinary, sorted, sorted_causes, view_of, worst_first } = globalThis.daylight;
 export const { csv_cell, csv_of, full, glossary, shell_quoted, wrong_distance } = globalThis.daylight;
 export const { log_gamma, same_rate_probability } = globalThis.daylight;
 export const { frame_around, frame_of, stand_in, study_rows_of, csv_of_study, risk_of } = globalThis.daylight;

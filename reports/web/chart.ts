@@ -22,7 +22,7 @@ import { grouped, library } from "./words.ts";
 
 export { exact, floor_sqrt, prove } from "./prove.ts";
 export { causes_of, chip_counts, filter_of, filtered, filtered_causes, query_of, rows_of } from "./filter.ts";
-export { sorted, sorted_causes, view_of } from "./filter.ts";
+export { is_ordinary, sorted, sorted_causes, view_of, worst_first } from "./filter.ts";
 export { wrong_distance } from "./distance.ts";
 export { log_gamma, same_rate_probability } from "./rates.ts";
 export { csv_cell, csv_of } from "./save.ts";

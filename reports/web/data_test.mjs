@@ -26,7 +26,9 @@ import {
   same_rate_probability,
   shell_quoted,
   sorted,
+  is_ordinary,
   sorted_causes,
+  worst_first,
   view_of,
   wrong_distance,
 } from "./chart.mjs";
@@ -95,6 +97,25 @@ test("sorting is stable, and failures sort by severity first", () => {
   for (let i = 1; i < down.length; ++i) assert.ok(down[i - 1].margin >= down[i].margin);
 });
 
+test("equal rows: those of ordinary size first, then those wrong by more", () => {
+  const rows = rows_of(expand(sample(400)));
+  for (const [i, row] of rows.entries()) row.ordinary = i % 3 > 0;
+  const shown = worst_first(rows);
+  for (let i = 1; i < shown.length; ++i) {
+    const [x, y] = [shown[i - 1], shown[i]];
+    assert.ok(x.ordinary > y.ordinary || (x.ordinary === y.ordinary && x.margin >= y.margin));
+  }
+  const solid = (x, radius) => ({ center: [x, 0, 0], axis: [0, 0, 1], radius, height: 2 * radius });
+  assert.ok(is_ordinary({ a: solid(0, 1), b: solid(3, 1) }));
+  for (const [x, radius] of [
+    [0, 1e4],
+    [0, 1e-5],
+    [1e3, 1],
+    [1e308, 1e308],
+  ])
+    assert.ok(!is_ordinary({ a: solid(0, 1e-5), b: solid(x, radius) }));
+});
+
 test("a search finds words as they are displayed, all of them", () => {
   const rows = rows_of(expand(sample(400)));
   const found = (text) => filtered(rows, filter_of(new URLSearchParams({ text }))).map((r) => r.f.id);
@@ -136,9 +157,14 @@ test("a cause is shown with its findings, one without them by what it says of it
   assert.equal(rows[0].standing, report.buckets.find((b) => b.key === rows[0].f.bucket).standing);
 });
 
-test("new causes come first, then those beyond a claim, then the frequent", () => {
+test("new causes come first, then those beyond a claim, then those of ordinary size, then the frequent", () => {
   const ranked = sorted_causes(causes_of(expand(sample(400))), { column: "standing", down: false }).map(({ b }) => b);
-  const key = (b) => [["new", "back", "known", "rare", "gone"].indexOf(b.standing), b.severity, -b.count];
+  const key = (b) => [
+    ["new", "back", "known", "rare", "gone"].indexOf(b.standing),
+    b.severity,
+    !is_ordinary(b.simplest.pair),
+    -b.count,
+  ];
   for (let i = 1; i < ranked.length; ++i) {
     const [x, y] = [key(ranked[i - 1]), key(ranked[i])],
       at = x.findIndex((part, k) => part !== y[k]);

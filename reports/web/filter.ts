@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Which findings and causes are shown, and in which order: what a link says of it and what the address keeps.
-import type { Bucket, Finding, Standing } from "./data.ts";
+import type { Bucket, Finding, Pair, Standing } from "./data.ts";
 import type { FullReport } from "./report.ts";
 import { standings } from "./report.ts";
 import { group_by, in_order, kind_words, library, severity_words } from "./words.ts";
@@ -29,11 +29,18 @@ export interface Row extends Subject {
   f: Finding;
   standing: Standing | null;
   margin: number;
+  ordinary: boolean;
 }
 /** A cause is shown with its findings; one that has none here with what it says of itself. */
 export interface Cause {
   b: Bucket;
   alone: Subject[] | null;
+}
+
+/** Of a size that scenes have, and near: shown before what is at the ends of the doubles. */
+export function is_ordinary({ a, b }: Pair) {
+  const size = a.radius + a.height + (a.rounding ?? 0) + b.radius + b.height + (b.rounding ?? 0);
+  return size >= 1e-3 && size <= 1e3 && Math.max(Math.hypot(...a.center), Math.hypot(...b.center)) <= 100 * size;
 }
 
 const spoken = (parts: (string | number | null | undefined)[]) =>
@@ -63,6 +70,7 @@ export function rows_of(report: FullReport): Row[] {
       standing,
       method: f.method,
       margin: f.margin?.[0] ?? -1,
+      ordinary: is_ordinary(f.pair),
       facet: {
         severity: f.severity,
         kind: f.kind,
@@ -181,6 +189,10 @@ function compare(x: Row, y: Row, column: Column): number {
 export const sorted = (rows: Row[], order: Order) =>
   in_order(rows, (x, y) => (order.down ? -1 : 1) * compare(x, y, order.column));
 
+/** The order in which equal rows are shown: the ordinary first, then those wrong by more. */
+export const worst_first = (rows: Row[]) =>
+  in_order(rows, (x, y) => Number(y.ordinary) - Number(x.ordinary) || y.margin - x.margin);
+
 const share_of = ({ share }: Bucket) => (share && share.asked > 0 ? share.wrong / share.asked : -1);
 
 function compare_causes(x: Bucket, y: Bucket, column: CauseColumn): number {
@@ -204,7 +216,7 @@ function compare_causes(x: Bucket, y: Bucket, column: CauseColumn): number {
   }
 }
 
-/** Equal ones: the new first, then beyond a claim, then the frequent. */
+/** Equal ones: the new first, then beyond a claim, then of ordinary size, then the frequent. */
 export const sorted_causes = (causes: Cause[], { column, down }: CauseOrder) =>
   in_order(
     causes,
@@ -212,6 +224,7 @@ export const sorted_causes = (causes: Cause[], { column, down }: CauseOrder) =>
       (down ? -1 : 1) * compare_causes(x, y, column) ||
       standing_of(x) - standing_of(y) ||
       rank_of(x.severity) - rank_of(y.severity) ||
+      Number(is_ordinary(y.simplest.pair)) - Number(is_ordinary(x.simplest.pair)) ||
       y.count - x.count,
   );
 

@@ -16,6 +16,7 @@ import {
   rows_of,
   sorted,
   sorted_causes,
+  worst_first,
   view_of,
   type Column,
   type Facet,
@@ -238,8 +239,8 @@ export function Findings({ report, address }: { report: FullReport; address: Add
   const { filter, order } = view;
   const passing = useMemo(() => filtered(all, filter), [all, filter]);
   const shown = useMemo(() => {
-    const own = order.column === "margin" || order.column === "id"; // else of equal ones the worst first
-    return sorted(own ? passing : sorted(passing, { column: "margin", down: true }), order);
+    const own = order.column === "margin" || order.column === "id";
+    return sorted(own ? passing : worst_first(passing), order);
   }, [passing, order]);
   const causes = useMemo(
     () => sorted_causes(filtered_causes(all_causes, passing, filter), view.causes),

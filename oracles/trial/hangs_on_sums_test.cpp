@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: MIT
+#include "oracles/trial/hangs_on_sums.hpp"
+
+#include <gtest/gtest.h>
+
+namespace cyl {
+namespace {
+
+// Disjoint by 1/3; libccd's GJK says intersecting if our sums go from the left.
+TEST(HangsOnSums, TwoCoins) {
+  const Pair coins{{Vector3(0, 0, 0), Vector3(1, 2, 2), 3, 1}, {Vector3(-4, -2, 2), Vector3(1, 2, 2), 3, 1}};
+  const auto& gjk = ccd_methods()[0];
+  ASSERT_TRUE(try_method(gjk, coins).fails(FindingKind::wrong_intersecting));
+  EXPECT_EQ(hangs_on_our_sums("libccd-gjk", FindingKind::wrong_intersecting, coins), true);
+  EXPECT_EQ(hangs_on_our_sums("ode", FindingKind::wrong_intersecting, coins), std::nullopt);
+}
+
+// Apart by a length that GJK takes for zero, whatever is summed how.
+TEST(HangsOnSums, NotAnAbsoluteLength) {
+  const Pair tiny{{Vector3(0, 0, 0), Vector3(0, 0, 1), 1e-9, 2e-9},
+                  {Vector3(3e-9, 1e-10, 0), Vector3(0, 0, 1), 1e-9, 2e-9}};
+  EXPECT_EQ(hangs_on_our_sums("libccd-gjk", FindingKind::wrong_intersecting, tiny), false);
+}
+
+}  // namespace
+}  // namespace cyl

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: MIT
+#include "reports/run/run_summary.hpp"
+
+#include <gtest/gtest.h>
+
+#include "corpus/pairs/pair_io.hpp"
+
+namespace cyl {
+namespace {
+
+FindingRecord finding(double size, const char* severity, double margin) {
+  FindingRecord f;
+  f.kind = "wrong_disjoint";
+  f.severity = severity;
+  f.margin = Enclosure{margin, margin};
+  f.pair = format_pair({{{0, 0, 0}, {0, 0, 1}, size, size}, {{size, 0, 0}, {0, 1, 0}, size, size}});
+  return f;
+}
+
+TEST(RunSummary, TheWorstIsOfOrdinarySizeIfOneIs) {
+  RunData run;
+  run.findings = {finding(1e200, "contract", 0.9), finding(1, "resolution", 0.8),
+                  finding(1e-9, "contract", 0.7)};
+  EXPECT_EQ(worst_finding(run), &run.findings[0]);
+  run.findings.push_back(finding(1, "contract", 0.1));
+  run.findings.push_back(finding(1, "contract", 0.2));
+  EXPECT_EQ(worst_finding(run), &run.findings[4]);
+}
+
+}  // namespace
+}  // namespace cyl
