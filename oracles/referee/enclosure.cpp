@@ -8,6 +8,7 @@
 #include <limits>
 #include <optional>
 #include <queue>
+#include <span>
 
 #include "corpus/pairs/pair_numbers.hpp"
 #include "oracles/referee/direction_bounds.hpp"
@@ -58,8 +59,13 @@ class Minimum {
  public:
   Minimum(const DirectionBounds& sphere, double width) : sphere_(sphere), width_(width) {}
 
-  /// Of solids that lie apart: where f might be least.
-  void guess(const Vec& direction) { take(sphere_.bounds_by_minimum({direction, 1, guess_sine}, direction)); }
+  /// Looks where f might be least, until it is found.
+  void guess(std::span<const Vec> directions) {
+    for (const Vec& d : directions)
+      if (!is_found()) take(sphere_.bounds_by_minimum({d, 1, guess_sine}, d));
+  }
+
+  bool is_found() const { return best_ - floor_ <= width_; }
 
   Range find() {
     constexpr double everything = -std::numeric_limits<double>::infinity();
@@ -86,8 +92,6 @@ class Minimum {
  private:
   /// How near to a kink a guess lies that belongs on it.
   static constexpr double guess_sine = 0x1p-12;
-
-  bool is_found() const { return best_ - floor_ <= width_; }
 
   double take(const Bounds& b) {
     if (b.value < best_) {
@@ -147,13 +151,33 @@ double way_to_both(const SearchPair<double>& p, const Vec& x) {
   return beyond(p.axis0, p.radius0, p.half0, x) + beyond(p.axis1, p.radius1, p.half1, x - p.delta);
 }
 
-// From a to b, where they are nearest, in most cases.
-Vec direction_between(const SearchPair<double>& p) {
+// Directions from a to b where they are nearest, in most cases, looked for from a point of a: from one
+// nearest point to the other, and square to both rims there, which is exact where the points are too close to
+// tell.
+std::array<Vec, 2> directions_from(const SearchPair<double>& p, const Vec& start) {
   constexpr int rounds = 4;
-  Nearest<double> n{{0, 0, 0}, p.delta, 0};
+  Nearest<double> n{start, p.delta, 0};
   for (int round = 0; round < rounds; ++round) n = refine_nearest(p, 53, n.on_a, n.on_b);
-  const Vec d = n.apart > 0 ? n.on_b - n.on_a : p.delta;
-  return (1 / length(d)) * d;
+  const Vec between = n.apart > 0 ? n.on_b - n.on_a : p.delta;
+  Vec square = cross(cross(p.axis0, n.on_a), cross(p.axis1, n.on_b - p.delta));
+  if (dot(square, between) < 0) square = -1.0 * square;
+  const double size = length(square);
+  return {(1 / length(between)) * between, size > 0 ? (1 / size) * square : (1 / length(between)) * between};
+}
+
+// Where the rims of a cross those of b, seen along a's axis: faces at a tiny angle may be nearest there
+// alone.
+std::array<Vec, 4> corners(const SearchPair<double>& p) {
+  const Vec w = (1 / length(p.axis0)) * p.axis0, flat = p.delta - dot(p.delta, w) * w;
+  const double far = length(flat);
+  const Vec out = far > 0 ? (1 / far) * flat : cross(w, std::fabs(w.x) < 0.5 ? Vec{1, 0, 0} : Vec{0, 1, 0});
+  const double most = p.radius0,
+               x = far > 0 ? std::clamp((far * far + most * most - p.radius1 * p.radius1) / (2 * far), -most,
+                                        most)
+                           : most;
+  const Vec along = p.half0 * w, beside = std::sqrt((most - x) * (most + x)) * cross(w, out),
+            middle = x * out;
+  return {middle + along + beside, middle + along - beside, middle - along + beside, middle - along - beside};
 }
 
 // |distance| where one guess shows that it is within the width asked for: apart the solids are no farther
@@ -218,8 +242,11 @@ AttainedDistance attain_distance(const Pair& pair, const Truth& truth, double re
     f = parallel(p);
   } else {
     Minimum minimum(bounds, std::max(relative_width * size, slack));
-    if (truth.verdict == Verdict::disjoint) minimum.guess(direction_between(p));
-    for (const Vec& d : bounds.likely()) minimum.guess(d);
+    if (truth.verdict == Verdict::disjoint) {
+      minimum.guess(directions_from(p, {0, 0, 0}));
+      for (const Vec& corner : corners(p)) minimum.guess(directions_from(p, corner));
+    }
+    minimum.guess(bounds.likely());
     f = minimum.find();
   }
   const Vec& d = f.direction;
