@@ -180,11 +180,15 @@ TEST(Explain, SumsUp) {
   const Explanation e = explain(methods, "blurred-way", kind, stacked());
   EXPECT_EQ(e.mechanism.find("blurred-way calls solids up to 0.0"), 0u) << e.mechanism;
   EXPECT_NE(e.mechanism.find("blurred-way-fine is right"), std::string::npos) << e.mechanism;
-  EXPECT_NE(e.mechanism.find("times 2^4 or more"), std::string::npos) << e.mechanism;
+  EXPECT_NE(e.mechanism.find("right once scaled up to a size of 96 ("), std::string::npos) << e.mechanism;
   EXPECT_NE(e.mechanism.find("whatever the angle"), std::string::npos) << e.mechanism;
+  const Failing failing{0, kind, stacked()};
+  const Mechanism triaged = classify(methods, {&failing, 1}, {})[0].mechanism;
+  EXPECT_NE(e.mechanism.find(in_words(triaged)), std::string::npos) << e.mechanism;
   const std::string text = explanation_text(e);
   EXPECT_NE(text.find(e.mechanism), std::string::npos);
   EXPECT_NE(text.find("they meet"), std::string::npos) << text;
+  EXPECT_EQ(text.find(", within its claim"), text.find(", within its claim", text.find("\n1e-06 ")));
   const json all = parse_json(explanation_json(e));
   EXPECT_EQ(all["regions"].size(), 8u);
   EXPECT_EQ(all["regions"][0]["high"]["beyond"]["truth"]["verdict"], "disjoint");
@@ -229,7 +233,7 @@ TEST(Explain, AFinding) {
   pair.a = {{0, 0, 0}, {0, 0, 1}, 1, 2};
   pair.b = {{0, 0, 2.0000005}, {0, 0, 1}, 1, 2};
   const Explanation e = explain(fcl_methods(), "fcl-indep", kind, pair);
-  EXPECT_NE(e.mechanism.find("a length of its own decides"), std::string::npos) << e.mechanism;
+  EXPECT_NE(e.mechanism.find("a fixed length in it"), std::string::npos) << e.mechanism;
 }
 
 }  // namespace
