@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "base/json.hpp"
+#include "corpus/pairs/pair_numbers.hpp"
 #include "oracles/methods/fake_method_test.hpp"
 #include "oracles/trial/algorithm_groups.hpp"
 #include "solver/distance.hpp"
@@ -173,6 +174,25 @@ TEST(Cures, ToleranceScaleAndPlace) {
   EXPECT_EQ(
       outcome(try_workarounds(methods, methods[0], try_method(methods[0], tiny)), Transformation::rescaled),
       WorkaroundOutcome::right);
+}
+
+/// Off by 2 % at every size: what the claim allows of small ones is no cure of the large.
+TEST(Cures, NotADistanceThatIsOffAsMuch) {
+  std::vector<std::unique_ptr<Method>> methods;
+  methods.push_back(fake_method("coarse",
+                                [](const Pair& pair) {
+                                  MethodAnswer answer = answered(Verdict::disjoint);
+                                  answer.has_distance = true;
+                                  answer.distance = 0.98 * distance(pair.a, pair.b).value;
+                                  return answer;
+                                },
+                                {.claim = {.absolute = 1, .source = "this test"}}));
+  Pair large = scaled(stacked(), 20);
+  large.b.center.z() = 0x1p24;
+  const Trial failing = try_method(methods[0], large);
+  ASSERT_TRUE(failing.fails(FindingKind::distance_outside));
+  EXPECT_EQ(outcome(try_workarounds(methods, methods[0], failing), Transformation::rescaled),
+            WorkaroundOutcome::still_fails);
 }
 
 TEST(Explain, SumsUp) {

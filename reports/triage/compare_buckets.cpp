@@ -59,10 +59,11 @@ Places places_of(const std::vector<Seen>& seen) {
 }
 
 /// Who looked at a part of the findings of a group met that part of what was there to meet, as if it had
-/// asked about that part of the pairs.
+/// asked about that part of the pairs; about one at least: who looked at nothing was asked all the same.
 Sight sight_of(const Seen& seen, const Places& places) {
   Sight sight;
   double asked = 0;
+  bool was_asked = false;
   for (const ExaminedGroups::key_type& group : places.groups) {
     const std::string& family = std::get<3>(group);
     double pairs = 0;
@@ -70,6 +71,7 @@ Sight sight_of(const Seen& seen, const Places& places) {
       if (t.method == places.method && t.family == family)
         pairs += static_cast<double>(
             independent_draws(family, t.counts.asked - std::min(t.counts.asked, t.counts.declined)));
+    was_asked = was_asked || pairs > 0;
     const auto examined = seen.run->examined.find(group);
     if (examined != seen.run->examined.end() && examined->second.found > 0) {
       const ExaminedFindings& e = examined->second;
@@ -79,7 +81,8 @@ Sight sight_of(const Seen& seen, const Places& places) {
     }
     asked += pairs;
   }
-  sight.asked = std::max(sight.count, static_cast<std::uint64_t>(asked));
+  const std::uint64_t least = was_asked ? 1 : 0;
+  sight.asked = std::max({sight.count, least, static_cast<std::uint64_t>(asked)});
   return sight;
 }
 

@@ -201,6 +201,9 @@ TEST(Buckets, CountOnlyWhatWasLookedAtInBothRuns) {
   EXPECT_EQ(run.buckets[0].status, Recurrence::rare);
   EXPECT_EQ(run.buckets[0].nights.back().sight.count, 3u);
   EXPECT_EQ(run.buckets[0].nights.back().sight.asked, 48u);
+  examine(earlier, 60, 0, 0);
+  compare_with_earlier(run, {earlier}, [](const Bucket&) { return std::nullopt; });
+  EXPECT_EQ(run.buckets[0].status, Recurrence::rare) << "who looked at nothing knows nothing";
   run = triaged("2", 62);
   examine(run, 62, 20, 20);
   examine(earlier, 60, 20, 0);
