@@ -105,8 +105,7 @@ void print_not_asked(const std::vector<std::unique_ptr<Method>>& methods) {
     std::string kinds;
     for (const SolidKind kind : enum_values<SolidKind>)
       if (!method->takes(kind)) kinds.append(kinds.empty() ? "" : ", ").append(to_string(kind));
-    if (!kinds.empty())
-      fmt::print("{} was not asked about solids that it does not take: {}\n", method->name(), kinds);
+    if (!kinds.empty()) fmt::print("not asked of {}, which does not take them: {}\n", method->name(), kinds);
   }
 }
 
