@@ -93,14 +93,25 @@ void set_shard(const std::string& text, CampaignOptions& options) {
     throw UsageError("--shard: '" + text + "' is not i/n with i from 0 to n - 1");
 }
 
-/// Tells whether pairs of rounded solids are asked: guests that know of none are spared those that all of
-/// them decline.
+/// Tells whether pairs of rounded solids are asked: where guests alone are asked, and none of them knows such
+/// solids, they are spared those.
 bool asks_rounded(const std::vector<std::unique_ptr<Method>>& methods, const CampaignOptions& options) {
   const auto knows_roundings = [](const auto& method) {
-    return method->guest() && (method->takes(SolidKind::sphere) || method->takes(SolidKind::capsule) ||
-                               method->takes(SolidKind::rounded));
+    return !method->guest() || method->takes(SolidKind::sphere) || method->takes(SolidKind::capsule) ||
+           method->takes(SolidKind::rounded);
   };
   return options.guests.empty() || std::ranges::any_of(methods, knows_roundings);
+}
+
+void print_not_asked(const std::vector<std::unique_ptr<Method>>& methods) {
+  for (const auto& method : methods) {
+    if (!method->guest()) continue;
+    std::string kinds;
+    for (const SolidKind kind : enum_values<SolidKind>)
+      if (!method->takes(kind)) kinds.append(kinds.empty() ? "" : ", ").append(to_string(kind));
+    if (!kinds.empty())
+      fmt::print("{} was not asked about solids that it does not take: {}\n", method->name(), kinds);
+  }
 }
 
 /// Plans a new run: everything from the command line.
@@ -215,7 +226,8 @@ std::string cost_in_words(const CampaignSummary& summary) {
   std::string text = fmt::format(
       "CPU time: {:.1f} s; calls of methods {:.1f} s, verdicts of the referee {:.1f} s, all else {:.1f} s",
       seconds(cost.all), seconds(cost.asking), seconds(cost.judging), seconds(rest));
-  if (rest <= 2 * (cost.asking + cost.judging)) return text;
+  constexpr std::chrono::seconds explained_from{5};
+  if (rest < explained_from || rest <= 2 * (cost.asking + cost.judging)) return text;
   return text + fmt::format(
                     "\n  \"All else\" is more than twice the rest. It is the start, {} broken calls, and the "
                     "proof and "
@@ -315,6 +327,7 @@ int campaign(const CampaignArguments& arguments) {
   }
   if (options.create_only) return exit_pass;
   show_run(options.out, arguments.table);
+  print_not_asked(selection.methods);
   fmt::print("{}\n", cost_in_words(summary));
   if (!summary.harness_failure.empty()) fmt::print(stderr, "daylight: {}\n", summary.harness_failure);
   if (summary.interrupted)

@@ -16,7 +16,7 @@ holds 'the seed comes first' out '^seed 1$'
 holds 'a region' out '^signed distance .* they meet +right$'
 holds 'a curve' out '^1e-09 +200 +200 +1 '
 holds 'a cure that is none' out '^solids exchanged +not cured '
-holds 'the mechanism' out '^fcl-indep calls solids up to .* apart intersecting: a length of its own decides'
+holds 'the mechanism' out '^fcl-indep calls solids up to .* apart intersecting: a fixed length in it'
 holds 'as JSON' why.json '"mechanism": "fcl-indep calls'
 cp out first
 expect 0 'again' "$daylight" explain cases.jsonl:3 --method fcl-indep

@@ -43,8 +43,15 @@ pair='{"a":{"center":[0,0,0],"axis":[0,0,1],"radius":1,"height":2.00000512},"b":
 printf '%s\n' "$pair" >pair.jsonl
 
 expect 2 'campaign' "$daylight" campaign --pairs 400 --seed 7 --cases '' --methods decide,bad,worse "${guests[@]}" --table --out runs/bad
-holds 'campaign' out '^bad +400 +- +[1-9]'
-holds 'campaign' out '^worse +400 +- +[1-9]'
+holds 'campaign' out '^bad +400 +[1-9][0-9]+ +[1-9]'
+holds 'campaign' out '^worse +400 +[1-9][0-9]+ +[1-9]'
+holds 'what it takes not' out '^bad was not asked about solids that it does not take: sphere, capsule, rounded$'
+python3 - <<'END' || failed 'guests take families from others'
+import sqlite3
+counts = "SELECT asked - declined FROM tally WHERE family = 'sphere_sphere' AND method = ?"
+asked = lambda method: sqlite3.connect('runs/bad/run.sqlite').execute(counts, (method,)).fetchone()[0]
+assert asked('decide') > 0 and asked('bad') == 0
+END
 holds 'campaign' out '^decide +400 +- +- '
 expect 2 'replay' "$daylight" replay runs/bad --methods bad
 holds 'replay' out 'finding of bad, crash \(contract\): stands$'
@@ -89,17 +96,17 @@ triage() {
 }
 causes() { triage runs/three "$@"; }
 causes
-for key in bad/absolute-length bad/crash/sigabrt bad/exception/no-luck bad/malformed/ worse/crash/ plain/wrong_disjoint; do
+for key in bad/wrong_disjoint bad/crash/sigabrt bad/exception/no-luck bad/malformed/ worse/crash/ plain/wrong_disjoint; do
   holds 'triage' out "^\* $key"
 done
 grep -qF -- "--plugin 'bad=" runs/three/report.html || failed 'the page does not say how to bring the guests'
-expect 2 'replay' "$daylight" replay "$(grep -l bad/absolute-length runs/three/buckets/*.jsonl | head -n 1)" --methods bad
-expect 0 'triage' "$daylight" triage runs/three --explain bad/absolute-length
+expect 2 'replay' "$daylight" replay "$(grep -l bad/wrong_disjoint runs/three/buckets/*.jsonl | head -n 1)" --methods bad
+expect 0 'triage' "$daylight" triage runs/three --explain bad/wrong_disjoint
 holds 'triage' out '^bad '
 sed 's/int ask(.*/&\n  return DAYLIGHT_INTERSECTING;/' bad.cpp >good.cpp
 sed 's/int ask(.*/&\n  if (a[7] >= 0) for (volatile int i = 0;;) i = i + 1;/' bad.cpp >endless.cpp
 for name in good endless; do c++ -std=c++17 -shared -fPIC -I "$source_tree/oracles" $name.cpp -o $name.so; done
-expect 0 'triage' "$daylight" triage runs/three --export bad/absolute-length --out sent
+expect 0 'triage' "$daylight" triage runs/three --export bad/wrong_disjoint --out sent
 holds 'triage' out 'sent/issue.md, build.sh, reproduce.c, exact.py, libbad.so$'
 expect 0 'sent/exact.py' python3 sent/exact.py
 expect 1 'sent/build.sh' sh sent/build.sh
@@ -108,12 +115,12 @@ holds 'sent/build.sh' out '^WRONG$'
 expect 0 'sent/build.sh' sh sent/build.sh good.so
 holds 'sent/build.sh' out '^right$'
 ! grep -rIF -- "$PWD" sent || failed 'what is sent knows this machine'
-expect 0 'triage' "$daylight" triage runs/three --export bad/absolute-length --source bad.cpp --out source
+expect 0 'triage' "$daylight" triage runs/three --export bad/wrong_disjoint --source bad.cpp --out source
 [[ -e source/bad.cpp && ! -e source/libbad.so ]] || failed 'the source is not sent, or the library is'
 grep -q '`bad.cpp`' source/issue.md || failed 'the text does not name the source'
 expect 1 'source/build.sh' sh source/build.sh
 holds 'source/build.sh' out '^WRONG$'
-expect 64 'triage' "$daylight" triage runs/three --export bad/absolute-length --method decide --out source
+expect 64 'triage' "$daylight" triage runs/three --export bad/wrong_disjoint --method decide --out source
 expect 0 'triage' "$daylight" triage runs/three --export bad/crash/sigabrt --out sent
 expect 134 'sent/build.sh' sh sent/build.sh
 expect 0 'triage' "$daylight" triage runs/three --export plain/wrong_disjoint --out sent
@@ -139,7 +146,7 @@ cd ..
 # One that was built anew is told anew; one that hangs ends with the rest, one that is gone leaves its findings untold.
 causes --plugin good.so
 holds 'triage' out '^\* bad/not-again'
-lacks 'the cause of another build is kept' out bad/absolute-length
+lacks 'the cause of another build is kept' out bad/wrong_disjoint
 expect 2 'campaign' "$daylight" campaign --pairs 12 --seed 7 --cases '' --methods bad --plugin ./libbad.so --out runs/few
 triage runs/few --plugin ./endless.so
 holds 'triage' out '^\* bad/'

@@ -16,6 +16,7 @@
 #include <system_error>
 #include <utility>
 
+#include "base/process/exception_text.hpp"
 #include "base/process/process.hpp"
 
 namespace cyl {
@@ -33,8 +34,8 @@ constexpr milliseconds ending_cap{1000};
 /// Bytes that it may print on standard error, kept in memory; what comes after is lost.
 constexpr rlim_t output_cap = rlim_t{16} << 20;
 
-/// Bytes of what it printed that a reason shows.
-constexpr std::size_t shown_cap = 90;
+/// Bytes of what it printed that a reason shows, and in which an exception is looked for.
+constexpr std::size_t shown_cap = 90, exception_cap = std::size_t{1} << 16;
 
 /// While it lives, writing to a pipe that nobody reads is an error of this thread, no signal.
 class NoPipeSignal {
@@ -145,6 +146,10 @@ std::string LineProgram::death() {
   if (const auto& ending = process_->wait())
     how = WIFSIGNALED(ending->status) ? signal_name(WTERMSIG(ending->status))
                                       : "ended with status " + std::to_string(WEXITSTATUS(ending->status));
+  std::string all(exception_cap, '\0');
+  const ssize_t got = pread(printed_, all.data(), all.size(), 0);
+  all.resize(got > 0 ? static_cast<std::size_t>(got) : 0);
+  if (const std::string thrown = exception_text(all, shown_cap); !thrown.empty()) return thrown + "; " + how;
   const std::string printed = last_line(printed_, shown_cap);
   return printed.empty() ? how : how + ", after printing: " + printed;
 }

@@ -45,7 +45,7 @@ struct MethodRecord {
   std::string name, version;
   double relative = 0, absolute = 0;
   std::string source;  ///< of the claim
-  unsigned share = 1;  ///< asked on the indices divisible by it, and in disputes
+  unsigned share = 1;  ///< asked on one index in so many, and in disputes
 
   bool operator==(const MethodRecord&) const = default;
   static constexpr const char* table = "method";
@@ -82,6 +82,14 @@ struct FindingRecord {
     return std::tie(f.id, f.index, f.family, f.family_index, f.method, f.kind, f.severity, f.margin, f.pair,
                     f.answers, f.truth, f.stage, f.reason);
   }
+};
+
+/// Of a finding, what group it is in.
+struct FindingHead {
+  std::int64_t id = 0;
+  std::string method, kind, severity, family;
+
+  static auto columns(auto& f) { return std::tie(f.id, f.method, f.kind, f.severity, f.family); }
 };
 
 /// How many findings of a group there were, kept or not.
@@ -155,6 +163,7 @@ class RunStore {
   std::vector<TallyRecord> tallies() const;     ///< by first appearance
   std::vector<GroupRecord> groups() const;      ///< by method, kind, severity and family
   std::vector<FindingRecord> findings() const;  ///< by id
+  std::vector<FindingHead> finding_heads() const;
   /// By plane, x and y.
   std::vector<CellRecord> cells() const;
   std::optional<FindingRecord> finding(std::int64_t id) const;

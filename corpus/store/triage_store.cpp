@@ -99,6 +99,11 @@ void TriageStore::set_buckets(const std::string& json, double part) {
 
 std::string stored_buckets(const std::string& folder) { return stored_note(folder, "buckets"); }
 
+std::vector<CauseRecord> stored_causes(const std::string& folder) {
+  const SqliteFile file(file_of(folder), SQLite::OPEN_READWRITE);
+  return file.all<CauseRecord>("finding");
+}
+
 double stored_part(const std::string& folder) {
   const std::string text = stored_note(folder, "part");
   return text.empty() ? 1 : std::stod(text);

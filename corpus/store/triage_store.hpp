@@ -79,6 +79,8 @@ class TriageStore {
 
 /// The buckets that a triage of the run in `folder` left, as JSON; empty where there was none.
 std::string stored_buckets(const std::string& folder);
+/// The causes that it told.
+std::vector<CauseRecord> stored_causes(const std::string& folder);
 /// The part of the findings that it had looked at; 1 where it did not say.
 double stored_part(const std::string& folder);
 

@@ -111,12 +111,13 @@ class Batch {
   std::size_t stage_row_index(Stage stage) const { return methods() + 2 + static_cast<std::size_t>(stage); }
   std::size_t rows() const { return methods() + 2 + stage_rows.size(); }
   std::uint64_t index_of(std::size_t p) const { return first_ + p; }
-  unsigned share_of(std::size_t m) const { return std::max(1u, workload_.methods[m]->share()); }
   std::size_t share_of_cells(std::size_t p) const {
     return !foreign_ ? own_cell_share : index_of(p) < every_cell_until ? 1 : cell_share;
   }
   /// Asked whatever others say of the pair.
-  bool on_share(std::size_t m, std::size_t p) const { return index_of(p) % share_of(m) == 0; }
+  bool on_share(std::size_t m, std::size_t p) const {
+    return cyl::on_share(workload_.methods[m]->share(), seed_, index_of(p));
+  }
 
   FamilyIndex family_index_of(std::uint64_t index) const {
     return cyl::family_index_of(workload_, schedule_, index);
@@ -314,9 +315,12 @@ class Batch {
     }
     for (const Doubt& doubt : not_alone(workload_.methods, trials_, doubts)) {
       std::optional<Finding>& wrong = wrong_[at(doubt.method, doubt.pair)];
-      answers_[at(doubt.method, doubt.pair)].set_reason(
-          fmt::format("{} when it had been asked about indices {} to {}; not alone", to_string(doubt.kind),
-                      first_, index_of(doubt.pair)));
+      MethodAnswer& answer = answers_[at(doubt.method, doubt.pair)];
+      const std::string where =
+          fmt::format("; after indices {} to {}, not alone", first_, index_of(doubt.pair));
+      std::string what = to_string(doubt.kind);
+      if (answer.reason[0] != 0) what.append(": ").append(answer.reason);
+      answer.set_reason(what.substr(0, sizeof answer.reason - 1 - where.size()) + where);
       wrong = Finding{FindingKind::state_dependent, Severity::contract, wrong->margin};
     }
   }
@@ -324,7 +328,9 @@ class Batch {
   void note(std::size_t p, std::size_t row, const Finding& finding) {
     const FamilyIndex drawn = family_index_of(index_of(p));
     Counts& tally = counts(row, drawn.family);
-    if (is_failure(finding.kind)) {
+    const bool broke =
+        finding.kind == FindingKind::state_dependent && answers_of(p)[row].status == Status::failed;
+    if (is_failure(finding.kind) || broke) {
       ++tally.failed;
     } else if (finding.severity == Severity::contract) {
       ++tally.contract;

@@ -38,10 +38,10 @@ inline constexpr std::uint64_t batch_size = 512, own_batch_size = 131072;
 std::uint64_t batch_size_for(const Workload& workload);
 
 /// Own methods are asked in this process, foreign ones contained. A costly method (share() > 1) is asked on
-/// the indices divisible by its share and wherever another's verdict is wrong beyond its claim or the truth
-/// is undecided. (Within their claims tolerant methods differ on every near-touching pair: a quarter of all,
-/// no news, and the costly ones would take nearly all of the time.) In the cells of the failure maps they are
-/// counted on their share alone: disputes are where somebody is wrong, and no sample.
+/// its share of the indices (on_share()) and wherever another's verdict is wrong beyond its claim or the
+/// truth is undecided. (Within their claims tolerant methods differ on every near-touching pair: a quarter of
+/// all, no news, and the costly ones would take nearly all of the time.) In the cells of the failure maps
+/// they are counted on their share alone: disputes are where somebody is wrong, and no sample.
 BatchRecord run_batch(const Workload& workload, std::uint64_t seed, std::uint64_t first, std::uint64_t next);
 
 /// Returns what makes one batch after the other, [first, next) each, with the workers of foreign methods

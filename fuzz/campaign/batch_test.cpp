@@ -8,6 +8,7 @@
 #include <cstdlib>
 #include <map>
 #include <new>
+#include <stdexcept>
 #include <string>
 
 #include "corpus/pairs/families.hpp"
@@ -114,6 +115,36 @@ TEST(Batch, AMemoryIsNoted) {
   for (const FindingRecord& f : run_batch({methods, apart, {}}, 1, 0, 2 * repeat_share + 1).findings)
     noted = noted || f.kind == "nondeterminism";
   EXPECT_TRUE(noted);
+}
+
+/// What broke after many questions and not alone did break: it keeps its words, and is not counted as wrong.
+TEST(Batch, AStateThatBreaksIsNamed) {
+  std::vector<std::unique_ptr<Method>> methods;
+  const auto ask = [calls = 0](const Pair&) mutable {
+    if (++calls == 3) throw std::runtime_error("x.c:34: the cache is stale");
+    return answered(Verdict::disjoint);
+  };
+  methods.push_back(fake_method("stateful", ask, {.foreign = true}));
+  const BatchRecord batch = run_batch({methods, apart, {}}, 1, 0, 4);
+  ASSERT_EQ(batch.findings.size(), 1u);
+  EXPECT_EQ(batch.findings[0].kind, "state_dependent");
+  EXPECT_EQ(batch.findings[0].reason,
+            "exception: x.c:34: the cache is stale; after indices 0 to 2, not alone");
+  EXPECT_EQ(batch.tallies[0].counts.failed, 1u);
+  EXPECT_EQ(batch.tallies[0].counts.contract, 0u);
+}
+
+/// Every second pair would be of the first family alone.
+TEST(Batch, AShareMeetsEveryFamily) {
+  std::vector<std::unique_ptr<Method>> methods;
+  methods.push_back(
+      fake_method("slow", [](const Pair&) { return answered(Verdict::disjoint); }, {.share = 2}));
+  const Family two[] = {apart[0], {"other", "", apart[0].generate}};
+  std::map<std::string, std::uint64_t> asked;
+  for (const TallyRecord& t : run_batch({methods, two, {}}, 1, 0, 400).tallies)
+    if (t.method == "slow") asked[t.family] = t.counts.asked;
+  for (const char* family : {"apart", "other"})
+    EXPECT_NEAR(static_cast<double>(asked[family]), 100, 30) << family;
 }
 
 TEST(IsMethodRow, KnowsTheOthersByTheirWholeNames) {

@@ -265,7 +265,8 @@ TEST_F(Campaign, ACostlyMethodIsAskedOnItsShareAndInDisputes) {
   run_campaign(options("run", 1000), workload());
   std::uint64_t expected = 0;
   for (std::uint64_t i = 0; i < 1000; ++i) {
-    expected += i % 100 == 0 || two_families[i % 2].generate(20261121, i / 2).b.center.x() < 1.6;
+    expected +=
+        on_share(100, 20261121, i) || two_families[i % 2].generate(20261121, i / 2).b.center.x() < 1.6;
   }
   EXPECT_GT(expected, 20u);
   EXPECT_GT(total(store("run"), "tolerant").resolution, 20u);
@@ -313,7 +314,9 @@ TEST_F(Campaign, CostlyMethodsAreInCellsOnTheirShareAndOursAloneOnAShareOfPairs)
       "costly", [](const Pair& p) { return answered(right(p)); }, true, 100));
   run_campaign(options("run", 1000), workload());
   EXPECT_GT(total(store("run"), "costly").asked, 100u);  // in disputes
-  EXPECT_EQ(on_plane(store("run"), "angle-margin").at(1).asked, 10u);
+  std::uint64_t drawn = 0;
+  for (std::uint64_t i = 0; i < 1000; ++i) drawn += on_share(100, options("run", 1000).seed, i);
+  EXPECT_EQ(on_plane(store("run"), "angle-margin").at(1).asked, drawn);
 
   methods.clear();
   methods.push_back(fake(

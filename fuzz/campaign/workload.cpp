@@ -5,6 +5,8 @@
 #include <utility>
 #include <vector>
 
+#include "corpus/pairs/random_stream.hpp"
+
 namespace cyl {
 
 Schedule schedule_of(const Workload& workload) {
@@ -22,6 +24,10 @@ FamilyIndex family_index_of(const Workload& workload, const Schedule& schedule, 
 
 std::string family_name(const Workload& workload, std::size_t family) {
   return family == 0 ? cases_family : std::string(workload.families[family - 1].name);
+}
+
+bool on_share(unsigned share, std::uint64_t seed, std::uint64_t index) {
+  return share <= 1 || RandomStream("share", seed, index).below(share) == 0;
 }
 
 bool any_foreign(const Workload& workload) {

@@ -33,6 +33,10 @@ Schedule schedule_of(const Workload& workload);
 FamilyIndex family_index_of(const Workload& workload, const Schedule& schedule, std::uint64_t index);
 std::string family_name(const Workload& workload, std::size_t family);
 
+/// Whether a method that is asked a share of the pairs, one in so many, is asked about that of an index:
+/// drawn from seed and index, so that no family, and no turn of the families, is missed.
+bool on_share(unsigned share, std::uint64_t seed, std::uint64_t index);
+
 /// Returns whether a method is asked that is not ours.
 bool any_foreign(const Workload& workload);
 

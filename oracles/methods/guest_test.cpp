@@ -118,6 +118,11 @@ TEST(GuestCommand, ADeathIsACrashAndItIsStartedAgain) {
   EXPECT_EQ(answers[1].failure, Failure::crash);
   EXPECT_STREQ(answers[1].reason, "ended with status 3, after printing: no such shape");
   EXPECT_STREQ(ask_with_trouble("kill -SEGV $$")[1].reason, "SIGSEGV");
+  EXPECT_STREQ(
+      ask_with_trouble(
+          "printf 'RangeError: no shape\\n    at f (/x/mine.js:3:9)\\n\\nNode.js v20\\n' >&2; exit 1")[1]
+          .reason,
+      "RangeError: no shape (mine.js:3); ended with status 1");
 }
 
 TEST(GuestCommand, AHangIsEnded) {

@@ -53,7 +53,7 @@ class Method {
   /// Whether nothing that its library keeps outlives a call, so that it may be asked again in the same
   /// process after an assertion of it failed.
   virtual bool recovers() const { return false; }
-  /// Asked on every index divisible by this (and wherever others disagree): > 1 for costly methods.
+  /// Asked on one index in so many (and wherever others disagree): > 1 for costly methods.
   virtual unsigned share() const { return 1; }
   /// Does what must be done once in the process that asks, such as to load a library; ask() does it where it
   /// was not done. May do what ask() may.

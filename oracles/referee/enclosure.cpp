@@ -218,10 +218,8 @@ AttainedDistance attain_distance(const Pair& pair, const Truth& truth, double re
     f = parallel(p);
   } else {
     Minimum minimum(bounds, std::max(relative_width * size, slack));
-    if (truth.verdict == Verdict::disjoint)
-      minimum.guess(direction_between(p));
-    else
-      for (const Vec& d : bounds.likely()) minimum.guess(d);
+    if (truth.verdict == Verdict::disjoint) minimum.guess(direction_between(p));
+    for (const Vec& d : bounds.likely()) minimum.guess(d);
     f = minimum.find();
   }
   const Vec& d = f.direction;

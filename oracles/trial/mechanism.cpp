@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "oracles/trial/mechanism.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cctype>
@@ -17,11 +19,9 @@
 namespace cyl {
 namespace {
 
-/// Powers of two by which a pair is made larger and smaller: more than the tolerances of libraries span in
-/// one step, and far from where squares leave the doubles.
-constexpr int scale_step = 20;
-/// Where the size is beyond 2^+-this, products of four lengths leave the doubles or lose bits.
-constexpr int extreme_exponent_margin = 200;
+/// Of sizes beyond 2^+-this, products of eight lengths, such as squares of a determinant's, leave the
+/// doubles.
+constexpr int product_exponent = 128;
 
 /// Returns the pair with the first solid at the origin and the other moved along.
 Pair at_origin(Pair p) {
@@ -44,8 +44,15 @@ int exponent_of_size(const Pair& p) {
   return size > 0 && std::isfinite(size) ? std::ilogb(size) : 0;
 }
 
-/// Returns the first words of a text, joined by '-', without those that have a digit in them: these, and the
-/// words after the first few, tell one pair from another.
+/// Whether a number that follows the word is a code, as in "exit status 139", "GjkEpaResultState 1": it tells
+/// causes apart, while other numbers tell pairs apart.
+bool announces_code(std::string_view lower_word) {
+  constexpr std::array words{"code", "error", "errno", "exception", "state", "status"};
+  return std::any_of(words.begin(), words.end(), [&](const char* w) { return lower_word.ends_with(w); });
+}
+
+/// Returns the first words of a text, joined by '-', without those that have a digit in them, codes excepted:
+/// these, and the words after the first few, tell one pair from another.
 std::string slug(std::string_view text) {
   constexpr int words_cap = 7;
   std::string out;
@@ -53,12 +60,11 @@ std::string slug(std::string_view text) {
   for (std::size_t at = 0; at < text.size() && words < words_cap;) {
     const auto is_of_word = [](char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0; };
     std::size_t end = at;
-    bool digits = false;
-    while (end < text.size() && is_of_word(text[end])) {
-      digits |= std::isdigit(static_cast<unsigned char>(text[end])) != 0;
-      ++end;
-    }
-    if (end > at && !digits) {
+    std::size_t digits = 0;
+    for (; end < text.size() && is_of_word(text[end]); ++end)
+      digits += std::isdigit(static_cast<unsigned char>(text[end])) != 0;
+    const bool code = digits == end - at && (text.size() == digits || announces_code(out));
+    if (end > at && (digits == 0 || code)) {
       if (!out.empty()) out += '-';
       for (const char c : text.substr(at, end - at))
         out += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
@@ -69,15 +75,29 @@ std::string slug(std::string_view text) {
   return out;
 }
 
-/// Questions that are asked all together, each held against the claim given with it.
+/// Returns the exponents k of the factors 2^k that are tried, from the nearest on: each twice the one before,
+/// and those that bring the size to 1 and to where products begin to leave the doubles.
+std::vector<int> scales_to_try(const Pair& pair, bool larger) {
+  std::vector<int> steps;
+  for (int k = 1; k <= 1024; k *= 2) steps.push_back(k);
+  for (const int size : {-product_exponent, 0, product_exponent})
+    if (const int k = size - exponent_of_size(pair); k != 0 && (k > 0) == larger)
+      steps.push_back(std::abs(k));
+  std::sort(steps.begin(), steps.end());
+  steps.erase(std::unique(steps.begin(), steps.end()), steps.end());
+  if (!larger)
+    for (int& k : steps) k = -k;
+  return steps;
+}
+
+/// Questions that are asked all together.
 class Round {
  public:
   explicit Round(std::span<const std::unique_ptr<Method>> methods) : methods_(methods) {}
 
-  std::size_t ask(std::size_t method, const Pair& pair, const Claim& claim) {
+  std::size_t ask(std::size_t method, const Pair& pair) {
     questions_.push_back({method, pairs_.size()});
     pairs_.push_back(pair);
-    claims_.push_back(claim);
     return questions_.size() - 1;
   }
   void run(Asker& asker) {
@@ -85,53 +105,68 @@ class Round {
       const std::size_t q = trials_.size();
       Trial& trial = trials_.emplace_back(pairs_[q], std::span(&said.answer, 1));
       trial.answers = {said.answer};
-      trial.findings = {compare(trial, claims_[q], said.answer)};
+      trial.findings = {compare(trial, methods_[questions_[q].method]->claim(), said.answer)};
     }
   }
-  const Method& method(std::size_t at) const { return *methods_[at]; }
-  const Trial& operator[](std::size_t question) const { return trials_[question]; }
-  bool fails(std::size_t question, FindingKind kind) const { return trials_[question].fails(kind); }
-  bool is_right(std::size_t question) const {
-    const MethodAnswer& answer = trials_[question].answers[0];
-    return !trials_[question].findings[0] && answer.status == Status::answered &&
-           answer.verdict != Verdict::undecided;
-  }
+  Trial& operator[](std::size_t question) { return trials_[question]; }
 
  private:
   std::span<const std::unique_ptr<Method>> methods_;
   std::vector<Pair> pairs_;  ///< by question
   std::vector<Question> questions_;
-  std::vector<Claim> claims_;
   std::vector<Trial> trials_;
 };
 
+/// A question about the pair times 2^k.
+struct Scaling {
+  int k;
+  std::size_t question;
+};
+
+/// Asks until one cannot be built.
+std::vector<Scaling> ask_scaled(Round& round, std::size_t method, const Pair& pair, std::span<const int> ks) {
+  std::vector<Scaling> asked;
+  for (const int k : ks) {
+    const Pair other = scaled(pair, k);
+    if (!is_legal(other)) break;
+    asked.push_back({k, round.ask(method, other)});
+  }
+  return asked;
+}
+
+/// Returns the first that cures the failure, beside the last before it that does not.
+std::optional<ScaleCure> first_cure(Round& round, const Trial& failing, int wrong,
+                                    std::span<const Scaling> asked) {
+  for (const auto& [k, question] : asked) {
+    if (cures(failing, round[question])) return ScaleCure{wrong, k};
+    wrong = k;
+  }
+  return {};
+}
+
 /// What is known of a failing pair on the way.
 struct Candidate {
-  Failing now;  ///< the pair as far as it is brought towards the ordinary and still fails
-  Claim claim;  ///< by which it fails
+  Failing now;  ///< the pair, moved to the origin where it still fails there
   Classification found{};
+  Trial failing{};
   bool done = false;
-  int exponent = 0;  ///< of the size before it was made ordinary
-  Enclosure margin{};
   // Questions of the round at hand.
   std::size_t asked = 0;
   std::optional<std::size_t> at_origin{};
-  std::size_t larger = 0, smaller = 0;
+  std::vector<Scaling> larger{}, smaller{};
   std::vector<std::pair<std::size_t, std::size_t>> siblings{};  ///< method, question
 
   void end(Mechanism m) {
     found.mechanism = m;
     done = true;
   }
-  bool fails(const Round& round, std::size_t question) const { return round.fails(question, now.kind); }
 };
 
 /// Whether its verdict, which is wrong, is right about other solids that it says it models.
 bool is_right_about_its_model(const Method& method, const Trial& wrong) {
   const Pair model = method.modelled(wrong.pair);
-  if (numbers_of(model) == numbers_of(wrong.pair) || !is_refuted_verdict(wrong.findings[0]->kind))
-    return false;
-  const bool said = wrong.answers[0].verdict != Verdict::disjoint;
+  if (numbers_of(model) == numbers_of(wrong.pair) || !is_refuted_verdict(wrong.finding()->kind)) return false;
+  const bool said = wrong.answer().verdict != Verdict::disjoint;
   const Verdict truth = judge_verdict(model).verdict;
   return truth == Verdict::undecided || truth == Verdict::touching ||
          said == (truth == Verdict::intersecting);
@@ -139,63 +174,82 @@ bool is_right_about_its_model(const Method& method, const Trial& wrong) {
 
 /// As it is, and moved to the origin.
 void ask_as_it_is(Candidate& c, Round& round) {
-  c.asked = round.ask(c.now.method, c.now.pair, c.claim);
-  if (is_far(c.now.pair)) c.at_origin = round.ask(c.now.method, at_origin(c.now.pair), c.claim);
+  c.asked = round.ask(c.now.method, c.now.pair);
+  if (is_far(c.now.pair)) c.at_origin = round.ask(c.now.method, at_origin(c.now.pair));
 }
 
-void take_as_it_is(Candidate& c, const Round& round) {
-  const Trial& seen = round[c.asked];
-  c.found.capped = seen.answers[0].step_cap > 0 && seen.answers[0].steps >= seen.answers[0].step_cap;
-  if (!c.fails(round, c.asked)) return c.end(Mechanism::gone);
-  if (is_right_about_its_model(round.method(c.now.method), seen)) return c.end(Mechanism::model);
-  if (seen.findings[0]->margin) c.margin = *seen.findings[0]->margin;
-  // A claim has an absolute part: of a distance the error itself is followed instead.
-  if (c.now.kind == FindingKind::distance_outside) c.claim = {.relative = c.margin.lo / 2, .source = {}};
+void take_as_it_is(Candidate& c, Round& round, const Method& method) {
+  c.failing = round[c.asked];
+  const MethodAnswer& said = c.failing.answer();
+  c.found.capped = said.step_cap > 0 && said.steps >= said.step_cap;
+  if (!c.failing.fails(c.now.kind)) return c.end(Mechanism::gone);
+  if (is_right_about_its_model(method, c.failing)) return c.end(Mechanism::model);
   if (c.at_origin) {
-    c.found.right_at_origin = !c.fails(round, *c.at_origin);
+    Trial& moved = round[*c.at_origin];
+    c.found.right_at_origin = cures(c.failing, moved);
     if (c.found.right_at_origin) return c.end(Mechanism::offset);
-    c.now.pair = at_origin(c.now.pair);
+    if (moved.fails(c.now.kind)) {
+      c.now.pair = moved.pair;
+      c.failing = moved;
+    }
   }
   if (c.found.capped) c.end(Mechanism::iteration_cap);
 }
 
-/// At an ordinary size.
-void ask_at_ordinary_size(Candidate& c, Round& round) {
-  c.exponent = exponent_of_size(c.now.pair);
-  c.asked = round.ask(c.now.method, scaled(c.now.pair, -c.exponent), c.claim);
-}
-
-void take_at_ordinary_size(Candidate& c, const Round& round) {
-  if (c.fails(round, c.asked)) {
-    c.now.pair = scaled(c.now.pair, -c.exponent);
-    return;
-  }
-  (c.exponent < 0 ? c.found.right_larger : c.found.right_smaller) = true;
-  if (std::abs(c.exponent) > extreme_exponent_margin)
-    c.end(c.exponent < 0 ? Mechanism::underflow : Mechanism::overflow);
-}
-
 /// Larger, smaller; other settings.
-void ask_changed(Candidate& c, Round& round, const GroupedMethods& of) {
-  c.larger = round.ask(c.now.method, scaled(c.now.pair, scale_step), c.claim);
-  c.smaller = round.ask(c.now.method, scaled(c.now.pair, -scale_step), c.claim);
-  for (std::size_t m = 0; m < of.methods.size(); ++m)
-    if (m != c.now.method && of.groups[m] == of.groups[c.now.method] &&
-        differ_in_setting(of.methods[m]->name(), of.methods[c.now.method]->name()))
-      c.siblings.emplace_back(m, round.ask(m, c.now.pair, c.claim));
+void ask_changed(Candidate& c, Round& round, std::span<const std::unique_ptr<Method>> methods) {
+  c.larger = ask_scaled(round, c.now.method, c.now.pair, scales_to_try(c.now.pair, true));
+  c.smaller = ask_scaled(round, c.now.method, c.now.pair, scales_to_try(c.now.pair, false));
+  for (std::size_t m = 0; m < methods.size(); ++m)
+    if (differ_in_setting(methods[m]->name(), methods[c.now.method]->name()))
+      c.siblings.emplace_back(m, round.ask(m, c.now.pair));
 }
 
-void take_changed(Candidate& c, const Round& round) {
+void take_changed(Candidate& c, Round& round) {
+  Classification& found = c.found;
+  found.base = c.now.pair;
   for (const auto& [m, question] : c.siblings)
-    if (!c.found.right_sibling && round.is_right(question)) c.found.right_sibling = m;
-  c.found.right_larger |= !c.fails(round, c.larger);
-  c.found.right_smaller |= !c.fails(round, c.smaller);
-  if (c.found.right_larger || c.found.right_smaller)
+    if (!found.right_sibling && round[question].right()) found.right_sibling = m;
+  found.larger = first_cure(round, c.failing, 0, c.larger);
+  found.smaller = first_cure(round, c.failing, 0, c.smaller);
+  const int size = exponent_of_size(c.now.pair);
+  const auto& margin = c.failing.finding()->margin;
+  if (found.smaller && size + found.smaller->right >= product_exponent)
+    c.end(Mechanism::overflow);
+  else if (found.larger && size + found.larger->right <= -product_exponent)
+    c.end(Mechanism::underflow);
+  else if (found.larger || found.smaller)
     c.end(Mechanism::absolute_length);
-  else if (!is_failure(c.now.kind) && c.margin.hi <= rounding_margin)
+  else if (!is_failure(c.now.kind) && margin && margin->hi <= rounding_margin)
     c.end(Mechanism::rounding);
   else
-    c.end(c.found.right_sibling ? Mechanism::setting : Mechanism::unclassified);
+    c.end(found.right_sibling ? Mechanism::setting : Mechanism::unclassified);
+}
+
+/// Brings both ends of a cure by scale together, until they are neighbours.
+void narrow(ScaleCure& cure, const Trial& failing, std::size_t method,
+            std::span<const std::unique_ptr<Method>> methods, Asker& asker) {
+  constexpr int parts = 8;
+  while (std::abs(cure.right - cure.wrong) > 1) {
+    const int step = std::max(1, std::abs(cure.right - cure.wrong) / parts);
+    const int sign = cure.right > cure.wrong ? 1 : -1;
+    std::vector<int> ks;
+    for (int k = cure.wrong + sign * step; sign * k < sign * cure.right; k += sign * step) ks.push_back(k);
+    Round round(methods);
+    std::vector<Scaling> asked = ask_scaled(round, method, failing.pair, ks);
+    round.run(asker);
+    if (const auto nearer = first_cure(round, failing, cure.wrong, asked))
+      cure = *nearer;
+    else
+      cure.wrong = ks.back();
+  }
+}
+
+/// "12 (all lengths times 2^3; 1e-6 apart)": what the factor makes of the pair.
+std::string scaled_in_words(const Trial& trial, int k) {
+  Trial other(scaled(trial.pair, k), trial.truth);
+  other.distance = {std::ldexp(trial.distance.lo, k), std::ldexp(trial.distance.hi, k)};
+  return fmt::format("{:.3g} (all lengths times 2^{}; {})", size_of(other.pair), k, distance_in_words(other));
 }
 
 /// Returns the first method of the same library that shares the method's algorithm.
@@ -208,13 +262,21 @@ std::size_t first_of(const GroupedMethods& of, std::size_t method) {
 
 }  // namespace
 
+bool cures(const Trial& failing, Trial& after) {
+  if (!after.right() || after.meets() != failing.meets()) return false;
+  if (failing.finding()->kind != FindingKind::distance_outside) return true;
+  // A claim has an absolute part: the error itself must shrink too.
+  const Claim half{.relative = failing.finding()->margin->lo / 2, .source = {}};
+  return after.answer().has_distance && !compare(after, half, after.answer());
+}
+
 std::string_view in_words(Mechanism m) noexcept {
   constexpr std::array<std::string_view, words_of(Mechanism{}).size()> words{
       "right when asked again",
       "coordinates of the scene, not of the pair: right where both solids are moved to the origin",
       "its search ends at its own cap on steps",
-      "products of small lengths underflow: right at an ordinary size",
-      "products of large lengths overflow: right at an ordinary size",
+      "products of small lengths underflow: right at a larger size",
+      "products of large lengths overflow: right at a smaller size",
       "a fixed length in it, such as an absolute tolerance: right at another scale",
       "rounding of its double computation",
       "its setting: right with another",
@@ -223,29 +285,51 @@ std::string_view in_words(Mechanism m) noexcept {
   return words[static_cast<std::size_t>(m)];
 }
 
-std::vector<Classification> classify(const GroupedMethods& of, std::span<const Failing> failing,
-                                     const Caps& caps) {
-  Asker asker(of.methods, caps);
-  return classify(of, failing, asker);
+std::string scale_in_words(const Classification& found, const Trial& failing) {
+  std::string text;
+  for (const auto& cure : {found.smaller, found.larger})
+    if (cure)
+      text += fmt::format("{}right once scaled {} to a size of {}, wrong at {}", text.empty() ? "" : "; ",
+                          cure->right < 0 ? "down" : "up", scaled_in_words(failing, cure->right),
+                          scaled_in_words(failing, cure->wrong));
+  return text;
 }
 
-std::vector<Classification> classify(const GroupedMethods& of, std::span<const Failing> failing,
-                                     Asker& asker) {
+std::vector<Classification> classify(std::span<const std::unique_ptr<Method>> methods,
+                                     std::span<const Failing> failing, const Caps& caps) {
+  Asker asker(methods, caps);
+  return classify(methods, failing, asker);
+}
+
+std::vector<Classification> classify(std::span<const std::unique_ptr<Method>> methods,
+                                     std::span<const Failing> failing, Asker& asker) {
   std::vector<Candidate> candidates;
-  for (const Failing& f : failing) candidates.push_back({f, of.methods[f.method]->claim()});
+  for (const Failing& f : failing) candidates.push_back({f});
   const auto round = [&](auto ask, auto take) {
-    Round asked(of.methods);
+    Round asked(methods);
     for (Candidate& c : candidates)
       if (!c.done) ask(c, asked);
     asked.run(asker);
     for (Candidate& c : candidates)
       if (!c.done) take(c, asked);
   };
-  round(ask_as_it_is, take_as_it_is);
-  round(ask_at_ordinary_size, take_at_ordinary_size);
-  round([&](Candidate& c, Round& asked) { ask_changed(c, asked, of); }, take_changed);
+  round(ask_as_it_is, [&](Candidate& c, Round& asked) { take_as_it_is(c, asked, *methods[c.now.method]); });
+  round([&](Candidate& c, Round& asked) { ask_changed(c, asked, methods); }, take_changed);
   std::vector<Classification> found;
   for (const Candidate& c : candidates) found.push_back(c.found);
+  return found;
+}
+
+Classification classify_closely(std::span<const std::unique_ptr<Method>> methods, const Failing& failing,
+                                const Caps& caps) {
+  Asker asker(methods, caps);
+  Classification found = classify(methods, {&failing, 1}, asker)[0];
+  if (!found.smaller && !found.larger) return found;
+  Round round(methods);
+  round.ask(failing.method, found.base);
+  round.run(asker);
+  for (auto* cure : {&found.smaller, &found.larger})
+    if (*cure) narrow(**cure, round[0], failing.method, methods, asker);
   return found;
 }
 
@@ -286,7 +370,7 @@ std::string cause_key(const GroupedMethods& of, std::size_t method, FindingKind 
 
 std::string find_cause(const GroupedMethods& of, const Failing& failing, Severity severity,
                        std::string_view reason, Asker& asker) {
-  const Mechanism mechanism = classify(of, {&failing, 1}, asker)[0].mechanism;
+  const Mechanism mechanism = classify(of.methods, {&failing, 1}, asker)[0].mechanism;
   return cause_key(of, failing.method, failing.kind, severity, mechanism, reason);
 }
 

@@ -18,14 +18,16 @@
 
 namespace cyl {
 
+struct Trial;
+
 /// The first that applies, in this order.
 enum class Mechanism : unsigned char {
   gone,             ///< not wrong today
   offset,           ///< right where both solids are moved to the origin together
   iteration_cap,    ///< its search ended by its own cap on steps
-  underflow,        ///< right at an ordinary size; the size is below 2^-200
-  overflow,         ///< the same above 2^200
-  absolute_length,  ///< right where both solids are made larger or smaller, by up to 2^200
+  underflow,        ///< right at a larger size, which is below 2^-128 all the same
+  overflow,         ///< right at a smaller size, which is above 2^128 all the same
+  absolute_length,  ///< right where both solids are made larger or smaller
   rounding,         ///< wrong below rounding_margin, at any size
   setting,          ///< another setting of the same algorithm is right
   unclassified,     ///< none of these
@@ -49,16 +51,29 @@ struct Failing {
   Pair pair;
 };
 
+/// All lengths times 2^wrong: not right; times 2^right: right. `right` is the nearest that was seen.
+struct ScaleCure {
+  int wrong, right;
+};
+
 /// What further questions told of a failure.
 struct Classification {
   Mechanism mechanism = Mechanism::unclassified;
   /// The method that is right with another setting, whatever the mechanism.
   std::optional<std::size_t> right_sibling;
-  bool capped = false;         ///< its search ended by its own cap
-  bool right_larger = false;   ///< right where the pair is made larger,
-  bool right_smaller = false;  ///< smaller; the order of the mechanisms notwithstanding
+  bool capped = false;  ///< its search ended by its own cap
   bool right_at_origin = false;
+  Pair base;                                 ///< the pair, at the origin where it fails there too
+  std::optional<ScaleCure> smaller, larger;  ///< of that
 };
+
+/// Returns whether the method is right on the pair of `after`, which is the failing one changed so that its
+/// truth stays: that it fails otherwise, or does not answer, cures nothing. A distance must be right by the
+/// claim, and off by half as much at most, relative to the size. Both are trials of one method.
+bool cures(const Trial& failing, Trial& after);
+
+/// "right once scaled down to a size of 12 (..), wrong at 24 (..)"; empty where no scale cures it.
+std::string scale_in_words(const Classification& found, const Trial& failing);
 
 /// Methods, and for each the first of those that share its algorithm (algorithm_groups()).
 struct GroupedMethods {
@@ -66,12 +81,15 @@ struct GroupedMethods {
   std::span<const std::size_t> groups;
 };
 
-/// Returns the classification of each failure, a pure function of it, hangs excepted. Cost: four rounds of
-/// questions for all together, in one worker, or in those of an asker of all methods.
-std::vector<Classification> classify(const GroupedMethods& of, std::span<const Failing> failing,
-                                     const Caps& caps);
-std::vector<Classification> classify(const GroupedMethods& of, std::span<const Failing> failing,
-                                     Asker& asker);
+/// Returns the classification of each failure, a pure function of it, hangs excepted. Cost: two rounds of
+/// some 25 questions a failure for all together, in one worker, or in those of an asker of all methods.
+std::vector<Classification> classify(std::span<const std::unique_ptr<Method>> methods,
+                                     std::span<const Failing> failing, const Caps& caps);
+std::vector<Classification> classify(std::span<const std::unique_ptr<Method>> methods,
+                                     std::span<const Failing> failing, Asker& asker);
+/// Returns the same of one, with the two ends of each cure by scale neighbours: some 40 questions more.
+Classification classify_closely(std::span<const std::unique_ptr<Method>> methods, const Failing& failing,
+                                const Caps& caps);
 
 /// Returns the methods of other libraries that share the method's algorithm, as far as their errors tell.
 std::vector<std::size_t> sharers_elsewhere(const GroupedMethods& of, std::size_t method);

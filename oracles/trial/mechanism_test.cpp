@@ -13,7 +13,9 @@
 #include "oracles/methods/fake_method_test.hpp"
 #include "oracles/referee/referee.hpp"
 #include "oracles/trial/algorithm_groups.hpp"
+#include "oracles/trial/trial.hpp"
 #include "solver/decide.hpp"
+#include "solver/distance.hpp"
 
 namespace cyl {
 namespace {
@@ -40,15 +42,15 @@ Pair crossing(double size, double offset = 0) {
   return p;
 }
 
-Classification classified(const Methods& methods, std::vector<std::size_t> groups, const Pair& pair) {
+Classification classified(const Methods& methods, const Pair& pair) {
   const Failing failing{0, FindingKind::wrong_disjoint, pair};
-  return classify({methods, groups}, {&failing, 1}, {})[0];
+  return classify(methods, {&failing, 1}, {})[0];
 }
 
 Classification classified(std::function<bool(const Pair&)> errs, const Pair& pair, bool capped = false) {
   Methods methods;
   methods.push_back(erring("lib-way", std::move(errs), capped));
-  return classified(methods, {0}, pair);
+  return classified(methods, pair);
 }
 
 TEST(Mechanism, IsGoneWhereTheMethodIsRightNow) {
@@ -72,11 +74,11 @@ TEST(Mechanism, TellsTheCapOnSteps) {
 TEST(Mechanism, TellsAFixedLength) {
   const Classification small = classified([](const Pair& p) { return size_of(p) < 1e-3; }, crossing(1e-4));
   EXPECT_EQ(small.mechanism, Mechanism::absolute_length);
-  EXPECT_TRUE(small.right_larger);
-  EXPECT_FALSE(small.right_smaller);
+  EXPECT_TRUE(small.larger);
+  EXPECT_FALSE(small.smaller);
   const Classification large = classified([](const Pair& p) { return size_of(p) > 0.01; }, crossing(1));
   EXPECT_EQ(large.mechanism, Mechanism::absolute_length);
-  EXPECT_TRUE(large.right_smaller);
+  EXPECT_TRUE(large.smaller);
 }
 
 TEST(Mechanism, TellsWhatLeavesTheDoubles) {
@@ -84,6 +86,44 @@ TEST(Mechanism, TellsWhatLeavesTheDoubles) {
             Mechanism::overflow);
   EXPECT_EQ(classified([](const Pair& p) { return size_of(p) < 1e-100; }, crossing(1e-120)).mechanism,
             Mechanism::underflow);
+}
+
+/// A cut-off of the method's own is no overflow, however large the pair.
+TEST(Mechanism, NamesTheLengthThatDecides) {
+  for (const auto& [size, wrong] : {std::pair(
+                                        0x1p200, +[](const Pair& p) { return size_of(p) > 300; }),
+                                    std::pair(
+                                        0x1p-200, +[](const Pair& p) { return size_of(p) < 300; })}) {
+    Methods methods;
+    methods.push_back(erring("lib-way", wrong));
+    const Failing failing{0, FindingKind::wrong_disjoint, crossing(size)};
+    const Classification found = classify_closely(methods, failing, {});
+    EXPECT_EQ(found.mechanism, Mechanism::absolute_length);
+    const ScaleCure cure = size > 1 ? found.smaller.value() : found.larger.value();
+    EXPECT_EQ(cure.wrong, size > 1 ? -191 : 208);
+    EXPECT_EQ(cure.right, size > 1 ? -192 : 209);
+    EXPECT_EQ(scale_in_words(found, try_method(methods[0], failing.pair)),
+              size > 1 ? "right once scaled down to a size of 256 (all lengths times 2^-192; overlapping by "
+                         "96), wrong at 512 (all lengths times 2^-191; overlapping by 192)"
+                       : "right once scaled up to a size of 512 (all lengths times 2^209; overlapping by "
+                         "192), wrong at 256 (all lengths times 2^208; overlapping by 96)");
+  }
+}
+
+/// Off by 2 % at every size; of small solids it answers nothing.
+TEST(Mechanism, WhatFailsOtherwiseIsNoCure) {
+  Methods methods;
+  methods.push_back(fake_method("lib-way", [](const Pair& pair) {
+    if (size_of(pair) < 1e-4) return failed_answer(Failure::reported, "too small");
+    MethodAnswer answer = answered(Verdict::intersecting);
+    answer.has_distance = true;
+    answer.distance = 0.98 * distance(pair.a, pair.b).value;
+    return answer;
+  }));
+  const Failing failing{0, FindingKind::distance_outside, crossing(1)};
+  const Classification found = classify(methods, {&failing, 1}, {})[0];
+  EXPECT_EQ(found.mechanism, Mechanism::unclassified);
+  EXPECT_FALSE(found.smaller || found.larger);
 }
 
 TEST(Mechanism, TellsRounding) {
@@ -97,7 +137,7 @@ TEST(Mechanism, TellsASettingThatIsRight) {
   methods.push_back(erring("lib-way", [](const Pair&) { return true; }));
   methods.push_back(erring("lib-way-fine", [](const Pair&) { return false; }));
   methods.push_back(erring("other", [](const Pair&) { return false; }));
-  const Classification reported = classified(methods, {0, 0, 0}, crossing(1));
+  const Classification reported = classified(methods, crossing(1));
   EXPECT_EQ(reported.mechanism, Mechanism::setting);
   EXPECT_EQ(reported.right_sibling, 1u);
 }
@@ -134,6 +174,13 @@ TEST(Mechanism, GivesOneKeyToOneCause) {
   EXPECT_EQ(key(0, FindingKind::crash, contract, Mechanism::unclassified,
                 "SIGABRT: at 0x7f33 in line 12, bad shape"),
             "lib/crash/sigabrt-at-in-line-bad-shape");
+  for (const auto& [reason, slug] : {std::pair("GjkEpaResultState 1", "gjkeparesultstate-1"),
+                                     {"GjkEpaResultState 257", "gjkeparesultstate-257"},
+                                     {"error: -3 of pair 77", "error-3-of-pair"},
+                                     {"257", "257"},
+                                     {"at 0.5, 31 steps", "at-steps"}})
+    EXPECT_EQ(key(0, FindingKind::reported, contract, Mechanism::unclassified, reason),
+              std::string("lib/reported/") + slug);
 }
 
 TEST(Kin, IsTheSettingOrTheSameErrors) {

@@ -11,6 +11,7 @@
 #include "base/usage_error.hpp"
 #include "corpus/pairs/pair_io.hpp"
 #include "corpus/pairs/pair_json.hpp"
+#include "corpus/pairs/pair_numbers.hpp"
 #include "corpus/pairs/truth_io.hpp"
 
 namespace cyl {
@@ -27,11 +28,6 @@ std::string beyond_in_words(const Trial& asked, const RegionEnd& end) {
   if (p.answer().status != Status::answered || p.answer().verdict == Verdict::undecided) return "no answer";
   if (p.meets() != asked.meets()) return p.meets() ? "they meet" : "they are apart";
   return "right";
-}
-
-/// Whether the method gets right beyond an end what it gets wrong within, the truth being the same.
-bool turns_right(const Trial& asked, const RegionEnd& end) {
-  return end.beyond && end.beyond->right() && end.beyond->meets() == asked.meets();
 }
 
 /// The region of a parameter, where the explanation has regions.
@@ -81,8 +77,15 @@ bool helps(const Explanation& e, Transformation transformation) {
   });
 }
 
+/// The cause as triage has it, and what else cures the failure.
 std::vector<std::string> causes(const Explanation& e) {
+  using enum Mechanism;
   std::vector<std::string> found;
+  const Mechanism m = e.cause.mechanism;
+  if (m != gone && m != setting && m != unclassified) {
+    const std::string scale = scale_in_words(e.cause, e.asked);
+    found.push_back(std::string(in_words(m)) + (scale.empty() ? "" : " (" + scale + ')'));
+  }
   std::vector<std::string> settings;
   for (const Workaround& w : e.workarounds)
     if (w.transformation == Transformation::setting && w.outcome == WorkaroundOutcome::right)
@@ -90,18 +93,10 @@ std::vector<std::string> causes(const Explanation& e) {
   if (!settings.empty())
     found.push_back(fmt::format("its own setting decides ({} {} right)", joined(settings, " and "),
                                 settings.size() == 1 ? "is" : "are"));
-  const RegionEnd none, &up = e.regions.empty() ? none : region_of(e, Parameter::scale).high,
-                        &down = e.regions.empty() ? none : region_of(e, Parameter::scale).low;
-  const bool larger = turns_right(e.asked, up), smaller = turns_right(e.asked, down);
-  if (larger || smaller) {
-    std::string text = "a length of its own decides (right with all lengths times ";
-    if (smaller) text += fmt::format("2^{:.0f} or less", *down.ends_at);
-    if (larger) text += fmt::format("{}2^{:.0f} or more", smaller ? ", or " : "", *up.ends_at);
-    found.push_back(text + ")");
-  } else if (helps(e, Transformation::rescaled)) {
-    found.push_back("a length of its own decides (right once scaled to size 1)");
-  }
-  if (helps(e, Transformation::at_origin)) found.push_back("the place decides (right at the origin)");
+  if (e.regions.empty() && helps(e, Transformation::rescaled))
+    found.push_back("the scale decides (right once scaled to size 1)");
+  if (m != offset && helps(e, Transformation::at_origin))
+    found.push_back("the place decides (right at the origin)");
   if (helps(e, Transformation::unit_axes)) found.push_back("the axes' lengths decide (right with unit axes)");
   if (helps(e, Transformation::exchanged))
     found.push_back("the order decides (right with the solids exchanged)");
@@ -164,17 +159,24 @@ std::string regions_table(const Explanation& e) {
   return text;
 }
 
-std::string curve_table(const CalibrationCurve& c) {
+/// Of wrong verdicts the decades are marked that the method's claim allows.
+std::string curve_table(const Explanation& e) {
+  const CalibrationCurve& c = *e.curve;
+  const double size = size_of(e.asked.pair);
+  const double claimed = is_refuted_verdict(e.asked.finding()->kind) ? reach(e.claim, size) / size : 0;
   std::string text = fmt::format(
       "\nshare that fails so, of drawn {} pairs of the pair's size (seed {}), with exact 95 % bounds\n"
       "{:<8} {:>9} {:>9} {:>9}   {}\n",
       to_string(c.feature), c.seed, "margin", "trials", "fail", "share", "bounds");
   for (const CalibrationPoint& p : c.points) {
     if (p.trials == 0) continue;
-    text += fmt::format("1e-{:02}    {:>9} {:>9} {:>9.3g}   {:.2g} to {:.2g}\n", p.decade, p.trials,
-                        p.failures, static_cast<double>(p.failures) / static_cast<double>(p.trials),
-                        p.rate.lower, p.rate.upper);
+    text +=
+        fmt::format("1e-{:02}    {:>9} {:>9} {:>9.3g}   {:.2g} to {:.2g}{}\n", p.decade, p.trials, p.failures,
+                    static_cast<double>(p.failures) / static_cast<double>(p.trials), p.rate.lower,
+                    p.rate.upper, std::pow(10, -p.decade) <= claimed ? ", within its claim" : "");
   }
+  if (const auto only = conditions(e); !only.empty())
+    text += fmt::format("drawn with any shape: not only with {}\n", joined(only, " and "));
   return text;
 }
 
@@ -232,11 +234,13 @@ json curve_json(const CalibrationCurve& c) {
 Explanation explain(std::span<const std::unique_ptr<Method>> methods, std::string_view name, FindingKind kind,
                     const Pair& pair, std::uint64_t seed) {
   const auto& method = find_method(methods, name);
-  Explanation e{std::string(name), method->claim(), try_method(method, pair), {}, {}, {}, {}};
+  Explanation e{std::string(name), method->claim(), try_method(method, pair), {}, {}, {}, {}, {}};
   if (!e.asked.fails(kind))
     throw UsageError(fmt::format("{} has no {} on this pair today: it says {}", name, to_string(kind),
                                  format_method_answer(e.asked.answer())));
   if (kind != FindingKind::hang) {
+    const auto index = static_cast<std::size_t>(&method - methods.data());
+    e.cause = classify_closely(methods, {index, kind, pair}, probe_caps);
     e.regions = failing_regions(method, e.asked);
     e.curve = calibration_curve(method, e.asked, seed);
   }
@@ -251,7 +255,7 @@ std::string explanation_text(const Explanation& e) {
                                  to_string(e.asked.finding()->kind), to_string(e.asked.finding()->severity),
                                  format_pair(e.asked.pair));
   if (!e.regions.empty()) text += '\n' + regions_table(e);
-  if (e.curve) text += curve_table(*e.curve);
+  if (e.curve) text += curve_table(e);
   return text + workarounds_table(e) + "\n" + e.mechanism + "\n";
 }
 

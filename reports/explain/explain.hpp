@@ -11,6 +11,7 @@
 #include <string_view>
 #include <vector>
 
+#include "oracles/trial/mechanism.hpp"
 #include "oracles/trial/trial.hpp"
 #include "reports/explain/calibration_curve.hpp"
 #include "reports/explain/failing_region.hpp"
@@ -24,7 +25,8 @@ struct Explanation {
   std::string method;
   Claim claim;
   Trial asked;                            ///< of the method alone: holds the finding
-  std::vector<FailingRegion> regions;     ///< none of a hang: each question would cost a second
+  Classification cause;                   ///< as triage has it; none of a hang: each question costs a second
+  std::vector<FailingRegion> regions;     ///< likewise
   std::optional<CalibrationCurve> curve;  ///< likewise
   std::vector<Workaround> workarounds;
   std::string mechanism;  ///< one sentence that sums up the rest

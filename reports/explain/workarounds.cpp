@@ -10,6 +10,7 @@
 #include "corpus/pairs/pair_numbers.hpp"
 #include "oracles/methods/adapter.hpp"
 #include "oracles/trial/algorithm_groups.hpp"
+#include "oracles/trial/mechanism.hpp"
 
 namespace cyl {
 namespace {
@@ -42,11 +43,12 @@ std::optional<Pair> transformed(Transformation transformation, Pair pair) {
   return {};
 }
 
-WorkaroundOutcome outcome_of(const Trial& before, const Trial& after) {
+WorkaroundOutcome outcome_of(const Trial& before, Trial& after) {
   if (after.fails(before.finding()->kind)) return WorkaroundOutcome::still_fails;
   if (!after.decided() || after.meets() != before.meets()) return WorkaroundOutcome::truth_changed;
   if (after.finding()) return WorkaroundOutcome::other_failure;
-  return after.right() ? WorkaroundOutcome::right : WorkaroundOutcome::no_answer;
+  if (!after.right()) return WorkaroundOutcome::no_answer;
+  return cures(before, after) ? WorkaroundOutcome::right : WorkaroundOutcome::still_fails;
 }
 
 }  // namespace
@@ -56,8 +58,9 @@ std::vector<Workaround> try_workarounds(std::span<const std::unique_ptr<Method>>
   std::vector<Workaround> tried;
   for (const auto& other : methods) {
     if (!differ_in_setting(method->name(), other->name())) continue;
-    const Trial after = try_method(other, failing.pair);
-    tried.push_back({Transformation::setting, std::string(other->name()), outcome_of(failing, after), after});
+    Trial after = try_method(other, failing.pair);
+    const WorkaroundOutcome outcome = outcome_of(failing, after);
+    tried.push_back({Transformation::setting, std::string(other->name()), outcome, std::move(after)});
   }
   for (const Transformation transformation : {Transformation::rescaled, Transformation::at_origin,
                                               Transformation::exchanged, Transformation::unit_axes}) {

@@ -54,7 +54,7 @@ TEST(GateSarif, WhatWasNotAskedIsNoSuccess) {
   EXPECT_EQ(cut["executionSuccessful"], false);
   ASSERT_EQ(cut["toolExecutionNotifications"].size(), 2u);
   EXPECT_EQ(cut["toolExecutionNotifications"][0]["message"]["text"],
-            "Not asked: sample of all strata: 9 of 840 rounds, for the time was over");
+            "Not asked: sample of all strata: 9 of 840 rounds, since the time was over");
 }
 
 TEST(GateSarif, PlacesAreTheCaseElseTheLawFromTheTopOfTheSources) {

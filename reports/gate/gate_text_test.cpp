@@ -80,7 +80,7 @@ TEST(GateText, KnownFailuresDoNotFail) {
 
 TEST(GateText, TellsWhatWasNotAsked) {
   const std::string text = gate_text(cut_report());
-  EXPECT_TRUE(has(text, "NOT ASKED: sample of all strata: 9 of 840 rounds, for the time was over\n"));
+  EXPECT_TRUE(has(text, "NOT ASKED: sample of all strata: 9 of 840 rounds, since the time was over\n"));
   EXPECT_TRUE(has(text, "Nothing that was asked fails the gate."));
   EXPECT_FALSE(has(text, "Nothing fails the gate."));
 }

@@ -68,6 +68,7 @@ class Charts : public testing::Test {
                       finding("bad", "wrong_intersecting", beside(4e-7), Verdict::disjoint),
                       finding("bad", "wrong_intersecting", beside(3e-7), Verdict::disjoint),
                       finding("bad", "crash", beside(1), Verdict::disjoint)};
+    for (std::size_t i = 0; i < batch.findings.size(); ++i) batch.findings[i].index = i;
     run.commit(batch, 1);
   }
   void TearDown() override { fs::remove_all(folder); }

@@ -95,7 +95,7 @@ TEST_F(ReportData, HasTheRunItsMethodsAndEveryNumber) {
       "daylight campaign --seed 42 --pairs 7 --methods 'fake,intersect'"));
   EXPECT_EQ(report["methods"][0],
             parse_ordered_json(R"({"name":"fake","version":"9.8","claim":{"relative":1e-6,
-    "absolute":0.001,"source":"its manual"},"own":false,"share":3})"));
+    "absolute":0.001,"source":"its manual","stated":true},"own":false,"share":3})"));
   EXPECT_EQ(report["methods"][1]["own"], true);
   EXPECT_EQ(report["families"][0]["name"], "random");
   EXPECT_NE(report["families"][0]["summary"], "");
@@ -226,6 +226,7 @@ TEST_F(ReportData, KeepsHostileTextAsText) {
   f.answers = "{" + quote_json(hostile) + R"(:{"failed":)" + quote_json(hostile) + "}}";
   f.truth = R"({"verdict":)" + quote_json(hostile) + R"(,"point":["1/3",)" + quote_json(hostile) + ",0]}";
   FindingRecord broken = f;
+  broken.index = 2;
   broken.pair = broken.answers = broken.truth = hostile;
   FindingRecord half = finding(1, "half", 0.5);
   half.answers = half.truth = "[1]";

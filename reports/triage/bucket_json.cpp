@@ -86,10 +86,11 @@ std::string short_number(const Json& x) { return x.is_null() ? "-" : fmt::format
 
 std::string format_bucket(const Bucket& b) {
   const Json margin = b.margin ? margin_json(b.margin) : Json{nullptr, nullptr};
-  std::string text = fmt::format("{} {}{}{}{}\n    {}\n", b.severity == Severity::contract ? "*" : " ", b.key,
-                                 b.status ? std::string(", ") + to_string(*b.status) : "",
-                                 b.chance ? fmt::format(" (chance {:.1g})", *b.chance) : "",
-                                 b.suppressed ? ", suppressed" : "", b.cause);
+  std::string text =
+      fmt::format("{} {}{}{}{}\n    {}\n", b.severity == Severity::contract ? "*" : " ", b.key,
+                  b.status ? std::string(", ") + to_string(*b.status) : "",
+                  b.chance && *b.chance < chance_margin ? fmt::format(" (chance {:.1g})", *b.chance) : "",
+                  b.suppressed ? ", suppressed" : "", b.cause);
   text += fmt::format("    {} findings of {} methods in {} families; margins {} to {}", b.count,
                       b.methods.size(), b.families.size(), short_number(margin[0]), short_number(margin[1]));
   if (b.worst_was_searched)

@@ -245,6 +245,10 @@ std::optional<Bucket::Share> share_of(const Pair& simplest, double margin, Conta
   return share;
 }
 
+bool is_of_scale(Mechanism m) {
+  return m == Mechanism::absolute_length || m == Mechanism::underflow || m == Mechanism::overflow;
+}
+
 /// What of the simplest pair and its stratum is seen.
 void show_simplest(Bucket& b, const Group& group, const ShownPair& shown,
                    std::span<const std::unique_ptr<Method>> methods, const std::string& folder, bool drawn) {
@@ -265,6 +269,11 @@ void show_simplest(Bucket& b, const Group& group, const ShownPair& shown,
   if (m < methods.size() && b.kind == to_string(FindingKind::bad_witness))
     if (const std::string miss = miss_in_words(pair, now.answers[m]); !miss.empty())
       b.cause += "; on the simplest pair " + miss;
+  if (drawn && b.seen_again && is_of_scale(b.mechanism)) {
+    const Failing failing{m, *from_word<FindingKind>(b.kind), pair};
+    const std::string scale = scale_in_words(classify_closely(methods, failing, share_caps), now);
+    if (!scale.empty()) b.cause += "; the simplest pair is " + scale;
+  }
   // Of what hangs each question would cost a second, or two.
   const bool answers = m < methods.size() && now.answers[m].failure != Failure::hang &&
                        now.answers[m].status != Status::declined;

@@ -11,6 +11,7 @@
 #include <set>
 #include <span>
 #include <string>
+#include <tuple>
 #include <vector>
 
 #include "base/enum_words.hpp"
@@ -31,7 +32,8 @@ struct Bucket {
   struct Share {
     std::uint64_t wrong = 0, asked = 0;
   };
-  /// What a run saw of the cause: pairs that one method is wrong on, of those it was asked in its families.
+  /// What a run saw of the cause: findings of one method that were looked at, and of the pairs that it was
+  /// asked in the families the part that this stands for.
   struct Night {
     std::string run, started;
     Sight sight;
@@ -65,13 +67,26 @@ struct Bucket {
   std::optional<Suppression> suppressed;
 };
 
+/// The findings of one method, kind, severity and family: all, and those looked at, by cause.
+struct ExaminedFindings {
+  std::uint64_t found = 0, looked_at = 0;
+  std::map<std::string, std::uint64_t> by_cause;
+};
+using ExaminedGroups =
+    std::map<std::tuple<std::string, std::string, std::string, std::string>, ExaminedFindings>;
+
+ExaminedGroups examined_groups(const std::vector<GroupRecord>& groups,
+                               const std::vector<FindingHead>& findings,
+                               const std::vector<CauseRecord>& causes);
+
 /// What earlier triaged runs, and this one, tell of causes.
 struct TriagedRun {
   std::string id, started;
   std::vector<MethodRecord> methods;  ///< those that are here
   std::vector<TallyRecord> tallies;
   std::vector<Bucket> buckets;
-  double part = 1;  ///< of its findings that were looked at: what it did not meet weighs that much
+  ExaminedGroups examined;
+  double part = 1;  ///< of its findings that were looked at
 };
 
 /// In the form of the page's Bucket, in which it is stored too.

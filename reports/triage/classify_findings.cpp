@@ -54,8 +54,8 @@ std::string mechanism_labels(const Classification& found, std::span<const std::u
   const auto add = [&](const std::string& label) { labels += (labels.empty() ? "" : "\n") + label; };
   if (found.right_at_origin) add("offset: right at the origin");
   if (found.capped) add("iteration cap: its search used up its steps");
-  if (found.right_larger) add("absolute length: right where it is larger");
-  if (found.right_smaller) add("absolute length: right where it is smaller");
+  if (found.larger) add("absolute length: right where it is larger");
+  if (found.smaller) add("absolute length: right where it is smaller");
   if (found.right_sibling)
     add(fmt::format("own setting: {} is right", methods[*found.right_sibling]->name()));
   return labels;
@@ -66,7 +66,7 @@ std::vector<CauseRecord> causes_together(std::span<const Subject* const> subject
   std::vector<Failing> failing;
   for (const Subject* s : subjects)
     if (s->can_be_classified()) failing.push_back(s->failing());
-  const std::vector<Classification> found = classify(methods, failing, triage_caps);
+  const std::vector<Classification> found = classify(methods.methods, failing, triage_caps);
   std::vector<CauseRecord> causes;
   auto next = found.begin();
   for (const Subject* s : subjects) {

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <array>
+#include <map>
+#include <set>
 
 #include "base/json.hpp"
 #include "fuzz/campaign/climbed.hpp"
@@ -23,28 +25,65 @@ const Bucket* find(const TriagedRun& run, const Bucket& of) {
   return nullptr;
 }
 
-/// Pairs that a method of the bucket was asked in its families, at most.
-std::uint64_t asked_in(const TriagedRun& run, const Bucket& of) {
-  std::map<std::string, std::uint64_t> asked;
-  for (const TallyRecord& t : run.tallies)
-    if (of.methods.contains(t.method) && of.families.contains(t.family))
-      asked[t.method] +=
-          independent_draws(t.family, t.counts.asked - std::min(t.counts.asked, t.counts.declined));
-  std::uint64_t most = 0;
-  for (const auto& [method, n] : asked) most = std::max(most, n);
-  return most;
-}
+/// What a run saw of a cause, by method and group.
+struct Seen {
+  const TriagedRun* run;
+  std::string key;  ///< of the cause in that run
+};
 
-/// Of a bucket that an earlier build stored without it, the pairs are told from its findings.
-std::uint64_t pairs_of(const Bucket& b) {
-  return b.pairs > 0 || b.methods.empty() ? b.pairs : b.count / b.methods.size();
-}
-
-Sight sight_of(const TriagedRun& run, const Bucket& of) {
+Seen seen_in(const TriagedRun& run, const Bucket& of) {
   const Bucket* const found = find(run, of);
-  const std::uint64_t pairs = found != nullptr ? pairs_of(*found) : 0;
-  const double looked_at = run.part * static_cast<double>(asked_in(run, of));
-  return {pairs, std::max(pairs, static_cast<std::uint64_t>(looked_at))};
+  return {&run, found != nullptr ? found->key : of.key};
+}
+
+/// The method with the most findings of the cause in all runs, and the groups in which it has some.
+struct Places {
+  std::string method;
+  std::set<ExaminedGroups::key_type> groups;
+};
+
+Places places_of(const std::vector<Seen>& seen) {
+  std::map<std::string, std::uint64_t> by_method;
+  for (const auto& [run, key] : seen)
+    for (const auto& [group, examined] : run->examined)
+      if (const auto n = examined.by_cause.find(key); n != examined.by_cause.end())
+        by_method[std::get<0>(group)] += n->second;
+  Places places;
+  std::uint64_t most = 0;
+  for (const auto& [method, n] : by_method)
+    if (n > most) most = n, places.method = method;
+  for (const auto& [run, key] : seen)
+    for (const auto& [group, examined] : run->examined)
+      if (std::get<0>(group) == places.method && examined.by_cause.contains(key)) places.groups.insert(group);
+  return places;
+}
+
+/// Who looked at a part of the findings of a group met that part of what was there to meet, as if it had
+/// asked about that part of the pairs; about one at least: who looked at nothing was asked all the same.
+Sight sight_of(const Seen& seen, const Places& places) {
+  Sight sight;
+  double asked = 0;
+  bool was_asked = false;
+  for (const ExaminedGroups::key_type& group : places.groups) {
+    const std::string& family = std::get<3>(group);
+    double pairs = 0;
+    for (const TallyRecord& t : seen.run->tallies)
+      if (t.method == places.method && t.family == family)
+        pairs += static_cast<double>(
+            independent_draws(family, t.counts.asked - std::min(t.counts.asked, t.counts.declined)));
+    was_asked = was_asked || pairs > 0;
+    const auto examined = seen.run->examined.find(group);
+    if (examined != seen.run->examined.end() && examined->second.found > 0) {
+      const ExaminedFindings& e = examined->second;
+      const auto n = e.by_cause.find(seen.key);
+      if (n != e.by_cause.end()) sight.count += independent_draws(family, n->second);
+      pairs *= static_cast<double>(e.looked_at) / static_cast<double>(e.found);
+    }
+    asked += pairs;
+  }
+  const std::uint64_t least = was_asked ? 1 : 0;
+  sight.asked = std::max({sight.count, least, static_cast<std::uint64_t>(asked)});
+  return sight;
 }
 
 std::string version_in(const TriagedRun& run, const std::string& method) {
@@ -56,16 +95,20 @@ std::string version_in(const TriagedRun& run, const std::string& method) {
 void compare(Bucket& b, const TriagedRun& run, const std::vector<TriagedRun>& earlier, std::size_t compared) {
   b.first_seen = b.last_seen = run.id;
   b.first_version = b.last_version = version_in(run, b.method);
+  std::vector<Seen> seen;
+  for (const TriagedRun& past : earlier) seen.push_back(seen_in(past, b));
+  seen.push_back(seen_in(run, b));
+  const Places places = places_of(seen);
   std::vector<Sight> sights;
   for (const TriagedRun& past : earlier) {
-    sights.push_back(sight_of(past, b));
+    sights.push_back(sight_of(seen[sights.size()], places));
     if (sights.back().asked > 0) b.nights.push_back({past.id, past.started, sights.back()});
     const Bucket* const found = find(past, b);
     if (found == nullptr || b.first_seen != run.id) continue;
     b.first_seen = found->first_seen;
     b.first_version = found->first_version.empty() ? version_in(past, b.method) : found->first_version;
   }
-  const Sight here = sight_of(run, b);
+  const Sight here = sight_of(seen.back(), places);
   b.nights.push_back({run.id, run.started, here});
   if (b.nights.size() > nights_cap) b.nights.erase(b.nights.begin(), b.nights.end() - nights_cap);
   if (earlier.empty()) return;
@@ -91,10 +134,12 @@ std::optional<Bucket> missed(Bucket b, const TriagedRun& run, const std::vector<
   b.last_seen = last_seen;
   b.last_version = last_version.empty() ? version_in(earlier.back(), b.method) : last_version;
   const std::optional<bool> fails = fails_today(b);
-  if (fails)
+  if (fails) {
     b.status = *fails ? Recurrence::known : Recurrence::gone;
-  else if (!b.status)
+    b.chance.reset();
+  } else if (!b.status) {
     b.status = Recurrence::rare;
+  }
   return b;
 }
 
@@ -105,6 +150,23 @@ int place_of(const Bucket& b) {
 }
 
 }  // namespace
+
+ExaminedGroups examined_groups(const std::vector<GroupRecord>& groups,
+                               const std::vector<FindingHead>& findings,
+                               const std::vector<CauseRecord>& causes) {
+  std::map<std::int64_t, const std::string*> cause_of;
+  for (const CauseRecord& c : causes) cause_of[c.finding] = &c.bucket;
+  ExaminedGroups examined;
+  for (const GroupRecord& g : groups) examined[{g.method, g.kind, g.severity, g.family}].found = g.count;
+  for (const FindingHead& f : findings) {
+    const auto cause = cause_of.find(f.id);
+    if (cause == cause_of.end()) continue;
+    ExaminedFindings& e = examined[{f.method, f.kind, f.severity, f.family}];
+    ++e.looked_at;
+    ++e.by_cause[*cause->second];
+  }
+  return examined;
+}
 
 void compare_with_earlier(TriagedRun& run, const std::vector<TriagedRun>& earlier,
                           const FailsToday& fails_today) {

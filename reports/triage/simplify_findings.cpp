@@ -69,7 +69,7 @@ bool fails_alike(const GroupedMethods& methods, const Subject& s, const std::str
   const auto found = compare(trial, methods.methods[*s.method]->claim(), said);
   if (!found || !is_same_kind(found->kind, *s.kind) || found->severity != s.severity) return false;
   if (contact_feature(trial.pair, trial.truth) != feature) return false;
-  if (s.severity != Severity::contract || !s.can_be_classified()) return true;
+  if (!s.can_be_classified()) return true;
   return find_cause(methods, {*s.method, *s.kind, trial.pair}, s.severity, said.reason, asker) == cause;
 }
 

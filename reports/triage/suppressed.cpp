@@ -42,7 +42,7 @@ std::set<std::string> causes_of(std::span<const std::unique_ptr<Method>> methods
         failing.push_back({m, wrong->kind, trial.pair});
         found.emplace_back(wrong->severity, trial.answers[m].reason);
       }
-    const std::vector<Classification> classified = classify(grouped, failing, caps);
+    const std::vector<Classification> classified = classify(methods, failing, caps);
     for (std::size_t i = 0; i < failing.size(); ++i)
       for (const KeyForm form : key_forms)
         causes.insert(cause_key(grouped, failing[i].method, failing[i].kind, found[i].first,
@@ -63,7 +63,7 @@ void mark_suppressed(GateReport& report, std::span<const std::unique_ptr<Method>
     if (f.known || !kind || method == methods.end()) continue;
     const Failing failing{static_cast<std::size_t>(method - methods.begin()), *kind, f.simplest};
     const GroupedMethods grouped{methods, groups};
-    const Mechanism mechanism = classify(grouped, {&failing, 1}, caps).front().mechanism;
+    const Mechanism mechanism = classify(methods, {&failing, 1}, caps).front().mechanism;
     for (const KeyForm form : key_forms) {
       const std::string cause =
           cause_key(grouped, failing.method, failing.kind, f.severity, mechanism, f.reason, form);

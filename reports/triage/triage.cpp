@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "reports/triage/triage.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <stdexcept>
@@ -33,6 +36,7 @@ TriagedRun read_triaged(const std::string& folder) {
                  store.methods(),
                  store.tallies(),
                  {},
+                 examined_groups(store.groups(), store.finding_heads(), stored_causes(folder)),
                  stored_part(folder)};
   for (const Json& stored : buckets_json(folder)) run.buckets.push_back(bucket_from_json(stored));
   return run;
@@ -105,19 +109,26 @@ Triage run_triage(const TriageOptions& options, std::span<const std::unique_ptr<
     return std::find(context.asked.begin(), context.asked.end(), m.name) == context.asked.end();
   });
   const std::size_t here = triage.progress.findings - triage.progress.absent;
-  run.part = here == 0 ? 1 : static_cast<double>(triage.progress.classified) / static_cast<double>(here);
+  const double part =
+      here == 0 ? 1 : static_cast<double>(triage.progress.classified) / static_cast<double>(here);
   run.buckets = make_buckets({options.folder, context.findings, context.finding_groups, context.causes(),
                               context.simples(), context.store().worsts()},
                              context.grouped(), [&] { return context.out_of_time(); });
-  compare_with_earlier(run, earlier_runs(context), [&](const Bucket& b) { return fails_today(b, methods); });
+  const std::vector<TriagedRun> earlier = earlier_runs(context);
+  compare_with_earlier(run, earlier, [&](const Bucket& b) { return fails_today(b, methods); });
   triage.buckets = std::move(run.buckets);
   write_pairs(options.folder, triage.buckets);
   suppress(triage.buckets, options.suppressions, options.today);
-  context.store().set_buckets(to_json(triage.buckets).dump(), run.part);
+  context.store().set_buckets(to_json(triage.buckets).dump(), part);
+  for (const TriagedRun& past : earlier)
+    if (past.part < 1)
+      triage.remarks.push_back(fmt::format("{} was looked at to {:.0f} %: of the rest nothing is compared",
+                                           past.id, std::floor(100 * past.part)));
   if (!options.suppressions.empty()) {
     std::size_t stale = 0;
-    triage.remarks =
-        remarks_on(options.suppressions, options.today, causes_of(methods, options.cases), stale);
+    for (std::string& remark :
+         remarks_on(options.suppressions, options.today, causes_of(methods, options.cases), stale))
+      triage.remarks.push_back(std::move(remark));
     for (std::string& remark : former_keys_in(options.suppressions, triage.buckets))
       triage.remarks.push_back(std::move(remark));
   }

@@ -49,7 +49,7 @@ struct TriageProgress {
 struct Triage {
   std::vector<Bucket> buckets;       ///< those beyond claims first, then by count; what is gone last
   TriageProgress progress;           ///< at the end
-  std::vector<std::string> remarks;  ///< of suppressions that are expired or match nothing
+  std::vector<std::string> remarks;  ///< on earlier runs half looked at, and on suppressions
 };
 
 /// Triages a run. `methods`: all there are, and the guests. Throws UsageError where no run is there,

@@ -35,8 +35,10 @@ struct Subject {
   Severity severity = Severity::contract;
   Pair pair;
 
-  /// What hangs or comes and goes tells nothing when it is asked again.
-  bool can_be_classified() const { return method && kind && kind != FindingKind::hang && recurs(); }
+  /// What hangs or comes and goes tells nothing when it is asked again; what the claim allows has one cause.
+  bool can_be_classified() const {
+    return method && kind && severity == Severity::contract && kind != FindingKind::hang && recurs();
+  }
   bool can_be_simplified() const { return method && kind && recurs(); }
   bool recurs() const { return kind != FindingKind::nondeterminism && kind != FindingKind::state_dependent; }
   /// Of a crash or a hang there is no margin; of touching, no search.

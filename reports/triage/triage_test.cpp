@@ -81,8 +81,10 @@ struct Folder {
     RunStore store = RunStore::create(folder, {{"started", started}}, methods);
     BatchRecord batch;
     batch.next = 1;
-    for (const FindingRecord& f : findings)
+    for (FindingRecord& f : findings) {
+      f.index = batch.groups.size();  // a store holds one pair an index
       batch.groups.push_back({f.method, f.kind, f.severity, f.family, 1 + uncounted});
+    }
     batch.findings = std::move(findings);
     store.commit(batch, 1);
     return folder;
@@ -144,7 +146,7 @@ TEST(Triage, TellsCausesWhateverTheOrderAndTheNight) {
 
 /// A run with one bucket that one method is wrong on so many pairs of 1000.
 TriagedRun triaged(const std::string& id, std::uint64_t pairs, const std::string& key = "x/hang") {
-  TriagedRun run{id, id, {{"x", id, 0, 0, "", 1}}, {{"x", "f", {1000, 0, 0, 0, 0, 0, 0}}}, {}};
+  TriagedRun run{id, id, {{"x", id, 0, 0, "", 1}}, {{"x", "f", {1000, 0, 0, 0, 0, 0, 0}}}, {}, {}};
   if (pairs == 0) return run;
   Bucket b;
   b.key = key;
@@ -155,7 +157,14 @@ TriagedRun triaged(const std::string& id, std::uint64_t pairs, const std::string
   b.pairs = pairs;
   b.first_seen = b.last_seen = b.first_version = b.last_version = id;
   run.buckets = {b};
+  run.examined[{"x", key, "contract", "f"}] = {pairs, pairs, {{key, pairs}}};
   return run;
+}
+
+/// Of the group "x/hang": so many findings, so many looked at, and of these so many of the cause.
+void examine(TriagedRun& run, std::uint64_t found, std::uint64_t looked_at, std::uint64_t of_cause) {
+  ExaminedFindings& e = run.examined[{"x", "x/hang", "contract", "f"}] = {found, looked_at, {}};
+  if (of_cause > 0) e.by_cause["x/hang"] = of_cause;
 }
 
 TEST(Buckets, GoneIsWhatAnswersRightToday) {
@@ -179,15 +188,37 @@ TEST(Buckets, WhatWasNotLookedAtIsNotMissed) {
   compare_with_earlier(run, {earlier}, [](const Bucket&) { return std::nullopt; });
   EXPECT_NEAR(*run.buckets[0].chance, 1 / 32.0, 1e-9);
   run = triaged("2", 5);
-  earlier.part = 0.1;
+  examine(earlier, 10, 1, 0);
   compare_with_earlier(run, {earlier}, [](const Bucket&) { return std::nullopt; });
   EXPECT_GT(*run.buckets[0].chance, 0.5);
 }
 
+/// 62 findings of which three were looked at are three, however many the cause is said to stand for.
+TEST(Buckets, CountOnlyWhatWasLookedAtInBothRuns) {
+  TriagedRun run = triaged("2", 62), earlier = triaged("1", 0);
+  examine(run, 62, 3, 3);
+  examine(earlier, 60, 4, 0);
+  compare_with_earlier(run, {earlier}, [](const Bucket&) { return std::nullopt; });
+  EXPECT_EQ(run.buckets[0].status, Recurrence::rare);
+  EXPECT_EQ(run.buckets[0].nights.back().sight.count, 3u);
+  EXPECT_EQ(run.buckets[0].nights.back().sight.asked, 48u);
+  examine(earlier, 60, 0, 0);
+  compare_with_earlier(run, {earlier}, [](const Bucket&) { return std::nullopt; });
+  EXPECT_EQ(run.buckets[0].status, Recurrence::rare) << "who looked at nothing knows nothing";
+  run = triaged("2", 62);
+  examine(run, 62, 20, 20);
+  examine(earlier, 60, 20, 0);
+  compare_with_earlier(run, {earlier}, [](const Bucket&) { return std::nullopt; });
+  EXPECT_EQ(run.buckets[0].status, Recurrence::fresh);
+}
+
 TEST(Buckets, NewComesFirstAndIsNoChance) {
   TriagedRun run = triaged("2", 30);
-  run.buckets.push_back(triaged("2", 40, "x/crash").buckets[0]);
-  run.buckets.push_back(triaged("2", 2, "x/rounding").buckets[0]);
+  for (const auto& [pairs, key] : {std::pair(40, "x/crash"), std::pair(2, "x/rounding")}) {
+    TriagedRun other = triaged("2", static_cast<std::uint64_t>(pairs), key);
+    run.buckets.push_back(other.buckets[0]);
+    run.examined.merge(other.examined);
+  }
   compare_with_earlier(run, {triaged("1", 30)}, [](const Bucket&) { return std::nullopt; });
   EXPECT_EQ(run.buckets[0].key, "x/crash");
   EXPECT_LT(run.buckets[0].chance, 1e-9);
