@@ -183,7 +183,7 @@ TEST(Export, AnImpossibleDistanceIsProvedImpossible) {
     Trial asked = try_method(methods[0], pair);
     asked.answers[0].distance = said;
     asked.findings = {Finding{FindingKind::distance_outside, Severity::contract, {}}};
-    const Claim claim{.absolute = tolerance, .source = "this test"};
+    const Claim claim{.relative = 0, .absolute = tolerance, .source = "this test"};
     ASSERT_TRUE(shows_distance(asked, claim));
     Export files;
     files.program_name = "reproduce.cpp";
