@@ -141,7 +141,7 @@ export const glossary: Record<string, string> = {
   against: "The build that the answers are held against.",
   answer: "What a method said of the pair.",
   asked: "How many pairs were put to it.",
-  "asked on": "Which part of the pairs a method is asked; a slow one gets only every n-th.",
+  "asked on": "Which part of the pairs a method is asked; a slow one gets a random share.",
   "assumed by us": "The library says nothing of its tolerance, so the project has set this one.",
   axis: "The direction of a cylinder's axis; its length does not matter.",
   back: "A cause that was gone in the run before and is seen again.",
