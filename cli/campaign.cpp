@@ -110,7 +110,7 @@ void print_not_asked(const std::vector<std::unique_ptr<Method>>& methods) {
     for (const SolidKind kind : enum_values<SolidKind>)
       if (!method->takes(kind)) kinds.append(kinds.empty() ? "" : ", ").append(to_string(kind));
     if (!kinds.empty())
-      fmt::print("{} was not asked about solids that it does not take: {}\n", method->name(), kinds);
+      fmt::print("not asked about solids that {} does not take: {}\n", method->name(), kinds);
   }
 }
 

@@ -13,6 +13,7 @@
 
 #include "base/from_environment_test.hpp"
 #include "base/json.hpp"
+#include "base/usage_error.hpp"
 #include "fuzz/campaign/campaign_test.hpp"
 #include "oracles/trial/compare.hpp"
 
@@ -222,7 +223,7 @@ TEST_F(Campaign, RefusesToResumeWhatDiffers) {
   cases.clear();
   EXPECT_EQ(run_campaign(o, workload()).progress.done, 200u);
   o.resume = false;
-  EXPECT_THROW(run_campaign(o, workload()), std::runtime_error);
+  EXPECT_THROW(run_campaign(o, workload()), UsageError);
 }
 
 TEST_F(Campaign, CasesComeFirstAndTheirStatedTruthIsHeldToTheProof) {

@@ -102,7 +102,8 @@ const std::unique_ptr<Method>& find_method(std::span<const std::unique_ptr<Metho
 std::string distance_in_words(const Trial& trial) {
   if (!trial.decided()) return "of unproved distance";
   if (trial.truth.verdict == Verdict::touching) return "touching";
-  const bool said = trial.finding() && trial.finding()->kind == FindingKind::distance_outside;
+  const bool said =
+      !trial.findings.empty() && trial.finding() && trial.finding()->kind == FindingKind::distance_outside;
   const double true_one = nearer_end(trial), other = said ? trial.answer().distance : 0;
   return trial.meets() ? "overlapping by " + told_from(-true_one, -other)
                        : told_from(true_one, other) + " apart";
