@@ -96,7 +96,8 @@ def main():
         hold('note.json', lines((folder / 'runs/notes.jsonl').read_text()))
         pages = [PAGE.search((folder / 'runs' / night / 'report.html').read_text())[1] for night in ('one', 'two')]
         hold('report_data.json', map(json.loads, pages))
-        hold('suppression.json', lines((ROOT / 'corpus/store/fixtures/0.1.0/suppressions.jsonl').read_text()))
+        hold('suppression.json', [{'bucket': 'fcl-libccd/wrong_disjoint', 'reason': 'thin rods', 'owner': 'ada',
+                                   'link': 'https://example.org/1', 'expires': '2999-12-31'}])
         gate = ('gate', '--method', 'libccd-mpr', '--cases', '')
         run(*gate, '--pairs', 100, '--json', folder / 'base.json')
         run(*gate, '--against', folder / 'base.json', '--json', folder / 'gate.json')
