@@ -9,8 +9,8 @@ namespace {
 // Disjoint by 1/3; libccd's GJK says intersecting if our sums go from the left.
 TEST(HangsOnSums, TwoCoins) {
   const Pair coins{{Vector3(0, 0, 0), Vector3(1, 2, 2), 3, 1}, {Vector3(-4, -2, 2), Vector3(1, 2, 2), 3, 1}};
-  const auto& gjk = ccd_methods()[0];
-  ASSERT_TRUE(try_method(gjk, coins).fails(FindingKind::wrong_intersecting));
+  const auto methods = ccd_methods();
+  ASSERT_TRUE(try_method(methods[0], coins).fails(FindingKind::wrong_intersecting));
   EXPECT_EQ(hangs_on_our_sums("libccd-gjk", FindingKind::wrong_intersecting, coins), true);
   EXPECT_EQ(hangs_on_our_sums("ode", FindingKind::wrong_intersecting, coins), std::nullopt);
 }
