@@ -230,8 +230,7 @@ std::string cost_in_words(const CampaignSummary& summary) {
   if (rest < explained_from || rest <= 2 * (cost.asking + cost.judging)) return text;
   return text + fmt::format(
                     "\n  \"All else\" is more than twice the rest. It is the start, {} broken calls, and the "
-                    "proof and "
-                    "storage of each finding\n  that is kept. Its share falls as the run goes on.",
+                    "proof and storage of each finding\n  that is kept. Its share falls as the run goes on.",
                     summary.progress.failed);
 }
 

@@ -37,12 +37,12 @@ class UntakenBranches(unittest.TestCase):
         sign = (1, 17, 11, 2)
         conditions = [(2, 7, 2, 12), (2, 16, 2, 22), (5, 7, 5, 13), (7, 11, 7, 12), (8, 5, 8, 11), (9, 5, 9, 11)]
         counts = [[(3, 0), (0, 0), (0, 0), (0, 0), (0, 0), (0, 0)], [(0, 2), (0, 2), (0, 2), (0, 2), (0, 2), (2, 0)]]
-        instances = [function('/root/solver/sign.hpp', sign, 1, [(*c, *n) for c, n in zip(conditions, instance)])
+        instances = [function('/source/solver/sign.hpp', sign, 1, [(*c, *n) for c, n in zip(conditions, instance)])
                      for instance in counts]
-        unasked = function('/root/solver/sign.hpp', (13, 20, 15, 2), 0, [(14, 10, 14, 11, 0, 0)])
-        two = function('/root/solver/sign.hpp', (16, 21, 16, 34), 0, [])
+        unasked = function('/source/solver/sign.hpp', (13, 20, 15, 2), 0, [(14, 10, 14, 11, 0, 0)])
+        two = function('/source/solver/sign.hpp', (16, 21, 16, 34), 0, [])
         others = function('/usr/include/vector', (1, 1, 2, 2), 0, [(2, 7, 2, 12, 0, 1)])
-        self.files = folded([*instances, unasked, two, others], '/root')
+        self.files = folded([*instances, unasked, two, others], '/source')
         self.count, self.untaken = branches_of(SOURCE, *self.files['solver/sign.hpp'])
 
     def test_instances_add_up_and_only_ours_count(self):

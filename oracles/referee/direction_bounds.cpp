@@ -202,10 +202,9 @@ DirectionBounds::Frame DirectionBounds::frame(const Vec& d, const Kinks& kinks) 
 
 // Newton's method on the sphere, or along one circle; no farther than `most` from where it begins.
 DirectionBounds::Model DirectionBounds::settle(const Vec& start, const Kinks& kinks, double most) const {
-  const bool one_circle = kinks.on_circle[0] != kinks.on_circle[1];
-  const bool fixed = (kinks.on_circle[0] && kinks.on_circle[1]) || kinks.at_axis[0] || kinks.at_axis[1];
+  const bool one_circle = kinks.one_circle();
   Model m = model(start, kinks);
-  for (int step = 0; step < newton_cap && !fixed; ++step) {
+  for (int step = 0; step < newton_cap && !kinks.are_a_point(); ++step) {
     const auto [e0, e1] = frame(m.direction, kinks);
     const auto [q00, q01, q11] = curvature(m, {e0, e1}, -m.value, m.s);
     const double g0 = dot(m.g, e0), g1 = dot(m.g, e1), det = q00 * q11 - q01 * q01;
@@ -237,12 +236,12 @@ double DirectionBounds::bound_near(const Model& m, const Kinks& kinks, const Cap
   const double least = (q00 + q11) / 2 - std::hypot((q00 - q11) / 2, q01) - error;
   const double g0 = std::fabs(dot(m.g, e0)) + rounding, g1 = std::fabs(dot(m.g, e1)) + rounding;
   const double value = m.value - m.unsure;
-  if (kinks.on_circle[0] != kinks.on_circle[1]) {
+  if (kinks.one_circle()) {
     const double room = m.room - g0 - cap.sine * (std::fabs(q01) + std::max(0.0, -q00) / 2);
     return q11 > error && room > error ? value - g1 * g1 / (2 * (q11 - error)) : none;
   }
   const double total = g0 + g1, room = m.room - total - cap.sine / 2 * std::max(0.0, -least);
-  if (kinks.on_circle[0] || kinks.at_axis[0] || kinks.at_axis[1]) return room > error ? value : none;
+  if (kinks.are_a_point()) return room > error ? value : none;
   return least > 0 ? value - total * total / (2 * least) : none;
 }
 

@@ -43,9 +43,8 @@ class DirectionBounds {
   std::array<Vec, 3> likely() const;
   /// f of a unit direction.
   double value(const Vec& d) const;
-  /// A bound that falls short of the least value by the square of the cap's angle. Cost: 0.1 us, 0.6 beside
-  /// kinks. No better one is
-  /// sought than `enough`.
+  /// A bound that falls short of the least value by the square of the cap's angle; none better than `enough`
+  /// is sought. Cost: 0.1 us, 0.6 beside kinks.
   Bounds bounds(const Cap& cap, double enough) const;
   /// A bound that reaches the least value itself where f has a local minimum near `start` that all of the cap
   /// is close enough to; the best of what is found elsewhere, with a bound of minus infinity. Cost: 1 us.
@@ -59,6 +58,9 @@ class DirectionBounds {
   /// Which kinks of f a direction lies on, by solid: the circle square to its axis, or the axis.
   struct Kinks {
     std::array<bool, 2> on_circle{}, at_axis{};
+    bool one_circle() const { return on_circle[0] != on_circle[1]; }
+    /// Whether there is no other such direction nearby.
+    bool are_a_point() const { return (on_circle[0] && on_circle[1]) || at_axis[0] || at_axis[1]; }
   };
   struct Model;
   struct Frame;
