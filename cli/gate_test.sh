@@ -112,7 +112,7 @@ END
 gate 2 --method libccd-mpr --against fewer.json
 holds 'what has grown' out ' in the base'
 holds 'a missing method' out '^NOT ASKED: method somebody, which the base has$'
-again=$(sed -n 's/^   replay *//p' out | head -n 1)
+again=$(sed -n '/^   replay */{s///p;q}' out)
 [[ $again ]] || failed 'no line that replays'
 expect 2 "$again" env PATH="$scratch/bin:$PATH" bash -c "$again"
 holds 'what is true' out '^  truth: '

@@ -18,10 +18,11 @@ completed() { # words of a command line, the last to be completed
 }
 for command in $commands; do
   holds 'a section' page "^\.SH daylight $command\$"
-  completed daylight "${command:0:2}" | grep -qx -- "$command" || failed "$command is not completed"
+  grep -qx -- "$command" <<<"$(completed daylight "${command:0:2}")" || failed "$command is not completed"
   for option in $("$daylight" "$command" --help | sed -n 's/^  \(--[a-z-]*\).*/\1/p'); do
     grep -qF -- "${option//-/\\-}" page || failed "the page lacks $option of $command"
-    completed daylight "$command" "$option" | grep -qx -- "$option" || failed "$option of $command is not completed"
+    grep -qx -- "$option" <<<"$(completed daylight "$command" "$option")" ||
+      failed "$option of $command is not completed"
   done
 done
 equal 'what is no option' '' "$(completed daylight campaign --nothing)"

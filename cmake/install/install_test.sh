@@ -138,7 +138,7 @@ if command -v dpkg-deb >/dev/null && command -v dpkg-shlibdeps >/dev/null && com
     dpkg-deb -c "$deb" | awk '{ print $1, $2 }' | sort -u >modes
     ! grep -vE '^(drwxr-xr-x|-rw-r--r--|-rwxr-xr-x) root/root$' modes || fail "$package: not for everybody"
     grep -q '^MIT License' "unpacked/usr/share/doc/$package/copyright" || fail "$package has no licence"
-    dpkg-deb -f "$deb" Description | sed 1d | grep -q 'This package holds' || fail "$package does not tell what it is"
+    grep -q 'This package holds' <<<"$(dpkg-deb -f "$deb" Description | sed 1d)" || fail "$package does not tell what it is"
     [[ $(dpkg-deb -f "$deb" Architecture) == "$(dpkg --print-architecture)" ]] || fail "$package is for another machine"
     [[ $(dpkg-deb -f "$deb" Maintainer) == "$(sed -n 's/^DAYLIGHT_MAINTAINER:STRING=//p' "$build/CMakeCache.txt")" ]] || fail "$package names no maintainer"
     dpkg-deb -f "$deb" Depends | tr -d ' ' | tr , '\n' | sed 's/(.*//; /^libdaylight/d' >needed
@@ -150,7 +150,7 @@ if command -v dpkg-deb >/dev/null && command -v dpkg-shlibdeps >/dev/null && com
     local package=$1 pattern
     shift
     for pattern; do
-      dpkg-deb -f "debs/${package}_"*.deb Depends | tr , '\n' | grep -qE "^ *$pattern" || fail "$package does not say that it needs $pattern"
+      grep -qE "^ *$pattern" <<<"$(dpkg-deb -f "debs/${package}_"*.deb Depends | tr , '\n')" || fail "$package does not say that it needs $pattern"
     done
   }
   needs daylight libfcl libmujoco libode libnlopt libbullet libccd libmpfi libsqlite3 liburdfdom
