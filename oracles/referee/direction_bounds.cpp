@@ -19,11 +19,14 @@
 // is left of h_i, b = h_i - |p|, adds b |w_i.x|. On both circles that is at least min(b_0, b_1) |x| times the
 // sine between the axes. At the axis of solid i a vector c of its disk takes g away, and r_i - |c| is left,
 // times |x|.
-//   No kink: with m > 0 the least eigenvalue of Q, f >= f(D0) - |g|^2 / (2 m).
-//   One circle, e_0 = w_i, e_1 along it: if b - |g_0| - sin rho (|Q_01| + max(0, -Q_00)/2) >= 0 and Q_11 > 0,
-//   then f >= f(D0) - g_1^2 / (2 Q_11).
-//   Room b on all sides: if b - |g| - sin rho max(0, -m)/2 >= 0, then f >= f(D0).
-// Newton's method along what is smooth makes g vanish first.
+// With m the least eigenvalue of Q, least(g, q) the least of g x + q x^2 / 2 over |x| <= sin rho, and g_a and
+// q_a taken along the eigenvectors of Q, f is at least f(D0) +
+//   No kink:            least(g_0, q_0) + least(g_1, q_1).
+//   One circle,         least(g_1, Q_11) + sin rho min(0, b - |g_0| - sin rho (|Q_01| + max(0, -Q_00)/2)),
+//     e_0 = w_i, e_1 along it.
+//   Room b everywhere:  sin rho min(0, b - |g| - sin rho max(0, -m)/2).
+// Newton's method along what is smooth makes g vanish first. Where it does and f is convex, or there is room,
+// this is f(D0) itself. If f is nearly flat along a valley, little is lost along it and nothing across.
 #include "oracles/referee/direction_bounds.hpp"
 
 #include <algorithm>
@@ -34,9 +37,11 @@
 namespace cyl {
 namespace {
 
-/// Rounding of Q and g, relative to the largest of their terms, with room.
-constexpr double curvature_error = 0x1p-40;
+/// Rounding of Q, relative to the largest of its terms: fewer than 30 operations, and those that find its
+/// eigenvalues. A direction n_i that is itself a little off costs nothing: the bound holds for any.
+constexpr double curvature_error = 64 * 0x1p-53;
 constexpr int newton_cap = 8;
+constexpr double shortest_step_tol = 0x1p-6;  ///< of Newton's; shorter ones are not worth their cost
 
 Vec normalized(const Vec& v) { return (1 / length(v)) * v; }
 Vec across(const Vec& v, const Vec& d) { return v - dot(v, d) * d; }
@@ -75,7 +80,25 @@ double DirectionBounds::value(const Vec& d) const {
   return f;
 }
 
+// The sum of the least values of f's terms, each by the range of the angle to its axis or to delta.
+double DirectionBounds::term_by_term(const Cap& cap) const {
+  const double along = dot(cap.center, delta_), beside = length(cross(cap.center, delta_));
+  const bool holds_delta = beside * cap.cosine < along * cap.sine;
+  double below = -(holds_delta ? length(delta_) : along * cap.cosine + beside * cap.sine);
+  for (const Solid& s : solids_) {
+    const double t = std::fabs(dot(cap.center, s.axis)), u = length(cross(cap.center, s.axis));
+    const double up = u * cap.cosine - t * cap.sine, down = t * cap.cosine - u * cap.sine;  // sine, cosine
+    // h cos + r sin of an angle up to a right one is least at the ends of its range.
+    const double nearer = up <= 0 ? s.half : s.half * (t * cap.cosine + u * cap.sine) + s.radius * up;
+    const double farther = down <= 0 ? s.radius : s.half * down + s.radius * (u * cap.cosine + t * cap.sine);
+    below += std::min(nearer, farther);
+  }
+  return below;
+}
+
 Bounds DirectionBounds::bounds(const Cap& cap, double enough) const {
+  constexpr double unknown = std::numeric_limits<double>::infinity();
+  if (const double below = term_by_term(cap); below >= enough) return {below, unknown, unknown, cap.center};
   Bounds best = plane(cap, {});
   auto consider = [&](const Vec& middle, const Kinks& kinks) {
     Cap moved;
@@ -117,6 +140,12 @@ struct DirectionBounds::Model {
 /// Two directions square to D0 and each other; on one circle the second is along it.
 struct DirectionBounds::Frame {
   Vec e0, e1;
+};
+
+/// Q's eigenvalues, and the directions that belong to them.
+struct DirectionBounds::Principal {
+  double least, greatest;
+  Vec at_least, at_greatest;
 };
 
 DirectionBounds::Model DirectionBounds::model(const Vec& d, const Kinks& kinks) const {
@@ -192,6 +221,17 @@ std::array<double, 3> DirectionBounds::curvature(const Model& m, const Frame& fr
   return sum;
 }
 
+DirectionBounds::Principal DirectionBounds::principal(const Frame& at, const std::array<double, 3>& q) {
+  const double half = (q[0] - q[2]) / 2, away = std::sqrt(half * half + q[1] * q[1]),
+               middle = (q[0] + q[2]) / 2;
+  // Of the two forms of the eigenvector the one that loses no digits.
+  double x = half > 0 ? half + away : q[1], y = half > 0 ? q[1] : away - half;
+  const double size = std::sqrt(x * x + y * y);
+  x = size > 0 ? x / size : 1;
+  y = size > 0 ? y / size : 0;
+  return {middle - away, middle + away, x * at.e1 - y * at.e0, x * at.e0 + y * at.e1};
+}
+
 DirectionBounds::Frame DirectionBounds::frame(const Vec& d, const Kinks& kinks) const {
   Vec e0 = across(solids_[kinks.on_circle[1] ? 1 : 0].axis, d);
   // Any two directions serve off the circles.
@@ -200,52 +240,68 @@ DirectionBounds::Frame DirectionBounds::frame(const Vec& d, const Kinks& kinks) 
   return {e0, cross(d, e0)};
 }
 
-// Newton's method on the sphere, or along one circle; no farther than `most` from where it begins.
+// Newton's method on the sphere, or along one circle, each step shortened until f becomes less; no farther
+// than `most` from where it begins. Where f is flat or bends down, it stays.
 DirectionBounds::Model DirectionBounds::settle(const Vec& start, const Kinks& kinks, double most) const {
   const bool one_circle = kinks.one_circle();
   Model m = model(start, kinks);
   for (int step = 0; step < newton_cap && !kinks.are_a_point(); ++step) {
-    const auto [e0, e1] = frame(m.direction, kinks);
-    const auto [q00, q01, q11] = curvature(m, {e0, e1}, -m.value, m.s);
-    const double g0 = dot(m.g, e0), g1 = dot(m.g, e1), det = q00 * q11 - q01 * q01;
-    if (!(q11 > 0) || (!one_circle && !(det > 0))) return m;
-    const double x0 = one_circle ? 0 : (q01 * g1 - q11 * g0) / det;
-    const double x1 = one_circle ? -g1 / q11 : (q01 * g0 - q00 * g1) / det;
-    const double far = std::hypot(x0, x1);
-    most -= far;
-    if (!(far > 0x1p-52) || most < 0) return m;
-    Vec d = normalized(m.direction + x0 * e0 + x1 * e1);
-    for (std::size_t i = 0; i < 2; ++i)
-      if (kinks.on_circle[i]) d = normalized(across(d, solids_[i].axis));
-    m = model(d, kinks);
-    if (far < 0x1p-27) return m;  // the next step would be its square
+    const Frame at = frame(m.direction, kinks);
+    const auto step_along = [&](const Vec& e, double q) {
+      return q > 0 ? std::clamp(-dot(m.g, e) / q, -most, most) : 0;
+    };
+    const auto [q00, q01, q11] = curvature(m, at, -m.value, m.s);
+    const auto [least, greatest, at_least, at_greatest] = principal(at, {q00, q01, q11});
+    const Vec x =
+        one_circle ? step_along(at.e1, q11) * at.e1
+                   : step_along(at_least, least) * at_least + step_along(at_greatest, greatest) * at_greatest;
+    const double far = length(x);
+    if (!(far > 0x1p-52)) return m;
+    bool less = false;
+    for (double part = 1; !less && part >= shortest_step_tol; part /= 4) {
+      Vec d = normalized(m.direction + part * x);
+      for (std::size_t i = 0; i < 2; ++i)
+        if (kinks.on_circle[i]) d = normalized(across(d, solids_[i].axis));
+      const Model next = model(d, kinks);
+      if (!(next.value < m.value)) continue;
+      less = true;
+      m = next;
+      most -= part * far;
+    }
+    if (!less || most <= 0 || far < 0x1p-27) return m;  // the next step would be its square
   }
   return m;
 }
 
 double DirectionBounds::bound_near(const Model& m, const Kinks& kinks, const Cap& cap) const {
-  constexpr double none = -std::numeric_limits<double>::infinity();
   std::array<double, 2> longest{1, 1};
   for (std::size_t i = 0; i < 2; ++i)
     if (const double t = std::fabs(m.t[i]); t > cap.sine) longest[i] = m.s[i] * cap.cosine + t * cap.sine;
-  const auto [e0, e1] = frame(m.direction, kinks);
-  const auto [q00, q01, q11] =
-      curvature(m, {e0, e1}, m.value < 0 ? -m.value : -2 * m.value / (1 + cap.cosine), longest);
+  const Frame at = frame(m.direction, kinks);
+  const std::array<double, 3> q =
+      curvature(m, at, m.value < 0 ? -m.value : -2 * m.value / (1 + cap.cosine), longest);
   const double rounding = bound_error * reach_,
-               error = curvature_error * (reach_ + std::fabs(q00) + std::fabs(q11));
-  const double least = (q00 + q11) / 2 - std::hypot((q00 - q11) / 2, q01) - error;
-  const double g0 = std::fabs(dot(m.g, e0)) + rounding, g1 = std::fabs(dot(m.g, e1)) + rounding;
+               error = curvature_error * (reach_ + std::fabs(q[0]) + std::fabs(q[2]));
+  // The least of g.x + q x^2 / 2 along e, |x| no more than the cap's sine.
+  const auto least_along = [&](const Vec& e, double bend) {
+    const double slope = std::fabs(dot(m.g, e)) + rounding, sure = bend - error;
+    return sure > 0 && slope < sure * cap.sine ? -slope * slope / (2 * sure)
+                                               : (sure * cap.sine / 2 - slope) * cap.sine;
+  };
   const double value = m.value - m.unsure;
-  if (kinks.one_circle()) {
-    const double room = m.room - g0 - cap.sine * (std::fabs(q01) + std::max(0.0, -q00) / 2);
-    return q11 > error && room > error ? value - g1 * g1 / (2 * (q11 - error)) : none;
-  }
-  const double total = g0 + g1, room = m.room - total - cap.sine / 2 * std::max(0.0, -least);
-  if (kinks.are_a_point()) return room > error ? value : none;
-  return least > 0 ? value - total * total / (2 * least) : none;
+  const auto lost = [&](double room) { return std::min(0.0, room - rounding) * cap.sine; };
+  if (kinks.one_circle())
+    return value + least_along(at.e1, q[2]) +
+           lost(m.room - std::fabs(dot(m.g, at.e0)) -
+                cap.sine * (std::fabs(q[1]) + error + std::max(0.0, error - q[0]) / 2));
+  const auto [least, greatest, at_least, at_greatest] = principal(at, q);
+  if (kinks.are_a_point())
+    return value + lost(m.room - length(m.g) - cap.sine / 2 * std::max(0.0, error - least));
+  return value + least_along(at_least, least) + least_along(at_greatest, greatest);
 }
 
-Bounds DirectionBounds::bounds_by_minimum(const Cap& cap, const Vec& start) const {
+Bounds DirectionBounds::bounds_by_minimum(const Cap& cap, const Vec& start, double enough,
+                                          double width) const {
   constexpr double infinity = std::numeric_limits<double>::infinity();
   Bounds best{-infinity, infinity, infinity, start};
   const auto consider = [&](const Vec& from, const Kinks& kinks) {
@@ -257,7 +313,7 @@ Bounds DirectionBounds::bounds_by_minimum(const Cap& cap, const Vec& start) cons
     best.nearest = std::min(best.nearest, length(m.y));
     Cap moved;
     if (widen(cap, m.direction, moved)) best.below = std::max(best.below, bound_near(m, kinks, moved));
-    return best.below > -infinity;
+    return best.below >= std::min(enough, best.value - width);
   };
   const auto is_near = [&](const Vec& d) { return length(cross(start, d)) <= cap.sine; };
   const auto towards = [&](const Vec& d) { return dot(start, d) < 0 ? -1.0 * d : d; };

@@ -46,9 +46,10 @@ class DirectionBounds {
   /// A bound that falls short of the least value by the square of the cap's angle; none better than `enough`
   /// is sought. Cost: 0.1 us, 0.6 beside kinks.
   Bounds bounds(const Cap& cap, double enough) const;
-  /// A bound that reaches the least value itself where f has a local minimum near `start` that all of the cap
-  /// is close enough to; the best of what is found elsewhere, with a bound of minus infinity. Cost: 1 us.
-  Bounds bounds_by_minimum(const Cap& cap, const Vec& start) const;
+  /// A bound that reaches the least value itself if f has a local minimum near `start` that all of the cap is
+  /// close enough to; none better than `enough`, or than `width` below the value found, is sought. Costs 1
+  /// us.
+  Bounds bounds_by_minimum(const Cap& cap, const Vec& start, double enough, double width) const;
 
  private:
   struct Solid {
@@ -64,9 +65,12 @@ class DirectionBounds {
   };
   struct Model;
   struct Frame;
+  struct Principal;
 
+  double term_by_term(const Cap& cap) const;
   Bounds plane(const Cap& cap, const Kinks& kinks) const;
   Model model(const Vec& d, const Kinks& kinks) const;
+  static Principal principal(const Frame& at, const std::array<double, 3>& q);
   Frame frame(const Vec& d, const Kinks& kinks) const;
   std::array<double, 3> curvature(const Model& m, const Frame& frame, double q,
                                   const std::array<double, 2>& longest) const;

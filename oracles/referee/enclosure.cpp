@@ -49,6 +49,14 @@ Cap cap_of(const Cell& c) {
   return cap;
 }
 
+// Unit vectors square to each other, the last along v.
+std::array<Vec, 3> frame_on(const Vec& v) {
+  const double size = length(v);
+  const Vec z = size > 0 ? (1 / size) * v : Vec{0, 0, 1};
+  const Vec x = cross(z, std::fabs(z.x) < 0.5 ? Vec{1, 0, 0} : Vec{0, 1, 0}), unit = (1 / length(x)) * x;
+  return {unit, cross(z, unit), z};
+}
+
 struct Range {
   double lo, hi;  // of min f
   Vec direction;  // where f is hi
@@ -57,26 +65,43 @@ struct Range {
 
 class Minimum {
  public:
-  Minimum(const DirectionBounds& sphere, double width) : sphere_(sphere), width_(width) {}
+  Minimum(const DirectionBounds& sphere, const Vec& delta, double width)
+      : sphere_(sphere), frame_(frame_on(delta)), width_(width) {}
+
+  /// f is nowhere less than -apart.
+  void floor_at(double apart) { floor_ = std::max(floor_, -apart); }
 
   /// Looks where f might be least, until it is found.
   void guess(std::span<const Vec> directions) {
     for (const Vec& d : directions)
-      if (!is_found()) take(sphere_.bounds_by_minimum({d, 1, guess_sine}, d));
+      if (!is_found()) take(sphere_.bounds_by_minimum({d, 1, guess_sine}, d, best_, 0));
+  }
+
+  /// Goes on from the best direction of all, as long as f becomes less.
+  void descend() {
+    double before = best_ + 2 * width_;
+    for (int round = 0; round < descent_cap && best_ < before - width_ && !is_found(); ++round) {
+      before = best_;
+      const Vec from = direction_;
+      guess({&from, 1});
+    }
   }
 
   bool is_found() const { return best_ - floor_ <= width_; }
 
   Range find() {
     constexpr double everything = -std::numeric_limits<double>::infinity();
-    for (int face = 0; face < 6 && !is_found(); ++face)
+    // f(D) = f(-D) - 2 D.delta: the half of the sphere towards b is enough, which has face 2 in its middle.
+    for (const int face : {2, 0, 1, 3, 4})
       for (const double s : {-0.5, 0.5})
-        for (const double t : {-0.5, 0.5}) add({face, s, t, 0.5, everything, {}});
+        for (const double t : {-0.5, 0.5})
+          if ((face == 2 || t > 0) && !is_found()) add({face, s, t, 0.5, everything, {}});
     while (!queue_.empty() && !is_found() && best_ - queue_.top().below > width_ && cells_ < cell_cap) {
       Cell c = queue_.top();
       queue_.pop();
-      if (!c.tried) {
-        c.below = std::max(c.below, take(sphere_.bounds_by_minimum(cap_of(c), c.best)));
+      if (!c.tried && c.half < coarse_tol) {
+        c.below = std::max(
+            c.below, take(sphere_.bounds_by_minimum(turned(cap_of(c)), c.best, best_ - width_, width_)));
         c.tried = true;
         if (c.below < best_) queue_.push(c);
         continue;
@@ -90,20 +115,31 @@ class Minimum {
   }
 
  private:
+  /// Cells of this half width are too wide for the bound by a minimum, in most cases.
+  static constexpr double coarse_tol = 0.5;
   /// How near to a kink a guess lies that belongs on it.
   static constexpr double guess_sine = 0x1p-12;
+
+  /// Rounds of a descent; along a valley that bends each gets no farther than a guess may.
+  static constexpr int descent_cap = 32;
+
+  Cap turned(Cap cap) const {
+    const auto& [x, y, z] = frame_;
+    cap.center = cap.center.x * x + cap.center.y * y + cap.center.z * z;
+    return cap;
+  }
 
   double take(const Bounds& b) {
     if (b.value < best_) {
       best_ = b.value;
       direction_ = b.direction;
     }
-    floor_ = std::max(floor_, -b.nearest);
+    floor_at(b.nearest);
     return b.below;
   }
 
   void add(Cell c) {
-    const Bounds b = sphere_.bounds(cap_of(c), best_);
+    const Bounds b = sphere_.bounds(turned(cap_of(c)), best_);
     ++cells_;
     c.below = std::max(c.below, take(b));
     c.best = b.direction;
@@ -111,6 +147,7 @@ class Minimum {
   }
 
   const DirectionBounds& sphere_;
+  const std::array<Vec, 3> frame_;
   const double width_;
   std::priority_queue<Cell> queue_;
   double best_ = std::numeric_limits<double>::infinity();
@@ -151,10 +188,15 @@ double way_to_both(const SearchPair<double>& p, const Vec& x) {
   return beyond(p.axis0, p.radius0, p.half0, x) + beyond(p.axis1, p.radius1, p.half1, x - p.delta);
 }
 
-// Directions from a to b where they are nearest, in most cases, looked for from a point of a: from one
-// nearest point to the other, and square to both rims there, which is exact where the points are too close to
-// tell.
-std::array<Vec, 2> directions_from(const SearchPair<double>& p, const Vec& start) {
+// What is found from a point of a: how far apart two points are, the nearest in most cases, and two
+// directions: from one to the other, and square to both rims there, which is exact if the points are too
+// close to tell.
+struct Nearby {
+  double apart;
+  std::array<Vec, 2> directions;
+};
+
+Nearby nearest_from(const SearchPair<double>& p, const Vec& start) {
   constexpr int rounds = 4;
   Nearest<double> n{start, p.delta, 0};
   for (int round = 0; round < rounds; ++round) n = refine_nearest(p, 53, n.on_a, n.on_b);
@@ -162,7 +204,9 @@ std::array<Vec, 2> directions_from(const SearchPair<double>& p, const Vec& start
   Vec square = cross(cross(p.axis0, n.on_a), cross(p.axis1, n.on_b - p.delta));
   if (dot(square, between) < 0) square = -1.0 * square;
   const double size = length(square);
-  return {(1 / length(between)) * between, size > 0 ? (1 / size) * square : (1 / length(between)) * between};
+  return {
+      n.apart,
+      {(1 / length(between)) * between, size > 0 ? (1 / size) * square : (1 / length(between)) * between}};
 }
 
 // Where the rims of a cross those of b, seen along a's axis: faces at a tiny angle may be nearest there
@@ -241,10 +285,17 @@ AttainedDistance attain_distance(const Pair& pair, const Truth& truth, double re
   } else if (c.x == 0 && c.y == 0 && c.z == 0) {
     f = parallel(p);
   } else {
-    Minimum minimum(bounds, std::max(relative_width * size, slack));
+    Minimum minimum(bounds, p.delta, std::max(relative_width * size, slack));
     if (truth.verdict == Verdict::disjoint) {
-      minimum.guess(directions_from(p, {0, 0, 0}));
-      for (const Vec& corner : corners(p)) minimum.guess(directions_from(p, corner));
+      const auto from = [&](const Vec& start) {
+        if (minimum.is_found()) return;
+        const Nearby n = nearest_from(p, start);
+        minimum.floor_at(n.apart);
+        minimum.guess(n.directions);
+      };
+      from({0, 0, 0});
+      for (const Vec& corner : corners(p)) from(corner);
+      minimum.descend();
     }
     minimum.guess(bounds.likely());
     f = minimum.find();
