@@ -29,6 +29,7 @@ void add_gate(Program& program);
 void add_judge(Program& program);
 void add_merge(Program& program);
 void add_mutants(Program& program);
+void add_near(Program& program);
 void add_replay(Program& program);
 void add_scene(Program& program);
 void add_triage(Program& program);

@@ -11,27 +11,20 @@
 #include "base/usage_error.hpp"
 #include "cli/commands.hpp"
 #include "cli/options.hpp"
-#include "reports/scene/crowd_report.hpp"
 #include "reports/scene/scene_report.hpp"
 #include "reports/web/page_template.hpp"
-#include "scenes/close_pairs.hpp"
-#include "scenes/nearest_pairs.hpp"
 #include "scenes/scene_files.hpp"
-#include "scenes/scene_generators.hpp"
 #include "scenes/scene_study.hpp"
 
 namespace cyl {
 namespace {
 
-/// The number of cylinders of which a page has all pairs: 20 thousand, in ten configurations, some 40 MB. Of
-/// more that stand still a page has the close pairs alone, up to crowd_page_cap.
+/// The number of cylinders of which a page has all pairs: 20 thousand, in ten configurations, some 40 MB.
 constexpr std::size_t page_cap = 200;
 
 struct SceneArguments {
   std::string json, page, srdf, srdf_out;
   std::vector<std::string> at;
-  std::string generate;
-  std::size_t count = 1000;
   SceneQuestion question;
 };
 
@@ -52,92 +45,16 @@ void check_length(const char* option, double length) {
   throw UsageError(fmt::format("{}: {} is no length; give a finite number, 0 or more", option, length));
 }
 
-/// Returns whether nothing moves and every shape is a solid of its own: then only pairs that are close
-/// matter.
-bool stands_still(const Scene& scene) {
-  const auto is_bound = [](const Body& body) { return body.box.has_value(); };
-  return scene.links.size() == scene.bodies.size() && scene.left_out.empty() && !moves(scene) &&
-         std::ranges::none_of(scene.bodies, is_bound);
-}
-
-/// Throws UsageError, before any work, where there are too many cylinders for a page.
-void check_page(const SceneArguments& arguments, std::size_t cylinders, bool still) {
-  if (arguments.page.empty() || cylinders <= page_cap) return;
-  if (!still)
+/// Throws UsageError, before any work, if there are too many cylinders for a study or for its page.
+void check_count(const SceneArguments& arguments, const Scene& scene) {
+  const std::size_t cylinders = scene.bodies.size();
+  if (cylinders > study_cap)
     throw UsageError(
-        fmt::format("--page shows a mechanism of up to {} cylinders, not {}; give a file with fewer, or take "
-                    "--json",
-                    page_cap, cylinders));
-  if (cylinders > crowd_page_cap)
-    throw UsageError(fmt::format("--page shows up to {} cylinders, not {}; ask about fewer, or take --json",
-                                 crowd_page_cap, cylinders));
-}
-
-/// Throws UsageError where something is asked for that only a study of every pair has.
-void check_crowd(const SceneArguments& arguments) {
-  if (arguments.question.prove || !arguments.srdf_out.empty())
-    throw UsageError(
-        "--prove and --srdf-out are about a mechanism, not about many cylinders that stand still");
-}
-
-/// The first parts of a generated scene, for the time against the number: from 1000 on, by 1, 2, 5, 10, ..
-std::vector<GrowthRow> measure_growth(const Crowd& crowd) {
-  std::vector<GrowthRow> rows;
-  const std::size_t count = crowd.cylinders.size();
-  for (std::size_t power = 1000; power > 0; power /= 10) {
-    for (const std::size_t part : {power, power / 2, power / 5}) {
-      if (part < 2 || count < 1000 * part) continue;
-      const ClosePairs found = find_close_pairs_timed(
-          generate_cylinders(crowd.generated, count / part, crowd.seed), crowd.clearance);
-      rows.push_back(growth_row(found));
-      fmt::print("{}", crowd_line(found));
-      std::fflush(stdout);
-    }
-  }
-  return rows;
-}
-
-/// Finds the close pairs of many cylinders that stand still, prints what was found and writes it.
-int list_close_pairs(const SceneArguments& arguments, Crowd crowd) {
-  check_crowd(arguments);
-  crowd.clearance = arguments.question.clearance;
-  fmt::print("{}", crowd_head());
-  if (!crowd.generated.empty()) crowd.growth = measure_growth(crowd);
-  crowd.pairs = find_close_pairs_timed(crowd.cylinders, crowd.clearance);
-  if (!crowd.generated.empty()) crowd.growth.push_back(growth_row(crowd.pairs));
-  fmt::print("{}", crowd_line(crowd.pairs));
-  if (arguments.question.verify) {
-    crowd.check = check_close_pairs(crowd.cylinders, crowd.clearance, crowd.pairs);
-    fmt::print("{}", crowd_check_text(*crowd.check));
-  }
-  if (!arguments.json.empty() || !arguments.page.empty()) {
-    crowd.nearest = nearest_pairs(crowd.cylinders, crowd.clearance, crowd.pairs, nearest_cap);
-    const std::string json = crowd_json(crowd);
-    if (!arguments.json.empty()) write_file(arguments.json, json);
-    if (!arguments.page.empty()) write_file(arguments.page, fill_template(json));
-  }
-  if (crowd.check && crowd.check->referee.wrong + crowd.check->certificates.failed > 0) return exit_findings;
-  const bool not_proved = crowd.check && crowd.check->referee.undecided > 0;
-  return not_proved || crowd.pairs.undecided > 0 ? exit_undecided : exit_pass;
-}
-
-int list_generated(const SceneArguments& arguments) {
-  check_page(arguments, arguments.count, true);
-  const std::uint64_t seed = arguments.question.seed;
-  Crowd crowd;
-  crowd.generated = arguments.generate;
-  crowd.seed = seed;
-  crowd.cylinders = generate_cylinders(arguments.generate, arguments.count, seed);
-  fmt::print("seed {}\n", seed);
-  return list_close_pairs(arguments, std::move(crowd));
-}
-
-int list_file(const SceneArguments& arguments, const Scene& scene) {
-  Crowd crowd;
-  crowd.file = arguments.question.file;
-  crowd.cylinders = place(scene, joints_at(scene));
-  for (const Body& body : scene.bodies) crowd.names.push_back(body.name);
-  return list_close_pairs(arguments, std::move(crowd));
+        fmt::format("{} cylinders; a study holds up to {}{}", cylinders, study_cap,
+                    stands_still(scene) ? "; 'daylight near' finds the close pairs of more" : ""));
+  if (!arguments.page.empty() && cylinders > page_cap)
+    throw UsageError(fmt::format("--page shows up to {} cylinders, not {}; take --json{}", page_cap,
+                                 cylinders, stands_still(scene) ? ", or 'daylight near'" : ""));
 }
 
 void write_results(const SceneArguments& arguments, const Scene& scene, const SceneStudy& s) {
@@ -153,9 +70,7 @@ int study(SceneArguments& arguments) {
   check_length("--clearance", question.clearance);
   check_length("--tolerate", question.tolerated);
   if (!(question.rate > 0 && question.rate <= 1)) throw UsageError("--rate is a share: above 0, 1 at most");
-  if (question.file.empty() == arguments.generate.empty())
-    throw UsageError("which scene? Give a FILE or --generate");
-  if (!arguments.generate.empty()) return list_generated(arguments);
+  if (question.file.empty()) throw UsageError("which scene? Give a FILE");
   for (const std::string& text : arguments.at) question.at.push_back(parse_joint(text));
   if (!arguments.srdf_out.empty()) {
     if (!question.at.empty())
@@ -170,12 +85,7 @@ int study(SceneArguments& arguments) {
     fmt::print(stderr, "daylight: {}\n", error.what());
     return exit_invalid_input;
   }
-  const bool still = stands_still(scene);
-  check_page(arguments, scene.bodies.size(), still);
-  if (scene.bodies.size() > study_cap && !still)
-    throw UsageError(fmt::format("a mechanism of more than {} cylinders", study_cap));
-  if (scene.bodies.size() > (arguments.page.empty() ? study_cap : page_cap))
-    return list_file(arguments, scene);
+  check_count(arguments, scene);
   const SceneStudy s = study_scene(scene, question);
   fmt::print("{}", study_text(scene, question, s));
   write_results(arguments, scene, s);
@@ -236,15 +146,11 @@ void add_scene(Program& program) {
               "write an SRDF of the pairs of which one link carries the other or that are proved never to "
               "touch; implies --prove")
       .writable();
-  command.option("--generate", arguments->generate,
-                 "generate rods or pipes instead of reading a FILE, and ask about all close pairs");
-  command.number("--count", arguments->count, "cylinders to generate", 1, 10'000'000);
   command.option("--json", arguments->json, "write everything as JSON, a line of results for each pair")
       .writable();
   command
       .option("--page", arguments->page,
-              "write it as one HTML file: the robot in 3D, its pairs, cost against wrong answers; or of many "
-              "cylinders that stand still the close pairs, and how the time grows")
+              "write it as one HTML file: the robot in 3D, its pairs, cost against wrong answers")
       .writable();
   command.examples(
       "  daylight scene robot.urdf --clearance 0.01 --verify --page robot.html",

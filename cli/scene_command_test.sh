@@ -32,12 +32,12 @@ holds 'for nobody on the network' crane.html "default-src 'none'"
 expect 1 'no place for a page' "$daylight" scene "$scenes/crane.urdf" --configurations 1 --page none/crane.html
 holds 'which' err 'none/crane.html cannot be written'
 for i in {1..201}; do printf '{"center":[%s,0,0],"axis":[0,0,1],"radius":0.4,"height":2}\n' "$i"; done >many.jsonl
-expect 0 'more than a study shows' "$daylight" scene many.jsonl --clearance 0.3 --page many.html --verify
-holds 'close pairs alone' out '^ +201 +200 '
-holds 'as data' many.html '"file":"many.jsonl",'
-holds 'its names' many.html '"names":\["1","2",'
-expect 64 'a study of a crowd' "$daylight" scene many.jsonl --page many.html --prove
-holds 'why' err 'are about a mechanism, not about many cylinders'
+expect 64 'too many for a page' "$daylight" scene many.jsonl --page many.html
+holds 'what to do' err "up to 200 cylinders, not 201; take --json, or 'daylight near'"
+expect 0 'close pairs' "$daylight" near many.jsonl --clearance 0.3 --verify --json many.json --csv many.csv
+holds 'counts' out '^201 cylinders; boxes of 200 pairs meet; 200 pairs within 0.3, 0 undecided$'
+holds 'its names' many.json '"names":\["1","2",'
+holds 'as a table' many.csv '^1,2,0\.19'
 {
   printf '<robot name="many"><link name="l0"/>'
   for i in {1..201}; do
@@ -47,17 +47,18 @@ holds 'why' err 'are about a mechanism, not about many cylinders'
   printf '</robot>'
 } >many.urdf
 expect 64 'a mechanism too large for a page' "$daylight" scene many.urdf --page many.html
-holds 'what to do' err 'a mechanism of up to 200 cylinders, not 201; give a file with fewer, or take --json'
-expect 64 'too many for a page' "$daylight" scene --generate rods --count 200001 --page rods.html
-holds 'how many are not' err 'up to 200000 cylinders, not 200001; ask about fewer, or take --json'
-expect 0 'generated' "$daylight" scene --generate rods --count 2000 --verify --json rods.json --page rods.html
-holds 'counted' out '^ +2000 '
-holds 'and less' out '^ +1000 '
+holds 'what to do' err '--page shows up to 200 cylinders, not 201; take --json'
+expect 0 'generated' "$daylight" near --generate rods --count 2000 --verify --list 3 --json rods.json
+holds 'counted' out '^2000 cylinders; boxes of 2425 pairs meet; '
 holds 'the referee' out '^referee: 2425 pairs asked, 0 wrong, 0 not proved; [0-9]+ ms$'
 holds 'the certificates' out '^certificates: 2425 checked, 0 failed, 0 pairs without one; [0-9]+ ms$'
+equal 'the nearest' 3 "$(grep -c ' - ' out)"
 holds 'the pairs' rods.json '"within":\[\['
-holds 'how it grows' rods.json '"cylinders":1000,"candidates":1189,'
-holds 'the same on the page' rods.html '"certificates":\{"checked":2425,"failed":0,'
+expect 64 'a robot' "$daylight" near "$scenes/crane.urdf"
+holds 'what to take' err "bodies that move or are bounded; take 'daylight scene'"
+expect 64 'no cylinders' "$daylight" near
+expect 64 'two sources' "$daylight" near many.jsonl --generate rods
+expect 64 'nothing of that kind' "$daylight" near --generate bricks
 : >empty.jsonl
 expect 0 'nothing in it' "$daylight" scene empty.jsonl --page empty.html
 holds 'nothing to do' out '^nothing to check$'
@@ -67,7 +68,6 @@ printf '{"center":[0,0,0],"axis":[0,0,0],"radius":1,"height":2}\n' >bad.jsonl
 expect 65 'no axis' "$daylight" scene bad.jsonl
 holds 'which line' err 'line 1: axis'
 expect 64 'no scene' "$daylight" scene
-expect 64 'two scenes' "$daylight" scene bad.jsonl --generate rods
 expect 64 'an unknown joint' "$daylight" scene "$scenes/crane.urdf" --at elbow=1
 expect 64 'no number' "$daylight" scene "$scenes/crane.urdf" --at luff=high
 for clearance in -1 inf nan; do
@@ -110,4 +110,3 @@ holds 'bounds' out ' 2 boxes \(bounded\), 1 ellipsoid \(bounded\), 1 mesh \(boun
 holds 'what was skipped' out '  Not needed and not read: actuator, option, sensor, tendon.$'
 expect 3 'boxes and meshes' "$daylight" scene "$scenes/porter.urdf" --configurations 20
 holds 'what does not move' out '; NOT MOVED: rolls, swivel;'
-expect 64 'nothing of that kind' "$daylight" scene --generate bricks

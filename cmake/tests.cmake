@@ -22,7 +22,7 @@ endfunction()
 
 # Suites with a test that starts processes, of any folder. The label of all others ends in _quick: ctest -L quick runs
 # them, ctest -L FOLDER both.
-set(process_suites Approaches Backward Batch Bench CalibrationCurve Campaign Child Confine Contained CrowdReport Cures
+set(process_suites Approaches Backward Batch Bench CalibrationCurve Campaign Child Confine Contained Cures
     Derived Examine Explain Export FailingRegion Fuzzing Gate GateJunit GateSarif Guest* *KeptProcess* KillMatrix Kin
     LawSearch Mechanism Methods Misbehaving Mujoco Ode SceneJson SelfCheck Shards Stability Store Suppressed Triage Urdf
     Worker Worst WorstOfCause WriteStability)
@@ -91,7 +91,7 @@ daylight_script(algorithms_test cli 2400 ${Python3_EXECUTABLE} ${PROJECT_SOURCE_
 daylight_script(compare_test bench 600 ${Python3_EXECUTABLE} ${PROJECT_SOURCE_DIR}/bench/compare_test.py)
 daylight_script(family_table_test bench 60 ${Python3_EXECUTABLE} ${PROJECT_SOURCE_DIR}/bench/family_table_test.py)
 daylight_script(schemas_test reports 2400 ${Python3_EXECUTABLE} ${PROJECT_SOURCE_DIR}/reports/schemas/schemas_test.py ${program})
-foreach(part data browser build scene robot crowd)
+foreach(part data browser build scene robot)
   daylight_script(page_${part} reports 2400 ${PROJECT_SOURCE_DIR}/reports/web/run_test.sh ${part} ${program})
 endforeach()
 daylight_script(hostile_test oracles 2400 ${Python3_EXECUTABLE} ${PROJECT_SOURCE_DIR}/oracles/methods/hostile_test.py

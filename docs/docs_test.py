@@ -36,7 +36,7 @@ ELSEWHERE = {
     'merge runs/night': 'campaign_replay_test',
     '--pairs 1000000000': 'docs/results/billion.md',
     'runs/readme/run': 'compared, see check_numbers',
-    '--generate rods': 'scene_command_test',
+    'near --generate': 'scene_command_test',
     '--stop-at': 'campaign_replay_test',
     'daylight COMMAND': 'no command but a pattern',
     'bench --growth': 'a minute of its own; its rows are in bench_tests',

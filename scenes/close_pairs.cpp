@@ -14,10 +14,6 @@
 namespace cyl {
 namespace {
 
-/// How long, in ms of CPU time, searches are repeated to tell the time of one, and how often at most.
-constexpr double timed_ms_cap = 50;
-constexpr std::size_t timed_runs_cap = 9;
-
 /// The sum, where it is no double the nearest one to the side asked for.
 double sum_towards(double x, double y, double side) {
   const double sum = x + y, of_y = sum - x;
@@ -68,18 +64,6 @@ ClosePairs find_close_pairs(std::span<const Cylinder> cylinders, double clearanc
   s.cascade_ms = 1e-6 * (processor_ns() - began);
   std::sort(s.within.begin(), s.within.end());
   return s;
-}
-
-ClosePairs find_close_pairs_timed(std::span<const Cylinder> cylinders, double clearance) {
-  std::vector<ClosePairs> runs;
-  double spent = 0;
-  while (runs.size() % 2 == 0 || (spent < timed_ms_cap && runs.size() < timed_runs_cap)) {
-    runs.push_back(find_close_pairs(cylinders, clearance));
-    spent += runs.back().total_ms();
-  }
-  const auto median = runs.begin() + static_cast<std::ptrdiff_t>(runs.size() / 2);
-  std::ranges::nth_element(runs, median, {}, &ClosePairs::total_ms);
-  return std::move(*median);
 }
 
 void CertificateCheck::add(const Pair& pair, double clearance, bool said_within) {

@@ -28,16 +28,11 @@ struct ClosePairs {
   std::size_t undecided = 0;                           ///< by no level: taken for within
   std::vector<PairOfBodies> within;                    ///< sorted
   double prepare_ms = 0, tree_ms = 0, cascade_ms = 0;  ///< CPU time
-  double total_ms() const { return prepare_ms + tree_ms + cascade_ms; }
 };
 
 /// Returns the pairs of valid cylinders within the clearance. Cost: about n log n, as long as few boxes
 /// overlap.
 ClosePairs find_close_pairs(std::span<const Cylinder> cylinders, double clearance);
-
-/// Returns the same from the search that took the median time of as many (an odd number, at most nine) as
-/// fill 50 ms: a single search of few cylinders times cold caches.
-ClosePairs find_close_pairs_timed(std::span<const Cylinder> cylinders, double clearance);
 
 /// The solver's certificates of what was answered, as the referee checks them.
 struct CertificateCheck {

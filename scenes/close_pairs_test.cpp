@@ -59,14 +59,6 @@ TEST(ClosePairs, AnswersOneQuestionForEachPairOfBoxes) {
   EXPECT_GT(s.candidates.size(), 2 * s.within.size());
 }
 
-TEST(ClosePairs, AreTheSameHoweverOftenTheSearchIsTimed) {
-  const std::vector<Cylinder> c = generate_cylinders("pipes", 400, 2);
-  const ClosePairs once = find_close_pairs(c, 0.01), timed = find_close_pairs_timed(c, 0.01);
-  EXPECT_EQ(timed.within, once.within);
-  EXPECT_EQ(timed.bodies, 400u);
-  EXPECT_GT(timed.total_ms(), 0);
-}
-
 /// Three spheres in a row: the first two overlap, the next two are 0.5 apart.
 std::vector<Cylinder> three_spheres() {
   const Vector3 up(0, 0, 1);

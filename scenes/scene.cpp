@@ -186,6 +186,12 @@ std::vector<double> joints_at(const Scene& scene, std::span<const std::pair<std:
 
 bool moves(const Scene& scene) { return std::any_of(scene.links.begin(), scene.links.end(), is_free); }
 
+bool stands_still(const Scene& scene) {
+  const auto is_bound = [](const Body& body) { return body.box.has_value(); };
+  return scene.links.size() == scene.bodies.size() && scene.left_out.empty() && !moves(scene) &&
+         std::none_of(scene.bodies.begin(), scene.bodies.end(), is_bound);
+}
+
 std::vector<Pose> pose_links(const Scene& scene, std::span<const double> joints) {
   std::vector<Pose> poses(scene.links.size());
   for (std::size_t i = 0; i < poses.size(); ++i) {

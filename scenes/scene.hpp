@@ -132,6 +132,8 @@ std::vector<double> joints_at(const Scene& scene,
 void let_follow(const Scene& scene, std::vector<double>& joints);
 /// Returns whether anything moves.
 bool moves(const Scene& scene);
+/// Returns whether nothing moves and every shape is a solid of its own.
+bool stands_still(const Scene& scene);
 
 /// Forward kinematics: the pose of every link, and the bodies in the root's frame.
 std::vector<Pose> pose_links(const Scene& scene, std::span<const double> joints);

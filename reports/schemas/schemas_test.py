@@ -112,7 +112,7 @@ def main():
         (folder / 'many.csv').write_text('x,y,z,ax,ay,az,radius,height\n' + rows)
         crowds = {'rods': ('--generate', 'rods', '--verify'), 'many': (folder / 'many.csv', '--clearance', 0.3)}
         for name, asked in crowds.items():
-            run('scene', *asked, '--json', folder / f'{name}.json')
+            run('near', *asked, '--json', folder / f'{name}.json')
         hold('close_pairs.json', [json.loads((folder / f'{name}.json').read_text()) for name in crowds])
     print('passed')
 

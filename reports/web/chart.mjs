@@ -19,7 +19,6 @@ export const { csv_cell, csv_of, full, glossary, shell_quoted, wrong_distance } 
 export const { log_gamma, same_rate_probability } = globalThis.daylight;
 export const { frame_around, frame_of, stand_in, study_rows_of, csv_of_study, risk_of } = globalThis.daylight;
 export const { gap, gaps_of, free_joints, joint_values, placed } = globalThis.daylight;
-export const { csv_of_pairs, first_hit, power_law } = globalThis.daylight;
 
 if (argv[1] !== undefined && import.meta.url === pathToFileURL(argv[1]).href) {
   const folder = argv[2];

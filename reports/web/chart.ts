@@ -32,8 +32,6 @@ export { gap, gaps_of } from "./gap.ts";
 export { free_joints, joint_values, placed } from "./kinematics.ts";
 export { csv_of_study } from "./study_csv.ts";
 export { risk_of } from "./study_risk.ts";
-export { csv_of_pairs, power_law } from "./crowd.ts";
-export { first_hit } from "./geometry.ts";
 export { expand, pareto, plain_document };
 
 /** Points of a file's width; text is 11 of them high. */

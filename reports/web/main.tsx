@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The page: it shows the run, the scene or the many cylinders that its data describe.
+// The page: it shows the run or the scene that its data describe.
 import { render } from "preact";
 import * as for_node from "./chart.ts";
-import { safe_crowd, source_of, type Crowd } from "./crowd.ts";
-import { CrowdPage } from "./crowd_page.tsx";
 import { data_of, expand } from "./report.ts";
 import { RunPage } from "./run_page.tsx";
 import { StudyPage } from "./study_page.tsx";
@@ -17,15 +15,11 @@ const no_data =
 
 /** The title of the page and what it shows; nothing in the template without data. */
 function shown() {
-  const data = data_of(document) as Report | Study | Crowd | null;
+  const data = data_of(document) as Report | Study | null;
   if (data === null) return null;
   if ("kept" in data) {
     const study = safe_texts(data);
     return { title: study.file, view: <StudyPage study={study} /> };
-  }
-  if ("solids" in data) {
-    const crowd = safe_crowd(data);
-    return { title: source_of(crowd), view: <CrowdPage crowd={crowd} /> };
   }
   return { title: safe(data.run.id), view: <RunPage report={expand(data)} /> };
 }

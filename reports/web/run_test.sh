@@ -5,7 +5,6 @@
 #     run_test.sh browser    a reader of the page; needs chromium, and npm ci in this folder
 #     run_test.sh scene DAYLIGHT    the same of the page of a scene, written by the executable DAYLIGHT
 #     run_test.sh robot DAYLIGHT    the robots on such pages: joints, gaps, proofs, words, and the CSV
-#     run_test.sh crowd DAYLIGHT    the same of the page of many cylinders
 #     run_test.sh build      the types are right, and a build gives the committed bytes; needs npm ci in this folder
 set -euo pipefail
 cd -- "$(dirname -- "$(readlink -f -- "${BASH_SOURCE[0]}")")"
@@ -30,15 +29,6 @@ robot() {
   node study_robot_test.mjs "$scratch"/*.html
 }
 
-crowd() {
-  scratch=$(mktemp -d)
-  trap 'rm -rf -- "$scratch"' EXIT
-  for count in 5000 100000; do
-    "$1" scene --generate rods --count "$count" --verify --page "$scratch/$count.html"
-  done
-  node crowd_page_test.mjs "$scratch/5000.html" "$scratch/100000.html"
-}
-
 build() {
   [[ node_modules/.package-lock.json -nt package-lock.json ]] ||
     exec ../../.ci/skip 'no npm packages here, or old ones: npm ci --prefix reports/web'
@@ -52,6 +42,5 @@ case $1 in
   browser) node page_test.mjs ;;
   scene) scene "$2" ;;
   robot) robot "$2" ;;
-  crowd) crowd "$2" ;;
   build) build ;;
 esac

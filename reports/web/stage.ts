@@ -6,17 +6,13 @@ import {
   BufferGeometry,
   CanvasTexture,
   CapsuleGeometry,
-  Color,
   CylinderGeometry,
   DirectionalLight,
   DoubleSide,
   EdgesGeometry,
   Float32BufferAttribute,
   Fog,
-  FrontSide,
   Group,
-  InstancedBufferAttribute,
-  InstancedMesh,
   LatheGeometry,
   Line,
   LineBasicMaterial,
@@ -103,72 +99,6 @@ export function solid(s: Solid, colour: string, extent: number, opacity = 0.62):
   group.quaternion.copy(turned([0, 1, 0], s.axis));
   group.position.copy(three(s.center));
   return group;
-}
-
-/** A solid to be stretched: positions are those of a core of radius and half height 1, from which the rounding leads
- *  along the normal. Where nothing is rounded, an edge is an arc of no width, and has both normals. */
-function stretchable(segments: number, arc_steps: number): BufferGeometry {
-  const pole = Math.PI / 2;
-  const arc = (end: -1 | 1) =>
-    Array.from({ length: arc_steps + 1 }, (_, i) => {
-      const up = (end < 0 ? i - arc_steps : i) * (pole / arc_steps);
-      return { radius: 1, end, up };
-    });
-  const rings = [{ radius: 0, end: -1, up: -pole }, ...arc(-1), ...arc(1), { radius: 0, end: 1, up: pole }];
-  const core: number[] = [],
-    normal: number[] = [],
-    faces: number[] = [];
-  for (const [i, { radius, end, up }] of rings.entries())
-    for (let j = 0; j <= segments; ++j) {
-      const t = (2 * Math.PI * j) / segments;
-      core.push(radius * Math.cos(t), end, radius * Math.sin(t));
-      normal.push(Math.cos(up) * Math.cos(t), Math.sin(up), Math.cos(up) * Math.sin(t));
-      if (i === 0 || j === segments) continue;
-      const q = i * (segments + 1) + j,
-        p = q - (segments + 1);
-      // None of no area: on the ring at the first pole, at the last one, or where an arc has no width.
-      if (arc_steps === 1 && (i === 2 || i === 4)) continue;
-      if (i > 1) faces.push(p, q, p + 1);
-      if (i + 1 < rings.length) faces.push(q, q + 1, p + 1);
-    }
-  return new BufferGeometry()
-    .setAttribute("position", new Float32BufferAttribute(core, 3))
-    .setAttribute("normal", new Float32BufferAttribute(normal, 3))
-    .setIndex(faces);
-}
-
-/** Fewer faces the more solids there are: of many each is small. */
-const segments_of = (count: number) => (count <= 300 ? 64 : count <= 2_000 ? 32 : count <= 20_000 ? 12 : 6);
-
-/** Many solids as one object, each of its colour: what `solid` draws, without its edges. */
-export function many(solids: readonly Solid[], colours: readonly string[], extent: number, opacity = 1): InstancedMesh {
-  const geometry = stretchable(segments_of(solids.length), solids.some((s) => s.rounding > 0) ? 6 : 1);
-  const shapes = new Float32Array(3 * solids.length);
-  const material = new MeshLambertMaterial({
-    transparent: opacity < 1,
-    opacity,
-    depthWrite: opacity === 1,
-    side: opacity < 1 ? DoubleSide : FrontSide,
-  });
-  material.onBeforeCompile = (shader) => {
-    shader.vertexShader = `attribute vec3 shape;\n${shader.vertexShader}`.replace(
-      "#include <begin_vertex>",
-      "vec3 transformed = position * shape.xyx + shape.z * normal;",
-    );
-  };
-  const mesh = new InstancedMesh(geometry, material, solids.length);
-  const place = new Matrix4(),
-    one = new Vector3(1, 1, 1),
-    paint = new Map([...new Set(colours)].map((name) => [name, new Color(name)]));
-  for (const [i, s] of solids.entries()) {
-    const least = s.rounding > 0 ? 0 : (thinnest * extent) / Math.sqrt(Math.max(1, solids.length / 100));
-    shapes.set([Math.max(s.radius, least), Math.max(s.half, least / 2), s.rounding], 3 * i);
-    mesh.setMatrixAt(i, place.compose(three(s.center), turned([0, 1, 0], s.axis), one));
-    mesh.setColorAt(i, paint.get(colours[i]!)!);
-  }
-  geometry.setAttribute("shape", new InstancedBufferAttribute(shapes, 3));
-  mesh.frustumCulled = false; // its ball would be that of the solid of size 1
-  return mesh;
 }
 
 /** All points within a radius of a segment, as a breath of colour with outlines. */
@@ -355,7 +285,6 @@ class Stage {
         o.material.map?.dispose();
         o.material.dispose();
       }
-      if (o instanceof InstancedMesh) o.dispose();
     });
     this.scene = new Scene();
     this.scene.fog = haze === null ? null : new Fog(haze.colour, eye_way - haze.near, eye_way + haze.far);
