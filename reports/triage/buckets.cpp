@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cctype>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <optional>
 #include <set>
@@ -261,7 +262,8 @@ void show_simplest(Bucket& b, const Group& group, const ShownPair& shown,
   b.simplified = !group.simplest->as_found;
   b.seen_again = group.seen_again;
   std::optional<double> margin;
-  if (distance && distance->margin) margin = finite(distance->margin->hi);
+  if (distance && distance->margin)
+    margin = std::min(distance->margin->hi, std::numeric_limits<double>::max());
   const auto feature = contact_feature(pair, now.truth);
   b.feature = feature ? to_string(*feature) : "unknown";
   b.coordinate = to_string(coordinate_of(pair, margin.value_or(0)));

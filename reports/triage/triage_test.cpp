@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <limits>
 #include <set>
 #include <string>
 
@@ -341,6 +342,22 @@ TEST(Buckets, AWrongVerdictIsWorseThanAWrongDistance) {
   FindingRecord deeper = verdict;
   deeper.margin->lo = 0.15;
   EXPECT_TRUE(is_worse(deeper, verdict));
+}
+
+TEST(Buckets, HaveMarginsOfAtLeastWhatIsProved) {
+  Bucket b;
+  b.count = 1;
+  b.methods = {"m"};
+  b.families = {"f", "g"};
+  b.margin = Enclosure{1e-9, std::numeric_limits<double>::infinity()};
+  b.simplest = {{"pair", Json::parse(format_pair(apart()))}};
+  b.worst = Json::object();
+  const std::string text = format_buckets({b});
+  EXPECT_NE(text.find("    1 finding in 2 families, of 1 method; margins 1.0e-09 to at least inf\n"),
+            std::string::npos)
+      << text;
+  EXPECT_EQ(to_json(b)["margin"], Json({1e-9, "inf"}));
+  EXPECT_EQ(bucket_from_json(to_json(b)).margin->hi, b.margin->hi);
 }
 
 TEST(Buckets, GiveAGroupsCountAsItsKeptOnesAre) {
