@@ -36,6 +36,9 @@ expect 0 'more than a study shows' "$daylight" scene many.jsonl --clearance 0.3 
 holds 'close pairs alone' out '^ +201 +200 '
 holds 'as data' many.html '"file":"many.jsonl",'
 holds 'its names' many.html '"names":\["1","2",'
+printf '{"a":%s,"b":%s}\n' "$(head -n 1 many.jsonl)" "$(head -n 1 many.jsonl)" >pair.jsonl
+expect 65 'pairs for a scene' "$daylight" scene pair.jsonl
+holds 'what to do' err '^daylight: pair.jsonl: line 1: this is a pair, and a line of a scene is one solid: .*`daylight check` answers'
 expect 64 'a study of a crowd' "$daylight" scene many.jsonl --page many.html --prove
 holds 'why' err 'are about a mechanism, not about many cylinders'
 {
