@@ -105,8 +105,19 @@ expect 'a name that begins others' 0 '.*"disjoint".*"method":"fcl-libccd"\}' che
 expect 'another method, nonsense in' 65 '.*"disjoint".*'$'\n''.*"intersecting".*'$'\n'"$invalid" check --method intersect one two
 
 expect 'no command' 64 ''
-expect 'an unknown command' 64 '' chekc
-[[ $(<err) == *"'chekc'"*check*families* ]] || fail 'an unknown command lists those there are'
+# what is wrong, how the message ends, arguments
+told() {
+  local what=$1 wanted=$2
+  shift 2
+  expect "$what" 64 '' "$@"
+  [[ $(<err) == "daylight: $wanted" ]] || fail "$what: the message is not '$wanted'"
+}
+told 'a misspelt command' $'no command \'chekc\'; do you mean \'check\'?\n--help says more' chekc
+told 'a misspelt option' $'check has no option --distances; do you mean \'--distance\'?\n--help says more' check --distances
+told 'a word too many' $'campaign does not take \'100\'\n--help says more' campaign --pairs 100 100
+told 'an empty value' $'--methods= gives no value\n--help says more' campaign --methods= --pairs 100
+expect 'an unknown command' 64 '' nonsense
+[[ $(<err) == *"'nonsense'; there are check, "*', families'* ]] || fail 'an unknown command lists those there are'
 expect 'an unknown option' 64 '' check --nonsense
 expect 'a number that is none' 64 '' families random --count many
 expect 'version' 0 'daylight [0-9.]+ \(.*\)' --version

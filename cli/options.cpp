@@ -36,6 +36,50 @@ std::uint64_t whole_number(const std::string& text, const std::string& name, std
                                        " to " + std::to_string(most));
 }
 
+/// How many letters have to be put in, left out, changed or exchanged with their neighbour to make one of the
+/// other.
+std::size_t typing_errors(const std::string& x, const std::string& y) {
+  std::vector<std::vector<std::size_t>> d(x.size() + 1, std::vector<std::size_t>(y.size() + 1));
+  for (std::size_t i = 0; i <= x.size(); ++i) {
+    for (std::size_t j = 0; j <= y.size(); ++j) {
+      if (i == 0 || j == 0) {
+        d[i][j] = i + j;
+        continue;
+      }
+      d[i][j] = std::min({d[i - 1][j] + 1, d[i][j - 1] + 1, d[i - 1][j - 1] + (x[i - 1] != y[j - 1])});
+      if (i > 1 && j > 1 && x[i - 1] == y[j - 2] && x[i - 2] == y[j - 1])
+        d[i][j] = std::min(d[i][j], d[i - 2][j - 2] + 1);
+    }
+  }
+  return d[x.size()][y.size()];
+}
+
+/// "; do you mean 'check'?", or what there is where no name is like it.
+std::string suggestion(const std::string& typed, const std::vector<std::string>& names) {
+  std::size_t least = std::max<std::size_t>(1, typed.size() / 3);
+  std::string best;
+  for (const std::string& name : names) {
+    const std::size_t errors = typing_errors(typed, name);
+    if (errors < least || (errors == least && best.empty())) {
+      least = errors;
+      best = name;
+    }
+  }
+  if (!best.empty()) return "; do you mean '" + best + "'?";
+  for (const std::string& name : names) best += (best.empty() ? "; there are " : ", ") + name;
+  return best;
+}
+
+/// What the parser could not place, in words.
+std::string misplaced(const CLI::App& command) {
+  const std::string first = command.remaining().front();
+  if (!first.starts_with("-")) return command.get_name() + " does not take '" + first + "'";
+  std::vector<std::string> names;
+  for (const CLI::Option* option : command.get_options())
+    for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
+  return command.get_name() + " has no option " + first + suggestion(first, names);
+}
+
 }  // namespace
 
 Option Option::required() const { return Option(*option_->required()); }
@@ -143,18 +187,31 @@ Command Program::command(const std::string& group, const std::string& name, cons
 }
 
 int Program::run(int argc, char** argv) {
+  for (int i = 1; i < argc; ++i) {
+    // The parser would take the next word for its value.
+    const std::string_view word = argv[i];
+    if (!word.starts_with("--") || word.find('=') != word.size() - 1) continue;
+    std::cerr << app_->get_name() << ": " << word << " gives no value\n--help says more\n";
+    return exit_usage;
+  }
   try {
     app_->parse(argc, argv);
     return exit_code_;
   } catch (const CLI::ParseError& error) {
-    if (error.get_exit_code() != 0 && app_->get_subcommands().empty()) {
-      std::cerr << app_->get_name() << ": "
-                << (argc > 1 ? "no command '" + std::string(argv[1]) + "'" : "no command given") << "\n\n"
-                << app_->help();
-      return exit_usage;
-    }
     if (error.get_exit_code() == 0) return app_->exit(error);  // --help, --version
-    std::cerr << app_->get_name() << ": " << error.what() << "\n--help says more\n";
+    std::cerr << app_->get_name() << ": ";
+    if (argc < 2) {
+      std::cerr << "no command given\n\n" << app_->help();
+    } else if (app_->get_subcommands().empty()) {
+      std::vector<std::string> names;
+      for (const CLI::App* command : app_->get_subcommands({})) names.push_back(command->get_name());
+      std::cerr << "no command '" << argv[1] << "'" << suggestion(argv[1], names) << "\n--help says more\n";
+    } else {
+      const CLI::App& command = *app_->get_subcommands().front();
+      const bool extra = error.get_exit_code() == static_cast<int>(CLI::ExitCodes::ExtrasError) &&
+                         !command.remaining().empty();
+      std::cerr << (extra ? misplaced(command) : error.what()) << "\n--help says more\n";
+    }
     return exit_usage;
   }
 }

@@ -38,6 +38,9 @@ expect 0 'close pairs' "$daylight" near many.jsonl --clearance 0.3 --verify --js
 holds 'counts' out '^201 cylinders; boxes of 200 pairs meet; 200 pairs within 0.3, 0 undecided$'
 holds 'its names' many.json '"names":\["1","2",'
 holds 'as a table' many.csv '^1,2,0\.19'
+printf '{"a":%s,"b":%s}\n' "$(head -n 1 many.jsonl)" "$(head -n 1 many.jsonl)" >pair.jsonl
+expect 65 'pairs for a scene' "$daylight" scene pair.jsonl
+holds 'what to do' err '^daylight: pair.jsonl: line 1: this is a pair, and a line of a scene is one solid: .*`daylight check` answers'
 {
   printf '<robot name="many"><link name="l0"/>'
   for i in {1..201}; do

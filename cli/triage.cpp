@@ -68,11 +68,12 @@ int triage(const TriageArguments& arguments) {
     });
   }
   fmt::print("{}\n\n{}", what_changed(result.buckets), format_buckets(result.buckets));
-  fmt::print(
-      "{} causes of {} kept findings; {} simplified, {} causes searched for a worse pair, --for gives "
-      "them more time\n",
-      result.buckets.size(), result.progress.classified, result.progress.simplified,
-      result.progress.searched);
+  const auto here = std::ranges::count_if(result.buckets, [](const Bucket& b) { return b.count > 0; });
+  fmt::print("{} causes of {} kept findings", here, result.progress.classified);
+  if (const auto others = result.buckets.size() - static_cast<std::size_t>(here); others > 0)
+    fmt::print(" and {} of earlier runs alone", others);
+  fmt::print("; {} simplified, {} causes searched for a worse pair, --for gives them more time\n",
+             result.progress.simplified, result.progress.searched);
   const TriageProgress& p = result.progress;
   if (p.classified + p.absent < p.findings)
     fmt::print("{} not looked at yet: run it again to go on\n", p.findings - p.classified - p.absent);

@@ -202,7 +202,8 @@ class Searcher {
            s.pair, {});
     }
     if (!worst.failed && !worst.wrong && !worst.slow && !worst.scored)
-      fmt::print("{} nothing in {} shapes, {} questions\n", name, worst.evaluations, worst.questions);
+      fmt::print("{} nothing in {} shape{}, {} question{}\n", name, worst.evaluations,
+                 worst.evaluations == 1 ? "" : "s", worst.questions, worst.questions == 1 ? "" : "s");
     std::fflush(stdout);
   }
 

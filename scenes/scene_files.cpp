@@ -39,6 +39,10 @@ Named parse_json_line(const std::string& text) {
   UnderflowCheck check;
   nlohmann::json::sax_parse(text, &check);
   if (!object.is_object()) throw std::runtime_error("a line is an object with center, axis, radius, height");
+  if (object.contains("a") && object.contains("b"))
+    throw std::runtime_error(
+        "this is a pair, and a line of a scene is one solid: center, axis, radius, height; `daylight check` "
+        "answers pairs");
   Named named;
   for (const auto& [key, value] : object.items()) {
     if (key == "name")

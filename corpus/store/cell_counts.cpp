@@ -12,8 +12,10 @@
 namespace cyl {
 namespace {
 
-constexpr std::array fields{&CellCounts::asked, &CellCounts::wrong_disjoint, &CellCounts::wrong_intersecting,
-                            &CellCounts::failed, &CellCounts::undecided};
+constexpr std::array fields{
+    &CellCounts::asked,           &CellCounts::wrong_disjoint,     &CellCounts::wrong_intersecting,
+    &CellCounts::failed,          &CellCounts::undecided,          &CellCounts::declined,
+    &CellCounts::within_disjoint, &CellCounts::within_intersecting};
 
 }  // namespace
 

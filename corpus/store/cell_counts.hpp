@@ -13,14 +13,17 @@
 
 namespace cyl {
 
-/// The counts of one method in one cell. Beside `asked`, an answer is counted once at most; the rest were
-/// right.
+/// The counts of one method in one cell. Beside `asked` and the two last, an answer is counted once at most;
+/// the rest were right.
 struct CellCounts {
   std::uint64_t asked = 0;
   std::uint64_t wrong_disjoint = 0;
   std::uint64_t wrong_intersecting = 0;
   std::uint64_t failed = 0;     ///< exception, crash, hang, non-finite number
-  std::uint64_t undecided = 0;  ///< no verdict: undecided, declined, or called invalid
+  std::uint64_t undecided = 0;  ///< no verdict: undecided, or called invalid
+  std::uint64_t declined = 0;
+  std::uint64_t within_disjoint = 0;      ///< of wrong_disjoint, those within the method's claim
+  std::uint64_t within_intersecting = 0;  ///< of wrong_intersecting
 
   CellCounts& operator+=(const CellCounts& other);
   bool operator==(const CellCounts&) const = default;

@@ -12,9 +12,9 @@ namespace {
 constexpr std::uint64_t most = std::numeric_limits<std::uint64_t>::max();
 
 TEST(CellCounts, AreWrittenShortAndReadBack) {
-  const std::vector<CellCounts> counts{{12}, {12, 0, 3}, {}, {7, 1, 2, 3, most}, {}, {}};
+  const std::vector<CellCounts> counts{{12}, {12, 0, 3}, {}, {7, 1, 2, 3, most, 4, 5, 6}, {}, {}};
   const std::string text = format_cell_counts(counts);
-  EXPECT_EQ(text, "12;12 0 3;;7 1 2 3 18446744073709551615");
+  EXPECT_EQ(text, "12;12 0 3;;7 1 2 3 18446744073709551615 4 5 6");
   EXPECT_EQ(parse_cell_counts(text), std::vector<CellCounts>(counts.begin(), counts.begin() + 4));
   EXPECT_EQ(format_cell_counts({{}, {}}), "");
   EXPECT_EQ(format_cell_counts({{}, {1}}), ";1");
@@ -23,7 +23,7 @@ TEST(CellCounts, AreWrittenShortAndReadBack) {
 }
 
 TEST(CellCounts, WhatIsNoneIsRefused) {
-  for (const char* text : {"x", "1 ", "1 2 3 4 5 6", "1,2", "-1", "1 x;2", "99999999999999999999"})
+  for (const char* text : {"x", "1 ", "1 2 3 4 5 6 7 8 9", "1,2", "-1", "1 x;2", "99999999999999999999"})
     EXPECT_THROW(parse_cell_counts(text), std::runtime_error) << text;
 }
 

@@ -122,12 +122,18 @@ void count_answer(CellCounts& counts, const MethodAnswer& answer, const std::opt
   ++counts.asked;
   if (answer.status == Status::failed || (wrong && wrong->kind == FindingKind::non_finite)) {
     ++counts.failed;
-  } else if (answer.status == Status::declined || answer.verdict == Verdict::undecided ||
-             (wrong && wrong->kind == FindingKind::wrong_invalid)) {
+  } else if (answer.status == Status::declined) {
+    ++counts.declined;
+  } else if (answer.verdict == Verdict::undecided || (wrong && wrong->kind == FindingKind::wrong_invalid)) {
     ++counts.undecided;
   } else if (wrong) {
-    counts.wrong_disjoint += wrong->kind == FindingKind::wrong_disjoint;
-    counts.wrong_intersecting += wrong->kind == FindingKind::wrong_intersecting;
+    const bool disjoint = wrong->kind == FindingKind::wrong_disjoint,
+               intersecting = wrong->kind == FindingKind::wrong_intersecting,
+               within = wrong->severity == Severity::resolution;
+    counts.wrong_disjoint += disjoint;
+    counts.wrong_intersecting += intersecting;
+    counts.within_disjoint += disjoint && within;
+    counts.within_intersecting += intersecting && within;
   }
 }
 

@@ -6,11 +6,13 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "base/statistics.hpp"
 #include "corpus/pairs/contact_feature.hpp"
 #include "oracles/trial/trial.hpp"
+#include "reports/explain/failing_region.hpp"
 
 namespace cyl {
 
@@ -30,12 +32,15 @@ struct CalibrationCurve {
   std::vector<CalibrationPoint> points;  ///< decades from 1 to 15; those without such pairs are absent
 };
 
-/// Pairs of a decade; divided by the method's share where it is costly.
-inline constexpr std::uint64_t drawn_per_decade = 400;
+/// Pairs of a decade, and of one whose pairs are put within ranges, which costs time; divided by the method's
+/// share where it is costly.
+inline constexpr std::uint64_t drawn_per_decade = 400, drawn_within_per_decade = 100;
 
 /// Returns nothing where no stratum fits: the truth of the failing pair is not decided. The pairs are
-/// corpus/strata's: independent, near the origin, at index 0, 1, .. of the seed.
+/// corpus/strata's: independent, near the origin, at index 0, 1, .. of the seed; put within the ranges, those
+/// on which the same parts still meet.
 std::optional<CalibrationCurve> calibration_curve(const std::unique_ptr<Method>& method, const Trial& failing,
-                                                  std::uint64_t seed);
+                                                  std::uint64_t seed,
+                                                  std::span<const ParameterRange> within = {});
 
 }  // namespace cyl

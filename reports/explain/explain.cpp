@@ -118,20 +118,45 @@ bool method_ends_it(const Trial& asked, const RegionEnd& end) {
          end.beyond->meets() == asked.meets();
 }
 
-/// "angle 0.0093 to 0.045", "height of a above 0.3": the shapes that it takes.
-std::vector<std::string> conditions(const Explanation& e) {
-  std::vector<std::string> found;
+/// A shape that it takes: the region, and which of its ends the method sets.
+struct Condition {
+  const FailingRegion* region;
+  bool low, high;
+};
+
+std::vector<Condition> conditions(const Explanation& e) {
+  std::vector<Condition> found;
   for (const FailingRegion& r : e.regions) {
     if (r.parameter == Parameter::distance || r.parameter == Parameter::scale) continue;
     // Far from the origin the centres' rounding makes another pair of it.
     const bool low = method_ends_it(e.asked, r.low),
                high = r.parameter != Parameter::offset && method_ends_it(e.asked, r.high);
-    if (low && high)
-      found.push_back(
-          fmt::format("{} {:.3g} to {:.3g}", to_string(r.parameter), r.low.fails_at, r.high.fails_at));
-    else if (low || high)
-      found.push_back(fmt::format("{} {} {:.3g}", to_string(r.parameter), low ? "from" : "up to",
-                                  low ? r.low.fails_at : r.high.fails_at));
+    if (low || high) found.push_back({&r, low, high});
+  }
+  return found;
+}
+
+/// "angle 0.0093 to 0.045", "height of a from 0.3".
+std::vector<std::string> in_words(const std::vector<Condition>& all) {
+  std::vector<std::string> words;
+  for (const auto& [r, low, high] : all)
+    words.push_back(low && high ? fmt::format("{} {:.3g} to {:.3g}", to_string(r->parameter), r->low.fails_at,
+                                              r->high.fails_at)
+                                : fmt::format("{} {} {:.3g}", to_string(r->parameter), low ? "from" : "up to",
+                                              low ? r->low.fails_at : r->high.fails_at));
+  return words;
+}
+
+/// Where pairs are drawn: towards an end that the method does not set, no farther than such a factor from the
+/// pair.
+std::vector<ParameterRange> ranges(const std::vector<Condition>& all) {
+  constexpr double near = 16;
+  std::vector<ParameterRange> found;
+  for (const auto& [r, low, high] : all) {
+    ParameterRange range{r->parameter, r->low.fails_at, r->high.fails_at};
+    if (!low) range.low = std::max(range.low, r->at / near);
+    if (!high) range.high = std::min(range.high, r->at * near);
+    found.push_back(range);
   }
   return found;
 }
@@ -141,7 +166,8 @@ std::string mechanism(const Explanation& e) {
   const std::vector<std::string> found = causes(e);
   text += found.empty() ? "no other setting, scale, place, order or axis length cures it"
                         : joined(found, "; and ");
-  if (const auto only = conditions(e); !only.empty()) text += "; only with " + joined(only, " and ");
+  if (const auto only = in_words(conditions(e)); !only.empty())
+    text += "; only with " + joined(only, " and ");
   if (const auto rest = indifferent(e); !rest.empty())
     text += fmt::format("; whatever the {}", joined(rest, " and "));
   return text + ".";
@@ -164,10 +190,12 @@ std::string curve_table(const Explanation& e) {
   const CalibrationCurve& c = *e.curve;
   const double size = size_of(e.asked.pair);
   const double claimed = is_refuted_verdict(e.asked.finding()->kind) ? reach(e.claim, size) / size : 0;
+  const auto only = in_words(conditions(e));
   std::string text = fmt::format(
-      "\nshare that fails so, of drawn {} pairs of the pair's size (seed {}), with exact 95 % bounds\n"
+      "\nshare that fails so, of drawn {} pairs of the pair's size{} (seed {}), with exact 95 % bounds\n"
       "{:<8} {:>9} {:>9} {:>9}   {}\n",
-      to_string(c.feature), c.seed, "margin", "trials", "fail", "share", "bounds");
+      to_string(c.feature), only.empty() ? "" : " with " + joined(only, " and "), c.seed, "margin", "trials",
+      "fail", "share", "bounds");
   for (const CalibrationPoint& p : c.points) {
     if (p.trials == 0) continue;
     text +=
@@ -175,8 +203,6 @@ std::string curve_table(const Explanation& e) {
                     static_cast<double>(p.failures) / static_cast<double>(p.trials), p.rate.lower,
                     p.rate.upper, std::pow(10, -p.decade) <= claimed ? ", within its claim" : "");
   }
-  if (const auto only = conditions(e); !only.empty())
-    text += fmt::format("drawn with any shape: not only with {}\n", joined(only, " and "));
   return text;
 }
 
@@ -214,7 +240,10 @@ json end_json(const RegionEnd& end) {
           {"beyond", end.beyond ? trial_json(*end.beyond) : json(nullptr)}};
 }
 
-json curve_json(const CalibrationCurve& c) {
+json curve_json(const CalibrationCurve& c, const std::vector<ParameterRange>& within) {
+  json drawn_within = json::array();
+  for (const ParameterRange& r : within)
+    drawn_within.push_back({{"parameter", to_string(r.parameter)}, {"low", r.low}, {"high", r.high}});
   json bins = json::array();
   for (const CalibrationPoint& p : c.points)
     bins.push_back({{"decade", p.decade},
@@ -226,6 +255,7 @@ json curve_json(const CalibrationCurve& c) {
   return {{"feature", to_string(c.feature)},
           {"seed", c.seed},
           {"scaled_by_exponent", c.exponent},
+          {"within", std::move(drawn_within)},
           {"bins", std::move(bins)}};
 }
 
@@ -242,7 +272,7 @@ Explanation explain(std::span<const std::unique_ptr<Method>> methods, std::strin
     const auto index = static_cast<std::size_t>(&method - methods.data());
     e.cause = classify_closely(methods, {index, kind, pair}, probe_caps);
     e.regions = failing_regions(method, e.asked);
-    e.curve = calibration_curve(method, e.asked, seed);
+    e.curve = calibration_curve(method, e.asked, seed, ranges(conditions(e)));
   }
   e.workarounds = try_workarounds(methods, method, e.asked);
   e.mechanism = mechanism(e);
@@ -278,7 +308,7 @@ std::string explanation_json(const Explanation& e) {
                  {"severity", to_string(e.asked.finding()->severity)},
                  {"asked", trial_json(e.asked)},
                  {"regions", std::move(regions)},
-                 {"curve", e.curve ? curve_json(*e.curve) : json(nullptr)},
+                 {"curve", e.curve ? curve_json(*e.curve, ranges(conditions(e))) : json(nullptr)},
                  {"cures", std::move(workarounds)},
                  {"mechanism", e.mechanism}};
   return all.dump(1, ' ', false, json::error_handler_t::replace) + '\n';

@@ -217,6 +217,53 @@ TEST(Explain, SumsUp) {
   EXPECT_EQ(all["mechanism"], e.mechanism);
 }
 
+/// Takes solids whose axes are square to 1e-5 and that are no farther apart than a hundredth of the size for
+/// intersecting.
+std::vector<std::unique_ptr<Method>> square_blind() {
+  std::vector<std::unique_ptr<Method>> methods;
+  methods.push_back(fake_method("square-blind", [](const Pair& pair) {
+    const bool square = std::abs(pair.a.axis.normalized().dot(pair.b.axis.normalized())) < 1e-5;
+    return answered(distance(pair.a, pair.b).value <= (square ? 0.01 * size_of(pair) : 0)
+                        ? Verdict::intersecting
+                        : Verdict::disjoint);
+  }));
+  return methods;
+}
+
+/// Rims 0.01 apart, the axes square.
+Pair square() {
+  Pair pair{{{0, 0, 0}, {0, 0, 1}, 1, 2}, {{0, 0, 0}, {0, 1, 0}, 1, 2}};
+  double low = 1, high = 3;
+  for (int i = 0; i < 50; ++i) {
+    const double t = (low + high) / 2;
+    pair.b.center = {t, t, t};
+    (distance(pair.a, pair.b).value > 0.01 ? high : low) = t;
+  }
+  return pair;
+}
+
+TEST(Explain, DrawsWhereItFails) {
+  const auto methods = square_blind();
+  const Explanation e = explain(methods, "square-blind", kind, square());
+  EXPECT_EQ(e.curve->feature, ContactFeature::rim_rim);
+  EXPECT_NE(e.mechanism.find("only with angle from 1.57"), std::string::npos) << e.mechanism;
+  ASSERT_TRUE(e.curve);
+  for (const CalibrationPoint& p : e.curve->points) {
+    if (p.decade < 3 || p.decade > 12) continue;
+    EXPECT_GT(p.trials, drawn_within_per_decade / 10) << p.decade;
+    EXPECT_EQ(p.failures, p.trials) << p.decade;
+  }
+  EXPECT_NE(explanation_text(e).find("pairs of the pair's size with angle from 1.57 (seed"),
+            std::string::npos)
+      << explanation_text(e);
+  EXPECT_EQ(parse_json(explanation_json(e))["curve"]["within"][0]["parameter"], "angle");
+}
+
+TEST(Explain, SeesThatAFailureHangsOnTheAngle) {
+  EXPECT_TRUE(hangs_on_angle(square_blind()[0], square(), kind));
+  EXPECT_FALSE(hangs_on_angle(blurred_methods()[0], stacked(), kind));
+}
+
 TEST(Explain, TheSameTwice) {
   const auto methods = blurred_methods();
   EXPECT_EQ(explanation_json(explain(methods, "blurred-far", kind, far_away())),

@@ -25,6 +25,8 @@ constexpr double least_distance = 0x1p-50, least_length = 0x1p-20, least_angle =
 /// How near a distance is kept, relative to it and, for rounding, to the largest coordinate.
 constexpr double kept_tol = 0.01, rounding_tol = 0x1p-50;
 constexpr int moves_cap = 4;
+/// Radians by which b is turned to see whether the angle matters.
+constexpr std::array turns{-0.1, -0.03, 0.03, 0.1};
 
 double middle(const Enclosure& e) { return e.lo / 2 + e.hi / 2; }
 
@@ -41,7 +43,8 @@ std::optional<Located> locate(const Pair& pair, double relative_width) {
   const Truth truth = judge(pair);
   if (truth.verdict == Verdict::undecided || truth.verdict == Verdict::invalid) return {};
   const AttainedDistance d = attain_distance(pair, truth, relative_width);
-  return Located{middle(d.distance), {d.direction[0], d.direction[1], d.direction[2]}};
+  const double distance = truth.verdict == Verdict::touching ? 0 : middle(d.distance);
+  return Located{distance, {d.direction[0], d.direction[1], d.direction[2]}};
 }
 
 /// Narrow enough to see `distance`; a penetrating pair costs more the narrower.
@@ -68,10 +71,11 @@ std::optional<Pair> at_distance(Pair pair, double wanted) {
 /// The line of pairs that one parameter draws through the pair.
 class SearchPath {
  public:
-  SearchPath(const Trial& failing, const std::optional<Located>& located, Parameter parameter)
-      : pair_(failing.pair), parameter_(parameter), size_(size_of(failing.pair)) {
+  /// Without a place the distance is not kept.
+  SearchPath(const Pair& pair, const std::optional<Located>& located, Parameter parameter)
+      : pair_(pair), parameter_(parameter), size_(size_of(pair)) {
     if (located) {
-      distance_ = failing.truth.verdict == Verdict::touching ? 0 : located->distance;
+      distance_ = located->distance;
       direction_ = located->direction;
     }
     lay_axes();
@@ -320,7 +324,7 @@ void ask_round(std::vector<Search>& searches, const std::unique_ptr<Method>& met
 std::vector<FailingRegion> failing_regions(const std::unique_ptr<Method>& method, const Trial& failing) {
   const auto located = locate(failing.pair, gap_width_tol);
   std::vector<SearchPath> paths;
-  for (const Parameter p : parameters) paths.emplace_back(failing, located, p);
+  for (const Parameter p : parameters) paths.emplace_back(failing.pair, located, p);
   std::vector<Search> searches;
   for (const SearchPath& path : paths)
     for (const bool up : {false, true}) searches.emplace_back(path, up, failing);
@@ -333,6 +337,34 @@ std::vector<FailingRegion> failing_regions(const std::unique_ptr<Method>& method
         {paths[i].parameter(), paths[i].here(), searches[2 * i].end(), searches[2 * i + 1].end()});
   regions[0].at = middle(failing.distance);
   return regions;
+}
+
+bool hangs_on_angle(const std::unique_ptr<Method>& method, const Pair& pair, FindingKind kind) {
+  const auto located = locate(pair, gap_width_tol);
+  if (!located || located->distance == 0) return false;
+  const SearchPath path(pair, located, angle);
+  std::vector<Pair> turned;
+  for (const double by : turns)
+    if (const double to = path.here() + by; to >= 0 && to <= std::numbers::pi / 2)
+      if (const auto at = path.at(to)) turned.push_back(*at);
+  const std::vector<Trial> said = try_method(method, turned);
+  return !said.empty() && std::ranges::all_of(said, [&](const Trial& t) {
+    return t.decided() && t.meets() == (located->distance < 0) && t.answer().status != Status::declined &&
+           !t.fails(kind);
+  });
+}
+
+std::optional<Pair> brought_within(const Pair& pair, std::span<const ParameterRange> ranges, double share,
+                                   double margin) {
+  Pair moved = pair;
+  for (const ParameterRange& r : ranges) {
+    const SearchPath path(moved, {}, r.parameter);
+    if (path.here() >= r.low && path.here() <= r.high) continue;
+    const auto within = path.at(r.low + share * (r.high - r.low));
+    if (!within) return {};
+    moved = *within;
+  }
+  return at_distance(moved, margin * size_of(moved));
 }
 
 }  // namespace cyl

@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string_view>
 #include <vector>
 
@@ -48,6 +49,12 @@ struct FailingRegion {
   RegionEnd low, high;
 };
 
+/// Where a failure stays: from one value of a parameter to another.
+struct ParameterRange {
+  Parameter parameter;
+  double low, high;
+};
+
 /// Values are tried at factors of this from the pair's own on outwards, then the step at which the failure
 /// ends is split until its ends are this share apart (for `scale`, until they are neighbours), or so often.
 inline constexpr double region_step = 4, region_share = 0.01;
@@ -58,5 +65,15 @@ inline constexpr int region_rounds_cap = 6;
 /// are moved, b follows along the direction of the distance so that the signed distance stays (where it is 0,
 /// b stays). Questions: about 300 in the first call and 100 in each of the others. Deterministic.
 std::vector<FailingRegion> failing_regions(const std::unique_ptr<Method>& method, const Trial& failing);
+
+/// Returns whether a failure of this kind on the pair ends wherever b is turned a little, the distance kept.
+/// Up to four questions.
+bool hangs_on_angle(const std::unique_ptr<Method>& method, const Pair& pair, FindingKind kind);
+
+/// Returns the pair with each parameter that is outside its range put into it, `share` (0 to 1) of the way
+/// up, and b moved until the signed distance over the size is `margin`; nothing where there is no such pair.
+/// Cost: that of some enclosures of the distance.
+std::optional<Pair> brought_within(const Pair& pair, std::span<const ParameterRange> ranges, double share,
+                                   double margin);
 
 }  // namespace cyl

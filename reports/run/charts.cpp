@@ -55,7 +55,10 @@ nlohmann::json counts_json(const CellCounts& c) {
   return {{"asked", c.asked},
           {"wrong_disjoint", c.wrong_disjoint},
           {"wrong_intersecting", c.wrong_intersecting},
-          {"undecided", c.undecided}};
+          {"within_disjoint", c.within_disjoint},
+          {"within_intersecting", c.within_intersecting},
+          {"undecided", c.undecided},
+          {"declined", c.declined}};
 }
 
 nlohmann::json map_json(const FailureMap& map) {

@@ -57,7 +57,7 @@ class Charts : public testing::Test {
         cells.add({std::string(to_string(p)), at.x, at.y, counts});
       }
     };
-    ask(beside(3e-7), Verdict::disjoint, {{4}, {4, 0, 2, 0, 0}});
+    ask(beside(3e-7), Verdict::disjoint, {{4}, {4, 0, 2, 0, 0, 1, 0, 1}});
     ask(beside(-3e-7), Verdict::intersecting, {{2}, {2, 1, 0, 1, 0}});
     ask(beside(1), Verdict::disjoint, {{3}, {3, 0, 0, 0, 1}});
     ask(beside(0), Verdict::touching, {{7}, {0}});
@@ -94,8 +94,8 @@ TEST_F(Charts, MapsCountAndNameTheFirstFindingOfEachCell) {
   EXPECT_EQ(maps[3].plane, Plane::angle_margin);
   const MapCell* near = cell_at(maps[3], beside(3e-7), Verdict::disjoint);
   ASSERT_TRUE(near);
-  EXPECT_EQ(near->counts, (CellCounts{6, 1, 2, 1, 0}));  // both sides of touching
-  EXPECT_EQ(near->finding, 3);                           // not the distance, and not the undecided
+  EXPECT_EQ(near->counts, (CellCounts{6, 1, 2, 1, 0, 1, 0, 1}));  // both sides of touching
+  EXPECT_EQ(near->finding, 3);                                    // not the distance, and not the undecided
   const MapCell* far = cell_at(maps[3], beside(1), Verdict::disjoint);
   ASSERT_TRUE(far);
   EXPECT_FALSE(far->finding);  // nothing wrong was counted there: it was seen in a dispute
@@ -111,7 +111,7 @@ TEST_F(Charts, CalibrationIsByDecadeAndTouchingIsBelowAll) {
   EXPECT_EQ(all[0].bins[1].first, 6);
   EXPECT_EQ(all[0].bins[2].first, 16);
   EXPECT_EQ(all[0].bins[2].second.asked, 8u);
-  EXPECT_EQ(all[1].bins[1].second, (CellCounts{6, 1, 2, 1, 0}));
+  EXPECT_EQ(all[1].bins[1].second, (CellCounts{6, 1, 2, 1, 0, 1, 0, 1}));
 }
 
 TEST_F(Charts, TheFileHasWhatThePageReadsAndKeepsWhatOthersWrote) {
@@ -132,14 +132,15 @@ TEST_F(Charts, TheFileHasWhatThePageReadsAndKeepsWhatOthersWrote) {
   EXPECT_EQ(all, run.charts);
   EXPECT_EQ(all["paths"], parse_json("[1]"));
   const json& cell = all["maps"][3]["cells"][1];
-  for (const char* field :
-       {"x", "y", "asked", "wrong_disjoint", "wrong_intersecting", "failed", "undecided", "finding"})
+  for (const char* field : {"x", "y", "asked", "wrong_disjoint", "wrong_intersecting", "failed", "undecided",
+                            "declined", "within_disjoint", "within_intersecting", "finding"})
     EXPECT_TRUE(cell.contains(field)) << field;
   EXPECT_EQ(all["maps"][3]["plane"], "angle-margin");
   EXPECT_EQ(all["maps"][3]["x"]["labels"][static_cast<std::size_t>(cell["x"])], "parallel");
   EXPECT_EQ(all["maps"][3]["y"]["labels"][static_cast<std::size_t>(cell["y"])], "1e-6");
   EXPECT_EQ(all["honesty"][1]["bins"][1],
-            parse_json(R"({"decade":6,"asked":6,"wrong_disjoint":1,"wrong_intersecting":2,"undecided":0})"));
+            parse_json(R"({"decade":6,"asked":6,"wrong_disjoint":1,"wrong_intersecting":2,"undecided":0,
+              "declined":1,"within_disjoint":0,"within_intersecting":1})"));
   EXPECT_TRUE(all["honesty"][1]["family"].is_null());
   EXPECT_EQ(all["speed"].size(), 2u);
   EXPECT_EQ(all["speed"][1], parse_json(R"({"method":"bad-tol1e-4","curve":"bad","setting":"1e-4",

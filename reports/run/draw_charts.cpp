@@ -36,20 +36,23 @@ void run(const std::vector<std::string>& options, const std::vector<fs::path>& f
 
 }  // namespace
 
-std::vector<std::string> draw_charts(const RunData& data, const std::string& out, const std::string& script) {
+std::vector<std::string> draw_charts(const RunData& data, const std::string& out, const std::string& script,
+                                     const std::function<void(std::size_t, std::size_t)>& on_picture) {
   if (!installed("node")) throw std::runtime_error("charts need Node.js: apt-get install nodejs");
   if (script.empty()) throw std::runtime_error("reports/web/chart.mjs is not beside this program");
   const auto began = fs::file_time_type::clock::now();
   run({"node"}, {script, out}, report_json(data));
   const bool png = installed("rsvg-convert");
   std::vector<std::string> files;
-  for (const auto& entry : fs::directory_iterator(out)) {
-    if (entry.path().extension() != ".svg" || entry.last_write_time() < began) continue;
-    files.push_back(entry.path().string());
-    if (!png) continue;
-    const fs::path image = fs::path(entry.path()).replace_extension(".png");
-    run({"rsvg-convert", "--zoom", "2", "--output"}, {image, entry.path()});
+  for (const auto& entry : fs::directory_iterator(out))
+    if (entry.path().extension() == ".svg" && entry.last_write_time() >= began)
+      files.push_back(entry.path().string());
+  const std::size_t pictures = files.size();
+  for (std::size_t i = 0; i < pictures && png; ++i) {
+    const fs::path image = fs::path(files[i]).replace_extension(".png");
+    run({"rsvg-convert", "--zoom", "2", "--output"}, {image, files[i]});
     files.push_back(image.string());
+    on_picture(i + 1, pictures);
   }
   std::sort(files.begin(), files.end());
   return files;

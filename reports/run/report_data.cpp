@@ -101,8 +101,8 @@ json methods_json(const RunData& run) {
   const std::vector<std::string> assumed_of = lines_of(value_of(run.config, "assumed_claims"));
   json all = json::array();
   for (const MethodRecord& m : run.methods) {
-    json claim{{"relative", finite(m.relative)},
-               {"absolute", finite(m.absolute)},
+    json claim{{"relative", number_json(m.relative)},
+               {"absolute", number_json(m.absolute)},
                {"source", m.source},
                {"stated", std::find(assumed_of.begin(), assumed_of.end(), m.name) == assumed_of.end()}};
     all.push_back({{"name", m.name},
@@ -172,7 +172,7 @@ struct Shared {
 };
 
 json margin_json(const std::optional<Enclosure>& margin) {
-  return margin ? json{finite(margin->lo), finite(margin->hi)} : json();
+  return margin ? json{number_json(margin->lo), number_json(margin->hi)} : json();
 }
 
 /// Every name once, in the order of their first use.

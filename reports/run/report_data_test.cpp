@@ -8,6 +8,7 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <limits>
 #include <vector>
 
 #include "base/json.hpp"
@@ -188,6 +189,22 @@ TEST_F(ReportData, EnclosesTheDistanceAndShowsWhere) {
   EXPECT_NEAR(reported["direction"][0].get<double>(), 1, 1e-6);
   EXPECT_NEAR(reported["nearest"]["a"][0].get<double>(), 1, 1e-9);
   EXPECT_NEAR(reported["nearest"]["b"][0].get<double>(), 1.5, 1e-9);
+}
+
+/// Two crossed cylinders, 2.55e308 deep in each other.
+TEST_F(ReportData, KeepsAnEndBeyondTheDoubles) {
+  RunStore store = RunStore::create(folder, {});
+  FindingRecord f = finding(0, "fake", 0.5);
+  Case c;
+  c.pair = {{{0, 0, 0}, {0, 0, 1}, 1.7e308, 1.7e308}, {{0, 0, 0}, {1, 0, 0}, 1.7e308, 1.7e308}};
+  f.pair = format_case(c);
+  f.truth = R"({"verdict":"intersecting","point":[0,0,0]})";
+  f.margin = Enclosure{0.5, std::numeric_limits<double>::infinity()};
+  commit(store, {f});
+  const json report = data();
+  EXPECT_EQ(report["cases"][0]["truth"]["distance"][0], "-inf");
+  EXPECT_LE(report["cases"][0]["truth"]["distance"][1].get<double>(), -1.79e308);
+  EXPECT_EQ(report["findings"][0]["margin"], json({0.5, "inf"}));
 }
 
 TEST_F(ReportData, TakesWhatStandsBesideTheStore) {

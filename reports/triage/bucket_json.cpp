@@ -5,15 +5,13 @@
 #include <cmath>
 
 #include "base/statistics.hpp"
+#include "corpus/pairs/pair_json.hpp"
 #include "reports/triage/buckets.hpp"
 
 namespace cyl {
 namespace {
 
 using Json = nlohmann::json;
-
-/// Stands for infinite margins (two points apart), of which JSON has no number.
-constexpr double infinite_margin = 1e308;
 
 /// Calls `visit` with the name and the value of each field that JSON has as it is.
 template <class B, class Visit>
@@ -44,9 +42,11 @@ void visit_plain(B& b, Visit visit) {
 
 Json margin_json(const std::optional<Enclosure>& margin) {
   if (!margin) return nullptr;
-  const auto finite = [](double x) { return std::isfinite(x) ? x : infinite_margin; };
-  return {finite(margin->lo), finite(margin->hi)};
+  return {number_json(margin->lo), number_json(margin->hi)};
 }
+
+/// Reads what number_json() wrote of an end.
+double end_of(const Json& x) { return x.is_string() ? std::stod(x.get<std::string>()) : x.get<double>(); }
 
 Json share_json(const std::optional<Bucket::Share>& share) {
   return share ? Json{{"wrong", share->wrong}, {"asked", share->asked}} : Json(nullptr);
@@ -81,20 +81,22 @@ std::string some_of(const std::set<std::string>& names) {
   return text;
 }
 
-/// "1.0e-05", "0.0e+00" or "-".
-std::string short_number(const Json& x) { return x.is_null() ? "-" : fmt::format("{:.1e}", x.get<double>()); }
+std::string counted(std::size_t n, const char* one, const char* many) {
+  return fmt::format("{} {}", n, n == 1 ? one : many);
+}
 
 std::string format_bucket(const Bucket& b) {
-  const Json margin = b.margin ? margin_json(b.margin) : Json{nullptr, nullptr};
   std::string text =
       fmt::format("{} {}{}{}{}\n    {}\n", b.severity == Severity::contract ? "*" : " ", b.key,
                   b.status ? std::string(", ") + to_string(*b.status) : "",
                   b.chance && *b.chance < chance_margin ? fmt::format(" (chance {:.1g})", *b.chance) : "",
                   b.suppressed ? ", suppressed" : "", b.cause);
-  text += fmt::format("    {} findings of {} methods in {} families; margins {} to {}", b.count,
-                      b.methods.size(), b.families.size(), short_number(margin[0]), short_number(margin[1]));
+  text += fmt::format("    {} in {}, of {}", counted(b.count, "finding", "findings"),
+                      counted(b.families.size(), "family", "families"),
+                      counted(b.methods.size(), "method", "methods"));
+  if (b.margin) text += fmt::format("; margins {:.1e} to at least {:.1e}", b.margin->lo, b.margin->hi);
   if (b.worst_was_searched)
-    text += fmt::format(", {} searched for", short_number(b.worst.at("margin").at(0)));
+    text += fmt::format(", at least {:.1e} searched for", end_of(b.worst.at("margin").at(0)));
   if (b.share)
     text += fmt::format("; {} wrong on {} of {} drawn like it", b.method, b.share->wrong, b.share->asked);
   return text + fmt::format("\n    {}: {}\n", some_of(b.methods), b.simplest.at("pair").dump());
@@ -135,7 +137,7 @@ Bucket bucket_from_json(const Json& j) {
   b.severity = from_word<Severity>(j.at("severity").get<std::string>()).value_or(Severity::resolution);
   b.mechanism = from_word<Mechanism>(j.at("mechanism").get<std::string>()).value_or(Mechanism::unclassified);
   if (const Json& margin = j.at("margin"); !margin.is_null())
-    b.margin = Enclosure{margin.at(0).get<double>(), margin.at(1).get<double>()};
+    b.margin = Enclosure{end_of(margin.at(0)), end_of(margin.at(1))};
   if (const Json& share = j.at("share"); !share.is_null())
     b.share = Bucket::Share{share.at("wrong").get<std::uint64_t>(), share.at("asked").get<std::uint64_t>()};
   if (const Json& status = j.at("standing"); !status.is_null())

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cctype>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <optional>
 #include <set>
@@ -26,6 +27,7 @@
 #include "oracles/trial/hangs_on_sums.hpp"
 #include "oracles/trial/trial.hpp"
 #include "props/shrink/simplify.hpp"
+#include "reports/explain/failing_region.hpp"
 #include "reports/triage/case_distance.hpp"
 #include "reports/triage/shown_pair.hpp"
 
@@ -200,7 +202,9 @@ Json case_json(const ShownPair& shown, const std::optional<CaseDistance>& distan
   return c;
 }
 
-void show_worst(Bucket& b, const Group& group, PairShower& shower,
+/// `simplest`: as it was shown; often the worst is the same pair. No hang is worse than another, and each
+/// costs a second.
+void show_worst(Bucket& b, const Group& group, const ShownPair& simplest, PairShower& shower,
                 std::span<const std::unique_ptr<Method>> methods, const std::string& folder) {
   const std::string stored = fmt::format("{}:{}", folder, group.worst->id);
   const std::string file = fmt::format("{}/buckets/{}.worst.jsonl", folder, file_name_of(b.key));
@@ -208,7 +212,11 @@ void show_worst(Bucket& b, const Group& group, PairShower& shower,
              found = group.found ? pair_of(group.found->pair) : std::nullopt;
   const auto blamed = blamed_by(*group.worst, methods);
   const std::vector<Blamed> accused(blamed ? 1 : 0, blamed.value_or(Blamed{}));
-  ShownPair shown = shower.show(found ? *found : pair.value_or(group.simplest->pair), accused);
+  const Pair& worst = found ? *found : pair ? *pair : group.simplest->pair;
+  const bool is_simplest =
+      numbers_of(worst) == numbers_of(group.simplest->pair) && group.first().method == group.worst->method;
+  if (!is_simplest && blamed && blamed->kind == FindingKind::hang) return;
+  ShownPair shown = is_simplest ? simplest : shower.show(worst, accused);
   b.worst_was_searched = found && surpasses(group, shown.trial, methods);
   if (found && !b.worst_was_searched) shown = shower.show(pair.value_or(group.simplest->pair), accused);
   b.worst = case_json(shown, distance_of(shown.trial), b.worst_was_searched ? nullptr : group.worst, methods,
@@ -261,7 +269,8 @@ void show_simplest(Bucket& b, const Group& group, const ShownPair& shown,
   b.simplified = !group.simplest->as_found;
   b.seen_again = group.seen_again;
   std::optional<double> margin;
-  if (distance && distance->margin) margin = finite(distance->margin->hi);
+  if (distance && distance->margin)
+    margin = std::min(distance->margin->hi, std::numeric_limits<double>::max());
   const auto feature = contact_feature(pair, now.truth);
   b.feature = feature ? to_string(*feature) : "unknown";
   b.coordinate = to_string(coordinate_of(pair, margin.value_or(0)));
@@ -278,6 +287,11 @@ void show_simplest(Bucket& b, const Group& group, const ShownPair& shown,
   const bool answers = m < methods.size() && now.answers[m].failure != Failure::hang &&
                        now.answers[m].status != Status::declined;
   const bool moved = b.mechanism == Mechanism::offset;
+  const auto blamed_kind = from_word<FindingKind>(b.kind);
+  const bool may_turn =
+      blamed_kind && b.seen_again && b.severity == Severity::contract && b.coordinate != "angle";
+  if (drawn && answers && margin && may_turn && hangs_on_angle(methods[m], pair, *blamed_kind))
+    b.coordinate = to_string(Coordinate::angle);
   if (drawn && answers && margin && feature)
     b.share = share_of(pair, *margin, *feature, moved, methods[m], b.kind);
 }
@@ -485,7 +499,7 @@ std::vector<Bucket> make_buckets(const TriageRecords& records, const GroupedMeth
     const std::vector<Blamed> accused(blamed ? 1 : 0, blamed.value_or(Blamed{}));
     const ShownPair shown = shower.show(group.simplest->pair, accused);
     show_simplest(b, group, shown, of.methods, records.folder, !out_of_time());
-    show_worst(b, group, shower, of.methods, records.folder);
+    show_worst(b, group, shown, shower, of.methods, records.folder);
     b.ordinary = is_ordinary(group.simplest->pair);
     b.labels = labels_of(b, group, shown.trial, of);
     buckets.push_back(std::move(b));

@@ -46,7 +46,7 @@ struct Bucket {
   std::uint64_t count = 0;                   ///< findings, kept or not
   std::uint64_t pairs = 0;             ///< that one method of it is wrong on, at most: what may be compared
   std::vector<std::int64_t> findings;  ///< ids of those that are kept
-  std::optional<Enclosure> margin;     ///< from the least to the greatest proved one
+  std::optional<Enclosure> margin;     ///< the least and the greatest lower bound
   std::vector<std::string> merged;     ///< keys of the simplified pairs
   nlohmann::json simplest, worst;      ///< in the form of the page's Case
   bool ordinary = true;                ///< the simplest is: is_ordinary()

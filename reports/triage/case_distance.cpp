@@ -2,7 +2,6 @@
 #include "reports/triage/case_distance.hpp"
 
 #include <algorithm>
-#include <limits>
 
 #include "solver/distance.hpp"
 
@@ -14,10 +13,6 @@ namespace {
 constexpr double shown_depth_width_tol = 1e-6, shown_depth_width_share = 0.01;
 
 }  // namespace
-
-double finite(double x) {
-  return std::clamp(x, std::numeric_limits<double>::lowest(), std::numeric_limits<double>::max());
-}
 
 CaseDistance case_distance(const Pair& pair, Verdict verdict, std::optional<Enclosure> margin) {
   double width = gap_width_tol;

@@ -8,14 +8,12 @@
 #include <utility>
 
 #include "base/json.hpp"
+#include "corpus/pairs/pair_json.hpp"
 #include "corpus/store/run_store.hpp"
 #include "oracles/referee/referee.hpp"
 #include "solver/cylinder.hpp"
 
 namespace cyl {
-
-/// JSON has no infinity: the largest double stands for it, here and wherever the page is given numbers.
-double finite(double x);
 
 struct CaseDistance {
   Enclosure distance;
@@ -32,8 +30,8 @@ CaseDistance case_distance(const Pair& pair, Verdict truth, std::optional<Enclos
 template <class Json>
 void add_distance(Json& reported, const CaseDistance& d) {
   const auto vector = [](const Vector3& v) { return Json::array({v[0], v[1], v[2]}); };
-  reported["truth"]["distance"] = {finite(d.distance.lo), finite(d.distance.hi)};
-  if (d.margin) reported["margin"] = {finite(d.margin->lo), finite(d.margin->hi)};
+  reported["truth"]["distance"] = {number_json(d.distance.lo), number_json(d.distance.hi)};
+  if (d.margin) reported["margin"] = {number_json(d.margin->lo), number_json(d.margin->hi)};
   if (d.direction) reported["direction"] = *d.direction;
   if (d.nearest) reported["nearest"] = {{"a", vector(d.nearest->first)}, {"b", vector(d.nearest->second)}};
 }

@@ -99,7 +99,7 @@ void search_worst(const TriageContext& context, double part) {
     TriageStore store = context.store();
     for (std::size_t i = job; i < open.size() && !context.out_of_time(part); i += jobs) {
       const auto left = static_cast<milliseconds::rep>((open.size() - i - 1) / jobs + 1);
-      const auto until = std::chrono::duration_cast<milliseconds>(part * context.options.budget);
+      const auto until = std::chrono::duration_cast<milliseconds>(part * context.budget);
       const milliseconds budget = (until - context.elapsed()) / left;
       store.add(searched(context, open[i], earlier[open[i].key], budget));
     }

@@ -14,10 +14,13 @@ constexpr std::size_t times = 2;
 /// Of the distance, relative to the size.
 constexpr double shown_width = 1e-6;
 
+/// A hang is seen the first time, and costs a second each.
+std::size_t times_of(FindingKind kind) { return kind == FindingKind::hang ? 1 : times; }
+
 }  // namespace
 
 bool fails_alone(std::span<const std::unique_ptr<Method>> methods, const Blamed& blamed, const Pair& pair) {
-  return try_methods(methods.subspan(blamed.method, 1), {&pair, 1}, shown_caps, times)
+  return try_methods(methods.subspan(blamed.method, 1), {&pair, 1}, shown_caps, times_of(blamed.kind))
       .front()
       .fails(blamed.kind);
 }
@@ -33,12 +36,13 @@ ShownPair PairShower::show(const Pair& pair, std::span<const Blamed> blamed) {
   shown.asked.assign(methods_.size(), false);
   std::vector<Question> of_others, of_blamed;
   for (std::size_t m = 0; m < methods_.size(); ++m) {
-    const bool accused =
-        std::any_of(blamed.begin(), blamed.end(), [m](const Blamed& b) { return b.method == m; });
+    const auto accusation =
+        std::find_if(blamed.begin(), blamed.end(), [m](const Blamed& b) { return b.method == m; });
+    const bool accused = accusation != blamed.end();
     if (!accused && (hangs_[m] >= hangs_cap || out_of_time_())) continue;
     shown.asked[m] = true;
     auto& questions = accused ? of_blamed : of_others;
-    questions.insert(questions.end(), times, Question{m, 0});
+    questions.insert(questions.end(), accused ? times_of(accusation->kind) : times, Question{m, 0});
   }
   std::vector<MethodAnswer> first(methods_.size()), last(methods_.size());
   const auto take = [&](std::span<const Question> questions, std::span<const ContainedAnswer> said) {
@@ -50,8 +54,9 @@ ShownPair PairShower::show(const Pair& pair, std::span<const Blamed> blamed) {
     }
   };
   take(of_others, asker_.ask({&pair, 1}, of_others));
-  for (std::size_t q = 0; q < of_blamed.size(); q += times) {
-    const auto one = std::span<const Question>(of_blamed).subspan(q, times);
+  for (std::size_t q = 0, next = 0; q < of_blamed.size(); q = next) {
+    while (next < of_blamed.size() && of_blamed[next].method == of_blamed[q].method) ++next;
+    const auto one = std::span<const Question>(of_blamed).subspan(q, next - q);
     take(one, ask_contained(methods_, {&pair, 1}, one, shown_caps));
   }
   shown.trial = Trial(pair, first);

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 #include <map>
+#include <set>
 #include <string>
 #include <tuple>
+#include <utility>
 
 #include "corpus/pairs/pair_io.hpp"
 #include "oracles/trial/bucket.hpp"
@@ -40,27 +42,6 @@ void put_in_order(std::vector<Waiting>& bucket) {
     w.turn = seen[{w.subject->record->method, w.subject->record->kind, w.subject->record->family}]++;
   std::stable_sort(bucket.begin(), bucket.end(),
                    [](const Waiting& x, const Waiting& y) { return x.turn < y.turn; });
-}
-
-/// Returns the findings bucket by bucket in turns, in an order that is their own.
-std::vector<const Subject*> in_turns(const TriageContext& context, const std::vector<CauseRecord>& causes) {
-  std::map<std::string, std::vector<Waiting>> buckets;
-  for (const CauseRecord& c : causes) {
-    const auto found = context.by_id.find(c.finding);
-    if (found == context.by_id.end() || !found->second->can_be_simplified()) continue;
-    if (c.mechanism == to_string(Mechanism::gone)) continue;
-    buckets[c.bucket].push_back({0, complexity(found->second->pair), found->second});
-  }
-  std::size_t longest = 0;
-  for (auto& [key, bucket] : buckets) {
-    put_in_order(bucket);
-    longest = std::max(longest, bucket.size());
-  }
-  std::vector<const Subject*> order;
-  for (std::size_t turn = 0; turn < longest; ++turn)
-    for (const auto& [key, bucket] : buckets)
-      if (turn < bucket.size()) order.push_back(bucket[turn].subject);
-  return order;
 }
 
 /// Whether the trial fails as the finding does: in the same way, of the same cause and feature.
@@ -108,14 +89,35 @@ SimpleRecord simplified(const TriageContext& context, const Subject& s, const st
 
 }  // namespace
 
-void simplify_findings(const TriageContext& context, double part) {
+std::vector<const Subject*> simplification_order(const TriageContext& context,
+                                                 const std::set<std::string>& known) {
+  std::map<std::pair<bool, std::string>, std::vector<Waiting>> buckets;
+  for (const CauseRecord& c : context.causes()) {
+    const auto found = context.by_id.find(c.finding);
+    if (found == context.by_id.end() || !found->second->can_be_simplified()) continue;
+    if (c.mechanism == to_string(Mechanism::gone)) continue;
+    buckets[{known.contains(c.bucket), c.bucket}].push_back(
+        {0, complexity(found->second->pair), found->second});
+  }
+  std::size_t longest = 0;
+  for (auto& [key, bucket] : buckets) {
+    put_in_order(bucket);
+    longest = std::max(longest, bucket.size());
+  }
+  std::vector<const Subject*> order;
+  for (std::size_t turn = 0; turn < longest; ++turn)
+    for (const auto& [key, bucket] : buckets)
+      if (turn < bucket.size()) order.push_back(bucket[turn].subject);
+  return order;
+}
+
+void simplify_findings(const TriageContext& context, const std::set<std::string>& known_causes, double part) {
   std::map<std::int64_t, SimpleRecord> known;
   for (SimpleRecord& s : context.simples()) known[s.finding] = std::move(s);
-  const std::vector<CauseRecord> causes = context.causes();
   std::map<std::int64_t, std::string> cause_of;
-  for (const CauseRecord& c : causes) cause_of[c.finding] = c.bucket;
+  for (const CauseRecord& c : context.causes()) cause_of[c.finding] = c.bucket;
   std::vector<const Subject*> open;
-  for (const Subject* s : in_turns(context, causes))
+  for (const Subject* s : simplification_order(context, known_causes))
     if (!known[s->record->id].ended) open.push_back(s);
   if (open.empty() || context.out_of_time(part)) return;
   context.in_processes([&](unsigned job) {

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <filesystem>
 #include <fstream>
+#include <set>
 #include <stdexcept>
 #include <tuple>
 #include <utility>
@@ -25,9 +26,9 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::json;
 
-/// Parts of the budget after which the simplifying makes way for the search for worse pairs, and this for
-/// asking about what is shown.
-constexpr double simplify_part = 0.5, search_part = 0.7;
+/// Parts of the budget after which the telling of causes makes way for the simplifying, this for the search
+/// for worse pairs, and this for asking about what is shown.
+constexpr double classify_part = 0.35, simplify_part = 0.45, search_part = 0.55;
 
 TriagedRun read_triaged(const std::string& folder) {
   const RunStore store = RunStore::open(folder);
@@ -98,10 +99,14 @@ void write_pairs(const std::string& run_folder, const std::vector<Bucket>& bucke
 Triage run_triage(const TriageOptions& options, std::span<const std::unique_ptr<Method>> methods,
                   const std::function<void(const TriageProgress&)>& on_progress) {
   const TriageContext context(options, methods, on_progress);
-  classify_findings(context, search_part);
-  simplify_findings(context, simplify_part);
+  const std::vector<TriagedRun> earlier = earlier_runs(context);
+  std::set<std::string> known;
+  for (const TriagedRun& past : earlier)
+    for (const Bucket& b : past.buckets) known.insert(b.key);
+  classify_findings(context, classify_part);
+  simplify_findings(context, known, simplify_part);
   search_worst(context, search_part);
-  simplify_findings(context, search_part);
+  simplify_findings(context, known, search_part);
   Triage triage;
   triage.progress = context.progress();
   TriagedRun run = read_triaged(options.folder);
@@ -111,10 +116,14 @@ Triage run_triage(const TriageOptions& options, std::span<const std::unique_ptr<
   const std::size_t here = triage.progress.findings - triage.progress.absent;
   const double part =
       here == 0 ? 1 : static_cast<double>(triage.progress.classified) / static_cast<double>(here);
+  const auto out_of_time = [&, shown = triage.progress]() mutable {
+    shown.elapsed = context.elapsed();
+    if (on_progress) on_progress(shown);
+    return context.out_of_time();
+  };
   run.buckets = make_buckets({options.folder, context.findings, context.finding_groups, context.causes(),
                               context.simples(), context.store().worsts()},
-                             context.grouped(), [&] { return context.out_of_time(); });
-  const std::vector<TriagedRun> earlier = earlier_runs(context);
+                             context.grouped(), out_of_time);
   compare_with_earlier(run, earlier, [&](const Bucket& b) { return fails_today(b, methods); });
   triage.buckets = std::move(run.buckets);
   write_pairs(options.folder, triage.buckets);

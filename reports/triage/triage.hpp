@@ -26,8 +26,9 @@ struct TriageOptions {
   std::string folder;  ///< of the run
   std::vector<std::string>
       against;  ///< triaged runs it is held against; none: those beside it that began before
-  std::chrono::milliseconds budget{300'000};  ///< wall time; overrun by a few dozen questions a process
-  unsigned jobs = 2;                          ///< processes; do not change the buckets
+  std::chrono::milliseconds budget{
+      300'000};       ///< wall time, the page's included; overrun by a few questions a cause
+  unsigned jobs = 2;  ///< processes; do not change the buckets
   std::vector<Suppression> suppressions;
   std::vector<Case> cases;  ///< of the case files: what a suppression must match
   std::string today;        ///< YYYY-MM-DD

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <deque>
 #include <stdexcept>
+#include <string_view>
 #include <thread>
 
 #include "base/process/child.hpp"
@@ -13,6 +14,7 @@
 #include "fuzz/campaign/campaign.hpp"
 #include "oracles/methods/guest.hpp"
 #include "oracles/trial/algorithm_groups.hpp"
+#include "reports/triage/case_distance.hpp"
 
 namespace cyl {
 namespace {
@@ -27,6 +29,27 @@ std::optional<std::size_t> position_of(std::span<const std::unique_ptr<Method>> 
   for (std::size_t m = 0; m < methods.size(); ++m)
     if (methods[m]->name() == name) return m;
   return {};
+}
+
+/// Returns how long it will take to write the page, which encloses the distance of each pair: measured on a
+/// few.
+milliseconds page_time(std::span<const Subject> subjects) {
+  constexpr std::size_t tried_cap = 32;
+  using Milliseconds = std::chrono::duration<double, std::milli>;
+  std::set<std::string_view> pairs;
+  for (const Subject& s : subjects) pairs.insert(s.record->pair);
+  const auto start = TriageContext::Clock::now();
+  std::size_t tried = 0;
+  for (std::size_t i = 0; i < subjects.size(); i += subjects.size() / tried_cap + 1, ++tried) {
+    const nlohmann::json truth = nlohmann::json::parse(subjects[i].record->truth, nullptr, false);
+    const auto verdict =
+        from_word<Verdict>(truth.is_object() ? truth.value("verdict", std::string()) : std::string());
+    if (verdict && *verdict != Verdict::undecided && *verdict != Verdict::invalid)
+      case_distance(subjects[i].pair, *verdict, subjects[i].record->margin);
+  }
+  if (tried == 0) return {};
+  const Milliseconds took = TriageContext::Clock::now() - start;
+  return std::chrono::duration_cast<milliseconds>(took / tried * pairs.size());
 }
 
 milliseconds since(TriageContext::Clock::time_point start) {
@@ -67,6 +90,7 @@ TriageContext::TriageContext(const TriageOptions& how, std::span<const std::uniq
     if (subjects.back().absent) absent.insert(f.id);
   }
   for (const Subject& s : subjects) by_id[s.record->id] = &s;
+  budget = std::max(options.budget / 2, options.budget - page_time(subjects));
 }
 
 milliseconds TriageContext::elapsed() const { return since(start); }

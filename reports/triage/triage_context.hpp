@@ -65,6 +65,7 @@ struct TriageContext {
   std::vector<Subject> subjects;                 ///< the findings
   std::map<std::int64_t, const Subject*> by_id;  ///< likewise
   std::set<std::int64_t> absent;                 ///< findings of guests that are not here
+  std::chrono::milliseconds budget;              ///< what the page will take is taken off
 
   /// Opens the run. Throws as run_triage() does.
   TriageContext(const TriageOptions& options, std::span<const std::unique_ptr<Method>> methods,
@@ -80,7 +81,7 @@ struct TriageContext {
   std::vector<SimpleRecord> simples() const { return here(store().simples()); }
 
   std::chrono::milliseconds elapsed() const;
-  bool out_of_time(double part = 1) const { return Clock::now() - start >= part * options.budget; }
+  bool out_of_time(double part = 1) const { return Clock::now() - start >= part * budget; }
   TriageProgress progress() const;
 
   /// Does `work(job)` in as many processes at once as there are jobs, and shows progress meanwhile. Throws
@@ -100,8 +101,11 @@ struct TriageContext {
 /// Finds the cause of each finding that has none yet, until that part of the budget is used up; what another
 /// version of a guest told is told anew.
 void classify_findings(const TriageContext& context, double part);
-/// Simplifies findings, likewise. What is cut goes on from what it came to.
-void simplify_findings(const TriageContext& context, double part);
+/// Simplifies findings, likewise. What is cut goes on from what it came to. `known`: causes of earlier runs.
+void simplify_findings(const TriageContext& context, const std::set<std::string>& known, double part);
+/// Returns the findings to simplify: one of each cause after the other, new causes before known ones.
+std::vector<const Subject*> simplification_order(const TriageContext& context,
+                                                 const std::set<std::string>& known);
 /// Searches a worse pair for each cause, likewise.
 void search_worst(const TriageContext& context, double part);
 

@@ -6,15 +6,19 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <limits>
 #include <set>
 #include <string>
 
 #include "corpus/pairs/pair_io.hpp"
 #include "corpus/store/run_store.hpp"
 #include "corpus/store/triage_store.hpp"
+#include "oracles/methods/fake_method_test.hpp"
 #include "oracles/referee/referee.hpp"
 #include "reports/triage/buckets.hpp"
 #include "reports/triage/suppressed.hpp"
+#include "reports/triage/triage_context.hpp"
+#include "solver/distance.hpp"
 
 namespace cyl {
 namespace {
@@ -142,6 +146,42 @@ TEST(Triage, TellsCausesWhateverTheOrderAndTheNight) {
   for (const Bucket& b : three.buckets) EXPECT_EQ(b.status, Recurrence::known) << "fails today, met or not";
   EXPECT_EQ(three.buckets[1].count, 0u);
   EXPECT_EQ(three.buckets[1].nights.size(), 3u);
+}
+
+TEST(Triage, SimplifiesNewCausesBeforeKnownOnes) {
+  const Folder nights;
+  TriageOptions options;
+  options.folder = nights.make_run("one", "2026-11-20", three());
+  options.build = "test";
+  triage(options.folder);
+  const auto methods = quick_methods();
+  const TriageContext context(options, methods, {});
+  const auto first = [&](const std::set<std::string>& known) {
+    return simplification_order(context, known).front()->record->method;
+  };
+  EXPECT_EQ(first({}), "fcl-libccd");
+  EXPECT_EQ(first({"fcl-libccd/overflow", "mujoco/overflow"}), "seedbook-printed");
+}
+
+/// Square axes of two rims 0.01 apart: a method that is wrong there alone hangs on the angle.
+TEST(Buckets, NameTheAngleWhereItAloneMatters) {
+  std::vector<std::unique_ptr<Method>> methods;
+  methods.push_back(fake_method("square-blind", [](const Pair& pair) {
+    const bool square = pair.a.axis.dot(pair.b.axis) == 0;
+    const bool near = distance(pair.a, pair.b).value <= (square ? 0.1 : 0);
+    return answered(near ? Verdict::intersecting : Verdict::disjoint);
+  }));
+  TriageRecords records;
+  records.folder = "run";
+  records.findings = {finding("square-blind", "f",
+                              {{{0, 0, 0}, {0, 0, 1}, 1, 2}, {{2.01, 0, 0}, {0, 1, 0}, 1, 2}},
+                              "wrong_intersecting")};
+  records.findings[0].id = 1;
+  records.causes = {{1, "square-blind/wrong_intersecting", to_string(Mechanism::unclassified), ""}};
+  const std::vector<std::size_t> groups{0};
+  const auto buckets = make_buckets(records, {methods, groups}, [] { return false; });
+  ASSERT_EQ(buckets.size(), 1u);
+  EXPECT_EQ(buckets[0].coordinate, "angle");
 }
 
 /// A run with one bucket that one method is wrong on so many pairs of 1000.
@@ -341,6 +381,22 @@ TEST(Buckets, AWrongVerdictIsWorseThanAWrongDistance) {
   FindingRecord deeper = verdict;
   deeper.margin->lo = 0.15;
   EXPECT_TRUE(is_worse(deeper, verdict));
+}
+
+TEST(Buckets, HaveMarginsOfAtLeastWhatIsProved) {
+  Bucket b;
+  b.count = 1;
+  b.methods = {"m"};
+  b.families = {"f", "g"};
+  b.margin = Enclosure{1e-9, std::numeric_limits<double>::infinity()};
+  b.simplest = {{"pair", Json::parse(format_pair(apart()))}};
+  b.worst = Json::object();
+  const std::string text = format_buckets({b});
+  EXPECT_NE(text.find("    1 finding in 2 families, of 1 method; margins 1.0e-09 to at least inf\n"),
+            std::string::npos)
+      << text;
+  EXPECT_EQ(to_json(b)["margin"], Json({1e-9, "inf"}));
+  EXPECT_EQ(bucket_from_json(to_json(b)).margin->hi, b.margin->hi);
 }
 
 TEST(Buckets, GiveAGroupsCountAsItsKeptOnesAre) {

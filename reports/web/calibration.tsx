@@ -5,7 +5,7 @@ import { useCallback, useMemo, useState } from "preact/hooks";
 import { Figure, Missing, Section, Select } from "./parts.tsx";
 import { cost_plot, first_of_each, calibration_plot, screen, series_key, shown_cap } from "./plots.ts";
 import { in_run_order, type FullReport } from "./report.ts";
-import { claim_words, grouped, kind_words, origin_words, safe } from "./words.ts";
+import { claim_words, kind_words, origin_words, plural, safe } from "./words.ts";
 
 export function Chooser({
   methods,
@@ -73,7 +73,10 @@ export function Calibration({ report }: { report: FullReport }) {
     [report, chosen, family],
   );
   const draw = useCallback((width: number) => calibration_plot(rows, { width, theme: screen }), [rows]);
-  const asked = rows.reduce((n, h) => n + h.bins.reduce((k, b) => k + b.asked, 0), 0);
+  const count = (of: (b: (typeof rows)[number]["bins"][number]) => number) =>
+    rows.reduce((n, h) => n + h.bins.reduce((k, b) => k + of(b), 0), 0);
+  const declined = count((b) => b.declined ?? 0),
+    answers = count((b) => b.asked) - declined;
   return (
     <Section
       id="calibration"
@@ -106,7 +109,8 @@ export function Calibration({ report }: { report: FullReport }) {
               label="Share of wrong answers against margin"
               caption={
                 <>
-                  {grouped(asked)} answers.{" "}
+                  {plural(answers, "answer")}
+                  {declined > 0 && `; ${plural(declined, "pair")} declined`}.{" "}
                   {chosen.map((m) => {
                     const claim = report.methods.find((r) => r.name === m)?.claim;
                     return claim ? (

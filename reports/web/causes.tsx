@@ -4,7 +4,7 @@ import { useRef } from "preact/hooks";
 import type { Bucket } from "./data.ts";
 import { cause_columns, type Cause, type CauseColumn, type CauseOrder } from "./filter.ts";
 import { useRoving } from "./roving.ts";
-import { about, grouped, percent, range, safe, severity_words, short, standing_words } from "./words.ts";
+import { about, grouped, least_range, percent, safe, severity_words, short, standing_words } from "./words.ts";
 
 const titles: Record<CauseColumn, string> = {
   key: "cause",
@@ -71,7 +71,7 @@ function CauseRow({ b }: { b: Bucket }) {
         {grouped(b.count)}
       </td>
       <td class="n" data-label={titles.margin}>
-        {range(b.margin)}
+        {least_range(b.margin)}
       </td>
       <td class="n" data-label={titles.share} title={share ?? ""}>
         {b.share ? percent(b.share.wrong, b.share.asked) : "\u2013"}

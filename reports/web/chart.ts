@@ -84,10 +84,11 @@ export function charts(report: FullReport, document: Document): Map<string, stri
       .map(([name, colour]) => ({ name, colour }));
   const series = (methods: string[]): Key[] =>
     series_key(methods, paper).map(({ method, colour }) => ({ name: method, colour }));
-  const heat: Key[] = ["<1e-4", "1e-4 on", "1e-3 on", "1e-2 on", "0.1 on"].map((name, i) => ({
-    name,
-    colour: paper.heat[i]!,
-  }));
+  const shares = ["<1e-4", "1e-4 on", "1e-3 on", "1e-2 on", "0.1 on"];
+  const heat: Key[] = [
+    ...shares.map((name, i) => ({ name, colour: paper.heat[i]! })),
+    { name: "within the claim", colour: paper.within[2]! },
+  ];
 
   const methods = report.methods.map((m) => m.name).filter((name) => report.tallies.some((t) => t.method === name));
   if (methods.length > 0)
@@ -103,8 +104,7 @@ export function charts(report: FullReport, document: Document): Map<string, stri
         `Wrong beyond the claim or failed, ${grouped(report.run.pairs)} pairs`,
         [
           ...heat,
-          { name: "wrong within the claim", colour: paper.intersecting },
-          { name: "undecided", colour: paper.undecided },
+          { name: "undecided", colour: paper.unanswered[2]! },
           { name: "neither", colour: paper.clean },
         ],
       ),
@@ -142,7 +142,7 @@ export function charts(report: FullReport, document: Document): Map<string, stri
   for (const map of report.maps.filter((m) => mapped.includes(m.method)))
     files.set(
       sure(`map-${map.plane}-${map.method}`),
-      framed(map_plot(map, "all", { ...o, width: width * 0.7 }), `${map.method}: share wrong or failed`, [
+      framed(map_plot(map, "all", { ...o, width: width * 0.7 }), `${map.method}: share wrong beyond the claim or failed, else within it`, [
         ...heat,
         { name: "none wrong", colour: paper.clean },
       ]),

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // What the page is given: one JSON object in <script type="application/json" id="report-data">. C++ writes it
-// (reports/run/report_data.*); numbers are shortest round-trip decimals, so that JSON.parse gives the doubles back.
+// (reports/run/report_data.*); numbers are shortest round-trip decimals, so that JSON.parse gives the doubles back,
+// and "inf" or "-inf" of an open end of a distance, a margin or a claim (expand() makes numbers of them).
 // Sections that a run has nothing for are null or empty: the page says so and how to get them.
 
 export type Verdict = "disjoint" | "intersecting" | "touching" | "undecided" | "invalid";
@@ -186,6 +187,9 @@ export interface FailureMap {
     wrong_intersecting: number;
     failed: number;
     undecided: number;
+    declined?: number;
+    within_disjoint?: number; // of wrong_disjoint, those that the claim allows
+    within_intersecting?: number;
     finding?: number;
   }[];
 }
@@ -199,7 +203,14 @@ export interface Axis {
 export interface Calibration {
   method: string;
   family: string | null;
-  bins: { decade: number; asked: number; wrong_disjoint: number; wrong_intersecting: number; undecided: number }[];
+  bins: {
+    decade: number;
+    asked: number;
+    wrong_disjoint: number;
+    wrong_intersecting: number;
+    undecided: number;
+    declined?: number;
+  }[];
 }
 
 /** From `daylight bench`: speed against accuracy. `digits`: -log10 of the least margin from which on the method was

@@ -204,6 +204,31 @@ test("a wrong distance is measured against the proved one, the size and the clai
   assert.equal(of(undefined), null);
 });
 
+test("a claim allows no less than the judge does", () => {
+  const of = (scale, said, absolute) => {
+    const solid = { center: [0, 0, 0], axis: [0, 0, 1], radius: scale, height: scale };
+    const pair = { a: solid, b: solid },
+      truth = { verdict: "disjoint", distance: [0, 0] };
+    return wrong_distance({ pair, truth }, { distance: said }, { relative: 0, absolute, source: "" }).allowed;
+  };
+  assert.deepEqual(of(1, 5, 1e-6), { length: 4e-13 + 1e-6, by: "claim" });
+  assert.deepEqual(of(1e9, 5, 1e-6), { length: 4e-4 + 1e-6, by: "size" });
+  assert.deepEqual(of(1, 2 ** 60, 1e-6), { length: 2 ** 10, by: "distance" });
+  assert.deepEqual(of(1, 0, 0), { length: 2 ** -48, by: "distance" });
+});
+
+test("an open end of a distance or a margin is beyond all", () => {
+  const report = sample(9);
+  report.cases[0].truth.distance = ["-inf", -1.797e308];
+  report.findings[0].margin = [0.5, "inf"];
+  report.buckets[0].margin = [1e-9, "inf"];
+  const { findings, buckets } = expand(report);
+  assert.deepEqual(findings[0].truth.distance, [-Infinity, -1.797e308]);
+  assert.deepEqual(findings[0].margin, [0.5, Infinity]);
+  assert.deepEqual(buckets[0].margin, [1e-9, Infinity]);
+  assert.match(csv_of(rows_of(expand(report)), expand(report)), /,0.5,inf,\w+,-inf,-1.797e\+308,/);
+});
+
 test("two counts under one rate", () => {
   for (const [x, value] of [
     [1, 0],
@@ -268,6 +293,27 @@ test("nobody on the front is beaten in both", () => {
     p(20, 9),
     p(50, 15),
   ]);
+});
+
+test("maps and curves tell a claim kept from one broken, and declined from undecided", () => {
+  const cell = { y: 0, asked: 10, wrong_disjoint: 0, wrong_intersecting: 0, failed: 0, undecided: 0 };
+  const [x, y] = [2, 1].map((n) => ({ title: "t", labels: Array.from({ length: n }, (_, i) => `${i}`) }));
+  const cells = [
+    { ...cell, x: 0, wrong_disjoint: 4, within_disjoint: 4 },
+    { ...cell, x: 1, wrong_disjoint: 4, within_disjoint: 2, declined: 3 },
+  ];
+  const bin = { decade: 0, asked: 100, wrong_disjoint: 2, wrong_intersecting: 0, undecided: 0, declined: 60 };
+  const report = {
+    ...sample(1),
+    maps: [{ method: "ode", plane: "scale-offset", x, y, cells }],
+    honesty: [{ method: "ode", family: null, bins: [bin, { ...bin, decade: 1, wrong_disjoint: 0, declined: 100 }] }],
+  };
+  const files = charts(expand(report), plain_document());
+  const rects = files.get("map-scale-offset-ode").match(/<rect [^>]*aria-label="t: [^>]*>/g);
+  assert.match(rects[0], /^<rect fill="#3f7eae" [^>]*said disjoint wrongly 4 \(40 %\), 4 of them within its claim"/);
+  assert.match(rects[1], /^<rect fill="#8f3a00" [^>]*, 2 of them within its claim\ndeclined 3 \(30 %\)"/);
+  const said = files.get("honesty").match(/wrong \d+ of \d+/g);
+  assert.deepEqual(said, ["wrong 2 of 40", "wrong 0 of 40"], "of those it answered");
 });
 
 test("every plot is drawn as a whole SVG", () => {

@@ -3,7 +3,7 @@
 import { useMemo, useState } from "preact/hooks";
 import { bucket_address } from "./causes.tsx";
 import type { Answer, Bucket, Case, Claim, Finding, Truth } from "./data.ts";
-import { wrong_distance, type WrongDistance } from "./distance.ts";
+import { wrong_distance, type Allowed, type WrongDistance } from "./distance.ts";
 import { Handling } from "./handling.tsx";
 import { Nights } from "./nights.tsx";
 import { PairView } from "./pair_view.tsx";
@@ -19,6 +19,7 @@ import {
   group_by,
   grouped,
   kind_words,
+  least_range,
   origin_words,
   percent,
   plural,
@@ -211,8 +212,20 @@ function Answers({
   );
 }
 
+const allowed_words: Record<Allowed["by"], string> = {
+  claim: "its claim",
+  size: "1e\u221213 of the size, which is more than its claim: coordinates of such solids are no finer",
+  distance: "2^\u221250 of the distance or the size, which is more than its claim: doubles are no finer there",
+};
+
 /** A wrong distance beside the proved one. */
-function Wrong({ of: { said, proved, error, relative, claims, size }, claim }: { of: WrongDistance; claim?: Claim }) {
+function Wrong({
+  of: { said, proved, error, relative, allowed, claims, size },
+  claim,
+}: {
+  of: WrongDistance;
+  claim?: Claim;
+}) {
   return (
     <section class="wrong-distance">
       <h3>The distance</h3>
@@ -225,13 +238,18 @@ function Wrong({ of: { said, proved, error, relative, claims, size }, claim }: {
         </Fact>
       </dl>
       <dl class="facts">
-        <Fact label="error">{short(error, 4)}</Fact>
+        <Fact label="error">{Number.isFinite(error) ? short(error, 4) : "above 1.8e308"}</Fact>
         <Fact label="error over size">
           {short(relative, 4)} <span class="soft">of {short(size, 4)}</span>
         </Fact>
         <Fact label="error over claim" kind={claims !== null && claims > 1 ? "bad" : ""}>
           {claims === null ? "\u2013" : `${short(claims, 4)} times`}
         </Fact>
+        {allowed && (
+          <Fact label="allowed">
+            {short(allowed.length, 4)} <span class="soft">{allowed_words[allowed.by]}</span>
+          </Fact>
+        )}
       </dl>
       {claim && (
         <p class="soft">
@@ -443,7 +461,7 @@ export function BucketView({
             </span>
           )}
         </Fact>
-        <Fact label="margins">{range(b.margin)}</Fact>
+        <Fact label="margins">{least_range(b.margin)}</Fact>
         {b.share && (
           <Fact label="share of pairs like it">
             {percent(b.share.wrong, b.share.asked)} <span class="soft">of {grouped(b.share.asked)}</span>

@@ -3,7 +3,7 @@
 import { useCallback, useMemo, useState } from "preact/hooks";
 import type { FailureMap } from "./data.ts";
 import { Figure, Missing, Section, Select } from "./parts.tsx";
-import { map_plot, screen, wrong_of, type Wrongness } from "./plots.ts";
+import { map_plot, screen, within_of, wrong_of, type Wrongness } from "./plots.ts";
 import type { FullReport } from "./report.ts";
 import { grouped, percent, safe } from "./words.ts";
 
@@ -18,12 +18,21 @@ const kinds: readonly (readonly [Wrongness, string])[] = [
   ["wrong_intersecting", "said intersecting wrongly"],
   ["failed", "failed"],
   ["undecided", "undecided"],
+  ["declined", "declined"],
 ];
 
 function total(map: FailureMap, what: Wrongness) {
-  return map.cells.reduce(([wrong, asked], c) => [wrong + wrong_of(c, what), asked + c.asked] as const, [
-    0, 0,
-  ] as readonly [number, number]);
+  const sum = (count: (c: FailureMap["cells"][number]) => number) => map.cells.reduce((n, c) => n + count(c), 0);
+  const within = sum((c) => within_of(c, what));
+  return { beyond: sum((c) => wrong_of(c, what)) - within, within, asked: sum((c) => c.asked) };
+}
+
+function total_words(map: FailureMap, what: Wrongness) {
+  const { beyond, within, asked } = total(map, what);
+  const told = (count: number) => (count === 0 ? "0" : `${grouped(count)} (${percent(count, asked)})`);
+  if (!["all", "wrong_disjoint", "wrong_intersecting"].includes(what)) return `${told(beyond)} of ${grouped(asked)}`;
+  const failed = what === "all" ? " or failed" : "";
+  return `${told(beyond)} beyond its claim${failed}, ${told(within)} within it, of ${grouped(asked)}`;
 }
 
 function One({ map, what }: { map: FailureMap | undefined; what: Wrongness }) {
@@ -32,13 +41,12 @@ function One({ map, what }: { map: FailureMap | undefined; what: Wrongness }) {
     [map, what],
   );
   if (!map) return <p class="missing">Not counted.</p>;
-  const [wrong, asked] = total(map, what);
   return (
     <Figure
       draw={draw}
       height={86 + map.y.labels.length * 17}
       label={`${map.method}, ${map.plane}`}
-      caption={`${grouped(wrong)} of ${grouped(asked)} (${percent(wrong, asked)})`}
+      caption={total_words(map, what)}
     />
   );
 }
@@ -47,7 +55,7 @@ export function Maps({ report }: { report: FullReport }) {
   const methods = useMemo(() => [...new Set(report.maps.map((m) => m.method))], [report]);
   const own = report.methods.find((m) => m.own && methods.includes(m.name))?.name ?? methods[0] ?? "";
   const wrongs = (method: string) =>
-    report.maps.filter((m) => m.method === method).reduce((n, m) => n + total(m, "all")[0], 0);
+    report.maps.filter((m) => m.method === method).reduce((n, m) => n + total(m, "all").beyond, 0);
   const worst = useMemo(
     () =>
       methods
@@ -66,6 +74,7 @@ export function Maps({ report }: { report: FullReport }) {
       lead={
         methods.length
           ? "How often a method was wrong, by what the pair is like; the stronger the colour, the larger the share. " +
+            "Where any answer is wrong beyond the claim, the share is that of those. " +
             "A dot marks a cell that leads to a case."
           : undefined
       }>
@@ -77,14 +86,22 @@ export function Maps({ report }: { report: FullReport }) {
             <Select label="Method" value={method} onChange={choose} options={methods.map((m) => [m, m] as const)} />
             <Select label="Count" value={what} onChange={(w) => count(w as Wrongness)} options={kinds} />
             <span class="legend" aria-hidden="true">
-              {["<1e\u22124", "1e\u22124", "1e\u22123", "1e\u22122", "\u22650.1"].map((words, i) => (
+              {(
+                [
+                  [screen.heat, "beyond the claim or failed"],
+                  [screen.within, "within the claim"],
+                  [screen.unanswered, "undecided or declined"],
+                ] as const
+              ).map(([shades, words]) => (
                 <span key={words}>
-                  <i style={{ background: screen.heat[i] }} />
+                  {shades.map((background) => (
+                    <i style={{ background }} key={background} />
+                  ))}
                   {words}
                 </span>
               ))}
               <i style={{ background: "var(--clean)" }} />
-              none wrong<i class="blank">∕</i>not visited
+              none<i class="blank">∕</i>not visited; the five shades: a share below 1e−4, from 1e−4, 1e−3, 0.01, 0.1 on
             </span>
           </p>
           <div class="pairs-of">

@@ -91,8 +91,10 @@ async function leads_to_what_is_new(page, report) {
   const line = page.locator("main.overview > *").first();
   assert.match(
     await line.innerText(),
-    new RegExp(`^1 new cause, ${changes.back} back, ${changes.known} known, ${changes.rare} rare, 1 gone, `),
+    new RegExp(`^1 new cause, ${changes.back} back, ${changes.known} known, ${changes.rare} rare, 1 gone, [^]*; 1 of these ${buckets.length} has no findings in this run$`),
   );
+  const told = await page.locator("#summary .facts dd").nth(4).innerText();
+  assert.equal(told, `${buckets.length - 1} and 1 of earlier runs alone`);
   const rank = ["new", "back", "known", "rare", "gone"];
   const order = (await bucket_column(page, 7)).map((word) => rank.indexOf(word));
   assert.equal(order.length, buckets.length);
@@ -366,6 +368,7 @@ async function handles_a_cause(page, report) {
     expires: "2027-02-20",
   });
   assert.deepEqual(JSON.parse(await copied(page, "a line for daylight check")), noted.simplest.pair);
+  assert.match(await page.locator(".detail .facts").first().innerText(), /margins\s+\S+ to at least 0.01/i);
   await page.getByLabel("Owner", { exact: true }).fill("o'hara");
   await page.getByLabel("Note", { exact: true }).fill("two words");
   assert.equal(
@@ -439,6 +442,7 @@ async function measures_a_wrong_distance(page, report) {
   assert.ok(Math.abs(value(facts[2]) / error - 1) < 1e-3);
   assert.ok(Math.abs(value(facts[3]) / (error / size) - 1) < 1e-3);
   assert.ok(Math.abs(value(facts[4]) / (error / 1e-6) - 1) < 1e-3);
+  assert.equal(facts[5], "1e-6 its claim");
   const red = await page.locator(".answers td:last-child span.bad").allInnerTexts();
   assert.ok(red.includes(f.method) && red.includes("bullet-cylinder"), red.join());
   assert.ok(!red.includes("fcl-indep"), "within its claim");

@@ -20,7 +20,9 @@ export interface Theme {
   undecided: string;
   own: string;
   clean: string;
-  heat: string[]; // of steps 1 to 5
+  heat: string[]; // of steps 1 to 5: beyond a claim or failed
+  within: string[]; // likewise: wrong within a claim
+  unanswered: string[]; // likewise: undecided or declined
   series: string[];
 }
 /** `document`: where there is none of a browser. `link`: where a click on a point leads. */
@@ -45,6 +47,8 @@ export const paper: Theme = {
   own: "#007a55",
   clean: "#e6f0ea",
   heat: ["#fbe3cf", "#f6bd8e", "#ee9250", "#d55e00", "#8f3a00"],
+  within: ["#e3eef6", "#c3daea", "#98bfdb", "#6a9fc6", "#3f7eae"],
+  unanswered: ["#ececec", "#d8d8d8", "#bcbcbc", "#9c9c9c", "#7a7a7a"],
   series: [
     "#0072b2",
     "#d55e00",
@@ -70,6 +74,8 @@ export const screen: Theme = {
   own: "var(--own)",
   clean: "var(--clean)",
   heat: [1, 2, 3, 4, 5].map((i) => `var(--bad-${i})`),
+  within: [1, 2, 3, 4, 5].map((i) => `var(--within-${i})`),
+  unanswered: [1, 2, 3, 4, 5].map((i) => `var(--undecided-${i})`),
   series: Array.from({ length: 10 }, (_, i) => `var(--series-${i})`),
 };
 
@@ -370,10 +376,34 @@ export function wrong_plot(points: SpeedPoint[], o: Options): Element {
 // Failure maps
 // ----------------------------------------------------------------------------------------------------------
 
-export type Wrongness = "all" | "wrong_disjoint" | "wrong_intersecting" | "failed" | "undecided";
+export type Wrongness = "all" | "wrong_disjoint" | "wrong_intersecting" | "failed" | "undecided" | "declined";
 type Cell = FailureMap["cells"][number];
 export const wrong_of = (c: Cell, what: Wrongness) =>
-  what === "all" ? c.wrong_disjoint + c.wrong_intersecting + c.failed : c[what];
+  what === "all" ? c.wrong_disjoint + c.wrong_intersecting + c.failed : (c[what] ?? 0);
+/** Of those, how many the claim allows. */
+export function within_of(c: Cell, what: Wrongness) {
+  const disjoint = c.within_disjoint ?? 0,
+    intersecting = c.within_intersecting ?? 0;
+  return what === "all"
+    ? disjoint + intersecting
+    : what === "wrong_disjoint"
+      ? disjoint
+      : what === "wrong_intersecting"
+        ? intersecting
+        : 0;
+}
+/** As the table of methods against families has it: what is beyond a claim before what is within. */
+export function map_colour(c: Cell, what: Wrongness, theme: Theme) {
+  const wrong = wrong_of(c, what),
+    within = within_of(c, what);
+  const [shades, count] =
+    what === "undecided" || what === "declined"
+      ? [theme.unanswered, wrong]
+      : wrong > within
+        ? [theme.heat, wrong - within]
+        : [theme.within, within];
+  return count === 0 ? theme.clean : shades[heat_step(count / c.asked) - 1]!;
+}
 const cell_words = (map: FailureMap, c: Cell) =>
   [
     `${map.x.title}: ${map.x.labels[c.x] ?? c.x}`,
@@ -385,10 +415,16 @@ const cell_words = (map: FailureMap, c: Cell) =>
         ["wrong_intersecting", "said intersecting wrongly"],
         ["failed", "failed"],
         ["undecided", "undecided"],
+        ["declined", "declined"],
       ] as const
     )
-      .filter(([k]) => c[k] > 0)
-      .map(([k, words]) => `${words} ${grouped(c[k])} (${percent(c[k], c.asked)})`),
+      .map(([k, words]) => [words, wrong_of(c, k), within_of(c, k)] as const)
+      .filter(([, count]) => count > 0)
+      .map(
+        ([words, count, within]) =>
+          `${words} ${grouped(count)} (${percent(count, c.asked)})` +
+          (within > 0 ? `, ${grouped(within)} of them within its claim` : ""),
+      ),
     ...(c.finding !== undefined ? ["click: a case of this cell"] : []),
   ].join("\n");
 
@@ -397,10 +433,7 @@ export function map_plot(
   what: Wrongness,
   o: Options & { link_finding?: (id: number) => string },
 ): Element {
-  const fill = (c: Cell) => {
-    const wrong = wrong_of(c, what);
-    return wrong === 0 ? o.theme.clean : o.theme.heat[heat_step(wrong / c.asked) - 1]!;
-  };
+  const fill = (c: Cell) => map_colour(c, what, o.theme);
   const visited = map.cells.filter((c) => c.asked > 0);
   const seen = new Set(visited.map((c) => `${c.x} ${c.y}`));
   const blank = map.x.labels
@@ -484,16 +517,17 @@ export function calibration_plot(all: Calibration[], o: Options): Element {
   const rows = all.flatMap((h) =>
     sides.flatMap(([key, side]) =>
       h.bins
-        .filter((b) => b.asked > 0)
+        .map((b) => ({ ...b, answered: b.asked - (b.declined ?? 0) }))
+        .filter((b) => b.answered > 0)
         .map((b) => {
-          const [low, high] = share_bounds(b[key], b.asked);
+          const [low, high] = share_bounds(b[key], b.answered);
           return {
             method: h.method,
             side,
             decade: b.decade,
-            asked: b.asked,
+            answered: b.answered,
             wrong: b[key],
-            share: b[key] / b.asked,
+            share: b[key] / b.answered,
             low,
             high,
           };
@@ -506,7 +540,7 @@ export function calibration_plot(all: Calibration[], o: Options): Element {
   const shape = (r: { method: string }) => symbols[methods.indexOf(r.method) % symbols.length]!;
   const words = (r: (typeof rows)[number]) =>
     `${r.method}, margin (1e\u2212${r.decade + 1}, 1e\u2212${r.decade}]\nwrong ${grouped(r.wrong)} of ` +
-    `${grouped(r.asked)}: ${percent(r.wrong, r.asked)}\n95 %: ${short(r.low, 2)} to ${short(r.high, 2)}`;
+    `${grouped(r.answered)}: ${percent(r.wrong, r.answered)}\n95 %: ${short(r.low, 2)} to ${short(r.high, 2)}`;
   const last = Math.max(0, ...rows.map((r) => r.decade));
   const dx = (r: { method: string }) => (methods.indexOf(r.method) - (methods.length - 1) / 2) * 0.09;
   const x = (r: (typeof rows)[number]) => r.decade + dx(r);
@@ -755,12 +789,9 @@ export function families_plot(tallies: Tally[], methods: string[], families: str
   const fill = (t: Tally) => {
     const bad = t.contract + t.failed;
     if (bad > 0) return o.theme.heat[heat_step(bad / t.asked) - 1]!;
-    return t.resolution > 0 ? o.theme.intersecting : t.undecided > 0 ? o.theme.undecided : o.theme.clean;
+    if (t.resolution > 0) return o.theme.within[heat_step(t.resolution / t.asked) - 1]!;
+    return t.undecided > 0 ? o.theme.unanswered[heat_step(t.undecided / t.asked) - 1]! : o.theme.clean;
   };
-  const opacity = (t: Tally) =>
-    t.contract + t.failed > 0 || t.resolution + t.undecided === 0
-      ? 1
-      : 0.15 + 0.12 * heat_step((t.resolution + t.undecided) / t.asked);
   return Plot.plot(
     common(o, 150 + methods.length * 13, {
       marginLeft: 190,
@@ -778,7 +809,7 @@ export function families_plot(tallies: Tally[], methods: string[], families: str
       },
       y: { type: "band", domain: methods, label: null, tickSize: 0, padding: 0.08 },
       color: { type: "identity" },
-      marks: [Plot.cell(rows, { x: "family", y: "method", fill, fillOpacity: opacity })],
+      marks: [Plot.cell(rows, { x: "family", y: "method", fill })],
     }),
   );
 }

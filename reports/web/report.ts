@@ -1,14 +1,24 @@
 // SPDX-License-Identifier: MIT
 // The data of the page, put back to the form of data.ts: every finding with its case.
-import type { Answer, Bucket, Case, Finding, PackedCase, Report, Standing } from "./data.ts";
+import type { Answer, Bucket, Case, Finding, PackedCase, Report, Standing, Truth } from "./data.ts";
 import { shell_quoted } from "./words.ts";
 
 export interface FullReport extends Report {
   findings: Finding[];
 }
 
+type Ends = [number, number];
+/** JSON has no number beyond the doubles: "inf" and "-inf" stand for them. */
+const number_of = (x: unknown) => (x === "inf" ? Infinity : x === "-inf" ? -Infinity : Number(x));
+const ends_of = (ends: Ends): Ends => [number_of(ends[0]), number_of(ends[1])];
+const with_ends = <T extends { truth: Truth; margin: Ends | null }>(of: T): T => ({
+  ...of,
+  truth: of.truth.distance ? { ...of.truth, distance: ends_of(of.truth.distance) } : of.truth,
+  margin: of.margin && ends_of(of.margin),
+});
+
 function unpack(packed: PackedCase, names: string[]): Omit<Case, "replay"> {
-  const { said, ...rest } = packed;
+  const { said, ...rest } = with_ends(packed);
   const answers: Record<string, Answer> = Object.create(null);
   for (const [answer, who] of said) for (const index of who) answers[names[index]!] = answer;
   return { ...rest, answers };
@@ -19,22 +29,28 @@ export function expand(report: Report): FullReport {
   const cases = (report.cases ?? []).map((packed) => unpack(packed, names));
   const folder = report.run.folder ?? report.run.id;
   const findings = report.findings.map((f) => {
-    if (!("case" in f)) return { ...f, pair_margin: f.margin };
+    if (!("case" in f)) return { ...with_ends(f), pair_margin: f.margin && ends_of(f.margin) };
     const { case: at, ...rest } = f,
       of = cases[at]!;
     return {
       ...of,
       ...rest,
-      margin: f.margin === undefined ? of.margin : f.margin,
+      margin: f.margin === undefined ? of.margin : f.margin && ends_of(f.margin),
       pair_margin: of.margin,
       replay: `./daylight replay ${shell_quoted(`${folder}:${f.id}`)}`,
     };
   });
   const buckets = report.buckets.map((b): Bucket => {
     const { first_version: first, last_version: last } = b;
-    return first && !b.versions ? { ...b, versions: { first, last: last || first } } : b;
+    const margin = b.margin && ends_of(b.margin),
+      shown = { margin, simplest: with_ends(b.simplest), worst: b.worst && with_ends(b.worst) };
+    return { ...b, ...shown, ...(first && !b.versions ? { versions: { first, last: last || first } } : {}) };
   });
-  return { ...report, buckets, findings, cases: [] };
+  const methods = report.methods.map((m) => {
+    const { relative, absolute } = m.claim;
+    return { ...m, claim: { ...m.claim, relative: number_of(relative), absolute: number_of(absolute) } };
+  });
+  return { ...report, methods, buckets, findings, cases: [] };
 }
 
 /** From the element that the C++ side fills; a template that nobody filled has none. */

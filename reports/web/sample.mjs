@@ -276,6 +276,9 @@ export function sample(findings_total = 400) {
             wrong_intersecting,
             failed: 0,
             undecided: 0,
+            declined: m % 6 === 5 ? Math.floor(asked / 10) : 0,
+            within_disjoint: j > 12 ? wrong_disjoint : Math.floor(wrong_disjoint / 2),
+            within_intersecting: j > 12 ? wrong_intersecting : 0,
             ...(wrong_disjoint + wrong_intersecting > 0 ? { finding: 1 + ((i * 31 + j) % findings_total) } : {}),
           });
         }
@@ -295,6 +298,7 @@ export function sample(findings_total = 400) {
           wrong_disjoint: Math.floor(asked * rate * next()),
           wrong_intersecting: Math.floor(asked * rate * 0.4),
           undecided: 0,
+          declined: m % 6 === 5 ? 300 : 0,
         };
       }),
     })),

@@ -12,7 +12,8 @@ type Cell = string | number | null | undefined;
 const harmless = (text: string) => (/^[=+\-@\t\r]/.test(text) ? `'${text}` : text);
 export function csv_cell(cell: Cell): string {
   if (cell === null || cell === undefined) return "";
-  const text = typeof cell === "number" ? (Object.is(cell, -0) ? "-0" : String(cell)) : harmless(cell);
+  const number = (x: number) => (Object.is(x, -0) ? "-0" : String(x).replace("Infinity", "inf"));
+  const text = typeof cell === "number" ? number(cell) : harmless(cell);
   return /[",\r\n]/.test(text) ? `"${text.replaceAll('"', '""')}"` : text;
 }
 
@@ -52,7 +53,8 @@ export function csv_of(rows: Row[], report: FullReport): string {
 export function json_of(rows: Row[], report: FullReport): string {
   const error_of = claim_of(report);
   const told = rows.map((row) => ({ ...row.f, standing: row.standing, error: error_of(row)?.error ?? null }));
-  return `${JSON.stringify(told, null, 1)}\n`;
+  const open_end = (_: string, x: unknown) => (x === Infinity ? "inf" : x === -Infinity ? "-inf" : x);
+  return `${JSON.stringify(told, open_end, 1)}\n`;
 }
 
 /** Hands a file to whoever reads the page. */

@@ -220,7 +220,8 @@ export function Changes({ report }: { report: FullReport }) {
       <p class="changes soft">No earlier run stands beside this one: nothing to compare with.</p>
     );
   const { against } = changes,
-    told = [...changes.counts].filter(([, count]) => count > 0);
+    told = [...changes.counts].filter(([, count]) => count > 0),
+    earlier = report.buckets.filter((b) => b.count === 0).length;
   return (
     <p class="changes">
       {told.length === 0 && "No causes, neither here nor in earlier runs"}
@@ -236,6 +237,12 @@ export function Changes({ report }: { report: FullReport }) {
       {against.length > 0 && (
         <span class="soft" title={safe(against.join(", "))}>
           , held against {plural(against.length, "earlier run")}
+        </span>
+      )}
+      {earlier > 0 && (
+        <span class="soft">
+          ; {grouped(earlier)} of these {grouped(report.buckets.length)} {earlier === 1 ? "has" : "have"} no findings in
+          this run
         </span>
       )}
     </p>
@@ -305,7 +312,8 @@ function Headline({ report }: { report: FullReport }) {
     "corpus",
     report.tallies.filter((t) => t.method === "corpus"),
   ).total;
-  const causes = report.buckets.filter((b) => b.count > 0); // others are of earlier runs
+  const causes = report.buckets.filter((b) => b.count > 0),
+    earlier = report.buckets.length - causes.length;
   const unexplained = report.unreadable ?? 0;
   return (
     <>
@@ -316,7 +324,10 @@ function Headline({ report }: { report: FullReport }) {
         </Fact>
         <Fact label="findings">{grouped(report.findings_total)}</Fact>
         <Fact label="kept as examples">{grouped(report.findings.length)}</Fact>
-        <Fact label="causes">{report.buckets.length > 0 ? grouped(causes.length) : "\u2013"}</Fact>
+        <Fact label="causes">
+          {report.buckets.length > 0 ? grouped(causes.length) : "\u2013"}
+          {earlier > 0 && <span class="soft"> and {grouped(earlier)} of earlier runs alone</span>}
+        </Fact>
         <Fact label="methods beyond their claim" kind={bad.length > 0 ? "bad" : ""}>
           {bad.length} of {rows.length}
         </Fact>

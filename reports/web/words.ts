@@ -4,12 +4,10 @@ import type { Claim, Coordinate } from "./data.ts";
 
 export const grouped = (n: number) => Math.round(n).toLocaleString("en-US");
 
-/** From here on a number stands for one beyond all. */
-const infinite = 1e308;
 /** "1.2e-7", "0.013", "42": `digits` significant ones. */
 export function short(x: number | null | undefined, digits = 3): string {
   if (x === null || x === undefined || Number.isNaN(x)) return "\u2013";
-  if (Math.abs(x) >= infinite) return x > 0 ? "\u221e" : "\u2212\u221e";
+  if (!Number.isFinite(x)) return x > 0 ? "\u221e" : "\u2212\u221e";
   if (x === 0) return "0";
   const size = Math.abs(x);
   const text =
@@ -37,6 +35,10 @@ export function range(of: [number, number] | null | undefined): string {
   const [low, high] = [short(of[0]), short(of[1])];
   return low === high ? low : `${low} to ${high}`;
 }
+
+/** Of least margins: each is proved, and may be larger. */
+export const least_range = (of: [number, number] | null | undefined) =>
+  !of ? "\u2013" : short(of[0]) === short(of[1]) ? `at least ${short(of[0])}` : `${short(of[0])} to at least ${short(of[1])}`;
 
 export function seconds(s: number): string {
   if (s < 120) return `${short(s)} s`;
@@ -105,7 +107,7 @@ export function full(x: number): string {
   return long && !readable ? exponent(x.toExponential()) : text;
 }
 /** All 17 digits. */
-export const digits17 = (x: number) => (x === 0 ? "0" : exponent(x.toExponential(16)));
+export const digits17 = (x: number) => (x === 0 || !Number.isFinite(x) ? short(x) : exponent(x.toExponential(16)));
 
 export function coordinate_words(x: Coordinate): string {
   if (typeof x === "number") return full(x);
@@ -153,7 +155,8 @@ export const glossary: Record<string, string> = {
   build: "The compiler and options of the second build.",
   caught: "Faults that at least one test found.",
   cause: "Findings that have one reason, under one name: library, kind, parts that are nearest, what matters.",
-  causes: "How many different reasons the findings were put down to.",
+  allowed: "How wrong the method may be on this pair: its claim, but never less than what rounding costs.",
+  causes: "How many different reasons the findings of this run were put down to; others were seen in earlier runs.",
   centre: "The middle of a cylinder.",
   chance: "How likely so large a change is by luck alone, with allowance for the number of causes.",
   "changes nothing": "Faults of which it is argued that no pair can show them.",
@@ -195,7 +198,7 @@ export const glossary: Record<string, string> = {
   library: "The program that a method belongs to; ours is one.",
   margin:
     "For a wrong distance its error over the size, for other findings the distance between the solids over the size.",
-  margins: "The least and the largest margin of the findings of the cause.",
+  margins: "From the least to the largest margin of the findings of the cause, as far as it is proved.",
   method: "One way to answer, of some library, with its settings.",
   methods: "The methods that are wrong for this reason.",
   "methods beyond their claim": "Methods that failed or were wrong by more than they allow themselves.",
