@@ -12,7 +12,7 @@ MOST_WORDS = 29
 # A pattern of a phrase, the form to use in its place, and the habit that it belongs to.
 PHRASES = [
     (r'\b(?:told|tells?|telling|said|says?|saying)\b', 'reports, states, returns, records', 'tell, say'),
-    (r'(?<!there )(?<!There )\b(?:is|are|was|were|be) no (?!longer|more\b|less\b)', 'is not a', 'is no'),
+    (r'(?<!there )(?<!There )\b(?:is|are|was|were|be) no (?!longer|more\b|less\b|farther|nearer)', 'is not a', 'is no'),
     (r'\b(?:nobody|anybody|everybody|somebody|whoever|whatever|whichever)\b', 'name who or what', 'pronoun as a noun'),
     (r'(?:^|[.:;] )(?:Who|What|Those|Whose) (?![^.?]*\?)', 'begin with a noun', 'pronoun as a noun'),
     (r'\b(?:of|by|to|than|from) those\b(?! who)', 'repeat the noun', 'pronoun as a noun'),
@@ -41,7 +41,9 @@ def paragraphs(text):
 
 
 def prose(text):
-    """The words that are read: a link is its text, code is one word, a quotation none of ours."""
+    """The words that are read: a link is its text, code and a quotation are one word, a leading **term**: is a label."""
+    text = re.sub(r'^(?:\*{1,2}[^*]+\*{1,2}(?:, )?)+: ', '', text)
+    text = re.sub(r'\[[\w./]+\.\w+\]\([^)]*\)', 'File', text)
     text = re.sub(r'\[([^\]]*)\]\([^)]*\)', r'\1', text)
     text = re.sub(r'`[^`]*`', 'Code', text)
     text = re.sub(r'"[^"]*"', 'Quotation', text)
@@ -49,7 +51,7 @@ def prose(text):
 
 
 def sentences(text):
-    return [s for s in re.split(r'(?<=[.?!])\)?\s+(?=[A-Z(0-9])', text) if s]
+    return [s for s in re.split(r'(?<=[.?!])\)?\s+(?=[A-Z(0-9]|daylight )', text) if s]
 
 
 def findings(text):
@@ -61,7 +63,7 @@ def findings(text):
                 around = paragraph[max(0, match.start() - 20):match.end() + 25].strip()
                 yield number, habit, f'"{match[0].strip()}" in "..{around}..": write {better}'
         for sentence in sentences(paragraph):
-            words = len(re.findall(r'[\w][^\s]*', sentence))
+            words = len(re.findall(r"(?<![\w|])(?:[A-Za-z][a-z'-]+|[aA]|\d[\d.,e-]*)(?![\w|(])", sentence))  # no symbols
             if words > MOST_WORDS:
                 yield number, 'long sentence', f'{words} words, {MOST_WORDS} are allowed: "{sentence[:60]}.."'
             if len(re.findall(r'[:;](?=\s|$)', sentence)) > 1:
