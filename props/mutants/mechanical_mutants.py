@@ -9,8 +9,7 @@
 Which changes there are says mutations.py beside this. The order in which they are drawn is that of a hash of seed and id:
 what is added to a source moves no other. For each one only the objects that hold it are compiled, with the build's own
 commands, and linked before its libraries. Then, until something notices:
-    gate        daylight gate, first of 50,000 pairs and then as it is by default; both with --first-failure, which
-                changes no exit status: any but 0 closes it
+    gate        daylight gate --first-failure, which changes no exit status: any but 0 closes it
     answers     daylight check --distance: a certificate fails in exact arithmetic of tools/verify_answers.py, or an answer
                 contradicts that of the program as it is, or is undecided where that one is not
     tests       the unit tests of the solver and of the oracles
@@ -41,7 +40,6 @@ import verify_answers  # noqa: E402
 
 RESULTS, ARGUMENTS = HERE / 'mechanical.jsonl', HERE / 'mechanical_equivalent.jsonl'
 ARITHMETIC = ('solver/*.cpp', 'solver/detail/*.?pp', 'oracles/referee/*.?pp')
-FIRST_PAIRS = 50_000  # the fewest of which the gate counts steps
 FAMILY_PAIRS, FAMILY_SEED = 100, 20261122  # of each family, whose answers are checked beside those of all cases
 # Seconds for one question, of CPU in one process and on the wall: forty times what the unmutated program takes.
 CPU_CAP, WALL_CAP = 1600, 3600
@@ -161,7 +159,6 @@ def reason(output):
 def questions(build, scratch, path, names, gate_only):
     """What notices: (name, words of a program to run), in the order in which they are asked."""
     daylight = build.link(scratch, 'daylight', names)
-    yield f'gate of {FIRST_PAIRS}', [daylight, 'gate', '--first-failure', '--pairs', str(FIRST_PAIRS)]
     yield 'gate', [daylight, 'gate', '--first-failure']
     if gate_only:
         return

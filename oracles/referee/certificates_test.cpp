@@ -3,17 +3,17 @@
 // bound rounded inwards and a lost term all show. What is so is computed with other formulas than the
 // referee's.
 #include <gmpxx.h>
+#include <gtest/gtest.h>
 
 #include <array>
 #include <cmath>
 #include <optional>
 
-#include "corpus/pairs/pair_io.hpp"
+#include "corpus/pairs/checks_test.hpp"
 #include "corpus/pairs/pair_numbers.hpp"
 #include "corpus/pairs/random_stream.hpp"
 #include "oracles/referee/certificate_check.hpp"
 #include "oracles/referee/referee.hpp"
-#include "props/checks/checks.hpp"
 
 namespace cyl {
 namespace {
@@ -64,8 +64,6 @@ int draw_exponent(RandomStream& stream) {
   return stream.coin() ? 0 : stream.coin() ? near : far;
 }
 
-std::string text(const Pair& pair) { return format_pair(pair); }
-
 // f(d) = radius |d x w|/|w| + height/2 |d.w|/|w| of both, less |d.delta|; |d x w|^2 = |d|^2 |w|^2 - (d.w)^2.
 mpf_class reach_along(const Cylinder& c, const Reals& d) {
   const Reals w = numbers_in<mpf_class>(c.axis);
@@ -94,8 +92,8 @@ double draw_share(RandomStream& stream) {
   return sign * std::ldexp(part, -stream.integer(0, stream.coin() ? 60 : 8) - 1);
 }
 
-void check_direction(Checked& checked, std::uint64_t seed, std::uint64_t index) {
-  RandomStream stream("directions", seed, index);
+void check_direction(std::uint64_t index) {
+  RandomStream stream("directions", drawing_seed, index);
   Pair pair{draw_solid(stream, 1), draw_solid(stream, 1)};
   const Vector3 unit = stream.below(4) == 0 ? stream.coordinate_axis() : stream.unit_vector();
   bring_near(pair, unit, draw_share(stream));
@@ -106,9 +104,9 @@ void check_direction(Checked& checked, std::uint64_t seed, std::uint64_t index) 
   const auto scene = scaled_exactly(pair, exponent);
   if (!scene) return;
   const auto expect = [&](bool says, double last_place, const char* who) {
-    checked.expect(!says || f < 0, who, "separates what is not apart:", text(*scene));
+    check_that(!says || f < 0, who, "separates what is not apart:", *scene);
     if (f < -filter_loss_error * last_place * reach)
-      checked.expect(says, who, "does not separate:", text(*scene), f.get_d());
+      check_that(says, who, "does not separate:", *scene, f.get_d());
   };
   const double given[3] = {d.x(), d.y(), d.z()};
   expect(Filter(*scene).separates(given), 0x1p-53, "directions: the filter in double");
@@ -118,15 +116,15 @@ void check_direction(Checked& checked, std::uint64_t seed, std::uint64_t index) 
   const Rational3 exact_d{mpq_class(d.x()), mpq_class(d.y()), mpq_class(d.z())};
   expect(separates_in_multiprecision(*scene, exact_d, 128), 0x1p-128, "directions: 128 bits");
   const int sign = support_gap_sign(*scene, exact_d, 256);
-  checked.expect(sign == sgn(f) || (sign == 0 && abs(f) < filter_loss_error * 0x1p-250 * reach),
-                 "directions: sign in 256 bits", text(*scene));
+  check_that(sign == sgn(f) || (sign == 0 && abs(f) < filter_loss_error * 0x1p-250 * reach),
+             "directions: sign in 256 bits", *scene);
   MethodAnswer answer;
   answer.status = Status::answered;
   answer.set_direction(d);
   expect(check_witness(*scene, answer) == Verdict::disjoint, 0x1p-128, "directions: a witness");
   const Truth with = judge(*scene, {&answer, 1});
-  checked.expect(!(f < -filter_loss_error * 0x1p-128 * reach) || with.verdict == Verdict::disjoint,
-                 "directions: judged with a witness", text(*scene));
+  check_that(!(f < -filter_loss_error * 0x1p-128 * reach) || with.verdict == Verdict::disjoint,
+             "directions: judged with a witness", *scene);
 }
 
 // The square of x.w/|w| against height^2/4, and of what x has across it against radius^2.
@@ -182,8 +180,8 @@ MethodAnswer offering(const double (&head)[3], const double (&tail)[3], const Hu
 }
 
 /// Two solids and a point near the surface of one or both; and the same in another unit.
-void check_point(Checked& checked, std::uint64_t seed, std::uint64_t index) {
-  RandomStream stream("points", seed, index);
+void check_point(std::uint64_t index) {
+  RandomStream stream("points", drawing_seed, index);
   Pair pair{draw_solid(stream, 0), draw_solid(stream, 0)};
   const double places[] = {draw_place(stream), draw_place(stream), draw_place(stream), draw_place(stream)};
   const Vector3 from_a = point_of(stream, pair.a, places[0] * stream.sign(), places[1]);
@@ -205,34 +203,34 @@ void check_point(Checked& checked, std::uint64_t seed, std::uint64_t index) {
   const bool certain =
       has_room(scene->a, point, room, false, false) && has_room(scene->b, point, room, false, false);
   const auto expect = [&](bool says, const char* who) {
-    checked.expect(!says || (in_a && in_b), who, "proves a point that is outside:", text(*scene));
-    checked.expect(says || !certain, who, "does not prove a point:", text(*scene));
+    check_that(!says || (in_a && in_b), who, "proves a point that is outside:", *scene);
+    check_that(says || !certain, who, "does not prove a point:", *scene);
   };
   expect(Filter(*scene).in_both(head, tail), "points: the filter in double");
   expect(LongFilter(*scene).in_both(head, tail), "points: the filter in long double");
   expect(Filter(*scene).overlap_at(head, tail, {}), "points: an overlap in double");
   expect(LongFilter(*scene).overlap_at(head, tail, {}), "points: an overlap in long double");
-  checked.expect(in_both_exact(*scene, as_vector(point)) == (in_a && in_b), "points: exactly", text(*scene));
+  check_that(in_both_exact(*scene, as_vector(point)) == (in_a && in_b), "points: exactly", *scene);
   const auto is_strict = [&](const Cylinder& c) {
     return beyond(c, point).along < 0 && beyond(c, point).across < 0;
   };
-  checked.expect(overlap_at(*scene, as_vector(point)) == (is_strict(scene->a) || is_strict(scene->b)),
-                 "points: an overlap exactly", text(*scene));
+  check_that(overlap_at(*scene, as_vector(point)) == (is_strict(scene->a) || is_strict(scene->b)),
+             "points: an overlap exactly", *scene);
   const MethodAnswer answer = offering(head, tail, {});
-  checked.expect((check_witness(*scene, answer) == Verdict::intersecting) == (in_a && in_b),
-                 "points: a witness", text(*scene));
-  checked.expect(!certain || judge(*scene, {&answer, 1}).verdict == Verdict::intersecting,
-                 "points: judged with a witness", text(*scene));
+  check_that((check_witness(*scene, answer) == Verdict::intersecting) == (in_a && in_b), "points: a witness",
+             *scene);
+  check_that(!certain || judge(*scene, {&answer, 1}).verdict == Verdict::intersecting,
+             "points: judged with a witness", *scene);
 }
 
 /// A tail far below the unit cannot be brought to the filter's: then it proves nothing.
-void check_lost_tail(Checked& checked) {
+void check_lost_tail() {
   const Pair pair{{Vector3(0, 0, 0), Vector3(0, 0, 1), 0x1p300, 0x1p300},
                   {Vector3(0, 0, 0x1p300), Vector3(0, 0, 1), 0x1p300, 0x1p300}};
   const double head[3] = {0, 0, 0x1p299}, up[3] = {0, 0, 0x1p-1074}, down[3] = {0, 0, -0x1p-1074};
   for (const auto& tail : {up, down})
-    checked.expect(!Filter(pair).in_both(head, *reinterpret_cast<const double(*)[3]>(tail)),
-                   "points: a tail that is lost");
+    check_that(!Filter(pair).in_both(head, *reinterpret_cast<const double(*)[3]>(tail)),
+               "points: a tail that is lost");
 }
 
 bool is_level(Hull hull) { return hull == Hull::plane || hull == Hull::center; }
@@ -274,8 +272,8 @@ bool is_nearest(const Pair& pair, Hull hull_a, Hull hull_b, const Rationals& way
 }
 
 /// Two solids with a point near which their hulls meet, and a guess beside it.
-void check_hulls(Checked& checked, std::uint64_t seed, std::uint64_t index) {
-  RandomStream stream("hulls", seed, index);
+void check_hulls(std::uint64_t index) {
+  RandomStream stream("hulls", drawing_seed, index);
   Pair pair{draw_solid(stream, 2), draw_solid(stream, 2)};
   Hulls said{enum_values<Hull>[stream.below(4)], enum_values<Hull>[stream.below(4)]};
   if (stream.coin()) said = {};
@@ -303,22 +301,20 @@ void check_hulls(Checked& checked, std::uint64_t seed, std::uint64_t index) {
   const bool planes = hull_a == hull_b;
   const bool steep = hull_a == Hull::space || hull_b == Hull::space ||
                      (planes ? std::fabs(cosine) < 0.99 : std::fabs(cosine) > 0.1);
-  checked.expect(projected.has_value() || !surely_meet || !steep, "hulls: no point", text(pair));
+  check_that(projected.has_value() || !surely_meet || !steep, "hulls: no point", pair);
   bool in_both = false, certain = false;
   if (projected) {
     const Rationals point = as_array(*projected);
-    checked.expect(is_on(pair.a, hull_a, point) && is_on(pair.b, hull_b, point), "hulls: a point beside",
-                   text(pair));
-    checked.expect(is_nearest(pair, hull_a, hull_b, minus(guess, point)), "hulls: a point far off",
-                   text(pair));
+    check_that(is_on(pair.a, hull_a, point) && is_on(pair.b, hull_b, point), "hulls: a point beside", pair);
+    check_that(is_nearest(pair, hull_a, hull_b, minus(guess, point)), "hulls: a point far off", pair);
     in_both = is_inside(pair.a, point) && is_inside(pair.b, point);
     const double room = 16 * filter_loss_error * reach_of_pair(pair) * 0x1p-53 / (steep ? 0.1 : 0x1p-53);
     certain = surely_meet && has_room(pair.a, point, room, is_level(hull_a), is_thin(hull_a)) &&
               has_room(pair.b, point, room, is_level(hull_b), is_thin(hull_b));
   }
   const auto expect = [&](bool says, bool owes, const char* who) {
-    checked.expect(!says || in_both, who, "proves a point that is outside:", text(pair));
-    checked.expect(says || !owes || !certain, who, "does not prove a point:", text(pair));
+    check_that(!says || in_both, who, "proves a point that is outside:", pair);
+    check_that(says || !owes || !certain, who, "does not prove a point:", pair);
   };
   expect(Filter(pair).overlap_at(head, tail, said), true, "hulls: the filter in double");
   expect(LongFilter(pair).overlap_at(head, tail, said), true, "hulls: the filter in long double");
@@ -326,20 +322,19 @@ void check_hulls(Checked& checked, std::uint64_t seed, std::uint64_t index) {
   if (said != Hulls{}) {
     expect(check_witness(pair, answer) == Verdict::intersecting, true, "hulls: a witness");
     if (certain)
-      checked.expect(judge(pair, {&answer, 1}).verdict == Verdict::intersecting,
-                     "hulls: judged with a witness", text(pair));
+      check_that(judge(pair, {&answer, 1}).verdict == Verdict::intersecting, "hulls: judged with a witness",
+                 pair);
   }
-  if (in_both) checked.expect(judge_verdict(pair).verdict != Verdict::disjoint, "hulls: judged", text(pair));
+  if (in_both) check_that(judge_verdict(pair).verdict != Verdict::disjoint, "hulls: judged", pair);
+}
+
+TEST(RefereeCertificates, ProveWhatIsSoAndNothingElse) {
+  mpf_set_default_prec(real_bits);
+  for (std::uint64_t i = 0; i < direction_count; ++i) check_direction(i);
+  for (std::uint64_t i = 0; i < point_count; ++i) check_point(i);
+  for (std::uint64_t i = 0; i < hull_count; ++i) check_hulls(i);
+  check_lost_tail();
 }
 
 }  // namespace
-
-void check_certificates(Checked& checked, std::uint64_t seed) {
-  mpf_set_default_prec(real_bits);
-  for (std::uint64_t i = 0; i < direction_count; ++i) check_direction(checked, seed, i);
-  for (std::uint64_t i = 0; i < point_count; ++i) check_point(checked, seed, i);
-  for (std::uint64_t i = 0; i < hull_count; ++i) check_hulls(checked, seed, i);
-  check_lost_tail(checked);
-}
-
 }  // namespace cyl

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
+#include <gtest/gtest.h>
+
 #include <algorithm>
 
+#include "corpus/pairs/checks_test.hpp"
 #include "corpus/pairs/pair_numbers.hpp"
 #include "corpus/pairs/random_stream.hpp"
-#include "props/checks/checks.hpp"
-#include "props/checks/drawn_pairs.hpp"
 #include "solver/detail/intersect_batch_job.hpp"
 #include "solver/intersect_batch.hpp"
 
@@ -48,21 +49,21 @@ Batch draw_batch(const std::vector<Pair>& drawn, std::size_t size, RandomStream&
 constexpr std::size_t room = 64;
 constexpr Verdict untouched{0xaa};
 
-void ask_in_batch(Checked& checked, const Batch& batch, Instructions wanted) {
+void ask_in_batch(const Batch& batch, Instructions wanted) {
   const std::size_t size = batch.pairs.size();
   std::vector<Verdict> verdicts(size + 2 * room, untouched);
   intersect_batch(batch.a, batch.b, batch.pairs, verdicts.data() + room, wanted);
   const auto start = verdicts.begin() + room, end = start + static_cast<std::ptrdiff_t>(size);
-  checked.expect(std::equal(start, end, batch.single.begin()), "batches: a verdict of another pair, of", size,
-                 "on instructions", static_cast<int>(wanted));
+  check_that(std::equal(start, end, batch.single.begin()), "batches: a verdict of another pair, of", size,
+             "on instructions", static_cast<int>(wanted));
   const auto is_untouched = [](Verdict v) { return v == untouched; };
-  checked.expect(
+  check_that(
       std::all_of(verdicts.begin(), start, is_untouched) && std::all_of(end, verdicts.end(), is_untouched),
       "batches: written beside, of", size);
 }
 
 /// A kernel leaves to intersect() what is out of the ordinary, and nothing else.
-void count_left(Checked& checked, const Batch& batch, Instructions wanted) {
+void count_left(const Batch& batch, Instructions wanted) {
   const unsigned count = static_cast<unsigned>(std::min<std::size_t>(batch.pairs.size(), batch_chunk));
   std::vector<Verdict> verdicts(count + 1);
   unsigned rest[batch_chunk], odd = 0;
@@ -78,11 +79,10 @@ void count_left(Checked& checked, const Batch& batch, Instructions wanted) {
   if (wanted == Instructions::v3) left = batch_v3(job, rest);
 #endif
   if (wanted == Instructions::baseline) left = batch_baseline(job, rest);
-  checked.expect(left == odd, "batches: left to single questions:", left, "that should be", odd, "of", count);
+  check_that(left == odd, "batches: left to single questions:", left, "that should be", odd, "of", count);
 }
 
-void ask_all_of_two_sets(Checked& checked, const Batch& batch, std::size_t rows, std::size_t columns,
-                         Instructions wanted) {
+void ask_all_of_two_sets(const Batch& batch, std::size_t rows, std::size_t columns, Instructions wanted) {
   const auto a = std::span(batch.a).first(std::min(rows, batch.a.size()));
   const auto b = std::span(batch.b).first(std::min(columns, batch.b.size()));
   std::vector<Verdict> verdicts(a.size() * b.size() + room, untouched);
@@ -91,26 +91,25 @@ void ask_all_of_two_sets(Checked& checked, const Batch& batch, std::size_t rows,
   for (std::size_t i = 0; i < a.size(); ++i)
     for (std::size_t j = 0; j < b.size(); ++j)
       right = right && verdicts[i * b.size() + j] == intersect(a[i], b[j]);
-  checked.expect(right, "batches: all of two sets,", rows, columns);
+  check_that(right, "batches: all of two sets,", rows, columns);
 }
 
-}  // namespace
-
-void check_batches(Checked& checked, std::uint64_t seed) {
+TEST(SolverBatches, AnswerAsSinglePairs) {
   std::vector<Pair> drawn;
-  for (const PairsOfKind& kind : draw_pairs(seed))
+  for (const PairsOfKind& kind : draw_pairs(drawing_seed))
     drawn.insert(drawn.end(), kind.pairs.begin(), kind.pairs.end());
   for (std::uint64_t i = 0; i < std::size(sizes) * times_of_a_size; ++i) {
-    RandomStream stream("batches", seed, i);
+    RandomStream stream("batches", drawing_seed, i);
     const std::size_t size = sizes[i % std::size(sizes)];
     const Batch batch = draw_batch(drawn, size, stream);
     for (const Instructions wanted : {Instructions::baseline, Instructions::v3, Instructions::v4}) {
       if (wanted > best_instructions()) continue;
-      ask_in_batch(checked, batch, wanted);
-      count_left(checked, batch, wanted);
-      if (i < std::size(sizes)) ask_all_of_two_sets(checked, batch, 33, 1 + size / 50, wanted);
+      ask_in_batch(batch, wanted);
+      count_left(batch, wanted);
+      if (i < std::size(sizes)) ask_all_of_two_sets(batch, 33, 1 + size / 50, wanted);
     }
   }
 }
 
+}  // namespace
 }  // namespace cyl

@@ -1,15 +1,16 @@
 // SPDX-License-Identifier: MIT
 #include <gmpxx.h>
+#include <gtest/gtest.h>
 
 #include <cmath>
 #include <limits>
 #include <utility>
 
+#include "corpus/pairs/checks_test.hpp"
 #include "corpus/pairs/random_stream.hpp"
 #include "oracles/referee/interval.hpp"
 #include "oracles/referee/multiprecision.hpp"
 #include "oracles/referee/root_sum.hpp"
-#include "props/checks/checks.hpp"
 
 namespace cyl {
 namespace {
@@ -77,13 +78,13 @@ Ends ends_of(const mpq_class& p, const mpq_class& q, const mpq_class& r, const m
 }
 
 template <class R>
-void check_intervals(Checked& checked, RandomStream& stream, const char* kind) {
+void check_intervals(RandomStream& stream, const char* kind) {
   using I = BasicInterval<R>;
   const I a = draw_interval<R>(stream), b = draw_interval<R>(stream);
   const mpq_class al = exactly(a.lo), ah = exactly(a.hi), bl = exactly(b.lo), bh = exactly(b.hi);
   const auto expect = [&](bool right, const char* operation) {
-    checked.expect(right, operation, kind, static_cast<double>(a.lo), static_cast<double>(a.hi),
-                   static_cast<double>(b.lo), static_cast<double>(b.hi));
+    check_that(right, operation, kind, static_cast<double>(a.lo), static_cast<double>(a.hi),
+               static_cast<double>(b.lo), static_cast<double>(b.hi));
   };
   expect(holds(a + b, al + bl, ah + bh), "intervals: sum");
   expect(holds(a - b, al - bh, ah - bl), "intervals: difference");
@@ -108,16 +109,16 @@ void check_intervals(Checked& checked, RandomStream& stream, const char* kind) {
 
 /// What no number comes of proves nothing.
 template <class R>
-void check_overflow(Checked& checked) {
+void check_overflow() {
   using I = BasicInterval<R>;
   const R most = std::numeric_limits<R>::max(), infinity = std::numeric_limits<R>::infinity();
   const auto is_everything = [&](const I& x) { return x.lo == -infinity && x.hi == infinity; };
   const I far(most, infinity), zero(0), all = I::everything();
-  checked.expect((I(most) + I(most)).hi == infinity && (I(-most) + I(-most)).lo == -infinity,
-                 "intervals: overflow");
-  checked.expect(is_everything(far * zero) && is_everything(zero * far), "intervals: 0 times infinity");
-  checked.expect(is_everything(I(infinity) / I(infinity)), "intervals: infinity by infinity");
-  checked.expect(is_everything(all + far - far) && is_everything(all), "intervals: everything");
+  check_that((I(most) + I(most)).hi == infinity && (I(-most) + I(-most)).lo == -infinity,
+             "intervals: overflow");
+  check_that(is_everything(far * zero) && is_everything(zero * far), "intervals: 0 times infinity");
+  check_that(is_everything(I(infinity) / I(infinity)), "intervals: infinity by infinity");
+  check_that(is_everything(all + far - far) && is_everything(all), "intervals: everything");
 }
 
 /// Of `bits`, to nearest: within half a unit of the last place.
@@ -127,16 +128,14 @@ bool is_rounded(const mpq_class& x, const mpq_class& exact, int bits) {
   return abs(x - exact) <= unit;
 }
 
-void check_numbers(Checked& checked, RandomStream& stream) {
+void check_numbers(RandomStream& stream) {
   constexpr int widths[] = {64, 128, 256, 512};
   const int bits = widths[stream.below(4)];
   const PrecisionScope precision(bits);
   const double x = draw_number<double>(stream), y = draw_number<double>(stream);
   const MpFloat one(1), third = one / MpFloat(3), a = MpFloat(x) + third, b = MpFloat(y) * third;
   const mpq_class p = a.to_rational(), q = b.to_rational();
-  const auto expect = [&](bool right, const char* operation) {
-    checked.expect(right, operation, bits, x, y);
-  };
+  const auto expect = [&](bool right, const char* operation) { check_that(right, operation, bits, x, y); };
   expect(is_rounded(p, x + third.to_rational(), bits) && is_rounded(q, y * third.to_rational(), bits),
          "numbers: mixed");
   expect(is_rounded((a + b).to_rational(), p + q, bits), "numbers: sum");
@@ -167,7 +166,7 @@ void check_numbers(Checked& checked, RandomStream& stream) {
 }
 
 /// MPFI shows a sign to about as many bits as it has.
-void check_mp_intervals(Checked& checked, RandomStream& stream) {
+void check_mp_intervals(RandomStream& stream) {
   constexpr int bits = 128;
   const PrecisionScope precision(bits);
   const double x = draw_number<double>(stream), y = draw_number<double>(stream);
@@ -180,7 +179,7 @@ void check_mp_intervals(Checked& checked, RandomStream& stream) {
                      within = value - MpInterval(mpq_class(exact - least));
     return least == 0 ? !value.negative() && !value.positive() : beyond.negative() && within.positive();
   };
-  const auto expect = [&](bool right, const char* operation) { checked.expect(right, operation, x, y); };
+  const auto expect = [&](bool right, const char* operation) { check_that(right, operation, x, y); };
   expect(is(MpInterval(p) + MpInterval(0.0), p), "intervals of MPFI: of a rational");
   if (abs(p + q) * 8 > abs(p)) expect(is(MpInterval(p) + MpInterval(y), p + q), "intervals of MPFI: sum");
   if (abs(p - q) * 8 > abs(p))
@@ -194,7 +193,7 @@ void check_mp_intervals(Checked& checked, RandomStream& stream) {
 }
 
 /// (x + y)^2 = x^2 + 2 x y + y^2 for sums of three square roots, and the sign of what is a little beside.
-void check_root_sums(Checked& checked, RandomStream& stream) {
+void check_root_sums(RandomStream& stream) {
   const auto draw = [&] {
     RootSum sum;
     for (int i = 0; i < 3; ++i) {
@@ -208,37 +207,36 @@ void check_root_sums(Checked& checked, RandomStream& stream) {
     return sum;
   };
   const RootSum x = draw(), y = draw(), both = x + y;
-  checked.expect((both * both - x * x - RootSum(2) * x * y - y * y).sign() == 0, "sums of roots: binomial");
-  checked.expect((x - x).sign() == 0 && (x + y - y - x).sign() == 0, "sums of roots: nothing is left");
-  checked.expect((x * x).sign() == (x.sign() != 0 ? 1 : 0) && (x - y).sign() == -(y - x).sign(),
-                 "sums of roots: sign of a square");
+  check_that((both * both - x * x - RootSum(2) * x * y - y * y).sign() == 0, "sums of roots: binomial");
+  check_that((x - x).sign() == 0 && (x + y - y - x).sign() == 0, "sums of roots: nothing is left");
+  check_that((x * x).sign() == (x.sign() != 0 ? 1 : 0) && (x - y).sign() == -(y - x).sign(),
+             "sums of roots: sign of a square");
   // sqrt(n + 1) - sqrt(n) = 1/(sqrt(n + 1) + sqrt(n)) lies between 1/(2 sqrt(n + 1)) and 1/(2 sqrt(n)).
   const mpq_class n(stream.integer(1, 1 << 30));
   const RootSum step = RootSum::root(1, n + 1) - RootSum::root(1, n);
-  checked.expect((step - RootSum::root(mpq_class(1, 2), 1 / (n + 1))).sign() == 1 &&
-                     (step - RootSum::root(mpq_class(1, 2), 1 / n)).sign() == -1,
-                 "sums of roots: sign of a difference");
+  check_that((step - RootSum::root(mpq_class(1, 2), 1 / (n + 1))).sign() == 1 &&
+                 (step - RootSum::root(mpq_class(1, 2), 1 / n)).sign() == -1,
+             "sums of roots: sign of a difference");
+}
+
+TEST(RefereeArithmetic, HoldsTheExactResult) {
+  check_overflow<double>();
+  check_overflow<long double>();
+  for (std::uint64_t i = 0; i < interval_count; ++i) {
+    RandomStream stream("intervals", drawing_seed, i);
+    check_intervals<double>(stream, "of doubles");
+    if (i % 4 == 0) check_intervals<long double>(stream, "of long doubles");
+  }
+  for (std::uint64_t i = 0; i < number_count; ++i) {
+    RandomStream stream("numbers", drawing_seed, i);
+    check_numbers(stream);
+    check_mp_intervals(stream);
+  }
+  for (std::uint64_t i = 0; i < sum_count; ++i) {
+    RandomStream stream("sums of roots", drawing_seed, i);
+    check_root_sums(stream);
+  }
 }
 
 }  // namespace
-
-void check_arithmetic(Checked& checked, std::uint64_t seed) {
-  check_overflow<double>(checked);
-  check_overflow<long double>(checked);
-  for (std::uint64_t i = 0; i < interval_count; ++i) {
-    RandomStream stream("intervals", seed, i);
-    check_intervals<double>(checked, stream, "of doubles");
-    if (i % 4 == 0) check_intervals<long double>(checked, stream, "of long doubles");
-  }
-  for (std::uint64_t i = 0; i < number_count; ++i) {
-    RandomStream stream("numbers", seed, i);
-    check_numbers(checked, stream);
-    check_mp_intervals(checked, stream);
-  }
-  for (std::uint64_t i = 0; i < sum_count; ++i) {
-    RandomStream stream("sums of roots", seed, i);
-    check_root_sums(checked, stream);
-  }
-}
-
 }  // namespace cyl

@@ -1,22 +1,23 @@
 // SPDX-License-Identifier: MIT
 // How far the referee's own search and enclosure get, and in how many steps: a search that goes astray still
 // proves nothing wrong, and only the count shows it: bounds are what was measured.
+#include <gtest/gtest.h>
+
 #include <cmath>
 #include <limits>
 #include <span>
 
+#include "corpus/pairs/checks_test.hpp"
 #include "corpus/pairs/close_contact.hpp"
 #include "corpus/pairs/exact_pairs.hpp"
 #include "corpus/pairs/families.hpp"
-#include "corpus/pairs/pair_io.hpp"
 #include "corpus/pairs/pair_numbers.hpp"
 #include "corpus/pairs/random_stream.hpp"
+#include "corpus/store/case_files.hpp"
 #include "oracles/referee/certificate_check.hpp"
 #include "oracles/referee/multiprecision.hpp"
 #include "oracles/referee/referee.hpp"
 #include "oracles/referee/search.hpp"
-#include "props/checks/checks.hpp"
-#include "props/checks/drawn_pairs.hpp"
 #include "solver/distance.hpp"
 
 namespace cyl {
@@ -46,14 +47,13 @@ struct Effort {
   double fine_pairs = 0, fine_slices = 0;
 };
 
-void search_one(Checked& checked, const Pair& pair, Effort& effort) {
+void search_one(const Pair& pair, Effort& effort) {
   if (!is_legal(pair)) return;
   int exponent = 0;
   const SearchPair<double> p = double_pair(pair, exponent);
   const double most = std::max({std::fabs(p.delta.x), std::fabs(p.delta.y), std::fabs(p.delta.z), p.radius0,
                                 2 * p.half0, p.radius1, 2 * p.half1});
-  checked.expect(most == 0 || (most >= 0.5 && most < 2.5), "searches: a pair out of its unit",
-                 format_pair(pair));
+  check_that(most == 0 || (most >= 0.5 && most < 2.5), "searches: a pair out of its unit", pair);
   const Found<double> found = search(p, 53);
   const Truth alone = judge_verdict(pair);
   ++effort.pairs;
@@ -106,15 +106,13 @@ long double gap_of(const Pair& pair, const std::array<double, 3>& d) {
   return f - std::fabs(dot(u, delta));
 }
 
-void enclose_one(Checked& checked, const Pair& pair, double width, EnclosingEffort& effort) {
+void enclose_one(const Pair& pair, double width, EnclosingEffort& effort) {
   const double size = size_of(pair), reach = size + (pair.b.center - pair.a.center).lpNorm<1>();
   if (!(reach > 0x1p-200 && reach < 0x1p200)) return;
   const Truth truth = judge_verdict(pair);
   const AttainedDistance attained = attain_distance(pair, truth, width);
   const Enclosure& e = attained.distance;
-  const auto expect = [&](bool right, const char* what) {
-    checked.expect(right, what, format_pair(pair), width);
-  };
+  const auto expect = [&](bool right, const char* what) { check_that(right, what, pair, width); };
   const double rounding = 256 * 0x1p-53 * reach;  // twice the slack that the enclosure adds on either side
   const std::array<double, 3>& u = attained.direction;
   expect(std::fabs(std::hypot(u[0], u[1], u[2]) - 1) <= 0x1p-50, "enclosures: a direction of another length");
@@ -143,8 +141,8 @@ void enclose_one(Checked& checked, const Pair& pair, double width, EnclosingEffo
 }
 
 /// Solids of small integers along the coordinates: their distance is a formula of square roots.
-void enclose_parallel(Checked& checked, std::uint64_t seed, std::uint64_t index) {
-  RandomStream stream("parallel solids", seed, index);
+void enclose_parallel(std::uint64_t index) {
+  RandomStream stream("parallel solids", drawing_seed, index);
   Pair pair;
   pair.a.axis = stream.coordinate_axis();
   pair.b.axis = stream.sign() * pair.a.axis;
@@ -161,34 +159,30 @@ void enclose_parallel(Checked& checked, std::uint64_t seed, std::uint64_t index)
   const double error = 0x1p-40;  // of a reach of a few dozen
   const Enclosure e = attain_distance(pair, truth, 1e-12).distance,
                   quick = enclose_distance(pair, truth, 1e-12);
-  checked.expect(e.lo - error <= value && value <= e.hi + error && e.hi - e.lo < 2 * error,
-                 "enclosures: of parallel solids", format_pair(pair));
-  checked.expect(quick.lo - error <= value && value <= quick.hi + error,
-                 "enclosures: a guess of parallel solids", format_pair(pair));
+  check_that(e.lo - error <= value && value <= e.hi + error && e.hi - e.lo < 2 * error,
+             "enclosures: of parallel solids", pair);
+  check_that(quick.lo - error <= value && value <= quick.hi + error, "enclosures: a guess of parallel solids",
+             pair);
   const bool flat = (pair.a.radius == 0 || pair.a.height == 0) && (pair.b.radius == 0 || pair.b.height == 0);
   const Verdict verdict = value > 0   ? Verdict::disjoint
                           : value < 0 ? Verdict::intersecting
                                       : Verdict::touching;
-  checked.expect(truth.verdict == verdict, "touching: of parallel solids", format_pair(pair),
-                 to_string(truth.verdict), flat);
+  check_that(truth.verdict == verdict, "touching: of parallel solids", pair, to_string(truth.verdict), flat);
 }
 
-}  // namespace
-
-void check_searches(Checked& checked, std::uint64_t seed) {
+TEST(RefereeSearches, FindInAsManyStepsAsMeasured) {
   const std::vector<PairsOfKind> drawn = draw_pairs(counting_seed);
   for (std::size_t k = 0; k < drawn.size(); ++k) {
     const PairsOfKind& kind = drawn[k];
     const Bounds& most = bounds[k];
     Effort e;
-    for (const Pair& pair : kind.pairs) search_one(checked, pair, e);
+    for (const Pair& pair : kind.pairs) search_one(pair, e);
     for (std::size_t i = 0; i < kind.pairs.size(); i += fine_share) search_finely(kind.pairs[i], e);
     EnclosingEffort n;
     for (std::size_t i = 0; i < kind.pairs.size(); i += enclosing_share)
-      enclose_one(checked, kind.pairs[i], enclosing_widths[i / enclosing_share % std::size(enclosing_widths)],
-                  n);
+      enclose_one(kind.pairs[i], enclosing_widths[i / enclosing_share % std::size(enclosing_widths)], n);
     const auto expect = [&](double is, double may_be, const char* what) {
-      checked.expect(is <= may_be * count_room, what, "of", kind.name, is, "that may be", may_be);
+      check_that(is <= may_be * count_room, what, "of", kind.name, is, "that may be", may_be);
     };
     expect(e.slices / e.pairs, most.slices, "searches: mean slices");
     expect(e.fine_slices / e.fine_pairs, most.fine_slices, "searches: mean slices in 128 bits");
@@ -201,16 +195,15 @@ void check_searches(Checked& checked, std::uint64_t seed) {
     expect(1 - n.near / n.pairs, most.no_guess, "enclosures: share near touching that no guess encloses");
     expect(n.capped / n.pairs, most.capped, "enclosures: share at the cap on cells");
   }
-  for (std::uint64_t i = 0; i < parallel_count; ++i) enclose_parallel(checked, seed, i);
+  for (std::uint64_t i = 0; i < parallel_count; ++i) enclose_parallel(i);
 }
 
-void check_known(Checked& checked, std::span<const Case> cases) {
-  for (const Case& c : cases) {
-    if (!c.truth) continue;
-    const Verdict proved = judge(c.pair).verdict, alone = judge_verdict(c.pair).verdict;
-    checked.expect(proved == *c.truth && alone == *c.truth, "known truths:", c.id, to_string(proved),
-                   to_string(alone));
+TEST(RefereeSearches, ProveTheTruthOfEveryCase) {
+  for (const Case& c : read_case_folder(DAYLIGHT_SOURCE_DIR "/corpus/cases")) {
+    EXPECT_EQ(judge(c.pair).verdict, c.truth) << c.id;
+    EXPECT_EQ(judge_verdict(c.pair).verdict, c.truth) << c.id;
   }
 }
 
+}  // namespace
 }  // namespace cyl

@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: MIT
 // Solids built of integers so that a plane has one on each closed side and both reach it: they touch where
 // the parts that lie in the plane do, and are apart by nothing else.
+#include <gtest/gtest.h>
+
 #include <algorithm>
 #include <cmath>
 
-#include "corpus/pairs/pair_io.hpp"
+#include "corpus/pairs/checks_test.hpp"
 #include "corpus/pairs/random_stream.hpp"
 #include "oracles/referee/referee.hpp"
 #include "oracles/referee/tangency.hpp"
-#include "props/checks/checks.hpp"
 
 namespace cyl {
 namespace {
@@ -83,8 +84,8 @@ double apart(const Part& a, const Part& b, double x, double y) {
   return least - radii;
 }
 
-void touch(Checked& checked, std::uint64_t seed, std::uint64_t index) {
-  RandomStream stream("solids on a plane", seed, index);
+void touch(std::uint64_t index) {
+  RandomStream stream("solids on a plane", drawing_seed, index);
   const Lattice l;
   Part a = draw_part(stream, l), b = draw_part(stream, l);
   const bool square = a.disk + a.half == 0 || b.disk + b.half == 0;  // else points hardly ever meet
@@ -99,30 +100,28 @@ void touch(Checked& checked, std::uint64_t seed, std::uint64_t index) {
   if (beyond > 0 && beyond < 1e-9) return;
   const Verdict truth = judge(pair).verdict;
   const Verdict wanted = beyond <= 1e-9 ? Verdict::touching : Verdict::disjoint;
-  checked.expect(truth == wanted, "touching: on a plane, wanted", to_string(wanted), "got", to_string(truth),
-                 format_pair(pair));
+  check_that(truth == wanted, "touching: on a plane, wanted", to_string(wanted), "got", to_string(truth),
+             pair);
 }
 
 /// The simplest rational near a number is that number, where it is simple, and near it in any case.
-void simplify(Checked& checked, std::uint64_t seed, std::uint64_t index) {
-  RandomStream stream("simple rationals", seed, index);
+void simplify(std::uint64_t index) {
+  RandomStream stream("simple rationals", drawing_seed, index);
   mpq_class simple(stream.integer(-300, 300), stream.integer(1, 30));
   simple.canonicalize();
   const mpq_class near = simple + mpq_class(stream.between(-1, 1)) / mpq_class(0x1p30),
                   any(stream.between(-5, 5));
-  checked.expect(simplest_within(near, mpq_class(0x1p-29)) == simple, "touching: the simplest rational");
-  checked.expect(
-      simplest_within(any, 0) == any && abs(simplest_within(any, mpq_class(0x1p-9)) - any) <= 0x1p-9,
-      "touching: a rational far off");
+  check_that(simplest_within(near, mpq_class(0x1p-29)) == simple, "touching: the simplest rational");
+  check_that(simplest_within(any, 0) == any && abs(simplest_within(any, mpq_class(0x1p-9)) - any) <= 0x1p-9,
+             "touching: a rational far off");
 }
 
-}  // namespace
-
-void check_touching(Checked& checked, std::uint64_t seed) {
+TEST(RefereeTouching, IsProved) {
   for (std::uint64_t i = 0; i < touching_count; ++i) {
-    touch(checked, seed, i);
-    simplify(checked, seed, i);
+    touch(i);
+    simplify(i);
   }
 }
 
+}  // namespace
 }  // namespace cyl

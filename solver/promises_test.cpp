@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
 // Of the solver: what comes with its verdicts. A shortcut that is never taken and a bad start are right all
 // the same, and only the count of steps shows them: bounds are what was measured.
+#include <gtest/gtest.h>
+
 #include <array>
 #include <cmath>
 
-#include "corpus/pairs/pair_io.hpp"
+#include "corpus/pairs/checks_test.hpp"
 #include "corpus/pairs/pair_numbers.hpp"
 #include "corpus/pairs/random_stream.hpp"
-#include "props/checks/checks.hpp"
-#include "props/checks/drawn_pairs.hpp"
 #include "solver/capsule.hpp"
 #include "solver/detail/frame.hpp"
 #include "solver/detail/sections.hpp"
@@ -58,9 +58,9 @@ double gap_along(const Pair& pair, const Vector3& d) {
 }
 
 /// Everything that solver/distance.hpp says of value, error, direction and points.
-void measure(Checked& checked, const Pair& pair, Work& work) {
+void measure(const Pair& pair, Work& work) {
   const Distance d = distance(pair.a, pair.b);
-  const auto expect = [&](bool right, const char* what) { checked.expect(right, what, format_pair(pair)); };
+  const auto expect = [&](bool right, const char* what) { check_that(right, what, pair); };
   work.distance_steps += d.iterations;
   const double reach = reach_of(pair), rounding = distance_error * reach, slack = d.error + rounding;
   if (!is_ordinary_range(reach)) return;
@@ -121,20 +121,20 @@ void count_steps(const Pair& pair, Work& work) {
   ++work.capped;
 }
 
-void work_on(Checked& checked, const Pair& pair, Work& work) {
+void work_on(const Pair& pair, Work& work) {
   if (!is_legal(pair)) return;
   ++work.pairs;
   const Answer decided = decide(pair.a, pair.b);
   work.decide_steps += decided.iterations;
   work.undecided += decided.verdict == Verdict::undecided;
-  measure(checked, pair, work);
+  measure(pair, work);
   count_steps(pair, work);
 }
 
 /// Solids of parallel axes along a coordinate, whose numbers are small integers: nothing is rounded, and
 /// touching is meeting.
-void touch_exactly(Checked& checked, std::uint64_t seed, std::uint64_t index) {
-  RandomStream stream("touching solids", seed, index);
+void touch_exactly(std::uint64_t index) {
+  RandomStream stream("touching solids", drawing_seed, index);
   Pair pair;
   pair.a.axis = stream.coordinate_axis();
   pair.b.axis = stream.sign() * pair.a.axis;
@@ -147,15 +147,15 @@ void touch_exactly(Checked& checked, std::uint64_t seed, std::uint64_t index) {
   const double along = std::fabs(delta.dot(pair.a.axis)), radii = pair.a.radius + pair.b.radius;
   const double square = delta.squaredNorm() - along * along;
   const bool meet = 2 * along <= pair.a.height + pair.b.height && square <= radii * radii;
-  checked.expect((intersect(pair.a, pair.b) == Verdict::intersecting) == meet, "verdicts: of parallel solids",
-                 format_pair(pair));
+  check_that((intersect(pair.a, pair.b) == Verdict::intersecting) == meet, "verdicts: of parallel solids",
+             pair);
 }
 
 /// The capsules about and in a solid, and distances of segments beside those of cylinders without radius.
-void check_proxies(Checked& checked, const Pair& pair) {
+void check_proxies(const Pair& pair) {
   const double reach = reach_of(pair) + pair.a.center.norm() + pair.b.center.norm();
   if (!is_legal(pair) || !is_ordinary_range(reach)) return;
-  const auto expect = [&](bool right, const char* what) { checked.expect(right, what, format_pair(pair)); };
+  const auto expect = [&](bool right, const char* what) { check_that(right, what, pair); };
   for (const Cylinder* c : {&pair.a, &pair.b}) {
     const double unit = proxy_error * (c->center.norm() + c->height + c->radius),
                  width = std::min(c->radius, c->height / 2);
@@ -196,9 +196,7 @@ Pair brought_together(Pair pair) {
 constexpr std::size_t within_rounding_share = 3;
 constexpr std::uint64_t touching_count = 4000;
 
-}  // namespace
-
-void check_promises(Checked& checked, std::uint64_t seed) {
+TEST(SolverPromises, HoldInAsManyStepsAsMeasured) {
   std::vector<PairsOfKind> drawn = draw_pairs(counting_seed);
   drawn.push_back({"pairs within rounding", {}});
   for (std::size_t k = 1; k < 3; ++k)
@@ -207,11 +205,11 @@ void check_promises(Checked& checked, std::uint64_t seed) {
   for (std::size_t k = 0; k < drawn.size(); ++k) {
     const PairsOfKind& kind = drawn[k];
     Work w;
-    for (const Pair& pair : kind.pairs) work_on(checked, pair, w);
-    for (const Pair& pair : kind.pairs) check_proxies(checked, pair);
+    for (const Pair& pair : kind.pairs) work_on(pair, w);
+    for (const Pair& pair : kind.pairs) check_proxies(pair);
     const Bounds& most = bounds[k];
     const auto expect = [&](double is, double may_be, const char* what) {
-      checked.expect(is <= may_be * count_room, what, "of", kind.name, is, "that may be", may_be);
+      check_that(is <= may_be * count_room, what, "of", kind.name, is, "that may be", may_be);
     };
     expect(w.decide_steps / w.pairs, most.decide_steps, "decide: mean steps");
     expect(w.undecided / w.pairs, most.undecided, "decide: share undecided");
@@ -224,7 +222,8 @@ void check_promises(Checked& checked, std::uint64_t seed) {
     expect(w.intersect_steps / w.searched, most.intersect_steps, "intersect: mean steps of these");
     expect(w.capped, 0, "intersect: undecided");
   }
-  for (std::uint64_t i = 0; i < touching_count; ++i) touch_exactly(checked, seed, i);
+  for (std::uint64_t i = 0; i < touching_count; ++i) touch_exactly(i);
 }
 
+}  // namespace
 }  // namespace cyl
