@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""README.md, CONTRIBUTING.md and docs/*.md: links lead somewhere, pages are short and narrow, and every command line
-of the program given as the first argument is run, with less time and fewer pairs. What others run is named below.
-README.md's first pair is as wrong where it is moved, and its numbers are those that the command beside them prints;
-"docs_test.py PROGRAM write" writes them."""
+"""README.md, CONTRIBUTING.md and docs/*.md: links have targets, pages are short and narrow, and the English is plain.
+Runs every command line of the program given as the first argument, with less time and fewer pairs. ELSEWHERE names the
+command lines that other tests run. README.md's first pair stays wrong when it is moved, and its numbers match the
+output of its command. "docs_test.py PROGRAM write" writes these numbers."""
 import json
 import math
 import os
@@ -16,9 +16,14 @@ import sys
 import tempfile
 
 ROOT = pathlib.Path(__file__).resolve().parents[1]
+sys.path.insert(0, str(ROOT / 'tools'))
+import plain_english  # noqa: E402
 PROGRAM = pathlib.Path(sys.argv[1]).resolve()
 TOP = [ROOT / name for name in ('README.md', 'CONTRIBUTING.md', 'CHANGELOG.md', 'SECURITY.md')]
 PAGES = TOP + sorted((ROOT / 'docs').glob('*.md')) + sorted((ROOT / 'docs/guides').glob('*.md'))
+PROSE = PAGES + sorted((ROOT / 'docs/results').glob('*.md')) + [
+    ROOT / 'corpus/cases/README.md', ROOT / 'reports/schemas/README.md']
+HELP_PHRASES = 44  # phrases of plain_english.py left in --help: lower it with each one that goes, until it is 0
 
 README_LINES, PAGE_LINES, COLUMNS = 150, 110, 120
 LONGER = {'architecture.md': 'tables of rooms, which .ci/includes writes', 'CHANGELOG.md': 'grows',
@@ -73,6 +78,25 @@ def check_size(page, text):
         is_prose = not fenced and not line.startswith(('    ', '|', '```'))
         if len(line) > COLUMNS and (is_prose or page == ROOT / 'README.md'):
             fail(f'{page.name}:{number} is {len(line)} columns wide')
+
+
+def check_english():
+    """The documents have no finding of plain_english.py, and --help of all commands has at most HELP_PHRASES."""
+    for habit, pattern, _, example in plain_english.PHRASES:
+        if not re.search(pattern, example):
+            fail(f'the pattern of "{habit}" misses its example: {example}')
+    found = [f'{page.relative_to(ROOT)}:{number}: {message}'
+             for page in PROSE for number, _, message in plain_english.findings(page.read_text())]
+    if found:
+        fail('\n'.join(['the English of these lines'] + found))
+    text = run(['--help'], ROOT)
+    commands = re.findall(r'^  ([a-z]+) {2,}', text, re.M)
+    if len(commands) < 15:
+        fail(f'--help lists only {len(commands)} commands')
+    found = [f'{command} --help: {message}' for command in [''] + commands for _, message in
+             plain_english.phrases(' '.join((run([command, '--help'], ROOT) if command else text).split()))]
+    if len(found) > HELP_PHRASES:
+        fail('\n'.join([f'{len(found)} phrases in --help, {HELP_PHRASES} are allowed'] + found))
 
 
 def commands_of(text):
@@ -189,6 +213,7 @@ def check_numbers(folder, write):
 
 
 def main():
+    check_english()
     commands = set()
     for page in PAGES:
         text = page.read_text()

@@ -324,83 +324,86 @@ py::list campaign(const py::function& callable, std::uint64_t pairs, std::uint64
 constexpr const char* module_text = R"(Do two cylinders intersect? With proofs.
 
 A solid is eight float64: center (3), axis (3, any finite length but 0), radius,
-height (full, not half), lengths in one unit; or nine, the last its rounding: all
-points within that of the cylinder. It is closed: solids that touch intersect.
-Radius 0 is a segment, height 0 a disk; with rounding a segment is a capsule, a
-point a sphere.
+height (full, not half), with lengths in one unit. A ninth float64 is the
+rounding: all points within that length of the cylinder belong to the solid.
+Solids are closed, so solids that touch intersect. Radius 0 is a segment, and
+height 0 is a disk. With rounding a segment is a capsule, and a point a sphere.
 
-a and b have shapes (.., 8) or (.., 9) of as many solids, or one of them is a single
-solid. Two single solids give a Verdict and floats; arrays give, for each
-pair, int8 (the values of Verdict) and float64. C-contiguous float64 is read
-where it lies, without the interpreter's lock: write nothing to it meanwhile.
-Lists, float32 and what else NumPy casts safely are copied.
+a and b have shapes (.., 8) or (.., 9) of as many solids, or one of them is a
+single solid. Two single solids give a Verdict and floats. Arrays give, for each
+pair, int8 (the values of Verdict) and float64. C-contiguous float64 is read in
+place, without the interpreter's lock. Do not write to it meanwhile. Lists,
+float32 and other types that NumPy casts safely are copied.
 
-Other shapes and types raise ValueError. A solid that is no cylinder (nan, a
-negative radius, axis 0) raises nothing: its verdict is `invalid`.)";
+Other shapes and types raise ValueError. A solid that is not a cylinder (nan, a
+negative radius, axis 0) raises nothing. Its verdict is `invalid`.)";
 
 constexpr const char* intersect_text = R"(Yes or no; touching is yes.
 
 Returns a Verdict, or an int8 array of shape (..): disjoint, intersecting or
-invalid (undecided at a cap on work that no pair has reached). Right wherever the
+invalid (undecided at a cap on work that no pair has reached). It is right if the
 solids are 1e-13 of their size (the sum of radii and heights) or more from
-touching; nearer than that either answer may come. Arrays go through the vectors
-of the processor, with the same verdicts.)";
+touching. At smaller margins either answer is possible. Arrays use the vector
+unit of the processor, with the same verdicts.)";
 
-constexpr const char* within_text = R"(Whether the solids come as near as a clearance.
+constexpr const char* within_text = R"(Are the solids within a clearance?
 
-Returns what intersect does: `intersecting` where their distance is no more than the
-clearance, a length that is finite and not negative (else `invalid`).)";
+Returns the values of intersect: `intersecting` if their distance is at most the
+clearance. The clearance is finite and not negative (otherwise `invalid`).)";
 
 constexpr const char* decide_text = R"(The verdict with a proof, never wrong.
 
 Returns Decision(verdict, direction, point_head, point_tail, hull_a, hull_b,
-proof); direction and the points float64 of shape (.., 3), the hulls each a Hull
-and proof a Proof, or int8 of shape (..). disjoint: `direction`, not of unit
-length, points from a to b and is square to a plane that separates them.
-intersecting: a point is in both, which is exactly point_head + point_tail where
-both hulls are `space`; else the nearest to that in both hulls: `plane`, through
-the solid's centre, square to its axis; `line`, its axis; `center`. Of rounded
-solids that is so of both without their rounding, or proof is `points`: a's center
-+ point_head and b's center + point_tail are in a and in b without their roundings
-(the nearest in its own hull), and no farther apart than both roundings together.
-undecided: within 1e-13 of the size of touching, or flat solids with little in
-common; ask decide_exactly. What does not belong to a verdict is 0.)";
+proof). direction and the points are float64 of shape (.., 3). The hulls are each
+a Hull and proof is a Proof, or int8 of shape (..).
+disjoint: `direction` points from a to b and is perpendicular to a plane that
+separates them. Its length is not 1.
+intersecting: if both hulls are `space`, the point point_head + point_tail (an
+exact sum) is in both solids. Otherwise the proof is the nearest point to it in
+both hulls: `plane`, through the solid's centre, perpendicular to its axis;
+`line`, its axis; `center`. For rounded solids this holds for both cores, or proof
+is `points`: a's center + point_head and b's center + point_tail are in the cores
+of a and b (the nearest in its own hull), and are no farther apart than both
+roundings together.
+undecided: the solids are within 1e-13 of the size of touching, or are flat solids
+with little in common. Use decide_exactly. Fields that do not belong to a verdict
+are 0.)";
 
-constexpr const char* decide_exactly_text = R"(The proved verdict, touching told apart.
+constexpr const char* decide_exactly_text = R"(The proved verdict; touching is a verdict of its own.
 
 Returns a Verdict, or an int8 array of shape (..): disjoint, intersecting,
-touching, invalid; undecided only for a tangency that could not be proved. Costs
-what decide does where that suffices, 0.1 ms within rounding of touching, up to
-some ms for exact ties.)";
+touching or invalid. undecided is returned only for a tangency without a proof.
+The cost is that of decide if that is enough, 0.1 ms within rounding of touching,
+and up to some ms for exact ties.)";
 
 constexpr const char* distance_text = R"(The signed distance with its error.
 
 Returns Distance(value, error, direction, on_a, on_b, verdict), in the unit of
-the arguments; value and error floats or float64 of shape (..), direction, on_a
-and on_b of shape (.., 3).
+the arguments. value and error are floats or float64 of shape (..). direction,
+on_a and on_b have shape (.., 3).
 value > 0, apart: the gap, |value - exact| <= error.
-value <= 0: minus the depth; the exact depth is at most -value + error (that no
-direction is shallower is not proved).
-direction: of unit length, from a to b; b moved along it by -value + error has
-no inner point of a in it.
+value <= 0: minus the depth. The exact depth is at most -value + error. It is not
+proved that no direction is shallower.
+direction: a unit vector from a to b. If b moves along it by -value + error, it
+contains no inner point of a.
 on_a, on_b: the points, as offsets from the centers of a and of b.
-verdict: by the sign of value; disjoint is proved where value > error.)";
+verdict: given by the sign of value. disjoint is proved if value > error.)";
 
-constexpr const char* campaign_text = R"(Asks a callable about drawn pairs and tells what is proved wrong.
+constexpr const char* campaign_text = R"(Tests a callable on drawn pairs and returns its proved errors.
 
-callable(a, b) is given two float64 arrays of shape (8,) and answers with a bool
-(they intersect), a Verdict, its value or its word, (verdict, signed distance),
-or None to decline. What it raises is a finding; KeyboardInterrupt and the like
-end the campaign.
-pairs: how many; the same pairs for the same seed, of all families in turn.
-relative, absolute: the claim. From relative * size + absolute away from touching
-it promises to be right; size is the sum of radii and heights.
+callable(a, b) gets two float64 arrays of shape (8,). It returns a bool (they
+intersect), a Verdict, its value or its word, (verdict, signed distance), or None
+to decline. An exception is a finding, but KeyboardInterrupt and similar ones end
+the campaign.
+pairs: how many. The same seed gives the same pairs, from all families in turn.
+relative, absolute: the claim. If a pair is relative * size + absolute or more
+from touching, the callable must be right. size is the sum of radii and heights.
 
 Returns a list of dicts: family, index, kind ('wrong_disjoint', ...), severity
-('contract' beyond the claim, 'resolution' within it, 'unresolved' where the truth
-is not known), margin ((least, most) in sizes, or None), a, b, said, truth (with its
-certificate). Runs in this thread, a pair at a time. ValueError: a claim that is
-negative or not finite.)";
+('contract' beyond the claim, 'resolution' within it, 'unresolved' if the truth
+is not known), margin ((least, most) in sizes, or None), a, b, said, truth (with
+its certificate). It runs in this thread, one pair at a time. It raises ValueError
+for a claim that is negative or not finite.)";
 
 }  // namespace
 

@@ -118,7 +118,7 @@ def run(arguments):
 def table(arguments):
     rows, what = read_rows(arguments.rows), narrow_mutants()
     sides = sorted({r['side'] for r in rows})
-    print('CPU seconds until found, one number a seed; `-`: not within the limit.\n')
+    print('CPU seconds until found, one number a seed. A dash means that the limit was reached.\n')
     print('| fault | ' + ' | '.join(sides) + ' |\n|---|' + '---|' * len(sides))
     for mutant in sorted({r['mutant'] for r in rows}):
         cells = []
@@ -129,8 +129,8 @@ def table(arguments):
     print()
     for side in sides:
         mine = [r for r in rows if r['side'] == side]
-        print(f'{side}: {sum(r["found"] for r in mine)} of {len(mine)} found; limit',
-              ' or '.join(str(n) for n in sorted({r['limit'] for r in mine})), 's; seeds',
+        print(f'{side}: {sum(r["found"] for r in mine)} of {len(mine)} found, limit',
+              ' or '.join(str(n) for n in sorted({r['limit'] for r in mine})), 's, seeds',
               ' '.join(str(n) for n in sorted({r['seed'] for r in mine})) + '.\n')
 
 

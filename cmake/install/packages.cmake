@@ -41,37 +41,37 @@ function(daylight_package component package section summary text)
   set(CPACK_COMPONENTS_ALL ${CPACK_COMPONENTS_ALL} ${component} PARENT_SCOPE)
 endfunction()
 
-set(what "daylight answers with a proof whether two solid finite cylinders intersect,\n\
-and cross-examines other solvers and libraries (NLopt, FCL, Bullet, libccd,\n\
-ODE, MuJoCo): whoever is wrong is shown wrong by a certificate that anyone\n\
-can check in exact arithmetic.\n\n")
+set(what "daylight decides with a proof whether two finite solid cylinders intersect.\n\
+It also tests other solvers and libraries (NLopt, FCL, Bullet, libccd, ODE,\n\
+MuJoCo). For each wrong answer it gives a certificate that anyone can check in\n\
+exact arithmetic.\n\n")
 set(same_version "(= ${PROJECT_VERSION})")
-daylight_package(program daylight science "decide whether cylinders intersect, with proofs, and test who else can"
-  "${what}This package holds the program: check pairs, campaign, replay, scene\n\
-(URDF, MJCF), bench, gate, explain, and the cases that it plays first.\n\
-`daylight fuzz` and `daylight mutants` need the source tree."
+daylight_package(program daylight science "decide with proofs whether cylinders intersect, and test libraries"
+  "${what}This package holds the program and its cases. Its commands check pairs, run\n\
+campaigns, replay and explain findings, check scenes (URDF, MJCF), time\n\
+methods, and guard merges. `daylight fuzz` and `daylight mutants` need the\n\
+source tree."
   SHLIBDEPS SUGGESTS nodejs BUILT_IN libcli11-dev libeigen3-dev librapidcheck-dev libsqlitecpp-dev nlohmann-json3-dev)
 daylight_package(solver libdaylight-solver-dev libdevel "intersection and distance of two cylinders (C++ library)"
-  "${what}This package holds the solver as a static library with its headers: yes or\n\
-no, verdicts with proofs, signed distances, batches. It needs Eigen alone,\n\
-and allocates, prints and throws nothing."
+  "${what}This package holds the solver as a static library with its headers. It has\n\
+yes or no, verdicts with proofs, signed distances and batches. It needs only\n\
+Eigen, and never allocates, prints or throws."
   DEPENDS "libeigen3-dev (>= 3.4)" BUILT_IN libeigen3-dev)
 daylight_package(exact libdaylight-exact-dev libdevel "exact intersection predicate of two cylinders (C++ library)"
   "${what}This package holds the exact predicate and the referee as a static library\n\
-with its headers: touching is told apart, in rationals where it has to be."
+with its headers. It distinguishes touching, in rational arithmetic if needed."
   DEPENDS "libdaylight-solver-dev ${same_version}" libgmp-dev libmpfr-dev libmpfi-dev libfmt-dev BUILT_IN libeigen3-dev nlohmann-json3-dev)
 daylight_package(oracles libdaylight-oracles-dev libdevel "compare collision libraries on cylinders (C++ library)"
-  "${what}This package holds every method that daylight asks, what compares their\n\
-answers with the proved truth, and the readers behind them, as a static\n\
-library with its headers."
+  "${what}This package holds every method that daylight tests, the comparison of answers\n\
+with the proved truth, and the readers, as a static library with its headers."
   DEPENDS "libdaylight-exact-dev ${same_version}" libnlopt-dev libfcl-dev libbullet-dev libccd-dev libode-dev libmujoco-dev
           libsqlitecpp-dev libsqlite3-dev libfmt-dev libseccomp-dev pkg-config
   BUILT_IN libeigen3-dev libsqlitecpp-dev nlohmann-json3-dev)
 if(TARGET daylight_python)
   math(EXPR next "${Python_VERSION_MINOR} + 1")
   daylight_package(python python3-daylight python "decide whether cylinders intersect, with proofs (Python 3 module)"
-    "${what}This package holds the Python module: verdicts, proofs and signed distances\n\
-on NumPy arrays, and campaigns against a Python callable."
+    "${what}This package holds the Python module. It has verdicts, proofs and signed\n\
+distances on NumPy arrays, and campaigns that test a Python callable."
     SHLIBDEPS DEPENDS "python3 (>= 3.${Python_VERSION_MINOR})" "python3 (<< 3.${next})" python3-numpy
     BUILT_IN libeigen3-dev nlohmann-json3-dev pybind11-dev)
 endif()

@@ -1,0 +1,93 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
+"""Checks the English of Markdown files: no phrase of the list below, no sentence of 30 words or more, no sentence with
+more than one colon or semicolon. "plain_english.py FILE.." prints its findings and exits with 1 if there are any.
+"--count" prints totals only. Code, tables, headings and "quotations" are not checked. docs/docs_test.py runs it."""
+import pathlib
+import re
+import sys
+
+MOST_WORDS = 29
+
+# Habit, pattern, better form, and an example that the pattern must match.
+PHRASES = [
+    ('tell, say', r'(?i)\b(?:told|tells?|telling|said|says?|saying)\b', 'reports, states, returns, records',
+     'The page says so.'),
+    ('is no', r'(?i)(?<!there )\b(?:is|are|was|were|be) no (?!longer|more\b|less\b|farther|nearer)', 'is not a',
+     'It is no number.'),
+    ('pronoun as a noun', r'(?i)\b(?:nobody|anybody|everybody|somebody|whoever|whatever|whichever)\b', 'a noun',
+     'Whoever asks loses.'),
+    ('pronoun as a noun', r'(?:^|[.:;] )(?:Who|What|Those|Whose) (?![^.?]*\?)', 'a noun', 'It ends. Who asks loses.'),
+    ('pronoun as a noun', r'\b(?:of|by|to|than|from) those\b(?! who)', 'the noun again', 'the time of those.'),
+    ('where for if', r'(?i)(?<!know )(?<!shows )(?<!show )(?<!see )(?<!find )(?<!finds )\bwhere\b(?! to\b)', 'if, when',
+     'Where none is, it throws.'),
+    ('of which', r'(?i)\bof (?:which|whom)\b', 'two sentences', 'pairs of which none fails'),
+    ('inverted sentence', r'(?:^|[.:;] )(?:Of|Beside|Said|Held|Told) ', 'the subject first', 'Said is the first.'),
+]
+
+
+def paragraphs(text):
+    """Yields (line number, text) of each paragraph and list item, without code, tables, headings and comments."""
+    fenced, start, held = False, 0, []
+    for number, line in enumerate(text.splitlines() + [''], 1):
+        bare = line.strip()
+        fence = bare.startswith('```')
+        fenced ^= fence
+        item = re.match(r'(?:[*-]|\d+\.) ', bare)
+        skipped = not bare or fence or fenced or bare.startswith(('|', '#', '<!--', '![')) or \
+            (line.startswith('    ') and not held)
+        if held and (skipped or item):
+            yield start, ' '.join(held)
+            held = []
+        if not skipped:
+            start = start if held else number
+            held.append(bare[item.end():] if item else bare)
+
+
+def prose(text):
+    """The words that are read. A link is its text, code or a quotation is a word, and a leading **term**: is a label."""
+    text = re.sub(r'^(?:\*{1,2}[^*]+\*{1,2}(?:, )?)+: ', '', text)
+    text = re.sub(r'\[[\w./]+\.\w+\]\([^)]*\)', 'File', text)
+    text = re.sub(r'\[([^\]]*)\]\([^)]*\)', r'\1', text)
+    text = re.sub(r'`[^`]*`', 'Code', text)
+    text = re.sub(r'"[^"]*"', 'Quotation', text)
+    return re.sub(r'[*_]{1,2}(?=\w)|(?<=\w)[*_]{1,2}|(?<=[.:!?])\*\*', '', text)
+
+
+def phrases(text):
+    """Yields (habit, message) of each phrase of the list."""
+    for habit, pattern, better, _ in PHRASES:
+        for match in re.finditer(pattern, text):
+            around = text[max(0, match.start() - 20):match.end() + 25].strip()
+            yield habit, f'"{match[0].strip()}" in "..{around}..": write {better}'
+
+
+def findings(text):
+    """Yields (line number, habit, message) of a Markdown text."""
+    for number, paragraph in paragraphs(text):
+        paragraph = prose(paragraph)
+        for habit, message in phrases(paragraph):
+            yield number, habit, message
+        for sentence in re.split(r'(?<=[.?!])\)?\s+(?=[A-Z(0-9]|daylight )', paragraph):
+            # Words and numbers; symbols of a formula are not words.
+            words = len(re.findall(r"(?<![\w|])(?:[A-Za-z][a-z'-]+|[aA]|\d[\d.,e-]*)(?![\w|(])", sentence))
+            if words > MOST_WORDS:
+                yield number, 'long sentence', f'{words} words, {MOST_WORDS} are allowed: "{sentence[:60]}.."'
+            if len(re.findall(r'[:;](?=\s|$)', sentence)) > 1:
+                yield number, 'colon chain', f'more than one colon or semicolon: "{sentence[:60]}.."'
+
+
+def main():
+    counts = {}
+    for name in [word for word in sys.argv[1:] if word != '--count']:
+        for number, habit, message in findings(pathlib.Path(name).read_text()):
+            counts[habit] = counts.get(habit, 0) + 1
+            if '--count' not in sys.argv:
+                print(f'{name}:{number}: {message}')
+    for habit, count in sorted(counts.items()):
+        print(f'{count:5} {habit}')
+    return 1 if counts else 0
+
+
+if __name__ == '__main__':
+    sys.exit(main())
