@@ -3,7 +3,7 @@
 # verify_answers_test.sh DAYLIGHT: certificates hold in exact arithmetic that is not ours, and not for other pairs.
 set -euo pipefail
 daylight=$1
-root=$(dirname -- "$(dirname -- "$(readlink -f -- "$0")")")
+exact=$(dirname -- "$(dirname -- "$(readlink -f -- "$0")")")/python/vectors/daylight_vectors/exact.py
 folder=$(mktemp -d)
 trap 'rm -r "$folder"' EXIT
 {
@@ -13,13 +13,13 @@ trap 'rm -r "$folder"' EXIT
   done
 } >"$folder/drawn.jsonl"
 "$daylight" check --distance --clearance 0.02 "$folder/drawn.jsonl" >"$folder/answers.jsonl" || [[ $? == 3 ]]
-python3 "$root/tools/verify_answers.py" "$folder/drawn.jsonl" "$folder/answers.jsonl"
-cat "$root"/corpus/cases/*.jsonl "$folder/drawn.jsonl" >"$folder/pairs.jsonl"
+python3 "$exact" "$folder/drawn.jsonl" "$folder/answers.jsonl"
+cat "${exact%python/*}"corpus/cases/*.jsonl "$folder/drawn.jsonl" >"$folder/pairs.jsonl"
 "$daylight" check --distance "$folder/pairs.jsonl" >"$folder/answers.jsonl" || [[ $? == 3 ]]
-python3 "$root/tools/verify_answers.py" "$folder/pairs.jsonl" "$folder/answers.jsonl"
+python3 "$exact" "$folder/pairs.jsonl" "$folder/answers.jsonl"
 grep -q '"points"' "$folder/answers.jsonl" || { echo 'no certificate of two points'; exit 1; }
 tac "$folder/answers.jsonl" >"$folder/reversed.jsonl"
-! python3 "$root/tools/verify_answers.py" "$folder/pairs.jsonl" "$folder/reversed.jsonl" >"$folder/out" ||
+! python3 "$exact" "$folder/pairs.jsonl" "$folder/reversed.jsonl" >"$folder/out" ||
   { echo 'answers to other pairs are believed'; exit 1; }
 [[ $(grep -c 'does not separate' "$folder/out") -gt 10 && $(grep -c 'not in both' "$folder/out") -gt 10 &&
   $(grep -c 'not in the cores' "$folder/out") -gt 10 ]] ||

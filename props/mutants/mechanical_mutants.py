@@ -10,7 +10,7 @@ Which changes there are says mutations.py beside this. The order in which they a
 what is added to a source moves no other. For each one only the objects that hold it are compiled, with the build's own
 commands, and linked before its libraries. Then, until something notices:
     gate        daylight gate --first-failure, which changes no exit status: any but 0 closes it
-    answers     daylight check --distance: a certificate fails in exact arithmetic of tools/verify_answers.py, or an answer
+    answers     daylight check --distance: a certificate fails in exact arithmetic of exact.py, or an answer
                 contradicts that of the program as it is, or is undecided where that one is not
     tests       the unit tests of the solver and of the oracles
 What does not compile, or compiles to the same machine code, is no mutant, and another is drawn. What ends in no time
@@ -34,9 +34,9 @@ from pathlib import Path
 
 HERE = Path(__file__).resolve().parent
 ROOT = HERE.parent.parent
-sys.path += [str(HERE), str(ROOT / 'tools')]
+sys.path += [str(HERE), str(ROOT / 'python/vectors')]
+from daylight_vectors import exact  # noqa: E402
 from mutations import mutated, mutations  # noqa: E402
-import verify_answers  # noqa: E402
 
 RESULTS, ARGUMENTS = HERE / 'mechanical.jsonl', HERE / 'mechanical_equivalent.jsonl'
 ARITHMETIC = ('solver/*.cpp', 'solver/detail/*.?pp', 'oracles/referee/*.?pp')
@@ -183,15 +183,14 @@ def check_answers(arguments):
     with tempfile.NamedTemporaryFile('w', suffix='.jsonl', encoding='utf-8') as file:
         file.write(''.join(pairs))
         file.flush()
-        pairs = verify_answers.read(file.name)
+        pairs = exact.read(file.name)
         right, answers = ([json.loads(line) for line in output_of(p, 'check', '--distance', file.name).splitlines()]
                           for p in (plain, program))
-    if verify_answers.main(pairs, answers):
+    if exact.check(pairs, answers):
         return 2
     for number, (a, b) in enumerate(zip(right, answers), 1):
-        apart = 'distance' in a and 'distance' in b and (
-            verify_answers.exact(a['distance'][0]) > verify_answers.exact(b['distance'][1])
-            or verify_answers.exact(b['distance'][0]) > verify_answers.exact(a['distance'][1]))
+        apart = 'distance' in a and 'distance' in b and any(
+            exact.exact(x['distance'][0]) > exact.exact(y['distance'][1]) for x, y in ((a, b), (b, a)))
         if a['verdict'] != b['verdict'] or apart or ('distance' in a) != ('distance' in b):
             print(f'answer {number} FAILED: {b} for {a} to {pairs[number - 1]}')
             return 2

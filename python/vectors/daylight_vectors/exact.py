@@ -1,0 +1,245 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
+"""Proves in rational arithmetic, with nothing but Python's standard library, what is true of two solids.
+
+    exact.py                            proves what stands in CLAIMS below; exit status 1 where that fails
+    exact.py PAIRS.jsonl ANSWERS.jsonl  checks what `daylight check` answered; exit status 2 where a certificate fails
+
+A cylinder is solid and closed: center, axis (of any length), radius, full height, and rounding: it is all points
+within the rounding of the cylinder proper, its core. Floats are taken exactly. A coordinate of a certificate may also
+be a list of floats (their exact sum) or a string "n/d". A direction proves that two solids are apart if planes square
+to it show a gap. A point proves that they meet if it lies in both cores; two `points`, if one lies in each core and
+they are no farther apart than both roundings together. `hulls` names with a point the subspaces that it is to be
+taken to: meant is the point of the first solid's hull and of the second's that is nearest to it. `near` proves
+touching to within 2^-200 of the size. An answer with a `clearance` has that added to the rounding of a. Of an
+interval of the distance, the order and the sign are checked.
+"""
+import json
+import sys
+from collections import Counter
+from fractions import Fraction
+from math import isqrt
+
+CLAIMS = []
+
+DIGITS = (400, 2000, 9000)  # bits of a square root; more are tried only where fewer show nothing
+SPACE = ('space', 'space')
+
+
+def exact(value):
+    if isinstance(value, list):
+        return sum(map(exact, value), Fraction(0))
+    return Fraction(float(value) if isinstance(value, int) else value)
+
+
+def vector(values):
+    x, y, z = values
+    return [exact(x), exact(y), exact(z)]
+
+
+def minus(u, v):
+    return [x - y for x, y in zip(u, v)]
+
+
+def dot(u, v):
+    return sum(x * y for x, y in zip(u, v))
+
+
+def cross(u, v):
+    return [u[i - 2] * v[i - 1] - u[i - 1] * v[i - 2] for i in range(3)]
+
+
+def root(square, bits, above):
+    """The square root if it is rational, else a number relatively within 2^-bits: above it if `above`, else below."""
+    top, bottom = square.numerator, square.denominator
+    if isqrt(top)**2 == top and isqrt(bottom)**2 == bottom:
+        return Fraction(isqrt(top), isqrt(bottom))
+    shift = max(0, 2 * bits + 2 - (top.bit_length() - bottom.bit_length())) // 2
+    return Fraction(isqrt((top << 2 * shift) // bottom) + above, 1 << shift)
+
+
+def room(pair):
+    return sum(exact(pair[k].get('rounding', 0)) for k in 'ab')
+
+
+def gap(pair, direction, bits, above=False):
+    """A bound of the gap that planes square to the direction show, below 0 where they cut both solids: the gap is not
+    smaller; with `above` it is not larger. The signed distance is never below the gap."""
+    d = vector(direction)
+    if not any(d):
+        return Fraction(-1)
+    width = abs(dot(d, minus(vector(pair['b']['center']), vector(pair['a']['center']))))
+    for solid in (pair['a'], pair['b']):
+        w = vector(solid['axis'])
+        across = cross(d, w)
+        width -= exact(solid['radius']) * root(dot(across, across) / dot(w, w), bits, not above)
+        width -= exact(solid['height']) / 2 * root(dot(d, w)**2 / dot(w, w), bits, not above)
+    width -= room(pair) * root(dot(d, d), bits, not above)
+    return width / root(dot(d, d), bits, above == (width < 0))
+
+
+def separates(pair, direction):
+    return any(gap(pair, direction, bits) > 0 for bits in DIGITS)
+
+
+def equations(solid, hull):
+    """Of the points of a hull: rows (n, k), n.x = k."""
+    w, c = vector(solid['axis']), vector(solid['center'])
+    if hull == 'space':
+        return []
+    if hull == 'plane':
+        return [(w, dot(w, c))]
+    units = [[Fraction(i == j) for j in range(3)] for i in range(3)]
+    normals = [n for n in (cross(w, unit) for unit in units) if any(n)] if hull == 'line' else units
+    return [(n, dot(n, c)) for n in normals]
+
+
+def nearest(point, rows):
+    """The point nearest to `point` that satisfies the equations; None where none does."""
+    basis = []  # square to each other
+    x = list(point)
+    for n, k in rows:
+        for m in basis:
+            n, k = minus(n, [dot(n, m) / dot(m, m) * c for c in m]), k - dot(n, m) / dot(m, m) * dot(m, x)
+        if not any(n):
+            if k != 0:
+                return None
+            continue
+        share = (k - dot(n, x)) / dot(n, n)
+        x = [a + share * b for a, b in zip(x, n)]
+        basis.append(n)
+    return x
+
+
+def in_core(solid, x):
+    """Decided exactly: squares instead of square roots."""
+    w = vector(solid['axis'])
+    from_center = minus(x, vector(solid['center']))
+    across = cross(from_center, w)
+    return (dot(from_center, w)**2 <= (exact(solid['height']) / 2)**2 * dot(w, w)
+            and dot(across, across) <= exact(solid['radius'])**2 * dot(w, w))
+
+
+def in_both(pair, point, hulls=SPACE):
+    x = nearest(vector(point), equations(pair['a'], hulls[0]) + equations(pair['b'], hulls[1]))
+    return x is not None and in_core(pair['a'], x) and in_core(pair['b'], x)
+
+
+def come_near(pair, points, hulls=SPACE, extra=0):
+    """Whether there is a point in each core and the two are no farther apart than both roundings and the extra: then
+    the distance of the solids is at most the extra."""
+    x, y = (nearest(vector(p), equations(pair[k], hull)) for k, p, hull in zip('ab', points, hulls))
+    between, reach = minus(x, y), room(pair) + exact(extra)
+    return in_core(pair['a'], x) and in_core(pair['b'], y) and reach >= 0 and dot(between, between) <= reach**2
+
+
+def nearly_touch(pair, near):
+    slack = (sum(exact(pair[k][length]) for k in 'ab' for length in ('radius', 'height')) + room(pair)) / 2**200
+
+    def resized(by):
+        return {k: dict(pair[k], radius=max(Fraction(0), exact(pair[k]['radius']) + by),
+                        height=max(Fraction(0), exact(pair[k]['height']) + 2 * by)) for k in 'ab'}
+    if not (come_near(resized(slack), near['points'], SPACE, slack) if 'points' in near
+            else in_both(resized(slack), near['point'])):
+        return False
+    shrunk = resized(-slack)
+    if room(pair) > 0:
+        side = 'a' if exact(pair['a'].get('rounding', 0)) > 0 else 'b'
+        shrunk[side]['rounding'] = exact(pair[side]['rounding']) - slack
+    return separates(shrunk, near['direction'])
+
+
+def fault(pair, answer):
+    """What is wrong with an answer and its certificate, in words; None where nothing is."""
+    if 'clearance' in answer:
+        wider = float(pair['a'].get('rounding', 0)) + float(answer['clearance'])
+        pair = dict(pair, a=dict(pair['a'], rounding=wider))
+    verdict = answer.get('verdict')
+    if verdict == 'invalid':
+        return None if answer.get('error') else 'invalid without an error'
+    if verdict not in ('disjoint', 'intersecting', 'touching', 'undecided'):
+        return f'no verdict: {verdict!r}'
+    if verdict == 'disjoint' and not separates(pair, answer['direction']):
+        return 'the direction does not separate'
+    if verdict == 'touching' and 'near' in answer:
+        if not nearly_touch(pair, answer['near']):
+            return 'not within 2^-200 of touching'
+    elif 'points' in answer and verdict in ('intersecting', 'touching'):
+        if not come_near(pair, answer['points'], answer.get('hulls', SPACE)):
+            return 'the points are not in the cores, or farther apart than the roundings'
+    elif verdict in ('intersecting', 'touching') and not in_both(pair, answer['point'], answer.get('hulls', SPACE)):
+        return 'the point is not in both solids'
+    if 'distance' in answer:
+        low, high = map(exact, answer['distance'])
+        if low > high or verdict == 'disjoint' and high <= 0 or verdict == 'intersecting' and low > 0:
+            return 'the distance contradicts the verdict'
+    return None
+
+
+def refuted(pair, said):
+    """A claim against what was said of a pair, in words, and whether it holds."""
+    if 'distance' not in said:
+        if 'direction' in said:
+            return 'the direction said does not separate them', gap(pair, said['direction'], DIGITS[0], True) <= 0
+        if 'points' in said:
+            return 'the points said do not show that they meet', not come_near(pair, said['points'])
+        return 'the point said is not in both', not in_both(pair, said['point'], said.get('hulls', SPACE))
+    distance, tolerance = said['distance'], said['tolerance']
+    what = f'the distance said, {distance}, is too '
+    if 'points' in said:
+        shown = come_near(pair, said['points'], SPACE, exact(distance) - exact(tolerance))
+        return f'{what}large by more than {tolerance}', shown
+    width = gap(pair, said['direction'], DIGITS[0])
+    shown = width > exact(distance) + exact(tolerance)
+    if width > 0:
+        return f'{what}small by more than {tolerance}', shown
+    return (f'{what}deep by more than {tolerance}: one along {said["direction"]} ends at depth {float(-width):.9g}',
+            shown)
+
+
+def prove(claims):
+    """Prints each claim and whether it is proved; returns the exit status."""
+    status = 0
+    for claim in claims:
+        pair, answer = claim['pair'], claim.get('answer')
+        if answer is None:
+            what, shown = refuted(pair, claim['said'])
+        else:
+            shown = not fault(pair, answer)
+            what = claim['name'] + ': they ' + ('touch, to within 2^-200 of their size' if 'near' in answer else 'meet')
+            if answer['verdict'] == 'disjoint':
+                width = gap(pair, answer['direction'], DIGITS[0])
+                what = f'{claim["name"]}: disjoint, at least {float(width):.9g} apart'
+        status |= not shown
+        print(what + ':', 'proved' if shown else 'NOT PROVED')
+    return int(status)
+
+
+def read(path):
+    with open(path, encoding='utf-8') as file:
+        return [json.loads(line) for line in file if line.strip()]
+
+
+def check(pairs, answers):
+    """Prints each certificate that fails; returns the exit status."""
+    if len(pairs) != len(answers):
+        sys.exit(f'{len(pairs)} pairs, {len(answers)} answers')
+    failed = 0
+    for number, (pair, answer) in enumerate(zip(pairs, answers), 1):
+        try:
+            why = fault(pair, answer)
+        except (KeyError, TypeError, ValueError, ZeroDivisionError, OverflowError) as error:
+            why = f'malformed: {error!r}'
+        if why:
+            failed += 1
+            print(f'line {number}: {answer.get("verdict")}: {why}')
+    print(dict(Counter(answer.get('verdict') for answer in answers)), f'{failed} certificates fail')
+    return 2 if failed else 0
+
+
+if __name__ == '__main__':
+    if len(sys.argv) == 3:
+        sys.exit(check(read(sys.argv[1]), read(sys.argv[2])))
+    if len(sys.argv) > 1 or not CLAIMS:
+        sys.exit(__doc__)
+    sys.exit(prove(CLAIMS))
