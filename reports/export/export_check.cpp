@@ -54,6 +54,9 @@ def reach(cylinder, d):
 def daylight(a, b, d):
     """At most how wide the gap is that planes square to d show, times |d|; if positive they separate."""
     return abs(dot(d, minus(b[0], a[0]))) - reach(a, d) - reach(b, d)
+
+
+def shown(x): return f'{float(x):.9g}' if x <= sys.float_info.max else 'more than any double'
 )";
 
 constexpr std::string_view inside = R"(
@@ -89,7 +92,7 @@ def claim(what, proved):
 constexpr std::string_view disjoint_loop = R"(
 for name, a, b, d in CASES:  # d: square to a plane that has one solid on each side
     width = daylight(a, b, d) / root(dot(d, d), True)
-    claim(f'{name}: disjoint, at least {float(width):.9g} apart', width > 0)
+    claim(f'{name}: disjoint, at least {shown(width)} apart', width > 0)
 )";
 
 constexpr std::string_view meeting_loop = R"(
@@ -243,7 +246,7 @@ std::string distance_lines(const Trial& asked, const Claim& claim) {
                      tuple(Vector3(attained.direction[0], attained.direction[1], attained.direction[2]))) +
          "claim(f'the distance said, {SAID}, is too deep by more than {TOLERANCE}: one along {d} ends at "
          "depth "
-         "{float(depth):.9g}',\n      depth < -F(SAID) - F(TOLERANCE))\n";
+         "{shown(depth)}',\n      depth < -F(SAID) - F(TOLERANCE))\n";
 }
 
 std::string witness_lines(const Trial& asked) {

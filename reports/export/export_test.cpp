@@ -107,6 +107,13 @@ TEST(Export, OdeShowsIt) {
   expect_shown("ode", FindingKind::wrong_disjoint, nearly_parallel, "(0, 0, 0.3941308281066029)");
 }
 
+TEST(Export, WhatIsFartherThanAnyDoubleIsShown) {
+  expect_shown("bullet-cylinder", FindingKind::distance_outside,
+               R"({"a":{"center":[-1.7e+308,0,0],"axis":[0,0,1],"radius":1,"height":2},)"
+               R"("b":{"center":[1.7e+308,0,0],"axis":[0,1,0],"radius":1,"height":2}})",
+               "(0, 1, 0)");
+}
+
 TEST(Export, MujocoShowsIt) { expect_shown("mujoco", FindingKind::wrong_disjoint, huge, "(0, 4e+299, 0)"); }
 
 TEST(Export, ACrashIsOnlyCalled) {
