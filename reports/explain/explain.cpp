@@ -129,6 +129,8 @@ std::vector<std::string> conditions(const Explanation& e) {
     if (low && high)
       found.push_back(
           fmt::format("{} {:.3g} to {:.3g}", to_string(r.parameter), r.low.fails_at, r.high.fails_at));
+    else if (high && r.high.fails_at == 0)
+      found.push_back(fmt::format("{} 0", to_string(r.parameter)));
     else if (low || high)
       found.push_back(fmt::format("{} {} {:.3g}", to_string(r.parameter), low ? "from" : "up to",
                                   low ? r.low.fails_at : r.high.fails_at));
@@ -235,6 +237,8 @@ Explanation explain(std::span<const std::unique_ptr<Method>> methods, std::strin
                     const Pair& pair, std::uint64_t seed) {
   const auto& method = find_method(methods, name);
   Explanation e{std::string(name), method->claim(), try_method(method, pair), {}, {}, {}, {}, {}};
+  if (kind == FindingKind::state_dependent)
+    throw UsageError(fmt::format("{} fails so after other questions, and not on this pair alone", name));
   if (!e.asked.fails(kind))
     throw UsageError(fmt::format("{} has no {} on this pair today: it says {}", name, to_string(kind),
                                  format_method_answer(e.asked.answer())));
