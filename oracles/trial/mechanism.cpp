@@ -22,6 +22,9 @@ namespace {
 /// Of sizes beyond 2^+-this, products of eight lengths, such as squares of a determinant's, leave the
 /// doubles.
 constexpr int product_exponent = 128;
+/// No fixed length of a library is beyond 2^+-this: what is right only there is so by accident, such as by
+/// numbers that vanish in single precision.
+constexpr int length_exponent = 64;
 
 /// Returns the pair with the first solid at the origin and the other moved along.
 Pair at_origin(Pair p) {
@@ -213,9 +216,8 @@ void take_changed(Candidate& c, Round& round) {
   found.larger = first_cure(round, c.failing, 0, c.larger);
   found.smaller = first_cure(round, c.failing, 0, c.smaller);
   const int size = exponent_of_size(c.now.pair);
-  // Where products leave the doubles an answer may come to be right by accident.
-  if (found.smaller && size + found.smaller->right <= -product_exponent) found.smaller.reset();
-  if (found.larger && size + found.larger->right >= product_exponent) found.larger.reset();
+  if (found.smaller && size + found.smaller->right <= -length_exponent) found.smaller.reset();
+  if (found.larger && size + found.larger->right >= length_exponent) found.larger.reset();
   const auto& margin = c.failing.finding()->margin;
   if (found.smaller && size + found.smaller->right >= product_exponent)
     c.end(Mechanism::overflow);

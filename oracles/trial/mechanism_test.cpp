@@ -127,9 +127,9 @@ TEST(Mechanism, NamesTheDistanceOfPointsThatDecides) {
 
 /// At a size at which single precision has no numbers, or of a height that is rounded to 0.
 TEST(Mechanism, WhatVanishesIsNoCure) {
-  EXPECT_EQ(classified([](const Pair& p) { return size_of(p) > 0x1p-127; }, crossing(1)).mechanism,
+  EXPECT_EQ(classified([](const Pair& p) { return size_of(p) > 0x1p-64; }, crossing(1)).mechanism,
             Mechanism::unclassified);
-  EXPECT_EQ(classified([](const Pair& p) { return size_of(p) < 0x1p130; }, crossing(1)).mechanism,
+  EXPECT_EQ(classified([](const Pair& p) { return size_of(p) < 0x1p64; }, crossing(1)).mechanism,
             Mechanism::unclassified);
   Pair flat = crossing(1);
   flat.a.height = 3e-308;
