@@ -48,9 +48,11 @@ std::string failure_in_words(const Explanation& e) {
       return fmt::format("calls solids up to {:.3g} apart {}",
                          region_of(e, Parameter::distance).high.fails_at,
                          to_string(e.asked.answer().verdict));
-    case FindingKind::wrong_disjoint:
-      return fmt::format("calls solids that overlap by up to {:.3g} disjoint",
-                         std::max(0.0, -region_of(e, Parameter::distance).low.fails_at));
+    case FindingKind::wrong_disjoint: {
+      const double depth = -region_of(e, Parameter::distance).low.fails_at;
+      return depth > 0 ? fmt::format("calls solids that overlap by up to {:.3g} disjoint", depth)
+                       : "calls solids that touch disjoint";
+    }
     case FindingKind::distance_outside:
       return fmt::format("tells a distance of {} of solids {}", said_distance(e.asked),
                          distance_in_words(e.asked));

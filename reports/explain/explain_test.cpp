@@ -243,6 +243,15 @@ TEST(Explain, SumsUp) {
   EXPECT_EQ(all["mechanism"], e.mechanism);
 }
 
+TEST(Explain, WhatOnlyTouchesDoesNotOverlap) {
+  std::vector<std::unique_ptr<Method>> methods;
+  methods.push_back(fake_method("strict", [](const Pair&) { return answered(Verdict::disjoint); }));
+  const Pair point{{{0, 0, 1}, {0, 0, 1}, 0, 0}, {{0, 0, 1}, {0, 0, 1}, 0, 0}};
+  const Explanation e = explain(methods, "strict", FindingKind::wrong_disjoint, point);
+  EXPECT_EQ(e.mechanism.find("strict calls solids that touch disjoint: "), 0u) << e.mechanism;
+  EXPECT_THROW(explain(methods, "strict", FindingKind::state_dependent, point), std::invalid_argument);
+}
+
 TEST(Explain, TheSameTwice) {
   const auto methods = blurred_methods();
   EXPECT_EQ(explanation_json(explain(methods, "blurred-far", kind, far_away())),
