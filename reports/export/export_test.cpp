@@ -139,9 +139,9 @@ TEST(Export, EveryMethodHasAProgram) {
   for (const auto& method : library_methods()) {
     const LibraryCall* call = find_library_call(method->name());
     ASSERT_NE(call, nullptr) << method->name();
-    // Each number is another; unit axes are (3, 2, 6) / 7 and (6, 3, 2) / 7.
+    // Each number is another; unit axes are (3, 2, 6) / 7 and (4, 4, 7) / 9.
     Trial asked(pair_of(R"({"a":{"center":[0.11,0.12,0.13],"axis":[3,2,6],"radius":0.21,"height":0.62},)"
-                        R"("b":{"center":[1.01,1.12,1.13],"axis":[6,3,2],"radius":0.41,"height":1.46}})"));
+                        R"("b":{"center":[1.01,1.12,1.13],"axis":[4,4,7],"radius":0.41,"height":1.46}})"));
     asked.distance = {-0.5, -0.25};
     asked.answers.resize(1);
     asked.answers[0].status = Status::answered;
