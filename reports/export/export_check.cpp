@@ -56,7 +56,7 @@ def daylight(a, b, d):
     return abs(dot(d, minus(b[0], a[0]))) - reach(a, d) - reach(b, d)
 
 
-def shown(x): return f'{float(x):.9g}' if x <= sys.float_info.max else 'more than any double'
+def shown(x): return f'{float(min(x, F(sys.float_info.max))):.9g}'
 )";
 
 constexpr std::string_view inside = R"(
