@@ -28,7 +28,7 @@ enum class Mechanism : unsigned char {
   underflow,        ///< right at a larger size, which is below 2^-128 all the same
   overflow,         ///< right at a smaller size, which is above 2^128 all the same
   absolute_length,  ///< right where both solids are made larger or smaller
-  rounding,         ///< wrong below rounding_margin, at any size
+  rounding,         ///< wrong below rounding_margin, at any size that was tried
   setting,          ///< another setting of the same algorithm is right
   unclassified,     ///< none of these
   model  ///< right about the solids that it models, whose edges it rounds on purpose; before all others
@@ -72,7 +72,11 @@ struct Classification {
 /// claim, and off by half as much at most, relative to the size. Both are trials of one method.
 bool cures(const Trial& failing, Trial& after);
 
-/// "right once scaled down to a size of 12 (..), wrong at 24 (..)"; empty where no scale cures it.
+/// Returns whether the other fails as the first does: in the same kind, and where it broke, by the same words
+/// but for numbers that are no codes.
+bool fails_alike(const Trial& failing, const Trial& other);
+
+/// "right once scaled down to a size of 12 (..), wrong at a size of 24 (..)"; empty where no scale cures it.
 std::string scale_in_words(const Classification& found, const Trial& failing);
 
 /// Methods, and for each the first of those that share its algorithm (algorithm_groups()).

@@ -64,6 +64,7 @@ TEST(Mechanism, IsUnclassifiedWhereEveryPairIsWrong) {
 TEST(Mechanism, TellsAnOffset) {
   const auto far = [](const Pair& p) { return p.a.center.norm() > 1e5; };
   EXPECT_EQ(classified(far, crossing(1, 1e6)).mechanism, Mechanism::offset);
+  EXPECT_EQ(classified(far, crossing(0, 1e6)).mechanism, Mechanism::offset) << "points";
 }
 
 TEST(Mechanism, TellsTheCapOnSteps) {
@@ -104,10 +105,36 @@ TEST(Mechanism, NamesTheLengthThatDecides) {
     EXPECT_EQ(cure.right, size > 1 ? -192 : 209);
     EXPECT_EQ(scale_in_words(found, try_method(methods[0], failing.pair)),
               size > 1 ? "right once scaled down to a size of 256 (all lengths times 2^-192; overlapping by "
-                         "96), wrong at 512 (all lengths times 2^-191; overlapping by 192)"
+                         "96), wrong at a size of 512 (all lengths times 2^-191; overlapping by 192)"
                        : "right once scaled up to a size of 512 (all lengths times 2^209; overlapping by "
-                         "192), wrong at 256 (all lengths times 2^208; overlapping by 96)");
+                         "192), wrong at a size of 256 (all lengths times 2^208; overlapping by 96)");
   }
+}
+
+TEST(Mechanism, NamesTheDistanceOfPointsThatDecides) {
+  Methods methods;
+  methods.push_back(fake_method("lib-way", [](const Pair& p) {
+    return answered(p.b.center.norm() < 1e-4 ? Verdict::intersecting : Verdict::disjoint);
+  }));
+  Pair points = crossing(0);
+  points.b.center.x() = 0x1p-14;
+  const Failing failing{0, FindingKind::wrong_intersecting, points};
+  EXPECT_EQ(
+      scale_in_words(classify_closely(methods, failing, {}), try_method(methods[0], points)),
+      "right once scaled up to 0.000122 apart (all lengths times 2^1), wrong at 6.1e-05 apart (all lengths "
+      "times 2^0)");
+}
+
+/// At a size at which single precision has no numbers, or of a height that is rounded to 0.
+TEST(Mechanism, WhatVanishesIsNoCure) {
+  EXPECT_EQ(classified([](const Pair& p) { return size_of(p) > 0x1p-64; }, crossing(1)).mechanism,
+            Mechanism::unclassified);
+  EXPECT_EQ(classified([](const Pair& p) { return size_of(p) < 0x1p64; }, crossing(1)).mechanism,
+            Mechanism::unclassified);
+  Pair flat = crossing(1);
+  flat.a.height = 3e-308;
+  EXPECT_EQ(classified([](const Pair& p) { return p.a.height > 0; }, flat).mechanism,
+            Mechanism::unclassified);
 }
 
 /// Off by 2 % at every size; of small solids it answers nothing.

@@ -16,11 +16,12 @@ struct Decimal {
 Decimal decimal_of(double x);
 
 /// How simple a pair is: compared from the first member on, smaller is simpler. Well-founded, since there
-/// are finitely many doubles. Extremes come first, so that they stay only where they matter. "Numbers" are
-/// the pair's 16, in their shortest round-trip decimals.
+/// are finitely many doubles. Roundings and extremes come first, so that they stay only where they matter.
+/// "Numbers" are the pair's 18, in their shortest round-trip decimals.
 struct Complexity {
-  /// Decades, summed, by which radii, heights and the largest coordinate of each axis are below 0.1 or not
-  /// below 100.
+  int rounded;  ///< solids with a rounding
+  /// Decades, summed, by which radii, heights, roundings and the largest coordinate of each axis are below
+  /// 0.1 or not below 100.
   int extremes;
   int digits;      ///< significant decimal digits of all numbers together; 0 has none, 1e-9 has one
   int non_zero;    ///< numbers that are not 0
@@ -30,9 +31,10 @@ struct Complexity {
   int negative;    ///< numbers with a minus sign, -0 too
   int digit_sum;   ///< of the decimal digits
   int distinct;    ///< different absolute values, 0 aside
-  /// Absolute values: a's axis, b's axis, radii, heights, a's centre, b's centre, z last in each vector.
-  std::array<double, 16> values;
-  std::array<bool, 16> signs;  ///< which of them have a minus sign
+  /// Absolute values: a's axis, b's axis, radii, heights, a's centre, b's centre, roundings, z last in each
+  /// vector.
+  std::array<double, 18> values;
+  std::array<bool, 18> signs;  ///< which of them have a minus sign
   auto operator<=>(const Complexity&) const = default;
 };
 

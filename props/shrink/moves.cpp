@@ -354,13 +354,13 @@ Pairs centres(const Pair& p) {
 
 Pairs roundings(const Pair& p) {
   Pairs out;
-  constexpr unsigned centre = 0b111, axis = 0b111000, shape = 0b11000000;
-  for (const unsigned which : {0xffffu, centre << 8, axis << 8, axis, axis | axis << 8, shape | shape << 8,
-                               shape, shape << 8, shape | shape << 8 | centre << 8}) {
+  constexpr unsigned centre = 0b111, axis = 0b111000, shape = 0b111000000, b = cylinder_number_count;
+  for (const unsigned which : {~0u, centre << b, axis << b, axis, axis | axis << b, shape | shape << b, shape,
+                               shape << b, shape | shape << b | centre << b}) {
     const auto add = [&](auto simpler) {
       out.push_back(with(p, [&](Pair& q) {
         const auto all = numbers(q);
-        for (unsigned i = 0; i < 16; ++i)
+        for (unsigned i = 0; i < all.size(); ++i)
           if (which >> i & 1) *all[i] = simpler(*all[i]);
       }));
     };

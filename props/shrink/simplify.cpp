@@ -38,8 +38,9 @@ class Search {
       changed = false;
       for (const Move move : moves)
         while (improve([&] { return move(best_); }, true)) changed = true;
-      // Lengths and centres before axes: scenes of simple shapes are easier to keep failing.
-      for (const std::size_t which : {6u, 7u, 14u, 15u, 0u, 1u, 2u, 8u, 9u, 10u, 3u, 4u, 5u, 11u, 12u, 13u})
+      // Roundings, lengths and centres before axes: scenes of simple shapes are easier to keep failing.
+      for (const std::size_t which :
+           {8u, 17u, 6u, 7u, 15u, 16u, 0u, 1u, 2u, 9u, 10u, 11u, 3u, 4u, 5u, 12u, 13u, 14u})
         while (improve([&] { return one_number(best_, which); }, true)) changed = true;
       while (improve([&] { return symmetries(best_); }, false)) changed = true;
     }

@@ -150,6 +150,10 @@ TEST(SimplifyTo, TheObviousPair) {
                                      R"("b":{"center":[0,0,0],"axis":[0,0,1],"radius":0,"height":0}})");
   EXPECT_EQ(simplest("far", far_out), R"({"a":{"center":[0,0,2e+06],"axis":[0,0,1],"radius":0,"height":0},)"
                                       R"("b":{"center":[0,0,0],"axis":[0,0,1],"radius":0,"height":0}})");
+  EXPECT_EQ(simplest("capsule_rounded", apart), simplest("random", apart)) << "without roundings";
+  EXPECT_EQ(simplest("capsule_rounded", [](const Pair& p) { return p.b.rounding > 0 && p.b.height > 2; }),
+            R"({"a":{"center":[0,0,0],"axis":[0,0,1],"radius":0,"height":0},)"
+            R"("b":{"center":[0,0,0],"axis":[0,0,1],"radius":0,"height":4,"rounding":1}})");
   EXPECT_EQ(simplest("random", apart), R"({"a":{"center":[0,0,0],"axis":[0,0,1],"radius":0,"height":0},)"
                                        R"("b":{"center":[0,0,1],"axis":[0,0,1],"radius":0,"height":0}})");
 }

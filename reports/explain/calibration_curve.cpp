@@ -8,6 +8,7 @@
 #include "corpus/pairs/random_stream.hpp"
 #include "corpus/pairs/strata.hpp"
 #include "oracles/trial/contact.hpp"
+#include "oracles/trial/mechanism.hpp"
 
 namespace cyl {
 namespace {
@@ -67,7 +68,7 @@ std::optional<CalibrationCurve> calibration_curve(const std::unique_ptr<Method>&
     CalibrationPoint point{decade, pairs.size(), 0, 0, {}};
     for (const Trial& p : try_method(method, pairs)) {
       point.trials += could_fail(p, kind);
-      point.failures += could_fail(p, kind) && p.fails(kind);
+      point.failures += could_fail(p, kind) && fails_alike(failing, p);
     }
     point.rate = rate_bounds(point.trials, point.failures);
     curve.points.push_back(point);

@@ -48,9 +48,11 @@ std::string failure_in_words(const Explanation& e) {
       return fmt::format("calls solids up to {:.3g} apart {}",
                          region_of(e, Parameter::distance).high.fails_at,
                          to_string(e.asked.answer().verdict));
-    case FindingKind::wrong_disjoint:
-      return fmt::format("calls solids that overlap by up to {:.3g} disjoint",
-                         std::max(0.0, -region_of(e, Parameter::distance).low.fails_at));
+    case FindingKind::wrong_disjoint: {
+      const double depth = -region_of(e, Parameter::distance).low.fails_at;
+      return depth > 0 ? fmt::format("calls solids that overlap by up to {:.3g} disjoint", depth)
+                       : "calls solids that touch disjoint";
+    }
     case FindingKind::distance_outside:
       return fmt::format("tells a distance of {} of solids {}", said_distance(e.asked),
                          distance_in_words(e.asked));
@@ -142,8 +144,10 @@ std::vector<std::string> in_words(const std::vector<Condition>& all) {
   for (const auto& [r, low, high] : all)
     words.push_back(low && high ? fmt::format("{} {:.3g} to {:.3g}", to_string(r->parameter), r->low.fails_at,
                                               r->high.fails_at)
-                                : fmt::format("{} {} {:.3g}", to_string(r->parameter), low ? "from" : "up to",
-                                              low ? r->low.fails_at : r->high.fails_at));
+                    : high && r->high.fails_at == 0
+                        ? fmt::format("{} 0", to_string(r->parameter))
+                        : fmt::format("{} {} {:.3g}", to_string(r->parameter), low ? "from" : "up to",
+                                      low ? r->low.fails_at : r->high.fails_at));
   return words;
 }
 
@@ -265,6 +269,8 @@ Explanation explain(std::span<const std::unique_ptr<Method>> methods, std::strin
                     const Pair& pair, std::uint64_t seed) {
   const auto& method = find_method(methods, name);
   Explanation e{std::string(name), method->claim(), try_method(method, pair), {}, {}, {}, {}, {}};
+  if (kind == FindingKind::state_dependent)
+    throw UsageError(fmt::format("{} fails so after other questions, and not on this pair alone", name));
   if (!e.asked.fails(kind))
     throw UsageError(fmt::format("{} has no {} on this pair today: it says {}", name, to_string(kind),
                                  format_method_answer(e.asked.answer())));

@@ -50,6 +50,14 @@ Pair far_away() {
   return pair;
 }
 
+/// A point 1e-4 below a disc.
+Pair point_and_disc() {
+  Pair pair;
+  pair.a = {{0, 0, 0}, {0, 0, 1}, 0, 0};
+  pair.b = {{0, 0, 1e-4}, {0, 0, 1}, 1, 0};
+  return pair;
+}
+
 constexpr FindingKind kind = FindingKind::wrong_intersecting;
 
 const FailingRegion& region(const std::vector<FailingRegion>& regions, Parameter parameter) {
@@ -71,11 +79,18 @@ TEST(FailingRegion, EndsWhereTheToleranceDoes) {
   EXPECT_LT(r.low.fails_at, 1e-13);
   ASSERT_TRUE(r.low.beyond);
   EXPECT_NE(r.low.beyond->truth.verdict, Verdict::disjoint);
+
+  Pair points = point_and_disc();
+  points.b.radius = 0;
+  EXPECT_NEAR(failing_regions(methods[0], try_method(methods[0], points))[0].high.fails_at, 1e-3, 2e-5);
 }
 
 TEST(FailingRegion, EveryEndWasAskedAboutAndProved) {
   const auto methods = blurred_methods();
-  for (const FailingRegion& r : failing_regions(methods[0], try_method(methods[0], stacked()))) {
+  auto regions = failing_regions(methods[0], try_method(methods[0], stacked()));
+  for (FailingRegion& r : failing_regions(methods[0], try_method(methods[0], point_and_disc())))
+    regions.push_back(std::move(r));
+  for (const FailingRegion& r : regions) {
     for (const RegionEnd* end : {&r.low, &r.high}) {
       EXPECT_TRUE(try_method(methods[0], end->failing.pair).fails(kind)) << to_string(r.parameter);
       EXPECT_EQ(end->ends_at.has_value(), end->beyond.has_value());
@@ -111,6 +126,17 @@ TEST(FailingRegion, TellsWhatMatters) {
   const FailingRegion& offset = region(places, Parameter::offset);
   EXPECT_NEAR(offset.low.fails_at, 1e3, 20);
   EXPECT_TRUE(offset.low.beyond->right());
+}
+
+TEST(FailingRegion, EndsWhereItBreaksForAnotherReason) {
+  const auto method = fake_method("breaks", [](const Pair& pair) {
+    return failed_answer(Failure::reported, pair.a.radius < 1.5 ? "status 4: thin" : "status 9: no way");
+  });
+  const Trial failing = try_method(method, stacked());
+  const auto regions = failing_regions(method, failing);
+  EXPECT_NEAR(region(regions, Parameter::radius_a).high.fails_at, 1.5, 0.02);
+  const auto curve = calibration_curve(method, failing, 7);
+  EXPECT_LT(curve.value().points[5].failures, curve->points[5].trials);
 }
 
 TEST(CalibrationCurve, StepsAtTheTolerance) {
@@ -262,6 +288,15 @@ TEST(Explain, DrawsWhereItFails) {
 TEST(Explain, SeesThatAFailureHangsOnTheAngle) {
   EXPECT_TRUE(hangs_on_angle(square_blind()[0], square(), kind));
   EXPECT_FALSE(hangs_on_angle(blurred_methods()[0], stacked(), kind));
+}
+
+TEST(Explain, WhatOnlyTouchesDoesNotOverlap) {
+  std::vector<std::unique_ptr<Method>> methods;
+  methods.push_back(fake_method("strict", [](const Pair&) { return answered(Verdict::disjoint); }));
+  const Pair point{{{0, 0, 1}, {0, 0, 1}, 0, 0}, {{0, 0, 1}, {0, 0, 1}, 0, 0}};
+  const Explanation e = explain(methods, "strict", FindingKind::wrong_disjoint, point);
+  EXPECT_EQ(e.mechanism.find("strict calls solids that touch disjoint: "), 0u) << e.mechanism;
+  EXPECT_THROW(explain(methods, "strict", FindingKind::state_dependent, point), std::invalid_argument);
 }
 
 TEST(Explain, TheSameTwice) {

@@ -9,6 +9,7 @@
 
 #include "corpus/pairs/pair_numbers.hpp"
 #include "oracles/methods/adapter.hpp"
+#include "oracles/trial/mechanism.hpp"
 
 namespace cyl {
 namespace {
@@ -78,6 +79,7 @@ class SearchPath {
       distance_ = located->distance;
       direction_ = located->direction;
     }
+    if (size_ == 0) size_ = std::abs(distance_);  // two points
     lay_axes();
     const Vector3 middle = (pair_.a.center / 2 + pair_.b.center / 2);
     offset_ = middle.stableNorm();
@@ -258,9 +260,14 @@ class Search {
   }
 
   /// Goes on outwards over what was answered; no more after the first that does not fail.
-  void take(double value, const Trial& said, FindingKind kind) {
+  void take(double value, const Trial& said) {
     if (found_) return;
-    if (said.fails(kind)) {
+    // Thin solids that are moved through each other are apart again.
+    const bool is_through =
+        path_->parameter() == distance && value < 0 && said.truth.verdict == Verdict::disjoint;
+    if (is_through) {
+      found_ = true;
+    } else if (fails_alike(end_.failing, said)) {
       end_.fails_at = value;
       end_.failing = said;
     } else {
@@ -299,7 +306,7 @@ class Search {
   RegionEnd end_;
 };
 
-void ask_round(std::vector<Search>& searches, const std::unique_ptr<Method>& method, FindingKind kind) {
+void ask_round(std::vector<Search>& searches, const std::unique_ptr<Method>& method) {
   struct LawQuery {
     Search* search;
     double value;
@@ -315,7 +322,7 @@ void ask_round(std::vector<Search>& searches, const std::unique_ptr<Method>& met
     }
   }
   const std::vector<Trial> said = try_method(method, pairs);
-  for (std::size_t i = 0; i < asked.size(); ++i) asked[i].search->take(asked[i].value, said[i], kind);
+  for (std::size_t i = 0; i < asked.size(); ++i) asked[i].search->take(asked[i].value, said[i]);
   for (Search& search : searches) search.end_round();
 }
 
@@ -328,8 +335,7 @@ std::vector<FailingRegion> failing_regions(const std::unique_ptr<Method>& method
   std::vector<Search> searches;
   for (const SearchPath& path : paths)
     for (const bool up : {false, true}) searches.emplace_back(path, up, failing);
-  for (int round = 0; round <= region_rounds_cap; ++round)
-    ask_round(searches, method, failing.finding()->kind);
+  for (int round = 0; round <= region_rounds_cap; ++round) ask_round(searches, method);
   std::vector<FailingRegion> regions;
   for (std::size_t i = 0; i < 2; ++i) searches[i].end_as_enclosed();
   for (std::size_t i = 0; i < paths.size(); ++i)

@@ -44,7 +44,7 @@ std::optional<Pair> transformed(Transformation transformation, Pair pair) {
 }
 
 WorkaroundOutcome outcome_of(const Trial& before, Trial& after) {
-  if (after.fails(before.finding()->kind)) return WorkaroundOutcome::still_fails;
+  if (fails_alike(before, after)) return WorkaroundOutcome::still_fails;
   if (!after.decided() || after.meets() != before.meets()) return WorkaroundOutcome::truth_changed;
   if (after.finding()) return WorkaroundOutcome::other_failure;
   if (!after.right()) return WorkaroundOutcome::no_answer;

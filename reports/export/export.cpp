@@ -138,9 +138,11 @@ std::string returned_text(const Trial& p) {
 std::string truth_in_words(const Trial& p) {
   std::string text = in_words(p.truth.certificate);
   if (p.truth.verdict == Verdict::disjoint)
-    return "They are disjoint. " + text + " " +
-           fmt::format("The gap is between {} and {} wide.", format_double(p.distance.lo),
-                       format_double(p.distance.hi));
+    return "They are disjoint. " + text + " The gap is " +
+           (std::isfinite(p.distance.hi)
+                ? fmt::format("between {} and {} wide.", format_double(p.distance.lo),
+                              format_double(p.distance.hi))
+                : fmt::format("wider than {}.", format_double(p.distance.lo)));
   if (p.truth.verdict == Verdict::touching) return "They touch, and solids are closed: they meet. " + text;
   return "They overlap. " + text + " " +
          fmt::format("To part them one of them must move by between {} and {}.",

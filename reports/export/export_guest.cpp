@@ -61,8 +61,8 @@ std::string wrong_in_c(const Trial& asked, const Claim& claim) {
   switch (asked.finding()->kind) {
     case FindingKind::distance_outside: {
       const Enclosure real = allowed(asked, claim);
-      return fmt::format("!isnan(more[0]) && !(more[0] >= {} && more[0] <= {})", literal(real.lo),
-                         literal(real.hi));
+      return fmt::format("!isnan(more[0]) && !(more[0] >= {} && more[0] <= {})", bound(real.lo),
+                         bound(real.hi));
     }
     case FindingKind::bad_witness: {
       const int first = asked.answer().witness == CertificateKind::point ? 4 : 1;
@@ -93,8 +93,8 @@ std::string wrong_in_python(const Trial& asked, const Claim& claim) {
   switch (asked.finding()->kind) {
     case FindingKind::distance_outside: {
       const Enclosure real = allowed(asked, claim);
-      return fmt::format("'distance' in said and not {} <= said['distance'] <= {}", format_double(real.lo),
-                         format_double(real.hi));
+      return fmt::format("'distance' in said and not {} <= said['distance'] <= {}", bound(real.lo),
+                         bound(real.hi));
     }
     case FindingKind::bad_witness: {
       const MethodAnswer& a = asked.answer();

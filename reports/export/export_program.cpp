@@ -105,7 +105,7 @@ std::string verdict_on(const LibraryCall& call, const Words& words, const Trial&
       is_true();
       text += fmt::format("  const double tolerance = {};\n", literal(method.claim().absolute));
       judge_by(fmt::format("!(distance >= {} - tolerance && distance <= {} + tolerance)",
-                           literal(asked.distance.lo), literal(asked.distance.hi)));
+                           bound(asked.distance.lo), bound(asked.distance.hi)));
       break;
     case FindingKind::non_finite:
       text += fmt::format("  const bool finite = std::isfinite(distance){};\n",

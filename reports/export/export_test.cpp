@@ -13,9 +13,11 @@
 
 #include "base/safe_text.hpp"
 #include "corpus/pairs/pair_io.hpp"
+#include "oracles/methods/adapter.hpp"
 #include "reports/export/export_check.hpp"
 #include "reports/export/export_program.hpp"
 #include "reports/export/exported_folder_test.hpp"
+#include "reports/export/program_text.hpp"
 
 namespace cyl {
 namespace {
@@ -108,6 +110,13 @@ TEST(Export, OdeShowsIt) {
   expect_shown("ode", FindingKind::wrong_disjoint, nearly_parallel, R"("point":[0,0,0.3941308281066029])");
 }
 
+TEST(Export, WhatIsFartherThanAnyDoubleIsShown) {
+  expect_shown("bullet-cylinder", FindingKind::distance_outside,
+               R"({"a":{"center":[-1.7e+308,0,0],"axis":[0,0,1],"radius":1,"height":2},)"
+               R"("b":{"center":[1.7e+308,0,0],"axis":[0,1,0],"radius":1,"height":2}})",
+               R"("direction":[0,1,0])");
+}
+
 TEST(Export, MujocoShowsIt) {
   expect_shown("mujoco", FindingKind::wrong_disjoint, huge, R"("point":[0,4e+299,0])");
 }
@@ -133,7 +142,9 @@ TEST(Export, EveryMethodHasAProgram) {
   for (const auto& method : library_methods()) {
     const LibraryCall* call = find_library_call(method->name());
     ASSERT_NE(call, nullptr) << method->name();
-    Trial asked(pair_of(nearly_parallel));
+    // Each number is another; unit axes are (3, 2, 6) / 7 and (4, 4, 7) / 9.
+    Trial asked(pair_of(R"({"a":{"center":[0.11,0.12,0.13],"axis":[3,2,6],"radius":0.21,"height":0.62},)"
+                        R"("b":{"center":[1.01,1.12,1.13],"axis":[4,4,7],"radius":0.41,"height":1.46}})"));
     asked.distance = {-0.5, -0.25};
     asked.answers.resize(1);
     asked.answers[0].status = Status::answered;
@@ -142,7 +153,22 @@ TEST(Export, EveryMethodHasAProgram) {
       asked.findings = {Finding{kind, Severity::contract, {}}};
       const std::string program = reproducing_program(*call, asked, *method);
       EXPECT_FALSE(has(program, "@")) << program;
-      EXPECT_TRUE(has(program, "1.01")) << program;
+      const bool full = call->library == "FCL" || call->library == "ODE";
+      for (const Cylinder* c : {&asked.pair.a, &asked.pair.b}) {
+        const Vector3 axis = unit_axis(c->axis);
+        std::vector<double> numbers{c->radius, full ? c->height : c->height / 2};
+        for (const Vector3* v : {&c->center, &axis}) numbers.insert(numbers.end(), v->begin(), v->end());
+        for (const double x : numbers) EXPECT_TRUE(has(program, literal(x))) << literal(x) << program;
+        EXPECT_FALSE(has(program, literal(full ? c->height / 2 : c->height))) << program;
+        const std::string shape = literal(c->radius) + ", " + literal(c->height);
+        EXPECT_EQ(has(program, shape), full) << "radius, height" << program;
+      }
+      if (call->library == "Bullet") {
+        const bool hull = method->name().starts_with("bullet-hull"),
+                   margins = method->name() == "bullet-cylinder";
+        EXPECT_EQ(has(program, "stretch = (1 + 0x1p-50)"), hull) << program;
+        EXPECT_EQ(has(program, "  a.setMargin(0);\n  b.setMargin(0);\n"), !hull && !margins) << program;
+      }
       EXPECT_EQ(has(program, "WRONG"), kind == FindingKind::wrong_disjoint) << program;
     }
     const bool sets_it =

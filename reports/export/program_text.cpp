@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "reports/export/program_text.hpp"
 
+#include <algorithm>
+#include <limits>
+
 #include "corpus/pairs/pair_io.hpp"
 
 namespace cyl {
@@ -23,6 +26,11 @@ std::string literal(double x) {
   const bool integer = text.find_first_of(".en") == std::string::npos;
   if (integer && (text.size() > 9 || text == "-0")) text += ".0";
   return text;
+}
+
+std::string bound(double x) {
+  constexpr double largest = std::numeric_limits<double>::max();
+  return literal(std::clamp(x, -largest, largest));
 }
 
 std::string listed(const double* numbers, int count) {

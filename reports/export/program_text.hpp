@@ -21,6 +21,9 @@ std::string filled(std::string_view text, const Words& words);
 /// and -0 stays it.
 std::string literal(double x);
 
+/// The same of a bound of doubles: the largest one where it is infinite.
+std::string bound(double x);
+
 /// Returns "1, 2.5, -0.0".
 std::string listed(const double* numbers, int count);
 

@@ -320,19 +320,20 @@ std::string kind_in_words(const std::string& kind) {
   return known ? words[static_cast<std::size_t>(*known)] : kind;
 }
 
-/// `reason`: the method's own words on a failure.
-std::string cause_in_words(const std::string& key, Mechanism mechanism, const std::set<std::string>& kinds,
-                           const std::string& reason) {
+/// `reasons`: by kind the method's own words on a failure, or none.
+std::string cause_in_words(const std::string& key, Mechanism mechanism,
+                           const std::map<std::string, std::string>& reasons) {
+  const bool within = key.ends_with("/within-claim");
   std::string said;
-  for (const std::string& kind : kinds) said += (said.empty() ? "" : "; ") + kind_in_words(kind);
-  if (key.ends_with("/within-claim"))
-    said = "within what it claims of itself: " + said;
-  else if (mechanism != Mechanism::unclassified)
-    said = fmt::format("{} ({})", in_words(mechanism), said);
-  const auto is_thrown = [](const std::string& kind) { return kind == to_string(FindingKind::exception); };
-  const bool thrown = std::any_of(kinds.begin(), kinds.end(), is_thrown);
-  if (!reason.empty()) said += (thrown ? ", in its words: " : ": ") + escaped_controls(reason);
-  return said;
+  for (const auto& [kind, reason] : reasons) {
+    said += (said.empty() ? "" : "; ") + kind_in_words(kind);
+    if (within && kind == to_string(FindingKind::bad_witness))
+      said += ", which a claim with a tolerance does not rule out";
+    const bool thrown = kind == to_string(FindingKind::exception);
+    if (!reason.empty()) said += (thrown ? ", in its words: " : ": ") + escaped_controls(reason);
+  }
+  if (within) return "within what it claims of itself: " + said;
+  return mechanism == Mechanism::unclassified ? said : fmt::format("{} ({})", in_words(mechanism), said);
 }
 
 int rank_of(Severity severity) {
@@ -362,14 +363,12 @@ Bucket sum_up(const std::string& key, const Group& group, const BucketCount& cou
   b.count = count.findings;
   b.pairs = count.most();
   b.mechanism = group.mechanism();
-  std::set<std::string> kinds;
-  std::string reason;
+  std::map<std::string, std::string> reasons;
   for (const FindingRecord* f : group.findings) {
     b.methods.insert(f->method);
     b.families.insert(f->family);
     b.findings.push_back(f->id);
-    kinds.insert(f->kind);
-    if (reason.empty()) reason = f->reason;
+    if (std::string& reason = reasons[f->kind]; reason.empty()) reason = f->reason;
     const Severity severity = from_word<Severity>(f->severity).value_or(Severity::resolution);
     if (rank_of(severity) < rank_of(b.severity)) b.severity = severity;
     if (!f->margin) continue;
@@ -378,7 +377,7 @@ Bucket sum_up(const std::string& key, const Group& group, const BucketCount& cou
   }
   for (const std::string& merged : group.merged)
     if (b.merged.size() < merged_cap) b.merged.push_back(merged);
-  b.cause = cause_in_words(key, b.mechanism, kinds, reason);
+  b.cause = cause_in_words(key, b.mechanism, reasons);
   return b;
 }
 

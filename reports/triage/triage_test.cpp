@@ -399,6 +399,23 @@ TEST(Buckets, HaveMarginsOfAtLeastWhatIsProved) {
   EXPECT_EQ(bucket_from_json(to_json(b)).margin->hi, b.margin->hi);
 }
 
+TEST(Buckets, TheWordsOfAFailureStandByItsKind) {
+  TriageRecords records;
+  for (std::int64_t id = 1; id <= 2; ++id) {
+    records.findings.push_back(finding("intersect", "f", apart(), id == 1 ? "non_finite" : "wrong_disjoint"));
+    records.findings.back().id = id;
+    records.causes.push_back({id, "own/absolute-length", "absolute-length", ""});
+  }
+  records.findings[0].reason = "the witness is not finite";
+  const auto methods = select_methods(own_methods(), "intersect");
+  const std::vector<std::size_t> groups{0};
+  const auto buckets = make_buckets(records, {methods, groups}, [] { return true; });
+  ASSERT_EQ(buckets.size(), 1u);
+  EXPECT_TRUE(buckets[0].cause.ends_with(
+      "(answers a number that is not finite: the witness is not finite; says disjoint of pairs that meet)"))
+      << buckets[0].cause;
+}
+
 TEST(Buckets, GiveAGroupsCountAsItsKeptOnesAre) {
   TriageRecords records;
   for (std::int64_t id = 1; id <= 3; ++id) {

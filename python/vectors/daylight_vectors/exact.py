@@ -193,8 +193,13 @@ def refuted(pair, said):
     shown = width > exact(distance) + exact(tolerance)
     if width > 0:
         return f'{what}small by more than {tolerance}', shown
-    return (f'{what}deep by more than {tolerance}: one along {said["direction"]} ends at depth {float(-width):.9g}',
+    return (f'{what}deep by more than {tolerance}: one along {said["direction"]} ends at depth {in_digits(-width)}',
             shown)
+
+
+def in_digits(length):
+    """The length in nine digits; the largest double for one that no double holds."""
+    return f'{float(min(length, Fraction(sys.float_info.max))):.9g}'
 
 
 def prove(claims):
@@ -209,7 +214,7 @@ def prove(claims):
             what = claim['name'] + ': they ' + ('touch, to within 2^-200 of their size' if 'near' in answer else 'meet')
             if answer['verdict'] == 'disjoint':
                 width = gap(pair, answer['direction'], DIGITS[0])
-                what = f'{claim["name"]}: disjoint, at least {float(width):.9g} apart'
+                what = f'{claim["name"]}: disjoint, at least {in_digits(width)} apart'
         status |= not shown
         print(what + ':', 'proved' if shown else 'NOT PROVED')
     return int(status)
