@@ -27,6 +27,13 @@ constexpr int projection_cap = 60;  // of the points, where nothing else brought
 constexpr int touch_cap = 6;        // of them from each start, where solids overlap
 constexpr int open_box_cap = 2;     // boxes of a pair of rims from which a search starts
 constexpr int settle_cap = 12;      // of them where direction and points do not belong together
+
+// Of nearly parallel axes whose rims nearly touch, f is flat from the poles to the circles: starts in that
+// valley, each a quarter as far from the pole as the one before; steps of Newton's method from each, and how
+// often one is shortened.
+constexpr double valley_tol = 0x1p-6;         // sine of the angle between the axes
+constexpr double valley_depth_tol = 0x1p-34;  // of the reach; where rims show it, deeper, section 3 finds it
+constexpr int valley_start_cap = 10, valley_step_cap = 8, shorter_step_cap = 6;
 // By how much two solids that touch are made to overlap for decide() to find a common point, of the reach.
 constexpr double touch_tols[] = {0x1p-44, 0x1p-38, 0x1p-32, 0x1p-26};
 
@@ -273,6 +280,60 @@ class Search {
           patches.close_around(rims, low_);
         }
       }
+    if (!is_least_ && low_ < valley_depth_tol * reach_ && f_.s < valley_tol) look_along_valley();
+  }
+
+  // Section 3, in directions instead of points: where the rims nearly touch, y is mostly rounding.
+  void look_along_valley() noexcept {
+    const Vector3 out = f_.z * f_.n + f_.e0 * f_.m0;
+    const double size = length(out);
+    if (!(size > 0)) return;
+    for (const double side : {1.0, -1.0}) {
+      double sine = 0.5;
+      for (int i = 0; i < valley_start_cap; ++i, sine /= 4)
+        descend(std::sqrt((1 - sine) * (1 + sine)) * side * f_.w0 + (sine / size) * out);
+    }
+  }
+
+  // Newton's method on f over unit directions, with a step shortened until f falls. g: the part of y square
+  // to D; the second derivative is sum r/s t t^T - f, t square to the axis and to D, s the sine of their
+  // angle. b0 lies along the valley, and a step ends it at half of the way to the pole.
+  void descend(Vector3 d) noexcept {
+    const Scaled& p = p_;
+    double value = support_gap(p, d);
+    for (int step = 0; step < valley_step_cap; ++step) {
+      ++steps_;
+      const Vector3 radial0 = d - dot(d, p.w0) * p.w0, radial1 = d - dot(d, p.w1) * p.w1;
+      const double s0 = length(radial0), s1 = length(radial1);
+      if (!(s0 > 0) || !(s1 > 0) || dot(d, p.delta) < 0) return;
+      const Vector3 n0 = radial0 / s0, n1 = radial1 / s1;
+      const Vector3 on0 = std::copysign(p.h0, dot(d, p.w0)) * p.w0 + p.r0 * n0;
+      const Vector3 y = on0 + std::copysign(p.h1, dot(d, p.w1)) * p.w1 + p.r1 * n1 - p.delta;
+      consider_unit(d, on0, false);
+      const Vector3 flat = p.w0 - dot(p.w0, d) * d, b0 = flat / length(flat), b1 = d.cross(b0);
+      const Vector3 t0 = n0.cross(p.w0), t1 = n1.cross(p.w1);
+      const double g0 = dot(y, b0), g1 = dot(y, b1), k0 = p.r0 / s0, k1 = p.r1 / s1;
+      const double q00 = k0 * dot(t0, b0) * dot(t0, b0) + k1 * dot(t1, b0) * dot(t1, b0) - value,
+                   q01 = k0 * dot(t0, b0) * dot(t0, b1) + k1 * dot(t1, b0) * dot(t1, b1),
+                   q11 = k0 * dot(t0, b1) * dot(t0, b1) + k1 * dot(t1, b1) * dot(t1, b1) - value;
+      if (!(q11 > 0)) return;
+      const double slope = g0 - q01 * g1 / q11, bend = q00 - q01 * q01 / q11, most = s0 / 2;
+      double x0 = bend > 0 ? -slope / bend : -std::copysign(most, slope);
+      x0 = larger(-most, smaller(most, x0));
+      const double x1 = -(g1 + q01 * x0) / q11;
+      double part = 1;
+      int tries = 0;
+      for (;; part /= 4) {
+        const Vector3 turned = d + part * x0 * b0 + part * x1 * b1, next = turned / length(turned);
+        const double now = support_gap(p, next);
+        if (now < value) {
+          d = next;
+          value = now;
+          break;
+        }
+        if (++tries == shorter_step_cap) return;
+      }
+    }
   }
 
   // Section 3. D is square to both tangents, and along y. Near contact y is mostly rounding, and where the

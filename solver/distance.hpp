@@ -8,8 +8,8 @@
 namespace cyl {
 
 /// Steps of all searches that one answer may spend: apart four of 60 on circles, 14 of 61 with rims, 72
-/// projections; overlapping less.
-inline constexpr int distance_step_cap = 1166;
+/// projections; overlapping no more, and 160 along valleys of f.
+inline constexpr int distance_step_cap = 1326;
 
 /// Bound of rounding in f(direction) and in the distance of the points, times r0 + h0/2 + r1 + h1/2 +
 /// |Delta|; derived in distance.md, section 5.

@@ -331,6 +331,29 @@ TEST(Distance, DeepestPointsLieInTheirSolids) {
   }
 }
 
+// Found by a campaign. f is flat from the poles to the circles; depths in 113 bits, by a search over
+// directions.
+TEST(Distance, FindsTheDepthInAFlatValley) {
+  const Cylinder a{{2.1620297199287264, -2.4687042190803603, 1.256769312395855},
+                   {0.5086679462676531, 0.8609627869076851, 0},
+                   1.1578625628677526,
+                   0.4788928469533734},
+      b{{3.625019602821091, -2.4024347995372226, 1.2567694051985225},
+        {0.508667177555022, 0.8609632410725654, 1.7791759813279657e-07},
+        0.06800865597854862,
+        1.1235701581616409};
+  EXPECT_NEAR(distance(a, b).value, -1.20425892e-12, 1e-16);
+  const Cylinder c{{0, 0, 0},
+                   {0.9671522631386378, 0.007889216095092846, -0.25407530414272045},
+                   0.003876462523378664,
+                   8.413680357385453e-06},
+      d{{0.004584573012102359, 0.03925209595696156, 0.025074067402078515},
+        {0.9671522631468801, 0.007889216108005715, -0.2540753041109447},
+        0.04289753561431928,
+        0.003245692057004645};
+  EXPECT_NEAR(distance(c, d).value, -1.97303e-15, 1e-17);
+}
+
 TEST(Distance, DirectionIsOfUnitLengthWhereSquaresVanish) {
   for (const Vector3& off : {Vector3(3e-162, 1e-162, 0), Vector3(1e-160, 3.3e-161, 0)})
     for (const double radius : {0.0, 0.5}) {
