@@ -1,0 +1,575 @@
+// SPDX-License-Identifier: MIT
+// Test vectors: pairs with what is true of them and what proves it, for tests of code that is elsewhere.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <memory>
+#include <numbers>
+#include <optional>
+#include <set>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "base/source_tree.hpp"
+#include "base/usage_error.hpp"
+#include "cli/commands.hpp"
+#include "cli/families.hpp"
+#include "cli/options.hpp"
+#include "corpus/pairs/pair_digest.hpp"
+#include "corpus/pairs/pair_io.hpp"
+#include "corpus/pairs/solid_kind.hpp"
+#include "corpus/pairs/strata.hpp"
+#include "corpus/pairs/truth_io.hpp"
+#include "oracles/methods/method.hpp"
+#include "oracles/referee/certificate_check.hpp"
+#include "oracles/referee/proofs.hpp"
+#include "oracles/trial/contact.hpp"
+#include "solver/distance.hpp"
+
+namespace cyl {
+
+namespace {
+
+using Long3 = Eigen::Matrix<long double, 3, 1>;
+
+/// The relative width of the distance that is searched.
+constexpr double direction_width = 1e-13;
+
+/// One vector, or one of a group that has the same truth.
+struct Vector {
+  std::string id, line;  ///< of JSON
+  std::string c;         ///< of the header of C; "" if it has no place there
+  Verdict result = Verdict::undecided;
+};
+
+/// What is written of a vector beside its pair.
+struct Extra {
+  std::string like{}, change{}, source{};
+  int prism_sides = 0;
+};
+
+// ---- numbers -------------------------------------------------------------------------------------------
+
+Long3 wide(const Vector3& v) { return v.cast<long double>(); }
+
+/// All lengths that rounding errors are relative to.
+long double scale_of(const Pair& p) {
+  return (wide(p.b.center) - wide(p.a.center)).norm() + p.a.radius + p.a.height + p.a.rounding + p.b.radius +
+         p.b.height + p.b.rounding;
+}
+
+/// The gap that planes square to the direction show, but for rounding.
+long double gap_along(const Pair& p, const Vector3& direction) {
+  const Long3 d = wide(direction).normalized();
+  long double gap = std::abs(d.dot(wide(p.b.center) - wide(p.a.center)));
+  for (const Cylinder* c : {&p.a, &p.b}) {
+    const Long3 w = wide(c->axis).normalized();
+    gap -= c->radius * d.cross(w).norm() + c->height / 2.0L * std::abs(d.dot(w)) + c->rounding;
+  }
+  return gap;
+}
+
+/// The end of the interval that a direction proves: rounding errors are far below what is taken off.
+double proved_below(const Pair& p, const Vector3& direction) {
+  const auto low = static_cast<double>(gap_along(p, direction) - 0x1p-58L * scale_of(p));
+  return std::nextafter(low, -std::numeric_limits<double>::infinity());
+}
+
+/// A direction whose gap is exactly 0, in numbers whose roots are rational.
+std::optional<Vector3> touching_direction(const Pair& p) {
+  const Vector3 delta = p.b.center - p.a.center, normal = p.a.axis.cross(p.b.axis);
+  const auto has_root = [](double square) { return std::sqrt(square) * std::sqrt(square) == square; };
+  for (const Vector3& d : {p.a.axis, p.b.axis, normal, delta, Vector3(p.a.axis.cross(delta).cross(p.a.axis)),
+                           Vector3(p.b.axis.cross(delta).cross(p.b.axis))}) {
+    if (d.isZero(0) || !d.allFinite() || d.cwiseAbs().maxCoeff() > 1e5) continue;
+    bool rational = d == Vector3(d.array().round()) && has_root(d.squaredNorm());
+    for (const Cylinder* c : {&p.a, &p.b})
+      rational = rational && has_root(c->axis.squaredNorm()) && has_root(d.cross(c->axis).squaredNorm());
+    if (rational && std::abs(gap_along(p, d)) <= 0x1p-58L * scale_of(p)) return d;
+  }
+  return {};
+}
+
+// ---- certificates --------------------------------------------------------------------------------------
+
+Certificate direction_of(const Vector3& d) {
+  const double head[3] = {d[0], d[1], d[2]};
+  return {CertificateKind::direction, exact_vector(head, no_tail), {}};
+}
+
+Hull hull_of(const Cylinder& c) {
+  if (c.radius == 0) return c.height == 0 ? Hull::center : Hull::line;
+  return c.height == 0 ? Hull::plane : Hull::space;
+}
+
+/// A point of the core next to the centre with the offset.
+std::optional<ExactVector> point_in(const Cylinder& c, const Vector3& offset) {
+  for (const double share : {1.0, 1 - 0x1p-50, 1 - 0x1p-44, 1 - 0x1p-36, 1 - 0x1p-28}) {
+    ExactVector x;
+    for (std::size_t i = 0; i < 3; ++i) {
+      x.head[i] = c.center[static_cast<int>(i)];
+      x.tail[i] = share * offset[static_cast<int>(i)];
+    }
+    const Rational3 moved = project_to_hull(c, exact(x));
+    if (in_each_exact({c, c}, moved, moved)) return x;
+  }
+  return {};
+}
+
+/// Two points of the cores, and no less than the distance that they show; nothing if none are found.
+std::optional<std::pair<Certificate, double>> nearest_points(const Pair& p) {
+  Cylinder a = p.a, b = p.b;
+  a.rounding = b.rounding = 0;
+  const Distance near = distance(a, b);
+  const auto x = point_in(a, near.on_a), y = point_in(b, near.on_b);
+  if (!x || !y) return {};
+  const Rational3 between = project_to_hull(b, exact(*y)) - project_to_hull(a, exact(*x));
+  const long double length =
+      Long3(between.x.get_d(), between.y.get_d(), between.z.get_d()).norm() * (1 + 0x1p-51L);
+  const long double high = length - p.a.rounding - p.b.rounding + 0x1p-58L * scale_of(p);
+  Certificate proof{.kind = CertificateKind::points, .vector = *x, .second = *y};
+  proof.hulls = {hull_of(a), hull_of(b)};
+  return std::pair(proof, std::nextafter(static_cast<double>(high), std::numeric_limits<double>::infinity()));
+}
+
+/// The members of a certificate's object.
+std::string members(const Certificate& c) {
+  const std::string text = format_certificate(c);
+  return text.substr(1, text.size() - 2);
+}
+
+struct Proved {
+  Enclosure distance;
+  std::string certificate;
+};
+
+/// What the exact checker proves; nothing of what has no such proof.
+std::optional<Proved> prove(const Pair& pair, const Truth& truth) {
+  if (truth.verdict == Verdict::touching) {
+    std::string certificate = members(truth.certificate);
+    if (certificate.starts_with("\"near\"")) return Proved{{0, 0}, certificate};
+    const auto d = touching_direction(pair);
+    if (!d) return {};
+    return Proved{{0, 0}, certificate + ',' + members(direction_of(*d))};
+  }
+  const AttainedDistance attained = attain_distance(pair, truth, direction_width);
+  const Vector3 d(attained.direction[0], attained.direction[1], attained.direction[2]);
+  Proved proved{{proved_below(pair, d), attained.distance.hi}, members(direction_of(d))};
+  if (!std::isfinite(proved.distance.lo) || !std::isfinite(proved.distance.hi)) return {};
+  if (truth.verdict == Verdict::intersecting) {
+    proved.certificate = members(truth.certificate) + ',' + proved.certificate;
+  } else if (const auto near = nearest_points(pair)) {
+    proved.distance.hi = near->second;
+    proved.certificate += ",\"nearest\":" + format_certificate(near->first);
+  }
+  const bool apart = truth.verdict == Verdict::disjoint;
+  if (proved.distance.lo > proved.distance.hi || (apart && proved.distance.lo <= 0)) return {};
+  return proved;
+}
+
+// ---- classes -------------------------------------------------------------------------------------------
+
+/// The nearest float. Volatile, since g++ 12 at -O3 drops the two casts at the end of a vectorised loop.
+double as_float(double x) {
+  const volatile float nearest = static_cast<float>(x);
+  return static_cast<double>(nearest);
+}
+
+bool is_float(const Pair& p) {
+  for (const double x : numbers_of(p)) {
+    const bool normal = x == 0 || (std::abs(x) >= std::numeric_limits<float>::min() &&
+                                   std::abs(x) <= std::numeric_limits<float>::max());
+    if (!normal || as_float(x) != x) return false;
+  }
+  return true;
+}
+
+bool is_everyday(const Pair& p) {
+  for (const Cylinder* c : {&p.a, &p.b}) {
+    for (const double x : {c->radius, c->height, c->rounding})
+      if (x != 0 && (x < 0.1 || x > 10)) return false;
+    if (c->center.cwiseAbs().maxCoeff() > 100 || std::abs(c->axis.norm() - 1) > 1e-6) return false;
+  }
+  return true;
+}
+
+/// By names of vectors/v1/flags.json, which says what each is and who met it.
+std::string flags_of(const Pair& p, Verdict result, std::optional<ContactFeature> feature, double margin) {
+  std::string flags;
+  const auto flag = [&](bool has, std::string_view name) {
+    if (has) flags += fmt::format("{}\"{}\"", flags.empty() ? "" : ",", name);
+  };
+  const auto either = [&](auto has) { return has(p.a) || has(p.b); };
+  const Vector3 delta = p.b.center - p.a.center;
+  const double size = size_of(p), of_a = p.a.radius + p.a.height + p.a.rounding, of_b = size - of_a;
+  const AngleClass angle = angle_class(p);
+  const bool has_axes = !either([](const Cylinder& c) { return c.radius + c.height == 0; });
+  const double off = delta.cross(p.a.axis.stableNormalized()).norm();
+  flag(has_axes && angle == AngleClass::parallel, "ParallelAxes");
+  flag(has_axes && angle > AngleClass::parallel && angle < AngleClass::generic, "NearlyParallelAxes");
+  flag(has_axes && angle == AngleClass::right, "SquareAxes");
+  flag(has_axes && angle == AngleClass::near_right, "NearlySquareAxes");
+  flag(has_axes && angle == AngleClass::parallel && off <= 1e-12 * size, "Coaxial");
+  flag(delta.isZero(0), "Concentric");
+  flag(feature == ContactFeature::containment, "Contained");
+  flag(feature == ContactFeature::cap_cap, "FaceOnFace");
+  flag(feature == ContactFeature::rim_rim, "RimOnRim");
+  flag(feature == ContactFeature::side_rim || feature == ContactFeature::cap_rim, "RimOnFace");
+  flag(result == Verdict::touching, "Touching");
+  flag(result != Verdict::touching && margin < 1e-6, "NearlyTouching");
+  flag(either([](const Cylinder& c) { return c.rounding == 0 && c.radius * c.height == 0; }), "Flat");
+  flag(either([](const Cylinder& c) { return c.height > 0 && c.radius > 0 && c.radius < 0.01 * c.height; }),
+       "Needle");
+  flag(either([](const Cylinder& c) { return c.radius > 0 && c.height > 0 && c.height < 0.01 * c.radius; }),
+       "Coin");
+  flag(either([](const Cylinder& c) { return kind_of(c) == SolidKind::sphere; }), "Sphere");
+  flag(either([](const Cylinder& c) { return kind_of(c) == SolidKind::capsule; }), "Capsule");
+  flag(either([](const Cylinder& c) { return kind_of(c) == SolidKind::rounded; }), "RoundedEdges");
+  flag(size < 1e-3 || size > 1e3, "UnusualSize");
+  flag(std::max(p.a.center.stableNorm(), p.b.center.stableNorm()) > 1000 * size, "FarAway");
+  flag(std::min(of_a, of_b) > 0 && std::max(of_a, of_b) > 1000 * std::min(of_a, of_b), "MixedSizes");
+  flag(either([](const Cylinder& c) { return std::abs(c.axis.stableNorm() - 1) > 1e-6; }), "AxisOfAnyLength");
+  return flags;
+}
+
+// ---- other forms ---------------------------------------------------------------------------------------
+
+struct Turn {
+  double w, x, y, z;
+  long double off;  ///< no point of the solid is farther from where the axis has it
+};
+
+/// The rotation that takes z to the axis, as a quaternion of length 1 within rounding.
+Turn turn_of(const Cylinder& c, bool in_floats) {
+  Long3 axis = wide(c.axis).normalized();
+  if (axis[2] < 0) axis = -axis;
+  const long double w = std::sqrt((1 + axis[2]) / 2);
+  const auto rounded = [&](long double x) {
+    return in_floats ? as_float(static_cast<double>(x)) : static_cast<double>(x);
+  };
+  Turn q{rounded(w), rounded(-axis[1] / (2 * w)), rounded(axis[0] / (2 * w)), 0, 0};
+  const long double W = q.w, X = q.x, Y = q.y;
+  const Long3 got(2 * W * Y, -2 * W * X, W * W - X * X - Y * Y);
+  long double sine = got.normalized().cross(axis).norm();
+  const bool same = got.cwiseAbs().maxCoeff() == got.cwiseAbs().sum() && axis.cwiseAbs().sum() == 1;
+  q.off = same ? 0 : (2 * sine + 0x1p-58L) * (c.radius + c.height / 2.0L);
+  return q;
+}
+
+/// Corners of an n-sided prism inside or around the core.
+std::string prism(const Cylinder& c, int sides, bool around) {
+  const Vector3 w = c.axis.normalized(), u = w.unitOrthogonal(), v = w.cross(u);
+  const double more = around ? 1 + 0x1p-20 : 1 - 0x1p-20;
+  const double r = c.radius * more / (around ? std::cos(std::numbers::pi / sides) : 1);
+  std::string text;
+  for (const double end : {-0.5, 0.5})
+    for (int i = 0; i < sides; ++i) {
+      const double t = 2 * std::numbers::pi * i / sides;
+      const Vector3 x = c.center + end * more * c.height * w + r * (std::cos(t) * u + std::sin(t) * v);
+      text += fmt::format("{}[{},{},{}]", text.empty() ? "" : ",", format_double(x[0]), format_double(x[1]),
+                          format_double(x[2]));
+    }
+  return '[' + text + ']';
+}
+
+/// Numbers that are none of JSON become strings.
+std::string solid(const Cylinder& c, const std::string& more = "") {
+  const auto number = [](double x) {
+    return std::isfinite(x) ? format_double(x) : '"' + format_double(x) + '"';
+  };
+  return fmt::format(R"({{"center":[{},{},{}],"axis":[{},{},{}],"radius":{},"height":{}{}{}}})",
+                     number(c.center[0]), number(c.center[1]), number(c.center[2]), number(c.axis[0]),
+                     number(c.axis[1]), number(c.axis[2]), number(c.radius), number(c.height),
+                     c.rounding == 0 ? "" : ",\"rounding\":" + number(c.rounding), more);
+}
+
+std::string numbers_in_c(const Cylinder& c) {
+  std::string text;
+  for (const double x : numbers_of(c))
+    text += fmt::format("{}{}", text.empty() ? "{" : ",", format_double(x));
+  return text + '}';
+}
+
+std::string id_of(const Pair& pair) { return fmt::format("v1-{:016x}", digest_of(pair, fnv1a(""))); }
+
+// ---- vectors -------------------------------------------------------------------------------------------
+
+std::optional<Vector> invalid_vector(const Pair& pair) {
+  const Defect defect = std::max(find_defect(pair.a), find_defect(pair.b));
+  if (defect == Defect::none) return {};
+  Vector v{id_of(pair), "", "", Verdict::invalid};
+  v.line = fmt::format(
+      R"({{"id":"{}","kind":"invalid","flags":["Invalid"],"a":{},"b":{},"result":"invalid","why":"{}"}})",
+      v.id, solid(pair.a), solid(pair.b), to_string(defect));
+  return v;
+}
+
+std::optional<Vector> vector_of(Pair pair, const Extra& extra = {}) {
+  if (!is_legal(pair)) return {};
+  for (Cylinder* c : {&pair.a, &pair.b}) {  // no -0, which readers of JSON lose
+    c->center += Vector3::Zero();
+    c->axis += Vector3::Zero();
+  }
+  static const auto solver = certifying_method();
+  const MethodAnswer offered[] = {solver->ask(pair)};
+  const Truth truth = judge(pair, offered);
+  if (truth.verdict == Verdict::undecided) return {};
+  const auto proved = prove(pair, truth);
+  if (!proved) return {};
+  const auto& [lo, hi] = proved->distance;
+  const double least = lo > 0 ? lo : -std::min(hi, 0.0), most = std::max(std::abs(lo), std::abs(hi));
+  const double size = size_of(pair), margin = size > 0 ? least / size : least > 0 ? 1 : 0;
+  const bool floats = is_float(pair);
+  const auto feature = contact_feature(pair, truth);
+  const Turn of_a = turn_of(pair.a, floats), of_b = turn_of(pair.b, floats);
+  const long double off = (of_a.off + of_b.off) * (1 + 0x1p-30L);
+  const bool turns = off == 0 || off < least / 2;
+  const auto turned = [&](const Turn& q) {
+    return turns ? fmt::format(",\"quaternion\":[{},{},{},{}]", format_double(q.w), format_double(q.x),
+                               format_double(q.y), format_double(q.z))
+                 : "";
+  };
+  Vector v{id_of(pair), "", "", truth.verdict};
+  v.line = fmt::format(
+      R"({{"id":"{}","kind":"{}","precision":"{}","sizes":"{}","flags":[{}],"a":{},"b":{},"result":"{}",)"
+      R"("distance":[{},{}],"margin":{},"acceptable_below":{})",
+      v.id,
+      extra.prism_sides      ? "prisms"
+      : extra.change.empty() ? "pair"
+                             : "changed",
+      floats ? "float32" : "float64", is_everyday(pair) ? "ordinary" : "extreme",
+      flags_of(pair, truth.verdict, feature, margin), solid(pair.a, turned(of_a)),
+      solid(pair.b, turned(of_b)), to_string(truth.verdict), format_double(lo), format_double(hi),
+      format_double(margin), format_double(most));
+  if (feature) v.line += fmt::format(",\"feature\":\"{}\"", to_string(*feature));
+  if (turns)
+    v.line +=
+        ",\"quaternion_off\":" + format_double(std::nextafter(static_cast<double>(off), off > 0 ? 1 : 0));
+  if (!extra.change.empty())
+    v.line += fmt::format(",\"like\":\"{}\",\"change\":\"{}\"", extra.like, extra.change);
+  if (!extra.source.empty()) v.line += ",\"source\":" + quote_json(extra.source);
+  if (extra.prism_sides) {
+    if (truth.verdict == Verdict::touching || least < 1e-5 * size) return {};
+    const bool around = truth.verdict == Verdict::intersecting;
+    v.line += fmt::format(R"(,"prisms":{{"sides":{},"lie":"{}","a":{},"b":{}}})", extra.prism_sides,
+                          around ? "around" : "inside", prism(pair.a, extra.prism_sides, around),
+                          prism(pair.b, extra.prism_sides, around));
+  }
+  v.line += ",\"certificate\":{" + proved->certificate + "}}";
+  v.c = fmt::format("{{\"{}\", {}, {}, {}, {}, {}, {}}}", v.id, numbers_in_c(pair.a), numbers_in_c(pair.b),
+                    truth.verdict == Verdict::disjoint       ? -1
+                    : truth.verdict == Verdict::intersecting ? 1
+                                                             : 0,
+                    format_double(lo), format_double(hi), format_double(most));
+  return v;
+}
+
+struct Change {
+  const char* name;
+  Pair (*of)(Pair);
+};
+
+Pair cycled(Pair p) {
+  for (Cylinder* c : {&p.a, &p.b})
+    for (Vector3* v : {&c->center, &c->axis}) *v = Vector3((*v)[2], (*v)[0], (*v)[1]);
+  return p;
+}
+
+Pair mirrored(Pair p) {
+  for (Cylinder* c : {&p.a, &p.b})
+    for (Vector3* v : {&c->center, &c->axis}) (*v)[0] = 0 - (*v)[0];
+  return p;
+}
+
+/// Changes that no number is rounded by. Of a scaled pair the distance is scaled too.
+constexpr Change changes[] = {
+    {"exchanged",
+     [](Pair p) {
+       return Pair{p.b, p.a};
+     }},
+    {"axis of a reversed",
+     [](Pair p) {
+       p.a.axis = Vector3(0, 0, 0) - p.a.axis;
+       return p;
+     }},
+    {"coordinates cycled", cycled},
+    {"mirrored in x", mirrored},
+    {"scaled by 8", [](Pair p) { return scaled(p, 3); }},
+    {"axis of b doubled",
+     [](Pair p) {
+       p.b.axis *= 2;
+       return p;
+     }},
+};
+
+Pair in_floats(const Pair& p) {
+  auto numbers = numbers_of(p);
+  for (double& x : numbers) x = as_float(x);
+  return pair_of(numbers.data(), cylinder_number_count);
+}
+
+/// Draws vectors in turn from sources of every kind; same seed, same vectors.
+class Source {
+ public:
+  Source(std::uint64_t seed, const std::string& cases) : seed_(seed) {
+    for (Case& c : cases_in(cases, true))
+      if (c.file.ends_with("reported.jsonl")) reported_.push_back(std::move(c));
+  }
+
+  /// The vectors of a turn of 20; k counts the rounds.
+  std::vector<Vector> draw(std::uint64_t turn, std::uint64_t k) const {
+    if (turn < 7) return one(vector_of(stratum(turn, 1 + k % 12, k)));
+    if (turn < 11) return one(vector_of(in_floats(stratum((4 * k + turn) % 7, 1 + k % 5, k + (1U << 20U)))));
+    if (turn == 11) return one(vector_of(of({"close_contacts", "close_rims", "coins_edge_to_edge"}, k)));
+    if (turn == 12)
+      return one(vector_of(
+          of({"tiny_and_huge", "far", "mixed_scale", "needles", "disks", "raw_axes", "needle_and_disk"}, k)));
+    if (turn == 13)
+      return one(vector_of(of({"coaxial", "equal", "contained", "axes_parallel", "segments", "flat_disks",
+                               "axes_nearly_parallel", "points", "axes_perpendicular"},
+                              k)));
+    if (turn == 14) {
+      const auto rounded = rounded_families();
+      const Pair pair = rounded[k % rounded.size()].generate(seed_, k / rounded.size());
+      return one(vector_of(k / rounded.size() % 2 ? in_floats(pair) : pair));
+    }
+    if (turn == 15) return one(touching(k));
+    if (turn == 16) {
+      if (k >= reported_.size()) return one(vector_of(of({"random"}, k)));
+      return one(vector_of(reported_[k].pair, {.source = reported_[k].source}));
+    }
+    if (turn == 17)
+      return k % 6 ? std::vector<Vector>{} : changed(stratum(k / 6 % 7, 1 + k % 5, k + (1U << 21U)));
+    if (turn == 18)
+      return one(vector_of(stratum(k % 6, 1 + k % 3, k + (1U << 22U)), {.prism_sides = k % 2 ? 8 : 6}));
+    return one(invalid_vector(spoiled(k)));
+  }
+
+ private:
+  static std::vector<Vector> one(std::optional<Vector> v) {
+    return v ? std::vector<Vector>{std::move(*v)} : std::vector<Vector>{};
+  }
+
+  Pair stratum(std::uint64_t feature, std::uint64_t decade, std::uint64_t k) const {
+    const auto pair =
+        draw_in_stratum(static_cast<ContactFeature>(feature), static_cast<int>(decade), seed_, k);
+    return pair ? *pair : of({"random"}, k);
+  }
+
+  Pair of(std::vector<std::string_view> names, std::uint64_t k) const {
+    return find_family(names[k % names.size()])->generate(seed_, k / names.size());
+  }
+
+  std::optional<Vector> touching(std::uint64_t k) const {
+    for (std::uint64_t i = 0; i < 200; ++i) {
+      const auto v = vector_of(of({"lattice"}, 200 * k + i));
+      if (v && v->result == Verdict::touching) return v;
+    }
+    return {};
+  }
+
+  std::vector<Vector> changed(const Pair& pair) const {
+    std::vector<Vector> group = one(vector_of(pair));
+    if (group.empty()) return group;
+    const std::string like = group[0].id;
+    for (const Change& change : changes)
+      if (auto v = vector_of(change.of(pair), {.like = like, .change = change.name}))
+        group.push_back(std::move(*v));
+    return group;
+  }
+
+  Pair spoiled(std::uint64_t k) const {
+    Pair pair = of({"random"}, k + (1U << 20U));
+    Cylinder& c = k % 2 ? pair.b : pair.a;
+    const double bad[] = {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity(),
+                          -1};
+    const std::uint64_t what = k % 10;
+    if (what < 8) {
+      *numbers_of(c)[what < 2 ? what : what + 1] = bad[what < 5 ? k % 2 : k % 3];
+    } else {
+      c.axis.setZero();
+    }
+    return pair;
+  }
+
+  std::uint64_t seed_;
+  std::vector<Case> reported_;
+};
+
+struct VectorsOptions {
+  std::string tier = "smoke";
+  std::uint64_t seed = 1, count = 0;
+  bool header = false;
+  std::string cases;
+};
+
+std::uint64_t count_of(const VectorsOptions& options) {
+  constexpr std::pair<std::string_view, std::uint64_t> tiers[] = {
+      {"smoke", 200}, {"standard", 2000}, {"full", 200000}};
+  for (const auto& [name, count] : tiers)
+    if (name == options.tier) return options.count ? options.count : count;
+  throw UsageError("--tier " + options.tier + ": smoke, standard or full");
+}
+
+constexpr std::string_view header_head = R"(/* SPDX-License-Identifier: MIT
+   Pairs of solids and what is proved of them: the vectors of the tier {} that are legal, as in its JSON file.
+   A solid: center, axis, radius, full height, rounding. result: -1 disjoint, 0 touching, 1 intersecting.
+   The signed distance is from low to high. A library with a larger tolerance than acceptable_below may say either. */
+#ifndef DAYLIGHT_VECTORS_H
+#define DAYLIGHT_VECTORS_H
+typedef struct {{
+  const char* id;
+  double a[9], b[9];
+  int result;
+  double low, high, acceptable_below;
+}} DaylightVector;
+static const DaylightVector daylight_vectors[] = {{
+)";
+
+int write_vectors(const VectorsOptions& options) {
+  const std::uint64_t count = count_of(options);
+  const Source source(options.seed, options.cases);
+  std::set<std::string> ids;
+  if (options.header)
+    fmt::print(header_head, options.tier);
+  else
+    fmt::print(
+        "{{\"schema\":\"daylight-vectors-v1\",\"tier\":\"{}\",\"seed\":{},\"count\":{},\"vectors\":[\n",
+        options.tier, options.seed, count);
+  for (std::uint64_t i = 0; ids.size() < count; ++i)
+    for (const Vector& v : source.draw(i % 20, i / 20)) {
+      if (ids.size() >= count || !ids.insert(v.id).second) continue;
+      if (!options.header)
+        fmt::print("{}{}\n", v.line, ids.size() < count ? "," : "");
+      else if (!v.c.empty())
+        fmt::print("  {},\n", v.c);
+    }
+  fmt::print("{}\n", options.header ? "};\n#endif" : "]}");
+  return exit_pass;
+}
+
+}  // namespace
+
+void add_vectors(Program& program) {
+  Command command =
+      program.command("Measure", "vectors", "Writes test vectors: pairs, what is true of them, and proofs");
+  auto options = std::make_shared<VectorsOptions>();
+  options->cases = in_source_tree("corpus/cases");
+  command.option("--tier", options->tier, "smoke (200 vectors), standard (2,000) or full (200,000)");
+  command.number("--seed", options->seed, "same seed, same pairs, on every machine");
+  command.number("--count", options->count, "vectors to write; 0: as many as the tier has");
+  command.flag("--header", options->header, "write a header of C with the legal pairs instead of JSON");
+  command
+      .option("--cases", options->cases,
+              "folder whose reported.jsonl has pairs of public reports; '' for none")
+      .default_text("corpus/cases/");
+  command.examples("  daylight vectors --tier full --seed 7 > full.json");
+  command.run([options] { return write_vectors(*options); });
+}
+
+}  // namespace cyl

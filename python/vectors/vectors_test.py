@@ -1,0 +1,250 @@
+# SPDX-License-Identifier: MIT
+"""vectors_test.py DAYLIGHT: the exact checker proves what `daylight vectors` writes and what is committed, both
+the same vectors. The lint, the runner and the plug-in of pytest notice what is planted."""
+import contextlib
+import copy
+import importlib.util
+import io
+import json
+import math
+import os
+import pathlib
+import re
+import subprocess
+import sys
+import tempfile
+import unittest
+
+sys.dont_write_bytecode = True
+import daylight_vectors  # noqa: E402
+from daylight_vectors import lint, runner  # noqa: E402
+from daylight_vectors.__main__ import main  # noqa: E402
+
+HERE = pathlib.Path(__file__).resolve().parent
+ROOT = HERE.parents[1]
+PROGRAM = pathlib.Path(sys.argv.pop(1)).resolve()
+FLAGS = daylight_vectors.flags()
+SMOKE = daylight_vectors.load('smoke')
+MINE = '''
+import json, pathlib
+KNOWN = json.loads(pathlib.Path(%r).read_text())['vectors']
+ASKED = []
+def right(a, b):
+    ASKED.append(a)
+    for v in KNOWN:
+        if all([*map(float, [*v[k]['center'], *v[k]['axis'], v[k]['radius'], v[k]['height'], v[k].get('rounding', 0)])]
+               == [*s['center'], *s['axis'], s['radius'], s['height'], s['rounding']] for k, s in (('a', a), ('b', b))):
+            return v['result'] != 'disjoint' if v['result'] != 'invalid' else 'invalid'
+    raise ValueError('not a number')
+def blind(a, b):
+    return right(a, b) is True and not a['rounding'] > 0
+def unable(a, b):
+    return None
+'''
+
+
+def lacks(what, package):
+    if os.environ.get('CI') == 'true':
+        raise AssertionError(f'with CI=true nothing may be skipped: no {what}')
+    raise unittest.SkipTest(f'no {what}: apt-get install {package}')
+
+
+def written(*arguments):
+    return subprocess.run([PROGRAM, 'vectors', *arguments], stdout=subprocess.PIPE, text=True, check=True).stdout
+
+
+class Lint(unittest.TestCase):
+    def test_what_is_committed(self):
+        for tier in ('smoke', 'standard'):
+            document = daylight_vectors.load(tier)
+            self.assertEqual(list(lint.lint(document, FLAGS)), [])
+            now = json.loads(written('--tier', tier))
+            self.assertEqual([(v['id'], v['result']) for v in document['vectors']],
+                             [(v['id'], v['result']) for v in now['vectors']], 'a vector never changes')
+            self.assertEqual({f for v in document['vectors'] for f in v['flags']}, set(FLAGS))
+        self.assertEqual(document['vectors'][:200], SMOKE['vectors'])
+        page = (ROOT / 'docs/vectors.md').read_text()
+        self.assertEqual(lint.missing_rows(FLAGS, page), set())
+        self.assertEqual(lint.missing_rows(FLAGS, page.replace('| `Coaxial` |', '| Coaxial |')), {'Coaxial'})
+        header = (daylight_vectors.FOLDER / 'smoke.h').read_text()
+        self.assertEqual(re.findall(r'"(v1-\w+)"', header),
+                         [v['id'] for v in SMOKE['vectors'] if v['result'] != 'invalid'])
+
+    def test_other_seeds(self):
+        for seed in ('7', '8'):
+            document = json.loads(written('--count', '300', '--seed', seed))
+            self.assertEqual(list(lint.lint(document, FLAGS)), [])
+            for key, words in (('precision', ('float32', 'float64')), ('sizes', ('ordinary', 'extreme')),
+                               ('kind', ('pair', 'changed', 'prisms', 'invalid')),
+                               ('result', ('disjoint', 'touching', 'intersecting', 'invalid'))):
+                for word in words:
+                    self.assertGreater(sum(v.get(key) == word for v in document['vectors']), 8, word)
+
+    def planted(self, change, of=lambda v: True):
+        """What the lint says of the first vector of a kind after a change."""
+        document = copy.deepcopy(SMOKE)
+        index, v = next((i, v) for i, v in enumerate(document['vectors']) if of(v))
+        change(v)
+        told = [line for line in lint.lint(document, FLAGS) if line.startswith(v['id'])]
+        return told[0] if told else ''
+
+    def test_what_is_planted(self):
+        def result(word):
+            return lambda v: v['result'] == word
+
+        def put(*path):
+            def change(v):
+                for key in path[:-2]:
+                    v = v[key]
+                v[path[-2]] = path[-1](v[path[-2]]) if callable(path[-1]) else path[-1]
+            return change
+        for change, of, why in (
+                (put('result', 'intersecting'), result('disjoint'), 'malformed'),
+                (put('result', 'disjoint'), result('intersecting'), 'does not separate'),
+                (put('result', 'touching'), result('intersecting'), 'touching at a distance'),
+                (put('result', 'invalid'), result('disjoint'), 'called invalid'),
+                (put('a', 'radius', lambda r: r + 1e-9), result('disjoint'), 'the id'),
+                (put('certificate', 'direction', 0, lambda x: x + 1e-4), result('disjoint'), 'lower end'),
+                (put('certificate', 'direction', lambda d: d[1:] + d[:1]), result('disjoint'), 'separate'),
+                (put('certificate', 'nearest', 'points', 0, 0, [0, 0]), result('disjoint'), 'upper end'),
+                (put('certificate', 'point', 0, lambda x: [9, 9]), lambda v: 'point' in v.get('certificate', ()),
+                 'both'),
+                (put('distance', 0, lambda x: x * (1 + 1e-9)), result('disjoint'), 'distance'),
+                (put('distance', 1, lambda x: x * (1 - 1e-9)), result('disjoint'), 'distance'),
+                (put('distance', 0, lambda x: x * (1 - 1e-6)), result('intersecting'), 'distance'),
+                (put('acceptable_below', lambda x: x / 2), result('disjoint'), 'acceptable_below'),
+                (put('margin', lambda x: x * 2), result('disjoint'), 'margin'),
+                (put('flags', ['Round']), result('disjoint'), 'no such flag'),
+                (put('precision', 'float32'), lambda v: v.get('precision') == 'float64', 'precision'),
+                (put('sizes', 'ordinary'), lambda v: v.get('sizes') == 'extreme', 'sizes'),
+                (put('a', 'quaternion', 0, lambda x: x + 1e-3), lambda v: v.get('quaternion_off'), 'quaternion'),
+                (put('quaternion_off', 0), lambda v: v.get('quaternion_off'), 'quaternion'),
+                (put('prisms', 'a', 0, 0, lambda x: x + 9),
+                 lambda v: 'prisms' in v and v['result'] == 'disjoint', 'corner'),
+                (put('prisms', 'a', lambda corners: corners[:6]),
+                 lambda v: 'prisms' in v and v['result'] == 'intersecting', 'both prisms'),
+                (put('like', 'v1-0'), lambda v: v['kind'] == 'changed', 'not like'),
+                (put('change', 'scaled by 8'), lambda v: v['kind'] == 'changed', 'another distance')):
+            told = self.planted(change, of)
+            self.assertTrue(told and why in told, (why, told))
+        document = copy.deepcopy(SMOKE)
+        document['vectors'][7] = document['vectors'][3]
+        self.assertIn('twice', next(lint.lint(document, FLAGS)))
+        del document['vectors'][7]
+        self.assertIn('199 vectors', next(lint.lint(document, FLAGS)))
+
+
+class Runner(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = pathlib.Path(folder.name)
+        (self.folder / 'mine.py').write_text(MINE % str(daylight_vectors.FOLDER / 'smoke.json'))
+        self.addCleanup(os.chdir, os.getcwd())
+        os.chdir(self.folder)
+        sys.modules.pop('mine', None)
+        self.addCleanup(lambda: str(self.folder) in sys.path and sys.path.remove(os.getcwd()))
+
+    def ask(self, *arguments):
+        out = io.StringIO()
+        with contextlib.redirect_stdout(out), contextlib.redirect_stderr(out):
+            return main(list(arguments)), out.getvalue()
+
+    def test_judging(self):
+        apart = next(v for v in SMOKE['vectors'] if v['result'] == 'disjoint')
+        deep = next(v for v in SMOKE['vectors'] if v['result'] == 'intersecting')
+        touch = next(v for v in SMOKE['vectors'] if v['result'] == 'touching')
+        middle = sum(apart['distance']) / 2
+        for v, said, tolerance, judged in (
+                (apart, False, 0, 'right'), (apart, True, 0, 'said True'), (apart, True, 1e9, 'acceptable'),
+                (apart, 'disjoint', 0, 'right'), (apart, 'touching', 0, "said 'touching'"), (apart, middle, 0, 'right'),
+                (apart, middle + 1e-3, 0, 'said a distance'), (apart, middle + 1e-3, 1e-2, 'acceptable'),
+                (apart, math.nan, 1e9, 'said a distance'), (apart, 'invalid', 0, "said 'invalid'"),
+                (apart, None, 0, 'declined'),
+                (apart, 'far', 0, 'none of'), (apart, [], 0, 'no answer'), (deep, True, 0, 'right'),
+                (deep, 'touching', 0, 'said'), (deep, False, 0, 'said'), (touch, 'touching', 0, 'right'),
+                (touch, True, 0, 'right'), (touch, False, 0, 'said'), (touch, False, 1e-12, 'acceptable'),
+                (touch, 0.0, 0, 'right')):
+            self.assertIn(judged, runner.judge(v, said, tolerance), (v['result'], said))
+        self.assertEqual(runner.decade_of({'result': 'disjoint', 'margin': 0.005}), '1e-03')
+
+    def test_the_command(self):
+        status, text = self.ask('mine:right')
+        self.assertEqual((status, text.splitlines()[-1][:20]), (0, '200 asked: 200 right'), text)
+        self.assertFalse(pathlib.Path(runner.STORE).exists())
+        status, text = self.ask('mine:blind')
+        self.assertEqual(status, 2)
+        self.assertRegex(text, r'Capsule 1e-0\d: \d+ wrong. The simplest, v1-')
+        self.assertIn('Met by', text)
+        failed = runner.failed_before()
+        self.assertGreater(len(failed), 3)
+        import mine
+        mine.ASKED.clear()
+        self.ask('mine:blind')
+        first = [v for v in SMOKE['vectors'] if v['id'] in failed]
+        self.assertEqual([runner.solid_of(v['a']) for v in first], mine.ASKED[:len(first)])
+        pathlib.Path('left out').write_text(''.join(f'{name} spheres are not ours\n' for name in failed) + '# all\n\n')
+        status, text = self.ask('mine:blind', '--exclude', 'left out')
+        self.assertEqual(status, 0, text)
+        self.assertIn(f'{len(failed)} excluded', text)
+        pathlib.Path('left out').write_text(failed[0] + '\n')
+        for wrong in (['mine:blind', '--exclude', 'left out'], ['mine'], ['nobody:right'], ['mine:left'], [],
+                      ['--tier']):
+            self.assertEqual(self.ask(*wrong)[0], 64, wrong)
+        self.assertIn('200 declined', self.ask('mine:unable')[1])
+
+    def test_the_lint_command(self):
+        document = copy.deepcopy(SMOKE)
+        document['vectors'][0]['result'] = 'touching'
+        pathlib.Path('wrong.json').write_text(json.dumps(document))
+        self.assertEqual(self.ask('--lint', 'wrong.json')[0], 2)
+        smoke, page = daylight_vectors.FOLDER / 'smoke.json', ROOT / 'docs/vectors.md'
+        self.assertEqual(self.ask('--lint', str(smoke), '--page', str(page)), (0, '0 wrong\n'))
+
+    def test_the_plug_in(self):
+        if not importlib.util.find_spec('pytest'):
+            lacks('pytest', 'python3-pytest')
+
+        def pytest(*arguments):
+            done = subprocess.run([sys.executable, '-m', 'pytest', '-p', 'daylight_vectors.plugin', '-v', *arguments],
+                                  stdout=subprocess.PIPE, text=True,
+                                  env=dict(os.environ, PYTHONPATH=os.pathsep.join([str(HERE), *sys.path])))
+            return done.returncode, done.stdout
+        status, text = pytest('--daylight', 'mine:right')
+        self.assertEqual(status, 0, text)
+        self.assertRegex(text, r'daylight::Coaxial\[1e-0\d\] PASSED')
+        status, text = pytest('--daylight', 'mine:blind')
+        self.assertEqual(status, 1, text)
+        self.assertRegex(text, r'daylight::Capsule\[1e-0\d\] FAILED')
+        self.assertRegex(text, r'\d+ wrong. The simplest, v1-')
+        failed = runner.failed_before()
+        self.assertGreater(len(failed), 3)
+        self.assertRegex(pytest('--daylight', 'mine:blind')[1], r'\n\ndaylight::\S+ FAILED')
+        pathlib.Path('left out').write_text(''.join(f'{name} spheres are not ours\n' for name in failed))
+        self.assertEqual(pytest('--daylight', 'mine:blind', '--daylight-exclude', 'left out')[0], 0)
+        self.assertRegex(pytest('--daylight', 'mine:unable')[1], r'daylight::\S+ SKIPPED')
+        self.assertEqual(pytest('--daylight', 'nobody:right')[0], 4)
+        self.assertEqual(pytest()[0], 5)
+
+
+class Installed(unittest.TestCase):
+    def test_pip(self):
+        """As somebody without a network installs it."""
+        with tempfile.TemporaryDirectory() as scratch:
+            folder = pathlib.Path(scratch)
+            subprocess.run(['cp', '-rL', HERE, folder / 'vectors'], check=True)
+            done = subprocess.run([sys.executable, '-m', 'pip', 'install', '--no-build-isolation', '--no-deps',
+                                   '--no-index', '--target', folder / 'site', folder / 'vectors'],
+                                  capture_output=True, text=True)
+            if 'No module named pip' in done.stderr or 'bdist_wheel' in done.stderr:
+                lacks('pip or wheel', 'python3-pip python3-wheel')
+            self.assertEqual(done.returncode, 0, done.stderr)
+            smoke = folder / 'site/daylight_vectors/v1/smoke.json'
+            asked = subprocess.run([sys.executable, '-m', 'daylight_vectors', '--lint', smoke], cwd=folder,
+                                   env=dict(os.environ, PYTHONPATH=str(folder / 'site')), capture_output=True,
+                                   text=True)
+            self.assertEqual((asked.returncode, asked.stdout), (0, '0 wrong\n'))
+
+
+if __name__ == '__main__':
+    unittest.main()
