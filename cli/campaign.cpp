@@ -342,7 +342,7 @@ void add_campaign(Program& program) {
       "Find", "campaign", "Draws pairs, asks every method, proves who is wrong, and keeps the proofs");
   auto arguments = std::make_shared<CampaignArguments>();
   command.option("--for", arguments->budget, "wall time, like 90s, 1m or 8h")
-      .default_text("1m where there is no other limit");
+      .default_text("1m if there is no other limit");
   command.number("--pairs", arguments->pairs, "exactly this many pairs; 0: no such limit");
   command
       .option("--stop-at", arguments->stop_at,

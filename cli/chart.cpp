@@ -70,10 +70,10 @@ void add_chart(Program& program) {
   command.flag(
       "--stability", arguments->stability,
       "also ask every method along paths through touching and through parallel axes, and next to "
-      "touching how far its input would have to move where it is wrong; and show what changes between "
+      "touching how far the input of a wrong answer would have to move; and show what changes between "
       "builds (bench/stability/builds.jsonl)");
   command.option("--out", arguments->out,
-                 "folder for the plots as SVG, and as PNG where rsvg-convert is there; needs Node.js "
+                 "folder for the plots as SVG, and as PNG if rsvg-convert is installed; needs Node.js "
                  "(apt-get install nodejs)");
   command.examples(
       "  daylight bench --curves --json bench.json\n"

@@ -207,7 +207,7 @@ void add_check(Program& program) {
   command.flag("--distance", options->distance, "add a certified enclosure of the signed distance");
   command.option(
       "--clearance", options->clearance,
-      "ask whether they come that near: it is added to the rounding of a, and in all that is said of it");
+      "decide whether the solids come that near: the answers are about a with its rounding larger by it");
   command.option("--method", options->method, "ask this method instead; its answer is reported, not proved")
       .excludes("--distance");
   add_guest_options(command, options->guests);

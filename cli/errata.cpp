@@ -216,7 +216,7 @@ void add_errata(Program& program) {
       "Every fault is a method: seed2017-only-FAULT is seed2017-mended with this one alone, and\n"
       "seed2017-without-FAULT is seed2017-printed without it (seed2008-, seedbook- likewise). Campaigns and "
       "check\n"
-      "ask them where they are named.");
+      "ask them if you name them.");
   command.run([options] { return show_errata(*options); });
 }
 

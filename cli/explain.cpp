@@ -36,7 +36,7 @@ int explain_case(const ExplainArguments& arguments) {
 }  // namespace
 
 void add_explain(Program& program) {
-  Command command = program.command("Understand", "explain", "Says why a method is wrong on one pair");
+  Command command = program.command("Understand", "explain", "Reports why a method is wrong on one pair");
   auto arguments = std::make_shared<ExplainArguments>();
   add_failure_options(command, arguments->failure);
   command.number("--seed", arguments->seed, "same seed, same pairs drawn from the pair's stratum");

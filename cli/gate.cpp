@@ -287,7 +287,7 @@ void add_gate(Program& program) {
   command.option("--suppressions", arguments->suppressions, "file of known causes that do not fail")
       .default_text("suppressions.jsonl");
   command.flag("--first-failure", arguments->first_failure,
-               "end at the first failure, as it was found: where only the exit code is wanted");
+               "end at the first failure, without simplifying it, if you need only the exit code");
   command.option("--keep", arguments->keep, "write the simplified failing pairs as a file of cases")
       .writable();
   command.option("--reproduce", arguments->reproduce, "run one drawn case again, by the name it was given");

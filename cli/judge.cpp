@@ -157,24 +157,23 @@ void add_judge(Program& program) {
       .option("--pairs", options->pairs, "the file that was answered; none: each answer has its own a and b")
       .readable();
   command.option("--name", options->name, "name of the method that answered")
-      .default_text("as a hello in the answers says");
+      .default_text("that of a hello in the answers");
   command
       .option("--claim", options->claim,
               "distance from which on the answers have to be right, relative to r0 + h0 + r1 + h1")
       .within(0, 1)
-      .default_text("as a hello in the answers says, else 0");
+      .default_text("that of a hello in the answers, else 0");
   command
       .option("--keep", options->keep, "write pairs on which they fail as a file of cases, with the proofs")
       .writable();
   command.examples(
       "  daylight judge answers.jsonl --pairs pairs.jsonl --name mine --claim 1e-6 --keep failing.jsonl",
-      "An answer is {\"id\":\"17\",\"verdict\":\"disjoint\"}, with a distance, direction or point where "
+      "An answer is {\"id\":\"17\",\"verdict\":\"disjoint\"}, with a distance, direction or point if "
       "there "
       "is one, or\n{\"id\":\"17\",\"declined\":\"why\"}, {\"id\":\"17\",\"error\":\"why\"}. Here 2: wrong "
       "beyond "
-      "the claim, failed, missing, given\ntwice, or no answer at all; such lines are told by number and cost "
-      "only "
-      "themselves.");
+      "the claim, failed, missing, given\ntwice, or no answer at all; such lines are reported by number and "
+      "affect no others.");
   command.run([options] { return judge_answers(*options); });
 }
 

@@ -23,7 +23,7 @@ namespace {
 constexpr const char* exit_codes =
     "Exit code: 0 nothing is wrong; 2 something is, beyond a method's claim; 3 nothing is, but something is "
     "undecided\n"
-    "or was not asked; 1 the harness failed; 64 wrong usage; 65 input that is no pair or no scene.";
+    "or was not asked; 1 the harness failed; 64 wrong usage; 65 input that is not a pair or a scene.";
 
 /// The whole number that `text` is. Throws the parser's error where it is none from `least` to `most`.
 std::uint64_t whole_number(const std::string& text, const std::string& name, std::uint64_t least,
@@ -177,7 +177,7 @@ Program::Program(const std::string& name, const std::string& summary, const std:
     : app_(std::make_unique<CLI::App>(summary, name)) {
   app_->require_subcommand(1);
   app_->set_version_flag("--version", version);
-  app_->footer(name + " COMMAND --help tells more, with an example.\n" + exit_codes);
+  app_->footer(name + " COMMAND --help has the details and an example.\n" + exit_codes);
 }
 
 Program::~Program() = default;

@@ -110,7 +110,7 @@ void add_scene(Program& program) {
   SceneQuestion& question = arguments->question;
   question.rate = 0.003;  // the rule of three on 1000 draws
   Command command = program.command(
-      "Measure", "scene", "Says which model of its shapes a scene or robot needs, and at what cost");
+      "Measure", "scene", "Reports which model of its shapes a scene or robot needs, and at what cost");
   command.option("FILE", question.file, "a scene: .urdf, .xml (MJCF), .jsonl or .csv of solids").readable();
   command.option("--clearance", question.clearance,
                  "solids at this distance or nearer are too near; in the scene's unit (URDF, MJCF: metres)");
@@ -131,7 +131,8 @@ void add_scene(Program& program) {
                "take links that fixed joints join for bodies of their own, and check them too");
   command.flag("--verify", question.verify, "put every recommended answer before the referee");
   command.flag("--prove", question.prove,
-               "prove over all motions that pairs stay clear, or show where not; also what the SRDF says");
+               "prove over all motions that pairs stay clear, or show where not; also for pairs that the "
+               "SRDF disables");
   command.number("--boxes", question.motion_boxes, "--prove: boxes of joint values to look at for a pair", 1,
                  100'000'000);
   command.number("--against", question.against,
@@ -142,9 +143,9 @@ void add_scene(Program& program) {
               "the pairs of links not to be checked; without it, FILE.srdf beside FILE.urdf")
       .readable();
   command
-      .option("--srdf-out", arguments->srdf_out,
-              "write an SRDF of the pairs of which one link carries the other or that are proved never to "
-              "touch; implies --prove")
+      .option(
+          "--srdf-out", arguments->srdf_out,
+          "write an SRDF that disables neighbours and pairs that are proved never to touch; implies --prove")
       .writable();
   command.option("--json", arguments->json, "write everything as JSON, a line of results for each pair")
       .writable();
@@ -154,11 +155,10 @@ void add_scene(Program& program) {
       .writable();
   command.examples(
       "  daylight scene robot.urdf --clearance 0.01 --verify --page robot.html",
-      "Here 2: the referee found a recommended answer wrong, or --prove shows that links meet of "
-      "which the SRDF says \"Never\"; 3 also: --prove left a pair open, shapes that were not looked at, "
-      "pairs of which "
-      "only a bound around a box or mesh comes near, joints that were not moved, 65: the file "
-      "is no scene.");
+      "Here 2: the referee refutes a recommended answer, or --prove shows contact of links that the SRDF "
+      "disables\nas \"Never\". 3 also: an open pair of --prove, shapes that were not examined, pairs near "
+      "only "
+      "by the bound\naround a box or mesh, joints that were not moved. 65: the file is not a scene.");
   command.run([arguments] { return study(*arguments); });
 }
 

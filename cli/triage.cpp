@@ -151,7 +151,7 @@ void add_triage(Program& program) {
       .default_text("suppressions.jsonl");
   command.option("--json", arguments->json, "write the causes as JSON").writable();
   command.option("--explain", arguments->explained,
-                 "KEY of a bucket of the last triage: only say why its method fails");
+                 "KEY of a bucket of the last triage: only report why its method fails");
   command.option("--out", arguments->out, "folder for what --export writes");
   command
       .option("--export", arguments->exported,
@@ -159,7 +159,7 @@ void add_triage(Program& program) {
               "issue for the library's maintainers")
       .needs("--out")
       .excludes("--explain");
-  command.option("--method", arguments->method, "whose failure --export writes, where a cause has several")
+  command.option("--method", arguments->method, "whose failure --export writes, if a cause has several")
       .needs("--export");
   add_source_option(command, arguments->sources);
   command
@@ -174,7 +174,7 @@ void add_triage(Program& program) {
   command.examples(
       "  daylight triage runs/latest --for 2m",
       "What is found out is kept in RUN/triage.sqlite: run again, it goes on. RUN/buckets/ has the simplest "
-      "pairs, and the worst (.worst.jsonl) where a search found one worse than the findings.\n"
+      "pairs, and the worst (.worst.jsonl) if a search found one worse than the findings.\n"
       "The guests of the run are found again, or taken from --plugin and --command.\n"
       "Here 2: a cause beyond a claim that is not suppressed, 3 also: findings not looked at yet.");
   command.run([arguments] {

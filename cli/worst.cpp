@@ -249,7 +249,7 @@ void add_worst(Program& program) {
       .option(
           "--search", arguments->search,
           "what to make largest: margin by which a verdict is wrong; time or steps of a call; error of the "
-          "distance over the bound told with it; bound over the claim; margin of a pair left undecided")
+          "distance over the bound returned with it; bound over the claim; margin of a pair left undecided")
       .one_of({enum_words<Search>.begin(), enum_words<Search>.end()});
   command.flag("--time", arguments->time, "the same as --search time");
   command.option("--from", arguments->from, "start from the findings of a run or a file of cases")
