@@ -3,7 +3,6 @@
 the same vectors. The lint, the runner and the plug-in of pytest notice what is planted."""
 import contextlib
 import copy
-import importlib.util
 import io
 import json
 import math
@@ -47,6 +46,14 @@ def lacks(what, package):
     if os.environ.get('CI') == 'true':
         raise AssertionError(f'with CI=true nothing may be skipped: no {what}')
     raise unittest.SkipTest(f'no {what}: apt-get install {package}')
+
+
+def python_with(*modules):
+    """A Python that has them: this one, or Debian's, for which the packages are."""
+    for python in (sys.executable, '/usr/bin/python3'):
+        if subprocess.run([python, '-c', 'import ' + ','.join(modules)], capture_output=True).returncode == 0:
+            return python
+    return lacks(', '.join(modules), ' '.join(f'python3-{name}' for name in modules))
 
 
 def written(*arguments):
@@ -202,13 +209,12 @@ class Runner(unittest.TestCase):
         self.assertEqual(self.ask('--lint', str(smoke), '--page', str(page)), (0, '0 wrong\n'))
 
     def test_the_plug_in(self):
-        if not importlib.util.find_spec('pytest'):
-            lacks('pytest', 'python3-pytest')
+        python = python_with('pytest')
 
         def pytest(*arguments):
-            done = subprocess.run([sys.executable, '-m', 'pytest', '-p', 'daylight_vectors.plugin', '-v', *arguments],
+            done = subprocess.run([python, '-m', 'pytest', '-p', 'daylight_vectors.plugin', '-v', *arguments],
                                   stdout=subprocess.PIPE, text=True,
-                                  env=dict(os.environ, PYTHONPATH=os.pathsep.join([str(HERE), *sys.path])))
+                                  env=dict(os.environ, PYTHONPATH=os.pathsep.join([str(HERE), os.getcwd()])))
             return done.returncode, done.stdout
         status, text = pytest('--daylight', 'mine:right')
         self.assertEqual(status, 0, text)
@@ -230,17 +236,16 @@ class Runner(unittest.TestCase):
 class Installed(unittest.TestCase):
     def test_pip(self):
         """As somebody without a network installs it."""
+        python = python_with('pip', 'wheel')
         with tempfile.TemporaryDirectory() as scratch:
             folder = pathlib.Path(scratch)
             subprocess.run(['cp', '-rL', HERE, folder / 'vectors'], check=True)
-            done = subprocess.run([sys.executable, '-m', 'pip', 'install', '--no-build-isolation', '--no-deps',
+            done = subprocess.run([python, '-m', 'pip', 'install', '--no-build-isolation', '--no-deps',
                                    '--no-index', '--target', folder / 'site', folder / 'vectors'],
                                   capture_output=True, text=True)
-            if 'No module named pip' in done.stderr or 'bdist_wheel' in done.stderr:
-                lacks('pip or wheel', 'python3-pip python3-wheel')
             self.assertEqual(done.returncode, 0, done.stderr)
             smoke = folder / 'site/daylight_vectors/v1/smoke.json'
-            asked = subprocess.run([sys.executable, '-m', 'daylight_vectors', '--lint', smoke], cwd=folder,
+            asked = subprocess.run([python, '-m', 'daylight_vectors', '--lint', smoke], cwd=folder,
                                    env=dict(os.environ, PYTHONPATH=str(folder / 'site')), capture_output=True,
                                    text=True)
             self.assertEqual((asked.returncode, asked.stdout), (0, '0 wrong\n'))
