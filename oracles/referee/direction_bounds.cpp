@@ -235,7 +235,7 @@ DirectionBounds::Principal DirectionBounds::principal(const Frame& at, const std
 DirectionBounds::Frame DirectionBounds::frame(const Vec& d, const Kinks& kinks) const {
   Vec e0 = across(solids_[kinks.on_circle[1] ? 1 : 0].axis, d);
   // Any two directions serve off the circles.
-  if (!(length(e0) > 0.1)) e0 = cross(d, std::fabs(d.x) < 0.5 ? Vec{1, 0, 0} : Vec{0, 1, 0});
+  if (!(length(e0) > 0.1)) e0 = square_to(d);
   e0 = normalized(e0);
   return {e0, cross(d, e0)};
 }

@@ -14,6 +14,8 @@ namespace cyl {
 using Vec = Vec3<double>;
 
 inline double length(const Vec& v) { return std::sqrt(dot(v, v)); }
+/// Some vector square to a unit vector, neither short nor longer than 1.
+inline Vec square_to(const Vec& v) { return cross(v, std::fabs(v.x) < 0.5 ? Vec{1, 0, 0} : Vec{0, 1, 0}); }
 
 /// Rounding in one bound or one value of f, as a multiple of the pair's reach r0 + h0 + r1 + h1 + |delta|: 4
 /// units for the axes, fewer than 30 operations on terms no larger than the reach, doubled for the angles'

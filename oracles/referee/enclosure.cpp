@@ -53,7 +53,7 @@ Cap cap_of(const Cell& c) {
 std::array<Vec, 3> frame_on(const Vec& v) {
   const double size = length(v);
   const Vec z = size > 0 ? (1 / size) * v : Vec{0, 0, 1};
-  const Vec x = cross(z, std::fabs(z.x) < 0.5 ? Vec{1, 0, 0} : Vec{0, 1, 0}), unit = (1 / length(x)) * x;
+  const Vec x = square_to(z), unit = (1 / length(x)) * x;
   return {unit, cross(z, unit), z};
 }
 
@@ -168,7 +168,7 @@ Range parallel(const SearchPair<double>& p) {
   Vec out = p.delta - dot(p.delta, w) * w;
   if (length(out) > 0) out = (1 / length(out)) * out;
   out = out - dot(out, w) * w;
-  if (!(length(out) > 0.5)) out = cross(w, std::fabs(w.x) < 0.5 ? Vec{1, 0, 0} : Vec{0, 1, 0});
+  if (!(length(out) > 0.5)) out = square_to(w);
   out = (1 / length(out)) * out;
   const bool corner = along > 0 && across > 0;
   const double distance = corner ? std::sqrt(along * along + across * across) : std::max(along, across);
@@ -214,7 +214,7 @@ Nearby nearest_from(const SearchPair<double>& p, const Vec& start) {
 std::array<Vec, 4> corners(const SearchPair<double>& p) {
   const Vec w = (1 / length(p.axis0)) * p.axis0, flat = p.delta - dot(p.delta, w) * w;
   const double far = length(flat);
-  const Vec out = far > 0 ? (1 / far) * flat : cross(w, std::fabs(w.x) < 0.5 ? Vec{1, 0, 0} : Vec{0, 1, 0});
+  const Vec out = far > 0 ? (1 / far) * flat : square_to(w);
   const double most = p.radius0,
                x = far > 0 ? std::clamp((far * far + most * most - p.radius1 * p.radius1) / (2 * far), -most,
                                         most)
