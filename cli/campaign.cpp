@@ -222,12 +222,15 @@ std::string numbers(const CampaignProgress& p) {
 std::string cost_in_words(const CampaignSummary& summary) {
   const CampaignCost& cost = summary.cost;
   const auto seconds = [](std::chrono::nanoseconds time) { return static_cast<double>(time.count()) / 1e9; };
-  const auto rest = std::max(cost.all - cost.asking - cost.judging, std::chrono::nanoseconds(0));
-  std::string text = fmt::format(
-      "CPU time: {:.1f} s; calls of methods {:.1f} s, verdicts of the referee {:.1f} s, all else {:.1f} s",
-      seconds(cost.all), seconds(cost.asking), seconds(cost.judging), seconds(rest));
+  const auto tested = cost.asking + cost.hung + cost.judging;
+  const auto rest = std::max(cost.all - tested, std::chrono::nanoseconds(0));
+  std::string text =
+      fmt::format("CPU time: {:.1f} s; calls of methods {:.1f} s, ", seconds(cost.all), seconds(cost.asking));
+  if (cost.hung.count() > 0) text += fmt::format("calls that hung {:.1f} s, ", seconds(cost.hung));
+  text += fmt::format("verdicts of the referee {:.1f} s, all else {:.1f} s", seconds(cost.judging),
+                      seconds(rest));
   constexpr std::chrono::seconds explained_from{5};
-  if (rest < explained_from || rest <= 2 * (cost.asking + cost.judging)) return text;
+  if (rest < explained_from || rest <= 2 * tested) return text;
   return text + fmt::format(
                     "\n  \"All else\" is more than twice the rest. It is the start, {} broken calls, and the "
                     "proof and storage of each finding\n  that is kept. Its share falls as the run goes on.",

@@ -26,5 +26,10 @@ expect() {
 # holds NAME FILE PATTERN, lacks NAME FILE PATTERN: some line matches, or none does.
 holds() { grep -qE -- "$3" "$2" || failed "$1: no line of $2 matches $3"; }
 lacks() { ! grep -E -- "$3" "$2" || failed "$1: a line of $2 matches $3"; }
+# page_data FILE: the JSON that a page holds.
+page_data() {
+  sed -n 's/.*id="report-data">\([^<]*\)<.*/\1/p' "$1" |
+    python3 -c 'import base64, sys, zlib; print(zlib.decompress(base64.b64decode(sys.stdin.read())).decode())'
+}
 # equal NAME WANTED GOT
 equal() { [[ $2 == "$3" ]] || failed "$1: '$3', not '$2'"; }

@@ -99,7 +99,7 @@ causes
 for key in bad/wrong_disjoint bad/crash/sigabrt bad/exception/no-luck bad/malformed/ worse/crash/ plain/wrong_disjoint; do
   holds 'triage' out "^\* $key"
 done
-grep -qF -- "--plugin 'bad=" runs/three/report.html || failed 'the page does not say how to bring the guests'
+page_data runs/three/report.html | grep -F -- "--plugin 'bad=" >/dev/null || failed 'the page does not say how to bring the guests'
 expect 2 'replay' "$daylight" replay "$(grep -l bad/wrong_disjoint runs/three/buckets/*.jsonl | head -n 1)" --methods bad
 expect 0 'triage' "$daylight" triage runs/three --explain bad/wrong_disjoint
 holds 'triage' out '^bad '

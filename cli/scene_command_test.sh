@@ -27,7 +27,8 @@ holds 'one' out '^1 configuration, '
 expect 0 'a list' "$daylight" scene "$scenes/shelf.csv"
 holds 'four cylinders' out '^6 pairs: 6 checked;'
 expect 0 'a page' "$daylight" scene "$scenes/crane.urdf" --configurations 20 --page crane.html
-holds 'with its data' crane.html '"recommended":\['
+page_data crane.html >crane.json
+holds 'with its data' crane.json '"recommended":\['
 holds 'for nobody on the network' crane.html "default-src 'none'"
 expect 1 'no place for a page' "$daylight" scene "$scenes/crane.urdf" --configurations 1 --page none/crane.html
 holds 'which' err 'none/crane.html cannot be written'

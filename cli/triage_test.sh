@@ -83,10 +83,10 @@ expect 2 'another night' "$daylight" "${night[@]}" --seed 4 --out night2
 triage night2
 holds 'nothing is new' out '^0 new causes, '
 lacks 'nothing is gone' out ', gone'
-expect 0 'the page has what was noted, and the nights' python3 - night2/report.html <<'END'
-import json, re, sys
-page = open(sys.argv[1], encoding='utf-8').read()
-data = json.loads(re.search(r'<script type="application/json" id="report-data">(.*?)</script>', page, re.S)[1])
+page_data night2/report.html >page.json
+expect 0 'the page has what was noted, and the nights' python3 - page.json <<'END'
+import json, sys
+data = json.load(open(sys.argv[1], encoding='utf-8'))
 cause = next(b for b in data['buckets'] if b['key'] == 'fcl-libccd/overflow')
 assert cause['note'] == {'owner': 'ada', 'note': 'told "them"'}, cause['note']
 assert [night['run'] for night in cause['nights']] == ['night', 'night2'] and cause['standing'] == 'known'

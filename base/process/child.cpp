@@ -49,10 +49,6 @@ void put_on_standard_input(const std::string& text) {
   _exit(1);
 }
 
-std::chrono::nanoseconds nanoseconds_of(const timeval& time) {
-  return std::chrono::seconds(time.tv_sec) + std::chrono::microseconds(time.tv_usec);
-}
-
 }  // namespace
 
 Child::Child(const std::function<std::string()>& work, const ChildOptions& options)
@@ -115,7 +111,7 @@ bool Child::advance() {
   if (own_group_) kill(-process_, SIGKILL);
   rusage used{};
   wait4(process_, &status_, 0, &used);
-  cpu_time_ = nanoseconds_of(used.ru_utime) + nanoseconds_of(used.ru_stime);
+  cpu_time_ = cpu_time_of(used);
   return ended_ = true;
 }
 

@@ -55,6 +55,11 @@ std::chrono::nanoseconds cpu_time_of(pid_t process) noexcept {
   return clock_getcpuclockid(process, &clock) == 0 ? read_clock(clock) : std::chrono::nanoseconds(0);
 }
 
+std::chrono::nanoseconds cpu_time_of(const rusage& used) noexcept {
+  return std::chrono::seconds(used.ru_utime.tv_sec + used.ru_stime.tv_sec) +
+         std::chrono::microseconds(used.ru_utime.tv_usec + used.ru_stime.tv_usec);
+}
+
 std::chrono::nanoseconds cpu_time_of_tree(pid_t process) {
   std::chrono::nanoseconds sum = cpu_time_of(process);
   const std::string id = std::to_string(process);

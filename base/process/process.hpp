@@ -27,6 +27,9 @@ std::chrono::nanoseconds read_clock(clockid_t clock) noexcept;
 /// Returns the CPU time of a process; 0 where it has ended.
 std::chrono::nanoseconds cpu_time_of(pid_t process) noexcept;
 
+/// Returns the CPU time that the system reports in `used`.
+std::chrono::nanoseconds cpu_time_of(const rusage& used) noexcept;
+
 /// Returns that of a process and of all under it that still run, as far as first threads started them.
 std::chrono::nanoseconds cpu_time_of_tree(pid_t process);
 

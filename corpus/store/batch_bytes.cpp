@@ -34,7 +34,7 @@ std::string as_utf8(const std::string& text) {
 }  // namespace
 
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Counts, asked, declined, failed, contract, resolution, undecided,
-                                   nanoseconds)
+                                   nanoseconds, hung_nanoseconds)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(TallyRecord, method, family, counts)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(GroupRecord, method, kind, severity, family, count, binade)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(FindingRecord, index, family, family_index, method, kind, severity, margin,

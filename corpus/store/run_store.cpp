@@ -14,7 +14,10 @@
 namespace cyl {
 namespace {
 
-constexpr int store_version = 2;  ///< of the tables below, in PRAGMA user_version
+constexpr int store_version = 3;  ///< of the tables below, in PRAGMA user_version
+
+/// A judged pair takes 2 to 4 KB: pages of SQLite's usual 4096 bytes would be a third empty.
+constexpr int page_bytes = 16384;
 
 constexpr const char* tables = R"(
 CREATE TABLE run(key TEXT PRIMARY KEY, value TEXT NOT NULL);
@@ -23,7 +26,7 @@ CREATE TABLE method(name TEXT PRIMARY KEY, version TEXT NOT NULL, relative TEXT 
 CREATE TABLE progress(next INTEGER NOT NULL, milliseconds INTEGER NOT NULL);
 CREATE TABLE tally(method TEXT NOT NULL, family TEXT NOT NULL, asked INTEGER NOT NULL, declined INTEGER NOT NULL,
   failed INTEGER NOT NULL, contract INTEGER NOT NULL, resolution INTEGER NOT NULL, undecided INTEGER NOT NULL,
-  nanoseconds INTEGER NOT NULL, PRIMARY KEY(method, family));
+  nanoseconds INTEGER NOT NULL, hung_nanoseconds INTEGER NOT NULL, PRIMARY KEY(method, family));
 CREATE TABLE finding_group(method TEXT NOT NULL, kind TEXT NOT NULL, severity TEXT NOT NULL, family TEXT NOT NULL,
   count INTEGER NOT NULL, binade INTEGER NOT NULL, PRIMARY KEY(method, kind, severity, family));
 CREATE TABLE judged_pair(pair_index INTEGER PRIMARY KEY, pair TEXT NOT NULL, answers TEXT NOT NULL,
@@ -76,6 +79,7 @@ Counts& Counts::operator+=(const Counts& other) {
   resolution += other.resolution;
   undecided += other.undecided;
   nanoseconds += other.nanoseconds;
+  hung_nanoseconds += other.hung_nanoseconds;
   return *this;
 }
 
@@ -93,6 +97,7 @@ RunStore RunStore::create(const std::string& folder, const Config& config,
   fs::remove(unfinished);
   {
     SqliteFile file(unfinished, SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE);
+    file.script(fmt::format("PRAGMA page_size={}", page_bytes));
     file.transaction([&] {
       file.script(tables);
       Query set = file.insertion<ConfigEntry>();
@@ -161,7 +166,8 @@ void RunStore::commit(const BatchRecord& batch, std::uint64_t milliseconds) {
         " ON CONFLICT DO UPDATE SET asked=asked+excluded.asked, declined=declined+excluded.declined, "
         "failed=failed+excluded.failed, contract=contract+excluded.contract, "
         "resolution=resolution+excluded.resolution, undecided=undecided+excluded.undecided, "
-        "nanoseconds=nanoseconds+excluded.nanoseconds");
+        "nanoseconds=nanoseconds+excluded.nanoseconds,"
+        "hung_nanoseconds=hung_nanoseconds+excluded.hung_nanoseconds");
     for (const TallyRecord& record : batch.tallies) tally.run(record);
 
     add_cells(*file_, batch.cells);

@@ -32,11 +32,13 @@ struct Counts {
   std::uint64_t contract = 0;    ///< wrong beyond its own claim
   std::uint64_t resolution = 0;  ///< wrong within its own claim
   std::uint64_t undecided = 0;
-  std::uint64_t nanoseconds = 0;  ///< time of the calls: of foreign ones, CPU time
+  std::uint64_t nanoseconds = 0;       ///< time of the calls: of foreign ones, CPU time
+  std::uint64_t hung_nanoseconds = 0;  ///< CPU time of the calls that hung, which is not in `nanoseconds`
 
   Counts& operator+=(const Counts& other);
   static auto columns(auto& c) {
-    return std::tie(c.asked, c.declined, c.failed, c.contract, c.resolution, c.undecided, c.nanoseconds);
+    return std::tie(c.asked, c.declined, c.failed, c.contract, c.resolution, c.undecided, c.nanoseconds,
+                    c.hung_nanoseconds);
   }
 };
 
@@ -72,7 +74,7 @@ struct FindingRecord {
   std::optional<Enclosure> margin;  ///< stored as text, infinite allowed
   // The same of all findings of one pair, and stored once.
   std::string pair;     ///< one JSON line of corpus/pair_io
-  std::string answers;  ///< JSON object, method to what it said
+  std::string answers;  ///< JSON array of [answer, [name of a method that gave it, ..]], each answer once
   std::string truth;    ///< JSON object: verdict and certificate
   std::string stage;    ///< which arithmetic settled the truth
   std::string reason;   ///< the method's own words on a failure

@@ -43,7 +43,7 @@ FindingRecord finding_at(std::uint64_t index, double margin) {
   f.severity = "contract";
   f.margin = Enclosure{margin, margin * 2};
   f.pair = R"({"a":{},"b":{}})";
-  f.answers = "{}";
+  f.answers = "[]";
   f.truth = "{}";
   f.stage = "filter";
   return f;

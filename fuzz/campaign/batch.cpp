@@ -34,17 +34,25 @@ std::uint64_t nanoseconds_since(Clock::time_point start) {
       std::chrono::duration_cast<std::chrono::nanoseconds>(Clock::now() - start).count());
 }
 
-/// The answers of those that were asked, as JSON by name.
+/// The answers of those that were asked, in the form of FindingRecord::answers.
 template <class Asked>
 std::string answers_text(std::span<const std::unique_ptr<Method>> methods,
                          std::span<const MethodAnswer> answers, Asked asked) {
-  std::string text;
+  std::vector<std::pair<std::string, std::string>> named;  // each different answer, with names
   for (std::size_t m = 0; m < methods.size(); ++m) {
     if (!asked(m)) continue;
-    text +=
-        (text.empty() ? "" : ",") + quote_json(methods[m]->name()) + ':' + format_method_answer(answers[m]);
+    const std::string answer = format_method_answer(answers[m]);
+    const auto same =
+        std::find_if(named.begin(), named.end(), [&](const auto& other) { return other.first == answer; });
+    if (same == named.end())
+      named.emplace_back(answer, quote_json(methods[m]->name()));
+    else
+      same->second += ',' + quote_json(methods[m]->name());
   }
-  return '{' + text + '}';
+  std::string text;
+  for (const auto& [answer, names] : named)
+    text += fmt::format("{}[{},[{}]]", text.empty() ? "" : ",", answer, names);
+  return '[' + text + ']';
 }
 
 /// A method that hangs on three pairs of a stretch, a second and more each, is not asked about the rest of
@@ -197,6 +205,8 @@ class Batch {
       asked_[at(m, p)] = true;
       Block& block = blocks[{m, family}];
       ++block.all;
+      if (said[q].answer.failure == Failure::hang)
+        counts(m, family).hung_nanoseconds += static_cast<std::uint64_t>(said[q].nanoseconds);
       if (said[q].answer.status == Status::failed) continue;
       ++block.answered;
       block.time += said[q].nanoseconds;

@@ -17,6 +17,7 @@
 #include <utility>
 
 #include "base/fnv.hpp"
+#include "base/process/process.hpp"
 #include "base/process/stop_signals.hpp"
 #include "fuzz/campaign/batch_process.hpp"
 #include "fuzz/campaign/job_process.hpp"
@@ -132,8 +133,7 @@ nanoseconds cpu_time_so_far() {
   for (const auto who : {RUSAGE_SELF, RUSAGE_CHILDREN}) {
     rusage used{};
     getrusage(who, &used);
-    for (const timeval& t : {used.ru_utime, used.ru_stime})
-      sum += std::chrono::seconds(t.tv_sec) + std::chrono::microseconds(t.tv_usec);
+    sum += cpu_time_of(used);
   }
   return sum;
 }
@@ -144,6 +144,7 @@ CampaignCost cost_of_calls(const std::vector<TallyRecord>& tallies) {
   for (const TallyRecord& tally : tallies) {
     const nanoseconds time(tally.counts.nanoseconds);
     if (is_method_row(tally.method)) cost.asking += time;
+    cost.hung += nanoseconds(tally.counts.hung_nanoseconds);
     if (tally.method == referee_row) cost.judging += time;
   }
   return cost;
@@ -402,7 +403,8 @@ CampaignSummary run_campaign(const CampaignOptions& options, const Workload& wor
   const CampaignCost before = cost_of_calls(store.tallies());
   CampaignSummary summary = Session(options, workload, store, on_progress).run();
   const CampaignCost after = cost_of_calls(store.tallies());
-  summary.cost = {cpu_time_so_far() - start, after.asking - before.asking, after.judging - before.judging};
+  summary.cost = {cpu_time_so_far() - start, after.asking - before.asking, after.judging - before.judging,
+                  after.hung - before.hung};
   return summary;
 }
 

@@ -47,6 +47,7 @@ struct CampaignProgress {
 struct CampaignCost {
   std::chrono::nanoseconds all{0};
   std::chrono::nanoseconds asking{0}, judging{0};  ///< in calls of methods; in the referee's verdicts
+  std::chrono::nanoseconds hung{0};                ///< in calls that hung, which `asking` leaves out
 };
 
 struct CampaignSummary {

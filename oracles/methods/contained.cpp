@@ -68,11 +68,16 @@ MethodAnswer call(Method& method, const Pair& pair, CallMode mode) {
   return method.ask(pair);
 }
 
+static Caps caps_of_libraries(Caps caps) {
+  caps.call_cpu = std::min(caps.call_cpu, library_cpu_cap);
+  return caps;
+}
+
 /// The workers, and which of them asks which method.
 class Asker::Parts {
  public:
   Parts(std::span<const std::unique_ptr<Method>> methods, const Caps& caps)
-      : methods_(methods), caps_(caps), common_(methods, false, caps) {}
+      : methods_(methods), caps_(caps), common_(methods, false, caps_of_libraries(caps)) {}
 
   std::vector<ContainedAnswer> ask(std::span<const Pair> pairs, std::span<const Question> questions) {
     std::vector<ContainedAnswer> answers(questions.size());

@@ -112,7 +112,7 @@ struct Worker::Watched {
   bool lost = false;
   std::string limit;  ///< that the question `at` broke, for which the worker was ended; else empty
   std::size_t at = 0;
-  nanoseconds wall{0};
+  nanoseconds cpu{0};                                      ///< of that question
   std::vector<std::pair<std::size_t, nanoseconds>> waits;  ///< questions that slept, and how long
 };
 
@@ -189,7 +189,7 @@ Worker::Watched Worker::watch() {
     if (!loaded) watched.limit += " to load";
     watched.lost = true;
     watched.at = seen;
-    watched.wall = wall;
+    watched.cpu = cpu;
     kept.kill_now();
     return watched;
   }
@@ -213,7 +213,7 @@ std::string describe_death(const std::optional<KeptProcess::Ending>& ending, int
 ContainedAnswer Worker::describe_loss(const Watched& watched) {
   if (!watched.limit.empty()) {
     return {failed_answer(Failure::hang, "no answer within " + watched.limit),
-            static_cast<double>(watched.wall.count())};
+            static_cast<double>(watched.cpu.count())};
   }
   const auto& ending = process_->kept().wait();
   const std::string death = describe_death(ending, memory_->said->denied.load(), process_->output());

@@ -61,13 +61,14 @@ nlohmann::json counts_json(const CellCounts& c) {
           {"declined", c.declined}};
 }
 
+/// Counts of 0, which most are, are left out.
 nlohmann::json map_json(const FailureMap& map) {
   nlohmann::json cells = nlohmann::json::array();
   for (const MapCell& c : map.cells) {
-    nlohmann::json cell = counts_json(c.counts);
-    cell["x"] = c.at.x;
-    cell["y"] = c.at.y;
-    cell["failed"] = c.counts.failed;
+    nlohmann::json counts = counts_json(c.counts), cell{{"x", c.at.x}, {"y", c.at.y}};
+    counts["failed"] = c.counts.failed;
+    for (const auto& [name, count] : counts.items())
+      if (count != 0) cell[name] = count;
     if (c.finding) cell["finding"] = *c.finding;
     cells.push_back(std::move(cell));
   }

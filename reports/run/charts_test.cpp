@@ -33,7 +33,7 @@ FindingRecord finding(const char* method, const char* kind, const Pair& pair, Ve
   line.pair = pair;
   f.pair = format_case(line);
   f.truth = std::string("{\"verdict\":\"") + to_string(truth) + "\",\"stage\":\"filter\"}";
-  f.answers = "{}";
+  f.answers = "[]";
   f.stage = "filter";
   return f;
 }
@@ -132,9 +132,10 @@ TEST_F(Charts, TheFileHasWhatThePageReadsAndKeepsWhatOthersWrote) {
   EXPECT_EQ(all, run.charts);
   EXPECT_EQ(all["paths"], parse_json("[1]"));
   const json& cell = all["maps"][3]["cells"][1];
-  for (const char* field : {"x", "y", "asked", "wrong_disjoint", "wrong_intersecting", "failed", "undecided",
-                            "declined", "within_disjoint", "within_intersecting", "finding"})
+  for (const char* field : {"x", "y", "asked", "wrong_disjoint", "wrong_intersecting", "failed", "declined",
+                            "within_intersecting", "finding"})
     EXPECT_TRUE(cell.contains(field)) << field;
+  for (const char* zero : {"undecided", "within_disjoint"}) EXPECT_FALSE(cell.contains(zero)) << zero;
   EXPECT_EQ(all["maps"][3]["plane"], "angle-margin");
   EXPECT_EQ(all["maps"][3]["x"]["labels"][static_cast<std::size_t>(cell["x"])], "parallel");
   EXPECT_EQ(all["maps"][3]["y"]["labels"][static_cast<std::size_t>(cell["y"])], "1e-6");

@@ -17,6 +17,7 @@
 #include "base/own_command.hpp"
 #include "base/safe_text.hpp"
 #include "corpus/pairs/pair_json.hpp"
+#include "corpus/store/stored_answers.hpp"
 #include "fuzz/campaign/batch.hpp"
 #include "fuzz/campaign/campaign.hpp"
 #include "fuzz/campaign/climbed.hpp"
@@ -194,10 +195,8 @@ class Names {
 json said_on(const Shared& shared, Names& names) {
   json said = json::array();
   std::map<std::string, std::size_t> known;
-  const json answers = parsed(shared.first->answers);
-  if (!answers.is_object()) return said;
-  for (const auto& [method, answer] : answers.items()) {
-    json reported = answer.is_object() ? answer : json::object();
+  for_each_answer(parsed(shared.first->answers), [&](const json& answer, const std::string& method) {
+    json reported = answer;
     if (!shared.methods.contains(method)) {
       reported.erase("direction");
       reported.erase("point");
@@ -205,7 +204,7 @@ json said_on(const Shared& shared, Names& names) {
     const auto [at, added] = known.try_emplace(reported.dump(), said.size());
     if (added) said.push_back({std::move(reported), json::array()});
     said[at->second][1].push_back(names.index(method));
-  }
+  });
   return said;
 }
 

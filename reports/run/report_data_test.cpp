@@ -18,6 +18,7 @@
 #include "corpus/store/triage_store.hpp"
 #include "oracles/methods/method.hpp"
 #include "props/mutants/kill_data.hpp"
+#include "reports/web/page_data_test.hpp"
 #include "reports/web/page_template.hpp"
 
 namespace cyl {
@@ -56,8 +57,8 @@ FindingRecord finding(std::uint64_t index, const std::string& method, double mar
   c.pair.b.center = {-0.0, 5e-324, 1.7976931348623157e308};
   f.pair = format_case(c);
   f.answers =
-      R"({"fake":{"verdict":"disjoint","direction":[1,0,0.1]},"other":{"verdict":"disjoint","direction":[1,0,0.2]},)"
-      R"("third":{"verdict":"disjoint","direction":[1,0,0.3]}})";
+      R"([[{"verdict":"disjoint","direction":[1,0,0.1]},["fake"]],[{"verdict":"disjoint","direction":[1,0,0.2]},)"
+      R"(["other"]],[{"verdict":"disjoint","direction":[1,0,0.3]},["third"]]])";
   f.truth = R"({"verdict":"undecided","stage":"wide"})";
   f.stage = "wide";
   return f;
@@ -240,7 +241,7 @@ TEST_F(ReportData, KeepsHostileTextAsText) {
   c.id = c.source = c.note = hostile;
   f.pair = format_case(c);
   f.kind = f.reason = f.stage = hostile;
-  f.answers = "{" + quote_json(hostile) + R"(:{"failed":)" + quote_json(hostile) + "}}";
+  f.answers = R"([[{"failed":)" + quote_json(hostile) + "},[" + quote_json(hostile) + "]]]";
   f.truth = R"({"verdict":)" + quote_json(hostile) + R"(,"point":["1/3",)" + quote_json(hostile) + ",0]}";
   FindingRecord broken = f;
   broken.index = 2;
@@ -251,15 +252,10 @@ TEST_F(ReportData, KeepsHostileTextAsText) {
   write_page(read_run(folder));
   std::ifstream in(folder / "report.html");
   const std::string page{std::istreambuf_iterator<char>(in), {}};
-  const std::string before = "<script type=\"application/json\" id=\"report-data\">";
-  const std::size_t at = page.find(before);
-  ASSERT_NE(at, page.npos);
-  const std::size_t end = page.find('<', at + before.size());
-  EXPECT_EQ(page.substr(end, 9), "</script>") << "the data ends its own element";
   EXPECT_EQ(page.find("<img"), page.npos);
-  EXPECT_EQ(page.find('\x01', at), page.npos);
+  EXPECT_EQ(page.find('\x01', page.find("report-data")), page.npos);
 
-  const json report = parse_ordered_json(page.substr(at + before.size(), end - at - before.size()));
+  const json report = parse_ordered_json(page_data(page));
   EXPECT_EQ(report["unreadable"], 1);
   ASSERT_EQ(report["findings"].size(), 2u);
   EXPECT_EQ(report["findings"][0]["method"], hostile);

@@ -28,7 +28,7 @@ TEST(WriteStability, SetsWhatThePageReadsAndLeavesTheRest) {
   line.pair = {{{0, 0, 0}, {0, 0, 1}, 1, 2}, {{1.4, 0, 0}, {0, 0, 1}, 1, 2}};  // a tenth of 6 deep
   f.pair = format_case(line);
   f.truth = R"({"verdict":"intersecting","stage":"filter"})";
-  f.answers = "{}";
+  f.answers = "[]";
   f.stage = "filter";
   BatchRecord batch;
   batch.next = 1;

@@ -5,6 +5,7 @@
 #include "base/json.hpp"
 #include "reports/scene/scene_report.hpp"
 #include "reports/schemas/schema_check_test.hpp"
+#include "reports/web/page_data_test.hpp"
 #include "reports/web/page_template.hpp"
 #include "scenes/scene_files.hpp"
 #include "scenes/shown_pairs.hpp"
@@ -179,12 +180,7 @@ TEST(ScenePage, HoldsTheDataAndAsksNothing) {
       still_scene({{hostile, {{0, 0, 0}, {0, 0, 1}, 1, 10}}, {"high", {{0, 0, 11.5}, {0, 0, 1}, 1, 10}}});
   const std::string reported = written(scene, question(hostile.c_str()));
   const std::string page = fill_template(reported);
-  const std::string before = "<script type=\"application/json\" id=\"report-data\">";
-  const std::size_t at = page.find(before);
-  ASSERT_NE(at, page.npos);
-  const std::size_t end = page.find('<', at + before.size());
-  EXPECT_EQ(page.substr(end, 9), "</script>") << "the data ends its own element";
-  EXPECT_EQ(parse_json(page.substr(at + before.size(), end - at - before.size())), parse_json(reported));
+  EXPECT_EQ(parse_json(page_data(page)), parse_json(reported));
   for (const char* word : {"<img", "src=\"", "@import", "<link", "url(http", "@@DAYLIGHT"})
     EXPECT_EQ(page.find(word), page.npos) << word;
   EXPECT_NE(page.find("default-src 'none'; script-src 'sha256-"), page.npos);

@@ -20,6 +20,7 @@
 #include "corpus/pairs/pair_numbers.hpp"
 #include "corpus/pairs/strata.hpp"
 #include "corpus/pairs/truth_io.hpp"
+#include "corpus/store/stored_answers.hpp"
 #include "fuzz/campaign/climbed.hpp"
 #include "oracles/trial/bucket.hpp"
 #include "oracles/trial/contact.hpp"
@@ -191,12 +192,13 @@ Json case_json(const ShownPair& shown, const std::optional<CaseDistance>& distan
     if (shown.asked[m]) c["answers"][std::string(methods[m]->name())] = answer_to_json(trial.answers[m]);
   if (finding != nullptr) {
     const std::size_t m = index_of(methods, finding->method);
-    const Json said = Json::parse(finding->answers, nullptr, false);
     const bool right_today = m == methods.size() || !trial.findings[m];
-    if (right_today && said.is_object() && said.contains(finding->method)) {
-      c["answers"][finding->method] = said[finding->method];
-      c["note"] = fmt::format("{} said this in the run; asked again, alone, it does not", finding->method);
-    }
+    const Json said = Json::parse(finding->answers, nullptr, false);
+    for_each_answer(said, [&](const Json& answer, const std::string& method) {
+      if (!right_today || method != finding->method) return;
+      c["answers"][method] = answer;
+      c["note"] = fmt::format("{} said this in the run; asked again, alone, it does not", method);
+    });
   }
   c["replay"] = own_command() + " replay " + shell_quoted(replayed);
   return c;

@@ -35,7 +35,7 @@ FindingRecord finding(const std::string& method, const std::string& family, cons
   f.severity = "contract";
   f.margin = Enclosure{0.1, 0.2};
   f.pair = format_pair(pair);
-  f.answers = "{}";
+  f.answers = "[]";
   f.truth = "{}";
   f.stage = "filter";
   return f;
@@ -296,7 +296,7 @@ TEST(Buckets, FilesAreCalledAsTheyAre) {
 TEST(Triage, ShowsWhatTheRunSawWhereItIsNotSeenAgain) {
   const Folder nights;
   FindingRecord once = finding("mujoco", "random", huge(1));
-  once.answers = R"({"mujoco":{"verdict":"disjoint"},"intersect":{"verdict":"intersecting"}})";
+  once.answers = R"([[{"verdict":"disjoint"},["mujoco"]],[{"verdict":"intersecting"},["intersect"]]])";
   const Triage triaged = triage(nights.make_run("one", "2026-11-20", {once}));
   ASSERT_EQ(triaged.buckets.size(), 1u);
   const Bucket& b = triaged.buckets[0];

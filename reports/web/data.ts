@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the page is given: one JSON object in <script type="application/json" id="report-data">. C++ writes it
+// What the page is given: one JSON object, compressed (zlib) and in base64, in <script id="report-data">. C++ writes it
 // (reports/run/report_data.*); numbers are shortest round-trip decimals, so that JSON.parse gives the doubles back,
 // and "inf" or "-inf" of an open end of a distance, a margin or a claim (expand() makes numbers of them).
 // Sections that a run has nothing for are null or empty: the page says so and how to get them.
@@ -179,19 +179,20 @@ export interface FailureMap {
   plane: "angle-margin" | "aspect-margin" | "scale-offset";
   x: Axis;
   y: Axis;
-  cells: {
-    x: number;
-    y: number;
-    asked: number;
-    wrong_disjoint: number;
-    wrong_intersecting: number;
-    failed: number;
-    undecided: number;
-    declined?: number;
-    within_disjoint?: number; // of wrong_disjoint, those that the claim allows
-    within_intersecting?: number;
-    finding?: number;
-  }[];
+  cells: MapCell[]; // a count that is missing is 0
+}
+export interface MapCell {
+  x: number;
+  y: number;
+  asked: number;
+  wrong_disjoint: number;
+  wrong_intersecting: number;
+  failed: number;
+  undecided: number;
+  declined?: number;
+  within_disjoint?: number; // of wrong_disjoint, those that the claim allows
+  within_intersecting?: number;
+  finding?: number;
 }
 /** Bins are numbered from 0; labels[i] names bin i, its decade. */
 export interface Axis {

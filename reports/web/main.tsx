@@ -14,8 +14,8 @@ const no_data =
   "those of a scene.";
 
 /** The title of the page and what it shows; nothing in the template without data. */
-function shown() {
-  const data = data_of(document) as Report | Study | null;
+async function shown() {
+  const data = (await data_of(document)) as Report | Study | null;
   if (data === null) return null;
   if ("kept" in data) {
     const study = safe_texts(data);
@@ -25,10 +25,10 @@ function shown() {
 }
 
 /** Draws the page, or says why it cannot. */
-function draw() {
+async function draw() {
   const page = document.getElementById("page")!;
   try {
-    const it = shown();
+    const it = await shown();
     if (it) {
       document.title = `daylight ${it.title}`;
       render(it.view, page);
@@ -57,5 +57,5 @@ function unfold_for_print() {
 if (typeof document === "undefined") Object.assign(globalThis, { daylight: for_node });
 else {
   unfold_for_print(); // before the plots hear of it, which need their place
-  draw();
+  void draw();
 }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "reports/web/page_template.hpp"
 
+#include <zlib.h>
+
 #include <stdexcept>
 
 // The template as bytes of this program, by the assembler.
@@ -14,6 +16,33 @@ asm(".pushsection .rodata\n"
 extern "C" const char daylight_page_template[], daylight_page_template_end[];
 
 namespace cyl {
+namespace {
+
+std::string compressed(std::string_view text) {
+  uLongf size = compressBound(text.size());
+  std::string bytes(size, '\0');
+  if (compress(reinterpret_cast<Bytef*>(bytes.data()), &size, reinterpret_cast<const Bytef*>(text.data()),
+               text.size()) != Z_OK)
+    throw std::runtime_error("compressing the data of the page failed");
+  bytes.resize(size);
+  return bytes;
+}
+
+std::string base64(std::string_view bytes) {
+  constexpr char digits[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+  std::string text;
+  text.reserve((bytes.size() + 2) / 3 * 4);
+  for (std::size_t i = 0; i < bytes.size(); i += 3) {
+    unsigned three = 0;
+    for (std::size_t k = i; k < i + 3; ++k)
+      three = three << 8 | (k < bytes.size() ? static_cast<unsigned char>(bytes[k]) : 0);
+    for (int shift = 18; shift >= 0; shift -= 6) text += digits[three >> shift & 63];
+  }
+  const std::size_t missing = (3 - bytes.size() % 3) % 3;
+  return text.replace(text.size() - missing, missing, missing, '=');
+}
+
+}  // namespace
 
 std::string fill_template(std::string_view json) {
   constexpr std::string_view mark = "@@DAYLIGHT_REPORT_DATA@@";  // stands where the data go, once
@@ -21,17 +50,8 @@ std::string fill_template(std::string_view json) {
                               static_cast<std::size_t>(daylight_page_template_end - daylight_page_template));
   const std::size_t at = page.find(mark);
   if (at == page.npos) throw std::runtime_error("the template of the page has no place for data");
-  std::string filled(page.substr(0, at));
-  filled.reserve(page.size() + json.size());
-  for (const char c : json) {
-    if (c == '<') {
-      filled += "\\u003c";
-    } else {
-      filled += c;
-    }
-  }
-  filled += page.substr(at + mark.size());
-  return filled;
+  return std::string(page.substr(0, at)) + base64(compressed(json)) +
+         std::string(page.substr(at + mark.size()));
 }
 
 }  // namespace cyl

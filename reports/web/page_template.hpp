@@ -8,8 +8,8 @@
 
 namespace cyl {
 
-/// Returns the page that shows a JSON object: a run (report_json) or a scene (study_json). It is written so
-/// that no text in the object can end the element that holds it.
+/// Returns the page that shows a JSON object: a run (report_json) or a scene (study_json). The page holds it
+/// compressed (zlib, RFC 1950) and in base64, so that no text in it can end the element that holds it.
 std::string fill_template(std::string_view json);
 
 }  // namespace cyl

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The data of the page, put back to the form of data.ts: every finding with its case.
-import type { Answer, Bucket, Case, Finding, PackedCase, Report, Standing, Truth } from "./data.ts";
+import type { Answer, Bucket, Case, Finding, MapCell, PackedCase, Report, Standing, Truth } from "./data.ts";
 import { shell_quoted } from "./words.ts";
 
 export interface FullReport extends Report {
@@ -23,6 +23,8 @@ function unpack(packed: PackedCase, names: string[]): Omit<Case, "replay"> {
   for (const [answer, who] of said) for (const index of who) answers[names[index]!] = answer;
   return { ...rest, answers };
 }
+
+const no_counts = { wrong_disjoint: 0, wrong_intersecting: 0, failed: 0, undecided: 0 };
 
 export function expand(report: Report): FullReport {
   const names = report.names ?? [];
@@ -50,13 +52,16 @@ export function expand(report: Report): FullReport {
     const { relative, absolute } = m.claim;
     return { ...m, claim: { ...m.claim, relative: number_of(relative), absolute: number_of(absolute) } };
   });
-  return { ...report, methods, buckets, findings, cases: [] };
+  const maps = report.maps.map((m) => ({ ...m, cells: m.cells.map((c): MapCell => ({ ...no_counts, ...c })) }));
+  return { ...report, methods, buckets, findings, maps, cases: [] };
 }
 
-/** From the element that the C++ side fills; a template that nobody filled has none. */
-export function data_of(document: Document): unknown {
+/** From the element that page_template.cpp fills; null if it holds the mark of the template. */
+export async function data_of(document: Document): Promise<unknown> {
   const text = document.getElementById("report-data")?.textContent ?? "";
-  return text.startsWith("{") ? JSON.parse(text) : null;
+  if (text === "" || text.startsWith("@")) return null;
+  const bytes = Uint8Array.from(atob(text), (c) => c.charCodeAt(0));
+  return new Response(new Blob([bytes]).stream().pipeThrough(new DecompressionStream("deflate"))).json();
 }
 
 /** How a finding stands against earlier runs: as its bucket does, else as its group. */

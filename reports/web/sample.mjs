@@ -3,6 +3,7 @@
 // its certificates are right. Same arguments, same run.
 //     node sample.mjs FINDINGS PAGE.html        the page of such a run
 import { readFileSync, writeFileSync } from "node:fs";
+import { deflateSync, inflateSync } from "node:zlib";
 
 const methods = [
   "intersect",
@@ -463,7 +464,13 @@ export function sample(findings_total = 400) {
 /** The page with data in it, as page_template.cpp fills it. */
 export function filled(report) {
   const template = readFileSync(new URL("./page_template.html", import.meta.url), "utf8");
-  return template.replace("@@DAYLIGHT_REPORT_DATA@@", () => JSON.stringify(report).replaceAll("<", "\\u003c"));
+  return template.replace("@@DAYLIGHT_REPORT_DATA@@", () => deflateSync(JSON.stringify(report)).toString("base64"));
+}
+
+/** What the page of a file shows. */
+export function data_of(file) {
+  const [, text] = /id="report-data">([^<]*)</.exec(readFileSync(file, "utf8"));
+  return JSON.parse(inflateSync(Buffer.from(text, "base64")));
 }
 
 if (process.argv[1]?.endsWith("sample.mjs")) writeFileSync(process.argv[3], filled(sample(Number(process.argv[2]))));

@@ -8,11 +8,11 @@ import { join, resolve } from "node:path";
 import { pathToFileURL } from "node:url";
 import { asked, browser, colours, errors, folder, open, settled, without_webgl } from "./browser.mjs";
 import { frame_of, stand_in } from "./chart.mjs";
-import { filled } from "./sample.mjs";
+import { data_of, filled } from "./sample.mjs";
 
 const given = resolve(process.argv[2]),
   address = pathToFileURL(given).href;
-const study = JSON.parse(/id="report-data">([^<]*)</.exec(readFileSync(given, "utf8"))[1]);
+const study = data_of(given);
 
 const status = async (page) => (await settled(page), page.locator(".pairs [role=status]").innerText());
 const column = async (page, name) => (

@@ -8,9 +8,8 @@ import { basename, join, resolve } from "node:path";
 import { pathToFileURL } from "node:url";
 import { asked, browser, colours, errors, folder, open, settled, without_webgl } from "./browser.mjs";
 import { csv_of_study, free_joints, gap, gaps_of, joint_values, placed, risk_of, study_rows_of } from "./chart.mjs";
-import { filled } from "./sample.mjs";
+import { data_of, filled } from "./sample.mjs";
 
-const data_of = (file) => JSON.parse(/id="report-data">([^<]*)</.exec(readFileSync(file, "utf8"))[1]);
 const pages = process.argv
   .slice(2)
   .map((file) => ({ address: pathToFileURL(resolve(file)).href, study: data_of(file) }));
