@@ -308,9 +308,10 @@ class UrdfBuilder {
                                  "', which is none");
       scene_.links[index].follow = Follow{leader->second, mimic->multiplier, mimic->offset};
       if (scene_.links[leader->second].motion == Motion::fixed && !scene_.links[leader->second].held) {
-        scene_.links[index].held = true;  // programs disagree on what it does
+        scene_.links[index].held = true;
         scene_.notes.push_back("Joint " + scene_.links[index].joint + " mimics the fixed joint " +
-                               mimic->joint_name + ": it is held.");
+                               mimic->joint_name +
+                               ": it is held at its offset, but MoveIt ignores the mimic and moves it.");
       }
     }
     turn_leaders_round(scene_);
