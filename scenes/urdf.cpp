@@ -354,7 +354,12 @@ Scene read_urdf(const std::string& file) {
   if (!messages.all().empty()) scene.notes.push_back("urdfdom: " + messages.all() + ".");
   UrdfBuilder builder(scene, shapes, kept, file);
   try {
+    // urdfdom sees to it that all links but one are carried; in a loop none hangs on that one.
+    if (model->joints_.size() + 1 != model->links_.size())
+      throw std::runtime_error("two joints carry the same link");
     builder.add(*model->getRoot(), std::nullopt);
+    if (scene.links.size() != model->links_.size())
+      throw std::runtime_error("links carry each other in a loop");
     builder.follow();
   } catch (const std::exception& error) {
     throw std::runtime_error(file + ": " + error.what());
