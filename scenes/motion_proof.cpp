@@ -181,13 +181,12 @@ class Prover {
     }
     proof_.held = path_.held();
     if (proof_.held) proof_.verdict = MotionVerdict::open;
-    // A bound above a distance that was seen shows a fault of ours: nothing is proved then.
-    if (proof_.verdict == MotionVerdict::never && cells_.top().bound > proof_.least)
-      proof_.verdict = MotionVerdict::open;
-    if (proof_.verdict == MotionVerdict::never)
-      proof_.bound = cells_.top().bound;
-    else
+    if (proof_.verdict != MotionVerdict::never) {
       proof_.open_share = proof_.held ? 1 : share_left();
+      return;
+    }
+    proof_.bound = cells_.top().bound;
+    gainsay(proof_, proof_.least);
   }
 
   // From where the bodies come within the clearance: they may overlap beside it.
@@ -242,10 +241,12 @@ MotionProof prove_contact(const Scene& scene, std::size_t a, std::size_t b, Moti
   proof.bounded = false;
   proof.open_share = 0;
   proof.bound = contact.bound;
+  gainsay(proof, proof.least);
   return proof;
 }
 
-ExemptionProof prove_exemption(const Scene& scene, std::size_t exemption, const MotionQuestion& question) {
+ExemptionProof prove_exemption(const Scene& scene, std::size_t exemption, const MotionQuestion& question,
+                               const BodyPairs& seen) {
   const auto& [one, other, reason] = scene.exemptions[exemption];
   ExemptionProof proof;
   proof.exemption = exemption;
@@ -254,6 +255,13 @@ ExemptionProof prove_exemption(const Scene& scene, std::size_t exemption, const 
     for (std::size_t b = 0; b < scene.bodies.size(); ++b)
       if (scene.bodies[a].link == one && scene.bodies[b].link == other && a != b)
         proof.bodies.push_back(prove_contact(scene, std::min(a, b), std::max(a, b), question));
+  for (const BodyPair& pair : seen)
+    for (MotionProof& bodies : proof.bodies)
+      if (bodies.a == pair.a && bodies.b == pair.b) gainsay(bodies, pair.seen);
+  return proof;
+}
+
+void conclude(ExemptionProof& proof) {
   const auto any = [&](MotionVerdict verdict) {
     return std::ranges::find(proof.bodies, verdict, &MotionProof::verdict) != proof.bodies.end();
   };
@@ -261,7 +269,6 @@ ExemptionProof prove_exemption(const Scene& scene, std::size_t exemption, const 
     proof.verdict = MotionVerdict::refuted;
   else if (!proof.not_looked_at && !any(MotionVerdict::open))
     proof.verdict = any(MotionVerdict::within) ? MotionVerdict::within : MotionVerdict::never;
-  return proof;
 }
 
 }  // namespace
@@ -288,39 +295,52 @@ MotionStudy prove_motions(const Scene& scene, const BodyPairs& pairs, const Moti
                           const BodyPairs& others) {
   const double began = processor_ns();
   MotionStudy study;
-  for (const auto& [a, b] : pairs) study.pairs.push_back(prove_motion(scene, a, b, question));
+  for (const BodyPair& pair : pairs) {
+    study.pairs.push_back(prove_motion(scene, pair.a, pair.b, question));
+    gainsay(study.pairs.back(), pair.seen);
+  }
   std::set<std::pair<std::size_t, std::size_t>> exempt;
   for (std::size_t i = 0; i < scene.exemptions.size(); ++i) {
     if (scene.exemptions[i].reason != "Never") continue;
-    study.exemptions.push_back(prove_exemption(scene, i, question));
+    study.exemptions.push_back(prove_exemption(scene, i, question, pairs));
     for (const MotionProof& proof : study.exemptions.back().bodies) exempt.emplace(proof.a, proof.b);
   }
-  for (const auto& [a, b] : others)
-    if (!exempt.contains({a, b})) study.others.push_back(prove_motion(scene, a, b, question));
+  for (const BodyPair& pair : others)
+    if (!exempt.contains({pair.a, pair.b}))
+      study.others.push_back(prove_motion(scene, pair.a, pair.b, question));
   study.ms = 1e-6 * (processor_ns() - began);
   study.against = question.against;
-  std::vector<MotionProof> all = study.pairs;
-  all.insert(all.end(), study.others.begin(), study.others.end());
-  for (const ExemptionProof& e : study.exemptions) all.insert(all.end(), e.bodies.begin(), e.bodies.end());
-  study.gainsaid = count_gainsaid(scene, all, question.seed + 1, question.against);
+  std::vector<MotionProof*> all;
+  const auto add = [&](std::vector<MotionProof>& proofs) {
+    for (MotionProof& proof : proofs) all.push_back(&proof);
+  };
+  add(study.pairs);
+  add(study.others);
+  for (ExemptionProof& e : study.exemptions) add(e.bodies);
+  gainsay(scene, all, question.seed + 1, question.against);
+  study.gainsaid = static_cast<std::size_t>(std::ranges::count(all, true, &MotionProof::gainsaid));
+  std::ranges::for_each(study.exemptions, conclude);
   return study;
 }
 
-std::size_t count_gainsaid(const Scene& scene, std::span<const MotionProof> proofs, std::uint64_t seed,
-                           std::size_t configurations) {
-  std::size_t count = 0;
+void gainsay(MotionProof& proof, double seen) {
+  if (!(proof.bound > 0 && seen < proof.bound)) return;
+  proof.verdict = MotionVerdict::open;
+  proof.bound = 0;
+  proof.open_share = 1;
+  proof.gainsaid = true;
+}
+
+void gainsay(const Scene& scene, std::span<MotionProof* const> proofs, std::uint64_t seed,
+             std::size_t configurations) {
   std::vector<Cylinder> placed;
   std::vector<Prepared> prepared(scene.bodies.size());
   for (std::size_t k = 0; k < configurations; ++k) {
     place(scene, pose_links(scene, draw_joints(scene, seed, k)), placed);
     std::ranges::transform(placed, prepared.begin(), prepare);
-    for (const MotionProof& proof : proofs) {
-      if (!(proof.bound > 0)) continue;
-      const Distance d = distance(prepared[proof.a], prepared[proof.b]);
-      count += d.value + d.error <= proof.bound;
-    }
+    for (MotionProof* proof : proofs)
+      if (proof->bound > 0) gainsay(*proof, distance(prepared[proof->a], prepared[proof->b]).value);
   }
-  return count;
 }
 
 }  // namespace cyl

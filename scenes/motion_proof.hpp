@@ -8,8 +8,8 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <span>
-#include <utility>
 #include <vector>
 
 #include "base/enum_words.hpp"
@@ -46,8 +46,9 @@ struct MotionProof {
   std::vector<std::size_t> between;  ///< links whose free joints move the bodies against each other
   std::size_t boxes = 0;             ///< that were looked at
   double open_share = 0;             ///< of the joints' space, nothing is proved of so much
-  bool bounded = false;  ///< `open`: within the clearance, but of a solid that only holds a box or mesh
-  bool held = false;     ///< a joint between them moves farther in truth than here: it is never `never`
+  bool bounded = false;   ///< `open`: within the clearance, but of a solid that only holds a box or mesh
+  bool held = false;      ///< a joint between them moves farther in truth than here: it is never `never`
+  bool gainsaid = false;  ///< `open`: they were seen nearer than was proved, which is a fault of ours
 };
 
 /// Proves or refutes that two bodies stay farther from each other than the clearance. The configurations are
@@ -71,17 +72,23 @@ struct MotionStudy {
   std::vector<MotionProof> others;         ///< of pairs that are not checked
   double ms = 0;                           ///< of CPU time, without the check
   std::size_t against = 0;                 ///< configurations drawn for it
-  std::size_t gainsaid = 0;                ///< in which a pair was nearer than its bound: a fault of ours
+  std::size_t gainsaid = 0;                ///< pairs of bodies of which a proof was taken back
 };
 
-using BodyPairs = std::vector<std::pair<std::size_t, std::size_t>>;
+struct BodyPair {
+  std::size_t a = 0, b = 0;
+  double seen = std::numeric_limits<double>::infinity();  ///< the least distance that the caller has seen
+};
+using BodyPairs = std::vector<BodyPair>;
 /// Does it for all these pairs of bodies, for what the scene's SRDF says, and for others.
 MotionStudy prove_motions(const Scene& scene, const BodyPairs& pairs, const MotionQuestion& question,
                           const BodyPairs& others = {});
 
-/// Returns how often, in so many configurations drawn, bodies are nearer than was proved of them.
-std::size_t count_gainsaid(const Scene& scene, std::span<const MotionProof> proofs, std::uint64_t seed,
-                           std::size_t configurations);
+/// Takes back what was proved of two bodies if they are seen nearer.
+void gainsay(MotionProof& proof, double seen);
+/// Does it in so many configurations drawn.
+void gainsay(const Scene& scene, std::span<MotionProof* const> proofs, std::uint64_t seed,
+             std::size_t configurations);
 
 /// Returns whether a link has shapes that were not looked at.
 bool has_unknown_shapes(const Scene& scene, std::size_t link);

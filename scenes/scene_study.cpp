@@ -171,13 +171,16 @@ class Study {
 
   void prove() {
     BodyPairs pairs, others;
-    for (const PairStudy& pair : result_.pairs) pairs.emplace_back(pair.a, pair.b);
+    for (const PairStudy& pair : result_.pairs) {
+      pairs.push_back({pair.a, pair.b});
+      if (q_.at.empty()) pairs.back().seen = pair.least;  // else it may be outside of the joints' limits
+    }
     for (std::size_t b = 0; b < scene_.bodies.size() && q_.prove_others; ++b) {
       for (std::size_t a = 0; a < b; ++a) {
         const std::size_t one = scene_.bodies[a].link, other = scene_.bodies[b].link;
         if (one != other && !carries_directly(scene_, one, other) &&
-            std::ranges::find(pairs, std::pair(a, b)) == pairs.end())
-          others.emplace_back(a, b);
+            std::ranges::none_of(pairs, [&](const BodyPair& p) { return p.a == a && p.b == b; }))
+          others.push_back({a, b});
       }
     }
     result_.motions =

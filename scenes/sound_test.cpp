@@ -106,6 +106,17 @@ TEST(Sound, MimicsInACircleAreRefused) {
                std::runtime_error);
 }
 
+// Read as a tree, the one would stand in two places, and the other in none.
+TEST(Sound, LinksThatAreNoTreeAreRefused) {
+  const std::string links = ball("base", "0 0 -1") + ball("one", "1 0 0") + ball("two", "-1 0 0");
+  const std::string loop = joint("a", "continuous", "one", "two") + joint("b", "fixed", "two", "one");
+  EXPECT_THROW(robot(links + joint("c", "fixed", "base", "one") + joint("a", "fixed", "base", "two") +
+                     joint("b", "continuous", "one", "two")),
+               std::runtime_error);
+  EXPECT_THROW(robot(links + loop), std::runtime_error);
+  EXPECT_THROW(robot(links + loop + joint("c", "fixed", "base", "one")), std::runtime_error);
+}
+
 TEST(Sound, OnlyAJointMakesNeighbours) {
   using Reason = PairRule::Reason;
   const Scene sibling =

@@ -308,9 +308,10 @@ class UrdfBuilder {
                                  "', which is none");
       scene_.links[index].follow = Follow{leader->second, mimic->multiplier, mimic->offset};
       if (scene_.links[leader->second].motion == Motion::fixed && !scene_.links[leader->second].held) {
-        scene_.links[index].held = true;  // programs disagree on what it does
+        scene_.links[index].held = true;
         scene_.notes.push_back("Joint " + scene_.links[index].joint + " mimics the fixed joint " +
-                               mimic->joint_name + ": it is held.");
+                               mimic->joint_name +
+                               ": it is held at its offset, but MoveIt ignores the mimic and moves it.");
       }
     }
     turn_leaders_round(scene_);
@@ -353,7 +354,12 @@ Scene read_urdf(const std::string& file) {
   if (!messages.all().empty()) scene.notes.push_back("urdfdom: " + messages.all() + ".");
   UrdfBuilder builder(scene, shapes, kept, file);
   try {
+    // urdfdom sees to it that all links but one are carried; in a loop none hangs on that one.
+    if (model->joints_.size() + 1 != model->links_.size())
+      throw std::runtime_error("two joints carry the same link");
     builder.add(*model->getRoot(), std::nullopt);
+    if (scene.links.size() != model->links_.size())
+      throw std::runtime_error("links carry each other in a loop");
     builder.follow();
   } catch (const std::exception& error) {
     throw std::runtime_error(file + ": " + error.what());

@@ -3,6 +3,7 @@
 """Draws configurations of a URDF and looks whether links touch that an SRDF disables as "Never", or come nearer than the
 proof behind them says. Shares no line with daylight: its own kinematics, its own distances. Exit code 1 if one does."""
 import argparse
+import html
 import math
 import re
 import xml.etree.ElementTree
@@ -129,7 +130,7 @@ def main():
     robot, rng = Robot(told.files[0]), np.random.default_rng(1)
     told_never = re.findall(r'link1="(.*?)" link2="(.*?)" reason="Never"/>(?:.*?at least ([-0-9.e]+))?',
                             open(told.files[1], encoding='utf-8').read())
-    bounds = {(a, b): float(bound or 0) for a, b, bound in told_never}
+    bounds = {(html.unescape(a), html.unescape(b)): float(bound or 0) for a, b, bound in told_never}
     least = dict.fromkeys(bounds, math.inf)
     for begin in range(0, told.configurations, 100_000):
         count = min(100_000, told.configurations - begin)

@@ -53,6 +53,8 @@ std::string proof_text(const Scene& scene, const MotionProof& proof) {
     case MotionVerdict::open:
       break;
   }
+  if (proof.gainsaid)
+    return fmt::format("seen nearer than was proved: a fault of daylight; {:.3g} seen", proof.least);
   if (proof.bounded)
     return fmt::format("near only by the bound of a box or mesh: {:.3g}{}", proof.least,
                        joints_text(scene, proof));
@@ -115,10 +117,11 @@ std::string motions_words(const SceneQuestion& q, const SceneStudy& s) {
     text += fmt::format(" ({} of the proved come within the clearance, but never touch)",
                         of(exempt, MotionVerdict::within));
   text += fmt::format("; {:.1f} s", s.motions->ms / 1000);
-  if (s.motions->against > 0)
-    text += fmt::format(
-        "; in {} other configurations {} nearer than proved", s.motions->against,
-        s.motions->gainsaid == 0 ? "none are" : std::to_string(s.motions->gainsaid) + " times WRONG,");
+  if (s.motions->gainsaid > 0)
+    text += fmt::format("; {} SEEN NEARER THAN PROVED: a fault of daylight, and nothing is claimed of them",
+                        s.motions->gainsaid);
+  else if (s.motions->against > 0)
+    text += fmt::format("; in {} other configurations none are nearer than proved", s.motions->against);
   return text;
 }
 

@@ -31,7 +31,7 @@ struct StudyWords {
 };
 StudyWords words_of(const Scene& scene, const SceneQuestion& question, const SceneStudy& study);
 
-/// Returns an SRDF that disables the pairs of links that one joint of the file joins ("Adjacent"), and those
+/// Returns an SRDF that disables the pairs of links of which one carries the other ("Adjacent"), and those
 /// that are proved never to touch ("Never"), with the proof behind each in a comment. Of other pairs that are
 /// not checked, that the scene's own SRDF disables or of which nothing is known, a comment says why they are
 /// not disabled. The study has `prove` and `prove_others`.

@@ -205,6 +205,16 @@ TEST(Study, NearABoundNothingIsKnown) {
       << text;
 }
 
+// The bound of a box that no draw came near to is no more than that.
+TEST(Study, SaysWhatRestsOnDrawsNearNoBox) {
+  Scene scene = still_scene({{"pole", {{3, 0, 0}, {0, 0, 1}, 0.1, 4}}, {"crate", {}}});
+  scene.bodies[1] = bounded_body("crate", 1, "box", corners_of({2, 2, 2}), Pose::Identity());
+  scene.links[1].motion = Motion::turn;
+  scene.links[1].high = 1;
+  EXPECT_EQ(recommended(scene, question(0, 0, 20)),
+            "capsules for 1 pair (1 of these with the bound of a box or mesh, which came near in no draw)");
+}
+
 // Of draws nobody says "never".
 TEST(Study, NeverIsSaidOfProofsAlone) {
   for (const char* file : {"crane.urdf", "arm.urdf", "porter.urdf"}) {

@@ -219,6 +219,16 @@ std::string not_known_words(const Scene& scene, const SceneStudy& s) {
                      plural(count, "pair"), count == 1 ? "s" : "", fmt::join(named, ", "));
 }
 
+/// Of a box or mesh draws show no more than that its bound was not near in them.
+std::string not_near_words(const Scene& scene, const SceneStudy& s) {
+  const auto rests_on_draws = [&](const PairStudy& pair) {
+    return is_known(scene, pair) && (scene.bodies[pair.a].box || scene.bodies[pair.b].box);
+  };
+  const auto count = static_cast<std::size_t>(std::ranges::count_if(s.pairs, rests_on_draws));
+  if (!s.drawn || count == 0) return "";
+  return fmt::format(" ({} of these with the bound of a box or mesh, which came near in no draw)", count);
+}
+
 /// What was not looked at stands where somebody acts on it: boxes touch things too.
 std::string recommended_words(const Scene& scene, const SceneStudy& s) {
   std::map<Level, std::size_t> last;
@@ -228,7 +238,7 @@ std::string recommended_words(const Scene& scene, const SceneStudy& s) {
   for (const auto& [level, count] : last)
     parts.push_back(fmt::format("{} for {}", plural_of(level, scene), plural(count, "pair")));
   std::string all = parts.empty() ? "nothing" : fmt::format("{}", fmt::join(parts, ", "));
-  all += not_known_words(scene, s);
+  all += not_near_words(scene, s) + not_known_words(scene, s);
   if (const std::vector<std::string> held = held_between(scene, s); !held.empty())
     all += fmt::format("; NOT MOVED: {}", fmt::join(held, ", "));
   if (scene.left_out.empty()) return all;
