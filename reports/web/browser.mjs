@@ -43,6 +43,7 @@ export async function open(address, { scheme = "light", first, width = 1366 } = 
     if (!/^(file|data|blob):/.test(r.url())) asked.push(r.url());
   });
   await page.goto(address);
+  await page.waitForFunction(() => document.getElementById("page").hasChildNodes()); // drawn
   return page;
 }
 
