@@ -68,12 +68,6 @@ printf '{"bucket":"overflow","owner":7}\n' >bad.jsonl
 expect 64 'no suppression' "$daylight" triage night --suppressions bad.jsonl
 holds 'its place' err 'bad.jsonl: line 1, column 30: owner is no text'
 
-# A suppression by a key of 0.1.0 still holds, and what replaces it is told.
-sed 's|fcl-libccd/overflow|overflow|' known.jsonl >former.jsonl
-expect 0 'a former key' "$daylight" triage night --for 1s --suppressions former.jsonl
-holds 'an old key' out 'overflow \(line [0-9]*\) is by a key of 0.1.0; write instead'
-holds 'what replaces it' out '^\{"bucket":"fcl-libccd/overflow","reason":"known","link":"-","owner":"ada"'
-
 # The second morning: nothing is new; what is noted stays.
 rm -r killed
 expect 0 'a note' "$daylight" triage night --annotate fcl-libccd/overflow --owner ada --note 'told "them"'

@@ -61,26 +61,6 @@ daylight_library(oracles OBJECTS ${oracles_objects} LINKS installed_exact NLopt:
           oracles/trial/compare.hpp oracles/trial/trial.hpp oracles/plugin.h base/json.hpp corpus/pairs/pair_io.hpp
           corpus/pairs/truth_io.hpp corpus/pairs/finding.hpp corpus/pairs/families.hpp)
 
-# The places of version 0.1.0: each old header includes the new one.
-foreach(move
-    oracles/exact.hpp=oracles/referee/decide_exactly.hpp:exact
-    oracles/referee.hpp=oracles/referee/referee.hpp:exact
-    oracles/method.hpp=oracles/methods/method.hpp:oracles
-    oracles/compare.hpp=oracles/trial/compare.hpp:oracles
-    oracles/contained.hpp=oracles/methods/contained.hpp:oracles
-    oracles/adapter.hpp=oracles/methods/adapter.hpp:oracles
-    oracles/guest.hpp=oracles/methods/guest.hpp:oracles
-    corpus/pair_io.hpp=corpus/pairs/pair_io.hpp:oracles
-    corpus/families.hpp=corpus/pairs/families.hpp:oracles)
-  string(REGEX MATCH "^(.*)=(.*):(.*)$" all ${move})
-  set(old ${CMAKE_MATCH_1})
-  set(new ${CMAKE_MATCH_2})
-  set(component ${CMAKE_MATCH_3})
-  file(WRITE ${CMAKE_BINARY_DIR}/library/${old} "// The place of version 0.1.0.\n#include \"${new}\"\n")
-  get_filename_component(folder ${old} DIRECTORY)
-  install(FILES ${CMAKE_BINARY_DIR}/library/${old} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/daylight/${folder} COMPONENT ${component})
-endforeach()
-
 configure_file(cmake/install/daylight-config.cmake.in ${CMAKE_BINARY_DIR}/library/daylight-config.cmake @ONLY)
 write_basic_package_version_file(${CMAKE_BINARY_DIR}/library/daylight-config-version.cmake
                                  VERSION ${PROJECT_VERSION} COMPATIBILITY SameMinorVersion)

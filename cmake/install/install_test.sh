@@ -24,7 +24,7 @@ awk '/^```/ && open { close(name); open = 0; next } /^```[a-z]+ file=/ { name = 
 cat >some_oracles.cpp <<'END'
 #include <daylight/oracles/compare.hpp>
 #include <daylight/oracles/contained.hpp>
-#include <daylight/oracles/exact.hpp>
+#include <daylight/oracles/referee/decide_exactly.hpp>
 #include <daylight/oracles/trial/trial.hpp>
 int main() {
   const cyl::Pair pair{{{0, 0, 0}, {0, 0, 1}, 1, 2}, {{0, 0, 5}, {0, 0, 1}, 1, 2}};

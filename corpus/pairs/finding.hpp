@@ -54,11 +54,6 @@ constexpr bool is_failure(FindingKind kind) noexcept {
          kind == FindingKind::non_finite || kind == FindingKind::malformed || kind == FindingKind::reported;
 }
 
-/// Whether `now` is what was told as `stored`: until version 0.1.0 what a method reported was an exception.
-constexpr bool is_same_kind(FindingKind now, FindingKind stored) noexcept {
-  return now == stored || (now == FindingKind::reported && stored == FindingKind::exception);
-}
-
 /// Whether it said a verdict that the proved one refutes, which is all that a margin is sought of.
 constexpr bool is_refuted_verdict(FindingKind kind) noexcept {
   return kind == FindingKind::wrong_disjoint || kind == FindingKind::wrong_intersecting ||

@@ -359,11 +359,10 @@ std::vector<std::size_t> sharers_elsewhere(const GroupedMethods& of, std::size_t
 }
 
 std::string cause_key(const GroupedMethods& of, std::size_t method, FindingKind kind, Severity severity,
-                      Mechanism mechanism, std::string_view reason, KeyForm form) {
+                      Mechanism mechanism, std::string_view reason) {
   const Method& m = *of.methods[method];
   const std::string library(m.foreign() ? library_of(m.name()) : "own");
-  const std::size_t stands_for_it = form == KeyForm::version_0_1 ? of.groups[method] : first_of(of, method);
-  const std::string first(of.methods[stands_for_it]->name());
+  const std::string first(of.methods[first_of(of, method)]->name());
   if (severity == Severity::resolution) return library + "/within-claim";
   if (kind == FindingKind::hang) return first + '/' + to_string(kind);
   if (kind == FindingKind::nondeterminism || kind == FindingKind::state_dependent)
@@ -373,9 +372,6 @@ std::string cause_key(const GroupedMethods& of, std::size_t method, FindingKind 
   switch (mechanism) {
     case Mechanism::gone:
       return first + "/not-again";
-    case Mechanism::underflow:
-    case Mechanism::overflow:
-      return form == KeyForm::version_0_1 ? to_string(mechanism) : first + '/' + to_string(mechanism);
     case Mechanism::setting:
     case Mechanism::unclassified:
       return first + '/' + to_string(kind);

@@ -98,11 +98,6 @@ Classification classify_closely(std::span<const std::unique_ptr<Method>> methods
 /// Returns the methods of other libraries that share the method's algorithm, as far as their errors tell.
 std::vector<std::size_t> sharers_elsewhere(const GroupedMethods& of, std::size_t method);
 
-enum class KeyForm : unsigned char {
-  of_library,  ///< A key names a method of the library that is wrong.
-  version_0_1  ///< In 0.1.0 a method stood for all that share its algorithm, and for overflow nobody did.
-};
-
 /// Returns the key of the cause: the same for every finding that has it, whatever the pair or the run.
 ///   "fcl-libccd/absolute-length"   the mechanism; the first of the library's that share the algorithm
 ///                                  stands for all of them
@@ -114,7 +109,7 @@ enum class KeyForm : unsigned char {
 ///   "fcl-libccd/not-again"         not wrong when asked again
 /// `reason`: the method's own words on a failure.
 std::string cause_key(const GroupedMethods& of, std::size_t method, FindingKind kind, Severity severity,
-                      Mechanism mechanism, std::string_view reason, KeyForm form = KeyForm::of_library);
+                      Mechanism mechanism, std::string_view reason);
 
 /// Returns the key of the cause of one failure, classified beforehand. Whoever has many to find keeps the
 /// asker: to start a worker takes longer than the questions.

@@ -189,13 +189,6 @@ TEST(Mechanism, GivesOneKeyToOneCause) {
             "other-way/wrong_disjoint")
       << "shares its algorithm with another library, and is called by its own name";
   EXPECT_EQ(sharers_elsewhere({methods, groups}, 2), (std::vector<std::size_t>{0, 1}));
-  for (const auto mechanism : {Mechanism::overflow, Mechanism::unclassified})
-    EXPECT_EQ(
-        cause_key({methods, groups}, 2, FindingKind::hang, contract, mechanism, {}, KeyForm::version_0_1),
-        "lib-way/hang");
-  EXPECT_EQ(cause_key({methods, groups}, 2, FindingKind::wrong_disjoint, contract, Mechanism::overflow, {},
-                      KeyForm::version_0_1),
-            "overflow");
   EXPECT_EQ(key(0, FindingKind::wrong_disjoint, Severity::resolution, Mechanism::unclassified),
             "lib/within-claim");
   EXPECT_EQ(key(0, FindingKind::crash, contract, Mechanism::unclassified,

@@ -45,7 +45,7 @@ struct Trial {
   const MethodAnswer& answer() const { return answers.front(); }
   const std::optional<Finding>& finding() const { return findings.front(); }
   /// Whether what is wrong with the method's answer is of that kind.
-  bool fails(FindingKind kind) const { return finding() && is_same_kind(finding()->kind, kind); }
+  bool fails(FindingKind kind) const { return finding() && finding()->kind == kind; }
   /// Whether the method answered, a verdict is proved, and nothing is wrong with the answer.
   bool right() const;
 

@@ -37,7 +37,6 @@ void visit_plain(B& b, Visit visit) {
   visit("last_seen", b.last_seen);
   visit("first_version", b.first_version);
   visit("last_version", b.last_version);
-  visit("former_keys", b.former_keys);
 }
 
 Json margin_json(const std::optional<Enclosure>& margin) {
@@ -128,11 +127,7 @@ Json to_json(const std::vector<Bucket>& buckets) {
 
 Bucket bucket_from_json(const Json& j) {
   Bucket b;
-  // What 0.1.0 stored lacks some.
-  visit_plain(b, [&](const char* key, auto& value) {
-    if (const auto at = j.find(key); at != j.end()) at->get_to(value);
-  });
-  b.seen_again = j.value("seen_again", true);
+  visit_plain(b, [&](const char* key, auto& value) { j.at(key).get_to(value); });
   b.worst_was_searched = b.worst.contains("note");
   b.severity = from_word<Severity>(j.at("severity").get<std::string>()).value_or(Severity::resolution);
   b.mechanism = from_word<Mechanism>(j.at("mechanism").get<std::string>()).value_or(Mechanism::unclassified);
@@ -142,9 +137,8 @@ Bucket bucket_from_json(const Json& j) {
     b.share = Bucket::Share{share.at("wrong").get<std::uint64_t>(), share.at("asked").get<std::uint64_t>()};
   if (const Json& status = j.at("standing"); !status.is_null())
     b.status = from_word<Recurrence>(status.get<std::string>());
-  if (const auto chance = j.find("chance"); chance != j.end() && !chance->is_null())
-    b.chance = chance->get<double>();
-  for (const Json& night : j.value("nights", Json::array()))
+  if (const Json& chance = j.at("chance"); !chance.is_null()) b.chance = chance.get<double>();
+  for (const Json& night : j.at("nights"))
     b.nights.push_back({night.at("run"), night.at("started"), {night.at("count"), night.at("asked")}});
   return b;
 }

@@ -342,20 +342,6 @@ int rank_of(Severity severity) {
   return severity == Severity::contract ? 0 : severity == Severity::unresolved ? 1 : 2;
 }
 
-/// The keys that version 0.1.0 gave the findings.
-std::set<std::string> former_keys_of(const std::string& key, const Group& group, const GroupedMethods& of) {
-  std::set<std::string> keys;
-  for (const FindingRecord* f : group.findings) {
-    const auto blamed = blamed_by(*f, of.methods);
-    const auto severity = from_word<Severity>(f->severity);
-    if (!blamed || !severity) continue;
-    keys.insert(cause_key(of, blamed->method, blamed->kind, *severity, group.mechanism(), f->reason,
-                          KeyForm::version_0_1));
-  }
-  keys.erase(key);
-  return keys;
-}
-
 /// Puts together what the findings say.
 Bucket sum_up(const std::string& key, const Group& group, const BucketCount& count) {
   Bucket b;
@@ -495,7 +481,6 @@ std::vector<Bucket> make_buckets(const TriageRecords& records, const GroupedMeth
     const auto counted = counts.find(key);
     const BucketCount kept{group.findings.size(), {{group.first().method, group.findings.size()}}};
     Bucket b = sum_up(key, group, counted != counts.end() ? counted->second : kept);
-    b.former_keys = former_keys_of(key, group, of);
     const auto blamed = blamed_by(group.first(), of.methods);
     const std::vector<Blamed> accused(blamed ? 1 : 0, blamed.value_or(Blamed{}));
     const ShownPair shown = shower.show(group.simplest->pair, accused);

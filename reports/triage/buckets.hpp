@@ -58,9 +58,8 @@ struct Bucket {
   std::string cause;                ///< in words
   std::vector<std::string> labels;  ///< likewise, this and what else may be said
   std::optional<Share> share;
-  std::set<std::string> former_keys;  ///< by which version 0.1.0 called it, where others
-  std::optional<Recurrence> status;   ///< nothing where there is no earlier run
-  std::optional<double> chance;       ///< that the status is due to chance, where that was asked
+  std::optional<Recurrence> status;  ///< nothing where there is no earlier run
+  std::optional<double> chance;      ///< that the status is due to chance, where that was asked
   std::string first_seen, last_seen;
   std::string first_version, last_version;  ///< of its method, then
   std::vector<Night> nights;                ///< the runs that looked for it, the earliest first
@@ -142,13 +141,9 @@ using FailsToday = std::function<std::optional<bool>(const Bucket&)>;
 void compare_with_earlier(TriagedRun& run, const std::vector<TriagedRun>& earlier,
                           const FailsToday& fails_today);
 
-/// Marks what is suppressed, by its key or by one of 0.1.0.
+/// Marks what is suppressed, by its key.
 void suppress(std::vector<Bucket>& buckets, const std::vector<Suppression>& suppressions,
               std::string_view today);
-/// Returns a remark for each suppression by a key of 0.1.0, with the lines that replace it.
-std::vector<std::string> former_keys_in(const std::vector<Suppression>& suppressions,
-                                        const std::vector<Bucket>& buckets);
-
 /// Returns "libccd-mpr.wrong_disjoint" of that key with '/': the name of the files of a bucket's pairs,
 /// without ending. What a file's name should not hold is replaced, and told apart by letters.
 std::string file_name_of(std::string_view key);

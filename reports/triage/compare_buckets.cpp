@@ -16,12 +16,10 @@ namespace {
 /// Nights that are shown with a cause.
 constexpr std::size_t nights_cap = 60;
 
-/// The run's bucket of that cause, by the key of today or of 0.1.0, if it has it.
+/// The run's bucket of that cause, if it has it.
 const Bucket* find(const TriagedRun& run, const Bucket& of) {
   for (const Bucket& b : run.buckets)
-    if (b.status != Recurrence::gone &&
-        (b.key == of.key || of.former_keys.contains(b.key) || b.former_keys.contains(of.key)))
-      return &b;
+    if (b.status != Recurrence::gone && b.key == of.key) return &b;
   return nullptr;
 }
 
@@ -205,29 +203,9 @@ std::string what_changed(const std::vector<Bucket>& buckets) {
 void suppress(std::vector<Bucket>& buckets, const std::vector<Suppression>& suppressions,
               std::string_view today) {
   for (Bucket& b : buckets) {
-    const Suppression* s = find_suppression(suppressions, b.key, today);
-    for (const std::string& former : b.former_keys)
-      if (s == nullptr) s = find_suppression(suppressions, former, today);
+    const Suppression* const s = find_suppression(suppressions, b.key, today);
     b.suppressed = s != nullptr ? std::optional(*s) : std::nullopt;
   }
-}
-
-std::vector<std::string> former_keys_in(const std::vector<Suppression>& suppressions,
-                                        const std::vector<Bucket>& buckets) {
-  std::vector<std::string> remarks;
-  for (const Suppression& s : suppressions) {
-    std::string lines;
-    for (const Bucket& b : buckets) {
-      if (!b.former_keys.contains(s.bucket)) continue;
-      Suppression now = s;
-      now.bucket = b.key;
-      lines += '\n' + line_of(now);
-    }
-    if (!lines.empty())
-      remarks.push_back(fmt::format("the suppression of {} (line {}) is by a key of 0.1.0; write instead{}",
-                                    s.bucket, s.line, lines));
-  }
-  return remarks;
 }
 
 }  // namespace cyl

@@ -48,7 +48,7 @@ void put_in_order(std::vector<Waiting>& bucket) {
 bool fails_alike(const GroupedMethods& methods, const Subject& s, const std::string& cause,
                  std::optional<ContactFeature> feature, Trial trial, const MethodAnswer& said, Asker& asker) {
   const auto found = compare(trial, methods.methods[*s.method]->claim(), said);
-  if (!found || !is_same_kind(found->kind, *s.kind) || found->severity != s.severity) return false;
+  if (!found || found->kind != *s.kind || found->severity != s.severity) return false;
   if (contact_feature(trial.pair, trial.truth) != feature) return false;
   if (!s.can_be_classified()) return true;
   return find_cause(methods, {*s.method, *s.kind, trial.pair}, s.severity, said.reason, asker) == cause;

@@ -16,8 +16,6 @@ namespace cyl {
 namespace {
 
 constexpr std::size_t cases_at_once = 32;
-/// A suppression may be by either.
-constexpr KeyForm key_forms[] = {KeyForm::of_library, KeyForm::version_0_1};
 constexpr Caps caps{
     .call_cpu = std::chrono::milliseconds(500), .call_wall = std::chrono::milliseconds(2000), .hangs = 1};
 
@@ -44,9 +42,8 @@ std::set<std::string> causes_of(std::span<const std::unique_ptr<Method>> methods
       }
     const std::vector<Classification> classified = classify(methods, failing, caps);
     for (std::size_t i = 0; i < failing.size(); ++i)
-      for (const KeyForm form : key_forms)
-        causes.insert(cause_key(grouped, failing[i].method, failing[i].kind, found[i].first,
-                                classified[i].mechanism, found[i].second, form));
+      causes.insert(cause_key(grouped, failing[i].method, failing[i].kind, found[i].first,
+                              classified[i].mechanism, found[i].second));
   }
   return causes;
 }
@@ -64,11 +61,9 @@ void mark_suppressed(GateReport& report, std::span<const std::unique_ptr<Method>
     const Failing failing{static_cast<std::size_t>(method - methods.begin()), *kind, f.simplest};
     const GroupedMethods grouped{methods, groups};
     const Mechanism mechanism = classify(methods, {&failing, 1}, caps).front().mechanism;
-    for (const KeyForm form : key_forms) {
-      const std::string cause =
-          cause_key(grouped, failing.method, failing.kind, f.severity, mechanism, f.reason, form);
-      f.known = f.known || find_suppression(suppressions, cause, today) != nullptr;
-    }
+    const std::string cause =
+        cause_key(grouped, failing.method, failing.kind, f.severity, mechanism, f.reason);
+    f.known = find_suppression(suppressions, cause, today) != nullptr;
   }
 }
 

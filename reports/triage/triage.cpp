@@ -138,8 +138,6 @@ Triage run_triage(const TriageOptions& options, std::span<const std::unique_ptr<
     for (std::string& remark :
          remarks_on(options.suppressions, options.today, causes_of(methods, options.cases), stale))
       triage.remarks.push_back(std::move(remark));
-    for (std::string& remark : former_keys_in(options.suppressions, triage.buckets))
-      triage.remarks.push_back(std::move(remark));
   }
   return triage;
 }

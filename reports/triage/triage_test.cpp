@@ -120,7 +120,6 @@ TEST(Triage, TellsCausesWhateverTheOrderAndTheNight) {
   EXPECT_EQ(one.buckets[0].key, "seedbook/wrong_intersecting") << "of ordinary size";
   const Bucket& overflow = one.buckets[1];
   EXPECT_EQ(overflow.key, "fcl-libccd/overflow");
-  EXPECT_EQ(overflow.former_keys, (std::set<std::string>{"overflow"}));
   EXPECT_EQ(overflow.count, 5u);
   EXPECT_EQ(overflow.methods, (std::set<std::string>{"fcl-libccd"}));
   EXPECT_TRUE(overflow.simplified && overflow.seen_again);
@@ -266,22 +265,6 @@ TEST(Buckets, NewComesFirstAndIsNoChance) {
   EXPECT_EQ(run.buckets[2].status, Recurrence::rare);
   EXPECT_EQ(what_changed(run.buckets), "1 new cause, 1 known, 1 rare");
   EXPECT_EQ(what_changed({Bucket{}, Bucket{}}), "2 causes");
-}
-
-TEST(Buckets, AreFoundByTheKeyThatTheyHadOnce) {
-  TriagedRun run = triaged("2", 30, "x/overflow");
-  run.buckets[0].former_keys = {"overflow"};
-  compare_with_earlier(run, {triaged("1", 30, "overflow")}, [](const Bucket&) { return std::nullopt; });
-  ASSERT_EQ(run.buckets.size(), 1u);
-  EXPECT_EQ(run.buckets[0].status, Recurrence::known);
-  const std::vector<Suppression> all{{"overflow", "because", "link", "ada", "2026-11-22", 3}};
-  suppress(run.buckets, all, "2026-11-22");
-  EXPECT_TRUE(run.buckets[0].suppressed);
-  EXPECT_EQ(
-      former_keys_in(all, run.buckets),
-      std::vector<std::string>{
-          "the suppression of overflow (line 3) is by a key of 0.1.0; write instead\n"
-          R"({"bucket":"x/overflow","reason":"because","link":"link","owner":"ada","expires":"2026-11-22"})"});
 }
 
 TEST(Buckets, FilesAreCalledAsTheyAre) {
