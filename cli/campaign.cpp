@@ -273,7 +273,7 @@ SelfCheckOptions plan_self_check(const CampaignArguments& arguments, const Campa
   if (check.faults.empty()) missing = "no fault is known that a campaign of these methods finds";
   if (check.program.empty()) missing = "daylight-mutants is not beside this executable";
   if (missing.empty()) return check;
-  if (arguments.self_check) throw std::runtime_error("--alarm: " + missing);
+  if (arguments.self_check) throw std::runtime_error("--self-check: " + missing);
   fmt::print(stderr, "daylight: no faults are planted in this run: {}\n", missing);
   return {};
 }
@@ -380,11 +380,10 @@ void add_campaign(Program& program) {
   command.flag("--create-only", arguments->create_only,
                "only make the run folder, for --resume to go on with");
   command.flag(
-      "--alarm", arguments->self_check,
-      "self-test: plant faults on the way and fail unless each is found; done unasked from 5 minutes or "
-      "3,000,000 pairs on");
-  command.flag("--no-alarm", arguments->no_self_check, "no self-test, however long the run")
-      .excludes("--alarm");
+      "--self-check,--alarm", arguments->self_check,
+      "inject known faults and fail if one goes undetected; default from 5 minutes or 3,000,000 pairs on");
+  command.flag("--no-self-check,--no-alarm", arguments->no_self_check, "inject no faults")
+      .excludes("--self-check");
   command.flag("--table", arguments->table, "print every method's counts too, not only the summary");
   command.flag("--list", arguments->list, "only list the methods, with their claims, and the families");
   command.examples(

@@ -38,14 +38,9 @@ CREATE VIEW finding AS SELECT id, pair_index, family, family_index, method, kind
   pair, answers, truth, stage, reason FROM wrong_answer JOIN judged_pair USING(pair_index);
 CREATE TABLE cell(plane TEXT NOT NULL, x INTEGER NOT NULL, y INTEGER NOT NULL, methods TEXT NOT NULL,
   PRIMARY KEY(plane, x, y)) WITHOUT ROWID;
+CREATE TABLE self_check(start INTEGER PRIMARY KEY, mutant INTEGER NOT NULL, what TEXT NOT NULL,
+  found INTEGER NOT NULL, pairs INTEGER NOT NULL, milliseconds INTEGER NOT NULL, said TEXT NOT NULL);
 INSERT INTO progress VALUES(0, 0);
-)";
-
-/// Made with the first self-check: runs without any are what they always were.
-constexpr const char* self_check_table = R"(
-CREATE TABLE IF NOT EXISTS alarm(start INTEGER PRIMARY KEY, mutant INTEGER NOT NULL, what TEXT NOT NULL,
-  found INTEGER NOT NULL, pairs INTEGER NOT NULL, usual INTEGER NOT NULL, milliseconds INTEGER NOT NULL,
-  said TEXT NOT NULL);
 )";
 
 std::string file_of(const std::string& folder) { return folder + "/run.sqlite"; }
@@ -194,15 +189,9 @@ std::optional<FindingRecord> RunStore::finding(std::int64_t id) const {
   return found.empty() ? std::nullopt : std::optional(found.front());
 }
 
-void RunStore::add(const SelfCheckRecord& check) {
-  file_->script(self_check_table);
-  file_->replace(check);
-}
+void RunStore::add(const SelfCheckRecord& check) { file_->replace(check); }
 
-std::vector<SelfCheckRecord> RunStore::self_checks() const {
-  if (!file_->has(SelfCheckRecord::table)) return {};
-  return file_->all<SelfCheckRecord>("start");
-}
+std::vector<SelfCheckRecord> RunStore::self_checks() const { return file_->all<SelfCheckRecord>("start"); }
 
 bool holds_run(const std::string& folder) { return std::filesystem::exists(file_of(folder)); }
 

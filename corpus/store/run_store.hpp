@@ -112,14 +112,13 @@ struct SelfCheckRecord {
   std::string what;         ///< the fault in words
   bool found = false;
   std::uint64_t pairs = 0;         ///< until it was found, or as many as were looked at
-  std::uint64_t usual = 0;         ///< pairs within which it should have been
   std::uint64_t milliseconds = 0;  ///< CPU time
   std::string said;                ///< which finding it was, or how the process ended; may be empty
 
   bool operator==(const SelfCheckRecord&) const = default;
-  static constexpr const char* table = "alarm";
+  static constexpr const char* table = "self_check";
   static auto columns(auto& a) {
-    return std::tie(a.start, a.mutant, a.what, a.found, a.pairs, a.usual, a.milliseconds, a.said);
+    return std::tie(a.start, a.mutant, a.what, a.found, a.pairs, a.milliseconds, a.said);
   }
 };
 

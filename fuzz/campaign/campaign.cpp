@@ -216,7 +216,7 @@ class Session {
         shard_{options.shard, options.shards, batch_size_for(workload)},
         stored_to_(store.progress().next),
         next_(shard_.first_from(stored_to_)),
-        self_checks_(options.self_check, workload, options.seed, store, options.out) {
+        self_checks_(options.self_check, workload, options.seed, store) {
     CampaignProgress& progress = summary_.progress;
     progress.done = shard_.below(stored_to_);
     progress.goal = shard_.below(options.pairs);
@@ -335,7 +335,7 @@ class Session {
     summary_.interrupted = StopSignals::asked() && !pairs_reached && !(budget_is_spent() && batches_.empty());
     store_.set("status", summary_.interrupted ? status_stopped : status_complete);
     if (const std::string failed = describe_failed_checks(store_.self_checks()); !failed.empty())
-      fail("the harness sleeps: " + failed);
+      fail("self-check failed: " + failed);
   }
 
   void fail(const std::string& how) {

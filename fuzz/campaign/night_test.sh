@@ -38,7 +38,7 @@ mkdir cases
 cp -- "$here"/../../corpus/cases/*.jsonl cases/
 jobs=$((($(nproc) + 1) / 2))
 run=(--seed 20261122 --methods=-nlopt --cases cases)
-[[ -x $(dirname -- "$daylight")/daylight-mutants ]] && run+=(--alarm)
+[[ -x $(dirname -- "$daylight")/daylight-mutants ]] && run+=(--self-check)
 
 # went_well CODE RUN : findings, and truths that nobody can prove, are no failure here.
 went_well() {
@@ -137,11 +137,10 @@ hours = (rows[-1][0] - rows[0][0]) / 3600
 print(f'{pairs} pairs, left alone {seconds(alone):.0f} s; killed {kills} times, every {interval} s, and gone on with: '
       f'{seconds(killed):.0f} s in what it stored')
 count = lambda run, what: sqlite3.connect(run + '/run.sqlite').execute(f'SELECT {what}').fetchone()[0]
-alarms = count('alone', "count(*) FROM sqlite_master WHERE name='alarm'") and count('alone', 'count(*) FROM alarm')
 print(f"findings {count('alone', '(SELECT count(*) FROM finding)')} kept of "
       f"{count('alone', '(SELECT sum(count) FROM finding_group)')}, in "
       f"{count('alone', '(SELECT count(*) FROM finding_group)')} groups; "
-      f"tallies of {count('alone', '(SELECT sum(asked) FROM tally)')} calls; {alarms} planted "
+      f"tallies of {count('alone', '(SELECT sum(asked) FROM tally)')} calls; {count('alone', '(SELECT count(*) FROM self_check)')} planted "
       f"faults found: the same in both: {same}")
 check(same == 'yes', 'the two runs differ')
 check(alone.split()[0] == killed.split()[0] == pairs, 'not all pairs were done')

@@ -50,17 +50,6 @@ TEST(SelfCheckStarts, LieInOctavesAndAreDrawnFromTheSeed) {
   EXPECT_GT(drawn.size(), 390u);
 }
 
-TEST(Usual, IsLearnedFromWhatItEverTook) {
-  EXPECT_EQ(usual_pairs({}, 21), self_check_pairs_cap);
-  EXPECT_EQ(usual_pairs({1, 100}, 21), self_check_pairs_cap) << "one campaign tells next to nothing";
-  EXPECT_EQ(usual_pairs({2, 100}, 21), 14000u);
-  EXPECT_EQ(usual_pairs({5, 100}, 21), 1400u);
-  EXPECT_EQ(usual_pairs({10, 100}, 21), 700u);
-  EXPECT_EQ(usual_pairs({10, 2}, 21), 7u * 21) << "the luck of the start";
-  EXPECT_EQ(usual_pairs({100000, 100}, 21), 100u) << "what it took so often it does not exceed";
-  EXPECT_EQ(usual_pairs({2, 100000}, 21), self_check_pairs_cap);
-}
-
 TEST(RunUntilFound, EndsWithTheFirstFindingBeyondAClaim) {
   std::vector<std::unique_ptr<Method>> methods;
   methods.push_back(apart(wrong_about_one));
@@ -155,11 +144,11 @@ TEST_F(SelfCheck, PlantsFaultsAtMomentsOfItsSeed) {
     EXPECT_EQ(all[k].start, self_check_start(seed, static_cast<unsigned>(k)));
     EXPECT_TRUE(all[k].found);
     EXPECT_EQ(all[k].pairs, 40u);
-    EXPECT_EQ(all[k].usual, self_check_pairs_cap);
     mutants.insert(all[k].mutant);
   }
   EXPECT_EQ(mutants.size(), 6u) << "each once";
-  EXPECT_EQ(format_self_checks(all).find("alarm: 6 planted faults found"), 0u) << format_self_checks(all);
+  EXPECT_EQ(format_self_checks(all).find("self-check: 6 planted faults found"), 0u)
+      << format_self_checks(all);
   run(options("again", short_run));
   EXPECT_EQ(self_checks("again"), all);
   CampaignOptions other = options("other", short_run);
@@ -185,7 +174,7 @@ TEST_F(SelfCheck, OneThatIsNotFoundIsRedThoughNothingElseIsFound) {
       << longer.harness_failure;
   EXPECT_EQ(value_of(RunStore::open(folder / "run").config(), "status"),
             status_failed + longer.harness_failure);
-  EXPECT_EQ(format_self_checks(self_checks("run")).find("ALARM: planted fault "), 0u);
+  EXPECT_EQ(format_self_checks(self_checks("run")).find("SELF-CHECK FAILED: planted fault "), 0u);
   // What is stored stays red, and nothing is planted twice.
   const std::size_t before = planted();
   EXPECT_EQ(exit_code(go_on(options("run", self_check_start(seed, 0) + 1))), 1);
@@ -222,53 +211,16 @@ TEST_F(SelfCheck, WhatItFindsIsTheSameWithSelfChecksAndWithout) {
   EXPECT_TRUE(none.self_checks().empty());
 }
 
-TEST_F(SelfCheck, LearnsFromEarlierRunsAndIsRedBeyondThem) {
-  CampaignOptions o = options("0", short_run);
-  o.self_check.faults.resize(1);
-  for (const char* name : {"0", "1", "2", "3", "4"}) {
-    o.out = folder / name;
-    EXPECT_EQ(exit_code(run(o)), 2);
-  }
-  EXPECT_EQ(self_checks("0").at(0).usual, self_check_pairs_cap);
-  EXPECT_EQ(self_checks("2").at(0).usual, 140u * 40);
-  o.out = folder / "5";
-  EXPECT_EQ(exit_code(run(o)), 2);
-  EXPECT_EQ(self_checks("5").at(0).usual, 14u * 40);
-  // Found, but later than it ever was by far: red, and known the next time.
-  finds_after(600);
-  o.out = folder / "late";
-  const CampaignSummary late = run(o);
-  EXPECT_EQ(exit_code(late), 1);
-  EXPECT_NE(late.harness_failure.find("found after 600 pairs only; usual are 440 at most"), std::string::npos)
-      << late.harness_failure;
-  o.out = folder / "next";
-  EXPECT_EQ(exit_code(run(o)), 2);
-  // No longer found: red, and no campaign learns from that.
-  finds_nothing();
-  for (const char* name : {"lost", "lost again"}) {
-    o.out = folder / name;
-    EXPECT_EQ(exit_code(run(o)), 1) << name;
-  }
-  EXPECT_EQ(self_checks("lost").at(0).usual, self_checks("lost again").at(0).usual);
-  // Other weights of the families are other pairs.
-  const unsigned weights[] = {3};
-  o.out = folder / "weighted";
-  run_campaign(o, {methods, only_family, {}, weights});
-  EXPECT_EQ(self_checks("weighted").at(0).usual, self_check_pairs_cap);
-}
-
 TEST_F(SelfCheck, KilledAtAnyMomentAndResumedItHasTheSameSelfChecks) {
-  fs::create_directories(folder / "a");
-  fs::create_directories(folder / "b");  // not beside each other: neither learns
-  const CampaignSummary whole = run(options("a/whole", 4 * own_batch_size));
-  CampaignOptions o = options("b/killed", 4 * own_batch_size);
+  const CampaignSummary whole = run(options("whole", 4 * own_batch_size));
+  CampaignOptions o = options("killed", 4 * own_batch_size);
   const int kills = kill_until_done(1, 1, [&](const auto& on_progress) {
     o.resume = holds_run(o.out);
     run_campaign(o, {methods, only_family, {}}, on_progress);
   });
   EXPECT_GE(kills, 1) << "of 4 batches";
-  EXPECT_EQ(self_checks("b/killed"), self_checks("a/whole"));
-  EXPECT_EQ(self_checks("a/whole").size(), 10u);
+  EXPECT_EQ(self_checks("killed"), self_checks("whole"));
+  EXPECT_EQ(self_checks("whole").size(), 10u);
 }
 
 TEST_F(SelfCheck, AMergedRunHasTheSelfChecksOfItsShards) {

@@ -322,8 +322,8 @@ void add_charts(json& report, const RunData& run) {
 
 json self_check_json(const std::vector<SelfCheckRecord>& checks) {
   if (checks.empty()) return nullptr;
-  const bool green = std::none_of(checks.begin(), checks.end(), fails);
-  return {{"green", green}, {"text", green ? format_self_checks(checks) : describe_failed_checks(checks)}};
+  const std::string failed = describe_failed_checks(checks);
+  return {{"green", failed.empty()}, {"text", failed.empty() ? format_self_checks(checks) : failed}};
 }
 
 }  // namespace
