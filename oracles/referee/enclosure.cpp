@@ -205,21 +205,6 @@ Nearby nearest_from(const SearchPair<double>& p, const Vec& start) {
   return {n.apart, {normalized(between), normalized(length(square) > 0 ? square : between)}};
 }
 
-// Where the rims of a cross those of b, seen along a's axis: faces at a tiny angle may be nearest there
-// alone.
-std::array<Vec, 4> corners(const SearchPair<double>& p) {
-  const Vec w = normalized(p.axis0), flat = p.delta - dot(p.delta, w) * w;
-  const double far = length(flat);
-  const Vec out = far > 0 ? normalized(flat) : square_to(w);
-  const double most = p.radius0,
-               x = far > 0 ? std::clamp((far * far + most * most - p.radius1 * p.radius1) / (2 * far), -most,
-                                        most)
-                           : most;
-  const Vec along = p.half0 * w, beside = std::sqrt((most - x) * (most + x)) * cross(w, out),
-            middle = x * out;
-  return {middle + along + beside, middle + along - beside, middle - along + beside, middle - along - beside};
-}
-
 // |distance| where one guess shows that it is within the width asked for: apart the solids are no farther
 // than a point's way to both, and no deeper than f anywhere. Nearly touching pairs would take all of the
 // sphere's cells.
@@ -287,7 +272,7 @@ AttainedDistance attain_distance(const Pair& pair, const Truth& truth, double re
         minimum.guess(n.directions);
       };
       from({0, 0, 0});
-      for (const Vec& corner : corners(p)) from(corner);
+      for (const Vec& corner : crossings_of_rims(p)) from(corner);
       minimum.descend();
     }
     minimum.guess(bounds.likely());

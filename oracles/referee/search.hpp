@@ -32,6 +32,10 @@ struct SearchPair {
 /// length. Where that makes numbers subnormal they are rounded: good for searching, no proof.
 SearchPair<double> double_pair(const Pair& pair, int& exponent);
 
+/// Where the rims of a cross those of b, seen along a's axis, from a's centre: faces at a tiny angle may be
+/// nearest there alone.
+std::array<Vec3<double>, 4> crossings_of_rims(const SearchPair<double>& p);
+
 /// What the search offers; either may be absent, both are offered near touching.
 template <class R>
 struct Found {
