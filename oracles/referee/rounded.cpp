@@ -164,11 +164,14 @@ Nearest<MpFloat> nearest_in_multiprecision(const Pair& pair, int bits, Start sta
     case Start::corners: {
       DoublePoints unit;
       const std::array<Vec3<double>, 4> corners = crossings_of_rims(double_pair(pair, unit.exponent));
-      Nearest<MpFloat> best = find_nearest(p, bits, unit.lifted(corners[0]));
-      for (const Vec3<double>& corner : {corners[1], corners[2], corners[3]})
-        if (auto found = find_nearest(p, bits, unit.lifted(corner)); found.apart < best.apart)
-          best = std::move(found);
-      return best;
+      std::optional<Nearest<MpFloat>> best;
+      for (const Vec3<double>& corner : corners) {
+        const Vec3<MpFloat> start = unit.lifted(corner);
+        Nearest<MpFloat> found = refine_nearest(p, bits, start, start);
+        for (int round = 1; round < 4; ++round) found = refine_nearest(p, bits, found.on_a, found.on_b);
+        if (!best || found.apart < best->apart) best = std::move(found);
+      }
+      return *best;
     }
     case Start::rims: {
       const DoublePoints guess = nearest_from_rims(pair);
