@@ -318,7 +318,8 @@ template <bool ordinary>
       prove_in_full(first, second, answer);
     if (swapped) std::swap(answer.hull_a, answer.hull_b);
   }
-  answer.direction = turns[swapped] * answer.direction;
+  // A direction that proves nothing stays +0.
+  answer.direction = turns[swapped & (answer.proof == Proof::direction)] * answer.direction;
   return answer;
 }
 

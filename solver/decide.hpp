@@ -78,7 +78,7 @@ Verdict intersect(const Cylinder& a, const Cylinder& b) noexcept;
 /// in both, and of flat solids (of which one is no thicker than that) only where no such disk or segment
 /// does, or where both are: two segments, a point, planes or a plane and a line that cross at a small angle.
 /// Cost: three times that of intersect(), twice where the axes are parallel; within 1e-11 of touching and
-/// beside flat solids up to 0.2 ms.
+/// beside flat solids up to 0.3 ms, of rounded solids with tiny cores 0.5 ms.
 Answer decide(const Prepared& a, const Prepared& b) noexcept;
 Answer decide(const Cylinder& a, const Cylinder& b) noexcept;
 

@@ -37,6 +37,9 @@ constexpr int valley_start_cap = 10, valley_step_cap = 8, shorter_step_cap = 6;
 // By how much two solids that touch are made to overlap for decide() to find a common point, of the reach.
 constexpr double touch_tols[] = {0x1p-44, 0x1p-38, 0x1p-32, 0x1p-26};
 
+// Lengths above this may add up to more than the largest double.
+constexpr double huge_tol = 0x1p1000;
+
 class Search {
  public:
   Search(const Scaled& p, const TurnedFrame& f) noexcept
@@ -433,6 +436,12 @@ class Search {
   int starts_ = 0, steps_ = 0;
 };
 
+// Cut off at the largest double.
+double in_range(double x) noexcept {
+  constexpr double most = std::numeric_limits<double>::max();
+  return larger(-most, smaller(most, x));
+}
+
 // Parallel axes: apart along w, across it, or both.
 void measure_parallel(const Scaled& p, const Vector3& axis_sum, Distance& out) noexcept {
   const Vector3 w = axis_sum / length(axis_sum);
@@ -479,20 +488,33 @@ void measure_parallel(const Scaled& p, const Vector3& axis_sum, Distance& out) n
 }
 
 // Each solid grows by a ball: what lies between them shrinks by both radii, whether it is a gap or a depth.
-// In halves, since the sum of the radii may overflow.
 void grow(Distance& d, double rounding_a, double rounding_b) noexcept {
-  constexpr double most = std::numeric_limits<double>::max();
-  const double half_room = 0.5 * rounding_a + 0.5 * rounding_b;
-  const double room = smaller(most, rounding_a + rounding_b);
-  const double grown = room < most ? d.value - room : 2 * (0.5 * d.value - half_room);
+  const double room = rounding_a + rounding_b;
   const bool apart = d.value > 0;
-  d.error = smaller(most, d.error + 4 * unit_roundoff_error * larger(room, std::fabs(d.value)));
-  d.value = larger(-most, grown);
+  d.error += 4 * unit_roundoff_error * larger(room, std::fabs(d.value));
+  d.value -= room;
   d.on_a += rounding_a * d.direction;
   d.on_b -= rounding_b * d.direction;
   // Every direction's f grows by as much: where the cores are apart, `error` says that there is no lower one.
   d.least = d.value <= 0 && (d.least || apart);
   d.verdict = d.value > 0 ? Verdict::disjoint : Verdict::intersecting;
+}
+
+double longest_of(const Prepared& c) noexcept {
+  return larger(larger(max_abs(c.center), c.rounding), larger(c.radius, c.height));
+}
+
+// Its core, in another unit.
+Prepared core_of(const Prepared& c, double unit) noexcept {
+  Prepared core = c;
+  core.rounding = 0;
+  core.ordinary = c.moderate;
+  if (unit != 1) {
+    core.center *= unit;
+    core.radius *= unit;
+    core.height *= unit;
+  }
+  return core;
 }
 
 // `grows`: the cores are about to.
@@ -507,12 +529,20 @@ Distance distance(const Prepared& a, const Prepared& b) noexcept {
     return out;
   }
   if (a.rounding + b.rounding == 0) return distance_of_cores(a, b);
-  Prepared core_a = a, core_b = b;
-  core_a.rounding = core_b.rounding = 0;
-  core_a.ordinary = a.moderate;
-  core_b.ordinary = b.moderate;
-  Distance out = measure(core_a, core_b, true);
-  grow(out, a.rounding, b.rounding);
+  // The gap of the cores or the sum of the roundings may exceed the largest double, with a difference that
+  // does not: lengths near it are made so small that neither does. What is lost where they become subnormal
+  // is far below the error.
+  const double unit = larger(longest_of(a), longest_of(b)) > huge_tol ? 0x1p-4 : 1;
+  Distance out = measure(core_of(a, unit), core_of(b, unit), true);
+  grow(out, unit * a.rounding, unit * b.rounding);
+  if (unit != 1) {
+    out.value = in_range(out.value / unit);
+    out.error = in_range(out.error / unit);
+    for (int i = 0; i < 3; ++i) {
+      out.on_a[i] = in_range(out.on_a[i] / unit);
+      out.on_b[i] = in_range(out.on_b[i] / unit);
+    }
+  }
   // Within rounding decide() has the last word; half of the error is within it of any gap there.
   if (out.value <= 0 && -out.value <= out.error && decide(a, b).verdict == Verdict::disjoint) {
     out.verdict = Verdict::disjoint;
@@ -552,9 +582,7 @@ Distance measure(const Prepared& a, const Prepared& b, bool grows) noexcept {
     // In two factors, since one may be out of range.
     const int half = p.exponent / 2;
     auto scaled = [&](double x) {
-      const double y = x * power_of_two(half) * power_of_two(p.exponent - half);
-      constexpr double most = std::numeric_limits<double>::max();
-      return larger(-most, smaller(most, y));
+      return in_range(x * power_of_two(half) * power_of_two(p.exponent - half));
     };
     out.value = scaled(out.value);
     // A gap that is no double in the scene's unit is still none of 0.

@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <cstdint>
+#include <cstring>
 #include <limits>
 #include <vector>
 
@@ -75,9 +76,12 @@ TEST(Batch, SquareAxesAndARimInLineWithAnEndAreNoTouch) {
 }
 
 bool are_the_same(const Answer& x, const Answer& y) {
-  return x.verdict == y.verdict && x.proof == y.proof && x.direction == y.direction &&
-         x.point_head == y.point_head && x.point_tail == y.point_tail && x.hull_a == y.hull_a &&
-         x.hull_b == y.hull_b && x.iterations == y.iterations;
+  const auto same_bits = [](const Vector3& u, const Vector3& v) {
+    return std::memcmp(u.data(), v.data(), sizeof(double[3])) == 0;
+  };
+  return x.verdict == y.verdict && x.proof == y.proof && same_bits(x.direction, y.direction) &&
+         same_bits(x.point_head, y.point_head) && same_bits(x.point_tail, y.point_tail) &&
+         x.hull_a == y.hull_a && x.hull_b == y.hull_b && x.iterations == y.iterations;
 }
 
 TEST(Batch, GivesTheCertificatesOfDecideOnEveryInstructionSet) {

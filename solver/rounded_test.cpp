@@ -5,6 +5,7 @@
 #include <limits>
 #include <numbers>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "corpus/pairs/families.hpp"
@@ -149,6 +150,20 @@ TEST(Rounded, NoRoundingIsTooLarge) {
   constexpr double most = std::numeric_limits<double>::max();
   EXPECT_EQ(within(left, right, most), Verdict::disjoint);
   EXPECT_EQ(decide_within(left, right, most).verdict, Verdict::disjoint);
+}
+
+// The cores' gap is beyond the largest double, the solids' own is not.
+TEST(Rounded, TheDistanceMayBeADoubleWhereThatOfTheCoresIsNone) {
+  for (const auto& [first, second] :
+       {std::pair{1e308, 1e308}, std::pair{1.7e308, 0.0}, std::pair{1e308, 1.7e308}}) {
+    const Cylinder a = ball({0, 0, 0}, first), b = ball({1.7e308, 1.7e308, 0}, second);
+    const double truth = static_cast<double>(std::sqrt(2.0L) * 1.7e308L - first - second);
+    const Distance d = distance(a, b);
+    EXPECT_EQ(d.verdict, truth > 0 ? Verdict::disjoint : Verdict::intersecting) << first;
+    EXPECT_NEAR(d.value, truth, d.error) << first;
+    EXPECT_LT(d.error, 1e294) << first;
+    EXPECT_NEAR(d.on_a.x() / first, std::sqrt(0.5), 1e-12) << first;
+  }
 }
 
 // Where the points of a certificate lose bits on their way back into the scene's unit.

@@ -43,7 +43,6 @@ constexpr double curvature_error = 64 * 0x1p-53;
 constexpr int newton_cap = 8;
 constexpr double shortest_step_tol = 0x1p-6;  ///< of Newton's; shorter ones are not worth their cost
 
-Vec normalized(const Vec& v) { return (1 / length(v)) * v; }
 Vec across(const Vec& v, const Vec& d) { return v - dot(v, d) * d; }
 
 // The cap about `middle` that holds `cap`; false where it is no help any more (near a right angle).
@@ -60,7 +59,7 @@ DirectionBounds::DirectionBounds(const SearchPair<double>& p)
       delta_(p.delta) {
   const Vec n = cross(solids_[0].axis, solids_[1].axis);
   tilt_ = length(n);
-  normal_ = (1 / tilt_) * n;
+  normal_ = normalized(n);
   reach_ = p.radius0 + p.half0 + p.radius1 + p.half1 + length(p.delta);
 }
 
@@ -163,7 +162,7 @@ DirectionBounds::Model DirectionBounds::model(const Vec& d, const Kinks& kinks) 
     if (kinks.at_axis[i] || m.s[i] == 0) continue;
     // Near the axis the difference has lost digits: square to the axis again, or the point would leave the
     // rim; where nearly all was lost the middle of the cap serves.
-    const Vec flat = across((1 / m.s[i]) * radial, solid.axis);
+    const Vec flat = across(normalized(radial), solid.axis);
     const double kept = length(flat);
     if (!(kept > 0.5)) continue;
     m.out[i] = (1 / kept) * flat;
@@ -173,8 +172,9 @@ DirectionBounds::Model DirectionBounds::model(const Vec& d, const Kinks& kinks) 
   const auto& [on_circle, at_axis] = kinks;
   std::array<double, 2> along{dot(m.g, solids_[0].axis), dot(m.g, solids_[1].axis)}, left{};
   if (on_circle[0] && on_circle[1]) {
-    const double c = dot(solids_[0].axis, solids_[1].axis), square = tilt_ * tilt_;
-    along = {(along[0] - c * along[1]) / square, (along[1] - c * along[0]) / square};
+    // Divided by the tilt twice: its square may be no double.
+    const double c = dot(solids_[0].axis, solids_[1].axis);
+    along = {(along[0] - c * along[1]) / tilt_ / tilt_, (along[1] - c * along[0]) / tilt_ / tilt_};
   }
   for (std::size_t i = 0; i < 2; ++i) {
     const Solid& solid = solids_[i];
@@ -226,9 +226,11 @@ DirectionBounds::Principal DirectionBounds::principal(const Frame& at, const std
                middle = (q[0] + q[2]) / 2;
   // Of the two forms of the eigenvector the one that loses no digits.
   double x = half > 0 ? half + away : q[1], y = half > 0 ? q[1] : away - half;
+  // Of eigenvalues that are the same but for this, far below rounding, any two directions serve.
+  constexpr double alike_tol = 0x1p-450;
   const double size = std::sqrt(x * x + y * y);
-  x = size > 0 ? x / size : 1;
-  y = size > 0 ? y / size : 0;
+  x = size > alike_tol ? x / size : 1;
+  y = size > alike_tol ? y / size : 0;
   return {middle - away, middle + away, x * at.e1 - y * at.e0, x * at.e0 + y * at.e1};
 }
 

@@ -3,6 +3,7 @@
 // K = (solid a) - (solid b), both centred: what branch and bound over the sphere asks of a pair.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -13,7 +14,24 @@ namespace cyl {
 
 using Vec = Vec3<double>;
 
-inline double length(const Vec& v) { return std::sqrt(dot(v, v)); }
+/// Squares below this have lost digits, or soon will: lengths are scaled before they are squared.
+inline constexpr double short_square_tol = 0x1p-900;
+/// Of any vector whose square does not overflow.
+inline double length(const Vec& v) {
+  const double square = dot(v, v);
+  if (square > short_square_tol) return std::sqrt(square);
+  const Vec longer = 0x1p600 * v;
+  return 0x1p-600 * std::sqrt(dot(longer, longer));
+}
+/// The unit vector along any vector but 0. Short and long ones are scaled by a power of two, which is exact.
+inline Vec normalized(const Vec& v) {
+  const double square = dot(v, v);
+  if (square > short_square_tol && square < 1 / short_square_tol) return (1 / std::sqrt(square)) * v;
+  int exponent = 0;
+  std::frexp(std::max({std::fabs(v.x), std::fabs(v.y), std::fabs(v.z)}), &exponent);
+  const Vec even{std::ldexp(v.x, -exponent), std::ldexp(v.y, -exponent), std::ldexp(v.z, -exponent)};
+  return (1 / std::sqrt(dot(even, even))) * even;
+}
 /// Some vector square to a unit vector, neither short nor longer than 1.
 inline Vec square_to(const Vec& v) { return cross(v, std::fabs(v.x) < 0.5 ? Vec{1, 0, 0} : Vec{0, 1, 0}); }
 

@@ -37,7 +37,7 @@ Vec on_face(int face, double s, double t) {
 
 Cap cap_of(const Cell& c) {
   const Vec middle = on_face(c.face, c.s, c.t);
-  Cap cap{(1 / length(middle)) * middle, 1, 0};
+  Cap cap{normalized(middle), 1, 0};
   double square = 0;
   for (const double i : {-c.half, c.half})
     for (const double j : {-c.half, c.half}) {
@@ -51,9 +51,8 @@ Cap cap_of(const Cell& c) {
 
 // Unit vectors square to each other, the last along v.
 std::array<Vec, 3> frame_on(const Vec& v) {
-  const double size = length(v);
-  const Vec z = size > 0 ? (1 / size) * v : Vec{0, 0, 1};
-  const Vec x = square_to(z), unit = (1 / length(x)) * x;
+  const Vec z = length(v) > 0 ? normalized(v) : Vec{0, 0, 1};
+  const Vec unit = normalized(square_to(z));
   return {unit, cross(z, unit), z};
 }
 
@@ -158,7 +157,7 @@ class Minimum {
 
 // Axes exactly parallel: how far the solids are apart along the axis and across it says everything.
 Range parallel(const SearchPair<double>& p) {
-  const Vec axis = (1 / length(p.axis0)) * p.axis0;
+  const Vec axis = normalized(p.axis0);
   const double height = dot(p.delta, axis);
   const Vec w = height < 0 ? -1.0 * axis : axis;
   const double along = std::fabs(height) - p.half0 - p.half1;
@@ -166,20 +165,20 @@ Range parallel(const SearchPair<double>& p) {
   // Square to the axis again after the difference has lost digits; where nearly all were lost, any direction
   // across is as good.
   Vec out = p.delta - dot(p.delta, w) * w;
-  if (length(out) > 0) out = (1 / length(out)) * out;
+  if (length(out) > 0) out = normalized(out);
   out = out - dot(out, w) * w;
   if (!(length(out) > 0.5)) out = square_to(w);
-  out = (1 / length(out)) * out;
+  out = normalized(out);
   const bool corner = along > 0 && across > 0;
   const double distance = corner ? std::sqrt(along * along + across * across) : std::max(along, across);
-  const Vec d = corner ? (along / distance) * w + (across / distance) * out : along > across ? w : out;
+  const Vec d = corner ? normalized(along * w + across * out) : along > across ? w : out;
   return {-distance, -distance, d};
 }
 
 // How far x, relative to a's centre, is from both solids together: the solids are no farther apart.
 double way_to_both(const SearchPair<double>& p, const Vec& x) {
   const auto beyond = [](const Vec& axis, double radius, double half, const Vec& y) {
-    const Vec w = (1 / length(axis)) * axis;
+    const Vec w = normalized(axis);
     const double along = dot(y, w);
     const double out = std::max(0.0, std::fabs(along) - half);
     const double across = std::max(0.0, length(y - along * w) - radius);
@@ -200,28 +199,10 @@ Nearby nearest_from(const SearchPair<double>& p, const Vec& start) {
   constexpr int rounds = 4;
   Nearest<double> n{start, p.delta, 0};
   for (int round = 0; round < rounds; ++round) n = refine_nearest(p, 53, n.on_a, n.on_b);
-  const Vec between = n.apart > 0 ? n.on_b - n.on_a : p.delta;
+  const Vec way = n.on_b - n.on_a, between = length(way) > 0 ? way : p.delta;
   Vec square = cross(cross(p.axis0, n.on_a), cross(p.axis1, n.on_b - p.delta));
   if (dot(square, between) < 0) square = -1.0 * square;
-  const double size = length(square);
-  return {
-      n.apart,
-      {(1 / length(between)) * between, size > 0 ? (1 / size) * square : (1 / length(between)) * between}};
-}
-
-// Where the rims of a cross those of b, seen along a's axis: faces at a tiny angle may be nearest there
-// alone.
-std::array<Vec, 4> corners(const SearchPair<double>& p) {
-  const Vec w = (1 / length(p.axis0)) * p.axis0, flat = p.delta - dot(p.delta, w) * w;
-  const double far = length(flat);
-  const Vec out = far > 0 ? (1 / far) * flat : square_to(w);
-  const double most = p.radius0,
-               x = far > 0 ? std::clamp((far * far + most * most - p.radius1 * p.radius1) / (2 * far), -most,
-                                        most)
-                           : most;
-  const Vec along = p.half0 * w, beside = std::sqrt((most - x) * (most + x)) * cross(w, out),
-            middle = x * out;
-  return {middle + along + beside, middle + along - beside, middle - along + beside, middle - along - beside};
+  return {n.apart, {normalized(between), normalized(length(square) > 0 ? square : between)}};
 }
 
 // |distance| where one guess shows that it is within the width asked for: apart the solids are no farther
@@ -237,11 +218,8 @@ std::optional<Enclosure> enclose_near_touching(const Pair& pair, Verdict verdict
   const Found<double> found = search(p, 53);
   double bound = std::numeric_limits<double>::infinity();
   if (verdict == Verdict::disjoint && found.has_point) bound = way_to_both(p, found.point);
-  if (verdict == Verdict::intersecting && found.has_direction) {
-    const Vec& d = found.direction;
-    const Vec even = (1 / std::max({std::fabs(d.x), std::fabs(d.y), std::fabs(d.z)})) * d;
-    bound = sphere.value((1 / length(even)) * even);
-  }
+  if (verdict == Verdict::intersecting && found.has_direction)
+    bound = sphere.value(normalized(found.direction));
   if (!(bound <= std::max(relative_width * size, slack))) return std::nullopt;
   const double most = interval_detail::next_up(std::ldexp(std::max(0.0, bound) + slack, exponent));
   return verdict == Verdict::disjoint ? Enclosure{0, most} : Enclosure{-most, 0};
@@ -281,7 +259,7 @@ AttainedDistance attain_distance(const Pair& pair, const Truth& truth, double re
   if (size == 0) {
     const double apart = length(p.delta);
     // untaken: points in one place touch, of which the gate asks no distance
-    f = {-apart, -apart, apart > 0 ? (1 / apart) * p.delta : Vec{0, 0, 1}};
+    f = {-apart, -apart, apart > 0 ? normalized(p.delta) : Vec{0, 0, 1}};
   } else if (c.x == 0 && c.y == 0 && c.z == 0) {
     f = parallel(p);
   } else {
@@ -294,7 +272,7 @@ AttainedDistance attain_distance(const Pair& pair, const Truth& truth, double re
         minimum.guess(n.directions);
       };
       from({0, 0, 0});
-      for (const Vec& corner : corners(p)) from(corner);
+      for (const Vec& corner : crossings_of_rims(p)) from(corner);
       minimum.descend();
     }
     minimum.guess(bounds.likely());

@@ -104,6 +104,17 @@ std::array<R, 4> solve(std::array<std::array<R, 5>, 4> m, std::size_t n, int bit
   constexpr std::size_t none = 4;
   std::array<std::size_t, 4> pivot_of{none, none, none, none};
   std::array<bool, 4> used{};
+  // Angles and lengths differ in unit: each unknown is measured so that its own entry is 1, or what cannot be
+  // told would depend on the scale of the scene.
+  std::array<R, 4> unit{R(1.0), R(1.0), R(1.0), R(1.0)};
+  for (std::size_t i = 0; i < n; ++i) {
+    const R d = abs(m[i][i]);
+    if (d > R(0.0)) unit[i] = R(1.0) / R(sqrt(d));
+  }
+  for (std::size_t i = 0; i < n; ++i) {
+    for (std::size_t j = 0; j < n; ++j) m[i][j] = m[i][j] * unit[i] * unit[j];
+    m[i][n] = m[i][n] * unit[i];
+  }
   R largest(0.0);
   for (std::size_t i = 0; i < n; ++i)
     for (std::size_t j = 0; j < n; ++j) largest = std::max(largest, R(abs(m[i][j])));
@@ -123,7 +134,8 @@ std::array<R, 4> solve(std::array<std::array<R, 5>, 4> m, std::size_t n, int bit
   }
   std::array<R, 4> x{R(0.0), R(0.0), R(0.0), R(0.0)};
   for (std::size_t column = 0; column < n; ++column)
-    if (const std::size_t row = pivot_of[column]; row != none) x[column] = m[row][n] / m[row][column];
+    if (const std::size_t row = pivot_of[column]; row != none)
+      x[column] = unit[column] * m[row][n] / m[row][column];
   return x;
 }
 

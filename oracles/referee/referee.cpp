@@ -226,6 +226,11 @@ mpq_class simple_near(double x) {
 // By algebra at simple points near those that double found. Solids with a plane between them touch or are
 // disjoint: no point is needed to tell.
 std::optional<Truth> prove_near(const Pair& pair, const Guess& guess) {
+  // Where lengths are extreme double may have found nothing.
+  const auto known = [](const Vec3<double>& v) {
+    return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
+  };
+  if (!known(guess.on_a) || !known(guess.on_b) || !known(guess.found.direction)) return std::nullopt;
   const Rational3 center = exact(pair.a.center);
   const auto simple = [&](const Vec3<double>& v) {
     return center +

@@ -8,6 +8,7 @@
 #include <limits>
 #include <map>
 #include <string>
+#include <utility>
 
 #include "corpus/pairs/families.hpp"
 #include "corpus/pairs/pair_io.hpp"
@@ -322,6 +323,37 @@ TEST(Enclosure, HoldsAmongTheSmallestAndTheLargestDoubles) {
   }
 }
 
+// The squares of the axes' tilt, of the offset or of the gap are subnormal or 0.
+TEST(Enclosure, HoldsWhereSquaresUnderflow) {
+  const std::pair<const char*, double> all[] = {
+      {R"({"a":{"center":[0,0,0],"axis":[1,0,0],"radius":1,"height":10},)"
+       R"("b":{"center":[0.25,0,1.5],"axis":[1,1.7e-162,0],"radius":1,"height":10}})",
+       -0.5},
+      {R"({"a":{"center":[0,0,0],"axis":[1,0,0],"radius":1,"height":10},)"
+       R"("b":{"center":[0.25,0,2.5],"axis":[1,3.3e-162,0],"radius":1,"height":10}})",
+       0.5},
+      {R"({"a":{"center":[0,0,0],"axis":[0.93802855423460041,0.20899593535445551,0.27644733756334433],)"
+       R"("radius":0.039461180842312427,"height":0.35815195331538652},)"
+       R"("b":{"center":[1.477412159609916e-163,8.7712162317925232e-163,2.2065783915529403e-163],)"
+       R"("axis":[0.54973931746572768,-0.43924458190441734,-0.71052859203548557],)"
+       R"("radius":0.50528699969771806,"height":0.9622775011991217}})",
+       -0.5447481805400305},
+      {R"({"a":{"center":[0,0,0],"axis":[1,0,0],"radius":0,"height":2},)"
+       R"("b":{"center":[0,3e-160,1e-160],"axis":[0,1,0],"radius":0,"height":0}})",
+       3.1622776601683794e-160},
+      {R"({"a":{"center":[0,0,0],"axis":[1,0,0],"radius":0,"height":2},)"
+       R"("b":{"center":[0,3e-162,1e-162],"axis":[1,0,0],"radius":0,"height":0}})",
+       3.1622776601683794e-162}};
+  for (const auto& [text, distance] : all) {
+    const Pair pair = parse_case(text, 1).value.value().pair;
+    const AttainedDistance found = attain_distance(pair, judge(pair), 1e-12);
+    EXPECT_LE(found.distance.lo, distance) << text;
+    EXPECT_GE(found.distance.hi, distance) << text;
+    const auto [x, y, z] = found.direction;
+    EXPECT_NEAR(x * x + y * y + z * z, 1, 1e-14) << text;
+  }
+}
+
 TEST(Enclosure, NearTouchingFamiliesKeepTheirMargin) {
   // Built at a known signed distance, so the enclosure must hold it. Penetration may be shallower at an edge.
   for (const char* name :
@@ -444,6 +476,31 @@ TEST(SimplestWithin, FindsTheFractionBehindADecimal) {
   EXPECT_EQ(simplest_within(mpq_class(0.333333333333), mpq_class(1, 1000000)), mpq_class(1, 3));
   EXPECT_EQ(simplest_within(mpq_class(-2.5), mpq_class(1, 1000)), mpq_class(-5, 2));
   EXPECT_EQ(simplest_within(mpq_class(7), mpq_class(0)), mpq_class(7));
+}
+
+// The search in double offers directions that are not finite, or none.
+TEST(Judge, OfExtremeNumbersIsNoFault) {
+  const std::pair<const char*, Verdict> all[] = {
+      {R"({"a":{"center":[0,7,1e-309],"axis":[1,0,0],"radius":5,"height":30},)"
+       R"("b":{"center":[0,0,0],"axis":[0,0,1],"radius":2,"height":0}})",
+       Verdict::disjoint},
+      {R"({"a":{"center":[0,7,1e-309],"axis":[1,0,0],"radius":5,"height":30},)"
+       R"("b":{"center":[0,0,0],"axis":[0,0,1],"radius":2,"height":0,"rounding":0.5}})",
+       Verdict::intersecting},
+      {R"({"a":{"center":[0,1.797e308,0],"axis":[1,0,0],"radius":1.797e308,"height":1},)"
+       R"("b":{"center":[0,0,0],"axis":[0,0,1],"radius":0,"height":1e308}})",
+       Verdict::touching},
+      {R"({"a":{"center":[-1.797e308,7,1e-309],"axis":[1,0,0],"radius":5,"height":30},)"
+       R"("b":{"center":[1.797e308,0,0],"axis":[0,0,1],"radius":1.797e308,"height":0,"rounding":1}})",
+       Verdict::disjoint}};
+  for (const auto& [text, verdict] : all) {
+    const Pair pair = parse_case(text, 1).value.value().pair;
+    const Truth truth = judge_verdict(pair);
+    EXPECT_EQ(truth.verdict, verdict) << text;
+    EXPECT_EQ(judge(pair).verdict, verdict) << text;
+    const Enclosure e = enclose_distance(pair, truth);
+    EXPECT_LE(e.lo, e.hi) << text;
+  }
 }
 
 TEST(Judge, InDoubleAloneLeavesWitnessesToDoubleToo) {

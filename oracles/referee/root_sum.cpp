@@ -59,15 +59,27 @@ int RootSum::sign_within(int bits) const {
   return sum.positive() ? 1 : sum.negative() ? -1 : 0;
 }
 
+RootSum RootSum::joined() const {
+  RootSum r;
+  for (const Term& t : terms_) r.add(t.c, t.q);
+  return r;
+}
+
+std::optional<mpq_class> RootSum::rational() const {
+  const RootSum r = joined();
+  if (r.terms_.empty()) return mpq_class(0);
+  if (r.terms_.size() == 1 && r.terms_[0].q == 1) return r.terms_[0].c;
+  return std::nullopt;
+}
+
 int RootSum::sign() const {
   constexpr int first_bits = 128;
   if (const int sign = sign_within(first_bits)) return sign;
-  RootSum joined;
-  for (const Term& t : terms_) joined.add(t.c, t.q);
-  if (joined.terms_.empty()) return 0;
+  const RootSum sum = joined();
+  if (sum.terms_.empty()) return 0;
   // Not 0, so some precision shows the sign.
   for (int bits = first_bits;; bits *= 2)
-    if (const int sign = joined.sign_within(bits)) return sign;
+    if (const int sign = sum.sign_within(bits)) return sign;
 }
 
 }  // namespace cyl

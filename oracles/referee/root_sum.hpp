@@ -5,6 +5,7 @@
 
 #include <gmpxx.h>
 
+#include <optional>
 #include <vector>
 
 namespace cyl {
@@ -29,6 +30,8 @@ class RootSum {
 
   /// -1, 0 or 1.
   int sign() const;
+  /// The sum itself, if it is rational.
+  std::optional<mpq_class> rational() const;
 
  private:
   struct Term {
@@ -36,6 +39,7 @@ class RootSum {
   };
   // Joins the term with one whose q makes a rational square with its own. The joined ones stay so.
   void add(const mpq_class& c, const mpq_class& q);
+  RootSum joined() const;
   int sign_within(int bits) const;  // 0 where intervals of that many bits do not tell
   std::vector<Term> terms_;         // q >= 0
 };

@@ -139,6 +139,7 @@ DoublePoints nearest_from_rims(const Pair& pair) {
 /// nearly parallel, next.
 enum class Start : unsigned char {
   double_points,
+  corners,
   rims,
   middle,
   first_end,
@@ -158,6 +159,19 @@ Nearest<MpFloat> nearest_in_multiprecision(const Pair& pair, int bits, Start sta
     case Start::double_points: {
       const DoublePoints guess = nearest_in_double(pair);
       return refine_nearest(p, bits, guess.lifted(guess.found.on_a), guess.lifted(guess.found.on_b));
+    }
+    // What one face hides of the other, at a tiny angle, may be so small that no other start leads there.
+    case Start::corners: {
+      DoublePoints unit;
+      const std::array<Vec3<double>, 4> corners = crossings_of_rims(double_pair(pair, unit.exponent));
+      std::optional<Nearest<MpFloat>> best;
+      for (const Vec3<double>& corner : corners) {
+        const Vec3<MpFloat> start = unit.lifted(corner);
+        Nearest<MpFloat> found = refine_nearest(p, bits, start, start);
+        for (int round = 1; round < 4; ++round) found = refine_nearest(p, bits, found.on_a, found.on_b);
+        if (!best || found.apart < best->apart) best = std::move(found);
+      }
+      return *best;
     }
     case Start::rims: {
       const DoublePoints guess = nearest_from_rims(pair);
@@ -217,21 +231,26 @@ std::optional<Truth> prove_rounded_touching(const Pair& pair, const Rational3& o
   const Rational3 between = on_b - on_a;
   const mpq_class size = exact_size(pair), room = room_of(pair);
   if (abs(mpq_class(dot(between, between) - room * room)) > times_power(size * size, -12)) return {};
+  const auto touching_at = [&](const Rational3& x, const Rational3& y) {
+    Truth t = proved(Verdict::touching, exact_vector(x), Stage::exact, bits);
+    t.certificate.kind = CertificateKind::points;
+    t.certificate.second = exact_vector(y);
+    return t;
+  };
   std::optional<Tangency> tangency;
   for (const int guessed : {bits, bits / 4, bits / 8}) {
     const Rational3 simple_a = simplest_near(pair, on_a, guessed),
                     simple_b = simplest_near(pair, on_b, guessed);
     if (!tangency) tangency = prove_tangency(pair, simple_a, simple_b, simple_b - simple_a);
     if (!tangency) continue;
-    if (!tangency->meet) return {};
+    if (!tangency->meet) return prove_disjoint(pair, tangency->direction, bits);
     if (!in_each_exact(pair, simple_a, simple_b) || compare_with_room(pair, simple_a, simple_b) != 0)
       continue;
-    Truth t = proved(Verdict::touching, exact_vector(simple_a), Stage::exact, bits);
-    t.certificate.kind = CertificateKind::points;
-    t.certificate.second = exact_vector(simple_b);
-    return t;
+    return touching_at(simple_a, simple_b);
   }
   if (!tangency) return {};
+  if (const auto contact = contact_points(pair, tangency->direction))
+    return touching_at(contact->first, contact->second);
   auto near = near_points(pair, tangency->direction);
   if (!near) return {};
   Truth t = proved(Verdict::touching, {}, Stage::exact, bits);
@@ -308,6 +327,7 @@ std::optional<Truth> prove_rounded_in_double(const Pair& pair, const Filter& fil
 std::optional<Truth> prove_rounded_at_once(const Pair& pair) {
   const DoublePoints guess = nearest_in_double(pair);
   const Rational3 center = exact(pair.a.center);
+  if (!std::isfinite(guess.found.apart)) return {};
   return prove_rounded_touching(pair, center + guess.exactly(guess.found.on_a),
                                 center + guess.exactly(guess.found.on_b), first_multiprecision_bits);
 }
@@ -322,7 +342,7 @@ std::optional<Truth> prove_cores_meet(const Pair& pair, const Rational3& point, 
 std::optional<Truth> prove_rounded(const Pair& pair, int bits) {
   const Rational3 center = exact(pair.a.center);
   for (const Start start :
-       {Start::double_points, Start::rims, Start::middle, Start::first_end, Start::other_end,
+       {Start::double_points, Start::corners, Start::rims, Start::middle, Start::first_end, Start::other_end,
         Start::first_end_of_b, Start::other_end_of_b, Start::by_cells}) {
     const Nearest<MpFloat> found = nearest_in_multiprecision(pair, bits, start);
     const Rational3 from_a = rational(found.on_a), from_b = rational(found.on_b);

@@ -142,6 +142,48 @@ TEST(RefereeOfRounded, FacesAtATinyAngleAreTold) {
   }
 }
 
+// Parallel but for a rounding: a rim or a small coin over a face. A segment across the rim of a face, at
+// rational points. The search for their nearest points does not depend on the unit either.
+TEST(RefereeOfRounded, FacesParallelButForRoundingAreToldInFewBits) {
+  struct Told {
+    const char *a, *b;
+    Verdict verdict;
+    CertificateKind kind;
+  };
+  const Told all[] = {
+      {R"("center":[-81.084618159597653,-56.245092624110562,15.737273997194123],
+          "axis":[0.43643578047197901,0.87287156094397012,0.21821789023600183],
+          "radius":61.312614230114775,"height":139.9148533899683,"rounding":7.6508029855704562e-11)",
+       R"("center":[-72.129898760782154,29.091661845631027,-21.882451103528961],"axis":[2,4,1],
+          "radius":0.74858938322850188,"height":0.45892458329740393,"rounding":1.7775608965778503e-10)",
+       Verdict::disjoint, CertificateKind::direction},
+      {R"("center":[0,0,0],"axis":[-0.21521349823009212,-0.83217654629054283,-0.51104338953117279],
+          "radius":1,"height":1,"rounding":1.6782674260904012e-07)",
+       R"("center":[1.2877128580426385,0.42182219181239416,-0.16225573090849105],
+          "axis":[0.21521349823009214,0.83217654629054294,0.5110433895311729],
+          "radius":0.25107002805319245,"height":0.090487674210591174)",
+       Verdict::disjoint, CertificateKind::direction},
+      {R"("center":[0,0,0],"axis":[0.58380619991245597,0.5068632195656787,-0.63423970042507749],
+          "radius":1,"height":0.00061552625801199667,"rounding":3.534007195982616e-13)",
+       R"("center":[0.70234979324712665,-0.70736967744881418,0.080674374085807896],
+          "axis":[0.58380620021921847,0.50686321947183888,-0.63423970042770182],
+          "radius":8.7665697125901285e-05,"height":4.3675376877115376e-05,"rounding":1.2726025135420318e-13)",
+       Verdict::intersecting, CertificateKind::points},
+      {R"("center":[-7,5.5,-11],"axis":[2,-2,1],"radius":6,"height":9)",
+       R"("center":[0,0,0],"axis":[2,1,-2],"radius":6,"height":12,"rounding":1.5)", Verdict::touching,
+       CertificateKind::points}};
+  for (const Told& told : all)
+    for (const int exponent : {0, -80, 80}) {
+      const auto pair = scaled_exactly(pair_from(told.a, told.b), exponent);
+      ASSERT_TRUE(pair);
+      const Truth truth = judge(*pair);
+      EXPECT_EQ(truth.verdict, told.verdict) << told.a << exponent;
+      EXPECT_EQ(truth.certificate.kind, told.kind) << told.a << exponent;
+      EXPECT_LE(truth.bits, 256) << told.a << exponent;
+      EXPECT_EQ(judge_verdict(*pair).verdict, told.verdict) << told.a << exponent;
+    }
+}
+
 class RefereeOfFamilies : public testing::TestWithParam<std::size_t> {};
 
 TEST_P(RefereeOfFamilies, EveryPairIsJudgedAndEveryAnswerOfOursHolds) {

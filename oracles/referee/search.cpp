@@ -2,6 +2,9 @@
 #include "oracles/referee/search.hpp"
 
 #include <algorithm>
+#include <cmath>
+
+#include "oracles/referee/direction_bounds.hpp"
 
 namespace cyl {
 
@@ -33,6 +36,19 @@ SearchPair<double> double_pair(const Pair& pair, int& exponent) {
   return {axis(a.axis),        axis(b.axis),         {apart(0), apart(1), apart(2)},
           length(a.radius),    length(a.height) / 2, length(b.radius),
           length(b.height) / 2};
+}
+
+std::array<Vec, 4> crossings_of_rims(const SearchPair<double>& p) {
+  const Vec w = normalized(p.axis0), flat = p.delta - dot(p.delta, w) * w;
+  const double far = length(flat);
+  const Vec out = far > 0 ? normalized(flat) : square_to(w);
+  const double most = p.radius0,
+               x = far > 0 ? std::clamp((far * far + most * most - p.radius1 * p.radius1) / (2 * far), -most,
+                                        most)
+                           : most;
+  const Vec along = p.half0 * w, beside = std::sqrt((most - x) * (most + x)) * cross(w, out),
+            middle = x * out;
+  return {middle + along + beside, middle + along - beside, middle - along + beside, middle - along - beside};
 }
 
 }  // namespace cyl

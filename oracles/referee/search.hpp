@@ -32,6 +32,10 @@ struct SearchPair {
 /// length. Where that makes numbers subnormal they are rounded: good for searching, no proof.
 SearchPair<double> double_pair(const Pair& pair, int& exponent);
 
+/// Where the rims of a cross those of b, seen along a's axis, from a's centre: faces at a tiny angle may be
+/// nearest there alone.
+std::array<Vec3<double>, 4> crossings_of_rims(const SearchPair<double>& p);
+
 /// What the search offers; either may be absent, both are offered near touching.
 template <class R>
 struct Found {
@@ -242,13 +246,14 @@ class Search {
   }
 
   // D for one slice that is as high as it gets: at the rim of one disk the other gives the tilt, at both rims
-  // a steep enough tilt does (r sqrt(A^2 + t^2) - r t < r A^2/(2t)).
+  // a steep enough tilt does (r sqrt(A^2 + t^2) - r t < r A^2/(2t)); there both parts of D are given times k,
+  // or a tiny k would make the tilt infinite.
   void offer_peak(const Cut<R>& t) {
     const Line<R>& line = line_of(t);
-    R tilt = t.b0 > t.b1 ? line.a * t.tilt0 : line.b * t.tilt1;
     if (t.b0 == zero_ && t.b1 == zero_ && line.k > zero_ && p_.radius0 + p_.radius1 > zero_)
-      tilt = (p_.radius0 * line.a * line.a + p_.radius1 * line.b * line.b) / line.k;
-    offer_direction(line.e + tilt * n_);
+      offer_direction(line.k * line.e + R(p_.radius0 * line.a * line.a + p_.radius1 * line.b * line.b) * n_);
+    else
+      offer_direction(line.e + (t.b0 > t.b1 ? R(line.a * t.tilt0) : R(line.b * t.tilt1)) * n_);
   }
 
   void search_slices() {

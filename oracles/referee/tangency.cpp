@@ -86,6 +86,34 @@ bool faces_meet(const Face& f, const Face& g, const Root3& delta) {
   return is_zero(delta);
 }
 
+// A point that two faces in one plane share if they meet, from the centre of the first.
+Root3 shared_point(const Face& f, const Face& g, const Root3& delta) {
+  if (f.kind < g.kind) return delta + shared_point(g, f, RootSum(-1) * delta);
+  if (g.kind == Face::point) return delta;
+  const auto divided = [&](const mpq_class& x, const mpq_class& y) {
+    return x + y == 0 ? delta : RootSum(mpq_class(x / (x + y))) * delta;
+  };
+  if (g.kind == Face::disk) return divided(f.radius, g.radius);
+  const mpq_class gg = dot(g.axis, g.axis);
+  if (f.kind == Face::disk) {  // the segment's point nearest to the disk's centre
+    const RootSum p = dot(delta, lift(g.axis));
+    const RootSum by = at_most(p * p, mpq_class(g.half * g.half * gg))
+                           ? RootSum(mpq_class(1 / gg)) * p
+                           : RootSum::root(p.sign() * g.half / gg, gg);
+    return delta - by * lift(g.axis);
+  }
+  const Rational3 normal = cross(f.axis, g.axis);
+  const mpq_class nn = dot(normal, normal);
+  if (nn == 0) return divided(f.half, g.half);
+  return (RootSum(mpq_class(1 / nn)) * dot(cross(delta, lift(g.axis)), lift(normal))) * lift(f.axis);
+}
+
+std::optional<Rational3> rational(const Root3& v) {
+  const auto x = v.x.rational(), y = v.y.rational(), z = v.z.rational();
+  if (!x || !y || !z) return std::nullopt;
+  return Rational3{*x, *y, *z};
+}
+
 // f(D) as a sum of roots. The faces of rounded solids are those of their cores, moved along D.
 RootSum support_gap(const Pair& pair, const Rational3& d) {
   RootSum sum = RootSum(0) - RootSum(abs(dot(d, exact(pair.b.center) - exact(pair.a.center))));
@@ -100,6 +128,17 @@ RootSum support_gap(const Pair& pair, const Rational3& d) {
 }
 
 }  // namespace
+
+std::optional<std::pair<Rational3, Rational3>> contact_points(const Pair& pair, const Rational3& direction) {
+  const Rational3 c0 = exact(pair.a.center);
+  const Face f = face(pair.a, direction), g = face(pair.b, mpq_class(-1) * direction);
+  const Root3 way = along(room_of(pair), direction),
+              delta = lift(exact(pair.b.center) - c0) + g.center - f.center - way;
+  const Root3 on_a = f.center + shared_point(f, g, delta);
+  const auto x = rational(on_a), y = rational(on_a + way);
+  if (!x || !y) return std::nullopt;
+  return std::pair{c0 + *x, c0 + *y};
+}
 
 int support_gap_sign(const Pair& pair, const Rational3& direction) {
   return support_gap(pair, direction).sign();

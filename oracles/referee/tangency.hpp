@@ -3,6 +3,7 @@
 #pragma once
 
 #include <optional>
+#include <utility>
 
 #include "oracles/referee/certificate_check.hpp"
 
@@ -19,6 +20,10 @@ struct Tangency {
 /// position).
 std::optional<Tangency> prove_tangency(const Pair& pair, const Rational3& near_point,
                                        const Rational3& near_other, const Rational3& near_direction);
+
+/// A point of a's core and one of b's at which solids touch whose tangency has this direction, if it is
+/// rational. If they touch at many points it is one far from the ends of what the faces share.
+std::optional<std::pair<Rational3, Rational3>> contact_points(const Pair& pair, const Rational3& direction);
 
 /// The sign of f(direction), direction not 0, exactly.
 int support_gap_sign(const Pair& pair, const Rational3& direction);
