@@ -62,19 +62,23 @@ void add_ask(Program& program) {
   Command command =
       program.command("Find", "ask", "Writes a campaign's pairs down, to be answered on another machine");
   auto options = std::make_shared<AskOptions>();
-  command.option("--out", options->out, "file of pairs, a line each; '-': standard output");
-  command.number("--pairs", options->pairs, "exactly this many pairs: the cases first, then drawn ones", 1);
-  command.number("--seed", options->seed, "same seed, same pairs; a campaign with it draws the same");
+  command.section("Output");
+  command.option("--out FILE", options->out, "file for the pairs, one a line; '-' is standard output");
+  command.section("Pairs");
+  command.number("--pairs N", options->pairs, "number of pairs: first the cases, then drawn pairs", 1);
+  command.number("--seed N", options->seed, "seed; a campaign with the same seed draws the same pairs");
   command
-      .option("--families", options->families,
-              "a,b: pairs of these families; --families=-a,b: of all but these; a name stands for all that "
-              "begin with it")
+      .option("--families LIST", options->families,
+              "families: names or prefixes, separated by commas; a leading '-' excludes")
       .default_text("all");
-  command.option("--cases", options->cases, "folder of case files asked first; '' for none")
+  command.option("--cases DIR", options->cases, "folder of case files that come first; '' for none")
       .default_text("corpus/cases/");
-  command.examples("  daylight ask --pairs 100000 --seed 7 --out pairs.jsonl",
-                   "What answers them writes a line for each, in any order, with its id: "
-                   "{\"id\":\"17\",\"verdict\":\"disjoint\"};\ndaylight judge reads that.");
+  command.examples(
+      "  daylight ask --pairs 100000 --seed 7 --out pairs.jsonl\n"
+      "  daylight ask --families random --pairs 1000 --cases ''",
+      "Your library answers with one line for each pair, in any order: "
+      "{\"id\":\"17\",\"verdict\":\"disjoint\"}.\n"
+      "daylight judge reads these lines.");
   command.run([options] { return write_questions(*options); });
 }
 

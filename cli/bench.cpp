@@ -124,29 +124,32 @@ void add_bench(Program& program) {
   Command command =
       program.command("Measure", "bench", "Nanoseconds a pair by method and family, faults beside them");
   auto options = std::make_shared<BenchArguments>();
-  command.option("--methods", options->methods, "a,b: time these; --methods=-a,b: all but these");
+  command.section("Methods");
+  command.option("--methods LIST", options->methods,
+                 "names or prefixes, separated by commas; a leading '-' excludes, as in --methods=-nlopt");
   add_guest_options(command, options->guests);
-  command.option(
-      "--families", options->families,
-      "a,b: pairs of these families; --families=-a,b: of all but these; all: of all. margin_1e-01 to "
-      "margin_1e-15 are near-touching pairs at that margin");
+  command.section("Pairs");
+  command.option("--families LIST", options->families,
+                 "families: names or prefixes, separated by commas; a leading '-' excludes; 'all' for all");
+  command.section("Limits");
   command
-      .option("--min-time", options->bench.min_time,
-              "seconds of timing a row (method, family and query), all passes together")
+      .option("--min-time SECONDS", options->bench.min_time,
+              "timing for each row (method, family and query), over all passes")
       .within(0, 1000);
-  command.number("--pairs", options->bench.pairs, "pairs to draw from each family", 1);
-  command.number("--passes", options->bench.passes,
-                 "how often each row is timed, in rotation with the others", 1);
-  command.number("--seed", options->bench.seed, "same seed, same pairs");
-  command.flag(
-      "--growth", options->growth,
-      "time instead how cost grows as margins shrink from 1e-1 to 1e-15, batches grow to 10^6 pairs and "
-      "sets to 10^7");
-  command.flag(
-      "--curves", options->curves,
-      "speed against accuracy, for `daylight chart`: every method at more settings than campaigns ask, on "
-      "random pairs and\nmargins 1e-1 to 1e-15, 600 of each, in 3 passes of 0.01 s together");
-  command.option("--json", options->json, "also write the results to this file").writable();
+  command.section("Pairs");
+  command.number("--pairs N", options->bench.pairs, "pairs to draw from each family", 1);
+  command.section("Limits");
+  command.number("--passes N", options->bench.passes,
+                 "times that each row is timed, in rotation with the others", 1);
+  command.section("Pairs");
+  command.number("--seed N", options->bench.seed, "seed; the same seed gives the same pairs");
+  command.section("What to measure");
+  command.flag("--growth", options->growth,
+               "time how cost grows with smaller margins, larger batches and larger sets");
+  command.flag("--curves", options->curves,
+               "time each method at more settings, for the chart of speed against accuracy");
+  command.section("Output");
+  command.option("--json FILE", options->json, "also write the results as JSON").writable();
   command.examples(
       "  daylight bench --methods intersect,decide,fcl --families random --json bench.json\n"
       "  daylight bench --growth --methods intersect,fcl-libccd\n"

@@ -344,52 +344,60 @@ void add_campaign(Program& program) {
   Command command = program.command(
       "Find", "campaign", "Draws pairs, asks every method, proves who is wrong, and keeps the proofs");
   auto arguments = std::make_shared<CampaignArguments>();
-  command.option("--for", arguments->budget, "wall time, like 90s, 1m or 8h")
+  command.section("Limits");
+  command.option("--for DURATION", arguments->budget, "wall time, such as 90s, 1m or 8h")
       .default_text("1m if there is no other limit");
-  command.number("--pairs", arguments->pairs, "exactly this many pairs; 0: no such limit");
+  command.number("--pairs N", arguments->pairs, "number of pairs; 0 for no limit");
   command
-      .option("--stop-at", arguments->stop_at,
-              "local time, HH:MM (the next) or 2026-11-22T06:00; with Z at its end UTC")
+      .option("--stop-at TIME", arguments->stop_at,
+              "local time, such as 06:30 or 2026-11-22T06:00; append Z for UTC")
       .excludes("--for");
-  command.number("--seed", arguments->seed, "same seed, same findings").default_text("random");
-  command.option("--out", arguments->out, "run folder").default_text("runs/<date-time>-<seed>");
+  command.section("Pairs");
+  command.number("--seed N", arguments->seed, "seed; the same seed gives the same findings")
+      .default_text("random");
+  command.section("Output");
+  command.option("--out DIR", arguments->out, "run folder").default_text("runs/<date-time>-<seed>");
+  command.section("Methods");
   command
-      .option("--methods", arguments->methods,
-              "a,b: these; --methods=-a,b: all but these; a name stands for all that begin with it")
+      .option("--methods LIST", arguments->methods,
+              "names or prefixes, separated by commas; a leading '-' excludes, as in --methods=-nlopt")
       .default_text("all");
   add_guest_options(command, arguments->guests);
   add_run_guests_option(command, arguments->guests);
+  command.section("Pairs");
   command
-      .option("--families", arguments->families,
-              "a,b: pairs of these families; --families=-a,b: of all but these; a name stands for all that "
-              "begin with it")
+      .option("--families LIST", arguments->families,
+              "families: names or prefixes, separated by commas; a leading '-' excludes")
       .default_text("all");
-  command.option(
-      "--weights-from", arguments->weights_from,
-      "an earlier run, or a folder of runs: families in which they found more get more of the pairs");
+  command.option("--weights-from DIR", arguments->weights_from,
+                 "run, or folder of runs; families with more findings there get more pairs");
   command
-      .option("--shard", arguments->shard,
-              "i/n: every n-th batch from the i-th on, i from 0; see daylight merge")
+      .option("--shard I/N", arguments->shard,
+              "do every N-th batch from batch I on, I from 0 (see daylight merge)")
       .needs("--seed")
       .needs("--out");
-  command.option("--cases", arguments->cases, "folder of case files played first; '' for none")
+  command.option("--cases DIR", arguments->cases, "folder of case files that come first; '' for none")
       .default_text("corpus/cases/");
-  command.number("--jobs", arguments->jobs, "batches at once; does not change the findings", 1, 1024);
-  command.option("--resume", arguments->resume, "go on with the run in this folder")
+  command.section("Limits");
+  command.number("--jobs N", arguments->jobs, "parallel batches; the findings do not depend on it", 1, 1024);
+  command.section("Output");
+  command.option("--resume DIR", arguments->resume, "continue the run in this folder")
       .not_empty("the folder of a run is expected");
-  command.flag("--create-only", arguments->create_only,
-               "only make the run folder, for --resume to go on with");
-  command.flag(
-      "--self-check,--alarm", arguments->self_check,
-      "inject known faults and fail if one goes undetected; default from 5 minutes or 3,000,000 pairs on");
+  command.flag("--create-only", arguments->create_only, "only create the run folder, for --resume");
+  command.section("Self-check");
+  command.flag("--self-check,--alarm", arguments->self_check,
+               "inject known faults and fail if one is missed; default from 5 minutes or 3,000,000 pairs");
   command.flag("--no-self-check,--no-alarm", arguments->no_self_check, "inject no faults")
       .excludes("--self-check");
-  command.flag("--table", arguments->table, "print every method's counts too, not only the summary");
-  command.flag("--list", arguments->list, "only list the methods, with their claims, and the families");
+  command.section("Output");
+  command.flag("--table", arguments->table, "also print the counts of each method");
+  command.flag("--list", arguments->list, "only list the methods with their claims, and the families");
   command.examples(
-      "  daylight campaign --for 1m --methods=-nlopt",
-      "Here 3 also: stopped before its limit, 1 also: missed a fault that was planted to try it. Ctrl-C "
-      "keeps what is\ncomplete.");
+      "  daylight campaign --for 1m --methods=-nlopt\n"
+      "  daylight campaign --plugin ./libmine.so --methods mine,decide --pairs 100000",
+      "Ctrl-C ends a campaign and keeps all complete batches. For campaign, 3 also means that the run "
+      "stopped\n"
+      "before its limit, and 1 also means that it missed an injected fault.");
   command.run([arguments, command] {
     for (const char* fixed : {"--seed", "--out", "--methods", "--families", "--weights-from", "--shard",
                               "--cases", "--create-only"}) {

@@ -61,20 +61,17 @@ void add_chart(Program& program) {
   Command command = program.command(
       "Understand", "chart", "Speed against accuracy and failure maps, on the page of a run and as files");
   auto arguments = std::make_shared<ChartArguments>();
-  command.option("RUN", arguments->run, "the run's folder").required().existing_folder();
+  command.option("RUN", arguments->run, "run folder").required().existing_folder();
+  command.section("Input");
   command
-      .option(
-          "--bench", arguments->bench,
-          "what `daylight bench --curves --json FILE` measured; without it speed and cost stay as they are")
+      .option("--bench FILE", arguments->bench,
+              "results of daylight bench --curves --json; without it, earlier curves stay")
       .existing_file();
-  command.flag(
-      "--stability", arguments->stability,
-      "also ask every method along paths through touching and through parallel axes, and next to "
-      "touching how far the input of a wrong answer would have to move; and show what changes between "
-      "builds (bench/stability/builds.jsonl)");
-  command.option("--out", arguments->out,
-                 "folder for the plots as SVG, and as PNG if rsvg-convert is installed; needs Node.js "
-                 "(apt-get install nodejs)");
+  command.flag("--stability", arguments->stability,
+               "also measure stability along paths, near touching and between builds");
+  command.section("Output");
+  command.option("--out DIR", arguments->out,
+                 "folder for SVG files, and PNG if rsvg-convert is installed; requires Node.js");
   command.examples(
       "  daylight bench --curves --json bench.json\n"
       "  daylight chart runs/latest --bench bench.json --stability --out charts");

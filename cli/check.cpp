@@ -202,19 +202,25 @@ int check(const CheckOptions& options) {
 void add_check(Program& program) {
   Command command = program.command("Ask", "check", "Pairs in, certified answers out, a line each");
   auto options = std::make_shared<CheckOptions>();
-  command.option("FILE", options->files, "JSON Lines of pairs; '-' or none: standard input").readable();
-  command.flag("--text", options->text, "write a sentence a line instead of JSON");
+  command.option("FILE", options->files, "JSON Lines of pairs; '-' or no file is standard input").readable();
+  command.section("Output");
+  command.flag("--text", options->text, "write sentences instead of JSON");
+  command.section("Question");
   command.flag("--distance", options->distance, "add a certified enclosure of the signed distance");
-  command.option(
-      "--clearance", options->clearance,
-      "decide whether the solids come that near: the answers are about a with its rounding larger by it");
-  command.option("--method", options->method, "ask this method instead; its answer is reported, not proved")
+  command.option("--clearance LENGTH", options->clearance,
+                 "decide whether the solids come this near; a is enlarged by it");
+  command.section("Methods");
+  command
+      .option("--method NAME", options->method, "ask this method instead; its answer is reported, not proved")
       .excludes("--distance");
   add_guest_options(command, options->guests);
   command.examples(
-      "  echo '{\"a\":{\"center\":[0,0,0],\"axis\":[0,0,1],\"radius\":1,\"height\":2},"
-      "\"b\":{\"center\":[3,0,0],\"axis\":[0,1,0],\"radius\":1,\"height\":2}}' | daylight check",
-      "Here 0: all answered, 3: some undecided, 65: some invalid.");
+      "  echo "
+      "'{\"a\":{\"center\":[0,0,0],\"axis\":[0,0,1],\"radius\":1,\"height\":2},\"b\":{\"center\":[3,0,0],"
+      "\"axis\":[0,1,0],\"radius\":1,\"height\":2}}' | daylight check\n"
+      "  daylight check --text --distance pairs.jsonl",
+      "For check, 0 means that all pairs are answered, 3 that some are undecided, and 65 that some are not "
+      "valid.");
   command.run([options] { return check(*options); });
 }
 

@@ -204,19 +204,17 @@ void add_errata(Program& program) {
       "Understand", "errata",
       "Shows the errata of the documents of this project, each with its kind, a pair and a proof");
   auto options = std::make_shared<ErrataOptions>();
-  command.option("ID", options->id, "the erratum to show; none: all");
-  command.number(
-      "--pairs", options->pairs,
-      "count wrong answers on as many pairs of each family, of the one method that has this fault and not "
-      "of the other, by proof");
+  command.option("ID", options->id, "erratum to show; all if none is given");
+  command.section("Output");
+  command.number("--pairs N", options->pairs,
+                 "count wrong answers on this many pairs of each family, with the fault and without");
   command.flag("--markdown", options->markdown, "print the list of solver/literature/errata.md");
   command.examples(
       "  daylight errata 2017-one-octant\n"
       "  daylight check --method seed2017-only-one-octant pairs.jsonl",
-      "Every fault is a method: seed2017-only-FAULT is seed2017-mended with this one alone, and\n"
-      "seed2017-without-FAULT is seed2017-printed without it (seed2008-, seedbook- likewise). Campaigns and "
-      "check\n"
-      "ask them if you name them.");
+      "Each fault is also a method. seed2017-only-FAULT is seed2017-mended with this fault alone.\n"
+      "seed2017-without-FAULT is seed2017-printed without it. The same holds for seed2008- and seedbook-.\n"
+      "Campaigns and check ask these methods if you name them.");
   command.run([options] { return show_errata(*options); });
 }
 

@@ -39,11 +39,15 @@ void add_explain(Program& program) {
   Command command = program.command("Understand", "explain", "Reports why a method is wrong on one pair");
   auto arguments = std::make_shared<ExplainArguments>();
   add_failure_options(command, arguments->failure);
-  command.number("--seed", arguments->seed, "same seed, same pairs drawn from the pair's stratum");
-  command.option("--json", arguments->json, "write everything as JSON, each end with its pair and proof")
+  command.section("Pairs");
+  command.number("--seed N", arguments->seed, "seed of the pairs drawn from the stratum of the pair");
+  command.section("Output");
+  command.option("--json FILE", arguments->json, "write everything as JSON, each end with its pair and proof")
       .writable();
-  command.examples("  daylight explain runs/latest:12",
-                   "Here 64 also: the method is not wrong on that pair.");
+  command.examples(
+      "  daylight explain runs/latest:12\n"
+      "  daylight explain failing.jsonl:3 --method fcl-libccd --json why.json",
+      "For explain, 64 also means that the method is not wrong on that pair.");
   command.run([arguments] { return explain_case(*arguments); });
 }
 

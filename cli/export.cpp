@@ -29,12 +29,16 @@ void add_export(Program& program) {
                                     "Writes a finding as one would send it to the library's maintainers");
   auto arguments = std::make_shared<ExportArguments>();
   add_failure_options(command, arguments->failure);
-  command.option("--out", arguments->out, "folder for the files").required();
+  command.section("Output");
+  command.option("--out DIR", arguments->out, "folder for the files").required();
   add_source_option(command, arguments->sources);
   command.examples(
-      "  daylight export runs/latest:12 --out upstream",
-      "The program is built and run first; one that does not show the failure is not written.\n"
-      "Here 64 also: the method is not wrong on that pair, 3: the program could not be built here.");
+      "  daylight export runs/latest:12 --out upstream\n"
+      "  daylight export failing.jsonl --method mine --plugin ./libmine.so --source mine.cpp --out sent",
+      "daylight builds and runs the program first, and does not write one that does not show the failure.\n"
+      "For export, 64 also means that the method is not wrong on that pair, and 3 that the program could not "
+      "be\n"
+      "built here.");
   command.run([arguments] { return export_case(*arguments); });
 }
 

@@ -79,11 +79,14 @@ void add_families(Program& program) {
   Command command =
       program.command("Measure", "families", "Lists the generators of pairs, or prints pairs of one");
   auto options = std::make_shared<FamiliesOptions>();
-  command.option("NAME", options->name, "the family to print pairs of; none: list them");
-  command.number("--seed", options->seed, "same seed, same pairs, on every machine");
-  command.number("--count", options->count, "pairs to print");
-  command.number("--from", options->from, "index of the first pair to print");
-  command.examples("  daylight families random --count 1000 | daylight check");
+  command.option("NAME", options->name, "family to print pairs of; without it, list the families");
+  command.section("Pairs");
+  command.number("--seed N", options->seed, "seed; the same seed gives the same pairs on every machine");
+  command.number("--count N", options->count, "number of pairs to print");
+  command.number("--from N", options->from, "index of the first pair to print");
+  command.examples(
+      "  daylight families\n"
+      "  daylight families random --count 1000 | daylight check");
   command.run([options] {
     if (options->name.empty()) {
       list_families();

@@ -103,22 +103,29 @@ void add_fuzz(Program& program) {
   Command command = program.command(
       "Find", "fuzz", "Lets libFuzzer look for pairs by what they make our code do, and proves who is wrong");
   auto arguments = std::make_shared<FuzzArguments>();
-  command.option("--for", arguments->budget, "wall time, like 90s, 10m or 8h");
+  command.section("Limits");
+  command.option("--for DURATION", arguments->budget, "wall time, such as 90s, 10m or 8h");
+  command.section("Input");
   command
-      .option("--target", arguments->target,
-              "core: the solver, its laws and the referee; seed_methods: the documents' methods; xcheck: "
-              "the foreign libraries")
+      .option("--target NAME", arguments->target,
+              "core (solver, laws, referee), seed_methods (documents), xcheck (libraries)")
       .one_of({"core", "seed_methods", "xcheck"});
-  command.number("--jobs", arguments->jobs, "workers, each a process of its own", 1, 1024);
-  command.option("--out", arguments->out, "run folder; one that is there goes on with its corpus")
+  command.section("Limits");
+  command.number("--jobs N", arguments->jobs, "worker processes", 1, 1024);
+  command.section("Output");
+  command.option("--out DIR", arguments->out, "run folder; an existing one continues with its corpus")
       .default_text("runs/fuzz-<date-time>");
-  command.number("--seed", arguments->seed, "seed from which the workers' seeds are drawn")
+  command.section("Input");
+  command.number("--seed N", arguments->seed, "seed from which the seeds of the workers are drawn")
       .default_text("random");
-  command.option("--program", arguments->program, "another executable of the target, built with libFuzzer");
+  command.option("--program FILE", arguments->program,
+                 "another executable of the target, built with libFuzzer");
   command.examples(
-      "  daylight fuzz --for 10m --target core --out runs/fuzz-core",
-      "Findings are in findings.jsonl of the run folder, which daylight replay takes. Ctrl-C ends it "
-      "in order: the\ncorpora are merged.");
+      "  daylight fuzz --for 10m --target core --out runs/fuzz-core\n"
+      "  daylight fuzz --for 8h --target xcheck --jobs 4",
+      "The run folder has the findings in findings.jsonl, which daylight replay reads. Ctrl-C merges the "
+      "corpora\n"
+      "and ends the run.");
   command.run([arguments] { return fuzz(*arguments); });
 }
 

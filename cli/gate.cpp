@@ -251,51 +251,56 @@ void add_gate(Program& program) {
   Command command = program.command(
       "Guard", "gate", "Merge gate: every case, every law, a sample of every stratum; one exit code");
   auto arguments = std::make_shared<GateArguments>();
-  command
-      .number("--pairs", arguments->pairs,
-              "pairs to draw, beside the cases, in whole rounds of the laws and of the strata", 1)
+  command.section("Limits");
+  command.number("--pairs N", arguments->pairs, "pairs to draw besides the cases", 1)
       .default_text(std::to_string(gate_pairs));
-  command.option(
-      "--for", arguments->cap,
-      "a cap on wall time, like 40s or 5m; pairs that it cuts off are named, and the gate ends with "
-      "exit code 3");
+  command.option("--for DURATION", arguments->cap,
+                 "limit of wall time, such as 40s; if it cuts pairs off, the exit code is 3");
+  command.section("Methods");
   command
-      .option("--method", arguments->methods,
-              "a,b: the methods that have to pass; a name stands for all that begin with it")
+      .option("--method LIST", arguments->methods,
+              "methods that must pass: names or prefixes, separated by commas")
       .default_text("the guests or, without any, ours");
   add_guest_options(command, arguments->guests);
-  command.number("--seed", arguments->seed, "same seed and number of pairs, same pairs in the same order")
+  command.section("Pairs");
+  command.number("--seed N", arguments->seed, "seed; the same seed and number of pairs give the same pairs")
       .default_text(std::to_string(GateOptions{}.seed));
-  command.option("--cases", arguments->cases, "folder of case files; '' for none")
+  command.option("--cases DIR", arguments->cases, "folder of case files that come first; '' for none")
       .default_text("corpus/cases/");
-  command.option("--junit", arguments->junit, "write a JUnit file").writable();
-  command.option("--sarif", arguments->sarif, "write a SARIF 2.1.0 file").writable();
-  command.option("--json", arguments->json, "write everything as JSON: what --against reads").writable();
-  command.flag("--github", arguments->github, "print annotations for GitHub's log");
+  command.section("Output");
+  command.option("--junit FILE", arguments->junit, "write JUnit XML").writable();
+  command.option("--sarif FILE", arguments->sarif, "write SARIF 2.1.0").writable();
+  command.option("--json FILE", arguments->json, "write everything as JSON; --against reads it").writable();
+  command.flag("--github", arguments->github, "print annotations for the log of GitHub Actions");
   command
-      .option("--annotate", arguments->annotate,
-              "src/mine.cpp:10: file and line at which SARIF, JUnit and GitHub show a guest's failures; "
-              "NAME=FILE:LINE for one of several")
+      .option("--annotate FILE:LINE", arguments->annotate,
+              "place of failures in SARIF, JUnit and GitHub; NAME=FILE:LINE for one guest")
       .one_each();
+  command.section("Baseline");
   command
-      .option("--against", arguments->against,
-              "JSON of an earlier gate: asks all its pairs, and only what it does not have fails, or had on "
-              "fewer "
-              "pairs")
+      .option("--against FILE", arguments->against,
+              "JSON of an earlier gate; reruns its pairs and fails only if a failure is new or wider")
       .excludes("--pairs")
       .excludes("--seed");
-  command.option("--suppressions", arguments->suppressions, "file of known causes that do not fail")
+  command.option("--suppressions FILE", arguments->suppressions, "known causes, which do not fail")
       .default_text("suppressions.jsonl");
+  command.section("Limits");
   command.flag("--first-failure", arguments->first_failure,
-               "end at the first failure, without simplifying it, if you need only the exit code");
-  command.option("--keep", arguments->keep, "write the simplified failing pairs as a file of cases")
+               "stop at the first failure, without simplifying it");
+  command.section("Output");
+  command.option("--keep FILE", arguments->keep, "write the simplified failing pairs as a case file")
       .writable();
-  command.option("--reproduce", arguments->reproduce, "run one drawn case again, by the name it was given");
+  command.section("Pairs");
+  command.option("--reproduce NAME", arguments->reproduce,
+                 "run one drawn case again, by the name that was printed");
+  command.section("Output");
   command.flag("--laws", arguments->laws, "only list the laws");
   command.examples(
-      "  daylight gate --method fcl --junit gate.xml",
-      "Here 2: broken laws, refuted verdicts, crashes, hangs, or a suppression that matches no stored case;\n"
-      "3 also: a method abstains on more than half of its pairs.");
+      "  daylight gate --method fcl --junit gate.xml\n"
+      "  daylight gate --plugin ./libmine.so --claim 1e-6 --pairs 20000 --against main.json",
+      "For gate, 2 means broken laws, refuted verdicts, crashes, hangs, or a suppression that matches no "
+      "stored\n"
+      "case. 3 also means that a method gave no verdict on more than half of its pairs.");
   command.run([arguments] { return gate(*arguments); });
 }
 

@@ -65,26 +65,22 @@ void set_claim(Guest& guest, const std::vector<std::string>& claims) {
 
 void add_guest_options(Command& command, GuestOptions& options) {
   command
-      .option("--plugin", options.plugins,
-              "ask this shared library too (oracles/plugin.h); NAME=FILE gives it another name")
+      .option("--plugin FILE", options.plugins,
+              "also ask this shared library (oracles/plugin.h); NAME=FILE names it")
       .one_each();
   command
-      .option("--command", options.commands,
-              "ask this program too, by lines of JSON, like 'python3 mine.py'; NAME=COMMAND gives it another "
-              "name")
+      .option("--command COMMAND", options.commands,
+              "also ask this program, which reads JSON lines; NAME=COMMAND names it")
       .one_each();
   command
-      .option("--claim", options.claims,
-              "hold guests to this margin, relative to the size, in the place of their own claim; NAME=1e-9 "
-              "the one "
-              "that was given this name")
+      .option("--claim MARGIN", options.claims,
+              "claim of the guests, relative to the size; NAME=MARGIN for one guest")
       .one_each();
 }
 
 void add_run_guests_option(Command& command, GuestOptions& options) {
-  command.flag(
-      "--run-guests", options.of_runs,
-      "start the guests that the run names, even if you have not started them on this machine before");
+  command.flag("--run-guests", options.of_runs,
+               "start the guests of the run, even if you never started them on this machine");
 }
 
 std::vector<std::unique_ptr<Method>> MethodSet::select(std::string_view spec, std::string_view unnamed) && {

@@ -149,31 +149,34 @@ void add_judge(Program& program) {
   auto options = std::make_shared<JudgeOptions>();
   command
       .option("ANSWERS", options->answers,
-              "file of answers, a line each with the id of its pair, in any "
-              "order; '-': standard input")
+              "file of answers, one a line in any order, each with the id of its pair; '-': standard input")
       .required()
       .readable();
+  command.section("Input");
   command
-      .option("--pairs", options->pairs, "the file that was answered; none: each answer has its own a and b")
+      .option("--pairs FILE", options->pairs,
+              "the pairs that were answered; without it, each answer has its own a and b")
       .readable();
-  command.option("--name", options->name, "name of the method that answered")
+  command.option("--name NAME", options->name, "name of the method that answered")
       .default_text("that of a hello in the answers");
   command
-      .option("--claim", options->claim,
-              "distance from which on the answers have to be right, relative to r0 + h0 + r1 + h1")
+      .option("--claim MARGIN", options->claim,
+              "margin from which on answers must be right, relative to the size")
       .within(0, 1)
       .default_text("that of a hello in the answers, else 0");
-  command
-      .option("--keep", options->keep, "write pairs on which they fail as a file of cases, with the proofs")
+  command.section("Output");
+  command.option("--keep FILE", options->keep, "write the failing pairs as a case file, with the proofs")
       .writable();
   command.examples(
-      "  daylight judge answers.jsonl --pairs pairs.jsonl --name mine --claim 1e-6 --keep failing.jsonl",
-      "An answer is {\"id\":\"17\",\"verdict\":\"disjoint\"}, with a distance, direction or point if "
-      "there "
-      "is one, or\n{\"id\":\"17\",\"declined\":\"why\"}, {\"id\":\"17\",\"error\":\"why\"}. Here 2: wrong "
-      "beyond "
-      "the claim, failed, missing, given\ntwice, or no answer at all; such lines are reported by number and "
-      "affect no others.");
+      "  daylight judge answers.jsonl --pairs pairs.jsonl --name mine --claim 1e-6 --keep failing.jsonl\n"
+      "  daylight judge - --name mine < answers.jsonl",
+      "An answer is {\"id\":\"17\",\"verdict\":\"disjoint\"}, with a distance, direction or point if there "
+      "is one. It is\n"
+      "{\"id\":\"17\",\"declined\":\"why\"} or {\"id\":\"17\",\"error\":\"why\"} if there is no verdict. For "
+      "judge, 2 also means\n"
+      "that answers failed, are missing, or were given twice, or that a line is not an answer. Such lines "
+      "are\n"
+      "reported by number and affect no others.");
   command.run([options] { return judge_answers(*options); });
 }
 

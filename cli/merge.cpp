@@ -37,12 +37,16 @@ int merge(const MergeArguments& arguments) {
 void add_merge(Program& program) {
   Command command = program.command("Find", "merge", "Makes one run of the shards of a campaign");
   auto arguments = std::make_shared<MergeArguments>();
-  command.option("RUN", arguments->runs, "the folders of the shards").required();
-  command.option("--out", arguments->out, "run folder; one that was merged before is replaced").required();
-  command.flag("--table", arguments->table, "print every method's counts too");
+  command.option("RUN", arguments->runs, "folders of the shards").required();
+  command.section("Output");
+  command.option("--out DIR", arguments->out, "run folder; an earlier merge there is replaced").required();
+  command.flag("--table", arguments->table, "also print the counts of each method");
   command.examples(
-      "  daylight merge runs/night/shard-* --out runs/night",
-      "Here 3 also: a shard is missing or did not reach its limit, 1 also: the harness failed in one.");
+      "  daylight merge runs/night/shard-* --out runs/night\n"
+      "  daylight merge shard-0 shard-1 --out whole --table",
+      "For merge, 3 also means that a shard is missing or stopped before its limit, and 1 that daylight "
+      "failed in\n"
+      "a shard.");
   command.run([arguments] { return merge(*arguments); });
 }
 

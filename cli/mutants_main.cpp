@@ -293,8 +293,8 @@ int main(int argc, char** argv) {
   quick->add_option("--count", count, "how many");
   quick->add_option("--corpus", arguments.corpus, "the folder of the case files");
   Planted planted;
-  auto* self_checking =
-      app.add_subcommand("self-check", "a mutant through a campaign's pairs until it is found; campaigns do it");
+  auto* self_checking = app.add_subcommand(
+      "self-check", "a mutant through a campaign's pairs until it is found; campaigns do it");
   self_checking->add_option("--mutant", planted.number)->required();
   self_checking->add_option("--seed", planted.seed)->required();
   self_checking->add_option("--first", planted.first)->required();

@@ -78,21 +78,27 @@ void add_near(Program& program) {
   Command command =
       program.command("Measure", "near", "Finds the close pairs of many cylinders that stand still");
   command.option("FILE", arguments->file, "solids, one a line: .jsonl or .csv").readable();
-  command.option("--clearance", arguments->clearance,
-                 "list pairs at this distance or nearer, in the file's unit");
-  command.flag("--verify", arguments->verify,
-               "ask the referee about every pair, and check every certificate");
-  command.number("--list", arguments->listed, "nearest pairs to print", 0, nearest_cap);
-  command.option("--generate", arguments->generate, "generate rods or pipes instead of reading a FILE");
-  command.number("--count", arguments->count, "cylinders to generate", 1, 10'000'000);
-  command.number("--seed", arguments->seed, "same seed, same cylinders");
-  command.option("--json", arguments->json, "write all pairs as JSON, and the 1000 nearest with their points")
+  command.section("Question");
+  command.option("--clearance LENGTH", arguments->clearance,
+                 "list pairs at this distance or nearer, in the unit of the file");
+  command.flag("--verify", arguments->verify, "ask the referee about each pair, and check each certificate");
+  command.section("Output");
+  command.number("--list N", arguments->listed, "nearest pairs to print", 0, nearest_cap);
+  command.section("Input");
+  command.option("--generate KIND", arguments->generate, "generate rods or pipes instead of reading a file");
+  command.number("--count N", arguments->count, "number of cylinders to generate", 1, 10'000'000);
+  command.number("--seed N", arguments->seed, "seed; the same seed gives the same cylinders");
+  command.section("Output");
+  command
+      .option("--json FILE", arguments->json,
+              "write all pairs as JSON, and the 1000 nearest with their points")
       .writable();
-  command.option("--csv", arguments->csv, "write the 1000 nearest pairs as CSV").writable();
-  command.examples("  daylight near parts.csv --clearance 0.01 --csv near.csv",
-                   "Here 2: the referee refutes an answer, or a certificate fails. 3 also: a pair is "
-                   "undecided. 65: the file\n"
-                   "is not a list of solids.");
+  command.option("--csv FILE", arguments->csv, "write the 1000 nearest pairs as CSV").writable();
+  command.examples(
+      "  daylight near parts.csv --clearance 0.01 --csv near.csv\n"
+      "  daylight near --generate rods --count 100000 --verify",
+      "For near, 2 means that the referee refutes an answer or that a certificate fails, 3 that a pair is\n"
+      "undecided, and 65 that the file is not a list of solids.");
   command.run([arguments] { return near(*arguments); });
 }
 

@@ -73,10 +73,11 @@ FindingKind kind_of_word(const std::string& word) {
 }
 
 void add_failure_options(Command& command, FailureOptions& options) {
-  command.option("CASE", options.target, "RUN:ID, FILE:LINE, or a FILE of one case").required();
-  command.option("--method", options.method, "the method that is wrong")
+  command.option("CASE", options.target, "RUN:ID, FILE:LINE, or a file of one case").required();
+  command.section("Methods");
+  command.option("--method NAME", options.method, "the method that is wrong")
       .default_text("that of the stored finding");
-  command.option("--kind", options.kind, "the kind of failure, like wrong_disjoint")
+  command.option("--kind KIND", options.kind, "kind of failure, such as wrong_disjoint")
       .default_text("that of the stored finding; else found by asking");
   add_guest_options(command, options.guests);
   add_run_guests_option(command, options.guests);
@@ -101,9 +102,10 @@ OneFailure failure_of(const FailureOptions& options, std::span<const std::unique
 }
 
 void add_source_option(Command& command, std::vector<std::string>& sources) {
+  command.section("Output");
   command
-      .option("--source", sources,
-              "a guest's source, sent with it and named; the first one is what a plug-in is compiled of")
+      .option("--source FILE", sources,
+              "source of a guest, to send with it; a plug-in is compiled from the first one")
       .one_each()
       .existing_file();
 }

@@ -21,9 +21,36 @@ namespace {
 
 /// The meaning of exit codes, the same for every command.
 constexpr const char* exit_codes =
-    "Exit code: 0 nothing is wrong; 2 something is, beyond a method's claim; 3 nothing is, but something is "
-    "undecided\n"
-    "or was not asked; 1 the harness failed; 64 wrong usage; 65 input that is not a pair or a scene.";
+    "Exit codes:\n"
+    "  0   nothing is wrong\n"
+    "  1   daylight itself failed\n"
+    "  2   a method is wrong beyond its claim\n"
+    "  3   nothing is wrong, but something is undecided or was not asked\n"
+    "  64  the command line is not valid\n"
+    "  65  an input is not a pair or a scene";
+
+/// --help: the name and value of each option, its help beside them, and its default behind that.
+class HelpFormat final : public CLI::Formatter {
+ public:
+  HelpFormat() { column_width(27); }
+  std::string make_option_opts(const CLI::Option* o) const override {
+    return o->get_items_expected_max() == 0 || o->get_positional() ? "" : ' ' + o->get_type_name();
+  }
+  std::string make_option_desc(const CLI::Option* o) const override {
+    const std::string standard = o->get_default_str();
+    return o->get_description() + (standard.empty() ? "" : " (default: " + standard + ')');
+  }
+};
+
+struct NameAndValue {
+  std::string name, value;
+};
+/// Takes "--name VALUE" apart.
+NameAndValue split(const std::string& declared) {
+  const std::size_t space = declared.find(' ');
+  if (space == declared.npos) return {declared, ""};
+  return {declared.substr(0, space), declared.substr(space + 1)};
+}
 
 /// The whole number that `text` is. Throws the parser's error where it is none from `least` to `most`.
 std::uint64_t whole_number(const std::string& text, const std::string& name, std::uint64_t least,
@@ -115,27 +142,30 @@ Option Option::writable() const {
 Option Option::existing_folder() const { return Option(*option_->check(CLI::ExistingDirectory)); }
 Option Option::default_text(const std::string& text) const { return Option(*option_->default_str(text)); }
 
-Option Command::option(const std::string& name, Value value, const std::string& help) {
+Option Command::option(const std::string& declared, Value value, const std::string& help) {
+  const auto [name, value_name] = split(declared);
   const auto add = [&]<class T>(std::reference_wrapper<T> bound) {
-    CLI::Option* option = app_->add_option(name, bound.get(), help);
+    CLI::Option* option = app_->add_option(name, bound.get(), help)->type_name(value_name)->group(section_);
     if constexpr (std::is_same_v<T, std::string> || std::is_same_v<T, double>) option->capture_default_str();
     return Option(*option);
   };
   return std::visit(add, value);
 }
 Option Command::flag(const std::string& name, bool& value, const std::string& help) {
-  return Option(*app_->add_flag(name, value, help));
+  return Option(*app_->add_flag(name, value, help)->group(section_));
 }
 
-Option Command::number(const std::string& name, Integer value, const std::string& help, std::uint64_t least,
-                       std::uint64_t most) {
+Option Command::number(const std::string& declared, Integer value, const std::string& help,
+                       std::uint64_t least, std::uint64_t most) {
+  const auto [name, value_name] = split(declared);
   const auto add = [&]<class T>(std::reference_wrapper<T> bound) {
     std::uint64_t greatest = most;
     if constexpr (std::integral<T>) greatest = std::min<std::uint64_t>(most, std::numeric_limits<T>::max());
-    const auto set = [&target = bound.get(), name, least, greatest](const std::string& text) {
+    const auto set = [&target = bound.get(), name = name, least, greatest](const std::string& text) {
       target = static_cast<T>(whole_number(text, name, least, greatest));
     };
-    CLI::Option* option = app_->add_option_function<std::string>(name, set, help)->type_name("N");
+    CLI::Option* option =
+        app_->add_option_function<std::string>(name, set, help)->type_name(value_name)->group(section_);
     if constexpr (std::integral<T>) option->default_str(std::to_string(bound.get()));
     return Option(*option);
   };
@@ -145,7 +175,7 @@ Option Command::number(const std::string& name, Integer value, const std::string
 bool Command::given(const std::string& name) const { return app_->count(name) > 0; }
 
 void Command::examples(const std::string& lines, const std::string& remarks) {
-  app_->footer("Example:\n" + lines + '\n' + remarks + (remarks.empty() ? "" : "\n") + exit_codes);
+  app_->footer("Examples:\n" + lines + "\n\n" + remarks + (remarks.empty() ? "" : "\n\n") + exit_codes);
 }
 
 void Command::run(std::function<int()> work) {
@@ -175,9 +205,10 @@ ProgramText Program::text() const {
 
 Program::Program(const std::string& name, const std::string& summary, const std::string& version)
     : app_(std::make_unique<CLI::App>(summary, name)) {
+  app_->formatter(std::make_shared<HelpFormat>());
   app_->require_subcommand(1);
   app_->set_version_flag("--version", version);
-  app_->footer(name + " COMMAND --help has the details and an example.\n" + exit_codes);
+  app_->footer(name + " COMMAND --help shows the options of a command and examples.\n\n" + exit_codes);
 }
 
 Program::~Program() = default;

@@ -44,7 +44,7 @@ class Option {
   CLI::Option* option_;
 };
 
-/// One command. --help shows the defaults of strings and numbers: the values at the time they are bound.
+/// One command. --help shows the defaults of strings and numbers: the values when they are bound.
 class Command {
   template <class T>
   using Bound = std::reference_wrapper<T>;
@@ -54,20 +54,23 @@ class Command {
 
   using Value = std::variant<Bound<std::string>, Bound<std::optional<std::string>>,
                              Bound<std::vector<std::string>>, Bound<std::vector<int>>, Bound<double>>;
-  /// Adds an option "--name", or an argument "NAME".
-  Option option(const std::string& name, Value value, const std::string& help);
+  /// Puts the options that follow under this heading of --help.
+  void section(const std::string& heading) { section_ = heading; }
+
+  /// Adds an option "--name VALUE", whose value --help calls VALUE, or an argument "NAME".
+  Option option(const std::string& declared, Value value, const std::string& help);
   Option flag(const std::string& name, bool& value, const std::string& help);
 
   using Integer =
       std::variant<Bound<std::uint64_t>, Bound<unsigned>, Bound<int>, Bound<std::optional<std::uint64_t>>>;
   /// Adds an option that holds a whole number from `least` to `most`: digits only, in base ten. (The parser's
   /// own conversion takes -1 for 2^64 - 1 and 010 for 8.)
-  Option number(const std::string& name, Integer value, const std::string& help, std::uint64_t least = 0,
+  Option number(const std::string& declared, Integer value, const std::string& help, std::uint64_t least = 0,
                 std::uint64_t most = std::numeric_limits<std::uint64_t>::max());
 
   bool given(const std::string& name) const;  ///< whether the command line has this option
 
-  /// Ends --help with these examples, remarks, and what every command's exit code means.
+  /// Ends --help with these examples, remarks, and the table of exit codes.
   void examples(const std::string& lines, const std::string& remarks = "");
 
   /// Has `work` run where this command is given; what it returns is the exit code.
@@ -78,6 +81,7 @@ class Command {
  private:
   CLI::App* app_;
   int* exit_code_;
+  std::string section_ = "Options";
 };
 
 /// The program with all its commands.

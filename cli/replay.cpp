@@ -164,20 +164,24 @@ void add_replay(Program& program) {
   auto arguments = std::make_shared<ReplayArguments>();
   command
       .option("TARGET", arguments->targets,
-              "RUN: all its findings; RUN:ID: one; FILE: a file of cases; FILE:LINE: one; -: cases of "
-              "standard input")
+              "RUN (all its findings), RUN:ID, FILE (cases), FILE:LINE, or '-' for standard input")
       .required();
-  command.option("--methods", arguments->methods, "a,b: ask these; --methods=-a,b: all but these")
+  command.section("Methods");
+  command
+      .option("--methods LIST", arguments->methods,
+              "names or prefixes, separated by commas; a leading '-' excludes, as in --methods=-nlopt")
       .default_text("all");
   command
-      .option("--laws", arguments->laws,
-              "1,10: hold the methods to these laws too, by numbers as `gate --laws` lists them")
+      .option("--laws LIST", arguments->laws,
+              "also check these laws, by the numbers that gate --laws lists, such as 1,10")
       .separated_by(',')
       .one_each();
   add_guest_options(command, arguments->guests);
   add_run_guests_option(command, arguments->guests);
-  command.examples("  daylight replay runs/latest:12",
-                   "Here 2: something is still wrong beyond its method's claim.");
+  command.examples(
+      "  daylight replay runs/latest:12\n"
+      "  daylight replay corpus/cases/reported.jsonl --methods decide,fcl",
+      "For replay, 2 means that a method is still wrong beyond its claim.");
   command.run([arguments] { return Replayer(*arguments).run(); });
 }
 

@@ -111,54 +111,56 @@ void add_scene(Program& program) {
   question.rate = 0.003;  // the rule of three on 1000 draws
   Command command = program.command(
       "Measure", "scene", "Reports which model of its shapes a scene or robot needs, and at what cost");
-  command.option("FILE", question.file, "a scene: .urdf, .xml (MJCF), .jsonl or .csv of solids").readable();
-  command.option("--clearance", question.clearance,
-                 "solids at this distance or nearer are too near; in the scene's unit (URDF, MJCF: metres)");
-  command.option("--tolerate", question.tolerated,
-                 "distance beyond the clearance up to which a false alarm does no harm");
-  command.number("--configurations", question.configurations,
-                 "configurations to draw within the joints' limits", 1, 1'000'000);
-  command.option(
-      "--rate", question.rate,
-      "draw more for a pair whose model was not seen wrong, until at 95 % it is wrong in no more than this "
-      "share");
-  command.number("--most", question.most, "--rate: configurations to draw, at most", 1, 100'000'000);
-  command.number("--seed", question.seed, "same seed, same configurations");
-  command.option("--at", arguments->at, "JOINT=VALUE..: one configuration, the other joints at 0");
+  command.option("FILE", question.file, "scene: .urdf, .xml (MJCF), or solids in .jsonl or .csv").readable();
+  command.section("Question");
+  command.option("--clearance LENGTH", question.clearance,
+                 "distance that is too near, in the unit of the scene (URDF, MJCF: metres)");
+  command.option("--tolerate LENGTH", question.tolerated,
+                 "distance beyond the clearance up to which a false alarm is harmless");
+  command.section("Configurations");
+  command.number("--configurations N", question.configurations,
+                 "configurations to draw within the limits of the joints", 1, 1'000'000);
+  command.option("--rate SHARE", question.rate,
+                 "draw until, at 95 %, an unrefuted model is wrong in at most this share");
+  command.number("--most N", question.most, "limit of the configurations that --rate draws", 1, 100'000'000);
+  command.number("--seed N", question.seed, "seed; the same seed gives the same configurations");
+  command.option("--at JOINT=VALUE", arguments->at, "one configuration; the other joints are at 0");
+  command.section("Pairs");
   command.flag("--all-pairs", question.all_pairs,
-               "also adjacent links and those that the description disables");
+               "include adjacent links and pairs that the description disables");
   command.flag("--each-link", question.each_link,
-               "take links that fixed joints join for bodies of their own, and check them too");
-  command.flag("--verify", question.verify, "put every recommended answer before the referee");
+               "treat links joined by fixed joints as separate bodies, and check them too");
+  command.section("Proofs");
+  command.flag("--verify", question.verify, "check each recommended answer with the referee");
   command.flag("--prove", question.prove,
-               "prove over all motions that pairs stay clear, or show where not; also for pairs that the "
-               "SRDF disables");
-  command.number("--boxes", question.motion_boxes, "--prove: boxes of joint values to look at for a pair", 1,
-                 100'000'000);
-  command.number("--against", question.against,
-                 "--prove: other configurations to draw, to look for bodies nearer than was proved", 0,
+               "prove over all motions which pairs stay clear, or show where they do not");
+  command.number("--boxes N", question.motion_boxes,
+                 "limit of the boxes of joint values that --prove examines for a pair", 1, 100'000'000);
+  command.number("--against N", question.against, "configurations to draw against the proofs of --prove", 0,
                  1'000'000'000);
+  command.section("Pairs");
   command
-      .option("--srdf", arguments->srdf,
-              "the pairs of links not to be checked; without it, FILE.srdf beside FILE.urdf")
+      .option("--srdf FILE", arguments->srdf,
+              "SRDF with the pairs that are not checked; default: FILE.srdf beside FILE.urdf")
       .readable();
+  command.section("Output");
   command
-      .option(
-          "--srdf-out", arguments->srdf_out,
-          "write an SRDF that disables neighbours and pairs that are proved never to touch; implies --prove")
+      .option("--srdf-out FILE", arguments->srdf_out,
+              "write an SRDF that disables neighbours and proved pairs; implies --prove")
       .writable();
-  command.option("--json", arguments->json, "write everything as JSON, a line of results for each pair")
-      .writable();
+  command.option("--json FILE", arguments->json, "write everything as JSON").writable();
   command
-      .option("--page", arguments->page,
-              "write it as one HTML file: the robot in 3D, its pairs, cost against wrong answers")
+      .option("--page FILE", arguments->page,
+              "write an HTML page: the robot in 3D, its pairs, cost against wrong answers")
       .writable();
   command.examples(
-      "  daylight scene robot.urdf --clearance 0.01 --verify --page robot.html",
-      "Here 2: the referee refutes a recommended answer, or --prove shows contact of links that the SRDF "
-      "disables\nas \"Never\". 3 also: an open pair of --prove, shapes that were not examined, pairs near "
-      "only "
-      "by the bound\naround a box or mesh, joints that were not moved. 65: the file is not a scene.");
+      "  daylight scene robot.urdf --clearance 0.01 --verify --page robot.html\n"
+      "  daylight scene robot.urdf --prove --srdf-out robot.srdf",
+      "For scene, 2 means that the referee refutes a recommended answer, or that --prove shows contact of "
+      "links\n"
+      "that the SRDF disables as \"Never\". 3 also means that --prove left a pair open, that shapes were "
+      "not\n"
+      "examined, that pairs are near only by the bound of a box or mesh, or that joints were not moved.");
   command.run([arguments] { return study(*arguments); });
 }
 

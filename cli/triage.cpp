@@ -140,43 +140,55 @@ void add_triage(Program& program) {
   Command command = program.command("Understand", "triage",
                                     "From the findings of a run to their causes, each with a simple pair");
   auto arguments = std::make_shared<TriageArguments>();
-  command.option("RUN", arguments->run, "folder of the run").required();
-  command.option("--against", arguments->against, "triaged runs to compare it with")
+  command.option("RUN", arguments->run, "run folder").required();
+  command.section("Input");
+  command.option("--against DIR", arguments->against, "triaged runs to compare with")
       .default_text("those beside it");
-  command.option("--for", arguments->budget, "wall time, like 5m").default_text("5m");
+  command.section("Limits");
+  command.option("--for DURATION", arguments->budget, "wall time, such as 5m").default_text("5m");
+  command.section("Methods");
   add_guest_options(command, arguments->guests);
   add_run_guests_option(command, arguments->guests);
-  command.number("--jobs", arguments->jobs, "processes; do not change the causes", 1, 1024);
-  command.option("--suppressions", arguments->suppressions, "file of known causes that do not fail")
+  command.section("Limits");
+  command.number("--jobs N", arguments->jobs, "processes; the causes do not depend on it", 1, 1024);
+  command.section("Input");
+  command.option("--suppressions FILE", arguments->suppressions, "known causes, which do not fail")
       .default_text("suppressions.jsonl");
-  command.option("--json", arguments->json, "write the causes as JSON").writable();
-  command.option("--explain", arguments->explained,
-                 "KEY of a bucket of the last triage: only report why its method fails");
-  command.option("--out", arguments->out, "folder for what --export writes");
+  command.section("Output");
+  command.option("--json FILE", arguments->json, "write the causes as JSON").writable();
+  command.section("One cause");
+  command.option("--explain KEY", arguments->explained, "only report why the method of this cause fails");
+  command.option("--out DIR", arguments->out, "folder for --export");
   command
-      .option("--export", arguments->exported,
-              "KEY of a bucket of the last triage: only write a program, a proof and the text of an "
-              "issue for the library's maintainers")
+      .option("--export KEY", arguments->exported,
+              "only write a program, a proof and an issue text for the maintainers")
       .needs("--out")
       .excludes("--explain");
-  command.option("--method", arguments->method, "whose failure --export writes, if a cause has several")
+  command
+      .option("--method NAME", arguments->method,
+              "method whose failure --export writes, if the cause has several")
       .needs("--export");
   add_source_option(command, arguments->sources);
   command
-      .option("--annotate", arguments->annotated,
-              "KEY of a bucket of the last triage: only keep an owner and a note of it, beside the runs")
+      .option("--annotate KEY", arguments->annotated,
+              "only store an owner and a note for this cause, next to the runs")
       .excludes("--explain")
       .excludes("--export");
-  command.option("--owner", arguments->note.owner, "who looks after the cause").needs("--annotate");
+  command.option("--owner NAME", arguments->note.owner, "owner of the cause").needs("--annotate");
   command
-      .option("--note", arguments->note.note, "what is known of it; neither owner nor note: both are dropped")
+      .option("--note TEXT", arguments->note.note,
+              "what is known of the cause; without owner and note, both are removed")
       .needs("--annotate");
   command.examples(
-      "  daylight triage runs/latest --for 2m",
-      "What is found out is kept in RUN/triage.sqlite: run again, it goes on. RUN/buckets/ has the simplest "
-      "pairs, and the worst (.worst.jsonl) if a search found one worse than the findings.\n"
-      "The guests of the run are found again, or taken from --plugin and --command.\n"
-      "Here 2: a cause beyond a claim that is not suppressed, 3 also: findings not looked at yet.");
+      "  daylight triage runs/latest --for 2m\n"
+      "  daylight triage runs/latest --export fcl-libccd/hang --out upstream",
+      "RUN/triage.sqlite keeps what triage has found, and the next triage of the run continues from there.\n"
+      "RUN/buckets/ has the simplest pair of each cause. It has the worst pair (.worst.jsonl) if a search "
+      "found\n"
+      "one worse than the findings. Guests are those of the run, or those of --plugin and --command.\n"
+      "For triage, 2 means that a cause beyond a claim is not suppressed. 3 also means that findings remain "
+      "to be\n"
+      "examined.");
   command.run([arguments] {
     arguments->run = lasting_name(arguments->run);
     return !arguments->explained.empty()   ? explain_bucket(*arguments)

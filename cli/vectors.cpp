@@ -560,15 +560,20 @@ void add_vectors(Program& program) {
       program.command("Measure", "vectors", "Writes test vectors: pairs, what is true of them, and proofs");
   auto options = std::make_shared<VectorsOptions>();
   options->cases = in_source_tree("corpus/cases");
-  command.option("--tier", options->tier, "smoke (200 vectors), standard (2,000) or full (200,000)");
-  command.number("--seed", options->seed, "same seed, same pairs, on every machine");
-  command.number("--count", options->count, "vectors to write; 0: as many as the tier has");
-  command.flag("--header", options->header, "write a header of C with the legal pairs instead of JSON");
+  command.section("Pairs");
+  command.option("--tier NAME", options->tier, "smoke (200 vectors), standard (2,000) or full (200,000)");
+  command.number("--seed N", options->seed, "seed; the same seed gives the same pairs on every machine");
+  command.number("--count N", options->count, "number of vectors; 0 for as many as the tier has");
+  command.section("Output");
+  command.flag("--header", options->header, "write a C header with the legal pairs instead of JSON");
+  command.section("Pairs");
   command
-      .option("--cases", options->cases,
-              "folder whose reported.jsonl has pairs of public reports; '' for none")
+      .option("--cases DIR", options->cases,
+              "folder with reported.jsonl, the pairs of public reports; '' for none")
       .default_text("corpus/cases/");
-  command.examples("  daylight vectors --tier full --seed 7 > full.json");
+  command.examples(
+      "  daylight vectors --tier full --seed 7 > full.json\n"
+      "  daylight vectors --tier smoke --header > smoke.h");
   command.run([options] { return write_vectors(*options); });
 }
 

@@ -236,35 +236,41 @@ void add_worst(Program& program) {
   Command command = program.command(
       "Find", "worst", "Searches for the pair on which a method is wrong by the greatest margin, or slowest");
   auto arguments = std::make_shared<WorstArguments>();
+  command.section("Methods");
   command
-      .option("--method", arguments->methods,
-              "a,b: search for these; a name stands for all that begin with it; judge: the referee")
+      .option("--method LIST", arguments->methods,
+              "names or prefixes, separated by commas; 'judge' is the referee")
       .required();
   add_guest_options(command, arguments->guests);
   add_run_guests_option(command, arguments->guests);
-  command.option("--feature", arguments->feature, "contact feature, like side-rim")
+  command.section("Question");
+  command.option("--feature NAME", arguments->feature, "contact feature, such as side-rim")
       .default_text("each in turn");
-  command.option("--for", arguments->budget, "wall time in all, like 60s").default_text("60s");
+  command.section("Limits");
+  command.option("--for DURATION", arguments->budget, "wall time for all searches together, such as 60s")
+      .default_text("60s");
+  command.section("Question");
   command
-      .option(
-          "--search", arguments->search,
-          "what to make largest: margin by which a verdict is wrong; time or steps of a call; error of the "
-          "distance over the bound returned with it; bound over the claim; margin of a pair left undecided")
+      .option("--search GOAL", arguments->search,
+              "quantity to maximize: margin, time, steps, error, bound or undecided")
       .one_of({enum_words<Search>.begin(), enum_words<Search>.end()});
   command.flag("--time", arguments->time, "the same as --search time");
-  command.option("--from", arguments->from, "start from the findings of a run or a file of cases")
+  command.option("--from RUN|FILE", arguments->from, "start from the findings of a run, or from a case file")
       .default_text("corpus/cases/ and drawn pairs");
-  command.number("--seed", arguments->seed, "same seed, and --evaluations: same result");
-  command.number("--evaluations", arguments->evaluations,
-                 "shapes looked at for each method and feature; no limit of time then but --for", 1);
-  command.option("--out", arguments->out, "write the pairs as a file of cases").writable();
-  command.flag(
-      "--extremes", arguments->extremes,
-      "also sizes from 1e-12 to 1e12, as far from the origin; else from 1e-3 to 1e3, within 100 sizes "
-      "of it");
-  command.examples("  daylight worst --method fcl-libccd --feature side-rim --for 60s --out worst.jsonl",
-                   "Each line: method, feature, the proved margin relative to the size (or what else "
-                   "is sought), what it is, and the pair.");
+  command.section("Limits");
+  command.number("--seed N", arguments->seed,
+                 "seed; with --evaluations, the same seed gives the same result");
+  command.number("--evaluations N", arguments->evaluations,
+                 "evaluations for each method and feature; then only --for limits the time", 1);
+  command.section("Output");
+  command.option("--out FILE", arguments->out, "write the pairs as a case file").writable();
+  command.section("Question");
+  command.flag("--extremes", arguments->extremes, "sizes from 1e-12 to 1e12 instead of 1e-3 to 1e3");
+  command.examples(
+      "  daylight worst --method fcl-libccd --feature side-rim --for 60s --out worst.jsonl\n"
+      "  daylight worst --method mine --plugin ./libmine.so --search time",
+      "Each line has the method, the feature, the proved margin relative to the size (or the quantity that\n"
+      "--search names), its description, and the pair.");
   command.run([arguments] { return Searcher(*arguments).run(); });
 }
 

@@ -24,7 +24,7 @@ inline constexpr int precision_cap = 4096;
 /// small for that many bits to show. Cost: below 1 us with a witness and about that without, 20 us with one
 /// in hulls, 0.1 ms where double does not reach, below 1 ms for exact ties, rounded or not, 1 to 2 ms for
 /// rounded solids within rounding of touching, 17 ms at most among 330,000; of axes or lengths with
-/// components hundreds of decades apart 0.4 ms in the mean, above 20 ms for 1 in 1700, 31 ms at most. A cap
+/// components hundreds of decades apart 0.4 ms in the mean, above 20 ms for 1 in 240, 31 ms at most. A cap
 /// below 128 bits: in double alone, witnesses too.
 Truth judge(const Pair& pair, std::span<const MethodAnswer> offered = {}, int bits_cap = precision_cap);
 
