@@ -9,6 +9,7 @@
 #include "corpus/pairs/close_contact.hpp"
 #include "corpus/pairs/pair_numbers.hpp"
 #include "corpus/pairs/random_stream.hpp"
+#include "corpus/pairs/stratum.hpp"
 #include "fuzz/campaign/derived.hpp"
 #include "oracles/methods/adapter.hpp"
 #include "oracles/referee/referee.hpp"
@@ -24,12 +25,9 @@ constexpr double least_size = 1e-6, most_size = 1e6;
 /// The shortest length that is not 0, over the size.
 constexpr double least_part = 1e-9;
 
-constexpr std::array<double, 17> tenths{1,    1e-1,  1e-2,  1e-3,  1e-4,  1e-5,  1e-6,  1e-7, 1e-8,
-                                        1e-9, 1e-10, 1e-11, 1e-12, 1e-13, 1e-14, 1e-15, 1e-16};
-
 /// Of either sign, by decades from 1 to 1e-17.
 double tenth(RandomStream& s) {
-  const double sign = s.sign(), decade = s.pick(tenths);
+  const double sign = s.sign(), decade = s.pick(std::span(tenths).first<17>());
   return sign * decade * s.between(0.1, 1);
 }
 

@@ -166,8 +166,7 @@ void ShapeEvaluator::note_failure(const Probe& probe) {
 bool ShapeEvaluator::likely_sought(const Pair& pair, const Distance& d) const {
   if (!sought_.feature) return true;
   if (d.verdict == Verdict::invalid) return false;
-  const bool inside = d.value < 0 && (contains(pair.a, pair.b) || contains(pair.b, pair.a));
-  return (inside ? ContactFeature::containment : feature_along(pair, d.direction)) == *sought_.feature;
+  return feature_at(pair, d.value < 0, d.direction) == *sought_.feature;
 }
 
 double ShapeEvaluator::value_of(double margin, double size) const {
@@ -293,7 +292,7 @@ Evaluation ShapeEvaluator::highest_on(const Pair& pair, const Ray& ray) {
 }
 
 bool ShapeEvaluator::belongs(const Pair& pair) const {
-  if (sought_.feature && contact_feature(pair, judge(pair)) != sought_.feature) return false;
+  if (sought_.feature && contact_feature(pair) != sought_.feature) return false;
   return !sought_.also || sought_.also(pair);
 }
 
