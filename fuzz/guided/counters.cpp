@@ -25,7 +25,7 @@ struct Counters {
   std::uint8_t margins[2][visited_feature_count][exponent_count];
   std::uint8_t sines[margin_decade_count + 1], cosines[margin_decade_count + 1];  // the last: exactly 0
   std::uint8_t stages[4], iterations[iteration_count], distance_steps[iteration_count];
-  std::uint8_t undecided[exponent_count], over_told[exponent_count], told_over_claim[exponent_count];
+  std::uint8_t scores[enum_values<Objective>.size()][exponent_count];
   std::uint8_t differences[method_count * (method_count - 1) / 2];
 };
 
@@ -101,11 +101,8 @@ void count_iterations(int iterations) {
   extra_counters.iterations[std::clamp(iterations, 0, static_cast<int>(iteration_count) - 1)] = 1;
 }
 
-void count_undecided(double margin) { count_exponent(extra_counters.undecided, margin); }
-
-void count_errors(double over_told, double told_over_claim) {
-  count_exponent(extra_counters.over_told, over_told);
-  count_exponent(extra_counters.told_over_claim, told_over_claim);
+void count_badness(Objective objective, double score) {
+  count_exponent(extra_counters.scores[static_cast<std::size_t>(objective)], score);
 }
 
 // As many steps to a counter as make distance_step_cap in all.

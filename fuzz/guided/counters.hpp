@@ -9,6 +9,7 @@
 
 #include "corpus/pairs/stratum.hpp"
 #include "oracles/referee/referee.hpp"
+#include "oracles/trial/objective.hpp"
 #include "solver/cylinder.hpp"
 #include "solver/distance.hpp"
 
@@ -39,11 +40,9 @@ Stratum count_geometry(const Pair& pair, const Distance& measured);
 /// Counts how the referee came to its verdict, or that it did not.
 void count_stage(const Truth& truth);
 void count_iterations(int iterations);
-/// Count how near our own calls come to the ends of their promises: by halves of the margin at which a pair
-/// is left undecided, of the distance's error over the one told, of that over the claim; and the steps of
-/// distance().
-void count_undecided(double margin);
-void count_errors(double over_told, double told_over_claim);
+/// Counts by halves how bad an answer is, and the steps of distance(): how near our own calls come to the
+/// ends of their promises.
+void count_badness(Objective objective, double score);
 void count_distance_steps(int steps);
 /// Counts that the methods numbered i < j, of at most 64, do not say the same.
 void count_difference(std::size_t i, std::size_t j);

@@ -191,7 +191,7 @@ std::unique_ptr<Method> slow() {
 TEST(Worst, TheSlowestIsFound) {
   const std::unique_ptr<Method> method = slow();
   WorstOptions options = shapes(400);
-  options.search = Search::time;
+  options.objective = Objective::time;
   options.clock = false_clock;
   const Worst worst = search(method, ContactFeature::side_side, options);
   ASSERT_TRUE(worst.slow);
