@@ -25,7 +25,6 @@
 #include "corpus/pairs/strata.hpp"
 #include "corpus/store/case_files.hpp"
 #include "corpus/store/run_store.hpp"
-#include "fuzz/worst/score.hpp"
 
 namespace cyl {
 namespace {
@@ -37,7 +36,7 @@ using std::chrono::milliseconds;
 constexpr double extreme_size = 1e12;
 
 struct WorstArguments {
-  std::string methods, feature, budget, out, search = to_string(Search::margin);
+  std::string methods, feature, budget, out, search = to_string(Objective::margin);
   std::vector<std::string> from;
   std::optional<std::uint64_t> evaluations;
   std::uint64_t seed = 1;
@@ -100,11 +99,11 @@ class Searcher {
             arguments.methods)),
         known_(known_pairs(arguments)) {
     options_.seed = arguments.seed;
-    options_.search = arguments.time ? Search::time : *from_word<Search>(arguments.search);
+    options_.objective = arguments.time ? Objective::time : *from_word<Objective>(arguments.search);
     if (arguments.evaluations) options_.evaluation_cap = *arguments.evaluations;
     if (arguments.extremes)
       options_.domain = {1 / extreme_size, extreme_size, 1 / extreme_size, extreme_size};
-    options_.domain.fine = options_.search != Search::margin && !arguments.time;
+    options_.domain.fine = options_.objective != Objective::margin && !arguments.time;
     budget_ = arguments.budget.empty()
                   ? (arguments.evaluations ? options_.budget : milliseconds(std::chrono::minutes(1)))
                   : parse_duration(arguments.budget);
@@ -123,7 +122,7 @@ class Searcher {
     std::size_t left = methods_.size() * features_.size();
     for (const auto& method : methods_) {
       options_.clock = method->guest() ? wall_clock : cpu_clock;
-      if (options_.search == Search::time) usual_ = usual_ns(method, options_.clock);
+      if (options_.objective == Objective::time) usual_ = usual_ns(method, options_.clock);
       for (const ContactFeature feature : features_) search(method, feature, left--);
     }
     out_.close();
@@ -172,7 +171,7 @@ class Searcher {
     std::string text;
     if (w.wrong) text += fmt::format(", margin {:.3g}", w.wrong->finding.margin->lo);
     if (w.slow) text += fmt::format(", {:.3g} ns", w.slow->ns);
-    if (w.scored) text += fmt::format(", {} {:.3g}", to_string(options_.search), w.scored->score);
+    if (w.scored) text += fmt::format(", {} {:.3g}", to_string(options_.objective), w.scored->score);
     if (w.failed) text += fmt::format(", {}", to_string(w.failed->failure));
     return text;
   }
@@ -195,10 +194,10 @@ class Searcher {
     }
     if (worst.scored) {
       const ScoredPair& s = *worst.scored;
-      show(method, name, fmt::format("{} {:.4g}", to_string(options_.search), s.score),
-           s.beyond                                          ? "beyond its claim"
-           : s.score > 1 && options_.search == Search::error ? "at most"
-                                                             : "within its claim",
+      show(method, name, fmt::format("{} {:.4g}", to_string(options_.objective), s.score),
+           s.beyond                                                ? "beyond its claim"
+           : s.score > 1 && options_.objective == Objective::error ? "at most"
+                                                                   : "within its claim",
            s.pair, {});
     }
     if (!worst.failed && !worst.wrong && !worst.slow && !worst.scored)
@@ -253,7 +252,7 @@ void add_worst(Program& program) {
   command
       .option("--search GOAL", arguments->search,
               "quantity to maximize: margin, time, steps, error, bound or undecided")
-      .one_of({enum_words<Search>.begin(), enum_words<Search>.end()});
+      .one_of({enum_words<Objective>.begin(), enum_words<Objective>.end()});
   command.flag("--time", arguments->time, "the same as --search time");
   command.option("--from RUN|FILE", arguments->from, "start from the findings of a run, or from a case file")
       .default_text("corpus/cases/ and drawn pairs");

@@ -8,10 +8,12 @@
 #include <iterator>
 #include <numbers>
 #include <set>
+#include <span>
 
 #include "base/json.hpp"
 #include "corpus/pairs/near_touching.hpp"
 #include "corpus/pairs/random_stream.hpp"
+#include "corpus/pairs/stratum.hpp"
 #include "oracles/methods/contained.hpp"
 #include "oracles/referee/referee.hpp"
 #include "oracles/trial/trial.hpp"
@@ -22,10 +24,8 @@ namespace {
 using nlohmann::json;
 
 /// The decades of what a path changes; 1e-3 is the greatest overlap known by construction of all features.
-constexpr double touching_decades[] = {1e-3,  1e-4,  1e-5,  1e-6,  1e-7,  1e-8, 1e-9,
-                                       1e-10, 1e-11, 1e-12, 1e-13, 1e-14, 1e-15};
-constexpr double turning_decades[] = {1e-2,  1e-3,  1e-4,  1e-5,  1e-6,  1e-7,  1e-8, 1e-9,
-                                      1e-10, 1e-11, 1e-12, 1e-13, 1e-14, 1e-15, 1e-16};
+constexpr std::span touching_decades = std::span(tenths).subspan<3, 13>();  // 1e-3 .. 1e-15
+constexpr std::span turning_decades = std::span(tenths).subspan<2, 15>();   // 1e-2 .. 1e-16
 constexpr double in_a_decade[] = {1, 0.6, 0.4, 0.25, 0.16};
 
 /// A step relative to the size. Rounding moves a pair's distance by up to 5e-16, so the true verdict flips

@@ -15,13 +15,9 @@ using enum ContactFeature;
 constexpr std::size_t decade_count = last_close_decade - first_close_decade + 1;
 constexpr std::size_t band_count = enum_values<AngleBand>.size();
 
-/// 10^-d.
-constexpr std::array<double, 18> powers{1,    1e-1,  1e-2,  1e-3,  1e-4,  1e-5,  1e-6,  1e-7,  1e-8,
-                                        1e-9, 1e-10, 1e-11, 1e-12, 1e-13, 1e-14, 1e-15, 1e-16, 1e-17};
-
 /// 10^-U for about uniform U in (first, last).
 double within(RandomStream& s, int first, int last) {
-  const double power = powers[static_cast<std::size_t>(s.integer(first, last - 1))];
+  const double power = tenths[static_cast<std::size_t>(s.integer(first, last - 1))];
   return power * s.between(0.11, 0.95);  // off the ends, so that rounding leaves none
 }
 
@@ -243,9 +239,7 @@ AngleBand band_of(double angle) {
 }
 
 int decade_of(double margin) {
-  int decade = first_close_decade;
-  while (decade < last_close_decade && margin <= powers[static_cast<std::size_t>(decade + 1)]) ++decade;
-  return decade;
+  return std::clamp(margin_decade(margin), first_close_decade, last_close_decade);
 }
 
 /// Radii and heights: moderate, over six decades, some exactly 0, some equal; or one rim small beside the

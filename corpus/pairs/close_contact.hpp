@@ -11,8 +11,8 @@
 #include <vector>
 
 #include "base/enum_words.hpp"
-#include "corpus/pairs/contact_feature.hpp"
 #include "corpus/pairs/random_stream.hpp"
+#include "corpus/pairs/stratum.hpp"
 #include "solver/cylinder.hpp"
 
 namespace cyl {

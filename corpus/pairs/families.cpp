@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <span>
 #include <utility>
 
 #include "corpus/pairs/close_contact.hpp"
@@ -11,14 +12,14 @@
 #include "corpus/pairs/near_touching.hpp"
 #include "corpus/pairs/random_stream.hpp"
 #include "corpus/pairs/rounded_pairs.hpp"
+#include "corpus/pairs/stratum.hpp"
 
 namespace cyl {
 namespace {
 
 constexpr std::array<double, 2> moderate{0.1, 1};  // lengths from 0.1 to 10
 constexpr std::array<double, 4> slender{1e-6, 1e-5, 1e-4, 1e-3};
-constexpr std::array<double, 15> angles{1e-2,  1e-3,  1e-4,  1e-5,  1e-6,  1e-7,  1e-8, 1e-9,
-                                        1e-10, 1e-11, 1e-12, 1e-13, 1e-14, 1e-15, 1e-16};
+constexpr std::span angles = std::span(tenths).subspan<2, 15>();  // 1e-2 .. 1e-16
 constexpr std::array<double, 10> large{1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9, 1e10, 1e11, 1e12};
 constexpr std::array<double, 12> scales{1e-300, 1e-200, 1e-150, 1e-100, 1e-50, 1e-20,
                                         1e-10,  1e10,   1e20,   1e50,   1e100, 1e150};

@@ -14,10 +14,6 @@ namespace {
 
 using enum ContactFeature;
 
-/// 10^-d.
-constexpr std::array<double, 17> powers{1,    1e-1,  1e-2,  1e-3,  1e-4,  1e-5,  1e-6,  1e-7, 1e-8,
-                                        1e-9, 1e-10, 1e-11, 1e-12, 1e-13, 1e-14, 1e-15, 1e-16};
-
 /// The first decade whose penetrations are known by construction (near_touching.hpp), in general and of
 /// slender solids.
 constexpr int penetration_decade = 2, slender_penetration_decade = 6;
@@ -78,7 +74,7 @@ Pair draw_containment(RandomStream& s, double margin) {
       inner.axis = s.sign() * outer.axis;
       break;
     case 1: {
-      const double angle = powers[1 + s.below(12)];
+      const double angle = tenths[1 + s.below(12)];
       inner.axis = s.sign() * (outer.axis + angle * s.perpendicular(outer.axis));
       break;
     }
@@ -118,7 +114,7 @@ std::optional<Pair> draw_in_stratum(ContactFeature feature, int decade, std::uin
   const auto cell = static_cast<std::uint64_t>(decade);
   RandomStream s(to_string(feature), seed, index * (last_decade + 1) + cell);
   // Off the ends of the decade, where rounding would leave it; the lower end is not in it.
-  const double margin = powers[static_cast<std::size_t>(decade)] * s.between(0.11, 0.99);
+  const double margin = tenths[static_cast<std::size_t>(decade)] * s.between(0.11, 0.99);
   if (feature == containment) return draw_containment(s, margin);
   const bool penetrates = index % 2 == 1 && decade >= penetration_decade;
   std::span<const ContactKind> kinds = kinds_of(feature);
@@ -130,10 +126,10 @@ std::optional<Pair> draw_in_stratum(ContactFeature feature, int decade, std::uin
 
 std::vector<Pair> draw_in_all_strata(std::uint64_t per_cell, std::uint64_t seed) {
   std::vector<Pair> pairs;
-  for (const ContactFeature feature : enum_values<ContactFeature>)
-    for (int decade = first_decade; decade <= last_decade; ++decade)
-      for (std::uint64_t index = 0; index < per_cell; ++index)
-        if (const auto pair = draw_in_stratum(feature, decade, seed, index)) pairs.push_back(*pair);
+  for (const Stratum& stratum : drawn_strata)
+    for (std::uint64_t index = 0; index < per_cell; ++index)
+      if (const auto pair = draw_in_stratum(stratum.feature, stratum.decade, seed, index))
+        pairs.push_back(*pair);
   return pairs;
 }
 

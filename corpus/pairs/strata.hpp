@@ -1,19 +1,35 @@
 // SPDX-License-Identifier: MIT
-// Pairs by stratum: what meets, and the decade of the margin, both by construction. Every pair is a pure
-// function of (feature, decade, seed, index).
+// Pairs drawn by stratum: what meets, and the decade of the margin, both by construction. Every pair is a
+// pure function of (feature, decade, seed, index).
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <vector>
 
-#include "corpus/pairs/contact_feature.hpp"
+#include "corpus/pairs/stratum.hpp"
 #include "solver/cylinder.hpp"
 
 namespace cyl {
 
 /// Margins of decade d are in (10^(-d-1), 10^-d].
 inline constexpr int first_decade = 1, last_decade = 15;
+
+/// The strata that are drawn, with axes at any angle: by feature, then by decade.
+inline constexpr std::size_t drawn_decade_count = last_decade - first_decade + 1;
+constexpr std::size_t number_of(const Stratum& drawn) noexcept {
+  return static_cast<std::size_t>(drawn.feature) * drawn_decade_count +
+         static_cast<std::size_t>(drawn.decade - first_decade);
+}
+inline constexpr auto drawn_strata = [] {
+  std::array<Stratum, contact_feature_count * drawn_decade_count> all{};
+  for (const ContactFeature feature : enum_values<ContactFeature>)
+    for (int decade = first_decade; decade <= last_decade; ++decade)
+      all[number_of({feature, decade})] = {feature, decade};
+  return all;
+}();
 
 /// Gaps at even indices, penetrations at odd ones, as far as the cell has both: one solid that holds the
 /// other leaves no gap, and in decade 1 other penetrations are not known by construction. Rounding moves the

@@ -9,8 +9,10 @@
 #include "corpus/pairs/close_contact.hpp"
 #include "corpus/pairs/pair_numbers.hpp"
 #include "corpus/pairs/random_stream.hpp"
+#include "corpus/pairs/stratum.hpp"
 #include "fuzz/campaign/derived.hpp"
 #include "oracles/methods/adapter.hpp"
+#include "oracles/methods/own_answers.hpp"
 #include "oracles/referee/referee.hpp"
 #include "solver/distance.hpp"
 
@@ -24,12 +26,9 @@ constexpr double least_size = 1e-6, most_size = 1e6;
 /// The shortest length that is not 0, over the size.
 constexpr double least_part = 1e-9;
 
-constexpr std::array<double, 17> tenths{1,    1e-1,  1e-2,  1e-3,  1e-4,  1e-5,  1e-6,  1e-7, 1e-8,
-                                        1e-9, 1e-10, 1e-11, 1e-12, 1e-13, 1e-14, 1e-15, 1e-16};
-
 /// Of either sign, by decades from 1 to 1e-17.
 double tenth(RandomStream& s) {
-  const double sign = s.sign(), decade = s.pick(tenths);
+  const double sign = s.sign(), decade = s.pick(std::span(tenths).first<17>());
   return sign * decade * s.between(0.1, 1);
 }
 
@@ -101,7 +100,7 @@ Pair drawn_start(RandomStream& s, std::uint64_t index) {
 /// Of a climb all pairs, in their order.
 std::vector<Pair> climb(std::uint64_t seed, std::uint64_t number) {
   RandomStream s("climbed", seed, number);
-  const ClimbGoal goal = goal_of_climb(number);
+  const ClimbGoal& goal = goal_of_climb(number);
   std::vector<Pair> pairs;
   Pair best;
   double highest = -1;
@@ -130,37 +129,19 @@ Pair climbed(std::uint64_t seed, std::uint64_t index) {
 
 }  // namespace
 
-// Of solids that overlap the ball in common is no larger than the depth nor than either of them.
-double height_of(ClimbGoal goal, const Pair& pair) {
-  const double size = size_of(pair);
-  switch (goal) {
-    case ClimbGoal::undecided: {
-      if (decide(pair.a, pair.b).verdict != Verdict::undecided) return 0;
-      const double gap = distance(pair.a, pair.b).value;
-      if (gap > 0) return gap / size;
-      double room = -gap;
-      for (const Cylinder* c : {&pair.a, &pair.b}) room = std::min({room, c->radius, c->height / 2});
-      return room / size;
-    }
-    case ClimbGoal::decide_steps:
-      return decide(pair.a, pair.b).iterations;
-    case ClimbGoal::distance_steps:
-      return distance(pair.a, pair.b).iterations;
-    case ClimbGoal::distance_bound: {
-      const Distance d = distance(pair.a, pair.b);
-      return d.value > 0 ? d.error / (size + length_of(pair.b.center - pair.a.center)) : 0;
-    }
-    case ClimbGoal::judge_bits:
-      return judge(pair, {}, climb_bits_cap).bits;
-  }
-  return 0;
+double height_of(const ClimbGoal& goal, const Pair& pair) {
+  return badness_of(goal.objective, {}, pair, goal.ask(pair), Effort::quick).value;
 }
 
-ClimbGoal goal_of_climb(std::uint64_t climb) {
-  using enum ClimbGoal;
-  constexpr std::array turns{undecided,      distance_bound, decide_steps, undecided,
-                             distance_bound, distance_steps, undecided,    judge_bits};
-  return turns[climb % turns.size()];
+const ClimbGoal& goal_of_climb(std::uint64_t climb) {
+  using enum Objective;
+  constexpr auto by_decide = [](const Pair& p) { return answer_of(p, decide(p.a, p.b)); };
+  constexpr auto by_distance = [](const Pair& p) { return answer_of(p, distance(p.a, p.b)); };
+  constexpr auto by_judge = [](const Pair& p) { return answer_of(judge(p, {}, climb_bits_cap)); };
+  static constexpr ClimbGoal turns[] = {{undecided, by_decide}, {bound, by_distance}, {steps, by_decide},
+                                        {undecided, by_decide}, {bound, by_distance}, {steps, by_distance},
+                                        {undecided, by_decide}, {steps, by_judge}};
+  return turns[climb % std::size(turns)];
 }
 
 const Family& climbed_family() {

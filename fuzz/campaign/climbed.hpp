@@ -4,30 +4,25 @@
 // family are. What is counted, not timed, guides it, so that a pair is a pure function of (seed, index).
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <span>
 #include <string_view>
 
-#include "base/enum_words.hpp"
 #include "corpus/pairs/families.hpp"
+#include "oracles/trial/objective.hpp"
 
 namespace cyl {
 
-/// What a climb makes the most of.
-enum class ClimbGoal : unsigned char {
-  undecided,       ///< how far from touching, or how deep in each other, are solids that decide() leaves open
-  decide_steps,    ///< of decide()
-  distance_steps,  ///< of distance()
-  distance_bound,  ///< the bound that distance() tells of its error, of solids apart, over size and offset
-  judge_bits       ///< the bits that the referee takes, up to a cap
+/// What a climb makes the most of: a score of one of our own calls.
+struct ClimbGoal {
+  Objective objective;
+  MethodAnswer (*ask)(const Pair&);
+  bool operator==(const ClimbGoal&) const = default;
 };
-constexpr auto words_of(ClimbGoal) noexcept {
-  return std::array{"undecided", "decide_steps", "distance_steps", "distance_bound", "judge_bits"};
-}
 
-/// Returns how far a legal pair is towards the goal; 0: not at all. Costs one call of what it is about.
-double height_of(ClimbGoal goal, const Pair& pair);
+/// Returns how far a legal pair is towards the goal; 0: not at all. Bounds are over size and offset. Costs
+/// one call of what it is about.
+double height_of(const ClimbGoal& goal, const Pair& pair);
 
 /// Pairs of one climb: the first are drawn, each of the others is the best one before it, changed. Pair i of
 /// the family is pair i % climb_size of climb i / climb_size.
@@ -35,7 +30,7 @@ inline constexpr std::uint64_t climb_size = 256, climb_starts = 16;
 
 /// Returns what climb number `climb` is for: in turn, with one of eight for the referee, whose calls cost
 /// most.
-ClimbGoal goal_of_climb(std::uint64_t climb);
+const ClimbGoal& goal_of_climb(std::uint64_t climb);
 
 /// The family `climbed`.
 const Family& climbed_family();

@@ -39,7 +39,8 @@ TEST(Climbed, EveryPairIsLegalAndAFunctionOfSeedAndIndexWhateverCameBefore) {
 
 // Over the climbs of each goal together: one alone may begin at its top.
 TEST(Climbed, WhatIsChangedIsHigherThanWhatWasDrawn) {
-  for (const ClimbGoal goal : enum_values<ClimbGoal>) {
+  for (const std::uint64_t first : {0, 1, 2, 5, 7}) {
+    const ClimbGoal& goal = goal_of_climb(first);
     double drawn = 0, changed = 0;
     int climbs = 0;
     for (std::uint64_t climb = 0; climbs < 6; ++climb) {
@@ -48,17 +49,17 @@ TEST(Climbed, WhatIsChangedIsHigherThanWhatWasDrawn) {
       drawn += highest(climb, 0, climb_starts);
       changed += highest(climb, climb_starts, climb_size);
     }
-    EXPECT_GT(changed, drawn) << to_string(goal);
+    EXPECT_GT(changed, drawn) << to_string(goal.objective) << " of climb " << first;
   }
 }
 
 TEST(Climbed, OursStayWithinWhatTheyPromise) {
   for (std::uint64_t climb = 0; climb < 8; ++climb) {
     const double most = highest(climb, 0, climb_size);
-    if (goal_of_climb(climb) == ClimbGoal::undecided) {
+    if (goal_of_climb(climb).objective == Objective::undecided) {
       EXPECT_LT(most, resolved_margin);
     }
-    if (goal_of_climb(climb) == ClimbGoal::distance_bound) {
+    if (goal_of_climb(climb).objective == Objective::bound) {
       EXPECT_LT(most, 1e-13);
     }
   }

@@ -8,7 +8,6 @@
 
 #include "corpus/pairs/random_stream.hpp"
 #include "fuzz/guided/visited.hpp"
-#include "oracles/methods/adapter.hpp"
 #include "oracles/trial/contact.hpp"
 
 namespace cyl {
@@ -16,18 +15,17 @@ namespace {
 
 /// Binary exponents of margins that are told apart: from 2^0 down.
 constexpr std::size_t exponent_count = 64;
-constexpr std::size_t sine_decade_count = 18;
 constexpr std::size_t iteration_count = 64;
 constexpr std::size_t method_count = 64;
 
 }  // namespace
 
 struct Counters {
-  std::uint8_t strata[features_count][angle_count][decade_count];
-  std::uint8_t margins[2][features_count][exponent_count];
-  std::uint8_t sines[sine_decade_count], cosines[sine_decade_count];
+  std::uint8_t strata[visited_stratum_count];
+  std::uint8_t margins[2][visited_feature_count][exponent_count];
+  std::uint8_t sines[margin_decade_count + 1], cosines[margin_decade_count + 1];  // the last: exactly 0
   std::uint8_t stages[4], iterations[iteration_count], distance_steps[iteration_count];
-  std::uint8_t undecided[exponent_count], over_told[exponent_count], told_over_claim[exponent_count];
+  std::uint8_t scores[enum_values<Objective>.size()][exponent_count];
   std::uint8_t differences[method_count * (method_count - 1) / 2];
 };
 
@@ -39,72 +37,30 @@ Counters extra_counters;
 
 namespace {
 
-enum Face : unsigned char { side, rim, cap };
-
-// Of unit vectors.
-Face face_along(const Cylinder& c, const Vector3& w, const Vector3& d) {
-  if (length_of(d.cross(w)) < face_tol) return c.radius > 0 ? cap : rim;
-  return std::fabs(inner_product(d, w)) < face_tol && c.height > 0 ? side : rim;
-}
-
 /// By the binary exponent of x, from 2^0 down; 0 and NaN count as the least.
 void count_exponent(std::uint8_t (&counters)[exponent_count], double x) {
   const int exponent = x > 0 ? -std::ilogb(x) : static_cast<int>(exponent_count) - 1;
   counters[std::clamp(exponent, 0, static_cast<int>(exponent_count) - 1)] = 1;
 }
 
-std::size_t decade(double x) { return static_cast<std::size_t>(margin_decade(x)); }
-
 double margin_of(const Pair& pair, const Distance& measured) {
   const double size = size_of(pair);
   return size > 0 ? std::fabs(measured.value) / size : measured.value == 0 ? 0 : 1;
 }
 
-// The axes as unit vectors, and the angle between them.
-struct Axes {
-  explicit Axes(const Pair& pair)
-      : v(unit_axis(pair.a.axis)),
-        w(unit_axis(pair.b.axis)),
-        sine(length_of(v.cross(w))),
-        cosine(std::fabs(inner_product(v, w))) {}
-  Vector3 v, w;
-  double sine, cosine;
-};
-
-std::size_t features_along(const Pair& pair, const Axes& axes, const Vector3& direction) {
-  if (!(direction.x() != 0 || direction.y() != 0 || direction.z() != 0)) return 2;
-  const Vector3 d = unit_axis(direction);
-  const Face f = face_along(pair.a, axes.v, d), g = face_along(pair.b, axes.w, d);
-  constexpr std::size_t numbers[3][3] = {{0, 1, 3}, {1, 2, 4}, {3, 4, 5}};  // side, rim, cap
-  return numbers[std::min(f, g)][std::max(f, g)];
-}
-
-std::size_t class_of(const Axes& axes) {
-  if (axes.sine == 0) return 0;
-  if (axes.sine < 1e-12) return 1;
-  if (axes.sine < 1e-7) return 2;
-  if (axes.sine < 1e-2) return 3;
-  if (axes.cosine == 0) return 6;
-  return axes.cosine <= 1e-2 ? 5 : 4;
-}
-
-Stratum stratum_of(const Pair& pair, const Axes& axes, const Vector3& direction, double margin) {
-  return {features_along(pair, axes, direction), class_of(axes), decade(margin)};
+Stratum stratum_of(const Pair& pair, const AxesAngle& axes, const Vector3& direction, double margin) {
+  return {feature_along(pair, direction), margin_decade(margin), angle_class(axes)};
 }
 
 }  // namespace
 
-std::size_t features_along(const Pair& pair, const Vector3& direction) {
-  return features_along(pair, Axes(pair), direction);
-}
-
 Stratum stratum_of(const Pair& pair, const Distance& measured) {
-  return stratum_of(pair, Axes(pair), measured.direction, margin_of(pair, measured));
+  return stratum_of(pair, axes_angle(pair), measured.direction, margin_of(pair, measured));
 }
 
 bool can_occur(const Stratum& s) {
-  if (s.features == 5) return s.angle <= 3;
-  if (s.features == 3) return s.angle >= 5;
+  if (s.feature == ContactFeature::cap_cap) return s.angle < AngleClass::generic;
+  if (s.feature == ContactFeature::cap_side) return s.angle > AngleClass::generic;
   return true;
 }
 
@@ -120,21 +76,20 @@ bool is_moderate(const Pair& pair) {
 }
 
 std::string to_string(const Stratum& s) {
-  return std::string(to_string(static_cast<ContactFeature>(s.features))) + ' ' +
-         to_string(static_cast<AngleClass>(s.angle)) + " 1e-" + std::to_string(s.decade);
+  return std::string(to_string(s.feature)) + ' ' + to_string(*s.angle) + " 1e-" + std::to_string(s.decade);
 }
 
 Stratum count_geometry(const Pair& pair, const Distance& measured) {
-  const Axes axes(pair);
+  const AxesAngle axes = axes_angle(pair);
   const double margin = margin_of(pair, measured);
   const Stratum s = stratum_of(pair, axes, measured.direction, margin);
   if (is_moderate(pair)) {
-    extra_counters.strata[s.features][s.angle][s.decade] = 1;
+    extra_counters.strata[index_of(s)] = 1;
     visited().strata[index_of(s)] = 1;
   }
-  count_exponent(extra_counters.margins[measured.value > 0][s.features], margin);
-  extra_counters.sines[axes.sine == 0 ? sine_decade_count - 1 : decade(axes.sine)] = 1;
-  extra_counters.cosines[axes.cosine == 0 ? sine_decade_count - 1 : decade(axes.cosine)] = 1;
+  count_exponent(extra_counters.margins[measured.value > 0][static_cast<std::size_t>(s.feature)], margin);
+  extra_counters.sines[axes.parallel ? margin_decade_count : margin_decade(axes.sine)] = 1;
+  extra_counters.cosines[axes.right ? margin_decade_count : margin_decade(axes.cosine)] = 1;
   return s;
 }
 
@@ -146,11 +101,8 @@ void count_iterations(int iterations) {
   extra_counters.iterations[std::clamp(iterations, 0, static_cast<int>(iteration_count) - 1)] = 1;
 }
 
-void count_undecided(double margin) { count_exponent(extra_counters.undecided, margin); }
-
-void count_errors(double over_told, double told_over_claim) {
-  count_exponent(extra_counters.over_told, over_told);
-  count_exponent(extra_counters.told_over_claim, told_over_claim);
+void count_badness(Objective objective, double score) {
+  count_exponent(extra_counters.scores[static_cast<std::size_t>(objective)], score);
 }
 
 // As many steps to a counter as make distance_step_cap in all.

@@ -7,34 +7,19 @@
 #include <cstddef>
 #include <string>
 
+#include "corpus/pairs/stratum.hpp"
 #include "oracles/referee/referee.hpp"
+#include "oracles/trial/objective.hpp"
 #include "solver/cylinder.hpp"
 #include "solver/distance.hpp"
 
 namespace cyl {
 
-/// Sine of the angle to an axis below which a direction is along it, cosine below which it is square to it.
-inline constexpr double face_tol = 1e-7;
-
-/// Returns which features face each other in a direction of any length, by the number of the ContactFeature:
-/// as feature_along(), in the solver's arithmetic. A disk has no side and a segment no cap: there it is the
-/// rim.
-std::size_t features_along(const Pair& pair, const Vector3& direction);
-inline constexpr std::size_t features_count = 6;
-
-/// A cell of what can be visited.
-struct Stratum {
-  std::size_t features;  ///< as above
-  std::size_t angle;     ///< of the axes: the number of the AngleClass, "exactly" being as doubles have it
-  std::size_t decade;    ///< d where the margin is in (10^(-d-1), 10^-d]; 16: at most 1e-16
-  bool operator==(const Stratum&) const = default;
-};
-inline constexpr std::size_t angle_count = 7, decade_count = 17;
-
-/// By the solver's own computation: a guide, no proof. `measured` is distance(pair.a, pair.b), not `invalid`.
+/// Returns the stratum by the solver's own distance: a guide, no proof. Never of containment. `measured` is
+/// distance(pair.a, pair.b), not `invalid`.
 Stratum stratum_of(const Pair& pair, const Distance& measured);
 
-/// Returns whether a stratum can occur. D is along or square to an axis within face_tol = t.
+/// Returns whether a stratum can occur. D is along or square to an axis within flat_tol = t.
 /// cap-cap: D along both, so their angle is below 2t: parallel to < 1e-7, and the next class by a factor of
 /// two. cap-side: D along one, square to the other: within 2t of 90 degrees. The others: all angles, since
 /// flat solids have rims where others have caps or sides, and a rim faces everything. All margins.
@@ -55,11 +40,9 @@ Stratum count_geometry(const Pair& pair, const Distance& measured);
 /// Counts how the referee came to its verdict, or that it did not.
 void count_stage(const Truth& truth);
 void count_iterations(int iterations);
-/// Count how near our own calls come to the ends of their promises: by halves of the margin at which a pair
-/// is left undecided, of the distance's error over the one told, of that over the claim; and the steps of
-/// distance().
-void count_undecided(double margin);
-void count_errors(double over_told, double told_over_claim);
+/// Counts by halves how bad an answer is, and the steps of distance(): how near our own calls come to the
+/// ends of their promises.
+void count_badness(Objective objective, double score);
 void count_distance_steps(int steps);
 /// Counts that the methods numbered i < j, of at most 64, do not say the same.
 void count_difference(std::size_t i, std::size_t j);

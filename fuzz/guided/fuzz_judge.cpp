@@ -55,8 +55,9 @@ void FuzzJudge::record(const Method& method, MethodAnswer answer) {
 }
 
 void FuzzJudge::check_undecided(const Method& method, const MethodAnswer& answer) {
-  const double room = likely_room(trial_.pair);
-  count_undecided(room);
+  const double room =
+      badness_of(Objective::undecided, method.claim(), trial_.pair, answer, Effort::likely).value;
+  count_badness(Objective::undecided, room);
   if (room < resolved_margin) return;
   if (trial_.truth.verdict == Verdict::undecided) trial_.truth = judge(trial_.pair, {}, wide_bits_cap);
   if (const auto finding = compare(trial_, method.claim(), answer))
@@ -67,9 +68,9 @@ void FuzzJudge::check_told_error(const Method& method, const MethodAnswer& answe
   const Enclosure shown = shown_distance(trial_.pair, measured_);
   if (!std::isfinite(shown.lo)) return;
   const Enclosure off = told_error_of(shown, answer);
-  const double length = size_of(trial_.pair) + length_of(trial_.pair.b.center - trial_.pair.a.center);
-  count_errors(off.hi / answer.told_error,
-               measured_.value > 0 ? answer.told_error / (method.claim().relative * length) : 0);
+  count_badness(Objective::error, off.hi / answer.told_error);
+  count_badness(Objective::bound,
+                badness_of(Objective::bound, method.claim(), trial_.pair, answer, Effort::quick).value);
   if (off.hi > answer.told_error)
     sink_.add_finding(trial_.pair, method.name(), to_string(FindingKind::distance_outside),
                       "points and direction do not show the distance within the error told");

@@ -14,6 +14,7 @@
 #include <string>
 
 #include "corpus/pairs/pair_io.hpp"
+#include "fuzz/guided/counters.hpp"
 #include "fuzz/guided/record.hpp"
 #include "fuzz/guided/visited.hpp"
 
@@ -24,8 +25,8 @@ namespace fs = std::filesystem;
 using std::chrono::milliseconds;
 
 const Pair pair{{{0, 0, 0}, {0, 0, 1}, 1, 2}, {{2, 0, 0}, {0, 0, 1}, 1, 2}};
-constexpr Stratum cap_cap{.features = 5, .angle = 0, .decade = 3},
-    cap_rim{.features = 4, .angle = 1, .decade = 2};
+constexpr Stratum cap_cap{ContactFeature::cap_cap, 3, AngleClass::parallel},
+    cap_rim{ContactFeature::cap_rim, 2, AngleClass::within_1e_12};
 
 // An engine as the driver sees one: reads its arguments, goes on with `life`, merges by copying.
 constexpr const char* engine = R"(#!/bin/bash
@@ -60,9 +61,10 @@ class Fuzzing : public testing::Test {
         .write(reinterpret_cast<const char*>(record.data()), std::ssize(record));
     for (const Stratum& s : {cap_cap, cap_rim}) {
       Visited seen;
-      seen.executions = 70 + s.features;
+      const auto number = static_cast<unsigned>(s.feature);
+      seen.executions = 70 + number;
       seen.strata[index_of(s)] = 1;
-      std::ofstream(folder_ / ("visited-" + std::to_string(s.features)), std::ios::binary)
+      std::ofstream(folder_ / ("visited-" + std::to_string(number)), std::ios::binary)
           .write(reinterpret_cast<const char*>(&seen), sizeof seen);
     }
   }

@@ -7,17 +7,14 @@
 #include <limits>
 
 #include "corpus/pairs/pair_numbers.hpp"
+#include "corpus/pairs/stratum.hpp"
 #include "oracles/methods/adapter.hpp"
 #include "solver/distance.hpp"
 
 namespace cyl {
 namespace {
 
-/// 10^-k, k from 0 to 17.
-constexpr std::array<double, 18> tenths = {1,    1e-1,  1e-2,  1e-3,  1e-4,  1e-5,  1e-6,  1e-7,  1e-8,
-                                           1e-9, 1e-10, 1e-11, 1e-12, 1e-13, 1e-14, 1e-15, 1e-16, 1e-17};
-
-/// One of them, or some number down to the next: faults may lie between.
+/// A power of ten, or some number down to the next: faults may lie between.
 double tenth(RandomStream& s) {
   const double sign = s.sign(), decade = s.pick(tenths);
   return sign * decade * (s.coin() ? 1 : s.between(0.1, 1));

@@ -12,17 +12,23 @@
 namespace cyl {
 namespace {
 
+constexpr std::size_t angles = enum_values<AngleClass>.size();
+
 Visited own;
 Visited* current = &own;
 
 }  // namespace
 
 std::size_t index_of(const Stratum& s) {
-  return (s.features * angle_count + s.angle) * decade_count + s.decade;
+  return (static_cast<std::size_t>(s.feature) * angles + static_cast<std::size_t>(*s.angle)) *
+             margin_decade_count +
+         static_cast<std::size_t>(s.decade);
 }
 
 Stratum stratum_at(std::size_t index) {
-  return {index / (angle_count * decade_count), index / decade_count % angle_count, index % decade_count};
+  return {static_cast<ContactFeature>(index / margin_decade_count / angles),
+          static_cast<int>(index % margin_decade_count),
+          static_cast<AngleClass>(index / margin_decade_count % angles)};
 }
 
 Visited& visited() { return *current; }

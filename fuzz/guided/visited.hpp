@@ -8,15 +8,20 @@
 #include <cstdint>
 #include <string>
 
-#include "fuzz/guided/counters.hpp"
+#include "corpus/pairs/stratum.hpp"
 
 namespace cyl {
+
+/// Visited are strata of every feature but containment, which no direction shows.
+inline constexpr std::size_t visited_feature_count = contact_feature_count - 1,
+                             visited_stratum_count =
+                                 visited_feature_count * enum_values<AngleClass>.size() * margin_decade_count;
 
 /// Two builds of one source agree about its layout, no others.
 struct Visited {
   std::uint64_t executions = 0;
   /// Not 0: a moderate pair of that stratum was seen.
-  std::array<std::uint8_t, features_count * angle_count * decade_count> strata{};
+  std::array<std::uint8_t, visited_stratum_count> strata{};
 };
 
 /// Returns the place of a stratum in Visited::strata.

@@ -8,7 +8,7 @@
 #include <optional>
 #include <span>
 
-#include "corpus/pairs/contact_feature.hpp"
+#include "corpus/pairs/stratum.hpp"
 #include "solver/cylinder.hpp"
 
 namespace cyl {

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include "fuzz/worst/score.hpp"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 
 #include "corpus/pairs/pair_io.hpp"
 #include "corpus/pairs/pair_numbers.hpp"
+#include "fuzz/worst/worst.hpp"
 #include "oracles/methods/fake_method_test.hpp"
 #include "oracles/methods/own_answers.hpp"
 #include "solver/distance.hpp"
@@ -14,10 +13,10 @@
 namespace cyl {
 namespace {
 
-Worst climb(const std::unique_ptr<Method>& method, Search search, std::size_t evaluations,
+Worst climb(const std::unique_ptr<Method>& method, Objective objective, std::size_t evaluations,
             std::optional<ContactFeature> feature = ContactFeature::side_rim) {
   WorstOptions options;
-  options.search = search;
+  options.objective = objective;
   options.evaluation_cap = evaluations;
   options.domain.fine = true;
   return worst_of(method, close_starts(feature, 1), {.feature = feature}, options);
@@ -46,11 +45,11 @@ std::unique_ptr<Method> lying(double off, double told) {
 }
 
 TEST(Score, AnErrorBeyondTheOneToldIsFound) {
-  const Worst small = climb(lying(1e-6, 1e-7), Search::error, 30);
+  const Worst small = climb(lying(1e-6, 1e-7), Objective::error, 30);
   ASSERT_TRUE(small.scored);
   EXPECT_TRUE(small.scored->beyond && small.beyond_claim());
   EXPECT_NEAR(small.scored->score, 10, 1);
-  const Worst honest = climb(lying(1e-7, 1e-6), Search::error, 30);
+  const Worst honest = climb(lying(1e-7, 1e-6), Objective::error, 30);
   ASSERT_TRUE(honest.scored);
   EXPECT_FALSE(honest.beyond_claim());
   EXPECT_NEAR(honest.scored->score, 0.1, 0.01);
@@ -63,7 +62,8 @@ TEST(Score, ABoundToldBeyondTheClaimIsFound) {
       answer.told_error = told * size_of(pair);
       return answer;
     };
-    return climb(fake_method("vague", ask, {.claim = promising(1e-3), .foreign = false}), Search::bound, 30);
+    return climb(fake_method("vague", ask, {.claim = promising(1e-3), .foreign = false}), Objective::bound,
+                 30);
   };
   EXPECT_TRUE(bound(1e-2).beyond_claim());
   EXPECT_FALSE(bound(1e-4).beyond_claim());
@@ -81,12 +81,12 @@ std::unique_ptr<Method> timid(double reach) {
 }
 
 TEST(Score, AnUndecidedPairBeyondRoundingIsFound) {
-  const Worst worst = climb(timid(1e-9), Search::undecided, 200);
+  const Worst worst = climb(timid(1e-9), Objective::undecided, 200);
   ASSERT_TRUE(worst.scored);
   EXPECT_TRUE(worst.beyond_claim());
   EXPECT_GT(worst.scored->score, 1e-10);
   EXPECT_LE(worst.scored->score, 1e-9);
-  const Worst within = climb(timid(0.9e-13), Search::undecided, 1000);
+  const Worst within = climb(timid(0.9e-13), Objective::undecided, 1000);
   ASSERT_TRUE(within.scored);
   EXPECT_FALSE(within.beyond_claim()) << within.scored->score;
 }
@@ -98,30 +98,30 @@ TEST(Score, TheMostStepsAreFound) {
     answer.steps = static_cast<int>(90 - 30 * std::abs(std::log10(pair.a.height / pair.a.radius / 30)));
     return answer;
   };
-  const Worst worst = climb(fake_method("steps", ask, {.foreign = false}), Search::steps, 400);
+  const Worst worst = climb(fake_method("steps", ask, {.foreign = false}), Objective::steps, 400);
   ASSERT_TRUE(worst.scored);
   EXPECT_GE(worst.scored->score, 88);
   EXPECT_FALSE(worst.beyond_claim());
 }
 
 TEST(Score, OursKeepWhatTheyPromise) {
-  for (const auto& [name, search] : {std::pair{"decide", Search::undecided},
-                                     {"decide", Search::steps},
-                                     {"distance", Search::error},
-                                     {"distance", Search::bound},
-                                     {"distance", Search::steps}}) {
+  for (const auto& [name, search] : {std::pair{"decide", Objective::undecided},
+                                     {"decide", Objective::steps},
+                                     {"distance", Objective::error},
+                                     {"distance", Objective::bound},
+                                     {"distance", Objective::steps}}) {
     const Worst worst = climb(own(name), search, 150);
     ASSERT_TRUE(worst.scored) << name << ' ' << to_string(search);
     EXPECT_FALSE(worst.beyond_claim()) << name << ' ' << format_pair(worst.scored->pair);
     EXPECT_EQ(worst.evaluations, 150u);
   }
-  const Worst bits = climb(judge_method(), Search::steps, 20);
+  const Worst bits = climb(judge_method(), Objective::steps, 20);
   ASSERT_TRUE(bits.scored);
   EXPECT_GT(bits.scored->score, 53);
 }
 
 TEST(Score, TheSameSeedGivesTheSamePair) {
-  const auto found = [] { return format_pair(climb(own("decide"), Search::undecided, 150).scored->pair); };
+  const auto found = [] { return format_pair(climb(own("decide"), Objective::undecided, 150).scored->pair); };
   EXPECT_EQ(found(), found());
 }
 

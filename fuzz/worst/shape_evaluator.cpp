@@ -6,7 +6,6 @@
 #include <limits>
 
 #include "corpus/pairs/strata.hpp"
-#include "fuzz/worst/score.hpp"
 #include "oracles/trial/contact.hpp"
 #include "oracles/trial/trial.hpp"
 
@@ -99,7 +98,7 @@ Pair Ray::at(double margin) const {
 ShapeEvaluator::ShapeEvaluator(const std::unique_ptr<Method>& method, const Sought& sought,
                                const WorstOptions& options)
     : method_(method), sought_(sought), options_(options), claim_(method->claim()) {
-  if (options.search == Search::time) timed_ = timed(*method, options.clock);
+  if (options.objective == Objective::time) timed_ = timed(*method, options.clock);
 }
 
 bool ShapeEvaluator::broken() const { return breaks_ >= crash_cap; }
@@ -108,9 +107,9 @@ Evaluation ShapeEvaluator::evaluate(const Pair& pair) {
   const std::optional<Ray> ray = ray_of(pair);
   if (!ray || !is_in(options_.domain, pair) || !is_in(options_.domain, ray->touching)) return {};
   const unsigned breaks = breaks_;
-  const Evaluation found = options_.search == Search::margin ? most_wrong_on(pair, *ray)
-                           : options_.search == Search::time ? slowest_on(pair, *ray)
-                                                             : highest_on(pair, *ray);
+  const Evaluation found = options_.objective == Objective::margin ? most_wrong_on(pair, *ray)
+                           : options_.objective == Objective::time ? slowest_on(pair, *ray)
+                                                                   : highest_on(pair, *ray);
   if (breaks_ > breaks) return {};
   if (found.value > best_.value) best_ = found;
   return found;
@@ -166,8 +165,7 @@ void ShapeEvaluator::note_failure(const Probe& probe) {
 bool ShapeEvaluator::likely_sought(const Pair& pair, const Distance& d) const {
   if (!sought_.feature) return true;
   if (d.verdict == Verdict::invalid) return false;
-  const bool inside = d.value < 0 && (contains(pair.a, pair.b) || contains(pair.b, pair.a));
-  return (inside ? ContactFeature::containment : feature_along(pair, d.direction)) == *sought_.feature;
+  return feature_at(pair, d.value < 0, d.direction) == *sought_.feature;
 }
 
 double ShapeEvaluator::value_of(double margin, double size) const {
@@ -274,10 +272,11 @@ Evaluation ShapeEvaluator::highest_on(const Pair& pair, const Ray& ray) {
   Evaluation found;
   const Probe* highest = nullptr;
   const std::vector<Probe> probes =
-      ask_along(pair, ray, options_.search == Search::undecided ? margins_per_decade : 1);
+      ask_along(pair, ray, options_.objective == Objective::undecided ? margins_per_decade : 1);
   for (const Probe& probe : probes) {
     if (probe.answer.status != Status::answered) continue;
-    const double score = likely_score(options_.search, claim_, probe.pair, probe.answer);
+    const double score =
+        badness_of(options_.objective, claim_, probe.pair, probe.answer, Effort::likely).value;
     if (!(score > 0) || std::log10(score) <= found.value) continue;
     if (!likely_sought(probe.pair, distance(probe.pair.a, probe.pair.b))) continue;
     found = {std::log10(score), probe.pair};
@@ -285,15 +284,16 @@ Evaluation ShapeEvaluator::highest_on(const Pair& pair, const Ray& ray) {
   }
   const double known = worst_.scored ? std::log10(worst_.scored->score) : nothing_wrong;
   if (!highest || found.value <= known + gain_tol) return found;
-  const ScoredPair proved = proved_score(options_.search, claim_, highest->pair, highest->answer);
-  if (!(proved.score > 0) || !belongs(highest->pair)) return {};
-  found.value = std::min(found.value, std::log10(proved.score));
-  if (found.value > known) worst_.scored = proved;
+  const Badness proved =
+      badness_of(options_.objective, claim_, highest->pair, highest->answer, Effort::proved);
+  if (!(proved.value > 0) || !belongs(highest->pair)) return {};
+  found.value = std::min(found.value, std::log10(proved.value));
+  if (found.value > known) worst_.scored = ScoredPair{highest->pair, proved.value, proved.beyond};
   return found;
 }
 
 bool ShapeEvaluator::belongs(const Pair& pair) const {
-  if (sought_.feature && contact_feature(pair, judge(pair)) != sought_.feature) return false;
+  if (sought_.feature && contact_feature(pair) != sought_.feature) return false;
   return !sought_.also || sought_.also(pair);
 }
 

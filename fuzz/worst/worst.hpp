@@ -6,7 +6,6 @@
 // proves counts.
 #pragma once
 
-#include <array>
 #include <chrono>
 #include <cstddef>
 #include <cstdint>
@@ -22,6 +21,7 @@
 #include "oracles/methods/contained.hpp"
 #include "oracles/methods/method.hpp"
 #include "oracles/trial/compare.hpp"
+#include "oracles/trial/objective.hpp"
 
 namespace cyl {
 
@@ -34,32 +34,19 @@ struct Sought {
   std::optional<FindingKind> kind = {};
 };
 
-/// What is sought: the most of it.
-enum class Search : unsigned char {
-  margin,     ///< by which a verdict is wrong
-  time,       ///< of a call, by the clock
-  steps,      ///< that a call tells of: the same on every machine
-  error,      ///< of the distance, over the bound that is told with it, or claimed
-  bound,      ///< told of the error of the distance of solids apart, over the claim
-  undecided,  ///< the distance, or the radius of a ball in common, over the size, of a pair left undecided
-};
-constexpr auto words_of(Search) noexcept {
-  return std::array{"margin", "time", "steps", "error", "bound", "undecided"};
-}
-
 /// In ns: CPU time of this process, and time in all, which counts what another process does for a guest.
 double cpu_clock();
 double wall_clock();
 
 struct WorstOptions {
-  Search search = Search::margin;
+  Objective objective = Objective::margin;
   std::uint64_t seed = 1;
   /// Shapes looked at, about a hundred questions each: the limit that gives the same result again (times
   /// aside).
   std::size_t evaluation_cap = std::numeric_limits<std::size_t>::max();
   std::chrono::milliseconds budget = std::chrono::hours(24);  ///< wall time
   Domain domain;
-  double (*clock)() = cpu_clock;  ///< of Search::time; it is read in the worker that asks
+  double (*clock)() = cpu_clock;  ///< of Objective::time; it is read in the worker that asks
 };
 
 /// A verdict that is refuted.
@@ -89,11 +76,11 @@ struct ScoredPair {
 };
 
 struct Worst {
-  /// Where Search::margin: of those beyond the claim the one of the greatest margin; where none is, the one
-  /// nearest to the claim.
+  /// Where Objective::margin: of those beyond the claim the one of the greatest margin; where none is, the
+  /// one nearest to the claim.
   std::optional<WrongPair> wrong;
   std::optional<FailedPair> failed;  ///< the first of the worst kind: crash, hang, others
-  std::optional<SlowPair> slow;      ///< of Search::time
+  std::optional<SlowPair> slow;      ///< of Objective::time
   std::optional<ScoredPair> scored;  ///< of steps, error, bound and undecided
   std::size_t evaluations = 0, questions = 0;
 

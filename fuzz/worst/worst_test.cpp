@@ -62,7 +62,7 @@ TEST(Worst, NineTenthsOfAKnownWorstAreFound) {
     EXPECT_EQ(worst.wrong->finding.kind, FindingKind::wrong_intersecting);
     EXPECT_GE(worst.wrong->finding.margin->lo, 0.9 * most) << to_string(feature);
     EXPECT_LE(worst.wrong->finding.margin->lo, most);
-    EXPECT_EQ(contact_feature(worst.wrong->pair, judge(worst.wrong->pair)), feature);
+    EXPECT_EQ(contact_feature(worst.wrong->pair), feature);
   }
 }
 
@@ -79,7 +79,7 @@ TEST(Worst, CapsStayOnCapsAndWhatIsInsideInside) {
     EXPECT_EQ(worst.wrong->finding.kind,
               inside ? FindingKind::wrong_disjoint : FindingKind::wrong_intersecting);
     EXPECT_GE(worst.wrong->finding.margin->lo, 0.9 * most) << to_string(feature);
-    EXPECT_EQ(contact_feature(worst.wrong->pair, judge(worst.wrong->pair)), feature);
+    EXPECT_EQ(contact_feature(worst.wrong->pair), feature);
   }
 }
 
@@ -191,7 +191,7 @@ std::unique_ptr<Method> slow() {
 TEST(Worst, TheSlowestIsFound) {
   const std::unique_ptr<Method> method = slow();
   WorstOptions options = shapes(400);
-  options.search = Search::time;
+  options.objective = Objective::time;
   options.clock = false_clock;
   const Worst worst = search(method, ContactFeature::side_side, options);
   ASSERT_TRUE(worst.slow);
@@ -234,7 +234,7 @@ TEST(PairChart, CapsStayFlatOnCapsAndOnSides) {
   for (const ContactFeature feature : {ContactFeature::cap_cap, ContactFeature::cap_side}) {
     for (const Pair& start : drawn_starts(feature, 9)) {
       const auto pair = bring_into({}, start);
-      if (!pair || contact_feature(*pair, judge(*pair)) != feature) continue;
+      if (!pair || contact_feature(*pair) != feature) continue;
       for (const double decades : {-4.0, 4.0}) {
         PairChart::Point x;
         x.fill(0.3);

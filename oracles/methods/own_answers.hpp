@@ -7,6 +7,9 @@
 
 namespace cyl {
 
+/// What the method `decide` answers; `decided` is decide(pair.a, pair.b).
+MethodAnswer answer_of(const Pair& pair, const Answer& decided);
+
 /// What the method `distance` answers; `measured` is distance(pair.a, pair.b).
 MethodAnswer answer_of(const Pair& pair, const Distance& measured);
 

@@ -79,16 +79,7 @@ class Decide final : public Method {
   }
   bool foreign() const override { return false; }
   bool takes(SolidKind) const override { return true; }
-  MethodAnswer answer(const Pair& pair) override {
-    const Answer decided = decide(pair.a, pair.b);
-    MethodAnswer answer;
-    answer.status = Status::answered;
-    answer.verdict = decided.verdict;
-    answer.steps = decided.iterations;
-    answer.step_cap = decide_iteration_cap;
-    answer.set_witness(certificate_of(decided, pair.a, pair.b));
-    return answer;
-  }
+  MethodAnswer answer(const Pair& pair) override { return answer_of(pair, decide(pair.a, pair.b)); }
   Call prepare_all(std::span<const Pair> pairs) override {
     return prepare_solids(pairs, [](const Prepared& a, const Prepared& b) { return decide(a, b).verdict; });
   }
@@ -153,6 +144,16 @@ class Exact final : public Method {
 }  // namespace
 
 std::unique_ptr<Method> certifying_method() { return std::make_unique<Decide>(); }
+
+MethodAnswer answer_of(const Pair& pair, const Answer& decided) {
+  MethodAnswer answer;
+  answer.status = Status::answered;
+  answer.verdict = decided.verdict;
+  answer.steps = decided.iterations;
+  answer.step_cap = decide_iteration_cap;
+  answer.set_witness(certificate_of(decided, pair.a, pair.b));
+  return answer;
+}
 
 MethodAnswer answer_of(const Pair& pair, const Distance& measured) {
   MethodAnswer answer;

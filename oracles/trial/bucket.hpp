@@ -9,7 +9,7 @@
 #include <string_view>
 
 #include "base/enum_words.hpp"
-#include "corpus/pairs/contact_feature.hpp"
+#include "corpus/pairs/stratum.hpp"
 #include "solver/cylinder.hpp"
 
 namespace cyl {

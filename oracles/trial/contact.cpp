@@ -94,13 +94,18 @@ bool contains(const Cylinder& outer, const Cylinder& inner) {
   return reach((low + high) / 2) <= outer.radius + rounding;
 }
 
+ContactFeature feature_at(const Pair& pair, bool overlap, const Vector3& direction) {
+  const bool inside = overlap && (contains(pair.a, pair.b) || contains(pair.b, pair.a));
+  return inside ? ContactFeature::containment : feature_along(pair, direction);
+}
+
 std::optional<ContactFeature> contact_feature(const Pair& pair, const Truth& truth) {
   if (truth.verdict == Verdict::invalid || truth.verdict == Verdict::undecided) return {};
-  if (truth.verdict == Verdict::intersecting && (contains(pair.a, pair.b) || contains(pair.b, pair.a)))
-    return ContactFeature::containment;
   const std::array<double, 3> found = attain_distance(pair, truth, direction_width_tol).direction;
-  return feature_along(pair, Vector3(found[0], found[1], found[2]));
+  return feature_at(pair, truth.verdict == Verdict::intersecting, Vector3(found[0], found[1], found[2]));
 }
+
+std::optional<ContactFeature> contact_feature(const Pair& pair) { return contact_feature(pair, judge(pair)); }
 
 AxesAngle axes_angle(const Pair& pair) {
   const Angle angle = angle_between(pair.a.axis, pair.b.axis);
@@ -115,22 +120,15 @@ AxesAngle axes_angle(const Pair& pair) {
   return exactly;
 }
 
-AngleClass angle_class(const Pair& pair) {
-  const AxesAngle angle = axes_angle(pair);
+AngleClass angle_class(const Pair& pair) { return angle_class(axes_angle(pair)); }
+
+AngleClass angle_class(const AxesAngle& angle) {
   if (angle.parallel) return AngleClass::parallel;
   if (angle.right) return AngleClass::right;
   if (angle.sine < 1e-12) return AngleClass::within_1e_12;
   if (angle.sine < 1e-7) return AngleClass::within_1e_7;
   if (angle.sine < 1e-2) return AngleClass::within_1e_2;
   return angle.cosine <= 1e-2 ? AngleClass::near_right : AngleClass::generic;
-}
-
-int margin_decade(double margin) {
-  constexpr std::array<double, 16> ends{1e-1, 1e-2,  1e-3,  1e-4,  1e-5,  1e-6,  1e-7,  1e-8,
-                                        1e-9, 1e-10, 1e-11, 1e-12, 1e-13, 1e-14, 1e-15, 1e-16};
-  int decade = 0;
-  while (decade < 16 && margin <= ends[static_cast<std::size_t>(decade)]) ++decade;
-  return decade;
 }
 
 }  // namespace cyl

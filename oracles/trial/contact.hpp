@@ -1,15 +1,11 @@
 // SPDX-License-Identifier: MIT
-// The stratum of a pair: which features meet, how nearly the axes are parallel or perpendicular, and the
-// decade of the margin.
+// What stands in the stratum of a pair, proved: which features meet, and how nearly the axes are parallel or
+// perpendicular.
 #pragma once
 
-#include <array>
-#include <cstddef>
 #include <optional>
-#include <string_view>
 
-#include "base/enum_words.hpp"
-#include "corpus/pairs/contact_feature.hpp"
+#include "corpus/pairs/stratum.hpp"
 #include "oracles/referee/referee.hpp"
 #include "solver/cylinder.hpp"
 
@@ -27,10 +23,14 @@ ContactFeature feature_along(const Pair& pair, const Vector3& direction);
 /// Returns whether no point of `inner` is outside `outer`, but for rounding.
 bool contains(const Cylinder& outer, const Cylinder& inner);
 
-/// Returns which features meet where the signed distance is attained, one of several where several do:
-/// `containment` where the solids overlap and one holds the other. Nothing for a pair that is invalid or
-/// undecided. Cost: that of an enclosure of the distance.
+/// Returns which features meet in the direction of the signed distance, be it proved or the solver's:
+/// `containment` if the solids overlap and one holds the other.
+ContactFeature feature_at(const Pair& pair, bool overlap, const Vector3& direction);
+
+/// Returns which features meet where the signed distance is attained, one of several where several do.
+/// Nothing for a pair that is invalid or undecided. Cost: that of an enclosure of the distance.
 std::optional<ContactFeature> contact_feature(const Pair& pair, const Truth& truth);
+std::optional<ContactFeature> contact_feature(const Pair& pair);  ///< the truth is proved first
 
 /// The angle between the lines of the axes.
 struct AxesAngle {
@@ -39,25 +39,8 @@ struct AxesAngle {
 };
 AxesAngle axes_angle(const Pair& pair);  ///< the pair is legal
 
-/// How nearly the lines of the axes are parallel or perpendicular.
-enum class AngleClass : unsigned char {
-  parallel,      ///< exactly
-  within_1e_12,  ///< sine below 1e-12, not 0
-  within_1e_7,   ///< below 1e-7
-  within_1e_2,   ///< below 1e-2
-  generic,
-  near_right,  ///< cosine at most 1e-2, not 0
-  right        ///< exactly perpendicular
-};
-constexpr auto words_of(AngleClass) noexcept {
-  return std::array{"parallel", "<1e-12", "<1e-7", "<1e-2", "generic", "near-90", "90"};
-}
-inline constexpr std::size_t angle_class_count = 7;
-
 /// Returns the class of a legal pair; what it says is exact is decided in rational arithmetic.
 AngleClass angle_class(const Pair& pair);
-
-/// Returns d where 10^(-d-1) < margin <= 10^-d; from 0, for margins above 0.1, to 16, for all up to 1e-16.
-int margin_decade(double margin);
+AngleClass angle_class(const AxesAngle& angle);
 
 }  // namespace cyl

@@ -106,7 +106,7 @@ TEST(ContactFeatureOf, PlainScenes) {
           c->radius *= unit;
           c->height *= unit;
         }
-        const auto found = contact_feature(p, judge(p));
+        const auto found = contact_feature(p);
         ASSERT_TRUE(found);
         EXPECT_EQ(to_string(*found), to_string(s.feature)) << format_pair(p);
       }
@@ -121,7 +121,7 @@ TEST(ContactFeatureOf, PlainScenes) {
 TEST(ContactFeatureOf, NearlyParallelSidesIsTwoSides) {
   for (int power = 3; power <= 15; ++power) {
     const Cylinder a = solid(origin, z, 1, 8), b = solid({2.001, 0, 0}, {0, std::pow(10, -power), 1}, 1, 8);
-    EXPECT_EQ(to_string(*contact_feature({a, b}, judge({a, b}))), "side-side") << power;
+    EXPECT_EQ(to_string(*contact_feature({a, b})), "side-side") << power;
   }
 }
 

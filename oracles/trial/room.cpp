@@ -72,6 +72,14 @@ double likely_room(const Pair& pair) {
   return greatest_room(pair, [](const Pair& inner) { return distance(inner.a, inner.b).value <= 0; });
 }
 
+double most_room(const Pair& pair) {
+  const double gap = distance(pair.a, pair.b).value;
+  double room = std::abs(gap);
+  if (gap <= 0)
+    for (const Cylinder* c : {&pair.a, &pair.b}) room = std::min({room, c->radius, c->height / 2});
+  return room / size_of(pair);
+}
+
 double proved_room(Trial& proved) {
   if (!proved.decided()) return 0;
   if (!proved.meets()) return magnitude_against(size_of(proved.pair), proved).lo / size_of(proved.pair);

@@ -30,6 +30,9 @@ bool owes_verdict(Decides promised, Trial& proved);
 /// radius of the largest ball in common, as the solver has it. 0 where nothing is promised.
 double likely_room(const Pair& pair);
 
+/// Returns no less, by one call of the solver: no ball in common is larger than the depth or than a solid.
+double most_room(const Pair& pair);
+
 /// The same for certain, at least.
 double proved_room(Trial& proved);
 

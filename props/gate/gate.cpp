@@ -58,8 +58,6 @@ std::string kind_of_break(const Law& law, const Broken& broken) {
   return shows_in_answer(law) && broken.kind ? to_string(*broken.kind) : std::string(law.name);
 }
 
-std::optional<ContactFeature> feature_of(const Pair& pair) { return contact_feature(pair, judge(pair)); }
-
 class Gate {
  public:
   Gate(std::span<const std::unique_ptr<Method>> methods, std::span<const Case> cases,
@@ -153,7 +151,7 @@ class Gate {
 
   /// Adds a break to those of the same law and bucket. Returns the failure that it is the first of, if it is.
   GateFailure* record(std::size_t method, const Law& law, const Broken& broken, const Pair& pair,
-                      const std::string& origin, const std::optional<FeatureDecade>& stratum = {}) {
+                      const std::string& origin, const std::optional<Stratum>& stratum = {}) {
     std::string kind = kind_of_break(law, broken);
     const std::string& name = report_.methods[method].name;
     const bool contract = broken.severity == Severity::contract;
@@ -349,12 +347,13 @@ class Gate {
       return;
     }
     // What meets stays: else all becomes a matter of points.
-    const auto feature = feature_of(failure.found);
+    const auto feature = contact_feature(failure.found);
     Asker asker = new_asker(failure);  // for all questions: to start a worker costs more than to ask 32 pairs
     const StillFails still_fails = [&](std::span<const Pair> pairs) {
       if (questions_left_ == 0 || out_of_time()) return std::vector<bool>(pairs.size(), false);
       std::vector<bool> broken = still_broken(failure, pairs, asker);
-      for (std::size_t i = 0; i < pairs.size(); ++i) broken[i] = broken[i] && feature_of(pairs[i]) == feature;
+      for (std::size_t i = 0; i < pairs.size(); ++i)
+        broken[i] = broken[i] && contact_feature(pairs[i]) == feature;
       return broken;
     };
     if (!still_fails({&failure.simplest, 1})[0]) failure.simplest = failure.found;
@@ -394,8 +393,7 @@ GateReport run_gate(std::span<const std::unique_ptr<Method>> methods, std::span<
 
 GateAmount amount_of(std::uint64_t pairs) {
   constexpr std::uint64_t law_round = draws_per_round * pairs_per_draw;
-  constexpr std::uint64_t sample_round =
-      pairs_per_stratum * contact_feature_count * static_cast<std::uint64_t>(last_decade - first_decade + 1);
+  constexpr std::uint64_t sample_round = pairs_per_stratum * drawn_strata.size();
   const auto rounds = [](std::uint64_t amount, std::uint64_t round) {
     return std::max<std::uint64_t>(1, (amount + round - 1) / round);
   };

@@ -13,6 +13,7 @@
 
 #include "base/enum_words.hpp"
 #include "corpus/pairs/close_contact.hpp"
+#include "corpus/pairs/stratum.hpp"
 #include "props/laws/examine.hpp"
 #include "props/laws/laws.hpp"
 
@@ -73,19 +74,16 @@ struct GateFailure {
   std::uint64_t in_base = 0;     ///< pairs of the base that failed like this, be it within the claim
 };
 
-/// Independent random pairs of one contact feature and one decade of margin, and how many were wrong.
+/// Independent random pairs of one stratum, and how many were wrong.
 struct GateCell {
-  std::string_view feature;
-  int decade = 0;        ///< margins in (10^(-decade-1), 10^-decade]
+  Stratum stratum;
   bool claimed = false;  ///< by the method, for every pair of the cell
   std::uint64_t pairs = 0, wrong = 0, undecided = 0;
 };
 
 /// Independent random pairs of one cell of close contacts (corpus/pairs/close_contact.hpp).
 struct CloseGateCell {
-  AxesLie lie;
-  AngleBand band;
-  int decade = 0;
+  CloseCell cell;
   bool claimed = false;  ///< by the method, for every gap of the cell
   std::uint64_t gaps = 0, wrong_gaps = 0;
   /// Pairs built to overlap, whose depth the cell's margin does not tell, but that it is no more. Wrong:

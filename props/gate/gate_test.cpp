@@ -81,12 +81,12 @@ TEST(Gate, LetsAnHonestMethodPass) {
   EXPECT_EQ(report.methods.at(0).remark, "");
   for (const GateCell& cell : report.methods.at(0).cells) {
     if (cell.claimed) {
-      EXPECT_EQ(cell.wrong, 0u) << cell.feature << ' ' << cell.decade;
+      EXPECT_EQ(cell.wrong, 0u) << to_string(cell.stratum.feature) << ' ' << cell.stratum.decade;
     }
   }
   ASSERT_EQ(report.methods.at(0).close_cells.size(), close_cell_count);
   for (const CloseGateCell& cell : report.methods.at(0).close_cells) {
-    EXPECT_EQ(cell.claimed, cell.decade < last_close_decade) << cell.decade;
+    EXPECT_EQ(cell.claimed, cell.cell.decade < last_close_decade) << cell.cell.decade;
     EXPECT_GE(cell.gaps, 2u);
     EXPECT_GE(cell.overlaps, 2u);
     EXPECT_EQ(cell.wrong_gaps + cell.wrong_overlaps, 0u);
@@ -326,15 +326,17 @@ TEST(Gate, CountsWhatIsWrongInItsCellOfCloseContacts) {
   EXPECT_EQ(exit_code(report), 2);
   std::uint64_t wrong = 0;
   for (const CloseGateCell& cell : report.methods.at(0).close_cells) {
-    const bool at_fault = cell.lie == AxesLie::near_parallel && cell.band == AngleBand::tiny;
+    const auto [lie, band, decade] = cell.cell;
+    const bool at_fault = lie == AxesLie::near_parallel && band == AngleBand::tiny;
     if (at_fault) wrong += cell.wrong_overlaps;
     EXPECT_EQ(cell.wrong_gaps, 0u) << "disjoint is right there";
-    EXPECT_TRUE(at_fault || cell.wrong_overlaps == 0) << to_string(cell.lie) << ' ' << to_string(cell.band);
+    EXPECT_TRUE(at_fault || cell.wrong_overlaps == 0)
+        << to_string(lie) << ' ' << to_string(band) << ' ' << decade;
   }
   EXPECT_GT(wrong, 0u);
   for (const GateCell& cell : report.methods.at(0).cells) {
-    if (cell.feature != "containment") {
-      EXPECT_EQ(cell.wrong, 0u) << cell.feature;
+    if (cell.stratum.feature != ContactFeature::containment) {
+      EXPECT_EQ(cell.wrong, 0u) << to_string(cell.stratum.feature);
     }
   }
 }

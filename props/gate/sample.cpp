@@ -28,43 +28,31 @@ bool is_trial(const RoundAnswers& said, std::size_t p, std::uint64_t& undecided)
   return !silent && said.truths[p] != Verdict::undecided;
 }
 
-std::size_t number_of(const FeatureDecade& stratum) {
-  constexpr std::size_t decades = last_decade - first_decade + 1;
-  return static_cast<std::size_t>(stratum.feature) * decades +
-         static_cast<std::size_t>(stratum.decade - first_decade);
-}
-
 }  // namespace
 
 std::vector<GateCell> empty_cells() {
   std::vector<GateCell> cells;
-  for (const std::string_view feature : enum_words<ContactFeature>)
-    for (int decade = first_decade; decade <= last_decade; ++decade) cells.push_back({feature, decade, true});
+  for (const Stratum& stratum : drawn_strata) cells.push_back({stratum, true});
   return cells;
 }
 
 std::vector<CloseGateCell> empty_close_cells() {
   std::vector<CloseGateCell> cells;
-  for (std::size_t i = 0; i < close_cell_count; ++i) {
-    const CloseCell cell = close_cell(i);
-    cells.push_back({.lie = cell.lie, .band = cell.band, .decade = cell.decade, .claimed = true});
-  }
+  for (std::size_t i = 0; i < close_cell_count; ++i) cells.push_back({close_cell(i), true});
   return cells;
 }
 
 SampleRound draw_strata(std::uint64_t seed, std::uint64_t round) {
   SampleRound drawn;
-  for (const ContactFeature feature : enum_values<ContactFeature>) {
-    for (int decade = first_decade; decade <= last_decade; ++decade) {
-      for (std::uint64_t i = 0; i < pairs_per_stratum; ++i) {
-        const std::uint64_t index = round * pairs_per_stratum + i;
-        const auto pair = draw_in_stratum(feature, decade, seed, index);
-        if (!pair) continue;
-        drawn.pairs.push_back(*pair);
-        drawn.strata.push_back({feature, decade});
-        drawn.origins.push_back(
-            fmt::format("{} 1e-{:02}, seed {}, index {}", to_string(feature), decade, seed, index));
-      }
+  for (const Stratum& stratum : drawn_strata) {
+    for (std::uint64_t i = 0; i < pairs_per_stratum; ++i) {
+      const std::uint64_t index = round * pairs_per_stratum + i;
+      const auto pair = draw_in_stratum(stratum.feature, stratum.decade, seed, index);
+      if (!pair) continue;
+      drawn.pairs.push_back(*pair);
+      drawn.strata.push_back(stratum);
+      drawn.origins.push_back(fmt::format("{} 1e-{:02}, seed {}, index {}", to_string(stratum.feature),
+                                          stratum.decade, seed, index));
     }
   }
   return drawn;
@@ -88,13 +76,13 @@ void count_cells(GateMethod& method, const SampleRound& round, const RoundAnswer
     const double size = size_of(round.pairs[p]);
     if (round.contacts.empty()) {
       GateCell& at = method.cells[number_of(round.strata[p])];
-      at.claimed = at.claimed && claims(method.claim, size, at.decade);
+      at.claimed = at.claimed && claims(method.claim, size, at.stratum.decade);
       at.pairs += is_trial(said, p, at.undecided);
       at.wrong += said.wrong[p];
     } else {
       CloseGateCell& at = method.close_cells[number_of(round.contacts[p].cell)];
       const bool gap = round.contacts[p].distance > 0;
-      at.claimed = at.claimed && claims(method.claim, size, at.decade);
+      at.claimed = at.claimed && claims(method.claim, size, at.cell.decade);
       (gap ? at.gaps : at.overlaps) += is_trial(said, p, at.undecided);
       (gap ? at.wrong_gaps : at.wrong_overlaps) += said.wrong_beyond[p];
     }

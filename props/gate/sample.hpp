@@ -13,12 +13,6 @@
 
 namespace cyl {
 
-/// Where a pair stands, by its construction.
-struct FeatureDecade {
-  ContactFeature feature;
-  int decade;
-};
-
 /// Returns all cells, empty: by feature, then by decade; and those of close contacts.
 std::vector<GateCell> empty_cells();
 std::vector<CloseGateCell> empty_close_cells();
@@ -28,7 +22,7 @@ inline constexpr std::uint64_t pairs_per_stratum = 4;
 /// The pairs of one round, with where each stands and came from; of close contacts also how they were built.
 struct SampleRound {
   std::vector<Pair> pairs;
-  std::vector<FeatureDecade> strata;
+  std::vector<Stratum> strata;
   std::vector<std::string> origins;
   std::vector<CloseContact> contacts;  ///< empty of strata
 };

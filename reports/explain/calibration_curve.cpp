@@ -38,7 +38,7 @@ std::optional<Pair> put_within(const Pair& drawn, std::span<const ParameterRange
   const double share = r.unit(), margin = std::pow(10, -decade - r.unit());
   const bool overlap = feature == ContactFeature::containment || index % 2 == 1;
   const auto pair = brought_within(drawn, ranges, share, overlap ? -margin : margin);
-  if (!pair || contact_feature(*pair, judge(*pair)) != feature) return {};
+  if (!pair || contact_feature(*pair) != feature) return {};
   return pair;
 }
 

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "base/statistics.hpp"
-#include "corpus/pairs/contact_feature.hpp"
+#include "corpus/pairs/stratum.hpp"
 #include "oracles/trial/trial.hpp"
 #include "reports/explain/failing_region.hpp"
 

@@ -68,22 +68,19 @@ inline GateReport example_report() {
                   .cells = {},
                   .close_cells = {},
                   .remark = "answers intersecting to every pair" + hostile};
-  for (const std::string_view feature : {"side-side", "side-rim"}) {
+  for (const ContactFeature feature : {ContactFeature::side_side, ContactFeature::side_rim}) {
     for (int decade = 0; decade < 13; ++decade) {
-      intersect.cells.push_back({.feature = feature,
-                                 .decade = decade,
-                                 .claimed = decade < 12,
-                                 .pairs = 2400u + static_cast<unsigned>(decade)});
-      fake.cells.push_back({.feature = feature, .decade = decade, .claimed = decade < 3, .pairs = 50});
+      intersect.cells.push_back({{feature, decade}, decade < 12, 2400u + static_cast<unsigned>(decade)});
+      fake.cells.push_back({{feature, decade}, decade < 3, 50});
     }
   }
   for (std::size_t i = 0; i < close_cell_count; ++i) {
     const CloseCell at = close_cell(i);
-    intersect.close_cells.push_back({at.lie, at.band, at.decade, true, 409, 0, 408, 0, 0});
-    fake.close_cells.push_back({at.lie, at.band, at.decade, at.decade < 3, 100, 0, 90, 0, 2});
+    intersect.close_cells.push_back({at, true, 409, 0, 408, 0, 0});
+    fake.close_cells.push_back({at, at.decade < 3, 100, 0, 90, 0, 2});
   }
-  intersect.close_cells[1] = {AxesLie::generic, AngleBand::wide, 2, true, 12, 0, 408, 0, 0};
-  fake.close_cells[0] = {AxesLie::generic, AngleBand::wide, 1, true, 0, 0, 0, 0, 2};
+  intersect.close_cells[1] = {{AxesLie::generic, AngleBand::wide, 2}, true, 12, 0, 408, 0, 0};
+  fake.close_cells[0] = {{AxesLie::generic, AngleBand::wide, 1}, true, 0, 0, 0, 0, 2};
   fake.close_cells[1].wrong_overlaps = 3;
   fake.cells[1].wrong = 7;
   fake.cells[2].pairs = 0;

@@ -34,8 +34,8 @@ json counts(const AnswerCounts& c) {
 json method(const GateMethod& m) {
   json cells = json::array();
   for (const GateCell& c : m.cells) {
-    cells.push_back({{"feature", c.feature},
-                     {"decade", c.decade},
+    cells.push_back({{"feature", to_string(c.stratum.feature)},
+                     {"decade", c.stratum.decade},
                      {"claimed", c.claimed},
                      {"pairs", c.pairs},
                      {"wrong", c.wrong},
@@ -43,9 +43,9 @@ json method(const GateMethod& m) {
   }
   json close_cells = json::array();
   for (const CloseGateCell& c : m.close_cells) {
-    close_cells.push_back({{"lie", to_string(c.lie)},
-                           {"angle", to_string(c.band)},
-                           {"decade", c.decade},
+    close_cells.push_back({{"lie", to_string(c.cell.lie)},
+                           {"angle", to_string(c.cell.band)},
+                           {"decade", c.cell.decade},
                            {"claimed", c.claimed},
                            {"gaps", c.gaps},
                            {"wrong_gaps", c.wrong_gaps},

@@ -139,23 +139,23 @@ std::string cell_text(const GateCell& c) {
 }
 
 std::string cells_table(const GateMethod& m) {
-  std::vector<std::string_view> features;  // in the order of the cells
-  std::map<int, std::map<std::string_view, std::string>> rows;
+  std::vector<ContactFeature> features;  // in the order of the cells
+  std::map<int, std::map<ContactFeature, std::string>> rows;
   for (const GateCell& c : m.cells) {
-    if (std::find(features.begin(), features.end(), c.feature) == features.end())
-      features.push_back(c.feature);
-    rows[c.decade][c.feature] = cell_text(c);
+    if (std::find(features.begin(), features.end(), c.stratum.feature) == features.end())
+      features.push_back(c.stratum.feature);
+    rows[c.stratum.decade][c.stratum.feature] = cell_text(c);
   }
   std::string text = wrapped(
       "", fmt::format("{}: independent pairs it decided by margin (up to) and contact feature; 3!70: 3 of 70 "
                       "wrong; in brackets: not claimed",
                       one_line(m.name)));
   text += fmt::format("{:<8}", "margin");
-  for (const std::string_view feature : features) text += fmt::format("{:>15}", feature);
+  for (const ContactFeature feature : features) text += fmt::format("{:>15}", to_string(feature));
   text += '\n';
   for (const auto& [decade, row] : rows) {
     text += fmt::format("{:<8}", power(decade));
-    for (const std::string_view feature : features) {
+    for (const ContactFeature feature : features) {
       const auto found = row.find(feature);
       text += fmt::format("{:>15}", found == row.end() ? "" : found->second);
     }
@@ -169,7 +169,7 @@ std::string plural(std::uint64_t n, const std::string& thing) {
 }
 
 std::string name_of(const CloseGateCell& c) {
-  return fmt::format("{} {} {}", to_string(c.lie), to_string(c.band), power(c.decade));
+  return fmt::format("{} {} {}", to_string(c.cell.lie), to_string(c.cell.band), power(c.cell.decade));
 }
 
 std::string close_table(const GateMethod& m) {
@@ -180,8 +180,8 @@ std::string close_table(const GateMethod& m) {
   text += fmt::format("{:<26}", "margin");
   for (int d = first_close_decade; d <= last_close_decade; ++d) text += fmt::format("{:>6}", power(d));
   for (const CloseGateCell& c : m.close_cells) {
-    if (c.decade == first_close_decade)
-      text += fmt::format("\n{:<13} {:<12}", to_string(c.lie), to_string(c.band));
+    if (c.cell.decade == first_close_decade)
+      text += fmt::format("\n{:<13} {:<12}", to_string(c.cell.lie), to_string(c.cell.band));
     const std::uint64_t wrong = c.wrong_gaps + c.wrong_overlaps, all = c.gaps + c.overlaps;
     // What is wrong by more than the cell's margin counts for no cell: it may be more than all.
     text += fmt::format(
@@ -260,7 +260,7 @@ std::string close_in_words(const std::vector<CloseGateCell>& all) {
 }  // namespace
 
 std::string proved_in_words(const GateMethod& method) {
-  std::set<std::string_view> features;
+  std::set<ContactFeature> features;
   std::set<int> decades;
   std::uint64_t cells = 0, wrong = 0, wrong_cells = 0, undecided = 0, all = 0, least = 0, most = 0;
   double worst_rate = 0;
@@ -270,11 +270,12 @@ std::string proved_in_words(const GateMethod& method) {
     undecided += c.undecided;
     const std::uint64_t n = trials(c);
     if (n == 0) {
-      empty += fmt::format("{}{} {}", empty.empty() ? "" : ", ", c.feature, power(c.decade));
+      empty += fmt::format("{}{} {}", empty.empty() ? "" : ", ", to_string(c.stratum.feature),
+                           power(c.stratum.decade));
       continue;
     }
-    features.insert(c.feature);
-    decades.insert(c.decade);
+    features.insert(c.stratum.feature);
+    decades.insert(c.stratum.decade);
     least = cells == 0 ? n : std::min(least, n);
     most = std::max(most, n);
     ++cells;

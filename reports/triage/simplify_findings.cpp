@@ -72,7 +72,7 @@ std::vector<bool> fail_alike(const GroupedMethods& methods, const Subject& s, co
 
 SimpleRecord simplified(const TriageContext& context, const Subject& s, const std::string& cause,
                         const SimpleRecord& earlier, double part) {
-  const auto feature = contact_feature(s.pair, judge(s.pair));
+  const auto feature = contact_feature(s.pair);
   Asker asker(context.methods, s.kind == FindingKind::hang ? hang_caps : triage_caps);
   bool cut = false;
   const StillFails still_fails = [&](std::span<const Pair> pairs) {
