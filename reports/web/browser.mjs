@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
 // A browser without network, for the tests of the pages.
 import { spawnSync } from "node:child_process";
-import { existsSync, mkdtempSync, rmSync } from "node:fs";
+import { existsSync, mkdtempSync, readFileSync, rmSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { fileURLToPath } from "node:url";
+import { deflateSync, inflateSync } from "node:zlib";
 
 function skip(why) {
   process.exit(
@@ -80,3 +81,15 @@ export const colours = async (page) => (
     return { count: new Set(data).size, hash, opaque };
   })
 );
+
+/** The page with data in it, as page_template.cpp fills it. */
+export function filled(report) {
+  const template = readFileSync(new URL("./page_template.html", import.meta.url), "utf8");
+  return template.replace("@@DAYLIGHT_REPORT_DATA@@", () => deflateSync(JSON.stringify(report)).toString("base64"));
+}
+
+/** What the page of a file shows. */
+export function data_of(file) {
+  const [, text] = /id="report-data">([^<]*)</.exec(readFileSync(file, "utf8"));
+  return JSON.parse(inflateSync(Buffer.from(text, "base64")));
+}

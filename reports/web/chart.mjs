@@ -7,7 +7,7 @@ import { argv, exit, stdin } from "node:process";
 import { pathToFileURL } from "node:url";
 import { runInThisContext } from "node:vm";
 
-const template = readFileSync(new URL("page_template.html", import.meta.url), "utf8");
+const template = readFileSync(new URL("./page_template.html", import.meta.url), "utf8");
 const begin = template.lastIndexOf("<script>") + "<script>".length;
 runInThisContext(template.slice(begin, template.indexOf("</script>", begin)), { filename: "page_template.html" });
 

@@ -1,37 +1,40 @@
 // SPDX-License-Identifier: MIT
 // The plots as files for a paper or a README; and what else of the page chart.mjs gives to Node.
+import { paper, type Options } from "./parts/plot.ts";
+import { grouped } from "./parts/words.ts";
+import { plain_document } from "./run/plain_document.ts";
 import {
   backward_plot,
+  calibration_plot,
   cost_plot,
   families_plot,
   first_of_each,
-  calibration_plot,
   map_plot,
-  paper,
   palette,
   pareto,
   series_key,
   speed_plot,
   trace_plot,
   wrong_plot,
-  type Options,
-} from "./plots.ts";
-import { plain_document } from "./plain_document.ts";
-import { expand, in_run_order, type FullReport } from "./report.ts";
-import { grouped, library } from "./words.ts";
+} from "./run/plots.ts";
+import { expand, in_run_order, type FullReport } from "./run/report.ts";
+import { library } from "./run/words.ts";
 
-export { exact, floor_sqrt, prove } from "./prove.ts";
-export { causes_of, chip_counts, filter_of, filtered, filtered_causes, query_of, rows_of } from "./filter.ts";
-export { is_ordinary, sorted, sorted_causes, view_of, worst_first } from "./filter.ts";
-export { wrong_distance } from "./distance.ts";
-export { log_gamma, same_rate_probability } from "./rates.ts";
-export { csv_cell, csv_of } from "./save.ts";
-export { full, glossary, shell_quoted } from "./words.ts";
-export { frame_around, frame_of, rows_of as study_rows_of, stand_in } from "./study.ts";
-export { gap, gaps_of } from "./gap.ts";
-export { free_joints, joint_values, placed } from "./kinematics.ts";
-export { csv_of_study } from "./study_csv.ts";
-export { risk_of } from "./study_risk.ts";
+export { exact, floor_sqrt, prove } from "./run/prove.ts";
+export { causes_of, chip_counts, filter_of, filtered, filtered_causes, query_of, rows_of } from "./run/filter.ts";
+export { is_ordinary, sorted, sorted_causes, view_of, worst_first } from "./run/filter.ts";
+export { wrong_distance } from "./run/distance.ts";
+export { log_gamma, same_rate_probability } from "./run/rates.ts";
+export { csv_of } from "./run/files.ts";
+export { glossary } from "./run/glossary.ts";
+export { csv_cell } from "./parts/save.ts";
+export { full, shell_quoted } from "./parts/words.ts";
+export { frame_around, frame_of, stand_in } from "./scene/study.ts";
+export { rows_of as study_rows_of } from "./scene/order.ts";
+export { gap, gaps_of } from "./scene/gap.ts";
+export { free_joints, joint_values, placed } from "./scene/kinematics.ts";
+export { csv_of_study } from "./scene/csv.ts";
+export { risk_of } from "./scene/risk.ts";
 export { expand, pareto, plain_document };
 
 /** Points of a file's width; text is 11 of them high. */
@@ -142,10 +145,11 @@ export function charts(report: FullReport, document: Document): Map<string, stri
   for (const map of report.maps.filter((m) => mapped.includes(m.method)))
     files.set(
       sure(`map-${map.plane}-${map.method}`),
-      framed(map_plot(map, "all", { ...o, width: width * 0.7 }), `${map.method}: share wrong beyond the claim or failed, else within it`, [
-        ...heat,
-        { name: "none wrong", colour: paper.clean },
-      ]),
+      framed(
+        map_plot(map, "all", { ...o, width: width * 0.7 }),
+        `${map.method}: share wrong beyond the claim or failed, else within it`,
+        [...heat, { name: "none wrong", colour: paper.clean }],
+      ),
     );
   const honest = first_of_each(
     in_run_order(

@@ -1,21 +1,29 @@
 // SPDX-License-Identifier: MIT
 // The page: it shows the run or the scene that its data describe.
-import { render } from "preact";
 import * as for_node from "./chart.ts";
-import { data_of, expand } from "./report.ts";
-import { RunPage } from "./run_page.tsx";
-import { StudyPage } from "./study_page.tsx";
-import type { Report } from "./data.ts";
-import type { Study } from "./study.ts";
-import { safe, safe_texts } from "./words.ts";
+import { render } from "preact";
+import { safe, safe_texts } from "./parts/words.ts";
+import type { Report } from "./run/data.ts";
+import { expand } from "./run/report.ts";
+import { RunPage } from "./run/run_page.tsx";
+import { StudyPage } from "./scene/scene_page.tsx";
+import type { Study } from "./scene/study.ts";
 
 const no_data =
   "This is the page without its data. daylight campaign writes it with those of a run, daylight scene --page with " +
   "those of a scene.";
 
+/** From the element that page_template.cpp fills; null if it holds the mark of the template. */
+async function data_of(): Promise<unknown> {
+  const text = document.getElementById("report-data")?.textContent ?? "";
+  if (text === "" || text.startsWith("@")) return null;
+  const bytes = Uint8Array.from(atob(text), (c) => c.charCodeAt(0));
+  return new Response(new Blob([bytes]).stream().pipeThrough(new DecompressionStream("deflate"))).json();
+}
+
 /** The title of the page and what it shows; nothing in the template without data. */
 async function shown() {
-  const data = (await data_of(document)) as Report | Study | null;
+  const data = (await data_of()) as Report | Study | null;
   if (data === null) return null;
   if ("kept" in data) {
     const study = safe_texts(data);

@@ -15,7 +15,11 @@ const others = [
 ];
 
 export function sources_hash() {
-  const names = [...readdirSync(here).filter((name) => /\.tsx?$/.test(name)), ...others].sort();
+  const names = ["", "parts/", "run/", "scene/"]
+    .flatMap((folder) => readdirSync(new URL(`./${folder}`, here)).map((name) => folder + name))
+    .filter((name) => /\.tsx?$/.test(name))
+    .concat(others)
+    .sort();
   const hash = createHash("sha256");
   for (const name of names)
     hash

@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: MIT
+// The table of causes: sorted by its heads; on a narrow screen a card for each.
+import { useRef } from "preact/hooks";
+import { grouped, least_range, percent, safe, short } from "../parts/words.ts";
+import type { Bucket } from "./data.ts";
+import { cause_columns, type Cause, type CauseColumn, type CauseOrder } from "./filter.ts";
+import { about } from "./glossary.ts";
+import { useRoving } from "./roving.ts";
+import { severity_words, standing_words } from "./words.ts";
+
+const titles: Record<CauseColumn, string> = {
+  key: "cause",
+  methods: "methods",
+  severity: "severity",
+  count: "findings",
+  margin: "margins",
+  share: "share of pairs like it",
+  standing: "since earlier runs",
+  seen: "first seen",
+};
+const numeric = new Set<CauseColumn>(["count", "margin", "share"]);
+
+const few = (names: string[]) =>
+  names.length < 4 ? safe(names.join(", ")) : `${safe(names.slice(0, 2).join(", "))} and ${names.length - 2} more`;
+
+export const bucket_address = (key: string) => `#/bucket/${key.split("/").map(encodeURIComponent).join("/")}`;
+
+export const note_words = ({ note }: Bucket) => (note ? `${note.owner}${note.note && `: ${note.note}`}` : "");
+
+function Name({ b }: { b: Bucket }) {
+  return (
+    <>
+      <a href={bucket_address(b.key)}>{safe(b.key)}</a>
+      {b.suppressed && (
+        <>
+          {" "}
+          <span class="tag" title={safe(b.suppressed.reason)}>
+            suppressed until {safe(b.suppressed.expires)}
+          </span>
+        </>
+      )}
+      <div class="soft">
+        {b.cause
+          ? safe(b.cause)
+          : b.labels.map((l) => (
+              <span class="tag" key={l}>
+                {safe(l)}
+              </span>
+            ))}
+      </div>
+      {b.note && <div class="note">{safe(note_words(b))}</div>}
+    </>
+  );
+}
+
+const standing_hint = ({ standing, chance }: Bucket) =>
+  [standing ? about(standing) : "", typeof chance === "number" ? `By chance: ${short(chance)}` : ""].join("\n").trim();
+
+function CauseRow({ b }: { b: Bucket }) {
+  const share = b.share && `${grouped(b.share.wrong)} of ${grouped(b.share.asked)}`;
+  return (
+    <tr class={b.suppressed ? "suppressed" : ""}>
+      <td class="wrap" data-label={titles.key}>
+        <Name b={b} />
+      </td>
+      <td class="wrap soft" data-label={titles.methods} title={safe((b.methods ?? [b.method]).join(", "))}>
+        {few(b.methods ?? [b.method])}
+      </td>
+      <td class={b.severity === "contract" ? "bad" : ""} data-label={titles.severity}>
+        {severity_words[b.severity] ?? safe(b.severity)}
+      </td>
+      <td class="n" data-label={titles.count}>
+        {grouped(b.count)}
+      </td>
+      <td class="n" data-label={titles.margin}>
+        {least_range(b.margin)}
+      </td>
+      <td class="n" data-label={titles.share} title={share ?? ""}>
+        {b.share ? percent(b.share.wrong, b.share.asked) : "\u2013"}
+      </td>
+      <td data-label={titles.standing} title={standing_hint(b)}>
+        {standing_words(b.standing)}
+      </td>
+      <td data-label={titles.seen}>{safe(b.first_seen)}</td>
+    </tr>
+  );
+}
+
+export function Causes({
+  causes,
+  order,
+  set_order,
+}: {
+  causes: Cause[];
+  order: CauseOrder;
+  set_order: (order: CauseOrder) => void;
+}) {
+  const table = useRef<HTMLTableElement>(null);
+  const roving = useRoving(table);
+  const turn = (column: CauseColumn) =>
+    set_order({ column, down: order.column === column ? !order.down : numeric.has(column) });
+  return (
+    <div class="scroll">
+      <table class="plain sortable buckets" ref={table} aria-label="Causes; arrow keys move, Enter opens" {...roving}>
+        <thead>
+          <tr>
+            {cause_columns.map((c) => (
+              <th
+                scope="col"
+                class={numeric.has(c) ? "n" : ""}
+                title={about(titles[c])}
+                aria-sort={order.column === c ? (order.down ? "descending" : "ascending") : "none"}
+                key={c}>
+                <button type="button" onClick={() => turn(c)}>
+                  {titles[c]}
+                </button>
+              </th>
+            ))}
+          </tr>
+        </thead>
+        <tbody>
+          {causes.map(({ b }) => (
+            <CauseRow b={b} key={b.key} />
+          ))}
+        </tbody>
+      </table>
+    </div>
+  );
+}
