@@ -12,10 +12,9 @@ import {
   map_plot,
   palette,
   pareto,
-  series_key,
+  series_of,
   speed_plot,
   trace_plot,
-  wrong_plot,
 } from "./run/plots.ts";
 import { expand, in_run_order, type FullReport } from "./run/report.ts";
 import { library } from "./run/words.ts";
@@ -29,7 +28,7 @@ export { csv_of } from "./run/files.ts";
 export { glossary } from "./run/glossary.ts";
 export { csv_cell } from "./parts/save.ts";
 export { full, shell_quoted } from "./parts/words.ts";
-export { frame_around, frame_of, stand_in } from "./scene/study.ts";
+export { frame_of, stand_in } from "./scene/study.ts";
 export { rows_of as study_rows_of } from "./scene/order.ts";
 export { gap, gaps_of } from "./scene/gap.ts";
 export { free_joints, joint_values, placed } from "./scene/kinematics.ts";
@@ -86,7 +85,7 @@ export function charts(report: FullReport, document: Document): Map<string, stri
       .filter(([name]) => methods.some((m) => library(m) === name))
       .map(([name, colour]) => ({ name, colour }));
   const series = (methods: string[]): Key[] =>
-    series_key(methods, paper).map(({ method, colour }) => ({ name: method, colour }));
+    methods.map((method) => ({ name: method, colour: series_of(methods, paper).colour({ method }) }));
   const shares = ["<1e-4", "1e-4 on", "1e-3 on", "1e-2 on", "0.1 on"];
   const heat: Key[] = [
     ...shares.map((name, i) => ({ name, colour: paper.heat[i]! })),
@@ -127,21 +126,8 @@ export function charts(report: FullReport, document: Document): Map<string, stri
             keys,
           ),
         );
-      files.set(
-        `wrong-${name}`,
-        framed(
-          wrong_plot(points, o),
-          `Wrong answers against speed: ${query}, ${family === "all" ? "all families" : family}`,
-          [],
-        ),
-      );
     }
-  const mapped = first_of_each(
-    in_run_order(
-      report,
-      report.maps.map((m) => m.method),
-    ),
-  );
+  const mapped = first_of_each(in_run_order(report, report.maps));
   for (const map of report.maps.filter((m) => mapped.includes(m.method)))
     files.set(
       sure(`map-${map.plane}-${map.method}`),
@@ -151,24 +137,14 @@ export function charts(report: FullReport, document: Document): Map<string, stri
         [...heat, { name: "none wrong", colour: paper.clean }],
       ),
     );
-  const honest = first_of_each(
-    in_run_order(
-      report,
-      report.honesty.map((h) => h.method),
-    ),
-  );
+  const honest = first_of_each(in_run_order(report, report.honesty));
   const curves = honest.flatMap((m) => report.honesty.filter((h) => h.method === m && h.family === null));
   if (curves.length > 0)
     files.set(
       "honesty",
       framed(calibration_plot(curves, o), "Share of wrong answers against margin", series(curves.map((h) => h.method))),
     );
-  const timed = first_of_each(
-    in_run_order(
-      report,
-      report.cost.map((c) => c.method),
-    ),
-  );
+  const timed = first_of_each(in_run_order(report, report.cost));
   if (timed.length > 0)
     files.set(
       "cost",

@@ -83,7 +83,7 @@ export function Select({
 }
 
 /** The width of an element that is shown; 0 before it is. */
-export function useWidth<T extends HTMLElement>() {
+function useWidth<T extends HTMLElement>() {
   const ref = useRef<T>(null);
   const [width, set] = useState(0);
   useEffect(() => {

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // What all plots share: colours, size, and ticks of a logarithmic axis.
-import type * as Plot from "@observablehq/plot";
-import { time } from "./words.ts";
+import * as Plot from "@observablehq/plot";
 
 export interface Theme {
   fg: string;
@@ -81,7 +80,9 @@ export function decades(values: number[]): number[] {
     high = Math.ceil(Math.max(...logs));
   return Array.from({ length: high - low + 1 }, (_, i) => 10 ** (low + i));
 }
-export const time_tick = (ns: number) => time(ns);
+/** A logarithmic axis over some values. */
+export const logAxis = (label: string, values: number[], tickFormat: (v: number) => string) =>
+  ({ type: "log", label, ticks: decades(values), tickFormat, grid: true, nice: true }) as const;
 
 export function common(o: Options, height: number, more: Plot.PlotOptions): Plot.PlotOptions {
   return {
@@ -98,7 +99,18 @@ export function common(o: Options, height: number, more: Plot.PlotOptions): Plot
       fontSize: "11px",
       overflow: "visible",
     },
+    color: { type: "identity" },
+    symbol: { type: "identity" },
     ...(o.document ? { document: o.document } : {}),
     ...more,
   } as Plot.PlotOptions;
 }
+
+/** The words of the point nearest to the pointer; none in a file. */
+export const tips = <T>(
+  data: T[],
+  o: Options,
+  title: (point: T) => string,
+  at: Plot.TipOptions & { maxRadius?: number },
+) =>
+  o.document ? [] : [Plot.tip(data, Plot.pointer({ ...at, title, fill: o.theme.bg, stroke: o.theme.line }))];

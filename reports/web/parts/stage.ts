@@ -11,7 +11,6 @@ import {
   DoubleSide,
   EdgesGeometry,
   Float32BufferAttribute,
-  Fog,
   Group,
   LatheGeometry,
   Line,
@@ -43,7 +42,6 @@ export interface View {
   up: Vec;
   target: Vec;
   radius: number;
-  half?: [number, number]; // what has to be seen, in width and height; else the radius both ways
 }
 
 const three = (v: Vec) => new Vector3(v[0], v[1], v[2]);
@@ -240,22 +238,15 @@ export function arrow(from: Vec, to: Vec, colour: string, name: string): Group {
 /** How near to a line a click must be, in pixels. */
 const line_reach = 4;
 
-/** How far the eye is from what it looks at; with parallel rays that changes nothing but what is hazy. */
+/** The distance of the eye from its target. With parallel rays it changes nothing in the picture. */
 const eye_way = 4;
-/** What lies behind fades into a colour: from so near before the target on, and is gone so far behind it. */
-export interface Haze {
-  colour: string;
-  near: number;
-  far: number;
-}
-
 class Stage {
   readonly canvas: HTMLCanvasElement;
   private readonly renderer: WebGLRenderer;
   private readonly camera = new OrthographicCamera(-1, 1, 1, -1, -100, 100);
   private readonly controls: OrbitControls;
   private scene = new Scene();
-  private view: Pick<View, "radius" | "half"> = { radius: 1 };
+  private radius = 1; // of what has to be seen
   private waiting = false;
   private marks: Object3D[] = [];
 
@@ -280,7 +271,7 @@ class Stage {
   }
 
   /** These and nothing else, from the next draw() on. */
-  show(objects: Object3D[], haze: Haze | null = null) {
+  show(objects: Object3D[]) {
     this.scene.traverse((o) => {
       if (o instanceof Mesh || o instanceof LineSegments || o instanceof Line) {
         o.geometry.dispose();
@@ -291,13 +282,12 @@ class Stage {
       }
     });
     this.scene = new Scene();
-    this.scene.fog = haze === null ? null : new Fog(haze.colour, eye_way - haze.near, eye_way + haze.far);
     this.scene.add(this.camera, new AmbientLight("#ffffff", 1.5), ...objects);
     this.marks = objects.filter((o) => o.userData.mark);
   }
 
   look(view: View) {
-    this.view = view;
+    this.radius = view.radius;
     this.camera.zoom = 1;
     this.camera.up.copy(three(view.up));
     this.camera.position.copy(three(add(view.target, scale(view.eye, eye_way))));
@@ -321,24 +311,11 @@ class Stage {
     if (width === 0 || height === 0) return;
     this.renderer.setSize(width, height, false);
     const aspect = width / height,
-      [across, upwards] = this.view.half ?? [this.view.radius, this.view.radius],
-      half = Math.max(upwards, across / aspect);
+      half = this.radius * Math.max(1, 1 / aspect);
     Object.assign(this.camera, { left: -half * aspect, right: half * aspect, top: half, bottom: -half });
     this.camera.updateProjectionMatrix();
     for (const ball of this.marks) ball.scale.setScalar((0.012 * half * 2) / this.camera.zoom);
     this.renderer.render(this.scene, this.camera);
-  }
-
-  /** The ray under a point of the canvas, from before all that is shown; and how long a pixel is there. */
-  ray(x: number, y: number): { from: Vec; along: Vec; pixel: number } {
-    const { clientWidth: width, clientHeight: height } = this.canvas;
-    const caster = new Raycaster();
-    caster.setFromCamera(new Vector2((2 * x) / width - 1, 1 - (2 * y) / height), this.camera);
-    return {
-      from: caster.ray.origin.toArray(),
-      along: caster.ray.direction.toArray(),
-      pixel: (this.camera.top - this.camera.bottom) / this.camera.zoom / height,
-    };
   }
 
   /** What `userData.is` of the objects shown says of the nearest one under a point of the canvas. */

@@ -14,7 +14,7 @@ export interface ColumnOf<Row> {
   bad?: (row: Row) => boolean;
   about?: string;
 }
-export interface TableOf<Row> {
+interface TableOf<Row> {
   rows: Row[];
   columns: ColumnOf<Row>[];
   key_of: (row: Row) => number;

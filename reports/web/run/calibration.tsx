@@ -6,11 +6,11 @@ import { Figure, Section, Select } from "../parts/elements.tsx";
 import { screen } from "../parts/plot.ts";
 import { plural, safe } from "../parts/words.ts";
 import { Missing } from "./elements.tsx";
-import { calibration_plot, cost_plot, first_of_each, series_key, shown_cap } from "./plots.ts";
+import { calibration_plot, cost_plot, first_of_each, series_of, shown_cap } from "./plots.ts";
 import { in_run_order, type FullReport } from "./report.ts";
 import { claim_words, kind_words, origin_words } from "./words.ts";
 
-export function Chooser({
+function Chooser({
   methods,
   chosen,
   set,
@@ -19,7 +19,7 @@ export function Chooser({
   chosen: string[];
   set: (chosen: string[]) => void;
 }) {
-  const key = new Map(series_key(chosen, screen).map((k) => [k.method, k.colour]));
+  const { colour } = series_of(chosen, screen);
   const others = methods.filter((m) => !chosen.includes(m));
   return (
     <div class="chips plain-chips" role="group" aria-label="Methods shown">
@@ -28,7 +28,7 @@ export function Chooser({
           type="button"
           class="chip"
           title="Leave it out"
-          style={{ background: key.get(m), borderColor: key.get(m), color: "var(--bg)" }}
+          style={{ background: colour({ method: m }), borderColor: colour({ method: m }), color: "var(--bg)" }}
           onClick={() => set(chosen.filter((c) => c !== m))}
           key={m}>
           {safe(m)} <span aria-hidden="true">×</span>
@@ -54,14 +54,7 @@ export function Chooser({
 }
 
 export function Calibration({ report }: { report: FullReport }) {
-  const methods = useMemo(
-    () =>
-      in_run_order(
-        report,
-        report.honesty.map((h) => h.method),
-      ),
-    [report],
-  );
+  const methods = useMemo(() => in_run_order(report, report.honesty), [report]);
   const families = useMemo(
     () =>
       [...new Set(report.honesty.map((h) => h.family))].sort((x, y) =>
@@ -118,8 +111,7 @@ export function Calibration({ report }: { report: FullReport }) {
                     const claim = report.methods.find((r) => r.name === m)?.claim;
                     return claim ? (
                       <span key={m}>
-                        {safe(m)}: {claim_words(claim)}
-                        {origin_words(claim) && `, ${origin_words(claim)}`}.{" "}
+                        {safe(m)}: {claim_words(claim)}, {origin_words(claim)}.{" "}
                       </span>
                     ) : null;
                   })}
@@ -134,14 +126,7 @@ export function Calibration({ report }: { report: FullReport }) {
 }
 
 export function Cost({ report }: { report: FullReport }) {
-  const methods = useMemo(
-    () =>
-      in_run_order(
-        report,
-        report.cost.map((c) => c.method),
-      ),
-    [report],
-  );
+  const methods = useMemo(() => in_run_order(report, report.cost), [report]);
   const [chosen, set] = useState(() => first_of_each(methods));
   const points = useMemo(() => chosen.flatMap((m) => report.cost.filter((c) => c.method === m)), [report, chosen]);
   const draw = useCallback((width: number) => cost_plot(points, { width, theme: screen }), [points]);

@@ -40,13 +40,7 @@ function Name({ b }: { b: Bucket }) {
         </>
       )}
       <div class="soft">
-        {b.cause
-          ? safe(b.cause)
-          : b.labels.map((l) => (
-              <span class="tag" key={l}>
-                {safe(l)}
-              </span>
-            ))}
+        {safe(b.cause)}
       </div>
       {b.note && <div class="note">{safe(note_words(b))}</div>}
     </>
@@ -54,7 +48,7 @@ function Name({ b }: { b: Bucket }) {
 }
 
 const standing_hint = ({ standing, chance }: Bucket) =>
-  [standing ? about(standing) : "", typeof chance === "number" ? `By chance: ${short(chance)}` : ""].join("\n").trim();
+  [standing ? about(standing) : "", chance !== null ? `By chance: ${short(chance)}` : ""].join("\n").trim();
 
 function CauseRow({ b }: { b: Bucket }) {
   const share = b.share && `${grouped(b.share.wrong)} of ${grouped(b.share.asked)}`;
@@ -63,8 +57,8 @@ function CauseRow({ b }: { b: Bucket }) {
       <td class="wrap" data-label={titles.key}>
         <Name b={b} />
       </td>
-      <td class="wrap soft" data-label={titles.methods} title={safe((b.methods ?? [b.method]).join(", "))}>
-        {few(b.methods ?? [b.method])}
+      <td class="wrap soft" data-label={titles.methods} title={safe((b.methods).join(", "))}>
+        {few(b.methods)}
       </td>
       <td class={b.severity === "contract" ? "bad" : ""} data-label={titles.severity}>
         {severity_words[b.severity] ?? safe(b.severity)}

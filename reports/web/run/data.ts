@@ -32,7 +32,7 @@ export interface Claim {
   relative: number;
   absolute: number;
   source: string;
-  stated?: boolean; // by the library, source being its line; else assumed by us
+  stated: boolean; // by the library, source being its line; else assumed by us
 }
 export interface Method {
   name: string;
@@ -54,7 +54,7 @@ export interface Tally {
 }
 /** "rare": seen in one of the runs only, by chance likely. */
 export type Standing = "new" | "known" | "gone" | "back" | "rare";
-export interface HistoryGroup {
+interface HistoryGroup {
   method: string;
   kind: string;
   severity: string;
@@ -89,27 +89,14 @@ export interface Finding extends Case {
 }
 
 /** What is written of a finding: the fields of Case are those of cases[case], its replay is of the run's folder and
- * its id. Without a margin of its own it has its case's. */
-export interface PackedFinding {
-  id: number;
-  margin?: [number, number] | null;
-  method: string;
-  kind: string;
-  severity: Severity;
-  family: string;
-  bucket: string | null;
-  reason?: string;
+ *  its id. */
+interface PackedFinding extends Omit<Finding, keyof Case | "pair_margin"> {
+  margin: [number, number] | null;
   case: number;
 }
 /** A pair of many findings, once: each different answer with who gave it, as indices into Report.names. Directions
  *  and points of answers are there only of the methods that have a finding on the pair. */
-export interface PackedCase {
-  pair: Pair;
-  truth: Truth;
-  margin: [number, number] | null;
-  direction?: Vec;
-  nearest?: { a: Vec; b: Vec };
-  note?: string;
+export interface PackedCase extends Omit<Case, "answers" | "replay"> {
   said: [Answer, number[]][];
 }
 
@@ -139,21 +126,18 @@ export interface Bucket {
   margin: [number, number] | null; // least and largest lower bound of the margins in it
   share: { wrong: number; asked: number } | null; // of the stratum it is in
   simplest: Case;
-  worst: Case | null;
+  worst: Case;
   suppressed: { reason: string; link: string; owner: string; expires: string } | null;
   findings: number[]; // ids of those kept
-  cause?: string; // in words
-  mechanism?: string; // what probes showed: "absolute-length", "offset", ...
-  methods?: string[]; // all that it makes wrong; `method` is one of them
-  chance?: number | null; // probability that it is new or gone by chance, corrected for the number of causes
-  asked?: number; // pairs that its methods were asked in this run
-  nights?: Night[]; // oldest first, this run last
-  pairs?: number; // on which one of its methods was wrong in this run
-  versions?: { first: string; last: string }; // of its method's library, at first and last sight; or as
-  first_version?: string;
-  last_version?: string;
-  simplified?: boolean; // whether `simplest` is; else it is as found
-  file?: string; // JSON Lines, with its pair
+  cause: string; // in words
+  methods: string[]; // all that it makes wrong; `method` is one of them
+  chance: number | null; // probability that it is new or gone by chance, corrected for the number of causes
+  nights: Night[]; // oldest first, this run last
+  pairs: number; // on which one of its methods was wrong in this run
+  first_version: string; // of its method's library, at first and last sight; may be empty
+  last_version: string;
+  simplified: boolean; // whether `simplest` is; else it is as found
+  file: string; // JSON Lines, with its pair
   note?: { owner: string; note: string };
 }
 
@@ -179,7 +163,7 @@ export interface MapCell {
   finding?: number;
 }
 /** Bins are numbered from 0; labels[i] names bin i, its decade. */
-export interface Axis {
+interface Axis {
   title: string;
   labels: string[];
 }
@@ -243,7 +227,7 @@ export interface BackwardError {
   max: number;
 }
 /** Which answers change between builds of the same source. */
-export interface BuildDifference {
+interface BuildDifference {
   method: string;
   build: string;
   against: string;
@@ -265,15 +249,15 @@ export interface Report {
     seconds: number;
     build: string;
     command: string;
-    folder?: string;
+    folder: string;
   };
   methods: Method[];
   families: { name: string; summary: string }[];
   tallies: Tally[];
   history: { runs: number; groups: HistoryGroup[] } | null;
   /** Causes by how they stand against the runs named. */
-  changes?: ({ [standing in Standing]: number } & { against: string[] }) | null;
-  notes_file?: string; // beside the runs: notes and owners of causes
+  changes: ({ [standing in Standing]: number } & { against: string[] }) | null;
+  notes_file: string; // beside the runs: notes and owners of causes
   /** Whether the campaign found the faults planted to test it: green where each was found in its usual time. */
   alarm: { green: boolean; text: string } | null;
   kill_matrix: {
@@ -283,10 +267,10 @@ export interface Report {
     rows: { mutant: number; file: string; what: string; caught_by: string[]; equivalent?: string }[];
   } | null;
   buckets: Bucket[];
-  findings: (Omit<Finding, "pair_margin"> | PackedFinding)[];
+  findings: PackedFinding[];
   findings_total: number;
-  cases?: PackedCase[];
-  names?: string[];
+  cases: PackedCase[];
+  names: string[];
   unreadable?: number; // findings whose records hold no pair, and are left out
   maps: FailureMap[];
   honesty: Calibration[];

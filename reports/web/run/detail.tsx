@@ -239,7 +239,7 @@ function Wrong({
       {claim && (
         <p class="soft">
           Its claim: {claim_words(claim)}
-          {origin_words(claim) && <span title={about(origin_words(claim))}>, {origin_words(claim)}</span>}.
+          <span title={about(origin_words(claim))}>, {origin_words(claim)}</span>.
         </p>
       )}
     </section>
@@ -398,7 +398,7 @@ export function FindingView({
           <>
             {" "}
             It claims to be {claim_words(claim)} (
-            {origin_words(claim) && <b title={about(origin_words(claim))}>{origin_words(claim)}: </b>}
+            <b title={about(origin_words(claim))}>{origin_words(claim)}: </b>
             {safe(claim.source)}).
           </>
         )}
@@ -422,10 +422,10 @@ export function BucketView({
 }) {
   const [worst, choose] = useState(false);
   if (!b) return <Gone what="cause" named={named} />;
-  const shown = worst && b.worst ? b.worst : b.simplest;
+  const shown = worst ? b.worst : b.simplest;
   const kept = b.findings.map((id) => finding.get(id)).filter((f) => f !== undefined);
   const claim = report.methods.find((m) => m.name === b.method)?.claim;
-  const asked = b.asked ?? b.nights?.at(-1)?.asked;
+  const asked = b.nights.at(-1)?.asked;
   const severity = severity_words[b.severity] ?? safe(b.severity);
   return (
     <>
@@ -439,7 +439,7 @@ export function BucketView({
         </Fact>
         <Fact label="findings">
           {grouped(b.count)}
-          {b.pairs !== undefined && asked !== undefined && (
+          {asked !== undefined && (
             <span class="soft">
               {" "}
               on {grouped(b.pairs)} of {plural(asked, "pair")}
@@ -457,29 +457,27 @@ export function BucketView({
         <Fact label="since earlier runs">
           <span title={about(b.standing ?? "")}>{standing_words(b.standing)}</span>
         </Fact>
-        {typeof b.chance === "number" && <Fact label="chance">{short(b.chance)}</Fact>}
+        {b.chance !== null && <Fact label="chance">{short(b.chance)}</Fact>}
         <Fact label="seen">
           {safe(b.first_seen)}
           {b.last_seen !== b.first_seen && ` to ${safe(b.last_seen)}`}
         </Fact>
-        {b.versions && (
+        {b.first_version && (
           <Fact label="versions">
-            {safe(b.versions.first)}
-            {b.versions.last !== b.versions.first && ` to ${safe(b.versions.last)}`}
+            {safe(b.first_version)}
+            {b.last_version !== b.first_version && ` to ${safe(b.last_version)}`}
           </Fact>
         )}
       </dl>
       {claim && (
         <p class="soft">
           {safe(b.method)} claims to be {claim_words(claim)}
-          {origin_words(claim) && <span title={about(origin_words(claim))}>, {origin_words(claim)}</span>}.
+          <span title={about(origin_words(claim))}>, {origin_words(claim)}</span>.
         </p>
       )}
-      {b.cause && (
-        <p>
-          {safe(b.cause)}.{b.methods && <span class="soft"> Wrong by it: {safe(b.methods.join(", "))}.</span>}
-        </p>
-      )}
+      <p>
+        {safe(b.cause)}. <span class="soft">Wrong by it: {safe(b.methods.join(", "))}.</span>
+      </p>
       {b.labels.length > 0 && (
         <p>
           {b.labels.map((l) => (
@@ -497,14 +495,14 @@ export function BucketView({
       )}
       <div class="tabs" role="tablist">
         <button type="button" role="tab" aria-selected={!worst} onClick={() => choose(false)}>
-          {b.simplified === false ? "As found" : "Simplest"}
+          {b.simplified ? "Simplest" : "As found"}
         </button>
-        <button type="button" role="tab" aria-selected={worst} disabled={!b.worst} onClick={() => choose(true)}>
+        <button type="button" role="tab" aria-selected={worst} onClick={() => choose(true)}>
           Worst
         </button>
       </div>
       <CaseView shown={shown} method={b.method} kind={b.kind} report={report} key={worst ? "worst" : "simplest"} />
-      {b.nights && b.nights.length > 0 && <Nights nights={b.nights} />}
+      {b.nights.length > 0 && <Nights nights={b.nights} />}
       <Handling report={report} b={b} />
       {b.merged.length > 0 && (
         <details class="print">

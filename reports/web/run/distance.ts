@@ -7,7 +7,7 @@ import type { Answer, Case, Claim } from "./data.ts";
 const claim_floor = 1e-13,
   rounding = 2 ** -50;
 
-export const size_of = ({ a, b }: Pair) =>
+const size_of = ({ a, b }: Pair) =>
   a.radius + a.height + b.radius + b.height + ((a.rounding ?? 0) + (b.rounding ?? 0));
 
 /** What a claim allows a distance to be off by, and what sets that: the claim itself, or what rounding costs. */
@@ -15,7 +15,7 @@ export interface Allowed {
   length: number;
   by: "claim" | "size" | "distance";
 }
-export function allowed_by({ relative, absolute }: Claim, size: number, said: number): Allowed {
+function allowed_by({ relative, absolute }: Claim, size: number, said: number): Allowed {
   const floor = absolute > 0 && relative < claim_floor ? claim_floor * size : 0;
   const claimed = Math.max(relative * size, floor) + absolute,
     rounded = Math.max(Math.abs(said), size) * rounding;

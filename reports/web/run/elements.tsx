@@ -2,7 +2,7 @@
 // Elements that several sections of the page of a run use.
 import type { ComponentChildren } from "preact";
 import { shell_quoted } from "../parts/words.ts";
-import type { Report } from "./data.ts";
+import type { FullReport } from "./report.ts";
 import { about } from "./glossary.ts";
 
 /** A number of the run or of a case under its name. */
@@ -53,11 +53,11 @@ const makes = {
 } as const;
 
 /** What stands where a run has no data of a kind. */
-export function Missing({ of, report }: { of: keyof typeof makes; report: Report }) {
+export function Missing({ of, report }: { of: keyof typeof makes; report: FullReport }) {
   const [what, command] = makes[of];
   return (
     <p class="missing">
-      This run has no {what}. <code>{command(shell_quoted(report.run.folder ?? report.run.id))}</code> makes it.
+      This run has no {what}. <code>{command(shell_quoted(report.run.folder))}</code> makes it.
     </p>
   );
 }

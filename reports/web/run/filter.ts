@@ -58,7 +58,7 @@ const terms_of = (text: string) =>
     .filter((term) => term !== "");
 
 const cause_words = (b: Bucket) =>
-  spoken([b.key, b.cause, ...b.labels, ...(b.methods ?? []), b.note?.owner, b.note?.note, b.suppressed?.reason]);
+  spoken([b.key, b.cause, ...b.labels, ...b.methods, b.note?.owner, b.note?.note, b.suppressed?.reason]);
 
 export function rows_of(report: FullReport): Row[] {
   const standing_of = standings(report);
@@ -90,7 +90,7 @@ export function causes_of(report: FullReport): Cause[] {
     const standing = b.standing ?? "not compared";
     const text = spoken([cause_words(b), b.method, kind_words(b.kind), severity_words[b.severity], standing]);
     const families = b.families.length > 0 ? b.families : [""];
-    return [...new Set([b.method, ...(b.methods ?? [])])].flatMap((method) =>
+    return b.methods.flatMap((method) =>
       families.map((family) => ({
         method,
         facet: { severity: b.severity, kind: b.kind, library: library(method), family, standing },
@@ -154,7 +154,7 @@ export function lone_counts(causes: Cause[], filter: Filter): Counts {
   return counts;
 }
 
-export interface OrderOf<C extends string> {
+interface OrderOf<C extends string> {
   column: C;
   down: boolean;
 }
@@ -201,7 +201,7 @@ function compare_causes(x: Bucket, y: Bucket, column: CauseColumn): number {
     case "key":
       return by_name(x.key, y.key);
     case "methods":
-      return by_name((x.methods ?? [x.method]).join(), (y.methods ?? [y.method]).join());
+      return by_name(x.methods.join(), y.methods.join());
     case "severity":
       return rank_of(x.severity) - rank_of(y.severity);
     case "count":

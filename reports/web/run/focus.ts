@@ -41,8 +41,7 @@ export function arrive(
   const [section = ""] = parts;
   const returns = from_detail && (again || section === "" || section === "findings");
   if (returns && (focus_lead({ preventScroll: true }) || scrolled > 0)) scrollTo(0, scrolled);
-  // "honesty" is the name that links of version 0.1.0 have.
-  else document.getElementById(section === "honesty" ? "calibration" : section)?.scrollIntoView();
+  else document.getElementById(section)?.scrollIntoView();
 }
 
 /** From the top of the page to its findings, or to what is told of one. */

@@ -4,20 +4,21 @@ import { useState } from "preact/hooks";
 import { Copy } from "../parts/elements.tsx";
 import { json_line, safe, shell_quoted } from "../parts/words.ts";
 import { note_words } from "./causes.tsx";
-import type { Bucket, Report } from "./data.ts";
+import type { Bucket } from "./data.ts";
+import type { FullReport } from "./report.ts";
 
 const day = 86_400_000,
   suppressed_days = 90;
 
 /** One line for suppressions.jsonl; what only a person knows is left empty. */
-export function suppression_line(key: string, started: string): string {
+function suppression_line(key: string, started: string): string {
   const begun = Date.parse(started);
   const end = new Date((Number.isNaN(begun) ? Date.now() : begun) + suppressed_days * day);
   const expires = end.toISOString().slice(0, 10);
   return json_line({ bucket: key, reason: "", link: "", owner: "", expires });
 }
 
-function Annotate({ report, b, triage }: { report: Report; b: Bucket; triage: string }) {
+function Annotate({ report, b, triage }: { report: FullReport; b: Bucket; triage: string }) {
   const [owner, set_owner] = useState(b.note?.owner ?? "");
   const [note, set_note] = useState(b.note?.note ?? "");
   const key = shell_quoted(b.key);
@@ -35,7 +36,7 @@ function Annotate({ report, b, triage }: { report: Report; b: Bucket; triage: st
       </p>
       {owner !== "" || note !== "" ? (
         <Copy
-          label={`Note it${report.notes_file ? ` in ${safe(report.notes_file)}` : ""}`}
+          label={`Note it in ${safe(report.notes_file)}`}
           text={`${triage} --annotate ${key} --owner ${shell_quoted(owner)} --note ${shell_quoted(note)}`}
         />
       ) : (
@@ -45,8 +46,8 @@ function Annotate({ report, b, triage }: { report: Report; b: Bucket; triage: st
   );
 }
 
-export function Handling({ report, b }: { report: Report; b: Bucket }) {
-  const triage = `./daylight triage ${shell_quoted(report.run.folder ?? report.run.id)}`,
+export function Handling({ report, b }: { report: FullReport; b: Bucket }) {
+  const triage = `./daylight triage ${shell_quoted(report.run.folder)}`,
     key = shell_quoted(b.key);
   return (
     <section class="handling">
@@ -54,11 +55,9 @@ export function Handling({ report, b }: { report: Report; b: Bucket }) {
       <Copy label="Explain it" text={`${triage} --explain ${key}`} />
       <Copy label="A program, a proof and the text of an issue" text={`${triage} --export ${key} --out upstream`} />
       <Copy label="A line of suppressions.jsonl" text={suppression_line(b.key, report.run.started)} />
-      {b.file && (
-        <p class="soft">
-          Its pair stands in <code>{safe(b.file)}</code>.
-        </p>
-      )}
+      <p class="soft">
+        Its pair is in <code>{safe(b.file)}</code>.
+      </p>
       <Annotate report={report} b={b} triage={triage} />
     </section>
   );

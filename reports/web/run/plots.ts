@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The plots, for the page and for files: the same marks from the same data, with the colours of a Theme.
 import * as Plot from "@observablehq/plot";
-import { common, decades, time_tick, type Options, type Theme } from "../parts/plot.ts";
+import { common, decades, logAxis, tips, type Options, type Theme } from "../parts/plot.ts";
 import { group_by, grouped, in_order, percent, share_bounds, short, time } from "../parts/words.ts";
 import type { BackwardError, Calibration, CostPoint, FailureMap, PathStability, SpeedPoint, Tally } from "./data.ts";
 import { library } from "./words.ts";
@@ -134,21 +134,12 @@ export function speed_plot(points: SpeedPoint[], o: Options): Element {
   );
   return Plot.plot(
     common(o, 420, {
-      x: {
-        type: "log",
-        label: "time a pair (median; whisker: p99) \u2192",
-        ticks: decades(times),
-        tickFormat: time_tick,
-        grid: true,
-        nice: true,
-      },
+      x: logAxis("time a pair (median; whisker: p99) \u2192", times, time),
       y: {
         label: "\u2191 correct digits d: right at every margin from 1e\u2212d on (whisker: down to the 95 % bound)",
         grid: true,
         domain: [0, highest],
       },
-      color: { type: "identity" },
-      symbol: { type: "identity" },
       marks: [
         Plot.line(stairs, { x: "ns", y: "digits", stroke: o.theme.soft, strokeDasharray: "5 3", strokeWidth: 1.2 }),
         Plot.ruleY(
@@ -195,82 +186,8 @@ export function speed_plot(points: SpeedPoint[], o: Options): Element {
           strokeWidth: 3,
           paintOrder: "stroke",
         }),
-        ...(o.document
-          ? []
-          : [
-              Plot.tip(
-                known,
-                Plot.pointer({ x: "ns", y: "digits", title: point_words, fill: o.theme.bg, stroke: o.theme.line }),
-              ),
-            ]),
+        ...tips(known, o, point_words, { x: "ns", y: "digits" }),
       ],
-    }),
-  );
-}
-
-/** The two ways to be wrong, apart; none wrong stands on the lowest line. */
-export function wrong_plot(points: SpeedPoint[], o: Options): Element {
-  const floor = below(1 / Math.max(10, ...points.map((p) => p.asked)));
-  const rows = points.flatMap((p) => [
-    {
-      p,
-      ns: p.ns,
-      side: "said disjoint, but they meet",
-      share: Math.max(floor, p.wrong_disjoint / Math.max(1, p.asked)),
-    },
-    {
-      p,
-      ns: p.ns,
-      side: "said intersecting, but they do not",
-      share: Math.max(floor, p.wrong_intersecting / Math.max(1, p.asked)),
-    },
-  ]);
-  const colour = (r: { side: string }) =>
-    r.side.startsWith("said disjoint") ? o.theme.disjoint : o.theme.intersecting;
-  const words = (r: (typeof rows)[number]) => `${point_words(r.p)}`;
-  return Plot.plot(
-    common(o, 230, {
-      x: {
-        type: "log",
-        label: "time a pair \u2192",
-        ticks: decades(points.map((p) => p.ns)),
-        tickFormat: time_tick,
-        grid: true,
-        nice: true,
-      },
-      y: {
-        type: "log",
-        label: "\u2191 share of answers",
-        ticks: decades([floor, 1]),
-        tickFormat: (v: number) => (v < floor * 1.01 ? "0" : log_tick(v)),
-        grid: true,
-        domain: [floor, 1],
-      },
-      fx: { label: null, padding: 0.12 },
-      color: { type: "identity" },
-      marks: [
-        Plot.frame({ stroke: o.theme.line }),
-        Plot.dot(rows, {
-          x: "ns",
-          y: "share",
-          fx: "side",
-          fill: colour,
-          symbol: (r: { side: string }) => (r.side.startsWith("said disjoint") ? "triangle" : "square"),
-          r: 3.5,
-          fillOpacity: 0.85,
-          ...(o.link ? { href: (r: (typeof rows)[number]) => o.link!(r.p.method, r.p.family), target: "_self" } : {}),
-          ariaLabel: words,
-        }),
-        ...(o.document
-          ? []
-          : [
-              Plot.tip(
-                rows,
-                Plot.pointer({ x: "ns", y: "share", fx: "side", title: words, fill: o.theme.bg, stroke: o.theme.line }),
-              ),
-            ]),
-      ],
-      symbol: { type: "identity" },
     }),
   );
 }
@@ -295,7 +212,7 @@ export function within_of(c: Cell, what: Wrongness) {
         : 0;
 }
 /** As the table of methods against families has it: what is beyond a claim before what is within. */
-export function map_colour(c: Cell, what: Wrongness, theme: Theme) {
+function map_colour(c: Cell, what: Wrongness, theme: Theme) {
   const wrong = wrong_of(c, what),
     within = within_of(c, what);
   const [shades, count] =
@@ -366,7 +283,6 @@ export function map_plot(
         padding: 0.06,
         tickSize: 0,
       },
-      color: { type: "identity" },
       marks: [
         Plot.frame({ stroke: o.theme.line }),
         Plot.cell(visited, {
@@ -385,14 +301,7 @@ export function map_plot(
           visited.filter((c) => wrong_of(c, what) > 0 && c.finding !== undefined),
           { ...at, r: 1.3, fill: o.theme.fg, pointerEvents: "none" },
         ),
-        ...(o.document
-          ? []
-          : [
-              Plot.tip(
-                visited,
-                Plot.pointer({ ...at, title: words, fill: o.theme.bg, stroke: o.theme.line, maxRadius: 14 }),
-              ),
-            ]),
+        ...tips(visited, o, words, { ...at, maxRadius: 14 }),
       ],
     }),
   );
@@ -410,6 +319,12 @@ export function first_of_each(methods: string[]): string[] {
   const rank = (m: string) => (library(m) === "ours" ? 0 : m.startsWith("seed") ? 2 : 1);
   return in_order(firsts, (x, y) => rank(x) - rank(y)).slice(0, shown_cap);
 }
+
+/** The colour and symbol of each method of a list. */
+export const series_of = (methods: string[], theme: Theme) => ({
+  colour: (p: { method: string }) => theme.series[methods.indexOf(p.method) % theme.series.length]!,
+  symbol: (p: { method: string }) => symbols[methods.indexOf(p.method) % symbols.length]!,
+});
 
 export function calibration_plot(all: Calibration[], o: Options): Element {
   const sides = [
@@ -436,18 +351,18 @@ export function calibration_plot(all: Calibration[], o: Options): Element {
         }),
     ),
   );
+  type Share = (typeof rows)[number];
   const floor = below(Math.min(0.01, ...rows.map((r) => r.high)));
   const methods = [...new Set(all.map((h) => h.method))];
-  const colour = (r: { method: string }) => o.theme.series[methods.indexOf(r.method) % o.theme.series.length]!;
-  const shape = (r: { method: string }) => symbols[methods.indexOf(r.method) % symbols.length]!;
-  const words = (r: (typeof rows)[number]) =>
+  const { colour, symbol } = series_of(methods, o.theme);
+  const words = (r: Share) =>
     `${r.method}, margin (1e\u2212${r.decade + 1}, 1e\u2212${r.decade}]\nwrong ${grouped(r.wrong)} of ` +
     `${grouped(r.answered)}: ${percent(r.wrong, r.answered)}\n95 %: ${short(r.low, 2)} to ${short(r.high, 2)}`;
   const last = Math.max(0, ...rows.map((r) => r.decade));
   const dx = (r: { method: string }) => (methods.indexOf(r.method) - (methods.length - 1) / 2) * 0.09;
-  const x = (r: (typeof rows)[number]) => r.decade + dx(r);
-  const share = (r: (typeof rows)[number]) => Math.max(floor, r.share),
-    low = (r: (typeof rows)[number]) => Math.max(floor, r.low);
+  const x = (r: Share) => r.decade + dx(r);
+  const share = (r: Share) => Math.max(floor, r.share),
+    low = (r: Share) => Math.max(floor, r.low);
   return Plot.plot(
     common(o, 330, {
       x: {
@@ -467,8 +382,6 @@ export function calibration_plot(all: Calibration[], o: Options): Element {
         grid: true,
       },
       fx: { label: null, padding: 0.08 },
-      color: { type: "identity" },
-      symbol: { type: "identity" },
       marks: [
         Plot.frame({ stroke: o.theme.line }),
         Plot.ruleX(rows, {
@@ -477,7 +390,7 @@ export function calibration_plot(all: Calibration[], o: Options): Element {
           y2: "high",
           fx: "side",
           stroke: colour,
-          strokeOpacity: (r: (typeof rows)[number]) => (r.wrong === 0 ? 0.2 : 0.5),
+          strokeOpacity: (r: Share) => (r.wrong === 0 ? 0.2 : 0.5),
         }),
         ...methods.map((m) =>
           Plot.line(
@@ -490,19 +403,12 @@ export function calibration_plot(all: Calibration[], o: Options): Element {
           y: share,
           fx: "side",
           stroke: colour,
-          fill: (r: (typeof rows)[number]) => (r.wrong === 0 ? o.theme.bg : colour(r)),
-          symbol: shape,
+          fill: (r: Share) => (r.wrong === 0 ? o.theme.bg : colour(r)),
+          symbol,
           r: 3,
           ariaLabel: words,
         }),
-        ...(o.document
-          ? []
-          : [
-              Plot.tip(
-                rows,
-                Plot.pointer({ x, y: share, fx: "side", title: words, fill: o.theme.bg, stroke: o.theme.line }),
-              ),
-            ]),
+        ...tips(rows, o, words, { x, y: share, fx: "side" }),
       ],
     }),
   );
@@ -513,7 +419,7 @@ export function calibration_plot(all: Calibration[], o: Options): Element {
 
 export function cost_plot(points: CostPoint[], o: Options): Element {
   const methods = [...new Set(points.map((p) => p.method))];
-  const colour = (p: { method: string }) => o.theme.series[methods.indexOf(p.method) % o.theme.series.length]!;
+  const { colour, symbol } = series_of(methods, o.theme);
   const by_method = [...group_by(points, (p) => p.method).values()].map((ps) =>
     in_order(ps, (x, y) => x.decade - y.decade),
   );
@@ -530,16 +436,11 @@ export function cost_plot(points: CostPoint[], o: Options): Element {
         ticks: Array.from({ length: last - first + 1 }, (_, i) => first + i),
         tickFormat: (d: number) => power(-d),
       },
-      y: {
-        type: "log",
-        label: "\u2191 time a pair: line p50, band to p99, dot longest",
-        ticks: decades(points.flatMap((p) => [p.p50, p.max])),
-        tickFormat: time_tick,
-        grid: true,
-        nice: true,
-      },
-      color: { type: "identity" },
-      symbol: { type: "identity" },
+      y: logAxis(
+        "\u2191 time a pair: line p50, band to p99, dot longest",
+        points.flatMap((p) => [p.p50, p.max]),
+        time,
+      ),
       marks: [
         ...by_method.map((ps) =>
           Plot.areaY(ps, { x: "decade", y1: "p50", y2: "p99", fill: colour(ps[0]!), fillOpacity: 0.14 }),
@@ -550,29 +451,14 @@ export function cost_plot(points: CostPoint[], o: Options): Element {
           y: "max",
           stroke: colour,
           r: 2.2,
-          symbol: (p: CostPoint) => symbols[methods.indexOf(p.method) % symbols.length]!,
+          symbol,
           ariaLabel: words,
         }),
-        ...(o.document
-          ? []
-          : [
-              Plot.tip(
-                points,
-                Plot.pointer({ x: "decade", y: "p50", title: words, fill: o.theme.bg, stroke: o.theme.line }),
-              ),
-            ]),
+        ...tips(points, o, words, { x: "decade", y: "p50" }),
       ],
     }),
   );
 }
-
-/** Where each method of a chosen list has its colour and symbol in the two plots above. */
-export const series_key = (methods: string[], theme: Theme) =>
-  methods.map((method, i) => ({
-    method,
-    colour: theme.series[i % theme.series.length]!,
-    symbol: symbols[i % symbols.length]!,
-  }));
 
 export function trace_plot(path: PathStability, o: Options): Element {
   const trace = path.trace ?? [];
@@ -610,8 +496,6 @@ export function trace_plot(path: PathStability, o: Options): Element {
             tickFormat: (v: number) => (v > 0 ? "disjoint" : "meets"),
           },
       marginLeft: 68,
-      color: { type: "identity" },
-      symbol: { type: "identity" },
       marks: [
         ...(known ? [Plot.ruleY([0], { stroke: o.theme.soft })] : []),
         Plot.ruleX(flips, { x: "at", stroke: o.theme.soft, strokeDasharray: "3 3" }),
@@ -624,9 +508,7 @@ export function trace_plot(path: PathStability, o: Options): Element {
             ]
           : []),
         Plot.dot(trace, { x: "at", y, fill: colour, symbol: shape, r: 2.6, ariaLabel: words }),
-        ...(o.document
-          ? []
-          : [Plot.tip(trace, Plot.pointer({ x: "at", y, title: words, fill: o.theme.bg, stroke: o.theme.line }))]),
+        ...tips(trace, o, words, { x: "at", y }),
       ],
     }),
   );
@@ -642,15 +524,11 @@ export function backward_plot(rows: BackwardError[], o: Options): Element {
   return Plot.plot(
     common(o, 40 + rows.length * 17 + 40, {
       marginLeft: 190,
-      x: {
-        type: "log",
-        label:
-          "how far the input must move for the answer to be right, in sizes: dot p50, tick p99, end largest \u2192",
-        ticks: decades(rows.flatMap((r) => [at(r.p50), at(r.max)])),
-        tickFormat: log_tick,
-        grid: true,
-        nice: true,
-      },
+      x: logAxis(
+        "how far the input must move for the answer to be right, in sizes: dot p50, tick p99, end largest \u2192",
+        rows.flatMap((r) => [at(r.p50), at(r.max)]),
+        log_tick,
+      ),
       y: { type: "band", domain: sorted.map((r) => r.method), label: null, tickSize: 0 },
       marks: [
         Plot.link(sorted, {
@@ -664,20 +542,7 @@ export function backward_plot(rows: BackwardError[], o: Options): Element {
         Plot.tickX(sorted, { x: (r: BackwardError) => at(r.p99), y: "method", stroke: o.theme.soft, inset: 4 }),
         Plot.dot(sorted, { x: (r: BackwardError) => at(r.max), y: "method", stroke: o.theme.disjoint, r: 2.5 }),
         Plot.dot(sorted, { x: (r: BackwardError) => at(r.p50), y: "method", fill: o.theme.fg, r: 3, ariaLabel: words }),
-        ...(o.document
-          ? []
-          : [
-              Plot.tip(
-                sorted,
-                Plot.pointer({
-                  x: (r: BackwardError) => at(r.p50),
-                  y: "method",
-                  title: words,
-                  fill: o.theme.bg,
-                  stroke: o.theme.line,
-                }),
-              ),
-            ]),
+        ...tips(sorted, o, words, { x: (r: BackwardError) => at(r.p50), y: "method" }),
       ],
     }),
   );
@@ -710,7 +575,6 @@ export function families_plot(tallies: Tally[], methods: string[], families: str
         padding: 0.06,
       },
       y: { type: "band", domain: methods, label: null, tickSize: 0, padding: 0.08 },
-      color: { type: "identity" },
       marks: [Plot.cell(rows, { x: "family", y: "method", fill })],
     }),
   );

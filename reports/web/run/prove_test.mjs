@@ -3,7 +3,9 @@
 //     node --test prove_test.mjs
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { exact, floor_sqrt, prove } from "../chart.mjs";
+import { daylight } from "../chart.mjs";
+
+const { exact, floor_sqrt, prove } = daylight;
 
 const cylinder = (center, axis, radius, height) => ({ center, axis, radius, height });
 const upright = cylinder([0, 0, 0], [0, 0, 1], 1, 2);

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 // The data of the page, put back to the form of data.ts: every finding with its case.
 import { shell_quoted } from "../parts/words.ts";
-import type { Answer, Bucket, Case, Finding, MapCell, PackedCase, Report, Standing, Truth } from "./data.ts";
+import type { Answer, Case, Finding, MapCell, PackedCase, Report, Standing, Truth } from "./data.ts";
 
-export interface FullReport extends Report {
+export interface FullReport extends Omit<Report, "findings" | "cases" | "names"> {
   findings: Finding[];
 }
 
@@ -27,33 +27,30 @@ function unpack(packed: PackedCase, names: string[]): Omit<Case, "replay"> {
 const no_counts = { wrong_disjoint: 0, wrong_intersecting: 0, failed: 0, undecided: 0 };
 
 export function expand(report: Report): FullReport {
-  const names = report.names ?? [];
-  const cases = (report.cases ?? []).map((packed) => unpack(packed, names));
-  const folder = report.run.folder ?? report.run.id;
-  const findings = report.findings.map((f) => {
-    if (!("case" in f)) return { ...with_ends(f), pair_margin: f.margin && ends_of(f.margin) };
-    const { case: at, ...rest } = f,
-      of = cases[at]!;
+  const { names, run } = report;
+  const cases = report.cases.map((packed) => unpack(packed, names));
+  const findings = report.findings.map(({ case: at, ...rest }) => {
+    const of = cases[at]!;
     return {
       ...of,
       ...rest,
-      margin: f.margin === undefined ? of.margin : f.margin && ends_of(f.margin),
+      margin: rest.margin && ends_of(rest.margin),
       pair_margin: of.margin,
-      replay: `./daylight replay ${shell_quoted(`${folder}:${f.id}`)}`,
+      replay: `./daylight replay ${shell_quoted(`${run.folder}:${rest.id}`)}`,
     };
   });
-  const buckets = report.buckets.map((b): Bucket => {
-    const { first_version: first, last_version: last } = b;
-    const margin = b.margin && ends_of(b.margin),
-      shown = { margin, simplest: with_ends(b.simplest), worst: b.worst && with_ends(b.worst) };
-    return { ...b, ...shown, ...(first && !b.versions ? { versions: { first, last: last || first } } : {}) };
-  });
+  const buckets = report.buckets.map((b) => ({
+    ...b,
+    margin: b.margin && ends_of(b.margin),
+    simplest: with_ends(b.simplest),
+    worst: with_ends(b.worst),
+  }));
   const methods = report.methods.map((m) => {
     const { relative, absolute } = m.claim;
     return { ...m, claim: { ...m.claim, relative: number_of(relative), absolute: number_of(absolute) } };
   });
   const maps = report.maps.map((m) => ({ ...m, cells: m.cells.map((c): MapCell => ({ ...no_counts, ...c })) }));
-  return { ...report, methods, buckets, findings, maps, cases: [] };
+  return { ...report, methods, buckets, findings, maps };
 }
 
 /** How a finding stands against earlier runs: as its bucket does, else as its group. */
@@ -65,20 +62,16 @@ export function standings(report: FullReport): (f: Finding) => Standing | null {
   return (f) => (f.bucket !== null ? of_bucket.get(f.bucket) : null) ?? of_group.get(key(f)) ?? null;
 }
 
-/** Causes by standing: as counted, else from the causes themselves; null where there is no earlier run. */
-export function changes_of(report: FullReport): { counts: Map<Standing, number>; against: string[] } | null {
+/** Causes by standing; null if there is no earlier run. */
+export function changes_of({ changes }: FullReport): { counts: [Standing, number][]; against: string[] } | null {
+  if (!changes || changes.against.length === 0) return null;
   const order: Standing[] = ["new", "back", "known", "rare", "gone"];
-  const { changes, buckets } = report;
-  if (changes) {
-    if (changes.against.length === 0) return null;
-    return { counts: new Map(order.map((s) => [s, changes[s] ?? 0])), against: changes.against };
-  }
-  if (!buckets.some((b) => b.standing)) return null;
-  return { counts: new Map(order.map((s) => [s, buckets.filter((b) => b.standing === s).length])), against: [] };
+  return { counts: order.map((s) => [s, changes[s]]), against: changes.against };
 }
 
-/** The methods, each once, in the order of the run; those it did not ask last. */
-export function in_run_order(report: Report, methods: string[]): string[] {
-  const asked = report.methods.map((m) => m.name).filter((name) => methods.includes(name));
+/** The methods of some rows, each once, in the order of the run; those that it did not ask last. */
+export function in_run_order(report: Pick<Report, "methods">, rows: { method: string }[]): string[] {
+  const methods = rows.map((row) => row.method),
+    asked = report.methods.map((m) => m.name).filter((name) => methods.includes(name));
   return [...new Set([...asked, ...methods])];
 }

@@ -5,11 +5,11 @@ import { Figure, Section, Select } from "../parts/elements.tsx";
 import { screen } from "../parts/plot.ts";
 import { safe, time } from "../parts/words.ts";
 import { Missing } from "./elements.tsx";
-import { palette, pareto, speed_plot, wrong_plot } from "./plots.ts";
+import { palette, pareto, speed_plot } from "./plots.ts";
 import type { FullReport } from "./report.ts";
 import { kind_words, library } from "./words.ts";
 
-export const to_findings = (method: string) => `#/findings?${new URLSearchParams({ method })}`;
+const to_findings = (method: string) => `#/findings?${new URLSearchParams({ method })}`;
 const query_words: Record<string, string> = {
   verdict: "yes or no, one pair",
   batch: "yes or no, many pairs at once",
@@ -34,10 +34,6 @@ export function Speed({ report }: { report: FullReport }) {
   );
   const draw = useCallback(
     (width: number) => speed_plot(points, { width, theme: screen, link: to_findings }),
-    [points],
-  );
-  const draw_wrong = useCallback(
-    (width: number) => wrong_plot(points, { width, theme: screen, link: to_findings }),
     [points],
   );
   const front = pareto(points);
@@ -101,15 +97,6 @@ export function Speed({ report }: { report: FullReport }) {
                     ))}
                     .
                   </>
-                }
-              />
-              <Figure
-                draw={draw_wrong}
-                height={230}
-                label="Share of wrong answers against time, the two kinds apart"
-                caption={
-                  "The two ways to be wrong. To say disjoint of solids that meet lets things pass through each " +
-                  "other; the other stops them early."
                 }
               />
             </>

@@ -3,7 +3,7 @@
 import { useMemo, useRef, useState } from "preact/hooks";
 import { Section } from "../parts/elements.tsx";
 import { group_by, grouped, percent, plural, safe, time } from "../parts/words.ts";
-import type { Report, Standing, Tally } from "./data.ts";
+import type { Standing, Tally } from "./data.ts";
 import { Fact, Heads } from "./elements.tsx";
 import { about } from "./glossary.ts";
 import { heat_step, type Heat } from "./plots.ts";
@@ -41,7 +41,7 @@ function add_up(name: string, tallies: Tally[]): Row {
 }
 
 /** The methods by library, in the order of the run. */
-function rows_of(report: Report) {
+function rows_of(report: FullReport) {
   const by_method = group_by(report.tallies, (t) => t.method);
   const names = report.methods.map((m) => m.name).filter((name) => by_method.has(name));
   return [...group_by(names, library)].map(([name, members]) => ({
@@ -210,7 +210,7 @@ export function Changes({ report }: { report: FullReport }) {
       <p class="changes soft">No earlier run stands beside this one: nothing to compare with.</p>
     );
   const { against } = changes,
-    told = [...changes.counts].filter(([, count]) => count > 0),
+    told = changes.counts.filter(([, count]) => count > 0),
     earlier = report.buckets.filter((b) => b.count === 0).length;
   return (
     <p class="changes">
@@ -224,11 +224,9 @@ export function Changes({ report }: { report: FullReport }) {
           </a>
         </>
       ))}
-      {against.length > 0 && (
-        <span class="soft" title={safe(against.join(", "))}>
-          , held against {plural(against.length, "earlier run")}
-        </span>
-      )}
+      <span class="soft" title={safe(against.join(", "))}>
+        , held against {plural(against.length, "earlier run")}
+      </span>
       {earlier > 0 && (
         <span class="soft">
           ; {grouped(earlier)} of these {grouped(report.buckets.length)} {earlier === 1 ? "has" : "have"} no findings in
@@ -385,7 +383,7 @@ export function Methods({ report }: { report: FullReport }) {
                   <td>{safe(m.name)}</td>
                   <td>{safe(m.version)}</td>
                   <td>{claim_words(m.claim)}</td>
-                  <td title={about(origin_words(m.claim))}>{origin_words(m.claim) || "\u2013"}</td>
+                  <td title={about(origin_words(m.claim))}>{origin_words(m.claim)}</td>
                   <td class="wrap soft">{safe(m.claim.source)}</td>
                   <td class="n">{m.share === 1 ? "all" : `1 in ${m.share}`}</td>
                 </tr>

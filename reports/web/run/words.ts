@@ -17,7 +17,7 @@ export const severity_words: Record<string, string> = {
 
 export const standing_words = (standing: string | null) => standing ?? "\u2013";
 
-export const origin_words = ({ stated }: Claim) => (stated === undefined ? "" : stated ? "stated" : "assumed by us");
+export const origin_words = ({ stated }: Claim) => (stated ? "stated" : "assumed by us");
 
 export function claim_words(claim: Claim): string {
   const parts = [];

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // What a model costs against how often it is wrong, accepted alone for every pair; and the recommended set.
 import * as Plot from "@observablehq/plot";
-import { common, decades, time_tick, type Options } from "../parts/plot.ts";
+import { common, decades, tips, type Options } from "../parts/plot.ts";
 import { grouped, plural, short, time } from "../parts/words.ts";
 import { model_colour, type Model, type Study } from "./study.ts";
 
@@ -91,7 +91,7 @@ export function cost_plot_of_study(study: Study, o: Options): Element {
         domain: [low, high],
         label: "time a configuration, all pairs \u2192",
         ticks: decades(costs).filter((t) => t >= low && t <= high),
-        tickFormat: time_tick,
+        tickFormat: time,
         grid: true,
       },
       y: {
@@ -102,8 +102,6 @@ export function cost_plot_of_study(study: Study, o: Options): Element {
         tickFormat: (v: number) => (v === none ? "none" : grouped(v)),
         grid: true,
       },
-      color: { type: "identity" },
-      symbol: { type: "identity" },
       marks: [
         Plot.ruleY([none], { stroke: o.theme.own, strokeWidth: 2, strokeOpacity: 0.5 }),
         ...marks
@@ -141,10 +139,7 @@ export function cost_plot_of_study(study: Study, o: Options): Element {
             paintOrder: "stroke",
           }),
         ),
-        Plot.tip(
-          points,
-          Plot.pointer({ x: "ns", y: wrong, title: (p: Point) => p.words, fill: o.theme.bg, stroke: o.theme.line }),
-        ),
+        ...tips(points, o, (p: Point) => p.words, { x: "ns", y: wrong }),
       ],
       r: { type: "identity" },
     }),

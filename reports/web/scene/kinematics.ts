@@ -4,7 +4,7 @@ import type { Cylinder, Vec } from "../parts/data.ts";
 import { add, cross, dot, scale } from "../parts/geometry.ts";
 
 /** A frame in another: its origin, and the directions of its x, y and z. */
-export interface Pose {
+interface Pose {
   center: Vec;
   axes: [Vec, Vec, Vec];
 }
@@ -73,9 +73,9 @@ export function joint_values(links: StudiedLink[], told: Readonly<Record<string,
     });
   return values;
 }
-export const clamped = (x: number, [low, high]: readonly [number, number]) => Math.max(low, Math.min(x, high));
+const clamped = (x: number, [low, high]: readonly [number, number]) => Math.max(low, Math.min(x, high));
 
-export function link_poses(links: StudiedLink[], values: readonly number[]): Pose[] {
+function link_poses(links: StudiedLink[], values: readonly number[]): Pose[] {
   const poses: Pose[] = [];
   for (const [i, link] of links.entries()) {
     const own = then(link.origin, motion_of(link, values[i]!));

@@ -7,7 +7,9 @@ import { readFileSync, writeFileSync } from "node:fs";
 import { join, resolve } from "node:path";
 import { pathToFileURL } from "node:url";
 import { asked, browser, colours, data_of, errors, filled, folder, open, settled, without_webgl } from "../browser.mjs";
-import { frame_of, stand_in } from "../chart.mjs";
+import { daylight } from "../chart.mjs";
+
+const { frame_of, stand_in } = daylight;
 
 const given = resolve(process.argv[2]),
   address = pathToFileURL(given).href;

@@ -7,7 +7,9 @@ import { readFileSync, writeFileSync } from "node:fs";
 import { basename, join, resolve } from "node:path";
 import { pathToFileURL } from "node:url";
 import { asked, browser, colours, data_of, errors, filled, folder, open, settled, without_webgl } from "../browser.mjs";
-import { csv_of_study, free_joints, gap, gaps_of, joint_values, placed, risk_of, study_rows_of } from "../chart.mjs";
+import { daylight } from "../chart.mjs";
+
+const { csv_of_study, free_joints, gap, gaps_of, joint_values, placed, risk_of, study_rows_of } = daylight;
 
 const pages = process.argv
   .slice(2)

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // What the page of a scene is given: what `daylight scene --json` writes (reports/scene/scene_json.cpp, described by
-// reports/schemas/scene.json).
+// reports/schemas/scene.json), as far as the page uses it.
 import type { Cylinder, Vec } from "../parts/data.ts";
 import { add, dot, scale, sub, unit, type Capsule, type Solid } from "../parts/geometry.ts";
 import { short } from "../parts/words.ts";
@@ -18,7 +18,7 @@ export const model_colour: Record<Model, string> = {
   certified: "--model-certified",
 };
 
-export interface ModelOfPair {
+interface ModelOfPair {
   model: Model;
   decides: number;
   wrong: number;
@@ -40,13 +40,13 @@ export interface StudiedPair {
   recommended: Model[]; // the cheapest: asked one after the other; the last is accepted
   recommended_wrong: number;
 }
-export interface Reason {
+interface Reason {
   why: "drawn first" | "closest call" | "false alarm" | "missed";
   pair?: number;
   model?: Model;
   length?: number;
 }
-export interface SampledPair {
+interface SampledPair {
   distance: number;
   within: boolean;
   wrong: Model[];
@@ -91,17 +91,12 @@ export interface Study {
   cylinders: number;
   left_out: string[];
   notes: string[];
-  pairs_checked: number;
-  pairs_same_body: number;
-  pairs_adjacent: number;
-  pairs_disabled: number;
   asked_referee: number;
   undecided: number;
   ns_per_configuration: {
     kinematics: number;
     models: number;
     recommended: number;
-    rounded: number[];
     alone: Record<Model, number>;
   };
   words: Record<
@@ -149,13 +144,10 @@ export function most_exact(study: Study): (Model | null)[] {
 // The solids, in a frame for drawing that is the same for all configurations that were kept
 // ---------------------------------------------------------------------------------------
 
-export interface Frame {
+export interface SceneFrame {
   unit: number;
   to: (x: Vec) => Vec;
   solid: (c: Cylinder) => Solid;
-}
-
-export interface SceneFrame extends Frame {
   floor: number; // the lowest point of all, as drawn
 }
 
@@ -173,15 +165,9 @@ function lowest({ cylinders, boxes }: Shown, { bodies }: Study): number {
 }
 
 export function frame_of(study: Study): SceneFrame {
-  const frame = frame_around(study.kept.flatMap(({ cylinders }) => cylinders));
-  const floor = Math.min(...study.kept.map((kept) => lowest(kept, study)));
-  return { ...frame, floor: frame.to([0, 0, floor])[2] };
-}
-
-export function frame_around(cylinders: readonly Cylinder[]): Frame {
   const low: Vec = [Infinity, Infinity, Infinity],
     high: Vec = [-Infinity, -Infinity, -Infinity];
-  for (const c of cylinders) {
+  for (const c of study.kept.flatMap(({ cylinders }) => cylinders)) {
     const reach = Math.hypot(c.radius, c.height / 2) + (c.rounding ?? 0);
     for (const i of [0, 1, 2] as const) {
       low[i] = Math.min(low[i], c.center[i] - reach);
@@ -192,9 +178,11 @@ export function frame_around(cylinders: readonly Cylinder[]): Frame {
     wide = Math.hypot(...sub(high, low)) / 2,
     unit_length = wide > 0 && Number.isFinite(wide) ? wide : 1;
   const to = (x: Vec) => scale(sub(x, middle), 1 / unit_length);
+  const floor = Math.min(...study.kept.map((kept) => lowest(kept, study)));
   return {
     unit: unit_length,
     to,
+    floor: to([0, 0, floor])[2],
     solid: (c) => ({
       center: to(c.center),
       axis: unit(c.axis),
