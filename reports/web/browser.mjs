@@ -13,7 +13,7 @@ function skip(why) {
   );
 }
 
-const browser_file =
+const browserFile =
   ["/usr/bin/chromium", "/usr/bin/chromium-browser", "/usr/bin/google-chrome"].find(existsSync) ??
   skip("no chromium here: apt-get install chromium");
 const { chromium } = await import("playwright-core").catch(() =>
@@ -25,7 +25,7 @@ export const folder = mkdtempSync(join(tmpdir(), "daylight-page-"));
 process.on("exit", () => rmSync(folder, { recursive: true }));
 /** The longest wait, in ms, for what never comes. A slow machine is not that. */
 const patience = 300_000;
-export const browser = await chromium.launch({ executablePath: browser_file, timeout: patience });
+export const browser = await chromium.launch({ executablePath: browserFile, timeout: patience });
 /** What any page wrote on its console as an error, and what it asked of the network. */
 export const errors = [],
   asked = [];
@@ -48,7 +48,7 @@ export async function open(address, { scheme = "light", first, width = 1366 } = 
 }
 
 /** As where there is no WebGL. */
-export const without_webgl = () => {
+export const withoutWebgl = () => {
   HTMLCanvasElement.prototype.getContext = () => null;
 };
 
@@ -89,7 +89,7 @@ export function filled(report) {
 }
 
 /** What the page of a file shows. */
-export function data_of(file) {
+export function dataOf(file) {
   const [, text] = /id="report-data">([^<]*)</.exec(readFileSync(file, "utf8"));
   return JSON.parse(inflateSync(Buffer.from(text, "base64")));
 }

@@ -22,7 +22,7 @@ if (argv[1] !== undefined && import.meta.url === pathToFileURL(argv[1]).href) {
   mkdirSync(folder, { recursive: true });
   let text = "";
   for await (const chunk of stdin.setEncoding("utf8")) text += chunk; // readFileSync(0) fails where a pipe is slow
-  for (const [name, svg] of daylight.charts(daylight.expand(JSON.parse(text)), daylight.plain_document())) {
+  for (const [name, svg] of daylight.charts(daylight.expand(JSON.parse(text)), daylight.plainDocument())) {
     writeFileSync(`${folder}/${name}.svg`, svg);
     console.log(`${folder}/${name}.svg`);
   }

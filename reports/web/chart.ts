@@ -2,39 +2,39 @@
 // The plots as files for a paper or a README; and what else of the page chart.mjs gives to Node.
 import { paper, type Options } from "./parts/plot.ts";
 import { grouped } from "./parts/words.ts";
-import { plain_document } from "./run/plain_document.ts";
+import { plainDocument } from "./run/plain_document.ts";
 import {
-  backward_plot,
-  calibration_plot,
-  cost_plot,
-  families_plot,
-  first_of_each,
-  map_plot,
+  backwardPlot,
+  calibrationPlot,
+  costPlot,
+  familiesPlot,
+  firstOfEach,
+  mapPlot,
   palette,
   pareto,
-  series_of,
-  speed_plot,
-  trace_plot,
+  seriesOf,
+  speedPlot,
+  tracePlot,
 } from "./run/plots.ts";
-import { expand, in_run_order, type FullReport } from "./run/report.ts";
+import { expand, inRunOrder, type FullReport } from "./run/report.ts";
 import { library } from "./run/words.ts";
 
-export { exact, floor_sqrt, prove } from "./run/prove.ts";
-export { causes_of, chip_counts, filter_of, filtered, filtered_causes, query_of, rows_of } from "./run/filter.ts";
-export { is_ordinary, sorted, sorted_causes, view_of, worst_first } from "./run/filter.ts";
-export { wrong_distance } from "./run/distance.ts";
-export { log_gamma, same_rate_probability } from "./run/rates.ts";
-export { csv_of } from "./run/files.ts";
+export { exact, floorSqrt, prove } from "./run/prove.ts";
+export { causesOf, chipCounts, filterOf, filtered, filteredCauses, queryOf, rowsOf } from "./run/filter.ts";
+export { isOrdinary, sorted, sortedCauses, viewOf, worstFirst } from "./run/filter.ts";
+export { wrongDistance } from "./run/distance.ts";
+export { logGamma, sameRateProbability } from "./run/rates.ts";
+export { csvOf } from "./run/files.ts";
 export { glossary } from "./run/glossary.ts";
-export { csv_cell } from "./parts/save.ts";
-export { full, shell_quoted } from "./parts/words.ts";
-export { frame_of, stand_in } from "./scene/study.ts";
-export { rows_of as study_rows_of } from "./scene/order.ts";
-export { gap, gaps_of } from "./scene/gap.ts";
-export { free_joints, joint_values, placed } from "./scene/kinematics.ts";
-export { csv_of_study } from "./scene/csv.ts";
-export { risk_of } from "./scene/risk.ts";
-export { expand, pareto, plain_document };
+export { csvCell } from "./parts/save.ts";
+export { full, shellQuoted } from "./parts/words.ts";
+export { frameOf, standIn } from "./scene/study.ts";
+export { rowsOf as studyRowsOf } from "./scene/order.ts";
+export { gap, gapsOf } from "./scene/gap.ts";
+export { freeJoints, jointValues, placed } from "./scene/kinematics.ts";
+export { csvOfStudy } from "./scene/csv.ts";
+export { riskOf } from "./scene/risk.ts";
+export { expand, pareto, plainDocument };
 
 /** Points of a file's width; text is 11 of them high. */
 const width = 760;
@@ -85,7 +85,7 @@ export function charts(report: FullReport, document: Document): Map<string, stri
       .filter(([name]) => methods.some((m) => library(m) === name))
       .map(([name, colour]) => ({ name, colour }));
   const series = (methods: string[]): Key[] =>
-    methods.map((method) => ({ name: method, colour: series_of(methods, paper).colour({ method }) }));
+    methods.map((method) => ({ name: method, colour: seriesOf(methods, paper).colour({ method }) }));
   const shares = ["<1e-4", "1e-4 on", "1e-3 on", "1e-2 on", "0.1 on"];
   const heat: Key[] = [
     ...shares.map((name, i) => ({ name, colour: paper.heat[i]! })),
@@ -97,7 +97,7 @@ export function charts(report: FullReport, document: Document): Map<string, stri
     files.set(
       "families",
       framed(
-        families_plot(
+        familiesPlot(
           report.tallies,
           methods,
           report.families.map((f) => f.name),
@@ -121,35 +121,35 @@ export function charts(report: FullReport, document: Document): Map<string, stri
         files.set(
           `speed-${name}`,
           framed(
-            speed_plot(points, o),
+            speedPlot(points, o),
             `Speed against accuracy: ${query}, ${family === "all" ? "all families" : family}`,
             keys,
           ),
         );
     }
-  const mapped = first_of_each(in_run_order(report, report.maps));
+  const mapped = firstOfEach(inRunOrder(report, report.maps));
   for (const map of report.maps.filter((m) => mapped.includes(m.method)))
     files.set(
       sure(`map-${map.plane}-${map.method}`),
       framed(
-        map_plot(map, "all", { ...o, width: width * 0.7 }),
+        mapPlot(map, "all", { ...o, width: width * 0.7 }),
         `${map.method}: share wrong beyond the claim or failed, else within it`,
         [...heat, { name: "none wrong", colour: paper.clean }],
       ),
     );
-  const honest = first_of_each(in_run_order(report, report.honesty));
+  const honest = firstOfEach(inRunOrder(report, report.honesty));
   const curves = honest.flatMap((m) => report.honesty.filter((h) => h.method === m && h.family === null));
   if (curves.length > 0)
     files.set(
       "honesty",
-      framed(calibration_plot(curves, o), "Share of wrong answers against margin", series(curves.map((h) => h.method))),
+      framed(calibrationPlot(curves, o), "Share of wrong answers against margin", series(curves.map((h) => h.method))),
     );
-  const timed = first_of_each(in_run_order(report, report.cost));
+  const timed = firstOfEach(inRunOrder(report, report.cost));
   if (timed.length > 0)
     files.set(
       "cost",
       framed(
-        cost_plot(
+        costPlot(
           timed.flatMap((m) => report.cost.filter((c) => c.method === m)),
           o,
         ),
@@ -161,12 +161,12 @@ export function charts(report: FullReport, document: Document): Map<string, stri
     if (path.trace && path.trace.length > 0)
       files.set(
         sure(`path-${path.path}-${path.method}`),
-        framed(trace_plot(path, o), `${path.method}, ${path.path}`, []),
+        framed(tracePlot(path, o), `${path.method}, ${path.path}`, []),
       );
   if (report.backward.length > 0)
     files.set(
       "backward",
-      framed(backward_plot(report.backward, o), "How far the input must move for a wrong answer to be right", []),
+      framed(backwardPlot(report.backward, o), "How far the input must move for a wrong answer to be right", []),
     );
   return files;
 }

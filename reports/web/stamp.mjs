@@ -14,7 +14,7 @@ const others = [
   "tsconfig.json",
 ];
 
-export function sources_hash() {
+export function sourcesHash() {
   const names = ["", "parts/", "run/", "scene/"]
     .flatMap((folder) => readdirSync(new URL(`./${folder}`, here)).map((name) => folder + name))
     .filter((name) => /\.tsx?$/.test(name))

@@ -21,7 +21,7 @@ export function unit(v: Vec): Vec {
 }
 
 /** Two unit vectors square to n and to each other. */
-export function square_to(n: Vec): [Vec, Vec] {
+export function squareTo(n: Vec): [Vec, Vec] {
   const least =
     Math.abs(n[0]) < Math.abs(n[1])
       ? Math.abs(n[0]) < Math.abs(n[2])

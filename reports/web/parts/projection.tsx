@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 // Solids as lines on paper: for print, and if the browser has no WebGL.
 import type { Vec } from "./data.ts";
-import { add, cross, dot, scale, square_to, sub, unit, type Solid } from "./geometry.ts";
+import { add, cross, dot, scale, squareTo, sub, unit, type Solid } from "./geometry.ts";
 import type { View } from "./stage.ts";
 
 type Flat = [number, number];
 
 function rim(s: Solid, end: 1 | -1): Vec[] {
-  const [u, v] = square_to(s.axis),
+  const [u, v] = squareTo(s.axis),
     middle = add(s.center, scale(s.axis, end * s.half));
   return Array.from({ length: 72 }, (_, i) => {
     const t = (i * Math.PI) / 36;

@@ -5,7 +5,7 @@ export type Cell = string | number | null | undefined;
 
 /** A spreadsheet would take text that begins like a formula for one. */
 const harmless = (text: string) => (/^[=+\-@\t\r]/.test(text) ? `'${text}` : text);
-export function csv_cell(cell: Cell): string {
+export function csvCell(cell: Cell): string {
   if (cell === null || cell === undefined) return "";
   const number = (x: number) => (Object.is(x, -0) ? "-0" : String(x).replace("Infinity", "inf"));
   const text = typeof cell === "number" ? number(cell) : harmless(cell);

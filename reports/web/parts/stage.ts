@@ -51,7 +51,7 @@ const turned = (from: Vec, to: Vec) => new Quaternion().setFromUnitVectors(three
 const thinnest = 2e-3;
 
 /** A face a little behind the lines on it. */
-const behind_edges = { polygonOffset: true, polygonOffsetFactor: 1, polygonOffsetUnits: 1 };
+const behindEdges = { polygonOffset: true, polygonOffsetFactor: 1, polygonOffsetUnits: 1 };
 
 /** A cylinder grown by a ball: its outline from pole to pole, turned about the axis. */
 function rounded(radius: number, half: number, rounding: number) {
@@ -84,7 +84,7 @@ export function solid(s: Solid, colour: string, extent: number, opacity = 0.62):
         opacity,
         side: DoubleSide,
         depthWrite: !clear,
-        ...(clear ? {} : behind_edges),
+        ...(clear ? {} : behindEdges),
       }),
     ),
   );
@@ -109,7 +109,7 @@ export function ghost(c: Capsule, colour: string): Group {
   group.add(
     new Mesh(
       new CapsuleGeometry(c.radius, 2 * c.half, 24, 64),
-      new MeshLambertMaterial({ color: colour, transparent: true, opacity: 0.2, depthWrite: false, ...behind_edges }),
+      new MeshLambertMaterial({ color: colour, transparent: true, opacity: 0.2, depthWrite: false, ...behindEdges }),
     ),
   );
   const arc = (at: (t: number) => Vec, from: number, to: number) =>
@@ -134,25 +134,25 @@ export function ghost(c: Capsule, colour: string): Group {
   return group;
 }
 
-export function line(points: Vec[], colour: string, { opacity = 1, on_top = false } = {}): Line {
+export function line(points: Vec[], colour: string, { opacity = 1, onTop = false } = {}): Line {
   const geometry = new BufferGeometry().setAttribute("position", new Float32BufferAttribute(points.flat(), 3));
   const drawn = new Line(
     geometry,
-    new LineBasicMaterial({ color: colour, transparent: true, opacity, depthTest: !on_top }),
+    new LineBasicMaterial({ color: colour, transparent: true, opacity, depthTest: !onTop }),
   );
-  if (on_top) drawn.renderOrder = 1;
+  if (onTop) drawn.renderOrder = 1;
   return drawn;
 }
 
 /** A dot of the same size at any zoom. */
-export function mark(at: Vec, colour: string): Mesh {
+export function pointMark(at: Vec, colour: string): Mesh {
   const ball = new Mesh(
     new SphereGeometry(1, 16, 12),
     new MeshBasicMaterial({ color: colour, depthTest: false, transparent: true }),
   );
   ball.position.copy(three(at));
   ball.renderOrder = 2;
-  ball.userData.mark = true;
+  ball.userData.pointMark = true;
   return ball;
 }
 
@@ -236,10 +236,10 @@ export function arrow(from: Vec, to: Vec, colour: string, name: string): Group {
 }
 
 /** How near to a line a click must be, in pixels. */
-const line_reach = 4;
+const lineReach = 4;
 
 /** The distance of the eye from its target. With parallel rays it changes nothing in the picture. */
-const eye_way = 4;
+const eyeWay = 4;
 class Stage {
   readonly canvas: HTMLCanvasElement;
   private readonly renderer: WebGLRenderer;
@@ -265,7 +265,7 @@ class Stage {
   }
 
   /** For those who do not see it. */
-  tell(what: string) {
+  setAriaLabel(what: string) {
     this.canvas.setAttribute("role", "img");
     this.canvas.setAttribute("aria-label", what);
   }
@@ -283,14 +283,14 @@ class Stage {
     });
     this.scene = new Scene();
     this.scene.add(this.camera, new AmbientLight("#ffffff", 1.5), ...objects);
-    this.marks = objects.filter((o) => o.userData.mark);
+    this.marks = objects.filter((o) => o.userData.pointMark);
   }
 
   look(view: View) {
     this.radius = view.radius;
     this.camera.zoom = 1;
     this.camera.up.copy(three(view.up));
-    this.camera.position.copy(three(add(view.target, scale(view.eye, eye_way))));
+    this.camera.position.copy(three(add(view.target, scale(view.eye, eyeWay))));
     this.controls.target.copy(three(view.target));
     this.controls.update();
     this.draw();
@@ -302,11 +302,11 @@ class Stage {
     this.waiting = true;
     requestAnimationFrame(() => {
       this.waiting = false;
-      this.draw_now();
+      this.drawNow();
     });
   }
 
-  private draw_now() {
+  private drawNow() {
     const { clientWidth: width, clientHeight: height } = this.canvas.parentElement ?? this.canvas;
     if (width === 0 || height === 0) return;
     this.renderer.setSize(width, height, false);
@@ -322,7 +322,7 @@ class Stage {
   hit(x: number, y: number): unknown {
     const { clientWidth: width, clientHeight: height } = this.canvas;
     const ray = new Raycaster();
-    ray.params.Line.threshold = (line_reach * (this.camera.top - this.camera.bottom)) / this.camera.zoom / height;
+    ray.params.Line.threshold = (lineReach * (this.camera.top - this.camera.bottom)) / this.camera.zoom / height;
     ray.setFromCamera(new Vector2((2 * x) / width - 1, 1 - (2 * y) / height), this.camera);
     for (const { object } of ray.intersectObjects(this.scene.children, true))
       for (let o: Object3D | null = object; o; o = o.parent)
@@ -332,7 +332,7 @@ class Stage {
 }
 
 /** Shows the stage in a place, in whatever width and colour scheme it has; what it returns ends that. */
-export function keep_painted(stage: Stage, place: HTMLElement, show: () => void): () => void {
+export function mountStage(stage: Stage, place: HTMLElement, show: () => void): () => void {
   place.append(stage.canvas);
   const paint = () => {
     show();
@@ -350,10 +350,10 @@ export function keep_painted(stage: Stage, place: HTMLElement, show: () => void)
 }
 
 /** How far, in pixels, a pointer may move and still click instead of turning the scene. */
-const click_slack = 4;
+const clickSlack = 4;
 
 /** Tells what a pointer clicks, and what it rests on; `at` finds it. What is returned ends that. */
-export function hear_pointer<Found>(
+export function onPointer<Found>(
   { canvas }: Stage,
   at: (x: number, y: number) => Found | null,
   clicked: (found: Found | null) => void,
@@ -364,7 +364,7 @@ export function hear_pointer<Found>(
     from = [x, y];
   };
   const up = ({ offsetX: x, offsetY: y }: PointerEvent) => {
-    if (from && Math.hypot(x - from[0], y - from[1]) <= click_slack) clicked(at(x, y));
+    if (from && Math.hypot(x - from[0], y - from[1]) <= clickSlack) clicked(at(x, y));
   };
   const move = (event: PointerEvent) => {
     if (event.buttons !== 0) return;
@@ -387,7 +387,7 @@ export function hear_pointer<Found>(
 
 let stage: Stage | null | undefined;
 /** null where this browser has no WebGL. */
-export function the_stage(): Stage | null {
+export function getStage(): Stage | null {
   if (stage === undefined) {
     try {
       stage = new Stage();

@@ -3,7 +3,7 @@
 import type { ComponentChildren } from "preact";
 import { useEffect, useLayoutEffect, useRef, useState } from "preact/hooks";
 
-const spare_rows = 8;
+const spareRows = 8;
 
 export interface ColumnOf<Row> {
   key: string;
@@ -17,31 +17,31 @@ export interface ColumnOf<Row> {
 interface TableOf<Row> {
   rows: Row[];
   columns: ColumnOf<Row>[];
-  key_of: (row: Row) => number;
+  keyOf: (row: Row) => number;
   label: string;
   order: { column: string; down: boolean };
   turn: (column: string) => void;
   at: number;
   move: (at: number) => void; // the row that the keys are on; -1: none
   open: (row: Row) => void;
-  address_of?: (row: Row) => string; // where that leads, if to a view of its own
-  row_height: number;
-  rows_shown: number;
+  addressOf?: (row: Row) => string; // where that leads, if to a view of its own
+  rowHeight: number;
+  rowsShown: number;
 }
 
 export function VirtualTable<Row>({
   rows,
   columns,
-  key_of,
+  keyOf,
   label,
   order,
   turn,
   at,
   move,
   open,
-  address_of,
-  row_height,
-  rows_shown,
+  addressOf,
+  rowHeight,
+  rowsShown,
 }: TableOf<Row>) {
   const box = useRef<HTMLDivElement>(null);
   const [top, scrolled] = useState(0);
@@ -50,18 +50,18 @@ export function VirtualTable<Row>({
     if (box.current) box.current.scrollTop = 0;
     scrolled(0);
   }, [rows]);
-  const first = Math.max(0, Math.floor(top / row_height) - spare_rows),
-    last = Math.min(rows.length, first + rows_shown + 2 * spare_rows);
-  const stop = at >= first && at < last ? at : Math.min(rows.length - 1, Math.ceil(top / row_height));
+  const first = Math.max(0, Math.floor(top / rowHeight) - spareRows),
+    last = Math.min(rows.length, first + rowsShown + 2 * spareRows);
+  const stop = at >= first && at < last ? at : Math.min(rows.length - 1, Math.ceil(top / rowHeight));
 
   useLayoutEffect(() => {
     const element = box.current;
     if (!element || at < 0) return;
-    const y = at * row_height,
-      head = row_height;
+    const y = at * rowHeight,
+      head = rowHeight;
     if (y < element.scrollTop) element.scrollTop = y;
-    else if (y + head + row_height > element.scrollTop + element.clientHeight - head)
-      element.scrollTop = y + 2 * head + row_height - element.clientHeight;
+    else if (y + head + rowHeight > element.scrollTop + element.clientHeight - head)
+      element.scrollTop = y + 2 * head + rowHeight - element.clientHeight;
     scrolled(element.scrollTop);
   }, [at, rows]);
   useLayoutEffect(() => {
@@ -72,7 +72,7 @@ export function VirtualTable<Row>({
   }, [at, top]);
 
   /** Among the heads; from the last row of heads down into the rows. */
-  const press_head = (event: KeyboardEvent, head: HTMLElement) => {
+  const pressHead = (event: KeyboardEvent, head: HTMLElement) => {
     const beside = event.key === "ArrowLeft" ? "previousElementSibling" : "nextElementSibling";
     const to =
       event.key === "ArrowDown"
@@ -87,9 +87,9 @@ export function VirtualTable<Row>({
   const press = (event: KeyboardEvent) => {
     const target = event.target as HTMLElement,
       row = target.closest("tbody tr");
-    if (target.closest("thead")) return press_head(event, target);
+    if (target.closest("thead")) return pressHead(event, target);
     const now = row ? Number(row.getAttribute("aria-rowindex")) - 2 : at;
-    const page = rows_shown - 2;
+    const page = rowsShown - 2;
     const step = {
       ArrowDown: 1,
       ArrowUp: -1,
@@ -121,8 +121,8 @@ export function VirtualTable<Row>({
       aria-label={label}
       onKeyDown={press}
       onScroll={(event) => scrolled(event.currentTarget.scrollTop)}
-      style={{ maxHeight: `${(rows_shown + 1) * row_height}px` }}>
-      <table class="plain findings" aria-rowcount={rows.length + 1} style={{ "--row": `${row_height}px` }}>
+      style={{ maxHeight: `${(rowsShown + 1) * rowHeight}px` }}>
+      <table class="plain findings" aria-rowcount={rows.length + 1} style={{ "--row": `${rowHeight}px` }}>
         <thead>
           <tr aria-rowindex={1}>
             {columns.map((c) => (
@@ -140,16 +140,16 @@ export function VirtualTable<Row>({
           </tr>
         </thead>
         <tbody>
-          <tr class="spacer" aria-hidden="true" style={{ height: `${first * row_height}px` }}>
+          <tr class="spacer" aria-hidden="true" style={{ height: `${first * rowHeight}px` }}>
             <td colSpan={columns.length} />
           </tr>
           {rows.slice(first, last).map((row, i) => (
             <tr
-              key={key_of(row)}
+              key={keyOf(row)}
               aria-rowindex={first + i + 2}
               class={first + i === at ? "at" : ""}
               tabIndex={first + i === stop ? 0 : -1}
-              data-leads={address_of?.(row)}
+              data-leads={addressOf?.(row)}
               aria-selected={first + i === at}
               onClick={() => open(row)}>
               {columns.map((c) => (
@@ -162,7 +162,7 @@ export function VirtualTable<Row>({
               ))}
             </tr>
           ))}
-          <tr class="spacer" aria-hidden="true" style={{ height: `${(rows.length - last) * row_height}px` }}>
+          <tr class="spacer" aria-hidden="true" style={{ height: `${(rows.length - last) * rowHeight}px` }}>
             <td colSpan={columns.length} />
           </tr>
         </tbody>

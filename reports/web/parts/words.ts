@@ -36,7 +36,7 @@ export function range(of: [number, number] | null | undefined): string {
 }
 
 /** Of least margins: each is proved, and may be larger. */
-export function least_range(of: [number, number] | null | undefined) {
+export function leastRange(of: [number, number] | null | undefined) {
   if (!of) return "\u2013";
   const [low, high] = [short(of[0]), short(of[1])];
   return low === high ? `at least ${low}` : `${low} to at least ${high}`;
@@ -63,17 +63,17 @@ export function safe(text: string): string {
 }
 
 /** One line of JSON that hides nothing: the escapes of safe() are those of JSON. */
-export const json_line = (data: unknown) => safe(JSON.stringify(data));
+export const jsonLine = (data: unknown) => safe(JSON.stringify(data));
 
 /** The same data with every text in them made safe. */
-export function safe_texts<T>(data: T): T {
-  const made_safe = (x: unknown): unknown => {
+export function safeTexts<T>(data: T): T {
+  const madeSafe = (x: unknown): unknown => {
     if (typeof x === "string") return safe(x);
-    if (Array.isArray(x)) return x.map(made_safe);
+    if (Array.isArray(x)) return x.map(madeSafe);
     if (x === null || typeof x !== "object") return x;
-    return Object.fromEntries(Object.entries(x).map(([key, value]) => [key, made_safe(value)]));
+    return Object.fromEntries(Object.entries(x).map(([key, value]) => [key, madeSafe(value)]));
   };
-  return made_safe(data) as T;
+  return madeSafe(data) as T;
 }
 
 const exponent = (text: string) => text.replace("e+0", "").replace("e+", "e");
@@ -90,7 +90,7 @@ export function full(x: number): string {
 export const digits17 = (x: number) => (x === 0 || !Number.isFinite(x) ? short(x) : exponent(x.toExponential(16)));
 
 /** One word of a POSIX shell; what cannot be seen in it is written as bytes. */
-export function shell_quoted(text: string): string {
+export function shellQuoted(text: string): string {
   if (/^[A-Za-z0-9_./:-]+$/.test(text)) return text;
   if (safe(text) === text) return `'${text.replaceAll("'", "'\\''")}'`;
   const octal = (byte: number) => `\\${byte.toString(8).padStart(3, "0")}`;
@@ -100,7 +100,7 @@ export function shell_quoted(text: string): string {
 }
 
 /** Where the share lies with 95 % confidence after k hits in n trials (Wilson); the upper end is 3/n for none. */
-export function share_bounds(k: number, n: number): [number, number] {
+export function shareBounds(k: number, n: number): [number, number] {
   if (n === 0) return [0, 1];
   if (k === 0) return [0, Math.min(1, 3 / n)];
   const z = 1.96,
@@ -111,10 +111,10 @@ export function share_bounds(k: number, n: number): [number, number] {
   return [Math.max(0, middle - half), Math.min(1, middle + half)];
 }
 
-export function group_by<T, K>(all: Iterable<T>, key_of: (x: T) => K): Map<K, T[]> {
+export function groupBy<T, K>(all: Iterable<T>, keyOf: (x: T) => K): Map<K, T[]> {
   const groups = new Map<K, T[]>();
   for (const x of all) {
-    const key = key_of(x),
+    const key = keyOf(x),
       group = groups.get(key);
     if (group) group.push(x);
     else groups.set(key, [x]);
@@ -123,4 +123,4 @@ export function group_by<T, K>(all: Iterable<T>, key_of: (x: T) => K): Map<K, T[
 }
 
 /** A sorted copy; equal ones keep their order. */
-export const in_order = <T>(all: readonly T[], by: (x: T, y: T) => number): T[] => [...all].sort(by);
+export const inOrder = <T>(all: readonly T[], by: (x: T, y: T) => number): T[] => [...all].sort(by);

@@ -11,7 +11,7 @@ export interface Address {
   again: boolean; // come back to, not followed a link to: an empty query is then no filter
 }
 
-function read_address(): Address {
+function readAddress(): Address {
   const [path = "", query = ""] = location.hash.replace(/^#\/?/, "").split("?");
   const parts = path.split("/").map((part) => {
     try {
@@ -25,11 +25,11 @@ function read_address(): Address {
 }
 
 export function useAddress() {
-  const [address, set] = useState(read_address);
+  const [address, set] = useState(readAddress);
   useEffect(() => {
     const changed = (event: HashChangeEvent) => {
       leave(event.oldURL, event.newURL);
-      set(read_address());
+      set(readAddress());
     };
     addEventListener("hashchange", changed);
     return () => removeEventListener("hashchange", changed);

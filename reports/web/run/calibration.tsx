@@ -6,9 +6,9 @@ import { Figure, Section, Select } from "../parts/elements.tsx";
 import { screen } from "../parts/plot.ts";
 import { plural, safe } from "../parts/words.ts";
 import { Missing } from "./elements.tsx";
-import { calibration_plot, cost_plot, first_of_each, series_of, shown_cap } from "./plots.ts";
-import { in_run_order, type FullReport } from "./report.ts";
-import { claim_words, kind_words, origin_words } from "./words.ts";
+import { calibrationPlot, costPlot, firstOfEach, seriesOf, shownCap } from "./plots.ts";
+import { inRunOrder, type FullReport } from "./report.ts";
+import { formatClaim, kindLabel, claimOrigin } from "./words.ts";
 
 function Chooser({
   methods,
@@ -19,7 +19,7 @@ function Chooser({
   chosen: string[];
   set: (chosen: string[]) => void;
 }) {
-  const { colour } = series_of(chosen, screen);
+  const { colour } = seriesOf(chosen, screen);
   const others = methods.filter((m) => !chosen.includes(m));
   return (
     <div class="chips plain-chips" role="group" aria-label="Methods shown">
@@ -39,7 +39,7 @@ function Chooser({
         aria-label="Show another method"
         disabled={others.length === 0}
         onChange={(event) => {
-          set([...chosen, event.currentTarget.value].slice(-shown_cap));
+          set([...chosen, event.currentTarget.value].slice(-shownCap));
           event.currentTarget.value = "";
         }}>
         <option value="">show another…</option>
@@ -54,7 +54,7 @@ function Chooser({
 }
 
 export function Calibration({ report }: { report: FullReport }) {
-  const methods = useMemo(() => in_run_order(report, report.honesty), [report]);
+  const methods = useMemo(() => inRunOrder(report, report.honesty), [report]);
   const families = useMemo(
     () =>
       [...new Set(report.honesty.map((h) => h.family))].sort((x, y) =>
@@ -62,13 +62,13 @@ export function Calibration({ report }: { report: FullReport }) {
       ),
     [report],
   );
-  const [chosen, set] = useState(() => first_of_each(methods));
+  const [chosen, set] = useState(() => firstOfEach(methods));
   const [family, choose] = useState(families[0] ?? "");
   const rows = useMemo(
     () => chosen.flatMap((m) => report.honesty.filter((h) => h.method === m && (h.family ?? "") === (family ?? ""))),
     [report, chosen, family],
   );
-  const draw = useCallback((width: number) => calibration_plot(rows, { width, theme: screen }), [rows]);
+  const draw = useCallback((width: number) => calibrationPlot(rows, { width, theme: screen }), [rows]);
   const count = (of: (b: (typeof rows)[number]["bins"][number]) => number) =>
     rows.reduce((n, h) => n + h.bins.reduce((k, b) => k + of(b), 0), 0);
   const declined = count((b) => b.declined ?? 0),
@@ -93,7 +93,7 @@ export function Calibration({ report }: { report: FullReport }) {
                 label="Pairs"
                 value={family ?? ""}
                 onChange={choose}
-                options={families.map((f) => [f ?? "", f === null ? "all families together" : kind_words(f)] as const)}
+                options={families.map((f) => [f ?? "", f === null ? "all families together" : kindLabel(f)] as const)}
               />
             </p>
           )}
@@ -111,7 +111,7 @@ export function Calibration({ report }: { report: FullReport }) {
                     const claim = report.methods.find((r) => r.name === m)?.claim;
                     return claim ? (
                       <span key={m}>
-                        {safe(m)}: {claim_words(claim)}, {origin_words(claim)}.{" "}
+                        {safe(m)}: {formatClaim(claim)}, {claimOrigin(claim)}.{" "}
                       </span>
                     ) : null;
                   })}
@@ -126,10 +126,10 @@ export function Calibration({ report }: { report: FullReport }) {
 }
 
 export function Cost({ report }: { report: FullReport }) {
-  const methods = useMemo(() => in_run_order(report, report.cost), [report]);
-  const [chosen, set] = useState(() => first_of_each(methods));
+  const methods = useMemo(() => inRunOrder(report, report.cost), [report]);
+  const [chosen, set] = useState(() => firstOfEach(methods));
   const points = useMemo(() => chosen.flatMap((m) => report.cost.filter((c) => c.method === m)), [report, chosen]);
-  const draw = useCallback((width: number) => cost_plot(points, { width, theme: screen }), [points]);
+  const draw = useCallback((width: number) => costPlot(points, { width, theme: screen }), [points]);
   if (methods.length === 0) return <Missing of="cost" report={report} />;
   return (
     <>

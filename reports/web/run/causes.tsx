@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 // The table of causes: sorted by its heads; on a narrow screen a card for each.
 import { useRef } from "preact/hooks";
-import { grouped, least_range, percent, safe, short } from "../parts/words.ts";
+import { grouped, leastRange, percent, safe, short } from "../parts/words.ts";
 import type { Bucket } from "./data.ts";
-import { cause_columns, type Cause, type CauseColumn, type CauseOrder } from "./filter.ts";
+import { causeColumns, type Cause, type CauseColumn, type CauseOrder } from "./filter.ts";
 import { about } from "./glossary.ts";
 import { useRoving } from "./roving.ts";
-import { severity_words, standing_words } from "./words.ts";
+import { severityLabels, standingLabel } from "./words.ts";
 
 const titles: Record<CauseColumn, string> = {
   key: "cause",
@@ -23,14 +23,14 @@ const numeric = new Set<CauseColumn>(["count", "margin", "share"]);
 const few = (names: string[]) =>
   names.length < 4 ? safe(names.join(", ")) : `${safe(names.slice(0, 2).join(", "))} and ${names.length - 2} more`;
 
-export const bucket_address = (key: string) => `#/bucket/${key.split("/").map(encodeURIComponent).join("/")}`;
+export const bucketAddress = (key: string) => `#/bucket/${key.split("/").map(encodeURIComponent).join("/")}`;
 
-export const note_words = ({ note }: Bucket) => (note ? `${note.owner}${note.note && `: ${note.note}`}` : "");
+export const formatNote = ({ note }: Bucket) => (note ? `${note.owner}${note.note && `: ${note.note}`}` : "");
 
 function Name({ b }: { b: Bucket }) {
   return (
     <>
-      <a href={bucket_address(b.key)}>{safe(b.key)}</a>
+      <a href={bucketAddress(b.key)}>{safe(b.key)}</a>
       {b.suppressed && (
         <>
           {" "}
@@ -42,12 +42,12 @@ function Name({ b }: { b: Bucket }) {
       <div class="soft">
         {safe(b.cause)}
       </div>
-      {b.note && <div class="note">{safe(note_words(b))}</div>}
+      {b.note && <div class="note">{safe(formatNote(b))}</div>}
     </>
   );
 }
 
-const standing_hint = ({ standing, chance }: Bucket) =>
+const standingHint = ({ standing, chance }: Bucket) =>
   [standing ? about(standing) : "", chance !== null ? `By chance: ${short(chance)}` : ""].join("\n").trim();
 
 function CauseRow({ b }: { b: Bucket }) {
@@ -61,19 +61,19 @@ function CauseRow({ b }: { b: Bucket }) {
         {few(b.methods)}
       </td>
       <td class={b.severity === "contract" ? "bad" : ""} data-label={titles.severity}>
-        {severity_words[b.severity] ?? safe(b.severity)}
+        {severityLabels[b.severity] ?? safe(b.severity)}
       </td>
       <td class="n" data-label={titles.count}>
         {grouped(b.count)}
       </td>
       <td class="n" data-label={titles.margin}>
-        {least_range(b.margin)}
+        {leastRange(b.margin)}
       </td>
       <td class="n" data-label={titles.share} title={share ?? ""}>
         {b.share ? percent(b.share.wrong, b.share.asked) : "\u2013"}
       </td>
-      <td data-label={titles.standing} title={standing_hint(b)}>
-        {standing_words(b.standing)}
+      <td data-label={titles.standing} title={standingHint(b)}>
+        {standingLabel(b.standing)}
       </td>
       <td data-label={titles.seen}>{safe(b.first_seen)}</td>
     </tr>
@@ -83,22 +83,22 @@ function CauseRow({ b }: { b: Bucket }) {
 export function Causes({
   causes,
   order,
-  set_order,
+  setOrder,
 }: {
   causes: Cause[];
   order: CauseOrder;
-  set_order: (order: CauseOrder) => void;
+  setOrder: (order: CauseOrder) => void;
 }) {
   const table = useRef<HTMLTableElement>(null);
   const roving = useRoving(table);
   const turn = (column: CauseColumn) =>
-    set_order({ column, down: order.column === column ? !order.down : numeric.has(column) });
+    setOrder({ column, down: order.column === column ? !order.down : numeric.has(column) });
   return (
     <div class="scroll">
       <table class="plain sortable buckets" ref={table} aria-label="Causes; arrow keys move, Enter opens" {...roving}>
         <thead>
           <tr>
-            {cause_columns.map((c) => (
+            {causeColumns.map((c) => (
               <th
                 scope="col"
                 class={numeric.has(c) ? "n" : ""}

@@ -7,15 +7,15 @@ import { readFileSync } from "node:fs";
 import { test } from "node:test";
 import { daylight } from "../chart.mjs";
 import { sample } from "./sample.mjs";
-import { sources_hash } from "../stamp.mjs";
+import { sourcesHash } from "../stamp.mjs";
 
-const { causes_of, chip_counts, charts, csv_cell, csv_of, expand, filter_of, filtered, filtered_causes, full } = daylight;
-const { glossary, log_gamma, pareto, plain_document, prove, query_of, rows_of, same_rate_probability } = daylight;
-const { shell_quoted, sorted, is_ordinary, sorted_causes, worst_first, view_of, wrong_distance } = daylight;
+const { causesOf, chipCounts, charts, csvCell, csvOf, expand, filterOf, filtered, filteredCauses, full } = daylight;
+const { glossary, logGamma, pareto, plainDocument, prove, queryOf, rowsOf, sameRateProbability } = daylight;
+const { shellQuoted, sorted, isOrdinary, sortedCauses, worstFirst, viewOf, wrongDistance } = daylight;
 
 test("the committed page was built from the committed sources", () => {
   const head = readFileSync(new URL("../page_template.html", import.meta.url), "utf8").slice(0, 400);
-  assert.ok(head.includes(sources_hash()), "page_template.html is older than its sources: run node build.mjs");
+  assert.ok(head.includes(sourcesHash()), "page_template.html is older than its sources: run node build.mjs");
 });
 
 test("findings get back the pair, the answers and the command", () => {
@@ -37,13 +37,13 @@ test("every certificate of the sample holds", () => {
 });
 
 test("chips filter and count", () => {
-  const rows = rows_of(expand(sample(400)));
-  const filter = filter_of(new URLSearchParams("kind=crash&library=ode&library=fcl"));
+  const rows = rowsOf(expand(sample(400)));
+  const filter = filterOf(new URLSearchParams("kind=crash&library=ode&library=fcl"));
   const shown = filtered(rows, filter),
-    by_hand = rows.filter((r) => r.f.kind === "crash" && /^(ode|fcl)/.test(r.f.method));
-  assert.ok(by_hand.length > 0 && by_hand.length < 100);
-  assert.deepEqual(shown, by_hand);
-  const counts = chip_counts(rows, filter);
+    byHand = rows.filter((r) => r.f.kind === "crash" && /^(ode|fcl)/.test(r.f.method));
+  assert.ok(byHand.length > 0 && byHand.length < 100);
+  assert.deepEqual(shown, byHand);
+  const counts = chipCounts(rows, filter);
   assert.equal(counts.library.get("ode") + counts.library.get("fcl"), shown.length);
   assert.equal(
     counts.library.get("bullet"),
@@ -55,13 +55,13 @@ test("chips filter and count", () => {
     shown.length,
   );
   assert.equal(
-    filtered(rows, filter_of(new URLSearchParams("method=fcl-libccd"))).every((r) => r.f.method === "fcl-libccd"),
+    filtered(rows, filterOf(new URLSearchParams("method=fcl-libccd"))).every((r) => r.f.method === "fcl-libccd"),
     true,
   );
 });
 
 test("sorting is stable, and failures sort by severity first", () => {
-  const rows = rows_of(expand(sample(400)));
+  const rows = rowsOf(expand(sample(400)));
   const up = sorted(rows, { column: "kind", down: false });
   for (let i = 1; i < up.length; ++i)
     assert.ok(up[i - 1].f.kind < up[i].f.kind || (up[i - 1].f.kind === up[i].f.kind && up[i - 1].f.id < up[i].f.id));
@@ -70,52 +70,52 @@ test("sorting is stable, and failures sort by severity first", () => {
 });
 
 test("equal rows: those of ordinary size first, then those wrong by more", () => {
-  const rows = rows_of(expand(sample(400)));
+  const rows = rowsOf(expand(sample(400)));
   for (const [i, row] of rows.entries()) row.ordinary = i % 3 > 0;
-  const shown = worst_first(rows);
+  const shown = worstFirst(rows);
   for (let i = 1; i < shown.length; ++i) {
     const [x, y] = [shown[i - 1], shown[i]];
     assert.ok(x.ordinary > y.ordinary || (x.ordinary === y.ordinary && x.margin >= y.margin));
   }
   const solid = (x, radius) => ({ center: [x, 0, 0], axis: [0, 0, 1], radius, height: 2 * radius });
-  assert.ok(is_ordinary({ a: solid(0, 1), b: solid(3, 1) }));
+  assert.ok(isOrdinary({ a: solid(0, 1), b: solid(3, 1) }));
   for (const [x, radius] of [
     [0, 1e4],
     [0, 1e-5],
     [1e3, 1],
     [1e308, 1e308],
   ])
-    assert.ok(!is_ordinary({ a: solid(0, 1e-5), b: solid(x, radius) }));
+    assert.ok(!isOrdinary({ a: solid(0, 1e-5), b: solid(x, radius) }));
 });
 
 test("a search finds words as they are displayed, all of them", () => {
-  const rows = rows_of(expand(sample(400)));
-  const found = (text) => filtered(rows, filter_of(new URLSearchParams({ text }))).map((r) => r.f.id);
-  const by_hand = (passes) => rows.filter(({ f }) => passes(f)).map((r) => r.f.id);
-  const disjoint = by_hand((f) => f.kind === "wrong_disjoint");
+  const rows = rowsOf(expand(sample(400)));
+  const found = (text) => filtered(rows, filterOf(new URLSearchParams({ text }))).map((r) => r.f.id);
+  const byHand = (passes) => rows.filter(({ f }) => passes(f)).map((r) => r.f.id);
+  const disjoint = byHand((f) => f.kind === "wrong_disjoint");
   assert.deepEqual(found("wrong disjoint"), disjoint);
   assert.deepEqual(found("wrong_disjoint"), disjoint);
   assert.deepEqual(
     found("Beyond its claim"),
-    by_hand((f) => f.severity === "contract"),
+    byHand((f) => f.severity === "contract"),
   );
   assert.deepEqual(
     found("#17"),
-    by_hand((f) => String(f.id).startsWith("17")),
+    byHand((f) => String(f.id).startsWith("17")),
   );
   assert.deepEqual(
     found("crash ode"),
-    by_hand((f) => f.kind === "crash" && f.method === "ode"),
+    byHand((f) => f.kind === "crash" && f.method === "ode"),
   );
 });
 
 test("a cause is shown with its findings, one without them by what it says of itself", () => {
   const report = expand(sample(400)),
-    rows = rows_of(report),
-    causes = causes_of(report);
+    rows = rowsOf(report),
+    causes = causesOf(report);
   const shown = (query) => {
-    const filter = filter_of(new URLSearchParams(query));
-    return filtered_causes(causes, filtered(rows, filter), filter).map(({ b }) => b);
+    const filter = filterOf(new URLSearchParams(query));
+    return filteredCauses(causes, filtered(rows, filter), filter).map(({ b }) => b);
   };
   assert.equal(shown("").length, causes.length);
   assert.deepEqual(
@@ -130,11 +130,11 @@ test("a cause is shown with its findings, one without them by what it says of it
 });
 
 test("new causes come first, then those beyond a claim, then those of ordinary size, then the frequent", () => {
-  const ranked = sorted_causes(causes_of(expand(sample(400))), { column: "standing", down: false }).map(({ b }) => b);
+  const ranked = sortedCauses(causesOf(expand(sample(400))), { column: "standing", down: false }).map(({ b }) => b);
   const key = (b) => [
     ["new", "back", "known", "rare", "gone"].indexOf(b.standing),
     b.severity,
-    !is_ordinary(b.simplest.pair),
+    !isOrdinary(b.simplest.pair),
     -b.count,
   ];
   for (let i = 1; i < ranked.length; ++i) {
@@ -146,8 +146,8 @@ test("new causes come first, then those beyond a claim, then those of ordinary s
 
 test("the address keeps what is shown", () => {
   for (const query of ["", "kind=crash&kind=bad_witness&library=ode&method=ode&text=a+b&sort=-margin&causes=count"])
-    assert.equal(query_of(view_of(new URLSearchParams(query))), query);
-  assert.deepEqual(view_of(new URLSearchParams("sort=nothing")).order, { column: "severity", down: false });
+    assert.equal(queryOf(viewOf(new URLSearchParams(query))), query);
+  assert.deepEqual(viewOf(new URLSearchParams("sort=nothing")).order, { column: "severity", down: false });
 });
 
 test("a finding has its own margin and that of its pair", () => {
@@ -163,7 +163,7 @@ test("a finding has its own margin and that of its pair", () => {
 test("a wrong distance is measured against the proved one, the size and the claim", () => {
   const solid = { center: [0, 0, 0], axis: [0, 0, 1], radius: 1, height: 1 };
   const of = (said, verdict = "disjoint") =>
-    wrong_distance(
+    wrongDistance(
       { pair: { a: solid, b: solid }, truth: { verdict, distance: [1, 1.25] } },
       { distance: said },
       { relative: 0.125, absolute: 0.5, source: "" },
@@ -180,7 +180,7 @@ test("a claim allows no less than the judge does", () => {
     const solid = { center: [0, 0, 0], axis: [0, 0, 1], radius: scale, height: scale };
     const pair = { a: solid, b: solid },
       truth = { verdict: "disjoint", distance: [0, 0] };
-    return wrong_distance({ pair, truth }, { distance: said }, { relative: 0, absolute, source: "" }).allowed;
+    return wrongDistance({ pair, truth }, { distance: said }, { relative: 0, absolute, source: "" }).allowed;
   };
   assert.deepEqual(of(1, 5, 1e-6), { length: 4e-13 + 1e-6, by: "claim" });
   assert.deepEqual(of(1e9, 5, 1e-6), { length: 4e-4 + 1e-6, by: "size" });
@@ -197,7 +197,7 @@ test("an open end of a distance or a margin is beyond all", () => {
   assert.deepEqual(findings[0].truth.distance, [-Infinity, -1.797e308]);
   assert.deepEqual(findings[0].margin, [0.5, Infinity]);
   assert.deepEqual(buckets[0].margin, [1e-9, Infinity]);
-  assert.match(csv_of(rows_of(expand(report)), expand(report)), /,0.5,inf,\w+,-inf,-1.797e\+308,/);
+  assert.match(csvOf(rowsOf(expand(report)), expand(report)), /,0.5,inf,\w+,-inf,-1.797e\+308,/);
 });
 
 test("two counts under one rate", () => {
@@ -208,28 +208,28 @@ test("two counts under one rate", () => {
     [11, Math.log(3628800)],
     [171, 706.5730622457874],
   ])
-    assert.ok(Math.abs(log_gamma(x) - value) <= 1e-13 * Math.max(1, value), `of ${x}`);
+    assert.ok(Math.abs(logGamma(x) - value) <= 1e-13 * Math.max(1, value), `of ${x}`);
   const near = (p, value) => assert.ok(Math.abs(p - value) <= 1e-9 * value, `${p} is not ${value}`);
-  near(same_rate_probability(0, 100, 5, 100), 2 / 32);
-  near(same_rate_probability(5, 100, 5, 100), 1);
-  near(same_rate_probability(1, 10, 9, 10), 22 / 1024);
-  near(same_rate_probability(0, 10, 0, 10), 1);
-  near(same_rate_probability(3, 100, 0, 300), 1 / 64); // of 3, each falls to the first with 1/4
-  near(same_rate_probability(0, 100, 3, 300), 1); // 27/64 is the likeliest, with one of three
-  assert.equal(same_rate_probability(1, 0, 1, 5), null);
-  assert.ok(same_rate_probability(1000, 1e6, 1010, 1e6) > 0.5);
+  near(sameRateProbability(0, 100, 5, 100), 2 / 32);
+  near(sameRateProbability(5, 100, 5, 100), 1);
+  near(sameRateProbability(1, 10, 9, 10), 22 / 1024);
+  near(sameRateProbability(0, 10, 0, 10), 1);
+  near(sameRateProbability(3, 100, 0, 300), 1 / 64); // of 3, each falls to the first with 1/4
+  near(sameRateProbability(0, 100, 3, 300), 1); // 27/64 is the likeliest, with one of three
+  assert.equal(sameRateProbability(1, 0, 1, 5), null);
+  assert.ok(sameRateProbability(1000, 1e6, 1010, 1e6) > 0.5);
 });
 
 test("cells of a table are quoted, and none is a formula", () => {
-  assert.equal(csv_cell("plain"), "plain");
-  assert.equal(csv_cell('a "b", c'), '"a ""b"", c"');
-  assert.equal(csv_cell("two\nlines"), '"two\nlines"');
-  for (const sign of ["=", "+", "-", "@"]) assert.equal(csv_cell(`${sign}1`), `'${sign}1`);
-  assert.equal(csv_cell('=HYPERLINK("x")'), '"\'=HYPERLINK(""x"")"');
-  assert.deepEqual([-0.1, 1e-300, -0, 0.1 + 0.2].map(csv_cell), ["-0.1", "1e-300", "-0", "0.30000000000000004"]);
-  assert.deepEqual([null, undefined].map(csv_cell), ["", ""]);
+  assert.equal(csvCell("plain"), "plain");
+  assert.equal(csvCell('a "b", c'), '"a ""b"", c"');
+  assert.equal(csvCell("two\nlines"), '"two\nlines"');
+  for (const sign of ["=", "+", "-", "@"]) assert.equal(csvCell(`${sign}1`), `'${sign}1`);
+  assert.equal(csvCell('=HYPERLINK("x")'), '"\'=HYPERLINK(""x"")"');
+  assert.deepEqual([-0.1, 1e-300, -0, 0.1 + 0.2].map(csvCell), ["-0.1", "1e-300", "-0", "0.30000000000000004"]);
+  assert.deepEqual([null, undefined].map(csvCell), ["", ""]);
   const report = expand(sample(40)),
-    lines = csv_of(rows_of(report), report).split("\r\n");
+    lines = csvOf(rowsOf(report), report).split("\r\n");
   assert.equal(lines.length, 42);
   assert.equal(lines[0].split(",").length, 32);
 });
@@ -244,7 +244,7 @@ test("long numbers have exponents, and every digit", () => {
 
 test("a shell reads a word as it is, and a reader sees all of it", () => {
   for (const text of ["plain/word", "", "two words", "o'hara", "$HOME `x` \\", "a\u202eb\u00017", "\u00e9 \u200b'\\"]) {
-    const quoted = shell_quoted(text);
+    const quoted = shellQuoted(text);
     assert.doesNotMatch(quoted, /[\u0000-\u001f\u200b-\u202e]/);
     assert.equal(spawnSync("bash", ["-c", `printf %s ${quoted}`], { encoding: "utf8" }).stdout, text);
   }
@@ -279,7 +279,7 @@ test("maps and curves tell a claim kept from one broken, and declined from undec
     maps: [{ method: "ode", plane: "scale-offset", x, y, cells }],
     honesty: [{ method: "ode", family: null, bins: [bin, { ...bin, decade: 1, wrong_disjoint: 0, declined: 100 }] }],
   };
-  const files = charts(expand(report), plain_document());
+  const files = charts(expand(report), plainDocument());
   const rects = files.get("map-scale-offset-ode").match(/<rect [^>]*aria-label="t: [^>]*>/g);
   assert.match(rects[0], /^<rect fill="#3f7eae" [^>]*said disjoint wrongly 4 \(40 %\), 4 of them within its claim"/);
   assert.match(rects[1], /^<rect fill="#8f3a00" [^>]*, 2 of them within its claim\ndeclined 3 \(30 %\)"/);
@@ -288,7 +288,7 @@ test("maps and curves tell a claim kept from one broken, and declined from undec
 });
 
 test("every plot is drawn as a whole SVG", () => {
-  const files = charts(expand(sample(40)), plain_document());
+  const files = charts(expand(sample(40)), plainDocument());
   for (const name of [
     "families",
     "speed-verdict-all",
@@ -306,5 +306,5 @@ test("every plot is drawn as a whole SVG", () => {
     assert.ok(!/NaN|undefined|Infinity|var\(/.test(text), `${name} has a number or colour that is none`);
   }
   const empty = { ...sample(1), maps: [], honesty: [], speed: [], cost: [], paths: [], backward: [] };
-  assert.deepEqual([...charts(expand(empty), plain_document()).keys()], ["families"]);
+  assert.deepEqual([...charts(expand(empty), plainDocument()).keys()], ["families"]);
 });

@@ -2,10 +2,10 @@
 // One finding, or one cause with its simplest and its worst case.
 import { useMemo, useState } from "preact/hooks";
 import { Copy } from "../parts/elements.tsx";
-import { digits17, full, group_by, grouped, least_range, percent, plural, range, safe, short } from "../parts/words.ts";
-import { bucket_address } from "./causes.tsx";
+import { digits17, full, groupBy, grouped, leastRange, percent, plural, range, safe, short } from "../parts/words.ts";
+import { bucketAddress } from "./causes.tsx";
 import type { Answer, Bucket, Case, Claim, Finding, Truth } from "./data.ts";
-import { wrong_distance, type Allowed, type WrongDistance } from "./distance.ts";
+import { wrongDistance, type Allowed, type WrongDistance } from "./distance.ts";
 import { Fact, Heads } from "./elements.tsx";
 import { about } from "./glossary.ts";
 import { Handling } from "./handling.tsx";
@@ -13,10 +13,10 @@ import { Nights } from "./nights.tsx";
 import { PairView } from "./pair_view.tsx";
 import { prove, type Proof } from "./prove.ts";
 import type { FullReport } from "./report.ts";
-import { claim_words, coordinate_words, kind_words, origin_words, severity_words, standing_words } from "./words.ts";
+import { formatClaim, formatCoordinate, kindLabel, claimOrigin, severityLabels, standingLabel } from "./words.ts";
 
 /** The part of a truth that is a certificate, as one may edit it. */
-function certificate_of({ verdict, direction, point, points, near }: Truth) {
+function certificateOf({ verdict, direction, point, points, near }: Truth) {
   return JSON.stringify({
     verdict,
     ...(direction && { direction }),
@@ -27,7 +27,7 @@ function certificate_of({ verdict, direction, point, points, near }: Truth) {
 }
 
 /** What proves a truth, and why it does. */
-const certificate_words = (t: Truth): [string, string] =>
+const describeCertificate = (t: Truth): [string, string] =>
   t.direction
     ? ["separating direction", "A plane square to this direction has one solid on each side."]
     : t.point
@@ -44,8 +44,8 @@ const certificate_words = (t: Truth): [string, string] =>
         ];
 
 function Prover({ shown }: { shown: Case }) {
-  const [kind, why] = certificate_words(shown.truth);
-  const given = useMemo(() => certificate_of(shown.truth), [shown]);
+  const [kind, why] = describeCertificate(shown.truth);
+  const given = useMemo(() => certificateOf(shown.truth), [shown]);
   const [text, edit] = useState(given);
   const [proof, tell] = useState<Proof | null>(null);
   const check = () => {
@@ -106,18 +106,18 @@ function Prover({ shown }: { shown: Case }) {
   );
 }
 
-function answer_words(a: Answer): string {
+function formatAnswer(a: Answer): string {
   if (a.failed) return `failed: ${a.failed}${a.reason ? `, \u201c${a.reason}\u201d` : ""}`;
   if (a.declined !== undefined) return `declined${a.declined ? `: ${a.declined}` : ""}`;
   return [
     a.verdict ?? "no verdict",
     ...(a.distance === undefined ? [] : [`distance ${full(a.distance)}`]),
     ...(a.direction ? [`direction (${a.direction.map(full).join(", ")})`] : []),
-    ...(a.point ? [`point (${a.point.map(coordinate_words).join(", ")})`] : []),
+    ...(a.point ? [`point (${a.point.map(formatCoordinate).join(", ")})`] : []),
   ].join(", ");
 }
 
-function wrong_verdict(a: Answer, truth: Truth) {
+function wrongVerdict(a: Answer, truth: Truth) {
   if (a.failed) return true;
   const meets = truth.verdict === "intersecting" || truth.verdict === "touching";
   return (
@@ -126,28 +126,31 @@ function wrong_verdict(a: Answer, truth: Truth) {
   );
 }
 
-interface Said {
+interface AnswerGroup {
   answer: Answer;
   who: { name: string; off: WrongDistance | null; wrong: boolean }[];
-  its: boolean; // of the method that is looked at
+  isSelected: boolean; // of the method that is looked at
   wrong: boolean;
 }
 
 /** The answers, each once: that of `method` first, then the wrong ones, then what most say. `distances`: those outside
  *  their claim are wrong too. */
-function said_of(shown: Case, method: string, claims: Map<string, Claim>, distances: boolean): Said[] {
-  const same = group_by(Object.entries(shown.answers), ([name, a]) => `${name === method} ${answer_words(a)}`);
-  const all = [...same.values()].map((given): Said => {
+function groupAnswers(shown: Case, method: string, claims: Map<string, Claim>, distances: boolean): AnswerGroup[] {
+  const same = groupBy(Object.entries(shown.answers), ([name, a]) => `${name === method} ${formatAnswer(a)}`);
+  const all = [...same.values()].map((given): AnswerGroup => {
     const answer = given[0]![1];
     const who = given.map(([name]) => {
-      const off = distances ? wrong_distance(shown, answer, claims.get(name)) : null;
+      const off = distances ? wrongDistance(shown, answer, claims.get(name)) : null;
       const outside = off !== null && (off.claims === null ? off.error > 0 : off.claims > 1);
-      return { name, off, wrong: outside || wrong_verdict(answer, shown.truth) };
+      return { name, off, wrong: outside || wrongVerdict(answer, shown.truth) };
     });
-    return { answer, who, its: given.some(([name]) => name === method), wrong: who.some((w) => w.wrong) };
+    return { answer, who, isSelected: given.some(([name]) => name === method), wrong: who.some((w) => w.wrong) };
   });
   return all.sort(
-    (x, y) => Number(y.its) - Number(x.its) || Number(y.wrong) - Number(x.wrong) || y.who.length - x.who.length,
+    (x, y) =>
+      Number(y.isSelected) - Number(x.isSelected) ||
+      Number(y.wrong) - Number(x.wrong) ||
+      y.who.length - x.who.length,
   );
 }
 
@@ -163,7 +166,7 @@ function Answers({
   distances: boolean;
 }) {
   const claims = new Map(report.methods.map((m) => [m.name, m.claim]));
-  const said = said_of(shown, method, claims, distances);
+  const said = groupAnswers(shown, method, claims, distances);
   if (said.length === 0) return null;
   return (
     <section>
@@ -172,9 +175,9 @@ function Answers({
         <table class="plain answers">
           <Heads of={distances ? ["answer", "n:wrong by", "from"] : ["answer", "from"]} />
           <tbody>
-            {said.map(({ answer, who, its, wrong }, row) => (
-              <tr key={row} class={its ? "its" : ""}>
-                <td class={`wrap ${wrong ? "bad" : ""}`}>{safe(answer_words(answer))}</td>
+            {said.map(({ answer, who, isSelected, wrong }, row) => (
+              <tr key={row} class={isSelected ? "its" : ""}>
+                <td class={`wrap ${wrong ? "bad" : ""}`}>{safe(formatAnswer(answer))}</td>
                 {distances && <td class="n">{who[0]!.off ? short(who[0]!.off.error) : "\u2013"}</td>}
                 <td class="wrap">
                   {who.map(({ name, off, wrong }, i) => (
@@ -197,7 +200,7 @@ function Answers({
   );
 }
 
-const allowed_words: Record<Allowed["by"], string> = {
+const allowedLabels: Record<Allowed["by"], string> = {
   claim: "its claim",
   size: "1e\u221213 of the size, which is more than its claim: coordinates of such solids are no finer",
   distance: "2^\u221250 of the distance or the size, which is more than its claim: doubles are no finer there",
@@ -232,14 +235,14 @@ function Wrong({
         </Fact>
         {allowed && (
           <Fact label="allowed">
-            {short(allowed.length, 4)} <span class="soft">{allowed_words[allowed.by]}</span>
+            {short(allowed.length, 4)} <span class="soft">{allowedLabels[allowed.by]}</span>
           </Fact>
         )}
       </dl>
       {claim && (
         <p class="soft">
-          Its claim: {claim_words(claim)}
-          <span title={about(origin_words(claim))}>, {origin_words(claim)}</span>.
+          Its claim: {formatClaim(claim)}
+          <span title={about(claimOrigin(claim))}>, {claimOrigin(claim)}</span>.
         </p>
       )}
     </section>
@@ -298,7 +301,7 @@ function Solids({ shown }: { shown: Case }) {
   );
 }
 
-const stage_words: Record<string, string> = {
+const stageLabels: Record<string, string> = {
   filter: "double intervals",
   wide: "multiple precision",
   exact: "rationals",
@@ -309,8 +312,8 @@ function CaseView({ shown, method, kind, report }: { shown: Case; method: string
   const { truth } = shown,
     distances = kind === "distance_outside",
     claim = report.methods.find((m) => m.name === method)?.claim,
-    off = distances ? wrong_distance(shown, shown.answers[method], claim) : null,
-    stage = truth.stage && (stage_words[truth.stage] ?? safe(truth.stage));
+    off = distances ? wrongDistance(shown, shown.answers[method], claim) : null,
+    stage = truth.stage && (stageLabels[truth.stage] ?? safe(truth.stage));
   return (
     <div class="case">
       <div class="left">
@@ -378,7 +381,7 @@ export function FindingView({
         {f.bucket && (
           <>
             {" "}
-            / <a href={bucket_address(f.bucket)}>{safe(f.bucket)}</a>
+            / <a href={bucketAddress(f.bucket)}>{safe(f.bucket)}</a>
           </>
         )}
         <span class="beside">
@@ -387,18 +390,18 @@ export function FindingView({
         </span>
       </p>
       <h2 tabIndex={-1}>
-        #{f.id} <b>{safe(f.method)}</b> {safe(kind_words(f.kind))}{" "}
-        <span class={f.severity === "contract" ? "bad" : "soft"} title={about(severity_words[f.severity] ?? "")}>
-          {severity_words[f.severity] ?? safe(f.severity)}
+        #{f.id} <b>{safe(f.method)}</b> {safe(kindLabel(f.kind))}{" "}
+        <span class={f.severity === "contract" ? "bad" : "soft"} title={about(severityLabels[f.severity] ?? "")}>
+          {severityLabels[f.severity] ?? safe(f.severity)}
         </span>
       </h2>
       <p class="soft">
-        Family {safe(kind_words(f.family))}.
+        Family {safe(kindLabel(f.family))}.
         {claim && (
           <>
             {" "}
-            It claims to be {claim_words(claim)} (
-            <b title={about(origin_words(claim))}>{origin_words(claim)}: </b>
+            It claims to be {formatClaim(claim)} (
+            <b title={about(claimOrigin(claim))}>{claimOrigin(claim)}: </b>
             {safe(claim.source)}).
           </>
         )}
@@ -426,7 +429,7 @@ export function BucketView({
   const kept = b.findings.map((id) => finding.get(id)).filter((f) => f !== undefined);
   const claim = report.methods.find((m) => m.name === b.method)?.claim;
   const asked = b.nights.at(-1)?.asked;
-  const severity = severity_words[b.severity] ?? safe(b.severity);
+  const severity = severityLabels[b.severity] ?? safe(b.severity);
   return (
     <>
       <p class="crumbs">
@@ -446,7 +449,7 @@ export function BucketView({
             </span>
           )}
         </Fact>
-        <Fact label="margins">{least_range(b.margin)}</Fact>
+        <Fact label="margins">{leastRange(b.margin)}</Fact>
         {b.share && (
           <Fact label="share of pairs like it">
             {percent(b.share.wrong, b.share.asked)} <span class="soft">of {grouped(b.share.asked)}</span>
@@ -455,7 +458,7 @@ export function BucketView({
         <Fact label="feature">{safe(b.feature)}</Fact>
         <Fact label="what still matters">{safe(b.coordinate)}</Fact>
         <Fact label="since earlier runs">
-          <span title={about(b.standing ?? "")}>{standing_words(b.standing)}</span>
+          <span title={about(b.standing ?? "")}>{standingLabel(b.standing)}</span>
         </Fact>
         {b.chance !== null && <Fact label="chance">{short(b.chance)}</Fact>}
         <Fact label="seen">
@@ -471,8 +474,8 @@ export function BucketView({
       </dl>
       {claim && (
         <p class="soft">
-          {safe(b.method)} claims to be {claim_words(claim)}
-          <span title={about(origin_words(claim))}>, {origin_words(claim)}</span>.
+          {safe(b.method)} claims to be {formatClaim(claim)}
+          <span title={about(claimOrigin(claim))}>, {claimOrigin(claim)}</span>.
         </p>
       )}
       <p>
@@ -528,7 +531,7 @@ export function BucketView({
                     <a href={`#/finding/${f.id}`}>{f.id}</a>
                   </td>
                   <td>{safe(f.method)}</td>
-                  <td>{safe(kind_words(f.family))}</td>
+                  <td>{safe(kindLabel(f.family))}</td>
                   <td class="n">{short(f.margin?.[0])}</td>
                 </tr>
               ))}

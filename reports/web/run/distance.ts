@@ -4,10 +4,10 @@ import type { Pair } from "../parts/data.ts";
 import type { Answer, Case, Claim } from "./data.ts";
 
 /** As the judge has them: what of the size is allowed to every claim of a length, and of the distance to everybody. */
-const claim_floor = 1e-13,
+const claimFloor = 1e-13,
   rounding = 2 ** -50;
 
-const size_of = ({ a, b }: Pair) =>
+const sizeOf = ({ a, b }: Pair) =>
   a.radius + a.height + b.radius + b.height + ((a.rounding ?? 0) + (b.rounding ?? 0));
 
 /** What a claim allows a distance to be off by, and what sets that: the claim itself, or what rounding costs. */
@@ -15,8 +15,8 @@ export interface Allowed {
   length: number;
   by: "claim" | "size" | "distance";
 }
-function allowed_by({ relative, absolute }: Claim, size: number, said: number): Allowed {
-  const floor = absolute > 0 && relative < claim_floor ? claim_floor * size : 0;
+function allowedBy({ relative, absolute }: Claim, size: number, said: number): Allowed {
+  const floor = absolute > 0 && relative < claimFloor ? claimFloor * size : 0;
   const claimed = Math.max(relative * size, floor) + absolute,
     rounded = Math.max(Math.abs(said), size) * rounding;
   if (rounded > claimed) return { length: rounded, by: "distance" };
@@ -34,7 +34,7 @@ export interface WrongDistance {
 }
 
 /** null where there is no distance to be wrong. */
-export function wrong_distance(
+export function wrongDistance(
   { pair, truth }: Pick<Case, "pair" | "truth">,
   answer: Answer | undefined,
   claim: Claim | undefined,
@@ -42,9 +42,9 @@ export function wrong_distance(
   const said = answer?.distance;
   const proved = truth.verdict === "touching" ? ([0, 0] as [number, number]) : truth.distance;
   if (typeof said !== "number" || !proved) return null;
-  const size = size_of(pair),
+  const size = sizeOf(pair),
     error = Math.max(0, proved[0] - said, said - proved[1]),
-    allowed = claim ? allowed_by(claim, size, said) : null;
+    allowed = claim ? allowedBy(claim, size, said) : null;
   return {
     said,
     proved,

@@ -4,7 +4,7 @@
 import type { Pair, Vec } from "../parts/data.ts";
 import { add, dot, scale, sub, unit, type Solid } from "../parts/geometry.ts";
 import type { Case } from "./data.ts";
-import { coordinate_value } from "./words.ts";
+import { coordinateValue } from "./words.ts";
 
 export interface Drawing {
   a: Solid;
@@ -25,7 +25,7 @@ export const reach = (s: Solid, n: Vec) => {
   return s.radius * Math.sqrt(Math.max(0, 1 - along * along)) + s.half * along + s.rounding;
 };
 
-function unit_of(pair: Pair): number {
+function unitOf(pair: Pair): number {
   const apart = sub(scale(pair.b.center, 0.5), scale(pair.a.center, 0.5));
   const lengths = [pair.a, pair.b].flatMap((c) => [c.radius, c.height / 2, c.rounding ?? 0]);
   const longest = Math.max(...lengths, ...apart.map(Math.abs));
@@ -42,13 +42,13 @@ function support(s: Solid, n: Vec): Vec {
   return add(core, scale(n, s.rounding));
 }
 
-export function drawing_of(c: Case): Drawing {
-  const u = unit_of(c.pair);
+export function drawingOf(c: Case): Drawing {
+  const u = unitOf(c.pair);
   const { a, b } = c.pair;
   // Halves first: the sum of two doubles may overflow, and centres far out lose nothing but their common offset.
-  const half_way = scale(sub(scale(b.center, 1 / u), scale(a.center, 1 / u)), 0.5);
-  const exact_way: Vec = [0, 1, 2].map((i) => (b.center[i]! / 2 - a.center[i]! / 2) / u) as Vec;
-  const way = exact_way.every(Number.isFinite) ? exact_way : half_way;
+  const halfWay = scale(sub(scale(b.center, 1 / u), scale(a.center, 1 / u)), 0.5);
+  const exactWay: Vec = [0, 1, 2].map((i) => (b.center[i]! / 2 - a.center[i]! / 2) / u) as Vec;
+  const way = exactWay.every(Number.isFinite) ? exactWay : halfWay;
   const solid = (s: typeof a, center: Vec): Solid => ({
     center,
     axis: unit(s.axis),
@@ -56,36 +56,36 @@ export function drawing_of(c: Case): Drawing {
     half: s.height / 2 / u,
     rounding: (s.rounding ?? 0) / u,
   });
-  const drawn_a = solid(a, scale(way, -1)),
-    drawn_b = solid(b, way);
-  const local = (x: Vec): Vec => add(drawn_a.center, [0, 1, 2].map((i) => (x[i]! - a.center[i]!) / u) as Vec);
+  const drawnA = solid(a, scale(way, -1)),
+    drawnB = solid(b, way);
+  const local = (x: Vec): Vec => add(drawnA.center, [0, 1, 2].map((i) => (x[i]! - a.center[i]!) / u) as Vec);
 
   const certificate = c.truth.direction ?? c.truth.near?.direction;
-  const told = c.direction ?? (certificate?.map(coordinate_value) as Vec | undefined) ?? null;
+  const told = c.direction ?? (certificate?.map(coordinateValue) as Vec | undefined) ?? null;
   let direction = told && told.every(Number.isFinite) ? unit(told) : null;
-  const delta = sub(drawn_b.center, drawn_a.center);
+  const delta = sub(drawnB.center, drawnA.center);
   if (direction && dot(direction, delta) < 0) direction = scale(direction, -1);
   const certified = c.truth.point ?? c.truth.near?.point,
-    two = (c.truth.points ?? c.truth.near?.points)?.map((x) => local(x.map(coordinate_value) as Vec)),
-    share = drawn_a.rounding / (drawn_a.rounding + drawn_b.rounding);
+    two = (c.truth.points ?? c.truth.near?.points)?.map((x) => local(x.map(coordinateValue) as Vec)),
+    share = drawnA.rounding / (drawnA.rounding + drawnB.rounding);
   const point = certified
-    ? local(certified.map(coordinate_value) as Vec)
+    ? local(certified.map(coordinateValue) as Vec)
     : two
       ? add(two[0]!, scale(sub(two[1]!, two[0]!), share)) // of the way from core to core, that much lies in a
       : null;
   const near = c.nearest
     ? { a: local(c.nearest.a), b: local(c.nearest.b) }
     : direction
-      ? { a: support(drawn_a, direction), b: support(drawn_b, scale(direction, -1)) }
+      ? { a: support(drawnA, direction), b: support(drawnB, scale(direction, -1)) }
       : null;
 
   // A plane square to the direction of the certificate itself, in the middle of what it leaves free.
   let plane: Vec | null = null;
-  const normal = certificate && unit(certificate.map(coordinate_value) as Vec); // none beyond the range of doubles
+  const normal = certificate && unit(certificate.map(coordinateValue) as Vec); // none beyond the range of doubles
   if (c.truth.verdict === "disjoint" && normal?.every(Number.isFinite)) {
     const n = dot(normal, delta) < 0 ? scale(normal, -1) : normal;
-    const low = dot(n, drawn_a.center) + reach(drawn_a, n),
-      high = dot(n, drawn_b.center) - reach(drawn_b, n);
+    const low = dot(n, drawnA.center) + reach(drawnA, n),
+      high = dot(n, drawnB.center) - reach(drawnB, n);
     const middle = near ? scale(add(near.a, near.b), 0.5) : ([0, 0, 0] as Vec),
       from = middle.every(Number.isFinite) ? middle : ([0, 0, 0] as Vec);
     plane = add(from, scale(n, (low + high) / 2 - dot(n, from)));
@@ -96,10 +96,10 @@ export function drawing_of(c: Case): Drawing {
   const gap = distance ? (distance[0] + (distance[1] - distance[0]) / 2) / u : null;
   const ball = (s: Solid) => Math.sqrt(dot(s.center, s.center)) + Math.hypot(s.radius, s.half) + s.rounding;
   return {
-    a: drawn_a,
-    b: drawn_b,
+    a: drawnA,
+    b: drawnB,
     unit: u,
-    extent: Math.max(ball(drawn_a), ball(drawn_b), 1e-3),
+    extent: Math.max(ball(drawnA), ball(drawnB), 1e-3),
     contact: contact.every(Number.isFinite) ? contact : [0, 0, 0],
     near: near && [...near.a, ...near.b].every(Number.isFinite) ? near : null,
     direction,
@@ -110,12 +110,12 @@ export function drawing_of(c: Case): Drawing {
 }
 
 /** A gap or an overlap narrower than this part of the drawing cannot be seen. */
-const visible_share = 0.06;
+const visibleShare = 0.06;
 
 /** By how much the gap is drawn wider than it is so that it shows; 1: to scale, or not known. */
 export function exaggeration(d: Drawing): number {
   if (d.gap === null || d.gap === 0 || !d.direction) return 1;
-  const k = (visible_share * d.extent) / Math.abs(d.gap);
+  const k = (visibleShare * d.extent) / Math.abs(d.gap);
   return k > 1 && Number.isFinite(k) ? k : 1;
 }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Elements that several sections of the page of a run use.
 import type { ComponentChildren } from "preact";
-import { shell_quoted } from "../parts/words.ts";
+import { shellQuoted } from "../parts/words.ts";
 import type { FullReport } from "./report.ts";
 import { about } from "./glossary.ts";
 
@@ -57,7 +57,7 @@ export function Missing({ of, report }: { of: keyof typeof makes; report: FullRe
   const [what, command] = makes[of];
   return (
     <p class="missing">
-      This run has no {what}. <code>{command(shell_quoted(report.run.folder))}</code> makes it.
+      This run has no {what}. <code>{command(shellQuoted(report.run.folder))}</code> makes it.
     </p>
   );
 }

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 // Which findings and causes are shown, and in which order: what a link says of it and what the address keeps.
 import type { Pair } from "../parts/data.ts";
-import { group_by, in_order } from "../parts/words.ts";
+import { groupBy, inOrder } from "../parts/words.ts";
 import type { Bucket, Finding, Standing } from "./data.ts";
 import { standings, type FullReport } from "./report.ts";
-import { kind_words, library, severity_words } from "./words.ts";
+import { kindLabel, library, severityLabels } from "./words.ts";
 
 export const facets = ["severity", "kind", "library", "family", "standing"] as const;
 export type Facet = (typeof facets)[number];
@@ -14,7 +14,7 @@ export interface Filter {
   method: string | null;
   text: string;
 }
-export const no_filter: Filter = {
+export const noFilter: Filter = {
   chosen: { severity: new Set(), kind: new Set(), library: new Set(), family: new Set(), standing: new Set() },
   method: null,
   text: "",
@@ -39,39 +39,39 @@ export interface Cause {
 }
 
 /** Of a size that scenes have, and near: shown before what is at the ends of the doubles. */
-export function is_ordinary({ a, b }: Pair) {
+export function isOrdinary({ a, b }: Pair) {
   const size = a.radius + a.height + (a.rounding ?? 0) + b.radius + b.height + (b.rounding ?? 0);
   return size >= 1e-3 && size <= 1e3 && Math.max(Math.hypot(...a.center), Math.hypot(...b.center)) <= 100 * size;
 }
 
-const spoken = (parts: (string | number | null | undefined)[]) =>
+const searchText = (parts: (string | number | null | undefined)[]) =>
   parts
     .filter((part) => part !== null && part !== undefined)
     .join(" ")
     .toLowerCase()
     .replaceAll("_", " ");
 /** Each of them must occur; "wrong_disjoint" is one. */
-const terms_of = (text: string) =>
+const termsOf = (text: string) =>
   text
     .split(/\s+/)
-    .map((term) => spoken([term]))
+    .map((term) => searchText([term]))
     .filter((term) => term !== "");
 
-const cause_words = (b: Bucket) =>
-  spoken([b.key, b.cause, ...b.labels, ...b.methods, b.note?.owner, b.note?.note, b.suppressed?.reason]);
+const causeText = (b: Bucket) =>
+  searchText([b.key, b.cause, ...b.labels, ...b.methods, b.note?.owner, b.note?.note, b.suppressed?.reason]);
 
-export function rows_of(report: FullReport): Row[] {
-  const standing_of = standings(report);
-  const said_of = new Map(report.buckets.map((b) => [b.key, cause_words(b)]));
+export function rowsOf(report: FullReport): Row[] {
+  const standingOf = standings(report);
+  const causeTexts = new Map(report.buckets.map((b) => [b.key, causeText(b)]));
   return report.findings.map((f) => {
-    const standing = standing_of(f);
-    const words = [`#${f.id}`, severity_words[f.severity], f.kind, f.method, f.family, f.bucket, f.reason, f.note];
+    const standing = standingOf(f);
+    const words = [`#${f.id}`, severityLabels[f.severity], f.kind, f.method, f.family, f.bucket, f.reason, f.note];
     return {
       f,
       standing,
       method: f.method,
       margin: f.margin?.[0] ?? -1,
-      ordinary: is_ordinary(f.pair),
+      ordinary: isOrdinary(f.pair),
       facet: {
         severity: f.severity,
         kind: f.kind,
@@ -79,26 +79,26 @@ export function rows_of(report: FullReport): Row[] {
         family: f.family,
         standing: standing ?? "not compared",
       },
-      text: spoken([...words, standing, f.bucket === null ? "" : said_of.get(f.bucket)]),
+      text: searchText([...words, standing, f.bucket === null ? "" : causeTexts.get(f.bucket)]),
     };
   });
 }
 
-export function causes_of(report: FullReport): Cause[] {
-  const with_findings = new Set(report.findings.map((f) => f.bucket));
+export function causesOf(report: FullReport): Cause[] {
+  const withFindings = new Set(report.findings.map((f) => f.bucket));
   const alone = (b: Bucket): Subject[] => {
     const standing = b.standing ?? "not compared";
-    const text = spoken([cause_words(b), b.method, kind_words(b.kind), severity_words[b.severity], standing]);
+    const text = searchText([causeText(b), b.method, kindLabel(b.kind), severityLabels[b.severity], standing]);
     const families = b.families.length > 0 ? b.families : [""];
     return b.methods.flatMap((method) =>
       families.map((family) => ({
         method,
         facet: { severity: b.severity, kind: b.kind, library: library(method), family, standing },
-        text: `${text} ${spoken([family])}`,
+        text: `${text} ${searchText([family])}`,
       })),
     );
   };
-  return report.buckets.map((b) => ({ b, alone: with_findings.has(b.key) ? null : alone(b) }));
+  return report.buckets.map((b) => ({ b, alone: withFindings.has(b.key) ? null : alone(b) }));
 }
 
 function passes(row: Subject, filter: Filter, terms: string[], but?: Facet) {
@@ -109,13 +109,13 @@ function passes(row: Subject, filter: Filter, terms: string[], but?: Facet) {
 }
 
 export function filtered(rows: Row[], filter: Filter) {
-  const terms = terms_of(filter.text);
+  const terms = termsOf(filter.text);
   return rows.filter((row) => passes(row, filter, terms));
 }
 
 /** The causes of the rows that a filter left, and those without findings that it lets pass. */
-export function filtered_causes(causes: Cause[], shown: Row[], filter: Filter) {
-  const terms = terms_of(filter.text),
+export function filteredCauses(causes: Cause[], shown: Row[], filter: Filter) {
+  const terms = termsOf(filter.text),
     keys = new Set(shown.map((row) => row.f.bucket));
   return causes.filter(({ b, alone }) =>
     alone ? alone.some((subject) => passes(subject, filter, terms)) : keys.has(b.key),
@@ -123,12 +123,12 @@ export function filtered_causes(causes: Cause[], shown: Row[], filter: Filter) {
 }
 
 type Counts = Record<Facet, Map<string, number>>;
-const by_facet = (): Counts => Object.fromEntries(facets.map((facet) => [facet, new Map<string, number>()])) as Counts;
+const byFacet = (): Counts => Object.fromEntries(facets.map((facet) => [facet, new Map<string, number>()])) as Counts;
 
 /** How many rows each chip would give beside what the other facets leave; chips that are pressed stay. */
-export function chip_counts(rows: Row[], filter: Filter): Counts {
-  const counts = by_facet(),
-    terms = terms_of(filter.text);
+export function chipCounts(rows: Row[], filter: Filter): Counts {
+  const counts = byFacet(),
+    terms = termsOf(filter.text);
   for (const facet of facets) {
     for (const row of rows) {
       const value = row.facet[facet],
@@ -140,12 +140,12 @@ export function chip_counts(rows: Row[], filter: Filter): Counts {
 }
 
 /** The same of causes that have no findings here. */
-export function lone_counts(causes: Cause[], filter: Filter): Counts {
-  const counts = by_facet(),
-    terms = terms_of(filter.text);
+export function loneCounts(causes: Cause[], filter: Filter): Counts {
+  const counts = byFacet(),
+    terms = termsOf(filter.text);
   for (const facet of facets) {
     for (const { alone } of causes) {
-      for (const [value, subjects] of group_by(alone ?? [], (subject) => subject.facet[facet])) {
+      for (const [value, subjects] of groupBy(alone ?? [], (subject) => subject.facet[facet])) {
         const passing = subjects.some((subject) => passes(subject, filter, terms, facet));
         counts[facet].set(value, (counts[facet].get(value) ?? 0) + (passing ? 1 : 0));
       }
@@ -161,15 +161,15 @@ interface OrderOf<C extends string> {
 export const columns = ["id", "severity", "kind", "method", "family", "margin", "bucket", "standing"] as const;
 export type Column = (typeof columns)[number];
 export type Order = OrderOf<Column>;
-export const cause_columns = ["key", "methods", "severity", "count", "margin", "share", "standing", "seen"] as const;
-export type CauseColumn = (typeof cause_columns)[number];
+export const causeColumns = ["key", "methods", "severity", "count", "margin", "share", "standing", "seen"] as const;
+export type CauseColumn = (typeof causeColumns)[number];
 export type CauseOrder = OrderOf<CauseColumn>;
 
-const severity_rank: Record<string, number> = { contract: 0, resolution: 1, unresolved: 2 };
-const rank_of = (severity: string) => severity_rank[severity] ?? 3;
-const standing_rank: Record<string, number> = { new: 0, back: 1, known: 2, rare: 3, gone: 4 };
-const standing_of = (b: Bucket) => standing_rank[b.standing ?? "known"] ?? 2;
-const by_name = (a: string, b: string) => (a < b ? -1 : a > b ? 1 : 0);
+const severityRank: Record<string, number> = { contract: 0, resolution: 1, unresolved: 2 };
+const rankOf = (severity: string) => severityRank[severity] ?? 3;
+const standingRank: Record<string, number> = { new: 0, back: 1, known: 2, rare: 3, gone: 4 };
+const standingOf = (b: Bucket) => standingRank[b.standing ?? "known"] ?? 2;
+const byName = (a: string, b: string) => (a < b ? -1 : a > b ? 1 : 0);
 
 function compare(x: Row, y: Row, column: Column): number {
   switch (column) {
@@ -178,60 +178,60 @@ function compare(x: Row, y: Row, column: Column): number {
     case "margin":
       return x.margin - y.margin;
     case "severity":
-      return rank_of(x.f.severity) - rank_of(y.f.severity);
+      return rankOf(x.f.severity) - rankOf(y.f.severity);
     case "standing":
-      return by_name(x.facet.standing, y.facet.standing);
+      return byName(x.facet.standing, y.facet.standing);
     default:
-      return by_name(x.f[column] ?? "", y.f[column] ?? "");
+      return byName(x.f[column] ?? "", y.f[column] ?? "");
   }
 }
 
 /** Equal rows keep their order. */
 export const sorted = (rows: Row[], order: Order) =>
-  in_order(rows, (x, y) => (order.down ? -1 : 1) * compare(x, y, order.column));
+  inOrder(rows, (x, y) => (order.down ? -1 : 1) * compare(x, y, order.column));
 
 /** The order in which equal rows are shown: the ordinary first, then those wrong by more. */
-export const worst_first = (rows: Row[]) =>
-  in_order(rows, (x, y) => Number(y.ordinary) - Number(x.ordinary) || y.margin - x.margin);
+export const worstFirst = (rows: Row[]) =>
+  inOrder(rows, (x, y) => Number(y.ordinary) - Number(x.ordinary) || y.margin - x.margin);
 
-const share_of = ({ share }: Bucket) => (share && share.asked > 0 ? share.wrong / share.asked : -1);
+const shareOf = ({ share }: Bucket) => (share && share.asked > 0 ? share.wrong / share.asked : -1);
 
-function compare_causes(x: Bucket, y: Bucket, column: CauseColumn): number {
+function compareCauses(x: Bucket, y: Bucket, column: CauseColumn): number {
   switch (column) {
     case "key":
-      return by_name(x.key, y.key);
+      return byName(x.key, y.key);
     case "methods":
-      return by_name(x.methods.join(), y.methods.join());
+      return byName(x.methods.join(), y.methods.join());
     case "severity":
-      return rank_of(x.severity) - rank_of(y.severity);
+      return rankOf(x.severity) - rankOf(y.severity);
     case "count":
       return x.count - y.count;
     case "margin":
       return (x.margin?.[1] ?? -1) - (y.margin?.[1] ?? -1);
     case "share":
-      return share_of(x) - share_of(y);
+      return shareOf(x) - shareOf(y);
     case "seen":
-      return by_name(x.first_seen, y.first_seen);
+      return byName(x.first_seen, y.first_seen);
     case "standing":
-      return standing_of(x) - standing_of(y);
+      return standingOf(x) - standingOf(y);
   }
 }
 
 /** Equal ones: the new first, then beyond a claim, then of ordinary size, then the frequent. */
-export const sorted_causes = (causes: Cause[], { column, down }: CauseOrder) =>
-  in_order(
+export const sortedCauses = (causes: Cause[], { column, down }: CauseOrder) =>
+  inOrder(
     causes,
     ({ b: x }, { b: y }) =>
-      (down ? -1 : 1) * compare_causes(x, y, column) ||
-      standing_of(x) - standing_of(y) ||
-      rank_of(x.severity) - rank_of(y.severity) ||
-      Number(is_ordinary(y.simplest.pair)) - Number(is_ordinary(x.simplest.pair)) ||
+      (down ? -1 : 1) * compareCauses(x, y, column) ||
+      standingOf(x) - standingOf(y) ||
+      rankOf(x.severity) - rankOf(y.severity) ||
+      Number(isOrdinary(y.simplest.pair)) - Number(isOrdinary(x.simplest.pair)) ||
       y.count - x.count,
   );
 
 /** The filter that a link asks for. */
-export function filter_of(query: URLSearchParams): Filter {
-  const chosen = { ...no_filter.chosen };
+export function filterOf(query: URLSearchParams): Filter {
+  const chosen = { ...noFilter.chosen };
   for (const facet of facets) {
     const values = query.getAll(facet);
     if (values.length > 0) chosen[facet] = new Set(values);
@@ -245,27 +245,27 @@ export interface View {
   order: Order;
   causes: CauseOrder;
 }
-const first_order: Order = { column: "severity", down: false },
-  first_causes: CauseOrder = { column: "standing", down: false };
+const firstOrder: Order = { column: "severity", down: false },
+  firstCauses: CauseOrder = { column: "standing", down: false };
 
 /** "-margin": by margin, downwards. */
-function order_of<C extends string>(text: string | null, all: readonly C[], otherwise: OrderOf<C>): OrderOf<C> {
+function orderOf<C extends string>(text: string | null, all: readonly C[], otherwise: OrderOf<C>): OrderOf<C> {
   const column = all.find((c) => c === text?.replace(/^-/, ""));
   return column === undefined ? otherwise : { column, down: text!.startsWith("-") };
 }
 
-export const view_of = (query: URLSearchParams): View => ({
-  filter: filter_of(query),
-  order: order_of(query.get("sort"), columns, first_order),
-  causes: order_of(query.get("causes"), cause_columns, first_causes),
+export const viewOf = (query: URLSearchParams): View => ({
+  filter: filterOf(query),
+  order: orderOf(query.get("sort"), columns, firstOrder),
+  causes: orderOf(query.get("causes"), causeColumns, firstCauses),
 });
 
-export function query_of({ filter, order, causes }: View): string {
+export function queryOf({ filter, order, causes }: View): string {
   const told = (o: OrderOf<string>) => `${o.down ? "-" : ""}${o.column}`;
   const query = new URLSearchParams(facets.flatMap((facet) => [...filter.chosen[facet]].map((v) => [facet, v])));
   if (filter.method !== null) query.set("method", filter.method);
   if (filter.text !== "") query.set("text", filter.text);
-  if (told(order) !== told(first_order)) query.set("sort", told(order));
-  if (told(causes) !== told(first_causes)) query.set("causes", told(causes));
+  if (told(order) !== told(firstOrder)) query.set("sort", told(order));
+  if (told(causes) !== told(firstCauses)) query.set("causes", told(causes));
   return query.toString();
 }

@@ -8,22 +8,22 @@ import { grouped, plural, safe, short } from "../parts/words.ts";
 import { remember, type Address } from "./address.ts";
 import { Causes } from "./causes.tsx";
 import { Missing } from "./elements.tsx";
-import { csv_of, json_of } from "./files.ts";
+import { csvOf, jsonOf } from "./files.ts";
 import {
-  causes_of,
-  chip_counts,
+  causesOf,
+  chipCounts,
   columns,
   facets,
   filtered,
-  filtered_causes,
-  lone_counts,
-  no_filter,
-  query_of,
-  rows_of,
+  filteredCauses,
+  loneCounts,
+  noFilter,
+  queryOf,
+  rowsOf,
   sorted,
-  sorted_causes,
-  view_of,
-  worst_first,
+  sortedCauses,
+  viewOf,
+  worstFirst,
   type Column,
   type Facet,
   type Filter,
@@ -33,10 +33,10 @@ import {
 } from "./filter.ts";
 import { about } from "./glossary.ts";
 import type { FullReport } from "./report.ts";
-import { kind_words, severity_words } from "./words.ts";
+import { kindLabel, severityLabels } from "./words.ts";
 
-const row_height = 25,
-  table_rows = 22;
+const rowHeight = 25,
+  tableRows = 22;
 const titles: Record<Column, string> = {
   id: "#",
   severity: "severity",
@@ -47,7 +47,7 @@ const titles: Record<Column, string> = {
   bucket: "cause",
   standing: "since earlier runs",
 };
-const facet_titles: Record<Facet, string> = {
+const facetTitles: Record<Facet, string> = {
   severity: "Severity",
   kind: "Kind",
   library: "Library",
@@ -78,11 +78,11 @@ function Chips({
     if (!now.delete(value)) now.add(value);
     set({ ...filter, chosen: { ...filter.chosen, [facet]: now } });
   };
-  const words = (value: string) => (facet === "severity" ? (severity_words[value] ?? value) : kind_words(value));
+  const words = (value: string) => (facet === "severity" ? (severityLabels[value] ?? value) : kindLabel(value));
   return (
-    <div class="chips" role="group" aria-label={facet_titles[facet]}>
-      <span class="chips-title" title={about(facet_titles[facet])}>
-        {facet_titles[facet]}
+    <div class="chips" role="group" aria-label={facetTitles[facet]}>
+      <span class="chips-title" title={about(facetTitles[facet])}>
+        {facetTitles[facet]}
       </span>
       {values.map(([value, count]) => {
         const causes = count === 0 ? (lone.get(value) ?? 0) : 0;
@@ -103,18 +103,18 @@ function Chips({
   );
 }
 
-const cell_of: Record<Column, (row: Row) => string> = {
+const cellOf: Record<Column, (row: Row) => string> = {
   id: (r) => String(r.f.id),
-  severity: (r) => severity_words[r.f.severity] ?? r.f.severity,
-  kind: (r) => kind_words(r.f.kind),
+  severity: (r) => severityLabels[r.f.severity] ?? r.f.severity,
+  kind: (r) => kindLabel(r.f.kind),
   method: (r) => r.f.method,
-  family: (r) => kind_words(r.f.family),
+  family: (r) => kindLabel(r.f.family),
   margin: (r) => short(r.f.margin?.[0]),
   bucket: (r) => r.f.bucket ?? "",
   standing: (r) => r.standing ?? "",
 };
 
-function Table({ rows, order, set_order }: { rows: Row[]; order: Order; set_order: (order: Order) => void }) {
+function Table({ rows, order, setOrder }: { rows: Row[]; order: Order; setOrder: (order: Order) => void }) {
   const [at, move] = useState(-1);
   useEffect(() => move(-1), [rows]);
   const shown = columns.filter(
@@ -130,24 +130,24 @@ function Table({ rows, order, set_order }: { rows: Row[]; order: Order; set_orde
       numeric: numeric.has(c),
       ...(hint === undefined ? {} : { about: hint }),
       bad: (r) => c === "severity" && r.f.severity === "contract",
-      ...(c === "bucket" ? { hint: (r: Row) => safe(cell_of[c](r)) } : {}),
+      ...(c === "bucket" ? { hint: (r: Row) => safe(cellOf[c](r)) } : {}),
       cell: (r) =>
         c === "id" ? (
           <a href={`#/finding/${r.f.id}`} tabIndex={-1} onClick={(event) => event.stopPropagation()}>
             {r.f.id}
           </a>
         ) : (
-          safe(cell_of[c](r))
+          safe(cellOf[c](r))
         ),
     };
   });
   const turn = (column: string) =>
-    set_order({ column: column as Column, down: order.column === column ? !order.down : column === "margin" });
+    setOrder({ column: column as Column, down: order.column === column ? !order.down : column === "margin" });
   return (
     <VirtualTable
       rows={rows}
       columns={told}
-      key_of={(r) => r.f.id}
+      keyOf={(r) => r.f.id}
       label="Findings; arrow keys choose one, Enter opens it"
       order={order}
       turn={turn}
@@ -156,24 +156,24 @@ function Table({ rows, order, set_order }: { rows: Row[]; order: Order; set_orde
       open={(r) => {
         location.hash = `#/finding/${r.f.id}`;
       }}
-      address_of={(r) => `#/finding/${r.f.id}`}
-      row_height={row_height}
-      rows_shown={table_rows}
+      addressOf={(r) => `#/finding/${r.f.id}`}
+      rowHeight={rowHeight}
+      rowsShown={tableRows}
     />
   );
 }
 
 /** The view that the address asks for; what is changed of it here is written there, so that it can be passed on. */
 function useView(address: Address): [View, (view: View) => void] {
-  const [view, set] = useState(() => view_of(address.query));
+  const [view, set] = useState(() => viewOf(address.query));
   useEffect(() => {
     if (address.detail) return;
-    const asked = view_of(address.query);
-    if ([...address.query].length === 0 && !address.again) remember(query_of(view));
-    else set((was) => (query_of(was) === query_of(asked) ? was : asked));
+    const asked = viewOf(address.query);
+    if ([...address.query].length === 0 && !address.again) remember(queryOf(view));
+    else set((was) => (queryOf(was) === queryOf(asked) ? was : asked));
   }, [address]);
   useEffect(() => {
-    if (!address.detail) remember(query_of(view));
+    if (!address.detail) remember(queryOf(view));
   }, [view]);
   return [view, set];
 }
@@ -187,8 +187,8 @@ function Filters({
 }: {
   view: View;
   set: (view: View) => void;
-  counts: ReturnType<typeof chip_counts>;
-  lone: ReturnType<typeof lone_counts>;
+  counts: ReturnType<typeof chipCounts>;
+  lone: ReturnType<typeof loneCounts>;
   said: string;
 }) {
   const { filter } = view,
@@ -216,7 +216,7 @@ function Filters({
           </button>
         )}
         {clear && (
-          <button type="button" onClick={() => to(no_filter)}>
+          <button type="button" onClick={() => to(noFilter)}>
             Clear
           </button>
         )}
@@ -228,7 +228,7 @@ function Filters({
   );
 }
 
-const of_all = (shown: number, all: number, one: string) =>
+const ofAll = (shown: number, all: number, one: string) =>
   shown === all ? plural(all, one) : `${grouped(shown)} of ${plural(all, one)}`;
 
 const lead = (report: FullReport) =>
@@ -237,33 +237,33 @@ const lead = (report: FullReport) =>
   `it is the signed distance between the solids over the size. Both are what it is at least.`;
 
 export function Findings({ report, address }: { report: FullReport; address: Address }) {
-  const all = useMemo(() => rows_of(report), [report]);
-  const all_causes = useMemo(() => causes_of(report), [report]);
+  const all = useMemo(() => rowsOf(report), [report]);
+  const allCauses = useMemo(() => causesOf(report), [report]);
   const [view, set] = useView(address);
   const { filter, order } = view;
   const passing = useMemo(() => filtered(all, filter), [all, filter]);
   const shown = useMemo(() => {
     const own = order.column === "margin" || order.column === "id";
-    return sorted(own ? passing : worst_first(passing), order);
+    return sorted(own ? passing : worstFirst(passing), order);
   }, [passing, order]);
   const causes = useMemo(
-    () => sorted_causes(filtered_causes(all_causes, passing, filter), view.causes),
-    [all_causes, passing, filter, view.causes],
+    () => sortedCauses(filteredCauses(allCauses, passing, filter), view.causes),
+    [allCauses, passing, filter, view.causes],
   );
-  const counts = useMemo(() => chip_counts(all, filter), [all, filter]);
-  const lone = useMemo(() => lone_counts(all_causes, filter), [all_causes, filter]);
+  const counts = useMemo(() => chipCounts(all, filter), [all, filter]);
+  const lone = useMemo(() => loneCounts(allCauses, filter), [allCauses, filter]);
   const said = [
-    of_all(shown.length, all.length, "finding"),
-    ...(all_causes.length > 0 ? [of_all(causes.length, all_causes.length, "cause")] : []),
+    ofAll(shown.length, all.length, "finding"),
+    ...(allCauses.length > 0 ? [ofAll(causes.length, allCauses.length, "cause")] : []),
   ].join(", ");
-  const any = all.length > 0 || all_causes.length > 0;
+  const any = all.length > 0 || allCauses.length > 0;
   return (
     <Section id="findings" title="Findings" lead={all.length === 0 ? undefined : lead(report)}>
       {all.length === 0 && <p class="ok">No method was wrong, and none failed.</p>}
-      {all.length > 0 && all_causes.length === 0 && <Missing of="buckets" report={report} />}
+      {all.length > 0 && allCauses.length === 0 && <Missing of="buckets" report={report} />}
       {any && <Filters view={view} set={set} counts={counts} lone={lone} said={said} />}
-      {all_causes.length > 0 && (
-        <Causes causes={causes} order={view.causes} set_order={(order) => set({ ...view, causes: order })} />
+      {allCauses.length > 0 && (
+        <Causes causes={causes} order={view.causes} setOrder={(order) => set({ ...view, causes: order })} />
       )}
       {all.length > 0 && (
         <>
@@ -271,16 +271,16 @@ export function Findings({ report, address }: { report: FullReport; address: Add
             <span class="soft">Save the findings shown</span>
             <button
               type="button"
-              onClick={() => save(`${report.run.id}-findings.csv`, "text/csv", csv_of(shown, report))}>
+              onClick={() => save(`${report.run.id}-findings.csv`, "text/csv", csvOf(shown, report))}>
               CSV
             </button>
             <button
               type="button"
-              onClick={() => save(`${report.run.id}-findings.json`, "application/json", json_of(shown, report))}>
+              onClick={() => save(`${report.run.id}-findings.json`, "application/json", jsonOf(shown, report))}>
               JSON
             </button>
           </p>
-          <Table rows={shown} order={order} set_order={(o) => set({ ...view, order: o })} />
+          <Table rows={shown} order={order} setOrder={(o) => set({ ...view, order: o })} />
           <p class="only-print soft">Of {said}, printed are the rows that were on the screen.</p>
         </>
       )}

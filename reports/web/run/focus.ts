@@ -4,43 +4,43 @@
 /** The link that led on from a view, by the view. */
 const left = new Map<string, string>();
 
-const view_of = (url: string) => (/#\/((?:bucket|finding)\/[^?]*)/.exec(url) ?? ["", ""])[1]!;
-const lead_of = (element: Element | null | undefined) =>
+const viewOf = (url: string) => (/#\/((?:bucket|finding)\/[^?]*)/.exec(url) ?? ["", ""])[1]!;
+const leadOf = (element: Element | null | undefined) =>
   element?.getAttribute("data-leads") ?? element?.getAttribute("href");
 
 /** To be told before the next view is drawn. */
-export function leave(old_url: string, new_url: string) {
-  const lead = lead_of(document.activeElement?.closest("[data-leads], a[href]"));
-  if (lead && new_url.endsWith(lead)) left.set(view_of(old_url), lead);
+export function leave(oldUrl: string, newUrl: string) {
+  const lead = leadOf(document.activeElement?.closest("[data-leads], a[href]"));
+  if (lead && newUrl.endsWith(lead)) left.set(viewOf(oldUrl), lead);
 }
 
 /** Focuses what led on from the view that is shown; whether it is still there. */
-function focus_lead(options: FocusOptions): boolean {
-  const lead = left.get(view_of(location.hash));
+function focusLead(options: FocusOptions): boolean {
+  const lead = left.get(viewOf(location.hash));
   if (lead === undefined) return false;
   const all = document.querySelectorAll<HTMLElement>("main:not([hidden]) :is([data-leads], a[href])");
-  const found = [...all].find((element) => lead_of(element) === lead);
+  const found = [...all].find((element) => leadOf(element) === lead);
   found?.focus(options);
   return found !== undefined;
 }
 
-const focus_heading = () => document.querySelector<HTMLElement>("main.detail h2")?.focus({ preventScroll: true });
+const focusHeading = () => document.querySelector<HTMLElement>("main.detail h2")?.focus({ preventScroll: true });
 
-/** `from_detail`: where one comes from; `scrolled`: where the overview was left. */
+/** `fromDetail`: where one comes from; `scrolled`: where the overview was left. */
 export function arrive(
   { parts, detail, again }: { parts: string[]; detail: boolean; again: boolean },
-  from_detail: boolean,
+  fromDetail: boolean,
   scrolled: number,
 ) {
   if (detail) {
-    if (again && focus_lead({})) return;
+    if (again && focusLead({})) return;
     scrollTo(0, 0);
-    focus_heading();
+    focusHeading();
     return;
   }
   const [section = ""] = parts;
-  const returns = from_detail && (again || section === "" || section === "findings");
-  if (returns && (focus_lead({ preventScroll: true }) || scrolled > 0)) scrollTo(0, scrolled);
+  const returns = fromDetail && (again || section === "" || section === "findings");
+  if (returns && (focusLead({ preventScroll: true }) || scrolled > 0)) scrollTo(0, scrolled);
   else document.getElementById(section)?.scrollIntoView();
 }
 

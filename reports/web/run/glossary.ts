@@ -113,4 +113,4 @@ export const glossary: Record<string, string> = {
 };
 export const about = (label: string): string | undefined => glossary[label.toLowerCase()];
 /** Terms by the alphabet. */
-export const glossary_entries = () => Object.entries(glossary).sort(([x], [y]) => (x < y ? -1 : 1));
+export const glossaryEntries = () => Object.entries(glossary).sort(([x], [y]) => (x < y ? -1 : 1));

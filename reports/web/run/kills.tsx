@@ -2,7 +2,7 @@
 // What our own tests are worth: faults put in on purpose, one at a time, and which test caught each.
 import { useMemo, useState } from "preact/hooks";
 import { Section } from "../parts/elements.tsx";
-import { group_by, grouped, percent, plural, safe } from "../parts/words.ts";
+import { groupBy, grouped, percent, plural, safe } from "../parts/words.ts";
 import { Fact, Heads, Missing } from "./elements.tsx";
 import type { FullReport } from "./report.ts";
 
@@ -17,7 +17,7 @@ export function Kills({ report }: { report: FullReport }) {
     return [...counts].sort((x, y) => y[1] - x[1]);
   }, [report]);
   const tests = detectors.map(([d]) => safe(d));
-  const [missed_only, set] = useState(false);
+  const [missedOnly, set] = useState(false);
   if (!matrix)
     return (
       <Section id="faults" title={title}>
@@ -25,7 +25,7 @@ export function Kills({ report }: { report: FullReport }) {
       </Section>
     );
   const missed = matrix.mutants - matrix.caught - matrix.equivalent;
-  const rows = missed_only ? matrix.rows.filter((r) => r.caught_by.length === 0) : matrix.rows;
+  const rows = missedOnly ? matrix.rows.filter((r) => r.caught_by.length === 0) : matrix.rows;
   return (
     <Section
       id="faults"
@@ -51,7 +51,7 @@ export function Kills({ report }: { report: FullReport }) {
             told={told}
           />
           <tbody>
-            {[...group_by(matrix.rows, (r) => r.file.split("/")[0]!)].map(([folder, of]) => {
+            {[...groupBy(matrix.rows, (r) => r.file.split("/")[0]!)].map(([folder, of]) => {
               const caught = of.filter((r) => r.caught_by.length > 0).length,
                 equivalent = of.filter((r) => r.caught_by.length === 0 && r.equivalent).length;
               return (
@@ -76,7 +76,7 @@ export function Kills({ report }: { report: FullReport }) {
         <summary>Every fault</summary>
         <p>
           <label>
-            <input type="checkbox" checked={missed_only} onChange={(e) => set(e.currentTarget.checked)} /> only those
+            <input type="checkbox" checked={missedOnly} onChange={(e) => set(e.currentTarget.checked)} /> only those
             that nothing caught
           </label>{" "}
           <span class="soft">{plural(rows.length, "fault")}</span>

@@ -6,7 +6,7 @@ import { screen } from "../parts/plot.ts";
 import { grouped, percent, safe } from "../parts/words.ts";
 import type { FailureMap } from "./data.ts";
 import { Missing } from "./elements.tsx";
-import { map_plot, within_of, wrong_of, type Wrongness } from "./plots.ts";
+import { mapPlot, withinOf, wrongOf, type Wrongness } from "./plots.ts";
 import type { FullReport } from "./report.ts";
 
 const planes = [
@@ -25,11 +25,11 @@ const kinds: readonly (readonly [Wrongness, string])[] = [
 
 function total(map: FailureMap, what: Wrongness) {
   const sum = (count: (c: FailureMap["cells"][number]) => number) => map.cells.reduce((n, c) => n + count(c), 0);
-  const within = sum((c) => within_of(c, what));
-  return { beyond: sum((c) => wrong_of(c, what)) - within, within, asked: sum((c) => c.asked) };
+  const within = sum((c) => withinOf(c, what));
+  return { beyond: sum((c) => wrongOf(c, what)) - within, within, asked: sum((c) => c.asked) };
 }
 
-function total_words(map: FailureMap, what: Wrongness) {
+function formatTotal(map: FailureMap, what: Wrongness) {
   const { beyond, within, asked } = total(map, what);
   const told = (count: number) => (count === 0 ? "0" : `${grouped(count)} (${percent(count, asked)})`);
   if (!["all", "wrong_disjoint", "wrong_intersecting"].includes(what)) return `${told(beyond)} of ${grouped(asked)}`;
@@ -39,7 +39,7 @@ function total_words(map: FailureMap, what: Wrongness) {
 
 function One({ map, what }: { map: FailureMap | undefined; what: Wrongness }) {
   const draw = useCallback(
-    (width: number) => map_plot(map!, what, { width, theme: screen, link_finding: (id) => `#/finding/${id}` }),
+    (width: number) => mapPlot(map!, what, { width, theme: screen, linkFinding: (id) => `#/finding/${id}` }),
     [map, what],
   );
   if (!map) return <p class="missing">Not counted.</p>;
@@ -48,7 +48,7 @@ function One({ map, what }: { map: FailureMap | undefined; what: Wrongness }) {
       draw={draw}
       height={86 + map.y.labels.length * 17}
       label={`${map.method}, ${map.plane}`}
-      caption={total_words(map, what)}
+      caption={formatTotal(map, what)}
     />
   );
 }

@@ -6,16 +6,16 @@ import { grouped, safe, short } from "../parts/words.ts";
 import type { Night } from "./data.ts";
 import { Heads } from "./elements.tsx";
 import { about } from "./glossary.ts";
-import { same_rate_probability } from "./rates.ts";
+import { sameRateProbability } from "./rates.ts";
 
 const high = 96,
   left = 46,
   floor = high + 8,
   narrowest = 14;
 
-const rate_words = ({ per_million: [rate, low, up] }: Night) => `${short(rate)} (${short(low)} to ${short(up)})`;
-const night_words = (n: Night) =>
-  `${safe(n.run)}\n${grouped(n.count)} of ${grouped(n.asked)} pairs wrong\n${rate_words(n)} per million`;
+const formatRate = ({ per_million: [rate, low, up] }: Night) => `${short(rate)} (${short(low)} to ${short(up)})`;
+const describeRun = (n: Night) =>
+  `${safe(n.run)}\n${grouped(n.count)} of ${grouped(n.asked)} pairs wrong\n${formatRate(n)} per million`;
 
 /** One mark a night: the rate, and a line from its lower to its upper bound. */
 function Chart({ nights }: { nights: Night[] }) {
@@ -45,7 +45,7 @@ function Chart({ nights }: { nights: Night[] }) {
           const [rate, low, up] = n.per_million;
           return (
             <g class={i === nights.length - 1 ? "night this" : "night"} key={`${n.run} ${i}`}>
-              <title>{night_words(n)}</title>
+              <title>{describeRun(n)}</title>
               <rect class="reach" x={x(i) - step / 2} y={0} width={step} height={floor + 18} />
               <line x1={x(i)} x2={x(i)} y1={y(low)} y2={y(up)} />
               <circle class={n.count === 0 ? "none" : ""} cx={x(i)} cy={y(rate)} r={4} />
@@ -68,7 +68,7 @@ function Chart({ nights }: { nights: Night[] }) {
 function Against({ earlier, now }: { earlier: Night[]; now: Night }) {
   const [at, choose] = useState(earlier.length - 1);
   const then = earlier[at]!,
-    p = same_rate_probability(then.count, then.asked, now.count, now.asked);
+    p = sameRateProbability(then.count, then.asked, now.count, now.asked);
   return (
     <>
       <p class="tools">
@@ -95,7 +95,7 @@ function Against({ earlier, now }: { earlier: Night[]; now: Night }) {
                 <td>{safe(n.started)}</td>
                 <td class="n">{grouped(n.count)}</td>
                 <td class="n">{grouped(n.asked)}</td>
-                <td class="n">{rate_words(n)}</td>
+                <td class="n">{formatRate(n)}</td>
               </tr>
             ))}
           </tbody>

@@ -8,7 +8,7 @@ import assert from "node:assert/strict";
 import { mkdirSync, readFileSync, writeFileSync } from "node:fs";
 import { join, resolve } from "node:path";
 import { pathToFileURL } from "node:url";
-import { asked, browser, colours, errors, filled, folder, open, settled, without_webgl } from "../browser.mjs";
+import { asked, browser, colours, errors, filled, folder, open, settled, withoutWebgl } from "../browser.mjs";
 import { sample } from "./sample.mjs";
 
 const [option, argument, given] = process.argv.slice(2);
@@ -18,9 +18,9 @@ function write(report) {
   writeFileSync(join(folder, "report.html"), filled(report));
   address = pathToFileURL(join(folder, "report.html")).href;
 }
-const open_page = (options) => open(address, options);
+const openPage = (options) => open(address, options);
 
-const rows_told = async (page) => (
+const rowsTold = async (page) => (
   await settled(page),
   Number((await page.locator(".filters [role=status]").innerText()).split(" ")[0].replaceAll(",", ""))
 );
@@ -28,7 +28,7 @@ const rows_told = async (page) => (
 async function shots(to) {
   mkdirSync(to, { recursive: true });
   for (const scheme of ["light", "dark"]) {
-    const page = await open_page({ scheme });
+    const page = await openPage({ scheme });
     for (const id of ["summary", "findings", "speed", "maps", "calibration", "stability", "methods", "faults"]) {
       const section = page.locator(`section#${id}`);
       await section.scrollIntoViewIfNeeded();
@@ -52,7 +52,7 @@ async function shots(to) {
     }
     await page.context().close();
   }
-  const narrow = await open_page({ width: 400 });
+  const narrow = await openPage({ width: 400 });
   await settled(narrow);
   await narrow.screenshot({ path: `${to}/narrow.png`, fullPage: true });
   for (const [name, link] of [
@@ -65,7 +65,7 @@ async function shots(to) {
     await narrow.waitForSelector(".case");
     await narrow.screenshot({ path: `${to}/narrow-${name}.png`, fullPage: true });
   }
-  const page = await open_page();
+  const page = await openPage();
   await settled(page);
   await page.screenshot({ path: `${to}/top.png` });
   await page.evaluate(() => dispatchEvent(new Event("beforeprint")));
@@ -81,12 +81,12 @@ const go = (page, hash) =>
   page.evaluate((hash) => {
     location.hash = hash;
   }, hash);
-const hash_of = (page) => page.evaluate(() => location.hash);
-const causes_shown = async (page) => (await settled(page), page.locator(".buckets tbody tr a").allInnerTexts());
-const bucket_column = (page, n) => page.locator(`.buckets tbody td:nth-child(${n})`).allInnerTexts();
+const hashOf = (page) => page.evaluate(() => location.hash);
+const causesShown = async (page) => (await settled(page), page.locator(".buckets tbody tr a").allInnerTexts());
+const bucketColumn = (page, n) => page.locator(`.buckets tbody td:nth-child(${n})`).allInnerTexts();
 
 /** The first line says what changed, each word shows those causes; the new ones stand on top. */
-async function leads_to_what_is_new(page, report) {
+async function leadsToWhatIsNew(page, report) {
   const { changes, buckets } = report;
   const line = page.locator("main.overview > *").first();
   assert.match(
@@ -96,31 +96,31 @@ async function leads_to_what_is_new(page, report) {
   const told = await page.locator("#summary .facts dd").nth(4).innerText();
   assert.equal(told, `${buckets.length - 1} and 1 of earlier runs alone`);
   const rank = ["new", "back", "known", "rare", "gone"];
-  const order = (await bucket_column(page, 7)).map((word) => rank.indexOf(word));
+  const order = (await bucketColumn(page, 7)).map((word) => rank.indexOf(word));
   assert.equal(order.length, buckets.length);
   assert.deepEqual(order, [...order].sort());
   assert.equal(order[0], 0);
   for (const word of rank) {
     await line.locator("a", { hasText: word }).click();
     assert.deepEqual(
-      (await causes_shown(page)).sort(),
+      (await causesShown(page)).sort(),
       buckets
         .filter((b) => b.standing === word)
         .map((b) => b.key)
         .sort(),
     );
   }
-  assert.equal(await rows_told(page), 0, "a gone cause has no findings");
+  assert.equal(await rowsTold(page), 0, "a gone cause has no findings");
   await page.getByRole("button", { name: "Clear" }).click();
-  assert.equal((await causes_shown(page)).length, buckets.length);
+  assert.equal((await causesShown(page)).length, buckets.length);
   await settled(page);
-  assert.equal(await hash_of(page), "#/findings");
+  assert.equal(await hashOf(page), "#/findings");
 
   const head = page.locator(".buckets th", { hasText: "findings" });
   await head.getByRole("button").click();
   await settled(page);
   assert.equal(await head.getAttribute("aria-sort"), "descending");
-  const counts = (await bucket_column(page, 4)).map((text) => Number(text.replaceAll(",", "")));
+  const counts = (await bucketColumn(page, 4)).map((text) => Number(text.replaceAll(",", "")));
   assert.deepEqual(
     counts,
     [...counts].sort((x, y) => y - x),
@@ -132,47 +132,47 @@ async function leads_to_what_is_new(page, report) {
 }
 
 /** Chips and search reach both tables, and what they show stands in the address. */
-async function keeps_what_is_shown(page, report) {
+async function keepsWhatIsShown(page, report) {
   const kind = page.locator(".chips[aria-label=Kind] .chip", { hasText: "distance outside" });
   const steps = await page.evaluate(() => history.length);
   await kind.click();
-  const causes = await causes_shown(page);
+  const causes = await causesShown(page);
   assert.ok(causes.length > 0 && causes.length < report.buckets.length);
   assert.ok(causes.every((key) => key.includes("distance_outside")));
   const search = page.getByLabel("Search causes and findings");
   await search.pressSequentially("ode");
-  const found = await rows_told(page);
+  const found = await rowsTold(page);
   await page.locator(".findings th", { hasText: "margin" }).getByRole("button").click();
   await settled(page);
   assert.equal(await page.evaluate(() => history.length), steps, "nothing for the Back button");
   const [top] = await page.locator(".findings tbody td.c-id").allInnerTexts();
   await page.reload();
-  assert.equal(await rows_told(page), found);
+  assert.equal(await rowsTold(page), found);
   assert.equal((await page.locator(".findings tbody td.c-id").allInnerTexts())[0], top);
   assert.equal(await search.inputValue(), "ode");
   assert.equal(await kind.getAttribute("aria-pressed"), "true");
   await page.locator(".findings tbody tr[tabindex='0']").click();
   await page.waitForSelector(".detail h2");
   await page.goBack();
-  assert.equal(await rows_told(page), found, "Back finds it as it was");
+  assert.equal(await rowsTold(page), found, "Back finds it as it was");
   await page.getByRole("button", { name: "Clear" }).click();
 
-  const rows_of_text = async (text) => (await search.fill(text), rows_told(page));
+  const rowsOfText = async (text) => (await search.fill(text), rowsTold(page));
   const of = (passes) => report.findings.filter(passes).length;
   const disjoint = of((f) => f.kind === "wrong_disjoint");
-  assert.equal(await rows_of_text("wrong disjoint"), disjoint);
-  assert.equal(await rows_of_text("wrong_disjoint"), disjoint);
+  assert.equal(await rowsOfText("wrong disjoint"), disjoint);
+  assert.equal(await rowsOfText("wrong_disjoint"), disjoint);
   const family = of((f) => f.family === "touching_side_rim");
-  assert.equal(await rows_of_text("touching_side_rim"), family);
-  assert.ok((await rows_of_text("touching side rim")) >= family);
+  assert.equal(await rowsOfText("touching_side_rim"), family);
+  assert.ok((await rowsOfText("touching side rim")) >= family);
   assert.equal(
-    await rows_of_text("beyond its claim"),
+    await rowsOfText("beyond its claim"),
     of((f) => f.severity === "contract"),
   );
   const both = of((f) => f.severity === "contract" && f.family === "touching_side_rim");
-  assert.equal(await rows_of_text("touching_side_rim  Beyond its claim"), both);
-  assert.ok(await rows_of_text("asked upstream"), "the note of a cause");
-  assert.equal((await causes_shown(page)).length, 1);
+  assert.equal(await rowsOfText("touching_side_rim  Beyond its claim"), both);
+  assert.ok(await rowsOfText("asked upstream"), "the note of a cause");
+  assert.equal((await causesShown(page)).length, 1);
   await search.fill("");
   await settled(page);
 }
@@ -183,17 +183,17 @@ const column = async (page, name) => (
   page.locator(`.findings tbody td.c-${name}`).allInnerTexts()
 );
 
-async function reads_the_findings(page) {
-  assert.equal(await rows_told(page), 400);
+async function readsTheFindings(page) {
+  assert.equal(await rowsTold(page), 400);
   assert.ok((await page.locator(".findings tbody tr").count()) < 60, "only the rows on the screen are elements");
   const chip = page.locator(".chips[aria-label=Kind] .chip", { hasText: "crash" });
   const promised = Number(await chip.locator(".count").innerText());
   await chip.click();
-  assert.equal(await rows_told(page), promised);
+  assert.equal(await rowsTold(page), promised);
   assert.ok((await column(page, "kind")).every((kind) => kind === "crash"));
   assert.equal(await chip.getAttribute("aria-pressed"), "true");
   await page.getByRole("button", { name: "Clear" }).click();
-  assert.equal(await rows_told(page), 400);
+  assert.equal(await rowsTold(page), 400);
 
   const head = page.locator(".findings th", { hasText: "#" });
   await head.getByRole("button").click();
@@ -219,7 +219,7 @@ async function reads_the_findings(page) {
   assert.equal(await page.locator("main.overview").isVisible(), true);
 }
 
-async function proves_and_turns(page) {
+async function provesAndTurns(page) {
   const first = await colours(page);
   assert.ok(first.count > 50, `the drawing has ${first.count} colours`);
   const box = await page.locator(".stage canvas").boundingBox();
@@ -249,18 +249,18 @@ async function proves_and_turns(page) {
   assert.equal(await page.locator(".proof").getAttribute("data-holds"), "true");
 }
 
-async function reads_a_cause(page) {
+async function readsACause(page) {
   await page.locator(".buckets a").first().click();
   await page.waitForSelector(".tabs");
-  await proves_and_turns(page);
+  await provesAndTurns(page);
   await page.getByRole("tab", { name: "Worst" }).click();
   await settled(page);
   assert.equal(await page.getByRole("tab", { name: "Worst" }).getAttribute("aria-selected"), "true");
-  await proves_and_turns(page);
+  await provesAndTurns(page);
   assert.equal(await page.locator("canvas").count(), 1, "one canvas serves all views");
 }
 
-async function reads_a_narrow_gap(page, report) {
+async function readsANarrowGap(page, report) {
   const narrow = report.findings.find((f) => report.cases[f.case].margin[0] < 1e-11);
   await page.evaluate((id) => {
     location.hash = `#/finding/${id}`;
@@ -277,7 +277,7 @@ async function reads_a_narrow_gap(page, report) {
   assert.notEqual((await colours(page)).hash, wide.hash);
 }
 
-async function follows_a_heat_cell(page) {
+async function followsAHeatCell(page) {
   await page.evaluate(() => {
     location.hash = "#/summary";
   });
@@ -292,7 +292,7 @@ async function follows_a_heat_cell(page) {
   );
 }
 
-async function draws_every_plot(page) {
+async function drawsEveryPlot(page) {
   for (const [id, plots] of [
     ["speed", 1],
     ["maps", 6],
@@ -310,7 +310,7 @@ async function draws_every_plot(page) {
 }
 
 /** A point leads to its method's findings, a cell of a map to a case; the pointer shows the numbers. */
-async function follows_the_plots(page) {
+async function followsThePlots(page) {
   const cell = page.locator("#maps .plot a").nth(3);
   await cell.scrollIntoViewIfNeeded();
   await cell.hover();
@@ -327,7 +327,7 @@ async function follows_the_plots(page) {
   assert.ok((await column(page, "method")).every((m) => m === "ode"));
 }
 
-async function fits_a_laptop(page) {
+async function fitsALaptop(page) {
   await page.evaluate(() => {
     location.hash = "#/summary";
   });
@@ -350,7 +350,7 @@ const copied = (page, label) =>
     .innerText();
 
 /** The commands and lines of a cause, its note, its nights and its claim. */
-async function handles_a_cause(page, report) {
+async function handlesACause(page, report) {
   const noted = report.buckets.find((b) => b.note),
     found = report.buckets.find((b) => b.simplified === false);
   await go(page, "#/findings");
@@ -397,7 +397,7 @@ async function handles_a_cause(page, report) {
   assert.equal(await page.getByRole("tab", { name: "Simplest" }).count(), 0);
 }
 
-async function download_of(page, name) {
+async function downloadOf(page, name) {
   const [file] = await Promise.all([
     page.waitForEvent("download"),
     page.locator(".saving").getByRole("button", { name }).click(),
@@ -406,11 +406,11 @@ async function download_of(page, name) {
 }
 
 /** What is filtered, and nothing else, is saved. */
-async function saves_what_is_shown(page, report) {
+async function savesWhatIsShown(page, report) {
   await go(page, "#/findings?kind=crash");
   const shown = report.findings.filter((f) => f.kind === "crash");
-  assert.equal(await rows_told(page), shown.length);
-  const csv = await download_of(page, "CSV");
+  assert.equal(await rowsTold(page), shown.length);
+  const csv = await downloadOf(page, "CSV");
   assert.equal(csv.name, "sample-findings.csv");
   const lines = csv.text.trimEnd().split("\r\n");
   assert.equal(lines.length, shown.length + 1);
@@ -421,14 +421,14 @@ async function saves_what_is_shown(page, report) {
     some.slice(16).map(Number),
     [a, b].flatMap((c) => [...c.center, ...c.axis, c.radius, c.height]),
   );
-  const json = JSON.parse((await download_of(page, "JSON")).text);
+  const json = JSON.parse((await downloadOf(page, "JSON")).text);
   assert.deepEqual(json.map((f) => f.id).sort(), shown.map((f) => f.id).sort());
   assert.ok(json.every((f) => f.pair.a.radius > 0 && f.kind === "crash"));
   await page.getByRole("button", { name: "Clear" }).click();
 }
 
 /** A wrong distance is shown with all its digits, and who else is outside. */
-async function measures_a_wrong_distance(page, report) {
+async function measuresAWrongDistance(page, report) {
   const f = report.findings.find((f) => f.kind === "distance_outside" && f.method !== "mujoco-tol1e-10"),
     { truth, pair } = report.cases[f.case];
   await go(page, `#/finding/${f.id}`);
@@ -461,7 +461,7 @@ async function measures_a_wrong_distance(page, report) {
 }
 
 /** Every head, fact and group of chips says what it means, and the page ends with all words. */
-async function explains_its_words(page) {
+async function explainsItsWords(page) {
   const silent = () =>
     page.evaluate(() =>
       [...document.querySelectorAll("main:not([hidden]) :is(thead th, dl.facts dt, .chips-title, .prover h3 span)")]
@@ -497,8 +497,8 @@ async function explains_its_words(page) {
 }
 
 /** On a telephone nothing but tables in boxes of their own is wider than the screen. */
-async function fits_a_telephone(report) {
-  const page = await open_page({ width: 400 });
+async function fitsATelephone(report) {
+  const page = await openPage({ width: 400 });
   const wide = () => page.evaluate(() => document.documentElement.scrollWidth);
   await settled(page);
   for (const id of ["summary", "findings", "speed", "maps", "calibration", "stability", "methods", "faults", "words"])
@@ -527,8 +527,8 @@ async function fits_a_telephone(report) {
 }
 
 /** Paper has every plot and nothing folded. */
-async function prints_all() {
-  const page = await open_page();
+async function printsAll() {
+  const page = await openPage();
   await settled(page);
   assert.ok((await page.locator(".plot:not(:has(svg))").count()) > 0, "far plots are not drawn on the screen");
   const [empty, folded] = await page.evaluate(() => {
@@ -558,8 +558,8 @@ const focused = (page) =>
   });
 
 /** By keyboard alone from the top to a proved finding, and back to where one was. */
-async function goes_by_keyboard() {
-  const page = await open_page();
+async function goesByKeyboard() {
+  const page = await openPage();
   await page.waitForSelector(".findings tbody tr[tabindex='0']");
   await settled(page);
   let presses = 0;
@@ -617,7 +617,7 @@ async function goes_by_keyboard() {
 }
 
 /** What a run without triage and bench has: each gap names the command that fills it. */
-async function says_what_is_missing() {
+async function saysWhatIsMissing() {
   write({
     ...sample(40),
     buckets: [],
@@ -632,7 +632,7 @@ async function says_what_is_missing() {
     history: null,
     alarm: null,
   });
-  const page = await open_page();
+  const page = await openPage();
   const commands = await page.locator(".missing code").allInnerTexts();
   assert.equal(commands.length, 9);
   assert.ok(
@@ -643,7 +643,7 @@ async function says_what_is_missing() {
 }
 
 /** Without causes of earlier runs there are no standings, no chances and no nights. */
-async function opens_a_first_run() {
+async function opensAFirstRun() {
   const first = { ...sample(40), changes: null };
   first.buckets = first.buckets.filter((b) => b.standing !== "gone");
   for (const b of first.buckets) {
@@ -652,8 +652,8 @@ async function opens_a_first_run() {
     delete b.note;
   }
   write(first);
-  const page = await open_page();
-  assert.equal(await rows_told(page), 40);
+  const page = await openPage();
+  assert.equal(await rowsTold(page), 40);
   assert.match(await page.locator("#summary").innerText(), /Against 3 earlier runs/);
   await page.locator(".buckets a").first().click();
   await page.waitForSelector(".handling");
@@ -667,7 +667,7 @@ async function opens_a_first_run() {
 }
 
 /** Text of a store may be anything. */
-async function shows_hostile_text_as_text() {
+async function showsHostileTextAsText() {
   const hostile = "</script><img src=x onerror=alert(1)>\u202e\u0001",
     report = sample(8);
   Object.assign(report.run, { id: hostile, seed: hostile, status: hostile, build: hostile, command: hostile });
@@ -683,7 +683,7 @@ async function shows_hostile_text_as_text() {
   }
   report.findings.forEach((f) => Object.assign(f, { bucket: f.bucket && `${f.bucket}${hostile}` }));
   write(report);
-  const page = await open_page();
+  const page = await openPage();
   await page.evaluate(() => {
     location.hash = "#/finding/1";
   });
@@ -704,7 +704,7 @@ async function shows_hostile_text_as_text() {
 }
 
 /** The drawing of two points next to each other, and of a certificate beyond doubles, is no error. */
-async function draws_the_extreme() {
+async function drawsTheExtreme() {
   const report = sample(8),
     far = `1${"0".repeat(400)}`;
   const dot = (z) => ({ center: [0, 0, z], axis: [0, 0, 1], radius: 0, height: 0 });
@@ -713,7 +713,7 @@ async function draws_the_extreme() {
   Object.assign(report.cases[0], { pair: { a: dot(0), b: dot(5e-324) }, truth, nearest, direction: [0, 0, 1] });
   Object.assign(report.cases[1], { truth: { ...truth, direction: [far, far, "0"] }, direction: undefined });
   write(report);
-  const page = await open_page();
+  const page = await openPage();
   for (const id of [1, 5]) {
     await go(page, `#/finding/${id}`);
     await page.waitForFunction((id) => document.querySelector(".detail h2")?.textContent.startsWith(`#${id} `), id);
@@ -722,9 +722,9 @@ async function draws_the_extreme() {
   await page.context().close();
 }
 
-async function draws_lines_without_webgl() {
+async function drawsLinesWithoutWebgl() {
   write(sample(8));
-  const page = await open_page({ first: without_webgl });
+  const page = await openPage({ first: withoutWebgl });
   await page.evaluate(() => {
     location.hash = "#/finding/1";
   });
@@ -738,40 +738,40 @@ async function draws_lines_without_webgl() {
 async function test() {
   const report = sample(400);
   write(report);
-  const page = await open_page();
+  const page = await openPage();
   for (const step of [
-    (p) => leads_to_what_is_new(p, report),
-    (p) => keeps_what_is_shown(p, report),
-    reads_the_findings,
-    reads_a_cause,
-    (p) => reads_a_narrow_gap(p, report),
-    follows_a_heat_cell,
-    draws_every_plot,
-    follows_the_plots,
-    fits_a_laptop,
-    (p) => handles_a_cause(p, report),
-    (p) => saves_what_is_shown(p, report),
-    (p) => measures_a_wrong_distance(p, report),
-    explains_its_words,
+    (p) => leadsToWhatIsNew(p, report),
+    (p) => keepsWhatIsShown(p, report),
+    readsTheFindings,
+    readsACause,
+    (p) => readsANarrowGap(p, report),
+    followsAHeatCell,
+    drawsEveryPlot,
+    followsThePlots,
+    fitsALaptop,
+    (p) => handlesACause(p, report),
+    (p) => savesWhatIsShown(p, report),
+    (p) => measuresAWrongDistance(p, report),
+    explainsItsWords,
   ])
     await step(page);
   await page.context().close();
-  await fits_a_telephone(report);
-  await prints_all();
-  await goes_by_keyboard();
+  await fitsATelephone(report);
+  await printsAll();
+  await goesByKeyboard();
   assert.deepEqual(errors, []);
-  await opens_a_first_run();
-  await says_what_is_missing();
-  await shows_hostile_text_as_text();
-  await draws_the_extreme();
+  await opensAFirstRun();
+  await saysWhatIsMissing();
+  await showsHostileTextAsText();
+  await drawsTheExtreme();
   assert.deepEqual(errors, []);
-  await draws_lines_without_webgl();
+  await drawsLinesWithoutWebgl();
   assert.deepEqual(asked, [], "nothing is asked from the network");
 }
 
 async function times(findings) {
   write(sample(findings));
-  const page = await open_page();
+  const page = await openPage();
   await page.waitForSelector(".findings tbody tr");
   const loaded = await page.evaluate(() => performance.now());
   const other = await page.evaluate(async () => {

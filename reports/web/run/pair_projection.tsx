@@ -1,21 +1,21 @@
 // SPDX-License-Identifier: MIT
 // The drawing of a pair as lines on paper: for print, and if the browser has no WebGL.
 import type { Vec } from "../parts/data.ts";
-import { add, scale, square_to } from "../parts/geometry.ts";
+import { add, scale, squareTo } from "../parts/geometry.ts";
 import { flatten, Outline, path, Way } from "../parts/projection.tsx";
 import type { View } from "../parts/stage.ts";
 import type { Drawing } from "./drawing.ts";
 
 export function Projection({ drawing: d, view, label }: { drawing: Drawing; view: View; label: string }) {
   const flat = flatten(view);
-  const dot_at = (x: Vec, name: string) => {
+  const dotAt = (x: Vec, name: string) => {
     const [cx, cy] = flat(x);
     return <circle class={`mark-${name}`} cx={cx} cy={cy} r={0.014} />;
   };
   let trace = null;
   if (d.plane && d.direction) {
     // as the edge that it would show if one looked along it
-    const [u, v] = square_to(d.direction),
+    const [u, v] = squareTo(d.direction),
       side = 0.75 * d.extent;
     const corners = [
       [1, 1],
@@ -33,11 +33,11 @@ export function Projection({ drawing: d, view, label }: { drawing: Drawing; view
       {d.near && (
         <>
           <Way from={flat(d.near.a)} to={flat(d.near.b)} />
-          {dot_at(d.near.a, "a")}
-          {dot_at(d.near.b, "b")}
+          {dotAt(d.near.a, "a")}
+          {dotAt(d.near.b, "b")}
         </>
       )}
-      {d.point && dot_at(d.point, "point")}
+      {d.point && dotAt(d.point, "point")}
     </svg>
   );
 }

@@ -3,27 +3,27 @@
 import { useLayoutEffect, useMemo, useRef, useState } from "preact/hooks";
 import type { Vec } from "../parts/data.ts";
 import { colour } from "../parts/elements.tsx";
-import { add, scale, square_to } from "../parts/geometry.ts";
-import { keep_painted, line, mark, plane, solid, the_stage, type View } from "../parts/stage.ts";
+import { add, scale, squareTo } from "../parts/geometry.ts";
+import { mountStage, line, pointMark, plane, solid, getStage, type View } from "../parts/stage.ts";
 import { short } from "../parts/words.ts";
 import type { Case } from "./data.ts";
-import { drawing_of, exaggerated, exaggeration, type Drawing } from "./drawing.ts";
+import { drawingOf, exaggerated, exaggeration, type Drawing } from "./drawing.ts";
 import { Projection } from "./pair_projection.tsx";
 
 /** Gaps narrower than this part of what can be seen are widened before anybody asks. */
-const widened_at_once = 20;
+const widenedAtOnce = 20;
 /** A solid this many times smaller than the other is not seen beside it. */
 const uneven = 300;
 
 /** Looking across the direction of the gap, a little from above; a lies left of b. */
-function view_of(d: Drawing, close: boolean): View {
+function viewOf(d: Drawing, close: boolean): View {
   const along: Vec = d.direction ?? [1, 0, 0],
-    [u, v] = square_to(along);
+    [u, v] = squareTo(along);
   const eye = add(add(scale(u, -0.85), scale(v, 0.4)), scale(along, 0.25));
   return { eye, up: v, target: close ? d.contact : [0, 0, 0], radius: close ? 0.25 * d.extent : 1.12 * d.extent };
 }
 
-function objects_of(d: Drawing) {
+function objectsOf(d: Drawing) {
   const a = colour("--solid-a"),
     b = colour("--solid-b"),
     fg = colour("--fg");
@@ -31,34 +31,34 @@ function objects_of(d: Drawing) {
     solid(d.a, a, d.extent),
     solid(d.b, b, d.extent),
     ...(d.plane && d.direction ? [plane(d.plane, d.direction, 1.5 * d.extent, colour("--grey"))] : []),
-    ...(d.near ? [mark(d.near.a, a), mark(d.near.b, b), line([d.near.a, d.near.b], fg, { on_top: true })] : []),
-    ...(d.point ? [mark(d.point, fg)] : []),
+    ...(d.near ? [pointMark(d.near.a, a), pointMark(d.near.b, b), line([d.near.a, d.near.b], fg, { onTop: true })] : []),
+    ...(d.point ? [pointMark(d.point, fg)] : []),
   ];
 }
 
 export function PairView({ shown }: { shown: Case }) {
   const place = useRef<HTMLDivElement>(null);
-  const true_drawing = useMemo(() => drawing_of(shown), [shown]);
-  const factor = exaggeration(true_drawing);
+  const trueDrawing = useMemo(() => drawingOf(shown), [shown]);
+  const factor = exaggeration(trueDrawing);
   const [close, zoom] = useState(false);
-  const [wide, widen] = useState(factor > widened_at_once);
-  const drawing = useMemo(() => exaggerated(true_drawing, wide ? factor : 1), [true_drawing, wide, factor]);
-  const view = useMemo(() => view_of(drawing, close), [drawing, close]);
-  const stage = the_stage();
-  const sizes = [true_drawing.a, true_drawing.b].map((s) => Math.hypot(s.radius, s.half));
+  const [wide, widen] = useState(factor > widenedAtOnce);
+  const drawing = useMemo(() => exaggerated(trueDrawing, wide ? factor : 1), [trueDrawing, wide, factor]);
+  const view = useMemo(() => viewOf(drawing, close), [drawing, close]);
+  const stage = getStage();
+  const sizes = [trueDrawing.a, trueDrawing.b].map((s) => Math.hypot(s.radius, s.half));
   const ratio = Math.max(...sizes) / Math.min(...sizes);
 
   useLayoutEffect(() => {
     if (!stage || !place.current) return;
-    return keep_painted(stage, place.current, () => stage.show(objects_of(drawing)));
+    return mountStage(stage, place.current, () => stage.show(objectsOf(drawing)));
   }, [drawing]);
   useLayoutEffect(() => stage?.look(view), [view.radius, shown]);
 
-  const gap = true_drawing.gap,
+  const gap = trueDrawing.gap,
     words = gap === null ? "" : gap < 0 ? "overlap" : "gap";
-  const gap_words = gap === null ? "" : `, ${words} ${short(Math.abs(gap) * true_drawing.unit)}`;
-  const label = `Cylinder a and cylinder b, ${shown.truth.verdict}${gap_words}`;
-  useLayoutEffect(() => stage?.tell(label), [label]);
+  const formatGap = gap === null ? "" : `, ${words} ${short(Math.abs(gap) * trueDrawing.unit)}`;
+  const label = `Cylinder a and cylinder b, ${shown.truth.verdict}${formatGap}`;
+  useLayoutEffect(() => stage?.setAriaLabel(label), [label]);
   return (
     <figure class="pair-view">
       <div class="stage-tools" role="group" aria-label="View">
@@ -93,13 +93,13 @@ export function PairView({ shown }: { shown: Case }) {
       <figcaption>
         {factor > 1 && wide && (
           <b class="warn">
-            Not to scale: the {words} of {short(Math.abs(gap!) * true_drawing.unit)} is drawn {short(factor, 2)} times
+            Not to scale: the {words} of {short(Math.abs(gap!) * trueDrawing.unit)} is drawn {short(factor, 2)} times
             as wide, by moving the solids {gap! > 0 ? "apart" : "into each other"} about their contact.{" "}
           </b>
         )}
         {factor > 1 && !wide && (
           <>
-            To scale: the {words} of {short(Math.abs(gap!) * true_drawing.unit)} is drawn as it is.{" "}
+            To scale: the {words} of {short(Math.abs(gap!) * trueDrawing.unit)} is drawn as it is.{" "}
           </>
         )}
         {factor === 1 && <>To scale. </>}

@@ -86,7 +86,7 @@ class PlainNode {
   }
 }
 
-export function plain_document(): Document {
+export function plainDocument(): Document {
   const document = {
     createElementNS: (namespace: string, name: string) => new PlainNode(document, namespace, name),
     createElement: (name: string) => new PlainNode(document, xhtml, name),

@@ -2,17 +2,17 @@
 // The plots, for the page and for files: the same marks from the same data, with the colours of a Theme.
 import * as Plot from "@observablehq/plot";
 import { common, decades, logAxis, tips, type Options, type Theme } from "../parts/plot.ts";
-import { group_by, grouped, in_order, percent, share_bounds, short, time } from "../parts/words.ts";
+import { groupBy, grouped, inOrder, percent, shareBounds, short, time } from "../parts/words.ts";
 import type { BackwardError, Calibration, CostPoint, FailureMap, PathStability, SpeedPoint, Tally } from "./data.ts";
 import { library } from "./words.ts";
 
 export type Heat = "empty" | "clean" | "bad" | "within" | "undecided";
 
 /** 1 to 5: a share below 1e-4, from 1e-4, 1e-3, 1e-2, 1e-1 on. */
-export const heat_step = (share: number) => Math.min(5, Math.max(1, Math.floor(Math.log10(share) + 1e-9) + 6));
+export const heatStep = (share: number) => Math.min(5, Math.max(1, Math.floor(Math.log10(share) + 1e-9) + 6));
 
 const power = (d: number) => (d === 0 ? "1" : `1e${d < 0 ? "\u2212" : ""}${Math.abs(d)}`);
-const log_tick = (x: number) => power(Math.round(Math.log10(x)));
+const logTick = (x: number) => power(Math.round(Math.log10(x)));
 /** A power of ten below `x`, where none is drawn on a logarithmic axis: only such ticks are labelled. */
 const below = (x: number) => 10 ** (Math.ceil(Math.log10(x)) - 1);
 /** Colours by library, ours apart; the same in every plot of a report. */
@@ -34,7 +34,7 @@ const symbols = [
   "diamond2",
   "square2",
 ] as const;
-const symbol_of = (libraries: string[]) => new Map(libraries.map((name, i) => [name, symbols[i % symbols.length]!]));
+const symbolOf = (libraries: string[]) => new Map(libraries.map((name, i) => [name, symbols[i % symbols.length]!]));
 
 // Speed against accuracy
 // ------------------------------------------------------------------------------------------------
@@ -42,7 +42,7 @@ const symbol_of = (libraries: string[]) => new Map(libraries.map((name, i) => [n
 /** Those that no other beats in both: the faster first. */
 export function pareto(points: SpeedPoint[]): SpeedPoint[] {
   const front: SpeedPoint[] = [];
-  for (const p of in_order(
+  for (const p of inOrder(
     points.filter((p) => p.digits !== null && p.digits > 0),
     (x, y) => x.ns - y.ns || y.digits! - x.digits!,
   ))
@@ -51,17 +51,17 @@ export function pareto(points: SpeedPoint[]): SpeedPoint[] {
 }
 
 /** Each curve along its settings: by number where all are numbers, else from the least accurate on. */
-const curves_of = (points: SpeedPoint[]) =>
-  [...group_by(points, (p) => p.curve).values()].map((c) => {
+const curvesOf = (points: SpeedPoint[]) =>
+  [...groupBy(points, (p) => p.curve).values()].map((c) => {
     const numbers = c.every((p) => p.setting !== "" && !Number.isNaN(Number(p.setting)));
-    return in_order(c, (x, y) =>
+    return inOrder(c, (x, y) =>
       numbers ? Number(x.setting) - Number(y.setting) : x.digits! - y.digits! || x.ns - y.ns,
     );
   });
 /** Room that a name takes in the plot: digits high, and as a part of its width for each letter. */
-const name_height = 0.5,
-  point_height = 0.38,
-  name_width = 0.0083;
+const nameHeight = 0.5,
+  pointHeight = 0.38,
+  nameWidth = 0.0083;
 
 /** A name of a curve and where it begins, a place near its point where neither a point nor another name is. */
 interface Name {
@@ -73,26 +73,26 @@ function named(points: SpeedPoint[], all: SpeedPoint[], highest: number): Name[]
   const logs = all.map((p) => Math.log10(p.ns)),
     [low, high] = [Math.floor(Math.min(...logs)), Math.ceil(Math.max(...logs))], // as the axis has it
     span = Math.max(1, high - low);
-  const wide = (p: SpeedPoint) => name_width * span * p.curve.length;
+  const wide = (p: SpeedPoint) => nameWidth * span * p.curve.length;
   const names: Name[] = [];
   const free = (at: Name) =>
     at.digits <= highest &&
     all.every(
       (q) =>
-        Math.abs(q.digits! - at.digits) >= point_height ||
+        Math.abs(q.digits! - at.digits) >= pointHeight ||
         Math.log10(q.ns) > Math.log10(at.ns) + wide(at.p) + 0.01 * span ||
         Math.log10(at.ns) > Math.log10(q.ns) + 0.01 * span,
     ) &&
     names.every(
       (q) =>
-        Math.abs(q.digits - at.digits) >= name_height ||
+        Math.abs(q.digits - at.digits) >= nameHeight ||
         Math.log10(q.ns) > Math.log10(at.ns) + wide(at.p) ||
         Math.log10(at.ns) > Math.log10(q.ns) + wide(q.p),
     );
-  for (const p of in_order(points, (x, y) => x.ns - y.ns)) {
+  for (const p of inOrder(points, (x, y) => x.ns - y.ns)) {
     // Right of the point or left of it, a little above it; else ever farther up and down.
     const x = Math.log10(p.ns);
-    const places = Array.from({ length: 40 }, (_, i) => 0.4 + (i % 2 === 0 ? -1 : 1) * Math.ceil(i / 2) * name_height)
+    const places = Array.from({ length: 40 }, (_, i) => 0.4 + (i % 2 === 0 ? -1 : 1) * Math.ceil(i / 2) * nameHeight)
       .flatMap((up) => [x + 0.006 * span, x - wide(p) - 0.006 * span].map((start) => [start, up] as const))
       .filter(([start, up]) => start >= low && start + wide(p) <= high && p.digits! + up >= 0.2)
       .map(([start, up]) => ({ p, ns: 10 ** start, digits: p.digits! + up }));
@@ -100,7 +100,7 @@ function named(points: SpeedPoint[], all: SpeedPoint[], highest: number): Name[]
   }
   return names;
 }
-const point_words = (p: SpeedPoint) =>
+const describePoint = (p: SpeedPoint) =>
   [
     p.method + (p.setting && p.setting !== p.method ? ` (${p.setting})` : ""),
     `${time(p.ns)} a ` +
@@ -113,7 +113,7 @@ const point_words = (p: SpeedPoint) =>
       `${grouped(p.asked)}`,
   ].join("\n");
 
-export function speed_plot(points: SpeedPoint[], o: Options): Element {
+export function speedPlot(points: SpeedPoint[], o: Options): Element {
   const known = points.filter((p) => p.digits !== null);
   const libraries = [
     ...palette(
@@ -122,11 +122,11 @@ export function speed_plot(points: SpeedPoint[], o: Options): Element {
     ).keys(),
   ];
   const colour = palette(libraries, o.theme),
-    shape = symbol_of(libraries);
+    shape = symbolOf(libraries);
   const front = pareto(known);
   const times = known.flatMap((p) => [p.ns, p.p99 ?? p.ns]);
   const fill = (p: SpeedPoint) => colour.get(library(p.method))!;
-  const ends = curves_of(known).map((c) => c.reduce((best, p) => (p.digits! > best.digits! ? p : best)));
+  const ends = curvesOf(known).map((c) => c.reduce((best, p) => (p.digits! > best.digits! ? p : best)));
   const highest = Math.max(4, ...known.map((p) => p.digits!)) + 3;
   const names = named(ends, known, highest - 0.3);
   const stairs = front.flatMap((p, i) =>
@@ -150,7 +150,7 @@ export function speed_plot(points: SpeedPoint[], o: Options): Element {
           known.filter((p) => p.digits_low !== null),
           { x: "ns", y1: "digits_low", y2: "digits", stroke: fill, strokeOpacity: 0.7 },
         ),
-        ...curves_of(known)
+        ...curvesOf(known)
           .filter((c) => c.length > 1)
           .map((c) => Plot.line(c, { x: "ns", y: "digits", stroke: fill(c[0]!), strokeWidth: 1.3 })),
         Plot.dot(known, {
@@ -162,10 +162,10 @@ export function speed_plot(points: SpeedPoint[], o: Options): Element {
           symbol: (p: SpeedPoint) => shape.get(library(p.method)),
           r: 4.5,
           ...(o.link ? { href: (p: SpeedPoint) => o.link!(p.method, p.family), target: "_self" } : {}),
-          ariaLabel: point_words,
+          ariaLabel: describePoint,
         }),
         Plot.link(
-          names.filter((n) => Math.abs(n.digits - n.p.digits!) > name_height),
+          names.filter((n) => Math.abs(n.digits - n.p.digits!) > nameHeight),
           {
             x1: (n: Name) => n.p.ns,
             y1: (n: Name) => n.p.digits,
@@ -186,7 +186,7 @@ export function speed_plot(points: SpeedPoint[], o: Options): Element {
           strokeWidth: 3,
           paintOrder: "stroke",
         }),
-        ...tips(known, o, point_words, { x: "ns", y: "digits" }),
+        ...tips(known, o, describePoint, { x: "ns", y: "digits" }),
       ],
     }),
   );
@@ -197,10 +197,10 @@ export function speed_plot(points: SpeedPoint[], o: Options): Element {
 
 export type Wrongness = "all" | "wrong_disjoint" | "wrong_intersecting" | "failed" | "undecided" | "declined";
 type Cell = FailureMap["cells"][number];
-export const wrong_of = (c: Cell, what: Wrongness) =>
+export const wrongOf = (c: Cell, what: Wrongness) =>
   what === "all" ? c.wrong_disjoint + c.wrong_intersecting + c.failed : (c[what] ?? 0);
 /** Of those, how many the claim allows. */
-export function within_of(c: Cell, what: Wrongness) {
+export function withinOf(c: Cell, what: Wrongness) {
   const disjoint = c.within_disjoint ?? 0,
     intersecting = c.within_intersecting ?? 0;
   return what === "all"
@@ -212,18 +212,18 @@ export function within_of(c: Cell, what: Wrongness) {
         : 0;
 }
 /** As the table of methods against families has it: what is beyond a claim before what is within. */
-function map_colour(c: Cell, what: Wrongness, theme: Theme) {
-  const wrong = wrong_of(c, what),
-    within = within_of(c, what);
+function mapColour(c: Cell, what: Wrongness, theme: Theme) {
+  const wrong = wrongOf(c, what),
+    within = withinOf(c, what);
   const [shades, count] =
     what === "undecided" || what === "declined"
       ? [theme.unanswered, wrong]
       : wrong > within
         ? [theme.heat, wrong - within]
         : [theme.within, within];
-  return count === 0 ? theme.clean : shades[heat_step(count / c.asked) - 1]!;
+  return count === 0 ? theme.clean : shades[heatStep(count / c.asked) - 1]!;
 }
-const cell_words = (map: FailureMap, c: Cell) =>
+const describeCell = (map: FailureMap, c: Cell) =>
   [
     `${map.x.title}: ${map.x.labels[c.x] ?? c.x}`,
     `${map.y.title}: ${map.y.labels[c.y] ?? c.y}`,
@@ -237,7 +237,7 @@ const cell_words = (map: FailureMap, c: Cell) =>
         ["declined", "declined"],
       ] as const
     )
-      .map(([k, words]) => [words, wrong_of(c, k), within_of(c, k)] as const)
+      .map(([k, words]) => [words, wrongOf(c, k), withinOf(c, k)] as const)
       .filter(([, count]) => count > 0)
       .map(
         ([words, count, within]) =>
@@ -247,12 +247,12 @@ const cell_words = (map: FailureMap, c: Cell) =>
     ...(c.finding !== undefined ? ["click: a case of this cell"] : []),
   ].join("\n");
 
-export function map_plot(
+export function mapPlot(
   map: FailureMap,
   what: Wrongness,
-  o: Options & { link_finding?: (id: number) => string },
+  o: Options & { linkFinding?: (id: number) => string },
 ): Element {
-  const fill = (c: Cell) => map_colour(c, what, o.theme);
+  const fill = (c: Cell) => mapColour(c, what, o.theme);
   const visited = map.cells.filter((c) => c.asked > 0);
   const seen = new Set(visited.map((c) => `${c.x} ${c.y}`));
   const blank = map.x.labels
@@ -260,7 +260,7 @@ export function map_plot(
     .filter((c) => !seen.has(`${c.x} ${c.y}`));
   const n = { x: map.x.labels.length, y: map.y.labels.length };
   const at = { x: (c: Cell) => c.x, y: (c: Cell) => c.y };
-  const words = (c: Cell) => cell_words(map, c);
+  const words = (c: Cell) => describeCell(map, c);
   const skip = Math.max(1, Math.ceil((n.x * 40) / (o.width - 90)));
   return Plot.plot(
     common(o, 40 + n.y * 17 + 46, {
@@ -291,14 +291,14 @@ export function map_plot(
           stroke: o.theme.line,
           strokeWidth: 0.5,
           inset: 0,
-          ...(o.link_finding
-            ? { href: (c: Cell) => (c.finding !== undefined ? o.link_finding!(c.finding) : null), target: "_self" }
+          ...(o.linkFinding
+            ? { href: (c: Cell) => (c.finding !== undefined ? o.linkFinding!(c.finding) : null), target: "_self" }
             : {}),
           ariaLabel: words,
         }),
         Plot.text(blank, { ...at, text: () => "\u2215", fill: o.theme.soft, fillOpacity: 0.6, fontSize: 8 }),
         Plot.dot(
-          visited.filter((c) => wrong_of(c, what) > 0 && c.finding !== undefined),
+          visited.filter((c) => wrongOf(c, what) > 0 && c.finding !== undefined),
           { ...at, r: 1.3, fill: o.theme.fg, pointerEvents: "none" },
         ),
         ...tips(visited, o, words, { ...at, maxRadius: 14 }),
@@ -311,22 +311,22 @@ export function map_plot(
 // -------------------------------------------------------------------------------------
 
 /** Curves in one plot: as many as have a colour and a symbol that nobody confuses. */
-export const shown_cap = 8;
+export const shownCap = 8;
 
 /** The first method of each library, ours first, what the documents have last: what is shown where nobody chose. */
-export function first_of_each(methods: string[]): string[] {
+export function firstOfEach(methods: string[]): string[] {
   const firsts = methods.filter((m, i) => methods.findIndex((n) => library(n) === library(m)) === i);
   const rank = (m: string) => (library(m) === "ours" ? 0 : m.startsWith("seed") ? 2 : 1);
-  return in_order(firsts, (x, y) => rank(x) - rank(y)).slice(0, shown_cap);
+  return inOrder(firsts, (x, y) => rank(x) - rank(y)).slice(0, shownCap);
 }
 
 /** The colour and symbol of each method of a list. */
-export const series_of = (methods: string[], theme: Theme) => ({
+export const seriesOf = (methods: string[], theme: Theme) => ({
   colour: (p: { method: string }) => theme.series[methods.indexOf(p.method) % theme.series.length]!,
   symbol: (p: { method: string }) => symbols[methods.indexOf(p.method) % symbols.length]!,
 });
 
-export function calibration_plot(all: Calibration[], o: Options): Element {
+export function calibrationPlot(all: Calibration[], o: Options): Element {
   const sides = [
     ["wrong_disjoint", "said disjoint, but they meet"],
     ["wrong_intersecting", "said intersecting, but they do not"],
@@ -337,7 +337,7 @@ export function calibration_plot(all: Calibration[], o: Options): Element {
         .map((b) => ({ ...b, answered: b.asked - (b.declined ?? 0) }))
         .filter((b) => b.answered > 0)
         .map((b) => {
-          const [low, high] = share_bounds(b[key], b.answered);
+          const [low, high] = shareBounds(b[key], b.answered);
           return {
             method: h.method,
             side,
@@ -354,7 +354,7 @@ export function calibration_plot(all: Calibration[], o: Options): Element {
   type Share = (typeof rows)[number];
   const floor = below(Math.min(0.01, ...rows.map((r) => r.high)));
   const methods = [...new Set(all.map((h) => h.method))];
-  const { colour, symbol } = series_of(methods, o.theme);
+  const { colour, symbol } = seriesOf(methods, o.theme);
   const words = (r: Share) =>
     `${r.method}, margin (1e\u2212${r.decade + 1}, 1e\u2212${r.decade}]\nwrong ${grouped(r.wrong)} of ` +
     `${grouped(r.answered)}: ${percent(r.wrong, r.answered)}\n95 %: ${short(r.low, 2)} to ${short(r.high, 2)}`;
@@ -378,7 +378,7 @@ export function calibration_plot(all: Calibration[], o: Options): Element {
         label: "\u2191 share wrong (bar: 95 %)",
         domain: [floor, 1],
         ticks: decades([floor, 1]),
-        tickFormat: (v: number) => (v < floor * 1.01 ? "0" : log_tick(v)),
+        tickFormat: (v: number) => (v < floor * 1.01 ? "0" : logTick(v)),
         grid: true,
       },
       fx: { label: null, padding: 0.08 },
@@ -417,11 +417,11 @@ export function calibration_plot(all: Calibration[], o: Options): Element {
 // Stability
 // ------------------------------------------------------------------------------------------------------------
 
-export function cost_plot(points: CostPoint[], o: Options): Element {
+export function costPlot(points: CostPoint[], o: Options): Element {
   const methods = [...new Set(points.map((p) => p.method))];
-  const { colour, symbol } = series_of(methods, o.theme);
-  const by_method = [...group_by(points, (p) => p.method).values()].map((ps) =>
-    in_order(ps, (x, y) => x.decade - y.decade),
+  const { colour, symbol } = seriesOf(methods, o.theme);
+  const byMethod = [...groupBy(points, (p) => p.method).values()].map((ps) =>
+    inOrder(ps, (x, y) => x.decade - y.decade),
   );
   const words = (p: CostPoint) =>
     `${p.method}, margin 1e\u2212${p.decade}\nhalf within ${time(p.p50)}\n99 % within ${time(p.p99)}\nall within ` +
@@ -442,10 +442,10 @@ export function cost_plot(points: CostPoint[], o: Options): Element {
         time,
       ),
       marks: [
-        ...by_method.map((ps) =>
+        ...byMethod.map((ps) =>
           Plot.areaY(ps, { x: "decade", y1: "p50", y2: "p99", fill: colour(ps[0]!), fillOpacity: 0.14 }),
         ),
-        ...by_method.map((ps) => Plot.line(ps, { x: "decade", y: "p50", stroke: colour(ps[0]!), strokeWidth: 1.5 })),
+        ...byMethod.map((ps) => Plot.line(ps, { x: "decade", y: "p50", stroke: colour(ps[0]!), strokeWidth: 1.5 })),
         Plot.dot(points, {
           x: "decade",
           y: "max",
@@ -460,7 +460,7 @@ export function cost_plot(points: CostPoint[], o: Options): Element {
   );
 }
 
-export function trace_plot(path: PathStability, o: Options): Element {
+export function tracePlot(path: PathStability, o: Options): Element {
   const trace = path.trace ?? [];
   const colour = (t: { verdict: string }) =>
     ({ disjoint: o.theme.intersecting, intersecting: o.theme.disjoint, touching: o.theme.failed })[t.verdict] ??
@@ -514,8 +514,8 @@ export function trace_plot(path: PathStability, o: Options): Element {
   );
 }
 
-export function backward_plot(rows: BackwardError[], o: Options): Element {
-  const sorted = in_order(rows, (x, y) => y.max - x.max);
+export function backwardPlot(rows: BackwardError[], o: Options): Element {
+  const sorted = inOrder(rows, (x, y) => y.max - x.max);
   const least = Math.min(...rows.flatMap((r) => [r.p50, r.p99, r.max]).filter((v) => v > 0), 1);
   const at = (v: number) => Math.min(Math.max(v, least), 10); // beyond: solids far apart that were taken for meeting
   const words = (r: BackwardError) =>
@@ -527,7 +527,7 @@ export function backward_plot(rows: BackwardError[], o: Options): Element {
       x: logAxis(
         "how far the input must move for the answer to be right, in sizes: dot p50, tick p99, end largest \u2192",
         rows.flatMap((r) => [at(r.p50), at(r.max)]),
-        log_tick,
+        logTick,
       ),
       y: { type: "band", domain: sorted.map((r) => r.method), label: null, tickSize: 0 },
       marks: [
@@ -551,13 +551,13 @@ export function backward_plot(rows: BackwardError[], o: Options): Element {
 // Methods against families, for files: the page has a table
 // --------------------------------------------------------------
 
-export function families_plot(tallies: Tally[], methods: string[], families: string[], o: Options): Element {
+export function familiesPlot(tallies: Tally[], methods: string[], families: string[], o: Options): Element {
   const rows = tallies.filter((t) => t.asked > 0 && methods.includes(t.method));
   const fill = (t: Tally) => {
     const bad = t.contract + t.failed;
-    if (bad > 0) return o.theme.heat[heat_step(bad / t.asked) - 1]!;
-    if (t.resolution > 0) return o.theme.within[heat_step(t.resolution / t.asked) - 1]!;
-    return t.undecided > 0 ? o.theme.unanswered[heat_step(t.undecided / t.asked) - 1]! : o.theme.clean;
+    if (bad > 0) return o.theme.heat[heatStep(bad / t.asked) - 1]!;
+    if (t.resolution > 0) return o.theme.within[heatStep(t.resolution / t.asked) - 1]!;
+    return t.undecided > 0 ? o.theme.unanswered[heatStep(t.undecided / t.asked) - 1]! : o.theme.clean;
   };
   return Plot.plot(
     common(o, 150 + methods.length * 13, {

@@ -11,7 +11,7 @@
 // roundings, and f has the additional term R |D|.
 //
 // f is a rational minus four square roots of rationals. Each root is enclosed between whole multiples of 2^-k, and k
-// doubles until the sign shows. If f(D) = 0 exactly, no k shows it: at bits_cap the answer is "not decided".
+// doubles until the sign shows. If f(D) = 0 exactly, no k shows it: at bitsCap the answer is "not decided".
 import type { Coordinate, Cylinder, Pair } from "../parts/data.ts";
 import type { Truth } from "./data.ts";
 
@@ -38,10 +38,10 @@ export interface Proof {
 }
 
 /** Binary digits behind the point of a root, of the largest such number. */
-const bits_first = 128,
-  bits_cap = 16384;
+const bitsFirst = 128,
+  bitsCap = 16384;
 /** `near` is proved to this part of the size, as the power of two. */
-const near_bits = 200n;
+const nearBits = 200n;
 
 const rational = (n: bigint, d = 1n): Rational => (d < 0n ? { n: -n, d: -d } : { n, d });
 const zero = rational(0n);
@@ -101,7 +101,7 @@ const solid = (c: Cylinder): Solid => ({
 });
 
 /** The largest whole number whose square is at most n. */
-export function floor_sqrt(n: bigint): bigint {
+export function floorSqrt(n: bigint): bigint {
   if (n < 2n) return n;
   let x = 1n << BigInt((n.toString(16).length * 4 + 1) >> 1); // not below the root
   for (;;) {
@@ -114,7 +114,7 @@ export function floor_sqrt(n: bigint): bigint {
 /** sqrt(q) between two multiples of 2^-bits that are neighbours. */
 function root(q: Rational, bits: bigint): [Rational, Rational] {
   if (q.n === 0n) return [zero, zero];
-  const low = floor_sqrt((q.n << (2n * bits)) / q.d);
+  const low = floorSqrt((q.n << (2n * bits)) / q.d);
   return [
     { n: low, d: 1n << bits },
     { n: low + 1n, d: 1n << bits },
@@ -146,7 +146,7 @@ interface Side {
 }
 
 /** The sign of f(D), 0 where it did not show. */
-function sign_of_f(a: Solid, b: Solid, d: Vector): Side {
+function signOfF(a: Solid, b: Solid, d: Vector): Side {
   const terms = [a, b].flatMap((s, i) => {
     const ww = dot(s.axis, s.axis);
     if (ww.n === 0n) throw new Error("an axis is zero");
@@ -164,12 +164,12 @@ function sign_of_f(a: Solid, b: Solid, d: Vector): Side {
   // Roots far below 1 need their own digits: count from the size of the projection.
   const length = (x: bigint) => x.toString(16).length * 4;
   const small = BigInt(Math.max(0, length(apart.d) - length(apart.n)));
-  for (let bits = bits_first; ; bits *= 2) {
+  for (let bits = bitsFirst; ; bits *= 2) {
     const roots = terms.map((t) => root(t.q, BigInt(bits) + small));
     const low = roots.reduce((sum, r) => add(sum, r[0]), zero),
       high = roots.reduce((sum, r) => add(sum, r[1]), zero);
     const shown = less(high, apart) || less(apart, low);
-    if (!shown && bits < bits_cap) continue;
+    if (!shown && bits < bitsCap) continue;
     const sign = less(high, apart) ? -1 : less(apart, low) ? 1 : 0;
     return {
       sign,
@@ -206,7 +206,7 @@ function reach(name: string, s: Solid, x: Vector): { inside: boolean; steps: str
 }
 
 /** A point of each core, no farther apart than both roundings and the slack. */
-function come_near(a: Solid, b: Solid, x: Vector, y: Vector, slack = zero): { inside: boolean; steps: string[] } {
+function comeNear(a: Solid, b: Solid, x: Vector, y: Vector, slack = zero): { inside: boolean; steps: string[] } {
   const parts = [reach("a", a, x), reach("b", b, y)],
     between = minus(y, x),
     way = dot(between, between),
@@ -222,33 +222,33 @@ function come_near(a: Solid, b: Solid, x: Vector, y: Vector, slack = zero): { in
   };
 }
 
-function in_both(a: Solid, b: Solid, x: Vector): { inside: boolean; steps: string[] } {
+function inBoth(a: Solid, b: Solid, x: Vector): { inside: boolean; steps: string[] } {
   const parts = [reach("a", a, x), reach("b", b, x)];
   return { inside: parts.every((p) => p.inside), steps: parts.flatMap((p) => p.steps) };
 }
 
 function grown(s: Solid, by: Rational): Solid {
-  const at_least_zero = (x: Rational) => (x.n < 0n ? zero : x);
+  const atLeastZero = (x: Rational) => (x.n < 0n ? zero : x);
   return {
     ...s,
-    radius: at_least_zero(add(s.radius, by)),
-    height: at_least_zero(add(s.height, mul(rational(2n), by))),
+    radius: atLeastZero(add(s.radius, by)),
+    height: atLeastZero(add(s.height, mul(rational(2n), by))),
   };
 }
 
-const is_zero = (d: Vector) => d.every((x) => x.n === 0n);
+const isZero = (d: Vector) => d.every((x) => x.n === 0n);
 
-function prove_direction(a: Solid, b: Solid, d: Vector): Proof {
-  if (is_zero(d)) return { holds: false, text: "Refuted: the direction is zero.", steps: [] };
-  const { sign, bits, steps } = sign_of_f(a, b, d);
+function proveDirection(a: Solid, b: Solid, d: Vector): Proof {
+  if (isZero(d)) return { holds: false, text: "Refuted: the direction is zero.", steps: [] };
+  const { sign, bits, steps } = signOfF(a, b, d);
   if (sign < 0)
     return { holds: true, text: "Proved: f(D) < 0 exactly. A plane square to D has one solid on each side.", steps };
   if (sign > 0) return { holds: false, text: "Refuted: f(D) > 0 exactly. No plane square to D separates them.", steps };
   return { holds: null, text: `Not decided with ${bits} binary digits: f(D) is 0, or nearer to it than that.`, steps };
 }
 
-function prove_point(a: Solid, b: Solid, x: Vector, touching: boolean): Proof {
-  const { inside, steps } = in_both(a, b, x);
+function provePoint(a: Solid, b: Solid, x: Vector, touching: boolean): Proof {
+  const { inside, steps } = inBoth(a, b, x);
   if (!inside) return { holds: false, text: "Refuted: the point is not in both solids.", steps };
   return {
     holds: true,
@@ -264,8 +264,8 @@ function two(points: Truth["points"], what: string): [Vector, Vector] {
   return [vector(points[0], "the point of a"), vector(points[1], "the point of b")];
 }
 
-function prove_points(a: Solid, b: Solid, points: Truth["points"], touching: boolean): Proof {
-  const { inside, steps } = come_near(a, b, ...two(points, "the points"));
+function provePoints(a: Solid, b: Solid, points: Truth["points"], touching: boolean): Proof {
+  const { inside, steps } = comeNear(a, b, ...two(points, "the points"));
   if (!inside)
     return { holds: false, steps, text: "Refuted: a point is not in its core, or they are too far apart." };
   return {
@@ -277,20 +277,20 @@ function prove_points(a: Solid, b: Solid, points: Truth["points"], touching: boo
   };
 }
 
-function prove_near(a: Solid, b: Solid, near: NonNullable<Truth["near"]>): Proof {
+function proveNear(a: Solid, b: Solid, near: NonNullable<Truth["near"]>): Proof {
   const d = vector(near.direction, "the direction");
   const size = [a.radius, a.height, a.rounding, b.radius, b.height, b.rounding].reduce(add);
-  const slack = div(size, rational(1n << near_bits)),
-    wide_a = grown(a, slack),
-    wide_b = grown(b, slack);
+  const slack = div(size, rational(1n << nearBits)),
+    wideA = grown(a, slack),
+    wideB = grown(b, slack);
   const met = near.points
-    ? come_near(wide_a, wide_b, ...two(near.points, "the points"), slack)
-    : in_both(wide_a, wide_b, vector(near.point, "the point"));
+    ? comeNear(wideA, wideB, ...two(near.points, "the points"), slack)
+    : inBoth(wideA, wideB, vector(near.point, "the point"));
   if (!met.inside)
     return { holds: false, text: "Refuted: the point is not within 2^-200 of the size of both.", steps: met.steps };
-  if (is_zero(d)) return { holds: false, text: "Refuted: the direction is zero.", steps: [] };
-  const less_rounded = (s: Solid): Solid => (s.rounding.n === 0n ? s : { ...s, rounding: sub(s.rounding, slack) });
-  const apart = sign_of_f(less_rounded(grown(a, neg(slack))), less_rounded(grown(b, neg(slack))), d);
+  if (isZero(d)) return { holds: false, text: "Refuted: the direction is zero.", steps: [] };
+  const lessRounded = (s: Solid): Solid => (s.rounding.n === 0n ? s : { ...s, rounding: sub(s.rounding, slack) });
+  const apart = signOfF(lessRounded(grown(a, neg(slack))), lessRounded(grown(b, neg(slack))), d);
   const steps = [...met.steps, ...apart.steps];
   if (apart.sign < 0) return { holds: true, text: "Proved: within 2^-200 of their size they touch.", steps };
   if (apart.sign > 0)
@@ -309,14 +309,14 @@ export function prove(pair: Pair, truth: Truth): Proof {
       b = solid(pair.b);
     switch (truth.verdict) {
       case "disjoint":
-        return prove_direction(a, b, vector(truth.direction, "the direction"));
+        return proveDirection(a, b, vector(truth.direction, "the direction"));
       case "intersecting":
         return truth.points
-          ? prove_points(a, b, truth.points, false)
-          : prove_point(a, b, vector(truth.point, "the point"), false);
+          ? provePoints(a, b, truth.points, false)
+          : provePoint(a, b, vector(truth.point, "the point"), false);
       case "touching":
-        if (truth.points) return prove_points(a, b, truth.points, true);
-        return truth.near ? prove_near(a, b, truth.near) : prove_point(a, b, vector(truth.point, "the point"), true);
+        if (truth.points) return provePoints(a, b, truth.points, true);
+        return truth.near ? proveNear(a, b, truth.near) : provePoint(a, b, vector(truth.point, "the point"), true);
       default:
         return { holds: null, text: "Nothing was proved of this pair.", steps: [] };
     }

@@ -5,13 +5,13 @@ import assert from "node:assert/strict";
 import { test } from "node:test";
 import { daylight } from "../chart.mjs";
 
-const { exact, floor_sqrt, prove } = daylight;
+const { exact, floorSqrt, prove } = daylight;
 
 const cylinder = (center, axis, radius, height) => ({ center, axis, radius, height });
 const upright = cylinder([0, 0, 0], [0, 0, 1], 1, 2);
 const apart = { a: upright, b: cylinder([2.5, 0, 0], [0, 1, 0], 1, 2) };
 const meeting = { a: upright, b: cylinder([1, 1, 1], [1, 1, 1], 0.5, 3) };
-const at_a_rational_point = { a: cylinder([0, 0, 0], [0, 0, 1], 2, 4), b: cylinder([3, 4, 0], [0, 0, 1], 3, 4) };
+const atARationalPoint = { a: cylinder([0, 0, 0], [0, 0, 1], 2, 4), b: cylinder([3, 4, 0], [0, 0, 1], 3, 4) };
 const huge = { a: cylinder([0, 0, 0], [0, 0, 1], 1e150, 4e150), b: cylinder([0, 2e150, 0], [1, 0, 0], 1e150, 4e150) };
 const holds = (pair, truth) => prove(pair, truth).holds;
 const direction = (...d) => ({ verdict: "disjoint", direction: d });
@@ -63,7 +63,7 @@ test("balls and capsules: a direction counts the roundings, points are of the co
 });
 
 test("near touching by two points", () => {
-  const root = (n) => `${floor_sqrt(BigInt(n) << 1024n)}/${1n << 512n}`;
+  const root = (n) => `${floorSqrt(BigInt(n) << 1024n)}/${1n << 512n}`;
   const pair = { a: capsule([0, 0, 0], [1, 1, 0], 2, 1), b: ball([0, 0, 2], 1) },
     near = (x, z) => ({ verdict: "touching", near: { points: [[x, x, 0], [0, 0, z]], direction: [0, 0, 1] } });
   assert.equal(holds(pair, near(0, 2)), true);
@@ -88,22 +88,22 @@ test("a point lies in both or not", () => {
   );
   assert.equal(holds(meeting, point(0, 0, 1)), false, "in the first alone");
   assert.equal(holds(meeting, point(1, 1, 1)), false, "in the second alone");
-  assert.equal(holds(at_a_rational_point, { verdict: "touching", point: ["6/5", "8/5", 0] }), true);
+  assert.equal(holds(atARationalPoint, { verdict: "touching", point: ["6/5", "8/5", 0] }), true);
   assert.equal(
-    holds(at_a_rational_point, { verdict: "touching", point: ["6/5", "8/5", 2] }),
+    holds(atARationalPoint, { verdict: "touching", point: ["6/5", "8/5", 2] }),
     true,
     "on the rim too: solids are closed",
   );
   assert.equal(
-    holds(at_a_rational_point, {
+    holds(atARationalPoint, {
       verdict: "touching",
       point: ["6000000000000000000000001/5000000000000000000000000", "8/5", 0],
     }),
     false,
   );
-  assert.equal(holds(at_a_rational_point, { verdict: "touching", point: [1.2, 1.6, 0] }), false, "rounded to doubles");
+  assert.equal(holds(atARationalPoint, { verdict: "touching", point: [1.2, 1.6, 0] }), false, "rounded to doubles");
   assert.equal(
-    holds(at_a_rational_point, { verdict: "touching", point: ["6/5", "8/5", [2, 1e-300]] }),
+    holds(atARationalPoint, { verdict: "touching", point: ["6/5", "8/5", [2, 1e-300]] }),
     false,
     "above both",
   );
@@ -159,7 +159,7 @@ test("doubles are taken exactly, roots rounded down", () => {
     (3n ** 700n) ** 2n,
     (3n ** 700n) ** 2n - 1n,
   ]) {
-    const root = floor_sqrt(n);
+    const root = floorSqrt(n);
     assert.ok(root * root <= n && (root + 1n) * (root + 1n) > n, String(n));
   }
 });

@@ -3,14 +3,14 @@
 import type { RefObject } from "preact";
 import { useLayoutEffect } from "preact/hooks";
 
-const stops_in = (element: Element) => [...element.querySelectorAll<HTMLElement>("a, button")];
+const stopsIn = (element: Element) => [...element.querySelectorAll<HTMLElement>("a, button")];
 
 /** The links and buttons of each row that has any, each with its column. */
-function grid_of(table: Element) {
+function gridOf(table: Element) {
   return [...table.querySelectorAll("tr")]
     .map((row) =>
       [...(row as HTMLTableRowElement).cells].flatMap((cell) =>
-        stops_in(cell).map((stop) => ({ stop, column: cell.cellIndex })),
+        stopsIn(cell).map((stop) => ({ stop, column: cell.cellIndex })),
       ),
     )
     .filter((row) => row.length > 0);
@@ -18,7 +18,7 @@ function grid_of(table: Element) {
 
 /** Where a key leads from a stop; undefined: nowhere. */
 function reached(table: Element, from: HTMLElement, key: string): HTMLElement | undefined {
-  const grid = grid_of(table);
+  const grid = gridOf(table);
   const y = grid.findIndex((row) => row.some(({ stop }) => stop === from));
   if (y < 0) return undefined;
   const row = grid[y]!,
@@ -46,12 +46,12 @@ function reached(table: Element, from: HTMLElement, key: string): HTMLElement | 
 /** Makes the links and buttons of a table one stop: the last one used, at first the first one of its body. */
 export function useRoving(ref: RefObject<HTMLTableElement | null>) {
   useLayoutEffect(() => {
-    const all = stops_in(ref.current!);
+    const all = stopsIn(ref.current!);
     const stop = all.find((s) => s.tabIndex === 0 && s.dataset.stop) ?? all.find((s) => s.closest("tbody")) ?? all[0];
     for (const s of all) s.tabIndex = s === stop ? 0 : -1;
   });
   const choose = (to: HTMLElement) => {
-    for (const s of stops_in(ref.current!)) {
+    for (const s of stopsIn(ref.current!)) {
       s.tabIndex = s === to ? 0 : -1;
       if (s === to) s.dataset.stop = "1";
       else delete s.dataset.stop;

@@ -8,7 +8,7 @@ import { Calibration } from "./calibration.tsx";
 import { BucketView, FindingView } from "./detail.tsx";
 import { Findings } from "./findings.tsx";
 import { arrive, skip } from "./focus.ts";
-import { glossary_entries } from "./glossary.ts";
+import { glossaryEntries } from "./glossary.ts";
 import { Kills } from "./kills.tsx";
 import { Maps } from "./maps.tsx";
 import type { FullReport } from "./report.ts";
@@ -56,21 +56,21 @@ export function RunPage({ report }: { report: FullReport }) {
   const [view = ""] = address.parts;
   const { detail } = address;
   const scrolled = useRef(0);
-  const was_detail = useRef(detail);
+  const wasDetail = useRef(detail);
   const finding = useMemo(() => new Map(report.findings.map((f) => [f.id, f])), [report]);
   const bucket = useMemo(() => new Map(report.buckets.map((b) => [b.key, b])), [report]);
 
   useEffect(() => {
     const remember = () => {
-      if (!was_detail.current) scrolled.current = scrollY;
+      if (!wasDetail.current) scrolled.current = scrollY;
     };
     addEventListener("scroll", remember, { passive: true });
     return () => removeEventListener("scroll", remember);
   }, []);
   useEffect(() => {
     if (detail && !address.again) history.replaceState({ known: true }, "");
-    arrive(address, was_detail.current, scrolled.current);
-    was_detail.current = detail;
+    arrive(address, wasDetail.current, scrolled.current);
+    wasDetail.current = detail;
   }, [address]);
 
   const named = address.parts.slice(1).join("/");
@@ -100,7 +100,7 @@ export function RunPage({ report }: { report: FullReport }) {
         <Stability report={report} />
         <Methods report={report} />
         <Kills report={report} />
-        <Words entries={glossary_entries()} />
+        <Words entries={glossaryEntries()} />
         <footer class="soft">
           <p>{safe(report.run.build)}</p>
           {report.run.command && (

@@ -26,7 +26,7 @@ function stream(seed) {
 }
 
 /** Two solids that are `gap` apart along x (negative: overlap), the second turned about x. */
-function made_case(next, gap) {
+function madeCase(next, gap) {
   const t = next() * Math.PI,
     r = 0.5 + next(),
     h = 1 + next();
@@ -49,7 +49,7 @@ function made_case(next, gap) {
 }
 
 /** Adds wrong distances of a method and of another one; the margin of such a finding. */
-function tell_wrong_distance({ pair, truth, said }, m, error) {
+function tellWrongDistance({ pair, truth, said }, m, error) {
   const size = pair.a.radius + pair.a.height + pair.b.radius + pair.b.height;
   const answer = { verdict: truth.verdict, distance: truth.distance[1] + error };
   said.push([answer, [m]], [{ ...answer, distance: truth.distance[1] + 1e-15 }, [10]]);
@@ -57,7 +57,7 @@ function tell_wrong_distance({ pair, truth, said }, m, error) {
   return [error / size, (error / size) * (1 + 1e-9)];
 }
 
-function claim_of(name) {
+function claimOf(name) {
   if (methods.indexOf(name) < own) return { relative: 1e-13, absolute: 0, source: "derivation", stated: true };
   const stated = !name.startsWith("ode");
   return {
@@ -113,7 +113,7 @@ export function sample(findings_total = 400) {
   for (let i = 0; i < findings_total; ++i) {
     if (i % 4 === 0) {
       const gap = (next() < 0.5 ? -1 : 1) * 10 ** (-12 * next()) * 0.3,
-        made = made_case(next, gap);
+        made = madeCase(next, gap);
       const right = { verdict: made.truth.verdict },
         wrong = { verdict: gap > 0 ? "intersecting" : "disjoint", distance: -gap };
       cases.push({
@@ -129,7 +129,7 @@ export function sample(findings_total = 400) {
     const m = own + ((i * 7) % (methods.length - own)),
       severity = i % 3 === 0 ? "contract" : "resolution";
     const kind = kinds[Math.floor(i / 7) % kinds.length];
-    const off = kind === "distance_outside" && tell_wrong_distance(cases.at(-1), m, 1e-5 * (1 + i));
+    const off = kind === "distance_outside" && tellWrongDistance(cases.at(-1), m, 1e-5 * (1 + i));
     findings.push({
       id: i + 1,
       method: methods[m],
@@ -143,11 +143,11 @@ export function sample(findings_total = 400) {
     });
   }
   const standings = ["new", "known", "back"];
-  const standing_of = (i) =>
+  const standingOf = (i) =>
     i === 7 ? "new" : i % 9 === 4 ? "back" : i % 11 === 6 ? "rare" : "known";
   const keys = [...new Set(findings.map((f) => f.bucket).filter((b) => b !== null))];
   const whole = (gap, method, kind) => {
-    const made = made_case(next, gap),
+    const made = madeCase(next, gap),
       right = { verdict: made.truth.verdict };
     const off = { ...right, distance: gap + 0.01 };
     return {
@@ -161,7 +161,7 @@ export function sample(findings_total = 400) {
     };
   };
   const runs = [19, 20, 21, 22].map((day) => ({ run: `202611${day}-220000-4`, started: `2026-11-${day}T22:00:00Z` }));
-  const nights_of = (standing, count) =>
+  const nightsOf = (standing, count) =>
     runs.map((run, n) => {
       const asked = 250000 + 10000 * n,
         seen = { new: n === 3, gone: n < 3, back: n !== 2, rare: n === 1 }[standing] ?? true;
@@ -189,10 +189,10 @@ export function sample(findings_total = 400) {
       families: families.slice(0, 1 + (i % 5)),
       first_seen: "20261119-220000-4",
       last_seen: "20261122-060000-7",
-      standing: key === gone ? "gone" : standing_of(i),
+      standing: key === gone ? "gone" : standingOf(i),
       chance: i % 2 ? 0.0004 : null,
       pairs: key === gone ? 0 : ids.length * 31,
-      nights: nights_of(key === gone ? "gone" : standing_of(i), key === gone ? 40 : ids.length * 31),
+      nights: nightsOf(key === gone ? "gone" : standingOf(i), key === gone ? 40 : ids.length * 31),
       first_version: "1.1",
       last_version: i % 2 ? "1.2" : "1.1",
       simplified: i % 5 !== 3,
@@ -364,7 +364,7 @@ export function sample(findings_total = 400) {
     methods: methods.map((name, m) => ({
       name,
       version: "1.2",
-      claim: claim_of(name),
+      claim: claimOf(name),
       own: m < own,
       share: name.startsWith("nlopt") ? 64 : 1,
     })),

@@ -5,12 +5,12 @@ import { Figure, Section, Select } from "../parts/elements.tsx";
 import { screen } from "../parts/plot.ts";
 import { safe, time } from "../parts/words.ts";
 import { Missing } from "./elements.tsx";
-import { palette, pareto, speed_plot } from "./plots.ts";
+import { palette, pareto, speedPlot } from "./plots.ts";
 import type { FullReport } from "./report.ts";
-import { kind_words, library } from "./words.ts";
+import { kindLabel, library } from "./words.ts";
 
-const to_findings = (method: string) => `#/findings?${new URLSearchParams({ method })}`;
-const query_words: Record<string, string> = {
+const toFindings = (method: string) => `#/findings?${new URLSearchParams({ method })}`;
+const queryLabels: Record<string, string> = {
   verdict: "yes or no, one pair",
   batch: "yes or no, many pairs at once",
   certificate: "with a proof",
@@ -33,7 +33,7 @@ export function Speed({ report }: { report: FullReport }) {
     [report, family, query],
   );
   const draw = useCallback(
-    (width: number) => speed_plot(points, { width, theme: screen, link: to_findings }),
+    (width: number) => speedPlot(points, { width, theme: screen, link: toFindings }),
     [points],
   );
   const front = pareto(points);
@@ -56,13 +56,13 @@ export function Speed({ report }: { report: FullReport }) {
               label="Pairs"
               value={family}
               onChange={choose}
-              options={families.map((f) => [f, f === "all" ? "all families together" : kind_words(f)] as const)}
+              options={families.map((f) => [f, f === "all" ? "all families together" : kindLabel(f)] as const)}
             />
             <Select
               label="Question"
               value={query}
               onChange={ask}
-              options={queries.map((q) => [q, query_words[q] ?? q] as const)}
+              options={queries.map((q) => [q, queryLabels[q] ?? q] as const)}
             />
             <span class="legend" aria-hidden="true">
               {[
@@ -92,7 +92,7 @@ export function Speed({ report }: { report: FullReport }) {
                     {front.map((p, i) => (
                       <>
                         {i > 0 && ", "}
-                        <a href={to_findings(p.method)}>{safe(p.method)}</a> ({time(p.ns)})
+                        <a href={toFindings(p.method)}>{safe(p.method)}</a> ({time(p.ns)})
                       </>
                     ))}
                     .

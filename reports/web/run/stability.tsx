@@ -4,33 +4,33 @@
 import { useCallback, useMemo, useState } from "preact/hooks";
 import { Figure, Section } from "../parts/elements.tsx";
 import { screen } from "../parts/plot.ts";
-import { grouped, in_order, percent, safe, short } from "../parts/words.ts";
+import { grouped, inOrder, percent, safe, short } from "../parts/words.ts";
 import { Cost } from "./calibration.tsx";
 import { Heads, Missing } from "./elements.tsx";
-import { backward_plot, trace_plot } from "./plots.ts";
+import { backwardPlot, tracePlot } from "./plots.ts";
 import type { FullReport } from "./report.ts";
 
 /** How often the verdict should turn: once where the path goes through touching. */
-const right_flips = (p: { path: string }) => (p.path.startsWith("touching") ? 1 : 0);
+const rightFlips = (p: { path: string }) => (p.path.startsWith("touching") ? 1 : 0);
 
 function Paths({ report }: { report: FullReport }) {
   const paths = useMemo(
     () =>
-      in_order(
+      inOrder(
         report.paths,
         (x, y) =>
-          y.flips - right_flips(y) - (x.flips - right_flips(x)) || (x.path < y.path ? -1 : x.path > y.path ? 1 : 0),
+          y.flips - rightFlips(y) - (x.flips - rightFlips(x)) || (x.path < y.path ? -1 : x.path > y.path ? 1 : 0),
       ),
     [report],
   );
   const [at, choose] = useState(() =>
     Math.max(
       0,
-      paths.findIndex((p) => p.flips > right_flips(p) && p.trace),
+      paths.findIndex((p) => p.flips > rightFlips(p) && p.trace),
     ),
   );
   const path = paths[at];
-  const draw = useCallback((width: number) => trace_plot(path!, { width, theme: screen }), [path]);
+  const draw = useCallback((width: number) => tracePlot(path!, { width, theme: screen }), [path]);
   if (!path) return <Missing of="paths" report={report} />;
   return (
     <>
@@ -53,7 +53,7 @@ function Paths({ report }: { report: FullReport }) {
                     </button>
                   </td>
                   <td class="n">{grouped(p.steps)}</td>
-                  <td class={`n ${p.flips > right_flips(p) ? "bad" : ""}`}>{grouped(p.flips)}</td>
+                  <td class={`n ${p.flips > rightFlips(p) ? "bad" : ""}`}>{grouped(p.flips)}</td>
                   <td class="n">{short(p.distance_jump)}</td>
                   <td class="n">
                     {p.direction_jump_degrees === null ? "\u2013" : `${short(p.direction_jump_degrees)}\u00b0`}
@@ -84,7 +84,7 @@ function Paths({ report }: { report: FullReport }) {
 }
 
 function Backward({ report }: { report: FullReport }) {
-  const draw = useCallback((width: number) => backward_plot(report.backward, { width, theme: screen }), [report]);
+  const draw = useCallback((width: number) => backwardPlot(report.backward, { width, theme: screen }), [report]);
   if (report.backward.length === 0) return <Missing of="backward" report={report} />;
   return (
     <Figure
@@ -96,7 +96,7 @@ function Backward({ report }: { report: FullReport }) {
   );
 }
 
-const build_heads = [
+const buildHeads = [
   ...["method", "build", "against", "n:pairs", "n:verdicts changed", "n:beyond the claim", "n:distances changed"],
   "n:largest change",
 ];
@@ -112,7 +112,7 @@ function Builds({ report }: { report: FullReport }) {
       </p>
       <div class="scroll tall">
         <table class="plain">
-          <Heads of={build_heads} />
+          <Heads of={buildHeads} />
           <tbody>
             {changed.map((b) => (
               <tr key={`${b.method} ${b.build} ${b.against}`}>

@@ -2,19 +2,19 @@
 // The run at a glance: what was found, methods against families, how it stands against earlier runs.
 import { useMemo, useRef, useState } from "preact/hooks";
 import { Section } from "../parts/elements.tsx";
-import { group_by, grouped, percent, plural, safe, time } from "../parts/words.ts";
+import { groupBy, grouped, percent, plural, safe, time } from "../parts/words.ts";
 import type { Standing, Tally } from "./data.ts";
 import { Fact, Heads } from "./elements.tsx";
 import { about } from "./glossary.ts";
-import { heat_step, type Heat } from "./plots.ts";
-import { changes_of, type FullReport } from "./report.ts";
+import { heatStep, type Heat } from "./plots.ts";
+import { changesOf, type FullReport } from "./report.ts";
 import { useRoving } from "./roving.ts";
-import { claim_words, kind_words, library, origin_words, severity_words } from "./words.ts";
+import { formatClaim, kindLabel, library, claimOrigin, severityLabels } from "./words.ts";
 
 type Sum = Omit<Tally, "method" | "family">;
 const none: Sum = { asked: 0, declined: 0, failed: 0, contract: 0, resolution: 0, undecided: 0, nanoseconds: 0 };
 const counts = ["asked", "declined", "failed", "contract", "resolution", "undecided"] as const;
-const count_words: Record<string, string> = { contract: "beyond claim", resolution: "within claim" };
+const countLabels: Record<string, string> = { contract: "beyond claim", resolution: "within claim" };
 const plus = (x: Sum, y: Sum): Sum => ({
   asked: x.asked + y.asked,
   declined: x.declined + y.declined,
@@ -31,7 +31,7 @@ interface Row {
   families: Map<string, Sum>;
 }
 
-function add_up(name: string, tallies: Tally[]): Row {
+function addUp(name: string, tallies: Tally[]): Row {
   const row: Row = { name, total: none, families: new Map() };
   for (const t of tallies) {
     row.total = plus(row.total, t);
@@ -41,29 +41,29 @@ function add_up(name: string, tallies: Tally[]): Row {
 }
 
 /** The methods by library, in the order of the run. */
-function rows_of(report: FullReport) {
-  const by_method = group_by(report.tallies, (t) => t.method);
-  const names = report.methods.map((m) => m.name).filter((name) => by_method.has(name));
-  return [...group_by(names, library)].map(([name, members]) => ({
-    ...add_up(
+function rowsOf(report: FullReport) {
+  const byMethod = groupBy(report.tallies, (t) => t.method);
+  const names = report.methods.map((m) => m.name).filter((name) => byMethod.has(name));
+  return [...groupBy(names, library)].map(([name, members]) => ({
+    ...addUp(
       name,
-      members.flatMap((m) => by_method.get(m)!),
+      members.flatMap((m) => byMethod.get(m)!),
     ),
-    members: members.map((m) => add_up(m, by_method.get(m)!)),
+    members: members.map((m) => addUp(m, byMethod.get(m)!)),
   }));
 }
 
 /** What of a cell is shown, the worst of it: beyond a claim or failed, else within a claim, else undecided. */
-function heat_of(c: Sum | undefined): { heat: Heat; step: number; failed: boolean } {
+function heatOf(c: Sum | undefined): { heat: Heat; step: number; failed: boolean } {
   if (!c || c.asked === 0) return { heat: "empty", step: 0, failed: false };
   const bad = c.contract + c.failed;
-  if (bad > 0) return { heat: "bad", step: heat_step(bad / c.asked), failed: c.failed > 0 };
-  if (c.resolution > 0) return { heat: "within", step: heat_step(c.resolution / c.asked), failed: false };
-  if (c.undecided > 0) return { heat: "undecided", step: heat_step(c.undecided / c.asked), failed: false };
+  if (bad > 0) return { heat: "bad", step: heatStep(bad / c.asked), failed: c.failed > 0 };
+  if (c.resolution > 0) return { heat: "within", step: heatStep(c.resolution / c.asked), failed: false };
+  if (c.undecided > 0) return { heat: "undecided", step: heatStep(c.undecided / c.asked), failed: false };
   return { heat: "clean", step: 0, failed: false };
 }
 
-const cell_words = (name: string, family: string, c: Sum | undefined) =>
+const describeCell = (name: string, family: string, c: Sum | undefined) =>
   !c || c.asked === 0
     ? `${name}, ${family}: not asked`
     : [
@@ -72,7 +72,7 @@ const cell_words = (name: string, family: string, c: Sum | undefined) =>
         ...counts
           .slice(1)
           .filter((k) => c[k] > 0)
-          .map((k) => `${count_words[k] ?? k} ${grouped(c[k])} (${percent(c[k], c.asked)})`),
+          .map((k) => `${countLabels[k] ?? k} ${grouped(c[k])} (${percent(c[k], c.asked)})`),
         `${time(c.nanoseconds / c.asked)} a pair`,
       ].join("\n");
 
@@ -110,13 +110,13 @@ function HeatRow({
       <td class="n">{t.asked === 0 ? "" : grouped(t.nanoseconds / t.asked)}</td>
       {families.map((family) => {
         const c = row.families.get(family),
-          { heat, step, failed } = heat_of(c);
+          { heat, step, failed } = heatOf(c);
         const known = heat === "bad" || heat === "within";
         const where = `#/findings?${new URLSearchParams({ [members ? "library" : "method"]: row.name, family })}`;
         return (
-          <td class={`heat ${heat} s${step}`} title={cell_words(row.name, family, c)} key={family}>
+          <td class={`heat ${heat} s${step}`} title={describeCell(row.name, family, c)} key={family}>
             {known ? (
-              <a href={where} aria-label={cell_words(row.name, family, c)}>
+              <a href={where} aria-label={describeCell(row.name, family, c)}>
                 {failed ? "\u00d7" : ""}
               </a>
             ) : null}
@@ -128,7 +128,7 @@ function HeatRow({
 }
 
 function HeatTable({ report }: { report: FullReport }) {
-  const groups = useMemo(() => rows_of(report), [report]);
+  const groups = useMemo(() => rowsOf(report), [report]);
   const [open, set] = useState<ReadonlySet<string>>(new Set());
   const toggle = (name: string) =>
     set((was) => {
@@ -139,12 +139,12 @@ function HeatTable({ report }: { report: FullReport }) {
   const table = useRef<HTMLTableElement>(null);
   const roving = useRoving(table);
   const families = report.families.map((f) => f.name);
-  const all_open = groups.every((g) => open.has(g.name) || g.members.length < 2);
+  const allOpen = groups.every((g) => open.has(g.name) || g.members.length < 2);
   return (
     <>
       <p class="tools">
-        <button type="button" onClick={() => set(all_open ? new Set() : new Set(groups.map((g) => g.name)))}>
-          {all_open ? "Fold all" : "Unfold all methods"}
+        <button type="button" onClick={() => set(allOpen ? new Set() : new Set(groups.map((g) => g.name)))}>
+          {allOpen ? "Fold all" : "Unfold all methods"}
         </button>
         <span class="legend" aria-hidden="true">
           <i class="heat bad s5" /> wrong beyond the claim or failed (×) <i class="heat within s4" /> wrong within the
@@ -163,7 +163,7 @@ function HeatTable({ report }: { report: FullReport }) {
               <th scope="col" title={about("method")}>
                 method
               </th>
-              {[...counts.map((k) => count_words[k] ?? k), "ns/pair"].map((words) => (
+              {[...counts.map((k) => countLabels[k] ?? k), "ns/pair"].map((words) => (
                 <th scope="col" class="n" title={about(words)} key={words}>
                   {words}
                 </th>
@@ -204,7 +204,7 @@ function HeatTable({ report }: { report: FullReport }) {
 
 /** "1 new cause, 34 known, 1 gone", each a link to them. */
 export function Changes({ report }: { report: FullReport }) {
-  const changes = changes_of(report);
+  const changes = changesOf(report);
   if (!changes)
     return report.history ? null : (
       <p class="changes soft">No earlier run stands beside this one: nothing to compare with.</p>
@@ -241,11 +241,11 @@ function History({ report }: { report: FullReport }) {
   const { history } = report;
   if (!history) return null;
   const order: Standing[] = ["new", "back", "gone"];
-  const by = group_by(history.groups, (g) => g.standing);
+  const by = groupBy(history.groups, (g) => g.standing);
   const all: Standing[] = [...order, "known"];
   return (
     <>
-      {!changes_of(report) && (
+      {!changesOf(report) && (
         <p>
           Against {plural(history.runs, "earlier run")}:{" "}
           {all.map((s, i) => (
@@ -271,9 +271,9 @@ function History({ report }: { report: FullReport }) {
                     <tr key={[g.method, g.kind, g.severity, g.family].join()}>
                       <td>{g.standing}</td>
                       <td>{safe(g.method)}</td>
-                      <td>{safe(kind_words(g.kind))}</td>
-                      <td>{safe(severity_words[g.severity] ?? g.severity)}</td>
-                      <td>{safe(kind_words(g.family))}</td>
+                      <td>{safe(kindLabel(g.kind))}</td>
+                      <td>{safe(severityLabels[g.severity] ?? g.severity)}</td>
+                      <td>{safe(kindLabel(g.family))}</td>
                       <td class="n">{grouped(g.count)}</td>
                     </tr>
                   )),
@@ -288,15 +288,15 @@ function History({ report }: { report: FullReport }) {
 }
 
 function Headline({ report }: { report: FullReport }) {
-  const rows = rows_of(report).flatMap((g) => g.members);
+  const rows = rowsOf(report).flatMap((g) => g.members);
   const bad = rows.filter((r) => r.total.contract + r.total.failed > 0);
   const own = new Set(report.methods.filter((m) => m.own).map((m) => m.name));
-  const own_bad = bad.filter((r) => own.has(r.name));
-  const referee = add_up(
+  const ownBad = bad.filter((r) => own.has(r.name));
+  const referee = addUp(
     "referee",
     report.tallies.filter((t) => t.method === "referee"),
   ).total;
-  const cases = add_up(
+  const cases = addUp(
     "corpus",
     report.tallies.filter((t) => t.method === "corpus"),
   ).total;
@@ -319,8 +319,8 @@ function Headline({ report }: { report: FullReport }) {
         <Fact label="methods beyond their claim" kind={bad.length > 0 ? "bad" : ""}>
           {bad.length} of {rows.length}
         </Fact>
-        <Fact label="of ours" kind={own_bad.length > 0 ? "bad" : "ok"}>
-          {own_bad.length} of {own.size}
+        <Fact label="of ours" kind={ownBad.length > 0 ? "bad" : "ok"}>
+          {ownBad.length} of {own.size}
         </Fact>
         <Fact label="known cases now failing" kind={cases.contract > 0 ? "bad" : ""}>
           {grouped(cases.contract)}
@@ -361,7 +361,7 @@ export function Summary({ report }: { report: FullReport }) {
 
 export function Methods({ report }: { report: FullReport }) {
   const referee = report.tallies.filter((t) => !report.methods.some((m) => m.name === t.method));
-  const judges = [...group_by(referee, (t) => t.method)].map(([name, tallies]) => add_up(name, tallies));
+  const judges = [...groupBy(referee, (t) => t.method)].map(([name, tallies]) => addUp(name, tallies));
   return (
     <Section
       id="methods"
@@ -382,8 +382,8 @@ export function Methods({ report }: { report: FullReport }) {
                 <tr key={m.name}>
                   <td>{safe(m.name)}</td>
                   <td>{safe(m.version)}</td>
-                  <td>{claim_words(m.claim)}</td>
-                  <td title={about(origin_words(m.claim))}>{origin_words(m.claim)}</td>
+                  <td>{formatClaim(m.claim)}</td>
+                  <td title={about(claimOrigin(m.claim))}>{claimOrigin(m.claim)}</td>
                   <td class="wrap soft">{safe(m.claim.source)}</td>
                   <td class="n">{m.share === 1 ? "all" : `1 in ${m.share}`}</td>
                 </tr>

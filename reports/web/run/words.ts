@@ -4,36 +4,36 @@ import type { Coordinate } from "../parts/data.ts";
 import { full, short } from "../parts/words.ts";
 import type { Claim } from "./data.ts";
 
-const own_names = new Set(["intersect", "decide", "distance", "exact"]);
+const ownNames = new Set(["intersect", "decide", "distance", "exact"]);
 /** Ours are one library; any other is what stands before the first '-'. */
-export const library = (method: string) => (own_names.has(method) ? "ours" : method.split("-", 1)[0]!);
+export const library = (method: string) => (ownNames.has(method) ? "ours" : method.split("-", 1)[0]!);
 
-export const kind_words = (kind: string) => kind.replaceAll("_", " ");
-export const severity_words: Record<string, string> = {
+export const kindLabel = (kind: string) => kind.replaceAll("_", " ");
+export const severityLabels: Record<string, string> = {
   contract: "beyond its claim",
   resolution: "within its claim",
   unresolved: "truth undecided",
 };
 
-export const standing_words = (standing: string | null) => standing ?? "\u2013";
+export const standingLabel = (standing: string | null) => standing ?? "\u2013";
 
-export const origin_words = ({ stated }: Claim) => (stated ? "stated" : "assumed by us");
+export const claimOrigin = ({ stated }: Claim) => (stated ? "stated" : "assumed by us");
 
-export function claim_words(claim: Claim): string {
+export function formatClaim(claim: Claim): string {
   const parts = [];
   if (claim.relative !== 0) parts.push(`${short(claim.relative)} of the size`);
   if (claim.absolute !== 0) parts.push(`a length of ${short(claim.absolute)}`);
   return parts.length === 0 ? "always right" : `right from ${parts.join(" plus ")} on`;
 }
 
-export function coordinate_words(x: Coordinate): string {
+export function formatCoordinate(x: Coordinate): string {
   if (typeof x === "number") return full(x);
   if (typeof x === "string") return x;
   return x.map((term, i) => (i === 0 ? full(term) : term < 0 ? `\u2212 ${full(-term)}` : `+ ${full(term)}`)).join(" ");
 }
 
 /** The double nearest to an exact coordinate, for drawing. */
-export function coordinate_value(x: Coordinate): number {
+export function coordinateValue(x: Coordinate): number {
   if (typeof x === "number") return x;
   if (typeof x !== "string") return x.reduce((sum, term) => sum + term, 0);
   const [n, d = "1"] = x.split("/");

@@ -3,7 +3,7 @@
 import * as Plot from "@observablehq/plot";
 import { common, decades, tips, type Options } from "../parts/plot.ts";
 import { grouped, plural, short, time } from "../parts/words.ts";
-import { model_colour, type Model, type Study } from "./study.ts";
+import { modelColour, type Model, type Study } from "./study.ts";
 
 interface Point {
   name: string;
@@ -13,7 +13,7 @@ interface Point {
   words: string;
 }
 
-function points_of(study: Study): Point[] {
+function pointsOf(study: Study): Point[] {
   const ns = study.ns_per_configuration,
     samples = study.pairs.reduce((n, pair) => n + pair.samples, 0);
   const worst = (alarm: number, missed: number) => [
@@ -50,7 +50,7 @@ const height = 340,
   right = 34;
 /** The width of a letter of a name, about, in pixels; and the height of a line. */
 const letter = 6.2,
-  line_height = 13;
+  lineHeight = 13;
 
 /** A name above its point, higher where another one is in its way. */
 function named(points: Point[], x: (p: Point) => number, y: (p: Point) => number) {
@@ -61,16 +61,16 @@ function named(points: Point[], x: (p: Point) => number, y: (p: Point) => number
       const wide = (p.name.length * letter) / 2 + 3;
       let dy = -12;
       const box = () => ({ left: x(p) - wide, right: x(p) + wide, y: y(p) + dy });
-      while (taken.some((t) => t.left < box().right && t.right > box().left && Math.abs(t.y - box().y) < line_height))
-        dy -= line_height;
+      while (taken.some((t) => t.left < box().right && t.right > box().left && Math.abs(t.y - box().y) < lineHeight))
+        dy -= lineHeight;
       taken.push(box());
       return { p, dy };
     });
 }
 
 /** None wrong stands on the lowest line, a decade below one. */
-export function cost_plot_of_study(study: Study, o: Options): Element {
-  const points = points_of(study),
+export function costPlotOfStudy(study: Study, o: Options): Element {
+  const points = pointsOf(study),
     costs = points.map((p) => p.ns);
   const none = 0.1,
     most = Math.max(10, ...points.map((p) => p.wrong)),
@@ -80,7 +80,7 @@ export function cost_plot_of_study(study: Study, o: Options): Element {
   const wrong = (p: Point) => Math.max(none, p.wrong);
   const x = (p: Point) => left + (Math.log(p.ns / low) / Math.log(high / low)) * (o.width - left - right);
   const y = (p: Point) => height - 42 - (Math.log(wrong(p) / none) / Math.log(top / none)) * (height - 64);
-  const fill = (p: Point) => (p.model ? `var(${model_colour[p.model]})` : o.theme.own);
+  const fill = (p: Point) => (p.model ? `var(${modelColour[p.model]})` : o.theme.own);
   const marks = named(points, x, y);
   return Plot.plot(
     common(o, height, {

@@ -2,7 +2,7 @@
 // The distance of two rounded solids, in doubles and without proof: a convex search (Gilbert, Johnson, Keerthi) between
 // their cores, and where the cores overlap the least way that parts them.
 import type { Cylinder, Vec } from "../parts/data.ts";
-import { add, cross, dot, scale, square_to, sub, unit } from "../parts/geometry.ts";
+import { add, cross, dot, scale, squareTo, sub, unit } from "../parts/geometry.ts";
 
 export interface Gap {
   distance: number; // negative: the depth
@@ -13,7 +13,7 @@ export interface Gap {
 const length = (v: Vec) => Math.sqrt(dot(v, v));
 
 /** A vector without its part along an axis. A second step takes away what rounding left: much, of a short one. */
-function square_part(v: Vec, axis: Vec): Vec {
+function squarePart(v: Vec, axis: Vec): Vec {
   const once = sub(v, scale(axis, dot(v, axis)));
   return sub(once, scale(axis, dot(once, axis)));
 }
@@ -21,7 +21,7 @@ function square_part(v: Vec, axis: Vec): Vec {
 /** The point of a core that is farthest in a direction. */
 function farthest(c: Cylinder, axis: Vec, d: Vec): Vec {
   const along = dot(d, axis),
-    across = square_part(d, axis),
+    across = squarePart(d, axis),
     wide = length(across);
   const end = add(c.center, scale(axis, (Math.sign(along) * c.height) / 2));
   return wide > 1e-15 * length(d) ? add(end, scale(across, c.radius / wide)) : end;
@@ -74,11 +74,11 @@ function nearest(simplex: Corner[]): { kept: Corner[]; share: number[]; v: Vec }
 }
 
 /** Relative to the lengths that go into it: what the search leaves open. */
-const close_enough = 1e-10;
-const most_steps = 200;
+const closeEnough = 1e-10;
+const mostSteps = 200;
 
 /** null where the cores meet, or are as good as touching. */
-function between_cores(a: Cylinder, b: Cylinder, u: Vec, v: Vec, size: number): { a: Vec; b: Vec } | null {
+function betweenCores(a: Cylinder, b: Cylinder, u: Vec, v: Vec, size: number): { a: Vec; b: Vec } | null {
   const corner = (d: Vec): Corner => {
     const on_a = farthest(a, u, scale(d, -1)),
       on_b = farthest(b, v, d);
@@ -87,11 +87,11 @@ function between_cores(a: Cylinder, b: Cylinder, u: Vec, v: Vec, size: number): 
   const away = sub(a.center, b.center);
   let simplex = [corner(dot(away, away) > 0 ? away : [1, 0, 0])];
   let at = nearest(simplex);
-  for (let step = 0; step < most_steps; ++step) {
+  for (let step = 0; step < mostSteps; ++step) {
     const far = length(at.v);
     if (far <= 1e-12 * size || at.kept.length === 4) return null;
     const next = corner(at.v);
-    if (far - dot(at.v, next.w) / far <= close_enough * size) break;
+    if (far - dot(at.v, next.w) / far <= closeEnough * size) break;
     simplex = [...at.kept, next];
     const then = nearest(simplex);
     if (!(dot(then.v, then.v) < far * far)) break;
@@ -115,14 +115,14 @@ function descended<X>(x: X, of: (x: X) => number, around: (x: X, step: number) =
 
 /** The direction in which b leaves a on the shortest way. The way has bends where a direction is along or square to an
  * axis: those are looked at by themselves. */
-function way_out(a: Cylinder, b: Cylinder, u: Vec, v: Vec): { n: Vec; depth: number } {
+function wayOut(a: Cylinder, b: Cylinder, u: Vec, v: Vec): { n: Vec; depth: number } {
   const apart = sub(b.center, a.center);
   const reach = (c: Cylinder, axis: Vec, n: Vec) => {
     const along = dot(n, axis);
     return c.radius * length(sub(n, scale(axis, along))) + (c.height / 2) * Math.abs(along);
   };
   const depth = (n: Vec) => reach(a, u, n) + reach(b, v, n) - dot(n, apart);
-  const best_of = (all: Vec[], count: number) => [...all].sort((m, n) => depth(m) - depth(n)).slice(0, count);
+  const bestOf = (all: Vec[], count: number) => [...all].sort((m, n) => depth(m) - depth(n)).slice(0, count);
   const found: Vec[] = [u, v, cross(u, v), apart]
     .filter((n) => dot(n, n) > 1e-20)
     .flatMap((n) => [unit(n), scale(unit(n), -1)]);
@@ -132,13 +132,13 @@ function way_out(a: Cylinder, b: Cylinder, u: Vec, v: Vec): { n: Vec; depth: num
       t = i * Math.PI * (3 - Math.sqrt(5));
     return [wide * Math.cos(t), wide * Math.sin(t), z];
   });
-  for (const start of best_of([...ball, ...found], 6))
+  for (const start of bestOf([...ball, ...found], 6))
     found.push(
       descended(
         start,
         depth,
         (n, step) => {
-          const [p, q] = square_to(n);
+          const [p, q] = squareTo(n);
           return Array.from({ length: 8 }, (_, i) => (i * Math.PI) / 4).map((t) =>
             unit(add(n, add(scale(p, step * Math.cos(t)), scale(q, step * Math.sin(t))))),
           );
@@ -147,52 +147,52 @@ function way_out(a: Cylinder, b: Cylinder, u: Vec, v: Vec): { n: Vec; depth: num
       ),
     );
   for (const axis of [u, v]) {
-    const [p, q] = square_to(axis),
+    const [p, q] = squareTo(axis),
       at = (t: number) => add(scale(p, Math.cos(t)), scale(q, Math.sin(t)));
     const of = (t: number) => depth(at(t)),
       turns = Array.from({ length: 48 }, (_, i) => (i * Math.PI) / 24).sort((s, t) => of(s) - of(t));
     for (const t of turns.slice(0, 4)) found.push(at(descended(t, of, (s, step) => [s - step, s + step], 0.1)));
   }
-  const [n] = best_of(found, 1) as [Vec];
+  const [n] = bestOf(found, 1) as [Vec];
   return { n, depth: depth(n) };
 }
 
 export function gap(a: Cylinder, b: Cylinder): Gap {
   const u = unit(a.axis),
     v = unit(b.axis),
-    soft_a = a.rounding ?? 0,
-    soft_b = b.rounding ?? 0;
+    softA = a.rounding ?? 0,
+    softB = b.rounding ?? 0;
   const size = a.radius + a.height + b.radius + b.height + length(sub(b.center, a.center));
-  const cores = between_cores(a, b, u, v, size);
+  const cores = betweenCores(a, b, u, v, size);
   if (cores) {
     const way = sub(cores.b, cores.a),
       far = length(way),
       n = unit(way);
     return {
-      distance: far - soft_a - soft_b,
-      on_a: add(cores.a, scale(n, soft_a)),
-      on_b: sub(cores.b, scale(n, soft_b)),
+      distance: far - softA - softB,
+      on_a: add(cores.a, scale(n, softA)),
+      on_b: sub(cores.b, scale(n, softB)),
     };
   }
-  const { n, depth } = way_out(a, b, u, v),
-    on_a = add(farthest(a, u, n), scale(n, soft_a));
-  return { distance: -depth - soft_a - soft_b, on_a, on_b: sub(on_a, scale(n, depth + soft_a + soft_b)) };
+  const { n, depth } = wayOut(a, b, u, v),
+    on_a = add(farthest(a, u, n), scale(n, softA));
+  return { distance: -depth - softA - softB, on_a, on_b: sub(on_a, scale(n, depth + softA + softB)) };
 }
 
 /** No more than the distance: that of the balls around both. */
-const least_possible = (a: Cylinder, b: Cylinder) =>
+const leastPossible = (a: Cylinder, b: Cylinder) =>
   length(sub(b.center, a.center)) -
   [a, b].reduce((sum, c) => sum + Math.hypot(c.radius, c.height / 2) + (c.rounding ?? 0), 0);
 
 /** The gap of every pair that may be within a clearance, of as many others as are wanted, the nearest by the balls
  * around them first, and of the nearest of all; null of the rest. */
-export function gaps_of(
+export function gapsOf(
   cylinders: Cylinder[],
   pairs: readonly (readonly [number, number])[],
   clearance: number,
   wanted: number,
 ): (Gap | null)[] {
-  const low = pairs.map(([i, j]) => least_possible(cylinders[i]!, cylinders[j]!));
+  const low = pairs.map(([i, j]) => leastPossible(cylinders[i]!, cylinders[j]!));
   const order = pairs.map((_, k) => k).sort((p, q) => low[p]! - low[q]!);
   const gaps: (Gap | null)[] = pairs.map(() => null);
   let least = Infinity;

@@ -52,7 +52,7 @@ const meanings: Record<string, string> = {
 meanings["false alarm up to"] = meanings["false alarm"]!;
 meanings["missed up to"] = meanings.missed!;
 
-export const about_study = (word: string): string | undefined => meanings[word.toLowerCase().replace(/ \[.*\]$/, "")];
+export const aboutScene = (word: string): string | undefined => meanings[word.toLowerCase().replace(/ \[.*\]$/, "")];
 
 /** All of them, in the order of the alphabet. */
-export const study_entries = (): [string, string][] => Object.entries(meanings).sort(([x], [y]) => (x < y ? -1 : 1));
+export const sceneGlossaryEntries = (): [string, string][] => Object.entries(meanings).sort(([x], [y]) => (x < y ? -1 : 1));

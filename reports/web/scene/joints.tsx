@@ -2,13 +2,13 @@
 // A slider for each joint that moves by itself, and which pairs are near each other where the sliders stand.
 import { useMemo } from "preact/hooks";
 import { plural, short } from "../parts/words.ts";
-import { free_joints, type StudiedLink } from "./kinematics.ts";
-import { nearest_first, type Posed } from "./pose.ts";
-import { gap_words, long, stands_in, unit_of, type Study } from "./study.ts";
+import { freeJoints, type StudiedLink } from "./kinematics.ts";
+import { nearestFirst, type Posed } from "./pose.ts";
+import { formatGap, formatLength, standsIn, unitOf, type Study } from "./study.ts";
 
 const degrees = 180 / Math.PI;
-const value_words = (link: StudiedLink, value: number, unit: string) =>
-  link.motion === "turn" ? `${short(value * degrees, 4)}\u00b0` : long(value, unit);
+const formatValue = (link: StudiedLink, value: number, unit: string) =>
+  link.motion === "turn" ? `${short(value * degrees, 4)}\u00b0` : formatLength(value, unit);
 
 function Joint({
   link,
@@ -22,7 +22,7 @@ function Joint({
   set: (value: number) => void;
 }) {
   const [low, high] = link.limits!;
-  const words = (x: number) => value_words(link, x, unit);
+  const words = (x: number) => formatValue(link, x, unit);
   return (
     <label class="joint">
       <span class="name">{link.joint}</span>
@@ -48,17 +48,17 @@ function Joint({
 
 /** The pairs within the clearance, and the nearest one beyond; a click picks. */
 function Near({ study, posed, pick }: { study: Study; posed: Posed; pick: (pair: number) => void }) {
-  const order = useMemo(() => nearest_first(posed), [posed]);
+  const order = useMemo(() => nearestFirst(posed), [posed]);
   const within = order.filter((i) => posed.within[i]),
     next = order.find((i) => !posed.within[i]),
-    unit = unit_of(study);
+    unit = unitOf(study);
   const line = (i: number) => (
     <li key={i} class={posed.within[i] ? "bad" : ""}>
       <button type="button" class="link" onClick={() => pick(i)}>
         {study.pairs[i]!.a} {"\u2013"} {study.pairs[i]!.b}
       </button>{" "}
-      {gap_words(posed.gaps[i]!.distance, 0, unit)}
-      {posed.within[i] && stands_in(study, i) && (
+      {formatGap(posed.gaps[i]!.distance, 0, unit)}
+      {posed.within[i] && standsIn(study, i) && (
         <span class="soft"> (of the solid around a box or mesh: not known)</span>
       )}
     </li>
@@ -96,8 +96,8 @@ export function Joints({
   reset: () => void;
   pick: (pair: number) => void;
 }) {
-  const free = useMemo(() => free_joints(study.links), [study]);
-  const unit = unit_of(study),
+  const free = useMemo(() => freeJoints(study.links), [study]);
+  const unit = unitOf(study),
     values = free.map((link) => posed.values[link]!);
   const following = study.links.flatMap((link, i) => (link.follows ? [{ link, value: posed.values[i]! }] : [])),
     held = study.links.filter(({ motion }) => motion === "held");
@@ -122,7 +122,7 @@ export function Joints({
           </div>
           {following.map(({ link, value }) => (
             <p class="soft" key={link.joint}>
-              {link.joint} follows {study.links[link.follows!.link]!.joint}: {value_words(link, value, unit)}
+              {link.joint} follows {study.links[link.follows!.link]!.joint}: {formatValue(link, value, unit)}
             </p>
           ))}
           {held.length > 0 && (

@@ -42,27 +42,27 @@ const then = (pose: Pose, next: Pose): Pose => ({
 });
 
 /** A vector turned about a unit axis (Rodrigues). */
-function about_axis(axis: Vec, angle: number, v: Vec): Vec {
+function aboutAxis(axis: Vec, angle: number, v: Vec): Vec {
   const c = Math.cos(angle);
   return add(add(scale(v, c), scale(cross(axis, v), Math.sin(angle))), scale(axis, (1 - c) * dot(axis, v)));
 }
 
-function motion_of(link: StudiedLink, value: number): Pose {
+function motionOf(link: StudiedLink, value: number): Pose {
   const still: Pose["axes"] = [
     [1, 0, 0],
     [0, 1, 0],
     [0, 0, 1],
   ];
   if (link.motion === "slide") return { center: scale(link.axis!, value), axes: still };
-  const turn = (v: Vec) => (link.motion === "turn" ? about_axis(link.axis!, value, v) : v);
+  const turn = (v: Vec) => (link.motion === "turn" ? aboutAxis(link.axis!, value, v) : v);
   return { center: [0, 0, 0], axes: still.map(turn) as Pose["axes"] };
 }
 
 /** The links whose joints move by themselves. */
-export const free_joints = (links: StudiedLink[]) => links.flatMap((link, i) => (link.limits ? [i] : []));
+export const freeJoints = (links: StudiedLink[]) => links.flatMap((link, i) => (link.limits ? [i] : []));
 
 /** The value of every link's joint: of those named as told, of others 0 or the limit nearest to it; mimics follow. */
-export function joint_values(links: StudiedLink[], told: Readonly<Record<string, number>>): number[] {
+export function jointValues(links: StudiedLink[], told: Readonly<Record<string, number>>): number[] {
   const values = links.map(({ joint, limits }) =>
     limits ? (joint !== undefined && Object.hasOwn(told, joint) ? told[joint]! : clamped(0, limits)) : 0,
   );
@@ -75,17 +75,17 @@ export function joint_values(links: StudiedLink[], told: Readonly<Record<string,
 }
 const clamped = (x: number, [low, high]: readonly [number, number]) => Math.max(low, Math.min(x, high));
 
-function link_poses(links: StudiedLink[], values: readonly number[]): Pose[] {
+function linkPoses(links: StudiedLink[], values: readonly number[]): Pose[] {
   const poses: Pose[] = [];
   for (const [i, link] of links.entries()) {
-    const own = then(link.origin, motion_of(link, values[i]!));
+    const own = then(link.origin, motionOf(link, values[i]!));
     poses.push(link.parent === undefined ? own : then(poses[link.parent]!, own));
   }
   return poses;
 }
 
 export function placed(links: StudiedLink[], bodies: StudiedBody[], values: readonly number[]): Placed {
-  const poses = link_poses(links, values);
+  const poses = linkPoses(links, values);
   return {
     cylinders: bodies.map(({ solid, on }) => ({
       ...solid,

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
 // Which pairs are shown, in which order.
-import { in_order } from "../parts/words.ts";
-import { least_of, risk_of, risks } from "./risk.ts";
+import { inOrder } from "../parts/words.ts";
+import { leastOf, riskOf, risks } from "./risk.ts";
 import { rank, type Model, type StudiedPair, type Study } from "./study.ts";
 
 export interface Filter {
   models: ReadonlySet<Model>;
   text: string;
 } // no model: all
-export const no_filter: Filter = { models: new Set(), text: "" };
+export const noFilter: Filter = { models: new Set(), text: "" };
 
 export const passes = (pair: StudiedPair, filter: Filter) =>
   (filter.models.size === 0 || filter.models.has(pair.needs)) &&
@@ -24,22 +24,22 @@ export interface Order {
   down: boolean;
 }
 
-const of_model = (pair: StudiedPair, model: Model) => pair.models[rank(model)]!;
+const ofModel = (pair: StudiedPair, model: Model) => pair.models[rank(model)]!;
 /** The longest false alarm, or what is missed. */
-export const worst_of = (pair: StudiedPair, model: Model) =>
-  Math.max(of_model(pair, model).false_alarm, of_model(pair, model).missed);
-export const wrong_of = (pair: StudiedPair, model: Model) => of_model(pair, model).wrong;
+export const worstOf = (pair: StudiedPair, model: Model) =>
+  Math.max(ofModel(pair, model).false_alarm, ofModel(pair, model).missed);
+export const wrongOf = (pair: StudiedPair, model: Model) => ofModel(pair, model).wrong;
 
 /** What a column is sorted by; `here` are the gaps in the configuration shown. */
-function value_of(study: Study, column: Column, here: readonly (number | null)[]): (i: number) => number | string {
+function valueOf(study: Study, column: Column, here: readonly (number | null)[]): (i: number) => number | string {
   const pair = (i: number) => study.pairs[i]!;
   switch (column) {
     case "pair":
       return (i) => `${pair(i).a} ${pair(i).b}`;
     case "risk":
-      return (i) => risks.indexOf(risk_of(study, i));
+      return (i) => risks.indexOf(riskOf(study, i));
     case "least":
-      return (i) => least_of(study, i);
+      return (i) => leastOf(study, i);
     case "here":
       return (i) => here[i] ?? Infinity;
     case "within":
@@ -47,21 +47,21 @@ function value_of(study: Study, column: Column, here: readonly (number | null)[]
     case "needs":
       return (i) => rank(pair(i).needs);
     case "sphere":
-      return (i) => worst_of(pair(i), "sphere");
+      return (i) => worstOf(pair(i), "sphere");
     case "outer":
-      return (i) => worst_of(pair(i), "outer capsule");
+      return (i) => worstOf(pair(i), "outer capsule");
     case "inner":
-      return (i) => worst_of(pair(i), "inner capsule");
+      return (i) => worstOf(pair(i), "inner capsule");
   }
 }
 
 /** Indices of study.pairs; among equal ones, first the pair that came nearest. */
-export function rows_of(study: Study, filter: Filter, order: Order, here: readonly (number | null)[] = []): number[] {
+export function rowsOf(study: Study, filter: Filter, order: Order, here: readonly (number | null)[] = []): number[] {
   const passing = study.pairs.flatMap((pair, i) => (passes(pair, filter) ? [i] : []));
   const sorted = (rows: number[], column: Column, sign: number) => {
-    const value = value_of(study, column, here),
+    const value = valueOf(study, column, here),
       values = new Map(rows.map((i) => [i, value(i)]));
-    return in_order(rows, (i, j) => {
+    return inOrder(rows, (i, j) => {
       const x = values.get(i)!,
         y = values.get(j)!;
       return x < y ? -sign : x > y ? sign : 0;

@@ -6,14 +6,14 @@ import assert from "node:assert/strict";
 import { readFileSync, writeFileSync } from "node:fs";
 import { join, resolve } from "node:path";
 import { pathToFileURL } from "node:url";
-import { asked, browser, colours, data_of, errors, filled, folder, open, settled, without_webgl } from "../browser.mjs";
+import { asked, browser, colours, dataOf, errors, filled, folder, open, settled, withoutWebgl } from "../browser.mjs";
 import { daylight } from "../chart.mjs";
 
-const { frame_of, stand_in } = daylight;
+const { frameOf, standIn } = daylight;
 
 const given = resolve(process.argv[2]),
   address = pathToFileURL(given).href;
-const study = data_of(given);
+const study = dataOf(given);
 
 const status = async (page) => (await settled(page), page.locator(".pairs [role=status]").innerText());
 const column = async (page, name) => (
@@ -24,13 +24,13 @@ const told = async (page, name) => (
   await settled(page),
   page.evaluate((key) => new URLSearchParams(location.hash.slice(1)).get(key), name)
 );
-const in_picture = async (page, x, y) => {
+const inPicture = async (page, x, y) => {
   const box = await page.locator(".stage canvas").boundingBox();
   return [box.x + x * box.width, box.y + y * box.height];
 };
 
 /** The distance of two segments, by going to and fro between them: good to 1e-6 of what is drawn. */
-function way_between(a, b) {
+function wayBetween(a, b) {
   const dot = (u, v) => u[0] * v[0] + u[1] * v[1] + u[2] * v[2],
     sub = (u, v) => u.map((x, i) => x - v[i]);
   const at = (s, t) => s.center.map((x, i) => x + t * s.axis[i]),
@@ -45,14 +45,14 @@ function way_between(a, b) {
 }
 
 /** What is drawn of a model says what the model said. */
-function ghosts_are_the_models() {
-  const frame = frame_of(study),
+function ghostsAreTheModels() {
+  const frame = frameOf(study),
     compared = { sphere: 0, "outer capsule": 0, "inner capsule": 0 };
   for (const kept of study.kept)
     for (const [i, seen] of kept.pairs.entries())
       for (const model of Object.keys(compared)) {
-        const [a, b] = study.pairs[i].bodies.map((body) => stand_in(frame.solid(kept.cylinders[body]), model));
-        const gap = way_between(a, b) - a.radius - b.radius - study.clearance / frame.unit;
+        const [a, b] = study.pairs[i].bodies.map((body) => standIn(frame.solid(kept.cylinders[body]), model));
+        const gap = wayBetween(a, b) - a.radius - b.radius - study.clearance / frame.unit;
         if (Math.abs(gap) < 1e-5) continue;
         assert.equal(
           gap < 0,
@@ -67,7 +67,7 @@ function ghosts_are_the_models() {
   );
 }
 
-async function reads_what_is_recommended(page) {
+async function readsWhatIsRecommended(page) {
   const { words } = study,
     heading = await page.locator("#recommendation h2").innerText();
   assert.equal(
@@ -88,7 +88,7 @@ async function reads_what_is_recommended(page) {
   assert.match(await page.locator("header .run").innerText(), /twenty\.urdf .* seed 1 /);
 }
 
-async function filters_and_sorts(page) {
+async function filtersAndSorts(page) {
   const whole = await colours(page);
   assert.ok(whole.count > 50, `the drawing has ${whole.count} colours`);
   assert.equal(await status(page), `${study.pairs.length} pairs`);
@@ -123,7 +123,7 @@ async function filters_and_sorts(page) {
   assert.deepEqual((await column(page, "pair"))[0].split("\n"), [most.a, most.b]);
 }
 
-async function picks_in_the_table(page) {
+async function picksInTheTable(page) {
   await page.getByRole("button", { name: "needs" }).click();
   const before = await colours(page);
   await page.locator(".findings tbody tr:not(.spacer)").nth(2).click();
@@ -160,7 +160,7 @@ async function picks_in_the_table(page) {
 }
 
 /** Each kept configuration, by why it is kept: the pair, the ghost and what the model says there. */
-async function switches_configurations(page) {
+async function switchesConfigurations(page) {
   const options = await page.locator(".stage-tools option").allInnerTexts();
   assert.equal(
     options.length,
@@ -195,7 +195,7 @@ async function switches_configurations(page) {
   );
 }
 
-async function picks_in_the_picture(page) {
+async function picksInThePicture(page) {
   await page.locator(".stage-tools select").selectOption({ index: 0 });
   if (await page.getByRole("button", { name: "Show all" }).isEnabled())
     await page.getByRole("button", { name: "Show all" }).click();
@@ -204,7 +204,7 @@ async function picks_in_the_picture(page) {
   const names = new Map();
   for (let y = 0.1; y < 0.95; y += 0.12)
     for (let x = 0.1; x < 0.95; x += 0.12) {
-      await page.mouse.move(...(await in_picture(page, x, y)));
+      await page.mouse.move(...(await inPicture(page, x, y)));
       await page.evaluate(
         () =>
           new Promise((done) => {
@@ -216,13 +216,13 @@ async function picks_in_the_picture(page) {
     }
   assert.ok(names.size >= 2, `found ${[...names.keys()].join()}`);
   const index = (name) => study.bodies.findIndex((body) => body.name === name);
-  const of_both = ([x, y]) =>
+  const ofBoth = ([x, y]) =>
     study.pairs.findIndex(({ bodies }) => bodies.includes(index(x)) && bodies.includes(index(y)));
   const [first, second] = [...names.keys()]
     .flatMap((x) => [...names.keys()].map((y) => [x, y]))
-    .find(([x, y]) => x !== y && of_both([x, y]) >= 0);
+    .find(([x, y]) => x !== y && ofBoth([x, y]) >= 0);
   const click = async (name) => {
-    await page.mouse.click(...(await in_picture(page, ...names.get(name))));
+    await page.mouse.click(...(await inPicture(page, ...names.get(name))));
     await settled(page);
   };
   await click(first);
@@ -231,19 +231,19 @@ async function picks_in_the_picture(page) {
     "a pair of the body that was clicked",
   );
   await click(second);
-  assert.equal(await told(page, "pair"), String(of_both([first, second])), "the pair of both");
+  assert.equal(await told(page, "pair"), String(ofBoth([first, second])), "the pair of both");
   const before = await colours(page);
-  await page.mouse.move(...(await in_picture(page, 0.5, 0.5)));
+  await page.mouse.move(...(await inPicture(page, 0.5, 0.5)));
   await page.mouse.down();
-  await page.mouse.move(...(await in_picture(page, 0.7, 0.6)), { steps: 3 });
+  await page.mouse.move(...(await inPicture(page, 0.7, 0.6)), { steps: 3 });
   await page.mouse.up();
   assert.notEqual((await colours(page)).hash, before.hash, "turned, it looks another way");
-  assert.equal(await told(page, "pair"), String(of_both([first, second])), "to turn is not to click");
-  await page.mouse.click(...(await in_picture(page, 0.02, 0.98)));
+  assert.equal(await told(page, "pair"), String(ofBoth([first, second])), "to turn is not to click");
+  await page.mouse.click(...(await inPicture(page, 0.02, 0.98)));
   assert.equal((await settled(page), await page.locator(".picked").count()), 0, "a click beside it picks none");
 }
 
-async function reads_the_chart(page) {
+async function readsTheChart(page) {
   await page.locator("#cost").scrollIntoViewIfNeeded();
   await page.waitForSelector("#cost .plot svg");
   const points = await page.locator("#cost .plot [aria-label=dot] path, #cost .plot [aria-label=dot] circle").all();
@@ -284,7 +284,7 @@ async function fits(page) {
 }
 
 /** The address of a view opens it again. */
-async function opens_a_view_by_its_address() {
+async function opensAViewByItsAddress() {
   const at = study.kept.findIndex((k) => k.reasons.some((r) => r.model === "outer capsule")),
     { pair } = study.kept[at].reasons.find((r) => r.model === "outer capsule");
   const page = await open(`${address}#${new URLSearchParams({ at, pair, ghosts: "outer capsule", close: "1" })}`, {
@@ -296,7 +296,7 @@ async function opens_a_view_by_its_address() {
     /the outer capsule would raise a false alarm|and the outer capsule would/,
   );
   assert.equal(await page.getByLabel("Show the outer capsule of both").isChecked(), true);
-  await reads_the_chart(page);
+  await readsTheChart(page);
   await fits(page);
   await page.context().close();
   const lost = await open(`${address}#at=99&pair=-1&ghosts=none`);
@@ -305,7 +305,7 @@ async function opens_a_view_by_its_address() {
 }
 
 /** Names of a file may be anything. */
-async function shows_hostile_text_as_text() {
+async function showsHostileTextAsText() {
   const hostile = "</script><img src=x onerror=alert(1)>\u202e\u0001",
     copy = structuredClone(study);
   Object.assign(copy, { file: hostile, notes: [hostile], left_out: [hostile] });
@@ -325,7 +325,7 @@ async function shows_hostile_text_as_text() {
 }
 
 /** A scene with nothing to check, and a template that nobody filled. */
-async function says_that_there_is_nothing() {
+async function saysThatThereIsNothing() {
   const alone = {
     ...structuredClone(study),
     pairs: [],
@@ -343,8 +343,8 @@ async function says_that_there_is_nothing() {
   await bare.context().close();
 }
 
-async function draws_lines_without_webgl() {
-  const page = await open(`${address}#at=0&pair=3`, { first: without_webgl });
+async function drawsLinesWithoutWebgl() {
+  const page = await open(`${address}#at=0&pair=3`, { first: withoutWebgl });
   await page.waitForSelector(".stage.flat svg.projection");
   assert.equal(await page.locator(".projection .body").count(), study.cylinders);
   assert.equal(await page.locator(".projection .gap").count(), 1);
@@ -352,24 +352,24 @@ async function draws_lines_without_webgl() {
   await page.context().close();
 }
 
-ghosts_are_the_models();
+ghostsAreTheModels();
 const page = await open(address);
 for (const step of [
-  reads_what_is_recommended,
-  filters_and_sorts,
-  picks_in_the_table,
-  switches_configurations,
-  picks_in_the_picture,
-  reads_the_chart,
+  readsWhatIsRecommended,
+  filtersAndSorts,
+  picksInTheTable,
+  switchesConfigurations,
+  picksInThePicture,
+  readsTheChart,
   fits,
 ])
   await step(page);
 await page.context().close();
-await opens_a_view_by_its_address();
-await shows_hostile_text_as_text();
-await says_that_there_is_nothing();
+await opensAViewByItsAddress();
+await showsHostileTextAsText();
+await saysThatThereIsNothing();
 assert.deepEqual(errors, []);
-await draws_lines_without_webgl();
+await drawsLinesWithoutWebgl();
 assert.deepEqual(asked, [], "nothing is asked from the network");
 console.log("study_page_test: all well");
 await browser.close();

@@ -5,28 +5,28 @@ import { useMemo, useState } from "preact/hooks";
 import { save } from "../parts/save.ts";
 import { VirtualTable, type ColumnOf } from "../parts/table.tsx";
 import { grouped, percent, plural, short } from "../parts/words.ts";
-import { csv_name, csv_of_study } from "./csv.ts";
-import { about_study } from "./glossary.ts";
-import { columns, passes, rows_of, worst_of, wrong_of, type Column, type Filter, type Order } from "./order.ts";
+import { csvName, csvOfStudy } from "./csv.ts";
+import { aboutScene } from "./glossary.ts";
+import { columns, passes, rowsOf, worstOf, wrongOf, type Column, type Filter, type Order } from "./order.ts";
 import type { Posed } from "./pose.ts";
-import { proof_words, short_proof_words, ShowProof, verdict_class } from "./proofs.tsx";
-import { least_of, proof_of, risk_of, type Risk } from "./risk.ts";
+import { formatProof, formatProofShort, ShowProof, verdictClass } from "./proofs.tsx";
+import { leastOf, proofOf, riskOf, type Risk } from "./risk.ts";
 import {
-  a_model,
-  gap_words,
-  has_stand_in,
-  model_colour,
+  aModel,
+  formatGap,
+  hasStandIn,
+  modelColour,
   models,
-  said,
-  stands_in,
-  unit_of,
+  asSentence,
+  standsIn,
+  unitOf,
   type Model,
   type Proof,
   type Study,
 } from "./study.ts";
 
 export const Swatch = ({ model }: { model: Model }) => (
-  <i class="swatch" style={{ background: `var(${model_colour[model]})` }} />
+  <i class="swatch" style={{ background: `var(${modelColour[model]})` }} />
 );
 
 /** Chips, one a model that some pair needs: pressed, only pairs of pressed ones are shown. */
@@ -57,7 +57,7 @@ export function Legend({ study, filter, set }: { study: Study; filter: Filter; s
           class="chip"
           aria-pressed={filter.models.has(model)}
           onClick={() => press(model)}
-          title={`only pairs for which ${a_model(model)} is enough, and nothing simpler`}
+          title={`only pairs for which ${aModel(model)} is enough, and nothing simpler`}
           key={model}>
           <Swatch model={model} />
           {model} <span class="count">{grouped(count)}</span>
@@ -67,8 +67,8 @@ export function Legend({ study, filter, set }: { study: Study; filter: Filter; s
   );
 }
 
-const row_height = 36,
-  rows_shown = 15;
+const rowHeight = 36,
+  rowsShown = 15;
 const titles: Record<Column, string> = {
   pair: "pair",
   risk: "state",
@@ -81,13 +81,13 @@ const titles: Record<Column, string> = {
   inner: "inner capsule",
 };
 /** What the columns of models hold, as the heads stand for them. */
-const of_models: Partial<Record<Column, string>> = {
+const ofModels: Partial<Record<Column, string>> = {
   sphere: "False alarms of the spheres around both, by themselves: up to how far beyond the clearance, and how often.",
   outer: "False alarms of the capsules around both, by themselves: up to how far beyond the clearance, and how often.",
   inner: "What the capsules inside both miss, by themselves: down to how far below the clearance, and how often.",
 };
 const lengths: ReadonlySet<Column> = new Set(["least", "here", "sphere", "outer", "inner"]);
-const risk_class: Record<Risk, string> = {
+const riskClass: Record<Risk, string> = {
   "comes within": "bad",
   open: "warn",
   "not known": "warn",
@@ -110,31 +110,31 @@ export function Pairs({
   picked: number | null;
   pick: (pair: number) => void;
 }) {
-  const [order, set_order] = useState<Order>({ column: "risk", down: false });
+  const [order, setOrder] = useState<Order>({ column: "risk", down: false });
   const here = useMemo(() => posed.gaps.map((gap) => gap?.distance ?? null), [posed]);
   // A slider that moves leaves the rows where they are, unless they are sorted by the gap here.
   const rows = useMemo(
-    () => rows_of(study, filter, order, here),
+    () => rowsOf(study, filter, order, here),
     [study, filter, order, order.column === "here" ? here : null],
   );
-  const unit = unit_of(study);
+  const unit = unitOf(study);
   const wrong = (model: Model): Partial<ColumnOf<number>> => ({
     numeric: true,
     cell: (i) =>
-      wrong_of(study.pairs[i]!, model) === 0 ? (
+      wrongOf(study.pairs[i]!, model) === 0 ? (
         <span class="soft">{"\u2013"}</span>
       ) : (
         <>
-          {short(worst_of(study.pairs[i]!, model), 2)}
+          {short(worstOf(study.pairs[i]!, model), 2)}
           <br />
           <span class="soft">
-            {grouped(wrong_of(study.pairs[i]!, model))}
+            {grouped(wrongOf(study.pairs[i]!, model))}
             {"\u00d7"}
           </span>
         </>
       ),
-    hint: (i) => `${plural(wrong_of(study.pairs[i]!, model), "wrong answer")} of ${grouped(study.pairs[i]!.samples)}`,
-    bad: (i) => wrong_of(study.pairs[i]!, model) > 0,
+    hint: (i) => `${plural(wrongOf(study.pairs[i]!, model), "wrong answer")} of ${grouped(study.pairs[i]!.samples)}`,
+    bad: (i) => wrongOf(study.pairs[i]!, model) > 0,
   });
   const cells: Record<Column, Partial<ColumnOf<number>>> = {
     pair: {
@@ -166,26 +166,26 @@ export function Pairs({
     },
     risk: {
       cell: (i) => {
-        const risk = risk_of(study, i),
-          proof = proof_of(study, i);
+        const risk = riskOf(study, i),
+          proof = proofOf(study, i);
         return (
           <>
-            <span class={risk_class[risk]}>{risk}</span>
+            <span class={riskClass[risk]}>{risk}</span>
             {proof && (
               <>
                 <br />
-                <span class="soft">{short_proof_words(study, proof)}</span>
+                <span class="soft">{formatProofShort(study, proof)}</span>
               </>
             )}
           </>
         );
       },
       hint: (i) => {
-        const proof = proof_of(study, i);
-        return `${about_study(risk_of(study, i))}${proof ? ` ${said(proof_words(study, proof))}.` : ""}`;
+        const proof = proofOf(study, i);
+        return `${aboutScene(riskOf(study, i))}${proof ? ` ${asSentence(formatProof(study, proof))}.` : ""}`;
       },
     },
-    least: { numeric: true, cell: (i) => short(least_of(study, i)) },
+    least: { numeric: true, cell: (i) => short(leastOf(study, i)) },
     here: { numeric: true, cell: (i) => short(here[i]), bad: (i) => posed.within[i] === true },
     within: { numeric: true, cell: (i) => percent(study.pairs[i]!.within, study.pairs[i]!.samples) },
     sphere: wrong("sphere"),
@@ -197,12 +197,12 @@ export function Pairs({
       ({
         key,
         title: `${titles[key]}${unit && lengths.has(key) ? ` [${unit}]` : ""}`,
-        about: of_models[key] ?? about_study(titles[key]),
+        about: ofModels[key] ?? aboutScene(titles[key]),
         ...cells[key],
       }) as ColumnOf<number>,
   );
   const turn = (column: string) =>
-    set_order({
+    setOrder({
       column: column as Column,
       down: order.column === column ? !order.down : !["pair", "risk", "least", "here"].includes(column),
     });
@@ -224,29 +224,29 @@ export function Pairs({
         <button
           type="button"
           class="saving"
-          onClick={() => save(csv_name(study), "text/csv", csv_of_study(study, rows, here))}>
+          onClick={() => save(csvName(study), "text/csv", csvOfStudy(study, rows, here))}>
           Save as CSV
         </button>
       </div>
       <VirtualTable
         rows={rows}
         columns={told}
-        key_of={(i) => i}
+        keyOf={(i) => i}
         label="Pairs; arrow keys pick one"
         order={order}
         turn={turn}
         at={picked === null ? -1 : rows.indexOf(picked)}
         move={(at) => pick(rows[at]!)}
         open={pick}
-        row_height={row_height}
-        rows_shown={rows_shown}
+        rowHeight={rowHeight}
+        rowsShown={rowsShown}
       />
       <p class="only-print">Only the rows that were on the screen are printed; all of them are in the CSV.</p>
     </div>
   );
 }
 
-function here_words(within: boolean, wrong: boolean) {
+function formatHere(within: boolean, wrong: boolean) {
   if (!wrong) return within ? "within" : "apart";
   return within ? "apart: missed" : "within: a false alarm";
 }
@@ -258,52 +258,52 @@ export function Picked({
   posed,
   picked,
   ghosts,
-  switch_ghost,
-  show_proof,
+  switchGhost,
+  showProof,
 }: {
   study: Study;
   at: number;
   posed: Posed;
   picked: number;
   ghosts: ReadonlySet<Model>;
-  switch_ghost: (model: Model) => void;
-  show_proof: (proof: Proof) => void;
+  switchGhost: (model: Model) => void;
+  showProof: (proof: Proof) => void;
 }) {
   const pair = study.pairs[picked]!,
-    proof = proof_of(study, picked),
-    unit = unit_of(study),
+    proof = proofOf(study, picked),
+    unit = unitOf(study),
     seen = posed.set ? null : study.kept[at]!.pairs[picked]!; // what models say is known of kept ones
-  const wrong_models = seen?.wrong.filter(has_stand_in) ?? [];
+  const wrongModels = seen?.wrong.filter(hasStandIn) ?? [];
   const heads = ["show", "model", ...(seen ? ["says here"] : []), "n:wrong in all"];
-  const in_unit = (head: string) => (unit ? `${head} [${unit}]` : head);
-  const told = [...heads, in_unit("n:false alarm up to"), in_unit("n:missed up to")];
+  const inUnit = (head: string) => (unit ? `${head} [${unit}]` : head);
+  const told = [...heads, inUnit("n:false alarm up to"), inUnit("n:missed up to")];
   return (
     <div class="picked">
       <h3>
         <i class="swatch a" /> {pair.a} {"\u2013"} <i class="swatch b" /> {pair.b}{" "}
         <span class="soft">
-          needs {a_model(pair.needs)}; cheapest: {pair.recommended.join(", then ")}
+          needs {aModel(pair.needs)}; cheapest: {pair.recommended.join(", then ")}
         </span>
       </h3>
       <p>
         <span class={posed.within[picked] ? "bad" : ""}>
-          Here they {gap_words(posed.gaps[picked]!.distance, study.clearance, unit)}.
+          Here they {formatGap(posed.gaps[picked]!.distance, study.clearance, unit)}.
         </span>
-        {stands_in(study, picked) && (
+        {standsIn(study, picked) && (
           <span class="soft"> Measured from the solid around a box or mesh, which itself may be farther away.</span>
         )}
-        {seen && wrong_models.length > 0 && (
+        {seen && wrongModels.length > 0 && (
           <span class="bad">
             {" "}
             {seen.within
-              ? `Alone, the ${wrong_models.join(" and the ")} would miss that.`
-              : `Alone, the ${wrong_models.join(" and the ")} would raise a false alarm.`}
+              ? `Alone, the ${wrongModels.join(" and the ")} would miss that.`
+              : `Alone, the ${wrongModels.join(" and the ")} would raise a false alarm.`}
           </span>
         )}
       </p>
       {proof && (
-        <p class={verdict_class[proof.verdict]}>
-          Over all motions {proof_words(study, proof)}. <ShowProof proof={proof} show={show_proof} />
+        <p class={verdictClass[proof.verdict]}>
+          Over all motions {formatProof(study, proof)}. <ShowProof proof={proof} show={showProof} />
         </p>
       )}
       <div class="scroll">
@@ -314,7 +314,7 @@ export function Picked({
               <th
                 scope="col"
                 class={head.startsWith("n:") ? "n" : ""}
-                title={about_study(head.replace("n:", ""))}
+                title={aboutScene(head.replace("n:", ""))}
                 key={head}>
                 {head.replace("n:", "")}
               </th>
@@ -327,12 +327,12 @@ export function Picked({
             return (
               <tr key={m.model}>
                 <td>
-                  {has_stand_in(m.model) && (
+                  {hasStandIn(m.model) && (
                     <input
                       type="checkbox"
                       aria-label={`Show the ${m.model} of both`}
                       checked={ghosts.has(m.model)}
-                      onChange={() => switch_ghost(m.model)}
+                      onChange={() => switchGhost(m.model)}
                     />
                   )}
                 </td>
@@ -340,7 +340,7 @@ export function Picked({
                   <Swatch model={m.model} />
                   {m.model}
                 </td>
-                {seen && <td class={wrong ? "bad" : ""}>{here_words(seen.within, wrong)}</td>}
+                {seen && <td class={wrong ? "bad" : ""}>{formatHere(seen.within, wrong)}</td>}
                 <td class={`n ${m.wrong > 0 ? "bad" : ""}`}>
                   {m.wrong === 0 ? "\u2013" : `${grouped(m.wrong)} of ${grouped(pair.samples)}`}
                 </td>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // What is shown of a robot: one of the kept configurations as it was measured, or its joints as the reader sets them.
-import { gap, gaps_of, type Gap } from "./gap.ts";
-import { free_joints, joint_values, placed, type Placed } from "./kinematics.ts";
+import { gap, gapsOf, type Gap } from "./gap.ts";
+import { freeJoints, jointValues, placed, type Placed } from "./kinematics.ts";
 import type { Study } from "./study.ts";
 
 export interface Posed extends Placed {
@@ -13,16 +13,16 @@ export interface Posed extends Placed {
 }
 
 /** So many gaps are computed, and as many more as are needed to know all within the clearance. */
-const most_gaps = 400;
+const mostGaps = 400;
 
 /** `joints`: the values of those that move by themselves, in their order; null: as kept. */
 export function posed(study: Study, at: number, joints: number[] | null, picked: number | null): Posed {
   const kept = study.kept[at]!;
-  const free = free_joints(study.links);
+  const free = freeJoints(study.links);
   const named = joints
     ? Object.fromEntries(free.map((link, i) => [study.links[link]!.joint!, joints[i]!]))
     : kept.joints;
-  const values = joint_values(study.links, named);
+  const values = jointValues(study.links, named);
   if (!joints)
     return {
       ...kept,
@@ -33,7 +33,7 @@ export function posed(study: Study, at: number, joints: number[] | null, picked:
     };
   const { cylinders, boxes } = placed(study.links, study.bodies, values);
   const pairs = study.pairs.map(({ bodies }) => bodies);
-  const gaps = gaps_of(cylinders, pairs, study.clearance, most_gaps);
+  const gaps = gapsOf(cylinders, pairs, study.clearance, mostGaps);
   if (picked !== null) gaps[picked] ??= gap(cylinders[pairs[picked]![0]]!, cylinders[pairs[picked]![1]]!);
   return {
     cylinders,
@@ -47,7 +47,7 @@ export function posed(study: Study, at: number, joints: number[] | null, picked:
 }
 
 /** Pairs by their gap, the nearest first; those that were computed. */
-export const nearest_first = ({ gaps }: Posed): number[] =>
+export const nearestFirst = ({ gaps }: Posed): number[] =>
   gaps
     .flatMap((found, i) => (found ? [i] : []))
     .sort((i, j) => gaps[i]!.distance - gaps[j]!.distance);

@@ -2,34 +2,34 @@
 // What --prove says of pairs over all motions, and of the pairs that the SRDF exempts.
 import { Section } from "../parts/elements.tsx";
 import { percent } from "../parts/words.ts";
-import { about_study } from "./glossary.ts";
-import { long, said, unit_of, type Proof, type ProvedExemption, type Study } from "./study.ts";
+import { aboutScene } from "./glossary.ts";
+import { formatLength, asSentence, unitOf, type Proof, type ProvedExemption, type Study } from "./study.ts";
 
-export function proof_words(study: Study, proof: Proof): string {
-  const unit = unit_of(study);
+export function formatProof(study: Study, proof: Proof): string {
+  const unit = unitOf(study);
   switch (proof.verdict) {
     case "never":
-      return `proved: always more than ${long(proof.bound, unit)} apart`;
+      return `proved: always more than ${formatLength(proof.bound, unit)} apart`;
     case "refuted":
       return proof.least_seen < 0
-        ? `refuted: overlap by ${long(-proof.least_seen, unit)}`
-        : `refuted: ${long(proof.least_seen, unit)} apart`;
+        ? `refuted: overlap by ${formatLength(-proof.least_seen, unit)}`
+        : `refuted: ${formatLength(proof.least_seen, unit)} apart`;
     case "within":
       return (
-        `within the clearance: ${long(proof.least_seen, unit)} apart` +
-        (proof.bound > 0 ? `, and proved: always more than ${long(proof.bound, unit)}` : "")
+        `within the clearance: ${formatLength(proof.least_seen, unit)} apart` +
+        (proof.bound > 0 ? `, and proved: always more than ${formatLength(proof.bound, unit)}` : "")
       );
     case "open":
       return `open: nothing proved of ${percent(proof.open_share, 1)} of the joints\u2019 space`;
   }
 }
 
-export const verdict_class = { refuted: "bad", within: "warn", open: "warn", never: "ok" } as const;
+export const verdictClass = { refuted: "bad", within: "warn", open: "warn", never: "ok" } as const;
 
 /** The same for a narrow column. */
-export function short_proof_words(study: Study, proof: Proof): string {
-  if (proof.verdict === "never") return `proved: more than ${long(proof.bound, unit_of(study))}`;
-  return proof.verdict === "open" ? `${percent(proof.open_share, 1)} of all motions open` : proof_words(study, proof);
+export function formatProofShort(study: Study, proof: Proof): string {
+  if (proof.verdict === "never") return `proved: more than ${formatLength(proof.bound, unitOf(study))}`;
+  return proof.verdict === "open" ? `${percent(proof.open_share, 1)} of all motions open` : formatProof(study, proof);
 }
 
 /** Puts the sliders where a proof saw the two bodies nearest. */
@@ -51,10 +51,10 @@ const rank = { refuted: 0, open: 1, within: 2, never: 3 } as const;
 
 export function Proofs({ study, show }: { study: Study; show: (proof: Proof) => void }) {
   if (!study.motions) return null;
-  const said_never = [...(study.exemptions ?? [])].sort((p, q) => rank[p.verdict] - rank[q.verdict]);
+  const exemptions = [...(study.exemptions ?? [])].sort((p, q) => rank[p.verdict] - rank[q.verdict]);
   return (
-    <Section id="proofs" title="Over all motions" lead={said(study.words.motions)}>
-      {said_never.length === 0 ? (
+    <Section id="proofs" title="Over all motions" lead={asSentence(study.words.motions)}>
+      {exemptions.length === 0 ? (
         <p class="soft">
           {study.srdf ? "The SRDF says of no pair that it never meets." : "No SRDF was read: no pair is exempted."}
         </p>
@@ -65,23 +65,23 @@ export function Proofs({ study, show }: { study: Study; show: (proof: Proof) => 
             <thead>
               <tr>
                 {["link", "other link", "verdict", "what is known", "show"].map((head) => (
-                  <th scope="col" title={about_study(head)} key={head}>
+                  <th scope="col" title={aboutScene(head)} key={head}>
                     {head}
                   </th>
                 ))}
               </tr>
             </thead>
             <tbody>
-              {said_never.map((exemption, i) => {
+              {exemptions.map((exemption, i) => {
                 const proof = worst(exemption);
                 return (
                   <tr key={i}>
                     <td>{exemption.link1}</td>
                     <td>{exemption.link2}</td>
-                    <td class={verdict_class[exemption.verdict]}>{exemption.verdict}</td>
+                    <td class={verdictClass[exemption.verdict]}>{exemption.verdict}</td>
                     <td class="wrap">
                       {[
-                        ...(proof ? [proof_words(study, proof)] : []),
+                        ...(proof ? [formatProof(study, proof)] : []),
                         ...(exemption.not_looked_at ? ["a link has shapes that were not looked at"] : []),
                       ].join("; ")}
                     </td>

@@ -9,7 +9,7 @@ export type Risk = (typeof risks)[number];
 const proofs = new WeakMap<Study, Map<string, Proof>>();
 
 /** What --prove says of a pair; undefined where it was not asked. */
-export function proof_of(study: Study, pair: number): Proof | undefined {
+export function proofOf(study: Study, pair: number): Proof | undefined {
   let known = proofs.get(study);
   if (!known) {
     known = new Map((study.motions ?? []).map((proof) => [proof.bodies.join(), proof]));
@@ -18,9 +18,9 @@ export function proof_of(study: Study, pair: number): Proof | undefined {
   return known.get(study.pairs[pair]!.bodies.join());
 }
 
-export function risk_of(study: Study, pair: number): Risk {
+export function riskOf(study: Study, pair: number): Risk {
   const { known, within } = study.pairs[pair]!,
-    verdict = proof_of(study, pair)?.verdict;
+    verdict = proofOf(study, pair)?.verdict;
   if (verdict === "refuted" || verdict === "within" || (known && within > 0)) return "comes within";
   if (verdict === "open") return "open";
   if (verdict === "never") return "never within";
@@ -28,5 +28,5 @@ export function risk_of(study: Study, pair: number): Risk {
 }
 
 /** The least gap seen, in the draws or by the proof. */
-export const least_of = (study: Study, pair: number) =>
-  Math.min(study.pairs[pair]!.least_distance, proof_of(study, pair)?.least_seen ?? Infinity);
+export const leastOf = (study: Study, pair: number) =>
+  Math.min(study.pairs[pair]!.least_distance, proofOf(study, pair)?.least_seen ?? Infinity);

@@ -6,15 +6,15 @@ import assert from "node:assert/strict";
 import { readFileSync, writeFileSync } from "node:fs";
 import { basename, join, resolve } from "node:path";
 import { pathToFileURL } from "node:url";
-import { asked, browser, colours, data_of, errors, filled, folder, open, settled, without_webgl } from "../browser.mjs";
+import { asked, browser, colours, dataOf, errors, filled, folder, open, settled, withoutWebgl } from "../browser.mjs";
 import { daylight } from "../chart.mjs";
 
-const { csv_of_study, free_joints, gap, gaps_of, joint_values, placed, risk_of, study_rows_of } = daylight;
+const { csvOfStudy, freeJoints, gap, gapsOf, jointValues, placed, riskOf, studyRowsOf } = daylight;
 
 const pages = process.argv
   .slice(2)
-  .map((file) => ({ address: pathToFileURL(resolve(file)).href, study: data_of(file) }));
-const page_of = (name) => pages.find(({ study }) => basename(study.file) === name);
+  .map((file) => ({ address: pathToFileURL(resolve(file)).href, study: dataOf(file) }));
+const pageOf = (name) => pages.find(({ study }) => basename(study.file) === name);
 
 const told = async (page, name) => (
   await settled(page),
@@ -23,7 +23,7 @@ const told = async (page, name) => (
 const shown = (x, digits = 3) => Number(x.toPrecision(digits)).toString().replace("-", "\u2212");
 
 /** Every solid and box of every kept configuration, from the joints' values alone: to 1e-9. */
-function moves_robots_as_the_executable_does() {
+function movesRobotsAsTheExecutableDoes() {
   const kinds = new Set();
   let compared = 0;
   const same = (x, y, what) => {
@@ -33,7 +33,7 @@ function moves_robots_as_the_executable_does() {
   for (const { study } of pages) {
     for (const link of study.links) kinds.add(link.follows ? "follows" : link.motion);
     for (const kept of study.kept) {
-      const { cylinders, boxes } = placed(study.links, study.bodies, joint_values(study.links, kept.joints));
+      const { cylinders, boxes } = placed(study.links, study.bodies, jointValues(study.links, kept.joints));
       assert.deepEqual([cylinders.length, boxes.length], [kept.cylinders.length, kept.boxes.length]);
       for (const [i, c] of kept.cylinders.entries()) {
         same(c.center, cylinders[i].center, `${study.file}, ${study.bodies[i].name}`);
@@ -51,7 +51,7 @@ function moves_robots_as_the_executable_does() {
 }
 
 /** Apart or overlapping, rounded or not: to 1e-6, and the nearest points are as far apart as it says. */
-function measures_gaps_as_the_executable_does() {
+function measuresGapsAsTheExecutableDoes() {
   const seen = { apart: 0, overlapping: 0, rounded: 0 };
   for (const { study } of pages)
     for (const kept of study.kept)
@@ -69,13 +69,13 @@ function measures_gaps_as_the_executable_does() {
 }
 
 /** No gap within the clearance is left out to save time, nor the least one. */
-function leaves_no_near_pair_out() {
+function leavesNoNearPairOut() {
   let spared = 0;
   for (const { study } of pages)
     for (const kept of study.kept) {
       const least = Math.min(...kept.pairs.map(({ distance }) => distance)),
         clearance = 0.02;
-      const found = gaps_of(
+      const found = gapsOf(
         kept.cylinders,
         study.pairs.map(({ bodies }) => bodies),
         clearance,
@@ -90,13 +90,13 @@ function leaves_no_near_pair_out() {
 }
 
 /** Worst first, and every pair is there. */
-function sorts_pairs_by_risk() {
+function sortsPairsByRisk() {
   const order = ["comes within", "open", "not known", "not seen within", "never within"],
     met = new Set();
   // Where some pairs were not asked to be proved, all states are met in one table.
   const mixed = { ...arm.study, motions: arm.study.motions.filter((_, i) => i % 3 > 0) };
   for (const study of [...pages.map((page) => page.study), mixed]) {
-    const rows = study_rows_of(study, { models: new Set(), text: "" }, { column: "risk", down: false });
+    const rows = studyRowsOf(study, { models: new Set(), text: "" }, { column: "risk", down: false });
     assert.equal(new Set(rows).size, study.pairs.length, study.file);
     const worth = rows.map((i) => {
       const { known, within, least_distance, bodies } = study.pairs[i];
@@ -109,7 +109,7 @@ function sorts_pairs_by_risk() {
             : known
               ? "not seen within"
               : "not known";
-      assert.equal(risk_of(study, i), risk);
+      assert.equal(riskOf(study, i), risk);
       met.add(risk);
       return [order.indexOf(risk), Math.min(least_distance, proof?.least_seen ?? Infinity)];
     });
@@ -119,12 +119,12 @@ function sorts_pairs_by_risk() {
     }
   }
   assert.deepEqual([...met].sort(), [...order].sort(), "each is met");
-  const of_mixed = new Set(mixed.pairs.map((_, i) => risk_of(mixed, i)));
-  assert.ok(of_mixed.has("open") && of_mixed.has("not known"), [...of_mixed].join());
+  const ofMixed = new Set(mixed.pairs.map((_, i) => riskOf(mixed, i)));
+  assert.ok(ofMixed.has("open") && ofMixed.has("not known"), [...ofMixed].join());
 }
 
 /** RFC 4180, read by its own grammar. */
-function read_csv(text) {
+function readCsv(text) {
   const rows = [[]];
   for (const [, quoted, plain, end] of text.matchAll(/(?:"((?:[^"]|"")*)"|([^",\r\n]*))(,|\r\n)/g)) {
     rows.at(-1).push(quoted === undefined ? plain : quoted.replaceAll('""', '"'));
@@ -134,12 +134,12 @@ function read_csv(text) {
   return rows;
 }
 
-function writes_a_csv_that_holds() {
-  const study = structuredClone(page_of("crane.urdf").study);
+function writesACsvThatHolds() {
+  const study = structuredClone(pageOf("crane.urdf").study);
   Object.assign(study.pairs[0], { a: '=HYPERLINK("x"),1', b: "-2\r\n+3" });
   const here = study.pairs.map((_, i) => (i === 1 ? null : 0.25));
-  const [head, ...rows] = read_csv(
-    csv_of_study(
+  const [head, ...rows] = readCsv(
+    csvOfStudy(
       study,
       study.pairs.map((_, i) => i),
       here,
@@ -161,17 +161,17 @@ function writes_a_csv_that_holds() {
 const status = async (page) => (await settled(page), page.locator(".near [role=status]").innerText());
 
 /** What stands within the clearance at these values, in the words of the page. */
-function near_at(study, values) {
-  const { cylinders } = placed(study.links, study.bodies, joint_values(study.links, values));
+function nearAt(study, values) {
+  const { cylinders } = placed(study.links, study.bodies, jointValues(study.links, values));
   return study.pairs.flatMap(({ a, b, bodies: [i, j] }) => {
     const { distance } = gap(cylinders[i], cylinders[j]);
     return distance <= study.clearance ? [{ names: `${a} \u2013 ${b}`, distance }] : [];
   });
 }
 
-async function moves_joints({ address, study }) {
+async function movesJoints({ address, study }) {
   const page = await open(address);
-  const free = free_joints(study.links).map((link) => study.links[link]);
+  const free = freeJoints(study.links).map((link) => study.links[link]);
   const names = await page.locator(".joint .name").allInnerTexts();
   assert.deepEqual(
     names,
@@ -191,7 +191,7 @@ async function moves_joints({ address, study }) {
     assert.equal(words, value, joint);
   }
   assert.notEqual((await colours(page)).hash, before.hash, "the robot moves");
-  const near = near_at(study, values);
+  const near = nearAt(study, values);
   const lines = await page.locator(".near li.bad").allInnerTexts();
   assert.equal(lines.length, near.length);
   for (const { names: pair, distance } of near)
@@ -217,14 +217,14 @@ async function moves_joints({ address, study }) {
   return near.map(({ distance }) => distance);
 }
 
-function with_clearance({ study }, clearance) {
+function withClearance({ study }, clearance) {
   const file = join(folder, "wide.html");
   writeFileSync(file, filled({ ...study, clearance }));
   return { address: pathToFileURL(file).href, study: { ...study, clearance } };
 }
 
 /** The button of a proof sets the sliders to where the referee refuted it: there the pair is within the clearance. */
-async function shows_what_is_refuted({ address, study }) {
+async function showsWhatIsRefuted({ address, study }) {
   const page = await open(address);
   const refuted = study.motions.findIndex(({ verdict }) => verdict === "refuted"),
     proof = study.motions[refuted];
@@ -237,7 +237,7 @@ async function shows_what_is_refuted({ address, study }) {
   const near = await page.locator(".near li.bad").allInnerTexts();
   assert.ok(near.some((line) => line.startsWith(`${proof.a} \u2013 ${proof.b}`)));
   const values = (await told(page, "joints")).split(",").map(Number);
-  for (const [i, link] of free_joints(study.links).entries()) {
+  for (const [i, link] of freeJoints(study.links).entries()) {
     const { joint } = study.links[link];
     if (joint in proof.joints) assert.equal(values[i], proof.joints[joint], joint);
   }
@@ -253,7 +253,7 @@ async function shows_what_is_refuted({ address, study }) {
 }
 
 /** A pair that the SRDF exempts is no row of the table, and is computed all the same where its button leads. */
-async function computes_what_is_exempt({ address, study }) {
+async function computesWhatIsExempt({ address, study }) {
   const page = await open(address);
   const worst = study.exemptions[0].pairs.reduce((p, q) => (p.least_seen <= q.least_seen ? p : q));
   assert.ok(!study.pairs.some(({ bodies }) => bodies.join() === worst.bodies.join()), "it is exempt");
@@ -267,7 +267,7 @@ async function computes_what_is_exempt({ address, study }) {
 }
 
 /** A word that heads a column, names a model or says a state stands in the list at the end. */
-async function tells_its_words({ address }) {
+async function tellsItsWords({ address }) {
   const page = await open(`${address}#at=0&pair=0`);
   await page.waitForSelector(".picked");
   const listed = new Set(await page.locator("#words dt").allInnerTexts());
@@ -289,7 +289,7 @@ async function tells_its_words({ address }) {
 }
 
 /** Boxes are drawn, a floor, and the three axes in their colours. */
-async function draws_the_robot_whole({ address, study }) {
+async function drawsTheRobotWhole({ address, study }) {
   assert.ok(study.kept[0].boxes.length > 0);
   const page = await open(address),
     whole = await colours(page);
@@ -311,7 +311,7 @@ async function draws_the_robot_whole({ address, study }) {
   const axes = await hue();
   assert.ok(axes.x > 20 && axes.y > 20 && axes.z > 20, JSON.stringify(axes));
   await page.context().close();
-  const hash_without = async (change) => {
+  const hashWithout = async (change) => {
     const copy = structuredClone(study);
     change(copy);
     writeFileSync(join(folder, "less.html"), filled(copy));
@@ -320,44 +320,44 @@ async function draws_the_robot_whole({ address, study }) {
     await less.context().close();
     return hash;
   };
-  assert.equal(await hash_without(() => {}), whole.hash);
-  const without_box = await hash_without((s) => {
+  assert.equal(await hashWithout(() => {}), whole.hash);
+  const withoutBox = await hashWithout((s) => {
     // As high as before, so that the floor stays, and without width.
     for (const kept of s.kept) for (const box of kept.boxes) box.axes = box.axes.map((axis) => [0, 0, axis[2]]);
   });
-  assert.notEqual(without_box, whole.hash, "a box is seen");
-  assert.match(await words_of_floor({ address }), /squares of the floor are [0-9.]+ m wide/);
+  assert.notEqual(withoutBox, whole.hash, "a box is seen");
+  assert.match(await floorText({ address }), /squares of the floor are [0-9.]+ m wide/);
 }
-async function words_of_floor({ address }) {
+async function floorText({ address }) {
   const page = await open(address),
     text = await page.locator(".seen > p.soft").innerText();
   await page.context().close();
   return text;
 }
 
-async function saves_the_table({ address, study }) {
+async function savesTheTable({ address, study }) {
   const page = await open(address);
   const [download] = await Promise.all([
     page.waitForEvent("download"),
     page.getByRole("button", { name: "Save as CSV" }).click(),
   ]);
   assert.equal(download.suggestedFilename(), `${basename(study.file)}-pairs.csv`);
-  const rows = read_csv(readFileSync(await download.path(), "utf8"));
+  const rows = readCsv(readFileSync(await download.path(), "utf8"));
   assert.equal(rows.length, study.pairs.length + 1, "a line a pair, and the head");
   const first = await page.locator(".findings tbody td.c-pair").first().innerText();
   assert.deepEqual(rows[1].slice(0, 2), first.split("\n"), "in the order of the table");
   await page.context().close();
 }
 
-async function fits_a_narrow_window({ address }) {
+async function fitsANarrowWindow({ address }) {
   const page = await open(address, { width: 500 });
   const [inner, outer] = await page.evaluate(() => [document.documentElement.scrollWidth, innerWidth]);
   assert.ok(inner <= outer, `the page is ${inner} wide in a window of ${outer}`);
   await page.context().close();
 }
 
-async function works_without_webgl({ address }) {
-  const page = await open(address, { first: without_webgl });
+async function worksWithoutWebgl({ address }) {
+  const page = await open(address, { first: withoutWebgl });
   await page.waitForSelector(".stage.flat svg.projection");
   assert.match(await page.locator(".seen > p.soft").innerText(), /no WebGL/);
   const before = await page.locator(".projection").innerHTML();
@@ -369,29 +369,29 @@ async function works_without_webgl({ address }) {
   await page.context().close();
 }
 
-const crane = page_of("crane.urdf"),
-  arm = page_of("arm.urdf");
+const crane = pageOf("crane.urdf"),
+  arm = pageOf("arm.urdf");
 assert.ok(crane?.study.motions && arm?.study.motions && pages.length >= 5, "robots with proofs, and others");
 for (const check of [
-  moves_robots_as_the_executable_does,
-  measures_gaps_as_the_executable_does,
-  leaves_no_near_pair_out,
-  sorts_pairs_by_risk,
-  writes_a_csv_that_holds,
+  movesRobotsAsTheExecutableDoes,
+  measuresGapsAsTheExecutableDoes,
+  leavesNoNearPairOut,
+  sortsPairsByRisk,
+  writesACsvThatHolds,
 ])
   check();
-await moves_joints(page_of("porter.urdf"));
-const within = await moves_joints(with_clearance(crane, 0.5));
+await movesJoints(pageOf("porter.urdf"));
+const within = await movesJoints(withClearance(crane, 0.5));
 assert.ok(within.length > 0, "pairs are within so wide a clearance");
-await moves_joints(with_clearance(crane, Math.max(...within) + 1e-3)); // one of them only just
-await shows_what_is_refuted(crane);
-await computes_what_is_exempt(crane);
-for (const one of [crane, page_of("hand.xml")]) await tells_its_words(one);
-await draws_the_robot_whole(crane);
-await saves_the_table(crane);
-await fits_a_narrow_window(arm);
+await movesJoints(withClearance(crane, Math.max(...within) + 1e-3)); // one of them only just
+await showsWhatIsRefuted(crane);
+await computesWhatIsExempt(crane);
+for (const one of [crane, pageOf("hand.xml")]) await tellsItsWords(one);
+await drawsTheRobotWhole(crane);
+await savesTheTable(crane);
+await fitsANarrowWindow(arm);
 assert.deepEqual(errors, []);
-await works_without_webgl(crane);
+await worksWithoutWebgl(crane);
 assert.deepEqual(asked, [], "nothing is asked from the network");
 console.log("study_robot_test: all well");
 await browser.close();

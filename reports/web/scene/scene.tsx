@@ -3,27 +3,27 @@
 import { useCallback, useEffect, useMemo, useState } from "preact/hooks";
 import type { Cylinder } from "../parts/data.ts";
 import { Copy, Section, Select } from "../parts/elements.tsx";
-import { the_stage } from "../parts/stage.ts";
-import { plural, safe, shell_quoted } from "../parts/words.ts";
+import { getStage } from "../parts/stage.ts";
+import { plural, safe, shellQuoted } from "../parts/words.ts";
 import { gap } from "./gap.ts";
 import { Joints } from "./joints.tsx";
-import { free_joints, joint_values } from "./kinematics.ts";
-import { no_filter, passes } from "./order.ts";
+import { freeJoints, jointValues } from "./kinematics.ts";
+import { noFilter, passes } from "./order.ts";
 import { Legend, Pairs, Picked } from "./pairs.tsx";
 import { posed, type Posed } from "./pose.ts";
 import {
-  frame_of,
-  gap_words,
-  has_stand_in,
-  long,
+  frameOf,
+  formatGap,
+  hasStandIn,
+  formatLength,
   models,
-  reason_words,
-  unit_of,
+  formatReason,
+  unitOf,
   type Model,
   type Proof,
   type Study,
 } from "./study.ts";
-import { floor_cell, StudyView } from "./view.tsx";
+import { floorCell, StudyView } from "./view.tsx";
 
 /** "#at=3&pair=12&ghosts=sphere&joints=0.5,-1" */
 interface Looked {
@@ -33,23 +33,23 @@ interface Looked {
   close: boolean;
   joints: number[] | null; // as the reader has set them
 }
-function read_address(study: Study): Looked {
+function readAddress(study: Study): Looked {
   const told = new URLSearchParams(location.hash.slice(1));
   const index = (name: string, of: unknown[]) => {
     const i = Number(told.get(name) ?? NaN);
     return Number.isInteger(i) && i >= 0 && i < of.length ? i : null;
   };
-  const free = free_joints(study.links),
+  const free = freeJoints(study.links),
     joints = (told.get("joints") ?? "").split(",").map(Number);
   return {
     joints: told.has("joints") && joints.length === free.length && joints.every(Number.isFinite) ? joints : null,
     at: index("at", study.kept) ?? 0,
     picked: index("pair", study.pairs),
-    ghosts: new Set(models.filter((m) => has_stand_in(m) && told.get("ghosts")?.split(",").includes(m))),
+    ghosts: new Set(models.filter((m) => hasStandIn(m) && told.get("ghosts")?.split(",").includes(m))),
     close: told.get("close") === "1",
   };
 }
-function address_of({ at, picked, ghosts, close, joints }: Looked) {
+function addressOf({ at, picked, ghosts, close, joints }: Looked) {
   if (at === 0 && picked === null && !joints) return "#";
   const told = new URLSearchParams({
     at: String(at),
@@ -70,7 +70,7 @@ function Exempt({ study, posed, proof }: { study: Study; posed: Posed; proof: Pr
       <i class="swatch a" /> {proof.a} {"\u2013"} <i class="swatch b" /> {proof.b}, not among the{" "}
       {plural(study.pairs.length, "checked pair")}:{" "}
       <b class={distance <= study.clearance ? "bad" : "ok"}>
-        here they {gap_words(distance, study.clearance, unit_of(study))}
+        here they {formatGap(distance, study.clearance, unitOf(study))}
       </b>
     </p>
   );
@@ -79,20 +79,20 @@ function Exempt({ study, posed, proof }: { study: Study; posed: Posed; proof: Pr
 export function SceneSection({
   study,
   asked,
-  show_proof,
+  showProof,
 }: {
   study: Study;
   asked: Proof | null;
-  show_proof: (proof: Proof) => void;
+  showProof: (proof: Proof) => void;
 }) {
-  const [looked, look] = useState(() => read_address(study));
-  const [filter, set_filter] = useState(no_filter);
+  const [looked, look] = useState(() => readAddress(study));
+  const [filter, setFilter] = useState(noFilter);
   const [touched, touch] = useState<number | null>(null); // the body clicked last
-  const [exempt, set_exempt] = useState<Proof | null>(null); // asked for, and not among the checked pairs
+  const [exempt, setExempt] = useState<Proof | null>(null); // asked for, and not among the checked pairs
   const { at, picked, ghosts, close, joints } = looked;
   const pose = useMemo(() => posed(study, at, joints, picked), [study, at, joints, joints ? picked : null]);
-  const unit = unit_of(study),
-    frame = useMemo(() => frame_of(study), [study]);
+  const unit = unitOf(study),
+    frame = useMemo(() => frameOf(study), [study]);
   const passing = useMemo(
     () => new Set(study.pairs.flatMap((pair, i) => (passes(pair, filter) ? [i] : []))),
     [study, filter],
@@ -100,32 +100,32 @@ export function SceneSection({
   const options = useMemo(
     () =>
       study.kept.flatMap((k, i) =>
-        k.reasons.map((reason, j) => ({ key: `${i} ${j}`, at: i, reason, words: reason_words(study, k, reason) })),
+        k.reasons.map((reason, j) => ({ key: `${i} ${j}`, at: i, reason, words: formatReason(study, k, reason) })),
       ),
     [study],
   );
   const [chosen, choose] = useState(() => options.find((o) => o.at === at)?.key ?? "0 0");
 
   useEffect(() => {
-    const now = address_of(looked);
+    const now = addressOf(looked);
     if (now === "#" ? /^#at=/.test(location.hash) : now !== location.hash) history.replaceState(null, "", now);
   }, [looked]);
   useEffect(() => {
     const changed = () => {
-      if (/^#at=/.test(location.hash)) look(read_address(study));
+      if (/^#at=/.test(location.hash)) look(readAddress(study));
     };
     addEventListener("hashchange", changed);
     return () => removeEventListener("hashchange", changed);
   }, [study]);
-  const pick_pair = useCallback((pair: number | null) => {
-    set_exempt(null);
+  const pickPair = useCallback((pair: number | null) => {
+    setExempt(null);
     look((was) => ({ ...was, picked: pair, close: pair === null ? false : was.close }));
     touch(null);
   }, []);
   // The pair of the two bodies clicked last; of one that has none with the other, its nearest pair.
-  const pick_body = useCallback(
+  const pickBody = useCallback(
     (body: number) => {
-      const of_both =
+      const ofBoth =
         touched === null
           ? -1
           : study.pairs.findIndex(
@@ -139,19 +139,19 @@ export function SceneSection({
         },
         -1,
       );
-      const pair = of_both >= 0 ? of_both : nearest;
+      const pair = ofBoth >= 0 ? ofBoth : nearest;
       look((was) => ({ ...was, picked: pair >= 0 ? pair : null }));
       touch(body);
     },
     [study, touched, passing, pose],
   );
-  const switch_ghost = (model: Model) =>
+  const switchGhost = (model: Model) =>
     look((was) => {
       const now = new Set(was.ghosts);
       if (!now.delete(model)) now.add(model);
       return { ...was, ghosts: now };
     });
-  const choose_option = (key: string) => {
+  const chooseOption = (key: string) => {
     const option = options.find((o) => o.key === key)!;
     choose(key);
     look((was) => ({
@@ -159,24 +159,24 @@ export function SceneSection({
       at: option.at,
       joints: null,
       ...(option.reason.pair === undefined ? {} : { picked: option.reason.pair }),
-      ...(option.reason.model ? { ghosts: new Set([option.reason.model].filter(has_stand_in)) } : {}),
+      ...(option.reason.model ? { ghosts: new Set([option.reason.model].filter(hasStandIn)) } : {}),
     }));
   };
   // A proof tells of the joints between its bodies; the others stand at 0, or at the limit nearest to it.
   useEffect(() => {
     if (!asked) return;
-    const values = joint_values(study.links, asked.joints);
+    const values = jointValues(study.links, asked.joints);
     const pair = study.pairs.findIndex(({ bodies }) => bodies.join() === asked.bodies.join());
-    set_exempt(pair >= 0 ? null : asked);
+    setExempt(pair >= 0 ? null : asked);
     look((was) => ({
       ...was,
-      joints: free_joints(study.links).map((link) => values[link]!),
+      joints: freeJoints(study.links).map((link) => values[link]!),
       picked: pair >= 0 ? pair : null,
     }));
   }, [asked]);
   const clearance = study.clearance > 0 ? ` --clearance ${study.clearance}` : "";
-  const told = Object.entries(pose.joints).map(([name, value]) => `${shell_quoted(safe(name))}=${value}`);
-  const command = `./daylight scene ${shell_quoted(study.file)}${clearance} --at ${told.join(" ")}`;
+  const told = Object.entries(pose.joints).map(([name, value]) => `${shellQuoted(safe(name))}=${value}`);
+  const command = `./daylight scene ${shellQuoted(study.file)}${clearance} --at ${told.join(" ")}`;
   return (
     <Section id="scene" title="Scene and pairs">
       <div class="study">
@@ -185,7 +185,7 @@ export function SceneSection({
             <Select
               label="Look at"
               value={chosen}
-              onChange={choose_option}
+              onChange={chooseOption}
               options={options.map((o) => [o.key, o.words] as const)}
             />
             <button
@@ -195,16 +195,16 @@ export function SceneSection({
               onClick={() => look({ ...looked, close: !close })}>
               Close up
             </button>
-            <button type="button" disabled={picked === null} onClick={() => pick_pair(null)}>
+            <button type="button" disabled={picked === null} onClick={() => pickPair(null)}>
               Show all
             </button>
           </div>
           <StudyView
             shown={{ study, at, posed: pose, picked, exempt, ghosts, close, passing }}
-            pick_pair={pick_pair}
-            pick_body={pick_body}
+            pickPair={pickPair}
+            pickBody={pickBody}
           />
-          {study.pairs.length > 0 && <Legend study={study} filter={filter} set={set_filter} />}
+          {study.pairs.length > 0 && <Legend study={study} filter={filter} set={setFilter} />}
           <p class="soft">
             {pose.set
               ? "Red are the bodies and lines of pairs within the clearance where the sliders stand. "
@@ -212,8 +212,8 @@ export function SceneSection({
                 "nearest points of a pair. "}
             {study.bodies.some(({ holds }) => holds) &&
               "Grey are boxes and the boxes of meshes, clear grey the solids that stand in for them. "}
-            The squares of the floor are {long(floor_cell(frame), unit)} wide; x is red, y green, z blue.{" "}
-            {the_stage()
+            The squares of the floor are {formatLength(floorCell(frame), unit)} wide; x is red, y green, z blue.{" "}
+            {getStage()
               ? "Drag to turn, wheel to zoom; click a body, then another one, a line, or a row to pick a pair."
               : "This browser has no WebGL: what is drawn are outlines that cannot be turned."}
           </p>
@@ -230,7 +230,7 @@ export function SceneSection({
             posed={pose}
             set={(values) => look({ ...looked, joints: values })}
             reset={() => look({ ...looked, joints: null })}
-            pick={pick_pair}
+            pick={pickPair}
           />
           {exempt && <Exempt study={study} posed={pose} proof={exempt} />}
           {picked !== null && (
@@ -240,14 +240,14 @@ export function SceneSection({
               posed={pose}
               picked={picked}
               ghosts={ghosts}
-              switch_ghost={switch_ghost}
-              show_proof={show_proof}
+              switchGhost={switchGhost}
+              showProof={showProof}
             />
           )}
         </div>
       </div>
       {study.pairs.length > 0 && (
-        <Pairs study={study} posed={pose} filter={filter} set={set_filter} picked={picked} pick={pick_pair} />
+        <Pairs study={study} posed={pose} filter={filter} set={setFilter} picked={picked} pick={pickPair} />
       )}
     </Section>
   );

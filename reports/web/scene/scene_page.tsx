@@ -4,13 +4,13 @@ import { useCallback, useState } from "preact/hooks";
 import { Figure, Section } from "../parts/elements.tsx";
 import { Words } from "../parts/glossary.tsx";
 import { screen } from "../parts/plot.ts";
-import { grouped, plural, shell_quoted, short, time } from "../parts/words.ts";
-import { cost_plot_of_study } from "./cost_plot.ts";
-import { about_study, study_entries } from "./glossary.ts";
+import { grouped, plural, shellQuoted, short, time } from "../parts/words.ts";
+import { costPlotOfStudy } from "./cost_plot.ts";
+import { aboutScene, sceneGlossaryEntries } from "./glossary.ts";
 import { Swatch } from "./pairs.tsx";
 import { Proofs } from "./proofs.tsx";
 import { SceneSection } from "./scene.tsx";
-import { long, said, unit_of, type Proof, type Study } from "./study.ts";
+import { formatLength, asSentence, unitOf, type Proof, type Study } from "./study.ts";
 
 const sections = [
   ["recommendation", "Recommendation"],
@@ -35,9 +35,9 @@ function Header({ study }: { study: Study }) {
       </nav>
       <p class="run">
         <b>{study.file}</b> · seed {study.seed} · {plural(study.configurations, "configuration")} · clearance{" "}
-        {long(study.clearance, unit_of(study))}
+        {formatLength(study.clearance, unitOf(study))}
         {study.tolerated > 0 && (
-          <> · false alarms up to {long(study.tolerated, unit_of(study))} beyond it are tolerated</>
+          <> · false alarms up to {formatLength(study.tolerated, unitOf(study))} beyond it are tolerated</>
         )}
       </p>
     </header>
@@ -81,18 +81,18 @@ function Recommendation({ study }: { study: Study }) {
   return (
     <section id="recommendation" aria-labelledby="recommendation-title">
       <h2 id="recommendation-title" class="verdict">
-        {checked ? said(`${words.recommended}: ${against[0]}`) : "Nothing to check"}
+        {checked ? asSentence(`${words.recommended}: ${against[0]}`) : "Nothing to check"}
       </h2>
       <ul class="said">
         {against.slice(1).map((text) => (
-          <li key={text}>{said(text)}</li>
+          <li key={text}>{asSentence(text)}</li>
         ))}
-        {words.forgiven && <li>{said(words.forgiven)}</li>}
-        {checked && <li>{said(words.enough)}</li>}
-        {words.capsules && <li class={study.models[1]!.wrong > 0 ? "bad" : "ok"}>{said(words.capsules)}</li>}
-        <Lines lines={words.rounding.map(said)} shown={2} />
-        {words.closest && <li>{said(words.closest)}</li>}
-        {words.verified && <li class={/ 0 wrong/.test(words.verified) ? "ok" : "bad"}>{said(words.verified)}</li>}
+        {words.forgiven && <li>{asSentence(words.forgiven)}</li>}
+        {checked && <li>{asSentence(words.enough)}</li>}
+        {words.capsules && <li class={study.models[1]!.wrong > 0 ? "bad" : "ok"}>{asSentence(words.capsules)}</li>}
+        <Lines lines={words.rounding.map(asSentence)} shown={2} />
+        {words.closest && <li>{asSentence(words.closest)}</li>}
+        {words.verified && <li class={/ 0 wrong/.test(words.verified) ? "ok" : "bad"}>{asSentence(words.verified)}</li>}
         {study.asked_referee > 0 && (
           <li>
             {plural(study.asked_referee, "sample")} left to the referee, {study.undecided} of them not proved and taken
@@ -102,9 +102,9 @@ function Recommendation({ study }: { study: Study }) {
       </ul>
       <ul class="said soft">
         <li>
-          {said(words.counts)}; {words.pairs}
+          {asSentence(words.counts)}; {words.pairs}
         </li>
-        {words.configurations && <li>{said(words.configurations)}</li>}
+        {words.configurations && <li>{asSentence(words.configurations)}</li>}
         {words.left_out.map((text) => (
           <li class="warn" key={text}>
             Not looked at: <LongList text={text} />
@@ -117,8 +117,8 @@ function Recommendation({ study }: { study: Study }) {
 }
 
 function Cost({ study }: { study: Study }) {
-  const draw = useCallback((width: number) => cost_plot_of_study(study, { width, theme: screen }), [study]);
-  const unit = unit_of(study),
+  const draw = useCallback((width: number) => costPlotOfStudy(study, { width, theme: screen }), [study]);
+  const unit = unitOf(study),
     heads = ["model", "settles", "time alone", "suffices", "wrong", "in pairs", "false alarm", "missed"];
   const ns = study.ns_per_configuration,
     wrong = study.pairs.reduce((n, pair) => n + pair.recommended_wrong, 0),
@@ -143,7 +143,7 @@ function Cost({ study }: { study: Study }) {
                   <th
                     scope="col"
                     class={head === "model" ? "" : "n"}
-                    title={about_study(head)}
+                    title={aboutScene(head)}
                     key={head}>
                     {unit && ["false alarm", "missed"].includes(head) ? `${head} [${unit}]` : head}
                   </th>
@@ -202,15 +202,15 @@ export function StudyPage({ study }: { study: Study }) {
       <main class="overview">
         <Recommendation study={study} />
         {study.kept.length > 0 && study.bodies.length > 0 && (
-          <SceneSection study={study} asked={asked} show_proof={show} />
+          <SceneSection study={study} asked={asked} showProof={show} />
         )}
         <Proofs study={study} show={show} />
         {study.pairs.length > 0 && <Cost study={study} />}
-        <Words entries={study_entries()} />
+        <Words entries={sceneGlossaryEntries()} />
         <footer class="soft">
           <p>
             One file; it asks nothing from the network. All of its data:{" "}
-            <code>./daylight scene {shell_quoted(study.file)} --json FILE</code>
+            <code>./daylight scene {shellQuoted(study.file)} --json FILE</code>
           </p>
         </footer>
       </main>

@@ -9,7 +9,7 @@ import type { PlacedBox, StudiedBody, StudiedLink } from "./kinematics.ts";
 /** Cheapest first; each but "inner capsule" may be the one that a pair needs. */
 export const models = ["sphere", "outer capsule", "inner capsule", "cylinder", "distance", "certified"] as const;
 export type Model = (typeof models)[number];
-export const model_colour: Record<Model, string> = {
+export const modelColour: Record<Model, string> = {
   sphere: "--model-sphere",
   "outer capsule": "--model-outer",
   "inner capsule": "--model-inner",
@@ -134,7 +134,7 @@ export interface Study {
 export const rank = (model: Model) => models.indexOf(model);
 
 /** The most exact model that a pair of each body needs; null where none is checked. */
-export function most_exact(study: Study): (Model | null)[] {
+export function mostExact(study: Study): (Model | null)[] {
   const of = study.bodies.map((): Model | null => null);
   for (const pair of study.pairs)
     for (const body of pair.bodies) if (of[body] === null || rank(of[body]!) < rank(pair.needs)) of[body] = pair.needs;
@@ -153,18 +153,18 @@ export interface SceneFrame {
 
 /** How low a configuration reaches: of a solid that stands in for a box, the box. */
 function lowest({ cylinders, boxes }: Shown, { bodies }: Study): number {
-  const of_solid = (c: Cylinder) => {
+  const ofSolid = (c: Cylinder) => {
     const up = unit(c.axis)[2];
     const half = c.radius * Math.sqrt(Math.max(0, 1 - up * up)) + (c.height / 2) * Math.abs(up);
     return c.center[2] - half - (c.rounding ?? 0);
   };
-  const of_box = ({ body, center, axes }: PlacedBox) =>
+  const ofBox = ({ body, center, axes }: PlacedBox) =>
     center[2] - axes.reduce((sum, axis, k) => sum + (Math.abs(axis[2]) * bodies[body]!.holds!.size[k]!) / 2, 0);
-  const own = cylinders.flatMap((c, i) => (bodies[i]!.holds ? [] : [of_solid(c)]));
-  return Math.min(...own, ...boxes.map(of_box));
+  const own = cylinders.flatMap((c, i) => (bodies[i]!.holds ? [] : [ofSolid(c)]));
+  return Math.min(...own, ...boxes.map(ofBox));
 }
 
-export function frame_of(study: Study): SceneFrame {
+export function frameOf(study: Study): SceneFrame {
   const low: Vec = [Infinity, Infinity, Infinity],
     high: Vec = [-Infinity, -Infinity, -Infinity];
   for (const c of study.kept.flatMap(({ cylinders }) => cylinders)) {
@@ -176,25 +176,25 @@ export function frame_of(study: Study): SceneFrame {
   }
   const middle = scale(add(low, high), 0.5),
     wide = Math.hypot(...sub(high, low)) / 2,
-    unit_length = wide > 0 && Number.isFinite(wide) ? wide : 1;
-  const to = (x: Vec) => scale(sub(x, middle), 1 / unit_length);
+    unitLength = wide > 0 && Number.isFinite(wide) ? wide : 1;
+  const to = (x: Vec) => scale(sub(x, middle), 1 / unitLength);
   const floor = Math.min(...study.kept.map((kept) => lowest(kept, study)));
   return {
-    unit: unit_length,
+    unit: unitLength,
     to,
     floor: to([0, 0, floor])[2],
     solid: (c) => ({
       center: to(c.center),
       axis: unit(c.axis),
-      radius: c.radius / unit_length,
-      half: c.height / 2 / unit_length,
-      rounding: (c.rounding ?? 0) / unit_length,
+      radius: c.radius / unitLength,
+      half: c.height / 2 / unitLength,
+      rounding: (c.rounding ?? 0) / unitLength,
     }),
   };
 }
 
 /** The model that stands for a cylinder, where it is a solid of its own (scenes/model_hierarchy.cpp). */
-export function stand_in(s: Solid, model: Model): Capsule | null {
+export function standIn(s: Solid, model: Model): Capsule | null {
   const { center, axis } = s;
   switch (model) {
     case "sphere":
@@ -209,17 +209,17 @@ export function stand_in(s: Solid, model: Model): Capsule | null {
       return null;
   }
 }
-export const has_stand_in = (model: Model) => rank(model) < 3;
+export const hasStandIn = (model: Model) => rank(model) < 3;
 
 /** The middle of a box around the balls around all. */
-export function middle_of(solids: Solid[]): Vec {
+export function middleOf(solids: Solid[]): Vec {
   const ball = (s: Solid) => Math.hypot(s.radius, s.half) + s.rounding;
   const ends = (i: 0 | 1 | 2) => solids.flatMap((s) => [s.center[i] - ball(s), s.center[i] + ball(s)]);
   return ([0, 1, 2] as const).map((i) => (Math.min(...ends(i)) + Math.max(...ends(i))) / 2) as Vec;
 }
 
 /** The radius of a ball around a point that holds all. */
-export const extent_of = (solids: Solid[], from: Vec = [0, 0, 0]) =>
+export const extentOf = (solids: Solid[], from: Vec = [0, 0, 0]) =>
   Math.max(
     1e-3,
     ...solids.map((s) => {
@@ -231,7 +231,7 @@ export const extent_of = (solids: Solid[], from: Vec = [0, 0, 0]) =>
 // Words
 // -----
 
-export const a_model = (model: Model) =>
+export const aModel = (model: Model) =>
   model === "certified"
     ? "a proof"
     : model === "distance"
@@ -239,28 +239,29 @@ export const a_model = (model: Model) =>
       : `${/^[aeiou]/.test(model) ? "an" : "a"} ${model}`;
 const capital = (text: string) => text.charAt(0).toUpperCase() + text.slice(1);
 /** As `daylight scene` says it, in a page's letters. */
-export const said = (text: string) => capital(text.replace(/(\d) us\b/g, "$1 \u00b5s").replaceAll(" - ", " \u2013 "));
+export const asSentence = (text: string) =>
+  capital(text.replace(/(\d) us\b/g, "$1 \u00b5s").replaceAll(" - ", " \u2013 "));
 
 /** Formats that are in metres; of others nobody says. */
-export const unit_of = (study: Study) => (/\.(urdf|xacro|xml|mjcf)$/i.test(study.file) ? "m" : "");
+export const unitOf = (study: Study) => (/\.(urdf|xacro|xml|mjcf)$/i.test(study.file) ? "m" : "");
 /** A length with its unit, where that is known. */
-export const long = (x: number, unit: string) => (unit && Number.isFinite(x) ? `${short(x)} ${unit}` : short(x));
+export const formatLength = (x: number, unit: string) => (unit && Number.isFinite(x) ? `${short(x)} ${unit}` : short(x));
 
-export function gap_words(distance: number, clearance: number, unit = ""): string {
-  if (distance < 0) return `overlap by ${long(-distance, unit)}`;
+export function formatGap(distance: number, clearance: number, unit = ""): string {
+  if (distance < 0) return `overlap by ${formatLength(-distance, unit)}`;
   return distance === 0
     ? "touch"
-    : `are ${long(distance, unit)} apart${clearance > 0 ? ` (clearance ${long(clearance, unit)})` : ""}`;
+    : `are ${formatLength(distance, unit)} apart${clearance > 0 ? ` (clearance ${formatLength(clearance, unit)})` : ""}`;
 }
 
 /** Whether a pair is measured from a solid that only holds a box or mesh. */
-export const stands_in = (study: Study, pair: number) =>
+export const standsIn = (study: Study, pair: number) =>
   study.pairs[pair]!.bodies.some((body) => study.bodies[body]!.holds !== undefined);
 
-const pair_name = (study: Study, pair: number) => `${study.pairs[pair]!.a} \u2013 ${study.pairs[pair]!.b}`;
+const pairName = (study: Study, pair: number) => `${study.pairs[pair]!.a} \u2013 ${study.pairs[pair]!.b}`;
 
-export function reason_words(study: Study, kept: Shown, reason: Reason): string {
-  const of = reason.pair === undefined ? "" : `: ${pair_name(study, reason.pair)}`;
+export function formatReason(study: Study, kept: Shown, reason: Reason): string {
+  const of = reason.pair === undefined ? "" : `: ${pairName(study, reason.pair)}`;
   const length = short(Math.abs(reason.length ?? 0));
   switch (reason.why) {
     case "drawn first":

@@ -12,23 +12,23 @@ import {
   box,
   ghost,
   grid,
-  hear_pointer,
-  keep_painted,
+  onPointer,
+  mountStage,
   line,
-  mark,
+  pointMark,
   solid,
-  the_stage,
+  getStage,
   type View,
 } from "../parts/stage.ts";
-import { in_order, plural } from "../parts/words.ts";
+import { inOrder, plural } from "../parts/words.ts";
 import type { Posed } from "./pose.ts";
 import {
-  extent_of,
-  frame_of,
-  middle_of,
-  model_colour,
-  most_exact,
-  stand_in,
+  extentOf,
+  frameOf,
+  middleOf,
+  modelColour,
+  mostExact,
+  standIn,
   type Model,
   type Proof,
   type SceneFrame,
@@ -49,18 +49,18 @@ export interface Shown {
 const faded = 0.07;
 /** Lines are fainter the longer they are, as part of the drawing; those of pairs that need no more than spheres are
  * most, and of least interest. */
-const line_opacity = (model: Model, length: number) =>
+const lineOpacity = (model: Model, length: number) =>
   (model === "sphere" ? 0.25 : 1) * Math.max(0.25, 1 - 1.5 * Math.max(0, length));
 /** The nearest pairs are drawn as lines, so many; a picture of more is grey. */
-const line_cap = 500;
+const lineCap = 500;
 /** Faces that would lie in those of the cylinder are drawn this much within. */
-const within_faces = 0.98;
+const withinFaces = 0.98;
 
 const up: Vec = [0, 0, 1]; // in most scenes
 const eye: Vec = unit([1, -1.3, 0.75]);
 
 /** Across a direction, from the usual side and a little from above; along it nothing would be seen of a gap. */
-function eye_beside(along: Vec): Vec {
+function eyeBeside(along: Vec): Vec {
   const level = cross(along, up),
     wide = Math.sqrt(dot(level, level));
   if (wide < 0.1) return unit([eye[0], eye[1], 0.3]);
@@ -68,25 +68,25 @@ function eye_beside(along: Vec): Vec {
   return unit(add(side, [0, 0, 0.3]));
 }
 
-function view_of(solids: Solid[], pair: [Solid, Solid] | null, near: [Vec, Vec] | null): View {
+function viewOf(solids: Solid[], pair: [Solid, Solid] | null, near: [Vec, Vec] | null): View {
   if (!pair) {
-    const target = middle_of(solids);
-    return { eye, up, target, radius: 1.04 * extent_of(solids, target) };
+    const target = middleOf(solids);
+    return { eye, up, target, radius: 1.04 * extentOf(solids, target) };
   }
   const middle = scale(add(pair[0].center, pair[1].center), 0.5);
   const apart = near ? sub(near[1], near[0]) : sub(pair[1].center, pair[0].center);
   const along = dot(apart, apart) > 1e-18 ? unit(apart) : unit(sub(pair[1].center, pair[0].center));
-  return { eye: eye_beside(along), up, target: middle, radius: 1.15 * extent_of(pair, middle) };
+  return { eye: eyeBeside(along), up, target: middle, radius: 1.15 * extentOf(pair, middle) };
 }
 
-function near_of(frame: SceneFrame, { posed, picked }: Shown): [Vec, Vec] | null {
+function nearOf(frame: SceneFrame, { posed, picked }: Shown): [Vec, Vec] | null {
   if (picked === null) return null;
   const seen = posed.gaps[picked]!;
   return [frame.to(seen.on_a), frame.to(seen.on_b)];
 }
 
 /** A round length: the floor has about ten squares across the scene. */
-export function floor_cell({ unit: u }: SceneFrame): number {
+export function floorCell({ unit: u }: SceneFrame): number {
   const about = u / 5,
     decade = 10 ** Math.floor(Math.log10(about));
   return decade * ([5, 2].find((k) => k * decade <= about) ?? 1);
@@ -94,7 +94,7 @@ export function floor_cell({ unit: u }: SceneFrame): number {
 
 /** The floor lies under the lowest point of all configurations kept, its lines on round numbers of the world. */
 function surroundings(frame: SceneFrame) {
-  const cell = floor_cell(frame) / frame.unit,
+  const cell = floorCell(frame) / frame.unit,
     origin = frame.to([0, 0, 0]),
     from = ([0, 1] as const).map((i) => origin[i] + Math.round(-origin[i] / cell) * cell) as [number, number];
   const size = 0.22,
@@ -108,31 +108,31 @@ function surroundings(frame: SceneFrame) {
 }
 
 /** Which colour a body has, of those of style.css. */
-function paint_of({ study, posed, picked, exempt }: Shown, of_body: (Model | null)[]): (body: number) => string {
+function paintOf({ study, posed, picked, exempt }: Shown, ofBody: (Model | null)[]): (body: number) => string {
   const two = picked === null ? exempt?.bodies : study.pairs[picked]!.bodies;
   const near = new Set(posed.set ? study.pairs.flatMap(({ bodies }, i) => (posed.within[i] ? bodies : [])) : []);
   return (body) => {
     if (two?.includes(body)) return two[0] === body ? "--solid-a" : "--solid-b";
     if (near.has(body)) return "--within-reach";
     if (study.bodies[body]!.holds) return "--grey";
-    const model = of_body[body];
-    return model ? model_colour[model] : "--grey";
+    const model = ofBody[body];
+    return model ? modelColour[model] : "--grey";
   };
 }
 
 /** How clear a solid is that stands in for a box or mesh. */
-const stand_in_opacity = 0.16;
+const standInOpacity = 0.16;
 
-function objects_of(shown: Shown, frame: SceneFrame, solids: Solid[], of_body: (Model | null)[]) {
+function objectsOf(shown: Shown, frame: SceneFrame, solids: Solid[], ofBody: (Model | null)[]) {
   const { study, posed, picked, ghosts, passing } = shown,
-    extent = extent_of(solids);
+    extent = extentOf(solids);
   const two = picked === null ? null : study.pairs[picked]!.bodies;
-  const paint = paint_of(shown, of_body);
+  const paint = paintOf(shown, ofBody);
   const objects: Object3D[] = solids.map((s, i) => {
     const side = two === null ? -1 : two.indexOf(i),
       held = study.bodies[i]!.holds !== undefined;
     const opacity =
-      two !== null && side < 0 ? faded : held ? stand_in_opacity : side >= 0 && ghosts.has("inner capsule") ? 0.4 : 1;
+      two !== null && side < 0 ? faded : held ? standInOpacity : side >= 0 && ghosts.has("inner capsule") ? 0.4 : 1;
     const drawn = solid(s, colour(paint(i)), extent, opacity);
     drawn.userData.is = { body: i };
     return drawn;
@@ -148,31 +148,31 @@ function objects_of(shown: Shown, frame: SceneFrame, solids: Solid[], of_body: (
   if (two === null) {
     const to = (i: number) => posed.gaps[i]!.distance;
     const known = [...passing].filter((i) => posed.gaps[i] !== null);
-    for (const i of in_order(known, (x, y) => to(x) - to(y)).slice(0, line_cap)) {
+    for (const i of inOrder(known, (x, y) => to(x) - to(y)).slice(0, lineCap)) {
       const seen = posed.gaps[i]!,
         { needs: model } = study.pairs[i]!,
         red = posed.set && posed.within[i];
       const drawn = line(
         [frame.to(seen.on_a), frame.to(seen.on_b)],
-        colour(red ? "--within-reach" : model_colour[model]),
-        red ? { on_top: true } : { opacity: line_opacity(model, seen.distance / frame.unit) },
+        colour(red ? "--within-reach" : modelColour[model]),
+        red ? { onTop: true } : { opacity: lineOpacity(model, seen.distance / frame.unit) },
       );
       drawn.userData.is = { pair: i };
       objects.push(drawn);
     }
     return objects;
   }
-  const near = near_of(frame, shown)!;
+  const near = nearOf(frame, shown)!;
   const standing = [...ghosts]
     .flatMap((model) =>
       two.map((i) => {
-        const capsule = stand_in(solids[i]!, model);
+        const capsule = standIn(solids[i]!, model);
         return (
           capsule &&
           capsule.radius > 0 &&
           ghost(
-            { ...capsule, radius: capsule.radius * (model === "outer capsule" ? within_faces : 1) },
-            colour(model_colour[model]),
+            { ...capsule, radius: capsule.radius * (model === "outer capsule" ? withinFaces : 1) },
+            colour(modelColour[model]),
           )
         );
       }),
@@ -181,9 +181,9 @@ function objects_of(shown: Shown, frame: SceneFrame, solids: Solid[], of_body: (
   return [
     ...objects,
     ...standing,
-    line(near, colour("--fg"), { on_top: true }),
-    mark(near[0], colour("--solid-a")),
-    mark(near[1], colour("--solid-b")),
+    line(near, colour("--fg"), { onTop: true }),
+    pointMark(near[0], colour("--solid-a")),
+    pointMark(near[1], colour("--solid-b")),
   ];
 }
 
@@ -191,57 +191,57 @@ type Hit = { body?: number; pair?: number };
 
 export function StudyView({
   shown,
-  pick_pair,
-  pick_body,
+  pickPair,
+  pickBody,
 }: {
   shown: Shown;
-  pick_pair: (pair: number | null) => void;
-  pick_body: (body: number) => void;
+  pickPair: (pair: number | null) => void;
+  pickBody: (body: number) => void;
 }) {
   const { study, at, posed, picked, close } = shown;
   const place = useRef<HTMLDivElement>(null);
   const [under, point] = useState("");
-  const frame = useMemo(() => frame_of(study), [study]);
-  const of_body = useMemo(() => most_exact(study), [study]);
+  const frame = useMemo(() => frameOf(study), [study]);
+  const ofBody = useMemo(() => mostExact(study), [study]);
   const solids = useMemo(() => posed.cylinders.map(frame.solid), [frame, posed]);
   const two = picked === null ? null : study.pairs[picked]!.bodies;
-  const near = near_of(frame, shown);
+  const near = nearOf(frame, shown);
   const view = useMemo(
-    () => view_of(solids, close && two ? [solids[two[0]]!, solids[two[1]]!] : null, near),
+    () => viewOf(solids, close && two ? [solids[two[0]]!, solids[two[1]]!] : null, near),
     // Sliders move the robot, not the reader.
     [frame, at, close, picked],
   );
-  const stage = the_stage();
+  const stage = getStage();
 
   useLayoutEffect(() => {
     if (!stage || !place.current) return;
-    return keep_painted(stage, place.current, () => stage.show(objects_of(shown, frame, solids, of_body)));
+    return mountStage(stage, place.current, () => stage.show(objectsOf(shown, frame, solids, ofBody)));
   }, [study, posed, picked, shown.exempt, shown.ghosts, shown.passing]);
   // A whole scene is looked at from where the reader has turned to, whichever configuration.
   useLayoutEffect(() => stage?.look(view), [close, close ? view : null]);
 
   useEffect(() => {
     if (!stage) return;
-    return hear_pointer(
+    return onPointer(
       stage,
       (x, y) => (stage.hit(x, y) as Hit | undefined) ?? null,
       (found) => {
-        if (found?.pair !== undefined) pick_pair(found.pair);
-        else if (found?.body !== undefined) pick_body(found.body);
-        else pick_pair(null);
+        if (found?.pair !== undefined) pickPair(found.pair);
+        else if (found?.body !== undefined) pickBody(found.body);
+        else pickPair(null);
       },
       (found) => {
         const pair = found?.pair === undefined ? null : study.pairs[found.pair]!;
         point(pair ? `${pair.a} \u2013 ${pair.b}` : found?.body === undefined ? "" : study.bodies[found.body]!.name);
       },
     );
-  }, [study, pick_pair, pick_body]);
+  }, [study, pickPair, pickBody]);
 
   const pair = picked === null ? null : study.pairs[picked]!;
   const who = pair === null ? "" : `, ${pair.a} and ${pair.b} picked`,
     label = `The robot: ${plural(study.bodies.length, "solid")}${who}`;
-  useLayoutEffect(() => stage?.tell(label), [label]);
-  const paint = paint_of(shown, of_body);
+  useLayoutEffect(() => stage?.setAriaLabel(label), [label]);
+  const paint = paintOf(shown, ofBody);
   const painted = solids.map((s, i) => ({
     solid: s,
     colour: paint(i),
