@@ -26,7 +26,7 @@ struct CaseDistance {
 /// enclosed; an overlap is enclosed no narrower than that is worth. Cost: some 0.1 ms.
 CaseDistance case_distance(const Pair& pair, Verdict truth, std::optional<Enclosure> margin);
 
-/// Adds truth.distance, margin, direction and nearest to a Case of reports/web/data.ts, as far as known.
+/// Adds truth.distance, margin, direction and nearest to a Case of reports/web/run/data.ts, as far as known.
 template <class Json>
 void add_distance(Json& reported, const CaseDistance& d) {
   const auto vector = [](const Vector3& v) { return Json::array({v[0], v[1], v[2]}); };

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
 // A browser without network, for the tests of the pages.
 import { spawnSync } from "node:child_process";
-import { existsSync, mkdtempSync, rmSync } from "node:fs";
+import { existsSync, mkdtempSync, readFileSync, rmSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { fileURLToPath } from "node:url";
+import { deflateSync, inflateSync } from "node:zlib";
 
 function skip(why) {
   process.exit(
@@ -12,7 +13,7 @@ function skip(why) {
   );
 }
 
-const browser_file =
+const browserFile =
   ["/usr/bin/chromium", "/usr/bin/chromium-browser", "/usr/bin/google-chrome"].find(existsSync) ??
   skip("no chromium here: apt-get install chromium");
 const { chromium } = await import("playwright-core").catch(() =>
@@ -24,7 +25,7 @@ export const folder = mkdtempSync(join(tmpdir(), "daylight-page-"));
 process.on("exit", () => rmSync(folder, { recursive: true }));
 /** The longest wait, in ms, for what never comes. A slow machine is not that. */
 const patience = 300_000;
-export const browser = await chromium.launch({ executablePath: browser_file, timeout: patience });
+export const browser = await chromium.launch({ executablePath: browserFile, timeout: patience });
 /** What any page wrote on its console as an error, and what it asked of the network. */
 export const errors = [],
   asked = [];
@@ -48,7 +49,7 @@ export async function open(address, { scheme = "light", first, width = 1366 } = 
 }
 
 /** As where there is no WebGL. */
-export const without_webgl = () => {
+export const withoutWebgl = () => {
   HTMLCanvasElement.prototype.getContext = () => null;
 };
 
@@ -81,3 +82,15 @@ export const colours = async (page) => (
     return { count: new Set(data).size, hash, opaque };
   })
 );
+
+/** The page with data in it, as page_template.cpp fills it. */
+export function filled(report) {
+  const template = readFileSync(new URL("./page_template.html", import.meta.url), "utf8");
+  return template.replace("@@DAYLIGHT_REPORT_DATA@@", () => deflateSync(JSON.stringify(report)).toString("base64"));
+}
+
+/** What the page of a file shows. */
+export function dataOf(file) {
+  const [, text] = /id="report-data">([^<]*)</.exec(readFileSync(file, "utf8"));
+  return JSON.parse(inflateSync(Buffer.from(text, "base64")));
+}

@@ -7,10 +7,10 @@
 import { createHash } from "node:crypto";
 import { existsSync, readFileSync, writeFileSync } from "node:fs";
 import { build } from "esbuild";
-import { sources_hash } from "./stamp.mjs";
+import { sourcesHash } from "./stamp.mjs";
 
 const here = new URL("./", import.meta.url);
-const stamp = sources_hash();
+const stamp = sourcesHash();
 const common = {
   bundle: true,
   minify: true,

@@ -1,38 +1,40 @@
 // SPDX-License-Identifier: MIT
 // The plots as files for a paper or a README; and what else of the page chart.mjs gives to Node.
+import { paper, type Options } from "./parts/plot.ts";
+import { grouped } from "./parts/words.ts";
+import { plainDocument } from "./run/plain_document.ts";
 import {
-  backward_plot,
-  cost_plot,
-  families_plot,
-  first_of_each,
-  calibration_plot,
-  map_plot,
-  paper,
+  backwardPlot,
+  calibrationPlot,
+  costPlot,
+  familiesPlot,
+  firstOfEach,
+  mapPlot,
   palette,
   pareto,
-  series_key,
-  speed_plot,
-  trace_plot,
-  wrong_plot,
-  type Options,
-} from "./plots.ts";
-import { plain_document } from "./plain_document.ts";
-import { expand, in_run_order, type FullReport } from "./report.ts";
-import { grouped, library } from "./words.ts";
+  seriesOf,
+  speedPlot,
+  tracePlot,
+} from "./run/plots.ts";
+import { expand, inRunOrder, type FullReport } from "./run/report.ts";
+import { library } from "./run/words.ts";
 
-export { exact, floor_sqrt, prove } from "./prove.ts";
-export { causes_of, chip_counts, filter_of, filtered, filtered_causes, query_of, rows_of } from "./filter.ts";
-export { is_ordinary, sorted, sorted_causes, view_of, worst_first } from "./filter.ts";
-export { wrong_distance } from "./distance.ts";
-export { log_gamma, same_rate_probability } from "./rates.ts";
-export { csv_cell, csv_of } from "./save.ts";
-export { full, glossary, shell_quoted } from "./words.ts";
-export { frame_around, frame_of, rows_of as study_rows_of, stand_in } from "./study.ts";
-export { gap, gaps_of } from "./gap.ts";
-export { free_joints, joint_values, placed } from "./kinematics.ts";
-export { csv_of_study } from "./study_csv.ts";
-export { risk_of } from "./study_risk.ts";
-export { expand, pareto, plain_document };
+export { exact, floorSqrt, prove } from "./run/prove.ts";
+export { causesOf, chipCounts, filterOf, filtered, filteredCauses, queryOf, rowsOf } from "./run/filter.ts";
+export { isOrdinary, sorted, sortedCauses, viewOf, worstFirst } from "./run/filter.ts";
+export { wrongDistance } from "./run/distance.ts";
+export { logGamma, sameRateProbability } from "./run/rates.ts";
+export { csvOf } from "./run/files.ts";
+export { glossary } from "./run/glossary.ts";
+export { csvCell } from "./parts/save.ts";
+export { full, shellQuoted } from "./parts/words.ts";
+export { frameOf, standIn } from "./scene/study.ts";
+export { rowsOf as studyRowsOf } from "./scene/order.ts";
+export { gap, gapsOf } from "./scene/gap.ts";
+export { freeJoints, jointValues, placed } from "./scene/kinematics.ts";
+export { csvOfStudy } from "./scene/csv.ts";
+export { riskOf } from "./scene/risk.ts";
+export { expand, pareto, plainDocument };
 
 /** Points of a file's width; text is 11 of them high. */
 const width = 760;
@@ -83,7 +85,7 @@ export function charts(report: FullReport, document: Document): Map<string, stri
       .filter(([name]) => methods.some((m) => library(m) === name))
       .map(([name, colour]) => ({ name, colour }));
   const series = (methods: string[]): Key[] =>
-    series_key(methods, paper).map(({ method, colour }) => ({ name: method, colour }));
+    methods.map((method) => ({ name: method, colour: seriesOf(methods, paper).colour({ method }) }));
   const shares = ["<1e-4", "1e-4 on", "1e-3 on", "1e-2 on", "0.1 on"];
   const heat: Key[] = [
     ...shares.map((name, i) => ({ name, colour: paper.heat[i]! })),
@@ -95,7 +97,7 @@ export function charts(report: FullReport, document: Document): Map<string, stri
     files.set(
       "families",
       framed(
-        families_plot(
+        familiesPlot(
           report.tallies,
           methods,
           report.families.map((f) => f.name),
@@ -119,57 +121,35 @@ export function charts(report: FullReport, document: Document): Map<string, stri
         files.set(
           `speed-${name}`,
           framed(
-            speed_plot(points, o),
+            speedPlot(points, o),
             `Speed against accuracy: ${query}, ${family === "all" ? "all families" : family}`,
             keys,
           ),
         );
-      files.set(
-        `wrong-${name}`,
-        framed(
-          wrong_plot(points, o),
-          `Wrong answers against speed: ${query}, ${family === "all" ? "all families" : family}`,
-          [],
-        ),
-      );
     }
-  const mapped = first_of_each(
-    in_run_order(
-      report,
-      report.maps.map((m) => m.method),
-    ),
-  );
+  const mapped = firstOfEach(inRunOrder(report, report.maps));
   for (const map of report.maps.filter((m) => mapped.includes(m.method)))
     files.set(
       sure(`map-${map.plane}-${map.method}`),
-      framed(map_plot(map, "all", { ...o, width: width * 0.7 }), `${map.method}: share wrong beyond the claim or failed, else within it`, [
-        ...heat,
-        { name: "none wrong", colour: paper.clean },
-      ]),
+      framed(
+        mapPlot(map, "all", { ...o, width: width * 0.7 }),
+        `${map.method}: share wrong beyond the claim or failed, else within it`,
+        [...heat, { name: "none wrong", colour: paper.clean }],
+      ),
     );
-  const honest = first_of_each(
-    in_run_order(
-      report,
-      report.honesty.map((h) => h.method),
-    ),
-  );
+  const honest = firstOfEach(inRunOrder(report, report.honesty));
   const curves = honest.flatMap((m) => report.honesty.filter((h) => h.method === m && h.family === null));
   if (curves.length > 0)
     files.set(
       "honesty",
-      framed(calibration_plot(curves, o), "Share of wrong answers against margin", series(curves.map((h) => h.method))),
+      framed(calibrationPlot(curves, o), "Share of wrong answers against margin", series(curves.map((h) => h.method))),
     );
-  const timed = first_of_each(
-    in_run_order(
-      report,
-      report.cost.map((c) => c.method),
-    ),
-  );
+  const timed = firstOfEach(inRunOrder(report, report.cost));
   if (timed.length > 0)
     files.set(
       "cost",
       framed(
-        cost_plot(
+        costPlot(
           timed.flatMap((m) => report.cost.filter((c) => c.method === m)),
           o,
         ),
@@ -181,12 +161,12 @@ export function charts(report: FullReport, document: Document): Map<string, stri
     if (path.trace && path.trace.length > 0)
       files.set(
         sure(`path-${path.path}-${path.method}`),
-        framed(trace_plot(path, o), `${path.method}, ${path.path}`, []),
+        framed(tracePlot(path, o), `${path.method}, ${path.path}`, []),
       );
   if (report.backward.length > 0)
     files.set(
       "backward",
-      framed(backward_plot(report.backward, o), "How far the input must move for a wrong answer to be right", []),
+      framed(backwardPlot(report.backward, o), "How far the input must move for a wrong answer to be right", []),
     );
   return files;
 }

@@ -1,24 +1,32 @@
 // SPDX-License-Identifier: MIT
 // The page: it shows the run or the scene that its data describe.
+import * as forNode from "./chart.ts";
 import { render } from "preact";
-import * as for_node from "./chart.ts";
-import { data_of, expand } from "./report.ts";
-import { RunPage } from "./run_page.tsx";
-import { StudyPage } from "./study_page.tsx";
-import type { Report } from "./data.ts";
-import type { Study } from "./study.ts";
-import { safe, safe_texts } from "./words.ts";
+import { safe, safeTexts } from "./parts/words.ts";
+import type { Report } from "./run/data.ts";
+import { expand } from "./run/report.ts";
+import { RunPage } from "./run/run_page.tsx";
+import { StudyPage } from "./scene/scene_page.tsx";
+import type { Study } from "./scene/study.ts";
 
-const no_data =
+const noData =
   "This is the page without its data. daylight campaign writes it with those of a run, daylight scene --page with " +
   "those of a scene.";
 
+/** From the element that page_template.cpp fills; null if it holds the mark of the template. */
+async function dataOf(): Promise<unknown> {
+  const text = document.getElementById("report-data")?.textContent ?? "";
+  if (text === "" || text.startsWith("@")) return null;
+  const bytes = Uint8Array.from(atob(text), (c) => c.charCodeAt(0));
+  return new Response(new Blob([bytes]).stream().pipeThrough(new DecompressionStream("deflate"))).json();
+}
+
 /** The title of the page and what it shows; nothing in the template without data. */
 async function shown() {
-  const data = (await data_of(document)) as Report | Study | null;
+  const data = (await dataOf()) as Report | Study | null;
   if (data === null) return null;
   if ("kept" in data) {
-    const study = safe_texts(data);
+    const study = safeTexts(data);
     return { title: study.file, view: <StudyPage study={study} /> };
   }
   return { title: safe(data.run.id), view: <RunPage report={expand(data)} /> };
@@ -33,7 +41,7 @@ async function draw() {
       document.title = `daylight ${it.title}`;
       render(it.view, page);
     } else {
-      page.textContent = no_data;
+      page.textContent = noData;
     }
   } catch (error) {
     page.textContent = `The data of this page cannot be read: ${error}`;
@@ -42,7 +50,7 @@ async function draw() {
 }
 
 /** On paper nothing can be unfolded. */
-function unfold_for_print() {
+function unfoldForPrint() {
   let opened: HTMLDetailsElement[] = [];
   addEventListener("beforeprint", () => {
     opened = [...document.querySelectorAll<HTMLDetailsElement>("details.print:not([open])")];
@@ -54,8 +62,8 @@ function unfold_for_print() {
 }
 
 // In Node there is no page to draw: chart.mjs takes from here what draws the plots as files.
-if (typeof document === "undefined") Object.assign(globalThis, { daylight: for_node });
+if (typeof document === "undefined") Object.assign(globalThis, { daylight: forNode });
 else {
-  unfold_for_print(); // before the plots hear of it, which need their place
+  unfoldForPrint(); // before the plots hear of it, which need their place
   void draw();
 }

@@ -13,7 +13,7 @@ scene() {
   scratch=$(mktemp -d)
   trap 'rm -rf -- "$scratch"' EXIT
   "$1" scene ../../corpus/scenes/twenty.urdf --configurations 300 --verify --page "$scratch/scene.html"
-  node study_page_test.mjs "$scratch/scene.html"
+  node scene/page_test.mjs "$scratch/scene.html"
 }
 
 robot() {
@@ -26,7 +26,7 @@ robot() {
     "$1" scene "../../corpus/scenes/$file" --configurations 200 "${proving[@]}" --page "$scratch/$file.html" ||
       [[ $? == 3 ]]
   done
-  node study_robot_test.mjs "$scratch"/*.html
+  node scene/robot_test.mjs "$scratch"/*.html
 }
 
 build() {
@@ -38,8 +38,8 @@ build() {
 
 command -v node >/dev/null || exec ../../.ci/skip 'no Node.js here: apt-get install nodejs'
 case $1 in
-  data) node --test data_test.mjs prove_test.mjs ;;
-  browser) node page_test.mjs ;;
+  data) node --test run/data_test.mjs run/prove_test.mjs ;;
+  browser) node run/page_test.mjs ;;
   scene) scene "$2" ;;
   robot) robot "$2" ;;
   build) build ;;

@@ -14,8 +14,12 @@ const others = [
   "tsconfig.json",
 ];
 
-export function sources_hash() {
-  const names = [...readdirSync(here).filter((name) => /\.tsx?$/.test(name)), ...others].sort();
+export function sourcesHash() {
+  const names = ["", "parts/", "run/", "scene/"]
+    .flatMap((folder) => readdirSync(new URL(`./${folder}`, here)).map((name) => folder + name))
+    .filter((name) => /\.tsx?$/.test(name))
+    .concat(others)
+    .sort();
   const hash = createHash("sha256");
   for (const name of names)
     hash

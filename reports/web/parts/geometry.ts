@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: MIT
+// Vectors and the solids that are drawn.
+import type { Vec } from "./data.ts";
+
+export const add = (u: Vec, v: Vec): Vec => [u[0] + v[0], u[1] + v[1], u[2] + v[2]];
+export const sub = (u: Vec, v: Vec): Vec => [u[0] - v[0], u[1] - v[1], u[2] - v[2]];
+export const scale = (u: Vec, k: number): Vec => [u[0] * k, u[1] * k, u[2] * k];
+export const dot = (u: Vec, v: Vec) => u[0] * v[0] + u[1] * v[1] + u[2] * v[2];
+export const cross = (u: Vec, v: Vec): Vec => [
+  u[1] * v[2] - u[2] * v[1],
+  u[2] * v[0] - u[0] * v[2],
+  u[0] * v[1] - u[1] * v[0],
+];
+
+/** The unit vector along one of any finite length, huge or tiny. */
+export function unit(v: Vec): Vec {
+  const largest = Math.max(Math.abs(v[0]), Math.abs(v[1]), Math.abs(v[2]));
+  if (!(largest > 0)) return [0, 0, 1];
+  const u: Vec = [v[0] / largest, v[1] / largest, v[2] / largest];
+  return scale(u, 1 / Math.sqrt(dot(u, u)));
+}
+
+/** Two unit vectors square to n and to each other. */
+export function squareTo(n: Vec): [Vec, Vec] {
+  const least =
+    Math.abs(n[0]) < Math.abs(n[1])
+      ? Math.abs(n[0]) < Math.abs(n[2])
+        ? 0
+        : 2
+      : Math.abs(n[1]) < Math.abs(n[2])
+        ? 1
+        : 2;
+  const other: Vec = [0, 0, 0];
+  other[least] = 1;
+  const u = unit(cross(n, other));
+  return [u, cross(n, u)];
+}
+
+export interface Solid {
+  center: Vec;
+  axis: Vec;
+  radius: number;
+  half: number;
+  rounding: number;
+}
+/** All points within a radius of a segment; of half 0: a ball. */
+export interface Capsule {
+  center: Vec;
+  axis: Vec;
+  half: number;
+  radius: number;
+}

@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: MIT
+// What is drawn of a case, in a frame for drawing: the middle of the centres is the origin, the larger of the pair's
+// extent and the way between its centres is about 1. Doubles: a drawing proves nothing.
+import type { Pair, Vec } from "../parts/data.ts";
+import { add, dot, scale, sub, unit, type Solid } from "../parts/geometry.ts";
+import type { Case } from "./data.ts";
+import { coordinateValue } from "./words.ts";
+
+export interface Drawing {
+  a: Solid;
+  b: Solid;
+  unit: number; // length of the scene that is drawn as 1
+  extent: number; // radius of a ball around the origin that holds both
+  contact: Vec; // middle of the nearest points, or as good as is known
+  near: { a: Vec; b: Vec } | null;
+  direction: Vec | null; // from a to b
+  plane: Vec | null; // a point of the separating plane
+  point: Vec | null; // a common point
+  gap: number | null; // signed, drawn length
+}
+
+/** The extent of a solid along n. */
+export const reach = (s: Solid, n: Vec) => {
+  const along = Math.min(1, Math.abs(dot(s.axis, n)));
+  return s.radius * Math.sqrt(Math.max(0, 1 - along * along)) + s.half * along + s.rounding;
+};
+
+function unitOf(pair: Pair): number {
+  const apart = sub(scale(pair.b.center, 0.5), scale(pair.a.center, 0.5));
+  const lengths = [pair.a, pair.b].flatMap((c) => [c.radius, c.height / 2, c.rounding ?? 0]);
+  const longest = Math.max(...lengths, ...apart.map(Math.abs));
+  return longest > 0 && Number.isFinite(longest) ? longest : 1;
+}
+
+/** A point of the solid that is farthest along n, the middle of its face where a whole face is. */
+function support(s: Solid, n: Vec): Vec {
+  const along = dot(s.axis, n);
+  const radial = sub(n, scale(s.axis, along)),
+    length = Math.sqrt(dot(radial, radial));
+  const rim = length > 1e-9 ? scale(radial, s.radius / length) : ([0, 0, 0] as Vec);
+  const core = add(add(s.center, scale(s.axis, Math.abs(along) > 1e-9 ? Math.sign(along) * s.half : 0)), rim);
+  return add(core, scale(n, s.rounding));
+}
+
+export function drawingOf(c: Case): Drawing {
+  const u = unitOf(c.pair);
+  const { a, b } = c.pair;
+  // Halves first: the sum of two doubles may overflow, and centres far out lose nothing but their common offset.
+  const halfWay = scale(sub(scale(b.center, 1 / u), scale(a.center, 1 / u)), 0.5);
+  const exactWay: Vec = [0, 1, 2].map((i) => (b.center[i]! / 2 - a.center[i]! / 2) / u) as Vec;
+  const way = exactWay.every(Number.isFinite) ? exactWay : halfWay;
+  const solid = (s: typeof a, center: Vec): Solid => ({
+    center,
+    axis: unit(s.axis),
+    radius: s.radius / u,
+    half: s.height / 2 / u,
+    rounding: (s.rounding ?? 0) / u,
+  });
+  const drawnA = solid(a, scale(way, -1)),
+    drawnB = solid(b, way);
+  const local = (x: Vec): Vec => add(drawnA.center, [0, 1, 2].map((i) => (x[i]! - a.center[i]!) / u) as Vec);
+
+  const certificate = c.truth.direction ?? c.truth.near?.direction;
+  const told = c.direction ?? (certificate?.map(coordinateValue) as Vec | undefined) ?? null;
+  let direction = told && told.every(Number.isFinite) ? unit(told) : null;
+  const delta = sub(drawnB.center, drawnA.center);
+  if (direction && dot(direction, delta) < 0) direction = scale(direction, -1);
+  const certified = c.truth.point ?? c.truth.near?.point,
+    two = (c.truth.points ?? c.truth.near?.points)?.map((x) => local(x.map(coordinateValue) as Vec)),
+    share = drawnA.rounding / (drawnA.rounding + drawnB.rounding);
+  const point = certified
+    ? local(certified.map(coordinateValue) as Vec)
+    : two
+      ? add(two[0]!, scale(sub(two[1]!, two[0]!), share)) // of the way from core to core, that much lies in a
+      : null;
+  const near = c.nearest
+    ? { a: local(c.nearest.a), b: local(c.nearest.b) }
+    : direction
+      ? { a: support(drawnA, direction), b: support(drawnB, scale(direction, -1)) }
+      : null;
+
+  // A plane square to the direction of the certificate itself, in the middle of what it leaves free.
+  let plane: Vec | null = null;
+  const normal = certificate && unit(certificate.map(coordinateValue) as Vec); // none beyond the range of doubles
+  if (c.truth.verdict === "disjoint" && normal?.every(Number.isFinite)) {
+    const n = dot(normal, delta) < 0 ? scale(normal, -1) : normal;
+    const low = dot(n, drawnA.center) + reach(drawnA, n),
+      high = dot(n, drawnB.center) - reach(drawnB, n);
+    const middle = near ? scale(add(near.a, near.b), 0.5) : ([0, 0, 0] as Vec),
+      from = middle.every(Number.isFinite) ? middle : ([0, 0, 0] as Vec);
+    plane = add(from, scale(n, (low + high) / 2 - dot(n, from)));
+    direction ??= n;
+  }
+  const contact = near ? scale(add(near.a, near.b), 0.5) : (point ?? ([0, 0, 0] as Vec));
+  const distance = c.truth.distance;
+  const gap = distance ? (distance[0] + (distance[1] - distance[0]) / 2) / u : null;
+  const ball = (s: Solid) => Math.sqrt(dot(s.center, s.center)) + Math.hypot(s.radius, s.half) + s.rounding;
+  return {
+    a: drawnA,
+    b: drawnB,
+    unit: u,
+    extent: Math.max(ball(drawnA), ball(drawnB), 1e-3),
+    contact: contact.every(Number.isFinite) ? contact : [0, 0, 0],
+    near: near && [...near.a, ...near.b].every(Number.isFinite) ? near : null,
+    direction,
+    plane: plane?.every(Number.isFinite) ? plane : null,
+    point: point?.every(Number.isFinite) ? point : null,
+    gap: gap !== null && Number.isFinite(gap) ? gap : null,
+  };
+}
+
+/** A gap or an overlap narrower than this part of the drawing cannot be seen. */
+const visibleShare = 0.06;
+
+/** By how much the gap is drawn wider than it is so that it shows; 1: to scale, or not known. */
+export function exaggeration(d: Drawing): number {
+  if (d.gap === null || d.gap === 0 || !d.direction) return 1;
+  const k = (visibleShare * d.extent) / Math.abs(d.gap);
+  return k > 1 && Number.isFinite(k) ? k : 1;
+}
+
+/** The solids moved apart (or into each other) along the direction until the gap is k times as wide: about the
+ * contact. */
+export function exaggerated(d: Drawing, k: number): Drawing {
+  if (k === 1 || d.gap === null || !d.direction) return d;
+  const move = scale(d.direction, ((k - 1) * d.gap) / 2),
+    back = scale(move, -1);
+  return {
+    ...d,
+    a: { ...d.a, center: add(d.a.center, back) },
+    b: { ...d.b, center: add(d.b.center, move) },
+    near: d.near && { a: add(d.near.a, back), b: add(d.near.b, move) },
+    gap: d.gap * k,
+  };
+}

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: MIT
+// The findings shown, as files: a table for spreadsheets (RFC 4180), and JSON with all that is known of them.
+import type { Cylinder } from "../parts/data.ts";
+import { csvCell, type Cell } from "../parts/save.ts";
+import { wrongDistance } from "./distance.ts";
+import type { Row } from "./filter.ts";
+import type { FullReport } from "./report.ts";
+import { severityLabels } from "./words.ts";
+
+const lengths = (c: Cylinder): number[] => [...c.center, ...c.axis, c.radius, c.height];
+const namesOf = (solid: string) =>
+  ["center_x", "center_y", "center_z", "axis_x", "axis_y", "axis_z", "radius", "height"].map((n) => `${solid}_${n}`);
+const head = [
+  ...["id", "method", "kind", "severity", "family", "cause", "since_earlier_runs", "margin_low", "margin_high"],
+  ...["truth", "distance_low", "distance_high", "answer", "answer_distance", "error", "reason"],
+  ...namesOf("a"),
+  ...namesOf("b"),
+];
+
+const claimOf = (report: FullReport) => {
+  const claims = new Map(report.methods.map((m) => [m.name, m.claim]));
+  return ({ f }: Row) => wrongDistance(f, f.answers[f.method], claims.get(f.method));
+};
+
+export function csvOf(rows: Row[], report: FullReport): string {
+  const errorOf = claimOf(report);
+  const lines = rows.map((row): Cell[] => {
+    const { f } = row,
+      answer = f.answers[f.method];
+    return [
+      ...[f.id, f.method, f.kind, severityLabels[f.severity] ?? f.severity, f.family, f.bucket, row.standing],
+      ...(f.margin ?? [null, null]),
+      f.truth.verdict,
+      ...(f.truth.distance ?? [null, null]),
+      ...[answer?.verdict ?? answer?.failed, answer?.distance, errorOf(row)?.error, f.reason],
+      ...lengths(f.pair.a),
+      ...lengths(f.pair.b),
+    ];
+  });
+  return [head, ...lines].map((cells) => `${cells.map(csvCell).join(",")}\r\n`).join("");
+}
+
+export function jsonOf(rows: Row[], report: FullReport): string {
+  const errorOf = claimOf(report);
+  const told = rows.map((row) => ({ ...row.f, standing: row.standing, error: errorOf(row)?.error ?? null }));
+  const openEnd = (_: string, x: unknown) => (x === Infinity ? "inf" : x === -Infinity ? "-inf" : x);
+  return `${JSON.stringify(told, openEnd, 1)}\n`;
+}

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: MIT
+// What is done about a cause: who owns it, and the commands that explain, export, suppress or annotate it.
+import { useState } from "preact/hooks";
+import { Copy } from "../parts/elements.tsx";
+import { jsonLine, safe, shellQuoted } from "../parts/words.ts";
+import { formatNote } from "./causes.tsx";
+import type { Bucket } from "./data.ts";
+import type { FullReport } from "./report.ts";
+
+const day = 86_400_000,
+  suppressedDays = 90;
+
+/** One line for suppressions.jsonl; what only a person knows is left empty. */
+function suppressionLine(key: string, started: string): string {
+  const begun = Date.parse(started);
+  const end = new Date((Number.isNaN(begun) ? Date.now() : begun) + suppressedDays * day);
+  const expires = end.toISOString().slice(0, 10);
+  return jsonLine({ bucket: key, reason: "", link: "", owner: "", expires });
+}
+
+function Annotate({ report, b, triage }: { report: FullReport; b: Bucket; triage: string }) {
+  const [owner, setOwner] = useState(b.note?.owner ?? "");
+  const [note, setNote] = useState(b.note?.note ?? "");
+  const key = shellQuoted(b.key);
+  return (
+    <>
+      <h3>Owner and note</h3>
+      {b.note && <p class="note">{safe(formatNote(b))}</p>}
+      <p class="tools">
+        <label>
+          Owner <input value={owner} size={14} onInput={(event) => setOwner(event.currentTarget.value)} />
+        </label>
+        <label class="wide">
+          Note <input value={note} onInput={(event) => setNote(event.currentTarget.value)} />
+        </label>
+      </p>
+      {owner !== "" || note !== "" ? (
+        <Copy
+          label={`Note it in ${safe(report.notes_file)}`}
+          text={`${triage} --annotate ${key} --owner ${shellQuoted(owner)} --note ${shellQuoted(note)}`}
+        />
+      ) : (
+        <p class="soft">Fill in either for the command that notes it.</p>
+      )}
+    </>
+  );
+}
+
+export function Handling({ report, b }: { report: FullReport; b: Bucket }) {
+  const triage = `./daylight triage ${shellQuoted(report.run.folder)}`,
+    key = shellQuoted(b.key);
+  return (
+    <section class="handling">
+      <h3>To do</h3>
+      <Copy label="Explain it" text={`${triage} --explain ${key}`} />
+      <Copy label="A program, a proof and the text of an issue" text={`${triage} --export ${key} --out upstream`} />
+      <Copy label="A line of suppressions.jsonl" text={suppressionLine(b.key, report.run.started)} />
+      <p class="soft">
+        Its pair is in <code>{safe(b.file)}</code>.
+      </p>
+      <Annotate report={report} b={b} triage={triage} />
+    </section>
+  );
+}

@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: MIT
+// Both solids, to be turned; close up, and with a gap too narrow to see drawn wider, which is said.
+import { useLayoutEffect, useMemo, useRef, useState } from "preact/hooks";
+import type { Vec } from "../parts/data.ts";
+import { colour } from "../parts/elements.tsx";
+import { add, scale, squareTo } from "../parts/geometry.ts";
+import { mountStage, line, pointMark, plane, solid, getStage, type View } from "../parts/stage.ts";
+import { short } from "../parts/words.ts";
+import type { Case } from "./data.ts";
+import { drawingOf, exaggerated, exaggeration, type Drawing } from "./drawing.ts";
+import { Projection } from "./pair_projection.tsx";
+
+/** Gaps narrower than this part of what can be seen are widened before anybody asks. */
+const widenedAtOnce = 20;
+/** A solid this many times smaller than the other is not seen beside it. */
+const uneven = 300;
+
+/** Looking across the direction of the gap, a little from above; a lies left of b. */
+function viewOf(d: Drawing, close: boolean): View {
+  const along: Vec = d.direction ?? [1, 0, 0],
+    [u, v] = squareTo(along);
+  const eye = add(add(scale(u, -0.85), scale(v, 0.4)), scale(along, 0.25));
+  return { eye, up: v, target: close ? d.contact : [0, 0, 0], radius: close ? 0.25 * d.extent : 1.12 * d.extent };
+}
+
+function objectsOf(d: Drawing) {
+  const a = colour("--solid-a"),
+    b = colour("--solid-b"),
+    fg = colour("--fg");
+  return [
+    solid(d.a, a, d.extent),
+    solid(d.b, b, d.extent),
+    ...(d.plane && d.direction ? [plane(d.plane, d.direction, 1.5 * d.extent, colour("--grey"))] : []),
+    ...(d.near ? [pointMark(d.near.a, a), pointMark(d.near.b, b), line([d.near.a, d.near.b], fg, { onTop: true })] : []),
+    ...(d.point ? [pointMark(d.point, fg)] : []),
+  ];
+}
+
+export function PairView({ shown }: { shown: Case }) {
+  const place = useRef<HTMLDivElement>(null);
+  const trueDrawing = useMemo(() => drawingOf(shown), [shown]);
+  const factor = exaggeration(trueDrawing);
+  const [close, zoom] = useState(false);
+  const [wide, widen] = useState(factor > widenedAtOnce);
+  const drawing = useMemo(() => exaggerated(trueDrawing, wide ? factor : 1), [trueDrawing, wide, factor]);
+  const view = useMemo(() => viewOf(drawing, close), [drawing, close]);
+  const stage = getStage();
+  const sizes = [trueDrawing.a, trueDrawing.b].map((s) => Math.hypot(s.radius, s.half));
+  const ratio = Math.max(...sizes) / Math.min(...sizes);
+
+  useLayoutEffect(() => {
+    if (!stage || !place.current) return;
+    return mountStage(stage, place.current, () => stage.show(objectsOf(drawing)));
+  }, [drawing]);
+  useLayoutEffect(() => stage?.look(view), [view.radius, shown]);
+
+  const gap = trueDrawing.gap,
+    words = gap === null ? "" : gap < 0 ? "overlap" : "gap";
+  const formatGap = gap === null ? "" : `, ${words} ${short(Math.abs(gap) * trueDrawing.unit)}`;
+  const label = `Cylinder a and cylinder b, ${shown.truth.verdict}${formatGap}`;
+  useLayoutEffect(() => stage?.setAriaLabel(label), [label]);
+  return (
+    <figure class="pair-view">
+      <div class="stage-tools" role="group" aria-label="View">
+        <button type="button" aria-pressed={!close} onClick={() => zoom(false)}>
+          Whole pair
+        </button>
+        <button type="button" aria-pressed={close} onClick={() => zoom(true)}>
+          Contact
+        </button>
+        {factor > 1 && (
+          <button type="button" aria-pressed={wide} onClick={() => widen(!wide)}>
+            Widen the {words}
+          </button>
+        )}
+        <span class="swatches">
+          <i class="a" /> a <i class="b" /> b
+          {drawing.plane && (
+            <>
+              <i class="plane" /> plane between
+            </>
+          )}
+          {drawing.point && (
+            <>
+              <i class="point" /> common point
+            </>
+          )}
+        </span>
+      </div>
+      <div class={`stage ${stage ? "" : "flat"}`} ref={place}>
+        <Projection drawing={drawing} view={view} label={label} />
+      </div>
+      <figcaption>
+        {factor > 1 && wide && (
+          <b class="warn">
+            Not to scale: the {words} of {short(Math.abs(gap!) * trueDrawing.unit)} is drawn {short(factor, 2)} times
+            as wide, by moving the solids {gap! > 0 ? "apart" : "into each other"} about their contact.{" "}
+          </b>
+        )}
+        {factor > 1 && !wide && (
+          <>
+            To scale: the {words} of {short(Math.abs(gap!) * trueDrawing.unit)} is drawn as it is.{" "}
+          </>
+        )}
+        {factor === 1 && <>To scale. </>}
+        {Number.isFinite(ratio) && ratio > uneven && (
+          <>One solid is {short(ratio, 2)} times as large as the other, which may be too small to be seen. </>
+        )}
+        {stage ? "Drag to turn, wheel to zoom." : "This browser has no WebGL: a projection stands in."}
+        {drawing.near &&
+          (gap !== null && gap < 0
+            ? " The dots on a line are the points of each that lie deepest in the other, approximately."
+            : " The dots on a line are the nearest points, approximately.")}
+      </figcaption>
+    </figure>
+  );
+}

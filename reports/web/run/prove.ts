@@ -1,0 +1,326 @@
+// SPDX-License-Identifier: MIT
+// Checks a certificate in exact arithmetic, in whole numbers alone: no double is rounded on the way, and nobody who
+// found the certificate is trusted.
+//
+//   direction D   f(D) = sum over both of  r |w x D|/|w| + h/2 |w.D|/|w|  -  |D.(c_b - c_a)|  < 0
+//   point X       |(X - c).w| <= h/2 |w|  and  |(X - c) x w| <= r |w|  of both, squared
+//   points P, Q   P in a, Q in b, |P - Q| <= R, squared
+//   near X, D     X in both after each was grown by 2^-200 of the size, D apart after each was shrunk by as much
+//
+// A solid with a rounding is its core grown by a ball. The tests above are of the cores, R is the sum of both
+// roundings, and f has the additional term R |D|.
+//
+// f is a rational minus four square roots of rationals. Each root is enclosed between whole multiples of 2^-k, and k
+// doubles until the sign shows. If f(D) = 0 exactly, no k shows it: at bitsCap the answer is "not decided".
+import type { Coordinate, Cylinder, Pair } from "../parts/data.ts";
+import type { Truth } from "./data.ts";
+
+/** n/d, d > 0; not reduced. */
+interface Rational {
+  n: bigint;
+  d: bigint;
+}
+type Vector = [Rational, Rational, Rational];
+interface Solid {
+  center: Vector;
+  axis: Vector;
+  radius: Rational;
+  height: Rational;
+  rounding: Rational;
+}
+
+export interface Proof {
+  /** null: not decided, or nothing to be proved. */
+  holds: boolean | null;
+  text: string;
+  /** The numbers it rests on, rounded for reading. */
+  steps: string[];
+}
+
+/** Binary digits behind the point of a root, of the largest such number. */
+const bitsFirst = 128,
+  bitsCap = 16384;
+/** `near` is proved to this part of the size, as the power of two. */
+const nearBits = 200n;
+
+const rational = (n: bigint, d = 1n): Rational => (d < 0n ? { n: -n, d: -d } : { n, d });
+const zero = rational(0n);
+const add = (x: Rational, y: Rational): Rational =>
+  x.d === y.d ? { n: x.n + y.n, d: x.d } : { n: x.n * y.d + y.n * x.d, d: x.d * y.d };
+const neg = (x: Rational): Rational => ({ n: -x.n, d: x.d });
+const sub = (x: Rational, y: Rational) => add(x, neg(y));
+const mul = (x: Rational, y: Rational): Rational => ({ n: x.n * y.n, d: x.d * y.d });
+const div = (x: Rational, y: Rational): Rational => rational(x.n * y.d, x.d * y.n);
+const abs = (x: Rational) => (x.n < 0n ? neg(x) : x);
+const less = (x: Rational, y: Rational) => x.n * y.d < y.n * x.d;
+const square = (x: Rational) => mul(x, x);
+const dot = (u: Vector, v: Vector) => add(add(mul(u[0], v[0]), mul(u[1], v[1])), mul(u[2], v[2]));
+const minus = (u: Vector, v: Vector): Vector => [sub(u[0], v[0]), sub(u[1], v[1]), sub(u[2], v[2])];
+const cross = (u: Vector, v: Vector): Vector => [
+  sub(mul(u[1], v[2]), mul(u[2], v[1])),
+  sub(mul(u[2], v[0]), mul(u[0], v[2])),
+  sub(mul(u[0], v[1]), mul(u[1], v[0])),
+];
+
+/** A double as the dyadic rational that it is. */
+export function exact(x: number): Rational {
+  if (!Number.isFinite(x)) throw new Error("a number is not finite");
+  const bits = new BigUint64Array(new Float64Array([x]).buffer)[0]!;
+  const field = Number((bits >> 52n) & 0x7ffn);
+  const fraction = bits & 0xfffffffffffffn;
+  const mantissa = field === 0 ? fraction : fraction | 0x10000000000000n;
+  const power = Math.max(field, 1) - 1075;
+  const n = bits >> 63n ? -mantissa : mantissa;
+  return power >= 0 ? { n: n << BigInt(power), d: 1n } : { n, d: 1n << BigInt(-power) };
+}
+
+function coordinate(x: Coordinate): Rational {
+  if (typeof x === "number") return exact(x);
+  if (Array.isArray(x)) {
+    if (!x.every((term) => typeof term === "number")) throw new Error("a sum has a term that is no number");
+    return x.map(exact).reduce(add, zero);
+  }
+  const parts = typeof x === "string" ? /^\s*(-?\d+)(?:\/(\d+))?\s*$/.exec(x) : null;
+  if (!parts) throw new Error(`${JSON.stringify(x)} is no coordinate`);
+  const d = BigInt(parts[2] ?? "1");
+  if (d === 0n) throw new Error(`${x} divides by zero`);
+  return rational(BigInt(parts[1]!), d);
+}
+
+function vector(v: Coordinate[] | undefined, what: string): Vector {
+  if (!Array.isArray(v) || v.length !== 3) throw new Error(`${what} has not three coordinates`);
+  return [coordinate(v[0]!), coordinate(v[1]!), coordinate(v[2]!)];
+}
+
+const solid = (c: Cylinder): Solid => ({
+  center: vector(c.center, "a centre"),
+  axis: vector(c.axis, "an axis"),
+  radius: exact(c.radius),
+  height: exact(c.height),
+  rounding: exact(c.rounding ?? 0),
+});
+
+/** The largest whole number whose square is at most n. */
+export function floorSqrt(n: bigint): bigint {
+  if (n < 2n) return n;
+  let x = 1n << BigInt((n.toString(16).length * 4 + 1) >> 1); // not below the root
+  for (;;) {
+    const next = (x + n / x) >> 1n;
+    if (next >= x) return x;
+    x = next;
+  }
+}
+
+/** sqrt(q) between two multiples of 2^-bits that are neighbours. */
+function root(q: Rational, bits: bigint): [Rational, Rational] {
+  if (q.n === 0n) return [zero, zero];
+  const low = floorSqrt((q.n << (2n * bits)) / q.d);
+  return [
+    { n: low, d: 1n << bits },
+    { n: low + 1n, d: 1n << bits },
+  ];
+}
+
+/** A rational for reading: 12 digits, any exponent. */
+export function decimal(x: Rational): string {
+  if (x.n === 0n) return "0";
+  const n = x.n < 0n ? -x.n : x.n;
+  let exponent = n.toString().length - x.d.toString().length;
+  const digits = (e: number) => {
+    const scale = 12 - e;
+    return scale >= 0 ? (n * 10n ** BigInt(scale)) / x.d : n / (x.d * 10n ** BigInt(-scale));
+  };
+  let d = digits(exponent);
+  if (d < 10n ** 12n) d = digits(--exponent);
+  const text = d.toString();
+  const mantissa = (text[0] + "." + text.slice(1)).replace(/\.?0+$/, "");
+  const sign = x.n < 0n ? "\u2212" : "";
+  if (exponent >= -4 && exponent < 12) return sign + Number(`${mantissa}e${exponent}`).toString();
+  return `${sign}${mantissa}e${exponent}`;
+}
+
+interface Side {
+  sign: -1 | 0 | 1;
+  steps: string[];
+  bits: number;
+}
+
+/** The sign of f(D), 0 where it did not show. */
+function signOfF(a: Solid, b: Solid, d: Vector): Side {
+  const terms = [a, b].flatMap((s, i) => {
+    const ww = dot(s.axis, s.axis);
+    if (ww.n === 0n) throw new Error("an axis is zero");
+    const across = cross(d, s.axis),
+      along = dot(d, s.axis),
+      name = i === 0 ? "a" : "b";
+    return [
+      { what: `radius ${name}: r |P D|`, q: mul(square(s.radius), div(dot(across, across), ww)) },
+      { what: `height ${name}: h/2 |D.w|`, q: mul(square(div(s.height, rational(2n))), div(square(along), ww)) },
+    ];
+  });
+  const room = add(a.rounding, b.rounding);
+  if (room.n !== 0n) terms.push({ what: "roundings: R |D|", q: mul(square(room), dot(d, d)) });
+  const apart = abs(dot(d, minus(b.center, a.center)));
+  // Roots far below 1 need their own digits: count from the size of the projection.
+  const length = (x: bigint) => x.toString(16).length * 4;
+  const small = BigInt(Math.max(0, length(apart.d) - length(apart.n)));
+  for (let bits = bitsFirst; ; bits *= 2) {
+    const roots = terms.map((t) => root(t.q, BigInt(bits) + small));
+    const low = roots.reduce((sum, r) => add(sum, r[0]), zero),
+      high = roots.reduce((sum, r) => add(sum, r[1]), zero);
+    const shown = less(high, apart) || less(apart, low);
+    if (!shown && bits < bitsCap) continue;
+    const sign = less(high, apart) ? -1 : less(apart, low) ? 1 : 0;
+    return {
+      sign,
+      bits,
+      steps: [
+        ...terms.map((t, i) => `${t.what} = ${decimal(roots[i]![0])}`),
+        `their sum = ${decimal(low)}`,
+        `centres: |D.(c_b \u2212 c_a)| = ${decimal(apart)}`,
+        `f(D) = ${sign === 0 ? "0 within 2^-" + bits : decimal(sub(low, apart))}`,
+      ],
+    };
+  }
+}
+
+function reach(name: string, s: Solid, x: Vector): { inside: boolean; steps: string[] } {
+  const ww = dot(s.axis, s.axis);
+  if (ww.n === 0n) throw new Error("an axis is zero");
+  const from = minus(x, s.center),
+    along = dot(from, s.axis),
+    across = cross(from, s.axis);
+  const axial = [mul(rational(4n), square(along)), mul(square(s.height), ww)] as const;
+  const radial = [dot(across, across), mul(square(s.radius), ww)] as const;
+  const line = (what: string, [value, limit]: readonly [Rational, Rational]) => {
+    const sign = less(limit, value) ? ">" : less(value, limit) ? "<" : "=";
+    return `${name}, ${what}: ${decimal(value)} ${sign} ${decimal(limit)}${sign === "=" ? " exactly" : ""}`;
+  };
+  return {
+    inside: !less(axial[1], axial[0]) && !less(radial[1], radial[0]),
+    steps: [
+      line("along the axis, 4((x\u2212c).w)\u00b2 against h\u00b2 w\u00b2", axial),
+      line("across it, |(x\u2212c)\u00d7w|\u00b2 against r\u00b2 w\u00b2", radial),
+    ],
+  };
+}
+
+/** A point of each core, no farther apart than both roundings and the slack. */
+function comeNear(a: Solid, b: Solid, x: Vector, y: Vector, slack = zero): { inside: boolean; steps: string[] } {
+  const parts = [reach("a", a, x), reach("b", b, y)],
+    between = minus(y, x),
+    way = dot(between, between),
+    most = square(add(add(a.rounding, b.rounding), slack)),
+    sign = less(most, way) ? ">" : less(way, most) ? "<" : "=";
+  return {
+    inside: parts.every((p) => p.inside) && sign !== ">",
+    steps: [
+      ...parts.flatMap((p) => p.steps),
+      `between them, |q\u2212p|\u00b2 against R\u00b2: ${decimal(way)} ${sign} ${decimal(most)}` +
+        (sign === "=" ? " exactly" : ""),
+    ],
+  };
+}
+
+function inBoth(a: Solid, b: Solid, x: Vector): { inside: boolean; steps: string[] } {
+  const parts = [reach("a", a, x), reach("b", b, x)];
+  return { inside: parts.every((p) => p.inside), steps: parts.flatMap((p) => p.steps) };
+}
+
+function grown(s: Solid, by: Rational): Solid {
+  const atLeastZero = (x: Rational) => (x.n < 0n ? zero : x);
+  return {
+    ...s,
+    radius: atLeastZero(add(s.radius, by)),
+    height: atLeastZero(add(s.height, mul(rational(2n), by))),
+  };
+}
+
+const isZero = (d: Vector) => d.every((x) => x.n === 0n);
+
+function proveDirection(a: Solid, b: Solid, d: Vector): Proof {
+  if (isZero(d)) return { holds: false, text: "Refuted: the direction is zero.", steps: [] };
+  const { sign, bits, steps } = signOfF(a, b, d);
+  if (sign < 0)
+    return { holds: true, text: "Proved: f(D) < 0 exactly. A plane square to D has one solid on each side.", steps };
+  if (sign > 0) return { holds: false, text: "Refuted: f(D) > 0 exactly. No plane square to D separates them.", steps };
+  return { holds: null, text: `Not decided with ${bits} binary digits: f(D) is 0, or nearer to it than that.`, steps };
+}
+
+function provePoint(a: Solid, b: Solid, x: Vector, touching: boolean): Proof {
+  const { inside, steps } = inBoth(a, b, x);
+  if (!inside) return { holds: false, text: "Refuted: the point is not in both solids.", steps };
+  return {
+    holds: true,
+    steps,
+    text:
+      "Proved: the point lies in both solids." +
+      (touching ? " (That they share no inner point is not what this shows.)" : ""),
+  };
+}
+
+function two(points: Truth["points"], what: string): [Vector, Vector] {
+  if (!Array.isArray(points) || points.length !== 2) throw new Error(`${what} are not two`);
+  return [vector(points[0], "the point of a"), vector(points[1], "the point of b")];
+}
+
+function provePoints(a: Solid, b: Solid, points: Truth["points"], touching: boolean): Proof {
+  const { inside, steps } = comeNear(a, b, ...two(points, "the points"));
+  if (!inside)
+    return { holds: false, steps, text: "Refuted: a point is not in its core, or they are too far apart." };
+  return {
+    holds: true,
+    steps,
+    text:
+      "Proved: the points lie in the solids without their roundings, no farther apart than both roundings together." +
+      (touching ? " (That the solids share no inner point is not what this shows.)" : ""),
+  };
+}
+
+function proveNear(a: Solid, b: Solid, near: NonNullable<Truth["near"]>): Proof {
+  const d = vector(near.direction, "the direction");
+  const size = [a.radius, a.height, a.rounding, b.radius, b.height, b.rounding].reduce(add);
+  const slack = div(size, rational(1n << nearBits)),
+    wideA = grown(a, slack),
+    wideB = grown(b, slack);
+  const met = near.points
+    ? comeNear(wideA, wideB, ...two(near.points, "the points"), slack)
+    : inBoth(wideA, wideB, vector(near.point, "the point"));
+  if (!met.inside)
+    return { holds: false, text: "Refuted: the point is not within 2^-200 of the size of both.", steps: met.steps };
+  if (isZero(d)) return { holds: false, text: "Refuted: the direction is zero.", steps: [] };
+  const lessRounded = (s: Solid): Solid => (s.rounding.n === 0n ? s : { ...s, rounding: sub(s.rounding, slack) });
+  const apart = signOfF(lessRounded(grown(a, neg(slack))), lessRounded(grown(b, neg(slack))), d);
+  const steps = [...met.steps, ...apart.steps];
+  if (apart.sign < 0) return { holds: true, text: "Proved: within 2^-200 of their size they touch.", steps };
+  if (apart.sign > 0)
+    return {
+      holds: false,
+      steps,
+      text: "Refuted: along that direction they overlap by more than 2^-200 of their size.",
+    };
+  return { holds: null, steps, text: `Not decided with ${apart.bits} binary digits.` };
+}
+
+/** Never throws: what cannot be read proves nothing. */
+export function prove(pair: Pair, truth: Truth): Proof {
+  try {
+    const a = solid(pair.a),
+      b = solid(pair.b);
+    switch (truth.verdict) {
+      case "disjoint":
+        return proveDirection(a, b, vector(truth.direction, "the direction"));
+      case "intersecting":
+        return truth.points
+          ? provePoints(a, b, truth.points, false)
+          : provePoint(a, b, vector(truth.point, "the point"), false);
+      case "touching":
+        if (truth.points) return provePoints(a, b, truth.points, true);
+        return truth.near ? proveNear(a, b, truth.near) : provePoint(a, b, vector(truth.point, "the point"), true);
+      default:
+        return { holds: null, text: "Nothing was proved of this pair.", steps: [] };
+    }
+  } catch (error) {
+    return { holds: false, text: `Refuted: ${error instanceof Error ? error.message : String(error)}.`, steps: [] };
+  }
+}

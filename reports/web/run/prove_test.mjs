@@ -1,0 +1,165 @@
+// SPDX-License-Identifier: MIT
+// The prover of the page, as it was built into the page: good certificates hold, tampered ones do not.
+//     node --test prove_test.mjs
+import assert from "node:assert/strict";
+import { test } from "node:test";
+import { daylight } from "../chart.mjs";
+
+const { exact, floorSqrt, prove } = daylight;
+
+const cylinder = (center, axis, radius, height) => ({ center, axis, radius, height });
+const upright = cylinder([0, 0, 0], [0, 0, 1], 1, 2);
+const apart = { a: upright, b: cylinder([2.5, 0, 0], [0, 1, 0], 1, 2) };
+const meeting = { a: upright, b: cylinder([1, 1, 1], [1, 1, 1], 0.5, 3) };
+const atARationalPoint = { a: cylinder([0, 0, 0], [0, 0, 1], 2, 4), b: cylinder([3, 4, 0], [0, 0, 1], 3, 4) };
+const huge = { a: cylinder([0, 0, 0], [0, 0, 1], 1e150, 4e150), b: cylinder([0, 2e150, 0], [1, 0, 0], 1e150, 4e150) };
+const holds = (pair, truth) => prove(pair, truth).holds;
+const direction = (...d) => ({ verdict: "disjoint", direction: d });
+const point = (...x) => ({ verdict: "intersecting", point: x });
+
+test("a direction separates or does not", () => {
+  assert.equal(holds(apart, direction(1, 0, 0)), true);
+  assert.equal(holds(apart, direction(-1e-300, 0, 0)), true, "its length and its sign do not matter");
+  assert.equal(holds(apart, direction(0, 1, 0)), false);
+  assert.equal(holds(meeting, direction(1, 1, 1)), false);
+  assert.equal(holds(apart, direction(0, 0, 0)), false);
+});
+
+test("a gap of one unit in the last place shows", () => {
+  const next = 2 + 2 ** -51;
+  const beside = (x) => ({ a: upright, b: cylinder([x, 0, 0], [0, 3, 4], 1, 2) });
+  assert.equal(holds(beside(next), direction(1, 0, 0)), true);
+  assert.equal(holds(beside(2), direction(1, 0, 0)), null, "touching: f is 0, which no precision shows");
+  assert.equal(holds(beside(2 - 2 ** -52), direction(1, 0, 0)), false);
+  assert.equal(holds(beside(next), direction(1, 1e-7, 0)), false, "turned by more than the gap allows");
+});
+
+test("a sign that hides in the sixtieth digit shows with more of them", () => {
+  const touching = { a: upright, b: cylinder([2, 0, 0], [0, 3, 4], 1, 2) },
+    tiny = `1/${10n ** 60n}`,
+    tinier = `1/${10n ** 6000n}`;
+  assert.equal(holds(touching, direction(1, tiny, 0)), false);
+  assert.equal(holds(touching, direction(1, tinier, 0)), null);
+  assert.match(prove(touching, direction(1, tinier, 0)).text, /16384/);
+});
+
+const ball = (center, rounding) => ({ ...cylinder(center, [1, 2, 0], 0, 0), rounding });
+const capsule = (center, axis, height, rounding) => ({ ...cylinder(center, axis, 0, height), rounding });
+const points = (verdict, p, q) => ({ verdict, points: [p, q] });
+
+test("balls and capsules: a direction counts the roundings, points are of the cores", () => {
+  const balls = (rounding) => ({ a: ball([0, 0, 0], 1), b: ball([3, 4, 0], rounding) });
+  assert.equal(holds(balls(3.5), direction(3, 4, 0)), true);
+  assert.equal(holds(balls(4), direction(3, 4, 0)), null, "touching");
+  assert.equal(holds(balls(4.5), direction(3, 4, 0)), false);
+  assert.equal(holds(balls(4), points("touching", [0, 0, 0], [3, 4, 0])), true);
+  assert.equal(holds(balls(3.9999999999999996), points("intersecting", [0, 0, 0], [3, 4, 0])), false, "one bit less");
+  assert.equal(holds(balls(9), points("intersecting", [0, 0, 0], [3, 4, "1/1000000000000000000"])), false, "no centre");
+  assert.equal(holds(balls(9), { verdict: "intersecting", points: [[0, 0, 0]] }), false, "one is missing");
+  const crossed = { a: capsule([0, 0, 0], [1, 0, 0], 4, 0.5), b: capsule([1, 0, 0.9], [0, 1, 0], 4, 0.5) };
+  assert.equal(holds(crossed, points("intersecting", [1, 0, 0], [1, 0, 0.9])), true);
+  assert.equal(holds(crossed, points("intersecting", [1, 0, 0], [1, 0.5, 0.9])), false, "too far apart");
+  assert.equal(holds(crossed, points("intersecting", [2.5, 0, 0], [1, 0, 0.9])), false, "beyond the end");
+});
+
+test("near touching by two points", () => {
+  const root = (n) => `${floorSqrt(BigInt(n) << 1024n)}/${1n << 512n}`;
+  const pair = { a: capsule([0, 0, 0], [1, 1, 0], 2, 1), b: ball([0, 0, 2], 1) },
+    near = (x, z) => ({ verdict: "touching", near: { points: [[x, x, 0], [0, 0, z]], direction: [0, 0, 1] } });
+  assert.equal(holds(pair, near(0, 2)), true);
+  assert.equal(holds(pair, near(root(2), 2)), false, "beyond the end of the capsule");
+  assert.equal(holds(pair, near("1/1000000000", 2)), false, "farther apart than 2^-200 of the size allows");
+  assert.equal(holds({ ...pair, b: ball([0, 0, 2], 0.999) }, near(0, 2)), false);
+});
+
+test("lengths hundreds of decades apart", () => {
+  const far = {
+    a: cylinder([-1e300, 0, 0], [0, 0, 5e-324], 5e-324, 1e-300),
+    b: cylinder([1e300, 1, 0], [0, 0, 1e300], 1, 2),
+  };
+  assert.equal(holds(far, direction(1, 5e-301, 0)), true);
+  assert.equal(holds(far, direction(5e-301, -1, 0)), false);
+});
+
+test("a point lies in both or not", () => {
+  assert.equal(
+    holds(meeting, point([1, -0.5860419361783156], [1, -0.5860419361783156], [1, -0.5274632924156251])),
+    true,
+  );
+  assert.equal(holds(meeting, point(0, 0, 1)), false, "in the first alone");
+  assert.equal(holds(meeting, point(1, 1, 1)), false, "in the second alone");
+  assert.equal(holds(atARationalPoint, { verdict: "touching", point: ["6/5", "8/5", 0] }), true);
+  assert.equal(
+    holds(atARationalPoint, { verdict: "touching", point: ["6/5", "8/5", 2] }),
+    true,
+    "on the rim too: solids are closed",
+  );
+  assert.equal(
+    holds(atARationalPoint, {
+      verdict: "touching",
+      point: ["6000000000000000000000001/5000000000000000000000000", "8/5", 0],
+    }),
+    false,
+  );
+  assert.equal(holds(atARationalPoint, { verdict: "touching", point: [1.2, 1.6, 0] }), false, "rounded to doubles");
+  assert.equal(
+    holds(atARationalPoint, { verdict: "touching", point: ["6/5", "8/5", [2, 1e-300]] }),
+    false,
+    "above both",
+  );
+});
+
+test("touching within 2^-200 of the size", () => {
+  const near = (x, d) => ({ verdict: "touching", near: { point: x, direction: d } });
+  assert.equal(holds(huge, near([-0.0000028746500148266185, 1e150, 0], [0, 1, 0])), true);
+  assert.equal(
+    holds(huge, near([-0.0000028746500148266185, [1e150, 1e85], 0], [0, 1, 0])),
+    true,
+    "1e85 is below 2^-200 of 1.0e151",
+  );
+  assert.equal(holds(huge, near([-0.0000028746500148266185, [1e150, 1e92], 0], [0, 1, 0])), false);
+  assert.equal(holds(huge, near([0, 1e150, 0], [1e-20, 1, 0])), false);
+  assert.equal(holds(huge, near([0, 1e150, 0], [0, 0, 0])), false);
+});
+
+test("what is no certificate proves nothing, and throws nothing", () => {
+  for (const truth of [
+    direction(1, 0),
+    direction(1, 0, "x"),
+    direction(1, 0, "1/0"),
+    direction(1, 0, null),
+    direction(1, 0, [1, "2"]),
+    direction(Infinity, 0, 0),
+    { verdict: "disjoint" },
+    point(),
+    { verdict: "intersecting", direction: [1, 0, 0] },
+    { verdict: "touching", near: {} },
+  ])
+    assert.equal(holds(apart, truth), false, JSON.stringify(truth));
+  for (const verdict of ["undecided", "invalid", "nonsense"]) assert.equal(holds(apart, { verdict }), null);
+  assert.equal(holds({ a: upright, b: { ...upright, axis: [0, 0, 0] } }, direction(1, 0, 0)), false);
+});
+
+test("doubles are taken exactly, roots rounded down", () => {
+  assert.deepEqual(exact(0.1), { n: 3602879701896397n * 2n, d: 2n ** 56n });
+  assert.deepEqual(exact(-5e-324), { n: -1n, d: 2n ** 1074n });
+  assert.deepEqual(exact(2 ** 60), { n: 2n ** 60n, d: 1n });
+  for (const n of [
+    0n,
+    1n,
+    2n,
+    3n,
+    4n,
+    15n,
+    16n,
+    17n,
+    10n ** 40n,
+    10n ** 40n - 1n,
+    2n ** 2000n + 1n,
+    (3n ** 700n) ** 2n,
+    (3n ** 700n) ** 2n - 1n,
+  ]) {
+    const root = floorSqrt(n);
+    assert.ok(root * root <= n && (root + 1n) * (root + 1n) > n, String(n));
+  }
+});

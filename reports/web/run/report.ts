@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: MIT
+// The data of the page, put back to the form of data.ts: every finding with its case.
+import { shellQuoted } from "../parts/words.ts";
+import type { Answer, Case, Finding, MapCell, PackedCase, Report, Standing, Truth } from "./data.ts";
+
+export interface FullReport extends Omit<Report, "findings" | "cases" | "names"> {
+  findings: Finding[];
+}
+
+type Ends = [number, number];
+/** JSON has no number beyond the doubles: "inf" and "-inf" stand for them. */
+const numberOf = (x: unknown) => (x === "inf" ? Infinity : x === "-inf" ? -Infinity : Number(x));
+const endsOf = (ends: Ends): Ends => [numberOf(ends[0]), numberOf(ends[1])];
+const withEnds = <T extends { truth: Truth; margin: Ends | null }>(of: T): T => ({
+  ...of,
+  truth: of.truth.distance ? { ...of.truth, distance: endsOf(of.truth.distance) } : of.truth,
+  margin: of.margin && endsOf(of.margin),
+});
+
+function unpack(packed: PackedCase, names: string[]): Omit<Case, "replay"> {
+  const { said, ...rest } = withEnds(packed);
+  const answers: Record<string, Answer> = Object.create(null);
+  for (const [answer, who] of said) for (const index of who) answers[names[index]!] = answer;
+  return { ...rest, answers };
+}
+
+const noCounts = { wrong_disjoint: 0, wrong_intersecting: 0, failed: 0, undecided: 0 };
+
+export function expand(report: Report): FullReport {
+  const { names, run } = report;
+  const cases = report.cases.map((packed) => unpack(packed, names));
+  const findings = report.findings.map(({ case: at, ...rest }) => {
+    const of = cases[at]!;
+    return {
+      ...of,
+      ...rest,
+      margin: rest.margin && endsOf(rest.margin),
+      pair_margin: of.margin,
+      replay: `./daylight replay ${shellQuoted(`${run.folder}:${rest.id}`)}`,
+    };
+  });
+  const buckets = report.buckets.map((b) => ({
+    ...b,
+    margin: b.margin && endsOf(b.margin),
+    simplest: withEnds(b.simplest),
+    worst: withEnds(b.worst),
+  }));
+  const methods = report.methods.map((m) => {
+    const { relative, absolute } = m.claim;
+    return { ...m, claim: { ...m.claim, relative: numberOf(relative), absolute: numberOf(absolute) } };
+  });
+  const maps = report.maps.map((m) => ({ ...m, cells: m.cells.map((c): MapCell => ({ ...noCounts, ...c })) }));
+  return { ...report, methods, buckets, findings, maps };
+}
+
+/** How a finding stands against earlier runs: as its bucket does, else as its group. */
+export function standings(report: FullReport): (f: Finding) => Standing | null {
+  const ofBucket = new Map(report.buckets.map((b) => [b.key, b.standing]));
+  const key = (g: { method: string; kind: string; severity: string; family: string }) =>
+    [g.method, g.kind, g.severity, g.family].join("\n");
+  const ofGroup = new Map(report.history?.groups.map((g) => [key(g), g.standing]));
+  return (f) => (f.bucket !== null ? ofBucket.get(f.bucket) : null) ?? ofGroup.get(key(f)) ?? null;
+}
+
+/** Causes by standing; null if there is no earlier run. */
+export function changesOf({ changes }: FullReport): { counts: [Standing, number][]; against: string[] } | null {
+  if (!changes || changes.against.length === 0) return null;
+  const order: Standing[] = ["new", "back", "known", "rare", "gone"];
+  return { counts: order.map((s) => [s, changes[s]]), against: changes.against };
+}
+
+/** The methods of some rows, each once, in the order of the run; those that it did not ask last. */
+export function inRunOrder(report: Pick<Report, "methods">, rows: { method: string }[]): string[] {
+  const methods = rows.map((row) => row.method),
+    asked = report.methods.map((m) => m.name).filter((name) => methods.includes(name));
+  return [...new Set([...asked, ...methods])];
+}

@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: MIT
+// The page of a run: an overview in sections, and a view of one bucket or finding by the part of the address after '#'.
+import { useEffect, useMemo, useRef } from "preact/hooks";
+import { Words } from "../parts/glossary.tsx";
+import { grouped, safe, seconds } from "../parts/words.ts";
+import { useAddress } from "./address.ts";
+import { Calibration } from "./calibration.tsx";
+import { BucketView, FindingView } from "./detail.tsx";
+import { Findings } from "./findings.tsx";
+import { arrive, skip } from "./focus.ts";
+import { glossaryEntries } from "./glossary.ts";
+import { Kills } from "./kills.tsx";
+import { Maps } from "./maps.tsx";
+import type { FullReport } from "./report.ts";
+import { Speed } from "./speed.tsx";
+import { Stability } from "./stability.tsx";
+import { Changes, Methods, Summary } from "./summary.tsx";
+
+const sections = [
+  ["summary", "Summary"],
+  ["findings", "Findings"],
+  ["speed", "Speed and accuracy"],
+  ["maps", "Failure maps"],
+  ["calibration", "Calibration"],
+  ["stability", "Stability"],
+  ["methods", "Methods"],
+  ["faults", "Faults put in"],
+  ["words", "Words"],
+] as const;
+
+function Header({ report }: { report: FullReport }) {
+  const { run } = report;
+  return (
+    <header>
+      <h1>
+        <a href="#/summary">daylight</a> <span class="soft">answers about two cylinders, checked against proofs</span>
+      </h1>
+      <nav aria-label="Sections">
+        {sections.map(([key, title]) => (
+          <a href={`#/${key}`} key={key}>
+            {title}
+          </a>
+        ))}
+      </nav>
+      <p class="run">
+        <b>{safe(run.id)}</b> · seed {safe(run.seed)} · {grouped(run.pairs)} pairs · {seconds(run.seconds)} · begun{" "}
+        {safe(run.started)} ·{" "}
+        <span class={run.status === "complete" ? "" : "warn"}>{safe(run.status) || "unfinished"}</span>
+      </p>
+    </header>
+  );
+}
+
+export function RunPage({ report }: { report: FullReport }) {
+  const address = useAddress();
+  const [view = ""] = address.parts;
+  const { detail } = address;
+  const scrolled = useRef(0);
+  const wasDetail = useRef(detail);
+  const finding = useMemo(() => new Map(report.findings.map((f) => [f.id, f])), [report]);
+  const bucket = useMemo(() => new Map(report.buckets.map((b) => [b.key, b])), [report]);
+
+  useEffect(() => {
+    const remember = () => {
+      if (!wasDetail.current) scrolled.current = scrollY;
+    };
+    addEventListener("scroll", remember, { passive: true });
+    return () => removeEventListener("scroll", remember);
+  }, []);
+  useEffect(() => {
+    if (detail && !address.again) history.replaceState({ known: true }, "");
+    arrive(address, wasDetail.current, scrolled.current);
+    wasDetail.current = detail;
+  }, [address]);
+
+  const named = address.parts.slice(1).join("/");
+  return (
+    <>
+      <a class="skip" href="#/findings" onClick={skip}>
+        Skip to {detail ? "the case" : "the findings"}
+      </a>
+      <Header report={report} />
+      {detail && (
+        <main class="detail">
+          {view === "bucket" && (
+            <BucketView report={report} bucket={bucket.get(named)} finding={finding} named={named} key={named} />
+          )}
+          {view === "finding" && (
+            <FindingView report={report} finding={finding.get(Number(named))} named={named} key={named} />
+          )}
+        </main>
+      )}
+      <main class="overview" hidden={detail}>
+        <Changes report={report} />
+        <Summary report={report} />
+        <Findings report={report} address={address} />
+        <Speed report={report} />
+        <Maps report={report} />
+        <Calibration report={report} />
+        <Stability report={report} />
+        <Methods report={report} />
+        <Kills report={report} />
+        <Words entries={glossaryEntries()} />
+        <footer class="soft">
+          <p>{safe(report.run.build)}</p>
+          {report.run.command && (
+            <p>
+              The same run again: <code>{safe(report.run.command)}</code>
+            </p>
+          )}
+          <p>
+            One file; it asks nothing from the network.{" "}
+            <button type="button" class="link" onClick={() => print()}>
+              Print
+            </button>
+          </p>
+        </footer>
+      </main>
+    </>
+  );
+}

@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: MIT
+// What stays the same when little changes: the cost near touching, the answers along a path, the answers of another
+// build of the same source.
+import { useCallback, useMemo, useState } from "preact/hooks";
+import { Figure, Section } from "../parts/elements.tsx";
+import { screen } from "../parts/plot.ts";
+import { grouped, inOrder, percent, safe, short } from "../parts/words.ts";
+import { Cost } from "./calibration.tsx";
+import { Heads, Missing } from "./elements.tsx";
+import { backwardPlot, tracePlot } from "./plots.ts";
+import type { FullReport } from "./report.ts";
+
+/** How often the verdict should turn: once where the path goes through touching. */
+const rightFlips = (p: { path: string }) => (p.path.startsWith("touching") ? 1 : 0);
+
+function Paths({ report }: { report: FullReport }) {
+  const paths = useMemo(
+    () =>
+      inOrder(
+        report.paths,
+        (x, y) =>
+          y.flips - rightFlips(y) - (x.flips - rightFlips(x)) || (x.path < y.path ? -1 : x.path > y.path ? 1 : 0),
+      ),
+    [report],
+  );
+  const [at, choose] = useState(() =>
+    Math.max(
+      0,
+      paths.findIndex((p) => p.flips > rightFlips(p) && p.trace),
+    ),
+  );
+  const path = paths[at];
+  const draw = useCallback((width: number) => tracePlot(path!, { width, theme: screen }), [path]);
+  if (!path) return <Missing of="paths" report={report} />;
+  return (
+    <>
+      <p class="lead">
+        Pairs along a path, step by step. One flip of the verdict is right where the path goes through touching, none
+        where gap or overlap stay as they are; each more is noise. Jumps: of the distance in sizes, beyond what the true
+        ones differ; of the direction where it is unique.
+      </p>
+      <div class="case">
+        <div class="scroll tall">
+          <table class="plain choose">
+            <Heads of={["path", "method", "n:steps", "n:flips", "n:distance jumps by", "n:direction by"]} />
+            <tbody>
+              {paths.map((p, i) => (
+                <tr key={`${p.path} ${p.method}`} class={i === at ? "at" : ""} onClick={() => choose(i)}>
+                  <td>{safe(p.path)}</td>
+                  <td>
+                    <button type="button" class="link" aria-pressed={i === at}>
+                      {safe(p.method)}
+                    </button>
+                  </td>
+                  <td class="n">{grouped(p.steps)}</td>
+                  <td class={`n ${p.flips > rightFlips(p) ? "bad" : ""}`}>{grouped(p.flips)}</td>
+                  <td class="n">{short(p.distance_jump)}</td>
+                  <td class="n">
+                    {p.direction_jump_degrees === null ? "\u2013" : `${short(p.direction_jump_degrees)}\u00b0`}
+                  </td>
+                </tr>
+              ))}
+            </tbody>
+          </table>
+        </div>
+        <div>
+          <h3>
+            {safe(path.method)}, {safe(path.path)}
+          </h3>
+          {path.trace && path.trace.length > 0 ? (
+            <Figure
+              draw={draw}
+              height={220}
+              label="The answers along the path"
+              caption="Round: disjoint; square: intersecting; diamond: touching. Dashed: the verdict flips."
+            />
+          ) : (
+            <p class="soft">No trace was kept of it.</p>
+          )}
+        </div>
+      </div>
+    </>
+  );
+}
+
+function Backward({ report }: { report: FullReport }) {
+  const draw = useCallback((width: number) => backwardPlot(report.backward, { width, theme: screen }), [report]);
+  if (report.backward.length === 0) return <Missing of="backward" report={report} />;
+  return (
+    <Figure
+      draw={draw}
+      height={80 + 17 * report.backward.length}
+      label="Backward errors"
+      caption="A wrong answer is the right answer to another question: how far away that question is."
+    />
+  );
+}
+
+const buildHeads = [
+  ...["method", "build", "against", "n:pairs", "n:verdicts changed", "n:beyond the claim", "n:distances changed"],
+  "n:largest change",
+];
+
+function Builds({ report }: { report: FullReport }) {
+  if (report.builds.length === 0) return <Missing of="builds" report={report} />;
+  const changed = report.builds.filter((b) => b.verdicts_changed > 0 || b.distances_changed > 0);
+  return (
+    <>
+      <p class="lead">
+        {grouped(report.builds.length)} comparisons of a method's answers in two builds; the{" "}
+        {grouped(report.builds.length - changed.length)} in which nothing changed are left out.
+      </p>
+      <div class="scroll tall">
+        <table class="plain">
+          <Heads of={buildHeads} />
+          <tbody>
+            {changed.map((b) => (
+              <tr key={`${b.method} ${b.build} ${b.against}`}>
+                <td>{safe(b.method)}</td>
+                <td>{safe(b.build)}</td>
+                <td>{safe(b.against)}</td>
+                <td class="n">{grouped(b.pairs)}</td>
+                <td class="n">
+                  {grouped(b.verdicts_changed)} ({percent(b.verdicts_changed, b.pairs)})
+                </td>
+                <td class={`n ${b.beyond_claim > 0 ? "bad" : ""}`}>{grouped(b.beyond_claim)}</td>
+                <td class="n">{grouped(b.distances_changed)}</td>
+                <td class="n">{short(b.largest_change)}</td>
+              </tr>
+            ))}
+          </tbody>
+        </table>
+      </div>
+    </>
+  );
+}
+
+export function Stability({ report }: { report: FullReport }) {
+  return (
+    <Section id="stability" title="Stability">
+      <h3>Cost near touching</h3>
+      <Cost report={report} />
+      <h3>Answers along a path</h3>
+      <Paths report={report} />
+      <h3>How far a wrong answer is from a right one</h3>
+      <Backward report={report} />
+      <h3>Answers of another build</h3>
+      <Builds report={report} />
+    </Section>
+  );
+}
