@@ -166,7 +166,7 @@ int run(std::uint64_t contacts, std::uint64_t seed) {
   std::map<Key, Cell> cells;
   constexpr std::uint64_t features_most = 5;
   for (std::uint64_t i = 0; i < 2 * features_most * contacts * close_cell_count; ++i) {
-    if (close_cell(i % close_cell_count).decade != last_close_decade) continue;
+    if (close_cells[i % close_cell_count].decade != last_close_decade) continue;
     const CloseContact c = draw_close_contact(CloseKind::by_decade, seed, i);
     Cell& cell = cells[{c.feature, c.cell.lie, c.cell.band}];
     if (cell.tried++ < contacts) try_around(cell.both, c.pair);

@@ -12,8 +12,6 @@ namespace cyl {
 namespace {
 
 using enum ContactFeature;
-constexpr std::size_t decade_count = last_close_decade - first_close_decade + 1;
-constexpr std::size_t band_count = enum_values<AngleBand>.size();
 
 /// 10^-U for about uniform U in (first, last).
 double within(RandomStream& s, int first, int last) {
@@ -335,8 +333,8 @@ CloseContact draw_rods(RandomStream& s, std::uint64_t index) {
 CloseContact draw_by_angle(RandomStream& s, std::uint64_t index) {
   constexpr std::size_t lies = enum_values<AxesLie>.size();
   const auto lie = static_cast<AxesLie>(index % lies);
-  const int decade = first_close_decade + static_cast<int>(index / lies % decade_count);
-  const std::uint64_t turn = index / lies / decade_count;
+  const int decade = first_close_decade + static_cast<int>(index / lies % close_decade_count);
+  const std::uint64_t turn = index / lies / close_decade_count;
   const double angle = within(s, decade, decade + 1);
   const double margin = std::max(least_close_margin, angle * s.between(0.1, 1));
   const CloseCell cell{lie, band_of(angle), decade_of(margin)};
@@ -350,22 +348,10 @@ constexpr std::array names{"close_contacts", "close_contacts_by_angle", "close_r
 
 }  // namespace
 
-CloseCell close_cell(std::size_t number) {
-  return {static_cast<AxesLie>(number / decade_count / band_count),
-          static_cast<AngleBand>(number / decade_count % band_count),
-          first_close_decade + static_cast<int>(number % decade_count)};
-}
-
-std::size_t number_of(const CloseCell& cell) {
-  return (static_cast<std::size_t>(cell.lie) * band_count + static_cast<std::size_t>(cell.band)) *
-             decade_count +
-         static_cast<std::size_t>(cell.decade - first_close_decade);
-}
-
 CloseContact draw_close_contact(CloseKind kind, RandomStream& s, std::uint64_t index) {
   if (kind == CloseKind::rods) return draw_rods(s, index);
   if (kind == CloseKind::by_angle) return draw_by_angle(s, index);
-  CloseCell cell = close_cell(index % close_cell_count);
+  CloseCell cell = close_cells[index % close_cell_count];
   if (kind == CloseKind::rims && s.coin()) cell.lie = AxesLie::generic, cell.band = AngleBand::wide;
   const std::uint64_t turn = index / close_cell_count;
   const auto features = features_of(cell.lie, cell.band);

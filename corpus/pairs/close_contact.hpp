@@ -52,11 +52,22 @@ struct CloseCell {
 };
 
 /// All cells: by lie, then by band, then by decade. Each is drawn from.
+inline constexpr std::size_t close_decade_count = last_close_decade - first_close_decade + 1;
 inline constexpr std::size_t close_cell_count =
-    enum_values<AxesLie>.size() * enum_values<AngleBand>.size() *
-    static_cast<std::size_t>(last_close_decade - first_close_decade + 1);
-CloseCell close_cell(std::size_t number);
-std::size_t number_of(const CloseCell& cell);
+    enum_values<AxesLie>.size() * enum_values<AngleBand>.size() * close_decade_count;
+constexpr std::size_t number_of(const CloseCell& cell) noexcept {
+  const std::size_t angle = static_cast<std::size_t>(cell.lie) * enum_values<AngleBand>.size() +
+                            static_cast<std::size_t>(cell.band);
+  return angle * close_decade_count + static_cast<std::size_t>(cell.decade - first_close_decade);
+}
+inline constexpr auto close_cells = [] {
+  std::array<CloseCell, close_cell_count> all{};
+  for (const AxesLie lie : enum_values<AxesLie>)
+    for (const AngleBand band : enum_values<AngleBand>)
+      for (int decade = first_close_decade; decade <= last_close_decade; ++decade)
+        all[number_of({lie, band, decade})] = {lie, band, decade};
+  return all;
+}();
 
 /// How the margin is drawn.
 enum class CloseKind : unsigned char {

@@ -39,9 +39,9 @@ void see_rounds(std::uint64_t rounds, See see) {
 }
 
 TEST(CloseContact, NumbersItsCells) {
-  for (std::size_t i = 0; i < close_cell_count; ++i) EXPECT_EQ(number_of(close_cell(i)), i);
+  for (std::size_t i = 0; i < close_cell_count; ++i) EXPECT_EQ(number_of(close_cells[i]), i);
   EXPECT_EQ(close_cell_count, 144u);
-  EXPECT_EQ(close_cell(close_cell_count - 1).decade, last_close_decade);
+  EXPECT_EQ(close_cells.back().decade, last_close_decade);
 }
 
 TEST(CloseContact, ARoundHasEveryCellAndEveryDecadeOfTheAngle) {
@@ -55,8 +55,8 @@ TEST(CloseContact, ARoundHasEveryCellAndEveryDecadeOfTheAngle) {
   // By angle a margin is within the decade of the angle or the next: of 12 decades, of 3 lies each.
   std::map<int, int> decades;
   for (const auto& [cell, count] : seen[CloseKind::by_angle]) {
-    decades[close_cell(cell).decade] += count;
-    EXPECT_NE(close_cell(cell).band, AngleBand::none);
+    decades[close_cells[cell].decade] += count;
+    EXPECT_NE(close_cells[cell].band, AngleBand::none);
   }
   EXPECT_EQ(decades.size(), static_cast<std::size_t>(last_close_decade));
   for (const auto& [decade, count] : decades) EXPECT_GT(count, 40) << decade;

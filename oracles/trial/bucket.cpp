@@ -37,15 +37,9 @@ Coordinate coordinate_of(const Pair& p, double margin) {
   if (uneven(2 * p.a.radius, p.a.height) || uneven(2 * p.b.radius, p.b.height) ||
       uneven(p.a.radius + p.a.height, p.b.radius + p.b.height))
     return Coordinate::aspect;
-  switch (angle_class(p)) {
-    case AngleClass::within_1e_12:
-    case AngleClass::within_1e_7:
-    case AngleClass::within_1e_2:
-    case AngleClass::near_right:
-      return Coordinate::angle;
-    default:
-      break;
-  }
+  const AngleClass angle = angle_class(p);
+  if (angle != AngleClass::parallel && angle != AngleClass::generic && angle != AngleClass::right)
+    return Coordinate::angle;
   return margin < small_margin ? Coordinate::margin : Coordinate::plain;
 }
 

@@ -109,7 +109,7 @@ rc::Gen<PairsDrawn> pairs_of_one_kind(int count) {
 rc::Gen<PairsDrawn> close_pairs_of_one_kind(int count) {
   const auto cell = rc::gen::mapcat(
       rc::gen::noShrink(rc::gen::inRange<std::size_t>(0, close_cell_count)), [count](std::size_t i) {
-        const CloseCell at = close_cell(i);
+        const CloseCell at = close_cells[i];
         return drawn(
             fmt::format("close {} {} 1e-{:02}", to_string(at.lie), to_string(at.band), at.decade), count,
             [i](std::uint64_t seed, std::uint64_t index) -> std::optional<Pair> {

@@ -38,7 +38,7 @@ std::vector<GateCell> empty_cells() {
 
 std::vector<CloseGateCell> empty_close_cells() {
   std::vector<CloseGateCell> cells;
-  for (std::size_t i = 0; i < close_cell_count; ++i) cells.push_back({close_cell(i), true});
+  for (const CloseCell& cell : close_cells) cells.push_back({cell, true});
   return cells;
 }
 

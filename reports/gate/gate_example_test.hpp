@@ -74,8 +74,7 @@ inline GateReport example_report() {
       fake.cells.push_back({{feature, decade}, decade < 3, 50});
     }
   }
-  for (std::size_t i = 0; i < close_cell_count; ++i) {
-    const CloseCell at = close_cell(i);
+  for (const CloseCell& at : close_cells) {
     intersect.close_cells.push_back({at, true, 409, 0, 408, 0, 0});
     fake.close_cells.push_back({at, at.decade < 3, 100, 0, 90, 0, 2});
   }
