@@ -10,8 +10,8 @@ import { StudyPage } from "./scene/scene_page.tsx";
 import type { Study } from "./scene/study.ts";
 
 const noData =
-  "This is the page without its data. daylight campaign writes it with those of a run, daylight scene --page with " +
-  "those of a scene.";
+  "This is the page without its data. daylight campaign writes it with the data of a run, daylight scene --page with " +
+  "the data of a scene.";
 
 /** From the element that page_template.cpp fills; null if it holds the mark of the template. */
 async function dataOf(): Promise<unknown> {

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-// The words of the page at its end, for paper and for fingers; a pointer is told the same where it rests.
+// The glossary at the end of the page, for paper and touch screens. A pointer sees the same texts as tooltips.
 import { Section } from "./elements.tsx";
 
 export function Words({ entries }: { entries: [string, string][] }) {
   return (
-    <Section id="words" title="Words" lead="What the words of this page mean.">
+    <Section id="words" title="Glossary" lead="The terms of this page.">
       <dl class="words">
         {entries.map(([word, meaning]) => (
           <div key={word}>

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Is a method wrong only where it says it may be? The share of wrong answers as margins shrink, and what an answer
-// costs there.
+// The share of wrong answers as margins shrink, compared with the claim, and the cost of an answer.
 import { useCallback, useMemo, useState } from "preact/hooks";
 import { Figure, Section, Select } from "../parts/elements.tsx";
 import { screen } from "../parts/plot.ts";
@@ -80,7 +79,7 @@ export function Calibration({ report }: { report: FullReport }) {
       lead={
         methods.length
           ? "The share of wrong answers as the margin shrinks. A method that claims to be right from some margin on " +
-            "must have none left of it; an open mark is none wrong, its bar what 95 % confidence leaves."
+            "must have no wrong answer left of it. An open mark means no wrong answer, and bars are 95 % confidence."
           : undefined
       }>
       {methods.length === 0 ? (
@@ -140,8 +139,8 @@ export function Cost({ report }: { report: FullReport }) {
           height={330}
           label="Time a pair against margin"
           caption={
-            "What an answer costs as the margin shrinks: half the pairs below the line, 99 in 100 below the band, " +
-            "none above the marks."
+            "The time for an answer as the margin shrinks. Half of the pairs are below the line, 99 of 100 are below " +
+            "the top of the band, and no pair is above the marks."
           }
         />
       )}

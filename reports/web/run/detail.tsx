@@ -29,18 +29,18 @@ function certificateOf({ verdict, direction, point, points, near }: Truth) {
 /** What proves a truth, and why it does. */
 const describeCertificate = (t: Truth): [string, string] =>
   t.direction
-    ? ["separating direction", "A plane square to this direction has one solid on each side."]
+    ? ["separating direction", "A plane perpendicular to this direction has one solid on each side."]
     : t.point
       ? ["common point", "This point lies in both solids."]
       : t.points
         ? [
             "near points",
-            "One lies in a, one in b, both without their roundings, and they are no farther apart than both roundings.",
+            "One is in the core of a, one in the core of b, and their distance is at most the sum of both roundings.",
           ]
       : [
           "point near both",
-          "No rational common point is known: this one is within 2^-200 of the size of both, and along the direction " +
-            "neither a gap nor an overlap is wider.",
+          "No rational common point is known. This point is within 2^-200 of the size of both, and along the " +
+            "direction no gap or overlap is wider than that.",
         ];
 
 function Prover({ shown }: { shown: Case }) {
@@ -82,10 +82,10 @@ function Prover({ shown }: { shown: Case }) {
               edit(given);
               tell(null);
             }}>
-            As it was
+            Reset
           </button>
         )}
-        <span class="soft">checked here, in exact whole numbers; change a digit to see it fail</span>
+        <span class="soft">This page checks it in exact integers. Change a digit to see it fail.</span>
       </p>
       {proof && (
         <div
@@ -170,7 +170,7 @@ function Answers({
   if (said.length === 0) return null;
   return (
     <section>
-      <h3>What each method said</h3>
+      <h3>The answer of each method</h3>
       <div class="scroll">
         <table class="plain answers">
           <Heads of={distances ? ["answer", "n:wrong by", "from"] : ["answer", "from"]} />
@@ -202,8 +202,8 @@ function Answers({
 
 const allowedLabels: Record<Allowed["by"], string> = {
   claim: "its claim",
-  size: "1e\u221213 of the size, which is more than its claim: coordinates of such solids are no finer",
-  distance: "2^\u221250 of the distance or the size, which is more than its claim: doubles are no finer there",
+  size: "1e\u221213 of the size, which is more than its claim: the coordinates of such solids are not finer",
+  distance: "2^\u221250 of the distance or the size, which is more than its claim: doubles of that size are not finer",
 };
 
 /** A wrong distance beside the proved one. */
@@ -340,7 +340,7 @@ function CaseView({ shown, method, kind, report }: { shown: Case; method: string
         {truth.direction || truth.point || truth.points || truth.near ? (
           <Prover shown={shown} />
         ) : (
-          <p class="warn">Nobody could prove what is true of this pair.</p>
+          <p class="warn">No truth is proved for this pair.</p>
         )}
         <Answers shown={shown} method={method} report={report} distances={distances} />
       </div>
@@ -405,7 +405,7 @@ export function FindingView({
             {safe(claim.source)}).
           </>
         )}
-        {f.reason && ` In its own words: ${safe(f.reason)}`}
+        {f.reason && ` The method reports: ${safe(f.reason)}`}
       </p>
       <CaseView shown={f} method={f.method} kind={f.kind} report={report} />
     </>
@@ -479,7 +479,7 @@ export function BucketView({
         </p>
       )}
       <p>
-        {safe(b.cause)}. <span class="soft">Wrong by it: {safe(b.methods.join(", "))}.</span>
+        {safe(b.cause)}. <span class="soft">Wrong for this reason: {safe(b.methods.join(", "))}.</span>
       </p>
       {b.labels.length > 0 && (
         <p>
@@ -509,7 +509,7 @@ export function BucketView({
       <Handling report={report} b={b} />
       {b.merged.length > 0 && (
         <details class="print">
-          <summary>{plural(b.merged.length, "key")} that led to this cause</summary>
+          <summary>{plural(b.merged.length, "key")} of the same cause</summary>
           <ul>
             {b.merged.map((k) => (
               <li key={k}>{safe(k)}</li>

@@ -15,7 +15,7 @@ export function Fact({ label, kind = "", children }: { label: string; kind?: str
   );
 }
 
-/** The heads of a table; "n:count" of a column of numbers. `told`: what heads mean that are no words of ours. */
+/** The heads of a table; "n:count" of a column of numbers. `told`: the meaning of other heads. */
 export function Heads({ of, told = "" }: { of: readonly string[]; told?: string }) {
   return (
     <thead>
@@ -35,29 +35,29 @@ export function Heads({ of, told = "" }: { of: readonly string[]; told?: string 
 
 /** Which command gives a run the data of a section. */
 const makes = {
-  buckets: ["causes: nobody has looked for the reasons of its findings", (run: string) => `./daylight triage ${run}`],
+  buckets: ["causes yet", (run: string) => `./daylight triage ${run}`],
   maps: ["failure maps", (run: string) => `./daylight chart ${run}`],
-  honesty: ["curves of wrongness against margin", (run: string) => `./daylight chart ${run}`],
+  honesty: ["calibration curves", (run: string) => `./daylight chart ${run}`],
   speed: [
     "times",
     (run: string) => `./daylight bench --curves --json bench.json && ./daylight chart ${run} --bench bench.json`,
   ],
   cost: [
-    "times against margin",
+    "costs against margin",
     (run: string) => `./daylight bench --curves --json bench.json && ./daylight chart ${run} --bench bench.json`,
   ],
-  paths: ["walks along paths", (run: string) => `./daylight chart ${run} --stability`],
+  paths: ["answers along paths", (run: string) => `./daylight chart ${run} --stability`],
   backward: ["backward errors", (run: string) => `./daylight chart ${run} --stability`],
   builds: ["comparison of builds", (run: string) => `./daylight chart ${run} --stability`],
-  kill_matrix: ["measure of our own tests", () => "./daylight mutants matrix"],
+  kill_matrix: ["kill matrix of our own tests", () => "./daylight mutants matrix"],
 } as const;
 
-/** What stands where a run has no data of a kind. */
+/** The text of a section without data. */
 export function Missing({ of, report }: { of: keyof typeof makes; report: FullReport }) {
   const [what, command] = makes[of];
   return (
     <p class="missing">
-      This run has no {what}. <code>{command(shellQuoted(report.run.folder))}</code> makes it.
+      This run has no {what}. Run <code>{command(shellQuoted(report.run.folder))}</code> to add this.
     </p>
   );
 }

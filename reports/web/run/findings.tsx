@@ -232,9 +232,9 @@ const ofAll = (shown: number, all: number, one: string) =>
   shown === all ? plural(all, one) : `${grouped(shown)} of ${plural(all, one)}`;
 
 const lead = (report: FullReport) =>
-  `${grouped(report.findings_total)} in all; of each method, kind and family the first ten and ever worse ones are ` +
-  `kept as examples. The margin of a wrong distance is its error over the size (r + h + r + h); of any other finding ` +
-  `it is the signed distance between the solids over the size. Both are what it is at least.`;
+  `${grouped(report.findings_total)} in all. For each method, kind and family the first ten are kept as examples, ` +
+  `and each later one that is worse. The margin of a wrong distance is its error over the size (r + h + r + h). The ` +
+  `margin of any other finding is the signed distance between the solids over the size. Margins are lower bounds.`;
 
 export function Findings({ report, address }: { report: FullReport; address: Address }) {
   const all = useMemo(() => rowsOf(report), [report]);
@@ -281,7 +281,7 @@ export function Findings({ report, address }: { report: FullReport; address: Add
             </button>
           </p>
           <Table rows={shown} order={order} setOrder={(o) => set({ ...view, order: o })} />
-          <p class="only-print soft">Of {said}, printed are the rows that were on the screen.</p>
+          <p class="only-print soft">Of {said}, only the rows that were on the screen are printed.</p>
         </>
       )}
     </Section>

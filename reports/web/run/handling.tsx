@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What is done about a cause: who owns it, and the commands that explain, export, suppress or annotate it.
+// The next steps for a cause: its owner, and the commands that explain, export, suppress or annotate it.
 import { useState } from "preact/hooks";
 import { Copy } from "../parts/elements.tsx";
 import { jsonLine, safe, shellQuoted } from "../parts/words.ts";
@@ -10,7 +10,7 @@ import type { FullReport } from "./report.ts";
 const day = 86_400_000,
   suppressedDays = 90;
 
-/** One line for suppressions.jsonl; what only a person knows is left empty. */
+/** One line for suppressions.jsonl; a person fills in the empty fields. */
 function suppressionLine(key: string, started: string): string {
   const begun = Date.parse(started);
   const end = new Date((Number.isNaN(begun) ? Date.now() : begun) + suppressedDays * day);
@@ -36,11 +36,11 @@ function Annotate({ report, b, triage }: { report: FullReport; b: Bucket; triage
       </p>
       {owner !== "" || note !== "" ? (
         <Copy
-          label={`Note it in ${safe(report.notes_file)}`}
+          label={`Record it in ${safe(report.notes_file)}`}
           text={`${triage} --annotate ${key} --owner ${shellQuoted(owner)} --note ${shellQuoted(note)}`}
         />
       ) : (
-        <p class="soft">Fill in either for the command that notes it.</p>
+        <p class="soft">Fill in an owner or a note to see the command that records it.</p>
       )}
     </>
   );
@@ -51,10 +51,10 @@ export function Handling({ report, b }: { report: FullReport; b: Bucket }) {
     key = shellQuoted(b.key);
   return (
     <section class="handling">
-      <h3>To do</h3>
+      <h3>Next steps</h3>
       <Copy label="Explain it" text={`${triage} --explain ${key}`} />
       <Copy label="A program, a proof and the text of an issue" text={`${triage} --export ${key} --out upstream`} />
-      <Copy label="A line of suppressions.jsonl" text={suppressionLine(b.key, report.run.started)} />
+      <Copy label="A line for suppressions.jsonl" text={suppressionLine(b.key, report.run.started)} />
       <p class="soft">
         Its pair is in <code>{safe(b.file)}</code>.
       </p>

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
-// What our own tests are worth: faults put in on purpose, one at a time, and which test caught each.
+// The quality of our own tests: planted faults, one at a time, and the tests that detect each.
 import { useMemo, useState } from "preact/hooks";
 import { Section } from "../parts/elements.tsx";
 import { groupBy, grouped, percent, plural, safe } from "../parts/words.ts";
 import { Fact, Heads, Missing } from "./elements.tsx";
 import type { FullReport } from "./report.ts";
 
-const title = "Faults put in on purpose",
-  told = "The test that noticed the fault.";
+const title = "Planted faults",
+  told = "The test that detected the fault.";
 
 export function Kills({ report }: { report: FullReport }) {
   const matrix = report.kill_matrix;
@@ -31,8 +31,8 @@ export function Kills({ report }: { report: FullReport }) {
       id="faults"
       title={title}
       lead={
-        "How good our own tests are: faults were put into the solver, the referee and the comparison, one at a time, " +
-        "and what caught each was noted; as last measured with daylight mutants matrix, not in this run."
+        "The quality of our own tests. We plant one fault at a time in the solver, the referee or the comparison, " +
+        "and record the tests that detect it. daylight mutants matrix measured this, not this run."
       }>
       <dl class="facts">
         <Fact label="faults">{grouped(matrix.mutants)}</Fact>
@@ -76,8 +76,8 @@ export function Kills({ report }: { report: FullReport }) {
         <summary>Every fault</summary>
         <p>
           <label>
-            <input type="checkbox" checked={missedOnly} onChange={(e) => set(e.currentTarget.checked)} /> only those
-            that nothing caught
+            <input type="checkbox" checked={missedOnly} onChange={(e) => set(e.currentTarget.checked)} /> only faults
+            that no test detected
           </label>{" "}
           <span class="soft">{plural(rows.length, "fault")}</span>
         </p>

@@ -16,8 +16,8 @@ const planes = [
 ] as const;
 const kinds: readonly (readonly [Wrongness, string])[] = [
   ["all", "wrong or failed"],
-  ["wrong_disjoint", "said disjoint wrongly"],
-  ["wrong_intersecting", "said intersecting wrongly"],
+  ["wrong_disjoint", "wrongly reported disjoint"],
+  ["wrong_intersecting", "wrongly reported intersecting"],
   ["failed", "failed"],
   ["undecided", "undecided"],
   ["declined", "declined"],
@@ -75,9 +75,9 @@ export function Maps({ report }: { report: FullReport }) {
       title="Failure maps"
       lead={
         methods.length
-          ? "How often a method was wrong, by what the pair is like; the stronger the colour, the larger the share. " +
-            "Where any answer is wrong beyond the claim, the share is that of those. " +
-            "A dot marks a cell that leads to a case."
+          ? "The share of wrong answers of a method, by properties of the pair. A stronger colour is a larger share. " +
+            "If any answer of a cell is wrong beyond the claim, its share counts only those. " +
+            "A cell with a dot leads to a case."
           : undefined
       }>
       {methods.length === 0 ? (

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How often a cause was seen night after night, and this run held against one of the earlier ones.
+// The rate of a cause run by run, and this run compared with an earlier one.
 import { useState } from "preact/hooks";
 import { Select } from "../parts/elements.tsx";
 import { grouped, safe, short } from "../parts/words.ts";
@@ -32,7 +32,7 @@ function Chart({ nights }: { nights: Night[] }) {
         height={floor + 18}
         viewBox={`0 0 ${width} ${floor + 18}`}
         role="img"
-        aria-label="Wrong pairs per million, night by night">
+        aria-label="Wrong pairs per million, run by run">
         {[0, most].map((rate) => (
           <g key={rate}>
             <line class="rule" x1={left} x2={width} y1={y(rate)} y2={y(rate)} />
@@ -73,13 +73,14 @@ function Against({ earlier, now }: { earlier: Night[]; now: Night }) {
     <>
       <p class="tools">
         <Select
-          label="Held against"
+          label="Compared with"
           value={String(at)}
           onChange={(value) => choose(Number(value))}
           options={earlier.map((n, i) => [String(i), `${n.started.slice(0, 10)}, ${safe(n.run)}`] as const).reverse()}
         />
         <span title={about("probability of one rate")}>
-          probability of counts so different under one rate: <b class="same-rate">{p === null ? "\u2013" : short(p)}</b>
+          probability of such different counts at the same rate:{" "}
+          <b class="same-rate">{p === null ? "\u2013" : short(p)}</b>
         </span>
       </p>
       <div class="scroll">
@@ -108,9 +109,9 @@ function Against({ earlier, now }: { earlier: Night[]; now: Night }) {
 export function Nights({ nights }: { nights: Night[] }) {
   return (
     <section class="history">
-      <h3>Night by night</h3>
+      <h3>Run by run</h3>
       <p class="soft">
-        Wrong pairs in a million asked; the line is where the rate lies with 95 % confidence. This run is the last.
+        Wrong pairs per million pairs asked. The line is the 95 % confidence interval. The last mark is this run.
       </p>
       <Chart nights={nights} />
       {nights.length > 1 && <Against earlier={nights.slice(0, -1)} now={nights.at(-1)!} />}

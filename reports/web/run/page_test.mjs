@@ -94,7 +94,7 @@ async function leadsToWhatIsNew(page, report) {
     new RegExp(`^1 new cause, ${changes.back} back, ${changes.known} known, ${changes.rare} rare, 1 gone, [^]*; 1 of these ${buckets.length} has no findings in this run$`),
   );
   const told = await page.locator("#summary .facts dd").nth(4).innerText();
-  assert.equal(told, `${buckets.length - 1} and 1 of earlier runs alone`);
+  assert.equal(told, `${buckets.length - 1} and 1 only of earlier runs`);
   const rank = ["new", "back", "known", "rare", "gone"];
   const order = (await bucketColumn(page, 7)).map((word) => rank.indexOf(word));
   assert.equal(order.length, buckets.length);
@@ -243,7 +243,7 @@ async function provesAndTurns(page) {
   await page.locator(".prove").click();
   await settled(page);
   assert.equal(await page.locator(".proof").getAttribute("data-holds"), "false");
-  await page.getByRole("button", { name: "As it was" }).click();
+  await page.getByRole("button", { name: "Reset" }).click();
   await page.locator(".prove").click();
   await settled(page);
   assert.equal(await page.locator(".proof").getAttribute("data-holds"), "true");
@@ -372,7 +372,7 @@ async function handlesACause(page, report) {
   await page.getByLabel("Owner", { exact: true }).fill("o'hara");
   await page.getByLabel("Note", { exact: true }).fill("two words");
   assert.equal(
-    await copied(page, "Note it in runs/notes.jsonl"),
+    await copied(page, "Record it in runs/notes.jsonl"),
     `./daylight triage runs/sample --annotate ${noted.key} --owner 'o'\\''hara' --note 'two words'`,
   );
   assert.equal(await page.getByRole("tab", { name: "Simplest" }).count(), 1);
@@ -385,7 +385,7 @@ async function handlesACause(page, report) {
   const [before, p] = [page.locator(".against tbody tr").first(), page.locator(".same-rate")];
   assert.match(await before.innerText(), /20261121/);
   const first = await p.innerText();
-  await page.getByLabel("Held against").selectOption("0");
+  await page.getByLabel("Compared with").selectOption("0");
   await settled(page);
   assert.match(await before.innerText(), /20261119[^]*250,000/);
   assert.notEqual(await p.innerText(), first);
@@ -479,7 +479,6 @@ async function explainsItsWords(page) {
     /\bstratum\b/i,
     /misstated/,
     /kept with their pair/,
-    /planted faults/i,
   ])
     assert.doesNotMatch(text, old);
   assert.match(await page.locator("#methods").textContent(), /stated[^]*assumed by us/);
@@ -654,7 +653,7 @@ async function opensAFirstRun() {
   write(first);
   const page = await openPage();
   assert.equal(await rowsTold(page), 40);
-  assert.match(await page.locator("#summary").innerText(), /Against 3 earlier runs/);
+  assert.match(await page.locator("#summary").innerText(), /Compared with 3 earlier runs/);
   await page.locator(".buckets a").first().click();
   await page.waitForSelector(".handling");
   assert.equal(await page.getByRole("tab", { name: "Simplest" }).count(), 1);

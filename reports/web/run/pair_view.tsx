@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Both solids, to be turned; close up, and with a gap too narrow to see drawn wider, which is said.
+// Both solids in 3D, whole or close up. A gap too narrow to see is drawn wider, and the caption states it.
 import { useLayoutEffect, useMemo, useRef, useState } from "preact/hooks";
 import type { Vec } from "../parts/data.ts";
 import { colour } from "../parts/elements.tsx";
@@ -10,7 +10,7 @@ import type { Case } from "./data.ts";
 import { drawingOf, exaggerated, exaggeration, type Drawing } from "./drawing.ts";
 import { Projection } from "./pair_projection.tsx";
 
-/** Gaps narrower than this part of what can be seen are widened before anybody asks. */
+/** Gaps narrower than this part of what can be seen are widened at first. */
 const widenedAtOnce = 20;
 /** A solid this many times smaller than the other is not seen beside it. */
 const uneven = 300;
@@ -31,7 +31,9 @@ function objectsOf(d: Drawing) {
     solid(d.a, a, d.extent),
     solid(d.b, b, d.extent),
     ...(d.plane && d.direction ? [plane(d.plane, d.direction, 1.5 * d.extent, colour("--grey"))] : []),
-    ...(d.near ? [pointMark(d.near.a, a), pointMark(d.near.b, b), line([d.near.a, d.near.b], fg, { onTop: true })] : []),
+    ...(d.near
+      ? [pointMark(d.near.a, a), pointMark(d.near.b, b), line([d.near.a, d.near.b], fg, { onTop: true })]
+      : []),
     ...(d.point ? [pointMark(d.point, fg)] : []),
   ];
 }
@@ -104,13 +106,13 @@ export function PairView({ shown }: { shown: Case }) {
         )}
         {factor === 1 && <>To scale. </>}
         {Number.isFinite(ratio) && ratio > uneven && (
-          <>One solid is {short(ratio, 2)} times as large as the other, which may be too small to be seen. </>
+          <>One solid is {short(ratio, 2)} times as large as the other. The smaller one may be too small to see. </>
         )}
-        {stage ? "Drag to turn, wheel to zoom." : "This browser has no WebGL: a projection stands in."}
+        {stage ? "Drag to turn, wheel to zoom." : "This browser has no WebGL, so the drawing is a projection."}
         {drawing.near &&
           (gap !== null && gap < 0
-            ? " The dots on a line are the points of each that lie deepest in the other, approximately."
-            : " The dots on a line are the nearest points, approximately.")}
+            ? " The dots on a line are approximately the deepest points of each solid in the other."
+            : " The dots on a line are approximately the nearest points.")}
       </figcaption>
     </figure>
   );

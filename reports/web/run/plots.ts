@@ -109,7 +109,7 @@ const describePoint = (p: SpeedPoint) =>
       ? "no digits known"
       : `${p.digits === 0 ? "not always right even at 1e\u22121" : `right from 1e\u2212${short(p.digits)} on`}` +
         `${p.digits_low === null ? "" : `; with 95 % confidence from 1e\u2212${short(p.digits_low)}`}`,
-    `said disjoint wrongly ${grouped(p.wrong_disjoint)}, intersecting wrongly ${grouped(p.wrong_intersecting)} of ` +
+    `wrongly reported disjoint ${grouped(p.wrong_disjoint)}, intersecting ${grouped(p.wrong_intersecting)} of ` +
       `${grouped(p.asked)}`,
   ].join("\n");
 
@@ -230,8 +230,8 @@ const describeCell = (map: FailureMap, c: Cell) =>
     `asked ${grouped(c.asked)}`,
     ...(
       [
-        ["wrong_disjoint", "said disjoint wrongly"],
-        ["wrong_intersecting", "said intersecting wrongly"],
+        ["wrong_disjoint", "wrongly reported disjoint"],
+        ["wrong_intersecting", "wrongly reported intersecting"],
         ["failed", "failed"],
         ["undecided", "undecided"],
         ["declined", "declined"],
@@ -244,7 +244,7 @@ const describeCell = (map: FailureMap, c: Cell) =>
           `${words} ${grouped(count)} (${percent(count, c.asked)})` +
           (within > 0 ? `, ${grouped(within)} of them within its claim` : ""),
       ),
-    ...(c.finding !== undefined ? ["click: a case of this cell"] : []),
+    ...(c.finding !== undefined ? ["click for a case of this cell"] : []),
   ].join("\n");
 
 export function mapPlot(
@@ -310,10 +310,10 @@ export function mapPlot(
 // Calibration: share wrong against margin
 // -------------------------------------------------------------------------------------
 
-/** Curves in one plot: as many as have a colour and a symbol that nobody confuses. */
+/** Curves in one plot: as many as have a distinct colour and symbol. */
 export const shownCap = 8;
 
-/** The first method of each library, ours first, what the documents have last: what is shown where nobody chose. */
+/** The first method of each library, ours first, what the documents have last: shown first. */
 export function firstOfEach(methods: string[]): string[] {
   const firsts = methods.filter((m, i) => methods.findIndex((n) => library(n) === library(m)) === i);
   const rank = (m: string) => (library(m) === "ours" ? 0 : m.startsWith("seed") ? 2 : 1);
@@ -328,8 +328,8 @@ export const seriesOf = (methods: string[], theme: Theme) => ({
 
 export function calibrationPlot(all: Calibration[], o: Options): Element {
   const sides = [
-    ["wrong_disjoint", "said disjoint, but they meet"],
-    ["wrong_intersecting", "said intersecting, but they do not"],
+    ["wrong_disjoint", "reported disjoint, but they intersect"],
+    ["wrong_intersecting", "reported intersecting, but they are disjoint"],
   ] as const;
   const rows = all.flatMap((h) =>
     sides.flatMap(([key, side]) =>
@@ -488,12 +488,12 @@ export function tracePlot(path: PathStability, o: Options): Element {
         tickFormat: (v: number) => short(v),
       },
       y: known
-        ? { label: "\u2191 distance it tells", grid: true, tickFormat: (v: number) => short(v) }
+        ? { label: "\u2191 distance it returns", grid: true, tickFormat: (v: number) => short(v) }
         : {
             label: null,
             domain: [-1.6, 1.6],
             ticks: [-1, 1],
-            tickFormat: (v: number) => (v > 0 ? "disjoint" : "meets"),
+            tickFormat: (v: number) => (v > 0 ? "disjoint" : "intersecting"),
           },
       marginLeft: 68,
       marks: [

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Checks a certificate in exact arithmetic, in whole numbers alone: no double is rounded on the way, and nobody who
-// found the certificate is trusted.
+// Checks a certificate in exact arithmetic, in integers only: no double is rounded on the way, and the source of the
+// certificate is not trusted.
 //
 //   direction D   f(D) = sum over both of  r |w x D|/|w| + h/2 |w.D|/|w|  -  |D.(c_b - c_a)|  < 0
 //   point X       |(X - c).w| <= h/2 |w|  and  |(X - c) x w| <= r |w|  of both, squared
@@ -77,18 +77,18 @@ export function exact(x: number): Rational {
 function coordinate(x: Coordinate): Rational {
   if (typeof x === "number") return exact(x);
   if (Array.isArray(x)) {
-    if (!x.every((term) => typeof term === "number")) throw new Error("a sum has a term that is no number");
+    if (!x.every((term) => typeof term === "number")) throw new Error("a sum has a term that is not a number");
     return x.map(exact).reduce(add, zero);
   }
   const parts = typeof x === "string" ? /^\s*(-?\d+)(?:\/(\d+))?\s*$/.exec(x) : null;
-  if (!parts) throw new Error(`${JSON.stringify(x)} is no coordinate`);
+  if (!parts) throw new Error(`${JSON.stringify(x)} is not a coordinate`);
   const d = BigInt(parts[2] ?? "1");
   if (d === 0n) throw new Error(`${x} divides by zero`);
   return rational(BigInt(parts[1]!), d);
 }
 
 function vector(v: Coordinate[] | undefined, what: string): Vector {
-  if (!Array.isArray(v) || v.length !== 3) throw new Error(`${what} has not three coordinates`);
+  if (!Array.isArray(v) || v.length !== 3) throw new Error(`${what} does not have three coordinates`);
   return [coordinate(v[0]!), coordinate(v[1]!), coordinate(v[2]!)];
 }
 
@@ -242,8 +242,9 @@ function proveDirection(a: Solid, b: Solid, d: Vector): Proof {
   if (isZero(d)) return { holds: false, text: "Refuted: the direction is zero.", steps: [] };
   const { sign, bits, steps } = signOfF(a, b, d);
   if (sign < 0)
-    return { holds: true, text: "Proved: f(D) < 0 exactly. A plane square to D has one solid on each side.", steps };
-  if (sign > 0) return { holds: false, text: "Refuted: f(D) > 0 exactly. No plane square to D separates them.", steps };
+    return { holds: true, steps, text: "Proved: f(D) < 0 exactly. A plane perpendicular to D separates the solids." };
+  if (sign > 0)
+    return { holds: false, text: "Refuted: f(D) > 0 exactly. No plane perpendicular to D separates them.", steps };
   return { holds: null, text: `Not decided with ${bits} binary digits: f(D) is 0, or nearer to it than that.`, steps };
 }
 
@@ -255,12 +256,12 @@ function provePoint(a: Solid, b: Solid, x: Vector, touching: boolean): Proof {
     steps,
     text:
       "Proved: the point lies in both solids." +
-      (touching ? " (That they share no inner point is not what this shows.)" : ""),
+      (touching ? " (This does not prove that they share no inner point.)" : ""),
   };
 }
 
 function two(points: Truth["points"], what: string): [Vector, Vector] {
-  if (!Array.isArray(points) || points.length !== 2) throw new Error(`${what} are not two`);
+  if (!Array.isArray(points) || points.length !== 2) throw new Error(`${what} are not two points`);
   return [vector(points[0], "the point of a"), vector(points[1], "the point of b")];
 }
 
@@ -273,7 +274,7 @@ function provePoints(a: Solid, b: Solid, points: Truth["points"], touching: bool
     steps,
     text:
       "Proved: the points lie in the solids without their roundings, no farther apart than both roundings together." +
-      (touching ? " (That the solids share no inner point is not what this shows.)" : ""),
+      (touching ? " (This does not prove that the solids share no inner point.)" : ""),
   };
 }
 
@@ -318,7 +319,7 @@ export function prove(pair: Pair, truth: Truth): Proof {
         if (truth.points) return provePoints(a, b, truth.points, true);
         return truth.near ? proveNear(a, b, truth.near) : provePoint(a, b, vector(truth.point, "the point"), true);
       default:
-        return { holds: null, text: "Nothing was proved of this pair.", steps: [] };
+        return { holds: null, text: "No truth is proved for this pair.", steps: [] };
     }
   } catch (error) {
     return { holds: false, text: `Refuted: ${error instanceof Error ? error.message : String(error)}.`, steps: [] };

@@ -24,8 +24,8 @@ const sections = [
   ["calibration", "Calibration"],
   ["stability", "Stability"],
   ["methods", "Methods"],
-  ["faults", "Faults put in"],
-  ["words", "Words"],
+  ["faults", "Planted faults"],
+  ["words", "Glossary"],
 ] as const;
 
 function Header({ report }: { report: FullReport }) {
@@ -109,7 +109,7 @@ export function RunPage({ report }: { report: FullReport }) {
             </p>
           )}
           <p>
-            One file; it asks nothing from the network.{" "}
+            One file. It uses no network.{" "}
             <button type="button" class="link" onClick={() => print()}>
               Print
             </button>

@@ -44,7 +44,7 @@ export function Speed({ report }: { report: FullReport }) {
       lead={
         report.speed.length
           ? "Accuracy is a margin: the method was right on every pair with at least that signed distance over size. " +
-            "Settings of one method are joined by a line; a point leads to the findings of its method."
+            "A line joins the settings of one method. A click on a point shows the findings of its method."
           : undefined
       }>
       {report.speed.length === 0 ? (
@@ -79,7 +79,7 @@ export function Speed({ report }: { report: FullReport }) {
             </span>
           </p>
           {points.length === 0 ? (
-            <p class="missing">Nobody was asked this.</p>
+            <p class="missing">No method was asked this question.</p>
           ) : (
             <>
               <Figure
@@ -88,7 +88,7 @@ export function Speed({ report }: { report: FullReport }) {
                 label="Correct digits against time a pair"
                 caption={
                   <>
-                    Dashed: nobody is both faster and more accurate than{" "}
+                    Dashed: no method is both faster and more accurate than{" "}
                     {front.map((p, i) => (
                       <>
                         {i > 0 && ", "}

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What stays the same when little changes: the cost near touching, the answers along a path, the answers of another
-// build of the same source.
+// Stability under small changes: the cost near touching, the answers along a path, the answers of another build of the
+// same source.
 import { useCallback, useMemo, useState } from "preact/hooks";
 import { Figure, Section } from "../parts/elements.tsx";
 import { screen } from "../parts/plot.ts";
@@ -35,9 +35,9 @@ function Paths({ report }: { report: FullReport }) {
   return (
     <>
       <p class="lead">
-        Pairs along a path, step by step. One flip of the verdict is right where the path goes through touching, none
-        where gap or overlap stay as they are; each more is noise. Jumps: of the distance in sizes, beyond what the true
-        ones differ; of the direction where it is unique.
+        Pairs along a path, step by step. If the path goes through touching, one flip of the verdict is right. If the
+        gap or overlap stays the same, no flip is right. Each further flip is noise. Jumps of the distance are in sizes,
+        beyond the jump of the true distance. Jumps of the direction count only if the direction is unique.
       </p>
       <div class="case">
         <div class="scroll tall">
@@ -75,7 +75,7 @@ function Paths({ report }: { report: FullReport }) {
               caption="Round: disjoint; square: intersecting; diamond: touching. Dashed: the verdict flips."
             />
           ) : (
-            <p class="soft">No trace was kept of it.</p>
+            <p class="soft">No trace is stored for this path.</p>
           )}
         </div>
       </div>
@@ -91,7 +91,7 @@ function Backward({ report }: { report: FullReport }) {
       draw={draw}
       height={80 + 17 * report.backward.length}
       label="Backward errors"
-      caption="A wrong answer is the right answer to another question: how far away that question is."
+      caption="A wrong answer is right for a slightly different pair. The backward error is the distance to that pair."
     />
   );
 }
@@ -107,8 +107,8 @@ function Builds({ report }: { report: FullReport }) {
   return (
     <>
       <p class="lead">
-        {grouped(report.builds.length)} comparisons of a method's answers in two builds; the{" "}
-        {grouped(report.builds.length - changed.length)} in which nothing changed are left out.
+        {grouped(report.builds.length)} comparisons of the answers of a method in two builds. The{" "}
+        {grouped(report.builds.length - changed.length)} without a change are omitted.
       </p>
       <div class="scroll tall">
         <table class="plain">
@@ -142,7 +142,7 @@ export function Stability({ report }: { report: FullReport }) {
       <Cost report={report} />
       <h3>Answers along a path</h3>
       <Paths report={report} />
-      <h3>How far a wrong answer is from a right one</h3>
+      <h3>Backward errors of wrong answers</h3>
       <Backward report={report} />
       <h3>Answers of another build</h3>
       <Builds report={report} />

@@ -149,7 +149,7 @@ function HeatTable({ report }: { report: FullReport }) {
         <span class="legend" aria-hidden="true">
           <i class="heat bad s5" /> wrong beyond the claim or failed (×) <i class="heat within s4" /> wrong within the
           claim <i class="heat undecided s4" /> undecided <i class="heat clean" /> neither <i class="heat empty" /> not
-          asked; the stronger the colour, the larger the share
+          asked; a stronger colour is a larger share
         </span>
       </p>
       <div class="scroll">
@@ -207,14 +207,14 @@ export function Changes({ report }: { report: FullReport }) {
   const changes = changesOf(report);
   if (!changes)
     return report.history ? null : (
-      <p class="changes soft">No earlier run stands beside this one: nothing to compare with.</p>
+      <p class="changes soft">There is no earlier run to compare with.</p>
     );
   const { against } = changes,
     told = changes.counts.filter(([, count]) => count > 0),
     earlier = report.buckets.filter((b) => b.count === 0).length;
   return (
     <p class="changes">
-      {told.length === 0 && "No causes, neither here nor in earlier runs"}
+      {told.length === 0 && "No causes in this run or in earlier runs"}
       {told.map(([standing, count], i) => (
         <>
           {i > 0 && ", "}
@@ -225,7 +225,7 @@ export function Changes({ report }: { report: FullReport }) {
         </>
       ))}
       <span class="soft" title={safe(against.join(", "))}>
-        , held against {plural(against.length, "earlier run")}
+        , compared with {plural(against.length, "earlier run")}
       </span>
       {earlier > 0 && (
         <span class="soft">
@@ -247,7 +247,7 @@ function History({ report }: { report: FullReport }) {
     <>
       {!changesOf(report) && (
         <p>
-          Against {plural(history.runs, "earlier run")}:{" "}
+          Compared with {plural(history.runs, "earlier run")}:{" "}
           {all.map((s, i) => (
             <>
               {i > 0 && ", "}
@@ -261,7 +261,7 @@ function History({ report }: { report: FullReport }) {
       )}
       {order.some((s) => by.has(s)) && (
         <details class="print">
-          <summary>Methods, kinds and families that are not as they were</summary>
+          <summary>Methods, kinds and families that changed</summary>
           <div class="scroll">
             <table class="plain">
               <Heads of={["since earlier runs", "method", "kind", "severity", "family", "n:count"]} />
@@ -314,7 +314,7 @@ function Headline({ report }: { report: FullReport }) {
         <Fact label="kept as examples">{grouped(report.findings.length)}</Fact>
         <Fact label="causes">
           {report.buckets.length > 0 ? grouped(causes.length) : "\u2013"}
-          {earlier > 0 && <span class="soft"> and {grouped(earlier)} of earlier runs alone</span>}
+          {earlier > 0 && <span class="soft"> and {grouped(earlier)} only of earlier runs</span>}
         </Fact>
         <Fact label="methods beyond their claim" kind={bad.length > 0 ? "bad" : ""}>
           {bad.length} of {rows.length}
@@ -330,15 +330,16 @@ function Headline({ report }: { report: FullReport }) {
         <p class={`alarm ${report.alarm.green ? "ok" : "bad"}`} role={report.alarm.green ? undefined : "alert"}>
           <b>
             {report.alarm.green
-              ? "The search finds faults put in on purpose."
-              : "The search misses faults put in on purpose."}
+              ? "The self-check passed: the search finds planted faults."
+              : "The self-check failed: the search misses planted faults."}
           </b>{" "}
           {safe(report.alarm.text)}
         </p>
       )}
       {unexplained > 0 && (
         <p class="warn">
-          {plural(unexplained, "finding")} of the store cannot be read and {unexplained === 1 ? "is" : "are"} not here.
+          {plural(unexplained, "finding")} of the store cannot be read and {unexplained === 1 ? "is" : "are"} not on
+          this page.
         </p>
       )}
     </>
@@ -353,7 +354,7 @@ export function Summary({ report }: { report: FullReport }) {
       {report.tallies.length > 0 ? (
         <HeatTable report={report} />
       ) : (
-        <p class="missing">Nothing was asked in this run.</p>
+        <p class="missing">This run asked no method.</p>
       )}
     </Section>
   );
@@ -367,8 +368,8 @@ export function Methods({ report }: { report: FullReport }) {
       id="methods"
       title="Methods and what they claim"
       lead={
-        "A method is held to what its documentation says of its own tolerance: wrong beyond that is a finding " +
-        "beyond its claim, wrong within it is counted apart."
+        "The claim of a method is the tolerance that its documentation states. An error beyond the claim is a fault. " +
+        "Errors within the claim are counted separately."
       }>
       <details class="print">
         <summary>

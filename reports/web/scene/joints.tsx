@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A slider for each joint that moves by itself, and which pairs are near each other where the sliders stand.
+// A slider for each joint that moves by itself, and the pairs that are near each other at these values.
 import { useMemo } from "preact/hooks";
 import { plural, short } from "../parts/words.ts";
 import { freeJoints, type StudiedLink } from "./kinematics.ts";
@@ -59,7 +59,7 @@ function Near({ study, posed, pick }: { study: Study; posed: Posed; pick: (pair:
       </button>{" "}
       {formatGap(posed.gaps[i]!.distance, 0, unit)}
       {posed.within[i] && standsIn(study, i) && (
-        <span class="soft"> (of the solid around a box or mesh: not known)</span>
+        <span class="soft"> (of the solid around a box or mesh, so it is not known)</span>
       )}
     </li>
   );

@@ -82,9 +82,9 @@ const titles: Record<Column, string> = {
 };
 /** What the columns of models hold, as the heads stand for them. */
 const ofModels: Partial<Record<Column, string>> = {
-  sphere: "False alarms of the spheres around both, by themselves: up to how far beyond the clearance, and how often.",
-  outer: "False alarms of the capsules around both, by themselves: up to how far beyond the clearance, and how often.",
-  inner: "What the capsules inside both miss, by themselves: down to how far below the clearance, and how often.",
+  sphere: "False alarms of the spheres around both, asked alone: the farthest beyond the clearance, and their number.",
+  outer: "False alarms of the capsules around both, asked alone: the farthest beyond the clearance, and their number.",
+  inner: "Misses of the capsules inside both, asked alone: the farthest below the clearance, and their number.",
 };
 const lengths: ReadonlySet<Column> = new Set(["least", "here", "sphere", "outer", "inner"]);
 const riskClass: Record<Risk, string> = {
@@ -241,7 +241,7 @@ export function Pairs({
         rowHeight={rowHeight}
         rowsShown={rowsShown}
       />
-      <p class="only-print">Only the rows that were on the screen are printed; all of them are in the CSV.</p>
+      <p class="only-print">Only the rows that were on the screen are printed. The CSV has all rows.</p>
     </div>
   );
 }
@@ -290,7 +290,7 @@ export function Picked({
           Here they {formatGap(posed.gaps[picked]!.distance, study.clearance, unit)}.
         </span>
         {standsIn(study, picked) && (
-          <span class="soft"> Measured from the solid around a box or mesh, which itself may be farther away.</span>
+          <span class="soft"> This is the gap of the solid around a box or mesh, which may be farther away.</span>
         )}
         {seen && wrongModels.length > 0 && (
           <span class="bad">

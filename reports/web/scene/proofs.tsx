@@ -20,7 +20,7 @@ export function formatProof(study: Study, proof: Proof): string {
         (proof.bound > 0 ? `, and proved: always more than ${formatLength(proof.bound, unit)}` : "")
       );
     case "open":
-      return `open: nothing proved of ${percent(proof.open_share, 1)} of the joints\u2019 space`;
+      return `open: not proved for ${percent(proof.open_share, 1)} of the joints\u2019 space`;
   }
 }
 
@@ -56,12 +56,12 @@ export function Proofs({ study, show }: { study: Study; show: (proof: Proof) => 
     <Section id="proofs" title="Over all motions" lead={asSentence(study.words.motions)}>
       {exemptions.length === 0 ? (
         <p class="soft">
-          {study.srdf ? "The SRDF says of no pair that it never meets." : "No SRDF was read: no pair is exempted."}
+          {study.srdf ? "The SRDF exempts no pair as never in contact." : "No SRDF was read, so no pair is exempted."}
         </p>
       ) : (
         <div class="scroll">
           <table class="plain exemptions">
-            <caption>Pairs of links of which the SRDF says {"\u201cNever\u201d"}</caption>
+            <caption>Pairs of links that the SRDF exempts with the reason {"\u201cNever\u201d"}</caption>
             <thead>
               <tr>
                 {["link", "other link", "verdict", "what is known", "show"].map((head) => (
@@ -82,7 +82,7 @@ export function Proofs({ study, show }: { study: Study; show: (proof: Proof) => 
                     <td class="wrap">
                       {[
                         ...(proof ? [formatProof(study, proof)] : []),
-                        ...(exemption.not_looked_at ? ["a link has shapes that were not looked at"] : []),
+                        ...(exemption.not_looked_at ? ["a link has shapes that were not tested"] : []),
                       ].join("; ")}
                     </td>
                     <td>{proof && <ShowProof proof={proof} show={show} />}</td>

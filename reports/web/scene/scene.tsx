@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The robot, its joints and its pairs. What is looked at stands in the address after '#', so that it can be passed on.
+// The robot, its joints and its pairs. The address after '#' has the view, so that a link shows the same.
 import { useCallback, useEffect, useMemo, useState } from "preact/hooks";
 import type { Cylinder } from "../parts/data.ts";
 import { Copy, Section, Select } from "../parts/elements.tsx";
@@ -162,7 +162,7 @@ export function SceneSection({
       ...(option.reason.model ? { ghosts: new Set([option.reason.model].filter(hasStandIn)) } : {}),
     }));
   };
-  // A proof tells of the joints between its bodies; the others stand at 0, or at the limit nearest to it.
+  // A proof has values of the joints between its bodies. The others are 0, or the limit nearest to 0.
   useEffect(() => {
     if (!asked) return;
     const values = jointValues(study.links, asked.joints);
@@ -207,15 +207,15 @@ export function SceneSection({
           {study.pairs.length > 0 && <Legend study={study} filter={filter} set={setFilter} />}
           <p class="soft">
             {pose.set
-              ? "Red are the bodies and lines of pairs within the clearance where the sliders stand. "
-              : "Bodies have the colour of the most exact model that one of their pairs needs; lines join the " +
+              ? "Bodies and lines of pairs within the clearance are red. "
+              : "Bodies have the colour of the most exact model that one of their pairs needs. Lines join the " +
                 "nearest points of a pair. "}
             {study.bodies.some(({ holds }) => holds) &&
-              "Grey are boxes and the boxes of meshes, clear grey the solids that stand in for them. "}
+              "Boxes and the boxes of meshes are grey, and the solids around them are clear grey. "}
             The squares of the floor are {formatLength(floorCell(frame), unit)} wide; x is red, y green, z blue.{" "}
             {getStage()
-              ? "Drag to turn, wheel to zoom; click a body, then another one, a line, or a row to pick a pair."
-              : "This browser has no WebGL: what is drawn are outlines that cannot be turned."}
+              ? "Drag to turn, use the wheel to zoom. To pick a pair, click two bodies, a line, or a row."
+              : "This browser has no WebGL, so the drawing has outlines that cannot be turned."}
           </p>
           {Object.keys(pose.joints).length > 0 && (
             <details>

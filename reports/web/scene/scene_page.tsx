@@ -17,14 +17,14 @@ const sections = [
   ["scene", "Scene and pairs"],
   ["proofs", "Over all motions"],
   ["cost", "Cost and wrong answers"],
-  ["words", "Words"],
+  ["words", "Glossary"],
 ] as const;
 
 function Header({ study }: { study: Study }) {
   return (
     <header>
       <h1>
-        <a href="#recommendation">daylight</a> <span class="soft">what a scene needs</span>
+        <a href="#recommendation">daylight</a> <span class="soft">the models that a scene needs</span>
       </h1>
       <nav aria-label="Sections">
         {sections.filter(([key]) => key !== "proofs" || study.motions).map(([key, title]) => (
@@ -95,8 +95,8 @@ function Recommendation({ study }: { study: Study }) {
         {words.verified && <li class={/ 0 wrong/.test(words.verified) ? "ok" : "bad"}>{asSentence(words.verified)}</li>}
         {study.asked_referee > 0 && (
           <li>
-            {plural(study.asked_referee, "sample")} left to the referee, {study.undecided} of them not proved and taken
-            for within
+            {plural(study.asked_referee, "sample")} decided by the referee; {study.undecided} of them are not proved and
+            count as within the clearance
           </li>
         )}
       </ul>
@@ -107,7 +107,7 @@ function Recommendation({ study }: { study: Study }) {
         {words.configurations && <li>{asSentence(words.configurations)}</li>}
         {words.left_out.map((text) => (
           <li class="warn" key={text}>
-            Not looked at: <LongList text={text} />
+            Not tested: <LongList text={text} />
           </li>
         ))}
         <Lines lines={study.notes} />
@@ -129,12 +129,12 @@ function Cost({ study }: { study: Study }) {
       id="cost"
       title="Cost and wrong answers"
       lead={
-        "Each model by itself for every pair, in every configuration drawn. To the left is cheaper, on the lowest " +
-        "line nothing is wrong. A sphere or an outer capsule by itself only raises false alarms, an inner capsule " +
-        "only misses."
+        "Each point is one model, asked alone for every pair in every configuration drawn. Points to the left are " +
+        "cheaper. On the lowest line no answer is wrong. A sphere or an outer capsule alone can only raise false " +
+        "alarms, and an inner capsule alone can only miss contacts."
       }>
       <div class="cost">
-        <Figure draw={draw} height={340} label="Wrong answers against time a configuration, a point a model" />
+        <Figure draw={draw} height={340} label="Wrong answers against time per configuration, one point per model" />
         <div class="scroll">
           <table class="plain">
             <thead>
@@ -181,8 +181,8 @@ function Cost({ study }: { study: Study }) {
             </tbody>
           </table>
           <p class="soft">
-            Times are of one configuration with all its pairs. To move the bodies takes {time(ns.kinematics)} more, to
-            make their models {time(ns.models)}.
+            The times are for one configuration with all its pairs. In addition, moving the bodies takes{" "}
+            {time(ns.kinematics)}, and making their models {time(ns.models)}.
           </p>
         </div>
       </div>
@@ -209,7 +209,7 @@ export function StudyPage({ study }: { study: Study }) {
         <Words entries={sceneGlossaryEntries()} />
         <footer class="soft">
           <p>
-            One file; it asks nothing from the network. All of its data:{" "}
+            One file. It uses no network. All of its data:{" "}
             <code>./daylight scene {shellQuoted(study.file)} --json FILE</code>
           </p>
         </footer>

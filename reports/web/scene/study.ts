@@ -238,20 +238,22 @@ export const aModel = (model: Model) =>
       ? "the distance"
       : `${/^[aeiou]/.test(model) ? "an" : "a"} ${model}`;
 const capital = (text: string) => text.charAt(0).toUpperCase() + text.slice(1);
-/** As `daylight scene` says it, in a page's letters. */
+/** A text of `daylight scene` as a sentence of the page. */
 export const asSentence = (text: string) =>
   capital(text.replace(/(\d) us\b/g, "$1 \u00b5s").replaceAll(" - ", " \u2013 "));
 
-/** Formats that are in metres; of others nobody says. */
+/** Some formats are in metres; other formats do not state their unit. */
 export const unitOf = (study: Study) => (/\.(urdf|xacro|xml|mjcf)$/i.test(study.file) ? "m" : "");
 /** A length with its unit, where that is known. */
-export const formatLength = (x: number, unit: string) => (unit && Number.isFinite(x) ? `${short(x)} ${unit}` : short(x));
+export const formatLength = (x: number, unit: string) =>
+  (unit && Number.isFinite(x) ? `${short(x)} ${unit}` : short(x));
 
 export function formatGap(distance: number, clearance: number, unit = ""): string {
   if (distance < 0) return `overlap by ${formatLength(-distance, unit)}`;
   return distance === 0
     ? "touch"
-    : `are ${formatLength(distance, unit)} apart${clearance > 0 ? ` (clearance ${formatLength(clearance, unit)})` : ""}`;
+    : `are ${formatLength(distance, unit)} apart` +
+        (clearance > 0 ? ` (clearance ${formatLength(clearance, unit)})` : "");
 }
 
 /** Whether a pair is measured from a solid that only holds a box or mesh. */
@@ -271,6 +273,6 @@ export function formatReason(study: Study, kept: Shown, reason: Reason): string 
     case "false alarm":
       return `worst false alarm of the ${reason.model}${of}, ${length} beyond the clearance`;
     case "missed":
-      return `most missed by the ${reason.model}${of}, ${length} below the clearance`;
+      return `largest miss of the ${reason.model}${of}, ${length} below the clearance`;
   }
 }
