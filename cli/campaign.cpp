@@ -373,7 +373,7 @@ void add_campaign(Program& program) {
                  "run, or folder of runs; families with more findings there get more pairs");
   command
       .option("--shard I/N", arguments->shard,
-              "do every N-th batch from batch I on, I from 0 (see daylight merge)")
+              "do every N-th batch, starting at batch I < N (see daylight merge)")
       .needs("--seed")
       .needs("--out");
   command.option("--cases DIR", arguments->cases, "folder of case files that come first; '' for none")
@@ -386,7 +386,7 @@ void add_campaign(Program& program) {
   command.flag("--create-only", arguments->create_only, "only create the run folder, for --resume");
   command.section("Self-check");
   command.flag("--self-check,--alarm", arguments->self_check,
-               "inject known faults and fail if one is missed; default from 5 minutes or 3,000,000 pairs");
+               "inject known faults, fail if one is missed (default: on from 5 minutes or 3,000,000 pairs)");
   command.flag("--no-self-check,--no-alarm", arguments->no_self_check, "inject no faults")
       .excludes("--self-check");
   command.section("Output");

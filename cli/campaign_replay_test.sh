@@ -74,7 +74,8 @@ holds 'its families' out '^  random '
 cp -r runs/fcl runs/named && ln -sfn named runs/latest
 expect 2 'triage of the latest' "$daylight" triage runs/latest --for 1s
 holds 'the run it was' out '^page: runs/named/report.html$'
-lacks 'no command of the latest' runs/named/report.html 'runs/latest'
+page_data runs/named/report.html >page.json
+lacks 'no command of the latest' page.json 'runs/latest'
 expect 2 'replay of the latest' "$daylight" replay "runs/latest/:${worst##*:}"
 holds 'the finding it was' out '^runs/named:[0-9]+$'
 

@@ -122,7 +122,7 @@ expect 'an unknown option' 64 '' check --nonsense
 expect 'a number that is none' 64 '' families random --count many
 expect 'version' 0 'daylight [0-9.]+ \(.*\)' --version
 for command in check families bench campaign replay worst; do
-  expect "help of $command" 0 '.*Example:.*' "$command" --help
+  expect "help of $command" 0 '.*Examples:.*' "$command" --help
 done
 
 expect 'families' 0 '.*random .*' families
@@ -202,7 +202,7 @@ for number in -1 -3 +1 1x 1.5 0x10 '' 18446744073709551616 999999999999999999999
   done
 done
 expect 'no pairs' 64 '' bench --pairs 0
-expect 'help of chart' 0 '.*Example:.*' chart --help
+expect 'help of chart' 0 '.*Examples:.*' chart --help
 expect 'no run to chart' 64 '' chart nowhere
 expect 'a folder that holds no run' 64 '' chart empty
 expect 'no jobs' 64 '' campaign --jobs 0

@@ -27,9 +27,6 @@ expect() {
 holds() { grep -qE -- "$3" "$2" || failed "$1: no line of $2 matches $3"; }
 lacks() { ! grep -E -- "$3" "$2" || failed "$1: a line of $2 matches $3"; }
 # page_data FILE: the JSON that a page holds.
-page_data() {
-  sed -n 's/.*id="report-data">\([^<]*\)<.*/\1/p' "$1" |
-    python3 -c 'import base64, sys, zlib; print(zlib.decompress(base64.b64decode(sys.stdin.read())).decode())'
-}
+page_data() { "$source_tree/reports/web/page_data.py" "$1"; }
 # equal NAME WANTED GOT
 equal() { [[ $2 == "$3" ]] || failed "$1: '$3', not '$2'"; }

@@ -260,7 +260,7 @@ void add_gate(Program& program) {
   command
       .option("--method LIST", arguments->methods,
               "methods that must pass: names or prefixes, separated by commas")
-      .default_text("the guests or, without any, ours");
+      .default_text("your plug-ins and commands, else ours");
   add_guest_options(command, arguments->guests);
   command.section("Pairs");
   command.number("--seed N", arguments->seed, "seed; the same seed and number of pairs give the same pairs")
@@ -291,8 +291,7 @@ void add_gate(Program& program) {
   command.option("--keep FILE", arguments->keep, "write the simplified failing pairs as a case file")
       .writable();
   command.section("Pairs");
-  command.option("--reproduce NAME", arguments->reproduce,
-                 "run one drawn case again, by the name that was printed");
+  command.option("--reproduce NAME", arguments->reproduce, "rerun one drawn pair, by its printed name");
   command.section("Output");
   command.flag("--laws", arguments->laws, "only list the laws");
   command.examples(

@@ -74,13 +74,13 @@ void add_guest_options(Command& command, GuestOptions& options) {
       .one_each();
   command
       .option("--claim MARGIN", options.claims,
-              "claim of the guests, relative to the size; NAME=MARGIN for one guest")
+              "claim of plug-ins and commands, relative to the size; NAME=MARGIN for one")
       .one_each();
 }
 
 void add_run_guests_option(Command& command, GuestOptions& options) {
   command.flag("--run-guests", options.of_runs,
-               "start the guests of the run, even if you never started them on this machine");
+               "start the run's plug-ins and commands, even if they are new to this machine");
 }
 
 std::vector<std::unique_ptr<Method>> MethodSet::select(std::string_view spec, std::string_view unnamed) && {

@@ -162,7 +162,7 @@ expect 0 'chart' "$daylight" chart ../shards/all
 cd ..
 if [[ -x $(dirname -- "$daylight")/daylight-mutants ]]; then
   expect 2 'campaign' "$daylight" campaign --self-check --pairs 1500 --seed 4 --cases '' --methods intersect,decide,distance,exact,bad "${guests[@]}" --out runs/alarm
-  holds 'campaign' out '^alarm: [1-9][0-9]* planted faults? found'
+  holds 'campaign' out '^self-check: [1-9][0-9]* planted faults? found'
 else
   "$source_tree/.ci/skip" 'the alarm: ninja -C build/release daylight-mutants' || [[ $? == 77 ]]
 fi

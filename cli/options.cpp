@@ -33,6 +33,11 @@ constexpr const char* exit_codes =
 class HelpFormat final : public CLI::Formatter {
  public:
   HelpFormat() { column_width(27); }
+  std::string make_group(std::string group, bool is_positional,
+                         std::vector<const CLI::Option*> options) const override {
+    const std::string text = Formatter::make_group(group, is_positional, std::move(options));
+    return is_positional || group == "Options" ? text : text.substr(1);  // one empty line is enough
+  }
   std::string make_option_opts(const CLI::Option* o) const override {
     return o->get_items_expected_max() == 0 || o->get_positional() ? "" : ' ' + o->get_type_name();
   }
@@ -41,6 +46,9 @@ class HelpFormat final : public CLI::Formatter {
     return o->get_description() + (standard.empty() ? "" : " (default: " + standard + ')');
   }
 };
+
+/// The check without the words that the parser would put behind the name of the value.
+CLI::Validator unnamed(CLI::Validator check) { return check.description(""); }
 
 struct NameAndValue {
   std::string name, value;
@@ -118,12 +126,12 @@ Option Option::one_of(const std::vector<std::string>& words) const {
   return Option(*option_->check(CLI::IsMember(words)));
 }
 Option Option::within(double least, double most) const {
-  return Option(*option_->check(CLI::Range(least, most)));
+  return Option(*option_->check(unnamed(CLI::Range(least, most))));
 }
 Option Option::not_empty(const std::string& error) const {
   return Option(*option_->check([error](const std::string& text) { return text.empty() ? error : ""; }));
 }
-Option Option::existing_file() const { return Option(*option_->check(CLI::ExistingFile)); }
+Option Option::existing_file() const { return Option(*option_->check(unnamed(CLI::ExistingFile))); }
 Option Option::readable() const {
   return Option(*option_->check([](const std::string& file) {
     const bool is_file = std::filesystem::exists(file) && !std::filesystem::is_directory(file);
@@ -139,7 +147,7 @@ Option Option::writable() const {
     return std::string();
   }));
 }
-Option Option::existing_folder() const { return Option(*option_->check(CLI::ExistingDirectory)); }
+Option Option::existing_folder() const { return Option(*option_->check(unnamed(CLI::ExistingDirectory))); }
 Option Option::default_text(const std::string& text) const { return Option(*option_->default_str(text)); }
 
 Option Command::option(const std::string& declared, Value value, const std::string& help) {

@@ -176,7 +176,7 @@ void add_triage(Program& program) {
       .excludes("--export");
   command.option("--owner NAME", arguments->note.owner, "owner of the cause").needs("--annotate");
   command
-      .option("--note TEXT", arguments->note.note,
+      .option("--note NOTE", arguments->note.note,
               "what is known of the cause; without owner and note, both are removed")
       .needs("--annotate");
   command.examples(

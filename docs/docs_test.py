@@ -92,8 +92,13 @@ def check_english():
     commands = re.findall(r'^  ([a-z]+) {2,}', text, re.M)
     if len(commands) < 15:
         fail(f'--help lists only {len(commands)} commands')
-    found = [f'{command} --help: {message}' for command in [''] + commands for _, message in
-             plain_english.phrases(' '.join((run([command, '--help'], ROOT) if command else text).split()))]
+    helps = {'': text} | {command: run([command, '--help'], ROOT) for command in commands}
+    found = [f'{command} --help: {message}' for command, text in helps.items() for _, message in
+             plain_english.phrases(' '.join(text.split()))]
+    for command, text in helps.items():
+        for option, about in re.findall(r'^  (--\S+.*?)(?: {2,}|\n {10,})(\S.*?)(?: \(default: .*\))?$', text, re.M):
+            if len(about) > 100 or 'TEXT' in option:
+                found.append(f'{command} {option}: at most 100 characters, and a name for the value')
     if found:
         fail('\n'.join(['these phrases in --help'] + found))
 

@@ -40,24 +40,24 @@ inline constexpr double membership_error =
 inline constexpr double underflow_error =
     0x1p-500;  ///< of the same distances, where squares vanish; relative to the pair's largest length
 
-/// Checks the cylinder and brings its axis to unit length, whatever its length was. Once a solid: intersect()
-/// then costs a third of what it does from two Cylinders. Never throws; the defect is in the result.
+/// Checks the cylinder and brings its axis to unit length, whatever its length was. Call it once for each
+/// solid: intersect() then costs a third as much. Never throws; the defect is in the result.
 Prepared prepare(const Cylinder& c) noexcept;
 
 /// Which certificate an answer carries.
 enum class Proof : unsigned char { none, direction, point, points };
 
-/// A verdict with its certificate, in the frame and unit of the cylinders. What no proof fills is 0.
+/// A verdict with its certificate, in the frame and unit of the cylinders. Unused fields are 0.
 struct Answer {
   Verdict verdict = Verdict::undecided;
   Proof proof = Proof::none;
   /// proof == direction: D with f(D) < 0 and D.(b.center - a.center) > 0, of any length.
-  /// proof == point: the common point is exactly point_head + point_tail, or, where a hull is not `space`,
-  /// the point of both hulls that is nearest to it; head is the centre of a or of b. It lies in both solids
-  /// without their rounding.
+  /// proof == point: p = point_head + point_tail (the exact sum; head is the centre of a or of b). The common
+  /// point is p or, if a hull is not `space`, the point of both hulls that is nearest to p. It lies in both
+  /// solids without their rounding.
   /// proof == points: a.center + point_head lies in a and b.center + point_tail in b, both without their
-  /// rounding, and they are no farther apart than a.rounding + b.rounding; where a hull is not `space`, the
-  /// point of that solid's hull nearest to it.
+  /// rounding, and they are no farther apart than a.rounding + b.rounding. If a hull is not `space`, take the
+  /// point of that hull nearest to it instead.
   Vector3 direction{0, 0, 0};
   Vector3 point_head{0, 0, 0};
   Vector3 point_tail{0, 0, 0};
@@ -65,26 +65,26 @@ struct Answer {
   int iterations = 0;  ///< steps inside an edge, at most decide_iteration_cap
 };
 
-/// Yes or no by the sign of the double computation: `disjoint`, `intersecting` (touching included),
-/// `invalid`, or `undecided` at the work cap. Right wherever the margin is >= 1e-13. Symmetric in its
-/// arguments bit for bit. Cost: about 90 operations; where that does not decide, three roots and two
-/// divisions more; in the contact of a wall and a rim two steps of two roots and three divisions in the mean.
+/// Yes or no, without proof, computed in doubles: `disjoint`, `intersecting` (touching included),
+/// `invalid`, or `undecided` at the work cap. Right if |margin| >= 1e-13. Symmetric in its arguments
+/// bit for bit. Cost: about 90 operations; if they do not decide, three roots and two divisions more; for a
+/// wall against a rim, on average two steps of two roots and three divisions.
 Verdict intersect(const Prepared& a, const Prepared& b) noexcept;
 Verdict intersect(const Cylinder& a, const Cylinder& b) noexcept;
 
 /// The same decision with its proof: `disjoint` with a direction or `intersecting` with a point, each beyond
-/// the rounding bound, else `undecided` (or `invalid`). Never wrong. A gap is undecided only where it is less
-/// than 1e-13 of r0 + h0 + r1 + h1 and the roundings; common points only where no ball of 1e-13 of that lies
-/// in both, and of flat solids (of which one is no thicker than that) only where no such disk or segment
-/// does, or where both are: two segments, a point, planes or a plane and a line that cross at a small angle.
-/// Cost: three times that of intersect(), twice where the axes are parallel; within 1e-11 of touching and
-/// beside flat solids up to 0.3 ms, of rounded solids with tiny cores 0.5 ms.
+/// the rounding bound, else `undecided` (or `invalid`). Never wrong. With t = 1e-13 (r0 + h0 + r1 + h1 and
+/// the roundings), a gap is undecided only below t, and an overlap only if no ball of radius t lies in both
+/// solids. If one is flat (no thicker than t), a disk or segment of radius t replaces the ball. If both are
+/// flat, there is no promise for two segments, for a point, and for planes, or a plane and a line, that cross
+/// at a small angle. Cost: three times that of intersect(), twice if the axes are parallel; within 1e-11 of
+/// touching and beside flat solids up to 0.3 ms, of rounded solids with tiny cores 0.5 ms.
 Answer decide(const Prepared& a, const Prepared& b) noexcept;
 Answer decide(const Cylinder& a, const Cylinder& b) noexcept;
 
-/// Whether the solids come within a clearance of each other: what intersect() and decide() say of them where
-/// one is rounded by so much more. A clearance that is negative or not finite, alone or with the roundings,
-/// is `invalid`. Cost: as theirs.
+/// Whether the solids come within a clearance of each other: the answer of intersect() or decide() after the
+/// clearance is added to one rounding. A clearance that is negative or not finite, alone or with the
+/// roundings, is `invalid`. Cost: as theirs.
 Verdict within(const Prepared& a, const Prepared& b, double clearance) noexcept;
 Answer decide_within(const Prepared& a, const Prepared& b, double clearance) noexcept;
 

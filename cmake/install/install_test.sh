@@ -22,8 +22,8 @@ awk '/^```/ && open { close(name); open = 0; next } /^```[a-z]+ file=/ { name = 
 [[ -s CMakeLists.txt && -s consumer.cpp && -s consumer.out ]] || fail "docs/library-use.md lacks an example"
 
 cat >some_oracles.cpp <<'END'
-#include <daylight/oracles/compare.hpp>
-#include <daylight/oracles/contained.hpp>
+#include <daylight/oracles/trial/compare.hpp>
+#include <daylight/oracles/methods/contained.hpp>
 #include <daylight/oracles/referee/decide_exactly.hpp>
 #include <daylight/oracles/trial/trial.hpp>
 int main() {
@@ -97,9 +97,10 @@ try_program() { # prefix
   local daylight=$1/bin/daylight fault
   "$daylight" campaign --methods decide --pairs 1000 --seed 1 --table --out "$1/run" >printed || fail "the installed program: $(cat printed)"
   grep -qE "^corpus +$(cat "$source"/corpus/cases/*.jsonl | grep -c .) " printed || fail "not every case was played: $(cat printed)"
-  grep -q '"command":"daylight campaign ' "$1/run/report.html" || fail "the page tells to run something else"
+  "$source/reports/web/page_data.py" "$1/run/report.html" >page.json
+  grep -q '"command":"daylight campaign ' page.json || fail "the page tells to run something else"
   fault=$(head -n 1 "$source/props/mutants/kill_matrix.jsonl" | sed 's/"like".*//; s/.*"what": "//; s/".*//')
-  grep -qF -- "${fault:?}" "$1/run/report.html" || fail "the page lacks the kill matrix"
+  grep -qF -- "${fault:?}" page.json || fail "the page lacks the kill matrix"
   "$daylight" scene "$1/share/daylight/corpus/scenes/twenty.urdf" >printed || fail "$(cat printed)"
   ! "$daylight" mutants list 2>err || fail "mutants were installed"
   grep -q 'never installed' err || fail "$(cat err)"

@@ -142,7 +142,7 @@ TEST(Export, WhatAMethodReportsIsNotSaidToBeThrown) {
   const Guests guests;
   for (Guest guest : {guests.plugin(), guests.command()}) {
     const auto methods = opened(guest);
-    const Export files = make_export(methods, "faulty", FindingKind::exception, asked_of(7), {&guest, 1});
+    const Export files = make_export(methods, "faulty", FindingKind::reported, asked_of(7), {&guest, 1});
     EXPECT_TRUE(files.issue.starts_with("# faulty says that it failed on two cylinders that are "))
         << files.issue;
     const bool command = guest.kind == GuestKind::command;

@@ -2,16 +2,13 @@
 # SPDX-License-Identifier: MIT
 """What the program given as the first argument writes as JSON, held against the schemas of this folder. Each schema
 also has to refuse what was changed: a field more, a field less, a word that is none."""
-import base64
 import copy
 import json
 import pathlib
-import re
 import shutil
 import subprocess
 import sys
 import tempfile
-import zlib
 
 try:
     import jsonschema
@@ -24,7 +21,6 @@ ROOT = HERE.parents[1]
 PROGRAM = pathlib.Path(sys.argv[1]).resolve()
 PAIR = ('{"a":{"center":[0,0,0],"axis":[0,0,1],"radius":1,"height":2},'
         '"b":{"center":[%s,0,0],"axis":[0,1,0],"radius":1,"height":2}}')
-PAGE = re.compile('id="report-data">(.*?)<')
 
 
 def run(*arguments, given='', codes=(0, 2, 3)):
@@ -100,8 +96,8 @@ def main():
         run('triage', folder / 'runs/two', '--annotate', key, '--owner', 'ada', '--note', 'asked upstream')
         hold('buckets.json', [json.loads((folder / f'{night}.json').read_text()) for night in ('one', 'two')])
         hold('note.json', lines((folder / 'runs/notes.jsonl').read_text()))
-        pages = [PAGE.search((folder / 'runs' / night / 'report.html').read_text())[1] for night in ('one', 'two')]
-        hold('report_data.json', [json.loads(zlib.decompress(base64.b64decode(page))) for page in pages])
+        hold('report_data.json', [json.loads(subprocess.check_output(
+            [ROOT / 'reports/web/page_data.py', folder / 'runs' / night / 'report.html'])) for night in ('one', 'two')])
         if shutil.which('node'):  # what the tests of the page make up has the form that the program writes
             write = 'import("./reports/web/run/sample.mjs").then((m) => console.log(JSON.stringify(m.sample(60))))'
             made_up = subprocess.run(['node', '-e', write], cwd=ROOT, check=True, capture_output=True).stdout

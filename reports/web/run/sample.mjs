@@ -201,7 +201,6 @@ export function sample(findings_total = 400) {
       cause: "a fixed length in it: right at another scale",
       mechanism: "absolute-length",
       methods: i % 2 ? [method] : [method, ...methods.slice(8, 10 + (i % 5)).filter((m) => m !== method)],
-      former_keys: [],
       seen_again: true,
       margin: [10 ** -(3 + (i % 9)), 0.01],
       share: { wrong: 3 + i, asked: 5000 },

@@ -5,7 +5,7 @@ const meanings: Record<string, string> = {
   "box, mesh":
     "A shape that is not tested itself. A ball, capsule or cylinder around it, drawn in clear grey, replaces it.",
   capsule: "All points within a radius of a segment. In the table: the outer capsule.",
-  certified: "An answer with a proof that is checked. The referee decides pairs without such a proof.",
+  certified: "An answer with a proof that is checked. Pairs without such a proof go to the referee.",
   clearance: "A pair is within the clearance if it is no farther apart than this. 0: only contact counts.",
   "comes within": "The pair is within the clearance in a configuration that was drawn, or that the proof found.",
   configuration: "One value for every joint. The study draws configurations at random within the limits.",
