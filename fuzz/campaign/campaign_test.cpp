@@ -58,8 +58,9 @@ TEST_F(Campaign, AFindingHoldsAllThatIsNeededToSeeItAgain) {
     EXPECT_EQ(format_pair(line.value->pair), format_pair(pair));
     EXPECT_EQ(f.family, two_families[f.index % 2].name);
     std::map<std::string, nlohmann::json> answers;
-    for_each_answer(parse_json(f.answers),
-                    [&](const auto& answer, const auto& method) { answers[method] = answer; });
+    for_each_answer(parse_json(f.answers), [&](const auto& answer, const auto& its_methods) {
+      for (const std::string& method : its_methods) answers[method] = answer;
+    });
     ASSERT_EQ(answers.size(), methods.size());
     EXPECT_EQ(answers["good"]["verdict"], to_string(right(pair)));
     EXPECT_EQ(parse_json(f.truth)["verdict"], to_string(right(pair)));

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <map>
+#include <optional>
 #include <set>
 #include <stdexcept>
 #include <unordered_map>
@@ -195,15 +196,25 @@ class Names {
 json said_on(const Shared& shared, Names& names) {
   json said = json::array();
   std::map<std::string, std::size_t> known;
-  for_each_answer(parsed(shared.first->answers), [&](const json& answer, const std::string& method) {
-    json reported = answer;
-    if (!shared.methods.contains(method)) {
-      reported.erase("direction");
-      reported.erase("point");
-    }
+  const auto place_of = [&](json reported) {
     const auto [at, added] = known.try_emplace(reported.dump(), said.size());
     if (added) said.push_back({std::move(reported), json::array()});
-    said[at->second][1].push_back(names.index(method));
+    return at->second;
+  };
+  for_each_answer(parsed(shared.first->answers), [&](const json& answer, const auto& methods) {
+    std::optional<std::size_t> whole, bare;  // places, with witnesses and without
+    for (const std::string& method : methods) {
+      std::optional<std::size_t>& place = shared.methods.contains(method) ? whole : bare;
+      if (!place) {
+        json reported = answer;
+        if (&place == &bare) {
+          reported.erase("direction");
+          reported.erase("point");
+        }
+        place = place_of(std::move(reported));
+      }
+      said[*place][1].push_back(names.index(method));
+    }
   });
   return said;
 }

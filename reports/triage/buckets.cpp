@@ -194,10 +194,10 @@ Json case_json(const ShownPair& shown, const std::optional<CaseDistance>& distan
     const std::size_t m = index_of(methods, finding->method);
     const bool right_today = m == methods.size() || !trial.findings[m];
     const Json said = Json::parse(finding->answers, nullptr, false);
-    for_each_answer(said, [&](const Json& answer, const std::string& method) {
-      if (!right_today || method != finding->method) return;
-      c["answers"][method] = answer;
-      c["note"] = fmt::format("{} said this in the run; asked again, alone, it does not", method);
+    for_each_answer(said, [&](const Json& answer, const auto& its_methods) {
+      if (!right_today || std::ranges::count(its_methods, finding->method) == 0) return;
+      c["answers"][finding->method] = answer;
+      c["note"] = fmt::format("{} said this in the run; asked again, alone, it does not", finding->method);
     });
   }
   c["replay"] = own_command() + " replay " + shell_quoted(replayed);
