@@ -128,7 +128,7 @@ std::optional<Run> verify(const Candidate& candidate, const Family& family, std:
   std::vector<std::size_t> asked;
   const std::size_t share = std::max<std::size_t>(1, proved.size() / candidate.method->share());
   for (std::size_t i = 0; i < std::min(proved.size(), std::max(share, least)); ++i) {
-    if (!candidate.method->takes(proved[i].pair)) continue;
+    if (!candidate.method->supports(proved[i].pair)) continue;
     const bool disjoint = proved[i].truth.verdict == Verdict::disjoint;
     if (!asks_distance(candidate) || (candidate.query == "distance") == disjoint) asked.push_back(i);
   }

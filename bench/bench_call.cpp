@@ -49,7 +49,7 @@ class Contained : public Method {
   std::string_view name() const override { return "bench"; }
   std::string_view version() const override { return ""; }
   Claim claim() const override { return {}; }
-  bool takes(SolidKind) const override { return true; }
+  bool supports(SolidKind) const override { return true; }
   MethodAnswer answer(const Pair& pair) override { return ask_(pair); }
 
  private:

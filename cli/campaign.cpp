@@ -97,8 +97,8 @@ void set_shard(const std::string& text, CampaignOptions& options) {
 /// solids, they are spared those.
 bool asks_rounded(const std::vector<std::unique_ptr<Method>>& methods, const CampaignOptions& options) {
   const auto knows_roundings = [](const auto& method) {
-    return !method->guest() || method->takes(SolidKind::sphere) || method->takes(SolidKind::capsule) ||
-           method->takes(SolidKind::rounded);
+    return !method->guest() || method->supports(SolidKind::sphere) || method->supports(SolidKind::capsule) ||
+           method->supports(SolidKind::rounded);
   };
   return options.guests.empty() || std::ranges::any_of(methods, knows_roundings);
 }
@@ -108,7 +108,7 @@ void print_not_asked(const std::vector<std::unique_ptr<Method>>& methods) {
     if (!method->guest()) continue;
     std::string kinds;
     for (const SolidKind kind : enum_values<SolidKind>)
-      if (!method->takes(kind)) kinds.append(kinds.empty() ? "" : ", ").append(to_string(kind));
+      if (!method->supports(kind)) kinds.append(kinds.empty() ? "" : ", ").append(to_string(kind));
     if (!kinds.empty())
       fmt::print("not asked about solids that {} does not take: {}\n", method->name(), kinds);
   }

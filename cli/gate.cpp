@@ -79,16 +79,16 @@ std::string case_lines(const GateReport& report) {
 }
 
 int reproduce(const GateArguments& arguments, std::span<const std::unique_ptr<Method>> methods) {
-  const Wanted all = [](std::size_t, const Law&) { return true; };
-  bool broken = false;
+  const LawFilter all = [](std::size_t, const Law&) { return true; };
+  bool violation = false;
   for (const LawFailure& c :
-       find_break_again(methods, all, arguments.reproduce, GateOptions{}.caps).failures) {
+       find_violation_again(methods, all, arguments.reproduce, GateOptions{}.caps).failures) {
     fmt::print("{} breaks law {}, {} ({}): {}\n  {}\n", methods[c.method]->name(), c.law->number, c.law->name,
-               to_string(c.broken.severity), c.broken.what, format_pair(c.shrunk.value_or(c.pair)));
-    broken |= c.broken.severity == Severity::contract;
+               to_string(c.violation.severity), c.violation.what, format_pair(c.shrunk.value_or(c.pair)));
+    violation |= c.violation.severity == Severity::contract;
   }
-  if (!broken) fmt::print("no law is broken beyond a claim\n");
-  return broken ? exit_findings : exit_pass;
+  if (!violation) fmt::print("no law is broken beyond a claim\n");
+  return violation ? exit_findings : exit_pass;
 }
 
 /// Returns the options of `replay` that have it ask the same methods, and hold them to the laws that failed.

@@ -40,12 +40,12 @@ struct JudgeOptions {
 constexpr std::uint64_t told_cap = 20;
 
 /// Tells of lines, so many of them and no more.
-class Told {
+class ErrorPrinter {
  public:
   void operator()(const std::string& file, std::size_t line, const std::string& what) {
     if (++count_ <= told_cap) fmt::print(stderr, "{}:{}: {}\n", one_line(file), line, one_line(what));
   }
-  ~Told() {
+  ~ErrorPrinter() {
     if (count_ > told_cap) fmt::print(stderr, "and {} more lines with something wrong\n", count_ - told_cap);
   }
 
@@ -102,10 +102,10 @@ void print_findings(const OfflineJudge& judged, const JudgeOptions& options) {
 }
 
 int judge_answers(const JudgeOptions& options) {
-  Told told;
-  const Complain complain = std::ref(told);
+  ErrorPrinter told;
+  const OnBadLine on_bad_line = std::ref(told);
   std::optional<Questions> questions;
-  if (!options.pairs.empty()) questions.emplace(options.pairs, complain);
+  if (!options.pairs.empty()) questions.emplace(options.pairs, on_bad_line);
   std::ifstream file;
   double bytes = 0;
   if (options.answers != "-") {
@@ -115,7 +115,7 @@ int judge_answers(const JudgeOptions& options) {
   }
   std::istream& in = options.answers == "-" ? std::cin : file;
   OfflineJudge judged({options.name, options.claim < 0 ? std::optional<double>() : options.claim},
-                      questions ? &*questions : nullptr, complain);
+                      questions ? &*questions : nullptr, on_bad_line);
   {
     ProgressLine line;
     const auto start = std::chrono::steady_clock::now();

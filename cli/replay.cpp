@@ -83,17 +83,17 @@ class Replayer {
       std::vector<Pair> pairs;
       for (std::size_t i = 0; i < count; ++i) pairs.push_back(targets_[first + i].pair);
       const std::vector<Trial> now = try_methods(methods_, pairs, Caps{}, 2);
-      const Wanted wanted = [&](std::size_t, const Law& law) {
+      const LawFilter wanted = [&](std::size_t, const Law& law) {
         return std::find(laws_.begin(), laws_.end(), law.number) != laws_.end();
       };
       const Examined examined = laws_.empty() ? Examined{} : examine(methods_, pairs, wanted);
       for (std::size_t i = 0; i < count; ++i) {
         print(targets_[first + i], now[i]);
         bool beyond = stands_by_contract(targets_[first + i], now[i]);
-        for (const BrokenLaw& broken : examined.broken) {
-          if (broken.pair != i) continue;
-          print(broken);
-          beyond |= broken.broken.severity == Severity::contract;
+        for (const LawViolation& violation : examined.violations) {
+          if (violation.pair != i) continue;
+          print(violation);
+          beyond |= violation.violation.severity == Severity::contract;
         }
         contract_ += beyond;
       }
@@ -129,9 +129,9 @@ class Replayer {
     undecided_ += now.truth.verdict == Verdict::undecided;
   }
 
-  void print(const BrokenLaw& b) const {
+  void print(const LawViolation& b) const {
     fmt::print("  {} breaks law {} {} ({}): {}\n    {}\n", methods_[b.method]->name(), b.law->number,
-               b.law->name, to_string(b.broken.severity), b.broken.what, b.law->statement);
+               b.law->name, to_string(b.violation.severity), b.violation.what, b.law->statement);
     for (std::size_t i = 0; i < b.asked.size(); ++i)
       fmt::print("    asked {}\n    says  {}\n", format_pair(b.asked[i].pair),
                  format_method_answer(b.answers[i]));

@@ -25,7 +25,7 @@ constexpr std::size_t page_cap = 200;
 struct SceneArguments {
   std::string json, page, srdf, srdf_out;
   std::vector<std::string> at;
-  SceneQuestion question;
+  SceneOptions question;
 };
 
 /// Reads "elbow=0.5". Throws UsageError where the text is no such thing.
@@ -66,7 +66,7 @@ void write_results(const SceneArguments& arguments, const Scene& scene, const Sc
 }
 
 int study(SceneArguments& arguments) {
-  SceneQuestion& question = arguments.question;
+  SceneOptions& question = arguments.question;
   check_length("--clearance", question.clearance);
   check_length("--tolerate", question.tolerated);
   if (!(question.rate > 0 && question.rate <= 1)) throw UsageError("--rate is a share: above 0, 1 at most");
@@ -92,14 +92,14 @@ int study(SceneArguments& arguments) {
   if (s.verification && s.verification->wrong > 0) return exit_findings;
   const auto is_refuted = [](const ExemptionProof& e) { return e.verdict == MotionVerdict::refuted; };
   const auto is_open = [](const auto& proof) { return proof.verdict == MotionVerdict::open; };
-  if (s.motions && (s.motions->gainsaid > 0 || std::ranges::any_of(s.motions->exemptions, is_refuted)))
+  if (s.motions && (s.motions->contradicted > 0 || std::ranges::any_of(s.motions->exemptions, is_refuted)))
     return exit_findings;
   const bool left_open = s.motions && (std::ranges::any_of(s.motions->pairs, is_open) ||
                                        std::ranges::any_of(s.motions->exemptions, is_open));
   const bool not_proved = left_open || s.undecided > 0 || (s.verification && s.verification->undecided > 0);
   const bool not_known =
       !std::ranges::all_of(s.pairs, [&](const PairStudy& p) { return is_known(scene, p); });
-  const bool not_seen = !scene.left_out.empty() || !held_between(scene, s).empty();
+  const bool not_seen = !scene.left_out.empty() || !joints_held_between(scene, s).empty();
   return not_proved || not_known || not_seen ? exit_undecided : exit_pass;
 }
 
@@ -107,7 +107,7 @@ int study(SceneArguments& arguments) {
 
 void add_scene(Program& program) {
   auto arguments = std::make_shared<SceneArguments>();
-  SceneQuestion& question = arguments->question;
+  SceneOptions& question = arguments->question;
   question.rate = 0.003;  // the rule of three on 1000 draws
   Command command = program.command(
       "Measure", "scene", "Reports which model of its shapes a scene or robot needs, and at what cost");

@@ -116,7 +116,7 @@ std::pair<std::size_t, std::size_t> expect_approaches(const std::string& name, s
                                                       bool each_link) {
   const std::string file = folder + name;
   const Scene scene = read_scene(file);
-  SceneQuestion question;
+  SceneOptions question;
   question.clearance = 0.02;
   question.configurations = configurations;
   question.each_link = each_link;

@@ -10,7 +10,7 @@ bool is_known(const Scene& scene, const PairStudy& pair) {
   return pair.within == 0 || (!scene.bodies[pair.a].box && !scene.bodies[pair.b].box);
 }
 
-std::vector<std::size_t> held_between(const Scene& scene, const PairStudy& pair) {
+std::vector<std::size_t> joints_held_between(const Scene& scene, const PairStudy& pair) {
   std::vector<std::size_t> links;
   // A parent comes before its link: the later of the two goes up until they meet.
   std::size_t a = scene.bodies[pair.a].link, b = scene.bodies[pair.b].link;
@@ -23,10 +23,10 @@ std::vector<std::size_t> held_between(const Scene& scene, const PairStudy& pair)
   return links;
 }
 
-std::vector<std::string> held_between(const Scene& scene, const SceneStudy& study) {
+std::vector<std::string> joints_held_between(const Scene& scene, const SceneStudy& study) {
   std::set<std::size_t> between;
   for (const PairStudy& pair : study.pairs)
-    for (const std::size_t link : held_between(scene, pair)) between.insert(link);
+    for (const std::size_t link : joints_held_between(scene, pair)) between.insert(link);
   std::vector<std::string> joints;
   for (const std::size_t link : between) joints.push_back(scene.links[link].joint);
   return joints;

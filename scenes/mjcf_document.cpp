@@ -113,7 +113,7 @@ void MjcfDocument::set_compiler() {
 }
 
 // A class has what the class around it has, but for what it says itself.
-void MjcfDocument::read_class(pugi::xml_node node, const std::string& name, Given given) {
+void MjcfDocument::read_class(pugi::xml_node node, const std::string& name, Defaults given) {
   for (const pugi::xml_node& child : node.children())
     for (const pugi::xml_attribute& attribute : child.attributes())
       if (std::strcmp(child.name(), "default") != 0)

@@ -63,9 +63,9 @@ class MjcfDocument {
                                                      const std::string& element) const;
 
  private:
-  using Given = std::map<std::string, std::map<std::string, std::string>>;  // element, attribute: value
+  using Defaults = std::map<std::string, std::map<std::string, std::string>>;  // element, attribute: value
   void include(pugi::xml_node parent, const std::string& folder);
-  void read_class(pugi::xml_node node, const std::string& name, Given given);
+  void read_class(pugi::xml_node node, const std::string& name, Defaults given);
   void set_compiler();
 
   pugi::xml_document document_;
@@ -74,7 +74,7 @@ class MjcfDocument {
   bool degrees_ = true, autolimits_ = true, strippath_ = false, limits_ = true, equalities_ = true,
        filters_parents_ = true;
   int included_ = 0;
-  std::map<std::string, Given> classes_;
+  std::map<std::string, Defaults> classes_;
 };
 
 /// Returns the quaternion that turns z to a direction the shortest way.

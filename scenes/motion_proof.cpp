@@ -318,7 +318,7 @@ MotionStudy prove_motions(const Scene& scene, const BodyPairs& pairs, const Moti
   add(study.others);
   for (ExemptionProof& e : study.exemptions) add(e.bodies);
   gainsay(scene, all, question.seed + 1, question.against);
-  study.gainsaid = static_cast<std::size_t>(std::ranges::count(all, true, &MotionProof::gainsaid));
+  study.contradicted = static_cast<std::size_t>(std::ranges::count(all, true, &MotionProof::contradicted));
   std::ranges::for_each(study.exemptions, conclude);
   return study;
 }
@@ -328,7 +328,7 @@ void gainsay(MotionProof& proof, double seen) {
   proof.verdict = MotionVerdict::open;
   proof.bound = 0;
   proof.open_share = 1;
-  proof.gainsaid = true;
+  proof.contradicted = true;
 }
 
 void gainsay(const Scene& scene, std::span<MotionProof* const> proofs, std::uint64_t seed,

@@ -46,9 +46,9 @@ struct MotionProof {
   std::vector<std::size_t> between;  ///< links whose free joints move the bodies against each other
   std::size_t boxes = 0;             ///< that were looked at
   double open_share = 0;             ///< of the joints' space, nothing is proved of so much
-  bool bounded = false;   ///< `open`: within the clearance, but of a solid that only holds a box or mesh
-  bool held = false;      ///< a joint between them moves farther in truth than here: it is never `never`
-  bool gainsaid = false;  ///< `open`: they were seen nearer than was proved, which is a fault of ours
+  bool bounded = false;       ///< `open`: within the clearance, but of a solid that only holds a box or mesh
+  bool held = false;          ///< a joint between them moves farther in truth than here: it is never `never`
+  bool contradicted = false;  ///< `open`: they were seen nearer than was proved, which is a fault of ours
 };
 
 /// Proves or refutes that two bodies stay farther from each other than the clearance. The configurations are
@@ -72,7 +72,7 @@ struct MotionStudy {
   std::vector<MotionProof> others;         ///< of pairs that are not checked
   double ms = 0;                           ///< of CPU time, without the check
   std::size_t against = 0;                 ///< configurations drawn for it
-  std::size_t gainsaid = 0;                ///< pairs of bodies of which a proof was taken back
+  std::size_t contradicted = 0;            ///< pairs of bodies of which a proof was taken back
 };
 
 struct BodyPair {

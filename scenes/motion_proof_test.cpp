@@ -178,10 +178,10 @@ TEST(MotionProof, NoConfigurationGainsaysIt) {
     EXPECT_GT(never.size(), 0u) << file;
     for (MotionProof& proof : never) all.push_back(&proof);
     gainsay(scene, all, 7, 2000);
-    EXPECT_EQ(std::ranges::count(never, true, &MotionProof::gainsaid), 0) << file;
+    EXPECT_EQ(std::ranges::count(never, true, &MotionProof::contradicted), 0) << file;
     never[0].bound = never[0].least * 1.5 + 0.01;
     gainsay(scene, all, 7, 2000);
-    EXPECT_EQ(std::ranges::count(never, true, &MotionProof::gainsaid), 1)
+    EXPECT_EQ(std::ranges::count(never, true, &MotionProof::contradicted), 1)
         << file << ": a false bound is seen";
     EXPECT_EQ(never[0].verdict, MotionVerdict::open);
   }
@@ -191,7 +191,7 @@ TEST(MotionProof, NoConfigurationGainsaysIt) {
 // round: proofs then take the joint for fixed, and draws do not.
 TEST(MotionProof, WhatDrawsDenyIsTakenBack) {
   Scene scene = sweeper(std::numbers::pi, -std::numbers::pi);
-  SceneQuestion q;
+  SceneOptions q;
   q.prove = true;
   const auto proved = [&] { return *study_scene(scene, q).motions; };
   q.configurations = 1;
@@ -205,8 +205,8 @@ TEST(MotionProof, WhatDrawsDenyIsTakenBack) {
   const MotionStudy denied = proved();
   EXPECT_EQ(denied.pairs[0].verdict, MotionVerdict::open);
   EXPECT_EQ(denied.exemptions[0].verdict, MotionVerdict::open);
-  EXPECT_TRUE(denied.pairs[0].gainsaid);
-  EXPECT_EQ(denied.gainsaid, 2u);
+  EXPECT_TRUE(denied.pairs[0].contradicted);
+  EXPECT_EQ(denied.contradicted, 2u);
 }
 
 // What comes near is only the bound around a box or mesh: that refutes nothing.

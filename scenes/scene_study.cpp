@@ -24,7 +24,7 @@ constexpr std::chrono::duration<double> timed_least = std::chrono::milliseconds(
 
 class Study {
  public:
-  Study(const Scene& scene, const SceneQuestion& question) : scene_(scene), q_(question) {
+  Study(const Scene& scene, const SceneOptions& question) : scene_(scene), q_(question) {
     result_.bodies = scene.bodies.size();
     result_.drawn = moves(scene) && q_.at.empty();
     result_.configurations = result_.drawn ? q_.configurations : 1;
@@ -67,7 +67,7 @@ class Study {
   // A model that fails after all loses the pair to the next, which is asked again.
   void go_on() {
     const auto unsure = [&](const PairStudy& pair) {
-      return rests_on_samples(pair) && error_rate_bound(pair.samples, 0) > q_.rate;
+      return is_statistical(pair) && error_rate_bound(pair.samples, 0) > q_.rate;
     };
     for (std::size_t k = result_.configurations; k < q_.most; ++k) {
       if (std::ranges::none_of(result_.pairs, unsure)) return;
@@ -258,7 +258,7 @@ class Study {
   }
 
   const Scene& scene_;
-  const SceneQuestion& q_;
+  const SceneOptions& q_;
   SceneStudy result_;
   std::vector<Cylinder> placed_;
   std::vector<ProxyModels> models_;
@@ -285,7 +285,7 @@ double weight_of(const Cascade& cascade, const PairStudy& pair) {
 
 }  // namespace
 
-std::vector<double> joints_of(const Scene& scene, const SceneQuestion& question, std::size_t configuration) {
+std::vector<double> joints_of(const Scene& scene, const SceneOptions& question, std::size_t configuration) {
   if (moves(scene) && question.at.empty()) return draw_joints(scene, question.seed, configuration);
   return joints_at(scene, question.at);
 }
@@ -358,7 +358,7 @@ bool suffices(const PairStudy& pair, Level level, double tolerated) {
   return s.wrong == 0 || (s.missed.length == 0 && s.alarm.length > 0 && s.alarm.length <= tolerated);
 }
 
-bool rests_on_samples(const PairStudy& pair) {
+bool is_statistical(const PairStudy& pair) {
   return pair.cascade.last == Level::sphere || pair.cascade.last == Level::outer;
 }
 
@@ -381,7 +381,7 @@ Cascade recommend(const PairStudy& pair, double tolerated) {
   return best;
 }
 
-SceneStudy study_scene(const Scene& scene, const SceneQuestion& question) {
+SceneStudy study_scene(const Scene& scene, const SceneOptions& question) {
   if (scene.bodies.size() > study_cap)
     throw UsageError("more than " + std::to_string(study_cap) + " cylinders");
   return Study(scene, question).run();

@@ -17,7 +17,7 @@
 
 namespace cyl {
 
-struct SceneQuestion {
+struct SceneOptions {
   std::string file;      ///< where the scene comes from, for the report
   double clearance = 0;  ///< is any pair this near or nearer? In the scene's unit
   double tolerated = 0;  ///< false alarms of pairs farther than the clearance by up to this are no harm
@@ -107,7 +107,7 @@ struct SceneStudy {
 };
 
 /// Throws UsageError if `at` names no joint, or if the scene has more than study_cap bodies.
-SceneStudy study_scene(const Scene& scene, const SceneQuestion& question);
+SceneStudy study_scene(const Scene& scene, const SceneOptions& question);
 /// All pairs of so many bodies are asked about one by one.
 inline constexpr std::size_t study_cap = 1000;
 
@@ -116,11 +116,11 @@ inline constexpr std::size_t study_cap = 1000;
 bool is_known(const Scene& scene, const PairStudy& pair);
 
 /// Returns the links whose joints are held here, move in truth and lie between the two.
-std::vector<std::size_t> held_between(const Scene& scene, const PairStudy& pair);
+std::vector<std::size_t> joints_held_between(const Scene& scene, const PairStudy& pair);
 
 /// Returns the joints that are held and stand between the bodies of a checked pair: of how such a pair moves
 /// nothing is known.
-std::vector<std::string> held_between(const Scene& scene, const SceneStudy& study);
+std::vector<std::string> joints_held_between(const Scene& scene, const SceneStudy& study);
 
 /// A model over all pairs.
 struct Total {
@@ -135,7 +135,7 @@ Total total_of(const SceneStudy& study, Level level, double tolerated);
 std::vector<double> tried_roundings(const Scene& scene);
 
 /// Returns the joints of one of the study's configurations.
-std::vector<double> joints_of(const Scene& scene, const SceneQuestion& question, std::size_t configuration);
+std::vector<double> joints_of(const Scene& scene, const SceneOptions& question, std::size_t configuration);
 
 /// Returns whether the referee proves a pair within the clearance; nothing if it proves neither.
 std::optional<bool> referee_within(const Pair& pair, double clearance);
@@ -145,7 +145,7 @@ bool suffices(const PairStudy& pair, Level level, double tolerated);
 
 /// Returns whether what is recommended is known from samples alone, not from what the model is: of a ball or
 /// a capsule that it raises no false alarm.
-bool rests_on_samples(const PairStudy& pair);
+bool is_statistical(const PairStudy& pair);
 
 /// Returns the simplest model that answers all samples of a pair right where it is accepted: sphere, capsule,
 /// cylinder, distance, proof. What is cheapest is another question: `recommend`.

@@ -11,7 +11,7 @@ namespace {
 
 class Chooser {
  public:
-  Chooser(const SceneQuestion& question, const SceneStudy& study) : q_(question), s_(study) {}
+  Chooser(const SceneOptions& question, const SceneStudy& study) : q_(question), s_(study) {}
 
   std::vector<Shown> chosen() {
     for (std::size_t k = 0; k < std::min(first_shown_cap, s_.configurations); ++k) add(k, {});
@@ -54,7 +54,7 @@ class Chooser {
     for (const std::size_t i : worst) add(of(i).configuration, {reason, i, level, of(i).length});
   }
 
-  const SceneQuestion& q_;
+  const SceneOptions& q_;
   const SceneStudy& s_;
   std::vector<Shown> shown_;
 };
@@ -75,7 +75,7 @@ Sample sample_of(const ProxyModels& a, const ProxyModels& b, const Pair& solids,
 
 }  // namespace
 
-std::vector<Shown> shown_configurations(const Scene& scene, const SceneQuestion& question,
+std::vector<Shown> shown_configurations(const Scene& scene, const SceneOptions& question,
                                         const SceneStudy& study) {
   std::vector<Shown> all = Chooser(question, study).chosen();
   for (Shown& shown : all) {

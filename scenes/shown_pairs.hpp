@@ -51,7 +51,7 @@ inline constexpr std::size_t first_shown_cap = 2, worst_shown_cap = 2;
 
 /// Returns each configuration once, in the order of the reasons: drawn first, closest, then the models from
 /// the cheapest on. Costs a few microseconds a pair and configuration.
-std::vector<Shown> shown_configurations(const Scene& scene, const SceneQuestion& question,
+std::vector<Shown> shown_configurations(const Scene& scene, const SceneOptions& question,
                                         const SceneStudy& study);
 
 }  // namespace cyl

@@ -12,8 +12,8 @@
 namespace cyl {
 namespace {
 
-SceneQuestion question(double clearance) {
-  SceneQuestion q;
+SceneOptions question(double clearance) {
+  SceneOptions q;
   q.clearance = clearance;
   q.configurations = 60;
   return q;
@@ -22,7 +22,7 @@ SceneQuestion question(double clearance) {
 class ShownOfTwenty : public testing::TestWithParam<double> {
  protected:
   const Scene scene = read_scene(DAYLIGHT_SOURCE_DIR "/corpus/scenes/twenty.urdf");
-  const SceneQuestion q = question(GetParam());
+  const SceneOptions q = question(GetParam());
   const SceneStudy study = study_scene(scene, q);
   const std::vector<Shown> shown = shown_configurations(scene, q, study);
 };
@@ -95,7 +95,7 @@ INSTANTIATE_TEST_SUITE_P(Clearance, ShownOfTwenty, testing::Values(0.0, 0.02));
 TEST(Shown, WhatStandsStillIsKeptOnce) {
   const Scene scene =
       still_scene({{"low", {{0, 0, 0}, {0, 0, 1}, 1, 10}}, {"high", {{0, 0, 11.5}, {0, 0, 1}, 1, 10}}});
-  const SceneQuestion q = question(0);
+  const SceneOptions q = question(0);
   const std::vector<Shown> shown = shown_configurations(scene, q, study_scene(scene, q));
   ASSERT_EQ(shown.size(), 1u);
   ASSERT_EQ(shown[0].highlights.size(), 3u);
@@ -107,7 +107,7 @@ TEST(Shown, WhatStandsStillIsKeptOnce) {
 
 TEST(Shown, NothingToCheckIsStillSeen) {
   const Scene scene = still_scene({{"alone", {{1, 2, 3}, {0, 0, 1}, 1, 10}}});
-  const SceneQuestion q = question(0);
+  const SceneOptions q = question(0);
   const std::vector<Shown> shown = shown_configurations(scene, q, study_scene(scene, q));
   ASSERT_EQ(shown.size(), 1u);
   EXPECT_EQ(shown[0].placed[0].center, Vector3(1, 2, 3));

@@ -95,7 +95,7 @@ TEST(Sound, AFollowerOfAHeldJointIsHeld) {
     PairStudy pair;
     pair.a = body_of(scene, "arm");
     pair.b = body_of(scene, "post");
-    EXPECT_EQ(held_between(scene, pair).size(), 1u) << type;
+    EXPECT_EQ(joints_held_between(scene, pair).size(), 1u) << type;
   }
 }
 

@@ -11,7 +11,7 @@
 
 #include "solver/detail/both_solids.hpp"
 #include "solver/detail/optimum.hpp"
-#include "solver/detail/prove_with_room.hpp"
+#include "solver/detail/prove_with_slack.hpp"
 #include "solver/detail/rounded.hpp"
 
 namespace cyl {
@@ -207,7 +207,7 @@ bool find_point_otherwise(const SectionsOfBoth& f, double error, PlaneWeights& x
 
 // What the five directions and the first point leave open: axes at an angle, with what is known of them, or
 // not.
-struct Open {
+struct Unresolved {
   bool steep;
   SectionsOfBoth f;
   double error;
@@ -216,8 +216,8 @@ struct Open {
 
 // The common case, where the separating-axis filter decides by more than rounding and the numbers it compared
 // are proof enough (section 8): ordinary solids, axes at an angle or one. False: `open` says what is known.
-[[gnu::always_inline]] inline bool prove_at_first_sight(const Prepared& a, const Prepared& b, Open& open,
-                                                        Answer& answer) noexcept {
+[[gnu::always_inline]] inline bool prove_by_filter(const Prepared& a, const Prepared& b, Unresolved& open,
+                                                   Answer& answer) noexcept {
   const double cosine = cosine_of(a, b);
   open.steep = magnitude(cosine) <= steep_cosine;
   if (!open.steep) return a.unit_axis == b.unit_axis && prove_with_one_axis(a, b, answer);
@@ -239,11 +239,11 @@ struct Open {
   return true;
 }
 
-bool prove_steep(const Prepared& a, const Prepared& b, Open& open, Answer& answer) noexcept {
+bool prove_steep(const Prepared& a, const Prepared& b, Unresolved& open, Answer& answer) noexcept {
   const SectionsOfBoth& f = open.f;
   const auto filter = separating_axis_filter(f);
   if (filter.apart) return false;
-  if (filter.met) {
+  if (filter.overlaps) {
     if (!find_point_again(f, open.error, open.x) && !find_point_otherwise(f, open.error, open.x))
       return false;
     hand_out(a, b, f, open.x, answer);
@@ -271,8 +271,8 @@ bool prove_steep(const Prepared& a, const Prepared& b, Open& open, Answer& answe
     Prepared a = first, b = second;
     a.center = {0, 0, 0}, b.center = p.delta;
     a.radius = p.r0, a.height = 2 * p.h0, b.radius = p.r1, b.height = 2 * p.h1;
-    if (Open open;
-        prove_at_first_sight(a, b, open, answer) || (open.steep && prove_steep(a, b, open, answer))) {
+    if (Unresolved open;
+        prove_by_filter(a, b, open, answer) || (open.steep && prove_steep(a, b, open, answer))) {
       answer.point_head = first.center;
       answer.point_tail = times_power(answer.point_tail, p.exponent);
       if (answer.point_tail.allFinite()) return;
@@ -286,7 +286,7 @@ bool prove_steep(const Prepared& a, const Prepared& b, Open& open, Answer& answe
   } else {
     const Frame frame(p, axes);
     if (!prove_by_filter(question, p, frame)) prove_at_optimum(question, p, frame);
-    if (answer.proof == Proof::none) prove_with_room(question, axes);
+    if (answer.proof == Proof::none) prove_with_slack(question, axes);
   }
   if (answer.proof == Proof::none && first.center == second.center) {
     answer.verdict = Verdict::intersecting;
@@ -296,8 +296,8 @@ bool prove_steep(const Prepared& a, const Prepared& b, Open& open, Answer& answe
 }
 
 // By value, so that nobody else has to keep `open` in memory.
-[[gnu::noinline]] void prove_open(const Prepared& first, const Prepared& second, Open open,
-                                  Answer& answer) noexcept {
+[[gnu::noinline]] void prove_unresolved(const Prepared& first, const Prepared& second, Unresolved open,
+                                        Answer& answer) noexcept {
   if (!open.steep || !prove_steep(first, second, open, answer)) prove_in_full(first, second, answer);
 }
 
@@ -310,10 +310,10 @@ template <bool ordinary>
   constexpr double turns[] = {1, -1};
   const Prepared* const roles[] = {&a, &b};
   const Prepared &first = *roles[swapped], &second = *roles[!swapped];
-  Open open;
-  if (!ordinary || !prove_at_first_sight(first, second, open, answer)) {
+  Unresolved open;
+  if (!ordinary || !prove_by_filter(first, second, open, answer)) {
     if (ordinary)
-      prove_open(first, second, open, answer);
+      prove_unresolved(first, second, open, answer);
     else
       prove_in_full(first, second, answer);
     if (swapped) std::swap(answer.hull_a, answer.hull_b);

@@ -10,24 +10,24 @@ namespace cyl {
 namespace {
 
 // Without a branch: which of the two it is cannot be predicted, that it is one of them can.
-Verdict verdict_of(bool met) noexcept {
+Verdict verdict_of(bool overlaps) noexcept {
   static_assert(static_cast<int>(Verdict::disjoint) == 0 && static_cast<int>(Verdict::intersecting) == 1);
-  return static_cast<Verdict>(met);
+  return static_cast<Verdict>(overlaps);
 }
 
 // After separating_axis_filter has seen neither.
-[[gnu::noinline]] Verdict settle(const Sections<double>& f) noexcept {
+[[gnu::noinline]] Verdict resolve_at_edge(const Sections<double>& f) noexcept {
   const auto at = corner(in_order(f));
-  if (at.met | at.in_vain | !(at.rises2 | at.rises3)) return verdict_of(at.met);
+  if (at.overlaps | at.cannot_improve | !(at.rises2 | at.rises3)) return verdict_of(at.overlaps);
   const Edge<double> e = edge(at);
   const auto end = top(e);
-  if (end.here) return verdict_of(end.met);
+  if (end.here) return verdict_of(end.overlaps);
   const auto [low, first] = start(e);
   double t = first;
   // untaken: no pair that was ever seen comes to the cap
   for (int i = 0; i < iteration_cap; ++i) {
     const auto now = step(e, low, t);
-    if (now.apart | now.met) return verdict_of(now.met);
+    if (now.apart | now.overlaps) return verdict_of(now.overlaps);
     t = now.t;
   }
   return Verdict::undecided;
@@ -36,9 +36,9 @@ Verdict verdict_of(bool met) noexcept {
 Verdict intersect_sections(const Sections<double>& f) noexcept {
   const auto filter = separating_axis_filter(f);
   // One branch for both.
-  if (static_cast<unsigned>(filter.apart) + static_cast<unsigned>(filter.met) != 0)
+  if (static_cast<unsigned>(filter.apart) + static_cast<unsigned>(filter.overlaps) != 0)
     return verdict_of(!filter.apart);
-  return settle(f);
+  return resolve_at_edge(f);
 }
 
 [[gnu::noinline]] Verdict intersect_shallow(const Couple<double>& p) noexcept {
@@ -53,8 +53,8 @@ Verdict intersect_sections(const Sections<double>& f) noexcept {
   const SectionsOfBoth f = sections_of_both(a, b, cosine);
   const auto filter = separating_axis_filter(f);
   // One branch for both.
-  if (filter.apart | filter.met) return verdict_of(!filter.apart);
-  return settle(f.of_each());
+  if (filter.apart | filter.overlaps) return verdict_of(!filter.apart);
+  return resolve_at_edge(f.of_each());
 }
 
 Verdict intersect_couple(const Couple<double>& p) noexcept {

@@ -20,13 +20,13 @@ namespace {
 /// Sums over one kind of pairs.
 struct Work {
   double pairs = 0, decide_steps = 0, undecided = 0, distance_steps = 0;
-  double apart = 0, error = 0, beside = 0;  // mean error of gaps, in units of the rounding
-  double open = 0, searched = 0, intersect_steps = 0, capped = 0;  // of intersect()
+  double apart = 0, error = 0, outside = 0;  // mean error of gaps, in units of the rounding
+  double unresolved = 0, iterated = 0, intersect_steps = 0, hit_cap = 0;  // of intersect()
 };
 
 /// Of one kind of pairs, what Work holds in the mean, at most.
 struct Bounds {
-  double decide_steps, undecided, distance_steps, error, beside, open, searched, intersect_steps;
+  double decide_steps, undecided, distance_steps, error, outside, unresolved, iterated, intersect_steps;
 };
 /// Families, strata, close contacts, pairs within rounding.
 constexpr Bounds bounds[] = {{0.118620, 0.053939, 4.9959, 1.007987, 0.001168, 0.156260, 0.038568, 1.771999},
@@ -81,7 +81,7 @@ void measure(const Pair& pair, Work& work) {
     ++work.apart;
     work.error += d.error / rounding;
   } else {
-    work.beside += !inside;
+    work.outside += !inside;
     const bool near = outside(pair.a, d.on_a) <= 1e-9 * reach && outside(pair.b, d.on_b) <= 1e-9 * reach;
     expect(near, "distances: a deepest point outside its solid");
     expect((way - d.value * d.direction).norm() <= 2 * slack, "distances: points not along the direction");
@@ -103,22 +103,22 @@ void count_steps(const Pair& pair, Work& work) {
   const Sections<double> f = shallow_sections(couple);
   if (f.s2 < parallel_square) return;
   const auto filter = separating_axis_filter(f);
-  if (filter.apart || filter.met) return;
-  ++work.open;
+  if (filter.apart || filter.overlaps) return;
+  ++work.unresolved;
   const auto at = corner(in_order(f));
-  if (at.met || at.in_vain || !(at.rises2 || at.rises3)) return;
+  if (at.overlaps || at.cannot_improve || !(at.rises2 || at.rises3)) return;
   const Edge<double> e = edge(at);
   if (top(e).here) return;
-  ++work.searched;
+  ++work.iterated;
   const auto [low, first] = start(e);
   double t = first;
   for (int i = 0; i < iteration_cap; ++i) {
     ++work.intersect_steps;
     const auto now = step(e, low, t);
-    if (now.apart || now.met) return;
+    if (now.apart || now.overlaps) return;
     t = now.t;
   }
-  ++work.capped;
+  ++work.hit_cap;
 }
 
 void work_on(const Pair& pair, Work& work) {
@@ -209,18 +209,18 @@ TEST(SolverPromises, HoldInAsManyStepsAsMeasured) {
     for (const Pair& pair : kind.pairs) check_proxies(pair);
     const Bounds& most = bounds[k];
     const auto expect = [&](double is, double may_be, const char* what) {
-      check_that(is <= may_be * count_room, what, "of", kind.name, is, "that may be", may_be);
+      check_that(is <= may_be * step_tolerance, what, "of", kind.name, is, "that may be", may_be);
     };
     expect(w.decide_steps / w.pairs, most.decide_steps, "decide: mean steps");
     expect(w.undecided / w.pairs, most.undecided, "decide: share undecided");
     expect(w.distance_steps / w.pairs, most.distance_steps, "distance: mean steps");
     expect(w.error / w.apart, most.error, "distance: mean error of gaps in units of the rounding");
-    expect(w.beside / (w.pairs - w.apart), most.beside,
+    expect(w.outside / (w.pairs - w.apart), most.outside,
            "distance: share of overlaps with a point outside its solid");
-    expect(w.open / w.pairs, most.open, "intersect: share that the filter leaves open");
-    expect(w.searched / w.pairs, most.searched, "intersect: share that the corner leaves open");
-    expect(w.intersect_steps / w.searched, most.intersect_steps, "intersect: mean steps of these");
-    expect(w.capped, 0, "intersect: undecided");
+    expect(w.unresolved / w.pairs, most.unresolved, "intersect: share that the filter leaves open");
+    expect(w.iterated / w.pairs, most.iterated, "intersect: share that the corner leaves open");
+    expect(w.intersect_steps / w.iterated, most.intersect_steps, "intersect: mean steps of these");
+    expect(w.hit_cap, 0, "intersect: undecided");
   }
   for (std::uint64_t i = 0; i < touching_count; ++i) touch_exactly(i);
 }

@@ -15,45 +15,45 @@
 namespace cyl {
 namespace {
 
-bool is_room(double x) noexcept { return x >= 0 && x <= std::numeric_limits<double>::max(); }
+bool is_contact_distance(double x) noexcept { return x >= 0 && x <= std::numeric_limits<double>::max(); }
 
 // What a quick look at a pair tells: 0 disjoint, 1 intersecting, as Verdict has them.
-enum class Glance : unsigned char { disjoint, intersecting, neither };
+enum class QuickVerdict : unsigned char { disjoint, intersecting, neither };
 
 double square(double x) noexcept { return x * x; }
 
 double scaled_length(double x, int exponent) noexcept { return std::ldexp(x, -exponent); }
 
 // Without a branch: which of the two it is cannot be predicted.
-Verdict verdict_of(bool met) noexcept {
+Verdict verdict_of(bool overlaps) noexcept {
   static_assert(static_cast<int>(Verdict::disjoint) == 0 && static_cast<int>(Verdict::intersecting) == 1);
-  return static_cast<Verdict>(met);
+  return static_cast<Verdict>(overlaps);
 }
 
 double clamped(double x, double most) noexcept { return larger(-most, smaller(most, x)); }
 
 // A ball about the end of `to` from the middle of the core (rounded.md, section 2).
-Verdict meets_point(const Prepared& core, const Vector3& to, double room) noexcept {
+Verdict meets_point(const Prepared& core, const Vector3& to, double contact_distance) noexcept {
   const double along = dot(to, core.unit_axis);
   const Vector3 across = to - along * core.unit_axis;
   const double out = positive(std::fabs(along) - 0.5 * core.height);
   const double beside = positive(std::sqrt(dot(across, across)) - core.radius);
-  return verdict_of(out * out + beside * beside <= room * room);
+  return verdict_of(out * out + beside * beside <= contact_distance * contact_distance);
 }
 
 // Below that the sine's square says too little of where two segments are nearest.
 constexpr double level_square = 0x1p-10;
 
-struct Lead {
+struct NearestParameters {
   double s, t;  // of the points c0 + s w0 and c1 + t w1
-  bool told;
+  bool reliable;
 };
 
 // The nearest points of two segments, either of which may be a point (rounded.md, section 3). The longer one
 // leads, of equal ones that whose free optimum lies farther; where even that is equal, or the axes are too
 // near to parallel, nothing is told. So the solids' order is not seen.
-[[gnu::always_inline]] inline Lead nearest_of_segments(double h0, double h1, double u0, double u1,
-                                                       double c) noexcept {
+[[gnu::always_inline]] inline NearestParameters nearest_of_segments(double h0, double h1, double u0,
+                                                                    double u1, double c) noexcept {
   const double square = 1 - c * c;
   const bool first = (h0 > h1) | ((h0 == h1) & (u0 > u1));
   const double hp = larger(h0, h1), hq = smaller(h0, h1);
@@ -61,13 +61,13 @@ struct Lead {
   const double free = clamped((up + c * uq) / square, hp);
   const double q = clamped(uq + c * free, hq), p = clamped(up + c * q, hp);
   const bool even = (h0 == h1) & (u0 == u1);
-  const bool told = (square >= level_square) | (hq == 0);
-  return {pick(first, p, q), pick(first, q, p), told && !even};
+  const bool reliable = (square >= level_square) | (hq == 0);
+  return {pick(first, p, q), pick(first, q, p), reliable && !even};
 }
 
 // Two segments, either of which may be a point, in any position. Any two points of them show that they are no
 // farther apart, and the direction between these how far they are apart at least.
-Glance look_at_segments(const Scaled& p, double room) noexcept {
+QuickVerdict classify_segments(const Scaled& p, double contact_distance) noexcept {
   const double c = dot(p.w0, p.w1), d0 = dot(p.delta, p.w0), d1 = dot(p.delta, p.w1);
   const double determinant = 1 - c * c;
   const double inner = p.h0 * p.h1 > 0 && determinant > 0 ? (d0 - c * d1) / determinant : d0;
@@ -75,27 +75,28 @@ Glance look_at_segments(const Scaled& p, double room) noexcept {
   const double s = std::clamp(d0 + c * t, -p.h0, p.h0);
   const Vector3 e = p.delta + t * p.w1 - s * p.w0;
   const double most2 = dot(e, e);
-  if (most2 <= square(room)) return Glance::intersecting;
+  if (most2 <= square(contact_distance)) return QuickVerdict::intersecting;
   const double least = dot(e, p.delta) - p.h0 * std::fabs(dot(e, p.w0)) - p.h1 * std::fabs(dot(e, p.w1));
-  if (least > 0 && square(least) > square(room) * most2) return Glance::disjoint;
-  return Glance::neither;
+  if (least > 0 && square(least) > square(contact_distance) * most2) return QuickVerdict::disjoint;
+  return QuickVerdict::neither;
 }
 
 // By the five directions of the separating-axis filter, and by its first slice without any rounding.
-Glance look_at_filter(const Scaled& p, double room) noexcept {
+QuickVerdict classify_by_filter(const Scaled& p, double contact_distance) noexcept {
   const Couple<double> couple = p.couple();
   const Products<double> q = products(couple);
-  if (!(magnitude(q.cosine) <= steep_cosine)) return Glance::neither;
+  if (!(magnitude(q.cosine) <= steep_cosine)) return QuickVerdict::neither;
   const Sections<double> f = sections(couple, q);
-  const double room_s = f.s * room;
-  const bool apart = (f.z_s - f.s * (f.r0 + f.r1) > room_s) | (f.k0 - f.s * f.r1 > room) |
-                     (f.k1 - f.s * f.r0 > room) | (f.k2_s - f.s * (f.r0 + f.c * f.r1) > room_s) |
+  const double room_s = f.s * contact_distance;
+  const bool apart = (f.z_s - f.s * (f.r0 + f.r1) > room_s) | (f.k0 - f.s * f.r1 > contact_distance) |
+                     (f.k1 - f.s * f.r0 > contact_distance) | (f.k2_s - f.s * (f.r0 + f.c * f.r1) > room_s) |
                      (f.k3_s - f.s * (f.c * f.r0 + f.r1) > room_s);
   const auto filter = separating_axis_filter(f);
-  const bool met = filter.met & !filter.apart & !apart;
-  // Without a branch: Glance has its words in this order.
-  static_assert(static_cast<int>(Glance::intersecting) == 1 && static_cast<int>(Glance::neither) == 2);
-  return static_cast<Glance>(2 - 2 * static_cast<int>(apart) - static_cast<int>(met));
+  const bool overlaps = filter.overlaps & !filter.apart & !apart;
+  // Without a branch: QuickVerdict has its words in this order.
+  static_assert(static_cast<int>(QuickVerdict::intersecting) == 1 &&
+                static_cast<int>(QuickVerdict::neither) == 2);
+  return static_cast<QuickVerdict>(2 - 2 * static_cast<int>(apart) - static_cast<int>(overlaps));
 }
 
 Prepared core_of(const Prepared& c) noexcept {
@@ -121,8 +122,8 @@ Vector3 inner_point(const Vector3& x, const Vector3& w, double r, double h, Hull
 
 // Two points, one of each solid, no farther apart than the room beyond rounding. `on0`, `on1` from the first
 // centre.
-bool try_points(const Scaled& p, Vector3 on0, Vector3 on1, double room, Answer& answer) noexcept {
-  const double reach = reach_of(p) + room;
+bool try_points(const Scaled& p, Vector3 on0, Vector3 on1, double contact_distance, Answer& answer) noexcept {
+  const double reach = reach_of(p) + contact_distance;
   // Twice what in_both allows for, of a point no farther than `reach` from either centre; and what a
   // coordinate loses that is subnormal in the scene's unit.
   const double lost = p.exponent > coarse_exponent
@@ -141,7 +142,7 @@ bool try_points(const Scaled& p, Vector3 on0, Vector3 on1, double room, Answer& 
   const Place place0(at0, p.w0), place1(at1, p.w1);
   const double apart = length(p.delta + at1 - at0) + place0.off(hull0) + place1.off(hull1) + 2 * error;
   if (!place0.inside(p.r0, p.h0, hull0, error) || !place1.inside(p.r1, p.h1, hull1, error) ||
-      !(apart + separation_error * reach <= room))
+      !(apart + separation_error * reach <= contact_distance))
     return false;
   answer.verdict = Verdict::intersecting;
   answer.proof = Proof::points;
@@ -153,14 +154,15 @@ bool try_points(const Scaled& p, Vector3 on0, Vector3 on1, double room, Answer& 
 }
 
 // f(D) + room |D| < 0 beyond rounding.
-bool try_rounded_direction(const Scaled& p, Vector3 d, double room, Answer& answer) noexcept {
+bool try_rounded_direction(const Scaled& p, Vector3 d, double contact_distance, Answer& answer) noexcept {
   // A direction has no unit: a way between points has.
   const double most = max_abs(d);
   if (!(most >= 0x1p-900)) return false;
   d *= power_of_two(-exponent_of(most));
   const double f = p.r0 * length(d.cross(p.w0)) + p.h0 * std::fabs(dot(d, p.w0)) +
                    p.r1 * length(d.cross(p.w1)) + p.h1 * std::fabs(dot(d, p.w1)) - std::fabs(dot(d, p.delta));
-  if (!(f + room * length(d) < -separation_error * length(d) * (reach_of(p) + room))) return false;
+  if (!(f + contact_distance * length(d) < -separation_error * length(d) * (reach_of(p) + contact_distance)))
+    return false;
   answer.verdict = Verdict::disjoint;
   answer.proof = Proof::direction;
   answer.direction = dot(d, p.delta) < 0 ? Vector3(-d) : d;
@@ -169,7 +171,7 @@ bool try_rounded_direction(const Scaled& p, Vector3 d, double room, Answer& answ
 
 // From there on a room or a gap may overflow: the solids are made smaller first. What vanishes beside the
 // room does not matter.
-constexpr double huge_room = 0x1p1000, huge_shrink = 0x1p-100;
+constexpr double huge_distance = 0x1p1000, huge_shrink = 0x1p-100;
 
 Prepared shrunk(Prepared c) noexcept {
   c.center *= huge_shrink;
@@ -182,7 +184,7 @@ Prepared shrunk(Prepared c) noexcept {
 
 }  // namespace
 
-double room_of(const Prepared& a, const Prepared& b, double clearance) noexcept {
+double contact_distance_of(const Prepared& a, const Prepared& b, double clearance) noexcept {
   return (a.rounding + b.rounding) + clearance;
 }
 
@@ -190,56 +192,60 @@ namespace {
 
 // From a point of the first core to the nearest of the other and back, so often. Each step shows two points,
 // and a direction with what it separates. `on0` is where it ends.
-Glance look_between(const Scaled& p, double room, Vector3& on0, int steps) noexcept {
+QuickVerdict alternate_projections(const Scaled& p, double contact_distance, Vector3& on0,
+                                   int steps) noexcept {
   for (int i = 0; i < steps; ++i) {
     const Vector3 on1 = p.delta + nearest(on0 - p.delta, p.w1, p.r1, p.h1), e = on1 - on0;
     const double most2 = dot(e, e);
-    if (most2 <= square(room)) return Glance::intersecting;
+    if (most2 <= square(contact_distance)) return QuickVerdict::intersecting;
     const double least = dot(e, p.delta) - p.r0 * length(e.cross(p.w0)) - p.h0 * std::fabs(dot(e, p.w0)) -
                          p.r1 * length(e.cross(p.w1)) - p.h1 * std::fabs(dot(e, p.w1));
-    if (least > 0 && square(least) > square(room) * most2) return Glance::disjoint;
+    if (least > 0 && square(least) > square(contact_distance) * most2) return QuickVerdict::disjoint;
     on0 = nearest(on1, p.w0, p.r0, p.h0);
   }
-  return Glance::neither;
+  return QuickVerdict::neither;
 }
 
 constexpr int first_steps = 2;  // with much room they mostly do
 constexpr int more_steps = 6;   // more of them cost more than distance_of_cores() does
 
 // Of solids in their order (frame.hpp).
-Glance look_closer(const Prepared& a, const Prepared& b, double room) noexcept {
+QuickVerdict classify_by_projection(const Prepared& a, const Prepared& b, double contact_distance) noexcept {
   const Scaled p = as_it_is(a, b);
-  if (a.thin & b.thin) return look_at_segments(p, room);
+  if (a.thin & b.thin) return classify_segments(p, contact_distance);
   Vector3 on0 = nearest(p.delta, p.w0, p.r0, p.h0);
-  const Glance seen = look_between(p, room, on0, first_steps);
-  if (seen != Glance::neither) return seen;
-  if (intersect(core_of(a), core_of(b)) == Verdict::intersecting) return Glance::intersecting;
-  return look_between(p, room, on0, more_steps);
+  const QuickVerdict seen = alternate_projections(p, contact_distance, on0, first_steps);
+  if (seen != QuickVerdict::neither) return seen;
+  if (intersect(core_of(a), core_of(b)) == Verdict::intersecting) return QuickVerdict::intersecting;
+  return alternate_projections(p, contact_distance, on0, more_steps);
 }
 
 }  // namespace
 
 Verdict intersect_rounded(const Prepared& a, const Prepared& b, double clearance) noexcept {
-  const double room = room_of(a, b, clearance);
-  if (a.moderate & b.moderate & (room <= 0x1p202)) {
+  const double contact_distance = contact_distance_of(a, b, clearance);
+  if (a.moderate & b.moderate & (contact_distance <= 0x1p202)) {
     const Vector3 delta = b.center - a.center;
     if (a.thin & b.thin) {
       const double c = dot(a.unit_axis, b.unit_axis);
-      const Lead lead = nearest_of_segments(0.5 * a.height, 0.5 * b.height, dot(delta, a.unit_axis),
-                                            -dot(delta, b.unit_axis), c);
-      const Vector3 e = delta + (lead.t * b.unit_axis - lead.s * a.unit_axis);
-      if (lead.told) return verdict_of(dot(e, e) <= room * room);
+      const NearestParameters nearest = nearest_of_segments(
+          0.5 * a.height, 0.5 * b.height, dot(delta, a.unit_axis), -dot(delta, b.unit_axis), c);
+      const Vector3 e = delta + (nearest.t * b.unit_axis - nearest.s * a.unit_axis);
+      if (nearest.reliable) return verdict_of(dot(e, e) <= contact_distance * contact_distance);
     } else if (a.ball | b.ball) {
       const Prepared* const solids[] = {&a, &b};
-      return meets_point(*solids[a.ball], delta, room);
+      return meets_point(*solids[a.ball], delta, contact_distance);
     }
-    Glance seen = (a.thin & b.thin) ? Glance::neither : look_at_filter(as_it_is(a, b), room);
-    if (seen == Glance::neither)
-      seen = out_of_order(a, b) ? look_closer(b, a, room) : look_closer(a, b, room);
-    if (seen != Glance::neither) return verdict_of(seen == Glance::intersecting);
+    QuickVerdict seen =
+        (a.thin & b.thin) ? QuickVerdict::neither : classify_by_filter(as_it_is(a, b), contact_distance);
+    if (seen == QuickVerdict::neither)
+      seen = out_of_order(a, b) ? classify_by_projection(b, a, contact_distance)
+                                : classify_by_projection(a, b, contact_distance);
+    if (seen != QuickVerdict::neither) return verdict_of(seen == QuickVerdict::intersecting);
   }
-  if (room >= huge_room) return intersect_rounded(shrunk(a), shrunk(b), huge_shrink * clearance);
-  return verdict_of(distance_of_cores(core_of(a), core_of(b)).value <= room);
+  if (contact_distance >= huge_distance)
+    return intersect_rounded(shrunk(a), shrunk(b), huge_shrink * clearance);
+  return verdict_of(distance_of_cores(core_of(a), core_of(b)).value <= contact_distance);
 }
 
 namespace {
@@ -270,39 +276,41 @@ void hand_out_points(const Scaled& p, const Vector3& on0, const Vector3& on1, Hu
 
 // Whether a way between the cores separates them by more than the room: `least` is -f along it, times its
 // length.
-bool is_beyond(double least, double square_of_way, double room, double reach) noexcept {
-  const double beyond = room + 2 * separation_error * reach;
+bool is_beyond(double least, double square_of_way, double contact_distance, double reach) noexcept {
+  const double beyond = contact_distance + 2 * separation_error * reach;
   return (least > 0) & (least * least > beyond * beyond * square_of_way);
 }
 
 // Two cores of which each is a segment or a point: their nearest points in closed form (rounded.md, section
 // 3), as certificate or by the way between them.
-bool prove_segments(const Scaled& p, double room, Answer& answer) noexcept {
-  const Lead lead = nearest_of_segments(p.h0, p.h1, dot(p.delta, p.w0), -dot(p.delta, p.w1), dot(p.w0, p.w1));
-  if (!lead.told) return false;
-  const double reach = reach_of(p) + room, error = 4 * membership_error * reach + underflow_error;
-  const Vector3 e = p.delta + (lead.t * p.w1 - lead.s * p.w0);
+bool prove_segments(const Scaled& p, double contact_distance, Answer& answer) noexcept {
+  const NearestParameters nearest =
+      nearest_of_segments(p.h0, p.h1, dot(p.delta, p.w0), -dot(p.delta, p.w1), dot(p.w0, p.w1));
+  if (!nearest.reliable) return false;
+  const double reach = reach_of(p) + contact_distance, error = 4 * membership_error * reach + underflow_error;
+  const Vector3 e = p.delta + (nearest.t * p.w1 - nearest.s * p.w0);
   const double least = dot(e, p.delta) - p.h0 * std::fabs(dot(e, p.w0)) - p.h1 * std::fabs(dot(e, p.w1));
-  if (is_beyond(least, dot(e, e), room, reach)) {
+  if (is_beyond(least, dot(e, e), contact_distance, reach)) {
     hand_out_direction(e, answer);
     return true;
   }
   // Moved in from its end, and off its line, each is off by `error` at most; in a centre it is that.
   const Hull hull0 = hull_of(0, p.h0, reach), hull1 = hull_of(0, p.h1, reach);
-  const double s = hull0 == Hull::center ? 0 : clamped(lead.s, p.h0 - 2 * error);
-  const double t = hull1 == Hull::center ? 0 : clamped(lead.t, p.h1 - 2 * error);
+  const double s = hull0 == Hull::center ? 0 : clamped(nearest.s, p.h0 - 2 * error);
+  const double t = hull1 == Hull::center ? 0 : clamped(nearest.t, p.h1 - 2 * error);
   const Vector3 on0 = s * p.w0, on1 = t * p.w1, between = p.delta + (on1 - on0);
-  const double within = room - 5 * error;
+  const double within = contact_distance - 5 * error;
   if (!((within > 0) & (dot(between, between) <= within * within))) return false;
   hand_out_points(p, on0, on1, hull0, hull1, answer);
   return true;
 }
 
 // A point, and a core that is neither flat nor thin, likewise (rounded.md, section 2).
-bool prove_ball(const Scaled& p, double room, Answer& answer) noexcept {
+bool prove_ball(const Scaled& p, double contact_distance, Answer& answer) noexcept {
   const bool second = p.r1 + p.h1 == 0;  // the ball
   const Vector3 &w = second ? p.w0 : p.w1, to = second ? p.delta : Vector3(-p.delta);
-  const double r = second ? p.r0 : p.r1, h = second ? p.h0 : p.h1, reach = r + h + length(to) + room;
+  const double r = second ? p.r0 : p.r1, h = second ? p.h0 : p.h1,
+               reach = r + h + length(to) + contact_distance;
   if (hull_of(r, h, reach) != Hull::space) return false;
   const double error = 4 * membership_error * reach + underflow_error;
   const double along = dot(to, w), kept = clamped(along, h - 2 * error), most = r - 2 * error;
@@ -311,7 +319,7 @@ bool prove_ball(const Scaled& p, double room, Answer& answer) noexcept {
   const double part = square_across > most * most ? most / std::sqrt(square_across) : 1;
   // From the point just inside: nearest enough for the direction, too.
   const Vector3 on = kept * w + part * across, e = to - on;
-  const double square_of_way = dot(e, e), within = room - 5 * error;
+  const double square_of_way = dot(e, e), within = contact_distance - 5 * error;
   if ((within > 0) & (square_of_way <= within * within)) {
     const Vector3 center(0, 0, 0);
     if (second)
@@ -321,30 +329,31 @@ bool prove_ball(const Scaled& p, double room, Answer& answer) noexcept {
     return true;
   }
   const double least = dot(e, to) - h * std::fabs(dot(e, w)) - r * length(e.cross(w));
-  if (!is_beyond(least, square_of_way, room, reach)) return false;
+  if (!is_beyond(least, square_of_way, contact_distance, reach)) return false;
   hand_out_direction(second ? e : Vector3(-e), answer);
   return true;
 }
 
-bool prove_in_closed_form(const Scaled& p, double room, Answer& answer) noexcept {
+bool prove_in_closed_form(const Scaled& p, double contact_distance, Answer& answer) noexcept {
   if (p.exponent <= coarse_exponent) return false;  // points may lose bits on their way back
-  if (p.r0 + p.r1 == 0) return prove_segments(p, room, answer);
-  return (p.r0 + p.h0 == 0 || p.r1 + p.h1 == 0) && prove_ball(p, room, answer);
+  if (p.r0 + p.r1 == 0) return prove_segments(p, contact_distance, answer);
+  return (p.r0 + p.h0 == 0 || p.r1 + p.h1 == 0) && prove_ball(p, contact_distance, answer);
 }
 
-// By the points and directions of look_between(), most pairs.
-bool prove_between(const Scaled& p, double room, Answer& answer) noexcept {
+// By the points and directions of alternate_projections(), most pairs.
+bool prove_between(const Scaled& p, double contact_distance, Answer& answer) noexcept {
   constexpr int step_cap = first_steps + more_steps;
   Vector3 on0 = nearest(p.delta, p.w0, p.r0, p.h0);
   if (p.r0 + p.r1 == 0) {
     const double c = dot(p.w0, p.w1);
-    const Lead lead = nearest_of_segments(p.h0, p.h1, dot(p.delta, p.w0), -dot(p.delta, p.w1), c);
-    if (lead.told) on0 = lead.s * p.w0;
+    const NearestParameters nearest =
+        nearest_of_segments(p.h0, p.h1, dot(p.delta, p.w0), -dot(p.delta, p.w1), c);
+    if (nearest.reliable) on0 = nearest.s * p.w0;
   }
   for (int i = 0; i < step_cap; ++i) {
     const Vector3 on1 = p.delta + nearest(on0 - p.delta, p.w1, p.r1, p.h1), e = on1 - on0;
-    if (dot(e, e) <= square(room)) return try_points(p, on0, on1, room, answer);
-    if (try_rounded_direction(p, e, room, answer)) return true;
+    if (dot(e, e) <= square(contact_distance)) return try_points(p, on0, on1, contact_distance, answer);
+    if (try_rounded_direction(p, e, contact_distance, answer)) return true;
     on0 = nearest(on1, p.w0, p.r0, p.h0);
   }
   return false;
@@ -355,37 +364,40 @@ bool prove_between(const Scaled& p, double room, Answer& answer) noexcept {
 Answer decide_rounded(const Prepared& a, const Prepared& b, double clearance) noexcept {
   if (out_of_order(a, b)) return turned(decide_rounded(b, a, clearance));
   Answer answer;
-  const double room = room_of(a, b, clearance);
-  if (room >= huge_room) {
+  const double contact_distance = contact_distance_of(a, b, clearance);
+  if (contact_distance >= huge_distance) {
     answer = decide_rounded(shrunk(a), shrunk(b), huge_shrink * clearance);
     answer.point_head /= huge_shrink;
     answer.point_tail /= huge_shrink;
     return answer;
   }
   const Prepared first = core_of(a), second = core_of(b);
-  const Scaled p = scale(first, second, room);
-  const double scaled_room = scaled_length(room, p.exponent);
-  if (prove_in_closed_form(p, scaled_room, answer) || prove_between(p, scaled_room, answer)) return answer;
+  const Scaled p = scale(first, second, contact_distance);
+  const double scaled_contact = scaled_length(contact_distance, p.exponent);
+  if (prove_in_closed_form(p, scaled_contact, answer) || prove_between(p, scaled_contact, answer))
+    return answer;
   const Answer of_cores = decide(first, second);
   if (of_cores.proof == Proof::point) return of_cores;
   const Distance d = distance_of_cores(first, second);
   const auto in_unit = [&](const Vector3& x) { return times_power(x, -p.exponent); };
-  if (try_rounded_direction(p, d.direction, scaled_room, answer)) return answer;
-  try_points(p, in_unit(d.on_a), in_unit(d.on_b) + p.delta, scaled_room, answer);
+  if (try_rounded_direction(p, d.direction, scaled_contact, answer)) return answer;
+  try_points(p, in_unit(d.on_a), in_unit(d.on_b) + p.delta, scaled_contact, answer);
   return answer;
 }
 
 Verdict within(const Prepared& a, const Prepared& b, double clearance) noexcept {
-  const double room = room_of(a, b, clearance);
-  if ((a.defect != Defect::none) | (b.defect != Defect::none) | !(clearance >= 0) | !is_room(room))
+  const double contact_distance = contact_distance_of(a, b, clearance);
+  if ((a.defect != Defect::none) | (b.defect != Defect::none) | !(clearance >= 0) |
+      !is_contact_distance(contact_distance))
     return Verdict::invalid;
-  return room > 0 ? intersect_rounded(a, b, clearance) : intersect(a, b);
+  return contact_distance > 0 ? intersect_rounded(a, b, clearance) : intersect(a, b);
 }
 
 Answer decide_within(const Prepared& a, const Prepared& b, double clearance) noexcept {
-  const double room = room_of(a, b, clearance);
-  if ((a.defect == Defect::none) & (b.defect == Defect::none) & (clearance >= 0) & is_room(room)) {
-    return room > 0 ? decide_rounded(a, b, clearance) : decide(a, b);
+  const double contact_distance = contact_distance_of(a, b, clearance);
+  if ((a.defect == Defect::none) & (b.defect == Defect::none) & (clearance >= 0) &
+      is_contact_distance(contact_distance)) {
+    return contact_distance > 0 ? decide_rounded(a, b, clearance) : decide(a, b);
   }
   Answer answer;
   answer.verdict = Verdict::invalid;

@@ -82,8 +82,8 @@ LineProgram::LineProgram(const std::string& command, const std::string& folder) 
     if (printed_ < 0 || pipe2(in, O_CLOEXEC) != 0 || pipe2(out, O_CLOEXEC) != 0)
       throw_errno("starting a program");
     fcntl(printed_, F_SETFL, O_APPEND);
-    process_ = std::make_unique<KeptProcess>([&] { become_shell(command.c_str(), folder.c_str()); },
-                                             KeptDescriptors{in[0], out[1], printed_, {}});
+    process_ = std::make_unique<SupervisedProcess>([&] { become_shell(command.c_str(), folder.c_str()); },
+                                                   KeptDescriptors{in[0], out[1], printed_, {}});
   } catch (...) {
     close_all({in[0], in[1], out[0], out[1], printed_});
     throw;

@@ -7,8 +7,8 @@
 #include <string>
 #include <string_view>
 
-#include "base/process/kept_process.hpp"
 #include "base/process/process.hpp"
+#include "base/process/supervised_process.hpp"
 
 namespace cyl {
 
@@ -48,7 +48,7 @@ class LineProgram {
  private:
   bool take_input();  ///< false at its end
 
-  std::unique_ptr<KeptProcess> process_;
+  std::unique_ptr<SupervisedProcess> process_;
   int to_ = -1, from_ = -1;
   int printed_ = -1;  ///< what the program printed on standard error
   std::string incoming_, outgoing_;

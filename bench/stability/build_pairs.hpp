@@ -26,7 +26,7 @@ inline void numbers_of(const Pair& pair, double (&x)[doubles_per_pair]) {
 /// Returns ours without `exact`, and those of the texts; each is asked on the indices divisible by its share.
 inline std::vector<std::unique_ptr<Method>> built_methods() {
   auto methods = own_methods();
-  std::erase_if(methods, [](const auto& method) { return method->claim().decides == Decides::all; });
+  std::erase_if(methods, [](const auto& method) { return method->claim().decides == DecisionScope::all; });
   for (auto make : {literature_2008_methods, literature_2017_methods})
     for (auto& method : make()) methods.push_back(std::move(method));
   return methods;

@@ -161,15 +161,15 @@ double degrees_between(const Vector3& x, const Vector3& y) {
 void at_least(std::optional<double>& most, double x) { most = std::max(most.value_or(0), x); }
 
 /// The steps on either side of each flip, as far as there is room, and as many more, evenly.
-std::vector<PathStability::Said> trace_of(const Path& path, std::span<const MethodAnswer> answers,
-                                          std::span<const std::size_t> flips) {
+std::vector<PathStability::TracePoint> trace_of(const Path& path, std::span<const MethodAnswer> answers,
+                                                std::span<const std::size_t> flips) {
   std::set<std::size_t> shown;
   for (const std::size_t i : flips)
     if (shown.size() < trace_cap * 3 / 4) shown.insert(i);
   const std::size_t even = trace_cap - shown.size();
   for (std::size_t k = 0; k < even; ++k)
     shown.insert(k * (answers.size() - 1) / std::max<std::size_t>(even - 1, 1));
-  std::vector<PathStability::Said> trace;
+  std::vector<PathStability::TracePoint> trace;
   for (const std::size_t i : shown) {
     if (!says(answers[i])) continue;
     trace.push_back({path.steps[i].at, answers[i].verdict, {}});
@@ -279,7 +279,7 @@ json paths_json(std::span<const PathStability> paths) {
                 {"flips", p.flips},
                 {"distance_jump", number(p.distance_jump)},
                 {"direction_jump_degrees", number(p.direction_jump_degrees)}};
-    for (const PathStability::Said& said : p.trace)
+    for (const PathStability::TracePoint& said : p.trace)
       one["trace"].push_back(
           {{"at", said.at}, {"verdict", to_string(said.verdict)}, {"distance", number(said.distance)}});
     all.push_back(std::move(one));

@@ -48,7 +48,7 @@ std::vector<Path> make_paths(std::uint64_t seed);
 
 /// How steady one method is on one path, at the worst of all seeds.
 struct PathStability {
-  struct Said {
+  struct TracePoint {
     double at;
     Verdict verdict;
     std::optional<double> distance;
@@ -66,7 +66,7 @@ struct PathStability {
   std::optional<double> direction_jump_degrees;
   /// What it said on the first seed with most flips, where these are more than right: where it flips, and
   /// evenly between, at most trace_cap points.
-  std::vector<Said> trace;
+  std::vector<TracePoint> trace;
 };
 
 inline constexpr std::size_t trace_cap = 40;

@@ -24,7 +24,7 @@ inline constexpr std::uint64_t drawing_seed = 2;
 /// hundredths, which would hide what costs less than that. The counts are whole numbers and the same on every
 /// machine; the room is for the logarithms in their means.
 inline constexpr std::uint64_t counting_seed = 1;
-inline constexpr double count_room = 1.00005;
+inline constexpr double step_tolerance = 1.00005;
 
 template <class T>
 auto shown(const T& x) {

@@ -45,7 +45,7 @@ struct MethodAnswer {
   double distance = 0;  ///< signed: > 0 apart, in the scene's unit; meaningful where has_distance
   /// Its own bound of the distance's error, 0 where it tells none: apart both ways; where it says that they
   /// overlap, of how much deeper they are than it says.
-  double told_error = 0;
+  double error_bound = 0;
   double head[3] = {0, 0, 0};  ///< direction, or point = head + tail exactly, in the scene's frame
   double tail[3] = {0, 0, 0};
   double other_head[3] = {0, 0, 0};  ///< of points: that of b; head + tail is that of a

@@ -16,13 +16,13 @@
 #include "corpus/pairs/random_stream.hpp"
 #include "corpus/pairs/truth_io.hpp"
 #include "corpus/store/representatives.hpp"
-#include "fuzz/campaign/not_alone.hpp"
-#include "oracles/methods/ask_caught.hpp"
+#include "fuzz/campaign/confirm_in_isolation.hpp"
+#include "oracles/methods/ask_noexcept.hpp"
 #include "oracles/methods/contained.hpp"
 #include "oracles/referee/referee.hpp"
 #include "oracles/trial/cells.hpp"
-#include "oracles/trial/offers.hpp"
 #include "oracles/trial/trial.hpp"
+#include "oracles/trial/witness_set.hpp"
 
 namespace cyl {
 namespace {
@@ -173,7 +173,7 @@ class Batch {
         const auto start = Clock::now();
         for (const std::size_t p : by_family_[family]) {
           if (!on_share(m, p)) continue;
-          answers_[at(m, p)] = ask_caught(method, pairs_[p], CallMode::usual);
+          answers_[at(m, p)] = ask_noexcept(method, pairs_[p], CallMode::usual);
           asked_[at(m, p)] = true;
         }
         counts(m, family).nanoseconds += nanoseconds_since(start);
@@ -219,7 +219,7 @@ class Batch {
 
   /// Adds to the time of the pair, which count_all() gives to the row of the stage that had the last word.
   void judge_once(std::size_t p) {
-    const auto offered = offers_.with_ours(pairs_[p], answers_of(p));
+    const auto offered = offers_.with_own_witness(pairs_[p], answers_of(p));
     const auto start = Clock::now();
     trials_[p].truth = judge_verdict(pairs_[p], offered);
     judging_[p] += nanoseconds_since(start);
@@ -301,7 +301,7 @@ class Batch {
       for (std::size_t m = 0; m < methods(); ++m) {
         Method& method = *workload_.methods[m];
         if (method.foreign() || !asked(m, p) || wrong_[at(m, p)]) continue;
-        if (!same_answer(ask_caught(method, pairs_[p], CallMode::usual), answers_of(p)[m])) {
+        if (!same_answer(ask_noexcept(method, pairs_[p], CallMode::usual), answers_of(p)[m])) {
           wrong_[at(m, p)] = Finding{FindingKind::nondeterminism, Severity::contract, {}};
         }
       }
@@ -316,14 +316,14 @@ class Batch {
   }
 
   void ask_findings_again() {
-    std::vector<Doubt> doubts;
+    std::vector<Suspect> suspects;
     for (std::size_t p = 0; p < pairs_.size(); ++p) {
       for (std::size_t m = 0; m < methods(); ++m) {
         const auto& wrong = wrong_[at(m, p)];
-        if (wrong && is_worth_asking_again(m, *wrong)) doubts.push_back({m, p, wrong->kind});
+        if (wrong && is_worth_asking_again(m, *wrong)) suspects.push_back({m, p, wrong->kind});
       }
     }
-    for (const Doubt& doubt : not_alone(workload_.methods, trials_, doubts)) {
+    for (const Suspect& doubt : confirm_in_isolation(workload_.methods, trials_, suspects)) {
       std::optional<Finding>& wrong = wrong_[at(doubt.method, doubt.pair)];
       MethodAnswer& answer = answers_[at(doubt.method, doubt.pair)];
       const std::string where =
@@ -360,7 +360,7 @@ class Batch {
     const bool of_batch = kept_.admit(record), of_job = kept_before_.admit(record);
     if (!of_batch || !of_job) return;
     if (findings_.empty() || findings_.back().index != record.index) {
-      const Truth truth = judge(pairs_[p], offers_.with_ours(pairs_[p], answers_of(p)));
+      const Truth truth = judge(pairs_[p], offers_.with_own_witness(pairs_[p], answers_of(p)));
       record.pair = case_line(p, drawn);
       record.answers =
           answers_text(workload_.methods, answers_of(p), [&](std::size_t m) { return asked(m, p); });
@@ -391,7 +391,7 @@ class Batch {
   const std::uint64_t seed_;
   Asker& asker_;
   Representatives& kept_before_;
-  Offers offers_;
+  WitnessSet offers_;
   const Schedule schedule_;
   const bool foreign_;  ///< some of the methods are
 

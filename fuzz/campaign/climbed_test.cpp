@@ -9,7 +9,7 @@
 #include "corpus/pairs/pair_io.hpp"
 #include "corpus/pairs/pair_numbers.hpp"
 #include "fuzz/campaign/batch.hpp"
-#include "oracles/trial/room.hpp"
+#include "oracles/trial/decidable_margin.hpp"
 
 namespace cyl {
 namespace {

@@ -99,7 +99,7 @@ bool LineReader::next() {
 
 // Seeking throws away what was read ahead: where answers come in the order of their questions it is not
 // needed.
-bool LineReader::go_to(std::uint64_t place, std::size_t line) {
+bool LineReader::seek(std::uint64_t place, std::size_t line) {
   if (place != next_ || !in_.good()) {
     in_.clear();
     in_.seekg(static_cast<std::streamoff>(place));
@@ -109,19 +109,19 @@ bool LineReader::go_to(std::uint64_t place, std::size_t line) {
   return read();
 }
 
-Questions::Questions(const std::string& file, const Complain& complain)
+Questions::Questions(const std::string& file, const OnBadLine& on_bad_line)
     : file_(file), in_(std::make_unique<std::ifstream>(file)), reader_(*in_) {
   if (!*in_ || in_->peek() == std::istream::traits_type::eof()) throw InputError(file + " is empty");
   while (reader_.next()) {
     const CaseLine c = parse_case(reader_.text(), reader_.line());
     if (!c.value) {
-      complain(file, c.line, without_line(c.error));
+      on_bad_line(file, c.line, without_line(c.error));
       continue;
     }
     const std::string id = c.value->id.empty() ? std::to_string(c.line) : c.value->id;
     if (const auto [at, is_new] = by_id_.try_emplace(id, all_.size()); !is_new) {
-      complain(file, c.line,
-               fmt::format("id {} stands on line {} already", quote_json(id), all_[at->second].line));
+      on_bad_line(file, c.line,
+                  fmt::format("id {} stands on line {} already", quote_json(id), all_[at->second].line));
       continue;
     }
     all_.push_back({reader_.place(), c.line, index_in(families_, family_in(*c.value))});
@@ -134,7 +134,7 @@ Questions::Question* Questions::find(const std::string& id) {
 }
 
 Case Questions::read(const Question& question) {
-  if (reader_.go_to(question.place, question.line)) {
+  if (reader_.seek(question.place, question.line)) {
     CaseLine c = parse_case(reader_.text(), question.line);
     if (c.value) {
       if (c.value->id.empty()) c.value->id = std::to_string(question.line);
@@ -144,10 +144,10 @@ Case Questions::read(const Question& question) {
   throw std::runtime_error(file_ + " has changed while it was read");
 }
 
-OfflineJudge::OfflineJudge(Answerer who, Questions* questions, Complain complain)
+OfflineJudge::OfflineJudge(AnswerSource who, Questions* questions, OnBadLine on_bad_line)
     : who_(std::move(who)),
       questions_(questions),
-      complain_(std::move(complain)),
+      on_bad_line_(std::move(on_bad_line)),
       name_(who_.name),
       certifying_(certifying_method()) {
   if (questions_) families_ = questions_->families();
@@ -160,9 +160,9 @@ Counts& OfflineJudge::counts(std::uint32_t family) {
   return counts_[family];
 }
 
-void OfflineJudge::pass_over(const std::string& file, std::size_t line, const std::string& what) {
+void OfflineJudge::skip(const std::string& file, std::size_t line, const std::string& what) {
   ++passed_over_;
-  complain_(file, line, what);
+  on_bad_line_(file, line, what);
 }
 
 void OfflineJudge::judge_all(std::istream& in, const std::string& file,
@@ -176,7 +176,7 @@ void OfflineJudge::judge_all(std::istream& in, const std::string& file,
   if (!questions_) return;
   for (const Questions::Question& question : questions_->all()) {
     if (question.answered != 0) continue;
-    complain_(questions_->file(), question.line, "no answer");
+    on_bad_line_(questions_->file(), question.line, "no answer");
     judge_answer(questions_->read(question), 0, question.family,
                  failed_answer(Failure::malformed, "no answer"));
   }
@@ -195,28 +195,28 @@ void OfflineJudge::take(const std::string& file, std::size_t line, std::string_v
   }
   if (said.hello) said.error = "a second hello, or one that is not the first line";
   nlohmann::json object = nlohmann::json::parse(text, nullptr, false);
-  if (!object.is_object()) return pass_over(file, line, said.error.empty() ? "no object" : said.error);
+  if (!object.is_object()) return skip(file, line, said.error.empty() ? "no object" : said.error);
   const std::optional<std::string> id = id_of(object);
   const MethodAnswer answer =
       said.answer ? method_answer(*said.answer) : failed_answer(Failure::malformed, said.error);
   if (!questions_) {  // a whole number for an id is no fault here
     if (id) object["id"] = *id;
     const CaseLine own = parse_case(id ? object.dump() : std::string(text), line);
-    if (!own.value) return pass_over(file, line, without_line(own.error));
-    if (!said.answer) complain_(file, line, said.error);
+    if (!own.value) return skip(file, line, without_line(own.error));
+    if (!said.answer) on_bad_line_(file, line, said.error);
     return judge_answer(*own.value, line, family_of(*own.value), answer);
   }
-  if (!id) return pass_over(file, line, "no id, a string or a whole number, of a question");
+  if (!id) return skip(file, line, "no id, a string or a whole number, of a question");
   Questions::Question* question = questions_->find(*id);
-  if (!question) return pass_over(file, line, fmt::format("id {} is of no question", quote_json(*id)));
+  if (!question) return skip(file, line, fmt::format("id {} is of no question", quote_json(*id)));
   if (question->answered != 0) {
     const std::string twice = fmt::format("answered on line {} already", question->answered);
-    complain_(file, line, fmt::format("id {} was {}", quote_json(*id), twice));
+    on_bad_line_(file, line, fmt::format("id {} was {}", quote_json(*id), twice));
     const Case again = questions_->read(*question);
     return judge_answer(again, line, question->family, failed_answer(Failure::malformed, twice), true);
   }
   question->answered = line;
-  if (!said.answer) complain_(file, line, said.error);
+  if (!said.answer) on_bad_line_(file, line, said.error);
   judge_answer(questions_->read(*question), line, question->family, answer);
 }
 

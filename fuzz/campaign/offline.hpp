@@ -33,7 +33,7 @@ class LineReader {
   /// Reads the next non-blank line. Returns whether there is one.
   bool next();
   /// Reads the line at a place where text() was: to be called on files alone.
-  bool go_to(std::uint64_t place, std::size_t line);
+  bool seek(std::uint64_t place, std::size_t line);
   std::string_view text() const { return text_; }  ///< cut after line_cap + 1 bytes
   std::size_t line() const { return line_; }       ///< from 1
   std::uint64_t place() const { return place_; }   ///< in bytes
@@ -47,16 +47,15 @@ class LineReader {
   std::uint64_t place_ = 0, next_ = 0;
 };
 
-/// A line that costs itself: what is wrong with it.
-using Complain = std::function<void(const std::string& file, std::size_t line, const std::string& what)>;
+/// Called for an invalid line, which is skipped.
+using OnBadLine = std::function<void(const std::string& file, std::size_t line, const std::string& what)>;
 
 /// The pairs of a file by their ids: where they are, not what they are. About 100 bytes a pair.
 class Questions {
  public:
-  /// Reads all of the file once. A line that is no pair, or whose id was there before, is told and passed
-  /// over. A line without an id has the number of its line. Throws std::runtime_error where it cannot be
-  /// read.
-  Questions(const std::string& file, const Complain& complain);
+  /// Reads the whole file once. A line that is not a pair, or that repeats an id, is reported and skipped.
+  /// The id of a line without one is its line number. Throws std::runtime_error if the file cannot be read.
+  Questions(const std::string& file, const OnBadLine& on_bad_line);
 
   struct Question {
     std::uint64_t place;
@@ -81,7 +80,7 @@ class Questions {
   std::vector<std::string> families_;
 };
 
-/// A finding that is kept: the first ones of each kind, and whoever is wrong by more than those before.
+/// A finding that is kept: the first of each kind, and each that is wrong by more than those before.
 struct JudgedFinding {
   Finding finding;
   std::string family;
@@ -92,8 +91,8 @@ struct JudgedFinding {
   Enclosure distance;
 };
 
-/// Whose answers are judged. What is empty here is taken from a hello in the answers.
-struct Answerer {
+/// The method whose answers are judged. What is empty here comes from a hello line in the answers.
+struct AnswerSource {
   std::string name;
   std::optional<double> relative;  ///< the claim
 };
@@ -101,7 +100,7 @@ struct Answerer {
 class OfflineJudge {
  public:
   /// `questions`: none where each answer has its own a and b.
-  OfflineJudge(Answerer who, Questions* questions, Complain complain);
+  OfflineJudge(AnswerSource who, Questions* questions, OnBadLine on_bad_line);
 
   /// Judges all answers of a stream, called `file` in what is told; then what has none. Calls `on_progress`
   /// with the number of lines read, often.
@@ -121,13 +120,13 @@ class OfflineJudge {
   void take(const std::string& file, std::size_t line, std::string_view text);
   void judge_answer(const Case& question, std::size_t line, std::uint32_t family, const MethodAnswer& answer,
                     bool again = false);
-  void pass_over(const std::string& file, std::size_t line, const std::string& what);
+  void skip(const std::string& file, std::size_t line, const std::string& what);
   std::uint32_t family_of(const Case& question);
   Counts& counts(std::uint32_t family);
 
-  Answerer who_;
+  AnswerSource who_;
   Questions* questions_;
-  Complain complain_;
+  OnBadLine on_bad_line_;
   std::string name_, claim_source_;
   Claim claim_;
   bool begun_ = false;

@@ -16,7 +16,7 @@ if(sources_without)
   list(TRANSFORM sources_without PREPEND ${top}/ OUTPUT_VARIABLE absent)
   list(REMOVE_ITEM adapters ${absent})
 endif()
-foreach(part base/json base/process/child base/process/confine base/process/kept_process base/process/process
+foreach(part base/json base/process/child base/process/confine base/process/supervised_process base/process/process
              corpus/pairs/method_answer corpus/pairs/pair_io corpus/pairs/truth_io
              fuzz/guided/record fuzz/guided/finding_sink fuzz/guided/fuzz_judge fuzz/guided/mutator fuzz/guided/visited)
   list(APPEND checking ${top}/${part}.cpp)

@@ -56,7 +56,7 @@ void FindingSink::keep(const char* folder, const std::string& letters, const Pai
 
 void FindingSink::add_finding(const Pair& pair, std::string_view method, std::string_view failure,
                               std::string_view what) {
-  const std::string key = bucket_of(method, failure, pair), letters = letters_only(key);
+  const std::string key = bucket_of(method, failure, pair), letters = letter_hash(key);
   ++findings_;
   if (!abort_ && !is_new("findings", letters)) return;
   Case c;
@@ -77,7 +77,7 @@ void FindingSink::add_finding(const Pair& pair, std::string_view method, std::st
 
 void FindingSink::add_undecided(const Pair& pair, const Stratum& stratum) {
   if (out_.empty()) return;
-  const std::string letters = letters_only(to_string(stratum));
+  const std::string letters = letter_hash(to_string(stratum));
   if (is_new("undecided", letters)) keep("undecided", letters, pair);
 }
 

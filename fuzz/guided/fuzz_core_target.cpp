@@ -27,7 +27,8 @@ constexpr std::size_t proved_law_share = 4096;  ///< a law that needs proofs: as
 class Core {
  public:
   Core() : methods_(own_methods()), sink_("fuzz_core") {
-    std::erase_if(methods_, [](const auto& m) { return m->claim().decides == Decides::all; });  // the referee
+    std::erase_if(methods_,
+                  [](const auto& m) { return m->claim().decides == DecisionScope::all; });  // the referee
     for (const Law& law : all_laws()) {
       const bool cheap = law.kind == LawKind::exact || law.kind == LawKind::one_sided;
       (cheap ? cheap_laws_ : proved_laws_).push_back(&law);
@@ -78,7 +79,7 @@ class Core {
     if (laws.empty()) return;
     const Law& law = *laws[fuzz_judge.draws().below(laws.size())];
     Method& method = *methods_[fuzz_judge.draws().below(methods_.size())];
-    const auto broken = broken_by(method, law, fuzz_judge.pair());
+    const auto broken = violation_of(method, law, fuzz_judge.pair());
     if (broken && broken->severity == Severity::contract)
       sink_.add_finding(fuzz_judge.pair(), method.name(), law.name, broken->what);
   }

@@ -122,7 +122,7 @@ std::optional<Case> Engine::replace_dead() {
     c.pair = decode_record(record);
     c.source = options_.target;
     c.note = fmt::format("{}/{}: {}", options_.target, name.substr(0, name.find('-')), reason_in(text));
-    c.id = letters_only(c.note);
+    c.id = letter_hash(c.note);
     found = c;
   }
   unexplained_ = found ? 0 : unexplained_ + 1;

@@ -3,7 +3,7 @@
 
 #include "fuzz/guided/counters.hpp"
 #include "fuzz/guided/visited.hpp"
-#include "oracles/trial/room.hpp"
+#include "oracles/trial/decidable_margin.hpp"
 #include "oracles/trial/shown_distance.hpp"
 
 namespace cyl {
@@ -41,9 +41,9 @@ void FuzzJudge::record(const Method& method, MethodAnswer answer) {
     return;
   }
   if (trial_.truth.verdict == Verdict::invalid) return;
-  const bool promised = method.claim().decides != Decides::not_promised;
+  const bool promised = method.claim().decides != DecisionScope::not_promised;
   if (promised && answer.verdict == Verdict::undecided) return check_undecided(method, answer);
-  if (answer.told_error > 0) check_told_error(method, answer);
+  if (answer.error_bound > 0) check_error_bound(method, answer);
   if (!enclose_) {
     answer.has_distance = false;
     if (std::fabs(measured_.value) < reach(method.claim(), size_of(trial_.pair))) return;
@@ -55,23 +55,23 @@ void FuzzJudge::record(const Method& method, MethodAnswer answer) {
 }
 
 void FuzzJudge::check_undecided(const Method& method, const MethodAnswer& answer) {
-  const double room =
+  const double slack =
       badness_of(Objective::undecided, method.claim(), trial_.pair, answer, Effort::likely).value;
-  count_badness(Objective::undecided, room);
-  if (room < resolved_margin) return;
+  count_badness(Objective::undecided, slack);
+  if (slack < resolved_margin) return;
   if (trial_.truth.verdict == Verdict::undecided) trial_.truth = judge(trial_.pair, {}, wide_bits_cap);
   if (const auto finding = compare(trial_, method.claim(), answer))
     sink_.add_finding(trial_.pair, method.name(), to_string(finding->kind), "beyond its claim");
 }
 
-void FuzzJudge::check_told_error(const Method& method, const MethodAnswer& answer) {
+void FuzzJudge::check_error_bound(const Method& method, const MethodAnswer& answer) {
   const Enclosure shown = shown_distance(trial_.pair, measured_);
   if (!std::isfinite(shown.lo)) return;
-  const Enclosure off = told_error_of(shown, answer);
-  count_badness(Objective::error, off.hi / answer.told_error);
+  const Enclosure off = error_bound_of(shown, answer);
+  count_badness(Objective::error, off.hi / answer.error_bound);
   count_badness(Objective::bound,
                 badness_of(Objective::bound, method.claim(), trial_.pair, answer, Effort::quick).value);
-  if (off.hi > answer.told_error)
+  if (off.hi > answer.error_bound)
     sink_.add_finding(trial_.pair, method.name(), to_string(FindingKind::distance_outside),
                       "points and direction do not show the distance within the error told");
 }

@@ -47,7 +47,7 @@ class FuzzJudge {
 
  private:
   void check_undecided(const Method& method, const MethodAnswer& answer);
-  void check_told_error(const Method& method, const MethodAnswer& answer);
+  void check_error_bound(const Method& method, const MethodAnswer& answer);
 
   Trial trial_;
   RandomStream draws_;

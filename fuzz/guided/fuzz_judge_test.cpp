@@ -15,7 +15,7 @@ namespace {
 std::size_t found(const Pair& pair, const MethodAnswer& answer) {
   Claim claim;
   claim.relative = 1e-13;
-  claim.decides = Decides::beyond_rounding;
+  claim.decides = DecisionScope::above_1e13;
   const auto method = fake_method("planted", [](const Pair&) { return MethodAnswer{}; }, {.claim = claim});
   FindingSink sink("fuzz_judge_test");
   FuzzJudge(encode_record(pair), {}, false, sink).record(*method, answer);
@@ -41,7 +41,7 @@ TEST(FuzzJudge, ADistanceIsHeldToTheErrorToldWithIt) {
     const Pair pair = apart_by(margin);
     MethodAnswer answer = answer_of(pair, distance(pair.a, pair.b));
     EXPECT_EQ(found(pair, answer), 0u) << margin;
-    answer.distance += 2 * answer.told_error;  // far within what is claimed
+    answer.distance += 2 * answer.error_bound;  // far within what is claimed
     EXPECT_EQ(found(pair, answer), 1u) << margin;
   }
 }

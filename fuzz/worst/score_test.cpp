@@ -29,7 +29,7 @@ std::unique_ptr<Method> own(std::string_view name) {
 Claim promising(double relative) {
   Claim claim;
   claim.relative = relative;
-  claim.decides = Decides::beyond_rounding;
+  claim.decides = DecisionScope::above_1e13;
   return claim;
 }
 
@@ -38,7 +38,7 @@ std::unique_ptr<Method> lying(double off, double told) {
   const auto ask = [=](const Pair& pair) {
     MethodAnswer answer = answer_of(pair, distance(pair.a, pair.b));
     answer.distance += off * size_of(pair);
-    answer.told_error = told * size_of(pair);
+    answer.error_bound = told * size_of(pair);
     return answer;
   };
   return fake_method("lying", ask, {.claim = promising(1), .foreign = false});
@@ -59,7 +59,7 @@ TEST(Score, ABoundToldBeyondTheClaimIsFound) {
   const auto bound = [](double told) {
     const auto ask = [=](const Pair& pair) {
       MethodAnswer answer = answer_of(pair, distance(pair.a, pair.b));
-      answer.told_error = told * size_of(pair);
+      answer.error_bound = told * size_of(pair);
       return answer;
     };
     return climb(fake_method("vague", ask, {.claim = promising(1e-3), .foreign = false}), Objective::bound,

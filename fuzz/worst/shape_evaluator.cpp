@@ -44,7 +44,7 @@ class Timed final : public Method {
   std::string_view name() const override { return method_.name(); }
   std::string_view version() const override { return method_.version(); }
   Claim claim() const override { return method_.claim(); }
-  bool takes(SolidKind kind) const override { return method_.takes(kind); }
+  bool supports(SolidKind kind) const override { return method_.supports(kind); }
   MethodAnswer answer(const Pair& pair) override {
     double reading = std::numeric_limits<double>::infinity();
     for (int i = 0; i < clock_looks; ++i) {

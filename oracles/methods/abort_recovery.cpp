@@ -14,7 +14,7 @@
 #include <string>
 
 #include "base/process/process.hpp"
-#include "oracles/methods/ask_caught.hpp"
+#include "oracles/methods/ask_noexcept.hpp"
 #include "oracles/methods/worker_service.hpp"
 
 namespace cyl {
@@ -74,7 +74,7 @@ std::string with_last_words(const std::string& how, int output) {
 
 MethodAnswer ask_recovering(Method& method, const Pair& pair, CallMode mode) {
   static int recovered = 0;
-  if (!method.recovers() || recovered >= recovery_cap) return ask_caught(method, pair, mode);
+  if (!method.recovers() || recovered >= recovery_cap) return ask_noexcept(method, pair, mode);
   // Installed once: a call of some hundred nanoseconds affords no system call. Likewise the mask of signals
   // is not saved, but mended after a jump.
   [[maybe_unused]] static const auto installed = std::signal(SIGABRT, on_abort);
@@ -92,7 +92,7 @@ MethodAnswer ask_recovering(Method& method, const Pair& pair, CallMode mode) {
     return failed_answer(Failure::crash, reason);
   }
   asking = 1;
-  const MethodAnswer answer = ask_caught(method, pair, mode);
+  const MethodAnswer answer = ask_noexcept(method, pair, mode);
   asking = 0;
   return answer;
 }

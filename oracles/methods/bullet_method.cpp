@@ -119,7 +119,7 @@ class Bullet : public Method {
   explicit Bullet(std::string name) : name_(std::move(name)) {}
   std::string_view name() const override { return name_; }
   std::string_view version() const override { return version_; }
-  bool takes(SolidKind) const override { return true; }
+  bool supports(SolidKind) const override { return true; }
   Claim claim() const override { return {.absolute = vertex_tol, .source = vertex_source, .assumed = true}; }
 
  private:
@@ -167,7 +167,7 @@ class Detector final : public Bullet {
 class GjkEpa2 final : public Bullet {
  public:
   using Bullet::Bullet;
-  bool takes(SolidKind kind) const override { return kind == SolidKind::cylinder; }
+  bool supports(SolidKind kind) const override { return kind == SolidKind::cylinder; }
   Claim claim() const override {
     return {.absolute = vertex_tol,
             .source = "btGjkEpa2.cpp: GJK_DUPLICATED_EPS 1e-12, a squared length; btGjkEpa2.h says nothing",
@@ -220,7 +220,7 @@ class HullShape final : public Bullet {
   HullShape(int sides, unsigned share)
       : Bullet("bullet-hull-" + std::to_string(sides)), sides_(sides), share_(share) {}
   unsigned share() const override { return share_; }
-  bool takes(SolidKind kind) const override { return kind == SolidKind::cylinder; }
+  bool supports(SolidKind kind) const override { return kind == SolidKind::cylinder; }
 
   MethodAnswer answer(const Pair& pair) override {
     if (const auto declined = decline_invalid(pair)) return *declined;

@@ -69,7 +69,7 @@ class Ccd final : public Method {
       : name_(name), intersect_(intersect), settings_(settings), claim_(claim) {}
   std::string_view name() const override { return name_; }
   std::string_view version() const override { return DAYLIGHT_CCD_VERSION; }
-  bool takes(SolidKind) const override { return true; }
+  bool supports(SolidKind) const override { return true; }
   Claim claim() const override { return claim_; }
 
   MethodAnswer answer(const Pair& pair) override {

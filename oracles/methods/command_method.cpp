@@ -76,7 +76,7 @@ class CommandMethod final : public Method {
     return {hello_.relative, hello_.absolute, hello_.claim_source};
   }
   bool guest() const override { return true; }
-  bool takes(SolidKind kind) const override { return hello_.takes[static_cast<std::size_t>(kind)]; }
+  bool supports(SolidKind kind) const override { return hello_.supports[static_cast<std::size_t>(kind)]; }
 
   Pair modelled(const Pair& pair) const override {
     return {with_rounded_rims(pair.a, hello_.rounded_rims), with_rounded_rims(pair.b, hello_.rounded_rims)};
@@ -87,7 +87,7 @@ class CommandMethod final : public Method {
     return exchange(pair);
   }
 
-  bool runs_apart() const override { return true; }
+  bool is_out_of_process() const override { return true; }
   std::chrono::nanoseconds cpu_time() const override {
     return earlier_ + (program_ ? program_->cpu_time() : std::chrono::nanoseconds(0));
   }
@@ -142,7 +142,7 @@ class CommandMethod final : public Method {
 
   std::optional<MethodAnswer> decline(const Pair& pair) const {
     for (const Cylinder* solid : {&pair.a, &pair.b})
-      if (!takes(kind_of(*solid))) return declined_shape(kind_of(*solid));
+      if (!supports(kind_of(*solid))) return declined_shape(kind_of(*solid));
     return decline_invalid(pair);
   }
 

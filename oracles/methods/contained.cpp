@@ -7,7 +7,7 @@
 #include <string>
 #include <thread>
 
-#include "oracles/methods/ask_caught.hpp"
+#include "oracles/methods/ask_noexcept.hpp"
 #include "oracles/methods/worker.hpp"
 
 namespace cyl {
@@ -102,7 +102,7 @@ class Asker::Parts {
 
  private:
   Worker* worker_of(std::size_t m) {
-    if (methods_[m]->runs_apart()) return nullptr;
+    if (methods_[m]->is_out_of_process()) return nullptr;
     if (!methods_[m]->guest()) return &common_;
     return &guests_.try_emplace(m, methods_, true, caps_).first->second;
   }
@@ -179,7 +179,7 @@ class Asker::Parts {
     const std::chrono::nanoseconds start = method.cpu_time();
     std::vector<MethodAnswer> answers(pairs.size());
     if (mode != CallMode::usual)
-      answers[0] = ask_caught(method, pairs[0], mode);
+      answers[0] = ask_noexcept(method, pairs[0], mode);
     else
       answers.resize(method.ask_many(pairs, answers));
     const double spent = static_cast<double>((method.cpu_time() - start).count());

@@ -22,7 +22,7 @@ inline MethodAnswer answered(Verdict verdict) {
 
 struct FakeTraits {
   Claim claim = {};
-  bool foreign = true, guest = false, runs_apart = false;
+  bool foreign = true, guest = false, is_out_of_process = false;
   unsigned share = 1;
   bool recovers = false;
 };
@@ -37,7 +37,7 @@ class FakeMethod : public Method {
   Claim claim() const override { return traits_.claim; }
   bool foreign() const override { return traits_.foreign; }
   bool guest() const override { return traits_.guest; }
-  bool runs_apart() const override { return traits_.runs_apart; }
+  bool is_out_of_process() const override { return traits_.is_out_of_process; }
   unsigned share() const override { return traits_.share; }
   bool recovers() const override { return traits_.recovers; }
   MethodAnswer answer(const Pair& pair) override { return ask_(pair); }

@@ -69,13 +69,13 @@ GuestHello hello_of(const json& line) {
   GuestHello hello;
   hello.name = text_of(line, "name");
   hello.version = text_of(line, "version");
-  if (const auto takes = line.find("takes"); takes != line.end()) {
-    if (!takes->is_array()) throw std::invalid_argument("takes is no list");
-    hello.takes.fill(false);
-    for (const json& word : *takes) {
+  if (const auto supports = line.find("takes"); supports != line.end()) {
+    if (!supports->is_array()) throw std::invalid_argument("takes is no list");
+    hello.supports.fill(false);
+    for (const json& word : *supports) {
       const auto kind = from_word<SolidKind>(word.is_string() ? word.get<std::string>() : "");
       if (!kind) throw std::invalid_argument("takes has what is none of sphere, capsule, cylinder, rounded");
-      hello.takes[static_cast<std::size_t>(*kind)] = true;
+      hello.supports[static_cast<std::size_t>(*kind)] = true;
     }
   }
   if (const auto rims = line.find("rounded_rims"); rims != line.end())

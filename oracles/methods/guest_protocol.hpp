@@ -28,7 +28,7 @@ struct GuestHello {
   std::string claim_source;
   double rounded_rims = 0;  ///< by how much it rounds the edges of cylinders, inwards
   /// Which kinds of solids it is asked about, by SolidKind.
-  std::array<bool, words_of(SolidKind{}).size()> takes{false, false, true, false};
+  std::array<bool, words_of(SolidKind{}).size()> supports{false, false, true, false};
 };
 
 struct GuestAnswer {

@@ -146,7 +146,7 @@ TEST(GuestCommand, ItsHangsCountAsAnyMethods) {
                                   answer.failure = Failure::hang;
                                   return answer;
                                 },
-                                {.runs_apart = true}));
+                                {.is_out_of_process = true}));
   const std::vector<Question> questions{{0, 0}, {0, 0}, {0, 0}};
   const auto said = ask_contained(methods, numbered_pairs(1), questions, {.hangs = 2});
   EXPECT_EQ(said[1].answer.failure, Failure::hang);

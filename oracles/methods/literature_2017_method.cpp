@@ -72,7 +72,7 @@ std::vector<std::unique_ptr<Method>> literature_2017_methods() {
                   {.relative = s.relative,
                    .source = "solver/literature/readings.md: above the largest margin at which it was wrong.",
                    .assumed = true,
-                   .every_bit = true},
+                   .bitwise_stable = true},
                   s.share));
   }
   methods.push_back(

@@ -18,10 +18,10 @@
 namespace cyl {
 
 /// From where on a method promises not to be undecided, where both solids are valid and within range.
-enum class Decides : unsigned char {
+enum class DecisionScope : unsigned char {
   not_promised,
-  beyond_rounding,  ///< It decides gaps of 1e-13 of the size, and where a ball of that lies in both (law 39).
-  all               ///< It decides every pair of which anybody can prove a verdict.
+  above_1e13,  ///< It decides gaps of 1e-13 of the size, and where a ball of that lies in both (law 39).
+  all          ///< It decides every pair of which anybody can prove a verdict.
 };
 
 /// What a method promises: to be right wherever |distance| >= relative * size + absolute, and more.
@@ -31,12 +31,12 @@ struct Claim {
   std::string_view source;  ///< the line of its documentation or source that says so
   bool assumed = false;     ///< by us: `source` is no promise, but the best that its sources tell
   // No library documents any of these.
-  bool every_bit = false;       ///< A change that alters no digit of the question alters none of its answer.
-  bool keeps_mirrored = false;  ///< Its verdict stays, wherever, when signs of coordinates are flipped.
-  bool certified = false;       ///< It offers a witness that proves its verdict with every yes and no.
-  bool from_a_to_b = false;     ///< The directions it offers point from a to b.
-  bool tells_invalid = false;   ///< It says `invalid` of a pair with a negative radius.
-  Decides decides = Decides::not_promised;
+  bool bitwise_stable = false;  ///< A change that alters no digit of the question alters none of its answer.
+  bool mirror_invariant = false;  ///< Its verdict stays, wherever, when signs of coordinates are flipped.
+  bool certified = false;         ///< It offers a witness that proves its verdict with every yes and no.
+  bool from_a_to_b = false;       ///< The directions it offers point from a to b.
+  bool reports_invalid = false;   ///< It says `invalid` of a pair with a negative radius.
+  DecisionScope decides = DecisionScope::not_promised;
 };
 
 /// Interface of a method. `ask` may do anything foreign code does: throw, abort, hang. Callers who cannot
@@ -57,21 +57,21 @@ class Method {
   virtual unsigned share() const { return 1; }
   /// Does what must be done once in the process that asks, such as to load a library; ask() does it where it
   /// was not done. May do what ask() may.
-  virtual void get_ready() {}
+  virtual void initialize() {}
   /// Whether it has a shape for such solids.
-  virtual bool takes(SolidKind kind) const { return kind == SolidKind::cylinder; }
-  bool takes(const Pair& pair) const { return takes(kind_of(pair.a)) && takes(kind_of(pair.b)); }
+  virtual bool supports(SolidKind kind) const { return kind == SolidKind::cylinder; }
+  bool supports(const Pair& pair) const { return supports(kind_of(pair.a)) && supports(kind_of(pair.b)); }
   /// The solids that it really asks about, where it rounds the edges of cylinders on purpose.
   virtual Pair modelled(const Pair& pair) const { return pair; }
   /// Its answer, or that it declines a solid that it does not take.
   MethodAnswer ask(const Pair& pair) {
-    if (takes(pair)) return answer(pair);
-    return declined_shape(kind_of(takes(kind_of(pair.a)) ? pair.b : pair.a));
+    if (supports(pair)) return answer(pair);
+    return declined_shape(kind_of(supports(kind_of(pair.a)) ? pair.b : pair.a));
   }
   /// Whether it runs what is foreign in processes of its own, so that it may be asked in this one.
-  virtual bool runs_apart() const { return false; }
+  virtual bool is_out_of_process() const { return false; }
   /// Whether it does better on many pairs than ask() does on each.
-  virtual bool asks_many() const { return runs_apart(); }
+  virtual bool has_batch_call() const { return is_out_of_process(); }
   /// Asks about as many pairs, all of them or those up to the first failure, and returns how many these are.
   virtual std::size_t ask_many(std::span<const Pair> pairs, std::span<MethodAnswer> answers) {
     for (std::size_t i = 0; i < pairs.size(); ++i)

@@ -127,7 +127,7 @@ class Mujoco final : public Method {
       : name_(name), tolerance_(tolerance), collider_(tolerance, iterations) {}
   std::string_view name() const override { return name_; }
   std::string_view version() const override { return mj_versionString(); }
-  bool takes(SolidKind kind) const override { return kind != SolidKind::rounded; }
+  bool supports(SolidKind kind) const override { return kind != SolidKind::rounded; }
   Claim claim() const override {
     return {.absolute = tolerance_, .source = "mujoco/mjmodel.h: mpr_tolerance, MPR solver tolerance"};
   }

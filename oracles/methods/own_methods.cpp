@@ -41,14 +41,14 @@ class Intersect final : public Method {
   Claim claim() const override {
     return {.relative = 1e-13,
             .source = "solver/decide.hpp: Right wherever the margin is >= 1e-13.",
-            .every_bit = true,
-            .keeps_mirrored = true,
+            .bitwise_stable = true,
+            .mirror_invariant = true,
             .from_a_to_b = true,
-            .tells_invalid = true,
-            .decides = Decides::beyond_rounding};
+            .reports_invalid = true,
+            .decides = DecisionScope::above_1e13};
   }
   bool foreign() const override { return false; }
-  bool takes(SolidKind) const override { return true; }
+  bool supports(SolidKind) const override { return true; }
   MethodAnswer answer(const Pair& pair) override {
     MethodAnswer answer;
     answer.status = Status::answered;
@@ -71,14 +71,14 @@ class Decide final : public Method {
   std::string_view version() const override { return DAYLIGHT_VERSION; }
   Claim claim() const override {
     return {.source = "solver/decide.hpp: Never wrong.",
-            .every_bit = true,
+            .bitwise_stable = true,
             .certified = true,
             .from_a_to_b = true,
-            .tells_invalid = true,
-            .decides = Decides::beyond_rounding};
+            .reports_invalid = true,
+            .decides = DecisionScope::above_1e13};
   }
   bool foreign() const override { return false; }
-  bool takes(SolidKind) const override { return true; }
+  bool supports(SolidKind) const override { return true; }
   MethodAnswer answer(const Pair& pair) override { return answer_of(pair, decide(pair.a, pair.b)); }
   Call prepare_all(std::span<const Pair> pairs) override {
     return prepare_solids(pairs, [](const Prepared& a, const Prepared& b) { return decide(a, b).verdict; });
@@ -102,13 +102,13 @@ class MeasureDistance final : public Method {
   Claim claim() const override {
     return {.relative = distance_tol,
             .source = "solver/distance.hpp: error within 1e-13 of size + |Delta|, or it says so.",
-            .every_bit = true,
+            .bitwise_stable = true,
             .from_a_to_b = true,
-            .tells_invalid = true,
-            .decides = Decides::beyond_rounding};
+            .reports_invalid = true,
+            .decides = DecisionScope::above_1e13};
   }
   bool foreign() const override { return false; }
-  bool takes(SolidKind) const override { return true; }
+  bool supports(SolidKind) const override { return true; }
   MethodAnswer answer(const Pair& pair) override { return answer_of(pair, distance(pair.a, pair.b)); }
   Call prepare_all(std::span<const Pair> pairs) override {
     return prepare_solids(pairs, [](const Prepared& a, const Prepared& b) { return distance(a, b).verdict; });
@@ -125,11 +125,11 @@ class Exact final : public Method {
   Claim claim() const override {
     return {.source = "oracles/referee/decide_exactly.hpp: Proved, with certificate.",
             .from_a_to_b = true,
-            .tells_invalid = true,
-            .decides = Decides::all};
+            .reports_invalid = true,
+            .decides = DecisionScope::all};
   }
   bool foreign() const override { return false; }
-  bool takes(SolidKind) const override { return true; }
+  bool supports(SolidKind) const override { return true; }
   MethodAnswer answer(const Pair& pair) override {
     const Truth truth = decide_exactly(pair.a, pair.b);
     MethodAnswer answer;
@@ -168,7 +168,7 @@ MethodAnswer answer_of(const Pair& pair, const Distance& measured) {
   const bool sure = measured.verdict == Verdict::intersecting || measured.error <= distance_tol * reach;
   answer.has_distance = measured.verdict != Verdict::invalid && sure;
   answer.distance = measured.value;
-  answer.told_error = measured.error;
+  answer.error_bound = measured.error;
   if (measured.verdict == Verdict::disjoint) answer.set_direction(measured.direction);
   return answer;
 }

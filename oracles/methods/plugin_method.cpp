@@ -17,8 +17,8 @@
 
 #include "base/json.hpp"
 #include "base/process/confine.hpp"
-#include "base/process/kept_process.hpp"
 #include "base/process/process.hpp"
+#include "base/process/supervised_process.hpp"
 #include "corpus/pairs/pair_numbers.hpp"
 #include "oracles/methods/adapter.hpp"
 #include "oracles/methods/guest.hpp"
@@ -125,7 +125,7 @@ nlohmann::json describe(const std::string& file) try {
 std::string run_apart(const std::function<std::string()>& work) {
   int ends[2];
   if (pipe2(ends, O_CLOEXEC) != 0) throw_errno("pipe");
-  std::optional<KeptProcess> loading;
+  std::optional<SupervisedProcess> loading;
   try {
     loading.emplace(
         [&] {
@@ -197,9 +197,9 @@ class Plugin final : public Method {
     return {label_.relative, label_.absolute, label_.source};
   }
   bool guest() const override { return true; }
-  bool takes(SolidKind kind) const override { return label_.rounding || kind == SolidKind::cylinder; }
+  bool supports(SolidKind kind) const override { return label_.rounding || kind == SolidKind::cylinder; }
 
-  void get_ready() override { loaded(); }
+  void initialize() override { loaded(); }
   MethodAnswer answer(const Pair& pair) override {
     if (const auto invalid = decline_invalid(pair)) return *invalid;
     const auto a = numbers_of(pair.a), b = numbers_of(pair.b);
@@ -216,7 +216,7 @@ class Plugin final : public Method {
     return answer;
   }
 
-  bool asks_many() const override { return label_.many; }
+  bool has_batch_call() const override { return label_.many; }
   std::size_t ask_many(std::span<const Pair> pairs, std::span<MethodAnswer> answers) override {
     std::vector<std::size_t> legal;
     for (std::size_t i = 0; i < pairs.size(); ++i) {

@@ -25,7 +25,7 @@ const Kinds cylinders_alone{SolidKind::cylinder},
 Kinds kinds_of(const Method& method) {
   Kinds kinds;
   for (const SolidKind kind : enum_values<SolidKind>)
-    if (method.takes(kind)) kinds.insert(kind);
+    if (method.supports(kind)) kinds.insert(kind);
   return kinds;
 }
 
@@ -69,7 +69,7 @@ TEST(RoundedMethods, AreRightWhereThatIsEasy) {
       for (const auto& method : methods) {
         if (method->share() > 1) continue;
         const MethodAnswer answer = method->ask(pair);
-        if (!method->takes(pair)) {
+        if (!method->supports(pair)) {
           ASSERT_EQ(answer.status, Status::declined) << method->name();
           ASSERT_TRUE(std::string(answer.reason).starts_with("it has no ")) << answer.reason;
           continue;

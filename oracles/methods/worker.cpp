@@ -14,10 +14,10 @@
 #include <utility>
 
 #include "base/process/confine.hpp"
-#include "base/process/kept_process.hpp"
 #include "base/process/process.hpp"
+#include "base/process/supervised_process.hpp"
 #include "oracles/methods/abort_recovery.hpp"
-#include "oracles/methods/ask_caught.hpp"
+#include "oracles/methods/ask_noexcept.hpp"
 #include "oracles/methods/worker_service.hpp"
 
 namespace cyl {
@@ -44,7 +44,7 @@ nanoseconds busy_time_of(pid_t process) {
   return nanoseconds(ran + queued);
 }
 
-bool has_ended(const KeptProcess& kept) {
+bool has_ended(const SupervisedProcess& kept) {
   pollfd end{kept.end(), POLLIN, 0};
   return poll(&end, 1, 0) > 0;
 }
@@ -79,7 +79,7 @@ class Worker::Process {
     close_all({output_, go_, done_});
   }
 
-  KeptProcess& kept() { return *kept_; }
+  SupervisedProcess& kept() { return *kept_; }
   int output() const { return output_; }
   int done() const { return done_; }
   void wake() const {
@@ -100,7 +100,7 @@ class Worker::Process {
   }
 
   int output_, go_, done_;
-  std::optional<KeptProcess> kept_;
+  std::optional<SupervisedProcess> kept_;
 };
 
 Worker::Worker(std::span<const std::unique_ptr<Method>> methods, bool confined, const Caps& caps)
@@ -146,7 +146,7 @@ bool Worker::has_begun() const { return memory_->said->begun.load() == memory_->
 Worker::Watched Worker::watch() {
   const auto interval = std::clamp(caps_.call_cpu / 4, milliseconds(1), longest_look_interval);
   const auto& said = *memory_->said.operator->();
-  KeptProcess& kept = process_->kept();
+  SupervisedProcess& kept = process_->kept();
   Watched watched;
   struct Times {
     nanoseconds wall, cpu, busy;
@@ -196,7 +196,7 @@ Worker::Watched Worker::watch() {
 }
 
 /// "SIGABRT, after printing: ..."
-std::string describe_death(const std::optional<KeptProcess::Ending>& ending, int denied, int output) {
+std::string describe_death(const std::optional<SupervisedProcess::Ending>& ending, int denied, int output) {
   std::string how = "its process was ended from outside";
   if (ending && WIFSIGNALED(ending->status)) {
     how = signal_name(WTERMSIG(ending->status));
@@ -244,7 +244,7 @@ std::vector<ContainedAnswer> Worker::ask(std::span<const Pair> pairs, std::span<
   }
   // Where many were asked in one call it is not known whose fault that is: the next block goes one by one.
   const bool in_one_call = watched.lost && said.size() < questions.size() && !one_by_one_ &&
-                           methods_[questions[said.size()].method]->asks_many();
+                           methods_[questions[said.size()].method]->has_batch_call();
   one_by_one_ = in_one_call;
   if (in_one_call) process_.reset();
   if (watched.lost && !in_one_call) {

@@ -17,7 +17,7 @@
 #include "base/process/control_words.hpp"
 #include "base/process/process.hpp"
 #include "oracles/methods/abort_recovery.hpp"
-#include "oracles/methods/ask_caught.hpp"
+#include "oracles/methods/ask_noexcept.hpp"
 
 namespace cyl {
 namespace {
@@ -83,7 +83,7 @@ class Service {
       }
       const std::uint64_t number = asked_.number.load();
       if (number == said_.number.load()) continue;
-      get_ready();
+      initialize();
       said_.begun.store(number);
       answer_block();
       said_.number.store(number);
@@ -94,14 +94,14 @@ class Service {
 
  private:
   /// Threads that are there from then on are nobody's fault.
-  void get_ready() {
+  void initialize() {
     for (std::size_t i = 0; i < asked_.count; ++i) {
       const std::size_t m = asked_.questions[i].method;
       if (ready_.size() <= m) ready_.resize(methods_.size(), false);
       if (ready_[m]) continue;
       ready_[m] = true;
       try {
-        methods_[m]->get_ready();
+        methods_[m]->initialize();
       } catch (...) {  // ask() will say it
       }
       write_control_words(words_);
@@ -138,7 +138,7 @@ class Service {
   bool answer_many(std::size_t first, std::size_t end) {
     const Question& q = asked_.questions[first];
     Method& method = *methods_[q.method];
-    if (asked_.one_by_one || q.mode != CallMode::usual || !method.asks_many()) return false;
+    if (asked_.one_by_one || q.mode != CallMode::usual || !method.has_batch_call()) return false;
     const auto pairs = std::span(asked_.pairs).subspan(first, end - first);
     answers_.assign(pairs.size(), {});
     try {

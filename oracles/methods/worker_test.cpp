@@ -185,7 +185,7 @@ class Loading final : public FakeMethod {
   explicit Loading(std::function<void()> load)
       : FakeMethod("loading", [](const Pair&) { return answered(Verdict::disjoint); }),
         load_(std::move(load)) {}
-  void get_ready() override { load_(); }
+  void initialize() override { load_(); }
 
  private:
   std::function<void()> load_;

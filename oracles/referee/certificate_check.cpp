@@ -254,7 +254,7 @@ int support_gap_sign(const Pair& pair, const Rational3& direction, int bits) {
                      MpInterval(pair.a.height) / two, unit(pair.b), MpInterval(pair.b.radius),
                      MpInterval(pair.b.height) / two, interval(exact(pair.b.center) - exact(pair.a.center)));
   if (is_rounded(pair)) {
-    const MpInterval grown = f + MpInterval(room_of(pair)) * length(interval(direction));
+    const MpInterval grown = f + MpInterval(contact_distance_of(pair)) * length(interval(direction));
     return grown.negative() ? -1 : grown.positive() ? 1 : 0;
   }
   return f.negative() ? -1 : f.positive() ? 1 : 0;
@@ -308,7 +308,9 @@ bool in_each_exact(const Pair& pair, const Rational3& on_a, const Rational3& on_
   return is_in(pair.a, on_a) && is_in(pair.b, on_b);
 }
 
-mpq_class room_of(const Pair& pair) { return mpq_class(pair.a.rounding) + mpq_class(pair.b.rounding); }
+mpq_class contact_distance_of(const Pair& pair) {
+  return mpq_class(pair.a.rounding) + mpq_class(pair.b.rounding);
+}
 
 Rational3 project_to_hull(const Cylinder& c, const Rational3& point, Hull hull) {
   const Hull in = both(own_hull(c), hull);

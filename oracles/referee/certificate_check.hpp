@@ -98,7 +98,7 @@ Rational3 project_to_hull(const Cylinder& c, const Rational3& point, Hull hull =
 bool in_each_exact(const Pair& pair, const Rational3& on_a, const Rational3& on_b);
 
 /// a.rounding + b.rounding.
-mpq_class room_of(const Pair& pair);
+mpq_class contact_distance_of(const Pair& pair);
 
 Rational3 exact(const Vector3& v);
 /// Each coordinate between two neighbouring doubles, or so.

@@ -88,7 +88,7 @@ std::optional<Truth> prove_disjoint(const Pair& pair, const Rational3& direction
 
 mpq_class exact_size(const Pair& pair) {
   return mpq_class(pair.a.radius) + mpq_class(pair.a.height) + mpq_class(pair.b.radius) +
-         mpq_class(pair.b.height) + room_of(pair);
+         mpq_class(pair.b.height) + contact_distance_of(pair);
 }
 
 mpq_class times_power(mpq_class x, int exponent) {

@@ -278,7 +278,7 @@ Truth judge_rounded(const Pair& pair, int bits_cap) {
     }
     if (bits == first_multiprecision_bits)
       if (auto t = prove_rounded_at_once(pair)) return *t;
-    if (found.has_point && room_of(pair) < times_power(exact_size(pair), -bits / 4)) continue;
+    if (found.has_point && contact_distance_of(pair) < times_power(exact_size(pair), -bits / 4)) continue;
     if (auto t = prove_rounded(pair, bits)) return *t;
   }
   return undecided;

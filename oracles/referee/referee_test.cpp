@@ -33,8 +33,9 @@ void expect_proved(const Pair& pair, const Truth& truth, const std::string& what
     case Verdict::intersecting:
       if (c.kind == CertificateKind::points) {
         const Rational3 x = exact(c.vector), y = exact(c.second), between = y - x;
-        const mpq_class room = room_of(pair);
-        EXPECT_TRUE(in_each_exact(pair, x, y) && dot(between, between) <= room * room) << what;
+        const mpq_class contact_distance = contact_distance_of(pair);
+        EXPECT_TRUE(in_each_exact(pair, x, y) && dot(between, between) <= contact_distance * contact_distance)
+            << what;
       } else {
         EXPECT_TRUE(in_both_exact(pair, exact(c.vector))) << what;
       }

@@ -23,8 +23,8 @@ Truth met_at(ExactVector on_a, ExactVector on_b, Stage stage, int bits) {
 /// How the length between a point of each core compares with the room.
 int compare_with_room(const Pair& pair, const Rational3& on_a, const Rational3& on_b) {
   const Rational3 between = on_b - on_a;
-  const mpq_class room = room_of(pair);
-  return cmp(mpq_class(dot(between, between)), mpq_class(room * room));
+  const mpq_class contact_distance = contact_distance_of(pair);
+  return cmp(mpq_class(dot(between, between)), mpq_class(contact_distance * contact_distance));
 }
 
 /// A rational above the root of a positive one, by less than 2^-digits of it.
@@ -209,13 +209,14 @@ bool is_nearly_in(const Cylinder& c, const Rational3& point, const mpq_class& sl
 
 /// The points of a search wide enough for 2^-200 of the size, if it came that near.
 std::optional<Certificate> near_points(const Pair& pair, const Rational3& direction) {
-  const mpq_class slack = times_power(exact_size(pair), -200), room = room_of(pair) + slack;
+  const mpq_class slack = times_power(exact_size(pair), -200),
+                  contact_distance = contact_distance_of(pair) + slack;
   for (const Start start : {Start::double_points, Start::middle}) {
     const Nearest<MpFloat> found = nearest_in_multiprecision(pair, near_bits, start);
     const Rational3 center = exact(pair.a.center), on_a = center + rational(found.on_a),
                     on_b = center + rational(found.on_b), between = on_b - on_a;
     if (!is_nearly_in(pair.a, on_a, slack) || !is_nearly_in(pair.b, on_b, slack) ||
-        dot(between, between) > room * room)
+        dot(between, between) > contact_distance * contact_distance)
       continue;
     Certificate near{CertificateKind::near_points, exact_vector(on_a), exact_vector(direction)};
     near.third = exact_vector(on_b);
@@ -229,8 +230,10 @@ std::optional<Truth> prove_rounded_touching(const Pair& pair, const Rational3& o
                                             int bits) {
   // Far from touching it is not worth trying.
   const Rational3 between = on_b - on_a;
-  const mpq_class size = exact_size(pair), room = room_of(pair);
-  if (abs(mpq_class(dot(between, between) - room * room)) > times_power(size * size, -12)) return {};
+  const mpq_class size = exact_size(pair), contact_distance = contact_distance_of(pair);
+  if (abs(mpq_class(dot(between, between) - contact_distance * contact_distance)) >
+      times_power(size * size, -12))
+    return {};
   const auto touching_at = [&](const Rational3& x, const Rational3& y) {
     Truth t = proved(Verdict::touching, exact_vector(x), Stage::exact, bits);
     t.certificate.kind = CertificateKind::points;

@@ -338,7 +338,7 @@ class Search {
     return t.u + t.slope / bend;
   }
 
-  /// Offers the direction of which the two tangents, mixed by `lambda`, show that f is at most `bound`;
+  /// WitnessSet the direction of which the two tangents, mixed by `lambda`, show that f is at most `bound`;
   /// true where that separates by more than rounding.
   bool offer_between(const Cut<R>& left, const Cut<R>& right, const R& lambda, const R& bound) {
     if (!(bound < zero_)) return false;

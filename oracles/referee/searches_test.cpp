@@ -182,7 +182,7 @@ TEST(RefereeSearches, FindInAsManyStepsAsMeasured) {
     for (std::size_t i = 0; i < kind.pairs.size(); i += enclosing_share)
       enclose_one(kind.pairs[i], enclosing_widths[i / enclosing_share % std::size(enclosing_widths)], n);
     const auto expect = [&](double is, double may_be, const char* what) {
-      check_that(is <= may_be * count_room, what, "of", kind.name, is, "that may be", may_be);
+      check_that(is <= may_be * step_tolerance, what, "of", kind.name, is, "that may be", may_be);
     };
     expect(e.slices / e.pairs, most.slices, "searches: mean slices");
     expect(e.fine_slices / e.fine_pairs, most.fine_slices, "searches: mean slices in 128 bits");

@@ -123,8 +123,8 @@ RootSum support_gap(const Pair& pair, const Rational3& d) {
     sum = sum + RootSum::root(c->radius, dot(side, side) / ww) +
           RootSum::root(mpq_class(c->height) / 2, dw * dw / ww);
   }
-  const mpq_class room = room_of(pair);
-  return room == 0 ? sum : sum + RootSum::root(room, dot(d, d));
+  const mpq_class contact_distance = contact_distance_of(pair);
+  return contact_distance == 0 ? sum : sum + RootSum::root(contact_distance, dot(d, d));
 }
 
 }  // namespace
@@ -132,7 +132,7 @@ RootSum support_gap(const Pair& pair, const Rational3& d) {
 std::optional<std::pair<Rational3, Rational3>> contact_points(const Pair& pair, const Rational3& direction) {
   const Rational3 c0 = exact(pair.a.center);
   const Face f = face(pair.a, direction), g = face(pair.b, mpq_class(-1) * direction);
-  const Root3 way = along(room_of(pair), direction),
+  const Root3 way = along(contact_distance_of(pair), direction),
               delta = lift(exact(pair.b.center) - c0) + g.center - f.center - way;
   const Root3 on_a = f.center + shared_point(f, g, delta);
   const auto x = rational(on_a), y = rational(on_a + way);
@@ -243,9 +243,10 @@ std::optional<Tangency> prove_tangency(const Pair& pair, const Rational3& near_p
     if (sign < 0) return Tangency{d, false};
     const Rational3 back = mpq_class(-1) * d;
     const Face f = face(pair.a, d), g = face(pair.b, back);
-    const mpq_class room = room_of(pair);
+    const mpq_class contact_distance = contact_distance_of(pair);
     const Root3 between = lift(delta) + g.center - f.center;
-    return Tangency{d, faces_meet(f, g, room == 0 ? between : between - along(room, d))};
+    return Tangency{d,
+                    faces_meet(f, g, contact_distance == 0 ? between : between - along(contact_distance, d))};
   }
   return std::nullopt;
 }

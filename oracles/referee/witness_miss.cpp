@@ -47,16 +47,17 @@ std::optional<double> witness_miss(const Pair& pair, const MethodAnswer& answer)
   };
   if (!plain || !finite(answer.head) || !finite(answer.tail)) return {};
   const PrecisionScope precision(miss_bits);
-  const MpFloat room = MpFloat(pair.a.rounding) + MpFloat(pair.b.rounding);
+  const MpFloat contact_distance = MpFloat(pair.a.rounding) + MpFloat(pair.b.rounding);
   const MpFloat size = MpFloat(pair.a.radius) + MpFloat(pair.a.height) + MpFloat(pair.b.radius) +
-                       MpFloat(pair.b.height) + room;
+                       MpFloat(pair.b.height) + contact_distance;
   if (!(size > MpFloat(0))) return {};
   const Vec given = lifted(answer.head) + lifted(answer.tail);
   if (answer.witness == CertificateKind::point)
     return (std::max(beyond(pair.a, given), beyond(pair.b, given)) / size).to_double();
   if (answer.witness != CertificateKind::direction || !(length(given) > MpFloat(0))) return {};
   const Vec d = given / length(given), between = lifted(pair.b.center) - lifted(pair.a.center);
-  return ((half_width(pair.a, d) + half_width(pair.b, d) + room - abs(dot(d, between))) / size).to_double();
+  return ((half_width(pair.a, d) + half_width(pair.b, d) + contact_distance - abs(dot(d, between))) / size)
+      .to_double();
 }
 
 }  // namespace cyl

@@ -25,22 +25,22 @@ constexpr double alike_part_margin = 0.3, alike_part_across_margin = 0.6;
 /// Pairs on which both must be wrong to be told from luck: within a library, and across.
 constexpr std::size_t least_wrong = 5, least_wrong_across = 20;
 
-enum class Said : unsigned char { nothing, right, wrong_disjoint, wrong_intersecting, failed };
+enum class Outcome : unsigned char { nothing, right, wrong_disjoint, wrong_intersecting, failed };
 
-Said classify(const MethodAnswer& answer, Verdict truth) {
-  if (answer.status == Status::failed) return Said::failed;
-  if (answer.status == Status::declined || answer.verdict == Verdict::undecided) return Said::nothing;
-  if ((answer.verdict == Verdict::disjoint) == (truth == Verdict::disjoint)) return Said::right;
-  return answer.verdict == Verdict::disjoint ? Said::wrong_disjoint : Said::wrong_intersecting;
+Outcome classify(const MethodAnswer& answer, Verdict truth) {
+  if (answer.status == Status::failed) return Outcome::failed;
+  if (answer.status == Status::declined || answer.verdict == Verdict::undecided) return Outcome::nothing;
+  if ((answer.verdict == Verdict::disjoint) == (truth == Verdict::disjoint)) return Outcome::right;
+  return answer.verdict == Verdict::disjoint ? Outcome::wrong_disjoint : Outcome::wrong_intersecting;
 }
 
-bool err_alike(std::span<const Said> x, std::span<const Said> y, bool one_library) {
+bool err_alike(std::span<const Outcome> x, std::span<const Outcome> y, bool one_library) {
   std::size_t x_wrong = 0, y_wrong = 0, both = 0;
   for (std::size_t p = 0; p < x.size(); ++p) {
-    if (x[p] == Said::nothing || y[p] == Said::nothing) continue;
-    x_wrong += x[p] != Said::right;
-    y_wrong += y[p] != Said::right;
-    both += x[p] != Said::right && x[p] == y[p];
+    if (x[p] == Outcome::nothing || y[p] == Outcome::nothing) continue;
+    x_wrong += x[p] != Outcome::right;
+    y_wrong += y[p] != Outcome::right;
+    both += x[p] != Outcome::right && x[p] == y[p];
   }
   const auto part = [&](std::size_t of) { return static_cast<double>(both) / static_cast<double>(of); };
   const std::size_t rarer = std::min(x_wrong, y_wrong);
@@ -77,7 +77,7 @@ std::vector<std::size_t> algorithm_groups(std::span<const std::unique_ptr<Method
   const std::vector<ContainedAnswer> answers = ask_contained(methods, pairs, questions, caps);
   std::vector<Verdict> truths;
   for (const Pair& pair : pairs) truths.push_back(judge(pair).verdict);
-  std::vector<Said> said(methods.size() * pairs.size(), Said::nothing);
+  std::vector<Outcome> said(methods.size() * pairs.size(), Outcome::nothing);
   for (std::size_t q = 0; q < questions.size(); ++q) {
     const auto& [m, p, way, run] = questions[q];
     if (truths[p] != Verdict::undecided) said[m * pairs.size() + p] = classify(answers[q].answer, truths[p]);

@@ -57,7 +57,7 @@ std::string bucket_of(std::string_view method, std::string_view failure, const P
   return bucket_key(method, failure, contact_feature(pair, trial.truth), coordinate_of(pair, margin));
 }
 
-std::string letters_only(std::string_view key) {
+std::string letter_hash(std::string_view key) {
   constexpr unsigned letters = 12;
   const std::uint64_t hash = fnv1a(key);
   std::string text;

@@ -46,6 +46,6 @@ std::string bucket_of(std::string_view method, std::string_view failure, const P
 
 /// Returns twelve letters a to p that stand for the key, for tools that mangle digits: the low 48 bits of its
 /// FNV-1a hash, four a letter, the highest first.
-std::string letters_only(std::string_view key);
+std::string letter_hash(std::string_view key);
 
 }  // namespace cyl

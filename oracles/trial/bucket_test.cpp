@@ -77,14 +77,14 @@ TEST(BucketKey, AsLettersIsItsHash) {
   // The published value of the hash of "foobar": 85944171f73967e8.
   EXPECT_EQ(fnv1a("foobar"), 0x85944171f73967e8u);
   EXPECT_EQ(fnv1a("bar", fnv1a("foo")), fnv1a("foobar"));
-  EXPECT_EQ(letters_only("foobar"), "ebhbphdjghoi");
+  EXPECT_EQ(letter_hash("foobar"), "ebhbphdjghoi");
   std::set<std::string> seen;
   for (const char* method : {"fcl-libccd", "fcl-indep", "bullet", "ode", "mujoco"})
     for (int f = 0; f < 7; ++f)
       for (int c = 0; c < 6; ++c) {
         const std::string key =
             bucket_key(method, "wrong_disjoint", static_cast<ContactFeature>(f), static_cast<Coordinate>(c));
-        const std::string letters = letters_only(key);
+        const std::string letters = letter_hash(key);
         EXPECT_EQ(letters.size(), 12u);
         EXPECT_EQ(letters.find_first_not_of("abcdefghijklmnop"), std::string::npos);
         EXPECT_TRUE(seen.insert(letters).second) << key;

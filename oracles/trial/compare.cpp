@@ -10,7 +10,7 @@
 #include <limits>
 
 #include "corpus/pairs/pair_io.hpp"
-#include "oracles/trial/room.hpp"
+#include "oracles/trial/decidable_margin.hpp"
 #include "oracles/trial/trial.hpp"
 
 namespace cyl {
@@ -55,7 +55,7 @@ std::optional<Finding> compare_verdict(Trial& trial, const Claim& claim, Verdict
   const bool disjoint = truth == Verdict::disjoint;
   switch (said) {
     case Verdict::undecided:
-      if (!owes_verdict(claim.decides, trial)) return {};
+      if (!must_decide(claim.decides, trial)) return {};
       return Finding{FindingKind::left_undecided, Severity::contract, margin_of(trial)};
     case Verdict::invalid:
       return Finding{FindingKind::wrong_invalid, Severity::contract, margin_of(trial)};
@@ -86,7 +86,7 @@ std::optional<Finding> compare_distance(Trial& trial, const Claim& claim, const 
   // A claim of 0/0 promises a rounded number: one unit in the last place of the larger length is no fault.
   const double last_place = std::max(std::abs(said), size) * rounding_error;
   const double most = std::max(allowed, last_place);
-  const double finest = answer.told_error > 0 ? std::min(most, answer.told_error) : most;
+  const double finest = answer.error_bound > 0 ? std::min(most, answer.error_bound) : most;
   const double part = size > 0 ? std::clamp(finest / 8 / size, narrowest, widest) : widest;
   for (const double width : {part, narrowest}) {
     const bool touching = trial.truth.verdict == Verdict::touching;
@@ -98,8 +98,8 @@ std::optional<Finding> compare_distance(Trial& trial, const Claim& claim, const 
     if (off.hi <= most || as_narrow_as_it_gets) break;
   }
   const bool touching = trial.truth.verdict == Verdict::touching;
-  const Enclosure off = told_error_of(touching ? Enclosure{0, 0} : trial.distance, answer);
-  if (answer.told_error > 0 && off.lo > answer.told_error)
+  const Enclosure off = error_bound_of(touching ? Enclosure{0, 0} : trial.distance, answer);
+  if (answer.error_bound > 0 && off.lo > answer.error_bound)
     return Finding{FindingKind::distance_outside, Severity::contract, relative_to(size, off)};
   return {};
 }
@@ -177,7 +177,7 @@ Enclosure magnitude_against(double length, Trial& trial) {
   return gap;
 }
 
-Enclosure told_error_of(const Enclosure& real, const MethodAnswer& answer) {
+Enclosure error_bound_of(const Enclosure& real, const MethodAnswer& answer) {
   if (answer.distance > 0) return error_of(answer.distance, real);
   return {std::max(0.0, answer.distance - real.hi), std::max(0.0, answer.distance - real.lo)};
 }

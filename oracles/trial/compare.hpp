@@ -34,8 +34,8 @@ double reach(const Claim& claim, double size);
 /// whether it reaches `length` (or as narrowly as is ever asked).
 Enclosure magnitude_against(double length, Trial& trial);
 
-/// Returns the error of the distance said that the answer's `told_error` bounds; `real` holds the distance.
-Enclosure told_error_of(const Enclosure& real, const MethodAnswer& answer);
+/// Returns the error of the distance said that the answer's `error_bound` bounds; `real` holds the distance.
+Enclosure error_bound_of(const Enclosure& real, const MethodAnswer& answer);
 
 /// Returns whether two answers to one question say the same, bit for bit, reasons and kind `hang` excepted.
 bool same_answer(const MethodAnswer& x, const MethodAnswer& y);

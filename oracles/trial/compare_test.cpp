@@ -231,25 +231,25 @@ TEST(Compare, WhoTellsAnErrorIsHeldToIt) {
   for (const double told : {1e-6, 1e-4}) {
     for (const double off : {1e-5, -1e-5}) {
       MethodAnswer apart = said_distance(Verdict::disjoint, 0.5 + off);
-      apart.told_error = told;
+      apart.error_bound = told;
       EXPECT_EQ(judged(Verdict::disjoint, 0.5, claim, apart).has_value(), told < 1e-5);
       // Overlapping, that the depth is less is not ruled out.
       MethodAnswer into = said_distance(Verdict::intersecting, -0.5 + off);
-      into.told_error = told;
+      into.error_bound = told;
       EXPECT_EQ(judged(Verdict::intersecting, -0.5, claim, into).has_value(), told < 1e-5 && off > 0);
     }
   }
 }
 
 TEST(Compare, UndecidedIsAFaultWhereAVerdictIsPromised) {
-  const auto of = [](Decides promised, double gap) {
+  const auto of = [](DecisionScope promised, double gap) {
     Claim claim;
     claim.decides = promised;
     return judged(Verdict::disjoint, gap, claim, said(Verdict::undecided));
   };
-  EXPECT_FALSE(of(Decides::not_promised, 0.5));
-  EXPECT_FALSE(of(Decides::beyond_rounding, 1e-14));
-  for (const auto& finding : {of(Decides::beyond_rounding, 1e-11), of(Decides::all, 1e-14)}) {
+  EXPECT_FALSE(of(DecisionScope::not_promised, 0.5));
+  EXPECT_FALSE(of(DecisionScope::above_1e13, 1e-14));
+  for (const auto& finding : {of(DecisionScope::above_1e13, 1e-11), of(DecisionScope::all, 1e-14)}) {
     ASSERT_TRUE(finding);
     EXPECT_EQ(finding->kind, FindingKind::left_undecided);
     EXPECT_EQ(finding->severity, Severity::contract);

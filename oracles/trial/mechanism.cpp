@@ -262,7 +262,7 @@ std::string scaled_in_words(const Trial& trial, int k) {
 }
 
 /// Returns the first method of the same library that shares the method's algorithm.
-std::size_t first_of(const GroupedMethods& of, std::size_t method) {
+std::size_t group_representative(const GroupedMethods& of, std::size_t method) {
   std::size_t m = of.groups[method];
   const std::string_view library = library_of(of.methods[method]->name());
   while (of.groups[m] != of.groups[method] || library_of(of.methods[m]->name()) != library) ++m;
@@ -349,7 +349,7 @@ Classification classify_closely(std::span<const std::unique_ptr<Method>> methods
   return found;
 }
 
-std::vector<std::size_t> sharers_elsewhere(const GroupedMethods& of, std::size_t method) {
+std::vector<std::size_t> methods_sharing_algorithm(const GroupedMethods& of, std::size_t method) {
   std::vector<std::size_t> sharers;
   for (std::size_t m = 0; m < of.methods.size(); ++m)
     if (of.groups[m] == of.groups[method] &&
@@ -362,7 +362,7 @@ std::string cause_key(const GroupedMethods& of, std::size_t method, FindingKind 
                       Mechanism mechanism, std::string_view reason) {
   const Method& m = *of.methods[method];
   const std::string library(m.foreign() ? library_of(m.name()) : "own");
-  const std::string first(of.methods[first_of(of, method)]->name());
+  const std::string first(of.methods[group_representative(of, method)]->name());
   if (severity == Severity::resolution) return library + "/within-claim";
   if (kind == FindingKind::hang) return first + '/' + to_string(kind);
   if (kind == FindingKind::nondeterminism || kind == FindingKind::state_dependent)

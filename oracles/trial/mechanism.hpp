@@ -96,7 +96,7 @@ Classification classify_closely(std::span<const std::unique_ptr<Method>> methods
                                 const Caps& caps);
 
 /// Returns the methods of other libraries that share the method's algorithm, as far as their errors tell.
-std::vector<std::size_t> sharers_elsewhere(const GroupedMethods& of, std::size_t method);
+std::vector<std::size_t> methods_sharing_algorithm(const GroupedMethods& of, std::size_t method);
 
 /// Returns the key of the cause: the same for every finding that has it, whatever the pair or the run.
 ///   "fcl-libccd/absolute-length"   the mechanism; the first of the library's that share the algorithm

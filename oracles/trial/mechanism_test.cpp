@@ -188,7 +188,7 @@ TEST(Mechanism, GivesOneKeyToOneCause) {
   EXPECT_EQ(key(2, FindingKind::wrong_disjoint, contract, Mechanism::unclassified),
             "other-way/wrong_disjoint")
       << "shares its algorithm with another library, and is called by its own name";
-  EXPECT_EQ(sharers_elsewhere({methods, groups}, 2), (std::vector<std::size_t>{0, 1}));
+  EXPECT_EQ(methods_sharing_algorithm({methods, groups}, 2), (std::vector<std::size_t>{0, 1}));
   EXPECT_EQ(key(0, FindingKind::wrong_disjoint, Severity::resolution, Mechanism::unclassified),
             "lib/within-claim");
   EXPECT_EQ(key(0, FindingKind::crash, contract, Mechanism::unclassified,

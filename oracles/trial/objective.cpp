@@ -7,7 +7,7 @@
 #include "corpus/pairs/pair_numbers.hpp"
 #include "corpus/pairs/random_stream.hpp"
 #include "oracles/referee/referee.hpp"
-#include "oracles/trial/room.hpp"
+#include "oracles/trial/decidable_margin.hpp"
 #include "oracles/trial/shown_distance.hpp"
 #include "oracles/trial/trial.hpp"
 #include "solver/distance.hpp"
@@ -37,13 +37,13 @@ Enclosure error_over_bound(Trial& trial, const Claim& claim, const MethodAnswer&
     const Enclosure proved = trial.distance_at(error_width);
     real = {std::max(real.lo, proved.lo), std::min(real.hi, proved.hi)};
   }
-  if (answer.told_error == 0)
+  if (answer.error_bound == 0)
     return {std::max({0.0, real.lo - said, said - real.hi}) / most,
             std::max(real.hi - said, said - real.lo) / most};
   const double deeper_told = said > 0 ? 0 : std::max(0.0, real.lo - said) / most;
-  const Enclosure told = told_error_of(real, answer);
-  return {std::max(deeper_told, told.lo / answer.told_error),
-          std::max(deeper_told, told.hi / answer.told_error)};
+  const Enclosure told = error_bound_of(real, answer);
+  return {std::max(deeper_told, told.lo / answer.error_bound),
+          std::max(deeper_told, told.hi / answer.error_bound)};
 }
 
 class Judge final : public Method {
@@ -52,7 +52,7 @@ class Judge final : public Method {
   std::string_view version() const override { return ""; }
   Claim claim() const override { return {.source = "oracles/referee/referee.hpp: Proves the verdict."}; }
   bool foreign() const override { return false; }
-  bool takes(SolidKind) const override { return true; }
+  bool supports(SolidKind) const override { return true; }
   MethodAnswer answer(const Pair& pair) override { return answer_of(judge(pair)); }
 };
 
@@ -66,18 +66,18 @@ Badness badness_of(Objective objective, const Claim& claim, const Pair& pair, co
       return {static_cast<double>(answer.steps), answer.step_cap > 0 && answer.steps > answer.step_cap};
     case Objective::bound: {
       if (answer.verdict != Verdict::disjoint) return {};
-      const double part = answer.told_error / allowed(claim, pair);
+      const double part = answer.error_bound / allowed(claim, pair);
       return {part, part > 1};
     }
     case Objective::undecided: {
       if (answer.verdict != Verdict::undecided) return {};
-      if (!proved) return {effort == Effort::quick ? most_room(pair) : likely_room(pair)};
+      if (!proved) return {effort == Effort::quick ? largest_margin(pair) : estimated_margin(pair)};
       Trial trial(pair);
-      const double room = proved_room(trial);
-      return {room, claim.decides == Decides::beyond_rounding && room >= resolved_margin};
+      const double slack = certified_margin(trial);
+      return {slack, claim.decides == DecisionScope::above_1e13 && slack >= resolved_margin};
     }
     case Objective::error: {
-      if (!answer.has_distance && !(answer.told_error > 0)) return {};
+      if (!answer.has_distance && !(answer.error_bound > 0)) return {};
       Trial trial = proved ? Trial(pair) : Trial(pair, judge_verdict(pair));
       const Enclosure ratio = error_over_bound(trial, claim, answer, proved);
       return {ratio.hi, proved && ratio.lo > 1};

@@ -23,7 +23,7 @@ TEST(ShownDistance, IsThatOfTheSolverWithinTheErrorItTells) {
       const Enclosure shown = shown_distance(pair, d);
       if (!std::isfinite(shown.lo)) continue;
       const MethodAnswer answer = answer_of(pair, d);
-      EXPECT_LE(told_error_of(shown, answer).hi, answer.told_error) << family.name << format_pair(pair);
+      EXPECT_LE(error_bound_of(shown, answer).hi, answer.error_bound) << family.name << format_pair(pair);
     }
   }
 }

@@ -31,7 +31,7 @@ constexpr std::size_t cases_at_once = 32;
 /// The number of draws of one round of the search.
 constexpr int draws_per_round = 4;
 /// A pair under all laws takes as long as so many of the sample: both phases are to take about as long.
-constexpr std::uint64_t law_price = 50;
+constexpr std::uint64_t law_cost = 50;
 /// Enclosing a distance takes a hundred times as long as proving a verdict: that law is held in one round of
 /// so many. That of a close contact takes ten times as long again.
 constexpr std::uint64_t distance_share = 8, close_distance_share = 64;
@@ -43,10 +43,10 @@ constexpr unsigned rerun_count = 10;
 constexpr std::size_t simplify_cap = 1200;
 /// The number of questions about all failures, those of running again included: enough for a few in the
 /// smallest gate, and one for so many pairs drawn.
-constexpr std::uint64_t least_questions = 4 * simplify_cap, pairs_per_question = 10;
+constexpr std::uint64_t least_questions = 4 * simplify_cap, pairs_per_rerun = 10;
 /// A hang is paid for as so many questions: it takes half a second, they take some tenths of a millisecond
 /// each.
-constexpr std::uint64_t hang_price = 1000;
+constexpr std::uint64_t hang_cost = 1000;
 
 /// A method that has hung so often is not asked any more: 8 s of CPU time, or half a minute of sleep.
 constexpr std::uint64_t hang_cap = 16;
@@ -54,8 +54,8 @@ constexpr std::uint64_t hang_cap = 16;
 bool is_of_answer(const Law& law) { return law.kind == LawKind::answer; }
 
 /// Returns "wrong_disjoint" of a refuted verdict, "crash" of a failure, else the law's name.
-std::string kind_of_break(const Law& law, const Broken& broken) {
-  return shows_in_answer(law) && broken.kind ? to_string(*broken.kind) : std::string(law.name);
+std::string violation_kind(const Law& law, const Violation& violation) {
+  return shows_in_answer(law) && violation.kind ? to_string(*violation.kind) : std::string(law.name);
 }
 
 class Gate {
@@ -68,7 +68,7 @@ class Gate {
         on_progress_(on_progress),
         asker_(methods, options.caps) {
     amount_ = options.amount.value_or(amount_of(options.pairs));
-    questions_left_ = least_questions + options.pairs / pairs_per_question;
+    questions_left_ = least_questions + options.pairs / pairs_per_rerun;
     skipped_.resize(methods.size());
     report_.seed = options.seed;
     report_.pairs = options.pairs;
@@ -150,15 +150,15 @@ class Gate {
   }
 
   /// Adds a break to those of the same law and bucket. Returns the failure that it is the first of, if it is.
-  GateFailure* record(std::size_t method, const Law& law, const Broken& broken, const Pair& pair,
+  GateFailure* record(std::size_t method, const Law& law, const Violation& violation, const Pair& pair,
                       const std::string& origin, const std::optional<Stratum>& stratum = {}) {
-    std::string kind = kind_of_break(law, broken);
+    std::string kind = violation_kind(law, violation);
     const std::string& name = report_.methods[method].name;
-    const bool contract = broken.severity == Severity::contract;
+    const bool contract = violation.severity == Severity::contract;
     std::string bucket = stratum ? bucket_key(name, kind, stratum->feature,
                                               coordinate_of(pair, std::pow(10.0, -stratum->decade - 0.5)))
                                  : bucket_of(name, kind, pair);
-    if (contract) broken_.emplace(method, law.number, kind);
+    if (contract) violated_.emplace(method, law.number, kind);
     const auto [at, is_new] =
         by_bucket_.try_emplace(std::tuple(law.number, bucket, contract), report_.failures.size());
     if (!is_new) {
@@ -170,10 +170,10 @@ class Gate {
     failure.law = &law;
     failure.kind = std::move(kind);
     failure.bucket = std::move(bucket);
-    failure.what = broken.what;
-    failure.reason = broken.reason;
-    if (broken.kind && is_failure(*broken.kind)) failure.failed = broken.kind;
-    failure.severity = broken.severity;
+    failure.what = violation.what;
+    failure.reason = violation.reason;
+    if (violation.kind && is_failure(*violation.kind)) failure.failed = violation.kind;
+    failure.severity = violation.severity;
     failure.phase = report_.phases.back().phase;
     failure.origin = origin;
     failure.found = failure.simplest = pair;
@@ -197,13 +197,13 @@ class Gate {
 
   /// A method that hangs again and again is not asked any more: the gate is to end.
   bool given_up(std::size_t m) const { return report_.methods[m].counts.hangs >= hang_cap; }
-  Examined examine_all(std::span<const Pair> pairs, const Wanted& wanted) {
+  Examined examine_all(std::span<const Pair> pairs, const LawFilter& wanted) {
     return examine(
         methods_, pairs, [&](std::size_t m, const Law& law) { return !given_up(m) && wanted(m, law); },
         asker_);
   }
 
-  void replay_cases(const Wanted& wanted, std::size_t due) {
+  void replay_cases(const LawFilter& wanted, std::size_t due) {
     for (std::size_t first = 0; goes_on(first, due, "cases"); first += cases_at_once) {
       std::vector<Pair> pairs;
       for (const Case& c : cases_.subspan(first, std::min(cases_at_once, due - first)))
@@ -215,9 +215,9 @@ class Gate {
             std::count(examined.truths.begin(), examined.truths.end(), Verdict::undecided));
         for (const Pair& pair : pairs) report_.cases.push_back(digest_of(pair, fnv1a({})));
       }
-      for (const BrokenLaw& b : examined.broken) {
+      for (const LawViolation& b : examined.violations) {
         const Case& c = cases_[first + b.pair];
-        record(b.method, *b.law, b.broken, c.pair, fmt::format("{}:{} {}", c.file, c.line, c.id));
+        record(b.method, *b.law, b.violation, c.pair, fmt::format("{}:{} {}", c.file, c.line, c.id));
       }
       show_progress(pairs, part(first + pairs.size(), due));
     }
@@ -228,19 +228,21 @@ class Gate {
   }
 
   void search_laws(PairSource source, std::uint64_t due) {
-    const Wanted all = [&](std::size_t m, const Law&) { return !given_up(m); };
-    const IsNews is_news = [&](const LawFailure& c) {  // shrinking a hang would take an hour
-      return !options_.first_failure && !out_of_time() && c.broken.kind != FindingKind::hang &&
-             !broken_.contains(std::tuple(c.method, c.law->number, kind_of_break(*c.law, c.broken)));
-    };
+    const LawFilter all = [&](std::size_t m, const Law&) { return !given_up(m); };
+    const WorthShrinking is_worth_shrinking =
+        [&](const LawFailure& c) {  // shrinking a hang would take an hour
+          return !options_.first_failure && !out_of_time() && c.violation.kind != FindingKind::hang &&
+                 !violated_.contains(
+                     std::tuple(c.method, c.law->number, violation_kind(*c.law, c.violation)));
+        };
     for (std::uint64_t& round = report_.phases.back().rounds; goes_on(round, due, "rounds");) {
       // Each round has a seed of its own; neighbouring ones of RapidCheck's generator are unrelated.
-      const SearchRound found =
-          find_breaks(methods_, all, is_news, source, options_.seed + round, draws_per_round, asker_);
+      const SearchRound found = find_violations(methods_, all, is_worth_shrinking, source,
+                                                options_.seed + round, draws_per_round, asker_);
       count(found.counts);
       for (const auto& [kind, n] : found.drawn) report_.drawn[kind] += n;
       for (const LawFailure& c : found.failures) {
-        GateFailure* first = record(c.method, *c.law, c.broken, c.pair,
+        GateFailure* first = record(c.method, *c.law, c.violation, c.pair,
                                     c.from + fmt::format(", seed {}", options_.seed + round));
         if (!first || !c.shrunk) continue;
         first->simplest = *c.shrunk;
@@ -255,8 +257,8 @@ class Gate {
   void sample(SampleRound (*draw)(std::uint64_t, std::uint64_t), std::uint64_t due, std::uint64_t distances) {
     for (std::uint64_t& round = report_.phases.back().rounds; goes_on(round, due, "rounds");) {
       const SampleRound drawn = draw(options_.seed, round);
-      const Wanted wanted = [&](std::size_t, const Law& law) {
-        return is_of_answer(law) && law.ask == needs_none &&
+      const LawFilter wanted = [&](std::size_t, const Law& law) {
+        return is_of_answer(law) && law.queries == needs_none &&
                (round % distances == 0 || law.number != distance_law);
       };
       const Examined examined = examine_all(drawn.pairs, wanted);
@@ -265,12 +267,13 @@ class Gate {
       std::vector<RoundAnswers> said(methods_.size(), RoundAnswers{{}, examined.truths, none, none});
       for (std::size_t i = 0; i < examined.answers.size(); ++i)
         said[i % methods_.size()].answers.push_back(examined.answers[i]);
-      for (const BrokenLaw& b : examined.broken) {
+      for (const LawViolation& b : examined.violations) {
         if (b.law->number <= verdict_law) {  // one pair may break several laws
           said[b.method].wrong[b.pair] = true;
-          if (b.broken.severity == Severity::contract) said[b.method].wrong_beyond[b.pair] = true;
+          if (b.violation.severity == Severity::contract) said[b.method].wrong_beyond[b.pair] = true;
         }
-        record(b.method, *b.law, b.broken, drawn.pairs[b.pair], drawn.origins[b.pair], drawn.strata[b.pair]);
+        record(b.method, *b.law, b.violation, drawn.pairs[b.pair], drawn.origins[b.pair],
+               drawn.strata[b.pair]);
       }
       for (std::size_t m = 0; m < methods_.size(); ++m) count_cells(report_.methods[m], drawn, said[m]);
       report_.undecided_truths += static_cast<std::uint64_t>(
@@ -289,29 +292,29 @@ class Gate {
   }
 
   /// Returns which of the pairs break the law of `failure` in its way.
-  std::vector<bool> still_broken(const GateFailure& failure, std::span<const Pair> pairs, Asker& asker) {
-    const Wanted this_law = [&](std::size_t, const Law& law) { return law.number == failure.law->number; };
-    std::vector<bool> broken(pairs.size(), false);
+  std::vector<bool> fails_again(const GateFailure& failure, std::span<const Pair> pairs, Asker& asker) {
+    const LawFilter this_law = [&](std::size_t, const Law& law) { return law.number == failure.law->number; };
+    std::vector<bool> fails(pairs.size(), false);
     const Examined examined = examine(method_of(failure), pairs, this_law, asker);
-    questions_left_ -= std::min(questions_left_, pairs.size() + hang_price * examined.counts[0].hangs);
-    for (const BrokenLaw& b : examined.broken)
-      broken[b.pair] =
-          b.broken.severity == failure.severity && kind_of_break(*b.law, b.broken) == failure.kind;
-    return broken;
+    questions_left_ -= std::min(questions_left_, pairs.size() + hang_cost * examined.counts[0].hangs);
+    for (const LawViolation& b : examined.violations)
+      fails[b.pair] =
+          b.violation.severity == failure.severity && violation_kind(*b.law, b.violation) == failure.kind;
+    return fails;
   }
 
   /// Returns what breaks on the simplest pair, in words.
   std::string what_breaks(const GateFailure& failure) const {
-    const Wanted this_law = [&](std::size_t, const Law& law) { return law.number == failure.law->number; };
+    const LawFilter this_law = [&](std::size_t, const Law& law) { return law.number == failure.law->number; };
     const Examined examined = examine(method_of(failure), {&failure.simplest, 1}, this_law, options_.caps);
-    return examined.broken.empty() ? "" : examined.broken.front().broken.what;
+    return examined.violations.empty() ? "" : examined.violations.front().violation.what;
   }
 
   // Failures wait for all, so that what is found does not depend on how they are shrunk. The first of each
   // law and kind first: the others are like it.
   void simplify_failures() {
     std::set<std::tuple<std::string, int, std::string>> seen;
-    std::vector<GateFailure*> in_order, like_others;
+    std::vector<GateFailure*> in_order, duplicates;
     for (GateFailure& failure : report_.failures) {
       if (!is_error(failure)) continue;
       // One crash is one way to fail, whatever law meets it.
@@ -319,10 +322,10 @@ class Gate {
           failure.failed
               ? seen.emplace(failure.method, 0, to_string(*failure.failed) + (": " + failure.reason)).second
               : seen.emplace(failure.method, failure.law->number, failure.kind).second;
-      (is_new ? in_order : like_others).push_back(&failure);
+      (is_new ? in_order : duplicates).push_back(&failure);
     }
     const std::size_t first_of_kind = in_order.size();
-    in_order.insert(in_order.end(), like_others.begin(), like_others.end());
+    in_order.insert(in_order.end(), duplicates.begin(), duplicates.end());
     std::uint64_t done = 0;
     for (GateFailure* failure : in_order) {
       if (done >= first_of_kind && questions_left_ == 0) break;
@@ -340,7 +343,7 @@ class Gate {
   void rerun_and_simplify(GateFailure& failure) {
     for (; !out_of_time() && failure.reruns < rerun_count; ++failure.reruns) {
       Asker asker = new_asker(failure);
-      failure.failed_again += still_broken(failure, {&failure.found, 1}, asker)[0];
+      failure.failed_again += fails_again(failure, {&failure.found, 1}, asker)[0];
     }
     if (failure.failed_again < rerun_count) {  // what comes and goes cannot be shrunk
       failure.simplest = failure.found;
@@ -351,10 +354,10 @@ class Gate {
     Asker asker = new_asker(failure);  // for all questions: to start a worker costs more than to ask 32 pairs
     const StillFails still_fails = [&](std::span<const Pair> pairs) {
       if (questions_left_ == 0 || out_of_time()) return std::vector<bool>(pairs.size(), false);
-      std::vector<bool> broken = still_broken(failure, pairs, asker);
+      std::vector<bool> fails = fails_again(failure, pairs, asker);
       for (std::size_t i = 0; i < pairs.size(); ++i)
-        broken[i] = broken[i] && contact_feature(pairs[i]) == feature;
-      return broken;
+        fails[i] = fails[i] && contact_feature(pairs[i]) == feature;
+      return fails;
     };
     if (!still_fails({&failure.simplest, 1})[0]) failure.simplest = failure.found;
     failure.simplest = simplify(failure.simplest, still_fails, simplify_cap).pair;
@@ -373,7 +376,7 @@ class Gate {
   GateReport report_;
   std::vector<bool> skipped_;  ///< by method: some pairs were not asked, for others of their batch hung
   std::map<std::tuple<int, std::string, bool>, std::size_t> by_bucket_;  ///< to failures
-  std::set<std::tuple<std::size_t, int, std::string>> broken_;  ///< method, law and kind: contracts broken
+  std::set<std::tuple<std::size_t, int, std::string>> violated_;  ///< method, law and kind: contracts broken
 };
 
 }  // namespace
@@ -398,7 +401,7 @@ GateAmount amount_of(std::uint64_t pairs) {
     return std::max<std::uint64_t>(1, (amount + round - 1) / round);
   };
   // Halves: the laws' and the samples' of close contacts, and of all else.
-  const std::uint64_t under_laws = pairs / (1 + law_price) / 2, sampled = (pairs - 2 * under_laws) / 2;
+  const std::uint64_t under_laws = pairs / (1 + law_cost) / 2, sampled = (pairs - 2 * under_laws) / 2;
   return {.cases_under_laws = {},
           .law_rounds = rounds(under_laws, law_round),
           .sample_rounds = rounds(sampled, sample_round),

@@ -29,9 +29,9 @@ class Silent : public rc::detail::TestListener {
 
 class LawSearch {
  public:
-  LawSearch(std::span<const std::unique_ptr<Method>> methods, const Wanted& wanted, const IsNews& is_news,
-            PairSource source, Asker& asker)
-      : methods_(methods), wanted_(wanted), is_news_(is_news), source_(source), asker_(asker) {
+  LawSearch(std::span<const std::unique_ptr<Method>> methods, const LawFilter& wanted,
+            const WorthShrinking& is_worth_shrinking, PairSource source, Asker& asker)
+      : methods_(methods), wanted_(wanted), is_news_(is_worth_shrinking), source_(source), asker_(asker) {
     round_.counts.resize(methods.size());
   }
 
@@ -69,11 +69,11 @@ class LawSearch {
     round_.drawn[drawn.from] += drawn.pairs.size();
     round_.pairs.insert(round_.pairs.end(), drawn.pairs.begin(), drawn.pairs.end());
     for (std::size_t m = 0; m < methods_.size(); ++m) round_.counts[m] += examined.counts[m];
-    for (const BrokenLaw& b : examined.broken) {
-      round_.failures.push_back({b.method, b.law, b.broken, drawn.pairs[b.pair], drawn.from, {}, {}});
-      if (b.broken.severity != Severity::contract || !is_news_(round_.failures.back())) continue;
+    for (const LawViolation& b : examined.violations) {
+      round_.failures.push_back({b.method, b.law, b.violation, drawn.pairs[b.pair], drawn.from, {}, {}});
+      if (b.violation.severity != Severity::contract || !is_news_(round_.failures.back())) continue;
       stopped_ = true;
-      RC_FAIL(b.broken.what);
+      RC_FAIL(b.violation.what);
     }
   }
 
@@ -84,17 +84,17 @@ class LawSearch {
     const auto same = [&](std::size_t method, const Law& law) {
       return method == last.method && law.number == last.law->number;
     };
-    for (const BrokenLaw& b : examine(methods_, drawn.pairs, same, asker_).broken) {
-      if (b.broken.severity != Severity::contract) continue;
-      last.broken = b.broken;
+    for (const LawViolation& b : examine(methods_, drawn.pairs, same, asker_).violations) {
+      if (b.violation.severity != Severity::contract) continue;
+      last.violation = b.violation;
       last.shrunk = drawn.pairs[b.pair];
-      RC_FAIL(b.broken.what);
+      RC_FAIL(b.violation.what);
     }
   }
 
   std::span<const std::unique_ptr<Method>> methods_;
-  const Wanted& wanted_;
-  const IsNews& is_news_;
+  const LawFilter& wanted_;
+  const WorthShrinking& is_news_;
   const PairSource source_;
   Asker& asker_;
   SearchRound round_;
@@ -104,38 +104,38 @@ class LawSearch {
 
 }  // namespace
 
-SearchRound find_breaks(std::span<const std::unique_ptr<Method>> methods, const Wanted& wanted,
-                        const IsNews& is_news, PairSource source, std::uint64_t seed, int draws,
-                        Asker& asker) {
+SearchRound find_violations(std::span<const std::unique_ptr<Method>> methods, const LawFilter& wanted,
+                            const WorthShrinking& is_worth_shrinking, PairSource source, std::uint64_t seed,
+                            int draws, Asker& asker) {
   rc::detail::TestParams params;
   params.seed = seed;
   params.maxSuccess = draws;
-  const IsNews nothing = [](const LawFailure&) { return false; };
+  const WorthShrinking nothing = [](const LawFailure&) { return false; };
   SearchRound round = LawSearch(methods, wanted, nothing, source, asker).run(params);
   const auto news = std::find_if(round.failures.begin(), round.failures.end(), [&](const LawFailure& c) {
-    return c.broken.severity == Severity::contract && is_news(c);
+    return c.violation.severity == Severity::contract && is_worth_shrinking(c);
   });
   if (news == round.failures.end()) return round;
   // The same draws again, but for that law alone: RapidCheck shrinks where it stops.
-  const Wanted same = [&](std::size_t method, const Law& law) {
+  const LawFilter same = [&](std::size_t method, const Law& law) {
     return method == news->method && law.number == news->law->number;
   };
-  const SearchRound again = LawSearch(methods, same, is_news, source, asker).run(params);
+  const SearchRound again = LawSearch(methods, same, is_worth_shrinking, source, asker).run(params);
   if (again.failures.empty() || again.failures.back().reproduce.empty()) return round;  // it comes and goes
   news->shrunk = again.failures.back().shrunk;
   news->reproduce = again.failures.back().reproduce;
   return round;
 }
 
-SearchRound find_breaks(std::span<const std::unique_ptr<Method>> methods, const Wanted& wanted,
-                        const IsNews& is_news, PairSource source, std::uint64_t seed, int draws,
-                        const Caps& caps) {
+SearchRound find_violations(std::span<const std::unique_ptr<Method>> methods, const LawFilter& wanted,
+                            const WorthShrinking& is_worth_shrinking, PairSource source, std::uint64_t seed,
+                            int draws, const Caps& caps) {
   Asker asker(methods, caps);
-  return find_breaks(methods, wanted, is_news, source, seed, draws, asker);
+  return find_violations(methods, wanted, is_worth_shrinking, source, seed, draws, asker);
 }
 
-SearchRound find_break_again(std::span<const std::unique_ptr<Method>> methods, const Wanted& wanted,
-                             const std::string& reproduce, const Caps& caps) {
+SearchRound find_violation_again(std::span<const std::unique_ptr<Method>> methods, const LawFilter& wanted,
+                                 const std::string& reproduce, const Caps& caps) {
   Asker asker(methods, caps);
   rc::detail::Configuration named;
   try {
@@ -143,7 +143,7 @@ SearchRound find_break_again(std::span<const std::unique_ptr<Method>> methods, c
   } catch (const std::exception& error) {
     throw UsageError("'" + reproduce + "' names no case: " + error.what());
   }
-  const IsNews any = [](const LawFailure&) { return true; };
+  const WorthShrinking any = [](const LawFailure&) { return true; };
   for (const PairSource source : {PairSource::kinds, PairSource::close_contacts})
     if (named.reproduce.contains(property_id(source)))
       return LawSearch(methods, wanted, any, source, asker).run({}, named.reproduce);

@@ -20,7 +20,7 @@ namespace cyl {
 struct LawFailure {
   std::size_t method = 0;
   const Law* law = nullptr;
-  Broken broken;
+  Violation violation;
   Pair pair;
   std::string from;            ///< the kind of pairs it was drawn from
   std::optional<Pair> shrunk;  ///< as far as RapidCheck could, where that was asked for
@@ -36,7 +36,7 @@ struct SearchRound {
 
 /// Whether a contract break of this law by this method is news, so that it is worth shrinking; asked again
 /// while it is shrunk.
-using IsNews = std::function<bool(const LawFailure&)>;
+using WorthShrinking = std::function<bool(const LawFailure&)>;
 
 /// The number of pairs of one draw, at most.
 inline constexpr int pairs_per_draw = 16;
@@ -51,18 +51,18 @@ enum class PairSource : unsigned char {
 /// Draws the pairs of one kind `draws` times, and holds the methods to all laws that are wanted. Which pairs
 /// are drawn depends on the seed and `draws` alone, whatever is found; the first news is shrunk. A pure
 /// function of its arguments but for hangs.
-SearchRound find_breaks(std::span<const std::unique_ptr<Method>> methods, const Wanted& wanted,
-                        const IsNews& is_news, PairSource source, std::uint64_t seed, int draws,
-                        Asker& asker);
+SearchRound find_violations(std::span<const std::unique_ptr<Method>> methods, const LawFilter& wanted,
+                            const WorthShrinking& is_worth_shrinking, PairSource source, std::uint64_t seed,
+                            int draws, Asker& asker);
 
 /// Likewise, in workers that are started for it.
-SearchRound find_breaks(std::span<const std::unique_ptr<Method>> methods, const Wanted& wanted,
-                        const IsNews& is_news, PairSource source, std::uint64_t seed, int draws,
-                        const Caps& caps);
+SearchRound find_violations(std::span<const std::unique_ptr<Method>> methods, const LawFilter& wanted,
+                            const WorthShrinking& is_worth_shrinking, PairSource source, std::uint64_t seed,
+                            int draws, const Caps& caps);
 
 /// Runs the case again that `reproduce` names (what it was drawn from must not have changed since). Throws
 /// UsageError where it names none.
-SearchRound find_break_again(std::span<const std::unique_ptr<Method>> methods, const Wanted& wanted,
-                             const std::string& reproduce, const Caps& caps);
+SearchRound find_violation_again(std::span<const std::unique_ptr<Method>> methods, const LawFilter& wanted,
+                                 const std::string& reproduce, const Caps& caps);
 
 }  // namespace cyl

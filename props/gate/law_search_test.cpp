@@ -15,8 +15,8 @@
 namespace cyl {
 namespace {
 
-const Wanted everything = [](std::size_t, const Law&) { return true; };
-const IsNews anything = [](const LawFailure&) { return true; };
+const LawFilter everything = [](std::size_t, const Law&) { return true; };
+const WorthShrinking anything = [](const LawFailure&) { return true; };
 constexpr std::uint64_t seed = 20261121;
 
 /// What RapidCheck shrank and named.
@@ -42,8 +42,9 @@ MethodAnswer favours_narrow(const Pair& pair) {
 
 TEST(LawSearch, FindsNothingWhereNothingIsBroken) {
   const auto methods = own_methods();
-  const SearchRound round = find_breaks(methods, everything, anything, PairSource::kinds, seed, 20, {});
-  for (const LawFailure& c : round.failures) EXPECT_NE(c.broken.severity, Severity::contract) << c.law->name;
+  const SearchRound round = find_violations(methods, everything, anything, PairSource::kinds, seed, 20, {});
+  for (const LawFailure& c : round.failures)
+    EXPECT_NE(c.violation.severity, Severity::contract) << c.law->name;
   std::uint64_t drawn = 0;
   for (const auto& [kind, pairs] : round.drawn) drawn += pairs;
   EXPECT_GT(drawn, 200u);
@@ -54,9 +55,9 @@ TEST(LawSearch, FindsNothingWhereNothingIsBroken) {
 TEST(LawSearch, ShrinksWhatItFindsOnTheGridAndNamesIt) {
   const auto methods = one(favours_narrow);
   // Only swaps on the grid, so that it is RapidCheck that shrinks.
-  const Wanted swap = [](std::size_t, const Law& law) { return law.number == 1; };
-  const IsNews on_the_grid = [](const LawFailure& c) { return c.from == "grid"; };
-  const SearchRound round = find_breaks(methods, swap, on_the_grid, PairSource::kinds, seed, 400, {});
+  const LawFilter swap = [](std::size_t, const Law& law) { return law.number == 1; };
+  const WorthShrinking on_the_grid = [](const LawFailure& c) { return c.from == "grid"; };
+  const SearchRound round = find_violations(methods, swap, on_the_grid, PairSource::kinds, seed, 400, {});
   const LawFailure& first = named(round);
   EXPECT_EQ(first.from, "grid");
   EXPECT_EQ(first.law->number, 1);
@@ -66,7 +67,7 @@ TEST(LawSearch, ShrinksWhatItFindsOnTheGridAndNamesIt) {
   EXPECT_LT(wide, 3.25) << "as near to the least of the grid as the cap lets it come";
   ASSERT_TRUE(first.reproduce.starts_with("reproduce=")) << first.reproduce;
 
-  const SearchRound again = find_break_again(methods, swap, first.reproduce, {});
+  const SearchRound again = find_violation_again(methods, swap, first.reproduce, {});
   ASSERT_FALSE(again.failures.empty());
   ASSERT_TRUE(again.failures.back().shrunk);
   EXPECT_EQ(again.failures.back().shrunk->a.radius, first.shrunk->a.radius);
@@ -74,25 +75,25 @@ TEST(LawSearch, ShrinksWhatItFindsOnTheGridAndNamesIt) {
 }
 
 TEST(LawSearch, DrawsTheSamePairsWhateverItFinds) {
-  const SearchRound broken =
-      find_breaks(one(favours_narrow), everything, anything, PairSource::kinds, seed, 20, {});
-  const SearchRound whole = find_breaks(one([](const Pair& p) { return ask_ours("intersect", p); }),
-                                        everything, anything, PairSource::kinds, seed, 20, {});
-  EXPECT_FALSE(named(broken).reproduce.empty());
-  EXPECT_EQ(broken.drawn, whole.drawn);
-  ASSERT_EQ(broken.pairs.size(), whole.pairs.size());
+  const SearchRound stopped =
+      find_violations(one(favours_narrow), everything, anything, PairSource::kinds, seed, 20, {});
+  const SearchRound whole = find_violations(one([](const Pair& p) { return ask_ours("intersect", p); }),
+                                            everything, anything, PairSource::kinds, seed, 20, {});
+  EXPECT_FALSE(named(stopped).reproduce.empty());
+  EXPECT_EQ(stopped.drawn, whole.drawn);
+  ASSERT_EQ(stopped.pairs.size(), whole.pairs.size());
   for (std::size_t i = 0; i < whole.pairs.size(); ++i) {
-    EXPECT_EQ(broken.pairs[i].a.radius, whole.pairs[i].a.radius);
-    EXPECT_EQ(broken.pairs[i].b.center, whole.pairs[i].b.center);
+    EXPECT_EQ(stopped.pairs[i].a.radius, whole.pairs[i].a.radius);
+    EXPECT_EQ(stopped.pairs[i].b.center, whole.pairs[i].b.center);
   }
 }
 
 TEST(LawSearch, SameSeedSameFailure) {
   const auto methods = one(favours_narrow);
-  const SearchRound first = find_breaks(methods, everything, anything, PairSource::kinds, seed, 20, {});
-  const SearchRound second = find_breaks(methods, everything, anything, PairSource::kinds, seed, 20, {});
+  const SearchRound first = find_violations(methods, everything, anything, PairSource::kinds, seed, 20, {});
+  const SearchRound second = find_violations(methods, everything, anything, PairSource::kinds, seed, 20, {});
   EXPECT_EQ(named(first).reproduce, named(second).reproduce);
-  EXPECT_EQ(named(first).broken, named(second).broken);
+  EXPECT_EQ(named(first).violation, named(second).violation);
 }
 
 TEST(LawSearch, KeepsWhatASeedDrawsForTheBasesOfGates) {
@@ -100,7 +101,7 @@ TEST(LawSearch, KeepsWhatASeedDrawsForTheBasesOfGates) {
   std::string drawn;
   for (std::uint64_t i = 1; i <= 3; ++i)
     for (const auto& [kind, pairs] :
-         find_breaks(methods, everything, anything, PairSource::kinds, i, 4, {}).drawn)
+         find_violations(methods, everything, anything, PairSource::kinds, i, 4, {}).drawn)
       drawn += kind + "; ";
   EXPECT_EQ(
       drawn,
@@ -117,7 +118,7 @@ TEST(LawSearch, NamesWhatItFindsOnCloseContacts) {
     return answer;
   });
   const SearchRound round =
-      find_breaks(methods, everything, anything, PairSource::close_contacts, seed, 20, {});
+      find_violations(methods, everything, anything, PairSource::close_contacts, seed, 20, {});
   for (const auto& [kind, pairs] : round.drawn)
     EXPECT_TRUE(kind.starts_with("close ") || kind.starts_with("family close_") ||
                 kind == "family range_ends" || kind == "family whiskers")
@@ -125,15 +126,15 @@ TEST(LawSearch, NamesWhatItFindsOnCloseContacts) {
   std::string all;
   for (const auto& [kind, pairs] : round.drawn) all += kind + "; ";
   EXPECT_GT(round.drawn.size(), 10u) << all;
-  const SearchRound again = find_break_again(methods, everything, named(round).reproduce, {});
+  const SearchRound again = find_violation_again(methods, everything, named(round).reproduce, {});
   ASSERT_FALSE(again.failures.empty());
   EXPECT_EQ(again.failures.back().from, named(round).from);
 }
 
 TEST(LawSearch, RefusesANameOfNothing) {
   const auto methods = own_methods();
-  EXPECT_THROW(find_break_again(methods, everything, "reproduce=nonsense", {}), std::invalid_argument);
-  EXPECT_THROW(find_break_again(methods, everything, "", {}), std::invalid_argument);
+  EXPECT_THROW(find_violation_again(methods, everything, "reproduce=nonsense", {}), std::invalid_argument);
+  EXPECT_THROW(find_violation_again(methods, everything, "", {}), std::invalid_argument);
 }
 
 }  // namespace

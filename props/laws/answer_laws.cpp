@@ -11,8 +11,8 @@
 
 #include "corpus/pairs/pair_io.hpp"
 #include "corpus/pairs/truth_io.hpp"
+#include "oracles/trial/decidable_margin.hpp"
 #include "oracles/trial/finding_text.hpp"
-#include "oracles/trial/room.hpp"
 #include "props/laws/law_groups.hpp"
 #include "solver/decide.hpp"
 
@@ -20,8 +20,8 @@ namespace cyl {
 namespace {
 
 /// What compare() finds wrong with an answer to the pair, if it is of one of these kinds.
-std::optional<Broken> refuted(const LawCase& c, const MethodAnswer& answer,
-                              std::initializer_list<FindingKind> kinds) {
+std::optional<Violation> refuted(const LawCase& c, const MethodAnswer& answer,
+                                 std::initializer_list<FindingKind> kinds) {
   Trial& proved = c.proofs.of(c.pair);
   const auto finding = compare(proved, c.method.claim(), answer);
   if (!finding || std::find(kinds.begin(), kinds.end(), finding->kind) == kinds.end()) return {};
@@ -32,26 +32,26 @@ std::optional<Broken> refuted(const LawCase& c, const MethodAnswer& answer,
     what += ": " + miss;
   else if (finding->margin)
     what += ", " + margin_in_words({finding->margin->lo, finding->margin->lo});
-  return Broken{std::move(what), finding->severity, finding->kind};
+  return Violation{std::move(what), finding->severity, finding->kind};
 }
 
-std::optional<Broken> break_answers(const LawCase& c) {
+std::optional<Violation> break_answers(const LawCase& c) {
   if (c.first.status != Status::failed) return {};
-  auto broken = refuted(c, c.first,
-                        {FindingKind::exception, FindingKind::crash, FindingKind::hang,
-                         FindingKind::non_finite, FindingKind::malformed, FindingKind::reported});
-  if (broken) {
-    const bool reported = broken->kind == FindingKind::reported;
-    broken->what = fmt::format("{}: {}", reported ? "failed" : broken->what, c.first.reason);
-    broken->reason = c.first.reason;
+  auto violation = refuted(c, c.first,
+                           {FindingKind::exception, FindingKind::crash, FindingKind::hang,
+                            FindingKind::non_finite, FindingKind::malformed, FindingKind::reported});
+  if (violation) {
+    const bool reported = violation->kind == FindingKind::reported;
+    violation->what = fmt::format("{}: {}", reported ? "failed" : violation->what, c.first.reason);
+    violation->reason = c.first.reason;
   }
-  return broken;
+  return violation;
 }
 
 // The verdict, the witness and the distance each by themselves: what is wrong with one hides no other, and a
 // distance, whose proof is dear, is not asked for twice.
 
-std::optional<Broken> break_verdict(const LawCase& c) {
+std::optional<Violation> break_verdict(const LawCase& c) {
   if (c.first.status != Status::answered) return {};
   MethodAnswer verdict = c.first;
   verdict.has_distance = false;
@@ -61,14 +61,14 @@ std::optional<Broken> break_verdict(const LawCase& c) {
                   FindingKind::wrong_invalid});
 }
 
-std::optional<Broken> break_certificate(const LawCase& c) {
+std::optional<Violation> break_certificate(const LawCase& c) {
   if (c.first.status != Status::answered || c.first.witness == CertificateKind::none) return {};
   MethodAnswer certificate = c.first;
   certificate.has_distance = false;
   return refuted(c, certificate, {FindingKind::bad_witness});
 }
 
-std::optional<Broken> break_distance(const LawCase& c) {
+std::optional<Violation> break_distance(const LawCase& c) {
   if (c.first.status != Status::answered || !c.first.has_distance) return {};
   MethodAnswer distance = c.first;
   distance.verdict = Verdict::undecided;
@@ -78,12 +78,12 @@ std::optional<Broken> break_distance(const LawCase& c) {
 
 // A distance said is off by the allowance at most, so beyond it the sign is known; and where it is beyond by
 // the reach of the claim, the verdict is promised.
-std::optional<Broken> break_sign(const LawCase& c) {
+std::optional<Violation> break_sign(const LawCase& c) {
   if (!is_decided(c.first) || !c.first.has_distance) return {};
   const double apart = says_meet(c.first) ? c.first.distance : -c.first.distance;
   const double beyond = apart - distance_allowance(c, c.pair, c.first.distance);
   if (!(beyond > 0)) return {};
-  return Broken{
+  return Violation{
       fmt::format("says {} and distance {}", to_string(c.first.verdict), format_double(c.first.distance)),
       beyond >= reach(c.method.claim(), size_of(c.pair)) ? Severity::contract : Severity::resolution};
 }
@@ -103,10 +103,10 @@ std::vector<LawQuery> from_another_thread(const Method&, const Pair& pair, const
 }
 
 /// A method that is not asked any more after many hangs declines: only that says nothing.
-std::optional<Broken> break_sameness(const LawCase& c) {
+std::optional<Violation> break_sameness(const LawCase& c) {
   for (const MethodAnswer& second : c.answers) {
     if (second.status == Status::declined || same_answer(c.first, second)) continue;
-    return Broken{
+    return Violation{
         fmt::format("first {}, then {}", format_method_answer(c.first), format_method_answer(second))};
   }
   return {};
@@ -116,41 +116,41 @@ std::vector<LawQuery> in_other_ways(const Method&, const Pair& pair, const Metho
   return {{pair, CallMode::prepared}, {pair, CallMode::batch}};
 }
 
-std::optional<Broken> break_other_ways(const LawCase& c) {
+std::optional<Violation> break_other_ways(const LawCase& c) {
   for (std::size_t i = 0; i < c.answers.size(); ++i) {
     const MethodAnswer& second = c.answers[i];
     if (second.status != Status::answered || second.verdict == c.first.verdict) continue;
     if (says_meet(second) && says_meet(c.first)) continue;
-    return Broken{fmt::format("asked singly {}, {} {}", to_string(c.first.verdict),
-                              c.asked[i].mode == CallMode::batch ? "in a batch" : "prepared",
-                              to_string(second.verdict))};
+    return Violation{fmt::format("asked singly {}, {} {}", to_string(c.first.verdict),
+                                 c.asked[i].mode == CallMode::batch ? "in a batch" : "prepared",
+                                 to_string(second.verdict))};
   }
   return {};
 }
 
-std::optional<Broken> break_cap(const LawCase& c) {
+std::optional<Violation> break_cap(const LawCase& c) {
   if (c.first.status != Status::answered || c.first.step_cap == 0 || c.first.steps <= c.first.step_cap)
     return {};
-  return Broken{fmt::format("{} steps, at most {} are allowed", c.first.steps, c.first.step_cap)};
+  return Violation{fmt::format("{} steps, at most {} are allowed", c.first.steps, c.first.step_cap)};
 }
 
-std::optional<Broken> break_resolution(const LawCase& c) {
-  const Decides promised = c.method.claim().decides;
-  if (promised == Decides::not_promised || c.first.status != Status::answered ||
+std::optional<Violation> break_resolution(const LawCase& c) {
+  const DecisionScope promised = c.method.claim().decides;
+  if (promised == DecisionScope::not_promised || c.first.status != Status::answered ||
       c.first.verdict != Verdict::undecided)
     return {};
   Trial& proved = c.proofs.of(c.pair);
-  if (!owes_verdict(promised, proved)) return {};
-  if (promised == Decides::all)
-    return Broken{fmt::format("undecided, and proved to be {}", to_string(proved.truth.verdict))};
+  if (!must_decide(promised, proved)) return {};
+  if (promised == DecisionScope::all)
+    return Violation{fmt::format("undecided, and proved to be {}", to_string(proved.truth.verdict))};
   const double least = resolved_margin * size_of(c.pair);
-  return Broken{proved.meets()
-                    ? fmt::format("undecided, and {:.3g} all around a point are in both", least)
-                    : fmt::format("undecided, and apart by {:.3g}", magnitude_against(least, proved).lo)};
+  return Violation{proved.meets()
+                       ? fmt::format("undecided, and {:.3g} all around a point are in both", least)
+                       : fmt::format("undecided, and apart by {:.3g}", magnitude_against(least, proved).lo)};
 }
 
 // Where the referee's proof is a direction, its own or one that a method offered.
-std::optional<Broken> break_shown(const LawCase& c) {
+std::optional<Violation> break_shown(const LawCase& c) {
   if (!is_decided(c.first) || !c.first.has_distance || !is_in_range(c.pair)) return {};
   const Certificate& proof = c.proofs.of(c.pair).truth.certificate;
   if (proof.kind != CertificateKind::direction || !proof.vector.in_doubles()) return {};
@@ -158,27 +158,27 @@ std::optional<Broken> break_shown(const LawCase& c) {
       (Vector3::Map(proof.vector.head.data()) + Vector3::Map(proof.vector.tail.data())).stableNormalized();
   const double shown = shown_by(c.pair, u);
   if (!(c.first.distance < shown - distance_allowance(c, c.pair, c.first.distance))) return {};
-  return Broken{fmt::format("says distance {} where a direction proves {}", format_double(c.first.distance),
-                            format_double(shown))};
+  return Violation{fmt::format("says distance {} where a direction proves {}",
+                               format_double(c.first.distance), format_double(shown))};
 }
 
 // Asked of methods whose witnesses settle most verdicts: what they do not settle the referee does by itself.
-std::optional<Broken> break_proof(const LawCase& c) {
+std::optional<Violation> break_proof(const LawCase& c) {
   if (!c.method.claim().certified || c.first.status != Status::answered ||
       c.first.witness == CertificateKind::none)
     return {};
   const Verdict with = c.proofs.of(c.pair).truth.verdict;
   for (const Verdict without : {judge(c.pair).verdict, judge_verdict(c.pair).verdict})
     if (with != without)
-      return Broken{fmt::format("the referee proves {} with the witnesses offered and {} without",
-                                to_string(with), to_string(without))};
+      return Violation{fmt::format("the referee proves {} with the witnesses offered and {} without",
+                                   to_string(with), to_string(without))};
   return {};
 }
 
 /// Of a product of two vectors, relative: three products and two sums, on either side.
 constexpr double along_error = 16 * 0x1p-53;
 
-std::optional<Broken> break_orientation(const LawCase& c) {
+std::optional<Violation> break_orientation(const LawCase& c) {
   if (!c.method.claim().from_a_to_b || c.first.status != Status::answered ||
       c.first.witness != CertificateKind::direction)
     return {};
@@ -188,22 +188,22 @@ std::optional<Broken> break_orientation(const LawCase& c) {
       delta.x() * c.first.head[0] + delta.y() * c.first.head[1] + delta.z() * c.first.head[2];
   const double length = Vector3::Map(c.first.head).norm() * delta.norm();
   if (!is_in_range(c.pair) || !(along < -along_error * length)) return {};
-  return Broken{"the direction points from b to a"};
+  return Violation{"the direction points from b to a"};
 }
 
 std::vector<LawQuery> spoilt(const Method& method, const Pair& pair, const MethodAnswer&) {
-  if (!method.claim().tells_invalid) return {};
+  if (!method.claim().reports_invalid) return {};
   std::vector<LawQuery> asked(2, LawQuery{pair});
   asked[0].pair.a.radius = -1;
   asked[1].pair.b.radius = -1;
   return asked;
 }
 
-std::optional<Broken> break_validity(const LawCase& c) {
+std::optional<Violation> break_validity(const LawCase& c) {
   for (std::size_t i = 0; i < c.answers.size(); ++i)
     if (c.answers[i].status == Status::answered && c.answers[i].verdict != Verdict::invalid)
-      return Broken{fmt::format("{} where the radius of {} is -1", to_string(c.answers[i].verdict),
-                                i == 0 ? "a" : "b")};
+      return Violation{fmt::format("{} where the radius of {} is -1", to_string(c.answers[i].verdict),
+                                   i == 0 ? "a" : "b")};
   return {};
 }
 

@@ -156,22 +156,22 @@ TEST(AnswerLaws, CatchWhoIsUndecidedWhereThereIsRoom) {
         answer.status = Status::answered;
       },
       of_everything);
-  const auto broken = [&](const Cylinder& a, const Cylinder& b) {
-    return broken_by(method, law_numbered(39), {a, b}).has_value();
+  const auto violation = [&](const Cylinder& a, const Cylinder& b) {
+    return violation_of(method, law_numbered(39), {a, b}).has_value();
   };
   const auto upright = [](double x, double radius = 1, double height = 2) {
     return Cylinder{Vector3(x, 0, 0), Vector3(0, 0, 1), radius, height};
   };
-  EXPECT_TRUE(broken(upright(0), upright(2 + 7e-13)));
-  EXPECT_FALSE(broken(upright(0), upright(2 + 5e-13)));
-  EXPECT_TRUE(broken(upright(0), upright(2 - 13e-13)));
-  EXPECT_FALSE(broken(upright(0), upright(2 - 11e-13)));
-  EXPECT_TRUE(broken(upright(0, 1, 0), upright(1.5)));
-  EXPECT_TRUE(broken(upright(0), upright(0.5, 0, 1)));
-  EXPECT_FALSE(broken(upright(0), upright(0.5, 0, 0)));
-  EXPECT_FALSE(broken(upright(0, 1, 0), upright(1.5, 1, 0)));
-  EXPECT_FALSE(broken(upright(0), upright(0.5, 1, 6e-13)));
-  EXPECT_TRUE(broken(upright(0), upright(0.5, 1, 3e-13)));
+  EXPECT_TRUE(violation(upright(0), upright(2 + 7e-13)));
+  EXPECT_FALSE(violation(upright(0), upright(2 + 5e-13)));
+  EXPECT_TRUE(violation(upright(0), upright(2 - 13e-13)));
+  EXPECT_FALSE(violation(upright(0), upright(2 - 11e-13)));
+  EXPECT_TRUE(violation(upright(0, 1, 0), upright(1.5)));
+  EXPECT_TRUE(violation(upright(0), upright(0.5, 0, 1)));
+  EXPECT_FALSE(violation(upright(0), upright(0.5, 0, 0)));
+  EXPECT_FALSE(violation(upright(0, 1, 0), upright(1.5, 1, 0)));
+  EXPECT_FALSE(violation(upright(0), upright(0.5, 1, 6e-13)));
+  EXPECT_TRUE(violation(upright(0), upright(0.5, 1, 3e-13)));
 }
 
 // The enclosure tells the same, what moves on along the direction is nearer than that shows, and from a gap
@@ -191,9 +191,9 @@ TEST(AnswerLaws, CatchARefereeThatNeedsAWitness) {
   const MethodAnswer first = method.ask(pair);
   Proofs proofs(pair, {&first, 1});
   const LawCase c{method, pair, first, {}, {}, proofs};
-  EXPECT_FALSE(law_numbered(43).broken(c));
+  EXPECT_FALSE(law_numbered(43).check(c));
   proofs.of(pair).truth.verdict = Verdict::undecided;
-  EXPECT_EQ(law_numbered(43).broken(c)->severity, Severity::contract);
+  EXPECT_EQ(law_numbered(43).check(c)->severity, Severity::contract);
 }
 
 }  // namespace

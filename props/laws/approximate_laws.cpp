@@ -22,7 +22,7 @@ bool is_usable(const Pair& pair) { return is_legal(pair) && is_in_range(pair); }
 
 /// What is wrong where the signed distance of asked[i] is within `change` of the pair's. Distances said are
 /// held to the allowance of each; verdicts to the proof.
-std::optional<Broken> break_change(const LawCase& c, std::size_t i, double change) {
+std::optional<Violation> break_change(const LawCase& c, std::size_t i, double change) {
   const MethodAnswer &first = c.first, &second = c.answers[i];
   const Pair& changed = c.asked[i].pair;
   if (!is_decided(first) || !is_decided(second)) return {};
@@ -30,8 +30,8 @@ std::optional<Broken> break_change(const LawCase& c, std::size_t i, double chang
     const double allowed = change + distance_allowance(c, c.pair, first.distance) +
                            distance_allowance(c, changed, second.distance);
     if (std::fabs(second.distance - first.distance) > allowed) {
-      return Broken{"the distance goes from " + format_double(first.distance) + " to " +
-                    format_double(second.distance) + ", allowed is " + format_double(allowed)};
+      return Violation{"the distance goes from " + format_double(first.distance) + " to " +
+                       format_double(second.distance) + ", allowed is " + format_double(allowed)};
     }
   }
   if (says_meet(first) == says_meet(second)) return {};
@@ -40,7 +40,7 @@ std::optional<Broken> break_change(const LawCase& c, std::size_t i, double chang
   Trial& proved = c.proofs.of(c.pair);
   if (proved.truth.verdict == Verdict::undecided) return {};
   if (magnitude_against(change, proved).lo <= change) return {};
-  return Broken{
+  return Violation{
       std::string("the verdict turns from ") + to_string(first.verdict) + " to " + to_string(second.verdict),
       severity_of(c, i)};
 }
@@ -62,7 +62,7 @@ double change_between(const Pair& x, const Pair& y) {
   return (change + lost) * (1 + sum_error);
 }
 
-std::optional<Broken> break_changes(const LawCase& c) {
+std::optional<Violation> break_changes(const LawCase& c) {
   return worst_of(c,
                   [&](std::size_t i) { return break_change(c, i, change_between(c.pair, c.asked[i].pair)); });
 }
@@ -109,7 +109,7 @@ std::vector<LawQuery> rotated(const Method&, const Pair& pair, const MethodAnswe
   return asked;
 }
 
-std::optional<Broken> break_rotation(const LawCase& c) {
+std::optional<Violation> break_rotation(const LawCase& c) {
   return worst_of(c, [&](std::size_t i) { return break_change(c, i, rotation_change(c.pair)); });
 }
 
@@ -203,7 +203,7 @@ double diameter(const Cylinder& c) {
 
 // From the nearest point of one solid to that of another, through the middle one, whose two points are at
 // most its diameter apart: no side of the triangle is longer than the others with the diameter between them.
-std::optional<Broken> break_triangle(const LawCase& c) {
+std::optional<Violation> break_triangle(const LawCase& c) {
   for (std::size_t i = 0; i + 1 < c.answers.size(); i += 2) {
     const MethodAnswer &ab = c.first, &bc = c.answers[i], &ac = c.answers[i + 1];
     if (!is_decided(ab) || !is_decided(bc) || !is_decided(ac) || !bc.has_distance || !ac.has_distance)
@@ -217,8 +217,8 @@ std::optional<Broken> break_triangle(const LawCase& c) {
     const double over = std::max(
         {z - x - y - diameter(c.pair.b), y - x - z - diameter(c.pair.a), x - y - z - diameter(second.b)});
     if (over > allowed) {
-      return Broken{"a gap is longer by " + format_double(over) +
-                    " than the way through the third solid, allowed is " + format_double(allowed)};
+      return Violation{"a gap is longer by " + format_double(over) +
+                       " than the way through the third solid, allowed is " + format_double(allowed)};
     }
   }
   return {};
@@ -240,8 +240,8 @@ std::vector<LawQuery> widened(const Method&, const Pair& pair, const MethodAnswe
   return asked;
 }
 
-std::optional<Broken> break_widening(const LawCase& c) {
-  return worst_of(c, [&](std::size_t i) -> std::optional<Broken> {
+std::optional<Violation> break_widening(const LawCase& c) {
+  return worst_of(c, [&](std::size_t i) -> std::optional<Violation> {
     const MethodAnswer& second = c.answers[i];
     const Pair& wider = c.asked[i].pair;
     if (!is_decided(c.first) || !is_decided(second) || !second.has_distance) return {};
@@ -253,8 +253,8 @@ std::optional<Broken> break_widening(const LawCase& c) {
     const double allowed = distance_allowance(c, c.pair, c.first.distance) +
                            distance_allowance(c, wider, second.distance) + sum_error * size_of(wider);
     if (!(off > allowed)) return {};
-    return Broken{"the distance goes from " + format_double(c.first.distance) + " to " +
-                  format_double(second.distance) + " where a rounding grows by " + format_double(by)};
+    return Violation{"the distance goes from " + format_double(c.first.distance) + " to " +
+                     format_double(second.distance) + " where a rounding grows by " + format_double(by)};
   });
 }
 

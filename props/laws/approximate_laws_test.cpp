@@ -77,8 +77,8 @@ TEST(ApproximateLaws, CatchARoundingThatCountsTwice) {
   const auto counts_twice = [](const Pair& pair, MethodAnswer& answer) {
     if (answer.distance > pair.a.rounding) answer.distance -= pair.a.rounding;
   };
-  const Numbers broken = laws_broken_by(plant("distance", counts_twice), "capsule_capsule");
-  EXPECT_NE(std::find(broken.begin(), broken.end(), 25), broken.end());
+  const Numbers violated = laws_broken_by(plant("distance", counts_twice), "capsule_capsule");
+  EXPECT_NE(std::find(violated.begin(), violated.end(), 25), violated.end());
 }
 
 // Next to touching, where no pair that is drawn lies and every slide ends.

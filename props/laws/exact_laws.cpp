@@ -58,22 +58,22 @@ std::string difference_in_bits(const MethodAnswer& first, const MethodAnswer& se
   return {};
 }
 
-std::optional<Broken> compare_answers(const LawCase& c, std::size_t i, const Expected& expected) {
+std::optional<Violation> compare_answers(const LawCase& c, std::size_t i, const Expected& expected) {
   const MethodAnswer& second = c.answers[i];
   if (second.status != Status::answered) return {};
-  const bool every_bit = c.method.claim().every_bit;
+  const bool bitwise_stable = c.method.claim().bitwise_stable;
   if (c.first.verdict != second.verdict) {
-    return Broken{std::string("the verdict turns from ") + to_string(c.first.verdict) + " to " +
-                      to_string(second.verdict),
-                  every_bit ? Severity::contract : severity_of(c, i)};
+    return Violation{std::string("the verdict turns from ") + to_string(c.first.verdict) + " to " +
+                         to_string(second.verdict),
+                     bitwise_stable ? Severity::contract : severity_of(c, i)};
   }
-  if (!every_bit) return {};
+  if (!bitwise_stable) return {};
   std::string what = difference_in_bits(c.first, second, expected);
   if (what.empty()) return {};
-  return Broken{std::move(what), Severity::contract};
+  return Violation{std::move(what), Severity::contract};
 }
 
-std::optional<Broken> all_as_expected(const LawCase& c, const Expected& expected = {}) {
+std::optional<Violation> all_as_expected(const LawCase& c, const Expected& expected = {}) {
   return worst_of(c, [&](std::size_t i) { return compare_answers(c, i, expected); });
 }
 
@@ -114,18 +114,18 @@ std::vector<LawQuery> at_other_scales(const Method&, const Pair& pair, const Met
   return asked;
 }
 
-std::optional<Broken> break_scaling(const LawCase& c) {
+std::optional<Violation> break_scaling(const LawCase& c) {
   std::vector<int> asked;
   std::copy_if(std::begin(scales), std::end(scales), std::back_inserter(asked),
                [&](int k) { return scaled_far_from_underflow(c.pair, k).has_value(); });
   const auto cut_off = [](const MethodAnswer& x) {
     return x.has_distance && std::fabs(x.distance) == std::numeric_limits<double>::max();
   };
-  return worst_of(c, [&](std::size_t i) -> std::optional<Broken> {
+  return worst_of(c, [&](std::size_t i) -> std::optional<Violation> {
     if (cut_off(c.first) || cut_off(c.answers[i])) return {};
-    auto broken = compare_answers(c, i, {.length = std::ldexp(1, asked[i])});
-    if (broken) broken->what = "times 2^" + std::to_string(asked[i]) + ": " + broken->what;
-    return broken;
+    auto violation = compare_answers(c, i, {.length = std::ldexp(1, asked[i])});
+    if (violation) violation->what = "times 2^" + std::to_string(asked[i]) + ": " + violation->what;
+    return violation;
   });
 }
 
@@ -190,13 +190,13 @@ std::vector<LawQuery> permuted(const Method&, const Pair& pair, const MethodAnsw
 
 // Roles and signs that break ties, and the order of sums, may change: digits may differ, and who does not
 // know need not know the same.
-std::optional<Broken> turned_verdict(const LawCase& c, bool promised) {
-  return worst_of(c, [&](std::size_t i) -> std::optional<Broken> {
+std::optional<Violation> turned_verdict(const LawCase& c, bool promised) {
+  return worst_of(c, [&](std::size_t i) -> std::optional<Violation> {
     const MethodAnswer& second = c.answers[i];
     if (!is_decided(c.first) || !is_decided(second) || says_meet(c.first) == says_meet(second)) return {};
-    return Broken{std::string("the verdict turns from ") + to_string(c.first.verdict) + " to " +
-                      to_string(second.verdict),
-                  promised ? Severity::contract : severity_of(c, i)};
+    return Violation{std::string("the verdict turns from ") + to_string(c.first.verdict) + " to " +
+                         to_string(second.verdict),
+                     promised ? Severity::contract : severity_of(c, i)};
   });
 }
 
@@ -219,7 +219,7 @@ std::vector<Law> exact_laws() {
        [](const LawCase& c) { return all_as_expected(c); }},
       {5, LawKind::exact, "mirror", "signs of coordinates flipped, in all 7 ways: the same verdict",
        "where both answers are yes or no; of intersect everywhere, of others where they claim to be right",
-       mirrored, [](const LawCase& c) { return turned_verdict(c, c.method.claim().keeps_mirrored); }},
+       mirrored, [](const LawCase& c) { return turned_verdict(c, c.method.claim().mirror_invariant); }},
       {6, LawKind::exact, "permutation", "coordinates permuted, in all 5 ways: the same verdict",
        "where both answers are yes or no and the method claims to be right: sums change their order",
        permuted, [](const LawCase& c) { return turned_verdict(c, false); }},

@@ -160,9 +160,9 @@ TEST(ExactLaws, FindABreakBeyondTheClaimBehindOneWithinIt) {
   };
   Planted method(turns, "planted", {0, 1e-6, "planted"});
   const Pair pair{{{0, 0, 0}, {0, 0, 1}, 1, 2}, {{1, 0, 0}, {0, 1, 0}, 1, 2}};
-  const auto broken = broken_by(method, law_numbered(2), pair);
-  ASSERT_TRUE(broken);
-  EXPECT_EQ(broken->severity, Severity::contract) << broken->what;
+  const auto violation = violation_of(method, law_numbered(2), pair);
+  ASSERT_TRUE(violation);
+  EXPECT_EQ(violation->severity, Severity::contract) << violation->what;
 }
 
 }  // namespace

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "oracles/trial/offers.hpp"
+#include "oracles/trial/witness_set.hpp"
 
 namespace cyl {
 namespace {
@@ -36,7 +36,7 @@ void count_hang(AnswerCounts& counts, const ContainedAnswer& said) {
 class Examination {
  public:
   Examination(std::span<const std::unique_ptr<Method>> methods, std::span<const Pair> pairs,
-              const Wanted& wanted, Asker& asker)
+              const LawFilter& wanted, Asker& asker)
       : methods_(methods), pairs_(pairs), wanted_(wanted), asker_(asker), offers_(methods) {
     result_.counts.resize(methods.size());
     result_.truths.resize(pairs.size());
@@ -81,10 +81,10 @@ class Examination {
   }
 
   void add_job(Job job) {
-    if (job.law->ask != needs_none) {
+    if (job.law->queries != needs_none) {
       const MethodAnswer& first = answer(job.method, job.pair);
       if (first.status != Status::answered) return;
-      job.asked = job.law->ask(*methods_[job.method], pairs_[job.pair], first);
+      job.asked = job.law->queries(*methods_[job.method], pairs_[job.pair], first);
       if (job.asked.empty()) return;
       job.first_question = further_.size();
       for (const LawQuery& asked : job.asked) {
@@ -105,31 +105,31 @@ class Examination {
 
   void hold_to_laws(std::size_t p, const std::vector<const Job*>& jobs) {
     const auto said = std::span(result_.answers).subspan(p * methods_.size(), methods_.size());
-    Proofs proofs(pairs_[p], offers_.with_ours(pairs_[p], said));
+    Proofs proofs(pairs_[p], offers_.with_own_witness(pairs_[p], said));
     for (const Job* job : jobs) {
       const auto answers = std::span(further_answers_).subspan(job->first_question, job->asked.size());
       const LawCase c{*methods_[job->method], pairs_[p], answer(job->method, p), job->asked, answers, proofs};
-      auto broken = broken_law(*job->law, c);
-      if (!broken) continue;
-      result_.broken.push_back(
-          {job->method, p, job->law, std::move(*broken), job->asked, {answers.begin(), answers.end()}});
+      auto violation = violation_on(*job->law, c);
+      if (!violation) continue;
+      result_.violations.push_back(
+          {job->method, p, job->law, std::move(*violation), job->asked, {answers.begin(), answers.end()}});
     }
     if (const Trial* proved = proofs.known(pairs_[p])) result_.truths[p] = proved->truth.verdict;
   }
 
-  static std::optional<Broken> broken_law(const Law& law, const LawCase& c) {
+  static std::optional<Violation> violation_on(const Law& law, const LawCase& c) {
     const auto failed = std::find_if(c.answers.begin(), c.answers.end(),
                                      [](const MethodAnswer& a) { return a.status == Status::failed; });
-    if (failed == c.answers.end()) return law.broken(c);
-    return Broken{fmt::format("fails on a changed pair: {}", failed->reason), Severity::contract,
-                  finding_of(failed->failure), failed->reason};
+    if (failed == c.answers.end()) return law.check(c);
+    return Violation{fmt::format("fails on a changed pair: {}", failed->reason), Severity::contract,
+                     finding_of(failed->failure), failed->reason};
   }
 
   std::span<const std::unique_ptr<Method>> methods_;
   std::span<const Pair> pairs_;
-  const Wanted& wanted_;
+  const LawFilter& wanted_;
   Asker& asker_;
-  Offers offers_;
+  WitnessSet offers_;
   std::vector<Job> jobs_;
   // The second round: what laws made of the pairs.
   std::vector<Pair> changed_;
@@ -151,28 +151,28 @@ AnswerCounts& AnswerCounts::operator+=(const AnswerCounts& other) {
 }
 
 Examined examine(std::span<const std::unique_ptr<Method>> methods, std::span<const Pair> pairs,
-                 const Wanted& wanted, Asker& asker) {
+                 const LawFilter& wanted, Asker& asker) {
   return Examination(methods, pairs, wanted, asker).run();
 }
 
 Examined examine(std::span<const std::unique_ptr<Method>> methods, std::span<const Pair> pairs,
-                 const Wanted& wanted, const Caps& caps) {
+                 const LawFilter& wanted, const Caps& caps) {
   Asker asker(methods, caps);
   return examine(methods, pairs, wanted, asker);
 }
 
-std::optional<Broken> broken_by(Method& method, const Law& law, const Pair& pair) {
+std::optional<Violation> violation_of(Method& method, const Law& law, const Pair& pair) {
   const MethodAnswer first = method.ask(pair);
   Proofs proofs(pair, {&first, 1});
   std::vector<LawQuery> asked;
-  if (law.ask != needs_none) {
+  if (law.queries != needs_none) {
     if (first.status != Status::answered) return {};
-    asked = law.ask(method, pair, first);
+    asked = law.queries(method, pair, first);
     if (asked.empty()) return {};
   }
   std::vector<MethodAnswer> answers;
   for (const LawQuery& a : asked) answers.push_back(call(method, a.pair, a.mode));
-  return law.broken({method, pair, first, asked, answers, proofs});
+  return law.check({method, pair, first, asked, answers, proofs});
 }
 
 }  // namespace cyl

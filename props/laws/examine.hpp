@@ -18,11 +18,11 @@
 
 namespace cyl {
 
-/// A law that a method broke on a pair: indices into what was given to examine().
-struct BrokenLaw {
+/// Indices into what was given to examine().
+struct LawViolation {
   std::size_t method, pair;
   const Law* law;
-  Broken broken;
+  Violation violation;
   std::vector<LawQuery> asked;        ///< what the law had asked beside the pair,
   std::vector<MethodAnswer> answers;  ///< and what the method said to it
 };
@@ -37,22 +37,22 @@ struct AnswerCounts {
 };
 
 struct Examined {
-  std::vector<BrokenLaw> broken;               ///< by pair, then method, then law
+  std::vector<LawViolation> violations;        ///< by pair, then method, then law
   std::vector<AnswerCounts> counts;            ///< by method
   std::vector<std::optional<Verdict>> truths;  ///< by pair; nothing where no law asked for it
   std::vector<MethodAnswer> answers;           ///< to the pairs themselves: pair by pair, of every method
 };
 
-/// Says whether a method is held to a law.
-using Wanted = std::function<bool(std::size_t method, const Law& law)>;
+/// Returns whether a method is held to a law.
+using LawFilter = std::function<bool(std::size_t method, const Law& law)>;
 
 /// Asks every method contained that any law is wanted of: each pair once, then all that the laws want.
 /// Deterministic but for hangs.
 Examined examine(std::span<const std::unique_ptr<Method>> methods, std::span<const Pair> pairs,
-                 const Wanted& wanted, Asker& asker);
+                 const LawFilter& wanted, Asker& asker);
 
 /// Likewise, in workers that are started for it.
 Examined examine(std::span<const std::unique_ptr<Method>> methods, std::span<const Pair> pairs,
-                 const Wanted& wanted, const Caps& caps = {});
+                 const LawFilter& wanted, const Caps& caps = {});
 
 }  // namespace cyl

@@ -90,24 +90,24 @@ TEST(Examine, SeesWhoBreaksDownOnAChangedPairAlone) {
   pair.b.radius = 2;
   const Examined examined =
       examine(methods, {&pair, 1}, [](std::size_t, const Law& law) { return law.number == 1; });
-  ASSERT_EQ(examined.broken.size(), 1u);
-  EXPECT_EQ(examined.broken[0].law->number, 1);
-  EXPECT_EQ(examined.broken[0].broken.what, "fails on a changed pair: roles");
+  ASSERT_EQ(examined.violations.size(), 1u);
+  EXPECT_EQ(examined.violations[0].law->number, 1);
+  EXPECT_EQ(examined.violations[0].violation.what, "fails on a changed pair: roles");
 }
 
 TEST_F(Misbehaving, BreaksLaw30AndNoOther) {
-  std::vector<std::uint64_t> broken(methods.size(), 0);
-  for (const BrokenLaw& b : examined.broken) {
-    EXPECT_EQ(b.law->number, 30) << methods[b.method]->name() << ": " << b.broken.what;
-    EXPECT_EQ(b.broken.severity, Severity::contract);
-    ++broken[b.method];
+  std::vector<std::uint64_t> violations(methods.size(), 0);
+  for (const LawViolation& b : examined.violations) {
+    EXPECT_EQ(b.law->number, 30) << methods[b.method]->name() << ": " << b.violation.what;
+    EXPECT_EQ(b.violation.severity, Severity::contract);
+    ++violations[b.method];
   }
-  EXPECT_EQ(broken, (std::vector<std::uint64_t>{pair_count, 2, pair_count, pair_count, 0}));
+  EXPECT_EQ(violations, (std::vector<std::uint64_t>{pair_count, 2, pair_count, pair_count, 0}));
 }
 
 TEST_F(Misbehaving, IsTold) {
-  for (const BrokenLaw& b : examined.broken) {
-    const std::string& what = b.broken.what;
+  for (const LawViolation& b : examined.violations) {
+    const std::string& what = b.violation.what;
     const bool reported = b.method == throws  ? what.ends_with("no support point")
                           : b.method == spins ? what.starts_with("hang")
                           : b.method == crashes
@@ -137,11 +137,11 @@ TEST(Examine, HoldsAMethodToTheLawsThatAreWanted) {
   const auto pairs = some_pairs();
   const Examined examined =
       examine(methods, pairs, [](std::size_t m, const Law& law) { return m == 1 && law.number == 38; });
-  ASSERT_EQ(examined.broken.size(), pairs.size());
+  ASSERT_EQ(examined.violations.size(), pairs.size());
   for (std::size_t p = 0; p < pairs.size(); ++p) {
-    EXPECT_EQ(examined.broken[p].method, 1u);
-    EXPECT_EQ(examined.broken[p].pair, p);
-    EXPECT_EQ(examined.broken[p].law->number, 38);
+    EXPECT_EQ(examined.violations[p].method, 1u);
+    EXPECT_EQ(examined.violations[p].pair, p);
+    EXPECT_EQ(examined.violations[p].law->number, 38);
   }
 }
 

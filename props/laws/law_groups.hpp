@@ -27,15 +27,16 @@ bool is_refuted(const LawCase& c, const Pair& pair, const MethodAnswer& answer);
 /// both, or where one of them is refuted and it promises that one; else resolution. By proof.
 Severity severity_of(const LawCase& c, std::size_t i);
 
-/// What `broken_at(i)` finds of answers[i], the worst: one beyond the claim is not hidden by one within it.
-template <class BrokenAt>
-std::optional<Broken> worst_of(const LawCase& c, BrokenAt broken_at) {
-  std::optional<Broken> worst;
+/// What `violation_at(i)` finds of answers[i], the worst: one beyond the claim is not hidden by one within
+/// it.
+template <class ViolationAt>
+std::optional<Violation> worst_of(const LawCase& c, ViolationAt violation_at) {
+  std::optional<Violation> worst;
   for (std::size_t i = 0; i < c.answers.size(); ++i) {
-    std::optional<Broken> broken = broken_at(i);
-    if (!broken) continue;
-    if (broken->severity == Severity::contract) return broken;
-    if (!worst) worst = std::move(broken);
+    std::optional<Violation> violation = violation_at(i);
+    if (!violation) continue;
+    if (violation->severity == Severity::contract) return violation;
+    if (!worst) worst = std::move(violation);
   }
   return worst;
 }

@@ -47,12 +47,12 @@ struct LawCase {
 };
 
 /// What broke, in one line; `contract` where the method promises what broke, here.
-struct Broken {
+struct Violation {
   std::string what;
   Severity severity = Severity::contract;
   std::optional<FindingKind> kind = {};  ///< where compare() found it
   std::string reason = {};               ///< of a failure: the method's own words
-  bool operator==(const Broken&) const = default;
+  bool operator==(const Violation&) const = default;
 };
 
 struct Law {
@@ -63,9 +63,9 @@ struct Law {
   std::string_view where;      ///< for which pairs and methods
   /// What is to be asked beside the pair itself, given the answer to it; empty: this law says nothing of this
   /// pair, or looks at the first answer alone (needs_none).
-  std::vector<LawQuery> (*ask)(const Method& method, const Pair& pair, const MethodAnswer& first);
+  std::vector<LawQuery> (*queries)(const Method& method, const Pair& pair, const MethodAnswer& first);
   /// Nothing where the law holds. Says nothing where a method declines or fails (that is what law 30 is for).
-  std::optional<Broken> (*broken)(const LawCase& c);
+  std::optional<Violation> (*check)(const LawCase& c);
   const char* file = __builtin_FILE();  ///< where it is written, from the top of the project
   int line = __builtin_LINE();
 };
@@ -85,6 +85,6 @@ const Law& law_numbered(int number);
 
 /// What a method breaks of a law on a pair, asked in this process: for tests and fuzz targets. Throws what
 /// the method throws.
-std::optional<Broken> broken_by(Method& method, const Law& law, const Pair& pair);
+std::optional<Violation> violation_of(Method& method, const Law& law, const Pair& pair);
 
 }  // namespace cyl

@@ -25,10 +25,10 @@ namespace {
 std::string broken_by_ours(const Pair& pair) {
   for (const auto& method : own_methods()) {
     for (const Law& law : all_laws()) {
-      const auto broken = broken_by(*method, law, pair);
-      if (broken && broken->severity == Severity::contract) {
+      const auto violation = violation_of(*method, law, pair);
+      if (violation && violation->severity == Severity::contract) {
         return std::string(method->name()) + ", law " + std::to_string(law.number) + ", " +
-               std::string(law.name) + ": " + broken->what;
+               std::string(law.name) + ": " + violation->what;
       }
     }
   }
@@ -40,8 +40,8 @@ void expect_kept(const Pair& pair) {
   RC_CLASSIFY(truth == Verdict::disjoint, "disjoint");
   RC_CLASSIFY(truth == Verdict::intersecting, "intersecting");
   RC_CLASSIFY(truth == Verdict::touching, "touching");
-  const std::string broken = broken_by_ours(pair);
-  if (!broken.empty()) RC_FAIL(broken);
+  const std::string violation = broken_by_ours(pair);
+  if (!violation.empty()) RC_FAIL(violation);
 }
 
 RC_GTEST_PROP(Laws, HoldOnTheGrid, ()) { expect_kept(*grid_pair()); }

@@ -34,12 +34,12 @@ inline constexpr Claim of_verdicts{.relative = 1e-13, .source = "planted"};
 /// Promises, in addition, all that a method can.
 inline constexpr Claim of_everything{.relative = 1e-13,
                                      .source = "planted",
-                                     .every_bit = true,
-                                     .keeps_mirrored = true,
+                                     .bitwise_stable = true,
+                                     .mirror_invariant = true,
                                      .certified = true,
                                      .from_a_to_b = true,
-                                     .tells_invalid = true,
-                                     .decides = Decides::beyond_rounding};
+                                     .reports_invalid = true,
+                                     .decides = DecisionScope::above_1e13};
 
 /// A method that answers by a function.
 struct Planted final : FakeMethod {
@@ -47,7 +47,7 @@ struct Planted final : FakeMethod {
 
   explicit Planted(Ask ask, std::string_view name = "planted", Claim claim = of_verdicts)
       : FakeMethod(std::string(name), std::move(ask), {.claim = claim}) {}
-  bool takes(SolidKind) const override { return true; }
+  bool supports(SolidKind) const override { return true; }
   Call prepare_all(std::span<const Pair> pairs) override {
     if (!prepared) return {};
     return [this, copy = std::vector<Pair>(pairs.begin(), pairs.end())](std::size_t i) {
@@ -69,7 +69,7 @@ inline std::vector<int> laws_broken_by(Planted method, std::string_view family =
   std::vector<int> numbers;
   for (const Law& law : all_laws()) {
     for (std::uint64_t index = 0; index < pairs_per_family; ++index) {
-      if (!broken_by(method, law, find_family(family)->generate(family_seed, index))) continue;
+      if (!violation_of(method, law, find_family(family)->generate(family_seed, index))) continue;
       numbers.push_back(law.number);
       break;
     }

@@ -26,7 +26,7 @@ TEST_P(Literature2017Laws, HoldBitForBit) {
     for (const auto& method : methods) {
       if (method->name() == "seed2017-printed") continue;
       for (const int law : {1, 2, 3})
-        EXPECT_EQ(broken_by(*method, law_numbered(law), pair), std::nullopt)
+        EXPECT_EQ(violation_of(*method, law_numbered(law), pair), std::nullopt)
             << method->name() << ", law " << law << ", " << format_pair(pair);
     }
   }

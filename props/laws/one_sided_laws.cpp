@@ -47,10 +47,10 @@ std::vector<LawQuery> grown(const Method& method, const Pair& pair, const Method
   return asked;
 }
 
-std::optional<Broken> break_growing(const LawCase& c) {
-  return worst_of(c, [&](std::size_t i) -> std::optional<Broken> {
+std::optional<Violation> break_growing(const LawCase& c) {
+  return worst_of(c, [&](std::size_t i) -> std::optional<Violation> {
     if (!is_decided(c.answers[i]) || says_meet(c.answers[i])) return {};
-    return Broken{said(c.first) + ", and disjoint of larger solids", severity_of(c, i)};
+    return Violation{said(c.first) + ", and disjoint of larger solids", severity_of(c, i)};
   });
 }
 
@@ -74,16 +74,16 @@ std::vector<LawQuery> inside(const Method&, const Pair& pair, const MethodAnswer
   return {{{a, shrunk_into(proxy, proxy.from, pair.b)}}, {{shrunk_into(proxy, proxy.to, pair.b), a}}};
 }
 
-std::optional<Broken> break_inside(const LawCase& c) {
-  return worst_of(c, [&](std::size_t i) -> std::optional<Broken> {
+std::optional<Violation> break_inside(const LawCase& c) {
+  return worst_of(c, [&](std::size_t i) -> std::optional<Violation> {
     if (!is_decided(c.answers[i]) || says_meet(c.answers[i])) return {};
-    return Broken{said(c.answers[i]) + " of a solid and one inside it", severity_on(c, c.asked[i].pair)};
+    return Violation{said(c.answers[i]) + " of a solid and one inside it", severity_on(c, c.asked[i].pair)};
   });
 }
 
 double bounding_radius(const Cylinder& c) { return std::hypot(c.radius, c.height / 2) + c.rounding; }
 
-std::optional<Broken> break_proxies(const LawCase& c) {
+std::optional<Violation> break_proxies(const LawCase& c) {
   if (!is_decided(c.first) || !is_in_range(c.pair)) return {};
   const Cylinder &a = c.pair.a, &b = c.pair.b;
   const double lost = proxy_distance_error * (size_of(c.pair) + a.center.norm() + b.center.norm());
@@ -92,11 +92,11 @@ std::optional<Broken> break_proxies(const LawCase& c) {
     const double capsules = capsule_distance(outer_proxy(a), outer_proxy(b));
     if (std::max(spheres, capsules) <= lost) return {};
     const char* which = spheres > lost ? "spheres around" : "capsules around";
-    return Broken{said(c.first) + ", but the " + which + " the solids are apart", severity_on(c, c.pair)};
+    return Violation{said(c.first) + ", but the " + which + " the solids are apart", severity_on(c, c.pair)};
   }
   const Capsule in_a = inner_proxy(a), in_b = inner_proxy(b);
   if (in_a.radius < 0 || in_b.radius < 0 || capsule_distance(in_a, in_b) >= -lost) return {};
-  return Broken{said(c.first) + ", but the capsules inside the solids meet", severity_on(c, c.pair)};
+  return Violation{said(c.first) + ", but the capsules inside the solids meet", severity_on(c, c.pair)};
 }
 
 /// How far b is moved, in units of size and centres' distance.
@@ -116,21 +116,21 @@ std::vector<LawQuery> moved_apart(const Method&, const Pair& pair, const MethodA
   return asked;
 }
 
-std::optional<Broken> break_moving_apart(const LawCase& c) {
+std::optional<Violation> break_moving_apart(const LawCase& c) {
   const Vector3 u = offered_direction(c.pair, c.first);
-  return worst_of(c, [&](std::size_t i) -> std::optional<Broken> {
+  return worst_of(c, [&](std::size_t i) -> std::optional<Violation> {
     const MethodAnswer& second = c.answers[i];
     if (!is_decided(second)) return {};
     const Pair& moved = c.asked[i].pair;
     const double shown = shown_by(moved, u);
     if (shown > 0 && says_meet(second)) {
-      return Broken{
+      return Violation{
           said(second) + " after b moved away along its own direction",
           shown >= reach(c.method.claim(), size_of(moved)) ? Severity::contract : Severity::resolution};
     }
     if (second.has_distance && second.distance < shown - distance_allowance(c, moved, second.distance)) {
-      return Broken{"says distance " + format_double(second.distance) + " where its direction shows " +
-                    format_double(shown)};
+      return Violation{"says distance " + format_double(second.distance) + " where its direction shows " +
+                       format_double(shown)};
     }
     return {};
   });
@@ -157,11 +157,11 @@ std::vector<LawQuery> swept(const Method&, const Pair& pair, const MethodAnswer&
   return asked;
 }
 
-std::optional<Broken> break_sweep(const LawCase& c) {
-  return worst_of(c, [&](std::size_t i) -> std::optional<Broken> {
+std::optional<Violation> break_sweep(const LawCase& c) {
+  return worst_of(c, [&](std::size_t i) -> std::optional<Violation> {
     if (!is_decided(c.first) || says_meet(c.first) || !is_decided(c.answers[i]) || !says_meet(c.answers[i]))
       return {};
-    return Broken{said(c.first) + ", but a slice of one of them meets the other", severity_of(c, i)};
+    return Violation{said(c.first) + ", but a slice of one of them meets the other", severity_of(c, i)};
   });
 }
 

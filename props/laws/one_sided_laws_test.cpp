@@ -62,8 +62,8 @@ TEST(OneSidedLaws, CatchACapsuleThatMissesWhatItsSphereMeets) {
   const auto misses_long_ones = [](const Pair& pair, MethodAnswer& answer) {
     if (pair.a.height > pair.a.rounding) answer.verdict = Verdict::disjoint;
   };
-  const Numbers broken = laws_broken_by(plant("intersect", misses_long_ones), "capsule_capsule");
-  EXPECT_NE(std::find(broken.begin(), broken.end(), 14), broken.end());
+  const Numbers violated = laws_broken_by(plant("intersect", misses_long_ones), "capsule_capsule");
+  EXPECT_NE(std::find(violated.begin(), violated.end(), 14), violated.end());
 }
 
 TEST(OneSidedLaws, CatchADistanceThatStopsGrowing) {

@@ -37,14 +37,14 @@ constexpr int first_law_of_truth = 30;
 bool any(std::size_t, const Law&) { return true; }
 bool of_truth(std::size_t, const Law& law) { return law.number >= first_law_of_truth; }
 
-std::string broken_law(std::span<const std::unique_ptr<Method>> methods, std::span<const Pair> pairs,
-                       const Wanted& wanted) {
+std::string violation_on(std::span<const std::unique_ptr<Method>> methods, std::span<const Pair> pairs,
+                         const LawFilter& wanted) {
   for (std::size_t at = 0; at < pairs.size(); at += chunk_size) {
     const auto chunk = pairs.subspan(at, std::min(chunk_size, pairs.size() - at));
-    for (const BrokenLaw& b : examine(methods, chunk, wanted).broken)
-      if (b.broken.severity == Severity::contract)
+    for (const LawViolation& b : examine(methods, chunk, wanted).violations)
+      if (b.violation.severity == Severity::contract)
         return fmt::format("{} breaks law {}, {}: {}; {}", methods[b.method]->name(), b.law->number,
-                           b.law->name, b.broken.what, format_pair(chunk[b.pair]));
+                           b.law->name, b.violation.what, format_pair(chunk[b.pair]));
   }
   return {};
 }
@@ -139,19 +139,19 @@ std::vector<Detector> law_detectors(std::span<const Case> cases) {
        [cases](const Mutant& mutant) {
          std::vector<Pair> pairs = pairs_of(cases);
          draw(pairs, families(), law_pairs, detector_seed);
-         return broken_law(methods_of(mutant), pairs, any);
+         return violation_on(methods_of(mutant), pairs, any);
        }},
       {"corpus",
        [cases](const Mutant& mutant) {
-         const std::string broken = broken_law(methods_of(mutant), pairs_of(cases), of_truth);
-         return broken.empty() ? contradiction(cases) : broken;
+         const std::string violation = violation_on(methods_of(mutant), pairs_of(cases), of_truth);
+         return violation.empty() ? contradiction(cases) : violation;
        }},
       {"differential",
        [](const Mutant& mutant) {
          std::vector<Pair> pairs;
          draw(pairs, families(), differential_pairs, detector_seed + 1);
          draw(pairs, margin_families(), differential_pairs, detector_seed + 1);
-         return broken_law(methods_of(mutant), pairs, of_truth);
+         return violation_on(methods_of(mutant), pairs, of_truth);
        }},
   };
 }

@@ -94,7 +94,7 @@ std::string distance_claim(const Trial& asked, const Claim& claim) {
     const auto p = point_in(a, a.center + nearest.on_a), q = point_in(b, b.center + nearest.on_b);
     if (!p || !q) return {};
     const Rational3 between = *p - *q;
-    const mpq_class allowed = mpq_class(said) - mpq_class(tolerance) + room_of(asked.pair);
+    const mpq_class allowed = mpq_class(said) - mpq_class(tolerance) + contact_distance_of(asked.pair);
     if (dot(between, between) >= allowed * allowed) return {};
     proof = {.kind = CertificateKind::points, .vector = exact_vector(*p), .second = exact_vector(*q)};
   }

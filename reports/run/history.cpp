@@ -43,7 +43,7 @@ bool before(const Past& x, const Past& y) {
   return std::pair(x.began, x.folder) < std::pair(y.began, y.folder);
 }
 
-Sight sight_of(const Key& key, const Past& run) {
+Observation observation_of(const Key& key, const Past& run) {
   const auto asked = run.asked.find({std::get<0>(key), std::get<3>(key)});
   if (asked == run.asked.end()) return {};
   const auto found = run.found.find(key);
@@ -81,9 +81,9 @@ History compare_with_earlier(const RunData& data) {
   std::map<Key, GroupRecord> all = here.found;
   for (const Past& past : earlier) all.insert(past.found.begin(), past.found.end());
   for (const auto& [key, group] : all) {
-    std::vector<Sight> before;
-    for (const Past& past : earlier) before.push_back(sight_of(key, past));
-    if (const Standing now = standing_of(sight_of(key, here), before, all.size()); now.status)
+    std::vector<Observation> before;
+    for (const Past& past : earlier) before.push_back(observation_of(key, past));
+    if (const RecurrenceOf now = recurrence_of(observation_of(key, here), before, all.size()); now.status)
       history.groups.emplace_back(group, *now.status);
   }
   std::stable_sort(history.groups.begin(), history.groups.end(),

@@ -53,7 +53,7 @@ std::string proof_text(const Scene& scene, const MotionProof& proof) {
     case MotionVerdict::open:
       break;
   }
-  if (proof.gainsaid)
+  if (proof.contradicted)
     return fmt::format("seen nearer than was proved: a fault of daylight; {:.3g} seen", proof.least);
   if (proof.bounded)
     return fmt::format("near only by the bound of a box or mesh: {:.3g}{}", proof.least,
@@ -93,7 +93,7 @@ std::string rate_text(std::size_t draws) {
   return fmt::format("{:.3g} %", std::ceil(percent / unit * (1 - 1e-12)) * unit);
 }
 
-std::string motions_words(const SceneQuestion& q, const SceneStudy& s) {
+std::string motions_words(const SceneOptions& q, const SceneStudy& s) {
   if (!s.motions) return "";
   const auto of = [](const Counts& counts, MotionVerdict verdict) {
     return counts[static_cast<std::size_t>(verdict)];
@@ -117,9 +117,9 @@ std::string motions_words(const SceneQuestion& q, const SceneStudy& s) {
     text += fmt::format(" ({} of the proved come within the clearance, but never touch)",
                         of(exempt, MotionVerdict::within));
   text += fmt::format("; {:.1f} s", s.motions->ms / 1000);
-  if (s.motions->gainsaid > 0)
+  if (s.motions->contradicted > 0)
     text += fmt::format("; {} SEEN NEARER THAN PROVED: a fault of daylight, and nothing is claimed of them",
-                        s.motions->gainsaid);
+                        s.motions->contradicted);
   else if (s.motions->against > 0)
     text += fmt::format("; in {} other configurations none are nearer than proved", s.motions->against);
   return text;

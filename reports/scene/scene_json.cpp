@@ -38,7 +38,7 @@ json cascade_json(const Cascade& cascade) {
   return levels;
 }
 
-json pair_json(const Scene& scene, const SceneQuestion& q, const PairStudy& pair) {
+json pair_json(const Scene& scene, const SceneOptions& q, const PairStudy& pair) {
   const RateBounds rate = rate_bounds(pair.samples, pair.within);
   json models = json::array();
   for (const Level level : enum_values<Level>) {
@@ -65,7 +65,7 @@ json pair_json(const Scene& scene, const SceneQuestion& q, const PairStudy& pair
           {"recommended_wrong", pair.cascade_wrong}};
 }
 
-json model_json(const SceneQuestion& q, const SceneStudy& s, Level level) {
+json model_json(const SceneOptions& q, const SceneStudy& s, Level level) {
   const Total t = total_of(s, level, q.tolerated);
   return {{"model", to_string(level)}, {"decides", t.decided},         {"suffices", t.suffices},
           {"wrong", t.wrong},          {"wrong_pairs", t.wrong_pairs}, {"false_alarm", t.alarm},
@@ -204,12 +204,12 @@ void add_motions(json& all, const Scene& scene, const MotionStudy& study) {
   all["motions"] = std::move(motions);
   all["exemptions"] = std::move(exemptions);
   all["motions_cpu_ms"] = study.ms;
-  all["motions_checked"] = {{"configurations", study.against}, {"wrong", study.gainsaid}};
+  all["motions_checked"] = {{"configurations", study.against}, {"wrong", study.contradicted}};
 }
 
 }  // namespace
 
-std::string study_json(const Scene& scene, const SceneQuestion& q, const SceneStudy& s) {
+std::string study_json(const Scene& scene, const SceneOptions& q, const SceneStudy& s) {
   json left_out = json::array(), pairs = json::array(), alone = json::object(), models = json::array(),
        links = json::array(), bodies = json::array(), kept = json::array(), roundings = json::array(),
        rounded = json::array();
@@ -237,7 +237,7 @@ std::string study_json(const Scene& scene, const SceneQuestion& q, const SceneSt
            {"configurations", s.configurations},
            {"cylinders", s.bodies},
            {"left_out", std::move(left_out)},
-           {"not_moved", held_between(scene, s)},
+           {"not_moved", joints_held_between(scene, s)},
            {"notes", scene.notes},
            {"pairs_checked", s.pairs_by_reason[0]},
            {"pairs_same_body", s.pairs_by_reason[1]},

@@ -17,8 +17,8 @@ using json = nlohmann::json;
 
 const std::string hostile = "</script></style><img src=x onerror=alert(1)>\"'&\x01\xff<!--@@STYLE@@$&";
 
-SceneQuestion question(const char* file) {
-  SceneQuestion q;
+SceneOptions question(const char* file) {
+  SceneOptions q;
   q.file = file;
   q.configurations = 20;
   q.verify = true;
@@ -27,7 +27,7 @@ SceneQuestion question(const char* file) {
 
 Scene crane() { return read_scene(DAYLIGHT_SOURCE_DIR "/corpus/scenes/crane.urdf"); }
 
-std::string written(const Scene& scene, const SceneQuestion& q) {
+std::string written(const Scene& scene, const SceneOptions& q) {
   return study_json(scene, q, study_scene(scene, q));
 }
 
@@ -38,7 +38,7 @@ TEST(SceneJson, KeepsToItsSchema) {
   EXPECT_TRUE(keeps_to("scene.json", written(read_scene(DAYLIGHT_SOURCE_DIR "/corpus/scenes/hand.xml"),
                                              question("hand.xml"))));
   EXPECT_TRUE(keeps_to("scene.json", written(still_scene({{"alone", {}}}), question("alone.csv"))));
-  SceneQuestion proving = question("crane.urdf");
+  SceneOptions proving = question("crane.urdf");
   proving.prove = true;
   const std::string proofs = written(crane(), proving);
   EXPECT_TRUE(keeps_to("scene.json", proofs));
@@ -64,7 +64,7 @@ TEST(SceneJson, KeepsToItsSchema) {
 // Others can draw what was kept: every number comes back, in the order of the bodies and pairs.
 TEST(SceneJson, HoldsTheKeptConfigurationsToTheBit) {
   const Scene scene = crane();
-  const SceneQuestion q = question("crane.urdf");
+  const SceneOptions q = question("crane.urdf");
   const SceneStudy study = study_scene(scene, q);
   const json all = parse_json(study_json(scene, q, study));
   const std::vector<Shown> shown = shown_configurations(scene, q, study);
@@ -151,7 +151,7 @@ TEST(SceneJson, HoldsTheJointTree) {
 // The same sentences as the text, so that no two tell different numbers.
 TEST(SceneJson, HasTheSentencesOfTheText) {
   const Scene scene = crane();
-  const SceneQuestion q = question("crane.urdf");
+  const SceneOptions q = question("crane.urdf");
   const SceneStudy study = study_scene(scene, q);
   const std::string text = study_text(scene, q, study);
   const json words = parse_json(study_json(scene, q, study))["words"];
@@ -166,7 +166,7 @@ TEST(SceneJson, HasTheSentencesOfTheText) {
 
 TEST(SceneJson, ALineAPair) {
   const Scene scene = crane();
-  const SceneQuestion q = question("crane.urdf");
+  const SceneOptions q = question("crane.urdf");
   const SceneStudy study = study_scene(scene, q);
   const std::string text = study_json(scene, q, study);
   std::size_t lines = 0;

@@ -11,7 +11,7 @@
 namespace cyl {
 
 /// Returns the study for people; the seed first.
-std::string study_text(const Scene& scene, const SceneQuestion& question, const SceneStudy& study);
+std::string study_text(const Scene& scene, const SceneOptions& question, const SceneStudy& study);
 
 /// What `study_text` says in sentences, for others to say the same; empty where there is nothing to say.
 struct StudyWords {
@@ -29,16 +29,16 @@ struct StudyWords {
   std::string verified;
   std::string motions;  ///< how many pairs are proved never to be within the clearance
 };
-StudyWords words_of(const Scene& scene, const SceneQuestion& question, const SceneStudy& study);
+StudyWords words_of(const Scene& scene, const SceneOptions& question, const SceneStudy& study);
 
 /// Returns an SRDF that disables the pairs of links of which one carries the other ("Adjacent"), and those
 /// that are proved never to touch ("Never"), with the proof behind each in a comment. Of other pairs that are
 /// not checked, that the scene's own SRDF disables or of which nothing is known, a comment says why they are
 /// not disabled. The study has `prove` and `prove_others`.
-std::string srdf_text(const Scene& scene, const SceneQuestion& question, const SceneStudy& study);
+std::string srdf_text(const Scene& scene, const SceneOptions& question, const SceneStudy& study);
 
 /// Returns the study with its words and the shown configurations (scenes/shown_pairs.hpp), as
 /// reports/schemas/scene.json describes it; a page is drawn from it alone.
-std::string study_json(const Scene& scene, const SceneQuestion& question, const SceneStudy& study);
+std::string study_json(const Scene& scene, const SceneOptions& question, const SceneStudy& study);
 
 }  // namespace cyl

@@ -16,8 +16,8 @@ namespace {
 
 const std::string folder = DAYLIGHT_SOURCE_DIR "/corpus/scenes/";
 
-SceneQuestion question(double clearance, double tolerated, std::size_t configurations) {
-  SceneQuestion q;
+SceneOptions question(double clearance, double tolerated, std::size_t configurations) {
+  SceneOptions q;
   q.clearance = clearance;
   q.tolerated = tolerated;
   q.configurations = configurations;
@@ -75,7 +75,7 @@ TEST(Study, TellsHowWrongAModelAloneIs) {
 
 TEST(Study, TheSameTwiceButForTimes) {
   const Scene scene = read_scene(folder + "crane.urdf");
-  const SceneQuestion q = question(0.01, 0, 30);
+  const SceneOptions q = question(0.01, 0, 30);
   const auto reported = [&] {
     auto object = parse_json(study_json(scene, q, study_scene(scene, q)));
     EXPECT_EQ(object.erase("ns_per_configuration"), 1u);
@@ -109,7 +109,7 @@ TEST(Study, NeedsTheSimplestThatSuffices) {
 
 TEST(Study, TellsWhereAModelIsWrongByMost) {
   const Scene scene = read_scene(folder + "twenty.urdf");
-  const SceneQuestion q = question(0, 0, 100);
+  const SceneOptions q = question(0, 0, 100);
   const SceneStudy s = study_scene(scene, q);
   const auto least = [&](Extreme Score::*extreme) {
     std::size_t asked = 0;
@@ -162,7 +162,7 @@ TEST(Study, RoundingsAreFalseAlarmsOfCheaperModels) {
 
 TEST(Study, SaysItInWords) {
   const Scene scene = read_scene(folder + "crane.urdf");
-  const SceneQuestion q = question(0, 0, 30);
+  const SceneOptions q = question(0, 0, 30);
   const std::string text = study_text(scene, q, study_scene(scene, q));
   for (const char* words :
        {"seed 1\n",
@@ -173,7 +173,7 @@ TEST(Study, SaysItInWords) {
 
 TEST(Study, SaysWhatSavesNothing) {
   const Scene scene = read_scene(folder + "crane.urdf");
-  const SceneQuestion q = question(0, 0, 30);
+  const SceneOptions q = question(0, 0, 30);
   SceneStudy s = study_scene(scene, q);
   for (const auto& [ns, saves] : {std::pair(130.0, false), {95.0, false}, {50.0, true}}) {
     s.cascade_ns = ns;
@@ -183,7 +183,7 @@ TEST(Study, SaysWhatSavesNothing) {
 }
 
 /// What the text says from "recommended: " to the end of its line.
-std::string recommended(const Scene& scene, const SceneQuestion& q) {
+std::string recommended(const Scene& scene, const SceneOptions& q) {
   return words_of(scene, q, study_scene(scene, q)).recommended;
 }
 
@@ -219,7 +219,7 @@ TEST(Study, SaysWhatRestsOnDrawsNearNoBox) {
 TEST(Study, NeverIsSaidOfProofsAlone) {
   for (const char* file : {"crane.urdf", "arm.urdf", "porter.urdf"}) {
     const Scene scene = read_scene(folder + file);
-    const SceneQuestion q = question(0, 0, 30);
+    const SceneOptions q = question(0, 0, 30);
     const std::string text = study_text(scene, q, study_scene(scene, q));
     EXPECT_EQ(text.find("never"), text.npos) << text;
     EXPECT_NE(text.find(" not seen within it, "), text.npos) << text;
@@ -229,7 +229,7 @@ TEST(Study, NeverIsSaidOfProofsAlone) {
 TEST(Study, SaysThatNothingMayCollide) {
   Scene scene = still_scene({{"a", {}}, {"b", {}}, {"c", {}}});
   for (Body& body : scene.bodies) body.type = 0;
-  const SceneQuestion q = question(0, 0, 1);
+  const SceneOptions q = question(0, 0, 1);
   EXPECT_NE(study_text(scene, q, study_scene(scene, q))
                 .find("contype and conaffinity let no two shapes collide: --all-pairs checks them\n"),
             std::string::npos);

@@ -88,7 +88,7 @@ std::string pairs_words(const Scene& scene, const SceneStudy& s) {
   return text;
 }
 
-std::string configurations_words(const Scene& scene, const SceneQuestion& q, const SceneStudy& s) {
+std::string configurations_words(const Scene& scene, const SceneOptions& q, const SceneStudy& s) {
   std::size_t unseen = 0, always = 0, unknown = 0, least = 0, most = 0, further = 0;
   for (const PairStudy& pair : s.pairs) {
     unseen += pair.within == 0;
@@ -117,7 +117,7 @@ std::string configurations_words(const Scene& scene, const SceneQuestion& q, con
 std::string length_text(double x) { return x == 0 ? "-" : fmt::format("{:.3g}", x); }
 std::string count_text(std::size_t n) { return n == 0 ? "-" : std::to_string(n); }
 
-std::string models_table(const SceneQuestion& q, const SceneStudy& s) {
+std::string models_table(const SceneOptions& q, const SceneStudy& s) {
   constexpr const char* row = "{:<15} {:>10} {:>9} {:>10} {:>9} {:>9} {:>12} {:>9}\n";
   std::string text = "\n";
   text += fmt::format(fmt::runtime(row), "model", "decides", "alone ns", "suffices", "wrong", "in pairs",
@@ -147,7 +147,7 @@ const char* body(const Scene& scene, std::size_t i) { return scene.bodies[i].nam
 constexpr std::size_t named_cap = 12;
 
 /// Worst first: what needs the most exact model, then by the false alarms of capsules.
-std::string needs_more(const Scene& scene, const SceneQuestion& q, const SceneStudy& s) {
+std::string needs_more(const Scene& scene, const SceneOptions& q, const SceneStudy& s) {
   std::vector<const PairStudy*> pairs;
   for (const PairStudy& pair : s.pairs)
     if (is_known(scene, pair) && !suffices(pair, Level::sphere, q.tolerated) &&
@@ -168,10 +168,10 @@ std::string needs_more(const Scene& scene, const SceneQuestion& q, const SceneSt
 }
 
 /// How surely what was not seen wrong is not: what the fewest samples of such a pair leave possible.
-std::string surely(const Scene& scene, const SceneQuestion& q, const SceneStudy& s) {
+std::string surely(const Scene& scene, const SceneOptions& q, const SceneStudy& s) {
   std::size_t least = 0;
   for (const PairStudy& pair : s.pairs)
-    if (is_known(scene, pair) && rests_on_samples(pair) && (least == 0 || pair.samples < least))
+    if (is_known(scene, pair) && is_statistical(pair) && (least == 0 || pair.samples < least))
       least = pair.samples;
   if (least == 0) return "";
   const bool wide = error_rate_bound(least, 0) > q.rate;
@@ -180,7 +180,7 @@ std::string surely(const Scene& scene, const SceneQuestion& q, const SceneStudy&
       wide ? fmt::format("; {} were asked for, --most ends it", fmt::format("{:.3g} %", 100 * q.rate)) : "");
 }
 
-std::string enough_words(const Scene& scene, const SceneQuestion& q, const SceneStudy& s) {
+std::string enough_words(const Scene& scene, const SceneOptions& q, const SceneStudy& s) {
   std::size_t balls = 0, capsules = 0, all = 0;
   for (const PairStudy& pair : s.pairs) {
     if (!is_known(scene, pair)) continue;
@@ -239,7 +239,7 @@ std::string recommended_words(const Scene& scene, const SceneStudy& s) {
     parts.push_back(fmt::format("{} for {}", plural_of(level, scene), plural(count, "pair")));
   std::string all = parts.empty() ? "nothing" : fmt::format("{}", fmt::join(parts, ", "));
   all += not_near_words(scene, s) + not_known_words(scene, s);
-  if (const std::vector<std::string> held = held_between(scene, s); !held.empty())
+  if (const std::vector<std::string> held = joints_held_between(scene, s); !held.empty())
     all += fmt::format("; NOT MOVED: {}", fmt::join(held, ", "));
   if (scene.left_out.empty()) return all;
   return fmt::format("{}; of these shapes alone: NOT LOOKED AT: {}", all,
@@ -260,14 +260,14 @@ std::string cost_words(const SceneStudy& s) {
       (s.kinematics_ns + s.models_ns) / 1000);
 }
 
-std::string forgiven_words(const SceneQuestion& q, const SceneStudy& s) {
+std::string forgiven_words(const SceneOptions& q, const SceneStudy& s) {
   std::size_t forgiven = 0;
   for (const PairStudy& pair : s.pairs) forgiven += pair.cascade_wrong;
   if (forgiven == 0) return "";
   return fmt::format("with {} that {:.3g} allows", plural(forgiven, "false alarm"), q.tolerated);
 }
 
-std::string capsules_words(const SceneQuestion& q, const SceneStudy& s) {
+std::string capsules_words(const SceneOptions& q, const SceneStudy& s) {
   const Total t = total_of(s, Level::outer, q.tolerated);
   if (t.wrong == 0)
     return "capsules in every cylinder's place: the same answer in every sample" +
@@ -302,7 +302,7 @@ std::string bound_or_body(const Scene& scene, std::size_t i) {
   return (scene.bodies[i].box ? "the bound of " : "") + scene.bodies[i].name;
 }
 
-std::string closest_words(const Scene& scene, const SceneQuestion& q, const SceneStudy& s) {
+std::string closest_words(const Scene& scene, const SceneOptions& q, const SceneStudy& s) {
   if (!s.closest) return "";
   const ClosestCall& c = *s.closest;
   const double miss = std::abs(c.distance - q.clearance);
@@ -326,7 +326,7 @@ std::string line(const std::string& words, const char* before = "") {
 
 }  // namespace
 
-StudyWords words_of(const Scene& scene, const SceneQuestion& q, const SceneStudy& s) {
+StudyWords words_of(const Scene& scene, const SceneOptions& q, const SceneStudy& s) {
   StudyWords w;
   w.counts = counts_words(scene);
   w.left_out = left_out_words(scene);
@@ -345,7 +345,7 @@ StudyWords words_of(const Scene& scene, const SceneQuestion& q, const SceneStudy
   return w;
 }
 
-std::string study_text(const Scene& scene, const SceneQuestion& q, const SceneStudy& s) {
+std::string study_text(const Scene& scene, const SceneOptions& q, const SceneStudy& s) {
   const StudyWords w = words_of(scene, q, s);
   std::string text = fmt::format("seed {}\n", q.seed) + line(w.counts);
   for (const std::string& shapes : w.left_out) text += line(shapes, "  not looked at: ");

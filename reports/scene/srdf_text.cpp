@@ -39,7 +39,7 @@ std::string comment_text(const std::string& words) {
 
 class SrdfWriter {
  public:
-  SrdfWriter(const Scene& scene, const SceneQuestion& q, const SceneStudy& s) : scene_(scene), q_(q) {
+  SrdfWriter(const Scene& scene, const SceneOptions& q, const SceneStudy& s) : scene_(scene), q_(q) {
     for (const Exemption& e : scene.exemptions) exempt_[std::minmax(e.a, e.b)] = &e;
     for (const PairStudy& pair : s.pairs) checked_.insert(links_of(pair.a, pair.b));
     if (!s.motions) return;
@@ -117,7 +117,7 @@ class SrdfWriter {
   }
 
   const Scene& scene_;
-  const SceneQuestion& q_;
+  const SceneOptions& q_;
   std::set<LinkPair> checked_;
   std::map<LinkPair, std::vector<const MotionProof*>> proofs_;
   std::map<LinkPair, const Exemption*> exempt_;
@@ -125,7 +125,7 @@ class SrdfWriter {
 
 }  // namespace
 
-std::string srdf_text(const Scene& scene, const SceneQuestion& q, const SceneStudy& s) {
+std::string srdf_text(const Scene& scene, const SceneOptions& q, const SceneStudy& s) {
   return SrdfWriter(scene, q, s).text();
 }
 

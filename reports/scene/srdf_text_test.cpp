@@ -17,8 +17,8 @@ namespace {
 
 const std::string folder = DAYLIGHT_SOURCE_DIR "/corpus/scenes/";
 
-SceneQuestion question() {
-  SceneQuestion q;
+SceneOptions question() {
+  SceneOptions q;
   q.file = "robot.urdf";
   q.configurations = 20;
   q.prove = q.prove_others = true;
@@ -41,7 +41,7 @@ std::map<std::pair<std::string, std::string>, std::string> read_back(Scene scene
   return reasons;
 }
 
-std::string text_of(const Scene& scene, const SceneQuestion& q = question()) {
+std::string text_of(const Scene& scene, const SceneOptions& q = question()) {
   return srdf_text(scene, q, study_scene(scene, q));
 }
 
@@ -66,7 +66,7 @@ TEST(SrdfText, DisablesWhatIsProvedOrJoinedByOneJoint) {
 // Draws alone disable nothing, however many are without a hit.
 TEST(SrdfText, NothingIsNeverThatWasOnlyDrawn) {
   const Scene scene = read_scene(folder + "twenty.urdf");
-  SceneQuestion q = question();
+  SceneOptions q = question();
   q.prove = false;
   for (const auto& [links, reason] : read_back(scene, text_of(scene, q)))
     EXPECT_EQ(reason, "Adjacent") << links.first << " - " << links.second;
@@ -87,12 +87,12 @@ TEST(SrdfText, NothingIsNeverThatWasOnlyDrawn) {
 
 TEST(SrdfText, NoNeverAcrossAJointThatWasNotMoved) {
   const Scene scene = read_scene(folder + "porter.urdf");
-  const SceneQuestion q = question();
+  const SceneOptions q = question();
   const SceneStudy study = study_scene(scene, q);
   const auto reasons = read_back(scene, srdf_text(scene, q, study));
   std::size_t held = 0;
   for (const PairStudy& pair : study.pairs) {
-    if (held_between(scene, pair).empty()) continue;
+    if (joints_held_between(scene, pair).empty()) continue;
     ++held;
     EXPECT_FALSE(reasons.contains(std::minmax(scene.links[scene.bodies[pair.a].link].name,
                                               scene.links[scene.bodies[pair.b].link].name)));

@@ -52,9 +52,9 @@ Json share_json(const std::optional<Bucket::Share>& share) {
 }
 
 /// A rate a million pairs, with bounds at 95 %.
-Json night_json(const Bucket::Night& night) {
+Json observation_json(const Bucket::RunObservation& night) {
   constexpr double million = 1e6;
-  const Sight& s = night.sight;
+  const Observation& s = night.sight;
   const RateBounds bounds = rate_bounds(s.asked, s.count);
   const double rate = s.asked == 0 ? 0 : static_cast<double>(s.count) / static_cast<double>(s.asked);
   return {{"run", night.run},
@@ -114,7 +114,7 @@ Json to_json(const Bucket& b) {
          {"suppressed", suppression_json(b.suppressed)}};
   if (b.status) j["standing"] = to_string(*b.status);
   if (b.chance) j["chance"] = *b.chance;
-  for (const Bucket::Night& night : b.nights) j["nights"].push_back(night_json(night));
+  for (const Bucket::RunObservation& night : b.history) j["nights"].push_back(observation_json(night));
   visit_plain(b, [&](const char* key, const auto& value) { j[key] = value; });
   return j;
 }
@@ -139,7 +139,7 @@ Bucket bucket_from_json(const Json& j) {
     b.status = from_word<Recurrence>(status.get<std::string>());
   if (const Json& chance = j.at("chance"); !chance.is_null()) b.chance = chance.get<double>();
   for (const Json& night : j.at("nights"))
-    b.nights.push_back({night.at("run"), night.at("started"), {night.at("count"), night.at("asked")}});
+    b.history.push_back({night.at("run"), night.at("started"), {night.at("count"), night.at("asked")}});
   return b;
 }
 

@@ -107,10 +107,11 @@ bool is_shown_before(const Candidate& x, const Candidate& y) {
   return x.as_found != y.as_found ? y.as_found : x.complexity < y.complexity;
 }
 
-std::optional<Blamed> blamed_by(const FindingRecord& f, std::span<const std::unique_ptr<Method>> methods) {
+std::optional<FailingMethod> failing_method_of(const FindingRecord& f,
+                                               std::span<const std::unique_ptr<Method>> methods) {
   const auto kind = from_word<FindingKind>(f.kind);
   const std::size_t m = index_of(methods, f.method);
-  return kind && m < methods.size() ? std::optional(Blamed{m, *kind}) : std::nullopt;
+  return kind && m < methods.size() ? std::optional(FailingMethod{m, *kind}) : std::nullopt;
 }
 
 /// Takes the first of the candidates on which its method fails when it is asked alone; where there is none,
@@ -124,7 +125,7 @@ void choose_simplest(Group& group, std::span<const std::unique_ptr<Method>> meth
   std::size_t tried = 0;
   for (const Candidate& c : group.candidates) {
     if (tried++ == tried_cap || (tried > 1 && out_of_time())) return;
-    const auto blamed = blamed_by(*c.of, methods);
+    const auto blamed = failing_method_of(*c.of, methods);
     if (!blamed || !fails_alone(methods, *blamed, c.pair)) continue;
     group.simplest = c;
     group.seen_again = true;
@@ -212,15 +213,15 @@ void show_worst(Bucket& b, const Group& group, const ShownPair& simplest, PairSh
   const std::string file = fmt::format("{}/buckets/{}.worst.jsonl", folder, file_name_of(b.key));
   const auto pair = pair_of(group.worst->pair),
              found = group.found ? pair_of(group.found->pair) : std::nullopt;
-  const auto blamed = blamed_by(*group.worst, methods);
-  const std::vector<Blamed> accused(blamed ? 1 : 0, blamed.value_or(Blamed{}));
+  const auto blamed = failing_method_of(*group.worst, methods);
+  const std::vector<FailingMethod> failing(blamed ? 1 : 0, blamed.value_or(FailingMethod{}));
   const Pair& worst = found ? *found : pair ? *pair : group.simplest->pair;
   const bool is_simplest =
       numbers_of(worst) == numbers_of(group.simplest->pair) && group.first().method == group.worst->method;
   if (!is_simplest && blamed && blamed->kind == FindingKind::hang) return;
-  ShownPair shown = is_simplest ? simplest : shower.show(worst, accused);
+  ShownPair shown = is_simplest ? simplest : shower.show(worst, failing);
   b.worst_was_searched = found && surpasses(group, shown.trial, methods);
-  if (found && !b.worst_was_searched) shown = shower.show(pair.value_or(group.simplest->pair), accused);
+  if (found && !b.worst_was_searched) shown = shower.show(pair.value_or(group.simplest->pair), failing);
   b.worst = case_json(shown, distance_of(shown.trial), b.worst_was_searched ? nullptr : group.worst, methods,
                       b.worst_was_searched ? file : stored);
   if (b.worst_was_searched)
@@ -384,7 +385,7 @@ std::vector<std::string> labels_of(const Bucket& b, const Group& group, const Tr
         "order");
   std::string elsewhere;
   if (const std::size_t m = index_of(methods, b.method); m < methods.size())
-    for (const std::size_t sharer : sharers_elsewhere(of, m))
+    for (const std::size_t sharer : methods_sharing_algorithm(of, m))
       elsewhere += (elsewhere.empty() ? "" : ", ") + std::string(methods[sharer]->name());
   if (!elsewhere.empty()) labels.push_back("shared code, as the errors tell: " + elsewhere);
   std::vector<std::pair<std::size_t, std::string>> often;
@@ -466,7 +467,7 @@ std::string file_name_of(std::string_view key) {
     name += fit ? c : '.';
     replaced = replaced || (!fit && c != '/');
   }
-  return replaced ? name + '.' + letters_only(key) : name;
+  return replaced ? name + '.' + letter_hash(key) : name;
 }
 
 std::vector<Bucket> make_buckets(const TriageRecords& records, const GroupedMethods& of,
@@ -481,9 +482,9 @@ std::vector<Bucket> make_buckets(const TriageRecords& records, const GroupedMeth
     const auto counted = counts.find(key);
     const BucketCount kept{group.findings.size(), {{group.first().method, group.findings.size()}}};
     Bucket b = sum_up(key, group, counted != counts.end() ? counted->second : kept);
-    const auto blamed = blamed_by(group.first(), of.methods);
-    const std::vector<Blamed> accused(blamed ? 1 : 0, blamed.value_or(Blamed{}));
-    const ShownPair shown = shower.show(group.simplest->pair, accused);
+    const auto blamed = failing_method_of(group.first(), of.methods);
+    const std::vector<FailingMethod> failing(blamed ? 1 : 0, blamed.value_or(FailingMethod{}));
+    const ShownPair shown = shower.show(group.simplest->pair, failing);
     show_simplest(b, group, shown, of.methods, records.folder, !out_of_time());
     show_worst(b, group, shown, shower, of.methods, records.folder);
     b.ordinary = is_ordinary(group.simplest->pair);

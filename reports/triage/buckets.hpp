@@ -34,9 +34,9 @@ struct Bucket {
   };
   /// What a run saw of the cause: findings of one method that were looked at, and of the pairs that it was
   /// asked in the families the part that this stands for.
-  struct Night {
+  struct RunObservation {
     std::string run, started;
-    Sight sight;
+    Observation sight;
   };
 
   std::string key;
@@ -62,7 +62,7 @@ struct Bucket {
   std::optional<double> chance;      ///< that the status is due to chance, where that was asked
   std::string first_seen, last_seen;
   std::string first_version, last_version;  ///< of its method, then
-  std::vector<Night> nights;                ///< the runs that looked for it, the earliest first
+  std::vector<RunObservation> history;      ///< the runs that looked for it, the earliest first
   std::optional<Suppression> suppressed;
 };
 

@@ -58,8 +58,8 @@ Places places_of(const std::vector<Seen>& seen) {
 
 /// Who looked at a part of the findings of a group met that part of what was there to meet, as if it had
 /// asked about that part of the pairs; about one at least: who looked at nothing was asked all the same.
-Sight sight_of(const Seen& seen, const Places& places) {
-  Sight sight;
+Observation observation_of(const Seen& seen, const Places& places) {
+  Observation sight;
   double asked = 0;
   bool was_asked = false;
   for (const ExaminedGroups::key_type& group : places.groups) {
@@ -97,20 +97,20 @@ void compare(Bucket& b, const TriagedRun& run, const std::vector<TriagedRun>& ea
   for (const TriagedRun& past : earlier) seen.push_back(seen_in(past, b));
   seen.push_back(seen_in(run, b));
   const Places places = places_of(seen);
-  std::vector<Sight> sights;
+  std::vector<Observation> observations;
   for (const TriagedRun& past : earlier) {
-    sights.push_back(sight_of(seen[sights.size()], places));
-    if (sights.back().asked > 0) b.nights.push_back({past.id, past.started, sights.back()});
+    observations.push_back(observation_of(seen[observations.size()], places));
+    if (observations.back().asked > 0) b.history.push_back({past.id, past.started, observations.back()});
     const Bucket* const found = find(past, b);
     if (found == nullptr || b.first_seen != run.id) continue;
     b.first_seen = found->first_seen;
     b.first_version = found->first_version.empty() ? version_in(past, b.method) : found->first_version;
   }
-  const Sight here = sight_of(seen.back(), places);
-  b.nights.push_back({run.id, run.started, here});
-  if (b.nights.size() > nights_cap) b.nights.erase(b.nights.begin(), b.nights.end() - nights_cap);
+  const Observation here = observation_of(seen.back(), places);
+  b.history.push_back({run.id, run.started, here});
+  if (b.history.size() > nights_cap) b.history.erase(b.history.begin(), b.history.end() - nights_cap);
   if (earlier.empty()) return;
-  const Standing standing = standing_of(here, sights, compared);
+  const RecurrenceOf standing = recurrence_of(here, observations, compared);
   b.status = standing.status;
   b.chance = standing.chance;
 }
@@ -126,7 +126,7 @@ std::optional<Bucket> missed(Bucket b, const TriagedRun& run, const std::vector<
   const std::string last_seen = b.last_seen, last_version = b.last_version, first_seen = b.first_seen;
   b.count = b.pairs = 0;
   b.findings.clear();
-  b.nights.clear();
+  b.history.clear();
   compare(b, run, earlier, compared);
   b.first_seen = first_seen;
   b.last_seen = last_seen;

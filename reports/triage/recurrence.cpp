@@ -9,11 +9,12 @@ namespace cyl {
 
 // Where every meeting fell among n of N pairs under one rate, with probability (n/N)^count, the others are
 // the place where it is missed.
-Standing standing_of(const Sight& here, std::span<const Sight> earlier, std::size_t compared) {
+RecurrenceOf recurrence_of(const Observation& here, std::span<const Observation> earlier,
+                           std::size_t compared) {
   if (here.asked == 0) return {};
-  Sight before, since;  // up to the last run that met it, and after that
+  Observation before, since;  // up to the last run that met it, and after that
   bool looked_for = false, met_in_last = false;
-  for (const Sight& run : earlier) {
+  for (const Observation& run : earlier) {
     if (run.asked == 0) continue;
     looked_for = true;
     met_in_last = run.count > 0;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What has become of something that runs find, since earlier runs: said only where it is unlikely to be
-// chance.
+// Whether a cause is new, known, back or gone since earlier runs. Stated only if chance is an unlikely
+// explanation.
 #pragma once
 
 #include <array>
@@ -14,31 +14,32 @@
 namespace cyl {
 
 enum class Recurrence : unsigned char {
-  fresh,  ///< found here, in no earlier run; the word is "new"
+  fresh,  ///< found here and in no earlier run; its word is "new"
   known,  ///< found here and before
   back,   ///< found here and before, and not in between
-  gone,   ///< not found here though looked for, but before
-  rare    ///< found in so few of the pairs that it may be chance which run met it
+  gone,   ///< found before, and not here although this run looked for it
+  rare    ///< found on so few pairs that its absence from other runs may be chance
 };
 constexpr auto words_of(Recurrence) noexcept { return std::array{"new", "known", "back", "gone", "rare"}; }
 
-/// How often a run met something, and how many pairs it looked at.
-struct Sight {
+/// How many of a run's pairs showed a cause, and how many could have.
+struct Observation {
   std::uint64_t count = 0, asked = 0;
 };
 
-struct Standing {
-  std::optional<Recurrence> status;  ///< none: neither here nor in the last, or not looked for here
-  /// The probability, at most, that it is chance where it was met and where not, times the number of things
-  /// that are compared; none where nothing is said on the strength of it.
+struct RecurrenceOf {
+  std::optional<Recurrence> status;  ///< none: found neither here nor in the last run, or not looked for here
+  /// An upper bound of the probability that chance explains in which runs the cause was found, times the
+  /// number of causes compared. None if the status does not rest on it.
   std::optional<double> chance;
 };
 
-/// Chances below this, corrected for the number of things compared, are no chance.
+/// A probability below this, corrected for the number of causes compared, is not taken for chance.
 inline constexpr double chance_margin = 0.01;
 
-/// Says what has become of one of `compared` things. `earlier`: the runs before, the earliest first; those
-/// that asked nothing say nothing. Takes each meeting as independent of the others.
-Standing standing_of(const Sight& here, std::span<const Sight> earlier, std::size_t compared);
+/// Returns the status of one of `compared` causes. `earlier` holds the runs before, the earliest first; runs
+/// that asked nothing are ignored. Assumes that the cause shows on each pair independently of the others.
+RecurrenceOf recurrence_of(const Observation& here, std::span<const Observation> earlier,
+                           std::size_t compared);
 
 }  // namespace cyl

@@ -10,12 +10,12 @@ namespace {
 
 constexpr std::size_t compared = 40;
 
-std::optional<Recurrence> status(const Sight& here, const std::vector<Sight>& earlier) {
-  return standing_of(here, earlier, compared).status;
+std::optional<Recurrence> status(const Observation& here, const std::vector<Observation>& earlier) {
+  return recurrence_of(here, earlier, compared).status;
 }
 
 TEST(Recurrence, IsSaidOnlyWhereItIsNoChance) {
-  const Sight none{0, 20000}, few{4, 20000}, many{40, 20000};
+  const Observation none{0, 20000}, few{4, 20000}, many{40, 20000};
   EXPECT_EQ(status(many, {none}), Recurrence::fresh);
   EXPECT_EQ(status(few, {none}), Recurrence::rare);
   EXPECT_EQ(status(none, {many}), Recurrence::gone);
@@ -28,15 +28,15 @@ TEST(Recurrence, IsSaidOnlyWhereItIsNoChance) {
 }
 
 TEST(Recurrence, GrowsSureWithTheNightsWithout) {
-  const Sight none{0, 20000}, few{4, 20000};
-  std::vector<Sight> nights;
-  for (int night = 0; night < 10; ++night) nights.push_back(none);
-  EXPECT_EQ(status(few, nights), Recurrence::fresh);
-  EXPECT_NEAR(*standing_of(few, nights, compared).chance, 40.0 / (11 * 11 * 11 * 11), 1e-12);
+  const Observation none{0, 20000}, few{4, 20000};
+  std::vector<Observation> history;
+  for (int night = 0; night < 10; ++night) history.push_back(none);
+  EXPECT_EQ(status(few, history), Recurrence::fresh);
+  EXPECT_NEAR(*recurrence_of(few, history, compared).chance, 40.0 / (11 * 11 * 11 * 11), 1e-12);
 }
 
 TEST(Recurrence, ARunThatDidNotAskSaysNothing) {
-  const Sight many{40, 20000}, unasked{};
+  const Observation many{40, 20000}, unasked{};
   EXPECT_EQ(status(unasked, {many}), std::nullopt);
   EXPECT_EQ(status(many, {many, unasked}), Recurrence::known);
   EXPECT_EQ(status(many, {unasked}), Recurrence::fresh) << "looked for the first time";

@@ -19,7 +19,8 @@ std::size_t times_of(FindingKind kind) { return kind == FindingKind::hang ? 1 : 
 
 }  // namespace
 
-bool fails_alone(std::span<const std::unique_ptr<Method>> methods, const Blamed& blamed, const Pair& pair) {
+bool fails_alone(std::span<const std::unique_ptr<Method>> methods, const FailingMethod& blamed,
+                 const Pair& pair) {
   return try_methods(methods.subspan(blamed.method, 1), {&pair, 1}, shown_caps, times_of(blamed.kind))
       .front()
       .fails(blamed.kind);
@@ -31,18 +32,18 @@ PairShower::PairShower(std::span<const std::unique_ptr<Method>> methods, std::fu
       asker_(methods, shown_caps),
       hangs_(methods.size(), 0) {}
 
-ShownPair PairShower::show(const Pair& pair, std::span<const Blamed> blamed) {
+ShownPair PairShower::show(const Pair& pair, std::span<const FailingMethod> blamed) {
   ShownPair shown;
   shown.asked.assign(methods_.size(), false);
   std::vector<Question> of_others, of_blamed;
   for (std::size_t m = 0; m < methods_.size(); ++m) {
     const auto accusation =
-        std::find_if(blamed.begin(), blamed.end(), [m](const Blamed& b) { return b.method == m; });
-    const bool accused = accusation != blamed.end();
-    if (!accused && (hangs_[m] >= hangs_cap || out_of_time_())) continue;
+        std::find_if(blamed.begin(), blamed.end(), [m](const FailingMethod& b) { return b.method == m; });
+    const bool failing = accusation != blamed.end();
+    if (!failing && (hangs_[m] >= hangs_cap || out_of_time_())) continue;
     shown.asked[m] = true;
-    auto& questions = accused ? of_blamed : of_others;
-    questions.insert(questions.end(), accused ? times_of(accusation->kind) : times, Question{m, 0});
+    auto& questions = failing ? of_blamed : of_others;
+    questions.insert(questions.end(), failing ? times_of(accusation->kind) : times, Question{m, 0});
   }
   std::vector<MethodAnswer> first(methods_.size()), last(methods_.size());
   const auto take = [&](std::span<const Question> questions, std::span<const ContainedAnswer> said) {

@@ -26,23 +26,24 @@ struct ShownPair {
 };
 
 /// A method and the way in which it is said to fail.
-struct Blamed {
+struct FailingMethod {
   std::size_t method;
   FindingKind kind;
 
-  bool operator==(const Blamed&) const = default;
+  bool operator==(const FailingMethod&) const = default;
 };
 
 /// Returns whether the method, asked alone in a worker of its own, fails on the pair in that way. What comes
 /// and goes does not.
-bool fails_alone(std::span<const std::unique_ptr<Method>> methods, const Blamed& blamed, const Pair& pair);
+bool fails_alone(std::span<const std::unique_ptr<Method>> methods, const FailingMethod& blamed,
+                 const Pair& pair);
 
 class PairShower {
  public:
   /// Once `out_of_time()`, only who is blamed is asked.
   PairShower(std::span<const std::unique_ptr<Method>> methods, std::function<bool()> out_of_time);
 
-  ShownPair show(const Pair& pair, std::span<const Blamed> blamed);
+  ShownPair show(const Pair& pair, std::span<const FailingMethod> blamed);
 
  private:
   std::span<const std::unique_ptr<Method>> methods_;

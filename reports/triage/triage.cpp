@@ -68,7 +68,7 @@ std::optional<bool> fails_today(const Bucket& bucket, std::span<const std::uniqu
   const auto method =
       std::find_if(methods.begin(), methods.end(), [&](const auto& m) { return m->name() == bucket.method; });
   if (method == methods.end() || !bucket.seen_again) return {};
-  const Blamed blamed{static_cast<std::size_t>(method - methods.begin()), *kind};
+  const FailingMethod blamed{static_cast<std::size_t>(method - methods.begin()), *kind};
   return fails_alone(methods, blamed, parse_case(bucket.simplest.at("pair").dump(), 1).value.value().pair);
 }
 

@@ -111,8 +111,8 @@ std::set<std::string> keys_of(const std::vector<Bucket>& buckets) {
 }
 
 TEST(Triage, TellsCausesWhateverTheOrderAndTheNight) {
-  const Folder nights;
-  const std::string first = nights.make_run("one", "2026-11-20", three(), 4);
+  const Folder history;
+  const std::string first = history.make_run("one", "2026-11-20", three(), 4);
   const Triage one = triage(first);
   EXPECT_EQ(keys_of(one.buckets),
             (std::set<std::string>{"fcl-libccd/overflow", "mujoco/overflow", "seedbook/wrong_intersecting"}));
@@ -133,24 +133,24 @@ TEST(Triage, TellsCausesWhateverTheOrderAndTheNight) {
   auto other_way = three();
   std::reverse(other_way.begin(), other_way.end());
   other_way.pop_back();
-  const Triage two = triage(nights.make_run("two", "2026-11-21", other_way));
+  const Triage two = triage(history.make_run("two", "2026-11-21", other_way));
   EXPECT_EQ(keys_of(two.buckets), keys_of(one.buckets));
   for (const Bucket& b : two.buckets) {
     EXPECT_EQ(b.status, Recurrence::known);
     EXPECT_EQ(b.first_seen, "one");
     EXPECT_EQ(b.last_seen, b.count > 0 ? "two" : "one");
   }
-  const Triage three = triage(nights.make_run("three", "2026-11-22", {other_way.back()}));
+  const Triage three = triage(history.make_run("three", "2026-11-22", {other_way.back()}));
   ASSERT_EQ(three.buckets.size(), 3u);
   for (const Bucket& b : three.buckets) EXPECT_EQ(b.status, Recurrence::known) << "fails today, met or not";
   EXPECT_EQ(three.buckets[1].count, 0u);
-  EXPECT_EQ(three.buckets[1].nights.size(), 3u);
+  EXPECT_EQ(three.buckets[1].history.size(), 3u);
 }
 
 TEST(Triage, SimplifiesNewCausesBeforeKnownOnes) {
-  const Folder nights;
+  const Folder history;
   TriageOptions options;
-  options.folder = nights.make_run("one", "2026-11-20", three());
+  options.folder = history.make_run("one", "2026-11-20", three());
   options.build = "test";
   triage(options.folder);
   const auto methods = quick_methods();
@@ -239,8 +239,8 @@ TEST(Buckets, CountOnlyWhatWasLookedAtInBothRuns) {
   examine(earlier, 60, 4, 0);
   compare_with_earlier(run, {earlier}, [](const Bucket&) { return std::nullopt; });
   EXPECT_EQ(run.buckets[0].status, Recurrence::rare);
-  EXPECT_EQ(run.buckets[0].nights.back().sight.count, 3u);
-  EXPECT_EQ(run.buckets[0].nights.back().sight.asked, 48u);
+  EXPECT_EQ(run.buckets[0].history.back().sight.count, 3u);
+  EXPECT_EQ(run.buckets[0].history.back().sight.asked, 48u);
   examine(earlier, 60, 0, 0);
   compare_with_earlier(run, {earlier}, [](const Bucket&) { return std::nullopt; });
   EXPECT_EQ(run.buckets[0].status, Recurrence::rare) << "who looked at nothing knows nothing";
@@ -277,10 +277,10 @@ TEST(Buckets, FilesAreCalledAsTheyAre) {
 
 /// What the run says of the pair does not recur: two solids that nobody calls disjoint.
 TEST(Triage, ShowsWhatTheRunSawWhereItIsNotSeenAgain) {
-  const Folder nights;
+  const Folder history;
   FindingRecord once = finding("mujoco", "random", huge(1));
   once.answers = R"([[{"verdict":"disjoint"},["mujoco"]],[{"verdict":"intersecting"},["intersect"]]])";
-  const Triage triaged = triage(nights.make_run("one", "2026-11-20", {once}));
+  const Triage triaged = triage(history.make_run("one", "2026-11-20", {once}));
   ASSERT_EQ(triaged.buckets.size(), 1u);
   const Bucket& b = triaged.buckets[0];
   EXPECT_FALSE(b.simplified || b.seen_again);
@@ -289,8 +289,8 @@ TEST(Triage, ShowsWhatTheRunSawWhereItIsNotSeenAgain) {
 }
 
 TEST(Triage, GoesOnWhereItWas) {
-  const Folder nights;
-  const std::string folder = nights.make_run("one", "2026-11-20", three());
+  const Folder history;
+  const std::string folder = history.make_run("one", "2026-11-20", three());
   const Triage none = triage(folder, std::chrono::milliseconds(0));
   EXPECT_EQ(none.progress.classified, 0u);
   EXPECT_EQ(exit_code(none), 3);
@@ -320,10 +320,10 @@ double margin_of_apart() {
 }
 
 TEST(Triage, SearchesForAWorsePairAndKeepsIt) {
-  const Folder nights;
+  const Folder history;
   FindingRecord printed = finding("seedbook-printed", "random", apart(), "wrong_intersecting");
   printed.margin = Enclosure{margin_of_apart(), margin_of_apart()};
-  const std::string folder = nights.make_run("one", "2026-11-20", {printed});
+  const std::string folder = history.make_run("one", "2026-11-20", {printed});
   const Triage first = triage(folder);
   ASSERT_EQ(first.buckets.size(), 1u);
   EXPECT_EQ(first.progress.searched, 1u);

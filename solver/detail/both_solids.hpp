@@ -49,8 +49,8 @@ struct SectionsOfBoth {
   const Both rr = f.r * f.r, other_rr = crosswise(rr), most = f.most(), mm = most * most;
   const Both kk = f.k * magnitude(f.k), kk_s = f.k_s * magnitude(f.k_s);
   const unsigned apart = (rest < 0 ? 1u : 0u) | bits(kk > f.s2 * other_rr) | bits(kk_s > f.s2 * mm);
-  const unsigned met = bits(kk * square <= rest * other_rr) & bits(kk_s * square <= rest * mm);
-  return {apart != 0, met == 3};
+  const unsigned overlaps = bits(kk * square <= rest * other_rr) & bits(kk_s * square <= rest * mm);
+  return {apart != 0, overlaps == 3};
 }
 
 [[gnu::always_inline]] inline double cosine_of(const Prepared& a, const Prepared& b) noexcept {

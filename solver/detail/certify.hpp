@@ -28,12 +28,12 @@ inline double reach_of(const Scaled& p) noexcept { return p.r0 + p.h0 + p.r1 + p
 
 // By how much decide() grows and shrinks solids where rounding has the word, of the reach: 64 units of
 // rounding of separation_error, and such that sqrt(8) of it, twice the size for the reach, is below 1e-13.
-inline constexpr double room_tol = 0x1p-46;
+inline constexpr double proof_slack_tol = 0x1p-46;
 
 // A solid no thicker than that is taken for flat: a common point in its plane or line needs no room across
 // it.
 inline Hull hull_of(double r, double h, double reach) noexcept {
-  const bool thin = r <= room_tol * reach, low = h <= room_tol * reach;
+  const bool thin = r <= proof_slack_tol * reach, low = h <= proof_slack_tol * reach;
   return thin && low ? Hull::center : thin ? Hull::line : low ? Hull::plane : Hull::space;
 }
 
@@ -46,7 +46,7 @@ struct ProofTask {
   bool no_gap() const noexcept {
     return base.exponent > coarse_exponent && outside <= separation_error * reach;
   }
-  bool no_room() const noexcept {
+  bool no_slack() const noexcept {
     return base.exponent > coarse_exponent && overlap <= separation_error * reach;
   }
 
@@ -69,10 +69,10 @@ struct Place {
   }
   double outside(double r, double h) const noexcept { return larger(along - h, across - r); }
   // With so much room left; within its hull a solid needs none across it.
-  bool inside(double r, double h, Hull hull, double room) const noexcept {
+  bool inside(double r, double h, Hull hull, double slack) const noexcept {
     const bool in_plane = (hull == Hull::plane) | (hull == Hull::center);
     const bool on_line = (hull == Hull::line) | (hull == Hull::center);
-    return (in_plane | (along + room < h)) & (on_line | ((r - room > 0) & (across < r - room)));
+    return (in_plane | (along + slack < h)) & (on_line | ((r - slack > 0) & (across < r - slack)));
   }
   double along, across, away;
 };

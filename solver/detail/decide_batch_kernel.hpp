@@ -24,7 +24,7 @@ Lanes unit_of(Lanes x) {
 }
 
 struct LaneProofs {
-  Mask apart, met;  ///< which are proved
+  Mask apart, overlaps;  ///< which are proved
   Lanes direction[3], tail[3];
 };
 
@@ -112,50 +112,51 @@ struct SumOfSquares {
   const auto is_across = [&](Lanes beside, Lanes rr, Lanes r) {
     return beside * beside * s.square + depth * depth * rr < signed_square(r - room) * across_square;
   };
-  const Mask met = (s.det > least_det) & (magnitude(s.at0) < (s.h0 - room) * s.det) &
-                   (magnitude(s.axial1) < (s.h1 - room) * s.det) & is_across(s.beside0, s.rr0, s.r0) &
-                   is_across(s.beside1, s.rr1, s.r1);
+  const Mask overlaps = (s.det > least_det) & (magnitude(s.at0) < (s.h0 - room) * s.det) &
+                        (magnitude(s.axial1) < (s.h1 - room) * s.det) & is_across(s.beside0, s.rr0, s.r0) &
+                        is_across(s.beside1, s.rr1, s.r1);
   const Lanes scale = inverse * (p.r0 + p.r1), scaled0 = s.at0 * scale, scaled1 = s.at1 * scale;
   const Lanes a = scaled0 - q.cosine * scaled1, b = scaled1 - q.cosine * scaled0,
               c = q.dn * s.r0 * (inverse * s.det);
   tail[0] = a * p.w0x + b * p.w1x + c * q.nx;
   tail[1] = a * p.w0y + b * p.w1y + c * q.ny;
   tail[2] = a * p.w0z + b * p.w1z + c * q.nz;
-  return met;
+  return overlaps;
 }
 
 /// find_point(), and for lanes of `asked` where that fails but the filter has them meet find_point_again().
-[[gnu::always_inline]] inline Mask prove_met(const Pieces& of, Mask asked, Lanes error, Lanes least_det,
-                                             Lanes (&tail)[3]) {
+[[gnu::always_inline]] inline Mask prove_overlap(const Pieces& of, Mask asked, Lanes error, Lanes least_det,
+                                                 Lanes (&tail)[3]) {
   SumOfSquares s = sum_of_squares(of);
-  const Mask met = asked & find_least(of, error, least_det, s, tail);
-  const Mask open = asked & negate(met);
-  if (bits(open) == 0) return met;
+  const Mask overlaps = asked & find_least(of, error, least_det, s, tail);
+  const Mask open = asked & negate(overlaps);
+  if (bits(open) == 0) return overlaps;
   const auto filter = separating_axis_filter(of.f);
-  const Mask hopeful = open & filter.met & negate(filter.apart);
-  if (bits(hopeful) == 0) return met;
+  const Mask hopeful = open & filter.overlaps & negate(filter.apart);
+  if (bits(hopeful) == 0) return overlaps;
   const Lanes inverse = Lanes(1.0) / s.det, width = root(s.s2 - s.dn * s.dn) / s.sum;
   s.along0 = s.along0 * (magnitude(s.at0) * inverse / s.h0);
   s.along1 = s.along1 * (magnitude(s.axial1) * inverse / s.h1);
   s.across0 = s.across0 * (magnitude(s.beside0) * inverse / (s.r0 * width));
   s.across1 = s.across1 * (magnitude(s.beside1) * inverse / (s.r1 * width));
   Lanes again[3];
-  const Mask met_again = hopeful & find_least(of, error, least_det, s, again);
-  for (int i = 0; i < 3; ++i) tail[i] = pick(met_again, again[i], tail[i]);
-  return met | met_again;
+  const Mask overlap_again = hopeful & find_least(of, error, least_det, s, again);
+  for (int i = 0; i < 3; ++i) tail[i] = pick(overlap_again, again[i], tail[i]);
+  return overlaps | overlap_again;
 }
 
 [[gnu::always_inline]] inline LaneProofs prove(const Couple<Lanes>& p, Lanes turn, const DecideJob& job) {
   const Products<Lanes> q = products(p);
   LaneProofs found;
-  found.apart = found.met = Mask{};
+  found.apart = found.overlaps = Mask{};
   if (bits(magnitude(q.cosine) <= Lanes(steep_cosine)) == 0) return found;
   const Sections<Lanes> f = sections(p, q);
   const Lanes reach = p.r0 + p.r1 + p.h0 + p.h1 + magnitude(p.dx) + magnitude(p.dy) + magnitude(p.dz);
   const Mask steep = f.c <= Lanes(steep_cosine);
   const Pieces of{p, q, f};
   found.apart = steep & prove_apart(of, job.filter_error * reach, turn, found.direction);
-  found.met = prove_met(of, steep & negate(found.apart), job.point_error * reach, job.least_det, found.tail);
+  found.overlaps =
+      prove_overlap(of, steep & negate(found.apart), job.point_error * reach, job.least_det, found.tail);
   return found;
 }
 
@@ -180,13 +181,13 @@ unsigned CYL_DECIDE_KERNEL(const DecideJob& job, unsigned* rest) {
       ordinary |= (is_ordinary(a) & is_ordinary(b)) << i;
     }
     const LaneProofs found = prove(load(r.first, r.second), Lanes(turn), job);
-    const unsigned apart = ordinary & bits(found.apart), met = ordinary & bits(found.met);
+    const unsigned apart = ordinary & bits(found.apart), overlaps = ordinary & bits(found.overlaps);
     for (unsigned i = 0; i < n; ++i) {
       AnswerRecord& answer = job.answers[start + i];
       if ((apart >> i & 1) != 0) {
         const Lanes* d = found.direction;
         answer = {0, proof_direction, {d[0].v[i], d[1].v[i], d[2].v[i]}, {0, 0, 0}, {0, 0, 0}, 0, 0, 0};
-      } else if ((met >> i & 1) != 0) {
+      } else if ((overlaps >> i & 1) != 0) {
         const double* c = r.first[i];
         const Lanes* t = found.tail;
         answer = {1, proof_point, {0, 0, 0}, {c[0], c[1], c[2]}, {t[0].v[i], t[1].v[i], t[2].v[i]}, 0, 0, 0};

@@ -125,26 +125,26 @@ unsigned bits(Mask mask) {
 
 /// What `settle` of intersect.cpp does, for lanes that are not decided by the separating-axis filter; `open`
 /// keeps those that reach the cap.
-Mask settle(const Sections<Lanes>& f, Mask& open) {
+Mask resolve_at_edge(const Sections<Lanes>& f, Mask& open) {
   const auto at = corner(in_order(f));
-  Mask met = at.met;
-  open = open & negate(at.met | at.in_vain) & (at.rises2 | at.rises3);
-  if (bits(open) == 0) return met;
+  Mask overlaps = at.overlaps;
+  open = open & negate(at.overlaps | at.cannot_improve) & (at.rises2 | at.rises3);
+  if (bits(open) == 0) return overlaps;
   const Edge<Lanes> e = edge(at);
   const auto end = top(e);
-  met = met | (open & end.here & end.met);
+  overlaps = overlaps | (open & end.here & end.overlaps);
   open = open & negate(end.here);
-  if (bits(open) == 0) return met;
+  if (bits(open) == 0) return overlaps;
   const auto first = start(e);
   Lanes t = first.t;
   // untaken: no pair that was ever seen comes to the cap
   for (int i = 0; i < iteration_cap && bits(open) != 0; ++i) {
     const auto now = step(e, first.low, t);
-    met = met | (open & now.met);
-    open = open & negate(now.apart | now.met);
+    overlaps = overlaps | (open & now.overlaps);
+    open = open & negate(now.apart | now.overlaps);
     t = now.t;
   }
-  return met;
+  return overlaps;
 }
 
 const double* record(const unsigned char* set, unsigned index) {
@@ -175,14 +175,14 @@ Mask meet_shallow(const Couple<Lanes>& p, Mask& open) {
   const Sections<Lanes> f = shallow_sections(p);
   const auto filter = separating_axis_filter(f);
   const Mask parallel = f.s2 < parallel_square;
-  Mask met =
-      (filter.met & negate(filter.apart) & negate(parallel)) | (parallel & negate(apart_in_parallel(p)));
-  open = negate(parallel | filter.apart | filter.met);
+  Mask overlaps =
+      (filter.overlaps & negate(filter.apart) & negate(parallel)) | (parallel & negate(apart_in_parallel(p)));
+  open = negate(parallel | filter.apart | filter.overlaps);
   if (bits(open) != 0) {
     const Mask asked = open;
-    met = met | (settle(f, open) & asked);
+    overlaps = overlaps | (resolve_at_edge(f, open) & asked);
   }
-  return met;
+  return overlaps;
 }
 
 /// Pairs at indices[0 .. count): axes at an angle, which the separating-axis filter has left open, or nearly
@@ -195,17 +195,17 @@ void finish(const BatchJob& job, const unsigned* indices, unsigned count) {
         count - start < static_cast<unsigned>(lanes) ? count - start : static_cast<unsigned>(lanes);
     const Records r = find(job, indices + start, n);
     const Couple<Lanes> p = load(r.first, r.second);
-    Mask met, open;
+    Mask overlaps, open;
     if constexpr (steep) {
       open = p.r0 >= Lanes(0.0);  // all
-      met = settle(sections(p), open);
+      overlaps = resolve_at_edge(sections(p), open);
     } else {
-      met = meet_shallow(p, open);
+      overlaps = meet_shallow(p, open);
     }
-    const unsigned met_bits = bits(met), open_bits = bits(open);
+    const unsigned overlap_bits = bits(overlaps), open_bits = bits(open);
     for (unsigned i = 0; i < n; ++i)
       job.verdicts[indices[start + i]] =
-          static_cast<unsigned char>((open_bits >> i & 1) != 0 ? batch_undecided : met_bits >> i & 1);
+          static_cast<unsigned char>((open_bits >> i & 1) != 0 ? batch_undecided : overlap_bits >> i & 1);
   }
 }
 
@@ -228,19 +228,19 @@ unsigned CYL_KERNEL(const BatchJob& job, unsigned* rest) {
     const Couple<Lanes> p = load(r.first, r.second);
     const Products<Lanes> q = products(p);
     const unsigned at_angle = bits(magnitude(q.cosine) <= steep_cosine);
-    unsigned met, seen;
+    unsigned overlaps, seen;
     if (at_angle == 0) {  // in batches of parallel pairs all are
       const Mask one_axis = (p.w0x == p.w1x) & (p.w0y == p.w1y) & (p.w0z == p.w1z);
       Mask open{};
-      met = bits(bits(one_axis) == all ? negate(apart_in_parallel(p)) : meet_shallow(p, open));
+      overlaps = bits(bits(one_axis) == all ? negate(apart_in_parallel(p)) : meet_shallow(p, open));
       seen = all & ~bits(open);
     } else {
       const auto filter = separating_axis_filter(sections(p, q));
-      met = all & ~bits(filter.apart);
-      seen = at_angle & (~met | bits(filter.met));
+      overlaps = all & ~bits(filter.apart);
+      seen = at_angle & (~overlaps | bits(filter.overlaps));
     }
     const unsigned decided = ordinary & seen;
-    for (unsigned i = 0; i < n; ++i) job.verdicts[start + i] = static_cast<unsigned char>(met >> i & 1);
+    for (unsigned i = 0; i < n; ++i) job.verdicts[start + i] = static_cast<unsigned char>(overlaps >> i & 1);
     if (decided == all) continue;  // untaken: the same
     for (unsigned i = 0; i < n; ++i) {
       if (decided >> i & 1) continue;

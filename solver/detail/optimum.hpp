@@ -31,7 +31,7 @@ bool prove_by_filter(ProofTask& q, const Scaled& p, const F& frame) noexcept {
     return false;
   }
   const double radii = p.r0 + p.r1;
-  return filter.met && try_slice(q, p, frame, radii > 0 ? frame.slices().z * T(p.r0 / radii) : T(0));
+  return filter.overlaps && try_slice(q, p, frame, radii > 0 ? frame.slices().z * T(p.r0 / radii) : T(0));
 }
 
 // The middle of the slices where both widths suffice: those at most u from C0 and v from C1.
@@ -111,7 +111,7 @@ void prove_on_edge(ProofTask& q, const Scaled& p, const F& frame, const At& at) 
   };
   const auto end = top(e);
   if (end.here) {
-    if (end.met)
+    if (end.overlaps)
       try_edge_point(end.u, end.cv / e.c);
     else
       separate_at_top(q, frame, line, e, end.u, end.cv);
@@ -129,16 +129,16 @@ void prove_on_edge(ProofTask& q, const Scaled& p, const F& frame, const At& at) 
       const T tilt = smaller(t, (e.ra + e.rb) / -now.min_gap);
       if (try_direction(q, frame.direction(line, T(1), 0, T(0), tilt))) return;
     }
-    if (now.met) {
+    if (now.overlaps) {
       const T next = now.t;  // F is flat at its minimum, the slice is not: one step more
       const T u = e.ra * next / root(T(1) + next * next), v = e.rb * next / root(e.c * e.c + next * next);
       if (try_edge_point(u, v)) return;
     }
     misses += now.found | now.apart;
     if (now.found) {  // what is left is rounding: how near are both?
-      if (!q.no_room()) try_direction(q, frame.direction(line, T(1), 0, T(0), now.t));
+      if (!q.no_slack()) try_direction(q, frame.direction(line, T(1), 0, T(0), now.t));
       if (!q.no_gap()) try_edge_point(e.ra * t / root(T(1) + t * t), e.rb * t / root(e.c * e.c + t * t));
-      if (q.no_gap() & q.no_room()) return;
+      if (q.no_gap() & q.no_slack()) return;
     }
     t = now.t;
   }
@@ -148,14 +148,14 @@ void prove_on_edge(ProofTask& q, const Scaled& p, const F& frame, const At& at) 
 template <class F>
 void prove_at_optimum(ProofTask& q, const Scaled& p, const F& frame) noexcept {
   const auto at = corner(frame.f);
-  if (at.met && try_middle(q, p, frame, at.u, at.v)) return;
+  if (at.overlaps && try_middle(q, p, frame, at.u, at.v)) return;
   if (at.rises2 | at.rises3) prove_on_edge(q, p, frame, at);
   // Also where the edge gave no proof: with axes all but square its first steps are shorter than a rounding
   // of the widths, and H at the corner is as great as anywhere.
-  if (q.answer.proof == Proof::none && !at.met) separate_at_corner(q, frame, at);
+  if (q.answer.proof == Proof::none && !at.overlaps) separate_at_corner(q, frame, at);
   if (q.answer.proof != Proof::none) return;
   // So that q knows how near both are.
-  if (at.met)
+  if (at.overlaps)
     separate_at_corner(q, frame, at);
   else
     try_middle(q, p, frame, at.u, at.v);

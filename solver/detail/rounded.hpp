@@ -8,7 +8,7 @@
 
 namespace cyl {
 
-double room_of(const Prepared& a, const Prepared& b, double clearance) noexcept;
+double contact_distance_of(const Prepared& a, const Prepared& b, double clearance) noexcept;
 Verdict intersect_rounded(const Prepared& a, const Prepared& b, double clearance) noexcept;
 Answer decide_rounded(const Prepared& a, const Prepared& b, double clearance) noexcept;
 /// Of the solids without their rounding, which must be 0 in both.

@@ -154,7 +154,7 @@ Sections<T> in_order(const Sections<T>& f) noexcept {
 
 template <class Mask>
 struct FilterResult {
-  Mask apart, met;
+  Mask apart, overlaps;
 };
 
 /// x^2 with the sign of x.
@@ -174,9 +174,9 @@ template <class T>
   const T rr0 = f.r0 * f.r0, rr1 = f.r1 * f.r1, mm2 = most2 * most2, mm3 = most3 * most3;
   const auto apart =
       (rest < T(0)) | (k0 > f.s2 * rr1) | (k1 > f.s2 * rr0) | (k2 > f.s2 * mm2) | (k3 > f.s2 * mm3);
-  const auto met = (k0 * square <= rest * rr1) & (k1 * square <= rest * rr0) & (k2 * square <= rest * mm2) &
-                   (k3 * square <= rest * mm3);
-  return FilterResult<decltype(apart | met)>{apart, met};
+  const auto overlaps = (k0 * square <= rest * rr1) & (k1 * square <= rest * rr0) &
+                        (k2 * square <= rest * mm2) & (k3 * square <= rest * mm3);
+  return FilterResult<decltype(apart | overlaps)>{apart, overlaps};
 }
 
 /// Relative, of the square of a radius: more than the roundings of the two squares compared with it.
@@ -198,8 +198,8 @@ struct Corner {
   T u, v;               ///< half lengths along n that solid 0 has at width x, solid 1 at y
   Mask on2, on3;        ///< the corner lies on x + c y = k2, on c x + y = k3
   Mask rises2, rises3;  ///< H rises along that line
-  Mask met;             ///< H >= 0 at the corner
-  Mask in_vain;         ///< H rises, but not to 0 (section 4)
+  Mask overlaps;        ///< H >= 0 at the corner
+  Mask cannot_improve;  ///< H rises, but not to 0 (section 4)
 };
 
 /// Not for pairs that are apart by the separating-axis filter.
@@ -224,14 +224,14 @@ auto corner(const Sections<T>& f) noexcept {
   const T fall0 = x * v, fall1 = y * u;
   const auto rises2 = on2 & (fall1 < c * fall0);
   const auto rises3 = on3 & negate(rises2) & (c * fall1 > fall0);
-  const auto met = (x <= f.r0) & (y <= f.r1) & (u + v >= z);
+  const auto overlaps = (x <= f.r0) & (y <= f.r1) & (u + v >= z);
   // Up the first line y grows to r1 at most and u has to make up for what v lacks of z; likewise down the
   // second.
   const auto vain2 = too_long(f.r0, positive(x - c * positive(f.r1 - y)), positive(z - v));
   const auto vain3 = too_long(f.r1, positive(y - c * positive(f.r0 - x)), positive(z - u));
-  const auto in_vain = (rises2 & vain2) | (rises3 & vain3);
-  return Corner<T, decltype(met & on2)>{f.r0, f.r1, c, z,   x0,  y0,     k2,     k3,  x,
-                                        y,    u,    v, on2, on3, rises2, rises3, met, in_vain};
+  const auto cannot_improve = (rises2 & vain2) | (rises3 & vain3);
+  return Corner<T, decltype(overlaps & on2)>{
+      f.r0, f.r1, c, z, x0, y0, k2, k3, x, y, u, v, on2, on3, rises2, rises3, overlaps, cannot_improve};
 }
 
 /// One line a + c b = k of the two, from the corner up to where a is least: solid `a` has weight 1 in it,
@@ -251,8 +251,8 @@ Edge<T> edge(const Corner<T, Mask>& at) noexcept {
 
 template <class T, class Mask>
 struct Top {
-  T cb, u, cv;     ///< c times the width of b, u of a, c times v of b
-  Mask here, met;  ///< H is greatest at the edge's far end; and is >= 0 there
+  T cb, u, cv;          ///< c times the width of b, u of a, c times v of b
+  Mask here, overlaps;  ///< H is greatest at the edge's far end; and is >= 0 there
 };
 
 /// The far end, where a's width is least.
@@ -269,10 +269,10 @@ auto top(const Edge<T>& e) noexcept {
 /// e + t n, is convex, and the solids meet iff its least value is not negative (section 5).
 template <class T, class Mask>
 struct Step {
-  T t;              ///< where to look next
-  T min_gap;        ///< min F, about
-  Mask apart, met;  ///< min F < 0; min F >= 0
-  Mask found;       ///< it is known to the last place
+  T t;                   ///< where to look next
+  T min_gap;             ///< min F, about
+  Mask apart, overlaps;  ///< min F < 0; min F >= 0
+  Mask found;            ///< it is known to the last place
 };
 
 template <class T>
@@ -319,8 +319,8 @@ auto step(const Edge<T>& e, T low, T t) noexcept {
   const T tried = t + pick(far | (slope > 0.0), newton, newton * bend / (bend - 0.5 * turn * newton));
   const T next = pick(tried > low, tried, root(low * t));
   const auto apart = (model < 0.0) & (found | (share >= 0.0) | (other < 0.0));
-  const auto met = (model >= 0.0) & (found | ((share < 0.5) & (other >= 0.0)));
-  return Step<T, decltype(met & apart)>{next, model, apart, met, found};
+  const auto overlaps = (model >= 0.0) & (found | ((share < 0.5) & (other >= 0.0)));
+  return Step<T, decltype(overlaps & apart)>{next, model, apart, overlaps, found};
 }
 
 }  // namespace cyl

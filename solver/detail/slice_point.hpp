@@ -98,7 +98,7 @@ bool try_slice(ProofTask& q, const Scaled& p, const F& frame, typename F::Scalar
   const Rectangle<T> r0{0, 0, 1, 0, p.h0, b0};
   const Rectangle<T> r1{slices.along, slices.beside, slices.cosine, slices.sine, p.h1, b1};
   auto attempt = [&](const PlanePoint<T>& at) { return try_point(q, frame.at(at.x, at.y, u)); };
-  constexpr double slack_tol = room_tol / 8;  // of the reach: much of a rounding, little of the room
+  constexpr double slack_tol = proof_slack_tol / 8;  // of the reach: much of a rounding, little of the room
   PlanePoint<T> at;
   return attempt(on_long_side(r0, r1)) || attempt(on_long_side(r1, r0)) ||
          (middle_of_overlap(r0, r1, T(0), at) && attempt(at)) ||

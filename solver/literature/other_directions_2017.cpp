@@ -61,7 +61,7 @@ class CellSearch {
     const Point middle = cell_.middle();
     best_ = middle;
     step_to(middle);
-    if (!found_ && !in_vain(middle)) {
+    if (!found_ && !cannot_improve(middle)) {
       stay_ = options_.faults.has(Fault::stays_on_the_boundary);
       if (!stay_) search_sides();
       if (!stay_) leave_axes();
@@ -93,7 +93,7 @@ class CellSearch {
   Point gradient(const Point& x) const noexcept { return octant_.gradient(x, cell_.signs); }
 
   /// G > 0 in the whole cell, by its tangent plane in x.
-  bool in_vain(const Point& x) const noexcept {
+  bool cannot_improve(const Point& x) const noexcept {
     if (options_.literal) return false;
     const Point g = gradient(x);
     const double value = octant_.value(x, cell_.signs);
@@ -149,7 +149,7 @@ class CellSearch {
         steepest = true;
         continue;
       }
-      if (in_vain(best_)) return;
+      if (cannot_improve(best_)) return;
       const Point next = gradient(best_);
       const double beta = next.dot(next - g) / g.dot(g);  // Polak and Ribiere
       steepest = !(beta > 0 && (beta * d - next).dot(next) < 0);
@@ -172,13 +172,13 @@ class CellSearch {
         lower |= descend(d);
         if (found_ || ended_) return;
       }
-      if (in_vain(best_)) return;
+      if (cannot_improve(best_)) return;
       if (!lower) {
         if (round % 2 == 0) return;
         continue;
       }
       const Point whole = best_ - before;
-      if (descend(whole) && in_vain(best_)) return;
+      if (descend(whole) && cannot_improve(best_)) return;
       if (found_ || ended_) return;
       set[0] = set[1];
       set[1] = whole;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "oracles/trial/room.hpp"
+#include "oracles/trial/decidable_margin.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -16,7 +16,7 @@ constexpr int per_decade = 8, decades = 16;
 
 /// The greatest of those radii, relative to the size, at which the cores meet; 0 where they do at none.
 template <class Meet>
-double greatest_room(const Pair& pair, Meet meet) {
+double greatest_margin(const Pair& pair, Meet meet) {
   int least = -1, most = per_decade * decades;  // met, not met
   const auto radius = [](int step) { return std::pow(10, static_cast<double>(step) / per_decade - decades); };
   while (most - least > 1) {
@@ -57,33 +57,33 @@ std::optional<Pair> cores(const Pair& pair, double least) {
   return Pair{*a, *b};
 }
 
-bool owes_verdict(Decides promised, Trial& proved) {
-  if (promised == Decides::not_promised || !proved.decided()) return false;
-  if (promised == Decides::all) return true;
+bool must_decide(DecisionScope promised, Trial& proved) {
+  if (promised == DecisionScope::not_promised || !proved.decided()) return false;
+  if (promised == DecisionScope::all) return true;
   const double least = reach({.relative = resolved_margin, .source = {}}, size_of(proved.pair));
   if (!proved.meets()) return magnitude_against(least, proved).lo >= least;
   const auto inner = cores(proved.pair, least);
   return inner && certainly_meet(*inner);
 }
 
-double likely_room(const Pair& pair) {
+double estimated_margin(const Pair& pair) {
   const double gap = distance(pair.a, pair.b).value;
   if (gap > 0) return gap / size_of(pair);
-  return greatest_room(pair, [](const Pair& inner) { return distance(inner.a, inner.b).value <= 0; });
+  return greatest_margin(pair, [](const Pair& inner) { return distance(inner.a, inner.b).value <= 0; });
 }
 
-double most_room(const Pair& pair) {
+double largest_margin(const Pair& pair) {
   const double gap = distance(pair.a, pair.b).value;
-  double room = std::abs(gap);
+  double margin = std::abs(gap);
   if (gap <= 0)
-    for (const Cylinder* c : {&pair.a, &pair.b}) room = std::min({room, c->radius, c->height / 2});
-  return room / size_of(pair);
+    for (const Cylinder* c : {&pair.a, &pair.b}) margin = std::min({margin, c->radius, c->height / 2});
+  return margin / size_of(pair);
 }
 
-double proved_room(Trial& proved) {
+double certified_margin(Trial& proved) {
   if (!proved.decided()) return 0;
   if (!proved.meets()) return magnitude_against(size_of(proved.pair), proved).lo / size_of(proved.pair);
-  return greatest_room(proved.pair, certainly_meet);
+  return greatest_margin(proved.pair, certainly_meet);
 }
 
 }  // namespace cyl

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "solver/detail/prove_with_room.hpp"
+#include "solver/detail/prove_with_slack.hpp"
 
 #include "solver/detail/double_double.hpp"
 #include "solver/detail/optimum.hpp"
@@ -79,8 +79,8 @@ Scaled resized(const Scaled& p, double by) noexcept {
 
 }  // namespace
 
-[[gnu::noinline]] void prove_with_room(ProofTask& q, const Axes& axes) noexcept {
-  const double room = room_tol * q.reach;
+[[gnu::noinline]] void prove_with_slack(ProofTask& q, const Axes& axes) noexcept {
+  const double slack = proof_slack_tol * q.reach;
   const auto search = [&](double by) {
     const Scaled p = resized(q.solids, by);
     const DeepFrame frame(p, axes);
@@ -88,8 +88,8 @@ Scaled resized(const Scaled& p, double by) noexcept {
     return q.answer.proof != Proof::none;
   };
   // A point this near to both leaves no gap worth the search, a direction of so small an overlap no ball.
-  if (!q.no_gap() && search(room)) return;
-  if (!q.no_room()) search(-room);
+  if (!q.no_gap() && search(slack)) return;
+  if (!q.no_slack()) search(-slack);
 }
 
 }  // namespace cyl

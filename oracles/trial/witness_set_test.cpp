@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "oracles/trial/offers.hpp"
+#include "oracles/trial/witness_set.hpp"
 
 #include <gtest/gtest.h>
 
@@ -8,18 +8,18 @@ namespace {
 
 const Pair apart{{{0, 0, 0}, {0, 0, 1}, 1, 2}, {{9, 0, 0}, {0, 0, 1}, 1, 2}};
 
-TEST(Offers, OurCertificateIsOfferedWhoeverIsAsked) {
+TEST(WitnessSet, OurCertificateIsOfferedWhoeverIsAsked) {
   const std::vector<std::unique_ptr<Method>> nobody;
-  Offers offers(nobody);
-  const auto offered = offers.with_ours(apart, {});
+  WitnessSet offers(nobody);
+  const auto offered = offers.with_own_witness(apart, {});
   ASSERT_EQ(offered.size(), 1u);
   EXPECT_EQ(offered[0].witness, CertificateKind::direction);
 }
 
-TEST(Offers, ItIsNotOfferedTwice) {
+TEST(WitnessSet, ItIsNotOfferedTwice) {
   const auto methods = own_methods();
   const std::vector<MethodAnswer> said(methods.size());
-  EXPECT_EQ(Offers(methods).with_ours(apart, said).size(), methods.size());
+  EXPECT_EQ(WitnessSet(methods).with_own_witness(apart, said).size(), methods.size());
 }
 
 }  // namespace

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "base/process/kept_process.hpp"
+#include "base/process/supervised_process.hpp"
 
 #include <fcntl.h>
 #include <fmt/format.h>
@@ -55,7 +55,7 @@ std::string on(System system, const std::function<std::string()>& work) {
 }
 
 std::string ending_of(const std::function<void()>& run) {
-  KeptProcess kept(run, {});
+  SupervisedProcess kept(run, {});
   const auto& ending = kept.wait();
   return ending ? fmt::format("{}, {} left", how_it_ended(ending->status), ending->left) : "lost";
 }
@@ -64,15 +64,15 @@ std::string ending_of(const std::function<void()>& run) {
   while (true) pause();
 }
 
-class KeptProcessOn : public testing::TestWithParam<System> {};
+class SupervisedProcessOn : public testing::TestWithParam<System> {};
 std::string system_name(const testing::TestParamInfo<System>& info) {
   constexpr const char* names[] = {"AllAllowed", "UserNamespaces", "NoNamespaces"};
   return names[static_cast<int>(info.param)];
 }
-INSTANTIATE_TEST_SUITE_P(Systems, KeptProcessOn,
+INSTANTIATE_TEST_SUITE_P(Systems, SupervisedProcessOn,
                          testing::Values(System::all, System::user_namespaces, System::none), system_name);
 
-TEST_P(KeptProcessOn, SaysHowItEnded) {
+TEST_P(SupervisedProcessOn, SaysHowItEnded) {
   EXPECT_EQ(on(GetParam(), [] { return ending_of([] {}); }), "exit code 0, 0 left");
   EXPECT_EQ(on(GetParam(), [] { return ending_of([] { _exit(7); }); }), "exit code 7, 0 left");
   EXPECT_EQ(on(GetParam(), [] { return ending_of([] { throw 1; }); }), "exit code 1, 0 left");
@@ -80,7 +80,7 @@ TEST_P(KeptProcessOn, SaysHowItEnded) {
             "killed by signal 6 (Aborted), 0 left");
 }
 
-TEST_P(KeptProcessOn, EndsWhatItLeft) {
+TEST_P(SupervisedProcessOn, EndsWhatItLeft) {
   EXPECT_EQ(on(GetParam(),
                [] {
                  return ending_of([] {
@@ -95,20 +95,20 @@ TEST_P(KeptProcessOn, EndsWhatItLeft) {
             "exit code 0, 2 left");
 }
 
-TEST_P(KeptProcessOn, IsEndedWhenAsked) {
+TEST_P(SupervisedProcessOn, IsEndedWhenAsked) {
   EXPECT_EQ(on(GetParam(),
                [] {
-                 KeptProcess kept([] { stay(); }, {});
+                 SupervisedProcess kept([] { stay(); }, {});
                  kept.kill_now();
                  return kept.wait() ? how_it_ended(kept.wait()->status) : "lost";
                }),
             "killed by signal 9 (Killed)");
 }
 
-TEST_P(KeptProcessOn, SaysHowItEndedWhereItIsAskedToEndToo) {
+TEST_P(SupervisedProcessOn, SaysHowItEndedWhereItIsAskedToEndToo) {
   EXPECT_EQ(on(GetParam(),
                [] {
-                 KeptProcess kept([] { _exit(7); }, {});
+                 SupervisedProcess kept([] { _exit(7); }, {});
                  for (pollfd end{kept.end(), POLLIN, 0}; poll(&end, 1, -1) < 0;) {
                  }
                  kept.kill_now();
@@ -117,11 +117,11 @@ TEST_P(KeptProcessOn, SaysHowItEndedWhereItIsAskedToEndToo) {
             "exit code 7");
 }
 
-TEST_P(KeptProcessOn, HasNoDescriptorButItsOwn) {
+TEST_P(SupervisedProcessOn, HasNoDescriptorButItsOwn) {
   EXPECT_EQ(on(GetParam(),
                [] {
                  const int mine = dup(STDIN_FILENO);
-                 KeptProcess kept(
+                 SupervisedProcess kept(
                      [&] {
                        int open_ones = 0;
                        for (int i = 0; i < 1024; ++i) open_ones += fcntl(i, F_GETFD) >= 0;
@@ -133,11 +133,11 @@ TEST_P(KeptProcessOn, HasNoDescriptorButItsOwn) {
             "exit code 4");
 }
 
-TEST_P(KeptProcessOn, EndsWithItsOwner) {
+TEST_P(SupervisedProcessOn, EndsWithItsOwner) {
   EXPECT_EQ(on(GetParam(),
                [] {
                  Child owner(std::function<void(int)>([](int output) {
-                   const KeptProcess kept([] { stay(); }, {});
+                   const SupervisedProcess kept([] { stay(); }, {});
                    const pid_t id = kept.id();
                    write_all(output, {reinterpret_cast<const char*>(&id), sizeof id});
                    stay();
@@ -166,7 +166,7 @@ std::string ending_of_sender(System system, pid_t (*whom)()) {
   });
 }
 
-TEST_P(KeptProcessOn, ReachesNoOtherIfItIsApart) {
+TEST_P(SupervisedProcessOn, ReachesNoOtherIfItIsApart) {
   for (pid_t (*const whom)() : {+[] { return pid_t{-1}; }, +[] { return getppid(); }}) {
     const std::string ending = ending_of_sender(GetParam(), whom);
     if (ending == "exit code 100, 0 left")  // then the filter of confine() alone holds it back
@@ -176,7 +176,7 @@ TEST_P(KeptProcessOn, ReachesNoOtherIfItIsApart) {
   }
 }
 
-TEST(KeptProcess, AProcessThatIsNotApartSendsNoSignal) {
+TEST(SupervisedProcess, AProcessThatIsNotApartSendsNoSignal) {
   EXPECT_EQ(ending_of_sender(
                 System::none, +[] { return pid_t{-1}; }),
             "exit code 100, 0 left");

@@ -19,17 +19,17 @@ struct KeptDescriptors {
   std::vector<int> others = {};  ///< under the same numbers
 };
 
-class KeptProcess {
+class SupervisedProcess {
  public:
   /// Calls `run` in a process that leads a session of its own and meets signals as if no one had touched
   /// them; where the system allows it, in a PID namespace of its own too, in which it sees no process of
   /// others and with whose end all of its own end. It ends with status 0, or 1 where `run` throws, and runs
   /// no destructors nor exit handlers. Throws std::system_error where the system has no process or descriptor
   /// left.
-  KeptProcess(const std::function<void()>& run, const KeptDescriptors& descriptors);
-  ~KeptProcess();  ///< ends it, where this process started it
-  KeptProcess(const KeptProcess&) = delete;
-  KeptProcess& operator=(const KeptProcess&) = delete;
+  SupervisedProcess(const std::function<void()>& run, const KeptDescriptors& descriptors);
+  ~SupervisedProcess();  ///< ends it, where this process started it
+  SupervisedProcess(const SupervisedProcess&) = delete;
+  SupervisedProcess& operator=(const SupervisedProcess&) = delete;
 
   bool ours() const;  ///< this process started it
   pid_t id() const { return process_; }

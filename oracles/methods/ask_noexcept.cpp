@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "oracles/methods/ask_caught.hpp"
+#include "oracles/methods/ask_noexcept.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -44,7 +44,7 @@ MethodAnswer checked(MethodAnswer answer) {
   return answer;
 }
 
-MethodAnswer ask_caught(Method& method, const Pair& pair, CallMode mode) {
+MethodAnswer ask_noexcept(Method& method, const Pair& pair, CallMode mode) {
   try {
     return checked(call(method, pair, mode));
   } catch (const std::exception& e) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "base/process/kept_process.hpp"
+#include "base/process/supervised_process.hpp"
 
 #include <dirent.h>
 #include <fcntl.h>
@@ -185,14 +185,14 @@ int end_the_rest(ino_t home) {
   while (ended >= 0 && poll(any, 3, -1) < 0 && errno == EINTR) {
   }
   if (any[0].revents == 0) kill(process, SIGKILL);
-  KeptProcess::Ending ending{reap(process)};
+  SupervisedProcess::Ending ending{reap(process)};
   ending.left = end_the_rest(home);
   _exit(send(socket, &ending, sizeof ending, MSG_NOSIGNAL) < 0);
 }
 
 }  // namespace
 
-KeptProcess::KeptProcess(const std::function<void()>& run, const KeptDescriptors& descriptors)
+SupervisedProcess::SupervisedProcess(const std::function<void()>& run, const KeptDescriptors& descriptors)
     : owner_(getpid()) {
   int ends[2] = {-1, -1};
   const int self = static_cast<int>(syscall(SYS_pidfd_open, owner_, 0));
@@ -217,7 +217,7 @@ KeptProcess::KeptProcess(const std::function<void()>& run, const KeptDescriptors
   throw_errno("starting a process");
 }
 
-KeptProcess::~KeptProcess() {
+SupervisedProcess::~SupervisedProcess() {
   if (ours()) {
     kill_now();
     wait();
@@ -225,15 +225,15 @@ KeptProcess::~KeptProcess() {
   close_all({socket_});
 }
 
-bool KeptProcess::ours() const { return getpid() == owner_; }
+bool SupervisedProcess::ours() const { return getpid() == owner_; }
 
-std::chrono::nanoseconds KeptProcess::cpu_time() const { return cpu_time_of(process_); }
+std::chrono::nanoseconds SupervisedProcess::cpu_time() const { return cpu_time_of(process_); }
 
-void KeptProcess::kill_now() {
+void SupervisedProcess::kill_now() {
   if (!waited_) send(socket_, "k", 1, MSG_NOSIGNAL);
 }
 
-const std::optional<KeptProcess::Ending>& KeptProcess::wait() {
+const std::optional<SupervisedProcess::Ending>& SupervisedProcess::wait() {
   if (waited_) return ending_;
   Ending told{};
   ssize_t got = 0;

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: MIT
+#include "oracles/trial/decidable_margin.hpp"
+
+#include <gtest/gtest.h>
+
+#include "corpus/pairs/pair_numbers.hpp"
+
+namespace cyl {
+namespace {
+
+Pair walls(double offset) { return {{{0, 0, 0}, {0, 0, 1}, 1, 2}, {{offset, 0, 0}, {0, 0, 1}, 1, 2}}; }
+
+TEST(Room, IsTheGapOrTheLargestBallInCommon) {
+  Trial apart(walls(2.5));
+  EXPECT_DOUBLE_EQ(estimated_margin(apart.pair), 0.5 / 6);
+  EXPECT_NEAR(certified_margin(apart), 0.5 / 6, 1e-9);
+  Trial into(walls(1));  // a lens 1 wide
+  for (const double slack : {estimated_margin(into.pair), certified_margin(into)}) {
+    EXPECT_LE(slack, 0.5 / 6);
+    EXPECT_GT(slack, 0.5 / 6 / 1.34);  // 8 a decade
+  }
+}
+
+TEST(Room, NothingIsPromisedOfTwoFlatSolidsThatMeet) {
+  Pair segments = walls(0);
+  segments.a.radius = segments.b.radius = 0;
+  EXPECT_EQ(estimated_margin(segments), 0);
+  Trial crossing(segments);
+  EXPECT_FALSE(must_decide(DecisionScope::above_1e13, crossing));
+  EXPECT_TRUE(must_decide(DecisionScope::all, crossing));
+  segments.b.center.x() = 1;
+  EXPECT_EQ(estimated_margin(segments), 1 / size_of(segments));
+}
+
+TEST(Room, AVerdictIsOwedBeyondRounding) {
+  for (const double margin : {1.1e-13, 0.9e-13}) {
+    Trial apart(walls(2 + 6 * margin)), into(walls(2 - 12 * margin));
+    EXPECT_EQ(must_decide(DecisionScope::above_1e13, apart), margin > 1e-13);
+    EXPECT_EQ(must_decide(DecisionScope::above_1e13, into), margin > 1e-13);
+    EXPECT_FALSE(must_decide(DecisionScope::not_promised, apart));
+  }
+}
+
+}  // namespace
+}  // namespace cyl
