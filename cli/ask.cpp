@@ -14,6 +14,7 @@
 #include "cli/families.hpp"
 #include "cli/options.hpp"
 #include "cli/progress.hpp"
+#include "corpus/pairs/pair_numbers.hpp"
 #include "fuzz/campaign/offline.hpp"
 
 namespace cyl {
@@ -30,8 +31,9 @@ constexpr std::uint64_t shown_pairs = 1024;
 
 int write_questions(const AskOptions& options) {
   const std::string folder = options.cases ? *options.cases : in_source_tree("corpus/cases");
-  const std::vector<Case> cases = cases_in(folder, false);
-  const std::vector<Family> families = families_named(options.families, false);
+  const auto of_cylinders = [](const Pair& pair) { return !is_rounded(pair); };
+  const std::vector<Case> cases = cases_in(folder, of_cylinders);
+  const std::vector<Family> families = families_named(options.families, of_cylinders);
   const Workload workload{{}, families, cases, {}};
   const Schedule schedule = schedule_of(workload);
   const auto closed = [](std::FILE* file) {

@@ -93,14 +93,18 @@ void set_shard(const std::string& text, CampaignOptions& options) {
     throw UsageError("--shard: '" + text + "' is not i/n with i from 0 to n - 1");
 }
 
-/// Tells whether pairs of rounded solids are asked: where guests alone are asked, and none of them knows such
-/// solids, they are spared those.
-bool asks_rounded(const std::vector<std::unique_ptr<Method>>& methods, const CampaignOptions& options) {
-  const auto knows_roundings = [](const auto& method) {
-    return !method->guest() || method->supports(SolidKind::sphere) || method->supports(SolidKind::capsule) ||
-           method->supports(SolidKind::rounded);
+/// Returns whether a campaign draws such solids: without guests, all. With guests, what some guest supports,
+/// and what other methods support unless no guest supports cylinders.
+bool is_drawn(const Pair& pair, const std::vector<std::unique_ptr<Method>>& methods) {
+  const auto supports = [&](const auto& m) {
+    return m->supports(kind_of(pair.a)) && m->supports(kind_of(pair.b));
   };
-  return options.guests.empty() || std::ranges::any_of(methods, knows_roundings);
+  const auto guest = [](const auto& m) { return m->guest(); };
+  if (std::ranges::none_of(methods, guest)) return true;
+  if (std::ranges::any_of(methods, [&](const auto& m) { return guest(m) && supports(m); })) return true;
+  return std::ranges::any_of(methods,
+                             [&](const auto& m) { return guest(m) && m->supports(SolidKind::cylinder); }) &&
+         std::ranges::any_of(methods, supports);
 }
 
 void print_not_asked(const std::vector<std::unique_ptr<Method>>& methods) {
@@ -110,7 +114,7 @@ void print_not_asked(const std::vector<std::unique_ptr<Method>>& methods) {
     for (const SolidKind kind : enum_values<SolidKind>)
       if (!method->supports(kind)) kinds.append(kinds.empty() ? "" : ", ").append(to_string(kind));
     if (!kinds.empty())
-      fmt::print("not asked about solids that {} does not take: {}\n", method->name(), kinds);
+      fmt::print("{} does not support {}, and is not asked about pairs with them\n", method->name(), kinds);
   }
 }
 
@@ -130,7 +134,8 @@ CampaignOptions plan_new(const CampaignArguments& arguments, Selection& selectio
   selection.methods = std::move(set.methods);
   if (!arguments.methods.empty())
     selection.methods = select_methods(std::move(selection.methods), arguments.methods);
-  selection.families = families_named(arguments.families, asks_rounded(selection.methods, options));
+  selection.families =
+      families_named(arguments.families, [&](const Pair& pair) { return is_drawn(pair, selection.methods); });
   if (!arguments.weights_from.empty())
     selection.weights = weights_from(arguments.weights_from, selection.families);
   if (!arguments.shard.empty()) set_shard(arguments.shard, options);
@@ -297,7 +302,8 @@ int campaign(const CampaignArguments& arguments) {
       arguments.resume.empty() ? plan_new(arguments, selection) : plan_resumed(arguments, selection);
   if (options.resume) hold(options.out);
   set_limits(arguments, options);
-  selection.cases = cases_in(options.cases, asks_rounded(selection.methods, options));
+  selection.cases =
+      cases_in(options.cases, [&](const Pair& pair) { return is_drawn(pair, selection.methods); });
   fmt::print("seed {}, run {}\n", options.seed, options.out);
   std::fflush(stdout);
   if (const std::string error = record_guests(parse_guests(options.guests)); !error.empty())

@@ -51,14 +51,12 @@ void print_pairs(const FamiliesOptions& options) {
 
 }  // namespace
 
-std::vector<Family> families_named(std::string_view spec, bool rounded) {
+std::vector<Family> families_named(std::string_view spec, const PairFilter& is_wanted) {
   const auto all = campaign_families();
   if (spec.empty()) {
     std::vector<Family> kept(all.begin(), all.end());
-    const auto is_rounded_family = [](const Family& family) {
-      return std::ranges::find(rounded_families(), family.name, &Family::name) != rounded_families().end();
-    };
-    if (!rounded) std::erase_if(kept, is_rounded_family);
+    // The pairs of a family are all of the same kinds.
+    std::erase_if(kept, [&](const Family& family) { return !is_wanted(family.generate(0, 0)); });
     return kept;
   }
   std::vector<std::string> names;
@@ -68,10 +66,9 @@ std::vector<Family> families_named(std::string_view spec, bool rounded) {
   return kept;
 }
 
-std::vector<Case> cases_in(const std::string& folder, bool rounded) {
+std::vector<Case> cases_in(const std::string& folder, const PairFilter& is_wanted) {
   std::vector<Case> cases = folder.empty() ? std::vector<Case>{} : read_case_folder(folder);
-  const auto is_rounded = [](const Case& c) { return c.pair.a.rounding > 0 || c.pair.b.rounding > 0; };
-  if (!rounded) std::erase_if(cases, is_rounded);
+  std::erase_if(cases, [&](const Case& c) { return !is_wanted(c.pair); });
   return cases;
 }
 

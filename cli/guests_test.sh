@@ -45,7 +45,7 @@ printf '%s\n' "$pair" >pair.jsonl
 expect 2 'campaign' "$daylight" campaign --pairs 400 --seed 7 --cases '' --methods decide,bad,worse "${guests[@]}" --table --out runs/bad
 holds 'campaign' out '^bad +400 +[1-9][0-9]+ +[1-9]'
 holds 'campaign' out '^worse +400 +[1-9][0-9]+ +[1-9]'
-holds 'what it takes not' out '^not asked about solids that bad does not take: sphere, capsule, rounded$'
+holds 'what it takes not' out '^bad does not support sphere, capsule, rounded, and is not asked about pairs with them$'
 python3 - <<'END' || failed 'guests take families from others'
 import sqlite3
 counts = "SELECT asked - declined FROM tally WHERE family = 'sphere_sphere' AND method = ?"
@@ -71,6 +71,38 @@ expect 0 'check' "$daylight" check --command 'sh worse.sh' pair.jsonl
 holds 'check' out '^\{"verdict":"disjoint","method":"worse"\}$'
 expect 64 'check' "$daylight" check "${guests[@]}" pair.jsonl
 expect 0 'check' "$daylight" check --command 'us=sh worse.sh' --method us pair.jsonl
+# A library that states what it supports is asked about that, and one built for interface 2 still loads.
+cat >balls.c <<'END'
+#include "plugin.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+static int ask(const double* a, const double* b, double* more) {
+  if (a[6] != 0 || a[7] != 0 || b[6] != 0 || b[7] != 0 || a[8] < 0.01 || b[8] > 100) abort();
+  more[0] = sqrt((a[0] - b[0]) * (a[0] - b[0]) + (a[1] - b[1]) * (a[1] - b[1]) + (a[2] - b[2]) * (a[2] - b[2])) - a[8] - b[8];
+  return more[0] > 0 ? DAYLIGHT_DISJOINT : DAYLIGHT_INTERSECTING;
+}
+
+static const struct DaylightMethod balls = {.abi = ABI, .name = "balls", .claim_relative = 1e-9, .ask = ask, .takes_rounding = 1,
+    .shapes = DAYLIGHT_SPHERE + SHAPES, .least_length = 0.01, .greatest_length = 100};
+const struct DaylightMethod* daylight_method(void) { return &balls; }
+END
+balls() { cc -shared -fPIC -I "$source_tree/oracles" -DABI="$1" -DSHAPES="$2" balls.c -lm -o "$3"; }
+balls 3 0 libballs.so && balls 2 0 libballs2.so && balls 3 16 libshapes.so
+expect 0 'gate of spheres' "$daylight" gate --plugin ./libballs.so --pairs 3000 --json balls.json
+python3 - <<'END' || failed 'the gate draws what the library supports'
+import json
+[method] = json.load(open('balls.json'))['methods']
+assert method['rounded']['pairs'] >= 2900 and method['counts']['declined'] == 0, method['counts']
+END
+expect 0 'campaign of spheres' "$daylight" campaign --plugin ./libballs.so --methods balls --pairs 300 --seed 1 --cases '' --table --out runs/of_balls
+holds 'campaign of spheres' out '^balls +300 '
+expect 2 'interface 2' "$daylight" gate --plugin ./libballs2.so --pairs 100 --cases ''
+holds 'interface 2' out 'crash'
+expect 64 'shapes that are none' "$daylight" gate --plugin ./libshapes.so --pairs 100
+holds 'shapes that are none' err 'its shapes are not a sum of DaylightShapes'
+
 expect 2 'gate' "$daylight" gate --plugin ./libbad.so --pairs 100 --cases ''
 holds 'gate' out '^bad +1 \([0-9a-f]{8}\) '
 holds 'gate' out "\| .*replay - --methods bad --plugin '?bad="

@@ -417,7 +417,7 @@ Pair in_floats(const Pair& p) {
 class Source {
  public:
   Source(std::uint64_t seed, const std::string& cases) : seed_(seed) {
-    for (Case& c : cases_in(cases, true))
+    for (Case& c : read_case_folder(cases))
       if (c.file.ends_with("reported.jsonl")) reported_.push_back(std::move(c));
   }
 

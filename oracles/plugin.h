@@ -1,61 +1,73 @@
 /* SPDX-License-Identifier: MIT
- * A method of yours as a shared library: define daylight_method(), build with -shared -fPIC, and name the
- * file to any command: daylight gate --plugin ./libmine.so. C and C++ alike; docs/guides/library.md has one whole.
+ * Your collision test as a shared library, in C or C++. Define daylight_method(), build with -shared -fPIC, and
+ * pass the file to a command: daylight gate --plugin ./libmine.so. docs/guides/library.md has a complete example.
  *
- * A cylinder is eight doubles: centre x y z, axis x y z (any length but 0), radius, full height. Solid,
- * closed, finite. For a method that takes rounding it is nine: the last is the radius of a ball by which the
- * solid is grown (radius 0 and height 0: a sphere; radius 0: a capsule). Others are not asked about such pairs.
+ * A cylinder is eight doubles: centre x y z, axis x y z (any length but 0), radius, full height. It is solid,
+ * closed and finite. If takes_rounding is 1, it is nine doubles. The last is the radius of a ball by which the
+ * solid is grown: with radius 0 and height 0 it is a sphere, with radius 0 a capsule.
  *
- * A method runs in a process of its own, in which it may crash, hang, throw, sleep, print, read files and
- * start threads; the process lives on from question to question. It may not start processes, signal others,
- * or leave the rounding mode changed.
+ * The plug-in runs in a process of its own, which is reused between calls. It may crash, hang, throw, sleep,
+ * print, read files and start threads. It may not start processes, signal others, or leave the rounding mode
+ * changed.
  */
 #ifndef DAYLIGHT_PLUGIN_H
 #define DAYLIGHT_PLUGIN_H
 
 #include <stddef.h>
 
-#define DAYLIGHT_PLUGIN_ABI 2 /* what was built for 1, which ends with ask_all, is asked as ever */
+#define DAYLIGHT_PLUGIN_ABI 3 /* plug-ins built for interface 1 or 2 still load */
 
 enum DaylightVerdict {
   DAYLIGHT_DISJOINT = 0,
-  DAYLIGHT_INTERSECTING = 1, /* touching included, for who does not tell them apart */
+  DAYLIGHT_INTERSECTING = 1, /* also touching, if your library does not distinguish the two */
   DAYLIGHT_TOUCHING = 2,
   DAYLIGHT_UNDECIDED = 3,
-  DAYLIGHT_DECLINED = -1, /* not for such a pair: no fault */
-  DAYLIGHT_FAILED = -2    /* tried and broke */
+  DAYLIGHT_DECLINED = -1, /* the pair is not supported; this is not a fault */
+  DAYLIGHT_FAILED = -2    /* the library tried and failed; this is a fault */
 };
+
+enum DaylightShapes { DAYLIGHT_SPHERE = 1, DAYLIGHT_CAPSULE = 2, DAYLIGHT_CYLINDER = 4, DAYLIGHT_ROUNDED_CYLINDER = 8 };
 
 struct DaylightMethod {
   int abi;             /* DAYLIGHT_PLUGIN_ABI */
   const char* name;    /* letters, digits, - _ . */
   const char* version; /* may be 0 */
 
-  /* The claim: right wherever |distance| >= relative * (r0 + h0 + r1 + h1) + absolute. What is wrong beyond
-   * it is a fault, what is wrong within it is only counted. */
+  /* The claim: right if |distance| >= relative * (sum of all radii, heights and roundings) + absolute. A wrong
+   * answer beyond the claim is a fault. A wrong answer within it is only counted. */
   double claim_relative, claim_absolute;
-  const char* claim_source; /* where you say so; may be 0 */
+  const char* claim_source; /* where you state it; may be 0 */
 
-  /* Answers whether a and b meet, one of the words above. `more` is all NaN before: where you have them,
-   * leave the signed distance in more[0] (negative: how deep), a direction square to a separating plane in
-   * more[1..3], a common point in more[4..6] (not looked at where a solid is rounded); with no part of a direction
-   * or point it is none. Called from one thread at a time. */
+  /* Returns a verdict, as above. `more` is all NaN before the call. You may set the signed distance in more[0]
+   * (negative: the depth), the normal of a separating plane in more[1..3], and a common point in more[4..6],
+   * which is ignored if a solid is rounded. Called from one thread at a time. */
   int (*ask)(const double* a, const double* b, double more[7]);
 
-  /* For timing, may be 0: `count` pairs of 16 doubles each (18 with rounding), a word for each. */
+  /* For timing; may be 0. `count` pairs of 16 doubles each (18 with rounding), one verdict each. */
   void (*ask_all)(size_t count, const double* pairs, signed char* verdicts);
 
-  /* All that follows is of interface 2, and may be 0. */
+  /* The rest of interface 2. Each may be 0. */
 
-  /* Why the last call of `ask` declined or failed, in a few words. */
+  /* Returns why the last call of `ask` declined or failed, in a few words. */
   const char* (*reason)(void);
-  /* As `ask` about `count` pairs of 16 doubles each (18 with rounding), in one call: a word and seven doubles of
-   * `more` for each. Must say what `ask` says. */
-  void (*ask_many)(size_t count, const double* pairs, int* words, double* more);
+  /* Does what `ask` does for `count` pairs of 16 doubles each (18 with rounding), in one call: one verdict and
+   * seven doubles of `more` for each. Must give the same answers as `ask`. */
+  void (*ask_many)(size_t count, const double* pairs, int* verdicts, double* more);
   /* Another method of this library. */
   const struct DaylightMethod* next;
-  /* 1: it takes rounding, and a cylinder is nine doubles wherever one is handed over. */
+  /* 1: it supports rounded solids, and every cylinder passed to it is nine doubles. */
   int takes_rounding;
+
+  /* The rest of interface 3: what your library supports. 0 means no limit. Other pairs are not passed to it. */
+
+  /* The sum of its DaylightShapes. 0: cylinders, and all others if takes_rounding is 1. */
+  int shapes;
+  /* Of a radius, height or rounding, in the unit of your scenes. */
+  double least_length, greatest_length;
+  /* The greatest of these lengths of one solid divided by the least. */
+  double greatest_aspect;
+  /* 1: no disks and segments, that is, no cylinders with a radius or height of 0. */
+  int no_zero_lengths;
 };
 
 #ifdef __cplusplus

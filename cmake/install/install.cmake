@@ -53,7 +53,8 @@ daylight_library(solver OBJECTS ${solver_objects} LINKS Eigen3::Eigen PC_REQUIRE
 daylight_library(exact LINKS installed_solver mpfi mpfr gmpxx gmp fmt::fmt OBJECTS ${exact_objects}
   PC_REQUIRES "daylight-solver fmt" PC_LIBS "-lmpfi -lmpfr -lgmpxx -lgmp"
   HEADERS oracles/referee/decide_exactly.hpp oracles/referee/referee.hpp corpus/pairs/method_answer.hpp
-          corpus/pairs/certificate.hpp corpus/pairs/pair_numbers.hpp corpus/pairs/solid_kind.hpp base/enum_words.hpp)
+          corpus/pairs/certificate.hpp corpus/pairs/pair_numbers.hpp corpus/pairs/size_range.hpp corpus/pairs/solid_kind.hpp
+          base/enum_words.hpp)
 daylight_library(oracles OBJECTS ${oracles_objects} LINKS installed_exact NLopt::nlopt ${FCL_LIBRARY} ${BULLET_LIBRARY}
                  ${CCD_LIBRARY} ${ODE_LIBRARY} SQLiteCpp fmt::fmt seccomp mujoco
   PC_REQUIRES "daylight-exact nlopt fcl bullet-float64 ccd ode fmt libseccomp" PC_LIBS "-lSQLiteCpp -lsqlite3 -lmujoco"

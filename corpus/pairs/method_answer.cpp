@@ -51,6 +51,12 @@ MethodAnswer declined_shape(SolidKind kind) noexcept {
   return answer;
 }
 
+MethodAnswer declined_size() noexcept {
+  MethodAnswer answer;
+  answer.set_reason("it does not support these sizes");
+  return answer;
+}
+
 MethodAnswer failed_answer(Failure failure, std::string_view reason) noexcept {
   MethodAnswer answer;
   answer.status = Status::failed;

@@ -68,6 +68,8 @@ struct MethodAnswer {
 
 /// Returns the answer of a method that has no shape for such a solid.
 MethodAnswer declined_shape(SolidKind kind) noexcept;
+/// Returns the answer of a method that does not support solids of such sizes.
+MethodAnswer declined_size() noexcept;
 
 /// Returns an answer of a method that failed.
 MethodAnswer failed_answer(Failure failure, std::string_view reason) noexcept;

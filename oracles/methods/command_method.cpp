@@ -76,7 +76,9 @@ class CommandMethod final : public Method {
     return {hello_.relative, hello_.absolute, hello_.claim_source};
   }
   bool guest() const override { return true; }
+  using Method::supports;
   bool supports(SolidKind kind) const override { return hello_.supports[static_cast<std::size_t>(kind)]; }
+  const SizeRange* sizes() const override { return &hello_.sizes; }
 
   Pair modelled(const Pair& pair) const override {
     return {with_rounded_rims(pair.a, hello_.rounded_rims), with_rounded_rims(pair.b, hello_.rounded_rims)};
@@ -102,8 +104,12 @@ class CommandMethod final : public Method {
     std::size_t done = 0;
     std::vector<std::size_t> sent;
     for (std::size_t i = 0; i < pairs.size(); ++i) {
-      if (const auto declined = decline(pairs[i])) {
-        answers[i] = *declined;
+      if (!supports(pairs[i])) {
+        answers[i] = decline(pairs[i]);
+        continue;
+      }
+      if (const auto invalid = decline_invalid(pairs[i])) {
+        answers[i] = *invalid;
         continue;
       }
       program_->send(format_pair(pairs[i]) + '\n');
@@ -138,12 +144,6 @@ class CommandMethod final : public Method {
   static MethodAnswer of_pair(const Pair& pair, MethodAnswer answer) {
     if (is_rounded(pair) && answer.witness == CertificateKind::point) answer.witness = CertificateKind::none;
     return answer;
-  }
-
-  std::optional<MethodAnswer> decline(const Pair& pair) const {
-    for (const Cylinder* solid : {&pair.a, &pair.b})
-      if (!supports(kind_of(*solid))) return declined_shape(kind_of(*solid));
-    return decline_invalid(pair);
   }
 
   /// Whether the program cannot be talked to any more.

@@ -65,6 +65,22 @@ GuestAnswer answer_of(const json& line) {
   return answer;
 }
 
+SizeRange sizes_of(const json& sizes) {
+  if (!sizes.is_object()) throw std::invalid_argument("sizes is not an object");
+  SizeRange range;
+  for (const auto& [key, limit] : {std::pair("least", &range.least), std::pair("greatest", &range.greatest),
+                                   std::pair("aspect", &range.aspect)}) {
+    if (const auto found = sizes.find(key); found != sizes.end()) *limit = number(*found, key);
+    if (!(*limit >= 0)) throw std::invalid_argument(std::string(key) + " of sizes is negative");
+  }
+  if (range.greatest < range.least) throw std::invalid_argument("greatest of sizes is less than least");
+  if (const auto zero = sizes.find("zero"); zero != sizes.end()) {
+    if (!zero->is_boolean()) throw std::invalid_argument("zero of sizes is not true or false");
+    range.zero_lengths = zero->get<bool>();
+  }
+  return range;
+}
+
 GuestHello hello_of(const json& line) {
   GuestHello hello;
   hello.name = text_of(line, "name");
@@ -78,6 +94,7 @@ GuestHello hello_of(const json& line) {
       hello.supports[static_cast<std::size_t>(*kind)] = true;
     }
   }
+  if (const auto sizes = line.find("sizes"); sizes != line.end()) hello.sizes = sizes_of(*sizes);
   if (const auto rims = line.find("rounded_rims"); rims != line.end())
     hello.rounded_rims = number(*rims, "rounded_rims");
   const auto claim = line.find("claim");

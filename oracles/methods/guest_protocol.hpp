@@ -2,7 +2,8 @@
 // What a program that is asked about pairs, a line each, says: one answer a line, before the first of them
 // perhaps a hello. The questions are lines of pair_io.
 //
-//   {"name":"mine","version":"1.2","claim":{"relative":1e-6,"absolute":0,"source":"manual, section 3"}}
+//   {"name":"mine","version":"1.2","claim":{"relative":1e-6,"absolute":0,"source":"manual, section 3"},
+//    "takes":["sphere","capsule"],"sizes":{"least":0.01,"greatest":100,"aspect":1000,"zero":false}}
 //   {"verdict":"disjoint","distance":0.5,"direction":[1,0,0]}
 //   {"verdict":"intersecting","distance":-0.1,"point":[0,0,1]}
 //   {"declined":"no disks"}
@@ -17,6 +18,7 @@
 #include <string>
 #include <string_view>
 
+#include "corpus/pairs/size_range.hpp"
 #include "corpus/pairs/solid_kind.hpp"
 #include "solver/cylinder.hpp"
 
@@ -29,6 +31,7 @@ struct GuestHello {
   double rounded_rims = 0;  ///< by how much it rounds the edges of cylinders, inwards
   /// Which kinds of solids it is asked about, by SolidKind.
   std::array<bool, words_of(SolidKind{}).size()> supports{false, false, true, false};
+  SizeRange sizes;  ///< of the solids that it is asked about
 };
 
 struct GuestAnswer {

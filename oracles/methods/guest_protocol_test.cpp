@@ -46,6 +46,19 @@ TEST(GuestLines, AHello) {
   EXPECT_EQ(line.hello->claim_source, "manual");
 }
 
+TEST(GuestLines, AHelloThatStatesWhatIsSupported) {
+  const GuestLine line = parse_guest_line(
+      R"({"takes":["sphere","capsule"],"sizes":{"least":0.01,"greatest":100,"aspect":50,"zero":false}})");
+  ASSERT_TRUE(line.hello) << line.error;
+  EXPECT_EQ(line.hello->supports, (std::array{true, true, false, false}));
+  EXPECT_EQ(line.hello->sizes, (SizeRange{0.01, 100, 50, false}));
+  EXPECT_EQ(parse_guest_line(R"({"name":"x","sizes":{"least":1}})").hello->sizes, (SizeRange{.least = 1}));
+  for (const char* wrong :
+       {R"({"name":"x","sizes":3})", R"({"name":"x","sizes":{"least":-1}})",
+        R"({"name":"x","sizes":{"least":2,"greatest":1}})", R"({"name":"x","sizes":{"zero":1}})"})
+    EXPECT_NE(parse_guest_line(wrong).error, "") << wrong;
+}
+
 TEST(GuestLines, AnythingElseIsAnErrorThatShowsALittleOfIt) {
   const auto error = [](std::string_view text) {
     const GuestLine line = parse_guest_line(text);

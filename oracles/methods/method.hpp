@@ -12,36 +12,36 @@
 #include <vector>
 
 #include "corpus/pairs/method_answer.hpp"
+#include "corpus/pairs/size_range.hpp"
 #include "corpus/pairs/solid_kind.hpp"
 #include "solver/cylinder.hpp"
 
 namespace cyl {
 
-/// From where on a method promises not to be undecided, where both solids are valid and within range.
+/// On which pairs a method promises to decide, if both solids are valid and within its range.
 enum class DecisionScope : unsigned char {
   not_promised,
-  above_1e13,  ///< It decides gaps of 1e-13 of the size, and where a ball of that lies in both (law 39).
-  all          ///< It decides every pair of which anybody can prove a verdict.
+  above_1e13,  ///< It decides if the gap is 1e-13 of the size or a ball of that radius lies in both (law 39).
+  all          ///< It decides every pair whose verdict can be proved.
 };
 
-/// What a method promises: to be right wherever |distance| >= relative * size + absolute, and more.
+/// What a method promises: to be right if |distance| >= relative * size + absolute, and more.
 struct Claim {
   double relative = 0;
   double absolute = 0;      ///< a length in the scene's unit
-  std::string_view source;  ///< the line of its documentation or source that says so
-  bool assumed = false;     ///< by us: `source` is no promise, but the best that its sources tell
+  std::string_view source;  ///< the line of its documentation or source that states it
+  bool assumed = false;     ///< `source` is not a promise, but the best estimate from its sources
   // No library documents any of these.
-  bool bitwise_stable = false;  ///< A change that alters no digit of the question alters none of its answer.
-  bool mirror_invariant = false;  ///< Its verdict stays, wherever, when signs of coordinates are flipped.
-  bool certified = false;         ///< It offers a witness that proves its verdict with every yes and no.
+  bool bitwise_stable = false;    ///< A change that keeps every digit of the pair keeps those of the answer.
+  bool mirror_invariant = false;  ///< Its verdict never changes if the signs of coordinates are flipped.
+  bool certified = false;         ///< Each yes and no comes with a witness that proves it.
   bool from_a_to_b = false;       ///< The directions it offers point from a to b.
-  bool reports_invalid = false;   ///< It says `invalid` of a pair with a negative radius.
+  bool reports_invalid = false;   ///< It answers `invalid` to a pair with a negative radius.
   DecisionScope decides = DecisionScope::not_promised;
 };
 
-/// Interface of a method. `ask` may do anything foreign code does: throw, abort, hang. Callers who cannot
-/// afford that go through contained.hpp. `ask` is called from one thread; the same pair gives the same
-/// answer.
+/// A method. `ask` may do anything that foreign code does: throw, abort, hang. contained.hpp calls it safely.
+/// `ask` is called from one thread. The same pair gives the same answer.
 class Method {
  public:
   virtual ~Method() = default;
@@ -49,36 +49,43 @@ class Method {
   virtual std::string_view version() const = 0;  ///< of the library, as found at build or run time
   virtual Claim claim() const = 0;
   virtual bool foreign() const { return true; }
-  virtual bool guest() const { return false; }  ///< no part of this build: guest.hpp
-  /// Whether nothing that its library keeps outlives a call, so that it may be asked again in the same
-  /// process after an assertion of it failed.
+  virtual bool guest() const { return false; }  ///< not part of this build: guest.hpp
+  /// Returns whether its library keeps no state between calls. Then it may be asked again in the same process
+  /// after one of its assertions failed.
   virtual bool recovers() const { return false; }
-  /// Asked on one index in so many (and wherever others disagree): > 1 for costly methods.
+  /// It is asked on one index in so many, and on pairs in dispute. More than 1 for costly methods.
   virtual unsigned share() const { return 1; }
-  /// Does what must be done once in the process that asks, such as to load a library; ask() does it where it
-  /// was not done. May do what ask() may.
+  /// Performs one-time initialization in the calling process, such as loading a library. ask() does this
+  /// itself if it has not been done. May fail like ask().
   virtual void initialize() {}
-  /// Whether it has a shape for such solids.
+  /// Returns whether it has a shape for such solids.
   virtual bool supports(SolidKind kind) const { return kind == SolidKind::cylinder; }
-  bool supports(const Pair& pair) const { return supports(kind_of(pair.a)) && supports(kind_of(pair.b)); }
-  /// The solids that it really asks about, where it rounds the edges of cylinders on purpose.
-  virtual Pair modelled(const Pair& pair) const { return pair; }
-  /// Its answer, or that it declines a solid that it does not take.
-  MethodAnswer ask(const Pair& pair) {
-    if (supports(pair)) return answer(pair);
-    return declined_shape(kind_of(supports(kind_of(pair.a)) ? pair.b : pair.a));
+  /// Returns the sizes that it states it supports; null if it states none.
+  virtual const SizeRange* sizes() const { return nullptr; }
+  bool supports(const Pair& pair) const {
+    return supports(kind_of(pair.a)) && supports(kind_of(pair.b)) && (!sizes() || sizes()->holds(pair));
   }
-  /// Whether it runs what is foreign in processes of its own, so that it may be asked in this one.
+  /// Returns why it declines a pair that it does not support.
+  MethodAnswer decline(const Pair& pair) const {
+    for (const Cylinder* solid : {&pair.a, &pair.b})
+      if (!supports(kind_of(*solid))) return declined_shape(kind_of(*solid));
+    return declined_size();
+  }
+  /// Returns the solids that it really tests. They differ if it rounds the edges of cylinders on purpose.
+  virtual Pair modelled(const Pair& pair) const { return pair; }
+  /// Returns its answer. It declines pairs that it does not support.
+  MethodAnswer ask(const Pair& pair) { return supports(pair) ? answer(pair) : decline(pair); }
+  /// Returns whether it runs foreign code in processes of its own, so that it may be asked in this one.
   virtual bool is_out_of_process() const { return false; }
-  /// Whether it does better on many pairs than ask() does on each.
+  /// Returns whether ask_many() costs less than a call of ask() for each pair.
   virtual bool has_batch_call() const { return is_out_of_process(); }
-  /// Asks about as many pairs, all of them or those up to the first failure, and returns how many these are.
+  /// Asks about all pairs, or about those up to the first failure. Returns the number of answers.
   virtual std::size_t ask_many(std::span<const Pair> pairs, std::span<MethodAnswer> answers) {
     for (std::size_t i = 0; i < pairs.size(); ++i)
       if ((answers[i] = ask(pairs[i])).status == Status::failed) return i + 1;
     return pairs.size();
   }
-  /// Of one that runs apart: CPU time that its processes have taken.
+  /// Returns the CPU time of its processes, if it is out of process.
   virtual std::chrono::nanoseconds cpu_time() const { return {}; }
 
   using Call = std::function<Verdict(std::size_t)>;

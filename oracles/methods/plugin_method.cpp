@@ -62,7 +62,9 @@ struct Label {
   double relative = 0, absolute = 0;
   bool batch = false;     ///< `ask_all` is there
   bool many = false;      ///< `ask_many` is
-  bool rounding = false;  ///< it is asked about rounded solids
+  bool rounding = false;  ///< a cylinder is nine numbers
+  int shapes = 0;         ///< the sum of its DaylightShapes
+  SizeRange sizes;
 };
 
 /// Bytes that are read of a text of a library's.
@@ -72,10 +74,13 @@ std::string text_of(const char* text, std::size_t cap) {
   return text ? std::string(text, strnlen(text, cap)) : "";
 }
 
-/// The interface that ends with `ask_all`, which is still asked.
-constexpr int first_interface = 1;
+/// Interface 1 ends with `ask_all`, interface 2 with `takes_rounding`.
+constexpr int first_interface = 1, second_interface = 2;
 
 bool has_second_part(const DaylightMethod& method) { return method.abi > first_interface; }
+bool has_third_part(const DaylightMethod& method) { return method.abi > second_interface; }
+
+constexpr int all_shapes = DAYLIGHT_SPHERE | DAYLIGHT_CAPSULE | DAYLIGHT_CYLINDER | DAYLIGHT_ROUNDED_CYLINDER;
 
 void check(const DaylightMethod* method) {
   if (!method) throw std::runtime_error("its daylight_method() returns none");
@@ -86,7 +91,24 @@ void check(const DaylightMethod* method) {
   if (!method->name || !method->ask) throw std::runtime_error("it has no name or no `ask`");
   if (!(method->claim_relative >= 0) || !(method->claim_absolute >= 0))
     throw std::runtime_error("its claim is negative");
+  if (!has_third_part(*method)) return;
+  if (method->shapes < 0 || method->shapes > all_shapes)
+    throw std::runtime_error("its shapes are not a sum of DaylightShapes");
+  if ((method->shapes & ~DAYLIGHT_CYLINDER) != 0 && method->takes_rounding != 1)
+    throw std::runtime_error("it lists shapes with a rounding; set takes_rounding to 1");
+  for (const double limit : {method->least_length, method->greatest_length, method->greatest_aspect})
+    if (!(limit >= 0) || std::isinf(limit)) throw std::runtime_error("a limit of its sizes is not a length");
+  if (method->greatest_length != 0 && method->greatest_length < method->least_length)
+    throw std::runtime_error("its greatest_length is less than its least_length");
 }
+
+int shapes_of(const DaylightMethod& method) {
+  if (has_third_part(method) && method.shapes != 0) return method.shapes;
+  return has_second_part(method) && method.takes_rounding == 1 ? all_shapes : DAYLIGHT_CYLINDER;
+}
+
+/// In the interface, 0 means no limit.
+double limit_or_none(double limit) { return limit == 0 ? std::numeric_limits<double>::max() : limit; }
 
 /// Returns all methods of a library.
 std::vector<const DaylightMethod*> load(const std::string& file) {
@@ -109,11 +131,14 @@ std::vector<const DaylightMethod*> load(const std::string& file) {
 nlohmann::json describe(const std::string& file) try {
   nlohmann::json labels = nlohmann::json::array();
   for (const DaylightMethod* method : load(file)) {
-    labels.push_back({text_of(method->name, name_cap), text_of(method->version, name_cap),
-                      text_of(method->claim_source, source_cap), method->claim_relative,
-                      method->claim_absolute, method->ask_all != nullptr,
-                      has_second_part(*method) && method->ask_many,
-                      has_second_part(*method) && method->takes_rounding == 1});
+    const bool third = has_third_part(*method);
+    labels.push_back(
+        {text_of(method->name, name_cap), text_of(method->version, name_cap),
+         text_of(method->claim_source, source_cap), method->claim_relative, method->claim_absolute,
+         method->ask_all != nullptr, has_second_part(*method) && method->ask_many,
+         has_second_part(*method) && method->takes_rounding == 1, shapes_of(*method),
+         third ? method->least_length : 0, limit_or_none(third ? method->greatest_length : 0),
+         limit_or_none(third ? method->greatest_aspect : 0), !(third && method->no_zero_lengths == 1)});
   }
   return labels;
 } catch (const std::exception& error) {
@@ -165,7 +190,8 @@ std::vector<Label> read_labels(const std::string& file) {
   if (read.is_string()) throw std::runtime_error(read.get<std::string>());
   std::vector<Label> labels;
   for (const nlohmann::json& of : read)
-    labels.push_back({of.at(0), of.at(1), of.at(2), of.at(3), of.at(4), of.at(5), of.at(6), of.at(7)});
+    labels.push_back({of.at(0), of.at(1), of.at(2), of.at(3), of.at(4), of.at(5), of.at(6), of.at(7),
+                      of.at(8), SizeRange{of.at(9), of.at(10), of.at(11), of.at(12)}});
   return labels;
 }
 
@@ -197,7 +223,13 @@ class Plugin final : public Method {
     return {label_.relative, label_.absolute, label_.source};
   }
   bool guest() const override { return true; }
-  bool supports(SolidKind kind) const override { return label_.rounding || kind == SolidKind::cylinder; }
+  using Method::supports;
+  bool supports(SolidKind kind) const override {
+    static_assert(1 << static_cast<int>(SolidKind::sphere) == DAYLIGHT_SPHERE &&
+                  1 << static_cast<int>(SolidKind::rounded) == DAYLIGHT_ROUNDED_CYLINDER);
+    return (label_.shapes >> static_cast<int>(kind) & 1) != 0;
+  }
+  const SizeRange* sizes() const override { return &label_.sizes; }
 
   void initialize() override { loaded(); }
   MethodAnswer answer(const Pair& pair) override {
@@ -220,8 +252,10 @@ class Plugin final : public Method {
   std::size_t ask_many(std::span<const Pair> pairs, std::span<MethodAnswer> answers) override {
     std::vector<std::size_t> legal;
     for (std::size_t i = 0; i < pairs.size(); ++i) {
-      if (const auto declined = decline(pairs[i]))
-        answers[i] = *declined;
+      if (const auto invalid = decline_invalid(pairs[i]))
+        answers[i] = *invalid;
+      else if (!supports(pairs[i]))
+        answers[i] = decline(pairs[i]);
       else
         legal.push_back(i);
     }
@@ -296,12 +330,6 @@ class Plugin final : public Method {
 
   /// The bench asks whether there is such a way at all by no pairs, in its own process.
   const DaylightMethod* loaded(std::span<const Pair> pairs) { return pairs.empty() ? nullptr : &loaded(); }
-
-  std::optional<MethodAnswer> decline(const Pair& pair) const {
-    if (const auto invalid = decline_invalid(pair)) return invalid;
-    if (label_.rounding || !is_rounded(pair)) return {};
-    return declined_shape(kind_of(pair.a.rounding != 0 ? pair.a : pair.b));
-  }
 
   std::size_t number_count() const { return label_.rounding ? cylinder_number_count : core_number_count; }
 

@@ -12,12 +12,12 @@
 
 #include "base/fnv.hpp"
 #include "corpus/pairs/close_contact.hpp"
+#include "corpus/pairs/families.hpp"
 #include "corpus/pairs/pair_digest.hpp"
 #include "corpus/pairs/strata.hpp"
 #include "oracles/trial/bucket.hpp"
 #include "oracles/trial/contact.hpp"
 #include "props/gate/law_search.hpp"
-#include "props/gate/sample.hpp"
 #include "props/shrink/simplify.hpp"
 
 namespace cyl {
@@ -66,8 +66,9 @@ class Gate {
         cases_(cases),
         options_(options),
         on_progress_(on_progress),
+        solids_(solids_of(methods)),
         asker_(methods, options.caps) {
-    amount_ = options.amount.value_or(amount_of(options.pairs));
+    amount_ = options.amount.value_or(amount_of(options.pairs, solids_));
     questions_left_ = least_questions + options.pairs / pairs_per_rerun;
     skipped_.resize(methods.size());
     report_.seed = options.seed;
@@ -91,12 +92,20 @@ class Gate {
       replay_cases([](std::size_t, const Law& law) { return !is_of_answer(law); },
                    std::min<std::uint64_t>(amount_.cases_under_laws.value_or(cases_.size()), cases_.size()));
     });
-    in_phase(GatePhase::laws, [&] { search_laws(PairSource::kinds, amount_.law_rounds); });
-    in_phase(GatePhase::sample, [&] { sample(draw_strata, amount_.sample_rounds, distance_share); });
-    in_phase(GatePhase::close_laws,
-             [&] { search_laws(PairSource::close_contacts, amount_.close_law_rounds); });
-    in_phase(GatePhase::close_sample,
-             [&] { sample(draw_close_contacts, amount_.close_rounds, close_distance_share); });
+    if (solids_.cylinders) {
+      in_phase(GatePhase::laws, [&] { search_laws(PairSource::kinds, amount_.law_rounds); });
+      in_phase(GatePhase::sample, [&] { sample(draw_strata, amount_.sample_rounds, distance_share); });
+      in_phase(GatePhase::close_laws,
+               [&] { search_laws(PairSource::close_contacts, amount_.close_law_rounds); });
+      in_phase(GatePhase::close_sample,
+               [&] { sample(draw_close_contacts, amount_.close_rounds, close_distance_share); });
+    }
+    if (amount_.rounded_rounds > 0) {
+      in_phase(GatePhase::rounded_laws,
+               [&] { search_laws(PairSource::rounded, amount_.rounded_law_rounds); });
+      in_phase(GatePhase::rounded_sample,
+               [&] { sample(draw_rounded_solids, amount_.rounded_rounds, distance_share); });
+    }
     if (!options_.first_failure && !options_.as_found &&
         std::any_of(report_.failures.begin(), report_.failures.end(), is_error))
       in_phase(GatePhase::simplify, [&] { simplify_failures(); });
@@ -256,7 +265,8 @@ class Gate {
   /// one round of so many.
   void sample(SampleRound (*draw)(std::uint64_t, std::uint64_t), std::uint64_t due, std::uint64_t distances) {
     for (std::uint64_t& round = report_.phases.back().rounds; goes_on(round, due, "rounds");) {
-      const SampleRound drawn = draw(options_.seed, round);
+      SampleRound drawn = draw(options_.seed, round);
+      keep_supported(drawn, methods_, solids_.sizes);
       const LawFilter wanted = [&](std::size_t, const Law& law) {
         return is_of_answer(law) && law.queries == needs_none &&
                (round % distances == 0 || law.number != distance_law);
@@ -273,7 +283,7 @@ class Gate {
           if (b.violation.severity == Severity::contract) said[b.method].wrong_beyond[b.pair] = true;
         }
         record(b.method, *b.law, b.violation, drawn.pairs[b.pair], drawn.origins[b.pair],
-               drawn.strata[b.pair]);
+               drawn.strata.empty() ? std::nullopt : std::optional(drawn.strata[b.pair]));
       }
       for (std::size_t m = 0; m < methods_.size(); ++m) count_cells(report_.methods[m], drawn, said[m]);
       report_.undecided_truths += static_cast<std::uint64_t>(
@@ -370,6 +380,7 @@ class Gate {
   std::span<const Case> cases_;
   const GateOptions& options_;
   const std::function<void(const GateProgress&)>& on_progress_;
+  const DrawnSolids solids_;
   Asker asker_;  ///< a failure is run again without it, in a worker that knows of nothing else
   GateAmount amount_;
   std::uint64_t questions_left_ = 0;
@@ -394,19 +405,29 @@ GateReport run_gate(std::span<const std::unique_ptr<Method>> methods, std::span<
   return Gate(methods, cases, options, on_progress).run();
 }
 
-GateAmount amount_of(std::uint64_t pairs) {
+GateAmount amount_of(std::uint64_t pairs, const DrawnSolids& solids) {
   constexpr std::uint64_t law_round = draws_per_round * pairs_per_draw;
   constexpr std::uint64_t sample_round = pairs_per_stratum * drawn_strata.size();
   const auto rounds = [](std::uint64_t amount, std::uint64_t round) {
     return std::max<std::uint64_t>(1, (amount + round - 1) / round);
   };
-  // Halves: the laws' and the samples' of close contacts, and of all else.
-  const std::uint64_t under_laws = pairs / (1 + law_cost) / 2, sampled = (pairs - 2 * under_laws) / 2;
-  return {.cases_under_laws = {},
-          .law_rounds = rounds(under_laws, law_round),
-          .sample_rounds = rounds(sampled, sample_round),
-          .close_law_rounds = rounds(under_laws, law_round),
-          .close_rounds = rounds(sampled, close_round)};
+  const std::uint64_t parts =
+      std::max<std::uint64_t>(1, (solids.cylinders ? 2 : 0) + (solids.rounded_kinds > 0));
+  const std::uint64_t under_laws = pairs / (1 + law_cost) / parts,
+                      sampled = (pairs - parts * under_laws) / parts;
+  GateAmount amount;
+  if (solids.cylinders) {
+    amount.law_rounds = amount.close_law_rounds = rounds(under_laws, law_round);
+    amount.sample_rounds = rounds(sampled, sample_round);
+    amount.close_rounds = rounds(sampled, close_round);
+  }
+  if (solids.rounded_kinds > 0) {
+    // Of the pairs drawn for laws, only those of supported kinds are asked.
+    const std::uint64_t drawn = under_laws * rounded_families().size() / solids.rounded_kinds;
+    amount.rounded_law_rounds = rounds(drawn, law_round);
+    amount.rounded_rounds = rounds(sampled, pairs_per_kinds * solids.rounded_kinds);
+  }
+  return amount;
 }
 
 }  // namespace cyl

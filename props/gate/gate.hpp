@@ -16,6 +16,7 @@
 #include "corpus/store/case_files.hpp"
 #include "oracles/methods/method.hpp"
 #include "props/gate/gate_report.hpp"
+#include "props/gate/sample.hpp"
 
 namespace cyl {
 
@@ -29,12 +30,13 @@ inline constexpr std::uint64_t gate_pairs = 500'000;
 struct GateAmount {
   std::optional<std::uint64_t> cases_under_laws;  ///< all, where not given
   std::uint64_t law_rounds = 0, sample_rounds = 0;
-  std::uint64_t close_law_rounds = 0, close_rounds = 0;  ///< 0: as gates drew that did not know them
+  std::uint64_t close_law_rounds = 0, close_rounds = 0;  ///< 0 in the reports of earlier gates
+  std::uint64_t rounded_law_rounds = 0, rounded_rounds = 0;
 };
 
-/// Returns the amount of so many pairs in all, half of them close contacts, in whole rounds and at least one
-/// of each.
-GateAmount amount_of(std::uint64_t pairs);
+/// Returns the amount of so many pairs in all, in equal parts of pairs of every stratum, of close contacts,
+/// and of rounded solids if some guest supports them: whole rounds, and at least one of each.
+GateAmount amount_of(std::uint64_t pairs, const DrawnSolids& solids = {});
 
 struct GateOptions {
   std::uint64_t seed = 1;

@@ -40,7 +40,7 @@ bool fails_gate(const GateFailure& failure) { return is_error(failure) && !failu
 int exit_code(const GateReport& report) {
   if (std::any_of(report.failures.begin(), report.failures.end(), fails_gate)) return 2;
   const auto unsampled = [](const GatePhaseReport& p) {
-    return p.phase == GatePhase::sample && p.pairs == 0;
+    return (p.phase == GatePhase::sample || p.phase == GatePhase::rounded_sample) && p.pairs == 0;
   };
   const bool undecided = report.undecided_truths > 0 || !report.not_asked.empty() ||
                          std::any_of(report.phases.begin(), report.phases.end(), unsampled) ||

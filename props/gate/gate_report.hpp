@@ -21,13 +21,15 @@ namespace cyl {
 
 /// In the order they are run.
 enum class GatePhase : unsigned char {
-  corpus,        ///< every case, in full, by law 30 and on
-  corpus_laws,   ///< all other laws on every case
-  laws,          ///< all laws on generated pairs
-  sample,        ///< the differential sample: independent pairs of every stratum against the referee
-  close_laws,    ///< all laws on generated close contacts
-  close_sample,  ///< independent close contacts of every cell against the referee
-  simplify       ///< failures are run again and made simpler; its pairs are the failures'
+  corpus,          ///< every case, in full, by law 30 and on
+  corpus_laws,     ///< all other laws on every case
+  laws,            ///< all laws on generated pairs
+  sample,          ///< the differential sample: independent pairs of every stratum against the referee
+  close_laws,      ///< all laws on generated close contacts
+  close_sample,    ///< independent close contacts of every cell against the referee
+  rounded_laws,    ///< all laws on generated rounded solids
+  rounded_sample,  ///< independent rounded solids against the referee
+  simplify         ///< failures are run again and made simpler; its pairs are the failures'
 };
 constexpr auto words_of(GatePhase) noexcept {
   return std::array{"corpus",
@@ -36,6 +38,8 @@ constexpr auto words_of(GatePhase) noexcept {
                     "sample of all strata",
                     "laws on close contacts",
                     "sample of close contacts",
+                    "laws on rounded solids",
+                    "sample of rounded solids",
                     "simplification"};
 }
 
@@ -92,6 +96,12 @@ struct CloseGateCell {
   std::uint64_t undecided = 0;  ///< besides
 };
 
+/// Independent random pairs with a sphere, a capsule or a rounded cylinder. Wrong: if the proved margin is
+/// beyond the claim.
+struct RoundedCount {
+  std::uint64_t pairs = 0, wrong = 0, undecided = 0;
+};
+
 /// What became of one method.
 struct GateMethod {
   std::string name, version;
@@ -99,6 +109,7 @@ struct GateMethod {
   AnswerCounts counts;
   std::vector<GateCell> cells;
   std::vector<CloseGateCell> close_cells;  ///< in the order of their numbers
+  RoundedCount rounded;
   std::string remark;  ///< "abstains on every pair", "answers intersecting to every pair", ...; else empty
 };
 

@@ -52,6 +52,28 @@ const std::vector<Case>& few_cases() {
 /// One round of either law search, three of the strata, four of close contacts: 12 pairs of each stratum.
 constexpr std::uint64_t few_pairs = 2500;
 
+/// A guest with spheres and capsules of ordinary size.
+class OfBalls : public FakeMethod {
+ public:
+  explicit OfBalls(Ask ask)
+      : FakeMethod("balls", std::move(ask),
+                   {.claim = Claim{1e-12, 0, "planted"}, .foreign = false, .guest = true}) {}
+  using FakeMethod::supports;
+  bool supports(SolidKind kind) const override {
+    return kind == SolidKind::sphere || kind == SolidKind::capsule;
+  }
+  const SizeRange* sizes() const override { return &sizes_; }
+
+ private:
+  SizeRange sizes_{.least = 0.01, .greatest = 100};
+};
+
+GateReport gate_on_balls(FakeMethod::Ask ask, std::uint64_t pairs) {
+  std::vector<std::unique_ptr<Method>> methods;
+  methods.push_back(std::make_unique<OfBalls>(std::move(ask)));
+  return run_gate(methods, few_cases(), {.pairs = pairs, .as_found = true});
+}
+
 GateReport run_on(const Planted::Ask& ask, GateOptions options) {
   std::vector<std::unique_ptr<Method>> methods;
   methods.push_back(std::make_unique<Planted>(ask, "planted", Claim{1e-12, 0, "planted"}));
@@ -121,6 +143,31 @@ TEST(Gate, AllIsAskedWithinAWideCap) {
   EXPECT_EQ(exit_code(report), 0);
   report.not_asked.push_back("a method of the base");
   EXPECT_EQ(exit_code(report), 3);
+}
+
+TEST(Gate, AsksAGuestOfSpheresAndCapsulesAboutThese) {
+  const GateReport report =
+      gate_on_balls([](const Pair& pair) { return say(decide(pair.a, pair.b).verdict); }, 4000);
+  EXPECT_EQ(exit_code(report), 0);
+  const GateMethod& method = report.methods.at(0);
+  EXPECT_GE(method.counts.asked, 3500u);
+  EXPECT_EQ(method.counts.declined, 0u);
+  EXPECT_GE(method.rounded.pairs, 3000u);
+  EXPECT_EQ(method.rounded.wrong, 0u);
+  for (const GatePhaseReport& phase : report.phases)
+    EXPECT_TRUE(phase.phase != GatePhase::sample && phase.phase != GatePhase::close_sample);
+
+  const GateReport wrong = gate_on_balls([](const Pair&) { return say(Verdict::disjoint); }, 500);
+  EXPECT_EQ(exit_code(wrong), 2);
+  EXPECT_GT(wrong.methods.at(0).rounded.wrong, 0u);
+}
+
+TEST(Gate, SharesThePairsAmongTheSolidsOfAGuest) {
+  const GateAmount all = amount_of(30'000, {.cylinders = true, .rounded_kinds = 9});
+  EXPECT_EQ(all.sample_rounds, amount_of(20'000).sample_rounds);
+  EXPECT_EQ(all.rounded_rounds, amount_of(10'000, {.cylinders = false, .rounded_kinds = 9}).rounded_rounds);
+  EXPECT_EQ(amount_of(20'000).rounded_rounds, 0u);
+  EXPECT_EQ(amount_of(3 * 16 * 50 * 51 / 50, {.cylinders = false, .rounded_kinds = 3}).rounded_rounds, 50u);
 }
 
 TEST(Gate, TheAmountIsAFunctionOfTheNumberOfPairs) {

@@ -14,7 +14,8 @@ namespace cyl {
 namespace {
 
 /// By source: it says in a case's name what the case was drawn from.
-constexpr std::array property_ids{"laws", "close contacts"};
+constexpr std::array property_ids{"laws", "close contacts", "rounded solids"};
+constexpr std::array generators{pairs_of_one_kind, close_pairs_of_one_kind, rounded_pairs_of_one_kind};
 const char* property_id(PairSource source) { return property_ids[static_cast<std::size_t>(source)]; }
 
 /// Draws that RapidCheck may try while it shrinks one case: some seconds of work at most. The rest is for
@@ -40,8 +41,7 @@ class LawSearch {
     Silent listener;
     const auto result = rc::detail::checkTestable(
         [this] {
-          const PairsDrawn drawn = *(source_ == PairSource::kinds ? pairs_of_one_kind(pairs_per_draw)
-                                                                  : close_pairs_of_one_kind(pairs_per_draw));
+          const PairsDrawn drawn = *generators[static_cast<std::size_t>(source_)](pairs_per_draw);
           RC_TAG(drawn.from);
           if (stopped_)
             shrink(drawn);
@@ -144,7 +144,7 @@ SearchRound find_violation_again(std::span<const std::unique_ptr<Method>> method
     throw UsageError("'" + reproduce + "' names no case: " + error.what());
   }
   const WorthShrinking any = [](const LawFailure&) { return true; };
-  for (const PairSource source : {PairSource::kinds, PairSource::close_contacts})
+  for (const PairSource source : {PairSource::kinds, PairSource::close_contacts, PairSource::rounded})
     if (named.reproduce.contains(property_id(source)))
       return LawSearch(methods, wanted, any, source, asker).run({}, named.reproduce);
   throw UsageError("'" + reproduce + "' names no case");

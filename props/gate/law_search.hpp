@@ -44,8 +44,9 @@ inline constexpr int pairs_per_draw = 16;
 /// What pairs are drawn from. What a seed draws from `kinds` stays as it is, because a gate's base names its
 /// pairs by seeds: new families go to `close_contacts`.
 enum class PairSource : unsigned char {
-  kinds,          ///< the grid, the families of version 0.1.0, the strata
-  close_contacts  ///< of every cell, and the families since
+  kinds,           ///< the grid, the families of version 0.1.0, the strata
+  close_contacts,  ///< of every cell, and the families since
+  rounded          ///< the families of rounded solids
 };
 
 /// Draws the pairs of one kind `draws` times, and holds the methods to all laws that are wanted. Which pairs

@@ -5,6 +5,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <string>
 #include <tuple>
 #include <utility>
@@ -58,11 +59,10 @@ constexpr std::size_t first_families = 30;
 /// Indices of a family take turns in what they are: where close contacts begin is drawn as well.
 constexpr std::uint64_t turns = 16 * close_cell_count;
 
-/// Generates `count` pairs of one of the families from the first number up to the last, of the first indices
-/// or of any.
-rc::Gen<PairsDrawn> family_of(std::size_t first, std::size_t last, int count, bool from_any_index) {
-  return rc::gen::mapcat(rc::gen::noShrink(rc::gen::inRange(first, last)), [=](std::size_t i) {
-    const Family& f = families()[i];
+/// Generates `count` pairs of one of the families, of the first indices or of any.
+rc::Gen<PairsDrawn> family_of(std::span<const Family> all, int count, bool from_any_index) {
+  return rc::gen::mapcat(rc::gen::noShrink(rc::gen::inRange<std::size_t>(0, all.size())), [=](std::size_t i) {
+    const Family& f = all[i];
     return drawn("family " + std::string(f.name), count,
                  [&f, from_any_index](std::uint64_t seed, std::uint64_t index) -> std::optional<Pair> {
                    return f.generate(seed, index + (from_any_index ? seed % turns : 0));
@@ -91,7 +91,7 @@ rc::Gen<PairsDrawn> pairs_of_one_kind(int count) {
                    [](std::vector<Pair> pairs) {
                      return PairsDrawn{"grid", std::move(pairs)};
                    });
-  const auto family = family_of(0, first_families, count, false);
+  const auto family = family_of(families().first(first_families), count, false);
   const auto stratum =
       rc::gen::mapcat(rc::gen::noShrink(rc::gen::pair(rc::gen::inRange<std::size_t>(0, contact_feature_count),
                                                       rc::gen::inRange(first_decade, last_decade + 1))),
@@ -119,7 +119,11 @@ rc::Gen<PairsDrawn> close_pairs_of_one_kind(int count) {
   // At the full size: at lesser ones RapidCheck draws the first cells, and seeds next to 0, again and again.
   return rc::gen::resize(rc::kNominalSize,
                          rc::gen::weightedOneOf<PairsDrawn>(
-                             {{3, cell}, {1, family_of(first_families, families().size(), count, true)}}));
+                             {{3, cell}, {1, family_of(families().subspan(first_families), count, true)}}));
+}
+
+rc::Gen<PairsDrawn> rounded_pairs_of_one_kind(int count) {
+  return rc::gen::resize(rc::kNominalSize, family_of(rounded_families(), count, true));
 }
 
 }  // namespace cyl

@@ -31,6 +31,8 @@ struct PairsDrawn {
 rc::Gen<PairsDrawn> pairs_of_one_kind(int count);
 /// The same of close contacts: each cell, and each family since.
 rc::Gen<PairsDrawn> close_pairs_of_one_kind(int count);
+/// The same of rounded solids: each pair of kinds.
+rc::Gen<PairsDrawn> rounded_pairs_of_one_kind(int count);
 void showValue(const PairsDrawn& drawn, std::ostream& out);
 
 }  // namespace cyl

@@ -3,8 +3,11 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
+#include <utility>
 
+#include "corpus/pairs/families.hpp"
 #include "oracles/trial/compare.hpp"
 
 namespace cyl {
@@ -71,10 +74,55 @@ SampleRound draw_close_contacts(std::uint64_t seed, std::uint64_t round) {
   return drawn;
 }
 
+SampleRound draw_rounded_solids(std::uint64_t seed, std::uint64_t round) {
+  SampleRound drawn;
+  for (const Family& family : rounded_families()) {
+    for (std::uint64_t i = 0; i < pairs_per_kinds; ++i) {
+      const std::uint64_t index = round * pairs_per_kinds + i;
+      drawn.pairs.push_back(family.generate(seed, index));
+      drawn.origins.push_back(fmt::format("{}, seed {}, index {}", family.name, seed, index));
+    }
+  }
+  return drawn;
+}
+
+DrawnSolids solids_of(std::span<const std::unique_ptr<Method>> methods) {
+  DrawnSolids solids{.cylinders = false};
+  for (const auto& method : methods) {
+    solids.cylinders = solids.cylinders || method->supports(SolidKind::cylinder);
+    if (method->sizes()) solids.sizes = common_range(solids.sizes, *method->sizes());
+  }
+  const auto some_guest_supports = [&](const Pair& pair) {
+    return std::ranges::any_of(methods, [&](const auto& method) {
+      return method->guest() && method->supports(kind_of(pair.a)) && method->supports(kind_of(pair.b));
+    });
+  };
+  for (const Family& family : rounded_families())
+    solids.rounded_kinds += some_guest_supports(family.generate(0, 0));
+  return solids;
+}
+
+void keep_supported(SampleRound& round, std::span<const std::unique_ptr<Method>> methods,
+                    const SizeRange& sizes) {
+  SampleRound kept;
+  for (std::size_t p = 0; p < round.pairs.size(); ++p) {
+    const auto pair = fitted(round.pairs[p], sizes);
+    if (!pair || std::ranges::none_of(methods, [&](const auto& m) { return m->supports(*pair); })) continue;
+    kept.pairs.push_back(*pair);
+    kept.origins.push_back(std::move(round.origins[p]));
+    if (!round.strata.empty()) kept.strata.push_back(round.strata[p]);
+    if (!round.contacts.empty()) kept.contacts.push_back(round.contacts[p]);
+  }
+  round = std::move(kept);
+}
+
 void count_cells(GateMethod& method, const SampleRound& round, const RoundAnswers& said) {
   for (std::size_t p = 0; p < round.pairs.size(); ++p) {
     const double size = size_of(round.pairs[p]);
-    if (round.contacts.empty()) {
+    if (round.strata.empty()) {
+      method.rounded.pairs += is_trial(said, p, method.rounded.undecided);
+      method.rounded.wrong += said.wrong_beyond[p];
+    } else if (round.contacts.empty()) {
       GateCell& at = method.cells[number_of(round.strata[p])];
       at.claimed = at.claimed && claims(method.claim, size, at.stratum.decade);
       at.pairs += is_trial(said, p, at.undecided);

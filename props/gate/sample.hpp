@@ -3,12 +3,15 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
+#include "corpus/pairs/size_range.hpp"
 #include "corpus/pairs/strata.hpp"
+#include "oracles/methods/method.hpp"
 #include "props/gate/gate_report.hpp"
 
 namespace cyl {
@@ -19,16 +22,31 @@ std::vector<CloseGateCell> empty_close_cells();
 /// The number of pairs of one stratum in one round.
 inline constexpr std::uint64_t pairs_per_stratum = 4;
 
-/// The pairs of one round, with where each stands and came from; of close contacts also how they were built.
+/// The pairs of one round, each with its stratum and origin. Close contacts come with how they were built.
 struct SampleRound {
   std::vector<Pair> pairs;
-  std::vector<Stratum> strata;
   std::vector<std::string> origins;
-  std::vector<CloseContact> contacts;  ///< empty of strata
+  std::vector<Stratum> strata;         ///< empty for rounded solids
+  std::vector<CloseContact> contacts;  ///< of close contacts only
 };
 /// Draw rounds: pure functions of their arguments.
 SampleRound draw_strata(std::uint64_t seed, std::uint64_t round);
 SampleRound draw_close_contacts(std::uint64_t seed, std::uint64_t round);
+SampleRound draw_rounded_solids(std::uint64_t seed, std::uint64_t round);
+/// The number of pairs of each two kinds in one round of rounded solids.
+inline constexpr std::uint64_t pairs_per_kinds = 16;
+
+/// What the methods together state that they support.
+struct DrawnSolids {
+  bool cylinders = true;            ///< some method supports them
+  std::uint64_t rounded_kinds = 0;  ///< pairs of kinds with a rounding that some guest supports
+  SizeRange sizes = {};             ///< what all support
+};
+DrawnSolids solids_of(std::span<const std::unique_ptr<Method>> methods);
+
+/// Scales the pairs into the range. Drops those that do not fit or that no method supports.
+void keep_supported(SampleRound& round, std::span<const std::unique_ptr<Method>> methods,
+                    const SizeRange& sizes);
 
 /// What one method said to the pairs of a round, and whether it was wrong: refuted, or no answer.
 struct RoundAnswers {

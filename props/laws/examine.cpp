@@ -63,7 +63,12 @@ class Examination {
     for (std::size_t m = 0; m < methods_.size(); ++m) {
       const auto wanted_of_it = [&](const Law& law) { return wanted_(m, law); };
       if (std::none_of(all_laws().begin(), all_laws().end(), wanted_of_it)) continue;
-      for (std::size_t p = 0; p < pairs_.size(); ++p) questions.push_back({m, p});
+      for (std::size_t p = 0; p < pairs_.size(); ++p) {
+        if (methods_[m]->supports(pairs_[p]))
+          questions.push_back({m, p});
+        else
+          answer(m, p) = methods_[m]->decline(pairs_[p]);
+      }
     }
     const std::vector<ContainedAnswer> said = asker_.ask(pairs_, questions);
     for (std::size_t q = 0; q < questions.size(); ++q) {
@@ -77,7 +82,7 @@ class Examination {
     for (std::size_t m = 0; m < methods_.size(); ++m)
       for (std::size_t p = 0; p < pairs_.size(); ++p)
         for (const Law& law : all_laws())
-          if (wanted_(m, law)) add_job({m, p, &law, {}});
+          if (methods_[m]->supports(pairs_[p]) && wanted_(m, law)) add_job({m, p, &law, {}});
   }
 
   void add_job(Job job) {

@@ -46,12 +46,13 @@ struct Examined {
 /// Returns whether a method is held to a law.
 using LawFilter = std::function<bool(std::size_t method, const Law& law)>;
 
-/// Asks every method contained that any law is wanted of: each pair once, then all that the laws want.
-/// Deterministic but for hangs.
+/// Asks the methods, contained: each pair that a method supports once, then all queries of the laws that
+/// `wanted` selects for it. An unsupported pair is declined without a question, and is not counted.
+/// Deterministic except for hangs.
 Examined examine(std::span<const std::unique_ptr<Method>> methods, std::span<const Pair> pairs,
                  const LawFilter& wanted, Asker& asker);
 
-/// Likewise, in workers that are started for it.
+/// Does the same, in new workers.
 Examined examine(std::span<const std::unique_ptr<Method>> methods, std::span<const Pair> pairs,
                  const LawFilter& wanted, const Caps& caps = {});
 

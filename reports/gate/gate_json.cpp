@@ -4,13 +4,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <set>
 #include <span>
 #include <stdexcept>
+#include <utility>
 
 #include "base/json.hpp"
 #include "corpus/pairs/pair_io.hpp"
@@ -62,6 +62,8 @@ json method(const GateMethod& m) {
           {"counts", counts(m.counts)},
           {"cells", std::move(cells)},
           {"close_cells", std::move(close_cells)},
+          {"rounded",
+           {{"pairs", m.rounded.pairs}, {"wrong", m.rounded.wrong}, {"undecided", m.rounded.undecided}}},
           {"remark", m.remark}};
 }
 
@@ -86,15 +88,13 @@ json failure(const GateFailure& f) {
           {"in_base", f.in_base}};
 }
 
-constexpr std::array drawing_phases{GatePhase::laws, GatePhase::sample, GatePhase::close_laws,
-                                    GatePhase::close_sample};
-
-std::uint64_t& rounds_of(GateAmount& amount, GatePhase drawing) {
-  return drawing == GatePhase::laws         ? amount.law_rounds
-         : drawing == GatePhase::sample     ? amount.sample_rounds
-         : drawing == GatePhase::close_laws ? amount.close_law_rounds
-                                            : amount.close_rounds;
-}
+constexpr std::pair<GatePhase, std::uint64_t GateAmount::*> drawing_phases[]{
+    {GatePhase::laws, &GateAmount::law_rounds},
+    {GatePhase::sample, &GateAmount::sample_rounds},
+    {GatePhase::close_laws, &GateAmount::close_law_rounds},
+    {GatePhase::close_sample, &GateAmount::close_rounds},
+    {GatePhase::rounded_laws, &GateAmount::rounded_law_rounds},
+    {GatePhase::rounded_sample, &GateAmount::rounded_rounds}};
 
 }  // namespace
 
@@ -154,9 +154,9 @@ GateBase read_base(const std::string& file) {
       const std::uint64_t pairs = natural(phase, "pairs");
       if (is(GatePhase::corpus)) replayed = pairs;
       if (is(GatePhase::corpus_laws) && pairs < replayed) base.amount.cases_under_laws = pairs;
-      for (const GatePhase p : drawing_phases) {
+      for (const auto& [p, rounds] : drawing_phases) {
         if (!is(p)) continue;
-        rounds_of(base.amount, p) = natural(phase, "rounds");
+        base.amount.*rounds = natural(phase, "rounds");
         phase.at("digest").get_to(base.digests[p]);
       }
     }
@@ -200,12 +200,13 @@ void note_gaps(GateReport& report, const GateBase& base) {
   const auto missing = std::count_if(base.cases.begin(), base.cases.end(),
                                      [&](const std::string& digest) { return !asked.contains(digest); });
   if (missing > 0) miss(fmt::format("{} of {} cases", missing, base.cases.size()));
-  GateAmount amount = base.amount;
   for (const GatePhaseReport& phase : report.phases) {
     const auto found = base.digests.find(phase.phase);
     if (found == base.digests.end()) continue;
-    // Where the time was over before, that was said.
-    if (phase.rounds == rounds_of(amount, phase.phase) && found->second != hex(phase.digest))
+    const auto rounds =
+        std::ranges::find(drawing_phases, phase.phase, [](const auto& p) { return p.first; })->second;
+    // If the time was over before, that was reported.
+    if (phase.rounds == base.amount.*rounds && found->second != hex(phase.digest))
       miss(fmt::format("{}: the pairs", to_string(phase.phase)));
   }
 }

@@ -257,6 +257,16 @@ std::string close_in_words(const std::vector<CloseGateCell>& all) {
   return text;
 }
 
+std::string rounded_in_words(const RoundedCount& count) {
+  if (count.pairs + count.undecided == 0) return {};
+  const std::string wrong =
+      count.wrong == 0 ? "right" : fmt::format("wrong on {} of them", grouped(count.wrong));
+  return fmt::format(
+      "; {} independent pairs with a sphere, capsule or rounded cylinder, {} beyond its claim{}",
+      grouped(count.pairs), wrong,
+      count.undecided > 0 ? fmt::format(", undecided on {} more", grouped(count.undecided)) : "");
+}
+
 }  // namespace
 
 std::string proved_in_words(const GateMethod& method) {
@@ -287,7 +297,8 @@ std::string proved_in_words(const GateMethod& method) {
 
   std::string text = one_line(method.name) + ": ";
   if (cells == 0) {
-    text += "nothing proved, no independent pair decided in any cell it claims";
+    if (method.rounded.pairs == 0)
+      text += "nothing proved, no independent pair decided in any cell it claims";
   } else {
     const std::string each = least == most ? grouped(least) : grouped(least) + " to " + grouped(most);
     text += wrong == 0
@@ -306,7 +317,7 @@ std::string proved_in_words(const GateMethod& method) {
   }
   if (undecided > 0) text += fmt::format("; undecided on {} more", grouped(undecided));
   if (!empty.empty()) text += "; empty: " + empty;
-  return text + close_in_words(method.close_cells);
+  return text + close_in_words(method.close_cells) + rounded_in_words(method.rounded);
 }
 
 std::string gate_text(const GateReport& report) {

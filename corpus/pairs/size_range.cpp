@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: MIT
+#include "corpus/pairs/size_range.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "corpus/pairs/pair_numbers.hpp"
+#include "corpus/pairs/solid_kind.hpp"
+
+namespace cyl {
+namespace {
+
+struct Lengths {
+  double least = std::numeric_limits<double>::infinity(), greatest = 0;
+};
+
+/// Of those that are not 0.
+Lengths lengths_of(const Cylinder& c) {
+  Lengths lengths;
+  for (const double x : {c.radius, c.height, c.rounding}) {
+    if (x == 0) continue;
+    lengths.least = std::min(lengths.least, x);
+    lengths.greatest = std::max(lengths.greatest, x);
+  }
+  return lengths;
+}
+
+bool has_zero_length(const Cylinder& c) {
+  const SolidKind kind = kind_of(c);
+  return (kind == SolidKind::cylinder && c.radius == 0) ||
+         ((kind == SolidKind::cylinder || kind == SolidKind::rounded) && c.height == 0);
+}
+
+}  // namespace
+
+bool SizeRange::holds(const Cylinder& solid) const {
+  if (!zero_lengths && has_zero_length(solid)) return false;
+  const Lengths lengths = lengths_of(solid);
+  if (lengths.greatest == 0) return true;
+  return lengths.least >= least && lengths.greatest <= greatest && lengths.greatest / lengths.least <= aspect;
+}
+
+SizeRange common_range(const SizeRange& x, const SizeRange& y) {
+  return {std::max(x.least, y.least), std::min(x.greatest, y.greatest), std::min(x.aspect, y.aspect),
+          x.zero_lengths && y.zero_lengths};
+}
+
+std::optional<Pair> fitted(const Pair& pair, const SizeRange& range) {
+  if (range.holds(pair)) return pair;
+  const Lengths a = lengths_of(pair.a), b = lengths_of(pair.b);
+  const double least = std::min(a.least, b.least), greatest = std::max(a.greatest, b.greatest);
+  if (!(greatest > 0)) return {};
+  // The least power of two that makes the least length large enough, else the greatest that keeps the greatest
+  // length small enough.
+  const double factor = least < range.least ? range.least / least : range.greatest / greatest;
+  const int exponent = least < range.least ? static_cast<int>(std::ceil(std::log2(factor)))
+                                           : static_cast<int>(std::floor(std::log2(factor)));
+  const auto moved = scaled_exactly(pair, exponent);
+  if (!moved || !range.holds(*moved)) return {};
+  return moved;
+}
+
+}  // namespace cyl

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: MIT
+// The sizes of solids that a method states it supports.
+#pragma once
+
+#include <limits>
+#include <optional>
+
+#include "solver/cylinder.hpp"
+
+namespace cyl {
+
+/// Limits of the radius, height and rounding of one solid, in the unit of the scene. A sphere has no radius
+/// and no height, and a capsule no radius. The limits do not apply to these.
+struct SizeRange {
+  double least = 0, greatest = std::numeric_limits<double>::infinity();
+  double aspect = std::numeric_limits<double>::infinity();  ///< the greatest length divided by the least
+  bool zero_lengths = true;  ///< includes cylinders, rounded or not, with a radius or height of 0
+
+  bool holds(const Cylinder& solid) const;
+  bool holds(const Pair& pair) const { return holds(pair.a) && holds(pair.b); }
+  bool operator==(const SizeRange&) const = default;
+};
+
+/// Returns the range that both hold.
+SizeRange common_range(const SizeRange& x, const SizeRange& y);
+
+/// Returns the pair, times a power of two if the range does not hold it as it is. Returns nothing if no power
+/// of two brings it into the range, or if a length would be rounded.
+std::optional<Pair> fitted(const Pair& pair, const SizeRange& range);
+
+}  // namespace cyl

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: MIT
+#include "corpus/pairs/size_range.hpp"
+
+#include <gtest/gtest.h>
+
+#include "corpus/pairs/pair_numbers.hpp"
+
+namespace cyl {
+namespace {
+
+Cylinder solid(double radius, double height, double rounding = 0) {
+  return {Vector3(1, 0, 0), Vector3(0, 0, 1), radius, height, rounding};
+}
+
+TEST(SizeRange, LimitsTheLengthsOfASolid) {
+  const SizeRange range{.least = 0.1, .greatest = 10, .aspect = 20};
+  EXPECT_TRUE(range.holds(solid(0.5, 10)));
+  EXPECT_FALSE(range.holds(solid(0.09, 1)));
+  EXPECT_FALSE(range.holds(solid(1, 10.5)));
+  EXPECT_FALSE(range.holds(solid(0.4, 10))) << "an aspect of 25";
+  EXPECT_FALSE(range.holds(Pair{solid(1, 1), solid(1, 11)}));
+}
+
+TEST(SizeRange, CountsNoMissingLengthOfSpheresAndCapsules) {
+  const SizeRange range{.least = 0.1, .greatest = 10, .zero_lengths = false};
+  EXPECT_TRUE(range.holds(solid(0, 0, 1))) << "sphere";
+  EXPECT_TRUE(range.holds(solid(0, 2, 1))) << "capsule";
+  EXPECT_FALSE(range.holds(solid(1, 0, 1))) << "rounded disk";
+  EXPECT_FALSE(range.holds(solid(1, 0))) << "disk";
+  EXPECT_FALSE(range.holds(solid(0, 1))) << "segment";
+  EXPECT_TRUE(SizeRange{.least = 0.1}.holds(solid(1, 0)));
+}
+
+TEST(SizeRange, ScalesAPairIntoTheRange) {
+  const SizeRange range{.least = 0.1, .greatest = 10};
+  const Pair small{solid(0.01, 0.02), solid(0.03, 0.04)}, large{solid(100, 20), solid(8, 40)};
+  ASSERT_TRUE(fitted(small, range));
+  EXPECT_EQ(numbers_of(*fitted(small, range)), numbers_of(scaled(small, 4)));
+  EXPECT_EQ(numbers_of(*fitted(large, range)), numbers_of(scaled(large, -4)));
+  EXPECT_EQ(numbers_of(*fitted(scaled(small, 4), range)), numbers_of(scaled(small, 4)));
+  EXPECT_FALSE(fitted(Pair{solid(0.01, 1), solid(1, 100)}, range)) << "no scale fits";
+  EXPECT_FALSE(fitted(small, {.least = 0.1, .greatest = 0.2, .zero_lengths = false}));
+}
+
+TEST(SizeRange, OfTwoMethodsIsWhatBothHold) {
+  const SizeRange x{.least = 0.1, .greatest = 10}, y{.least = 1, .aspect = 5, .zero_lengths = false};
+  EXPECT_EQ(common_range(x, y), (SizeRange{.least = 1, .greatest = 10, .aspect = 5, .zero_lengths = false}));
+}
+
+}  // namespace
+}  // namespace cyl
