@@ -20,6 +20,7 @@
 #include "base/files.hpp"
 #include "base/json.hpp"
 #include "base/process/process.hpp"
+#include "base/source_tree.hpp"
 #include "corpus/pairs/families.hpp"
 #include "corpus/store/batch_bytes.hpp"
 #include "corpus/store/case_files.hpp"
@@ -142,7 +143,7 @@ struct MutantsMainArguments {
   std::vector<int> only;
   std::vector<std::string> detectors;
   bool first = false;
-  std::string json, corpus = DAYLIGHT_SOURCE_DIR "/corpus/cases";
+  std::string json, corpus = in_source_tree("corpus/cases");
 };
 
 int matrix(const MutantsMainArguments& arguments) {

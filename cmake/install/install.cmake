@@ -83,5 +83,15 @@ if(NOT CMAKE_CROSSCOMPILING)
   install(FILES ${CMAKE_BINARY_DIR}/generated/daylight.bash RENAME daylight COMPONENT program
           DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions)
 endif()
+# The portable archive (cpack --preset portable): the program with the libraries that it needs, except those of the C and C++
+# compilers, which plug-ins share; the gate's self-check; vectors. It runs on any machine with a glibc as new as this one's.
+set(bundle ${CMAKE_INSTALL_LIBDIR}/daylight)
+# Libraries look for each other by the path of the program: its RPATH, not its RUNPATH.
+set_target_properties(daylight daylight-mutants PROPERTIES INSTALL_RPATH "$ORIGIN/../${bundle}" LINK_OPTIONS -Wl,--disable-new-dtags)
+install(TARGETS daylight daylight-mutants RUNTIME_DEPENDENCY_SET bundled RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT portable)
+install(RUNTIME_DEPENDENCY_SET bundled PRE_EXCLUDE_REGEXES "^(ld-linux|libc|libdl|libm|libpthread|librt|libgcc_s|libstdc\\+\\+)[-.]"
+        LIBRARY DESTINATION ${bundle} COMPONENT portable)
+file(GLOB vectors RELATIVE ${PROJECT_SOURCE_DIR} CONFIGURE_DEPENDS vectors/v1/*)
+install(FILES ${vectors} DESTINATION ${CMAKE_INSTALL_DATADIR}/daylight/vectors/v1 COMPONENT portable)
 install(FILES README.md DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT program)
 install(DIRECTORY docs DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT program FILES_MATCHING PATTERN *.md PATTERN *.svg PATTERN *.png)

@@ -171,6 +171,30 @@ else
   "$source/.ci/skip" 'the Debian packages: apt-get install dpkg-dev file' || [[ $? == 77 ]]
 fi
 
+# The portable archive finds all that it needs in its own folder, wherever it is unpacked, and gates a plug-in there.
+cpack -G TZST --config "$build/CPackConfig.cmake" -B "$PWD/archive" -D 'CPACK_COMPONENTS_ALL=program;portable;solver' \
+  -D CPACK_COMPONENTS_GROUPING=ALL_COMPONENTS_IN_ONE -D CPACK_ARCHIVE_COMPONENT_INSTALL=ON -D CPACK_PACKAGING_INSTALL_PREFIX=/ >log 2>&1 ||
+  fail "$(cat log)"
+mkdir portable
+tar -xf archive/*.tar.zst -C portable
+for program in portable/bin/*; do
+  ldd "$program" | sed -n 's/.* => \(\S*\) .*/\1/p' | grep -vE "^$PWD/portable/|/lib(c|m|pthread|gcc_s|stdc\+\+)\.so" >outside || true
+  [[ ! -s outside ]] || fail "$program needs $(cat outside)"
+  ! grep -qF -- "$source" "$program" || fail "$program names a path of this machine"
+done
+grep -q 'libfcl0.7/copyright' portable/share/doc/daylight/bundled-libraries.txt || fail "the archive lacks the licences of its libraries"
+cat >always.c <<'END'
+#include "plugin.h"
+static int ask(const double* a, const double* b, double* more) { return (void)a, (void)b, (void)more, DAYLIGHT_INTERSECTING; }
+static const struct DaylightMethod always = {.abi = DAYLIGHT_PLUGIN_ABI, .name = "always", .ask = ask};
+const struct DaylightMethod* daylight_method(void) { return &always; }
+END
+cc -shared -fPIC -I portable/share/daylight/oracles always.c -o always.so
+status=0
+portable/bin/daylight gate --plugin ./always.so --pairs 20000 >printed 2>&1 || status=$?
+[[ $status == 2 ]] || fail "the gate of the archive ends with $status: $(cat printed)"
+grep -q '^the gate itself, tried on methods with known faults: [1-9] of [1-9] caught' printed || fail "$(grep 'gate itself' printed)"
+
 # No header needs one that is not installed, nor one included before it; none warns, whoever compiles, and the plug-in's
 # is C too.
 cflags="$(pkg-config --cflags daylight-oracles | sed 's/-std=\S*//') -Wall -Wextra -Werror -fsyntax-only"

@@ -75,6 +75,19 @@ distances on NumPy arrays, and campaigns that test a Python callable."
     SHLIBDEPS DEPENDS "python3 (>= 3.${Python_VERSION_MINOR})" "python3 (<< 3.${next})" python3-numpy
     BUILT_IN libeigen3-dev nlohmann-json3-dev pybind11-dev)
 endif()
+# The licences of the libraries that the portable archive bundles.
+set(bundled_licences "")
+set(bundled bullet ccd console-bridge fcl fmt gmp lodepng mpfi mpfr mujoco nlopt octomap ode pugixml qhull-r seccomp sqlite3- tinyxml
+    urdfdom-model)
+list(TRANSFORM bundled REPLACE "(.+)" "/usr/share/doc/lib\\1*[0-9]/copyright")
+file(GLOB copyrights ${bundled} /usr/share/doc/zlib1g/copyright)
+foreach(file ${copyrights})
+  file(READ ${file} text)
+  string(APPEND bundled_licences "${file}\n\n${text}\n\n")
+endforeach()
+file(WRITE ${CMAKE_BINARY_DIR}/packages/portable/bundled-libraries.txt "${bundled_licences}")
+install(FILES ${CMAKE_BINARY_DIR}/packages/portable/bundled-libraries.txt DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/daylight
+        COMPONENT portable)
 include(CPack)
 
 # Installs into a clean prefix and builds the example of docs/library-use.md against it, by both ways. Not of libraries with
