@@ -114,7 +114,7 @@ void print_not_asked(const std::vector<std::unique_ptr<Method>>& methods) {
     for (const SolidKind kind : enum_values<SolidKind>)
       if (!method->supports(kind)) kinds.append(kinds.empty() ? "" : ", ").append(to_string(kind));
     if (!kinds.empty())
-      fmt::print("{} does not support {}, and is not asked about pairs with them\n", method->name(), kinds);
+      fmt::print("not asked about solids that {} does not support: {}\n", method->name(), kinds);
   }
 }
 

@@ -98,6 +98,7 @@ foreach(part data browser build scene robot)
 endforeach()
 daylight_script(hostile_test oracles 2400 ${Python3_EXECUTABLE} ${PROJECT_SOURCE_DIR}/oracles/methods/hostile_test.py
                 ${program})
+daylight_script(vectors_by_engine cli 600 bash -c "${PROJECT_SOURCE_DIR}/docs/results/vectors.py \"$0\" | diff ${PROJECT_SOURCE_DIR}/docs/results/vectors.md -" ${program})
 daylight_script(engines_test oracles 2400 ${PROJECT_SOURCE_DIR}/oracles/guests/engines_test.sh ${program})
 
 # Planted faults: not selected they change nothing; the program as it is survives every detector, a plain fault does not.
