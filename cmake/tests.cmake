@@ -91,6 +91,7 @@ daylight_script(algorithms_test cli 2400 ${Python3_EXECUTABLE} ${PROJECT_SOURCE_
 daylight_script(exact_test cli 600 ${Python3_EXECUTABLE} ${PROJECT_SOURCE_DIR}/python/vectors/exact_test.py)
 daylight_script(vectors_test cli 600 ${Python3_EXECUTABLE} ${PROJECT_SOURCE_DIR}/python/vectors/vectors_test.py ${program})
 daylight_script(vectors_js_test cli 600 ${PROJECT_SOURCE_DIR}/vectors/js/vectors_test.sh)
+daylight_script(add_gate_test cli 600 ${PROJECT_SOURCE_DIR}/cmake/gate/gate_test.sh ${program})
 daylight_script(workflows_test cli 1200 ${Python3_EXECUTABLE} ${PROJECT_SOURCE_DIR}/.ci/workflows/workflows_test.py ${program})
 daylight_script(compare_test bench 600 ${Python3_EXECUTABLE} ${PROJECT_SOURCE_DIR}/bench/compare_test.py)
 daylight_script(family_table_test bench 60 ${Python3_EXECUTABLE} ${PROJECT_SOURCE_DIR}/bench/family_table_test.py)
