@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -39,8 +40,12 @@ struct TriageArguments {
   std::optional<std::string> suppressions;
   std::vector<std::string> against;
   unsigned jobs = 2;
+  bool new_only = false;
   GuestOptions guests;
 };
+
+/// Whether the run has the cause, and no earlier run has it, or none of the recent ones.
+bool is_new(const Bucket& b) { return b.count > 0 && b.status != Recurrence::known; }
 
 int triage(const TriageArguments& arguments) {
   TriageOptions options;
@@ -67,11 +72,13 @@ int triage(const TriageArguments& arguments) {
                       p.findings, p.simplified, p.searched));
     });
   }
-  fmt::print("{}\n\n{}", what_changed(result.buckets), format_buckets(result.buckets));
   const auto here = std::ranges::count_if(result.buckets, [](const Bucket& b) { return b.count > 0; });
-  fmt::print("{} causes of {} kept findings", here, result.progress.classified);
-  if (const auto others = result.buckets.size() - static_cast<std::size_t>(here); others > 0)
-    fmt::print(" and {} of earlier runs alone", others);
+  const auto others = result.buckets.size() - static_cast<std::size_t>(here);
+  fmt::print("{}\n\n", what_changed(result.buckets));
+  if (arguments.new_only) std::erase_if(result.buckets, std::not_fn(is_new));
+  fmt::print("{}{} causes of {} kept findings", format_buckets(result.buckets), here,
+             result.progress.classified);
+  if (others > 0) fmt::print(" and {} of earlier runs alone", others);
   fmt::print("; {} simplified, {} causes searched for a worse pair, --for gives them more time\n",
              result.progress.simplified, result.progress.searched);
   const TriageProgress& p = result.progress;
@@ -156,6 +163,8 @@ void add_triage(Program& program) {
       .default_text("suppressions.jsonl");
   command.section("Output");
   command.option("--json FILE", arguments->json, "write the causes as JSON").writable();
+  command.flag("--new-only", arguments->new_only,
+               "list, write and fail on only the causes that earlier runs do not have");
   command.section("One cause");
   command.option("--explain KEY", arguments->explained, "only report why the method of this cause fails");
   command.option("--out DIR", arguments->out, "folder for --export");

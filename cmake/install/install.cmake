@@ -78,6 +78,8 @@ foreach(file ${data})
   get_filename_component(folder ${file} DIRECTORY)
   install(FILES ${file} DESTINATION ${CMAKE_INSTALL_DATADIR}/daylight/${folder} COMPONENT program)
 endforeach()
+install(FILES cmake/gate/daylight-gate-config.cmake cmake/gate/run.cmake cmake/gate/feature.cmake
+        DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/daylight-gate COMPONENT program)
 if(NOT CMAKE_CROSSCOMPILING)
   install(FILES ${CMAKE_BINARY_DIR}/generated/daylight.1 DESTINATION ${CMAKE_INSTALL_MANDIR}/man1 COMPONENT program)
   install(FILES ${CMAKE_BINARY_DIR}/generated/daylight.bash RENAME daylight COMPONENT program

@@ -102,6 +102,8 @@ try_program() { # prefix
   fault=$(head -n 1 "$source/props/mutants/kill_matrix.jsonl" | sed 's/"like".*//; s/.*"what": "//; s/".*//')
   grep -qF -- "${fault:?}" page.json || fail "the page lacks the kill matrix"
   "$daylight" scene "$1/share/daylight/corpus/scenes/twenty.urdf" >printed || fail "$(cat printed)"
+  compgen -G "$1/lib*/cmake/daylight-gate/feature.cmake" >/dev/null || compgen -G "$1/lib/*/cmake/daylight-gate/feature.cmake" >/dev/null ||
+    fail "daylight_add_gate is not installed"
   ! "$daylight" mutants list 2>err || fail "mutants were installed"
   grep -q 'never installed' err || fail "$(cat err)"
   ! "$daylight" fuzz --for 1s >/dev/null 2>err || fail "a fuzzer was installed"

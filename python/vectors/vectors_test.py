@@ -25,11 +25,11 @@ PROGRAM = pathlib.Path(sys.argv.pop(1)).resolve()
 FLAGS = daylight_vectors.flags()
 SMOKE = daylight_vectors.load('smoke')
 MINE = '''
-import json, pathlib
+import json, os, pathlib, sys
 KNOWN = json.loads(pathlib.Path(%r).read_text())['vectors']
-ASKED = []
 def right(a, b):
-    ASKED.append(a)
+    with open('asked', 'a') as asked:
+        print(json.dumps(a), file=asked)
     for v in KNOWN:
         if all([*map(float, [*v[k]['center'], *v[k]['axis'], v[k]['radius'], v[k]['height'], v[k].get('rounding', 0)])]
                == [*s['center'], *s['axis'], s['radius'], s['height'], s['rounding']] for k, s in (('a', a), ('b', b))):
@@ -38,7 +38,15 @@ def right(a, b):
 def blind(a, b):
     return right(a, b) is True and not a['rounding'] > 0
 def unable(a, b):
-    return None
+    print('not an answer')
+def loop():
+    while True: pass
+FAULTS = [loop, lambda: os._exit(3), lambda: sys.exit('no idea'), lambda: 1 / 0, lambda: [1], lambda: int('x')]
+def broken(a, b):
+    number = int(os.environ['FAULT'])
+    if a['rounding'] > 0 and not os.path.exists(f'broke{number}'):
+        open(f'broke{number}', 'w').close()
+        return FAULTS[number]()
 '''
 
 
@@ -168,7 +176,7 @@ class Runner(unittest.TestCase):
                 (apart, middle + 1e-3, 0, 'said a distance'), (apart, middle + 1e-3, 1e-2, 'acceptable'),
                 (apart, math.nan, 1e9, 'said a distance'), (apart, 'invalid', 0, "said 'invalid'"),
                 (apart, None, 0, 'declined'),
-                (apart, 'far', 0, 'none of'), (apart, [], 0, 'no answer'), (deep, True, 0, 'right'),
+                (apart, 'far', 0, 'none of'), (deep, True, 0, 'right'),
                 (deep, 'touching', 0, 'said'), (deep, False, 0, 'said'), (touch, 'touching', 0, 'right'),
                 (touch, True, 0, 'right'), (touch, False, 0, 'said'), (touch, False, 1e-12, 'acceptable'),
                 (touch, 0.0, 0, 'right')):
@@ -185,11 +193,11 @@ class Runner(unittest.TestCase):
         self.assertIn('Met by', text)
         failed = runner.failed_before()
         self.assertGreater(len(failed), 3)
-        import mine
-        mine.ASKED.clear()
+        pathlib.Path('asked').unlink()
         self.ask('mine:blind')
+        asked = [json.loads(line) for line in pathlib.Path('asked').read_text().splitlines()]
         first = [v for v in SMOKE['vectors'] if v['id'] in failed]
-        self.assertEqual([runner.solid_of(v['a']) for v in first], mine.ASKED[:len(first)])
+        self.assertEqual([runner.solid_of(v['a']) for v in first], asked[:len(first)])
         pathlib.Path('left out').write_text(''.join(f'{name} spheres are not ours\n' for name in failed) + '# all\n\n')
         status, text = self.ask('mine:blind', '--exclude', 'left out')
         self.assertEqual(status, 0, text)
@@ -199,6 +207,16 @@ class Runner(unittest.TestCase):
                       ['--tier']):
             self.assertEqual(self.ask(*wrong)[0], 64, wrong)
         self.assertIn('200 declined', self.ask('mine:unable')[1])
+
+    def test_what_breaks(self):
+        for number, why in enumerate(('gave no answer within 1 s', 'ended its process', 'ended its process',
+                                      'raised ZeroDivisionError', 'said [1], which is no answer', 'raised ValueError')):
+            os.environ['FAULT'] = str(number)
+            self.addCleanup(os.environ.pop, 'FAULT', None)
+            status, text = self.ask('mine:broken', '--limit', '1')
+            self.assertEqual(status, 2, text)
+            self.assertRegex(text, r'1 wrong. The simplest, v1-\w+: ' + re.escape(why))
+            self.assertIn('200 asked: 0 right, 0 within the tolerance, 199 declined, 1 wrong', text)
 
     def test_the_lint_command(self):
         document = copy.deepcopy(SMOKE)

@@ -9,7 +9,7 @@ import sys
 
 from . import flags, load
 from .lint import lint, missing_rows
-from .runner import STORE, Run, exclusions, function_of, report
+from .runner import LIMIT, STORE, Run, exclusions, report
 
 
 def main(arguments=None):
@@ -17,6 +17,7 @@ def main(arguments=None):
     parser.add_argument('function', nargs='?', metavar='MODULE:FUNCTION')
     parser.add_argument('--tier', default='smoke', help='smoke, standard, or a file of `daylight vectors`')
     parser.add_argument('--tolerance', type=float, default=0.0, help='a length that the library states')
+    parser.add_argument('--limit', type=float, default=LIMIT, help='seconds that an answer may take')
     parser.add_argument('--exclude', metavar='FILE', help='an id and a reason a line')
     parser.add_argument('--store', default=STORE, help='file of the ids that failed, which are asked first next time')
     parser.add_argument('--lint', metavar='FILE', nargs='+', help='prove the vectors of these files')
@@ -48,9 +49,9 @@ def prove(files, page):
 
 def ask(asked):
     try:
-        run = Run(function_of(asked.function), load(asked.tier)['vectors'], asked.tolerance, exclusions(asked.exclude),
-                  asked.store)
-    except (ValueError, OSError, ImportError, AttributeError) as error:
+        run = Run(asked.function, load(asked.tier)['vectors'], asked.tolerance, exclusions(asked.exclude),
+                  asked.store, asked.limit)
+    except (ValueError, OSError) as error:
         print(error, file=sys.stderr)
         return 64
     for flag_and_decade, vectors in run.cells().items():

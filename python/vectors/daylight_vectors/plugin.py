@@ -3,7 +3,7 @@
 import pytest
 
 from . import load
-from .runner import STORE, Run, exclusions, function_of, report
+from .runner import LIMIT, STORE, Run, exclusions, report
 
 
 def pytest_addoption(parser):
@@ -11,6 +11,7 @@ def pytest_addoption(parser):
     group.addoption('--daylight', metavar='MODULE:FUNCTION', help='ask this function about each vector')
     group.addoption('--daylight-tier', default='smoke', help='smoke, standard, or a file of `daylight vectors`')
     group.addoption('--daylight-tolerance', type=float, default=0.0, help='a length that the library states')
+    group.addoption('--daylight-limit', type=float, default=LIMIT, help='seconds that an answer may take')
     group.addoption('--daylight-exclude', metavar='FILE', help='an id and a reason a line')
     group.addoption('--daylight-store', default=STORE, help='file of the ids that failed, which are asked first')
 
@@ -21,10 +22,10 @@ def pytest_collection_modifyitems(session, config, items):
         return
     option = config.getoption
     try:
-        config.daylight_run = run = Run(function_of(name), load(option('--daylight-tier'))['vectors'],
+        config.daylight_run = run = Run(name, load(option('--daylight-tier'))['vectors'],
                                         option('--daylight-tolerance'), exclusions(option('--daylight-exclude')),
-                                        option('--daylight-store'))
-    except (ValueError, OSError, ImportError, AttributeError) as error:
+                                        option('--daylight-store'), option('--daylight-limit'))
+    except (ValueError, OSError) as error:
         raise pytest.UsageError(f'--daylight: {error}') from error
     group = Group.from_parent(session, name='daylight', nodeid='daylight')
     items += [Cell.from_parent(group, name=f'{flag}[{decade}]', run=run, flag=flag, vectors=vectors)

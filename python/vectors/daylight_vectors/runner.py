@@ -5,28 +5,17 @@ The function gets two solids as dictionaries (center, axis, radius, height, roun
 bool (do they meet?), a number (the signed distance), one of the words disjoint, touching, intersecting and invalid, or
 None (it has no such solids). For an invalid pair it may raise ValueError instead.
 """
-import importlib
 import json
 import math
 import numbers
-import os
 import pathlib
-import sys
 
 from . import flags as known_flags
+from .asking import Asker
 
 WORDS = ('disjoint', 'touching', 'intersecting', 'invalid')
 STORE = '.daylight-vectors.json'
-
-
-def function_of(name):
-    """`mine:collide`, from the folder that this runs in or from what is installed."""
-    module, _, attribute = name.partition(':')
-    if not attribute:
-        raise ValueError(f'{name}: not MODULE:FUNCTION')
-    if os.getcwd() not in sys.path:
-        sys.path.insert(0, os.getcwd())
-    return getattr(importlib.import_module(module), attribute)
+LIMIT = 10.0  # seconds that an answer may take
 
 
 def exclusions(path):
@@ -55,29 +44,16 @@ def remember(failed, path=STORE):
 
 
 def solid_of(solid):
-    """A copy, so that no function changes the vectors, with numbers where JSON has words."""
+    """A copy with numbers where JSON has words."""
     def number(x):
         return [number(y) for y in x] if isinstance(x, list) else float(x)
     return dict({'rounding': 0.0}, **{name: number(x) for name, x in solid.items()})
-
-
-def answer(function, v):
-    """What the function says of a vector, and None; or nothing and why it gave no answer."""
-    try:
-        said = function(solid_of(v['a']), solid_of(v['b']))
-    except ValueError as error:
-        return ('invalid', None) if v['result'] == 'invalid' else (None, f'raised {error!r}')
-    except Exception as error:  # what a library raises is a finding
-        return None, f'raised {error!r}'
-    return said, None
 
 
 def judge(v, said, tolerance=0.0):
     """'right', 'acceptable' (within the tolerance that the library states), 'declined', or in words what is wrong."""
     if said is None:
         return 'declined'
-    if not isinstance(said, str) and not isinstance(said, numbers.Real) and getattr(said, 'ndim', 1) == 0:
-        said = said.item()  # of NumPy
     if isinstance(said, str) and said not in WORDS:
         return f'said {said!r}, which is none of {", ".join(WORDS)}'
     if v['result'] == 'invalid' or said == 'invalid':
@@ -90,8 +66,6 @@ def judge(v, said, tolerance=0.0):
         if math.isfinite(said) and low - tolerance <= said <= high + tolerance:
             return 'acceptable'
         return f'said a distance of {said!r}; it is from {low!r} to {high!r}'
-    if not isinstance(said, (bool, str)):
-        return f'said {said!r}, which is no answer'
     meets = said if isinstance(said, bool) else said != 'disjoint'
     if meets == (v['result'] != 'disjoint') and (said != 'touching' or v['result'] == 'touching'):
         return 'right'
@@ -101,8 +75,8 @@ def judge(v, said, tolerance=0.0):
 class Run:
     """Asks about each vector once, at first about those that failed last time."""
 
-    def __init__(self, function, vectors, tolerance=0.0, excluded=None, store=STORE):
-        self.function, self.tolerance, self.store = function, tolerance, store
+    def __init__(self, name, vectors, tolerance=0.0, excluded=None, store=STORE, limit=LIMIT):
+        self.asker, self.tolerance, self.store = Asker(name, limit), tolerance, store
         self.excluded = excluded or {}
         self.before = set(failed_before(store))
         asked = [v for v in vectors if v['id'] not in self.excluded]
@@ -113,7 +87,7 @@ class Run:
         first = [] if self.results else [w for w in self.vectors if w['id'] in self.before]
         for w in [*first, v]:
             if w['id'] not in self.results:
-                said, failure = answer(self.function, w)
+                said, failure = self.asker.ask(solid_of(w['a']), solid_of(w['b']), w['result'] == 'invalid')
                 self.results[w['id']] = failure or judge(w, said, self.tolerance)
         return self.results[v['id']]
 
@@ -122,6 +96,7 @@ class Run:
 
     def finish(self):
         """Stores the ids that fail; those that were not asked this time keep what they were."""
+        self.asker.close()
         asked = {v['id']: v for v in self.vectors if v['id'] in self.results}
         remember([i for i, v in asked.items() if self.is_wrong(v)] + sorted(self.before - set(asked)), self.store)
 

@@ -1,0 +1,43 @@
+# SPDX-License-Identifier: MIT
+# find_package(daylight-gate), or FetchContent with SOURCE_SUBDIR cmake/gate. Neither builds daylight or needs its libraries.
+#   daylight::plugin         the folder of plugin.h
+#   daylight_add_gate(NAME name PLUGIN target [CLAIM 1e-6] [PAIRS 20000] [ANNOTATE src/gjk.cpp:10] [AGAINST base.json])
+# adds a test that runs the gate once, name.gate, and one that reads the result for each contact feature: name.side-rim ..
+# Skipped is a feature on which the gate decided nothing. DAYLIGHT_PROGRAM is the program: of this installation, of PATH, or
+# the launcher of the source tree, which builds the program at the first test.
+get_filename_component(daylight_gate_folder ${CMAKE_CURRENT_LIST_DIR} ABSOLUTE)
+set(daylight_gate_folder ${daylight_gate_folder} CACHE INTERNAL "")
+set(prefixes ${daylight_gate_folder}/../../.. ${daylight_gate_folder}/../../../..)
+find_program(DAYLIGHT_PROGRAM daylight HINTS ${prefixes} PATH_SUFFIXES bin)
+find_program(DAYLIGHT_PROGRAM daylight HINTS ${daylight_gate_folder}/../.. NO_DEFAULT_PATH)
+list(TRANSFORM prefixes APPEND /share/daylight/oracles)
+find_path(DAYLIGHT_PLUGIN_FOLDER plugin.h HINTS ${daylight_gate_folder}/../../oracles ${prefixes} NO_DEFAULT_PATH)
+if(NOT TARGET daylight::plugin)
+  add_library(daylight::plugin INTERFACE IMPORTED GLOBAL)
+  set_target_properties(daylight::plugin PROPERTIES INTERFACE_INCLUDE_DIRECTORIES ${DAYLIGHT_PLUGIN_FOLDER})
+endif()
+
+function(daylight_add_gate)
+  cmake_parse_arguments(it "" "NAME;PLUGIN;CLAIM;PAIRS;ANNOTATE;AGAINST" "" ${ARGN})
+  if(NOT it_NAME OR NOT TARGET "${it_PLUGIN}" OR it_UNPARSED_ARGUMENTS)
+    message(FATAL_ERROR "daylight_add_gate: NAME and a target as PLUGIN are needed, ${it_UNPARSED_ARGUMENTS} is unknown")
+  endif()
+  set(json ${CMAKE_CURRENT_BINARY_DIR}/${it_NAME}.gate.json)
+  set(words gate --plugin $<TARGET_FILE:${it_PLUGIN}> --json ${json})
+  foreach(option CLAIM PAIRS ANNOTATE AGAINST)
+    if(it_${option})
+      string(TOLOWER ${option} name)
+      list(APPEND words --${name} ${it_${option}})
+    endif()
+  endforeach()
+  # Wrong answers are for the other tests to report.
+  add_test(NAME ${it_NAME}.gate WORKING_DIRECTORY ${CMAKE_CURRENT_SOURCE_DIR}
+           COMMAND ${CMAKE_COMMAND} -P ${daylight_gate_folder}/run.cmake -- ${DAYLIGHT_PROGRAM} ${words})
+  set_tests_properties(${it_NAME}.gate PROPERTIES FIXTURES_SETUP ${it_NAME}.gate TIMEOUT 1500)
+  foreach(feature side-side side-rim rim-rim cap-side cap-rim cap-cap containment other)
+    add_test(NAME ${it_NAME}.${feature}
+             COMMAND ${CMAKE_COMMAND} -DJSON=${json} -DFEATURE=${feature} -P ${daylight_gate_folder}/feature.cmake)
+    set_tests_properties(${it_NAME}.${feature} PROPERTIES FIXTURES_REQUIRED ${it_NAME}.gate
+                         SKIP_REGULAR_EXPRESSION "not decided")
+  endforeach()
+endfunction()

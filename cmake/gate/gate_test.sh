@@ -1,0 +1,62 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: MIT
+# daylight_add_gate in a project of strangers, with the executable $1: by FetchContent, and from an installation.
+set -euo pipefail
+
+# shellcheck source=SCRIPTDIR/../../cli/expect.sh
+source "$(dirname -- "$(readlink -f -- "${BASH_SOURCE[0]}")")/../../cli/expect.sh"
+
+project() { # FOLDER HOW: a project whose plug-in is that of the guide, and one that declines everything
+  mkdir "$1"
+  awk '/^```cpp file=mine.cpp/ { open = 1; next } /^```/ { open = 0 } open' "$source_tree/docs/guides/library.md" >"$1/mine.cpp"
+  sed 's/^int ask(.*/&\n  return DAYLIGHT_DECLINED;/; s/"mine/"idle/' "$1/mine.cpp" >"$1/idle.cpp"
+  cat >"$1/CMakeLists.txt" <<END_OF_FILE
+cmake_minimum_required(VERSION 3.25)
+project(strangers CXX)
+enable_testing()
+$2
+foreach(name mine idle)
+  add_library(\${name} MODULE \${name}.cpp)
+  target_link_libraries(\${name} PRIVATE daylight::plugin)
+  daylight_add_gate(NAME \${name} PLUGIN \${name} CLAIM 1e-6 PAIRS 1200 ANNOTATE \${name}.cpp:1)
+endforeach()
+END_OF_FILE
+}
+
+try() { # FOLDER OPTION..
+  expect 0 "$1 is configured" cmake -S "$1" -B "$1/build" "${@:2}"
+  expect 0 "$1 is built" cmake --build "$1/build"
+  expect 8 "$1 fails" ctest --test-dir "$1/build" --output-on-failure
+  holds 'the gate itself' out 'mine\.gate \.+ +Passed'
+  holds 'a feature that is wrong' out 'mine\.side-rim \.+\*+Failed'
+  holds 'how' out 'mine/wrong_intersecting/side-rim/'
+  holds 'its pair' out '^  \{"a":\{"axis":\[.*"radius":'
+  holds 'a feature that is right' out 'mine\.side-side \.+ +Passed'
+  holds 'a feature that is wrong within the claim alone' out 'mine\.cap-cap \.+ +Passed'
+  holds 'none of no feature' out 'mine\.other \.+ +Passed'
+  holds 'a feature that was not decided' out 'idle\.side-rim \.+\*+Skipped'
+}
+
+project fetched "include(FetchContent)
+FetchContent_Declare(daylight SOURCE_DIR $source_tree SOURCE_SUBDIR cmake/gate)
+FetchContent_MakeAvailable(daylight)"
+# Fewer cases: those of the project are 36 s of a gate.
+mkdir bin
+printf '#!/bin/sh\nexec %s "$@" --cases ""\n' "$daylight" >bin/daylight
+chmod +x bin/daylight
+try fetched -DDAYLIGHT_PROGRAM="$scratch/bin/daylight"
+cp fetched/build/mine.gate.json base.json
+echo "daylight_add_gate(NAME again PLUGIN mine CLAIM 1e-6 AGAINST $scratch/base.json)" >>fetched/CMakeLists.txt
+expect 0 'configured again' cmake -S fetched -B fetched/build
+expect 0 'nothing is new' ctest --test-dir fetched/build -R '^again'
+
+# As cmake --install lays it out; install_test looks whether it does.
+mkdir -p prefix/lib/x/cmake/daylight-gate prefix/share/daylight/oracles
+cp "$source_tree"/cmake/gate/*.cmake prefix/lib/x/cmake/daylight-gate
+cp "$source_tree/oracles/plugin.h" prefix/share/daylight/oracles
+cp -r bin prefix
+project installed 'find_package(daylight-gate REQUIRED)'
+try installed -DCMAKE_PREFIX_PATH="$scratch/prefix" -Ddaylight-gate_DIR="$scratch/prefix/lib/x/cmake/daylight-gate"
+sed -i 's/PLUGIN ${name}/PLUGIN none/' installed/CMakeLists.txt
+expect 1 'no such target' cmake -S installed -B installed/build
+holds 'why' err 'NAME and a target as PLUGIN are needed'
