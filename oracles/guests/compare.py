@@ -10,8 +10,8 @@ own solid lies inside the cylinder and holds an inner one, which its hello state
 fault. Wrong for the cylinder alone may be the model's.
 """
 import argparse
+import datetime
 import json
-import math
 import pathlib
 import statistics
 import subprocess
@@ -70,7 +70,7 @@ def ask(command, pairs, folder=HERE):
             out, end = (late.stdout or b'').decode(), 'hang'
         said = [json.loads(line) for line in out.splitlines() if line.startswith('{')]
         if not said:
-            sys.exit(f'{command} does not start')
+            raise RuntimeError(f'{command} does not start')
         hello, said = said[0], said[1:]
         answers += said[:len(part)]
         if len(said) < len(part) and not (said and 'error' in said[-1]):
@@ -135,7 +135,7 @@ def summary(hello, package, judged):
     judged = list(judged)
     faults = Counter((fault, whose) for *_, found in judged if found for fault, whose in [found])
     by_kinds, asked = defaultdict(Counter), Counter(kinds_of(pair) for pair, *_ in judged)
-    worst, from_margin, model_margin = None, 0, 0
+    worst, from_margin = None, 0
     for pair, truth, own, answer, found in judged:
         margin = min(map(abs, truth['distance'])) / sum(lengths(pair))
         verdict = answer.get('verdict')
@@ -144,8 +144,6 @@ def summary(hello, package, judged):
         if found is None or found[0] not in ('intersecting', 'disjoint'):
             continue
         by_kinds[kinds_of(pair)][found[1]] += 1
-        if found[1] == 'model':
-            model_margin = max(model_margin, margin)
         own_margin = min(map(abs, own['distance'])) / sum(lengths(pair)) if verdict == 'disjoint' else margin
         if found[1] == 'algorithm' and (worst is None or own_margin > worst['margin']):
             worst = {'margin': own_margin, 'pair': {k: pair[k] for k in 'ab'}, 'said': verdict,
@@ -156,7 +154,8 @@ def summary(hello, package, judged):
         'takes': hello['takes'], 'answered': len(judged), 'asked': dict(sorted(asked.items())),
         'faults': {f'{fault}/{whose}': n for (fault, whose), n in sorted(faults.items())},
         'verdicts': {k: dict(v) for k, v in sorted(by_kinds.items())}, 'wrong_below': from_margin,
-        'worst': worst, 'ns': round(statistics.median(times), -2) if times else None,
+        'worst': worst, 'distances': any('distance' in answer for *_, answer, _ in judged),
+        'date': datetime.date.today().isoformat(), 'ns': round(statistics.median(times), -2) if times else None,
     }
 
 
@@ -167,36 +166,121 @@ def package_of(engine):
     return next(f'{name} {version}' for name, version in names.items() if f"'{name}'" in source)
 
 
+def compared(daylight, command, pairs, truths, folder=HERE):
+    """The hello of an engine, and (pair, truth, own, answer, fault) of each pair that it takes. `own` is the truth
+    about its inner solids, with these."""
+    hello, _ = ask(command, pairs[:1], folder)
+    mine = [(p, t) for p, t in zip(pairs, truths) if all(kind_of(p[k]) in hello['takes'] for k in 'ab')]
+    pairs, truths = zip(*mine)
+    inner = hello.get('model', {}).get('inner')
+    solids = inner_pairs(pairs, inner) if inner else pairs
+    owns = [dict(t, solids=s) for t, s in zip(proved(daylight, solids) if inner else truths, solids)]
+    _, answers = ask(command, pairs, folder)
+    return hello, list(judge(hello, pairs, truths, owns, answers))
+
+
 def run(daylight, cylinders, shapes, only, keep):
     pairs = draw(daylight, CYLINDERS, cylinders) + draw(daylight, SHAPES, shapes)
     truths, rows = proved(daylight, pairs), []
     for engine in only or ENGINES:
-        hello, answers = ask(['node', str(HERE / f'{engine}.mjs'), '--time'], pairs[:1])
-        mine = [i for i, p in enumerate(pairs) if all(kind_of(p[k]) in hello['takes'] for k in 'ab')]
-        chosen, truth = [pairs[i] for i in mine], [truths[i] for i in mine]
-        hello, answers = ask(['node', str(HERE / f'{engine}.mjs'), '--time'], chosen)
-        inner = hello['model'].get('inner')
-        shrunk = inner_pairs(chosen, inner) if inner else chosen
-        owns = proved(daylight, shrunk) if inner else truth
-        judged = list(judge(hello, chosen, truth, owns, answers))
+        hello, judged = compared(daylight, ['node', str(HERE / f'{engine}.mjs'), '--time'], pairs, truths)
         rows.append(summary(hello, package_of(engine), judged))
         if keep:
-            keep_findings(pathlib.Path(keep), engine, shrunk, judged, owns)
+            keep_findings(pathlib.Path(keep), engine, judged)
         print(engine, rows[-1]['answered'], rows[-1]['faults'], file=sys.stderr)
     return rows
 
 
-def keep_findings(folder, engine, shrunk, judged, owns):
+def keep_findings(folder, engine, judged):
     """Writes up to ten of the algorithm's wrong verdicts with the certificates, for exact.py: about the inner solids if
     the engine said disjoint."""
     folder.mkdir(parents=True, exist_ok=True)
+    wrong = [x for x in judged if x[4] and x[4][1] == 'algorithm' and 'verdict' in x[3]]
+    wrong.sort(key=lambda x: (x[4][0] in ('distance', 'depth'), -min(map(abs, x[1]['distance']))))
     with open(folder / f'{engine}.pairs.jsonl', 'w') as to, open(folder / f'{engine}.answers.jsonl', 'w') as proofs:
-        wrong = [(s, j) for s, j in zip(shrunk, judged) if j[4] and j[4][1] == 'algorithm' and 'verdict' in j[3]]
-        wrong.sort(key=lambda x: (x[1][4][0] in ('distance', 'depth'), -min(map(abs, x[1][2]['distance']))))
-        for solids, (pair, truth, own, answer, _) in wrong[:10]:
+        for pair, truth, own, answer, _ in wrong[:10]:
             meet = own['verdict'] != 'disjoint' and answer['verdict'] == 'disjoint'
-            to.write(to_text([solids if meet else pair]))
+            to.write(to_text([own['solids'] if meet else pair]))
             proofs.write(json.dumps(own if meet else truth) + '\n')
+
+
+HEAD = """# Engines of npm
+
+For readers who ask which engine to trust with cylinders. `oracles/guests/compare.py` asked {count} engines on {date},
+and wrote this page from [its data](engines.jsonl). All lengths of a pair are 0.1 to 10 m, and most pairs nearly touch.
+Pairs of other sizes are not part of this page.
+
+    oracles/guests/compare.py run build/release/daylight --keep kept
+    python/vectors/daylight_vectors/exact.py kept/physx.pairs.jsonl kept/physx.answers.jsonl
+
+The second command checks the proofs of up to ten faults of an engine with exact arithmetic.
+
+* *claim* is the tolerance, the relative part times the size of the pair. If an engine states none, we assume one.
+* *beyond claim* counts wrong verdicts that the tolerance does not cover. They are wrong even for the solid that the
+  engine collides, so the *algorithm* is at fault.
+* *model* counts wrong verdicts beyond the tolerance which may be right for that solid. An engine that collides prisms
+  gives them on purpose.
+* *right from* is the margin, relative to the size, above which no verdict was wrong.
+* *distances* and *depths* count those beyond the tolerance and 1e-5 of the distance, algorithm + model. A dash means
+  that we did not ask the engine for them.
+* *time* is the median for a pair in Node.js, in microseconds, with the making of both solids. The machine was shared.
+
+"""
+
+
+def count_of(row, kinds, whose):
+    return sum(row['faults'].get(f'{kind}/{whose}', 0) for kind in kinds)
+
+
+def table(titles, rows):
+    sides = ['---' if i == 0 or isinstance(rows[0][i], str) else '---:' for i in range(len(titles))]
+    return ''.join('| ' + ' | '.join(map(str, cells)) + ' |\n' for cells in [titles, sides, *rows])
+
+
+def claim_in_words(row):
+    claim = row['claim']
+    return f'{claim["relative"]:g} size + {claim["absolute"]:g}'
+
+
+def page(rows):
+    verdicts, broken = ('intersecting', 'disjoint'), ('crash', 'hang', 'error')
+    parts = [HEAD.format(count=len(rows), date=rows[0]['date'])]
+
+    def values(row, kind):
+        if not row['distances']:
+            return '-'
+        return f'{count_of(row, [kind], "algorithm")} + {count_of(row, [kind], "model")}'
+    parts.append(table(
+        ['engine', 'pairs', 'beyond claim', 'model', 'right from', 'distances', 'depths', 'failed', 'time'],
+        [[row['package'], row['answered'], count_of(row, verdicts, 'algorithm'), count_of(row, verdicts, 'model'),
+          f'{row["wrong_below"]:.1e}', values(row, 'distance'), values(row, 'depth'),
+          count_of(row, broken, 'algorithm'), f'{row["ns"] / 1000:.0f}'] for row in rows]))
+    parts.append('\n*failed* counts crashes, hangs and errors that the engine reported.\n\n'
+                 '## What they claim and collide\n\n')
+    parts.append(table(['engine', 'claim', 'source', 'its cylinder', 'precision'],
+                       [[row['name'], claim_in_words(row), row['claim']['source'], row['model']['text'],
+                         row['model']['precision']] for row in rows]))
+    parts.append('\n## By shape pair\n\nWrong verdicts beyond the claim: algorithm + model, of pairs. '
+                 'A dash means that the engine was not asked.\n\n')
+    kinds = sorted({kind for row in rows for kind in row['asked']})
+
+    def cell(row, kind):
+        wrong = row['verdicts'].get(kind, {})
+        if kind not in row['asked']:
+            return '-'
+        return f'{wrong.get("algorithm", 0)} + {wrong.get("model", 0)} of {row["asked"][kind]}'
+    parts.append(table(['', *(row['name'] for row in rows)],
+                       [[kind, *(cell(row, kind) for row in rows)] for kind in kinds]))
+    parts.append('\n## The worst pair of each engine\n\nThe algorithm\'s wrong verdict with the largest margin. '
+                 '`daylight check --distance` proves the truth.\n\n')
+    for row in rows:
+        worst = row['worst']
+        if not worst:
+            parts.append(f'* {row["name"]}: none.\n')
+            continue
+        parts.append(f'* {row["name"]} returns {worst["said"]}. The pair is {worst["truth"]}, its signed distance is '
+                     f'{worst["distance"][0]:.3g}.\n\n      {json.dumps(worst["pair"], separators=(",", ":"))}\n\n')
+    return ''.join(parts).rstrip('\n') + '\n'
 
 
 def main():
@@ -214,6 +298,9 @@ def main():
     if options.command == 'run':
         rows = run(options.daylight, options.cylinders, options.shapes, options.only, options.keep)
         pathlib.Path(options.out).write_text(''.join(json.dumps(row) + '\n' for row in rows))
+        pathlib.Path(options.out).with_suffix('.md').write_text(page(rows))
+    else:
+        print(page([json.loads(line) for line in (RESULTS / 'engines.jsonl').read_text().splitlines()]), end='')
 
 
 if __name__ == '__main__':
