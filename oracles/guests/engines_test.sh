@@ -1,14 +1,15 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
-# Rapier and Jolt answer cylinder against cylinder, right where that is easy, and a campaign asks them. Skipped
-# without node or without their packages: npm ci --prefix oracles/guests
+# The engines answer cylinder against cylinder, right where that is easy, and a campaign asks them. Skipped without node
+# or without their packages: npm ci --prefix oracles/guests
 set -euo pipefail
 
 daylight=$(readlink -f -- "$1")
 guests=$(dirname -- "$(readlink -f -- "${BASH_SOURCE[0]}")")
 skip=$guests/../../.ci/skip
 command -v node >/dev/null || exec "$skip" 'no Node.js here: apt-get install nodejs'
-for package in @dimforge/rapier3d-compat jolt-physics; do
+engines='rapier jolt physx havok ammo cannon crashcat oimo'
+for package in @babylonjs/havok @dimforge/rapier3d-compat ammo.js cannon-es crashcat jolt-physics oimophysics physx-js-webidl; do
   [[ -d $guests/node_modules/$package ]] || exec "$skip" "no $package here: npm ci --prefix oracles/guests"
 done
 scratch=$(mktemp -d)
@@ -30,17 +31,24 @@ done <<'END'
 [7,8,11.6] [1,0,1] disjoint
 [7,8,11.3] [-1,0,-1] intersecting
 END
-for engine in rapier jolt; do
+for engine in $engines; do
   "$daylight" check --command "node '$guests/$engine.mjs'" pairs.jsonl >said
   sed 's/.*"verdict":"\([a-z]*\)".*/\1/' said | diff wanted - || { echo "$engine is wrong where that is easy"; exit 1; }
 done
+all=(--methods "${engines// /,}")
+commands=()
+for engine in $engines; do commands+=(--command "node '$guests/$engine.mjs'"); done
 code=0
-"$daylight" campaign --pairs 60 --seed 3 --cases '' --methods rapier,jolt --table --out runs/engines --command "node '$guests/rapier.mjs'" \
-  --command "node '$guests/jolt.mjs'" >out || code=$?
+"$daylight" campaign --pairs 60 --seed 3 --cases '' "${all[@]}" --table --out runs/engines "${commands[@]}" >out || code=$?
 [[ $code == 0 || $code == 2 ]] || { echo "campaign: exit code $code"; cat out; exit 1; }
-grep -qE '^rapier +60 ' out && grep -qE '^jolt +60 ' out || { cat out; exit 1; }
+for engine in $engines; do grep -qE "^$engine +60 " out || { cat out; exit 1; }; done
 code=0
-"$daylight" replay runs/engines --methods rapier,jolt >out || code=$?
+"$daylight" replay runs/engines "${all[@]}" >out || code=$?
 [[ $code == 0 || $code == 2 ]] || { echo "replay: exit code $code"; cat out; exit 1; }
 ! grep -q 'not asked' out || { cat out; exit 1; }
+# The comparison asks them about the same pairs, with and without inner solids.
+python3 "$guests/compare.py" run "$daylight" --cylinders 40 --shapes 40 --only rapier cannon --keep kept --out rows.jsonl
+for answered in 'rapier.*"answered": [5-9]' 'cannon.*"answered": [2-4]'; do
+  grep -q "$answered" rows.jsonl || { cat rows.jsonl; exit 1; }
+done
 echo passed

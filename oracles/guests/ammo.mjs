@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: MIT
+// ammo.js (Bullet in single precision): contactPairTest of two objects, and the least distance of its contacts.
+import { readFileSync } from 'node:fs';
+import Ammo from 'ammo.js';
+import { serve } from './lines.mjs';
+
+const { version } = JSON.parse(readFileSync(new URL('node_modules/ammo.js/package.json', import.meta.url)));
+const Bullet = typeof Ammo === 'function' ? await Ammo() : Ammo;
+const configuration = new Bullet.btDefaultCollisionConfiguration(), dispatcher = new Bullet.btCollisionDispatcher(configuration);
+const world = new Bullet.btDiscreteDynamicsWorld(
+  dispatcher, new Bullet.btDbvtBroadphase(), new Bullet.btSequentialImpulseConstraintSolver(), configuration);
+let least;
+const heard = new Bullet.ConcreteContactResultCallback();
+heard.addSingleResult = (point) => {
+  least = Math.min(least, Bullet.wrapPointer(point, Bullet.btManifoldPoint).getDistance());
+  return 0;
+};
+
+function cylinder(s) {
+  const half = new Bullet.btVector3(s.radius, s.halfHeight, s.radius), shape = new Bullet.btCylinderShape(half);
+  Bullet.destroy(half);
+  return shape;
+}
+const shapes = {
+  sphere: (s) => new Bullet.btSphereShape(s.rounding),
+  capsule: (s) => new Bullet.btCapsuleShape(s.rounding, 2 * s.halfHeight),
+  cylinder,
+};
+
+function placed(s) {
+  const { position: p, turn: t } = s, object = new Bullet.btPairCachingGhostObject(), shape = shapes[s.kind](s);
+  const at = new Bullet.btVector3(p.x, p.y, p.z), turn = new Bullet.btQuaternion(t.x, t.y, t.z, t.w);
+  const pose = new Bullet.btTransform(turn, at);
+  object.setCollisionShape(shape);
+  object.setWorldTransform(pose);
+  return { object, end: () => [object, shape, pose, at, turn].forEach((gone) => Bullet.destroy(gone)) };
+}
+
+const rims = 0.04;
+const model = {
+  text: `the cylinder with its rims rounded by at most ${rims} (CONVEX_DISTANCE_MARGIN)`, precision: 'single',
+  inner: { rims },
+};
+const claim = { relative: 1e-6, absolute: 1e-3, source: 'none made; assumed: 1e-3 of a length of 1' };
+serve({ name: 'ammo', version, claim, takes: ['sphere', 'capsule', 'cylinder'], rounded_rims: rims, model }, (a, b) => {
+  const one = placed(a), other = placed(b);
+  least = Infinity;
+  world.contactPairTest(one.object, other.object, heard);
+  for (const gone of [one, other]) gone.end();
+  return { verdict: least <= 0 ? 'intersecting' : 'disjoint' };
+});

@@ -1,0 +1,73 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
+"""Tests whose fault compare.py finds, how it survives engines that end or hang, and that the pages say what their data
+say."""
+import json
+import sys
+import tempfile
+import unittest
+
+sys.dont_write_bytecode = True
+import compare
+import versions
+
+CYLINDER = {'center': [0, 0, 0], 'axis': [0, 0, 1], 'radius': 2, 'height': 4}
+PAIR = {'a': CYLINDER, 'b': CYLINDER}
+ENDS_AT_THE_SECOND = '''
+import sys
+print('{"name":"fake"}', flush=True)
+for number, line in enumerate(sys.stdin):
+    if '"radius": 7' in line: sys.exit(1)
+    print('{"verdict":"disjoint"}', flush=True)
+'''
+
+
+class Compare(unittest.TestCase):
+    def fault(self, answer, true, own=None):
+        return compare.fault_of(answer, [true, true], [own or true] * 2, 1e-3)
+
+    def test_blames_the_algorithm_only_beyond_its_own_solid(self):
+        self.assertEqual(self.fault({'verdict': 'disjoint'}, -0.1, 0.05), ('disjoint', 'model'))
+        self.assertEqual(self.fault({'verdict': 'disjoint'}, -0.1, -0.05), ('disjoint', 'algorithm'))
+        self.assertEqual(self.fault({'verdict': 'intersecting'}, 0.1, 0.2), ('intersecting', 'algorithm'))
+        self.assertIsNone(self.fault({'verdict': 'intersecting'}, 0.0005))
+        self.assertIsNone(self.fault({'verdict': 'disjoint'}, -0.0005))
+
+    def test_distances_lie_between_those_of_both_solids(self):
+        def said(distance):
+            return self.fault({'verdict': 'disjoint', 'distance': distance}, 0.1, 0.2)
+        self.assertEqual(said(0.05), ('distance', 'algorithm'))
+        self.assertEqual(said(0.15), ('distance', 'model'))
+        self.assertEqual(said(0.25), ('distance', 'algorithm'))
+        self.assertIsNone(said(0.1))
+
+    def test_inner_solids(self):
+        inner = compare.inner_solid(CYLINDER, {'radius': 0.5, 'rims': 0.25})
+        self.assertEqual((inner['radius'], inner['height'], inner['rounding']), (0.75, 3.5, 0.25))
+        ball = dict(CYLINDER, radius=0, height=0, rounding=1)
+        self.assertEqual(compare.inner_solid(ball, {'radius': 0.5}), ball)
+
+    def test_an_engine_that_ends_loses_one_pair(self):
+        with tempfile.NamedTemporaryFile('w', suffix='.py') as file:
+            file.write(ENDS_AT_THE_SECOND)
+            file.flush()
+            other = {'a': dict(CYLINDER, radius=7), 'b': CYLINDER}
+            _, answers = compare.ask([sys.executable, file.name], [PAIR, other, PAIR], '.')
+        self.assertEqual(answers, [{'verdict': 'disjoint'}, {'crash': True}, {'verdict': 'disjoint'}])
+
+    def test_pages_say_what_their_data_say(self):
+        engines = [json.loads(line) for line in (compare.RESULTS / 'engines.jsonl').read_text().splitlines()]
+        self.assertEqual(compare.page(engines), (compare.RESULTS / 'engines.md').read_text())
+        self.assertEqual(versions.page(versions.data()), (compare.RESULTS / 'engine_versions.md').read_text())
+        self.assertTrue(all(row['answered'] >= 20000 for row in engines))
+
+
+class Versions(unittest.TestCase):
+    def test_turns(self):
+        rows = [{'version': str(i), 'wrong': {'x': 1} if i in (2, 3) else {}} for i in range(6)]
+        self.assertEqual(versions.turns(rows, 'x'), ('2', '1', '4'))
+        self.assertEqual(versions.turns(rows[2:4], 'x'), ('2', None, None))
+
+
+if __name__ == '__main__':
+    unittest.main()

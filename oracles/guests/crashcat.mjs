@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: MIT
+// crashcat's collideShapeVsShape of two solids, with its default settings. Cylinders are made with sharp rims.
+import { readFileSync } from 'node:fs';
+import * as crashcat from 'crashcat';
+import { all_kinds, serve } from './lines.mjs';
+
+const { version } = JSON.parse(readFileSync(new URL('node_modules/crashcat/package.json', import.meta.url)));
+const { capsule, collideShapeVsShape, createAnyCollideShapeCollector, createDefaultCollideShapeSettings, cylinder, sphere } = crashcat;
+crashcat.registerAllShapes();
+const settings = createDefaultCollideShapeSettings(), found = createAnyCollideShapeCollector();
+
+const shapes = {
+  sphere: (s) => sphere.create({ radius: s.rounding }),
+  capsule: (s) => capsule.create({ halfHeightOfCylinder: s.halfHeight, radius: s.rounding }),
+  cylinder: (s) => cylinder.create({ halfHeight: s.halfHeight, radius: s.radius, convexRadius: 0 }),
+  rounded: (s) => cylinder.create({ halfHeight: s.halfHeight + s.rounding, radius: s.radius + s.rounding, convexRadius: s.rounding }),
+};
+const operand = (s) => {
+  const { position: p, turn: t } = s;
+  return [shapes[s.kind](s), 0, 0, p.x, p.y, p.z, t.x, t.y, t.z, t.w, 1, 1, 1];
+};
+
+const claim = { relative: 1e-6, absolute: settings.collisionTolerance, source: 'collisionTolerance of its default settings: closer is considered to be colliding' };
+const model = { text: 'the cylinder itself (convexRadius 0)', precision: 'double' };
+serve({ name: 'crashcat', version, claim, takes: all_kinds, model }, (a, b) => {
+  found.reset();
+  collideShapeVsShape(found, settings, ...operand(a), ...operand(b));
+  return { verdict: found.hit ? 'intersecting' : 'disjoint' };
+});

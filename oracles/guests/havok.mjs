@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: MIT
+// Havok's proximity of a shape and a body that is the other solid: a signed distance.
+import { readFileSync } from 'node:fs';
+import initHavok from '@babylonjs/havok';
+import { serve } from './lines.mjs';
+
+const folder = new URL('node_modules/@babylonjs/havok/', import.meta.url);
+const { version } = JSON.parse(readFileSync(new URL('package.json', folder)));
+const Havok = await initHavok({ wasmBinary: readFileSync(new URL('lib/esm/HavokPhysics.wasm', folder)) });
+
+/** What a call gives but its result code; throws where that is none of success. */
+function must([result, ...values]) {
+  if (result !== Havok.Result.RESULT_OK) throw new Error(`result ${result.value}`);
+  return values[0];
+}
+
+const world = must(Havok.HP_World_Create()), body = must(Havok.HP_Body_Create());
+const found = must(Havok.HP_QueryCollector_Create(1));
+Havok.HP_Body_SetMotionType(body, Havok.MotionType.STATIC);
+
+const shapes = {
+  sphere: (s) => Havok.HP_Shape_CreateSphere([0, 0, 0], s.rounding),
+  capsule: (s) => Havok.HP_Shape_CreateCapsule([0, -s.halfHeight, 0], [0, s.halfHeight, 0], s.rounding),
+  cylinder: (s) => Havok.HP_Shape_CreateCylinder([0, -s.halfHeight, 0], [0, s.halfHeight, 0], s.radius),
+};
+const place = ({ position: p, turn: t }) => [[p.x, p.y, p.z], [t.x, t.y, t.z, t.w]];
+const reach = (s) => Math.hypot(s.radius, s.halfHeight) + s.rounding;
+
+// What it makes of a cylinder, as small spheres around it show.
+const sides = 16, rims = 0.015;
+const model = {
+  text: `a prism of ${sides} sides inside the cylinder, its rims rounded by at most ${rims} (measured)`, precision: 'single',
+  inner: { radius: Math.cos(Math.PI / sides), rims },
+};
+const claim = { relative: 1e-6, absolute: 1e-3, source: 'none made; assumed: 1e-3 of a length of 1' };
+serve({ name: 'havok', version, claim, takes: ['sphere', 'capsule', 'cylinder'], model }, (a, b) => {
+  const one = must(shapes[a.kind](a)), other = must(shapes[b.kind](b));
+  Havok.HP_Body_SetShape(body, other);
+  Havok.HP_Body_SetQTransform(body, place(b));
+  Havok.HP_World_AddBody(world, body, false); // anew: a body that only changes keeps its old bounds
+  const far = Math.hypot(b.position.x, b.position.y, b.position.z) + reach(a) + reach(b);
+  Havok.HP_World_ShapeProximityWithCollector(world, found, [one, ...place(a), far, false, [0n]]);
+  const hits = must(Havok.HP_QueryCollector_GetNumHits(found));
+  const distance = hits > 0 ? must(Havok.HP_QueryCollector_GetShapeProximityResult(found, 0))[0] : undefined;
+  Havok.HP_World_RemoveBody(world, body);
+  for (const shape of [one, other]) Havok.HP_Shape_Release(shape);
+  if (distance === undefined) return { declined: 'no hit within any distance' };
+  return { verdict: distance <= 0 ? 'intersecting' : 'disjoint', distance };
+});

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: MIT
+// OimoPhysics: the distance of its GJK and EPA, which is of cores, less the margins around them.
+import { readFileSync } from 'node:fs';
+import { oimo } from 'oimophysics';
+import { serve } from './lines.mjs';
+
+const { version } = JSON.parse(readFileSync(new URL('node_modules/oimophysics/package.json', import.meta.url)));
+const { geometry, narrowphase } = oimo.collision, { Quat, Transform, Vec3 } = oimo.common;
+const gjk = new narrowphase.detector.gjkepa.GjkEpa();
+
+const shapes = {
+  sphere: (s) => new geometry.SphereGeometry(s.rounding),
+  capsule: (s) => new geometry.CapsuleGeometry(s.rounding, s.halfHeight),
+  cylinder: (s) => new geometry.CylinderGeometry(s.radius, s.halfHeight),
+};
+
+function placed(s) {
+  const { position: p, turn: t } = s, at = new Transform();
+  at.setPosition(new Vec3(p.x, p.y, p.z));
+  at.setOrientation(new Quat(t.x, t.y, t.z, t.w));
+  return [shapes[s.kind](s), at];
+}
+
+const rims = oimo.common.Setting.defaultGJKMargin;
+const claim = { relative: 1e-6, absolute: 1e-4, source: 'none made; assumed: 1e-4 of a length of 1' };
+const model = {
+  text: `the cylinder with its rims rounded by ${rims} (Setting.defaultGJKMargin)`, precision: 'double', inner: { rims },
+};
+serve({ name: 'oimo', version, claim, takes: ['sphere', 'capsule', 'cylinder'], rounded_rims: rims, model }, (a, b) => {
+  const [one, at] = placed(a), [other, there] = placed(b);
+  const status = gjk.computeClosestPoints(one, other, at, there, null);
+  if (status !== 0) return { error: `GjkEpaResultState ${status}` };
+  const distance = gjk.distance - one.getGjkMergin() - other.getGjkMergin();
+  return { verdict: distance <= 0 ? 'intersecting' : 'disjoint', distance };
+});

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: MIT
+// PhysX's overlap of two solids, and the separation that its GJK finds. Cylinders are convex cores.
+import { readFileSync } from 'node:fs';
+import { all_kinds, serve } from './lines.mjs';
+
+// The package is built for browsers, and looks for them while it loads.
+const node = globalThis.process;
+const wasmBinary = readFileSync(new URL('node_modules/physx-js-webidl/physx-js-webidl.wasm', import.meta.url));
+const { version } = JSON.parse(readFileSync(new URL('node_modules/physx-js-webidl/package.json', import.meta.url)));
+globalThis.window = globalThis;
+globalThis.process = undefined;
+const PhysX = await (await import('physx-js-webidl')).default({ wasmBinary });
+globalThis.process = node;
+
+const query = PhysX.PxGeometryQuery.prototype, factory = PhysX.PxConvexCoreGeometryFactory.prototype;
+
+function cylinder(s) {
+  const core = new PhysX.PxConvexCoreCylinder(2 * s.halfHeight, s.radius);
+  const geometry = factory.createFromCylinder(core, s.rounding);
+  PhysX.destroy(core);
+  return geometry;
+}
+
+const shapes = {
+  sphere: (s) => new PhysX.PxSphereGeometry(s.rounding),
+  capsule: (s) => new PhysX.PxCapsuleGeometry(s.rounding, s.halfHeight),
+  cylinder,
+  rounded: cylinder,
+};
+
+const quarter = Math.SQRT1_2; // from its x to y
+
+function placed(s) {
+  const { position: p, turn: t } = s;
+  const at = new PhysX.PxVec3(p.x, p.y, p.z);
+  const turn = new PhysX.PxQuat((t.x + t.y) * quarter, (t.y - t.x) * quarter, (t.z + t.w) * quarter, (t.w - t.z) * quarter);
+  const pose = new PhysX.PxTransform(at, turn), geometry = shapes[s.kind](s);
+  return { geometry, pose, end: () => [geometry, pose, turn, at].forEach((gone) => PhysX.destroy(gone)) };
+}
+
+const claim = { relative: 1e-6, absolute: 1e-3, source: 'none made; assumed: 1e-3 of the length scale 1' };
+const model = { text: 'the cylinder itself (a convex core)', precision: 'single' };
+serve({ name: 'physx', version, claim, takes: all_kinds, model }, (a, b) => {
+  const [one, other] = [placed(a), placed(b)];
+  const meet = query.overlap(one.geometry, one.pose, other.geometry, other.pose);
+  for (const gone of [one, other]) gone.end();
+  return { verdict: meet ? 'intersecting' : 'disjoint' };
+});
