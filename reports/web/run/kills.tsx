@@ -66,7 +66,7 @@ export function Kills({ report }: { report: FullReport }) {
           </tbody>
         </table>
       </div>
-      <details class="print">
+      <details>
         <summary>Every fault</summary>
         <p>
           <label>

@@ -652,6 +652,9 @@ async function printsAll() {
   assert.ok(wide <= 717, `${wide} wide on paper`);
   await page.evaluate(() => dispatchEvent(new Event("afterprint")));
   assert.ok((await page.locator("details.print:not([open])").count()) > 0);
+  const pdf = (await page.pdf({ format: "A4" })).toString("latin1");
+  const pages = Number(/\/Count (\d+)/.exec(pdf)[1]);
+  assert.ok(pages <= 8, `${pages} pages`);
   await page.context().close();
 }
 

@@ -226,7 +226,7 @@ function History({ report }: { report: FullReport }) {
         </p>
       )}
       {order.some((s) => by.has(s)) && (
-        <details class="print">
+        <details>
           <summary>Methods, kinds and families that changed</summary>
           <div class="scroll">
             <table class="plain">
