@@ -11,6 +11,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "base/times.hpp"
 #include "bench/bench_summary.hpp"
 #include "bench/curves.hpp"
 #include "bench/lower_bounds.hpp"
@@ -39,9 +40,9 @@ void write_json(const std::string& file, const std::vector<BenchRow>& rows,
                 const std::vector<QueryComparisons>& queries, const LowerBounds& lower_bounds) {
   const BuildInfo info = build_info();
   std::ofstream out(file);
-  out << fmt::format("{{\"commit\":{},\"compiler\":{},\"flags\":{},\"cpu\":{},{}}}\n",
-                     quote_json(info.commit), quote_json(info.compiler), quote_json(info.flags),
-                     quote_json(info.cpu), bench_json(rows, queries, lower_bounds));
+  out << fmt::format("{{\"commit\":{},\"date\":{},\"compiler\":{},\"flags\":{},\"cpu\":{},{}}}\n",
+                     quote_json(info.commit), quote_json(today()), quote_json(info.compiler),
+                     quote_json(info.flags), quote_json(info.cpu), bench_json(rows, queries, lower_bounds));
   if (!out.flush()) throw std::runtime_error(file + ": cannot be written");
 }
 

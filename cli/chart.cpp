@@ -32,6 +32,7 @@ void chart(const ChartArguments& arguments) {
   if (!arguments.bench.empty()) rows = read_bench(arguments.bench);
   RunData run = read_run(arguments.run);
   write_charts(run, rows);
+  if (!rows.empty()) set_charts(run, {{"speed_on", origin_of_bench(arguments.bench)}});
   if (arguments.stability)
     write_stability(run, methods_for_targets({}, {arguments.run}).methods,
                     in_source_tree("bench/stability/builds.jsonl"));

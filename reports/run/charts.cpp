@@ -195,6 +195,14 @@ std::vector<BenchRow> read_bench(const fs::path& file) {
   return rows;
 }
 
+std::string origin_of_bench(const fs::path& file) {
+  const nlohmann::json bench = read_json(file);
+  std::vector<std::string> stated;
+  for (const char* key : {"cpu", "compiler", "date"})
+    if (bench.contains(key)) stated.push_back(bench.at(key));
+  return fmt::format("{}", fmt::join(stated, ", "));
+}
+
 nlohmann::json read_charts(const fs::path& run) {
   const fs::path file = run / "charts.json";
   nlohmann::json charts = fs::exists(file) ? read_json(file) : nlohmann::json::object();

@@ -43,6 +43,9 @@ std::vector<Calibration> calibration_of(const std::vector<FailureMap>& maps);
 /// The rows in a file that `daylight bench --json` wrote. Throws InputError that names the file.
 std::vector<BenchRow> read_bench(const std::filesystem::path& file);
 
+/// The machine, the compiler and the date of such a file, as far as it states them.
+std::string origin_of_bench(const std::filesystem::path& file);
+
 /// What RUN/charts.json holds; {} where there is no such file. Throws std::runtime_error that names the file.
 nlohmann::json read_charts(const std::filesystem::path& run);
 

@@ -178,6 +178,8 @@ TEST_F(Charts, ReadWhatABenchWrote) {
   EXPECT_EQ(rows[0].wrong_disjoint + 10 * rows[0].wrong_intersecting + 100 * rows[0].undecided +
                 1000 * rows[0].failed,
             4321u);
+  std::ofstream(file) << R"({"date":"2026-01-02","cpu":"a machine","results":[]})";
+  EXPECT_EQ(origin_of_bench(file), "a machine, 2026-01-02");
   for (const char* bad : {"", "[]", "{}", R"({"results":[{}]})"}) {
     std::ofstream(file) << bad;
     EXPECT_THROW(read_bench(file), InputError) << bad;

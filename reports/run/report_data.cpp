@@ -329,6 +329,7 @@ void add_charts(json& report, const RunData& run) {
     if (!report[section].is_array())
       throw std::runtime_error(fmt::format("{}/charts.json: {} is no array", run.folder, section));
   }
+  if (run.charts.contains("speed_on")) report["speed_on"] = run.charts.at("speed_on");
 }
 
 json self_check_json(const std::vector<SelfCheckRecord>& checks) {

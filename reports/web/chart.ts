@@ -10,14 +10,13 @@ import {
   familiesPlot,
   firstOfEach,
   mapPlot,
-  palette,
+  onlyHere,
   pareto,
   seriesOf,
   speedPlot,
   tracePlot,
 } from "./run/plots.ts";
-import { expand, inRunOrder, type FullReport } from "./run/report.ts";
-import { library } from "./run/words.ts";
+import { claimedDigits, expand, inRunOrder, type FullReport } from "./run/report.ts";
 
 export { exact, floorSqrt, prove } from "./run/prove.ts";
 export { causesOf, chipCounts, filterOf, filtered, filteredCauses, queryOf, rowsOf } from "./run/filter.ts";
@@ -34,7 +33,7 @@ export { gap, gapsOf } from "./scene/gap.ts";
 export { freeJoints, jointValues, placed } from "./scene/kinematics.ts";
 export { csvOfStudy } from "./scene/csv.ts";
 export { riskOf } from "./scene/risk.ts";
-export { expand, pareto, plainDocument };
+export { expand, onlyHere, pareto, plainDocument };
 
 /** Points of a file's width; text is 11 of them high. */
 const width = 760;
@@ -48,12 +47,12 @@ const escaped = (text: string) =>
   text.replaceAll("&", "&amp;").replaceAll("<", "&lt;").replaceAll(">", "&gt;").replaceAll('"', "&quot;");
 
 /** A plot in a file of its own: white behind it, a title, and who has which colour below it. */
-function framed(plot: Element, title: string, keys: Key[]): string {
+function framed(plot: Element, title: string, keys: Key[], notes: string[] = []): string {
   const [w, h] = ["width", "height"].map((name) => Number(plot.getAttribute(name)));
   const columns = Math.max(1, Math.floor(w! / 150)),
     rows = Math.ceil(keys.length / columns);
   const head = 26,
-    height = h! + head + rows * 15 + (rows > 0 ? 8 : 0);
+    height = h! + head + (rows + notes.length) * 15 + (rows + notes.length > 0 ? 8 : 0);
   const inner = plot.innerHTML.replace(/<style>[^]*?<\/style>/, "");
   const legend = keys
     .map(({ name, colour }, i) => {
@@ -63,13 +62,16 @@ function framed(plot: Element, title: string, keys: Key[]): string {
       return `${square}<text x="${x + 15}" y="${y + 9}">${escaped(name)}</text>`;
     })
     .join("");
+  const told = notes.map(
+    (note, i) => `<text x="12" y="${h! + head + 12 + 15 * i}" fill="${paper.soft}">${escaped(note)}</text>`,
+  );
   return (
     `<?xml version="1.0" encoding="UTF-8"?>\n<svg xmlns="http://www.w3.org/2000/svg" ` +
     `xmlns:xlink="http://www.w3.org/1999/xlink" width="${w}" height="${height}" viewBox="0 0 ${w} ${height}" ` +
     `font-family="sans-serif" font-size="11" fill="${paper.fg}">` +
     `<rect width="100%" height="100%" fill="${paper.bg}"/><text x="12" y="17" font-size="13" ` +
     `font-weight="bold">${escaped(title)}</text><g transform="translate(0,${head})" text-anchor="middle" ` +
-    `color="${paper.fg}" fill="currentColor">${inner}</g>${legend}</svg>\n`
+    `color="${paper.fg}" fill="currentColor">${inner}</g>${legend}${told.join("")}</svg>\n`
   );
 }
 
@@ -80,10 +82,6 @@ const sure = (name: string) => name.replace(/[^A-Za-z0-9_.-]+/g, "_");
 export function charts(report: FullReport, document: Document): Map<string, string> {
   const files = new Map<string, string>();
   const o: Options = { width, theme: paper, document };
-  const libraries = (methods: string[]): Key[] =>
-    [...palette(methods.map(library), paper)]
-      .filter(([name]) => methods.some((m) => library(m) === name))
-      .map(([name, colour]) => ({ name, colour }));
   const series = (methods: string[]): Key[] =>
     methods.map((method) => ({ name: method, colour: seriesOf(methods, paper).colour({ method }) }));
   const shares = ["<1e-4", "1e-4 on", "1e-3 on", "1e-2 on", "0.1 on"];
@@ -115,15 +113,19 @@ export function charts(report: FullReport, document: Document): Map<string, stri
     for (const family of ["all", "random"]) {
       const points = report.speed.filter((p) => p.query === query && p.family === family);
       if (points.length === 0) continue;
-      const name = sure(`${query}-${family}`),
-        keys = libraries(points.map((p) => p.method));
+      const name = sure(`${query}-${family}`);
       if (points.some((p) => p.digits !== null))
         files.set(
           `speed-${name}`,
           framed(
-            speedPlot(points, o),
+            speedPlot(points, o, claimedDigits(report)),
             `Speed against accuracy: ${query}, ${family === "all" ? "all families" : family}`,
-            keys,
+            [],
+            [
+              "Filled: the accuracy shown with 95 % confidence. Hollow: the accuracy observed. Thin line: settings.",
+              `${grouped(Math.max(...points.map((p) => p.asked)))} pairs at most for each method` +
+                `${report.speed_on ? ` on ${report.speed_on}` : ""}.`,
+            ],
           ),
         );
     }

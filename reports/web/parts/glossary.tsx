@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-// The glossary at the end of the page, for paper and touch screens. A pointer sees the same texts as tooltips.
-import { Section } from "./elements.tsx";
+// The glossary at the end of the page, folded: its texts are the tooltips of the page, for a pointer and for a finger.
 
 export function Words({ entries }: { entries: [string, string][] }) {
   return (
-    <Section id="words" title="Glossary" lead="The terms of this page.">
+    <details id="words">
+      <summary>Glossary: {entries.length} terms</summary>
       <dl class="words">
         {entries.map(([word, meaning]) => (
           <div key={word}>
@@ -13,6 +13,6 @@ export function Words({ entries }: { entries: [string, string][] }) {
           </div>
         ))}
       </dl>
-    </Section>
+    </details>
   );
 }

@@ -33,15 +33,15 @@ export const paper: Theme = {
   soft: "#666666",
   line: "#d0d0d0",
   bg: "#ffffff",
-  disjoint: "#d55e00",
-  intersecting: "#0072b2",
-  failed: "#8b3f86",
+  disjoint: "#1a1a1a",
+  intersecting: "#666666",
+  failed: "#007a55",
   undecided: "#8a8a8a",
   own: "#007a55",
   clean: "#e6f0ea",
-  heat: ["#fbe3cf", "#f6bd8e", "#ee9250", "#d55e00", "#8f3a00"],
-  within: ["#e3eef6", "#c3daea", "#98bfdb", "#6a9fc6", "#3f7eae"],
-  unanswered: ["#ececec", "#d8d8d8", "#bcbcbc", "#9c9c9c", "#7a7a7a"],
+  heat: ["#fde3e0", "#f6b9b4", "#ea8981", "#c93a33", "#8f1612"],
+  within: ["#e9ecef", "#d0d5db", "#b1b9c2", "#8c96a1", "#68727d"],
+  unanswered: ["#f8f1d9", "#efe2b2", "#e0cc7c", "#c9ae46", "#a58a1d"],
   series: [
     "#0072b2",
     "#d55e00",
@@ -60,9 +60,9 @@ export const screen: Theme = {
   soft: "var(--soft)",
   line: "var(--line)",
   bg: "var(--bg)",
-  disjoint: "var(--bad)",
-  intersecting: "var(--blue)",
-  failed: "var(--failed)",
+  disjoint: "var(--fg)",
+  intersecting: "var(--soft)",
+  failed: "var(--own)",
   undecided: "var(--grey)",
   own: "var(--own)",
   clean: "var(--clean)",
@@ -72,6 +72,9 @@ export const screen: Theme = {
   series: Array.from({ length: 10 }, (_, i) => `var(--series-${i})`),
 };
 
+/** Pixels for a label of a tick, with the margins of the plot. */
+const tickRoom = 60;
+
 /** Powers of ten that the values span. */
 export function decades(values: number[]): number[] {
   const logs = values.filter((v) => v > 0).map(Math.log10);
@@ -80,9 +83,13 @@ export function decades(values: number[]): number[] {
     high = Math.ceil(Math.max(...logs));
   return Array.from({ length: high - low + 1 }, (_, i) => 10 ** (low + i));
 }
-/** A logarithmic axis over some values. */
-export const logAxis = (label: string, values: number[], tickFormat: (v: number) => string) =>
-  ({ type: "log", label, ticks: decades(values), tickFormat, grid: true, nice: true }) as const;
+/** A logarithmic axis over some values; `width`: of the plot, if its labels stand side by side. */
+export function logAxis(label: string, values: number[], tickFormat: (v: number) => string, width = Infinity) {
+  const ticks = decades(values),
+    skip = Math.max(1, Math.ceil((ticks.length * tickRoom) / width));
+  const told = (v: number, i: number) => (i % skip === 0 ? tickFormat(v) : "");
+  return { type: "log", label, ticks, tickFormat: told, grid: true, nice: true } as const;
+}
 
 export function common(o: Options, height: number, more: Plot.PlotOptions): Plot.PlotOptions {
   return {

@@ -4,7 +4,6 @@ import { useCallback, useMemo, useState } from "preact/hooks";
 import { Figure, Section, Select } from "../parts/elements.tsx";
 import { screen } from "../parts/plot.ts";
 import { plural, safe } from "../parts/words.ts";
-import { Missing } from "./elements.tsx";
 import { calibrationPlot, costPlot, firstOfEach, seriesOf, shownCap } from "./plots.ts";
 import { inRunOrder, type FullReport } from "./report.ts";
 import { formatClaim, kindLabel, claimOrigin } from "./words.ts";
@@ -70,6 +69,7 @@ export function Calibration({ report }: { report: FullReport }) {
   const draw = useCallback((width: number) => calibrationPlot(rows, { width, theme: screen }), [rows]);
   const count = (of: (b: (typeof rows)[number]["bins"][number]) => number) =>
     rows.reduce((n, h) => n + h.bins.reduce((k, b) => k + of(b), 0), 0);
+  if (methods.length === 0) return null;
   const declined = count((b) => b.declined ?? 0),
     answers = count((b) => b.asked) - declined;
   return (
@@ -77,48 +77,40 @@ export function Calibration({ report }: { report: FullReport }) {
       id="calibration"
       title="Calibration"
       lead={
-        methods.length
-          ? "The share of wrong answers as the margin shrinks. A method that claims to be right from some margin on " +
-            "must have no wrong answer left of it. An open mark means no wrong answer, and bars are 95 % confidence."
-          : undefined
+        "The share of wrong answers as the margin shrinks. A method that claims to be right from some margin on " +
+        "must have no wrong answer left of it. An open mark means no wrong answer, and bars are 95 % confidence."
       }>
-      {methods.length === 0 ? (
-        <Missing of="honesty" report={report} />
-      ) : (
-        <>
-          {families.length > 1 && (
-            <p class="tools">
-              <Select
-                label="Pairs"
-                value={family ?? ""}
-                onChange={choose}
-                options={families.map((f) => [f ?? "", f === null ? "all families together" : kindLabel(f)] as const)}
-              />
-            </p>
-          )}
-          <Chooser methods={methods} chosen={chosen} set={set} />
-          {rows.length > 0 && (
-            <Figure
-              draw={draw}
-              height={330}
-              label="Share of wrong answers against margin"
-              caption={
-                <>
-                  {plural(answers, "answer")}
-                  {declined > 0 && `; ${plural(declined, "pair")} declined`}.{" "}
-                  {chosen.map((m) => {
-                    const claim = report.methods.find((r) => r.name === m)?.claim;
-                    return claim ? (
-                      <span key={m}>
-                        {safe(m)}: {formatClaim(claim)}, {claimOrigin(claim)}.{" "}
-                      </span>
-                    ) : null;
-                  })}
-                </>
-              }
-            />
-          )}
-        </>
+      {families.length > 1 && (
+        <p class="tools">
+          <Select
+            label="Pairs"
+            value={family ?? ""}
+            onChange={choose}
+            options={families.map((f) => [f ?? "", f === null ? "all families together" : kindLabel(f)] as const)}
+          />
+        </p>
+      )}
+      <Chooser methods={methods} chosen={chosen} set={set} />
+      {rows.length > 0 && (
+        <Figure
+          draw={draw}
+          height={330}
+          label="Share of wrong answers against margin"
+          caption={
+            <>
+              {plural(answers, "answer")}
+              {declined > 0 && `; ${plural(declined, "pair")} declined`}.{" "}
+              {chosen.map((m) => {
+                const claim = report.methods.find((r) => r.name === m)?.claim;
+                return claim ? (
+                  <span key={m}>
+                    {safe(m)}: {formatClaim(claim)}, {claimOrigin(claim)}.{" "}
+                  </span>
+                ) : null;
+              })}
+            </>
+          }
+        />
       )}
     </Section>
   );
@@ -129,9 +121,10 @@ export function Cost({ report }: { report: FullReport }) {
   const [chosen, set] = useState(() => firstOfEach(methods));
   const points = useMemo(() => chosen.flatMap((m) => report.cost.filter((c) => c.method === m)), [report, chosen]);
   const draw = useCallback((width: number) => costPlot(points, { width, theme: screen }), [points]);
-  if (methods.length === 0) return <Missing of="cost" report={report} />;
+  if (methods.length === 0) return null;
   return (
     <>
+      <h3>Cost near touching</h3>
       <Chooser methods={methods} chosen={chosen} set={set} />
       {points.length > 0 && (
         <Figure

@@ -1,79 +1,64 @@
 // SPDX-License-Identifier: MIT
-// The table of causes: sorted by its heads; on a narrow screen a card for each.
+// The causes as rows: picture, sentence, runs. Sorted by the heads; on a narrow screen a card for each.
 import { useRef } from "preact/hooks";
-import { grouped, leastRange, percent, safe, short } from "../parts/words.ts";
+import { grouped, safe, short } from "../parts/words.ts";
 import type { Bucket } from "./data.ts";
 import { causeColumns, type Cause, type CauseColumn, type CauseOrder } from "./filter.ts";
 import { about } from "./glossary.ts";
+import { Sparkline } from "./nights.tsx";
+import { Thumbnail } from "./pair_view.tsx";
 import { useRoving } from "./roving.ts";
+import { sentenceOf } from "./sentence.ts";
 import { severityLabels, standingLabel } from "./words.ts";
 
 const titles: Record<CauseColumn, string> = {
   key: "cause",
-  methods: "methods",
-  severity: "severity",
+  margin: "largest margin",
   count: "findings",
-  margin: "margins",
-  share: "share of pairs like it",
   standing: "since earlier runs",
   seen: "first seen",
 };
-const numeric = new Set<CauseColumn>(["count", "margin", "share"]);
-
-const few = (names: string[]) =>
-  names.length < 4 ? safe(names.join(", ")) : `${safe(names.slice(0, 2).join(", "))} and ${names.length - 2} more`;
+const numeric = new Set<CauseColumn>(["count", "margin"]);
 
 export const bucketAddress = (key: string) => `#/bucket/${key.split("/").map(encodeURIComponent).join("/")}`;
 
 export const formatNote = ({ note }: Bucket) => (note ? `${note.owner}${note.note && `: ${note.note}`}` : "");
 
-function Name({ b }: { b: Bucket }) {
-  return (
-    <>
-      <a href={bucketAddress(b.key)}>{safe(b.key)}</a>
-      {b.suppressed && (
-        <>
-          {" "}
-          <span class="tag" title={safe(b.suppressed.reason)}>
-            suppressed until {safe(b.suppressed.expires)}
-          </span>
-        </>
-      )}
-      <div class="soft">
-        {safe(b.cause)}
-      </div>
-      {b.note && <div class="note">{safe(formatNote(b))}</div>}
-    </>
-  );
-}
-
 const standingHint = ({ standing, chance }: Bucket) =>
   [standing ? about(standing) : "", chance !== null ? `By chance: ${short(chance)}` : ""].join("\n").trim();
 
 function CauseRow({ b }: { b: Bucket }) {
-  const share = b.share && `${grouped(b.share.wrong)} of ${grouped(b.share.asked)}`;
+  const severity = severityLabels[b.severity] ?? safe(b.severity);
   return (
     <tr class={b.suppressed ? "suppressed" : ""}>
       <td class="wrap" data-label={titles.key}>
-        <Name b={b} />
+        <div class="cause">
+          <Thumbnail shown={b.simplest} />
+          <div>
+            <a href={bucketAddress(b.key)}>{safe(b.key)}</a>{" "}
+            <span class={`tag ${b.severity === "contract" ? "bad" : "soft"}`} title={about(severity)}>
+              {severity}
+            </span>
+            {b.suppressed && (
+              <span class="tag" title={safe(b.suppressed.reason)}>
+                suppressed until {safe(b.suppressed.expires)}
+              </span>
+            )}
+            <div>{safe(sentenceOf(b))}.</div>
+            <div class="soft">{safe(b.cause)}</div>
+            {b.note && <div class="note">{safe(formatNote(b))}</div>}
+          </div>
+        </div>
       </td>
-      <td class="wrap soft" data-label={titles.methods} title={safe((b.methods).join(", "))}>
-        {few(b.methods)}
-      </td>
-      <td class={b.severity === "contract" ? "bad" : ""} data-label={titles.severity}>
-        {severityLabels[b.severity] ?? safe(b.severity)}
+      <td class="n" data-label={titles.margin}>
+        {b.margin ? short(b.margin[1]) : "\u2013"}
       </td>
       <td class="n" data-label={titles.count}>
         {grouped(b.count)}
       </td>
-      <td class="n" data-label={titles.margin}>
-        {leastRange(b.margin)}
-      </td>
-      <td class="n" data-label={titles.share} title={share ?? ""}>
-        {b.share ? percent(b.share.wrong, b.share.asked) : "\u2013"}
-      </td>
       <td data-label={titles.standing} title={standingHint(b)}>
         {standingLabel(b.standing)}
+        {b.nights.length > 1 && <Sparkline nights={b.nights} />}
       </td>
       <td data-label={titles.seen}>{safe(b.first_seen)}</td>
     </tr>

@@ -266,7 +266,7 @@ export interface Report {
     equivalent: number;
     rows: { mutant: number; file: string; what: string; caught_by: string[]; equivalent?: string }[];
   } | null;
-  buckets: Bucket[];
+  buckets: (Omit<Bucket, "worst"> & { worst: Case | null })[];
   findings: PackedFinding[];
   findings_total: number;
   cases: PackedCase[];
@@ -275,6 +275,7 @@ export interface Report {
   maps: FailureMap[];
   honesty: Calibration[];
   speed: SpeedPoint[];
+  speed_on?: string; // the machine, compiler and date of these times
   cost: CostPoint[];
   paths: PathStability[];
   backward: BackwardError[];

@@ -258,7 +258,7 @@ test("each word has one sentence", () => {
 });
 
 test("nobody on the front is beaten in both", () => {
-  const p = (ns, digits) => ({ ns, digits });
+  const p = (ns, digits_low) => ({ ns, digits: 15, digits_low });
   assert.deepEqual(pareto([p(30, 9), p(10, 5), p(20, 5), p(20, 9), p(40, 3), p(50, 15), p(1, null)]), [
     p(10, 5),
     p(20, 9),
@@ -281,10 +281,19 @@ test("maps and curves tell a claim kept from one broken, and declined from undec
   };
   const files = charts(expand(report), plainDocument());
   const rects = files.get("map-scale-offset-ode").match(/<rect [^>]*aria-label="t: [^>]*>/g);
-  assert.match(rects[0], /^<rect fill="#3f7eae" [^>]*wrongly reported disjoint 4 \(40 %\), 4 of them within its claim"/);
-  assert.match(rects[1], /^<rect fill="#8f3a00" [^>]*, 2 of them within its claim\ndeclined 3 \(30 %\)"/);
+  assert.match(rects[0], /^<rect fill="#68727d" [^>]*wrongly reported disjoint 4 \(40 %\), 4 of them within its claim"/);
+  assert.match(rects[1], /^<rect fill="#8f1612" [^>]*, 2 of them within its claim\ndeclined 3 \(30 %\)"/);
   const said = files.get("honesty").match(/wrong \d+ of \d+/g);
   assert.deepEqual(said, ["wrong 2 of 40", "wrong 0 of 40"], "of those it answered");
+});
+
+test("a map of what only one library has wrong leaves out the cells of others", () => {
+  const cell = (x, wrong_disjoint, within_disjoint = 0) => ({ x, y: 0, asked: 9, wrong_disjoint, within_disjoint });
+  const of = (method, cells) =>
+    ({ method, plane: "scale-offset", cells: cells.map((c) => ({ ...c, wrong_intersecting: 0, failed: 0 })) });
+  const mine = of("fcl-libccd", [cell(0, 2), cell(1, 2), cell(2, 0), cell(3, 2)]);
+  const all = [mine, of("fcl-indep", [cell(0, 1)]), of("ode", [cell(1, 1), cell(2, 1), cell(3, 1, 1)])];
+  assert.deepEqual(daylight.onlyHere(mine, all).cells.map((c) => c.x), [0, 2, 3]);
 });
 
 test("every plot is drawn as a whole SVG", () => {

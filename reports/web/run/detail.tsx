@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // One finding, or one cause with its simplest and its worst case.
+import type { ComponentChildren } from "preact";
 import { useMemo, useState } from "preact/hooks";
 import { Copy } from "../parts/elements.tsx";
 import { digits17, full, groupBy, grouped, leastRange, percent, plural, range, safe, short } from "../parts/words.ts";
@@ -13,6 +14,7 @@ import { Nights } from "./nights.tsx";
 import { PairView } from "./pair_view.tsx";
 import { prove, type Proof } from "./prove.ts";
 import type { FullReport } from "./report.ts";
+import { sentenceOf } from "./sentence.ts";
 import { formatClaim, formatCoordinate, kindLabel, claimOrigin, severityLabels, standingLabel } from "./words.ts";
 
 /** The part of a truth that is a certificate, as one may edit it. */
@@ -307,44 +309,68 @@ const stageLabels: Record<string, string> = {
   exact: "rationals",
 };
 
-/** `method`: the one that is wrong; `kind`: how. */
-function CaseView({ shown, method, kind, report }: { shown: Case; method: string; kind: string; report: FullReport }) {
+/** `method`: the one that is wrong; `kind`: how; `story`: what is known of its cause, beside the picture. */
+function CaseView({
+  shown,
+  method,
+  kind,
+  report,
+  story,
+}: {
+  shown: Case;
+  method: string;
+  kind: string;
+  report: FullReport;
+  story?: ComponentChildren;
+}) {
   const { truth } = shown,
     distances = kind === "distance_outside",
     claim = report.methods.find((m) => m.name === method)?.claim,
     off = distances ? wrongDistance(shown, shown.answers[method], claim) : null,
     stage = truth.stage && (stageLabels[truth.stage] ?? safe(truth.stage));
+  const proof =
+    truth.direction || truth.point || truth.points || truth.near ? (
+      <Prover shown={shown} />
+    ) : (
+      <p class="warn">No truth is proved for this pair.</p>
+    );
+  const facts = (
+    <dl class="facts">
+      <Fact label="truth">
+        <span title={about(truth.verdict)}>{truth.verdict}</span>
+      </Fact>
+      <Fact label="signed distance">{range(truth.distance)}</Fact>
+      <Fact label="margin">{range(shown.margin)}</Fact>
+      {stage && (
+        <Fact label="settled in">
+          <span title={about(stage)}>{stage}</span>
+        </Fact>
+      )}
+    </dl>
+  );
+  const wrong = off && <Wrong of={off} {...(claim ? { claim } : {})} />,
+    answers = <Answers shown={shown} method={method} report={report} distances={distances} />;
   return (
-    <div class="case">
-      <div class="left">
-        <PairView shown={shown} />
-        <Solids shown={shown} />
-        <Copy label="Ask again" text={shown.replay} />
-        <Copy label="The pair, a line for daylight check" text={JSON.stringify(shown.pair)} />
-        {shown.note && <p class="soft">From: {safe(shown.note)}</p>}
+    <>
+      <div class="case">
+        <div class="left">
+          <PairView shown={shown} />
+          {story && facts}
+          <Solids shown={shown} />
+          {story && proof}
+          <Copy label="Ask again" text={shown.replay} />
+          <Copy label="The pair, a line for daylight check" text={JSON.stringify(shown.pair)} />
+          {shown.note && <p class="soft">From: {safe(shown.note)}</p>}
+        </div>
+        <div class="right">
+          {story ?? facts}
+          {wrong}
+          {!story && proof}
+          {!story && answers}
+        </div>
       </div>
-      <div class="right">
-        <dl class="facts">
-          <Fact label="truth">
-            <span title={about(truth.verdict)}>{truth.verdict}</span>
-          </Fact>
-          <Fact label="signed distance">{range(truth.distance)}</Fact>
-          <Fact label="margin">{range(shown.margin)}</Fact>
-          {stage && (
-            <Fact label="settled in">
-              <span title={about(stage)}>{stage}</span>
-            </Fact>
-          )}
-        </dl>
-        {off && <Wrong of={off} {...(claim ? { claim } : {})} />}
-        {truth.direction || truth.point || truth.points || truth.near ? (
-          <Prover shown={shown} />
-        ) : (
-          <p class="warn">No truth is proved for this pair.</p>
-        )}
-        <Answers shown={shown} method={method} report={report} distances={distances} />
-      </div>
-    </div>
+      {story && answers}
+    </>
   );
 }
 
@@ -430,12 +456,8 @@ export function BucketView({
   const claim = report.methods.find((m) => m.name === b.method)?.claim;
   const asked = b.nights.at(-1)?.asked;
   const severity = severityLabels[b.severity] ?? safe(b.severity);
-  return (
+  const story = (
     <>
-      <p class="crumbs">
-        <a href="#/findings">Findings</a>
-      </p>
-      <h2 tabIndex={-1}>{safe(b.key)}</h2>
       <dl class="facts">
         <Fact label="severity" kind={b.severity === "contract" ? "bad" : ""}>
           <span title={about(severity)}>{severity}</span>
@@ -496,6 +518,17 @@ export function BucketView({
           {safe(b.suppressed.link)})
         </p>
       )}
+      {b.nights.length > 0 && <Nights nights={b.nights} />}
+      <Handling report={report} b={b} />
+    </>
+  );
+  return (
+    <>
+      <p class="crumbs">
+        <a href="#/findings">Findings</a>
+      </p>
+      <h2 tabIndex={-1}>{safe(b.key)}</h2>
+      <p class="story">{safe(sentenceOf(b))}.</p>
       <div class="tabs" role="tablist">
         <button type="button" role="tab" aria-selected={!worst} onClick={() => choose(false)}>
           {b.simplified ? "Simplest" : "As found"}
@@ -504,9 +537,14 @@ export function BucketView({
           Worst
         </button>
       </div>
-      <CaseView shown={shown} method={b.method} kind={b.kind} report={report} key={worst ? "worst" : "simplest"} />
-      {b.nights.length > 0 && <Nights nights={b.nights} />}
-      <Handling report={report} b={b} />
+      <CaseView
+        shown={shown}
+        method={b.method}
+        kind={b.kind}
+        report={report}
+        story={story}
+        key={worst ? "worst" : "simplest"}
+      />
       {b.merged.length > 0 && (
         <details class="print">
           <summary>{plural(b.merged.length, "key")} of the same cause</summary>

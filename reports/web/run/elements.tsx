@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Elements that several sections of the page of a run use.
 import type { ComponentChildren } from "preact";
-import { shellQuoted } from "../parts/words.ts";
+import { groupBy, shellQuoted } from "../parts/words.ts";
 import type { FullReport } from "./report.ts";
 import { about } from "./glossary.ts";
 
@@ -52,7 +52,39 @@ const makes = {
   kill_matrix: ["kill matrix of our own tests", () => "./daylight mutants matrix"],
 } as const;
 
-/** The text of a section without data. */
+/** What the run has no data for. */
+const isMissing = {
+  maps: (r) => r.maps.length === 0,
+  honesty: (r) => r.honesty.length === 0,
+  speed: (r) => r.speed.length === 0,
+  cost: (r) => r.cost.length === 0,
+  paths: (r) => r.paths.length === 0,
+  backward: (r) => r.backward.length === 0,
+  builds: (r) => r.builds.length === 0,
+  kill_matrix: (r) => r.kill_matrix === null,
+} satisfies Partial<Record<keyof typeof makes, (report: FullReport) => boolean>>;
+
+/** One line for all sections without data; unfolded, the command that adds each. */
+export function NotInThisRun({ report }: { report: FullReport }) {
+  const missing = (Object.keys(isMissing) as (keyof typeof isMissing)[]).filter((key) => isMissing[key](report));
+  if (missing.length === 0) return null;
+  const byCommand = groupBy(missing, (key) => makes[key][1](shellQuoted(report.run.folder)));
+  const names = (keys: (keyof typeof isMissing)[]) => keys.map((key) => makes[key][0]).join(", ");
+  return (
+    <details class="missing print">
+      <summary>This run has no {names(missing)}</summary>
+      <ul>
+        {[...byCommand].map(([command, keys]) => (
+          <li key={command}>
+            {names(keys)}: <code>{command}</code>
+          </li>
+        ))}
+      </ul>
+    </details>
+  );
+}
+
+/** The text of a run whose findings have no causes yet. */
 export function Missing({ of, report }: { of: keyof typeof makes; report: FullReport }) {
   const [what, command] = makes[of];
   return (

@@ -4,11 +4,12 @@ import type { Pair } from "../parts/data.ts";
 import { groupBy, inOrder } from "../parts/words.ts";
 import type { Bucket, Finding, Standing } from "./data.ts";
 import { standings, type FullReport } from "./report.ts";
+import { sentenceOf } from "./sentence.ts";
 import { kindLabel, library, severityLabels } from "./words.ts";
 
 export const facets = ["severity", "kind", "library", "family", "standing"] as const;
 export type Facet = (typeof facets)[number];
-/** Chips pressed, by facet; no chip of a facet pressed is all of them. `method` comes from links alone. */
+/** Values chosen, by facet; none of a facet is all of them. `method` comes from links alone. */
 export interface Filter {
   chosen: Record<Facet, ReadonlySet<string>>;
   method: string | null;
@@ -58,7 +59,9 @@ const termsOf = (text: string) =>
     .filter((term) => term !== "");
 
 const causeText = (b: Bucket) =>
-  searchText([b.key, b.cause, ...b.labels, ...b.methods, b.note?.owner, b.note?.note, b.suppressed?.reason]);
+  searchText([
+    b.key, b.cause, sentenceOf(b), ...b.labels, ...b.methods, b.note?.owner, b.note?.note, b.suppressed?.reason,
+  ]);
 
 export function rowsOf(report: FullReport): Row[] {
   const standingOf = standings(report);
@@ -125,7 +128,7 @@ export function filteredCauses(causes: Cause[], shown: Row[], filter: Filter) {
 type Counts = Record<Facet, Map<string, number>>;
 const byFacet = (): Counts => Object.fromEntries(facets.map((facet) => [facet, new Map<string, number>()])) as Counts;
 
-/** How many rows each chip would give beside what the other facets leave; chips that are pressed stay. */
+/** How many rows each filter would give beside what the other facets leave; those chosen stay. */
 export function chipCounts(rows: Row[], filter: Filter): Counts {
   const counts = byFacet(),
     terms = termsOf(filter.text);
@@ -161,7 +164,7 @@ interface OrderOf<C extends string> {
 export const columns = ["id", "severity", "kind", "method", "family", "margin", "bucket", "standing"] as const;
 export type Column = (typeof columns)[number];
 export type Order = OrderOf<Column>;
-export const causeColumns = ["key", "methods", "severity", "count", "margin", "share", "standing", "seen"] as const;
+export const causeColumns = ["key", "margin", "count", "standing", "seen"] as const;
 export type CauseColumn = (typeof causeColumns)[number];
 export type CauseOrder = OrderOf<CauseColumn>;
 
@@ -194,22 +197,14 @@ export const sorted = (rows: Row[], order: Order) =>
 export const worstFirst = (rows: Row[]) =>
   inOrder(rows, (x, y) => Number(y.ordinary) - Number(x.ordinary) || y.margin - x.margin);
 
-const shareOf = ({ share }: Bucket) => (share && share.asked > 0 ? share.wrong / share.asked : -1);
-
 function compareCauses(x: Bucket, y: Bucket, column: CauseColumn): number {
   switch (column) {
     case "key":
       return byName(x.key, y.key);
-    case "methods":
-      return byName(x.methods.join(), y.methods.join());
-    case "severity":
-      return rankOf(x.severity) - rankOf(y.severity);
     case "count":
       return x.count - y.count;
     case "margin":
       return (x.margin?.[1] ?? -1) - (y.margin?.[1] ?? -1);
-    case "share":
-      return shareOf(x) - shareOf(y);
     case "seen":
       return byName(x.first_seen, y.first_seen);
     case "standing":

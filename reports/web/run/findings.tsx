@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The causes (buckets), and every finding that was kept: filtered by chips, sorted by columns, kept in the address.
+// The causes (buckets), and every finding that was kept: filtered by a search, sorted by columns, kept in the address.
 import { useEffect, useMemo, useState } from "preact/hooks";
 import { Section } from "../parts/elements.tsx";
 import { save } from "../parts/save.ts";
@@ -7,17 +7,14 @@ import { VirtualTable, type ColumnOf } from "../parts/table.tsx";
 import { grouped, plural, safe, short } from "../parts/words.ts";
 import { remember, type Address } from "./address.ts";
 import { Causes } from "./causes.tsx";
-import { Missing } from "./elements.tsx";
 import { csvOf, jsonOf } from "./files.ts";
 import {
   causesOf,
   chipCounts,
   columns,
-  facets,
   filtered,
   filteredCauses,
   loneCounts,
-  noFilter,
   queryOf,
   rowsOf,
   sorted,
@@ -25,14 +22,13 @@ import {
   viewOf,
   worstFirst,
   type Column,
-  type Facet,
-  type Filter,
   type Order,
   type Row,
   type View,
 } from "./filter.ts";
 import { about } from "./glossary.ts";
 import type { FullReport } from "./report.ts";
+import { Search } from "./search.tsx";
 import { kindLabel, severityLabels } from "./words.ts";
 
 const rowHeight = 25,
@@ -47,61 +43,7 @@ const titles: Record<Column, string> = {
   bucket: "cause",
   standing: "since earlier runs",
 };
-const facetTitles: Record<Facet, string> = {
-  severity: "Severity",
-  kind: "Kind",
-  library: "Library",
-  family: "Family",
-  standing: "Since earlier runs",
-};
 const numeric = new Set<Column>(["id", "margin"]);
-
-function Chips({
-  facet,
-  counts,
-  lone,
-  filter,
-  set,
-}: {
-  facet: Facet;
-  counts: Map<string, number>;
-  lone: Map<string, number>;
-  filter: Filter;
-  set: (filter: Filter) => void;
-}) {
-  const chosen = filter.chosen[facet];
-  const all = new Map([...[...lone.keys(), ...chosen].map((value) => [value, 0] as const), ...counts]);
-  const values = [...all].sort((x, y) => y[1] - x[1] || (x[0] < y[0] ? -1 : 1));
-  if (values.length < 2 && chosen.size === 0) return null;
-  const press = (value: string) => {
-    const now = new Set(chosen);
-    if (!now.delete(value)) now.add(value);
-    set({ ...filter, chosen: { ...filter.chosen, [facet]: now } });
-  };
-  const words = (value: string) => (facet === "severity" ? (severityLabels[value] ?? value) : kindLabel(value));
-  return (
-    <div class="chips" role="group" aria-label={facetTitles[facet]}>
-      <span class="chips-title" title={about(facetTitles[facet])}>
-        {facetTitles[facet]}
-      </span>
-      {values.map(([value, count]) => {
-        const causes = count === 0 ? (lone.get(value) ?? 0) : 0;
-        return (
-          <button
-            type="button"
-            class="chip"
-            aria-pressed={chosen.has(value)}
-            disabled={count + causes === 0 && !chosen.has(value)}
-            title={about(words(value))}
-            onClick={() => press(value)}
-            key={value}>
-            {safe(words(value))} <span class="count">{causes > 0 ? plural(causes, "cause") : grouped(count)}</span>
-          </button>
-        );
-      })}
-    </div>
-  );
-}
 
 const cellOf: Record<Column, (row: Row) => string> = {
   id: (r) => String(r.f.id),
@@ -178,56 +120,6 @@ function useView(address: Address): [View, (view: View) => void] {
   return [view, set];
 }
 
-function Filters({
-  view,
-  set,
-  counts,
-  lone,
-  said,
-}: {
-  view: View;
-  set: (view: View) => void;
-  counts: ReturnType<typeof chipCounts>;
-  lone: ReturnType<typeof loneCounts>;
-  said: string;
-}) {
-  const { filter } = view,
-    to = (filter: Filter) => set({ ...view, filter });
-  const clear = filter.method !== null || filter.text !== "" || facets.some((f) => filter.chosen[f].size > 0);
-  return (
-    <div class="filters">
-      {facets.map((facet) => (
-        <Chips facet={facet} counts={counts[facet]} lone={lone[facet]} filter={filter} set={to} key={facet} />
-      ))}
-      <div class="chips">
-        <span class="chips-title" title={about("text")}>
-          Text
-        </span>
-        <input
-          type="search"
-          value={filter.text}
-          placeholder="method, family, cause, reason, number"
-          aria-label="Search causes and findings"
-          onInput={(event) => to({ ...filter, text: event.currentTarget.value })}
-        />
-        {filter.method !== null && (
-          <button type="button" class="chip" aria-pressed="true" onClick={() => to({ ...filter, method: null })}>
-            method {safe(filter.method)}
-          </button>
-        )}
-        {clear && (
-          <button type="button" onClick={() => to(noFilter)}>
-            Clear
-          </button>
-        )}
-        <span class="soft" role="status">
-          {said}
-        </span>
-      </div>
-    </div>
-  );
-}
-
 const ofAll = (shown: number, all: number, one: string) =>
   shown === all ? plural(all, one) : `${grouped(shown)} of ${plural(all, one)}`;
 
@@ -258,10 +150,17 @@ export function Findings({ report, address }: { report: FullReport; address: Add
   ].join(", ");
   const any = all.length > 0 || allCauses.length > 0;
   return (
-    <Section id="findings" title="Findings" lead={all.length === 0 ? undefined : lead(report)}>
+    <Section id="findings" title="All findings" lead={all.length === 0 ? undefined : lead(report)}>
       {all.length === 0 && <p class="ok">No method was wrong, and none failed.</p>}
-      {all.length > 0 && allCauses.length === 0 && <Missing of="buckets" report={report} />}
-      {any && <Filters view={view} set={set} counts={counts} lone={lone} said={said} />}
+      {any && (
+        <Search
+          filter={filter}
+          set={(filter) => set({ ...view, filter })}
+          counts={counts}
+          lone={lone}
+          said={said}
+        />
+      )}
       {allCauses.length > 0 && (
         <Causes causes={causes} order={view.causes} setOrder={(order) => set({ ...view, causes: order })} />
       )}

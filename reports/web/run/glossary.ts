@@ -61,6 +61,7 @@ export const glossary: Record<string, string> = {
   known: "A cause that earlier runs have too.",
   "known cases now failing": "Stored pairs for which the referee now returns another truth.",
   "largest change": "The largest difference between the distances of the two builds.",
+  "largest margin": "The largest margin of the findings of the cause, as far as it is proved.",
   library: "The library that a method belongs to; our methods are one library.",
   margin: "For a wrong distance the error over the size, for other findings the signed distance over the size.",
   margins: "The least and the largest margin of the findings of the cause, as far as they are proved.",

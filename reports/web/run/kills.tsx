@@ -3,11 +3,10 @@
 import { useMemo, useState } from "preact/hooks";
 import { Section } from "../parts/elements.tsx";
 import { groupBy, grouped, percent, plural, safe } from "../parts/words.ts";
-import { Fact, Heads, Missing } from "./elements.tsx";
+import { Fact, Heads } from "./elements.tsx";
 import type { FullReport } from "./report.ts";
 
-const title = "Planted faults",
-  told = "The test that detected the fault.";
+const told = "The test that detected the fault.";
 
 export function Kills({ report }: { report: FullReport }) {
   const matrix = report.kill_matrix;
@@ -18,18 +17,13 @@ export function Kills({ report }: { report: FullReport }) {
   }, [report]);
   const tests = detectors.map(([d]) => safe(d));
   const [missedOnly, set] = useState(false);
-  if (!matrix)
-    return (
-      <Section id="faults" title={title}>
-        <Missing of="kill_matrix" report={report} />
-      </Section>
-    );
+  if (!matrix) return null;
   const missed = matrix.mutants - matrix.caught - matrix.equivalent;
   const rows = missedOnly ? matrix.rows.filter((r) => r.caught_by.length === 0) : matrix.rows;
   return (
     <Section
       id="faults"
-      title={title}
+      title="Planted faults"
       lead={
         "The quality of our own tests. We plant one fault at a time in the solver, the referee or the comparison, " +
         "and record the tests that detect it. daylight mutants matrix measured this, not this run."
@@ -72,7 +66,7 @@ export function Kills({ report }: { report: FullReport }) {
           </tbody>
         </table>
       </div>
-      <details class="print">
+      <details>
         <summary>Every fault</summary>
         <p>
           <label>

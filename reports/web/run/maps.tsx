@@ -1,21 +1,23 @@
 // SPDX-License-Identifier: MIT
-// Where in the space of pairs a method fails, and our solver beside it.
+// Where in the space of pairs a method fails, one large, and a small map of each library.
 import { useCallback, useMemo, useState } from "preact/hooks";
 import { Figure, Section, Select } from "../parts/elements.tsx";
 import { screen } from "../parts/plot.ts";
 import { grouped, percent, safe } from "../parts/words.ts";
 import type { FailureMap } from "./data.ts";
-import { Missing } from "./elements.tsx";
-import { mapPlot, withinOf, wrongOf, type Wrongness } from "./plots.ts";
-import type { FullReport } from "./report.ts";
+import { firstOfEach, mapColour, mapPlot, onlyHere, withinOf, wrongOf, type Wrongness } from "./plots.ts";
+import { inRunOrder, type FullReport } from "./report.ts";
+import { library } from "./words.ts";
 
 const planes = [
   ["angle-margin", "Angle of the axes and margin"],
   ["aspect-margin", "Aspect and margin"],
   ["scale-offset", "Scale and offset"],
 ] as const;
-const kinds: readonly (readonly [Wrongness, string])[] = [
+type Count = Wrongness | "only";
+const kinds: readonly (readonly [Count, string])[] = [
   ["all", "wrong or failed"],
+  ["only", "only this library is wrong"],
   ["wrong_disjoint", "wrongly reported disjoint"],
   ["wrong_intersecting", "wrongly reported intersecting"],
   ["failed", "failed"],
@@ -37,12 +39,11 @@ function formatTotal(map: FailureMap, what: Wrongness) {
   return `${told(beyond)} beyond its claim${failed}, ${told(within)} within it, of ${grouped(asked)}`;
 }
 
-function One({ map, what }: { map: FailureMap | undefined; what: Wrongness }) {
+function Large({ map, what }: { map: FailureMap; what: Wrongness }) {
   const draw = useCallback(
-    (width: number) => mapPlot(map!, what, { width, theme: screen, linkFinding: (id) => `#/finding/${id}` }),
+    (width: number) => mapPlot(map, what, { width, theme: screen, linkFinding: (id) => `#/finding/${id}` }),
     [map, what],
   );
-  if (!map) return <p class="missing">Not counted.</p>;
   return (
     <Figure
       draw={draw}
@@ -53,75 +54,101 @@ function One({ map, what }: { map: FailureMap | undefined; what: Wrongness }) {
   );
 }
 
-export function Maps({ report }: { report: FullReport }) {
-  const methods = useMemo(() => [...new Set(report.maps.map((m) => m.method))], [report]);
-  const own = report.methods.find((m) => m.own && methods.includes(m.name))?.name ?? methods[0] ?? "";
-  const wrongs = (method: string) =>
-    report.maps.filter((m) => m.method === method).reduce((n, m) => n + total(m, "all").beyond, 0);
-  const worst = useMemo(
-    () =>
-      methods
-        .filter((m) => m !== own)
-        .map((m) => [wrongs(m), m] as const)
-        .sort((x, y) => y[0] - x[0])[0]?.[1] ?? own,
-    [report],
+/** The same without words, to choose from; where no pair was, nothing is drawn. */
+interface Choice {
+  map: FailureMap;
+  what: Wrongness;
+  chosen: boolean;
+  choose: () => void;
+}
+function Small({ map, what, chosen, choose }: Choice) {
+  const [wide, high] = [map.x.labels.length, map.y.labels.length];
+  return (
+    <button type="button" class="mini" aria-pressed={chosen} onClick={choose}>
+      {safe(library(map.method))}
+      <svg viewBox={`0 0 ${wide} ${high}`} aria-hidden="true" preserveAspectRatio="none" height={6 * high}>
+        {map.cells.map((c) => (
+          <rect
+            x={c.x + 0.05}
+            y={high - 1 - c.y + 0.05}
+            width={0.9}
+            height={0.9}
+            fill={mapColour(c, what, screen)}
+            key={`${c.x} ${c.y}`}
+          />
+        ))}
+      </svg>
+    </button>
   );
-  const [method, choose] = useState(worst);
-  const [what, count] = useState<Wrongness>("all");
-  const find = (name: string, plane: string) => report.maps.find((m) => m.method === name && m.plane === plane);
+}
+
+export function Maps({ report }: { report: FullReport }) {
+  const methods = useMemo(() => inRunOrder(report, report.maps), [report]);
+  const [method, choose] = useState(methods[0] ?? "");
+  const [plane, turn] = useState<string>(planes[0][0]);
+  const [count, set] = useState<Count>("all");
+  const what = count === "only" ? "all" : count;
+  const maps = useMemo(() => {
+    const of = report.maps.filter((m) => m.plane === plane);
+    return count === "only" ? of.map((m) => onlyHere(m, of)) : of;
+  }, [report, plane, count]);
+  if (methods.length === 0) return null;
+  const large = maps.find((m) => m.method === method);
+  const minis = firstOfEach(methods).flatMap((name) => maps.filter((m) => m.method === name));
   return (
     <Section
       id="maps"
       title="Failure maps"
       lead={
-        methods.length
-          ? "The share of wrong answers of a method, by properties of the pair. A stronger colour is a larger share. " +
-            "If any answer of a cell is wrong beyond the claim, its share counts only those. " +
-            "A cell with a dot leads to a case."
-          : undefined
+        "The share of wrong answers of a method, by properties of the pair. A stronger colour is a larger share. " +
+        "If any answer of a cell is wrong beyond the claim, its share counts only those. " +
+        "A cell with a dot leads to a case."
       }>
-      {methods.length === 0 ? (
-        <Missing of="maps" report={report} />
-      ) : (
-        <>
-          <p class="tools">
-            <Select label="Method" value={method} onChange={choose} options={methods.map((m) => [m, m] as const)} />
-            <Select label="Count" value={what} onChange={(w) => count(w as Wrongness)} options={kinds} />
-            <span class="legend" aria-hidden="true">
-              {(
-                [
-                  [screen.heat, "beyond the claim or failed"],
-                  [screen.within, "within the claim"],
-                  [screen.unanswered, "undecided or declined"],
-                ] as const
-              ).map(([shades, words]) => (
-                <span key={words}>
-                  {shades.map((background) => (
-                    <i style={{ background }} key={background} />
-                  ))}
-                  {words}
-                </span>
-              ))}
-              <i style={{ background: "var(--clean)" }} />
-              none<i class="blank">∕</i>not visited; the five shades: a share below 1e−4, from 1e−4, 1e−3, 0.01, 0.1 on
-            </span>
-          </p>
-          <div class="pairs-of">
-            <h3>{safe(method)}</h3>
-            <h3>{safe(own)}</h3>
-            {planes.map(([plane, title]) => [
-              <div key={plane}>
-                <p class="soft">{title}</p>
-                <One map={find(method, plane)} what={what} />
-              </div>,
-              <div key={`${plane} own`}>
-                <p class="soft">{title}</p>
-                <One map={find(own, plane)} what={what} />
-              </div>,
-            ])}
+      <p class="tools">
+        <Select label="Plane" value={plane} onChange={turn} options={planes} />
+        <Select label="Count" value={count} onChange={(w) => set(w as Count)} options={kinds} />
+        <Select label="Method" value={method} onChange={choose} options={methods.map((m) => [m, m] as const)} />
+      </p>
+      <p class="legend" aria-hidden="true">
+        {(
+          [
+            [screen.heat, "beyond the claim or failed"],
+            [screen.within, "within the claim"],
+            [screen.unanswered, "undecided or declined"],
+          ] as const
+        ).map(([shades, words]) => (
+          <span key={words}>
+            {shades.map((background) => (
+              <i style={{ background }} key={background} />
+            ))}
+            {words}
+          </span>
+        ))}
+        <i style={{ background: "var(--clean)" }} />
+        none<i class="blank">∕</i>
+        {count === "only" ? "not visited, or another library is wrong here too" : "not visited"}; the five shades: a
+        share below 1e−4, from 1e−4, 1e−3, 0.01, 0.1 on
+      </p>
+      <div class="maps">
+        <div>
+          <h3>{safe(method)}</h3>
+          {large ? <Large map={large} what={what} /> : <p class="missing">Not counted.</p>}
+        </div>
+        <div>
+          <h3>One method of each library</h3>
+          <div class="minis">
+            {minis.map((map) => (
+              <Small
+                map={map}
+                what={what}
+                chosen={map.method === method}
+                choose={() => choose(map.method)}
+                key={map.method}
+              />
+            ))}
           </div>
-        </>
-      )}
+        </div>
+      </div>
     </Section>
   );
 }

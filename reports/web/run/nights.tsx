@@ -65,6 +65,23 @@ function Chart({ nights }: { nights: Night[] }) {
   );
 }
 
+/** The same in the height of a line: a bar a run, hollow if it has none. */
+export function Sparkline({ nights }: { nights: Night[] }) {
+  const [bar, tall] = [5, 18],
+    shown = nights.slice(-16),
+    most = Math.max(...shown.map((n) => n.per_million[0])) || 1;
+  return (
+    <svg class="spark" width={bar * shown.length} height={tall} role="img" aria-label="Wrong pairs, run by run">
+      <title>{shown.map((n) => `${safe(n.run)}: ${grouped(n.count)}`).join("\n")}</title>
+      {shown.map((n, i) => {
+        const high = Math.max(2, (n.per_million[0] / most) * tall);
+        const kind = n.count === 0 ? "none" : i === shown.length - 1 ? "this" : "";
+        return <rect class={kind} x={i * bar} y={tall - high} width={bar - 1.5} height={high} key={i} />;
+      })}
+    </svg>
+  );
+}
+
 function Against({ earlier, now }: { earlier: Night[]; now: Night }) {
   const [at, choose] = useState(earlier.length - 1);
   const then = earlier[at]!,

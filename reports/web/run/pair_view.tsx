@@ -38,6 +38,19 @@ function objectsOf(d: Drawing) {
   ];
 }
 
+/** Both solids as lines, small. */
+export function Thumbnail({ shown }: { shown: Case }) {
+  const drawing = useMemo(() => {
+    const drawn = drawingOf(shown);
+    return exaggerated(drawn, exaggeration(drawn));
+  }, [shown]);
+  return (
+    <span class="thumb" aria-hidden="true">
+      <Projection drawing={drawing} view={viewOf(drawing, false)} label="" />
+    </span>
+  );
+}
+
 export function PairView({ shown }: { shown: Case }) {
   const place = useRef<HTMLDivElement>(null);
   const trueDrawing = useMemo(() => drawingOf(shown), [shown]);

@@ -15,13 +15,6 @@ const power = (d: number) => (d === 0 ? "1" : `1e${d < 0 ? "\u2212" : ""}${Math.
 const logTick = (x: number) => power(Math.round(Math.log10(x)));
 /** A power of ten below `x`, where none is drawn on a logarithmic axis: only such ticks are labelled. */
 const below = (x: number) => 10 ** (Math.ceil(Math.log10(x)) - 1);
-/** Colours by library, ours apart; the same in every plot of a report. */
-export function palette(libraries: Iterable<string>, theme: Theme): Map<string, string> {
-  const colours = new Map([["ours", theme.own]]);
-  for (const name of [...new Set(libraries)].sort())
-    if (name !== "ours") colours.set(name, theme.series[(colours.size - 1) % theme.series.length]!);
-  return colours;
-}
 const symbols = [
   "circle",
   "triangle",
@@ -34,72 +27,84 @@ const symbols = [
   "diamond2",
   "square2",
 ] as const;
-const symbolOf = (libraries: string[]) => new Map(libraries.map((name, i) => [name, symbols[i % symbols.length]!]));
-
 // Speed against accuracy
 // ------------------------------------------------------------------------------------------------
+
+/** The accuracy that the answers show with 95 % confidence; what is not shown is none. */
+const shownDigits = (p: SpeedPoint) => p.digits_low ?? 0;
 
 /** Those that no other beats in both: the faster first. */
 export function pareto(points: SpeedPoint[]): SpeedPoint[] {
   const front: SpeedPoint[] = [];
   for (const p of inOrder(
-    points.filter((p) => p.digits !== null && p.digits > 0),
-    (x, y) => x.ns - y.ns || y.digits! - x.digits!,
+    points.filter((p) => shownDigits(p) > 0),
+    (x, y) => x.ns - y.ns || shownDigits(y) - shownDigits(x),
   ))
-    if (front.length === 0 || p.digits! > front[front.length - 1]!.digits!) front.push(p);
+    if (front.length === 0 || shownDigits(p) > shownDigits(front[front.length - 1]!)) front.push(p);
   return front;
 }
 
-/** Each curve along its settings: by number where all are numbers, else from the least accurate on. */
+/** Of each library the setting that shows the highest accuracy, and of equal ones the fastest. */
+export const bestOfEach = (points: SpeedPoint[]) =>
+  [...groupBy(points, (p) => library(p.method)).values()].map((of) =>
+    of.reduce((best, p) => {
+      const more = shownDigits(p) - shownDigits(best) || (p.digits ?? 0) - (best.digits ?? 0) || best.ns - p.ns;
+      return more > 0 ? p : best;
+    }),
+  );
+
+/** Each curve along its settings: by number if all are numbers, else from the least accurate on. */
 const curvesOf = (points: SpeedPoint[]) =>
   [...groupBy(points, (p) => p.curve).values()].map((c) => {
     const numbers = c.every((p) => p.setting !== "" && !Number.isNaN(Number(p.setting)));
     return inOrder(c, (x, y) =>
-      numbers ? Number(x.setting) - Number(y.setting) : x.digits! - y.digits! || x.ns - y.ns,
+      numbers ? Number(x.setting) - Number(y.setting) : shownDigits(x) - shownDigits(y) || x.ns - y.ns,
     );
   });
-/** Room that a name takes in the plot: digits high, and as a part of its width for each letter. */
-const nameHeight = 0.5,
-  pointHeight = 0.38,
-  nameWidth = 0.0083;
 
-/** A name of a curve and where it begins, a place near its point where neither a point nor another name is. */
-interface Name {
-  p: SpeedPoint;
-  ns: number;
-  digits: number;
+interface Box {
+  x: number;
+  y: number;
+  wide: number;
+  high: number;
 }
-function named(points: SpeedPoint[], all: SpeedPoint[], highest: number): Name[] {
-  const logs = all.map((p) => Math.log10(p.ns)),
-    [low, high] = [Math.floor(Math.min(...logs)), Math.ceil(Math.max(...logs))], // as the axis has it
-    span = Math.max(1, high - low);
-  const wide = (p: SpeedPoint) => nameWidth * span * p.curve.length;
-  const names: Name[] = [];
-  const free = (at: Name) =>
-    at.digits <= highest &&
-    all.every(
-      (q) =>
-        Math.abs(q.digits! - at.digits) >= pointHeight ||
-        Math.log10(q.ns) > Math.log10(at.ns) + wide(at.p) + 0.01 * span ||
-        Math.log10(at.ns) > Math.log10(q.ns) + 0.01 * span,
-    ) &&
-    names.every(
-      (q) =>
-        Math.abs(q.digits - at.digits) >= nameHeight ||
-        Math.log10(q.ns) > Math.log10(at.ns) + wide(at.p) ||
-        Math.log10(at.ns) > Math.log10(q.ns) + wide(q.p),
+const meet = (a: Box, b: Box) =>
+  a.x < b.x + b.wide && b.x < a.x + a.wide && a.y < b.y + b.high && b.y < a.y + a.high;
+const around = (x: number, y: number, half: number): Box => ({
+  x: x - half,
+  y: y - half,
+  wide: 2 * half,
+  high: 2 * half,
+});
+
+/** A place for each name beside its mark, in pixels, that meets no mark and no other name. */
+function placed(marks: { x: number; y: number; name: string }[], taken: Box[], within: Box): Box[] {
+  const letter = 9,
+    high = 16,
+    gap = 8;
+  const all = [...taken];
+  return marks.map(({ x, y, name }) => {
+    const wide = letter * name.length;
+    const rings = Array.from({ length: 24 }, (_, i) => (i % 2 === 0 ? -1 : 1) * Math.ceil(i / 2) * (high / 2));
+    const places = rings.flatMap((up) => [
+      { x: x + gap, y: y - high / 2 + up, wide, high },
+      { x: x - gap - wide, y: y - high / 2 + up, wide, high },
+      { x: x - wide / 2, y: y - high / 2 + up, wide, high },
+    ]);
+    const free = places.find(
+      (b) =>
+        b.x >= within.x &&
+        b.x + b.wide <= within.x + within.wide &&
+        b.y >= within.y &&
+        b.y + b.high <= within.y + within.high &&
+        !all.some((other) => meet(b, other)),
     );
-  for (const p of inOrder(points, (x, y) => x.ns - y.ns)) {
-    // Right of the point or left of it, a little above it; else ever farther up and down.
-    const x = Math.log10(p.ns);
-    const places = Array.from({ length: 40 }, (_, i) => 0.4 + (i % 2 === 0 ? -1 : 1) * Math.ceil(i / 2) * nameHeight)
-      .flatMap((up) => [x + 0.006 * span, x - wide(p) - 0.006 * span].map((start) => [start, up] as const))
-      .filter(([start, up]) => start >= low && start + wide(p) <= high && p.digits! + up >= 0.2)
-      .map(([start, up]) => ({ p, ns: 10 ** start, digits: p.digits! + up }));
-    names.push(places.find(free) ?? { p, ns: p.ns, digits: p.digits! });
-  }
-  return names;
+    const box = free ?? places[0]!;
+    all.push(box);
+    return box;
+  });
 }
+
 const describePoint = (p: SpeedPoint) =>
   [
     p.method + (p.setting && p.setting !== p.method ? ` (${p.setting})` : ""),
@@ -108,85 +113,138 @@ const describePoint = (p: SpeedPoint) =>
     p.digits === null
       ? "no digits known"
       : `${p.digits === 0 ? "not always right even at 1e\u22121" : `right from 1e\u2212${short(p.digits)} on`}` +
-        `${p.digits_low === null ? "" : `; with 95 % confidence from 1e\u2212${short(p.digits_low)}`}`,
+        (p.digits_low === null
+          ? "; too few answers to show it"
+          : `; with 95 % confidence from 1e\u2212${short(p.digits_low)}`),
     `wrongly reported disjoint ${grouped(p.wrong_disjoint)}, intersecting ${grouped(p.wrong_intersecting)} of ` +
       `${grouped(p.asked)}`,
   ].join("\n");
 
-export function speedPlot(points: SpeedPoint[], o: Options): Element {
-  const known = points.filter((p) => p.digits !== null);
-  const libraries = [
-    ...palette(
-      points.map((p) => library(p.method)),
-      o.theme,
-    ).keys(),
-  ];
-  const colour = palette(libraries, o.theme),
-    shape = symbolOf(libraries);
-  const front = pareto(known);
-  const times = known.flatMap((p) => [p.ns, p.p99 ?? p.ns]);
-  const fill = (p: SpeedPoint) => colour.get(library(p.method))!;
-  const ends = curvesOf(known).map((c) => c.reduce((best, p) => (p.digits! > best.digits! ? p : best)));
-  const highest = Math.max(4, ...known.map((p) => p.digits!)) + 3;
-  const names = named(ends, known, highest - 0.3);
-  const stairs = front.flatMap((p, i) =>
-    (i === 0 ? [] : [{ ns: p.ns, digits: front[i - 1]!.digits! }]).concat({ ns: p.ns, digits: p.digits! }),
+/** `claimed`: the accuracies, in digits, that engines claim for solids of size 1. */
+export function speedPlot(points: SpeedPoint[], o: Options, claimed: number[] = []): Element {
+  const known = points.filter((p) => p.digits !== null),
+    best = bestOfEach(known),
+    front = pareto(best);
+  const ticks = decades(known.map((p) => p.ns)),
+    highest = Math.max(8, ...known.map((p) => p.digits!)) + 3,
+    height = 420;
+  const frame: Box = { x: 56, y: 22, wide: o.width - 56 - 30, high: height - 22 - 42 };
+  const [low, high] = [Math.log10(ticks[0]!), Math.log10(ticks.at(-1)!)];
+  const across = (ns: number) => frame.x + ((Math.log10(ns) - low) / Math.max(1, high - low)) * frame.wide,
+    down = (digits: number) => frame.y + (1 - digits / highest) * frame.high;
+  const back = (box: Box) => ({
+    ns: 10 ** (low + ((box.x - frame.x) / frame.wide) * Math.max(1, high - low)),
+    digits: (1 - (box.y + box.high / 2 - frame.y) / frame.high) * highest,
+  });
+  const fill = (p: SpeedPoint) =>
+    library(p.method) === "ours" ? o.theme.own : front.includes(p) ? o.theme.fg : o.theme.soft;
+  const band = claimed.length > 0 ? [Math.min(...claimed) - 0.15, Math.max(...claimed) + 0.15] : null;
+  const better: Box = { x: frame.x + 8, y: frame.y + 8, wide: 90, high: 34 };
+  const bandText = band && { text: "claimed by engines", digits: (band[0]! + band[1]!) / 2 };
+  const marks = inOrder(best, (x, y) => x.ns - y.ns);
+  const places = placed(
+    marks.map((p) => ({ x: across(p.ns), y: down(shownDigits(p)), name: library(p.method) })),
+    [
+      better,
+      ...marks.flatMap((p) => [
+        around(across(p.ns), down(shownDigits(p)), 7),
+        around(across(p.ns), down(p.digits!), 6),
+      ]),
+      ...(bandText ? [{ x: frame.x + frame.wide - 130, y: down(bandText.digits) - 8, wide: 130, high: 16 }] : []),
+    ],
+    frame,
   );
+  const names = marks.map((p, i) => ({ p, ...back(places[i]!), far: Math.hypot(
+    Math.max(places[i]!.x - across(p.ns), across(p.ns) - places[i]!.x - places[i]!.wide, 0),
+    Math.max(places[i]!.y - down(shownDigits(p)), down(shownDigits(p)) - places[i]!.y - places[i]!.high, 0),
+  ) }));
+  const stairs = front.flatMap((p, i) =>
+    (i === 0 ? [] : [{ ns: p.ns, digits: shownDigits(front[i - 1]!) }]).concat({ ns: p.ns, digits: shownDigits(p) }),
+  );
+  const tip = back({ ...better, wide: 0, high: 0 }),
+    tail = back({ x: better.x + 22, y: better.y + 22, wide: 0, high: 0 });
   return Plot.plot(
-    common(o, 420, {
-      x: logAxis("time a pair (median; whisker: p99) \u2192", times, time),
-      y: {
-        label: "\u2191 correct digits d: right at every margin from 1e\u2212d on (whisker: down to the 95 % bound)",
+    common(o, height, {
+      x: {
+        type: "log",
+        label: "time a pair \u2192",
+        domain: [ticks[0]!, ticks.at(-1)! > ticks[0]! ? ticks.at(-1)! : ticks[0]! * 10],
+        ticks,
+        tickFormat: time,
         grid: true,
-        domain: [0, highest],
       },
+      y: { label: "\u2191 correct digits", grid: true, domain: [0, highest] },
       marks: [
-        Plot.line(stairs, { x: "ns", y: "digits", stroke: o.theme.soft, strokeDasharray: "5 3", strokeWidth: 1.2 }),
-        Plot.ruleY(
-          known.filter((p) => p.p99 !== null && p.p99 > p.ns),
-          { x1: "ns", x2: "p99", y: "digits", stroke: fill, strokeOpacity: 0.45 },
-        ),
-        Plot.ruleX(
-          known.filter((p) => p.digits_low !== null),
-          { x: "ns", y1: "digits_low", y2: "digits", stroke: fill, strokeOpacity: 0.7 },
-        ),
-        ...curvesOf(known)
+        ...(band ? [Plot.rectY([band], { y1: band[0], y2: band[1], fill: o.theme.line, fillOpacity: 0.4 })] : []),
+        ...(bandText
+          ? [
+              Plot.text([bandText], {
+                frameAnchor: "right",
+                y: "digits",
+                text: "text",
+                fill: o.theme.soft,
+                fontSize: 12,
+                dx: -4,
+              }),
+            ]
+          : []),
+        ...curvesOf(known.filter((p) => shownDigits(p) > 0))
           .filter((c) => c.length > 1)
-          .map((c) => Plot.line(c, { x: "ns", y: "digits", stroke: fill(c[0]!), strokeWidth: 1.3 })),
-        Plot.dot(known, {
+          .map((c) => Plot.line(c, { x: "ns", y: shownDigits, stroke: fill(c[0]!), strokeOpacity: 0.4 })),
+        Plot.line(stairs, { x: "ns", y: "digits", stroke: o.theme.fg, strokeWidth: 2 }),
+        Plot.ruleX(best, { x: "ns", y1: shownDigits, y2: "digits", stroke: fill, strokeOpacity: 0.7 }),
+        Plot.dot(best, { x: "ns", y: "digits", fill: o.theme.bg, stroke: fill, r: 4 }),
+        Plot.dot(best, {
           x: "ns",
-          y: "digits",
+          y: shownDigits,
           fill,
           stroke: o.theme.bg,
-          strokeWidth: 0.8,
-          symbol: (p: SpeedPoint) => shape.get(library(p.method)),
-          r: 4.5,
-          ...(o.link ? { href: (p: SpeedPoint) => o.link!(p.method, p.family), target: "_self" } : {}),
+          r: 6,
+          ...(o.link ? { href: (p: SpeedPoint) => o.link!(library(p.method)), target: "_self" } : {}),
           ariaLabel: describePoint,
         }),
+        Plot.arrow([0], {
+          x1: () => tail.ns,
+          y1: () => tail.digits,
+          x2: () => tip.ns,
+          y2: () => tip.digits,
+          stroke: o.theme.own,
+          strokeWidth: 2,
+        }),
+        Plot.text([tail], {
+          x: "ns",
+          y: "digits",
+          text: () => "better",
+          textAnchor: "start",
+          dx: 6,
+          fill: o.theme.own,
+          fontSize: 13,
+          fontWeight: 600,
+        }),
         Plot.link(
-          names.filter((n) => Math.abs(n.digits - n.p.digits!) > nameHeight),
+          names.filter((n) => n.far > 12),
           {
-            x1: (n: Name) => n.p.ns,
-            y1: (n: Name) => n.p.digits,
+            x1: (n) => n.p.ns,
+            y1: (n) => shownDigits(n.p),
             x2: "ns",
             y2: "digits",
-            stroke: (n: Name) => fill(n.p),
-            strokeWidth: 0.5,
+            stroke: o.theme.soft,
+            strokeWidth: 0.6,
           },
         ),
         Plot.text(names, {
           x: "ns",
           y: "digits",
-          text: (n: Name) => n.p.curve,
+          text: (n) => library(n.p.method),
           textAnchor: "start",
-          fill: (n: Name) => fill(n.p),
-          fontSize: 10,
+          fill: (n) => fill(n.p),
+          fontSize: 13,
+          fontWeight: 600,
           stroke: o.theme.bg,
           strokeWidth: 3,
           paintOrder: "stroke",
         }),
-        ...tips(known, o, describePoint, { x: "ns", y: "digits" }),
+        ...tips(known, o, describePoint, { x: "ns", y: shownDigits }),
       ],
     }),
   );
@@ -211,8 +269,16 @@ export function withinOf(c: Cell, what: Wrongness) {
         ? intersecting
         : 0;
 }
+/** The map of a method with those cells alone in which no other library is wrong beyond its claim. */
+export function onlyHere(map: FailureMap, all: FailureMap[]): FailureMap {
+  const beyond = (c: Cell) => wrongOf(c, "all") > withinOf(c, "all"),
+    key = (c: Cell) => `${c.x} ${c.y}`;
+  const others = all.filter((m) => m.plane === map.plane && library(m.method) !== library(map.method));
+  const shared = new Set(others.flatMap((m) => m.cells.filter(beyond).map(key)));
+  return { ...map, cells: map.cells.filter((c) => !beyond(c) || !shared.has(key(c))) };
+}
 /** As the table of methods against families has it: what is beyond a claim before what is within. */
-function mapColour(c: Cell, what: Wrongness, theme: Theme) {
+export function mapColour(c: Cell, what: Wrongness, theme: Theme) {
   const wrong = wrongOf(c, what),
     within = withinOf(c, what);
   const [shades, count] =
@@ -261,7 +327,8 @@ export function mapPlot(
   const n = { x: map.x.labels.length, y: map.y.labels.length };
   const at = { x: (c: Cell) => c.x, y: (c: Cell) => c.y };
   const words = (c: Cell) => describeCell(map, c);
-  const skip = Math.max(1, Math.ceil((n.x * 40) / (o.width - 90)));
+  const letters = Math.max(...map.x.labels.map((label) => label.length));
+  const skip = Math.max(1, Math.ceil((n.x * (7 * letters + 6)) / (o.width - 104)));
   return Plot.plot(
     common(o, 40 + n.y * 17 + 46, {
       title: undefined,
@@ -328,8 +395,8 @@ export const seriesOf = (methods: string[], theme: Theme) => ({
 
 export function calibrationPlot(all: Calibration[], o: Options): Element {
   const sides = [
-    ["wrong_disjoint", "reported disjoint, but they intersect"],
-    ["wrong_intersecting", "reported intersecting, but they are disjoint"],
+    ["wrong_disjoint", "wrongly disjoint"],
+    ["wrong_intersecting", "wrongly intersecting"],
   ] as const;
   const rows = all.flatMap((h) =>
     sides.flatMap(([key, side]) =>
@@ -364,7 +431,8 @@ export function calibrationPlot(all: Calibration[], o: Options): Element {
   const share = (r: Share) => Math.max(floor, r.share),
     low = (r: Share) => Math.max(floor, r.low);
   return Plot.plot(
-    common(o, 330, {
+    common(o, 350, {
+      marginTop: 44,
       x: {
         label: "margin, smaller \u2192",
         domain: [-0.5, last + 0.5],
@@ -433,7 +501,9 @@ export function costPlot(points: CostPoint[], o: Options): Element {
       x: {
         label: "margin, smaller \u2192",
         domain: [first, last],
-        ticks: Array.from({ length: last - first + 1 }, (_, i) => first + i),
+        ticks: Array.from({ length: last - first + 1 }, (_, i) => first + i).filter(
+          (i) => i % Math.ceil((last * 46) / (o.width - 90)) === 0,
+        ),
         tickFormat: (d: number) => power(-d),
       },
       y: logAxis(
@@ -470,6 +540,7 @@ export function tracePlot(path: PathStability, o: Options): Element {
   const known = trace.some((t) => t.distance !== null);
   // Steps go by decades towards 0.
   const nearest = Math.min(1, ...trace.map((t) => Math.abs(t.at)).filter((v) => v > 0));
+  const farthest = Math.max(...trace.map((t) => Math.abs(t.at)));
   const y = (t: (typeof trace)[number]) =>
     known ? t.distance : t.verdict === "disjoint" ? 1 : t.verdict === "intersecting" ? -1 : 0;
   const words = (t: (typeof trace)[number]) =>
@@ -484,7 +555,7 @@ export function tracePlot(path: PathStability, o: Options): Element {
         constant: nearest,
         label: "along the path \u2192",
         grid: true,
-        ticks: 7,
+        ticks: [-farthest, 0, farthest],
         tickFormat: (v: number) => short(v),
       },
       y: known
@@ -525,9 +596,10 @@ export function backwardPlot(rows: BackwardError[], o: Options): Element {
     common(o, 40 + rows.length * 17 + 40, {
       marginLeft: 190,
       x: logAxis(
-        "how far the input must move for the answer to be right, in sizes: dot p50, tick p99, end largest \u2192",
+        "backward error, in sizes: dot p50, tick p99, end largest \u2192",
         rows.flatMap((r) => [at(r.p50), at(r.max)]),
         logTick,
+        o.width - 160,
       ),
       y: { type: "band", domain: sorted.map((r) => r.method), label: null, tickSize: 0 },
       marks: [

@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: MIT
 // The data of the page, put back to the form of data.ts: every finding with its case.
-import { shellQuoted } from "../parts/words.ts";
-import type { Answer, Case, Finding, MapCell, PackedCase, Report, Standing, Truth } from "./data.ts";
+import { shellQuoted, short } from "../parts/words.ts";
+import type { Answer, Bucket, Case, FailureMap, Finding, MapCell } from "./data.ts";
+import type { PackedCase, Report, Standing, Truth } from "./data.ts";
+import { library } from "./words.ts";
 
-export interface FullReport extends Omit<Report, "findings" | "cases" | "names"> {
+export interface FullReport extends Omit<Report, "findings" | "buckets" | "cases" | "names"> {
   findings: Finding[];
+  buckets: Bucket[];
 }
 
 type Ends = [number, number];
@@ -26,6 +29,21 @@ function unpack(packed: PackedCase, names: string[]): Omit<Case, "replay"> {
 
 const noCounts = { wrong_disjoint: 0, wrong_intersecting: 0, failed: 0, undecided: 0 };
 
+/** The bins of the angle: C++ numbers them by the sine near parallel and by the cosine near perpendicular. */
+function inDegrees(map: FailureMap): FailureMap {
+  if (map.plane !== "angle-margin") return map;
+  const middle = map.x.labels.indexOf("oblique"),
+    degrees = (label: string) => short((Math.asin(Number(label)) * 180) / Math.PI, 2);
+  const labels = map.x.labels.map((label, i) =>
+    Number.isNaN(Number(label)) || middle < 0
+      ? label
+      : i < middle
+        ? `${degrees(label)}\u00b0`
+        : `90\u2212${degrees(label)}\u00b0`,
+  );
+  return { ...map, x: { title: "angle of the axes, from parallel to perpendicular", labels } };
+}
+
 export function expand(report: Report): FullReport {
   const { names, run } = report;
   const cases = report.cases.map((packed) => unpack(packed, names));
@@ -43,13 +61,15 @@ export function expand(report: Report): FullReport {
     ...b,
     margin: b.margin && endsOf(b.margin),
     simplest: withEnds(b.simplest),
-    worst: withEnds(b.worst),
+    worst: withEnds(b.worst ?? b.simplest), // a hang is not searched for a worse one
   }));
   const methods = report.methods.map((m) => {
     const { relative, absolute } = m.claim;
     return { ...m, claim: { ...m.claim, relative: numberOf(relative), absolute: numberOf(absolute) } };
   });
-  const maps = report.maps.map((m) => ({ ...m, cells: m.cells.map((c): MapCell => ({ ...noCounts, ...c })) }));
+  const maps = report.maps.map((m) =>
+    inDegrees({ ...m, cells: m.cells.map((c): MapCell => ({ ...noCounts, ...c })) }),
+  );
   return { ...report, methods, buckets, findings, maps };
 }
 
@@ -74,4 +94,12 @@ export function inRunOrder(report: Pick<Report, "methods">, rows: { method: stri
   const methods = rows.map((row) => row.method),
     asked = report.methods.map((m) => m.name).filter((name) => methods.includes(name));
   return [...new Set([...asked, ...methods])];
+}
+
+/** The accuracies that engines claim as a length, in digits of a size of 1, each library once. */
+export function claimedDigits({ methods }: Pick<Report, "methods">): number[] {
+  const first = methods.filter((m, i) => methods.findIndex((n) => library(n.name) === library(m.name)) === i);
+  return first
+    .filter((m) => !m.own && m.claim.relative === 0 && m.claim.absolute > 0)
+    .map((m) => -Math.log10(m.claim.absolute));
 }

@@ -5,6 +5,7 @@ import { Words } from "../parts/glossary.tsx";
 import { grouped, safe, seconds } from "../parts/words.ts";
 import { useAddress } from "./address.ts";
 import { Calibration } from "./calibration.tsx";
+import { NotInThisRun } from "./elements.tsx";
 import { BucketView, FindingView } from "./detail.tsx";
 import { Findings } from "./findings.tsx";
 import { arrive, skip } from "./focus.ts";
@@ -14,18 +15,12 @@ import { Maps } from "./maps.tsx";
 import type { FullReport } from "./report.ts";
 import { Speed } from "./speed.tsx";
 import { Stability } from "./stability.tsx";
-import { Changes, Methods, Summary } from "./summary.tsx";
+import { Methods, Summary } from "./summary.tsx";
 
 const sections = [
-  ["summary", "Summary"],
-  ["findings", "Findings"],
-  ["speed", "Speed and accuracy"],
-  ["maps", "Failure maps"],
-  ["calibration", "Calibration"],
-  ["stability", "Stability"],
-  ["methods", "Methods"],
-  ["faults", "Planted faults"],
-  ["words", "Glossary"],
+  ["new", "What is new"],
+  ["findings", "All findings"],
+  ["charts", "Charts"],
 ] as const;
 
 function Header({ report }: { report: FullReport }) {
@@ -33,7 +28,7 @@ function Header({ report }: { report: FullReport }) {
   return (
     <header>
       <h1>
-        <a href="#/summary">daylight</a> <span class="soft">answers about two cylinders, checked against proofs</span>
+        <a href="#/new">daylight</a> <span class="soft">answers about two cylinders, checked against proofs</span>
       </h1>
       <nav aria-label="Sections">
         {sections.map(([key, title]) => (
@@ -91,15 +86,17 @@ export function RunPage({ report }: { report: FullReport }) {
         </main>
       )}
       <main class="overview" hidden={detail}>
-        <Changes report={report} />
         <Summary report={report} />
         <Findings report={report} address={address} />
-        <Speed report={report} />
-        <Maps report={report} />
-        <Calibration report={report} />
-        <Stability report={report} />
-        <Methods report={report} />
-        <Kills report={report} />
+        <div id="charts">
+          <Speed report={report} />
+          <Maps report={report} />
+          <Calibration report={report} />
+          <Stability report={report} />
+          <Methods report={report} />
+          <Kills report={report} />
+          <NotInThisRun report={report} />
+        </div>
         <Words entries={glossaryEntries()} />
         <footer class="soft">
           <p>{safe(report.run.build)}</p>

@@ -180,7 +180,7 @@ export function sample(findings_total = 400) {
       key,
       method,
       kind,
-      severity: i % 3 === 0 ? "contract" : "resolution",
+      severity: i % 3 === 0 || i === 7 ? "contract" : "resolution",
       feature: "side-rim",
       coordinate: "angle",
       labels: i % 2 ? ["iteration cap"] : ["absolute tolerance", "shared algorithm"],
@@ -205,7 +205,7 @@ export function sample(findings_total = 400) {
       margin: [10 ** -(3 + (i % 9)), 0.01],
       share: { wrong: 3 + i, asked: 5000 },
       simplest: whole(i % 2 ? 1e-9 : -0.02, method, kind),
-      worst: whole(i % 2 ? 0.4 : -0.3, method, kind),
+      worst: i === 1 ? null : whole(i % 2 ? 0.4 : -0.3, method, kind),
       suppressed: i === 5 ? { reason: "known upstream", link: "issue 1", owner: "me", expires: "2027-01-01" } : null,
       findings: ids,
     };

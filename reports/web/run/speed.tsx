@@ -3,13 +3,12 @@
 import { useCallback, useMemo, useState } from "preact/hooks";
 import { Figure, Section, Select } from "../parts/elements.tsx";
 import { screen } from "../parts/plot.ts";
-import { safe, time } from "../parts/words.ts";
-import { Missing } from "./elements.tsx";
-import { palette, pareto, speedPlot } from "./plots.ts";
-import type { FullReport } from "./report.ts";
+import { grouped, safe, time } from "../parts/words.ts";
+import { bestOfEach, pareto, speedPlot } from "./plots.ts";
+import { claimedDigits, type FullReport } from "./report.ts";
 import { kindLabel, library } from "./words.ts";
 
-const toFindings = (method: string) => `#/findings?${new URLSearchParams({ method })}`;
+const toFindings = (name: string) => `#/findings?${new URLSearchParams({ library: name })}`;
 const queryLabels: Record<string, string> = {
   verdict: "yes or no, one pair",
   batch: "yes or no, many pairs at once",
@@ -33,23 +32,19 @@ export function Speed({ report }: { report: FullReport }) {
     [report, family, query],
   );
   const draw = useCallback(
-    (width: number) => speedPlot(points, { width, theme: screen, link: toFindings }),
+    (width: number) => speedPlot(points, { width, theme: screen, link: toFindings }, claimedDigits(report)),
     [points],
   );
-  const front = pareto(points);
+  const front = pareto(bestOfEach(points.filter((p) => p.digits !== null)));
+  if (report.speed.length === 0) return null;
   return (
     <Section
       id="speed"
       title="Speed against accuracy"
       lead={
-        report.speed.length
-          ? "Accuracy is a margin: the method was right on every pair with at least that signed distance over size. " +
-            "A line joins the settings of one method. A click on a point shows the findings of its method."
-          : undefined
+        "One mark for each library, at its most accurate setting. Accuracy is a margin: d correct digits mean that " +
+        "the method was right on every pair with a signed distance of at least 1e\u2212d of the size."
       }>
-      {report.speed.length === 0 ? (
-        <Missing of="speed" report={report} />
-      ) : (
         <>
           <p class="tools">
             <Select
@@ -64,45 +59,33 @@ export function Speed({ report }: { report: FullReport }) {
               onChange={ask}
               options={queries.map((q) => [q, queryLabels[q] ?? q] as const)}
             />
-            <span class="legend" aria-hidden="true">
-              {[
-                ...palette(
-                  points.map((p) => library(p.method)),
-                  screen,
-                ),
-              ].map(([name, colour]) => (
-                <span key={name}>
-                  <i style={{ background: colour }} />
-                  {safe(name)}
-                </span>
-              ))}
-            </span>
           </p>
           {points.length === 0 ? (
             <p class="missing">No method was asked this question.</p>
           ) : (
-            <>
-              <Figure
-                draw={draw}
-                height={420}
-                label="Correct digits against time a pair"
-                caption={
-                  <>
-                    Dashed: no method is both faster and more accurate than{" "}
-                    {front.map((p, i) => (
-                      <>
-                        {i > 0 && ", "}
-                        <a href={toFindings(p.method)}>{safe(p.method)}</a> ({time(p.ns)})
-                      </>
-                    ))}
-                    .
-                  </>
-                }
-              />
-            </>
+            <Figure
+              draw={draw}
+              height={420}
+              label="Correct digits against time a pair, one mark a library"
+              caption={
+                <>
+                  A filled mark is the accuracy that the answers show with 95 % confidence, and the hollow mark above it
+                  is the accuracy that was observed. A thin line joins the settings of one method. No library is
+                  both faster and more accurate than{" "}
+                  {front.map((p, i) => (
+                    <>
+                      {i > 0 && ", "}
+                      <a href={toFindings(library(p.method))}>{safe(library(p.method))}</a> ({time(p.ns)},{" "}
+                      {safe(p.method)})
+                    </>
+                  ))}
+                  . {grouped(Math.max(...points.map((p) => p.asked)))} pairs at most for each method
+                  {report.speed_on && ` on ${safe(report.speed_on)}`}.
+                </>
+              }
+            />
           )}
         </>
-      )}
     </Section>
   );
 }

@@ -6,7 +6,7 @@ import { Figure, Section } from "../parts/elements.tsx";
 import { screen } from "../parts/plot.ts";
 import { grouped, inOrder, percent, safe, short } from "../parts/words.ts";
 import { Cost } from "./calibration.tsx";
-import { Heads, Missing } from "./elements.tsx";
+import { Heads } from "./elements.tsx";
 import { backwardPlot, tracePlot } from "./plots.ts";
 import type { FullReport } from "./report.ts";
 
@@ -31,9 +31,10 @@ function Paths({ report }: { report: FullReport }) {
   );
   const path = paths[at];
   const draw = useCallback((width: number) => tracePlot(path!, { width, theme: screen }), [path]);
-  if (!path) return <Missing of="paths" report={report} />;
+  if (!path) return null;
   return (
     <>
+      <h3>Answers along a path</h3>
       <p class="lead">
         Pairs along a path, step by step. If the path goes through touching, one flip of the verdict is right. If the
         gap or overlap stays the same, no flip is right. Each further flip is noise. Jumps of the distance are in sizes,
@@ -85,14 +86,19 @@ function Paths({ report }: { report: FullReport }) {
 
 function Backward({ report }: { report: FullReport }) {
   const draw = useCallback((width: number) => backwardPlot(report.backward, { width, theme: screen }), [report]);
-  if (report.backward.length === 0) return <Missing of="backward" report={report} />;
+  if (report.backward.length === 0) return null;
   return (
-    <Figure
-      draw={draw}
-      height={80 + 17 * report.backward.length}
-      label="Backward errors"
-      caption="A wrong answer is right for a slightly different pair. The backward error is the distance to that pair."
-    />
+    <>
+      <h3>Backward errors of wrong answers</h3>
+      <Figure
+        draw={draw}
+        height={80 + 17 * report.backward.length}
+        label="Backward errors"
+        caption={
+          "A wrong answer is right for a slightly different pair. The backward error is the distance to that pair."
+        }
+      />
+    </>
   );
 }
 
@@ -102,10 +108,11 @@ const buildHeads = [
 ];
 
 function Builds({ report }: { report: FullReport }) {
-  if (report.builds.length === 0) return <Missing of="builds" report={report} />;
+  if (report.builds.length === 0) return null;
   const changed = report.builds.filter((b) => b.verdicts_changed > 0 || b.distances_changed > 0);
   return (
     <>
+      <h3>Answers of another build</h3>
       <p class="lead">
         {grouped(report.builds.length)} comparisons of the answers of a method in two builds. The{" "}
         {grouped(report.builds.length - changed.length)} without a change are omitted.
@@ -136,15 +143,13 @@ function Builds({ report }: { report: FullReport }) {
 }
 
 export function Stability({ report }: { report: FullReport }) {
+  const { cost, paths, backward, builds } = report;
+  if ([cost, paths, backward, builds].every((of) => of.length === 0)) return null;
   return (
     <Section id="stability" title="Stability">
-      <h3>Cost near touching</h3>
       <Cost report={report} />
-      <h3>Answers along a path</h3>
       <Paths report={report} />
-      <h3>Backward errors of wrong answers</h3>
       <Backward report={report} />
-      <h3>Answers of another build</h3>
       <Builds report={report} />
     </Section>
   );

@@ -6,6 +6,7 @@ import { groupBy, grouped, percent, plural, safe, time } from "../parts/words.ts
 import type { Standing, Tally } from "./data.ts";
 import { Fact, Heads } from "./elements.tsx";
 import { about } from "./glossary.ts";
+import { New } from "./new.tsx";
 import { heatStep, type Heat } from "./plots.ts";
 import { changesOf, type FullReport } from "./report.ts";
 import { useRoving } from "./roving.ts";
@@ -202,41 +203,6 @@ function HeatTable({ report }: { report: FullReport }) {
   );
 }
 
-/** "1 new cause, 34 known, 1 gone", each a link to them. */
-export function Changes({ report }: { report: FullReport }) {
-  const changes = changesOf(report);
-  if (!changes)
-    return report.history ? null : (
-      <p class="changes soft">There is no earlier run to compare with.</p>
-    );
-  const { against } = changes,
-    told = changes.counts.filter(([, count]) => count > 0),
-    earlier = report.buckets.filter((b) => b.count === 0).length;
-  return (
-    <p class="changes">
-      {told.length === 0 && "No causes in this run or in earlier runs"}
-      {told.map(([standing, count], i) => (
-        <>
-          {i > 0 && ", "}
-          <a href={`#/findings?standing=${standing}`} title={about(standing)}>
-            <b>{grouped(count)}</b> {standing}
-            {i === 0 && (count === 1 ? " cause" : " causes")}
-          </a>
-        </>
-      ))}
-      <span class="soft" title={safe(against.join(", "))}>
-        , compared with {plural(against.length, "earlier run")}
-      </span>
-      {earlier > 0 && (
-        <span class="soft">
-          ; {grouped(earlier)} of these {grouped(report.buckets.length)} {earlier === 1 ? "has" : "have"} no findings in
-          this run
-        </span>
-      )}
-    </p>
-  );
-}
-
 function History({ report }: { report: FullReport }) {
   const { history } = report;
   if (!history) return null;
@@ -251,7 +217,7 @@ function History({ report }: { report: FullReport }) {
           {all.map((s, i) => (
             <>
               {i > 0 && ", "}
-              <a href={s === "gone" ? "#/summary" : `#/findings?standing=${s}`} title={about(s)}>
+              <a href={s === "gone" ? "#/new" : `#/findings?standing=${s}`} title={about(s)}>
                 <b>{grouped(by.get(s)?.length ?? 0)}</b> {s}
               </a>
             </>
@@ -260,7 +226,7 @@ function History({ report }: { report: FullReport }) {
         </p>
       )}
       {order.some((s) => by.has(s)) && (
-        <details class="print">
+        <details>
           <summary>Methods, kinds and families that changed</summary>
           <div class="scroll">
             <table class="plain">
@@ -348,7 +314,8 @@ function Headline({ report }: { report: FullReport }) {
 
 export function Summary({ report }: { report: FullReport }) {
   return (
-    <Section id="summary" title="Summary">
+    <Section id="new" title="What is new">
+      <New report={report} />
       <Headline report={report} />
       <History report={report} />
       {report.tallies.length > 0 ? (

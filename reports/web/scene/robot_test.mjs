@@ -270,7 +270,7 @@ async function computesWhatIsExempt({ address, study }) {
 async function tellsItsWords({ address }) {
   const page = await open(`${address}#at=0&pair=0`);
   await page.waitForSelector(".picked");
-  const listed = new Set(await page.locator("#words dt").allInnerTexts());
+  const listed = new Set(await page.locator("#words dt").allTextContents());
   const words = await page.evaluate(() => [
     ...[...document.querySelectorAll("#page th, .c-risk span:first-child")].map((e) => e.textContent),
     ...[...document.querySelectorAll(".picked td:nth-child(2), #cost td:first-child")].map((e) => e.textContent),

@@ -208,8 +208,7 @@ export function SceneSection({
           <p class="soft">
             {pose.set
               ? "Bodies and lines of pairs within the clearance are red. "
-              : "Bodies have the colour of the most exact model that one of their pairs needs. Lines join the " +
-                "nearest points of a pair. "}
+              : "Bodies have the colour of the most exact model that one of their pairs needs. "}
             {study.bodies.some(({ holds }) => holds) &&
               "Boxes and the boxes of meshes are grey, and the solids around them are clear grey. "}
             The squares of the floor are {formatLength(floorCell(frame), unit)} wide; x is red, y green, z blue.{" "}

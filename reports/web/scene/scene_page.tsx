@@ -9,6 +9,7 @@ import { costPlotOfStudy } from "./cost_plot.ts";
 import { aboutScene, sceneGlossaryEntries } from "./glossary.ts";
 import { Swatch } from "./pairs.tsx";
 import { Proofs } from "./proofs.tsx";
+import { riskOf, type Risk } from "./risk.ts";
 import { SceneSection } from "./scene.tsx";
 import { formatLength, asSentence, unitOf, type Proof, type Study } from "./study.ts";
 
@@ -74,15 +75,42 @@ function LongList({ text }: { text: string }) {
   );
 }
 
+/** What one wants to know first, in three numbers. */
+function Numbers({ study }: { study: Study }) {
+  const { pairs, left_out } = study;
+  const of = (...which: Risk[]) => pairs.filter((_, i) => which.includes(riskOf(study, i))).length;
+  const simple = pairs.filter(({ needs }) => needs === "sphere" || needs === "outer capsule").length,
+    within = of("comes within"),
+    unknown = of("not known", "open");
+  return (
+    <ul class="numbers">
+      <li>
+        <b>
+          {grouped(simple)} <span class="soft">of {grouped(pairs.length)}</span>
+        </b>
+        pairs were right with spheres or capsules in every draw
+      </li>
+      <li>
+        <b class={within > 0 ? "bad" : "ok"}>{grouped(within)}</b>
+        {within === 1 ? "pair comes" : "pairs come"} within the clearance
+      </li>
+      <li>
+        <b class={unknown + left_out.length > 0 ? "warn" : "ok"}>{grouped(unknown)}</b>
+        not known or open
+        {left_out.length > 0 && <span class="soft">, and shapes that were not tested</span>}
+      </li>
+    </ul>
+  );
+}
+
 function Recommendation({ study }: { study: Study }) {
   const { words } = study,
     checked = study.pairs.length > 0;
   const against = words.cost.split("; ");
   return (
-    <section id="recommendation" aria-labelledby="recommendation-title">
-      <h2 id="recommendation-title" class="verdict">
-        {checked ? asSentence(`${words.recommended}: ${against[0]}`) : "Nothing to check"}
-      </h2>
+    <Section id="recommendation" title={checked ? "Recommendation" : "Nothing to check"}>
+      {checked && <Numbers study={study} />}
+      {checked && <p>{asSentence(`${words.recommended}: ${against[0]}`)}</p>}
       <ul class="said">
         {against.slice(1).map((text) => (
           <li key={text}>{asSentence(text)}</li>
@@ -112,7 +140,7 @@ function Recommendation({ study }: { study: Study }) {
         ))}
         <Lines lines={study.notes} />
       </ul>
-    </section>
+    </Section>
   );
 }
 

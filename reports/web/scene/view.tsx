@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The robot where it stands, to be turned, on a floor with the axes of the world: pairs as lines, a picked pair with
-// its models.
+// The robot where it stands, to be turned, on a floor with the axes of the world: pairs within the clearance as
+// lines, a picked pair with its models.
 import { useEffect, useLayoutEffect, useMemo, useRef, useState } from "preact/hooks";
 import type { Object3D } from "three";
 import type { Vec } from "../parts/data.ts";
@@ -20,7 +20,7 @@ import {
   getStage,
   type View,
 } from "../parts/stage.ts";
-import { inOrder, plural } from "../parts/words.ts";
+import { plural } from "../parts/words.ts";
 import type { Posed } from "./pose.ts";
 import {
   extentOf,
@@ -43,16 +43,10 @@ export interface Shown {
   exempt: Proof | null; // a pair that is none of them, and was asked for
   ghosts: ReadonlySet<Model>;
   close: boolean;
-  passing: ReadonlySet<number>; // pairs that are drawn as lines
+  passing: ReadonlySet<number>; // pairs that the filter leaves
 }
 
 const faded = 0.07;
-/** Lines are fainter the longer they are, as part of the drawing; those of pairs that need no more than spheres are
- * most, and of least interest. */
-const lineOpacity = (model: Model, length: number) =>
-  (model === "sphere" ? 0.25 : 1) * Math.max(0.25, 1 - 1.5 * Math.max(0, length));
-/** The nearest pairs are drawn as lines, so many; a picture of more is grey. */
-const lineCap = 500;
 /** Faces that would lie in those of the cylinder are drawn this much within. */
 const withinFaces = 0.98;
 
@@ -146,17 +140,10 @@ function objectsOf(shown: Shown, frame: SceneFrame, solids: Solid[], ofBody: (Mo
   }
   objects.push(...surroundings(frame));
   if (two === null) {
-    const to = (i: number) => posed.gaps[i]!.distance;
-    const known = [...passing].filter((i) => posed.gaps[i] !== null);
-    for (const i of inOrder(known, (x, y) => to(x) - to(y)).slice(0, lineCap)) {
-      const seen = posed.gaps[i]!,
-        { needs: model } = study.pairs[i]!,
-        red = posed.set && posed.within[i];
-      const drawn = line(
-        [frame.to(seen.on_a), frame.to(seen.on_b)],
-        colour(red ? "--within-reach" : modelColour[model]),
-        red ? { onTop: true } : { opacity: lineOpacity(model, seen.distance / frame.unit) },
-      );
+    for (const i of passing) {
+      const seen = posed.gaps[i];
+      if (!seen || !posed.set || !posed.within[i]) continue;
+      const drawn = line([frame.to(seen.on_a), frame.to(seen.on_b)], colour("--within-reach"), { onTop: true });
       drawn.userData.is = { pair: i };
       objects.push(drawn);
     }
