@@ -8,7 +8,42 @@
 namespace cyl {
 namespace {
 
-using enum Document;
+using literature::Fault;
+using enum ShownBy;
+
+constexpr Erratum table[] = {
+    {"2017-coincident-centers", none, Fault::coincident_centers},
+    {"2017-mixed-strictness", alone, Fault::mixed_strictness},
+    {"2017-kink-of-equation-9", none},
+    {"2017-equation-10", none},
+    {"2017-strictly-convex", none, Fault::kink_taken_for_convex},
+    {"2017-first-quarter", taken_out, Fault::first_quarter_ends_all},
+    {"2017-no-return", none},
+    {"2017-vanished-root", alone, Fault::division_by_vanished_root},
+    {"2017-cancelling-sine", taken_out, Fault::cancelling_sine},
+    {"2017-one-octant", alone, Fault::one_octant},
+    {"2017-cancelling-root", taken_out, Fault::cancelling_root},
+    {"2017-kinks", taken_out, Fault::kinks_taken_for_smooth},
+    {"2017-boundary", alone, Fault::stays_on_the_boundary},
+    {"2017-sixteenth", none},
+    {"2017-slips", none},
+    {"2008-wall-alone", none},
+    {"2008-radius", alone, Fault::radius_not_squared},
+    {"2008-parallel-distance", alone, Fault::cancelling_distance},
+    {"2008-derivative", alone, Fault::derivative_of_the_wrong_term},
+    {"2008-tangent-line", alone, Fault::tangent_line_misses_u0},
+    {"2008-vanished-term", none},
+    {"2008-disk-distance", none},
+    {"2008-negated-pair", alone, Fault::negated_pair_ignored},
+    {"2008-step-4", none},
+    {"2008-sign-of-p0", alone, Fault::sign_of_p0},
+    {"2008-b-squared", alone, Fault::wrong_b_squared},
+    {"2008-equal-eigenvalues", none, Fault::equal_eigenvalues},
+    {"2008-slips", none},
+    {"book-sign-of-p0", alone, Fault::sign_of_p0},
+    {"book-b-squared", alone, Fault::wrong_b_squared},
+    {"book-equal-eigenvalues", none, Fault::equal_eigenvalues},
+};
 
 /// "seed2017", "seed2008", "seedbook".
 std::string stem_of(const Erratum& erratum) {
@@ -20,42 +55,7 @@ std::string name_of(const Erratum& erratum, std::string_view way) {
 
 }  // namespace
 
-std::span<const Erratum> errata() {
-  static const std::vector<Erratum> all = [] {
-    std::vector<Erratum> both(errata_2017().begin(), errata_2017().end());
-    both.insert(both.end(), errata_2008().begin(), errata_2008().end());
-    return both;
-  }();
-  return all;
-}
-
-std::string_view title_of(Document document) {
-  switch (document) {
-    case text_2017:
-      return "\"Intersection of Cylinders\", D. Eberly, 16 April 2017";
-    case text_2008:
-      return "\"Intersection of Cylinders\", D. Eberly, 2 March 2008";
-    case book:
-      return "\"Geometric Tools for Computer Graphics\", P. Schneider and D. Eberly, page 656";
-  }
-  return "";
-}
-
-std::string_view to_string(ErratumKind kind) {
-  switch (kind) {
-    case ErratumKind::error:
-      return "error";
-    case ErratumKind::gap:
-      return "gap in the argument";
-    case ErratumKind::rounding:
-      return "rounding";
-    case ErratumKind::trap:
-      return "trap";
-    case ErratumKind::remark:
-      return "remark";
-  }
-  return "";
-}
+std::span<const Erratum> errata() { return table; }
 
 std::string case_of(const Erratum& erratum) { return "erratum-" + std::string(erratum.id); }
 
