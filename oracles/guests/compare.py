@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: MIT
 """Compares the engines of this folder on pairs of ordinary size, and writes docs/results/engines.md.
 
-    compare.py run DAYLIGHT [--cylinders N] [--shapes N]   asks all engines, writes engines.jsonl and the page (minutes)
+    compare.py run DAYLIGHT [--keep DIR]   asks all engines, writes engines.jsonl and the page (minutes)
     compare.py page                                        prints the page of docs/results/engines.jsonl
 
 An answer is wrong beyond the claim if the distance that daylight proved exceeds the engine's tolerance. The engine's
@@ -26,6 +26,8 @@ CYLINDERS = ('random,touching_cap_cap,touching_cap_side,touching_parallel_sides,
              'contained,coaxial,equal')
 SHAPES = ('sphere_sphere,sphere_capsule,sphere_cylinder,sphere_rounded,capsule_capsule,capsule_cylinder,'
           'capsule_rounded,cylinder_rounded,rounded_rounded')
+EXTREMES = ('needles,disks,needle_and_disk,segments,flat_disks,points,far,mixed_scale,tiny_and_huge,touching_needles,'
+            'touching_disks,coins_edge_to_edge')
 LENGTHS = ('radius', 'height', 'rounding')
 CHUNK, PATIENCE = 5000, 120
 
@@ -47,9 +49,12 @@ def to_text(pairs):
     return ''.join(json.dumps({k: p[k] for k in 'ab'}) + '\n' for p in pairs)
 
 
+def draw_any(daylight, families, count):
+    return lines_of([daylight, 'ask', '--seed', '1', '--cases', '', '--families', families, '--pairs', str(count)], '')
+
+
 def draw(daylight, families, count):
-    return [p for p in lines_of([daylight, 'ask', '--seed', '1', '--cases', '', '--families', families, '--pairs',
-                                 str(count)], '') if ordinary(p)]
+    return [p for p in draw_any(daylight, families, count) if ordinary(p)]
 
 
 def proved(daylight, pairs):
@@ -159,6 +164,13 @@ def summary(hello, package, judged):
     }
 
 
+def of_extremes(judged):
+    """Counts without blame: a margin may be larger than such a solid."""
+    faults = [found[0] for *_, found in judged if found]
+    return {'answered': len(judged), 'wrong': sum(f in ('intersecting', 'disjoint') for f in faults),
+            'failed': sum(f in ('crash', 'hang', 'error') for f in faults)}
+
+
 def package_of(engine):
     """Name and version of the npm package that a guest imports."""
     names = json.loads((HERE / 'package.json').read_text())['dependencies']
@@ -179,12 +191,15 @@ def compared(daylight, command, pairs, truths, folder=HERE):
     return hello, list(judge(hello, pairs, truths, owns, answers))
 
 
-def run(daylight, cylinders, shapes, only, keep):
+def run(daylight, cylinders, shapes, extremes, only, keep):
     pairs = draw(daylight, CYLINDERS, cylinders) + draw(daylight, SHAPES, shapes)
-    truths, rows = proved(daylight, pairs), []
+    extreme = draw_any(daylight, EXTREMES, extremes)
+    truths, extreme_truths, rows = proved(daylight, pairs), proved(daylight, extreme), []
     for engine in only or ENGINES:
-        hello, judged = compared(daylight, ['node', str(HERE / f'{engine}.mjs'), '--time'], pairs, truths)
-        rows.append(summary(hello, package_of(engine), judged))
+        command = ['node', str(HERE / f'{engine}.mjs'), '--time']
+        hello, judged = compared(daylight, command, pairs, truths)
+        beyond = of_extremes(compared(daylight, command, extreme, extreme_truths)[1])
+        rows.append({**summary(hello, package_of(engine), judged), 'extremes': beyond})
         if keep:
             keep_findings(pathlib.Path(keep), engine, judged)
         print(engine, rows[-1]['answered'], rows[-1]['faults'], file=sys.stderr)
@@ -208,7 +223,7 @@ HEAD = """# Engines of npm
 
 For readers who ask which engine to trust with cylinders. `oracles/guests/compare.py` asked {count} engines on {date},
 and wrote this page from [its data](engines.jsonl). All lengths of a pair are 0.1 to 10 m, and most pairs nearly touch.
-Pairs of other sizes are not part of this page.
+Extreme pairs have a section of their own.
 
     oracles/guests/compare.py run build/release/daylight --keep kept
     python/vectors/daylight_vectors/exact.py kept/physx.pairs.jsonl kept/physx.answers.jsonl
@@ -224,6 +239,16 @@ The second command checks the proofs of up to ten faults of an engine with exact
 * *distances* and *depths* count those beyond the tolerance and 1e-5 of the distance, algorithm + model. A dash means
   that we did not ask the engine for them.
 * *time* is the median for a pair in Node.js, in microseconds, with the making of both solids. The machine was shared.
+
+"""
+
+
+EXTREME_PAIRS = """
+## Extreme pairs
+
+Needles, disks, points, and solids that are far away, very small or very large. Wrong verdicts beyond the claim are
+counted without blame, because the margin of an engine may be larger than such a solid. The guests decline lengths that
+single precision cannot hold, and shapes that the engine refuses to make.
 
 """
 
@@ -271,6 +296,9 @@ def page(rows):
         return f'{wrong.get("algorithm", 0)} + {wrong.get("model", 0)} of {row["asked"][kind]}'
     parts.append(table(['', *(row['name'] for row in rows)],
                        [[kind, *(cell(row, kind) for row in rows)] for kind in kinds]))
+    parts.append(EXTREME_PAIRS)
+    parts.append(table(['engine', 'pairs', 'wrong', 'failed'],
+                       [[row['name'], *(row['extremes'][k] for k in ('answered', 'wrong', 'failed'))] for row in rows]))
     parts.append('\n## The worst pair of each engine\n\nThe algorithm\'s wrong verdict with the largest margin. '
                  '`daylight check --distance` proves the truth.\n\n')
     for row in rows:
@@ -290,13 +318,14 @@ def main():
     running.add_argument('daylight')
     running.add_argument('--cylinders', type=int, default=30000)
     running.add_argument('--shapes', type=int, default=15000)
+    running.add_argument('--extremes', type=int, default=2400)
     running.add_argument('--only', nargs='*')
     running.add_argument('--keep')
     running.add_argument('--out', default=RESULTS / 'engines.jsonl')
     commands.add_parser('page')
     options = parser.parse_args()
     if options.command == 'run':
-        rows = run(options.daylight, options.cylinders, options.shapes, options.only, options.keep)
+        rows = run(options.daylight, options.cylinders, options.shapes, options.extremes, options.only, options.keep)
         pathlib.Path(options.out).write_text(''.join(json.dumps(row) + '\n' for row in rows))
         pathlib.Path(options.out).with_suffix('.md').write_text(page(rows))
     else:

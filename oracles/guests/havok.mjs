@@ -34,7 +34,9 @@ const model = {
 };
 const claim = { relative: 1e-6, absolute: 1e-3, source: 'none made; assumed: 1e-3 of a length of 1' };
 serve({ name: 'havok', version, claim, takes: ['sphere', 'capsule', 'cylinder'], model }, (a, b) => {
-  const one = must(shapes[a.kind](a)), other = must(shapes[b.kind](b));
+  const made = [a, b].map((s) => shapes[s.kind](s));
+  if (made.some(([result]) => result !== Havok.Result.RESULT_OK)) return { declined: 'it makes no such shape' };
+  const [one, other] = made.map(must);
   Havok.HP_Body_SetShape(body, other);
   Havok.HP_Body_SetQTransform(body, place(b));
   Havok.HP_World_AddBody(world, body, false); // anew: a body that only changes keeps its old bounds

@@ -22,7 +22,7 @@ function placed(s) {
 }
 
 const rims = oimo.common.Setting.defaultGJKMargin;
-const claim = { relative: 1e-6, absolute: 1e-4, source: 'none made; assumed: 1e-4 of a length of 1' };
+const claim = { relative: 1e-6, absolute: 1e-4, source: 'none made; assumed: 1e-4 of a length of 1. Its EPA ends after 40 steps' };
 const model = {
   text: `the cylinder with its rims rounded by ${rims} (Setting.defaultGJKMargin)`, precision: 'double', inner: { rims },
 };
