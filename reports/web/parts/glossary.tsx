@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The glossary at the end of the page, folded: its texts are the tooltips of the page, for a pointer and for a finger.
+// The glossary at the end of the page, folded. Its texts are also the tooltips of the page.
 
 export function Words({ entries }: { entries: [string, string][] }) {
   return (
