@@ -14,12 +14,12 @@ namespace {
 struct ExportArguments {
   FailureOptions failure;
   std::string out;
-  std::vector<std::string> sources;
+  SendOptions sent;
 };
 
 int export_case(const ExportArguments& arguments) {
   const MethodSet set = methods_for_targets(arguments.failure.guests, {arguments.failure.target});
-  return export_failure(set, failure_of(arguments.failure, set.methods), arguments.sources, arguments.out);
+  return export_failure(set, failure_of(arguments.failure, set.methods), arguments.sent, arguments.out);
 }
 
 }  // namespace
@@ -31,7 +31,7 @@ void add_export(Program& program) {
   add_failure_options(command, arguments->failure);
   command.section("Output");
   command.option("--out DIR", arguments->out, "folder for the files").required();
-  add_source_option(command, arguments->sources);
+  add_send_options(command, arguments->sent);
   command.examples(
       "  daylight export runs/latest:12 --out upstream\n"
       "  daylight export failing.jsonl --method mine --plugin ./libmine.so --source mine.cpp --out sent",

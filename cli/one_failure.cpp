@@ -20,6 +20,7 @@
 #include "oracles/trial/mechanism.hpp"
 #include "oracles/trial/trial.hpp"
 #include "reports/export/export.hpp"
+#include "reports/export/framework_test_text.hpp"
 
 namespace cyl {
 namespace {
@@ -101,23 +102,26 @@ OneFailure failure_of(const FailureOptions& options, std::span<const std::unique
   return {name, now.finding()->kind, target.pair};
 }
 
-void add_source_option(Command& command, std::vector<std::string>& sources) {
+void add_send_options(Command& command, SendOptions& options) {
   command.section("Output");
+  command.option("--emit FRAMEWORK", options.framework, "also write a test in this framework")
+      .one_of(test_frameworks());
   command
-      .option("--source FILE", sources,
+      .option("--source FILE", options.sources,
               "source of a guest, to send with it; a plug-in is compiled from the first one")
       .one_each()
       .existing_file();
 }
 
-int export_failure(const MethodSet& set, const OneFailure& failure, const std::vector<std::string>& sources,
+int export_failure(const MethodSet& set, const OneFailure& failure, const SendOptions& options,
                    const std::string& folder) {
   const Export files = make_export(set.methods, failure.method, failure.kind, failure.pair, set.guests,
-                                   {sources, failure.worst});
+                                   {options.sources, failure.worst, options.framework});
   const bool tried = shows_failure(files);
   write_export(files, folder);
   std::string more;
   for (const SentFile& sent : files.files) more += ", " + sent.name;
+  if (!files.test.empty()) more += ", " + files.test_name;
   fmt::print("{}, {}: {}/issue.md, build.sh, {}, exact.py{}\n", failure.method, to_string(failure.kind),
              folder, files.program_name, more);
   fmt::print("{}\n", tried ? "built and run here: it shows the failure"

@@ -34,13 +34,17 @@ void add_failure_options(Command& command, FailureOptions& options);
 /// asking. Throws UsageError where that is no one pair, or the method is not wrong on it.
 OneFailure failure_of(const FailureOptions& options, std::span<const std::unique_ptr<Method>> methods);
 
-/// Adds the option of commands that export a failure: the sources of a guest, which are sent with it.
-void add_source_option(Command& command, std::vector<std::string>& sources);
+/// What is sent with a failure: the sources of a guest, and a test in this framework, if any.
+struct SendOptions {
+  std::vector<std::string> sources;
+  std::string framework;
+};
+void add_send_options(Command& command, SendOptions& options);
 
 /// Builds and runs what make_export() gives, writes it into the folder, and says on standard output what it
 /// wrote. Returns the exit code: exit_undecided if the program could not be built or asked here. Throws
 /// std::runtime_error, and writes nothing, if it does not show the failure.
-int export_failure(const MethodSet& set, const OneFailure& failure, const std::vector<std::string>& sources,
+int export_failure(const MethodSet& set, const OneFailure& failure, const SendOptions& options,
                    const std::string& folder);
 
 }  // namespace cyl

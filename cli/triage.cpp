@@ -36,7 +36,7 @@ namespace {
 struct TriageArguments {
   std::string run, budget, json, explained, exported, out, method, annotated;
   CauseNote note;
-  std::vector<std::string> sources;
+  SendOptions sent;
   std::optional<std::string> suppressions;
   std::vector<std::string> against;
   unsigned jobs = 2;
@@ -128,7 +128,7 @@ int export_bucket(const TriageArguments& arguments) {
   }
   if (const auto worst = bucket.find("worst"); worst != bucket.end() && worst->is_object())
     failure.worst = parse_case(worst->at("pair").dump(), 1).value.value().pair;
-  return export_failure(methods_for_targets(arguments.guests, {arguments.run}), failure, arguments.sources,
+  return export_failure(methods_for_targets(arguments.guests, {arguments.run}), failure, arguments.sent,
                         arguments.out);
 }
 
@@ -177,7 +177,7 @@ void add_triage(Program& program) {
       .option("--method NAME", arguments->method,
               "method whose failure --export writes, if the cause has several")
       .needs("--export");
-  add_source_option(command, arguments->sources);
+  add_send_options(command, arguments->sent);
   command
       .option("--annotate KEY", arguments->annotated,
               "only store an owner and a note for this cause, next to the runs")

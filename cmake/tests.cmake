@@ -93,6 +93,7 @@ daylight_script(vectors_test cli 600 ${Python3_EXECUTABLE} ${PROJECT_SOURCE_DIR}
 daylight_script(vectors_js_test cli 600 ${PROJECT_SOURCE_DIR}/vectors/js/vectors_test.sh)
 daylight_script(add_gate_test cli 600 ${PROJECT_SOURCE_DIR}/cmake/gate/gate_test.sh ${program})
 daylight_script(workflows_test cli 1200 ${Python3_EXECUTABLE} ${PROJECT_SOURCE_DIR}/.ci/workflows/workflows_test.py ${program})
+daylight_script(glue_test cli 600 ${PROJECT_SOURCE_DIR}/vectors/cpp/glue_test.sh ${CMAKE_CXX_COMPILER})
 daylight_script(compare_test bench 600 ${Python3_EXECUTABLE} ${PROJECT_SOURCE_DIR}/bench/compare_test.py)
 daylight_script(family_table_test bench 60 ${Python3_EXECUTABLE} ${PROJECT_SOURCE_DIR}/bench/family_table_test.py)
 daylight_script(schemas_test reports 2400 ${Python3_EXECUTABLE} ${PROJECT_SOURCE_DIR}/reports/schemas/schemas_test.py ${program})

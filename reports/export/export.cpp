@@ -20,6 +20,7 @@
 #include "reports/export/export_check.hpp"
 #include "reports/export/export_guest.hpp"
 #include "reports/export/export_program.hpp"
+#include "reports/export/framework_test_text.hpp"
 #include "reports/export/linked_libraries.hpp"
 #include "reports/export/program_text.hpp"
 
@@ -351,12 +352,17 @@ Export make_export(std::span<const std::unique_ptr<Method>> methods, std::string
       if (t) t->answers[0].set_reason(without_folders(t->answers[0].reason, *guest));
   Recipient how = is_guest ? ask_guest(*guest, asked, *method, beside) : ask_library(*call, asked, *method);
   std::string text = issue(how, asked, *method, other ? &*other : nullptr);
-  return {std::move(how.program_name),
-          std::move(how.program),
-          std::move(how.build),
-          exact_check(asked, method->claim(), how.axes),
-          std::move(text),
-          std::move(how.files)};
+  Export files{std::move(how.program_name),
+               std::move(how.program),
+               std::move(how.build),
+               exact_check(asked, method->claim(), how.axes),
+               std::move(text),
+               std::move(how.files)};
+  if (!beside.framework.empty()) {
+    files.test_name = framework_test_name(beside.framework);
+    files.test = framework_test(beside.framework, asked, *method);
+  }
+  return files;
 }
 
 void write_export(const Export& files, const std::string& folder) {
@@ -368,6 +374,7 @@ void write_export(const Export& files, const std::string& folder) {
   write_file(into / "build.sh", files.build);
   write_file(into / "exact.py", files.check);
   write_file(into / "issue.md", files.issue);
+  if (!files.test.empty()) write_file(into / files.test_name, files.test);
   if (files.program_name == "reproduce.c")
     write_file(into / "plugin.h", std::string(template_text("plugin.h")));
   for (const SentFile& sent : files.files) {

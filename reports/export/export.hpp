@@ -20,16 +20,18 @@ namespace cyl {
 struct Export {
   std::string program_name;  ///< reproduce.cpp; of guests see guest_program_name()
   std::string program;
-  std::string build;              ///< build.sh: builds the program beside itself and runs it
-  std::string check;              ///< exact.py
-  std::string issue;              ///< issue.md
-  std::vector<SentFile> files{};  ///< copied beside them: what a guest is made of
+  std::string build;                ///< build.sh: builds the program beside itself and runs it
+  std::string check;                ///< exact.py
+  std::string issue;                ///< issue.md
+  std::vector<SentFile> files{};    ///< copied beside them: what a guest is made of
+  std::string test_name{}, test{};  ///< in the framework of SentBeside, if it has one
 };
 
 /// What is known besides.
 struct SentBeside {
   std::vector<std::string> sources;  ///< of a guest; the first is what a plug-in is compiled of
   std::optional<Pair> worst;         ///< on which it fails of the same cause by the greatest margin known
+  std::string framework{};           ///< one of test_frameworks(), in which a test is written too
 };
 
 /// Asks the method again, contained. Throws UsageError where no method has that name, where it is
