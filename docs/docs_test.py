@@ -26,6 +26,7 @@ PROSE = PAGES + sorted((ROOT / 'docs/results').glob('*.md')) + [
 
 README_LINES, PAGE_LINES, COLUMNS = 150, 110, 120
 LONGER = {'architecture.md': 'tables of rooms, which .ci/includes writes', 'CHANGELOG.md': 'grows',
+          'CONTRIBUTING.md': 'a table of where to add what',
           'library.md': 'a guide with a whole plug-in in it', 'library-use.md': 'three examples in full'}
 
 # Command lines that other tests run, by what is in them.

@@ -24,16 +24,16 @@ export function sentenceOf(b: Bucket): string {
     { a, b: other } = b.worst.pair,
     solids = a.rounding || other.rounding ? "solids" : "cylinders",
     largest = largestOf(b),
-    upTo = Number.isFinite(largest) ? `up to about ${short(largest, 2)} of ` : "more than all doubles times ";
+    amount = Number.isFinite(largest) ? `up to about ${short(largest, 2)} of ` : "more than all doubles times ";
   switch (b.kind) {
     case "wrong_intersecting":
-      return `${who} report${s} two ${solids} as intersecting although they are ${upTo}their size apart`;
+      return `${who} report${s} two ${solids} as intersecting although they are ${amount}their size apart`;
     case "wrong_disjoint":
       return largest === 0
         ? `${who} report${s} two ${solids} as disjoint although they touch`
-        : `${who} report${s} two ${solids} as disjoint although they overlap by ${upTo}their size`;
+        : `${who} report${s} two ${solids} as disjoint although they overlap by ${amount}their size`;
     case "distance_outside":
-      return `${who} return${s} a distance that is wrong by ${upTo}the size`;
+      return `${who} return${s} a distance that is wrong by ${amount}the size`;
     case "bad_witness":
       return `${who} offer${s} a witness that does not prove the answer`;
     case "crash":
