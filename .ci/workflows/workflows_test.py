@@ -59,7 +59,7 @@ def is_valid(text, name):
 
 class Valid(unittest.TestCase):
     def test_all(self):
-        self.assertEqual(len(OURS), 3)
+        self.assertEqual(len(OURS), 4)
         for path in [*OURS, GATE, NIGHT, ACTION]:
             text = path.read_text()
             self.assertTrue(is_valid(text, path.name), path)
@@ -116,7 +116,7 @@ class Shell(unittest.TestCase):
         return self.run_shell(step['run'], step['shell'], step['env'])
 
     def steps(self, workflow):
-        return {(job, s['name']) for job, about in workflow['jobs'].items() for s in about['steps'] if 'run' in s}
+        return [(job, s['name']) for job, about in workflow['jobs'].items() for s in about['steps'] if 'run' in s]
 
     def test_gate(self):
         workflow = yaml.safe_load(GATE.read_text())
@@ -130,7 +130,7 @@ class Shell(unittest.TestCase):
             self.assertTrue((self.folder / name).stat().st_size)
         self.assertEqual(self.run_step(workflow, 'gate', 'Keep for the next'), 0)
         self.assertEqual(self.run_action(gated), 0, self.printed)
-        self.assertEqual(self.steps(workflow), {('gate', name) for name in ('Install', 'Build mine', 'Keep for the next')})
+        self.assertEqual(set(self.steps(workflow)), {('gate', name) for name in ('Install', 'Build mine', 'Keep for the next')})
         self.write('ask.py', 'import sys\nfor line in sys.stdin: print(\'{"declined":"all"}\', flush=True)\n')
         self.assertEqual(self.run_action({'command': 'python3 ask.py', 'claim': '1e-6'}), 3, self.printed)
 
@@ -157,12 +157,16 @@ class Shell(unittest.TestCase):
             self.assertTrue(all(len(title) > 10 and not title.startswith('#') for title in issues), issues)
             self.assertEqual(bool(new), night == 1)
             self.assertEqual(self.run_step(workflow, 'causes', 'Fail if anything is new'), int(night == 1))
-        self.assertEqual(self.steps(workflow), {('shard', name) for name in ('Install', 'Build mine', 'Ask')} |
+        self.assertEqual(set(self.steps(workflow)), {('shard', name) for name in ('Install', 'Build mine', 'Ask')} |
                          {('causes', name) for name in ('Install', 'Build mine', 'Find what is new',
                                                         'Write an issue for each', 'Fail if anything is new')})
         self.assertEqual(causes['needs'], 'shard')
 
     def test_ours(self):
+        self.write('build/daylight-0.1.0-Linux.tar.zst', '')
+        self.values['github.ref_name'] = 'v0.1.0'
+        for name in ('daylight', 'bin/ninja', 'bin/gh'):
+            self.write(name, f'#!/bin/sh\necho {pathlib.Path(name).name} $* >>released.txt\n')
         for path in OURS:
             workflow = yaml.safe_load(path.read_text())
             for job, name in self.steps(workflow):
@@ -172,6 +176,9 @@ class Shell(unittest.TestCase):
                 self.assertEqual(self.run_step(workflow, job, name), 0, self.printed)
         self.assertEqual(sorted((self.folder / 'ran.txt').read_text().splitlines()),
                          ['deep true', 'run true', 'run true --quick'])
+        self.assertEqual((self.folder / 'released.txt').read_text().splitlines(),
+                         ['daylight --version', 'ninja -C build/release portable',
+                          'gh release create v0.1.0 build/daylight-0.1.0-Linux.tar.zst --verify-tag --generate-notes'])
 
     def test_timer(self):
         self.write('mine/none', '')

@@ -85,7 +85,7 @@ if(NOT CMAKE_CROSSCOMPILING)
   install(FILES ${CMAKE_BINARY_DIR}/generated/daylight.bash RENAME daylight COMPONENT program
           DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions)
 endif()
-# The portable archive (cpack --preset portable): the program with the libraries that it needs, except those of the C and C++
+# The portable archive (ninja portable): the program with the libraries that it needs, except those of the C and C++
 # compilers, which plug-ins share; the gate's self-check; vectors. It runs on any machine with a glibc as new as this one's.
 set(bundle ${CMAKE_INSTALL_LIBDIR}/daylight)
 # Libraries look for each other by the path of the program: its RPATH, not its RUNPATH.

@@ -89,6 +89,9 @@ file(WRITE ${CMAKE_BINARY_DIR}/packages/portable/bundled-libraries.txt "${bundle
 install(FILES ${CMAKE_BINARY_DIR}/packages/portable/bundled-libraries.txt DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/daylight
         COMPONENT portable)
 include(CPack)
+# Builds what the portable archive holds, and nothing else, in the folder of the preset `release`.
+add_custom_target(portable COMMAND ${CMAKE_CPACK_COMMAND} --preset portable WORKING_DIRECTORY ${PROJECT_SOURCE_DIR} USES_TERMINAL)
+add_dependencies(portable daylight daylight-mutants installed_solver)
 
 # Installs into a clean prefix and builds the example of docs/library-use.md against it, by both ways. Not of libraries with
 # sanitizers in them, which want a program that has them too.
