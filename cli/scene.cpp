@@ -25,6 +25,7 @@ constexpr std::size_t page_cap = 200;
 struct SceneArguments {
   std::string json, page, srdf, srdf_out;
   std::vector<std::string> at;
+  bool table = false;
   SceneOptions question;
 };
 
@@ -87,7 +88,7 @@ int study(SceneArguments& arguments) {
   }
   check_count(arguments, scene);
   const SceneStudy s = study_scene(scene, question);
-  fmt::print("{}", study_text(scene, question, s));
+  fmt::print("{}", study_text(scene, question, s, arguments.table));
   write_results(arguments, scene, s);
   if (s.verification && s.verification->wrong > 0) return exit_findings;
   const auto is_refuted = [](const ExemptionProof& e) { return e.verdict == MotionVerdict::refuted; };
@@ -144,6 +145,7 @@ void add_scene(Program& program) {
               "SRDF with the pairs that are not checked; default: FILE.srdf beside FILE.urdf")
       .readable();
   command.section("Output");
+  command.flag("--table", arguments->table, "list every pair of --prove, also those that stay clear");
   command
       .option("--srdf-out FILE", arguments->srdf_out,
               "write an SRDF that disables neighbours and proved pairs; implies --prove")

@@ -86,7 +86,7 @@ holds 'nothing hidden' out '^recommended: .* NOT LOOKED AT: 1 mesh \(camera\)$'
 holds 'near a bound' out '; NOT KNOWN: [0-9]+ pairs that come near the bound of a box or mesh \(table - '
 holds 'why' out 'A mesh of camera cannot be read: package://arm/camera.stl is not there.$'
 holds 'proved' out '^referee: 1980 recommended answers asked, 0 wrong'
-expect 0 'a proof' "$daylight" scene "$scenes/crane.urdf" --configurations 20 --prove --against 200 --srdf-out out.srdf
+expect 0 'a proof' "$daylight" scene "$scenes/crane.urdf" --configurations 20 --prove --against 200 --srdf-out out.srdf --table
 holds 'over all motions' out '^over all motions: of [0-9]+ pairs [0-9]+ are never within 0, proved; [0-9]+ meet in a configuration'
 holds 'checked' out '; in 200 other configurations none are nearer than proved$'
 holds 'the bound' out '^  never +tower - hook: at least 0\.0[12]'
@@ -104,6 +104,9 @@ at=$(sed -n 's/^  refuted  trolley - tower, .* at \(.*\)$/\1/p' out)
 expect 0 'the same there' "$daylight" scene "$scenes/crane.urdf" --srdf "$scenes/crane.srdf" --at $at
 holds 'they meet' out '^closest call: tower - trolley in configuration 0, [0-9.e-]+ below the clearance'
 printf '<robot><disable_collisions link1="hook" link2="tower" reason="Never"/></robot>' >near.srdf
+expect 0 'the same, shorter' "$daylight" scene "$scenes/crane.urdf" --configurations 20 --prove
+holds 'how many are clear' out '^  never +[0-9]+ pairs? more; --table lists them'
+lacks 'no line for each' out '^  never +tower - hook'
 expect 0 'near, but never touching' "$daylight" scene "$scenes/crane.urdf" --configurations 20 --prove --srdf near.srdf --clearance 0.1
 holds 'how near' out '^  within   hook - tower, "Never" in the SRDF: comes within the clearance: distance 0\.[0-9]+ at .*; never touches: at least 0\.[0-9]+, proved$'
 expect 3 'few boxes' "$daylight" scene "$scenes/twenty.urdf" --configurations 20 --prove --boxes 20

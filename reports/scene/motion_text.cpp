@@ -125,7 +125,7 @@ std::string motions_words(const SceneOptions& q, const SceneStudy& s) {
   return text;
 }
 
-std::string motions_text(const Scene& scene, const SceneStudy& s) {
+std::string motions_text(const Scene& scene, const SceneStudy& s, bool every_pair) {
   if (!s.motions) return "";
   std::string text;
   for (const ExemptionProof& e : s.motions->exemptions) {
@@ -136,9 +136,18 @@ std::string motions_text(const Scene& scene, const SceneStudy& s) {
   std::vector<const MotionProof*> sorted;
   for (const MotionProof& proof : s.motions->pairs) sorted.push_back(&proof);
   std::ranges::stable_sort(sorted, {}, [](const MotionProof* proof) { return risk_of(*proof); });
-  for (const MotionProof* proof : sorted)
+  std::size_t left_out = 0;
+  for (const MotionProof* proof : sorted) {
+    if (!every_pair && proof->verdict == MotionVerdict::never) {
+      ++left_out;
+      continue;
+    }
     text += fmt::format("  {:<8} {} - {}: {}\n", to_string(proof->verdict), scene.bodies[proof->a].name,
                         scene.bodies[proof->b].name, proof_text(scene, *proof));
+  }
+  if (left_out > 0)
+    text += fmt::format("  {:<8} {} more; --table lists them\n", to_string(MotionVerdict::never),
+                        left_out == 1 ? "1 pair" : fmt::format("{} pairs", left_out));
   return text;
 }
 

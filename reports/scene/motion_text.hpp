@@ -23,7 +23,8 @@ std::string rate_text(std::size_t draws);
 /// Returns how many pairs are proved, and how many pairs of links that an SRDF says never meet; empty where
 /// no proof was asked for.
 std::string motions_words(const SceneOptions& question, const SceneStudy& study);
-/// Returns a line a pair of links that an SRDF says never meet, and a line a pair, worst first.
-std::string motions_text(const Scene& scene, const SceneStudy& study);
+/// Returns a line for each pair of links that an SRDF says never meet, and one for each pair, worst first.
+/// Without `every_pair`, pairs that are proved to stay clear are counted in one line.
+std::string motions_text(const Scene& scene, const SceneStudy& study, bool every_pair);
 
 }  // namespace cyl

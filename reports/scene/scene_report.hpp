@@ -10,8 +10,10 @@
 
 namespace cyl {
 
-/// Returns the study for people; the seed first.
-std::string study_text(const Scene& scene, const SceneOptions& question, const SceneStudy& study);
+/// Returns the study as text, with the seed first. Pairs that are proved to stay clear over all motions are
+/// listed if `every_pair`, else counted.
+std::string study_text(const Scene& scene, const SceneOptions& question, const SceneStudy& study,
+                       bool every_pair = false);
 
 /// What `study_text` says in sentences, for others to say the same; empty where there is nothing to say.
 struct StudyWords {

@@ -345,7 +345,7 @@ StudyWords words_of(const Scene& scene, const SceneOptions& q, const SceneStudy&
   return w;
 }
 
-std::string study_text(const Scene& scene, const SceneOptions& q, const SceneStudy& s) {
+std::string study_text(const Scene& scene, const SceneOptions& q, const SceneStudy& s, bool every_pair) {
   const StudyWords w = words_of(scene, q, s);
   std::string text = fmt::format("seed {}\n", q.seed) + line(w.counts);
   for (const std::string& shapes : w.left_out) text += line(shapes, "  not looked at: ");
@@ -358,7 +358,7 @@ std::string study_text(const Scene& scene, const SceneOptions& q, const SceneStu
   text += line(w.recommended, "recommended: ") + line(w.cost, "  ") + line(w.forgiven, "  ");
   for (const std::string& rounding : w.rounding) text += line(rounding, "  ");
   return text + line(w.capsules) + line(w.closest) + line(w.verified) + line(w.motions) +
-         motions_text(scene, s);
+         motions_text(scene, s, every_pair);
 }
 
 }  // namespace cyl
