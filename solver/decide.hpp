@@ -14,31 +14,34 @@ struct Prepared {
   Vector3 unit_axis;  ///< along the axis, first non-zero coordinate positive; within unit_axis_error of exact
   double radius;      ///< as given
   double height;      ///< as given
-  Defect defect;      ///< not none: every call answers `invalid`
-  bool ordinary;      ///< not rounded, and `moderate`
+  Defect defect;      ///< if not `none`, every call returns `invalid`
+  bool ordinary;      ///< `moderate` and not rounded
   bool moderate;      ///< all numbers 0 or so near 1 that no product in a decision over- or underflows
   bool thin;          ///< `moderate`, and a segment, a point, a capsule or a sphere
   bool ball;          ///< `moderate`, and a point or a sphere
   double rounding;    ///< as given
 };
 
-/// Bounds of rounding, as multiples of lengths; derived in derivation.md, section 8.
-inline constexpr double unit_roundoff_error = 0x1p-53;              ///< of one operation, relative
-inline constexpr double unit_axis_error = 4 * unit_roundoff_error;  ///< of unit_axis, as a vector's length
+/// Bounds of rounding errors, derived in derivation.md, section 8. Most are relative to the reach of the
+/// pair, r0 + h0/2 + r1 + h1/2 + |Delta|, where Delta is the vector between the centres. D separates the
+/// solids if f(D) < 0. s is the sine of the angle of the axes.
+inline constexpr double unit_roundoff_error = 0x1p-53;  ///< of one operation, relative to its result
+inline constexpr double unit_axis_error =
+    4 * unit_roundoff_error;  ///< of unit_axis: the length of the difference
 inline constexpr double separation_error =
-    16 * unit_roundoff_error;  ///< of f(D), times |D| (r0+h0/2+r1+h1/2+|Delta|)
+    16 * unit_roundoff_error;  ///< of f(D), relative to |D| times the reach
 inline constexpr double filter_error =
-    64 * unit_roundoff_error;  ///< of s f at the five first directions, times the reach above
+    64 * unit_roundoff_error;  ///< of s f(D) for the first five directions, relative to the reach
 inline constexpr double point_error =
-    2048 * unit_roundoff_error;                ///< of a point built in the first slice, times the same
-inline constexpr double least_det = 0x1p-300;  ///< of the system for such a point: below, its square might
-                                               ///< lose digits; solids not flat have 2^-200
+    2048 * unit_roundoff_error;                ///< of the first common point, relative to the reach
+inline constexpr double least_det = 0x1p-300;  ///< determinant below which its square may lose digits; it
+                                               ///< is above 2^-200 unless a solid is flat
 inline constexpr double parallel_error =
-    64 * unit_roundoff_error;  ///< of what is compared where both axes are one, times the same
+    64 * unit_roundoff_error;  ///< of the gaps along and across parallel axes, relative to the reach
 inline constexpr double membership_error =
     16 * unit_roundoff_error;  ///< of a point's distances to axis and middle plane, times |x| + |Delta|
 inline constexpr double underflow_error =
-    0x1p-500;  ///< of the same distances, where squares vanish; relative to the pair's largest length
+    0x1p-500;  ///< of the same distances if squares underflow, relative to the largest length
 
 /// Checks the cylinder and brings its axis to unit length, whatever its length was. Call it once for each
 /// solid: intersect() then costs a third as much. Never throws; the defect is in the result.
@@ -62,29 +65,30 @@ struct Answer {
   Vector3 point_head{0, 0, 0};
   Vector3 point_tail{0, 0, 0};
   Hull hull_a = Hull::space, hull_b = Hull::space;
-  int iterations = 0;  ///< steps inside an edge, at most decide_iteration_cap
+  int iterations = 0;  ///< of the search along an edge, at most decide_iteration_cap
 };
 
 /// Yes or no, without proof, computed in doubles: `disjoint`, `intersecting` (touching included),
-/// `invalid`, or `undecided` at the work cap. Right if |margin| >= 1e-13. Symmetric in its arguments
-/// bit for bit. Cost: about 90 operations; if they do not decide, three roots and two divisions more; for a
-/// wall against a rim, on average two steps of two roots and three divisions.
+/// `invalid`, or `undecided` at the limit of iterations. Right if |margin| >= 1e-13. Symmetric in its
+/// arguments bit for bit. Cost: about 90 operations in most cases, else three more roots and two more
+/// divisions. If a wall meets a rim, it takes two more steps on average, each of two roots and three
+/// divisions.
 Verdict intersect(const Prepared& a, const Prepared& b) noexcept;
 Verdict intersect(const Cylinder& a, const Cylinder& b) noexcept;
 
 /// The same decision with its proof: `disjoint` with a direction or `intersecting` with a point, each beyond
 /// the rounding bound, else `undecided` (or `invalid`). Never wrong. With t = 1e-13 (r0 + h0 + r1 + h1 and
-/// the roundings), a gap is undecided only below t, and an overlap only if no ball of radius t lies in both
-/// solids. If one is flat (no thicker than t), a disk or segment of radius t replaces the ball. If both are
-/// flat, there is no promise for two segments, for a point, and for planes, or a plane and a line, that cross
-/// at a small angle. Cost: three times that of intersect(), twice if the axes are parallel; within 1e-11 of
-/// touching and beside flat solids up to 0.3 ms, of rounded solids with tiny cores 0.5 ms.
+/// the roundings), it decides every gap of at least t, and every overlap if a ball of radius t lies in both
+/// solids. If one solid is flat (no thicker than t), a disk or segment of radius t replaces the ball. If both
+/// are flat, there is no guarantee for two segments, for a point, and for planes, or a plane and a line, that
+/// cross at a small angle. Cost: three times that of intersect(), twice if the axes are parallel. It takes up
+/// to 0.3 ms within 1e-11 of touching or for flat solids, and 0.5 ms for rounded solids with tiny cores.
 Answer decide(const Prepared& a, const Prepared& b) noexcept;
 Answer decide(const Cylinder& a, const Cylinder& b) noexcept;
 
 /// Whether the solids come within a clearance of each other: the answer of intersect() or decide() after the
 /// clearance is added to one rounding. A clearance that is negative or not finite, alone or with the
-/// roundings, is `invalid`. Cost: as theirs.
+/// roundings, is `invalid`. Same cost.
 Verdict within(const Prepared& a, const Prepared& b, double clearance) noexcept;
 Answer decide_within(const Prepared& a, const Prepared& b, double clearance) noexcept;
 

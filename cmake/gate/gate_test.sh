@@ -35,6 +35,7 @@ try() { # FOLDER OPTION..
   holds 'a feature that is wrong within the claim alone' out 'mine\.cap-cap \.+ +Passed'
   holds 'none of no feature' out 'mine\.other \.+ +Passed'
   holds 'a feature that was not decided' out 'idle\.side-rim \.+\*+Skipped'
+  holds 'a plug-in that answers nothing' out 'idle\.other \.+\*+Failed'
 }
 
 project fetched "include(FetchContent)
@@ -59,4 +60,4 @@ project installed 'find_package(daylight-gate REQUIRED)'
 try installed -DCMAKE_PREFIX_PATH="$scratch/prefix" -Ddaylight-gate_DIR="$scratch/prefix/lib/x/cmake/daylight-gate"
 sed -i 's/PLUGIN ${name}/PLUGIN none/' installed/CMakeLists.txt
 expect 1 'no such target' cmake -S installed -B installed/build
-holds 'why' err 'NAME and a target as PLUGIN are needed'
+holds 'why' err 'PLUGIN none is not a target'

@@ -48,12 +48,13 @@ class Method {
   virtual std::string_view name() const = 0;     ///< <library>[-<way>][-<setting>]
   virtual std::string_view version() const = 0;  ///< of the library, as found at build or run time
   virtual Claim claim() const = 0;
-  virtual bool foreign() const { return true; }
-  virtual bool guest() const { return false; }  ///< not part of this build: guest.hpp
+  virtual bool foreign() const { return true; }  ///< code of another project
+  virtual bool guest() const { return false; }   ///< loaded by --plugin or started by --command
   /// Returns whether its library keeps no state between calls. Then it may be asked again in the same process
   /// after one of its assertions failed.
   virtual bool recovers() const { return false; }
-  /// It is asked on one index in so many, and on pairs in dispute. More than 1 for costly methods.
+  /// n > 1 for costly methods: it gets one pair in n, and each pair on which another method is wrong beyond
+  /// its claim.
   virtual unsigned share() const { return 1; }
   /// Performs one-time initialization in the calling process, such as loading a library. ask() does this
   /// itself if it has not been done. May fail like ask().
@@ -89,37 +90,37 @@ class Method {
   virtual std::chrono::nanoseconds cpu_time() const { return {}; }
 
   using Call = std::function<Verdict(std::size_t)>;
-  /// For timing alone: does for all pairs what a user does once a solid (shapes built, axes normalised). The
-  /// call returned says yes or no of pair i; it holds what it needs of `pairs`. Empty where there is no such
-  /// way.
+  /// For timing only: prepares all solids once (builds shapes, normalises axes). Returns a function that
+  /// gives the verdict of pair i and owns the data that it needs. The function is empty if the method cannot
+  /// prepare.
   virtual Call prepare_all(std::span<const Pair> pairs) {
     static_cast<void>(pairs);
     return {};
   }
   using DistanceCall = std::function<double(std::size_t)>;
-  /// Likewise, for the signed distance with whatever witness comes with it; the call gives NaN where the
-  /// method has none (many give none of overlapping solids).
+  /// As prepare_all(), for the signed distance and its witness. The function returns NaN if the method has no
+  /// distance. Many have none for overlapping solids.
   virtual DistanceCall prepare_distances(std::span<const Pair> pairs) {
     static_cast<void>(pairs);
     return {};
   }
   using BatchCall = std::function<void(std::span<Verdict>)>;
-  /// Likewise, for all pairs in one call.
+  /// As prepare_all(), with one call for all pairs.
   virtual BatchCall prepare_batch(std::span<const Pair> pairs) {
     static_cast<void>(pairs);
     return {};
   }
 
  protected:
-  /// Asked about no solid that it does not take.
+  /// Called only for pairs that supports() accepts.
   virtual MethodAnswer answer(const Pair& pair) = 0;
 };
 
 /// Every method of this build, in a fixed order: ours first.
 std::vector<std::unique_ptr<Method>> all_methods();
 
-/// The same libraries at more of their settings, for curves of speed against accuracy: no campaign asks
-/// them. Names follow those of all_methods(), with which they share none.
+/// The same libraries at more settings, only for the curves of speed against accuracy. Campaigns do not use
+/// them. Their names differ from all names of all_methods().
 std::vector<std::unique_ptr<Method>> setting_methods();
 
 std::vector<std::unique_ptr<Method>> own_methods();  ///< intersect, decide, distance, exact
@@ -127,7 +128,7 @@ std::unique_ptr<Method> certifying_method();         ///< the one of own_methods
 std::vector<std::unique_ptr<Method>>
 literature_2008_methods();  ///< the text of 2008 and the page of the book
 std::vector<std::unique_ptr<Method>>
-literature_2017_methods();  ///< of the text of 2017: put right, and as printed
+literature_2017_methods();  ///< the text of 2017: corrected, and as printed
 std::vector<std::unique_ptr<Method>> nlopt_methods();
 std::vector<std::unique_ptr<Method>> fcl_methods();
 std::vector<std::unique_ptr<Method>> bullet_methods();
@@ -140,9 +141,8 @@ std::vector<std::unique_ptr<Method>> bullet_settings();  ///< sides of the hull
 std::vector<std::unique_ptr<Method>> ccd_settings();     ///< tolerances of MPR; GJK reads none
 std::vector<std::unique_ptr<Method>> mujoco_settings();  ///< tolerances
 
-/// Keeps the methods that `spec` names: "a,b" keeps a and b, "-a,b" (given as --methods=-a,b) all but a and
-/// b; a name stands for every method that is it or begins with it and '-'. Throws UsageError on an
-/// unknown name.
+/// Keeps the methods that `spec` names. "a,b" keeps a and b; "-a,b" (given as --methods=-a,b) keeps all
+/// others. "fcl" selects the method `fcl` and all methods `fcl-..`. Throws UsageError on an unknown name.
 std::vector<std::unique_ptr<Method>> select_methods(std::vector<std::unique_ptr<Method>> methods,
                                                     std::string_view spec);
 

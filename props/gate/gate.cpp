@@ -151,7 +151,9 @@ class Gate {
 
   void show_progress(std::span<const Pair> pairs, double share) {
     GatePhaseReport& now = report_.phases.back();
-    now.pairs += pairs.size();
+    now.pairs += static_cast<std::uint64_t>(std::ranges::count_if(pairs, [&](const Pair& pair) {
+      return std::ranges::any_of(methods_, [&](const auto& method) { return method->supports(pair); });
+    }));
     for (const Pair& pair : pairs) now.digest = digest_of(pair, now.digest);
     if (!on_progress_) return;
     const auto beyond = std::count_if(report_.failures.begin(), report_.failures.end(), is_error);
@@ -411,8 +413,7 @@ GateAmount amount_of(std::uint64_t pairs, const DrawnSolids& solids) {
   const auto rounds = [](std::uint64_t amount, std::uint64_t round) {
     return std::max<std::uint64_t>(1, (amount + round - 1) / round);
   };
-  const std::uint64_t parts =
-      std::max<std::uint64_t>(1, (solids.cylinders ? 2 : 0) + (solids.rounded_kinds > 0));
+  const std::uint64_t parts = std::max<std::uint64_t>(1, (solids.cylinders ? 2 : 0) + (solids.rounded > 0));
   const std::uint64_t under_laws = pairs / (1 + law_cost) / parts,
                       sampled = (pairs - parts * under_laws) / parts;
   GateAmount amount;
@@ -421,11 +422,11 @@ GateAmount amount_of(std::uint64_t pairs, const DrawnSolids& solids) {
     amount.sample_rounds = rounds(sampled, sample_round);
     amount.close_rounds = rounds(sampled, close_round);
   }
-  if (solids.rounded_kinds > 0) {
-    // Of the pairs drawn for laws, only those of supported kinds are asked.
-    const std::uint64_t drawn = under_laws * rounded_families().size() / solids.rounded_kinds;
-    amount.rounded_law_rounds = rounds(drawn, law_round);
-    amount.rounded_rounds = rounds(sampled, pairs_per_kinds * solids.rounded_kinds);
+  if (solids.rounded > 0) {
+    // Of the pairs drawn, only those that are supported are asked.
+    const std::uint64_t all = pairs_per_kinds * rounded_families().size() + close_round;
+    amount.rounded_law_rounds = rounds(under_laws * all / solids.rounded, law_round);
+    amount.rounded_rounds = rounds(sampled, solids.rounded);
   }
   return amount;
 }

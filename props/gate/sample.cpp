@@ -74,6 +74,13 @@ SampleRound draw_close_contacts(std::uint64_t seed, std::uint64_t round) {
   return drawn;
 }
 
+/// The radius becomes the rounding, so that sides keep their distance, and so do nearly parallel axes.
+static Cylinder as_capsule(Cylinder c) {
+  c.rounding = c.radius;
+  c.radius = 0;
+  return c;
+}
+
 SampleRound draw_rounded_solids(std::uint64_t seed, std::uint64_t round) {
   SampleRound drawn;
   for (const Family& family : rounded_families()) {
@@ -82,6 +89,11 @@ SampleRound draw_rounded_solids(std::uint64_t seed, std::uint64_t round) {
       drawn.pairs.push_back(family.generate(seed, index));
       drawn.origins.push_back(fmt::format("{}, seed {}, index {}", family.name, seed, index));
     }
+  }
+  SampleRound close = draw_close_contacts(seed, round);
+  for (std::size_t p = 0; p < close.pairs.size(); ++p) {
+    drawn.pairs.push_back({as_capsule(close.pairs[p].a), as_capsule(close.pairs[p].b)});
+    drawn.origins.push_back("as capsules: " + close.origins[p]);
   }
   return drawn;
 }
@@ -97,8 +109,8 @@ DrawnSolids solids_of(std::span<const std::unique_ptr<Method>> methods) {
       return method->guest() && method->supports(kind_of(pair.a)) && method->supports(kind_of(pair.b));
     });
   };
-  for (const Family& family : rounded_families())
-    solids.rounded_kinds += some_guest_supports(family.generate(0, 0));
+  solids.rounded =
+      static_cast<std::uint64_t>(std::ranges::count_if(draw_rounded_solids(0, 0).pairs, some_guest_supports));
   return solids;
 }
 

@@ -33,14 +33,15 @@ struct SampleRound {
 SampleRound draw_strata(std::uint64_t seed, std::uint64_t round);
 SampleRound draw_close_contacts(std::uint64_t seed, std::uint64_t round);
 SampleRound draw_rounded_solids(std::uint64_t seed, std::uint64_t round);
-/// The number of pairs of each two kinds in one round of rounded solids.
+/// The number of pairs of each two kinds in one round of rounded solids. As many more as a round of close
+/// contacts are these, with capsules instead of cylinders.
 inline constexpr std::uint64_t pairs_per_kinds = 16;
 
 /// What the methods together state that they support.
 struct DrawnSolids {
-  bool cylinders = true;            ///< some method supports them
-  std::uint64_t rounded_kinds = 0;  ///< pairs of kinds with a rounding that some guest supports
-  SizeRange sizes = {};             ///< what all support
+  bool cylinders = true;      ///< some method supports them
+  std::uint64_t rounded = 0;  ///< pairs in a round of rounded solids that some guest supports
+  SizeRange sizes = {};       ///< what all support
 };
 DrawnSolids solids_of(std::span<const std::unique_ptr<Method>> methods);
 

@@ -127,6 +127,8 @@ std::uint64_t trials(const GateCell& c) { return c.pairs - std::min(c.pairs, c.u
 
 /// Returns whether a table is worth showing: where cells differ in more than their number of pairs.
 bool table_helps(const GateMethod& m) {
+  if (std::ranges::none_of(m.cells, [](const GateCell& c) { return c.pairs + c.undecided > 0; }))
+    return false;
   return std::any_of(m.cells.begin(), m.cells.end(), [](const GateCell& c) {
     return c.wrong > 0 || (c.claimed && (trials(c) == 0 || c.undecided > 0));
   });
@@ -262,7 +264,7 @@ std::string rounded_in_words(const RoundedCount& count) {
   const std::string wrong =
       count.wrong == 0 ? "right" : fmt::format("wrong on {} of them", grouped(count.wrong));
   return fmt::format(
-      "; {} independent pairs with a sphere, capsule or rounded cylinder, {} beyond its claim{}",
+      "{} independent pairs with a sphere, capsule or rounded cylinder, {} beyond its claim{}",
       grouped(count.pairs), wrong,
       count.undecided > 0 ? fmt::format(", undecided on {} more", grouped(count.undecided)) : "");
 }
@@ -296,9 +298,9 @@ std::string proved_in_words(const GateMethod& method) {
   }
 
   std::string text = one_line(method.name) + ": ";
+  if (cells == 0 && method.rounded.pairs > 0) return text + rounded_in_words(method.rounded);
   if (cells == 0) {
-    if (method.rounded.pairs == 0)
-      text += "nothing proved, no independent pair decided in any cell it claims";
+    text += "nothing proved, no independent pair decided in any cell it claims";
   } else {
     const std::string each = least == most ? grouped(least) : grouped(least) + " to " + grouped(most);
     text += wrong == 0
@@ -317,7 +319,9 @@ std::string proved_in_words(const GateMethod& method) {
   }
   if (undecided > 0) text += fmt::format("; undecided on {} more", grouped(undecided));
   if (!empty.empty()) text += "; empty: " + empty;
-  return text + close_in_words(method.close_cells) + rounded_in_words(method.rounded);
+  text += close_in_words(method.close_cells);
+  const std::string rounded = rounded_in_words(method.rounded);
+  return rounded.empty() ? text : text + "; " + rounded;
 }
 
 std::string gate_text(const GateReport& report) {
