@@ -96,9 +96,7 @@ void set_shard(const std::string& text, CampaignOptions& options) {
 /// Returns whether a campaign draws such solids: without guests, all. With guests, what some guest supports,
 /// and what other methods support unless no guest supports cylinders.
 bool is_drawn(const Pair& pair, const std::vector<std::unique_ptr<Method>>& methods) {
-  const auto supports = [&](const auto& m) {
-    return m->supports(kind_of(pair.a)) && m->supports(kind_of(pair.b));
-  };
+  const auto supports = [&](const auto& m) { return m->supports_kinds(pair); };
   const auto guest = [](const auto& m) { return m->guest(); };
   if (std::ranges::none_of(methods, guest)) return true;
   if (std::ranges::any_of(methods, [&](const auto& m) { return guest(m) && supports(m); })) return true;

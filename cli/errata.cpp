@@ -86,10 +86,11 @@ bool print_pair(const Erratum& e, const Exhibits& exhibits, std::string_view sec
   print_line("right", fmt::format("{} answers {}", right, to_string(known)));
   print_line("proof", format_truth(truth));
   const std::string text = format_pair(pair);
+  const std::size_t second = text.find("\"b\":");
   const std::string stated[] = {
       fmt::format("{}, by proof. `{}` says {}, `{}` says {}.", to_string(truth.verdict), wrong,
                   to_string(said), right, to_string(known)),
-      text.substr(0, text.find("\"b\":")), text.substr(text.find("\"b\":"))};
+      text.substr(0, second), text.substr(second)};  // the section has a line for each solid
   const std::string words = on_one_line(section);
   const bool is_stated =
       std::ranges::all_of(stated, [&](const std::string& x) { return words.find(x) != words.npos; });

@@ -63,9 +63,10 @@ class Method {
   virtual bool supports(SolidKind kind) const { return kind == SolidKind::cylinder; }
   /// Returns the sizes that it states it supports; null if it states none.
   virtual const SizeRange* sizes() const { return nullptr; }
-  bool supports(const Pair& pair) const {
-    return supports(kind_of(pair.a)) && supports(kind_of(pair.b)) && (!sizes() || sizes()->holds(pair));
+  bool supports_kinds(const Pair& pair) const {
+    return supports(kind_of(pair.a)) && supports(kind_of(pair.b));
   }
+  bool supports(const Pair& pair) const { return supports_kinds(pair) && (!sizes() || sizes()->holds(pair)); }
   /// Returns why it declines a pair that it does not support.
   MethodAnswer decline(const Pair& pair) const {
     for (const Cylinder* solid : {&pair.a, &pair.b})

@@ -105,9 +105,8 @@ DrawnSolids solids_of(std::span<const std::unique_ptr<Method>> methods) {
     if (method->sizes()) solids.sizes = common_range(solids.sizes, *method->sizes());
   }
   const auto some_guest_supports = [&](const Pair& pair) {
-    return std::ranges::any_of(methods, [&](const auto& method) {
-      return method->guest() && method->supports(kind_of(pair.a)) && method->supports(kind_of(pair.b));
-    });
+    return std::ranges::any_of(
+        methods, [&](const auto& method) { return method->guest() && method->supports_kinds(pair); });
   };
   solids.rounded =
       static_cast<std::uint64_t>(std::ranges::count_if(draw_rounded_solids(0, 0).pairs, some_guest_supports));

@@ -80,9 +80,11 @@ class Examination {
 
   void make_jobs() {
     for (std::size_t m = 0; m < methods_.size(); ++m)
-      for (std::size_t p = 0; p < pairs_.size(); ++p)
+      for (std::size_t p = 0; p < pairs_.size(); ++p) {
+        if (!methods_[m]->supports(pairs_[p])) continue;
         for (const Law& law : all_laws())
-          if (methods_[m]->supports(pairs_[p]) && wanted_(m, law)) add_job({m, p, &law, {}});
+          if (wanted_(m, law)) add_job({m, p, &law, {}});
+      }
   }
 
   void add_job(Job job) {
