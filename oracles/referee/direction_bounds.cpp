@@ -10,21 +10,21 @@
 // Near a local minimum D0 of f more is true, and the search need not go to the end of the digits. Let
 // D = D0 cos a + x, x square to D0, |x| = sin a, a <= rho. For the disk of solid i, let n_i be the unit
 // vector from its axis to D0, t_i the one square to both. The part of D square to the axis is A n_i + (t_i.x)
-// t_i with A = D.n_i, and its length L is A + (t_i.x)^2 / (L + A) >= D.n_i + (t_i.x)^2 / (2 L). With y the
-// support point of D0, g its part square to D0 and L_i the greatest L on the cap,
-//     f(D) >= D.y + sum r_i (t_i.x)^2 / (2 L_i) >= f(D0) + g.x + x.Qx/2,
-//     Q = q I + sum r_i/L_i t_i t_i^T,   q = -f(D0) if f(D0) < 0, else -2 f(D0) / (1 + cos rho),
-// since sin^2 a / 2 <= 1 - cos a <= sin^2 a / (1 + cos rho). A kink at D0 adds room. On the circle of solid i
-// the support point may slide by p w_i, |p| <= h_i; p is chosen so that g loses its part along w_i, and what
-// is left of h_i, b = h_i - |p|, adds b |w_i.x|. On both circles that is at least min(b_0, b_1) |x| times the
-// sine between the axes. At the axis of solid i a vector c of its disk takes g away, and r_i - |c| is left,
-// times |x|.
-// With m the least eigenvalue of Q, least(g, q) the least of g x + q x^2 / 2 over |x| <= sin rho, and g_a and
-// q_a taken along the eigenvectors of Q, f is at least f(D0) +
+// t_i with A = D.n_i, and its length L is A + (t_i.x)^2 / (L + A). L + A is at most 2 L_i, L_i the greatest L
+// on the cap; on the circle of solid i, where D0 is n_i, it is at most 1 + cos a. With y the support point of
+// D0 and g its part square to D0, D.y = f(D0) cos a + g.x and cos a = 1 - |x|^2 / (1 + cos a). So
+//     f(D) >= f(D0) + g.x + c x.Qx/2,   Q = -f(D0) I + sum r_i/M_i t_i t_i^T,   c = 2 / (1 + cos a),
+// with M_i = 1 on the circle, else L_i k with k = 2 / (1 + cos rho). c lies between 1 and k: what bends down
+// counts k times. A kink at D0 adds room. On the circle of solid i the support point may slide by p w_i,
+// |p| <= h_i; p is chosen so that g loses its part along w_i, and what is left of h_i, b = h_i - |p|, adds
+// b |w_i.x|. On both circles that is at least min(b_0, b_1) |x| times the sine between the axes. At the axis
+// of solid i a vector c of its disk takes g away, and r_i - |c| is left, times |x|.
+// With m the least eigenvalue of Q, least(g, q) the least of g x + c q x^2 / 2 over |x| <= sin rho, and g_a
+// and q_a taken along the eigenvectors of Q, f is at least f(D0) +
 //   No kink:            least(g_0, q_0) + least(g_1, q_1).
-//   One circle,         least(g_1, Q_11) + sin rho min(0, b - |g_0| - sin rho (|Q_01| + max(0, -Q_00)/2)),
+//   One circle,         least(g_1, Q_11) + sin rho min(0, b - |g_0| - k sin rho (|Q_01| + max(0, -Q_00)/2)),
 //     e_0 = w_i, e_1 along it.
-//   Room b everywhere:  sin rho min(0, b - |g| - sin rho max(0, -m)/2).
+//   Room b everywhere:  sin rho min(0, b - |g| - k sin rho max(0, -m)/2).
 // Newton's method along what is smooth makes g vanish first. Where it does and f is convex, or there is room,
 // this is f(D0) itself. If f is nearly flat along a valley, little is lost along it and nothing across.
 #include "oracles/referee/direction_bounds.hpp"
@@ -41,6 +41,8 @@ namespace {
 /// eigenvalues. A direction n_i that is itself a little off costs nothing: the bound holds for any.
 constexpr double curvature_error = 64 * 0x1p-53;
 constexpr int newton_cap = 8;
+/// Cosine of the angle to an axis; its half height times this is what is lost.
+constexpr double on_circle_tol = 0x1p-50;
 constexpr double shortest_step_tol = 0x1p-6;  ///< of Newton's; shorter ones are not worth their cost
 
 Vec across(const Vec& v, const Vec& d) { return v - dot(v, d) * d; }
@@ -125,17 +127,6 @@ Bounds DirectionBounds::bounds(const Cap& cap, double enough) const {
   return best;
 }
 
-/// A direction D0, as above; of all points y that support it, the one most nearly along it.
-struct DirectionBounds::Model {
-  Vec direction, y, g;
-  double f;                               ///< f(D0)
-  double value;                           ///< D0.y: f(D0), but for what is lost at an axis
-  double room = 0;                        ///< b
-  double unsure = 0;                      ///< that the room is worth less, since D0 lies beside the circle
-  std::array<double, 2> t{}, s{};         ///< cosine and sine of the angles to the axes
-  std::array<std::optional<Vec>, 2> out;  ///< n_i; none at the axis
-};
-
 /// Two directions square to D0 and each other; on one circle the second is along it.
 struct DirectionBounds::Frame {
   Vec e0, e1;
@@ -178,20 +169,26 @@ DirectionBounds::Model DirectionBounds::model(const Vec& d, const Kinks& kinks) 
   }
   for (std::size_t i = 0; i < 2; ++i) {
     const Solid& solid = solids_[i];
-    if (on_circle[i]) {
-      const double slid = std::clamp(along[i], -solid.half, solid.half);
-      left[i] = solid.half - std::fabs(slid);
-      m.y = m.y - slid * solid.axis;
-      m.unsure += left[i] * std::fabs(m.t[i]);
-    } else if (at_axis[i]) {
-      const Vec off = across(m.g, solid.axis);
-      const double size = length(off), part = size > solid.radius ? solid.radius / size : 1;
-      m.y = m.y - part * off;
-      m.g = m.g - part * off;
-      left[i] = solid.radius - part * size;
-    }
+    if (!on_circle[i]) continue;
+    const double slid = std::clamp(along[i], -solid.half, solid.half);
+    left[i] = solid.half - std::fabs(slid);
+    m.y = m.y - slid * solid.axis;
+    m.g = m.g - slid * across(solid.axis, d);
+    m.unsure += left[i] * std::fabs(m.t[i]);
   }
-  m.room = on_circle[0] && on_circle[1] ? std::min(left[0], left[1]) * tilt_ : left[0] + left[1];
+  double at_axes = 0;
+  for (std::size_t i = 0; i < 2; ++i) {
+    const Solid& solid = solids_[i];
+    if (!at_axis[i]) continue;
+    const Vec off = across(m.g, solid.axis);
+    const double size = length(off), part = size > solid.radius ? solid.radius / size : 1;
+    m.y = m.y - part * off;
+    m.g = m.g - part * off;
+    at_axes += solid.radius - part * size;
+  }
+  m.room = at_axis[0] || at_axis[1]       ? at_axes
+           : on_circle[0] && on_circle[1] ? std::min(left[0], left[1]) * tilt_
+                                          : left[0] + left[1];
   m.value = dot(m.y, d);
   m.g = m.y - m.value * d;
   return m;
@@ -205,7 +202,7 @@ Bounds DirectionBounds::plane(const Cap& cap, const Kinks& kinks) const {
   return {past ? -size : m.value * cap.cosine - beside * cap.sine, m.f, size, cap.center};
 }
 
-// Q as above with q; `longest`: L_i. By rows Q_00, Q_01, Q_11.
+// Q as above with q in place of -f(D0); `longest`: M_i. By rows Q_00, Q_01, Q_11.
 std::array<double, 3> DirectionBounds::curvature(const Model& m, const Frame& frame, double q,
                                                  const std::array<double, 2>& longest) const {
   std::array<double, 3> sum{q, 0, q};
@@ -279,34 +276,57 @@ double DirectionBounds::bound_near(const Model& m, const Kinks& kinks, const Cap
   std::array<double, 2> longest{1, 1};
   for (std::size_t i = 0; i < 2; ++i)
     if (const double t = std::fabs(m.t[i]); t > cap.sine) longest[i] = m.s[i] * cap.cosine + t * cap.sine;
+  const double most = 2 / (1 + cap.cosine);
+  for (std::size_t i = 0; i < 2; ++i)
+    if (!kinks.on_circle[i]) longest[i] *= most;
   const Frame at = frame(m.direction, kinks);
-  const std::array<double, 3> q =
-      curvature(m, at, m.value < 0 ? -m.value : -2 * m.value / (1 + cap.cosine), longest);
+  const std::array<double, 3> q = curvature(m, at, -m.value, longest);
   const double rounding = bound_error * reach_,
                error = curvature_error * (reach_ + std::fabs(q[0]) + std::fabs(q[2]));
-  // The least of g.x + q x^2 / 2 along e, |x| no more than the cap's sine.
+  // The least of g.x + c q x^2 / 2 along e, |x| no more than the cap's sine.
   const auto least_along = [&](const Vec& e, double bend) {
     const double slope = std::fabs(dot(m.g, e)) + rounding, sure = bend - error;
-    return sure > 0 && slope < sure * cap.sine ? -slope * slope / (2 * sure)
-                                               : (sure * cap.sine / 2 - slope) * cap.sine;
+    return sure > 0 && slope < sure * cap.sine
+               ? -slope * slope / (2 * sure)
+               : (std::min(sure, most * sure) * cap.sine / 2 - slope) * cap.sine;
   };
   const double value = m.value - m.unsure;
   const auto lost = [&](double room) { return std::min(0.0, room - rounding) * cap.sine; };
   if (kinks.one_circle())
     return value + least_along(at.e1, q[2]) +
            lost(m.room - std::fabs(dot(m.g, at.e0)) -
-                cap.sine * (std::fabs(q[1]) + error + std::max(0.0, error - q[0]) / 2));
+                most * cap.sine * (std::fabs(q[1]) + error + std::max(0.0, error - q[0]) / 2));
   const auto [least, greatest, at_least, at_greatest] = principal(at, q);
   if (kinks.are_a_point())
-    return value + lost(m.room - length(m.g) - cap.sine / 2 * std::max(0.0, error - least));
+    return value + lost(m.room - length(m.g) - most * cap.sine / 2 * std::max(0.0, error - least));
   return value + least_along(at_least, least) + least_along(at_greatest, greatest);
+}
+
+// The kinks near `start` in turn, then none, until `consider(from, kinks)` returns true.
+template <class Consider>
+void DirectionBounds::each_kink_near(const Vec& start, double sine, const Consider& consider) const {
+  const auto is_near = [&](const Vec& d) { return length(cross(start, d)) <= sine; };
+  const auto towards = [&](const Vec& d) { return dot(start, d) < 0 ? -1.0 * d : d; };
+  for (std::size_t i = 0; i < 2; ++i)
+    if (const Vec pole = towards(solids_[i].axis); is_near(pole)) {
+      // Square axes: the pole of one lies on the circle of the other.
+      const bool crossed = std::fabs(dot(pole, solids_[1 - i].axis)) <= on_circle_tol;
+      if (consider(pole, Kinks{{crossed && i == 1, crossed && i == 0}, {i == 0, i == 1}})) return;
+    }
+  if (const Vec normal = towards(normal_); is_near(normal) && consider(normal, Kinks{{true, true}, {}}))
+    return;
+  for (std::size_t i = 0; i < 2; ++i)
+    if (std::fabs(dot(start, solids_[i].axis)) <= sine &&
+        consider(normalized(across(start, solids_[i].axis)), Kinks{{i == 0, i == 1}, {}}))
+      return;
+  consider(start, Kinks{});
 }
 
 Bounds DirectionBounds::bounds_by_minimum(const Cap& cap, const Vec& start, double enough,
                                           double width) const {
   constexpr double infinity = std::numeric_limits<double>::infinity();
   Bounds best{-infinity, infinity, infinity, start};
-  const auto consider = [&](const Vec& from, const Kinks& kinks) {
+  each_kink_near(start, cap.sine, [&](const Vec& from, const Kinks& kinks) {
     const Model m = settle(from, kinks, 2 * cap.sine);
     if (m.f < best.value) {
       best.value = m.f;
@@ -316,20 +336,27 @@ Bounds DirectionBounds::bounds_by_minimum(const Cap& cap, const Vec& start, doub
     Cap moved;
     if (widen(cap, m.direction, moved)) best.below = std::max(best.below, bound_near(m, kinks, moved));
     return best.below >= std::min(enough, best.value - width);
-  };
-  const auto is_near = [&](const Vec& d) { return length(cross(start, d)) <= cap.sine; };
-  const auto towards = [&](const Vec& d) { return dot(start, d) < 0 ? -1.0 * d : d; };
-  for (std::size_t i = 0; i < 2; ++i)
-    if (const Vec pole = towards(solids_[i].axis); is_near(pole) && consider(pole, {{}, {i == 0, i == 1}}))
-      return best;
-  if (const Vec normal = towards(normal_); is_near(normal) && consider(normal, {{true, true}, {}}))
-    return best;
-  for (std::size_t i = 0; i < 2; ++i)
-    if (std::fabs(dot(start, solids_[i].axis)) <= cap.sine &&
-        consider(normalized(across(start, solids_[i].axis)), {{i == 0, i == 1}, {}}))
-      return best;
-  consider(start, {});
+  });
   return best;
+}
+
+LocalMinimum DirectionBounds::minimum_near(const Vec& start, double sine) const {
+  LocalMinimum best;
+  best.f = best.nearest = std::numeric_limits<double>::infinity();
+  each_kink_near(start, sine, [&](const Vec& from, const Kinks& kinks) {
+    const Model m = settle(from, kinks, 0.5);
+    best.nearest = std::min(best.nearest, length(m.y));
+    if (m.f < best.f - 0x1p-50 * reach_) {
+      static_cast<Model&>(best) = m;
+      best.kinks = kinks;
+    }
+    return false;
+  });
+  return best;
+}
+
+double DirectionBounds::bound_near(const LocalMinimum& at, const Cap& cap) const {
+  return bound_near(at, at.kinks, cap);
 }
 
 }  // namespace cyl

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 
 #include "oracles/referee/search.hpp"
 #include "oracles/referee/vec3.hpp"
@@ -53,6 +54,32 @@ struct Bounds {
   Vec direction;
 };
 
+/// Which kinks of f a direction lies on, by solid: the circle square to its axis, or the axis.
+struct DirectionKinks {
+  std::array<bool, 2> on_circle{}, at_axis{};
+  /// Whether there is no other such direction nearby.
+  bool are_a_point() const { return (on_circle[0] && on_circle[1]) || at_axis[0] || at_axis[1]; }
+  bool one_circle() const { return on_circle[0] != on_circle[1] && !are_a_point(); }
+};
+
+/// f near one direction D0, by the point y that supports D0; if several do, by the one most nearly along it.
+/// The letters are those of direction_bounds.cpp.
+struct DirectionModel {
+  Vec direction, y, g;
+  double f;                               ///< f(D0)
+  double value;                           ///< D0.y: f(D0), but for what is lost at an axis
+  double room = 0;                        ///< b
+  double unsure = 0;                      ///< that the room is worth less, since D0 lies beside the circle
+  std::array<double, 2> t{}, s{};         ///< cosine and sine of the angles to the axes
+  std::array<std::optional<Vec>, 2> out;  ///< n_i; none at the axis
+};
+
+/// A local minimum of f.
+struct LocalMinimum : DirectionModel {
+  DirectionKinks kinks;
+  double nearest;  ///< as in Bounds
+};
+
 /// The axes of both solids must not be parallel. Every bound and value is right within bound_error * reach().
 class DirectionBounds {
  public:
@@ -70,20 +97,22 @@ class DirectionBounds {
   /// close enough to; none better than `enough`, or than `width` below the value found, is sought. Costs 1
   /// us.
   Bounds bounds_by_minimum(const Cap& cap, const Vec& start, double enough, double width) const;
+  /// Returns the local minimum that Newton's method reaches from `start`, on a kink within `sine` of it or on
+  /// none. Cost: 1 us.
+  LocalMinimum minimum_near(const Vec& start, double sine) const;
+  /// Returns a bound of f on a cap about the minimum's direction, f's value there if the minimum is the
+  /// cap's. Cost: 0.1 us.
+  double bound_near(const LocalMinimum& at, const Cap& cap) const;
 
  private:
+  template <class Consider>
+  void each_kink_near(const Vec& start, double sine, const Consider& consider) const;
   struct Solid {
     Vec axis;
     double radius, half;
   };
-  /// Which kinks of f a direction lies on, by solid: the circle square to its axis, or the axis.
-  struct Kinks {
-    std::array<bool, 2> on_circle{}, at_axis{};
-    bool one_circle() const { return on_circle[0] != on_circle[1]; }
-    /// Whether there is no other such direction nearby.
-    bool are_a_point() const { return (on_circle[0] && on_circle[1]) || at_axis[0] || at_axis[1]; }
-  };
-  struct Model;
+  using Model = DirectionModel;
+  using Kinks = DirectionKinks;
   struct Frame;
   struct Principal;
 

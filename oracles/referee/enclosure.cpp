@@ -11,6 +11,7 @@
 #include <span>
 
 #include "corpus/pairs/pair_numbers.hpp"
+#include "oracles/referee/cosine_boxes.hpp"
 #include "oracles/referee/direction_bounds.hpp"
 #include "oracles/referee/interval.hpp"
 #include "oracles/referee/nearest.hpp"
@@ -56,61 +57,52 @@ std::array<Vec, 3> frame_on(const Vec& v) {
   return {unit, cross(z, unit), z};
 }
 
-struct Range {
-  double lo, hi;  // of min f
-  Vec direction;  // where f is hi
-  std::size_t cells = 0;
-};
-
 class Minimum {
  public:
-  Minimum(const DirectionBounds& sphere, const Vec& delta, double width)
-      : sphere_(sphere), frame_(frame_on(delta)), width_(width) {}
-
-  /// f is nowhere less than -apart.
-  void floor_at(double apart) { floor_ = std::max(floor_, -apart); }
+  Minimum(const DirectionBounds& sphere, const Vec& delta, LeastValue& least)
+      : sphere_(sphere), frame_(frame_on(delta)), least_(least) {}
 
   /// Looks where f might be least, until it is found.
   void guess(std::span<const Vec> directions) {
     for (const Vec& d : directions)
-      if (!is_found()) take(sphere_.bounds_by_minimum({d, 1, guess_sine}, d, best_, 0));
+      if (!least_.is_found()) take(sphere_.bounds_by_minimum({d, 1, guess_sine}, d, least_.best, 0));
   }
 
   /// Goes on from the best direction of all, as long as f becomes less.
   void descend() {
-    double before = best_ + 2 * width_;
-    for (int round = 0; round < descent_cap && best_ < before - width_ && !is_found(); ++round) {
-      before = best_;
-      const Vec from = direction_;
+    double before = least_.best + 2 * least_.width;
+    for (int round = 0; round < descent_cap && least_.best < before - least_.width && !least_.is_found();
+         ++round) {
+      before = least_.best;
+      const Vec from = least_.direction;
       guess({&from, 1});
     }
   }
 
-  bool is_found() const { return best_ - floor_ <= width_; }
-
-  Range find() {
+  void find() {
     constexpr double everything = -std::numeric_limits<double>::infinity();
     // f(D) = f(-D) - 2 D.delta: the half of the sphere towards b is enough, which has face 2 in its middle.
     for (const int face : {2, 0, 1, 3, 4})
       for (const double s : {-0.5, 0.5})
         for (const double t : {-0.5, 0.5})
-          if ((face == 2 || t > 0) && !is_found()) add({face, s, t, 0.5, everything, {}});
-    while (!queue_.empty() && !is_found() && best_ - queue_.top().below > width_ && cells_ < cell_cap) {
+          if ((face == 2 || t > 0) && !least_.is_found()) add({face, s, t, 0.5, everything, {}});
+    while (!queue_.empty() && !least_.is_found() && least_.best - queue_.top().below > least_.width &&
+           least_.cells < cell_cap) {
       Cell c = queue_.top();
       queue_.pop();
       if (!c.tried && c.half < coarse_tol) {
-        c.below = std::max(
-            c.below, take(sphere_.bounds_by_minimum(turned(cap_of(c)), c.best, best_ - width_, width_)));
+        c.below =
+            std::max(c.below, take(sphere_.bounds_by_minimum(turned(cap_of(c)), c.best,
+                                                             least_.best - least_.width, least_.width)));
         c.tried = true;
-        if (c.below < best_) queue_.push(c);
+        if (c.below < least_.best) queue_.push(c);
         continue;
       }
       const double h = c.half / 2;
       for (const double i : {-h, h})
         for (const double j : {-h, h}) add({c.face, c.s + i, c.t + j, h, c.below, {}});
     }
-    const double least = is_found() ? floor_ : queue_.empty() ? best_ : std::max(floor_, queue_.top().below);
-    return {std::min(best_, least), best_, direction_, cells_};
+    if (!least_.is_found()) least_.floor_at(queue_.empty() ? least_.best : queue_.top().below);
   }
 
  private:
@@ -129,34 +121,27 @@ class Minimum {
   }
 
   double take(const Bounds& b) {
-    if (b.value < best_) {
-      best_ = b.value;
-      direction_ = b.direction;
-    }
-    floor_at(b.nearest);
+    least_.take(b.value, b.direction);
+    least_.floor_at(-b.nearest);
     return b.below;
   }
 
   void add(Cell c) {
-    const Bounds b = sphere_.bounds(turned(cap_of(c)), best_);
-    ++cells_;
+    const Bounds b = sphere_.bounds(turned(cap_of(c)), least_.best);
+    ++least_.cells;
     c.below = std::max(c.below, take(b));
     c.best = b.direction;
-    if (c.below < best_) queue_.push(c);
+    if (c.below < least_.best) queue_.push(c);
   }
 
   const DirectionBounds& sphere_;
   const std::array<Vec, 3> frame_;
-  const double width_;
+  LeastValue& least_;
   std::priority_queue<Cell> queue_;
-  double best_ = std::numeric_limits<double>::infinity();
-  double floor_ = -best_;  // |y| >= the distance, so -|y| bounds f from below on the whole sphere
-  Vec direction_{};
-  std::size_t cells_ = 0;
 };
 
 // Axes exactly parallel: how far the solids are apart along the axis and across it says everything.
-Range parallel(const SearchPair<double>& p) {
+LeastValue parallel(const SearchPair<double>& p) {
   const Vec axis = normalized(p.axis0);
   const double height = dot(p.delta, axis);
   const Vec w = height < 0 ? -1.0 * axis : axis;
@@ -172,7 +157,7 @@ Range parallel(const SearchPair<double>& p) {
   const bool corner = along > 0 && across > 0;
   const double distance = corner ? std::sqrt(along * along + across * across) : std::max(along, across);
   const Vec d = corner ? normalized(along * w + across * out) : along > across ? w : out;
-  return {-distance, -distance, d};
+  return {0, -distance, -distance, d};
 }
 
 // How far x, relative to a's centre, is from both solids together: the solids are no farther apart.
@@ -255,35 +240,38 @@ AttainedDistance attain_distance(const Pair& pair, const Truth& truth, double re
   const Vec c = cross(p.axis0, p.axis1);
   const DirectionBounds bounds(p);
   const double slack = bound_error * bounds.reach();
-  Range f;
+  LeastValue f{std::max(relative_width * size, slack)};
   if (size == 0) {
     const double apart = length(p.delta);
     // untaken: points in one place touch, of which the gate asks no distance
-    f = {-apart, -apart, apart > 0 ? normalized(p.delta) : Vec{0, 0, 1}};
+    f = {0, -apart, -apart, apart > 0 ? normalized(p.delta) : Vec{0, 0, 1}};
   } else if (c.x == 0 && c.y == 0 && c.z == 0) {
     f = parallel(p);
   } else {
-    Minimum minimum(bounds, p.delta, std::max(relative_width * size, slack));
+    Minimum minimum(bounds, p.delta, f);
     if (truth.verdict == Verdict::disjoint) {
       const auto from = [&](const Vec& start) {
-        if (minimum.is_found()) return;
+        if (f.is_found()) return;
         const Nearby n = nearest_from(p, start);
-        minimum.floor_at(n.apart);
+        f.floor_at(-n.apart);
         minimum.guess(n.directions);
       };
       from({0, 0, 0});
       for (const Vec& corner : crossings_of_rims(p)) from(corner);
       minimum.descend();
     }
-    minimum.guess(bounds.likely());
-    f = minimum.find();
+    for (const Vec& likely : bounds.likely()) f.take(bounds.value(likely), likely);
+    if (!f.is_found()) narrow_by_cosines(bounds, p, f);
+    if (!f.is_found()) minimum.find();
   }
+  f.floor = std::min(f.floor, f.best);
   const Vec& d = f.direction;
   const std::array<double, 3> direction{d.x, d.y, d.z};
   if (truth.verdict == Verdict::touching) return {{0, 0}, direction, f.cells};
   // Back to the scene's unit, outward; then what the verdict alone tells.
   using interval_detail::next_down, interval_detail::next_up;
-  Enclosure e{next_down(std::ldexp(-f.hi - slack, exponent)), next_up(std::ldexp(-f.lo + slack, exponent))};
+  Enclosure e{next_down(std::ldexp(-f.best - slack, exponent)),
+              next_up(std::ldexp(-f.floor + slack, exponent))};
   if (truth.verdict == Verdict::disjoint) e.lo = std::max(e.lo, 0.0);
   if (truth.verdict == Verdict::intersecting) e.hi = std::min(e.hi, 0.0);
   return {e, direction, f.cells};
