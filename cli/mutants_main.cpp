@@ -37,14 +37,14 @@ using namespace cyl;
 
 constexpr int exit_harness_failed = 1, exit_survivors = 2;
 
-/// A campaign of its own seed, looked at after each batch; a finding beyond a claim or a truth that nobody
+/// A campaign of its own seed, looked at after each step; a finding beyond a claim or a truth that nobody
 /// can prove ends it.
-constexpr std::uint64_t fuzz_seed = 7, fuzz_indices = 24 * batch_size;
+constexpr std::uint64_t fuzz_seed = 7, fuzz_indices = 12'288, fuzz_step = 512;
 
 Evidence finding(const Mutant& mutant) {
   const auto methods = select_methods(all_methods(), mutant.asks);
-  for (std::uint64_t at = 0; at < fuzz_indices; at += batch_size) {
-    const BatchRecord batch = run_batch({methods, families(), {}}, fuzz_seed, at, at + batch_size);
+  for (std::uint64_t at = 0; at < fuzz_indices; at += fuzz_step) {
+    const BatchRecord batch = run_batch({methods, families(), {}}, fuzz_seed, at, at + fuzz_step);
     for (const FindingRecord& f : batch.findings)
       if (f.severity != to_string(Severity::resolution))
         return {fmt::format("{}: {} on {} {}; {}", f.method, f.kind, f.family, f.family_index, f.pair),

@@ -61,7 +61,7 @@ function(daylight_deep folder filter)
   add_test(NAME ${folder}_deep COMMAND ${folder}_tests --gtest_filter=${filter})
   set_tests_properties(${folder}_deep PROPERTIES LABELS deep ENVIRONMENT "${ARGN}" TIMEOUT 2400)
 endfunction()
-daylight_deep(fuzz *.KilledAtAnyMoment* DAYLIGHT_KILLED_BATCHES=400)
+daylight_deep(fuzz *.KilledAtAnyMoment* DAYLIGHT_KILLED_BATCHES=100)
 daylight_deep(props *FamilyLaws.* DAYLIGHT_LAW_PAIRS=200)
 daylight_deep(oracles EnclosedDistance.*:CloseContact.*:Proofs.* DAYLIGHT_DISTANCE_PAIRS=300 DAYLIGHT_CLOSE_ROUNDS=12
               DAYLIGHT_PROOF_PAIRS=20000)

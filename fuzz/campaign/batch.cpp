@@ -55,13 +55,13 @@ std::string answers_text(std::span<const std::unique_ptr<Method>> methods,
   return '[' + text + ']';
 }
 
-/// A method that hangs on three pairs of a stretch, a second and more each, is not asked about the rest of
-/// it: counted as declined.
+/// A method that hangs on three pairs of a batch, a second and more each, is not asked about the rest of it.
+/// Those count as declined.
 constexpr Caps batch_caps{.hangs = 3};
 
-/// Indices that are worked on together: as many as a batch with foreign methods has, so that those are asked
-/// in one go, and so few that the answers of ours stay in the cache.
-constexpr std::uint64_t stretch_size = batch_size;
+/// Indices of a batch of our methods alone that are worked on together: so few that the answers stay in the
+/// cache. A batch with foreign methods is worked on as a whole, so that they are asked in one go.
+constexpr std::uint64_t own_stretch_size = 512;
 
 /// The work on a batch, stretch by stretch: each step fills one of the members at the end.
 class Batch {
@@ -428,8 +428,8 @@ namespace {
 BatchRecord make_batch(const Workload& workload, std::uint64_t seed, Asker& asker, Representatives& kept,
                        std::uint64_t first, std::uint64_t next) {
   Batch batch(workload, seed, asker, kept);
-  for (std::uint64_t at = first; at < next; at += stretch_size)
-    batch.work_on(at, std::min(next, at + stretch_size));
+  const std::uint64_t stretch = any_foreign(workload) ? next - first : own_stretch_size;
+  for (std::uint64_t at = first; at < next; at += stretch) batch.work_on(at, std::min(next, at + stretch));
   BatchRecord record = batch.finish();
   record.first = first;
   record.next = next;

@@ -32,9 +32,10 @@ inline constexpr std::uint64_t repeat_share = 64;
 inline constexpr std::size_t own_cell_share = 256, cell_share = 16;
 inline constexpr std::uint64_t every_cell_until = 65536;
 
-/// Indices per batch process, about a second's work of the packaged methods; of ours alone a fork's time
-/// would show, and that of the findings which every batch hands over for the run to pick from.
-inline constexpr std::uint64_t batch_size = 512, own_batch_size = 131072;
+/// Indices of a batch: about a second's work of the packaged methods. Each batch costs two new workers, one
+/// of them to confirm its findings, and hands over its counts and the findings that the run may keep. In
+/// smaller batches that takes longer than the answers of a fast library, or of our methods.
+inline constexpr std::uint64_t batch_size = 2048, own_batch_size = 131072;
 std::uint64_t batch_size_for(const Workload& workload);
 
 /// Own methods are asked in this process, foreign ones contained. A costly method (share() > 1) is asked on

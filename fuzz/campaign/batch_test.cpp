@@ -73,7 +73,7 @@ TEST(Batch, AJobHoldsNoMoreMemoryAfterManyBatches) {
   methods.push_back(wrong(false));
   const Workload workload{methods, apart, {}};
   const auto make = batch_maker(workload, 1);
-  constexpr std::uint64_t filled = 20, batches = 200;
+  constexpr std::uint64_t filled = 10, batches = 80;
   const auto in_use_after = [&](std::uint64_t first, std::uint64_t next) {
     for (std::uint64_t i = first; i < next; ++i) make(1 + i * batch_size, 1 + (i + 1) * batch_size);
     return mallinfo2().uordblks;
@@ -91,8 +91,8 @@ TEST(Batch, AnAnswerCostsHardlyAnAllocation) {
   const auto make = batch_maker(workload, 1);
   make(0, batch_size);
   const std::uint64_t before = allocations;
-  make(batch_size, 9 * batch_size);
-  const std::uint64_t answers = 8 * batch_size * methods.size();
+  make(batch_size, 3 * batch_size);
+  const std::uint64_t answers = 2 * batch_size * methods.size();
   EXPECT_LT(allocations - before, answers) << methods.size();
 }
 

@@ -133,7 +133,7 @@ TEST_F(Campaign, HoldsNoMoreMemoryAsItGoesOn) {
   const Family growing[] = {{"growing", "", [](std::uint64_t, std::uint64_t index) {
                                return beside(static_cast<double>(index + 1) * 1e-3);
                              }}};
-  constexpr std::uint64_t filled = 50, batches = 200;  // the cache of SQLite is full after `filled`
+  constexpr std::uint64_t filled = 20, batches = 80;  // the cache of SQLite is full after `filled`
   std::size_t then = 0, now = 0;                       // bytes in use
   run_campaign(options("run", batches * batch_size), {methods, growing, {}}, [&](const CampaignProgress& p) {
     (p.done <= filled * batch_size ? then : now) = mallinfo2().uordblks;
@@ -143,7 +143,7 @@ TEST_F(Campaign, HoldsNoMoreMemoryAsItGoesOn) {
 }
 
 TEST_F(Campaign, KilledAtAnyMomentAndResumedIsAsIfNothingHappened) {
-  const std::uint64_t batches = from_environment("DAYLIGHT_KILLED_BATCHES", 40), most = batches / 10;
+  const std::uint64_t batches = from_environment("DAYLIGHT_KILLED_BATCHES", 20), most = batches / 10;
   const std::uint64_t pairs = batches * batch_size;
   run_campaign(options("whole", pairs), workload());
   CampaignOptions o = options("killed", pairs);

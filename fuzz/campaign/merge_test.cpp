@@ -49,7 +49,7 @@ class Shards : public Campaign {
 };
 
 TEST_F(Shards, TogetherAreWhatOneRunIs) {
-  const std::uint64_t pairs = 9 * batch_size + 100;
+  const std::uint64_t pairs = 7 * batch_size + 100;
   run_campaign(options("whole", pairs), workload());
   for (const std::uint64_t n : {1u, 2u, 3u, 7u}) {
     for (std::uint64_t i = 0; i < n; ++i) {
@@ -71,7 +71,7 @@ TEST_F(Shards, TogetherAreWhatOneRunIs) {
 }
 
 TEST_F(Shards, KilledAtAnyMomentAndResumedTheyAreStillOneRun) {
-  const std::uint64_t batches = from_environment("DAYLIGHT_KILLED_BATCHES", 40), most = batches / 12;
+  const std::uint64_t batches = from_environment("DAYLIGHT_KILLED_BATCHES", 20), most = batches / 12;
   const std::uint64_t pairs = batches * batch_size + 7;
   run_campaign(options("whole", pairs), workload());
   for (std::uint64_t i = 0; i < 3; ++i) {

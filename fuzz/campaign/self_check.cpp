@@ -27,7 +27,7 @@ std::vector<KnownFault> shuffled(std::vector<KnownFault> faults, std::uint64_t s
 }  // namespace
 
 std::uint64_t self_check_start(std::uint64_t seed, unsigned k) {
-  const double octave = static_cast<double>(batch_size << k);
+  const double octave = static_cast<double>(self_check_octave << k);
   return static_cast<std::uint64_t>(octave * (1 + RandomStream("alarm_moment", seed, k).unit()));
 }
 
@@ -36,8 +36,8 @@ BatchRecord run_until_found(const Workload& workload, std::uint64_t seed, std::u
   BatchRecord record;
   record.first = first;
   record.next = first + cap;
-  for (std::uint64_t at = first; at < record.next; at += batch_size) {
-    BatchRecord batch = run_batch(workload, seed, at, std::min(record.next, at + batch_size));
+  for (std::uint64_t at = first; at < record.next; at += self_check_octave) {
+    BatchRecord batch = run_batch(workload, seed, at, std::min(record.next, at + self_check_octave));
     for (FindingRecord& f : batch.findings) {
       if (f.severity != to_string(Severity::contract)) continue;
       record.findings.push_back(std::move(f));

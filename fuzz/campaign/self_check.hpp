@@ -29,8 +29,9 @@ inline constexpr std::uint64_t self_check_pairs_cap = 1 << 17;
 /// CPU time of one planted fault, several times what those pairs take: beyond it the program hangs.
 inline constexpr std::chrono::seconds self_check_cpu_cap{60};
 /// Returns the index of a run, counted from its first drawn pair, at which its k-th fault (from 0) is
-/// planted: drawn from [2^k, 2^(k + 1)) batch_size. So a short run has some, a long one few more, and the
+/// planted: drawn from [2^k, 2^(k + 1)) self_check_octave. So a short run has some, a long one few more, and the
 /// longer has those of the shorter.
+inline constexpr std::uint64_t self_check_octave = 512;
 std::uint64_t self_check_start(std::uint64_t seed, unsigned k);
 
 /// Does the planted program's part: asks and judges the pairs [first, first + cap) until a method is wrong

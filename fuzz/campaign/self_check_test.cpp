@@ -42,8 +42,8 @@ TEST(SelfCheckStarts, LieInOctavesAndAreDrawnFromTheSeed) {
   for (std::uint64_t s = 0; s < 20; ++s) {
     for (unsigned k = 0; k < 20; ++k) {
       const std::uint64_t start = self_check_start(s, k);
-      EXPECT_GE(start, batch_size << k);
-      EXPECT_LT(start, batch_size << (k + 1));
+      EXPECT_GE(start, self_check_octave << k);
+      EXPECT_LT(start, self_check_octave << (k + 1));
       drawn.insert(start);
     }
   }
