@@ -16,7 +16,7 @@ namespace {
 using std::chrono::system_clock;
 
 [[noreturn]] void refuse(const std::string& text) {
-  throw UsageError("'" + text + "' is no time like 06:30 or 2026-11-22T06:30");
+  throw UsageError("'" + text + "' is not a time such as 06:30 or 2026-11-22T06:30");
 }
 
 // strptime takes a 31st of February, mktime moves it to March: what comes back must be what was written.
@@ -72,7 +72,7 @@ std::chrono::milliseconds parse_duration(std::string_view text) {
   if (unit == "h") scale = 3600 * 1000;
   if (unit == "d") scale = 24 * 3600 * 1000;
   if (error != std::errc() || !(value * scale >= 1 && value * scale <= year)) {
-    throw UsageError("'" + std::string(text) + "' is no duration like 90s, 1m or 8h");
+    throw UsageError("'" + std::string(text) + "' is not a duration such as 90s, 1m or 8h");
   }
   return std::chrono::milliseconds(static_cast<std::int64_t>(value * scale));
 }

@@ -75,8 +75,8 @@ void print_list(const GuestOptions& guests) {
   fmt::print("methods:\n");
   for (const auto& method : with_guests(guests).methods) {
     const Claim claim = method->claim();
-    fmt::print("  {:<26} {}; right from {} size + {} on ({})\n", method->name(), method->version(),
-               format_double(claim.relative), format_double(claim.absolute), claim.source);
+    fmt::print("  {:<26} {}; claims to be right from {} size + {} on ({})\n", method->name(),
+               method->version(), format_double(claim.relative), format_double(claim.absolute), claim.source);
   }
   fmt::print("families:\n");
   for (const Family& family : campaign_families()) fmt::print("  {:<26} {}\n", family.name, family.summary);
@@ -111,8 +111,7 @@ void print_not_asked(const std::vector<std::unique_ptr<Method>>& methods) {
     std::string kinds;
     for (const SolidKind kind : enum_values<SolidKind>)
       if (!method->supports(kind)) kinds.append(kinds.empty() ? "" : ", ").append(to_string(kind));
-    if (!kinds.empty())
-      fmt::print("not asked about solids that {} does not support: {}\n", method->name(), kinds);
+    if (!kinds.empty()) fmt::print("unsupported by {}, so not asked: {}\n", method->name(), kinds);
   }
 }
 
@@ -165,7 +164,7 @@ MethodSet methods_of_run(const CampaignArguments& arguments, const std::vector<s
   for (const Guest& guest : set.guests) {
     if (std::find(asked.begin(), asked.end(), guest.name) == asked.end())
       throw UsageError(arguments.resume + " has not asked " + guest.name +
-                       ": a run goes on with what it began with");
+                       ": a resumed run keeps its methods");
   }
   std::string missing;
   add_guests_of_run(set, arguments.resume, arguments.guests, missing);
@@ -228,16 +227,16 @@ std::string cost_in_words(const CampaignSummary& summary) {
   const auto tested = cost.asking + cost.hung + cost.judging;
   const auto rest = std::max(cost.all - tested, std::chrono::nanoseconds(0));
   std::string text =
-      fmt::format("CPU time: {:.1f} s; calls of methods {:.1f} s, ", seconds(cost.all), seconds(cost.asking));
-  if (cost.hung.count() > 0) text += fmt::format("calls that hung {:.1f} s, ", seconds(cost.hung));
-  text += fmt::format("verdicts of the referee {:.1f} s, all else {:.1f} s", seconds(cost.judging),
-                      seconds(rest));
+      fmt::format("CPU time: {:.1f} s (methods {:.1f} s, ", seconds(cost.all), seconds(cost.asking));
+  if (cost.hung.count() > 0) text += fmt::format("hanging calls {:.1f} s, ", seconds(cost.hung));
+  text += fmt::format("referee {:.1f} s, other {:.1f} s)", seconds(cost.judging), seconds(rest));
   constexpr std::chrono::seconds explained_from{5};
   if (rest < explained_from || rest <= 2 * tested) return text;
-  return text + fmt::format(
-                    "\n  \"All else\" is more than twice the rest. It is the start, {} broken calls, and the "
-                    "proof and storage of each finding\n  that is kept. Its share falls as the run goes on.",
-                    summary.progress.failed);
+  return text +
+         fmt::format(
+             "\n  \"Other\" is more than twice the rest. It is the start, {} failed calls, and the proof and "
+             "storage of the kept findings.\n  Its share falls as the run continues.",
+             summary.progress.failed);
 }
 
 /// What the command line says of limits replaces what the run had, each for itself; one of time ends the
@@ -255,7 +254,7 @@ void set_limits(const CampaignArguments& arguments, CampaignOptions& options) {
   }
   if (options.pairs == 0 && options.budget.count() == 0) options.budget = default_budget;
   if (options.budget == spent_budget)
-    fmt::print(stderr, "no time is left; --for or --stop-at gives it more\n");
+    fmt::print(stderr, "no time is left: extend it with --for or --stop-at\n");
 }
 
 bool wants_self_check(const CampaignArguments& arguments, const CampaignOptions& options) {
@@ -273,11 +272,11 @@ SelfCheckOptions plan_self_check(const CampaignArguments& arguments, const Campa
   if (const std::string kills = in_source_tree("props/mutants/kill_matrix.jsonl"); !kills.empty())
     for (const KillMatrixRow& row : faults_soon_found(read_kill_matrix(kills), selection.methods))
       check.faults.push_back({row.mutant, row.what, row.asks});
-  if (check.faults.empty()) missing = "no fault is known that a campaign of these methods finds";
+  if (check.faults.empty()) missing = "there is no known fault that a campaign of these methods finds";
   if (check.program.empty()) missing = "daylight-mutants is not beside this executable";
   if (missing.empty()) return check;
   if (arguments.self_check) throw std::runtime_error("--self-check: " + missing);
-  fmt::print(stderr, "daylight: no faults are planted in this run: {}\n", missing);
+  fmt::print(stderr, "daylight: this run plants no faults: {}\n", missing);
   return {};
 }
 
@@ -306,8 +305,8 @@ int campaign(const CampaignArguments& arguments) {
   std::fflush(stdout);
   if (const std::string error = record_guests(parse_guests(options.guests)); !error.empty())
     fmt::print(stderr,
-               "daylight: the guests of this run are not recorded: {}; commands that read the run need "
-               "--run-guests\n",
+               "daylight: the guests of this run are not recorded: {}. Commands that read the run need "
+               "--run-guests.\n",
                error);
 
   options.jobs = arguments.jobs;
@@ -337,7 +336,7 @@ int campaign(const CampaignArguments& arguments) {
   fmt::print("{}\n", cost_in_words(summary));
   if (!summary.harness_failure.empty()) fmt::print(stderr, "daylight: {}\n", summary.harness_failure);
   if (summary.interrupted)
-    fmt::print(stderr, "stopped; go on with: {} campaign --resume {}\n", own_command(),
+    fmt::print(stderr, "stopped, resume with: {} campaign --resume {}\n", own_command(),
                shell_quoted(options.out));
   return exit_code(summary);
 }
@@ -408,8 +407,8 @@ void add_campaign(Program& program) {
       if (arguments->resume.empty() || !command.given(fixed)) continue;
       throw UsageError(
           std::string(fixed) +
-          " cannot be given with --resume: a run goes on with what it began with, or its first part and its "
-          "last would not be of one run; only limits and --jobs may change");
+          " cannot be given with --resume, because a resumed run keeps its settings. Only limits and --jobs "
+          "may change");
     }
     return campaign(*arguments);
   });

@@ -80,7 +80,7 @@ Reply certified(const CaseLine& c, Method& solver, const CheckOptions& options) 
   if (options.distance) distance = enclose_distance(pair, truth);
   if (!options.text)
     return {truth.verdict, with_clearance(format_truth(truth, distance ? &*distance : nullptr), options)};
-  return {truth.verdict, fmt::format("{}: {}{}; proof {}", label(c), to_string(truth.verdict),
+  return {truth.verdict, fmt::format("{}: {}{}, proof {}", label(c), to_string(truth.verdict),
                                      distance ? describe(truth.verdict, *distance) : "",
                                      format_certificate(truth.certificate))};
 }
@@ -91,7 +91,7 @@ Reply reported(const CaseLine& c, const Method& method, const MethodAnswer& answ
   const bool text = options.text;
   if (answer.status == Status::answered) {
     std::string said = format_method_answer(answer);
-    if (text) return {answer.verdict, fmt::format("{}: {} says {}", label(c), method.name(), said)};
+    if (text) return {answer.verdict, fmt::format("{}: {} answers {}", label(c), method.name(), said)};
     said.back() = ',';
     return {answer.verdict,
             with_clearance(fmt::format(R"({}"method":{}}})", said, quote_json(method.name())), options)};
@@ -114,8 +114,8 @@ class Checker {
     const auto named = [&](const auto& method) { return method->name() == options.method; };
     if (std::any_of(methods_.begin(), methods_.end(), named)) std::erase_if(methods_, std::not_fn(named));
     if (methods_.size() == 1) return;
-    std::string message = options.method.empty() ? "ask one at a time:"
-                                                 : "--method " + options.method + " names more than one:";
+    std::string message = options.method.empty() ? "ask one method at a time:"
+                                                 : "--method " + options.method + " selects several methods:";
     for (const auto& method : methods_) message.append(" ").append(method->name());
     throw UsageError(message);
   }
@@ -186,7 +186,8 @@ class Checker {
 
 int check(const CheckOptions& options) {
   if (!(options.clearance >= 0 && options.clearance <= std::numeric_limits<double>::max()))
-    throw UsageError(fmt::format("--clearance {}: a length, 0 or more", options.clearance));
+    throw UsageError(
+        fmt::format("--clearance {} is not a length: give a finite number, 0 or more", options.clearance));
   Checker checker(options);
   std::vector<std::string> files = options.files;
   if (files.empty()) files.push_back("-");
@@ -200,7 +201,8 @@ int check(const CheckOptions& options) {
 }  // namespace
 
 void add_check(Program& program) {
-  Command command = program.command("Ask", "check", "Pairs in, certified answers out, a line each");
+  Command command =
+      program.command("Ask", "check", "Reads pairs and writes a proved answer for each, one a line");
   auto options = std::make_shared<CheckOptions>();
   command.option("FILE", options->files, "JSON Lines of pairs; '-' or no file is standard input").readable();
   command.section("Output");
@@ -208,7 +210,7 @@ void add_check(Program& program) {
   command.section("Question");
   command.flag("--distance", options->distance, "add a certified enclosure of the signed distance");
   command.option("--clearance LENGTH", options->clearance,
-                 "decide whether the solids come this near; a is enlarged by it");
+                 "decide whether the gap is at most this length: a grows by it");
   command.section("Methods");
   command
       .option("--method NAME", options->method, "ask this method instead; its answer is reported, not proved")

@@ -84,7 +84,7 @@ expect 'worst: a line that is no pair' 65 '' worst --method ode --from two
 printf '{}\n' >results
 mkdir empty
 expect 'no results of a bench' 65 '' chart empty --bench results
-[[ $(<err) == 'daylight: results is no result of `daylight bench --json`' ]] || fail 'no results of a bench: the error'
+[[ $(<err) == 'daylight: results is not a result of `daylight bench --json`' ]] || fail 'no results of a bench: the error'
 # Files are opened before the work begins.
 for command in 'bench --json' 'gate --json' 'gate --junit' 'gate --sarif' 'gate --keep' 'triage empty --json' 'judge one --keep' \
     'explain one --method ode --json' 'worst --method ode --out' 'scene one --page' 'scene one --json' 'scene one --srdf-out'; do
@@ -95,7 +95,7 @@ done
 printf '%s\n' "${apart%\}},\"id\":\"x\\nline 2: touching\\u001b[2J\"}" >in
 expect 'an id that forges a line' 0 'x\\nline 2: touching\\u001b\[2J: disjoint[^'$'\n''[:cntrl:]]*' check --text
 cp one in
-expect 'text' 0 'line 1: disjoint; .*' check --text
+expect 'text' 0 'line 1: disjoint, .*' check --text
 expect 'distance' 0 '.*"distance":\[[0-9.e-]+,[0-9.e-]+\].*' check --distance
 [[ $("$daylight" check <in) != *'"distance"'* ]] || fail 'a distance nobody asked for'
 expect 'another method' 0 '\{"verdict":"disjoint","method":"intersect"\}' check --method intersect
@@ -112,10 +112,10 @@ told() {
   expect "$what" 64 '' "$@"
   [[ $(<err) == "daylight: $wanted" ]] || fail "$what: the message is not '$wanted'"
 }
-told 'a misspelt command' $'no command \'chekc\'; do you mean \'check\'?\n--help says more' chekc
-told 'a misspelt option' $'check has no option --distances; do you mean \'--distance\'?\n--help says more' check --distances
-told 'a word too many' $'campaign does not take \'100\'\n--help says more' campaign --pairs 100 100
-told 'an empty value' $'--methods= gives no value\n--help says more' campaign --methods= --pairs 100
+told 'a misspelt command' $'no command \'chekc\'. Do you mean \'check\'?\n--help shows more' chekc
+told 'a misspelt option' $'check has no option --distances. Do you mean \'--distance\'?\n--help shows more' check --distances
+told 'a word too many' $'campaign does not take \'100\'\n--help shows more' campaign --pairs 100 100
+told 'an empty value' $'--methods= gives no value\n--help shows more' campaign --methods= --pairs 100
 expect 'an unknown command' 64 '' nonsense
 [[ $(<err) == *"'nonsense'; there are check, "*', families'* ]] || fail 'an unknown command lists those there are'
 expect 'an unknown option' 64 '' check --nonsense
@@ -198,7 +198,7 @@ for number in -1 -3 +1 1x 1.5 0x10 '' 18446744073709551616 999999999999999999999
       'bench --passes' 'bench --seed' 'campaign --pairs' 'campaign --seed' 'campaign --jobs'; do
     read -ra words <<<"$option"
     expect "$option '$number'" 64 '' "${words[@]}" "$number"
-    grep -qF -- "${words[-1]}: '$number' is no whole number from " err || fail "$option '$number': what is wrong"
+    grep -qF -- "${words[-1]}: '$number' is not a whole number from " err || fail "$option '$number': what is wrong"
   done
 done
 expect 'no pairs' 64 '' bench --pairs 0
@@ -207,7 +207,7 @@ expect 'no run to chart' 64 '' chart nowhere
 expect 'a folder that holds no run' 64 '' chart empty
 expect 'no jobs' 64 '' campaign --jobs 0
 expect 'too many jobs' 64 '' campaign --jobs 1025
-[[ $(<err) == *"--jobs: '1025' is no whole number from 1 to 1024"* ]] || fail 'the range of an option'
+[[ $(<err) == *"--jobs: '1025' is not a whole number from 1 to 1024"* ]] || fail 'the range of an option'
 expect 'the greatest seed' 0 '.*"id":"random/18446744073709551615/0".*' families random --seed 18446744073709551615 --count 1
 expect 'a leading zero' 0 '.*"id":"random/10/0".*' families random --seed 010 --count 1
 

@@ -14,17 +14,17 @@ unit='{"center":[0,0,0],"axis":[0,0,1],"radius":1,"height":2}'
 expect 0 'a line of a file' "$daylight" explain cases.jsonl:3 --method fcl-indep --json why.json
 holds 'the seed comes first' out '^seed 1$'
 holds 'a region' out '^signed distance .* they meet +right$'
-holds 'which pairs' out '^share that fails so, of drawn cap-cap pairs of the pair.s size with height of a 0.001 to .* \(seed 1\)'
+holds 'which pairs' out '^share of similar failures among random cap-cap pairs of the same size with height of a 0.001 to .* \(seed 1\)'
 holds 'a curve' out '^1e-09 +50 +50 +1 '
 holds 'a cure that is none' out '^solids exchanged +not cured '
-holds 'the mechanism' out '^fcl-indep calls solids up to .* apart intersecting: a fixed length in it'
+holds 'the mechanism' out '^fcl-indep calls solids up to .* apart intersecting\. Cause: a fixed length in it'
 holds 'as JSON' why.json '"mechanism": "fcl-indep calls'
 cp out first
 expect 0 'again' "$daylight" explain cases.jsonl:3 --method fcl-indep
 cmp -s first out || failed 'the same twice'
 
 expect 0 'export' "$daylight" export cases.jsonl:3 --method fcl-indep --out sent
-holds 'it was tried' out '^built and run here: it shows the failure$'
+holds 'it was tried' out '^tested: it was built and run here, and shows the failure$'
 for file in issue.md build.sh reproduce.cpp exact.py; do
   [[ -s sent/$file ]] || holds "sent/$file" out '^WRITTEN$'
 done
@@ -35,10 +35,10 @@ expect 1 'a program that says "right"' env CXX="$PWD/tame" "$daylight" export ca
 holds 'what it printed' err '^right$'
 [[ ! -e tame_sent ]] || failed 'a program that says "right" is offered'
 expect 3 'no compiler' env CXX=false "$daylight" export cases.jsonl:3 --method fcl-indep --out untried
-holds 'no compiler' out '^not tried: '
+holds 'no compiler' out '^not tested: '
 
 expect 64 'a pair on which it is right' "$daylight" export cases.jsonl:1 --method fcl-indep --out sent
-holds 'what it says there' err 'is not wrong on .*disjoint'
+holds 'what it says there' err 'is right on .*disjoint'
 expect 64 'two pairs at once' "$daylight" explain cases.jsonl --method fcl-indep
 expect 64 'an empty line' "$daylight" explain cases.jsonl:2 --method fcl-indep
 expect 64 'no method' "$daylight" explain cases.jsonl:3

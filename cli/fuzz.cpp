@@ -92,8 +92,8 @@ int fuzz(const FuzzArguments& arguments) {
     fmt::print("the findings: {} replay {}\n", own_command(), shell_quoted(options.out + "/findings.jsonl"));
   if (!summary.harness_failure.empty()) fmt::print(stderr, "daylight: {}\n", summary.harness_failure);
   if (summary.interrupted)
-    fmt::print(stderr, "stopped; go on with: {} fuzz --target {} --out {}\n", own_command(), arguments.target,
-               shell_quoted(options.out));
+    fmt::print(stderr, "stopped, resume with: {} fuzz --target {} --out {}\n", own_command(),
+               arguments.target, shell_quoted(options.out));
   return exit_code(summary);
 }
 

@@ -87,7 +87,7 @@ int reproduce(const GateArguments& arguments, std::span<const std::unique_ptr<Me
                to_string(c.violation.severity), c.violation.what, format_pair(c.shrunk.value_or(c.pair)));
     violation |= c.violation.severity == Severity::contract;
   }
-  if (!violation) fmt::print("no law is broken beyond a claim\n");
+  if (!violation) fmt::print("no law is broken beyond the claim\n");
   return violation ? exit_findings : exit_pass;
 }
 
@@ -131,11 +131,11 @@ std::map<std::string, SourceLine> places_of(std::span<const std::string> options
         place(guest, std::string_view(option).substr(guest.name.size() + 1));
     if (!used)
       for (const Guest& guest : guests) place(guest, option);
-    if (!used) throw UsageError("--annotate: there is no guest, of --plugin or --command");
+    if (!used) throw UsageError("--annotate needs a guest: give --plugin or --command");
   }
   for (const auto& [name, place] : places)
     if (!std::filesystem::is_regular_file(place.file))
-      throw UsageError("--annotate: '" + place.file + "' is no file");
+      throw UsageError("--annotate: '" + place.file + "' is not a file");
   return places;
 }
 
@@ -173,14 +173,14 @@ GateReport run_with_progress(std::span<const std::unique_ptr<Method>> methods, s
   return run_gate(methods, cases, options, [&](const GateProgress& p) {
     if (!line.due(p.elapsed)) return;
     line.show(p.elapsed, p.share,
-              fmt::format("{}: {} pairs; {} ways to fail", to_string(p.phase), p.pairs, p.failures));
+              fmt::format("{}: {} pairs, {} kinds of failures", to_string(p.phase), p.pairs, p.failures));
   });
 }
 
 /// Tries the gate on planted faults while there is time.
 SelfTest test_itself(const GateOptions& options, std::vector<std::string>& not_asked) {
   if (options.stopped()) {
-    not_asked.push_back(fmt::format("methods with known faults, {}", why_not(options)));
+    not_asked.push_back(fmt::format("self-check with planted faults, {}", why_not(options)));
     return {.ran = false, .cut = true, .passed = true, .text = {}};
   }
   const auto count =
@@ -190,7 +190,7 @@ SelfTest test_itself(const GateOptions& options, std::vector<std::string>& not_a
     left = *options.cap - std::chrono::duration_cast<std::chrono::milliseconds>(
                               std::chrono::steady_clock::now() - options.start);
   SelfTest test = self_test(count, left);
-  if (test.cut) not_asked.push_back(fmt::format("methods with known faults, {}", why_not(options)));
+  if (test.cut) not_asked.push_back(fmt::format("self-check with planted faults, {}", why_not(options)));
   return test;
 }
 
@@ -231,17 +231,18 @@ int gate(const GateArguments& arguments) {
   report.not_asked.insert(report.not_asked.end(), not_asked.begin(), not_asked.end());
   complete(report, known, methods, guests, cases, places);
   if (arguments.github) fmt::print("{}", gate_github(report));
-  fmt::print("the gate itself, tried on methods with known faults: {}",
+  fmt::print("self-check with planted faults: {}",
              test.cut   ? "not run\n"
              : test.ran ? test.text
-                        : "not run, daylight-mutants is not beside this executable\n");
+                        : "not run, because daylight-mutants is not beside this executable\n");
   fmt::print("{}", gate_text(report));
   for (const std::string& remark : known.remarks) fmt::print("{}\n", remark);
   write_files(arguments, report);
   if (!arguments.keep.empty() && std::any_of(report.failures.begin(), report.failures.end(), fails_gate))
     fmt::print("next: {} replay {}{}\n", own_command(), shell_quoted(arguments.keep),
                replay_options(report, methods, guests));
-  if (!test.passed) throw std::runtime_error("the gate is blind: a planted fault was not caught");
+  if (!test.passed)
+    throw std::runtime_error("the self-check failed: the gate did not detect a planted fault");
   return known.stale > 0 ? exit_findings : exit_code(report);
 }
 

@@ -48,7 +48,7 @@ double read_claim(const std::string& text) {
   char* end = nullptr;
   const double claim = std::strtod(text.c_str(), &end);
   if (text.empty() || *end != 0 || !(claim >= 0) || std::isinf(claim))
-    throw UsageError("--claim '" + text + "' is no margin: it takes a number like 1e-9");
+    throw UsageError("--claim '" + text + "' is not a margin: give a number such as 1e-9");
   return claim;
 }
 

@@ -45,7 +45,7 @@ printf '%s\n' "$pair" >pair.jsonl
 expect 2 'campaign' "$daylight" campaign --pairs 400 --seed 7 --cases '' --methods decide,bad,worse "${guests[@]}" --table --out runs/bad
 holds 'campaign' out '^bad +400 +[1-9][0-9]+ +[1-9]'
 holds 'campaign' out '^worse +400 +[1-9][0-9]+ +[1-9]'
-holds 'what it takes not' out '^not asked about solids that bad does not support: sphere, capsule, rounded$'
+holds 'what it takes not' out '^unsupported by bad, so not asked: sphere, capsule, rounded$'
 python3 - <<'END' || failed 'guests take families from others'
 import sqlite3
 counts = "SELECT asked - declined FROM tally WHERE family = 'sphere_sphere' AND method = ?"
@@ -123,7 +123,7 @@ triage() {
   local seconds
   for seconds in 2 8 32 128; do
     expect 2 'triage' "$daylight" triage "$@" --for "${seconds}s"
-    grep -q 'not looked at yet' out || break
+    grep -q 'findings remain: run triage again' out || break
   done
 }
 causes() { triage runs/three "$@"; }
@@ -142,7 +142,7 @@ expect 0 'triage' "$daylight" triage runs/three --export bad/wrong_disjoint --ou
 holds 'triage' out 'sent/issue.md, build.sh, reproduce.c, exact.py, libbad.so$'
 expect 0 'sent/exact.py' python3 sent/exact.py
 expect 1 'sent/build.sh' sh sent/build.sh
-holds 'sent/build.sh' out '^bad says: 0, disjoint$'
+holds 'sent/build.sh' out '^bad answers: 0, disjoint$'
 holds 'sent/build.sh' out '^WRONG$'
 expect 0 'sent/build.sh' sh sent/build.sh good.so
 holds 'sent/build.sh' out '^right$'
@@ -168,10 +168,10 @@ holds 'what it said is refuted' out '^the distance said, 1.0000000000001, is too
 
 cd elsewhere
 expect 1 '../sent/build.sh' sh ../sent/build.sh
-holds '../sent/build.sh' out '^it says: \{"verdict":"disjoint"\}$'
+holds '../sent/build.sh' out '^it answers: \{"verdict":"disjoint"\}$'
 expect 0 '../sent/build.sh' sh ../sent/build.sh "echo '{\"verdict\":\"intersecting\"}'"
 expect 64 'a program that does not start' sh ../sent/build.sh 'exit 3'
-holds 'a program that does not start' err '^could not be asked: .* status 3$'
+holds 'a program that does not start' err '^it does not answer an easy pair, and exits with status 3$'
 lacks 'a program that does not start' out WRONG
 cd ..
 
@@ -207,7 +207,7 @@ holds 'check' err "'./nothing': asked about an easy pair, it failed: ended with 
 expect 64 'check' "$daylight" check --command 'decide=sh worse.sh' pair.jsonl
 holds 'check' err 'there is a method decide already'
 expect 64 'campaign' "$daylight" campaign --resume runs/bad --command 'sh worse.sh' --command 'new=sh worse.sh'
-holds 'campaign' err 'has not asked new'
+holds 'campaign' err 'has not asked new: a resumed run keeps its methods'
 mv libbad.so moved.so
 expect 1 'campaign' "$daylight" campaign --resume runs/bad --pairs 600
 holds 'campaign' err 'runs/bad cannot be resumed: bad of runs/bad is not here: --plugin .*/libbad.so'
@@ -216,7 +216,7 @@ holds 'replay' err 'bad of runs/bad is not here'
 causes
 holds 'triage' err '^daylight: bad of runs/three is not here'
 [[ $(grep -c 'is not here' err) == 1 ]] || failed 'told more than once'
-holds 'triage' out '^[1-9][0-9]* are of guests that are not here$'
+holds 'triage' out '^[1-9][0-9]* findings are of guests that this machine does not have$'
 holds 'triage' out '^\* plain/wrong_disjoint'
 lacks 'something is told of what is not here' out 'bad/'
 expect 2 'campaign' "$daylight" campaign --resume runs/bad --pairs 600 --plugin ./moved.so

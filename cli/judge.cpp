@@ -68,7 +68,7 @@ std::string failing_lines(const OfflineJudge& judged) {
     Case kept = f.question;
     if (f.truth.verdict != Verdict::undecided) kept.truth = f.truth.verdict;
     kept.source = fmt::format("daylight judge, {}", kept.source.empty() ? kept.id : kept.source);
-    kept.note = fmt::format("{}: {}; it said {}; proof {}", judged.name(), in_words(f.finding),
+    kept.note = fmt::format("{}: {}, answer {}, proof {}", judged.name(), in_words(f.finding),
                             format_method_answer(f.answer), format_certificate(f.truth.certificate));
     lines += format_case(kept) + '\n';
   }
@@ -87,7 +87,8 @@ void print_findings(const OfflineJudge& judged, const JudgeOptions& options) {
     worst[{*from_word<Severity>(g.severity), *from_word<FindingKind>(g.kind)}].second += g.count;
   for (const auto& [key, value] : worst) {
     const auto& [f, count] = value;
-    fmt::print("\n{}, {} of them; the worst, id {}", in_words(f->finding), count, one_line(f->question.id));
+    fmt::print("\n{}: {} findings. The worst has the id {}", in_words(f->finding), count,
+               one_line(f->question.id));
     fmt::print("{}:\n", f->line == 0 ? "" : fmt::format(", {}:{}", one_line(options.answers), f->line));
     fmt::print("  {}\n  truth: {}. {}\n", format_pair(f->question.pair), to_string(f->truth.verdict),
                cyl::in_words(f->truth.certificate));
@@ -129,10 +130,11 @@ int judge_answers(const JudgeOptions& options) {
   }
   fmt::print("{}", format_tallies(tally_methods(judged.tallies())));
   const Claim& claim = judged.claim();
-  fmt::print("claim: right from {} size + {} on\n", format_double(claim.relative),
+  fmt::print("claim: right from {} size + {}\n", format_double(claim.relative),
              format_double(claim.absolute));
   print_findings(judged, options);
-  if (judged.lines_passed_over() > 0) fmt::print("{} lines answer no pair\n", judged.lines_passed_over());
+  if (judged.lines_passed_over() > 0)
+    fmt::print("{} lines do not answer a pair\n", judged.lines_passed_over());
   if (!options.keep.empty()) {
     write_file(options.keep, failing_lines(judged));
     if (std::any_of(judged.findings().begin(), judged.findings().end(), fails))
@@ -145,25 +147,25 @@ int judge_answers(const JudgeOptions& options) {
 
 void add_judge(Program& program) {
   Command command =
-      program.command("Find", "judge", "Judges answers that another machine gave to the pairs of `ask`");
+      program.command("Find", "judge", "Judges the answers of another machine to the pairs of `ask`");
   auto options = std::make_shared<JudgeOptions>();
   command
       .option("ANSWERS", options->answers,
-              "file of answers, one a line in any order, each with the id of its pair; '-': standard input")
+              "answers with the id of their pair, one a line in any order; '-' is standard input")
       .required()
       .readable();
   command.section("Input");
   command
       .option("--pairs FILE", options->pairs,
-              "the pairs that were answered; without it, each answer has its own a and b")
+              "the pairs of the answers; without it, each answer has its own a and b")
       .readable();
   command.option("--name NAME", options->name, "name of the method that answered")
-      .default_text("that of a hello in the answers");
+      .default_text("the name in the hello of the answers");
   command
       .option("--claim MARGIN", options->claim,
-              "margin from which on answers must be right, relative to the size")
+              "margin from which answers must be right, relative to the size")
       .within(0, 1)
-      .default_text("that of a hello in the answers, else 0");
+      .default_text("the claim in the hello of the answers, else 0");
   command.section("Output");
   command.option("--keep FILE", options->keep, "write the failing pairs as a case file, with the proofs")
       .writable();

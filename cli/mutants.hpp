@@ -18,8 +18,8 @@ std::string mutants_executable();
 struct SelfTest {
   bool ran = false;    ///< false: there is no such executable
   bool cut = false;    ///< the time was over before the last fault
-  bool passed = true;  ///< every planted fault that was tried was caught
-  std::string text;    ///< what it said, e.g. "5 of 5 mutants caught"
+  bool passed = true;  ///< every planted fault that was tried was detected
+  std::string text;    ///< the result, such as "5 of 5 detected"
 };
 /// Plants this many faults, one after the other, and sees whether laws, corpus and referee catch each; all
 /// within `time`, where it is given.

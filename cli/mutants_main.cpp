@@ -213,9 +213,9 @@ int matrix(const MutantsMainArguments& arguments) {
     if (!detected && m.equivalent.empty()) survivors += fmt::format(" {}", m.number);
     if (detected && !m.equivalent.empty()) not_equivalent += fmt::format(" {}", m.number);
   }
-  fmt::print("{} of {} mutants caught\n", killed, chosen.size());
-  if (!survivors.empty()) fmt::print("not caught, nor argued equivalent:{}\n", survivors);
-  if (!not_equivalent.empty()) fmt::print("argued equivalent, and caught:{}\n", not_equivalent);
+  fmt::print("{} of {} mutants detected\n", killed, chosen.size());
+  if (!survivors.empty()) fmt::print("neither detected nor equivalent:{}\n", survivors);
+  if (!not_equivalent.empty()) fmt::print("called equivalent, but detected:{}\n", not_equivalent);
   return survivors.empty() && not_equivalent.empty() ? 0 : exit_survivors;
 }
 
@@ -240,7 +240,7 @@ int self_test(std::size_t count, const std::string& corpus) {
     detected += killed;
     if (!killed) missed += fmt::format(", not {} ({})", number, mutant->what);
   }
-  fmt::print("{} of {} caught{}\n", detected, count, missed);
+  fmt::print("{} of {} detected{}\n", detected, count, missed);
   return detected == count ? 0 : exit_survivors;
 }
 

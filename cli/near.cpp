@@ -38,7 +38,7 @@ NearStudy read_cylinders(const NearArguments& arguments) {
   }
   const Scene scene = read_scene(arguments.file, "");
   if (!stands_still(scene))
-    throw UsageError(arguments.file + " describes bodies that move or are bounded; take 'daylight scene'");
+    throw UsageError(arguments.file + " describes bodies that move or are bounded: use 'daylight scene'");
   study.file = arguments.file;
   study.cylinders = place(scene, joints_at(scene));
   for (const Body& body : scene.bodies) study.names.push_back(body.name);
@@ -48,7 +48,7 @@ NearStudy read_cylinders(const NearArguments& arguments) {
 int near(const NearArguments& arguments) {
   if (!(arguments.clearance >= 0 && std::isfinite(arguments.clearance)))
     throw UsageError(
-        fmt::format("--clearance: {} is not a length; give a finite number, 0 or more", arguments.clearance));
+        fmt::format("--clearance: {} is not a length: give a finite number, 0 or more", arguments.clearance));
   if (arguments.file.empty() == arguments.generate.empty())
     throw UsageError("which cylinders? Give a FILE or --generate");
   NearStudy study;

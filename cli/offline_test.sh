@@ -40,14 +40,14 @@ expect 2 'answers in' "$daylight" judge answers.jsonl --pairs pairs.jsonl --keep
 counts out >judged
 diff campaign judged || failed 'judged otherwise than a campaign'
 [[ $(wc -l <judged) -gt 5 ]] || failed 'no table'
-holds 'the worst' out '^wrong_intersecting \(contract, margin .*, [0-9]+ of them; the worst, id [0-9]+, answers.jsonl:[0-9]+:$'
+holds 'the worst' out '^wrong_intersecting \(contract, margin .*: [0-9]+ findings\. The worst has the id [0-9]+, answers.jsonl:[0-9]+:$'
 holds 'its proof' out '^  truth: disjoint\. A plane with normal'
 holds 'what it said' out '^  balls: \{"verdict":"intersecting"\}$'
 holds 'its claim' out '^claim: right from 0\.001 size'
 [[ ! -s err ]] || failed 'complains of nothing'
 expect 2 'what is kept' "$daylight" replay failing.jsonl --command 'python3 balls.py' --methods balls
 holds 'all of it fails' out "^$(wc -l <failing.jsonl) replayed, $(wc -l <failing.jsonl) beyond a claim"
-holds 'with the proof' failing.jsonl '"truth":"disjoint","note":"balls: wrong_intersecting .*; proof \{.*direction'
+holds 'with the proof' failing.jsonl '"truth":"disjoint","note":"balls: wrong_intersecting .*, proof \{.*direction'
 
 (head -n 1 answers.jsonl; tail -n +2 answers.jsonl | shuf --random-source=pairs.jsonl) >shuffled.jsonl
 expect 2 'in any order' "$daylight" judge shuffled.jsonl --pairs pairs.jsonl
@@ -65,7 +65,7 @@ holds 'all within it' out '^other +1500 +[0-9]+ +[0-9]+ +- +[0-9]+ '
 expect 0 'right answers' "$daylight" judge right.jsonl --pairs pairs.jsonl --name right
 holds 'no fault' out '^right +1500 +- +- +- +- +- '
 expect 64 'nobody is named' "$daylight" judge right.jsonl --pairs pairs.jsonl
-holds 'says so' err 'do not say whose they are'
+holds 'says so' err 'do not name their method'
 sed -e '11d' -e '20s/.*/&\n&/' -e '30s/.*/{"id":30,"verdict":"perhaps"}/' -e '40s/^./(/' -e '50s/"id":50/"id":"x50"/' \
   -e '60s/,"id":60//' right.jsonl >wrong.jsonl
 expect 2 'wrong lines' "$daylight" judge wrong.jsonl --pairs pairs.jsonl --name right
@@ -77,7 +77,7 @@ holds 'an unknown id' err '^wrong.jsonl:50: id "x50" is of no question$'
 holds 'no id' err '^wrong.jsonl:60: no id'
 holds 'a missing one' err '^pairs.jsonl:11: no answer$'
 holds 'what it costs' err '^pairs.jsonl:40: no answer$'
-holds 'passed over' out '^3 lines answer no pair$'
+holds 'passed over' out '^3 lines do not answer a pair$'
 [[ $(wc -l <err) == 9 ]] || failed 'not 9 lines told'
 sed 's/.*/&\n/; 5s/"radius":[^,]*/"radius":-1/; 6s/"id":"6"/"id":"7"/' pairs.jsonl >bad_pairs.jsonl
 expect 2 'wrong pairs' "$daylight" judge right.jsonl --pairs bad_pairs.jsonl --name right

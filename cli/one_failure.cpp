@@ -70,7 +70,7 @@ bool shows_failure(const Export& files) {
 
 FindingKind kind_of_word(const std::string& word) {
   if (const auto kind = from_word<FindingKind>(word)) return *kind;
-  throw UsageError(fmt::format("'{}' is no kind of finding", word));
+  throw UsageError(fmt::format("'{}' is not a kind of finding", word));
 }
 
 void add_failure_options(Command& command, FailureOptions& options) {
@@ -79,7 +79,7 @@ void add_failure_options(Command& command, FailureOptions& options) {
   command.option("--method NAME", options.method, "the method that is wrong")
       .default_text("that of the stored finding");
   command.option("--kind KIND", options.kind, "kind of failure, such as wrong_disjoint")
-      .default_text("that of the stored finding; else found by asking");
+      .default_text("kind of the stored finding; else found by asking");
   add_guest_options(command, options.guests);
   add_run_guests_option(command, options.guests);
 }
@@ -87,18 +87,18 @@ void add_failure_options(Command& command, FailureOptions& options) {
 OneFailure failure_of(const FailureOptions& options, std::span<const std::unique_ptr<Method>> methods) {
   const std::vector<Target> targets = targets_of(options.target);
   if (targets.size() != 1)
-    throw UsageError(
-        fmt::format("'{}' names {} pairs; give one: FILE:LINE or RUN:ID", options.target, targets.size()));
+    throw UsageError(fmt::format("'{}' has {} pairs: give one pair, as FILE:LINE or RUN:ID", options.target,
+                                 targets.size()));
   const Target& target = targets.front();
   const bool stored = target.finding && (options.method.empty() || options.method == target.finding->method);
   const std::string name = stored ? target.finding->method : options.method;
-  if (name.empty()) throw UsageError("which method? Give --method NAME");
+  if (name.empty()) throw UsageError("give the method with --method NAME");
   const std::string word = !options.kind.empty() ? options.kind : stored ? target.finding->kind : "";
   if (!word.empty()) return {name, kind_of_word(word), target.pair};
   const Trial now = try_method(find_method(methods, name), target.pair);
   if (!now.finding())
-    throw UsageError(fmt::format("{} is not wrong on {}: it says {}, and they are {}", name, target.label,
-                                 format_method_answer(now.answer()), distance_in_words(now)));
+    throw UsageError(fmt::format("{} is right on {}: it answers {}, and the solids are {}", name,
+                                 target.label, format_method_answer(now.answer()), distance_in_words(now)));
   return {name, now.finding()->kind, target.pair};
 }
 
@@ -124,8 +124,10 @@ int export_failure(const MethodSet& set, const OneFailure& failure, const SendOp
   if (!files.test.empty()) more += ", " + files.test_name;
   fmt::print("{}, {}: {}/issue.md, build.sh, {}, exact.py{}\n", failure.method, to_string(failure.kind),
              folder, files.program_name, more);
-  fmt::print("{}\n", tried ? "built and run here: it shows the failure"
-                           : "not tried: it could not be built or asked here; sh build.sh there says why");
+  fmt::print(
+      "{}\n",
+      tried ? "tested: it was built and run here, and shows the failure"
+            : "not tested: it could not be built or run here; sh build.sh in that folder shows the reason");
   return tried ? exit_pass : exit_undecided;
 }
 

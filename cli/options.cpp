@@ -67,7 +67,7 @@ std::uint64_t whole_number(const std::string& text, const std::string& name, std
   const char* end = text.data() + text.size();
   const auto [rest, error] = std::from_chars(text.data(), end, n);
   if (error == std::errc() && rest == end && n >= least && n <= most) return n;
-  throw CLI::ValidationError(name, "'" + text + "' is no whole number from " + std::to_string(least) +
+  throw CLI::ValidationError(name, "'" + text + "' is not a whole number from " + std::to_string(least) +
                                        " to " + std::to_string(most));
 }
 
@@ -89,7 +89,7 @@ std::size_t typing_errors(const std::string& x, const std::string& y) {
   return d[x.size()][y.size()];
 }
 
-/// "; do you mean 'check'?", or what there is where no name is like it.
+/// ". Do you mean 'check'?", or what there is where no name is like it.
 std::string suggestion(const std::string& typed, const std::vector<std::string>& names) {
   std::size_t least = std::max<std::size_t>(1, typed.size() / 3);
   std::string best;
@@ -100,7 +100,7 @@ std::string suggestion(const std::string& typed, const std::vector<std::string>&
       best = name;
     }
   }
-  if (!best.empty()) return "; do you mean '" + best + "'?";
+  if (!best.empty()) return ". Do you mean '" + best + "'?";
   for (const std::string& name : names) best += (best.empty() ? "; there are " : ", ") + name;
   return best;
 }
@@ -136,7 +136,7 @@ Option Option::readable() const {
   return Option(*option_->check([](const std::string& file) {
     const bool is_file = std::filesystem::exists(file) && !std::filesystem::is_directory(file);
     if (file == "-" || (is_file && access(file.c_str(), R_OK) == 0)) return std::string();
-    return "'" + file + "' is no file that can be read";
+    return "'" + file + "' is not a readable file";
   }));
 }
 Option Option::writable() const {
@@ -230,7 +230,7 @@ int Program::run(int argc, char** argv) {
     // The parser would take the next word for its value.
     const std::string_view word = argv[i];
     if (!word.starts_with("--") || word.find('=') != word.size() - 1) continue;
-    std::cerr << app_->get_name() << ": " << word << " gives no value\n--help says more\n";
+    std::cerr << app_->get_name() << ": " << word << " gives no value\n--help shows more\n";
     return exit_usage;
   }
   try {
@@ -244,12 +244,12 @@ int Program::run(int argc, char** argv) {
     } else if (app_->get_subcommands().empty()) {
       std::vector<std::string> names;
       for (const CLI::App* command : app_->get_subcommands({})) names.push_back(command->get_name());
-      std::cerr << "no command '" << argv[1] << "'" << suggestion(argv[1], names) << "\n--help says more\n";
+      std::cerr << "no command '" << argv[1] << "'" << suggestion(argv[1], names) << "\n--help shows more\n";
     } else {
       const CLI::App& command = *app_->get_subcommands().front();
       const bool extra = error.get_exit_code() == static_cast<int>(CLI::ExitCodes::ExtrasError) &&
                          !command.remaining().empty();
-      std::cerr << (extra ? misplaced(command) : error.what()) << "\n--help says more\n";
+      std::cerr << (extra ? misplaced(command) : error.what()) << "\n--help shows more\n";
     }
     return exit_usage;
   }

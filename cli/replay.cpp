@@ -59,9 +59,9 @@ std::string outcome(const FindingRecord& stored, std::span<const std::unique_ptr
   if (stored.method == "corpus") {
     const auto stated = parse_case(stored.pair, 1).value->truth;
     const bool meets = now.truth.verdict == Verdict::touching && stated == Verdict::intersecting;
-    return meets || stated == now.truth.verdict ? "gone" : "stands: the case states what is not so";
+    return meets || stated == now.truth.verdict ? "gone" : "stands: the verdict of the case is wrong";
   }
-  return "not asked: this build, or --methods, has no such method";
+  return "not asked: this build or --methods does not have the method";
 }
 
 class Replayer {
@@ -69,7 +69,7 @@ class Replayer {
   explicit Replayer(const ReplayArguments& arguments) : laws_(arguments.laws) {
     for (const int law : laws_)
       if (std::none_of(all_laws().begin(), all_laws().end(), [&](const Law& l) { return l.number == law; }))
-        throw UsageError("there is no law " + std::to_string(law));
+        throw UsageError("no law has the number " + std::to_string(law));
     for (const std::string& name : arguments.targets) {
       for (Target& target : targets_of(name)) targets_.push_back(std::move(target));
     }
@@ -133,7 +133,7 @@ class Replayer {
     fmt::print("  {} breaks law {} {} ({}): {}\n    {}\n", methods_[b.method]->name(), b.law->number,
                b.law->name, to_string(b.violation.severity), b.violation.what, b.law->statement);
     for (std::size_t i = 0; i < b.asked.size(); ++i)
-      fmt::print("    asked {}\n    says  {}\n", format_pair(b.asked[i].pair),
+      fmt::print("    pair   {}\n    answer {}\n", format_pair(b.asked[i].pair),
                  format_method_answer(b.answers[i]));
   }
 
@@ -160,7 +160,7 @@ class Replayer {
 
 void add_replay(Program& program) {
   Command command =
-      program.command("Understand", "replay", "Runs stored findings or cases again on today's build");
+      program.command("Understand", "replay", "Runs stored findings or cases again on this build");
   auto arguments = std::make_shared<ReplayArguments>();
   command
       .option("TARGET", arguments->targets,

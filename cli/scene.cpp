@@ -43,7 +43,7 @@ std::pair<std::string, double> parse_joint(const std::string& text) {
 
 void check_length(const char* option, double length) {
   if (length >= 0 && std::isfinite(length)) return;
-  throw UsageError(fmt::format("{}: {} is no length; give a finite number, 0 or more", option, length));
+  throw UsageError(fmt::format("{}: {} is not a length: give a finite number, 0 or more", option, length));
 }
 
 /// Throws UsageError, before any work, if there are too many cylinders for a study or for its page.
@@ -51,11 +51,11 @@ void check_count(const SceneArguments& arguments, const Scene& scene) {
   const std::size_t cylinders = scene.bodies.size();
   if (cylinders > study_cap)
     throw UsageError(
-        fmt::format("{} cylinders; a study holds up to {}{}", cylinders, study_cap,
-                    stands_still(scene) ? "; 'daylight near' finds the close pairs of more" : ""));
+        fmt::format("{} cylinders: a study has up to {}{}", cylinders, study_cap,
+                    stands_still(scene) ? ". 'daylight near' finds the close pairs of more cylinders" : ""));
   if (!arguments.page.empty() && cylinders > page_cap)
-    throw UsageError(fmt::format("--page shows up to {} cylinders, not {}; take --json{}", page_cap,
-                                 cylinders, stands_still(scene) ? ", or 'daylight near'" : ""));
+    throw UsageError(fmt::format("--page shows up to {} cylinders, not {}: use --json{}", page_cap, cylinders,
+                                 stands_still(scene) ? ", or 'daylight near'" : ""));
 }
 
 void write_results(const SceneArguments& arguments, const Scene& scene, const SceneStudy& s) {
@@ -76,7 +76,7 @@ int study(SceneArguments& arguments) {
   if (!arguments.srdf_out.empty()) {
     if (!question.at.empty())
       throw UsageError(
-          "--srdf-out is about all motions, --at about one configuration; leave one of them out");
+          "--srdf-out covers all motions, but --at covers one configuration: give only one of them");
     question.prove = question.prove_others = true;
   }
   Scene scene;

@@ -10,14 +10,14 @@ expect 0 'a robot' "$daylight" scene "$scenes/twenty.urdf" --configurations 20 -
 holds 'the seed comes first' out '^seed 1$'
 holds 'what there is' out '^20 cylinders, 0 not looked at; 20 links, 18 free joints$'
 holds 'which pairs' out '^190 pairs: 171 checked; not checked: 1 of one rigid body, 18 of adjacent ones'
-holds 'the referee' out '^referee: 3420 recommended answers asked, 0 wrong, 0 tolerated, 0 not proved$'
+holds 'the referee' out '^referee: 3420 recommended answers judged, 0 wrong, 0 tolerated, 0 not proved$'
 holds 'as JSON' twenty.json '"recommended":\['
 expect 3 'a clearance' "$daylight" scene "$scenes/crane.xml" --configurations 20 --clearance 0.01 --tolerate 0.1
 holds 'what was not looked at, where somebody acts on it' out '^recommended: .*; of these shapes alone: NOT LOOKED AT: 1 plane \(world\)$'
-holds 'said' out '^20 configurations, clearance 0.01: .* less than 0.3 % of all configurations, at 95 %; up to 1000 drawn'
+holds 'said' out '^  the first two are true in all but 0.3 % of all configurations, at 95 % confidence$'
 expect 64 'no share' "$daylight" scene "$scenes/crane.xml" --rate 0
 expect 3 'a budget' "$daylight" scene "$scenes/crane.xml" --configurations 20 --rate 0.001 --most 500
-holds 'what it leaves' out 'less than 0.6 % of all configurations, at 95 %; 0.1 % were asked for, --most ends it'
+holds 'what it leaves' out 'less than 0.6 % of all configurations, at 95 % confidence, more than the wanted 0.1 %, because --most was reached'
 expect 0 'every pair' "$daylight" scene "$scenes/twenty.urdf" --configurations 1 --all-pairs
 holds 'all that may move' out '^190 pairs: 189 checked;'
 expect 0 'every link' "$daylight" scene "$scenes/twenty.urdf" --configurations 1 --all-pairs --each-link
@@ -34,14 +34,14 @@ expect 1 'no place for a page' "$daylight" scene "$scenes/crane.urdf" --configur
 holds 'which' err 'none/crane.html cannot be written'
 for i in {1..201}; do printf '{"center":[%s,0,0],"axis":[0,0,1],"radius":0.4,"height":2}\n' "$i"; done >many.jsonl
 expect 64 'too many for a page' "$daylight" scene many.jsonl --page many.html
-holds 'what to do' err "up to 200 cylinders, not 201; take --json, or 'daylight near'"
+holds 'what to do' err "up to 200 cylinders, not 201: use --json, or 'daylight near'"
 expect 0 'close pairs' "$daylight" near many.jsonl --clearance 0.3 --verify --json many.json --csv many.csv
-holds 'counts' out '^201 cylinders; boxes of 200 pairs meet; 200 pairs within 0.3, 0 undecided$'
+holds 'counts' out '^200 pairs with boxes that meet: 200 within 0.3, 0 undecided$'
 holds 'its names' many.json '"names":\["1","2",'
 holds 'as a table' many.csv '^1,2,0\.19'
 printf '{"a":%s,"b":%s}\n' "$(head -n 1 many.jsonl)" "$(head -n 1 many.jsonl)" >pair.jsonl
 expect 65 'pairs for a scene' "$daylight" scene pair.jsonl
-holds 'what to do' err '^daylight: pair.jsonl: line 1: this is a pair, and a line of a scene is one solid: .*`daylight check` answers'
+holds 'what to do' err '^daylight: pair.jsonl: line 1: this is a pair, but a line of a scene is one solid: .*`daylight check` answers'
 {
   printf '<robot name="many"><link name="l0"/>'
   for i in {1..201}; do
@@ -51,15 +51,15 @@ holds 'what to do' err '^daylight: pair.jsonl: line 1: this is a pair, and a lin
   printf '</robot>'
 } >many.urdf
 expect 64 'a mechanism too large for a page' "$daylight" scene many.urdf --page many.html
-holds 'what to do' err '--page shows up to 200 cylinders, not 201; take --json'
+holds 'what to do' err '--page shows up to 200 cylinders, not 201: use --json'
 expect 0 'generated' "$daylight" near --generate rods --count 2000 --verify --list 3 --json rods.json
-holds 'counted' out '^2000 cylinders; boxes of 2425 pairs meet; '
-holds 'the referee' out '^referee: 2425 pairs asked, 0 wrong, 0 not proved; [0-9]+ ms$'
-holds 'the certificates' out '^certificates: 2425 checked, 0 failed, 0 pairs without one; [0-9]+ ms$'
+holds 'counted' out '^2425 pairs with boxes that meet: '
+holds 'the referee' out '^referee: 2425 pairs judged, 0 wrong, 0 not proved, [0-9]+ ms$'
+holds 'the certificates' out '^certificates: 2425 checked, 0 failed, 0 pairs without one, [0-9]+ ms$'
 equal 'the nearest' 3 "$(grep -c ' - ' out)"
 holds 'the pairs' rods.json '"within":\[\['
 expect 64 'a robot' "$daylight" near "$scenes/crane.urdf"
-holds 'what to take' err "bodies that move or are bounded; take 'daylight scene'"
+holds 'what to take' err "bodies that move or are bounded: use 'daylight scene'"
 expect 64 'no cylinders' "$daylight" near
 expect 64 'two sources' "$daylight" near many.jsonl --generate rods
 expect 64 'nothing of that kind' "$daylight" near --generate bricks
@@ -76,24 +76,24 @@ expect 64 'an unknown joint' "$daylight" scene "$scenes/crane.urdf" --at elbow=1
 expect 64 'no number' "$daylight" scene "$scenes/crane.urdf" --at luff=high
 for clearance in -1 inf nan; do
   expect 64 "a clearance of $clearance" "$daylight" scene "$scenes/crane.urdf" "--clearance=$clearance"
-  holds 'why' err "^daylight: .*--clearance: $clearance is no length; give a finite number, 0 or more"
+  holds 'why' err "^daylight: .*--clearance: $clearance is not a length: give a finite number, 0 or more"
 done
 expect 64 'nothing to tolerate' "$daylight" scene "$scenes/crane.urdf" --tolerate=-1
-holds 'which' err '--tolerate: -1 is no length'
+holds 'which' err '--tolerate: -1 is not a length'
 expect 3 'capsules' "$daylight" scene "$scenes/arm.urdf" --configurations 20 --clearance 0.02 --verify
 holds 'shapes first' out '^8 spheres, 5 capsules \(3 written as a cylinder and two spheres\), 4 cylinders, 1 box \(bounded\), 1 mesh \(not looked at\);'
 holds 'nothing hidden' out '^recommended: .* NOT LOOKED AT: 1 mesh \(camera\)$'
 holds 'near a bound' out '; NOT KNOWN: [0-9]+ pairs that come near the bound of a box or mesh \(table - '
 holds 'why' out 'A mesh of camera cannot be read: package://arm/camera.stl is not there.$'
-holds 'proved' out '^referee: 1980 recommended answers asked, 0 wrong'
+holds 'proved' out '^referee: 1980 recommended answers judged, 0 wrong'
 expect 0 'a proof' "$daylight" scene "$scenes/crane.urdf" --configurations 20 --prove --against 200 --srdf-out out.srdf --table
-holds 'over all motions' out '^over all motions: of [0-9]+ pairs [0-9]+ are never within 0, proved; [0-9]+ meet in a configuration'
-holds 'checked' out '; in 200 other configurations none are nearer than proved$'
+holds 'over all motions' out '^over all motions, [0-9]+ pairs: [0-9]+ proved never within 0, [0-9]+ meet in a configuration'
+holds 'checked' out '^in 200 other configurations no pair is nearer than proved$'
 holds 'the bound' out '^  never +tower - hook: at least 0\.0[12]'
 holds 'what the SRDF says' out '^  never    hook - counterweight, "Never" in the SRDF: at least'
 holds 'an SRDF' out.srdf '<disable_collisions link1="tower" link2="hook" reason="Never"/>  <!-- proved: at least 0'
 expect 64 'an SRDF of one configuration' "$daylight" scene "$scenes/crane.urdf" --at luff=-0.5 --srdf-out at.srdf
-holds 'why' err '^daylight: .*--srdf-out is about all motions, --at about one configuration'
+holds 'why' err '^daylight: .*--srdf-out covers all motions, but --at covers one configuration'
 expect 0 'an SRDF proves by itself' "$daylight" scene "$scenes/crane.urdf" --configurations 20 --srdf-out by_itself.srdf
 holds 'what is proved' by_itself.srdf '<disable_collisions link1="tower" link2="hook" reason="Never"/>  <!-- proved: at least 0'
 printf '<robot><disable_collisions link1="trolley" link2="tower" reason="Never"/></robot>' >false.srdf
@@ -105,12 +105,12 @@ expect 0 'the same there' "$daylight" scene "$scenes/crane.urdf" --srdf "$scenes
 holds 'they meet' out '^closest call: tower - trolley in configuration 0, [0-9.e-]+ below the clearance'
 printf '<robot><disable_collisions link1="hook" link2="tower" reason="Never"/></robot>' >near.srdf
 expect 0 'the same, shorter' "$daylight" scene "$scenes/crane.urdf" --configurations 20 --prove
-holds 'how many are clear' out '^  never +[0-9]+ pairs? more; --table lists them'
+holds 'how many are clear' out '^  never +[0-9]+ pairs? more, which --table lists'
 lacks 'no line for each' out '^  never +tower - hook'
 expect 0 'near, but never touching' "$daylight" scene "$scenes/crane.urdf" --configurations 20 --prove --srdf near.srdf --clearance 0.1
-holds 'how near' out '^  within   hook - tower, "Never" in the SRDF: comes within the clearance: distance 0\.[0-9]+ at .*; never touches: at least 0\.[0-9]+, proved$'
+holds 'how near' out '^  within   hook - tower, "Never" in the SRDF: comes within the clearance: distance 0\.[0-9]+ at .*, but never touches \(proved: at least 0\.[0-9]+\)$'
 expect 3 'few boxes' "$daylight" scene "$scenes/twenty.urdf" --configurations 20 --prove --boxes 20
-holds 'what is left' out '^  open     base - left_6: nothing proved of [0-9.]+ % of what their 6 joints may do'
+holds 'what is left' out '^  open     base - left_6: nothing proved for [0-9.]+ % of the range of their 6 joints'
 expect 64 'no such SRDF' "$daylight" scene "$scenes/crane.urdf" --srdf none.srdf
 expect 3 'MJCF of today' "$daylight" scene "$scenes/hand.xml" --configurations 20
 holds 'bounds' out ' 2 boxes \(bounded\), 1 ellipsoid \(bounded\), 1 mesh \(bounded\), 1 mesh \(not looked at\); 27 links'

@@ -37,9 +37,9 @@ void show_run(const std::string& folder, bool table) {
   if (table) fmt::print("{}", format_tallies(tally_methods(run.tallies)));
   fmt::print("{}", format_summary(run));
   if (const auto worst = worst_finding(run)) {
-    fmt::print("the worst, {} {} ({}): {} replay {}\n", worst->method, worst->kind, worst->severity,
+    fmt::print("worst finding: {} {} ({}): {} replay {}\n", worst->method, worst->kind, worst->severity,
                own_command(), shell_quoted(fmt::format("{}:{}", folder, worst->id)));
-    fmt::print("the causes: {} triage {}\n", own_command(), shell_quoted(folder));
+    fmt::print("causes: {} triage {}\n", own_command(), shell_quoted(folder));
   }
   fmt::print("page: {}/report.html\n", folder);
 }

@@ -83,7 +83,7 @@ std::vector<Target> targets_of(const std::string& name) {
     if (fs::exists(place)) return of_file(place, static_cast<std::size_t>(number));
   }
   throw UsageError("'" + name +
-                   "' is no run, no finding RUN:ID, no file of cases and no line FILE:LINE of one");
+                   "' is not a run, a finding RUN:ID, a file of cases or a line FILE:LINE of one");
 }
 
 }  // namespace cyl

@@ -68,7 +68,7 @@ int triage(const TriageArguments& arguments) {
       line.show(
           p.elapsed,
           std::min(1.0, static_cast<double>(p.elapsed.count()) / static_cast<double>(options.budget.count())),
-          fmt::format("causes of {} of {} findings told, {} simplified, {} causes searched", p.classified,
+          fmt::format("{} of {} findings have a cause, {} simplified, {} causes searched", p.classified,
                       p.findings, p.simplified, p.searched));
     });
   }
@@ -76,15 +76,15 @@ int triage(const TriageArguments& arguments) {
   const auto others = result.buckets.size() - static_cast<std::size_t>(here);
   fmt::print("{}\n\n", what_changed(result.buckets));
   if (arguments.new_only) std::erase_if(result.buckets, std::not_fn(is_new));
-  fmt::print("{}{} causes of {} kept findings", format_buckets(result.buckets), here,
+  fmt::print("{}{} causes, {} stored findings", format_buckets(result.buckets), here,
              result.progress.classified);
-  if (others > 0) fmt::print(" and {} of earlier runs alone", others);
-  fmt::print("; {} simplified, {} causes searched for a worse pair, --for gives them more time\n",
+  if (others > 0) fmt::print(", {} more causes only in earlier runs", others);
+  fmt::print("\n{} pairs simplified, {} causes searched for a worse pair (--for gives more time)\n",
              result.progress.simplified, result.progress.searched);
   const TriageProgress& p = result.progress;
   if (p.classified + p.absent < p.findings)
-    fmt::print("{} not looked at yet: run it again to go on\n", p.findings - p.classified - p.absent);
-  if (p.absent > 0) fmt::print("{} are of guests that are not here\n", p.absent);
+    fmt::print("{} findings remain: run triage again to continue\n", p.findings - p.classified - p.absent);
+  if (p.absent > 0) fmt::print("{} findings are of guests that this machine does not have\n", p.absent);
   for (const std::string& remark : result.remarks) fmt::print("{}\n", remark);
   if (!arguments.json.empty()) write_file(arguments.json, to_json(result.buckets).dump(1) + '\n');
   write_page(read_run(arguments.run), in_source_tree("props/mutants/kill_matrix.jsonl"));
@@ -97,7 +97,7 @@ nlohmann::json bucket_of(const TriageArguments& arguments, const std::string& ke
   const nlohmann::json buckets = buckets_json(arguments.run);
   for (const nlohmann::json& bucket : buckets)
     if (bucket.at("key") == key) return bucket;
-  throw UsageError(fmt::format("{} has no bucket '{}'; `daylight triage {}` lists them ({} today)",
+  throw UsageError(fmt::format("{} has no bucket '{}': `daylight triage {}` lists its {} buckets",
                                arguments.run, key, arguments.run, buckets.size()));
 }
 
@@ -120,11 +120,12 @@ int export_bucket(const TriageArguments& arguments) {
   const auto names = bucket.at("methods").get<std::vector<std::string>>();
   if (!arguments.method.empty()) {
     if (std::find(names.begin(), names.end(), arguments.method) == names.end())
-      throw UsageError(fmt::format("bucket '{}' is of {}", arguments.exported, fmt::join(names, ", ")));
+      throw UsageError(
+          fmt::format("bucket '{}' has the methods {}", arguments.exported, fmt::join(names, ", ")));
     failure.method = arguments.method;
   } else if (names.size() > 1) {
-    fmt::print("of {} with this cause this is {}; --method exports another\n", fmt::join(names, ", "),
-               failure.method);
+    fmt::print("the methods {} share this cause, and this exports {} (--method selects another)\n",
+               fmt::join(names, ", "), failure.method);
   }
   if (const auto worst = bucket.find("worst"); worst != bucket.end() && worst->is_object())
     failure.worst = parse_case(worst->at("pair").dump(), 1).value.value().pair;
@@ -136,7 +137,7 @@ int annotate_bucket(const TriageArguments& arguments) {
   bucket_of(arguments, arguments.annotated);
   const std::string file = notes_file_of(arguments.run);
   write_note(file, arguments.annotated, arguments.note);
-  fmt::print("kept in {}\n", file);
+  fmt::print("stored in {}\n", file);
   write_page(read_run(arguments.run), in_source_tree("props/mutants/kill_matrix.jsonl"));
   return exit_pass;
 }
@@ -145,7 +146,7 @@ int annotate_bucket(const TriageArguments& arguments) {
 
 void add_triage(Program& program) {
   Command command = program.command("Understand", "triage",
-                                    "From the findings of a run to their causes, each with a simple pair");
+                                    "Sorts the findings of a run by cause, each with a simple pair");
   auto arguments = std::make_shared<TriageArguments>();
   command.option("RUN", arguments->run, "run folder").required();
   command.section("Input");
@@ -191,7 +192,7 @@ void add_triage(Program& program) {
   command.examples(
       "  daylight triage runs/latest --for 2m\n"
       "  daylight triage runs/latest --export fcl-libccd/hang --out upstream",
-      "RUN/triage.sqlite keeps what triage has found, and the next triage of the run continues from there.\n"
+      "RUN/triage.sqlite stores the results, and the next triage of the run continues from there.\n"
       "RUN/buckets/ has the simplest pair of each cause. It has the worst pair (.worst.jsonl) if a search "
       "found\n"
       "one worse than the findings. Guests are those of the run, or those of --plugin and --command.\n"

@@ -14,7 +14,7 @@ triage() { # with more time until every finding was looked at
   local seconds
   for seconds in 2 8 32 128; do
     expect 2 "triage $1" "$daylight" triage "$@" --for "${seconds}s" --suppressions none.jsonl
-    grep -q 'not looked at yet' out || return 0
+    grep -q 'findings remain: run triage again' out || return 0
   done
 }
 night=(campaign --pairs 1500 --methods fcl-libccd,seedbook-printed --families 'lattice,tiny_and_huge' --cases '')
@@ -66,7 +66,7 @@ expect 2 'expired' "$daylight" triage night --for 1s --suppressions expired.json
 holds 'which' out 'fcl-libccd/overflow \(line [0-9]*\) expired on 2020-12-31'
 printf '{"bucket":"overflow","owner":7}\n' >bad.jsonl
 expect 64 'no suppression' "$daylight" triage night --suppressions bad.jsonl
-holds 'its place' err 'bad.jsonl: line 1, column 30: owner is no text'
+holds 'its place' err 'bad.jsonl: line 1, column 30: owner is not a text'
 
 # The second morning: nothing is new; what is noted stays.
 rm -r killed

@@ -55,7 +55,7 @@ std::vector<Pair> pairs_of(const std::string& name) {
     return pairs;
   }
   std::ifstream in(name);
-  if (!in) throw UsageError("'" + name + "' is no run and no file of cases");
+  if (!in) throw UsageError("'" + name + "' is neither a run nor a file of cases");
   CaseReader reader(in);
   while (const auto line = reader.next()) add(*line);
   if (in.bad()) throw std::runtime_error(name + " cannot be read");

@@ -196,8 +196,8 @@ def check_first_pair(folder):
 
 def as_shown(text, block, counts):
     """README.md with this block of the summary, and the counts of each method in its table."""
-    text = re.sub(r'(```text\n)\d+ pairs judged.*?(```)', lambda m: m[1] + block + m[2], text, flags=re.S)
-    text = re.sub(r'(?<=Some of its )\d+', re.search(r'(\d+) methods asked', block)[1], text)
+    text = re.sub(r'(```text\n)pairs: \d+, .*?(```)', lambda m: m[1] + block + m[2], text, flags=re.S)
+    text = re.sub(r'(?<=Some of its )\d+', re.search(r'^methods: (\d+)$', block, re.M)[1], text)
     return re.sub(r'^(\| `([\w-]+)` \([^)]*\) \|).*$',
                   lambda m: ' '.join([m[1], *(f'{n} |' for n in counts[m[2]])]), text, flags=re.M)
 
@@ -207,7 +207,7 @@ def check_numbers(folder, write):
     text = (ROOT / 'README.md').read_text()
     command = re.search(r'`\./daylight (campaign --pairs \d+ --seed 1 [^`]*)`', text)[1]
     said = run(command.split(), folder)
-    block = said[re.search(r'^\d+ pairs judged', said, re.M).start():]
+    block = said[re.search(r'^pairs: \d+, ', said, re.M).start():]
     block = ''.join(line + '\n' for line in block.split('\nCPU time')[0].splitlines())
     counts = {row[0]: row[1:7] for row in map(str.split, said.splitlines()) if len(row) == 8}
     shown = as_shown(text, block, counts)

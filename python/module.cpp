@@ -54,10 +54,10 @@ Doubles solids(const std::string& name, const py::object& given) {
     PyErr_Clear();
     const py::array found = py::array::ensure(given);
     PyErr_Clear();
-    throw py::value_error(
-        name +
-        (found ? " has dtype " + py::str(found.dtype()).cast<std::string>() : std::string(" is no array")) +
-        ", not float64 or what NumPy casts to it safely");
+    throw py::value_error(name +
+                          (found ? " has dtype " + py::str(found.dtype()).cast<std::string>()
+                                 : std::string(" is not an array")) +
+                          ", not float64 or a type that NumPy casts to it safely");
   }
   if (array.ndim() == 0 || width_of(array) < py::ssize_t{core_number_count} ||
       width_of(array) > py::ssize_t{cylinder_number_count})

@@ -107,9 +107,9 @@ class Module(unittest.TestCase):
         with self.assertRaisesRegex(ValueError, r'^a has shape \(2, 8\) and b \(3, 8\): they must be as many'):
             daylight.decide(np.zeros((2, 8)), np.zeros((3, 8)))
         for wrong, dtype in (('rod', '<U3'), (ROD + 1j, 'complex128'), (object(), 'object'), ([ROD, None], None)):
-            found = 'a has dtype ' + dtype if dtype else 'a is no array'
+            found = 'a has dtype ' + dtype if dtype else 'a is not an array'
             for function in (daylight.intersect, daylight.decide, daylight.decide_exactly, daylight.distance):
-                with self.assertRaisesRegex(ValueError, f'^({found}), not float64 or what NumPy casts to it safely$'):
+                with self.assertRaisesRegex(ValueError, f'^({found}), not float64 or a type that NumPy casts to it safely$'):
                     function(wrong, ROD)
         for claim in ({'relative': -1.0}, {'absolute': np.nan}, {'relative': np.inf}):
             with self.assertRaisesRegex(ValueError, '^a claim is finite and not negative: relative '):

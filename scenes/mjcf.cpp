@@ -121,7 +121,7 @@ class MjcfBuilder {
   void hold(Link& link, const std::string& joint, const std::string& why) {
     link.joint = joint;
     link.held = true;
-    scene_.notes.push_back("Joint " + joint + " " + why + ": it is held where the file puts it.");
+    scene_.notes.push_back("Joint " + joint + " " + why + ": it stays in the place that the file gives.");
   }
 
   /// Puts down `link` as one that carries no shapes, and begins the one that it carries, at `origin` from it.
@@ -302,7 +302,7 @@ class MjcfBuilder {
       const std::string file = mesh.text("file");
       if (mesh.text("name", std::filesystem::path(file).stem().string()) != name) continue;
       if (file.empty() || !mesh.text("refpos").empty() || !mesh.text("refquat").empty())
-        throw std::runtime_error("it is no file as it is");
+        throw std::runtime_error("it is not a plain file");
       const Vector3 scale = mesh.vector("scale", Vector3::Ones());
       std::vector<Vector3> points = read_mesh(d_.mesh_path(file));
       for (Vector3& p : points) p = p.cwiseProduct(scale);
@@ -329,7 +329,8 @@ class MjcfBuilder {
     const bool off = given && given->contains("active") && given->at("active") == "false";
     if (std::string(node.attribute("active").as_string(off ? "false" : "true")) == "false") return;
     if (kind != "joint") {
-      scene_.notes.push_back("Equality " + kind + " is not kept: what it holds together is drawn apart.");
+      scene_.notes.push_back("Equality " + kind +
+                             " is ignored: the bodies that it connects move independently.");
       return;
     }
     const std::string one = node.attribute("joint1").as_string(),

@@ -177,7 +177,7 @@ std::vector<double> joints_at(const Scene& scene, std::span<const std::pair<std:
     const auto found =
         std::find_if(scene.links.begin(), scene.links.end(),
                      [&, &joint = name](const Link& l) { return l.joint == joint && is_free(l); });
-    if (found == scene.links.end()) throw UsageError("'" + name + "' is no joint that moves by itself");
+    if (found == scene.links.end()) throw UsageError("'" + name + "' is not a joint that moves by itself");
     joints[static_cast<std::size_t>(found - scene.links.begin())] = value;
   }
   let_follow(scene, joints);

@@ -41,7 +41,7 @@ Named parse_json_line(const std::string& text) {
   if (!object.is_object()) throw std::runtime_error("a line is an object with center, axis, radius, height");
   if (object.contains("a") && object.contains("b"))
     throw std::runtime_error(
-        "this is a pair, and a line of a scene is one solid: center, axis, radius, height; `daylight check` "
+        "this is a pair, but a line of a scene is one solid: center, axis, radius, height; `daylight check` "
         "answers pairs");
   Named named;
   for (const auto& [key, value] : object.items()) {
@@ -152,7 +152,7 @@ Scene read_scene(const std::string& file, const std::string& srdf) {
     if (ending == ".csv") return read_lines(file, true);
     if (ending == ".urdf") return read_urdf(file);
     if (ending == ".xml") return read_mjcf(file);
-    throw std::runtime_error(file + ": no scene; expected .jsonl, .csv, .urdf or .xml");
+    throw std::runtime_error(file + ": not a scene: expected .jsonl, .csv, .urdf or .xml");
   };
   Scene scene = read();
   if (!srdf.empty())

@@ -74,7 +74,7 @@ void pass_joints(TiXmlElement& robot) {
 void refuse_quaternions(const TiXmlElement& element, const std::string& file) {
   if (element.Attribute("quat_xyzw"))
     throw std::runtime_error(
-        fmt::format("{}: line {}: an origin by quat_xyzw is not read; give it as rpy", file, element.Row()));
+        fmt::format("{}: line {}: an origin by quat_xyzw is not read: give it as rpy", file, element.Row()));
   for (const TiXmlElement* child = element.FirstChildElement(); child; child = child->NextSiblingElement())
     if (std::string_view(child->Value()) != "inertial") refuse_quaternions(*child, file);
 }
@@ -138,7 +138,7 @@ void set_motion(Link& link, const urdf::Joint& joint, Scene& scene) {
     case urdf::Joint::FLOATING:
     case urdf::Joint::PLANAR:
       scene.notes.push_back("Joint " + joint.name +
-                            " is neither a hinge nor a slide: it is held where the file puts it.");
+                            " is neither a hinge nor a slide: it stays in the place that the file gives.");
       link.held = true;
       return;
     default:

@@ -106,7 +106,7 @@ json builds_json(const std::filesystem::path& file) {
         all.back().at(field);
     }
   } catch (const json::exception& e) {
-    throw std::runtime_error(file.string() + " is no comparison of builds: " + e.what());
+    throw std::runtime_error(file.string() + " is not a comparison of builds: " + e.what());
   }
   return all;
 }

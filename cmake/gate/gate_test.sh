@@ -6,6 +6,16 @@ set -euo pipefail
 # shellcheck source=SCRIPTDIR/../../cli/expect.sh
 source "$(dirname -- "$(readlink -f -- "${BASH_SOURCE[0]}")")/../../cli/expect.sh"
 
+# The pairs of a cell are decided pairs. Undecided pairs are counted beside them.
+feature() { # PAIRS UNDECIDED
+  printf '{"methods":[{"cells":[{"feature":"side-rim","pairs":%s,"undecided":%s}]}],"failures":[]}' "$@" >cells.json
+  expect 0 "$1 decided pairs" cmake -DJSON=cells.json -DFEATURE=side-rim -P "$source_tree/cmake/gate/feature.cmake"
+}
+feature 300 100
+holds 'the decided pairs' err '^right on 300 independent pairs$'
+feature 0 100
+holds 'no decided pair' err '^not decided: '
+
 project() { # FOLDER HOW: a project whose plug-in is that of the guide, and one that declines everything
   mkdir "$1"
   awk '/^```cpp file=mine.cpp/ { open = 1; next } /^```/ { open = 0 } open' "$source_tree/docs/guides/library.md" >"$1/mine.cpp"

@@ -60,7 +60,9 @@ std::string format_cell_counts(const std::vector<CellCounts>& methods) {
 }
 
 std::vector<CellCounts> parse_cell_counts(std::string_view text) {
-  const auto refuse = [&] { throw std::runtime_error(fmt::format("'{}' are no counts of a cell", text)); };
+  const auto refuse = [&] {
+    throw std::runtime_error(fmt::format("'{}' is not the counts of a cell", text));
+  };
   std::vector<CellCounts> methods;
   if (text.empty()) return methods;
   const char *at = text.data(), *const end = at + text.size();

@@ -66,14 +66,14 @@ Suppression parse(const std::string& text, std::size_t line) {
     const Json& value = item.value();
     const auto field =
         std::find_if(fields.begin(), fields.end(), [&](const auto& f) { return f.first == key; });
-    if (field == fields.end()) refuse(line, text.find(Json(key).dump()), "'" + key + "' is no field");
+    if (field == fields.end()) refuse(line, text.find(Json(key).dump()), "'" + key + "' is not a field");
     if (!value.is_string() || value.get<std::string>().empty())
-      refuse(line, place_of(text, key), key + " is no text");
+      refuse(line, place_of(text, key), key + " is not a text");
     s.*field->second = value.get<std::string>();
   }
   for (const auto& [key, member] : fields)
     if ((s.*member).empty()) refuse(line, 0, std::string(key) + " is missing");
-  if (!is_date(s.expires)) refuse(line, place_of(text, "expires"), "expires is no day YYYY-MM-DD");
+  if (!is_date(s.expires)) refuse(line, place_of(text, "expires"), "expires is not a day YYYY-MM-DD");
   return s;
 }
 

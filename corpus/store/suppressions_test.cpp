@@ -46,11 +46,12 @@ TEST(Suppressions, ReadsEveryField) {
 TEST(Suppressions, NamesLineAndColumnOfWhatIsWrong) {
   EXPECT_EQ(error_of(good + "\n{\"bucket\":]"), "line 2, column 11: no JSON");
   EXPECT_EQ(error_of("[]"), "line 1, column 1: no object");
-  EXPECT_EQ(error_of(with("\"owner\"", "\"boss\"")), "line 1, column 80: 'boss' is no field");
-  EXPECT_EQ(error_of(with("\"ada\"", "7")), "line 1, column 88: owner is no text");
+  EXPECT_EQ(error_of(with("\"owner\"", "\"boss\"")), "line 1, column 80: 'boss' is not a field");
+  EXPECT_EQ(error_of(with("\"ada\"", "7")), "line 1, column 88: owner is not a text");
   EXPECT_EQ(error_of(with(",\"owner\":\"ada\"", "")), "line 1, column 1: owner is missing");
-  EXPECT_EQ(error_of(with("2027-02-28", "2027-02-29")), "line 1, column 104: expires is no day YYYY-MM-DD");
-  EXPECT_EQ(error_of(with("2027-02-28", "27-2-28")), "line 1, column 104: expires is no day YYYY-MM-DD");
+  EXPECT_EQ(error_of(with("2027-02-28", "2027-02-29")),
+            "line 1, column 104: expires is not a day YYYY-MM-DD");
+  EXPECT_EQ(error_of(with("2027-02-28", "27-2-28")), "line 1, column 104: expires is not a day YYYY-MM-DD");
   EXPECT_EQ(error_of(good + "\n" + good), "line 2, column 11: the bucket has line 1 already");
 }
 

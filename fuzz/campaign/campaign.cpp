@@ -107,7 +107,8 @@ RunStore open_run(const CampaignOptions& options, const Workload& workload) {
   }
   RunStore store = RunStore::open(options.out);
   const Config stored = store.config();
-  if (stored.contains("shards")) refuse(options, "it was merged from shards; resume those, and merge again");
+  if (stored.contains("shards"))
+    refuse(options, "it was merged from shards: resume the shards and merge them again");
   for (const auto& [key, value] : config) {
     const std::string before = value_of(stored, key);
     if (before != value) refuse(options, fmt::format("its {} was\n{}\nand is now\n{}", key, before, value));
@@ -324,7 +325,7 @@ class Session {
     jobs_.clear();
     const std::string blame = Search(workload_, options_.seed, [this] { report(); }).blame(first, end);
     fail(
-        fmt::format("the batch of indices {} to {} died: {}; {}. What came before it is stored; "
+        fmt::format("the batch of indices {} to {} died: {}; {}. Earlier batches are stored; "
                     "`daylight campaign --resume {}` meets it again as its first batch",
                     first, end - 1, how, blame, options_.out));
     report();

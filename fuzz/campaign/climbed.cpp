@@ -145,7 +145,7 @@ const ClimbGoal& goal_of_climb(std::uint64_t climb) {
 }
 
 const Family& climbed_family() {
-  static constexpr Family family{"climbed", "changed again and again to what is worst for our own calls",
+  static constexpr Family family{"climbed", "changed again and again to the worst for our own calls",
                                  climbed};
   return family;
 }

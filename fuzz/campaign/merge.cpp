@@ -41,7 +41,7 @@ Part read_part(const std::string& folder) {
 }
 
 void refuse(const Part& part, const Part& other, const std::string& what) {
-  throw UsageError(fmt::format("{} and {} are no shards of one run: {}", part.folder, other.folder, what));
+  throw UsageError(fmt::format("{} and {} are not shards of one run: {}", part.folder, other.folder, what));
 }
 
 void check_agreement(const Part& a, const Part& b) {

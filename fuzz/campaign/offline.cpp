@@ -172,7 +172,7 @@ void OfflineJudge::judge_all(std::istream& in, const std::string& file,
     if (on_progress && n % progress_lines == 0) on_progress(n);
     take(file, reader.line(), reader.text());
   }
-  if (name_.empty()) throw UsageError("the answers do not say whose they are; --name does");
+  if (name_.empty()) throw UsageError("the answers do not name their method: give --name");
   if (!questions_) return;
   for (const Questions::Question& question : questions_->all()) {
     if (question.answered != 0) continue;

@@ -60,7 +60,7 @@ std::vector<unsigned> parse_weights(const std::string& text) {
   std::vector<unsigned> weights;
   for (unsigned w = 0; in >> w;) weights.push_back(w);
   const bool whole = in.eof() && std::find(weights.begin(), weights.end(), 0u) == weights.end();
-  if (!whole) throw std::runtime_error("'" + text + "' are no weights of families");
+  if (!whole) throw std::runtime_error("'" + text + "' is not a list of weights of families");
   return weights;
 }
 

@@ -113,9 +113,9 @@ std::string describe_failed_checks(std::span<const SelfCheckRecord> checks) {
   for (const SelfCheckRecord& a : checks) {
     if (a.found) continue;
     if (!text.empty()) text += "; ";
-    text += fmt::format("planted fault {} ({}), from index {} on, was not found", a.mutant, a.what, a.start);
+    text += fmt::format("planted fault {} ({}) was not found from index {} on", a.mutant, a.what, a.start);
     text += a.said.empty() ? fmt::format(" in {} pairs", a.pairs)
-                           : fmt::format(", its process ended: {}", a.said);
+                           : fmt::format(", because its process ended: {}", a.said);
   }
   return text;
 }
@@ -129,7 +129,7 @@ std::string format_self_checks(std::span<const SelfCheckRecord> checks) {
     most = std::max(most, a.pairs);
     milliseconds += a.milliseconds;
   }
-  return fmt::format("self-check: {} planted fault{} found, each after {} pairs at most; {:.1f} s",
+  return fmt::format("self-check: {} planted fault{} found, each after at most {} pairs, in {:.1f} s",
                      checks.size(), checks.size() == 1 ? "" : "s", most,
                      static_cast<double>(milliseconds) / 1000);
 }

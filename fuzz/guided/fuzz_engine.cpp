@@ -127,7 +127,7 @@ std::optional<Case> Engine::replace_dead() {
   }
   unexplained_ = found ? 0 : unexplained_ + 1;
   if (unexplained_ == unexplained_cap || status >> 8 == cannot_run_code)
-    throw std::runtime_error(fmt::format("worker {} ended with {}; {} says: {}", number_, how, log(),
+    throw std::runtime_error(fmt::format("worker {} ended with {}; {} has: {}", number_, how, log(),
                                          text.substr(text.size() - std::min<std::size_t>(text.size(), 300))));
   earlier_cpu_seconds_ += cpu_seconds();
   ++progress_.deaths;

@@ -73,7 +73,7 @@ void FuzzJudge::check_error_bound(const Method& method, const MethodAnswer& answ
                 badness_of(Objective::bound, method.claim(), trial_.pair, answer, Effort::quick).value);
   if (off.hi > answer.error_bound)
     sink_.add_finding(trial_.pair, method.name(), to_string(FindingKind::distance_outside),
-                      "points and direction do not show the distance within the error told");
+                      "points and direction do not prove the distance within the returned error");
 }
 
 }  // namespace cyl

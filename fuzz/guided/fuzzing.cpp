@@ -182,8 +182,9 @@ class Run {
     const auto start = Clock::now();
     while (!merging->advance()) {
       if (Clock::now() - start > merge_cap)
-        throw std::runtime_error(fmt::format("merging took more than {} s; the workers' corpora are in {}",
-                                             merge_cap.count(), out_.string()));
+        throw std::runtime_error(
+            fmt::format("merging took more than {} s. The corpora of the workers are in {}",
+                        merge_cap.count(), out_.string()));
       std::this_thread::sleep_for(poll_time);
     }
     if (merging->status() != 0)

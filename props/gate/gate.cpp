@@ -342,7 +342,7 @@ class Gate {
     for (GateFailure* failure : in_order) {
       if (done >= first_of_kind && questions_left_ == 0) break;
       if (out_of_time()) {
-        report_.not_asked.push_back(fmt::format("simplification: {} of {} ways to fail, {}",
+        report_.not_asked.push_back(fmt::format("simplification: {} of {} kinds of failures, {}",
                                                 in_order.size() - done, in_order.size(), why_not(options_)));
         break;
       }

@@ -84,7 +84,8 @@ std::optional<Violation> break_sign(const LawCase& c) {
   const double beyond = apart - distance_allowance(c, c.pair, c.first.distance);
   if (!(beyond > 0)) return {};
   return Violation{
-      fmt::format("says {} and distance {}", to_string(c.first.verdict), format_double(c.first.distance)),
+      fmt::format("answers {} with the distance {}", to_string(c.first.verdict),
+                  format_double(c.first.distance)),
       beyond >= reach(c.method.claim(), size_of(c.pair)) ? Severity::contract : Severity::resolution};
 }
 
@@ -142,11 +143,11 @@ std::optional<Violation> break_resolution(const LawCase& c) {
   Trial& proved = c.proofs.of(c.pair);
   if (!must_decide(promised, proved)) return {};
   if (promised == DecisionScope::all)
-    return Violation{fmt::format("undecided, and proved to be {}", to_string(proved.truth.verdict))};
+    return Violation{fmt::format("undecided, but proved {}", to_string(proved.truth.verdict))};
   const double least = resolved_margin * size_of(c.pair);
-  return Violation{proved.meets()
-                       ? fmt::format("undecided, and {:.3g} all around a point are in both", least)
-                       : fmt::format("undecided, and apart by {:.3g}", magnitude_against(least, proved).lo)};
+  return Violation{
+      proved.meets() ? fmt::format("undecided, but a ball of radius {:.3g} lies in both solids", least)
+                     : fmt::format("undecided, but the gap is {:.3g}", magnitude_against(least, proved).lo)};
 }
 
 // Where the referee's proof is a direction, its own or one that a method offered.
@@ -158,7 +159,7 @@ std::optional<Violation> break_shown(const LawCase& c) {
       (Vector3::Map(proof.vector.head.data()) + Vector3::Map(proof.vector.tail.data())).stableNormalized();
   const double shown = shown_by(c.pair, u);
   if (!(c.first.distance < shown - distance_allowance(c, c.pair, c.first.distance))) return {};
-  return Violation{fmt::format("says distance {} where a direction proves {}",
+  return Violation{fmt::format("returns the distance {}, but a direction proves {}",
                                format_double(c.first.distance), format_double(shown))};
 }
 
@@ -170,7 +171,7 @@ std::optional<Violation> break_proof(const LawCase& c) {
   const Verdict with = c.proofs.of(c.pair).truth.verdict;
   for (const Verdict without : {judge(c.pair).verdict, judge_verdict(c.pair).verdict})
     if (with != without)
-      return Violation{fmt::format("the referee proves {} with the witnesses offered and {} without",
+      return Violation{fmt::format("the referee proves {} with the returned witnesses, and {} without them",
                                    to_string(with), to_string(without))};
   return {};
 }
@@ -202,7 +203,7 @@ std::vector<LawQuery> spoilt(const Method& method, const Pair& pair, const Metho
 std::optional<Violation> break_validity(const LawCase& c) {
   for (std::size_t i = 0; i < c.answers.size(); ++i)
     if (c.answers[i].status == Status::answered && c.answers[i].verdict != Verdict::invalid)
-      return Violation{fmt::format("{} where the radius of {} is -1", to_string(c.answers[i].verdict),
+      return Violation{fmt::format("{}, although the radius of {} is -1", to_string(c.answers[i].verdict),
                                    i == 0 ? "a" : "b")};
   return {};
 }
@@ -211,40 +212,40 @@ std::optional<Violation> break_validity(const LawCase& c) {
 
 std::vector<Law> answer_laws() {
   return {
-      {30, LawKind::answer, "answers", "it answers: no crash, exception, hang, NaN or value without meaning",
-       "everywhere", needs_none, break_answers},
-      {31, LawKind::answer, "verdict", "no certificate refutes the verdict", "where the truth is proved",
+      {30, LawKind::answer, "answers",
+       "the method answers without a crash, exception, hang, NaN or meaningless value", "always", needs_none,
+       break_answers},
+      {31, LawKind::answer, "verdict", "no certificate refutes the verdict", "if the truth is proved",
        needs_none, break_verdict},
-      {32, LawKind::answer, "certificate", "the direction or point offered proves the verdict",
-       "where one is offered and the truth is proved; contract of methods that claim never to be wrong",
+      {32, LawKind::answer, "certificate", "the returned direction or point proves the verdict",
+       "if the method returns one and the truth is proved; beyond the claim if it claims never to be wrong",
        needs_none, break_certificate},
-      {33, LawKind::answer, "distance", "the distance is within the proved enclosure, but for the claim",
-       "of methods with distances, where the truth is proved", needs_none, break_distance},
+      {33, LawKind::answer, "distance", "the distance is within the proved bounds, up to the claim",
+       "for methods with distances, if the truth is proved", needs_none, break_distance},
       {34, LawKind::answer, "sign", "the sign of the distance agrees with the verdict",
-       "of methods with distances, where the distance is beyond the claim", needs_none, break_sign},
-      {35, LawKind::answer, "again", "the same question has the same answer, bit for bit", "everywhere",
-       again, break_sameness},
-      {36, LawKind::answer, "thread", "from another thread the same answer, bit for bit",
-       "on one pair of 16, told by its digits", from_another_thread, break_sameness},
-      {37, LawKind::answer, "ways", "prepared solids and a batch have the verdict of a single question",
-       "of methods with such calls", in_other_ways, break_other_ways},
-      {38, LawKind::answer, "cap", "the searches take no more steps than they may",
-       "of methods that tell their steps: decide, distance", needs_none, break_cap},
-      {39, LawKind::answer, "resolves", "it is not undecided",
-       "of intersect, decide and distance where a gap is 1e-13 of the size or more, and where a ball of that "
-       "radius lies in both solids (a disk or segment, where one is flat); of exact where anybody proves a "
-       "verdict",
+       "for methods with distances, if the distance is beyond the claim", needs_none, break_sign},
+      {35, LawKind::answer, "again", "a second call returns the same answer, bit for bit", "always", again,
+       break_sameness},
+      {36, LawKind::answer, "thread", "a call from another thread returns the same answer, bit for bit",
+       "on one pair of 16, selected by a hash of its digits", from_another_thread, break_sameness},
+      {37, LawKind::answer, "ways", "prepared solids and a batch have the verdict of a single call",
+       "for methods with such calls", in_other_ways, break_other_ways},
+      {38, LawKind::answer, "cap", "the searches take at most their maximum number of steps",
+       "for methods that report their steps (decide, distance)", needs_none, break_cap},
+      {39, LawKind::answer, "resolves", "the answer is not undecided",
+       "for intersect, decide and distance if the gap is at least 1e-13 of the size, or if a ball of that "
+       "radius (for flat solids a disk or segment) lies in both; for exact if the referee proves a verdict",
        needs_none, break_resolution},
-      {40, LawKind::answer, "orientation", "the direction offered points from a to b", "of our methods",
+      {40, LawKind::answer, "orientation", "the returned direction points from a to b", "for our methods",
        needs_none, break_orientation},
       {41, LawKind::answer, "validity", "a negative radius of either solid makes the pair invalid",
-       "of our methods", spoilt, break_validity},
-      {42, LawKind::answer, "shown", "the distance is no less than what a proved direction shows",
-       "of methods with distances, where the proof is a direction; lengths from 2^-200 to 2^200", needs_none,
-       break_shown},
+       "for our methods", spoilt, break_validity},
+      {42, LawKind::answer, "shown", "the distance is at least the gap that a certified direction proves",
+       "for methods with distances, if the certificate is a direction; lengths from 2^-200 to 2^200",
+       needs_none, break_shown},
       {43, LawKind::answer, "proof",
-       "the referee proves the same verdict with the witnesses offered and without",
-       "of methods that claim to offer a proof with every verdict, where one is offered", needs_none,
+       "the referee proves the same verdict with and without the returned witnesses",
+       "for methods that claim a proof of every verdict, if the method returns a witness", needs_none,
        break_proof},
   };
 }

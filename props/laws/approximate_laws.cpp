@@ -254,7 +254,7 @@ std::optional<Violation> break_widening(const LawCase& c) {
                            distance_allowance(c, wider, second.distance) + sum_error * size_of(wider);
     if (!(off > allowed)) return {};
     return Violation{"the distance goes from " + format_double(c.first.distance) + " to " +
-                     format_double(second.distance) + " where a rounding grows by " + format_double(by)};
+                     format_double(second.distance) + " when a rounding grows by " + format_double(by)};
   });
 }
 
@@ -263,28 +263,28 @@ std::optional<Violation> break_widening(const LawCase& c) {
 std::vector<Law> approximate_laws() {
   return {
       {20, LawKind::approximate, "rotation",
-       "the whole scene rotated about the origin: the same verdict and distance",
-       "verdicts where the distance exceeds 2^-49 of centres and lengths; lengths from 2^-200 to 2^200",
+       "a rotation of both solids about the origin keeps the verdict and distance",
+       "verdicts only if the distance exceeds 2^-49 of centres and lengths; lengths from 2^-200 to 2^200",
        rotated, break_rotation},
       {21, LawKind::approximate, "translation",
-       "the whole scene moved by 1/8 to 2^20 of its size: the same verdict and distance",
-       "verdicts where the distance exceeds the rounding of the centres; lengths from 2^-200 to 2^200",
+       "a translation of both solids by 1/8 to 2^20 of their size keeps the verdict and distance",
+       "verdicts only if the distance exceeds the rounding error of the centres; lengths from 2^-200 to "
+       "2^200",
        translated, break_changes},
       {22, LawKind::approximate, "Lipschitz",
-       "the distance changes by no more than a radius, half a height, a centre, or an axis times radius and "
-       "half height; the verdict stays where the distance is larger",
+       "the distance changes by at most the change of a radius, half height or centre, or of an axis times "
+       "radius and half height; the verdict stays if the distance is larger",
        "lengths from 2^-200 to 2^200", nearby, break_changes},
       {23, LawKind::approximate, "triangle",
-       "of three solids no gap is larger than the two others and the diameter of the solid between them",
-       "of methods with distances; lengths from 2^-200 to 2^200", with_a_third, break_triangle},
+       "of three solids no gap is larger than the sum of the other two and the diameter of the middle solid",
+       "for methods with distances; lengths from 2^-200 to 2^200", with_a_third, break_triangle},
       {24, LawKind::approximate, "slide",
-       "b moved by t, into a from a gap or out of it by the depth: the distance changes by no more than t, "
-       "so "
-       "that no depth exceeds the way back to touching",
-       "of methods with distances; lengths from 2^-200 to 2^200", slid, break_changes},
+       "b moved by t changes the distance by no more than t, so no depth exceeds the way back to touching",
+       "for methods with distances; lengths from 2^-200 to 2^200", slid, break_changes},
       {25, LawKind::approximate, "rounding",
-       "a rounding grown: a gap falls by as much, and no distance grows",
-       "of rounded solids and methods with distances; lengths from 2^-200 to 2^200", widened, break_widening},
+       "a rounding that grows shortens a gap by as much, and no distance grows",
+       "for rounded solids and methods with distances; lengths from 2^-200 to 2^200", widened,
+       break_widening},
   };
 }
 

@@ -204,24 +204,24 @@ std::optional<Violation> turned_verdict(const LawCase& c, bool promised) {
 
 std::vector<Law> exact_laws() {
   const char* const bits =
-      "everywhere; bit for bit of intersect, decide, distance and seed2017, the verdict of others";
+      "always; bit for bit for intersect, decide, distance and seed2017, the verdict for other methods";
   return {
       {1, LawKind::exact, "swap",
-       "the cylinders in the other order: the same verdict, distance and point, the direction negated", bits,
-       swapped, [](const LawCase& c) { return all_as_expected(c, {.direction = -1, .swapped = true}); }},
+       "swapped cylinders keep the verdict, distance and point, and the direction is negated", bits, swapped,
+       [](const LawCase& c) { return all_as_expected(c, {.direction = -1, .swapped = true}); }},
       {2, LawKind::exact, "scaling",
-       "all lengths times 2^k: the same verdict and direction, distance and point times 2^k",
-       "where no length over- or underflows; as above", at_other_scales, break_scaling},
-      {3, LawKind::exact, "reversal", "an axis reversed: the same verdict, distance, direction and point",
+       "lengths times 2^k keep the verdict and direction, and scale distance and point by 2^k",
+       "if no length overflows or underflows; bit for bit as in law 1", at_other_scales, break_scaling},
+      {3, LawKind::exact, "reversal", "a reversed axis keeps the verdict, distance, direction and point",
        bits, reversed, [](const LawCase& c) { return all_as_expected(c); }},
-      {4, LawKind::exact, "axis length", "an axis times 2^k: the same verdict, distance, direction and point",
-       "where no coordinate of an axis over- or underflows; as above", with_longer_axes,
+      {4, LawKind::exact, "axis length", "an axis times 2^k keeps the verdict, distance, direction and point",
+       "if no coordinate of an axis overflows or underflows; bit for bit as in law 1", with_longer_axes,
        [](const LawCase& c) { return all_as_expected(c); }},
-      {5, LawKind::exact, "mirror", "signs of coordinates flipped, in all 7 ways: the same verdict",
-       "where both answers are yes or no; of intersect everywhere, of others where they claim to be right",
+      {5, LawKind::exact, "mirror", "flipped signs of coordinates, in all 7 ways, keep the verdict",
+       "if both answers are decided; for intersect always, for other methods if they claim to be right",
        mirrored, [](const LawCase& c) { return turned_verdict(c, c.method.claim().mirror_invariant); }},
-      {6, LawKind::exact, "permutation", "coordinates permuted, in all 5 ways: the same verdict",
-       "where both answers are yes or no and the method claims to be right: sums change their order",
+      {6, LawKind::exact, "permutation", "permuted coordinates, in all 5 ways, keep the verdict",
+       "if both answers are decided and the method claims to be right, because sums change their order",
        permuted, [](const LawCase& c) { return turned_verdict(c, false); }},
   };
 }

@@ -19,7 +19,9 @@ Severity severity_on(const LawCase& c, const Pair& pair) {
   return beyond_claim(c.proofs.of(pair), c.method.claim()) ? Severity::contract : Severity::resolution;
 }
 
-std::string said(const MethodAnswer& answer) { return std::string("says ") + to_string(answer.verdict); }
+std::string verdict_text(const MethodAnswer& answer) {
+  return std::string("answers ") + to_string(answer.verdict);
+}
 
 /// By how much solids grow, in units of the size, beside what the claim asks for.
 constexpr double growth = 0x1p-20;
@@ -50,7 +52,7 @@ std::vector<LawQuery> grown(const Method& method, const Pair& pair, const Method
 std::optional<Violation> break_growing(const LawCase& c) {
   return worst_of(c, [&](std::size_t i) -> std::optional<Violation> {
     if (!is_decided(c.answers[i]) || says_meet(c.answers[i])) return {};
-    return Violation{said(c.first) + ", and disjoint of larger solids", severity_of(c, i)};
+    return Violation{verdict_text(c.first) + ", but disjoint for larger solids", severity_of(c, i)};
   });
 }
 
@@ -77,7 +79,8 @@ std::vector<LawQuery> inside(const Method&, const Pair& pair, const MethodAnswer
 std::optional<Violation> break_inside(const LawCase& c) {
   return worst_of(c, [&](std::size_t i) -> std::optional<Violation> {
     if (!is_decided(c.answers[i]) || says_meet(c.answers[i])) return {};
-    return Violation{said(c.answers[i]) + " of a solid and one inside it", severity_on(c, c.asked[i].pair)};
+    return Violation{verdict_text(c.answers[i]) + " of a solid and one inside it",
+                     severity_on(c, c.asked[i].pair)};
   });
 }
 
@@ -92,11 +95,13 @@ std::optional<Violation> break_proxies(const LawCase& c) {
     const double capsules = capsule_distance(outer_proxy(a), outer_proxy(b));
     if (std::max(spheres, capsules) <= lost) return {};
     const char* which = spheres > lost ? "spheres around" : "capsules around";
-    return Violation{said(c.first) + ", but the " + which + " the solids are apart", severity_on(c, c.pair)};
+    return Violation{verdict_text(c.first) + ", but the " + which + " the solids are apart",
+                     severity_on(c, c.pair)};
   }
   const Capsule in_a = inner_proxy(a), in_b = inner_proxy(b);
   if (in_a.radius < 0 || in_b.radius < 0 || capsule_distance(in_a, in_b) >= -lost) return {};
-  return Violation{said(c.first) + ", but the capsules inside the solids meet", severity_on(c, c.pair)};
+  return Violation{verdict_text(c.first) + ", but the capsules inside the solids meet",
+                   severity_on(c, c.pair)};
 }
 
 /// How far b is moved, in units of size and centres' distance.
@@ -125,12 +130,12 @@ std::optional<Violation> break_moving_apart(const LawCase& c) {
     const double shown = shown_by(moved, u);
     if (shown > 0 && says_meet(second)) {
       return Violation{
-          said(second) + " after b moved away along its own direction",
+          verdict_text(second) + " after b moved away along its own direction",
           shown >= reach(c.method.claim(), size_of(moved)) ? Severity::contract : Severity::resolution};
     }
     if (second.has_distance && second.distance < shown - distance_allowance(c, moved, second.distance)) {
-      return Violation{"says distance " + format_double(second.distance) + " where its direction shows " +
-                       format_double(shown)};
+      return Violation{"returns the distance " + format_double(second.distance) +
+                       ", but its direction proves " + format_double(shown)};
     }
     return {};
   });
@@ -161,7 +166,7 @@ std::optional<Violation> break_sweep(const LawCase& c) {
   return worst_of(c, [&](std::size_t i) -> std::optional<Violation> {
     if (!is_decided(c.first) || says_meet(c.first) || !is_decided(c.answers[i]) || !says_meet(c.answers[i]))
       return {};
-    return Violation{said(c.first) + ", but a slice of one of them meets the other", severity_of(c, i)};
+    return Violation{verdict_text(c.first) + ", but a slice of one solid meets the other", severity_of(c, i)};
   });
 }
 
@@ -170,22 +175,24 @@ std::optional<Violation> break_sweep(const LawCase& c) {
 std::vector<Law> one_sided_laws() {
   return {
       {10, LawKind::one_sided, "growing",
-       "a radius or a height grown, or all of them: intersecting solids do not become disjoint",
-       "where the answer is intersecting", grown, break_growing},
+       "intersecting solids do not become disjoint if a radius or a height grows, or all of them",
+       "if the answer is intersecting", grown, break_growing},
       {11, LawKind::one_sided, "inside", "a small copy of b well inside a, in either order, intersects a",
-       "where a capsule fits into a; lengths from 2^-200 to 2^200", inside, break_inside},
+       "if a capsule fits into a; lengths from 2^-200 to 2^200", inside, break_inside},
       {12, LawKind::one_sided, "proxies",
-       "solids whose bounding spheres or outer capsules are apart are disjoint; those whose inner capsules "
-       "meet intersect",
-       "beyond the rounding of the proxies; lengths from 2^-200 to 2^200", needs_none, break_proxies},
+       "solids are disjoint if their bounding spheres or outer capsules are, and intersect if their inner "
+       "capsules do",
+       "beyond the rounding errors of spheres and capsules; lengths from 2^-200 to 2^200", needs_none,
+       break_proxies},
       {13, LawKind::one_sided, "moving apart",
-       "b moved by t along the direction offered: disjoint, the distance at least what that direction showed "
-       "and t more",
-       "where the answer is disjoint with a direction; lengths from 2^-200 to 2^200", moved_apart,
+       "b moved by t along the returned direction stays disjoint, and the distance is at least the gap along "
+       "it plus t",
+       "if the answer is disjoint with a direction; lengths from 2^-200 to 2^200", moved_apart,
        break_moving_apart},
       {14, LawKind::one_sided, "sweep",
        "a slice across the axis, such as a sphere of a capsule, meets no more than the whole solid does",
-       "of rounded solids that are longer than the rounding of their centres; lengths from 2^-200 to 2^200",
+       "for rounded solids that are longer than the rounding error of their centres; lengths from 2^-200 to "
+       "2^200",
        swept, break_sweep},
   };
 }

@@ -48,7 +48,7 @@ std::vector<KillMatrixRow> read_kill_matrix(const std::string& file) {
       rows.push_back(row_of(parse_json(line)));
     } catch (const nlohmann::json::exception& error) {
       throw std::runtime_error(
-          fmt::format("{}, line {} is no row of a kill matrix: {}", file, rows.size() + 1, error.what()));
+          fmt::format("{}, line {} is not a row of a kill matrix: {}", file, rows.size() + 1, error.what()));
     }
   }
   if (in.bad() || rows.empty()) throw std::runtime_error(file + " holds no kill matrix");

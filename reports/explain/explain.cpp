@@ -54,10 +54,10 @@ std::string failure_in_words(const Explanation& e) {
                        : "calls solids that touch disjoint";
     }
     case FindingKind::distance_outside:
-      return fmt::format("tells a distance of {} of solids {}", said_distance(e.asked),
+      return fmt::format("returns a distance of {} for solids {}", said_distance(e.asked),
                          distance_in_words(e.asked));
     case FindingKind::bad_witness:
-      return fmt::format("offers a witness that proves nothing, of solids {}", distance_in_words(e.asked));
+      return fmt::format("returns a witness that proves nothing for solids {}", distance_in_words(e.asked));
     case FindingKind::reported:
       return fmt::format("failed on solids {}: {}", distance_in_words(e.asked), e.asked.answer().reason);
     default:
@@ -93,15 +93,13 @@ std::vector<std::string> causes(const Explanation& e) {
     if (w.transformation == Transformation::setting && w.outcome == WorkaroundOutcome::right)
       settings.push_back(w.method);
   if (!settings.empty())
-    found.push_back(fmt::format("its own setting decides ({} {} right)", joined(settings, " and "),
+    found.push_back(fmt::format("its setting ({} {} right)", joined(settings, " and "),
                                 settings.size() == 1 ? "is" : "are"));
-  if (e.regions.empty() && helps(e, Transformation::rescaled))
-    found.push_back("the scale decides (right once scaled to size 1)");
+  if (e.regions.empty() && helps(e, Transformation::rescaled)) found.push_back("the scale (right at size 1)");
   if (m != offset && helps(e, Transformation::at_origin))
-    found.push_back("the place decides (right at the origin)");
-  if (helps(e, Transformation::unit_axes)) found.push_back("the axes' lengths decide (right with unit axes)");
-  if (helps(e, Transformation::exchanged))
-    found.push_back("the order decides (right with the solids exchanged)");
+    found.push_back("the position (right at the origin)");
+  if (helps(e, Transformation::unit_axes)) found.push_back("the lengths of the axes (right with unit axes)");
+  if (helps(e, Transformation::exchanged)) found.push_back("the order (right with the solids exchanged)");
   return found;
 }
 
@@ -166,15 +164,15 @@ std::vector<ParameterRange> ranges(const std::vector<Condition>& all) {
 }
 
 std::string mechanism(const Explanation& e) {
-  std::string text = fmt::format("{} {}: ", e.method, failure_in_words(e));
+  std::string text = fmt::format("{} {}.", e.method, failure_in_words(e));
   const std::vector<std::string> found = causes(e);
-  text += found.empty() ? "no other setting, scale, place, order or axis length cures it"
-                        : joined(found, "; and ");
+  text += found.empty() ? " No other setting, scale, position, order or axis length makes it right."
+                        : " Cause: " + joined(found, "; and ") + ".";
   if (const auto only = in_words(conditions(e)); !only.empty())
-    text += "; only with " + joined(only, " and ");
+    text += " It fails only with " + joined(only, " and ") + ".";
   if (const auto rest = indifferent(e); !rest.empty())
-    text += fmt::format("; whatever the {}", joined(rest, " and "));
-  return text + ".";
+    text += fmt::format(" The {} {} not matter.", joined(rest, " and "), rest.size() == 1 ? "does" : "do");
+  return text;
 }
 
 std::string number(double x) { return x == 0 ? "0" : fmt::format("{:.4g}", x); }
@@ -196,7 +194,8 @@ std::string curve_table(const Explanation& e) {
   const double claimed = is_refuted_verdict(e.asked.finding()->kind) ? reach(e.claim, size) / size : 0;
   const auto only = in_words(conditions(e));
   std::string text = fmt::format(
-      "\nshare that fails so, of drawn {} pairs of the pair's size{} (seed {}), with exact 95 % bounds\n"
+      "\nshare of similar failures among random {} pairs of the same size{} (seed {}), with exact 95 % "
+      "bounds\n"
       "{:<8} {:>9} {:>9} {:>9}   {}\n",
       to_string(c.feature), only.empty() ? "" : " with " + joined(only, " and "), c.seed, "margin", "trials",
       "fail", "share", "bounds");
@@ -223,7 +222,7 @@ std::string workarounds_table(const Explanation& e) {
         w.transformation == Transformation::setting ? w.method : std::string(to_string(w.transformation));
     text += fmt::format("{:<30} {:<18}", what, to_string(w.outcome));
     if (w.outcome != WorkaroundOutcome::no_change)
-      text += fmt::format(" {} of solids {}", said_in_words(w.after.answer()), distance_in_words(w.after));
+      text += fmt::format(" {} for solids {}", said_in_words(w.after.answer()), distance_in_words(w.after));
     text += '\n';
   }
   return text;
@@ -270,9 +269,10 @@ Explanation explain(std::span<const std::unique_ptr<Method>> methods, std::strin
   const auto& method = find_method(methods, name);
   Explanation e{std::string(name), method->claim(), try_method(method, pair), {}, {}, {}, {}, {}};
   if (kind == FindingKind::state_dependent)
-    throw UsageError(fmt::format("{} fails so after other questions, and not on this pair alone", name));
+    throw UsageError(
+        fmt::format("{} fails in this way only after other pairs, not on this pair alone", name));
   if (!e.asked.fails(kind))
-    throw UsageError(fmt::format("{} has no {} on this pair today: it says {}", name, to_string(kind),
+    throw UsageError(fmt::format("{} has no {} on this pair now: it answers {}", name, to_string(kind),
                                  format_method_answer(e.asked.answer())));
   if (kind != FindingKind::hang) {
     const auto index = static_cast<std::size_t>(&method - methods.data());
@@ -286,7 +286,7 @@ Explanation explain(std::span<const std::unique_ptr<Method>> methods, std::strin
 }
 
 std::string explanation_text(const Explanation& e) {
-  std::string text = fmt::format("{} says {} of solids {}: {} ({})\n{}\n", e.method,
+  std::string text = fmt::format("{} answers {} for solids {}: {} ({})\n{}\n", e.method,
                                  one_line(format_method_answer(e.asked.answer())), distance_in_words(e.asked),
                                  to_string(e.asked.finding()->kind), to_string(e.asked.finding()->severity),
                                  format_pair(e.asked.pair));

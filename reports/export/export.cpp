@@ -78,20 +78,20 @@ std::string what_happened(const Recipient& to, const Trial& p) {
     case FindingKind::non_finite:
       return fmt::format("{} returns numbers that are not finite for {}", what, solids);
     case FindingKind::bad_witness:
-      return fmt::format("{}: what it tells of {} is no proof of its answer", what, solids);
+      return fmt::format("{} returns a vector for {} that does not prove its answer", what, solids);
     case FindingKind::wrong_touching:
-      return fmt::format("{} says touching of {} that overlap by {:.3g}", what, solids, -p.distance.hi);
+      return fmt::format("{} reports {} as touching that overlap by {:.3g}", what, solids, -p.distance.hi);
     case FindingKind::wrong_invalid:
-      return fmt::format("{} refuses {} that are legal", what, solids);
+      return fmt::format("{} rejects {} that are valid", what, solids);
     case FindingKind::malformed:
-      return fmt::format("{} gives no answer that means anything for {}", what, solids);
+      return fmt::format("{} returns a meaningless answer for {}", what, solids);
     case FindingKind::exception:
       return fmt::format("{} throws on {}", what, solids);
     case FindingKind::reported:
-      return fmt::format("{} says that it failed on {} that {}", what, solids,
+      return fmt::format("{} reports a failure on {} that {}", what, solids,
                          p.meets() ? "meet" : fmt::format("are {}", distance_in_words(p)));
     case FindingKind::hang:
-      return fmt::format("{} does not come back from {}", what, solids);
+      return fmt::format("{} hangs on {}", what, solids);
     default:
       return fmt::format("{} aborts on {}", what, solids);
   }
@@ -108,11 +108,11 @@ std::string returned_text(const Trial& p) {
     case FindingKind::exception:
       return fmt::format("An exception: `{}`.", one_line(a.reason));
     case FindingKind::reported:
-      return fmt::format("No verdict: it says that it failed. Its reason: `{}`.", one_line(a.reason));
+      return fmt::format("No verdict, but a failure with the reason `{}`.", one_line(a.reason));
     case FindingKind::crash:
       return fmt::format("The process ended: `{}`.", one_line(a.reason));
     case FindingKind::hang:
-      return fmt::format("Nothing, in {} s of CPU time: the call was then ended from outside.",
+      return fmt::format("Nothing within {} s of CPU time. Then the process was killed.",
                          std::chrono::duration<double>(call_cpu_cap).count());
     case FindingKind::distance_outside:
       return fmt::format("A signed distance of {}.", format_double(a.distance));
@@ -126,11 +126,11 @@ std::string returned_text(const Trial& p) {
           a.witness == CertificateKind::point ? "in both" : "square to a plane between them",
           miss.empty() ? "" : ": " + miss);
     case FindingKind::malformed:
-      return fmt::format("No answer that means anything: `{}`.", one_line(a.reason));
+      return fmt::format("A meaningless answer: `{}`.", one_line(a.reason));
     case FindingKind::wrong_invalid:
-      return "That the pair is invalid.";
+      return "The pair is invalid.";
     case FindingKind::wrong_touching:
-      return "That they touch.";
+      return "The solids touch.";
     default:
       return a.verdict == Verdict::disjoint ? "No collision." : "A collision.";
   }
@@ -144,9 +144,9 @@ std::string truth_in_words(const Trial& p) {
                 ? fmt::format("between {} and {} wide.", format_double(p.distance.lo),
                               format_double(p.distance.hi))
                 : fmt::format("wider than {}.", format_double(p.distance.lo)));
-  if (p.truth.verdict == Verdict::touching) return "They touch, and solids are closed: they meet. " + text;
+  if (p.truth.verdict == Verdict::touching) return "They touch. Solids are closed, so they meet. " + text;
   return "They overlap. " + text + " " +
-         fmt::format("To part them one of them must move by between {} and {}.",
+         fmt::format("To separate them, one of them must move by between {} and {}.",
                      format_double(-p.distance.hi), format_double(-p.distance.lo));
 }
 
@@ -154,9 +154,8 @@ std::string truth_in_words(const Trial& p) {
 std::string hull_in_words(const LibraryCall& call, const Trial& p) {
   if (call.settings.find("btConvexHullShape") == std::string_view::npos) return {};
   if (p.answer().verdict == Verdict::disjoint)
-    return "\nThe hulls asked are prisms around the cylinders: where the cylinders meet, so do the hulls.\n";
-  return "\nThe hulls asked are prisms within the cylinders: where the cylinders are apart, so are the "
-         "hulls.\n";
+    return "\nThe hulls are prisms around the cylinders. If the cylinders meet, so do the hulls.\n";
+  return "\nThe hulls are prisms inside the cylinders. If the cylinders are disjoint, so are the hulls.\n";
 }
 
 /// What a reader might think of first: is this not within the tolerance?
@@ -165,11 +164,10 @@ std::string tolerance_in_words(const Trial& p, const Claim& claim) {
   const bool within = within_claim(p);
   if (claim.relative > 0)
     return fmt::format(
-        "\nThe claim is to be right from {} of the sizes together and a length of {} on ({}); "
-        "this is {} it.\n",
+        "\nThe claim is to be right from {} of the size plus a length of {} on ({}). This pair is {} it.\n",
         format_double(claim.relative), format_double(claim.absolute), one_line(claim.source),
         within ? "below" : "above");
-  return fmt::format("\nThe tolerance that we found stated is a length of {} ({}); this is {} it.\n",
+  return fmt::format("\nThe tolerance that we found stated is a length of {} ({}). This pair is {} it.\n",
                      format_double(claim.absolute), one_line(claim.source), within ? "within" : "beyond");
 }
 
@@ -177,17 +175,17 @@ std::string tolerance_in_words(const Trial& p, const Claim& claim) {
 std::string sums_in_words(const Method& method, const Trial& p) {
   const auto hangs = hangs_on_our_sums(method.name(), p.finding()->kind, p.pair);
   if (!hangs) return {};
-  return *hangs ? "\nThe answer hangs on the last bit: with the sums of the support function in another "
-                  "order it is "
-                  "right.\n"
-                : "\nThe answer is as wrong with the sums of the support function in another order.\n";
+  return *hangs
+             ? "\nThe answer depends on the last bit. It is right if the sums of the support function have "
+               "another order.\n"
+             : "\nThe answer is also wrong if the sums of the support function have another order.\n";
 }
 
 std::string depth_note(const Trial& p, const Claim& claim) {
   if (p.finding()->kind == FindingKind::distance_outside && shows_distance(p, claim))
-    return " and that the distance told is impossible";
+    return " and that the returned distance is impossible";
   if (p.finding()->kind == FindingKind::distance_outside)
-    return ", and no more: that the distance told is wrong comes from a search with interval arithmetic";
+    return " only. A search with interval arithmetic proved that the returned distance is wrong";
   if (p.truth.verdict == Verdict::intersecting)
     return " (the depth comes from a search with interval arithmetic, which it does not repeat)";
   return {};
@@ -202,7 +200,7 @@ std::string table_of(const Pair& pair) {
 
 std::string other_in_words(const Trial& p, const Trial& other) {
   const auto margin = [](const Trial& t) { return t.finding()->margin ? t.finding()->margin->lo : 0; };
-  return fmt::format("\n**Another pair of the same cause,** {}, on which it fails likewise; they are {}.\n\n",
+  return fmt::format("\n**Another pair of the same cause** is {}. It fails there too. The solids are {}.\n\n",
                      margin(other) > margin(p) ? "the worst known" : "the simplest known",
                      distance_in_words(other)) +
          table_of(other.pair);
@@ -212,33 +210,34 @@ std::string issue(const Recipient& to, const Trial& p, const Method& method, con
   std::string text = fmt::format("# {}\n\n{}.\n\n", title(to, p), to.whom);
   if (within_claim(p))
     text +=
-        "By the claim quoted below this is no fault: the two are nearer to touching than it promises "
-        "anything. It may still be of interest.\n\n";
+        "The claim quoted below allows this answer, because the solids are so close to touching. It may "
+        "still "
+        "be of interest.\n\n";
   text += fmt::format(
-      "**What was asked.** Do these solids, {}, meet? Heights are full heights; {}all numbers are exact "
+      "**The question.** Do these solids, {}, meet? Heights are full heights. {}All numbers are exact "
       "doubles.\n\n",
       solids_in_words(p.pair),
-      is_rounded(p.pair) ? "a solid is all points within its rounding of the cylinder proper; " : "");
+      is_rounded(p.pair) ? "A solid is all points within its rounding of the cylinder. " : "");
   text += table_of(p.pair);
-  text += fmt::format("\n**What came back.** {}\n", returned_text(p));
-  text += fmt::format("\n**What is true, and why.** {}\n", truth_in_words(p));
+  text += fmt::format("\n**The answer.** {}\n", returned_text(p));
+  text += fmt::format("\n**The truth.** {}\n", truth_in_words(p));
   if (other) text += other_in_words(p, *other);
   text += to.hulls + tolerance_in_words(p, method.claim()) + sums_in_words(method, p);
   const bool repeats =
       p.finding()->kind != FindingKind::distance_outside || shows_distance(p, method.claim());
   text += fmt::format(
       "\n{}`python3 exact.py` (standard library only) proves the verdict in rational arithmetic{}.{}\n",
-      repeats ? "Nobody needs to be trusted with this: " : "", depth_note(p, method.claim()),
+      repeats ? "You can check this yourself. " : "", depth_note(p, method.claim()),
       to.axes == AxesGiven::of_unit_length
-          ? " It does so for the axes above and, where they are not of unit length, for the "
-            "rounded ones that the library gets."
+          ? " It does so for the axes above. If these are not of unit length, it does so for the "
+            "rounded axes that the library gets too."
           : "");
-  return text + fmt::format("\n**How to see it.** {}\n", to.how) + to.closing;
+  return text + fmt::format("\n**How to reproduce it.** {}\n", to.how) + to.closing;
 }
 
-constexpr std::string_view as_told = "it ends as told above.";
+constexpr std::string_view as_told = "It ends as described above.";
 constexpr std::string_view by_its_exit =
-    "it prints the answer and exits with 1 while the answer is not what is proved, 0 once it is.";
+    "It prints the answer. Its exit code is 1 while the answer is wrong, and 0 once it is right.";
 
 /// The margin from which a pair is shown alone, in claims: nearer to the claim's edge another is better.
 constexpr double edge_margin = 10;
@@ -271,7 +270,7 @@ Recipient ask_library(const LibraryCall& call, const Trial& p, const Method& met
   to.hulls = hull_in_words(call, p);
   to.how = fmt::format(
       "`sh build.sh` builds and runs `reproduce.cpp`, which needs only {} (on Debian: "
-      "`apt install g++ pkg-config {}`); {}\n\n    c++ {} reproduce.cpp -o reproduce {}",
+      "`apt install g++ pkg-config {}`). {}\n\n    c++ {} reproduce.cpp -o reproduce {}",
       call.library, call.packages, ends(p) ? as_told : by_its_exit, compiler_options, call.flags);
   to.closing =
       "\nThank you for the library. We found this by cross-examining several libraries on the same pairs and "
@@ -282,12 +281,12 @@ Recipient ask_library(const LibraryCall& call, const Trial& p, const Method& met
   return to;
 }
 
-/// "; in this folder, as it was asked: `mine.cpp`, to be linked with `-lmine`"
+/// "; this folder has its source: `mine.cpp`, to be linked with `-lmine`"
 std::string sources_in_words(std::span<const SentFile> files, const std::string& flags) {
   std::string names;
   for (const SentFile& file : files) names += (names.empty() ? "`" : ", `") + file.name + '`';
   if (names.empty()) return "";
-  return fmt::format("; in this folder, as it was asked: {}{}", names,
+  return fmt::format("; this folder has its source: {}{}", names,
                      flags.empty() ? "" : ", to be linked with `" + flags + '`');
 }
 
@@ -300,7 +299,7 @@ Recipient ask_guest(const Guest& guest, const Trial& p, const Method& method, co
   to.axes = AxesGiven::as_they_are;
   to.program_name = guest_program_name(guest);
   const bool as_it_does = guest.kind == GuestKind::plugin && ends(p);
-  to.how = fmt::format("`sh build.sh` runs `{}`, which asks it without daylight; {}", to.program_name,
+  to.how = fmt::format("`sh build.sh` runs `{}`, which asks it without daylight. {}", to.program_name,
                        as_it_does ? as_told : by_its_exit);
   to.program = guest_program(guest, p, method.claim());
   to.build = guest_build(guest, p.finding()->kind, beside.sources);
@@ -325,20 +324,20 @@ Export make_export(std::span<const std::unique_ptr<Method>> methods, std::string
   const LibraryCall* call = find_library_call(name);
   if (call == nullptr && !is_guest)
     throw UsageError(fmt::format(
-        "no program can be written for '{}': only for guests and for FCL, Bullet, libccd, ODE and "
-        "MuJoCo",
+        "export writes programs for guests and for FCL, Bullet, libccd, ODE and MuJoCo, but not for "
+        "'{}'",
         name));
   if (!(is_guest ? guest_program_shows(kind) : program_shows(kind)))
     throw UsageError(fmt::format("no program can show a finding of kind {}", to_string(kind)));
   if (!is_guest && is_rounded(pair))
-    throw UsageError("programs for packaged libraries know no roundings: daylight check --method " +
+    throw UsageError("programs for packaged libraries do not support roundings: daylight check --method " +
                      std::string(name) + " asks about the pair");
   Trial asked = try_method(method, pair);
   if (!asked.fails(kind))
-    throw UsageError(fmt::format("{} has no {} on this pair today: it says {}", name, to_string(kind),
+    throw UsageError(fmt::format("{} has no {} on this pair now: it answers {}", name, to_string(kind),
                                  format_method_answer(asked.answer())));
   if (!asked.decided())
-    throw UsageError("what is true of this pair could not be proved: there is nothing to send");
+    throw UsageError("the referee could not decide this pair, so there is nothing to send");
   std::optional<Trial> other;
   if (beside.worst && format_pair(*beside.worst) != format_pair(pair)) {
     other = try_method(method, *beside.worst);

@@ -58,10 +58,9 @@ std::string claims(const Trial& asked, AxesGiven axes) {
   if (given.a.axis == asked.pair.a.axis && given.b.axis == asked.pair.b.axis) return text;
   const Truth truth = judge(given);
   if (meet(truth) != meet(asked.truth))
-    throw std::runtime_error(
-        fmt::format("the library gets axes rounded to unit length, and of these the truth is {}: it is not "
-                    "to blame",
-                    to_string(truth.verdict)));
+    throw std::runtime_error(fmt::format(
+        "the library is right: it gets axes rounded to unit length, and for these the truth is {}",
+        to_string(truth.verdict)));
   return text + line("with the axes that the library gets", given, truth);
 }
 

@@ -193,10 +193,11 @@ std::string guest_program(const Guest& guest, const Trial& asked, const Claim& c
   words["method"] = guest.method;
   words["a"] = numbers_in_c(asked.pair.a, asked.pair);
   words["b"] = numbers_in_c(asked.pair.b, asked.pair);
-  words["before"] = ends_itself(asked.finding()->kind) || asked.finding()->kind == FindingKind::exception
-                        ? fmt::format("  puts(\"asking; it had this: {}\");\n  fflush(stdout);\n",
-                                      to_string(asked.finding()->kind))
-                        : "";
+  words["before"] =
+      ends_itself(asked.finding()->kind) || asked.finding()->kind == FindingKind::exception
+          ? fmt::format("  puts(\"calling the method; it failed before with: {}\");\n  fflush(stdout);\n",
+                        to_string(asked.finding()->kind))
+          : "";
   words["helper"] = asked.finding()->kind == FindingKind::non_finite ? some_of_three : "";
   words["wrong"] = wrong_in_c(asked, claim);
   return filled(template_text("plugin.c.in"), words);
@@ -208,8 +209,9 @@ std::string guest_build(const Guest& guest, FindingKind kind, std::span<const st
   std::string text = "#!/bin/sh\nset -e\nhere=$(cd -- \"$(dirname -- \"$0\")\" && pwd)\n";
   if (guest.kind == GuestKind::command)
     return text + fmt::format(
-                      "# sh build.sh [COMMAND]: asks the program, which is run in this folder; another, or "
-                      "that of $DAYLIGHT_COMMAND, from where one stands.\n"
+                      "# sh build.sh [COMMAND]: asks the program in this folder. COMMAND or "
+                      "$DAYLIGHT_COMMAND is run "
+                      "in the current folder instead.\n"
                       "[ $# -gt 0 ] || set -- \"${{DAYLIGHT_COMMAND:-}}\"\n"
                       "[ -n \"$1\" ] || {{ cd -- \"$here\"; set -- {}; }}\n"
                       "exec python3 \"$here/reproduce.py\" \"$1\"\n",
@@ -221,7 +223,7 @@ std::string guest_build(const Guest& guest, FindingKind kind, std::span<const st
       library, library);
   if (!sources.empty())
     text += fmt::format(
-        "# Where that is not here it is built; CXXFLAGS and LIBS say what it needs besides.\n"
+        "# Builds the plug-in if it is missing. CXXFLAGS and LIBS add what it needs.\n"
         "[ -e \"$file\" ] || ${{CXX:-c++}} -O2 -shared -fPIC -I \"$here\" ${{CXXFLAGS:-}} \"$here/\"{} -o "
         "\"$file\" ${{LIBS:-{}}}\n",
         shell_quoted(file_name(sources.front())), linked_libraries_of(guest.what));

@@ -143,10 +143,11 @@ TEST(Export, WhatAMethodReportsIsNotSaidToBeThrown) {
   for (Guest guest : {guests.plugin(), guests.command()}) {
     const auto methods = opened(guest);
     const Export files = make_export(methods, "faulty", FindingKind::reported, asked_of(7), {&guest, 1});
-    EXPECT_TRUE(files.issue.starts_with("# faulty says that it failed on two cylinders that are "))
+    EXPECT_TRUE(files.issue.starts_with("# faulty reports a failure on two cylinders that are "))
         << files.issue;
     const bool command = guest.kind == GuestKind::command;
-    EXPECT_TRUE(has(files.issue, command ? "Its reason: `no luck`." : "Its reason: `no reason given`."));
+    EXPECT_TRUE(
+        has(files.issue, command ? "with the reason `no luck`." : "with the reason `no reason given`."));
     for (const std::string* text : {&files.program, &files.issue}) {
       EXPECT_FALSE(has(*text, "throw")) << *text;
       EXPECT_FALSE(has(*text, "xception")) << *text;

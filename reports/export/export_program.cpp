@@ -87,10 +87,10 @@ std::string verdict_on(const LibraryCall& call, const Words& words, const Trial&
   // The headers of libccd do not tell its version.
   if (call.library == "libccd") text = fmt::format("  const char version[] = \"{}\";\n", method.version());
   const auto says = [&](const std::string& format, const std::string& values) {
-    text += fmt::format("  std::printf(\"{} {} says: {}\\n\", {}, {});\n", call.library,
+    text += fmt::format("  std::printf(\"{} {} answers: {}\\n\", {}, {});\n", call.library,
                         call.library == "Bullet" ? "%d.%d" : "%s", format, words.at("version"), values);
   };
-  const auto is_true = [&] { text += fmt::format("  std::puts(\"true is: {}\");\n", truth_line(asked)); };
+  const auto is_true = [&] { text += fmt::format("  std::puts(\"truth: {}\");\n", truth_line(asked)); };
   const auto judge_by = [&](const std::string& wrong) {
     text += fmt::format("  const bool wrong = {};\n", wrong);
     text += fmt::format("  std::puts(wrong ? \"{}\" : \"right\");\n  return wrong ? 1 : 0;\n",
@@ -110,8 +110,7 @@ std::string verdict_on(const LibraryCall& call, const Words& words, const Trial&
     case FindingKind::non_finite:
       text += fmt::format("  const bool finite = std::isfinite(distance){};\n",
                           call.library == "FCL" ? " && between.allFinite()" : "");
-      says("%s, distance %.17g%s",
-           said + ", distance, finite ? \"\" : \"; not all that it tells is finite\"");
+      says("%s, distance %.17g%s", said + ", distance, finite ? \"\" : \"; not every number is finite\"");
       is_true();
       judge_by("!finite");
       break;
@@ -143,11 +142,11 @@ std::string verdict_on(const LibraryCall& call, const Words& words, const Trial&
 std::string announcement(FindingKind kind) {
   switch (kind) {
     case FindingKind::exception:
-      return "  std::puts(\"asking; this throws\");\n  std::fflush(stdout);\n";
+      return "  std::puts(\"calling the library: it throws\");\n  std::fflush(stdout);\n";
     case FindingKind::crash:
-      return "  std::puts(\"asking; this aborts\");\n  std::fflush(stdout);\n";
+      return "  std::puts(\"calling the library: it aborts\");\n  std::fflush(stdout);\n";
     case FindingKind::hang:
-      return "  std::puts(\"asking; this does not come back\");\n  std::fflush(stdout);\n";
+      return "  std::puts(\"calling the library: it hangs\");\n  std::fflush(stdout);\n";
     default:
       return "";
   }

@@ -61,12 +61,11 @@ std::optional<SourceLine> place_of(const GateFailure& failure) {
   return place;
 }
 
-/// "fails 10 of 10 times", or "depends on luck: 3 of 10"; empty where it was not run again.
+/// "fails 10 of 10 times", or "fails 3 of 10 times, not deterministically". Empty if it was not run again.
 std::string again_in_words(const GateFailure& failure) {
   if (failure.reruns == 0) return {};
-  return fmt::format("{} {} of {}{}", failure.failed_again < failure.reruns ? "depends on luck:" : "fails",
-                     failure.failed_again, failure.reruns,
-                     failure.failed_again < failure.reruns ? "" : " times");
+  return fmt::format("fails {} of {} times{}", failure.failed_again, failure.reruns,
+                     failure.failed_again < failure.reruns ? ", not deterministically" : "");
 }
 
 }  // namespace

@@ -32,7 +32,7 @@ struct FailureView {
   std::string what;
   std::string pairs;  ///< "17 pairs"
   std::string origin, bucket;
-  std::string again;            ///< "fails 10 of 10 times", "depends on luck: 3 of 10"; empty: not run again
+  std::string again;            ///< "fails 10 of 10 times", ..; empty if it was not run again
   std::string found, simplest;  ///< pairs as JSON
   std::string reproduce;        ///< empty where RapidCheck has no name for it
   std::string replay;           ///< for a shell: asks the method the simplest pair, and holds it to the law

@@ -128,7 +128,7 @@ std::string gate_json(const GateReport& report) {
 
 GateBase read_base(const std::string& file) {
   const auto refuse = [&](const std::string& wrong) {
-    throw std::runtime_error(file + ": " + wrong + "; give the file that an earlier gate wrote as JSON");
+    throw std::runtime_error(file + ": " + wrong + ": give the file that an earlier gate wrote as JSON");
   };
   const auto natural = [&](const json& in, const char* key) {
     const json& value = in.at(key);
@@ -136,12 +136,12 @@ GateBase read_base(const std::string& file) {
     return value.get<std::uint64_t>();
   };
   std::error_code fault;
-  if (!std::filesystem::is_regular_file(file, fault)) refuse("is no file");
+  if (!std::filesystem::is_regular_file(file, fault)) refuse("is not a file");
   std::ifstream in(file);
   if (!in) refuse("cannot be opened");
   const json all = json::parse(in, nullptr, false);
   if (in.bad()) refuse("cannot be read");
-  if (all.is_discarded()) refuse("is no JSON, or was cut off");
+  if (all.is_discarded()) refuse("is not JSON, or was cut off");
   GateBase base;
   try {
     base.seed = natural(all, "seed");
@@ -166,7 +166,7 @@ GateBase read_base(const std::string& file) {
       buckets[f.at("bucket").get<std::string>()] += natural(f, "count");
     }
   } catch (const json::exception&) {
-    refuse("is no report of this version's gate");
+    refuse("is not a report of the gate of this version");
   }
   return base;
 }

@@ -19,7 +19,7 @@ json rule(const Law& law) {
   return {{"id", rule_id(law)},
           {"name", law.name},
           {"shortDescription", text(law_title(law))},
-          {"help", text(fmt::format("{} Where: {}", law.statement, law.where))}};
+          {"help", text(fmt::format("{} Scope: {}", law.statement, law.where))}};
 }
 
 /// Returns the path of a URI, RFC 3986: its unreserved characters and '/' as they are, all else in percent.

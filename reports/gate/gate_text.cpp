@@ -48,9 +48,9 @@ std::string power(int decade) {
 }
 
 std::string claim_in_words(const Claim& claim) {
-  std::string words = "claims to be right always";
+  std::string words = "claims to be right on every pair";
   if (claim.relative != 0 || claim.absolute != 0) {
-    words = "claims to be right where |distance| is at least ";
+    words = "claims to be right if |distance| is at least ";
     if (claim.relative != 0) words += format_double(claim.relative) + " of the size";
     if (claim.relative != 0 && claim.absolute != 0) words += " plus ";
     if (claim.absolute != 0) words += "a length of " + format_double(claim.absolute);
@@ -90,7 +90,7 @@ std::string in_full(std::size_t number, const Alike& alike) {
   text += line("bucket", f.bucket);
   if (!f.again.empty()) text += line("again", f.again);
   text += line("found", f.found);
-  text += line("simplest", f.simplest == f.found ? "no simpler one was found" : f.simplest);
+  text += line("simplest", f.simplest == f.found ? "no simpler pair was found" : f.simplest);
   text += line("replay", f.replay);
   if (!f.reproduce.empty()) text += line("RapidCheck", f.reproduce);
   for (const GateFailure* g : std::span(alike).subspan(1, std::min(also_cap, alike.size() - 1))) {
@@ -98,8 +98,7 @@ std::string in_full(std::size_t number, const Alike& alike) {
     text += line("", format_pair(g->simplest));
   }
   if (alike.size() - 1 > also_cap)
-    text += line(
-        "", fmt::format("and in {} more buckets; --json FILE has them all", alike.size() - 1 - also_cap));
+    text += line("", fmt::format("{} more buckets, which --json FILE lists", alike.size() - 1 - also_cap));
   return text;
 }
 
@@ -110,7 +109,9 @@ std::string failures_text(const GateReport& report) {
   std::string text =
       failing.empty() ? nothing : fmt::format("Fails the gate ({}):\n", grouped(failing.size()));
   for (std::size_t i = 0; i < failing.size(); ++i) text += in_full(i + 1, failing[i]);
-  if (!others.empty()) text += fmt::format("\nWithin claims, or known ({}):\n", grouped(others.size()));
+  if (!others.empty())
+    text +=
+        fmt::format("\nDoes not fail the gate: known, or within the claim ({}):\n", grouped(others.size()));
   for (std::size_t i = 0; i < std::min(brief_cap, others.size()); ++i) {
     const FailureView f = view_of(others[i]);
     const std::string buckets =
@@ -122,20 +123,17 @@ std::string failures_text(const GateReport& report) {
   return text;
 }
 
-// A pair that the method left undecided is no trial: it can be neither right nor wrong.
-std::uint64_t trials(const GateCell& c) { return c.pairs - std::min(c.pairs, c.undecided); }
-
-/// Returns whether a table is worth showing: where cells differ in more than their number of pairs.
+/// Returns whether a table is worth showing: whether cells differ in more than their number of pairs.
 bool table_helps(const GateMethod& m) {
   if (std::ranges::none_of(m.cells, [](const GateCell& c) { return c.pairs + c.undecided > 0; }))
     return false;
   return std::any_of(m.cells.begin(), m.cells.end(), [](const GateCell& c) {
-    return c.wrong > 0 || (c.claimed && (trials(c) == 0 || c.undecided > 0));
+    return c.wrong > 0 || (c.claimed && (c.pairs == 0 || c.undecided > 0));
   });
 }
 
 std::string cell_text(const GateCell& c) {
-  std::string text = grouped(trials(c));
+  std::string text = grouped(c.pairs);
   if (c.wrong > 0) text = fmt::format("{}!{}", grouped(c.wrong), text);
   return c.claimed ? text : '(' + text + ')';
 }
@@ -148,10 +146,10 @@ std::string cells_table(const GateMethod& m) {
       features.push_back(c.stratum.feature);
     rows[c.stratum.decade][c.stratum.feature] = cell_text(c);
   }
-  std::string text = wrapped(
-      "", fmt::format("{}: independent pairs it decided by margin (up to) and contact feature; 3!70: 3 of 70 "
-                      "wrong; in brackets: not claimed",
-                      one_line(m.name)));
+  std::string text =
+      wrapped("", fmt::format("{}: decided pairs of the random sample, by margin (up to) and contact feature",
+                              one_line(m.name)));
+  text += "  3!70 means that 3 of 70 are wrong. Brackets mean that the method does not claim the cell.\n";
   text += fmt::format("{:<8}", "margin");
   for (const ContactFeature feature : features) text += fmt::format("{:>15}", to_string(feature));
   text += '\n';
@@ -176,9 +174,10 @@ std::string name_of(const CloseGateCell& c) {
 
 std::string close_table(const GateMethod& m) {
   std::string text = wrapped(
-      "", fmt::format("{}: close contacts it decided by lie and small angle of the axes and by margin "
-                      "(up to); 3!70: 3 of 70 wrong beyond its claim",
-                      one_line(m.name)));
+      "", fmt::format(
+              "{}: decided close contacts, by position of the axes, their small angle, and margin (up to)",
+              one_line(m.name)));
+  text += "  3!70 means that 3 of 70 are wrong beyond the claim.\n";
   text += fmt::format("{:<26}", "margin");
   for (int d = first_close_decade; d <= last_close_decade; ++d) text += fmt::format("{:>6}", power(d));
   for (const CloseGateCell& c : m.close_cells) {
@@ -215,32 +214,47 @@ std::string named(const std::vector<const CloseGateCell*>& cells, bool bounds) {
 /// A cell with less than such a part of the gaps or overlaps of the cell in the middle is rare.
 constexpr std::uint64_t rare_part = 4;
 
-/// Says what close contacts prove, of cells that a method claims; nothing where it was asked of none.
-std::string close_in_words(const std::vector<CloseGateCell>& all) {
+std::string rate(double bound) { return fmt::format("<= {:.1e}", bound); }
+
+/// Returns "wrong beyond its claim on 3 of 70", or `right` with the number if none is wrong.
+std::string success(std::uint64_t pairs, std::uint64_t wrong, const std::string& right) {
+  return wrong == 0 ? fmt::format("{} {}", right, grouped(pairs))
+                    : fmt::format("wrong beyond its claim on {} of {}", grouped(wrong), grouped(pairs));
+}
+constexpr const char* none_beyond = "never wrong beyond its claim on";
+
+/// Returns one line for each fact.
+std::string as_lines(const std::vector<std::string>& facts) {
+  std::string text;
+  for (const std::string& fact : facts) text += wrapped("  ", fact);
+  return text;
+}
+
+/// Returns what close contacts prove of the cells that the method claims. Empty if it was asked about none.
+std::string close_in_words(const GateMethod& method) {
   std::vector<const CloseGateCell*> empty, rare, full;
   std::vector<std::uint64_t> gaps, overlaps;
-  std::uint64_t undecided = 0;
-  for (const CloseGateCell& c : all) {
+  std::uint64_t wrong = 0, decided = 0, undecided = 0;
+  for (const CloseGateCell& c : method.close_cells) {
     if (!c.claimed) continue;
     gaps.push_back(c.gaps);
     overlaps.push_back(c.overlaps);
     undecided += c.undecided;
+    decided += c.gaps + c.overlaps;
+    wrong += c.wrong_gaps + c.wrong_overlaps;
   }
-  if (std::all_of(gaps.begin(), gaps.end(), [](auto n) { return n == 0; }) &&
-      std::all_of(overlaps.begin(), overlaps.end(), [](auto n) { return n == 0; }))
-    return undecided == 0 ? "" : "; of close contacts, undecided on all";
+  const std::string name = one_line(method.name);
+  if (decided == 0) return undecided == 0 ? "" : wrapped("", name + " is undecided on all close contacts.");
   const auto middle = [](std::vector<std::uint64_t> n) {
     const auto at = n.begin() + static_cast<std::ptrdiff_t>(n.size() / 2);
     std::nth_element(n.begin(), at, n.end());
     return *at;
   };
   const std::uint64_t usual_gaps = middle(gaps), usual_overlaps = middle(overlaps);
-  std::uint64_t wrong = 0, decided = 0, least_gaps = 0, least_overlaps = 0;
+  std::uint64_t least_gaps = 0, least_overlaps = 0;
   double worst = 0;
-  for (const CloseGateCell& c : all) {
+  for (const CloseGateCell& c : method.close_cells) {
     if (!c.claimed) continue;
-    wrong += c.wrong_gaps + c.wrong_overlaps;
-    decided += c.gaps + c.overlaps;
     const bool few = c.gaps * rare_part < usual_gaps || c.overlaps * rare_part < usual_overlaps;
     (c.gaps + c.overlaps == 0 ? empty : few ? rare : full).push_back(&c);
     if (full.empty() || full.back() != &c) continue;
@@ -248,80 +262,91 @@ std::string close_in_words(const std::vector<CloseGateCell>& all) {
     least_overlaps = full.size() == 1 ? c.overlaps : std::min(least_overlaps, c.overlaps);
     worst = std::max(worst, bound_of(c));
   }
-  std::string text = fmt::format(
-      "; {} {} close contacts, with {} gaps and {} overlaps or more in each of {} (lie of the axes x small "
-      "angle x decade of margin), error rate <= {:.1e} for each of the two in each at 95 %",
-      wrong == 0 ? "right on" : fmt::format("wrong beyond its claim on {} of", grouped(wrong)),
-      grouped(decided), grouped(least_gaps), grouped(least_overlaps), plural(full.size(), "cell"), worst);
-  if (undecided > 0) text += fmt::format("; undecided on {} more of them", grouped(undecided));
-  if (!rare.empty()) text += "; rare: " + named(rare, true);
-  if (!empty.empty()) text += "; empty: " + named(empty, false);
-  return text;
+  std::vector<std::string> facts;
+  facts.push_back(fmt::format("They fill {}: position of the axes x small angle x decade of margin.",
+                              plural(full.size(), "cell")));
+  facts.push_back(fmt::format("Each cell has at least {} and {}.", plural(least_gaps, "gap"),
+                              plural(least_overlaps, "overlap")));
+  facts.push_back(fmt::format(
+      "The error rate is {} in each cell, for gaps and for overlaps, at 95 % confidence.", rate(worst)));
+  if (undecided > 0) facts.push_back(fmt::format("It is undecided on {} more.", grouped(undecided)));
+  if (!rare.empty()) facts.push_back("Few pairs: " + named(rare, true) + '.');
+  if (!empty.empty()) facts.push_back("No decided pair: " + named(empty, false) + '.');
+  return wrapped("", fmt::format("{} is {} close contacts that it claims.", name,
+                                 success(decided, wrong, none_beyond))) +
+         as_lines(facts);
 }
 
-std::string rounded_in_words(const RoundedCount& count) {
+std::string rounded_in_words(const GateMethod& method) {
+  const RoundedCount& count = method.rounded;
   if (count.pairs + count.undecided == 0) return {};
-  const std::string wrong =
-      count.wrong == 0 ? "right" : fmt::format("wrong on {} of them", grouped(count.wrong));
-  return fmt::format(
-      "{} independent pairs with a sphere, capsule or rounded cylinder, {} beyond its claim{}",
-      grouped(count.pairs), wrong,
-      count.undecided > 0 ? fmt::format(", undecided on {} more", grouped(count.undecided)) : "");
+  const std::string name = one_line(method.name);
+  if (count.pairs == 0) return wrapped("", name + " is undecided on all rounded solids.");
+  std::vector<std::string> facts;
+  if (count.undecided > 0)
+    facts.push_back(fmt::format("It is undecided on {} more.", grouped(count.undecided)));
+  return wrapped("", fmt::format("{} is {} with a sphere, capsule or rounded cylinder.", name,
+                                 success(count.pairs, count.wrong, none_beyond) +
+                                     (count.pairs == 1 ? " pair" : " pairs"))) +
+         as_lines(facts);
 }
 
-}  // namespace
-
-std::string proved_in_words(const GateMethod& method) {
+/// Returns what the random sample of all strata proves of the cells that the method claims.
+std::string strata_in_words(const GateMethod& method) {
   std::set<ContactFeature> features;
   std::set<int> decades;
   std::uint64_t cells = 0, wrong = 0, wrong_cells = 0, undecided = 0, all = 0, least = 0, most = 0;
-  double worst_rate = 0;
+  double worst = 0;
   std::string empty;
   for (const GateCell& c : method.cells) {
     if (!c.claimed) continue;
     undecided += c.undecided;
-    const std::uint64_t n = trials(c);
-    if (n == 0) {
+    if (c.pairs == 0) {
       empty += fmt::format("{}{} {}", empty.empty() ? "" : ", ", to_string(c.stratum.feature),
                            power(c.stratum.decade));
       continue;
     }
     features.insert(c.stratum.feature);
     decades.insert(c.stratum.decade);
-    least = cells == 0 ? n : std::min(least, n);
-    most = std::max(most, n);
+    least = cells == 0 ? c.pairs : std::min(least, c.pairs);
+    most = std::max(most, c.pairs);
     ++cells;
-    all += n;
+    all += c.pairs;
     wrong += c.wrong;
     wrong_cells += c.wrong > 0;
-    worst_rate = std::max(worst_rate, error_rate_bound(n, c.wrong));
+    worst = std::max(worst, error_rate_bound(c.pairs, c.wrong));
   }
-
-  std::string text = one_line(method.name) + ": ";
-  if (cells == 0 && method.rounded.pairs > 0) return text + rounded_in_words(method.rounded);
-  if (cells == 0) {
-    text += "nothing proved, no independent pair decided in any cell it claims";
-  } else {
-    const std::string each = least == most ? grouped(least) : grouped(least) + " to " + grouped(most);
-    text += wrong == 0
-                ? fmt::format("right on {} independent {} in each of", each, most == 1 ? "pair" : "pairs")
-                : fmt::format("wrong on {} of {} independent pairs, in {} of", grouped(wrong), grouped(all),
-                              grouped(wrong_cells));
+  const std::string name = one_line(method.name);
+  std::vector<std::string> facts;
+  if (cells > 0) {
     // The decade d holds margins above 10^(-d-1), up to 10^-d.
-    text += fmt::format(
-        " {} ({} {} {} of margin from {} to {} it claims{}), error rate <= {:.1e} in each at 95 %, <= {:.1e} "
-        "over all {}",
-        plural(cells, "cell"), plural(features.size(), "contact feature"),
-        cells == features.size() * decades.size() ? "x" : "in", plural(decades.size(), "decade"),
-        power(*decades.begin()), power(*decades.rbegin() + 1),
-        wrong == 0 ? "" : fmt::format("; {} pairs in each", each), worst_rate, error_rate_bound(all, wrong),
-        grouped(all));
+    facts.push_back(fmt::format(
+        "They fill {}: {} {} {} of margin from {} to {}.", plural(cells, "cell"),
+        plural(features.size(), "contact feature"), cells == features.size() * decades.size() ? "x" : "in",
+        plural(decades.size(), "decade"), power(*decades.begin()), power(*decades.rbegin() + 1)));
+    if (wrong > 0) facts.push_back(fmt::format("Its errors lie in {}.", plural(wrong_cells, "cell")));
+    facts.push_back(fmt::format("Each cell has {}.", least == most
+                                                         ? plural(least, "pair")
+                                                         : grouped(least) + " to " + plural(most, "pair")));
+    facts.push_back(fmt::format("The error rate is {} overall and {} in each cell, at 95 % confidence.",
+                                rate(error_rate_bound(all, wrong)), rate(worst)));
   }
-  if (undecided > 0) text += fmt::format("; undecided on {} more", grouped(undecided));
-  if (!empty.empty()) text += "; empty: " + empty;
-  text += close_in_words(method.close_cells);
-  const std::string rounded = rounded_in_words(method.rounded);
-  return rounded.empty() ? text : text + "; " + rounded;
+  if (undecided > 0) facts.push_back(fmt::format("It is undecided on {} more.", grouped(undecided)));
+  if (!empty.empty()) facts.push_back(fmt::format("No decided pair: {}.", empty));
+  const std::string first =
+      cells > 0 ? fmt::format("{} is {} independent random pairs that it claims.", name,
+                              success(all, wrong, "right on all"))
+                : fmt::format("Nothing is proved of {}: it decided no random pair that it claims.", name);
+  return wrapped("", first) + as_lines(facts);
+}
+
+}  // namespace
+
+std::string proved_in_words(const GateMethod& method) {
+  const bool only_rounded =
+      method.rounded.pairs > 0 &&
+      std::ranges::none_of(method.cells, [](const GateCell& c) { return c.claimed && c.pairs > 0; });
+  return (only_rounded ? "" : strata_in_words(method)) + close_in_words(method) + rounded_in_words(method);
 }
 
 std::string gate_text(const GateReport& report) {
@@ -331,14 +356,14 @@ std::string gate_text(const GateReport& report) {
                         p.time.count() / 1000, p.time.count() % 1000 / 100);
   }
   if (report.undecided_truths > 0)
-    text += fmt::format("nothing could be proved of {}\n", pairs_in_words(report.undecided_truths));
+    text += fmt::format("the referee could not decide {}\n", pairs_in_words(report.undecided_truths));
   for (const std::string& line : report.not_asked) text += wrapped("NOT ASKED: ", one_line(line));
   text += '\n' + methods_table(report) + '\n' + failures_text(report) + '\n';
   for (const GateMethod& m : report.methods)
     if (table_helps(m)) text += cells_table(m) + '\n';
   for (const GateMethod& m : report.methods)
     if (std::any_of(m.close_cells.begin(), m.close_cells.end(), is_wrong)) text += close_table(m) + '\n';
-  for (const GateMethod& m : report.methods) text += wrapped("", proved_in_words(m));
+  for (const GateMethod& m : report.methods) text += proved_in_words(m);
   return text;
 }
 

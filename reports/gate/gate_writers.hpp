@@ -15,13 +15,13 @@ inline constexpr std::size_t also_cap = 5;
 /// Breaks in one line each (within claims, or known), of all methods together; then how many more.
 inline constexpr std::size_t brief_cap = 20;
 
-/// Returns what people read: what was not asked, what came of each method, what broke and how to see it
-/// again, and last, in one line a method, what was proved. Beside the pairs and what is quoted of methods, no
-/// line is wider than 120 columns.
+/// Returns the report for people: what was not asked, the counts of each method, each failure with a command
+/// that replays it, and last what was proved of each method. No line is wider than 120 columns, except for
+/// pairs and quotations of methods.
 std::string gate_text(const GateReport& report);
 
-/// Returns the last line of one method: what its independent pairs prove. Nothing of it comes from kept cases
-/// or from laws.
+/// Returns the last lines of one method: what its independent random pairs prove, one fact a line. Cases and
+/// laws do not count.
 std::string proved_in_words(const GateMethod& method);
 
 /// Returns JUnit XML, the form that build servers read: one testsuite a method; in it one testcase a law

@@ -190,7 +190,7 @@ std::vector<BenchRow> read_bench(const fs::path& file) {
       rows.push_back(std::move(row));
     }
   } catch (const nlohmann::json::exception&) {
-    throw InputError(file.string() + " is no result of `daylight bench --json`");
+    throw InputError(file.string() + " is not a result of `daylight bench --json`");
   }
   return rows;
 }

@@ -96,10 +96,12 @@ std::string format_history(const History& history) {
     return fmt::format("{} {}", history.count(status), to_string(status));
   };
   std::string text = fmt::format(
-      "against {} earlier run{} beside it, by method, kind and family: {}, {}, {}, {}, {}", history.runs,
-      history.runs == 1 ? "" : "s", number(Recurrence::fresh), number(Recurrence::back),
+      "compared with {} earlier run{} in the same folder, groups by method, kind and family: {}, {}, {}, {}, "
+      "{}",
+      history.runs, history.runs == 1 ? "" : "s", number(Recurrence::fresh), number(Recurrence::back),
       number(Recurrence::gone), number(Recurrence::known), number(Recurrence::rare));
-  if (history.unreadable > 0) text += fmt::format("; {} that cannot be read passed over", history.unreadable);
+  if (history.unreadable > 0)
+    text += fmt::format("\n  skipped because they cannot be read: {} runs", history.unreadable);
   return text;
 }
 

@@ -59,12 +59,12 @@ TEST_F(HistoryTest, TellsNewKnownBackAndGone) {
   EXPECT_EQ(standing("a", "x", "lost"), "back");
   EXPECT_EQ(standing("a", "x", "late"), "gone");
   EXPECT_EQ(standing("a", "x", "old"), "") << "gone before";
-  EXPECT_EQ(
-      format_history(read_run(folder / "a").history),
-      "against 2 earlier runs beside it, by method, kind and family: 2 new, 1 back, 1 gone, 1 known, 1 rare");
-  EXPECT_EQ(
-      format_history(read_run(folder / "c").history),
-      "against 0 earlier runs beside it, by method, kind and family: 3 new, 0 back, 0 gone, 0 known, 0 rare");
+  EXPECT_EQ(format_history(read_run(folder / "a").history),
+            "compared with 2 earlier runs in the same folder, groups by method, kind and family: 2 new, 1 "
+            "back, 1 gone, 1 known, 1 rare");
+  EXPECT_EQ(format_history(read_run(folder / "c").history),
+            "compared with 0 earlier runs in the same folder, groups by method, kind and family: 3 new, 0 "
+            "back, 0 gone, 0 known, 0 rare");
 }
 
 TEST_F(HistoryTest, ARunThatDidNotAskDoesNotCount) {
@@ -90,10 +90,10 @@ TEST_F(HistoryTest, PassesOverWhatCannotBeRead) {
   run("2", "2026-11-02", {{"x", {"held"}}});
   fs::create_directories(folder / "broken");
   std::ofstream(folder / "broken" / "run.sqlite") << std::string(4096, '?');
-  EXPECT_EQ(
-      format_history(read_run(folder / "2").history),
-      "against 1 earlier run beside it, by method, kind and family: 0 new, 0 back, 0 gone, 1 known, 0 rare; "
-      "1 that cannot be read passed over");
+  EXPECT_EQ(format_history(read_run(folder / "2").history),
+            "compared with 1 earlier run in the same folder, groups by method, kind and family: 0 new, 0 "
+            "back, 0 gone, 1 known, 0 rare\n"
+            "  skipped because they cannot be read: 1 runs");
 }
 
 }  // namespace

@@ -327,7 +327,7 @@ void add_charts(json& report, const RunData& run) {
   for (const char* section : {"maps", "honesty", "speed", "cost", "paths", "backward", "builds"}) {
     report[section] = run.charts.value(section, nlohmann::json::array());
     if (!report[section].is_array())
-      throw std::runtime_error(fmt::format("{}/charts.json: {} is no array", run.folder, section));
+      throw std::runtime_error(fmt::format("{}/charts.json: {} is not an array", run.folder, section));
   }
   if (run.charts.contains("speed_on")) report["speed_on"] = run.charts.at("speed_on");
 }

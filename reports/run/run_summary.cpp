@@ -84,14 +84,15 @@ std::string format_summary(const RunData& run) {
     ++own;
     own_wrong += c.contract + c.failed > 0;
   }
-  std::string text = fmt::format("{} pairs judged by proof, {} left undecided; {} methods asked\n", judged,
-                                 undecided, asked);
+  std::string text = fmt::format("pairs: {}, {} undecided\nmethods: {}\n", judged, undecided, asked);
   if (run.history.runs + run.history.unreadable > 0) text += format_history(run.history) + '\n';
-  text += fmt::format("wrong beyond their claims: {} methods, {} times (within them {} times)\n  most: {}\n",
-                      beyond.size(), all_beyond, all_within, most_of(beyond));
-  text += fmt::format("broke: {}\n", most_of(failures_of(run)));
-  if (misstated > 0) text += fmt::format("{} cases state what is refuted\n", misstated);
-  if (own > 0) text += fmt::format("ours: {} of {} wrong\n", own_wrong, own);
+  text += fmt::format("wrong beyond the claim: {} methods, {} answers\n  most: {}\n", beyond.size(),
+                      all_beyond, most_of(beyond));
+  text += fmt::format("wrong within the claim: {} answers\n", all_within);
+  text += fmt::format("failed: {}\n", most_of(failures_of(run)));
+  if (misstated > 0) text += fmt::format("cases with a wrong verdict: {}\n", misstated);
+  if (own > 0)
+    text += fmt::format("our methods: {} of {} wrong beyond the claim or failed\n", own_wrong, own);
   if (const std::string checks = format_self_checks(run.self_checks); !checks.empty()) text += checks + '\n';
   return text;
 }

@@ -48,19 +48,20 @@ std::string proof_text(const Scene& scene, const MotionProof& proof) {
     case MotionVerdict::within:
       return fmt::format(
           "comes within the clearance: distance {:.3g}{}{}", proof.least, joints_text(scene, proof),
-          proof.bound > 0 ? fmt::format("; never touches: at least {}, proved", rounded_down(proof.bound))
-                          : "");
+          proof.bound > 0
+              ? fmt::format(", but never touches (proved: at least {})", rounded_down(proof.bound))
+              : "");
     case MotionVerdict::open:
       break;
   }
   if (proof.contradicted)
-    return fmt::format("seen nearer than was proved: a fault of daylight; {:.3g} seen", proof.least);
+    return fmt::format("seen nearer than proved, which is a fault of daylight ({:.3g} seen)", proof.least);
   if (proof.bounded)
     return fmt::format("near only by the bound of a box or mesh: {:.3g}{}", proof.least,
                        joints_text(scene, proof));
   if (proof.held)
-    return fmt::format("a joint between them moves farther in truth than here; {:.3g} seen", proof.least);
-  return fmt::format("nothing proved of {:.3g} % of what their {} joints may do; {:.3g} seen",
+    return fmt::format("a joint between them really moves farther than here ({:.3g} seen)", proof.least);
+  return fmt::format("nothing proved for {:.3g} % of the range of their {} joints ({:.3g} seen)",
                      100 * proof.open_share, proof.between.size(), proof.least);
 }
 
@@ -100,28 +101,29 @@ std::string motions_words(const SceneOptions& q, const SceneStudy& s) {
   };
   const Counts pairs = count_verdicts(s.motions->pairs), exempt = count_verdicts(s.motions->exemptions);
   std::string text = fmt::format(
-      "over all motions: of {} pairs {} are never within {}, proved; {} meet in a configuration that is "
-      "shown; "
-      "{}{} are open, at {} boxes each",
-      s.pairs.size(), of(pairs, MotionVerdict::never), q.clearance, of(pairs, MotionVerdict::refuted),
-      q.clearance > 0 ? fmt::format("{} come within the clearance in one, and no contact was found; ",
-                                    of(pairs, MotionVerdict::within))
-                      : "",
+      "over all motions, {}: {} proved never within {}, {} meet in a configuration that is shown, {}{} open "
+      "after {} boxes",
+      s.pairs.size() == 1 ? "1 pair" : fmt::format("{} pairs", s.pairs.size()),
+      of(pairs, MotionVerdict::never), q.clearance, of(pairs, MotionVerdict::refuted),
+      q.clearance > 0
+          ? fmt::format("{} within the clearance without a contact, ", of(pairs, MotionVerdict::within))
+          : "",
       of(pairs, MotionVerdict::open), q.motion_boxes);
   if (!s.motions->exemptions.empty())
-    text += fmt::format("; of {} link pairs that the SRDF says never meet {} are proved, {} REFUTED, {} open",
+    text += fmt::format("\n\"Never\" in the SRDF, {} link pairs: {} proved, {} REFUTED, {} open",
                         s.motions->exemptions.size(),
                         of(exempt, MotionVerdict::never) + of(exempt, MotionVerdict::within),
                         of(exempt, MotionVerdict::refuted), of(exempt, MotionVerdict::open));
   if (of(exempt, MotionVerdict::within) > 0)
-    text += fmt::format(" ({} of the proved come within the clearance, but never touch)",
+    text += fmt::format(" ({} of the proved pairs come within the clearance, but never touch)",
                         of(exempt, MotionVerdict::within));
-  text += fmt::format("; {:.1f} s", s.motions->ms / 1000);
+  text += fmt::format("\ntime of the proofs: {:.1f} s", s.motions->ms / 1000);
   if (s.motions->contradicted > 0)
-    text += fmt::format("; {} SEEN NEARER THAN PROVED: a fault of daylight, and nothing is claimed of them",
-                        s.motions->contradicted);
+    text += fmt::format(
+        "\nSEEN NEARER THAN PROVED: {}, which is a fault of daylight. Nothing is claimed of these pairs.",
+        s.motions->contradicted);
   else if (s.motions->against > 0)
-    text += fmt::format("; in {} other configurations none are nearer than proved", s.motions->against);
+    text += fmt::format("\nin {} other configurations no pair is nearer than proved", s.motions->against);
   return text;
 }
 
@@ -146,7 +148,7 @@ std::string motions_text(const Scene& scene, const SceneStudy& s, bool every_pai
                         scene.bodies[proof->b].name, proof_text(scene, *proof));
   }
   if (left_out > 0)
-    text += fmt::format("  {:<8} {} more; --table lists them\n", to_string(MotionVerdict::never),
+    text += fmt::format("  {:<8} {} more, which --table lists\n", to_string(MotionVerdict::never),
                         left_out == 1 ? "1 pair" : fmt::format("{} pairs", left_out));
   return text;
 }

@@ -42,8 +42,8 @@ json near_pair_json(const NearPair& pair) {
 std::string check_text(const ClosePairsCheck& check) {
   const auto& [referee, certificates, referee_ms, certificates_ms] = check;
   return fmt::format(
-      "referee: {} pairs asked, {} wrong, {} not proved; {:.0f} ms\n"
-      "certificates: {} checked, {} failed, {} pairs without one; {:.0f} ms\n",
+      "referee: {} pairs judged, {} wrong, {} not proved, {:.0f} ms\n"
+      "certificates: {} checked, {} failed, {} pairs without one, {:.0f} ms\n",
       referee.asked, referee.wrong, referee.undecided, referee_ms, certificates.checked, certificates.failed,
       certificates.undecided, certificates_ms);
 }
@@ -61,7 +61,7 @@ std::string csv_field(const std::string& text) {
 std::string near_text(const NearStudy& study, std::size_t listed) {
   const ClosePairs& s = study.pairs;
   std::string text = fmt::format(
-      "{} cylinders; boxes of {} pairs meet; {} pairs within {}, {} undecided\n"
+      "{} cylinders\n{} pairs with boxes that meet: {} within {}, {} undecided\n"
       "decided by: spheres {}, cylinders {}, distances {}, proofs {}\n"
       "CPU time: models {:.1f} ms, tree of boxes {:.1f} ms, decisions {:.1f} ms\n",
       s.bodies, s.candidates.size(), s.within.size(), study.clearance, s.undecided,

@@ -88,8 +88,8 @@ TEST(NearReport, ListsTheNearestPairsByName) {
   study.check->certificates.checked = 4;
   study.check->certificates.undecided = 1;
   const std::string text = near_text(study, 1), csv = near_csv(study);
-  EXPECT_NE(text.find("\nreferee: 5 pairs asked, 0 wrong, 0 not proved; 0 ms\n"
-                      "certificates: 4 checked, 0 failed, 1 pairs without one; 0 ms\n"),
+  EXPECT_NE(text.find("\nreferee: 5 pairs judged, 0 wrong, 0 not proved, 0 ms\n"
+                      "certificates: 4 checked, 0 failed, 1 pairs without one, 0 ms\n"),
             text.npos);
   EXPECT_TRUE(text.ends_with("  a \"rod\", long - " + hostile + "\n")) << text;
   EXPECT_NE(csv.find("\n\"a \"\"rod\"\", long\",\"</script><img src=x onerror=alert(1)>\"\""), csv.npos)

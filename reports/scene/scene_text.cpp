@@ -83,7 +83,7 @@ std::string pairs_words(const Scene& scene, const SceneStudy& s) {
           ? ""
           : fmt::format(" ({} disables {})", scene.srdf, plural(scene.exemptions.size(), "link pair")));
   if (s.pairs.empty() && by_bits > 0)
-    text += fmt::format("; contype and conaffinity let {} collide: --all-pairs checks them",
+    text += fmt::format("\n  contype and conaffinity let {} collide: --all-pairs checks them",
                         by_bits == all ? "no two shapes" : fmt::format("{} not", plural(by_bits, "pair")));
   return text;
 }
@@ -105,12 +105,11 @@ std::string configurations_words(const Scene& scene, const SceneOptions& q, cons
       plural(s.configurations, "configuration"), q.clearance, plural(unseen, "pair"), always,
       s.pairs.size() - unseen - always - unknown, unknown ? fmt::format(", {} not known", unknown) : "");
   if (s.drawn && least > 0)
-    text +=
-        fmt::format("; each of the first two may be otherwise in less than {} of all configurations, at 95 %",
-                    rate_text(least));
+    text += fmt::format("\n  the first two are true in all but {} of all configurations, at 95 % confidence",
+                        rate_text(least));
   if (further > 0)
-    text +=
-        fmt::format("; up to {} drawn for {} whose model was not seen wrong", most, plural(further, "pair"));
+    text += fmt::format("\n  up to {} draws for {} whose model was never seen wrong", most,
+                        plural(further, "pair"));
   return text;
 }
 
@@ -129,8 +128,9 @@ std::string models_table(const SceneOptions& q, const SceneStudy& s) {
                         count_text(t.wrong_pairs), length_text(t.alarm), length_text(t.missed));
   }
   if (s.asked_referee > 0)
-    text += fmt::format("{} left to the referee, {} of them not proved and taken for within\n",
-                        plural(s.asked_referee, "sample"), s.undecided);
+    text +=
+        fmt::format("the referee judged {}. It could not prove {}, which count as within the clearance.\n",
+                    plural(s.asked_referee, "sample"), s.undecided);
   return text;
 }
 
@@ -175,9 +175,11 @@ std::string surely(const Scene& scene, const SceneOptions& q, const SceneStudy& 
       least = pair.samples;
   if (least == 0) return "";
   const bool wide = error_rate_bound(least, 0) > q.rate;
-  return fmt::format(
-      " (each wrong in less than {} of all configurations, at 95 %{})", rate_text(least),
-      wide ? fmt::format("; {} were asked for, --most ends it", fmt::format("{:.3g} %", 100 * q.rate)) : "");
+  return fmt::format(" (each wrong in less than {} of all configurations, at 95 % confidence{})",
+                     rate_text(least),
+                     wide ? fmt::format(", more than the wanted {}, because --most was reached",
+                                        fmt::format("{:.3g} %", 100 * q.rate))
+                          : "");
 }
 
 std::string enough_words(const Scene& scene, const SceneOptions& q, const SceneStudy& s) {
@@ -193,8 +195,8 @@ std::string enough_words(const Scene& scene, const SceneOptions& q, const SceneS
                                  plural(all, "pair"), capsules);
   if (s.drawn && capsules > 0) text += surely(scene, q, s);
   if (capsules == all) return text;
-  return text + (all - capsules == 1 ? "; this one needs more"
-                                     : fmt::format("; these {} need more", all - capsules));
+  return text + (all - capsules == 1 ? ", but this one needs more"
+                                     : fmt::format(", but these {} need more", all - capsules));
 }
 
 /// The level of the cylinders is that of what the file has.
@@ -252,9 +254,9 @@ constexpr double least_saving = 0.1;
 std::string cost_words(const SceneStudy& s) {
   const double alone = s.alone_ns[index_of(Level::cylinder)];
   return fmt::format(
-      "{:.2f} us a configuration, against {:.2f} us with the {} test for every pair{}; {:.2f} us more to "
-      "move "
-      "the bodies",
+      "{:.2f} us for a configuration, and {:.2f} us with the {} test for every pair{}. Moving the bodies "
+      "takes "
+      "another {:.2f} us.",
       s.cascade_ns / 1000, alone / 1000, to_string(Level::cylinder),
       s.cascade_ns > (1 - least_saving) * alone ? ": IT SAVES NOTHING" : "",
       (s.kinematics_ns + s.models_ns) / 1000);
@@ -270,13 +272,13 @@ std::string forgiven_words(const SceneOptions& q, const SceneStudy& s) {
 std::string capsules_words(const SceneOptions& q, const SceneStudy& s) {
   const Total t = total_of(s, Level::outer, q.tolerated);
   if (t.wrong == 0)
-    return "capsules in every cylinder's place: the same answer in every sample" +
-           (s.drawn ? fmt::format(", another in less than {} of all configurations at 95 %",
-                                  rate_text(s.configurations))
-                    : "");
+    return "capsules instead of all cylinders: the same answer in every sample" +
+           (s.drawn
+                ? fmt::format(", another answer in less than {} of all configurations, at 95 % confidence",
+                              rate_text(s.configurations))
+                : "");
   return fmt::format(
-      "capsules in every cylinder's place: not the same: {} in {}, of cylinders up to {:.3g} beyond the "
-      "clearance",
+      "capsules instead of all cylinders: {} in {}, of cylinders up to {:.3g} beyond the clearance",
       plural(t.wrong, "false alarm"), plural(t.wrong_pairs, "pair"), t.alarm);
 }
 
@@ -287,11 +289,11 @@ std::vector<std::string> rounding_words(const SceneStudy& s) {
   for (const RoundingCost& r : s.roundings) {
     const double saved = 100 * (1 - r.ns / s.cascade_ns);
     if (r.cheaper == 0) continue;
-    words.push_back(fmt::format("rounding {} costs {} in {} and saves {}, on {} (all solids rounded so: {})",
-                                r.rounding, plural(r.alarms, "false alarm"),
-                                plural(s.configurations, "configuration"),
-                                saved >= 0.5 ? fmt::format("{:.0f} % of the time", saved) : "no time",
-                                plural(r.cheaper, "pair"), r.all_rounded));
+    words.push_back(
+        fmt::format("rounding {} costs {} in {} and saves {}, on {} (if all solids are rounded: {})",
+                    r.rounding, plural(r.alarms, "false alarm"), plural(s.configurations, "configuration"),
+                    saved >= 0.5 ? fmt::format("{:.0f} % of the time", saved) : "no time",
+                    plural(r.cheaper, "pair"), r.all_rounded));
   }
   if (words.empty() && !s.roundings.empty())
     words.push_back(fmt::format("no rounding up to {} would make it cheaper", s.roundings.back().rounding));
@@ -307,8 +309,8 @@ std::string closest_words(const Scene& scene, const SceneOptions& q, const Scene
   const ClosestCall& c = *s.closest;
   const double miss = std::abs(c.distance - q.clearance);
   return fmt::format(
-      "closest call: {} - {} in configuration {}, {:.3g} {} the clearance; an error of {:.1e} of their size "
-      "({:.3g}) would change it",
+      "closest call: {} - {} in configuration {}, {:.3g} {} the clearance. An error of {:.1e} of their size "
+      "({:.3g}) would change the answer.",
       bound_or_body(scene, c.a), bound_or_body(scene, c.b), c.configuration, miss,
       c.distance > q.clearance ? "beyond" : "below", miss / c.size, c.size);
 }
@@ -316,7 +318,7 @@ std::string closest_words(const Scene& scene, const SceneOptions& q, const Scene
 std::string verified_words(const SceneStudy& s) {
   if (!s.verification) return "";
   const Verification& v = *s.verification;
-  return fmt::format("referee: {} asked, {} wrong, {} tolerated, {} not proved",
+  return fmt::format("referee: {} judged, {} wrong, {} tolerated, {} not proved",
                      plural(v.asked, "recommended answer"), v.wrong, v.tolerated, v.undecided);
 }
 

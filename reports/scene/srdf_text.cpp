@@ -50,13 +50,13 @@ class SrdfWriter {
   }
 
   std::string text() const {
-    std::string out =
-        fmt::format("<?xml version=\"1.0\"?>\n{}\n<robot name=\"{}\">\n",
-                    comment_text(fmt::format(
-                        "Pairs of links of {} that need no check: one carries the other, or they are "
-                        "proved never to touch, over all motions; clearance {}.",
-                        q_.file, q_.clearance)),
-                    attribute_text(scene_.name.empty() ? "robot" : scene_.name));
+    std::string out = fmt::format(
+        "<?xml version=\"1.0\"?>\n{}\n<robot name=\"{}\">\n",
+        comment_text(fmt::format(
+            "Pairs of links of {} that need no check, because one carries the other, or because they "
+            "are proved never to touch in any motion. The clearance is {}.",
+            q_.file, q_.clearance)),
+        attribute_text(scene_.name.empty() ? "robot" : scene_.name));
     for (std::size_t b = 0; b < scene_.links.size(); ++b)
       for (std::size_t a = 0; a < b; ++a)
         if (scene_.links[a].shapes > 0 && scene_.links[b].shapes > 0) out += line({a, b});
@@ -108,9 +108,9 @@ class SrdfWriter {
 
   std::string enabled(const LinkPair& links, const std::string& why) const {
     const auto said = exempt_.find(links);
-    const std::string against =
-        said == exempt_.end() ? ""
-                              : fmt::format(", though {} says \"{}\"", scene_.srdf, said->second->reason);
+    const std::string against = said == exempt_.end() ? ""
+                                                      : fmt::format(", although {} has the reason \"{}\"",
+                                                                    scene_.srdf, said->second->reason);
     return fmt::format("  {}\n",
                        comment_text(fmt::format("{} - {}: not disabled{}: {}", scene_.links[links.first].name,
                                                 scene_.links[links.second].name, against, why)));

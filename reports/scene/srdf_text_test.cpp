@@ -114,8 +114,9 @@ TEST(SrdfText, KeepsOfAnSrdfWhatIsProved) {
     EXPECT_EQ(reasons.at({"counterweight", "hook"}), "Never");
     EXPECT_EQ(reasons.at({"hook", "tower"}), "Never");
     EXPECT_FALSE(reasons.contains({"tower", "trolley"})) << reason;
-    EXPECT_NE(text.find("tower - trolley: not disabled, though "), text.npos) << text;
-    EXPECT_NE(text.find(std::string(" says \"") + reason + "\": refuted: distance "), text.npos) << text;
+    EXPECT_NE(text.find("tower - trolley: not disabled, although "), text.npos) << text;
+    EXPECT_NE(text.find(std::string(" has the reason \"") + reason + "\": refuted: distance "), text.npos)
+        << text;
     EXPECT_FALSE(reasons.contains({"boom", "tower"})) << "two joints are between them";
     scene.exemptions.pop_back();
   }

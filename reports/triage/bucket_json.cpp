@@ -95,9 +95,10 @@ std::string format_bucket(const Bucket& b) {
                       counted(b.methods.size(), "method", "methods"));
   if (b.margin) text += fmt::format("; margins {:.1e} to at least {:.1e}", b.margin->lo, b.margin->hi);
   if (b.worst_was_searched)
-    text += fmt::format(", at least {:.1e} searched for", end_of(b.worst.at("margin").at(0)));
+    text += fmt::format(", at least {:.1e} by search", end_of(b.worst.at("margin").at(0)));
   if (b.share)
-    text += fmt::format("; {} wrong on {} of {} drawn like it", b.method, b.share->wrong, b.share->asked);
+    text += fmt::format("; {} is wrong on {} of {} similar random pairs", b.method, b.share->wrong,
+                        b.share->asked);
   return text + fmt::format("\n    {}: {}\n", some_of(b.methods), b.simplest.at("pair").dump());
 }
 

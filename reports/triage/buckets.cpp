@@ -198,7 +198,8 @@ Json case_json(const ShownPair& shown, const std::optional<CaseDistance>& distan
     for_each_answer(said, [&](const Json& answer, const auto& its_methods) {
       if (!right_today || std::ranges::count(its_methods, finding->method) == 0) return;
       c["answers"][finding->method] = answer;
-      c["note"] = fmt::format("{} said this in the run; asked again, alone, it does not", finding->method);
+      c["note"] = fmt::format("{} gave this answer in the run, but not when it was asked again alone",
+                              finding->method);
     });
   }
   c["replay"] = own_command() + " replay " + shell_quoted(replayed);
@@ -225,8 +226,9 @@ void show_worst(Bucket& b, const Group& group, const ShownPair& simplest, PairSh
   b.worst = case_json(shown, distance_of(shown.trial), b.worst_was_searched ? nullptr : group.worst, methods,
                       b.worst_was_searched ? file : stored);
   if (b.worst_was_searched)
-    b.worst["note"] = fmt::format("searched for, with {}; the worst of the findings is {}, margin {:.3g}",
-                                  group.found->method, stored, least_margin(*group.worst));
+    b.worst["note"] =
+        fmt::format("found by a search from {}. The worst finding of the run is {}, with the margin {:.3g}",
+                    group.found->method, stored, least_margin(*group.worst));
 }
 
 /// Returns the drawn pair brought to the size of the model and, if `moved`, to its place.
@@ -301,22 +303,22 @@ void show_simplest(Bucket& b, const Group& group, const ShownPair& shown,
 
 /// What is said of a kind of finding.
 std::string kind_in_words(const std::string& kind) {
-  constexpr std::array words{"says disjoint of pairs that meet",
-                             "says intersecting of pairs with daylight between",
-                             "says touching of pairs that do not",
-                             "says invalid of legal pairs",
-                             "offers a witness that proves nothing",
-                             "says a distance that is not",
-                             "answers a number that is not finite",
-                             "throws",
+  constexpr std::array words{"answers disjoint for pairs that meet",
+                             "answers intersecting for disjoint pairs",
+                             "answers touching for pairs that do not touch",
+                             "answers invalid for valid pairs",
+                             "returns a witness that proves nothing",
+                             "returns a wrong distance",
+                             "returns a number that is not finite",
+                             "throws an exception",
                              "crashes",
-                             "does not come to an end",
-                             "gives no answer that means anything",
-                             "answers one question in two ways",
+                             "hangs",
+                             "returns a meaningless answer",
+                             "answers the same pair in two ways",
                              "the truth is undecided",
-                             "leaves pairs undecided that it promises to decide",
-                             "answers, and does what a method may not",
-                             "fails where much was asked before, and not alone",
+                             "is undecided on pairs that it claims to decide",
+                             "answers, but has a forbidden side effect",
+                             "fails after many pairs, but not on the pair alone",
                              "failed"};
   static_assert(words.size() == enum_values<FindingKind>.size());
   const auto known = from_word<FindingKind>(kind);
@@ -331,11 +333,11 @@ std::string cause_in_words(const std::string& key, Mechanism mechanism,
   for (const auto& [kind, reason] : reasons) {
     said += (said.empty() ? "" : "; ") + kind_in_words(kind);
     if (within && kind == to_string(FindingKind::bad_witness))
-      said += ", which a claim with a tolerance does not rule out";
+      said += ", which a claim with a tolerance allows";
     const bool thrown = kind == to_string(FindingKind::exception);
-    if (!reason.empty()) said += (thrown ? ", in its words: " : ": ") + escaped_controls(reason);
+    if (!reason.empty()) said += (thrown ? ", with the message: " : ": ") + escaped_controls(reason);
   }
-  if (within) return "within what it claims of itself: " + said;
+  if (within) return "within its claim: " + said;
   return mechanism == Mechanism::unclassified ? said : fmt::format("{} ({})", in_words(mechanism), said);
 }
 
@@ -377,17 +379,17 @@ std::vector<std::string> labels_of(const Bucket& b, const Group& group, const Tr
   std::vector<std::string> labels{b.cause};
   if (!b.seen_again)
     labels.push_back(
-        fmt::format("not seen again: {}, asked alone, does not fail so on what was tried", b.method));
+        fmt::format("not reproduced: {} does not fail in this way when it is asked alone", b.method));
   const auto kind = from_word<FindingKind>(b.kind);
   if (kind && hangs_on_our_sums(b.method, *kind, group.simplest->pair).value_or(false))
     labels.push_back(
-        "the simplest pair hangs on the last bit of our support function: right with its sums in another "
-        "order");
+        "the simplest pair depends on the last bit of our support function: the method is right if its sums "
+        "change their order");
   std::string elsewhere;
   if (const std::size_t m = index_of(methods, b.method); m < methods.size())
     for (const std::size_t sharer : methods_sharing_algorithm(of, m))
       elsewhere += (elsewhere.empty() ? "" : ", ") + std::string(methods[sharer]->name());
-  if (!elsewhere.empty()) labels.push_back("shared code, as the errors tell: " + elsewhere);
+  if (!elsewhere.empty()) labels.push_back("shared code, judging by common errors: " + elsewhere);
   std::vector<std::pair<std::size_t, std::string>> often;
   for (const auto& [label, n] : group.labels) often.emplace_back(group.findings.size() - n, label);
   std::sort(often.begin(), often.end());

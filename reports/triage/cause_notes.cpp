@@ -33,7 +33,7 @@ std::map<std::string, CauseNote> read_notes(const std::string& file) {
     const auto word = [&](const char* key) {
       const auto at = told.is_object() ? told.find(key) : told.end();
       if (!told.is_object() || at == told.end() || !at->is_string())
-        throw UsageError(fmt::format("{}: line {} is no note: {} is expected to be a text", file, line, key));
+        throw UsageError(fmt::format("{}: line {} is not a note: {} must be a text", file, line, key));
       return at->get<std::string>();
     };
     const std::string cause = word("cause");

@@ -53,9 +53,9 @@ std::string mechanism_labels(const Classification& found, std::span<const std::u
   std::string labels;
   const auto add = [&](const std::string& label) { labels += (labels.empty() ? "" : "\n") + label; };
   if (found.right_at_origin) add("offset: right at the origin");
-  if (found.capped) add("iteration cap: its search used up its steps");
-  if (found.larger) add("absolute length: right where it is larger");
-  if (found.smaller) add("absolute length: right where it is smaller");
+  if (found.capped) add("iteration cap: its search reached its maximum number of steps");
+  if (found.larger) add("absolute length: right if the pair is larger");
+  if (found.smaller) add("absolute length: right if the pair is smaller");
   if (found.right_sibling)
     add(fmt::format("own setting: {} is right", methods[*found.right_sibling]->name()));
   return labels;

@@ -129,7 +129,7 @@ void TriageContext::in_processes(const std::function<void(unsigned job)>& work) 
   }
   show();
   if (std::any_of(running.begin(), running.end(), [](const Child& child) { return child.status() != 0; }))
-    throw std::runtime_error("a process of the triage failed; run it again to go on");
+    throw std::runtime_error("a process of the triage failed: run it again to continue");
 }
 
 }  // namespace cyl

@@ -335,7 +335,7 @@ TEST(Triage, SearchesForAWorsePairAndKeepsIt) {
       << "where the original is";
   for (const Json& shown : {first.buckets[0].simplest, first.buckets[0].worst})
     for (const char* what : {"nearest", "direction"}) EXPECT_TRUE(shown.contains(what)) << what;
-  EXPECT_NE(format_buckets(first.buckets).find("searched for"), std::string::npos);
+  EXPECT_NE(format_buckets(first.buckets).find("by search"), std::string::npos);
 
   TriageStore store(folder, methods_line("test", quick_methods()));
   ASSERT_EQ(store.worsts().size(), 1u);
@@ -394,8 +394,9 @@ TEST(Buckets, TheWordsOfAFailureStandByItsKind) {
   const std::vector<std::size_t> groups{0};
   const auto buckets = make_buckets(records, {methods, groups}, [] { return true; });
   ASSERT_EQ(buckets.size(), 1u);
-  EXPECT_TRUE(buckets[0].cause.ends_with(
-      "(answers a number that is not finite: the witness is not finite; says disjoint of pairs that meet)"))
+  EXPECT_TRUE(
+      buckets[0].cause.ends_with("(returns a number that is not finite: the witness is not finite; answers "
+                                 "disjoint for pairs that meet)"))
       << buckets[0].cause;
 }
 
