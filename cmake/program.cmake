@@ -51,6 +51,8 @@ if(NOT CMAKE_CROSSCOMPILING)
   endforeach()
 endif()
 
+add_executable(print_answers reports/web/wasm/print_answers_main.cpp)
+target_link_libraries(print_answers PRIVATE daylight_reports_web_wasm)
 add_executable(compare_builds EXCLUDE_FROM_ALL bench/stability/builds_main.cpp)
 target_link_libraries(compare_builds PRIVATE daylight_bench_stability)
 add_executable(find_errata EXCLUDE_FROM_ALL tools/find_errata_main.cpp)

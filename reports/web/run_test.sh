@@ -5,6 +5,7 @@
 #     run_test.sh browser    a reader of the page; needs chromium, and npm ci in this folder
 #     run_test.sh scene DAYLIGHT    the same of the page of a scene, written by the executable DAYLIGHT
 #     run_test.sh robot DAYLIGHT    the robots on such pages: joints, gaps, proofs, words, and the CSV
+#     run_test.sh wasm PRINT_ANSWERS PAIRS [SEED]    the solver in WebAssembly answers as the native one
 #     run_test.sh build      the types are right, and a build gives the committed bytes; needs npm ci in this folder
 set -euo pipefail
 cd -- "$(dirname -- "$(readlink -f -- "${BASH_SOURCE[0]}")")"
@@ -42,5 +43,6 @@ case $1 in
   browser) node run/page_test.mjs ;;
   scene) scene "$2" ;;
   robot) robot "$2" ;;
+  wasm) node wasm/compare_test.mjs "${@:2}" ;;
   build) build ;;
 esac
