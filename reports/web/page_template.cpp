@@ -5,15 +5,21 @@
 
 #include <stdexcept>
 
-// The template as bytes of this program, by the assembler.
+// The template and the solver as bytes of this program, by the assembler.
 asm(".pushsection .rodata\n"
     "daylight_page_template:\n"
     ".incbin \"" DAYLIGHT_PAGE_TEMPLATE
     "\"\n"
     "daylight_page_template_end:\n"
     ".byte 0\n"
+    "daylight_page_solver:\n"
+    ".incbin \"" DAYLIGHT_PAGE_SOLVER
+    "\"\n"
+    "daylight_page_solver_end:\n"
+    ".byte 0\n"
     ".popsection\n");
 extern "C" const char daylight_page_template[], daylight_page_template_end[];
+extern "C" const char daylight_page_solver[], daylight_page_solver_end[];
 
 namespace cyl {
 namespace {
@@ -52,6 +58,11 @@ std::string fill_template(std::string_view json) {
   if (at == page.npos) throw std::runtime_error("the template of the page has no place for data");
   return std::string(page.substr(0, at)) + base64(compressed(json)) +
          std::string(page.substr(at + mark.size()));
+}
+
+std::string solver_in_base64() {
+  return base64(
+      {daylight_page_solver, static_cast<std::size_t>(daylight_page_solver_end - daylight_page_solver)});
 }
 
 }  // namespace cyl

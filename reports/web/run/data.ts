@@ -3,30 +3,7 @@
 // (reports/run/report_data.*); numbers are shortest round-trip decimals, so that JSON.parse gives the doubles back,
 // and "inf" or "-inf" of an open end of a distance, a margin or a claim (expand() makes numbers of them).
 // Sections that a run has nothing for are null or empty: the page says so and how to get them.
-import type { Coordinate, Pair, Vec, Verdict } from "../parts/data.ts";
-
-/** As one line of `daylight check --distance`. */
-export interface Truth {
-  verdict: Verdict;
-  direction?: Coordinate[];
-  point?: Coordinate[];
-  points?: [Coordinate[], Coordinate[]]; // one of a's core, one of b's
-  near?: { point?: Coordinate[]; points?: [Coordinate[], Coordinate[]]; direction: Coordinate[] };
-  distance?: [number, number];
-  stage?: "filter" | "wide" | "exact";
-}
-
-/** What a method said, as in a run's store. */
-export interface Answer {
-  verdict?: Verdict;
-  distance?: number;
-  direction?: number[];
-  point?: Coordinate[];
-  points?: [Coordinate[], Coordinate[]];
-  declined?: string;
-  failed?: string;
-  reason?: string;
-}
+import type { Answer, Pair, Truth, Vec, Verdict } from "../parts/data.ts";
 
 export interface Claim {
   relative: number;

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 // The data of the page, put back to the form of data.ts: every finding with its case.
 import { shellQuoted, short } from "../parts/words.ts";
-import type { Answer, Bucket, Case, FailureMap, Finding, MapCell } from "./data.ts";
-import type { PackedCase, Report, Standing, Truth } from "./data.ts";
+import type { Answer, Truth } from "../parts/data.ts";
+import type { Bucket, Case, FailureMap, Finding, MapCell } from "./data.ts";
+import type { PackedCase, Report, Standing } from "./data.ts";
 import { library } from "./words.ts";
 
 export interface FullReport extends Omit<Report, "findings" | "buckets" | "cases" | "names"> {
