@@ -44,7 +44,10 @@ export async function open(address, { scheme = "light", first, width = 1366 } = 
     if (!/^(file|data|blob):/.test(r.url())) asked.push(r.url());
   });
   await page.goto(address);
-  await page.waitForFunction(() => document.getElementById("page").hasChildNodes()); // drawn
+  await page.waitForFunction(() => {
+    const at = document.getElementById("page");
+    return at.hasChildNodes() && at.dataset.whole !== "false"; // drawn
+  });
   return page;
 }
 
@@ -125,7 +128,10 @@ export const paleWords = (page) =>
 /** The page with data in it, as page_template.cpp fills it. */
 export function filled(report) {
   const template = readFileSync(new URL("./page_template.html", import.meta.url), "utf8");
-  return template.replace("@@DAYLIGHT_REPORT_DATA@@", () => deflateSync(JSON.stringify(report)).toString("base64"));
+  return template.replace("@@DAYLIGHT_REPORT_DATA@@", () => deflateSync(JSON.stringify(report)).toString("base64")).replace(
+    /<script id="program">(.*?)<\/script>/s,
+    (_, program) => `<script type="text/plain" id="program">${deflateSync(program).toString("base64")}</script>`,
+  );
 }
 
 /** What the page of a file shows. */

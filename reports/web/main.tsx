@@ -2,6 +2,7 @@
 // The page: it shows the run or the scene that its data describe, or lets the reader play with pairs.
 import * as forNode from "./chart.ts";
 import { render } from "preact";
+import { inflated } from "./parts/inflate.ts";
 import { loadSolver } from "./parts/solver.ts";
 import { safe, safeTexts } from "./parts/words.ts";
 import type { Play } from "./play/data.ts";
@@ -20,8 +21,7 @@ const noData =
 async function dataOf(): Promise<unknown> {
   const text = document.getElementById("report-data")?.textContent ?? "";
   if (text === "" || text.startsWith("@")) return null;
-  const bytes = Uint8Array.from(atob(text), (c) => c.charCodeAt(0));
-  return new Response(new Blob([bytes]).stream().pipeThrough(new DecompressionStream("deflate"))).json();
+  return inflated(text).json();
 }
 
 /** The title of the page and what it shows; nothing in the template without data. */
