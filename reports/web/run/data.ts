@@ -4,6 +4,7 @@
 // and "inf" or "-inf" of an open end of a distance, a margin or a claim (expand() makes numbers of them).
 // Sections that a run has nothing for are null or empty: the page says so and how to get them.
 import type { Answer, Pair, Truth, Vec, Verdict } from "../parts/data.ts";
+import type { Columns } from "./columns.ts";
 
 export interface Claim {
   relative: number;
@@ -244,12 +245,12 @@ export interface Report {
     rows: { mutant: number; file: string; what: string; caught_by: string[]; equivalent?: string }[];
   } | null;
   buckets: (Omit<Bucket, "worst"> & { worst: Case | null })[];
-  findings: PackedFinding[];
+  findings: PackedFinding[] | Columns;
   findings_total: number;
   cases: PackedCase[];
   names: string[];
   unreadable?: number; // findings whose records hold no pair, and are left out
-  maps: FailureMap[];
+  maps: (Omit<FailureMap, "cells"> & { cells: MapCell[] | Columns })[];
   honesty: Calibration[];
   speed: SpeedPoint[];
   speed_on?: string; // the machine, compiler and date of these times

@@ -98,7 +98,7 @@ export function RunPage({ report }: { report: FullReport }) {
   const { detail } = address;
   const scrolled = useRef(0);
   const wasDetail = useRef(detail);
-  const finding = useMemo(() => new Map(report.findings.map((f) => [f.id, f])), [report]);
+  const finding = useMemo(() => new Map((isWhole ? report.findings : []).map((f) => [f.id, f])), [report, isWhole]);
   const bucket = useMemo(() => new Map(report.buckets.map((b) => [b.key, b])), [report]);
 
   useEffect(() => {
