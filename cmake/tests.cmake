@@ -97,9 +97,14 @@ daylight_script(glue_test cli 600 ${PROJECT_SOURCE_DIR}/vectors/cpp/glue_test.sh
 daylight_script(compare_test bench 600 ${Python3_EXECUTABLE} ${PROJECT_SOURCE_DIR}/bench/compare_test.py)
 daylight_script(family_table_test bench 60 ${Python3_EXECUTABLE} ${PROJECT_SOURCE_DIR}/bench/family_table_test.py)
 daylight_script(schemas_test reports 2400 ${Python3_EXECUTABLE} ${PROJECT_SOURCE_DIR}/reports/schemas/schemas_test.py ${program})
-foreach(part data browser build scene robot)
+foreach(part data browser build scene robot play)
   daylight_script(page_${part} reports 2400 ${PROJECT_SOURCE_DIR}/reports/web/run_test.sh ${part} ${program})
 endforeach()
+# The solver of the pages in WebAssembly, and the native one.
+daylight_script(wasm_answers reports 600 ${PROJECT_SOURCE_DIR}/reports/web/run_test.sh wasm $<TARGET_FILE:print_answers> 100000)
+daylight_script(wasm_answers_deep "reports;deep" 2400 ${PROJECT_SOURCE_DIR}/reports/web/run_test.sh wasm
+                $<TARGET_FILE:print_answers> 1000000 2)
+daylight_script(wasm_build reports 600 ${PROJECT_SOURCE_DIR}/reports/web/wasm/build.sh --check)
 daylight_script(hostile_test oracles 2400 ${Python3_EXECUTABLE} ${PROJECT_SOURCE_DIR}/oracles/methods/hostile_test.py
                 ${program})
 daylight_script(vectors_by_engine cli 600 bash -c "${PROJECT_SOURCE_DIR}/docs/results/vectors.py \"$0\" | diff ${PROJECT_SOURCE_DIR}/docs/results/vectors.md -" ${program})

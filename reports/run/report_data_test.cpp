@@ -29,6 +29,18 @@ using json = nlohmann::ordered_json;
 
 const std::string hostile = "</script></code></style><img src=x onerror=alert(1)>\"'&\x01<!--@@STYLE@@$&";
 
+/// The objects of a list that the page holds as columns.
+json objects_of(const json& columns) {
+  json objects = json::array();
+  for (const char* kind : {"full", "sparse"})
+    for (const auto& [key, column] : columns[kind].items())
+      for (std::size_t i = 0; i < column.size(); ++i) {
+        if (objects.size() <= i) objects.push_back(json::object());
+        if (!column[i].is_null() || kind == std::string_view("full")) objects[i][key] = column[i];
+      }
+  return objects;
+}
+
 class ReportData : public testing::Test {
  protected:
   void SetUp() override {
@@ -257,14 +269,38 @@ TEST_F(ReportData, KeepsHostileTextAsText) {
 
   const json report = parse_ordered_json(page_data(page));
   EXPECT_EQ(report["unreadable"], 1);
-  ASSERT_EQ(report["findings"].size(), 2u);
-  EXPECT_EQ(report["findings"][0]["method"], hostile);
-  EXPECT_EQ(report["findings"][0]["reason"], hostile);
+  const json findings = objects_of(report["findings"]);
+  ASSERT_EQ(findings.size(), 2u);
+  EXPECT_EQ(findings[0]["method"], hostile);
+  EXPECT_EQ(findings[0]["reason"], hostile);
   EXPECT_EQ(report["methods"][0]["claim"]["source"], hostile);
   EXPECT_EQ(report["run"]["seed"], hostile);
   EXPECT_EQ(report["cases"][0]["note"], hostile + "; " + hostile + "; " + hostile);
   EXPECT_EQ(report["cases"][1]["truth"]["verdict"], "undecided");
   EXPECT_EQ(report["cases"][1]["said"], json::array());
+}
+
+TEST_F(ReportData, ThePageHoldsTheSameFindingsAndMaps) {
+  RunStore store = RunStore::create(folder, {});
+  FindingRecord with_reason = finding(1, "other", 0.5), without_margin = finding(2, "fake", 1);
+  with_reason.reason = "why";
+  without_margin.margin.reset();
+  commit(store, {finding(0, "fake", 1), with_reason, without_margin});
+  const std::vector<json> cells = {{{"x", 1}, {"y", 2}, {"asked", 3}, {"finding", 4}},
+                                   {{"x", 2}, {"y", 0}, {"asked", 5}}};
+  const json maps = {{{"method", "fake"}, {"cells", cells}}, {{"method", "other"}, {"cells", json::array()}}};
+  put("charts.json", json{{"maps", maps}}.dump());
+  const RunData run = read_run(folder);
+  write_page(run);
+  std::ifstream in(folder / "report.html");
+  json page = parse_ordered_json(page_data({std::istreambuf_iterator<char>(in), {}})), whole = data();
+  EXPECT_TRUE(page["findings"].is_object()) << "they are packed";
+  EXPECT_EQ(nlohmann::json(objects_of(page["findings"])), nlohmann::json(whole["findings"]))
+      << "in any order of keys";
+  ASSERT_EQ(whole["findings"].size(), 3u);
+  ASSERT_EQ(page["maps"].size(), 2u);
+  for (std::size_t i = 0; i < 2; ++i)
+    EXPECT_EQ(nlohmann::json(objects_of(page["maps"][i]["cells"])), nlohmann::json(maps[i]["cells"]));
 }
 
 TEST_F(ReportData, NeedsNoNetworkAndStaysOneFile) {

@@ -54,19 +54,25 @@ async function bundle(options) {
   return { text: outputFiles[0].text, licences: licences(metafile) };
 }
 
+async function scriptOf(entry) {
+  const bundled = await bundle({ entryPoints: [entry], format: "iife", target: "es2022" });
+  return { ...bundled, text: bundled.text.trimEnd().replaceAll("</script", "<\\/script").replaceAll("<!--", "<\\!--") };
+}
+
 async function page() {
-  const bundled = await bundle({ entryPoints: ["main.tsx"], format: "iife", target: "es2022" });
-  const script = bundled.text.trimEnd().replaceAll("</script", "<\\/script").replaceAll("<!--", "<\\!--");
+  const program = await scriptOf("main.tsx"),
+    loader = await scriptOf("loader.ts");
   const style = (await bundle({ entryPoints: ["style.css"] })).text.trimEnd();
   const hash = (text) => `'sha256-${createHash("sha256").update(text).digest("base64")}'`;
-  const policy = `default-src 'none'; script-src ${hash(script)}; style-src 'unsafe-inline'; img-src data: blob:`;
+  const policy = `default-src 'none'; script-src ${hash(program.text)} ${hash(loader.text)} 'wasm-unsafe-eval'; style-src 'unsafe-inline'; img-src data: blob:`;
   // Functions: a string would have its $& replaced.
   return readFileSync(new URL("page.html", here), "utf8")
     .replace("@@STAMP@@", () => stamp)
     .replace("@@POLICY@@", () => policy)
-    .replace("@@LICENCES@@", () => bundled.licences)
+    .replace("@@LICENCES@@", () => program.licences)
     .replace("@@STYLE@@", () => style)
-    .replace("@@SCRIPT@@", () => script);
+    .replace("@@SCRIPT@@", () => program.text)
+    .replace("@@LOADER@@", () => loader.text);
 }
 
 const name = "page_template.html",

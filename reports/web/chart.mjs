@@ -8,7 +8,8 @@ import { pathToFileURL } from "node:url";
 import { runInThisContext } from "node:vm";
 
 const template = readFileSync(new URL("./page_template.html", import.meta.url), "utf8");
-const begin = template.lastIndexOf("<script>") + "<script>".length;
+const tag = '<script id="program">',
+  begin = template.lastIndexOf(tag) + tag.length;
 runInThisContext(template.slice(begin, template.indexOf("</script>", begin)), { filename: "page_template.html" });
 
 export const daylight = globalThis.daylight;

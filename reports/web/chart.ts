@@ -18,7 +18,7 @@ import {
 } from "./run/plots.ts";
 import { claimedDigits, expand, inRunOrder, type FullReport } from "./run/report.ts";
 
-export { exact, floorSqrt, prove } from "./run/prove.ts";
+export { exact, floorSqrt, prove } from "./parts/prove.ts";
 export { causesOf, chipCounts, filterOf, filtered, filteredCauses, queryOf, rowsOf } from "./run/filter.ts";
 export { isOrdinary, sorted, sortedCauses, viewOf, worstFirst } from "./run/filter.ts";
 export { wrongDistance } from "./run/distance.ts";
@@ -26,6 +26,8 @@ export { logGamma, sameRateProbability } from "./run/rates.ts";
 export { csvOf } from "./run/files.ts";
 export { glossary } from "./run/glossary.ts";
 export { csvCell } from "./parts/save.ts";
+export { loadSolver } from "./parts/solver.ts";
+export { addressOf, pairOf } from "./play/solids.ts";
 export { full, shellQuoted } from "./parts/words.ts";
 export { frameOf, standIn } from "./scene/study.ts";
 export { rowsOf as studyRowsOf } from "./scene/order.ts";

@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: MIT
-// The page: it shows the run or the scene that its data describe.
+// The page: it shows the run or the scene that its data describe, or lets the reader play with pairs.
 import * as forNode from "./chart.ts";
 import { render } from "preact";
+import { inflated } from "./parts/inflate.ts";
+import { loadSolver } from "./parts/solver.ts";
 import { safe, safeTexts } from "./parts/words.ts";
+import type { Play } from "./play/data.ts";
+import { PlayPage } from "./play/play_page.tsx";
 import type { Report } from "./run/data.ts";
 import { expand } from "./run/report.ts";
 import { RunPage } from "./run/run_page.tsx";
@@ -11,23 +15,27 @@ import type { Study } from "./scene/study.ts";
 
 const noData =
   "This is the page without its data. daylight campaign writes it with the data of a run, daylight scene --page with " +
-  "the data of a scene.";
+  "the data of a scene, daylight play with pairs to try.";
 
 /** From the element that page_template.cpp fills; null if it holds the mark of the template. */
 async function dataOf(): Promise<unknown> {
   const text = document.getElementById("report-data")?.textContent ?? "";
   if (text === "" || text.startsWith("@")) return null;
-  const bytes = Uint8Array.from(atob(text), (c) => c.charCodeAt(0));
-  return new Response(new Blob([bytes]).stream().pipeThrough(new DecompressionStream("deflate"))).json();
+  return inflated(text).json();
 }
 
 /** The title of the page and what it shows; nothing in the template without data. */
 async function shown() {
-  const data = (await dataOf()) as Report | Study | null;
+  const data = (await dataOf()) as Report | Study | Play | null;
   if (data === null) return null;
   if ("kept" in data) {
     const study = safeTexts(data);
     return { title: study.file, view: <StudyPage study={study} /> };
+  }
+  if ("solver" in data) {
+    const solver = await loadSolver(data.solver),
+      play = { solver: "", examples: safeTexts(data.examples) };
+    return { title: "play", view: <PlayPage play={play} solver={solver} /> };
   }
   return { title: safe(data.run.id), view: <RunPage report={expand(data)} /> };
 }

@@ -5,15 +5,21 @@
 
 #include <stdexcept>
 
-// The template as bytes of this program, by the assembler.
+// The template and the solver as bytes of this program, by the assembler.
 asm(".pushsection .rodata\n"
     "daylight_page_template:\n"
     ".incbin \"" DAYLIGHT_PAGE_TEMPLATE
     "\"\n"
     "daylight_page_template_end:\n"
     ".byte 0\n"
+    "daylight_page_solver:\n"
+    ".incbin \"" DAYLIGHT_PAGE_SOLVER
+    "\"\n"
+    "daylight_page_solver_end:\n"
+    ".byte 0\n"
     ".popsection\n");
 extern "C" const char daylight_page_template[], daylight_page_template_end[];
+extern "C" const char daylight_page_solver[], daylight_page_solver_end[];
 
 namespace cyl {
 namespace {
@@ -21,8 +27,8 @@ namespace {
 std::string compressed(std::string_view text) {
   uLongf size = compressBound(text.size());
   std::string bytes(size, '\0');
-  if (compress(reinterpret_cast<Bytef*>(bytes.data()), &size, reinterpret_cast<const Bytef*>(text.data()),
-               text.size()) != Z_OK)
+  if (compress2(reinterpret_cast<Bytef*>(bytes.data()), &size, reinterpret_cast<const Bytef*>(text.data()),
+                text.size(), Z_BEST_COMPRESSION) != Z_OK)
     throw std::runtime_error("compressing the data of the page failed");
   bytes.resize(size);
   return bytes;
@@ -45,13 +51,26 @@ std::string base64(std::string_view bytes) {
 }  // namespace
 
 std::string fill_template(std::string_view json) {
-  constexpr std::string_view mark = "@@DAYLIGHT_REPORT_DATA@@";  // stands where the data go, once
+  // Each stands in the template once, in this order.
+  constexpr std::string_view mark = "@@DAYLIGHT_REPORT_DATA@@", begin = "<script id=\"program\">",
+                             end = "</script>";
   const std::string_view page(daylight_page_template,
                               static_cast<std::size_t>(daylight_page_template_end - daylight_page_template));
-  const std::size_t at = page.find(mark);
-  if (at == page.npos) throw std::runtime_error("the template of the page has no place for data");
-  return std::string(page.substr(0, at)) + base64(compressed(json)) +
-         std::string(page.substr(at + mark.size()));
+  const std::size_t data = page.find(mark), tag = page.find(begin, data);
+  if (data == page.npos || tag == page.npos)
+    throw std::runtime_error("the template of the page lacks a place");
+  const std::size_t program = tag + begin.size(), rest = page.find(end, program);
+  std::string filled(page.substr(0, data));
+  filled += base64(compressed(json));
+  filled += page.substr(data + mark.size(), tag - data - mark.size());
+  filled += "<script type=\"text/plain\" id=\"program\">";
+  filled += base64(compressed(page.substr(program, rest - program)));
+  return filled += page.substr(rest);
+}
+
+std::string solver_in_base64() {
+  return base64(
+      {daylight_page_solver, static_cast<std::size_t>(daylight_page_solver_end - daylight_page_solver)});
 }
 
 }  // namespace cyl

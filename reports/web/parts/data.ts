@@ -18,3 +18,38 @@ export interface Pair {
   a: Cylinder;
   b: Cylinder;
 }
+
+/** What a flat solid lies in: its point is known by it better than by doubles. */
+export type Hull = "space" | "plane" | "line" | "center";
+
+/** As one line of `daylight check --distance`. */
+export interface Truth {
+  verdict: Verdict;
+  direction?: Coordinate[];
+  point?: Coordinate[];
+  points?: [Coordinate[], Coordinate[]]; // one of a's core, one of b's
+  near?: { point?: Coordinate[]; points?: [Coordinate[], Coordinate[]]; direction: Coordinate[] };
+  hulls?: [Hull, Hull]; // of a and b: the point meant is the nearest in both; of points, each in its own
+  distance?: [number, number];
+  stage?: "filter" | "wide" | "exact";
+}
+
+/** What a method said, as in a run's store. */
+export interface Answer {
+  verdict?: Verdict;
+  distance?: number;
+  direction?: number[];
+  point?: Coordinate[];
+  points?: [Coordinate[], Coordinate[]];
+  declined?: string;
+  failed?: string;
+  reason?: string;
+}
+
+/** What a drawing shows. */
+export interface Shown {
+  pair: Pair;
+  truth: Truth;
+  direction?: Vec; // unit, from a to b, where the signed distance is attained
+  nearest?: { a: Vec; b: Vec }; // nearest points (apart) or deepest (overlapping), where known
+}

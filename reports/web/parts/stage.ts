@@ -249,6 +249,8 @@ class Stage {
   private radius = 1; // of what has to be seen
   private waiting = false;
   private marks: Object3D[] = [];
+  /** Called after each drawing: what lies over the canvas moves along. */
+  drawn: () => void = () => {};
 
   constructor() {
     this.renderer = new WebGLRenderer({ antialias: true, alpha: true, preserveDrawingBuffer: true });
@@ -316,13 +318,32 @@ class Stage {
     this.camera.updateProjectionMatrix();
     for (const ball of this.marks) ball.scale.setScalar((0.012 * half * 2) / this.camera.zoom);
     this.renderer.render(this.scene, this.camera);
+    this.drawn();
+  }
+
+  private get pixel() {
+    return (this.camera.top - this.camera.bottom) / this.camera.zoom / this.canvas.clientHeight;
+  }
+
+  /** Where a point of the scene is on the canvas, in pixels. */
+  at(point: Vec): [number, number] {
+    const { x, y } = three(point).project(this.camera),
+      { clientWidth: width, clientHeight: height } = this.canvas;
+    return [((1 + x) / 2) * width, ((1 - y) / 2) * height];
+  }
+
+  /** The way in the scene, square to the line of sight, of a way on the canvas in pixels. */
+  way(right: number, down: number): Vec {
+    const e = this.camera.matrixWorld.elements,
+      [x, y] = [right * this.pixel, -down * this.pixel];
+    return [x * e[0]! + y * e[4]!, x * e[1]! + y * e[5]!, x * e[2]! + y * e[6]!];
   }
 
   /** What `userData.is` of the objects shown says of the nearest one under a point of the canvas. */
   hit(x: number, y: number): unknown {
     const { clientWidth: width, clientHeight: height } = this.canvas;
     const ray = new Raycaster();
-    ray.params.Line.threshold = (lineReach * (this.camera.top - this.camera.bottom)) / this.camera.zoom / height;
+    ray.params.Line.threshold = lineReach * this.pixel;
     ray.setFromCamera(new Vector2((2 * x) / width - 1, 1 - (2 * y) / height), this.camera);
     for (const { object } of ray.intersectObjects(this.scene.children, true))
       for (let o: Object3D | null = object; o; o = o.parent)

@@ -3,30 +3,8 @@
 // (reports/run/report_data.*); numbers are shortest round-trip decimals, so that JSON.parse gives the doubles back,
 // and "inf" or "-inf" of an open end of a distance, a margin or a claim (expand() makes numbers of them).
 // Sections that a run has nothing for are null or empty: the page says so and how to get them.
-import type { Coordinate, Pair, Vec, Verdict } from "../parts/data.ts";
-
-/** As one line of `daylight check --distance`. */
-export interface Truth {
-  verdict: Verdict;
-  direction?: Coordinate[];
-  point?: Coordinate[];
-  points?: [Coordinate[], Coordinate[]]; // one of a's core, one of b's
-  near?: { point?: Coordinate[]; points?: [Coordinate[], Coordinate[]]; direction: Coordinate[] };
-  distance?: [number, number];
-  stage?: "filter" | "wide" | "exact";
-}
-
-/** What a method said, as in a run's store. */
-export interface Answer {
-  verdict?: Verdict;
-  distance?: number;
-  direction?: number[];
-  point?: Coordinate[];
-  points?: [Coordinate[], Coordinate[]];
-  declined?: string;
-  failed?: string;
-  reason?: string;
-}
+import type { Answer, Pair, Truth, Vec, Verdict } from "../parts/data.ts";
+import type { Columns } from "./columns.ts";
 
 export interface Claim {
   relative: number;
@@ -267,12 +245,12 @@ export interface Report {
     rows: { mutant: number; file: string; what: string; caught_by: string[]; equivalent?: string }[];
   } | null;
   buckets: (Omit<Bucket, "worst"> & { worst: Case | null })[];
-  findings: PackedFinding[];
+  findings: PackedFinding[] | Columns;
   findings_total: number;
   cases: PackedCase[];
   names: string[];
   unreadable?: number; // findings whose records hold no pair, and are left out
-  maps: FailureMap[];
+  maps: (Omit<FailureMap, "cells"> & { cells: MapCell[] | Columns })[];
   honesty: Calibration[];
   speed: SpeedPoint[];
   speed_on?: string; // the machine, compiler and date of these times

@@ -2,17 +2,18 @@
 // One finding, or one cause with its simplest and its worst case.
 import type { ComponentChildren } from "preact";
 import { useMemo, useState } from "preact/hooks";
+import type { Answer, Truth } from "../parts/data.ts";
 import { Copy } from "../parts/elements.tsx";
+import { prove, type Proof } from "../parts/prove.ts";
 import { digits17, full, groupBy, grouped, leastRange, percent, plural, range, safe, short } from "../parts/words.ts";
 import { bucketAddress } from "./causes.tsx";
-import type { Answer, Bucket, Case, Claim, Finding, Truth } from "./data.ts";
+import type { Bucket, Case, Claim, Finding } from "./data.ts";
 import { wrongDistance, type Allowed, type WrongDistance } from "./distance.ts";
 import { Fact, Heads } from "./elements.tsx";
 import { about } from "./glossary.ts";
 import { Handling } from "./handling.tsx";
 import { Nights } from "./nights.tsx";
 import { PairView } from "./pair_view.tsx";
-import { prove, type Proof } from "./prove.ts";
 import type { FullReport } from "./report.ts";
 import { sentenceOf } from "./sentence.ts";
 import { formatClaim, formatCoordinate, kindLabel, claimOrigin, severityLabels, standingLabel } from "./words.ts";

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // How wrong a distance is, as the judge counts it.
-import type { Pair } from "../parts/data.ts";
-import type { Answer, Case, Claim } from "./data.ts";
+import type { Answer, Pair } from "../parts/data.ts";
+import type { Case, Claim } from "./data.ts";
 
 /** As the judge has them: what of the size is allowed to every claim of a length, and of the distance to everybody. */
 const claimFloor = 1e-13,

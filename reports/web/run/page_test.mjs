@@ -8,7 +8,7 @@ import assert from "node:assert/strict";
 import { mkdirSync, readFileSync, writeFileSync } from "node:fs";
 import { join, resolve } from "node:path";
 import { pathToFileURL } from "node:url";
-import { asked, browser, colours, errors, filled, folder, open, settled, withoutWebgl } from "../browser.mjs";
+import { asked, browser, colours, errors, filled, folder, open, paleWords, settled, withoutWebgl } from "../browser.mjs";
 import { sample } from "./sample.mjs";
 
 const [option, argument, given] = process.argv.slice(2);
@@ -410,42 +410,7 @@ async function canBeRead(report) {
         await page.waitForSelector(".detail .case");
       }
       await settled(page);
-      const [pale, words] = await page.evaluate(() => {
-        const canvas = Object.assign(document.createElement("canvas"), { width: 1, height: 1 }),
-          pen = canvas.getContext("2d", { willReadFrequently: true });
-        const rgba = (colour) => {
-          pen.clearRect(0, 0, 1, 1);
-          pen.fillStyle = colour;
-          pen.fillRect(0, 0, 1, 1);
-          return [...pen.getImageData(0, 0, 1, 1).data];
-        };
-        const light = ([r, g, b]) =>
-          [r, g, b]
-            .map((c) => (c / 255 <= 0.03928 ? c / 255 / 12.92 : ((c / 255 + 0.055) / 1.055) ** 2.4))
-            .reduce((sum, c, i) => sum + c * [0.2126, 0.7152, 0.0722][i], 0);
-        const behind = (e) => {
-          for (let at = e; at; at = at.parentElement) {
-            const colour = rgba(getComputedStyle(at).backgroundColor);
-            if (colour[3] === 255) return colour;
-          }
-          return rgba("white");
-        };
-        const all = [...document.querySelectorAll("#page *")].filter(
-          (e) =>
-            e.checkVisibility({ visibilityProperty: true }) &&
-            !e.closest("button:disabled, .zero, [aria-label='tip']") &&
-            [...e.childNodes].some((n) => n.nodeType === Node.TEXT_NODE && n.textContent.trim().length > 1),
-        );
-        const ratio = (e) => {
-          const style = getComputedStyle(e),
-            [x, y] = [rgba(e instanceof SVGElement ? style.fill : style.color), behind(e)].map(light);
-          return (Math.max(x, y) + 0.05) / (Math.min(x, y) + 0.05);
-        };
-        return [
-          all.filter((e) => ratio(e) < 4.5).map((e) => `${e.textContent.slice(0, 30)} ${ratio(e).toFixed(2)}`),
-          all.length,
-        ];
-      });
+      const [pale, words] = await paleWords(page);
       assert.deepEqual(pale, [], `${scheme} ${hash}`);
       assert.ok(words > 50);
     }

@@ -1,42 +1,17 @@
 // SPDX-License-Identifier: MIT
 // Both solids in 3D, whole or close up. A gap too narrow to see is drawn wider, and the caption states it.
 import { useLayoutEffect, useMemo, useRef, useState } from "preact/hooks";
-import type { Vec } from "../parts/data.ts";
-import { colour } from "../parts/elements.tsx";
-import { add, scale, squareTo } from "../parts/geometry.ts";
-import { mountStage, line, pointMark, plane, solid, getStage, type View } from "../parts/stage.ts";
+import { drawingOf, exaggerated, exaggeration } from "../parts/drawing.ts";
+import { objectsOf, viewOf } from "../parts/pair_objects.ts";
+import { Projection } from "../parts/pair_projection.tsx";
+import { getStage, mountStage } from "../parts/stage.ts";
 import { short } from "../parts/words.ts";
 import type { Case } from "./data.ts";
-import { drawingOf, exaggerated, exaggeration, type Drawing } from "./drawing.ts";
-import { Projection } from "./pair_projection.tsx";
 
 /** Gaps narrower than this part of what can be seen are widened at first. */
 const widenedAtOnce = 20;
 /** A solid this many times smaller than the other is not seen beside it. */
 const uneven = 300;
-
-/** Looking across the direction of the gap, a little from above; a lies left of b. */
-function viewOf(d: Drawing, close: boolean): View {
-  const along: Vec = d.direction ?? [1, 0, 0],
-    [u, v] = squareTo(along);
-  const eye = add(add(scale(u, -0.85), scale(v, 0.4)), scale(along, 0.25));
-  return { eye, up: v, target: close ? d.contact : [0, 0, 0], radius: close ? 0.25 * d.extent : 1.12 * d.extent };
-}
-
-function objectsOf(d: Drawing) {
-  const a = colour("--solid-a"),
-    b = colour("--solid-b"),
-    fg = colour("--fg");
-  return [
-    solid(d.a, a, d.extent),
-    solid(d.b, b, d.extent),
-    ...(d.plane && d.direction ? [plane(d.plane, d.direction, 1.5 * d.extent, colour("--grey"))] : []),
-    ...(d.near
-      ? [pointMark(d.near.a, a), pointMark(d.near.b, b), line([d.near.a, d.near.b], fg, { onTop: true })]
-      : []),
-    ...(d.point ? [pointMark(d.point, fg)] : []),
-  ];
-}
 
 /** Both solids as lines, small. */
 export function Thumbnail({ shown }: { shown: Case }) {

@@ -1,12 +1,16 @@
 // SPDX-License-Identifier: MIT
 // The data of the page, put back to the form of data.ts: every finding with its case.
 import { shellQuoted, short } from "../parts/words.ts";
-import type { Answer, Bucket, Case, FailureMap, Finding, MapCell } from "./data.ts";
-import type { PackedCase, Report, Standing, Truth } from "./data.ts";
+import type { Answer, Truth } from "../parts/data.ts";
+import { countOf, objectsOf } from "./columns.ts";
+import type { Bucket, Case, FailureMap, Finding, MapCell } from "./data.ts";
+import type { PackedCase, Report, Standing } from "./data.ts";
 import { library } from "./words.ts";
 
-export interface FullReport extends Omit<Report, "findings" | "buckets" | "cases" | "names"> {
-  findings: Finding[];
+export interface FullReport extends Omit<Report, "findings" | "buckets" | "cases" | "names" | "maps"> {
+  readonly findings: Finding[]; // put back when first asked for, as maps are: what is seen first needs neither
+  readonly maps: FailureMap[];
+  findings_kept: number;
   buckets: Bucket[];
 }
 
@@ -44,10 +48,9 @@ function inDegrees(map: FailureMap): FailureMap {
   return { ...map, x: { title: "angle of the axes, from parallel to perpendicular", labels } };
 }
 
-export function expand(report: Report): FullReport {
-  const { names, run } = report;
+function findingsOf({ names, run, ...report }: Report): Finding[] {
   const cases = report.cases.map((packed) => unpack(packed, names));
-  const findings = report.findings.map(({ case: at, ...rest }) => {
+  return objectsOf(report.findings).map(({ case: at, ...rest }) => {
     const of = cases[at]!;
     return {
       ...of,
@@ -57,6 +60,15 @@ export function expand(report: Report): FullReport {
       replay: `./daylight replay ${shellQuoted(`${run.folder}:${rest.id}`)}`,
     };
   });
+}
+
+/** What `make` makes, once. */
+function lazily<T>(make: () => T): () => T {
+  let made: T | undefined;
+  return () => (made ??= make());
+}
+
+export function expand(report: Report): FullReport {
   const buckets = report.buckets.map((b) => ({
     ...b,
     margin: b.margin && endsOf(b.margin),
@@ -67,10 +79,24 @@ export function expand(report: Report): FullReport {
     const { relative, absolute } = m.claim;
     return { ...m, claim: { ...m.claim, relative: numberOf(relative), absolute: numberOf(absolute) } };
   });
-  const maps = report.maps.map((m) =>
-    inDegrees({ ...m, cells: m.cells.map((c): MapCell => ({ ...noCounts, ...c })) }),
-  );
-  return { ...report, methods, buckets, findings, maps };
+  const maps = lazily(() =>
+      report.maps.map((m) =>
+        inDegrees({ ...m, cells: objectsOf(m.cells).map((c): MapCell => ({ ...noCounts, ...c })) }),
+      ),
+    ),
+    findings = lazily(() => findingsOf(report));
+  return {
+    ...report,
+    methods,
+    buckets,
+    findings_kept: countOf(report.findings),
+    get findings() {
+      return findings();
+    },
+    get maps() {
+      return maps();
+    },
+  };
 }
 
 /** How a finding stands against earlier runs: as its bucket does, else as its group. */

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 // The page of a run: an overview in sections, and a view of one bucket or finding by the part of the address after '#'.
-import { useEffect, useMemo, useRef } from "preact/hooks";
+import { useEffect, useMemo, useRef, useState } from "preact/hooks";
 import { Words } from "../parts/glossary.tsx";
 import { grouped, safe, seconds } from "../parts/words.ts";
-import { useAddress } from "./address.ts";
+import { useAddress, type Address } from "./address.ts";
 import { Calibration } from "./calibration.tsx";
 import { NotInThisRun } from "./elements.tsx";
 import { BucketView, FindingView } from "./detail.tsx";
@@ -46,13 +46,59 @@ function Header({ report }: { report: FullReport }) {
   );
 }
 
+/** Everything below the summary. */
+function Rest({ report, address }: { report: FullReport; address: Address }) {
+  return (
+    <>
+      <Findings report={report} address={address} />
+      <div id="charts">
+        <Speed report={report} />
+        <Maps report={report} />
+        <Calibration report={report} />
+        <Stability report={report} />
+        <Methods report={report} />
+        <Kills report={report} />
+        <NotInThisRun report={report} />
+      </div>
+      <Words entries={glossaryEntries()} />
+      <footer class="soft">
+        <p>{safe(report.run.build)}</p>
+        {report.run.command && (
+          <p>
+            The same run again: <code>{safe(report.run.command)}</code>
+          </p>
+        )}
+        <p>
+          One file. It uses no network.{" "}
+          <button type="button" class="link" onClick={() => print()}>
+            Print
+          </button>
+        </p>
+      </footer>
+    </>
+  );
+}
+
+/** Whether the rest of the page is drawn too: once the summary is seen, or at once if the address asks for more. */
+function useWhole(asksForMore: boolean): boolean {
+  const [isWhole, draw] = useState(asksForMore);
+  useEffect(() => {
+    if (!isWhole) requestAnimationFrame(() => setTimeout(() => draw(true)));
+  }, []);
+  useEffect(() => {
+    document.getElementById("page")!.dataset.whole = String(isWhole);
+  }, [isWhole]);
+  return isWhole;
+}
+
 export function RunPage({ report }: { report: FullReport }) {
-  const address = useAddress();
+  const address = useAddress(),
+    isWhole = useWhole(address.parts.some((part) => part !== ""));
   const [view = ""] = address.parts;
   const { detail } = address;
   const scrolled = useRef(0);
   const wasDetail = useRef(detail);
-  const finding = useMemo(() => new Map(report.findings.map((f) => [f.id, f])), [report]);
+  const finding = useMemo(() => new Map((isWhole ? report.findings : []).map((f) => [f.id, f])), [report, isWhole]);
   const bucket = useMemo(() => new Map(report.buckets.map((b) => [b.key, b])), [report]);
 
   useEffect(() => {
@@ -87,31 +133,7 @@ export function RunPage({ report }: { report: FullReport }) {
       )}
       <main class="overview" hidden={detail}>
         <Summary report={report} />
-        <Findings report={report} address={address} />
-        <div id="charts">
-          <Speed report={report} />
-          <Maps report={report} />
-          <Calibration report={report} />
-          <Stability report={report} />
-          <Methods report={report} />
-          <Kills report={report} />
-          <NotInThisRun report={report} />
-        </div>
-        <Words entries={glossaryEntries()} />
-        <footer class="soft">
-          <p>{safe(report.run.build)}</p>
-          {report.run.command && (
-            <p>
-              The same run again: <code>{safe(report.run.command)}</code>
-            </p>
-          )}
-          <p>
-            One file. It uses no network.{" "}
-            <button type="button" class="link" onClick={() => print()}>
-              Print
-            </button>
-          </p>
-        </footer>
+        {isWhole && <Rest report={report} address={address} />}
       </main>
     </>
   );

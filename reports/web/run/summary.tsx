@@ -277,7 +277,7 @@ function Headline({ report }: { report: FullReport }) {
           {grouped(referee.undecided)}
         </Fact>
         <Fact label="findings">{grouped(report.findings_total)}</Fact>
-        <Fact label="kept as examples">{grouped(report.findings.length)}</Fact>
+        <Fact label="kept as examples">{grouped(report.findings_kept)}</Fact>
         <Fact label="causes">
           {report.buckets.length > 0 ? grouped(causes.length) : "\u2013"}
           {earlier > 0 && <span class="soft"> and {grouped(earlier)} only of earlier runs</span>}

@@ -31,14 +31,3 @@ export function formatCoordinate(x: Coordinate): string {
   if (typeof x === "string") return x;
   return x.map((term, i) => (i === 0 ? full(term) : term < 0 ? `\u2212 ${full(-term)}` : `+ ${full(term)}`)).join(" ");
 }
-
-/** The double nearest to an exact coordinate, for drawing. */
-export function coordinateValue(x: Coordinate): number {
-  if (typeof x === "number") return x;
-  if (typeof x !== "string") return x.reduce((sum, term) => sum + term, 0);
-  const [n, d = "1"] = x.split("/");
-  const digits = Math.max(n!.length, d.length) - 300; // beyond the range of doubles: the leading ones
-  const value = (text: string) =>
-    digits > 0 ? Number(text.slice(0, Math.max(1, text.length - digits))) : Number(text);
-  return value(n!) / value(d);
-}

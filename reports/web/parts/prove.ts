@@ -7,13 +7,15 @@
 //   points P, Q   P in a, Q in b, |P - Q| <= R, squared
 //   near X, D     X in both after each was grown by 2^-200 of the size, D apart after each was shrunk by as much
 //
+// A point may come with hulls: the axes and middle planes of flat solids. The point meant is the one of the hulls that
+// is nearest to it, which is rational too. Of two points each moves into the hull of its own solid.
+//
 // A solid with a rounding is its core grown by a ball. The tests above are of the cores, R is the sum of both
 // roundings, and f has the additional term R |D|.
 //
 // f is a rational minus four square roots of rationals. Each root is enclosed between whole multiples of 2^-k, and k
 // doubles until the sign shows. If f(D) = 0 exactly, no k shows it: at bitsCap the answer is "not decided".
-import type { Coordinate, Cylinder, Pair } from "../parts/data.ts";
-import type { Truth } from "./data.ts";
+import type { Coordinate, Cylinder, Hull, Pair, Truth } from "./data.ts";
 
 /** n/d, d > 0; not reduced. */
 interface Rational {
@@ -222,6 +224,64 @@ function comeNear(a: Solid, b: Solid, x: Vector, y: Vector, slack = zero): { ins
   };
 }
 
+/** A plane: x.normal = offset. */
+interface Plane {
+  normal: Vector;
+  offset: Rational;
+}
+const one = rational(1n);
+
+/** In lowest terms: what goes on through several steps would double its digits at each. */
+function reduced({ n, d }: Rational): Rational {
+  let [x, y] = [n < 0n ? -n : n, d];
+  while (y !== 0n) [x, y] = [y, x % y];
+  return { n: n / x, d: d / x };
+}
+/** u + k v */
+const moved = (u: Vector, k: Rational, v: Vector): Vector => [
+  reduced(add(u[0], mul(k, v[0]))),
+  reduced(add(u[1], mul(k, v[1]))),
+  reduced(add(u[2], mul(k, v[2]))),
+];
+
+/** The planes that a hull lies in: one for a plane, two for a line, three for a centre. */
+function planesOf(s: Solid, hull: Hull): Plane[] {
+  const through = (normal: Vector): Plane => ({ normal, offset: dot(normal, s.center) }),
+    level = hull === "plane" || hull === "center" || s.height.n === 0n,
+    thin = hull === "line" || hull === "center" || s.radius.n === 0n;
+  // Square to the axis: any coordinate vector that is not along it gives the first.
+  const other: Vector = s.axis[1].n === 0n && s.axis[2].n === 0n ? [zero, one, zero] : [one, zero, zero],
+    beside = cross(s.axis, other);
+  return [...(level ? [through(s.axis)] : []), ...(thin ? [beside, cross(s.axis, beside)].map(through) : [])];
+}
+
+/** The point in all planes that is nearest to x; null if no point is in all. */
+function nearestInPlanes(x: Vector, planes: Plane[]): Vector | null {
+  const square: Plane[] = []; // to each other
+  for (let { normal, offset } of planes) {
+    for (const p of square) {
+      const share = reduced(div(dot(normal, p.normal), dot(p.normal, p.normal)));
+      normal = moved(normal, neg(share), p.normal);
+      offset = reduced(sub(offset, mul(share, p.offset)));
+    }
+    if (dot(normal, normal).n !== 0n) square.push({ normal, offset });
+    else if (offset.n !== 0n) return null;
+  }
+  return square.reduce(
+    (at, { normal, offset }) => moved(at, reduced(div(sub(offset, dot(normal, at)), dot(normal, normal))), normal),
+    x,
+  );
+}
+
+function inHulls(x: Vector, solids: Solid[], hulls: Hull[]): Vector {
+  const at = nearestInPlanes(
+    x,
+    solids.flatMap((s, i) => planesOf(s, hulls[i]!)),
+  );
+  if (!at) throw new Error("the hulls have no common point");
+  return at;
+}
+
 function inBoth(a: Solid, b: Solid, x: Vector): { inside: boolean; steps: string[] } {
   const parts = [reach("a", a, x), reach("b", b, x)];
   return { inside: parts.every((p) => p.inside), steps: parts.flatMap((p) => p.steps) };
@@ -248,8 +308,8 @@ function proveDirection(a: Solid, b: Solid, d: Vector): Proof {
   return { holds: null, text: `Not decided with ${bits} binary digits: f(D) is 0, or nearer to it than that.`, steps };
 }
 
-function provePoint(a: Solid, b: Solid, x: Vector, touching: boolean): Proof {
-  const { inside, steps } = inBoth(a, b, x);
+function provePoint(a: Solid, b: Solid, x: Vector, touching: boolean, hulls?: [Hull, Hull]): Proof {
+  const { inside, steps } = inBoth(a, b, hulls ? inHulls(x, [a, b], hulls) : x);
   if (!inside) return { holds: false, text: "Refuted: the point is not in both solids.", steps };
   return {
     holds: true,
@@ -265,8 +325,10 @@ function two(points: Truth["points"], what: string): [Vector, Vector] {
   return [vector(points[0], "the point of a"), vector(points[1], "the point of b")];
 }
 
-function provePoints(a: Solid, b: Solid, points: Truth["points"], touching: boolean): Proof {
-  const { inside, steps } = comeNear(a, b, ...two(points, "the points"));
+function provePoints(a: Solid, b: Solid, { points, hulls }: Truth, touching: boolean): Proof {
+  const [x, y] = two(points, "the points"),
+    [p, q] = hulls ? [inHulls(x, [a], [hulls[0]]), inHulls(y, [b], [hulls[1]])] : [x, y];
+  const { inside, steps } = comeNear(a, b, p, q);
   if (!inside)
     return { holds: false, steps, text: "Refuted: a point is not in its core, or they are too far apart." };
   return {
@@ -313,10 +375,10 @@ export function prove(pair: Pair, truth: Truth): Proof {
         return proveDirection(a, b, vector(truth.direction, "the direction"));
       case "intersecting":
         return truth.points
-          ? provePoints(a, b, truth.points, false)
-          : provePoint(a, b, vector(truth.point, "the point"), false);
+          ? provePoints(a, b, truth, false)
+          : provePoint(a, b, vector(truth.point, "the point"), false, truth.hulls);
       case "touching":
-        if (truth.points) return provePoints(a, b, truth.points, true);
+        if (truth.points) return provePoints(a, b, truth, true);
         return truth.near ? proveNear(a, b, truth.near) : provePoint(a, b, vector(truth.point, "the point"), true);
       default:
         return { holds: null, text: "No truth is proved for this pair.", steps: [] };

@@ -163,3 +163,24 @@ test("doubles are taken exactly, roots rounded down", () => {
     assert.ok(root * root <= n && (root + 1n) * (root + 1n) > n, String(n));
   }
 });
+
+test("a point in hulls is the nearest point of both", () => {
+  const rod = cylinder([0, 0, 0], [0, 0, 1], 1, 4),
+    segment = cylinder([0.1, 0.2, 0], [0.3, 0.4, 1], 0, 4),
+    disk = cylinder([0, 0, 0.5], [0, 1, 3], 1, 0);
+  const on = (x, hulls) => ({ ...point(...x), hulls });
+  assert.equal(holds({ a: rod, b: segment }, point(0.13, 0.24, 0.1)), false, "no double lies on the segment");
+  assert.equal(holds({ a: rod, b: segment }, on([0.13, 0.24, 0.1], ["space", "line"])), true);
+  assert.equal(holds({ a: rod, b: segment }, on([0.13, 0.24, 9], ["space", "line"])), false, "beyond both ends");
+  assert.equal(holds({ a: disk, b: rod }, on([0.1, 0.1, 0.4], ["plane", "space"])), true);
+  assert.equal(holds({ a: disk, b: segment }, on([0.2, 0.3, 0.4], ["plane", "line"])), true, "where the line crosses");
+  const beside = cylinder([5, 0, 0], [0.3, 0.4, 1], 0, 4);
+  assert.equal(holds({ a: disk, b: beside }, on([0.2, 0.3, 0.4], ["plane", "line"])), false);
+  const above = cylinder([0, 0, 0.75], [0, 1, 3], 1, 0);
+  assert.match(prove({ a: disk, b: above }, on([0, 0, 0.6], ["plane", "plane"])).text, /no common point/);
+  const capsule = { ...segment, rounding: 0.25 },
+    ball = { ...cylinder([0.3, 0.2, 0.1], [0, 0, 1], 0, 0), rounding: 0.25 };
+  const points = { verdict: "intersecting", points: [[0.13, 0.24, 0.1], [0.3, 0.2, 0.1]] };
+  assert.equal(holds({ a: capsule, b: ball }, points), false);
+  assert.equal(holds({ a: capsule, b: ball }, { ...points, hulls: ["line", "center"] }), true);
+});

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 // The drawing of a pair as lines on paper: for print, and if the browser has no WebGL.
-import type { Vec } from "../parts/data.ts";
-import { add, scale, squareTo } from "../parts/geometry.ts";
-import { flatten, Outline, path, Way } from "../parts/projection.tsx";
-import type { View } from "../parts/stage.ts";
+import type { Vec } from "./data.ts";
+import { add, scale, squareTo } from "./geometry.ts";
+import { flatten, Outline, path, Way } from "./projection.tsx";
+import type { View } from "./stage.ts";
 import type { Drawing } from "./drawing.ts";
 
 export function Projection({ drawing: d, view, label }: { drawing: Drawing; view: View; label: string }) {

@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: MIT
 // What is drawn of a case, in a frame for drawing: the middle of the centres is the origin, the larger of the pair's
 // extent and the way between its centres is about 1. Doubles: a drawing proves nothing.
-import type { Pair, Vec } from "../parts/data.ts";
-import { add, dot, scale, sub, unit, type Solid } from "../parts/geometry.ts";
-import type { Case } from "./data.ts";
-import { coordinateValue } from "./words.ts";
+import type { Coordinate, Pair, Shown, Vec } from "./data.ts";
+import { add, dot, scale, sub, unit, type Solid } from "./geometry.ts";
 
 export interface Drawing {
   a: Solid;
@@ -17,6 +15,17 @@ export interface Drawing {
   plane: Vec | null; // a point of the separating plane
   point: Vec | null; // a common point
   gap: number | null; // signed, drawn length
+}
+
+/** The double nearest to an exact coordinate, for drawing. */
+export function coordinateValue(x: Coordinate): number {
+  if (typeof x === "number") return x;
+  if (typeof x !== "string") return x.reduce((sum, term) => sum + term, 0);
+  const [n, d = "1"] = x.split("/");
+  const digits = Math.max(n!.length, d.length) - 300; // beyond the range of doubles: the leading ones
+  const value = (text: string) =>
+    digits > 0 ? Number(text.slice(0, Math.max(1, text.length - digits))) : Number(text);
+  return value(n!) / value(d);
 }
 
 /** The extent of a solid along n. */
@@ -42,7 +51,7 @@ function support(s: Solid, n: Vec): Vec {
   return add(core, scale(n, s.rounding));
 }
 
-export function drawingOf(c: Case): Drawing {
+export function drawingOf(c: Shown): Drawing {
   const u = unitOf(c.pair);
   const { a, b } = c.pair;
   // Halves first: the sum of two doubles may overflow, and centres far out lose nothing but their common offset.
