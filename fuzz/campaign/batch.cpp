@@ -420,6 +420,8 @@ bool is_method_row(std::string_view name) {
 }
 
 std::uint64_t batch_size_for(const Workload& workload) {
+  const auto is_program = [](const auto& method) { return method->program(); };
+  if (std::any_of(workload.methods.begin(), workload.methods.end(), is_program)) return program_batch_size;
   return any_foreign(workload) ? batch_size : own_batch_size;
 }
 

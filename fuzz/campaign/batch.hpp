@@ -34,8 +34,9 @@ inline constexpr std::uint64_t every_cell_until = 65536;
 
 /// Indices of a batch: about a second's work of the packaged methods. Each batch costs two new workers, one
 /// of them to confirm its findings, and hands over its counts and the findings that the run may keep. In
-/// smaller batches that takes longer than the answers of a fast library, or of our methods.
-inline constexpr std::uint64_t batch_size = 2048, own_batch_size = 131072;
+/// smaller batches that takes longer than the answers of a fast library, or of our methods. Programs answer
+/// slowly: a batch that shows no progress, or is lost, should be short.
+inline constexpr std::uint64_t batch_size = 2048, own_batch_size = 131072, program_batch_size = 512;
 std::uint64_t batch_size_for(const Workload& workload);
 
 /// Own methods are asked in this process, foreign ones contained. A costly method (share() > 1) is asked on

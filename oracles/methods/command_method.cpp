@@ -76,6 +76,7 @@ class CommandMethod final : public Method {
     return {hello_.relative, hello_.absolute, hello_.claim_source};
   }
   bool guest() const override { return true; }
+  bool program() const override { return true; }
   using Method::supports;
   bool supports(SolidKind kind) const override { return hello_.supports[static_cast<std::size_t>(kind)]; }
   const SizeRange* sizes() const override { return &hello_.sizes; }

@@ -48,8 +48,9 @@ class Method {
   virtual std::string_view name() const = 0;     ///< <library>[-<way>][-<setting>]
   virtual std::string_view version() const = 0;  ///< of the library, as found at build or run time
   virtual Claim claim() const = 0;
-  virtual bool foreign() const { return true; }  ///< code of another project
-  virtual bool guest() const { return false; }   ///< loaded by --plugin or started by --command
+  virtual bool foreign() const { return true; }   ///< code of another project
+  virtual bool guest() const { return false; }    ///< loaded by --plugin or started by --command
+  virtual bool program() const { return false; }  ///< started by --command
   /// Returns whether its library keeps no state between calls. Then it may be asked again in the same process
   /// after one of its assertions failed.
   virtual bool recovers() const { return false; }
