@@ -62,7 +62,7 @@ int write_questions(const AskOptions& options) {
 
 void add_ask(Program& program) {
   Command command =
-      program.command("Find", "ask", "Writes a campaign's pairs down, to be answered on another machine");
+      program.command("Find", "ask", "Writes the pairs of a campaign, for a method on another machine");
   auto options = std::make_shared<AskOptions>();
   command.section("Output");
   command.option("--out FILE", options->out, "file for the pairs, one a line; '-' is standard output");
@@ -80,7 +80,7 @@ void add_ask(Program& program) {
       "  daylight ask --families random --pairs 1000 --cases ''",
       "Your library answers with one line for each pair, in any order: "
       "{\"id\":\"17\",\"verdict\":\"disjoint\"}.\n"
-      "daylight judge reads these lines.");
+      "daylight judge reads these lines. The exit codes 2 and 3 do not occur for ask.");
   command.run([options] { return write_questions(*options); });
 }
 

@@ -123,7 +123,7 @@ void run(const BenchArguments& options) {
 
 void add_bench(Program& program) {
   Command command =
-      program.command("Measure", "bench", "Nanoseconds a pair by method and family, faults beside them");
+      program.command("Measure", "bench", "Times each method on each family, and counts its wrong answers");
   auto options = std::make_shared<BenchArguments>();
   command.section("Methods");
   command.option("--methods LIST", options->methods,
@@ -154,7 +154,8 @@ void add_bench(Program& program) {
   command.examples(
       "  daylight bench --methods intersect,decide,fcl --families random --json bench.json\n"
       "  daylight bench --growth --methods intersect,fcl-libccd\n"
-      "  daylight bench --curves --json bench.json");
+      "  daylight bench --curves --json bench.json",
+      "The exit codes 2 and 3 do not occur for bench.");
   command.run([options, command] {
     if (options->curves) set_curves(command, *options);
     run(*options);

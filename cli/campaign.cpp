@@ -344,8 +344,8 @@ int campaign(const CampaignArguments& arguments) {
 }  // namespace
 
 void add_campaign(Program& program) {
-  Command command = program.command(
-      "Find", "campaign", "Draws pairs, asks every method, proves who is wrong, and keeps the proofs");
+  Command command = program.command("Find", "campaign",
+                                    "Draws pairs, asks every method, and proves which methods are wrong");
   auto arguments = std::make_shared<CampaignArguments>();
   command.section("Limits");
   command.option("--for DURATION", arguments->budget, "wall time, such as 90s, 1m or 8h")
@@ -389,8 +389,8 @@ void add_campaign(Program& program) {
   command.flag("--create-only", arguments->create_only, "only create the run folder, for --resume");
   command.section("Self-check");
   command.flag("--self-check,--alarm", arguments->self_check,
-               "inject known faults, fail if one is missed (default: on from 5 minutes or 3,000,000 pairs)");
-  command.flag("--no-self-check,--no-alarm", arguments->no_self_check, "inject no faults")
+               "plant known faults and fail if one is missed (default: from 5 minutes or 3,000,000 pairs)");
+  command.flag("--no-self-check,--no-alarm", arguments->no_self_check, "plant no faults")
       .excludes("--self-check");
   command.section("Output");
   command.flag("--table", arguments->table, "also print the counts of each method");
@@ -400,7 +400,7 @@ void add_campaign(Program& program) {
       "  daylight campaign --plugin ./libmine.so --methods mine,decide --pairs 100000",
       "Ctrl-C ends a campaign and keeps all complete batches. For campaign, 3 also means that the run "
       "stopped\n"
-      "before its limit, and 1 also means that it missed an injected fault.");
+      "before its limit, and 1 also means that it missed a planted fault.");
   command.run([arguments, command] {
     for (const char* fixed : {"--seed", "--out", "--methods", "--families", "--weights-from", "--shard",
                               "--cases", "--create-only"}) {

@@ -59,8 +59,9 @@ void chart(const ChartArguments& arguments) {
 }  // namespace
 
 void add_chart(Program& program) {
-  Command command = program.command(
-      "Understand", "chart", "Speed against accuracy and failure maps, on the page of a run and as files");
+  Command command =
+      program.command("Understand", "chart",
+                      "Draws speed against accuracy and maps of failures, on the page of a run and as files");
   auto arguments = std::make_shared<ChartArguments>();
   command.option("RUN", arguments->run, "run folder").required().existing_folder();
   command.section("Input");
@@ -75,7 +76,8 @@ void add_chart(Program& program) {
                  "folder for SVG files, and PNG if rsvg-convert is installed; requires Node.js");
   command.examples(
       "  daylight bench --curves --json bench.json\n"
-      "  daylight chart runs/latest --bench bench.json --stability --out charts");
+      "  daylight chart runs/latest --bench bench.json --stability --out charts",
+      "The exit codes 2 and 3 do not occur for chart.");
   command.run([arguments] {
     arguments->run = lasting_name(arguments->run);
     chart(*arguments);

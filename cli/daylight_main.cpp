@@ -14,10 +14,10 @@
 namespace {
 
 int run(int argc, char** argv) {
-  cyl::Program program(
-      "daylight",
-      "Is there daylight between two cylinders? Answers with a proof, and finds who gets it wrong.",
-      cyl::build_info().text());
+  cyl::Program program("daylight",
+                       "Is there daylight between two cylinders? Answers with a proof, and finds the methods "
+                       "that get it wrong.",
+                       cyl::build_info().text());
   for (const auto add :
        {cyl::add_check,  cyl::add_ask,    cyl::add_judge,  cyl::add_campaign, cyl::add_merge,
         cyl::add_fuzz,   cyl::add_worst,  cyl::add_replay, cyl::add_triage,   cyl::add_explain,

@@ -25,8 +25,8 @@ int export_case(const ExportArguments& arguments) {
 }  // namespace
 
 void add_export(Program& program) {
-  Command command = program.command("Understand", "export",
-                                    "Writes a finding as one would send it to the library's maintainers");
+  Command command = program.command(
+      "Understand", "export", "Writes a program, a proof and an issue text for the maintainers of a library");
   auto arguments = std::make_shared<ExportArguments>();
   add_failure_options(command, arguments->failure);
   command.section("Output");

@@ -83,7 +83,8 @@ void add_families(Program& program) {
   command.number("--from N", options->from, "index of the first pair to print");
   command.examples(
       "  daylight families\n"
-      "  daylight families random --count 1000 | daylight check");
+      "  daylight families random --count 1000 | daylight check",
+      "The exit codes 2 and 3 do not occur for families.");
   command.run([options] {
     if (options->name.empty()) {
       list_families();

@@ -100,8 +100,8 @@ int fuzz(const FuzzArguments& arguments) {
 }  // namespace
 
 void add_fuzz(Program& program) {
-  Command command = program.command(
-      "Find", "fuzz", "Lets libFuzzer look for pairs by what they make our code do, and proves who is wrong");
+  Command command =
+      program.command("Find", "fuzz", "Lets libFuzzer search for pairs, and proves which method is wrong");
   auto arguments = std::make_shared<FuzzArguments>();
   command.section("Limits");
   command.option("--for DURATION", arguments->budget, "wall time, such as 90s, 10m or 8h");
@@ -125,7 +125,7 @@ void add_fuzz(Program& program) {
       "  daylight fuzz --for 8h --target xcheck --jobs 4",
       "The run folder has the findings in findings.jsonl, which daylight replay reads. Ctrl-C merges the "
       "corpora\n"
-      "and ends the run.");
+      "and ends the run. 3 does not occur for fuzz.");
   command.run([arguments] { return fuzz(*arguments); });
 }
 

@@ -250,13 +250,14 @@ int gate(const GateArguments& arguments) {
 
 void add_gate(Program& program) {
   Command command = program.command(
-      "Guard", "gate", "Merge gate: every case, every law, a sample of every stratum; one exit code");
+      "Guard", "gate",
+      "Tests methods on every case and law and on random pairs, with one exit code for a merge");
   auto arguments = std::make_shared<GateArguments>();
   command.section("Limits");
-  command.number("--pairs N", arguments->pairs, "pairs to draw besides the cases", 1)
+  command.number("--pairs N", arguments->pairs, "random pairs to draw besides the cases", 1)
       .default_text(std::to_string(gate_pairs));
   command.option("--for DURATION", arguments->cap,
-                 "limit of wall time, such as 40s; if it cuts pairs off, the exit code is 3");
+                 "limit of wall time, such as 40s; if it skips pairs, the exit code is 3");
   command.section("Methods");
   command
       .option("--method LIST", arguments->methods,
@@ -279,8 +280,9 @@ void add_gate(Program& program) {
       .one_each();
   command.section("Baseline");
   command
-      .option("--against FILE", arguments->against,
-              "JSON of an earlier gate; reruns its pairs and fails only if a failure is new or wider")
+      .option(
+          "--against FILE", arguments->against,
+          "JSON of an earlier gate; reruns its pairs and fails only if a failure is new or has more pairs")
       .excludes("--pairs")
       .excludes("--seed");
   command.option("--suppressions FILE", arguments->suppressions, "known causes, which do not fail")
@@ -292,7 +294,7 @@ void add_gate(Program& program) {
   command.option("--keep FILE", arguments->keep, "write the simplified failing pairs as a case file")
       .writable();
   command.section("Pairs");
-  command.option("--reproduce NAME", arguments->reproduce, "rerun one drawn pair, by its printed name");
+  command.option("--reproduce NAME", arguments->reproduce, "rerun one random pair, by its printed name");
   command.section("Output");
   command.flag("--laws", arguments->laws, "only list the laws");
   command.examples(

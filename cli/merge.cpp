@@ -35,7 +35,7 @@ int merge(const MergeArguments& arguments) {
 }  // namespace
 
 void add_merge(Program& program) {
-  Command command = program.command("Find", "merge", "Makes one run of the shards of a campaign");
+  Command command = program.command("Find", "merge", "Merges the shards of a campaign into one run");
   auto arguments = std::make_shared<MergeArguments>();
   command.option("RUN", arguments->runs, "folders of the shards").required();
   command.section("Output");

@@ -50,13 +50,16 @@ SelfTest self_test(unsigned count, std::optional<std::chrono::milliseconds> time
 }
 
 void add_mutants(Program& program) {
-  Command command = program.command("Guard", "mutants",
-                                    "The kill matrix: one fault planted after the other, and who catches it");
+  Command command = program.command(
+      "Guard", "mutants", "Plants one fault at a time in our own code, and reports which checks detect it");
   command.examples(
+      "  daylight mutants list\n"
       "  daylight mutants matrix --only 101,102 --json kills.jsonl",
-      "list: the planted faults. matrix: who notices each of them. smoke: a few at random. Each has its own "
-      "--help,\nas `daylight mutants matrix --help`: daylight-mutants, beside this program, reads what "
-      "follows.");
+      "`list` lists the faults. `matrix` runs every detector on each of them. `smoke` plants a few faults "
+      "that "
+      "must be\ndetected at once. Each has its own --help. The program daylight-mutants, beside this one, "
+      "runs "
+      "them.\nFor mutants, 2 means that a fault was not detected.");
   command.run_unparsed([](const std::vector<std::string>& arguments) -> int { become_mutants(arguments); });
 }
 

@@ -274,28 +274,29 @@ int self_check(const Planted& planted) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  CLI::App app{"Plants one fault after the other into this program and sees which the harness catches."};
+  CLI::App app{"Plants one fault at a time in this program, and reports which the harness detects."};
   app.require_subcommand(1);
   app.footer("For example: daylight-mutants matrix --only 101,102 --json kills.jsonl");
   MutantsMainArguments arguments;
-  auto* listing = app.add_subcommand("list", "the mutants");
-  auto* running = app.add_subcommand("matrix", "every detector on every mutant, the program as it is first");
-  running->add_option("--only", arguments.only, "numbers of mutants")->delimiter(',');
+  auto* listing = app.add_subcommand("list", "lists the faults");
+  auto* running =
+      app.add_subcommand("matrix", "runs every detector on every fault, after the program without a fault");
+  running->add_option("--only", arguments.only, "numbers of the faults")->delimiter(',');
   running
       ->add_option("--detectors", arguments.detectors,
-                   "laws, corpus, differential, fuzz, gate, tests; all where not given")
+                   "laws, corpus, differential, fuzz, gate or tests; all if not given")
       ->delimiter(',');
-  running->add_flag("--first", arguments.first, "leave a mutant at its first kill");
+  running->add_flag("--first", arguments.first, "stop at the first detector of each fault");
   running->add_option("--json", arguments.json,
-                      "a file for the rows, one JSON object a line; what it holds is not asked again");
-  running->add_option("--corpus", arguments.corpus, "the folder of the case files");
+                      "file of the rows, one JSON object a line; its rows are not computed again");
+  running->add_option("--corpus", arguments.corpus, "folder of case files");
   std::size_t count = std::size(self_test_mutants);
-  auto* quick = app.add_subcommand("smoke", "a few mutants that must be caught at once");
-  quick->add_option("--count", count, "how many");
-  quick->add_option("--corpus", arguments.corpus, "the folder of the case files");
+  auto* quick = app.add_subcommand("smoke", "plants a few faults that must be detected at once");
+  quick->add_option("--count", count, "number of faults");
+  quick->add_option("--corpus", arguments.corpus, "folder of case files");
   Planted planted;
   auto* self_checking = app.add_subcommand(
-      "self-check", "a mutant through a campaign's pairs until it is found; campaigns do it");
+      "self-check", "runs a fault on the pairs of a campaign until it is found; campaigns call it");
   self_checking->add_option("--mutant", planted.number)->required();
   self_checking->add_option("--seed", planted.seed)->required();
   self_checking->add_option("--first", planted.first)->required();

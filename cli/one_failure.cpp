@@ -77,9 +77,9 @@ void add_failure_options(Command& command, FailureOptions& options) {
   command.option("CASE", options.target, "RUN:ID, FILE:LINE, or a file of one case").required();
   command.section("Methods");
   command.option("--method NAME", options.method, "the method that is wrong")
-      .default_text("that of the stored finding");
+      .default_text("the method of the finding");
   command.option("--kind KIND", options.kind, "kind of failure, such as wrong_disjoint")
-      .default_text("kind of the stored finding; else found by asking");
+      .default_text("the kind of the finding, or of the answer now");
   add_guest_options(command, options.guests);
   add_run_guests_option(command, options.guests);
 }

@@ -23,11 +23,12 @@ namespace {
 constexpr const char* exit_codes =
     "Exit codes:\n"
     "  0   nothing is wrong\n"
-    "  1   daylight itself failed\n"
-    "  2   a method is wrong beyond its claim\n"
+    "  1   daylight itself failed, for example because it could not write a file\n"
+    "  2   a method is provably wrong beyond its claim, crashed or hung\n"
     "  3   nothing is wrong, but something is undecided or was not asked\n"
-    "  64  the command line is not valid\n"
-    "  65  an input is not a pair or a scene";
+    "  64  wrong usage, such as an unknown option or a missing file\n"
+    "  65  bad input, such as a line that is not a pair\n"
+    "A claim is the tolerance that a method states. docs/exit-codes.md has the codes of each command.";
 
 /// --help: the name and value of each option, its help beside them, and its default behind that.
 class HelpFormat final : public CLI::Formatter {

@@ -111,7 +111,7 @@ void add_scene(Program& program) {
   SceneOptions& question = arguments->question;
   question.rate = 0.003;  // the rule of three on 1000 draws
   Command command = program.command(
-      "Measure", "scene", "Reports which model of its shapes a scene or robot needs, and at what cost");
+      "Measure", "scene", "Reports which models of its shapes a robot or scene needs, and what they cost");
   command.option("FILE", question.file, "scene: .urdf, .xml (MJCF), or solids in .jsonl or .csv").readable();
   command.section("Question");
   command.option("--clearance LENGTH", question.clearance,

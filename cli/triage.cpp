@@ -151,7 +151,7 @@ void add_triage(Program& program) {
   command.option("RUN", arguments->run, "run folder").required();
   command.section("Input");
   command.option("--against DIR", arguments->against, "triaged runs to compare with")
-      .default_text("those beside it");
+      .default_text("the runs in the same folder");
   command.section("Limits");
   command.option("--for DURATION", arguments->budget, "wall time, such as 5m").default_text("5m");
   command.section("Methods");
@@ -187,7 +187,7 @@ void add_triage(Program& program) {
   command.option("--owner NAME", arguments->note.owner, "owner of the cause").needs("--annotate");
   command
       .option("--note NOTE", arguments->note.note,
-              "what is known of the cause; without owner and note, both are removed")
+              "note about the cause; without owner and note, both are removed")
       .needs("--annotate");
   command.examples(
       "  daylight triage runs/latest --for 2m\n"

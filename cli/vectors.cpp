@@ -556,8 +556,8 @@ int write_vectors(const VectorsOptions& options) {
 }  // namespace
 
 void add_vectors(Program& program) {
-  Command command =
-      program.command("Measure", "vectors", "Writes test vectors: pairs, what is true of them, and proofs");
+  Command command = program.command("Measure", "vectors",
+                                    "Writes test vectors: pairs with their verdict, distance and proof");
   auto options = std::make_shared<VectorsOptions>();
   options->cases = in_source_tree("corpus/cases");
   command.section("Pairs");
@@ -573,7 +573,8 @@ void add_vectors(Program& program) {
       .default_text("corpus/cases/");
   command.examples(
       "  daylight vectors --tier full --seed 7 > full.json\n"
-      "  daylight vectors --tier smoke --header > smoke.h");
+      "  daylight vectors --tier smoke --header > smoke.h",
+      "The exit codes 2 and 3 do not occur for vectors.");
   command.run([options] { return write_vectors(*options); });
 }
 

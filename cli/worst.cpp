@@ -233,7 +233,7 @@ class Searcher {
 
 void add_worst(Program& program) {
   Command command = program.command(
-      "Find", "worst", "Searches for the pair on which a method is wrong by the greatest margin, or slowest");
+      "Find", "worst", "Searches for the pair with the largest error, or the longest time, of a method");
   auto arguments = std::make_shared<WorstArguments>();
   command.section("Methods");
   command
@@ -269,7 +269,7 @@ void add_worst(Program& program) {
       "  daylight worst --method fcl-libccd --feature side-rim --for 60s --out worst.jsonl\n"
       "  daylight worst --method mine --plugin ./libmine.so --search time",
       "Each line has the method, the feature, the proved margin relative to the size (or the quantity that\n"
-      "--search names), its description, and the pair.");
+      "--search names), its description, and the pair. 3 does not occur for worst.");
   command.run([arguments] { return Searcher(*arguments).run(); });
 }
 

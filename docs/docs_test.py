@@ -97,6 +97,8 @@ def check_english():
     found = [f'{command} --help: {message}' for command, text in helps.items() for _, message in
              plain_english.phrases(' '.join(text.split()))]
     for command, text in helps.items():
+        if command and len(re.findall(r'^  (?!-).*\bdaylight [a-z]', text.partition('\nExamples:\n')[2], re.M)) < 2:
+            found.append(f'{command} --help: two examples at least')
         for option, about in re.findall(r'^  (--\S+.*?)(?: {2,}|\n {10,})(\S.*?)(?: \(default: .*\))?$', text, re.M):
             if len(about) > 100 or 'TEXT' in option:
                 found.append(f'{command} {option}: at most 100 characters, and a name for the value')

@@ -66,12 +66,13 @@ TEST_F(Mjcf, WhatIsNotReadIsNamed) {
                                                   {"replicate", "b"}}));
   EXPECT_EQ(scene.bodies.size(), 3u);
   EXPECT_TRUE(scene.links.at(2).held);
-  EXPECT_EQ(scene.notes, (std::vector<std::string>{
-                             "A mesh of world cannot be read: m: no such asset.",
-                             "Joint m is carried from outside (mocap): it is held where the file puts it.",
-                             "Exclude b, c: no such bodies.",
-                             "Equality connect is not kept: what it holds together is drawn apart.",
-                             "Not needed and not read: keyframe, option."}));
+  EXPECT_EQ(scene.notes,
+            (std::vector<std::string>{
+                "A mesh of world cannot be read: m: no such asset.",
+                "Joint m is carried from outside (mocap): it stays in the place that the file gives.",
+                "Exclude b, c: no such bodies.",
+                "Equality connect is ignored: the bodies that it connects move independently.",
+                "Not needed and not read: keyframe, option."}));
 }
 
 // What a class says, the class inside it says too; an element's own word is last, and a joint is limited as

@@ -175,7 +175,7 @@ TEST(Files, FaultsAreNamed) {
   EXPECT_NE(error_of(".xml", "<mujoco><worldbody><geom type='cylinder' size='1'/></worldbody></mujoco>")
                 .find("sizes must be positive"),
             std::string::npos);
-  EXPECT_NE(error_of(".obj", "").find("no scene"), std::string::npos);
+  EXPECT_NE(error_of(".obj", "").find("not a scene"), std::string::npos);
 }
 
 TEST(Urdf, UnknownShapesAreNamedNotFatal) {

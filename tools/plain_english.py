@@ -1,8 +1,9 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""Checks the English of Markdown files: no phrase of the list below, no sentence of 30 words or more, no sentence with
-more than one colon or semicolon. "plain_english.py FILE.." prints its findings and exits with 1 if there are any.
-"--count" prints totals only. Code, tables, headings and "quotations" are not checked. docs/docs_test.py runs it."""
+"""Checks the English of Markdown files and of the comments of C++ headers: no phrase of the list below, no sentence of
+30 words or more, no sentence with more than one colon or semicolon. "plain_english.py FILE.." prints its findings and
+exits with 1 if there are any. "--count" prints totals only. Code, tables, headings and "quotations" are not checked.
+docs/docs_test.py runs it."""
 import pathlib
 import re
 import sys
@@ -44,6 +45,21 @@ def paragraphs(text):
             held.append(bare[item.end():] if item else bare)
 
 
+def comments(text):
+    """Yields (line number, text) of each comment of a C++ file: adjacent lines that begin in one column."""
+    start, column, held = 0, 0, []
+    for number, line in enumerate(text.splitlines() + [''], 1):
+        mark = re.search(r'//[/!]?<? ?', line)
+        if mark and (line[:mark.start()].endswith(':') or line[:mark.start()].count('"') % 2 or 'SPDX' in line):
+            mark = None
+        if held and not (mark and not line[:mark.start()].strip() and mark.start() == column):
+            yield start, ' '.join(held)
+            held = []
+        if mark:
+            start, column = (start, column) if held else (number, mark.start())
+            held.append(line[mark.end():].strip())
+
+
 def prose(text):
     """The words that are read. A link is its text, code or a quotation is a word, and a leading **term**: is a label."""
     text = re.sub(r'^(?:\*{1,2}[^*]+\*{1,2}(?:, )?)+: ', '', text)
@@ -62,9 +78,9 @@ def phrases(text):
             yield habit, f'"{match[0].strip()}" in "..{around}..": write {better}'
 
 
-def findings(text):
-    """Yields (line number, habit, message) of a Markdown text."""
-    for number, paragraph in paragraphs(text):
+def findings(text, split=paragraphs):
+    """Yields (line number, habit, message) of a text, which `split` divides into paragraphs."""
+    for number, paragraph in split(text):
         paragraph = prose(paragraph)
         for habit, message in phrases(paragraph):
             yield number, habit, message
@@ -80,7 +96,8 @@ def findings(text):
 def main():
     counts = {}
     for name in [word for word in sys.argv[1:] if word != '--count']:
-        for number, habit, message in findings(pathlib.Path(name).read_text()):
+        split = comments if name.endswith('.hpp') else paragraphs
+        for number, habit, message in findings(pathlib.Path(name).read_text(), split):
             counts[habit] = counts.get(habit, 0) + 1
             if '--count' not in sys.argv:
                 print(f'{name}:{number}: {message}')

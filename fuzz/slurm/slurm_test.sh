@@ -109,5 +109,5 @@ over() {
 }
 until_true 'all jobs end' over
 grep -q '^incomplete' out/merge.log && { cat out/merge.log; exit 1; }
-grep -qE '^100000 pairs' out/merge.log || { cat out/*.log; exit 1; }
+grep -qE '^pairs: 100000, ' out/merge.log || { cat out/*.log; exit 1; }
 same_run whole out

@@ -110,20 +110,20 @@ std::string motions_words(const SceneOptions& q, const SceneStudy& s) {
           : "",
       of(pairs, MotionVerdict::open), q.motion_boxes);
   if (!s.motions->exemptions.empty())
-    text += fmt::format("\n\"Never\" in the SRDF, {} link pairs: {} proved, {} REFUTED, {} open",
+    text += fmt::format(". \"Never\" in the SRDF, {} link pairs: {} proved, {} REFUTED, {} open",
                         s.motions->exemptions.size(),
                         of(exempt, MotionVerdict::never) + of(exempt, MotionVerdict::within),
                         of(exempt, MotionVerdict::refuted), of(exempt, MotionVerdict::open));
   if (of(exempt, MotionVerdict::within) > 0)
     text += fmt::format(" ({} of the proved pairs come within the clearance, but never touch)",
                         of(exempt, MotionVerdict::within));
-  text += fmt::format("\ntime of the proofs: {:.1f} s", s.motions->ms / 1000);
+  text += fmt::format(". Time of the proofs: {:.1f} s", s.motions->ms / 1000);
   if (s.motions->contradicted > 0)
     text += fmt::format(
-        "\nSEEN NEARER THAN PROVED: {}, which is a fault of daylight. Nothing is claimed of these pairs.",
+        ". SEEN NEARER THAN PROVED: {}, which is a fault of daylight. Nothing is claimed of these pairs",
         s.motions->contradicted);
   else if (s.motions->against > 0)
-    text += fmt::format("\nin {} other configurations no pair is nearer than proved", s.motions->against);
+    text += fmt::format(". In {} other configurations no pair is nearer than proved", s.motions->against);
   return text;
 }
 

@@ -83,7 +83,7 @@ std::string pairs_words(const Scene& scene, const SceneStudy& s) {
           ? ""
           : fmt::format(" ({} disables {})", scene.srdf, plural(scene.exemptions.size(), "link pair")));
   if (s.pairs.empty() && by_bits > 0)
-    text += fmt::format("\n  contype and conaffinity let {} collide: --all-pairs checks them",
+    text += fmt::format(". contype and conaffinity let {} collide: --all-pairs checks them",
                         by_bits == all ? "no two shapes" : fmt::format("{} not", plural(by_bits, "pair")));
   return text;
 }
@@ -105,10 +105,10 @@ std::string configurations_words(const Scene& scene, const SceneOptions& q, cons
       plural(s.configurations, "configuration"), q.clearance, plural(unseen, "pair"), always,
       s.pairs.size() - unseen - always - unknown, unknown ? fmt::format(", {} not known", unknown) : "");
   if (s.drawn && least > 0)
-    text += fmt::format("\n  the first two are true in all but {} of all configurations, at 95 % confidence",
+    text += fmt::format(". The first two are true in all but {} of all configurations, at 95 % confidence",
                         rate_text(least));
   if (further > 0)
-    text += fmt::format("\n  up to {} draws for {} whose model was never seen wrong", most,
+    text += fmt::format(". Up to {} draws for {} whose model was never seen wrong", most,
                         plural(further, "pair"));
   return text;
 }
@@ -254,9 +254,8 @@ constexpr double least_saving = 0.1;
 std::string cost_words(const SceneStudy& s) {
   const double alone = s.alone_ns[index_of(Level::cylinder)];
   return fmt::format(
-      "{:.2f} us for a configuration, and {:.2f} us with the {} test for every pair{}. Moving the bodies "
-      "takes "
-      "another {:.2f} us.",
+      "{:.2f} us for a configuration, and {:.2f} us with the {} test for every pair{}; {:.2f} us more to "
+      "move the bodies",
       s.cascade_ns / 1000, alone / 1000, to_string(Level::cylinder),
       s.cascade_ns > (1 - least_saving) * alone ? ": IT SAVES NOTHING" : "",
       (s.kinematics_ns + s.models_ns) / 1000);
