@@ -150,7 +150,7 @@ std::string play_json() {
   std::vector<Pair> pairs;
   for (const Example& example : examples) pairs.push_back(example.known.pair);
   std::vector<Trial> trials = try_methods(methods, pairs, {});
-  json all = {{"solver", solver_in_base64()}, {"examples", json::array()}};
+  json all = {{"examples", json::array()}};
   for (std::size_t i = 0; i < examples.size(); ++i)
     all["examples"].push_back(example_json(examples[i], methods, trials[i]));
   return all.dump(-1, ' ', false, json::error_handler_t::replace);
@@ -170,7 +170,7 @@ void add_play(Program& program) {
       "The examples are pairs that libraries, engines or printed methods get wrong. The command asks\n"
       "the libraries of this build about them.");
   command.run([out] {
-    write_file(*out, fill_template(play_json()));
+    write_file(*out, fill_template(play_json(), PageSolver::included));
     fmt::print("{}\n", *out);
     return exit_pass;
   });

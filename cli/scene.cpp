@@ -63,7 +63,7 @@ void write_results(const SceneArguments& arguments, const Scene& scene, const Sc
   if (arguments.json.empty() && arguments.page.empty()) return;
   const std::string json = study_json(scene, arguments.question, s);
   if (!arguments.json.empty()) write_file(arguments.json, json);
-  if (!arguments.page.empty()) write_file(arguments.page, fill_template(json));
+  if (!arguments.page.empty()) write_file(arguments.page, fill_template(json, PageSolver::included));
 }
 
 int study(SceneArguments& arguments) {

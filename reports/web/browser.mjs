@@ -125,14 +125,25 @@ export const paleWords = (page) =>
     ];
   });
 
+const packed = (bytes) => deflateSync(bytes).toString("base64");
+/** The solver that pages hold, as it is committed. */
+export const solverModule = readFileSync(new URL("./solver.wasm", import.meta.url));
+
 /** The page with data in it, as page_template.cpp fills it. */
 export function filled(report) {
   const template = readFileSync(new URL("./page_template.html", import.meta.url), "utf8");
-  return template.replace("@@DAYLIGHT_REPORT_DATA@@", () => deflateSync(JSON.stringify(report)).toString("base64")).replace(
-    /<script id="program">(.*?)<\/script>/s,
-    (_, program) => `<script type="text/plain" id="program">${deflateSync(program).toString("base64")}</script>`,
-  );
+  return template
+    .replace("@@DAYLIGHT_REPORT_DATA@@", () => packed(JSON.stringify(report)))
+    .replace("@@DAYLIGHT_SOLVER@@", () => ("kept" in report ? packed(solverModule) : ""))
+    .replace(
+      /<script id="program">(.*?)<\/script>/s,
+      (_, program) => `<script type="text/plain" id="program">${packed(program)}</script>`,
+    );
 }
+
+/** The solver in the page of a file. */
+export const solverOf = (file) =>
+  inflateSync(Buffer.from(/id="solver">([^<]*)</.exec(readFileSync(file, "utf8"))[1], "base64"));
 
 /** What the page of a file shows. */
 export function dataOf(file) {

@@ -55,8 +55,9 @@ async function bundle(options) {
 }
 
 async function scriptOf(entry) {
-  const bundled = await bundle({ entryPoints: [entry], format: "iife", target: "es2022" });
-  return { ...bundled, text: bundled.text.trimEnd().replaceAll("</script", "<\\/script").replaceAll("<!--", "<\\!--") };
+  const bundled = await bundle({ entryPoints: [entry], format: "iife", target: "es2022" }),
+    text = bundled.text.trimEnd();
+  return { ...bundled, text: text.replaceAll("</script", "<\\/script").replaceAll("<!--", "<\\!--") };
 }
 
 async function page() {

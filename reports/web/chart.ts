@@ -26,7 +26,7 @@ export { logGamma, sameRateProbability } from "./run/rates.ts";
 export { csvOf } from "./run/files.ts";
 export { glossary } from "./run/glossary.ts";
 export { csvCell } from "./parts/save.ts";
-export { loadSolver } from "./parts/solver.ts";
+export { bringSolver, solve } from "./parts/solver.ts";
 export { addressOf, pairOf } from "./play/solids.ts";
 export { full, shellQuoted } from "./parts/words.ts";
 export { frameOf, standIn } from "./scene/study.ts";

@@ -3,7 +3,7 @@
 import * as forNode from "./chart.ts";
 import { render } from "preact";
 import { inflated } from "./parts/inflate.ts";
-import { loadSolver } from "./parts/solver.ts";
+import { bringSolver } from "./parts/solver.ts";
 import { safe, safeTexts } from "./parts/words.ts";
 import type { Play } from "./play/data.ts";
 import { PlayPage } from "./play/play_page.tsx";
@@ -24,18 +24,23 @@ async function dataOf(): Promise<unknown> {
   return inflated(text).json();
 }
 
+/** From the element that page_template.cpp fills for pages that ask the solver. */
+async function bringSolverOfPage() {
+  await bringSolver(await inflated(document.getElementById("solver")!.textContent!).arrayBuffer());
+}
+
 /** The title of the page and what it shows; nothing in the template without data. */
 async function shown() {
   const data = (await dataOf()) as Report | Study | Play | null;
   if (data === null) return null;
   if ("kept" in data) {
     const study = safeTexts(data);
+    await bringSolverOfPage();
     return { title: study.file, view: <StudyPage study={study} /> };
   }
-  if ("solver" in data) {
-    const solver = await loadSolver(data.solver),
-      play = { solver: "", examples: safeTexts(data.examples) };
-    return { title: "play", view: <PlayPage play={play} solver={solver} /> };
+  if ("examples" in data) {
+    await bringSolverOfPage();
+    return { title: "play", view: <PlayPage play={safeTexts(data)} /> };
   }
   return { title: safe(data.run.id), view: <RunPage report={expand(data)} /> };
 }

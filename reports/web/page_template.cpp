@@ -48,29 +48,37 @@ std::string base64(std::string_view bytes) {
   return text.replace(text.size() - missing, missing, missing, '=');
 }
 
-}  // namespace
+std::string packed(std::string_view text) { return base64(compressed(text)); }
 
-std::string fill_template(std::string_view json) {
-  // Each stands in the template once, in this order.
-  constexpr std::string_view mark = "@@DAYLIGHT_REPORT_DATA@@", begin = "<script id=\"program\">",
-                             end = "</script>";
-  const std::string_view page(daylight_page_template,
-                              static_cast<std::size_t>(daylight_page_template_end - daylight_page_template));
-  const std::size_t data = page.find(mark), tag = page.find(begin, data);
-  if (data == page.npos || tag == page.npos)
-    throw std::runtime_error("the template of the page lacks a place");
-  const std::size_t program = tag + begin.size(), rest = page.find(end, program);
-  std::string filled(page.substr(0, data));
-  filled += base64(compressed(json));
-  filled += page.substr(data + mark.size(), tag - data - mark.size());
-  filled += "<script type=\"text/plain\" id=\"program\">";
-  filled += base64(compressed(page.substr(program, rest - program)));
-  return filled += page.substr(rest);
+/// Returns where `what` ends in the page, after `from`.
+std::size_t end_of(std::string_view what, std::string_view page, std::size_t from) {
+  const std::size_t at = page.find(what, from);
+  if (at == page.npos) throw std::runtime_error("the template of the page lacks a place");
+  return at + what.size();
 }
 
-std::string solver_in_base64() {
-  return base64(
-      {daylight_page_solver, static_cast<std::size_t>(daylight_page_solver_end - daylight_page_solver)});
+}  // namespace
+
+std::string fill_template(std::string_view json, PageSolver solver) {
+  // Each stands in the template once, in this order.
+  constexpr std::string_view data_mark = "@@DAYLIGHT_REPORT_DATA@@", solver_mark = "@@DAYLIGHT_SOLVER@@",
+                             tag = "<script id=\"program\">", end_tag = "</script>";
+  const std::string_view page(daylight_page_template,
+                              static_cast<std::size_t>(daylight_page_template_end - daylight_page_template));
+  const std::string_view module(daylight_page_solver,
+                                static_cast<std::size_t>(daylight_page_solver_end - daylight_page_solver));
+  const std::size_t after_data = end_of(data_mark, page, 0),
+                    after_solver = end_of(solver_mark, page, after_data),
+                    program = end_of(tag, page, after_solver),
+                    rest = end_of(end_tag, page, program) - end_tag.size();
+  std::string filled(page.substr(0, after_data - data_mark.size()));
+  filled += packed(json);
+  filled += page.substr(after_data, after_solver - solver_mark.size() - after_data);
+  if (solver == PageSolver::included) filled += packed(module);
+  filled += page.substr(after_solver, program - tag.size() - after_solver);
+  filled += "<script type=\"text/plain\" id=\"program\">";
+  filled += packed(page.substr(program, rest - program));
+  return filled += page.substr(rest);
 }
 
 }  // namespace cyl

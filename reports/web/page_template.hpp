@@ -8,12 +8,12 @@
 
 namespace cyl {
 
+enum class PageSolver : unsigned char { left_out, included };
+
 /// Returns the page that shows a JSON object: a run (report_json), a scene (study_json) or examples (daylight
 /// play). The page holds it compressed (zlib, RFC 1950) and in base64, so that no text in it can end the
 /// element that holds it.
-std::string fill_template(std::string_view json);
-
-/// Returns the solver as a WebAssembly module (wasm/build.sh) in base64, for pages that ask it.
-std::string solver_in_base64();
+/// Pages that ask the solver also hold it, as a WebAssembly module (wasm/build.sh).
+std::string fill_template(std::string_view json, PageSolver solver = PageSolver::left_out);
 
 }  // namespace cyl

@@ -48,19 +48,26 @@ function truthOf(pair: Pair, row: number[]): Truth {
   }
 }
 
-export type Solver = (pair: Pair) => Solved;
+type Solver = (pair: Pair) => Solved;
 
-/** `module` in base64. */
-export async function loadSolver(module: string): Promise<Solver> {
-  const bytes = Uint8Array.from(atob(module), (c) => c.charCodeAt(0));
-  const { instance } = await WebAssembly.instantiate(bytes);
+let loaded: Solver | null = null;
+
+/** What the solver says of a pair, once it was brought. */
+export const solve: Solver = (pair) => {
+  if (!loaded) throw new Error("this page holds no solver");
+  return loaded(pair);
+};
+
+/** Makes solve() ask this WebAssembly module. */
+export async function bringSolver(module: BufferSource) {
+  const { instance } = await WebAssembly.instantiate(module);
   const { memory, question, answers, answer } = instance.exports as unknown as {
     memory: WebAssembly.Memory;
     question: () => number;
     answers: () => number;
     answer: () => void;
   };
-  return (pair) => {
+  loaded = (pair) => {
     new Float64Array(memory.buffer, question(), questionSize).set([...numbersOf(pair.a), ...numbersOf(pair.b)]);
     answer();
     const row = [...new Float64Array(memory.buffer, answers(), answersSize)];

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the page to play with is given (cli/play.cpp): the solver, and pairs that somebody gets wrong.
+// What the page to play with is given (cli/play.cpp): pairs that somebody gets wrong.
 import type { Answer, Pair, Truth } from "../parts/data.ts";
 
 /** What a method says of an example, and what is wrong with that, if anything. */
@@ -21,6 +21,5 @@ export interface Example {
 }
 
 export interface Play {
-  solver: string; // WebAssembly, in base64
   examples: Example[];
 }

@@ -6,10 +6,22 @@ import assert from "node:assert/strict";
 import { readdirSync, readFileSync } from "node:fs";
 import { resolve } from "node:path";
 import { pathToFileURL } from "node:url";
-import { asked, browser, colours, dataOf, errors, open, paleWords, settled, withoutWebgl } from "../browser.mjs";
+import {
+  asked,
+  browser,
+  colours,
+  dataOf,
+  errors,
+  open,
+  paleWords,
+  settled,
+  solverModule,
+  solverOf,
+  withoutWebgl,
+} from "../browser.mjs";
 import { daylight } from "../chart.mjs";
 
-const { addressOf, loadSolver, pairOf, prove } = daylight;
+const { addressOf, bringSolver, pairOf, prove, solve } = daylight;
 const file = resolve(process.argv[2]),
   address = pathToFileURL(file).href,
   play = dataOf(file);
@@ -84,11 +96,13 @@ function saysWhatIsKnown() {
 
 /** The solver of the page and its prover, on every case: each certificate holds, no verdict is refuted. */
 async function provesEveryCase() {
-  const solver = await loadSolver(play.solver),
-    seen = { proved: 0, open: 0, hulls: 0, points: 0 };
+  const module = solverOf(file);
+  assert.ok(module.equals(solverModule), "the page holds the solver");
+  await bringSolver(module);
+  const seen = { proved: 0, open: 0, hulls: 0, points: 0 };
   for (const { id, a, b, truth } of cases) {
     const pair = { a, b },
-      solved = solver(pair).truth;
+      solved = solve(pair).truth;
     assert.deepEqual(pairOf(addressOf(pair)), pair, `the address of ${id}`);
     if (solved.verdict === "undecided") {
       seen.open += 1;

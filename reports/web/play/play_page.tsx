@@ -5,7 +5,7 @@ import { useEffect, useMemo, useState } from "preact/hooks";
 import type { Pair, Truth } from "../parts/data.ts";
 import { Copy, Section } from "../parts/elements.tsx";
 import { prove, type Proof } from "../parts/prove.ts";
-import type { Solved, Solver } from "../parts/solver.ts";
+import { solve, type Solved } from "../parts/solver.ts";
 import { full, short } from "../parts/words.ts";
 import type { Example, Play } from "./data.ts";
 import { AboutExample, ChooseExample } from "./examples.tsx";
@@ -118,9 +118,9 @@ function usePair(examples: Example[]) {
   };
 }
 
-export function PlayPage({ play, solver }: { play: Play; solver: Solver }) {
+export function PlayPage({ play }: { play: Play }) {
   const { pair, version, example, change, choose } = usePair(play.examples);
-  const solved = useMemo(() => solver(pair), [pair]);
+  const solved = useMemo(() => solve(pair), [pair]);
   const proof = useMemo(() => prove(pair, solved.truth), [pair, solved]);
   const line = JSON.stringify(pair);
   return (

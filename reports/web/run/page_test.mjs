@@ -8,7 +8,18 @@ import assert from "node:assert/strict";
 import { mkdirSync, readFileSync, writeFileSync } from "node:fs";
 import { join, resolve } from "node:path";
 import { pathToFileURL } from "node:url";
-import { asked, browser, colours, errors, filled, folder, open, paleWords, settled, withoutWebgl } from "../browser.mjs";
+import {
+  asked,
+  browser,
+  colours,
+  errors,
+  filled,
+  folder,
+  open,
+  paleWords,
+  settled,
+  withoutWebgl,
+} from "../browser.mjs";
 import { sample } from "./sample.mjs";
 
 const [option, argument, given] = process.argv.slice(2);

@@ -6,10 +6,24 @@ import assert from "node:assert/strict";
 import { readFileSync, writeFileSync } from "node:fs";
 import { basename, join, resolve } from "node:path";
 import { pathToFileURL } from "node:url";
-import { asked, browser, colours, dataOf, errors, filled, folder, open, settled, withoutWebgl } from "../browser.mjs";
+import {
+  asked,
+  browser,
+  colours,
+  dataOf,
+  errors,
+  filled,
+  folder,
+  open,
+  settled,
+  solverModule,
+  withoutWebgl,
+} from "../browser.mjs";
 import { daylight } from "../chart.mjs";
 
 const { csvOfStudy, freeJoints, gap, gapsOf, jointValues, placed, riskOf, studyRowsOf } = daylight;
+
+await daylight.bringSolver(solverModule);
 
 const pages = process.argv
   .slice(2)
@@ -50,7 +64,7 @@ function movesRobotsAsTheExecutableDoes() {
   assert.ok(compared > 1000, `compared ${compared}`);
 }
 
-/** Apart or overlapping, rounded or not: to 1e-6, and the nearest points are as far apart as it says. */
+/** Apart or overlapping, rounded or not: the same doubles, and the nearest points are as far apart as they say. */
 function measuresGapsAsTheExecutableDoes() {
   const seen = { apart: 0, overlapping: 0, rounded: 0 };
   for (const { study } of pages)
@@ -59,9 +73,9 @@ function measuresGapsAsTheExecutableDoes() {
         const [a, b] = study.pairs[i].bodies.map((body) => kept.cylinders[body]),
           found = gap(a, b),
           what = `${study.file}, ${study.pairs[i].a} and ${study.pairs[i].b}`;
-        assert.ok(Math.abs(found.distance - pair.distance) < 1e-6, `${what}: ${found.distance}, not ${pair.distance}`);
+        assert.equal(found.distance, pair.distance, what);
         const way = Math.hypot(...found.on_a.map((x, k) => x - found.on_b[k]));
-        assert.ok(Math.abs(way - Math.abs(found.distance)) < 1e-6, `${what}: points ${way} apart`);
+        assert.ok(Math.abs(way - Math.abs(found.distance)) < 1e-9, `${what}: points ${way} apart`);
         seen[found.distance < 0 ? "overlapping" : "apart"] += 1;
         if (a.rounding || b.rounding) seen.rounded += 1;
       }

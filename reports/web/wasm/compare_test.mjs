@@ -33,7 +33,9 @@ const inside = (at, count) => new BigUint64Array(exports.memory.buffer, at, coun
 const question = inside(exports.question(), questionSize),
   answers = inside(exports.answers(), names.length);
 
-const { stdout, status } = spawnSync(resolve(program), [here("../../../corpus/cases"), pairs, seed], { maxBuffer: 1 << 30 });
+const { stdout, status } = spawnSync(resolve(program), [here("../../../corpus/cases"), pairs, seed], {
+  maxBuffer: 1 << 30,
+});
 assert.equal(status, 0, "the native solver's answers");
 const row = questionSize + names.length;
 const native = new BigUint64Array(stdout.buffer, stdout.byteOffset, stdout.byteLength / 8);
