@@ -134,7 +134,7 @@ TEST_F(Campaign, HoldsNoMoreMemoryAsItGoesOn) {
                                return beside(static_cast<double>(index + 1) * 1e-3);
                              }}};
   constexpr std::uint64_t filled = 20, batches = 80;  // the cache of SQLite is full after `filled`
-  std::size_t then = 0, now = 0;                       // bytes in use
+  std::size_t then = 0, now = 0;                      // bytes in use
   run_campaign(options("run", batches * batch_size), {methods, growing, {}}, [&](const CampaignProgress& p) {
     (p.done <= filled * batch_size ? then : now) = mallinfo2().uordblks;
   });

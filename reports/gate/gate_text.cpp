@@ -110,8 +110,8 @@ std::string failures_text(const GateReport& report) {
       failing.empty() ? nothing : fmt::format("Fails the gate ({}):\n", grouped(failing.size()));
   for (std::size_t i = 0; i < failing.size(); ++i) text += in_full(i + 1, failing[i]);
   if (!others.empty())
-    text +=
-        fmt::format("\nDoes not fail the gate: known, or within the claim ({}):\n", grouped(others.size()));
+    text += fmt::format("\n{} ({}):\n", "Does not fail the gate: known, or within the claim",
+                        grouped(others.size()));
   for (std::size_t i = 0; i < std::min(brief_cap, others.size()); ++i) {
     const FailureView f = view_of(others[i]);
     const std::string buckets =

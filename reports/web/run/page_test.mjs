@@ -385,6 +385,7 @@ async function fitsALaptop(page) {
 async function overprintsNothing() {
   for (const width of [400, 900, 1366]) {
     const page = await openPage({ width });
+    await page.locator("#speed .plot").first().waitFor({ state: "attached" });
     for (const plot of await page.locator("#charts .plot").all()) await plot.scrollIntoViewIfNeeded();
     await settled(page);
     const overlaps = await page.evaluate(() => {
