@@ -31,7 +31,7 @@ inline constexpr auto enum_values = [] {
   return values;
 }();
 
-/// Returns the word of a value; the last word for a number that is no value.
+/// Returns the word of a value, or the last word for a number that is not a value.
 template <Worded E>
 constexpr const char* to_string(E value) noexcept {
   return enum_words<E>[std::min(static_cast<std::size_t>(value), enum_words<E>.size() - 1)];

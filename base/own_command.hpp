@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-// What a user types to run this program, for the commands that are shown.
+// The command that runs this program, for the commands that the program prints.
 #pragma once
 
 #include <string>
 
 namespace cyl {
 
-/// As the launcher was called, which tells it in DAYLIGHT_COMMAND; else "daylight". A word of a shell.
+/// Returns the launcher's name from DAYLIGHT_COMMAND, else "daylight", quoted for a shell.
 std::string own_command();
 
 }  // namespace cyl

@@ -67,7 +67,7 @@ inline std::string shell_quoted(std::string_view text) {
   return word + '\'';
 }
 
-/// Returns `text` with each byte that is no UTF-8 as U+FFFD.
+/// Returns `text` with U+FFFD for each byte that is not UTF-8.
 std::string valid_utf8(std::string_view text);
 
 /// Returns `text` as one line of valid UTF-8 that steers no terminal.

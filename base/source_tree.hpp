@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
-// Where the project's own files are.
+// Finds the files of this project.
 #pragma once
 
 #include <string>
 
 namespace cyl {
 
-/// A file or folder of the source tree, e.g. "corpus": of the tree that this executable was built in, of
-/// PREFIX/share/daylight where it is installed as PREFIX/bin/daylight, or of the working directory; empty:
+/// Returns a file or folder of the source tree, such as "corpus". It looks in the tree that this executable
+/// was built in, then in PREFIX/share/daylight of an installation, then in the working directory. Empty if
 /// there is none.
 std::string in_source_tree(const std::string& name);
 

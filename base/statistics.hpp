@@ -11,20 +11,20 @@ struct RateBounds {
   double lower = 0, upper = 1;
 };
 
-/// Returns the exact bounds of Clopper and Pearson at 95 %: rates below `lower` show so many or more
-/// failures, rates above `upper` so few or fewer, with a probability below 2.5 % each. 0 and 1 where there
-/// were no trials. failures <= trials. Cost: proportional to `failures`.
+/// Returns the exact bounds of Clopper and Pearson at 95 %. A rate below `lower` shows this many or more
+/// failures, and a rate above `upper` this few or fewer, with a probability below 2.5 % each. Returns 0 and 1
+/// without trials. failures <= trials. Cost: proportional to `failures`.
 RateBounds rate_bounds(std::uint64_t trials, std::uint64_t failures);
 
-/// Returns the greatest error rate that `wrong` errors in `pairs` independent trials leave possible at 95 %,
-/// one-sided: 3/n where none was seen. 1 where there were no trials.
+/// Returns the one-sided upper bound at 95 % of the error rate, from `wrong` errors in `pairs` independent
+/// trials: about 3/n if none is wrong. Returns 1 without trials.
 double error_rate_bound(std::uint64_t pairs, std::uint64_t wrong);
 
-/// Returns the probability that `count` events, each in one of `all` places alike, all fall among the same
-/// `part` of them: what it is worth that none fell elsewhere. 1 where `all` is 0.
+/// Returns the probability that `count` events, each in one of `all` places with equal chance, all fall in
+/// the same `part` of them. Returns 1 if `all` is 0.
 double chance_of_all_in(std::uint64_t count, std::uint64_t part, std::uint64_t all);
 
-/// Returns the value of rank q (count - 1), rounded; NaN where there are none.
+/// Returns the value of rank q (count - 1), rounded, or NaN without values.
 double quantile(std::vector<double> values, double q);
 
 /// Returns the least of the values, sorted and not none, that so great a share of them does not exceed.

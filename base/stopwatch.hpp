@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What one call costs: nanoseconds, and instructions where the machine counts them.
+// The cost of one call in nanoseconds and, if the machine counts them, in instructions.
 #pragma once
 
 #include <chrono>
@@ -16,20 +16,20 @@ inline constexpr double not_measured = std::numeric_limits<double>::quiet_NaN();
 /// The cost of one call, on average over many.
 struct Cost {
   double ns = not_measured;
-  double instructions = not_measured;  ///< in user space; NaN where the machine offers no counter
+  double instructions = not_measured;  ///< in user space; NaN if the machine has no counter
 };
 
-/// Makes all calls once, in the order of the indices given, or in its own where order is nothing to it.
+/// Makes all calls once, in the order of the indices, or in its own order if the order does not matter.
 using Series = std::function<void(std::span<const std::size_t> order)>;
 
 /// Another permutation of 0 .. order.size() - 1 at each call; `stride` is what it remembers, at first 0.
 void shuffle(std::span<std::size_t> order, std::size_t& stride);
 
-/// Runs a series of `count` calls once to warm up and then as often as fills `least`; a first run that fills
-/// it is itself the measurement. The time is the median of the runs', which loses the few that something
-/// else interrupted; of a run that others had the processor in, only its own time counts. Each time in
-/// another order: branch predictors learn a couple of thousand pairs by heart (a quarter of the time of our
-/// verdict on random pairs).
+/// Runs a series of `count` calls once to warm up, and then repeats it until it fills `least`. If the first
+/// run fills `least`, it is the measurement. The time is the median of the runs, which ignores the few
+/// interrupted runs. If another process used the processor, only the own time counts. Each run has another
+/// order, because branch predictors learn a couple of thousand pairs (a quarter of the time of our verdict on
+/// random pairs).
 Cost series_cost(const Series& series, std::size_t count, std::chrono::duration<double> least);
 
 /// Over calls, of the time of each.

@@ -12,13 +12,13 @@ namespace cyl {
 /// year.
 std::chrono::milliseconds parse_duration(std::string_view text);
 
-/// Reads "06:30", the next such local time, "2026-11-22T06:30" or with ":00" for seconds: local time; with
-/// "Z" at its end UTC. Throws UsageError on anything else.
+/// Reads "06:30", the next such local time, or "2026-11-22T06:30", with ":00" for seconds if wanted. A time
+/// is local, or UTC if it ends in "Z". Throws UsageError on anything else.
 std::chrono::system_clock::time_point parse_time_point(const std::string& text);
 /// Returns the time in UTC, to the second, as parse_time_point() reads it.
 std::string format_time_point(std::chrono::system_clock::time_point time);
 
-/// Returns the day, where the machine is: YYYY-MM-DD.
+/// Returns the local day as YYYY-MM-DD.
 std::string today();
 
 }  // namespace cyl

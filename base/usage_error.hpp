@@ -5,14 +5,14 @@
 
 namespace cyl {
 
-/// What the user typed is wrong: a name that nothing has, a number out of range, a folder without a run. The
-/// program prints the text and ends with exit code 64. Any other exception but InputError, a
-/// std::invalid_argument too, is a fault of the harness, exit code 1.
+/// An error in the user's command: an unknown name, a number out of range, a folder without a run. The
+/// program prints the text and ends with exit code 64. Any other exception except InputError, even
+/// std::invalid_argument, is a fault of the harness with exit code 1.
 struct UsageError : std::invalid_argument {
   using std::invalid_argument::invalid_argument;
 };
 
-/// What a file holds is wrong: a line that is no pair, results that are none. Exit code 65.
+/// An error in a file: a line that is not a pair, or invalid results. Exit code 65.
 struct InputError : std::runtime_error {
   using std::runtime_error::runtime_error;
 };

@@ -26,8 +26,8 @@ struct BenchOptions {
   bool curves = false;       ///< for bench/curves.hpp: its queries alone, costly methods on more pairs
 };
 
-/// For curves a costly method is asked about this many pairs at least, and timed on this many of them, where
-/// its share is less: one answer of DIRECT at 6000 evaluations takes as long as ten thousand of the others.
+/// For curves, a costly method with a smaller share is asked about at least this many pairs and timed on this
+/// many. One answer of DIRECT at 6000 evaluations takes as long as ten thousand others.
 inline constexpr std::size_t costly_asked = 100, costly_timed = 30;
 
 /// What is asked, and of which pairs:
@@ -43,16 +43,17 @@ struct BenchRow {
   std::string query;
   bool foreign = false;
   std::size_t pairs = 0;                 ///< asked, those it failed on included
-  double median_ns = not_measured;       ///< a pair: the median of the rounds; NaN: every pair failed
+  double median_ns = not_measured;       ///< time of a pair: the median of the rounds; NaN if every pair
+                                         ///< failed
   double spread_percent = not_measured;  ///< of the rounds
   /// Quantiles over pairs of the least time of each; NaN for a batch.
   double p50_ns = not_measured, p99_ns = not_measured, max_ns = not_measured;
-  double instructions = not_measured;  ///< a pair; NaN where the machine has no counter
-  std::size_t wrong_disjoint = 0;      ///< a distance says it by its sign
+  double instructions = not_measured;  ///< for a pair; NaN if the machine has no counter
+  std::size_t wrong_disjoint = 0;      ///< a distance gives it by its sign
   std::size_t wrong_intersecting = 0;
   std::size_t wrong_below_claim = 0;  ///< those of the two above that the method's own claim allows
   std::size_t wrong_at_margin = 0;    ///< those of the same not proved to have a margin < right_from(family)
-  std::size_t undecided = 0;          ///< or declined, or said invalid, or gave no distance
+  std::size_t undecided = 0;          ///< or declined, answered invalid, or returned no distance
   std::size_t failed = 0;             ///< crashed, threw or hung; left out of the times
   /// The largest error of a distance relative to the size: at least and at most, by the enclosures.
   double max_error = not_measured;
@@ -64,8 +65,8 @@ constexpr double right_from(std::string_view family) { return family == "random"
 
 using BenchProgress = std::function<void(std::string_view)>;
 
-/// Returns a row for each family, method and query. Foreign methods run in a forked child; `progress` is told
-/// what is being done, in words.
+/// Returns a row for each family, method and query. Foreign methods run in a forked child. `progress` gets a
+/// description of the current step.
 std::vector<BenchRow> bench(std::span<const std::unique_ptr<Method>> methods,
                             std::span<const Family> families, const BenchOptions& options,
                             const BenchProgress& progress);

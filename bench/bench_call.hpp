@@ -25,15 +25,15 @@ std::vector<Candidate> candidates_of(std::span<const std::unique_ptr<Method>> me
 /// others.
 inline bool asks_distance(const Candidate& c) { return c.query == "distance" || c.query == "depth"; }
 
-/// Returns an answer a pair. A distance says a verdict too, by its sign; where there is none the answer is
+/// Returns one answer for each pair. The sign of a distance gives a verdict. An answer without a distance is
 /// declined.
 std::vector<MethodAnswer> ask_all(const Candidate& candidate, std::span<const Pair> pairs);
 
-/// Returns what a pair costs in a round that fills `seconds`, as series_cost; NaN where the worker died.
+/// Returns the cost of a pair in a round that fills `seconds`, as series_cost, or NaN if the worker died.
 Cost time_round(const Candidate& candidate, std::span<const Pair> pairs, double seconds);
 /// Returns the same for a call that does nothing.
 Cost time_nothing(std::size_t count, double seconds);
-/// Returns what the pairs cost one by one, as time_calls; NaN for a batch and where the worker died.
+/// Returns the costs of the single pairs, as time_calls; NaN for a batch or if the worker died.
 CallTimes time_each(const Candidate& candidate, std::span<const Pair> pairs, int passes);
 
 }  // namespace cyl

@@ -16,8 +16,8 @@ inline constexpr double right_tol = 1e-3;
 
 bool is_right(const BenchRow& row);
 
-/// A method that was asked only its share of the pairs is no competitor: nobody knows whether it is right on
-/// them.
+/// A method that was asked about a share of the pairs only cannot be a competitor, because it may be wrong on
+/// the others.
 struct Competitor {
   std::string method;  ///< empty: there is none
   double ns = not_measured;
@@ -25,7 +25,7 @@ struct Competitor {
   double max_error = not_measured;
 };
 
-/// One query on one family. Every number is NaN where it was not measured.
+/// One query on one family. A number is NaN if it was not measured.
 struct Comparison {
   std::string family;
   std::string method;  ///< ours: `intersect` for verdict and raw, else our fastest
@@ -38,10 +38,10 @@ struct Comparison {
   std::size_t wrong = 0;
   std::size_t wrong_at_margin = 0;
   Competitor right;    ///< the fastest that is_right
-  Competitor fastest;  ///< right or wrong, of those that answer nearly all pairs
+  Competitor fastest;  ///< right or wrong, among methods that answer nearly all pairs
 };
 
-/// Ratios over the families where there is such a competitor; NaN where there is none.
+/// Ratios over the families with such a competitor, or NaN.
 struct Ratios {
   double least = not_measured;
   double geometric_mean = not_measured;

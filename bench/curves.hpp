@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the charts of speed show, from the rows of a bench over families of known margin.
+// The data of the speed charts, from the rows of a bench over families of known margin.
 #pragma once
 
 #include <cstddef>
@@ -16,10 +16,10 @@ namespace cyl {
 /// Methods that differ in a setting only are points of one curve.
 struct CurveName {
   std::string curve;
-  std::string setting;  ///< "1e-10", "64", "polish4"; "default" where the name tells none
+  std::string setting;  ///< "1e-10", "64", "polish4"; "default" if the name has none
 };
 
-/// Tells curve and setting by the words at the end of the name: "fcl-libccd-tol1e-10" is fcl-libccd at 1e-10,
+/// Derives curve and setting from the end of the name: "fcl-libccd-tol1e-10" is fcl-libccd at 1e-10,
 /// "bullet-hull-64" is bullet-hull at 64, "libccd-gjk-centers" is libccd-gjk at centers.
 CurveName curve_of(std::string_view method);
 
@@ -29,25 +29,25 @@ std::optional<int> margin_of_family(std::string_view family);
 /// The share of wrong answers that `digits_low` excludes, and how surely.
 inline constexpr double low_share_tol = 1e-3, low_confidence = 0.95;
 
-/// How far down a method is right. A row is right where every answer is: none wrong, undecided, declined or
-/// failed.
+/// The smallest margin at which a method is right. A row is right if every answer is: none is wrong,
+/// undecided, declined or failed.
 struct Digits {
-  /// d where all rows of margins 1e-1 to 1e-d are right, the next is not or was not measured; 0 where not
-  /// even the first is right, nothing where that was not measured.
+  /// The largest d such that all rows of margins 1e-1 to 1e-d are right. It is 0 if the first row is not
+  /// right, and empty if the first row was not measured.
   std::optional<int> right;
-  /// d <= right from which on at most low_share_tol of the answers are not right, with low_confidence:
-  /// provided that a method is not worse farther from touching, each right answer at margins 1e-d to 1e-right
-  /// speaks against a greater share at 1e-d, and n of them would come with a chance of (1 - share)^n. That is
-  /// below 1 - low_confidence from n = 2,995 on. How many margins are needed does not depend on what was
-  /// seen, so nothing is counted twice.
+  /// The least d <= right from which, with low_confidence, at most low_share_tol of the answers are not
+  /// right. It assumes that a method is not worse farther from touching. Then each right answer at margins
+  /// 1e-d to 1e-right is evidence against a greater share at 1e-d, and n of them have a chance of (1 -
+  /// share)^n. That is below 1 - low_confidence from n = 2,995 on. The number of margins does not depend on
+  /// the answers, so nothing is counted twice.
   std::optional<int> low;
 };
 /// Returns the digits of one method and query from its rows.
 Digits digits_of(std::span<const BenchRow> rows);
 
-/// One method and query on one family, or over all margins: there `family` is "all", ns the mean of the
-/// families', p99 and max the largest of theirs (which bound the joint ones), and counts are sums. Digits are
-/// the method's over all margins, whatever the family.
+/// One method and query on one family, or over all margins. Then `family` is "all", ns is the mean over the
+/// families, p99 and max are the largest of theirs (which bound the joint ones), and counts are sums. Digits
+/// are the method's over all margins for each family.
 struct SpeedPoint {
   std::string method;
   CurveName name;
@@ -61,7 +61,7 @@ struct SpeedPoint {
 /// not timed is left out. The sign of a distance is its verdict, and all its pairs are disjoint.
 std::vector<SpeedPoint> speed_points(std::span<const BenchRow> rows);
 
-/// One method at the margin 1e-decade: its verdict or, where that is what it has, its certificate.
+/// One method at the margin 1e-decade: its verdict or, if it has only that, its certificate.
 struct CostPoint {
   std::string method;
   int decade = 0;

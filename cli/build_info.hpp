@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What this executable was built from and where it runs: goes beside every measured number.
+// The sources and flags of this executable and the machine it runs on, for every measured number.
 #pragma once
 
 #include <string>
@@ -8,10 +8,10 @@ namespace cyl {
 
 struct BuildInfo {
   std::string version;   ///< of the project
-  std::string commit;    ///< of the sources, "-dirty" where they differ from it, "unknown" outside git
+  std::string commit;    ///< of the sources; "-dirty" if they differ from it, "unknown" outside git
   std::string compiler;  ///< name and version
   std::string flags;
-  std::string cpu;  ///< the processor's own name for itself, "unknown" where it does not tell
+  std::string cpu;  ///< the processor's own name, or "unknown"
 
   std::string text() const;  ///< for --version
 };

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The commands of the one executable, a file each: add_<command> describes the command to the program. A
-// wrong argument throws UsageError, a file of something else InputError, what the harness cannot do any other
-// std::exception: daylight_main.cpp prints the text and turns these into exit codes 64, 65 and 1.
+// The commands of the one executable, one file each: add_<command> describes the command to the program. A
+// wrong argument throws UsageError, a file with other content InputError, and a fault of the harness any
+// other std::exception. daylight_main.cpp prints the text and returns exit code 64, 65 or 1.
 #pragma once
 
 namespace cyl {

@@ -26,18 +26,18 @@ struct MethodSet {
   std::vector<std::unique_ptr<Method>> methods;
   std::vector<Guest> guests;  ///< with the names they are called by
 
-  /// Selects as select_methods() does; "" stands for the guests where there are any, else for what `unnamed`
-  /// names.
+  /// Selects like select_methods(). "" means the guests, or the methods that `unnamed` names if there are no
+  /// guests.
   std::vector<std::unique_ptr<Method>> select(std::string_view spec, std::string_view unnamed) &&;
 };
 
-/// Returns every method of this build, what errata_methods() has that `spec` names, and the guests. Throws
-/// UsageError where a guest cannot be had or has a name that is taken.
+/// Returns every method of this build, the ones of errata_methods() that `spec` names, and the guests. Throws
+/// UsageError if a guest does not start or its name is taken.
 MethodSet with_guests(const GuestOptions& options, std::string_view spec = {});
 
-/// Adds the guests and errata_methods() that the run in this folder asked, except those that are here by that
-/// name. A guest that this user has not started before (known_guests.hpp) starts only if the options say so.
-/// If a guest does not start, the reason is added to `missing`.
+/// Adds the guests and errata_methods() of the run in this folder, except those that are present by that
+/// name. A guest that this user has not started before (known_guests.hpp) starts only if the options allow
+/// it. If a guest does not start, the reason is added to `missing`.
 void add_guests_of_run(MethodSet& set, const std::string& run, const GuestOptions& options,
                        std::string& missing);
 

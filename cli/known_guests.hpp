@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Which programs and libraries this user has started as guests on this machine. A run names the guests that
-// it asked, and a run may come from a stranger: of those guests a command starts only the ones recorded here.
-// The record is outside all runs, in $XDG_STATE_HOME/daylight/guests (~/.local/state/daylight/guests).
+// The programs and libraries that this user has started as guests on this machine. A run names its guests,
+// and may come from a stranger. So a command starts only the guests of a run that are recorded here. The
+// record is outside all runs, in $XDG_STATE_HOME/daylight/guests (~/.local/state/daylight/guests).
 #pragma once
 
 #include <string>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The manual page and the completion of a shell, made from what --help says.
+// The manual page and the shell completion, made from --help.
 #pragma once
 
 #include <string>
@@ -10,7 +10,7 @@ namespace cyl {
 struct OptionText {
   std::string name;            ///< "--for", or "RUN" of an argument
   std::string value;           ///< "TEXT", "N"; empty of a flag
-  std::string help, standard;  ///< the default, where there is one
+  std::string help, standard;  ///< the default, if there is one
 };
 
 struct CommandText {
@@ -18,7 +18,7 @@ struct CommandText {
   std::vector<OptionText> options;
 };
 
-/// What the program is, and its commands in the order of --help.
+/// A description of the program, and its commands in the order of --help.
 struct ProgramText {
   std::string name, summary, version, footer;
   std::vector<CommandText> commands;

@@ -9,10 +9,10 @@
 
 namespace cyl {
 
-/// Its path; empty where there is none.
+/// Its path; empty if it is not installed.
 std::string mutants_executable();
 
-/// Becomes `daylight-mutants` with these arguments. Throws std::runtime_error where there is none.
+/// Becomes `daylight-mutants` with these arguments. Throws std::runtime_error if it is not installed.
 [[noreturn]] void become_mutants(const std::vector<std::string>& arguments);
 
 struct SelfTest {
@@ -21,8 +21,8 @@ struct SelfTest {
   bool passed = true;  ///< every planted fault that was tried was detected
   std::string text;    ///< the result, such as "5 of 5 detected"
 };
-/// Plants this many faults, one after the other, and sees whether laws, corpus and referee catch each; all
-/// within `time`, where it is given.
+/// Plants this many faults, one after the other, and checks that laws, corpus and referee detect each. All
+/// must end within `time`, if it is given.
 SelfTest self_test(unsigned count, std::optional<std::chrono::milliseconds> time = {});
 
 }  // namespace cyl

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The command line, as the commands describe it. The parser behind it, CLI11, is a large header: only
-// options.cpp compiles it. What is bound to an option has to live until Program::run() is over.
+// The command line, as the commands describe it. Its parser, CLI11, is a large header that only options.cpp
+// compiles. A variable that is bound to an option must live until Program::run() returns.
 #pragma once
 
 #include <cstdint>
@@ -38,7 +38,7 @@ class Option {
   Option existing_folder() const;
   Option readable() const;  ///< a file that can be read, or "-"
   Option writable() const;  ///< a file that can be written: asked before the work, which may be long
-  Option default_text(const std::string& text) const;  ///< shown by --help, where the value bound has none
+  Option default_text(const std::string& text) const;  ///< shown by --help if the bound value has no default
 
  private:
   CLI::Option* option_;
@@ -73,7 +73,7 @@ class Command {
   /// Ends --help with these examples, remarks, and the table of exit codes.
   void examples(const std::string& lines, const std::string& remarks = "");
 
-  /// Has `work` run where this command is given; what it returns is the exit code.
+  /// Sets the work of this command, which returns the exit code.
   void run(std::function<int()> work);
   /// Likewise, with all that follows the command, which is not parsed.
   void run_unparsed(std::function<int(const std::vector<std::string>&)> work);
@@ -94,11 +94,11 @@ class Program {
 
   /// Adds a command; --help lists the commands by group.
   Command command(const std::string& group, const std::string& name, const std::string& summary);
-  /// Runs the command that the command line gives, and returns its exit code: exit_usage, with the reason on
-  /// standard error, where it cannot be parsed. Lets through what the command throws.
+  /// Runs the command of the command line, and returns its exit code. Returns exit_usage, with the reason on
+  /// standard error, if the command line cannot be parsed. Exceptions of the command pass through.
   int run(int argc, char** argv);
 
-  /// What --help says, for those who set it otherwise.
+  /// The content of --help, for other layouts.
   ProgramText text() const;
 
  private:

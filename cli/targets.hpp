@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a command line names to be run again: stored findings and kept cases.
+// The pairs that a command line names for another run: stored findings and cases.
 #pragma once
 
 #include <optional>
@@ -22,9 +22,9 @@ struct Target {
 /// it is.
 std::string lasting_name(const std::string& folder);
 
-/// Returns what `name` stands for. RUN: all its findings; RUN:ID: one; FILE: all its cases; FILE:LINE: one;
-/// "-": the cases of standard input. Throws UsageError on a name that is none of these, InputError on a line
-/// that is no case.
+/// Returns the pairs of `name`. RUN: all its findings; RUN:ID: one. FILE: all its cases; FILE:LINE: one. "-":
+/// the cases of standard input. Throws UsageError if the name is none of these, and InputError if a line is
+/// not a case.
 std::vector<Target> targets_of(const std::string& name);
 
 }  // namespace cyl

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A rounded solid around points: it stands in for a box or a mesh as an outer model. What it is clear of,
-// they are clear of; of what is near it nothing is known.
+// A rounded solid around points, the outer model of a box or a mesh. If a solid is clear of it, it is clear
+// of them. If a solid is near it, nothing is known.
 #pragma once
 
 #include <array>
@@ -12,15 +12,15 @@
 namespace cyl {
 
 /// How much farther than computed a point may be from the axis or the middle of a bound, relative to all
-/// lengths that go into it: 128 half units in the last place, where scaling, turning, moving and measuring a
+/// lengths in the computation: 128 half units in the last place. Scaling, turning, moving and measuring a
 /// point take fewer than 64.
 inline constexpr double bound_error = 0x1p-46;
 /// A length: what is lost of lengths whose squares underflow, below 2^-511.
 inline constexpr double bound_underflow_error = 0x1p-500;
 
-/// Returns the least in volume that is found of a ball, a capsule and a cylinder around points, moved by a
-/// pose: every point, so moved, is in it. Axes are sought from the 13 of a cube on, so that a better one may
-/// be missed. Throws std::runtime_error where there are no points, or none that doubles can bound.
+/// Returns the smallest in volume of a ball, a capsule and a cylinder that it finds around points, moved by a
+/// pose. Every moved point is in it. The search for axes begins with the 13 of a cube, so it may miss a
+/// better one. Throws std::runtime_error if there are no points, or if doubles cannot bound them.
 Cylinder bounding_solid(std::span<const Vector3> points, const Pose& pose);
 
 /// Returns the corners of a box around its origin.

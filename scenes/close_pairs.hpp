@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// All close pairs of many cylinders that stand still: a tree of boxes, then the model hierarchy. What was
-// answered may be put before the referee, with the solver's certificate of each answer.
+// Finds all close pairs of many cylinders that stand still, by a tree of boxes and then the model hierarchy.
+// The referee can check the answers, with the solver's certificate of each.
 #pragma once
 
 #include <array>
@@ -38,12 +38,12 @@ ClosePairs find_close_pairs(std::span<const Cylinder> cylinders, double clearanc
 struct CertificateCheck {
   std::size_t checked = 0;    ///< certificates that the solver gave
   std::size_t failed = 0;     ///< of these, that do not prove what was answered
-  std::size_t undecided = 0;  ///< pairs of which the solver has none
-  /// Asks the solver for a certificate and the referee whether it proves what was said.
+  std::size_t undecided = 0;  ///< pairs without a certificate of the solver
+  /// Checks with the referee whether the solver's certificate proves the answer.
   void add(const Pair& pair, double clearance, bool said_within);
 };
 
-/// What a check of every candidate found.
+/// The result of a check of every candidate.
 struct ClosePairsCheck {
   Verification referee;
   CertificateCheck certificates;

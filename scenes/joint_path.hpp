@@ -12,13 +12,13 @@
 
 namespace cyl {
 
-/// Bound of rounding in the places of two bodies and in what is told of their travel, times (links + 1)
-/// (moving joints + 1) and the length of everything between them; derived in joint_path.cpp.
+/// Bound of the rounding errors in the positions of two bodies and in their travel, times (links + 1) (moving
+/// joints + 1) and the length of everything between them. joint_path.cpp derives it.
 inline constexpr double motion_error = 512 * unit_roundoff_error;
 /// Bound of rounding in half of a joint's range, relative to the values in it.
 inline constexpr double range_error = 8 * unit_roundoff_error;
 
-/// What a joint may take: [low, high].
+/// The range of a joint: [low, high].
 struct Range {
   double low = 0, high = 0;
 };
@@ -61,7 +61,7 @@ class JointPath {
     std::array<double, 2> reach{};  ///< of the ends of its axis from that of the joint
     double tilt = 0;                ///< of its disk, at most, when it turns by 1
   };
-  /// What a joint adds, at most, to how far a solid reaches.
+  /// The most that a joint adds to the reach of a solid.
   struct Step {
     std::array<double, 2> ends{};
     double disk = 0;
@@ -88,7 +88,7 @@ class JointPath {
   Value value_of(std::size_t link, const JointBox& box) const;
 
   const Scene& scene_;
-  Scene own_;                      ///< the path alone; link 0 is where the chains of both bodies meet
+  Scene own_;                      ///< the path alone; link 0 joins the chains of both bodies
   std::vector<std::size_t> of_;    ///< by link of `own_`: the scene's
   std::vector<std::size_t> free_;  ///< the scene's links
   std::vector<Move> moves_;        ///< from a to b

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// An MJCF file as XML: with what it includes, what its compiler is told, and its classes of defaults. It
-// reads leniently: what is not asked for may be of any version of MuJoCo.
+// An MJCF file as XML, with its includes, the settings of its compiler, and its classes of defaults. It reads
+// leniently: parts that it does not need may be of any version of MuJoCo.
 #pragma once
 
 #include <map>
@@ -20,13 +20,13 @@ class MjcfElement {
  public:
   /// `childclass` is that of the body around it.
   MjcfElement(const MjcfDocument& document, pugi::xml_node node, const std::string& childclass);
-  /// Returns an attribute, its own or else that of its class; `otherwise` where there is none.
+  /// Returns an attribute of the element, else of its class, else `otherwise`.
   std::string text(const char* name, const std::string& otherwise = "") const;
-  /// Returns the numbers of an attribute; none where it is missing. Throws std::runtime_error on what is
-  /// none.
+  /// Returns the numbers of an attribute, or none if it is missing. Throws std::runtime_error if one is not a
+  /// number.
   std::vector<double> numbers(const char* name) const;
   Vector3 vector(const char* name, const Vector3& otherwise) const;
-  /// Returns pos and whatever turns it: quat, axisangle, xyaxes, zaxis or euler.
+  /// Returns pos and the rotation: quat, axisangle, xyaxes, zaxis or euler.
   Pose pose() const;
   const pugi::xml_node& node() const { return node_; }
 
@@ -58,7 +58,7 @@ class MjcfDocument {
   bool equalities() const { return equalities_; }            ///< whether equalities hold
   bool filters_parents() const { return filters_parents_; }  ///< whether a body and what it carries pass
   const std::string& eulerseq() const { return eulerseq_; }
-  /// Returns what a class gives elements of a name; nothing where it gives nothing.
+  /// Returns the defaults of a class for elements of a name, or nullptr.
   const std::map<std::string, std::string>* defaults(const std::string& of_class,
                                                      const std::string& element) const;
 

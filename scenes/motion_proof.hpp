@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Proofs over motions: are two bodies of a scene farther from each other than a clearance whatever their
-// joints do? By branch and bound over the box of the joints between them. A box is closed by a direction that
-// the referee finds to separate the bodies in the middle of the box by more than any motion within the box
-// can bring them nearer; else it is cut in two.
+// Proofs over motions: are two bodies of a scene farther apart than a clearance in every configuration? It
+// uses branch and bound over the box of the joints between them. The referee finds a direction that separates
+// the bodies in the middle of a box. If no motion within the box can bring them that much nearer, the box is
+// closed. Else it is cut in two.
 #pragma once
 
 #include <array>
@@ -36,13 +36,14 @@ struct MotionQuestion {
   std::size_t against = 0;  ///< configurations drawn to check what is proved; from the next seed
 };
 
-/// What is known of two bodies over all configurations.
+/// The result for two bodies over all configurations.
 struct MotionProof {
   std::size_t a = 0, b = 0;
   MotionVerdict verdict = MotionVerdict::open;
   double bound = 0;                  ///< proved, if above 0: their distance is greater in every configuration
-  double least = 0;                  ///< the least distance seen; negative: a depth
-  std::vector<double> joints;        ///< where that was, by link; `refuted`, `within`: confirmed there
+  double least = 0;                  ///< the least distance seen; a negative value is a depth
+  std::vector<double> joints;        ///< joint values of that, by link; if `refuted` or `within`, confirmed
+                                     ///< there
   std::vector<std::size_t> between;  ///< links whose free joints move the bodies against each other
   std::size_t boxes = 0;             ///< that were looked at
   double open_share = 0;             ///< of the joints' space, nothing is proved of so much
@@ -57,12 +58,12 @@ struct MotionProof {
 /// to its matrix.
 MotionProof prove_motion(const Scene& scene, std::size_t a, std::size_t b, const MotionQuestion& question);
 
-/// What is known of a pair of links that an SRDF says never meet. `within`: they come within the clearance,
-/// and are proved never to touch.
+/// The result for a link pair that the SRDF calls "Never". `within`: they come within the clearance, and are
+/// proved never to touch.
 struct ExemptionProof {
   std::size_t exemption = 0;  ///< of the scene's
   MotionVerdict verdict = MotionVerdict::open;
-  bool not_looked_at = false;       ///< a link has shapes of which nothing is known: `open` or refuted
+  bool not_looked_at = false;       ///< a link has shapes that are not known: `open` or refuted
   std::vector<MotionProof> bodies;  ///< of each body of the one with each of the other
 };
 
@@ -72,7 +73,7 @@ struct MotionStudy {
   std::vector<MotionProof> others;         ///< of pairs that are not checked
   double ms = 0;                           ///< of CPU time, without the check
   std::size_t against = 0;                 ///< configurations drawn for it
-  std::size_t contradicted = 0;            ///< pairs of bodies of which a proof was taken back
+  std::size_t contradicted = 0;            ///< pairs of bodies with a proof that was withdrawn
 };
 
 struct BodyPair {
@@ -80,7 +81,7 @@ struct BodyPair {
   double seen = std::numeric_limits<double>::infinity();  ///< the least distance that the caller has seen
 };
 using BodyPairs = std::vector<BodyPair>;
-/// Does it for all these pairs of bodies, for what the scene's SRDF says, and for others.
+/// Does this for all these pairs of bodies, for those that the scene's SRDF disables, and for others.
 MotionStudy prove_motions(const Scene& scene, const BodyPairs& pairs, const MotionQuestion& question,
                           const BodyPairs& others = {});
 

@@ -19,9 +19,9 @@ struct NearPair {
   Proof proof = Proof::none;       ///< the certificate that the solver has of it
 };
 
-/// Returns the nearest of the pairs whose boxes meet, by distance and then by index, so many at most. Where
-/// they are farther apart than the clearance, others whose boxes do not meet may be nearer. Cost: the
-/// distance of every such pair, some 1 us.
+/// Returns the nearest pairs whose boxes meet, by distance and then by index, at most `count`. If they are
+/// farther apart than the clearance, other pairs whose boxes do not meet may be nearer. Cost: the distance of
+/// every such pair, some 1 us each.
 std::vector<NearPair> nearest_pairs(std::span<const Cylinder> cylinders, double clearance,
                                     const ClosePairs& answered, std::size_t most);
 

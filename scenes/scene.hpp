@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A scene: cylinders, capsules and spheres, and such as hold a box or mesh, that move with the links of a
-// mechanism, or stand still. What is read from a file of any format becomes one.
+// A scene: cylinders, capsules and spheres, and bounds of a box or mesh. They move with the links of a
+// mechanism, or stand still. Files of every format become a Scene.
 #pragma once
 
 #include <Eigen/Geometry>
@@ -29,7 +29,7 @@ struct Follow {
 /// A link with the joint that carries it.
 struct Link {
   std::string name;
-  std::string joint;                  ///< its name; empty where nothing carries the link
+  std::string joint;                  ///< its name; empty if no joint carries the link
   std::optional<std::size_t> parent;  ///< comes before this link
   Pose origin = Pose::Identity();     ///< of the joint, in the parent's frame
   Motion motion = Motion::fixed;
@@ -55,22 +55,23 @@ struct Body {
   std::string name;
   std::size_t link;
   Cylinder solid;  ///< in the link's frame
-  /// MJCF checks two bodies where the type of one and the affinity of the other share a bit.
+  /// MJCF checks two bodies if the type of one and the affinity of the other share a bit.
   unsigned type = 1, affinity = 1;
-  /// What the solid only holds, as an outer model: clear of the solid is clear of it, near is not known.
+  /// The shape that the solid bounds. A body that is clear of the solid is clear of it; if near, nothing is
+  /// known.
   std::optional<BoxShape> box = std::nullopt;
   double excess = 0;  ///< how far the solid may reach beyond the shapes that it stands for
-  /// Bodies with which the file asks to check it, whatever else it says.
+  /// Bodies that the file asks to check against it, regardless of other rules.
   std::vector<std::string> paired = {};
 };
 
-/// A collision shape that nobody looked at: not a solid of ours, and without a bound.
+/// A collision shape that was not examined: it is not a solid of ours, and does not have a bound.
 struct LeftOut {
   std::string shape, link;  ///< "box", "base_link"
   bool operator==(const LeftOut&) const = default;
 };
 
-/// Two links that an SRDF says are not to be checked, and why: "Never", "Adjacent", "Always", "Default",
+/// Two links that an SRDF excludes from checks, and its reason: "Never", "Adjacent", "Always", "Default",
 /// "User".
 struct Exemption {
   std::size_t a, b;
@@ -78,22 +79,22 @@ struct Exemption {
 };
 
 struct Scene {
-  std::string name;    ///< of the robot, where it has one
+  std::string name;    ///< of the robot, if it has one
   bool welds = false;  ///< as in MuJoCo, links that fixed joints join have the same neighbours
   std::vector<Link> links;
   std::vector<Body> bodies;
   std::vector<LeftOut> left_out;
   std::size_t folded = 0;          ///< capsules that the file writes as a cylinder and two spheres
   std::vector<std::string> notes;  ///< what else was not taken as written, a sentence each
-  std::vector<std::pair<std::size_t, std::size_t>> disabled;  ///< links not to be checked, as the files say
-  std::string srdf;                   ///< the file of these; empty where none was read
-  std::vector<Exemption> exemptions;  ///< what it says
+  std::vector<std::pair<std::size_t, std::size_t>> disabled;  ///< links that the files exclude from checks
+  std::string srdf;                                           ///< the SRDF file, or empty
+  std::vector<Exemption> exemptions;                          ///< its entries
 };
 
-/// Which pairs of bodies are checked: not those of one rigid body (a link and what fixed joints join to it),
-/// not those of adjacent links, not those of links that the description disables. The link that carries
-/// another is adjacent to it, also through links without shapes; as in MoveIt, a link is not adjacent to what
-/// is merely fixed to its neighbour, unless the scene welds.
+/// The pairs of bodies that are checked. Pairs of one rigid body (a link and the links fixed to it), of
+/// adjacent links, and of links that the description disables are not. A link is adjacent to the link that
+/// carries it, also through links without shapes. As in MoveIt, a link is not adjacent to a link that is only
+/// fixed to its neighbour, unless the scene welds.
 class PairRule {
  public:
   enum class Reason : unsigned char { checked, same_body, adjacent, disabled };
@@ -104,7 +105,7 @@ class PairRule {
  private:
   bool all_;
   std::vector<std::size_t> rigid_;  ///< by link: the first link of its rigid body
-  std::vector<std::size_t> group_;  ///< by link: the first of those that have the same neighbours
+  std::vector<std::size_t> group_;  ///< by link: the first link with the same neighbours
   std::vector<std::pair<std::size_t, std::size_t>> adjacent_, disabled_;  ///< lower first, sorted
 };
 
@@ -128,7 +129,7 @@ std::vector<double> draw_joints(const Scene& scene, std::uint64_t seed, std::uin
 /// on a name that no free joint has.
 std::vector<double> joints_at(const Scene& scene,
                               std::span<const std::pair<std::string, double>> values = {});
-/// Lets the joints that mimic others follow them. Throws std::runtime_error where they go in a circle.
+/// Sets the joints that mimic others. Throws std::runtime_error if they mimic in a circle.
 void let_follow(const Scene& scene, std::vector<double>& joints);
 /// Returns whether anything moves.
 bool moves(const Scene& scene);

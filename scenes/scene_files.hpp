@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-// Scenes from files. The ending of the name tells the format. A .jsonl file holds a solid a line,
-// {"center":[0,0,0],"axis":[0,0,1],"radius":1,"height":2,"rounding":0.1,"name":"..."}, rounding and name
-// where there are any. The first line of a .csv file names its columns x y z ax ay az radius height, in any
-// order, and rounding and name likewise. A .urdf file holds a robot; an .srdf file names the pairs of its
-// links that are not to be checked. An .xml file is MuJoCo's MJCF, of which bodies, joints, geoms and their
-// defaults are read, and what is not is named.
+// Scenes from files. The ending of the name determines the format. A .jsonl file has one solid a line,
+// {"center":[0,0,0],"axis":[0,0,1],"radius":1,"height":2,"rounding":0.1,"name":"..."}, with optional rounding
+// and name. The first line of a .csv file names its columns x y z ax ay az radius height, in any order, and
+// optionally rounding and name. A .urdf file has a robot. An .srdf file names the link pairs that are not
+// checked. An .xml file is MuJoCo's MJCF. Its bodies, joints, geoms and their defaults are read, and ignored
+// parts are named.
 #pragma once
 
 #include <string>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// What a scene really needs: which model of its cylinders answers which pair, what that costs, and where a
-// cheaper model alone would be wrong. Judged on sampled configurations; what answers on them is checked
-// against proofs.
+// Studies which models a scene needs: which model answers each pair, at what cost, and how often a
+// cheaper model alone is wrong. It uses sampled configurations, and checks the answers against
+// proofs.
 #pragma once
 
 #include <array>
@@ -18,21 +18,20 @@
 namespace cyl {
 
 struct SceneOptions {
-  std::string file;      ///< where the scene comes from, for the report
+  std::string file;      ///< the file of the scene, for the report
   double clearance = 0;  ///< is any pair this near or nearer? In the scene's unit
-  double tolerated = 0;  ///< false alarms of pairs farther than the clearance by up to this are no harm
-  std::size_t configurations = 1000;  ///< drawn; one where nothing moves or `at` is not empty
-  /// Where the cheapest model is taken because it was never wrong, more are drawn for the pair until at 95 %
-  /// it is wrong in no more than this share of all configurations, or so many are drawn.
+  double tolerated = 0;  ///< false alarms of pairs at most this much beyond the clearance are harmless
+  std::size_t configurations = 1000;  ///< drawn; one if nothing moves or `at` is not empty
+  /// If the cheapest model was never wrong for a pair, more configurations are drawn until, at 95 %, it is
+  /// wrong in at most this share of all, or until the limit is reached.
   double rate = 1;
   std::size_t most = 100'000;
   std::uint64_t seed = 1;
   bool all_pairs = false;
-  bool each_link = false;  ///< a rigid body of its own, also where fixed joints join links
-  bool verify = false;     ///< puts every recommended answer before the referee, up to verified_cap
-  bool prove = false;      ///< over all motions, whether the pairs come within the clearance
-  bool prove_others =
-      false;  ///< also those that are not checked and of which neither carries the other, for an SRDF
+  bool each_link = false;     ///< each link is a rigid body of its own, even if fixed joints join it
+  bool verify = false;        ///< puts every recommended answer before the referee, up to verified_cap
+  bool prove = false;         ///< over all motions, whether the pairs come within the clearance
+  bool prove_others = false;  ///< also pairs that are not checked and not adjacent, for an SRDF
   std::size_t motion_boxes = motion_box_cap;       ///< for one pair of these
   std::size_t against = 0;                         ///< configurations in which the proofs are checked
   std::vector<std::pair<std::string, double>> at;  ///< joints of the one configuration
@@ -49,8 +48,8 @@ struct Extreme {
 /// An accepted model on the samples of a pair.
 struct Score {
   std::size_t wrong = 0;  ///< of the samples
-  Extreme alarm;          ///< the farthest beyond the clearance that it says within
-  Extreme missed;         ///< the deepest below the clearance that it says apart
+  Extreme alarm;          ///< the farthest pair beyond the clearance that it calls within
+  Extreme missed;         ///< the deepest pair below the clearance that it calls apart
 };
 
 /// One pair over all configurations.
@@ -60,7 +59,7 @@ struct PairStudy {
   std::size_t within = 0;          ///< samples that are within the clearance
   double least = 0, greatest = 0;  ///< distance
   std::array<Score, level_count> alone{};
-  std::array<std::size_t, level_count> decided{};  ///< samples of which a level is the first to decide
+  std::array<std::size_t, level_count> decided{};  ///< samples that a level is the first to decide
   std::array<std::size_t, 8> outcomes{};  ///< samples by the set of {sphere, outer, inner} that decide them
   Cascade cascade;
   std::size_t cascade_wrong = 0;  ///< samples that the cascade answers wrong: false alarms that are tolerated
@@ -75,12 +74,12 @@ struct ClosestCall {
 
 struct Verification {
   std::size_t asked = 0, wrong = 0, tolerated = 0, undecided = 0;
-  /// Asks the referee whether the pair is within the clearance, as was said or not.
+  /// Checks with the referee whether the answer about the clearance is right.
   void add(const Pair& pair, double clearance, double tolerance, bool said);
 };
 
-/// What it costs and saves to let every solid be rounded by so much: whatever model answers as if each solid
-/// were somewhere between itself and itself so grown will do, and false alarms come up to two roundings
+/// The costs and savings if every solid is rounded by this much. Any model is then enough that answers as if
+/// each solid were between itself and itself grown by this rounding. False alarms come up to two roundings
 /// beyond the clearance.
 struct RoundingCost {
   double rounding = 0;
@@ -96,10 +95,10 @@ struct SceneStudy {
   std::array<std::size_t, 4> pairs_by_reason{};  ///< by PairRule::Reason
   std::vector<PairStudy> pairs;
   std::size_t asked_referee = 0;  ///< samples that no level decides
-  std::size_t undecided = 0;      ///< of those, what the referee does not prove either: taken for within
+  std::size_t undecided = 0;      ///< those that the referee does not prove either, which count as within
   std::optional<ClosestCall> closest;
   std::vector<RoundingCost> roundings;  ///< ascending
-  // Of one configuration, in ns.
+  // For one configuration, in ns.
   double kinematics_ns = 0, models_ns = 0, cascade_ns = 0;
   std::array<double, level_count> alone_ns{};
   std::optional<Verification> verification;
@@ -111,7 +110,7 @@ SceneStudy study_scene(const Scene& scene, const SceneOptions& question);
 /// All pairs of so many bodies are asked about one by one.
 inline constexpr std::size_t study_cap = 1000;
 
-/// Returns whether the samples tell of the pair itself: not where one of the bodies only holds a box or mesh
+/// Returns whether the samples describe the pair itself. They do not if one body is a bound of a box or mesh
 /// and comes within the clearance.
 bool is_known(const Scene& scene, const PairStudy& pair);
 
@@ -129,8 +128,8 @@ struct Total {
 };
 Total total_of(const SceneStudy& study, Level level, double tolerated);
 
-/// Returns the lengths that are tried as roundings: the five greatest of 1, 2, 5, 10, .. of any power of ten
-/// that are not more than half of what half of the solids are thick (radius or half the height, and
+/// Returns the lengths that are tried as roundings: the five greatest of 1, 2, 5, 10, .. of any power of
+/// ten that are at most half of the median thickness of the solids (radius or half the height, plus
 /// rounding).
 std::vector<double> tried_roundings(const Scene& scene);
 
@@ -147,17 +146,17 @@ bool suffices(const PairStudy& pair, Level level, double tolerated);
 /// a capsule that it raises no false alarm.
 bool is_statistical(const PairStudy& pair);
 
-/// Returns the simplest model that answers all samples of a pair right where it is accepted: sphere, capsule,
-/// cylinder, distance, proof. What is cheapest is another question: `recommend`.
+/// Returns the simplest model that answers all samples of a pair right: sphere, capsule, cylinder, distance,
+/// proof. `recommend` finds the cheapest.
 Level needed(const PairStudy& pair, double tolerated);
 
 /// Returns the cheapest model that answers all samples of a pair right (but for tolerated alarms), and before
 /// it those that save more than they cost, by `level_weight`.
 Cascade recommend(const PairStudy& pair, double tolerated);
 
-/// ns of each level, measured on random pairs of rods, half of them capsules, whose balls overlap, at touch
-/// and at a clearance. Only the ratios matter, and that they are the same for everybody, so that a seed gives
-/// the same cascade.
+/// ns of each level, measured on random pairs of rods with overlapping balls, half of them capsules, at touch
+/// and at a clearance. Only the ratios matter. They are constant, so that a seed gives the same cascade on
+/// every machine.
 inline constexpr std::array<double, level_count> level_weight{2.8, 14, 14, 24, 270, 87};
 
 }  // namespace cyl

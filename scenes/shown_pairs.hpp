@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The configurations of a study that are shown, and what each shows: where everything is, how near each pair,
-// and which models are wrong about it.
+// The configurations of a study that the page shows: the position of every body, the distance of each pair,
+// and the models that are wrong.
 #pragma once
 
 #include <array>
@@ -22,12 +22,12 @@ constexpr auto words_of(Reason) noexcept {
   return std::array{"drawn first", "closest call", "false alarm", "missed"};
 }
 
-/// What makes a configuration worth showing.
+/// The reason to show a configuration.
 struct Highlight {
   Reason reason = Reason::first;
   std::size_t pair = 0;        ///< of the study's pairs; all but `first`
   Level model = Level::outer;  ///< `alarm` and `missed`
-  double length = 0;  ///< how far beyond (closest: or below, then negative) the clearance; missed: below
+  double length = 0;  ///< how far beyond the clearance (closest: or below, then negative; missed: below)
 };
 
 /// One pair in one configuration.
@@ -35,7 +35,7 @@ struct Sample {
   double distance = 0;                   ///< negative: the depth
   Vector3 on_a{0, 0, 0}, on_b{0, 0, 0};  ///< nearest points, or deepest
   bool within = false;  ///< proved, but for what the referee does not prove: taken for within
-  std::array<bool, level_count> wrong{};  ///< the models that say something else
+  std::array<bool, level_count> wrong{};  ///< the models that answer otherwise
 };
 
 struct Shown {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The capsule, which the text of 2017 recommends in the cylinder's place: all points within a radius of a
-// segment. How far a cylinder may be replaced by one is what outer_proxy and inner_proxy say.
+// The capsule, which the text of 2017 recommends in place of the cylinder: all points within a radius of a
+// segment. outer_proxy and inner_proxy bound the error of such a replacement.
 #pragma once
 
 #include "solver/decide.hpp"
@@ -17,17 +17,17 @@ struct Capsule {
 /// two roundings of the sum.
 inline constexpr double proxy_error = 0x1p-50;
 
-/// What rounding does at most to segment_distance and capsule_distance, times the sum over both capsules of
-/// |middle| + length + radius: 75 units of 2^-53 are proved in capsule.cpp for any angle, the rest is room
-/// for what callers add to a distance.
+/// The largest rounding error of segment_distance and capsule_distance, times the sum over both capsules of
+/// |middle| + length + radius. capsule.cpp proves 75 units of 2^-53 for any angle. The rest is room for
+/// additions to a distance by callers.
 inline constexpr double proxy_distance_error = 0x1p-45;
 
-/// The distance of two segments, either of which may be a point, within proxy_distance_error; products of
-/// four lengths must neither over- nor underflow. Never below 0.
+/// The distance of two segments, each of which may be a point, within proxy_distance_error. Products of four
+/// lengths must not overflow or underflow. Never below 0.
 double segment_distance(const Vector3& p0, const Vector3& p1, const Vector3& q0, const Vector3& q1) noexcept;
 
-/// The distance of the solids where > 0; where negative, they overlap, and where the segments do not cross,
-/// by that depth. Closed solids: 0 is touching.
+/// If > 0, the distance of the solids. If negative, they overlap, by that depth if the segments do not cross.
+/// Solids are closed, so 0 is touching.
 double capsule_distance(const Capsule& a, const Capsule& b) noexcept;
 
 /// A capsule that contains a valid cylinder: the same axis and radius, rounded ends in addition. So outer
@@ -35,8 +35,8 @@ double capsule_distance(const Capsule& a, const Capsule& b) noexcept;
 Capsule outer_proxy(const Prepared& c) noexcept;
 Capsule outer_proxy(const Cylinder& c) noexcept;
 
-/// A capsule inside it: as wide, or as high, as the cylinder. So inner proxies that meet prove that the
-/// cylinders intersect. Where rounding leaves nothing (a segment, a disk, far from the origin), radius < 0:
+/// A capsule inside it, as wide or as high as the cylinder. So inner proxies that meet prove that the
+/// cylinders intersect. If rounding leaves nothing (a segment, a disk, far from the origin), radius < 0:
 /// there is none.
 Capsule inner_proxy(const Prepared& c) noexcept;
 Capsule inner_proxy(const Cylinder& c) noexcept;

@@ -30,17 +30,17 @@ struct Pair {
 enum class Verdict : unsigned char {
   disjoint,      ///< no common point
   intersecting,  ///< a common point; from a yes/no call this includes touching
-  touching,      ///< a common point and signed distance exactly 0; said only where proved
+  touching,      ///< a common point and signed distance exactly 0; only if proved
   undecided,     ///< not known: within rounding of touching, or the work cap was reached (decide.hpp)
-  invalid        ///< the input is no pair of cylinders
+  invalid        ///< the input is not a pair of cylinders
 };
 /// The words used in files and on screens.
 constexpr auto words_of(Verdict) noexcept {
   return std::array{"disjoint", "intersecting", "touching", "undecided", "invalid"};
 }
 
-/// What a flat solid lies in, or nearly does: a common point may be known by it better than by coordinates,
-/// which no doubles need hold.
+/// The hull of a flat solid, exact or nearly. It can define a common point more exactly than coordinates,
+/// which doubles may be unable to hold.
 enum class Hull : unsigned char {
   space,
   plane,  ///< through the centre, square to the axis: of a disk

@@ -43,8 +43,8 @@ inline constexpr double membership_error =
 inline constexpr double underflow_error =
     0x1p-500;  ///< of the same distances if squares underflow, relative to the largest length
 
-/// Checks the cylinder and brings its axis to unit length, whatever its length was. Call it once for each
-/// solid: intersect() then costs a third as much. Never throws; the defect is in the result.
+/// Checks the cylinder and normalises its axis of any length. Call it once for each solid: intersect() then
+/// costs a third as much. Never throws; the defect is in the result.
 Prepared prepare(const Cylinder& c) noexcept;
 
 /// Which certificate an answer carries.

@@ -7,8 +7,8 @@
 
 namespace cyl {
 
-/// Steps of all searches that one answer may spend: apart four of 60 on circles, 14 of 61 with rims, 72
-/// projections; overlapping no more, and 160 along valleys of f.
+/// Steps of all searches for one answer. Apart: four of 60 on circles, 14 of 61 with rims, 72 projections.
+/// Overlapping: at most as many, and 160 along valleys of f.
 inline constexpr int distance_step_cap = 1326;
 
 /// Bound of rounding in f(direction) and in the distance of the points, times r0 + h0/2 + r1 + h1/2 +
@@ -17,38 +17,39 @@ inline constexpr double distance_error = 32 * unit_roundoff_error;
 
 /// Lengths in the unit, vectors in the frame of the cylinders. `invalid`: all of it 0.
 struct Distance {
-  /// By the sign of `value` (0: intersecting), or `invalid`. `disjoint` is proved where value > error.
-  /// `intersecting`: decide() proves no gap either, so that there is none beyond what it leaves undecided.
+  /// By the sign of `value` (0: intersecting), or `invalid`. `disjoint` is proved if value > error.
+  /// `intersecting`: decide() does not prove a gap either, so any gap is within the range that it leaves
+  /// undecided.
   Verdict verdict = Verdict::undecided;
-  /// > 0: the gap. <= 0: minus the penetration depth. It is -f(direction), rounded; cut off at the largest
-  /// double.
+  /// > 0: the gap. <= 0: minus the penetration depth. It is -f(direction), rounded, and limited to the
+  /// largest double.
   double value = 0;
-  /// Apart: |value - exact| <= error, always; the width between the plane square to `direction` that
-  /// separates and the two points, and the rounding. Within 1e-13 of size + |Delta|, and 2^-1071 where that
-  /// is subnormal, on all pairs tried (distance.md, section 4); where it is more, tell it to whoever asked.
-  /// Always finite. The size is r0 + h0 + r1 + h1 and the roundings.
-  /// Overlapping: the exact depth is at most -value + error, always; see `least`.
+  /// Apart: |value - exact| <= error, always. It is the width between the plane perpendicular to `direction`
+  /// that separates and the two points, plus rounding. It is within 1e-13 of size + |Delta|, and 2^-1071 if
+  /// that is subnormal, on all pairs tried (distance.md, section 4). If it is more, report it to the caller.
+  /// Always finite. The size is r0 + h0 + r1 + h1 and the roundings. Overlapping: the exact depth is at most
+  /// -value + error, always; see `least`.
   double error = 0;
   /// A unit vector, direction.(b.center - a.center) >= 0 but for rounding: b moved along it by -value + error
   /// or more has no inner point of a in it.
   Vector3 direction{0, 0, 0};
   /// Offsets from a.center and from b.center. Apart: points of a and of b, |distance - value| <= error.
-  /// Overlapping: the point of a deepest in b and the reverse, b's from a's by value * direction; one of them
-  /// lies in its solid within rounding, the other within 1e-12 of size + |Delta| on all pairs tried but one
-  /// in 100,000, and within 1e-9 unless two caps lie on each other at an angle of 1e-11 to 1e-13: of those 1
-  /// in 3,200 is farther out, by up to 2.6e-9.
+  /// Overlapping: the point of a deepest in b and the reverse, b's from a's by value * direction. One of them
+  /// lies in its solid within rounding. The other lies in it within 1e-12 of size + |Delta| on all pairs
+  /// tried except one in 100,000. It is within 1e-9 unless two caps lie on each other at an angle of 1e-11 to
+  /// 1e-13. Of these, 1 in 3,200 is farther out, by up to 2.6e-9.
   Vector3 on_a{0, 0, 0};
   Vector3 on_b{0, 0, 0};
-  /// Overlapping: no direction is shallower by more than 4 error; proved (distance.md, section 6). Where it
-  /// is false, one may be; distance.md, section 4, has the rates by family. Apart: false, since `error` says
-  /// all.
+  /// Overlapping: no direction is shallower by more than 4 error; proved (distance.md, section 6). If false,
+  /// one may be; distance.md, section 4, has the rates by family. Apart: false, because `error` is the
+  /// bound.
   bool least = false;
   int iterations = 0;  ///< at most distance_step_cap
 };
 
-/// Symmetric in its arguments (value bit for bit, direction and points exchanged; of two equal solids any
-/// direction), exact under scaling by powers of two. Cost: 13 times intersect() apart; overlapping 50 times,
-/// decide() among it.
+/// Symmetric in its arguments (value bit for bit, direction and points exchanged; for two equal solids any
+/// direction), exact under scaling by powers of two. Cost: 13 times intersect() if apart; 50 times if
+/// overlapping, with decide() in it.
 Distance distance(const Prepared& a, const Prepared& b) noexcept;
 Distance distance(const Cylinder& a, const Cylinder& b) noexcept;
 

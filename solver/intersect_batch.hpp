@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Many pairs at once, in the lanes of whatever vectors the processor has. Verdicts are those of intersect(),
-// pair by pair, on every instruction set: the arithmetic is the same (sections.hpp).
+// Many pairs at once, in the vector lanes of the processor. The verdicts equal those of intersect(), pair by
+// pair, on every instruction set, because the arithmetic is the same (sections.hpp).
 #pragma once
 
 #include <cstddef>
@@ -16,7 +16,7 @@ struct IndexPair {
   std::uint32_t a, b;
 };
 
-/// What a kernel is compiled for. Off x86-64 there is `baseline` alone.
+/// The target of a kernel. Off x86-64 there is only `baseline`.
 enum class Instructions : unsigned char {
   baseline,  ///< x86-64: SSE2, two lanes
   v3,        ///< x86-64-v3: AVX2, four lanes
@@ -26,17 +26,17 @@ enum class Instructions : unsigned char {
 /// The best that this processor runs.
 Instructions best_instructions() noexcept;
 
-/// verdicts[i] = intersect(a[pairs[i].a], b[pairs[i].b]). The two sets may be the same; a solid is one
-/// record, since pairs come from a broad phase in any order and one record is two cache lines where eight
-/// arrays would be eight. `verdicts` has room for all pairs and shares no
-/// memory with the sets; indices are not checked. Allocates nothing. An instruction set the
-/// processor lacks: the best it has. Cost: with AVX-512 less than half of intersect() a pair.
+/// verdicts[i] = intersect(a[pairs[i].a], b[pairs[i].b]). The two sets may be the same. A solid is one
+/// record, because pairs come from a broad phase in any order, and one record is two cache lines but eight
+/// arrays would be eight. `verdicts` has room for all pairs and shares no memory with the sets. Indices are
+/// not checked. Allocates nothing. If the processor lacks an instruction set, the best available one is used.
+/// Cost: with AVX-512 less than half of intersect() a pair.
 void intersect_batch(std::span<const Prepared> a, std::span<const Prepared> b,
                      std::span<const IndexPair> pairs, Verdict* verdicts,
                      Instructions instructions = best_instructions()) noexcept;
 
 /// answers[i] = decide(a[pairs[i].a], b[pairs[i].b]), to the last bit; otherwise as above. Cost: with AVX-512
-/// two thirds of decide() a pair, where the axes are at an angle.
+/// two thirds of decide() a pair, if the axes are at an angle.
 void decide_batch(std::span<const Prepared> a, std::span<const Prepared> b, std::span<const IndexPair> pairs,
                   Answer* answers, Instructions instructions = best_instructions()) noexcept;
 

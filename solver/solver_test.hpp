@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the tests of solver/ share. It replaces operator new, weakly: several files of a program may include
+// Shared by the tests of solver/. It replaces operator new, weakly: several files of a program may include
 // it.
 #pragma once
 
@@ -8,8 +8,8 @@
 #include <cstdlib>
 #include <new>
 
-// Counts what is allocated, so that a test can say: nothing. Not inlined: gcc would take malloc and free,
-// seen through new and delete, for a mismatch.
+// Counts allocations, so that a test can require none. Not inlined, because gcc would report a mismatch of
+// malloc and free through new and delete.
 inline std::atomic<long> allocations{0};
 [[gnu::noinline, gnu::weak]] void* operator new(std::size_t n) {
   ++allocations;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A function or a program run in a process of its own, which hands back bytes. Whatever happens to it, this
-// process lives on; and where this process ends, so does the child.
+// A function or a program that runs in a process of its own and returns bytes. A fault in it does not end
+// this process. If this process ends, so does the child.
 #pragma once
 
 #include <sys/types.h>
@@ -13,19 +13,19 @@
 namespace cyl {
 
 struct ChildOptions {
-  /// What stands before the reason on standard error where the child throws: "daylight: a batch failed: ...".
+  /// Precedes the reason on standard error if the child throws: "daylight: a batch failed: ...".
   std::string failure = "a process failed";
   /// Whether the child leads a process group. Then a Ctrl-C meant for this process does not reach it, it ends
   /// on SIGINT and SIGTERM, and all that it started in its group ends with it.
   bool own_group = false;
-  std::string input = {};  ///< of a program, on its standard input; empty: that of this process
+  std::string input = {};  ///< standard input of a program; if empty, that of this process
 };
 
 class Child {
  public:
-  /// Forks and calls `work` in the child; what that returns are the bytes. The child ends with status 0, with
-  /// 1 where `work` throws, and runs no destructors nor exit handlers. It is killed where the thread that
-  /// made it ends. Throws std::system_error where the system has no process or pipe left.
+  /// Forks and calls `work` in the child, which returns the bytes. The child ends with status 0, or 1 if
+  /// `work` throws. It runs no destructors and no exit handlers. It is killed when the thread that made it
+  /// ends. Throws std::system_error if the system has no process or pipe left.
   explicit Child(const std::function<std::string()>& work, const ChildOptions& options = {});
   /// Runs a program with its arguments, looked for in PATH, likewise; what it prints on standard output are
   /// the bytes.
@@ -36,10 +36,10 @@ class Child {
   Child& operator=(const Child&) = delete;
   ~Child();  ///< kills what still runs
 
-  /// Takes in the bytes that have arrived, without waiting, and returns whether the child has ended. The end
-  /// of the process counts, not that of the pipe: somebody who outlives it may hold the pipe open.
+  /// Reads the bytes that have arrived, without waiting, and returns whether the child has ended. The end of
+  /// the process counts, because a process that survives it may keep the pipe open.
   bool advance();
-  /// Waits for the end and returns the status. Throws std::system_error where the system has no descriptor
+  /// Waits for the end and returns the status. Throws std::system_error if the system has no descriptor
   /// left.
   int wait();
   /// Returns the status that waitpid() gives, once it has ended.
@@ -50,7 +50,7 @@ class Child {
   std::chrono::nanoseconds cpu_time() const;
   bool ended() const { return ended_; }
   int output() const { return output_; }  ///< to poll for reading
-  /// Returns a descriptor to poll for the end. Throws std::system_error where the system has none left.
+  /// Returns a descriptor to poll for the end. Throws std::system_error if the system has none left.
   int end();
   void kill_now();              ///< with its group, if that is its own
   void send(int signal) const;  ///< to the process alone

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What code in a process of its own may ask of the system: threads and files, but no process and no signal to
-// others.
+// Limits the system calls of code in a process of its own: threads and files are allowed, but not processes
+// and signals to others.
 #pragma once
 
 #include <atomic>
@@ -11,15 +11,15 @@ namespace cyl {
 /// The exit code of a process that asked for what it may not.
 inline constexpr int denied_code = 97;
 
-/// From here on this process starts no other, becomes no other program, and sends signals to itself alone.
-/// Where it tries, the number of the call is left in `denied`, which lives as long as the process, and it
-/// ends with denied_code. Returns false, and nothing is held back, where the kernel refuses the filter.
+/// From here on this process cannot start or become another program, and can send signals to itself only. If
+/// it tries, it ends with denied_code and the number of the call in `denied`, which lives as long as the
+/// process. Returns false, and changes nothing, if the kernel rejects the filter.
 bool confine(std::atomic<int>& denied);
 
 /// Whether this kernel lets processes be confined.
 bool can_confine();
 
-/// "kill", or the number where that has no name.
+/// Returns "kill", or the number if the call has no name.
 std::string system_call_name(int number);
 
 }  // namespace cyl

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What an interpreter prints when an exception ends its program: the line that matters is neither the first
-// nor the last.
+// Finds the line that matters in the text that an interpreter prints when an exception ends its program. It
+// is neither the first nor the last line.
 #pragma once
 
 #include <cstddef>
@@ -9,8 +9,8 @@
 
 namespace cyl {
 
-/// Returns "ValueError: no such shape (mine.py:12)" of a traceback of Python or node: the first line of the
-/// exception, at most `cap` bytes with the file and line where it was thrown. Empty where there is none.
+/// Returns "ValueError: no such shape (mine.py:12)" from a traceback of Python or node: the first line of the
+/// exception, at most `cap` bytes, with the file and line that threw it. Empty if there is none.
 std::string exception_text(std::string_view printed, std::size_t cap);
 
 }  // namespace cyl

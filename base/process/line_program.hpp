@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A program of somebody else's that answers lines on its standard input with lines on its standard output.
+// A foreign program that answers lines on its standard input with lines on its standard output.
 #pragma once
 
 #include <chrono>
@@ -15,19 +15,19 @@ namespace cyl {
 /// The most bytes of a line that are read; no answer needs so many.
 inline constexpr std::size_t program_line_cap = std::size_t{1} << 16;
 
-/// Runs `command` by /bin/sh in `folder`. It ends, with all that it started, with the LineProgram and with
-/// this process, however that ends. It does not hear the signals of a terminal, and where the machine runs
-/// out of memory it is killed first. To a process forked from this one the LineProgram is of no use.
+/// Runs `command` by /bin/sh in `folder`. It ends, with all its descendants, when the LineProgram or this
+/// process ends. Signals of a terminal do not reach it, and if memory runs out it is killed first. A process
+/// forked from this one cannot use the LineProgram.
 class LineProgram {
  public:
-  /// Throws std::system_error where the system refuses a process, memory or a descriptor.
+  /// Throws std::system_error if the system refuses a process, memory or a descriptor.
   LineProgram(const std::string& command, const std::string& folder);
   ~LineProgram();
   LineProgram(const LineProgram&) = delete;
   LineProgram& operator=(const LineProgram&) = delete;
 
   bool ours() const { return process_->ours(); }  ///< this process started it
-  /// Of the program, and of all that it started and that still runs.
+  /// The time of the program and of its descendants that still run.
   std::chrono::nanoseconds cpu_time() const { return cpu_time_of_tree(process_->id()); }
 
   /// Limits of the wait for a line: processor time, and time in all.
@@ -35,7 +35,7 @@ class LineProgram {
     std::chrono::milliseconds cpu, wall;
   };
   enum class Read : unsigned char { line, ended, over_cpu_cap, over_wall_cap, too_long };
-  /// Says that `text` is to be sent as it is, while lines are waited for.
+  /// Queues `text`, which is sent unchanged while lines are awaited.
   void send(std::string_view text);
   /// Waits for a line, which is left in `line` without its newline.
   Read receive(std::string& line, const Cap& cap);

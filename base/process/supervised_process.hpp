@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A process of foreign code, kept apart. Between it and this process stands a keeper, which ends it, with all
-// that it started, when this process says so or ends itself, however that happens.
+// An isolated process of foreign code. A keeper stands between it and this process. The keeper ends it, with
+// all its descendants, on request or when this process ends.
 #pragma once
 
 #include <sys/types.h>
@@ -12,8 +12,8 @@
 
 namespace cyl {
 
-/// What the process has of this one's descriptors; all others are closed in it. Where a stream is negative,
-/// nothing can be read from it and what is written to it is lost.
+/// Descriptors that the process inherits. All others are closed in it. If a stream is negative, it reads
+/// nothing and loses what is written to it.
 struct KeptDescriptors {
   int input = -1, output = -1, error = -1;
   std::vector<int> others = {};  ///< under the same numbers
@@ -21,13 +21,13 @@ struct KeptDescriptors {
 
 class SupervisedProcess {
  public:
-  /// Calls `run` in a process that leads a session of its own and meets signals as if no one had touched
-  /// them; where the system allows it, in a PID namespace of its own too, in which it sees no process of
-  /// others and with whose end all of its own end. It ends with status 0, or 1 where `run` throws, and runs
-  /// no destructors nor exit handlers. Throws std::system_error where the system has no process or descriptor
+  /// Calls `run` in a process that leads a session of its own and has the default signal handlers. If
+  /// the system allows it, the process is in a PID namespace of its own. There it sees no other process,
+  /// and its descendants end with it. It ends with status 0, or 1 if `run` throws, and runs no
+  /// destructors or exit handlers. Throws std::system_error if the system has no process or descriptor
   /// left.
   SupervisedProcess(const std::function<void()>& run, const KeptDescriptors& descriptors);
-  ~SupervisedProcess();  ///< ends it, where this process started it
+  ~SupervisedProcess();  ///< ends the process, if this process started it
   SupervisedProcess(const SupervisedProcess&) = delete;
   SupervisedProcess& operator=(const SupervisedProcess&) = delete;
 
@@ -41,7 +41,7 @@ class SupervisedProcess {
     int status;    ///< as waitpid() gives it
     int left = 0;  ///< processes that it started and left, which the keeper ended
   };
-  /// Waits for the end. Nothing where the keeper itself was killed, which ends the process too.
+  /// Waits for the end. Empty if the keeper itself was killed, which also ends the process.
   const std::optional<Ending>& wait();
 
  private:

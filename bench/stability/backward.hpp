@@ -43,8 +43,8 @@ struct WrongVerdict {
   std::string method;
   double backward;
 };
-/// Returns the wrong verdicts among the findings that a run has kept: the first ones of each kind and family,
-/// and the worst; so their quantiles say nothing of any other distribution.
+/// Returns the wrong verdicts among the stored findings of a run: the first of each kind and family, and the
+/// worst. Their quantiles do not describe any other distribution.
 std::vector<WrongVerdict> wrong_verdicts(const std::vector<FindingRecord>& findings);
 /// Returns those on a fixed sample next to touching: pairs of every stratum (corpus/pairs/strata.hpp),
 /// seed 1.

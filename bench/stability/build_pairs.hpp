@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the programs that bench/stability/builds.sh compares are asked: by which methods, and pairs as plain
+// The input of the programs that bench/stability/builds.sh compares: the methods, and the pairs as plain
 // numbers.
 #pragma once
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Which answers change between builds of the same source: other compilers, levels of optimisation, fused
-// multiply-add, denormal numbers flushed to 0. bench/stability/builds.sh makes the builds and asks them.
+// Compares the answers of builds of the same source: other compilers, levels of optimization, fused
+// multiply-add, denormal numbers flushed to 0. bench/stability/builds.sh makes the builds and runs them.
 #pragma once
 
 #include <cstddef>
@@ -19,7 +19,7 @@
 
 namespace cyl {
 
-/// What changed of one method's answers.
+/// The differences of one method's answers.
 struct BuildDifference {
   std::string method, build, against;
   std::uint64_t pairs = 0;              ///< asked in both builds
@@ -29,9 +29,9 @@ struct BuildDifference {
   std::optional<double> largest_change;  ///< relative to the size, of distances that both builds have
 };
 
-/// Returns what builds are compared on: the first pairs of every family, and pairs of every stratum as they
-/// are and scaled down to where products vanish (2^-500), to just above the least normal numbers (2^-1010),
-/// and to lengths that are denormal themselves (2^-1060, rounded).
+/// Returns the pairs for the comparison of builds: the first pairs of every family, and pairs of every
+/// stratum in three scales. These are as they are, scaled so that products vanish (2^-500), to just above the
+/// least normal numbers (2^-1010), and to denormal lengths (2^-1060, rounded).
 std::vector<Pair> build_pairs();
 
 /// Holds builds against one another; what is proved of a pair is found once.
@@ -53,9 +53,9 @@ class BuildComparison {
 };
 
 nlohmann::json to_json(const BuildDifference& difference);
-/// Returns the differences in a file like bench/stability/builds.jsonl, whose first line tells where they
-/// come from; an empty list if there is no such file. Throws std::runtime_error that names the file if it is
-/// something else.
+/// Returns the differences in a file like bench/stability/builds.jsonl, whose first line names their source.
+/// Returns an empty list if there is no such file. Throws std::runtime_error that names the file if its
+/// content is different.
 nlohmann::json builds_json(const std::filesystem::path& file);
 
 }  // namespace cyl

@@ -56,16 +56,16 @@ struct PathStability {
   std::string method, path;
   std::size_t steps = 0;  ///< of a path
   std::size_t said = 0;   ///< verdicts on them
-  /// Changes between disjoint and not. What is undecided, declined or failed is passed over.
+  /// Changes between disjoint and another verdict. Undecided, declined and failed answers are skipped.
   std::size_t flips = 0;
-  /// How much farther, relative to the size, the distances it told of two neighbours are apart than the
-  /// pairs' own.
+  /// The largest difference, relative to the size, between the change of the returned distances of two
+  /// neighbours and the true change.
   std::optional<double> distance_jump;
-  /// Between the directions it told of two neighbours. The one in which the distance is attained is the same
-  /// all the way; a method that only separates may choose another, more freely the wider the gap.
+  /// The angle between the returned directions of two neighbours. The direction of the distance is the same
+  /// along the path. A method that only separates may choose another one, more freely if the gap is wider.
   std::optional<double> direction_jump_degrees;
-  /// What it said on the first seed with most flips, where these are more than right: where it flips, and
-  /// evenly between, at most trace_cap points.
+  /// The answers on the first seed with the most flips, if these are more than right. It has at most
+  /// trace_cap points: those of the flips, and others evenly between.
   std::vector<TracePoint> trace;
 };
 
@@ -77,9 +77,9 @@ inline constexpr std::uint64_t path_seeds = 2;
 PathStability stability_along(const Path& path, std::string_view method,
                               std::span<const MethodAnswer> answers);
 
-/// Returns the stability by method and path; paths on which a method said nothing are left out. Foreign
-/// methods are contained; one that hangs often is not asked on. Costly methods are asked on the first seed
-/// alone. Cost: 3,180 questions to each method a seed.
+/// Returns the stability by method and path. Paths without an answer of a method are left out. Foreign
+/// methods are contained, and a method that hangs often is not asked again. Costly methods are asked on the
+/// first seed only. Cost: 3,180 pairs for each method and seed.
 std::vector<PathStability> path_stability(std::span<const std::unique_ptr<Method>> methods,
                                           std::uint64_t seeds = path_seeds);
 

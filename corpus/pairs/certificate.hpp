@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What is proved of a pair, as plain data: the verdict, its certificate, the distance. The referee makes
+// The proved facts of a pair, as plain data: the verdict, its certificate, the distance. The referee makes
 // them.
 #pragma once
 
@@ -12,14 +12,14 @@
 
 namespace cyl {
 
-/// What kind of vector proves a verdict, or is offered as a witness of it.
+/// The kind of vector that proves a verdict, or that a method returns as its witness.
 enum class CertificateKind : unsigned char { none, direction, point, near, points, near_points };
 constexpr auto words_of(CertificateKind) noexcept {
   return std::array{"none", "direction", "point", "near", "points", "near_points"};
 }
 
-/// One vector of a certificate, exactly head + tail, or, where `exact` is not empty, the rationals written
-/// there as "n/d" (or "n").
+/// One vector of a certificate: exactly head + tail or, if `exact` is not empty, the rationals in it as "n/d"
+/// (or "n").
 struct ExactVector {
   std::array<double, 3> head{0, 0, 0};
   std::array<double, 3> tail{0, 0, 0};
@@ -28,17 +28,17 @@ struct ExactVector {
 };
 
 /// The core of a solid is the solid without its rounding. direction: D with f(D) < 0, where f has both
-/// roundings times |D|. point: in both cores. near: `vector` a point within 2^-200 size of both solids,
-/// `second` a direction with |f| <= 2^-200 size |direction| (touching without a rational point). points:
-/// `vector` in a's core and `second` in b's, no farther apart than both roundings together. near_points: as
-/// near, of rounded solids, by `vector` and `third`, points within 2^-200 size of a's core and of b's and
-/// no farther apart than both roundings and that.
+/// roundings times |D|. point: a point in both cores. near: `vector` is a point within 2^-200 size of both
+/// solids, and `second` a direction with |f| <= 2^-200 size |direction| (touching without a rational point).
+/// points: `vector` in a's core and `second` in b's, no farther apart than the sum of both roundings.
+/// near_points: the same as near for rounded solids. `vector` and `third` are points within 2^-200 size of
+/// the cores of a and b, no farther apart than both roundings and that.
 struct Certificate {
   CertificateKind kind = CertificateKind::none;
   ExactVector vector;
   ExactVector second;
-  /// Of a point: it is the point nearest to `vector` in these hulls of a and of b. Of points: each is the
-  /// nearest in its own solid's hull. Of what is proved: space.
+  /// For a point: it is the nearest point to `vector` in these hulls of a and of b. For points: each is the
+  /// nearest in the hull of its own solid. For a proved certificate: space.
   std::array<Hull, 2> hulls{Hull::space, Hull::space};
   ExactVector third{};
 };
@@ -59,8 +59,8 @@ struct Truth {
   bool witnessed = false;  ///< settled by a witness that an answer offered
 };
 
-/// A closed interval [lo, hi] that certainly holds the signed distance: > 0 the gap, < 0 minus the
-/// penetration depth; in the scene's unit (a Finding's margin: relative to the size).
+/// A closed interval [lo, hi] that certainly contains the signed distance: > 0 the gap, < 0 minus the
+/// penetration depth. The unit is that of the scene. A Finding's margin is relative to the size.
 struct Enclosure {
   double lo = 0, hi = 0;
 

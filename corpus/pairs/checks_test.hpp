@@ -17,7 +17,7 @@
 
 namespace cyl {
 
-/// What the tests draw that no count depends on.
+/// A seed for tests, which no count depends on.
 inline constexpr std::uint64_t drawing_seed = 2;
 
 /// Steps are counted over pairs that are always the same: from seed to seed their mean changes by some

@@ -28,8 +28,8 @@ constexpr auto words_of(AxesLie) noexcept { return std::array{"generic", "near-p
 /// Sine or cosine from which on axes are generic.
 inline constexpr double generic_tol = 0.1;
 
-/// Of the small angle, in radians: between the axes, or what they lack of a right angle; of generic axes that
-/// between the contact's normal and one axis, or what it lacks of a right angle.
+/// The small angle in radians, between the axes or to a right angle. For generic axes it is the angle between
+/// the contact normal and one axis, or its difference to a right angle.
 enum class AngleBand : unsigned char {
   wide,   ///< above 1e-3
   small,  ///< above 1e-8
@@ -40,8 +40,8 @@ constexpr auto words_of(AngleBand) noexcept {
   return std::array{"> 1e-03", "1e-03..1e-08", "1e-08..1e-13", "< 1e-13"};
 }
 
-/// Margins of decade d are in (10^(-d-1), 10^-d], in the last one above least_close_margin: so that what is
-/// claimed from 1e-13 on is claimed, whatever rounding did.
+/// Margins of decade d are in (10^(-d-1), 10^-d]. In the last decade they are above least_close_margin, so
+/// that a claim from 1e-13 on covers them despite rounding.
 inline constexpr int first_close_decade = 1, last_close_decade = 12;
 inline constexpr double least_close_margin = 1.01e-13;
 
@@ -71,7 +71,7 @@ inline constexpr auto close_cells = [] {
 
 /// How the margin is drawn.
 enum class CloseKind : unsigned char {
-  by_decade,  ///< whatever the angle is: every cell as often as every other
+  by_decade,  ///< at any angle: each cell equally often
   by_angle,   ///< 0.1 to 1 of the small angle, which is 1e-1 to 1e-13: what a neglected angle moves decides
   rods,       ///< the same of overlapping rods, 2e-13 to 9e-13 from parallel, that meet at an end of one
   rims        ///< by decade, rim on rim, one radius 1e-4 to 1e-1 of the other
@@ -84,13 +84,13 @@ struct CloseContact {
   CloseCell cell;  ///< aimed at: of an overlap the depth may be less
   ContactFeature feature;
   Vector3 normal;   ///< unit, from a to b
-  double distance;  ///< f(normal) is minus it, but for rounding. > 0: the gap. < 0: they overlap by no more,
-                    ///< and flat solids may have passed through each other and be apart
+  double distance;  ///< minus f(normal), up to rounding. > 0: the gap. < 0: the solids overlap by at most
+                    ///< this. Flat solids may have passed through each other and be apart
 };
 
-/// By decade and of rims the cells take turns fastest, then gap and overlap, then the features that the cell
-/// has; half of the rims are of generic axes at wide angles, whatever the turn. By angle the lies take turns,
-/// the decades of the angle, gap and overlap, the features.
+/// By decade, the cells (and rims) alternate fastest, then gap and overlap, then the features of the cell.
+/// Half of the rims have generic axes at wide angles in every turn. By angle, the positions of the axes
+/// alternate, then the decades of the angle, gap and overlap, and the features.
 CloseContact draw_close_contact(CloseKind kind, RandomStream& stream, std::uint64_t index);
 /// The same from a stream of its own: a pure function of its arguments.
 CloseContact draw_close_contact(CloseKind kind, std::uint64_t seed, std::uint64_t index);

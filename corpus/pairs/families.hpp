@@ -23,9 +23,9 @@ struct Family {
 std::span<const Family> families();
 /// The pairs of a sphere, a capsule, a cylinder and a rounded cylinder, but for two cylinders.
 std::span<const Family> rounded_families();
-/// Families for timing, not for campaigns: "margin_1e-01" to "margin_1e-15", pairs at that margin, gap (even
-/// index) and penetration (odd; at 1e-01 gaps alone), by the features that solids in general position meet
-/// with: side-side, side-rim, rim-rim, cap-rim.
+/// Families for timing, not for campaigns: "margin_1e-01" to "margin_1e-15". Pairs have that margin as a gap
+/// (even index) or a penetration (odd index; at 1e-01 only gaps). They have the features of solids in general
+/// position: side-side, side-rim, rim-rim, cap-rim.
 std::span<const Family> margin_families();
 /// The family of that name, of any kind, or nullptr.
 const Family* find_family(std::string_view name);

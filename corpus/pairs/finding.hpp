@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What can be wrong with an answer, as plain data; compare() of oracles/trial finds it.
+// The faults of an answer, as plain data. compare() of oracles/trial finds them.
 #pragma once
 
 #include <array>
@@ -11,10 +11,10 @@
 namespace cyl {
 
 enum class FindingKind : unsigned char {
-  wrong_disjoint,      ///< said disjoint of a pair with a common point
-  wrong_intersecting,  ///< said intersecting or touching of a pair with daylight between
-  wrong_touching,      ///< said touching of a pair whose distance is certainly not 0
-  wrong_invalid,       ///< said invalid of a legal pair
+  wrong_disjoint,      ///< the answer is disjoint, but the pair has a common point
+  wrong_intersecting,  ///< the answer is intersecting or touching, but the pair is disjoint
+  wrong_touching,      ///< the answer is touching, but the distance is certainly not 0
+  wrong_invalid,       ///< the answer is invalid, but the pair is valid
   bad_witness,         ///< verdict and distance are right, the witness it offered does not prove the verdict
   distance_outside,    ///< its distance is outside the certified enclosure by more than its claim
   non_finite,          ///< an infinite or NaN distance or witness
@@ -23,11 +23,11 @@ enum class FindingKind : unsigned char {
   hang,
   malformed,        ///< no answer at all: a value that means nothing
   nondeterminism,   ///< two answers to one question
-  undecided_truth,  ///< nobody's fault: the referee could not prove a verdict
+  undecided_truth,  ///< not a fault of a method: the referee could not prove a verdict
   left_undecided,   ///< undecided of a pair that it promises to decide
   side_effect,      ///< the answer is right, but the call did what it may not, or left something behind
-  state_dependent,  ///< wrong where much was asked before, and not of a worker that is new
-  reported          ///< the method itself says that it failed
+  state_dependent,  ///< wrong after many pairs, but not in a new worker
+  reported          ///< the method itself reports a failure
 };
 constexpr auto words_of(FindingKind) noexcept {
   return std::array{"wrong_disjoint",  "wrong_intersecting",
@@ -48,13 +48,14 @@ enum class Severity : unsigned char {
 };
 constexpr auto words_of(Severity) noexcept { return std::array{"contract", "resolution", "unresolved"}; }
 
-/// Whether the method broke: exception, crash, hang, non-finite number or malformed answer, or it says so.
+/// Returns whether the method failed: exception, crash, hang, non-finite number, malformed answer or its own
+/// report.
 constexpr bool is_failure(FindingKind kind) noexcept {
   return kind == FindingKind::exception || kind == FindingKind::crash || kind == FindingKind::hang ||
          kind == FindingKind::non_finite || kind == FindingKind::malformed || kind == FindingKind::reported;
 }
 
-/// Whether it said a verdict that the proved one refutes, which is all that a margin is sought of.
+/// Returns whether the proved verdict refutes the verdict of the answer. Only then is a margin searched for.
 constexpr bool is_refuted_verdict(FindingKind kind) noexcept {
   return kind == FindingKind::wrong_disjoint || kind == FindingKind::wrong_intersecting ||
          kind == FindingKind::wrong_touching;
@@ -65,8 +66,8 @@ constexpr bool is_wrong_verdict(FindingKind kind) noexcept {
   return is_refuted_verdict(kind) || kind == FindingKind::wrong_invalid;
 }
 
-/// What is wrong with an answer. The margin is how wrong, relative to size_of(pair): |distance| of the pair
-/// for a verdict or a witness, |said - distance| for a distance; none where the truth is undecided.
+/// A fault of an answer. The margin is its amount relative to size_of(pair): |distance| of the pair for a
+/// verdict or witness, |returned - true distance| for a distance. It is empty if the truth is undecided.
 struct Finding {
   FindingKind kind;
   Severity severity;

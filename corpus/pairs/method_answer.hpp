@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a method says of a pair, as plain data: its verdict, its distance, the witness it offers.
+// The answer of a method for a pair, as plain data: its verdict, its distance, its witness.
 #pragma once
 
 #include <array>
@@ -14,16 +14,16 @@ namespace cyl {
 enum class Status : unsigned char {
   answered,
   declined,  ///< cannot or does not want to answer this pair; no fault
-  failed     ///< tried and broke; `failure` says how
+  failed     ///< tried and failed; `failure` has the kind
 };
 
-/// `reported`: the method itself says that it failed. Numbers of these are stored: new ones stand at the end.
+/// `reported`: the method itself reports a failure. Runs store these numbers, so new values go at the end.
 enum class Failure : unsigned char { none, exception, crash, hang, non_finite, malformed, reported };
 constexpr auto words_of(Failure) noexcept {
   return std::array{"none", "exception", "crash", "hang", "non_finite", "malformed", "reported"};
 }
 
-/// What a call did besides answering, as the worker noticed.
+/// A side effect of a call, as the worker noticed it.
 enum class SideEffect : unsigned char {
   none,
   rounding_mode,  ///< left the processor rounding, or treating small numbers, in another way
@@ -35,33 +35,32 @@ constexpr auto words_of(SideEffect) noexcept {
   return std::array{"none", "rounding_mode", "memory", "thread", "slow"};
 }
 
-/// What a method said. Plain bytes, so that a contained worker can leave it in shared memory.
+/// The answer of a method. Plain bytes, so that a contained worker can leave it in shared memory.
 struct MethodAnswer {
   Status status = Status::declined;
   Failure failure = Failure::none;
-  Verdict verdict = Verdict::undecided;  ///< meaningful where status == answered
+  Verdict verdict = Verdict::undecided;  ///< meaningful if status == answered
   bool has_distance = false;
   CertificateKind witness = CertificateKind::none;  ///< never `near` or `near_points`
-  double distance = 0;  ///< signed: > 0 apart, in the scene's unit; meaningful where has_distance
-  /// Its own bound of the distance's error, 0 where it tells none: apart both ways; where it says that they
-  /// overlap, of how much deeper they are than it says.
+  double distance = 0;  ///< signed: > 0 apart, in the scene's unit; meaningful if has_distance
+  /// The method's own bound of its distance error, or 0. It holds in both directions for disjoint solids. For
+  /// overlapping solids it bounds how much deeper they are than returned.
   double error_bound = 0;
   double head[3] = {0, 0, 0};  ///< direction, or point = head + tail exactly, in the scene's frame
   double tail[3] = {0, 0, 0};
-  double other_head[3] = {0, 0, 0};  ///< of points: that of b; head + tail is that of a
+  double other_head[3] = {0, 0, 0};  ///< for points: the point of b; head + tail is the point of a
   double other_tail[3] = {0, 0, 0};
-  Hull hulls[2] = {
-      Hull::space,
-      Hull::space};             ///< of a and b: the point is the nearest in both; of points: each in its own
-  int steps = 0, step_cap = 0;  ///< that its searches took, and the most they may; 0: not told
+  Hull hulls[2] = {Hull::space, Hull::space};  ///< for a and b: the point is the nearest in both; for points:
+                                               ///< each in its own
+  int steps = 0, step_cap = 0;                 ///< steps of its searches and their maximum; 0 if not reported
   SideEffect side_effect = SideEffect::none;
   char reason[120] = {};  ///< why it declined or failed, else what the side effect was; zero-terminated
 
   void set_reason(std::string_view text) noexcept;  ///< truncates
-  /// The first one counts; it is the reason, where there is no other.
+  /// The first effect counts. It is the reason if there is no other.
   void note(SideEffect effect, std::string_view what) noexcept;
   void set_direction(const Vector3& d) noexcept;  ///< as the witness
-  /// As the witness, where doubles hold it; else none.
+  /// Sets the witness if doubles can represent it, else none.
   void set_witness(const Certificate& certificate) noexcept;
   Certificate certificate() const;  ///< the witness, as it was offered
 };

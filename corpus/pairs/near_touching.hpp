@@ -36,10 +36,10 @@ struct Contact {
 /// The contact at `index`: margins run through the decades 1e-2, 1e-3, .. 1e-15 (from 1e-6 for needles and
 /// disks), each with a gap (even index) and then a penetration (odd index).
 Contact draw_contact(ContactKind kind, RandomStream& stream, std::uint64_t index);
-/// The contact at a signed margin: any gap; a penetration up to 1e-2, of needles and disks up to 1e-6.
+/// A contact at a signed margin: any gap, a penetration up to 1e-2, or up to 1e-6 for needles and disks.
 Contact draw_contact_at(ContactKind kind, RandomStream& stream, double margin);
 
-/// The margin at `index`, negative where the solids penetrate.
+/// The margin at `index`, negative if the solids penetrate.
 double contact_margin(ContactKind kind, std::uint64_t index);
 
 }  // namespace cyl

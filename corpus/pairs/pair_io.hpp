@@ -21,22 +21,22 @@
 
 namespace cyl {
 
-/// A pair with where it comes from. Optional fields are empty where the line has none.
+/// A pair with its origin. An optional field is empty if the line does not have it.
 struct Case {
   Pair pair;
   std::string id;
   std::string source;
-  std::optional<Verdict> truth;  ///< what the line says is true
+  std::optional<Verdict> truth;  ///< the truth that the line states
   std::string note;
-  std::string file{};    ///< where read_case_folder found it; else empty
+  std::string file{};    ///< the file, if read_case_folder read it; else empty
   std::size_t line = 0;  ///< of that file, from 1
 };
 
 /// The most bytes of a line that are read; a longer line is an error.
 inline constexpr std::size_t line_cap = std::size_t{1} << 20;
 
-/// What one line held: a case, or an error text "line 3, column 17: a.radius is negative (-1)". Columns count
-/// bytes from 1, a byte order mark not counted.
+/// The result of one line: a case, or an error text "line 3, column 17: a.radius is negative (-1)". Columns
+/// count bytes from 1, without a byte order mark.
 struct CaseLine {
   std::size_t line = 0;  ///< 1-based line number in its file
   std::optional<Case> value;
@@ -48,7 +48,8 @@ struct CaseLine {
 class CaseReader {
  public:
   explicit CaseReader(std::istream& in) : in_(in), buffer_(line_cap + 2, '\0') {}
-  /// The next non-blank line, or nothing at the end of the stream or where it cannot be read (then in.bad()).
+  /// Returns the next non-blank line, or nothing at the end of the stream or if it cannot be read (then
+  /// in.bad()).
   std::optional<CaseLine> next();
 
  private:
@@ -64,8 +65,8 @@ CaseLine parse_case(std::string_view text, std::size_t line);
 /// optional fields are left out.
 std::string format_case(const Case& c);
 std::string format_pair(const Pair& p);  ///< {"a":{...},"b":{...}}
-/// Shortest round-trip decimals of a double, by std::to_chars ("0.1", "1e-300", "-0"; "nan" and "inf" too,
-/// which are no JSON and which the reader refuses).
+/// Returns the shortest decimals that read back as the double, by std::to_chars ("0.1", "1e-300", "-0"). Also
+/// returns "nan" and "inf", which are not JSON and which the reader rejects.
 std::string format_double(double x);
 /// A JSON string literal with quotes; invalid UTF-8 becomes U+FFFD.
 std::string quote_json(std::string_view text);

@@ -9,7 +9,7 @@
 
 namespace cyl {
 
-/// What is no number of JSON is the string "nan", "inf" or "-inf".
+/// A number that JSON does not have becomes the string "nan", "inf" or "-inf".
 inline nlohmann::ordered_json number_json(double x) {
   return std::isfinite(x) ? nlohmann::ordered_json(x) : nlohmann::ordered_json(format_double(x));
 }
@@ -31,7 +31,7 @@ inline nlohmann::ordered_json pair_json(const Pair& p) {
   return {{"a", cylinder_json(p.a)}, {"b", cylinder_json(p.b)}};
 }
 
-/// What format_pair() writes, as a value: numbers that are written without a point are integers. The pair is
+/// Returns the output of format_pair() as a value. Numbers without a decimal point are integers. The pair is
 /// valid.
 inline nlohmann::ordered_json pair_to_json(const Pair& p) { return parse_ordered_json(format_pair(p)); }
 

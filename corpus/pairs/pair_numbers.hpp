@@ -13,8 +13,8 @@
 
 namespace cyl {
 
-/// Center x y z, axis x y z, radius, height: of a cylinder without rounding; what knows of no rounding has
-/// these.
+/// Centre x y z, axis x y z, radius, height: the numbers of a cylinder without rounding, for code that does
+/// not support roundings.
 inline constexpr std::size_t core_number_count = 8;
 /// The same, and the rounding.
 inline constexpr std::size_t cylinder_number_count = core_number_count + 1;
@@ -92,7 +92,7 @@ inline Pair scaled(Pair pair, int exponent) {
   return pair;
 }
 
-/// Returns the same, or nothing where a length would be rounded.
+/// Returns the same, or nothing if a length would be rounded.
 inline std::optional<Pair> scaled_exactly(Pair pair, int exponent) {
   bool exact = true;
   for_each_length(pair, [&](double& x) {

@@ -10,10 +10,10 @@
 
 namespace cyl {
 
-/// By index, four in turn: two that lie anywhere, about half of such pairs intersecting; two at a margin of
-/// 1e-1 to 1e-15 by construction, a gap and then an overlap (rounding moves it by up to 5e-16 of the size);
-/// last, in turn, small integers, some of which touch exactly, and solids in line, about one centre, of other
-/// scales, with a length or a rounding that is next to nothing. Which of the two is `a` is drawn.
+/// By index, in turns of four: two pairs in any position, about half of them intersecting; a pair at a margin
+/// of 1e-1 to 1e-15 by construction, first a gap and then an overlap (rounding moves it by up to 5e-16 of the
+/// size). The last of four are small integers, some of which touch exactly, solids on one line or about one
+/// centre, other scales, and tiny lengths or roundings. It is random which solid is `a`.
 Pair draw_rounded(SolidKind a, SolidKind b, RandomStream& stream, std::uint64_t index);
 
 }  // namespace cyl

@@ -12,7 +12,7 @@ namespace cyl {
 enum class SolidKind : unsigned char {
   sphere,    ///< a point with rounding
   capsule,   ///< a segment with rounding
-  cylinder,  ///< without rounding, whatever its lengths
+  cylinder,  ///< without rounding, with any lengths
   rounded    ///< any other with rounding
 };
 constexpr auto words_of(SolidKind) noexcept { return std::array{"sphere", "capsule", "cylinder", "rounded"}; }

@@ -31,11 +31,11 @@ inline constexpr auto drawn_strata = [] {
   return all;
 }();
 
-/// Gaps at even indices, penetrations at odd ones, as far as the cell has both: one solid that holds the
-/// other leaves no gap, and in decade 1 other penetrations are not known by construction. Rounding moves the
-/// margin by up to 5e-16, so that from decade 14 on the decade, and in the last the sign too, are no more
-/// than aimed at. Nothing outside the decades, and for containment in the last one, where the inner solid
-/// would be smaller than what doubles tell apart at the outer one's surface.
+/// Gaps at even indices, penetrations at odd ones, if the cell has both. A solid that contains the other
+/// leaves no gap, and in decade 1 other penetrations are not known by construction. Rounding moves the margin
+/// by up to 5e-16. So from decade 14 on the decade is only a target, and in the last decade the sign too.
+/// Returns nothing outside the decades. In the last decade it returns nothing for containment, because
+/// doubles near the outer surface cannot represent so small an inner solid.
 std::optional<Pair> draw_in_stratum(ContactFeature feature, int decade, std::uint64_t seed,
                                     std::uint64_t index);
 

@@ -20,7 +20,7 @@ enum class ContactFeature : unsigned char {
   cap_side,
   cap_rim,
   cap_cap,
-  containment  ///< one solid wholly inside the other, whatever faces what
+  containment  ///< one solid inside the other, with any nearest parts
 };
 constexpr auto words_of(ContactFeature) noexcept {
   return std::array{"side-side", "side-rim", "rim-rim", "cap-side", "cap-rim", "cap-cap", "containment"};

@@ -10,7 +10,7 @@
 
 namespace cyl {
 
-/// Returns all of a batch but first and next. What is no UTF-8 in a text that others wrote becomes U+FFFD.
+/// Returns all of a batch except first and next. In foreign texts, bytes that are not UTF-8 become U+FFFD.
 std::string format_batch(const BatchRecord& batch);
 
 /// Returns what format_batch() was given. Throws std::runtime_error on other bytes.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// How often each method was asked and what came of it, by cell of the planes that failure maps are drawn on.
-// What the planes are is no matter of this file: oracles/trial/cells.hpp.
+// How often each method was asked, with what result, by cell of the planes of the failure maps.
+// oracles/trial/cells.hpp defines the planes.
 #pragma once
 
 #include <cstddef>
@@ -13,8 +13,8 @@
 
 namespace cyl {
 
-/// The counts of one method in one cell. Beside `asked` and the two last, an answer is counted once at most;
-/// the rest were right.
+/// The counts of one method in one cell. Besides `asked` and the last two, an answer is counted at most once.
+/// The rest were right.
 struct CellCounts {
   std::uint64_t asked = 0;
   std::uint64_t wrong_disjoint = 0;
@@ -32,14 +32,14 @@ struct CellCounts {
 struct CellRecord {
   std::string plane;
   int x = 0, y = 0;
-  std::vector<CellCounts> methods;  ///< in the order of the run's methods; those that are missing: none asked
+  std::vector<CellCounts> methods;  ///< in the order of the run's methods; missing ones were not asked
 
   bool operator==(const CellRecord&) const = default;
   static constexpr const char* table = "cell";
   static auto columns(auto& c) { return std::tie(c.plane, c.x, c.y, c.methods); }
 };
 
-/// Sums of records, in whatever order they come.
+/// Sums of records, in any order.
 class CellTable {
  public:
   /// Gives the counts of a cell, grown to `methods` methods. Valid until the next call.
@@ -53,7 +53,7 @@ class CellTable {
 
 /// "12;12 0 3;;7": a method each, its counts in the order above, without the zeros and methods that end it.
 std::string format_cell_counts(const std::vector<CellCounts>& methods);
-/// What format_cell_counts wrote. Throws std::runtime_error on anything else.
+/// Reads the output of format_cell_counts. Throws std::runtime_error on anything else.
 std::vector<CellCounts> parse_cell_counts(std::string_view text);
 
 }  // namespace cyl

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What a run has done and found, in one SQLite file. It knows plain records only. A batch is committed whole
-// or not at all, so a run that is killed at any moment leaves the exact prefix it would have had on its way.
+// The progress and findings of a run, in one SQLite file of plain records. A batch is committed whole or not
+// at all. So a run that is killed at any moment leaves an exact prefix of its results.
 #pragma once
 
 #include <cstdint>
@@ -18,10 +18,10 @@ namespace cyl {
 
 class SqliteFile;
 
-/// Findings of one (method, kind, severity, family) that are kept with their pair, the first in index order.
-/// Beyond them one is kept only where its margin reaches a power of two that none before it reached, so that
-/// the worst is always there within a factor of two; the rest is counted. Bounds the file: ten are enough to
-/// see a pattern.
+/// Findings of one (method, kind, severity, family) that are kept with their pair, the first in index
+/// order. A later one is kept only if its margin reaches a new power of two. So the largest margin is kept
+/// up to a factor of two, and the rest is counted. This bounds the file, and ten are enough to see a
+/// pattern.
 inline constexpr std::uint64_t representatives_cap = 10;
 
 /// How often a method was asked on a family and what came of it.
@@ -42,7 +42,7 @@ struct Counts {
   }
 };
 
-/// Who was asked. What it claims: right wherever |distance| >= relative * size + absolute.
+/// A method that was asked. It claims to be right if |distance| >= relative * size + absolute.
 struct MethodRecord {
   std::string name, version;
   double relative = 0, absolute = 0;
@@ -86,7 +86,7 @@ struct FindingRecord {
   }
 };
 
-/// Of a finding, what group it is in.
+/// The group of a finding.
 struct FindingHead {
   std::int64_t id = 0;
   std::string method, kind, severity, family;
@@ -122,7 +122,7 @@ struct SelfCheckRecord {
   }
 };
 
-/// What one stretch of indices [first, next) gave; for a shard, what was its own there.
+/// The result of a range of indices [first, next). For a shard, its own part of the range.
 struct BatchRecord {
   std::uint64_t first = 0, next = 0;
   std::vector<TallyRecord> tallies;
@@ -140,15 +140,15 @@ struct Progress {
 
 using Config = std::map<std::string, std::string>;
 
-/// The store of one run: FOLDER/run.sqlite. Write-ahead log with synchronous=NORMAL: what is committed
-/// survives any death of the process; a loss of power may take the last batches, never the consistency. Every
-/// call throws std::runtime_error that names the file where it cannot be read or written.
+/// The store of one run: FOLDER/run.sqlite. It has a write-ahead log with synchronous=NORMAL, so committed
+/// data survives the death of the process. A loss of power may lose the last batches, but not the
+/// consistency. Every call throws std::runtime_error that names the file if it cannot be read or written.
 class RunStore {
  public:
-  /// Creates folder and file; throws where a run is there already.
+  /// Creates folder and file. Throws if a run exists there.
   static RunStore create(const std::string& folder, const Config& config,
                          const std::vector<MethodRecord>& methods = {});
-  /// Throws UsageError where no run is there.
+  /// Throws UsageError if there is no run.
   static RunStore open(const std::string& folder);
   RunStore(RunStore&&) noexcept;
   ~RunStore();
@@ -157,8 +157,8 @@ class RunStore {
   void set(const std::string& key, const std::string& value);  ///< an entry of the configuration
   std::vector<MethodRecord> methods() const;
   Progress progress() const;
-  /// Adds a batch and the wall time since the last commit in one transaction. Throws where `batch.first` is
-  /// not the next index: then another process writes to this run.
+  /// Adds a batch and the wall time since the last commit in one transaction. Throws if `batch.first` is not
+  /// the next index, because then another process writes to this run.
   void commit(const BatchRecord& batch, std::uint64_t milliseconds);
 
   std::vector<TallyRecord> tallies() const;     ///< by first appearance

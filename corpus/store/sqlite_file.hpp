@@ -114,7 +114,7 @@ void read(SQLite::Statement& row, int& at, std::optional<T>& value) {
 
 }  // namespace sqlite
 
-/// What `work` gives; SQLite's own errors say what went wrong, not where.
+/// Returns the result of `work`. The errors of SQLite do not name the file, so this adds it.
 template <class Work>
 auto naming(const std::string& file, Work work) {
   try {
@@ -189,7 +189,7 @@ class SqliteFile {
   void script(const std::string& sql) {
     naming(name_, [&] { database_.exec(sql); });
   }
-  /// What is committed survives any death of the process.
+  /// Committed data survives the death of the process.
   void write_ahead() { script("PRAGMA journal_mode=WAL; PRAGMA synchronous=NORMAL"); }
 
   template <class... Values>
@@ -218,7 +218,7 @@ class SqliteFile {
   void replace(const Row& row) {
     naming(name_, [&] { insertion<Row>("INSERT OR REPLACE").run(row); });
   }
-  /// All of `work` or, where it throws, nothing.
+  /// Commits all of `work`, or nothing if it throws.
   template <class Work>
   void transaction(Work work) {
     naming(name_, [&] {

@@ -31,7 +31,7 @@ std::string line_of(const Suppression& suppression);
 /// Whether it holds no more on a day, YYYY-MM-DD.
 bool is_expired(const Suppression& suppression, std::string_view today);
 
-/// The one of a bucket that holds on a day; nullptr: none.
+/// Returns the suppression of a bucket that is valid on a day, or nullptr.
 const Suppression* find_suppression(const std::vector<Suppression>& suppressions, std::string_view bucket,
                                     std::string_view today);
 

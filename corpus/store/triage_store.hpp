@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// What triage has found out of a run's findings, in one SQLite file beside the run's own, so that a triage
-// that is killed goes on where it was. It knows plain records only. Bounded: two rows a finding
-// that is kept, one a bucket.
+// The results of triage, in one SQLite file of plain records beside that of the run. A triage that is
+// killed continues from there. The size is bounded: two rows for each kept finding and one for each
+// bucket.
 #pragma once
 
 #include <cstdint>
@@ -15,7 +15,7 @@ namespace cyl {
 
 class SqliteFile;
 
-/// Why a finding is wrong, as far as probes told.
+/// The cause of a finding, as far as probes revealed it.
 struct CauseRecord {
   std::int64_t finding = 0;  ///< its id in the run
   std::string bucket;
@@ -38,25 +38,25 @@ struct SimpleRecord {
   static auto columns(auto& s) { return std::tie(s.finding, s.pair, s.key, s.questions, s.ended); }
 };
 
-/// What a search for a worse pair than a bucket's findings came to.
+/// The result of a search for a worse pair than the findings of a bucket.
 struct WorstRecord {
   std::string bucket;
   std::string method, kind;  ///< that is wrong on it, and in which way
-  std::string pair;          ///< one JSON line of corpus/pair_io; empty: none worse was found
+  std::string pair;          ///< one JSON line of corpus/pair_io; empty if no worse pair was found
   bool ended = false;        ///< by itself: not to be searched again
 
   static constexpr const char* table = "worst";
   static auto columns(auto& w) { return std::tie(w.bucket, w.method, w.kind, w.pair, w.ended); }
 };
 
-/// FOLDER/triage.sqlite. May be written by several processes at once. Every call throws std::runtime_error
-/// that names the file where it cannot be read or written.
+/// FOLDER/triage.sqlite. Several processes may write to it at once. Every call throws std::runtime_error that
+/// names the file if it cannot be read or written.
 class TriageStore {
  public:
-  /// Creates the file where there is none. `asked`: the build, and whom it asks, guests apart. What was found
-  /// out of others is dropped: causes are told by asking.
+  /// Creates the file if it does not exist. `asked`: the build and its methods except guests. Results of
+  /// other methods are dropped, because causes depend on them.
   TriageStore(const std::string& folder, const std::string& asked);
-  /// The version of a guest. What another one told of these findings of it, and its buckets' worst, is
+  /// Sets the version of a guest. Causes and worst pairs that another version gave are
   /// dropped.
   void expect(const std::string& guest, const std::string& version, std::span<const std::int64_t> findings);
   TriageStore(TriageStore&&) noexcept;
@@ -68,7 +68,7 @@ class TriageStore {
   void add(std::span<const CauseRecord> causes);
   void add(const SimpleRecord& simple);
   void add(const WorstRecord& worst);
-  /// The buckets as JSON; empty: none yet.
+  /// The buckets as JSON; empty if there are none yet.
   std::string buckets() const;
   /// `part`: of the findings, looked at so far.
   void set_buckets(const std::string& json, double part);
@@ -77,11 +77,11 @@ class TriageStore {
   std::unique_ptr<SqliteFile> file_;
 };
 
-/// The buckets that a triage of the run in `folder` left, as JSON; empty where there was none.
+/// Returns the buckets that a triage of the run in `folder` left, as JSON; empty if there was none.
 std::string stored_buckets(const std::string& folder);
-/// The causes that it told.
+/// Returns the causes that it found.
 std::vector<CauseRecord> stored_causes(const std::string& folder);
-/// The part of the findings that it had looked at; 1 where it did not say.
+/// Returns the part of the findings that it had examined, or 1 if it is not recorded.
 double stored_part(const std::string& folder);
 
 }  // namespace cyl

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A function or program that makes a batch, run in a process of its own: whatever happens to it, the parent
-// learns which batch it was.
+// A function or program that makes a batch in a process of its own. If it dies, the parent knows which batch
+// it was.
 #pragma once
 
 #include <chrono>
@@ -20,8 +20,8 @@ inline constexpr std::chrono::seconds batch_cpu_cap{600};
 
 class BatchProcess {
  public:
-  /// Forks. The process has a process group of its own, so a Ctrl-C meant for the parent does not reach it,
-  /// and it dies with the parent. Throws std::system_error where the system has no process or pipe left.
+  /// Forks. The process has its own process group, so a Ctrl-C for the parent does not reach it. It dies with
+  /// the parent. Throws std::system_error if the system has no process or pipe left.
   BatchProcess(std::uint64_t first, std::uint64_t next, const std::function<BatchRecord()>& make,
                std::chrono::seconds cpu_cap = batch_cpu_cap);
   /// Runs a program with its arguments likewise, which prints the batch as format_batch() has it.
@@ -34,8 +34,8 @@ class BatchProcess {
   /// Takes in what has arrived, without waiting, and returns whether the process has ended.
   bool advance();
   bool ended() const { return child_.ended(); }
-  /// Returns what the batch gave, once the process has ended. Throws std::runtime_error that says how it
-  /// died.
+  /// Returns the batch after the process has ended. Throws std::runtime_error with the cause of its
+  /// death.
   BatchRecord take() const;
   /// Returns what the process took, once it has ended, with its workers.
   std::chrono::milliseconds cpu_time() const {

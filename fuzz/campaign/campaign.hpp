@@ -15,29 +15,30 @@
 
 namespace cyl {
 
-/// A budget of which nothing is left, where 0 means that there is none.
+/// A budget that is used up. 0 means that there is no budget.
 inline constexpr std::chrono::milliseconds spent_budget{-1};
 
 struct CampaignOptions {
   std::string out;  ///< run folder; created
   std::uint64_t seed = 0;
   std::uint64_t shard = 0, shards = 1;  ///< does the batches of shard `shard` of `shards` alone
-  std::uint64_t pairs = 0;              ///< of the run in all its sessions and shards; 0: no limit
-  std::chrono::milliseconds budget{0};  ///< wall time of this session; 0: no limit. At least one limit is set
-  std::string cases;                    ///< where workload.cases were read from, for whoever resumes
-  std::string stop_at;                  ///< when the budget is used up, for whoever resumes; may be empty
-  std::string guests;                   ///< where methods of no build are, for whoever asks them again
+  std::uint64_t pairs = 0;              ///< of the run in all its sessions and shards; 0 is no limit
+  std::chrono::milliseconds budget{0};  ///< wall time of this session; 0 is no limit. At least one limit is
+                                        ///< set
+  std::string cases;                    ///< source of workload.cases, for --resume
+  std::string stop_at;                  ///< time at which the budget ends, for --resume; may be empty
+  std::string guests;                   ///< the guests, for commands that ask them again
   std::string build;                    ///< what was built from what, for the record only
   unsigned jobs = 2;                    ///< batches under way at once; does not change the findings
   bool resume = false;  ///< go on with the run in `out`, which must agree with seed, shard and workload
   SelfCheckOptions self_check;  ///< whom to plant faults in, and which
-  bool create_only = false;     ///< leave the run as it is when new, for whoever resumes
+  bool create_only = false;     ///< leave the new run unchanged, for --resume
 };
 
 /// Totals of the run so far, sessions before this one included.
 struct CampaignProgress {
   std::uint64_t done = 0;  ///< indices
-  std::uint64_t goal = 0;  ///< indices to do; 0: no limit
+  std::uint64_t goal = 0;  ///< indices to do; 0 is no limit
   std::uint64_t contract = 0, resolution = 0, failed = 0, unresolved = 0;
   std::uint64_t session_done = 0;             ///< indices of this session
   std::chrono::milliseconds session_time{0};  ///< wall time of this session
@@ -61,8 +62,8 @@ struct CampaignSummary {
 /// Adds what the rows of a tally count.
 void count(CampaignProgress& progress, const std::vector<TallyRecord>& tallies);
 
-/// A run's store says one of these of it under "status". A run that was killed stays `running`; one that
-/// broke the harness says `failed: ` and how.
+/// Values of "status" in a run's store. A killed run stays `running`. A run with a fault of the harness has
+/// `failed: ` and the cause.
 inline constexpr const char *status_planned = "planned", *status_running = "running",
                             *status_stopped = "stopped", *status_complete = "complete",
                             *status_failed = "failed: ";
@@ -71,14 +72,14 @@ inline constexpr const char *status_planned = "planned", *status_running = "runn
 /// takes about a second.
 inline constexpr std::chrono::seconds search_cpu_cap{60};
 
-/// Which shard a run is, by its configuration: all of it where that names none.
+/// Returns the shard of a run from its configuration, or the whole run if it names none.
 Shard shard_of(const Config& config);
-/// A value of a configuration; empty where it has none.
+/// A value of a configuration, or an empty text.
 std::string value_of(const Config& config, const std::string& key);
 
-/// Runs until a limit is reached or a signal asks to stop. Calls `on_progress` after every commit and at
-/// least five times a second, from this thread. Throws std::runtime_error where the run folder cannot be used
-/// or does not agree.
+/// Runs until a limit is reached or a signal asks it to stop. Calls `on_progress` after every commit and at
+/// least five times a second, from this thread. Throws std::runtime_error if the run folder cannot be used or
+/// does not match.
 CampaignSummary run_campaign(const CampaignOptions& options, const Workload& workload,
                              const std::function<void(const CampaignProgress&)>& on_progress = {});
 

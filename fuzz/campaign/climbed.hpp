@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// A share of every campaign is climbed for: pairs found by changing one that is bad for our own calls again
-// and again and keeping what is worse. All that the climb looks at is asked of everybody, as the pairs of a
-// family are. What is counted, not timed, guides it, so that a pair is a pure function of (seed, index).
+// Part of every campaign climbs. It changes a pair that is bad for one of our own calls again and again, and
+// keeps what is worse. All methods are asked about every pair of the climb, as in a family. Counts guide it,
+// not times, so a pair is a pure function of (seed, index).
 #pragma once
 
 #include <cstdint>
@@ -13,15 +13,15 @@
 
 namespace cyl {
 
-/// What a climb makes the most of: a score of one of our own calls.
+/// The goal of a climb: a score of one of our own calls.
 struct ClimbGoal {
   Objective objective;
   MethodAnswer (*ask)(const Pair&);
   bool operator==(const ClimbGoal&) const = default;
 };
 
-/// Returns how far a legal pair is towards the goal; 0: not at all. Bounds are over size and offset. Costs
-/// one call of what it is about.
+/// Returns how far a valid pair is towards the goal; 0 is not at all. Bounds are relative to size and offset.
+/// Costs one call of the scored function.
 double height_of(const ClimbGoal& goal, const Pair& pair);
 
 /// Pairs of one climb: the first are drawn, each of the others is the best one before it, changed. Pair i of

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// A family whose pairs are answers: what distance() says of a pair, its points, normal and depth, becomes the
-// next pair, as a user's code does that moves solids into contact, out of it, or onto each other's points.
-// There rounding meets itself: gaps of some units in the last place, axes along the normal, rims through the
-// witness.
+// A family whose pairs come from answers. The points, normal and depth that distance() returns for a pair
+// make the next pair. User code does the same when it moves solids into contact, out of it, or onto their
+// nearest points. There rounding errors meet: gaps of some units in the last place, axes along the normal,
+// rims through the witness.
 #pragma once
 
 #include <cstdint>
@@ -13,7 +13,7 @@
 
 namespace cyl {
 
-/// What of an answer is fed back.
+/// The part of an answer that is fed back.
 enum class Feedback : unsigned char {
   into_contact,        ///< b is moved along the direction until nothing is left of the distance
   to_the_other_side,   ///< likewise, by twice that: a gap becomes a penetration as deep
@@ -27,7 +27,7 @@ constexpr auto words_of(Feedback) noexcept {
                     "points_together", "axis_along_normal", "length_of_distance"};
 }
 
-/// Returns the pair with what distance() says of it fed back; nothing where that gives no legal pair.
+/// Returns the pair changed by the answer of distance(), or nothing if the result is not a valid pair.
 std::optional<Pair> fed_back(Feedback what, const Pair& pair);
 
 /// The family `derived`: pairs drawn near touching, one to three times fed back.

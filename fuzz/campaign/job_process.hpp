@@ -16,23 +16,23 @@ namespace cyl {
 class JobProcess {
  public:
   using MakeBatch = std::function<BatchRecord(std::uint64_t first, std::uint64_t next)>;
-  /// Forks; `prepare` is called there. The process has a process group of its own, so a Ctrl-C meant for the
-  /// parent does not reach it, and it dies with the parent. Throws std::system_error where the system has no
-  /// process or pipe left.
+  /// Forks and calls `prepare` in the child. The process has its own process group, so a Ctrl-C for the
+  /// parent does not reach it. It dies with the parent. Throws std::system_error if the system has no process
+  /// or pipe left.
   explicit JobProcess(const std::function<MakeBatch()>& prepare,
                       std::chrono::seconds cpu_cap = batch_cpu_cap);
   /// If no batch is under way, lets the process end by itself, so that its time and that of its workers count
   /// as this process's; else kills it.
   ~JobProcess();
 
-  /// Starts a batch; only where none is under way.
+  /// Starts a batch. Call it only if none is running.
   void begin(std::uint64_t first, std::uint64_t next);
   bool busy() const { return busy_; }
   int descriptor() const { return child_.output(); }  ///< to poll for reading
   /// Takes in what has arrived, without waiting, and returns whether the batch under way is made or lost.
   bool advance();
-  /// Returns the batch, once advance() says so. Throws std::runtime_error that says how the process died;
-  /// then nothing more can be asked of it.
+  /// Returns the batch after advance() returned true. Throws std::runtime_error with the cause if the process
+  /// died. Then it cannot be used again.
   BatchRecord take();
 
  private:
@@ -42,7 +42,7 @@ class JobProcess {
     int ends[2];
   };
 
-  Pipe ranges_;  ///< through which it is told what to make
+  Pipe ranges_;  ///< carries the ranges to make
   const std::chrono::seconds cpu_cap_;
   Child child_;
   bool busy_ = false, over_cap_ = false;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What the tests of killed campaigns share: a campaign that is killed again and again, and still comes to its
-// end on any machine.
+// Shared by the tests of killed campaigns: a campaign that is killed again and again and still completes on
+// any machine.
 #pragma once
 
 #include <fcntl.h>
@@ -28,15 +28,15 @@ inline std::uint64_t mix(std::uint64_t x) {
   return x ^ (x >> 31);
 }
 
-/// A session of a campaign, which hands on what it is told to call.
+/// A session of a campaign, which passes its argument on as the callback.
 using Session = std::function<void(const std::function<void(const CampaignProgress&)>&)>;
 
-/// Runs `session` in one child after the other until one ends by itself, and says how many were killed. Each
-/// is killed some drawn time after a drawn number of commits, 0 to `most`: that is anywhere in its work. At
-/// its commit most + 1 it kills itself, so that a session with more to do never ends by itself however slow
-/// this process is; and as soon as one commit is drawn there is progress, however fast.
+/// Runs `session` in one child after the other until one ends by itself, and returns how many were killed.
+/// Each is killed a random time after a random number of commits, 0 to `most`, so at any place of its work.
+/// At commit most + 1 it kills itself. So a session with more work does not end by itself, even if this
+/// process is slow. Once one commit is drawn there is progress, even if it is fast.
 inline int kill_until_done(std::uint64_t seed, std::uint64_t most, const Session& session) {
-  constexpr std::uint64_t longest_microseconds = 20'000;  // some batches, where nothing else runs
+  constexpr std::uint64_t longest_microseconds = 20'000;  // some batches, if nothing else runs
   for (int kills = 0;; ++kills) {
     const std::uint64_t drawn = mix(seed + static_cast<std::uint64_t>(kills)), wanted = drawn % (most + 1);
     int ends[2];
@@ -70,10 +70,10 @@ inline int kill_until_done(std::uint64_t seed, std::uint64_t most, const Session
   }
 }
 
-/// Runs `run`, which hands what it is given to run_campaign as `on_progress` and returns the exit code, in a
-/// process of its own; sends that process `signal`, `delay` microseconds after its first new pairs are
-/// stored; and returns the status that waitpid gives. Having stored `most` new pairs the campaign stands
-/// still, so that it cannot end before.
+/// Runs `run` in a process of its own. It passes its argument to run_campaign as `on_progress` and returns
+/// the exit code. Sends the process `signal`, `delay` microseconds after its first new pairs are stored,
+/// and returns the status of waitpid. After `most` new pairs the campaign pauses, so that it cannot end
+/// before.
 template <class Run>
 int end_on_its_way(const Run& run, int signal, useconds_t delay = 0,
                    std::uint64_t most = std::numeric_limits<std::uint64_t>::max()) {

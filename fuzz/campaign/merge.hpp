@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Shards into one run: findings, groups, counts and cells are those that one machine alone would have stored,
-// had it done the indices that the shards did. Times are sums. The order of the tally's rows is that of the
-// methods and families, where a run's own is that of first appearance.
+// Merges shards into one run. Findings, groups, counts and cells are those that one machine would have stored
+// for the indices of the shards. Times are sums. The tally's rows have the order of the methods and families.
+// The rows of a single run have the order of their first appearance.
 #pragma once
 
 #include <cstdint>
@@ -19,9 +19,9 @@ struct MergeSummary {
   bool harness_failed = false;          ///< in one of them
 };
 
-/// Writes the run of all `runs` together to `out`, at once: a run there that was merged before is replaced.
-/// Throws UsageError where shards do not belong together, one comes twice, or `out` holds a run
-/// that was not merged.
+/// Writes the merged run of `runs` to `out`, atomically. It replaces an earlier merged run there. Throws
+/// UsageError if shards do not belong together, one is given twice, or `out` has a run that was not
+/// merged.
 MergeSummary merge_runs(const std::vector<std::string>& runs, const std::string& out);
 
 /// 1 the harness failed or a self-check failed in a shard, 2 contract findings or failures, 3 none, but

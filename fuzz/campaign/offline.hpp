@@ -22,8 +22,8 @@
 
 namespace cyl {
 
-/// Pair `index` of a campaign with this seed and workload, to be asked elsewhere. Its id is index + 1; it
-/// does not tell what is known of it.
+/// Pair `index` of a campaign with this seed and workload, for a method elsewhere. Its id is index + 1. It
+/// does not contain the truth.
 Case question_at(const Workload& workload, const Schedule& schedule, std::uint64_t seed, std::uint64_t index);
 
 /// Reads the non-blank lines of a stream, none longer than a line of pairs may be, with their places.
@@ -32,7 +32,7 @@ class LineReader {
   explicit LineReader(std::istream& in) : in_(in), buffer_(line_cap + 2, '\0') {}
   /// Reads the next non-blank line. Returns whether there is one.
   bool next();
-  /// Reads the line at a place where text() was: to be called on files alone.
+  /// Reads the line at a place that text() had. Call it on files only.
   bool seek(std::uint64_t place, std::size_t line);
   std::string_view text() const { return text_; }  ///< cut after line_cap + 1 bytes
   std::size_t line() const { return line_; }       ///< from 1
@@ -50,7 +50,7 @@ class LineReader {
 /// Called for an invalid line, which is skipped.
 using OnBadLine = std::function<void(const std::string& file, std::size_t line, const std::string& what)>;
 
-/// The pairs of a file by their ids: where they are, not what they are. About 100 bytes a pair.
+/// The places of the pairs of a file, by id. About 100 bytes a pair.
 class Questions {
  public:
   /// Reads the whole file once. A line that is not a pair, or that repeats an id, is reported and skipped.
@@ -61,7 +61,7 @@ class Questions {
     std::uint64_t place;
     std::size_t line;
     std::uint32_t family;      ///< index into families()
-    std::size_t answered = 0;  ///< by this line; 0: not yet
+    std::size_t answered = 0;  ///< line of the answer; 0 if there is none yet
   };
   /// Returns the question of that id, or nullptr.
   Question* find(const std::string& id);
@@ -80,18 +80,18 @@ class Questions {
   std::vector<std::string> families_;
 };
 
-/// A finding that is kept: the first of each kind, and each that is wrong by more than those before.
+/// A finding that is kept: the first of each kind, and each with a larger error than those before it.
 struct JudgedFinding {
   Finding finding;
   std::string family;
   Case question;
-  std::size_t line;  ///< of the answer; 0: none came
+  std::size_t line;  ///< line of the answer; 0 if none came
   MethodAnswer answer;
   Truth truth;  ///< with its certificate
   Enclosure distance;
 };
 
-/// The method whose answers are judged. What is empty here comes from a hello line in the answers.
+/// The method of the answers. Empty fields are read from a hello line in the answers.
 struct AnswerSource {
   std::string name;
   std::optional<double> relative;  ///< the claim
@@ -99,11 +99,11 @@ struct AnswerSource {
 
 class OfflineJudge {
  public:
-  /// `questions`: none where each answer has its own a and b.
+  /// `questions` is null if each answer has its own a and b.
   OfflineJudge(AnswerSource who, Questions* questions, OnBadLine on_bad_line);
 
-  /// Judges all answers of a stream, called `file` in what is told; then what has none. Calls `on_progress`
-  /// with the number of lines read, often.
+  /// Judges all answers of a stream, and then the pairs without an answer. Messages call the stream `file`.
+  /// Calls `on_progress` often, with the number of lines read.
   void judge_all(std::istream& in, const std::string& file,
                  const std::function<void(std::uint64_t lines)>& on_progress = {});
 
@@ -112,8 +112,8 @@ class OfflineJudge {
   std::vector<TallyRecord> tallies() const;  ///< of the method and the referee, by family
   std::vector<GroupRecord> groups() const { return kept_.groups(); }
   const std::vector<JudgedFinding>& findings() const { return findings_; }
-  std::uint64_t lines_passed_over() const { return passed_over_; }  ///< told, and of no pair's account
-  /// As a campaign's: 2 contract findings or failures, or lines of no pair; 3 undecided truth; else 0.
+  std::uint64_t lines_passed_over() const { return passed_over_; }  ///< reported, but without a pair
+  /// As for a campaign: 2 contract findings, failures, or lines without a pair; 3 undecided truth; else 0.
   int exit_code() const;
 
  private:

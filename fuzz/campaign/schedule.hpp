@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Which family draws which pair of a run. A family of weight w has w turns in every round, spread evenly; all
-// weights 1: the families in their order, over and over. A pure function of weights and index.
+// The family of each pair of a run. A family of weight w has w evenly spread turns in every round. If all
+// weights are 1, the families take turns in their order. A pure function of weights and index.
 #pragma once
 
 #include <cstddef>
@@ -13,8 +13,8 @@
 
 namespace cyl {
 
-/// The most turns in a round of a family against one that never found anything: nobody starves, and what has
-/// been fruitful takes most of a campaign.
+/// The most turns in a round, compared with a family without findings. Every family keeps its turns, and
+/// fruitful families take most of a campaign.
 inline constexpr unsigned weight_cap = 8;
 
 class Schedule {
@@ -40,9 +40,9 @@ class Schedule {
   std::vector<Slot> round_;
 };
 
-/// Weights from 1 to weight_cap: in proportion to how many different things (method and kind) an earlier run
-/// found wrong beyond a claim in the family. `folder` holds that run, or is a folder of runs, which count
-/// together. Throws UsageError where it is neither.
+/// Weights from 1 to weight_cap, in proportion to the number of different findings (method and kind) beyond a
+/// claim that an earlier run has in the family. `folder` is that run, or a folder of runs, which count
+/// together. Throws UsageError if it is neither.
 std::vector<unsigned> weights_from(const std::string& folder, std::span<const Family> families);
 
 /// Weights as a run's configuration keeps them, "3 1 1"; empty for equal ones, which need no record.

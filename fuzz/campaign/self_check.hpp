@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-// A campaign checks itself. While it runs, it plants faults in a copy of the program, one after the other,
-// and leads that copy through its own pairs. The faults are those that the kill matrix finds within 1,000
-// pairs. If one is not found within self_check_pairs_cap, the harness finds nothing, and the self-check
-// fails. What a planted fault shows is not a finding of the run. Findings and counts are the same with
-// self-checks and without.
+// A campaign checks itself. While it runs, it plants faults in a copy of the program, one after the
+// other, and runs that copy on its own pairs. The faults are those that the kill matrix finds within
+// 1,000 pairs. If one is not found within self_check_pairs_cap, the self-check fails. A finding of a
+// planted fault is not a finding of the run. Findings and counts are the same with and without
+// self-checks.
 #pragma once
 
 #include <cstdint>
@@ -23,14 +23,14 @@ struct KnownFault {
   std::string what, asks;  ///< in words; names of the methods that may betray it, as select_methods() takes
 };
 
-/// Pairs after which a fault that was not found is given up: ten times as many as the kill matrix looks at,
-/// some seconds of work, and a hundred times as many as the slowest of faults_soon_found() took there.
+/// Pairs after which the search for a fault ends, some seconds of work. It is ten times as many as the kill
+/// matrix examines, and a hundred times as many as the slowest of faults_soon_found() took there.
 inline constexpr std::uint64_t self_check_pairs_cap = 1 << 17;
 /// CPU time of one planted fault, several times what those pairs take: beyond it the program hangs.
 inline constexpr std::chrono::seconds self_check_cpu_cap{60};
 /// Returns the index of a run, counted from its first drawn pair, at which its k-th fault (from 0) is
-/// planted: drawn from [2^k, 2^(k + 1)) self_check_octave. So a short run has some, a long one few more, and the
-/// longer has those of the shorter.
+/// planted. The index is drawn from [2^k, 2^(k + 1)) self_check_octave. So a short run has some faults, a
+/// long one few more, and the longer run has all those of the shorter.
 inline constexpr std::uint64_t self_check_octave = 512;
 std::uint64_t self_check_start(std::uint64_t seed, unsigned k);
 
@@ -40,7 +40,7 @@ BatchRecord run_until_found(const Workload& workload, std::uint64_t seed, std::u
                             std::uint64_t cap);
 
 struct SelfCheckOptions {
-  std::string program;             ///< daylight-mutants; empty: no self-checks
+  std::string program;             ///< daylight-mutants; if empty, no self-checks
   std::vector<KnownFault> faults;  ///< to draw from, each once at most
 };
 
@@ -49,8 +49,8 @@ class SelfChecks {
  public:
   /// Options, workload and store must outlive it.
   SelfChecks(const SelfCheckOptions& options, const Workload& workload, std::uint64_t seed, RunStore& store);
-  /// Stores what has ended, starts what is due where the run has done all below `next`. Whether nothing that
-  /// is due remains. Does not wait.
+  /// Stores ended checks, and starts the due ones if the run has done all below `next`. Returns whether no
+  /// due check remains. Does not wait.
   bool advance(std::uint64_t next);
 
  private:

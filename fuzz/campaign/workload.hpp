@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a campaign asks of whom, and what each of its indices stands for.
+// The methods and pairs of a campaign, and the pair of each index.
 #pragma once
 
 #include <cstddef>
@@ -15,26 +15,26 @@
 
 namespace cyl {
 
-/// Who is asked, and about what. Index i of a run is case i while there are cases; then the families take
-/// turns (fuzz/campaign/schedule.hpp).
+/// The methods and the pairs. Index i of a run is case i while there are cases. Then the families take turns
+/// (fuzz/campaign/schedule.hpp).
 struct Workload {
   std::span<const std::unique_ptr<Method>> methods;
   std::span<const Family> families;
   std::span<const Case> cases;
-  std::span<const unsigned> weights = {};  ///< of the families; none: all alike
+  std::span<const unsigned> weights = {};  ///< of the families; if empty, all are equal
 };
 
-/// Says what an index of a run stands for.
+/// The family of an index of a run, and the index in it.
 struct FamilyIndex {
-  std::size_t family;   ///< 0: the cases; f: families[f - 1]
+  std::size_t family;   ///< 0 for the cases, f for families[f - 1]
   std::uint64_t index;  ///< of the case, or of the family's own pairs
 };
 Schedule schedule_of(const Workload& workload);
 FamilyIndex family_index_of(const Workload& workload, const Schedule& schedule, std::uint64_t index);
 std::string family_name(const Workload& workload, std::size_t family);
 
-/// Whether a method that is asked a share of the pairs, one in so many, is asked about that of an index:
-/// drawn from seed and index, so that no family, and no turn of the families, is missed.
+/// Returns whether a method with a share of one in `share` is asked about an index. It is drawn from seed and
+/// index, so that no family and no turn of the families is missed.
 bool on_share(unsigned share, std::uint64_t seed, std::uint64_t index);
 
 /// Returns whether a method is asked that is not ours.

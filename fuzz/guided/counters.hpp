@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// What a fuzz target tells the engine of the geometry it has seen. Engines trace no comparison of doubles;
-// these counters stand in the section that libFuzzer reads beside its own coverage. Without an engine they
-// are written and not read.
+// Reports the geometry that a fuzz target has seen to the engine. Engines do not trace comparisons of
+// doubles. These counters are in the section that libFuzzer reads beside its own coverage. Without an engine
+// they are written and not read.
 #pragma once
 
 #include <cstddef>
@@ -19,10 +19,11 @@ namespace cyl {
 /// distance(pair.a, pair.b), not `invalid`.
 Stratum stratum_of(const Pair& pair, const Distance& measured);
 
-/// Returns whether a stratum can occur. D is along or square to an axis within flat_tol = t.
-/// cap-cap: D along both, so their angle is below 2t: parallel to < 1e-7, and the next class by a factor of
-/// two. cap-side: D along one, square to the other: within 2t of 90 degrees. The others: all angles, since
-/// flat solids have rims where others have caps or sides, and a rim faces everything. All margins.
+/// Returns whether a stratum can occur. D is along or perpendicular to an axis within flat_tol = t. cap-cap:
+/// D is along both axes, so their angle is below 2t, which is parallel to < 1e-7, and the next class by a
+/// factor of two. cap-side: D is along one and perpendicular to the other, so within 2t of 90 degrees. The
+/// others have all angles, because flat solids have rims instead of caps or sides, and a rim can face
+/// everything. All margins occur.
 bool can_occur(const Stratum& s);
 
 /// "cap-rim <1e-7 1e-12".
@@ -34,8 +35,8 @@ inline constexpr double moderate_factor = 1e4;
 /// one of them is huge.
 bool is_moderate(const Pair& pair);
 
-/// Counts the stratum of a moderate pair; of any pair the features with the binary exponent of the margin on
-/// either side of touching, and the decade of the axes' angle. Returns the stratum.
+/// Counts the stratum of a moderate pair. For any pair it counts the features with the signed binary exponent
+/// of the margin, and the decade of the axes' angle. Returns the stratum.
 Stratum count_geometry(const Pair& pair, const Distance& measured);
 /// Counts how the referee came to its verdict, or that it did not.
 void count_stage(const Truth& truth);
@@ -44,7 +45,7 @@ void count_iterations(int iterations);
 /// ends of their promises.
 void count_badness(Objective objective, double score);
 void count_distance_steps(int steps);
-/// Counts that the methods numbered i < j, of at most 64, do not say the same.
+/// Counts that the methods i < j, of at most 64, answer differently.
 void count_difference(std::size_t i, std::size_t j);
 
 }  // namespace cyl

@@ -26,7 +26,7 @@ class FindingSink {
   /// Keeps a finding if it is the first of its bucket.
   void add_finding(const Pair& pair, std::string_view method, std::string_view failure,
                    std::string_view what);
-  /// Keeps a pair that nobody could prove within the target's time if it is the first of its stratum.
+  /// Stores a pair that is undecided within the target's time, if it is the first of its stratum.
   void add_undecided(const Pair& pair, const Stratum& stratum);
   std::size_t findings() const { return findings_; }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A fuzzing engine at work: a program linked with libFuzzer in processes of its own, one after the other, and
-// the folder where it keeps its corpus, its findings and its log.
+// Runs a fuzzing engine: a program linked with libFuzzer, in one process after the other, and the folder with
+// its corpus, findings and log.
 #pragma once
 
 #include <csignal>
@@ -17,17 +17,17 @@
 
 namespace cyl {
 
-/// Returns what a file holds from a byte on; nothing where it cannot be read.
+/// Returns the content of a file from a byte on, or nothing if it cannot be read.
 std::string text_of(const std::filesystem::path& file, std::uintmax_t from = 0);
 
-/// Returns the paths of what a folder holds, sorted; none where it is no folder.
+/// Returns the sorted paths of the entries of a folder. Empty if it is not a folder.
 std::vector<std::filesystem::path> files_in(const std::filesystem::path& folder);
 
-/// Returns the line of a log that says why a process died, as sanitizers and the engine write it.
+/// Returns the line of a log with the cause of a process's death, as sanitizers and the engine write it.
 std::string reason_in(const std::string& log);
 
-/// Starts an engine, its output at the end of `log`, with DAYLIGHT_FUZZ_OUT set to `findings` (none where
-/// empty).
+/// Starts an engine with its output at the end of `log`, and with DAYLIGHT_FUZZ_OUT set to `findings` (unset
+/// if empty).
 std::unique_ptr<Child> run_engine(const std::vector<std::string>& command, const std::string& log,
                                   const std::string& findings);
 
@@ -45,8 +45,8 @@ class Engine {
 
   /// Brings progress() up to date.
   void look();
-  /// Returns what a process that has died says of the input it died of, as a case, and starts a new one.
-  /// Throws std::runtime_error where no input explains it, time and again.
+  /// Returns the input that killed a process, as a case, and starts a new process. Throws std::runtime_error
+  /// if repeatedly no input explains the death.
   std::optional<Case> replace_dead();
 
  private:

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The referee within a fuzz target's time: microseconds. What is costly is done on a share of the records,
-// drawn by the record itself.
+// The referee in the time of a fuzz target, which is microseconds. Costly checks run on a share of the
+// records, drawn by the record itself.
 #pragma once
 
 #include <cmath>
@@ -27,8 +27,8 @@ inline constexpr std::size_t enclosed_share = 1024;  ///< the distance, enclosed
 
 class FuzzJudge {
  public:
-  /// Judges in double with the witnesses offered, beyond it where `must` or where drawn; counts what was
-  /// seen. `measured`: the distance of the record's pair, by whoever has it already.
+  /// Judges in double with the returned witnesses, and beyond double if `must` or by a random share. Counts
+  /// the geometry. `measured`: the distance of the record's pair, if the caller has it.
   FuzzJudge(const Record& record, std::span<const MethodAnswer> offered, bool must, FindingSink& sink,
             const Distance* measured = nullptr);
   FuzzJudge(const FuzzJudge&) = delete;
@@ -39,10 +39,10 @@ class FuzzJudge {
   /// Returns whether this record has a share of one in so many; each call draws again.
   bool drawn(std::size_t share) { return draws_.below(share) == 0; }
   RandomStream& draws() { return draws_; }
-  /// Records what is wrong with the answer beyond the method's claim: undecided where it promises to decide,
-  /// or off by more than it tells, too, which the solver's own arithmetic guesses first. Offered distances
-  /// and witnesses are looked at on a share only, wrong verdicts that the measured distance puts within the
-  /// claim on that of the distances.
+  /// Records a fault of the answer beyond the claim. That includes undecided although the method claims to
+  /// decide, and an error above the returned bound, which the solver's own arithmetic estimates first.
+  /// Returned distances and witnesses are checked on a share only. A wrong verdict that the measured distance
+  /// puts within the claim is checked on the same share as distances.
   void record(const Method& method, MethodAnswer answer);
 
  private:

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Changes to a pair that a geometer would make: towards the places where solvers break. Plain functions of a
-// pair and a stream; what they make of a legal pair is legal, or the pair itself.
+// Geometric changes of a pair, towards places at which solvers fail. These are plain functions of a pair and
+// a stream. From a valid pair they make a valid pair, or return it unchanged.
 #pragma once
 
 #include <cstdint>

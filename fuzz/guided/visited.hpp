@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What a fuzz target has seen in all its executions, for whoever drives it: the engine clears its counters
-// before each of them, and a worker may be killed at any time. So it lies in a file that is mapped.
+// The counts of a fuzz target over all its executions. The engine clears its own counters before each
+// execution, and may kill a worker at any time. So the counts are in a mapped file.
 #pragma once
 
 #include <array>
@@ -30,10 +30,10 @@ Stratum stratum_at(std::size_t index);
 
 /// Returns the counts of this process.
 Visited& visited();
-/// Makes visited() from here on the content of that file, which is made where there is none; what is counted
-/// goes on from what it holds. Throws std::system_error.
+/// Makes the content of that file the value of visited(), and creates the file if necessary. Counting
+/// continues from its content. Throws std::system_error.
 void keep_visited(const std::string& file);
-/// Nothing seen where there is no such file.
+/// Empty if there is no such file.
 Visited read_visited(const std::string& file);
 
 }  // namespace cyl

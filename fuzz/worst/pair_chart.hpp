@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The pairs around one pair as points of a box, for optimisers that know nothing of solids: lengths by their
-// logarithms, the angle of the axes by the decades it is away from parallel or from perpendicular.
+// Maps the pairs around one pair to points of a box, for optimisers that do not know solids. Lengths have
+// logarithmic coordinates. The angle of the axes has the decades of its difference to parallel or
+// perpendicular.
 #pragma once
 
 #include <array>
@@ -13,8 +14,8 @@
 
 namespace cyl {
 
-/// Which pairs are looked at. At sizes of 1e-300 or 1e150, or far from the origin, everybody is wrong by any
-/// margin: that is known, and would be all that a search for the worst ever found.
+/// The domain of the search. At sizes of 1e-300 or 1e150, or far from the origin, every method is wrong by
+/// any margin. Without the domain a search would find only that.
 struct Domain {
   double least_size = 1e-3, most_size = 1e3;  ///< size_of a pair, in the scene's unit
   double least_part = 1e-6;  ///< of its size that a radius or a height may be, if it is not 0
@@ -22,8 +23,9 @@ struct Domain {
   bool fine = false;         ///< lengths may become 0, and the distance changes by decades as well
 };
 
-/// The pair scaled and moved into the domain, lengths that are too small made longer; unchanged, bit for bit,
-/// where it is in it. Nothing of a pair that is not legal, is of points alone or too far out to be scaled.
+/// The pair scaled and moved into the domain, with too small lengths enlarged. It is unchanged, bit for bit,
+/// if it is in the domain. Nothing for a pair that is not valid, has only points, or is too far out to be
+/// scaled.
 std::optional<Pair> bring_into(const Domain& domain, const Pair& pair);
 
 /// Returns whether a pair is in the domain, rounding allowed for.

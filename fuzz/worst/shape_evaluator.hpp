@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// How bad a method is on one shape: the solids are brought to touch, and the method is asked about the pairs
-// along the direction in which they part. What the solver says of an answer guides the search; what is kept
-// is proved.
+// Measures how bad a method is on one shape. The solids are moved until they touch, and the method is asked
+// about pairs along the direction in which they separate. The solver's estimate guides the search, and kept
+// pairs are proved.
 #pragma once
 
 #include <memory>
@@ -42,7 +42,7 @@ class ShapeEvaluator {
   /// Asks about a shape, and keeps in worst() what is worse than all before. A shape on which something
   /// breaks counts for nothing: it is not walked from.
   Evaluation evaluate(const Pair& pair);
-  /// Returns whether the features sought meet, by the solver: quick, and proved later where it matters.
+  /// Returns whether the wanted features meet, by the solver. It is fast, and proved later if it matters.
   bool likely_sought(const Pair& pair, const Distance& d) const;
   /// Returns whether so much has broken that the search has found its worst.
   bool broken() const;
@@ -72,11 +72,11 @@ class ShapeEvaluator {
   Evaluation most_wrong_on(const Pair& pair, const Ray& ray);
   double proved_value() const;
   double prove(const Probe& wrong, double likely);
-  // Where the slowest does not count, the next may.
+  // If the slowest does not count, the next may.
   Evaluation slowest_on(const Pair& pair, const Ray& ray);
   /// A time that something else caused does not come again.
   Evaluation confirm(const Probe& probe);
-  /// Of the searches for a score.
+  /// For searches by a score.
   Evaluation highest_on(const Pair& pair, const Ray& ray);
   bool belongs(const Pair& pair) const;
 
@@ -85,7 +85,7 @@ class ShapeEvaluator {
   const WorstOptions& options_;
   const Claim claim_;
   std::unique_ptr<Method> timed_;
-  std::optional<Asker> asker_;  ///< of whichever of the two is asked
+  std::optional<Asker> asker_;  ///< of the one that is asked
   Evaluation best_;
   double proved_ = nothing_wrong;
   unsigned breaks_ = 0;

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-// The search for the worst pair of one method: refuted as far beyond its claim, or answered as slowly, as the
-// search can find. From pairs that are given it walks through shapes (fuzz/worst/pair_chart.hpp) by NLopt.
-// For each shape the solids are brought to touch and then moved apart and into each other along the direction
-// of their distance: how far the method stays wrong is what the optimiser is told. Only what the referee
-// proves counts.
+// Searches for the worst pair of one method: the largest proved error beyond its claim, or the
+// slowest answer. From given pairs it walks through shapes (fuzz/worst/pair_chart.hpp) by NLopt. For
+// each shape it moves the solids until they touch, and then apart and into each other along the
+// direction of their distance. The optimiser gets how far the method stays wrong. Only proved errors
+// count.
 #pragma once
 
 #include <chrono>
@@ -25,9 +25,9 @@
 
 namespace cyl {
 
-/// Which pairs count: those where these features meet, on which the verdict is wrong in this way, and of
-/// which `also` holds, where they are given. `also` is asked of a few pairs only, those that would be the
-/// worst yet; it may cost some milliseconds.
+/// The pairs that count: these features meet, the verdict is wrong in this way, and `also` is true, as far as
+/// they are given. `also` is called only for the few pairs that would be the worst so far. It may cost some
+/// milliseconds.
 struct Sought {
   std::optional<ContactFeature> feature = {};
   std::function<bool(const Pair&)> also = {};
@@ -68,7 +68,7 @@ struct SlowPair {
   double ns;  ///< of one call: the least of a few
 };
 
-/// Of the other searches.
+/// For the other searches.
 struct ScoredPair {
   Pair pair;
   double score;
@@ -76,8 +76,8 @@ struct ScoredPair {
 };
 
 struct Worst {
-  /// Where Objective::margin: of those beyond the claim the one of the greatest margin; where none is, the
-  /// one nearest to the claim.
+  /// For Objective::margin: the pair with the largest margin beyond the claim. If there is none, the pair
+  /// nearest to the claim.
   std::optional<WrongPair> wrong;
   std::optional<FailedPair> failed;  ///< the first of the worst kind: crash, hang, others
   std::optional<SlowPair> slow;      ///< of Objective::time
@@ -91,24 +91,24 @@ struct Worst {
 /// Called now and then, with what was found so far.
 using OnWorst = std::function<void(const Worst& so_far, std::chrono::milliseconds elapsed)>;
 
-/// A foreign `method` is asked contained. Starts are looked at in their order, those with the features sought
-/// first, then those on which the method is worst are walked from; while it is wrong on none, mutations of
-/// them are looked at. Cost: a millisecond a shape of a quick method. With a cap on evaluations the result is
-/// a pure function of the arguments but for times and hangs.
+/// A foreign `method` is asked in a contained process. Starts are examined in their order, those with the
+/// wanted features first. The walks begin at the worst of them. While the method is right on all, mutations
+/// of them are examined. Cost: a millisecond a shape for a fast method. With a limit on evaluations the
+/// result is a pure function of the arguments, except for times and hangs.
 Worst worst_of(const std::unique_ptr<Method>& method, std::span<const Pair> starts, const Sought& sought,
                const WorstOptions& options, const OnWorst& on_worst = {});
 
-/// Pairs to start from where nothing is known: near touching, of that stratum (of every one where none is
-/// named), and some of every family.
+/// Pairs to start from without earlier findings: nearly touching pairs of that stratum, or of every stratum,
+/// and some of every family.
 std::vector<Pair> drawn_starts(std::optional<ContactFeature> feature, std::uint64_t seed);
 
-/// Pairs to start from where solvers of our kind are at their worst: close contacts of all lies and angles
-/// (corpus/pairs/close_contact.hpp), those of the feature where it is one that they are drawn by, and some of
-/// every family.
+/// Pairs at which solvers like ours are worst: close contacts of all positions and angles
+/// (corpus/pairs/close_contact.hpp). These are of the feature if they can be drawn by it. Some pairs of every
+/// family follow.
 std::vector<Pair> close_starts(std::optional<ContactFeature> feature, std::uint64_t seed);
 
-/// The method's usual time of a call: the median over pairs of family `random`, each the least of a few.
-/// Nothing where it answers none.
+/// The method's usual time of a call: the median over pairs of family `random`, each the least of a few
+/// calls. Nothing if it answers none.
 std::optional<double> usual_ns(const std::unique_ptr<Method>& method, double (*clock)() = cpu_clock);
 
 }  // namespace cyl

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-// The merge gate: may this method go in? Replays every known case, holds the method to every law, samples
-// pairs from every stratum and close contacts of every cell against the referee, and says how much that
-// proves. Same seed and number of pairs,
-// same failures in the same order, on any machine; hangs excepted. Where a cap on time cuts it, it says what
-// was not asked.
+// The merge gate. It replays every known case, checks every law, and compares the method with
+// the referee on samples of every stratum and every cell of close contacts. It reports how much
+// that proves. The same seed and number of pairs give the same failures in the same order on
+// any machine, except for hangs. If a limit of time cuts the gate, it reports what was not
+// asked.
 #pragma once
 
 #include <chrono>
@@ -20,32 +20,32 @@
 
 namespace cyl {
 
-/// The number of pairs that a gate draws where nothing else is said: with them our own methods take about 40
-/// s on two cores, as long as people wait for a merge. Each stratum gets 2,336, which bounds its error rate
-/// by 1.3e-3, and each cell of close contacts 681 or more, half of them gaps.
+/// The default number of pairs. Our own methods then take about 40 s on two cores, as long as people wait for
+/// a merge. Each stratum gets 2,336 pairs, which bounds its error rate by 1.3e-3. Each cell of close contacts
+/// gets 681 or more, half of them gaps.
 inline constexpr std::uint64_t gate_pairs = 500'000;
 
 /// How much is drawn, in rounds: up to 64 pairs under all laws, 4 pairs of each stratum, or one round of
 /// close contacts.
 struct GateAmount {
-  std::optional<std::uint64_t> cases_under_laws;  ///< all, where not given
+  std::optional<std::uint64_t> cases_under_laws;  ///< all, if not given
   std::uint64_t law_rounds = 0, sample_rounds = 0;
   std::uint64_t close_law_rounds = 0, close_rounds = 0;  ///< 0 in the reports of earlier gates
   std::uint64_t rounded_law_rounds = 0, rounded_rounds = 0;
 };
 
-/// Returns the amount of so many pairs in all, in equal parts of pairs of every stratum, of close contacts,
-/// and of rounded solids if some guest supports them: whole rounds, and at least one of each.
+/// Returns an amount with this many pairs in all: equal numbers of pairs of every stratum, of close contacts,
+/// and of rounded solids if some guest supports them. Each has whole rounds, and at least one.
 GateAmount amount_of(std::uint64_t pairs, const DrawnSolids& solids = {});
 
 struct GateOptions {
   std::uint64_t seed = 1;
   std::uint64_t pairs = gate_pairs;  ///< to be drawn; the corpus is run in full beside them
-  /// What an earlier gate drew, instead: so that both see the same pairs.
+  /// The amount of an earlier gate instead, so that both use the same pairs.
   std::optional<GateAmount> amount = {};
   std::optional<std::chrono::milliseconds> cap = {};  ///< wall time, after which nothing more is asked
   std::chrono::steady_clock::time_point start = std::chrono::steady_clock::now();  ///< of that time
-  /// Returns whether somebody has stopped the gate: then, too, nothing more is asked.
+  /// Returns whether the gate was stopped. Then, too, nothing more is asked.
   std::function<bool()> stopped = [] { return false; };
   /// Ends with the round that shows the first contract broken, which is neither run again nor made simpler.
   bool first_failure = false;
@@ -68,8 +68,8 @@ bool out_of_time(const GateOptions& options);
 /// Returns why: "since the time was over".
 const char* why_not(const GateOptions& options);
 
-/// Runs the gate on methods. What is asked is decided by counts; only the cap, if any, by a clock. Throws
-/// std::system_error only where the system refuses a process or memory.
+/// Runs the gate on methods. Counts determine which pairs are asked; only a limit of time depends on a clock.
+/// Throws std::system_error if the system refuses a process or memory.
 GateReport run_gate(std::span<const std::unique_ptr<Method>> methods, std::span<const Case> cases,
                     const GateOptions& options,
                     const std::function<void(const GateProgress&)>& on_progress = {});

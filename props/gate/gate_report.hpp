@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What came of a merge gate, and whether it passes.
+// The result of a merge gate, and whether it passes.
 #pragma once
 
 #include <array>
@@ -49,15 +49,15 @@ struct SourceLine {
   unsigned line = 1;  ///< from 1
 };
 
-/// One way in which one method fails: all pairs of one bucket, that is of one method, kind of failure,
-/// contact feature and extreme coordinate, and of one law; in the order found.
+/// One way in which one method fails: all pairs of one law and one bucket (method, kind of failure, contact
+/// feature and extreme coordinate), in the order found.
 struct GateFailure {
   std::string method;
   const Law* law = nullptr;
   std::string kind;    ///< "wrong_disjoint" of a refuted verdict, "crash" of a failure, else the law's name
   std::string what;    ///< what broke, on the first pair
   std::string reason;  ///< of a failure: the method's own words, on the first pair
-  /// How the method failed, on the pair itself or on a changed one that the law asks of; nothing where it
+  /// How the method failed, on the pair itself or on a changed pair that the law asks about. Empty if it
   /// answered.
   std::optional<FindingKind> failed;
   Severity severity = Severity::contract;
@@ -65,15 +65,16 @@ struct GateFailure {
   std::string origin;  ///< of the first pair: a case's "FILE:LINE id", or "side-rim 1e-09, seed 1, index 17"
   Pair found;          ///< the first pair
   Pair simplest;       ///< a simple one that breaks the same law in the same way
-  std::string what_of_simplest;  ///< what breaks on it; empty: the same as on the first
+  std::string what_of_simplest;  ///< the fault on that pair; if empty, the same as on the first
   std::string
       bucket;  ///< of the pairs as found, oracles/trial/bucket.hpp; that of the simplest may be another
   std::uint64_t count = 0;  ///< pairs seen to fail like this
   unsigned reruns = 0,
-           failed_again = 0;     ///< of the first pair; fewer failures than reruns: it depends on luck
-  std::string reproduce;         ///< RapidCheck's string, where it came from there; else empty
-  std::string options;           ///< that bring the method where it is of no build; else empty
-  std::optional<SourceLine> at;  ///< of a method of no build: what it was built from, where that was said
+           failed_again = 0;     ///< of the first pair; if fewer than reruns, the failure is not
+                                 ///< deterministic
+  std::string reproduce;         ///< RapidCheck's string if RapidCheck found the pair, else empty
+  std::string options;           ///< options that add a guest, else empty
+  std::optional<SourceLine> at;  ///< for a guest: its source line, if one was given
   bool known = false;            ///< excused: the base has it on as many pairs, or it is suppressed
   std::uint64_t in_base = 0;     ///< pairs of the base that failed like this, be it within the claim
 };
@@ -90,8 +91,8 @@ struct CloseGateCell {
   CloseCell cell;
   bool claimed = false;  ///< by the method, for every gap of the cell
   std::uint64_t gaps = 0, wrong_gaps = 0;
-  /// Pairs built to overlap, whose depth the cell's margin does not tell, but that it is no more. Wrong:
-  /// where the proved margin is beyond the claim.
+  /// Pairs that overlap by construction. The cell's margin is an upper bound of their depth. An answer is
+  /// wrong if the proved margin is beyond the claim.
   std::uint64_t overlaps = 0, wrong_overlaps = 0;
   std::uint64_t undecided = 0;  ///< besides
 };
@@ -102,7 +103,7 @@ struct RoundedCount {
   std::uint64_t pairs = 0, wrong = 0, undecided = 0;
 };
 
-/// What became of one method.
+/// The counts of one method.
 struct GateMethod {
   std::string name, version;
   Claim claim;
@@ -130,7 +131,7 @@ struct GateReport {
   std::vector<GateMethod> methods;
   std::vector<GateFailure> failures;
   std::vector<GatePhaseReport> phases;
-  std::uint64_t undecided_truths = 0;  ///< pairs of which nothing could be proved
+  std::uint64_t undecided_truths = 0;  ///< pairs without a proved verdict
   std::map<std::string, std::uint64_t>
       drawn;  ///< pairs that laws were tried on, by what they were drawn from
 };
@@ -143,12 +144,12 @@ bool is_error(const GateFailure& failure);
 /// Returns whether that is not excused either.
 bool fails_gate(const GateFailure& failure);
 
-/// Returns 2 where a failure fails the gate, reproducible or not; 3 where none does, but truth that nobody
-/// could prove, a method that decided less than half of its pairs, or something that was not asked; else 0.
+/// Returns 2 if a failure fails the gate, reproducible or not. Else returns 3 if a truth is not proved, a
+/// method decided less than half of its pairs, or something was not asked. Else returns 0.
 int exit_code(const GateReport& report);
 
-/// Returns whether a method says nothing on more than half of what it is asked: it passes no gate for what it
-/// does not say.
+/// Returns whether a method gives no verdict on more than half of its pairs. Such a method does not pass the
+/// gate.
 bool abstains(const AnswerCounts& counts);
 /// Returns what is remarkable in a method's answers, "abstains on every pair" or "answers disjoint to every
 /// pair"; else nothing.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The search for pairs on which methods break laws, with RapidCheck as the engine: it draws pairs of a kind,
-// shrinks what fails where that can be shrunk, and names the case so that it can be had again.
+// Searches for pairs on which methods break laws, by RapidCheck. It draws pairs of a kind, shrinks a failing
+// pair if possible, and names the case so that it can be reproduced.
 #pragma once
 
 #include <cstdint>
@@ -23,8 +23,8 @@ struct LawFailure {
   Violation violation;
   Pair pair;
   std::string from;            ///< the kind of pairs it was drawn from
-  std::optional<Pair> shrunk;  ///< as far as RapidCheck could, where that was asked for
-  std::string reproduce;       ///< RapidCheck's name of the shrunk case; empty where there is none
+  std::optional<Pair> shrunk;  ///< as far as RapidCheck could shrink it, if that was wanted
+  std::string reproduce;       ///< RapidCheck's name of the shrunk case, or empty
 };
 
 struct SearchRound {
@@ -41,17 +41,17 @@ using WorthShrinking = std::function<bool(const LawFailure&)>;
 /// The number of pairs of one draw, at most.
 inline constexpr int pairs_per_draw = 16;
 
-/// What pairs are drawn from. What a seed draws from `kinds` stays as it is, because a gate's base names its
-/// pairs by seeds: new families go to `close_contacts`.
+/// The source of drawn pairs. The pairs that a seed draws from `kinds` never change, because a gate's base
+/// names its pairs by seeds. New families go to `close_contacts`.
 enum class PairSource : unsigned char {
   kinds,           ///< the grid, the families of version 0.1.0, the strata
   close_contacts,  ///< of every cell, and the families since
   rounded          ///< the families of rounded solids
 };
 
-/// Draws the pairs of one kind `draws` times, and holds the methods to all laws that are wanted. Which pairs
-/// are drawn depends on the seed and `draws` alone, whatever is found; the first news is shrunk. A pure
-/// function of its arguments but for hangs.
+/// Draws pairs of one kind `draws` times, and checks the methods with all wanted laws. The drawn pairs depend
+/// on the seed and `draws` only. The first new failure is shrunk. A pure function of its arguments except for
+/// hangs.
 SearchRound find_violations(std::span<const std::unique_ptr<Method>> methods, const LawFilter& wanted,
                             const WorthShrinking& is_worth_shrinking, PairSource source, std::uint64_t seed,
                             int draws, Asker& asker);
@@ -61,8 +61,8 @@ SearchRound find_violations(std::span<const std::unique_ptr<Method>> methods, co
                             const WorthShrinking& is_worth_shrinking, PairSource source, std::uint64_t seed,
                             int draws, const Caps& caps);
 
-/// Runs the case again that `reproduce` names (what it was drawn from must not have changed since). Throws
-/// UsageError where it names none.
+/// Runs the case that `reproduce` names again. Its source of pairs must not have changed since. Throws
+/// UsageError if the name is not valid.
 SearchRound find_violation_again(std::span<const std::unique_ptr<Method>> methods, const LawFilter& wanted,
                                  const std::string& reproduce, const Caps& caps);
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// RapidCheck generators of pairs. Its own doubles shrink towards nothing simple, so that pairs to be shrunk
-// come from a dyadic grid; those of families and strata stay as they are (simplify.hpp is for them).
+// RapidCheck generators of pairs. RapidCheck does not shrink doubles to simple ones, so pairs that it may
+// shrink come from a dyadic grid. Pairs of families and strata are not shrunk here (see simplify.hpp).
 #pragma once
 
 #include <rapidcheck.h>
@@ -16,8 +16,8 @@ namespace cyl {
 /// Prints a counterexample of RapidCheck as a line of a case file.
 void showValue(const Pair& pair, std::ostream& out);
 
-/// Generates numbers n/64, |n| <= 256: exact in sums and products, often touching; half the axes have
-/// coordinates -2..2, so that parallel and perpendicular ones are common.
+/// Generates numbers n/64, |n| <= 256, which are exact in sums and products and often touch. Half of the axes
+/// have coordinates -2..2, so parallel and perpendicular axes are common.
 rc::Gen<Pair> grid_pair();
 
 /// Pairs of one kind, which `from` names: "grid", "family random", "stratum side-rim 1e-09" or
@@ -26,8 +26,8 @@ struct PairsDrawn {
   std::string from;
   std::vector<Pair> pairs;
 };
-/// Generates at most `count` pairs of one kind; the kinds take turns at random: the grid, each family of
-/// version 0.1.0, each stratum.
+/// Generates at most `count` pairs of one kind. The kind is drawn at random: the grid, each family of version
+/// 0.1.0, each stratum.
 rc::Gen<PairsDrawn> pairs_of_one_kind(int count);
 /// The same of close contacts: each cell, and each family since.
 rc::Gen<PairsDrawn> close_pairs_of_one_kind(int count);

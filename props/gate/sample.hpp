@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the samples of a gate draw, round by round, and count, cell by cell.
+// Draws the samples of a gate, round by round, and counts the answers, cell by cell.
 #pragma once
 
 #include <cstdint>
@@ -16,7 +16,8 @@
 
 namespace cyl {
 
-/// Returns all cells, empty: by feature, then by decade; and those of close contacts.
+/// Returns all cells, empty, by feature and then by decade; the second function returns those of close
+/// contacts.
 std::vector<GateCell> empty_cells();
 std::vector<CloseGateCell> empty_close_cells();
 /// The number of pairs of one stratum in one round.
@@ -37,7 +38,7 @@ SampleRound draw_rounded_solids(std::uint64_t seed, std::uint64_t round);
 /// contacts are these, with capsules instead of cylinders.
 inline constexpr std::uint64_t pairs_per_kinds = 16;
 
-/// What the methods together state that they support.
+/// The solids that the methods together support.
 struct DrawnSolids {
   bool cylinders = true;      ///< some method supports them
   std::uint64_t rounded = 0;  ///< pairs in a round of rounded solids that some guest supports
@@ -49,7 +50,7 @@ DrawnSolids solids_of(std::span<const std::unique_ptr<Method>> methods);
 void keep_supported(SampleRound& round, std::span<const std::unique_ptr<Method>> methods,
                     const SizeRange& sizes);
 
-/// What one method said to the pairs of a round, and whether it was wrong: refuted, or no answer.
+/// The answers of one method to the pairs of a round, and whether each is wrong: refuted, or missing.
 struct RoundAnswers {
   std::vector<MethodAnswer> answers;
   std::span<const std::optional<Verdict>> truths;

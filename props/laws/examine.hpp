@@ -24,10 +24,10 @@ struct LawViolation {
   const Law* law;
   Violation violation;
   std::vector<LawQuery> asked;        ///< what the law had asked beside the pair,
-  std::vector<MethodAnswer> answers;  ///< and what the method said to it
+  std::vector<MethodAnswer> answers;  ///< the method's answers to these pairs
 };
 
-/// What a method answered to the pairs themselves.
+/// Counts of a method's answers to the pairs themselves.
 struct AnswerCounts {
   std::uint64_t asked = 0, declined = 0, failed = 0;
   std::uint64_t hangs = 0;              ///< changed pairs included
@@ -39,7 +39,7 @@ struct AnswerCounts {
 struct Examined {
   std::vector<LawViolation> violations;        ///< by pair, then method, then law
   std::vector<AnswerCounts> counts;            ///< by method
-  std::vector<std::optional<Verdict>> truths;  ///< by pair; nothing where no law asked for it
+  std::vector<std::optional<Verdict>> truths;  ///< by pair; empty if no law asked for it
   std::vector<MethodAnswer> answers;           ///< to the pairs themselves: pair by pair, of every method
 };
 

@@ -19,16 +19,16 @@ std::vector<Law> answer_laws();
 
 /// Whether it answers yes or no. NaN, failures, `undecided` and `invalid` do not.
 bool is_decided(const MethodAnswer& answer);
-/// Whether a decided answer says that they meet: touching solids do.
+/// Returns whether a decided answer means that the solids meet. Touching solids meet.
 bool says_meet(const MethodAnswer& answer);
 /// Whether the verdict of an answer to `pair` is yes or no, and proved to be the other.
 bool is_refuted(const LawCase& c, const Pair& pair, const MethodAnswer& answer);
-/// The severity of what compares the verdicts on the pair and on asked[i]: contract where the method promises
-/// both, or where one of them is refuted and it promises that one; else resolution. By proof.
+/// The severity of a violation that compares the verdicts on the pair and on asked[i]. It is contract if the
+/// method claims both, or claims a verdict that is refuted. Else it is resolution. Both are proved.
 Severity severity_of(const LawCase& c, std::size_t i);
 
-/// What `violation_at(i)` finds of answers[i], the worst: one beyond the claim is not hidden by one within
-/// it.
+/// Returns the worst violation that `violation_at(i)` finds in answers[i]. A violation within the claim does
+/// not hide one beyond it.
 template <class ViolationAt>
 std::optional<Violation> worst_of(const LawCase& c, ViolationAt violation_at) {
   std::optional<Violation> worst;
@@ -41,14 +41,14 @@ std::optional<Violation> worst_of(const LawCase& c, ViolationAt violation_at) {
   return worst;
 }
 
-/// How far a distance that was said of the pair may be off: the claim, its relative part of size and centres'
-/// distance, or the rounding of the larger length.
+/// The allowed error of a returned distance of the pair: the claim, its relative part of size and centres'
+/// distance, or the rounding error of the larger length.
 double distance_allowance(const LawCase& c, const Pair& pair, double said);
 
-/// The unit direction offered as witness, from a to b; not finite or 0 where none can be made of it.
+/// The unit direction of the witness, from a to b. It is 0 or not finite if the witness has no direction.
 Vector3 offered_direction(const Pair& pair, const MethodAnswer& answer);
-/// -f(u), which no signed distance is below, whatever the unit vector u from a to b or back; rounded down.
-/// The pair is in range.
+/// Returns -f(u), rounded down. For any unit vector u from a to b or back, the signed distance is at least
+/// this. The pair is in range.
 double shown_by(const Pair& pair, const Vector3& u);
 
 /// Whether the largest length of the pair, or of its coordinates, is one whose fourth power has all its

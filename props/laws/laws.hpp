@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The laws: what must hold between the answers of one method, or between an answer and what is proved. A law
-// says which further pairs it wants asked and looks at the answers; who asks, and how that is contained, is
-// no concern of it (examine.hpp). The exact and the one-sided ones need no oracle.
+// The laws relate the answers of one method to each other, or an answer to the proved truth. A law names the
+// further pairs to ask and checks the answers. It does not depend on how they are asked (examine.hpp). The
+// exact and the one-sided laws need no oracle.
 #pragma once
 
 #include <array>
@@ -21,7 +21,7 @@
 namespace cyl {
 
 enum class LawKind : unsigned char {
-  exact,        ///< bit for bit where the method promises that, else the verdict; no tolerance
+  exact,        ///< bit for bit if the method claims that, else the verdict; no tolerance
   one_sided,    ///< one answer bounds another
   approximate,  ///< within an allowance that is proved
   answer        ///< of one answer alone: what it offers holds, it comes, and comes again
@@ -46,11 +46,11 @@ struct LawCase {
   Proofs& proofs;                         ///< of `pair` and of any other
 };
 
-/// What broke, in one line; `contract` where the method promises what broke, here.
+/// The violation in one line. `contract` if the method claims otherwise for this pair.
 struct Violation {
   std::string what;
   Severity severity = Severity::contract;
-  std::optional<FindingKind> kind = {};  ///< where compare() found it
+  std::optional<FindingKind> kind = {};  ///< set if compare() found it
   std::string reason = {};               ///< of a failure: the method's own words
   bool operator==(const Violation&) const = default;
 };
@@ -61,12 +61,12 @@ struct Law {
   std::string_view name;       ///< "swap"
   std::string_view statement;  ///< what is changed and what must hold
   std::string_view where;      ///< for which pairs and methods
-  /// What is to be asked beside the pair itself, given the answer to it; empty: this law says nothing of this
-  /// pair, or looks at the first answer alone (needs_none).
+  /// Returns the pairs to ask besides the pair itself, given the answer to it. Empty if the law does not
+  /// apply to this pair, or checks the first answer only (needs_none).
   std::vector<LawQuery> (*queries)(const Method& method, const Pair& pair, const MethodAnswer& first);
-  /// Nothing where the law holds. Says nothing where a method declines or fails (that is what law 30 is for).
+  /// Returns nothing if the law holds, or if a method declines or fails (law 30 covers that).
   std::optional<Violation> (*check)(const LawCase& c);
-  const char* file = __builtin_FILE();  ///< where it is written, from the top of the project
+  const char* file = __builtin_FILE();  ///< its source file, from the top of the project
   int line = __builtin_LINE();
 };
 
@@ -80,11 +80,11 @@ inline constexpr int answer_law = 30, verdict_law = 31;
 /// Every law, by increasing number: exact from 1, one-sided from 10, approximate from 20, of the answer
 /// from 30.
 std::span<const Law> all_laws();
-/// Throws std::invalid_argument where there is none.
+/// Throws std::invalid_argument if there is none.
 const Law& law_numbered(int number);
 
-/// What a method breaks of a law on a pair, asked in this process: for tests and fuzz targets. Throws what
-/// the method throws.
+/// Returns how a method breaks a law on a pair, asked in this process, for tests and fuzz targets. Throws the
+/// exceptions of the method.
 std::optional<Violation> violation_of(Method& method, const Law& law, const Pair& pair);
 
 }  // namespace cyl

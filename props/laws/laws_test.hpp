@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What the tests of the laws share: methods with a fault planted, and the laws they break. A fault is planted
-// into an answer of our own, so that only the fault is to blame.
+// Shared by the tests of the laws: methods with a planted fault, and the laws that they break. The fault is
+// planted in one of our answers, so only the fault can break a law.
 #pragma once
 
 #include <cstdint>
@@ -61,7 +61,7 @@ struct Planted final : FakeMethod {
     };
   }
 
-  Prepared prepared, batch;  ///< none where empty
+  Prepared prepared, batch;  ///< none if empty
 };
 
 /// The numbers of the laws that the first pairs of a family show broken.

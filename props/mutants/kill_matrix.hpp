@@ -18,10 +18,10 @@
 
 namespace cyl {
 
-/// What gives the program away, as the mutant has made it.
+/// The evidence that a detector found in the mutated program.
 struct Evidence {
-  std::string failure_message;  ///< one line; empty: nothing does
-  /// The number among its family's pairs, where a method was wrong about a pair that a campaign drew.
+  std::string failure_message;  ///< one line; empty if the fault was not detected
+  /// The index in the family, if a method was wrong on a pair of a campaign.
   std::optional<std::uint64_t> family_index;
 
   Evidence(std::string message = {}, std::optional<std::uint64_t> index = {})
@@ -30,11 +30,12 @@ struct Evidence {
 
 struct Detector {
   std::string name;
-  /// Is called in a child, which it may crash, hang or replace (then the exit code says it: 0 survived).
+  /// Called in a child, which it may crash, hang or replace. A replaced child reports by its exit code: 0
+  /// means survived.
   std::function<Evidence(const Mutant&)> detect;
 };
 
-/// Time one detector may spend on one mutant; many times what the longest takes where it finds nothing.
+/// Time limit of one detector for one mutant, many times the longest run without a detection.
 inline constexpr unsigned detector_cpu_cap = 120;   ///< seconds of CPU
 inline constexpr unsigned detector_wall_cap = 600;  ///< seconds, for what waits without working
 
@@ -60,14 +61,14 @@ struct KillRow {
   bool killed() const;
 };
 
-/// Asks every detector, each in a child that has called select(mutant.number). Throws std::system_error only
-/// where the system refuses a process.
+/// Asks every detector, each in a child that has called select(mutant.number). Throws std::system_error if
+/// the system refuses a process.
 KillRow run_detectors(const Mutant& mutant, std::span<const Detector> detectors,
                       void (*select)(int) noexcept);
 
-/// laws: every law on the cases and on pairs of the families. corpus: laws 30 and on for the cases, and what
-/// they state of the truth. differential: laws 30 and on for pairs of all families, near touching ones too.
-/// Only what a method promises (Severity::contract) counts. `cases` must outlive them.
+/// laws: every law on the cases and on pairs of the families. corpus: laws 30 and up on the cases, and their
+/// stated truths. differential: laws 30 and up on pairs of all families, near touching ones too. Only
+/// violations of a claim (Severity::contract) count. `cases` must outlive them.
 std::vector<Detector> law_detectors(std::span<const Case> cases);
 
 }  // namespace cyl

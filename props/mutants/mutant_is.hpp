@@ -7,7 +7,7 @@ namespace cyl {
 extern int selected_mutant;
 
 [[gnu::always_inline]] inline bool mutant_is(int number) noexcept {
-  // Without the hint gcc 12 ends with an internal error where many of these choose between masks of lanes.
+  // Without the hint gcc 12 fails with an internal error if many of these select between masks of lanes.
   return __builtin_expect(selected_mutant == number, 0);
 }
 

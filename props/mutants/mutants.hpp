@@ -14,10 +14,10 @@ struct Mutant {
   int number;                   ///< > 0, kept for good
   std::string_view file;        ///< that holds the fault
   std::string_view what;        ///< the fault in words
-  std::string_view like;        ///< its kind: operator class, or where such a fault was seen
+  std::string_view like;        ///< its kind: operator class, or the code that had such a fault
   std::string_view asks;        ///< names of the methods that may betray it, as select_methods() takes them
-  std::string_view tests;       ///< filter of the unit tests that may betray it; empty: none
-  std::string_view equivalent;  ///< why no test can see it; empty where one can
+  std::string_view tests;       ///< filter of the unit tests that may detect it; empty: none
+  std::string_view equivalent;  ///< why no test can detect it; empty if a test can
 };
 
 /// Returns all mutants by number. Only daylight-mutants and its kin have it.

@@ -15,9 +15,9 @@ struct Decimal {
 };
 Decimal decimal_of(double x);
 
-/// How simple a pair is: compared from the first member on, smaller is simpler. Well-founded, since there
-/// are finitely many doubles. Roundings and extremes come first, so that they stay only where they matter.
-/// "Numbers" are the pair's 18, in their shortest round-trip decimals.
+/// The simplicity of a pair, compared from the first member on; smaller is simpler. It is well-founded,
+/// because there are finitely many doubles. Roundings and extremes come first, so that they stay only if they
+/// matter. "Numbers" are the 18 numbers of the pair in their shortest round-trip decimals.
 struct Complexity {
   int rounded;  ///< solids with a rounding
   /// Decades, summed, by which radii, heights, roundings and the largest coordinate of each axis are below

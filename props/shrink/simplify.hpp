@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-// The shrinker: from a failing pair to the simplest one found that still fails the same way. It knows what
-// pairs are made of (solids may be moved, turned, scaled, exchanged, kept at their distance while their shape
-// changes) and nothing of why a pair fails: every pair it takes was asked about and failed. What "the same
-// way" means is the caller's to say: a caller who wants the contact feature kept asks for it
-// (oracles/trial/contact.hpp), or most pairs end as disks and points.
+// The shrinker finds a simple pair that still fails in the same way. It moves, turns, scales and
+// exchanges solids, and changes their shape at a constant distance. It does not know why a pair fails:
+// it asks about every pair that it takes. The caller defines "the same way". To keep the contact
+// feature, the caller must ask for it (oracles/trial/contact.hpp). Otherwise most pairs end as disks and
+// points.
 #pragma once
 
 #include <cstddef>
@@ -16,8 +16,8 @@
 
 namespace cyl {
 
-/// Says which of these pairs still fail, one bool each; asked many at a time, because each call about foreign
-/// code costs a fork. Must be a pure function of each pair. The pairs are legal.
+/// Returns which of these pairs still fail. It gets many pairs at a time, because each call of foreign code
+/// costs a fork. It must be a pure function of each pair. The pairs are valid.
 using StillFails = std::function<std::vector<bool>(std::span<const Pair>)>;
 
 struct Simplified {
@@ -30,9 +30,9 @@ struct Simplified {
 /// at most 600, in 20 to 60 calls.
 inline constexpr std::size_t question_cap_default = 4000;
 
-/// Returns the simplest pair found. The pair given is taken to fail and is not asked about; an illegal one
-/// comes back as it is. Deterministic; never worse than what was given; where it did not end at the cap,
-/// simplifying again changes nothing.
+/// Returns the simplest pair found. The given pair is assumed to fail and is not asked. An invalid pair is
+/// returned unchanged. Deterministic, and never worse than the given pair. If it did not reach the limit, a
+/// second call changes nothing.
 Simplified simplify(const Pair& pair, const StillFails& still_fails,
                     std::size_t question_cap = question_cap_default);
 

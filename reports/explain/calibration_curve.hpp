@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Calibration: how often a method fails in one way, decade of margin by decade, against what it claims, on
-// pairs on which what meets is the same as on the pair that is to be explained.
+// Calibration: how often a method fails in one way at each decade of margin, compared with its claim. The
+// pairs have the same contact feature as the explained pair.
 #pragma once
 
 #include <cstdint>
@@ -32,13 +32,13 @@ struct CalibrationCurve {
   std::vector<CalibrationPoint> points;  ///< decades from 1 to 15; those without such pairs are absent
 };
 
-/// Pairs of a decade, and of one whose pairs are put within ranges, which costs time; divided by the method's
-/// share where it is costly.
+/// Pairs of a decade, and of a decade whose pairs are brought within ranges, which costs time. Divided by the
+/// share of a costly method.
 inline constexpr std::uint64_t drawn_per_decade = 400, drawn_within_per_decade = 100;
 
-/// Returns nothing where no stratum fits: the truth of the failing pair is not decided. The pairs are
-/// corpus/strata's: independent, near the origin, at index 0, 1, .. of the seed; put within the ranges, those
-/// on which the same parts still meet.
+/// Returns nothing if no stratum fits, because the truth of the failing pair is not decided. The pairs come
+/// from corpus/strata: independent, near the origin, at index 0, 1, .. of the seed. With ranges, only pairs
+/// with the same contact feature count.
 std::optional<CalibrationCurve> calibration_curve(const std::unique_ptr<Method>& method, const Trial& failing,
                                                   std::uint64_t seed,
                                                   std::span<const ParameterRange> within = {});

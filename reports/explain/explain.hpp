@@ -25,17 +25,18 @@ struct Explanation {
   std::string method;
   Claim claim;
   Trial asked;                            ///< of the method alone: holds the finding
-  Classification cause;                   ///< as triage has it; none of a hang: each question costs a second
+  Classification cause;                   ///< the cause as in triage; none for a hang, because each call
+                                          ///< costs a second
   std::vector<FailingRegion> regions;     ///< likewise
   std::optional<CalibrationCurve> curve;  ///< likewise
   std::vector<Workaround> workarounds;
   std::string mechanism;  ///< one sentence that sums up the rest
 };
 
-/// Asks the method about some 6,000 pairs, contained; a second or two, more where it is slow; a second
-/// for each workaround of a hang. The same arguments give the same explanation, but for what depends on
-/// hangs. Throws UsageError where no method has that name or where it does not fail in this way on this pair
-/// today.
+/// Asks the method, contained, about some 6,000 pairs. This takes a second or two, more for a slow method,
+/// and a second for each workaround of a hang. The same arguments give the same explanation, except for
+/// hangs. Throws UsageError if no method has that name, or if it does not fail in this way on this pair
+/// now.
 Explanation explain(std::span<const std::unique_ptr<Method>> methods, std::string_view method,
                     FindingKind kind, const Pair& pair, std::uint64_t seed = explain_seed_default);
 

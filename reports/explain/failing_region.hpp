@@ -17,8 +17,8 @@
 namespace cyl {
 
 enum class Parameter : unsigned char {
-  distance,  ///< signed, a length: b is moved along the direction of the distance; values as the referee
-             ///< encloses them
+  distance,  ///< signed, a length: b moves along the direction of the distance. Values are those that the
+             ///< referee encloses
   angle,     ///< between the lines of the axes, radians: b is turned about its centre in the plane of both
   radius_a,
   height_a,
@@ -32,12 +32,12 @@ constexpr auto words_of(Parameter) noexcept {
                     "radius of b",     "height of b", "scale",       "offset"};
 }
 
-/// One side of a region. Between the two values lies where the failure ends; each is of a pair that was asked
-/// about and judged.
+/// One side of a region. The failure ends between the two values. Each is of a pair that was asked and
+/// judged.
 struct RegionEnd {
   double fails_at = 0;            ///< the farthest value at which it was seen to fail
   Trial failing;                  ///< there
-  std::optional<double> ends_at;  ///< the nearest value beyond; none where it fails as far as was tried
+  std::optional<double> ends_at;  ///< the nearest value beyond; empty if it fails as far as was tried
   std::optional<Trial> beyond;    ///< there
 };
 
@@ -49,30 +49,30 @@ struct FailingRegion {
   RegionEnd low, high;
 };
 
-/// Where a failure stays: from one value of a parameter to another.
+/// The range of a parameter in which a failure persists.
 struct ParameterRange {
   Parameter parameter;
   double low, high;
 };
 
-/// Values are tried at factors of this from the pair's own on outwards, then the step at which the failure
-/// ends is split until its ends are this share apart (for `scale`, until they are neighbours), or so often.
+/// Values are tried outwards from the pair's own by this factor. Then the step at which the failure ends is
+/// bisected until its ends are this share apart (for `scale`, until they are neighbours), or this often.
 inline constexpr double region_step = 4, region_share = 0.01;
 inline constexpr int region_rounds_cap = 6;
 
-/// In the order of the parameters; those that cannot be moved (a flat solid's height may grow, an axis
-/// without the other's plane may not turn) have both ends at their own value. Where angle, radii and heights
-/// are moved, b follows along the direction of the distance so that the signed distance stays (where it is 0,
-/// b stays). Questions: about 300 in the first call and 100 in each of the others. Deterministic.
+/// In the order of the parameters. A parameter that cannot move has both ends at its own value. (A flat
+/// solid's height may grow, an axis without the other's plane may not turn.) If angle, radii or heights move,
+/// b follows along the direction of the distance, so that the signed distance stays. If it is 0, b stays.
+/// Cost: about 300 pairs in the first call and 100 in each of the others. Deterministic.
 std::vector<FailingRegion> failing_regions(const std::unique_ptr<Method>& method, const Trial& failing);
 
 /// Returns whether a failure of this kind on the pair ends wherever b is turned a little, the distance kept.
 /// Up to four questions.
 bool hangs_on_angle(const std::unique_ptr<Method>& method, const Pair& pair, FindingKind kind);
 
-/// Returns the pair with each parameter that is outside its range put into it, `share` (0 to 1) of the way
-/// up, and b moved until the signed distance over the size is `margin`; nothing where there is no such pair.
-/// Cost: that of some enclosures of the distance.
+/// Returns the pair with each parameter outside its range moved into it, `share` (0 to 1) of the way up, and
+/// b moved until the signed distance over the size is `margin`. Returns nothing if there is no such pair.
+/// Costs some enclosures of the distance.
 std::optional<Pair> brought_within(const Pair& pair, std::span<const ParameterRange> ranges, double share,
                                    double margin);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What helps against a failure: the method's own other settings, and the same pair put to it in other words.
+// Tries workarounds of a failure: other settings of the method, and equivalent forms of the pair.
 #pragma once
 
 #include <array>

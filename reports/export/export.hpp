@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A finding as one would send it to the library's maintainers: a program that needs only their library (or
-// the guest), a proof that needs only Python, and the text of an issue.
+// Writes a finding for the maintainers of a library: a program that needs only their library (or the guest),
+// a proof that needs only Python, and the text of an issue.
 #pragma once
 
 #include <memory>
@@ -27,24 +27,24 @@ struct Export {
   std::string test_name{}, test{};  ///< in the framework of SentBeside, if it has one
 };
 
-/// What is known besides.
+/// Further inputs of an export.
 struct SentBeside {
   std::vector<std::string> sources;  ///< of a guest; the first is what a plug-in is compiled of
   std::optional<Pair> worst;         ///< on which it fails of the same cause by the greatest margin known
   std::string framework{};           ///< one of test_frameworks(), in which a test is written too
 };
 
-/// Asks the method again, contained. Throws UsageError where no method has that name, where it is
-/// no guest and of no library that a program can be written for, or where it does not fail in this way on
-/// this pair today; std::runtime_error where only the rounding of the axes makes it fail. Where the pair is
-/// at the edge of the claim and the worst is not, it is about the worst; the other of them is told beside it.
-/// No path of this machine is in what is made.
+/// Asks the method again, contained. Throws UsageError if no method has that name, if no program can be
+/// written for it, or if it does not fail in this way on this pair now. Throws std::runtime_error if it
+/// fails only because axes are rounded. If the pair is at the edge of the claim and the worst is not,
+/// the export is about the worst and mentions the pair. The files do not contain a path of this
+/// machine.
 Export make_export(std::span<const std::unique_ptr<Method>> methods, std::string_view method,
                    FindingKind kind, const Pair& pair, std::span<const Guest> guests = {},
                    const SentBeside& beside = {});
 
-/// Creates the folder where it is not there; writes over what an earlier export left in it. Throws
-/// std::runtime_error that names what cannot be written.
+/// Creates the folder if it does not exist, and overwrites an earlier export. Throws std::runtime_error that
+/// names a file that cannot be written.
 void write_export(const Export& files, const std::string& folder);
 
 }  // namespace cyl

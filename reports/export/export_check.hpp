@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A check for everybody: a Python program that holds a pair and what proves the truth about it, literally,
-// and proves it again in rational arithmetic.
+// Writes a check for any reader: a Python program with a pair and its certificate, which proves the truth
+// again in rational arithmetic.
 #pragma once
 
 #include <optional>
@@ -10,17 +10,17 @@
 
 namespace cyl {
 
-/// What a method gets for the axes of a pair.
+/// The axes of a pair as a method gets them.
 enum class AxesGiven : unsigned char { as_they_are, of_unit_length };  ///< the latter rounded
 
-/// Returns exact.py, which needs the standard library only and exits with 0 where all is proved, else with 1.
-/// It proves the verdict of the pair as asked and of the pair as the method gets it, and, of a wrong
-/// distance, that the distance said is impossible, where a direction or two points show that. Throws
-/// std::runtime_error where the rounding of the axes turns the verdict: then the library is not to blame.
-/// `asked` is of decided truth.
+/// Returns exact.py, which needs the standard library only. It exits with 0 if it proves everything, else
+/// with 1. It proves the verdict of the given pair and of the pair as the method gets it. For a wrong
+/// distance it proves that the returned distance is impossible, if a direction or two points show that.
+/// Throws std::runtime_error if rounded axes change the verdict, because then the library is right. The truth
+/// of `asked` is decided.
 std::string exact_check(const Trial& asked, const Claim& claim, AxesGiven axes = AxesGiven::of_unit_length);
 
-/// Returns whether exact_check() shows the distance said to be impossible.
+/// Returns whether exact_check() proves that the returned distance is impossible.
 bool shows_distance(const Trial& asked, const Claim& claim);
 
 }  // namespace cyl

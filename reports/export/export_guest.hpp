@@ -17,9 +17,9 @@ bool guest_program_shows(FindingKind kind);
 /// Returns "reproduce.c" or "reproduce.py".
 std::string guest_program_name(const Guest& guest);
 
-/// Returns a program that prints what the guest says and what is true, and exits with 1 where the answer is
-/// wrong in the way of the finding, 0 where it is right; that of a plug-in ends as the plug-in does. `asked`
-/// must hold a finding of a kind that guest_program_shows().
+/// Returns a program that prints the guest's answer and the truth. It exits with 1 if the answer is wrong as
+/// in the finding, and with 0 if it is right. The program of a plug-in ends as the plug-in does. `asked` must
+/// have a finding of a kind that guest_program_shows().
 std::string guest_program(const Guest& guest, const Trial& asked, const Claim& claim);
 
 /// Returns build.sh, which asks what lies beside it (a plug-in's library, or one built of its source; a
@@ -28,11 +28,11 @@ std::string guest_build(const Guest& guest, FindingKind kind, std::span<const st
 
 /// A file that is sent.
 struct SentFile {
-  std::string file;  ///< where it is
+  std::string file;  ///< its path
   std::string name;  ///< in the folder that is sent
 };
 
-/// Returns the sources; without any the plug-in's library; the files that a command names.
+/// Returns the sources. Without sources it returns the plug-in's library, or the files that a command names.
 std::vector<SentFile> guest_files(const Guest& guest, std::span<const std::string> sources);
 
 /// Returns the plug-in's file, or the command, without a path of this machine.

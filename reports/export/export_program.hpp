@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A program for a library's maintainers: it needs nothing but the library and asks it about one pair, by the
-// same calls with the same settings as the method of that name does.
+// Writes a program for the maintainers of a library. It needs only the library, and asks it about one pair by
+// the same calls with the same settings as the method of that name.
 #pragma once
 
 #include <string>
@@ -11,7 +11,7 @@
 
 namespace cyl {
 
-/// What a library is, and how a method asks it.
+/// A library, and the call by which a method asks it.
 struct LibraryCall {
   std::string method;
   std::string library;   ///< "FCL"
@@ -23,23 +23,23 @@ struct LibraryCall {
 
 inline constexpr std::string_view compiler_options = "-std=c++17 -O2 -DNDEBUG -ffp-contract=off";
 
-/// Returns nullptr where no program can be written for this method: it is none of FCL, Bullet, libccd, ODE,
-/// MuJoCo.
+/// Returns nullptr if no program can be written for this method, because its library is not FCL, Bullet,
+/// libccd, ODE or MuJoCo.
 const LibraryCall* find_library_call(std::string_view method);
 
 /// Returns whether a program can show a finding of this kind.
 bool program_shows(FindingKind kind);
 
-/// Returns what a program prints where the answer is not right: within the claim that is no fault.
+/// Returns the text that a program prints if the answer is wrong. Within the claim this is not a fault.
 std::string_view judgement(const Finding& finding);
 
 /// Returns the pair as the libraries get it: axes of unit length, rounded.
 Pair as_given(const Pair& pair);
 
-/// Returns one C++17 file, of a template in templates/. Solids are written as the adapters build them:
-/// numbers in shortest decimals, the rotation as nine of them. It prints what the library says and what is
-/// true, and exits with 1 where the answer is wrong in the way of the finding, 0 where it is right. `asked`
-/// must hold a finding, of a kind that program_shows(), of a method with a LibraryCall.
+/// Returns one C++17 file from a template in templates/. Solids are written as the adapters build them:
+/// numbers in shortest decimals, the rotation as nine numbers. It prints the library's answer and the truth.
+/// It exits with 1 if the answer is wrong as in the finding, and with 0 if it is right. `asked` must have a
+/// finding of a kind that program_shows(), of a method with a LibraryCall.
 std::string reproducing_program(const LibraryCall& call, const Trial& asked, const Method& method);
 
 }  // namespace cyl

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a shared library is linked with, read from its file: nothing of it is run.
+// Reads the libraries that a shared library is linked with from its file, without running it.
 #pragma once
 
 #include <string>
@@ -7,11 +7,11 @@
 
 namespace cyl {
 
-/// Returns "-lccd -lfcl" for the bytes of a shared library of ELF that is linked with these, beside what
-/// every compiler links; "" where there is none, or the bytes are no such file.
+/// Returns "-lccd -lfcl" for the bytes of an ELF shared library that is linked with these, without the
+/// libraries that every compiler links. Returns "" if there are none, or if the bytes are not such a file.
 std::string linked_libraries(std::string_view elf);
 
-/// Likewise, of a file; "" where it cannot be read.
+/// The same for a file; "" if it cannot be read.
 std::string linked_libraries_of(const std::string& file);
 
 }  // namespace cyl

@@ -8,7 +8,7 @@
 
 namespace cyl {
 
-/// Returns the file of that name in templates/, which is part of this program; throws std::out_of_range where
+/// Returns the file of that name in templates/, which is part of this program. Throws std::out_of_range if
 /// there is none.
 std::string_view template_text(std::string_view name);
 
@@ -21,7 +21,7 @@ std::string filled(std::string_view text, const Words& words);
 /// and -0 stays it.
 std::string literal(double x);
 
-/// The same of a bound of doubles: the largest one where it is infinite.
+/// The same for a bound of doubles: the largest one if it is infinite.
 std::string bound(double x);
 
 /// Returns "1, 2.5, -0.0".

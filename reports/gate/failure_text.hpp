@@ -15,9 +15,9 @@ namespace cyl {
 /// Whether it was found while a kept case was held to some law: `origin` is "FILE:LINE id".
 bool is_from_case(const GateFailure& failure);
 
-/// Failures of one method, law and kind, in different buckets: shown together. So are those in which the
-/// method itself failed in one way, of one kind and in the same words, whatever law had it asked; the first
-/// of them is on a pair that no law had changed, where there is one.
+/// Failures of one method, law and kind, in different buckets, which are shown together. Failures of the
+/// method itself with one kind and reason are shown together for all laws. Then the first of them is on a
+/// pair that no law had changed, if there is one.
 using Alike = std::vector<const GateFailure*>;
 /// Returns those that fail the gate, or all others (known ones apart), in the order of the first of each.
 std::vector<Alike> alike_failures(const GateReport& report, bool failing);
@@ -34,10 +34,10 @@ struct FailureView {
   std::string origin, bucket;
   std::string again;            ///< "fails 10 of 10 times", ..; empty if it was not run again
   std::string found, simplest;  ///< pairs as JSON
-  std::string reproduce;        ///< empty where RapidCheck has no name for it
+  std::string reproduce;        ///< empty if RapidCheck has no name for it
   std::string replay;           ///< for a shell: asks the method the simplest pair, and holds it to the law
-  /// Of the case, else of the law; of a method of no build what it was built from, or none, for our files
-  /// are not in its tree. The file is valid UTF-8, from the current folder where it lies below it.
+  /// The place of the case, else of the law. For a guest it is its source, or none, because our files are not
+  /// in its tree. The file is valid UTF-8, relative to the current folder if it lies below it.
   std::optional<SourceLine> place;
 };
 FailureView view_of(const GateFailure& failure);

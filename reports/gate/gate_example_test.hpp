@@ -13,8 +13,8 @@
 
 namespace cyl {
 
-/// What foreign code may say of itself: markup, quotes, line ends, controls, a character that reorders text,
-/// bytes that are no UTF-8, and U+FFFF, which XML does not have.
+/// Hostile text that foreign code may return: markup, quotes, line ends, controls, a character that reorders
+/// text, bytes that are not UTF-8, and U+FFFF, which XML does not have.
 inline const std::string hostile =
     "<a b='c'>\"]]>&amp;%0A,::error::\r\n\x1b[2J\x01\xe2\x80\xae\xff\xc3(\xef\xbf\xbf";
 
@@ -36,8 +36,8 @@ inline GateFailure example_failure(const std::string& method, int law, Severity 
   return f;
 }
 
-/// intersect: law 1 broken beyond its claim on a random pair, law 2 by luck as well, law 3 within its claim;
-/// fake: law 30 on a case, all its words hostile. One cell of fake's is wrong, one empty.
+/// intersect breaks law 1 beyond its claim on a random pair, law 2 not deterministically, and law 3 within
+/// its claim. fake breaks law 30 on a case, with hostile words. One cell of fake is wrong, one is empty.
 inline GateReport example_report() {
   GateReport report;
   report.seed = std::numeric_limits<std::uint64_t>::max();

@@ -11,11 +11,11 @@
 
 namespace cyl {
 
-/// Returns every field of the report under its own name. Pairs are written as in the case files; numbers that
-/// are no JSON are the strings "nan", "inf", "-inf".
+/// Returns every field of the report under its own name. Pairs are written as in the case files. Numbers that
+/// JSON does not have are the strings "nan", "inf", "-inf".
 std::string gate_json(const GateReport& report);
 
-/// What a gate is held against.
+/// The base that a gate is compared with.
 struct GateBase {
   std::uint64_t seed = 1;
   std::uint64_t pairs = 0;  ///< that were to be drawn
@@ -36,9 +36,9 @@ GateBase read_base(const std::string& file);
 /// report's.
 void note_gaps(GateReport& report, const GateBase& base);
 
-/// Marks as known the failures whose bucket is in the base, but not those that are seen on more pairs now,
-/// where that cannot be luck or a slower machine: a hang, or what does not fail each time. Of what stays
-/// within a claim it is only said whether it was there before.
+/// Marks the failures whose bucket is in the base as known. It does not mark a bucket that has more pairs
+/// now, unless chance or a slower machine explains it: a hang, or a failure that is not deterministic. A
+/// failure within the claim is only marked as old or new.
 void mark_known(GateReport& report, const GateBase& base);
 
 }  // namespace cyl

@@ -24,26 +24,26 @@ std::string gate_text(const GateReport& report);
 /// laws do not count.
 std::string proved_in_words(const GateMethod& method);
 
-/// Returns JUnit XML, the form that build servers read: one testsuite a method; in it one testcase a law
-/// ("law 10 growth"), and one for each kept case on which it failed. What does not fail the gate (within the
-/// claim, or known) is in the suite's system-out. What was not asked is a suite of its own, with a test in
-/// error a line. The time is that of the whole gate: methods are asked side by side.
+/// Returns JUnit XML for build servers: one testsuite for each method, with one testcase for each law ("law
+/// 10 growth") and for each case on which it failed. Failures that do not fail the gate (within the claim, or
+/// known) are in the suite's system-out. Each line of what was not asked is a test in error, in a suite of
+/// its own. The time is that of the whole gate, because methods are asked side by side.
 std::string gate_junit(const GateReport& report);
 
-/// Returns SARIF 2.1.0, the form in which code hosts take findings: a rule a law, a result a failure.
-/// `version` is that of daylight; `compared`: there was a base (--against), so each result is new or
-/// unchanged. Failures beyond a claim have the level error, all others note. An invocation that did not ask
-/// all has a notification a line of it, and is no success. A result of a method of no build is at the place
-/// that it was said to be built from, else at none.
+/// Returns SARIF 2.1.0 for code hosts: a rule for each law and a result for each failure. `version` is that
+/// of daylight. `compared` means that there was a base (--against), so each result is new or unchanged.
+/// Failures beyond a claim have the level error, all others note. An invocation that did not ask all has a
+/// notification for each line of that, and is not a success. A result of a guest is at its given source line,
+/// or has no place.
 std::string gate_sarif(const GateReport& report, std::string_view version, bool compared);
 
 /// Annotations of one kind that gate_github() writes; the service itself drops those of a step beyond ten.
 inline constexpr std::size_t annotations_cap = 10;
 
-/// Returns workflow commands of GitHub Actions, lines of standard output that become annotations of the case
-/// or the law, of a method of no build of what it was built from: one ::error for each method, law and kind
-/// of failure that fails the gate, in the order of the report; then a ::notice saying how many more there
-/// are, and a ::warning for each line of what was not asked. Empty where nothing fails the gate and all was
+/// Returns workflow commands of GitHub Actions, which become annotations of the case or the law, or
+/// of a guest's source line. There is one ::error for each method, law and kind of failure that
+/// fails the gate, in the order of the report. Then come a ::notice with the number of further ones,
+/// and a ::warning for each line of what was not asked. Empty if nothing fails the gate and all was
 /// asked.
 std::string gate_github(const GateReport& report);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a bench says, for people and as JSON. NaN is written "-" and null.
+// The results of a bench, as text and as JSON. NaN is written "-" and null.
 #pragma once
 
 #include <span>
@@ -15,11 +15,11 @@ namespace cyl {
 /// certificate's over its verdict).
 std::string format_bench_table(std::span<const BenchRow> rows);
 std::string format_comparisons(std::span<const QueryComparisons> queries);
-/// The lower bounds, and our paths in units of them, on `random` where it is among the rows, else on their
-/// first family.
+/// The lower bounds, and the times of our methods in units of them, on `random` if it is among the rows, else
+/// on their first family.
 std::string format_lower_bounds(const LowerBounds& lower_bounds, std::span<const BenchRow> rows);
-/// A line a method and query, a column a family or, where all rows are of one family, a number of pairs. A
-/// time is followed by '!' where the method is not right there.
+/// One line for each method and query, and one column for each family or, if all rows have one family, number
+/// of pairs. A '!' after a time means that the method is not right there.
 std::string format_growth(std::span<const BenchRow> rows);
 
 /// Members of a JSON object: "results" (the fields of BenchRow by name, `pairs` as "n", `spread_percent` as

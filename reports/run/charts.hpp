@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The data of the charts on a run's page. RUN/charts.json keeps them, one JSON object, for whoever draws them
-// elsewhere and for later commands that write the page again. The names of its fields are the page's
-// contract.
+// The data of the charts on a run's page. RUN/charts.json stores them as one JSON object, for other
+// programs and for later commands that write the page again. The names of its fields must not
+// change.
 #pragma once
 
 #include <filesystem>
@@ -19,7 +19,7 @@ namespace cyl {
 struct MapCell {
   Cell at;
   CellCounts counts;
-  std::optional<std::int64_t> finding;  ///< the first kept one of those counted as wrong or failed here
+  std::optional<std::int64_t> finding;  ///< the first stored finding that is counted as wrong or failed here
 };
 
 /// The cells of a plane in which a method was asked.
@@ -46,7 +46,8 @@ std::vector<BenchRow> read_bench(const std::filesystem::path& file);
 /// The machine, the compiler and the date of such a file, as far as it states them.
 std::string origin_of_bench(const std::filesystem::path& file);
 
-/// What RUN/charts.json holds; {} where there is no such file. Throws std::runtime_error that names the file.
+/// Returns the content of RUN/charts.json, or {} if there is no such file. Throws std::runtime_error that
+/// names the file.
 nlohmann::json read_charts(const std::filesystem::path& run);
 
 /// Sets fields of `run.charts` and writes RUN/charts.json; other fields stay as they are.

@@ -11,10 +11,10 @@
 
 namespace cyl {
 
-/// Writes OUT/*.svg, and beside each a .png where rsvg-convert is there, from report_json() of the run, with
-/// the script that reports/web/ is built to (chart.mjs) in Node. Returns the files it wrote, sorted. Throws
-/// std::runtime_error that says what is missing or failed.
-/// `on_picture` is called after each picture with how many are drawn, of how many.
+/// Writes OUT/*.svg, and a .png beside each if rsvg-convert is installed. It passes report_json() of the run
+/// to the script chart.mjs, which is built from reports/web/, in Node. Returns the sorted files that it
+/// wrote. Throws std::runtime_error with the missing program or the failure. `on_picture` is called after
+/// each picture with the number drawn and the number of all.
 std::vector<std::string> draw_charts(const RunData& run, const std::string& out, const std::string& script,
                                      const std::function<void(std::size_t, std::size_t)>& on_picture);
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What a run found, held against the earlier runs beside it: those in the same folder that began before it.
-// Shards are passed over, and have no history of their own: the run they are merged to has.
+// Compares the findings of a run with earlier runs: those in the same folder that began before it. Shards are
+// skipped and do not have a history; the merged run has one.
 #pragma once
 
 #include <cstddef>
@@ -15,7 +15,7 @@ namespace cyl {
 
 struct RunData;
 
-/// Only runs that asked a group's method about its family tell what has become of the group.
+/// A run counts for a group only if it asked the group's method about its family.
 struct History {
   std::size_t runs = 0;        ///< earlier ones
   std::size_t unreadable = 0;  ///< stores that cannot be read, and are passed over

@@ -17,7 +17,7 @@ namespace cyl {
 /// The pair of a finding, as far as its record can be read.
 struct FoundPair {
   std::optional<Case> line;
-  std::optional<Verdict> truth;  ///< where it is proved: disjoint, intersecting or touching
+  std::optional<Verdict> truth;  ///< if it is proved: disjoint, intersecting or touching
 };
 
 struct RunData {
@@ -35,8 +35,8 @@ struct RunData {
   nlohmann::json charts;  ///< what RUN/charts.json holds, which may be the work of earlier commands; or {}
 };
 
-/// Reads the run in a folder. Throws UsageError where there is none, and std::runtime_error that names the
-/// file that cannot be read.
+/// Reads the run in a folder. Throws UsageError if there is none, and std::runtime_error that names a file
+/// that cannot be read.
 RunData read_run(const std::string& folder);
 
 }  // namespace cyl

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a person wants to know at the end of a run, in some ten lines.
+// The summary at the end of a run, in some ten lines.
 #pragma once
 
 #include <string>
@@ -8,12 +8,12 @@
 
 namespace cyl {
 
-/// Returns the finding to look at first: beyond a claim before within, a wrong verdict before anything else,
-/// then by margin; nullptr where there is none.
+/// Returns the finding to look at first: beyond a claim before within, a wrong verdict before other kinds,
+/// then by margin. Returns nullptr if there is none.
 const FindingRecord* worst_finding(const RunData& run);
 
-/// Returns lines, each with its end: what was judged, what is new, who is wrong beyond its claim and how
-/// often, who crashed, hung or threw, how ours fared, the faults that were planted.
+/// Returns lines, each with its end: the counts of pairs and methods, the changes since earlier runs, the
+/// methods that are wrong or failed, the result of our methods, and the self-check.
 std::string format_summary(const RunData& run);
 
 }  // namespace cyl

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the page shows of the stability of answers where methods fail.
+// The data of the page about the stability of answers near failures.
 #pragma once
 
 #include <filesystem>
@@ -11,9 +11,9 @@
 
 namespace cyl {
 
-/// Asks the methods along paths and next to touching, and sets "paths", "backward" (of that sample and of the
-/// findings that the run has kept) and "builds" (from a file like bench/stability/builds.jsonl; empty without
-/// it) as set_charts() does. Foreign methods are contained.
+/// Asks the methods along paths and near touching. Sets "paths", "backward" (of that sample and of the stored
+/// findings of the run) and "builds" (from a file like bench/stability/builds.jsonl; empty without it) by
+/// set_charts(). Foreign methods are contained.
 void write_stability(RunData& run, std::span<const std::unique_ptr<Method>> methods,
                      const std::filesystem::path& builds);
 

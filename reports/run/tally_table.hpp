@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What came of a run, method by method and family by family: the numbers that the terminal and the page show.
+// The counts of a run, by method and family, as the terminal and the page show them.
 #pragma once
 
 #include <string>
@@ -19,8 +19,8 @@ struct MethodTally {
 /// the referee.
 std::vector<MethodTally> tally_methods(const std::vector<TallyRecord>& tallies);
 
-/// A text table: for each method its totals, then the families where it was wrong beyond its claim or
-/// failed. What stayed within claims is in the totals and on the page.
+/// A text table: for each method its totals, then the families in which it was wrong beyond its claim or
+/// failed. Findings within claims are only in the totals and on the page.
 std::string format_tallies(const std::vector<MethodTally>& tallies);
 
 }  // namespace cyl

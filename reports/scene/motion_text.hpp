@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a study says of proofs over motions, and of draws without a hit.
+// The text of proofs over motions, and of draws without a hit.
 #pragma once
 
 #include <cstddef>
@@ -10,21 +10,21 @@
 
 namespace cyl {
 
-/// "at least 0.012 over all configurations, 0.0157 seen": what a proof says, or where it is refuted, or how
-/// much is open.
+/// Returns "at least 0.012 over all configurations, 0.0157 seen": the result of a proof, the configuration
+/// that refutes it, or the part that is open.
 std::string proof_text(const Scene& scene, const MotionProof& proof);
 std::string exemption_text(const Scene& scene, const ExemptionProof& exemption);
-/// Sorts what is worst first: refuted, by distance; open, by share; proved, by bound.
+/// Sorts the worst first: refuted, by distance; then open, by share, and proved, by bound.
 std::pair<MotionVerdict, double> risk_of(const MotionProof& proof);
 
-/// "0.75 %": the rate that so many draws of which none failed leave possible at 95 %, rounded up.
+/// Returns "0.75 %": the upper bound at 95 % of a rate if none of these draws failed, rounded up.
 std::string rate_text(std::size_t draws);
 
-/// Returns how many pairs are proved, and how many pairs of links that an SRDF says never meet; empty where
-/// no proof was asked for.
+/// Returns how many pairs are proved, and how many link pairs that the SRDF calls "Never". Empty if no proof
+/// was wanted.
 std::string motions_words(const SceneOptions& question, const SceneStudy& study);
-/// Returns a line for each pair of links that an SRDF says never meet, and one for each pair, worst first.
-/// Without `every_pair`, pairs that are proved to stay clear are counted in one line.
+/// Returns a line for each link pair that the SRDF calls "Never", and one for each pair, worst first. Without
+/// `every_pair`, one line counts the pairs that are proved to stay clear.
 std::string motions_text(const Scene& scene, const SceneStudy& study, bool every_pair);
 
 }  // namespace cyl

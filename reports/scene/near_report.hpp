@@ -13,7 +13,7 @@
 
 namespace cyl {
 
-/// What was asked, and what was found.
+/// The question and its results.
 struct NearStudy {
   std::string file;       ///< the source of the cylinders; or
   std::string generated;  ///< "rods" or "pipes", of the seed

@@ -15,7 +15,7 @@ namespace cyl {
 std::string study_text(const Scene& scene, const SceneOptions& question, const SceneStudy& study,
                        bool every_pair = false);
 
-/// What `study_text` says in sentences, for others to say the same; empty where there is nothing to say.
+/// The sentences of `study_text`, for the page. A sentence is empty if it does not apply.
 struct StudyWords {
   std::string counts;                 ///< "2 capsules, 1 box (bounded), 0 not looked at; 20 links, .."
   std::vector<std::string> left_out;  ///< "17 box (base, ...)"
@@ -33,10 +33,10 @@ struct StudyWords {
 };
 StudyWords words_of(const Scene& scene, const SceneOptions& question, const SceneStudy& study);
 
-/// Returns an SRDF that disables the pairs of links of which one carries the other ("Adjacent"), and those
-/// that are proved never to touch ("Never"), with the proof behind each in a comment. Of other pairs that are
-/// not checked, that the scene's own SRDF disables or of which nothing is known, a comment says why they are
-/// not disabled. The study has `prove` and `prove_others`.
+/// Returns an SRDF that disables link pairs with one link that carries the other ("Adjacent") and link pairs
+/// that are proved never to touch ("Never"). A comment states each proof. Other pairs that are not checked,
+/// that the scene's own SRDF disables, or that are not known, have a comment why they are not disabled. The
+/// study has `prove` and `prove_others`.
 std::string srdf_text(const Scene& scene, const SceneOptions& question, const SceneStudy& study);
 
 /// Returns the study with its words and the shown configurations (scenes/shown_pairs.hpp), as

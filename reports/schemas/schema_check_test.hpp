@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What is written, held against reports/schemas/ by programs that know the schema languages.
+// Checks written files against reports/schemas/ by programs for the schema languages.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -30,7 +30,7 @@ class ScratchFile {
   const std::filesystem::path path;
 };
 
-/// Ends a test for want of a Debian package: skipped, but failed where CI=true.
+/// Skips a test without a Debian package, or fails it if CI=true.
 #define SKIP_WITHOUT(package)                                                         \
   do {                                                                                \
     if (const char* ci = std::getenv("CI"); ci && ci == std::string("true"))          \
@@ -43,7 +43,7 @@ inline bool succeeds(const std::string& command) {
   return std::system(("(" + command + ") >/dev/null 2>&1").c_str()) == 0;
 }
 
-/// A Python with the module jsonschema; empty where there is none (Debian: python3-jsonschema).
+/// A Python with the module jsonschema (Debian: python3-jsonschema), or empty.
 inline std::string schema_python() {  // the system's own has the Debian package, another one may come first
   for (const char* name : {"/usr/bin/python3", "python3"})
     if (succeeds(std::string(name) + " -c 'import jsonschema'")) return name;

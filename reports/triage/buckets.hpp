@@ -26,14 +26,14 @@
 
 namespace cyl {
 
-/// A cause: findings of which it is the same, and what is shown of them.
+/// A cause: the findings with this cause, and the data that is shown of them.
 struct Bucket {
   /// How often a method fails in the same way on pairs drawn from the stratum.
   struct Share {
     std::uint64_t wrong = 0, asked = 0;
   };
-  /// What a run saw of the cause: findings of one method that were looked at, and of the pairs that it was
-  /// asked in the families the part that this stands for.
+  /// The findings of one method that a run examined, and the number of pairs that they stand for: that part
+  /// of the method's pairs in the families.
   struct RunObservation {
     std::string run, started;
     Observation sight;
@@ -45,21 +45,21 @@ struct Bucket {
   Severity severity = Severity::resolution;  ///< the gravest
   std::uint64_t count = 0;                   ///< findings, kept or not
   std::uint64_t pairs = 0;             ///< that one method of it is wrong on, at most: what may be compared
-  std::vector<std::int64_t> findings;  ///< ids of those that are kept
+  std::vector<std::int64_t> findings;  ///< ids of the stored findings
   std::optional<Enclosure> margin;     ///< the least and the greatest lower bound
   std::vector<std::string> merged;     ///< keys of the simplified pairs
   nlohmann::json simplest, worst;      ///< in the form of the page's Case
   bool ordinary = true;                ///< the simplest is: is_ordinary()
   bool simplified = false;             ///< the simplest is; else it is as it was found
   bool seen_again = false;             ///< its method, asked alone, failed on the simplest
-  bool worst_was_searched = false;     ///< it is no finding
+  bool worst_was_searched = false;     ///< it is not a finding
   std::string feature, coordinate;     ///< of the simplest pair, in words
   Mechanism mechanism = Mechanism::unclassified;
   std::string cause;                ///< in words
-  std::vector<std::string> labels;  ///< likewise, this and what else may be said
+  std::vector<std::string> labels;  ///< the cause and further labels
   std::optional<Share> share;
-  std::optional<Recurrence> status;  ///< nothing where there is no earlier run
-  std::optional<double> chance;      ///< that the status is due to chance, where that was asked
+  std::optional<Recurrence> status;  ///< empty if there is no earlier run
+  std::optional<double> chance;      ///< probability that chance explains the status, if it was computed
   std::string first_seen, last_seen;
   std::string first_version, last_version;  ///< of its method, then
   std::vector<RunObservation> history;      ///< the runs that looked for it, the earliest first
@@ -78,7 +78,7 @@ ExaminedGroups examined_groups(const std::vector<GroupRecord>& groups,
                                const std::vector<FindingHead>& findings,
                                const std::vector<CauseRecord>& causes);
 
-/// What earlier triaged runs, and this one, tell of causes.
+/// The causes of a triaged run, for the comparison of runs.
 struct TriagedRun {
   std::string id, started;
   std::vector<MethodRecord> methods;  ///< those that are here
@@ -91,8 +91,8 @@ struct TriagedRun {
 /// In the form of the page's Bucket, in which it is stored too.
 nlohmann::json to_json(const Bucket& bucket);
 nlohmann::json to_json(const std::vector<Bucket>& buckets);
-/// Reads what to_json() wrote, but for the suppression. Throws nlohmann::json::exception where it is not
-/// that.
+/// Reads the output of to_json(), except for the suppression. Throws nlohmann::json::exception if the value
+/// has another form.
 Bucket bucket_from_json(const nlohmann::json& stored);
 
 /// All that is known of a run's findings.
@@ -107,12 +107,12 @@ struct TriageRecords {
 
 /// Whether x is the worse of two findings: a refuted verdict before all else, then the larger proved margin.
 bool is_worse(const FindingRecord& x, const FindingRecord& y);
-/// The proved margin of a finding; -1 where there is none.
+/// The proved margin of a finding, or -1 if there is none.
 double least_margin(const FindingRecord& finding);
 
-/// Returns how many findings a bucket stands for. Those that are not kept are counted by group (method, kind,
-/// severity, family) only: a group's are given to buckets as its kept ones are, the rest of a division to the
-/// larger parts first.
+/// Returns how many findings a bucket stands for. Findings that are not stored are only counted by group
+/// (method, kind, severity, family). The buckets share the count of a group in proportion to its stored
+/// findings. The remainder goes to the larger parts first.
 struct BucketCount {
   std::uint64_t findings = 0;
   std::map<std::string, std::uint64_t> by_method;
@@ -121,34 +121,35 @@ struct BucketCount {
 };
 std::map<std::string, BucketCount> count_by_bucket(const TriageRecords& records);
 
-/// Makes the buckets, those beyond claims first, then by count; status, first and last seen not yet set. The
-/// worst is that of the findings, or what was searched for where it is wrong today, in the same way and by a
-/// larger margin. The simplest is one on which its method, asked alone, fails today; where there is none, the
-/// first that was found, with what was said then. Asks every method about the simplest and the worst pair of
-/// each bucket, and the bucket's own about a sample of the stratum; once `out_of_time()`, the bucket's own
-/// about the simplest alone.
+/// Makes the buckets, those beyond claims first, then by count. Status, first and last seen are not set. The
+/// worst pair is that of the findings, or the result of the search if it is wrong now in the same way by a
+/// larger margin. The simplest pair is one on which its method, asked alone, fails now. If there is none, it
+/// is the first that was found, with its stored answer. Asks every method about the simplest and the worst
+/// pair of each bucket, and the bucket's own method about a sample of the stratum. Once `out_of_time()`, it
+/// asks the bucket's own method about the simplest pair only.
 std::vector<Bucket> make_buckets(const TriageRecords& records, const GroupedMethods& methods,
                                  const std::function<bool()>& out_of_time);
 
-/// Says of an earlier run's bucket whether what it stored fails today as it did then: nothing where that
-/// cannot be told.
+/// Returns whether the stored pair of an earlier run's bucket fails now as it did then, or nothing if that is
+/// unknown.
 using FailsToday = std::function<std::optional<bool>(const Bucket&)>;
 
-/// Sets what the run's buckets are since `earlier` triaged runs, the earliest first: status, chance, nights,
-/// first and last seen; and adds the last one's that the run does not have: known where a stored pair fails
-/// today, gone where all are right. Who was not asked in the run loses nothing. New ones come first, then
-/// what is back, then the others in their order; what is gone comes last.
+/// Sets status, chance, nights, first and last seen of the run's buckets, compared with `earlier` triaged
+/// runs, the earliest first. Adds the buckets of the last one that the run does not have: known if a stored
+/// pair fails now, gone if all are right. Methods that the run did not ask lose nothing. New buckets come
+/// first, then those that are back, then the others in their order, and last those that are gone.
 void compare_with_earlier(TriagedRun& run, const std::vector<TriagedRun>& earlier,
                           const FailsToday& fails_today);
 
 /// Marks what is suppressed, by its key.
 void suppress(std::vector<Bucket>& buckets, const std::vector<Suppression>& suppressions,
               std::string_view today);
-/// Returns "libccd-mpr.wrong_disjoint" of that key with '/': the name of the files of a bucket's pairs,
-/// without ending. What a file's name should not hold is replaced, and told apart by letters.
+/// Returns "libccd-mpr.wrong_disjoint" for that key with '/': the name of the files of a bucket's pairs,
+/// without the ending. Characters that a file name should not have are replaced, and letters distinguish such
+/// names.
 std::string file_name_of(std::string_view key);
 
-/// "1 new cause, 34 known, 1 gone", those that there are; "35 causes" where there is nothing to compare with.
+/// Returns "1 new cause, 34 known, 1 gone", without zeros, or "35 causes" without an earlier run.
 std::string what_changed(const std::vector<Bucket>& buckets);
 
 /// A line a bucket: findings, margins, what is wrong and the simplest pair.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What the page shows of a pair's distance: enclosed by the referee, with the direction and the points at
-// which it is attained.
+// The distance of a pair for the page: enclosed by the referee, with the direction and the points at which it
+// is attained.
 #pragma once
 
 #include <array>
@@ -22,8 +22,8 @@ struct CaseDistance {
   std::optional<std::pair<Vector3, Vector3>> nearest;  ///< on a, on b; the solver's, approximate
 };
 
-/// Encloses the distance of a pair with that truth, which is decided. `margin`: as it is known, or to be
-/// enclosed; an overlap is enclosed no narrower than that is worth. Cost: some 0.1 ms.
+/// Encloses the distance of a pair with that truth, which is decided. `margin`: the known one, or to be
+/// enclosed. An overlap is enclosed only as narrowly as it needs. Cost: some 0.1 ms.
 CaseDistance case_distance(const Pair& pair, Verdict truth, std::optional<Enclosure> margin);
 
 /// Adds truth.distance, margin, direction and nearest to a Case of reports/web/run/data.ts, as far as known.

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// What a cause shows of a pair: everybody's answer today. Who is blamed is asked in a worker of its own, so
-// that nothing that was asked before has a say; the others share workers, and one that hangs again and again
-// is left out.
+// The answers of all methods to a pair of a cause now. The blamed method is asked in a worker of its own, so
+// that earlier pairs cannot affect it. The others share workers, and a method that hangs repeatedly is left
+// out.
 #pragma once
 
 #include <cstddef>
@@ -25,7 +25,7 @@ struct ShownPair {
   std::vector<bool> asked;  ///< by method
 };
 
-/// A method and the way in which it is said to fail.
+/// A method and its kind of failure.
 struct FailingMethod {
   std::size_t method;
   FindingKind kind;
@@ -33,8 +33,8 @@ struct FailingMethod {
   bool operator==(const FailingMethod&) const = default;
 };
 
-/// Returns whether the method, asked alone in a worker of its own, fails on the pair in that way. What comes
-/// and goes does not.
+/// Returns whether the method, asked alone in a worker of its own, fails on the pair in that way. A failure
+/// that is not deterministic does not count.
 bool fails_alone(std::span<const std::unique_ptr<Method>> methods, const FailingMethod& blamed,
                  const Pair& pair);
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-// Triage: from the findings of a run to their causes. Each finding that is kept is classified
-// (oracles/trial/mechanism.hpp), and as many as the time allows are simplified with what fails, what meets
-// and the cause kept. For each cause a worse pair is searched for (reports/triage/worst_pair.hpp). What is
-// found out goes into FOLDER/triage.sqlite at once: a triage that is killed goes on where it was, and one
-// that is run again simplifies more.
+// Triage finds the causes of the findings of a run. It classifies each stored finding
+// (oracles/trial/mechanism.hpp). While there is time, it simplifies findings, with the kind of failure, the
+// contact feature and the cause unchanged. For each cause it searches for a worse pair
+// (reports/triage/worst_pair.hpp). It stores every result in FOLDER/triage.sqlite at once. So a triage that
+// is killed continues, and one that is run again simplifies more.
 #pragma once
 
 #include <chrono>
@@ -25,7 +25,7 @@ namespace cyl {
 struct TriageOptions {
   std::string folder;  ///< of the run
   std::vector<std::string>
-      against;  ///< triaged runs it is held against; none: those beside it that began before
+      against;  ///< triaged runs to compare with; if empty, the earlier runs in the same folder
   std::chrono::milliseconds budget{
       300'000};       ///< wall time, the page's included; overrun by a few questions a cause
   unsigned jobs = 2;  ///< processes; do not change the buckets
@@ -35,8 +35,8 @@ struct TriageOptions {
   std::string build;        ///< what was found out by another build is found out again
 };
 
-/// Returns what found out whatever a triage keeps: the build and its methods, with their versions; guests
-/// apart, whose findings are classified anew where their own version changed.
+/// Returns the source of stored results: the build and its methods, with their versions. Guests are not part
+/// of it, because their findings are classified again if their own version changes.
 std::string methods_line(const std::string& build, std::span<const std::unique_ptr<Method>> methods);
 
 struct TriageProgress {
@@ -53,13 +53,13 @@ struct Triage {
   std::vector<std::string> remarks;  ///< on earlier runs half looked at, and on suppressions
 };
 
-/// Triages a run. `methods`: all there are, and the guests. Throws UsageError where no run is there,
-/// std::runtime_error where a store cannot be used or a process ended in a way it should not.
+/// Triages a run. `methods` are all of this build and the guests. Throws UsageError if there is no run, and
+/// std::runtime_error if a store cannot be used or a process failed.
 Triage run_triage(const TriageOptions& options, std::span<const std::unique_ptr<Method>> methods,
                   const std::function<void(const TriageProgress&)>& on_progress = {});
 
-/// Returns the buckets that the last triage of a run left, as it stored them: an array of what to_json()
-/// makes of a Bucket; empty where the run was never triaged.
+/// Returns the buckets that the last triage of a run stored: an array of to_json(Bucket). It is empty if the
+/// run was never triaged.
 nlohmann::json buckets_json(const std::string& run_folder);
 
 /// Returns 2 for a cause beyond a claim that is not suppressed, 3 for none, but undecided truth or findings

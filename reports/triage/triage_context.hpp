@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the steps of a triage share: the findings of the run, who is asked, the store, the budget of time.
+// Shared by the steps of a triage: the findings of the run, the methods, the store, the budget of time.
 #pragma once
 
 #include <chrono>
@@ -35,13 +35,14 @@ struct Subject {
   Severity severity = Severity::contract;
   Pair pair;
 
-  /// What hangs or comes and goes tells nothing when it is asked again; what the claim allows has one cause.
+  /// Hangs and failures that are not deterministic reveal nothing on a second call. Findings within the claim
+  /// have one cause.
   bool can_be_classified() const {
     return method && kind && severity == Severity::contract && kind != FindingKind::hang && recurs();
   }
   bool can_be_simplified() const { return method && kind && recurs(); }
   bool recurs() const { return kind != FindingKind::nondeterminism && kind != FindingKind::state_dependent; }
-  /// Of a crash or a hang there is no margin; of touching, no search.
+  /// Crashes and hangs do not have a margin, and touching pairs cannot be searched.
   bool can_be_searched() const {
     return method && severity == Severity::contract &&
            (kind == FindingKind::wrong_disjoint || kind == FindingKind::wrong_intersecting);
@@ -76,7 +77,7 @@ struct TriageContext {
   GroupedMethods grouped() const { return {methods, groups}; }
   /// Opens the triage's own store; each process its own.
   TriageStore store() const { return {options.folder, asked_by}; }
-  // What the store has of findings whose guest is here; by finding.
+  // The stored causes, by finding, of findings whose guest is on this machine.
   std::vector<CauseRecord> causes() const { return here(store().causes()); }
   std::vector<SimpleRecord> simples() const { return here(store().simples()); }
 
@@ -84,8 +85,8 @@ struct TriageContext {
   bool out_of_time(double part = 1) const { return Clock::now() - start >= part * budget; }
   TriageProgress progress() const;
 
-  /// Does `work(job)` in as many processes at once as there are jobs, and shows progress meanwhile. Throws
-  /// std::runtime_error where one of them failed.
+  /// Calls `work(job)` in as many processes at once as there are jobs, and shows the progress. Throws
+  /// std::runtime_error if one of them failed.
   void in_processes(const std::function<void(unsigned job)>& work) const;
 
  private:
@@ -96,12 +97,12 @@ struct TriageContext {
   }
 };
 
-// The steps. Each goes on where an earlier triage was, and ends where the time does.
+// The steps. Each continues an earlier triage, and ends when the time does.
 
-/// Finds the cause of each finding that has none yet, until that part of the budget is used up; what another
-/// version of a guest told is told anew.
+/// Finds the cause of each finding that does not have one, until that part of the budget is used up. Causes
+/// from another version of a guest are found again.
 void classify_findings(const TriageContext& context, double part);
-/// Simplifies findings, likewise. What is cut goes on from what it came to. `known`: causes of earlier runs.
+/// Simplifies findings in the same way. A cut result is continued later. `known` are causes of earlier runs.
 void simplify_findings(const TriageContext& context, const std::set<std::string>& known, double part);
 /// Returns the findings to simplify: one of each cause after the other, new causes before known ones.
 std::vector<const Subject*> simplification_order(const TriageContext& context,

@@ -25,14 +25,15 @@ struct CauseSought {
   std::vector<Pair> starts;                        ///< on which it fails of this cause, the worst first
 };
 
-/// Returns which pairs are looked at. Where the cause is about size or place: from the least to the largest
-/// of the starts, since beyond them everybody is wrong by any margin. Else ordinary ones.
+/// Returns the domain of the search. If the cause is about size or position, it extends from the least to the
+/// largest of the starts, because beyond them every method is wrong by any margin. Else it has ordinary
+/// pairs.
 Domain domain_of(Mechanism mechanism, std::span<const Pair> starts);
 
-/// Returns the pair of the largest margin found, beyond the method's claim, wrong in the same way of the same
-/// cause; nothing where none is. `options.domain` is not used. Deterministic where the
-/// cap on shapes ends it. Cost: that of worst_of(), and some milliseconds for every pair that would be the
-/// worst yet.
+/// Returns the pair with the largest margin beyond the method's claim that is wrong in the same way
+/// by the same cause, or nothing. `options.domain` is not used. Deterministic if the limit on shapes
+/// ends it. Cost: that of worst_of(), and some milliseconds for each pair that would be the worst so
+/// far.
 std::optional<WrongPair> worst_of_cause(const GroupedMethods& methods, const CauseSought& cause,
                                         WorstOptions options, const Caps& caps);
 

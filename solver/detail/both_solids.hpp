@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The first slice and the five directions of one pair, both solids at a time: what sections.hpp says of one
-// solid and of the other is one operation on two numbers here. The same roundings in the same order, so the
-// same verdicts.
+// The first slice and the five directions of one pair, for both solids at a time. What sections.hpp computes
+// for each solid is one operation on two numbers here. The roundings and their order are the same, so the
+// verdicts are the same.
 #pragma once
 
 #include "solver/detail/frame.hpp"
@@ -57,7 +57,7 @@ struct SectionsOfBoth {
   return dot(a.unit_axis, b.unit_axis);
 }
 
-/// Of a pair whose axes have that cosine, at most steep_cosine.
+/// For a pair of axes with that cosine, at most steep_cosine.
 [[gnu::always_inline]] inline SectionsOfBoth sections_of_both(const Prepared& a, const Prepared& b,
                                                               double cosine) noexcept {
   const Vector3 &v = a.unit_axis, &w = b.unit_axis;

@@ -26,8 +26,8 @@ inline Vector3 times_power(const Vector3& x, int exponent) noexcept {
 
 inline double reach_of(const Scaled& p) noexcept { return p.r0 + p.h0 + p.r1 + p.h1 + length(p.delta); }
 
-// By how much decide() grows and shrinks solids where rounding has the word, of the reach: 64 units of
-// rounding of separation_error, and such that sqrt(8) of it, twice the size for the reach, is below 1e-13.
+// How much decide() grows and shrinks solids if rounding decides, relative to the reach: 64 units of rounding
+// of separation_error. sqrt(8) of it, twice the size for the reach, is below 1e-13.
 inline constexpr double proof_slack_tol = 0x1p-46;
 
 // A solid no thicker than that is taken for flat: a common point in its plane or line needs no room across
@@ -37,12 +37,12 @@ inline Hull hull_of(double r, double h, double reach) noexcept {
   return thin && low ? Hull::center : thin ? Hull::line : low ? Hull::plane : Hull::space;
 }
 
-// What is to be decided, and where its certificate goes: each is checked against these solids.
+// The question, and the place of its certificate. Each is checked against these solids.
 struct ProofTask {
   ProofTask(const Scaled& of, const Base& from, Answer& to) noexcept
       : solids(of), base(from), answer(to), reach(reach_of(of)) {}
-  // Something was found that leaves no gap, or no ball in both, that a double shows; in the scene's unit,
-  // where that is not so small that rounding is coarser there.
+  // True if an evaluation leaves no gap, or no ball in both, that a double shows. In the scene's unit, if
+  // that is not so small that rounding is coarser there.
   bool no_gap() const noexcept {
     return base.exponent > coarse_exponent && outside <= separation_error * reach;
   }
@@ -54,8 +54,8 @@ struct ProofTask {
   const Base& base;
   Answer& answer;
   double reach;
-  // Of what was tried in vain: the least f(D)/|D| of a direction, and how far the best point is outside the
-  // farther of the two solids.
+  // The results of failed attempts: the least f(D)/|D| of a direction, and how far the best point is outside
+  // the farther of the two solids.
   double overlap = std::numeric_limits<double>::infinity();
   double outside = std::numeric_limits<double>::infinity();
 };
@@ -77,9 +77,10 @@ struct Place {
   double along, across, away;
 };
 
-// Whether the point of both hulls nearest to x, which is looked at from both solids, lies inside both solids
-// beyond rounding. It is no farther from x than x is off the one hull, or, where planes cross, or a plane and
-// a line, off both over the sine of their angle (and twice that for the line, which x goes along).
+// Whether the point of both hulls nearest to x, as seen from both solids, lies inside both solids beyond
+// rounding. It is no farther from x than x is off the one hull. If planes cross, or a plane and a line, it is
+// no farther than x is off both, over the sine of their angle (and twice that for the line, which x goes
+// along).
 inline bool in_both(const Scaled& p, const Place& at0, const Place& at1, Hull hull0, Hull hull1) noexcept {
   const double error = membership_error * (at0.away + length(p.delta)) + underflow_error;
   double move = 0;
@@ -117,8 +118,8 @@ inline bool try_direction(ProofTask& q, Vector3 d) noexcept {
 }
 
 inline bool try_point(ProofTask& q, const Vector3& x) noexcept {
-  // The certificate is what is handed out, so that is what gets checked: back in the scene's unit, where a
-  // subnormal coordinate may have lost bits.
+  // The returned certificate is the one that is checked: back in the scene's unit, where a subnormal
+  // coordinate may have lost bits.
   const Scaled& p = q.solids;
   const int exponent = q.base.exponent;
   const Vector3 tail = times_power(x, exponent), given = times_power(tail, -exponent);

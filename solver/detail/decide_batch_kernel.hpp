@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// decide() in lanes, where the first sight proves it (decide.cpp): the same operations in the same order, so
-// the same certificates. Included by one translation unit for each instruction set, as
-// intersect_batch_kernel.hpp; CYL_DECIDE_KERNEL is the name of its entry.
+// decide() in lanes, if the first sight proves it (decide.cpp): the same operations in the same order, so the
+// same certificates. Included by one translation unit for each instruction set, like
+// intersect_batch_kernel.hpp. CYL_DECIDE_KERNEL is the name of its entry.
 #pragma once
 
 #include "solver/detail/intersect_batch_kernel.hpp"
@@ -124,7 +124,8 @@ struct SumOfSquares {
   return overlaps;
 }
 
-/// find_point(), and for lanes of `asked` where that fails but the filter has them meet find_point_again().
+/// find_point(), and find_point_again() for lanes of `asked` in which that fails but the filter has an
+/// overlap.
 [[gnu::always_inline]] inline Mask prove_overlap(const Pieces& of, Mask asked, Lanes error, Lanes least_det,
                                                  Lanes (&tail)[3]) {
   SumOfSquares s = sum_of_squares(of);

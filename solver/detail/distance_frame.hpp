@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What distance.cpp works in: f, the frame with all signs turned, the lowest point of a circle. For the files
-// of solver/ alone. Symbols as in distance.md.
+// The working frame of distance.cpp: f, the frame with all signs turned, the lowest point of a circle. Only
+// for files of solver/. Symbols as in distance.md.
 #pragma once
 
 #include <Eigen/Geometry>
@@ -25,8 +25,8 @@ inline Vector3 nearest(const Vector3& x, const Vector3& w, double r, double h) n
   return larger(-h, smaller(h, along)) * w + shrink * radial;
 }
 
-// The point of a centred solid farthest along the unit vector d; where that is a face or a line within
-// `error`, its middle.
+// The point of a centred solid farthest along the unit vector d. If that is a face or a line within `error`,
+// its middle.
 inline Vector3 farthest(const Vector3& d, const Vector3& w, double r, double h, double error) noexcept {
   const double along = dot(d, w);
   const Vector3 radial = d - along * w;
@@ -70,9 +70,9 @@ struct Turn {
   double x, y;
 };
 
-// Section 2. On the circle square to one axis: D = x n + y m, x and y >= 0. Beyond x = 1 the part of f that
-// varies, r sqrt(x^2 + c^2 y^2) - z x - e y, has at most one minimum inside the quarter: E(t) = its
-// derivative over x, t = y/x, is convex, and the minimum is at the larger root. {1, 0} where there is none.
+// Section 2. On the circle perpendicular to one axis: D = x n + y m, x and y >= 0. Beyond x = 1 the varying
+// part of f, r sqrt(x^2 + c^2 y^2) - z x - e y, has at most one minimum inside the quarter. E(t) = its
+// derivative over x, t = y/x, is convex, and the minimum is at the larger root. {1, 0} if there is none.
 inline Turn lowest_on_circle(double z, double e, double r, double s, double c, int& steps) noexcept {
   const double bend = r * s * s, cc = c * c;
   if (!(e > 0) && z >= bend) return {1, 0};  // E >= 0 everywhere
@@ -112,8 +112,8 @@ inline Turn lowest_on_circle(double z, double e, double r, double s, double c, i
   return {t * y, y};
 }
 
-// Whether f is nowhere below `low` on the circle square to an axis of radius `own`, z and e as above, both
-// >= 0 but for e: sqrt(x^2 + c^2 y^2) is at least x, and at least 1 - (1 - c) y.
+// Whether f >= `low` on the circle perpendicular to an axis of radius `own`. z and e as above, both >= 0
+// except for e. sqrt(x^2 + c^2 y^2) is at least x, and at least 1 - (1 - c) y.
 inline bool circle_is_above(double z, double e, double own, double other, double c, double low) noexcept {
   const double room = own - low, from_z = larger(0, z - other), from_e = larger(0, e);
   const double both = room + other, from_chord = larger(0, e + other * (1 - c));

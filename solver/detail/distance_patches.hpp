@@ -14,7 +14,7 @@ inline constexpr int patch_box_cap = 5;  // boxes looked at of one pair of rims;
 // Up to there axes count as square.
 inline constexpr double square_cosine = 0.125;
 
-// What a number may be.
+// The range of a number.
 struct ValueRange {
   double low, high;
 
@@ -32,10 +32,10 @@ inline ValueRange both_of(ValueRange a, ValueRange b) noexcept {
   return {larger(a.low, b.low), smaller(a.high, b.high)};
 }
 
-// Of solids that overlap. Where f is least, inside the patch of a rim of each solid, y = -f D with 0 <= f <=
-// most: that leaves a box of the rims' coordinates along m0 and m1, often none.
+// For solids that overlap. If f is least inside the patch of a rim of each solid, then y = -f D with 0 <= f
+// <= most. That leaves a box of the rims' coordinates along m0 and m1, often none.
 class PatchSearch {
-  // Of the two points, along m0 and along m1.
+  // The ranges of the two points, along m0 and along m1.
   struct Box {
     ValueRange q0, q1;
   };
@@ -83,7 +83,7 @@ class PatchSearch {
     return left_ == 0;
   }
 
-  // Takes the middle of the next box left that is not above the depth known by now; false where there is
+  // Takes the middle of the next remaining box that is not above the known depth; false if there is
   // none.
   bool next_open(Rims& open) noexcept {
     while (left_ > 0) {
@@ -122,8 +122,8 @@ class PatchSearch {
     return std::sqrt((r - size) * (r + size));
   }
 
-  // First what shows half of the boxes, then the rest at once, since nobody can predict which part of it
-  // tells.
+  // First the tests that exclude half of the boxes, then the rest at once, because branch predictors cannot
+  // predict which of them excludes a box.
   bool is_above(const Box& box) const noexcept {
     const auto& [q0, q1] = box;
     ValueRange p0{along_n(p_.r0, q0.most_size()), 0}, p1{along_n(p_.r1, q1.most_size()), 0};
@@ -143,8 +143,8 @@ class PatchSearch {
 
   static double square_of(ValueRange x) noexcept { return x.least_size() * x.least_size(); }
 
-  // Whether y is nowhere opposite to what of D is square to the axis: p and q along n and m, where -y has n
-  // and y has m. A point, of radius 0, has all directions.
+  // Whether y is never opposite to the part of D perpendicular to the axis: p and q along n and m, where -y
+  // has n and y has m. A point, of radius 0, has all directions.
   bool is_askew(double r, ValueRange p, ValueRange q, ValueRange n, ValueRange m) const noexcept {
     const bool turned = q.low < 0;
     const double near = turned ? -q.high : q.low, far = turned ? -q.low : q.high, slack = 2 * error_ * r;

@@ -30,8 +30,8 @@ class RimPoints {
         e1_(f.e1 - start.side0 * p.h0 * f.s),
         l0_(f.d0 - start.side0 * p.h0 - start.side1 * p.h1 * f.c) {}
 
-  // Newton on |y|^2 over the two angles, from where it is, to a local minimum; false where that will be more
-  // than `low`, short of it. Inlined for 7 % of the time.
+  // Newton on |y|^2 over the two angles, from the current ones, to a local minimum. False if that will be
+  // more than `low`; then it stops early. Inlining gains 7 % of the time.
   [[gnu::always_inline]] bool come_near(int& steps, double low) noexcept {
     double last = std::numeric_limits<double>::infinity();
     Rims kept = k;
@@ -81,15 +81,15 @@ class RimPoints {
     double turn0 = 0, turn1 = 0;  // of the angles
     double det = 1, own = 1;      // of the equations: the determinant, and what it is without t0.t1
     bool bowl = true;             // whether |y|^2 is bent upwards in all directions
-    // Beside how well the equations are conditioned, or in any case.
+    // Small compared with the condition of the equations, or small anyway.
     bool is_small() const noexcept {
       const double most = larger(turn0 * turn0, turn1 * turn1);
       return most * own <= 0x1p-40 * det || most <= 0x1p-90;
     }
   };
 
-  // Four times what the model promises, at steps that are small, neither brings |y| down to `low` nor y to
-  // the inner side of both rims, where it is at a minimum of f.
+  // Four times the promise of the model, at small steps, brings neither |y| down to `low` nor y to the inner
+  // side of both rims, which would be a minimum of f.
   bool is_vain(const Step& step, double now, double low) const noexcept {
     constexpr double settled_turn = 0.125, most = std::numeric_limits<double>::infinity();
     const double turn0 = std::fabs(step.turn0), turn1 = std::fabs(step.turn1);
@@ -117,9 +117,9 @@ class RimPoints {
   double bend1() const noexcept { return k.x1 * yn_ + k.y1 * y1_; }
   double tangents() const noexcept { return k.y0 * k.y1 - f_.c * k.x0 * k.x1; }  // t0.t1
 
-  // The equations of section 3, the second one replaced by its difference from the first. Where they are not
-  // positive definite, with -y.u_i/4 for a negative y.u_i: downwards in any case. A step above 1/2 is
-  // shortened in both angles alike, or it would be downwards no more.
+  // The equations of section 3, with the second one replaced by its difference from the first. If they are
+  // not positive definite, it uses -y.u_i/4 for a negative y.u_i, which goes downwards in any case. A step
+  // above 1/2 is shortened in both angles alike, or it might not go downwards.
   [[gnu::always_inline]] Step newton() const noexcept {
     Step step;
     const double b = tangents(), sign = std::copysign(1.0, b), across = p_.r0 * p_.r1 * square_;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Numbers of twice the digits of double, as unevaluated sums of two doubles: what sections.hpp is to work in
-// where rounding in double has the word. Relative errors of every operation: at most 2^-100 (Dekker 1971,
-// Knuth's two-sum; no fused operations, so the same on any machine). Within 2^-400 and 2^400.
+// Numbers of twice the digits of double, as unevaluated sums of two doubles. sections.hpp uses them if
+// rounding in double decides. Relative errors of every operation: at most 2^-100 (Dekker 1971, Knuth's
+// two-sum; no fused operations, so the same on any machine). Within 2^-400 and 2^400.
 #pragma once
 
 #include "solver/detail/sections.hpp"
@@ -22,7 +22,7 @@ inline DoubleDouble exact_sum(double a, double b) noexcept {
   return {sum, (a - (sum - part)) + (b - part)};
 }
 
-// The same where |a| >= |b|.
+// The same if |a| >= |b|.
 inline DoubleDouble ordered_sum(double a, double b) noexcept {
   const double sum = a + b;
   return {sum, b - (sum - a)};

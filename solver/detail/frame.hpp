@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// A pair at work, in doubles: brought to a unit where nothing overflows, its common normal, its slices. For
-// the files of solver/ alone. Symbols as in derivation.md: half heights, Delta from the first centre to the
-// second.
+// A pair prepared for the computation in doubles: brought to a unit in which nothing overflows, with its
+// common normal and its slices. Only for files of solver/. Symbols as in derivation.md: half heights, Delta
+// from the first centre to the second.
 #pragma once
 
 #include <Eigen/Geometry>
@@ -42,8 +42,8 @@ T middle_of_both(T reach0, T center1, T reach1) noexcept {
   return (larger(-reach0, center1 - reach1) + smaller(reach0, center1 + reach1)) * T(0.5);
 }
 
-// The fixed order of the roles that makes the swap law hold bit for bit: it looks at nothing that scaling by
-// 2^k or reversing an axis changes. True where b comes first.
+// The fixed order of the roles, which makes the swap law hold bit for bit. It does not depend on anything
+// that scaling by 2^k or reversing an axis changes. True if b comes first.
 inline bool out_of_order(const Prepared& a, const Prepared& b) noexcept {
   if (a.radius != b.radius) return a.radius > b.radius;
   if (a.height != b.height) return a.height > b.height;
@@ -54,9 +54,9 @@ inline bool out_of_order(const Prepared& a, const Prepared& b) noexcept {
   return false;
 }
 
-// The pair in a unit of 2^exponent in which nothing below overflows or loses digits to underflow: the scene's
-// own where both solids are ordinary (prepare), else the one in which the largest of radii, heights and
-// |Delta| is in [1, 2). Powers of two change no digit, so which of the two it is cannot be seen in an answer.
+// The pair in a unit of 2^exponent in which nothing below overflows or loses digits to underflow. If both
+// solids are ordinary (prepare), it is the scene's unit. Else the largest of radii, heights and |Delta| is in
+// [1, 2). Powers of two change no digit, so answers do not show which of the two it is.
 struct Scaled {
   const Vector3 &w0, &w1;
   Vector3 delta;
@@ -80,8 +80,8 @@ inline Scaled scale(const Prepared& a, const Prepared& b, double room = 0) noexc
   const double widest = larger(larger(larger(a.radius, b.radius), larger(a.height, b.height)), room);
   Vector3 delta = b.center - a.center;
   double most = larger(widest, max_abs(delta));
-  // `before` brings back a Delta that overflowed (what vanishes beside it does not matter), brings the
-  // largest lengths to where a normal factor takes them to 1, and lifts subnormal pairs likewise.
+  // `before` restores a Delta that overflowed (smaller terms do not matter then). It brings the largest
+  // lengths to where a normal factor takes them to 1, and lifts subnormal pairs in the same way.
   int shift = 0;
   if (!(most < 0x1p1023))
     shift = -100;
@@ -103,9 +103,9 @@ inline Scaled scale(const Prepared& a, const Prepared& b, double room = 0) noexc
           height0 * half, radius1 * unit, height1 * half, exponent - shift};
 }
 
-// w0 x w1 from the sum and the difference of the axes (one taken backwards where they are opposite): but for
-// the rounding of their lengths those two are perpendicular, so their cross product is accurate relative to
-// its own length at any angle. Swapping the roles changes at most the sign of `cross`.
+// w0 x w1 from the sum and the difference of the axes (with one reversed if they are opposite). Up to the
+// rounding of their lengths these two are perpendicular, so their cross product is accurate relative to its
+// own length at any angle. Swapping the roles changes at most the sign of `cross`.
 struct Axes {
   Axes(const Vector3& w0, const Vector3& w1) noexcept : cosine(dot(w0, w1)) {
     const Vector3 aligned = w1 * std::copysign(1.0, cosine);
@@ -116,8 +116,8 @@ struct Axes {
   }
   bool parallel() const noexcept { return square < parallel_square; }
 
-  // x along w0 and along w1, from its parts along sum and difference: rounding then does nearly the same to
-  // both, as a shift along the axes would, and their difference stays as accurate as it is small.
+  // x along w0 and along w1, from its parts along sum and difference. Rounding then changes both almost
+  // equally, like a shift along the axes, and their difference stays as accurate as it is small.
   std::array<double, 2> along(const Vector3& x) const noexcept {
     const double middle = 0.5 * dot(x, sum), half = 0.5 * dot(x, difference);
     return {middle + half, std::copysign(1.0, cosine) * (middle - half)};
@@ -208,7 +208,7 @@ struct Parallel {
         distance(length(delta.cross(w))),
         stacked(std::fabs(along) > heights),
         beside(distance > radii) {}
-  // Square to w also where nearly all of Delta is along it.
+  // Perpendicular to w even if nearly all of Delta is along it.
   Vector3 across() const noexcept {
     const Vector3 off = delta - along * w;
     return (off - dot(off, w) * w) / distance;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What intersect_batch.cpp and its kernels say to each other, without a type that needs a header.
+// The interface between intersect_batch.cpp and its kernels, without a type that needs a header.
 #pragma once
 
 namespace cyl {
@@ -9,7 +9,7 @@ inline constexpr unsigned batch_chunk = 1024;
 
 /// A record is a Prepared: eight doubles, then flags (intersect_batch.cpp checks it).
 inline constexpr unsigned long long record_bytes = 80;
-inline constexpr unsigned long long record_ordinary = 65;  ///< where the flag `ordinary` is
+inline constexpr unsigned long long record_ordinary = 65;  ///< the position of the flag `ordinary`
 
 struct BatchJob {
   const unsigned char *a, *b;  ///< the sets' first records

@@ -123,8 +123,8 @@ unsigned bits(Mask mask) {
   return p;
 }
 
-/// What `settle` of intersect.cpp does, for lanes that are not decided by the separating-axis filter; `open`
-/// keeps those that reach the cap.
+/// The work of `settle` of intersect.cpp, for lanes that the separating-axis filter does not decide. `open`
+/// keeps the lanes that reach the cap.
 Mask resolve_at_edge(const Sections<Lanes>& f, Mask& open) {
   const auto at = corner(in_order(f));
   Mask overlaps = at.overlaps;

@@ -6,7 +6,7 @@ namespace cyl {
 /// Steps inside an edge before `undecided`. Exact arithmetic never reaches it (derivation.md, section 5).
 inline constexpr int iteration_cap = 200;
 
-/// Those of decide() in all: of the search in double, and of two in twice the digits.
+/// The cap of all searches of decide(): of the search in double, and of two in twice the digits.
 inline constexpr int decide_iteration_cap = 3 * iteration_cap;
 
 }  // namespace cyl

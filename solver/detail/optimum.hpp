@@ -13,7 +13,7 @@
 
 namespace cyl {
 
-// The five directions and the slice that decide most pairs; true where they leave nothing to search.
+// The five directions and the slice that decide most pairs. True if nothing is left to search.
 template <class F>
 bool prove_by_filter(ProofTask& q, const Scaled& p, const F& frame) noexcept {
   using T = typename F::Scalar;
@@ -34,7 +34,7 @@ bool prove_by_filter(ProofTask& q, const Scaled& p, const F& frame) noexcept {
   return filter.overlaps && try_slice(q, p, frame, radii > 0 ? frame.slices().z * T(p.r0 / radii) : T(0));
 }
 
-// The middle of the slices where both widths suffice: those at most u from C0 and v from C1.
+// The middle of the slices in which both widths suffice: at most u from C0 and v from C1.
 template <class F, class T>
 bool try_middle(ProofTask& q, const Scaled& p, const F& frame, T u, T v) noexcept {
   return try_slice(q, p, frame, middle_of_both(u, frame.slices().z, v));
@@ -46,10 +46,10 @@ struct Widths {
   T x, u, y, v;
 };
 
-// Half lengths u and v at the widths demanded that leave a gap, u + v < z. Beside a tip (u or v is 0) the
-// multipliers, x/u and y/v, are without bound. A quarter of the gap more for either, and the widths that go
-// with it, demand less: with u' + v' < z still, their direction has f <= u' + v' - z, because r^2 - x' x <=
-// u'^2 where x' <= x.
+// Half lengths u and v at the demanded widths that leave a gap, u + v < z. Near a tip (u or v is 0) the
+// multipliers, x/u and y/v, are unbounded. A quarter of the gap more for either, and the widths that go with
+// it, demand less. With u' + v' < z still, their direction has f <= u' + v' - z, because r^2 - x' x <= u'^2
+// for x' <= x.
 template <class T>
 Widths<T> beside_tips(T r0, T u, T r1, T v, T z) noexcept {
   const T spare = (z - (u + v)) * T(0.25);
@@ -76,8 +76,8 @@ void separate_at_corner(ProofTask& q, const F& frame, const At& at) noexcept {
   };
   const auto [x, u, y, v] = beside_tips(f.r0, at.u, f.r1, at.v, at.z);
   if (try_widths(x, u, y, v)) return;
-  // Where a demand is more than a radius, or the multipliers of these leave the cone of the demands':
-  // demanding less leaves room for all directions.
+  // If a demand is more than a radius, or the multipliers leave the cone of the demands, then smaller demands
+  // leave room for all directions.
   for (const double share : {1.0, 0.5, 0.25}) {
     const T less0 = T(share) * at.x, less1 = T(share) * at.y;
     if (try_widths(less0, root(positive((f.r0 - less0) * (f.r0 + less0))), less1,
@@ -90,7 +90,7 @@ void separate_at_corner(ProofTask& q, const F& frame, const At& at) noexcept {
 template <class F, class T>
 void separate_at_top(ProofTask& q, const F& frame, int line, const Edge<T>& e, T u, T cv) noexcept {
   const auto [x, u_now, y, v] = beside_tips(e.ra, u, e.rb, cv / e.c, e.z);
-  // untaken: x is 0 where the radius is, and u with it; a tip, of width 0, is no top, since k > 0
+  // untaken: x is 0 if the radius is, and u with it; a tip, of width 0, cannot be a top, since k > 0
   const T slope = x > T(0) || u_now > T(0) ? u_now : T(1), cb = e.c * y, c_v = e.c * v;
   try_direction(q, frame.direction(line, frame.f.s * (cb * slope), line == 2 ? 1 : 0,
                                    positive(e.c * (x * c_v) - cb * slope), e.c * frame.f.s * (slope * c_v)));
@@ -144,14 +144,14 @@ void prove_on_edge(ProofTask& q, const Scaled& p, const F& frame, const At& at) 
   }
 }
 
-// What is searched is `p`: the pair itself, or one a little larger or smaller.
+// The search runs on `p`: the pair itself, or one a little larger or smaller.
 template <class F>
 void prove_at_optimum(ProofTask& q, const Scaled& p, const F& frame) noexcept {
   const auto at = corner(frame.f);
   if (at.overlaps && try_middle(q, p, frame, at.u, at.v)) return;
   if (at.rises2 | at.rises3) prove_on_edge(q, p, frame, at);
-  // Also where the edge gave no proof: with axes all but square its first steps are shorter than a rounding
-  // of the widths, and H at the corner is as great as anywhere.
+  // Also if the edge gave no proof. With axes almost perpendicular its first steps are shorter than a
+  // rounding of the widths, and H at the corner is as great as anywhere.
   if (q.answer.proof == Proof::none && !at.overlaps) separate_at_corner(q, frame, at);
   if (q.answer.proof != Proof::none) return;
   // So that q knows how near both are.

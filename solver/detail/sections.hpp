@@ -33,7 +33,7 @@ struct Couple {
   T r0, h0, r1, h1;
 };
 
-/// What the slices parallel to both axes are made of (derivation.md, section 1).
+/// The parts of the slices parallel to both axes (derivation.md, section 1).
 template <class T>
 struct Sections {
   T r0, r1;
@@ -93,7 +93,7 @@ template <class T>
   return sections(p, products(p));
 }
 
-/// The same at any angle, for s2 >= parallel_square: with w1 turned round where the axes point apart, all
+/// The same at any angle, for s2 >= parallel_square. With w1 reversed if the axes point apart, everything
 /// comes from their difference (section 6).
 template <class T>
 Sections<T> shallow_sections(const Couple<T>& p) noexcept {
@@ -103,8 +103,8 @@ Sections<T> shallow_sections(const Couple<T>& p) noexcept {
   const T ex = p.w0x - ax, ey = p.w0y - ay, ez = p.w0z - az;
   const T sx = p.w0x + ax, sy = p.w0y + ay, sz = p.w0z + az;
   const T nx = 0.5 * (ey * sz - ez * sy), ny = 0.5 * (ez * sx - ex * sz), nz = 0.5 * (ex * sy - ey * sx);
-  // Delta along the axes, from its parts along their sum and their difference: what rounding does to the
-  // first it does to both, as a shift along the axes would.
+  // Delta along the axes, from its parts along their sum and their difference. Rounding of the first part
+  // changes both equally, like a shift along the axes.
   const T de = p.dx * ex + p.dy * ey + p.dz * ez, middle = 0.5 * (p.dx * sx + p.dy * sy + p.dz * sz);
   const T d0 = middle + 0.5 * de, d1 = middle - 0.5 * de;
   const T e0 = ex * p.w0x + ey * p.w0y + ez * p.w0z, e1 = ex * ax + ey * ay + ez * az;
@@ -133,9 +133,9 @@ auto apart_in_parallel(const Couple<T>& p) noexcept {
   return (magnitude(along) > 2.0 * (p.h0 + p.h1)) | (ax * ax + ay * ay + az * az > reach * reach);
 }
 
-/// The roles in an order of their own, which neither scaling by 2^k nor reversing an axis nor swapping the
-/// roles changes: what comes after separating_axis_filter is not symmetric. Where all of it is equal, so are
-/// the roles.
+/// The roles in an order of their own, which scaling by 2^k, reversing an axis and swapping the roles do
+/// not change. The code after separating_axis_filter is not symmetric. If all of it is equal, so are the
+/// roles.
 template <class T>
 Sections<T> in_order(const Sections<T>& f) noexcept {
   const auto swapped =
@@ -163,8 +163,8 @@ T signed_square(T x) noexcept {
   return x * magnitude(x);
 }
 
-/// Five rejections and one slice, in squares, without a division or a root: they decide most pairs (section
-/// 2). Symmetric in the roles bit for bit. Where both are true, apart counts.
+/// Five rejections and one slice, in squares, without a division or a root. They decide most pairs (section
+/// 2). Symmetric in the roles bit for bit. If both are true, apart counts.
 template <class T>
 [[gnu::always_inline]] inline auto separating_axis_filter(const Sections<T>& f) noexcept {
   const T radii = f.r0 + f.r1, most2 = f.r0 + f.c * f.r1, most3 = f.c * f.r0 + f.r1;
@@ -188,8 +188,8 @@ auto too_long(T r, T least, T half) noexcept {
   return least * least + half * half > r * r * T(1 + square_error);
 }
 
-/// The corner of the widths (x, y) that the normals demand, nearest to where H is greatest, and which way H
-/// still rises from it (section 3).
+/// The corner of the widths (x, y) that the normals demand, nearest to the maximum of H, and the direction in
+/// which H still rises from it (section 3).
 template <class T, class Mask>
 struct Corner {
   T r0, r1, c, z;
@@ -234,8 +234,8 @@ auto corner(const Sections<T>& f) noexcept {
       f.r0, f.r1, c, z, x0, y0, k2, k3, x, y, u, v, on2, on3, rises2, rises3, overlaps, cannot_improve};
 }
 
-/// One line a + c b = k of the two, from the corner up to where a is least: solid `a` has weight 1 in it,
-/// solid `b` weight c.
+/// One line a + c b = k of the two, from the corner up to the least a: solid `a` has weight 1 in it, solid
+/// `b` weight c.
 template <class T>
 struct Edge {
   T ra, rb, c, z, k;
@@ -255,7 +255,7 @@ struct Top {
   Mask here, overlaps;  ///< H is greatest at the edge's far end; and is >= 0 there
 };
 
-/// The far end, where a's width is least.
+/// The far end, at which a's width is least.
 template <class T>
 auto top(const Edge<T>& e) noexcept {
   const T cb = e.k - e.least_width;
@@ -266,7 +266,7 @@ auto top(const Edge<T>& e) noexcept {
 }
 
 /// Inside the edge: F(t) = ra sqrt(1 + t^2) + rb sqrt(c^2 + t^2) - k - z t, the support gap of the direction
-/// e + t n, is convex, and the solids meet iff its least value is not negative (section 5).
+/// e + t n, is convex. The solids meet iff its least value is not negative (section 5).
 template <class T, class Mask>
 struct Step {
   T t;                   ///< where to look next
@@ -281,9 +281,9 @@ struct Start {
   T t;    ///< a better one, not below `low`
 };
 
-/// Where the search begins (section 5): bounds of the minimum's t from either side, the first of them exact
-/// for small t, the second for large. Neither is above 64: F(t) is known to a rounding of sqrt(1 + t^2), and
-/// F might be below 0 by more than that at small t alone.
+/// The start of the search (section 5): bounds of the minimum's t from either side, the first of them exact
+/// for small t, the second for large. Neither is above 64. F(t) is known up to a rounding of sqrt(1 + t^2),
+/// and only at small t can F be below 0 by more than that.
 template <class T>
 Start<T> start(const Edge<T>& e) noexcept {
   const T radii = e.ra + e.rb, q = root(positive((radii - e.z) * (radii + e.z)));

@@ -18,8 +18,8 @@ struct PlanePoint {
   T x, y;
 };
 
-// A point that is often in both: on the line along r's longer side that passes other's centre as near as well
-// inside r it can, the middle of what both rectangles cut out of it.
+// A point that is often in both. It is on the line along r's longer side that passes other's centre as near
+// as possible inside r: the middle of the part that both rectangles cut out of it.
 template <class T>
 PlanePoint<T> on_long_side(const Rectangle<T>& r, const Rectangle<T>& other) noexcept {
   constexpr double inwards = 0.75;
@@ -38,8 +38,8 @@ PlanePoint<T> on_long_side(const Rectangle<T>& r, const Rectangle<T>& other) noe
   const T middle1 = (ey * other.ax - ex * other.ay) * inverse1, width1 = other.across * magnitude(inverse1);
   const T lo = larger(-longer, larger(middle0 - width0, middle1 - width1));
   const T hi = smaller(longer, smaller(middle0 + width0, middle1 + width1));
-  // Where next to nothing is left, rounding may have lo > hi, since a side of the other all but along the
-  // line ends anywhere on it: the side that crosses it has the last word.
+  // If almost nothing is left, rounding may give lo > hi, because a side of the other that is almost along
+  // the line can end anywhere on it. The side that crosses it decides.
   const bool crosses0 = magnitude(inverse0) < magnitude(inverse1);
   const T middle = crosses0 ? middle0 : middle1, width = crosses0 ? width0 : width1;
   const T t =
@@ -47,8 +47,8 @@ PlanePoint<T> on_long_side(const Rectangle<T>& r, const Rectangle<T>& other) noe
   return {r.x + ox + t * lx, r.y + oy + t * ly};
 }
 
-// Deep in both: rectangle 1 clipped by rectangle 0 grown by `slack`, so that rounding does not lose a
-// splinter; the mean of what is left. False where nothing is left.
+// Deep in both: rectangle 1 clipped by rectangle 0, grown by `slack` so that rounding does not lose a
+// splinter. The mean of the rest; false if nothing is left.
 template <class T>
 bool middle_of_overlap(const Rectangle<T>& r0, const Rectangle<T>& r1, T slack,
                        PlanePoint<T>& found) noexcept {

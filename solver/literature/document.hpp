@@ -11,29 +11,29 @@
 
 namespace cyl::literature {
 
-/// What a program can do wrong that follows the documents. Each is a switch of the mended method, so that it
-/// can be shown alone or be taken out of the printed text: errata.md, which oracles/methods/errata.cpp
+/// Errors that a program can make that follows the documents. Each is a switch of the mended method, so that
+/// it can be shown alone or be removed from the printed text: errata.md, which oracles/methods/errata.cpp
 /// writes.
 enum class Fault : unsigned char {
   // 2017
-  kink_taken_for_convex,      ///< F is said to be convex, its last term is not; no verdict depends on it
+  kink_taken_for_convex,      ///< the text calls F convex, but its last term is not; no verdict depends on it
   first_quarter_ends_all,     ///< the test of one quarter circle returns for both
   division_by_vanished_root,  ///< F' at t = 1 of perpendicular axes, the gradient of G at an axis
   one_octant,                 ///< the other directions are searched for s, t >= 0 alone, as section 8 has it
   cancelling_sine,            ///< sqrt(1 - c^2) for the sine of the axes' angle, and W0 x W1 as it comes
-  coincident_centers,         ///< section 7 is asked where Delta = 0; NaN, but no verdict
+  coincident_centers,         ///< section 7 is used for Delta = 0; NaN, but no verdict
   mixed_strictness,           ///< touching is apart, but not for the axes and for parallel solids
   stays_on_the_boundary,      ///< once a line search ends on the triangle's boundary, only that is searched
   cancelling_root,         ///< |D|^2 - (D.W)^2 for |P D|^2: next to an axis only half of the digits are left
-  kinks_taken_for_smooth,  ///< G is minimised as if it were smooth where D is perpendicular to an axis
-  // 2008, and the page of the book where it says the same
+  kinks_taken_for_smooth,  ///< G is minimised as if it were smooth for D perpendicular to an axis
+  // 2008, and the page of the book if it has the same
   radius_not_squared,            ///< section 7: r |W0 x W1|^2 < rho^2
-  derivative_of_the_wrong_term,  ///< section 8: -sigma2 b2 in G'(x), where a2 belongs
+  derivative_of_the_wrong_term,  ///< section 8: -sigma2 b2 in G'(x) instead of a2
   wrong_b_squared,               ///< section 11: (r1^2 - e0 r0^2 det^2)/(e1 - e0)
   equal_eigenvalues,             ///< section 11: e0 = e1 divides by zero
   tangent_line_misses_u0,        ///< section 8: x U0 + V0 never is U0
   negated_pair_ignored,          ///< section 10: half of the critical points are thrown away
-  sign_of_p0,                    ///< section 11: P_0 = r0 det(B0) eta0 points against eta0 where det(B0) < 0
+  sign_of_p0,                    ///< section 11: P_0 = r0 det(B0) eta0 points against eta0 if det(B0) < 0
   cancelling_distance            ///< section 7: |Delta|^2 - (W0.Delta)^2, parallel axes' distance squared
 };
 
@@ -60,12 +60,12 @@ class Faults {
 /// How much work the searches may do, which faults are in, and how the text is read.
 struct Options {
   Faults faults{};
-  int step_cap = 60;     ///< of every search along a line; of Newton's steps where something is polished
+  int step_cap = 60;     ///< of every search along a line, and of Newton's steps of every polish
   double tolerance = 0;  ///< of a search's parameter, at which it ends; of a real root's imaginary part
   int line_cap = 60;     ///< of lines, or rounds of lines, in a search of two dimensions
-  /// Nothing is added to the text that it does not say: roles and axes stay as given (prepare_as_given), no
-  /// direction found is asked again, no search ends because it is shown to be in vain, no root and no
-  /// critical point is polished, and either has to have the signs that were assumed.
+  /// Only the text, without additions: roles and axes stay as given (prepare_as_given), no found direction is
+  /// checked again, no search ends early because it cannot succeed, and no root or critical point is
+  /// polished. Each must have the signs that were assumed.
   bool literal = false;
   bool touching_apart = false;  ///< f(D) <= 0 separates, as the text of 2017 has it; else f(D) < 0
 };
@@ -84,7 +84,7 @@ inline Prepared prepare_as_given(const Cylinder& c) noexcept {
   return p;
 }
 
-/// `disjoint` with a direction D for which the method found f(D) < 0; else `intersecting`: the method found
+/// `disjoint` with a direction D for which the method found f(D) < 0. Else `intersecting`: the method found
 /// none.
 struct Separation {
   Verdict verdict = Verdict::undecided;

@@ -26,14 +26,15 @@ struct Octant {
   static Vector3 at(const Point& x) noexcept { return {x.x(), x.y(), 1 - x.x() - x.y()}; }
   /// L_i, linear: D along axis i.
   double along(int i, const Point& x) const noexcept;
-  /// G where the L_i have the signs given, or their own where those are 0.
+  /// G with the given signs of the L_i, or their own signs if those are 0.
   double value(const Point& x, Signs signs) const noexcept;
   /// A subgradient of it.
   Point gradient(const Point& x, Signs signs) const noexcept;
   /// |P_i D(x)|.
   double across(int i, const Point& x) const noexcept;
-  /// Where G falls most from the tip of the cone r_i |P_i D|, x = W_i or next to it: without that term the
-  /// gradient is g, and g.d/|P_i d| is least for H d = -g, 2 H the second derivatives of Q_i.
+  /// The direction in which G falls most from the tip of the cone r_i |P_i D|, x = W_i or next to it. Without
+  /// that term the gradient is g, and g.d/|P_i d| is least for H d = -g, where 2 H is the second derivatives
+  /// of Q_i.
   Point off_axis(int i, const Point& x, Signs signs) const noexcept;
 };
 
@@ -45,7 +46,7 @@ struct Cell {
   Signs signs;
 
   Point middle() const noexcept;
-  /// The part where `sign` L_i >= 0; false where it has no inside.
+  /// The part with `sign` L_i >= 0; false if its interior is empty.
   bool keep(const Octant& octant, int i, double sign) noexcept;
   /// The r for which x + r d is in the cell, x being in it.
   struct Interval {

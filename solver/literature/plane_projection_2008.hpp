@@ -17,7 +17,7 @@ struct Region {
   /// N of length 1.
   Region(const Prepared& solid, const Vector3& n) noexcept;
 
-  /// Of the rectangle, in order round it.
+  /// The corners of the rectangle, in order round it.
   std::array<Vector3, 4> corners() const noexcept;
   /// The quadratic form that is 1 on either ellipse, y being the vector from its centre; for no rectangle.
   double ellipse(const Vector3& y) const noexcept;
@@ -33,7 +33,7 @@ struct Region {
 };
 
 /// A vector of the plane along which the regions are apart, by bisection of the half circle on which the sum
-/// of their reaches, less Delta's, has one valley; 0 where none was found.
+/// of their reaches, less Delta's, has one valley. 0 if none was found.
 Vector3 separation_in_plane(const Region& a, const Region& b, const Vector3& n,
                             const Options& options) noexcept;
 

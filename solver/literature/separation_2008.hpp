@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The text of 2008: the gap f(D) is looked at where its gradient vanishes or is undefined. Sections 6 and 7
+// The text of 2008 evaluates the gap f(D) at directions with a zero or undefined gradient. Sections 6 and 7
 // are here, 5 and 8 in separation_2008_circle.hpp, 9 to 13 in separation_2008_interior.hpp. No allocation.
 #pragma once
 
@@ -12,7 +12,7 @@ namespace cyl::literature {
 enum class CircleWay : unsigned char {
   polynomial,  ///< along the tangent line, roots of a polynomial of degree 8
   projection,  ///< distance of a point to the other solid's projection, by a polynomial of degree 4
-  minimise     ///< ours, in no document: bisection of the half circle where D.Delta > 0, F's one valley
+  minimise     ///< ours, not in a document: bisection of the half circle with D.Delta > 0, F's one valley
 };
 
 /// How section 11 solves for the critical points.
@@ -21,19 +21,19 @@ enum class CriticalWay : unsigned char {
   adjugate     ///< P_0 = r0 det(B0) eta_0, P_1 = r1 eta_1, without a division: the page of the book
 };
 
-/// Of the text as it stands, and of the page of the book. equal_eigenvalues changes no verdict, and
-/// sign_of_p0 is how a reader may go on, no step of either: errata.md.
+/// The text as printed, and the page of the book. equal_eigenvalues changes no verdict. sign_of_p0 is one way
+/// in which a reader may continue, but a step of neither: errata.md.
 inline constexpr Faults printed_2008 = Faults(Fault::radius_not_squared) |
                                        Fault::derivative_of_the_wrong_term | Fault::wrong_b_squared |
                                        Fault::equal_eigenvalues | Fault::tangent_line_misses_u0 |
                                        Fault::negated_pair_ignored | Fault::cancelling_distance;
 inline constexpr Faults printed_book = Faults(Fault::wrong_b_squared) | Fault::equal_eigenvalues;
 
-/// `disjoint` with a direction of negative f, `intersecting` where none was found, `invalid`. Without faults
-/// `disjoint` is as sure as the rounding of f (some 1e-15 of the lengths); `intersecting` as sure as the
-/// options allow. The square-root-free tests of section 7 are believed as they stand, so with the fault
-/// radius_not_squared the direction may be none. Cost: a circle 0.5 us (projection), 1 to 2 us (minimise) or
-/// 20 us (polynomial), critical points 3 us; most pairs end in section 7.
+/// `disjoint` with a direction of negative f, `intersecting` if none was found, `invalid`. Without faults
+/// `disjoint` is as sure as the rounding of f (some 1e-15 of the lengths), and `intersecting` as sure as the
+/// options allow. The square-root-free tests of section 7 are not checked, so with the fault
+/// radius_not_squared the direction may be wrong. Cost: a circle 0.5 us (projection), 1 to 2 us (minimise) or
+/// 20 us (polynomial), critical points 3 us. Most pairs end in section 7.
 Separation separation_2008(const Prepared& a, const Prepared& b, CircleWay circle, CriticalWay critical,
                            const Options& options) noexcept;
 Separation separation_2008(const Cylinder& a, const Cylinder& b, CircleWay circle, CriticalWay critical,

@@ -49,8 +49,8 @@ struct TangentLine {
   Vector3 u, v;
 };
 
-/// The vector from the projection of solid 1 to that of the centre of solid 0, onto the plane of the circle;
-/// (0, 0) where it is inside. `of` is the part of the projection that was asked.
+/// The vector from the projection of solid 1 to that of the centre of solid 0, onto the plane of the circle.
+/// It is (0, 0) if the centre is inside. `of` is the part of the projection.
 struct PlaneVector {
   double x = 0, y = 0;
 };

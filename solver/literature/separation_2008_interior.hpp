@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Sections 9 to 13 of the text of 2008: the directions where all terms of f are smooth.
+// Sections 9 to 13 of the text of 2008: the directions at which all terms of f are smooth.
 #pragma once
 
 #include "solver/literature/separation_2008.hpp"
@@ -8,12 +8,12 @@
 
 namespace cyl::literature {
 
-/// g0(D) = r0 |P0 D| + r1 |P1 D| - D.phi, which is f(D) where sign0 D.W0, sign1 D.W1 and D.Delta >= 0. Of the
-/// eight signs four have this form, the others are their companions: g1(D) = g0(-D).
+/// g0(D) = r0 |P0 D| + r1 |P1 D| - D.phi, which is f(D) if sign0 D.W0, sign1 D.W1 and D.Delta >= 0. Four of
+/// the eight sign patterns have this form. The others are their companions: g1(D) = g0(-D).
 struct SmoothGap {
   SmoothGap(const Solids& solids, double sign0, double sign1) noexcept;  ///< phi = 0 gives no_phi
 
-  /// Section 12: D = x U + y V + W times det(C), where (x, y) are the etas': 0 where C is not invertible.
+  /// Section 12: D = x U + y V + W times det(C), where (x, y) are the etas'. 0 if C is not invertible.
   Vector3 direction(const Vector2& eta0, const Vector2& eta1) const noexcept;
   /// The same by the text's own two equations in x and y, with C, d and the dot products G_i = R^T R_i; D.W
   /// = 1.

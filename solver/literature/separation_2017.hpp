@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The text of 2017: five kinds of directions D are tried for f(D) < 0, in closed form where that is possible,
-// else by a minimiser. Put right, but for the faults that the options switch on. Faults and cases:
-// errata.md. Nothing here prints, throws, allocates or keeps state; only + - * / sqrt.
+// The text of 2017 tries five kinds of directions D for f(D) < 0, in closed form if possible, else by a
+// minimiser. It is corrected, except for the faults that the options switch on. Faults and cases: errata.md.
+// Nothing here prints, throws, allocates or keeps state. Only + - * / sqrt.
 #pragma once
 
 #include "solver/decide.hpp"
@@ -21,8 +21,8 @@ enum class Minimiser : unsigned char { conjugate_gradients, powell };
 
 /// The whole test (section 8). `disjoint` with D, f(D) < 0 as computed and D.Delta >= 0; else `intersecting`,
 /// or `invalid`. Without faults and not literal: the same bits for swapped roles, reversed axes and lengths
-/// times 2^k, and wrong only below the margins of readings.md. Cost: 0.1 us where a closed form separates, at
-/// the default caps some 20 us where nothing does.
+/// times 2^k, and wrong only below the margins of readings.md. Cost: 0.1 us if a closed form separates, and
+/// some 20 us at the default caps if nothing does.
 Separation separated_cylinders(const Prepared& a, const Prepared& b, Minimiser minimiser,
                                const Options& options) noexcept;
 
@@ -47,7 +47,7 @@ Direction separated_by_axes(const Couple<double>& p, const Options& options) noe
 Direction separated_in_parallel(const Couple<double>& p, const Options& options) noexcept;
 /// Section 6: D perpendicular to W0. The axes are not parallel.
 Direction separated_by_cylinder_perpendiculars(const Couple<double>& p, const Options& options) noexcept;
-/// Section 7: any D; Delta is not 0. To be asked after the others, which see to the kinks of f.
+/// Section 7: any D; Delta is not 0. Call it after the others, which handle the kinks of f.
 Direction separated_by_other_directions(const Couple<double>& p, Minimiser minimiser,
                                         const Options& options) noexcept;
 

@@ -23,7 +23,7 @@ struct CriticalSystem {
 struct CriticalPairs {
   Vector2 eta0[2], eta1[2];
   int count = 0;
-  bool equal = false;  ///< e0 = e1: no isolated solution; g0 is least at W, if anywhere but at W0 and W1
+  bool equal = false;  ///< e0 = e1: no isolated solution; g0 is least at W, or only at W0 and W1
 
   void add(const Vector2& first, const Vector2& second) noexcept {
     eta0[count] = first;
@@ -37,11 +37,11 @@ inline constexpr double equal_eigenvalues_tol = 0x1p-50;
 /// (a, b)^perp = (b, -a).
 inline Vector2 perpendicular(const Vector2& v) noexcept { return {v.y(), -v.x()}; }
 
-/// det(B0) = 0 and det(B1) != 0 or the other way round (not both 0). `unit`: eta_0 is normalised; else
-/// P_i = |B0^T zeta| eta_i.
+/// det(B0) = 0 and det(B1) != 0 or the reverse (not both 0). `unit`: eta_0 is normalised. Else P_i = |B0^T
+/// zeta| eta_i.
 CriticalPairs solve_singular(const CriticalSystem& system, bool unit) noexcept;
-/// det(B0) and det(B1) not 0: P_0 = -C P_1 with C = Adj(B0) B1, |P_0| = r0 |det(B0)|, |P_1| = r1. With
-/// P_0 = r0 det(B0) eta_0 it points against eta_0 where det(B0) < 0: it is turned round, but for the fault.
+/// det(B0) and det(B1) not 0: P_0 = -C P_1 with C = Adj(B0) B1, |P_0| = r0 |det(B0)|, |P_1| = r1. If det(B0)
+/// < 0, P_0 = r0 det(B0) eta_0 points against eta_0. Then it is reversed, except with the fault.
 CriticalPairs solve_adjugate(const CriticalSystem& system, Faults faults) noexcept;
 
 }  // namespace cyl::literature

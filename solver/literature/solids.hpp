@@ -9,8 +9,8 @@
 
 namespace cyl::literature {
 
-/// W_i, r_i, *half* heights h_i, Delta, and the one frame that suits both solids: n is the axes' common unit
-/// normal, and (n x W_i, n, W_i) is the (U_i, V_i, W_i) of solid i. The text leaves U_i and V_i open.
+/// W_i, r_i, *half* heights h_i, Delta, and the one frame for both solids: n is the axes' common unit normal,
+/// and (n x W_i, n, W_i) is the (U_i, V_i, W_i) of solid i. The text leaves U_i and V_i open.
 struct Solids {
   /// Axes not parallel.
   Solids(const Couple<double>& p, const Axes& axes) noexcept
@@ -45,7 +45,7 @@ struct Solids {
 class Finder {
  public:
   explicit Finder(const Solids& solids) noexcept : solids_(solids) {}
-  /// Whether f(D) < 0, D of any length; no, where it is not finite.
+  /// Whether f(D) < 0, D of any length. False if it is not finite.
   bool separates(const Vector3& d) noexcept {
     if (!(solids_.gap(d) < 0)) return false;
     direction = dot(d, solids_.delta) < 0 ? Vector3(-d) : d;

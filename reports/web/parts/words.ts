@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Numbers and names as people read them.
 
-export const grouped = (n: number) => Math.round(n).toLocaleString("en-US");
+/** Made once: toLocaleString() would make one for each number. */
+const inGroups = new Intl.NumberFormat("en-US");
+export const grouped = (n: number) => inGroups.format(Math.round(n));
 
 /** "1.2e-7", "0.013", "42": `digits` significant ones. */
 export function short(x: number | null | undefined, digits = 3): string {

@@ -113,11 +113,12 @@ function HeatRow({
         const c = row.families.get(family),
           { heat, step, failed } = heatOf(c);
         const known = heat === "bad" || heat === "within";
-        const where = `#/findings?${new URLSearchParams({ [members ? "library" : "method"]: row.name, family })}`;
+        const where = { [members ? "library" : "method"]: row.name, family },
+          words = describeCell(row.name, family, c);
         return (
-          <td class={`heat ${heat} s${step}`} title={describeCell(row.name, family, c)} key={family}>
+          <td class={`heat ${heat} s${step}`} title={words} key={family}>
             {known ? (
-              <a href={where} aria-label={describeCell(row.name, family, c)}>
+              <a href={`#/findings?${new URLSearchParams(where)}`} aria-label={words}>
                 {failed ? "\u00d7" : ""}
               </a>
             ) : null}
