@@ -239,12 +239,10 @@ function withClearance({ study }, clearance) {
 
 /** The button of a proof sets the sliders to where the referee refuted it: there the pair is within the clearance. */
 async function showsWhatIsRefuted({ address, study }) {
-  const page = await open(address);
   const refuted = study.motions.findIndex(({ verdict }) => verdict === "refuted"),
-    proof = study.motions[refuted];
-  const pair = study.pairs.findIndex(({ bodies }) => bodies.join() === proof.bodies.join());
-  await page.goto(`${address}#at=0&pair=${pair}`);
-  await page.reload();
+    proof = study.motions[refuted],
+    pair = study.pairs.findIndex(({ bodies }) => bodies.join() === proof.bodies.join());
+  const page = await open(`${address}#at=0&pair=${pair}`);
   assert.match(await page.locator(".picked p.bad").innerText(), /^Over all motions refuted: /);
   await page.locator(".picked").getByRole("button", { name: /^Show where/ }).click();
   assert.ok((await status(page)).includes("within the clearance here"));
